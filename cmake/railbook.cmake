@@ -1,0 +1,69 @@
+# Helpers that keep each folder's CMakeLists.txt to a line or two.
+
+# Flags shared by every target of the project (third-party headers are system headers, and exempt).
+add_library(railbook_flags INTERFACE)
+target_compile_options(railbook_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror
+  -ffp-contract=off) # no fused multiply-add behind our back: the same digits from every compiler
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  target_compile_options(railbook_flags INTERFACE -Wno-restrict) # false alarms in GCC 12 (bug 105651)
+endif()
+target_include_directories(railbook_flags INTERFACE ${CMAKE_SOURCE_DIR}/lib)
+if(RAILBOOK_SANITIZE)
+  target_compile_options(railbook_flags INTERFACE
+    -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(railbook_flags INTERFACE -fsanitize=address,undefined)
+endif()
+
+# railbook_library(NAME [NEEDS other libraries of lib/] [USES third-party targets])
+# The target railbook_NAME from every .cpp of the calling folder.
+function(railbook_library name)
+  cmake_parse_arguments(arg "" "" "NEEDS;USES" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS *.cpp)
+  list(TRANSFORM arg_NEEDS PREPEND railbook_)
+  if(sources)
+    add_library(railbook_${name} STATIC ${sources})
+    target_link_libraries(railbook_${name} PUBLIC railbook_flags ${arg_NEEDS} ${arg_USES})
+  else()
+    add_library(railbook_${name} INTERFACE)
+    target_link_libraries(railbook_${name} INTERFACE railbook_flags ${arg_NEEDS} ${arg_USES})
+  endif()
+endfunction()
+
+# railbook_tests(NAME [NEEDS ...] [USES ...])
+# The program test_NAME from tests/{unit,property,extreme,input}/NAME_*.cpp; each TEST_CASE is a ctest.
+function(railbook_tests name)
+  cmake_parse_arguments(arg "" "" "NEEDS;USES" ${ARGN})
+  set(t ${CMAKE_SOURCE_DIR}/tests)
+  file(GLOB sources CONFIGURE_DEPENDS ${t}/unit/${name}_*.cpp ${t}/property/${name}_*.cpp
+       ${t}/extreme/${name}_*.cpp ${t}/input/${name}_*.cpp)
+  if(NOT sources)
+    return()
+  endif()
+  list(TRANSFORM arg_NEEDS PREPEND railbook_)
+  add_executable(test_${name} ${sources})
+  target_link_libraries(test_${name} PRIVATE railbook_flags railbook_${name} ${arg_NEEDS}
+                        ${arg_USES} catch_main)
+  include(Catch)
+  catch_discover_tests(test_${name} TEST_PREFIX "${name}: ")
+endfunction()
+
+# railbook_chapter(NN-NAME [NEEDS libraries of lib/])
+# The chapter program NAME in build/bin; a need that is not named is a link error.
+# ctest runs it (every check must pass) and its bite test (every check must fail when shifted).
+function(railbook_chapter chapter)
+  cmake_parse_arguments(arg "" "" "NEEDS;USES" ${ARGN})
+  string(REGEX REPLACE "^[0-9]+-" "" name ${chapter})
+  file(GLOB sources CONFIGURE_DEPENDS *.cpp)
+  list(TRANSFORM arg_NEEDS PREPEND railbook_)
+  add_executable(${name} ${sources})
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+  target_compile_definitions(${name} PRIVATE
+    RAILBOOK_CHAPTER="${chapter}" RAILBOOK_CHAPTER_DIR="${CMAKE_CURRENT_SOURCE_DIR}")
+  target_link_libraries(${name} PRIVATE railbook_flags ${arg_NEEDS} ${arg_USES})
+  set_property(GLOBAL APPEND PROPERTY RAILBOOK_CHAPTERS ${name})
+  add_test(NAME "chapter: ${chapter} reproduces" COMMAND ${name} reproduce --no-timings
+           --out ${CMAKE_BINARY_DIR}/ctest/${chapter})
+  add_test(NAME "chapter: ${chapter} bites" COMMAND ${name} reproduce --bite --no-figures
+           --no-timings --out ${CMAKE_BINARY_DIR}/ctest/${chapter}-bite)
+endfunction()

@@ -1,0 +1,54 @@
+// Frictionless contact of two elastic half spaces: the problem, and the one result type of every solver.
+//
+// Common frame of both bodies: origin at first touch, x along the wheel axis (across the rail), y along the
+// rail, z into the bodies. All lengths in metres, pressures in Pa, forces in N.
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <string>
+
+namespace railbook::contact {
+
+// Elastic constants of the two bodies: Young's moduli (Pa, > 0) and Poisson's ratios (0 <= nu <= 0.5).
+struct Material {
+  double young_1 = 0;
+  double poisson_1 = 0;
+  double young_2 = 0;
+  double poisson_2 = 0;
+};
+
+// E* of both bodies, 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2 [Pa]; the paper's k of eq. (9) is 1/(pi E*).
+// Throws InputError on a modulus or a ratio out of range.
+double effective_modulus(const Material& material);
+
+// The initial gap f(x, y) = z_1 + z_2 >= 0 [m] between the bodies at first touch, eq. (1). Infinity is a
+// place where there is no body; NaN is refused by the solvers.
+using Gap = std::function<double(double x, double y)>;
+
+// A solved normal contact, as cells of constant pressure. Only cells inside the contact region are kept.
+struct NormalContact {
+  Eigen::VectorXd x, y;    // cell centres [m], n
+  Eigen::VectorXd dx, dy;  // cell sizes [m], n
+  Eigen::VectorXd p;       // pressure [Pa], n, > 0
+
+  double approach = 0;  // delta [m]
+  double force = 0;     // F_z [N]
+  double moment_x = 0;  // M_x = -sum y p dA [N m], eq. (7)
+  double moment_y = 0;  // M_y =  sum x p dA [N m]
+  double p_max = 0;     // largest pressure [Pa] ...
+  double x_p_max = 0;   // ... and where [m]
+  double y_p_max = 0;
+  double x_min = 0, x_max = 0;  // ends of the contact region [m]
+  double y_min = 0, y_max = 0;
+  double area = 0;  // [m^2]
+
+  double force_error = 0;  // estimate of |force - exact|/|exact|, from the solver itself; NaN if it has none
+  double p_max_error = 0;
+  long work = 0;       // the solver's work count (unknowns^2 filled and solved, or FFT points transformed)
+  int iterations = 0;  // boundary updates, or conjugate-gradient steps
+  bool converged = false;
+  std::string reason;  // why not converged, or a note on the case (empty contact, singular edge, ...)
+};
+
+}  // namespace railbook::contact

@@ -1,0 +1,141 @@
+#include "num/fft.hpp"
+
+#include <fftw3.h>
+
+#include <limits>
+#include <new>
+#include <string>
+
+#include "num/gsl.hpp"
+#include "units/input_error.hpp"
+
+namespace railbook::num {
+namespace {
+
+struct FftwFree {
+  void operator()(double* p) const { fftw_free(p); }
+};
+struct PlanFree {
+  void operator()(fftw_plan_s* p) const { fftw_destroy_plan(p); }
+};
+using Buffer = std::unique_ptr<double[], FftwFree>;
+using PlanPtr = std::unique_ptr<fftw_plan_s, PlanFree>;
+
+Buffer allocate(std::size_t doubles) {
+  Buffer buffer{fftw_alloc_real(doubles)};
+  if (!buffer) throw std::bad_alloc{};
+  for (std::size_t i = 0; i < doubles; ++i) buffer[i] = 0.0;
+  return buffer;
+}
+
+int checked_size(std::size_t n) {
+  if (n < 1 || n > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+    throw InputError{"transform length is " + std::to_string(n) + "; allowed: 1 to 2^31 - 1"};
+  return static_cast<int>(n);
+}
+
+PlanPtr checked(fftw_plan plan) {
+  if (!plan) throw NumericalError{"FFTW made no plan"};
+  return PlanPtr{plan};
+}
+
+}  // namespace
+
+std::size_t good_fft_size(std::size_t n) {
+  for (std::size_t size = n > 0 ? n : 1;; ++size) {
+    std::size_t rest = size;
+    for (std::size_t prime : {2U, 3U, 5U, 7U})
+      while (rest % prime == 0) rest /= prime;
+    if (rest == 1) return size;
+  }
+}
+
+struct RealFft::Plan {
+  std::size_t n;
+  Buffer real;
+  Buffer spectrum;
+  PlanPtr forward;
+  PlanPtr inverse;
+};
+
+RealFft::RealFft(std::size_t n) : plan_(std::make_unique<Plan>()) {
+  const int size = checked_size(n);
+  plan_->n = n;
+  plan_->real = allocate(n);
+  plan_->spectrum = allocate(2 * (n / 2 + 1));
+  auto* complex = reinterpret_cast<fftw_complex*>(plan_->spectrum.get());
+  plan_->forward = checked(
+      fftw_plan_dft_r2c_1d(size, plan_->real.get(), complex, FFTW_ESTIMATE | FFTW_PRESERVE_INPUT));
+  plan_->inverse = checked(fftw_plan_dft_c2r_1d(size, complex, plan_->real.get(), FFTW_ESTIMATE));
+}
+RealFft::~RealFft() = default;
+RealFft::RealFft(RealFft&&) noexcept = default;
+RealFft& RealFft::operator=(RealFft&&) noexcept = default;
+
+std::size_t RealFft::size() const {
+  return plan_->n;
+}
+std::span<double> RealFft::real() {
+  return {plan_->real.get(), plan_->n};
+}
+std::span<std::complex<double>> RealFft::spectrum() {
+  return {reinterpret_cast<std::complex<double>*>(plan_->spectrum.get()), plan_->n / 2 + 1};
+}
+void RealFft::forward() {
+  fftw_execute(plan_->forward.get());
+}
+void RealFft::inverse() {
+  fftw_execute(plan_->inverse.get());
+}
+
+struct RealFft2d::Plan {
+  std::size_t rows;
+  std::size_t columns;
+  Buffer buffer;
+  PlanPtr forward;
+  PlanPtr inverse;
+};
+
+RealFft2d::RealFft2d(std::size_t rows, std::size_t columns) : plan_(std::make_unique<Plan>()) {
+  const int n0 = checked_size(rows);
+  const int n1 = checked_size(columns);
+  plan_->rows = rows;
+  plan_->columns = columns;
+  plan_->buffer = allocate(rows * stride());
+  auto* complex = reinterpret_cast<fftw_complex*>(plan_->buffer.get());
+  plan_->forward =
+      checked(fftw_plan_dft_r2c_2d(n0, n1, plan_->buffer.get(), complex, FFTW_ESTIMATE));
+  plan_->inverse =
+      checked(fftw_plan_dft_c2r_2d(n0, n1, complex, plan_->buffer.get(), FFTW_ESTIMATE));
+}
+RealFft2d::~RealFft2d() = default;
+RealFft2d::RealFft2d(RealFft2d&&) noexcept = default;
+RealFft2d& RealFft2d::operator=(RealFft2d&&) noexcept = default;
+
+std::size_t RealFft2d::rows() const {
+  return plan_->rows;
+}
+std::size_t RealFft2d::columns() const {
+  return plan_->columns;
+}
+std::size_t RealFft2d::stride() const {
+  return 2 * (plan_->columns / 2 + 1);
+}
+double* RealFft2d::row(std::size_t i) {
+  return plan_->buffer.get() + i * stride();
+}
+std::span<double> RealFft2d::real() {
+  return {plan_->buffer.get(), plan_->rows * stride()};
+}
+std::span<std::complex<double>> RealFft2d::spectrum() {
+  return {reinterpret_cast<std::complex<double>*>(plan_->buffer.get()),
+          plan_->rows * (plan_->columns / 2 + 1)};
+}
+void RealFft2d::forward() {
+  fftw_execute(plan_->forward.get());
+}
+void RealFft2d::inverse() {
+  fftw_execute(plan_->inverse.get());
+}
+
+}  // namespace railbook::num

@@ -1,0 +1,50 @@
+#include "units/input_error.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+namespace railbook::units {
+namespace {
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.10g", value);
+  return text;
+}
+
+[[noreturn]] void refuse(std::string_view quantity, double value, std::string_view unit,
+                         const std::string& allowed) {
+  std::string text{quantity};
+  text += " is " + number(value);
+  if (!unit.empty()) text += " " + std::string{unit};
+  text += "; allowed: " + allowed;
+  throw InputError{text};
+}
+
+}  // namespace
+
+double require_finite(std::string_view quantity, double value, std::string_view unit) {
+  if (!std::isfinite(value)) refuse(quantity, value, unit, "a finite number");
+  return value;
+}
+
+double require_between(std::string_view quantity, double value, double low, double high,
+                       std::string_view unit) {
+  if (std::isfinite(value) && value >= low && value <= high) return value;
+  std::string range = "from " + number(low) + " to " + number(high);
+  if (!std::isfinite(high)) range = "at least " + number(low);
+  if (!std::isfinite(low)) range = "at most " + number(high);
+  refuse(quantity, value, unit, range);
+}
+
+double require_positive(std::string_view quantity, double value, std::string_view unit) {
+  if (std::isfinite(value) && value > 0) return value;
+  refuse(quantity, value, unit, "greater than 0, finite");
+}
+
+double require_non_negative(std::string_view quantity, double value, std::string_view unit) {
+  if (std::isfinite(value) && value >= 0) return value;
+  refuse(quantity, value, unit, "0 or greater, finite");
+}
+
+}  // namespace railbook::units

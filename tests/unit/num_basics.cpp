@@ -1,0 +1,77 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <complex>
+#include <limits>
+
+#include "num/fft.hpp"
+#include "num/gsl.hpp"
+#include "num/quadrature.hpp"
+#include "num/roots.hpp"
+#include "units/constants.hpp"
+#include "units/input_error.hpp"
+
+using namespace railbook;
+
+TEST_CASE("unit: Brent finds a root to the last digits") {
+  const num::Root root = num::find_root([](double x) { return std::cos(x) - x; }, 0, 1);
+  CHECK(root.converged);
+  CHECK(root.x == Approx(0.7390851332151607).epsilon(1e-15));
+  CHECK_THROWS_AS(num::find_root([](double x) { return x * x + 1; }, -1, 1), InputError);
+  CHECK_FALSE(num::find_root([](double x) { return x * x * x - 2; }, 0, 1e6, 1e-15, 3).converged);
+}
+
+TEST_CASE("unit: integrals, finite, singular and infinite") {
+  const double inf = std::numeric_limits<double>::infinity();
+  const auto root = num::integrate([](double x) { return 1 / std::sqrt(x); }, 0, 1);
+  CHECK(root.converged);
+  CHECK(std::abs(root.value - 2) <= std::max(root.error, 1e-10));
+  CHECK(num::integrate([](double x) { return std::exp(-x * x); }, -inf, inf).value ==
+        Approx(std::sqrt(units::pi)).epsilon(1e-10));
+  // The claimed error bounds the true one (a divergent integral says that it did not converge).
+  CHECK_FALSE(num::integrate([](double x) { return 1 / x; }, 0, 1).converged);
+  const num::GaussRule rule = num::gauss_legendre(5, 0, 2);
+  CHECK(rule.w.sum() == Approx(2).epsilon(1e-15));
+  CHECK(rule.w.dot(rule.x.array().pow(9).matrix()) == Approx(102.4).epsilon(1e-14));
+}
+
+TEST_CASE("unit: transforms match a direct sum") {
+  for (std::size_t n : {1U, 2U, 7U, 12U}) {
+    num::RealFft fft{n};
+    for (std::size_t j = 0; j < n; ++j) fft.real()[j] = std::sin(1.0 + double(j * j));
+    std::vector<double> before(fft.real().begin(), fft.real().end());
+    fft.forward();
+    for (std::size_t k = 0; k <= n / 2; ++k) {
+      std::complex<double> sum;
+      for (std::size_t j = 0; j < n; ++j)
+        sum += before[j] * std::polar(1.0, -2 * units::pi * double(k * j) / double(n));
+      CHECK(std::abs(sum - fft.spectrum()[k]) < 1e-13);
+    }
+    fft.inverse();
+    for (std::size_t j = 0; j < n; ++j)
+      CHECK(fft.real()[j] == Approx(double(n) * before[j]).margin(1e-13));
+  }
+}
+
+TEST_CASE("unit: a two-dimensional round trip returns n times the samples") {
+  num::RealFft2d fft{6, 5};
+  for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t j = 0; j < 5; ++j) fft.row(i)[j] = double(10 * i + j);
+  fft.forward();
+  CHECK(fft.spectrum()[0].real() == Approx(810));
+  fft.inverse();
+  for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t j = 0; j < 5; ++j)
+      CHECK(fft.row(i)[j] == Approx(30.0 * double(10 * i + j)).margin(1e-11));
+}
+
+TEST_CASE("unit: good sizes have no factor above seven") {
+  CHECK(num::good_fft_size(1) == 1);
+  CHECK(num::good_fft_size(11) == 12);
+  CHECK(num::good_fft_size(509) == 512);
+  CHECK(num::good_fft_size(4093) == 4096);
+}
+
+TEST_CASE("unit: a failing GSL status is an exception with its text") {
+  CHECK_THROWS_WITH(num::check_gsl(4, "my routine"), Catch::Contains("my routine"));
+  CHECK_NOTHROW(num::check_gsl(0, ""));
+}

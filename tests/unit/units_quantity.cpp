@@ -1,0 +1,55 @@
+#include <catch2/catch.hpp>
+
+#include "units/constants.hpp"
+#include "units/psd_convention.hpp"
+#include "units/quantity.hpp"
+
+using namespace railbook::units;
+
+TEST_CASE("unit: quantities come in as SI") {
+  CHECK(parse_quantity("dip", "0.5in", length) == Approx(0.0127).epsilon(1e-15));
+  CHECK(parse_quantity("speed", "60 mph", speed) == Approx(26.8224).epsilon(1e-15));
+  CHECK(parse_quantity("load", "80kN", force) == 80e3);
+  CHECK(parse_quantity("modulus", "1500 lbf/in^2", pressure) == Approx(1500 * psi).epsilon(1e-15));
+  CHECK(parse_quantity("modulus", "100lbf/in3", subgrade_modulus) ==
+        Approx(100 * lbf / (inch * inch * inch)).epsilon(1e-15));
+  CHECK(parse_quantity("damping", "12 N*s/m", damping) == 12.0);
+  CHECK(parse_quantity("angle", "180deg", angle) == Approx(pi).epsilon(1e-15));
+  CHECK(parse_quantity("wavenumber", "0.084cycle/m", wavenumber) == 0.084);
+  CHECK(parse_quantity("ratio", "0.25", number) == 0.25);
+  CHECK(parse_quantity("ratio", "25%", number) == 0.25);
+  CHECK(parse_quantity("approach", "+4e-4in", length) == Approx(1.016e-5).epsilon(1e-15));
+}
+
+TEST_CASE("unit: a header names its unit after the underscore") {
+  const Header plain = parse_header("distance_m");
+  CHECK(plain.name == "distance");
+  CHECK(plain.unit.dimension == length);
+  const Header two_words = parse_header("left_profile_mm");
+  CHECK(two_words.name == "left_profile");
+  CHECK(two_words.unit.si == 1e-3);
+  const Header density = parse_header("psd_m2_per_cycle");
+  CHECK(density.name == "psd");
+  CHECK(density.unit.dimension == area);
+  CHECK(parse_header("p_lbf_per_in2").unit.si == Approx(psi).epsilon(1e-15));
+  CHECK(parse_header("wavenumber_per_m").unit.dimension == wavenumber);
+  CHECK(parse_header("profile").unit_text.empty());
+}
+
+TEST_CASE("unit: the constants agree with their textbook values") {
+  CHECK(psi == Approx(6894.757293168361).epsilon(1e-15));
+  CHECK(lbf == Approx(4.4482216152605).epsilon(1e-15));
+  CHECK(mph == Approx(0.44704).epsilon(1e-15));
+  CHECK(inch_system_mass == Approx(175.126835).epsilon(1e-8));
+}
+
+TEST_CASE("unit: a density keeps its variance when its convention changes") {
+  const PsdConvention one_cycle{Sides::one, SpectralVariable::cycles};
+  const PsdConvention two_radian{Sides::two, SpectralVariable::radians};
+  // White density S on (0, f): variance S f. Two-sided per radian it runs over (-2 pi f, 2 pi f).
+  const double s = 3.0;
+  const double f = 5.0;
+  const double s2 = s * psd_factor(one_cycle, two_radian);
+  CHECK(s2 * 2 * (2 * pi * f) == Approx(s * f).epsilon(1e-15));
+  CHECK(psd_factor(two_radian, one_cycle) * psd_factor(one_cycle, two_radian) == Approx(1.0));
+}
