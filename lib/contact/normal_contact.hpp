@@ -43,12 +43,15 @@ struct NormalContact {
   double y_min = 0, y_max = 0;
   double area = 0;  // [m^2]
 
-  double force_error = 0;  // estimate of |force - exact|/|exact|, from the solver itself; NaN if it has none
+  double force_error =
+      0;  // estimate of |force - exact|/|exact|, from the solver itself; NaN if it has none
   double p_max_error = 0;
-  long work = 0;       // the solver's work count (unknowns^2 filled and solved, or FFT points transformed)
+  long work =
+      0;  // the solver's work count (unknowns^2 filled and solved, or FFT points transformed)
   int iterations = 0;  // boundary updates, or conjugate-gradient steps
   bool converged = false;
-  std::string reason;  // why not converged, or a note on the case (empty contact, singular edge, ...)
+  std::string
+      reason;  // why not converged, or a note on the case (empty contact, singular edge, ...)
 };
 
 }  // namespace railbook::contact
