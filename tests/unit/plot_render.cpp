@@ -1,0 +1,34 @@
+#include <catch2/catch.hpp>
+
+#include "../support/temporary_folder.hpp"
+#include "plot/plot.hpp"
+
+using namespace railbook;
+
+TEST_CASE("unit: a script with two data files becomes one PNG and leaves nothing else") {
+  const TemporaryFolder at("two files; $(touch never)");
+  const auto script = at.write("fig.gp", R"(load "style.gp"
+set output ARG2
+set xlabel "distance, in"
+plot ARG1 using "x_in":"p_psi" with lines lt 1 title "computed", \
+     ARG3 using "x_in":"p_psi" with points ls printed title "printed"
+)");
+  const auto computed = at.write("a.csv", "x_in,p_psi\n0,1\n1,2\n2,5\n");
+  const auto printed = at.write("b.csv", "x_in,p_psi\n0,1.1\n1,2.1\n2,4.9\n");
+  const auto png = at.path / "made on the way" / "fig.png";
+  plot::render(script, {computed, printed}, png);
+  CHECK(at.size(png) > 5000);
+  CHECK(at.files_in(png.parent_path()) == 1);
+}
+
+TEST_CASE("unit: the same script and data give the same bytes") {
+  const TemporaryFolder at("same");
+  const auto script = at.write("fig.gp", R"(load "style.gp"
+set output ARG2
+plot ARG1 using 1:2 with lines, "" using 1:3 with linespoints
+)");
+  const auto data = at.write("a.csv", "x,y,z\n0,1,2\n1,2,2\n2,5,nan\n");
+  plot::render(script, {data}, at.path / "one.png");
+  plot::render(script, {data}, at.path / "two.png");
+  CHECK(at.read("one.png") == at.read("two.png"));
+}
