@@ -1,0 +1,91 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "track/fe_moving_load.hpp"
+#include "track/moving_load.hpp"
+#include "units/constants.hpp"
+
+using namespace railbook;
+using namespace railbook::track;
+
+TEST_CASE("unit: critical speed of 132RE rail alone at three moduli") {
+  const double EI = 30e6 * units::psi * 87.9 * std::pow(units::inch, 4);
+  const double rho = 131.7 * units::pound / units::yard;
+  CHECK(critical_speed(EI, 1500 * units::psi, rho) / units::mph == Approx(1164.1).epsilon(1e-4));
+  CHECK(critical_speed(EI, 2000 * units::psi, rho) / units::mph == Approx(1250.9).epsilon(1e-4));
+  CHECK(critical_speed(EI, 3000 * units::psi, rho) / units::mph == Approx(1384.4).epsilon(1e-4));
+}
+
+TEST_CASE("unit: critical speed is the least phase speed of the dispersion relation") {
+  const double EI = 7.5e6, K = 1.2e7, rho = 65.0;
+  double least = 1e9;
+  for (double k = 0.5; k < 3; k += 1e-4)
+    least = std::min(least, std::sqrt((EI * std::pow(k, 4) + K) / rho) / k);
+  CHECK(critical_speed(EI, K, rho) == Approx(least).epsilon(1e-7));
+}
+
+TEST_CASE("unit: undamped moving load, closed form in cosine and sine") {
+  for (double theta : {0.0, 0.3, 0.8, 0.99}) {
+    const MovingLoadShape shape = moving_load(theta, 0);
+    const double a = std::sqrt(1 - theta * theta), g = std::sqrt(1 + theta * theta);
+    CHECK(undamped_amplification(theta) == Approx(1 / a).epsilon(1e-14));
+    for (double s : {-7.0, -1.0, 0.0, 0.5, 3.0}) {
+      const double x = std::abs(s);
+      CHECK(shape.deflection(s) ==
+            Approx(std::exp(-a * x) * (std::cos(g * x) / a + std::sin(g * x) / g)).margin(1e-14));
+    }
+  }
+  CHECK(moving_load(0, 0).minimum().y == Approx(-std::exp(-units::pi)).epsilon(1e-14));
+  CHECK(std::abs(moving_load(0, 0).minimum().s) == Approx(units::pi).epsilon(1e-14));
+}
+
+namespace {
+struct Row {
+  double theta, zeta, at_load, maximum, s_maximum, minimum;
+};
+}  // namespace
+
+TEST_CASE("unit: damped moving load, values from a separate root-by-root solution") {
+  // theta = 2 minima from the finite-element steady state below; the trough lies 9 to 10 behind the load.
+  for (const Row& r : {Row{0.5, 0.05, 1.153260, 1.153583, -0.0169, -0.106824},
+                       Row{0.5, 0.2, 1.132314, 1.137415, -0.0695, -0.120894},
+                       Row{0.5, 1, 0.823026, 0.891444, -0.3231, -0.132152},
+                       Row{0.8, 0.4, 1.093271, 1.226055, -0.3803, -0.322346},
+                       Row{1, 0.05, 2.602315, 3.782206, -0.6284, -2.478045},
+                       Row{1, 0.2, 1.225952, 1.823394, -0.6950, -0.858452},
+                       Row{1, 1, 0.434574, 0.668392, -0.8104, -0.186867},
+                       Row{2, 0.05, 0.003440, 0.947651, -3.0124, -0.806619},
+                       Row{2, 0.4, 0.026069, 0.609317, -2.4627, -0.149978},
+                       Row{2, 1, 0.051294, 0.366438, -1.9368, -0.089319}}) {
+    const MovingLoadShape shape = moving_load(r.theta, r.zeta);
+    INFO("theta " << r.theta << " zeta " << r.zeta);
+    CHECK(shape.at_load() == Approx(r.at_load).margin(6e-7));
+    CHECK(shape.maximum().y == Approx(r.maximum).margin(6e-7));
+    CHECK(shape.maximum().s == Approx(r.s_maximum).margin(6e-5));
+    CHECK(shape.minimum().y == Approx(r.minimum).margin(6e-7));
+  }
+}
+
+TEST_CASE("unit: finite-element steady state confirms the closed form within 1e-6 to theta = 2") {
+  for (double theta : {0.0, 0.5, 0.95, 1.0, 1.5, 2.0})
+    for (double zeta : {0.05, 0.2, 1.0}) {
+      const FeShape fe = fe_steady(theta, zeta, {0.025, 1e-9});
+      INFO("theta " << theta << " zeta " << zeta);
+      CHECK(largest_difference(fe, theta, zeta, -1e9, 1e9) < 1e-6);
+      const MovingLoadShape shape = moving_load(theta, zeta);
+      CHECK(*std::min_element(fe.y.begin(), fe.y.end()) == Approx(shape.minimum().y).margin(2e-4));
+    }
+}
+
+TEST_CASE("unit: the load run over the beam in time approaches the same steady state") {
+  FeNewmarkOptions coarse, fine;
+  coarse.element = 0.2, coarse.step = 0.05;
+  fine.element = 0.1, fine.step = 0.025;
+  for (auto [theta, zeta] : {std::pair{0.5, 0.4}, {1.0, 0.4}, {2.0, 0.4}}) {
+    const double first = largest_difference(fe_newmark(theta, zeta, coarse), theta, zeta, -15, 10);
+    const double second = largest_difference(fe_newmark(theta, zeta, fine), theta, zeta, -15, 10);
+    INFO("theta " << theta << ": " << first << " then " << second);
+    CHECK(second < 5e-5);
+    CHECK(first / second > 8);  // order 4 in element and, by extrapolation, in step
+  }
+}
