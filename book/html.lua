@@ -1,0 +1,101 @@
+-- Small pieces of HTML: escaping, numbers, badges, tables.
+
+local html = {}
+
+function html.escape(text)
+  return (tostring(text):gsub("[&<>\"]", {["&"] = "&amp;", ["<"] = "&lt;", [">"] = "&gt;", ['"'] = "&quot;"}))
+end
+
+-- `<name key="value">content</name>`; attributes in alphabetical order, so that pages are reproducible.
+function html.tag(name, attributes, content)
+  local keys, out = {}, {"<" .. name}
+  for key in pairs(attributes or {}) do keys[#keys + 1] = key end
+  table.sort(keys)
+  for _, key in ipairs(keys) do out[#out + 1] = (' %s="%s"'):format(key, html.escape(attributes[key])) end
+  local opening = table.concat(out) .. ">"
+  return content and opening .. content .. "</" .. name .. ">" or opening
+end
+
+local function power_of_ten(text)
+  return (text:gsub("(%d)[eE]([+-]?)0*(%d+)", function(digit, sign, exponent)
+    return digit .. "×10<sup>" .. (sign == "-" and "−" or "") .. exponent .. "</sup>"
+  end))
+end
+
+-- A number as text, 1.2e-05 or -3.4, the way it is printed: 1.2×10⁻⁵, −3.4. Other text comes back escaped.
+function html.number(text)
+  text = html.escape(text)
+  if text:find("^[+-]?%.?%d[%d.,]*[eE]?[+-]?%d*$") then text = power_of_ten(text:gsub("^-", "−")) end
+  return text
+end
+
+local function math(tex, kind)
+  local doc = pandoc.Pandoc({pandoc.Plain({pandoc.Math(kind, tex)})})
+  local out = pandoc.write(doc, "html", {html_math_method = "mathml"}):gsub("%s+$", "")
+  if not out:find("<math", 1, true) then
+    io.stderr:write("book: the formula $", tex, "$ of a record cannot be set\n")
+    os.exit(1)
+  end
+  return out
+end
+
+-- Text of a record: escaped, with $...$ as MathML and `...` as code.
+function html.text(text)
+  local out, at = {}, 1
+  text = tostring(text or "")
+  while at <= #text do
+    local open = text:find("[$`]", at)
+    local mark = open and text:sub(open, open)
+    local close = open and text:find(mark, open + 1, true)
+    if not close then break end
+    out[#out + 1] = html.escape(text:sub(at, open - 1))
+    local inner = text:sub(open + 1, close - 1)
+    out[#out + 1] = mark == "$" and math(inner, "InlineMath") or html.tag("code", nil, html.escape(inner))
+    at = close + 1
+  end
+  return table.concat(out) .. html.escape(text:sub(at))
+end
+
+-- A length of time in the unit that suits it.
+function html.seconds(seconds)
+  if not seconds then return "–" end
+  for _, unit in ipairs({{1, "s"}, {1e-3, "ms"}, {1e-6, "µs"}, {1e-9, "ns"}}) do
+    if seconds >= unit[1] then return ("%.3g %s"):format(seconds / unit[1], unit[2]) end
+  end
+  return seconds == 0 and "0 s" or ("%.2g ns"):format(seconds * 1e9)
+end
+
+local labels = {
+  explained = "reproduced with a reason", misprint = "misprint shown", ["not-reproducible"] = "not reproducible",
+}
+
+-- The verdict or status as a coloured word.
+function html.badge(status)
+  return html.tag("span", {class = "badge " .. status:gsub("[^%w-]", "-")}, html.escape(labels[status] or status))
+end
+
+-- Heads are texts; rows are lists of cells, each HTML or {html, class = ..., scope = ...}. The first cell of a row heads it.
+function html.table(class, heads, rows, caption)
+  local out = {html.tag("table", {class = class})}
+  if caption then out[#out + 1] = html.tag("caption", nil, caption) end
+  local cells = {}
+  for i, head in ipairs(heads) do
+    local below = rows[1] and rows[1][i]
+    cells[i] = html.tag("th", {scope = "col", class = type(below) == "table" and below.class or nil}, html.text(head))
+  end
+  out[#out + 1] = "<thead><tr>" .. table.concat(cells) .. "</tr></thead>\n<tbody>"
+  for _, row in ipairs(rows) do
+    cells = {}
+    for i, cell in ipairs(row) do
+      local content = type(cell) == "table" and cell[1] or cell
+      local attributes = {class = type(cell) == "table" and cell.class or nil}
+      if i == 1 then attributes.scope = "row" end
+      cells[i] = html.tag(i == 1 and "th" or "td", attributes, content)
+    end
+    out[#out + 1] = html.tag("tr", {class = row.class}, table.concat(cells))
+  end
+  out[#out + 1] = "</tbody></table>"
+  return html.tag("div", {class = "wide"}, table.concat(out, "\n"))
+end
+
+return html

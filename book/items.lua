@@ -1,0 +1,195 @@
+-- How the things of a record look on the page: figures, tables, checks, work-precision, stability, verdicts.
+
+local html = require "html"
+local record = require "record"
+
+local items = {}
+
+local widest_open = {figure = 6, table = 24} -- more checks than this are folded
+
+local function share(ratio)
+  if ratio >= 1e-5 or ratio == 0 then return ("%.3g %%"):format(ratio * 100) end
+  return html.number(("%.2g"):format(ratio))
+end
+
+-- The computed value with two digits more than the paper prints, so that the comparison can be seen.
+local function computed(check)
+  local value = check.computed
+  if type(value) ~= "number" then return value == nil and "not a number" or html.text(value) end
+  local digits = #(tostring(check.printed or ""):gsub("[eE].*", ""):gsub("%D", ""):gsub("^0+", ""))
+  digits = math.min(math.max(digits + 2, 4), 15)
+  local text = ("%." .. digits .. "g"):format(value)
+  if text:find("e%+") and math.abs(value) < 1e9 then text = ("%.0f"):format(value) end
+  return html.number(text)
+end
+
+local function difference(check)
+  local kind, error, allowed = check.kind, check.error, check.allowed
+  if kind == "exact" then return check.pass and "none" or "differs", "the same" end
+  if kind == "at_most" then return "–", "at most" end
+  if kind == "at_least" then return "–", "at least" end
+  if type(error) ~= "number" or type(allowed) ~= "number" then return "–", "–" end
+  local of = kind == "digitised" and " of axis" or ""
+  if kind == "last_digit" or kind == "absolute" then
+    return html.number(("%.2g"):format(error)), html.number(("%.2g"):format(allowed))
+  end
+  return share(error), share(allowed) .. of
+end
+
+-- Reasons, each said once and marked a, b, c ... in the rows it belongs to.
+local function notes_of(checks)
+  local marks, list = {}, {}
+  for _, check in ipairs(checks) do
+    local why = check.why
+    if why and why ~= "" and not marks[why] then
+      local n = #list
+      marks[why] = n < 26 and string.char(97 + n) or tostring(n + 1)
+      list[n + 1] = html.tag("li", nil, html.tag("b", nil, marks[why]) .. " " .. html.text(why))
+    end
+  end
+  local notes = #list > 0 and html.tag("ul", {class = "notes"}, table.concat(list, "\n")) or ""
+  return marks, notes
+end
+
+local function checks_table(checks)
+  local marks, notes = notes_of(checks)
+  local rows = {}
+  for i, check in ipairs(checks) do
+    local off, allowed = difference(check)
+    local mark = marks[check.why]
+    local unit = check.unit and check.unit ~= "" and check.unit ~= "1" and ", " .. html.text(check.unit) or ""
+    rows[i] = {
+      html.text(check.what or check.id) .. unit,
+      {html.number(check.printed or "–"), class = "number"}, {computed(check), class = "number"},
+      {off, class = "number"}, {allowed .. (mark and html.tag("sup", nil, mark) or ""), class = "number"},
+      html.badge(check.pass and check.status or "failed"), class = not check.pass and "failed" or nil}
+  end
+  return html.table("checks", {"what", "printed", "computed", "difference", "allowed", "verdict"}, rows) .. notes
+end
+
+-- One line on many checks.
+local function summary(checks)
+  local passed, total, closest = record.tally(checks)
+  local text = total == 1 and (passed == 1 and "1 check, passed" or "1 check, failed")
+    or passed == total and ("%d checks, all passed"):format(total) or ("%d of %d checks passed"):format(passed, total)
+  if closest and total > 1 then
+    text = text .. ("; closest call: %s, %.0f %% of its tolerance"):format(
+      html.text(closest.what or closest.id), 100 * record.used(closest))
+  end
+  return text
+end
+
+local function checks_of(item, open)
+  if #item.checks == 0 then return "" end
+  local whole = checks_table(item.checks)
+  if #item.checks <= open then return whole end
+  return html.tag("details", {class = "checks"}, html.tag("summary", nil, summary(item.checks)) .. whole)
+end
+
+local function links(item, r)
+  local out = {}
+  local function add(name)
+    out[#out + 1] = html.tag("a", {href = ("data/%s/%s"):format(r.chapter, name)}, html.escape(name))
+  end
+  for _, name in ipairs(item.csv) do add(name) end
+  if item.script then add(item.script) end
+  return #out > 0 and html.tag("span", {class = "links"}, table.concat(out, " · ")) or ""
+end
+
+local function heading(item, r)
+  local label = ("%s %d.%d."):format(item.png and "Figure" or "Table", r.number, item.number)
+  return html.tag("b", nil, label) .. " " .. html.text(item.title) .. " " .. html.badge(item.verdict) .. links(item, r)
+end
+
+local function reason(item)
+  return item.reason and item.reason ~= "" and html.tag("p", {class = "reason"}, html.text(item.reason)) or ""
+end
+
+-- The size in pixels of a complete PNG; throws a text naming the file otherwise.
+function items.png_size(path)
+  local file = io.open(path, "rb")
+  if not file then error("the figure " .. path .. " is missing", 0) end
+  local bytes = file:read("a")
+  file:close()
+  if bytes:sub(1, 8) ~= "\137PNG\r\n\26\n" or not bytes:find("IEND", -12, true) then
+    error("the figure " .. path .. " is not a complete PNG", 0)
+  end
+  return string.unpack(">I4I4", bytes, 17)
+end
+
+-- A figure with its caption and checks. `folder` holds the chapter's PNGs.
+function items.figure(item, r, folder)
+  local width, height = items.png_size(folder .. "/" .. item.png)
+  local href = ("figures/%s/%s"):format(r.chapter, item.png)
+  local image = html.tag("img", {src = href, alt = item.alt or item.title, width = width, height = height})
+  return html.tag("figure", {class = "item", id = item.id}, table.concat({
+    html.tag("a", {href = href}, image), html.tag("figcaption", nil, heading(item, r)), reason(item),
+    checks_of(item, widest_open.figure)}, "\n"))
+end
+
+-- A table: the display table if there is one, then the checks.
+function items.table(item, r)
+  local display = ""
+  local rows = item.rows or {}
+  if #rows > 0 then
+    local cells = {}
+    for i, row in ipairs(rows) do
+      cells[i] = {}
+      for j, cell in ipairs(row) do
+        local text = type(cell) == "number" and ("%.6g"):format(cell) or tostring(cell)
+        local numeric = text:find("^%s*[-+−]?%.?%d") and not text:find("%a%a")
+        local shown = html.number(text)
+        cells[i][j] = {shown == html.escape(text) and html.text(text) or shown, class = numeric and "number" or nil}
+      end
+    end
+    display = html.table("display", item.columns or {}, cells)
+  end
+  local open = display == "" and widest_open.table or widest_open.figure
+  return html.tag("section", {class = "item", id = item.id}, table.concat({
+    html.tag("p", {class = "caption"}, heading(item, r)), reason(item), display, checks_of(item, open)}, "\n"))
+end
+
+function items.work_precision(list)
+  local rows = {}
+  for i, w in ipairs(list) do
+    local outcome = w.converged and "converged" or "failed" .. (w.reason and w.reason ~= "" and ": " .. w.reason or "")
+    local error = type(w.error) == "number" and html.number(("%.2g"):format(w.error)) or "–"
+    rows[i] = {
+      html.text(w.method), html.text(w.setting), {error, class = "number"},
+      {html.seconds(w.seconds_min), class = "number"}, {html.seconds(w.seconds_median), class = "number"},
+      {w.work and html.number(("%.6g"):format(w.work)) or "–", class = "number"}, html.text(outcome),
+      class = not w.converged and "failed" or nil}
+  end
+  return html.table("work", {"method", "setting", "error", "fastest", "median", "work", "outcome"}, rows)
+end
+
+function items.stability(list)
+  local rows = {}
+  for i, s in ipairs(list) do
+    local error = type(s.error) == "number" and html.number(("%.2g"):format(s.error)) or "–"
+    rows[i] = {html.text(s.case), html.text(s.stress), html.text(s.result), {error, class = "number"}, html.badge(s.status)}
+  end
+  return html.table("stability", {"case", "what is stressed", "result", "error", "status"}, rows)
+end
+
+function items.verdicts(r)
+  local rows = {}
+  for i, item in ipairs(r.items) do
+    local passed, total = record.tally(item.checks)
+    rows[i] = {
+      html.tag("a", {href = "#" .. item.id}, html.escape(item.id)), html.text(item.title),
+      {total > 0 and ("%d of %d"):format(passed, total) or "–", class = "number"}, html.badge(item.verdict),
+      html.text(item.reason)}
+  end
+  return html.table("verdicts", {"item", "what", "checks passed", "verdict", "reason"}, rows)
+end
+
+function items.checks(r)
+  local parts = {}
+  for _, pair in ipairs(record.count(r.checks, "status")) do
+    parts[#parts + 1] = html.badge(pair[1]) .. " " .. pair[2]
+  end
+  return html.tag("p", {class = "tally"}, summary(r.checks) .. ". " .. table.concat(parts, " "))
+end
+
+return items

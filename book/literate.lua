@@ -1,0 +1,215 @@
+-- Pandoc reader of literate C++: `pandoc -f literate.lua main.cpp section.cpp ...`.
+-- A comment that opens with `/***` at the beginning of a line is prose in Markdown; everything else is code.
+-- The first file is the page; a prose line `{{include: section.cpp}}` continues with another one. Every file
+-- named on the command line must be included exactly once.
+
+local longest_open_block = 25 -- longer code is folded
+
+local function fail(message)
+  io.stderr:write("book: ", message, "\n")
+  os.exit(1)
+end
+
+local function line_of(text, position)
+  local _, newlines = text:sub(1, position - 1):gsub("\n", "")
+  return newlines + 1
+end
+
+-- Position just after the C++ token at `at`: enough of the language to know strings and comments from code.
+local function skip_token(text, at)
+  local rest = function(pattern) return select(2, text:find("^" .. pattern, at)) end
+  local prefix, delimiter = text:match('^(u?8?[UL]?R)"([^()\\%s]*)%(', at)
+  if prefix then
+    local _, stop = text:find(")" .. delimiter .. '"', at, true)
+    return (stop or #text) + 1
+  end
+  local comment = text:find("^/%*", at)
+  if comment then
+    local _, stop = text:find("*/", at + 2, true)
+    return (stop or #text) + 1
+  end
+  local stop = rest("//[^\n]*") or rest("[%a_][%w_]*") or rest("%.?%d[%w_.']*")
+  if stop then return stop + 1 end
+  local quote = text:match("^[\"']", at)
+  if not quote then return at + 1 end
+  local i = at + 1
+  while i <= #text do
+    local c = text:sub(i, i)
+    if c == "\\" then
+      i = i + 1
+    elseif c == quote or c == "\n" then
+      return i + 1
+    end
+    i = i + 1
+  end
+  return i
+end
+
+-- Cuts a source file into pieces {prose = bool, text = ..., line = first line}.
+local function cut(source)
+  local text, name = source.text:gsub("\r\n", "\n"), source.name
+  local pieces, at, start = {}, 1, 1
+  local function add(prose, first, last)
+    pieces[#pieces + 1] = {prose = prose, text = text:sub(first, last), line = line_of(text, first)}
+  end
+  while at <= #text do
+    local at_line_start = at == 1 or text:sub(at - 1, at - 1) == "\n"
+    if at_line_start and text:find("^/%*%*%*[^*/]", at) then
+      local close, stop = text:find("*/", at + 4, true)
+      if not close then fail(name .. ":" .. line_of(text, at) .. ": prose opened with /*** is never closed") end
+      add(false, start, at - 1)
+      add(true, at + 4, close - 1)
+      at, start = stop + 1, stop + 1
+    else
+      at = skip_token(text, at)
+    end
+  end
+  add(false, start, #text)
+  return pieces
+end
+
+-- Drops blank lines at both ends; returns the rest and how many lines went at the top.
+local function trim_lines(text)
+  local dropped = 0
+  while text:find("^[ \t]*\n") do
+    text = text:gsub("^[ \t]*\n", "", 1)
+    dropped = dropped + 1
+  end
+  return (text:gsub("%s+$", "")), dropped
+end
+
+local function count_lines(text) return select(2, text:gsub("\n", "")) + 1 end
+
+-- Splits leading #include, using and namespace-alias lines (with the comments between them) off a piece of code.
+local function split_headers(text)
+  local stop, at, found = 0, 1, false
+  while at <= #text do
+    local finish = text:find("\n", at, true) or #text
+    local line = text:sub(at, finish)
+    if line:find("^#include") or line:find("^#pragma") or line:find("^#define") or line:find("^using ")
+        or line:find("^namespace%s+[%w_]+%s*=") then
+      stop, found = finish, true
+    elseif not (line:find("^%s*$") or line:find("^%s*//")) then
+      break
+    end
+    at = finish + 1
+  end
+  if not found then return nil, text end
+  return text:sub(1, stop), text:sub(stop + 1)
+end
+
+local function fenced(code, file, line, role)
+  local longest = 2
+  for run in code:gmatch("`+") do longest = math.max(longest, #run) end
+  local fence = ("`"):rep(longest + 1)
+  return ('%s {.cpp file="%s" line="%d" role="%s"}\n%s\n%s\n'):format(fence, file, line, role, code, fence)
+end
+
+local Weaver = {}
+Weaver.__index = Weaver
+
+function Weaver:code(piece, file)
+  local code, dropped = trim_lines(piece.text)
+  if code == "" then return end
+  local line = piece.line + dropped
+  local headers, body = split_headers(code)
+  if headers then
+    self:emit(fenced(trim_lines(headers), file, line, "headers"))
+    self.blocks = self.blocks + 1
+    body, dropped = trim_lines(body)
+    line = line + count_lines(headers) - 1 + dropped
+    if body == "" then return end
+    code = body
+  end
+  self:emit(fenced(code, file, line, "code"))
+  self.blocks = self.blocks + 1
+end
+
+function Weaver:emit(text) self.out[#self.out + 1] = text .. "\n" end
+
+function Weaver:prose(piece, file)
+  local line = piece.line
+  local body = piece.text:gsub("^[ \t]+", "")
+  for text in (body .. "\n"):gmatch("(.-)\n") do
+    local included = text:match("^%s*{{%s*include:%s*(%S+)%s*}}%s*$")
+    if included then
+      self:emit("")
+      self:file(included, file .. ":" .. line)
+    else
+      self.out[#self.out + 1] = text
+    end
+    line = line + 1
+  end
+  self:emit("")
+end
+
+function Weaver:file(name, from)
+  local source = self.sources[name]
+  if not source then fail(from .. ": include of '" .. name .. "', which is not a .cpp file of this chapter") end
+  if self.seen[name] then
+    fail(from .. ": '" .. name .. "' is included twice (first at " .. self.seen[name] .. ")")
+  end
+  self.seen[name] = from
+  for _, piece in ipairs(cut(source)) do
+    if piece.prose then self:prose(piece, name) else self:code(piece, name) end
+  end
+end
+
+-- What a folded block says: its first comment, else its first line.
+local function summary_of(code)
+  local comment = code:match("^%s*///?%s*([^\n]+)") or code:match("\n%s*///?%s*([^\n]+)")
+  local first = code:match("^%s*([^\n]+)")
+  if comment then return {pandoc.Str((comment:gsub("%s+$", "")))} end
+  return {pandoc.Code(first)}
+end
+
+local function present(block)
+  local file, line, role = block.attributes.file, block.attributes.line, block.attributes.role
+  if not role then return nil end
+  local lines = count_lines(block.text)
+  local where = ("%s:%s"):format(file, line)
+  local shown = pandoc.CodeBlock(block.text, {class = "cpp"})
+  local size = lines == 1 and "1 line" or lines .. " lines"
+  if role == "headers" or lines > longest_open_block then
+    local summary = role == "headers" and {pandoc.Str("Headers")} or summary_of(block.text)
+    local label = pandoc.Span({pandoc.Str(where .. ", " .. size)}, {class = "where"})
+    return {
+      pandoc.RawBlock("html", '<details class="code"><summary>'),
+      pandoc.Plain({pandoc.Span(summary), pandoc.Space(), label}),
+      pandoc.RawBlock("html", "</summary>"), shown, pandoc.RawBlock("html", "</details>")}
+  end
+  return pandoc.Div({shown, pandoc.RawBlock("html", ('<span class="origin">%s</span>'):format(where))}, {class = "code"})
+end
+
+function Reader(inputs)
+  local weaver = setmetatable({sources = {}, seen = {}, out = {}, blocks = 0}, Weaver)
+  local main
+  for _, source in ipairs(inputs) do
+    local name = source.name:match("[^/]+$")
+    main = main or name
+    weaver.sources[name] = {name = name, text = source.text}
+  end
+  weaver:file(main, "the command line")
+  for _, source in ipairs(inputs) do
+    local name = source.name:match("[^/]+$")
+    if not weaver.seen[name] then
+      fail(source.name .. " is not included in the page: add a line {{include: " .. name .. "}} to the prose")
+    end
+  end
+
+  local doc = pandoc.read(table.concat(weaver.out, "\n"), "markdown-citations-example_lists-blank_before_header+autolink_bare_uris")
+  local blocks, found = pandoc.List(), 0
+  for _, block in ipairs(doc.blocks) do
+    local shown = block.t == "CodeBlock" and present(block)
+    if shown then
+      found = found + 1
+      blocks:extend(shown.t and {shown} or shown)
+    else
+      blocks:insert(block)
+    end
+  end
+  if found ~= weaver.blocks then
+    fail(main .. ": some code was swallowed by prose: a ``` block, <div> or $$ of the prose is not closed")
+  end
+  return pandoc.Pandoc(blocks, doc.meta)
+end

@@ -1,0 +1,92 @@
+-- A chapter's record, build/results/NN-name.json, read and indexed. See the README for its keys.
+
+local dkjson = require "dkjson"
+local html = require "html"
+
+local record = {}
+
+-- Chapter NN-name as the page's files and anchors know it.
+local function basename(path) return path:match("[^/]+$") end
+
+local function index(list, path, what)
+  local by_id = {}
+  for _, entry in ipairs(list) do
+    if not entry.id then error(path .. ": " .. what .. " without an id", 0) end
+    by_id[entry.id] = entry
+  end
+  return by_id
+end
+
+-- Throws a text naming the file when it is missing or not a record.
+function record.load(path)
+  local file = io.open(path, "rb")
+  if not file then error(path .. " does not exist: run the chapter first (make reproduce)", 0) end
+  local r, _, problem = dkjson.decode(file:read("a"), 1, nil)
+  file:close()
+  if type(r) ~= "table" then error(path .. " is not a record: " .. tostring(problem), 0) end
+  if not r.chapter then error(path .. ': has no "chapter"', 0) end
+  for _, key in ipairs({"checks", "items", "values", "work_precision", "stability"}) do r[key] = r[key] or {} end
+  r.path = path
+  r.number = tonumber(r.chapter:match("^%d+")) or 0
+  r.title = r.title or r.chapter
+  r.value, r.item = index(r.values, path, "a value"), index(r.items, path, "an item")
+  for _, item in ipairs(r.items) do
+    item.checks, item.csv = {}, item.csv or {}
+    if type(item.csv) == "string" then item.csv = {item.csv} end
+    for i, name in ipairs(item.csv) do item.csv[i] = basename(name) end
+    for _, key in ipairs({"png", "script"}) do item[key] = item[key] and basename(item[key]) end -- "" becomes nil
+    item.verdict = item.verdict or "no verdict"
+  end
+  for _, check in ipairs(r.checks) do
+    local item = r.item[check.item]
+    if not item then error(("%s: check %s belongs to no item"):format(path, tostring(check.id)), 0) end
+    table.insert(item.checks, check)
+  end
+  return r
+end
+
+-- Share of the tolerance used, or nil where a check has no width (bounds, texts).
+function record.used(check)
+  local bound = check.kind == "at_most" or check.kind == "at_least" or check.kind == "exact"
+  if bound or type(check.error) ~= "number" or type(check.allowed) ~= "number" or check.allowed <= 0 then return nil end
+  return check.error / check.allowed
+end
+
+-- passed, total, and the check closest to its tolerance.
+function record.tally(checks)
+  local passed, closest = 0, nil
+  for _, check in ipairs(checks) do
+    if check.pass then passed = passed + 1 end
+    local used = record.used(check)
+    if used and (not closest or used > record.used(closest)) then closest = check end
+  end
+  return passed, #checks, closest
+end
+
+-- {{verdict, count}, ...} in the order of first appearance.
+function record.count(list, key)
+  local counts, order = {}, {}
+  for _, entry in ipairs(list) do
+    local name = entry[key]
+    if not counts[name] then order[#order + 1] = name end
+    counts[name] = (counts[name] or 0) + 1
+  end
+  local out = {}
+  for i, name in ipairs(order) do out[i] = {name, counts[name]} end
+  return out
+end
+
+-- The machine and the packages as one line of HTML.
+function record.describe(machine)
+  local keys, parts = {}, {}
+  for key in pairs(machine or {}) do keys[#keys + 1] = key end
+  table.sort(keys)
+  for _, key in ipairs(keys) do
+    local value = machine[key]
+    local text = type(value) == "table" and record.describe(value) or html.escape(tostring(value))
+    parts[#parts + 1] = html.escape(key:gsub("_", " ")) .. ": " .. text
+  end
+  return table.concat(parts, " · ")
+end
+
+return record

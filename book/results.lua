@@ -1,0 +1,232 @@
+-- Pandoc filter: fills a chapter's page from its record.
+--   {{id}}              in a text or a formula: a value; the number of a figure or table, as a link
+--   {{fig-09}} alone    the figure or table, with its checks
+--   {{work-precision}}, {{work-precision: id}}, {{stability}}, {{verdicts}}, {{checks}} alone
+-- Metadata: record (JSON file), figures (folder of its PNGs), data (folder of its CSVs and scripts).
+-- An unknown id, a missing file, or an item of the record that the page does not show exactly once is an error.
+
+package.path = PANDOC_SCRIPT_FILE:match("^(.*)/[^/]*$") .. "/?.lua;" .. package.path
+local html, items, record = require "html", require "items", require "record"
+
+local r, figures, data
+local problems, shown, reported = {}, {}, {}
+
+-- Where the sources say {{text}}: "main.cpp:12".
+local function place(token)
+  for _, path in ipairs(PANDOC_STATE.input_files) do
+    local file, n = io.open(path), 0
+    for line in file and file:lines() or function() end do
+      n = n + 1
+      if line:find(token, 1, true) then return path .. ":" .. n end
+    end
+    if file then file:close() end
+  end
+  return r and r.chapter or "?"
+end
+
+local function problem(token, message)
+  local text = (token and place(token) .. ": " or "") .. message
+  if not reported[text] then problems[#problems + 1] = text end
+  reported[text] = true
+end
+
+local function unknown(token, id)
+  problem(token, ("unknown id '%s' (not in %s)"):format(id, r.path))
+end
+
+local function require_data(token, name)
+  local file = io.open(data .. "/" .. name)
+  if file then file:close() else problem(token, ("%s: the file %s/%s is missing"):format(r.chapter, data, name)) end
+end
+
+local function item_block(item, token)
+  for _, name in ipairs(item.csv) do require_data(token, name) end
+  if item.script then require_data(token, item.script) end
+  if not item.png then return items.table(item, r) end
+  local good, result = pcall(items.figure, item, r, figures)
+  if good then return result end
+  problem(token, ("%s: %s"):format(r.chapter, result))
+  return ""
+end
+
+-- The records of one work-precision study, or all those not named on the page themselves.
+local function work_of(id)
+  local list = {}
+  for _, w in ipairs(r.work_precision) do
+    if not id or w.id == id then list[#list + 1] = w end
+  end
+  return list
+end
+
+local function mark(key, token)
+  if shown[key] then problem(token, ("%s: '%s' is shown twice"):format(r.chapter, key)) end
+  shown[key] = true
+end
+
+local function block_for(name, argument, token)
+  if name == "verdicts" then return items.verdicts(r) end
+  if name == "checks" then return items.checks(r) end
+  if name == "stability" then
+    mark("stability", token)
+    if #r.stability == 0 then problem(token, r.path .. " has no stability cases") end
+    return items.stability(r.stability)
+  end
+  if name == "work-precision" then
+    local list = work_of(argument)
+    if #list == 0 then unknown(token, argument or name) end
+    local ids = {}
+    for _, w in ipairs(list) do ids[w.id] = true end
+    for id in pairs(ids) do mark("work-precision: " .. id, token) end
+    return items.work_precision(list)
+  end
+  local item = r.item[name]
+  if item then
+    mark(name, token)
+    return item_block(item, token)
+  end
+end
+
+-- A paragraph of nothing but {{...}}; one that is a mere value stays a paragraph.
+local function Para(para)
+  local text = pandoc.utils.stringify(para)
+  if not text:find("^{{.*}}%s*$") or text:gsub("{{[^{}]*}}", ""):find("%S") then return nil end
+  local out = pandoc.List()
+  for inner in text:gmatch("{{([^{}]*)}}") do
+    local name, argument = inner:match("^%s*([%w][%w%-_./]*)%s*:?%s*(%S*)%s*$")
+    local block = name and block_for(name, argument ~= "" and argument or nil, "{{" .. inner .. "}}")
+    if not block then return nil end
+    out:insert(pandoc.RawBlock("html", block))
+  end
+  return out
+end
+
+local function value_inlines(value)
+  local text = value.text
+  local unit = value.unit and value.unit ~= "" and " " .. value.unit or ""
+  local title = value.value and ("%.10g"):format(value.value) .. unit or nil
+  return pandoc.RawInline("html", html.tag("span", {class = "value", title = title}, html.number(text)))
+end
+
+local function Str(str)
+  if not str.text:find("{{", 1, true) then return nil end
+  local out, at, text = pandoc.List(), 1, str.text
+  while true do
+    local open, close, id = text:find("{{([%w][%w%-_./]*)}}", at)
+    if not open then break end
+    if open > at then out:insert(pandoc.Str(text:sub(at, open - 1))) end
+    local value, item = r.value[id], r.item[id]
+    if value then
+      out:insert(value_inlines(value))
+    elseif item then
+      local label = ("%s %d.%d"):format(item.png and "Figure" or "Table", r.number, item.number)
+      out:insert(pandoc.Link({pandoc.Str(label)}, "#" .. id))
+    else
+      unknown("{{" .. id .. "}}", id)
+    end
+    at = close + 1
+  end
+  local rest = text:sub(at)
+  if rest:find("{{", 1, true) then
+    problem(rest:match("{{[^{}]*"), "'" .. rest .. "' is not an id: letters, digits, - _ . / between {{ and }}")
+  end
+  if rest ~= "" then out:insert(pandoc.Str(rest)) end
+  return out
+end
+
+local function Math(math)
+  if not math.text:find("{{", 1, true) then return nil end
+  math.text = math.text:gsub("{{([%w][%w%-_./]*)}}", function(id)
+    local value = r.value[id]
+    if not value then
+      problem("{{" .. id .. "}}", ("unknown id '%s' in a formula (for grouping, write { {%s} })"):format(id, id))
+      return ""
+    end
+    return (value.text:gsub("^(.*)[eE]([+-]?)0*(%d+)$", function(m, sign, e)
+      return m .. "\\times 10^{" .. (sign == "-" and sign or "") .. e .. "}"
+    end))
+  end)
+  return math
+end
+
+-- The first level-1 heading is the title; further ones, if any, go one level down with all that follow.
+local function take_title(doc)
+  local first, more = nil, false
+  for i, block in ipairs(doc.blocks) do
+    if block.t == "Header" and block.level == 1 then
+      if first then more = true else first = i end
+    end
+  end
+  if first then
+    doc.meta.title = pandoc.MetaInlines(doc.blocks[first].content)
+    doc.blocks:remove(first)
+  else
+    doc.meta.title = pandoc.MetaString(r.title)
+  end
+  if more then doc = doc:walk({Header = function(h) h.level = h.level + 1 return h end}) end
+  return doc:walk({Header = function(h)
+    if r.item[h.identifier] then h.identifier = h.identifier .. "-section" end
+    return h
+  end})
+end
+
+local function number_items(doc)
+  local counts = {figure = 0, table = 0}
+  local function number(token)
+    for inner in token:gmatch("{{([%w][%w%-_./]*)}}") do
+      local item = r.item[inner]
+      if item and not item.number then
+        local kind = item.png and "figure" or "table"
+        counts[kind] = counts[kind] + 1
+        item.number = counts[kind]
+      end
+    end
+  end
+  doc:walk({Para = function(para)
+    local text = pandoc.utils.stringify(para)
+    if text:find("^{{.*}}%s*$") and not text:gsub("{{[^{}]*}}", ""):find("%S") then number(text) end
+  end})
+  for _, item in ipairs(r.items) do
+    if not item.number then
+      problem(nil, ("%s: item '%s' of %s is not shown: give it a paragraph {{%s}}"):format(r.chapter, item.id, r.path, item.id))
+      item.number = 0
+    end
+  end
+end
+
+local function check_all_shown()
+  if #r.stability > 0 and not shown.stability then
+    problem(nil, ("%s: the stability cases of %s are not shown: add {{stability}}"):format(r.chapter, r.path))
+  end
+  for _, w in ipairs(r.work_precision) do
+    if not shown["work-precision: " .. w.id] then
+      problem(nil, ("%s: the work-precision study '%s' is not shown: add {{work-precision: %s}}"):format(r.chapter, w.id, w.id))
+    end
+  end
+end
+
+function Pandoc(doc)
+  local text = function(key) return doc.meta[key] and pandoc.utils.stringify(doc.meta[key]) end
+  local good, result = pcall(record.load, text "record")
+  if not good then
+    io.stderr:write("book: ", result, "\n")
+    os.exit(1)
+  end
+  r, figures, data = result, text "figures", text "data"
+  doc = take_title(doc)
+  number_items(doc)
+  doc = doc:walk({Para = Para}):walk({Str = Str, Math = Math})
+  check_all_shown()
+  if #problems > 0 then
+    for _, message in ipairs(problems) do io.stderr:write("book: ", message, "\n") end
+    os.exit(1)
+  end
+  local raw = function(content) return pandoc.MetaInlines({pandoc.RawInline("html", content)}) end
+  doc.meta.pagetitle = pandoc.MetaString(pandoc.utils.stringify(doc.meta.title))
+  doc.meta.number = pandoc.MetaString(tostring(r.number))
+  doc.meta.paper = r.paper and raw(html.text(r.paper)) or nil
+  doc.meta.tally = raw(items.checks(r))
+  doc.meta.machine = raw(record.describe(r.machine))
+  doc.meta.level = pandoc.MetaString(tostring(r.level or ""))
+  doc.meta.seconds = raw(html.seconds(r.seconds))
+  return doc
+end

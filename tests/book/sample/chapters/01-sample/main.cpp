@@ -1,0 +1,47 @@
+/*** # A sample of everything
+
+The load is {{F-hertz}} lbf, small ones are {{tiny}}, and $p_0 = {{tiny}}$ in a formula[^1]. See {{fig-1}}.
+
+[^1]: A footnote with {{F-hertz}}, too.
+
+| case    | value       |
+|---------|-------------|
+| printed | {{F-hertz}} |
+
+Table: The caption has {{F-hertz}}.
+
+Text in `{{code}}` is left alone.
+*/
+#include <string>
+#include <vector>
+
+using std::string;
+
+// Templates, < and & must survive.
+template <class T>
+bool less(const std::vector<T>& a, T b) { return a.size() < 1'000 && a[0] < b; }
+
+int braces[1][1] = {{1}};
+const char* text = "/*** not prose */";
+const char* raw = R"x(
+/*** nor this: {{unknown}} */
+)x";
+/*** ## Table 1
+
+{{table-1}}
+
+{{include: more.cpp}}
+
+## Error against run time
+
+{{work-precision}}
+
+## Stability
+
+{{stability}}
+
+{{verdicts}}
+
+{{checks}}
+*/
+int main() {}
