@@ -1,0 +1,21 @@
+#include "num/special.hpp"
+
+#include <gsl/gsl_sf_expint.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "num/gsl.hpp"
+
+namespace railbook::num {
+
+double sine_integral(double x) {
+  if (std::isnan(x)) return x;
+  if (std::isinf(x)) return std::copysign(std::numbers::pi / 2, x);
+  use_gsl_status_codes();
+  gsl_sf_result result;
+  check_gsl(gsl_sf_Si_e(x, &result), "sine_integral");
+  return result.val;
+}
+
+}  // namespace railbook::num
