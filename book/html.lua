@@ -22,11 +22,31 @@ local function power_of_ten(text)
   end))
 end
 
--- A number as text, 1.2e-05 or -3.4, the way it is printed: 1.2×10⁻⁵, −3.4. Other text comes back escaped.
+-- Powers as they are written: in^2, lb-s^-1. The text is escaped already.
+function html.unit(text)
+  return (text:gsub("%^(-?)(%d+)", function(sign, power)
+    return "<sup>" .. (sign == "-" and "−" or "") .. power .. "</sup>"
+  end))
+end
+
+-- A number as text, 1.2e-05 or "-3.4 psi", the way it is printed: 1.2×10⁻⁵, −3.4 psi. Other text comes back escaped.
 function html.number(text)
   text = html.escape(text)
-  if text:find("^[+-]?%.?%d[%d.,]*[eE]?[+-]?%d*$") then text = power_of_ten(text:gsub("^-", "−")) end
+  if text:find("^[+-]?%.?%d") then text = html.unit(power_of_ten((text:gsub("^-", "−")))) end
   return text
+end
+
+-- The same for a formula.
+function html.tex(text)
+  local number, unit = text:match("^(%-?%.?%d[%d.,]*)(.*)$")
+  if not number then number, unit = "", text end
+  local sign, exponent, rest = unit:match("^[eE]([+-]?)0*(%d+)(.*)$")
+  if exponent then
+    number = ("%s\\times 10^{%s%s}"):format(number, sign == "-" and sign or "", exponent)
+    unit = rest
+  end
+  unit = unit:gsub("^%s+", ""):gsub("[%%#&_$]", "\\%0"):gsub("%^(-?%d+)", "}^{%1}\\text{")
+  return unit == "" and number or ("%s\\;\\text{%s}"):format(number, unit)
 end
 
 local function math(tex, kind)
@@ -58,11 +78,11 @@ end
 
 -- A length of time in the unit that suits it.
 function html.seconds(seconds)
-  if not seconds then return "–" end
+  if not seconds or seconds == 0 then return "–" end
   for _, unit in ipairs({{1, "s"}, {1e-3, "ms"}, {1e-6, "µs"}, {1e-9, "ns"}}) do
     if seconds >= unit[1] then return ("%.3g %s"):format(seconds / unit[1], unit[2]) end
   end
-  return seconds == 0 and "0 s" or ("%.2g ns"):format(seconds * 1e9)
+  return ("%.2g ns"):format(seconds * 1e9)
 end
 
 local labels = {

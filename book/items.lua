@@ -12,14 +12,10 @@ local function share(ratio)
   return html.number(("%.2g"):format(ratio))
 end
 
--- The computed value with two digits more than the paper prints, so that the comparison can be seen.
 local function computed(check)
-  local value = check.computed
-  if type(value) ~= "number" then return value == nil and "not a number" or html.text(value) end
-  local digits = #(tostring(check.printed or ""):gsub("[eE].*", ""):gsub("%D", ""):gsub("^0+", ""))
-  digits = math.min(math.max(digits + 2, 4), 15)
-  local text = ("%." .. digits .. "g"):format(value)
-  if text:find("e%+") and math.abs(value) < 1e9 then text = ("%.0f"):format(value) end
+  local text = check.computed_text or check.computed
+  if type(text) == "number" then text = ("%.7g"):format(text) end
+  if text == nil or text == "nan" then text = "not a number" end
   return html.number(text)
 end
 
@@ -57,7 +53,7 @@ local function checks_table(checks)
   for i, check in ipairs(checks) do
     local off, allowed = difference(check)
     local mark = marks[check.why]
-    local unit = check.unit and check.unit ~= "" and check.unit ~= "1" and ", " .. html.text(check.unit) or ""
+    local unit = check.unit and check.unit ~= "" and check.unit ~= "1" and ", " .. html.unit(html.escape(check.unit)) or ""
     rows[i] = {
       html.text(check.what or check.id) .. unit,
       {html.number(check.printed or "–"), class = "number"}, {computed(check), class = "number"},
@@ -88,17 +84,21 @@ end
 
 local function links(item, r)
   local out = {}
-  local function add(name)
-    out[#out + 1] = html.tag("a", {href = ("data/%s/%s"):format(r.chapter, name)}, html.escape(name))
+  local function add(folder, name)
+    out[#out + 1] = html.tag("a", {href = "data/" .. folder .. name}, html.escape(name))
   end
-  for _, name in ipairs(item.csv) do add(name) end
-  if item.script then add(item.script) end
+  for _, name in ipairs(item.csv) do add(r.chapter .. "/", name) end
+  if item.script then add(item.script_shared and "" or r.chapter .. "/", item.script) end
   return #out > 0 and html.tag("span", {class = "links"}, table.concat(out, " · ")) or ""
 end
 
+-- "Figure 1.3"
+function items.label(item, r)
+  return ("%s %d.%d"):format(item.kind == "figure" and "Figure" or "Table", r.number, item.number)
+end
+
 local function heading(item, r)
-  local label = ("%s %d.%d."):format(item.png and "Figure" or "Table", r.number, item.number)
-  return html.tag("b", nil, label) .. " " .. html.text(item.title) .. " " .. html.badge(item.verdict) .. links(item, r)
+  return html.tag("b", nil, items.label(item, r) .. ".") .. " " .. html.text(item.title) .. " " .. html.badge(item.verdict) .. links(item, r)
 end
 
 local function reason(item)
@@ -117,18 +117,20 @@ function items.png_size(path)
   return string.unpack(">I4I4", bytes, 17)
 end
 
--- A figure with its caption and checks. `folder` holds the chapter's PNGs.
-function items.figure(item, r, folder)
+-- A figure with its caption, `more` of the same item, and its checks. `folder` holds the chapter's PNGs.
+function items.figure(item, r, folder, more)
+  if not item.png and item.verdict == "failed" then return items.table(item, r, more) end
+  if not item.png then error("the figure " .. item.id .. " was not drawn (--no-figures?)", 0) end
   local width, height = items.png_size(folder .. "/" .. item.png)
   local href = ("figures/%s/%s"):format(r.chapter, item.png)
   local image = html.tag("img", {src = href, alt = item.alt or item.title, width = width, height = height})
   return html.tag("figure", {class = "item", id = item.id}, table.concat({
-    html.tag("a", {href = href}, image), html.tag("figcaption", nil, heading(item, r)), reason(item),
+    html.tag("a", {href = href}, image), html.tag("figcaption", nil, heading(item, r)), reason(item), more or "",
     checks_of(item, widest_open.figure)}, "\n"))
 end
 
--- A table: the display table if there is one, then the checks.
-function items.table(item, r)
+-- A table: the display table if there is one, `more` of the same item, then the checks.
+function items.table(item, r, more)
   local display = ""
   local rows = item.rows or {}
   if #rows > 0 then
@@ -146,21 +148,29 @@ function items.table(item, r)
   end
   local open = display == "" and widest_open.table or widest_open.figure
   return html.tag("section", {class = "item", id = item.id}, table.concat({
-    html.tag("p", {class = "caption"}, heading(item, r)), reason(item), display, checks_of(item, open)}, "\n"))
+    html.tag("p", {class = "caption"}, heading(item, r)), reason(item), display, more or "", checks_of(item, open)}, "\n"))
 end
 
 function items.work_precision(list)
-  local rows = {}
+  local rows, uncertainty = {}, 0
+  local quantities = {}
+  for _, w in ipairs(list) do quantities[w.quantity or ""] = true end
+  local many = next(quantities, next(quantities)) ~= nil
   for i, w in ipairs(list) do
-    local outcome = w.converged and "converged" or "failed" .. (w.reason and w.reason ~= "" and ": " .. w.reason or "")
+    uncertainty = math.max(uncertainty, w.reference_uncertainty or 0)
+    local outcome = w.converged and "converged" or "failed: " .. (w.reason or "")
     local error = type(w.error) == "number" and html.number(("%.2g"):format(w.error)) or "–"
+    local method = html.text(w.method) .. (many and ", " .. html.text(w.quantity or "") or "")
     rows[i] = {
-      html.text(w.method), html.text(w.setting), {error, class = "number"},
+      method, {html.text(w.setting), class = "number"}, {error, class = "number"},
       {html.seconds(w.seconds_min), class = "number"}, {html.seconds(w.seconds_median), class = "number"},
       {w.work and html.number(("%.6g"):format(w.work)) or "–", class = "number"}, html.text(outcome),
       class = not w.converged and "failed" or nil}
   end
-  return html.table("work", {"method", "setting", "error", "fastest", "median", "work", "outcome"}, rows)
+  local heads = {many and "method, quantity" or "method", "setting", "error", "fastest", "median", "work", "outcome"}
+  local note = uncertainty > 0 and html.tag("p", {class = "reason"},
+    "Relative errors; the reference itself is known to " .. html.number(("%.1g"):format(uncertainty)) .. ".") or ""
+  return html.table("work", heads, rows) .. note
 end
 
 function items.stability(list)

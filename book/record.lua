@@ -26,6 +26,9 @@ function record.load(path)
   if type(r) ~= "table" then error(path .. " is not a record: " .. tostring(problem), 0) end
   if not r.chapter then error(path .. ': has no "chapter"', 0) end
   for _, key in ipairs({"checks", "items", "values", "work_precision", "stability"}) do r[key] = r[key] or {} end
+  if type(r.only) == "table" and #r.only > 0 then
+    error(("%s holds only %s: run the whole chapter"):format(path, table.concat(r.only, ", ")), 0)
+  end
   r.path = path
   r.number = tonumber(r.chapter:match("^%d+")) or 0
   r.title = r.title or r.chapter
@@ -36,6 +39,7 @@ function record.load(path)
     for i, name in ipairs(item.csv) do item.csv[i] = basename(name) end
     for _, key in ipairs({"png", "script"}) do item[key] = item[key] and basename(item[key]) end -- "" becomes nil
     item.verdict = item.verdict or "no verdict"
+    if item.png then item.kind = "figure" end
   end
   for _, check in ipairs(r.checks) do
     local item = r.item[check.item]

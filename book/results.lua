@@ -34,28 +34,29 @@ local function unknown(token, id)
   problem(token, ("unknown id '%s' (not in %s)"):format(id, r.path))
 end
 
-local function require_data(token, name)
-  local file = io.open(data .. "/" .. name)
-  if file then file:close() else problem(token, ("%s: the file %s/%s is missing"):format(r.chapter, data, name)) end
+local function exists(path)
+  local file = io.open(path)
+  if file then file:close() end
+  return file ~= nil
 end
 
-local function item_block(item, token)
+local function require_data(token, name)
+  if not exists(data .. "/" .. name) then
+    problem(token, ("%s: the file %s/%s is missing"):format(r.chapter, data, name))
+  end
+end
+
+local function item_block(item, token, more)
   for _, name in ipairs(item.csv) do require_data(token, name) end
-  if item.script then require_data(token, item.script) end
-  if not item.png then return items.table(item, r) end
-  local good, result = pcall(items.figure, item, r, figures)
+  if item.script then
+    item.script_shared = exists(data .. "/../" .. item.script)
+    if not item.script_shared then require_data(token, item.script) end
+  end
+  if item.kind ~= "figure" then return items.table(item, r, more) end
+  local good, result = pcall(items.figure, item, r, figures, more)
   if good then return result end
   problem(token, ("%s: %s"):format(r.chapter, result))
   return ""
-end
-
--- The records of one work-precision study, or all those not named on the page themselves.
-local function work_of(id)
-  local list = {}
-  for _, w in ipairs(r.work_precision) do
-    if not id or w.id == id then list[#list + 1] = w end
-  end
-  return list
 end
 
 local function mark(key, token)
@@ -63,27 +64,36 @@ local function mark(key, token)
   shown[key] = true
 end
 
+local function stability(token)
+  mark("the stability cases", token)
+  if #r.stability == 0 then problem(token, r.path .. " has no stability cases") end
+  return items.stability(r.stability)
+end
+
+local function work_precision(id, token)
+  local list, ids = {}, {}
+  for _, w in ipairs(r.work_precision) do
+    if not id or w.id == id then
+      list[#list + 1] = w
+      ids[w.id] = true
+    end
+  end
+  if #list == 0 then unknown(token, id or "work-precision") end
+  for each in pairs(ids) do mark("work-precision: " .. each, token) end
+  return items.work_precision(list)
+end
+
+-- An item may have the name of a list, stability say; then it shows the list as well.
 local function block_for(name, argument, token)
-  if name == "verdicts" then return items.verdicts(r) end
-  if name == "checks" then return items.checks(r) end
-  if name == "stability" then
-    mark("stability", token)
-    if #r.stability == 0 then problem(token, r.path .. " has no stability cases") end
-    return items.stability(r.stability)
-  end
-  if name == "work-precision" then
-    local list = work_of(argument)
-    if #list == 0 then unknown(token, argument or name) end
-    local ids = {}
-    for _, w in ipairs(list) do ids[w.id] = true end
-    for id in pairs(ids) do mark("work-precision: " .. id, token) end
-    return items.work_precision(list)
-  end
+  local list
+  if name == "verdicts" then list = items.verdicts(r) end
+  if name == "checks" then list = items.checks(r) end
+  if name == "stability" then list = stability(token) end
+  if name == "work-precision" then list = work_precision(argument, token) end
   local item = r.item[name]
-  if item then
-    mark(name, token)
-    return item_block(item, token)
-  end
+  if not item then return list end
+  mark(name, token)
+  return item_block(item, token, list)
 end
 
 -- A paragraph of nothing but {{...}}; one that is a mere value stays a paragraph.
@@ -101,10 +111,8 @@ local function Para(para)
 end
 
 local function value_inlines(value)
-  local text = value.text
-  local unit = value.unit and value.unit ~= "" and " " .. value.unit or ""
-  local title = value.value and ("%.10g"):format(value.value) .. unit or nil
-  return pandoc.RawInline("html", html.tag("span", {class = "value", title = title}, html.number(text)))
+  local title = value.value and ("%.10g %s"):format(value.value, value.unit or "") or nil
+  return pandoc.RawInline("html", html.tag("span", {class = "value", title = title}, html.number(value.text)))
 end
 
 local function Str(str)
@@ -118,8 +126,7 @@ local function Str(str)
     if value then
       out:insert(value_inlines(value))
     elseif item then
-      local label = ("%s %d.%d"):format(item.png and "Figure" or "Table", r.number, item.number)
-      out:insert(pandoc.Link({pandoc.Str(label)}, "#" .. id))
+      out:insert(pandoc.Link({pandoc.Str(items.label(item, r))}, "#" .. id))
     else
       unknown("{{" .. id .. "}}", id)
     end
@@ -141,9 +148,7 @@ local function Math(math)
       problem("{{" .. id .. "}}", ("unknown id '%s' in a formula (for grouping, write { {%s} })"):format(id, id))
       return ""
     end
-    return (value.text:gsub("^(.*)[eE]([+-]?)0*(%d+)$", function(m, sign, e)
-      return m .. "\\times 10^{" .. (sign == "-" and sign or "") .. e .. "}"
-    end))
+    return html.tex(value.text)
   end)
   return math
 end
@@ -175,7 +180,7 @@ local function number_items(doc)
     for inner in token:gmatch("{{([%w][%w%-_./]*)}}") do
       local item = r.item[inner]
       if item and not item.number then
-        local kind = item.png and "figure" or "table"
+        local kind = item.kind == "figure" and "figure" or "table"
         counts[kind] = counts[kind] + 1
         item.number = counts[kind]
       end
@@ -194,7 +199,7 @@ local function number_items(doc)
 end
 
 local function check_all_shown()
-  if #r.stability > 0 and not shown.stability then
+  if #r.stability > 0 and not shown["the stability cases"] then
     problem(nil, ("%s: the stability cases of %s are not shown: add {{stability}}"):format(r.chapter, r.path))
   end
   for _, w in ipairs(r.work_precision) do
@@ -222,6 +227,7 @@ function Pandoc(doc)
   end
   local raw = function(content) return pandoc.MetaInlines({pandoc.RawInline("html", content)}) end
   doc.meta.pagetitle = pandoc.MetaString(pandoc.utils.stringify(doc.meta.title))
+  doc.meta["checks-csv"] = exists(data .. "/checks.csv")
   doc.meta.number = pandoc.MetaString(tostring(r.number))
   doc.meta.paper = r.paper and raw(html.text(r.paper)) or nil
   doc.meta.tally = raw(items.checks(r))

@@ -18,10 +18,9 @@ set(new ${BOOK}.unfinished)
 file(REMOVE_RECURSE ${new})
 file(MAKE_DIRECTORY ${new}/data ${new}/figures)
 file(COPY ${here}/book.css DESTINATION ${new})
-if(EXISTS ${root}/lib/plot/style.gp)
-  file(COPY ${root}/lib/plot/style.gp DESTINATION ${new}/data)
-endif()
-set(page_options --template=${here}/template.html --to=html5 --mathml --fail-if-warnings --standalone
+file(GLOB shared_scripts ${root}/lib/*/*.gp) # the look of all figures, and scripts that several chapters use
+file(COPY ${shared_scripts} DESTINATION ${new}/data)
+set(page_options --template=${here}/template.html --to=html5 --mathml --fail-if-warnings --standalone --wrap=none
     --highlight-style=kate -V version=${VERSION})
 
 file(GLOB folders RELATIVE ${CHAPTERS} ${CHAPTERS}/[0-9][0-9]-*)

@@ -71,9 +71,9 @@ macro(book_case name)
 endmacro()
 
 function(values)
-  expect_page("The load is <span class=\"value\" title=\"999.34171 lbf\">999.34</span>" "−1.5×10<sup>−6</sup>"
-    "<td><span class=\"value\" title=\"999.34171 lbf\">999.34</span></td>" "<mo>×</mo>"
-    "<code>{{code}}</code>" ">Figure\n1.1</a>" "id=\"fn1\"")
+  expect_page("The load is <span class=\"value\" title=\"999.34171 lbf\">999.34 lbf</span>" "−1.5×10<sup>−6</sup> in<sup>2</sup>"
+    "<td><span class=\"value\" title=\"999.34171 lbf\">999.34 lbf</span></td>" "<mo>×</mo>"
+    "<code>{{code}}</code>" ">Figure 1.1</a>" "<msup><mtext mathvariant=\"normal\">in</mtext><mn>2</mn></msup>" "id=\"fn1\"")
 endfunction()
 book_case("values go into text, tables and formulas" values)
 
@@ -208,6 +208,31 @@ function(missing_csv)
   expect_failure("table-1.csv is missing")
 endfunction()
 book_case("a missing data file fails" missing_csv)
+
+function(undrawn)
+  edit(${json} "\"png\": \"fig-1.png\"" "\"png\": \"\"")
+  edit(${json} "\"verdict\": \"failed\", \"reason\": \"one check fails\"" "\"verdict\": \"explained\", \"reason\": \"\"")
+  expect_failure("figure fig-1 was not drawn")
+endfunction()
+book_case("a figure that was not drawn fails" undrawn)
+
+function(crashed)
+  edit(${json} "\"png\": \"fig-1.png\"" "\"png\": \"\"")
+  expect_page("one check fails" "<b>Figure 1.1.</b>")
+endfunction()
+book_case("a figure whose computation failed says so on the page" crashed)
+
+function(partial)
+  edit(${json} "\"level\"" "\"only\": [\"fig-1\"], \"level\"")
+  expect_failure("01-sample.json holds only fig-1")
+endfunction()
+book_case("a record of some items only fails" partial)
+
+function(named_like_a_list)
+  edit(${json} "{\"id\": \"fig-1\"" "{\"id\": \"stability\", \"kind\": \"table\", \"title\": \"Where it holds\", \"verdict\": \"sketch\"},\n{\"id\": \"fig-1\"")
+  expect_page("<section class=\"item\" id=\"stability\">" "Where it holds" "near line contact")
+endfunction()
+book_case("an item may be named stability" named_like_a_list)
 
 function(broken_record)
   file(WRITE ${json} "{ \"chapter\": ")
