@@ -1,0 +1,70 @@
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <filesystem>
+#include <stdexcept>
+
+#include "bench/work_precision.hpp"
+#include "report/item.hpp"
+
+using namespace railbook;
+
+namespace {
+
+// The midpoint rule for exp on [0, 1]: second order.
+bench::Outcome midpoint(int n) {
+  double sum = 0;
+  for (int i = 0; i < n; ++i) sum += std::exp((i + 0.5) / n) / n;
+  return {{sum}, static_cast<double>(n), true, ""};
+}
+
+const std::vector<bench::Reference> exact{{"integral", std::exp(1.0) - 1, 1e-16}};
+
+}  // namespace
+
+TEST_CASE("unit: errors, order and failures are kept") {
+  bench::Method rule{"midpoint", {}};
+  for (int n : {4, 8, 16, 32})
+    rule.settings.push_back({std::to_string(n), [n] { return midpoint(n); }});
+  const bench::Method broken{
+      "broken",
+      {{"a",
+        [] {
+          return bench::Outcome{{}, 3, false, "ran out of steps"};
+        }},
+       {"b", []() -> bench::Outcome { throw std::runtime_error{"singular"}; }}}};
+  const auto points = bench::measure("cost", exact, {rule, broken}, true, 0.01);
+  REQUIRE(points.size() == 6);
+  CHECK(bench::observed_slope(points, "integral", "midpoint") == Approx(-2).margin(0.02));
+  CHECK(points[0].seconds_min > 0);
+  CHECK(points[0].seconds_min <= points[0].seconds_median);
+  CHECK_FALSE(points[4].converged);
+  CHECK(points[4].reason == "ran out of steps");
+  CHECK(points[5].reason == "singular");
+  CHECK(std::isnan(points[5].error));
+}
+
+TEST_CASE("unit: the figure is drawn, with and without times") {
+  const auto folder =
+      std::filesystem::temp_directory_path() / ("railbook-bench-" + std::to_string(::getpid()));
+  bench::Method rule{"midpoint", {}};
+  for (int n : {4, 8, 16})
+    rule.settings.push_back({std::to_string(n), [n] { return midpoint(n); }});
+  bench::Method twice{"midpoint 2n", {}};
+  for (int n : {4, 8, 16})
+    twice.settings.push_back({std::to_string(n), [n] { return midpoint(2 * n); }});
+  for (const bool timings : {true, false}) {
+    report::RunSettings settings;
+    settings.results = settings.figures = folder;
+    report::Item item{timings ? "timed" : "untimed", "figure", "Cost", settings};
+    bench::show(item, bench::measure("cost", exact, {rule, twice}, timings, 0.01), "integral");
+    item.explained("a test");
+    report::ChapterRecord record;
+    item.finish(record);
+    CHECK(record.items[0].verdict == "explained");
+    CHECK(record.work_precision.size() == 6);
+    CHECK(std::filesystem::file_size(folder / record.items[0].png) > 5000);
+  }
+  if (std::getenv("KEEP") == nullptr) std::filesystem::remove_all(folder);
+}
