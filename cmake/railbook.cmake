@@ -50,7 +50,8 @@ endfunction()
 
 # railbook_chapter(NN-NAME [NEEDS libraries of lib/])
 # The chapter program NAME in build/bin; a need that is not named is a link error.
-# ctest runs it (every check must pass) and its bite test (every check must fail when shifted).
+# ctest runs it (every check must pass) and its bite test (every check must fail when shifted), and then
+# compares the figures with the golden set (tests/figures).
 function(railbook_chapter chapter)
   cmake_parse_arguments(arg "" "" "NEEDS;USES" ${ARGN})
   string(REGEX REPLACE "^[0-9]+-" "" name ${chapter})
@@ -66,4 +67,9 @@ function(railbook_chapter chapter)
            --out ${CMAKE_BINARY_DIR}/ctest/${chapter})
   add_test(NAME "chapter: ${chapter} bites" COMMAND ${name} reproduce --bite --no-figures
            --no-timings --out ${CMAKE_BINARY_DIR}/ctest/${chapter}-bite)
+  add_test(NAME "figures: ${chapter} golden set" COMMAND figure_diff
+           ${CMAKE_BINARY_DIR}/ctest/${chapter}/figures/${chapter} ${CMAKE_SOURCE_DIR}/figures/${chapter}
+           ${CMAKE_SOURCE_DIR}/figures/not-golden.txt)
+  set_tests_properties("chapter: ${chapter} reproduces" PROPERTIES FIXTURES_SETUP ${chapter})
+  set_tests_properties("figures: ${chapter} golden set" PROPERTIES FIXTURES_REQUIRED ${chapter})
 endfunction()
