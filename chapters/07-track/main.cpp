@@ -16,8 +16,6 @@ data, they are marked as assumed, and what rests on them is called a reconstruct
 
 ## Stability
 
-{{stability}}
-
 ## Deviations
 
 ## Limits
@@ -34,8 +32,10 @@ int main(int argc, char** argv) {
       {.id = RAILBOOK_CHAPTER,
        .name = "track",
        .title = "Analytical models of railroad track dynamics",
-       .paper = "D. R. Ahlbeck, H. C. Meacham and R. H. Prause, The Development of Analytical Models for "
-                "Railroad Track Dynamics",
+       .paper =
+           "D. R. Ahlbeck, H. C. Meacham and R. H. Prause, The Development of Analytical Models "
+           "for Railroad Track Dynamics, in Railroad Track Mechanics and Technology "
+           "(A. D. Kerr, ed.), Pergamon, 1978, pp. 239 ff.",
        .sources = RAILBOOK_CHAPTER_DIR}};
   track_chapter::add_stiffness(chapter);
   return chapter.run(argc, argv);

@@ -92,8 +92,9 @@ void continuous(report::Item& item) {
                   fmt::format("{:.3f}", beam.zero_distance() / units::foot),
                   fmt::format("{:.3f}", 2 / beam.beta() / units::foot)});
   }
-  item.reconstructed("the paper gives neither K nor the rail of its average track; ours is 132RE and the "
-                     "typical support below");
+  item.reconstructed(
+      "the paper gives neither K nor the rail of its average track; ours is 132RE and the "
+      "typical support below");
   item.expect_checks(4);
   const auto claims = item.printed("claims.csv");
   const auto beam = typical_beam();
