@@ -16,8 +16,9 @@ function html.tag(name, attributes, content)
   return content and opening .. content .. "</" .. name .. ">" or opening
 end
 
+-- 1.2e-05 inside a text as 1.2×10⁻⁵; a bare 1e5 may be a name.
 local function power_of_ten(text)
-  return (text:gsub("(%d)[eE]([+-]?)0*(%d+)", function(digit, sign, exponent)
+  return (text:gsub("(%d)[eE]([+-])0*(%d+)", function(digit, sign, exponent)
     return digit .. "×10<sup>" .. (sign == "-" and "−" or "") .. exponent .. "</sup>"
   end))
 end
@@ -59,7 +60,7 @@ local function math(tex, kind)
   return out
 end
 
--- Text of a record: escaped, with $...$ as MathML and `...` as code.
+-- Text of a record: escaped, with $...$ as MathML, `...` as code and powers of ten as such.
 function html.text(text)
   local out, at = {}, 1
   text = tostring(text or "")
@@ -68,12 +69,12 @@ function html.text(text)
     local mark = open and text:sub(open, open)
     local close = open and text:find(mark, open + 1, true)
     if not close then break end
-    out[#out + 1] = html.escape(text:sub(at, open - 1))
+    out[#out + 1] = power_of_ten(html.escape(text:sub(at, open - 1)))
     local inner = text:sub(open + 1, close - 1)
     out[#out + 1] = mark == "$" and math(inner, "InlineMath") or html.tag("code", nil, html.escape(inner))
     at = close + 1
   end
-  return table.concat(out) .. html.escape(text:sub(at))
+  return table.concat(out) .. power_of_ten(html.escape(text:sub(at)))
 end
 
 -- A length of time in the unit that suits it.

@@ -15,7 +15,7 @@ end
 local function chapter_row(r)
   local passed, total, closest = record.tally(r.checks)
   local badges = {}
-  for _, pair in ipairs(record.count(r.items, "verdict")) do badges[#badges + 1] = html.badge(pair[1]) .. " " .. pair[2] end
+  for _, pair in ipairs(record.count(r.items, "verdict")) do badges[#badges + 1] = pair[2] .. " " .. html.badge(pair[1]) end
   local worst = closest and ("%.0f %%"):format(100 * record.used(closest)) or "–"
   local link = html.tag("a", {href = r.chapter .. ".html"}, r.number .. " " .. html.text(r.title))
   return {link, html.text(r.paper), table.concat(badges, "<br>"), {("%d of %d"):format(passed, total), class = "number"},
@@ -24,11 +24,16 @@ end
 
 local function chapters(records, left_out)
   local rows = {}
-  for _, r in ipairs(records) do rows[#rows + 1] = chapter_row(r) end
+  for _, r in ipairs(records) do
+    rows[#rows + 1] = chapter_row(r)
+    rows[#rows].name = r.chapter
+  end
   for _, line in ipairs(left_out) do
     local name, why = line:match("^(%S+) (.*)$")
-    rows[#rows + 1] = {html.escape(name), html.text(why), html.badge("no page"), "–", "–", "–"}
+    local none = {"–", class = "number"}
+    rows[#rows + 1] = {html.escape(name), html.text(why), html.badge("no page"), none, none, none, name = name}
   end
+  table.sort(rows, function(a, b) return a.name < b.name end)
   return html.table("chapters", {"chapter", "paper", "tables and figures", "checks passed", "worst error", "run time"}, rows)
 end
 

@@ -66,6 +66,7 @@ end
 -- One line on many checks.
 local function summary(checks)
   local passed, total, closest = record.tally(checks)
+  if total == 0 then return "No checks" end
   local text = total == 1 and (passed == 1 and "1 check, passed" or "1 check, failed")
     or passed == total and ("%d checks, all passed"):format(total) or ("%d of %d checks passed"):format(passed, total)
   if closest and total > 1 then
@@ -165,7 +166,7 @@ function items.work_precision(list)
       method, {html.text(w.setting), class = "number"}, {error, class = "number"},
       {html.seconds(w.seconds_min), class = "number"}, {html.seconds(w.seconds_median), class = "number"},
       {w.work and html.number(("%.6g"):format(w.work)) or "–", class = "number"}, html.text(outcome),
-      class = not w.converged and "failed" or nil}
+      class = not w.converged and "failed" or i > 1 and list[i - 1].method ~= w.method and "first" or nil}
   end
   local heads = {many and "method, quantity" or "method", "setting", "error", "fastest", "median", "work", "outcome"}
   local note = uncertainty > 0 and html.tag("p", {class = "reason"},
@@ -197,7 +198,7 @@ end
 function items.checks(r)
   local parts = {}
   for _, pair in ipairs(record.count(r.checks, "status")) do
-    parts[#parts + 1] = html.badge(pair[1]) .. " " .. pair[2]
+    parts[#parts + 1] = html.tag("span", {class = "count"}, pair[2] .. " " .. html.badge(pair[1]))
   end
   return html.tag("p", {class = "tally"}, summary(r.checks) .. ". " .. table.concat(parts, " "))
 end
