@@ -1,0 +1,59 @@
+# The front door. Each target is a line of cmake, ctest or a chapter program; `make help` lists them.
+
+BUILD    := build
+LEVEL    ?= quick
+CHAPTERS := $(notdir $(patsubst %/,%,$(sort $(wildcard chapters/*/))))
+chosen    = $(filter $(C)-%,$(CHAPTERS))
+SOURCES   = $(shell git ls-files '*.cpp' '*.hpp' ':!tests/book')
+
+.PHONY: help doctor packages build reproduce test chapter figures accept-figures book bench format lint failed clean
+
+help:             ## this list
+	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' $(MAKEFILE_LIST) | expand -t 24
+	@echo; echo "  LEVEL=full lengthens Monte Carlo and refines references; chapters: $(CHAPTERS)"
+
+doctor:           ## say which packages are missing and what the tools' versions are
+	@cmake/packages.sh check
+	@for t in g++ cmake ninja gnuplot pandoc; do printf '%-8s ' $$t; $$t --version | head -n 1; done
+
+packages:
+	@cmake/packages.sh install
+
+build: packages   ## configure and compile
+	@cmake --preset default --log-level=WARNING -B $(BUILD) && cmake --build $(BUILD)
+
+reproduce: build  ## everything: build, run all chapters, draw the figures, weave the book
+	@cmake/reproduce.sh $(BUILD) $(LEVEL) $(CHAPTERS)
+
+test: build       ## run all tests
+	ctest --test-dir $(BUILD) --output-on-failure -j 2
+
+chapter:          ## run one chapter, e.g. make chapter C=01
+	@$(if $(chosen),,echo "C is \"$(C)\"; allowed: the number of one of $(CHAPTERS)"; exit 2)
+	@$(MAKE) --no-print-directory build
+	$(BUILD)/bin/$(subst $(C)-,,$(chosen)) reproduce --level $(LEVEL) --out $(BUILD)
+
+figures: build    ## draw every figure to PNG, without timing anything
+	@for c in $(CHAPTERS); do $(BUILD)/bin/$${c#*-} reproduce --no-timings --out $(BUILD)/ctest/$$c || exit 1; done
+
+accept-figures: figures ## make today's figures the golden set (commit it alone, and say why)
+	cmake -DBUILD=$(CURDIR)/$(BUILD) -P cmake/accept_figures.cmake
+
+book: build       ## weave the book from the chapters that have been run
+	@cmake --build $(BUILD) --target book
+
+bench: build      ## error against run time at full length, one chapter after the other
+	@cmake/reproduce.sh $(BUILD) full $(CHAPTERS)
+
+format:           ## clang-format every source in place
+	clang-format -i $(SOURCES)
+
+lint: build       ## clang-format (check only) and clang-tidy
+	clang-format --dry-run --Werror $(SOURCES)
+	clang-tidy -p $(BUILD) --quiet $(filter lib/%.cpp chapters/%.cpp,$(SOURCES))
+
+failed: build     ## run again only the tests that failed
+	ctest --test-dir $(BUILD) --rerun-failed --output-on-failure
+
+clean:            ## remove everything generated
+	rm -rf $(BUILD)
