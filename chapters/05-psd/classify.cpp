@@ -1,0 +1,7 @@
+#include "items.hpp"
+
+namespace psd {
+
+void add_classify(railbook::report::Chapter&) {}
+
+}  // namespace psd

@@ -1,0 +1,31 @@
+// The sections of the chapter, and what they share.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report/chapter.hpp"
+#include "signal/track_spectrum.hpp"
+
+namespace psd {
+
+// A row of Table 1. SI; B in the printed convention, as in TrackParameters.
+struct Zone {
+  std::string name;  // "1" ... "13"
+  railbook::signal::TrackParameters track;
+  double C_1 = 0;   // peak of the line, m^2/(cycle/m)
+  double beta = 0;  // its width at half of it, cycle/m
+};
+std::vector<Zone> zones(const railbook::report::CsvTable& table_1);
+
+// Each section adds its items and tools.
+void add_processes(railbook::report::Chapter& chapter);   // Figures 1 to 7, equations (1) to (5)
+void add_zones(railbook::report::Chapter& chapter);       // Table 1
+void add_extraction(railbook::report::Chapter& chapter);  // Figures 8 and 9
+void add_chords(railbook::report::Chapter& chapter);      // Table 2, Figure 10, equation (8)
+void add_classes(railbook::report::Chapter& chapter);     // Table 3, Figure 11
+void add_accuracy(railbook::report::Chapter& chapter);    // closed loop, work-precision, stability
+void add_synthesize(railbook::report::Chapter& chapter);  // tool: a track record to order
+void add_classify(railbook::report::Chapter& chapter);    // tool: class of a track record
+
+}  // namespace psd

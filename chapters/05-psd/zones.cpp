@@ -1,0 +1,136 @@
+/*** ## Table 1: thirteen zones
+
+Every zone is condensed to a roughness $A$, a corner $\varphi_c$ and a dip $B$; $B$ comes from the peak $C_1$ and the width
+$\beta$ of the first line, all read off graphs. The paper prints $C_1$, $\beta$ and $B$, so its own equation (7) can be put to
+the test. Both factors have two printed digits. The last column but one carries that rounding through (7): where the printed
+$B$ lies outside, the row contradicts itself, and print alone cannot tell which of the three is off.
+
+{{table-1}}
+
+Seven zones do not close. In six of them $B$ is {{table-1-least}} to {{table-1-most}} above what $C_1$ and $\beta$ give, and never
+below, which is what happens when the peak is read low or narrow off a steep graph, or $B$ from a curve not printed. In zone 13
+the exponent of $C_1$ is hardly legible. With $10^{-8}$ the peak would be {{table-1-zone-13-share}} of the random part under it and
+could not have been seen; the printed $B$ asks for $C_1$ = {{table-1-zone-13-C1}}. From here on $B$ is used as printed.
+*/
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "items.hpp"
+#include "num/fft.hpp"
+#include "signal/rail_line.hpp"
+
+namespace psd {
+
+using namespace railbook;
+using signal::LineConvention;
+
+std::vector<Zone> zones(const report::CsvTable& table_1) {
+  std::vector<Zone> result;
+  for (std::size_t i = 0; i < table_1.rows.size(); ++i) {
+    const auto number = [&](const char* column) {
+      return report::printed_number(table_1.at(i, column));
+    };
+    result.push_back({table_1.at(i, "zone"),
+                      {.A = number("A"),
+                       .phi_c = number("phi_c"),
+                       .phi_0 = number("phi_0"),
+                       .B = number("B") * units::millimetre},
+                      number("C_1"),
+                      number("beta")});
+  }
+  return result;
+}
+
+namespace {
+
+/*** Equation (7) is one line. To show that a misfit is not ours, the dip is found a second way: a rectified sine is sampled,
+transformed, and scaled until its first line, squared and halved as in (2), holds $\beta C_1$.
+*/
+double dip_by_transform(double line_power) {
+  num::RealFft fft{4096};
+  for (std::size_t i = 0; i < fft.size(); ++i)
+    fft.real()[i] = signal::rectified_sine(static_cast<double>(i) / 4096.0, 1.0, 1.0);
+  fft.forward();
+  const double complex_coefficient = std::abs(fft.spectrum()[1]) / 4096.0;
+  return std::sqrt(2.0 * line_power) / complex_coefficient;
+}
+
+double dip(double C_1, double beta) {
+  return signal::dip_from_line_power(signal::broadened_line_power(C_1, beta),
+                                     LineConvention::printed);
+}
+
+/*** The check then depends on the row. Where the ranges of both sides meet, the printed $B$ must come out within them. Where
+the row is marked as contradictory, our $B$ must agree with the second way to within the rounding, and the printed one must not.
+*/
+void table_1(report::Item& item) {
+  const report::CsvTable printed = item.printed("table-1.csv");
+  const auto all = zones(printed);
+  item.expect_checks(2 * static_cast<int>(all.size()) + 2);
+  item.columns({"zone", "A", "φ<sub>c</sub>", "C₁", "β", "B printed, mm", "B by (7), mm",
+                "range of rounding, mm", "physical dip, mm", "doubt"});
+  double least = 1e9;
+  double most = 0.0;
+  for (const Zone& zone : all) {
+    const report::Row row = item.row(printed, zone.name);
+    const auto half_digit = [&](const char* column) {
+      return report::half_last_digit(row.printed(column));
+    };
+    const double B = dip(zone.C_1, zone.beta);
+    const double low = dip(zone.C_1 - half_digit("C_1"), zone.beta - half_digit("beta"));
+    const double high = dip(zone.C_1 + half_digit("C_1"), zone.beta + half_digit("beta"));
+    const double rounding = half_digit("B") * units::millimetre;
+    const bool meets = low <= zone.track.B + rounding && high >= zone.track.B - rounding;
+    const bool doubted = row.printed("doubt").find("equation (7)") != std::string::npos;
+    if (doubted) {
+      const double other = dip_by_transform(zone.beta * zone.C_1);
+      row.check(
+          "B", B / units::millimetre,
+          report::misprint(other / units::millimetre, (high - low) / (2 * B),
+                           "C₁, β and B of the row contradict (7) by more than their rounding; the "
+                           "corrected value is what the printed C₁ and β give by transform"));
+    } else {
+      const double width = (std::max(high - B, B - low) + rounding) / units::millimetre;
+      row.check(
+          "B", B / units::millimetre,
+          report::absolute(width, "rounding of C₁ and β, two digits each, carried through (7)"));
+    }
+    item.check_text("zone-" + zone.name + "-closes", "zone " + zone.name + ", row closes",
+                    doubted ? "no" : "yes", meets ? "yes" : "no");
+    if (doubted && zone.name != "13") {
+      least = std::min(least, zone.track.B / B - 1.0);
+      most = std::max(most, zone.track.B / B - 1.0);
+    }
+    const double mm = units::millimetre;
+    item.add_row({zone.name, row.printed("A"), row.printed("phi_c"), row.printed("C_1"),
+                  row.printed("beta"), row.printed("B"), fmt::format("{:.2f}", B / mm),
+                  fmt::format("{:.2f} to {:.2f}", low / mm, high / mm),
+                  fmt::format("{:.2f}", zone.track.B / 2 / mm), row.printed("doubt")});
+  }
+  item.value("table-1-least", 100 * least, "%", "{:.0f}");
+  item.value("table-1-most", 100 * most, "%", "{:.0f}");
+  const Zone& last = all.back();
+  item.value("table-1-zone-13-share",
+             100 * last.C_1 / signal::random_psd(last.track, last.track.phi_0), "%", "{:.0f}");
+  item.value("table-1-zone-13-C1",
+             signal::line_power(1, last.track.B, LineConvention::printed) / last.beta,
+             "m²/(cycle/m)", "{:.2g}");
+  const auto by_A = [](const Zone& a, const Zone& b) { return a.track.A < b.track.A; };
+  const auto [smooth, rough] = std::minmax_element(all.begin(), all.end(), by_A);
+  item.check("A-smallest", "smallest A; the text: 1e-8 for very smooth surfaces", "m² cycle/m",
+             "1e-8", smooth->track.A, report::at_least("typical values in the text below (3)"));
+  item.check("A-largest", "largest A; the text: 1e-6 for very rough surfaces", "m² cycle/m", "1e-6",
+             rough->track.A, report::at_most("typical values in the text below (3)"));
+}
+
+}  // namespace
+
+void add_zones(report::Chapter& chapter) {
+  chapter.table("table-1", "Thirteen zones (the paper's Table 1): does B follow from C₁ and β?",
+                table_1);
+}
+
+}  // namespace psd
