@@ -80,14 +80,14 @@ end
 
 local function count_lines(text) return select(2, text:gsub("\n", "")) + 1 end
 
--- Splits leading #include, using and namespace-alias lines (with the comments between them) off a piece of code.
+-- Splits leading #include, using and namespace lines (with the comments between them) off a piece of code.
 local function split_headers(text)
   local stop, at, found = 0, 1, false
   while at <= #text do
     local finish = text:find("\n", at, true) or #text
     local line = text:sub(at, finish)
     if line:find("^#include") or line:find("^#pragma") or line:find("^#define") or line:find("^using ")
-        or line:find("^namespace%s+[%w_]+%s*=") then
+        or line:find("^namespace%s+[%w_]+%s*=") or line:find("^namespace[%s%w_:]*{%s*$") then
       stop, found = finish, true
     elseif not (line:find("^%s*$") or line:find("^%s*//")) then
       break
