@@ -1,0 +1,28 @@
+#include <catch2/catch.hpp>
+
+#include "signal/spectrum_fit.hpp"
+#include "signal/synthetic_track.hpp"
+#include "units/input_error.hpp"
+
+using namespace railbook;
+
+TEST_CASE("input: a fit refuses what cannot be fitted and says why") {
+  signal::SyntheticTrack track;
+  track.A = 2e-7;
+  const auto spectrum = signal::welch(signal::synthesize(track, 20000), units::foot);
+  const auto refuses = [&](const signal::FitOptions& options, const char* text) {
+    CHECK_THROWS_WITH(signal::fit_track_spectrum(spectrum, options), Catch::Contains(text));
+    CHECK_THROWS_AS(signal::fit_track_spectrum(spectrum, options), InputError);
+  };
+  refuses({.rail_length = 0}, "rail length");
+  refuses({.rail_length = 500}, "rail wavenumber");
+  refuses({.rail_length = 0.5}, "rail wavenumber");
+  refuses({.low = 2, .high = 3}, "holds no usable bins");
+  refuses({.low = -1}, "lower end of the band");
+  refuses({.chord = -1}, "chord");
+  refuses({.chord = 78 * units::foot}, "does not see a rail");
+  const auto constant = signal::welch(std::vector<double>(20000, 0.0), units::foot);
+  CHECK_THROWS_WITH(signal::fit_track_spectrum(constant), Catch::Contains("constant signal"));
+  const auto coarse = signal::welch(signal::synthesize(track, 20000), units::foot, {.segment = 16});
+  CHECK_THROWS_AS(signal::fit_track_spectrum(coarse), InputError);
+}
