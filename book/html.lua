@@ -60,7 +60,12 @@ local function math(tex, kind)
   return out
 end
 
--- Text of a record: escaped, with $...$ as MathML, `...` as code and powers of ten as such.
+-- Plain text: powers of ten, <sub> and <sup> as such, all else escaped.
+local function plain(text)
+  return (power_of_ten(html.escape(text)):gsub("&lt;(/?su[bp])&gt;", "<%1>"))
+end
+
+-- Text of a record: plain, with $...$ as MathML and `...` as code.
 function html.text(text)
   local out, at = {}, 1
   text = tostring(text or "")
@@ -69,12 +74,12 @@ function html.text(text)
     local mark = open and text:sub(open, open)
     local close = open and text:find(mark, open + 1, true)
     if not close then break end
-    out[#out + 1] = power_of_ten(html.escape(text:sub(at, open - 1)))
+    out[#out + 1] = plain(text:sub(at, open - 1))
     local inner = text:sub(open + 1, close - 1)
     out[#out + 1] = mark == "$" and math(inner, "InlineMath") or html.tag("code", nil, html.escape(inner))
     at = close + 1
   end
-  return table.concat(out) .. power_of_ten(html.escape(text:sub(at)))
+  return table.concat(out) .. plain(text:sub(at))
 end
 
 -- A length of time in the unit that suits it.
@@ -97,7 +102,7 @@ end
 
 -- Heads are texts; rows are lists of cells, each HTML or {html, class = ..., scope = ...}. The first cell of a row heads it.
 function html.table(class, heads, rows, caption)
-  local out = {html.tag("table", {class = class})}
+  local out = {html.tag("table", {class = class .. (#heads > 8 and " many" or "")})}
   if caption then out[#out + 1] = html.tag("caption", nil, caption) end
   local cells = {}
   for i, head in ipairs(heads) do

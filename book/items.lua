@@ -141,8 +141,8 @@ function items.table(item, r, more)
       for j, cell in ipairs(row) do
         local text = type(cell) == "number" and ("%.6g"):format(cell) or tostring(cell)
         local numeric = text:find("^%s*[-+−]?%.?%d") and not text:find("%a%a")
-        local shown = html.number(text)
-        cells[i][j] = {shown == html.escape(text) and html.text(text) or shown, class = numeric and "number" or nil}
+        local class = numeric and "number" or utf8.len(text) < 16 and "short" or "long"
+        cells[i][j] = {numeric and html.number(text) or html.text(text), class = class}
       end
     end
     display = html.table("display", item.columns or {}, cells)

@@ -1,7 +1,7 @@
 -- Pandoc reader of literate C++: `pandoc -f literate.lua main.cpp section.cpp ...`.
 -- A comment that opens with `/***` at the beginning of a line is prose in Markdown; everything else is code.
--- The first file is the page; a prose line `{{include: section.cpp}}` continues with another one. Every file
--- named on the command line must be included exactly once.
+-- The first file is the page; a prose line `{{include: section.cpp}}` continues with another one. Every .cpp
+-- named on the command line must be included exactly once; a header may be.
 
 local longest_open_block = 25 -- longer code is folded
 
@@ -145,7 +145,7 @@ end
 
 function Weaver:file(name, from)
   local source = self.sources[name]
-  if not source then fail(from .. ": include of '" .. name .. "', which is not a .cpp file of this chapter") end
+  if not source then fail(from .. ": include of '" .. name .. "', which is not a file of this chapter") end
   if self.seen[name] then
     fail(from .. ": '" .. name .. "' is included twice (first at " .. self.seen[name] .. ")")
   end
@@ -192,7 +192,7 @@ function Reader(inputs)
   weaver:file(main, "the command line")
   for _, source in ipairs(inputs) do
     local name = source.name:match("[^/]+$")
-    if not weaver.seen[name] then
+    if name:find("%.cpp$") and not weaver.seen[name] then
       fail(source.name .. " is not included in the page: add a line {{include: " .. name .. "}} to the prose")
     end
   end

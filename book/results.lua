@@ -153,6 +153,27 @@ local function Math(math)
   return math
 end
 
+-- Browsers break lines beside a formula, even before a comma: what touches it stays with it.
+local function Inlines(inlines)
+  local out, run, formula = pandoc.List(), pandoc.List(), false
+  local function close()
+    if formula and #run > 1 then out:insert(pandoc.Span(run, {class = "together"})) else out:extend(run) end
+    run, formula = pandoc.List(), false
+  end
+  for _, inline in ipairs(inlines) do
+    local is_formula = inline.t == "Math" and inline.mathtype == "InlineMath"
+    if is_formula or inline.t == "Str" or inline.t == "Note" then
+      run:insert(inline)
+      formula = formula or is_formula
+    else
+      close()
+      out:insert(inline)
+    end
+  end
+  close()
+  return out
+end
+
 -- The first level-1 heading is the title; further ones, if any, go one level down with all that follow.
 local function take_title(doc)
   local first, more = nil, false
@@ -219,7 +240,7 @@ function Pandoc(doc)
   r, figures, data = result, text "figures", text "data"
   doc = take_title(doc)
   number_items(doc)
-  doc = doc:walk({Para = Para}):walk({Str = Str, Math = Math})
+  doc = doc:walk({Para = Para}):walk({Str = Str, Math = Math}):walk({Inlines = Inlines})
   check_all_shown()
   if #problems > 0 then
     for _, message in ipairs(problems) do io.stderr:write("book: ", message, "\n") end

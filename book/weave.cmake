@@ -63,7 +63,7 @@ foreach(chapter ${chapters})
   file(COPY ${data} DESTINATION ${new}/data/${chapter})
   file(COPY ${pngs} DESTINATION ${new}/figures/${chapter})
   file(COPY ${RESULTS}/${chapter}.json DESTINATION ${new}/data)
-  file(GLOB sources ${CHAPTERS}/${chapter}/*.cpp)
+  file(GLOB sources ${CHAPTERS}/${chapter}/*.cpp ${CHAPTERS}/${chapter}/*.hpp)
   list(REMOVE_ITEM sources ${CHAPTERS}/${chapter}/main.cpp)
   execute_process(
     COMMAND ${PANDOC} --from=${here}/literate.lua --lua-filter=${here}/results.lua ${page_options} --toc --toc-depth=2
