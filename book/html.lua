@@ -30,7 +30,7 @@ function html.unit(text)
   end))
 end
 
--- A number as text, 1.2e-05 or "-3.4 psi", the way it is printed: 1.2×10⁻⁵, −3.4 psi. Other text comes back escaped.
+-- A number as text, 1.2e-05 or "-3.4 psi", the way it is printed: 1.2×10⁻⁵, −3.4 psi. Other text is only escaped.
 function html.number(text)
   text = html.escape(text)
   if text:find("^[+-]?%.?%d") then text = html.unit(power_of_ten((text:gsub("^-", "−")))) end
@@ -100,7 +100,7 @@ function html.badge(status)
   return html.tag("span", {class = "badge " .. status:gsub("[^%w-]", "-")}, html.escape(labels[status] or status))
 end
 
--- Heads are texts; rows are lists of cells, each HTML or {html, class = ..., scope = ...}. The first cell of a row heads it.
+-- Heads are texts; rows are lists of cells, each HTML or {html, class = ...}. The first cell of a row heads it.
 function html.table(class, heads, rows, caption)
   local out = {html.tag("table", {class = class .. (#heads > 8 and " many" or "")})}
   if caption then out[#out + 1] = html.tag("caption", nil, caption) end

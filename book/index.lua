@@ -7,7 +7,7 @@ local html, record = require "html", require "record"
 local function strings(value)
   local out = {}
   if not value then return out end
-  if value.t == "MetaInlines" or type(value) == "string" or pandoc.utils.type(value) ~= "List" then value = {value} end
+  if pandoc.utils.type(value) ~= "List" then value = {value} end
   for i, entry in ipairs(value) do out[i] = pandoc.utils.stringify(entry) end
   return out
 end
@@ -15,11 +15,15 @@ end
 local function chapter_row(r)
   local passed, total, closest = record.tally(r.checks)
   local badges = {}
-  for _, pair in ipairs(record.count(r.items, "verdict")) do badges[#badges + 1] = pair[2] .. " " .. html.badge(pair[1]) end
+  for _, pair in ipairs(record.count(r.items, "verdict")) do
+    badges[#badges + 1] = pair[2] .. " " .. html.badge(pair[1])
+  end
   local worst = closest and ("%.0f %%"):format(100 * record.used(closest)) or "–"
   local link = html.tag("a", {href = r.chapter .. ".html"}, r.number .. " " .. html.text(r.title))
-  return {link, html.text(r.paper), table.concat(badges, "<br>"), {("%d of %d"):format(passed, total), class = "number"},
-    {worst, class = "number"}, {html.seconds(r.seconds), class = "number"}, class = passed < total and "failed" or nil}
+  return {
+    link, html.text(r.paper), table.concat(badges, "<br>"),
+    {("%d of %d"):format(passed, total), class = "number"}, {worst, class = "number"},
+    {html.seconds(r.seconds), class = "number"}, class = passed < total and "failed" or nil}
 end
 
 local function chapters(records, left_out)
@@ -34,7 +38,8 @@ local function chapters(records, left_out)
     rows[#rows + 1] = {html.escape(name), html.text(why), html.badge("no page"), none, none, none, name = name}
   end
   table.sort(rows, function(a, b) return a.name < b.name end)
-  return html.table("chapters", {"chapter", "paper", "tables and figures", "checks passed", "worst error", "run time"}, rows)
+  local heads = {"chapter", "paper", "tables and figures", "checks passed", "worst error", "run time"}
+  return html.table("chapters", heads, rows)
 end
 
 local meanings = {
@@ -59,7 +64,8 @@ local function gallery(records)
     local tiles = {}
     for _, item in ipairs(r.items) do
       if item.png then
-        local image = html.tag("img", {src = ("figures/%s/%s"):format(r.chapter, item.png), alt = item.title, loading = "lazy"})
+        local source = ("figures/%s/%s"):format(r.chapter, item.png)
+        local image = html.tag("img", {src = source, alt = item.title, loading = "lazy"})
         tiles[#tiles + 1] = html.tag("li", nil, html.tag("a", {href = r.chapter .. ".html#" .. item.id}, image)
           .. html.tag("p", nil, html.text(item.title) .. " " .. html.badge(item.verdict)))
       end

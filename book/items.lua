@@ -53,7 +53,8 @@ local function checks_table(checks)
   for i, check in ipairs(checks) do
     local off, allowed = difference(check)
     local mark = marks[check.why]
-    local unit = check.unit and check.unit ~= "" and check.unit ~= "1" and ", " .. html.unit(html.escape(check.unit)) or ""
+    local unit = check.unit or ""
+    unit = unit ~= "" and unit ~= "1" and ", " .. html.unit(html.escape(unit)) or ""
     rows[i] = {
       html.text(check.what or check.id) .. unit,
       {html.number(check.printed or "–"), class = "number"}, {computed(check), class = "number"},
@@ -99,7 +100,8 @@ function items.label(item, r)
 end
 
 local function heading(item, r)
-  return html.tag("b", nil, items.label(item, r) .. ".") .. " " .. html.text(item.title) .. " " .. html.badge(item.verdict) .. links(item, r)
+  local label = html.tag("b", nil, items.label(item, r) .. ".")
+  return label .. " " .. html.text(item.title) .. " " .. html.badge(item.verdict) .. links(item, r)
 end
 
 local function reason(item)
@@ -149,7 +151,8 @@ function items.table(item, r, more)
   end
   local open = display == "" and widest_open.table or widest_open.figure
   return html.tag("section", {class = "item", id = item.id}, table.concat({
-    html.tag("p", {class = "caption"}, heading(item, r)), reason(item), display, more or "", checks_of(item, open)}, "\n"))
+    html.tag("p", {class = "caption"}, heading(item, r)), reason(item), display, more or "",
+    checks_of(item, open)}, "\n"))
 end
 
 function items.work_precision(list)
@@ -178,7 +181,8 @@ function items.stability(list)
   local rows = {}
   for i, s in ipairs(list) do
     local error = type(s.error) == "number" and html.number(("%.2g"):format(s.error)) or "–"
-    rows[i] = {html.text(s.case), html.text(s.stress), html.text(s.result), {error, class = "number"}, html.badge(s.status)}
+    rows[i] = {
+      html.text(s.case), html.text(s.stress), html.text(s.result), {error, class = "number"}, html.badge(s.status)}
   end
   return html.table("stability", {"case", "what is stressed", "result", "error", "status"}, rows)
 end

@@ -178,7 +178,8 @@ local function present(block)
       pandoc.Plain({pandoc.Span(summary), pandoc.Space(), label}),
       pandoc.RawBlock("html", "</summary>"), shown, pandoc.RawBlock("html", "</details>")}
   end
-  return pandoc.Div({shown, pandoc.RawBlock("html", ('<span class="origin">%s</span>'):format(where))}, {class = "code"})
+  local origin = pandoc.RawBlock("html", ('<span class="origin">%s</span>'):format(where))
+  return pandoc.Div({shown, origin}, {class = "code"})
 end
 
 function Reader(inputs)
@@ -197,7 +198,8 @@ function Reader(inputs)
     end
   end
 
-  local doc = pandoc.read(table.concat(weaver.out, "\n"), "markdown-citations-example_lists-blank_before_header+autolink_bare_uris")
+  local dialect = "markdown-citations-example_lists-blank_before_header+autolink_bare_uris"
+  local doc = pandoc.read(table.concat(weaver.out, "\n"), dialect)
   local blocks, found = pandoc.List(), 0
   for _, block in ipairs(doc.blocks) do
     local shown = block.t == "CodeBlock" and present(block)

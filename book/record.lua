@@ -52,7 +52,8 @@ end
 -- Share of the tolerance used, or nil where a check has no width (bounds, texts).
 function record.used(check)
   local bound = check.kind == "at_most" or check.kind == "at_least" or check.kind == "exact"
-  if bound or type(check.error) ~= "number" or type(check.allowed) ~= "number" or check.allowed <= 0 then return nil end
+  local known = type(check.error) == "number" and type(check.allowed) == "number"
+  if bound or not known or check.allowed <= 0 then return nil end
   return check.error / check.allowed
 end
 

@@ -213,7 +213,8 @@ local function number_items(doc)
   end})
   for _, item in ipairs(r.items) do
     if not item.number then
-      problem(nil, ("%s: item '%s' of %s is not shown: give it a paragraph {{%s}}"):format(r.chapter, item.id, r.path, item.id))
+      local message = "%s: item '%s' of %s is not shown: give it a paragraph {{%s}}"
+      problem(nil, message:format(r.chapter, item.id, r.path, item.id))
       item.number = 0
     end
   end
@@ -225,7 +226,8 @@ local function check_all_shown()
   end
   for _, w in ipairs(r.work_precision) do
     if not shown["work-precision: " .. w.id] then
-      problem(nil, ("%s: the work-precision study '%s' is not shown: add {{work-precision: %s}}"):format(r.chapter, w.id, w.id))
+      local message = "%s: the work-precision study '%s' is not shown: add {{work-precision: %s}}"
+      problem(nil, message:format(r.chapter, w.id, w.id))
     end
   end
 end

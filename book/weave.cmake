@@ -4,7 +4,8 @@
 # needs nothing outside itself. Exits non-zero when a page cannot be woven; the others are there all the same.
 
 get_filename_component(root ${CMAKE_CURRENT_LIST_DIR}/.. ABSOLUTE)
-foreach(default CHAPTERS=${root}/chapters RESULTS=${root}/build/results FIGURES=${root}/build/figures BOOK=${root}/build/book)
+foreach(default CHAPTERS=${root}/chapters RESULTS=${root}/build/results FIGURES=${root}/build/figures
+        BOOK=${root}/build/book)
   string(REGEX MATCH "^([A-Z]+)=(.*)$" _ ${default})
   if(NOT ${CMAKE_MATCH_1})
     set(${CMAKE_MATCH_1} ${CMAKE_MATCH_2})
@@ -63,12 +64,17 @@ foreach(chapter ${chapters})
   file(COPY ${data} DESTINATION ${new}/data/${chapter})
   file(COPY ${pngs} DESTINATION ${new}/figures/${chapter})
   file(COPY ${RESULTS}/${chapter}.json DESTINATION ${new}/data)
+  file(GLOB printed RELATIVE ${CHAPTERS}/${chapter}/data ${CHAPTERS}/${chapter}/data/*)
+  foreach(name ${printed})
+    file(COPY ${CHAPTERS}/${chapter}/data/${name} DESTINATION ${new}/data/${chapter}/printed)
+    list(APPEND around -M printed=${name})
+  endforeach()
   file(GLOB sources ${CHAPTERS}/${chapter}/*.cpp ${CHAPTERS}/${chapter}/*.hpp)
   list(REMOVE_ITEM sources ${CHAPTERS}/${chapter}/main.cpp)
   execute_process(
     COMMAND ${PANDOC} --from=${here}/literate.lua --lua-filter=${here}/results.lua ${page_options} --toc --toc-depth=2
-            ${around} -M record=${RESULTS}/${chapter}.json -M figures=${FIGURES}/${chapter} -M data=${new}/data/${chapter}
-            --output=${new}/${chapter}.html ${CHAPTERS}/${chapter}/main.cpp ${sources}
+            ${around} -M record=${RESULTS}/${chapter}.json -M figures=${FIGURES}/${chapter}
+            -M data=${new}/data/${chapter} --output=${new}/${chapter}.html ${CHAPTERS}/${chapter}/main.cpp ${sources}
     RESULT_VARIABLE status ERROR_VARIABLE said)
   if(status EQUAL 0)
     message("${chapter}  ${BOOK}/${chapter}.html")
@@ -85,8 +91,8 @@ foreach(page "index=railbook: seven papers on wheel, rail and track, recomputed"
   string(REGEX MATCH "^([a-z]+)=(.*)$" _ ${page})
   execute_process(
     COMMAND ${PANDOC} --from=markdown-citations --lua-filter=${here}/index.lua ${page_options} ${records} ${left_out}
-            -V page=index -M "title=${CMAKE_MATCH_2}" -M "pagetitle=${CMAKE_MATCH_2}" --output=${new}/${CMAKE_MATCH_1}.html
-            ${here}/${CMAKE_MATCH_1}.md
+            -V page=index -M "title=${CMAKE_MATCH_2}" -M "pagetitle=${CMAKE_MATCH_2}"
+            --output=${new}/${CMAKE_MATCH_1}.html ${here}/${CMAKE_MATCH_1}.md
     RESULT_VARIABLE status ERROR_VARIABLE said)
   if(NOT status EQUAL 0)
     message("${CMAKE_MATCH_1}  FAILED\n${said}")
