@@ -5,11 +5,12 @@
 
 namespace railbook::track_chapter {
 
-void add_stiffness(
-    report::Chapter&);              // rail on its foundation, the chain below a tie: Figs 1 and 2
-void add_ties(report::Chapter&);    // discrete ties against the smeared foundation
-void add_joint(report::Chapter&);   // stiffness at a joint: Fig. 3
-void add_masses(report::Chapter&);  // effective masses, eqs (15)-(19)
+void add_stiffness(report::Chapter&);        // rail on its foundation, Fig. 1
+void add_chain(report::Chapter&);            // the chain below a tie: Fig. 2
+void draw_steps(report::Item&);              // the scene of Fig. 2
+void add_ties(report::Chapter&);             // discrete ties against the smeared foundation
+void add_joint(report::Chapter&);            // stiffness at a joint: Fig. 3
+void add_masses(report::Chapter&);           // effective masses, eqs (15)-(19)
 void add_static_cost(report::Chapter&);      // error against run time, statics
 void add_static_extremes(report::Chapter&);  // stability rows, statics
 void add_stiffness_tool(report::Chapter&);   // `track stiffness`

@@ -12,6 +12,16 @@ data, they are marked as assumed, and what rests on them is called a reconstruct
 
 {{include: stiffness.cpp}}
 
+{{include: chain.cpp}}
+
+{{include: steps.cpp}}
+
+{{include: ties.cpp}}
+
+{{include: joint.cpp}}
+
+{{include: masses.cpp}}
+
 ## Error against run time
 
 ## Stability
@@ -38,5 +48,9 @@ int main(int argc, char** argv) {
            "(A. D. Kerr, ed.), Pergamon, 1978, pp. 239 ff.",
        .sources = RAILBOOK_CHAPTER_DIR}};
   track_chapter::add_stiffness(chapter);
+  track_chapter::add_chain(chapter);
+  track_chapter::add_ties(chapter);
+  track_chapter::add_joint(chapter);
+  track_chapter::add_masses(chapter);
   return chapter.run(argc, argv);
 }

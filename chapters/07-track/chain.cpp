@@ -1,0 +1,134 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <functional>
+
+#include "items.hpp"
+#include "num/quadrature.hpp"
+#include "track/typical_track.hpp"
+
+using namespace railbook;
+using namespace railbook::track;
+
+namespace {
+
+/***
+## From stone to springs
+
+Nobody can look up a foundation modulus. The paper builds it from parts that can be known (Figure 2): under each
+rail seat lie a pad (if any), the tie, the ballast and the subgrade, springs in series,
+
+$$K=\frac{k}{l_t},\qquad\frac1k=\frac1{k_{pad}}+\frac1{k_{tie}}+\frac2{k_{bs}},\qquad
+  \frac1{k_{bs}}=\frac1{k_b}+\frac1{k_s},$$
+
+equations (3) to (5). The 2 halves the bed: with its neighbours loaded too, a tie sinks about twice as far as
+alone, and Winkler's separate springs cannot know that.
+
+{{fig-02}}
+
+The ballast carries in a pyramid only, evenly loaded at every depth, its sides at the friction angle $\alpha$
+(20° in the paper) to the vertical; the subgrade is a bed of springs $K_0$ below the pyramid's base:
+
+$$k_b=\frac{C(l-w)E_b}{\ln\dfrac{l\,(w+Ch)}{w\,(l+Ch)}},\qquad k_s=K_0(l+Ch)(w+Ch),\qquad C=2\tan\alpha,$$
+
+equations (6) and (7), for a loaded area $l\times w$ and a ballast depth $h$. As printed, (6) divides nothing by
+nothing for a square area ($l=w$) and for vertical sides ($\alpha=0$), neither of which is special physically. We
+evaluate the compliance instead,
+
+$$\frac1{k_b}=\frac{h}{E_b\,w\,(l+Ch)}\cdot\frac{\ln(1+x)}{x},\qquad x=\frac{Ch\,(l-w)}{w\,(l+Ch)},$$
+
+which is (6) rearranged and has no such holes; `log1p` keeps its digits on the way into them.
+
+{{chain}}
+
+Every length and modulus of this typical track but the 20° is our assumption. We chose ordinary values, and they
+happen to put zero deflection at ten feet; nothing more is claimed for them.
+
+{{fig-chain}}
+
+Two things stand out. The subgrade decides: $k_s$ is sixteen times softer than the ballast. And deeper ballast
+makes *stiffer* track although it adds a spring in series, because the pyramid spreads the load over more soil.
+The model overdoes this once the pyramids of neighbouring ties meet, here below {{overlap}} of ballast (dotted
+in the figure): from there on it counts the same stone twice, and only the fixed factor 2 pays for it.
+*/
+
+std::string in_lb_per_in(double stiffness) {
+  return fmt::format("{:.1f}", stiffness / (units::lbf / units::inch));
+}
+
+void chain(report::Item& item) {
+  const auto support = typical_support();
+  const auto chain = stiffness_chain(support);
+  const auto beam = typical_beam();
+  item.columns({"part", "from", "value", "unit"});
+  item.add_row({"tie", "assumed", in_lb_per_in(support.tie_stiffness), "lb/in"});
+  item.add_row({"ballast", "(6): 30 x 9 in, 12 in deep, 30 000 psi, all assumed; 20 degrees",
+                in_lb_per_in(chain.ballast), "lb/in"});
+  item.add_row({"subgrade", "(7): 100 lb/in^3 assumed", in_lb_per_in(chain.subgrade), "lb/in"});
+  item.add_row({"ballast on subgrade", "(5)", in_lb_per_in(chain.bed), "lb/in"});
+  item.add_row({"rail seat", "(4)", in_lb_per_in(chain.seat), "lb/in"});
+  item.add_row({"foundation modulus K", "(3): ties 19.5 in apart, assumed",
+                fmt::format("{:.1f}", chain.foundation_modulus / units::psi), "psi"});
+  item.add_row(
+      {"beta", "(1): 132RE, assumed", fmt::format("{:.6f}", beam.beta() * units::inch), "1/in"});
+  item.add_row({"under one wheel K_r", "(2)", in_lb_per_in(beam.point_stiffness()), "lb/in"});
+
+  item.reconstructed("the paper gives the formulas and the friction angle, no other datum");
+  item.expect_checks(2);
+  const double spread = 2 * std::tan(support.friction_angle);
+  const auto slice = [&](double z) {
+    return 1 / (support.ballast_modulus * (support.loaded_length + spread * z) *
+                (support.tie_width + spread * z));
+  };
+  item.agree("ballast", "ballast pyramid k_b", "MN/m", chain.ballast / 1e6,
+             1e-6 / num::integrate(slice, 0, support.ballast_depth, 1e-12).value, 1e-11,
+             "slices of the pyramid, integrated");
+  const auto layer = [&](double top, double bottom) {
+    return ballast_compliance(support.loaded_length + spread * top,
+                              support.tie_width + spread * top, bottom - top,
+                              support.ballast_modulus, support.friction_angle);
+  };
+  const double third = support.ballast_depth / 3;
+  item.agree("layers", "the same in three layers", "MN/m",
+             1e-6 / (layer(0, third) + layer(third, 2 * third) + layer(2 * third, 3 * third)),
+             chain.ballast / 1e6, 1e-12, "one layer");
+}
+
+// K_r of the typical track with one thing changed, MN/m.
+double changed(const std::function<void(TieSupport&)>& change) {
+  auto support = typical_support();
+  change(support);
+  const double modulus = stiffness_chain(support).foundation_modulus;
+  return WinklerBeam{typical_rail().bending_stiffness(), modulus}.point_stiffness() / 1e6;
+}
+
+void chain_curves(report::Item& item) {
+  auto& ties = item.data("", {"tie_spacing_in", "K_r_MN_per_m"});
+  for (double in = 15; in <= 36; in += 0.25)
+    ties.add(in, changed([&](auto& s) { s.tie_spacing = in * units::inch; }));
+  auto& depth = item.data("depth", {"ballast_depth_in", "K_r_MN_per_m"});
+  for (double in = 0; in <= 30; in += 0.25)
+    depth.add(in, changed([&](auto& s) { s.ballast_depth = in * units::inch; }));
+  auto& soil = item.data("soil", {"soil_modulus_lbf_per_in3", "K_r_MN_per_m"});
+  for (double k = 20; k <= 520; k *= 1.05)
+    soil.add(k, changed([&](auto& s) { s.soil_modulus = k * units::psi / units::inch; }));
+  auto& typical = item.data("typical", {"spacing", "depth", "soil", "K_r", "overlap_in"});
+  const auto base = typical_support();
+  typical.add(base.tie_spacing / units::inch, base.ballast_depth / units::inch, 100.0,
+              changed([](auto&) {}), overlap_depth(base) / units::inch);
+  item.value("overlap", overlap_depth(base) / units::inch, "inches", "{:.1f}");
+  item.explained(
+      "not in the paper: its equations (2) to (7), one datum of the typical track changed");
+}
+
+}  // namespace
+
+void track_chapter::add_chain(report::Chapter& chapter) {
+  chapter.figure("fig-02",
+                 "Steps to the model: a wheel on ties and ballast pyramids, and the springs",
+                 draw_steps);
+  chapter.table("chain", "The stiffness chain of the typical track", chain);
+  chapter.figure("fig-chain",
+                 "Stiffness under a wheel as tie spacing, ballast depth and soil change",
+                 chain_curves);
+}
