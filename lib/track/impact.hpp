@@ -1,0 +1,75 @@
+// Wheel/rail force over a joint or any profile: wheel under constant load, Hertz contact, rail, bed.
+//
+//   m_w w'' = P0 - F,   F = C_H x_+^(3/2),   x = w - r - z(V t),
+//   rail mass and bed mass as in RailOnBed (lumped.hpp), moving beneath the wheel (the paper's "on-car" model).
+// Displacements are measured from the static state under P0, positive down; time from x = 0, the joint.
+// Reconstructed: the paper's own equations for this model, and all its results, are not in the text.
+#pragma once
+
+#include <Eigen/Core>
+#include <string_view>
+#include <vector>
+
+#include "num/dopri5.hpp"
+#include "track/lumped.hpp"
+#include "track/track_geometry.hpp"
+
+namespace railbook::track {
+
+struct ImpactModel {
+  double wheel_mass = 0;      // unsprung mass on one rail [kg]
+  double static_load = 0;     // P0 [N], constant
+  double hertz_constant = 0;  // C_H [N / m^(3/2)]
+  RailOnBed track;
+};
+// Throws InputError unless all masses, stiffnesses and the load are positive.
+void require_valid(const ImpactModel& model);
+
+double static_approach(const ImpactModel& model);    // [m], under P0
+double contact_stiffness(const ImpactModel& model);  // dF/dx under P0 [N/m]
+// Undamped natural frequencies [Hz], ascending, the contact linearized under P0.
+Eigen::Vector3d natural_frequencies(const ImpactModel& model);
+
+using ImpactState = Eigen::Matrix<double, 6, 1>;  // w, w', r, r', b, b': wheel, rail, bed
+
+struct ImpactOptions {
+  double tolerance = 1e-8;  // local error over the static approach and its speed scale
+  double start =
+      0;  // distance of the first instant [m]; the wheel starts in equilibrium, on the slope
+  double end_time = 0.06;  // [s] after the joint
+  bool restart = true;     // begin anew at cusps and at contact lost or regained
+  long most_steps = 2000000;
+};
+
+enum class ImpactStatus { complete, step_limit, step_underflow };
+std::string_view to_string(ImpactStatus status);
+
+struct ContactLoss {
+  double from = 0, to = 0;  // [s]; `to` is the end of the history when contact was not regained
+};
+
+struct ImpactHistory {
+  ImpactModel model;
+  Surface surface;
+  double speed = 0;
+  std::vector<num::DenseStep<6>> steps;
+  std::vector<ContactLoss> losses;
+  ImpactStatus status = ImpactStatus::complete;
+  long evaluations = 0;
+  long rejections = 0;
+  double begin() const { return steps.front().begin; }
+  double end() const { return steps.back().end; }
+  ImpactState state(double t) const;  // dense output, t within [begin, end]
+  double force(double t) const;       // wheel/rail force [N]
+};
+
+// Where a passage may start: a quarter rail before the joint, or the first sample of a measured profile.
+double default_start(const Surface& surface);
+
+// Runs the wheel over the surface at `speed` [m/s]. Explicit order 5(4) with error control; contact lost and
+// regained are located on the dense output. Anything but status `complete` is a history that stopped early.
+// Throws InputError on bad values, and when a measured profile does not cover the run.
+[[nodiscard]] ImpactHistory simulate(const ImpactModel& model, const Surface& surface, double speed,
+                                     const ImpactOptions& options);
+
+}  // namespace railbook::track
