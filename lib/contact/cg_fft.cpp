@@ -1,0 +1,260 @@
+#include "contact/cg_fft.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/extrapolation.hpp"
+#include "contact/grid_fit.hpp"
+#include "units/input_error.hpp"
+
+namespace railbook::contact {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+constexpr double phase_x = 0.9, phase_y = 0.4;  // half a cell apart: the irregular errors cancel
+constexpr Index coarsest = 16;
+
+void check(double approach, double effective_modulus, const CgFftOptions& options, double fewest) {
+  units::require_finite("approach", approach, "m");
+  units::require_positive("effective modulus", effective_modulus, "Pa");
+  units::require_between("cells along x", static_cast<double>(options.nx), fewest, 1e6);
+  units::require_between("cells along y", static_cast<double>(options.ny), fewest, 1e6);
+  units::require_between("tolerance of the conjugate gradients", options.cg.tolerance, 1e-14, 0.1);
+  const double bytes = memory_needed(options.nx, options.ny);
+  if (bytes > options.memory_limit)
+    throw InputError(fmt::format("a grid of {} x {} cells needs {:.3g} GB, the limit is {:.3g} GB",
+                                 options.nx, options.ny, bytes / 1e9, options.memory_limit / 1e9));
+}
+
+// Number of cells of each grid of the ladder, coarse to fine.
+std::vector<std::pair<Index, Index>> ladder(const CgFftOptions& options) {
+  std::vector<std::pair<Index, Index>> sizes;
+  double scale = 1;
+  for (;; scale /= std::sqrt(2.0)) {
+    const auto nx = static_cast<Index>(std::lround(static_cast<double>(options.nx) * scale));
+    const auto ny = static_cast<Index>(std::lround(static_cast<double>(options.ny) * scale));
+    if (scale < 1 && std::min(nx, ny) < coarsest) break;
+    sizes.emplace_back(nx, ny);
+  }
+  std::ranges::reverse(sizes);
+  return sizes;
+}
+
+// One grid solved from the start p, which becomes the solution; `contact` gathers work and failure.
+CgFftLevel solve_grid(const Grid& grid, const VectorXd& f, double approach,
+                      double effective_modulus, const BoundedCgOptions& options, VectorXd& p,
+                      NormalContact& contact) {
+  Convolution a(grid, effective_modulus);
+  const VectorXd g = (approach - f.array()).matrix();
+  const BoundedCg cg = solve_bounded_cg(a, grid, g, p, options);
+  contact.work += cg.work;
+  contact.iterations += cg.iterations;
+  if (!cg.converged) {
+    contact.converged = false;
+    contact.reason = fmt::format(
+        "conjugate gradients stopped at a residual of {:.2g} after {} iterations on {} x {} cells",
+        cg.residual, cg.iterations, grid.nx, grid.ny);
+  }
+  return {grid, describe(grid, p, f), cg.iterations, cg.residual};
+}
+
+// The start when nothing is known: an even pressure wherever the undeformed bodies overlap.
+VectorXd uniform_start(const VectorXd& f, double approach, double effective_modulus) {
+  const Index overlapping = (f.array() < approach).count();
+  if (overlapping == 0) return VectorXd::Zero(f.size());
+  return (f.array() < approach).select(VectorXd::Constant(f.size(), effective_modulus * 1e-3), 0.0);
+}
+
+void fill_cells(const Grid& grid, const VectorXd& p, NormalContact& contact) {
+  const Index n = (p.array() > 0).count();
+  contact.dx = VectorXd::Constant(n, grid.dx);
+  contact.dy = VectorXd::Constant(n, grid.dy);
+  contact.x.resize(n), contact.y.resize(n), contact.p.resize(n);
+  Index k = 0;
+  for (Index c = 0; c < grid.cells(); ++c) {
+    if (!(p[c] > 0)) continue;
+    contact.x[k] = grid.x(c % grid.nx);
+    contact.y[k] = grid.y(c / grid.nx);
+    contact.p[k++] = p[c];
+  }
+}
+
+// Relative error of an extrapolated value.
+double relative(const Extrapolated& v) {
+  return v.value != 0 ? v.error / std::abs(v.value) : 0;
+}
+
+void summarise(const std::vector<CgFftLevel>& levels, bool remedy, NormalContact& contact) {
+  const Region& finest = levels.back().region;
+  const double order = finest.meets_body_edge ? 1 : 2;
+  std::vector<double> h, force, moment_x, moment_y, p_max;
+  for (const auto& [grid, region, iterations, residual] : levels) {
+    if (region.cells == 0) continue;
+    h.push_back(std::hypot(grid.dx / (finest.ends.x_max - finest.ends.x_min),
+                           grid.dy / (finest.ends.y_max - finest.ends.y_min)));
+    force.push_back(region.force);
+    moment_x.push_back(region.moment_x);
+    moment_y.push_back(region.moment_y);
+    p_max.push_back(region.p_max);
+  }
+  const Extrapolated f = extrapolate(h, force, order), peak = extrapolate(h, p_max, order);
+  contact.force = remedy ? f.value : finest.force;
+  contact.moment_x = remedy ? extrapolate(h, moment_x, order).value : finest.moment_x;
+  contact.moment_y = remedy ? extrapolate(h, moment_y, order).value : finest.moment_y;
+  contact.p_max = remedy ? peak.value : finest.p_max;
+  contact.force_error = remedy ? relative(f) : std::abs(f.value - finest.force) / f.value;
+  contact.p_max_error = remedy ? relative(peak) : std::abs(peak.value - finest.p_max) / peak.value;
+  const std::size_t n = p_max.size();
+  if (finest.meets_body_edge && n >= 2 && p_max[n - 1] > 1.05 * p_max[n - 2]) {
+    contact.p_max = finest.p_max;
+    contact.p_max_error = units::no_limit;
+    contact.reason = "singular edge: the peak pressure grows without bound as the grid is refined";
+  }
+  contact.x_p_max = finest.x_p_max;
+  contact.y_p_max = finest.y_p_max;
+  contact.x_min = finest.ends.x_min, contact.x_max = finest.ends.x_max;
+  contact.y_min = finest.ends.y_min, contact.y_max = finest.ends.y_max;
+  contact.area = finest.area;
+}
+
+CgFft empty_contact(double approach) {
+  CgFft result;
+  result.contact.approach = approach;
+  result.contact.converged = true;
+  result.contact.reason = "empty contact: the bodies do not overlap at this approach";
+  return result;
+}
+
+// Fills result.contact from the levels and the pressures on the last of them.
+void finish(const Grid& grid, const VectorXd& p, bool remedy, CgFft& result) {
+  const Region& region = result.levels.back().region;
+  if (region.cells == 0) {
+    if (result.contact.converged) result.contact = empty_contact(result.contact.approach).contact;
+    return;
+  }
+  fill_cells(grid, p, result.contact);
+  summarise(result.levels, remedy, result.contact);
+  if (region.touches_edge()) {
+    result.contact.converged = false;
+    result.contact.reason = "the contact reaches the edge of the grid";
+  }
+}
+
+// The box moved out by half its size on the sides that the region touches.
+Box grown(const Grid& grid, const Region& region) {
+  const double width = static_cast<double>(grid.nx) * grid.dx;
+  const double height = static_cast<double>(grid.ny) * grid.dy;
+  return {grid.x0 - (region.touches_x_min ? 0.5 * width : 0),
+          grid.x0 + width * (region.touches_x_max ? 1.5 : 1),
+          grid.y0 - (region.touches_y_min ? 0.5 * height : 0),
+          grid.y0 + height * (region.touches_y_max ? 1.5 : 1)};
+}
+
+// Where the next grid goes: over a box that holds the contact, or fitted to the region once it is known.
+struct Placement {
+  Box box;
+  bool fitted = false;
+  bool sharp_x = false, sharp_y = false;  // the region ends with the body: cells end there too
+
+  Grid grid(Index nx, Index ny, const CgFftOptions& options) const {
+    const auto axis = [&](double low, double high, Index cells, double phase, auto edge) {
+      return fitted ? fit_axis(low, high, cells, phase, edge) : cover_axis(low, high, cells, edge);
+    };
+    const Axis x = axis(box.x_min, box.x_max, nx, sharp_x ? 1 : phase_x, options.edge_x);
+    const Axis y = axis(box.y_min, box.y_max, ny, sharp_y ? 1 : phase_y, options.edge_y);
+    return {x.start, y.start, x.step, y.step, x.cells, y.cells};
+  }
+
+  // Takes over the region seen on `grid`; its ends are moved to edges of the body found by bisection.
+  void refit(const Gap& gap, const Grid& grid, Region& region) {
+    if (region.cells == 0 || std::min(grid.nx, grid.ny) < coarsest) return;
+    Box& ends = region.ends;
+    const double x = 0.5 * (ends.x_min + ends.x_max), y = 0.5 * (ends.y_min + ends.y_max);
+    const auto sharpen = [&](double middle, double& end, double step, auto&& f) {
+      double in = middle, out = end + step;
+      if (std::isfinite(f(out)) || !std::isfinite(f(in))) return false;
+      for (int k = 0; k < 60; ++k)
+        (std::isfinite(f(0.5 * (in + out))) ? in : out) = 0.5 * (in + out);
+      if (std::abs(in - end) > std::abs(step)) return false;
+      end = in;
+      return true;
+    };
+    const auto along_x = [&](double t) { return gap(t, y); };
+    const auto along_y = [&](double t) { return gap(x, t); };
+    sharp_x = sharpen(x, ends.x_min, -grid.dx, along_x) | sharpen(x, ends.x_max, grid.dx, along_x);
+    sharp_y = sharpen(y, ends.y_min, -grid.dy, along_y) | sharpen(y, ends.y_max, grid.dy, along_y);
+    box = ends;
+    fitted = true;
+  }
+};
+
+}  // namespace
+
+CgFft solve_cg_fft(const Gap& gap, double approach, double effective_modulus,
+                   const CgFftOptions& options) {
+  check(approach, effective_modulus, options, 4);
+  if (approach <= 0) return empty_contact(approach);
+  CgFft result;
+  result.contact.approach = approach;
+  result.contact.converged = true;
+  Placement place{options.box ? *options.box : interpenetration_box(gap, approach)};
+  Grid last;
+  VectorXd p;
+  for (const auto& [nx, ny] : ladder(options)) {
+    constexpr int most_growths = 40;
+    for (int growths = 0;; ++growths) {
+      const Grid grid = place.grid(nx, ny, options);
+      const VectorXd f = sample(gap, grid);
+      p = last.cells() > 0 ? transfer(last, p, grid)
+                           : uniform_start(f, approach, effective_modulus);
+      result.levels.push_back(
+          solve_grid(grid, f, approach, effective_modulus, options.cg, p, result.contact));
+      last = grid;
+      const Region& region = result.levels.back().region;
+      if (!region.touches_edge() || growths == most_growths) break;
+      result.levels.pop_back();
+      place = {grown(grid, region)};
+    }
+    place.refit(gap, last, result.levels.back().region);
+  }
+  finish(last, p, options.remedy, result);
+  return result;
+}
+
+CgFft solve_cg_fft(const Grid& grid, const VectorXd& f, double approach, double effective_modulus,
+                   const CgFftOptions& options) {
+  CgFftOptions of_grid = options;
+  of_grid.nx = grid.nx, of_grid.ny = grid.ny;
+  check(approach, effective_modulus, of_grid, 1);
+  units::require_positive("cell size along x", grid.dx, "m");
+  units::require_positive("cell size along y", grid.dy, "m");
+  if (f.size() != grid.cells())
+    throw InputError(
+        fmt::format("the gap has {} values, the grid {} x {} cells", f.size(), grid.nx, grid.ny));
+  const Gap at = [&](double x, double y) {  // the gap of the cell that (x, y) is in
+    return f[static_cast<Index>((y - grid.y0) / grid.dy) * grid.nx +
+             static_cast<Index>((x - grid.x0) / grid.dx)];
+  };
+  CgFft result;
+  result.contact.approach = approach;
+  result.contact.converged = true;
+  VectorXd p;
+  std::vector<Grid> grids{grid};
+  if (std::min(grid.nx, grid.ny) >= 3 * coarsest / 2)
+    grids.insert(grids.begin(),
+                 {grid.x0, grid.y0, 3 * grid.dx, 3 * grid.dy, grid.nx / 3, grid.ny / 3});
+  for (const Grid& g : grids) {
+    const VectorXd of_cells = sample(at, g);
+    p = uniform_start(of_cells, approach, effective_modulus);
+    result.levels.push_back(
+        solve_grid(g, of_cells, approach, effective_modulus, options.cg, p, result.contact));
+  }
+  finish(grid, p, options.remedy, result);
+  return result;
+}
+
+}  // namespace railbook::contact

@@ -1,0 +1,101 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "contact/cg_fft.hpp"
+#include "contact/extrapolation.hpp"
+#include "contact/geometry.hpp"
+#include "contact/grid_fit.hpp"
+#include "units/constants.hpp"
+
+using namespace railbook;
+using namespace railbook::contact;
+
+namespace {
+
+// A sphere of relative radius 1 at approach 1, in units where E* is 1: a = 1, F = 4/3, p_0 = 2/pi (Johnson, ch. 4).
+constexpr double force = 4.0 / 3, peak = 2 / units::pi;
+
+Gap sphere() {
+  return [](double x, double y) { return 0.5 * (x * x + y * y); };
+}
+
+CgFft solve(Eigen::Index n, bool remedy = true) {
+  CgFftOptions options;
+  options.nx = options.ny = n;
+  options.remedy = remedy;
+  return solve_cg_fft(sphere(), 1, 1, options);
+}
+
+}  // namespace
+
+TEST_CASE("unit: displacements of one loaded cell are those of the rectangle integral") {
+  const Grid grid{0, 0, 0.5, 2, 5, 3};
+  Convolution a(grid, 1 / units::pi);  // so that k = 1
+  Eigen::VectorXd p = Eigen::VectorXd::Zero(15), u(15);
+  p[1 * 5 + 2] = 1;
+  a.apply(p, u);
+  // At its own centre: 4 (X asinh(Y/X) + Y asinh(X/Y)) with half sides X, Y.
+  const double own = 4 * (0.25 * std::asinh(4.0) + std::asinh(0.25));
+  CHECK(u[7] == Approx(own).epsilon(1e-13));
+  CHECK(a.self() == Approx(own).epsilon(1e-13));
+  // Two cells off, against the midpoint rule with 400 x 1600 points.
+  double sum = 0;
+  for (int i = 0; i < 400; ++i)
+    for (int j = 0; j < 1600; ++j)
+      sum += 1 / std::hypot(1 - 0.25 + 0.5 * (i + 0.5) / 400, 2 - 1 + 2 * (j + 0.5) / 1600);
+  CHECK(u[2 * 5 + 4] == Approx(sum / 640000).epsilon(1e-6));
+  CHECK(u[2 * 5 + 4] == Approx(u[0]).epsilon(1e-12));  // symmetric
+}
+
+TEST_CASE("unit: a sphere on a plane to the claimed error") {
+  for (const Eigen::Index n : {40, 64, 90, 128}) {
+    const NormalContact contact = solve(n).contact;
+    INFO(n);
+    CHECK(contact.converged);
+    CHECK(std::abs(contact.force / force - 1) < contact.force_error);
+    CHECK(std::abs(contact.p_max / peak - 1) < contact.p_max_error);
+  }
+  const NormalContact contact = solve(128).contact;
+  CHECK(contact.force == Approx(force).epsilon(5e-6));
+  CHECK(contact.p_max == Approx(peak).epsilon(5e-6));
+  CHECK(contact.x_max == Approx(1).margin(4e-3));
+  CHECK(contact.y_min == Approx(-1).margin(4e-3));
+  CHECK(contact.area == Approx(units::pi).epsilon(1e-3));
+  CHECK(contact.force_error < 5e-5);
+}
+
+TEST_CASE("unit: the force of a single grid is second order, the extrapolated one better") {
+  const double coarse = solve(45, false).contact.force / force - 1;
+  const double fine = solve(180, false).contact.force / force - 1;
+  const double order = std::log(coarse / fine) / std::log(4.0);
+  CHECK(order > 1.7);
+  CHECK(order < 2.5);
+  CHECK(std::abs(solve(180).contact.force / force - 1) < 0.3 * fine);
+}
+
+TEST_CASE("unit: preconditioned iterations do not grow with the grid") {
+  const int coarse = solve(64).levels.back().iterations, fine = solve(256).levels.back().iterations;
+  CHECK(fine <= coarse + 6);
+  CHECK(fine < 25);
+}
+
+TEST_CASE("unit: extrapolation is exact for its model") {
+  const Extrapolated v = extrapolate({4, 2, 1}, {3 + 16 * 0.1, 3 + 4 * 0.1, 3.1}, 2);
+  CHECK(v.value == Approx(3).epsilon(1e-14));
+  CHECK(v.error == Approx(0.03).epsilon(1e-9));
+  CHECK(extrapolate({1}, {7}, 2).error == 7);
+}
+
+TEST_CASE("unit: a fitted axis has the phase asked for at both ends, and its edge") {
+  const Axis axis = fit_axis(-1, 3, 40, 0.9, {});
+  const double low = (-1 - axis.start) / axis.step, high = (3 - axis.start) / axis.step;
+  CHECK(high - std::floor(high) == Approx(0.9));
+  CHECK(std::ceil(low) - low == Approx(0.9));
+  CHECK(low > 2);
+  CHECK(high < 38);
+  const Axis edged = fit_axis(-1, 3, 40, 0.9, 0.5);
+  const double cells = (0.5 - edged.start) / edged.step;
+  CHECK(cells == Approx(std::round(cells)).epsilon(1e-12));
+  CHECK(edged.start < -1);
+  CHECK(edged.start + 40 * edged.step > 3);
+}
