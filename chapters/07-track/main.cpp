@@ -24,7 +24,13 @@ data, they are marked as assumed, and what rests on them is called a reconstruct
 
 ## Error against run time
 
+{{include: static_cost.cpp}}
+
 ## Stability
+
+{{stability}}
+
+{{include: static_extremes.cpp}}
 
 ## Deviations
 
@@ -52,5 +58,7 @@ int main(int argc, char** argv) {
   track_chapter::add_ties(chapter);
   track_chapter::add_joint(chapter);
   track_chapter::add_masses(chapter);
+  track_chapter::add_static_cost(chapter);
+  track_chapter::add_static_extremes(chapter);
   return chapter.run(argc, argv);
 }
