@@ -18,6 +18,10 @@ struct Zone {
 };
 std::vector<Zone> zones(const railbook::report::CsvTable& table_1);
 
+// The density (per cycle/m) of a line of unit power, `offset` from it, seen with a Hann window in bins `df`: the
+// square of sinc(u)/(1 - u^2), u = offset/df, scaled to the area one.
+double hann_line(double offset, double df);
+
 // Each section adds its items and tools.
 void add_processes(railbook::report::Chapter& chapter);   // Figures 1 to 7, equations (1) to (5)
 void add_zones(railbook::report::Chapter& chapter);       // Table 1
@@ -27,5 +31,11 @@ void add_classes(railbook::report::Chapter& chapter);     // Table 3, Figure 11
 void add_accuracy(railbook::report::Chapter& chapter);    // closed loop, work-precision, stability
 void add_synthesize(railbook::report::Chapter& chapter);  // tool: a track record to order
 void add_classify(railbook::report::Chapter& chapter);    // tool: class of a track record
+
+// Parts of add_processes.
+void add_random_part(railbook::report::Chapter& chapter);
+void add_modulation(railbook::report::Chapter& chapter);
+void add_memory(railbook::report::Chapter& chapter);
+void add_composite(railbook::report::Chapter& chapter);
 
 }  // namespace psd

@@ -1,0 +1,16 @@
+load "style.gp"
+set terminal pngcairo size 1000,620
+set output ARG2
+unset key
+set multiplot layout 2,1
+set lmargin 9
+set xrange [0:475.5]
+set yrange [-30:8]
+set ytics 10
+set ylabel "height, mm"
+set title "(a) dips random from joint to joint"
+plot ARG1 using "x_m":"random_mm" with lines lc rgb black lw 1.8
+set title "(b) the same spread of dips, in groups (ρ = 0.9)"
+set xlabel "distance, m"
+plot ARG1 using "x_m":"grouped_mm" with lines lc rgb black lw 1.8
+unset multiplot
