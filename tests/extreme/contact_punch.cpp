@@ -1,0 +1,41 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "contact/punch.hpp"
+#include "num/fp_trap.hpp"
+#include "units/constants.hpp"
+
+using namespace railbook;
+using namespace railbook::contact;
+
+// As a -> b the width of the rounded contact is governed by s^3 = 3 b delta R (1 + ...): nothing may cancel.
+TEST_CASE("extreme: a hardly rounded punch keeps its digits") {
+  const num::FpTraps traps;
+  for (double edge : {1e-6, 1e-12, 1e-24}) {
+    const double b = 0.5, delta = 1e-3;
+    const PunchContact c = punch_from_approach({b, edge}, 1, delta);
+    const double s = std::cbrt(3 * b * delta * edge), x = s / b;
+    CHECK(c.s == Approx(s).epsilon(x * x + 1e-13));
+    CHECK(c.edge_width == Approx(s * s / (2 * b)).epsilon(2 * x * x + 1e-12));
+    CHECK(c.force == Approx(2 * b * delta).epsilon(x * x + 1e-14));
+    CHECK(c.force > 2 * b * delta * (1 - 1e-14));
+    // Near the edge the contact is plane: the peak times sqrt(width) is the same number for every radius.
+    if (edge > 1e-20) {
+      const double scaled = punch_peak(c).pressure * std::sqrt(c.edge_width * b) / delta;
+      CHECK(scaled == Approx(0.4175).epsilon(0.01));
+    }
+  }
+}
+
+TEST_CASE("extreme: tiny and huge approaches") {
+  const num::FpTraps traps;
+  for (double delta : {1e-30, 1e-15, 1e-6}) {
+    const PunchContact c = punch_from_approach({0.01, 0.02}, 1e11, delta);
+    CHECK(c.force / (2e11 * 0.01 * delta) == Approx(1).epsilon(3 * std::cbrt(delta * delta * 4e8)));
+    CHECK(punch_pressure(c, 0) / (1e11 * delta / (units::pi * 0.01)) ==
+          Approx(1).epsilon(3 * std::cbrt(delta * delta * 4e8)));
+  }
+  // Far beyond the flat it is a sphere (formally: half-space theory does not hold there).
+  const PunchContact huge = punch_from_approach({1e-6, 1}, 1, 1e3);
+  CHECK(huge.radius == Approx(std::sqrt(1e3)).epsilon(1e-6));
+}
