@@ -30,7 +30,8 @@ double extrapolate(const Eigen::VectorXd& s, const Eigen::VectorXd& p, Fit fit) 
 }
 
 // s: outward positions, p: pressures there with p[0] > 0.
-Zero find_zero(const Eigen::VectorXd& s, const Eigen::VectorXd& p, double boundary, Fit fit) {
+Zero find_zero(const Eigen::VectorXd& s, const Eigen::VectorXd& p, double boundary,
+               const CountactOptions& options) {
   const int n = static_cast<int>(p.size());
   int last = 0;
   while (last + 1 < n && p[last + 1] > 0) ++last;
@@ -40,12 +41,15 @@ Zero find_zero(const Eigen::VectorXd& s, const Eigen::VectorXd& p, double bounda
   else if (n < 2 || !(p[n - 2] > p[n - 1]))
     zero.stuck = true;
   else
-    zero.at = extrapolate(s, p, fit);
+    zero.at = extrapolate(s, p, options.fit);
+  // The clamp: not outside the old boundary, and not inside a cell of positive pressure.
+  if (options.inward_only && last + 1 == n)
+    zero.at = std::clamp(zero.at, (s[last] + boundary) / 2, boundary);
   return zero;
 }
 
 // The end of the region on the x axis, from column `from` outward.
-Zero find_end(const CountactStep& step, int from, int direction, Fit fit) {
+Zero find_end(const CountactStep& step, int from, int direction, const CountactOptions& options) {
   const auto m = step.mesh.half_width.size();
   const Eigen::Index n = direction > 0 ? m - from : from + 1;
   Eigen::VectorXd s(n), p(n);
@@ -54,15 +58,16 @@ Zero find_end(const CountactStep& step, int from, int direction, Fit fit) {
     s[i] = direction * column_centre(step.mesh, j);
     p[i] = step.p(0, j);
   }
-  Zero zero = find_zero(s, p, direction * step.mesh.x_edges[direction > 0 ? m : 0], fit);
+  Zero zero = find_zero(s, p, direction * step.mesh.x_edges[direction > 0 ? m : 0], options);
   zero.at *= direction;
   return zero;
 }
 
-Zero find_half_width(const CountactStep& step, const CellNumbers& cells, int j, Fit fit) {
+Zero find_half_width(const CountactStep& step, const CellNumbers& cells, int j,
+                     const CountactOptions& options) {
   Eigen::VectorXd y(cells.half_rows);
   for (int k = 0; k < cells.half_rows; ++k) y[k] = cell_centre(step.mesh, cells, j, k);
-  return find_zero(y, step.p.col(j), step.mesh.half_width[j], fit);
+  return find_zero(y, step.p.col(j), step.mesh.half_width[j], options);
 }
 
 // Eq. (17): the half width at x, linear between the known points of the new boundary.
@@ -91,11 +96,8 @@ Update update_boundary(CountactStep& step, const CellNumbers& cells, const Count
   if (!(step.p.row(0).maxCoeff(&peak) > 0))
     return {{}, "collapsed: no pressure is left on the axis"};
   const auto m = step.mesh.half_width.size();
-  const auto limit = [&](double fresh, double old) {  // both counted outward
-    return options.inward_only ? std::min(fresh, old) : fresh;
-  };
-  const Zero right = find_end(step, peak, 1, options.fit);
-  const Zero left = find_end(step, peak, -1, options.fit);
+  const Zero right = find_end(step, peak, 1, options);
+  const Zero left = find_end(step, peak, -1, options);
   const int first = peak - left.positive + 1, kept = left.positive + right.positive - 1;
   if (kept < 3)
     return {{},
@@ -103,13 +105,13 @@ Update update_boundary(CountactStep& step, const CellNumbers& cells, const Count
                 " columns carry pressure on the axis; use more or narrower columns"};
   step.stuck_left = left.stuck;
   step.stuck_right = right.stuck;
-  step.new_x_min = -limit(-left.at, -step.mesh.x_edges[0]);
-  step.new_x_max = limit(right.at, step.mesh.x_edges[m]);
+  step.new_x_min = left.at;
+  step.new_x_max = right.at;
   step.new_half = Eigen::VectorXd::Zero(m);
   for (int j = first; j < first + kept; ++j) {
-    const Zero edge = find_half_width(step, cells, j, options.fit);
+    const Zero edge = find_half_width(step, cells, j, options);
     if (edge.stuck) step.stuck_columns.push_back(j);
-    step.new_half[j] = limit(edge.at, step.mesh.half_width[j]);
+    step.new_half[j] = edge.at;
   }
   step.move = largest_move(step);
   if (!std::isfinite(step.move)) return {{}, "diverged: the boundary is not finite"};

@@ -1,0 +1,52 @@
+#include <catch2/catch.hpp>
+#include <limits>
+
+#include "contact/countact.hpp"
+#include "contact/geometry.hpp"
+#include "units/input_error.hpp"
+
+using namespace railbook;
+using namespace railbook::contact;
+
+namespace {
+
+const Gap gap = rail_wheel_gap({18, 12.34, 10, 10});
+
+template <class Change>
+void refused(Change change) {
+  CountactOptions options;
+  change(options);
+  CHECK_THROWS_AS((void)countact_2(gap, 4e-4, 1e7, options), InputError);
+}
+
+}  // namespace
+
+TEST_CASE("input: an empty contact is refused, not solved") {
+  CHECK_THROWS_AS((void)countact_1(gap, 0, 1e7), InputError);
+  CHECK_THROWS_AS((void)countact_2(gap, -1e-3, 1e7), InputError);
+  CHECK_THROWS_AS((void)countact_2(gap, 4e-4, 0), InputError);
+}
+
+TEST_CASE("input: meshes that make no sense are refused") {
+  CHECK_THROWS_AS(uniform_columns(2), InputError);
+  CHECK_THROWS_AS(split_columns({0, 1, 0.2}, {2, 1, 0.2}), InputError);
+  CHECK_THROWS_AS(split_columns({2, 1, 1.2}, {2, 1, 0.2}), InputError);
+  refused([](CountactOptions& o) { o.columns = {}; });
+  refused([](CountactOptions& o) { o.columns.whole = {0, 0.6, 0.4, 1}; });
+  refused([](CountactOptions& o) { o.columns = split_columns({3, 0, 0}, {2, 0, 0}); });
+  refused([](CountactOptions& o) { o.rows = 2; });
+  refused([](CountactOptions& o) { o.rows = 3, o.fit = Fit::three_points; });
+  refused([](CountactOptions& o) { o.tolerance = 0; });
+}
+
+TEST_CASE("input: a dense matrix that does not fit is refused before it is allocated") {
+  refused([](CountactOptions& o) { o.columns = uniform_columns(2001), o.rows = 2001; });
+  refused([](CountactOptions& o) { o.most_bytes = 1000; });
+}
+
+TEST_CASE("input: a gap that is NaN somewhere is refused") {
+  const Gap broken = [](double x, double y) {
+    return x > 0.01 ? std::numeric_limits<double>::quiet_NaN() : x * x + y * y;
+  };
+  CHECK_THROWS_AS((void)countact_1(broken, 1e-2, 1e7), InputError);
+}
