@@ -17,13 +17,12 @@ class PlotError : public std::runtime_error {
 //
 //   plot::render("fig-09.gp", {"fig-09.csv", "fig-09-printed.csv"}, "figures/fig-09.png");
 //
-// and the script starts (gnuplot wants the last two lines as one, or a backslash between them)
+// and the script begins
 //
 //   load "style.gp"
 //   set output ARG2
 //   set xlabel "distance along rolling direction, in"
-//   plot ARG1 using "x_in":"p_psi" with lines lt 1 title "computed",
-//        ARG3 using "x_in":"p_psi" with points ls printed title "printed"
+//   plot ARG1 using "x_in":"p_psi" title "computed" with lines, ARG3 using 1:2 title "printed" with points ls printed
 //
 // Data files are CSV with a header line (units in the names); gnuplot takes at most eight. Paths may be
 // relative to the working directory. style.gp is found through GNUPLOT_LIB; no start-up file is read.

@@ -19,7 +19,7 @@ set lmargin at screen 0
 set rmargin at screen 1
 set tmargin at screen 1
 set bmargin at screen 0
-set xrange [0:W]
-set yrange [H:0]
+set xrange [-0.5:W-0.5] # the picture has its pixels at whole numbers
+set yrange [H-0.5:-0.5]
 set cbtics
 set colorbox user origin graph 0.89, graph 0.2 size graph 0.02, graph 0.6 front

@@ -36,6 +36,38 @@ View view_of(const Camera& camera, const Size& size) {
   return view;
 }
 
+namespace {
+
+// Moves the camera sideways until the scene's picture is in the middle, and narrows the view to it.
+void centre_and_fit(const Scene& scene, const Size& size, Camera& camera) {
+  Eigen::Vector2d least = Eigen::Vector2d::Constant(units::no_limit);
+  Eigen::Vector2d most = -least;
+  each_vertex(scene, [&](const Point& p) {
+    const Eigen::Vector2d at = project(camera, size, p);
+    least = least.cwiseMin(at);
+    most = most.cwiseMax(at);
+  });
+  const View view = view_of(camera, size);
+  const double length = view.parallel ? 1.0 : (camera.target - camera.eye).norm();
+  const double pixel = 2.0 * view.half_height * length / size.height;
+  const Eigen::Vector2d middle = 0.5 * (least + most);
+  const Point shift = pixel * ((middle.x() - 0.5 * size.width) * view.right -
+                               (middle.y() - 0.5 * size.height) * view.up);
+  camera.target += shift;
+  camera.eye += shift;
+  const double fill =
+      std::max((most.x() - least.x()) / size.width, (most.y() - least.y()) / size.height);
+  if (fill <= 0.0) return;  // a single point
+  constexpr double margin = 1.1;
+  if (view.parallel) {
+    camera.parallel_height *= margin * fill;
+  } else {
+    camera.angle = 2.0 * std::atan(margin * fill * view.half_height);
+  }
+}
+
+}  // namespace
+
 Camera looking_at(const Scene& scene, const Point& from, const Size& size, bool parallel) {
   check(scene);
   Point low = Point::Constant(units::no_limit);
@@ -53,32 +85,8 @@ Camera looking_at(const Scene& scene, const Point& from, const Size& size, bool 
   const double vertical = std::abs(from.normalized().z());
   if (vertical > 0.999) camera.up = Point::UnitY();
   if (parallel) camera.parallel_height = reach;
-  // Seen from far, narrow the view to what is there and aim at its middle; twice, as aiming turns it.
-  for (int pass = 0; pass < 3; ++pass) {
-    Eigen::Vector2d least = Eigen::Vector2d::Constant(units::no_limit);
-    Eigen::Vector2d most = -least;
-    each_vertex(scene, [&](const Point& p) {
-      const Eigen::Vector2d at = project(camera, size, p);
-      least = least.cwiseMin(at);
-      most = most.cwiseMax(at);
-    });
-    const View view = view_of(camera, size);
-    const double length = parallel ? 1.0 : (camera.target - camera.eye).norm();
-    const double pixel = 2.0 * view.half_height * length / size.height;
-    const Eigen::Vector2d middle = 0.5 * (least + most);
-    const Point shift = pixel * ((middle.x() - 0.5 * size.width) * view.right -
-                                 (middle.y() - 0.5 * size.height) * view.up);
-    camera.target += shift;
-    camera.eye += shift;
-    const double fill =
-        std::max((most.x() - least.x()) / size.width, (most.y() - least.y()) / size.height);
-    if (fill <= 0.0) break;
-    constexpr double margin = 1.1;
-    if (parallel)
-      camera.parallel_height *= margin * fill;
-    else
-      camera.angle = 2.0 * std::atan(margin * fill * view.half_height);
-  }
+  // Seen from far, aim at the middle of what is there and narrow the view; aiming turns it a little.
+  for (int pass = 0; pass < 3; ++pass) centre_and_fit(scene, size, camera);
   return camera;
 }
 

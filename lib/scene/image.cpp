@@ -85,7 +85,7 @@ Difference compare(const Image& a, const Image& b, int levels) {
     if (distance > levels) ++off;
     result.largest = std::max(result.largest, distance);
   }
-  result.share = static_cast<double>(off) / static_cast<double>(a.rgb.size() / 3);
+  result.share = static_cast<double>(off) / (static_cast<double>(a.rgb.size()) / 3.0);
   return result;
 }
 

@@ -20,8 +20,8 @@ std::set<std::string> names_in(const fs::path& folder, const std::string& chapte
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
     const bool timed = name.ends_with("-time.png");
-    const bool listed =
-        std::find(excluded.begin(), excluded.end(), chapter + "/" + name) != excluded.end();
+    const bool listed = std::find(excluded.begin(), excluded.end(),
+                                  fmt::format("{}/{}", chapter, name)) != excluded.end();
     const bool hidden = name.starts_with(".");
     if (entry.path().extension() == ".png" && !timed && !listed && !hidden) names.insert(name);
   }
@@ -67,19 +67,21 @@ Report compare(const fs::path& drawn, const fs::path& golden,
         fmt::format("no figures in {} nor in {}", drawn.string(), golden.string()));
   }
   for (const std::string& name : want) {
-    if (!have.contains(name)) report.faults.push_back(name + ": committed, but not drawn any more");
+    if (!have.contains(name))
+      report.faults.push_back(fmt::format("{}: committed, but not drawn any more", name));
   }
   for (const std::string& name : have) {
     if (!want.contains(name)) {
-      report.faults.push_back(name + ": drawn, but no golden is committed (accept-figures)");
+      report.faults.push_back(
+          fmt::format("{}: drawn, but no golden is committed (accept-figures)", name));
       continue;
     }
     std::string measured;
     const std::string fault = fault_of(drawn / name, golden / name, measured);
     if (fault.empty()) {
-      report.compared.push_back(name + ": " + measured);
+      report.compared.push_back(fmt::format("{}: {}", name, measured));
     } else {
-      report.faults.push_back(name + ": " + fault);
+      report.faults.push_back(fmt::format("{}: {}", name, fault));
     }
   }
   return report;
