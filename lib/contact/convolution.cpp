@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/influence.hpp"
 #include "units/constants.hpp"
 
 namespace railbook::contact {
@@ -10,14 +11,6 @@ namespace {
 
 std::size_t padded(Eigen::Index n) {
   return num::good_fft_size(static_cast<std::size_t>(2 * n - 1));
-}
-
-// g of the rectangle integral: the integral of 1/r over a cell is its second difference over the corners.
-double corner(double x, double y) {
-  double g = 0;
-  if (x != 0) g += x * std::asinh(y / std::abs(x));
-  if (y != 0) g += y * std::asinh(x / std::abs(y));
-  return g;
 }
 
 // Far from the cell the second difference loses digits like (r/h)^2, while the first two terms of the
@@ -61,7 +54,7 @@ Convolution::Convolution(const Grid& grid, double effective_modulus)
   std::vector<double> below(static_cast<std::size_t>(nx_) + 1), above(below.size());
   auto fill_corners = [&](double y, std::vector<double>& g) {
     for (std::size_t i = 0; i < g.size(); ++i)
-      g[i] = corner((static_cast<double>(i) - 0.5) * dx, y);
+      g[i] = corner_function((static_cast<double>(i) - 0.5) * dx, y);
   };
   fill_corners(-0.5 * dy, above);
   for (std::size_t j = 0; j < static_cast<std::size_t>(ny_); ++j) {

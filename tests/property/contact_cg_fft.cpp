@@ -3,6 +3,7 @@
 
 #include "contact/cg_fft.hpp"
 #include "contact/geometry.hpp"
+#include "contact/uniform_dense.hpp"
 #include "units/constants.hpp"
 
 using namespace railbook;
@@ -126,4 +127,20 @@ TEST_CASE("property: points of a gap solve like its function") {
   const NormalContact cut = solve_cg_fft(small, sample(gap, small), 1, 1).contact;
   CHECK_FALSE(cut.converged);
   CHECK(cut.reason.find("edge") != std::string::npos);
+}
+
+TEST_CASE("property: the dense matrix and the FFT solve one discrete problem") {
+  const Gap gap = rail_wheel_gap({0.4, 0.3, 0.25, 0.03});
+  const Grid grid{-0.02, -0.012, 0.0008, 0.0008, 36, 30};
+  const Eigen::VectorXd f = sample(gap, grid);
+  CgFftOptions options;
+  options.cg.tolerance = 1e-11;
+  const NormalContact dense = solve_uniform_dense(grid, f, 1e-4, 1e11);
+  const CgFft fft = solve_cg_fft(grid, f, 1e-4, 1e11, options);
+  REQUIRE(dense.converged);
+  REQUIRE(fft.contact.converged);
+  REQUIRE(dense.p.size() == fft.contact.p.size());
+  CHECK(dense.force == Approx(fft.levels.back().region.force).epsilon(1e-9));
+  CHECK((dense.p - fft.contact.p).cwiseAbs().maxCoeff() < 1e-8 * dense.p_max);
+  CHECK(dense.x_min == Approx(fft.contact.x_min).epsilon(1e-6));
 }
