@@ -22,6 +22,10 @@ data, they are marked as assumed, and what rests on them is called a reconstruct
 
 {{include: masses.cpp}}
 
+## Tools for a track of your own
+
+{{include: stiffness_tool.cpp}}
+
 ## Error against run time
 
 {{include: static_cost.cpp}}
@@ -34,9 +38,37 @@ data, they are marked as assumed, and what rests on them is called a reconstruct
 
 ## Deviations
 
+What the paper prints that we do not confirm, or confirm for some data only:
+
+* **Two times "roughly ten feet".** Ten feet to zero deflection ($3\pi/4\beta$) needs $K$ = {{k-ten-feet}} with 132RE
+  rail; ten feet to the end of a joint's reach ($2/\beta$) needs {{k-ten-feet-joint}}. No one track does both;
+  the two distances always differ by the factor {{reach-ratio}}.
+* **Equation (8) for both joints.** It fits the free joint and misses the hinge by {{hinge-error}}; the hinge curve
+  is not monotone, and no formula of this form is not.
+* **Equation (15) "from the first natural frequency".** It is the kinetic-energy mass; the frequency it implies is
+  {{too-high}} above the beam's first.
+* **Equation (1)** needs $|X|$ for $X$; **equation (6)** is $0/0$ for a square area or vertical sides. Both are
+  printed so and meant otherwise.
+* **The second equation (18)** lacks the tie spacing, without which its units are not those of a mass per length.
+
+Not determinable from the text that is available: the integer $N$ in (18), the data behind "average" track, and the
+numbers on the axes of Figure 3.
+
 ## Limits
 
+The static model is a linear beam on linear springs that also pull: the rail of {{fig-01}} is held down
+where it lifts, though ballast cannot do that. Under one heavy wheel the rail's own weight and the tie's hide this; with a light
+rail or hanging ties they do not, and stiffness then depends on the load. Shear of the rail, which matters for loads closer to a
+support than the rail's height, is left out, and so is the coupling of the two rails through the tie. The pyramid of (6) is valid while
+those of neighbouring ties do not meet. Measured track modulus scatters by a factor of two along a mile of good
+track; the sixth digit of any number here is arithmetic, not track.
+
 ## Try next
+
+* `track stiffness` with your own ties: how much softer must the soil get before a 136RE rail is worth less than 115RE?
+* Replace the Winkler bed by one with shear between the springs (Pasternak); the factor 2 of (4) then becomes a result.
+* Let the bed push but not pull, and plot $K_r$ against the load.
+* Give {{fig-03}} a slack joint: a rotational spring that engages only after some degrees.
 */
 
 #include "items.hpp"
@@ -60,5 +92,6 @@ int main(int argc, char** argv) {
   track_chapter::add_masses(chapter);
   track_chapter::add_static_cost(chapter);
   track_chapter::add_static_extremes(chapter);
+  track_chapter::add_stiffness_tool(chapter);
   return chapter.run(argc, argv);
 }

@@ -111,8 +111,12 @@ void continuous(report::Item& item) {
     item.value(fmt::format("share-{}", base), stiffness / beam.point_stiffness(), "", "{:.3f}");
   }
   const double beta = 0.75 * units::pi / (10 * units::foot);
-  item.value("k-ten-feet", 4 * beam.bending_stiffness * std::pow(beta, 4) / units::psi, "psi",
-             "{:.1f}");
+  const auto modulus_for = [&](double b) {
+    return 4 * beam.bending_stiffness * std::pow(b, 4) / units::psi;
+  };
+  item.value("k-ten-feet", modulus_for(beta), "psi", "{:.1f}");
+  item.value("k-ten-feet-joint", modulus_for(2 / (10 * units::foot)), "psi", "{:.1f}");
+  item.value("reach-ratio", 2 / (0.75 * units::pi), "", "{:.3f}");
 }
 
 void rails(report::Item& item) {
