@@ -172,6 +172,8 @@ class Runner {
   num::Dopri5<6> solver_;
 };
 
+}  // namespace
+
 void require_valid(const ImpactOptions& options, const Surface& surface, double speed) {
   units::require_positive("speed", speed, "m/s");
   units::require_between("tolerance", options.tolerance, 1e-14, 1e-2);
@@ -185,8 +187,6 @@ void require_valid(const ImpactOptions& options, const Surface& surface, double 
                            profile->first(), profile->last(), "m");
   }
 }
-
-}  // namespace
 
 ImpactState ImpactHistory::state(double t) const {
   return step_at(*this, t).at(t);

@@ -66,9 +66,12 @@ struct ImpactHistory {
 // Where a passage may start: a quarter rail before the joint, or the first sample of a measured profile.
 double default_start(const Surface& surface);
 
+// Throws InputError when the run is impossible: bad values, or a measured profile that does not cover it.
+void require_valid(const ImpactOptions& options, const Surface& surface, double speed);
+
 // Runs the wheel over the surface at `speed` [m/s]. Explicit order 5(4) with error control; contact lost and
 // regained are located on the dense output. Anything but status `complete` is a history that stopped early.
-// Throws InputError on bad values, and when a measured profile does not cover the run.
+// Throws InputError as require_valid does.
 [[nodiscard]] ImpactHistory simulate(const ImpactModel& model, const Surface& surface, double speed,
                                      const ImpactOptions& options);
 

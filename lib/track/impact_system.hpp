@@ -7,6 +7,8 @@
 
 namespace railbook::track {
 
+using ImpactJacobian = Eigen::Matrix<double, 6, 6>;
+
 struct ContactState {
   double approach = 0;  // x [m], negative when apart
   double rate = 0;      // dx/dt [m/s]
@@ -30,6 +32,25 @@ struct ImpactSystem {
   double force(double t, const ImpactState& y) const {
     const double x = contact(t, y).approach;
     return flying || x <= 0 ? 0.0 : model.hertz_constant * x * std::sqrt(x);
+  }
+  // df/dy and, unless null, df/dt at fixed y.
+  void jacobian(double t, const ImpactState& y, ImpactJacobian& jac, ImpactState* drift) const {
+    const RailOnBed& k = model.track;
+    const double x = contact(t, y).approach;
+    const double spring = flying || x <= 0 ? 0.0 : 1.5 * model.hertz_constant * std::sqrt(x);
+    jac.setZero();
+    jac(0, 1) = jac(2, 3) = jac(4, 5) = 1.0;
+    jac.row(1) << -spring, 0, spring, 0, 0, 0;
+    jac.row(3) << spring, 0, -spring - k.rail_stiffness, -k.rail_damping, k.rail_stiffness,
+        k.rail_damping;
+    jac.row(5) << 0, 0, k.rail_stiffness, k.rail_damping, -k.rail_stiffness - k.bed_stiffness,
+        -k.rail_damping - k.bed_damping;
+    jac.row(1) /= model.wheel_mass;
+    jac.row(3) /= k.rail_mass;
+    jac.row(5) /= k.bed_mass;
+    if (!drift) return;
+    const double rise = spring * speed * surface.at(speed * t, piece).slope;
+    *drift << 0, rise / model.wheel_mass, 0, -rise / k.rail_mass, 0, 0;
   }
   void operator()(double t, const ImpactState& y, ImpactState& dy) const {
     const RailOnBed& k = model.track;

@@ -96,18 +96,18 @@ std::vector<double> add_passage(const Passage& passage, double start, double ste
 }
 
 std::vector<double> trackside(const LumpedTrack& track, double beta, double speed,
-                              std::span<const Wheel> wheels, double start, double step, int count) {
+                              std::span<const WheelLoad> wheels, double start, double step,
+                              int count) {
   units::require_finite("start time", start, "s");
   units::require_positive("sampling step", step, "s");
   units::require_between("number of samples", count, 1, 1e8);
   const Passage passage{track, beta, speed};
   std::vector<double> sum(static_cast<std::size_t>(count), 0.0);
-  for (const Wheel& wheel : wheels) {
-    units::require_finite("wheel load", wheel.load, "N");
-    units::require_finite("wheel position", wheel.position, "m");
-    const std::vector<double> one =
-        add_passage(passage, start - wheel.position / speed, step, count);
-    for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += wheel.load * one[k];
+  for (const WheelLoad& wheel : wheels) {
+    units::require_finite("wheel load", wheel.force, "N");
+    units::require_finite("wheel position", wheel.x, "m");
+    const std::vector<double> one = add_passage(passage, start - wheel.x / speed, step, count);
+    for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += wheel.force * one[k];
   }
   return sum;
 }

@@ -11,6 +11,8 @@
 #include <span>
 #include <vector>
 
+#include "track/beam_on_foundation.hpp"
+
 namespace railbook::track {
 
 // x' = rates x + input P with the force P on the rail; x[0] is the rail's deflection [m], x[1] its velocity.
@@ -52,14 +54,10 @@ class Passage {
   Eigen::MatrixXd leaving_;  // track and the decaying modulation as one autonomous system
 };
 
-struct Wheel {
-  double load = 0;      // [N]
-  double position = 0;  // distance behind the first [m]: it passes the point at position / speed
-};
-
 // Rail deflection [m] at t = start + k step, k < count, under a train of wheels at constant loads.
 std::vector<double> trackside(const LumpedTrack& track, double beta, double speed,
-                              std::span<const Wheel> wheels, double start, double step, int count);
+                              std::span<const WheelLoad> wheels, double start, double step,
+                              int count);
 
 // Rail deflection under any force history: `force` [N] sampled every `step` [s] and taken as linear in
 // between, exact for that; from rest in equilibrium with force[0].

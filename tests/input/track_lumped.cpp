@@ -16,7 +16,7 @@ TEST_CASE("input: bad lumped tracks and passages are refused") {
   const LumpedTrack good = single_mass(1, 0, 1);
   CHECK_THROWS_AS(Passage(good, 1, 0), InputError);
   CHECK_THROWS_AS(Passage(good, -1, 1), InputError);
-  const Wheel bad{nan, 0};
+  const WheelLoad bad{0, nan};
   CHECK_THROWS_AS(trackside(good, 1, 1, {&bad, 1}, 0, 0.1, 10), InputError);
   CHECK_THROWS_AS(respond(good, {}, 0.1), InputError);
   CHECK_THROWS_AS(trackside_peak(0, 0.75, 0), InputError);

@@ -23,7 +23,7 @@ TEST_CASE("property: at creeping speed the trackside response is the static infl
 
 TEST_CASE("property: wheels superpose and states are continuous as the wheel passes") {
   const LumpedTrack track = two_layer(bed);
-  const std::vector<Wheel> both{{1e5, 0}, {8e4, 1.8}};
+  const std::vector<WheelLoad> both{{0, 1e5}, {1.8, 8e4}};
   const auto sum = trackside(track, 0.8, 40, both, -0.2, 1e-3, 400);
   const auto first = trackside(track, 0.8, 40, {&both[0], 1}, -0.2, 1e-3, 400);
   const auto second = trackside(track, 0.8, 40, {&both[1], 1}, -0.2, 1e-3, 400);

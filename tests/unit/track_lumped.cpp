@@ -38,7 +38,7 @@ TEST_CASE("unit: a passage agrees with its own modulated force sampled in time, 
     std::vector<double> force;
     for (double t = -0.5; t < 0.3; t += step) force.push_back(1e5 * influence(beta * speed * t));
     const std::vector<double> sampled = respond(two_layer(bed), force, step);
-    const Wheel wheel{1e5, 0};
+    const WheelLoad wheel{0, 1e5};
     const std::vector<double> exact = trackside(two_layer(bed), beta, speed, {&wheel, 1}, -0.5,
                                                 step, static_cast<int>(sampled.size()));
     double worst = 0;
