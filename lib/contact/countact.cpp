@@ -189,6 +189,7 @@ CountactResult solve(const Gap& gap, double approach, double modulus, const Coun
   const double size = mesh.x_edges.cwiseAbs().maxCoeff(), width = mesh.half_width.maxCoeff();
   CountactResult result;
   NormalContact& c = result.contact;
+  Eigen::VectorXd moves_before;
   double share = 1, move_before = std::numeric_limits<double>::infinity();
   while (!c.converged && c.reason.empty()) {
     CountactStep& step = result.history.emplace_back();
@@ -204,8 +205,11 @@ CountactResult solve(const Gap& gap, double approach, double modulus, const Coun
       c.reason = "diverged: the region grows far outside the interpenetration curve";
     else if (!c.converged && static_cast<int>(result.history.size()) >= o.most_iterations)
       c.reason = "the boundary still moves by " + std::to_string(step.move) + " of its size";
-    if (o.damped && step.move > 0.5 * move_before) share = std::max(0.3, 0.7 * share);
+    const Eigen::VectorXd moves = step.new_half - step.mesh.half_width;
+    const bool swings = moves_before.size() > 0 && moves.dot(moves_before) < 0;
+    if (o.damped && swings && step.move > 0.5 * move_before) share = std::max(0.3, 0.7 * share);
     move_before = step.move;
+    moves_before = moves;
   }
   describe(q, result.history, c);
   if (c.converged) judge(q, result.history.back(), c);

@@ -63,7 +63,7 @@ struct CountactStep {
   double new_x_min = 0, new_x_max = 0;
   double force = 0, moment_y = 0, p_max = 0;
   double move = 0;  // largest move of the boundary asked for, relative to its size
-  // Where the pressure does not fall outward, so that the boundary could not be located and stays.
+  // Where too few cells show the pressure fall outward, so that the boundary was not located.
   std::vector<int> stuck_columns;
   bool stuck_left = false, stuck_right = false;
 };

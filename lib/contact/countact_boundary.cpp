@@ -7,13 +7,6 @@
 namespace railbook::contact::detail {
 namespace {
 
-// Where the pressure falls to zero on an outward line of points.
-struct Zero {
-  double at = 0;
-  int positive = 0;    // leading points of positive pressure
-  bool stuck = false;  // the pressure does not fall outward: `at` is the old boundary
-};
-
 // Fig. 4: the zero of the side-lying parabola through the last two or three points, p falling outward.
 double extrapolate(const Eigen::VectorXd& s, const Eigen::VectorXd& p, Fit fit) {
   const auto n = p.size();
@@ -29,25 +22,6 @@ double extrapolate(const Eigen::VectorXd& s, const Eigen::VectorXd& p, Fit fit) 
   return sn - (first - c2 * pm) * pn;  // Newton's form of the parabola at p = 0
 }
 
-// s: outward positions, p: pressures there with p[0] > 0.
-Zero find_zero(const Eigen::VectorXd& s, const Eigen::VectorXd& p, double boundary,
-               const CountactOptions& options) {
-  const int n = static_cast<int>(p.size());
-  int last = 0;
-  while (last + 1 < n && p[last + 1] > 0) ++last;
-  Zero zero{boundary, last + 1, false};
-  if (last + 1 < n)  // Fig. 3: between the last positive pressure and the first negative one
-    zero.at = s[last] + (s[last + 1] - s[last]) * p[last] / (p[last] - p[last + 1]);
-  else if (n < 2 || !(p[n - 2] > p[n - 1]))
-    zero.stuck = true;
-  else
-    zero.at = extrapolate(s, p, options.fit);
-  // The clamp: not outside the old boundary, and not inside a cell of positive pressure.
-  if (options.inward_only && last + 1 == n)
-    zero.at = std::clamp(zero.at, (s[last] + boundary) / 2, boundary);
-  return zero;
-}
-
 // The end of the region on the x axis, from column `from` outward.
 Zero find_end(const CountactStep& step, int from, int direction, const CountactOptions& options) {
   const auto m = step.mesh.half_width.size();
@@ -58,8 +32,10 @@ Zero find_end(const CountactStep& step, int from, int direction, const CountactO
     s[i] = direction * column_centre(step.mesh, j);
     p[i] = step.p(0, j);
   }
-  Zero zero = find_zero(s, p, direction * step.mesh.x_edges[direction > 0 ? m : 0], options);
+  Zero zero = find_zero(s, p, direction * step.mesh.x_edges[direction > 0 ? m : 0], options.fit,
+                        options.inward_only);
   zero.at *= direction;
+  zero.stuck = zero.stuck || n < 3;  // two points that include the largest pressure locate nothing
   return zero;
 }
 
@@ -67,7 +43,7 @@ Zero find_half_width(const CountactStep& step, const CellNumbers& cells, int j,
                      const CountactOptions& options) {
   Eigen::VectorXd y(cells.half_rows);
   for (int k = 0; k < cells.half_rows; ++k) y[k] = cell_centre(step.mesh, cells, j, k);
-  return find_zero(y, step.p.col(j), step.mesh.half_width[j], options);
+  return find_zero(y, step.p.col(j), step.mesh.half_width[j], options.fit, options.inward_only);
 }
 
 // Eq. (17): the half width at x, linear between the known points of the new boundary.
@@ -89,6 +65,24 @@ double largest_move(const CountactStep& step) {
 }
 
 }  // namespace
+
+Zero find_zero(const Eigen::VectorXd& s, const Eigen::VectorXd& p, double boundary, Fit fit,
+               bool inward_only) {
+  const int n = static_cast<int>(p.size());
+  int last = 0;
+  while (last + 1 < n && p[last + 1] > 0) ++last;
+  Zero zero{boundary, last + 1, false};
+  if (last + 1 < n)  // Fig. 3: between the last positive pressure and the first negative one
+    zero.at = s[last] + (s[last + 1] - s[last]) * p[last] / (p[last] - p[last + 1]);
+  else if (n < 2 || !(p[n - 2] > p[n - 1]))
+    zero.stuck = true;
+  else
+    zero.at = extrapolate(s, p, fit);
+  // The clamp: not outside the old boundary, and not inside a cell of positive pressure.
+  if (inward_only && last + 1 == n)
+    zero.at = std::clamp(zero.at, (s[last] + boundary) / 2, boundary);
+  return zero;
+}
 
 Update update_boundary(CountactStep& step, const CellNumbers& cells, const CountactOptions& options,
                        double share) {

@@ -43,6 +43,15 @@ Eigen::VectorXd place_columns(const Columns& columns, double x_min, double x_max
 // The half width of the interpenetration curve at x, 0 outside it.
 double interpenetration_half_width(const Gap& gap, double approach, double x);
 
+// Where the pressure falls to zero on an outward line of positions s with pressures p, p[0] > 0 (Figs 3 and 4).
+struct Zero {
+  double at = 0;
+  int positive = 0;    // leading points of positive pressure
+  bool stuck = false;  // the pressure does not fall outward: `at` is the old boundary
+};
+Zero find_zero(const Eigen::VectorXd& s, const Eigen::VectorXd& p, double boundary, Fit fit,
+               bool inward_only);
+
 // Fills the new boundary of a step from its pressures (Figs 3 and 4), makes `share` of each move, and returns the
 // mesh that follows (eq. 17). A reason that is not empty means failure.
 struct Update {

@@ -1,0 +1,55 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+
+#include "contact/countaxi.hpp"
+#include "contact/geometry.hpp"
+#include "contact/punch.hpp"
+#include "num/fp_trap.hpp"
+#include "units/input_error.hpp"
+
+using namespace railbook;
+using namespace railbook::contact;
+
+TEST_CASE("extreme: too few rings for a sharp gradient are reported, not used") {
+  const num::FpTraps traps;
+  CountaxiOptions options;
+  options.grading = 1;
+  for (int n : {5, 10, 20}) {
+    options.rings = n;
+    const RingContact c = countaxi(rounded_punch_gap({0.5, 0.01}), 1e-3, 1.0, options);
+    CHECK_FALSE(c.converged);
+    CHECK(c.reason.find("too few rings") != std::string::npos);
+  }
+}
+
+TEST_CASE("extreme: the sphere scales from tiny to large approaches") {
+  const num::FpTraps traps;
+  const RingContact one = countaxi(rounded_punch_gap({0, 1}), 1e-3, 1.0);
+  for (double delta : {1e-18, 1e-9}) {
+    const RingContact c = countaxi(rounded_punch_gap({0, 1}), delta, 1.0);
+    const double s = std::sqrt(delta / 1e-3);
+    CHECK(c.radius / (one.radius * s) == Approx(1).epsilon(1e-6));
+    CHECK(c.force / (one.force * s * s * s) == Approx(1).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("extreme: a short iteration says how far it got") {
+  CountaxiOptions options;
+  options.most_iterations = 2;
+  const RingContact c = countaxi(rounded_punch_gap({0.5, 1}), 1e-3, 1.0, options);
+  CHECK_FALSE(c.converged);
+  CHECK(c.reason.find("still moves") != std::string::npos);
+}
+
+TEST_CASE("input: COUNTAXI refuses what makes no sense") {
+  const Gap gap = rounded_punch_gap({0.5, 1});
+  CHECK_THROWS_AS((void)countaxi(gap, 0, 1), InputError);
+  CHECK_THROWS_AS((void)countaxi(gap, 1e-3, -1), InputError);
+  CHECK_THROWS_AS((void)countaxi(gap, 1e-3, 1, {.rings = 2}), InputError);
+  CHECK_THROWS_AS((void)countaxi(gap, 1e-3, 1, {.grading = 0.5}), InputError);
+  const Gap broken = [](double x, double) {
+    return x > 0.01 ? std::numeric_limits<double>::quiet_NaN() : x * x;
+  };
+  CHECK_THROWS_AS((void)countaxi(broken, 1e-2, 1), InputError);
+}
