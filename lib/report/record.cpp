@@ -76,6 +76,12 @@ Json array(const std::vector<Record>& records) {
   return all;
 }
 
+#ifdef __clang__
+constexpr const char* compiler = __VERSION__;  // "Debian Clang 14.0.6"
+#else
+constexpr const char* compiler = "GCC " __VERSION__;
+#endif
+
 std::string processor() {
   std::ifstream cpuinfo{"/proc/cpuinfo"};
   for (std::string line; std::getline(cpuinfo, line);)
@@ -92,7 +98,7 @@ void write_record(const ChapterRecord& r, const std::filesystem::path& file) {
                {"level", r.level},
                {"seconds", r.seconds},
                {"only", r.only},
-               {"machine", {{"processor", processor()}, {"compiler", __VERSION__}}},
+               {"machine", {{"processor", processor()}, {"compiler", compiler}}},
                {"checks", array(r.checks)},
                {"items", array(r.items)},
                {"values", array(r.values)},
