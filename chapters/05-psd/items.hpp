@@ -1,11 +1,14 @@
 // The sections of the chapter, and what they share.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "report/chapter.hpp"
+#include "signal/synthetic_track.hpp"
 #include "signal/track_spectrum.hpp"
+#include "signal/welch.hpp"
 
 namespace psd {
 
@@ -22,13 +25,22 @@ std::vector<Zone> zones(const railbook::report::CsvTable& table_1);
 // square of sinc(u)/(1 - u^2), u = offset/df, scaled to the area one.
 double hann_line(double offset, double df);
 
+// A zone as a track to be synthesised, 39-ft rails, and the spectrum of the first `length` metres of a track.
+railbook::signal::SyntheticTrack synthetic(const railbook::signal::TrackParameters& track,
+                                           std::uint64_t seed);
+railbook::signal::Spectrum record_spectrum(const railbook::signal::SyntheticTrack& track,
+                                           double length,
+                                           const railbook::signal::WelchOptions& options);
+
 // Each section adds its items and tools.
 void add_processes(railbook::report::Chapter& chapter);   // Figures 1 to 7, equations (1) to (5)
 void add_zones(railbook::report::Chapter& chapter);       // Table 1
 void add_extraction(railbook::report::Chapter& chapter);  // Figures 8 and 9
 void add_chords(railbook::report::Chapter& chapter);      // Table 2, Figure 10, equation (8)
 void add_classes(railbook::report::Chapter& chapter);     // Table 3, Figure 11
-void add_accuracy(railbook::report::Chapter& chapter);    // closed loop, work-precision, stability
+void add_accuracy(railbook::report::Chapter& chapter);    // closed loop, record length
+void add_cost(railbook::report::Chapter& chapter);        // windows, error against run time
+void add_stability(railbook::report::Chapter& chapter);   // where the estimate holds
 void add_synthesize(railbook::report::Chapter& chapter);  // tool: a track record to order
 void add_classify(railbook::report::Chapter& chapter);    // tool: class of a track record
 

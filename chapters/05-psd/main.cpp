@@ -24,6 +24,10 @@ recompute all tables and figures; and the estimator runs on your own records (`p
 
 {{include: accuracy.cpp}}
 
+{{include: cost.cpp}}
+
+{{include: stability.cpp}}
+
 {{include: synthesize.cpp}}
 
 {{include: classify.cpp}}
@@ -48,6 +52,8 @@ int main(int argc, char** argv) {
   psd::add_chords(chapter);
   psd::add_classes(chapter);
   psd::add_accuracy(chapter);
+  psd::add_cost(chapter);
+  psd::add_stability(chapter);
   psd::add_synthesize(chapter);
   psd::add_classify(chapter);
   return chapter.run(argc, argv);
