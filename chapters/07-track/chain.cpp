@@ -1,17 +1,3 @@
-#include <fmt/format.h>
-
-#include <cmath>
-#include <functional>
-
-#include "items.hpp"
-#include "num/quadrature.hpp"
-#include "track/typical_track.hpp"
-
-using namespace railbook;
-using namespace railbook::track;
-
-namespace {
-
 /***
 ## From stone to springs
 
@@ -46,11 +32,25 @@ happen to put zero deflection at ten feet; nothing more is claimed for them.
 
 {{fig-chain}}
 
-Two things stand out. The subgrade decides: $k_s$ is sixteen times softer than the ballast. And deeper ballast
+Two things stand out. The subgrade decides: $k_s$ is {{soil-softer}} times softer than the ballast. And deeper ballast
 makes *stiffer* track although it adds a spring in series, because the pyramid spreads the load over more soil.
 The model overdoes this once the pyramids of neighbouring ties meet, here below {{overlap}} of ballast (dotted
 in the figure): from there on it counts the same stone twice, and only the fixed factor 2 pays for it.
 */
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <functional>
+
+#include "items.hpp"
+#include "num/quadrature.hpp"
+#include "track/typical_track.hpp"
+
+using namespace railbook;
+using namespace railbook::track;
+
+namespace {
 
 std::string in_lb_per_in(double stiffness) {
   return fmt::format("{:.1f}", stiffness / (units::lbf / units::inch));
@@ -62,15 +62,15 @@ void chain(report::Item& item) {
   const auto beam = typical_beam();
   item.columns({"part", "from", "value", "unit"});
   item.add_row({"tie", "assumed", in_lb_per_in(support.tie_stiffness), "lb/in"});
-  item.add_row({"ballast", "(6): 30 x 9 in, 12 in deep, 30 000 psi, all assumed; 20 degrees",
+  item.add_row({"ballast", "(6): 30 × 9 in, 12 in deep, 30 000 psi, all assumed; 20°",
                 in_lb_per_in(chain.ballast), "lb/in"});
-  item.add_row({"subgrade", "(7): 100 lb/in^3 assumed", in_lb_per_in(chain.subgrade), "lb/in"});
+  item.add_row({"subgrade", "(7): 100 lb/in³ assumed", in_lb_per_in(chain.subgrade), "lb/in"});
   item.add_row({"ballast on subgrade", "(5)", in_lb_per_in(chain.bed), "lb/in"});
   item.add_row({"rail seat", "(4)", in_lb_per_in(chain.seat), "lb/in"});
   item.add_row({"foundation modulus K", "(3): ties 19.5 in apart, assumed",
                 fmt::format("{:.1f}", chain.foundation_modulus / units::psi), "psi"});
   item.add_row(
-      {"beta", "(1): 132RE, assumed", fmt::format("{:.6f}", beam.beta() * units::inch), "1/in"});
+      {"β", "(1): 132RE, assumed", fmt::format("{:.6f}", beam.beta() * units::inch), "1/in"});
   item.add_row({"under one wheel K_r", "(2)", in_lb_per_in(beam.point_stiffness()), "lb/in"});
 
   item.reconstructed("the paper gives the formulas and the friction angle, no other datum");
@@ -116,8 +116,10 @@ void chain_curves(report::Item& item) {
   const auto base = typical_support();
   typical.add(base.tie_spacing / units::inch, base.ballast_depth / units::inch, 100.0,
               changed([](auto&) {}), overlap_depth(base) / units::inch);
+  const auto chain_of_base = stiffness_chain(base);
+  item.value("soil-softer", chain_of_base.ballast / chain_of_base.subgrade, "", "{:.0f}");
   item.value("overlap", overlap_depth(base) / units::inch, "inches", "{:.1f}");
-  item.explained(
+  item.reconstructed(
       "not in the paper: its equations (2) to (7), one datum of the typical track changed");
 }
 

@@ -15,4 +15,12 @@ void add_static_cost(report::Chapter&);      // error against run time, statics
 void add_static_extremes(report::Chapter&);  // stability rows, statics
 void add_stiffness_tool(report::Chapter&);   // `track stiffness`
 
+// Checks a claim of the paper's text: the row `key` of data/claims.csv.
+inline void check_claim(report::Item& item, const report::CsvTable& claims, const std::string& key,
+                        double computed,
+                        const report::Tolerance& tolerance = report::last_digit()) {
+  item.check(key, claims.at(key, "what"), claims.at(key, "unit"), claims.at(key, "printed"),
+             computed, tolerance);
+}
+
 }  // namespace railbook::track_chapter

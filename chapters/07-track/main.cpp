@@ -52,7 +52,7 @@ What the paper prints that we do not confirm, or confirm for some data only:
 * **The second equation (18)** lacks the tie spacing, without which its units are not those of a mass per length.
 
 Not determinable from the text that is available: the integer $N$ in (18), the data behind "average" track, and the
-numbers on the axes of Figure 3.
+numbers on the axes of its Figure 3.
 
 ## Limits
 

@@ -1,17 +1,3 @@
-#include <fmt/format.h>
-
-#include <cmath>
-
-#include "items.hpp"
-#include "num/quadrature.hpp"
-#include "track/effective_mass.hpp"
-#include "track/typical_track.hpp"
-
-using namespace railbook;
-using namespace railbook::track;
-
-namespace {
-
 /***
 ## How much of the track moves
 
@@ -47,6 +33,20 @@ Damping is taken as viscous, $C=2\zeta\sqrt{K_rM}$, with $\zeta$ of 0.15 to 0.25
 1.00 from radiation into the half-space: a factor of seven, which the moving-load section makes visible.
 */
 
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "items.hpp"
+#include "num/quadrature.hpp"
+#include "track/effective_mass.hpp"
+#include "track/typical_track.hpp"
+
+using namespace railbook;
+using namespace railbook::track;
+
+namespace {
+
 std::string both_units(double kilogram) {
   return fmt::format("{:.1f} lb ({:.1f} kg)", kilogram / units::pound, kilogram);
 }
@@ -80,7 +80,7 @@ void masses(report::Item& item) {
                 both_units(m.rail_only)});
   item.add_row({"rail on its ties", "(16), (17)", both_units(m.rail)});
   item.add_row({"tie and ballast",
-                "(18), (19), N = 6: tie 200 lb, A_t = 270 in^2, 0.0579 lb/in^3, "
+                "(18), (19), N = 6: tie 200 lb, A_t = 270 in², 0.0579 lb/in³, "
                 "C_m = 1, all assumed",
                 both_units(m.bed_pyramid)});
   item.add_row({"tie and ballast", "the same, N = 4", both_units(m.bed_wedge)});

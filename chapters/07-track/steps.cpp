@@ -1,3 +1,8 @@
+/***
+{{fig-02}} is drawn from the numbers of the typical track, to scale, in inches: the tie, the pyramid below each rail
+seat with the base area that (7) multiplies by the soil modulus, and beside it the chain of springs it becomes.
+*/
+
 #include <filesystem>
 
 #include "items.hpp"
@@ -8,11 +13,6 @@
 
 using namespace railbook;
 using namespace railbook::track;
-
-/***
-Figure 2 is drawn from the numbers of the typical track, to scale, in inches: the tie, the pyramid below each rail
-seat with the base area that (7) multiplies by the soil modulus, and beside it the chain of springs it becomes.
-*/
 
 namespace {
 

@@ -1,19 +1,3 @@
-#include <fmt/format.h>
-
-#include <cmath>
-
-#include "items.hpp"
-#include "num/quadrature.hpp"
-#include "track/beam_elements.hpp"
-#include "track/typical_track.hpp"
-
-using namespace railbook;
-using namespace railbook::track;
-
-namespace {
-
-constexpr double lb_per_in = units::lbf / units::inch;
-
 /***
 ## A rail is a beam on a bed of springs
 
@@ -33,6 +17,22 @@ The shape is checked against the Fourier integral
 $\frac{P}{\pi}\int_0^\infty\frac{\cos kX}{EIk^4+K}\,dk$, which shares no formula with it. The rail lifts
 between $\beta X=3\pi/4$ and $7\pi/4$, most at $\beta X=\pi$, by {{uplift}} of the deflection under the load.
 */
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "items.hpp"
+#include "num/quadrature.hpp"
+#include "track/beam_elements.hpp"
+#include "track/typical_track.hpp"
+
+using namespace railbook;
+using namespace railbook::track;
+
+namespace {
+
+constexpr double lb_per_in = units::lbf / units::inch;
 
 void shape(report::Item& item) {
   auto& curve = item.data({"beta_x", "a"});
@@ -64,7 +64,7 @@ For an "average" main line the text puts the point of zero deflection "roughly t
 maintained main lines at 1500 to 3000 psi, so ten feet describes the soft end.
 
 Linearity gives the rest. Two equal wheels at a distance $l$ deflect the rail under each of them by
-$1+a(l)$ times the deflection of one, the formula printed below Figure 1: a wheel of a 66-inch truck feels
+$1+a(l)$ times the deflection of one, the formula printed below the paper's Figure 1: a wheel of a 66-inch truck feels
 {{share-66}} of $K_r$, one of a 108-inch truck {{share-108}}.
 */
 
@@ -82,8 +82,8 @@ double pair_by_elements(const WinklerBeam& beam, double base, double force) {
 }
 
 void continuous(report::Item& item) {
-  item.columns({"K, psi", "beta, 1/in", "K_r, lb/in", "K_r, MN/m", "zero deflection, ft",
-                "joint reach beta X = 2, ft"});
+  item.columns({"K, psi", "β, 1/in", "K_r, lb/in", "K_r, MN/m", "zero deflection, ft",
+                "joint reach 2/β, ft"});
   for (const double modulus : {1000.0, 1500.0, 2000.0, 3000.0, 5000.0}) {
     const auto beam = rail_132(modulus);
     item.add_row({fmt::format("{:.0f}", modulus), fmt::format("{:.6f}", beam.beta() * units::inch),
@@ -95,10 +95,15 @@ void continuous(report::Item& item) {
   item.reconstructed(
       "the paper gives neither K nor the rail of its average track; ours is 132RE and the "
       "typical support below");
-  item.expect_checks(4);
+  item.expect_checks(5);
   const auto claims = item.printed("claims.csv");
   const auto beam = typical_beam();
-  item.row(claims, "zero").check("printed", beam.zero_distance() / units::foot);
+  track_chapter::check_claim(item, claims, "zero", beam.zero_distance() / units::foot);
+  track_chapter::check_claim(
+      item, claims, "joint-reach", 2 / beam.beta() / units::foot,
+      report::absolute(2.5,
+                       "\"roughly 10 feet\" read as rounded to five; 2/β is 0.85 of the 3π/4β "
+                       "that the paper also calls roughly ten feet"));
   item.agree("deflection", "deflection under 27.5 kip", "in",
              deflection_by_fourier(beam, typical_wheel_load, 0, 1e-10).value / units::inch,
              typical_wheel_load / beam.point_stiffness() / units::inch, 1e-8, "equation (2)");
@@ -133,7 +138,7 @@ void rails(report::Item& item) {
   auto& typical = item.data("typical", {"K_psi", "K_r_MN_per_m"});
   typical.add(typical_beam().foundation_modulus / units::psi,
               typical_beam().point_stiffness() / 1e6);
-  item.explained("not in the paper: equation (2) for four rail sections of its time");
+  item.reconstructed("not in the paper: equation (2) for four rail sections of its time");
 }
 
 }  // namespace

@@ -1,3 +1,15 @@
+/***
+### `track stiffness`
+
+The same formulas for a track of your own. Whatever is not given is taken from the typical track and marked as assumed
+in the answer. Quantities carry their unit; a TOML file (`--config`) may hold the same options.
+
+    track stiffness --rail 136RE --tie-spacing 19.5in \
+                    --ballast-depth 12in --soil-modulus "150 lbf/in^3"
+    track stiffness --foundation-modulus 2000psi --wheels 0in 66in \
+                    --joint hinge --joint-at 30in --out mine
+*/
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,16 +26,6 @@
 
 using namespace railbook;
 using namespace railbook::track;
-
-/***
-### `track stiffness`
-
-The same formulas for a track of your own. Whatever is not given is taken from the typical track and marked as assumed
-in the answer. Quantities carry their unit; a TOML file (`--config`) may hold the same options.
-
-    track stiffness --rail 136RE --tie-spacing 19.5in --ballast-depth 12in --soil-modulus "150 lbf/in^3"
-    track stiffness --foundation-modulus 2000psi --wheels 0in 66in --joint hinge --joint-at 30in --out mine
-*/
 
 namespace {
 
