@@ -7,6 +7,7 @@
 #include <cmath>
 #include <memory>
 
+#include "num/banded.hpp"
 #include "num/gsl.hpp"
 #include "track/moving_load.hpp"
 #include "units/constants.hpp"
@@ -16,8 +17,11 @@ namespace railbook::track {
 
 namespace {
 
+using Eigen::Index;
 using Eigen::Matrix4d;
+using Eigen::MatrixXd;
 using Eigen::Vector4d;
+using Eigen::VectorXd;
 
 // Cubic Hermite element of length h, unknowns (y, y') at each end.
 Matrix4d bending(double h) {  // integral of v'' w''
@@ -96,89 +100,72 @@ double decay_rate(const MovingLoadSide& side) {
   return w2 >= 0 ? half : side.stiffness / (half + std::sqrt(-w2));
 }
 
-// Newmark's constant effective matrix as L D L^T, and the three element matrices it steps with.
+FeShape nodal_values(const double* x, std::size_t nodes, std::size_t loaded, double h) {
+  FeShape fe;
+  fe.unknowns = static_cast<int>(2 * nodes);
+  for (std::size_t i = 0; i < nodes; ++i) {
+    fe.s.push_back(h * (static_cast<double>(i) - static_cast<double>(loaded)));
+    fe.y.push_back(x[2 * i]);
+    fe.slope.push_back(x[2 * i + 1]);
+  }
+  fe.at_load = fe.y[loaded];
+  return fe;
+}
+
+// Newmark's average acceleration on a uniform beam with clamped ends; the effective matrix is factored once.
 class NewmarkBeam {
  public:
   NewmarkBeam(std::size_t nodes, double element, double step, double zeta)
       : h_(element),
         dt_(step),
-        n_(2 * nodes),
-        y_(n_, 0.0),
-        v_(n_, 0.0),
-        a_(n_, 0.0),
-        rhs_(n_),
-        d_(n_),
-        l_(n_) {
-    const Matrix4d m = mass(h_);
-    mass_ = m;
-    damping_ = 2.0 * zeta * m;
-    stiffness_ = 0.25 * bending(h_) + m;
-    factor(mass_ * (4.0 / (dt_ * dt_)) + damping_ * (2.0 / dt_) + stiffness_);
-  }
+        mass_(mass(element)),
+        damping_(2.0 * zeta * mass_),
+        y_(VectorXd::Zero(2 * static_cast<Index>(nodes))),
+        v_(y_),
+        a_(y_),
+        rhs_(y_),
+        effective_(
+            band(mass_ * (4.0 / (dt_ * dt_)) + damping_ * (2.0 / dt_) + 0.25 * bending(h_) + mass_),
+            "Newmark's effective matrix") {}
 
-  // One step of average acceleration with the force f at the abscissa x at its end.
+  // One step with the force f at the abscissa x at its end.
   void step(double f, double x) {
-    assemble_history();
-    const auto e = std::min(static_cast<std::size_t>(x / h_), n_ / 2 - 2);
-    const Vector4d shape = hermite(x / h_ - static_cast<double>(e), h_);
-    for (std::size_t i = 0; i < 4; ++i) rhs_[2 * e + i] += f * shape[static_cast<int>(i)];
-    rhs_[0] = rhs_[1] = rhs_[n_ - 2] = rhs_[n_ - 1] = 0.0;
-    solve();
-    for (std::size_t i = 0; i < n_; ++i) {
-      const double change = rhs_[i] - y_[i];
-      const double speed = 2.0 / dt_ * change - v_[i];
+    // M (4/dt^2 y + 4/dt v + a) + C (2/dt y + v), element by element
+    const Index n = y_.size();
+    rhs_.setZero();
+    for (Index i = 0; i + 3 < n; i += 2)
+      rhs_.segment<4>(i) += mass_ * (4.0 / (dt_ * dt_) * y_.segment<4>(i) +
+                                     4.0 / dt_ * v_.segment<4>(i) + a_.segment<4>(i)) +
+                            damping_ * (2.0 / dt_ * y_.segment<4>(i) + v_.segment<4>(i));
+    const Index e = std::min(static_cast<Index>(x / h_), n / 2 - 2);
+    rhs_.segment<4>(2 * e) += f * hermite(x / h_ - static_cast<double>(e), h_);
+    rhs_.head<2>().setZero();
+    rhs_.tail<2>().setZero();
+    effective_.solve_in_place(rhs_);
+    for (Index i = 0; i < n; ++i) {
+      const double speed = 2.0 / dt_ * (rhs_[i] - y_[i]) - v_[i];
       a_[i] = 2.0 / dt_ * (speed - v_[i]) - a_[i];
       v_[i] = speed;
-      y_[i] = rhs_[i];
     }
+    y_.swap(rhs_);
   }
-  const std::vector<double>& deflection() const { return y_; }
+  const VectorXd& deflection() const { return y_; }
 
  private:
-  void factor(const Matrix4d& element) {
-    std::vector<std::array<double, 4>> band(n_, {0, 0, 0, 0});  // [i][k] = entry (i, i - k)
-    for (std::size_t e = 0; 2 * e + 3 < n_; ++e)
-      for (std::size_t i = 0; i < 4; ++i)
-        for (std::size_t j = 0; j <= i; ++j)
-          band[2 * e + i][i - j] += element(static_cast<int>(i), static_cast<int>(j));
-    for (std::size_t i : {std::size_t{0}, std::size_t{1}, n_ - 2, n_ - 1}) band[i][0] *= 1e30;
-    for (std::size_t i = 0; i < n_; ++i) {
-      double pivot = band[i][0];
-      for (std::size_t k = std::min<std::size_t>(i, 3); k > 0; --k) {
-        double sum = band[i][k];
-        for (std::size_t q = k + 1; q <= std::min<std::size_t>(i, 3); ++q)
-          sum -= l_[i][q - 1] * l_[i - k][q - k - 1] * d_[i - q];
-        l_[i][k - 1] = sum / d_[i - k];
-        pivot -= l_[i][k - 1] * sum;
-      }
-      d_[i] = pivot;
-    }
-  }
-  // rhs = M (4/dt^2 y + 4/dt v + a) + C (2/dt y + v)
-  void assemble_history() {
-    std::fill(rhs_.begin(), rhs_.end(), 0.0);
-    for (std::size_t e = 0; 2 * e + 3 < n_; ++e) {
-      const Eigen::Map<const Vector4d> y(&y_[2 * e]), v(&v_[2 * e]), a(&a_[2 * e]);
-      Eigen::Map<Vector4d>(&rhs_[2 * e]) +=
-          mass_ * (4.0 / (dt_ * dt_) * y + 4.0 / dt_ * v + a) + damping_ * (2.0 / dt_ * y + v);
-    }
-  }
-  void solve() {
-    for (std::size_t i = 3; i < n_; ++i)
-      rhs_[i] -= l_[i][0] * rhs_[i - 1] + l_[i][1] * rhs_[i - 2] + l_[i][2] * rhs_[i - 3];
-    for (std::size_t i = 0; i < n_; ++i) rhs_[i] /= d_[i];
-    for (std::size_t i = n_; i-- > 3;) {
-      rhs_[i - 1] -= l_[i][0] * rhs_[i];
-      rhs_[i - 2] -= l_[i][1] * rhs_[i];
-      rhs_[i - 3] -= l_[i][2] * rhs_[i];
-    }
+  MatrixXd band(const Matrix4d& element) const {
+    const Index n = y_.size();
+    MatrixXd lower = MatrixXd::Zero(4, n);
+    for (Index e = 0; e + 3 < n; e += 2)
+      for (Index j = 0; j < 4; ++j)
+        for (Index k = 0; j + k < 4; ++k) lower(k, e + j) += element(j + k, j);
+    for (Index i : {Index{0}, Index{1}, n - 2, n - 1}) lower(0, i) *= 1e30;
+    return lower;
   }
 
   double h_, dt_;
-  std::size_t n_;
-  Matrix4d mass_, damping_, stiffness_;
-  std::vector<double> y_, v_, a_, rhs_, d_;
-  std::vector<std::array<double, 3>> l_;
+  Matrix4d mass_, damping_;
+  VectorXd y_, v_, a_, rhs_;
+  num::BandedCholesky effective_;
 };
 
 }  // namespace
@@ -196,15 +183,8 @@ FeShape fe_steady(double theta, double zeta, const FeSteadyOptions& options) {
   const Matrix4d element = bending(h) - 4.0 * theta * theta * geometric(h) -
                            8.0 * zeta * theta * convection(h) + 4.0 * mass(h);
   const std::vector<double> x = solve_band(element / 8.0, nodes, 2 * loaded);
-  FeShape fe;
-  fe.unknowns = static_cast<int>(x.size());
+  FeShape fe = nodal_values(x.data(), nodes, loaded, h);
   fe.steps = 1;
-  for (std::size_t i = 0; i < nodes; ++i) {
-    fe.s.push_back(h * (static_cast<double>(i) - back));
-    fe.y.push_back(x[2 * i]);
-    fe.slope.push_back(x[2 * i + 1]);
-  }
-  fe.at_load = fe.y[loaded];
   return fe;
 }
 
@@ -237,20 +217,13 @@ FeShape fe_newmark(double theta, double zeta, const FeNewmarkOptions& options) {
     }
     return beam.deflection();
   };
-  std::vector<double> x = run(1);
+  VectorXd x = run(1);
   if (options.richardson) {
-    const std::vector<double> fine = run(2);
-    for (std::size_t i = 0; i < x.size(); ++i) x[i] = fine[i] + (fine[i] - x[i]) / 3.0;
+    const VectorXd fine = run(2);
+    x = fine + (fine - x) / 3.0;
   }
-  FeShape fe;
-  fe.unknowns = static_cast<int>(x.size());
+  FeShape fe = nodal_values(x.data(), nodes, end_node, h);
   fe.steps = static_cast<int>(steps * refine);
-  for (std::size_t i = 0; i < nodes; ++i) {
-    fe.s.push_back(h * (static_cast<double>(i) - static_cast<double>(end_node)));
-    fe.y.push_back(x[2 * i]);
-    fe.slope.push_back(x[2 * i + 1]);
-  }
-  fe.at_load = fe.y[end_node];
   return fe;
 }
 
