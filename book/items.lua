@@ -58,7 +58,7 @@ local function checks_table(checks)
     rows[i] = {
       html.text(check.what or check.id) .. unit,
       {html.number(check.printed or "–"), class = "number"}, {computed(check), class = "number"},
-      {off, class = "number"}, {allowed .. (mark and html.tag("sup", nil, mark) or ""), class = "number"},
+      {off, class = "number"}, {allowed .. (mark and html.tag("span", {class = "mark"}, mark) or ""), class = "number"},
       html.badge(check.pass and check.status or "failed"), class = not check.pass and "failed" or nil}
   end
   return html.table("checks", {"what", "printed", "computed", "difference", "allowed", "verdict"}, rows) .. notes

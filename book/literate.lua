@@ -3,7 +3,7 @@
 -- The first file is the page; a prose line `{{include: section.cpp}}` continues with another one. Every .cpp
 -- named on the command line must be included exactly once; a header may be.
 
-local longest_open_block = 25 -- longer code is folded
+local longest_open_block = 60 -- longer code is folded
 
 local function fail(message)
   io.stderr:write("book: ", message, "\n")

@@ -126,7 +126,7 @@ local function Str(str)
     if value then
       out:insert(value_inlines(value))
     elseif item then
-      out:insert(pandoc.Link({pandoc.Str(items.label(item, r))}, "#" .. id))
+      out:insert(pandoc.Link({pandoc.Str(items.label(item, r))}, "#" .. id, "", {class = "ref"}))
     else
       unknown("{{" .. id .. "}}", id)
     end
@@ -153,6 +153,15 @@ local function Math(math)
   return math
 end
 
+-- "Figure {{fig-1}}" says Figure once.
+local function say_once(inlines, i)
+  local link, word = inlines[i], inlines[i - 2]
+  local said = word and word.t == "Str" and inlines[i - 1].t ~= "Str" and word.text:lower():match("%a+%.?$")
+  if said == "figure" or said == "figures" or said == "fig." or said == "table" or said == "tables" then
+    link.content = {pandoc.Str((pandoc.utils.stringify(link):gsub("^%a+ ", "")))}
+  end
+end
+
 -- Browsers break lines beside a formula, even before a comma: what touches it stays with it.
 local function Inlines(inlines)
   local out, run, formula = pandoc.List(), pandoc.List(), false
@@ -160,7 +169,8 @@ local function Inlines(inlines)
     if formula and #run > 1 then out:insert(pandoc.Span(run, {class = "together"})) else out:extend(run) end
     run, formula = pandoc.List(), false
   end
-  for _, inline in ipairs(inlines) do
+  for i, inline in ipairs(inlines) do
+    if inline.t == "Link" and inline.classes:includes("ref") then say_once(inlines, i) end
     local is_formula = inline.t == "Math" and inline.mathtype == "InlineMath"
     if is_formula or inline.t == "Str" or inline.t == "Note" then
       run:insert(inline)

@@ -96,13 +96,13 @@ endmacro()
 function(values)
   expect_page("The load is <span class=\"value\" title=\"999.34171 lbf\">999.34 lbf</span>" "−1.5×10<sup>−6</sup> in<sup>2</sup>"
     "<td><span class=\"value\" title=\"999.34171 lbf\">999.34 lbf</span></td>" "<mo>×</mo>"
-    "<code>{{code}}</code>" ">Figure 1.1</a>" "<msup><mtext mathvariant=\"normal\">in</mtext><mn>2</mn></msup>" "id=\"fn1\"")
+    "<code>{{code}}</code>" ">Figure 1.1</a>" "and table <a href=\"#table-1\" class=\"ref\">1.1</a>" "<msup><mtext mathvariant=\"normal\">in</mtext><mn>2</mn></msup>" "id=\"fn1\"")
 endfunction()
 book_case("values go into text, tables and formulas" values)
 
 function(tables)
   expect_page("<section class=\"item\" id=\"table-1\">" "Hertz &amp; co" "<td class=\"number\">1.661</td>"
-    "<td class=\"number\">0.19 %</td><td class=\"number\">0.6 %<sup>a</sup></td>"
+    "<td class=\"number\">0.19 %</td><td class=\"number\">0.6 %<span class=\"mark\">a</span></td>"
     "<b>a</b> cells of constant pressure, a &lt; b" "<tr class=\"failed\"><th scope=\"row\">a failing one, in</th>"
     "<td class=\"number\">not a number</td>" "href=\"data/01-sample/table-1.csv\"" "2 % of axis"
     "failed: singular" "near line contact" "href=\"data/01-sample/printed/table-1.csv\"" "3 of 4 checks passed" "1 of 2")
@@ -121,7 +121,7 @@ endfunction()
 book_case("tables, figures and their checks" tables)
 
 function(code)
-  expect_page("<summary>" "Headers" "main.cpp:15" "more.cpp:6" "Counts to thirty, slowly." "28 lines")
+  expect_page("<summary>" "Headers" "main.cpp:15" "more.cpp:6" "Counts to sixty, slowly." "63 lines")
   string(REGEX REPLACE "<[^>]*>" "" text "${page}")
   foreach(line "bool less(const std::vector&lt;T&gt;&amp; a, T b) { return a.size() &lt; 1&#39;000 &amp;&amp; a[0] &lt; b; }"
       "int braces[1][1] = {{1}};" "&quot;/*** not prose */&quot;;" "/*** nor this: {{unknown}} */\n)x&quot;;" "int main() {}")

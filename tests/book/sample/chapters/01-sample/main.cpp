@@ -1,6 +1,6 @@
 /*** # A sample of everything
 
-The load is {{F-hertz}}, small ones are {{tiny}}, and $p_0 = {{tiny}}$ in a formula[^1]. See {{fig-1}}.
+The load is {{F-hertz}}, small ones are {{tiny}}, and $p_0 = {{tiny}}$ in a formula[^1]. See {{fig-1}}, and table {{table-1}}.
 
 [^1]: A footnote with {{F-hertz}}, too.
 

@@ -6,8 +6,8 @@
 int from_the_other_file = 1;
 
 /*** A long function: */
-// Counts to thirty, slowly.
-int thirty() {
+// Counts to sixty, slowly.
+int sixty() {
   int n = 0;
   n += 1;
   n += 2;
@@ -32,5 +32,40 @@ int thirty() {
   n += 21;
   n += 22;
   n += 23;
+  n += 24;
+  n += 25;
+  n += 26;
+  n += 27;
+  n += 28;
+  n += 29;
+  n += 30;
+  n += 31;
+  n += 32;
+  n += 33;
+  n += 34;
+  n += 35;
+  n += 36;
+  n += 37;
+  n += 38;
+  n += 39;
+  n += 40;
+  n += 41;
+  n += 42;
+  n += 43;
+  n += 44;
+  n += 45;
+  n += 46;
+  n += 47;
+  n += 48;
+  n += 49;
+  n += 50;
+  n += 51;
+  n += 52;
+  n += 53;
+  n += 54;
+  n += 55;
+  n += 56;
+  n += 57;
+  n += 58;
   return n;
 }
