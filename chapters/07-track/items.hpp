@@ -11,6 +11,7 @@ void draw_steps(report::Item&);              // the scene of Fig. 2
 void add_ties(report::Chapter&);             // discrete ties against the smeared foundation
 void add_joint(report::Chapter&);            // stiffness at a joint: Fig. 3
 void add_masses(report::Chapter&);           // effective masses, eqs (15)-(19)
+void add_moving(report::Chapter&);            // critical speed and moving load, eq. (9)
 void add_static_cost(report::Chapter&);      // error against run time, statics
 void add_static_extremes(report::Chapter&);  // stability rows, statics
 void add_stiffness_tool(report::Chapter&);   // `track stiffness`

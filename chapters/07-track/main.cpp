@@ -20,6 +20,8 @@ data, they are marked as assumed, and what rests on them is called a reconstruct
 
 {{include: joint.cpp}}
 
+{{include: moving.cpp}}
+
 {{include: masses.cpp}}
 
 ## Tools for a track of your own
@@ -89,6 +91,7 @@ int main(int argc, char** argv) {
   track_chapter::add_chain(chapter);
   track_chapter::add_ties(chapter);
   track_chapter::add_joint(chapter);
+  track_chapter::add_moving(chapter);
   track_chapter::add_masses(chapter);
   track_chapter::add_static_cost(chapter);
   track_chapter::add_static_extremes(chapter);
