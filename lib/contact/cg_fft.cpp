@@ -83,42 +83,69 @@ void fill_cells(const Grid& grid, const VectorXd& p, NormalContact& contact) {
   }
 }
 
-// Relative error of an extrapolated value.
-double relative(const Extrapolated& v) {
-  return v.value != 0 ? v.error / std::abs(v.value) : 0;
+// One number of every level's region, coarse to fine.
+template <class Read>
+std::vector<double> of_levels(const std::vector<CgFftLevel>& levels, Read read) {
+  std::vector<double> values;
+  for (const CgFftLevel& level : levels)
+    if (level.region.cells > 0) values.push_back(read(level));
+  return values;
 }
 
+// The ends of the region extrapolated; the irregular part of an end keeps its place at the finest grid's.
+void extrapolate_ends(const std::vector<CgFftLevel>& levels, const std::vector<double>& h,
+                      NormalContact& contact) {
+  constexpr double order =
+      1.25;  // seen: between 1 (the edge parallel to the cells) and 1.5 (averaged along it)
+  const CgFftLevel& finest = levels.back();
+  const auto end = [&](double Box::*side, double cell) {
+    const double there = finest.region.ends.*side;
+    const double limit =
+        extrapolate(h, of_levels(levels, [&](const auto& l) { return l.region.ends.*side; }), order)
+            .value;
+    return there + std::clamp(limit - there, -0.5 * cell, 0.5 * cell);
+  };
+  contact.x_min = end(&Box::x_min, finest.grid.dx),
+  contact.x_max = end(&Box::x_max, finest.grid.dx);
+  contact.y_min = end(&Box::y_min, finest.grid.dy),
+  contact.y_max = end(&Box::y_max, finest.grid.dy);
+}
+
+// Fills everything but the cells from the levels; with `remedy`, extrapolated to cells of no size.
 void summarise(const std::vector<CgFftLevel>& levels, bool remedy, NormalContact& contact) {
   const Region& finest = levels.back().region;
   const double order = finest.meets_body_edge ? 1 : 2;
-  std::vector<double> h, force, moment_x, moment_y, p_max;
-  for (const auto& [grid, region, iterations, residual] : levels) {
-    if (region.cells == 0) continue;
-    h.push_back(std::hypot(grid.dx / (finest.ends.x_max - finest.ends.x_min),
-                           grid.dy / (finest.ends.y_max - finest.ends.y_min)));
-    force.push_back(region.force);
-    moment_x.push_back(region.moment_x);
-    moment_y.push_back(region.moment_y);
-    p_max.push_back(region.p_max);
-  }
-  const Extrapolated f = extrapolate(h, force, order), peak = extrapolate(h, p_max, order);
-  contact.force = remedy ? f.value : finest.force;
-  contact.moment_x = remedy ? extrapolate(h, moment_x, order).value : finest.moment_x;
-  contact.moment_y = remedy ? extrapolate(h, moment_y, order).value : finest.moment_y;
+  const double width = finest.ends.x_max - finest.ends.x_min;
+  const double height = finest.ends.y_max - finest.ends.y_min;
+  const std::vector<double> h = of_levels(
+      levels, [&](const auto& l) { return std::hypot(l.grid.dx / width, l.grid.dy / height); });
+  const auto limit = [&](double Region::*number) {
+    return extrapolate(h, of_levels(levels, [&](const auto& l) { return l.region.*number; }),
+                       order);
+  };
+  const Extrapolated force = limit(&Region::force), peak = limit(&Region::p_max);
+  contact.x_p_max = finest.x_p_max, contact.y_p_max = finest.y_p_max;
+  contact.x_min = finest.ends.x_min, contact.x_max = finest.ends.x_max;
+  contact.y_min = finest.ends.y_min, contact.y_max = finest.ends.y_max;
+  contact.area = finest.area;
+  contact.force = remedy ? force.value : finest.force;
+  contact.moment_x = remedy ? limit(&Region::moment_x).value : finest.moment_x;
+  contact.moment_y = remedy ? limit(&Region::moment_y).value : finest.moment_y;
   contact.p_max = remedy ? peak.value : finest.p_max;
-  contact.force_error = remedy ? relative(f) : std::abs(f.value - finest.force) / f.value;
-  contact.p_max_error = remedy ? relative(peak) : std::abs(peak.value - finest.p_max) / peak.value;
-  const std::size_t n = p_max.size();
-  if (finest.meets_body_edge && n >= 2 && p_max[n - 1] > 1.05 * p_max[n - 2]) {
+  // Without the remedy the whole distance to the limit is error.
+  const auto error = [&](const Extrapolated& v, double raw) {
+    return (remedy ? v.error : std::abs(v.value - raw) + v.error) / std::abs(v.value);
+  };
+  contact.force_error = error(force, finest.force);
+  contact.p_max_error = error(peak, finest.p_max);
+  if (remedy && !finest.meets_body_edge) extrapolate_ends(levels, h, contact);
+  const std::vector<double> peaks = of_levels(levels, [](const auto& l) { return l.region.p_max; });
+  if (finest.meets_body_edge && peaks.size() >= 2 &&
+      peaks.back() > 1.05 * peaks[peaks.size() - 2]) {
     contact.p_max = finest.p_max;
     contact.p_max_error = units::no_limit;
     contact.reason = "singular edge: the peak pressure grows without bound as the grid is refined";
   }
-  contact.x_p_max = finest.x_p_max;
-  contact.y_p_max = finest.y_p_max;
-  contact.x_min = finest.ends.x_min, contact.x_max = finest.ends.x_max;
-  contact.y_min = finest.ends.y_min, contact.y_max = finest.ends.y_max;
-  contact.area = finest.area;
 }
 
 CgFft empty_contact(double approach) {
@@ -130,13 +157,14 @@ CgFft empty_contact(double approach) {
 }
 
 // Fills result.contact from the levels and the pressures on the last of them.
-void finish(const Grid& grid, const VectorXd& p, bool remedy, CgFft& result) {
+void finish(const Grid& grid, const VectorXd& p, const VectorXd& f, bool remedy, CgFft& result) {
   const Region& region = result.levels.back().region;
   if (region.cells == 0) {
     if (result.contact.converged) result.contact = empty_contact(result.contact.approach).contact;
     return;
   }
   fill_cells(grid, p, result.contact);
+  result.outline = outline(grid, p, f);
   summarise(result.levels, remedy, result.contact);
   if (region.touches_edge()) {
     result.contact.converged = false;
@@ -203,12 +231,12 @@ CgFft solve_cg_fft(const Gap& gap, double approach, double effective_modulus,
   result.contact.converged = true;
   Placement place{options.box ? *options.box : interpenetration_box(gap, approach)};
   Grid last;
-  VectorXd p;
+  VectorXd p, f;
   for (const auto& [nx, ny] : ladder(options)) {
     constexpr int most_growths = 40;
     for (int growths = 0;; ++growths) {
       const Grid grid = place.grid(nx, ny, options);
-      const VectorXd f = sample(gap, grid);
+      f = sample(gap, grid);
       p = last.cells() > 0 ? transfer(last, p, grid)
                            : uniform_start(f, approach, effective_modulus);
       result.levels.push_back(
@@ -221,7 +249,7 @@ CgFft solve_cg_fft(const Gap& gap, double approach, double effective_modulus,
     }
     place.refit(gap, last, result.levels.back().region);
   }
-  finish(last, p, options.remedy, result);
+  finish(last, p, f, options.remedy, result);
   return result;
 }
 
@@ -253,7 +281,7 @@ CgFft solve_cg_fft(const Grid& grid, const VectorXd& f, double approach, double 
     result.levels.push_back(
         solve_grid(g, of_cells, approach, effective_modulus, options.cg, p, result.contact));
   }
-  finish(grid, p, options.remedy, result);
+  finish(grid, p, f, options.remedy, result);
   return result;
 }
 

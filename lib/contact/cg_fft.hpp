@@ -37,6 +37,7 @@ struct CgFftLevel {
 struct CgFft {
   NormalContact contact;
   std::vector<CgFftLevel> levels;
+  Outline outline;  // on the finest grid
 };
 
 // The contact of two bodies of gap f pressed to an approach delta [m]; E* > 0 [Pa].
@@ -44,7 +45,7 @@ struct CgFft {
 // seen there (grown where the region touches its edge), each solved to options.cg.tolerance. The force of one
 // grid is off by c h^2 and by an irregular part of order h^2.5 that depends on how the edge meets the cells,
 // mostly where the edge is parallel to them. The grids are placed so that these parts cancel between the x and
-// y ends, and c h^2 is then removed by a fit over the last three grids (order 1 where body edges make one).
+// y ends, and c h^2 is then removed by a fit over the last three grids (order 1 where body edges make one). The ends of the region, first order on one grid, are extrapolated likewise.
 // An approach <= 0 is an empty contact: force 0, converged, and the reason says so.
 // Throws InputError on NaN in the gap or an argument, E* <= 0, sizes < 4, a ladder beyond the memory limit, or
 // bodies that never separate. converged is false, with the reason, when a grid is not solved to tolerance.

@@ -139,4 +139,20 @@ Region describe(const Grid& grid, const Eigen::VectorXd& p, const Eigen::VectorX
   return region;
 }
 
+Outline outline(const Grid& grid, const Eigen::VectorXd& p, const Eigen::VectorXd& f) {
+  std::vector<double> x, low, high;
+  for (Index i = 0; i < grid.nx; ++i) {
+    const double below = end_of({p, f, i, grid.nx, grid.ny});
+    if (below < 0) continue;
+    const double above = end_of({p, f, (grid.ny - 1) * grid.nx + i, -grid.nx, grid.ny});
+    x.push_back(grid.x(i));
+    low.push_back(grid.y0 + grid.dy * below);
+    high.push_back(grid.y0 + grid.dy * (static_cast<double>(grid.ny) - above));
+  }
+  const auto vector = [](const std::vector<double>& v) -> Eigen::VectorXd {
+    return Eigen::Map<const Eigen::VectorXd>(v.data(), static_cast<Index>(v.size()));
+  };
+  return {vector(x), vector(low), vector(high)};
+}
+
 }  // namespace railbook::contact

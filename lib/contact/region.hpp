@@ -26,4 +26,10 @@ struct Region {
 // body). The position of an end is better than the cell it lies in (about 0.1 cell), but first order in the cell.
 Region describe(const Grid& grid, const Eigen::VectorXd& p, const Eigen::VectorXd& f);
 
+// The edge of the contact in every column of cells that has pressure: it lies between y = low and y = high [m].
+struct Outline {
+  Eigen::VectorXd x, low, high;
+};
+Outline outline(const Grid& grid, const Eigen::VectorXd& p, const Eigen::VectorXd& f);
+
 }  // namespace railbook::contact

@@ -58,8 +58,8 @@ TEST_CASE("unit: a sphere on a plane to the claimed error") {
   const NormalContact contact = solve(128).contact;
   CHECK(contact.force == Approx(force).epsilon(5e-6));
   CHECK(contact.p_max == Approx(peak).epsilon(5e-6));
-  CHECK(contact.x_max == Approx(1).margin(4e-3));
-  CHECK(contact.y_min == Approx(-1).margin(4e-3));
+  CHECK(contact.x_max == Approx(1).margin(1.5e-3));
+  CHECK(contact.y_min == Approx(-1).margin(1.5e-3));
   CHECK(contact.area == Approx(units::pi).epsilon(1e-3));
   CHECK(contact.force_error < 5e-5);
 }
