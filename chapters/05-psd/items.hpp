@@ -49,5 +49,7 @@ void add_random_part(railbook::report::Chapter& chapter);
 void add_modulation(railbook::report::Chapter& chapter);
 void add_memory(railbook::report::Chapter& chapter);
 void add_composite(railbook::report::Chapter& chapter);
+// Part of add_chords.
+void add_chord_table(railbook::report::Chapter& chapter);
 
 }  // namespace psd

@@ -73,7 +73,7 @@ void fig_05(report::Item& item) {
   const double spacing = rail / 40;
   auto track = uneven(0.0);
   track.spacing = spacing;
-  track.seed = 5;
+  track.seed = 3;  // one that shows a group well
   const auto random = signal::synthesize(track, 40 * 40 + 1);
   track.dip_correlation = 0.9;
   const auto grouped = signal::synthesize(track, 40 * 40 + 1);
