@@ -16,9 +16,13 @@ the rounded punch, and conjugate gradients with the fast Fourier transform on a 
 
 {{include: example_2.cpp}}
 
+{{include: example_3.cpp}}
+
 {{include: example_4.cpp}}
 
 ## Error against run time
+
+{{include: cost.cpp}}
 
 ## Stability
 
@@ -47,6 +51,8 @@ int main(int argc, char** argv) {
   contact_chapter::add_method(chapter);
   contact_chapter::add_example_1(chapter);
   contact_chapter::add_example_2(chapter);
+  contact_chapter::add_example_3(chapter);
   contact_chapter::add_example_4(chapter);
+  contact_chapter::add_cost(chapter);
   return chapter.run(argc, argv);
 }
