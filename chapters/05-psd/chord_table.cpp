@@ -109,14 +109,17 @@ void fig_10(report::Item& item) {
     const double x = 12.0 * i / 600;
     profile.add(x, signal::rectified_sine(x, rail, 1.0));
   }
-  report::Data& chords = item.data("chords", {"x_m", "short", "long"});
+  report::Data& ends = item.data("ends", {"x_m", "short", "long"});
+  report::Data& offset = item.data("offset", {"x_m", "z_over_B"});
+  const double none = std::nan("");
   const double short_half = 15.5 * units::foot;
   const double long_half = 31 * units::foot;
   const double short_height = signal::rectified_sine(short_half, rail, 1.0);
   const double long_height = signal::rectified_sine(long_half, rail, 1.0);
-  const double none = std::nan("");
-  for (const double x : {-long_half, -short_half, 0.0, short_half, long_half})
-    chords.add(x, std::abs(x) <= short_half ? short_height : none, long_height);
+  for (const double side : {-1.0, 1.0}) ends.add(side * short_half, short_height, none);
+  for (const double side : {-1.0, 1.0}) ends.add(side * long_half, none, long_height);
+  offset.add(-0.15, short_height);
+  offset.add(0.15, long_height);
   item.row(printed, "mco-9.5")
       .check("printed", signal::rail_chord_sensitivity(2 * short_half, rail));
   item.row(printed, "mco-19").check("printed", signal::rail_chord_sensitivity(2 * long_half, rail));

@@ -5,13 +5,13 @@ set datafile missing "nan"
 set xlabel "distance from the joint, m"
 set ylabel "height / B"
 set xrange [-12:12]
-set yrange [-0.12:1.3]
-set key top center horizontal
-set arrow from -0.15,0 to -0.15,0.949 heads filled size 0.25,20 lc rgb blue lw 2
-set arrow from 0.15,0 to 0.15,0.601 heads filled size 0.25,20 lc rgb red lw 2
-set label "9.5-m MCO" right at -0.5,0.8 textcolor rgb blue
-set label "19-m MCO" left at 0.5,0.5 textcolor rgb red
+set yrange [-0.12:1.35]
+set key top center horizontal maxrows 1
 set label "joint" center at 0,-0.06
+set style arrow 1 heads filled size 0.25,20 lc rgb black lw 2
 plot ARG1 using "x_m":"z_over_B" with lines lt 1 title "rectified sine, 11.9-m rail", \
      ARG3 using "x_m":"short" with linespoints lt 2 title "9.5-m chord", \
-     ARG3 using "x_m":"long" with linespoints lt 3 title "19-m chord"
+     ARG3 using "x_m":"long" with linespoints lt 3 title "19-m chord", \
+     ARG4 using "x_m":(0):(0):"z_over_B" with vectors arrowstyle 1, \
+     ARG4 using ($1 > 0 ? 0.4 : NaN):($2 + 0.06):(sprintf("%.2f B", $2)) with labels left textcolor rgb red, \
+     ARG4 using ($1 < 0 ? -0.4 : NaN):($2 - 0.06):(sprintf("%.2f B", $2)) with labels right textcolor rgb blue

@@ -1,7 +1,114 @@
+/*** ## Track to order
+
+`psd synthesize track.csv` writes a profile record with known parameters, to try an estimator on, this one or another:
+
+    psd synthesize track.csv --length 20km --roughness 5e-7m^2*cycle/m --corner 0.13cycle/m --dip 11mm --gaps 2%
+
+The dip is given in the printed convention of Table 1, like everything about $B$ on the command line. The columns are `distance_m` and
+`profile_mm`; samples lost in gaps are `nan`. The same options and seed give the same file on every machine of the same kind, whatever
+the compiler. Records of any length stream through a few thousand samples of memory.
+*/
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <vector>
+
 #include "items.hpp"
+#include "signal/synthetic_track.hpp"
 
 namespace psd {
 
-void add_synthesize(railbook::report::Chapter&) {}
+using namespace railbook;
+
+namespace {
+
+struct Order {
+  std::filesystem::path file;
+  double length = 10 * units::kilometre;
+  double B = 0.0;         // printed convention
+  double memory_B = 0.0;  // printed convention
+  long seed = 1;
+  signal::SyntheticTrack track;
+};
+
+void add_options(report::Options& o, Order& order) {
+  auto& t = order.track;
+  o.file("track", order.file, "the CSV file to write");
+  o.required();
+  o.quantity("--length", order.length, units::length, "length of the record", report::positive);
+  o.quantity("--spacing", t.spacing, units::length, "distance between samples", report::positive);
+  o.count("--seed", order.seed, "number of the record: same seed, same record", 0, 1L << 62);
+  o.quantity("--roughness", t.A, units::area * units::wavenumber,
+             "A of equation (4), as in 5e-7m^2*cycle/m", report::non_negative);
+  o.quantity("--corner", t.phi_c, units::wavenumber, "corner wavenumber; left out: one slope",
+             report::positive);
+  o.quantity("--rail", t.rail_length, units::length, "rail length", report::positive);
+  o.quantity("--dip", order.B, units::length, "joint dip B as in Table 1, twice the physical one");
+  o.quantity("--scatter", t.dip_scatter, units::number,
+             "standard deviation of the dips over their mean", report::non_negative);
+  o.quantity("--correlation", t.dip_correlation, units::number,
+             "of the dips of neighbouring joints", {-0.9999, 0.9999});
+  o.quantity("--old-rail", t.memory_length, units::length, "rail length the ballast remembers",
+             report::positive);
+  o.quantity("--memory", order.memory_B, units::length, "linear memory: B of the old rail");
+  o.quantity("--modulation", t.memory_modulation, units::number, "nonlinear memory: m",
+             report::non_negative);
+  o.quantity("--grade", t.grade, units::number, "straight grade");
+  o.quantity("--wave", t.wave_amplitude, units::length, "amplitude of a long vertical wave");
+  o.quantity("--wave-length", t.wave_length, units::length, "its length", report::positive);
+  o.quantity("--noise", t.sensor_noise, units::length, "standard deviation of white noise",
+             report::non_negative);
+  o.quantity("--gaps", t.gap_share, units::number, "share of samples lost, in gaps of 20",
+             {0.0, 0.95});
+}
+
+struct Close {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
+void write_track(const Order& order) {
+  signal::SyntheticTrack track = order.track;
+  track.seed = static_cast<std::uint64_t>(order.seed);
+  const auto physical = [](double B) {
+    return signal::convert_dip(B, signal::LineConvention::printed,
+                               signal::LineConvention::exact_one_sided);
+  };
+  track.dip = physical(order.B);
+  track.memory_dip = physical(order.memory_B);
+  signal::TrackGenerator generator{track};
+  const double wanted =
+      units::require_between("length over spacing", order.length / track.spacing, 1, 1e10);
+  const auto samples = static_cast<std::size_t>(wanted);
+  const std::unique_ptr<std::FILE, Close> out{std::fopen(order.file.c_str(), "w")};
+  if (!out) throw InputError{"cannot write " + order.file.string()};
+  fmt::print(out.get(), "distance_m,profile_mm\n");
+  std::vector<double> z(4096);
+  for (std::size_t done = 0; done < samples;) {
+    const auto block = std::span{z}.first(std::min(z.size(), samples - done));
+    generator.fill(block);
+    for (std::size_t i = 0; i < block.size(); ++i)
+      fmt::print(out.get(), "{},{}\n",
+                 report::csv_number(static_cast<double>(done + i) * track.spacing),
+                 report::csv_number(block[i] / units::millimetre));
+    done += block.size();
+  }
+  if (std::ferror(out.get()) != 0) throw InputError{"cannot write all of " + order.file.string()};
+  fmt::print("{} samples, {:.3f} km, written to {}\n", samples,
+             static_cast<double>(samples) * track.spacing / units::kilometre, order.file.string());
+}
+
+}  // namespace
+
+void add_synthesize(report::Chapter& chapter) {
+  chapter.tool("synthesize", "write a synthetic track record with known parameters",
+               [](report::Options& o) {
+                 auto order = std::make_shared<Order>();
+                 add_options(o, *order);
+                 return [order] { write_track(*order); };
+               });
+}
 
 }  // namespace psd
