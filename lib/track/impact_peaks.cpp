@@ -23,8 +23,9 @@ class StepView {
   ContactState contact(double t) const {
     return std::visit(
         [&](const auto& s) {
-          return ImpactSystem{history_.model, s, history_.speed, rest_, piece_}.contact(
-              t, step_.at(t));
+          return ImpactSystem<std::decay_t<decltype(s)>>{history_.model, s, history_.speed, rest_,
+                                                         piece_}
+              .contact(t, step_.at(t));
         },
         history_.surface);
   }
