@@ -14,6 +14,9 @@ void add_example_1(report::Chapter&);  // Table 2, Figs 6 and 7
 void add_example_2(report::Chapter&);  // Figs 8 to 10 and the scene
 void add_example_4(report::Chapter&);  // Fig. 14
 
+// Draws Example 2's pressures over its contact patch.
+void draw_scene(report::Item&, const contact::NormalContact&, const contact::Gap&);
+
 using units::inch;
 using units::lbf;
 using units::psi;

@@ -31,6 +31,10 @@ struct Side {
 };
 Columns split_columns(const Side& left, const Side& right);
 
+// `left` and `right` columns (each >= 1) on the two sides of the origin, whose width falls smoothly to about half the
+// mean towards the origin and towards the end: the mean of equal and of cosine spacing.
+Columns graded_columns(int left, int right);
+
 // How the pressure is continued to zero beyond the outermost cells of a column (Fig. 4).
 enum class Fit {
   two_points,           // y = c0 + c2 p^2: what suits p ~ sqrt(distance from the boundary)

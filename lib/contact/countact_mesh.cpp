@@ -4,6 +4,7 @@
 
 #include "contact/countact_parts.hpp"
 #include "contact/influence.hpp"
+#include "units/constants.hpp"
 #include "units/input_error.hpp"
 
 namespace railbook::contact {
@@ -47,6 +48,18 @@ Columns uniform_columns(int n) {
 
 Columns split_columns(const Side& left, const Side& right) {
   return {{}, side_edges(left), side_edges(right)};
+}
+
+Columns graded_columns(int left, int right) {
+  const auto edges = [](int n) {
+    units::require_between("columns on one side of the origin", n, 1, 1e6);
+    std::vector<double> t;
+    for (int i = 0; i <= n; ++i)
+      t.push_back((double(i) / n + (1 - std::cos(units::pi * i / n)) / 2) / 2);
+    t.back() = 1;
+    return t;
+  };
+  return {{}, edges(left), edges(right)};
 }
 
 Eigen::MatrixXd countact_matrix(const ColumnMesh& mesh, int rows, bool both_axes) {

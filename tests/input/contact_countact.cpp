@@ -29,6 +29,7 @@ TEST_CASE("input: an empty contact is refused, not solved") {
 
 TEST_CASE("input: meshes that make no sense are refused") {
   CHECK_THROWS_AS(uniform_columns(2), InputError);
+  CHECK_THROWS_AS(graded_columns(0, 3), InputError);
   CHECK_THROWS_AS(split_columns({0, 1, 0.2}, {2, 1, 0.2}), InputError);
   CHECK_THROWS_AS(split_columns({2, 1, 1.2}, {2, 1, 0.2}), InputError);
   refused([](CountactOptions& o) { o.columns = {}; });

@@ -1,0 +1,88 @@
+/***
+The scene is drawn from the cells of COUNTACT-1 as they are: a column over each, as high as its pressure. Beyond
+the patch runs the interpenetration curve, the first candidate for the region; the contact lies well inside.
+*/
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "items.hpp"
+#include "plot/plot.hpp"
+#include "scene/colour_map.hpp"
+#include "scene/image.hpp"
+#include "scene/shapes.hpp"
+
+using namespace railbook;
+using namespace railbook::contact;
+
+namespace {
+
+constexpr double height = 0.35 * units::inch;  // of the peak, in the picture
+
+// The cells with y > 0 or those with y < 0, cut at the axis; `pressure` gets theirs.
+scene::Rectangles half_of(const NormalContact& c, double sign, Eigen::VectorXd& pressure) {
+  scene::Rectangles cells(c.x.size(), 4);
+  pressure.resize(c.x.size());
+  Eigen::Index n = 0;
+  for (Eigen::Index i = 0; i < c.x.size(); ++i) {
+    double low = c.y[i] - c.dy[i] / 2, high = c.y[i] + c.dy[i] / 2;
+    (sign > 0 ? low : high) = sign > 0 ? std::max(low, 0.0) : std::min(high, 0.0);
+    if (!(high > low)) continue;
+    cells.row(n) << c.x[i] - c.dx[i] / 2, c.x[i] + c.dx[i] / 2, low, high;
+    pressure[n++] = c.p[i];
+  }
+  cells.conservativeResize(n, 4);
+  pressure.conservativeResize(n);
+  return cells;
+}
+
+scene::Lines curve(const Gap& gap, double approach) {
+  constexpr int n = 240;
+  scene::Lines lines{scene::Points(n, 3), scene::Segments(n, 2), {0.84, 0.37, 0.0}, 2.0};
+  for (int i = 0; i < n; ++i) {
+    const double t = 2 * units::pi * i / n, r = interpenetration_distance(gap, approach, t);
+    lines.vertices.row(i) << r * std::cos(t), r * std::sin(t), 0;
+    lines.segments.row(i) << i, (i + 1) % n;
+  }
+  return lines;
+}
+
+}  // namespace
+
+void contact_chapter::draw_scene(report::Item& item, const NormalContact& c, const Gap& gap) {
+  item.explained("drawn from the result of Example 2");
+  Eigen::VectorXd back, front;
+  const scene::Rectangles behind = half_of(c, 1, back), before = half_of(c, -1, front);
+  scene::Scene drawing;
+  drawing.meshes.push_back(
+      scene::columns(behind, back / c.p_max * height, scene::viridis(back, 0, c.p_max)));
+  drawing.lines.push_back(scene::rectangle_edges(before, 0));
+  drawing.lines.push_back(curve(gap, c.approach));
+
+  const scene::Size size{860, 560};
+  const auto camera = scene::looking_at(drawing, {0.25, -1.0, 0.75}, size, true);
+  struct Label {
+    scene::Point at;
+    std::string text;
+  };
+  auto& labels = item.data("labels", {"x_px", "y_px", "label"});
+  for (const Label& label :
+       {Label{{-0.62 * units::inch, -0.36 * units::inch, 0}, "interpenetration curve"},
+        Label{{-0.30 * units::inch, -0.12 * units::inch, 0}, "last mesh"},
+        Label{{c.x_p_max - 0.36 * units::inch, 0, 1.05 * height}, "peak on the sharp side"}}) {
+    const Eigen::Vector2d at = scene::project(camera, size, label.at);
+    labels.add(at.x(), at.y(), label.text);
+  }
+  const std::string text = labels.text();
+  item.script("pressure.gp");
+  item.image([=, script = item.sources() / "pressure.gp"](const std::filesystem::path& png) {
+    const auto picture = std::filesystem::path(png).replace_extension(".scene.png");
+    const auto list = std::filesystem::path(png).replace_extension(".labels.csv");
+    scene::write_png(scene::render(drawing, camera, size), picture);
+    report::write_file(list, text);
+    plot::render(script, {picture, list}, png);
+    std::filesystem::remove(picture);
+    std::filesystem::remove(list);
+  });
+}
