@@ -18,8 +18,8 @@ The ballast carries in a pyramid only, evenly loaded at every depth, its sides a
 $$k_b=\frac{C(l-w)E_b}{\ln\dfrac{l\,(w+Ch)}{w\,(l+Ch)}},\qquad k_s=K_0(l+Ch)(w+Ch),\qquad C=2\tan\alpha,$$
 
 equations (6) and (7), for a loaded area $l\times w$ and a ballast depth $h$. As printed, (6) divides nothing by
-nothing for a square area ($l=w$) and for vertical sides ($\alpha=0$), neither of which is special physically. We
-evaluate the compliance instead,
+nothing for a square area ($l=w$) and for vertical sides ($\alpha=0$), neither of which is special physically.
+We evaluate the compliance instead,
 
 $$\frac1{k_b}=\frac{h}{E_b\,w\,(l+Ch)}\cdot\frac{\ln(1+x)}{x},\qquad x=\frac{Ch\,(l-w)}{w\,(l+Ch)},$$
 
@@ -32,10 +32,11 @@ happen to put zero deflection at ten feet; nothing more is claimed for them.
 
 {{fig-chain}}
 
-Two things stand out. The subgrade decides: $k_s$ is {{soil-softer}} times softer than the ballast. And deeper ballast
-makes *stiffer* track although it adds a spring in series, because the pyramid spreads the load over more soil.
-The model overdoes this once the pyramids of neighbouring ties meet, here below {{overlap}} of ballast (dotted
-in the figure): from there on it counts the same stone twice, and only the fixed factor 2 pays for it.
+Two things stand out. The subgrade decides: $k_s$ is {{soil-softer}} times softer than the ballast. And deeper
+ballast makes *stiffer* track although it adds a spring in series, because the pyramid spreads the load over
+more soil. The model overdoes this once the pyramids of neighbouring ties meet, here below {{overlap}} of
+ballast (dotted in the figure): from there on it counts the same stone twice, and only the fixed factor 2 pays
+for it.
 */
 
 #include <fmt/format.h>

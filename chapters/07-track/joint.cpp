@@ -1,17 +1,18 @@
 /***
 ## The joint
 
-Figure 3 of the paper shows the stiffness $K_j$ under a wheel near a joint for two kinds of joint: a *pinned* one,
-which carries shear but no bending, and a *free* one, which carries nothing. Both are special cases of two
-semi-infinite rails linked by a shear spring $k_v$ and a rotational spring $k_\theta$. Take the unjointed rail and
-open the kink and the step that the missing moment and shear cause. Moment and shear at the joint are the
-influence lines $c(\xi)=e^{-\xi}(\cos\xi-\sin\xi)$ and $d(\xi)=e^{-\xi}\cos\xi$ of the wheel's distance $\xi=\beta X$;
-reciprocity brings them in a second time, so for any springs
+Figure 3 of the paper shows the stiffness $K_j$ under a wheel near a joint for two kinds of joint: a *pinned*
+one, which carries shear but no bending, and a *free* one, which carries nothing. Both are special cases of two
+semi-infinite rails linked by a shear spring $k_v$ and a rotational spring $k_\theta$. Take the unjointed rail
+and open the kink and the step that the missing moment and shear cause. Moment and shear at the joint are the
+influence lines $c(\xi)=e^{-\xi}(\cos\xi-\sin\xi)$ and $d(\xi)=e^{-\xi}\cos\xi$ of the wheel's distance
+$\xi=\beta X$; reciprocity brings them in a second time, so for any springs
 
 $$\frac{K_j}{K_r}=\frac1{1+\kappa_m\,c^2(\xi)+2\kappa_v\,d^2(\xi)},\qquad
   \kappa_m=\frac1{1+2k_\theta/\beta EI},\qquad\kappa_v=\frac1{1+k_v/\beta^3EI}.$$
 
-The hinge has $\kappa_m=1$, $\kappa_v=0$; the free joint has both 1. The points in the figure are exact beam elements.
+The hinge has $\kappa_m=1$, $\kappa_v=0$; the free joint has both 1. The points in the figure are exact beam
+elements.
 
 {{fig-03}}
 

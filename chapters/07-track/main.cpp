@@ -1,14 +1,14 @@
 /***
 # Track as a spring, a mass and a moving wheel
 
-D. R. Ahlbeck, H. C. Meacham and R. H. Prause set out how to put a railroad track, a beam on a bed of stone, into a
-computer as a few springs, masses and dampers: how stiff it is under a wheel, what a joint does to that, how fast a
-wave can run along it, how much of it moves, and what a wheel does when it meets a low joint.
+D. R. Ahlbeck, H. C. Meacham and R. H. Prause set out how to put a railroad track, a beam on a bed of stone,
+into a computer as a few springs, masses and dampers: how stiff it is under a wheel, what a joint does to that,
+how fast a wave can run along it, how much of it moves, and what a wheel does when it meets a low joint.
 
 The paper prints few numbers and its available text stops before the results. It gives formulas, ranges and
-claims. So this chapter does three things with it: it recomputes every claim that can be computed, it checks each
-formula against a second, independent route, and it says for what data a claim is true. Wherever we had to choose
-data, they are marked as assumed, and what rests on them is called a reconstruction.
+claims. So this chapter does three things with it: it recomputes every claim that can be computed, it checks
+each formula against a second, independent route, and it says for what data a claim is true. Wherever we had to
+choose data, they are marked as assumed, and what rests on them is called a reconstruction.
 
 {{include: stiffness.cpp}}
 
@@ -53,22 +53,26 @@ What the paper prints that we do not confirm, or confirm for some data only:
   printed so and meant otherwise.
 * **The second equation (18)** lacks the tie spacing, without which its units are not those of a mass per length.
 
-Not determinable from the text that is available: the integer $N$ in (18), the data behind "average" track, and the
-numbers on the axes of its Figure 3.
+Not determinable from the text that is available: the integer $N$ in (18), the data behind "average" track, and
+the numbers on the axes of its Figure 3.
 
 ## Limits
 
-The static model is a linear beam on linear springs that also pull: the rail of {{fig-01}} is held down
-where it lifts, though ballast cannot do that. Under one heavy wheel the rail's own weight and the tie's hide this; with a light
-rail or hanging ties they do not, and stiffness then depends on the load. Shear of the rail, which matters for loads closer to a
-support than the rail's height, is left out, and so is the coupling of the two rails through the tie. The pyramid of (6) is valid while
-those of neighbouring ties do not meet. Measured track modulus scatters by a factor of two along a mile of good
-track; the sixth digit of any number here is arithmetic, not track.
+The static model is a linear beam on linear springs that also pull: the rail of {{fig-01}} is held down where it
+lifts, though ballast cannot do that. Under a wheel of 27.5 kip on the typical track the bed would have to pull
+with {{uplift-pull}} at most, and rail and half a tie weigh {{uplift-weight}}: they just come off the ballast, and
+with a heavier load, a softer track or hanging ties they do so visibly; stiffness then depends on the load.
+Shear of the rail, which matters for loads closer to a support than the rail's height, is left out, and so is the
+coupling of the two rails through the tie. The pyramid of (6) is valid while those of neighbouring ties do not
+meet. The data of any real track are known to a few percent at best, and the sixth digit of a number here is
+arithmetic, not track.
 
 ## Try next
 
-* `track stiffness` with your own ties: how much softer must the soil get before a 136RE rail is worth less than 115RE?
-* Replace the Winkler bed by one with shear between the springs (Pasternak); the factor 2 of (4) then becomes a result.
+* `track stiffness` with your own ties: how much softer must the soil get before a 136RE rail is worth less than
+  115RE?
+* Replace the Winkler bed by one with shear between the springs (Pasternak); the factor 2 of (4) then becomes a
+  result.
 * Let the bed push but not pull, and plot $K_r$ against the load.
 * Give {{fig-03}} a slack joint: a rotational spring that engages only after some degrees.
 */

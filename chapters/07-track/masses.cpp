@@ -5,32 +5,32 @@ For a lumped model the track needs a mass beside its spring. Equation (15) says
 
 $$M_r=\frac{3\rho}{2\beta},$$
 
-$\rho$ being the mass per length of rail, half the ties, and ballast, "derived from the first natural frequency of a
-beam on an elastic foundation". **It is not.** It is the mass whose kinetic energy equals the beam's when
+$\rho$ being the mass per length of rail, half the ties, and ballast, "derived from the first natural frequency
+of a beam on an elastic foundation". **It is not.** It is the mass whose kinetic energy equals the beam's when
 the whole static shape moves up and down with its peak (Rayleigh's mass): $\rho\int a^2dX=3\rho/2\beta$, since
-$\int a^2\,d(\beta X)=\frac32$ over the line. The first natural frequency of the infinite beam, where waves begin to
-travel, is $\sqrt{K/\rho}$ and belongs to $2\rho/\beta$; with (15) one finds $\sqrt{4/3}$ of it, {{too-high}} too
-high. As an upper bound of Rayleigh's kind that is in order. As a mass for a passing load it is three times
-too large (see the trackside model).
+$\int a^2\,d(\beta X)=\frac32$ over the line. The first natural frequency of the infinite beam, where waves
+begin to travel, is $\sqrt{K/\rho}$ and belongs to $2\rho/\beta$; with (15) one finds $\sqrt{4/3}$ of it,
+{{too-high}} too high. As an upper bound of Rayleigh's kind that is in order. As a mass for a passing load it is
+three times too large (see the trackside model).
 
 {{masses}}
 
-Impact needs two masses, since ties and ballast cannot follow a wheel that hits a joint. The rail alone, equation
-(16), is (15) on the stiffness of pads and ties, equation (17):
+Impact needs two masses, since ties and ballast cannot follow a wheel that hits a joint. The rail alone,
+equation (16), is (15) on the stiffness of pads and ties, equation (17):
 
 $$M_{rail}=\frac{3\rho_r}{2\beta_o},\qquad
   \beta_o=\left[\frac{k_{pad}k_{tie}}{l_t(k_{pad}+k_{tie})\,4EI}\right]^{1/4}.$$
 
-The bed is half a tie and the ballast that moves with it, equation (19), $m_t=\frac3{2\beta}(W_{tie}/2gl_t+\rho_b)$.
-For $\rho_b$ the paper has two rules of thumb. Equation (18) weighs a body of stone below the tie,
-$\rho_b=d_bwA_tC_m/(N\,l_t\,g\tan\alpha)$, where the integer $N$ cannot be read in the available print: 6 is what a pyramid of
-depth $w/2\tan\alpha$ needs, 4 a wedge. The other, also numbered (18), uses the speed of shear waves,
-$\rho_b=0.28\,k_bA_t/(l_tV^2)$; $l_t$ is missing in print and follows from the units, and $k_b$, the "effective"
-stiffness under half a tie, we read as $k_{bs}/2$. They differ by {{mass-spread}} in $m_t$, and nothing in
-the paper says which is nearer.
+The bed is half a tie and the ballast that moves with it, equation (19),
+$m_t=\frac3{2\beta}(W_{tie}/2gl_t+\rho_b)$. For $\rho_b$ the paper has two rules of thumb. Equation (18) weighs
+a body of stone below the tie, $\rho_b=d_bwA_tC_m/(N\,l_t\,g\tan\alpha)$, where the integer $N$ cannot be read
+in the available print: 6 is what a pyramid of depth $w/2\tan\alpha$ needs, 4 a wedge. The other, also numbered
+(18), uses the speed of shear waves, $\rho_b=0.28\,k_bA_t/(l_tV^2)$; $l_t$ is missing in print and follows from
+the units, and $k_b$, the "effective" stiffness under half a tie, we read as $k_{bs}/2$. They differ by
+{{mass-spread}} in $m_t$, and nothing in the paper says which is nearer.
 
-Damping is taken as viscous, $C=2\zeta\sqrt{K_rM}$, with $\zeta$ of 0.15 to 0.25 from tests on clean ballast or 0.40 to
-1.00 from radiation into the half-space: a factor of seven, which the moving-load section makes visible.
+Damping is taken as viscous, $C=2\zeta\sqrt{K_rM}$, with $\zeta$ of 0.15 to 0.25 from tests on clean ballast or
+0.40 to 1.00 from radiation into the half-space: a factor of seven, which the moving-load section makes visible.
 */
 
 #include <fmt/format.h>

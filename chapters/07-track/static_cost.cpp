@@ -3,17 +3,18 @@
 
 First the deflection under a wheel on the continuous foundation, relative to the closed form (1). The Fourier
 integral needs no knowledge of the solution and reaches its tolerance whatever that is. Cubic elements with the
-consistent foundation matrix converge with the fourth power of their length (measured {{cubic-order}}), until rounding, which grows with
-the inverse fourth power, takes over at {{cubic-floor}}: more elements then make it *worse*. Exact elements need one on each
-side, and their only error is where the rail is cut, $e^{-2\beta L}$.
+consistent foundation matrix converge with the fourth power of their length (measured {{cubic-order}}), until
+rounding, which grows with the inverse fourth power, takes over at {{cubic-floor}}: more elements then make it
+*worse*. Exact elements need one on each side, and their only error is where the rail is cut, $e^{-2\beta L}$.
 
 {{cost-statics}}
 
 {{work-precision: cost-statics}}
 
-On discrete ties there is no closed form as simple; the reference is the Bloch integral. Elements from tie to tie are
-exact but for the cut, so that ten digits cost {{ties-time}} of {{ties-count}} unknowns. The smeared foundation is off
-by a fixed {{smeared-error}}, and takes no time at all: that is the trade the paper makes, and it is a good one.
+On discrete ties there is no closed form as simple; the reference is the Bloch integral. Elements from tie to
+tie are exact but for the cut, so that ten digits cost {{ties-time}} of {{ties-count}} unknowns. The smeared
+foundation is off by a fixed {{smeared-error}}, and takes no time at all: that is the trade the paper makes, and
+it is a good one.
 
 {{cost-ties}}
 

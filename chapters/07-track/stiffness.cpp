@@ -8,14 +8,14 @@ one rail. Under a wheel load $P$ the deflection is, equation (1),
 $$y(X)=\frac{P\beta}{2K}\,a(X),\qquad a(X)=e^{-\beta|X|}(\cos\beta X+\sin\beta|X|),\qquad
   \beta=\left(\frac{K}{4EI}\right)^{1/4}.$$
 
-The paper prints $X$ where $|X|$ is meant. One length, $1/\beta$, governs everything: how far a wheel is
-felt, how much two wheels of a truck share, how long the reach of a joint is.
+The paper prints $X$ where $|X|$ is meant. One length, $1/\beta$, governs everything: how far a wheel is felt,
+how much two wheels of a truck share, how long the reach of a joint is.
 
 {{fig-01}}
 
-The shape is checked against the Fourier integral
-$\frac{P}{\pi}\int_0^\infty\frac{\cos kX}{EIk^4+K}\,dk$, which shares no formula with it. The rail lifts
-between $\beta X=3\pi/4$ and $7\pi/4$, most at $\beta X=\pi$, by {{uplift}} of the deflection under the load.
+The shape is checked against the Fourier integral $\frac{P}{\pi}\int_0^\infty\frac{\cos kX}{EIk^4+K}\,dk$, which
+shares no formula with it. The rail lifts between $\beta X=3\pi/4$ and $7\pi/4$, most at $\beta X=\pi$, by
+{{uplift}} of the deflection under the load.
 */
 
 #include <fmt/format.h>
@@ -115,6 +115,15 @@ void continuous(report::Item& item) {
                typical_wheel_load / stiffness / units::inch, 1e-9, "superposition of equation (1)");
     item.value(fmt::format("share-{}", base), stiffness / beam.point_stiffness(), "", "{:.3f}");
   }
+  item.value("uplift-pull",
+             -winkler_shapes(units::pi).a * typical_wheel_load * beam.beta() / 2 / lb_per_in,
+             "lb/in", "{:.1f}");
+  item.value("uplift-weight",
+             units::standard_gravity *
+                 (typical_rail().mass_per_length +
+                  typical_tie_mass / (2 * typical_support().tie_spacing)) /
+                 lb_per_in,
+             "lb/in", "{:.1f}");
   const double beta = 0.75 * units::pi / (10 * units::foot);
   const auto modulus_for = [&](double b) {
     return 4 * beam.bending_stiffness * std::pow(b, 4) / units::psi;

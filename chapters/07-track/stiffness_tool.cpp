@@ -1,8 +1,8 @@
 /***
 ### `track stiffness`
 
-The same formulas for a track of your own. Whatever is not given is taken from the typical track and marked as assumed
-in the answer. Quantities carry their unit; a TOML file (`--config`) may hold the same options.
+The same formulas for a track of your own. Whatever is not given is taken from the typical track and marked as
+assumed in the answer. Quantities carry their unit; a TOML file (`--config`) may hold the same options.
 
     track stiffness --rail 136RE --tie-spacing 19.5in \
                     --ballast-depth 12in --soil-modulus "150 lbf/in^3"

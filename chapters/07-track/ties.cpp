@@ -1,11 +1,11 @@
 /***
 ## Does smearing the ties matter?
 
-The rail sits on ties, not on a continuous bed; the paper says that theory and experiment agree "more or less". In
-statics the discrete track can be solved exactly, twice over. Cubic beam elements with nodes at the ties and
+The rail sits on ties, not on a continuous bed; the paper says that theory and experiment agree "more or less".
+In statics the discrete track can be solved exactly, twice over. Cubic beam elements with nodes at the ties and
 under the wheel leave no discretisation error, since between nodes nothing acts on the rail. And the infinite
-periodic track reduces to one integral over the phase $\varphi$ between neighbouring ties (Bloch): with
-$b=\beta l_t$, for a wheel over a tie,
+periodic track reduces to one integral over the phase $\varphi$ between neighbouring ties (Bloch): with $b=\beta
+l_t$, for a wheel over a tie,
 
 $$\frac{K_r^{ties}}{K_r}=\left[8b^3\cdot\frac1{2\pi}\int_{-\pi}^{\pi}
   \frac{d\varphi}{4b^4+12\,(1-\cos\varphi)^2/(2+\cos\varphi)}\right]^{-1}.$$
@@ -17,10 +17,10 @@ At the typical spacing, $\beta l_t$ = {{beta-spacing}}, the wheel feels {{over-t
 harmless on any track that a train can use, and the measured scatter behind "more or less" is not the ties'
 spacing. The wheel does feel the passing ties as a rhythm, though, and Winkler's bed has none.
 
-The last check is against another code. ROSE, a public finite-element program for train and track, has a benchmark of
-100 ties at $\beta l_t$ = {{rose-spacing}}, for which its answer is compared with Winkler's closed form and found to
-differ by {{rose-gap}}. That gap is not the program's error: it is the ties. Against the exact discrete
-solution ROSE is right to {{rose-error}}.
+The last check is against another code. ROSE, a public finite-element program for train and track, has a
+benchmark of 100 ties at $\beta l_t$ = {{rose-spacing}}, for which its answer is compared with Winkler's closed
+form and found to differ by {{rose-gap}}. That gap is not the program's error: it is the ties. Against the exact
+discrete solution ROSE is right to {{rose-error}}.
 */
 
 #include <fmt/format.h>
