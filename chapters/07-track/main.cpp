@@ -24,6 +24,10 @@ choose data, they are marked as assumed, and what rests on them is called a reco
 
 {{include: masses.cpp}}
 
+{{include: trackside.cpp}}
+
+{{include: geometry.cpp}}
+
 ## Tools for a track of your own
 
 {{include: stiffness_tool.cpp}}
@@ -97,6 +101,8 @@ int main(int argc, char** argv) {
   track_chapter::add_joint(chapter);
   track_chapter::add_moving(chapter);
   track_chapter::add_masses(chapter);
+  track_chapter::add_trackside(chapter);
+  track_chapter::add_geometry(chapter);
   track_chapter::add_static_cost(chapter);
   track_chapter::add_static_extremes(chapter);
   track_chapter::add_stiffness_tool(chapter);

@@ -1,0 +1,12 @@
+load "style.gp"
+set output ARG2
+set xlabel "distance travelled since the first wheel passed the point, m"
+set ylabel "rail deflection at the point, mm (down)"
+set yrange [9.5:-1]
+set xrange [-5:27]
+set xzeroaxis ls guide
+set key bottom center
+do for [x in "0 1.778 15 16.778"] { set arrow from real(x), graph 0.97 to real(x), first 0 lc rgb red lw 2 }
+plot ARG1 using 1:2 with lines lt 1 title "static: Σ P_i a(X_i) / K_r", \
+     ARG1 using 1:3 with lines lt 2 title "two-layer track, 60 mph", \
+     ARG1 using 1:4 with lines lt 3 title "two-layer track, 250 mph"
