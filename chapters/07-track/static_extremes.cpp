@@ -147,6 +147,25 @@ void element_cases(report::Item& item) {
                  none, refused(mechanism));
 }
 
+void joint_cases(report::Item& item) {
+  const auto beam = typical_beam();
+  double worst = 0;
+  for (double k = 1e-300; k < 1e300; k *= 1e10) {
+    const double ratio = joint_stiffness_ratio(beam, Joint{k, k}, 0.0);
+    worst = std::max({worst, 0.25 - ratio, ratio - 1.0});
+  }
+  item.stability("joint-springs", "joint springs from 1e-300 to 1e300",
+                 "overflow in the ratios of springs", "K_j/K_r stays between 1/4 and 1", worst,
+                 holds(worst, 1e-15));
+  const double xi = 12.0;
+  const auto far = deflection_by_fourier(beam, beam.point_stiffness(), xi / beam.beta(), 1e-8);
+  item.stability(
+      "fourier-far", "Fourier integral at beta X = 12",
+      "a result of 2e-6 from an integrand of order one that oscillates",
+      far.converged ? "reaches 1e-8 of itself" : "quadrature says that it did not converge",
+      std::abs(far.value / winkler_shapes(xi).a - 1), far.converged ? "holds" : "refused");
+}
+
 /***
 Towards a square loading area the printed equation (6) loses its digits long before it divides zero by zero; the
 rearranged form does not:
@@ -181,6 +200,7 @@ void near_square(report::Item& item) {
   chain_cases(item);
   foundation_cases(item);
   element_cases(item);
+  joint_cases(item);
 }
 
 }  // namespace
