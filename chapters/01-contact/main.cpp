@@ -26,6 +26,8 @@ the rounded punch, and conjugate gradients with the fast Fourier transform on a 
 
 ## Stability
 
+{{include: extremes.cpp}}
+
 {{stability}}
 
 ## Deviations
@@ -54,5 +56,6 @@ int main(int argc, char** argv) {
   contact_chapter::add_example_3(chapter);
   contact_chapter::add_example_4(chapter);
   contact_chapter::add_cost(chapter);
+  contact_chapter::add_extremes(chapter);
   return chapter.run(argc, argv);
 }

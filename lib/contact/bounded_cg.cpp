@@ -14,11 +14,13 @@ using Eigen::VectorXd;
 // gradient on a fixed set. Every vector has a value per cell, zero outside the set.
 class ActiveSet {
  public:
-  ActiveSet(Convolution& a, const Grid& grid, const VectorXd& g, VectorXd& p, BoundedCg& result)
+  ActiveSet(Convolution& a, const Grid& grid, const VectorXd& g, VectorXd& p,
+            const BoundedCgOptions& options, BoundedCg& result)
       : a_(a),
         inverse_(grid, a.effective_modulus()),
         g_(g),
         p_(p),
+        options_(options),
         result_(result),
         scale_(g.maxCoeff()) {
     in_.resize(static_cast<std::size_t>(g.size()));
@@ -60,13 +62,17 @@ class ActiveSet {
   }
 
   // Conjugate gradients on the set until the residual is below `tolerance`.
-  void solve(double tolerance, int most) {
+  void solve(double tolerance) {
     double rz_old = 0;
     d_.setZero();
-    while (residual() > tolerance && result_.iterations < most) {
+    while (residual() > tolerance && result_.iterations < options_.most_iterations) {
       ++result_.iterations;
-      inverse_.apply(r_, z_);
-      result_.work += inverse_.points();
+      if (options_.precondition) {
+        inverse_.apply(r_, z_);
+        result_.work += inverse_.points();
+      } else {
+        z_ = r_;
+      }
       for (Index n = 0; n < g_.size(); ++n)
         if (!in(n)) z_[n] = 0;
       const double rz = r_.dot(z_);
@@ -88,6 +94,7 @@ class ActiveSet {
   InversePreconditioner inverse_;
   const VectorXd& g_;
   VectorXd& p_;
+  const BoundedCgOptions& options_;
   BoundedCg& result_;
   VectorXd r_, z_, d_, w_;
   std::vector<char> in_;
@@ -104,12 +111,12 @@ BoundedCg solve_bounded_cg(Convolution& a, const Grid& grid, const VectorXd& g, 
     result.converged = true;
     return result;
   }
-  ActiveSet s(a, grid, g, p, result);
+  ActiveSet s(a, grid, g, p, options, result);
   double violation = s.update_set();
   violation = std::max(violation, s.residual());
   for (int outer = 0; outer < 100; ++outer) {
     const double inner = std::max(0.2 * violation, options.tolerance);
-    s.solve(inner, options.most_iterations);
+    s.solve(inner);
     violation = s.update_set();
     result.residual = std::max(violation, s.residual());
     if (result.residual <= options.tolerance) {

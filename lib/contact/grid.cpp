@@ -14,7 +14,7 @@ Eigen::VectorXd sample(const Gap& gap, const Grid& grid) {
   for (Eigen::Index j = 0; j < grid.ny; ++j)
     for (Eigen::Index i = 0; i < grid.nx; ++i) {
       const double value = gap(grid.x(i), grid.y(j));
-      if (!(value > -units::no_limit))
+      if (std::isnan(value) || value == -units::no_limit)
         throw InputError("gap at x = " + std::to_string(grid.x(i)) +
                          " m, y = " + std::to_string(grid.y(j)) + " m is " + std::to_string(value) +
                          "; it must be a number or +infinity (no body there)");
