@@ -61,9 +61,8 @@ Shape shape_of(double a, double b, double delta) {
 
 /***
 The wheel comes out at {{fitted-wheel}}, next to the drawn 18; the tread at {{fitted-tread}} where we read
-12.34. Two numbers of four digits cannot give more, because the crown and the tread nearly cancel: their relative
-curvature is a fifth of either, and 1 % in $a$ is {{tread-per-percent}} in the tread. With 12.34 exact, the printed
-Hertz column is met within 1.3 %; with the fitted tread, within 0.3 %:
+12.34. The tread is the sensitive number: it nearly cancels the crown, and {{tread-per-percent}} more of it moves $a$ by a
+whole per cent. With 12.34 the printed Hertz column is met within 1.3 %; with the fitted tread, within 0.3 %:
 
 {{table-2}}
 
@@ -78,12 +77,6 @@ within 0.1 % in the pressure and both axes **with 12.34**. With the fitted tread
 $p_0$ = {{countact-p0-fitted}} instead of the printed .1562 in and 39 410 psi. So the paper's program ran with 12.34; this is used
 from here on, and 1 % is the resolution of the identification.
 */
-
-const CountactResult& nine_by_nine() {
-  static const CountactResult result =
-      countact_2(rail_wheel_gap(on_the_crown(tread_radius)), delta_1, effective_modulus(steel));
-  return result;
-}
 
 struct Quantity {
   const char* key;

@@ -1,6 +1,7 @@
 // The parts of this chapter: each file adds its tables, figures and tools. And the paper's inputs, which they share.
 #pragma once
 
+#include "contact/countact.hpp"
 #include "contact/geometry.hpp"
 #include "report/chapter.hpp"
 #include "units/constants.hpp"
@@ -14,6 +15,9 @@ void add_method(report::Chapter&);     // Figs 1 to 5
 void add_example_1(report::Chapter&);  // Table 2, Figs 6 and 7
 void add_example_2(report::Chapter&);  // Figs 8 to 10 and the scene
 void add_example_4(report::Chapter&);  // Fig. 14
+
+// Example 1 by COUNTACT-2 on nine columns of nine cells, the mesh of the paper's Fig. 2; solved once.
+const contact::CountactResult& nine_by_nine();
 
 // Draws Example 2's pressures over its contact patch.
 void draw_scene(report::Item&, const contact::NormalContact&, const contact::Gap&);

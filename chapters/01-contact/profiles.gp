@@ -2,7 +2,7 @@ load "style.gp"
 set output ARG2
 set xlabel "x across the rail, in"
 set ylabel "height, in"
-set xrange [-1.5:*]
+set autoscale xfix
 set yrange [-0.35:0.18]
 set key top right
 set arrow from 0, graph 0 to 0, graph 1 nohead ls guide front
