@@ -4,7 +4,7 @@ set xlabel "x across the rail, in"
 set ylabel "gap between the bodies, 10^{-6} in"
 set xrange [-0.26:0.26]
 set yrange [-450:320]
-set key bottom right
+set key at 0,-110 center
 set arrow from graph 0, first 0 to graph 1, first 0 nohead ls guide
 plot ARG1 using "x_in":"before_microinch" with lines lt 2 title "undeformed, moved together by δ", \
      "" using "x_in":"after_microinch" with lines lt 1 title "deformed: zero in the contact", \
