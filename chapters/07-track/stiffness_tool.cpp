@@ -23,6 +23,7 @@ assumed in the answer. Quantities carry their unit; a TOML file (`--config`) may
 #include "report/summary.hpp"
 #include "track/joint.hpp"
 #include "track/typical_track.hpp"
+#include "track/wheel_on_track.hpp"
 
 using namespace railbook;
 using namespace railbook::track;
@@ -71,6 +72,7 @@ struct Wish {
   std::string rail = "132RE";
   std::array<std::optional<double>, parts.size()> given;
   std::optional<double> modulus;
+  std::optional<double> tie_mass;
   double wheel_load = typical_wheel_load;
   std::vector<double> wheels{0.0};
   std::string joint = "none";
@@ -115,6 +117,27 @@ double modulus_from_chain(const Wish& wish, TieSupport& support, report::Summary
                fmt::format("pyramids of neighbouring ties overlap below {:.1f} in of ballast",
                            overlap_depth(support) / units::inch));
   return chain.foundation_modulus;
+}
+
+// The two-mass model of the same track for impact, eqs (15) to (19).
+void lumped(const Wish& wish, const RailSection& rail, const TieSupport& support,
+            report::Summary& answer) {
+  if (support.tie_stiffness == rigid && support.pad_stiffness == rigid) {
+    answer.add("lumped", "lumped model", "none: pad and tie are both rigid");
+    return;
+  }
+  if (support.friction_angle < 1e-3) {
+    answer.add("lumped", "lumped model", "none: eq. (18) needs a friction angle above zero");
+    return;
+  }
+  const double tie_mass = wish.tie_mass.value_or(typical_tie_mass);
+  const auto model = rail_on_bed(rail, support, typical_ballast, tie_mass);
+  answer.add("tie_mass_kg", "tie mass", tie_mass, "kg", wish.tie_mass ? "" : "assumed");
+  answer.add("rail_mass_kg", "lumped: rail mass", model.rail_mass, "kg", "eqs (16), (17)");
+  answer.add("bed_mass_kg", "lumped: tie and ballast", model.bed_mass, "kg",
+             "eqs (18), (19); ballast 100 lb/ft^3 on 270 in^2, N = 6, assumed");
+  answer.add("rail_stiffness_MN_per_m", "lumped: rail to tie", model.rail_stiffness / 1e6, "MN/m");
+  answer.add("bed_stiffness_MN_per_m", "lumped: tie to ground", model.bed_stiffness / 1e6, "MN/m");
 }
 
 double deflection(const WinklerBeam& beam, const Joint& joint, const Wish& wish, double x) {
@@ -176,6 +199,7 @@ void run(const Wish& wish) {
     answer.add("stiffness_MN_per_m_at_" + at, "stiffness that wheel feels",
                wish.wheel_load / y / 1e6, "MN/m");
   }
+  if (!wish.modulus) lumped(wish, rail, support, answer);
   answer.print();
   if (wish.out) write_files(beam, joint, wish, answer);
 }
@@ -188,6 +212,8 @@ std::function<void()> declare(report::Options& options) {
                      std::string(parts[i].help) + "; without it the typical track's");
   options.quantity("--foundation-modulus", wish->modulus, units::pressure,
                    "K itself, instead of all below the rail", report::positive);
+  options.quantity("--tie-mass", wish->tie_mass, units::mass,
+                   "of a whole tie; without it the typical track's", report::positive);
   options.quantity("--wheel-load", wish->wheel_load, units::force, "on every wheel",
                    report::positive);
   options.quantities("--wheels", wish->wheels, units::length, "their positions along the rail");
