@@ -14,6 +14,7 @@ void add_masses(report::Chapter&);           // effective masses, eqs (15)-(19)
 void add_moving(report::Chapter&);            // critical speed and moving load, eq. (9)
 void add_trackside(report::Chapter&);         // lumped track, Figs 4 and 5
 void add_geometry(report::Chapter&);          // joints, spectra, profiles: Figs 6 and 7
+void add_impact(report::Chapter&);            // wheel/rail force over a joint
 void add_static_cost(report::Chapter&);      // error against run time, statics
 void add_static_extremes(report::Chapter&);  // stability rows, statics
 void add_stiffness_tool(report::Chapter&);   // `track stiffness`

@@ -28,6 +28,8 @@ choose data, they are marked as assumed, and what rests on them is called a reco
 
 {{include: geometry.cpp}}
 
+{{include: impact.cpp}}
+
 ## Tools for a track of your own
 
 {{include: stiffness_tool.cpp}}
@@ -103,6 +105,7 @@ int main(int argc, char** argv) {
   track_chapter::add_masses(chapter);
   track_chapter::add_trackside(chapter);
   track_chapter::add_geometry(chapter);
+  track_chapter::add_impact(chapter);
   track_chapter::add_static_cost(chapter);
   track_chapter::add_static_extremes(chapter);
   track_chapter::add_stiffness_tool(chapter);
