@@ -128,7 +128,8 @@ void fig_10(report::Item& item) {
 }  // namespace
 
 void add_chord_table(report::Chapter& chapter) {
-  chapter.figure("fig-10", "Rectified sine under 9.5-m and 19-m chords (Figure 10)", fig_10);
+  chapter.figure("fig-10", "Rectified sine under 9.5-m and 19-m chords (the paper's Figure 10)",
+                 fig_10);
   chapter.table("table-2", "Chord sensitivity to a rectified sine (the paper's Table 2)", table_2);
 }
 

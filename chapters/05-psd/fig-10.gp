@@ -9,7 +9,7 @@ set yrange [-0.12:1.35]
 set key top center horizontal maxrows 1
 set label "joint" center at 0,-0.06
 set style arrow 1 heads filled size 0.25,20 lc rgb black lw 2
-plot ARG1 using "x_m":"z_over_B" with lines lt 1 title "rectified sine, 11.9-m rail", \
+plot ARG1 using "x_m":"z_over_B" with lines lt 1 title "rectified sine", \
      ARG3 using "x_m":"short" with linespoints lt 2 title "9.5-m chord", \
      ARG3 using "x_m":"long" with linespoints lt 3 title "19-m chord", \
      ARG4 using "x_m":(0):(0):"z_over_B" with vectors arrowstyle 1, \

@@ -98,7 +98,8 @@ void fig_06(report::Item& item) {
 }  // namespace
 
 void add_memory(report::Chapter& chapter) {
-  chapter.figure("fig-06", "Ballast memory: 33-ft rails under 39-ft rails (Figure 6)", fig_06);
+  chapter.figure("fig-06", "Ballast memory: 33-ft rails under 39-ft rails (the paper's Figure 6)",
+                 fig_06);
 }
 
 }  // namespace psd

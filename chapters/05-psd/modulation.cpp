@@ -13,8 +13,8 @@ $$S(\varphi)=2m^2B^2l\,|D(\varphi l)|^2\,\frac{1-\varrho^2}{1-2\varrho\cos2\pi\v
 with $D$ the transform of one dip. Random dips spread their power over all wavenumbers, grouped dips pile it up around the lines.
 This is where we differ from the paper, which says that the spectrum cannot distinguish the two. With the same spread of dips, the
 share of the scattered power within ±0.02 cycle/m of the rail's lines is {{near-random}} for random dips and {{near-grouped}} for grouped ones; the
-second looks like a broadened peak, the first hardly. What the spectrum cannot tell is a group from a slow swelling of all dips.
-Either way (6) counts only what is near the peak, as the paper warns below its equation (5).
+second looks like a broadened peak, the first hardly. (The rest of both goes into long waves and hides under $A/\varphi^2$.) Either way
+(6) counts only what is near the peak, as the paper warns below its equation (5).
 */
 #include <fmt/format.h>
 
@@ -101,17 +101,6 @@ double lines_at(const std::vector<signal::Line>& lines, double phi) {
   return density;
 }
 
-signal::Spectrum measured(const signal::SyntheticTrack& track, bool full) {
-  signal::TrackGenerator generator{track};
-  signal::Welch welch{track.spacing};
-  std::vector<double> z(4096);
-  for (int i = 0; i < (full ? 1000 : 160); ++i) {
-    generator.fill(z);
-    welch.push(z);
-  }
-  return welch.spectrum();
-}
-
 // The power of the line at `phi` of a record of whole periods: no window, no neighbours.
 double direct_power(const std::vector<double>& z, double spacing, double phi) {
   std::complex<double> sum = 0.0;
@@ -148,10 +137,11 @@ void fig_04(report::Item& item) {
   nonlinear.memory_modulation = 0.5;
   check_lines(item, nonlinear);
 
-  const auto random_dips = measured(uneven(0.0), item.full());
-  const auto grouped_dips = measured(uneven(0.9), item.full());
-  const auto one_sideband = measured(linear, item.full());
-  const auto two_sidebands = measured(nonlinear, item.full());
+  const double length = (item.full() ? 1000 : 200) * units::kilometre;
+  const auto random_dips = record_spectrum(uneven(0.0), length, {});
+  const auto grouped_dips = record_spectrum(uneven(0.9), length, {});
+  const auto one_sideband = record_spectrum(linear, length, {});
+  const auto two_sidebands = record_spectrum(nonlinear, length, {});
   report::Data& points = item.data({"phi_cycle_per_m", "random", "grouped", "single", "pair"});
   for (Eigen::Index k = 60; k < 170; ++k)
     points.add(random_dips.frequency(k), random_dips.density[k], grouped_dips.density[k],
@@ -171,15 +161,15 @@ void fig_04(report::Item& item) {
               line + signal::joint_scatter_psd(joints(0.9), phi), lines_at(with_memory, phi),
               lines_at(pairs, phi));
   }
-  item.value("fig-04-length", (item.full() ? 1000 : 160) * 4096 * units::foot / units::kilometre,
-             "km", "{:.0f}");
+  item.value("fig-04-length", length / units::kilometre, "km", "{:.0f}");
 }
 
 }  // namespace
 
 void add_modulation(report::Chapter& chapter) {
-  chapter.figure("fig-05", "Random and grouped dips (Figure 5)", fig_05);
-  chapter.figure("fig-04", "Broadening, one sideband, two sidebands (Figure 4)", fig_04);
+  chapter.figure("fig-05", "Random and grouped dips (the paper's Figure 5)", fig_05);
+  chapter.figure("fig-04", "Broadening, one sideband, two sidebands (the paper's Figure 4)",
+                 fig_04);
 }
 
 }  // namespace psd

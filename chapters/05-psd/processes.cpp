@@ -19,9 +19,9 @@ two-sided density would spoil (8), which is exact for a one-sided one. The sum o
 variance $B^2(\frac12-\frac4{\pi^2})$ = {{line-variance}} $B^2$: the exact powers give {{line-sum-exact}}, the printed ones
 {{line-sum-printed}}.
 
-We keep both, by name, and never mix them. *Printed* $B$ belongs to (7), (10) and the tables; the *physical dip* is half of it. The
-classification is not harmed: the factor two is in $B$ on both sides of (7) and (10), and with it $2B$ in (10) is four times the
-physical dip.
+We keep both, by name, and never mix them. *Printed* $B$ belongs to (7), (10) and the tables; the *physical dip* is half of it. Classes
+do not depend on the choice as long as it is kept: the same line power enters (10) with the printed $B$ and $\gamma=2$, or with the
+physical dip and $\gamma=4$.
 
 {{lines}}
 
@@ -182,7 +182,8 @@ void fig_02(report::Item& item) {
 void add_processes(report::Chapter& chapter) {
   chapter.figure("fig-01", "Rectified sine of 39-ft rails (the paper's Figure 1)", fig_01);
   chapter.table("lines", "Line powers of the rectified sine, equations (1) and (2)", lines);
-  chapter.figure("fig-02", "Lines, resolution, and lines seen through it (Figure 2)", fig_02);
+  chapter.figure("fig-02", "Lines, resolution, and lines seen through it (the paper's Figure 2)",
+                 fig_02);
   add_random_part(chapter);
   add_modulation(chapter);
   add_memory(chapter);

@@ -255,7 +255,7 @@ void table_stability(report::Item& item) {
 }  // namespace
 
 void add_stability(report::Chapter& chapter) {
-  chapter.table("limits", "What the estimator makes of difficult records", table_stability);
+  chapter.table("stability", "What the estimator makes of difficult records", table_stability);
 }
 
 }  // namespace psd
