@@ -123,6 +123,7 @@ void force_and_moment(report::Item& item) {
                                           effective_modulus(steel), two_widths)
                                    .contact;
   item.value("two-widths-peak", 100 * (coarse.p_max / grid.p_max - 1), "%", "{:.0f}");
+  item.value("two-widths-force", 100 * (coarse.force / grid.force - 1), "%", "{:.2f}");
   item.value("off-f", 100 * (grid.force / force - 1), "%", "{:.2f}");
   item.value("off-m", 100 * (grid.moment_y / moment - 1), "%", "{:.2f}");
   item.value("m-si", std::abs(moment), "N·m", "{:.2f}");
