@@ -200,6 +200,15 @@ std::size_t Welch::state_bytes() const {
          (window_.size() + buffer_.size() + 2 * power_.size() + options_.segment + spectrum);
 }
 
+Spectrum respaced(const Spectrum& from, double spacing) {
+  units::require_positive("sample spacing", spacing, "m");
+  Spectrum result = from;
+  result.df /= spacing;
+  result.noise_bandwidth /= spacing;
+  result.density *= spacing;
+  return result;
+}
+
 Spectrum welch(std::span<const double> samples, double spacing, const WelchOptions& options) {
   Welch estimate{spacing, options};
   estimate.push(samples);

@@ -34,6 +34,10 @@ struct Spectrum {
   double frequency(Eigen::Index k) const { return df * static_cast<double>(k); }
 };
 
+// The same record read with another spacing: densities grow with it, frequencies shrink. `from` must have been
+// made with spacing 1; spacing > 0, else InputError.
+Spectrum respaced(const Spectrum& from, double spacing);
+
 // Accumulates the spectrum of samples `spacing` apart that come in any number of pieces. The state is a few
 // segments of doubles; push() allocates nothing. A sample that is not finite marks a gap: it costs the segments
 // that hold it, never the record. Sums are float64. Relative rounding error of a bin about 1e-15 sqrt(log2 n)
@@ -50,6 +54,7 @@ class Welch {
 
   std::size_t samples() const { return samples_; }          // pushed so far
   std::size_t gap_samples() const { return gap_samples_; }  // of them not finite
+  std::size_t segments() const { return segments_; }        // averaged so far
   std::size_t state_bytes() const;                          // memory held, FFT buffers included
 
  private:

@@ -46,6 +46,10 @@ TEST_CASE("property: a spectrum scales with the square of the signal and with th
   const auto base = signal::welch(x, 0.3, {.segment = 128});
   CHECK(largest_relative_difference(base, signal::welch(scaled, 0.3, {.segment = 128}), 9) < 1e-12);
   CHECK(largest_relative_difference(base, signal::welch(x, 0.6, {.segment = 128}), 2) < 1e-12);
+  const auto moved = signal::respaced(signal::welch(x, 1, {.segment = 128}), 0.3);
+  CHECK(largest_relative_difference(base, moved, 1) < 1e-12);
+  CHECK(moved.df == Approx(base.df));
+  CHECK(moved.noise_bandwidth == Approx(base.noise_bandwidth));
 }
 
 TEST_CASE("property: a straight line added to the record leaves the linearly detrended spectrum") {

@@ -1,0 +1,10 @@
+load "style.gp"
+set output ARG2
+set logscale xy
+set format y "10^{%T}"
+set xrange [0.005:2]
+set xlabel "wavenumber, cycle/m"
+set ylabel "S of the profile, m^2/(cycle/m), one-sided"
+plot ARG1 using "phi_cycle_per_m":"S_m2_per_cycle_per_m" with lines lc rgb blue lw 1.2 title "measured", \
+     ARG1 using "phi_cycle_per_m":"fitted" with lines lt 1 title "fitted random part", \
+     ARG1 using "phi_cycle_per_m":"A_line" with lines ls guide title "A/φ^2"
