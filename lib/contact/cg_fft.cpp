@@ -229,7 +229,7 @@ CgFft solve_cg_fft(const Gap& gap, double approach, double effective_modulus,
   CgFft result;
   result.contact.approach = approach;
   result.contact.converged = true;
-  Placement place{options.box ? *options.box : interpenetration_box(gap, approach)};
+  Placement place{options.search ? options.search(approach) : interpenetration_box(gap, approach)};
   Grid last;
   VectorXd p, f;
   for (const auto& [nx, ny] : ladder(options)) {

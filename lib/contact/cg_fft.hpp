@@ -2,6 +2,7 @@
 // error that the pixelised edge of the contact makes.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,8 +18,9 @@ struct CgFftOptions {
   Eigen::Index nx = 127,
                ny = 127;  // cells of the finest grid, which is fitted to the region; at least 4
   BoundedCgOptions cg;
-  bool remedy = true;            // extrapolate over the grids; false: the sums of the finest grid
-  std::optional<Box> box;        // where to look for contact; empty: found from the gap
+  bool remedy = true;  // extrapolate over the grids; false: the sums of the finest grid
+  // Where to look for contact at an approach; empty: found from the gap, outward from the origin.
+  std::function<Box(double)> search;
   std::optional<double> edge_x;  // a cell edge is put on this x (a jump of the curvature) ...
   std::optional<double> edge_y;  // ... or y
   double memory_limit = 4e9;     // bytes

@@ -1,0 +1,145 @@
+#include "contact/bodies.hpp"
+
+#include <fmt/format.h>
+#include <gsl/gsl_spline.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "contact/geometry.hpp"
+#include "num/gsl.hpp"
+#include "units/constants.hpp"
+#include "units/input_error.hpp"
+
+namespace railbook::contact {
+namespace {
+
+using Eigen::Index;
+
+double curvature(double radius, const char* what) {
+  if (std::isnan(radius) || radius == 0)
+    throw InputError(
+        fmt::format("{} is {}; allowed: any length but 0, negative for concave", what, radius));
+  return 1 / radius;
+}
+
+// Depth across the rail as a function of x, and where it is known.
+struct Section {
+  std::function<double(double)> depth;
+  double x_min = -units::no_limit, x_max = units::no_limit;
+};
+
+void check(const Profile& p, const char* body) {
+  if (p.x.size() != p.depth.size() || p.x.size() < 5)
+    throw InputError(
+        fmt::format("the profile of {} has {} points; it needs at least 5", body, p.x.size()));
+  for (Index n = 0; n < p.x.size(); ++n) {
+    if (!std::isfinite(p.x[n]) || !std::isfinite(p.depth[n]))
+      throw InputError(fmt::format("point {} of the profile of {} is not a number", n + 1, body));
+    if (n > 0 && p.x[n] <= p.x[n - 1])
+      throw InputError(
+          fmt::format("point {} of the profile of {}: x is {} m after {} m; it must rise", n + 1,
+                      body, p.x[n], p.x[n - 1]));
+  }
+}
+
+Section section(const Body& body, const char* name) {
+  if (!body.profile) {
+    const double c = curvature(body.radius_x, "radius across the rail");
+    return {[c](double x) { return 0.5 * c * x * x; }};
+  }
+  const Profile& p = *body.profile;
+  check(p, name);
+  num::use_gsl_status_codes();
+  const std::shared_ptr<gsl_spline> spline(
+      gsl_spline_alloc(gsl_interp_cspline, static_cast<std::size_t>(p.x.size())), gsl_spline_free);
+  num::check_gsl(gsl_spline_init(spline.get(), p.x.data(), p.depth.data(),
+                                 static_cast<std::size_t>(p.x.size())),
+                 "spline of a profile");
+  return {[spline](double x) { return gsl_spline_eval(spline.get(), x, nullptr); }, p.x[0],
+          p.x[p.x.size() - 1]};
+}
+
+// The least value of f on [low, high]: the best of many points, then golden sections around it.
+double least(const std::function<double(double)>& f, double low, double high) {
+  constexpr int points = 4000;
+  const double step = (high - low) / points;
+  int best = 0;
+  double best_value = units::no_limit;
+  for (int k = 0; k <= points; ++k) {
+    const double value = f(std::min(low + k * step, high));
+    if (value < best_value) best = k, best_value = value;
+  }
+  if (best == 0 || best == points)
+    throw InputError(
+        fmt::format("the bodies come closest at an end of the profile data, x = {:.6g} m; they "
+                    "would touch beyond it",
+                    best ? high : low));
+  double a = low + (best - 1) * step, b = low + (best + 1) * step;
+  constexpr double golden = 0.6180339887498949;
+  for (int k = 0; k < 60; ++k) {
+    const double left = b - golden * (b - a), right = a + golden * (b - a);
+    (f(left) <= f(right) ? b : a) = f(left) <= f(right) ? right : left;
+  }
+  return 0.5 * (a + b);
+}
+
+// By two radii each: the closed form, in any relative position.
+TouchingBodies join_radii(const Body& one, const Body& two, double angle) {
+  const Curvature first{curvature(one.radius_x, "radius of body 1 across the rail"),
+                        curvature(one.radius_y, "radius of body 1 along the rail"), 0};
+  const Curvature second{curvature(two.radius_x, "radius of body 2 across the rail"),
+                         curvature(two.radius_y, "radius of body 2 along the rail"), angle};
+  TouchingBodies result;
+  result.gap = quadratic_gap(relative_curvature(first, second));
+  result.search = [gap = result.gap](double approach) {
+    return interpenetration_box(gap, approach);
+  };
+  result.x_min = -units::no_limit, result.x_max = units::no_limit;
+  return result;
+}
+
+}  // namespace
+
+TouchingBodies join_bodies(const Body& one, const Body& two, double angle) {
+  units::require_finite("angle between the bodies", angle, "rad");
+  if (!one.profile && !two.profile) return join_radii(one, two, angle);
+  if (angle != 0) throw InputError("an angle between the bodies is only for bodies given by radii");
+  const double along = curvature(one.radius_y, "radius of body 1 along the rail") +
+                       curvature(two.radius_y, "radius of body 2 along the rail");
+  if (!(along > 0))
+    throw InputError(
+        fmt::format("the curvatures along the rail add to {} per m; they must be positive, or the "
+                    "bodies do not separate",
+                    along));
+  const Section first = section(one, "body 1"), second = section(two, "body 2");
+  const double low = std::max(first.x_min, second.x_min),
+               high = std::min(first.x_max, second.x_max);
+  if (!(low < high)) throw InputError("the two profiles have no x in common");
+  const auto both = [first, second](double x) { return first.depth(x) + second.depth(x); };
+  const double x_touch = least(both, low, high), depth = both(x_touch);
+  const auto across = [=](double x) {
+    const double t = x + x_touch;
+    return t < low || t > high ? units::no_limit : std::max(both(t) - depth, 0.0);
+  };
+  TouchingBodies result;
+  result.x_touch = x_touch;
+  result.x_min = low - x_touch, result.x_max = high - x_touch;
+  result.gap = [=](double x, double y) { return across(x) + 0.5 * along * y * y; };
+  result.search = [=, a = low - x_touch, b = high - x_touch](double approach) {
+    constexpr int points = 4000;
+    const double step = (b - a) / points, half = std::sqrt(2 * approach / along);
+    int from = points, to = 0;
+    for (int k = 0; k <= points; ++k)
+      if (across(a + k * step) < approach) from = std::min(from, k), to = k;
+    if (from > to) {  // smaller than the steps: search from the origin
+      return interpenetration_box(
+          [=](double x, double y) { return across(x) + 0.5 * along * y * y; }, approach);
+    }
+    return Box{a + (from - 1) * step, a + (to + 1) * step, -half, half};
+  };
+  return result;
+}
+
+}  // namespace railbook::contact

@@ -1,0 +1,42 @@
+// Two bodies of a user's own, by radii or by measured profiles, brought to first touch.
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <limits>
+#include <optional>
+
+#include "contact/grid.hpp"
+#include "contact/normal_contact.hpp"
+
+namespace railbook::contact {
+
+// A profile across the rail: depth into the body [m] at rising x [m], at least 5 points. Between the points
+// it is a cubic spline, beyond them there is no body.
+struct Profile {
+  Eigen::VectorXd x, depth;
+};
+
+// One body: across the rail a profile or a radius, along it a radius; convex radii are positive, concave ones
+// negative, infinity is straight. A radius has its summit at x = 0.
+struct Body {
+  std::optional<Profile> profile = std::nullopt;
+  double radius_x = std::numeric_limits<double>::infinity();
+  double radius_y = std::numeric_limits<double>::infinity();
+};
+
+// Two bodies at first touch, with the origin there.
+struct TouchingBodies {
+  Gap gap;
+  double x_touch = 0;                 // of the origin in the bodies' own x [m]
+  std::function<Box(double)> search;  // a box that holds {gap < approach}, also of several patches
+  double x_min = 0, x_max = 0;        // between these the gap is known (infinite for radii) [m]
+};
+
+// Brings the bodies together: the gap is the sum of the two depths less its least value. `angle` turns body 2
+// about the common normal, from x towards y [rad]; only for bodies without profiles.
+// Throws InputError when a radius is 0 or NaN, a profile is too short, not finite or not rising in x, the two do
+// not overlap, the least gap is at an end of the data, or the bodies do not separate in x or in y.
+TouchingBodies join_bodies(const Body& one, const Body& two, double angle = 0);
+
+}  // namespace railbook::contact
