@@ -30,7 +30,7 @@ function html.unit(text)
   end))
 end
 
--- A number as text, 1.2e-05 or "-3.4 psi", the way it is printed: 1.2×10⁻⁵, −3.4 psi. Other text is only escaped.
+-- A number as text, 1.2e-05 or "-3.4 psi", the way it is printed: 1.2×10⁻⁵, −3.4 psi. Other text: escaped.
 function html.number(text)
   text = html.escape(text)
   if text:find("^[+-]?%.?%d") then text = html.unit(power_of_ten((text:gsub("^-", "−")))) end

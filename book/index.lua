@@ -2,7 +2,7 @@
 -- Metadata: record (a list of JSON files), left-out (a list of chapters without a page, with the reason).
 
 package.path = PANDOC_SCRIPT_FILE:match("^(.*)/[^/]*$") .. "/?.lua;" .. package.path
-local html, record = require "html", require "record"
+local html, items, record = require "html", require "items", require "record"
 
 local function strings(value)
   local out = {}
@@ -67,7 +67,7 @@ local function gallery(records)
         local source = ("figures/%s/%s"):format(r.chapter, item.png)
         local image = html.tag("img", {src = source, alt = item.title, loading = "lazy"})
         tiles[#tiles + 1] = html.tag("li", nil, html.tag("a", {href = r.chapter .. ".html#" .. item.id}, image)
-          .. html.tag("p", nil, html.text(item.title) .. " " .. html.badge(item.verdict)))
+          .. html.tag("p", nil, items.title(item) .. " " .. html.badge(item.verdict)))
       end
     end
     if #tiles > 0 then

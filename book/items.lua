@@ -7,10 +7,7 @@ local items = {}
 
 local widest_open = {figure = 6, table = 24} -- more checks than this are folded
 
-local function share(ratio)
-  if ratio >= 1e-5 or ratio == 0 then return ("%.3g %%"):format(ratio * 100) end
-  return html.number(("%.2g"):format(ratio))
-end
+local function share(ratio) return html.number(("%.3g"):format(ratio * 100)) .. " %" end
 
 local function computed(check)
   local text = check.computed_text or check.computed
@@ -49,19 +46,23 @@ end
 
 local function checks_table(checks)
   local marks, notes = notes_of(checks)
-  local rows = {}
+  local rows, references = {}, 0
   for i, check in ipairs(checks) do
     local off, allowed = difference(check)
     local mark = marks[check.why]
     local unit = check.unit or ""
     unit = unit ~= "" and unit ~= "1" and ", " .. html.unit(html.escape(unit)) or ""
+    local ours = check.kind == "agrees_with" -- not of the paper: a number of an independent method
+    references = references + (ours and 1 or 0)
     rows[i] = {
       html.text(check.what or check.id) .. unit,
-      {html.number(check.printed or "–"), class = "number"}, {computed(check), class = "number"},
-      {off, class = "number"}, {allowed .. (mark and html.tag("span", {class = "mark"}, mark) or ""), class = "number"},
+      {html.number(check.printed or "–"), class = ours and "number reference" or "number"},
+      {computed(check), class = "number"}, {off, class = "number"},
+      {allowed .. (mark and html.tag("span", {class = "mark"}, mark) or ""), class = "number"},
       html.badge(check.pass and check.status or "failed"), class = not check.pass and "failed" or nil}
   end
-  return html.table("checks", {"what", "printed", "computed", "difference", "allowed", "verdict"}, rows) .. notes
+  local printed = references == 0 and "printed" or references == #checks and "reference" or "printed (or reference)"
+  return html.table("checks", {"what", printed, "computed", "difference", "allowed", "verdict"}, rows) .. notes
 end
 
 -- One line on many checks.
@@ -99,9 +100,16 @@ function items.label(item, r)
   return ("%s %d.%d"):format(item.kind == "figure" and "Figure" or "Table", r.number, item.number)
 end
 
+-- A title "Figure 4. New boundary" is the paper's own number: "New boundary (the paper's Figure 4)".
+function items.title(item)
+  local kind, number, rest = item.title:match("^(%a+)%s+([%w-]+)[.:]%s+(.+)$")
+  if kind ~= "Figure" and kind ~= "Table" then return html.text(item.title) end
+  return html.text(("%s (the paper’s %s %s)"):format(rest, kind, number))
+end
+
 local function heading(item, r)
   local label = html.tag("b", nil, items.label(item, r) .. ".")
-  return label .. " " .. html.text(item.title) .. " " .. html.badge(item.verdict) .. links(item, r)
+  return label .. " " .. items.title(item) .. " " .. html.badge(item.verdict) .. links(item, r)
 end
 
 local function reason(item)
@@ -192,7 +200,7 @@ function items.verdicts(r)
   for i, item in ipairs(r.items) do
     local passed, total = record.tally(item.checks)
     rows[i] = {
-      html.tag("a", {href = "#" .. item.id}, html.escape(item.id)), html.text(item.title),
+      html.tag("a", {href = "#" .. item.id}, html.escape(item.id)), items.title(item),
       {total > 0 and ("%d of %d"):format(passed, total) or "–", class = "number"}, html.badge(item.verdict),
       html.text(item.reason)}
   end

@@ -101,7 +101,7 @@ endfunction()
 book_case("values go into text, tables and formulas" values)
 
 function(tables)
-  expect_page("<section class=\"item\" id=\"table-1\">" "Hertz &amp; co" "<td class=\"number\">1.661</td>"
+  expect_page("<section class=\"item\" id=\"table-1\">" "Hertz &amp; co (the paper’s Table 2)" "<td class=\"number\">1.661</td>"
     "<td class=\"number\">0.19 %</td><td class=\"number\">0.6 %<span class=\"mark\">a</span></td>"
     "<b>a</b> cells of constant pressure, a &lt; b" "<tr class=\"failed\"><th scope=\"row\">a failing one, in</th>"
     "<td class=\"number\">not a number</td>" "href=\"data/01-sample/table-1.csv\"" "2 % of axis"
