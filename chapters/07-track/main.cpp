@@ -18,6 +18,8 @@ choose data, they are marked as assumed, and what rests on them is called a reco
 
 {{include: ties.cpp}}
 
+{{include: lifting.cpp}}
+
 {{include: joint.cpp}}
 
 {{include: moving.cpp}}
@@ -64,14 +66,13 @@ the numbers on the axes of its Figure 3.
 
 ## Limits
 
-The static model is a linear beam on linear springs that also pull: the rail of {{fig-01}} is held down where it
-lifts, though ballast cannot do that. Under a wheel of 27.5 kip on the typical track the bed would have to pull
-with {{uplift-pull}} at most, and rail and half a tie weigh {{uplift-weight}}: they just come off the ballast, and
-with a heavier load, a softer track or hanging ties they do so visibly; stiffness then depends on the load.
-Shear of the rail, which matters for loads closer to a support than the rail's height, is left out, and so is the
-coupling of the two rails through the tie. The pyramid of (6) is valid while those of neighbouring ties do not
-meet. The data of any real track are known to a few percent at best, and the sixth digit of a number here is
-arithmetic, not track.
+The static model is a linear beam on linear springs that also pull. Under a wheel of 27.5 kip on the typical
+track the bed would have to pull with {{uplift-pull}} at most, and rail and half a tie weigh {{uplift-weight}},
+so ties lift a little; {{fig-lift}} shows that the stiffness under the wheel does not mind. Shear of the rail,
+which matters for loads closer to a support than the rail's height, is left out, and so is the coupling of the
+two rails through the tie. The pyramid of (6) is valid while those of neighbouring ties do not meet. The data of
+any real track are known to a few percent at best, and the sixth digit of a number here is arithmetic, not
+track.
 
 ## Try next
 
@@ -79,7 +80,7 @@ arithmetic, not track.
   115RE?
 * Replace the Winkler bed by one with shear between the springs (Pasternak); the factor 2 of (4) then becomes a
   result.
-* Let the bed push but not pull, and plot $K_r$ against the load.
+* Hang a few ties (no spring, but a gap) and let {{fig-lift}} close it as the load grows.
 * Give {{fig-03}} a slack joint: a rotational spring that engages only after some degrees.
 */
 
@@ -100,6 +101,7 @@ int main(int argc, char** argv) {
   track_chapter::add_stiffness(chapter);
   track_chapter::add_chain(chapter);
   track_chapter::add_ties(chapter);
+  track_chapter::add_lifting(chapter);
   track_chapter::add_joint(chapter);
   track_chapter::add_moving(chapter);
   track_chapter::add_masses(chapter);
