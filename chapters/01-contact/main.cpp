@@ -30,6 +30,8 @@ the rounded punch, and conjugate gradients with the fast Fourier transform on a 
 
 {{stability}}
 
+{{include: solve_tool.cpp}}
+
 ## Deviations
 
 What the paper prints that we do not confirm, or had to read into it:
@@ -93,5 +95,6 @@ int main(int argc, char** argv) {
   contact_chapter::add_example_4(chapter);
   contact_chapter::add_cost(chapter);
   contact_chapter::add_extremes(chapter);
+  contact_chapter::add_solve_tool(chapter);
   return chapter.run(argc, argv);
 }
