@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "contact/cg_fft.hpp"
 #include "contact/countact.hpp"
+#include "drawings.hpp"
 #include "items.hpp"
 
 using namespace railbook;
@@ -155,7 +155,7 @@ void treads(report::Item& item) {
 The pressure along the axis of symmetry: on the flat side it would be Hertz's ellipse, were it not for the corner.
 Towards the jump it rises steeply, by the load that the corner can no longer spread, to {{peak}} at
 $x$ = {{x-peak}}, and falls to zero within {{fall}}. At the jump the pressure is continuous and its slope is
-infinite, like a logarithm. Figure 10 shows the patch with the last mesh, and the scene the same
+infinite, like a logarithm. {{fig-10}} shows the patch with the last mesh, and {{scene}} the same
 result in space: cells of constant pressure on one half, their mesh on the other.
 
 {{fig-10}}
@@ -165,71 +165,43 @@ result in space: cells of constant pressure on one half, their mesh on the other
 {{include: scene.cpp}}
 */
 
-void add_axis_pressure(report::Data& data, const NormalContact& c, double unit) {
-  const double nearest = c.y.cwiseAbs().minCoeff() + 1e-3 * c.dy[0];
-  data.add(c.x_min / inch, 0.0);
-  std::vector<std::pair<double, double>> line;
-  for (Eigen::Index i = 0; i < c.x.size(); ++i)
-    if (std::abs(c.y[i]) <= nearest) line.emplace_back(c.x[i], c.p[i]);
-  std::sort(line.begin(), line.end());
-  for (const auto& [x, p] : line) data.add(x / inch, p / unit);
-  data.add(c.x_max / inch, 0.0);
-}
-
 void fig_09(report::Item& item) {
   item.explained("the drawing prints no ordinates; the curve is checked through F and M");
-  const double unit = 1e5 * psi;
-  const NormalContact& c = countact_on_the_jump().contact;
-  add_axis_pressure(item.data({"x_in", "p_1e5_psi"}), c, unit);
-  add_axis_pressure(item.data("grid", {"x_in", "p_1e5_psi"}), cg_fft_on_the_jump(), unit);
-  add_axis_pressure(item.data("cone", {"x_in", "p_1e5_psi"}),
-                    by_cg_fft(std::numeric_limits<double>::infinity()), unit);
-  item.value("peak", cg_fft_on_the_jump().p_max / psi, "psi", "{:.0f}");
-  item.value("x-peak", cg_fft_on_the_jump().x_p_max / inch, "in", "{:.4f}");
-  item.value("fall", (c.x_max - cg_fft_on_the_jump().x_p_max) / inch, "in", "{:.3f}");
+  const NormalContact &c = countact_on_the_jump().contact, &grid = cg_fft_on_the_jump();
+  const NormalContact cone = by_cg_fft(std::numeric_limits<double>::infinity());
+  draw::axis_pressure(item.data({"x_in", "p_1e5_psi"}), c);
+  draw::axis_pressure(item.data("grid", {"x_in", "p_1e5_psi"}), grid);
+  draw::axis_pressure(item.data("cone", {"x_in", "p_1e5_psi"}), cone);
+  item.value("peak", grid.p_max / psi, "psi", "{:.0f}");
+  item.value("x-peak", grid.x_p_max / inch, "in", "{:.4f}");
+  item.value("fall", (c.x_max - grid.x_p_max) / inch, "in", "{:.3f}");
   item.value("x-left", -c.x_min / inch, "in", "{:.3f}");
   item.value("x-right", c.x_max / inch, "in", "{:.3f}");
 }
 
 void fig_10(report::Item& item) {
   item.explained("the drawing prints no ordinates; the patch is that of the checked F and M");
-  const NormalContact& c = countact_on_the_jump().contact;
-  auto& cells = item.data({"x_in", "y_in", "dx_in", "dy_in"});
-  for (Eigen::Index i = 0; i < c.x.size(); ++i)
-    cells.add(c.x[i] / inch, c.y[i] / inch, c.dx[i] / inch, c.dy[i] / inch);
-  auto& curve = item.data("interpenetration", {"x_in", "y_in"});
-  const Gap gap = rail_wheel_gap(on_the_jump(tread_radius));
-  for (int i = 0; i <= 360; ++i) {
-    const double t = i * units::degree, r = interpenetration_distance(gap, delta_2, t);
-    curve.add(r * std::cos(t) / inch, r * std::sin(t) / inch);
-  }
+  draw::patch(item, countact_on_the_jump().contact, rail_wheel_gap(on_the_jump(tread_radius)));
 }
 
 void fig_08(report::Item& item) {
   item.sketch("the bodies of Example 2, in the plane of the wheel axis");
-  item.script("profiles.gp");
-  const Gap wheel_over_rail = rail_wheel_gap(on_the_jump(tread_radius));
-  auto& profiles = item.data({"x_in", "rail_in", "wheel_in"});
-  for (int i = -60; i <= 30; ++i) {
-    const double x = i * 0.025 * inch, radius = x < 0 ? crown_radius : corner_radius;
-    const double rail = -x * x / (2 * radius);
-    profiles.add(x / inch, rail / inch, (rail + wheel_over_rail(x, 0)) / inch);
-  }
+  draw::profiles(item, on_the_jump(tread_radius), -1.5 * inch, 0.75 * inch);
 }
 
 }  // namespace
 
 void contact_chapter::add_example_2(report::Chapter& chapter) {
-  chapter.figure("fig-08", "Figure 8. Contact is non-Hertzian: the jump in rail curvature at O",
+  chapter.figure("fig-08", "Contact is non-Hertzian: the jump in rail curvature at O (Fig. 8)",
                  fig_08);
   chapter.table("example-2", "Example 2: force and moment at an approach of .005 in",
                 force_and_moment);
   chapter.table("treads", "Example 2 with three treads, by CG-FFT on 255 x 255 cells", treads);
-  chapter.figure("fig-09", "Figure 9. Pressure along the axis of symmetry, Example 2", fig_09);
-  chapter.figure("fig-10", "Figure 10. Contact patch and last mesh, Example 2", fig_10);
+  chapter.figure("fig-09", "Pressure along the axis of symmetry, Example 2 (Fig. 9)", fig_09);
+  chapter.figure("fig-10", "Contact patch and last mesh, Example 2 (Fig. 10)", fig_10);
   chapter.figure("scene", "Example 2 in space: pressure over the contact patch and its mesh",
                  [](report::Item& item) {
-                   draw_scene(item, countact_on_the_jump().contact,
-                              rail_wheel_gap(on_the_jump(tread_radius)));
+                   draw::in_space(item, countact_on_the_jump().contact,
+                                  rail_wheel_gap(on_the_jump(tread_radius)));
                  });
 }

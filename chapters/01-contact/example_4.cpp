@@ -1,5 +1,6 @@
 #include "contact/countaxi.hpp"
 #include "contact/punch.hpp"
+#include "drawings.hpp"
 #include "items.hpp"
 
 using namespace railbook;
@@ -78,36 +79,13 @@ void example_4(report::Item& item) {
 
 void fig_14(report::Item& item) {
   item.reconstructed("the paper's dimensions are unreadable; b = .5 in and R = 1 in are ours");
-  const PunchContact& exact = exact_stamp();
-  const RingContact rings = stamp_on_rings(60);
-  auto& points = item.data({"r_in", "p_1e4_psi"});
-  for (Eigen::Index i = 0; i < rings.r.size(); ++i)
-    points.add(rings.r[i] / inch, rings.p[i] / (1e4 * psi));
-  auto& curve = item.data("exact", {"r_in", "p_1e4_psi"});
-  for (int i = 0; i <= 400; ++i) {
-    const double t = 1 - i / 400.0, r = exact.radius * (1 - t * t * t);
-    curve.add(r / inch, punch_pressure(exact, r) / (1e4 * psi));
-  }
-  auto& profile = item.data("profile", {"r_in", "gap_1e-3_in"});
-  const Gap gap = rounded_punch_gap(stamp);
-  for (int i = 0; i <= 60; ++i) {
-    const double r = 0.01 * i * inch;
-    profile.add(r / inch, gap(r, 0) / (1e-3 * inch));
-  }
-  const PunchContact sharp =
-      punch_from_approach({stamp.flat_radius, 0}, effective_modulus(steel), delta_4);
-  auto& limit = item.data("sharp", {"r_in", "p_1e4_psi"});
-  for (int i = 0; i < 200; ++i) {
-    const double t = 1 - i / 200.0, r = stamp.flat_radius * (1 - t * t * t);
-    limit.add(r / inch, punch_pressure(sharp, r) / (1e4 * psi));
-  }
+  draw::punch(item, stamp_on_rings(60), exact_stamp());
 }
 
 }  // namespace
 
 void contact_chapter::add_example_4(report::Chapter& chapter) {
-  chapter.figure("fig-14",
-                 "Figure 14. Flat axisymmetric punch with rounded edges: shape and pressure",
-                 fig_14);
+  chapter.figure(
+      "fig-14", "Flat axisymmetric punch with rounded edges: shape and pressure (Fig. 14)", fig_14);
   chapter.table("example-4", "Example 4: COUNTAXI on 60 rings against the closed form", example_4);
 }

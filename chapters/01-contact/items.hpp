@@ -20,9 +20,6 @@ void add_example_4(report::Chapter&);  // Fig. 14
 // Example 1 by COUNTACT-2 on nine columns of nine cells, the mesh of the paper's Fig. 2; solved once.
 const contact::CountactResult& nine_by_nine();
 
-// Draws Example 2's pressures over its contact patch.
-void draw_scene(report::Item&, const contact::NormalContact&, const contact::Gap&);
-
 using units::inch;
 using units::lbf;
 using units::psi;

@@ -20,6 +20,8 @@ the rounded punch, and conjugate gradients with the fast Fourier transform on a 
 
 {{include: example_4.cpp}}
 
+{{include: drawings.cpp}}
+
 ## Error against run time
 
 {{include: cost.cpp}}
@@ -46,7 +48,7 @@ What the paper prints that we do not confirm, or had to read into it:
   coarse as the paper's will have been, explains {{two-widths-force}} of the force; the rest is in the radii.
 * **"806.2 N.m"** under Figure 9 should read 606.2.
 * **The three-point parabola** is unstable as it stands; only the remark that $p$ be one-valued in $y$ makes it work, by ruling it
-  out (Figure 4).
+  out ({{fig-04}}).
 * **Examples 3 and 4** have no legible dimensions. Ours are stated, all numbers are ours, and only the paper's claims about
   them are tested.
 * **Small slips.** The routine INSEP is said to evaluate equation (7), which is (1); the mesh with $m_x=9$ is said to be in Figure 1 and

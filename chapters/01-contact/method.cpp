@@ -1,10 +1,5 @@
-#include <fmt/format.h>
-
-#include <cmath>
-
 #include "contact/countact.hpp"
-#include "contact/hertz.hpp"
-#include "contact/influence.hpp"
+#include "drawings.hpp"
 #include "items.hpp"
 
 using namespace railbook;
@@ -56,8 +51,8 @@ namespace {
 
 /***
 Then the boundary moves: along each column, outward, to where the pressure vanishes. Where a cell pulls ($p<0$) the zero is
-interpolated (Figure 3); where all cells push, a parabola through the last two or three pressures is continued to zero
-(Figure 4). The same along the axis gives the new ends A and B. New columns are laid between these, their height is interpolated from
+interpolated ({{fig-03}}); where all cells push, a parabola through the last two or three pressures is continued to zero
+({{fig-04}}). The same along the axis gives the new ends A and B. New columns are laid between these, their height is interpolated from
 the points just found (17), and all begins again:
 
 {{fig-02}}
@@ -68,27 +63,8 @@ of Example 1's first iteration, on nine columns as in the paper's figure.
 
 void fig_02(report::Item& item) {
   item.explained("drawn from Example 1's first two steps; the paper's figure has no scale");
-  const CountactStep& step = nine_by_nine().history.at(0);
-  const ColumnMesh& next = nine_by_nine().history.at(1).mesh;
-  const auto m = step.mesh.half_width.size();
-  const auto centre = [](const ColumnMesh& mesh, Eigen::Index j) {
-    return (mesh.x_edges[j] + mesh.x_edges[j + 1]) / 2;
-  };
-  auto& cells = item.data({"x_in", "y_in", "dx_in", "dy_in"});
-  for (Eigen::Index j = 0; j < m; ++j)
-    for (int k = 0; k < 5; ++k) {
-      const double h = 2 * step.mesh.half_width[j] / 9;
-      const double low = k == 0 ? 0 : (k - 0.5) * h, high = (k + 0.5) * h;
-      cells.add(centre(step.mesh, j) / inch, (low + high) / 2 / inch,
-                (step.mesh.x_edges[j + 1] - step.mesh.x_edges[j]) / inch, (high - low) / inch);
-    }
-  auto& found = item.data("found", {"x_in", "y_in"});
-  found.add(step.new_x_min / inch, 0.0);
-  for (Eigen::Index j = 0; j < m; ++j)
-    if (step.new_half[j] > 0) found.add(centre(step.mesh, j) / inch, step.new_half[j] / inch);
-  found.add(step.new_x_max / inch, 0.0);
-  auto& fresh = item.data("new", {"x_in", "y_in"});
-  for (Eigen::Index j = 0; j < m; ++j) fresh.add(centre(next, j) / inch, next.half_width[j] / inch);
+  const auto& history = nine_by_nine().history;
+  draw::boundary_update(item, history.at(0), history.at(1).mesh);
 }
 
 /***
@@ -107,42 +83,14 @@ about 0.6 a step, and on Example 2 may never settle); a boundary that rests is t
 for whether enough cells saw the pressure fall; and whatever fails is reported with its reason, never as a number.
 */
 
-// The column under O at the first step (fig 3) or at the last (fig 4).
-void column_pressures(report::Item& item, const CountactStep& step) {
-  const auto middle = step.mesh.half_width.size() / 2;
-  const double height = 2 * step.mesh.half_width[middle] / 9;
-  auto& points = item.data({"y_in", "p_1e4_psi"});
-  for (Eigen::Index k = 0; k < step.p.rows(); ++k)
-    points.add(double(k) * height / inch, step.p(k, middle) / (1e4 * psi));
-  auto& zero = item.data("zero", {"y_in", "p_1e4_psi", "boundary_in"});
-  zero.add(step.new_half[middle] / inch, 0.0, step.mesh.half_width[middle] / inch);
-}
-
 void fig_03(report::Item& item) {
   item.explained("drawn from Example 1's first step; the paper's figure has no scale");
-  column_pressures(item, nine_by_nine().history.front());
+  draw::column_under_origin(item, nine_by_nine().history.front(), false);
 }
 
 void fig_04(report::Item& item) {
   item.explained("drawn from Example 1's last step; the paper's figure has no scale");
-  const CountactStep& step = nine_by_nine().history.back();
-  column_pressures(item, step);
-  const auto middle = step.mesh.half_width.size() / 2, last = step.p.rows() - 1;
-  const double height = 2 * step.mesh.half_width[middle] / 9;
-  const auto y = [&](Eigen::Index k) { return double(k) * height; };
-  const auto p = [&](Eigen::Index k) { return step.p(k, middle); };
-  const double pl = p(last - 2), pm = p(last - 1), pn = p(last);
-  auto& two = item.data("two", {"y_in", "p_1e4_psi"});
-  auto& three = item.data("three", {"y_in", "p_1e4_psi"});
-  const double slope = (y(last) - y(last - 1)) / (pn * pn - pm * pm);
-  for (int i = 0; i <= 100; ++i) {
-    const double q = pl * i / 100;
-    two.add((y(last) + slope * (q * q - pn * pn)) / inch, q / (1e4 * psi));
-    const double lagrange = y(last - 2) * (q - pm) * (q - pn) / ((pl - pm) * (pl - pn)) +
-                            y(last - 1) * (q - pl) * (q - pn) / ((pm - pl) * (pm - pn)) +
-                            y(last) * (q - pl) * (q - pm) / ((pn - pl) * (pn - pm));
-    three.add(lagrange / inch, q / (1e4 * psi));
-  }
+  draw::column_under_origin(item, nine_by_nine().history.back(), true);
 }
 
 /***
@@ -169,42 +117,26 @@ void fig_05(report::Item& item) {
       {"MMDELK, MMDELE", "elliptic integrals K and E, IMSL", "COUNTAXI", "disc_influence"});
 }
 
-// The gap along the axis before and after deformation.
 void fig_01(report::Item& item) {
   item.explained("computed for Example 1; the paper's figure is a sketch");
-  CountactOptions options;
-  options.columns = uniform_columns(25);
-  options.rows = 25;
+  CountactOptions fine;
+  fine.columns = uniform_columns(25);
+  fine.rows = 25;
   const Gap gap = rail_wheel_gap({wheel_radius, tread_radius, crown_radius, crown_radius});
-  const NormalContact c = countact_2(gap, delta_1, effective_modulus(steel), options).contact;
-  const double k = 1 / (units::pi * effective_modulus(steel)), microinch = 1e-6 * inch;
-  auto& curve = item.data({"x_in", "before_microinch", "after_microinch"});
-  for (int i = -130; i <= 130; ++i) {
-    const double x = i * 0.002 * inch;
-    double sunk = 0;
-    for (Eigen::Index j = 0; j < c.x.size(); ++j)
-      sunk += k * c.p[j] *
-              rectangle_influence(c.x[j] - c.dx[j] / 2 - x, c.x[j] + c.dx[j] / 2 - x,
-                                  c.y[j] - c.dy[j] / 2, c.y[j] + c.dy[j] / 2);
-    const double before = gap(x, 0) - delta_1;
-    curve.add(x / inch, before / microinch, (before + sunk) / microinch);
-  }
-  auto& ends = item.data("ends", {"x_in", "z_microinch", "label"});
-  const double far = interpenetration_distance(gap, delta_1, 0);
-  ends.add(far / inch, 0.0, "Q'");
-  ends.add(-far / inch, 0.0, "P'");
-  ends.add(c.x_max / inch, 0.0, "Q");
-  ends.add(c.x_min / inch, 0.0, "P");
-  item.value("overlap", far / c.x_max, "times", "{:.2f}");
+  const NormalContact c = countact_2(gap, delta_1, effective_modulus(steel), fine).contact;
+  const double reach = interpenetration_distance(gap, delta_1, 0);
+  draw::gap_before_and_after(item, gap, c, reach);
+  item.value("overlap", reach / c.x_max, "times", "{:.2f}");
 }
 
 }  // namespace
 
 void contact_chapter::add_method(report::Chapter& chapter) {
-  chapter.figure("fig-01", "Figure 1. The interpenetration curve surrounds the true contact",
+  chapter.figure("fig-01",
+                 "The interpenetration curve surrounds the true contact (Fig. 1 of the paper)",
                  fig_01);
-  chapter.figure("fig-02", "Figure 2. First candidate region and the next", fig_02);
-  chapter.figure("fig-03", "Figure 3. New boundary when the pressure changes sign", fig_03);
-  chapter.figure("fig-04", "Figure 4. New boundary when all pressures are positive", fig_04);
-  chapter.table("fig-05", "Figure 5. Organisation of the program COUNTACT", fig_05);
+  chapter.figure("fig-02", "First candidate region and the next (Fig. 2)", fig_02);
+  chapter.figure("fig-03", "New boundary when the pressure changes sign (Fig. 3)", fig_03);
+  chapter.figure("fig-04", "New boundary when all pressures are positive (Fig. 4)", fig_04);
+  chapter.table("fig-05", "Organisation of the program COUNTACT (Fig. 5)", fig_05);
 }

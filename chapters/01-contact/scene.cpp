@@ -7,7 +7,7 @@ the patch runs the interpenetration curve, the first candidate for the region; t
 #include <cmath>
 #include <filesystem>
 
-#include "items.hpp"
+#include "drawings.hpp"
 #include "plot/plot.hpp"
 #include "scene/colour_map.hpp"
 #include "scene/image.hpp"
@@ -50,7 +50,7 @@ scene::Lines curve(const Gap& gap, double approach) {
 
 }  // namespace
 
-void contact_chapter::draw_scene(report::Item& item, const NormalContact& c, const Gap& gap) {
+void contact_chapter::draw::in_space(report::Item& item, const NormalContact& c, const Gap& gap) {
   item.explained("drawn from the result of Example 2");
   Eigen::VectorXd back, front;
   const scene::Rectangles behind = half_of(c, 1, back), before = half_of(c, -1, front);
