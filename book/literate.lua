@@ -155,8 +155,24 @@ function Weaver:file(name, from)
   end
 end
 
--- What a folded block says: its first comment, else its first line.
+-- The functions and types that code at the beginning of a line defines.
+local function definitions(code)
+  local names = {}
+  for line in code:gmatch("[^\n]+") do
+    local name = line:match("^struct%s+([%w_]+)") or line:match("^class%s+([%w_]+)")
+      or line:match("^enum class%s+([%w_]+)")
+    if not name and not line:find(";%s*$") and not line:find("^template") then
+      name = line:match("^[%a_].-[%s&*:]([%w_]+)%(")
+    end
+    if name and names[#names] ~= name then names[#names + 1] = name end
+  end
+  return names
+end
+
+-- What a folded block says: what it defines, if that is several things; else its first comment or line.
 local function summary_of(code)
+  local names = definitions(code)
+  if #names > 1 then return {pandoc.Code(table.concat(names, ", "))} end
   local comment = code:match("^%s*///?%s*([^\n]+)") or code:match("\n%s*///?%s*([^\n]+)")
   local first = code:match("^%s*([^\n]+)")
   if comment then return {pandoc.Str((comment:gsub("%s+$", "")))} end

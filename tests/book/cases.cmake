@@ -121,7 +121,7 @@ endfunction()
 book_case("tables, figures and their checks" tables)
 
 function(code)
-  expect_page("<summary>" "Headers" "main.cpp:15" "more.cpp:6" "Counts to sixty, slowly." "63 lines")
+  expect_page("<summary>" "Headers" "main.cpp:15" "more.cpp:6" "Counts to sixty, slowly." "63 lines" "<code>Pair, first</code>")
   string(REGEX REPLACE "<[^>]*>" "" text "${page}")
   foreach(line "bool less(const std::vector&lt;T&gt;&amp; a, T b) { return a.size() &lt; 1&#39;000 &amp;&amp; a[0] &lt; b; }"
       "int braces[1][1] = {{1}};" "&quot;/*** not prose */&quot;;" "/*** nor this: {{unknown}} */\n)x&quot;;" "int main() {}")
