@@ -96,6 +96,11 @@ void table_2(report::Item& item) {
       row.check("printed", computed);
     }
   }
+  const auto sees = [](double rail_ft) {
+    return 100 * signal::rail_chord_sensitivity(62.0, rail_ft);
+  };
+  item.value("sees-39", sees(39), "%", "{:.0f}");
+  item.value("sees-30", sees(30), "%", "{:.0f}");
   prove_misprints(item);
 }
 
@@ -128,9 +133,8 @@ void fig_10(report::Item& item) {
 }  // namespace
 
 void add_chord_table(report::Chapter& chapter) {
-  chapter.figure("fig-10", "Rectified sine under 9.5-m and 19-m chords (the paper's Figure 10)",
-                 fig_10);
-  chapter.table("table-2", "Chord sensitivity to a rectified sine (the paper's Table 2)", table_2);
+  chapter.figure("fig-10", "Figure 10. Rectified sine under 9.5-m and 19-m chords", fig_10);
+  chapter.table("table-2", "Table 2. Chord sensitivity to a rectified sine", table_2);
 }
 
 }  // namespace psd

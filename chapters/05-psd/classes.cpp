@@ -243,9 +243,10 @@ void fig_11(report::Item& item) {
 }  // namespace
 
 void add_classes(report::Chapter& chapter) {
-  chapter.table("table-3", "Classes of the thirteen zones (the paper's Table 3)", table_3);
+  chapter.table("table-3", "Table 3. Classes of the thirteen zones", table_3);
   chapter.table("table-k", "Readings of the coefficient of A in rule (10)", table_k);
-  chapter.figure("fig-11", "Roughness against joint dip, with the limits of the classes", fig_11);
+  chapter.figure("fig-11", "Figure 11. Roughness against joint dip, with the limits of the classes",
+                 fig_11);
 }
 
 }  // namespace psd

@@ -77,8 +77,7 @@ void fig_07(report::Item& item) {
 }  // namespace
 
 void add_composite(report::Chapter& chapter) {
-  chapter.figure("fig-07", "Composite spectrum, linear and logarithmic (the paper's Figure 7)",
-                 fig_07);
+  chapter.figure("fig-07", "Figure 7. Composite spectrum, linear and logarithmic", fig_07);
 }
 
 }  // namespace psd

@@ -204,9 +204,9 @@ void fig_09(report::Item& item) {
 }  // namespace
 
 void add_extraction(report::Chapter& chapter) {
-  chapter.figure("fig-08", "Spectra of six zones, with the lines of the model", fig_08);
+  chapter.figure("fig-08", "Figure 8. Spectra of six zones, with the lines of the model", fig_08);
   chapter.table("peaks", "Parameters read off the six spectra", table_peaks);
-  chapter.figure("fig-09", "A broadened peak: C₁ and β", fig_09);
+  chapter.figure("fig-09", "Figure 9. A broadened peak: C₁ and β", fig_09);
   chapter.table("resolution", "Width of a line of no width, Hann window, 1-ft samples",
                 table_resolution);
 }

@@ -38,6 +38,7 @@ void add_zones(railbook::report::Chapter& chapter);       // Table 1
 void add_extraction(railbook::report::Chapter& chapter);  // Figures 8 and 9
 void add_chords(railbook::report::Chapter& chapter);      // Table 2, Figure 10, equation (8)
 void add_classes(railbook::report::Chapter& chapter);     // Table 3, Figure 11
+void add_exceedance(railbook::report::Chapter& chapter);  // rule (9) against chord readings
 void add_accuracy(railbook::report::Chapter& chapter);    // closed loop, record length
 void add_cost(railbook::report::Chapter& chapter);        // windows, error against run time
 void add_stability(railbook::report::Chapter& chapter);   // where the estimate holds

@@ -19,6 +19,8 @@ recompute all tables and figures; and the estimator runs on your own records (`p
 
 {{include: classes.cpp}}
 
+{{include: exceedance.cpp}}
+
 {{include: accuracy.cpp}}
 
 {{include: synthesize.cpp}}
@@ -35,9 +37,9 @@ What the paper prints and we do not, or not quite, confirm:
 
 * **Line power, (1), (2) and (7).** A factor two in amplitude and four in power between the printed lines and a one-sided density. $B$
   of Table 1 is twice the physical dip.
-* **Below (2).** $Q_2$ is 9.01, not 9.00, times $10^{-4}B^2$: it was divided out of the rounded $Q_1$.
+* **Below (2).** $Q_2$ is {{Q2}}$\,B^2$ in the paper's convention, which does not round to 9.00: it was divided out of the rounded $Q_1$.
 * **Table 1.** Rows 1, 3, 6, 7, 8, 11 and 13 contradict (7) by more than their rounding. The exponents of zone 13 are hardly legible.
-  Zone 12 is said to be 10-m rail, but its 0.109 cycle/m is 9.2 m.
+  Zone 12 is said to be 10-m rail, but its $\varphi_0$ is that of {{zone-12-rail}}.
 * **Table 2.** 0.99 for the 10.4-m chord on 11.9-m and on 9.1-m rail should read 0.98. The 19-m row holds for 62 ft only.
 * **Table 3.** Zone 12 comes out as class 3, {{zone-12-margin}} inside its limit; printed is 2. The coefficient $k$ of (10) cannot be read; with
   {{k-low}} < $k$ ≤ {{k-high}} all thirteen classes would be as printed, (8) gives {{k-19}}. Text and table name different zones as rebuilt after the survey.
@@ -54,12 +56,12 @@ so.
 * One rail, one surface, stationary over the record: no crosslevel, no alignment, no curve. A spectrum has no phase and finds no single
   defect.
 * The model has two straight slopes and one set of lines. Waves beyond 100 m are design, not roughness. White sensor noise needs its own term.
-* Rule (10) does not ask which rail length the dips belong to. The 62-ft chord sees 60 % of a dip on 39-ft rail and 10 % on 30-ft rail, the
-  rule counts both with $\gamma=2$: for 30-ft rail it is far on the safe side.
+* Rule (10) does not ask which rail length the dips belong to. The 62-ft chord sees {{sees-39}} of a dip on 39-ft rail and {{sees-30}} on
+  30-ft rail; the rule counts both with $\gamma=2$ and is far on the safe side for the latter.
 * The generator is Gaussian, with dips that are Gaussian, too: from a scatter of about 0.4 on, some joints stand up. Its density is (4) within
   {{generator-error}} from 0.005 to 1.2 cycle/m for corners from 0.02 cycle/m; corners below 0.002 would need longer filters than it allows.
-* A rectified sine has kinks. Sampled at 1 ft, its folded harmonics raise the first line by {{folded}}, and those above 0.5 cycle/m by
-  tens of percent. Above a metre between samples do not trust the lines.
+* A rectified sine has kinks. Sampled at 1 ft, its folded harmonics raise the first line by {{folded}}, and the twelfth, at 1 cycle/m, by
+  {{folded-12}}. Above a metre between samples do not trust the lines.
 
 ## Try next
 
@@ -89,6 +91,7 @@ int main(int argc, char** argv) {
   psd::add_zones(chapter);
   psd::add_chords(chapter);
   psd::add_classes(chapter);
+  psd::add_exceedance(chapter);
   psd::add_accuracy(chapter);
   psd::add_cost(chapter);
   psd::add_stability(chapter);

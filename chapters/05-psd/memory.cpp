@@ -98,8 +98,7 @@ void fig_06(report::Item& item) {
 }  // namespace
 
 void add_memory(report::Chapter& chapter) {
-  chapter.figure("fig-06", "Ballast memory: 33-ft rails under 39-ft rails (the paper's Figure 6)",
-                 fig_06);
+  chapter.figure("fig-06", "Figure 6. Ballast memory: 33-ft rails under 39-ft rails", fig_06);
 }
 
 }  // namespace psd

@@ -113,10 +113,17 @@ void check_lines(report::Item& item, signal::SyntheticTrack track) {
   const double Q_1 = signal::line_power(1, dip, LineConvention::exact_one_sided);
   const double Q_2 = signal::line_power(2, dip, LineConvention::exact_one_sided);
   const double share = track.memory_modulation * track.memory_modulation / 4;
-  const auto coarse = signal::synthesize(track, 429);  // 11 rails of 39 ft are 13 of 33 ft
-  item.value("folded", 100 * (direct_power(coarse, track.spacing, phi_0) / Q_1 - 1), "%", "{:.2f}");
+  auto plain = track;
+  plain.memory_modulation = 0.0;
+  const auto coarse = signal::synthesize(plain, 39);
+  const auto folded = [&](int n) {
+    const double true_power = signal::line_power(n, dip, LineConvention::exact_one_sided);
+    return 100 * (direct_power(coarse, plain.spacing, n * phi_0) / true_power - 1);
+  };
+  item.value("folded", folded(1), "%", "{:.2f}");
+  item.value("folded-12", folded(12), "%", "{:.0f}");
   track.spacing = units::foot / 10;
-  const auto z = signal::synthesize(track, 4290);
+  const auto z = signal::synthesize(track, 4290);  // 11 rails of 39 ft are 13 of 33 ft
   const auto agree = [&](const char* id, const char* what, double phi, double power) {
     item.agree(id, what, "m²", direct_power(z, track.spacing, phi), power, 1e-3, "the formula");
   };
@@ -167,9 +174,8 @@ void fig_04(report::Item& item) {
 }  // namespace
 
 void add_modulation(report::Chapter& chapter) {
-  chapter.figure("fig-05", "Random and grouped dips (the paper's Figure 5)", fig_05);
-  chapter.figure("fig-04", "Broadening, one sideband, two sidebands (the paper's Figure 4)",
-                 fig_04);
+  chapter.figure("fig-05", "Figure 5. Random and grouped dips", fig_05);
+  chapter.figure("fig-04", "Figure 4. Broadening, one sideband, two sidebands", fig_04);
 }
 
 }  // namespace psd

@@ -97,6 +97,7 @@ void lines(report::Item& item) {
   const double variance = signal::rectified_sine_variance(1.0);
   item.agree("sum", "sum of the exact lines", "B²", sum[1], variance, 1e-9,
              "the variance of the rectified sine");
+  item.value("Q2", Q_2, "", "{:.3e}");
   item.value("line-variance", variance, "", "{:.6f}");
   item.value("line-sum-exact", sum[1], "", "{:.6f}");
   item.value("line-sum-printed", sum[0], "", "{:.6f}");
@@ -180,10 +181,9 @@ void fig_02(report::Item& item) {
 {{include: composite.cpp}}
 */
 void add_processes(report::Chapter& chapter) {
-  chapter.figure("fig-01", "Rectified sine of 39-ft rails (the paper's Figure 1)", fig_01);
+  chapter.figure("fig-01", "Figure 1. Rectified sine of 39-ft rails", fig_01);
   chapter.table("lines", "Line powers of the rectified sine, equations (1) and (2)", lines);
-  chapter.figure("fig-02", "Lines, resolution, and lines seen through it (the paper's Figure 2)",
-                 fig_02);
+  chapter.figure("fig-02", "Figure 2. Lines, resolution, and lines seen through it", fig_02);
   add_random_part(chapter);
   add_modulation(chapter);
   add_memory(chapter);

@@ -104,9 +104,7 @@ void fig_03(report::Item& item) {
 }  // namespace
 
 void add_random_part(report::Chapter& chapter) {
-  chapter.figure("fig-03",
-                 "Random part: one segment, five miles, bands, model (the paper's Figure 3)",
-                 fig_03);
+  chapter.figure("fig-03", "Figure 3. Random part: one segment, five miles, bands, model", fig_03);
 }
 
 }  // namespace psd

@@ -123,6 +123,7 @@ void table_1(report::Item& item) {
   item.value("table-1-least", 100 * *least, "%", "{:.0f}");
   item.value("table-1-most", 100 * *most, "%", "{:.0f}");
   item.value("corner-between", corner_between, "", "{:.0f}");
+  item.value("zone-12-rail", 1 / all.at(11).track.phi_0, "m", "{:.1f}");
   const Zone& last = all.back();
   item.value("table-1-zone-13-share",
              100 * last.C_1 / signal::random_psd(last.track, last.track.phi_0), "%", "{:.0f}");
@@ -140,8 +141,7 @@ void table_1(report::Item& item) {
 }  // namespace
 
 void add_zones(report::Chapter& chapter) {
-  chapter.table("table-1", "Thirteen zones (the paper's Table 1): does B follow from C₁ and β?",
-                table_1);
+  chapter.table("table-1", "Table 1. Thirteen zones: does B follow from C₁ and β?", table_1);
 }
 
 }  // namespace psd
