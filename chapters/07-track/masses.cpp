@@ -52,7 +52,7 @@ std::string both_units(double kilogram) {
 }
 
 struct TypicalMasses {
-  double rail_only, rail, bed_pyramid, bed_wedge, bed_seismic;
+  double rail_only, rail, british, bed_pyramid, bed_wedge, bed_seismic;
 };
 
 TypicalMasses typical_masses() {
@@ -66,6 +66,8 @@ TypicalMasses typical_masses() {
   wedge.divisor = 4;
   return {.rail_only = effective_mass(rho_rail, beam.beta()),
           .rail = effective_mass(rho_rail, rail_beta(beam.bending_stiffness, support)),
+          .british = 0.4 * effective_mass(rho_rail + typical_tie_mass / (2 * support.tie_spacing),
+                                          beam.beta()),
           .bed_pyramid = bed(ballast_mass_per_length(typical_ballast, support)),
           .bed_wedge = bed(ballast_mass_per_length(wedge, support)),
           .bed_seismic = bed(seismic_mass_per_length(stiffness_chain(support).bed / 2,
