@@ -28,6 +28,7 @@ roughness no track has (a wrong unit?).
 #include "report/csv.hpp"
 #include "report/summary.hpp"
 #include "signal/classify.hpp"
+#include "signal/line_mask.hpp"
 #include "signal/record.hpp"
 
 namespace psd {
@@ -152,7 +153,8 @@ signal::FitOptions fit_options(const Wish& wish) {
   return options;
 }
 
-void add_notes(report::Summary& s, const Measured& m, const signal::SpectrumFit& fit) {
+void add_notes(report::Summary& s, const Measured& m, const signal::FitOptions& options,
+               const signal::SpectrumFit& fit) {
   const auto note = [&](const char* key, const std::string& text) { s.add(key, "note", text); };
   if (!fit.line_significant)
     note("line_note",
@@ -171,6 +173,11 @@ void add_notes(report::Summary& s, const Measured& m, const signal::SpectrumFit&
     note("misfit_note", fmt::format("residuals {:.2f} times those of chance: lines not named "
                                     "(--foreign), noise (--noise), or another shape of spectrum",
                                     fit.misfit));
+  if (const auto stray = signal::stray_line(m.spectrum, options, fit))
+    note("stray_note",
+         fmt::format("a line at {:.4g} cycle/m ({:.4g} m) belongs to no rail named: former "
+                     "rails (--foreign), a wheel, or another rail length (--rail)?",
+                     stray->phi, 1 / stray->phi));
   if (m.spectrum.segments < 4)
     note("length_note", fmt::format("only {} segment(s) averaged: a longer record is needed",
                                     m.spectrum.segments));
@@ -215,7 +222,7 @@ report::Summary answer(const Wish& wish, const Measured& m, const signal::Spectr
     s.add(fmt::format("odds_{}", i), fmt::format("  odds of class {}", i),
           1e-4 * std::round(1e4 * odds[at]), "");
   }
-  add_notes(s, m, fit);
+  add_notes(s, m, fit_options(wish), fit);
   return s;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "num/gsl.hpp"
+#include "signal/line_mask.hpp"
 #include "units/input_error.hpp"
 
 namespace railbook::signal {
@@ -14,15 +15,8 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double harmonic_half_width = 0.008, foreign_half_width = 0.006;  // cycle/m
 constexpr double bands_per_octave = 12;
 constexpr Index fewest_points = 8;
-
-double squared_gain(double chord, double phi) {
-  if (chord == 0) return 1;
-  const double gain = 1 - std::cos(units::pi * chord * phi);
-  return gain * gain;
-}
 
 struct Range {
   double low, high;
@@ -46,26 +40,6 @@ Range checked_band(const Spectrum& spectrum, const FitOptions& o) {
                      std::to_string(o.rail_length) + " m: squared gain " +
                      std::to_string(squared_gain(o.chord, phi_0))};
   return band;
-}
-
-// A line of old rails under the new ones: at the multiples of its own wavenumber, and as sidebands of the
-// new rail's lines (see modulated_lines).
-bool near_foreign_line(const FitOptions& o, double phi) {
-  const double phi_0 = 1 / o.rail_length, distance = std::remainder(phi, phi_0);
-  return std::any_of(o.foreign_lengths.begin(), o.foreign_lengths.end(), [&](double length) {
-    const double epsilon = std::abs(1 / length - phi_0);
-    const bool multiple = std::round(phi * length) >= 1 &&
-                          std::abs(std::remainder(phi, 1 / length)) <= foreign_half_width;
-    return multiple || std::abs(std::abs(distance) - epsilon) <= foreign_half_width;
-  });
-}
-
-bool masked(const FitOptions& o, double phi) {
-  const double phi_0 = 1 / o.rail_length;
-  if (std::abs(phi - phi_0) <= o.line_half_width) return true;
-  const bool harmonic =
-      std::round(phi / phi_0) > 1 && std::abs(std::remainder(phi, phi_0)) <= harmonic_half_width;
-  return harmonic || squared_gain(o.chord, phi) < o.least_gain || near_foreign_line(o, phi);
 }
 
 // Mean of ln(chi^2_2K / 2K), negative.

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <vector>
 
+#include "signal/line_mask.hpp"
 #include "signal/spectrum_fit.hpp"
 #include "signal/synthetic_track.hpp"
 
@@ -80,4 +81,34 @@ TEST_CASE("property: a profile scaled by c has A scaled by c^2, B by c, and the 
   CHECK(scaled.phi_c.value == Approx(fit.phi_c.value));
   CHECK(scaled.B_printed.value == Approx(3 * fit.B_printed.value));
   CHECK(scaled.B_threshold == Approx(3 * fit.B_threshold));
+}
+
+TEST_CASE("property: a line nobody named is found where it is, and none where there is none") {
+  int found = 0;
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    auto track = zone(2e-7, 0.13, 8e-3, seed);
+    const auto look = [&] {
+      const auto spectrum = signal::welch(signal::synthesize(track, 40000), units::foot);
+      return signal::stray_line(spectrum, {}, signal::fit_track_spectrum(spectrum));
+    };
+    if (look()) ++found;
+    if (seed > 5) continue;
+    track.memory_dip = 4e-3;
+    const auto stray = look();
+    REQUIRE(stray);
+    CHECK(stray->phi == Approx(1 / (33 * units::foot)).margin(1e-3));
+  }
+  CHECK(found <= 1);  // one in 1000 expected
+}
+
+TEST_CASE("property: joints of random depth are not taken for a foreign line") {
+  int found = 0;
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    auto track = zone(2e-7, 0.13, 8e-3, seed);
+    track.dip_scatter = 1;
+    track.dip_correlation = seed % 2 == 0 ? 0.0 : 0.5;
+    const auto spectrum = signal::welch(signal::synthesize(track, 40000), units::foot);
+    if (signal::stray_line(spectrum, {}, signal::fit_track_spectrum(spectrum))) ++found;
+  }
+  CHECK(found <= 2);
 }
