@@ -1,4 +1,5 @@
-/*** ## Where the estimate holds
+/***
+## Stability: where the estimate holds
 
 Real records have gaps, grades, noise, old rail under new, and chords instead of profiles. Each row changes one thing of a record
 of zone 7 ({{stability-length}}, a sample a foot) and lets the estimator judge itself. A row *holds* when $A$ and $B$ come out within four of

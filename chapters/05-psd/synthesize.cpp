@@ -82,8 +82,9 @@ void write_track(const Order& order) {
   const double wanted =
       units::require_between("length over spacing", order.length / track.spacing, 1, 1e10);
   const auto samples = static_cast<std::size_t>(wanted);
-  const std::unique_ptr<std::FILE, Close> out{std::fopen(order.file.c_str(), "w")};
-  if (!out) throw InputError{"cannot write " + order.file.string()};
+  const std::filesystem::path part = order.file.string() + ".part";
+  std::unique_ptr<std::FILE, Close> out{std::fopen(part.c_str(), "w")};
+  if (!out) throw InputError{"cannot write " + part.string()};
   fmt::print(out.get(), "distance_m,profile_mm\n");
   std::vector<double> z(4096);
   for (std::size_t done = 0; done < samples;) {
@@ -95,7 +96,9 @@ void write_track(const Order& order) {
                  report::csv_number(block[i] / units::millimetre));
     done += block.size();
   }
-  if (std::ferror(out.get()) != 0) throw InputError{"cannot write all of " + order.file.string()};
+  const bool good = std::ferror(out.get()) == 0 && std::fclose(out.release()) == 0;
+  if (!good) throw InputError{"cannot write all of " + part.string()};
+  std::filesystem::rename(part, order.file);  // so that nobody reads half a record
   fmt::print("{} samples, {:.3f} km, written to {}\n", samples,
              static_cast<double>(samples) * track.spacing / units::kilometre, order.file.string());
 }
