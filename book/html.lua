@@ -50,7 +50,7 @@ function html.tex(text)
   return unit == "" and number or ("%s\\;\\text{%s}"):format(number, unit)
 end
 
-local function math(tex, kind)
+local function formula(tex, kind)
   local doc = pandoc.Pandoc({pandoc.Plain({pandoc.Math(kind, tex)})})
   local out = pandoc.write(doc, "html", {html_math_method = "mathml"}):gsub("%s+$", "")
   if not out:find("<math", 1, true) then
@@ -76,7 +76,7 @@ function html.text(text)
     if not close then break end
     out[#out + 1] = plain(text:sub(at, open - 1))
     local inner = text:sub(open + 1, close - 1)
-    out[#out + 1] = mark == "$" and math(inner, "InlineMath") or html.tag("code", nil, html.escape(inner))
+    out[#out + 1] = mark == "$" and formula(inner, "InlineMath") or html.tag("code", nil, html.escape(inner))
     at = close + 1
   end
   return table.concat(out) .. plain(text:sub(at))
@@ -89,6 +89,14 @@ function html.seconds(seconds)
     if seconds >= unit[1] then return ("%.3g %s"):format(seconds / unit[1], unit[2]) end
   end
   return ("%.2g ns"):format(seconds * 1e9)
+end
+
+-- A count: 12 345 678.
+function html.count(count)
+  if type(count) ~= "number" then return "–" end
+  if count ~= math.floor(count) or math.abs(count) >= 1e15 then return html.number(("%.6g"):format(count)) end
+  local text = ("%.0f"):format(count)
+  return #text < 5 and text or (text:reverse():gsub("%d%d%d", "%0 "):reverse():gsub("^ ", ""):gsub(" ", "&#8239;"))
 end
 
 local labels = {

@@ -163,26 +163,65 @@ function items.table(item, r, more)
     checks_of(item, open)}, "\n"))
 end
 
-function items.work_precision(list)
-  local rows, uncertainty = {}, 0
-  local quantities = {}
-  for _, w in ipairs(list) do quantities[w.quantity or ""] = true end
-  local many = next(quantities, next(quantities)) ~= nil
-  for i, w in ipairs(list) do
-    uncertainty = math.max(uncertainty, w.reference_uncertainty or 0)
-    local outcome = w.converged and "converged" or "failed: " .. (w.reason or "")
-    local error = type(w.error) == "number" and html.number(("%.2g"):format(w.error)) or "–"
-    local method = html.text(w.method) .. (many and ", " .. html.text(w.quantity or "") or "")
-    rows[i] = {
-      method, {html.text(w.setting), class = "number"}, {error, class = "number"},
-      {html.seconds(w.seconds_min), class = "number"}, {html.seconds(w.seconds_median), class = "number"},
-      {w.work and html.number(("%.6g"):format(w.work)) or "–", class = "number"}, html.text(outcome),
-      class = not w.converged and "failed" or i > 1 and list[i - 1].method ~= w.method and "first" or nil}
+-- The runs of one study: {method, setting, ..., errors = {quantity = error}}, and its quantities in order.
+local function runs_of(list)
+  local runs, by_key, quantities = {}, {}, {}
+  for _, w in ipairs(list) do
+    local key, quantity = w.method .. "\n" .. w.setting, w.quantity or ""
+    if not quantities[quantity] then
+      quantities[#quantities + 1] = quantity
+      quantities[quantity] = true
+    end
+    local run = by_key[key]
+    if not run then
+      run = {first = w, errors = {}, outcome = "converged"}
+      by_key[key], runs[#runs + 1] = run, run
+    end
+    run.errors[quantity] = w.error
+    if not w.converged then run.outcome = "failed: " .. (w.reason or "") end
   end
-  local heads = {many and "method, quantity" or "method", "setting", "error", "fastest", "median", "work", "outcome"}
+  return runs, quantities
+end
+
+local function study(id, list, several)
+  local runs, quantities = runs_of(list)
+  local heads, rows, uncertainty = {"method", "setting"}, {}, 0
+  for _, quantity in ipairs(quantities) do
+    heads[#heads + 1] = quantity == "" and "error" or "error of " .. quantity
+  end
+  for _, head in ipairs({"fastest", "median", "work", "outcome"}) do heads[#heads + 1] = head end
+  for _, w in ipairs(list) do uncertainty = math.max(uncertainty, w.reference_uncertainty or 0) end
+  for i, run in ipairs(runs) do
+    local w, failed = run.first, run.outcome ~= "converged"
+    local row = {html.text(w.method), {html.text(w.setting), class = "number"}}
+    for _, quantity in ipairs(quantities) do
+      local error = run.errors[quantity]
+      row[#row + 1] = {type(error) == "number" and html.number(("%.2g"):format(error)) or "–", class = "number"}
+    end
+    for _, text in ipairs({html.seconds(w.seconds_min), html.seconds(w.seconds_median), html.count(w.work)}) do
+      row[#row + 1] = {text, class = "number"}
+    end
+    row[#row + 1] = html.text(run.outcome)
+    row.class = failed and "failed" or i > 1 and runs[i - 1].first.method ~= w.method and "first" or nil
+    rows[i] = row
+  end
   local note = uncertainty > 0 and html.tag("p", {class = "reason"},
     "Relative errors; the reference itself is known to " .. html.number(("%.1g"):format(uncertainty)) .. ".") or ""
-  return html.table("work", heads, rows) .. note
+  return html.table("work", heads, rows, several and html.text(id) or nil) .. note
+end
+
+-- Error against run time, a table for each study of the list.
+function items.work_precision(list)
+  local ids, studies, out = {}, {}, {}
+  for _, w in ipairs(list) do
+    if not studies[w.id] then
+      ids[#ids + 1] = w.id
+      studies[w.id] = {}
+    end
+    table.insert(studies[w.id], w)
+  end
+  for i, id in ipairs(ids) do out[i] = study(id, studies[id], #ids > 1) end
+  return table.concat(out, "\n")
 end
 
 function items.stability(list)

@@ -94,7 +94,8 @@ local function split_headers(text)
     end
     at = finish + 1
   end
-  if not found then return nil, text end
+  local few = not text:sub(1, stop):find("#include", 1, true) and stop < #text and select(2, text:sub(1, stop):gsub("\n", "")) < 3
+  if not found or few then return nil, text end
   return text:sub(1, stop), text:sub(stop + 1)
 end
 
