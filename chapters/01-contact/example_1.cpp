@@ -173,6 +173,13 @@ void fig_06(report::Item& item) {
 
 }  // namespace
 
+double contact_chapter::fitted_tread(const report::Item& item) {
+  const report::CsvTable printed = item.printed("table-2.csv");
+  return shape_of(report::printed_number(printed.at("a", "hertz")) * inch,
+                  report::printed_number(printed.at("b", "hertz")) * inch, delta_1)
+      .tread;
+}
+
 void contact_chapter::add_example_1(report::Chapter& chapter) {
   chapter.figure("fig-06", "Wheel and rail in Hertzian contact (Fig. 6)", fig_06);
   chapter.table("table-2", "Hertz and COUNTACT-2 at an approach of .0004 in (Table 2)", table_2);

@@ -85,9 +85,9 @@ decide it:
 
 {{treads}}
 
-A cone is out by a quarter of the force and three quarters of the moment. The treads of 12.34 in (drawn) and 12.28 in
-(fitted to the Hertz column of Table 2) straddle the printed moment, so a concave tread of 12.3 in is confirmed
-by numbers that Table 2 does not share.
+A cone is out by a quarter of the force and three quarters of the moment. The treads of 12.34 in (drawn) and
+{{fitted-tread}} (fitted to the Hertz column of Table 2) straddle the printed moment, so a concave tread of 12.3 in is
+confirmed by numbers that Table 2 does not share.
 */
 
 void force_and_moment(report::Item& item) {
@@ -136,8 +136,8 @@ void treads(report::Item& item) {
   const double force = report::printed_number(printed.at("F", "printed")) * lbf;
   const double moment = report::printed_number(printed.at("M", "printed")) * inch * lbf;
   for (const auto& [name, radius] : {std::pair{"cone", std::numeric_limits<double>::infinity()},
-                                     std::pair{"concave, 12.34 in", tread_radius},
-                                     std::pair{"concave, 12.28 in", 12.28 * inch}}) {
+                                     std::pair{"concave, as drawn", tread_radius},
+                                     std::pair{"concave, fitted to Table 2", fitted}}) {
     const NormalContact c = radius == tread_radius ? cg_fft_on_the_jump() : by_cg_fft(radius);
     item.add_row({name, fmt::format("{:.0f}", c.force / lbf),
                   fmt::format("{:+.2f} %", 100 * (c.force / force - 1)),

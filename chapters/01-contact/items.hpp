@@ -17,6 +17,9 @@ void add_example_1(report::Chapter&);  // Table 2, Figs 6 and 7
 void add_example_2(report::Chapter&);  // Figs 8 to 10 and the scene
 void add_example_4(report::Chapter&);  // Fig. 14
 
+// The tread radius that fits the printed Hertz column of Table 2 best, from its a, b and delta.
+double fitted_tread(const report::Item&);
+
 // Example 1 by COUNTACT-2 on nine columns of nine cells, the mesh of the paper's Fig. 2; solved once.
 const contact::CountactResult& nine_by_nine();
 

@@ -4,7 +4,7 @@
 B. Paul and J. Hashemi ask for the pressure where a steel wheel stands on a steel rail. When both bodies are
 quadratic over the contact, Hertz answered in 1882. A rail is not: its radius jumps from 10 inches on the crown to
 1¼ at the corner, and a wheel often stands on the jump. The paper's program COUNTACT (*coun*terformal con*tact*)
-was the first to solve that case, on a mainframe, in six seconds.
+was the first to solve that case.
 
 This chapter rebuilds it. It recomputes every table and figure, settles the paper's geometry (its drawings are hardly
 legible) from the paper's own numbers, and sets the method against three others: Hertz's closed form, a closed form for
