@@ -135,6 +135,7 @@ void treads(report::Item& item) {
   const report::CsvTable printed = item.printed("example-2.csv");
   const double force = report::printed_number(printed.at("F", "printed")) * lbf;
   const double moment = report::printed_number(printed.at("M", "printed")) * inch * lbf;
+  const double fitted = fitted_tread(item);
   for (const auto& [name, radius] : {std::pair{"cone", std::numeric_limits<double>::infinity()},
                                      std::pair{"concave, as drawn", tread_radius},
                                      std::pair{"concave, fitted to Table 2", fitted}}) {

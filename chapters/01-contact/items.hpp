@@ -12,10 +12,11 @@ void add_cost(report::Chapter&);       // error against run time
 void add_example_3(report::Chapter&);  // Figs 11 to 13
 void add_extremes(report::Chapter&);   // stability
 void add_solve_tool(report::Chapter&);
-void add_method(report::Chapter&);     // Figs 1 to 5
-void add_example_1(report::Chapter&);  // Table 2, Figs 6 and 7
-void add_example_2(report::Chapter&);  // Figs 8 to 10 and the scene
-void add_example_4(report::Chapter&);  // Fig. 14
+void add_method(report::Chapter&);        // Figs 1 to 5
+void add_conditioning(report::Chapter&);  // the matrix (14)
+void add_example_1(report::Chapter&);     // Table 2, Figs 6 and 7
+void add_example_2(report::Chapter&);     // Figs 8 to 10 and the scene
+void add_example_4(report::Chapter&);     // Fig. 14
 
 // The tread radius that fits the printed Hertz column of Table 2 best, from its a, b and delta.
 double fitted_tread(const report::Item&);

@@ -12,6 +12,8 @@ the rounded punch, and conjugate gradients with the fast Fourier transform on a 
 
 {{include: method.cpp}}
 
+{{include: conditioning.cpp}}
+
 {{include: example_1.cpp}}
 
 {{include: example_2.cpp}}
@@ -91,6 +93,7 @@ int main(int argc, char** argv) {
                 "Problems, ASME AMD-30, 1978, pp. 165-180.",
        .sources = RAILBOOK_CHAPTER_DIR}};
   contact_chapter::add_method(chapter);
+  contact_chapter::add_conditioning(chapter);
   contact_chapter::add_example_1(chapter);
   contact_chapter::add_example_2(chapter);
   contact_chapter::add_example_3(chapter);
