@@ -36,15 +36,21 @@ choose data, they are marked as assumed, and what rests on them is called a reco
 
 {{include: stiffness_tool.cpp}}
 
+{{include: joint_tool.cpp}}
+
 ## Error against run time
 
 {{include: static_cost.cpp}}
+
+{{include: dynamic_cost.cpp}}
 
 ## Stability
 
 {{stability}}
 
 {{include: static_extremes.cpp}}
+
+{{include: dynamic_extremes.cpp}}
 
 ## Deviations
 
@@ -109,7 +115,10 @@ int main(int argc, char** argv) {
   track_chapter::add_geometry(chapter);
   track_chapter::add_impact(chapter);
   track_chapter::add_static_cost(chapter);
+  track_chapter::add_dynamic_cost(chapter);
   track_chapter::add_static_extremes(chapter);
+  track_chapter::add_dynamic_extremes(chapter);
   track_chapter::add_stiffness_tool(chapter);
+  track_chapter::add_joint_tool(chapter);
   return chapter.run(argc, argv);
 }

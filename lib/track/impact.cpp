@@ -94,9 +94,14 @@ class Runner {
     const double begin = options_.start / speed, end = options_.end_time;
     std::vector<double> stops = breakpoints(history_.surface, options_.start, speed * end);
     const bool cusps = has_cusps(history_.surface) && options_.restart;
+    if (has_cusps(history_.surface) && !options_.restart) {
+      stops.clear();
+      system_.follow = true;
+    }
     for (double& x : stops) x /= speed;
     stops.push_back(end);
-    system_.piece = system_.surface.piece(0.5 * speed * (begin + stops.front()));
+    system_.piece = system_.surface.piece(system_.follow ? options_.start
+                                                         : 0.5 * speed * (begin + stops.front()));
     const SurfacePoint at = system_.surface.at(options_.start, system_.piece);
     ImpactState y = ImpactState::Zero();
     y[0] = at.z;

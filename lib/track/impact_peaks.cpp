@@ -17,14 +17,21 @@ class StepView {
  public:
   StepView(const ImpactHistory& history, const num::DenseStep<6>& step)
       : history_(history), step_(step), rest_(static_approach(history.model)) {
-    const double middle = history.speed * 0.5 * (step.begin + step.end);
-    piece_ = std::visit([&](const auto& s) { return s.piece(middle); }, history.surface);
+    const double low = history.speed * step.begin, high = history.speed * step.end;
+    std::visit(
+        [&](const auto& s) {
+          piece_ = s.piece(0.5 * (low + high));
+          const double inside =
+              1e-6 * (high - low);  // a history run without restarts has steps across cusps
+          follow_ = s.piece(low + inside) != s.piece(high - inside);
+        },
+        history.surface);
   }
   ContactState contact(double t) const {
     return std::visit(
         [&](const auto& s) {
-          return ImpactSystem<std::decay_t<decltype(s)>>{history_.model, s, history_.speed, rest_,
-                                                         piece_}
+          return ImpactSystem<std::decay_t<decltype(s)>>{
+              history_.model, s, history_.speed, rest_, piece_, false, follow_}
               .contact(t, step_.at(t));
         },
         history_.surface);
@@ -34,8 +41,12 @@ class StepView {
     return x <= 0 ? 0.0 : history_.model.hertz_constant * x * std::sqrt(x);
   }
   SurfacePoint surface(double t) const {
-    return std::visit([&](const auto& s) { return s.at(history_.speed * t, piece_); },
-                      history_.surface);
+    return std::visit(
+        [&](const auto& s) {
+          const double x = history_.speed * t;
+          return s.at(x, follow_ ? s.piece(x) : piece_);
+        },
+        history_.surface);
   }
 
  private:
@@ -43,6 +54,7 @@ class StepView {
   const num::DenseStep<6>& step_;
   double rest_;
   long piece_ = 0;
+  bool follow_ = false;
 };
 
 ForceExtremum best_force(const ImpactHistory& history, double from, double to, double sign) {

@@ -24,9 +24,11 @@ struct ImpactSystem {
   double rest;  // static approach
   long piece = 0;
   bool flying = false;
+  bool follow = false;  // take the piece from x at every call: a right-hand side with kinks
 
   ContactState contact(double t, const ImpactState& y) const {
-    const SurfacePoint at = surface.at(speed * t, piece);
+    const double s = speed * t;
+    const SurfacePoint at = surface.at(s, follow ? surface.piece(s) : piece);
     return {rest + y[0] - y[2] - at.z, y[1] - y[3] - speed * at.slope};
   }
   double force(double t, const ImpactState& y) const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include "units/constants.hpp"
 #include "units/input_error.hpp"
@@ -140,9 +141,9 @@ MovingLoadExtremum MovingLoadShape::minimum() const {
 MovingLoadShape moving_load(double theta, double zeta) {
   units::require_non_negative("speed ratio V/V_c", theta);
   units::require_non_negative("damping ratio", zeta);
-  if (zeta == 0)
-    units::require_between("speed ratio V/V_c without damping", theta, 0.0,
-                           std::nextafter(1.0, 0.0));
+  if (zeta == 0 && theta >= 1)
+    throw InputError("speed ratio V/V_c is " + std::to_string(theta) +
+                     ": without damping a steady state needs a ratio below 1");
   const Factors f = factor_quartic(theta, zeta);
   // Continuity of y, y', y'' and a jump of 8 in y''' leave a 2 x 2 system; its solution, with
   // d = (b - c)/2 = 4 zeta theta / a >= 0, needs no difference of nearly equal numbers.
