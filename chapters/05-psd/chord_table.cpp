@@ -68,6 +68,7 @@ void prove_misprints(report::Item& item) {
   item.value("chords-found", found == 0 ? "none" : fmt::format("{}", found));
 }
 
+/*** Feet, metres, and the largest offset found by trying: */
 void table_2(report::Item& item) {
   const report::CsvTable printed = item.printed("table-2.csv");
   item.expect_checks(static_cast<int>(printed.rows.size()));
@@ -104,6 +105,7 @@ void table_2(report::Item& item) {
   prove_misprints(item);
 }
 
+/*** Figure 10 is drawn from the same numbers: */
 // The rectified sine about a joint, and both chords with their middle on it.
 void fig_10(report::Item& item) {
   const report::CsvTable printed = item.printed("equations.csv");

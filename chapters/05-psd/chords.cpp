@@ -18,8 +18,8 @@ without corner would have {{three-sigma}}.
 
 {{equation-8}}
 
-The paper's two probabilities for three sigma, 0.99 for a normal offset and 0.8 for the worst distribution (Chebyshev, exactly
-$1-1/9$), are both cut after the last printed digit, not rounded.
+The paper's two probabilities for three sigma, 0.99 for a normal offset (exactly {{normal-share}}) and 0.8 for the worst distribution
+(Chebyshev, {{chebyshev-share}}), are both cut after the last printed digit, not rounded.
 */
 #include <fmt/format.h>
 
@@ -70,6 +70,7 @@ double ratio(double phi_c, double chord) {
   return signal::chord_sigma({.A = A, .phi_c = phi_c}, chord) / signal::chord_sigma(A, chord);
 }
 
+/*** Equation (8) once more without its closed form, and the table: */
 // The integral of (8) without its closed form: lobe by lobe, the rest with the mean 3/2 of the squared gain.
 double sigma_by_quadrature(double chord) {
   const auto integrand = [&](double phi) {
@@ -85,6 +86,7 @@ double sigma_by_quadrature(double chord) {
   return std::sqrt(variance);
 }
 
+/*** Each corner of Table 1: */
 void equation_8(report::Item& item) {
   const std::vector<double> corners{0.10, 0.11, 0.12, 0.13, 0.14, 0.18, 0.25};  // of Table 1
   const std::size_t samples = item.full() ? 8'000'000 : 500'000;

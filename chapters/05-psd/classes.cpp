@@ -29,9 +29,6 @@ below. So the number in print was either larger than (8) makes it, or the points
 
 {{table-k}}
 
-The paper calls the share of readings within $3\sigma$ "0.99" for a normal distribution and "0.8" for any other. The exact values are
-{{normal-share}} and, by Chebyshev, {{chebyshev-share}}: the second looks cut off after one digit.
-
 ### Figure 11
 
 {{fig-11}}

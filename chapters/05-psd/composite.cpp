@@ -36,6 +36,7 @@ double periodic(const std::vector<signal::Line>& lines, double phi, double df) {
   return density;
 }
 
+/*** The record is compared with the sum, bin by bin: */
 void fig_07(report::Item& item) {
   item.expect_checks(2);
   item.reconstructed(

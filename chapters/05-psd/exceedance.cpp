@@ -12,8 +12,8 @@ The table has it for the thirteen zones, with the physical dip, and with 30-ft r
 {{exceedance}}
 
 A random part alone would pass its three sigma with a probability of {{exceedance-normal}}. All zones stay below: from {{exceedance-least}} to
-{{exceedance-most}}. The rule is on the safe side for three reasons. The corner takes something off $\sigma$; the chord reads at most 60 % of a
-dip of 39-ft rail (10 % of 30-ft rail, in zone 12); and the printed $B$ is twice the physical dip.
+{{exceedance-most}}. The rule is on the safe side for three reasons. The corner takes something off $\sigma$; the chord reads at most {{sees-39}} of a
+dip of 39-ft rail ({{sees-30}} of 30-ft rail, in zone 12); and the printed $B$ is twice the physical dip.
 */
 #include <fmt/format.h>
 
@@ -43,6 +43,7 @@ signal::SyntheticTrack zone_track(const Zone& zone) {
   return track;
 }
 
+/*** The formula, averaged over one rail: */
 // The share of chord readings beyond +-d on normal random track of deviation sigma with equal joints.
 double share_beyond(double d, double sigma, double dip, double rail) {
   constexpr int positions = 2000;
@@ -58,6 +59,7 @@ double share_beyond(double d, double sigma, double dip, double rail) {
   return share;
 }
 
+/*** And the count: */
 double counted_beyond(double d, signal::SyntheticTrack track, std::size_t samples) {
   const auto mco =
       signal::mid_chord_offsets(signal::synthesize(track, samples), track.spacing, chord).offset;
@@ -66,6 +68,7 @@ double counted_beyond(double d, signal::SyntheticTrack track, std::size_t sample
   return static_cast<double>(count) / static_cast<double>(mco.size());
 }
 
+/*** All zones: */
 void exceedance(report::Item& item) {
   const auto all = zones(item.printed("table-1.csv"));
   const std::size_t samples = item.full() ? 4'000'000 : 400'000;

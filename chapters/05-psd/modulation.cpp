@@ -53,6 +53,7 @@ signal::JointDips joints(double correlation) {
   return {rail, dip, 0.5, correlation};
 }
 
+/*** Where the scattered power goes: */
 // The share of the scattered power that lies within `width` of a line n phi_0, n >= 1.
 double share_near_lines(double correlation, double width) {
   double near = 0.0;
@@ -67,6 +68,7 @@ double share_near_lines(double correlation, double width) {
   return near / all;
 }
 
+/*** The two profiles come from one generator with one seed: */
 void fig_05(report::Item& item) {
   item.reconstructed(
       "the paper draws two examples by hand; ours have the same mean and spread of dips");
@@ -109,6 +111,7 @@ double direct_power(const std::vector<double>& z, double spacing, double phi) {
   return 2 * std::norm(sum / static_cast<double>(z.size()));
 }
 
+/*** The four lines against their formula: */
 void check_lines(report::Item& item, signal::SyntheticTrack track) {
   const double Q_1 = signal::line_power(1, dip, LineConvention::exact_one_sided);
   const double Q_2 = signal::line_power(2, dip, LineConvention::exact_one_sided);
@@ -133,6 +136,7 @@ void check_lines(report::Item& item, signal::SyntheticTrack track) {
   agree("second", "sideband at 2φ₀ − ε", 2 * phi_0 - eps, share * Q_2);
 }
 
+/*** The figure: */
 void fig_04(report::Item& item) {
   item.expect_checks(4);
   item.reconstructed(

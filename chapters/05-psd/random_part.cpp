@@ -43,6 +43,7 @@ signal::SyntheticTrack random_track() {
   return track;
 }
 
+/*** The scatter is measured, not assumed: many records, each an independent estimate of the same spectrum. */
 // The relative standard error of an ordinate: over `records` spectra of `samples` each, bins 20 to 1500.
 double scatter(std::size_t samples, int records, double& predicted) {
   signal::TrackGenerator generator{random_track()};
@@ -63,6 +64,7 @@ double scatter(std::size_t samples, int records, double& predicted) {
   return std::sqrt(square / static_cast<double>(count));
 }
 
+/*** The density of the generator's own coefficients against the model: */
 double worst_generator_error() {
   const signal::TrackGenerator generator{random_track()};
   double worst = 0.0;
@@ -72,6 +74,7 @@ double worst_generator_error() {
   return worst;
 }
 
+/*** The figure and its checks: */
 void fig_03(report::Item& item) {
   item.expect_checks(2);
   item.reconstructed(

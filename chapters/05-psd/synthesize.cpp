@@ -6,7 +6,7 @@
 
 The dip is given in the printed convention of Table 1, like everything about $B$ on the command line. The columns are `distance_m` and
 `profile_mm`; samples lost in gaps are `nan`. The same options and seed give the same file on every machine of the same kind, whatever
-the compiler. Records of any length stream through a few thousand samples of memory.
+the compiler. Records of any length stream through the memory of one filter block.
 */
 #include <fmt/format.h>
 
@@ -65,6 +65,7 @@ void add_options(report::Options& o, Order& order) {
              {0.0, 0.95});
 }
 
+/*** The record is written block by block, under a name of its own until it is whole. */
 struct Close {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };

@@ -105,6 +105,7 @@ Closure check_row(report::Item& item, const report::CsvTable& printed, const Zon
   return c;
 }
 
+/*** Thirteen rows: */
 void table_1(report::Item& item) {
   const report::CsvTable printed = item.printed("table-1.csv");
   const auto all = zones(printed);
