@@ -44,9 +44,9 @@ end
 
 local meanings = {
   {"reproduced", "every check passes at the printed precision"},
-  {"explained", "every check passes, some at a wider tolerance, with the reason"},
+  {"explained", "every check passes, some at a wider tolerance or against a method of our own; the reason is given"},
   {"misprint", "the printed number is shown to be wrong; ours equals the corrected one"},
-  {"reconstructed", "the paper does not give the input; ours is stated, and the outcome is of the same kind"},
+  {"reconstructed", "the paper does not give the input, or draws without numbers; ours is stated"},
   {"sketch", "the paper draws the idea only; ours is computed, with nothing to check it against"},
   {"not-reproducible", "the paper gives too little, and says so here"},
   {"failed", "a check does not pass"},

@@ -68,16 +68,17 @@ function record.tally(checks)
   return passed, #checks, closest
 end
 
--- {{verdict, count}, ...} in the order of first appearance.
+local verdicts = {"reproduced", "explained", "misprint", "reconstructed", "sketch", "not-reproducible", "failed"}
+
+-- {{verdict, count}, ...}, the best first; `key` is "verdict" of items or "status" of checks.
 function record.count(list, key)
-  local counts, order = {}, {}
-  for _, entry in ipairs(list) do
-    local name = entry[key]
-    if not counts[name] then order[#order + 1] = name end
-    counts[name] = (counts[name] or 0) + 1
+  local counts, out = {}, {}
+  for _, entry in ipairs(list) do counts[entry[key]] = (counts[entry[key]] or 0) + 1 end
+  for _, verdict in ipairs(verdicts) do
+    if counts[verdict] then out[#out + 1] = {verdict, counts[verdict]} end
+    counts[verdict] = nil
   end
-  local out = {}
-  for i, name in ipairs(order) do out[i] = {name, counts[name]} end
+  for verdict, count in pairs(counts) do out[#out + 1] = {verdict, count} end -- of no known kind
   return out
 end
 

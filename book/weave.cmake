@@ -87,7 +87,7 @@ foreach(chapter ${chapters})
   endif()
 endforeach()
 
-foreach(page "index=railbook: seven papers on wheel, rail and track, recomputed" "gallery=Gallery")
+foreach(page "index=railbook: papers on wheel, rail and track, recomputed" "gallery=Gallery")
   string(REGEX MATCH "^([a-z]+)=(.*)$" _ ${page})
   execute_process(
     COMMAND ${PANDOC} --from=markdown-citations --lua-filter=${here}/index.lua ${page_options} ${records} ${left_out}
