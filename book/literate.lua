@@ -94,9 +94,10 @@ local function split_headers(text)
     end
     at = finish + 1
   end
-  local few = not text:sub(1, stop):find("#include", 1, true) and stop < #text and select(2, text:sub(1, stop):gsub("\n", "")) < 3
+  local headers, body = text:sub(1, stop), text:sub(stop + 1)
+  local few = count_lines(headers) < 4 and not headers:find("#include", 1, true) and body:find("%S")
   if not found or few then return nil, text end
-  return text:sub(1, stop), text:sub(stop + 1)
+  return headers, body
 end
 
 local function fenced(code, file, line, role)
