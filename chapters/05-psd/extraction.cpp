@@ -145,8 +145,8 @@ void table_peaks(report::Item& item) {
     const Reading& r = reading_of(table_1, name);
     const auto printed = [&](const char* column) { return table_1.at(name, column); };
     item.add_row(
-        {name, printed("A"), fmt::format("{:.2g}", r.fit.A.value), printed("phi_c"),
-         fmt::format("{:.3f}", r.fit.phi_c.value), printed("C_1"), fmt::format("{:.2g}", r.fit.C_1),
+        {name, printed("A"), fmt::format("{:.1e}", r.fit.A.value), printed("phi_c"),
+         fmt::format("{:.3f}", r.fit.phi_c.value), printed("C_1"), fmt::format("{:.1e}", r.fit.C_1),
          printed("beta"), fmt::format("{:.3f}", r.fit.half_width),
          fmt::format("{:.3f}", r.fit.beta), printed("B"),
          fmt::format("{:.1f} ± {:.1f}", r.fit.B_printed.value / mm, r.fit.B_printed.error / mm)});

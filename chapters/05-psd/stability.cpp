@@ -26,6 +26,7 @@ and $A$ counts it.
 #include "items.hpp"
 #include "signal/chord.hpp"
 #include "signal/line_mask.hpp"
+#include "signal/record.hpp"
 #include "signal/spectrum_fit.hpp"
 
 namespace psd {
@@ -45,6 +46,7 @@ struct Case {
   signal::WelchOptions welch = {};
   signal::FitOptions fit = {};
   double length = 160 * km;
+  std::size_t bridge = 0;  // longest gap joined by a straight line
 };
 
 struct Result {
@@ -53,9 +55,17 @@ struct Result {
 };
 
 signal::Spectrum spectrum_of(const Case& c) {
-  if (c.fit.chord == 0) return record_spectrum(c.track, c.length, c.welch);
+  if (c.fit.chord == 0 && c.bridge == 0) return record_spectrum(c.track, c.length, c.welch);
   const auto record =
       signal::synthesize(c.track, static_cast<std::size_t>(c.length / c.track.spacing));
+  if (c.bridge > 0) {
+    signal::Welch welch{c.track.spacing, c.welch};
+    signal::RecordStream stream{{.spacing = c.track.spacing, .bridge = c.bridge},
+                                [&](std::span<const double> piece) { welch.push(piece); }};
+    for (const double z : record) stream.add(z);
+    stream.finish();
+    return welch.spectrum();
+  }
   const auto offsets = signal::mid_chord_offsets(record, c.track.spacing, c.fit.chord);
   return signal::welch(offsets.offset, c.track.spacing, c.welch);
 }
@@ -213,6 +223,14 @@ std::vector<Case> measured_badly(const signal::SyntheticTrack& base) {
        "most segments drop out",
        gaps(0.02),
        {.segment = 1024}},
+      {"gaps-2-bridged",
+       "the same, 4096, bridged by lines",
+       "straight pieces in the profile",
+       gaps(0.02),
+       {},
+       {},
+       160 * km,
+       20},
       {"chord-62",
        "62-ft chord offsets",
        "long waves and zeros invisible",
