@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "num/fp_trap.hpp"
@@ -54,4 +56,24 @@ TEST_CASE("extreme: equal old and new rails modulate at wavenumber zero") {
 TEST_CASE("extreme: a line number of a million still has its strength") {
   CHECK_THAT(line_strength(1000000, 1.0, LineConvention::exact_one_sided),
              WithinRel(1e-12 / units::pi, 1e-11));
+}
+
+TEST_CASE("extreme: the normal quantile out to the last random number there is") {
+  // The smallest uniform number is 2^-53; Phi(-8.2095...) = 2^-53.
+  const double x = normal_quantile(0x1p-53);
+  CHECK_THAT(0.5 * std::erfc(-x / std::sqrt(2.0)), WithinRel(0x1p-53, 1e-12));
+  CHECK(normal_quantile(1 - 0x1p-53) == -x);
+}
+
+TEST_CASE("extreme: a million rails from the start the joints are still where they belong") {
+  JointSequence joints{{.rail_length = 11.8872, .dip = 1.0}, 5.9436, RandomSource{1, 1}};
+  std::vector<double> z(100001);
+  for (int block = 0; block < 20; ++block) {
+    std::fill(z.begin(), z.end() - 1, 0.0);
+    joints.add(std::span{z}.first(100000));
+  }
+  for (std::size_t i = 0; i < 100000; i += 2) {
+    REQUIRE(std::abs(z[i] + 1.0) < 1e-8);
+    REQUIRE(std::abs(z[i + 1]) < 1e-8);
+  }
 }

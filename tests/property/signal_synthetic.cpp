@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstring>
@@ -5,6 +6,7 @@
 
 #include "num/fft.hpp"
 #include "signal/chord.hpp"
+#include "signal/rail_line.hpp"
 #include "signal/synthetic_track.hpp"
 
 using namespace railbook;
@@ -202,4 +204,37 @@ TEST_CASE("property: chord offsets of the record have the closed-form sigma and 
   for (int k = 0; k < 3; ++k)
     CHECK_THAT(beyond[k] / static_cast<double>(mco.size()),
                WithinAbs(normal[k], 5 * std::sqrt(normal[k] / 33000)));
+}
+
+TEST_CASE("property: ballast memory in the record has the lines of its formula") {
+  SyntheticTrack track;
+  track.spacing = units::foot / 10;
+  track.dip = 0.01;
+  track.memory_modulation = 0.5;
+  const std::size_t n = 4290;  // 429 ft: 11 rails of 39 ft, 13 of 33 ft
+  const auto z = synthesize(track, n);
+  num::RealFft fft{n};
+  std::copy(z.begin(), z.end(), fft.real().begin());
+  fft.forward();
+  const double eps = 1 / track.memory_length - 1 / track.rail_length;
+  for (const Line& line : modulated_lines(1 / track.rail_length, track.dip, 0.5, eps, 0.4)) {
+    const auto k = static_cast<std::size_t>(std::lround(line.phi * 429 * units::foot));
+    const double power = 2 * std::norm(fft.spectrum()[k]) / (double(n) * double(n));
+    CHECK_THAT(power, WithinRel(line.power, 2e-3));
+  }
+}
+
+TEST_CASE("property: a chord drops what it reaches of a gap and nothing else") {
+  SyntheticTrack track;
+  track.A = 1e-7;
+  auto z = synthesize(track, 400);
+  const auto whole = mid_chord_offsets(z, track.spacing, 20 * units::foot);
+  z[200] = std::nan("");
+  const auto gapped = mid_chord_offsets(z, track.spacing, 20 * units::foot);
+  for (std::size_t k = 0; k < whole.offset.size(); ++k) {
+    const std::size_t i = whole.first + k;
+    const bool reached = i == 190 || i == 200 || i == 210;
+    CHECK(std::isnan(gapped.offset[k]) == reached);
+    if (!reached) CHECK(gapped.offset[k] == whole.offset[k]);
+  }
 }
