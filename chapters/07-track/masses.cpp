@@ -81,6 +81,8 @@ void masses(report::Item& item) {
   item.add_row({"rail on the whole track", "(15) with the rail alone: 132RE, assumed",
                 both_units(m.rail_only)});
   item.add_row({"rail on its ties", "(16), (17)", both_units(m.rail)});
+  item.add_row({"rail and half a tie", "a footnote: British practice for impact, 0.4 of (15)",
+                both_units(m.british)});
   item.add_row({"tie and ballast",
                 "(18), (19), N = 6: tie 200 lb, A_t = 270 in², 0.0579 lb/in³, "
                 "C_m = 1, all assumed",
