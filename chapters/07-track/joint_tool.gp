@@ -8,7 +8,7 @@ unset key
 set ylabel "wheel/rail force, kN"
 set yrange [0:*]
 plot ARG1 using "time_ms":"force_kN" with lines lt 1
-set key right center
+set key above horizontal maxrows 1
 set xlabel "time after distance 0, ms"
 set ylabel "displacement, mm (down)"
 set yrange [*:*] reverse
