@@ -107,7 +107,7 @@ void cost_moving(report::Item& item) {
       bench::measure("cost-moving", {{"at the load", exact, 1e-15}},
                      {roots, lumped, steady, newmark, richardson}, item.timings(), 0.05);
   bench::show(item, points, "at the load");
-  item.explained("not in the paper: our own study of methods");
+  item.reconstructed("not in the paper: our own study of methods");
   volatile double sink = 0;
   const auto once = [&] { sink = moving_load(theta, zeta).at_load(); };
   const double closed = item.timings() ? bench::time_call(once).min : 0.0;  // 0: not timed
@@ -160,7 +160,7 @@ void cost_joint(report::Item& item) {
                       joint_method("Radau IIA order 5 (ours)", ImpactMethod::radau5)},
                      item.timings(), 0.05);
   bench::show(item, points, "force at 20 ms");
-  item.explained("not in the paper: our own study of methods");
+  item.reconstructed("not in the paper: our own study of methods");
   item.value("joint-reference", uncertainty, "", "{:.0e}");
   for (const auto& p : points) {
     if (p.method == "explicit order 5 not restarted" && p.setting == "1e-08")

@@ -159,7 +159,7 @@ void contact_cases(report::Item& item) {
 
 void coalescence(report::Item& item) {
   item.columns({"zeta at theta = 1", "deflection", "error, two quadratics", "error, four roots"});
-  item.explained("not in the paper: our own comparison");
+  item.reconstructed("not in the paper: our own comparison");
   item.expect_checks(5);
   for (const double u : {1.0, 1e-3, 1e-6, 1e-9, 1e-12}) {
     const double zeta = 0.125 * u * std::sqrt(u + 8);

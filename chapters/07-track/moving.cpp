@@ -67,6 +67,13 @@ void critical_speeds(report::Item& item) {
     item.value("v-ballast", v[2] / units::mph, "mph", "{:.0f}");
     item.value("error-at-250-ballast", percent(250, v[2]), "%", "{:.1f}");
     item.value("error-at-150-ballast", percent(150, v[2]), "%", "{:.1f}");
+    const double claimed = 1100 * units::mph;
+    const double ei = rail.bending_stiffness();
+    item.value("k-for-1100", std::pow(claimed, 4) * masses[0] * masses[0] / (4 * ei) / units::psi,
+               "psi", "{:.0f}");
+    item.value("rho-for-1100", 2 * std::sqrt(ei * modulus) / (claimed * claimed) / masses[0],
+               "times", "{:.2f}");
+    item.value("v-three-percent", 1100 * std::sqrt(1 - 1 / (1.03 * 1.03)), "mph", "{:.1f}");
     item.expect_checks(3);
     const auto claims = item.printed("motion.csv");
     track_chapter::check_claim(
@@ -78,7 +85,6 @@ void critical_speeds(report::Item& item) {
                                report::at_most("with the paper's own 1100 mph"));
     // The smallest phase speed, found by scanning the dispersion relation of the free wave.
     double least = 1e9;
-    const double ei = rail.bending_stiffness();
     for (double k = 0.5; k < 4; k *= 1.0001)
       least = std::min(least, std::sqrt((ei * k * k + modulus / (k * k)) / masses[0]));
     item.agree("dispersion", "V_c, rail only", "mph", v[0] / units::mph, least / units::mph, 1e-7,
@@ -127,7 +133,7 @@ void moving_load_table(report::Item& item) {
   item.columns({"theta", "zeta", "at the load", "largest", "where, s", "smallest", "where, s"});
   constexpr std::array thetas{0.5, 0.8, 1.0, 2.0};
   constexpr std::array zetas{0.05, 0.2, 0.4, 1.0};
-  item.explained("not in the paper: closed form against finite elements");
+  item.reconstructed("not in the paper: closed form against finite elements");
   item.expect_checks(3 * 16 + 3);
   double worst = 0;
   for (const double theta : thetas)
@@ -185,7 +191,7 @@ void shapes(report::Item& item) {
     for (std::size_t i = 0; i < fe.s.size(); i += 16)
       if (fe.s[i] >= -15 && fe.s[i] <= 5) nodes.add(fe.s[i], fe.y[i]);
   }
-  item.explained("not in the paper, whose figure of this solution is a reference to others");
+  item.reconstructed("not in the paper, whose figure of this solution is a reference to others");
 }
 
 /***
@@ -207,7 +213,7 @@ void amplification(report::Item& item) {
     undamped.add(theta, undamped_amplification(theta));
   auto& marks = item.data("speeds", {"theta", "amplification"});
   for (const double mph : {150.0, 250.0}) marks.add(mph / 1100, undamped_amplification(mph / 1100));
-  item.explained("not in the paper: largest deflection against speed");
+  item.reconstructed("not in the paper: largest deflection against speed");
 }
 
 }  // namespace

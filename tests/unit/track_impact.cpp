@@ -99,3 +99,55 @@ TEST_CASE("unit: dip formulas of British practice") {
   CHECK(f.p1 / 1e3 == Approx(174.9).margin(0.05));
   CHECK(f.p2 / 1e3 == Approx(138.2).margin(0.05));
 }
+
+TEST_CASE("unit: variants of the model against a separately written one") {
+  ImpactModel m = model;
+  m.track.rail_damping = m.track.bed_damping = 0;
+  const ImpactPeaks undamped = impact_peaks(pass(60, 0.5, 1e-9, 0.12, m));
+  CHECK(undamped.first.force / 1e3 == Approx(177.96).margin(0.01));
+  CHECK(undamped.second.force / 1e3 == Approx(202.49).margin(0.01));
+  CHECK(undamped.late.force / 1e3 ==
+        Approx(213.1).margin(0.05));  // no decay: of a window of 120 ms
+  m = model;
+  m.hertz_constant *= 10;
+  CHECK(impact_peaks(pass(60, 0.5, 1e-9, 0.06, m)).second.force / 1e3 ==
+        Approx(263.3).margin(0.05));
+  m = model;
+  m.track.bed_stiffness /= 20;
+  m.track.bed_damping /= std::sqrt(20.0);
+  CHECK(impact_peaks(pass(60, 0.5, 1e-9, 0.06, m)).second.force / 1e3 ==
+        Approx(195.49).margin(0.01));
+  CHECK(impact_peaks(pass(60, 0.5, 1e-9, 0.06, m)).late.force / 1e3 == Approx(167.57).margin(0.01));
+  m = model;
+  m.track.rail_damping *= 12;
+  const ImpactPeaks quiet = impact_peaks(pass(60, 0.5, 1e-9, 0.06, m));
+  CHECK(quiet.first.force / 1e3 == Approx(183.03).margin(0.01));
+  CHECK(quiet.late.force / 1e3 == Approx(137.32).margin(0.01));
+}
+
+TEST_CASE("unit: the effect of where the passage starts is below a tenth of a kilonewton") {
+  const RectifiedSine rail{0.5 * units::inch, 39 * units::foot};
+  double least = 1e9, most = 0;
+  for (double start : {-0.5, -1.5, -0.25 * rail.length}) {
+    ImpactOptions options;
+    options.start = start;
+    const double second =
+        impact_peaks(simulate(model, rail, 60 * units::mph, options)).second.force;
+    least = std::min(least, second);
+    most = std::max(most, second);
+  }
+  CHECK(most - least < 100);
+}
+
+TEST_CASE("unit: stepping across joint and touch-down converges to the same forces") {
+  const RectifiedSine rail{1.5 * units::inch, 39 * units::foot};
+  ImpactOptions options;
+  options.start = -1;
+  options.tolerance = 1e-11;
+  const ImpactHistory located = simulate(model, rail, 100 * units::mph, options);
+  options.restart = false;
+  const ImpactHistory across = simulate(model, rail, 100 * units::mph, options);
+  CHECK(across.losses.empty());
+  for (double t = 0; t < 0.06; t += 1e-3)
+    CHECK(across.force(t) == Approx(located.force(t)).epsilon(1e-6).margin(1e-3));
+}
