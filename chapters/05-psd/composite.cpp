@@ -6,6 +6,7 @@ are the measured spectrum of {{fig-07-length}} of synthetic track.
 
 {{fig-07}}
 */
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -47,7 +48,7 @@ void fig_07(report::Item& item) {
   const signal::Spectrum spectrum = record_spectrum(track, length, {.segment = 4096});
   const auto lines = signal::modulated_lines(1 / rail, track.dip, 0.0, 0.0, 1.7);
   report::Data& curve = item.data({"phi_cycle_per_m", "S_random", "S_periodic", "S_composite"});
-  for (double phi = 0.01; phi < 1.6; phi *= 1.002) {
+  for (double phi = 0.01; phi < 1.6; phi += std::min(0.002 * phi, 0.1 * spectrum.df)) {
     const double random = signal::random_psd(zone.track, phi);
     const double line = periodic(lines, phi, spectrum.df);
     curve.add(phi, random, line, random + line);
