@@ -1,7 +1,7 @@
 /***
 ## A wheel meets a joint
 
-Now the input of Figure 4 is a joint. A wheel of mass $m_w$ carries the constant load $P_0$; its contact with the rail is
+Now the input of {{fig-04}} is a joint. A wheel of mass $m_w$ carries the constant load $P_0$; its contact with the rail is
 Hertz's, $F=C_Hx_+^{3/2}$, with $C_H$ from the elliptic integrals of chapter 01 for an 18-inch wheel on a 10-inch
 crown; below it are rail mass and bed mass, split as in (16) to (19), and a stiffness split that keeps $K_r$:
 

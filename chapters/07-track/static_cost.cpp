@@ -12,7 +12,7 @@ rounding, which grows with the inverse fourth power, takes over at {{cubic-floor
 {{work-precision: cost-statics}}
 
 On discrete ties there is no closed form as simple; the reference is the Bloch integral. Elements from tie to
-tie are exact but for the cut, so that ten digits cost {{ties-time}} of {{ties-count}} unknowns. The smeared
+tie are exact but for the cut, so that ten digits cost {{ties-count}} unknowns and {{ties-time}}. The smeared
 foundation is off by a fixed {{smeared-error}}, and takes no time at all: that is the trade the paper makes, and
 it is a good one.
 

@@ -190,9 +190,11 @@ void near_square(report::Item& item) {
         slope * (length - width) * modulus /
         std::log(length * (width + slope * depth) / (width * (length + slope * depth)));
     const double ours = 1 / ballast_compliance(length, width, depth, modulus, angle);
-    item.add_row({fmt::format("{:.0e}", gap),
-                  fmt::format("{:.1e}", std::abs(printed / reference - 1)),
-                  fmt::format("{:.1e}", std::abs(ours / reference - 1))});
+    const auto error = [&](double k) {
+      const double e = std::abs(k / reference - 1);
+      return e == 0 ? std::string("0") : fmt::format("{:.1e}", e);
+    };
+    item.add_row({fmt::format("{:.0e}", gap), error(printed), error(ours)});
     item.agree(fmt::format("k_b-{:.0e}", gap), fmt::format("k_b at l/w - 1 = {:.0e}", gap), "lb/in",
                ours, reference, 1e-13, "slices of the pyramid, integrated");
   }

@@ -2,7 +2,7 @@
 ## The lumped track, on car and at trackside
 
 Below $V_c$ the rail's dent travels with the wheel almost unchanged, and so may a lumped model: one mass or two on
-springs and dampers, moved along below each wheel. Figure 4 is that model as we rebuilt it; the paper's drawing has no numbers
+springs and dampers, moved along below each wheel. {{fig-04}} is that model as we rebuilt it; the paper's drawing has no numbers
 and its text breaks off after equation (10).
 
 {{fig-04}}
@@ -13,8 +13,9 @@ beam's deflection at that distance. Equations (11) to (14) are not in the text t
 
 $$P(t)=\sum_iP_i(t)\,a\bigl(\beta(Vt-x_i)\bigr),$$
 
-$$M_{rail}\ddot y_r+C_1(\dot y_r-\dot y_t)+K_1(y_r-y_t)=P(t),\qquad
-  m_t\ddot y_t+C_g\dot y_t+K_gy_t=C_1(\dot y_r-\dot y_t)+K_1(y_r-y_t).$$
+$$M_{rail}\ddot y_r+C_1(\dot y_r-\dot y_t)+K_1(y_r-y_t)=P(t),$$
+
+$$m_t\ddot y_t+C_g\dot y_t+K_gy_t=C_1(\dot y_r-\dot y_t)+K_1(y_r-y_t).$$
 
 $a$ is a sum of damped exponentials, so for constant loads the response is one too, and needs no time stepping: before a
 wheel passes only the forced part exists, after it the system is carried on by a matrix exponential, with the
