@@ -43,7 +43,8 @@ double end_of(const Line& line) {
   } else {
     t = -0.5;
   }
-  return edge + 0.5 + std::clamp(t, -1.0, 0.5);
+  // A region that runs off the grid ends with it: never below 0, which would read as no pressure at all.
+  return std::max(0.0, edge + 0.5 + std::clamp(t, -1.0, 0.5));
 }
 
 // The least of the ends of neighbouring lines, by a parabola through the ends near it: the parabola averages
