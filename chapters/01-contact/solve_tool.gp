@@ -24,5 +24,5 @@ stats ARG3 using 3 name "Y" nooutput
 slender = (X_max - X_min) / (2 * Y_max)
 if (slender > 0.25 && slender < 4) { set size ratio -1 }
 plot ARG1 using 1:2:($3 > 0 ? $3 : NaN) with image, \
-     ARG3 using 1:2 with lines lc rgb black lw 1.5, \
-     ARG3 using 1:3 with lines lc rgb black lw 1.5
+     ARG3 using 1:2 with lines lc rgb black lw 1.5 dt solid, \
+     ARG3 using 1:3 with lines lc rgb black lw 1.5 dt solid

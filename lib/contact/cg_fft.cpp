@@ -213,8 +213,11 @@ struct Placement {
     };
     const auto along_x = [&](double t) { return gap(t, y); };
     const auto along_y = [&](double t) { return gap(x, t); };
-    sharp_x = sharpen(x, ends.x_min, -grid.dx, along_x) | sharpen(x, ends.x_max, grid.dx, along_x);
-    sharp_y = sharpen(y, ends.y_min, -grid.dy, along_y) | sharpen(y, ends.y_max, grid.dy, along_y);
+    const bool left = sharpen(x, ends.x_min, -grid.dx, along_x);
+    const bool right = sharpen(x, ends.x_max, grid.dx, along_x);
+    const bool below = sharpen(y, ends.y_min, -grid.dy, along_y);
+    const bool above = sharpen(y, ends.y_max, grid.dy, along_y);
+    sharp_x = left || right, sharp_y = below || above;
     box = ends;
     fitted = true;
   }
