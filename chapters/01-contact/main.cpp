@@ -28,6 +28,8 @@ the rounded punch, and conjugate gradients with the fast Fourier transform on a 
 
 {{include: cost.cpp}}
 
+{{include: cost_punch.cpp}}
+
 ## Stability
 
 {{include: extremes.cpp}}
@@ -99,6 +101,7 @@ int main(int argc, char** argv) {
   contact_chapter::add_example_3(chapter);
   contact_chapter::add_example_4(chapter);
   contact_chapter::add_cost(chapter);
+  contact_chapter::add_cost_punch(chapter);
   contact_chapter::add_extremes(chapter);
   contact_chapter::add_solve_tool(chapter);
   return chapter.run(argc, argv);
