@@ -60,7 +60,7 @@ What the paper prints that we do not confirm, or confirm for some data only:
   rail; ten feet to the end of a joint's reach ($2/\beta$) needs {{k-ten-feet-joint}}. No one track does both;
   the two distances always differ by the factor {{reach-ratio}}.
 * **Equation (8) for both joints.** It fits the free joint and misses the hinge by {{hinge-error}}; the hinge curve
-  is not monotone, and no formula of this form is not.
+  is not monotone, and every formula of this form is.
 * **Equation (15) "from the first natural frequency".** It is the kinetic-energy mass; the frequency it implies is
   {{too-high}} above the beam's first.
 * **Equation (1)** needs $|X|$ for $X$; **equation (6)** is $0/0$ for a square area or vertical sides. Both are
@@ -73,8 +73,8 @@ What the paper prints that we do not confirm, or confirm for some data only:
 * **Mass (15) at trackside** makes the inertial correction three times too large ({{trackside-peak}}).
 
 Not determinable from the text that is available: the integer $N$ in (18), the data behind "average" track and
-behind 1100 mph, equations (11) to (14), the numbers on the axes of its Figure 3, the curves of its Figures 5 to 7, and all
-results after the section on geometry.
+behind 1100 mph, equations (11) to (14), the numbers on the axes of its Figure 3, the curves of its Figures 5 to
+7, and all results after the section on geometry.
 
 ## Limits
 
@@ -86,11 +86,12 @@ two rails through the tie. The pyramid of (6) is valid while those of neighbouri
 any real track are known to a few percent at best, and the sixth digit of a number here is arithmetic, not
 track.
 
-In motion, the track of {{fig-04}} has three degrees of freedom with the wheel. It has no pinned-pinned resonance of
-the rail between ties (near 1 kHz, about the contact's own frequency), no bending of ties, and no neighbouring wheel;
-forces above some 500 Hz are therefore those of the model and not of a track. Damping is viscous, while the paper itself calls the
-ballast's hysteretic. The wheel's load is constant: the car above it is chapter 02's affair. A measured profile given to
-`track joint` is used as it is; it should be sampled more finely than the contact is long, about 15 mm.
+In motion, the track of {{fig-04}} has three degrees of freedom with the wheel. It has no pinned-pinned
+resonance of the rail between ties (near 1 kHz, about the contact's own frequency), no bending of ties, and no
+neighbouring wheel; forces above some 500 Hz are therefore those of the model and not of a track. Damping is
+viscous, while the paper itself calls the ballast's hysteretic. The wheel's load is constant: the car above it
+is chapter 02's affair. A measured profile given to `track joint` is used as it is; it should be sampled more
+finely than the contact is long, about 15 mm.
 
 ## Try next
 
@@ -101,8 +102,10 @@ ballast's hysteretic. The wheel's load is constant: the car above it is chapter 
 * Hang a few ties (no spring, but a gap) and let {{fig-lift}} close it as the load grows.
 * Give {{fig-03}} a slack joint: a rotational spring that engages only after some degrees.
 * `track joint` with half the bed's damping, or with `--rail-damping 70kN*s/m`: which of the four peaks notices?
-* Let the stiffness below the wheel follow equation (8) past the joint, the paper's other disturbance, in `ImpactSystem`.
-* Feed the forces of {{fig-joint}} to a point beside the joint with `respond` and `a` of (1): the whole of (10) to (14).
+* Let the stiffness below the wheel follow equation (8) past the joint, the paper's other disturbance, in
+  `ImpactSystem`.
+* Feed the forces of {{fig-joint}} to a point beside the joint with `respond` and `a` of (1): the whole of (10)
+  to (14).
 */
 
 #include "items.hpp"

@@ -1,15 +1,16 @@
 /***
 ## The lumped track, on car and at trackside
 
-Below $V_c$ the rail's dent travels with the wheel almost unchanged, and so may a lumped model: one mass or two on
-springs and dampers, moved along below each wheel. {{fig-04}} is that model as we rebuilt it; the paper's drawing has no numbers
-and its text breaks off after equation (10).
+Below $V_c$ the rail's dent travels with the wheel almost unchanged, and so may a lumped model: one mass or two
+on springs and dampers, moved along below each wheel. {{fig-04}} is that model as we rebuilt it; the paper's
+drawing has no numbers and its text breaks off after equation (10).
 
 {{fig-04}}
 
-A fixed point beside the track sees something else: wheels that come and go. The paper takes the same lumped model,
-equation (10), $Y(s)=P(s)/(K_r+C_rs+M_rs^2)$, puts the wheel/rail forces on its rail mass, and scales each by the
-beam's deflection at that distance. Equations (11) to (14) are not in the text that is available. We read its words as
+A fixed point beside the track sees something else: wheels that come and go. The paper takes the same lumped
+model, equation (10), $Y(s)=P(s)/(K_r+C_rs+M_rs^2)$, puts the wheel/rail forces on its rail mass, and scales
+each by the beam's deflection at that distance. Equations (11) to (14) are not in the text that is available. We
+read its words as
 
 $$P(t)=\sum_iP_i(t)\,a\bigl(\beta(Vt-x_i)\bigr),$$
 
@@ -17,14 +18,15 @@ $$M_{rail}\ddot y_r+C_1(\dot y_r-\dot y_t)+K_1(y_r-y_t)=P(t),$$
 
 $$m_t\ddot y_t+C_g\dot y_t+K_gy_t=C_1(\dot y_r-\dot y_t)+K_1(y_r-y_t).$$
 
-$a$ is a sum of damped exponentials, so for constant loads the response is one too, and needs no time stepping: before a
-wheel passes only the forced part exists, after it the system is carried on by a matrix exponential, with the
-modulation itself as two more states. That last step keeps it exact even where the load's decay and the track's own
-motion have the same rate, and a partial-fraction formula would divide by zero.
+$a$ is a sum of damped exponentials, so for constant loads the response is one too, and needs no time stepping:
+before a wheel passes only the forced part exists, after it the system is carried on by a matrix exponential,
+with the modulation itself as two more states. That last step keeps it exact even where the load's decay and the
+track's own motion have the same rate, and a partial-fraction formula would divide by zero.
 
 {{fig-05}}
 
-At 60 mph the two-layer track answers a truck almost statically. At 250 mph the inertia shows: the bed is still moving after the last wheel.
+At 60 mph the two-layer track answers a truck almost statically. At 250 mph the inertia shows: the bed is still
+moving after the last wheel.
 */
 
 #include <fmt/format.h>
@@ -145,10 +147,10 @@ void modulation(report::Item& item) {
 /***
 ### What the lumped mass gets wrong
 
-For one mass the response depends on three numbers, the speed ratio $\theta$, the damping $\zeta$ and the mass ratio
-$\mu=M\beta^2V_c^2/K_r$, which is 3/4 for the mass of equation (15). Its peak grows as $1+2\mu\theta^2$, the true
-beam's as $1+\theta^2/2$. So the effective mass that is right for kinetic energy makes inertia at a fixed point
-three times too important; $M=\rho/2\beta$, $\mu=1/4$, would be right in the limit of low speed.
+For one mass the response depends on three numbers, the speed ratio $\theta$, the damping $\zeta$ and the mass
+ratio $\mu=M\beta^2V_c^2/K_r$, which is 3/4 for the mass of equation (15). Its peak grows as $1+2\mu\theta^2$,
+the true beam's as $1+\theta^2/2$. So the effective mass that is right for kinetic energy makes inertia at a
+fixed point three times too important; $M=\rho/2\beta$, $\mu=1/4$, would be right in the limit of low speed.
 
 {{trackside-peak}}
 */
