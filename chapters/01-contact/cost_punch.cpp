@@ -91,7 +91,7 @@ void cost_force(report::Item& item) {
   // Work is rings squared times a nearly constant number of iterations.
   item.value("order-graded", -2 * bench::observed_slope(points, "F", "COUNTAXI graded rings"), "",
              "{:.1f}");
-  item.explained("our own study of methods; the paper has none");
+  item.reconstructed("not in the paper: our own study of methods");
 }
 
 }  // namespace
@@ -101,6 +101,6 @@ void contact_chapter::add_cost_punch(report::Chapter& chapter) {
   chapter.figure("cost-punch-peak", "Error of the peak pressure against cost, Example 4",
                  [](report::Item& item) {
                    bench::show(item, measured(item), "p_max");
-                   item.explained("our own study of methods; the paper has none");
+                   item.reconstructed("not in the paper: our own study of methods");
                  });
 }

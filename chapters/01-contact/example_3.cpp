@@ -212,7 +212,7 @@ void crowns(report::Item& item) {
                   fmt::format("{:.3f}", std::abs(c.x_p_max) / inch),
                   fmt::format("{:.3f}", c.x_max / inch)});
   }
-  item.reconstructed("a study of ours with the dimensions above");
+  item.reconstructed("not in the paper: a study of ours with the dimensions above");
 }
 
 }  // namespace
