@@ -1,9 +1,11 @@
 // Implicit Runge-Kutta of order 5 (Radau IIA, three stages) for small stiff systems of fixed size.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+
+#include "num/dense_lu.hpp"
 
 namespace railbook::num {
 
@@ -80,7 +82,7 @@ class Radau5 {
         block = -h * a(i, j) * jac;
         if (i == j) block.diagonal().array() += 1.0;
       }
-    const Eigen::PartialPivLU<Big> lu{matrix};
+    stages_.factor(matrix);
     z_.setZero();
     double before = 0;
     for (int k = 0; k < 10; ++k) {
@@ -93,7 +95,7 @@ class Radau5 {
       evaluations_ += 3;
       Stages change = h * rates * a.transpose() - z_;
       Eigen::Map<Eigen::Matrix<double, 3 * N, 1>> flat{change.data()};
-      flat = lu.solve(flat).eval();
+      stages_.solve_in_place(flat);
       z_ += change;
       const double now = std::max({size(change.col(0)), size(change.col(1)), size(change.col(2))});
       if (!(now == now)) return false;
@@ -113,19 +115,22 @@ class Radau5 {
         ((-13 - 7 * r) * z_.col(0) + (-13 + 7 * r) * z_.col(1) - z_.col(2)) / (3 * h);
     Jacobian matrix = -jac;
     matrix.diagonal().array() += mu / h;
-    const Eigen::PartialPivLU<Jacobian> lu{matrix};
-    State error = lu.solve(rate + mixed);
+    filter_.factor(matrix);
+    State error = rate + mixed;
+    filter_.solve_in_place(error);
     if (size(error) > 1) {  // filtered once more: kills what is only stiff
       State shifted;
       f(t_, State(y_ + error), shifted);
       ++evaluations_;
-      error = lu.solve(shifted + mixed);
+      error = shifted + mixed;
+      filter_.solve_in_place(error);
     }
     return size(error);
   }
 
   State weight_, y_ = State::Zero();
   Eigen::Matrix<double, N, 3> z_ = Eigen::Matrix<double, N, 3>::Zero();
+  DenseLu stages_, filter_;
   double first_step_, h_, t_ = 0;
   long evaluations_ = 0, rejections_ = 0;
 };

@@ -1,0 +1,27 @@
+#include "num/dense_lu.hpp"
+
+#include <Eigen/LU>
+
+namespace railbook::num {
+
+struct DenseLu::Factors {
+  Eigen::PartialPivLU<Eigen::MatrixXd> lu;
+};
+
+DenseLu::DenseLu() : factors_(std::make_unique<Factors>()) {}
+DenseLu::~DenseLu() = default;
+DenseLu::DenseLu(DenseLu&&) noexcept = default;
+DenseLu& DenseLu::operator=(DenseLu&&) noexcept = default;
+
+void DenseLu::factor(const Eigen::Ref<const Eigen::MatrixXd>& matrix) {
+  factors_->lu.compute(matrix);
+}
+
+void DenseLu::solve_in_place(Eigen::Ref<Eigen::VectorXd> b) const {
+  const auto& lu = factors_->lu.matrixLU();
+  b = factors_->lu.permutationP() * b;  // in place: no temporary
+  lu.triangularView<Eigen::UnitLower>().solveInPlace(b);
+  lu.triangularView<Eigen::Upper>().solveInPlace(b);
+}
+
+}  // namespace railbook::num

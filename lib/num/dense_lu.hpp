@@ -1,0 +1,27 @@
+// LU factors of a small dense matrix, without the weight of Eigen's solvers in a header.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+
+namespace railbook::num {
+
+// Factor once, solve often; storage is kept from one factorisation to the next of the same size.
+class DenseLu {
+ public:
+  DenseLu();
+  ~DenseLu();
+  DenseLu(DenseLu&&) noexcept;
+  DenseLu& operator=(DenseLu&&) noexcept;
+
+  // Of a square matrix, with partial pivoting; O(n^3). A singular one gives infinities or NaN when solved.
+  void factor(const Eigen::Ref<const Eigen::MatrixXd>& matrix);
+  // Replaces the right-hand side (n) by the solution. factor() must have been called.
+  void solve_in_place(Eigen::Ref<Eigen::VectorXd> b) const;
+
+ private:
+  struct Factors;
+  std::unique_ptr<Factors> factors_;
+};
+
+}  // namespace railbook::num
