@@ -7,6 +7,7 @@
 
 #include "contact/bodies.hpp"
 #include "contact/cg_fft.hpp"
+#include "contact/hertz.hpp"
 #include "items.hpp"
 #include "plot/plot.hpp"
 #include "report/csv.hpp"
@@ -157,6 +158,28 @@ report::Summary summarise(const CgFft& result, const TouchingBodies& bodies, dou
   return answer;
 }
 
+// Bodies by radii have Hertz's closed form: what it says at the same approach, and how far the grid is from it.
+void add_hertz(const Wish& wish, const CgFft& result, double modulus, const Shown& u,
+               report::Summary& answer) {
+  const auto curvature = [](const Body& body, double angle) {
+    return Curvature{1 / body.radius_x, 1 / body.radius_y, angle};
+  };
+  const HertzContact h =
+      hertz_from_approach(relative_curvature(curvature(body_of(wish.bodies[0], 1), 0),
+                                             curvature(body_of(wish.bodies[1], 2), wish.angle)),
+                          modulus, result.contact.approach);
+  const auto against = [](double ours, double exact) {
+    return fmt::format("the grid is off by {:.1e}", ours / exact - 1);
+  };
+  answer.add(fmt::format("hertz_force_{}", u.force_name), "Hertz: force at this approach",
+             h.force / u.force, u.force_name, against(result.contact.force, h.force));
+  answer.add(fmt::format("hertz_p_max_{}", u.pressure_name), "Hertz: peak pressure",
+             h.p_max / u.pressure, u.pressure_name, against(result.contact.p_max, h.p_max));
+  answer.add(fmt::format("hertz_a_{}", u.length_name), "Hertz: semi-axes", h.a / u.length,
+             u.length_name);
+  answer.add(fmt::format("hertz_b_{}", u.length_name), "", h.b / u.length, u.length_name);
+}
+
 void write_files(const CgFft& result, const TouchingBodies& bodies, const report::Summary& answer,
                  const Shown& u, const std::filesystem::path& out) {
   const NormalContact& c = result.contact;
@@ -194,7 +217,8 @@ void run(const Wish& wish) {
   const CgFft result = solve(wish, bodies, modulus);
   require_answer(result, bodies);
   const Shown& u = wish.system == "metric" ? metric : inches;
-  const report::Summary answer = summarise(result, bodies, modulus, u);
+  report::Summary answer = summarise(result, bodies, modulus, u);
+  if (one.profile.empty() && two.profile.empty()) add_hertz(wish, result, modulus, u, answer);
   if (wish.out) write_files(result, bodies, answer, u, *wish.out);
   answer.print();
 }
