@@ -121,7 +121,8 @@ TouchingBodies join_bodies(const Body& one, const Body& two, double angle) {
   const double x_touch = least(both, low, high), depth = both(x_touch);
   const auto across = [=](double x) {
     const double t = x + x_touch;
-    return t < low || t > high ? units::no_limit : std::max(both(t) - depth, 0.0);
+    if (t < low || t > high) return units::no_limit;
+    return std::max(both(t) - depth, 0.0);
   };
   TouchingBodies result;
   result.x_touch = x_touch;

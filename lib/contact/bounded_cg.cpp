@@ -27,7 +27,7 @@ class ActiveSet {
     for (VectorXd* v : {&r_, &z_, &d_, &w_}) v->setZero(g.size());
     for (Index n = 0; n < g.size(); ++n) {
       if (std::isinf(g[n])) p[n] = 0;  // no body
-      in(n) = p[n] > 0;
+      in(n) = p[n] > 0 ? 1 : 0;
     }
     self_ = a.self();
   }
