@@ -43,13 +43,13 @@ the rounded punch, and conjugate gradients with the fast Fourier transform on a 
 What the paper prints that we do not confirm, or had to read into it:
 
 * **The geometry** stands in drawings that cannot be read with certainty. The tread of 12.34 in is confirmed by the COUNTACT-2 column
-  of Table 2, its Hertz column fits {{fitted-tread}} better, and Example 2 lies between the two. No other shape of wheel
-  fits: a cone misses Example 2 by a quarter of its force.
+  of Table 2, its Hertz column fits {{fitted-tread}} better, and Example 2 lies between the two. The other shape that
+  suggests itself, a cone, misses Example 2 by a quarter of its force.
 * **Table 2, Hertz column.** It is not the exact solution for the drawn radii (off by up to 1.3 %), its load does not follow from its own
   axes and pressure ({{printed-load}}, not 1006.6), and the load is the same as COUNTACT's to five digits. Whoever
   computed it started from that load and, we believe, from a chart.
-* **Example 2, force.** Converged, the force is {{off-f}} from the print and the moment {{off-m}}. A mesh of ten columns, as
-  coarse as the paper's will have been, explains {{two-widths-force}} of the force; the rest is in the radii.
+* **Example 2, force.** Converged, the force is {{off-f}} from the print and the moment {{off-m}}. A mesh of ten columns, if
+  the paper's was as coarse, explains {{two-widths-force}} of the force; the rest is in the radii.
 * **"806.2 N.m"** under Figure 9 should read 606.2.
 * **The three-point parabola** is unstable as it stands; only the remark that $p$ be one-valued in $y$ makes it work, by ruling it
   out ({{fig-04}}).
@@ -60,14 +60,14 @@ What the paper prints that we do not confirm, or had to read into it:
   sign of $M_x=-\int y\,p\,dA$ in (7) is our reading of a damaged line.
 
 The paper's main claims hold: the contact lies inside the interpenetration curve, the equations are well conditioned, four
-solves are enough for three digits, and steep gradients come out right where the cells are.
+solves reach the accuracy of the mesh, and steep gradients come out right where the cells are.
 
 ## Limits
 
 * **Half space.** Contact must be small against the radii. Example 2's patch is a twentieth of the corner radius across,
   which is fine; a worn wheel in the gauge corner (conformal contact) is not.
-* **Elastic.** The peak of Example 2, {{peak}}, is several times what rail steel bears. A real corner yields and wears to
-  a larger radius within the first few wheels. The number is right for the problem posed and tells why corners do not stay sharp.
+* **Elastic.** The peak of Example 2, {{peak}}, is far above what rail steel bears elastically. A real corner yields
+  and wears to a larger radius. The number is right for the problem posed, and tells why corners do not stay sharp.
 * **One piece.** A column is one interval around the axis, so COUNTACT cannot see two patches (tread and flange); the grid method
   can. Yaw breaks the symmetry COUNTACT-1 needs.
 * **Frictionless, smooth, no roughness.** With equal elastic constants friction would not change the normal pressure.

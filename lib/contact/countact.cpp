@@ -130,8 +130,8 @@ void judge(const Problem& q, const CountactStep& step, NormalContact& c) {
   const double deepest = deepest_outside(q, step);
   if (s.unresolved)
     c.reason =
-        "collapsed: the pressure does not fall towards a part of the boundary, which was "
-        "therefore not located; use more or narrower columns or rows there";
+        "collapsed: too few columns or rows see the pressure fall towards a part of the "
+        "boundary, which was not located";
   else if (deepest > 0.05)
     c.reason = "the bodies still overlap by " + std::to_string(deepest) +
                " of the approach outside the region: too few columns or rows";
