@@ -108,7 +108,7 @@ Loop closed_loop(const Zone& zone, double length, int records) {
   Loop loop;
   const double Q_1 = 2 * std::pow(zone.track.B / (3 * units::pi), 2);  // equation (2)
   for (int r = 0; r < records; ++r) {
-    const auto seed = static_cast<std::uint64_t>(1000 * std::stoi(zone.name) + r);
+    const auto seed = 1000 * std::stoul(zone.name) + static_cast<std::uint64_t>(r);
     const auto fit =
         signal::fit_track_spectrum(record_spectrum(synthetic(zone.track, seed), length, {}));
     loop.A.add(fit.A.value / zone.track.A, fit.A.error / zone.track.A);

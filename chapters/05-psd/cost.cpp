@@ -264,7 +264,8 @@ void table_stream(report::Item& item) {
                  slow / fast, report::at_least("the gain asked for"));
     }
     const double ns = 1e9 / static_cast<double>(n);
-    const double array = static_cast<double>((n / 2048 - 1) * (4096 + 2049) * sizeof(double)) / 1e6;
+    const std::size_t segments = n / 2048 - 1;
+    const double array = static_cast<double>(segments * (4096 + 2049) * sizeof(double)) / 1e6;
     const auto timed = [&](double value, const char* format) {
       return item.timings() ? fmt::format(fmt::runtime(format), value) : std::string{"-"};
     };

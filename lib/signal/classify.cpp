@@ -13,9 +13,9 @@ void check(const ClassRule& rule) {
   units::require_positive("chord", rule.chord, "m");
   units::require_non_negative("alpha", rule.alpha);
   units::require_non_negative("gamma", rule.gamma);
-  for (std::size_t i = 0; i < rule.limits.size(); ++i)
-    units::require_between("class limit", rule.limits[i], 0,
-                           i > 0 ? rule.limits[i - 1] : units::no_limit, "m");
+  double above = units::no_limit;
+  for (const double limit : rule.limits)
+    above = units::require_between("class limit", limit, 0, above, "m");
 }
 
 double limit(const ClassRule& rule, int track_class) {

@@ -245,11 +245,9 @@ Estimate from_log(double log_value, double log_variance) {
 }  // namespace
 
 TrackParameters SpectrumFit::parameters() const {
-  return {.A = A.value,
-          .phi_c = corner == CornerState::none ? no_corner : phi_c.value,
-          .phi_0 = phi_0,
-          .B = B_printed.value,
-          .noise = noise.value};
+  TrackParameters track{.A = A.value, .phi_0 = phi_0, .B = B_printed.value, .noise = noise.value};
+  if (corner != CornerState::none) track.phi_c = phi_c.value;
+  return track;
 }
 
 SpectrumFit fit_track_spectrum(const Spectrum& spectrum, const FitOptions& options) {

@@ -93,8 +93,8 @@ TEST_CASE("unit: windows have their known noise bandwidths, and the Slepian one 
   CHECK(bandwidth(Window::hamming) == Approx(1.36283).epsilon(1e-5));          // Harris 1978: 1.36
   CHECK(bandwidth(Window::blackman_harris) == Approx(2.00435).epsilon(1e-5));  // Harris 1978: 2.00
   // Of all sequences of n terms the Slepian one has the largest share of energy in |f| <= 4/n.
-  const Eigen::Index n = 64;
-  const auto share = [n](const Eigen::VectorXd& w) {
+  constexpr Eigen::Index n = 64;
+  const auto share = [](const Eigen::VectorXd& w) {
     double inside = 0;
     for (Eigen::Index i = 0; i < n; ++i)
       for (Eigen::Index j = 0; j < n; ++j) {
