@@ -104,8 +104,7 @@ finely than the contact is long, about 15 mm.
 * `track joint` with half the bed's damping, or with `--rail-damping 70kN*s/m`: which of the four peaks notices?
 * Let the stiffness below the wheel follow equation (8) past the joint, the paper's other disturbance, in
   `ImpactSystem`.
-* Feed the forces of {{fig-joint}} to a point beside the joint with `respond` and `a` of (1): the whole of (10)
-  to (14).
+* Give {{fig-trackside-joint}} the other wheels of the truck, each with its own forces.
 */
 
 #include "items.hpp"

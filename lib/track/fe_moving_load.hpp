@@ -34,7 +34,7 @@ struct FeNewmarkOptions {
   double element = 0.1;    // units of 1/beta
   double step = 0.025;     // units of sqrt(rho / K)
   double neglect = 1e-7;   // run until the starting transient exp(-zeta t) is below this
-  double margin = 30.0;    // beam before the start and beyond the end of the path, units of 1/beta
+  double margin = 45.0;    // beam before the start and beyond the end of the path, units of 1/beta
   bool richardson = true;  // combine with a run at half the step: error of the time step O(step^4)
 };
 
