@@ -54,8 +54,9 @@ struct CgFft {
 [[nodiscard]] CgFft solve_cg_fft(const Gap& gap, double approach, double effective_modulus,
                                  const CgFftOptions& options = {});
 
-// The same for a given load [N, > 0]: the approach is sought until the force is within 1e-8 of the load, or
-// converged is false. Needs a gap whose force grows with the approach (any gap that is finite near the origin).
+// The same for a given load [N, > 0]: the approach is sought, first on a coarse grid, until the (remedied) force is
+// within 1e-7 of the load; converged is false when 40 solves do not find it. Needs a gap whose force grows
+// with the approach, that is any gap that is finite near the origin.
 [[nodiscard]] CgFft solve_cg_fft_load(const Gap& gap, double load, double effective_modulus,
                                       const CgFftOptions& options = {});
 

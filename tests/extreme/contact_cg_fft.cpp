@@ -88,3 +88,15 @@ TEST_CASE("extreme: a sharp edge is called singular") {
   const Gap punch = rounded_punch_gap({1, 0});
   CHECK(solve_cg_fft(punch, 1e-3, 1, cells(128, 128)).contact.force == Approx(2e-3).epsilon(5e-3));
 }
+
+TEST_CASE("extreme: loads from 1e-12 to 1e4 find their approach") {
+  const num::FpTraps traps;
+  const Gap gap = [](double x, double y) { return 0.5 * (x * x + y * y); };
+  for (const double load : {1e-12, 1.0, 1e4}) {
+    INFO(load);
+    const NormalContact contact = solve_cg_fft_load(gap, load, 1, cells(40, 40)).contact;
+    CHECK(contact.converged);
+    CHECK(contact.force == Approx(load).epsilon(2e-7));
+    CHECK(contact.approach == Approx(std::pow(0.75 * load, 2.0 / 3)).epsilon(2e-4));
+  }
+}
