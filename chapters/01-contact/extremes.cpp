@@ -153,7 +153,7 @@ void grids(report::Item& item) {
   one("prime", "grid", "prime numbers, slow transforms", 251, 257);
   const Eigen::Index huge = item.full() ? 2048 : 512;
   one("huge", "grid", "memory, rounding in long sums", huge, huge);
-  one("oblong", "grid", "cells 8 times as long as wide", 64, 512);
+  one("oblong", "grid", "cells some 17 times as long as wide", 64, 512);
 }
 
 // COUNTACT's own failures: it must say that it failed.
