@@ -58,7 +58,8 @@ void RecordStream::settle_spacing() {
   double count = 0;
   for (const double step : steps) count += std::round(step / median);
   spacing_ = (first_.back().position - first_.front().position) / count;
-  if (!(std::abs(spacing_ / median - 1) < off_grid)) spacing_ = median;
+  if (!(std::abs(spacing_ / median - 1) < 0.05))
+    spacing_ = median;  // then it is uneven, as place() says
   for (const Sample& sample : std::exchange(first_, {})) place(sample);
 }
 
