@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include "contact/countact_parts.hpp"
 #include "contact/geometry.hpp"
@@ -37,6 +38,21 @@ ColumnMesh first_mesh(const Problem& q) {
   for (int j = 0; j < q.cells.columns; ++j)
     mesh.half_width[j] = interpenetration_half_width(q.gap, q.approach, column_centre(mesh, j));
   return mesh;
+}
+
+// Half of the gap is never asked, so that an unsymmetric one would give a number that means nothing.
+void require_symmetry(const Problem& q, const ColumnMesh& mesh) {
+  const auto same = [&](double f, double mirrored, const char* axis) {
+    if (std::abs(f - mirrored) > 1e-6 * q.approach)
+      throw InputError{std::string{"the gap is not symmetric about the "} + axis +
+                       " axis, which this solver relies on"};
+  };
+  for (Eigen::Index j = 0; j < mesh.half_width.size(); ++j)
+    for (const double share : {0.3, 0.7}) {
+      const double x = column_centre(mesh, j), y = share * mesh.half_width[j], f = q.gap(x, y);
+      same(f, q.gap(x, -y), "x");
+      if (q.both_axes) same(f, q.gap(-x, y), "y");
+    }
 }
 
 // Eqs (14) to (16): fills the pressures, the load and the moment of a step from its mesh.
@@ -186,6 +202,7 @@ CountactResult solve(const Gap& gap, double approach, double modulus, const Coun
                   both_axes,
                   number_cells(o, both_axes)};
   ColumnMesh mesh = first_mesh(q);
+  require_symmetry(q, mesh);
   const double size = mesh.x_edges.cwiseAbs().maxCoeff(), width = mesh.half_width.maxCoeff();
   CountactResult result;
   NormalContact& c = result.contact;

@@ -78,11 +78,12 @@ struct CountactResult {
   std::vector<CountactStep> history;
 };
 
-// Solves the normal contact at approach delta > 0 [m] for a gap that is symmetric about the x axis (COUNTACT-1),
-// or about both axes (COUNTACT-2; its columns must be symmetric too). Only y >= 0 (x, y >= 0) of the gap is
-// asked. effective_modulus E* [Pa]. The first region is the interpenetration curve. Throws InputError on bad
-// input or when the matrix would not fit in most_bytes; every failure of the iteration is in the result.
-// F and p_max are second order in the cell size, the boundary first order; no error estimate of its own (NaN).
+// Solves the normal contact at approach delta > 0 [m] for a gap that is symmetric about the x axis
+// (COUNTACT-1) or about both axes (COUNTACT-2; its columns must be symmetric too); only that half or quarter
+// is solved. effective_modulus E* [Pa]. The first region is the interpenetration curve. Throws InputError on
+// bad input, a gap without the symmetry, or a matrix larger than most_bytes; every failure of the iteration
+// is in the result. F and p_max are second order in the cell size, the boundary first order; no error
+// estimate of its own (NaN).
 [[nodiscard]] CountactResult countact_1(const Gap& gap, double approach, double effective_modulus,
                                         const CountactOptions& options = {});
 [[nodiscard]] CountactResult countact_2(const Gap& gap, double approach, double effective_modulus,

@@ -51,3 +51,11 @@ TEST_CASE("input: a gap that is NaN somewhere is refused") {
   };
   CHECK_THROWS_AS((void)countact_1(broken, 1e-2, 1e7), InputError);
 }
+
+TEST_CASE("input: a gap without the symmetry a solver relies on is refused") {
+  const Gap turned = quadratic_gap({1, 3, 0.3});
+  CHECK_THROWS_AS((void)countact_1(turned, 1e-3, 1e7), InputError);
+  CHECK_THROWS_AS((void)countact_2(turned, 1e-3, 1e7), InputError);
+  const Gap jump = rail_wheel_gap({18, 12.34, 10, 1.25});  // symmetric about x only
+  CHECK_THROWS_AS((void)countact_2(jump, 1e-3, 1e7), InputError);
+}
