@@ -36,8 +36,8 @@ struct ImpactOptions {
   double tolerance = 1e-8;  // local error over the static approach and its speed scale
   double start =
       0;  // distance of the first instant [m]; the wheel starts in equilibrium, on the slope
-  double end_time = 0.06;  // [s] after the joint
-  bool restart = true;     // begin anew at cusps and at contact lost or regained
+  double end_time = 0.06;    // [s] after the joint
+  bool restart = true;       // begin anew at cusps and at contact lost or regained
   long most_steps = 400000;  // each kept, about 300 bytes
 };
 
