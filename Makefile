@@ -36,7 +36,7 @@ chapter:          ## run one chapter, e.g. make chapter C=01
 figures: build    ## draw every figure to PNG, without timing anything
 	@for c in $(CHAPTERS); do $(BUILD)/bin/$${c#*-} reproduce --no-timings --out $(BUILD)/ctest/$$c || exit 1; done
 
-accept-figures: figures ## make today's figures the golden set (commit it alone, and say why)
+accept-figures: build ## make today's figures the golden set (commit it alone, and say why)
 	cmake -DBUILD=$(CURDIR)/$(BUILD) -P cmake/accept_figures.cmake
 
 book: build       ## weave the book from the chapters that have been run

@@ -99,9 +99,7 @@ function html.count(count)
   return #text < 5 and text or (text:reverse():gsub("%d%d%d", "%0 "):reverse():gsub("^ ", ""):gsub(" ", "&#8239;"))
 end
 
-local labels = {
-  explained = "reproduced with a reason", misprint = "misprint shown", ["not-reproducible"] = "not reproducible",
-}
+local labels = {misprint = "misprint shown", ["not-reproducible"] = "not reproducible"}
 
 -- The verdict or status as a coloured word.
 function html.badge(status)

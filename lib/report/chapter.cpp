@@ -145,7 +145,8 @@ int Chapter::reproduce(const Reproduce& wish) const {
   record.paper = info_.paper;
   record.level = wish.level;
   record.only = wish.only;
-  if (wish.only.empty() && !wish.bite) {  // nothing of an earlier run may pass for a result of this one
+  if (wish.only.empty() &&
+      !wish.bite) {  // nothing of an earlier run may pass for a result of this one
     std::filesystem::remove_all(settings.results);
     std::filesystem::remove_all(settings.figures);
   }

@@ -120,7 +120,8 @@ void Item::agree(std::string_view id, std::string_view what, std::string_view un
 
 void Item::value(std::string_view id, double number, std::string_view unit,
                  std::string_view format) {
-  std::string text = fmt::format(fmt::runtime(format), number);
+  std::string text =
+      std::isnan(number) ? "NaN" : fmt::format(fmt::runtime(format), number);  // fmt compares NaNs
   if (!unit.empty()) text += " " + std::string{unit};
   values_.push_back({std::string{id}, std::move(text), number, std::string{unit}});
 }
