@@ -34,10 +34,11 @@ using ImpactState = Eigen::Matrix<double, 6, 1>;  // w, w', r, r', b, b': wheel,
 
 struct ImpactOptions {
   double tolerance = 1e-8;  // local error over the static approach and its speed scale
-  double start =
-      0;  // distance of the first instant [m]; the wheel starts in equilibrium, on the slope
-  double end_time = 0.06;    // [s] after the joint
-  bool restart = true;       // begin anew at cusps and at contact lost or regained
+  // Distance of the first instant [m]: the wheel starts in static equilibrium, moving along the slope there.
+  double start = 0;
+  double end_time = 0.06;  // [s] after the joint
+  // Begin anew at cusps and where contact is lost or regained; false steps across them and records no losses.
+  bool restart = true;
   long most_steps = 400000;  // each kept, about 300 bytes
 };
 
