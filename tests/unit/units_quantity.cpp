@@ -28,9 +28,9 @@ TEST_CASE("unit: a header names its unit after the underscore") {
   const Header two_words = parse_header("left_profile_mm");
   CHECK(two_words.name == "left_profile");
   CHECK(two_words.unit.si == 1e-3);
-  const Header density = parse_header("psd_m2_per_cycle");
-  CHECK(density.name == "psd");
-  CHECK(density.unit.dimension == area);
+  const Header spectrum = parse_header("psd_m2_per_cycle");
+  CHECK(spectrum.name == "psd");
+  CHECK(spectrum.unit.dimension == area);
   CHECK(parse_header("p_lbf_per_in2").unit.si == Approx(psi).epsilon(1e-15));
   CHECK(parse_header("wavenumber_per_m").unit.dimension == wavenumber);
   CHECK(parse_header("profile").unit_text.empty());
