@@ -22,6 +22,7 @@ distance zero. Data that are not given are those of the typical track and marked
 #include "report/summary.hpp"
 #include "track/impact_peaks.hpp"
 #include "track/wheel_on_track.hpp"
+#include "units/input_error.hpp"
 
 using namespace railbook;
 using namespace railbook::track;
@@ -37,29 +38,31 @@ struct Part {
   const char* unit;
   double si;
   double RailOnBed::*member;
-  report::Range range = report::positive;
+  report::Range range;
 };
+
+constexpr report::Range masses{0, 1e6, true}, stiffnesses{1, 1e13}, dampings{0, 1e9};
 
 const std::array<Part, 6> parts{{
     {"--rail-mass", "rail_mass_kg", "effective rail mass, (16)", units::mass, "kg", 1.0,
-     &RailOnBed::rail_mass},
+     &RailOnBed::rail_mass, masses},
     {"--rail-stiffness", "rail_stiffness_MN_per_m", "rail to bed K_1", units::stiffness, "MN/m",
-     1e6, &RailOnBed::rail_stiffness},
+     1e6, &RailOnBed::rail_stiffness, stiffnesses},
     {"--rail-damping", "rail_damping_kN_s_per_m", "rail to bed C_1", units::damping, "kN s/m", 1e3,
-     &RailOnBed::rail_damping, report::non_negative},
+     &RailOnBed::rail_damping, dampings},
     {"--bed-mass", "bed_mass_kg", "tie and ballast mass, (19)", units::mass, "kg", 1.0,
-     &RailOnBed::bed_mass},
+     &RailOnBed::bed_mass, masses},
     {"--bed-stiffness", "bed_stiffness_MN_per_m", "bed to ground K_g", units::stiffness, "MN/m",
-     1e6, &RailOnBed::bed_stiffness},
+     1e6, &RailOnBed::bed_stiffness, stiffnesses},
     {"--bed-damping", "bed_damping_kN_s_per_m", "bed to ground C_g", units::damping, "kN s/m", 1e3,
-     &RailOnBed::bed_damping, report::non_negative},
+     &RailOnBed::bed_damping, dampings},
 }};
 
 struct Wish {
   double speed = 0;
   std::optional<double> dip, angle;
   std::filesystem::path profile;
-  double rail_length = 39 * units::foot;
+  std::optional<double> rail_length;
   std::optional<double> wheel_mass, wheel_load;
   WheelOnRail pair;
   std::array<std::optional<double>, parts.size()> given;
@@ -73,12 +76,16 @@ Surface surface_of(const Wish& wish) {
       int(wish.dip.has_value()) + int(wish.angle.has_value()) + int(!wish.profile.empty());
   if (ways != 1) throw InputError("surface: give one of --dip, --angle and --profile");
   if (!wish.profile.empty()) {
+    if (wish.rail_length)
+      throw InputError("rail length belongs to --dip and --angle; a profile has its own joint");
     auto columns = report::read_columns(wish.profile,
                                         {{"distance", units::length}, {"profile", units::length}});
-    return SampledProfile{std::move(columns[0]), std::move(columns[1])};
+    SampledProfile profile{std::move(columns[0]), std::move(columns[1])};
+    units::require_between("first distance of the profile", profile.first(), -1e4, 0, "m");
+    return profile;
   }
-  const double depth = wish.dip ? *wish.dip : *wish.angle * wish.rail_length / (2 * units::pi);
-  return RectifiedSine{depth, wish.rail_length};
+  const double length = wish.rail_length.value_or(39 * units::foot);
+  return RectifiedSine{wish.dip ? *wish.dip : *wish.angle * length / (2 * units::pi), length};
 }
 
 ImpactModel model_of(const Wish& wish, report::Summary& answer) {
@@ -118,8 +125,11 @@ void add_peaks(report::Summary& answer, const ImpactHistory& history) {
   add("least", "smallest", p.least);
   answer.add("contact_lost_ms", "contact lost for", 1e3 * p.lost_for, "ms",
              fmt::format("{} times", history.losses.size()));
-  answer.add("energy_defect", "energy balance open by", energy_audit(history).defect(), "",
-             "of the largest kinetic energy");
+  const EnergyAudit audit = energy_audit(history);
+  const double at_rest = history.model.static_load * static_approach(history.model);
+  if (audit.scale > 1e-6 * at_rest)  // else the surface is flat, and nothing moves
+    answer.add("energy_defect", "energy balance open by", audit.defect(), "",
+               "of the largest kinetic energy");
   answer.add("evaluations", "evaluations of the model", double(history.evaluations), "");
 }
 
@@ -158,9 +168,11 @@ void run(const Wish& wish) {
       model, surface, wish.speed,
       {.tolerance = wish.tolerance, .start = default_start(surface), .end_time = wish.duration});
   if (history.status != ImpactStatus::complete)
-    throw InputError(
-        fmt::format("the run stopped at {:.6g} s, {}: data too stiff for the tolerance",
-                    history.steps.empty() ? 0.0 : history.end(), to_string(history.status)));
+    throw InputError(fmt::format(
+        "the run stopped at {:.6g} s after {} steps, {}: the run is too long or its data "
+        "too stiff for the tolerance",
+        history.steps.empty() ? 0.0 : history.end(), history.steps.size(),
+        to_string(history.status)));
   add_peaks(answer, history);
   answer.print();
   if (wish.out) write_files(*wish.out, history, answer);
@@ -168,29 +180,30 @@ void run(const Wish& wish) {
 
 std::function<void()> declare(report::Options& options) {
   const auto wish = std::make_shared<Wish>();
-  options.quantity("--speed", wish->speed, units::speed, "of the train", report::positive);
+  options.quantity("--speed", wish->speed, units::speed, "of the train", report::Range{0.1, 200});
   options.required();
-  options.quantity("--dip", wish->dip, units::length, "depth of the joint, rectified sine");
+  options.quantity("--dip", wish->dip, units::length, "depth of the joint, rectified sine",
+                   report::Range{0, 0.2});
   options.quantity("--angle", wish->angle, units::angle,
-                   "total angle of the joint instead of its depth");
+                   "total angle of the joint instead of its depth", report::Range{0, 0.1});
   options.file("--profile", wish->profile,
                "measured surface: distance and profile, dips positive, joint at 0");
-  options.quantity("--rail-length", wish->rail_length, units::length, "between joints",
-                   report::positive);
+  options.quantity("--rail-length", wish->rail_length, units::length,
+                   "between joints; without it 39 ft", report::Range{1, 1000});
   options.quantity("--wheel-mass", wish->wheel_mass, units::mass, "unsprung, on one rail",
-                   report::positive);
+                   report::Range{1, 1e5});
   options.quantity("--wheel-load", wish->wheel_load, units::force, "static, on one rail",
-                   report::positive);
+                   report::Range{1e3, 1e6});
   options.quantity("--wheel-radius", wish->pair.wheel_radius, units::length, "of the wheel",
-                   report::positive);
+                   report::Range{0.01, 10});
   options.quantity("--crown-radius", wish->pair.crown_radius, units::length, "of the rail's crown",
-                   report::positive);
+                   report::Range{0.01, 10});
   for (std::size_t i = 0; i < parts.size(); ++i)
     options.quantity(parts[i].option, wish->given[i], parts[i].dimension,
                      std::string(parts[i].name) + "; without it the typical track's",
                      parts[i].range);
   options.quantity("--duration", wish->duration, units::time,
-                   "after the joint, at least 7 ms or so", report::positive);
+                   "after the joint, at least 7 ms or so", report::Range{0, 2, true});
   options.quantity("--tolerance", wish->tolerance, units::number,
                    "local error over the static approach", report::Range{1e-13, 1e-3});
   options.out(wish->out);

@@ -24,6 +24,7 @@ assumed in the answer. Quantities carry their unit; a TOML file (`--config`) may
 #include "track/joint.hpp"
 #include "track/typical_track.hpp"
 #include "track/wheel_on_track.hpp"
+#include "units/input_error.hpp"
 
 using namespace railbook;
 using namespace railbook::track;
@@ -31,6 +32,7 @@ using namespace railbook::track;
 namespace {
 
 constexpr double lbf_per_in = units::lbf / units::inch;
+constexpr report::Range along{-1e4, 1e4};  // positions along the rail [m]
 
 // One datum of the support as an option: absent means the typical value.
 struct Part {
@@ -42,30 +44,35 @@ struct Part {
   const char* unit;
   double si;
   double TieSupport::*member;
+  report::Range range;
 };
+
+// Far wide of any track, and far from where a double overflows; SI.
+constexpr report::Range lengths{1e-3, 100}, depths{0, 100}, angles{0, 85 * units::degree},
+    moduli{1, 1e15}, stiffnesses{1, 1e20};
 
 const std::array<Part, 9> parts{{
     {"--tie-spacing", "tie_spacing_in", "tie spacing l_t", "distance between ties", units::length,
-     "in", units::inch, &TieSupport::tie_spacing},
+     "in", units::inch, &TieSupport::tie_spacing, lengths},
     {"--tie-width", "tie_width_in", "tie width w", "width of a tie", units::length, "in",
-     units::inch, &TieSupport::tie_width},
+     units::inch, &TieSupport::tie_width, lengths},
     {"--loaded-length", "loaded_length_in", "loaded length l", "length of the tie end that carries",
-     units::length, "in", units::inch, &TieSupport::loaded_length},
+     units::length, "in", units::inch, &TieSupport::loaded_length, lengths},
     {"--ballast-depth", "ballast_depth_in", "ballast depth h", "ballast below the tie",
-     units::length, "in", units::inch, &TieSupport::ballast_depth},
+     units::length, "in", units::inch, &TieSupport::ballast_depth, depths},
     {"--ballast-modulus", "ballast_modulus_psi", "ballast modulus E_b",
      "Young's modulus of the ballast", units::pressure, "psi", units::psi,
-     &TieSupport::ballast_modulus},
+     &TieSupport::ballast_modulus, moduli},
     {"--friction-angle", "friction_angle_deg", "friction angle",
      "of the ballast pyramid to the vertical", units::angle, "deg", units::degree,
-     &TieSupport::friction_angle},
+     &TieSupport::friction_angle, angles},
     {"--soil-modulus", "soil_modulus_lbf_per_in3", "soil modulus K_0",
      "pressure on the subgrade per deflection", units::subgrade_modulus, "lbf/in^3",
-     units::psi / units::inch, &TieSupport::soil_modulus},
+     units::psi / units::inch, &TieSupport::soil_modulus, moduli},
     {"--tie-stiffness", "tie_stiffness_lbf_per_in", "tie k_tie", "of a tie in compression",
-     units::stiffness, "lbf/in", lbf_per_in, &TieSupport::tie_stiffness},
+     units::stiffness, "lbf/in", lbf_per_in, &TieSupport::tie_stiffness, stiffnesses},
     {"--pad-stiffness", "pad_stiffness_lbf_per_in", "pad k_pad", "of a rail pad", units::stiffness,
-     "lbf/in", lbf_per_in, &TieSupport::pad_stiffness},
+     "lbf/in", lbf_per_in, &TieSupport::pad_stiffness, stiffnesses},
 }};
 
 struct Wish {
@@ -76,8 +83,7 @@ struct Wish {
   double wheel_load = typical_wheel_load;
   std::vector<double> wheels{0.0};
   std::string joint = "none";
-  std::optional<double> joint_rotation;
-  double joint_at = 0;
+  std::optional<double> joint_rotation, joint_at;
   std::optional<std::filesystem::path> out;
 };
 
@@ -86,6 +92,8 @@ Joint joint_of(const Wish& wish) {
   if (sprung != wish.joint_rotation.has_value())
     throw InputError(
         "joint sprung needs joint rotation (such as 5 MN*m), and no other joint takes it");
+  if (wish.joint == "none" && wish.joint_at)
+    throw InputError("joint at is given but no joint; choose --joint free, hinge or sprung");
   if (sprung) return sprung_joint(*wish.joint_rotation);
   return wish.joint == "free" ? free_joint : wish.joint == "hinge" ? hinge : Joint{};
 }
@@ -141,10 +149,10 @@ void lumped(const Wish& wish, const RailSection& rail, const TieSupport& support
 }
 
 double deflection(const WinklerBeam& beam, const Joint& joint, const Wish& wish, double x) {
+  const double joint_at = wish.joint_at.value_or(0);
   double sum = 0;
   for (const double wheel : wish.wheels)
-    sum +=
-        jointed_deflection(beam, joint, wish.wheel_load, wheel - wish.joint_at, x - wish.joint_at);
+    sum += jointed_deflection(beam, joint, wish.wheel_load, wheel - joint_at, x - joint_at);
   return sum;
 }
 
@@ -167,6 +175,15 @@ void write_files(const WinklerBeam& beam, const Joint& joint, const Wish& wish,
                {out / "stiffness.csv"}, out / "stiffness.png");
 }
 
+// Wheels are named by their position to the millimetre.
+void require_apart(std::vector<double> wheels) {
+  if (wheels.empty()) throw InputError("wheels: give at least one position");
+  std::ranges::sort(wheels);
+  for (std::size_t i = 1; i < wheels.size(); ++i)
+    units::require_between("distance between wheels", wheels[i] - wheels[i - 1], 1e-3,
+                           units::no_limit, "m");
+}
+
 void run(const Wish& wish) {
   const auto& rail = rail_section(wish.rail);
   const Joint joint = joint_of(wish);
@@ -175,7 +192,10 @@ void run(const Wish& wish) {
   if (wish.modulus && parts_given)
     throw InputError(
         "foundation modulus is given and so are parts it would be made of; give one or the other");
-  if (wish.wheels.empty()) throw InputError("wheels: give at least one position");
+  if (wish.modulus && wish.tie_mass)
+    throw InputError(
+        "tie mass serves the lumped model, which a foundation modulus alone does not give");
+  require_apart(wish.wheels);
   report::Summary answer("Track stiffness, one rail");
   auto support = typical_support();
   answer.add("rail", "rail", std::string(rail.name));
@@ -183,10 +203,14 @@ void run(const Wish& wish) {
   const WinklerBeam beam = require_valid(WinklerBeam{rail.bending_stiffness(), modulus});
   answer.add("foundation_modulus_psi", "foundation modulus K", modulus / units::psi, "psi",
              wish.modulus ? "given" : "eq. (3)");
-  answer.add("beta_per_m", "beta", beam.beta(), "1/m", "eq. (1)");
-  answer.add("point_stiffness_MN_per_m", "stiffness under one wheel K_r",
-             beam.point_stiffness() / 1e6, "MN/m", "eq. (2)");
-  answer.add("zero_distance_m", "zero deflection at", beam.zero_distance(), "m");
+  answer.add("foundation_modulus_MPa", "", modulus / units::megapascal, "MPa");
+  answer.add("beta_per_in", "beta", beam.beta() * units::inch, "1/in", "eq. (1)");
+  answer.add("beta_per_m", "", beam.beta(), "1/m");
+  answer.add("point_stiffness_lbf_per_in", "stiffness under one wheel K_r",
+             beam.point_stiffness() / lbf_per_in, "lbf/in", "eq. (2)");
+  answer.add("point_stiffness_MN_per_m", "", beam.point_stiffness() / 1e6, "MN/m");
+  answer.add("zero_distance_ft", "zero deflection at", beam.zero_distance() / units::foot, "ft");
+  answer.add("zero_distance_m", "", beam.zero_distance(), "m");
   answer.add("wheel_load_kN", "wheel load", wish.wheel_load / units::kilonewton, "kN");
   if (wish.joint == "none" && wish.wheels.size() == 1)
     answer.add("moment_kN_m", "rail moment under the wheel",
@@ -209,18 +233,21 @@ std::function<void()> declare(report::Options& options) {
   options.text("--rail", wish->rail, "rail section: 115RE, 119RE, 132RE or 136RE");
   for (std::size_t i = 0; i < parts.size(); ++i)
     options.quantity(parts[i].option, wish->given[i], parts[i].dimension,
-                     std::string(parts[i].help) + "; without it the typical track's");
+                     std::string(parts[i].help) + "; without it the typical track's",
+                     parts[i].range);
   options.quantity("--foundation-modulus", wish->modulus, units::pressure,
-                   "K itself, instead of all below the rail", report::positive);
+                   "K itself, instead of all below the rail", report::Range{1e-3, 1e15});
   options.quantity("--tie-mass", wish->tie_mass, units::mass,
-                   "of a whole tie; without it the typical track's", report::positive);
+                   "of a whole tie; without it the typical track's", report::Range{1e-3, 1e5});
   options.quantity("--wheel-load", wish->wheel_load, units::force, "on every wheel",
-                   report::positive);
-  options.quantities("--wheels", wish->wheels, units::length, "their positions along the rail");
+                   report::Range{1e-3, 1e9});
+  options.quantities("--wheels", wish->wheels, units::length, "their positions along the rail",
+                     along);
   options.choice("--joint", wish->joint, {"none", "free", "hinge", "sprung"}, "a rail joint");
   options.quantity("--joint-rotation", wish->joint_rotation, units::moment,
-                   "rotational stiffness of a sprung joint, per radian", report::non_negative);
-  options.quantity("--joint-at", wish->joint_at, units::length, "its position along the rail");
+                   "rotational stiffness of a sprung joint, per radian", report::Range{0, 1e15});
+  options.quantity("--joint-at", wish->joint_at, units::length,
+                   "its position along the rail; without it 0", along);
   options.out(wish->out);
   return [wish] { run(*wish); };
 }
