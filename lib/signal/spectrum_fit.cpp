@@ -17,6 +17,7 @@ using Eigen::Index;
 
 constexpr double bands_per_octave = 12;
 constexpr Index fewest_points = 8;
+constexpr double longest_chord = 0.125;  // segments: the gain must not swing within a few bins
 
 struct Range {
   double low, high;
@@ -35,10 +36,20 @@ Range checked_band(const Spectrum& spectrum, const FitOptions& o) {
   const double phi_0 = 1 / o.rail_length;
   units::require_between("rail wavenumber", phi_0, band.low + spectrum.df, band.high - spectrum.df,
                          "cycle/m");
+  for (const double length : o.foreign_lengths) {
+    units::require_positive("foreign rail length", length, "m");
+    if (near_foreign_line({.rail_length = o.rail_length, .foreign_lengths = {length}}, phi_0))
+      throw InputError{"foreign rails of " + std::to_string(length) +
+                       " m have a line on that of the rail of " + std::to_string(o.rail_length) +
+                       " m; allowed: multiples of 1/length 0.006 cycle/m or more away from it"};
+  }
+  units::require_between("chord (up to an eighth of a segment)", o.chord, 0,
+                         longest_chord / spectrum.df, "m");
   if (squared_gain(o.chord, phi_0) < o.least_gain)
     throw InputError{"a chord of " + std::to_string(o.chord) + " m does not see a rail of " +
                      std::to_string(o.rail_length) + " m: squared gain " +
-                     std::to_string(squared_gain(o.chord, phi_0))};
+                     std::to_string(squared_gain(o.chord, phi_0)) + "; allowed: at least " +
+                     std::to_string(o.least_gain)};
   return band;
 }
 
@@ -203,9 +214,10 @@ void measure_line(const Spectrum& s, const FitOptions& o, const Eigen::Matrix3d&
   Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
   for (Index i = 0; i < n; ++i) {
     const double phi = s.frequency(low + i), x = std::log(phi);
-    if (near_foreign_line(o, phi)) continue;
+    const double gain = squared_gain(o.chord, phi);
+    if (near_foreign_line(o, phi) || gain < o.least_gain) continue;
     model[i] = std::exp(fit.regression.log_density(x));
-    excess[i] = s.density[low + i] / squared_gain(o.chord, phi) - model[i];
+    excess[i] = s.density[low + i] / gain - model[i];
     gradient += model[i] * s.df * fit.regression.gradient(x);
   }
   Index peak = 0;

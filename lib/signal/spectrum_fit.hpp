@@ -65,8 +65,9 @@ struct SpectrumFit {
 // around the others) and of foreign lines (0.006); then takes the line's power as what remains above it.
 // Standard errors hold for a stationary record that follows the model.
 //
-// Throws InputError for a band, rail or chord out of range, fewer than 8 usable bins, or a first line outside
-// the band or at a zero of the chord. Accuracy with 4096 samples of one foot: A within 1 % at 50 km.
+// Throws InputError for a band, rail or chord out of range (a chord above an eighth of a segment: its gain
+// swings within the resolution), fewer than 8 usable bins, a foreign line on the first line of the rail, or a
+// first line outside the band or at a zero of the chord. Accuracy with 4096 samples of one foot: A within 1 % at 50 km.
 SpectrumFit fit_track_spectrum(const Spectrum& spectrum, const FitOptions& options = {});
 
 }  // namespace railbook::signal

@@ -86,6 +86,13 @@ TEST_CASE("extreme: a chord's record gives the profile's parameters where the ch
   CHECK(std::abs(f.B_exact.value - 5.5e-3) < 4 * f.B_exact.error);
 }
 
+TEST_CASE("extreme: a zero of the chord beside the rail's line does not make a dip of nothing") {
+  const auto f =
+      fit(base(), {.chord = 100 * units::foot});  // blind at 0.0656, the line is at 0.0841
+  CHECK(std::abs(f.A.value / 5e-7 - 1) < 0.02 + 4 * f.A.error / 5e-7);
+  CHECK(std::abs(f.B_exact.value - 5.5e-3) < 4 * f.B_exact.error);
+}
+
 TEST_CASE("extreme: the memory of old rails is kept out of the dip when it is named") {
   const signal::FitOptions named{.foreign_lengths = {33 * units::foot}};
   auto track = base();

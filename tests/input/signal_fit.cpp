@@ -21,6 +21,12 @@ TEST_CASE("input: a fit refuses what cannot be fitted and says why") {
   refuses({.low = -1}, "lower end of the band");
   refuses({.chord = -1}, "chord");
   refuses({.chord = 78 * units::foot}, "does not see a rail");
+  refuses({.chord = 520 * units::foot}, "an eighth of a segment");
+  for (const double foreign : {39., 78., 38.}) {  // the line of the rail itself would be left out
+    INFO(foreign);
+    refuses({.foreign_lengths = {foreign * units::foot}}, "have a line on that of the rail");
+  }
+  refuses({.foreign_lengths = {-1}}, "foreign rail length");
   const auto constant = signal::welch(std::vector<double>(20000, 0.0), units::foot);
   CHECK_THROWS_WITH(signal::fit_track_spectrum(constant), Catch::Contains("constant signal"));
   const auto coarse = signal::welch(signal::synthesize(track, 20000), units::foot, {.segment = 16});
