@@ -16,6 +16,7 @@ constexpr std::size_t piece = 4096;     // samples handed on at once
 constexpr double longest_jump = 1e7;    // spacings
 constexpr double off_grid = 0.25;       // of a spacing
 constexpr double spacing_mismatch = 0.005;
+constexpr double highest_height = 1e6;  // m: its square still has all digits to spare
 
 }  // namespace
 
@@ -88,8 +89,14 @@ void RecordStream::place(const Sample& sample) {
 void RecordStream::take(double value) {
   if (!std::isfinite(value)) {
     ++gap_;
+    same_ = 0;
     return;
   }
+  if (std::abs(value) > highest_height)
+    units::require_between("sample " + std::to_string(samples_ + gap_ + 1), value, -highest_height,
+                           highest_height, "m");
+  same_ = any_ && same_ > 0 && value == last_value_ ? same_ + 1 : 1;
+  still_ = std::max(still_, same_);
   const bool bridge = any_ && gap_ > 0 && gap_ <= options_.bridge;
   for (std::size_t i = 1; i <= gap_; ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(gap_ + 1);

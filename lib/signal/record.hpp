@@ -24,7 +24,8 @@ class RecordStream {
   RecordStream(const RecordOptions& options, std::function<void(std::span<const double>)> sink);
 
   // The next sample; NaN if it is missing. Either all samples have a position or none. Throws InputError
-  // naming the sample when positions do not ascend, or not evenly, or jump by more than 10^7 spacings.
+  // naming the sample when positions do not ascend, or not evenly, or jump by more than 10^7 spacings, and when
+  // a value is beyond 10^6 m.
   void add(double value);
   void add(double position, double value);
 
@@ -37,6 +38,7 @@ class RecordStream {
   std::size_t samples() const { return samples_; }  // handed on
   std::size_t missing() const { return missing_; }  // of them NaN
   std::size_t bridged() const { return bridged_; }
+  std::size_t still() const { return still_; }  // longest run of equal values: a stuck sensor?
   double lowest() const { return lowest_; }
   double highest() const { return highest_; }
 
@@ -61,6 +63,7 @@ class RecordStream {
   double first_position_ = 0, last_position_ = 0, last_value_ = 0;
   bool any_ = false;  // a finite sample has come
   std::size_t samples_ = 0, missing_ = 0, bridged_ = 0;
+  std::size_t same_ = 0, still_ = 0;  // run of equal values now, and the longest
   double lowest_ = 0, highest_ = 0;
 };
 

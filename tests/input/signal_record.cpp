@@ -52,7 +52,7 @@ TEST_CASE("input: descending, unknown and contradictory spacings are refused") {
   CHECK_THROWS_WITH(stream.finish(), Catch::Contains("spacing"));
 }
 
-TEST_CASE("input: a record that is empty, missing or constant is refused") {
+TEST_CASE("input: a record that is empty, missing, constant or out of this world is refused") {
   const auto finish = [](const std::vector<double>& values) {
     signal::RecordStream stream{{.spacing = 1}, [](std::span<const double>) {}};
     for (const double value : values) stream.add(value);
@@ -63,4 +63,8 @@ TEST_CASE("input: a record that is empty, missing or constant is refused") {
   CHECK_THROWS_WITH(finish({nan, nan}), Catch::Contains("no finite sample"));
   CHECK_THROWS_WITH(finish({2.5, 2.5, nan, 2.5}), Catch::Contains("constant signal"));
   CHECK_NOTHROW(finish({1, 2}));
+  CHECK_NOTHROW(finish({1, -1e6}));
+  CHECK_THROWS_WITH(finish({1, nan, 1e100}),
+                    Catch::Contains("sample 3") && Catch::Contains("1e+100"));
+  CHECK_THROWS_WITH(finish({-1e200}), Catch::Contains("from -1000000 to 1000000"));
 }

@@ -74,3 +74,10 @@ TEST_CASE("unit: gaps at the ends are kept and never bridged") {
   CHECK(std::isnan(c.out[4]));
   CHECK(c.stream.missing() == 3);
 }
+
+TEST_CASE("unit: the longest run of equal values is counted, gaps interrupt it") {
+  Collected c{{.spacing = 1}};
+  for (const double value : {5., 5., 1., 2., 2., 2., lost, 2., 2., 3.}) c.stream.add(value);
+  c.stream.finish();
+  CHECK(c.stream.still() == 3);
+}
