@@ -10,9 +10,10 @@ of another length under the present ones are named with `--foreign 33ft`. A file
 segment.
 
 Empty cells and `nan` are gaps. They cost the segments that hold them, unless `--bridge 5` joins short ones by a straight line. Positions that
-do not ascend evenly, a missing column or unit, a constant signal and a record shorter than a segment are refused. What is doubtful
-without being wrong is said in a note: a line not significant, a corner out of sight, a noise floor, residuals beyond chance, a
-roughness no track has (a wrong unit?).
+do not ascend evenly, a missing column or unit, a constant signal, a record shorter than a segment, a chord longer than an eighth of
+one and a chord that is blind to the rail are refused. What is doubtful without being wrong is said in a note: a line not
+significant, a corner out of sight, a noise floor that cannot be fitted, residuals beyond chance, a sensor that stuck, a roughness no
+track has (a wrong unit?).
 */
 #include <fmt/format.h>
 
@@ -38,6 +39,7 @@ using namespace railbook;
 namespace {
 
 constexpr double mm = units::millimetre;
+constexpr std::size_t long_still = 100;  // equal samples in a row that no rounding explains
 
 struct Wish {
   std::filesystem::path file;
@@ -96,13 +98,17 @@ std::optional<std::size_t> position_column(const report::CsvReader& reader, cons
     if (reader.header()[i] == wish.distance ||
         units::parse_header(reader.header()[i]).name == wish.distance)
       return i;
-  if (!wish.spacing) static_cast<void>(reader.column(wish.distance));  // says what there is
+  if (!wish.spacing)
+    throw InputError{
+        fmt::format("file \"{}\": no column \"{}\"; there are: {}; allowed: a column "
+                    "of positions (--distance) or --spacing, such as 1ft",
+                    reader.file().string(), wish.distance, fmt::join(reader.header(), ", "))};
   return std::nullopt;
 }
 
 struct Measured {
   signal::Spectrum spectrum;
-  std::size_t samples, missing, bridged;
+  std::size_t samples, missing, bridged, still;
   double spacing;
 };
 
@@ -139,8 +145,12 @@ Measured measure(const Wish& wish) {
         fmt::format("the record has {} samples, {} of them missing; allowed: {} in a row "
                     "without a gap (--segment for shorter ones, --bridge for gaps)",
                     record.samples(), record.missing(), wish.segment)};
-  return {signal::respaced(welch.spectrum(), record.spacing()), record.samples(), record.missing(),
-          record.bridged(), record.spacing()};
+  return {signal::respaced(welch.spectrum(), record.spacing()),
+          record.samples(),
+          record.missing(),
+          record.bridged(),
+          record.still(),
+          record.spacing()};
 }
 
 signal::FitOptions fit_options(const Wish& wish) {
@@ -178,6 +188,8 @@ void add_notes(report::Summary& s, const Measured& m, const signal::FitOptions& 
          fmt::format("a line at {:.4g} cycle/m ({:.4g} m) belongs to no rail named: former "
                      "rails (--foreign), a wheel, or another rail length (--rail)?",
                      stray->phi, 1 / stray->phi));
+  if (m.still >= long_still)
+    note("still_note", fmt::format("{} samples in a row are equal: a sensor that stuck?", m.still));
   if (m.spectrum.segments < 4)
     note("length_note", fmt::format("only {} segment(s) averaged: a longer record is needed",
                                     m.spectrum.segments));
@@ -231,8 +243,9 @@ void write_files(const std::filesystem::path& out, const Wish& wish, const Measu
   std::string text = "phi_cycle_per_m,S_m2_per_cycle_per_m,fitted,A_line\n";
   for (Eigen::Index k = 1; k < m.spectrum.density.size(); ++k) {
     const double phi = m.spectrum.frequency(k);
-    const double gain = wish.chord ? std::pow(1 - std::cos(units::pi * *wish.chord * phi), 2) : 1.0;
-    if (gain < 0.1) continue;  // as the fit does: what a chord hardly sees is not a measurement
+    const double gain = signal::squared_gain(wish.chord.value_or(0), phi);
+    if (gain < wish.fit.least_gain)
+      continue;  // as the fit does: what a chord hardly sees is not a measurement
     text +=
         fmt::format("{:.6g},{:.6g},{:.6g},{:.6g}\n", phi, m.spectrum.density[k] / gain,
                     std::exp(fit.regression.log_density(std::log(phi))), fit.A.value / (phi * phi));

@@ -85,7 +85,7 @@ void write_track(const Order& order) {
   const auto samples = static_cast<std::size_t>(wanted);
   const std::filesystem::path part = order.file.string() + ".part";
   std::unique_ptr<std::FILE, Close> out{std::fopen(part.c_str(), "w")};
-  if (!out) throw InputError{"cannot write " + part.string()};
+  if (!out) throw InputError{fmt::format("file \"{}\": cannot be written", order.file.string())};
   fmt::print(out.get(), "distance_m,profile_mm\n");
   std::vector<double> z(4096);
   for (std::size_t done = 0; done < samples;) {
@@ -97,9 +97,13 @@ void write_track(const Order& order) {
                  report::csv_number(block[i] / units::millimetre));
     done += block.size();
   }
-  const bool good = std::ferror(out.get()) == 0 && std::fclose(out.release()) == 0;
-  if (!good) throw InputError{"cannot write all of " + part.string()};
-  std::filesystem::rename(part, order.file);  // so that nobody reads half a record
+  std::error_code error;
+  const bool whole = std::ferror(out.get()) == 0 && std::fclose(out.release()) == 0;
+  if (whole) std::filesystem::rename(part, order.file, error);  // nobody reads half a record
+  if (!whole || error) {
+    std::filesystem::remove(part, error);
+    throw InputError{fmt::format("file \"{}\": cannot be written", order.file.string())};
+  }
   fmt::print("{} samples, {:.3f} km, written to {}\n", samples,
              static_cast<double>(samples) * track.spacing / units::kilometre, order.file.string());
 }
