@@ -12,7 +12,7 @@ the Slepian sequence follow the track. A slope read off an unwindowed spectrum s
 
 ## Error against run time
 
-Eight records of zone 7 of 5, 20 and 80 km each, estimated in several ways: as described above ("Hann"), and with one thing changed. The error is the root mean square of the eight. The true $A$ is known
+Eight records of zone 7 of {{cost-lengths}} each, estimated in several ways: as described above ("Hann"), and with one thing changed. The error is the root mean square of the eight. The true $A$ is known
 but for {{cost-doubt}}, by which the generator's own density misses the model.
 
 {{fig-cost}}
@@ -207,6 +207,9 @@ void fig_cost(report::Item& item) {
   const auto points =
       bench::measure("cost", {{"A", A, doubt}}, methods, item.timings(), item.full() ? 0.5 : 0.03);
   bench::show(item, points, "A");
+  std::vector<double> kilometres;
+  for (const double length : lengths) kilometres.push_back(length / km);
+  item.value("cost-lengths", fmt::format("{:g} km", fmt::join(kilometres, ", ")));
   item.value("cost-doubt", 100 * doubt, "%", "{:.2f}");
   item.reconstructed("not in the paper");
 }

@@ -31,6 +31,8 @@ recompute all tables and figures; and the estimator runs on your own records (`p
 
 {{include: stability.cpp}}
 
+{{include: stability_cases.cpp}}
+
 ## Deviations
 
 What the paper prints and we do not, or not quite, confirm:
@@ -60,6 +62,8 @@ so.
   30-ft rail; the rule counts both with $\gamma=2$ and is far on the safe side for the latter.
 * The generator is Gaussian, with dips that are Gaussian, too: from a scatter of about 0.4 on, some joints stand up. Its density is (4) within
   {{generator-error}} from 0.005 to 1.2 cycle/m for corners from 0.02 cycle/m; corners below 0.002 would need longer filters than it allows.
+* The analytic spectra by track class that vehicle dynamics uses (the same two slopes, with a round corner) are not compared with Table 1:
+  their coefficients are not in the paper, and we had no primary source to print them from.
 * A rectified sine has kinks. Sampled at 1 ft, its folded harmonics raise the first line by {{folded}}, and the twelfth, at 1 cycle/m, by
   {{folded-12}}. Above a metre between samples do not trust the lines.
 

@@ -1,0 +1,184 @@
+/*** ### What is tried
+
+The records: shapes of spectrum that the model has or has not, disturbances of the track, and faults of measuring.
+*/
+#include <fmt/format.h>
+
+#include <string>
+#include <vector>
+
+#include "stability.hpp"
+
+namespace psd {
+
+using namespace railbook;
+using signal::NoiseModel;
+using signal::Window;
+
+namespace {
+
+constexpr double mm = units::millimetre, km = units::kilometre;
+
+// The plain record, and the same with one field changed.
+template <class Change>
+signal::SyntheticTrack changed(const signal::SyntheticTrack& base, Change change) {
+  signal::SyntheticTrack track = base;
+  change(track);
+  return track;
+}
+
+std::vector<Case> shapes(const signal::SyntheticTrack& base) {
+  using Track = signal::SyntheticTrack;
+  const auto no_dips = changed(base, [](Track& t) { t.dip = 0; });
+  std::vector<Case> cases{{"plain", "zone 7 as it is", "nothing", base},
+                          {"no-line", "no joints", "B must not be made of noise", no_dips},
+                          {"line-only", "nothing but joints", "no roughness to fit",
+                           changed(base, [](Track& t) { t.A = 0; })}};
+  for (const double phi_c : {0.005, 0.02, 0.04, 0.6, 0.8})
+    cases.push_back({fmt::format("corner-{:g}", phi_c),
+                     fmt::format("corner at {:g} cycle/m", phi_c), "corner near or out of the band",
+                     changed(base, [&](Track& t) { t.phi_c = phi_c; })});
+  cases.push_back({"no-corner", "no corner, two slopes fitted", "nothing to find",
+                   changed(base, [](Track& t) { t.phi_c = signal::no_corner; })});
+  cases.push_back({"no-corner-one",
+                   "no corner, one slope fitted",
+                   "equation (3)",
+                   changed(base, [](Track& t) { t.phi_c = signal::no_corner; }),
+                   {},
+                   {.slopes = signal::Slopes::one}});
+  return cases;
+}
+
+std::vector<Case> disturbed(const signal::SyntheticTrack& base) {
+  using Track = signal::SyntheticTrack;
+  const auto wave = changed(base, [](Track& t) { t.wave_amplitude = 50; });
+  const auto noisy = changed(base, [](Track& t) { t.sensor_noise = 0.3 * mm; });
+  const auto linear = changed(base, [](Track& t) { t.memory_dip = 5 * mm; });
+  const auto nonlinear = changed(base, [](Track& t) { t.memory_modulation = 0.5; });
+  const std::vector<double> old_rail{33 * units::foot};
+  return {
+      {"grade", "grade of 1 %", "trend", changed(base, [](Track& t) { t.grade = 0.01; })},
+      {"wave", "50 m high, 20 km long wave", "trend", wave},
+      {"wave-mean",
+       "the same, only the mean taken off",
+       "trend",
+       wave,
+       {.detrend = signal::Detrend::constant}},
+      {"wave-boxcar", "the same, no window", "trend and leakage", wave, {.window = Window::boxcar}},
+      {"noise", "sensor noise of 0.3 mm, not modelled", "floor over the steep slope", noisy},
+      {"noise-fitted",
+       "the same, noise model automatic",
+       "floor over the steep slope",
+       noisy,
+       {},
+       {.noise = NoiseModel::automatic}},
+      {"noise-band",
+       "the same, not modelled, band cut at 0.35 cycle/m",
+       "floor over the steep slope",
+       noisy,
+       {},
+       {.high = 0.35}},
+      {"noise-10",
+       "sensor noise of 10 mm, automatic",
+       "floor over most of the band",
+       changed(base, [](Track& t) { t.sensor_noise = 10 * mm; }),
+       {},
+       {.noise = NoiseModel::automatic}},
+      {"memory", "33-ft memory, linear, not named", "line inside the window of phi_0", linear},
+      {"memory-named",
+       "the same, named",
+       "line inside the window of phi_0",
+       linear,
+       {},
+       {.foreign_lengths = old_rail}},
+      {"modulated", "33-ft memory, nonlinear, not named", "sidebands everywhere", nonlinear},
+      {"modulated-named",
+       "the same, named",
+       "sidebands everywhere",
+       nonlinear,
+       {},
+       {.foreign_lengths = old_rail}},
+      {"scatter-0.3", "joint depths vary by 30 %", "continuous spectrum of the joints",
+       changed(base, [](Track& t) { t.dip_scatter = 0.3; })},
+      {"scatter-1", "joint depths vary by 100 %", "continuous spectrum of the joints",
+       changed(base, [](Track& t) { t.dip_scatter = 1; })}};
+}
+
+std::vector<Case> measured_badly(const signal::SyntheticTrack& base) {
+  using Track = signal::SyntheticTrack;
+  const auto gaps = [&](double share) {
+    return changed(base, [&](Track& t) { t.gap_share = share; });
+  };
+  std::vector<Case> cases{
+      {"gaps-0.2", "0.2 % lost, gaps of 20 samples", "segments drop out", gaps(0.002)},
+      {"gaps-2", "2 % lost, gaps of 20 samples", "no whole segment left", gaps(0.02)},
+      {"gaps-2-short",
+       "the same, segments of 1024",
+       "most segments drop out",
+       gaps(0.02),
+       {.segment = 1024}},
+      {"gaps-2-bridged",
+       "the same, 4096, bridged by lines",
+       "straight pieces in the profile",
+       gaps(0.02),
+       {},
+       {},
+       160 * km,
+       Gaps::bridged},
+      {"gaps-2-zeroed",
+       "the same, zeros written into the gaps",
+       "steps at both ends of each gap",
+       gaps(0.02),
+       {},
+       {},
+       160 * km,
+       Gaps::zeroed},
+      {"gaps-2-cut",
+       "the same, gaps cut out of the record",
+       "steps, and distance lost",
+       gaps(0.02),
+       {},
+       {},
+       160 * km,
+       Gaps::cut_out},
+      {"chord-62",
+       "62-ft chord offsets",
+       "long waves and zeros invisible",
+       base,
+       {},
+       {.chord = 62 * units::foot}},
+      {"chord-100",
+       "100-ft chord offsets",
+       "blind at 0.066 cycle/m, next to the line",
+       base,
+       {},
+       {.chord = 100 * units::foot}},
+      {"chord-78",
+       "78-ft chord offsets",
+       "chord blind to the rail length",
+       base,
+       {},
+       {.chord = 78 * units::foot}},
+      {"spacing", "samples 1 m apart", "band cut, harmonics folded",
+       changed(base, [](Track& t) { t.spacing = 1; })},
+      {"short", "1 km", "shorter than a segment", base, {}, {}, 1 * km},
+      {"one-segment", "1.3 km", "one segment, K = 1", base, {}, {}, 1.3 * km}};
+  for (const std::size_t segment : {256U, 512U, 1024U, 2048U, 16384U})
+    cases.push_back({fmt::format("segment-{}", segment),
+                     fmt::format("segments of {}", segment),
+                     "resolution",
+                     base,
+                     {.segment = segment}});
+  return cases;
+}
+
+}  // namespace
+
+std::vector<Case> stability_cases(const signal::SyntheticTrack& base) {
+  std::vector<Case> all = shapes(base);
+  for (const auto& group : {disturbed(base), measured_badly(base)})
+    all.insert(all.end(), group.begin(), group.end());
+  return all;
+}
+
+}  // namespace psd
