@@ -7,7 +7,7 @@ reference; the textbook's four roots and residues lie {{roots-error}} from it he
 {{steady-order}}) until rounding, which grows as the elements shrink, takes over below 1e-8. A run in time must wait for its transient
 and step along the whole way. Newmark's method is of second order in the step and the elements of fourth in their length; in the
 plain run the two errors have opposite signs, which flatters it in the middle. Richardson's extrapolation from two
-steps leaves the elements' error alone, at three times the work. The lumped model costs no more than the closed form
+steps leaves the elements' error alone, at three times the work. The lumped model is about as cheap as the closed form
 and keeps its modelling error, {{lumped-error}}.
 
 {{cost-moving}}

@@ -3,7 +3,7 @@
 
 The wheel/rail force over a joint or a profile of your own. The surface is a rectified sine, by its `--dip` or by the
 total `--angle` at the joint, or a measured profile: a CSV file with columns such as `distance_m,profile_mm`, dips positive, the joint at
-distance zero. Data that are not given are those of the typical track and marked as assumed.
+distance zero; a raised joint is a profile too. Data that are not given are those of the typical track and marked as assumed.
 
     track joint --speed 60mph --dip 0.5in
     track joint --speed 100mph --angle 12mrad --wheel-load 150kN --out mine
@@ -187,7 +187,8 @@ std::function<void()> declare(report::Options& options) {
   options.quantity("--angle", wish->angle, units::angle,
                    "total angle of the joint instead of its depth", report::Range{0, 0.1});
   options.file("--profile", wish->profile,
-               "measured surface: distance and profile, dips positive, joint at 0");
+               "measured surface, CSV with distance_m and profile_mm or other units; dips "
+               "positive, joint at 0");
   options.quantity("--rail-length", wish->rail_length, units::length,
                    "between joints; without it 39 ft", report::Range{1, 1000});
   options.quantity("--wheel-mass", wish->wheel_mass, units::mass, "unsprung, on one rail",

@@ -67,7 +67,7 @@ What the paper prints that we do not confirm, or confirm for some data only:
   printed so and meant otherwise.
 * **The second equation (18)** lacks the tie spacing, without which its units are not those of a mass per length.
 * **"About 1100 miles per hour".** With rail alone to move it needs $K$ = {{k-for-1100}}; on the typical track it needs
-  {{rho-for-1100}} of the rail's mass. With half a tie and ballast, which the definition of $\rho$ includes, $V_c$ is
+  {{rho-for-1100}} the rail's mass. With half a tie and ballast, which the definition of $\rho$ includes, $V_c$ is
   {{v-ballast}} and "less than 3 percent at 250 mph" becomes {{error-at-250-ballast}}. From 1100 mph itself the 3
   percent do follow; they are reached at {{v-three-percent}}.
 * **Mass (15) at trackside** makes the inertial correction three times too large ({{trackside-peak}}).

@@ -8,6 +8,7 @@
 #include "num/gsl.hpp"
 #include "num/quadrature.hpp"
 #include "track/beam_elements.hpp"
+#include "track/moving_load.hpp"
 #include "track/typical_track.hpp"
 #include "units/input_error.hpp"
 
@@ -94,6 +95,14 @@ void foundation_cases(report::Item& item) {
                                 1e3);
   item.stability("soft", "K from 1e6 down to 1e-200 Pa", "K^3 in eq. (2) as printed underflows",
                  "K_r follows K^(3/4) throughout, by 2 K / beta", worst, holds(worst, 1e-13));
+  double slowest = 0;
+  for (double k = 1e-200; k < 1e6; k *= 1e10) {
+    const double rho = typical_rail().mass_per_length;
+    const double ratio = critical_speed(ei, k, rho) / critical_speed(ei, k * 1e-4, rho);
+    slowest = std::max(slowest, std::abs(ratio / 10 - 1));
+  }
+  item.stability("soft-critical", "the same K in eq. (9)", "critical speed goes to zero",
+                 "V_c follows K^(1/4) throughout", slowest, holds(slowest, 1e-13));
   const WinklerBeam soft{ei, 1.0};
   const auto cut = [&](double end) {
     const BeamModel model{.bending_stiffness = ei,
