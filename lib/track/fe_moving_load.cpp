@@ -227,6 +227,27 @@ FeShape fe_newmark(double theta, double zeta, const FeNewmarkOptions& options) {
   return fe;
 }
 
+FeShape fe_newmark_extrapolated(double theta, double zeta, const FeNewmarkOptions& options) {
+  if (!options.richardson) throw InputError("extrapolation: richardson must be on");
+  FeNewmarkOptions half = options;
+  half.element *= 0.5;
+  half.step *= 0.5;
+  const FeShape coarse = fe_newmark(theta, zeta, options), fine = fe_newmark(theta, zeta, half);
+  FeShape both;
+  std::size_t twin = 0;  // the node of the fine run at the same s; its beam may be a little shorter
+  for (std::size_t i = 0; i < coarse.s.size(); ++i) {
+    while (twin + 1 < fine.s.size() && fine.s[twin] < coarse.s[i] - 0.25 * half.element) ++twin;
+    if (std::abs(fine.s[twin] - coarse.s[i]) > 0.25 * half.element) continue;
+    both.s.push_back(coarse.s[i]);
+    both.y.push_back(fine.y[twin] + (fine.y[twin] - coarse.y[i]) / 15.0);
+    both.slope.push_back(fine.slope[twin] + (fine.slope[twin] - coarse.slope[i]) / 15.0);
+  }
+  both.at_load = fine.at_load + (fine.at_load - coarse.at_load) / 15.0;
+  both.unknowns = fine.unknowns;
+  both.steps = coarse.steps + fine.steps;
+  return both;
+}
+
 double largest_difference(const FeShape& fe, double theta, double zeta, double low, double high) {
   const MovingLoadShape exact = moving_load(theta, zeta);
   double worst = 0;

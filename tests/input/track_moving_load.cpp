@@ -27,4 +27,5 @@ TEST_CASE("input: bad arguments of the moving load are named") {
   CHECK_THROWS_AS(fe_steady(0.5, 0.1, {-0.1, 1e-8}), InputError);
   CHECK_THROWS_AS(fe_steady(1.0, 1e-14, {0.1, 1e-8}), InputError);  // frame too long to mesh
   CHECK_THROWS_AS(fe_newmark(0.5, 0.0), InputError);
+  CHECK_THROWS_AS(fe_newmark_extrapolated(0.5, 0.4, {.richardson = false}), InputError);
 }
