@@ -104,65 +104,67 @@ std::vector<Case> disturbed(const signal::SyntheticTrack& base) {
        changed(base, [](Track& t) { t.dip_scatter = 1; })}};
 }
 
+std::vector<Case> with_gaps(const signal::SyntheticTrack& base) {
+  const auto gaps = [&](double share) {
+    return changed(base, [&](auto& t) { t.gap_share = share; });
+  };
+  return {{"gaps-0.2", "0.2 % lost, gaps of 20 samples", "segments drop out", gaps(0.002)},
+          {"gaps-2", "2 % lost, gaps of 20 samples", "no whole segment left", gaps(0.02)},
+          {"gaps-2-short",
+           "the same, segments of 1024",
+           "most segments drop out",
+           gaps(0.02),
+           {.segment = 1024}},
+          {"gaps-2-bridged",
+           "the same, 4096, bridged by lines",
+           "straight pieces in the profile",
+           gaps(0.02),
+           {},
+           {},
+           160 * km,
+           Gaps::bridged},
+          {"gaps-2-zeroed",
+           "the same, zeros written into the gaps",
+           "steps at both ends of each gap",
+           gaps(0.02),
+           {},
+           {},
+           160 * km,
+           Gaps::zeroed},
+          {"gaps-2-cut",
+           "the same, gaps cut out of the record",
+           "steps, and distance lost",
+           gaps(0.02),
+           {},
+           {},
+           160 * km,
+           Gaps::cut_out}};
+}
+
 std::vector<Case> measured_badly(const signal::SyntheticTrack& base) {
   using Track = signal::SyntheticTrack;
-  const auto gaps = [&](double share) {
-    return changed(base, [&](Track& t) { t.gap_share = share; });
-  };
-  std::vector<Case> cases{
-      {"gaps-0.2", "0.2 % lost, gaps of 20 samples", "segments drop out", gaps(0.002)},
-      {"gaps-2", "2 % lost, gaps of 20 samples", "no whole segment left", gaps(0.02)},
-      {"gaps-2-short",
-       "the same, segments of 1024",
-       "most segments drop out",
-       gaps(0.02),
-       {.segment = 1024}},
-      {"gaps-2-bridged",
-       "the same, 4096, bridged by lines",
-       "straight pieces in the profile",
-       gaps(0.02),
-       {},
-       {},
-       160 * km,
-       Gaps::bridged},
-      {"gaps-2-zeroed",
-       "the same, zeros written into the gaps",
-       "steps at both ends of each gap",
-       gaps(0.02),
-       {},
-       {},
-       160 * km,
-       Gaps::zeroed},
-      {"gaps-2-cut",
-       "the same, gaps cut out of the record",
-       "steps, and distance lost",
-       gaps(0.02),
-       {},
-       {},
-       160 * km,
-       Gaps::cut_out},
-      {"chord-62",
-       "62-ft chord offsets",
-       "long waves and zeros invisible",
-       base,
-       {},
-       {.chord = 62 * units::foot}},
-      {"chord-100",
-       "100-ft chord offsets",
-       "blind at 0.066 cycle/m, next to the line",
-       base,
-       {},
-       {.chord = 100 * units::foot}},
-      {"chord-78",
-       "78-ft chord offsets",
-       "chord blind to the rail length",
-       base,
-       {},
-       {.chord = 78 * units::foot}},
-      {"spacing", "samples 1 m apart", "band cut, harmonics folded",
-       changed(base, [](Track& t) { t.spacing = 1; })},
-      {"short", "1 km", "shorter than a segment", base, {}, {}, 1 * km},
-      {"one-segment", "1.3 km", "one segment, K = 1", base, {}, {}, 1.3 * km}};
+  std::vector<Case> cases{{"chord-62",
+                           "62-ft chord offsets",
+                           "long waves and zeros invisible",
+                           base,
+                           {},
+                           {.chord = 62 * units::foot}},
+                          {"chord-100",
+                           "100-ft chord offsets",
+                           "blind at 0.066 cycle/m, next to the line",
+                           base,
+                           {},
+                           {.chord = 100 * units::foot}},
+                          {"chord-78",
+                           "78-ft chord offsets",
+                           "chord blind to the rail length",
+                           base,
+                           {},
+                           {.chord = 78 * units::foot}},
+                          {"spacing", "samples 1 m apart", "band cut, harmonics folded",
+                           changed(base, [](Track& t) { t.spacing = 1; })},
+                          {"short", "1 km", "shorter than a segment", base, {}, {}, 1 * km},
+                          {"one-segment", "1.3 km", "one segment, K = 1", base, {}, {}, 1.3 * km}};
   for (const std::size_t segment : {256U, 512U, 1024U, 2048U, 16384U})
     cases.push_back({fmt::format("segment-{}", segment),
                      fmt::format("segments of {}", segment),
@@ -176,7 +178,7 @@ std::vector<Case> measured_badly(const signal::SyntheticTrack& base) {
 
 std::vector<Case> stability_cases(const signal::SyntheticTrack& base) {
   std::vector<Case> all = shapes(base);
-  for (const auto& group : {disturbed(base), measured_badly(base)})
+  for (const auto& group : {disturbed(base), with_gaps(base), measured_badly(base)})
     all.insert(all.end(), group.begin(), group.end());
   return all;
 }
