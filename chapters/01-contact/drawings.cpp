@@ -19,16 +19,16 @@ using namespace railbook::contact_chapter;
 // Points for the figures.
 namespace {
 
-double centre(const ColumnMesh& mesh, Eigen::Index j) {
-  return (mesh.x_edges[j] + mesh.x_edges[j + 1]) / 2;
-}
-
 void add_cells(report::Data& data, const NormalContact& c, double from_y) {
   for (Eigen::Index i = 0; i < c.x.size(); ++i)
     if (c.y[i] >= from_y) data.add(c.x[i] / inch, c.y[i] / inch, c.dx[i] / inch, c.dy[i] / inch);
 }
 
 }  // namespace
+
+double draw::centre(const ColumnMesh& mesh, Eigen::Index j) {
+  return (mesh.x_edges[j] + mesh.x_edges[j + 1]) / 2;
+}
 
 void draw::gap_before_and_after(report::Item& item, const Gap& gap, const NormalContact& c,
                                 double reach) {
@@ -58,16 +58,17 @@ void draw::boundary_update(report::Item& item, const CountactStep& step, const C
     for (Eigen::Index k = 0; k < step.p.rows(); ++k) {
       const double h = 2 * step.mesh.half_width[j] / double(2 * step.p.rows() - 1);
       const double low = std::max(0.0, (double(k) - 0.5) * h), high = (double(k) + 0.5) * h;
-      cells.add(centre(step.mesh, j) / inch, (low + high) / 2 / inch,
+      cells.add(draw::centre(step.mesh, j) / inch, (low + high) / 2 / inch,
                 (step.mesh.x_edges[j + 1] - step.mesh.x_edges[j]) / inch, (high - low) / inch);
     }
   auto& found = item.data("found", {"x_in", "y_in"});
   found.add(step.new_x_min / inch, 0.0);
   for (Eigen::Index j = 0; j < m; ++j)
-    if (step.new_half[j] > 0) found.add(centre(step.mesh, j) / inch, step.new_half[j] / inch);
+    if (step.new_half[j] > 0) found.add(draw::centre(step.mesh, j) / inch, step.new_half[j] / inch);
   found.add(step.new_x_max / inch, 0.0);
   auto& fresh = item.data("new", {"x_in", "y_in"});
-  for (Eigen::Index j = 0; j < m; ++j) fresh.add(centre(next, j) / inch, next.half_width[j] / inch);
+  for (Eigen::Index j = 0; j < m; ++j)
+    fresh.add(draw::centre(next, j) / inch, next.half_width[j] / inch);
 }
 
 void draw::column_under_origin(report::Item& item, const CountactStep& step, bool parabolas) {
@@ -130,13 +131,17 @@ void draw::profiles(report::Item& item, const RailWheel& shape, double from, dou
   }
 }
 
-void draw::axis_pressure(report::Data& data, const NormalContact& c) {
+std::vector<std::pair<double, double>> draw::axis_line(const NormalContact& c) {
   const double nearest = c.y.cwiseAbs().minCoeff() + 1e-3 * c.dy[0];
   std::vector<std::pair<double, double>> line{{c.x_min, 0}, {c.x_max, 0}};
   for (Eigen::Index i = 0; i < c.x.size(); ++i)
     if (std::abs(c.y[i]) <= nearest) line.emplace_back(c.x[i], c.p[i]);
   std::sort(line.begin(), line.end());
-  for (const auto& [x, p] : line) data.add(x / inch, p / (1e5 * psi));
+  return line;
+}
+
+void draw::axis_pressure(report::Data& data, const NormalContact& c) {
+  for (const auto& [x, p] : axis_line(c)) data.add(x / inch, p / (1e5 * psi));
 }
 
 void draw::patch(report::Item& item, const NormalContact& c, const Gap& gap) {

@@ -1,6 +1,9 @@
 // Points of the figures, picked out of results that others computed.
 #pragma once
 
+#include <utility>
+#include <vector>
+
 #include "contact/countaxi.hpp"
 #include "contact/hertz.hpp"
 #include "contact/punch.hpp"
@@ -9,6 +12,10 @@
 namespace railbook::contact_chapter::draw {
 
 using namespace contact;
+
+double centre(const ColumnMesh&, Eigen::Index column);  // its x [m]
+// The pressure along the x axis: x [m] rising, p [Pa], from end to end.
+std::vector<std::pair<double, double>> axis_line(const NormalContact&);
 
 void gap_before_and_after(report::Item&, const Gap&, const NormalContact&, double reach);  // Fig. 1
 void boundary_update(report::Item&, const CountactStep&, const ColumnMesh& next);          // Fig. 2
