@@ -148,19 +148,11 @@ void summarise(const std::vector<CgFftLevel>& levels, bool remedy, NormalContact
   }
 }
 
-CgFft empty_contact(double approach) {
-  CgFft result;
-  result.contact.approach = approach;
-  result.contact.converged = true;
-  result.contact.reason = "empty contact: the bodies do not overlap at this approach";
-  return result;
-}
-
 // Fills result.contact from the levels and the pressures on the last of them.
 void finish(const Grid& grid, const VectorXd& p, const VectorXd& f, bool remedy, CgFft& result) {
   const Region& region = result.levels.back().region;
   if (region.cells == 0) {
-    if (result.contact.converged) result.contact = empty_contact(result.contact.approach).contact;
+    if (result.contact.converged) result.contact = empty_contact(result.contact.approach);
     return;
   }
   fill_cells(grid, p, result.contact);
@@ -228,7 +220,7 @@ struct Placement {
 CgFft solve_cg_fft(const Gap& gap, double approach, double effective_modulus,
                    const CgFftOptions& options) {
   check(approach, effective_modulus, options, 4);
-  if (approach <= 0) return empty_contact(approach);
+  if (approach <= 0) return {empty_contact(approach), {}, {}};
   CgFft result;
   result.contact.approach = approach;
   result.contact.converged = true;

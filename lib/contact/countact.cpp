@@ -196,16 +196,20 @@ void describe(const Problem& q, const std::vector<CountactStep>& history, Normal
 CountactResult solve(const Gap& gap, double approach, double modulus, const CountactOptions& o,
                      bool both_axes) {
   const Problem q{gap,
-                  units::require_positive("approach", approach, "m"),
+                  units::require_finite("approach", approach, "m"),
                   1 / (units::pi * units::require_positive("effective modulus", modulus, "Pa")),
                   o,
                   both_axes,
                   number_cells(o, both_axes)};
+  CountactResult result;
+  NormalContact& c = result.contact;
+  if (approach <= 0) {
+    c = empty_contact(approach);
+    return result;
+  }
   ColumnMesh mesh = first_mesh(q);
   require_symmetry(q, mesh);
   const double size = mesh.x_edges.cwiseAbs().maxCoeff(), width = mesh.half_width.maxCoeff();
-  CountactResult result;
-  NormalContact& c = result.contact;
   Eigen::VectorXd moves_before;
   double share = 1, move_before = std::numeric_limits<double>::infinity();
   while (!c.converged && c.reason.empty()) {

@@ -78,7 +78,7 @@ struct CountactResult {
   std::vector<CountactStep> history;
 };
 
-// Solves the normal contact at approach delta > 0 [m] for a gap that is symmetric about the x axis
+// Solves the normal contact at approach delta [m] (<= 0: empty, without history) for a gap that is symmetric about the x axis
 // (COUNTACT-1) or about both axes (COUNTACT-2; its columns must be symmetric too); only that half or quarter
 // is solved. effective_modulus E* [Pa]. The first region is the interpenetration curve. Throws InputError on
 // bad input, a gap without the symmetry, or a matrix larger than most_bytes; every failure of the iteration

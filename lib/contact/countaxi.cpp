@@ -91,11 +91,16 @@ class RadiusSearch {
 }  // namespace
 
 RingContact countaxi(const Gap& gap, double approach, double modulus, const CountaxiOptions& o) {
-  units::require_positive("approach", approach, "m");
+  units::require_finite("approach", approach, "m");
   units::require_positive("effective modulus", modulus, "Pa");
   check(o);
   RingContact c;
   c.approach = approach;
+  if (approach <= 0) {
+    c.converged = true;
+    c.reason = empty_contact_reason;
+    return c;
+  }
   const double first = interpenetration_distance(gap, approach, 0);
   const bool sharp = !std::isfinite(gap(first * (1 + 1e-9), 0));
   RadiusSearch search{first};

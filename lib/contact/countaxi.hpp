@@ -40,7 +40,7 @@ struct RingContact {
   std::vector<RingStep> history;
 };
 
-// Solves the contact at approach delta > 0 [m] of a gap f(r) = gap(r, 0) that grows outward, over a disc; its
+// Solves the contact at approach delta [m] (<= 0: empty, see empty_contact) of a gap f(r) = gap(r, 0) that grows outward, over a disc; its
 // first radius is that of the interpenetration curve. effective_modulus E* [Pa]. Coefficients by the complete
 // elliptic integrals K and E. Throws InputError on bad input; a failed iteration is in the result. F is second
 // order in the ring width; the error of the steepest pressures depends on the rings that resolve them.

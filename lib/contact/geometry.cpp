@@ -1,5 +1,7 @@
 #include "contact/geometry.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 
@@ -13,8 +15,10 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 void require_convex(const char* what, double curvature) {
   if (!(curvature > 0) || !std::isfinite(curvature))
-    throw InputError{std::string{what} + " = " + std::to_string(curvature) +
-                     " 1/m, must be > 0: the bodies do not touch first at the origin"};
+    throw InputError(
+        fmt::format("{} is {:.6g} 1/m; allowed: greater than 0, else the bodies do not touch first "
+                    "at the origin",
+                    what, curvature));
 }
 
 // 1/r for a radius that may be infinite.
@@ -37,7 +41,16 @@ RelativeCurvature relative_curvature(const Curvature& body_1, const Curvature& b
   }
   // Name x' the principal axis nearest to x: then bodies aligned with x and y keep their axes.
   const double deviator = std::copysign(std::hypot(cosine, sine), cosine);
-  RelativeCurvature result{(mean + deviator) / 2, (mean - deviator) / 2, 0};
+  // The smaller of A and B by their product, since mean - |deviator| loses it when the contact is slender.
+  const double sin_2 = std::pow(std::sin(body_2.angle - body_1.angle), 2),
+               cos_2 = std::pow(std::cos(body_2.angle - body_1.angle), 2);
+  const double product = (body_1.first * body_1.second + body_2.first * body_2.second +
+                          sin_2 * (body_1.first * body_2.first + body_1.second * body_2.second) +
+                          cos_2 * (body_1.first * body_2.second + body_1.second * body_2.first)) /
+                         4;
+  const double large = (mean + std::abs(deviator)) / 2;
+  const double small = large > 0 ? product / large : mean - large;
+  RelativeCurvature result{deviator < 0 ? small : large, deviator < 0 ? large : small, 0};
   if (deviator != 0) result.angle = std::atan2(sine / deviator, cosine / deviator) / 2;
   require_convex("relative curvature A", result.a);
   require_convex("relative curvature B", result.b);

@@ -13,4 +13,12 @@ double effective_modulus(const Material& m) {
               (1 - m.poisson_2 * m.poisson_2) / m.young_2);
 }
 
+NormalContact empty_contact(double approach) {
+  NormalContact contact;
+  contact.approach = approach;
+  contact.converged = true;
+  contact.reason = empty_contact_reason;
+  return contact;
+}
+
 }  // namespace railbook::contact

@@ -54,4 +54,13 @@ struct NormalContact {
       reason;  // why not converged, or a note on the case (empty contact, singular edge, ...)
 };
 
+// The answer of every solver to an approach <= 0, at which the bodies do not overlap anywhere: no cells, force 0,
+// area 0, converged, and a reason that says so. (The closed forms of hertz.hpp and punch.hpp have no empty
+// contact to describe and refuse it.)
+NormalContact empty_contact(double approach);
+
+// Its reason.
+inline constexpr const char* empty_contact_reason =
+    "empty contact: the bodies do not overlap at this approach";
+
 }  // namespace railbook::contact

@@ -102,6 +102,7 @@ NormalContact solve_uniform_dense(const Grid& grid, const VectorXd& f, double ap
     throw InputError(
         fmt::format("{} cells may touch: their matrix needs {:.3g} GB, the limit is {:.3g} GB",
                     set.size(), bytes / 1e9, static_cast<double>(options.most_bytes) / 1e9));
+  if (set.empty()) return empty_contact(approach);
   NormalContact contact;
   contact.approach = approach;
   contact.force_error = contact.p_max_error = std::numeric_limits<double>::quiet_NaN();
@@ -127,8 +128,7 @@ NormalContact solve_uniform_dense(const Grid& grid, const VectorXd& f, double ap
     set = std::move(next);
   }
   if (!contact.converged) contact.reason = "the set of cells in contact does not settle";
-  if (p.size() == static_cast<Index>(set.size()) && !set.empty()) fill(grid, f, set, p, contact);
-  if (set.empty()) contact.reason = "empty contact: the bodies do not overlap at this approach";
+  if (p.size() == static_cast<Index>(set.size())) fill(grid, f, set, p, contact);
   return contact;
 }
 

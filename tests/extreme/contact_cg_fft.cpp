@@ -3,7 +3,10 @@
 #include <limits>
 
 #include "contact/cg_fft.hpp"
+#include "contact/countact.hpp"
+#include "contact/countaxi.hpp"
 #include "contact/geometry.hpp"
+#include "contact/uniform_dense.hpp"
 #include "num/fp_trap.hpp"
 #include "units/constants.hpp"
 
@@ -69,11 +72,24 @@ TEST_CASE("extreme: one cell in contact is its own stiffness") {
 
 TEST_CASE("extreme: no approach, no contact") {
   const Gap gap = [](double x, double y) { return x * x + y * y; };
+  const Grid grid{-1, -1, 0.2, 0.2, 10, 10};
   for (const double approach : {0.0, -1.0}) {
-    const NormalContact contact = solve_cg_fft(gap, approach, 1).contact;
-    CHECK(contact.converged);
-    CHECK(contact.force == 0);
-    CHECK(contact.reason.find("empty") != std::string::npos);
+    for (const NormalContact& contact :
+         {solve_cg_fft(gap, approach, 1).contact,
+          solve_cg_fft(grid, sample(gap, grid), approach, 1).contact,
+          solve_uniform_dense(grid, sample(gap, grid), approach, 1),
+          countact_1(gap, approach, 1).contact, countact_2(gap, approach, 1).contact}) {
+      CHECK(contact.converged);
+      CHECK(contact.approach == approach);
+      CHECK(contact.force == 0);
+      CHECK(contact.p.size() == 0);
+      CHECK(contact.area == 0);
+      CHECK(contact.reason == empty_contact_reason);
+    }
+    const RingContact rings = countaxi(gap, approach, 1);
+    CHECK(rings.converged);
+    CHECK(rings.force == 0);
+    CHECK(rings.reason == empty_contact_reason);
   }
 }
 

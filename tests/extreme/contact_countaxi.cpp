@@ -44,7 +44,7 @@ TEST_CASE("extreme: a short iteration says how far it got") {
 
 TEST_CASE("input: COUNTAXI refuses what makes no sense") {
   const Gap gap = rounded_punch_gap({0.5, 1});
-  CHECK_THROWS_AS((void)countaxi(gap, 0, 1), InputError);
+  CHECK_THROWS_AS((void)countaxi(gap, std::nan(""), 1), InputError);
   CHECK_THROWS_AS((void)countaxi(gap, 1e-3, -1), InputError);
   CHECK_THROWS_AS((void)countaxi(gap, 1e-3, 1, {.rings = 2}), InputError);
   CHECK_THROWS_AS((void)countaxi(gap, 1e-3, 1, {.grading = 0.5}), InputError);

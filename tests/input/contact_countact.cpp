@@ -2,6 +2,7 @@
 #include <limits>
 
 #include "contact/countact.hpp"
+#include "contact/countaxi.hpp"
 #include "contact/geometry.hpp"
 #include "units/input_error.hpp"
 
@@ -21,10 +22,11 @@ void refused(Change change) {
 
 }  // namespace
 
-TEST_CASE("input: an empty contact is refused, not solved") {
-  CHECK_THROWS_AS((void)countact_1(gap, 0, 1e7), InputError);
-  CHECK_THROWS_AS((void)countact_2(gap, -1e-3, 1e7), InputError);
+TEST_CASE("input: an approach or a modulus that is no number is refused") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THROWS_AS((void)countact_1(gap, nan, 1e7), InputError);
   CHECK_THROWS_AS((void)countact_2(gap, 4e-4, 0), InputError);
+  CHECK_THROWS_AS((void)countaxi(gap, nan, 1e7), InputError);
 }
 
 TEST_CASE("input: meshes that make no sense are refused") {

@@ -30,6 +30,18 @@ TEST_CASE("unit: relative curvatures reproduce the gap of turned bodies") {
   CHECK(std::abs(relative_curvature(one, two).angle) <= units::pi / 4 + 1e-15);
 }
 
+TEST_CASE("unit: slender relative curvatures keep their digits") {
+  // Aligned bodies: the sums. Crossed cylinders of radius 1 at a small angle: A, B = (1 +- cos angle)/2.
+  const RelativeCurvature aligned = relative_curvature({0, 3e-14}, {5, 1e-14});
+  CHECK(aligned.a == Approx(2.5).epsilon(1e-15));
+  CHECK(aligned.b == Approx(2e-14).epsilon(1e-14));
+  const RelativeCurvature swapped = relative_curvature({3e-14, 0}, {1e-14, 5});
+  CHECK(swapped.a == Approx(2e-14).epsilon(1e-14));
+  CHECK(swapped.b == Approx(2.5).epsilon(1e-15));
+  const RelativeCurvature crossed = relative_curvature({1, 0}, {1, 0, 1e-6});
+  CHECK(crossed.b == Approx(std::pow(std::sin(0.5e-6), 2)).epsilon(1e-12));
+}
+
 TEST_CASE("unit: the gaps of the paper's examples") {
   const Gap rail = rail_wheel_gap({18, 12.34, 10, 1.25});
   CHECK(rail(-0.5, 0) == Approx(0.125 * (1 / 10.0 - 1 / 12.34)).epsilon(1e-14));
