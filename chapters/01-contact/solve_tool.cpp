@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
+#include <tuple>
 
 #include "contact/bodies.hpp"
 #include "contact/cg_fft.hpp"
@@ -28,6 +30,9 @@ the rail. The same options go on the command line or into a file, and a quantity
 It prints force, moments, peak pressure, patch and the estimate of its own error; `--out` adds the pressures and the outline as
 CSV, the summary as JSON, and a figure. A profile is a CSV file with the columns `x` and `depth` (into the body) or `height`
 (towards the other body), each with its unit: `x_mm,height_mm`.
+
+A contact that reaches a fifth of one of the radii is answered with a doubt, one that reaches the whole radius is refused: half
+spaces no longer say anything about it. Every refusal is one line, exit status 2, and no file.
 */
 
 namespace {
@@ -66,9 +71,14 @@ constexpr Shown inches{units::inch, 1e-3 * units::inch, units::psi, units::lbf, 
 // x and depth of a profile; heights are depths with the other sign.
 Profile read_profile(const std::filesystem::path& file) {
   const report::CsvReader reader(file);
-  bool height = false;
-  for (const std::string& header : reader.header())
+  bool height = false, depth = false;
+  for (const std::string& header : reader.header()) {
     height = height || units::parse_header(header).name == "height";
+    depth = depth || units::parse_header(header).name == "depth";
+  }
+  if (height && depth)
+    throw InputError(fmt::format("file \"{}\" has both a height and a depth; allowed: one of them",
+                                 file.string()));
   const auto columns = report::read_columns(
       file, {{"x", units::length}, {height ? "height" : "depth", units::length}});
   const auto vector = [](const std::vector<double>& v) -> Eigen::VectorXd {
@@ -112,6 +122,36 @@ void require_answer(const CgFft& result, const TouchingBodies& bodies) {
                     bodies.x_min + bodies.x_touch, bodies.x_max + bodies.x_touch));
 }
 
+// Half of what the contact covers in the direction at `angle` from x towards y.
+double half_extent(const NormalContact& c, double angle) {
+  const Eigen::VectorXd along = c.x * std::cos(angle) + c.y * std::sin(angle);
+  return (along.maxCoeff() - along.minCoeff()) / 2;
+}
+
+// How large the contact is against the radii that it follows. As large as a radius: not a half space at all.
+std::string half_space_note(const Wish& wish, const NormalContact& c) {
+  double largest = 0;
+  for (int k = 0; k < 2; ++k) {
+    const BodyWish& body = wish.bodies[static_cast<std::size_t>(k)];
+    const double angle = k == 1 ? wish.angle : 0;
+    for (const auto& [name, radius, half] :
+         {std::tuple{"across", body.radius_across, half_extent(c, angle)},
+          std::tuple{"along", body.radius_along, half_extent(c, angle + units::pi / 2)}}) {
+      if (!radius) continue;
+      const double share = half / std::abs(*radius);
+      if (share >= 1)
+        throw InputError(fmt::format(
+            "the half width of the contact is {:.4g} m, with a radius of {:.4g} m {} the rail of "
+            "body {}; allowed: less than the radius; give less {}",
+            half, *radius, name, k + 1, wish.load ? "load" : "approach"));
+      largest = std::max(largest, share);
+    }
+  }
+  if (largest < 0.2) return "";
+  return fmt::format("the contact reaches {:.2g} of a radius: beyond 0.2 half spaces are doubtful",
+                     largest);
+}
+
 // Zero for what is only rounding beside a number of size `scale`.
 double clean(double value, double scale) {
   return std::abs(value) < 1e-9 * scale ? 0 : value;
@@ -126,7 +166,7 @@ report::Summary summarise(const CgFft& result, const TouchingBodies& bodies, dou
   };
   answer.add(fmt::format("effective_modulus_{}", u.pressure_name), "effective modulus E*",
              modulus / u.pressure, u.pressure_name);
-  length("x_touch", "first touch at x", bodies.x_touch);
+  length("x_touch", "first touch at x", clean(bodies.x_touch, c.x_max - c.x_min));
   answer.add(fmt::format("approach_{}", u.small_name), "approach", c.approach / u.small,
              u.small_name);
   answer.add(fmt::format("force_{}", u.force_name), "force F", c.force / u.force, u.force_name,
@@ -180,6 +220,15 @@ void add_hertz(const Wish& wish, const CgFft& result, double modulus, const Show
   answer.add(fmt::format("hertz_b_{}", u.length_name), "", h.b / u.length, u.length_name);
 }
 
+// Refuses a folder that the files cannot all go into, before the first is written.
+void require_writable(const std::filesystem::path& out) {
+  if (out.empty()) throw InputError("out is empty; allowed: the name of a folder");
+  for (const char* name : {"pressure.csv", "outline.csv", "contact.json", "pressure.png"})
+    if (std::filesystem::is_directory(out / name))
+      throw InputError(
+          fmt::format("file \"{}\": cannot be written, it is a folder", (out / name).string()));
+}
+
 void write_files(const CgFft& result, const TouchingBodies& bodies, const report::Summary& answer,
                  const Shown& u, const std::filesystem::path& out) {
   const NormalContact& c = result.contact;
@@ -214,11 +263,14 @@ void run(const Wish& wish) {
   const BodyWish &one = wish.bodies[0], &two = wish.bodies[1];
   const double modulus = effective_modulus({one.young, one.poisson, two.young, two.poisson});
   const TouchingBodies bodies = join_bodies(body_of(one, 1), body_of(two, 2), wish.angle);
+  if (wish.out) require_writable(*wish.out);
   const CgFft result = solve(wish, bodies, modulus);
   require_answer(result, bodies);
+  const std::string doubt = half_space_note(wish, result.contact);
   const Shown& u = wish.system == "metric" ? metric : inches;
   report::Summary answer = summarise(result, bodies, modulus, u);
   if (one.profile.empty() && two.profile.empty()) add_hertz(wish, result, modulus, u, answer);
+  if (!doubt.empty()) answer.add("half_space", "half space", doubt);
   if (wish.out) write_files(result, bodies, answer, u, *wish.out);
   answer.print();
 }
@@ -236,16 +288,16 @@ std::function<void()> declare(report::Options& options) {
     options.file(name + "profile", body.profile,
                  "profile across the rail " + of + ": CSV with x and depth or height");
     options.quantity(name + "young", body.young, units::pressure, "Young's modulus " + of,
-                     report::positive);
+                     {1e-3 * units::megapascal, 1e12 * units::megapascal});
     options.quantity(name + "poisson", body.poisson, units::number, "Poisson's ratio " + of,
                      {0, 0.5});
   }
   options.quantity("--angle", wish->angle, units::angle,
                    "of body 2 about the common normal (bodies by radii)");
   options.quantity("--approach", wish->approach, units::length, "of the bodies; or give the load",
-                   report::positive);
+                   {1e-15, 1});
   options.quantity("--load", wish->load, units::force,
-                   "pressing them together; or give the approach", report::positive);
+                   "pressing them together; or give the approach", {1e-12, 1e12});
   options.count("--cells-x", wish->cells_x, "cells of the finest grid across the rail", 4, 8192);
   options.count("--cells-y", wish->cells_y, "and along it", 4, 8192);
   options.quantity("--edge", wish->edge, units::length,

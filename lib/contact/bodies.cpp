@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 #include "contact/geometry.hpp"
 #include "num/gsl.hpp"
@@ -17,10 +18,14 @@ namespace {
 
 using Eigen::Index;
 
+// Bounds of lengths that are asked for, in and out of which nothing overflows: the radii, and the profiles.
+constexpr double smallest = 1e-9, largest = 1e6;
+
 double curvature(double radius, const char* what) {
-  if (std::isnan(radius) || radius == 0)
-    throw InputError(
-        fmt::format("{} is {}; allowed: any length but 0, negative for concave", what, radius));
+  const double size = std::abs(radius);
+  if (!(size >= smallest) || (size > largest && !std::isinf(size)))
+    throw InputError(fmt::format("{} is {} m; allowed: {:g} m to {:g} m, negative for concave",
+                                 what, radius, smallest, largest));
   return 1 / radius;
 }
 
@@ -37,10 +42,15 @@ void check(const Profile& p, const char* body) {
   for (Index n = 0; n < p.x.size(); ++n) {
     if (!std::isfinite(p.x[n]) || !std::isfinite(p.depth[n]))
       throw InputError(fmt::format("point {} of the profile of {} is not a number", n + 1, body));
-    if (n > 0 && p.x[n] <= p.x[n - 1])
-      throw InputError(
-          fmt::format("point {} of the profile of {}: x is {} m after {} m; it must rise", n + 1,
-                      body, p.x[n], p.x[n - 1]));
+    for (const auto& [name, value] : {std::pair{"x", p.x[n]}, std::pair{"depth", p.depth[n]}})
+      if (std::abs(value) > largest)
+        throw InputError(
+            fmt::format("point {} of the profile of {}: {} is {} m; allowed: {:g} m to {:g} m",
+                        n + 1, body, name, value, -largest, largest));
+    if (n > 0 && !(p.x[n] - p.x[n - 1] >= smallest))
+      throw InputError(fmt::format(
+          "point {} of the profile of {}: x is {} m after {} m; it must rise, by {:g} m or more",
+          n + 1, body, p.x[n], p.x[n - 1], smallest));
   }
 }
 

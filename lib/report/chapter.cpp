@@ -77,6 +77,8 @@ std::vector<std::string> with_config(CLI::App& app, std::vector<std::string> wor
       std::find_if(words.begin(), words.end(), [&](const auto& w) { return is(w, "--config"); });
   if (at == words.end() || (*at == "--config" && at + 1 == words.end())) return words;
   const std::string file = *at == "--config" ? *(at + 1) : at->substr(9);
+  if (std::filesystem::is_directory(file))
+    throw InputError{fmt::format("config is \"{}\", a folder; allowed: a TOML file", file)};
   const auto commands =
       app.get_subcommands([&](const CLI::App* c) { return c->get_name() == words.front(); });
   if (commands.empty()) return words;
