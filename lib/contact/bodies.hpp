@@ -11,8 +11,8 @@
 
 namespace railbook::contact {
 
-// A profile across the rail: depth into the body [m] at rising x [m], at least 5 points, sizes up to 1e6 m. Between the points
-// it is a cubic spline, beyond them there is no body.
+// A profile across the rail: depth into the body [m] at rising x [m], at least 5 points, sizes up to 1e6 m.
+// Between the points it is a cubic spline, beyond them there is no body.
 struct Profile {
   Eigen::VectorXd x, depth;
 };
@@ -35,8 +35,9 @@ struct TouchingBodies {
 
 // Brings the bodies together: the gap is the sum of the two depths less its least value. `angle` turns body 2
 // about the common normal, from x towards y [rad]; only for bodies without profiles.
-// Throws InputError when the size of a radius is not 1e-9 m to 1e6 m or infinite, a profile is too short, not finite or not rising in x, the two do
-// not overlap, the least gap is at an end of the data, or the bodies do not separate in x or in y.
+// Throws InputError when the size of a radius is not 1e-9 m to 1e6 m or infinite, a profile is too short, not
+// finite or not rising in x, the two do not overlap, the least gap is at an end of the data, or the bodies do
+// not separate in x or in y.
 TouchingBodies join_bodies(const Body& one, const Body& two, double angle = 0);
 
 }  // namespace railbook::contact
