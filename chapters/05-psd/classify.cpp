@@ -244,8 +244,10 @@ void write_files(const std::filesystem::path& out, const Wish& wish, const Measu
   for (Eigen::Index k = 1; k < m.spectrum.density.size(); ++k) {
     const double phi = m.spectrum.frequency(k);
     const double gain = signal::squared_gain(wish.chord.value_or(0), phi);
-    if (gain < wish.fit.least_gain)
-      continue;  // as the fit does: what a chord hardly sees is not a measurement
+    if (gain < wish.fit.least_gain) {  // left out, as in the fit: an empty line breaks the curve
+      if (!text.ends_with("\n\n")) text += "\n";
+      continue;
+    }
     text +=
         fmt::format("{:.6g},{:.6g},{:.6g},{:.6g}\n", phi, m.spectrum.density[k] / gain,
                     std::exp(fit.regression.log_density(std::log(phi))), fit.A.value / (phi * phi));
