@@ -169,7 +169,9 @@ void treads(report::Item& item) {
 The pressure along the axis of symmetry: on the flat side it would be Hertz's ellipse, were it not for the corner.
 Towards the jump it rises steeply, by the load that the corner can no longer spread, to {{peak}} at
 $x$ = {{x-peak}}, and falls to zero within {{fall}}. At the jump the pressure is continuous and its slope is
-infinite, like a logarithm. {{fig-10}} shows the patch with the last mesh, and {{scene}} the same
+infinite, like a logarithm. There the two methods part: the column of
+COUNTACT-1 next to the jump, at $x$ = {{worst-x}}, is {{worst-off}} above the grid. All others, but the last two at each end, are
+within {{other-off}} of it. {{fig-10}} shows the patch with the last mesh, and {{scene}} the same
 result in space: cells of constant pressure on one half, their mesh on the other.
 
 {{fig-10}}
@@ -208,6 +210,23 @@ void check_ordinates(report::Item& item, const NormalContact& c, const NormalCon
   }
 }
 
+// The column whose pressure on the axis is furthest from the grid's, and the next after it.
+void say_where_they_part(report::Item& item, const NormalContact& c, const NormalContact& grid) {
+  const ColumnMesh& mesh = countact_on_the_jump().history.back().mesh;
+  const auto ours = draw::axis_line(c), theirs = draw::axis_line(grid);
+  double worst = 0, second = 0, worst_x = 0;
+  for (Eigen::Index j = 2; j < mesh.half_width.size() - 2; ++j) {
+    const double x = draw::centre(mesh, j), off = between(ours, x) / between(theirs, x) - 1;
+    if (std::abs(off) > std::abs(worst))
+      second = worst, worst = off, worst_x = x;
+    else if (std::abs(off) > std::abs(second))
+      second = off;
+  }
+  item.value("worst-x", worst_x / inch, "in", "{:.4f}");
+  item.value("worst-off", 100 * worst, "%", "{:.1f}");
+  item.value("other-off", 100 * std::abs(second), "%", "{:.1f}");
+}
+
 // The ends of the patch within 1 %, and half widths at the centres of columns within a quarter of a cell's height:
 // no method here has the boundary to better than first order.
 void check_half_widths(report::Item& item, const NormalContact& c, const CgFft& grid) {
@@ -237,6 +256,7 @@ void fig_09(report::Item& item) {
   draw::axis_pressure(item.data({"x_in", "p_1e5_psi"}), c);
   draw::axis_pressure(item.data("grid", {"x_in", "p_1e5_psi"}), grid);
   draw::axis_pressure(item.data("cone", {"x_in", "p_1e5_psi"}), cone);
+  say_where_they_part(item, c, grid);
   item.value("peak", grid.p_max / psi, "psi", "{:.0f}");
   item.value("x-peak", grid.x_p_max / inch, "in", "{:.4f}");
   item.value("fall", (c.x_max - grid.x_p_max) / inch, "in", "{:.3f}");
