@@ -17,6 +17,20 @@ TEST_CASE("unit: critical speed of 132RE rail alone at three moduli") {
   CHECK(critical_speed(EI, 3000 * units::psi, rho) / units::mph == Approx(1384.4).epsilon(1e-4));
 }
 
+TEST_CASE("unit: critical speed with half a tie, and with 150 lb of ballast a tie") {
+  const double EI = 30e6 * units::psi * 87.9 * std::pow(units::inch, 4);
+  const double rail = 131.7 * units::pound / units::yard, spacing = 19.5 * units::inch;
+  const double moduli[] = {1500, 2000, 3000};
+  const double tie[] = {751.2, 807.2, 893.3}, ballast[] = {548.5, 589.4, 652.3};
+  for (int i = 0; i < 3; ++i) {
+    const double K = moduli[i] * units::psi;
+    CHECK(critical_speed(EI, K, rail + 100 * units::pound / spacing) / units::mph ==
+          Approx(tie[i]).epsilon(1e-4));
+    CHECK(critical_speed(EI, K, rail + 250 * units::pound / spacing) / units::mph ==
+          Approx(ballast[i]).epsilon(1e-4));
+  }
+}
+
 TEST_CASE("unit: critical speed is the least phase speed of the dispersion relation") {
   const double EI = 7.5e6, K = 1.2e7, rho = 65.0;
   double least = 1e9;
