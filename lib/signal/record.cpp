@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "signal/number_text.hpp"
 #include "units/input_error.hpp"
 
 namespace railbook::signal {
@@ -35,7 +36,8 @@ void RecordStream::add(double value) {
 void RecordStream::add(double position, double value) {
   ++taken_;
   positions_ = true;
-  units::require_finite("position of sample " + std::to_string(taken_), position, "m");
+  if (!std::isfinite(position))
+    units::require_finite("position of sample " + std::to_string(taken_), position, "m");
   if (settled_) return place({position, value});
   first_.push_back({position, value});
   if (first_.size() == settling) settle_spacing();
@@ -54,8 +56,7 @@ void RecordStream::settle_spacing() {
   std::nth_element(steps.begin(), middle, steps.end());
   const double median = *middle;
   if (!(median > 0))
-    throw InputError{"positions do not ascend: the median step is " + std::to_string(median) +
-                     " m"};
+    throw InputError{"positions do not ascend: the median step is " + number_text(median) + " m"};
   double count = 0;
   for (const double step : steps) count += std::round(step / median);
   spacing_ = (first_.back().position - first_.front().position) / count;
@@ -72,9 +73,9 @@ void RecordStream::place(const Sample& sample) {
   const double step = (sample.position - last_position_) / spacing_;
   const double whole = std::round(step);
   const auto refuse = [&](const std::string& why) {
-    throw InputError{why + ": " + std::to_string(last_position_) + " m is followed by " +
-                     std::to_string(sample.position) + " m; the spacing is " +
-                     std::to_string(spacing_) + " m"};
+    throw InputError{why + ": " + number_text(last_position_) + " m is followed by " +
+                     number_text(sample.position) + " m; the spacing is " + number_text(spacing_) +
+                     " m"};
   };
   if (!(step > 0)) refuse("positions do not ascend");
   if (whole < 1 || std::abs(step - whole) > off_grid) refuse("positions are not evenly spaced");
@@ -130,11 +131,11 @@ void RecordStream::finish() {
     spacing_ = (last_position_ - first_position_) / static_cast<double>(steps_);
   units::require_positive("spacing (give one, or a column of positions)", spacing_, "m");
   if (options_.spacing && std::abs(spacing_ / *options_.spacing - 1) > spacing_mismatch)
-    throw InputError{"spacing is given as " + std::to_string(*options_.spacing) +
-                     " m, but the positions are " + std::to_string(spacing_) + " m apart"};
+    throw InputError{"spacing is given as " + number_text(*options_.spacing) +
+                     " m, but the positions are " + number_text(spacing_) + " m apart"};
   if (!any_) throw InputError{"the record holds no finite sample"};
   if (lowest_ == highest_)
-    throw InputError{"constant signal: all samples are " + std::to_string(lowest_) + " m"};
+    throw InputError{"constant signal: all samples are " + number_text(lowest_) + " m"};
 }
 
 }  // namespace railbook::signal
