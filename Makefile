@@ -6,7 +6,7 @@ CHAPTERS := $(notdir $(patsubst %/,%,$(sort $(wildcard chapters/*/))))
 chosen    = $(filter $(C)-%,$(CHAPTERS))
 SOURCES   = $(shell git ls-files '*.cpp' '*.hpp' ':!tests/book')
 
-.PHONY: help doctor packages build reproduce test chapter figures accept-figures book bench format lint failed clean
+.PHONY: help doctor packages configure programs build reproduce test chapter figures accept-figures book bench format lint failed clean
 
 help:             ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' $(MAKEFILE_LIST) | expand -t 24
@@ -19,10 +19,16 @@ doctor:           ## say which packages are missing and what the tools' versions
 packages:
 	@cmake/packages.sh install
 
-build: packages   ## configure and compile
-	@cmake --preset default --log-level=WARNING -B $(BUILD) && cmake --build $(BUILD)
+configure: packages
+	@cmake --preset default --log-level=WARNING -B $(BUILD)
 
-reproduce: build  ## everything: build, run all chapters, draw the figures, weave the book
+programs: configure
+	@cmake --build $(BUILD) --target programs
+
+build: configure  ## compile everything, tests as well
+	@cmake --build $(BUILD)
+
+reproduce: programs ## everything: build, run all chapters, draw the figures, weave the book
 	@cmake/reproduce.sh $(BUILD) $(LEVEL) $(CHAPTERS)
 
 test: build       ## run all tests
@@ -30,27 +36,27 @@ test: build       ## run all tests
 
 chapter:          ## run one chapter, e.g. make chapter C=01
 	@$(if $(chosen),,echo "C is \"$(C)\"; allowed: the number of one of $(CHAPTERS)"; exit 2)
-	@$(MAKE) --no-print-directory build
+	@$(MAKE) --no-print-directory programs
 	$(BUILD)/bin/$(subst $(C)-,,$(chosen)) reproduce --level $(LEVEL) --out $(BUILD)
 
-figures: build    ## draw every figure to PNG, without timing anything
-	@for c in $(CHAPTERS); do $(BUILD)/bin/$${c#*-} reproduce --no-timings --out $(BUILD)/ctest/$$c || exit 1; done
+figures: programs ## draw every figure to PNG, in build/figures
+	@for c in $(CHAPTERS); do $(BUILD)/bin/$${c#*-} reproduce --level $(LEVEL) --out $(BUILD) || exit 1; done
 
 accept-figures: build ## make today's figures the golden set (commit it alone, and say why)
 	cmake -DBUILD=$(CURDIR)/$(BUILD) -P cmake/accept_figures.cmake
 
-book: build       ## weave the book from the chapters that have been run
+book: programs    ## weave the book from the chapters that have been run
 	@cmake --build $(BUILD) --target book
 
-bench: build      ## error against run time at full length, one chapter after the other
+bench: programs   ## error against run time at full length, one chapter after the other
 	@cmake/reproduce.sh $(BUILD) full $(CHAPTERS)
 
 format:           ## clang-format every source in place
 	clang-format -i $(SOURCES)
 
-lint: build       ## clang-format (check only) and clang-tidy
+lint: build       ## clang-format (check only) and clang-tidy (Debian packages of those names)
 	clang-format --dry-run --Werror $(SOURCES)
-	clang-tidy -p $(BUILD) --quiet $(filter lib/%.cpp chapters/%.cpp,$(SOURCES))
+	clang-tidy -p $(BUILD) --quiet --extra-arg=-Wno-unknown-warning-option $(filter lib/%.cpp chapters/%.cpp,$(SOURCES))
 
 failed: build     ## run again only the tests that failed
 	ctest --test-dir $(BUILD) --rerun-failed --output-on-failure

@@ -18,6 +18,9 @@ if(RAILBOOK_SANITIZE)
   target_link_options(railbook_flags INTERFACE -fsanitize=address,undefined)
 endif()
 
+# Everything `make reproduce` runs, and nothing that only the tests need.
+add_custom_target(programs)
+
 # railbook_library(NAME [NEEDS other libraries of lib/] [USES third-party targets])
 # The target railbook_NAME from every .cpp of the calling folder.
 function(railbook_library name)
@@ -65,6 +68,7 @@ function(railbook_chapter chapter)
   target_compile_definitions(${name} PRIVATE
     RAILBOOK_CHAPTER="${chapter}" RAILBOOK_CHAPTER_DIR="${CMAKE_CURRENT_SOURCE_DIR}")
   target_link_libraries(${name} PRIVATE railbook_flags ${arg_NEEDS} ${arg_USES})
+  add_dependencies(programs ${name})
   set_property(GLOBAL APPEND PROPERTY RAILBOOK_CHAPTERS ${name})
   add_test(NAME "chapter: ${chapter} reproduces" COMMAND ${name} reproduce --no-timings
            --out ${CMAKE_BINARY_DIR}/ctest/${chapter})
