@@ -41,6 +41,7 @@ Timing time_call(const std::function<void()>& call, double budget) {
   const double cost = first * calls;
   const int samples = static_cast<int>(std::clamp(budget / cost, 1.0, 21.0));
   std::vector<double> times;
+  times.reserve(static_cast<std::size_t>(samples));
   for (int i = 0; i < samples; ++i) times.push_back(batch(calls));
   std::sort(times.begin(), times.end());
   const double median = times[times.size() / 2];

@@ -95,7 +95,7 @@ std::vector<std::string> with_config(CLI::App& app, std::vector<std::string> wor
     if (std::any_of(words.begin(), words.end(), [&](const auto& w) { return is(w, option); }))
       continue;
     for (const std::string& input : entry.inputs)
-      added.push_back(positional ? input : option + "=" + input);
+      added.push_back(positional ? input : fmt::format("{}={}", option, input));
   }
   words.insert(words.end(), added.begin(), added.end());
   return words;

@@ -31,7 +31,7 @@ bool one_of(std::string_view text, std::initializer_list<std::string_view> allow
 
 }  // namespace
 
-Data::Data(std::string file, std::vector<std::string> columns)
+Data::Data(std::string file, const std::vector<std::string>& columns)
     : file_(std::move(file)), columns_(columns.size()) {
   for (const std::string& column : columns) text_ += (text_.empty() ? "" : ",") + csv_cell(column);
   text_ += "\n";
@@ -108,7 +108,7 @@ void Item::check_text(std::string_view id, std::string_view what, std::string_vi
 }
 
 void Item::agree(std::string_view id, std::string_view what, std::string_view unit, double computed,
-                 double reference, double allowed, std::string method) {
+                 double reference, double allowed, const std::string& method) {
   Tolerance t{ToleranceKind::agrees_with, allowed, "against " + method};
   // The reference is a number of ours, not a printed text: written with all its digits.
   check(id, what, unit, fmt::format("{:.17g}", reference), computed, t);
@@ -141,10 +141,10 @@ void Item::add_row(std::vector<std::string> cells) {
   record_.rows.push_back(std::move(cells));
 }
 
-Data& Item::data(std::string_view name, std::vector<std::string> columns) {
+Data& Item::data(std::string_view name, const std::vector<std::string>& columns) {
   const std::string file =
       name.empty() ? record_.id + ".csv" : fmt::format("{}-{}.csv", record_.id, name);
-  data_.push_back(std::make_unique<Data>(file, std::move(columns)));
+  data_.push_back(std::make_unique<Data>(file, columns));
   return *data_.back();
 }
 

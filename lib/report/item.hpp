@@ -35,7 +35,7 @@ namespace railbook::report {
 // The rows of one CSV file of a figure. A header names the unit after an underscore: "p_psi".
 class Data {
  public:
-  Data(std::string file, std::vector<std::string> columns);
+  Data(std::string file, const std::vector<std::string>& columns);
 
   // One row: a number or text a column; another count of cells throws std::logic_error.
   template <class... Cells>
@@ -108,7 +108,7 @@ class Item {
                   std::string_view computed);
   // Our value against the `reference` of an independent `method`, relative to the reference.
   void agree(std::string_view id, std::string_view what, std::string_view unit, double computed,
-             double reference, double allowed, std::string method);
+             double reference, double allowed, const std::string& method);
 
   // Numbers and texts for the prose: {{id}}. `format` is an fmt format of one double; the unit follows it.
   void value(std::string_view id, double number, std::string_view unit = "",
@@ -120,8 +120,8 @@ class Item {
   void add_row(std::vector<std::string> cells);
 
   // Data of a figure: the first is ARG1 (<id>.csv), each named one a further ARG (<id>-<name>.csv, from ARG3 on).
-  Data& data(std::vector<std::string> columns) { return data("", std::move(columns)); }
-  Data& data(std::string_view name, std::vector<std::string> columns);
+  Data& data(const std::vector<std::string>& columns) { return data("", columns); }
+  Data& data(std::string_view name, const std::vector<std::string>& columns);
   // Another gnuplot script than <id>.gp; relative to the chapter's folder.
   void script(std::filesystem::path file) { script_ = std::move(file); }
   // Draws without gnuplot: `write` makes the PNG under the name it is given.
