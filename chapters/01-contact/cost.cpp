@@ -138,11 +138,16 @@ const std::vector<report::WorkPrecision>& measured(const report::Item& item) {
   return points;
 }
 
+// A run that did not converge has NaN, which must not be compared: that is trapped.
+bool has_error(const report::WorkPrecision& point) {
+  return !std::isnan(point.error) && point.error > 0;
+}
+
 // Least-squares slope of -log(error) over log(setting): the order in the number of cells across.
 double order(const std::vector<report::WorkPrecision>& points, const std::string& method) {
   double s = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
   for (const report::WorkPrecision& point : points) {
-    if (point.method != method || point.quantity != "F" || !(point.error > 0)) continue;
+    if (point.method != method || point.quantity != "F" || !has_error(point)) continue;
     const double x = std::log(std::stod(point.setting)), y = -std::log(point.error);
     s += 1, sx += x, sy += y, sxx += x * x, sxy += x * y;
   }
@@ -155,7 +160,7 @@ double time_to_five_digits(const std::vector<report::WorkPrecision>& points,
   double time = std::numeric_limits<double>::quiet_NaN();
   for (const report::WorkPrecision& point : points) {
     if (point.method != method || point.quantity != "F") continue;
-    if (point.error > 1e-5)
+    if (std::isnan(point.error) || point.error > 1e-5)
       time = std::numeric_limits<double>::quiet_NaN();
     else if (std::isnan(time))
       time = point.seconds_min;
@@ -167,7 +172,7 @@ double time_to_five_digits(const std::vector<report::WorkPrecision>& points,
 double gain(const std::vector<report::WorkPrecision>& points) {
   double sum = 0, count = 0;
   for (const report::WorkPrecision& point : points) {
-    if (point.quantity != "F" || !(point.error > 0)) continue;
+    if (point.quantity != "F" || !has_error(point)) continue;
     if (point.method == raw_name) sum += std::log(point.error), count += 1;
     if (point.method == remedied_name) sum -= std::log(point.error);
   }
