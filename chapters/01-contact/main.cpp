@@ -45,7 +45,7 @@ What the paper prints that we do not confirm, or had to read into it:
 * **The geometry** stands in drawings that cannot be read with certainty. The tread of 12.34 in is confirmed by the COUNTACT-2 column
   of Table 2, its Hertz column fits {{fitted-tread}} better, and Example 2 lies between the two. The other shape that
   suggests itself, a cone, misses Example 2 by a quarter of its force.
-* **Table 2, Hertz column.** It is not the exact solution for the drawn radii (off by up to 1.3 %), its load does not follow from its own
+* **Table 2, Hertz column.** It is not the exact solution for the drawn radii (off by up to {{misfit-drawn}}), its load does not follow from its own
   axes and pressure ({{printed-load}}, not 1006.6), and the load is the same as COUNTACT's to five digits. Whoever
   computed it started from that load and, we believe, from a chart.
 * **Example 2, force.** Converged, the force is {{off-f}} from the print and the moment {{off-m}}. A mesh of ten columns, if

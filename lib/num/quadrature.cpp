@@ -6,24 +6,11 @@
 #include <cmath>
 #include <memory>
 
+#include "num/counted.hpp"
 #include "num/gsl.hpp"
 #include "units/input_error.hpp"
 
 namespace railbook::num {
-namespace {
-
-struct Counted {
-  const std::function<double(double)>& f;
-  int evaluations = 0;
-};
-
-double evaluate(double x, void* data) {
-  auto& counted = *static_cast<Counted*>(data);
-  ++counted.evaluations;
-  return counted.f(x);
-}
-
-}  // namespace
 
 Integral integrate(const std::function<double(double)>& f, double a, double b, double relative,
                    double absolute) {
@@ -32,7 +19,7 @@ Integral integrate(const std::function<double(double)>& f, double a, double b, d
   const std::unique_ptr<gsl_integration_workspace, decltype(&gsl_integration_workspace_free)> space{
       gsl_integration_workspace_alloc(limit), gsl_integration_workspace_free};
   Counted counted{f};
-  gsl_function function{evaluate, &counted};
+  gsl_function function{evaluate_counted, &counted};
   Integral result;
   int status = GSL_SUCCESS;
   if (std::isinf(a) && std::isinf(b)) {

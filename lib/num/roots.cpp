@@ -7,42 +7,30 @@
 #include <memory>
 #include <string>
 
+#include "num/counted.hpp"
 #include "num/gsl.hpp"
 #include "units/input_error.hpp"
 
 namespace railbook::num {
-namespace {
-
-struct Counted {
-  const std::function<double(double)>& f;
-  int evaluations = 0;
-};
-
-double evaluate(double x, void* data) {
-  auto& counted = *static_cast<Counted*>(data);
-  ++counted.evaluations;
-  return counted.f(x);
-}
-
-}  // namespace
 
 Root find_root(const std::function<double(double)>& f, double low, double high, double relative,
                int most) {
   use_gsl_status_codes();
   Counted counted{f};
-  const double f_low = evaluate(low, &counted);
-  const double f_high = evaluate(high, &counted);
+  const double f_low = evaluate_counted(low, &counted);
+  const double f_high = evaluate_counted(high, &counted);
+  if (std::isnan(f_low) || std::isnan(f_high))
+    throw InputError{"find_root: NaN at an end of the bracket"};
   if (f_low == 0) return {low, 0, counted.evaluations, true};
   if (f_high == 0) return {high, 0, counted.evaluations, true};
-  if (!(f_low * f_high < 0 || std::signbit(f_low) != std::signbit(f_high)) || std::isnan(f_low) ||
-      std::isnan(f_high)) {
+  if (std::signbit(f_low) == std::signbit(f_high)) {
     throw InputError{"find_root: no change of sign between " + std::to_string(low) + " and " +
                      std::to_string(high)};
   }
 
   const std::unique_ptr<gsl_root_fsolver, decltype(&gsl_root_fsolver_free)> solver{
       gsl_root_fsolver_alloc(gsl_root_fsolver_brent), gsl_root_fsolver_free};
-  gsl_function function{evaluate, &counted};
+  gsl_function function{evaluate_counted, &counted};
   check_gsl(gsl_root_fsolver_set(solver.get(), &function, low, high), "find_root");
 
   Root root;
