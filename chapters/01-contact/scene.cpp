@@ -5,12 +5,10 @@ the patch runs the interpenetration curve, the first candidate for the region; t
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
+#include "drawing/labelled.hpp"
 #include "drawings.hpp"
-#include "plot/plot.hpp"
 #include "scene/colour_map.hpp"
-#include "scene/image.hpp"
 #include "scene/shapes.hpp"
 
 using namespace railbook;
@@ -62,27 +60,9 @@ void contact_chapter::draw::in_space(report::Item& item, const NormalContact& c,
 
   const scene::Size size{860, 560};
   const auto camera = scene::looking_at(drawing, {0.25, -1.0, 0.75}, size, true);
-  struct Label {
-    scene::Point at;
-    std::string text;
-  };
-  auto& labels = item.data("labels", {"x_px", "y_px", "label"});
-  for (const Label& label :
-       {Label{{-0.62 * units::inch, -0.36 * units::inch, 0}, "interpenetration curve"},
-        Label{{-0.30 * units::inch, -0.12 * units::inch, 0}, "last mesh"},
-        Label{{c.x_p_max - 0.36 * units::inch, 0, 1.05 * height}, "peak on the sharp side"}}) {
-    const Eigen::Vector2d at = scene::project(camera, size, label.at);
-    labels.add(at.x(), at.y(), label.text);
-  }
-  const std::string text = labels.text();
-  item.script("pressure.gp");
-  item.image([=, script = item.sources() / "pressure.gp"](const std::filesystem::path& png) {
-    const auto picture = std::filesystem::path(png).replace_extension(".scene.png");
-    const auto list = std::filesystem::path(png).replace_extension(".labels.csv");
-    scene::write_png(scene::render(drawing, camera, size), picture);
-    report::write_file(list, text);
-    plot::render(script, {picture, list}, png);
-    std::filesystem::remove(picture);
-    std::filesystem::remove(list);
-  });
+  drawing::labelled(
+      item, "pressure.gp", drawing, camera, size,
+      {{{-0.62 * units::inch, -0.36 * units::inch, 0}, "interpenetration curve"},
+       {{-0.30 * units::inch, -0.12 * units::inch, 0}, "last mesh"},
+       {{c.x_p_max - 0.36 * units::inch, 0, 1.05 * height}, "peak on the sharp side"}});
 }

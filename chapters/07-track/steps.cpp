@@ -3,11 +3,8 @@
 seat with the base area that (7) multiplies by the soil modulus, and beside it the chain of springs it becomes.
 */
 
-#include <filesystem>
-
+#include "drawing/labelled.hpp"
 #include "items.hpp"
-#include "plot/plot.hpp"
-#include "scene/image.hpp"
 #include "scene/shapes.hpp"
 #include "track/typical_track.hpp"
 
@@ -15,11 +12,6 @@ using namespace railbook;
 using namespace railbook::track;
 
 namespace {
-
-struct Label {
-  scene::Point at;  // inches
-  const char* text;
-};
 
 constexpr double tie_height = 7, rail_height = 7.1, wheel_radius = 18;
 
@@ -49,7 +41,7 @@ scene::Scene track_scene(const TieSupport& support) {
 }
 
 // The chain beside it, one spring a part, stacked on the level of the subgrade.
-void add_chain_of_springs(scene::Scene& s, double x, std::vector<Label>& labels) {
+void add_chain_of_springs(scene::Scene& s, double x, std::vector<drawing::Label>& labels) {
   const auto plate = [&](double z, double half, const scene::Colour& colour) {
     s.meshes.push_back(scene::box({x - half, -half, z - 0.7}, {x + half, half, z}, colour));
   };
@@ -73,30 +65,14 @@ void add_chain_of_springs(scene::Scene& s, double x, std::vector<Label>& labels)
 
 void track_chapter::draw_steps(report::Item& item) {
   item.sketch("drawn to scale from the assumed typical track; the paper's figure is a scheme");
-  item.script("fig-02.gp");
-  auto& file = item.data("labels", {"x_px", "y_px", "label"});
-  std::vector<Label> labels{{{9, -3, 40}, "wheel P"},
-                            {{-31, -3, 4.5}, "rail EI"},
-                            {{-21.5, -25, -3.5}, "tie"},
-                            {{-8, -22, -14.5}, "ballast pyramid"},
-                            {{-31, -27, -22}, "subgrade K_0"}};
+  std::vector<drawing::Label> labels{{{9, -3, 40}, "wheel P"},
+                                     {{-31, -3, 4.5}, "rail EI"},
+                                     {{-21.5, -25, -3.5}, "tie"},
+                                     {{-8, -22, -14.5}, "ballast pyramid"},
+                                     {{-31, -27, -22}, "subgrade K_0"}};
   auto drawing = track_scene(typical_support());
   add_chain_of_springs(drawing, 66, labels);
   const scene::Size size{1000, 650};
   const auto camera = scene::looking_at(drawing, {0.35, -2.0, 0.55}, size, true);
-  for (const auto& label : labels) {
-    const Eigen::Vector2d at = scene::project(camera, size, label.at);
-    file.add(at.x(), at.y(), label.text);
-  }
-  const std::string text = file.text();
-  item.image([drawing, camera, size, text,
-              script = item.sources() / "fig-02.gp"](const std::filesystem::path& png) {
-    const auto picture = std::filesystem::path(png).replace_extension(".scene.png");
-    const auto list = std::filesystem::path(png).replace_extension(".labels.csv");
-    scene::write_png(scene::render(drawing, camera, size), picture);
-    report::write_file(list, text);
-    plot::render(script, {picture, list}, png);
-    std::filesystem::remove(picture);
-    std::filesystem::remove(list);
-  });
+  drawing::labelled(item, "fig-02.gp", drawing, camera, size, labels);
 }

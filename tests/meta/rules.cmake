@@ -7,14 +7,14 @@ function(broken message)
   set(broken 1 PARENT_SCOPE)
 endfunction()
 
-# Physics never includes report, plot, scene or bench; only report knows CLI11 and JSON; only scene knows GL and libpng.
+# Physics never includes report, plot, scene, drawing or bench; only report knows CLI11 and JSON; only scene knows GL and libpng.
 file(GLOB_RECURSE sources ${root}/lib/*.cpp ${root}/lib/*.hpp ${root}/chapters/*.cpp ${root}/chapters/*.hpp)
 foreach(file ${sources})
   file(RELATIVE_PATH name ${root} ${file})
   file(STRINGS ${file} includes REGEX "^#include")
   foreach(line IN LISTS includes)
     if(name MATCHES "^lib/(units|num|contact|wheelrail|dynamics|signal|track)/"
-       AND line MATCHES "\"(report|plot|scene|bench)/")
+       AND line MATCHES "\"(report|plot|scene|drawing|bench)/")
       broken("${name}: physics includes ${line}")
     endif()
     if(NOT name MATCHES "^lib/report/.*\\.cpp$" AND line MATCHES "CLI/|nlohmann/")
