@@ -1,0 +1,90 @@
+/***
+## The contact ellipse
+
+The text gives the ratio of the ellipse's axes, 1.568, and the wheels, but not the profile radius of the small wheel
+that makes the ellipse so. Hertz's theory gives it back. Along rolling both wheels are round,
+$1/R_x=1/R_S+1/R_B$; across, only the small wheel is, the big one being a cylinder. With $m_1=(b/a)^2$ and the
+complete elliptic integrals of the complementary parameter, the curvature ratio is $B(m_1)/(m_1D(m_1))$, which for
+1.568 is {{curvature-ratio}}. So the profile radius is {{profile-along}} if the major axis lies along rolling, and
+{{profile-across}} if it lies across.
+
+{{table-ellipse}}
+
+The text does not say which. We take the major axis along rolling: the rig imitates a locomotive wheel, and a wheel of
+40 in diameter on a rail with a 10 in crown has its long axis along the rail, with a ratio of {{locomotive-ratio}}. A
+wheel profile of {{profile-along-inch}} also fits a wheel of 8 in diameter better than one of
+{{profile-across-inch}}, flatter than the wheel is round. The area does depend on the choice, since the flatter
+profile has the larger ellipse; the dimensionless curve depends on it through Kalker's coefficient.
+
+The material is not printed either. Ours is the steel of chapter 01, $E$ = 207 GPa and $\nu$ = 0.3.
+*/
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "items.hpp"
+#include "rig.hpp"
+
+using namespace railbook;
+using namespace railbook::creep_chapter;
+
+double creep_chapter::profile_radius(bool major_along_rolling) {
+  const double log_m1 = -2 * std::log(axis_ratio);
+  const auto integrals = contact::elliptic_integrals(log_m1);
+  const double ratio = integrals.b / (std::exp(log_m1) * integrals.d);
+  return major_along_rolling ? rolling_radius / ratio : rolling_radius * ratio;
+}
+
+contact::HertzContact creep_chapter::rig_contact(double load, double profile) {
+  return contact::hertz_from_force({.a = 0.5 / rolling_radius, .b = 0.5 / profile}, modulus(),
+                                   load);
+}
+
+namespace {
+
+void ellipse(report::Item& item) {
+  item.columns(
+      {"load", "major axis", "a (along), mm", "b (across), mm", "area π a b, mm²", "p_0, MPa"});
+  const auto rows = [&](double load, const std::string& name) {
+    for (const bool along : {true, false}) {
+      const auto c = rig_contact(load, profile_radius(along));
+      item.add_row({name, along ? "along" : "across", fmt::format("{:.4f}", c.a / 1e-3),
+                    fmt::format("{:.4f}", c.b / 1e-3),
+                    fmt::format("{:.4f}", units::pi * c.a * c.b / 1e-6),
+                    fmt::format("{:.1f}", c.p_max / units::megapascal)});
+    }
+  };
+  for (const double load : {500.0, 1000.0, 1500.0, 2500.0})
+    rows(load * units::lbf, fmt::format("{:.0f} lbf", load));
+  rows(paper_load, "4449.72 N");
+
+  item.reconstructed("material and profile radius are not printed; ours are stated above");
+  item.expect_checks(3);
+  const auto printed = item.printed("text.csv");
+  for (const bool along : {true, false}) {
+    const auto c = rig_contact(paper_load, profile_radius(along));
+    item.agree(along ? "ratio-along" : "ratio-across", "major axis by minor axis", "",
+               std::max(c.a, c.b) / std::min(c.a, c.b), axis_ratio, 1e-12,
+               "the ratio the radius was derived from");
+  }
+  check_claim(item, printed, "big-diameter", 2 * big_radius / units::inch,
+              report::absolute(1.0, "\"approximately 36 in.\"; Appendix B measures 89.8957 cm"));
+
+  const double along = profile_radius(true), across = profile_radius(false);
+  item.value("curvature-ratio", rolling_radius / along, "", "{:.6f}");
+  item.value("profile-along", along / units::millimetre, "mm", "{:.3f}");
+  item.value("profile-across", across / units::millimetre, "mm", "{:.2f}");
+  item.value("profile-along-inch", along / units::inch, "in", "{:.3f}");
+  item.value("profile-across-inch", across / units::inch, "in", "{:.3f}");
+  const auto locomotive = contact::hertz_from_force(
+      {.a = 0.5 / (20 * units::inch), .b = 0.5 / (10 * units::inch)}, modulus(), 100e3);
+  item.value("locomotive-ratio", locomotive.a / locomotive.b, "", "{:.3f}");
+}
+
+}  // namespace
+
+void creep_chapter::add_geometry(report::Chapter& chapter) {
+  chapter.table("table-ellipse", "The contact ellipse of the rig by Hertz", ellipse);
+}

@@ -1,0 +1,20 @@
+// The parts of this chapter: each file adds its tables, figures and tools.
+#pragma once
+
+#include "report/chapter.hpp"
+
+namespace railbook::creep_chapter {
+
+void add_geometry(report::Chapter&);    // the ellipse of the rig: Fig. 9's line
+void add_appendix_a(report::Chapter&);  // accuracy of the creep reading
+void add_appendix_b(report::Chapter&);  // wear of the wheels, and the printed state
+
+// Checks a number of the paper's text: the row `key` of `printed`.
+inline void check_claim(report::Item& item, const report::CsvTable& printed, const std::string& key,
+                        double computed,
+                        const report::Tolerance& tolerance = report::last_digit()) {
+  item.check(key, printed.at(key, "what"), printed.at(key, "unit"), printed.at(key, "printed"),
+             computed, tolerance);
+}
+
+}  // namespace railbook::creep_chapter

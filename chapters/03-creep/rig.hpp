@@ -1,0 +1,39 @@
+// The paper's rig: two wheels pressed together, rolling along x, axles along y.
+#pragma once
+
+#include "contact/hertz.hpp"
+#include "units/constants.hpp"
+
+namespace railbook::creep_chapter {
+
+// Radii after five hours of running (Appendix B, diameters halved), the ellipse of the text, and the largest
+// coefficient of friction of the state that is printed.
+inline constexpr double small_radius = 0.201097 / 2;
+inline constexpr double big_radius = 0.898957 / 2;
+inline constexpr double axis_ratio = 1.568;
+
+// Not printed: steel as in chapter 01.
+inline constexpr double young = 207e9;
+inline constexpr double poisson = 0.3;
+inline constexpr double shear_modulus = young / (2 * (1 + poisson));
+
+// "1000 lb" as the paper turns it into newtons: .45359 kg and 9.81 m/s^2.
+inline constexpr double paper_pound_force = 0.45359 * 9.81;
+inline constexpr double paper_load = 1000 * paper_pound_force;
+
+// E* of steel on steel [Pa].
+inline double modulus() {
+  return contact::effective_modulus({young, poisson, young, poisson});
+}
+
+// 1/(1/R_S + 1/R_B) in the plane of rolling [m].
+inline constexpr double rolling_radius = 1 / (1 / small_radius + 1 / big_radius);
+
+// The profile radius [m] of the small wheel that gives the ellipse its ratio of axes, with the major axis along
+// rolling or across. The big wheel is a cylinder.
+double profile_radius(bool major_along_rolling);
+
+// Hertz's ellipse [m] at `load` [N] for a profile radius; a is the semi-axis along rolling, b across.
+contact::HertzContact rig_contact(double load, double profile);
+
+}  // namespace railbook::creep_chapter
