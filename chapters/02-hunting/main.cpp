@@ -1,0 +1,63 @@
+/***
+# Hunting of a freight car: limit cycles and the shape of wheel and rail
+
+Above some speed a railway car does not run straight: its wheelsets weave from flange to flange, a steady
+oscillation that nothing outside drives. R. Hull and N. K. Cooperrider asked in 1976 at which speeds an empty
+North American freight car does so, how far it swings, and what the profiles of wheel and rail have to do with
+it. The motion is a *limit cycle* of a nonlinear system, and they found it with describing functions: replace
+every nonlinear function by the gain that a sine of the amplitude in question would feel, and look for the
+speed at which that amplitude neither grows nor dies.
+
+The car has nine degrees of freedom: lateral, yaw and warp of each of two trucks, lateral, yaw and roll of the
+body. Two kinds of nonlinearity are in it: the geometry of contact, which is nearly straight on the tread and a
+wall at the flange, and the dry friction of the suspension.
+
+The paper's numbers are few: a table of the car's data (partly illegible in the copy that is available), the
+critical speed with new wheels, four frequencies. Its figures are lost and so are the measured profiles. This
+chapter therefore rebuilds profiles that fit all that the text says of them, computes everything with more than
+one method, and marks as *reconstructed* whatever rests on our choice. Figures 2, 6 and 10 of the paper are
+drawings (the geometry's names, the idea of the method, a flow chart), with no data in them.
+
+{{include: conversions.cpp}}
+
+## Geometry of wheel and rail
+
+## The car
+
+## Limit cycles
+
+## Tools for a car and profiles of your own
+
+## Error against run time
+
+## Stability
+
+## Deviations
+
+## Limits
+
+## Try next
+*/
+
+#include "items.hpp"
+
+using namespace railbook;
+
+int main(int argc, char** argv) {
+  report::Chapter chapter{
+      {.id = RAILBOOK_CHAPTER,
+       .name = "hunting",
+       .title = "Limit cycles of a freight car with nonlinear wheel/rail geometry",
+       .paper = "R. Hull and N. K. Cooperrider, Influence of Nonlinear Wheel/Rail Contact Geometry "
+                "on Stability of Rail Vehicles, ASME Journal of Engineering for Industry, "
+                "February 1977, pp. 172 ff. (paper 76-WA/RT-2)",
+       .sources = RAILBOOK_CHAPTER_DIR}};
+  hunting::add_conversions(chapter);
+  // Geometry.
+
+  // The car, describing functions, limit cycles.
+
+  // Harmonic balance, time, Floquet, scene.
+
+  return chapter.run(argc, argv);
+}
