@@ -1,14 +1,37 @@
 // The three pairs of wheel and rail of Hull and Cooperrider (1977), reconstructed: their profiles are lost.
+//
+// Chains of arcs and lines in the AREA and AAR manner, chosen so that the geometry has every property the paper's text
+// states (see chapter 02). Half spacing 29.76 in, gauge 56.5 in at 5/8 in below the top, cant 1:40, rolling radius 16.5 in.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "wheelrail/constraint_functions.hpp"
+#include "wheelrail/wheelset_contact.hpp"
 
 namespace railbook::wheelrail {
 
-// Constraint functions at 0, 0.0025, ..., 0.75 in, averaged over 0.02 in; computed once. Half spacing 29.76 in,
-// rolling radius 16.5 in.
+// Constraint functions at 0, 0.0025, ..., 0.75 in, averaged over 0.02 in; computed once.
 const ConstraintFunctions& new_wheel_table();  // 1:20 cone on a worn rail
 const ConstraintFunctions& cn_table();         // Canadian National profile A on a new rail
 const ConstraintFunctions& heumann_table();    // modified Heumann wheel on a worn rail
+
+// The pairs themselves, computed once.
+const WheelsetOnTrack& new_wheel_pair();
+const WheelsetOnTrack& cn_pair();
+const WheelsetOnTrack& heumann_pair();
+
+// The profiles they are made of; rails as rolled, upright with angle 0 at u = 0.
+Curve new_rail_profile();
+Curve worn_rail_profile();
+Curve new_wheel_profile();
+Curve cn_wheel_profile();
+Curve heumann_wheel_profile();
+
+struct PaperTrack {
+  double half_spacing, gauge, gauge_depth, cant, radius;  // [m], cant [rad]
+};
+extern const PaperTrack paper_track;
 
 }  // namespace railbook::wheelrail

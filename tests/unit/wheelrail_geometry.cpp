@@ -1,0 +1,101 @@
+// Geometry of contact against closed forms and a brute-force search.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <vector>
+
+#include "units/constants.hpp"
+#include "wheelrail/paper_pairs.hpp"
+#include "wheelrail/tabulate.hpp"
+
+using namespace railbook;
+using namespace railbook::wheelrail;
+using units::inch;
+
+namespace {
+
+struct Pair {
+  const char* name;
+  const WheelsetOnTrack& pair;
+  double angle, wheel_radius, rail_radius;  // at the centred contact
+};
+
+std::vector<Pair> pairs() {
+  return {{"new", new_wheel_pair(), 0.05, INFINITY, 6 * inch},
+          {"CN", cn_pair(), 0.045, 14.3 * inch, 10 * inch},
+          {"Heumann", heumann_pair(), 0.125, 8.9 * inch, 6 * inch}};
+}
+
+// The least gap by comparing heights at very many places, in the axle's own frame of the rolled wheelset.
+double scanned_gap(const WheelsetOnTrack& pair, double x, double phi) {
+  const double s = std::sin(phi), c = std::cos(phi);
+  const Curve& wheel = pair.wheel();
+  const auto gap_at = [&](double u) {
+    const double z = wheel.height(u), across = u * c + z * s - x;
+    if (across <= pair.rail().start().u || across >= pair.rail().end().u) return 1.0;
+    return z * c - u * s - pair.rail().height(across);
+  };
+  const int n = 4000;
+  const double from = wheel.start().u, step = (wheel.end().u - from) / n;
+  double best = 1, at = 0;
+  for (int i = 1; i < n; ++i)
+    if (const double gap = gap_at(from + i * step); gap < best) best = gap, at = from + i * step;
+  double low = at - step, high = at + step;
+  for (int i = 0; i < 80; ++i) {  // golden section
+    const double d = 0.381966 * (high - low), left = gap_at(low + d), right = gap_at(high - d);
+    if (left < right)
+      high -= d;
+    else
+      low += d;
+    best = std::min({best, left, right});
+  }
+  return best;
+}
+
+}  // namespace
+
+TEST_CASE("At the centre the three pairs have the slopes of the closed forms") {
+  const double a = paper_track.half_spacing, r0 = paper_track.radius, h = 1e-7;
+  for (const Pair& p : pairs()) {
+    INFO(p.name);
+    const auto at = p.pair.contact(0);
+    REQUIRE(at.converged);
+    CHECK(at.roll == Approx(0).margin(1e-15));
+    CHECK(at.left.radius == Approx(r0).epsilon(1e-14));
+    CHECK(at.left.delta == Approx(p.angle).epsilon(1e-13));
+    CHECK(at.left.on_wheel.u == Approx(at.left.on_rail.u).epsilon(1e-14));
+    const double y0 = -at.left.on_rail.u;
+    const double roll = std::tan(p.angle) / (y0 - r0 * std::tan(p.angle));  // per displacement
+    const auto moved_to = p.pair.contact(h);
+    CHECK(moved_to.roll / h == Approx(roll).epsilon(1e-6));
+    const double D = 0.5 * (moved_to.left.delta - moved_to.right.delta) / h;
+    const double R = 0.5 * (moved_to.left.radius - moved_to.right.radius) / a / h;
+    if (std::isfinite(p.wheel_radius)) {
+      CHECK(R == Approx(std::sin(p.angle) * p.wheel_radius * D / a).epsilon(1e-6));
+    } else {
+      CHECK(D == Approx(0).margin(1e-8));
+    }
+  }
+}
+
+TEST_CASE("Left and right change places with the sign of the displacement") {
+  for (const Pair& p : pairs())
+    for (const double x : {0.1, 0.29, 0.407, 0.46, 0.6, 0.75}) {
+      const auto one = p.pair.contact(x * inch), other = p.pair.contact(-x * inch);
+      CHECK(one.roll == Approx(-other.roll).margin(1e-15));
+      CHECK(one.left.radius == Approx(other.right.radius).epsilon(1e-14));
+      CHECK(one.left.delta == Approx(other.right.delta).epsilon(1e-12));
+      CHECK(one.height == Approx(other.height).epsilon(1e-15));
+    }
+}
+
+TEST_CASE("Both gaps are closed, and no place of the profiles is closer") {
+  for (const Pair& p : pairs())
+    for (int k = 0; k <= 30; ++k) {
+      const double x = 0.025 * k * inch;
+      INFO(p.name << " at " << x / inch << " in");
+      const auto at = p.pair.contact(x);
+      REQUIRE(at.converged);
+      CHECK(scanned_gap(p.pair, x, at.roll) == Approx(-at.height).margin(2e-14));
+      CHECK(scanned_gap(p.pair, -x, -at.roll) == Approx(-at.height).margin(2e-14));
+    }
+}
