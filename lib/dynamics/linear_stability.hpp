@@ -1,0 +1,54 @@
+// Eigenmodes of the quasi-linear car, the speeds at which one of them begins to grow, and what moves these speeds.
+//
+//   const dynamics::QuasiLinearCar car{...};
+//   for (const auto& hopf : dynamics::hopf_points(car, 5, 100)) hopf.motion.speed;      // [m/s]
+#pragma once
+
+#include <vector>
+
+#include "dynamics/quasi_linear.hpp"
+
+namespace railbook::dynamics {
+
+// All eigenmodes with Im lambda >= 0 at a speed [m/s], the least damped first; each shape has its largest
+// wheelset amplitude equal to 1 (shapes that do not move a wheelset have their largest component 1).
+std::vector<Motion> modes(const QuasiLinearCar& car, const QuasiLinearCar::Gains& gains,
+                          double speed);
+
+// Scales the shape so that its largest wheelset moves with this real amplitude [m].
+Vector9c scaled_to(const FreightCar& car, const Vector9c& shape, double amplitude);
+
+// lambda = i omega exactly: a pair of eigenvalues crosses the axis.
+struct HopfPoint {
+  Motion motion;          // shape with largest wheelset 1
+  Vector9c adjoint;       // left null vector, w^H Z = 0
+  Complex rate_by_speed;  // d lambda / d V [1/m]
+  double residual = 0;    // |Z q| over |K q| at the solution
+  int iterations = 0;     // of Newton, from the starting values of the determinant
+};
+
+// Every speed in [low, high] m/s at which an oscillation of the linear car (gains for A = 0) has no damping,
+// ascending. No scan: Z is linear in 1/V, so that the sums of eigenvalue pairs (bialternate sum, 153 x 153)
+// vanish at the eigenvalues of one pencil; each is then polished by Newton on (q, omega, V) to an update below
+// 1e-11 relative. Throws InputError unless 0 < low < high.
+std::vector<HopfPoint> hopf_points(const QuasiLinearCar& car, double low, double high);
+
+// Newton on (q, omega, V) for a Hopf point from a mode near the axis; converged false: no point was found.
+struct HopfSearch {
+  HopfPoint point;
+  bool converged = false;
+};
+HopfSearch find_hopf(const QuasiLinearCar& car, const Motion& start);
+
+// What the critical speed does when a datum is changed: p / V dV/dp, by the adjoint of the Hopf condition.
+struct Sensitivity {
+  const char* key;  // of car_data(), or "R-slope", "D-slope", "Phi-slope"
+  double relative = 0;
+};
+// For car data other than frictions and regularization (dampers follow the friction levels) and the three
+// initial slopes of the constraint functions. `suspension` and `geometry` are those `car` was made with.
+std::vector<Sensitivity> sensitivities(const QuasiLinearCar& car, Suspension suspension,
+                                       const wheelrail::ConstraintFunctions& geometry,
+                                       const HopfPoint& hopf);
+
+}  // namespace railbook::dynamics
