@@ -193,6 +193,18 @@ Curve placed_rail(const Curve& rail, double gauge, double gauge_depth, double ca
   return moved(leaning, -0.5 * gauge - at.x, -top.z);
 }
 
+namespace {
+
+// Where the wheel's profile is steepest; its end when it has no flange.
+double flange_face(const Curve& wheel) {
+  const auto steepest = std::ranges::max_element(
+      wheel.pieces(), {}, [](const Piece& p) { return std::max(p.angle_start, p.angle_end); });
+  const bool flange = std::max(steepest->angle_start, steepest->angle_end) > steepest_centred;
+  return flange ? steepest->end.u : wheel.end().u;
+}
+
+}  // namespace
+
 WheelsetOnTrack with_radius(const Curve& wheel, const Curve& rail, double radius) {
   units::require_positive("rolling radius", radius, "m");
   const WheelsetOnTrack free(moved(wheel, 0, -radius), rail);
@@ -200,11 +212,11 @@ WheelsetOnTrack with_radius(const Curve& wheel, const Curve& rail, double radius
   if (!at.converged || at.left.at_end)
     throw InputError(
         "the wheelset does not sit on the rails: centred, it touches at an end of a profile");
-  if (std::abs(at.left.delta) > steepest_centred)
+  if (std::abs(at.left.delta) > steepest_centred || at.left.on_wheel.u > flange_face(wheel))
     throw InputError(
-        fmt::format("the wheelset does not fit between the rails: centred, it touches at {:.3g} "
-                    "deg; allowed: below {:.3g} deg",
-                    at.left.delta / units::degree, steepest_centred / units::degree));
+        fmt::format("the wheelset does not fit between the rails: centred, it stands on a flange, "
+                    "{:.4g} mm from the profile's end; check gauge, back-to-back and origin",
+                    (wheel.end().u - at.left.on_wheel.u) / units::millimetre));
   return {moved(wheel, 0, at.left.radius - 2 * radius), rail};
 }
 

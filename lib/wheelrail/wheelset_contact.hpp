@@ -81,7 +81,7 @@ Curve placed_wheel(const Curve& wheel, double from_centre);
 // centre at `gauge_depth` [m] below the top. Throws InputError when the profile has no point so deep on that side.
 Curve placed_rail(const Curve& rail, double gauge, double gauge_depth, double cant);
 // The pair with the wheel raised so that its radius at the centred contact is `radius` [m]. Throws InputError when the
-// wheelset does not fit between the rails: the centred contact is at an end of the data or on a flange (over 45 degrees).
+// wheelset does not fit between the rails: the centred contact is at an end of the data or on a flange (over 45 degrees, or beyond its steepest place).
 WheelsetOnTrack with_radius(const Curve& wheel, const Curve& rail, double radius);
 
 // A displacement at which one wheel has two points of contact: below it the one, above it the other.

@@ -13,7 +13,7 @@ foreach(file ${sources})
   file(RELATIVE_PATH name ${root} ${file})
   file(STRINGS ${file} includes REGEX "^#include")
   foreach(line IN LISTS includes)
-    if(name MATCHES "^lib/(units|num|contact|wheelrail|dynamics|signal|track)/"
+    if(name MATCHES "^lib/(units|num|contact|wheelrail|dynamics|signal|track|quality)/"
        AND line MATCHES "\"(report|plot|scene|drawing|bench)/")
       broken("${name}: physics includes ${line}")
     endif()

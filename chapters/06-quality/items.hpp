@@ -1,0 +1,38 @@
+// The sections of the chapter, and what they share.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "quality/descriptor.hpp"
+#include "report/chapter.hpp"
+#include "units/constants.hpp"
+
+namespace quality_chapter {
+
+inline constexpr double cm = 0.01;
+inline constexpr double kmh = railbook::units::kilometre_per_hour;
+inline constexpr double kN = railbook::units::kilonewton;
+
+// Printed: the vehicle of Figure 2, the limits of Figures 3 and 6, the level of Figure 5.
+inline constexpr railbook::quality::Suspension roll{.frequency = 0.5, .damping = 0.2};
+inline constexpr double track_speed = 100 * kmh;
+inline constexpr railbook::quality::StrokeLimit inch_limit{roll, 2.54 * cm};
+inline constexpr double flat_level = 1.6 * cm;
+inline constexpr double wheel_force_limit = 143 * kN;
+railbook::quality::StrokeLimit level_limit();  // the stroke behind Figure 5
+
+// Reconstructed: data/cars.csv and data/speeds.csv.
+railbook::quality::ForceLimit car(const railbook::report::Item& item, const std::string& key);
+std::vector<double> speeds(const railbook::report::Item& item);  // m/s
+
+// 10^(0), 10^(1/n) ... as wavelengths from `low` to `high`, both included.
+std::vector<double> wavelengths(double low, double high, int per_decade);
+
+// Each section adds its items and tools.
+void add_stroke(railbook::report::Chapter& chapter);       // Figures 1 to 5
+void add_force(railbook::report::Chapter& chapter);        // Figure 6
+void add_combined(railbook::report::Chapter& chapter);     // Figure 7
+void add_time_domain(railbook::report::Chapter& chapter);  // all of it by integration
+
+}  // namespace quality_chapter

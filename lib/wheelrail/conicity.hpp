@@ -1,0 +1,25 @@
+// Equivalent conicity: the cone that would make a free wheelset weave with the same wavelength.
+#pragma once
+
+#include "wheelrail/constraint_functions.hpp"
+
+namespace railbook::wheelrail {
+
+// Of a free wheelset that follows its rolling radii, y'' = -R(y)/r_0 along the track, at an amplitude.
+struct Conicity {
+  double amplitude = 0;  // [m]
+  double kinematic =
+      0;  // lambda_e = (2 pi/wavelength)^2 a r_0: Klingel's formula turned round, as EN 15302 defines it
+  double harmonic =
+      0;  // a times the describing function of R: the first harmonic of the difference of radii
+  double regression =
+      0;  // half the slope of the straight line fitted to r_L - r_R over -amplitude .. amplitude
+  double wavelength = 0;   // [m]
+  bool oscillates = true;  // false: the wheelset is not driven back; kinematic and wavelength are 0
+};
+
+// `amplitude` > 0, up to the end of the table (InputError beyond). Gauss-Legendre with 8 points between knots, in the
+// angle whose sine is y/amplitude: better than 1e-10 for the piecewise linear table.
+Conicity conicity(const ConstraintFunctions& pair, double amplitude);
+
+}  // namespace railbook::wheelrail
