@@ -1,0 +1,144 @@
+#include "geometry_car/reconstruct.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <limits>
+#include <string>
+
+#include "geometry_car/run.hpp"
+#include "units/constants.hpp"
+#include "units/input_error.hpp"
+
+namespace railbook::geometry_car {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+// Rows that follow each other foot by foot in one direction.
+std::vector<Run> runs_of(const Record& record, Measurement& result) {
+  std::vector<Run> runs;
+  bool broken = true;
+  for (std::size_t i = 0; i < record.size(); ++i) {
+    // The first row has no row before it: its time means nothing.
+    if (i > 0 && !signal::possible_interval(record.elapsed[i])) {
+      ++result.rejected;
+      continue;
+    }
+    const long step = broken ? 0 : record.mark[i] - record.mark[runs.back().rows.back()];
+    const bool goes_on = !broken && (step == 1 || step == -1) &&
+                         (runs.back().rows.size() == 1 || step == runs.back().direction);
+    if (!goes_on) runs.emplace_back();
+    broken = false;
+    Run& run = runs.back();
+    if (run.rows.size() == 1) run.direction = static_cast<int>(step);
+    run.rows.push_back(i);
+  }
+  return runs;
+}
+
+void load(Run& run, const Record& record) {
+  for (const std::size_t i : run.rows) {
+    run.T.push_back(record.elapsed[i]);
+    for (std::size_t c = 0; c < channels; ++c) run.values[c].push_back(record.values[c][i]);
+  }
+}
+
+void require(const Record& record, const Processing& p) {
+  const Layout& l = p.layout;
+  units::require_positive("distance between samples", l.sample, "m");
+  units::require_between("base", l.base, 0.5, 3, "m");
+  units::require_between("spacing of the transducers", l.transducers, 0.5, 4, "m");
+  units::require_between("spacing of the trucks", l.truck_spacing, 2 * l.sample, 100, "m");
+  units::require_between("length of the beam", l.beam, 0, 3, "m");
+  units::require_between("height of the inclinometer", l.inclinometer_height, -5, 5, "m");
+  units::require_between("height of the beam", l.beam_height, -5, 5, "m");
+  units::require_positive("corner of B", l.first_corner, "Hz");
+  units::require_positive("corner of F", l.second_corner, "Hz");
+  units::require_positive("corner of the roll filter", p.roll_corner, "Hz");
+  units::require_between("samples of the curvature's mean", p.curvature_mean, 1, 1001);
+  if (record.elapsed.size() != record.size()) throw InputError{"record: a time for each mark"};
+  for (const ChannelInfo& c : channel_list())
+    if (record[c.channel].size() != record.size())
+      throw InputError{"record: channel " + std::string(c.name) + " has " +
+                       std::to_string(record[c.channel].size()) +
+                       " values; allowed: " + std::to_string(record.size())};
+}
+
+}  // namespace
+
+const std::array<ParameterInfo, parameters>& parameter_list() {
+  using enum Parameter;
+  constexpr double mm = units::millimetre, mph = units::mph;
+  constexpr double curve = units::degree / (100 * units::foot);
+  static const std::array<ParameterInfo, parameters> list{{
+      {gage, "gage", "mm", mm, 0, 0},
+      {curvature, "curvature", "deg_per_100ft", curve, 2 * mph, 2 * mph},
+      {curvature_rate, "curvature_rate", "deg_per_100ft_per_100ft", curve / (100 * units::foot),
+       2 * mph, 2 * mph},
+      {crosslevel, "crosslevel", "mm", mm, 0, 0},
+      {warp, "warp", "mm", mm, 0, 0},
+      {profile_left, "profile_left", "mm", mm, 15 * mph, 5 * mph},
+      {profile_right, "profile_right", "mm", mm, 15 * mph, 5 * mph},
+      {alignment_left, "alignment_left", "mm", mm, 15 * mph, 5 * mph},
+      {alignment_right, "alignment_right", "mm", mm, 15 * mph, 5 * mph},
+      {surface_left, "surface_left", "mm", mm, 15 * mph, 5 * mph},
+      {surface_right, "surface_right", "mm", mm, 15 * mph, 5 * mph},
+      {line_left, "line_left", "mm", mm, 15 * mph, 5 * mph},
+      {line_right, "line_right", "mm", mm, 15 * mph, 5 * mph},
+  }};
+  return list;
+}
+
+Measurement reconstruct(const Record& record, const Processing& processing) {
+  require(record, processing);
+  Measurement result;
+  result.mark = record.mark;
+  result.speed.assign(record.size(), nan);
+  for (auto& values : result.values) values.assign(record.size(), nan);
+  std::vector<Run> runs = runs_of(record, result);
+  result.runs = runs.size();
+  const std::size_t least = samples_needed(processing);
+  std::size_t longest = 0;
+  for (const Run& run : runs) longest = std::max(longest, run.rows.size());
+  if (longest < least)
+    throw InputError{"the longest run without a gap or a turn has " + std::to_string(longest) +
+                     " samples; allowed: at least " + std::to_string(least) +
+                     " for the long chord with its high-pass"};
+  for (Run& run : runs) {
+    load(run, record);
+    const std::size_t n = run.rows.size();
+    for (std::size_t k = n > 1 ? 1 : n; k < n; ++k)
+      result.speed[run.rows[k]] = run.direction * processing.layout.sample / run.T[k];
+    const auto columns = process(run, processing, record.mark);
+    for (std::size_t p = 0; p < parameters; ++p)
+      for (std::size_t k = 0; k < n; ++k) result.values[p][run.rows[k]] = columns[p][k];
+  }
+  return result;
+}
+
+std::vector<Quality> quality(const Measurement& m, Parameter parameter,
+                             const Processing& processing) {
+  const ParameterInfo& info = parameter_list()[static_cast<std::size_t>(parameter)];
+  const std::size_t n = m.size(), reach = reach_of(parameter, processing);
+  const auto speed = [&](std::size_t i) {
+    return std::isnan(m.speed[i]) ? units::no_limit : std::abs(m.speed[i]);
+  };
+  std::vector<Quality> result(n);
+  std::deque<std::size_t> slowest;  // rows of the window, each slower than all after it
+  for (std::size_t i = 0, next = 0; i < n; ++i) {
+    for (; next < n && next <= i + reach; ++next) {
+      while (!slowest.empty() && speed(slowest.back()) >= speed(next)) slowest.pop_back();
+      slowest.push_back(next);
+    }
+    while (slowest.front() + reach < i) slowest.pop_front();
+    const double v = speed(slowest.front());
+    result[i] = std::isnan(m[parameter][i]) ? Quality::missing
+                : v < info.unreliable_below ? Quality::unreliable
+                : v < info.degraded_below   ? Quality::degraded
+                                            : Quality::good;
+  }
+  return result;
+}
+
+}  // namespace railbook::geometry_car

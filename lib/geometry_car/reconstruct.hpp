@@ -1,0 +1,103 @@
+// From the sensors to track geometry, as the paper describes it: hybrid filters, corrections, chords.
+//
+//   const Measurement m = reconstruct(record, Processing{.layout = car.layout});
+//   m[Parameter::profile_left][k]      // m, at foot mark m.mark[k]
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include "geometry_car/car.hpp"
+#include "geometry_car/record.hpp"
+#include "geometry_car/track.hpp"
+#include "signal/geometry_chain.hpp"
+#include "signal/hybrid_filter.hpp"
+
+namespace railbook::geometry_car {
+
+enum class Parameter {
+  gage,
+  curvature,       // mean over the trucks' spacing and a further stretch, 1/m
+  curvature_rate,  // its change over that stretch, 1/m^2
+  crosslevel,      // left above right
+  warp,            // change of crosslevel over the long chord
+  profile_left,    // mid-chord offsets
+  profile_right,
+  alignment_left,
+  alignment_right,
+  surface_left,  // pseudo space curves of profile and alignment
+  surface_right,
+  line_left,
+  line_right,
+};
+inline constexpr std::size_t parameters = 13;
+
+// What is known of a parameter: its name in files, unit there, and the speeds (m/s) below which the paper calls it degraded and
+// not to be relied upon.
+struct ParameterInfo {
+  Parameter parameter;
+  std::string_view name, unit;
+  double si;
+  double degraded_below, unreliable_below;
+};
+const std::array<ParameterInfo, parameters>& parameter_list();
+
+// The corrections of the paper; switched off only to see what they are worth.
+struct Corrections {
+  bool truck_motion = true;       // of curvature: body against trucks
+  bool centrifugal = true;        // of the inclinometer: speed times yaw rate
+  bool yaw_centre = true;         // of the inclinometer: it sits before the middle of the car
+  bool roll_acceleration = true;  // of the inclinometer: it sits above the rails
+  bool gyro = true;               // of crosslevel: the fast part of the roll
+  bool vertical_attitude =
+      true;  // of profile: gravity and centrifugal acceleration on a leaning body
+  bool transducer_place = true;  // of profile: transducers not over the rails
+  bool gravity = true;           // of alignment: the beam rolls with the track
+  bool beam_height = true;       // of alignment: accelerometer above the plane of the rails
+};
+
+struct Processing {
+  Layout layout = {};
+  signal::GeometryChainOptions chain = {};  // long chord and high-pass of profile and alignment
+  signal::Decay decay = signal::Decay::exact;
+  bool local = false;             // G with the last interval only, as if the speed were constant
+  double roll_corner = 1.25 / 4;  // Hz: two octaves below the lateral mode
+  int roll_poles = 2;             // of the inclinometer's path, besides the analog filter
+  int curvature_mean = 51;        // samples, odd
+  Corrections corrections = {};
+  std::vector<double> grade =
+      {};  // slope of the rails ahead of each mark from 0 on: only for the size of what its lack costs
+};
+
+// Rows as in the record. NaN where a window is not complete or holds a sample that is missing.
+struct Measurement {
+  std::vector<long> mark;
+  std::vector<double> speed;  // m/s over the last foot, its sign the direction; NaN if unknown
+  std::array<std::vector<double>, parameters> values;
+  std::size_t rejected = 0;  // rows with a time that cannot be
+  std::size_t runs = 0;      // stretches without a gap or a reversal
+
+  std::size_t size() const { return mark.size(); }
+  std::vector<double>& operator[](Parameter p) { return values[static_cast<std::size_t>(p)]; }
+  const std::vector<double>& operator[](Parameter p) const {
+    return values[static_cast<std::size_t>(p)];
+  }
+};
+
+// Works through every run of the record in the order of time, forwards or backwards. A row whose time since the row before is zero,
+// negative or NaN is rejected, a jump or a turn of the marks begins a new run, a missing value masks what depends on it.
+// Throws InputError when no run has the samples the composite filter needs (661 with the defaults), and on a
+// processing that does not make sense.
+Measurement reconstruct(const Record& record, const Processing& processing);
+
+// What an ideal instrument would answer at each mark: the same chords, means and filters on the true rails.
+Measurement truth(const Track& track, const Processing& processing);
+
+// Is a value to be trusted? By the slowest speed in its window and the paper's limits.
+enum class Quality { good, degraded, unreliable, missing };
+std::vector<Quality> quality(const Measurement& measurement, Parameter parameter,
+                             const Processing& processing);
+
+}  // namespace railbook::geometry_car

@@ -1,0 +1,42 @@
+// One run of the record, and what is made of it; shared by the sources of this folder.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "geometry_car/reconstruct.hpp"
+
+namespace railbook::geometry_car {
+
+using Column = std::vector<double>;
+
+// In the order of time; T[0] means nothing.
+struct Run {
+  std::vector<std::size_t> rows;  // of the record
+  int direction = 1;              // of the marks
+  Column T;
+  std::array<Column, channels> values;
+
+  std::size_t size() const { return T.size(); }
+  const Column& operator[](Channel c) const { return values[static_cast<std::size_t>(c)]; }
+};
+
+std::array<Column, parameters> process(const Run& run, const Processing& processing,
+                                       const std::vector<long>& marks);
+
+// Shared with the truth. Short chord offsets z_k - (z_{k-1} + z_{k+1})/2, NaN at the ends.
+Column short_chords(const Column& z);
+// Heading of the chord between the trucks (rad) after each foot -> curvature at the middle of the car, at the place of its
+// mean; `shift` samples later than the heading's, in the order given.
+Column mean_curvature(const Column& turn, const Processing& processing, long shift);
+// The change of a column over `span` samples, centred.
+Column change_over(const Column& column, std::size_t span);
+// Long chord and space curve of short offsets, NaN throughout when they are too few.
+signal::Geometry long_chord(const Column& short_offsets, const Processing& processing);
+
+std::size_t samples_needed(const Processing& processing);
+// Samples to either side that a value depends on (besides the memory of the roll filter).
+std::size_t reach_of(Parameter parameter, const Processing& processing);
+
+}  // namespace railbook::geometry_car
