@@ -12,6 +12,12 @@ is enough to derive the filters, once one asks for a digital filter that is *exa
 chapter derives them, builds them, drives them with sines, and asks what the paper's claim is worth: where the response is independent of
 speed and direction, and where not. Then it builds the whole car, runs it over synthetic track, and measures.
 
+{{include: responses.cpp}}
+
+{{include: speed_independence.cpp}}
+
+{{include: approximations.cpp}}
+
 {{include: chords.cpp}}
 
 ## Error against run time
@@ -38,6 +44,9 @@ int main(int argc, char** argv) {
                 "Annual Meeting, Washington, November 1981",
        .sources = RAILBOOK_CHAPTER_DIR}};
   // Filters.
+  filters::add_responses(chapter);
+  filters::add_speed_independence(chapter);
+  filters::add_approximations(chapter);
   filters::add_chords(chapter);
 
   // The car: sensors, reconstruction, experiments, tool.

@@ -46,8 +46,8 @@ class GeometryChain {
   GeometryChainOptions options_;
   Sink sink_;
   std::size_t curve_reach_, reach_;
-  std::vector<double> in_;               // short offsets, masked ones as 0
-  std::vector<double> curve_, scratch_;  // what becomes the space curve
+  std::vector<double> in_;                         // short offsets, masked ones as 0
+  std::vector<double> curve_, scratch_, between_;  // what becomes the space curve
   std::vector<double> chord_;
   std::vector<std::size_t> holes_;  // places in in_ of masked samples, ascending
   std::size_t masked_ = 0;

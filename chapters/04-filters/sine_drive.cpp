@@ -1,0 +1,101 @@
+/*** **Driving with sines.** The other way to a response asks no formula: integrate the differential equation of the analog filter with a
+sine on its input, sample it, pass the samples through the digital filter, and divide what comes out by what went in. A complex
+exponential does it for sine and cosine at once. The digital filter may start in the middle of the sine: its first output is
+already the steady one.
+*/
+#include "sine_drive.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "num/dopri5.hpp"
+
+namespace railbook::filters {
+namespace {
+
+using Complex = std::complex<double>;
+using signal::SecondOrderLowPass;
+
+// Runs an analog filter of state size N (cosine and sine parts) and hands out its output at the samples.
+template <int N, class Rate, class Take>
+void run(const Rate& rate, double T, int first, int samples, const Take& take) {
+  using State = typename num::Dopri5<N>::State;
+  num::Dopri5<N> solver{State::Constant(1e-12), T / 10};
+  State y = State::Zero();
+  solver.restart(rate, 0, y);
+  for (int k = 1; k < first + samples; ++k) {
+    while (solver.t() < k * T)
+      if (!solver.step(rate, k * T)) throw std::runtime_error{"analog filter: no step"};
+    if (k >= first) take(k, Complex{solver.y()[0], solver.y()[1]});
+  }
+}
+
+// A complex signal through a filter for real ones.
+struct FirstOrder {
+  signal::FirstOrderHybrid real, imaginary;
+  explicit FirstOrder(double corner) : real(corner), imaginary(corner) {}
+  Complex push(Complex y, double T) {
+    return {real.push(y.real(), T), imaginary.push(y.imag(), T)};
+  }
+};
+struct SecondOrder {
+  signal::SecondOrderHybrid real, imaginary;
+  explicit SecondOrder(const SecondOrderLowPass& f) : real(f), imaginary(f) {}
+  Complex push(Complex y, double T) {
+    return {real.push(y.real(), T).mean, imaginary.push(y.imag(), T).mean};
+  }
+};
+
+// Feeds `order` + 1 samples, starting with number k: the steady gain at the last of them.
+template <class Filter, class Samples>
+Complex steady_gain(Filter filter, int order, double T, double theta, int k, const Samples& y) {
+  Complex out;
+  for (int i = 0; i <= order; ++i) out = filter.push(y(k + i), T);
+  return out / std::polar(1.0, theta * (k + order));
+}
+
+}  // namespace
+
+Gains drive_first_order(double corner, double T, double theta) {
+  const double w = theta / T;
+  const auto rate = [&](double t, const Eigen::Vector2d& y, Eigen::Vector2d& dy) {
+    dy = corner * (Eigen::Vector2d{std::cos(w * t), std::sin(w * t)} - y);
+  };
+  const int settled = static_cast<int>(std::ceil(30 / (corner * T)));
+  Complex samples[2];
+  run<2>(rate, T, settled, 2, [&](int k, Complex y) { samples[k - settled] = y; });
+  const auto sine = [&](int k) { return std::polar(1.0, theta * k); };
+  const auto output = [&](int k) { return samples[k - settled]; };
+  return {samples[1] / sine(settled + 1), steady_gain(FirstOrder{corner}, 1, T, theta, 0, sine),
+          steady_gain(FirstOrder{corner}, 1, T, theta, settled, output)};
+}
+
+Gains drive_second_order(const SecondOrderLowPass& f, double T, double theta) {
+  const double w = theta / T;
+  const auto rate = [&](double t, const Eigen::Vector4d& y, Eigen::Vector4d& dy) {
+    const Eigen::Vector2d x{std::cos(w * t), std::sin(w * t)};
+    dy.head<2>() = y.tail<2>();
+    dy.tail<2>() = f.omega * (f.omega * (x - y.head<2>()) - 2 * f.damping * y.tail<2>());
+  };
+  const int settled = static_cast<int>(std::ceil(40 / (f.damping * f.omega * T)));
+  Complex samples[3];
+  run<4>(rate, T, settled, 3, [&](int k, Complex y) { samples[k - settled] = y; });
+  const auto sine = [&](int k) { return std::polar(1.0, theta * k); };
+  const auto output = [&](int k) { return samples[k - settled]; };
+  return {samples[2] / sine(settled + 2), steady_gain(SecondOrder{f}, 2, T, theta, 0, sine),
+          steady_gain(SecondOrder{f}, 2, T, theta, settled, output)};
+}
+
+Gains first_order_gains(double corner, double T, double theta) {
+  const Complex b = signal::first_order_analog(corner * T, theta);
+  const Complex c = signal::first_order_digital(corner * T, theta);
+  return {b, c, b * c};
+}
+
+Gains second_order_gains(const SecondOrderLowPass& filter, double T, double theta) {
+  const Complex f = signal::second_order_analog(filter, T, theta);
+  const Complex g = signal::second_order_digital(filter, T, theta);
+  return {f, g, f * g};
+}
+
+}  // namespace railbook::filters
