@@ -8,6 +8,9 @@ namespace railbook::hunting {
 void add_conversions(report::Chapter&);  // quantities printed in two units
 
 // Profiles and geometry of contact.
+void add_profiles(report::Chapter&);          // Figs 3, 4, 5
+void add_constraint_table(report::Chapter&);  // claims, slopes, tables, jumps
+void add_conicity(report::Chapter&);
 
 // The car, describing functions, limit cycles.
 

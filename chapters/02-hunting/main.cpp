@@ -22,6 +22,12 @@ drawings (the geometry's names, the idea of the method, a flow chart), with no d
 
 ## Geometry of wheel and rail
 
+{{include: profiles.cpp}}
+
+{{include: constraint_table.cpp}}
+
+{{include: conicity.cpp}}
+
 ## The car
 
 ## Limit cycles
@@ -54,6 +60,9 @@ int main(int argc, char** argv) {
        .sources = RAILBOOK_CHAPTER_DIR}};
   hunting::add_conversions(chapter);
   // Geometry.
+  hunting::add_profiles(chapter);
+  hunting::add_constraint_table(chapter);
+  hunting::add_conicity(chapter);
 
   // The car, describing functions, limit cycles.
 
