@@ -1,0 +1,147 @@
+#include "dynamics/oscillator.hpp"
+
+#include <Eigen/Cholesky>
+#include <string>
+
+#include "units/input_error.hpp"
+
+namespace railbook::dynamics {
+
+namespace {
+
+// The three odd tables as one law of the displacement with three values, over both signs.
+PiecewiseLinear both_sides(const wheelrail::ConstraintFunctions& table) {
+  const auto& r = table.R.values();
+  const auto& d = table.D.values();
+  const auto& phi = table.Phi.values();
+  if (r.size() < 2 || d.size() != r.size() || phi.size() != r.size())
+    throw InputError("constraint functions: " + std::to_string(r.size()) + ", " +
+                     std::to_string(d.size()) + " and " + std::to_string(phi.size()) +
+                     " values; allowed: at least 2, as many of each");
+  const auto n = Eigen::Index(r.size());
+  Eigen::VectorXd knots(2 * n - 1);
+  Eigen::MatrixXd values(3, 2 * n - 1);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const auto k = std::size_t(i);
+    const Eigen::Vector3d f{r[k], d[k], phi[k]};
+    knots[n - 1 + i] = table.R.step() * double(i);
+    knots[n - 1 - i] = -knots[n - 1 + i];
+    values.col(n - 1 + i) = f;
+    values.col(n - 1 - i) = -f;
+  }
+  return simplified({std::move(knots), std::move(values)});
+}
+
+Eigen::MatrixXd padded_matrix(const Eigen::MatrixXd& m, bool unit_beyond) {
+  const Eigen::Index n = m.rows();
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(coordinates, coordinates);
+  if (unit_beyond) result.setIdentity();
+  result.topLeftCorner(n, n) = m;
+  return result;
+}
+
+void require_shape(const Oscillator& o) {
+  const Eigen::Index n = o.mass.rows();
+  const auto fits = [n](const Eigen::MatrixXd& m) { return m.rows() == n && m.cols() == n; };
+  bool good = n >= 1 && n <= coordinates && fits(o.mass) && fits(o.damping) &&
+              fits(o.damping_by_speed) && fits(o.stiffness);
+  for (const Channel& c : o.channels)
+    good = good && c.row.size() == n && c.force.rows() == n && c.law.pieces() > 0 &&
+           c.force.cols() == c.law.outputs();
+  if (!good)
+    throw InputError("oscillator of " + std::to_string(n) +
+                     " coordinates: its matrices, rows and forces do not fit; allowed: 1 to 9");
+}
+
+}  // namespace
+
+Oscillator hunting(const FreightCar& car, const wheelrail::ConstraintFunctions& table,
+                   double speed) {
+  Oscillator o;
+  o.mass = car.mass;
+  o.damping = car.suspension_damping;
+  o.damping_by_speed = car.creep_damping;
+  o.stiffness = car.suspension_stiffness + car.creep_stiffness;
+  const PiecewiseLinear law = both_sides(table);
+  for (const Wheelset& w : car.wheels) {
+    Eigen::MatrixXd force(coordinates, 3);
+    force << w.g_r, w.g_d, w.g_phi;
+    o.channels.push_back({w.lateral, false, std::move(force), law, table.end()});
+  }
+  if (car.has_friction)
+    for (const Joint& joint : car.joint)
+      if (joint.friction > 0)
+        o.channels.push_back(
+            {joint.row, true, -joint.row, saturation(joint.friction, joint.stick)});
+  return at_speed(std::move(o), speed);
+}
+
+Oscillator at_speed(Oscillator car, double speed) {
+  car.inverse_speed = 1 / units::require_positive("speed", speed, "m/s");
+  return car;
+}
+
+Compiled compile(const Oscillator& o) {
+  require_shape(o);
+  const Eigen::LLT<Eigen::MatrixXd> mass{padded_matrix(o.mass, true)};
+  if (mass.info() != Eigen::Success) throw InputError("mass matrix: not positive definite");
+  const Eigen::Index n = o.coordinates();
+  Compiled result;
+  result.linear << -mass.solve(padded_matrix(o.stiffness, false)),
+      -mass.solve(padded_matrix(o.damping + o.inverse_speed * o.damping_by_speed, false));
+  for (const Channel& c : o.channels) {
+    CompiledChannel out;
+    out.row.setZero();
+    out.row.head(n) = c.row;
+    out.of_rate = c.of_rate;
+    out.law = c.law;
+    out.limit = c.limit;
+    Eigen::MatrixXd force = Eigen::MatrixXd::Zero(coordinates, c.force.cols());
+    force.topRows(n) = c.force;
+    const Eigen::MatrixXd response = mass.solve(force);
+    out.slope = response * c.law.slopes();
+    out.constant = response * c.law.values().leftCols(c.law.pieces());
+    for (Eigen::Index i = 0; i < c.law.pieces(); ++i)
+      out.constant.col(i) -= c.law.knots()[i] * out.slope.col(i);
+    result.channels.push_back(std::move(out));
+  }
+  return result;
+}
+
+void Compiled::rate(const State& y, State& dy) const {
+  dy.head<9>() = y.tail<9>();
+  dy.tail<9>().noalias() = linear * y;
+  for (const CompiledChannel& c : channels) {
+    const double s = scalar(c, y);
+    const Eigen::Index i = c.law.piece(s);
+    dy.tail<9>() += c.constant.col(i) + s * c.slope.col(i);
+  }
+}
+
+void Compiled::jacobian(const State& y, StateMatrix& J) const {
+  J.setZero();
+  J.topRightCorner<9, 9>().setIdentity();
+  J.bottomRows<9>() = linear;
+  for (const CompiledChannel& c : channels)
+    J.block<9, 9>(9, c.of_rate ? 9 : 0) +=
+        c.slope.col(c.law.piece(scalar(c, y))) * c.row.transpose();
+}
+
+State padded(const Eigen::VectorXd& y) {
+  const Eigen::Index n = y.size() / 2;
+  if (y.size() % 2 != 0 || n < 1 || n > coordinates)
+    throw InputError("state of " + std::to_string(y.size()) +
+                     " numbers; allowed: an even count from 2 to 18");
+  State result = State::Zero();
+  result.head(n) = y.head(n);
+  result.segment(9, n) = y.tail(n);
+  return result;
+}
+
+Eigen::VectorXd unpadded(const State& y, Eigen::Index n) {
+  Eigen::VectorXd result(2 * n);
+  result << y.head(n), y.segment(9, n);
+  return result;
+}
+
+}  // namespace railbook::dynamics

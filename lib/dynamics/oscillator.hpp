@@ -1,0 +1,74 @@
+// Systems of up to nine coordinates that are linear but for a few scalars:
+//
+//   M q'' + (C_0 + u C_1) q' + K q = sum_c G_c f_c(s_c),   s_c = row_c q  or  row_c q',   u = 1/V
+//
+// with piecewise linear f_c: the freight car on its tables, with or without friction.
+//
+//   const Oscillator car = hunting(assemble({}, Suspension::dampers), table, 150 * units::foot);
+#pragma once
+
+#include <Eigen/Core>
+#include <limits>
+#include <vector>
+
+#include "dynamics/freight_car.hpp"
+#include "dynamics/piecewise_linear.hpp"
+#include "wheelrail/constraint_functions.hpp"
+
+namespace railbook::dynamics {
+
+struct Channel {
+  Eigen::VectorXd row;  // n
+  bool of_rate = false;
+  Eigen::MatrixXd force;  // G: n x outputs of the law
+  PiecewiseLinear law;
+  double limit = std::numeric_limits<double>::infinity();  // |s| beyond it: derailed, law unknown
+};
+
+struct Oscillator {
+  Eigen::MatrixXd mass, damping, damping_by_speed, stiffness;  // n x n: M, C_0, C_1, K
+  double inverse_speed = 0;                                    // u [s/m]
+  std::vector<Channel> channels;
+
+  Eigen::Index coordinates() const { return mass.rows(); }
+};
+
+// The car on a pair of profiles at a speed [m/s] > 0: channels 0 ... 3 are the wheelsets' displacements [m], with the end of the
+// table as limit, and, if the car has friction, 4 ... 10 the rates of its joints. Throws InputError for a bad speed or empty table.
+Oscillator hunting(const FreightCar& car, const wheelrail::ConstraintFunctions& table,
+                   double speed);
+// The same car at another speed.
+Oscillator at_speed(Oscillator car, double speed);
+
+// What integrators need, padded to nine coordinates and premultiplied by M^-1.
+using State = Eigen::Matrix<double, 18, 1>;         // q, q'
+using StateMatrix = Eigen::Matrix<double, 18, 18>;  // of small perturbations
+using Acceleration = Eigen::Matrix<double, 9, 18>;  // q'' = J (q, q')
+struct CompiledChannel {
+  Vector9 row;
+  bool of_rate = false;
+  PiecewiseLinear law;
+  double limit = 0;
+  Eigen::Matrix<double, 9, Eigen::Dynamic> constant,
+      slope;  // q'' = constant + slope s, a column a piece
+};
+struct Compiled {
+  Acceleration linear;
+  std::vector<CompiledChannel> channels;
+
+  double scalar(const CompiledChannel& c, const State& y) const {
+    return c.of_rate ? c.row.dot(y.tail<9>()) : c.row.dot(y.head<9>());
+  }
+  // y' = (q', q''); the outermost pieces go on beyond the tables.
+  void rate(const State& y, State& dy) const;
+  // d(rate)/dy. At a knot, that of the piece above it.
+  void jacobian(const State& y, StateMatrix& J) const;
+};
+// Throws InputError for more than nine coordinates, matrices or rows that do not fit, or a mass matrix that is not positive definite.
+Compiled compile(const Oscillator& oscillator);
+
+// A state of fewer coordinates (2n: q, q') padded to 18, and back.
+State padded(const Eigen::VectorXd& y);
+Eigen::VectorXd unpadded(const State& y, Eigen::Index coordinates);
+
+}  // namespace railbook::dynamics
