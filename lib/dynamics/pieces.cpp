@@ -63,7 +63,7 @@ PieceIntegrator::PieceIntegrator(Compiled system, const State& scale, double tol
 void PieceIntegrator::start(double t, const State& y) {
   t_ = t;
   y_ = y;
-  last_length_ = 0;
+  reach_ = 1e-4;
   at_limit_ = -1;
   follow_ = false;
   piece_.clear();
@@ -91,21 +91,23 @@ void PieceIntegrator::assemble() {
 
 // How far the next knot may be: only to know how many terms are worth computing.
 double PieceIntegrator::guess(double end) const {
-  double h = std::min(end - t_, last_length_ > 0 ? 2 * last_length_ : 1e-4);
+  double h = std::min(end - t_, reach_);
   for (std::size_t c = 0; c < system_.channels.size(); ++c) {
     const CompiledChannel& channel = system_.channels[c];
     if (channel.of_rate) continue;
-    const double s = system_.scalar(channel, y_), v = channel.row.dot(y_.tail<9>());
-    const double room = v > 0 ? channel.law.high(piece_[c]) - s : s - channel.law.low(piece_[c]);
-    if (v != 0 && room > 0 && room < 1e100) h = std::min(h, 1.2 * room / std::abs(v) + 1e-9);
+    const double s = system_.scalar(channel, y_), v = std::abs(channel.row.dot(y_.tail<9>()));
+    const double room = channel.row.dot(y_.tail<9>()) > 0 ? channel.law.high(piece_[c]) - s
+                                                          : s - channel.law.low(piece_[c]);
+    if (room < h * v) h = std::max(1.2 * room / v, 0.1 * h);
   }
   return h;
 }
 
-// Terms until one is below the tolerance at the time h.
+// Terms until two in a row are below the tolerance at the time h.
 void PieceIntegrator::expand(double h) {
   step_.terms[0] = y_;
   double power = 1;
+  bool small = false;
   int j = 0;
   for (; j < PieceStep::most; ++j) {
     const State& from = step_.terms[std::size_t(j)];
@@ -116,10 +118,13 @@ void PieceIntegrator::expand(double h) {
     if (j == 0) to.tail<9>() += constant_;
     to.tail<9>() *= scale;
     power *= h;
-    if (j >= 3 && power * to.cwiseProduct(inverse_scale_).lpNorm<Eigen::Infinity>() < tolerance_) {
+    const bool below =
+        power * to.cwiseProduct(inverse_scale_).lpNorm<Eigen::Infinity>() < tolerance_;
+    if (below && small) {
       ++j;
       break;
     }
+    small = below;
   }
   step_.order = j;
 }
@@ -196,7 +201,8 @@ bool PieceIntegrator::step(double end) {
   y_ = step_.at(first.time);
   t_ = first.channel < 0 && first.time == room ? end : t_ + first.time;
   ++steps_;
-  last_length_ = std::max(first.time, 1e-3 * last_length_);
+  // How far a series reached lately; let it grow as long as knots come first.
+  reach_ = first.channel < 0 && series < room ? 1.5 * series : 1.1 * reach_;
   if (first.channel < 0) return true;
   const auto index = std::size_t(first.channel);
   const CompiledChannel& channel = system_.channels[index];

@@ -57,7 +57,7 @@ class PieceIntegrator {
   Compiled system_;
   State inverse_scale_;
   double tolerance_;
-  double t_ = 0, last_length_ = 0;
+  double t_ = 0, reach_ = 1e-4;
   State y_;
   std::vector<Eigen::Index> piece_;
   Acceleration jacobian_;

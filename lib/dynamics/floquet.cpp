@@ -1,0 +1,231 @@
+#include "dynamics/floquet.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "dynamics/balance_equations.hpp"
+#include "dynamics/history.hpp"
+#include "dynamics/pieces.hpp"
+#include "units/constants.hpp"
+#include "units/input_error.hpp"
+
+namespace railbook::dynamics {
+
+using Complex = std::complex<double>;
+using Eigen::Index;
+
+double Orbit::omega() const {
+  return 2 * units::pi / period;
+}
+
+namespace {
+
+// Rows and columns of the 2n coordinates in the padded state.
+Eigen::MatrixXd unpadded_matrix(const StateMatrix& m, Index n) {
+  Eigen::MatrixXd result(2 * n, 2 * n);
+  result << m.topLeftCorner(n, n), m.block(0, 9, n, n), m.block(9, 0, n, n), m.block(9, 9, n, n);
+  return result;
+}
+
+struct Half {
+  State end;
+  bool inside = false;
+};
+
+Half fly(PieceIntegrator& integrator, const State& y, double time, bool derivative) {
+  integrator.start(0, y);
+  if (derivative) integrator.follow_derivative();
+  while (integrator.t() < time)
+    if (!integrator.step(time)) return {integrator.y(), false};
+  return {integrator.y(), true};
+}
+
+void find_multipliers(Orbit& orbit, const Eigen::MatrixXd& map) {
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver{map, false};
+  const Eigen::VectorXcd values = solver.eigenvalues();
+  orbit.map_multipliers.assign(values.data(), values.data() + values.size());
+  std::stable_sort(
+      orbit.map_multipliers.begin(), orbit.map_multipliers.end(), [](Complex a, Complex b) {
+        return std::abs(a) > std::abs(b) || (std::abs(a) == std::abs(b) && a.imag() > b.imag());
+      });
+  orbit.multipliers.clear();
+  for (const Complex m : orbit.map_multipliers)
+    orbit.multipliers.push_back(orbit.symmetric ? m * m : m);
+  orbit.monodromy = orbit.symmetric ? Eigen::MatrixXd(map * map) : map;
+}
+
+}  // namespace
+
+Orbit shoot(const Oscillator& oscillator, const Eigen::VectorXd& start, double period,
+            const ShootingOptions& options) {
+  units::require_positive("period", period, "s");
+  const Index n = oscillator.coordinates();
+  PieceIntegrator integrator{compile(oscillator), options.scale, options.piece_tolerance};
+  Orbit orbit;
+  orbit.symmetric = options.symmetric;
+  orbit.period = period;
+  State y = padded(start);
+  const State scale = options.scale;
+  const double sign = options.symmetric ? -1 : 1, part = options.symmetric ? 0.5 : 1;
+  for (orbit.iterations = 1; orbit.iterations <= options.most_iterations; ++orbit.iterations) {
+    const Half flown = fly(integrator, y, part * orbit.period, true);
+    if (!flown.inside) {
+      orbit.reason = "the motion leaves the tables";
+      break;
+    }
+    const State gap = sign * flown.end - y;
+    orbit.closing = gap.cwiseQuotient(scale).lpNorm<Eigen::Infinity>();
+    orbit.y = unpadded(y, n);
+    const Eigen::MatrixXd map = sign * unpadded_matrix(integrator.derivative(), n);
+    if (orbit.closing < options.tolerance) {
+      orbit.converged = true;
+      find_multipliers(orbit, map);
+      return orbit;
+    }
+    State rate_begin, rate_end;
+    integrator.system().rate(y, rate_begin);
+    integrator.system().rate(flown.end, rate_end);
+    const Eigen::VectorXd s = unpadded(scale, n);
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(2 * n + 1, 2 * n + 1);
+    matrix.topLeftCorner(2 * n, 2 * n) = map - Eigen::MatrixXd::Identity(2 * n, 2 * n);
+    matrix.col(2 * n).head(2 * n) = sign * part * unpadded(rate_end, n);
+    matrix.row(2 * n).head(2 * n) = unpadded(rate_begin, n).cwiseQuotient(s.cwiseAbs2());
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(2 * n + 1);
+    right.head(2 * n) = -unpadded(gap, n);
+    // Rows in units of the scale.
+    matrix.topRows(2 * n) = s.cwiseInverse().asDiagonal() * matrix.topRows(2 * n);
+    right.head(2 * n) = right.head(2 * n).cwiseQuotient(s);
+    const Eigen::VectorXd change = matrix.partialPivLu().solve(right);
+    if (!change.allFinite() || std::abs(change[2 * n]) > 0.3 * orbit.period) {
+      orbit.reason = "the Newton step is out of bounds";
+      break;
+    }
+    y += padded(change.head(2 * n));
+    orbit.period += change[2 * n];
+  }
+  if (orbit.reason.empty())
+    orbit.reason =
+        "does not close after " + std::to_string(options.most_iterations) + " iterations";
+  return orbit;
+}
+
+Orbit shoot(const Oscillator& oscillator, const Cycle& cycle, const ShootingOptions& options) {
+  Oscillator o = oscillator;
+  o.inverse_speed = cycle.inverse_speed;
+  return shoot(o, state_at(cycle, 0), 2 * units::pi / cycle.omega, options);
+}
+
+double amplitude(const Oscillator& oscillator, const Orbit& orbit, const Eigen::VectorXd& row) {
+  HistoryOptions options;
+  options.watch = {row};
+  const History history = integrate(oscillator, orbit.y, 1.05 * orbit.period, options);
+  double low = 0, high = 0;
+  for (const Turn& turn : history.turns[0]) {
+    low = std::min(low, turn.x);
+    high = std::max(high, turn.x);
+  }
+  return orbit.symmetric ? std::max(high, -low) : 0.5 * (high - low);
+}
+
+Cycle harmonics(const Oscillator& oscillator, const Orbit& orbit, int highest, int samples) {
+  PieceIntegrator integrator{compile(oscillator), State::Ones()};
+  integrator.start(0, padded(orbit.y));
+  Eigen::MatrixXd states(orbit.y.size(), samples);
+  for (int j = 0; j < samples; ++j) {
+    states.col(j) = unpadded(integrator.y(), oscillator.coordinates());
+    const double next = orbit.period * (j + 1) / samples;
+    while (integrator.t() < next && integrator.step(next)) {
+    }
+  }
+  return from_period(oscillator, states, orbit.omega(), highest, !orbit.symmetric);
+}
+
+FloquetStability stability(const Orbit& orbit) {
+  FloquetStability result;
+  if (orbit.map_multipliers.empty()) return result;
+  std::size_t trivial = 0;
+  for (std::size_t i = 1; i < orbit.map_multipliers.size(); ++i)
+    if (std::abs(orbit.map_multipliers[i] - 1.0) < std::abs(orbit.map_multipliers[trivial] - 1.0))
+      trivial = i;
+  result.trivial_error = std::abs(orbit.map_multipliers[trivial] - 1.0);
+  const std::size_t leading = trivial == 0 ? 1 : 0;
+  if (leading >= orbit.map_multipliers.size()) return result;
+  const Complex m = orbit.map_multipliers[leading];
+  result.multiplier = orbit.multipliers[leading];
+  result.largest = std::abs(result.multiplier);
+  result.stable = result.largest < 1;
+  if (std::abs(m.imag()) > 1e-9 * std::abs(m))
+    result.loss = "torus";
+  else if (m.real() > 0)
+    result.loss = "fold";
+  else
+    result.loss = orbit.symmetric ? "symmetry" : "flip";
+  return result;
+}
+
+Complex exponent(Complex half_multiplier, double period) {
+  return 2.0 * std::log(half_multiplier) / period;
+}
+
+HillExponent hill_exponent(const Oscillator& oscillator, const Cycle& cycle, Complex start,
+                           int highest) {
+  Oscillator o = oscillator;
+  o.inverse_speed = cycle.inverse_speed;
+  const Reference ref = reference(o);
+  const auto slopes = slope_spectra(o, ref, cycle, sample_count(cycle, 64 * highest));
+  const Eigen::MatrixXcd forces = all_forces(o).cast<Complex>();
+  const auto channels = Index(o.channels.size());
+  const int orders = highest + 1;  // -highest, -highest + 2, ..., highest
+  // 1 - T(lambda + i k omega) P: singular at an exponent.
+  const auto matrix = [&](Complex lambda) {
+    Eigen::MatrixXcd a = Eigen::MatrixXcd::Identity(channels * orders, channels * orders);
+    for (int i = 0; i < orders; ++i) {
+      const Complex p = lambda + Complex(0, (2 * i - highest) * cycle.omega);
+      const Eigen::MatrixXcd transfer =
+          all_rows(o, p) * dynamic_stiffness(o, ref.stiffness, p).partialPivLu().solve(forces);
+      for (int l = 0; l < orders; ++l) {
+        const auto n = std::size_t(2 * std::abs(i - l));
+        Index out = 0;
+        for (Index from = 0; from < channels; ++from)
+          for (Index m = 0; m < o.channels[std::size_t(from)].law.outputs(); ++m, ++out) {
+            const Complex p_n = slopes[std::size_t(out)][n];
+            a.block(i * channels, l * channels + from, channels, 1) -=
+                transfer.col(out) * (i >= l ? p_n : std::conj(p_n));
+          }
+      }
+    }
+    return a;
+  };
+  // f(lambda) = 1 / (w A^-1 v) vanishes where A is singular.
+  Eigen::VectorXcd v = Eigen::VectorXcd::Ones(channels * orders), w = v;
+  const auto f = [&](Complex lambda, bool turn) {
+    const Eigen::PartialPivLU<Eigen::MatrixXcd> lu{matrix(lambda)};
+    const Eigen::VectorXcd x = lu.solve(v);
+    const Complex value = 1.0 / w.dot(x);
+    if (turn) v = x.normalized();
+    return value;
+  };
+  HillExponent result;
+  Complex a = start, b = start * (1.0 + 1e-5) + 1e-5;
+  f(a, true);
+  Complex fa = f(a, false), fb = f(b, false);
+  for (result.iterations = 1; result.iterations <= 20; ++result.iterations) {
+    const Complex next = b - fb * (b - a) / (fb - fa);
+    if (!(std::abs(next) < 1e9)) break;
+    a = b;
+    fa = fb;
+    b = next;
+    if (std::abs(b - a) < 1e-11 * (1 + std::abs(b))) {
+      result.converged = true;
+      break;
+    }
+    fb = f(b, false);
+    if (fb == fa) break;
+  }
+  result.value = b;
+  return result;
+}
+
+}  // namespace railbook::dynamics
