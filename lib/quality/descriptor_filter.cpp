@@ -1,0 +1,234 @@
+#include "quality/descriptor_filter.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "units/constants.hpp"
+#include "units/input_error.hpp"
+
+namespace railbook::quality {
+namespace {
+
+// The longest wavelength at which the envelope bends.
+double longest(const Descriptor& d) {
+  double wave = 0;
+  if (d.stroke) wave = d.speed / d.stroke->suspension.frequency;
+  if (d.force) wave = std::max(wave, d.speed / suspension(d.force->car).frequency);
+  return wave;
+}
+
+// Gains of a symmetric filter at k/(n spacing), k = 0 .. n/2.
+std::vector<double> gains(std::span<const double> half, num::RealFft& fft) {
+  const std::size_t n = fft.size();
+  const auto x = fft.real();
+  std::fill(x.begin(), x.end(), 0.0);
+  x[0] = half[0];
+  for (std::size_t j = 1; j < half.size(); ++j) x[j] = x[n - j] = half[j];
+  fft.forward();
+  std::vector<double> result(n / 2 + 1);
+  for (std::size_t k = 0; k < result.size(); ++k) result[k] = fft.spectrum()[k].real();
+  return result;
+}
+
+// Sample i of a piece, also before its begin and after its end: point-symmetric, then level.
+double continued(std::span<const double> z, std::ptrdiff_t i) {
+  const auto last = static_cast<std::ptrdiff_t>(z.size()) - 1;
+  if (i < 0) return 2 * z.front() - z[static_cast<std::size_t>(std::min(-i, last))];
+  if (i > last)
+    return 2 * z.back() - z[static_cast<std::size_t>(std::max(2 * last - i, std::ptrdiff_t{0}))];
+  return z[static_cast<std::size_t>(i)];
+}
+
+void judge(FilterTaps& taps, const Envelope& envelope, double shortest) {
+  num::RealFft fft{4 * std::bit_ceil(taps.half.size())};
+  const auto got = gains(taps.half, fft);
+  const double step = 1 / (static_cast<double>(fft.size()) * taps.spacing);
+  const double lowest = 1 / (static_cast<double>(taps.half.size()) * taps.spacing);
+  for (std::size_t k = 1; k < got.size(); ++k) {
+    const double phi = static_cast<double>(k) * step;
+    if (phi < lowest || (shortest > 0 && phi * shortest > 0.8)) continue;
+    const double wanted = envelope(phi);
+    const double error = wanted > 0 ? std::abs(got[k] / wanted - 1) : 0;
+    if (error <= taps.gain_error) continue;
+    taps.gain_error = error;
+    taps.worst_at = 1 / phi;
+  }
+}
+
+}  // namespace
+
+double filter_gain(const Envelope& envelope, double shortest, double phi) {
+  const double u = phi * shortest;
+  if (u <= 0.8) return envelope(phi);
+  if (u >= 1) return 0;
+  const double c = std::cos(0.5 * units::pi * (u - 0.8) / 0.2);
+  return c * c * envelope(phi);
+}
+
+std::vector<double> impulse_response(const Envelope& envelope, double spacing, double shortest,
+                                     std::size_t samples) {
+  units::require_positive("spacing", spacing, "m");
+  num::RealFft fft{samples};
+  const auto n = static_cast<double>(samples);
+  for (std::size_t k = 0; k < fft.spectrum().size(); ++k)
+    fft.spectrum()[k] = filter_gain(envelope, shortest, static_cast<double>(k) / (n * spacing)) / n;
+  fft.inverse();
+  return {fft.real().begin(), fft.real().begin() + static_cast<std::ptrdiff_t>(samples / 2 + 1)};
+}
+
+FilterTaps design_filter(const Envelope& envelope, const FilterDesign& design) {
+  units::require_positive("spacing", design.spacing, "m");
+  if (design.shortest != 0)
+    units::require_between("shortest wavelength", design.shortest, 2 * design.spacing,
+                           units::no_limit, "m");
+  const double reach = design.reach > 0 ? design.reach : 20 * longest(envelope.descriptor());
+  const double samples = units::require_between("reach of the filter over the spacing",
+                                                reach / design.spacing, 8, 1e6);
+  const auto taps = static_cast<std::size_t>(samples);
+  const auto h =
+      impulse_response(envelope, design.spacing, design.shortest, 16 * std::bit_ceil(taps));
+  FilterTaps result{design.spacing, std::vector<double>(taps + 1)};
+  double sum = 0, weight = 0;
+  std::vector<double> taper(taps + 1);
+  for (std::size_t j = 0; j <= taps; ++j) {
+    const double u = static_cast<double>(j) / static_cast<double>(taps + 1);
+    const double c = u <= 0.5 ? 1 : std::cos(units::pi * (u - 0.5));
+    taper[j] = c * c;
+    result.half[j] = taper[j] * h[j];
+    sum += (j == 0 ? 1 : 2) * result.half[j];
+    weight += (j == 0 ? 1 : 2) * taper[j];
+  }
+  for (std::size_t j = 0; j <= taps; ++j) result.half[j] -= taper[j] * sum / weight;
+  judge(result, envelope, design.shortest);
+  return result;
+}
+
+std::vector<double> filter_periodic(const Envelope& envelope, double spacing,
+                                    std::span<const double> record) {
+  units::require_positive("spacing", spacing, "m");
+  units::require_between("samples", static_cast<double>(record.size()), 2, 1e9);
+  num::RealFft fft{record.size()};
+  std::copy(record.begin(), record.end(), fft.real().begin());
+  fft.forward();
+  const auto n = static_cast<double>(record.size());
+  for (std::size_t k = 0; k < fft.spectrum().size(); ++k)
+    fft.spectrum()[k] *= envelope(static_cast<double>(k) / (n * spacing)) / n;
+  fft.inverse();
+  return {fft.real().begin(), fft.real().end()};
+}
+
+std::vector<double> filter_direct(const FilterTaps& taps, std::span<const double> record) {
+  const auto n = static_cast<std::ptrdiff_t>(record.size());
+  const auto reach = static_cast<std::ptrdiff_t>(taps.half.size()) - 1;
+  std::vector<double> z(static_cast<std::size_t>(n + 2 * reach)), out(record.size(), 0.0);
+  for (std::ptrdiff_t i = 0; i < n + 2 * reach; ++i)
+    z[static_cast<std::size_t>(i)] = continued(record, i - reach);
+  constexpr std::ptrdiff_t block = 1024;  // stays in the first cache, and its loop is vectorised
+  for (std::ptrdiff_t from = 0; from < n; from += block) {
+    const std::ptrdiff_t count = std::min(block, n - from);
+    double* const y = out.data() + from;
+    const double* const centre = z.data() + reach + from;
+    for (std::ptrdiff_t i = 0; i < count; ++i) y[i] = taps.half[0] * centre[i];
+    for (std::ptrdiff_t j = 1; j <= reach; ++j) {
+      const double h = taps.half[static_cast<std::size_t>(j)];
+      const double *left = centre - j, *right = centre + j;
+      for (std::ptrdiff_t i = 0; i < count; ++i) y[i] += h * (left[i] + right[i]);
+    }
+  }
+  return out;
+}
+
+FilterStream::FilterStream(const FilterTaps& taps, Sink sink)
+    : sink_(std::move(sink)), reach_(taps.half.size() - 1), fft_(8 * std::bit_ceil(reach_ + 1)) {
+  gain_ = gains(taps.half, fft_);
+  for (double& g : gain_) g /= static_cast<double>(fft_.size());
+  block_.resize(fft_.size());
+}
+
+void FilterStream::push(std::span<const double> record) {
+  const auto gap = [](double z) { return std::isnan(z); };
+  while (!record.empty()) {
+    const auto missing = std::find_if(record.begin(), record.end(), gap);
+    const auto whole = static_cast<std::size_t>(missing - record.begin());
+    push_piece(record.first(whole));
+    if (whole == record.size()) return;
+    end_piece();
+    const auto next = std::find_if_not(missing, record.end(), gap);
+    sink_(record.subspan(whole, static_cast<std::size_t>(next - missing)));
+    record = record.subspan(static_cast<std::size_t>(next - record.begin()));
+  }
+}
+
+void FilterStream::push_piece(std::span<const double> piece) {
+  for (std::size_t i = 0; i < piece.size();) {
+    if (!open_) {
+      first_.push_back(piece[i++]);
+      if (first_.size() > reach_) begin_piece();
+      continue;
+    }
+    const std::size_t count = std::min(piece.size() - i, block_.size() - filled_);
+    std::copy_n(piece.data() + i, count, block_.data() + filled_);
+    filled_ += count;
+    i += count;
+    if (filled_ == block_.size()) transform(block_.size() - 2 * reach_);
+  }
+}
+
+void FilterStream::begin_piece() {
+  open_ = true;
+  for (std::size_t i = reach_; i > 0; --i)
+    append(continued(first_, -static_cast<std::ptrdiff_t>(i)));
+  for (const double z : first_) append(z);
+  first_.clear();
+}
+
+void FilterStream::append(double value) {
+  block_[filled_++] = value;
+  if (filled_ == block_.size()) transform(block_.size() - 2 * reach_);
+}
+
+// Filters the block, hands on the values of `outputs` samples from the first with a whole reach to its left, and keeps the
+// last two reaches.
+void FilterStream::transform(std::size_t outputs) {
+  std::fill(block_.begin() + static_cast<std::ptrdiff_t>(filled_), block_.end(), 0.0);
+  std::copy(block_.begin(), block_.end(), fft_.real().begin());
+  fft_.forward();
+  const auto spectrum = fft_.spectrum();
+  for (std::size_t k = 0; k < spectrum.size(); ++k) spectrum[k] *= gain_[k];
+  fft_.inverse();
+  sink_(fft_.real().subspan(reach_, outputs));
+  std::copy(block_.end() - static_cast<std::ptrdiff_t>(2 * reach_), block_.end(), block_.begin());
+  filled_ = 2 * reach_;
+}
+
+void FilterStream::end_piece() {
+  if (!open_ && first_.empty()) return;
+  std::vector<double> known = first_;  // the piece, or its last part, longer than the reach
+  if (open_)
+    known.assign(block_.begin(), block_.begin() + static_cast<std::ptrdiff_t>(filled_));
+  else
+    begin_piece();
+  for (std::size_t i = 0; i < reach_; ++i)
+    append(continued(known, static_cast<std::ptrdiff_t>(known.size() + i)));
+  if (filled_ > 2 * reach_) transform(filled_ - 2 * reach_);
+  filled_ = 0;
+  open_ = false;
+}
+
+void FilterStream::finish() {
+  end_piece();
+}
+
+std::vector<double> filter(const FilterTaps& taps, std::span<const double> record) {
+  std::vector<double> out;
+  out.reserve(record.size());
+  FilterStream stream{taps, [&](std::span<const double> piece) {
+                        out.insert(out.end(), piece.begin(), piece.end());
+                      }};
+  stream.push(record);
+  stream.finish();
+  return out;
+}
+
+}  // namespace railbook::quality

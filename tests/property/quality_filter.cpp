@@ -1,0 +1,130 @@
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "quality/descriptor_filter.hpp"
+#include "signal/random_source.hpp"
+#include "units/constants.hpp"
+#include "units/input_error.hpp"
+
+using namespace railbook;
+using namespace railbook::quality;
+using Catch::Matchers::WithinAbs;
+
+namespace {
+
+constexpr double speed = 100 / 3.6;
+
+Envelope stroke_envelope() {
+  return Envelope{{stroke_limit_of_level({0.5, 0.2}, 0.016), {}, speed}};
+}
+
+Envelope combined_envelope() {
+  return Envelope{{stroke_limit_of_level({0.5, 0.2}, 0.016),
+                   ForceLimit{make_car(800, 7000, {2, 0.5}), 143e3}, speed}};
+}
+
+std::vector<double> noise(std::size_t n) {
+  const signal::RandomSource source{7, 1};
+  std::vector<double> z(n);
+  for (std::size_t i = 0; i < n; ++i) z[i] = 0.01 * source.normal(i);
+  return z;
+}
+
+double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
+  REQUIRE(a.size() == b.size());
+  double worst = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) worst = std::max(worst, std::abs(a[i] - b[i]));
+  return worst;
+}
+
+}  // namespace
+
+TEST_CASE("Impulse response of the stroke mode: values by quadrature elsewhere", "[quality]") {
+  const auto h = impulse_response(stroke_envelope(), 0.2, 0, 65536);
+  const auto smooth = [&](double x) {
+    return h[static_cast<std::size_t>(std::lround(5 * x))] / 0.2 / 100;
+  };
+  CHECK_THAT(smooth(0) - 1 / (1.6 * 0.2), WithinAbs(-0.01670791, 5e-9));
+  CHECK_THAT(smooth(10), WithinAbs(-0.01447990, 5e-9));
+  CHECK_THAT(smooth(20), WithinAbs(-0.00896164, 5e-9));
+  CHECK_THAT(smooth(30), WithinAbs(-0.00288607, 5e-9));
+  CHECK_THAT(smooth(40), WithinAbs(0.00117423, 5e-9));
+  CHECK_THAT(smooth(80), WithinAbs(-0.00091182, 5e-9));
+}
+
+TEST_CASE("A sine on the envelope comes out with amplitude one", "[quality]") {
+  const Envelope envelope = stroke_envelope();
+  constexpr std::size_t n = 20000;
+  for (const int waves : {10, 60, 75, 200, 3000}) {
+    std::vector<double> z(n);
+    const double phi = waves / (0.2 * n), amplitude = allowed_amplitude(envelope(phi));
+    for (std::size_t i = 0; i < n; ++i)
+      z[i] = amplitude * std::sin(2 * units::pi * waves * static_cast<double>(i) / n);
+    const auto p = filter_periodic(envelope, 0.2, z);
+    double worst = 0;
+    for (std::size_t i = 0; i < n; ++i) worst = std::max(worst, std::abs(p[i] - z[i] / amplitude));
+    CHECK(worst < 1e-11);
+  }
+}
+
+TEST_CASE("Streamed blocks equal direct convolution, whatever the pieces", "[quality]") {
+  for (const Envelope& envelope : {stroke_envelope(), combined_envelope()}) {
+    const auto taps = design_filter(envelope, {.spacing = 0.5, .shortest = 1.5, .reach = 200});
+    for (const std::size_t n : {1U, 2U, 100U, 400U, 401U, 402U, 803U, 5000U, 20000U}) {
+      const auto z = noise(n);
+      const auto direct = filter_direct(taps, z);
+      CHECK(largest_difference(filter(taps, z), direct) < 1e-10);
+      std::vector<double> out;
+      FilterStream stream{taps, [&](std::span<const double> piece) {
+                            out.insert(out.end(), piece.begin(), piece.end());
+                          }};
+      for (std::size_t i = 0; i < n;) {
+        const std::size_t count = std::min<std::size_t>(1 + i % 777, n - i);
+        stream.push(std::span{z}.subspan(i, count));
+        i += count;
+      }
+      stream.finish();
+      CHECK(largest_difference(out, direct) < 1e-10);
+    }
+  }
+}
+
+TEST_CASE("Level and graded track give nothing, reversed track the reverse", "[quality]") {
+  const auto taps =
+      design_filter(combined_envelope(), {.spacing = 0.5, .shortest = 1.5, .reach = 0});
+  std::vector<double> level(3000, 2.5), grade(3000);
+  for (std::size_t i = 0; i < grade.size(); ++i) grade[i] = 0.005 * static_cast<double>(i);
+  for (const double p : filter(taps, level)) CHECK(std::abs(p) < 1e-9);
+  for (const double p : filter(taps, grade)) CHECK(std::abs(p) < 1e-8);
+  auto z = noise(6000);
+  auto p = filter(taps, z);
+  std::reverse(z.begin(), z.end());
+  std::reverse(p.begin(), p.end());
+  CHECK(largest_difference(filter(taps, z), p) < 1e-10);
+}
+
+TEST_CASE("Gaps split the record into pieces of their own", "[quality]") {
+  const auto taps = design_filter(stroke_envelope(), {.spacing = 0.5, .shortest = 0, .reach = 300});
+  const auto left = noise(1500);
+  const std::vector<double> right(left.rbegin() + 700, left.rend());
+  std::vector<double> z = left;
+  z.insert(z.end(), 40, std::numeric_limits<double>::quiet_NaN());
+  z.insert(z.end(), right.begin(), right.end());
+  const auto p = filter(taps, z);
+  REQUIRE(p.size() == z.size());
+  CHECK(std::isnan(p[1500]));
+  CHECK(std::isnan(p[1539]));
+  CHECK(largest_difference({p.begin(), p.begin() + 1500}, filter_direct(taps, left)) < 1e-10);
+  CHECK(largest_difference({p.begin() + 1540, p.end()}, filter_direct(taps, right)) < 1e-10);
+}
+
+TEST_CASE("Filters out of range are refused", "[quality]") {
+  const Envelope envelope = stroke_envelope();
+  CHECK_THROWS_AS(design_filter(envelope, {.spacing = 0}), InputError);
+  CHECK_THROWS_AS(design_filter(envelope, {.spacing = 0.5, .shortest = 0.9}), InputError);
+  CHECK_THROWS_AS(design_filter(envelope, {.spacing = 1e-5}), InputError);
+  CHECK_THROWS_AS(design_filter(envelope, {.spacing = 1000}), InputError);
+}

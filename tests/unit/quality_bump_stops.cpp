@@ -1,0 +1,136 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+
+#include "num/dopri5.hpp"
+#include "num/fp_trap.hpp"
+#include "quality/bump_stops.hpp"
+#include "units/constants.hpp"
+#include "units/input_error.hpp"
+
+using namespace railbook;
+using namespace railbook::quality;
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+constexpr Suspension roll{0.5, 0.2};
+constexpr double amplitude = 0.009954726, frequency = 0.5212860, gap = 0.6 * 0.0254;
+
+StoppedBody body(double kappa) {
+  return {roll, gap, kappa};
+}
+
+double settled(double kappa, double f, double ramp) {
+  const Track track{{{amplitude, f, 0}}, ramp};
+  return 100 * run(body(kappa), track, at_rest(track), 180, {.watch_from = 120}).largest;
+}
+
+}  // namespace
+
+TEST_CASE("Bump stops: settled strokes, found elsewhere by fixed steps of Runge-Kutta",
+          "[quality]") {
+  const double kappas[] = {0, 1, 10, 100, 1000};
+  const double strokes[] = {2.54, 2.43908, 1.79676, 1.60285, 1.54826};
+  for (int i = 0; i < 5; ++i)
+    CHECK_THAT(settled(kappas[i], frequency, 0), WithinAbs(strokes[i], 1.5e-5));
+  CHECK_THAT(settled(10, 1.0, 0), WithinAbs(3.203, 5e-4));
+  CHECK_THAT(settled(10, 1.0, 60), WithinAbs(1.282, 6e-4));
+}
+
+TEST_CASE("Bump stops: without stops the stroke is that of equation (4)", "[quality]") {
+  const StoppedBody free{roll, std::numeric_limits<double>::infinity(), 10};
+  for (const double f : {0.1, 0.5, 3.0}) {
+    const Track track{{{amplitude, f, 0.3}}, 0};
+    const Run r = run(free, track, {}, 120, {.watch_from = 100});
+    CHECK_THAT(r.largest, WithinRel(amplitude * stroke_gain(roll, f), 1e-12));
+    CHECK(r.switches.empty());
+  }
+}
+
+TEST_CASE("Bump stops: every instant agrees with an integrator that restarts at the switches",
+          "[quality]") {
+  const num::FpTraps traps;
+  for (const double damping : {0.05, 0.2, 1.0, 4.0}) {
+    const StoppedBody b{{0.5, damping}, gap, 30};
+    const Track track{{{0.02, 0.7, 0.4}, {0.006, 1.9, 1.1}}, 5};
+    const double w = 2 * units::pi * 0.5;
+    const auto rhs = [&](double t, const Eigen::Vector2d& s, Eigen::Vector2d& d) {
+      const double h = 1e-3;  // z'' by a formula of order 6 of z', away from the ramp's kink
+      const auto z = [&](double u) { return wheel_rate(track, u); };
+      const double acceleration = (45 * (z(t + h) - z(t - h)) - 9 * (z(t + 2 * h) - z(t - 2 * h)) +
+                                   z(t + 3 * h) - z(t - 3 * h)) /
+                                  (60 * h);
+      const double over = std::max(std::abs(s[0]) - gap, 0.0);
+      d[0] = s[1];
+      d[1] =
+          -2 * damping * w * s[1] - w * w * (s[0] + 30 * std::copysign(over, s[0])) - acceleration;
+    };
+    for (const double end : {1.0, 3.0, 4.9}) {
+      const Run exact = run(b, track, at_rest(track), end);
+      num::Dopri5<2> ode{Eigen::Vector2d{1e-12, 1e-12}, 1e-3};
+      ode.restart(rhs, 0, {0, at_rest(track).v});
+      for (const Switch& s : exact.switches) {
+        while (ode.t() < s.t) REQUIRE(ode.step(rhs, s.t));
+        CHECK_THAT(std::abs(ode.y()[0]), WithinAbs(gap, 2e-9));
+        ode.restart(rhs, s.t, ode.y());
+      }
+      while (ode.t() < end) REQUIRE(ode.step(rhs, end));
+      CHECK_THAT(ode.y()[0], WithinAbs(exact.end.x, 3e-9));
+      CHECK_THAT(ode.y()[1], WithinAbs(exact.end.v, 3e-8));
+    }
+  }
+}
+
+TEST_CASE("Bump stops: energy balances over ramp, sudden start and stiff stops", "[quality]") {
+  const num::FpTraps traps;
+  for (const double kappa : {0.0, 10.0, 1e4, 1e7})
+    for (const double ramp : {0.0, 20.3}) {
+      const Track track{{{amplitude, 0.9, 0.7}, {0.004, 0.37, 2}}, ramp};
+      const Run r = run(body(kappa), track, at_rest(track), 60, {.audit = true});
+      CHECK(r.complete);
+      CHECK(r.energy.defect() < 1e-11);
+      CHECK(r.energy.lost > 0);
+    }
+}
+
+TEST_CASE("Bump stops: from stop to stop within a step, and a start on a stop", "[quality]") {
+  const Track track{{{0.005, 0.521, 0}, {0.1, 0.1737, 0.8}}, 0};
+  const Run r =
+      run(body(10), track, {0, -height(track, 0), -wheel_rate(track, 0)}, 60, {.audit = true});
+  CHECK(r.complete);
+  CHECK(r.energy.defect() < 1e-12);
+  CHECK(r.switches.size() > 20);
+}
+
+TEST_CASE("Bump stops: two stable motions and an unstable one between them at 1 Hz", "[quality]") {
+  const StoppedBody b = body(10);
+  const Wave wave{amplitude, 1.0, 0};
+  std::vector<PeriodicMotion> found;
+  for (double a = 0.011; a < 0.08; a += 1e-4) {
+    for (const double f : balanced_frequencies(b, amplitude, a)) {
+      if (std::abs(f - 1.0) < 0.05 && (found.empty() || a > 1.2 * found.back().largest)) {
+        const auto p = periodic_motion(b, wave, balanced_motion(b, wave, a));
+        if (p.converged && (found.empty() || std::abs(p.largest / found.back().largest - 1) > 0.01))
+          found.push_back(p);
+      }
+    }
+  }
+  REQUIRE(found.size() >= 2);
+  CHECK_THAT(100 * found.front().largest, WithinAbs(1.2825, 1e-4));
+  CHECK(found.front().growth < 1);
+  const auto high = periodic_motion(b, wave, run(b, {{wave}, 0}, {}, 180).end);
+  CHECK(high.converged);
+  CHECK_THAT(100 * high.largest, WithinAbs(3.2033, 1e-4));
+  CHECK(high.growth < 1);
+}
+
+TEST_CASE("Bump stops: refusals", "[quality]") {
+  const Track track{{{0.01, 1, 0}}, 0};
+  CHECK_THROWS_AS(run({roll, 0, 1}, track, {}, 1), InputError);
+  CHECK_THROWS_AS(run({roll, gap, -1}, track, {}, 1), InputError);
+  CHECK_THROWS_AS(run(body(1), {{{0.01, 0, 0}}, 0}, {}, 1), InputError);
+  CHECK_THROWS_AS(run(body(1), {{{0.01, 1, 0}}, -1}, {}, 1), InputError);
+  CHECK_THROWS_AS(run(body(1), track, {}, 1e9), InputError);
+}
