@@ -10,6 +10,8 @@ void add_responses(report::Chapter& chapter);  // Figures 7 to 9
 void add_speed_independence(report::Chapter& chapter);
 void add_approximations(report::Chapter& chapter);  // of exp(-kappa)
 void add_chords(report::Chapter& chapter);          // short chord to any chord
+void add_high_pass(report::Chapter& chapter);       // Figure 13
+void add_roll(report::Chapter& chapter);            // complementary filter
 
 // The car: sensors, reconstruction, experiments, tool.
 

@@ -20,6 +20,10 @@ speed and direction, and where not. Then it builds the whole car, runs it over s
 
 {{include: chords.cpp}}
 
+{{include: high_pass.cpp}}
+
+{{include: roll.cpp}}
+
 ## Error against run time
 
 ## Stability
@@ -48,6 +52,8 @@ int main(int argc, char** argv) {
   filters::add_speed_independence(chapter);
   filters::add_approximations(chapter);
   filters::add_chords(chapter);
+  filters::add_high_pass(chapter);
+  filters::add_roll(chapter);
 
   // The car: sensors, reconstruction, experiments, tool.
 
