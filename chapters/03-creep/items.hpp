@@ -8,6 +8,8 @@ namespace railbook::creep_chapter {
 void add_geometry(report::Chapter&);    // the ellipse of the rig: Fig. 9's line
 void add_appendix_a(report::Chapter&);  // accuracy of the creep reading
 void add_appendix_b(report::Chapter&);  // wear of the wheels, and the printed state
+void add_curve_tool(report::Chapter&);  // `creep curve`
+void add_table_tool(report::Chapter&);  // `creep table`
 
 // Checks a number of the paper's text: the row `key` of `printed`.
 inline void check_claim(report::Item& item, const report::CsvTable& printed, const std::string& key,

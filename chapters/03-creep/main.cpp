@@ -20,6 +20,14 @@ is*, enlarged by wear, they fall on one curve, the one that Kalker's theory pred
 
 {{include: appendix_b.cpp}}
 
+## Tools for a contact of your own
+
+{{include: theory.cpp}}
+
+{{include: curve_tool.cpp}}
+
+{{include: table_tool.cpp}}
+
 ## Error against run time
 
 ## Stability
@@ -48,5 +56,7 @@ int main(int argc, char** argv) {
   creep_chapter::add_geometry(chapter);
   creep_chapter::add_appendix_a(chapter);
   creep_chapter::add_appendix_b(chapter);
+  creep_chapter::add_curve_tool(chapter);
+  creep_chapter::add_table_tool(chapter);
   return chapter.run(argc, argv);
 }

@@ -1,0 +1,42 @@
+#include "theory.hpp"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+#include "contact/creep_laws.hpp"
+
+using namespace railbook;
+using namespace railbook::contact;
+
+namespace {
+
+constexpr std::array theories{
+    Theory::fastsim, Theory::fastrip,           Theory::shen_hedrick_elkins,
+    Theory::polach,  Theory::vermeulen_johnson, Theory::linear};
+
+}  // namespace
+
+const std::vector<std::string>& creep_chapter::theory_names() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const Theory theory : theories) all.emplace_back(name(theory));
+    return all;
+  }();
+  return names;
+}
+
+creep_chapter::Solver creep_chapter::solver(const std::string& theory, double axis_ratio,
+                                            double poisson, long) {
+  for (const Theory one : theories)
+    if (name(one) == theory) {
+      if (one == Theory::vermeulen_johnson)
+        return [s = vermeulen_johnson_slopes(axis_ratio, poisson)](const RollingCase& c) {
+          return vermeulen_johnson(c, s);
+        };
+      return [one, k = kalker_table(axis_ratio, poisson)](const RollingCase& c) {
+        return creep_forces(one, c, k);
+      };
+    }
+  throw std::logic_error("solver: no theory named " + theory);
+}
