@@ -34,6 +34,10 @@ drawings (the geometry's names, the idea of the method, a flow chart), with no d
 
 ## Tools for a car and profiles of your own
 
+{{include: profile_file.cpp}}
+
+{{include: geometry_tool.cpp}}
+
 ## Error against run time
 
 ## Stability
@@ -63,6 +67,7 @@ int main(int argc, char** argv) {
   hunting::add_profiles(chapter);
   hunting::add_constraint_table(chapter);
   hunting::add_conicity(chapter);
+  hunting::add_geometry_tool(chapter);
 
   // The car, describing functions, limit cycles.
 
