@@ -34,5 +34,7 @@ void add_stroke(railbook::report::Chapter& chapter);       // Figures 1 to 5
 void add_force(railbook::report::Chapter& chapter);        // Figure 6
 void add_combined(railbook::report::Chapter& chapter);     // Figure 7
 void add_time_domain(railbook::report::Chapter& chapter);  // all of it by integration
+void add_psd(railbook::report::Chapter& chapter);          // Figure 8
+void add_filter(railbook::report::Chapter& chapter);       // the descriptor on a record
 
 }  // namespace quality_chapter

@@ -17,6 +17,10 @@ however nonlinear, is put to the test with the bump stops it mentions. It fails,
 
 {{include: time_domain.cpp}}
 
+{{include: psd.cpp}}
+
+{{include: filter.cpp}}
+
 ## Error against run time
 
 ## Stability
@@ -83,5 +87,7 @@ int main(int argc, char** argv) {
   quality_chapter::add_force(chapter);
   quality_chapter::add_combined(chapter);
   quality_chapter::add_time_domain(chapter);
+  quality_chapter::add_psd(chapter);
+  quality_chapter::add_filter(chapter);
   return chapter.run(argc, argv);
 }
