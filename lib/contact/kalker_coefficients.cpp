@@ -2,20 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 #include "contact/rolling_parts.hpp"
 #include "units/input_error.hpp"
 
 namespace railbook::contact {
 
-KalkerCoefficients kalker_coefficients_on(double axis_ratio, double poisson, Eigen::Index along,
-                                          Eigen::Index rows) {
+ComputedCoefficients kalker_coefficients_on(double axis_ratio, double poisson, Eigen::Index along,
+                                            Eigen::Index rows) {
   units::require_positive("axis ratio a/b", axis_ratio);
   units::require_between("Poisson's ratio", poisson, 0, 0.5);
   const RollingGrid grid = ellipse_grid(axis_ratio, along, rows, true);
   const TangentialInfluence influence(grid.mesh, poisson, true);
   const Eigen::VectorXd no_bound = Eigen::VectorXd::Constant(grid.mesh.cells(), 1e12);
-  KalkerCoefficients c;
+  ComputedCoefficients c;
   c.converged = true;
   const auto forces = [&](const Creepage& creepage) {
     const StickSlip s =
@@ -30,17 +31,17 @@ KalkerCoefficients kalker_coefficients_on(double axis_ratio, double poisson, Eig
   return c;
 }
 
-KalkerCoefficients kalker_coefficients(double axis_ratio, double poisson, Eigen::Index along) {
+ComputedCoefficients kalker_coefficients(double axis_ratio, double poisson, Eigen::Index along) {
   units::require_between("cells along rolling", static_cast<double>(along), 8, 64);
   along -= along % 4;
   const auto on = [&](Eigen::Index n) { return kalker_coefficients_on(axis_ratio, poisson, n, n); };
-  const KalkerCoefficients rough = on(along / 4), middle = on(along / 2), fine = on(along);
-  KalkerCoefficients c;
+  const ComputedCoefficients rough = on(along / 4), middle = on(along / 2), fine = on(along);
+  ComputedCoefficients c;
   c.converged = rough.converged && middle.converged && fine.converged;
-  using Member = double KalkerCoefficients::*;
+  using Member = double ComputedCoefficients::*;
   for (const Member m :
-       {&KalkerCoefficients::c11, &KalkerCoefficients::c22, &KalkerCoefficients::c23,
-        &KalkerCoefficients::c32, &KalkerCoefficients::c33}) {
+       {&ComputedCoefficients::c11, &ComputedCoefficients::c22, &ComputedCoefficients::c23,
+        &ComputedCoefficients::c32, &ComputedCoefficients::c33}) {
     const double straight = 2 * fine.*m - middle.*m, before = 2 * middle.*m - rough.*m;
     c.*m = (4 * straight - before) / 3;  // the parabola in h through the three, at h = 0
     c.error = std::max(c.error, std::abs(c.*m - straight) / std::abs(c.*m));

@@ -3,10 +3,12 @@
 
 #include <Eigen/Core>
 
+#include "contact/kalker_table.hpp"
+
 namespace railbook::contact {
 
-struct KalkerCoefficients {
-  double c11 = 0, c22 = 0, c23 = 0, c32 = 0, c33 = 0;
+struct ComputedCoefficients : KalkerCoefficients {
+  double c32 = 0;    // c23 from lateral creepage instead of spin
   double error = 0;  // estimate of the largest relative error among them
   bool converged = false;
 };
@@ -17,10 +19,11 @@ struct KalkerCoefficients {
 // Grids of `along` x `along` cells (8 to 64, a multiple of 4), half and a quarter of it are extrapolated by a parabola in
 // the cell size. Within 0.1 % for a/b from 0.1 to 10 with 24, c33 within 1 % at a/b = 10 and not known at all at 100,
 // where it is the small difference of large moments; `error` is the worst of the five.
-KalkerCoefficients kalker_coefficients(double axis_ratio, double poisson, Eigen::Index along = 24);
+ComputedCoefficients kalker_coefficients(double axis_ratio, double poisson,
+                                         Eigen::Index along = 24);
 
 // One grid, no extrapolation and no error estimate.
-KalkerCoefficients kalker_coefficients_on(double axis_ratio, double poisson, Eigen::Index along,
-                                          Eigen::Index rows);
+ComputedCoefficients kalker_coefficients_on(double axis_ratio, double poisson, Eigen::Index along,
+                                            Eigen::Index rows);
 
 }  // namespace railbook::contact

@@ -87,7 +87,7 @@ TEST_CASE("Slender contacts, single rows, single cells and prime grids", "[rolli
 }
 
 TEST_CASE("Slender contacts across rolling tend to the plane problem", "[rolling]") {
-  const KalkerCoefficients c = kalker_coefficients(0.01, 0.25);
+  const ComputedCoefficients c = kalker_coefficients(0.01, 0.25);
   CHECK(c.converged);
   // Strip by strip pi^2/(4 (1 - nu)) along rolling and pi^2/4 across (Kalker 1967).
   CHECK(c.c11 == Approx(3.2899).epsilon(0.003));

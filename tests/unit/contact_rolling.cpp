@@ -127,7 +127,7 @@ TEST_CASE("Kalker's coefficients", "[rolling]") {
                              {2, 5.10, 4.90, 2.62, 0.819},
                              {10, 11.7, 12.8, 14.6, 0.526}};
   for (const auto& row : table) {
-    const KalkerCoefficients c = kalker_coefficients(row[0], 0.25);
+    const ComputedCoefficients c = kalker_coefficients(row[0], 0.25);
     CHECK(c.converged);
     CHECK(c.c11 == Approx(row[1]).epsilon(0.007));
     CHECK(c.c22 == Approx(row[2]).epsilon(0.012));
