@@ -1,8 +1,8 @@
 #include "contact/kalker_coefficients.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <initializer_list>
 
 #include "contact/rolling_parts.hpp"
 #include "units/input_error.hpp"
@@ -39,9 +39,10 @@ ComputedCoefficients kalker_coefficients(double axis_ratio, double poisson, Eige
   ComputedCoefficients c;
   c.converged = rough.converged && middle.converged && fine.converged;
   using Member = double ComputedCoefficients::*;
-  for (const Member m :
-       {&ComputedCoefficients::c11, &ComputedCoefficients::c22, &ComputedCoefficients::c23,
-        &ComputedCoefficients::c32, &ComputedCoefficients::c33}) {
+  constexpr std::array<Member, 5> members{&KalkerCoefficients::c11, &KalkerCoefficients::c22,
+                                          &KalkerCoefficients::c23, &ComputedCoefficients::c32,
+                                          &KalkerCoefficients::c33};
+  for (const Member m : members) {
     const double straight = 2 * fine.*m - middle.*m, before = 2 * middle.*m - rough.*m;
     c.*m = (4 * straight - before) / 3;  // the parabola in h through the three, at h = 0
     c.error = std::max(c.error, std::abs(c.*m - straight) / std::abs(c.*m));
