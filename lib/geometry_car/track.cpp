@@ -95,7 +95,8 @@ Track build(const TrackDescription& t) {
     const double share = share_of_curve(t, x), design = vertical(t, x) + c[i];
     const double lift = 0.5 * outer * t.superelevation * share;
     track.z_left[i] = design + lift + e[i] + joint(t, x);
-    track.z_right[i] = design - lift - e[i] + joint(t, x + 0.5 * t.rail_length);
+    track.z_right[i] =
+        design - lift - e[i] + joint(t, x + (t.staggered ? 0.5 * t.rail_length : 0.0));
     const double half = 0.5 * (t.gage + wide[i]);
     track.y_left[i] = y + line[i] + half;
     track.y_right[i] = y + line[i] - half;

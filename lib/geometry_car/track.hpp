@@ -26,8 +26,9 @@ struct TrackDescription {
   // Heights. The common part moves both rails; the opposite one raises the left and lowers the right by as much.
   Roughness surface{5e-7, 0.13, 1.0 / 600};
   double opposite_share = 0.2;  // of A that is opposite; that part is level below 1/60 cycle/m
-  double dip = 5.5e-3;          // of the joints, m; staggered by half a rail
+  double dip = 5.5e-3;          // of the joints, m
   double rail_length = 39 * units::foot;
+  bool staggered = true;         // joints of the right rail half a rail behind those of the left
   double joint_smoothing = 0.1;  // m: the kink is a mean over this length
   double grade = 0.005;          // -grade before, +grade after the vertical curve
   double vertical_curve = 300;   // its length, m; its middle is at a quarter of the track
