@@ -14,5 +14,8 @@ void add_high_pass(report::Chapter& chapter);       // Figure 13
 void add_roll(report::Chapter& chapter);            // complementary filter
 
 // The car: sensors, reconstruction, experiments, tool.
+void add_car(report::Chapter& chapter);        // Figures 2 and 3, what each correction is worth
+void add_car_scene(report::Chapter& chapter);  // Figures 4, 10, 11 and 14
+void add_errors(report::Chapter& chapter);     // profile by speed and source of error
 
 }  // namespace railbook::filters

@@ -24,6 +24,10 @@ speed and direction, and where not. Then it builds the whole car, runs it over s
 
 {{include: roll.cpp}}
 
+{{include: car.cpp}}
+
+{{include: errors.cpp}}
+
 ## Error against run time
 
 ## Stability
@@ -56,6 +60,9 @@ int main(int argc, char** argv) {
   filters::add_roll(chapter);
 
   // The car: sensors, reconstruction, experiments, tool.
+  filters::add_car_scene(chapter);
+  filters::add_car(chapter);
+  filters::add_errors(chapter);
 
   // Error against run time, stability.
 

@@ -102,7 +102,7 @@ Column inertial(const Run& run, Channel accelerometer, const Processing& p, Corr
   return m;
 }
 
-Column curvature(const Run& run, const Column& yaw, const Attitude& att, const Processing& p) {
+Column curvature(const Run& run, const Column& yaw, const Processing& p) {
   const Layout& l = p.layout;
   Column turn(run.size(), nan), body(run.size());
   for (std::size_t k = 0; k < run.size(); ++k)
@@ -110,9 +110,7 @@ Column curvature(const Run& run, const Column& yaw, const Attitude& att, const P
                run[Channel::sway_rear][k]) /
               l.truck_spacing;
   for (std::size_t k = 1; k < run.size(); ++k) {
-    // The gyro's axis leans with the body; where its roll is not known, it counts as upright.
-    const double upright = std::isnan(att.body[k]) ? 1.0 : std::cos(att.body[k]);
-    turn[k] = run.T[k] * yaw[k] / upright;
+    turn[k] = run.T[k] * yaw[k];
     if (p.corrections.truck_motion) turn[k] -= body[k] - body[k - 1];
     turn[k] *= run.direction;
   }
@@ -254,7 +252,7 @@ std::array<Column, parameters> process(const Run& run, const Processing& p,
   for (std::size_t k = 0; k < run.size(); ++k)
     at(Parameter::gage)[k] =
         run[Channel::gage_left][k] + run[Channel::gage_right][k] + p.layout.beam;
-  at(Parameter::curvature) = curvature(run, yaw, att, p);
+  at(Parameter::curvature) = curvature(run, yaw, p);
   const auto span = static_cast<std::size_t>(p.curvature_mean);
   auto& rate = at(Parameter::curvature_rate) = change_over(at(Parameter::curvature), span);
   for (double& value : rate)
