@@ -7,7 +7,7 @@ marked so in the answer. Quantities carry their unit; a TOML file (`--config`) m
 
     creep curve --a 6mm --b 4mm --load 80kN --mu 0.3 --spin 0.2rad/m --out mine
     creep curve --wheel-radius 460mm --rail-crown 300mm --load 80kN \
-                --theory full --lateral 0.001 --to 0.01
+                --theory fastsim --lateral 0.001 --to 0.01
 
 Positive creepage gives positive force, that of the wheel on the rail; `spin` is the rotation per metre rolled.
 */
@@ -47,7 +47,7 @@ struct Wish {
   std::string spin_text = "0rad/m";
   std::optional<double> to;
   long points = 21, cells = 24;
-  std::string theory = "fastsim";
+  std::string theory = "full", coefficients = "table";
   std::optional<std::filesystem::path> out;
 };
 
@@ -121,15 +121,23 @@ struct Row {
   CreepForces forces;
 };
 
+// Zero for what is only rounding beside the bound.
+void clean(CreepForces& f, double bound, double length) {
+  for (double* force : {&f.fx, &f.fy})
+    if (std::abs(*force) < 1e-12 * bound) *force = 0;
+  if (std::abs(f.mz) < 1e-12 * bound * length) f.mz = 0;
+}
+
 std::vector<Row> rows(const Wish& wish, RollingCase c, const Solver& solve, double to) {
   std::vector<Row> all;
   for (long i = 0; i < wish.points; ++i) {
     const double share = wish.points == 1 ? 0 : double(i) / double(wish.points - 1);
     c.creepage.longitudinal = wish.from + (to - wish.from) * share;
-    const auto f = solve(c);
+    auto f = solve(c);
     if (!f.converged)
       throw std::runtime_error(
           fmt::format("no answer at creepage {:.6g}: {}", c.creepage.longitudinal, f.reason));
+    clean(f, c.friction * c.load, c.a + c.b);
     all.push_back({c.creepage, f});
   }
   return all;
@@ -186,8 +194,10 @@ void run(const Wish& wish) {
   answer.add("lateral", "lateral creepage", wish.lateral, "");
   answer.add("spin_1_per_m", "spin creepage", wish.spin, "1/m");
   if (wish.out) require_writable(*wish.out);
-  const auto all =
-      rows(wish, c, creep_chapter::solver(wish.theory, c.a / c.b, c.poisson, wish.cells), to);
+  const auto all = rows(wish, c,
+                        creep_chapter::solver(wish.theory, c.a / c.b, c.poisson, wish.cells,
+                                              wish.coefficients == "computed"),
+                        to);
   double largest = 0;
   for (const auto& row : all) largest = std::max(largest, std::hypot(row.forces.fx, row.forces.fy));
   answer.add("largest_force_N", "largest force", largest, "N");
@@ -240,6 +250,9 @@ std::function<void()> declare(report::Options& options) {
                    "and last; without it where G a b creepage = mu N", report::Range{-1, 1});
   options.count("--points", wish->points, "of the range", 1, 100000);
   options.choice("--theory", wish->theory, creep_chapter::theory_names(), "theory of rolling");
+  options.choice(
+      "--coefficients", wish->coefficients, {"table", "computed"},
+      "fast theories: Kalker's coefficients from his table (a/b 0.1 to 10), or computed");
   options.count("--cells", wish->cells, "full theory: cells along rolling", 4, 128);
   options.out(wish->out);
   return [wish] {

@@ -20,6 +20,12 @@ is*, enlarged by wear, they fall on one curve, the one that Kalker's theory pred
 
 {{include: appendix_b.cpp}}
 
+{{include: experiment.cpp}}
+
+{{include: reduction.cpp}}
+
+{{include: master_curve.cpp}}
+
 ## Tools for a contact of your own
 
 {{include: theory.cpp}}
@@ -56,6 +62,8 @@ int main(int argc, char** argv) {
   creep_chapter::add_geometry(chapter);
   creep_chapter::add_appendix_a(chapter);
   creep_chapter::add_appendix_b(chapter);
+  creep_chapter::add_experiment(chapter);
+  creep_chapter::add_reduction(chapter);
   creep_chapter::add_curve_tool(chapter);
   creep_chapter::add_table_tool(chapter);
   return chapter.run(argc, argv);

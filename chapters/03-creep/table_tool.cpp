@@ -8,7 +8,7 @@ turns $F_x$; negative lateral creepage turns $F_y$, $M_z$ and the spin to look u
 enough. The error of linear interpolation is measured against the theory at points off the nodes and stated in the
 answer and in the file.
 
-    creep table --theory fastsim --ratio-from 0.5 --ratio-to 2 --out mine
+    creep table --ratio-from 0.5 --ratio-to 2 --out mine
 */
 
 #include <fmt/format.h>
@@ -32,7 +32,7 @@ struct Wish {
   ForceTableAxes axes;
   long ratios = 5, longitudinal = 13, lateral = 13, spin = 25, points = 2000, cells = 12;
   double poisson = 0.3;
-  std::string theory = "fastsim";
+  std::string theory = "full", coefficients = "table";
   std::optional<std::filesystem::path> out;
 };
 
@@ -72,8 +72,9 @@ void run(Wish wish) {
                    std::filesystem::is_directory(*wish.out / "table.json")))
     throw InputError("out: table.csv and table.json cannot be written there");
   const ShareTheory theory = [&](double ratio) {
-    return shares_of(creep_chapter::solver(wish.theory, ratio, wish.poisson, wish.cells), ratio,
-                     wish.poisson);
+    return shares_of(creep_chapter::solver(wish.theory, ratio, wish.poisson, wish.cells,
+                                           wish.coefficients == "computed"),
+                     ratio, wish.poisson);
   };
   const ForceTable table(wish.axes, theory);
   const auto error = table.error(theory, static_cast<int>(wish.points));
@@ -102,6 +103,9 @@ void run(Wish wish) {
 std::function<void()> declare(report::Options& options) {
   const auto wish = std::make_shared<Wish>();
   options.choice("--theory", wish->theory, creep_chapter::theory_names(), "theory of rolling");
+  options.choice(
+      "--coefficients", wish->coefficients, {"table", "computed"},
+      "fast theories: Kalker's coefficients from his table (a/b 0.1 to 10), or computed");
   options.quantity("--poisson", wish->poisson, units::number, "Poisson's ratio",
                    report::Range{0, 0.5});
   options.quantity("--ratio-from", wish->axes.ratio_from, units::number, "first axis ratio a/b",

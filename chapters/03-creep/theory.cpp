@@ -1,10 +1,11 @@
 #include "theory.hpp"
 
-#include <algorithm>
 #include <array>
+#include <memory>
 #include <stdexcept>
 
 #include "contact/creep_laws.hpp"
+#include "contact/rolling_contact.hpp"
 
 using namespace railbook;
 using namespace railbook::contact;
@@ -19,7 +20,7 @@ constexpr std::array theories{
 
 const std::vector<std::string>& creep_chapter::theory_names() {
   static const std::vector<std::string> names = [] {
-    std::vector<std::string> all;
+    std::vector<std::string> all{"full"};
     for (const Theory theory : theories) all.emplace_back(name(theory));
     return all;
   }();
@@ -27,16 +28,21 @@ const std::vector<std::string>& creep_chapter::theory_names() {
 }
 
 creep_chapter::Solver creep_chapter::solver(const std::string& theory, double axis_ratio,
-                                            double poisson, long) {
-  for (const Theory one : theories)
-    if (name(one) == theory) {
-      if (one == Theory::vermeulen_johnson)
-        return [s = vermeulen_johnson_slopes(axis_ratio, poisson)](const RollingCase& c) {
-          return vermeulen_johnson(c, s);
-        };
-      return [one, k = kalker_table(axis_ratio, poisson)](const RollingCase& c) {
-        return creep_forces(one, c, k);
+                                            double poisson, long cells, bool computed) {
+  if (theory == "full") {
+    const auto contact = std::make_shared<EllipseRolling>(
+        axis_ratio, poisson, RollingOptions{.along = cells, .rows = (cells + 1) / 2});
+    return [contact](const RollingCase& c) { return contact->solve(c); };
+  }
+  for (const Theory one : theories) {
+    if (name(one) != theory) continue;
+    if (one == Theory::vermeulen_johnson)
+      return [s = vermeulen_johnson_slopes(axis_ratio, poisson)](const RollingCase& c) {
+        return vermeulen_johnson(c, s);
       };
-    }
+    const auto k =
+        computed ? kalker_coefficients(axis_ratio, poisson) : kalker_table(axis_ratio, poisson);
+    return [one, k](const RollingCase& c) { return creep_forces(one, c, k); };
+  }
   throw std::logic_error("solver: no theory named " + theory);
 }

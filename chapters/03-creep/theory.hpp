@@ -15,7 +15,12 @@ using Solver = std::function<contact::CreepForces(const contact::RollingCase&)>;
 const std::vector<std::string>& theory_names();
 
 // A solver for contacts of one axis ratio and Poisson's ratio; for the full theory `cells` cells along rolling, which
-// are set up here. Throws InputError when the theory does not cover the ratio.
-Solver solver(const std::string& theory, double axis_ratio, double poisson, long cells);
+// are set up here. The fast theories take Kalker's coefficients from his table, or computed. Throws InputError when the
+// theory does not cover the ratio.
+Solver solver(const std::string& theory, double axis_ratio, double poisson, long cells,
+              bool computed = false);
+
+// The theory that the paper's curve is compared with.
+inline constexpr const char* master_theory = "full";
 
 }  // namespace railbook::creep_chapter

@@ -73,8 +73,8 @@ Slopes vermeulen_johnson_slopes(double axis_ratio, double poisson) {
 CreepForces vermeulen_johnson(const RollingCase& c, const Slopes& slopes) {
   RollingCase without_spin = c;
   without_spin.creepage.spin = 0;
-  CreepForces r = shen_hedrick_elkins(
-      without_spin, {.c11 = slopes.longitudinal, .c22 = slopes.lateral, .c23 = 0, .c33 = 0});
+  CreepForces r =
+      shen_hedrick_elkins(without_spin, {.c11 = slopes.longitudinal, .c22 = slopes.lateral});
   if (c.creepage.spin != 0) r.reason = "spin is left out of this theory";
   return r;
 }

@@ -62,7 +62,14 @@ KalkerCoefficients kalker_table(double axis_ratio, double poisson) {
     for (std::size_t n = 0; n < 4; ++n)
       log_c[n] += weight * std::log(over_poisson(row.c[n], poisson));
   }
-  return {std::exp(log_c[0]), std::exp(log_c[1]), std::exp(log_c[2]), std::exp(log_c[3])};
+  const double c23 = std::exp(log_c[2]);
+  return {.c11 = std::exp(log_c[0]),
+          .c22 = std::exp(log_c[1]),
+          .c23 = c23,
+          .c32 = c23,
+          .c33 = std::exp(log_c[3]),
+          .error = 0.01,
+          .converged = true};
 }
 
 }  // namespace railbook::contact

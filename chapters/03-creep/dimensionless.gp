@@ -1,0 +1,17 @@
+load "style.gp"
+set output ARG2
+set xlabel "G a b ξ/(µ_c N), a and b semi-axes"
+set x2label "the same with full axes"
+set ylabel "µ/µ_c"
+set xrange [0:1.2]
+set x2range [0:4.8]
+set x2tics 0.4
+set border 7
+set tmargin 4.5
+set yrange [0:1.25]
+set key bottom right
+set label "synthetic points, not the paper's" at graph 0.03, 0.95 tc rgb "#D55E00"
+plot for [k=1:4] ARG3 using 2*k-1:2*k with points lt k+1 title word("500 1000 1500 2500", k)." lbf", \
+     ARG1 using 1:2 with lines lt 1 title "full theory", \
+     ARG1 using 1:3 with lines lt 7 title "FASTSIM", \
+     ARG1 using 1:4 with lines lt 8 title "Vermeulen-Johnson"

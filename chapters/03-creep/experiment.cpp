@@ -1,0 +1,179 @@
+/***
+## A synthetic experiment
+
+The measured points of the paper's Figures 3 to 11 stand in its figures only, and these are lost to us. What can be
+done is to run the same experiment on a computer: take the theory for the truth, add the errors the paper states, and
+reduce the points as the paper does. **Every point below is synthetic**, and the figures say so. What is assumed:
+
+* four loads of 500, 1000, 1500 and 2500 lbf. The paper prints one, 1000 lb. Its abstract says "contact stresses up to
+  approximately 200,000 psi", which is the mean pressure at {{load-200-ksi}};
+* a largest friction of 0.5 at 1000 lbf, falling with the load to the power −{{exponent}};
+* contact areas 1.2 to 1.6 times Hertz's, by wear, and measured with an error of 3 %;
+* errors of 0.0005 in the creep (Appendix A) and 22.249 N in the force, both taken as standard deviations.
+
+{{fig-03}}
+
+{{fig-04}}
+
+{{fig-05}}
+
+{{fig-06}}
+
+The line through the points is what the paper calls the average curve. Ours is fitted: the theory's curve, with the
+largest friction and the contact area free. The paper's Figure 7 puts the four together:
+
+{{fig-07}}
+*/
+
+#include "experiment.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "items.hpp"
+#include "master_curve.hpp"
+#include "rig.hpp"
+#include "signal/random_source.hpp"
+
+using namespace railbook;
+using namespace railbook::creep_chapter;
+
+namespace {
+
+constexpr double creep_error = 0.0005, force_error = 22.249, area_error = 0.03;
+constexpr int points_a_test = 28;
+
+// Stream k of the random numbers is test k's.
+Test make_test(double load, double area_factor, std::uint64_t stream) {
+  const signal::RandomSource random(1979, stream);
+  Test test{.load = load,
+            .friction = synthetic_friction(load),
+            .area_factor = area_factor,
+            .area_measured = area_factor * (1 + area_error * random.normal(1000)),
+            .points = {}};
+  const double group = area_factor * hertz_group(load) / test.friction;  // X per creep
+  for (int i = 0; i < points_a_test; ++i) {
+    const auto k = static_cast<std::uint64_t>(2 * i);
+    const double x = 1.1 * (i + 0.5) / points_a_test;
+    const double mu = test.friction * master_curve(x) + force_error / load * random.normal(k + 1);
+    test.points.push_back({x / group + creep_error * random.normal(k), mu});
+  }
+  return test;
+}
+
+// Least squares in mu_c for a given area factor is a linear problem; this is what is left.
+struct Fit {
+  double friction, residual;
+};
+Fit fit_friction(const Test& test, double area_factor) {
+  // mu_c enters X as well: a few passes settle it.
+  Fit fit{test.points.back().mu, 0};
+  for (int pass = 0; pass < 40; ++pass) {
+    double num = 0, den = 0;
+    for (const Point& p : test.points) {
+      const double f = master_curve(area_factor * hertz_group(test.load) * p.creep / fit.friction);
+      num += f * p.mu;
+      den += f * f;
+    }
+    fit.friction = num / den;
+  }
+  for (const Point& p : test.points)
+    fit.residual += std::pow(p.mu - Average{fit.friction, area_factor}.mu(test.load, p.creep), 2);
+  return fit;
+}
+
+}  // namespace
+
+double creep_chapter::synthetic_friction(double load) {
+  return 0.5 * std::pow(load / paper_load, -friction_exponent);
+}
+
+double creep_chapter::hertz_group(double load) {
+  const auto c = rig_contact(load, profile_radius(true));
+  return shear_modulus * c.a * c.b / load;
+}
+
+double creep_chapter::Average::mu(double load, double creep) const {
+  return friction * master_curve(area_factor * hertz_group(load) * creep / friction);
+}
+
+Average creep_chapter::average(const Test& test) {
+  // Golden section on the area factor: the residual has one valley.
+  double low = 0.5, high = 4;
+  const double golden = (std::sqrt(5.0) - 1) / 2;
+  while (high - low > 1e-4) {
+    const double left = high - golden * (high - low), right = low + golden * (high - low);
+    if (fit_friction(test, left).residual < fit_friction(test, right).residual)
+      high = right;
+    else
+      low = left;
+  }
+  const double factor = (low + high) / 2;
+  return {fit_friction(test, factor).friction, factor};
+}
+
+const std::vector<Test>& creep_chapter::experiment() {
+  static const std::vector<Test> tests = {
+      make_test(500 * units::lbf, 1.45, 1), make_test(paper_load, 1.6, 2),
+      make_test(1500 * units::lbf, 1.2, 3), make_test(2500 * units::lbf, 1.35, 4)};
+  return tests;
+}
+
+namespace {
+
+constexpr const char* lost =
+    "the paper's measured points are lost; these are synthetic, made from the theory and the "
+    "stated errors";
+
+std::string load_name(const Test& test) {
+  return fmt::format("{:.0f} lbf", test.load / units::lbf);
+}
+
+void one_load(report::Item& item, std::size_t which) {
+  const Test& test = experiment()[which];
+  const Average mean = average(test);
+  auto& curve = item.data({"creep", "mu"});
+  auto& points = item.data("points", {"creep", "mu"});
+  auto& text = item.data("text", {"x", "y", "label"});
+  for (int i = 0; i <= 200; ++i) {
+    const double creep = 0.02 * i / 200;
+    curve.add(creep, mean.mu(test.load, creep));
+  }
+  for (const Point& p : test.points) points.add(p.creep, p.mu);
+  text.add(0.0192, 0.05, load_name(test));
+  item.reconstructed(lost);
+  if (which == 0) {
+    const auto c = rig_contact(1000 * units::lbf, profile_radius(true));
+    const double mean_pressure = c.p_max * 2 / 3;
+    item.value("load-200-ksi", 1000 * std::pow(200 * units::ksi / mean_pressure, 3), "lbf",
+               "{:.0f}");
+    item.value("exponent", friction_exponent, "", "{:.2f}");
+  }
+}
+
+void all_loads(report::Item& item) {
+  auto& curves = item.data({"creep", "mu_500", "mu_1000", "mu_1500", "mu_2500"});
+  std::vector<Average> means;
+  for (const Test& test : experiment()) means.push_back(average(test));
+  for (int i = 0; i <= 200; ++i) {
+    const double creep = 0.02 * i / 200;
+    const auto mu = [&](std::size_t k) { return means[k].mu(experiment()[k].load, creep); };
+    curves.add(creep, mu(0), mu(1), mu(2), mu(3));
+  }
+  item.reconstructed(lost);
+}
+
+}  // namespace
+
+void creep_chapter::add_experiment(report::Chapter& chapter) {
+  for (std::size_t k = 0; k < 4; ++k)
+    chapter.figure(fmt::format("fig-0{}", k + 3),
+                   fmt::format("Friction against creep, load {} of 4 (synthetic)", k + 1),
+                   [k](report::Item& item) {
+                     item.script("load.gp");
+                     one_load(item, k);
+                   });
+  chapter.figure("fig-07", "All average curves (synthetic)", all_loads);
+}

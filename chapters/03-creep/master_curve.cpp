@@ -1,0 +1,55 @@
+#include "master_curve.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "num/roots.hpp"
+#include "rig.hpp"
+#include "theory.hpp"
+#include "units/input_error.hpp"
+
+using namespace railbook;
+using namespace railbook::creep_chapter;
+
+namespace {
+
+constexpr int intervals = 240;
+constexpr double end = 3;
+
+// Places are dense near 0: X = end (i/n)^2.
+std::vector<double> solved() {
+  contact::RollingCase c{.a = std::sqrt(axis_ratio),
+                         .b = 1 / std::sqrt(axis_ratio),
+                         .load = 1,
+                         .shear_modulus = 1,
+                         .poisson = poisson,
+                         .friction = 1,
+                         .creepage = {}};
+  const Solver full = solver(master_theory, axis_ratio, poisson, 24);
+  std::vector<double> shares{0};
+  for (int i = 1; i <= intervals; ++i) {
+    c.creepage.longitudinal = end * (double(i) / intervals) * (double(i) / intervals);
+    shares.push_back(full(c).fx);
+  }
+  return shares;
+}
+
+}  // namespace
+
+double creep_chapter::master_curve(double x) {
+  static const std::vector<double> shares = solved();
+  if (x < 0) return -master_curve(-x);
+  const double place = std::min(std::sqrt(x / end), 1.0) * intervals;
+  const auto low = std::min(static_cast<std::size_t>(place), shares.size() - 2);
+  const auto at = [](std::size_t i) {
+    return end * (double(i) / intervals) * (double(i) / intervals);
+  };
+  const double weight = std::min((x - at(low)) / (at(low + 1) - at(low)), 1.0);
+  return shares[low] + weight * (shares[low + 1] - shares[low]);
+}
+
+double creep_chapter::master_curve_inverse(double share) {
+  units::require_between("share of the friction", share, 1e-12, 0.999);
+  return num::find_root([&](double x) { return master_curve(x) - share; }, 0, end, 1e-13).x;
+}
