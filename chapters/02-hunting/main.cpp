@@ -40,7 +40,13 @@ drawings (the geometry's names, the idea of the method, a flow chart), with no d
 
 ## Error against run time
 
+{{include: geometry_cost.cpp}}
+
 ## Stability
+
+{{stability}}
+
+{{include: geometry_extremes.cpp}}
 
 ## Deviations
 
@@ -67,6 +73,8 @@ int main(int argc, char** argv) {
   hunting::add_profiles(chapter);
   hunting::add_constraint_table(chapter);
   hunting::add_conicity(chapter);
+  hunting::add_geometry_cost(chapter);
+  hunting::add_geometry_extremes(chapter);
   hunting::add_geometry_tool(chapter);
 
   // The car, describing functions, limit cycles.

@@ -8,8 +8,8 @@ mean; each span of it becomes two arcs, so that the same exact search serves mea
 
 Contact is far more sensitive than a drawing: on a worn tread the relative curvature of wheel and rail is small, and a
 ripple that no eye sees makes the contact hop. The example files hold points 0.5 mm apart, rounded to a micrometre; through
-all of them the worn wheel's contact jumps dozens of times, and with `--noise 0.001mm` hardly ever. Give the
-noise of your gauge.
+all of them the worn wheel's contact jumps dozens of times, and with `--noise 0.001mm` hardly ever. Give some three times the
+noise of your gauge ({{gauge-noise}}).
 */
 
 #include "profile_file.hpp"
