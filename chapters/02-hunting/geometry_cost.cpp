@@ -8,6 +8,8 @@ arcs. The reference solves the closing of the two gaps for the four arcs in cont
 
 {{cost-geometry}}
 
+{{work-precision: cost-geometry}}
+
 The exact search takes {{exact-time}} a displacement and its error is rounding. The grid needs {{grid-points}} places to come within
 {{grid-error}} of the angle, and {{grid-time}} for it; it can also miss a second contact that lies between two places. Points
 without noise do nearly as well as the arcs, here in the middle of an arc (where the curvature jumps, their error falls
