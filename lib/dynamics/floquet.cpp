@@ -198,30 +198,34 @@ HillExponent hill_exponent(const Oscillator& oscillator, const Cycle& cycle, Com
     }
     return a;
   };
-  // f(lambda) = 1 / (w A^-1 v) vanishes where A is singular.
+  // f(lambda) = 1 / (w A^-1 v) vanishes where A is singular; v and w begin as the null vectors of the start, nearly.
   Eigen::VectorXcd v = Eigen::VectorXcd::Ones(channels * orders), w = v;
-  const auto f = [&](Complex lambda, bool turn) {
-    const Eigen::PartialPivLU<Eigen::MatrixXcd> lu{matrix(lambda)};
-    const Eigen::VectorXcd x = lu.solve(v);
-    const Complex value = 1.0 / w.dot(x);
-    if (turn) v = x.normalized();
-    return value;
+  {
+    const Eigen::MatrixXcd at_start = matrix(start);
+    const Eigen::PartialPivLU<Eigen::MatrixXcd> lu{at_start}, adjoint{at_start.adjoint()};
+    for (int i = 0; i < 3; ++i) {
+      v = lu.solve(v).normalized().eval();
+      w = adjoint.solve(w).normalized().eval();
+    }
+  }
+  const auto f = [&](Complex lambda) {
+    const Eigen::VectorXcd x = matrix(lambda).partialPivLu().solve(v);
+    return 1.0 / w.dot(x);
   };
   HillExponent result;
   Complex a = start, b = start * (1.0 + 1e-5) + 1e-5;
-  f(a, true);
-  Complex fa = f(a, false), fb = f(b, false);
+  Complex fa = f(a), fb = f(b);
   for (result.iterations = 1; result.iterations <= 20; ++result.iterations) {
     const Complex next = b - fb * (b - a) / (fb - fa);
     if (!(std::abs(next) < 1e9)) break;
     a = b;
     fa = fb;
     b = next;
-    if (std::abs(b - a) < 1e-11 * (1 + std::abs(b))) {
+    if (std::abs(b - a) < 1e-9 * (1 + std::abs(b))) {
       result.converged = true;
       break;
     }
-    fb = f(b, false);
+    fb = f(b);
     if (fb == fa) break;
   }
   result.value = b;

@@ -60,6 +60,9 @@ class Equations {
 
   Index size() const { return channels() * reals_; }
   Index channels() const { return Index(oscillator_.channels.size()); }
+  // Where the cosine part of a harmonic is, and what it is divided by.
+  Index place(Index c, std::size_t k) const { return at(c, k); }
+  double size_of(Index c) const { return scale_[c]; }
   const Eigen::VectorXd& phase() const { return phase_; }
 
   Eigen::VectorXd unknowns(const Cycle& cycle) const {
@@ -352,13 +355,70 @@ Cycle with_orders(const Cycle& cycle, int highest, bool all) {
   return result;
 }
 
-Cycle balance(const Oscillator& o, const Cycle& start, const BalanceOptions& options) {
-  require_start(o, start);
+namespace {
+
+Cycle at_given_speed(const Oscillator& o, const Cycle& start, const BalanceOptions& options) {
   Cycle cycle = start;
   cycle.inverse_speed = o.inverse_speed;
   Equations equations{o, cycle, options.samples};
   newton(equations, cycle, hold_speed(equations, o.inverse_speed), options);
   return cycle;
+}
+
+// Channel and order of the largest harmonic.
+std::pair<Index, Index> largest_harmonic(const Cycle& cycle) {
+  Index c = 0, k = 0;
+  cycle.scalars.cwiseAbs().maxCoeff(&c, &k);
+  return {c, k};
+}
+
+}  // namespace
+
+Cycle balance_at_size(const Oscillator& o, const Cycle& start, double factor,
+                      const BalanceOptions& options) {
+  require_start(o, start);
+  Cycle cycle = start;
+  cycle.inverse_speed = o.inverse_speed;
+  const auto [c, k] = largest_harmonic(cycle);
+  const Complex turn = std::conj(cycle.scalars(c, k)) / std::abs(cycle.scalars(c, k));
+  const int order = std::max(cycle.orders[std::size_t(k)], 1);
+  // Phase zero of the harmonic held, so that its cosine part is its size.
+  for (Index l = 0; l < cycle.scalars.cols(); ++l)
+    cycle.scalars.col(l) *=
+        std::polar(1.0, std::arg(turn) * cycle.orders[std::size_t(l)] / double(order));
+  Equations equations{o, cycle, options.samples};
+  Condition condition{Eigen::VectorXd::Zero(equations.size() + 2), factor};
+  condition.row[equations.place(c, std::size_t(k))] =
+      equations.size_of(c) / std::abs(cycle.scalars(c, k));
+  newton(equations, cycle, condition, options);
+  return cycle;
+}
+
+Cycle balance(const Oscillator& o, const Cycle& start, const BalanceOptions& options) {
+  require_start(o, start);
+  Cycle cycle = at_given_speed(o, start, options);
+  if (cycle.converged) return cycle;
+  // Far from the start, or drawn to rest: find the branch at the start's size, whatever the speed, and follow it to the
+  // speed by the secant rule in the size.
+  const Cycle failed = cycle;
+  cycle = balance_at_size(o, start, 1, options);
+  double factor = 1.01, off = 0;
+  for (int i = 0; i < 20 && cycle.converged; ++i) {
+    const double before = off;
+    off = std::log(cycle.inverse_speed / o.inverse_speed);
+    if (std::abs(off) < 0.01) {
+      const Cycle there = at_given_speed(o, cycle, options);
+      if (there.converged) return there;
+    }
+    if (i > 0) {
+      const double slope = (off - before) / std::log(factor);
+      if (slope == 0) break;
+      factor = std::exp(std::clamp(-off / slope, -0.1, 0.1));
+      if (std::abs(factor - 1) < 1e-12) break;
+    }
+    cycle = balance_at_size(o, cycle, factor, options);
+  }
+  return failed;
 }
 
 namespace {

@@ -48,9 +48,13 @@ Cycle from_period(const Oscillator& oscillator, const Eigen::MatrixXd& states, d
 // The same motion with other orders kept: what is not there begins as zero.
 Cycle with_orders(const Cycle& cycle, int highest, bool all = false);
 
-// Newton with step halving, from `start`, at the oscillator's speed; the phase is that of the start's largest scalar. Not converged: the reason is
-// one of no progress, falling back to rest, a frequency out of range, too many iterations.
+// Newton with step halving from `start`, at the oscillator's speed; if that fails, from the cycle of the start's
+// size, followed to the speed. Not converged: `reason` says whether there was no progress, the motion fell back to rest, the
+// frequency ran away, or the iterations were used up.
 Cycle balance(const Oscillator& oscillator, const Cycle& start, const BalanceOptions& options = {});
+// The cycle whose largest harmonic is `factor` times that of the start, at whatever speed that needs.
+Cycle balance_at_size(const Oscillator& oscillator, const Cycle& start, double factor,
+                      const BalanceOptions& options = {});
 
 struct TraceOptions {
   BalanceOptions balance;

@@ -27,11 +27,11 @@ struct Curve {
     for (int j = order - 1; j >= 1; --j) sum = sum * t + j * s[std::size_t(j)];
     return sum;
   }
-  // The zero of f, which changes sign between 0 and h: Illinois' regula falsi.
+  // The zero of f, which changes sign between a and b: Illinois' regula falsi.
   template <class F>
-  static double zero(F&& f, double h) {
-    double a = 0, b = h, fa = f(a), fb = f(b);
-    for (int i = 0; i < 100 && std::abs(b - a) > 1e-15 * h; ++i) {
+  static double zero(F&& f, double a, double b) {
+    double fa = f(a), fb = f(b);
+    for (int i = 0; i < 100 && std::abs(b - a) > 1e-15 * std::abs(b) && fb != fa; ++i) {
       const double t = (a * fb - b * fa) / (fb - fa), ft = f(t);
       if (ft == 0) return t;
       if ((ft > 0) != (fb > 0)) {
@@ -73,12 +73,18 @@ class Watch {
   void see(double begin, double h, const std::vector<Curve>& curves) {
     for (std::size_t r = 0; r < curves.size(); ++r) {
       const Curve& x = curves[r];
-      if (x.slope(0) * x.slope(h) < 0) {
-        const double t = Curve::zero([&x](double u) { return x.slope(u); }, h);
-        history_.turns[r].push_back({begin + t, x.at(t)});
+      if (sides_.size() <= r) sides_.push_back({x.slope(0) > 0, x.at(0) >= 0});
+      // A step may end on a zero: what counts is the side on which the one before it ended.
+      const bool up = x.slope(h) > 0;
+      double turn = h;
+      if (up != sides_[r].up) {
+        turn =
+            (x.slope(0) > 0) == up ? 0 : Curve::zero([&x](double u) { return x.slope(u); }, 0, h);
+        history_.turns[r].push_back({begin + turn, x.at(turn)});
+        look_for_rise(begin, x, 0, turn, r);
       }
-      if (x.at(0) < 0 && x.at(h) >= 0)
-        history_.rises[r].push_back(begin + Curve::zero([&x](double u) { return x.at(u); }, h));
+      look_for_rise(begin, x, up != sides_[r].up ? turn : 0, h, r);
+      sides_[r].up = up;
     }
     if (step_ <= 0) return;
     while (double(history_.sample_times.size()) * step_ < begin + h &&
@@ -90,6 +96,15 @@ class Watch {
       history_.sample_times.push_back(t);
     }
   }
+  // Between two times within a step, without a turn between them.
+  void look_for_rise(double begin, const Curve& x, double from, double to, std::size_t r) {
+    const bool above = x.at(to) >= 0;
+    if (above && !sides_[r].above)
+      history_.rises[r].push_back(
+          begin +
+          (x.at(from) >= 0 ? from : Curve::zero([&x](double u) { return x.at(u); }, from, to)));
+    sides_[r].above = above;
+  }
   void finish() {
     if (step_ > 0)
       history_.samples.conservativeResize(Eigen::NoChange,
@@ -100,6 +115,10 @@ class Watch {
   History& history_;
   double step_;
   std::vector<Vector9> rows_;
+  struct Side {
+    bool up, above;
+  };
+  std::vector<Side> sides_;  // of each row, at the end of the last step
 };
 
 void run_pieces(const Compiled& system, const State& y0, double duration,
@@ -159,7 +178,7 @@ double limit_time(const Compiled& system, double h, const State& y, const State&
     double t = h;
     if (!ch.of_rate) {
       const Curve x = hermite(h, row_state(ch.row, y, dy), row_state(ch.row, y1, dy1));
-      t = Curve::zero([&](double u) { return sign * x.at(u) - ch.limit; }, h);
+      t = Curve::zero([&](double u) { return sign * x.at(u) - ch.limit; }, 0, h);
     }
     if (t < first) {
       first = t;

@@ -18,7 +18,7 @@ struct HistoryOptions {
   Integrator integrator = Integrator::pieces;
   double tolerance = 1e-9;        // local error relative to `scale`; pieces: at most 1e-12 is used
   State scale = default_scale();  // of each state
-  std::vector<Eigen::VectorXd> watch;  // rows (n) whose turns and rises are kept
+  std::vector<Eigen::VectorXd> watch{};  // rows (n) whose turns and rises are kept
   double sample_step = 0;              // of `samples` [s]; 0: none
   long most_steps = 20'000'000;
 

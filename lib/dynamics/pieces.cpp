@@ -130,12 +130,13 @@ void PieceIntegrator::expand(double h) {
 }
 
 double PieceIntegrator::series_length() const {
-  double h = 1e300;
-  for (int j = step_.order; j >= step_.order - 1; --j) {
-    const double size =
-        step_.terms[std::size_t(j)].cwiseProduct(inverse_scale_).lpNorm<Eigen::Infinity>();
-    if (size > 0) h = std::min(h, std::pow(tolerance_ / size, 1.0 / j));
-  }
+  const auto size = [this](int j) {
+    return step_.terms[std::size_t(j)].cwiseProduct(inverse_scale_).lpNorm<Eigen::Infinity>();
+  };
+  // Less than half an oscillation, so that a scalar turns once at most: cos t has h <= 2.
+  double h = size(2) > 0 ? std::max(size(1) / size(2), 1e-9) : 1e300;
+  for (int j = step_.order; j >= step_.order - 1; --j)
+    if (size(j) > 0) h = std::min(h, std::pow(tolerance_ / size(j), 1.0 / j));
   return h;
 }
 

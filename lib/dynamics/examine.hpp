@@ -1,0 +1,32 @@
+// From a describing-function cycle to the cycle of the full equations and its stability: balance, shooting, Floquet.
+//
+//   const Examined e = examine(car, table, point.motion);
+//   if (!e.converged) ... e.reason
+//   e.amplitude, e.omega, e.stability.stable
+#pragma once
+
+#include <string>
+
+#include "dynamics/floquet.hpp"
+#include "dynamics/quasi_linear.hpp"
+
+namespace railbook::dynamics {
+
+struct Examined {
+  bool converged = false;
+  std::string reason;    // why not, and at which stage
+  Cycle balance;         // harmonic balance
+  Orbit orbit;           // closed by shooting to 1e-10
+  double amplitude = 0;  // half of peak to peak of the largest wheelset on the orbit [m]
+  double omega = 0;      // [rad/s]
+  FloquetStability stability;
+};
+
+// The cycle near a quasi-linear motion (lambda = i omega), at the motion's speed, with harmonics up to `highest`. When balance does not
+// converge, shooting is tried from the quasi-linear motion itself.
+Examined examine(const FreightCar& car, const wheelrail::ConstraintFunctions& table,
+                 const Motion& motion, int highest = 23);
+// The same from a cycle already balanced or sampled.
+Examined examine(const Oscillator& oscillator, const Cycle& start);
+
+}  // namespace railbook::dynamics
