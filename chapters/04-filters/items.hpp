@@ -11,7 +11,8 @@ void add_speed_independence(report::Chapter& chapter);
 void add_approximations(report::Chapter& chapter);  // of exp(-kappa)
 void add_chords(report::Chapter& chapter);          // short chord to any chord
 void add_high_pass(report::Chapter& chapter);       // Figure 13
-void add_roll(report::Chapter& chapter);            // complementary filter
+void add_varying_speed(report::Chapter& chapter);
+void add_roll(report::Chapter& chapter);  // complementary filter
 
 // The car: sensors, reconstruction, experiments, tool.
 void add_car(report::Chapter& chapter);        // Figures 2 and 3, what each correction is worth

@@ -22,6 +22,8 @@ speed and direction, and where not. Then it builds the whole car, runs it over s
 
 {{include: high_pass.cpp}}
 
+{{include: varying_speed.cpp}}
+
 {{include: roll.cpp}}
 
 {{include: car.cpp}}
@@ -57,6 +59,7 @@ int main(int argc, char** argv) {
   filters::add_approximations(chapter);
   filters::add_chords(chapter);
   filters::add_high_pass(chapter);
+  filters::add_varying_speed(chapter);
   filters::add_roll(chapter);
 
   // The car: sensors, reconstruction, experiments, tool.
