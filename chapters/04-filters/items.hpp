@@ -19,4 +19,9 @@ void add_car(report::Chapter& chapter);        // Figures 2 and 3, what each cor
 void add_car_scene(report::Chapter& chapter);  // Figures 4, 10, 11 and 14
 void add_errors(report::Chapter& chapter);     // profile by speed and source of error
 
+// Error against run time, stability.
+void add_drift(report::Chapter& chapter);
+void add_cost(report::Chapter& chapter);
+void add_streaming(report::Chapter& chapter);
+
 }  // namespace railbook::filters

@@ -30,7 +30,11 @@ speed and direction, and where not. Then it builds the whole car, runs it over s
 
 {{include: errors.cpp}}
 
-## Error against run time
+{{include: drift.cpp}}
+
+{{include: cost.cpp}}
+
+{{include: streaming.cpp}}
 
 ## Stability
 
@@ -68,6 +72,9 @@ int main(int argc, char** argv) {
   filters::add_errors(chapter);
 
   // Error against run time, stability.
+  filters::add_drift(chapter);
+  filters::add_cost(chapter);
+  filters::add_streaming(chapter);
 
   return chapter.run(argc, argv);
 }

@@ -13,7 +13,7 @@ namespace railbook::signal {
 
 struct GeometryChainOptions {
   int half_chord = 31;  // samples; 62 ft at a sample a foot
-  HighPass high_pass;
+  HighPass high_pass = {};
   double limit = 1;          // m; a short offset beyond it is no track, and is masked like a NaN
   std::size_t block = 4096;  // outputs computed at once, with sums that start anew
 };

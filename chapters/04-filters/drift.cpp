@@ -1,0 +1,175 @@
+/*** ## Sums that do not drift
+
+Two running sums of 31 make the 62-ft chord out of short ones, at four additions a sample. How they are written decides whether they
+last. As one recursion, $y_k=2y_{k-1}-y_{k-2}+\dots$, the filter has a double pole at one, and so has its rounding: each error
+is integrated twice, and grows with the power {{drift-power}} of the distance. As two sums one after the other, each with one pole, the error is a random
+walk. Started anew every few thousand samples, it does not grow at all; and in 64-bit integers there is none, since sums that wrap are exact as long as the
+result fits.
+
+The input is white noise, rounded to $2^{-50}$ so that the integers get the same numbers and know the exact answer. The signal
+has an RMS of {{drift-rms}}; a year of the paper's fleet, 70 000 miles, is {{drift-year}} samples a channel.
+
+{{drift}}
+
+In single precision the recursion has lost all its digits within {{drift-float-distance}} miles of track. In double precision its error is
+{{drift-double}} after {{drift-longest}} samples, and {{drift-ratio}} times that of the two sums; there is no reason to take it. An integrator is useful all the same: the stream below integrates twice, but within a block of
+{{drift-block}} samples, and the next block knows nothing of it.
+*/
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "items.hpp"
+#include "signal/chord_filter.hpp"
+#include "signal/geometry_chain.hpp"
+#include "signal/random_source.hpp"
+#include "units/constants.hpp"
+
+namespace railbook::filters {
+namespace {
+
+constexpr std::size_t N = 31;
+using Word = std::uint64_t;
+
+// The last 64 samples, by their number; what came before the record is 0.
+template <class Number>
+struct Ring {
+  std::array<Number, 64> x{};
+  Number& operator[](std::size_t k) { return x[k % 64]; }
+};
+
+// Sum of N, in one addition and one subtraction; starts anew every `restart` samples.
+template <class Number>
+struct RunningSum {
+  Ring<Number> past;
+  Number sum{};
+  std::size_t restart = 0;
+  Number push(std::size_t k, Number x) {
+    const Number leaving = past[k - N];
+    past[k] = x;
+    if (restart != 0 && k % restart == 0) {
+      sum = Number{};
+      for (std::size_t j = 0; j < N; ++j) sum += past[k - j];
+    } else {
+      sum += x - leaving;
+    }
+    return sum;
+  }
+};
+
+template <class Number>
+struct Cascade {
+  RunningSum<Number> first, second;
+  explicit Cascade(std::size_t restart) { first.restart = second.restart = restart; }
+  Number push(std::size_t k, Number x) { return second.push(k, first.push(k, x)); }
+};
+
+// The same filter with its double pole in one place: the slope and the value are both carried on for ever.
+template <class Number>
+struct DoublePole {
+  Ring<Number> past;
+  Number slope{}, value{};
+  Number push(std::size_t k, Number x) {
+    slope += x - (past[k - N] + past[k - N]) + past[k - 2 * N];
+    past[k] = x;
+    return value += slope;
+  }
+};
+
+constexpr double unit = 0x1p50;
+
+// All of them side by side on one record; errors are the largest of the last 1000 samples before a milestone.
+struct Race {
+  DoublePole<float> pole_float;
+  DoublePole<double> pole_double;
+  DoublePole<Word> pole_integer;
+  Cascade<float> sums_float{0}, restarted_float{4096};
+  Cascade<double> sums_double{0}, restarted_double{4096};
+  Cascade<Word> exact{0};
+  std::array<double, 7> worst{};
+  double square = 0;
+
+  void push(std::size_t k, double x, bool count) {
+    const auto q = static_cast<std::int64_t>(x);
+    const double y =
+        static_cast<double>(static_cast<std::int64_t>(exact.push(k, static_cast<Word>(q)))) / unit;
+    const double v = x / unit;
+    const auto f = static_cast<float>(v);
+    const Word integer = pole_integer.push(k, static_cast<Word>(q));
+    const std::array<double, 7> got{pole_float.push(k, f),
+                                    pole_double.push(k, v),
+                                    static_cast<double>(static_cast<std::int64_t>(integer)) / unit,
+                                    sums_float.push(k, f),
+                                    restarted_float.push(k, f),
+                                    sums_double.push(k, v),
+                                    restarted_double.push(k, v)};
+    square += y * y;
+    if (!count) return;
+    for (std::size_t i = 0; i < got.size(); ++i)
+      worst[i] = std::max(worst[i], std::abs(got[i] - y));
+  }
+};
+
+void drift(report::Item& item) {
+  std::vector<std::size_t> milestones{100'000, 1'000'000, 10'000'000};
+  if (item.full()) milestones.push_back(100'000'000);
+  item.columns({"samples", "recursion float", "recursion double", "recursion int64",
+                "two sums float", "restarted float", "two sums double", "restarted double"});
+  const signal::RandomSource random{1981, 1};
+  Race race;
+  std::size_t k = 64;  // numbers from 64 on, so that a ring can look back
+  std::array<double, 7> first{}, last{};
+  for (const std::size_t milestone : milestones) {
+    race.worst = {};
+    for (; k < milestone + 64; ++k)
+      race.push(k, std::nearbyint(unit * random.normal(k)), k >= milestone + 64 - 1000);
+    std::vector<std::string> row{fmt::format("{:.0e}", static_cast<double>(milestone))};
+    for (const double e : race.worst) row.push_back(e == 0 ? "0" : fmt::format("{:.1e}", e));
+    item.add_row(row);
+    if (milestone == milestones.front()) first = race.worst;
+    last = race.worst;
+  }
+  const auto samples = static_cast<double>(milestones.back());
+  const double rms = std::sqrt(race.square / samples);
+  const double power =
+      std::log(last[0] / first[0]) / std::log(samples / static_cast<double>(milestones.front()));
+  item.expect_checks(5);
+  item.check("exact", "recursion in int64, largest error", "", "1e-300", last[2],
+             report::at_most("integers are exact"));
+  item.check("power", "growth of the recursion in float", "", "1.5", power,
+             report::absolute(0.5, "a twice integrated random walk, one realisation"));
+  item.check("sums", "two sums in double after the longest run, over the RMS", "", "1e-11",
+             last[5] / rms, report::at_most("a random walk of roundings"));
+  item.check("restarted", "restarted sums in double, over the RMS", "", "1e-14", last[6] / rms,
+             report::at_most("at most 4096 roundings each, two sums"));
+  item.agree("rms", "RMS of the output", "", rms, signal::chord_noise_gain(N), 0.02,
+             "the noise gain; the record is a sample");
+  item.value("drift-power", power, "", "{:.1f}");
+  item.value("drift-rms", rms, "", "{:.0f}");
+  item.value("drift-year", 70000 * units::mile / units::foot, "", "{:.3g}");
+  // Where the error reaches the signal, by the power 3/2.
+  item.value("drift-float-distance",
+             static_cast<double>(milestones.front()) * std::pow(rms / first[0], 1 / 1.5) *
+                 units::foot / units::mile,
+             "", "{:.0f}");
+  item.value("drift-double", last[1], "", "{:.0e}");
+  item.value("drift-longest", samples, "", "{:.0e}");
+  item.value("drift-ratio", last[1] / last[5], "", "{:.0e}");
+  item.value("drift-block", static_cast<double>(signal::GeometryChainOptions{}.block), "",
+             "{:.0f}");
+}
+
+}  // namespace
+
+void add_drift(report::Chapter& chapter) {
+  chapter.table("drift",
+                "Largest error of the 62-ft chord after so many samples, signal of unit noise",
+                drift);
+}
+
+}  // namespace railbook::filters
