@@ -36,5 +36,8 @@ void add_combined(railbook::report::Chapter& chapter);     // Figure 7
 void add_time_domain(railbook::report::Chapter& chapter);  // all of it by integration
 void add_psd(railbook::report::Chapter& chapter);          // Figure 8
 void add_filter(railbook::report::Chapter& chapter);       // the descriptor on a record
+void add_nonlinear(railbook::report::Chapter& chapter);    // bump stops, single sines
+void add_branches(railbook::report::Chapter& chapter);     // coexisting motions
+void add_pairs(railbook::report::Chapter& chapter);        // equation (7)
 
 }  // namespace quality_chapter

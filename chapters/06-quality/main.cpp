@@ -21,6 +21,12 @@ however nonlinear, is put to the test with the bump stops it mentions. It fails,
 
 {{include: filter.cpp}}
 
+{{include: nonlinear.cpp}}
+
+{{include: branches.cpp}}
+
+{{include: pairs.cpp}}
+
 ## Error against run time
 
 ## Stability
@@ -89,5 +95,8 @@ int main(int argc, char** argv) {
   quality_chapter::add_time_domain(chapter);
   quality_chapter::add_psd(chapter);
   quality_chapter::add_filter(chapter);
+  quality_chapter::add_nonlinear(chapter);
+  quality_chapter::add_branches(chapter);
+  quality_chapter::add_pairs(chapter);
   return chapter.run(argc, argv);
 }
