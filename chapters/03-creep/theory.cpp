@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "contact/creep_laws.hpp"
+#include "contact/kalker_coefficients.hpp"
 #include "contact/rolling_contact.hpp"
 
 using namespace railbook;
@@ -40,8 +41,9 @@ creep_chapter::Solver creep_chapter::solver(const std::string& theory, double ax
       return [s = vermeulen_johnson_slopes(axis_ratio, poisson)](const RollingCase& c) {
         return vermeulen_johnson(c, s);
       };
-    const auto k =
-        computed ? kalker_coefficients(axis_ratio, poisson) : kalker_table(axis_ratio, poisson);
+    const KalkerCoefficients k = computed
+                                     ? KalkerCoefficients(kalker_coefficients(axis_ratio, poisson))
+                                     : kalker_table(axis_ratio, poisson);
     return [one, k](const RollingCase& c) { return creep_forces(one, c, k); };
   }
   throw std::logic_error("solver: no theory named " + theory);

@@ -62,14 +62,7 @@ KalkerCoefficients kalker_table(double axis_ratio, double poisson) {
     for (std::size_t n = 0; n < 4; ++n)
       log_c[n] += weight * std::log(over_poisson(row.c[n], poisson));
   }
-  const double c23 = std::exp(log_c[2]);
-  return {.c11 = std::exp(log_c[0]),
-          .c22 = std::exp(log_c[1]),
-          .c23 = c23,
-          .c32 = c23,
-          .c33 = std::exp(log_c[3]),
-          .error = 0.01,
-          .converged = true};
+  return {std::exp(log_c[0]), std::exp(log_c[1]), std::exp(log_c[2]), std::exp(log_c[3])};
 }
 
 }  // namespace railbook::contact

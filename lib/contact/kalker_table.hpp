@@ -1,13 +1,19 @@
 // Kalker's creepage coefficients of an elliptic contact, from his published table.
 #pragma once
 
-#include "contact/kalker_coefficients.hpp"
-
 namespace railbook::contact {
+
+// The linear theory's coefficients in the frame of rolling_case.hpp.
+struct KalkerCoefficients {
+  double c11 = 0;
+  double c22 = 0;
+  double c23 = 0;
+  double c33 = 0;
+};
 
 // Kalker's table (1990, Table E3) at a/b = `axis_ratio` (a along rolling), 0.1 to 10, and Poisson's ratio 0 to 0.5;
 // InputError outside. Between rows a cubic through four neighbours of ln C over ln(a/b), between Poisson's ratios
-// the parabola of 1/C; at the rows the printed digits. c32 is c23, `error` 0.01. The table itself is good to about 0.5 % in C11, C22 and C23
+// the parabola of 1/C; at the rows the printed digits. The table itself is good to about 0.5 % in C11, C22 and C23
 // (its worst rows are off by 0.7 % and 0.9 %), 2 % in C33. One entry, C23 at a/b = 0.8 and 0.25, is often printed
 // 1.15, out of line with its neighbours; 1.25 is used.
 KalkerCoefficients kalker_table(double axis_ratio, double poisson);
