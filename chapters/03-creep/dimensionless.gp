@@ -3,8 +3,8 @@ set output ARG2
 set xlabel "G a b ξ/(µ_c N), a and b semi-axes"
 set x2label "the same with full axes"
 set ylabel "µ/µ_c"
-set xrange [0:1.2]
-set x2range [0:4.8]
+set xrange [-0.05:1.2]
+set x2range [-0.2:4.8]
 set x2tics 0.4
 set border 7
 set tmargin 4.5

@@ -3,9 +3,9 @@ set output ARG2
 set xlabel "normal load, lbf"
 set ylabel "friction coefficient µ"
 set xrange [400:2700]
-set yrange [0:0.75]
-set key top right maxrows 3
-set label "synthetic: loads, friction and wear are ours" at graph 0.03, 0.95 tc rgb "#D55E00"
+set yrange [0:0.85]
+set key top right maxrows 2
+set label "synthetic: loads, friction and wear are ours" at graph 0.03, 0.03 tc rgb "#D55E00"
 creep = "0.0005 0.001 0.002 0.004"
 plot for [k=2:5] ARG1 using 1:k with lines lt k-1 title "creep ".word(creep, k-1), \
      ARG1 using 1:6 with lines lt 5 title "largest", \

@@ -12,6 +12,8 @@ $$X=\frac{G\,a\,b\,\xi}{\mu_cN},$$
 with the largest coefficient $\mu_c$, the shear modulus $G$ and the axes $a$, $b$ of the contact ellipse *as it really
 is*, enlarged by wear, they fall on one curve, the one that Kalker's theory predicts.
 
+{{include: rig_scene.cpp}}
+
 {{include: geometry.cpp}}
 
 ## How accurate is a measured creep?
@@ -20,9 +22,15 @@ is*, enlarged by wear, they fall on one curve, the one that Kalker's theory pred
 
 {{include: appendix_b.cpp}}
 
+{{include: theories.cpp}}
+
 {{include: experiment.cpp}}
 
 {{include: reduction.cpp}}
+
+{{include: state.cpp}}
+
+{{include: area_law.cpp}}
 
 {{include: master_curve.cpp}}
 
@@ -59,11 +67,15 @@ int main(int argc, char** argv) {
            "Creep-Adhesion Function in Dry Contact, Journal of Engineering for Industry (ASME) "
            "101(3), 1979, pp. 278-284",
        .sources = RAILBOOK_CHAPTER_DIR}};
+  creep_chapter::add_rig_scene(chapter);
   creep_chapter::add_geometry(chapter);
   creep_chapter::add_appendix_a(chapter);
   creep_chapter::add_appendix_b(chapter);
+  creep_chapter::add_theories(chapter);
   creep_chapter::add_experiment(chapter);
   creep_chapter::add_reduction(chapter);
+  creep_chapter::add_state(chapter);
+  creep_chapter::add_area_law(chapter);
   creep_chapter::add_curve_tool(chapter);
   creep_chapter::add_table_tool(chapter);
   return chapter.run(argc, argv);
