@@ -16,6 +16,13 @@ void add_geometry_extremes(report::Chapter&);
 void add_geometry_tool(report::Chapter&);  // `hunting geometry`
 
 // The car, describing functions, limit cycles.
+void add_car(report::Chapter&);            // parameters and matrices
+void add_describing(report::Chapter&);     // Figs 7, 8, 9
+void add_critical(report::Chapter&);       // Hopf points, sensitivities
+void add_branches_cost(report::Chapter&);  // what the branches of study.hpp cost
+void add_branches(report::Chapter&);       // Fig 11
+void add_modes(report::Chapter&);          // Fig 12
+void add_algorithm(report::Chapter&);      // the paper's two loops
 
 // Harmonic balance, time, Floquet, scene.
 

@@ -28,9 +28,19 @@ drawings (the geometry's names, the idea of the method, a flow chart), with no d
 
 {{include: conicity.cpp}}
 
-## The car
+{{include: car.cpp}}
 
-## Limit cycles
+{{include: describing.cpp}}
+
+{{include: critical.cpp}}
+
+{{include: study.cpp}}
+
+{{include: branches.cpp}}
+
+{{include: modes.cpp}}
+
+{{include: algorithm.cpp}}
 
 ## Tools for a car and profiles of your own
 
@@ -78,6 +88,13 @@ int main(int argc, char** argv) {
   hunting::add_geometry_tool(chapter);
 
   // The car, describing functions, limit cycles.
+  hunting::add_car(chapter);
+  hunting::add_describing(chapter);
+  hunting::add_critical(chapter);
+  hunting::add_branches_cost(chapter);
+  hunting::add_branches(chapter);
+  hunting::add_modes(chapter);
+  hunting::add_algorithm(chapter);
 
   // Harmonic balance, time, Floquet, scene.
 

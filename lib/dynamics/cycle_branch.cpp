@@ -14,7 +14,7 @@ namespace {
 // Tangents of neighbouring points may differ by this much.
 constexpr double least_cosine = 0.9, easy_cosine = 0.985;
 // A branch this upright is vertical to rounding and does not turn round.
-constexpr double no_slope = 1e-8;
+constexpr double no_slope = 1e-6;
 
 struct Walker {
   const QuasiLinearCar& car;
