@@ -61,6 +61,15 @@ const NamedPair& named(const PairWish& wish) {
 bool hunting::from_files(const PairWish& wish) {
   if (wish.wheel.empty() != wish.rail.empty())
     throw InputError("profiles: give both --wheel and --rail, or neither for a pair of the paper");
+  const PairWish usual;
+  const bool placed = wish.gauge != usual.gauge || wish.gauge_depth != usual.gauge_depth ||
+                      wish.cant != usual.cant || wish.back_to_back != usual.back_to_back ||
+                      wish.datum != usual.datum || wish.radius != usual.radius ||
+                      wish.half_spacing != usual.half_spacing || wish.noise != usual.noise;
+  if (wish.wheel.empty() && placed)
+    throw InputError(
+        "the paper's pairs have their own place; gauge, cant, back-to-back, datum, radius, half "
+        "spacing and noise go with --wheel and --rail");
   return !wish.wheel.empty();
 }
 

@@ -129,8 +129,8 @@ void constraint_figure(report::Item& item, const NamedPair& named) {
 }  // namespace
 
 void hunting::add_profiles(report::Chapter& chapter) {
-  const char* const ids[] = {"fig-03", "fig-04", "fig-05"};
   for (std::size_t i = 0; i < paper_pairs.size(); ++i)
-    chapter.figure(ids[i], std::string("Constraint functions: ") + paper_pairs[i].name,
+    chapter.figure(fmt::format("fig-{:02}", i + 3),
+                   fmt::format("Figure {}. Constraint functions: {}", i + 3, paper_pairs[i].name),
                    [i](report::Item& item) { constraint_figure(item, paper_pairs[i]); });
 }
