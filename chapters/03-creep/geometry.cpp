@@ -72,6 +72,8 @@ void ellipse(report::Item& item) {
   check_claim(item, printed, "big-diameter", 2 * big_radius / units::inch,
               report::absolute(1.0, "\"approximately 36 in.\"; Appendix B measures 89.8957 cm"));
 
+  const auto ellipse_now = rig_contact(paper_load, profile_radius(true));
+  item.value("contact-share", 100 * 2 * ellipse_now.b / profile_radius(true), "%", "{:.1f}");
   const double along = profile_radius(true), across = profile_radius(false);
   item.value("curvature-ratio", rolling_radius / along, "", "{:.6f}");
   item.value("profile-along", along / units::millimetre, "mm", "{:.3f}");

@@ -48,9 +48,46 @@ is*, enlarged by wear, they fall on one curve, the one that Kalker's theory pred
 
 ## Deviations
 
+What the paper prints that we do not confirm, or confirm in part only:
+
+* **The upper bound of Appendix A** is none: its terms cancel. All errors together make {{xi-conspire}}, not 0.0005; as
+  independent errors {{xi-rss}}, which bears the claim out. The slips of both appendices are in their tables, row by row.
+* **8.224 km/h at 50 rpm** is not the speed of the wheel's rim, {{speed-b}}.
+* **Full axes or semi-axes.** The nomenclature makes the abscissa of Figure 11 four times that of the theory it is compared
+  with. One of the two must have been converted, and the paper does not say which.
+* **The printed reading** cannot be had with Hertz's area. This is for the paper and not against it; see {{fig-state}}.
+* **Friction falls with the load "as predicted".** The theory predicts $N^{-1/3}$ for the linear part of the curves. It does not
+  predict the largest friction at all, which is an input to it.
+* **Creep times area.** Constant if the contact grows alike in both directions. While only the profile wears flat it rises by
+  {{rise-moderate}} as the area grows by {{area-moderate}}.
+* **Vermeulen and Johnson**, cited beside Kalker, start {{vj-excess}} too steep. With the scatter of the points in {{fig-11}} no
+  experiment of this kind could tell their curve from his.
+* **Finishes of 20 and 15 µm**, after polishing with 400 grit, must be microinches.
+
+Not reproducible: the measured points and average curves of Figures 3 to 8 and 11, the areas of Figures 9 and 10, three of the
+four loads, the tracks' widths and the factors $C$ of equation (7), $\mu_c$, and the shear modulus used. They stand in the figures
+or not at all.
+
 ## Limits
 
+The full theory is that of two elastic half-spaces of one material, with Coulomb's friction at one coefficient, in steady state.
+The rig's contact is {{contact-share}} of the small wheel's profile radius wide, which half-spaces bear. A worn wheel is neither
+elliptic nor smooth, and the "true area" of the paper puts all of that into one number. A largest pressure of some 1500 MPa, with
+0.3 of it as traction, is beyond shakedown for ordinary wheel steel; the paper says itself that its contacts deformed plastically. Real friction
+falls at large creep, with speed and heat; no curve here does.
+
+Of the fast theories, linear and Vermeulen-Johnson know no bound or no spin; Shen-Hedrick-Elkins fails at large spin, where it
+stays at full force while the truth returns to zero; the strips are without spin; Polach has no moment. Only FASTSIM and the full
+theory take everything. All but the full theory need Kalker's coefficients, from his table for $0.1\le a/b\le10$, or computed.
+
 ## Try next
+
+* `creep curve` with `--theory fastsim` and `--theory full` for your own wheel: where do they differ most?
+* Let the friction fall with the slip, $\mu(s)$, in the full theory: the curve gets its maximum, and the rig becomes unstable
+  beyond it.
+* A second test of wear: let the rolling radius wear as well and look when creep times area really stays constant.
+* `creep table` with twice the nodes: does its error fall by four?
+* Add the 0.2 rpm of Appendix A to the synthetic counters instead of a normal error: what does the fit of the area lose?
 */
 
 #include "items.hpp"

@@ -14,8 +14,8 @@ using namespace railbook::creep_chapter;
 
 namespace {
 
-constexpr int intervals = 240;
-constexpr double end = 3;
+constexpr int intervals = 180;
+constexpr double end = 2;
 
 // Places are dense near 0: X = end (i/n)^2.
 std::vector<double> solved() {
@@ -26,7 +26,7 @@ std::vector<double> solved() {
                          .poisson = poisson,
                          .friction = 1,
                          .creepage = {}};
-  const Solver full = solver(master_theory, axis_ratio, poisson, 24);
+  const Solver full = solver(master_theory, axis_ratio, poisson, 32);
   std::vector<double> shares{0};
   for (int i = 1; i <= intervals; ++i) {
     c.creepage.longitudinal = end * (double(i) / intervals) * (double(i) / intervals);

@@ -62,16 +62,16 @@ void rig(report::Item& item) {
   s.meshes.push_back(wheel(small_r, 2.2, profile_radius(true) * cm, {0, 0, top}, axle));
   s.meshes.push_back(scene::cylinder({0, -16, 0}, {0, 16, 0}, 4, scene::stone));
   s.meshes.push_back(scene::cylinder({0, -16, top}, {0, 16, top}, 1.6, scene::stone));
-  s.meshes.push_back(scene::cylinder({0, 13, 0}, {0, 14.5, 0}, 8, scene::wood));
-  s.meshes.push_back(scene::cylinder({0, 13, top}, {0, 14.5, top}, 5, scene::wood));
+  s.meshes.push_back(scene::cylinder({0, -14.5, 0}, {0, -13, 0}, 9, scene::wood));
+  s.meshes.push_back(scene::cylinder({0, -14.5, top}, {0, -13, top}, 5, scene::wood));
   const scene::Size size{1000, 650};
-  const auto camera = scene::looking_at(s, {1.6, -1.5, 0.6}, size, true);
+  const auto camera = scene::looking_at(s, {1.0, -1.5, 0.5}, size, true);
   drawing::labelled(item, "wheels.gp", s, camera, size,
-                    {{{0, -10, top + 14}, "small wheel, braked: the locomotive's"},
-                     {{0, 20, top + 2}, "gear of 144 teeth"},
-                     {{0, 16, big_r + 1}, "contact"},
-                     {{30, -20, -big_r + 8}, "big wheel, driving: the rail"},
-                     {{0, 19, -3}, "gear of 144 teeth"}});
+                    {{{14, 0, top + 2}, "small wheel (braked): the locomotive's"},
+                     {{-46, 0, top}, "gear of 144 teeth"},
+                     {{14, 0, big_r + 1}, "contact"},
+                     {{48, 0, 12}, "big wheel (drives): the rail"},
+                     {{-24, -20, -16}, "gear of 144 teeth"}});
 }
 
 void axes(report::Item& item) {
@@ -83,20 +83,18 @@ void axes(report::Item& item) {
   s.meshes.push_back(wheel(big_r, 4, 0, {0, 0, 0}, axle));
   s.meshes.push_back(wheel(small_r, 2.2, profile_radius(true) * cm, {0, 0, top}, turned));
   const scene::Colour red{0.84, 0.37, 0.0}, blue{0.0, 0.45, 0.70}, black{0, 0, 0};
+  const scene::Point along{std::cos(attack), std::sin(attack), 0}, crown{0, 0, 2 * small_r};
   s.lines.push_back(arrow(contact, contact + scene::Point{34, 0, 0}, red));
-  s.lines.push_back(
-      arrow(contact, contact + 34 * scene::Point{std::cos(attack), std::sin(attack), 0}, red));
+  s.lines.push_back(arrow(contact, contact + 34 * along, red));
   s.lines.push_back(arrow(contact, contact + scene::Point{0, -26, 0}, blue));
-  s.lines.push_back(arrow(contact + scene::Point{0, 0, 2 * small_r},
-                          contact + scene::Point{0, 0, 2 * small_r + 12}, black));
+  s.lines.push_back(arrow(contact + crown, contact + crown + scene::Point{0, 0, 12}, black));
   const scene::Size size{1000, 650};
   const auto camera = scene::looking_at(s, {1.0, -1.3, 1.3}, size, true);
-  drawing::labelled(
-      item, "wheels.gp", s, camera, size,
-      {{contact + scene::Point{36, -3, 0}, "z, longitudinal"},
-       {contact + scene::Point{33, 10, 0}, "z', of a misaligned wheel"},
-       {contact + scene::Point{0, -30, 0}, "y, axial"},
-       {contact + scene::Point{2, 0, 2 * small_r + 12}, "x, transversal: the load N"}});
+  drawing::labelled(item, "wheels.gp", s, camera, size,
+                    {{contact + scene::Point{34, -4, 0}, "z: longitudinal"},
+                     {contact + 36 * along, "z' of a misaligned wheel"},
+                     {contact + scene::Point{-10, -27, 0}, "y: axial"},
+                     {contact + crown + scene::Point{2, 0, 12}, "x: transversal (the load N)"}});
 }
 
 }  // namespace
