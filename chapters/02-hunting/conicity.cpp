@@ -1,23 +1,24 @@
 /***
 ### Equivalent conicity
 
-One number often stands for all this: the cone that would make a free wheelset weave with the same wavelength. A wheelset that
-follows its rolling radii moves along the track by $y''=-R(y)/r_0$, and from the wavelength $L$ at amplitude $A$ Klingel's formula
-turned round gives
+One number often stands for all this: the cone that would make a free wheelset weave with the same wavelength. A
+wheelset that follows its rolling radii moves along the track by $y''=-R(y)/r_0$, and from the wavelength $L$ at
+amplitude $A$ Klingel's formula turned round gives
 
 $$\lambda_e(A)=\Big(\frac{2\pi}{L}\Big)^2 a\,r_0,$$
 
-the definition of EN 15302. Two shortcuts are common: the describing function of $R$ (its first harmonic, which is what
-Figure 7 of the paper plots and its text calls conicity), and the slope of a straight line fitted to $r_L-r_R$.
+the definition of EN 15302. Two shortcuts are common: the describing function of $R$ (its first harmonic, which is
+what Figure 7 of the paper plots and its text calls conicity), and the slope of a straight line fitted to $r_L-r_R$.
 
 {{fig-conicity}}
 
 {{conicity-table}}
 
-On the tread the three agree within {{tread-difference}}. At the flange they do not: at {{flange-at}} the new wheel has
-{{flange-kinematic}} by wavelength, {{flange-harmonic}} by the first harmonic and {{flange-regression}} by the fitted line, and which of them a
-limit cycle feels is a question of the car's dynamics, not of geometry. The dip of the Heumann wheel to {{heumann-dip}} near
-{{heumann-dip-at}} is what the paper blames for that wheel's low limit cycle without flange contact.
+On the tread the three agree within {{tread-difference}}. At the flange they do not: at {{flange-at}} the new wheel
+has {{flange-kinematic}} by wavelength, {{flange-harmonic}} by the first harmonic and {{flange-regression}} by the
+fitted line, and which of them a limit cycle feels is a question of the car's dynamics, not of geometry. The dip of
+the Heumann wheel to {{heumann-dip}} near {{heumann-dip-at}} is what the paper blames for that wheel's low limit cycle
+without flange contact.
 */
 
 #include "wheelrail/conicity.hpp"

@@ -6,27 +6,28 @@ off. "Several" is read as more than two.
 
 {{geometry-claims}}
 
-At the centre everything has a closed form. With $\delta_0$ the contact angle, $y_0$ the distance of the contact from the
-middle and $k=\tan\delta_0/(y_0-r_0\tan\delta_0)$,
+At the centre everything has a closed form. With $\delta_0$ the contact angle, $y_0$ the distance of the contact from
+the middle and $k=\tan\delta_0/(y_0-r_0\tan\delta_0)$,
 
 $$\phi_w'=k,\qquad\delta'=\frac{1+(r_0+\rho_r\cos\delta_0)\,k}{(\rho_w-\rho_r)\cos\delta_0},\qquad r'=\rho_w\sin\delta_0\;\delta',$$
 
-per unit of displacement; $r'=\tan\delta_0\,[1+(r_0+\rho_r\cos\delta_0)k]$ for a cone, where $\delta'=0$. These are exact. The smaller
-the difference of the radii, the faster the contact runs across the head: that, and not the cone, makes worn wheels
-steep.
+per unit of displacement; $r'=\tan\delta_0\,[1+(r_0+\rho_r\cos\delta_0)k]$ for a cone, where $\delta'=0$. These are
+exact. The smaller the difference of the radii, the faster the contact runs across the head: that, and not the cone,
+makes worn wheels steep.
 
 {{slopes}}
 
-The equations of motion take the functions as tables, piecewise linear with {{step}} between knots. A table with a cliff in it stalls Newton's
-method and time integration alike, so the tables of this chapter are running means over {{average}}: the jump becomes a ramp
-of that width. Contact itself does not need the mean, and the tools leave it to you (`--average`).
+The equations of motion take the functions as tables, piecewise linear with {{step}} between knots. A table with a
+cliff in it stalls Newton's method and time integration alike, so the tables of this chapter are running means over
+{{average}}: the jump becomes a ramp of that width. Contact itself does not need the mean, and the tools leave it to
+you (`--average`).
 
 {{constraint-table}}
 
 {{jumps}}
 
-The new wheel's contact angle is largest, {{D-max-new}} in $D$, where the flange's straight face touches, {{D-max-at-new}} off centre
-({{D-max-at-cn}} for CN, {{D-max-at-heumann}} for the Heumann wheel).
+The new wheel's contact angle is largest, {{D-max-new}} in $D$, where the flange's straight face touches,
+{{D-max-at-new}} off centre ({{D-max-at-cn}} for CN, {{D-max-at-heumann}} for the Heumann wheel).
 */
 
 #include <fmt/format.h>
@@ -91,7 +92,8 @@ void slopes(report::Item& item) {
   }
 }
 
-// The largest departure of a function from its tangent at 0 for 0 < x < end, as a part of the tangent's value at the end.
+// The largest departure of a function from its tangent at 0 for 0 < x < end, as a part of the tangent's value at the
+// end.
 double bend(const OddTable& f, double end) {
   double worst = 0;
   const double slope = f.slope(0);

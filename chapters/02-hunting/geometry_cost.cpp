@@ -1,19 +1,21 @@
 /***
 ### Of the geometry
 
-The contact angle of the left CN wheel, {{cost-x}} off centre, by three routes: the arcs themselves; a grid of places on the
-wheel, as the paper's generation of programs and many since did it (least height on the grid, then the vertex of the parabola
-through three places, with bisection and secants for the roll); and points measured on the same profiles, splined and turned into
-arcs. The reference solves the closing of the two gaps for the four arcs in contact in closed form, with the long double type.
+The contact angle of the left CN wheel, {{cost-x}} off centre, by three routes: the arcs themselves; a grid of places
+on the wheel, as the paper's generation of programs and many since did it (least height on the grid, then the vertex
+of the parabola through three places, with bisection and secants for the roll); and points measured on the same
+profiles, splined and turned into arcs. The reference solves the closing of the two gaps for the four arcs in contact
+in closed form, with the long double type.
 
 {{cost-geometry}}
 
 {{work-precision: cost-geometry}}
 
-The exact search takes {{exact-time}} a displacement and its error is rounding. The grid needs {{grid-points}} places to come within
-{{grid-error}} of the angle, and {{grid-time}} for it; it can also miss a second contact that lies between two places. Points
-without noise do nearly as well as the arcs, here in the middle of an arc (where the curvature jumps, their error falls
-with the square of the spacing); with the noise of a gauge they are another matter, see {{gauge-noise}}.
+The exact search takes {{exact-time}} a displacement and its error is rounding. The grid needs {{grid-points}} places
+to come within {{grid-error}} of the angle, and {{grid-time}} for it; it can also miss a second contact that lies
+between two places. Points without noise do nearly as well as the arcs, here in the middle of an arc (where the
+curvature jumps, their error falls with the square of the spacing); with the noise of a gauge they are another matter,
+see {{gauge-noise}}.
 */
 
 #include <fmt/format.h>

@@ -1,11 +1,12 @@
 /***
-How much a gauge's noise spoils the geometry, on points 0.5 mm apart of CN profile A on the new rail, splined through all points or
-smoothed:
+How much a gauge's noise spoils the geometry, on points 0.5 mm apart of CN profile A on the new rail, splined through
+all points or smoothed:
 
 {{gauge-noise}}
 
-Through all points even a tenth of a micrometre makes the contact hop from ripple to ripple; the conicity, an average, minds much
-less. Smoothing by three times the noise removes the hops, but from some 10 µm on it begins to flatten the profile itself.
+Through all points even a tenth of a micrometre makes the contact hop from ripple to ripple; the conicity, an average,
+minds much less. Smoothing by three times the noise removes the hops, but from some 10 µm on it begins to flatten the
+profile itself.
 */
 
 #include <fmt/format.h>

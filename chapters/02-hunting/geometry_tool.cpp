@@ -1,7 +1,8 @@
 /***
 ### `hunting geometry`
 
-Constraint functions, jumps and equivalent conicity of a wheelset on rails, of the paper's pairs or of profiles from files.
+Constraint functions, jumps and equivalent conicity of a wheelset on rails, of the paper's pairs or of profiles from
+files.
 
     hunting geometry --pair cn --average 0in
     hunting geometry --wheel wheel.csv --rail rail.csv --gauge 1435mm --gauge-depth 14mm \

@@ -60,30 +60,33 @@ drawings (the geometry's names, the idea of the method, a flow chart), with no d
 
 ## Deviations
 
-**Of the geometry.** Nothing in {{fig-03}} to {{fig-05}} can be laid over the paper's curves, which are lost. What remains to compare is the
-text, and {{geometry-claims}} does. Two remarks beyond it:
+**Of the geometry.** Nothing in {{fig-03}} to {{fig-05}} can be laid over the paper's curves, which are lost. What
+remains to compare is the text, and {{geometry-claims}} does. Two remarks beyond it:
 
-* The text calls $a$ half the gauge. Its value in the car's table is {{half-spacing}}, and half of the printed gauge is {{half-gauge}}. The
-  rails' heads are that far apart, so we read $a$ as half the distance of the heads wherever it appears.
-* Of the Canadian National wheel it says "nearly linear until flange contact". Ours is within 15 percent in $R$ and $\Phi$; its
-  contact angle is not, and with a hollow wheel of constant radius on a crown of another it cannot be: the rail's shoulder ends the crown.
+* The text calls $a$ half the gauge. Its value in the car's table is {{half-spacing}}, and half of the printed gauge
+  is {{half-gauge}}. The rails' heads are that far apart, so we read $a$ as half the distance of the heads wherever it
+  appears.
+* Of the Canadian National wheel it says "nearly linear until flange contact". Ours is within 15 percent in $R$ and
+  $\Phi$; its contact angle is not, and with a hollow wheel of constant radius on a crown of another it cannot be: the
+  rail's shoulder ends the crown.
 
 ## Limits
 
-**Geometry.** Wheelset and rails are rigid and both sides are alike; yaw of the wheelset, which moves the contact of a steep flange ahead of the
-axle, is left out, as in the paper. The contact is the point of the least *vertical* gap of two curves in one plane. That is the point
-of first touch, but on a flange at 70° a wheel that is pressed sideways bears elsewhere too: with two-point contact, the load's
-division between tread and flange needs an elastic model. Beyond {{far}} the tables go on straight, for the solvers' sake;
-there the wheel stands on the tip of its flange, and no result from there is used. Measured profiles must be
-functions of the place across, steeper than 84° nowhere on the wheel; cut the back of the flange off.
+**Geometry.** Wheelset and rails are rigid and both sides are alike; yaw of the wheelset, which moves the contact of a
+steep flange ahead of the axle, is left out, as in the paper. The contact is the point of the least *vertical* gap of
+two curves in one plane. That is the point of first touch, but on a flange at 70° a wheel that is pressed sideways
+bears elsewhere too: with two-point contact, the load's division between tread and flange needs an elastic model.
+Beyond {{far}} the tables go on straight, for the solvers' sake; there the wheel stands on the tip of its flange, and
+no result from there is used. Measured profiles must be functions of the place across, steeper than 84° nowhere on the
+wheel; cut the back of the flange off.
 
 ## Try next
 
-* `hunting geometry` with `examples/worn-wheel.csv` on `new-rail.csv`, and then with `--gauge 57in` or `--cant 0.05`: a worn wheel's
-  conicity hangs on half an inch of gauge.
+* `hunting geometry` with `examples/worn-wheel.csv` on `new-rail.csv`, and then with `--gauge 57in` or `--cant 0.05`:
+  a worn wheel's conicity hangs on half an inch of gauge.
 * The new wheel on the new rail: where does the jump go?
-* Give the left wheel another profile than the right one: `WheelsetOnTrack` searches each side by itself, and only the odd tables
-  assume that they are alike.
+* Give the left wheel another profile than the right one: `WheelsetOnTrack` searches each side by itself, and only the
+  odd tables assume that they are alike.
 */
 
 #include "items.hpp"

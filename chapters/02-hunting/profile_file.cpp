@@ -1,15 +1,16 @@
 /***
-A profile is a CSV file with columns `inward` and `height` and their units, such as `inward_mm,height_mm`: the place across, which
-grows towards the middle of the track, and the height, upwards. A wheel's origin stands `--datum` from the
-back of its flange, and the backs of the two flanges are `--back-to-back` apart; its heights need no particular zero, since the wheel is
-raised to the rolling `--radius`. A rail is given upright, and the tool leans it by `--cant` and puts its gauge face
-in place. Points are joined by a spline through all of them, or by one that stays `--noise` away from them in the
-mean; each span of it becomes two arcs, so that the same exact search serves measured and drawn profiles.
+A profile is a CSV file with columns `inward` and `height` and their units, such as `inward_mm,height_mm`: the place
+across, which grows towards the middle of the track, and the height, upwards. A wheel's origin stands `--datum` from
+the back of its flange, and the backs of the two flanges are `--back-to-back` apart; its heights need no particular
+zero, since the wheel is raised to the rolling `--radius`. A rail is given upright, and the tool leans it by `--cant`
+and puts its gauge face in place. Points are joined by a spline through all of them, or by one that stays `--noise`
+away from them in the mean; each span of it becomes two arcs, so that the same exact search serves measured and drawn
+profiles.
 
 Contact is far more sensitive than a drawing: on a worn tread the relative curvature of wheel and rail is small, and a
-ripple that no eye sees makes the contact hop. The example files hold points 0.5 mm apart, rounded to a micrometre; through
-all of them the worn wheel's contact jumps dozens of times, and with `--noise 0.001mm` hardly ever. Give some three times the
-noise of your gauge ({{gauge-noise}}).
+ripple that no eye sees makes the contact hop. The example files hold points 0.5 mm apart, rounded to a micrometre;
+through all of them the worn wheel's contact jumps dozens of times, and with `--noise 0.001mm` hardly ever. Give some
+three times the noise of your gauge ({{gauge-noise}}).
 */
 
 #include "profile_file.hpp"

@@ -1,37 +1,39 @@
 /***
 A wheelset on rails has no freedom to roll or to rise of its own: where it stands across the track decides how it
-lies. Five *constraint functions* of the lateral displacement $x_w$ say everything the dynamics needs: the rolling radii
-$r_L$, $r_R$, the angles $\delta_L$, $\delta_R$ of the contact planes to the axle, and the roll angle $\phi_w$. In the equations of
-motion they come as three odd functions,
+lies. Five *constraint functions* of the lateral displacement $x_w$ say everything the dynamics needs: the rolling
+radii $r_L$, $r_R$, the angles $\delta_L$, $\delta_R$ of the contact planes to the axle, and the roll angle $\phi_w$.
+In the equations of motion they come as three odd functions,
 
 $$R=\frac{r_L-r_R}{2a},\qquad D=\frac{\delta_L-\delta_R}2,\qquad\Phi=\phi_w,$$
 
 the first steers, the other two push the wheelset back to the middle.
 
-**What is lost.** The paper measured its profiles and gives none. It names them: a new wheel on a worn rail, the Canadian
-National's worn-wheel profile A on a new rail, and a modified Heumann wheel on the worn rail; the gauge is {{gauge}}. Its
-figures, with the constraint functions, are unreadable in the copy that is available, and no usable coordinates of
-these profiles were found elsewhere.
+**What is lost.** The paper measured its profiles and gives none. It names them: a new wheel on a worn rail, the
+Canadian National's worn-wheel profile A on a new rail, and a modified Heumann wheel on the worn rail; the gauge is
+{{gauge}}. Its figures, with the constraint functions, are unreadable in the copy that is available, and no usable
+coordinates of these profiles were found elsewhere.
 
 **How they are rebuilt.** Each profile is a chain of circular arcs and straight lines that join without a corner, as
-drawings of wheels and rails are made. Radii of the rails follow the AREA's manner (10 in crown, 1¼ in shoulder, 3/8 in corner
-when new; flatter and then sharper when worn), and the rails lean inwards by 1:40. The new wheel is a 1:20 cone with an 11/16 in throat;
-CN profile A has a hollow of {{cn-radius}} and the Heumann wheel one of {{heumann-radius}}; all have a 70° flange. The free lengths were
-chosen so that the geometry has every property that the text states, and {{geometry-claims}} says how well. The half spacing $a$ is
-{{half-spacing}}, the half distance of the rails' *heads*: the paper calls it half the gauge, which would be {{half-gauge}}.
+drawings of wheels and rails are made. Radii of the rails follow the AREA's manner (10 in crown, 1¼ in shoulder, 3/8
+in corner when new; flatter and then sharper when worn), and the rails lean inwards by 1:40. The new wheel is a 1:20
+cone with an 11/16 in throat; CN profile A has a hollow of {{cn-radius}} and the Heumann wheel one of
+{{heumann-radius}}; all have a 70° flange. The free lengths were chosen so that the geometry has every property that
+the text states, and {{geometry-claims}} says how well. The half spacing $a$ is {{half-spacing}}, the half distance of
+the rails' *heads*: the paper calls it half the gauge, which would be {{half-gauge}}.
 
-**Contact, exactly.** Roll the wheelset by $\phi$ and look at the vertical gap between wheel and rail on one side. Its least value
-$h(x,\phi)$ must be the same on both sides, $h(x,\phi)=h(-x,-\phi)$: that fixes $\phi$. The usual way is to compare heights on
-a fine grid, refine, and fear for the second point of contact. With arcs none of that is needed. Write an arc as $u=u_c+\rho\sin\theta$,
-$z=z_c+\rho\cos\theta$ with the angle $\theta$ as parameter (rolling only adds $\phi$ to every angle of the wheel); the gap
-of a wheel arc and a rail arc is stationary where both have the same angle, so
+**Contact, exactly.** Roll the wheelset by $\phi$ and look at the vertical gap between wheel and rail on one side. Its
+least value $h(x,\phi)$ must be the same on both sides, $h(x,\phi)=h(-x,-\phi)$: that fixes $\phi$. The usual way is
+to compare heights on a fine grid, refine, and fear for the second point of contact. With arcs none of that is needed.
+Write an arc as $u=u_c+\rho\sin\theta$, $z=z_c+\rho\cos\theta$ with the angle $\theta$ as parameter (rolling only adds
+$\phi$ to every angle of the wheel); the gap of a wheel arc and a rail arc is stationary where both have the same
+angle, so
 
 $$\sin\theta=\frac{u_c^{rail}-u_c^{wheel}}{\rho_{wheel}-\rho_{rail}},$$
 
-and where that falls outside the stretch the two arcs share, the least gap is at an end of the stretch. One walk along both
-chains finds the least gap of the whole profiles to rounding, two-point contact included. The roll follows by Newton's method in
-a bracket, with the slope $\partial h/\partial\phi$ from the lever arms of the contact points: {{evaluations}} walks for
-one displacement on the average.
+and where that falls outside the stretch the two arcs share, the least gap is at an end of the stretch. One walk along
+both chains finds the least gap of the whole profiles to rounding, two-point contact included. The roll follows by
+Newton's method in a bracket, with the slope $\partial h/\partial\phi$ from the lever arms of the contact points:
+{{evaluations}} walks for one displacement on the average.
 
 {{fig-03}}
 
@@ -39,10 +41,11 @@ one displacement on the average.
 
 {{fig-05}}
 
-In each figure the lower part shows the left wheel lifted off its rail, and straight lines join the points that touch while
-the wheelset moves from {{far}} right to {{far}} left. The red pair of lines is a **two-point contact**: there the wheel leaves one point
-and takes the other at once, and the functions jump. The new wheel jumps from its tread to its throat. What the paper says of the Heumann wheel, "closely
-approximates single-point contact", is true of ours: it still jumps, but by {{heumann-jump}} of contact angle against {{new-jump}}.
+In each figure the lower part shows the left wheel lifted off its rail, and straight lines join the points that touch
+while the wheelset moves from {{far}} right to {{far}} left. The red pair of lines is a **two-point contact**: there
+the wheel leaves one point and takes the other at once, and the functions jump. The new wheel jumps from its tread to
+its throat. What the paper says of the Heumann wheel, "closely approximates single-point contact", is true of ours: it
+still jumps, but by {{heumann-jump}} of contact angle against {{new-jump}}.
 */
 
 #include <fmt/format.h>

@@ -49,7 +49,8 @@ struct ConstraintValues {
   double dR, dD, dPhi;  // their slopes [1/m]
 };
 
-// The constraint functions of a wheelset that is symmetric, on a symmetric track. Displacements x and half spacing in metres.
+// The constraint functions of a wheelset that is symmetric, on a symmetric track. Displacements x and half spacing in
+// metres.
 struct ConstraintFunctions {
   double half_spacing = 0;  // a: half the distance between the rails' head centres
   double radius = 0;        // r_0: rolling radius at x = 0

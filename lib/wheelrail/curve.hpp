@@ -2,9 +2,10 @@
 //
 //   const Curve tread = chain({0, 0}, 0.05, {line(3 * units::inch), arc(0.6875 * units::inch, 70 * units::degree)});
 //
-// Coordinates: u towards the track's centre, z up [m]. The angle at a point is its fall per length, dz/du = -tan(angle),
-// so a 1:20 cone has +0.05 and a flange 1.2. A positive radius is a piece whose angle grows with u (the throat of
-// a wheel, the head of a rail), a negative one the other kind (the tip of a flange). u grows along the whole chain.
+// Coordinates: u towards the track's centre, z up [m]. The angle at a point is its fall per length, dz/du =
+// -tan(angle), so a 1:20 cone has +0.05 and a flange 1.2. A positive radius is a piece whose angle grows with u (the
+// throat of a wheel, the head of a rail), a negative one the other kind (the tip of a flange). u grows along the
+// whole chain.
 #pragma once
 
 #include <limits>
@@ -28,8 +29,8 @@ struct Piece {
 
 class Curve {
  public:
-  // Throws InputError when there is no piece, a coordinate is not finite, pieces do not join to 1e-9 m, u does not grow, or an
-  // angle is not below 90 degrees in size. Angles may step between pieces (a corner).
+  // Throws InputError when there is no piece, a coordinate is not finite, pieces do not join to 1e-9 m, u does not
+  // grow, or an angle is not below 90 degrees in size. Angles may step between pieces (a corner).
   explicit Curve(std::vector<Piece> pieces);
 
   const std::vector<Piece>& pieces() const { return pieces_; }
@@ -55,8 +56,8 @@ struct Step {
 Step line(double length);
 Step arc(double radius, double to_angle);
 
-// Steps joined without corners, from a point and angle on. Throws InputError for a length or radius that is zero or not finite,
-// an arc whose angle goes the other way than its radius says, or a size of an angle of 90 degrees.
+// Steps joined without corners, from a point and angle on. Throws InputError for a length or radius that is zero or
+// not finite, an arc whose angle goes the other way than its radius says, or a size of an angle of 90 degrees.
 Curve chain(Point start, double angle, const std::vector<Step>& steps);
 
 // The curve moved; turned about the origin so that every angle grows by `angle` [rad].

@@ -4,9 +4,9 @@
 //   const auto at = pair.contact(0.3 * units::inch);           // at.roll, at.left.radius, at.left.delta, ...
 //
 // The wheelset is moved sideways by x (> 0 to the left) and rolls by phi until the least vertical gap between wheel
-// and rail is the same on both sides. The least gap of two chains of arcs is found exactly: where their pieces overlap,
-// the gap of two arcs is stationary at one place that has a closed form, and else it is least at the end of a piece. There
-// is no grid. One evaluation costs one pass over the pieces of both chains.
+// and rail is the same on both sides. The least gap of two chains of arcs is found exactly: where their pieces
+// overlap, the gap of two arcs is stationary at one place that has a closed form, and else it is least at the end of
+// a piece. There is no grid. One evaluation costs one pass over the pieces of both chains.
 #pragma once
 
 #include <limits>
@@ -42,8 +42,8 @@ class WheelsetOnTrack {
   // Throws InputError when they do not overlap sideways at x = 0, or an angle of the wheel is over 85 degrees.
   WheelsetOnTrack(Curve wheel, Curve rail);
 
-  // Contact at displacement x [m]; NaN and infinite x throw InputError. `guess` of the roll only saves time.
-  // Accurate to rounding (some 1e-15 m of gap). Not converged when the profiles do not overlap any more or the roll needed is
+  // Contact at displacement x [m]; NaN and infinite x throw InputError. `guess` of the roll only saves time. Accurate
+  // to rounding (some 1e-15 m of gap). Not converged when the profiles do not overlap any more or the roll needed is
   // over 0.1 rad.
   WheelsetContact contact(double x, double guess = 0) const;
 
@@ -75,13 +75,16 @@ class WheelsetOnTrack {
   std::vector<Part> wheel_parts_, rail_parts_;
 };
 
-// Puts profiles in their places. `wheel` of a wheelset whose profile origin is `from_centre` [m] from the axle's middle.
+// Puts profiles in their places. `wheel` of a wheelset whose profile origin is `from_centre` [m] from the axle's
+// middle.
 Curve placed_wheel(const Curve& wheel, double from_centre);
-// `rail` leaning towards the centre by `cant` [rad] (1:40 is 0.025), its top at z = 0, its gauge face half a `gauge` [m] from the
-// centre at `gauge_depth` [m] below the top. Throws InputError when the profile has no point so deep on that side.
+// `rail` leaning towards the centre by `cant` [rad] (1:40 is 0.025), its top at z = 0, its gauge face half a `gauge`
+// [m] from the centre at `gauge_depth` [m] below the top. Throws InputError when the profile has no point so deep on
+// that side.
 Curve placed_rail(const Curve& rail, double gauge, double gauge_depth, double cant);
-// The pair with the wheel raised so that its radius at the centred contact is `radius` [m]. Throws InputError when the
-// wheelset does not fit between the rails: the centred contact is at an end of the data or on a flange (over 45 degrees, or beyond its steepest place).
+// The pair with the wheel raised so that its radius at the centred contact is `radius` [m]. Throws InputError when
+// the wheelset does not fit between the rails: the centred contact is at an end of the data or on a flange (over 45
+// degrees, or beyond its steepest place).
 WheelsetOnTrack with_radius(const Curve& wheel, const Curve& rail, double radius);
 
 // A displacement at which one wheel has two points of contact: below it the one, above it the other.
@@ -91,8 +94,8 @@ struct ContactJump {
   SideContact before, after;
 };
 
-// All jumps of the left wheel's contact by more than `smallest` [m] along the wheel, low < x < high. Halves every interval over
-// which the contact point moves by more than that.
+// All jumps of the left wheel's contact by more than `smallest` [m] along the wheel, low < x < high. Halves every
+// interval over which the contact point moves by more than that.
 std::vector<ContactJump> contact_jumps(const WheelsetOnTrack& pair, double low, double high,
                                        double smallest);
 
