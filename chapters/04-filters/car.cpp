@@ -62,7 +62,7 @@ const std::vector<Group>& groups() {
   using enum Channel;
   static const std::vector<Group> list{{"gage sensors", {gage_left, gage_right}},
                                        {"yaw gyro", {yaw_rate}},
-                                       {"sway sensors front", {sway_front_1, sway_front_2}},
+                                       {"sway sensors front", {sway_front_a, sway_front_b}},
                                        {"sway sensor rear", {sway_rear}},
                                        {"inclinometer", {inclinometer}},
                                        {"roll gyro", {roll_rate}},
@@ -179,12 +179,13 @@ void table_corrections(report::Item& item) {
     Processing less = processing;
     less.corrections.*row.which = false;
     const ParameterInfo& info = parameter_list()[static_cast<std::size_t>(row.parameter)];
-    const char* unit = info.parameter == curvature ? "deg per 100 ft" : "mm";
-    item.add_row(
-        {row.what, std::string(info.name),
-         fmt::format("{:.3g} {}", misfit(with, t, row.parameter).rms / info.si, unit),
-         fmt::format("{:.3g} {}", misfit(reconstruct(record, less), t, row.parameter).rms / info.si,
-                     unit)});
+    const bool bend = row.parameter == curvature;
+    const char* unit = bend ? "deg per 100 ft" : "mm";
+    const double si = bend ? per_100ft : mm;
+    item.add_row({row.what, std::string(info.name),
+                  fmt::format("{:.3g} {}", misfit(with, t, row.parameter).rms / si, unit),
+                  fmt::format("{:.3g} {}",
+                              misfit(reconstruct(record, less), t, row.parameter).rms / si, unit)});
   }
 }
 

@@ -30,6 +30,12 @@ speed and direction, and where not. Then it builds the whole car, runs it over s
 
 {{include: errors.cpp}}
 
+## Your own record
+
+{{include: process.cpp}}
+
+{{include: simulate.cpp}}
+
 {{include: drift.cpp}}
 
 {{include: cost.cpp}}
@@ -70,6 +76,8 @@ int main(int argc, char** argv) {
   filters::add_car_scene(chapter);
   filters::add_car(chapter);
   filters::add_errors(chapter);
+  filters::add_process(chapter);
+  filters::add_simulate(chapter);
 
   // Error against run time, stability.
   filters::add_drift(chapter);

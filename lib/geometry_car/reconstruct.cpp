@@ -16,12 +16,13 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // Rows that follow each other foot by foot in one direction.
-std::vector<Run> runs_of(const Record& record, Measurement& result) {
+std::vector<Run> runs_of(const Record& record, const Processing& p, Measurement& result) {
   std::vector<Run> runs;
   bool broken = true;
   for (std::size_t i = 0; i < record.size(); ++i) {
     // The first row has no row before it: its time means nothing.
-    if (i > 0 && !signal::possible_interval(record.elapsed[i])) {
+    const double T = record.elapsed[i];
+    if (i > 0 && !(signal::possible_interval(T) && T * p.fastest >= p.layout.sample)) {
       ++result.rejected;
       continue;
     }
@@ -56,6 +57,7 @@ void require(const Record& record, const Processing& p) {
   units::require_positive("corner of B", l.first_corner, "Hz");
   units::require_positive("corner of F", l.second_corner, "Hz");
   units::require_positive("corner of the roll filter", p.roll_corner, "Hz");
+  units::require_positive("fastest speed", p.fastest, "m/s");
   units::require_between("samples of the curvature's mean", p.curvature_mean, 1, 1001);
   if (record.elapsed.size() != record.size()) throw InputError{"record: a time for each mark"};
   for (const ChannelInfo& c : channel_list())
@@ -70,12 +72,10 @@ void require(const Record& record, const Processing& p) {
 const std::array<ParameterInfo, parameters>& parameter_list() {
   using enum Parameter;
   constexpr double mm = units::millimetre, mph = units::mph;
-  constexpr double curve = units::degree / (100 * units::foot);
   static const std::array<ParameterInfo, parameters> list{{
       {gage, "gage", "mm", mm, 0, 0},
-      {curvature, "curvature", "deg_per_100ft", curve, 2 * mph, 2 * mph},
-      {curvature_rate, "curvature_rate", "deg_per_100ft_per_100ft", curve / (100 * units::foot),
-       2 * mph, 2 * mph},
+      {curvature, "curvature", "rad_per_km", 1e-3, 2 * mph, 2 * mph},
+      {curvature_rate, "curvature_rate", "rad_per_km2", 1e-6, 2 * mph, 2 * mph},
       {crosslevel, "crosslevel", "mm", mm, 0, 0},
       {warp, "warp", "mm", mm, 0, 0},
       {profile_left, "profile_left", "mm", mm, 15 * mph, 5 * mph},
@@ -96,7 +96,7 @@ Measurement reconstruct(const Record& record, const Processing& processing) {
   result.mark = record.mark;
   result.speed.assign(record.size(), nan);
   for (auto& values : result.values) values.assign(record.size(), nan);
-  std::vector<Run> runs = runs_of(record, result);
+  std::vector<Run> runs = runs_of(record, processing, result);
   result.runs = runs.size();
   const std::size_t least = samples_needed(processing);
   std::size_t longest = 0;

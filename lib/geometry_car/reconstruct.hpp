@@ -66,6 +66,7 @@ struct Processing {
   double roll_corner = 1.25 / 4;  // Hz: two octaves below the lateral mode
   int roll_poles = 2;             // of the inclinometer's path, besides the analog filter
   int curvature_mean = 51;        // samples, odd
+  double fastest = 150;           // m/s: a row that would mean more is rejected
   Corrections corrections = {};
   std::vector<double> grade =
       {};  // slope of the rails ahead of each mark from 0 on: only for the size of what its lack costs
@@ -87,7 +88,7 @@ struct Measurement {
 };
 
 // Works through every run of the record in the order of time, forwards or backwards. A row whose time since the row before is zero,
-// negative or NaN is rejected, a jump or a turn of the marks begins a new run, a missing value masks what depends on it.
+// negative, NaN or too short is rejected, a jump or a turn of the marks begins a new run, a missing value masks what depends on it.
 // Throws InputError when no run has the samples the composite filter needs (661 with the defaults), and on a
 // processing that does not make sense.
 Measurement reconstruct(const Record& record, const Processing& processing);

@@ -20,8 +20,8 @@ enum class Channel {
   roll_rate,
   height_left,  // body over axle, m
   height_right,
-  sway_front_1,  // body to truck, lateral, m: two at the front truck, one at the rear
-  sway_front_2,
+  sway_front_a,  // body to truck, lateral, m: two at the front truck, one at the rear
+  sway_front_b,
   sway_rear,
   gage_left,  // beam to gage face, 5/8 in below the top of the rail, m
   gage_right,

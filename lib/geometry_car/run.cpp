@@ -69,7 +69,7 @@ Attitude attitude(const Run& run, const Column& yaw, const Column& roll, const P
     if (on.centrifugal) felt -= centrifugal.rate();
     if (on.yaw_centre) felt -= 0.5 * l.truck_spacing * turn.derivative();
     if (on.roll_acceleration) felt += l.inclinometer_height * rolling.derivative();
-    const double slow = std::isnan(yaw[k]) ? nan : std::asin(std::clamp(felt / g, -0.5, 0.5));
+    const double slow = std::isnan(felt) ? nan : std::asin(std::clamp(felt / g, -0.5, 0.5));
     a.body[k] =
         on.gyro ? filter.push(slow + rolling.held_back(), T * roll[k], T) : filter.push(slow, 0, T);
     const double over =
@@ -106,7 +106,7 @@ Column curvature(const Run& run, const Column& yaw, const Processing& p) {
   const Layout& l = p.layout;
   Column turn(run.size(), nan), body(run.size());
   for (std::size_t k = 0; k < run.size(); ++k)
-    body[k] = (0.5 * (run[Channel::sway_front_1][k] + run[Channel::sway_front_2][k]) -
+    body[k] = (0.5 * (run[Channel::sway_front_a][k] + run[Channel::sway_front_b][k]) -
                run[Channel::sway_rear][k]) /
               l.truck_spacing;
   for (std::size_t k = 1; k < run.size(); ++k) {

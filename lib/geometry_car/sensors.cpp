@@ -67,7 +67,7 @@ Sensors typical_sensors() {
     s[c] = {.bias = 1e-3 * g, .density = 20e-6 * g, .range = g, .step = 2 * g / 4096};
   for (const Channel c : {yaw_rate, roll_rate}) s[c] = {.bias = rate, .density = rate};
   for (const Channel c :
-       {height_left, height_right, sway_front_1, sway_front_2, sway_rear, gage_left, gage_right})
+       {height_left, height_right, sway_front_a, sway_front_b, sway_rear, gage_left, gage_right})
     s[c] = {.step = 0.1 * units::millimetre};
   return s;
 }

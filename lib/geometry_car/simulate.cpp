@@ -294,8 +294,8 @@ void Journey::read(Record& record) const {
   // The truck turns under the body, which moves the two front sensors, 0.6 m before and behind its centre, apart.
   const double body = (x_[path] + x_[sway] - x_[path_rear] - x_[tail]) / rates_.span;
   const double turn = 0.6 * (body - x_[slope] * (moving_ < 0 ? -1 : 1));
-  put(sway_front_1, x_[sway] + turn);
-  put(sway_front_2, x_[sway] - turn);
+  put(sway_front_a, x_[sway] + turn);
+  put(sway_front_b, x_[sway] - turn);
   put(sway_rear, x_[tail]);
   put(gage_left, rail(track_.y_left, at_.position) - x_[path] - 0.5 * l.beam);
   put(gage_right, x_[path] - rail(track_.y_right, at_.position) - 0.5 * l.beam);

@@ -66,7 +66,7 @@ TEST_CASE("geometry car: a full curve at speed, every sensor by hand", "[simulat
   CHECK(r[vertical_left][at] ==
         Approx(g * (std::cos(lean) - 1) - v * v * k * std::sin(lean)).epsilon(1e-4));
   CHECK(r[sway_rear][at] == Approx(sway).epsilon(1e-5));
-  CHECK(0.5 * (r[sway_front_1][at] + r[sway_front_2][at]) == Approx(sway).epsilon(1e-5));
+  CHECK(0.5 * (r[sway_front_a][at] + r[sway_front_b][at]) == Approx(sway).epsilon(1e-5));
   CHECK(r[height_left][at] - r[height_right][at] ==
         Approx(car.layout.transducers * (std::sin(lean) - std::sin(roll))).epsilon(1e-6));
   CHECK(r[gage_left][at] + r[gage_right][at] + car.layout.beam == Approx(56.5 * units::inch));
