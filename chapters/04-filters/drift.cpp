@@ -149,6 +149,16 @@ void drift(report::Item& item) {
              report::at_most("at most 4096 roundings each, two sums"));
   item.agree("rms", "RMS of the output", "", rms, signal::chord_noise_gain(N), 0.02,
              "the noise gain; the record is a sample");
+  const std::array<const char*, 7> names{"double pole in float",         "double pole in double",
+                                         "double pole in int64",         "two sums in float",
+                                         "two sums in float, restarted", "two sums in double",
+                                         "two sums in double, restarted"};
+  for (std::size_t i = 0; i < names.size(); ++i)
+    item.stability(fmt::format("drift-{}", i), names[i], fmt::format("{:.0e} samples", samples),
+                   fmt::format("off by {:.0e} on an RMS of {:.0f}", last[i], rms), last[i] / rms,
+                   last[i] > rms          ? "fails"
+                   : last[i] > 1e-9 * rms ? "degraded"
+                                          : "holds");
   item.value("drift-power", power, "", "{:.1f}");
   item.value("drift-rms", rms, "", "{:.0f}");
   item.value("drift-year", 70000 * units::mile / units::foot, "", "{:.3g}");

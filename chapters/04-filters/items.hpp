@@ -25,5 +25,6 @@ void add_simulate(report::Chapter& chapter);   // tool: such a record to order
 void add_drift(report::Chapter& chapter);
 void add_cost(report::Chapter& chapter);
 void add_streaming(report::Chapter& chapter);
+void add_stability(report::Chapter& chapter);
 
 }  // namespace railbook::filters

@@ -42,7 +42,7 @@ speed and direction, and where not. Then it builds the whole car, runs it over s
 
 {{include: streaming.cpp}}
 
-## Stability
+{{include: stability.cpp}}
 
 ## Deviations
 
@@ -83,6 +83,7 @@ int main(int argc, char** argv) {
   filters::add_drift(chapter);
   filters::add_cost(chapter);
   filters::add_streaming(chapter);
+  filters::add_stability(chapter);
 
   return chapter.run(argc, argv);
 }

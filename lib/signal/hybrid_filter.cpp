@@ -1,8 +1,10 @@
 #include "signal/hybrid_filter.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "units/constants.hpp"
 #include "units/input_error.hpp"
 
 namespace railbook::signal {
@@ -62,17 +64,24 @@ double slow_rate(const SecondOrderLowPass& f) {
 
 constexpr double forgotten = 300;  // exp(-300) is nothing, and its square still a number
 
-// Needs q > 0: with complex poles, T below half a period.
+// With complex poles, T below half a period: q > 0, and the weight has one sign.
 Annihilator annihilator(const SecondOrderLowPass& f, double before, double after) {
   const double slow = slow_rate(f);
   if (slow * after > forgotten) return {0, 0, 1};
   if (slow * before > forgotten) {
     if (f.damping < 1) return {none, none, none};
-    return {std::exp(-slow * after), 0, -std::expm1(-slow * after)};
+    const double split = 2 * f.omega * std::sqrt(f.damping * f.damping - 1);
+    const double r = std::isinf(before) ? 0
+                     : split == 0
+                         ? after / before
+                         : std::expm1(-split * (before + after)) / std::expm1(-split * before) - 1;
+    const double e = std::exp(-slow * after);
+    return {e * (1 + r), 0, -std::expm1(-slow * after) - e * r};
   }
   const double s = f.damping * f.omega, p = f.omega * f.omega;
+  if (f.damping < 1 && std::sqrt(p - s * s) * std::max(before, after) >= units::pi)
+    return {none, none, none};
   const Mode first = mode_at(s, p, before), second = mode_at(s, p, after);
-  if (!(first.q > 0) || !(second.q > 0)) return {none, none, none};
   const double alpha = mode_at(s, p, before + after).q / first.q;
   const double e = std::exp(-s * before);
   const double beta = e * e * second.q / first.q;
