@@ -39,5 +39,7 @@ void add_filter(railbook::report::Chapter& chapter);       // the descriptor on 
 void add_nonlinear(railbook::report::Chapter& chapter);    // bump stops, single sines
 void add_branches(railbook::report::Chapter& chapter);     // coexisting motions
 void add_pairs(railbook::report::Chapter& chapter);        // equation (7)
+void add_index(railbook::report::Chapter& chapter);        // Figure 9
+void add_spreading(railbook::report::Chapter& chapter);    // Figures 10 and 11
 
 }  // namespace quality_chapter

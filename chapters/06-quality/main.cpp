@@ -27,6 +27,10 @@ however nonlinear, is put to the test with the bump stops it mentions. It fails,
 
 {{include: pairs.cpp}}
 
+{{include: index.cpp}}
+
+{{include: spreading.cpp}}
+
 ## Error against run time
 
 ## Stability
@@ -98,5 +102,7 @@ int main(int argc, char** argv) {
   quality_chapter::add_nonlinear(chapter);
   quality_chapter::add_branches(chapter);
   quality_chapter::add_pairs(chapter);
+  quality_chapter::add_index(chapter);
+  quality_chapter::add_spreading(chapter);
   return chapter.run(argc, argv);
 }

@@ -1,0 +1,14 @@
+load "style.gp"
+set output ARG2
+set xrange [-0.6:1.5]
+set yrange [0:4.8]
+set key above horizontal maxrows 2 title "reconstructed, synthetic values"
+set tmargin 7
+set xlabel "descriptor"
+set ylabel "density"
+set boxwidth 0.045
+plot ARG3 using "p":"density" with boxes lc rgb light title "one kilometre, 5000 drawn values", \
+     ARG1 using "p":"histogram" with lines lt 1 title "histogram N(0.2, 0.25)", \
+     ARG1 using "p":"risk" with lines lt 3 title "density of derailment over p", \
+     ARG4 using "p":"height" with impulses ls guide lw 2, \
+     ARG4 using "p":(column("height")+0.2):"name" with labels

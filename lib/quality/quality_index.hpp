@@ -1,0 +1,70 @@
+// From a descriptor channel to numbers a planner can use: histogram, moments, exceedances, risk.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace railbook::quality {
+
+// A half-wave of the descriptor, from one zero to the next, whose peak passes the threshold.
+struct Exceedance {
+  double at = 0;          // m from the first sample
+  double peak = 0;        // signed
+  double wavelength = 0;  // twice the distance of the zeros, m
+  double length = 0;      // m above the threshold
+  bool cut = false;       // the half-wave runs into an end or a gap: wavelength is a lower bound
+};
+
+// Statistics of the magnitude |p| of the descriptor.
+struct QualityIndex {
+  std::size_t samples = 0, missing = 0;
+  double mean = 0, deviation = 0;  // of |p|
+  double rms = 0, largest = 0;
+  std::size_t above = 0;    // samples with |p| above the threshold T_2
+  double margin = 0;        // n of T_2 = mean + n deviation; infinite for a deviation of 0
+  double above_per_km = 0;  // samples above, per km of the present ones
+  double exceedances_per_km = 0;
+};
+
+// Takes the descriptor in pieces of any length; memory: the histogram and the exceedances.
+class IndexBuilder {
+ public:
+  // spacing > 0 (m), threshold T_2 > 0. Histogram: bins of width 0.02 of |p| up to 4, the last also for all above.
+  IndexBuilder(double spacing, double threshold);
+  void push(std::span<const double> descriptor);  // NaN: missing
+  void finish();                                  // ends the last half-wave
+
+  QualityIndex index() const;
+  const std::vector<Exceedance>& exceedances() const { return exceedances_; }
+  const std::vector<std::size_t>& histogram() const { return histogram_; }
+  static constexpr double bin = 0.02;
+
+ private:
+  void end_half_wave(double zero, bool cut);
+
+  double spacing_, threshold_;
+  std::size_t at_ = 0;  // samples taken
+  QualityIndex sum_;
+  double sum_magnitude_ = 0, sum_square_ = 0;
+  std::vector<std::size_t> histogram_;
+  std::vector<Exceedance> exceedances_;
+  double last_ = 0;    // descriptor of the last sample
+  bool open_ = false;  // a half-wave is under way
+  double begin_ = 0;   // its zero, in samples
+  bool begin_cut_ = false;
+  double peak_ = 0, peak_at_ = 0;
+  std::size_t over_ = 0;
+};
+
+// Share of a normal histogram N(mean, deviation) above a threshold; deviation > 0.
+double share_above(double mean, double deviation, double threshold);
+
+// The probability of failure of a value drawn from N(mean, deviation) when a value p fails with probability
+// Phi((p - median)/spread): Phi((mean - median)/sqrt(deviation^2 + spread^2)).
+double failure_probability(double mean, double deviation, double median, double spread);
+
+// Standard deviation of a histogram that spreads by diffusion, sqrt(s_0^2 + 2 D t).
+double diffused_deviation(double initial, double diffusivity, double time);
+
+}  // namespace railbook::quality

@@ -1,0 +1,109 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "num/fp_trap.hpp"
+#include "quality/quality_index.hpp"
+#include "quality/spreading.hpp"
+#include "units/constants.hpp"
+#include "units/input_error.hpp"
+
+using namespace railbook;
+using namespace railbook::quality;
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+
+TEST_CASE("Index of a sine: moments, exceedances, wavelengths", "[quality]") {
+  std::vector<double> p(5000);
+  for (std::size_t i = 0; i < p.size(); ++i)
+    p[i] = 1.25 * std::sin(2 * units::pi * (static_cast<double>(i) + 0.5) / 100);
+  IndexBuilder whole{0.2, 1}, pieces{0.2, 1};
+  whole.push(p);
+  whole.finish();
+  for (std::size_t i = 0; i < p.size(); i += 250) pieces.push(std::span{p}.subspan(i, 250));
+  pieces.finish();
+  const QualityIndex q = whole.index();
+  CHECK_THAT(q.mean, WithinRel(1.25 * 2 / units::pi, 1e-3));
+  CHECK_THAT(q.rms, WithinRel(1.25 / std::sqrt(2.0), 1e-12));
+  CHECK_THAT(q.largest, WithinRel(1.25, 1e-3));
+  CHECK(whole.exceedances().size() == 100);
+  CHECK_THAT(q.exceedances_per_km, WithinRel(100.0, 1e-12));
+  CHECK_THAT(q.above_per_km, WithinRel(5000 * (1 - 2 * std::asin(0.8) / units::pi), 0.03));
+  for (std::size_t i = 1; i + 1 < 100; ++i) {
+    CHECK_THAT(whole.exceedances()[i].wavelength, WithinAbs(20, 1e-3));
+    CHECK_FALSE(whole.exceedances()[i].cut);
+  }
+  CHECK(whole.exceedances().front().cut);
+  CHECK_THAT(whole.exceedances()[3].at, WithinAbs(35, 0.21));
+  REQUIRE(pieces.exceedances().size() == 100);
+  CHECK(pieces.index().rms == q.rms);
+  CHECK(pieces.exceedances()[57].at == whole.exceedances()[57].at);
+}
+
+TEST_CASE("Index: gaps, silence and nothing", "[quality]") {
+  const num::FpTraps traps;
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  IndexBuilder b{1, 1};
+  b.push(std::vector<double>{nan, 2, 2, nan, nan, 0, 0, -3});
+  b.finish();
+  const QualityIndex q = b.index();
+  CHECK(q.samples == 8);
+  CHECK(q.missing == 3);
+  CHECK(q.above == 3);
+  REQUIRE(b.exceedances().size() == 2);
+  CHECK(b.exceedances()[0].cut);
+  CHECK(b.exceedances()[1].peak == -3);
+  IndexBuilder still{1, 1};
+  still.push(std::vector<double>(10, 0.0));
+  still.finish();
+  CHECK(std::isinf(still.index().margin));
+  CHECK(IndexBuilder(1, 1).index().samples == 0);
+  CHECK_THROWS_AS(IndexBuilder(0, 1), InputError);
+  CHECK_THROWS_AS(IndexBuilder(1, -1), InputError);
+}
+
+TEST_CASE("Risk: values by quadrature elsewhere", "[quality]") {
+  CHECK_THAT(failure_probability(0.2, 0.25, 1, 0.1), WithinRel(0.00148355295, 1e-8));
+  CHECK_THAT(share_above(0.2, 0.25, 1), WithinRel(6.871379e-4, 1e-6));
+  CHECK_THAT(diffused_deviation(0.3, 0.02, 4), WithinRel(0.5, 1e-14));
+}
+
+TEST_CASE("The blob: constants, area, and finite volumes that keep it", "[quality]") {
+  CHECK_THAT(blob_front(1), WithinAbs(0.74741205, 5e-9));
+  CHECK_THAT(blob_height(0, 1), WithinAbs(0.79515947, 5e-9));
+  CHECK_THAT(blob_height(0.3, 32), WithinRel(0.5 * blob_height(0.15, 1), 1e-12));
+  Profile p{-1.5 + 0.5 * 3.0 / 300, 3.0 / 300, {}};
+  for (std::size_t i = 0; i < 300; ++i) p.height.push_back(blob_height(p.x(i), 1));
+  const double before = area(p);
+  const Spread s = spread({}, p, 1, 10, 300);
+  REQUIRE(s.converged);
+  CHECK_THAT(area(s.profile), WithinRel(before, 1e-12));
+  CHECK_THAT(mean(s.profile), WithinAbs(0, 1e-12));
+  CHECK_THAT(deviation(s.profile), WithinRel(std::sqrt(3.0 / 11) * blob_front(10), 5e-3));
+  CHECK_THAT(s.profile.height[150], WithinRel(blob_height(s.profile.x(150), 10), 3e-3));
+}
+
+TEST_CASE("Diffusion by the same volumes is Gaussian, second order in time and space",
+          "[quality]") {
+  double last = 0;
+  for (const int n : {100, 200}) {
+    Profile p{-4 + 4.0 / n, 8.0 / n, {}};
+    for (int i = 0; i < n; ++i) {
+      const double x = p.x(static_cast<std::size_t>(i));
+      p.height.push_back(std::exp(-0.5 * x * x / 0.09) / (0.3 * std::sqrt(2 * units::pi)));
+    }
+    const Spread s = spread({0.02, 0}, p, 1, 11, n / 2);
+    REQUIRE(s.converged);
+    const double sd = diffused_deviation(0.3, 0.02, 10);
+    double worst = 0;
+    for (std::size_t i = 0; i < s.profile.height.size(); ++i) {
+      const double u = s.profile.x(i) / sd;
+      worst = std::max(worst, std::abs(s.profile.height[i] -
+                                       std::exp(-0.5 * u * u) / (sd * std::sqrt(2 * units::pi))));
+    }
+    if (last > 0) CHECK(last / worst > 3.5);
+    last = worst;
+  }
+  CHECK(last < 1e-3);
+}
