@@ -103,10 +103,11 @@ Annihilator constant_speed(const SecondOrderLowPass& f, double T) {
 
 Annihilator approximate(double omega, double before, double after, Decay how) {
   const double first = decay(omega * before, how).a, second = decay(omega * after, how).a;
-  const double r = after / before;
+  const double r = std::isinf(before) ? 0 : after / before;
   if (!std::isfinite(first) || !std::isfinite(second) || !std::isfinite(r))
     return {none, none, none};
   const double alpha = second * (1 + r), beta = first * second * r;
+  if (!(std::abs(alpha) < 1e300 && std::abs(beta) < 1e300)) return {none, none, none};
   return {alpha, beta, 1 - alpha + beta};
 }
 
@@ -122,7 +123,7 @@ DecayPair decay(double kappa, Decay how) {
   if (how == Decay::exact) return {std::exp(-k), -std::expm1(-k)};
   if (how == Decay::linear) return {1 - k, k};
   if (how == Decay::reciprocal) return {1 / (1 + k), std::isinf(k) ? 1 : k / (1 + k)};
-  if (std::isinf(k)) return how == Decay::pade11 ? DecayPair{-1, 2} : DecayPair{1, 0};
+  if (k > 1e100) return how == Decay::pade11 ? DecayPair{-1, 2} : DecayPair{1, 0};
   if (how == Decay::pade11) return {(2 - k) / (2 + k), 2 * k / (2 + k)};
   const double d = 12 + k * (6 + k);
   return {(12 - k * (6 - k)) / d, 12 * k / d};
@@ -188,6 +189,7 @@ TwoIntervals SecondOrderHybrid::push(double y, double T) {
 }
 
 double short_chord(const TwoIntervals& a, double step) {
+  if (!std::isfinite(a.mean) || std::isinf(a.T_before) || std::isinf(a.T_after)) return none;
   return -0.5 * (0.5 * a.T_after * (a.T_before + a.T_after) * a.mean +
                  (a.T_after / a.T_before - 1) * step);
 }
