@@ -24,6 +24,8 @@ is*, enlarged by wear, they fall on one curve, the one that Kalker's theory pred
 
 {{include: theories.cpp}}
 
+{{include: fastsim_cells.cpp}}
+
 {{include: experiment.cpp}}
 
 {{include: reduction.cpp}}
@@ -45,6 +47,8 @@ is*, enlarged by wear, they fall on one curve, the one that Kalker's theory pred
 ## Error against run time
 
 ## Stability
+
+{{stability}}
 
 ## Deviations
 
@@ -109,6 +113,7 @@ int main(int argc, char** argv) {
   creep_chapter::add_appendix_a(chapter);
   creep_chapter::add_appendix_b(chapter);
   creep_chapter::add_theories(chapter);
+  creep_chapter::add_fastsim_cells(chapter);
   creep_chapter::add_experiment(chapter);
   creep_chapter::add_reduction(chapter);
   creep_chapter::add_state(chapter);

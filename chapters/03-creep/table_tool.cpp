@@ -43,7 +43,7 @@ std::string csv(const ForceTable& table, const Wish& wish, const InterpolationEr
       "spin = G (a b)^1.5 phi/(mu N); a along rolling.\n"
       "# Symmetry: -x turns fx; -y turns fy, mz and the spin to look up. Interpolate linearly in "
       "ln(ratio) and "
-      "arsinh(x/0.2), arsinh(y/0.2), arsinh(spin/0.2).\n"
+      "arsinh(x/0.5), arsinh(y/0.5), arsinh(spin/0.5).\n"
       "# Error of that, of (fx, fy): largest {:.2g}, rms {:.2g}; of mz: largest {:.2g}, rms {:.2g} "
       "({} points "
       "off the nodes).\n"

@@ -11,7 +11,7 @@
 namespace railbook::contact {
 namespace {
 
-constexpr double bend = 0.2;  // reduced creepages below it lie evenly, above it ever wider
+constexpr double bend = 0.5;  // reduced creepages below it lie evenly, above it ever wider
 
 double stretched(double u, double reach) {
   return bend * std::sinh(u * std::asinh(reach / bend));

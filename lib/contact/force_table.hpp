@@ -16,7 +16,7 @@ struct ForceShares {
 };
 
 // Nodes: axis ratios spaced evenly in ln(a/b); longitudinal and lateral reduced creepages from 0, spin of both signs, all
-// dense near 0, where the forces bend, and thin towards `reach` (x = s sinh(u arsinh(reach/s)), s = 0.2).
+// dense near 0, where the forces bend, and thin towards `reach` (x = s sinh(u arsinh(reach/s)), s = 0.5).
 struct ForceTableAxes {
   double ratio_from = 0.5, ratio_to = 2;
   int ratios = 5;
