@@ -128,6 +128,7 @@ const Errors& errors() {
 }
 
 void table_errors(report::Item& item) {
+  item.reconstructed("the paper gives no error, track, ride, corner or sensor");
   const auto earlier = item.printed("profile-errors.csv");
   const Errors& e = errors();
   int cells = 0;

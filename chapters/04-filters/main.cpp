@@ -30,6 +30,10 @@ speed and direction, and where not. Then it builds the whole car, runs it over s
 
 {{include: errors.cpp}}
 
+{{include: speeds.cpp}}
+
+{{include: curve.cpp}}
+
 ## Your own record
 
 {{include: process.cpp}}
@@ -76,6 +80,8 @@ int main(int argc, char** argv) {
   filters::add_car_scene(chapter);
   filters::add_car(chapter);
   filters::add_errors(chapter);
+  filters::add_speeds(chapter);
+  filters::add_curve(chapter);
   filters::add_process(chapter);
   filters::add_simulate(chapter);
 
