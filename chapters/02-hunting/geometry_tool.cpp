@@ -119,6 +119,8 @@ std::function<void()> declare(report::Options& options) {
   const auto wish = std::make_shared<Wish>();
   wish->average = 0;
   add_pair_options(options, *wish);
+  options.flag("--level", wish->level,
+               "keep the axle from rolling, as EN 15302 does for the conicity");
   options.out(wish->out);
   return [wish] { run(*wish); };
 }

@@ -11,6 +11,7 @@ void add_conversions(report::Chapter&);  // quantities printed in two units
 void add_profiles(report::Chapter&);          // Figs 3, 4, 5
 void add_constraint_table(report::Chapter&);  // claims, slopes, tables, jumps
 void add_conicity(report::Chapter&);
+void add_conicity_benchmark(report::Chapter&);  // EN 15302
 void add_geometry_cost(report::Chapter&);
 void add_geometry_extremes(report::Chapter&);
 void add_geometry_tool(report::Chapter&);  // `hunting geometry`

@@ -28,6 +28,8 @@ drawings (the geometry's names, the idea of the method, a flow chart), with no d
 
 {{include: conicity.cpp}}
 
+{{include: conicity_benchmark.cpp}}
+
 {{include: car.cpp}}
 
 {{include: describing.cpp}}
@@ -107,6 +109,7 @@ int main(int argc, char** argv) {
   hunting::add_profiles(chapter);
   hunting::add_constraint_table(chapter);
   hunting::add_conicity(chapter);
+  hunting::add_conicity_benchmark(chapter);
   hunting::add_geometry_cost(chapter);
   hunting::add_geometry_extremes(chapter);
   hunting::add_geometry_tool(chapter);

@@ -87,7 +87,8 @@ ConstraintFunctions hunting::table_of(const WheelsetOnTrack& pair, const PairWis
   return tabulate(pair, {.half_spacing = wish.half_spacing,
                          .end = wish.end,
                          .step = wish.step,
-                         .average = wish.average});
+                         .average = wish.average,
+                         .level = wish.level});
 }
 
 void hunting::add_pair_options(report::Options& options, PairWish& wish) {

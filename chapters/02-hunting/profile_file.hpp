@@ -30,6 +30,7 @@ struct PairWish {
   double end = 0.75 * units::inch;  // of the table
   double step = 0.0025 * units::inch;
   double average = 0.02 * units::inch;
+  bool level = false;  // keep the axle from rolling, as EN 15302 does
 };
 
 void add_pair_options(report::Options& options, PairWish& wish);

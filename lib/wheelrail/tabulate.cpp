@@ -66,7 +66,8 @@ ConstraintFunctions tabulate(const WheelsetOnTrack& pair, const TableOptions& op
   std::vector<double> r(2 * n + 1), delta(2 * n + 1), roll(2 * n + 1);
   double guess = 0;
   for (std::size_t k = 0; k <= n; ++k) {
-    const WheelsetContact at = pair.contact(step * double(k), guess);
+    const double x = step * double(k);
+    const WheelsetContact at = options.level ? pair.level_contact(x) : pair.contact(x, guess);
     require_contact(at);
     guess = at.roll;
     r[n + k] = at.left.radius;

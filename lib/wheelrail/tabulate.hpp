@@ -11,6 +11,7 @@ struct TableOptions {
   double end = 0;           // last displacement [m]
   double step = 0;          // [m]; end must be a whole number of steps
   double average = 0;       // width [m] of a running mean, a whole even number of steps; 0 for none
+  bool level = false;       // keep the axle level, as EN 15302 does: no roll
 };
 
 // R, D, Phi, r_L and delta_L at 0, step, ..., end. The mean is by the trapezoidal rule over the steps within its

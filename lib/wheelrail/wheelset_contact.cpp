@@ -172,6 +172,21 @@ WheelsetContact WheelsetOnTrack::contact(double x, double guess) const {
   return result;
 }
 
+WheelsetContact WheelsetOnTrack::level_contact(double x) const {
+  units::require_finite("lateral displacement", x, "m");
+  std::vector<Part> posed;
+  const Least left = least_gap(x, 0, posed), right = least_gap(-x, 0, posed);
+  WheelsetContact result;
+  result.x = x;
+  result.evaluations = 2;
+  result.converged = left.found && right.found;
+  if (!result.converged) return result;
+  result.height = -std::min(left.gap, right.gap);
+  result.left = side(left, x, 0);
+  result.right = side(right, -x, 0);
+  return result;
+}
+
 Curve placed_wheel(const Curve& wheel, double from_centre) {
   return moved(wheel, -units::require_positive("profile origin from the centre", from_centre, "m"),
                0);

@@ -47,6 +47,10 @@ class WheelsetOnTrack {
   // over 0.1 rad.
   WheelsetContact contact(double x, double guess = 0) const;
 
+  // The same with the axle kept level, as EN 15302 does for the equivalent conicity: each side touches where its own gap
+  // is least, and the two gaps differ. Not converged when the profiles do not overlap any more.
+  WheelsetContact level_contact(double x) const;
+
   const Curve& wheel() const { return wheel_; }
   const Curve& rail() const { return rail_; }
 

@@ -78,3 +78,19 @@ TEST_CASE("The smoothing takes the noise it is told") {
   const double u = points[40].u;
   CHECK(std::abs(smooth.curve.angle(u)) < 1e-3);  // the tread is level there
 }
+
+TEST_CASE("A level axle touches where each side's own gap is least") {
+  for (const auto* pair : {&new_wheel_pair(), &cn_pair()}) {
+    const auto level = pair->level_contact(0.2 * inch), centred = pair->contact(0);
+    REQUIRE(level.converged);
+    CHECK(level.roll == 0);
+    CHECK(pair->level_contact(0).left.radius == Approx(centred.left.radius).epsilon(1e-14));
+    CHECK(pair->level_contact(-0.2 * inch).right.radius ==
+          Approx(level.left.radius).epsilon(1e-14));
+  }
+  // A cone on a level axle has its own slope as conicity: the contact on the rail does not move.
+  const auto cone = new_wheel_pair().level_contact(0.2 * inch);
+  CHECK(cone.left.radius - cone.right.radius ==
+        Approx(2 * 0.2 * inch * std::tan(0.05)).epsilon(1e-10));
+  CHECK_FALSE(cn_pair().level_contact(0.5).converged);
+}
