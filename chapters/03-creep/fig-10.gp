@@ -3,7 +3,7 @@ set output ARG2
 set xlabel "normal load, lbf"
 set ylabel "contact area, mm²"
 set xrange [0:3000]
-set yrange [0:14]
+set yrange [0:18]
 set key bottom right
 set label "synthetic points, not the paper's" at graph 0.03, 0.95 tc rgb "#D55E00"
 plot ARG1 using 1:2 with lines lt 1 title "Hertz", \

@@ -77,7 +77,7 @@ or not at all.
 The full theory is that of two elastic half-spaces of one material, with Coulomb's friction at one coefficient, in steady state.
 The rig's contact is {{contact-share}} of the small wheel's profile radius wide, which half-spaces bear. A worn wheel is neither
 elliptic nor smooth, and the "true area" of the paper puts all of that into one number. A largest pressure of some 1500 MPa, with
-0.3 of it as traction, is beyond shakedown for ordinary wheel steel; the paper says itself that its contacts deformed plastically. Real friction
+0.3 of it as traction, is more than most wheel steels bear elastically; the paper says itself that its contacts deformed plastically. Real friction
 falls at large creep, with speed and heat; no curve here does.
 
 Of the fast theories, linear and Vermeulen-Johnson know no bound or no spin; Shen-Hedrick-Elkins fails at large spin, where it

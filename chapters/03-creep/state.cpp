@@ -2,7 +2,8 @@
 ### The one state that is printed
 
 Appendix B gives a complete reading: 4449.72 N, $\mu$ = 0.3 for five hours, 442.6 and 99.2 rpm, and both radii. The creep
-is {{creep}}. With Hertz's area $G\,ab\,\xi/N$ = {{group}}, so that even the linear theory, which no friction law can
+is {{creep}} from the diameters as measured, and {{creep-cut}} from the radii as printed, whose last digits are cut: so much hangs
+on the digits. With Hertz's area $G\,ab\,\xi/N$ = {{group}}, so that even the linear theory, which no friction law can
 exceed, allows $\mu\le C_{11}G\,ab\,\xi/N$ = {{mu-most}} **for any** $\mu_c$: below the 0.3 that was measured. Hertz's area
 contradicts it. What area would not?
 
@@ -11,7 +12,7 @@ contradicts it. What area would not?
 For $\mu_c$ = 0.5 the area must be {{factor-05}} times Hertz's, for a very large $\mu_c$ still {{factor-least}} times; for
 $\mu_c$ near 0.3 more than twice. So the paper's main claim, that the true area is the one to use, is supported by the only
 reading it prints. Two reservations: a creep that is too small by the 0.0005 of Appendix A would do as well, though only for
-a large $\mu_c$ (then {{factor-error}}); and if the abscissa was computed with full axes and compared with Kalker's curve for
+a large $\mu_c$ (then {{factor-creep}}); and if the abscissa was computed with full axes and compared with Kalker's curve for
 semi-axes, the reading fits Hertz's area at $\mu_c$ = {{mu-full-axes}} without any wear.
 */
 
@@ -57,11 +58,12 @@ void state(report::Item& item) {
              0.5 * master_curve(factor(0.5, creep) * group / 0.5), printed_mu, 1e-9,
              "the printed friction");
   item.value("creep", creep, "", "{:.7f}");
+  item.value("creep-cut", 1 - 10.0548 / 44.9478 * 442.6 / 99.2, "", "{:.7f}");
   item.value("group", group, "", "{:.5f}");
   item.value("mu-most", slope * group, "", "{:.3f}");
   item.value("factor-05", factor(0.5, creep), "", "{:.2f}");
   item.value("factor-least", least, "", "{:.2f}");
-  item.value("factor-error", least * creep / (creep + 0.0005), "", "{:.2f}");
+  item.value("factor-creep", least * creep / (creep + 0.0005), "", "{:.2f}");
   const auto misread = [&](double friction) {
     return friction * master_curve(4 * group / friction) - printed_mu;
   };
