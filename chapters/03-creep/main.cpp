@@ -22,6 +22,18 @@ is*, enlarged by wear, they fall on one curve, the one that Kalker's theory pred
 
 {{include: appendix_b.cpp}}
 
+{{include: full_curve.cpp}}
+
+{{include: carter.cpp}}
+
+{{include: cattaneo.cpp}}
+
+{{include: coefficients.cpp}}
+
+{{include: tractions.cpp}}
+
+{{include: scene.cpp}}
+
 {{include: theories.cpp}}
 
 {{include: fastsim_cells.cpp}}
@@ -46,9 +58,13 @@ is*, enlarged by wear, they fall on one curve, the one that Kalker's theory pred
 
 ## Error against run time
 
+{{include: cost.cpp}}
+
 ## Stability
 
 {{stability}}
+
+{{include: stability.cpp}}
 
 ## Deviations
 
@@ -112,6 +128,12 @@ int main(int argc, char** argv) {
   creep_chapter::add_geometry(chapter);
   creep_chapter::add_appendix_a(chapter);
   creep_chapter::add_appendix_b(chapter);
+  creep_chapter::add_full_curve(chapter);
+  creep_chapter::add_carter(chapter);
+  creep_chapter::add_cattaneo(chapter);
+  creep_chapter::add_coefficients(chapter);
+  creep_chapter::add_tractions(chapter);
+  creep_chapter::add_scene(chapter);
   creep_chapter::add_theories(chapter);
   creep_chapter::add_fastsim_cells(chapter);
   creep_chapter::add_experiment(chapter);
@@ -120,5 +142,7 @@ int main(int argc, char** argv) {
   creep_chapter::add_area_law(chapter);
   creep_chapter::add_curve_tool(chapter);
   creep_chapter::add_table_tool(chapter);
+  creep_chapter::add_full_cost(chapter);
+  creep_chapter::add_full_stability(chapter);
   return chapter.run(argc, argv);
 }

@@ -1,0 +1,7 @@
+load "style.gp"
+set output ARG2
+H = 600
+load "scene.gp"
+set style textbox opaque noborder margins 0.6,0.3
+plot ARG1 binary filetype=png flipy with rgbimage, \
+     ARG3 using "x_px":"y_px":"label" with labels center boxed font ",14"
