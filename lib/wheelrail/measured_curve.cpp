@@ -17,7 +17,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr std::size_t fewest = 8;
+constexpr std::size_t fewest = 8, most = 20000;
 constexpr double narrowest = 0.01, widest = 1;  // m
 constexpr double straight = 1e-7;               // rad; an arc that turns less is a line
 
@@ -81,9 +81,9 @@ class SmoothingSpline {
 };
 
 void check(std::vector<Point>& points) {
-  if (points.size() < fewest)
+  if (points.size() < fewest || points.size() > most)
     throw InputError(
-        fmt::format("profile: {} points; allowed: at least {}", points.size(), fewest));
+        fmt::format("profile: {} points; allowed: {} to {}", points.size(), fewest, most));
   for (const Point& p : points)
     if (!std::isfinite(p.u) || !std::isfinite(p.z))
       throw InputError("profile: a coordinate is not finite; allowed: a number in every row");

@@ -20,9 +20,9 @@ struct MeasuredCurve {
 
 // `points` in order of u, rising or falling, [m]; `noise` is the rms distance [m] from the points that the smoothing
 // takes, 0 for a curve through every point. For smooth profiles the curve through points h apart is good to O(h^3),
-// except near its ends, where the spline is straight. Throws InputError for fewer than 8 points, a number that is not
-// finite, a u that does not go on, a width outside 10 mm to 1 m, a curve that is vertical somewhere, and a noise that
-// is negative or that a straight line would meet.
+// except near its ends, where the spline is straight. Throws InputError for fewer than 8 points or more than 20000, a
+// number that is not finite, a u that does not go on, a width outside 10 mm to 1 m, a curve that is vertical
+// somewhere, and a noise that is negative or that a straight line would meet.
 MeasuredCurve measured_curve(std::vector<Point> points, double noise);
 
 }  // namespace railbook::wheelrail
