@@ -13,7 +13,7 @@ $\mathrm{Re}\,s>0$ is another mode growing on top of the cycle. It still uses fi
 
 With new wheels the branch goes straight up at {{v-new}} until the flange is met at {{flange-new}}, bends back by {{bend-back}} and then runs far to
 the right, to {{fold-new}}. The paper says just that. But **Hill disagrees with the label**: from {{torus-new}} on ($A$ = {{torus-new-a}}) a pair of exponents has a positive real part, a torus
-bifurcation. What a car does there is decided by Floquet multipliers of the true equations, further below.
+bifurcation. The next section asks Floquet multipliers of the true equations.
 
 With CN wheels the branch leans to the left by a little, up to {{cn-flange}}, and then has the paper's two regions of flange
 contact: a lower one between 0.37 and 0.44 in, where one truck has met the flange and the other has not, and a higher one with both. The first is
@@ -109,6 +109,12 @@ void figure_11(report::Item& item) {
   for (const auto& s : studies())
     draw_branch(s.key == "new" ? item.data(columns) : item.data(s.key, columns), s.main_branch(),
                 &leading(s));
+  auto& marks = item.data("floquet", {"V_ft_per_s", "stable_in", "unstable_in"});
+  for (const auto& l : labelled_cycles())
+    if (l.truth.converged)
+      marks.add(l.point.motion.speed / foot,
+                l.truth.stability.stable ? l.truth.amplitude / inch : nan,
+                l.truth.stability.stable ? nan : l.truth.amplitude / inch);
   const auto& fresh = study("new");
   const auto lower_bend =
       std::min_element(fresh.main_branch().folds.begin(), fresh.main_branch().folds.end(),

@@ -22,8 +22,10 @@ void add_describing(report::Chapter&);     // Figs 7, 8, 9
 void add_critical(report::Chapter&);       // Hopf points, sensitivities
 void add_branches_cost(report::Chapter&);  // what the branches of study.hpp cost
 void add_branches(report::Chapter&);       // Fig 11
+void add_labels(report::Chapter&);         // stability by three criteria
 void add_modes(report::Chapter&);          // Fig 12
 void add_algorithm(report::Chapter&);      // the paper's two loops
+void add_printed(report::Chapter&);        // what the text claims
 
 // Harmonic balance, time, Floquet, scene.
 

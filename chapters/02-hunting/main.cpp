@@ -40,9 +40,13 @@ drawings (the geometry's names, the idea of the method, a flow chart), with no d
 
 {{include: branches.cpp}}
 
+{{include: labels.cpp}}
+
 {{include: modes.cpp}}
 
 {{include: algorithm.cpp}}
+
+{{include: printed.cpp}}
 
 ## Tools for a car and profiles of your own
 
@@ -120,8 +124,10 @@ int main(int argc, char** argv) {
   hunting::add_critical(chapter);
   hunting::add_branches_cost(chapter);
   hunting::add_branches(chapter);
+  hunting::add_labels(chapter);
   hunting::add_modes(chapter);
   hunting::add_algorithm(chapter);
+  hunting::add_printed(chapter);
 
   // Harmonic balance, time, Floquet, scene.
 

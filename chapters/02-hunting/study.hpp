@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dynamics/cycle_branch.hpp"
+#include "dynamics/examine.hpp"
 
 namespace railbook::hunting {
 
@@ -22,6 +23,15 @@ struct Study {
 const std::vector<Study>& studies();
 // By key; throws std::logic_error for an unknown one.
 const Study& study(const std::string& key);
+
+// Cycles of the main branches with Hill's leading exponent and the true cycle nearby; computed once.
+struct Labelled {
+  const Study* study;
+  dynamics::CyclePoint point;
+  dynamics::Complex exponent;
+  dynamics::Examined truth;
+};
+const std::vector<Labelled>& labelled_cycles();
 
 // "new", "cn" and "heumann": the three with dampers.
 inline constexpr int linear_studies = 3;
