@@ -76,6 +76,22 @@ remains to compare is the text, and {{geometry-claims}} does. Two remarks beyond
   $\Phi$; its contact angle is not, and with a hollow wheel of constant radius on a crown of another it cannot be: the
   rail's shoulder ends the crown.
 
+**Of the limit cycles.** {{claims}} has the list; four sentences of the paper we do not confirm:
+
+* *Stable limit cycles extend to a high velocity with new wheels.* The branch does, to {{fold-new}}, and is stable by the
+  paper's rule. By Floquet multipliers it is stable up to {{torus-floquet}} only ({{torus}}). Here the conclusion differs
+  and not the computation: the rule looks at one mode.
+* *Two regions of stable cycles with flange contact for CN wheels, the lower one with the rear truck alone.* We find
+  the lower region, stable up to {{torus-floquet-cn}}, but it is the **front** truck that touches; with
+  friction it is the rear one. On the higher region speed falls with amplitude, and all three
+  criteria call it unstable. The difference is one of profile: the measured CN wheel may well have a flange of two steps.
+* *Stable cycles with flange contact under friction.* Ours are unstable, by all criteria; the stable ones end at {{friction-top}}, short of the flange.
+* *Much lower speeds with CN wheels.* Ten percent lower, with slopes three times as large as the paper states them
+  and its frequency of 21 rad/s met.
+
+The fishtailing mode of the paper's Fig. 12 is no deviation, but its explanation is: it belongs to a second
+family, to which the paper's algorithm falls ({{fig-loop}}).
+
 ## Limits
 
 **Geometry.** Wheelset and rails are rigid and both sides are alike; yaw of the wheelset, which moves the contact of a
@@ -86,10 +102,18 @@ Beyond {{far}} the tables go on straight, for the solvers' sake; there the wheel
 no result from there is used. Measured profiles must be functions of the place across, steeper than 84° nowhere on the
 wheel; cut the back of the flange off.
 
+**Limit cycles.** Creep is linear: on the flange the creep forces asked for are several times what friction could
+carry, so that amplitudes above flange contact are academic, as in the paper. The describing function keeps the first
+harmonic only; {{labels}} shows it good to a percent before the flange and up to a fifth wrong on it. Overturning of
+the body by gravity, the sideways clearances of the truck and the vertical dynamics are left out. Friction is regularized:
+what is slower than $\varepsilon$ sticks like honey, not like stone, and folds at hundredths of an inch depend on that.
+
 ## Try next
 
 * `hunting geometry` with `examples/worn-wheel.csv` on `new-rail.csv`, and then with `--gauge 57in` or `--cant 0.05`:
   a worn wheel's conicity hangs on half an inch of gauge.
+* `hunting speed` with half of the warp stiffness: a car maker's cheapest way to a lower or a higher critical speed?
+* `hunting cycle --pair cn --suspension friction`: follow the first family, too, with `--family 1`.
 * The new wheel on the new rail: where does the jump go?
 * Give the left wheel another profile than the right one: `WheelsetOnTrack` searches each side by itself, and only the
   odd tables assume that they are alike.
