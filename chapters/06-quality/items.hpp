@@ -41,5 +41,7 @@ void add_branches(railbook::report::Chapter& chapter);     // coexisting motions
 void add_pairs(railbook::report::Chapter& chapter);        // equation (7)
 void add_index(railbook::report::Chapter& chapter);        // Figure 9
 void add_spreading(railbook::report::Chapter& chapter);    // Figures 10 and 11
+void add_limit_tool(railbook::report::Chapter& chapter);   // tool: a car of your own
+void add_index_tool(railbook::report::Chapter& chapter);   // tool: a record of your own
 
 }  // namespace quality_chapter

@@ -31,6 +31,10 @@ however nonlinear, is put to the test with the bump stops it mentions. It fails,
 
 {{include: spreading.cpp}}
 
+{{include: limit_tool.cpp}}
+
+{{include: index_tool.cpp}}
+
 ## Error against run time
 
 ## Stability
@@ -104,5 +108,7 @@ int main(int argc, char** argv) {
   quality_chapter::add_pairs(chapter);
   quality_chapter::add_index(chapter);
   quality_chapter::add_spreading(chapter);
+  quality_chapter::add_limit_tool(chapter);
+  quality_chapter::add_index_tool(chapter);
   return chapter.run(argc, argv);
 }

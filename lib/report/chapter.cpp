@@ -66,23 +66,21 @@ int judge_bite(const ChapterRecord& record) {
   return toothless == 0 && !record.checks.empty() ? 0 : 1;
 }
 
-// The words of the command line with the entries of its --config file put in, unless an option is given on the line
-// itself. A key in a table, [body-1] radius = "18in", is the option --body-1-radius. (CLI11 reads configuration files
-// for the whole program only, not for a subcommand.)
-std::vector<std::string> with_config(CLI::App& app, std::vector<std::string> words) {
+// The words of the command line with the entries of the TOML file that `option` names put in, unless an option is given on
+// the line itself. A key in a table, [body-1] radius = "18in", is the option --body-1-radius. (CLI11 reads configuration
+// files for the whole program only, not for a subcommand.)
+std::vector<std::string> with_entries(const CLI::App* command, std::vector<std::string> words,
+                                      const std::string& named) {
   const auto is = [](const std::string& word, const std::string& option) {
     return word == option || word.starts_with(option + "=");
   };
   const auto at =
-      std::find_if(words.begin(), words.end(), [&](const auto& w) { return is(w, "--config"); });
-  if (at == words.end() || (*at == "--config" && at + 1 == words.end())) return words;
-  const std::string file = *at == "--config" ? *(at + 1) : at->substr(9);
+      std::find_if(words.begin(), words.end(), [&](const auto& w) { return is(w, named); });
+  if (at == words.end() || (*at == named && at + 1 == words.end())) return words;
+  const std::string file = *at == named ? *(at + 1) : at->substr(named.size() + 1);
   if (std::filesystem::is_directory(file))
-    throw InputError{fmt::format("config is \"{}\", a folder; allowed: a TOML file", file)};
-  const auto commands =
-      app.get_subcommands([&](const CLI::App* c) { return c->get_name() == words.front(); });
-  if (commands.empty()) return words;
-  const CLI::App* command = commands.front();
+    throw InputError{
+        fmt::format("{} is \"{}\", a folder; allowed: a TOML file", named.substr(2), file)};
 
   std::vector<std::string> added;
   for (const CLI::ConfigItem& entry : CLI::ConfigTOML{}.from_file(file)) {
@@ -98,6 +96,20 @@ std::vector<std::string> with_config(CLI::App& app, std::vector<std::string> wor
       added.push_back(positional ? input : fmt::format("{}={}", option, input));
   }
   words.insert(words.end(), added.begin(), added.end());
+  return words;
+}
+
+// The same for --config and then for every option that Options::toml declared: what comes first wins.
+std::vector<std::string> with_config(CLI::App& app, std::vector<std::string> words) {
+  if (words.empty()) return words;
+  const auto commands =
+      app.get_subcommands([&](const CLI::App* c) { return c->get_name() == words.front(); });
+  if (commands.empty()) return words;
+  const CLI::App* command = commands.front();
+  words = with_entries(command, std::move(words), "--config");
+  for (const CLI::Option* option : command->get_options())
+    if (option->get_type_name() == toml_type)
+      words = with_entries(command, std::move(words), option->get_name());
   return words;
 }
 

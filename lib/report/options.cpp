@@ -97,6 +97,10 @@ void Options::file(const std::string& name, std::filesystem::path& value, const 
   last_ = app_->add_option(name, value, help)->type_name("FILE");
 }
 
+void Options::toml(const std::string& name, const std::string& help) {
+  last_ = app_->add_option(name, help)->type_name(toml_type);
+}
+
 void Options::flag(const std::string& name, bool& value, const std::string& help) {
   last_ = app_->add_flag(name, value, help);
 }

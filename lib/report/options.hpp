@@ -32,6 +32,7 @@ struct Range {
   bool open_low = false;
 };
 inline constexpr Range positive{0, units::no_limit, true};
+inline constexpr const char* toml_type = "TOML";  // type name of the options of Options::toml
 inline constexpr Range non_negative{0, units::no_limit, false};
 
 class Options {
@@ -51,6 +52,8 @@ class Options {
   void choice(const std::string& name, std::string& value, const std::vector<std::string>& allowed,
               const std::string& help);
   void file(const std::string& name, std::filesystem::path& value, const std::string& help);
+  // A further file of options, after --config: "--car freight.toml".
+  void toml(const std::string& name, const std::string& help);
   void flag(const std::string& name, bool& value, const std::string& help);
   // The last option or argument added must be given.
   void required();

@@ -1,0 +1,275 @@
+/*** ### `quality index`
+
+The descriptor of a record of your own, at the posted speed and for your car:
+
+    quality index track.csv --speed 100km/h --car chapters/06-quality/examples/freight.toml --out mine
+    quality index chapters/06-quality/examples/track.csv --speed 64km/h --column crosslevel
+
+The record is a CSV file with a column of positions and one of heights, units in their headers (`distance_m,profile_mm`). It is read twice, once to check all of it and to learn its spacing, once to filter; memory
+does not grow with its length. Empty cells and `nan` are gaps: short ones may be bridged (`--bridge 5`), others divide the record. The answer names each place where the magnitude of the descriptor passes `--threshold`, with the
+wavelength there, twice the distance of the neighbouring zeros. Places within a resonant wavelength of an end are marked: there the filter had to guess. With `--out` come the channel, the list, the histogram, a
+figure, and the index as JSON.
+*/
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "car_options.hpp"
+#include "plot/plot.hpp"
+#include "quality/descriptor_filter.hpp"
+#include "quality/quality_index.hpp"
+#include "report/csv.hpp"
+#include "signal/record.hpp"
+#include "units/input_error.hpp"
+
+namespace quality_chapter {
+
+using namespace railbook;
+
+namespace {
+
+struct Wish {
+  CarWish car;
+  std::filesystem::path file;
+  std::string column = "profile", distance = "distance";
+  std::optional<double> spacing, shortest;
+  double threshold = 1;
+  long bridge = 0;
+  std::optional<std::filesystem::path> out;
+};
+
+// A column that must be a length, and what one of its unit is in metres.
+struct Column {
+  std::size_t index;
+  double metre;
+};
+Column length_column(const report::CsvReader& reader, const std::string& name) {
+  const std::size_t index = reader.column(name);
+  const units::Header header = units::parse_header(reader.header()[index]);
+  if (header.unit_text.empty() || !(header.unit.dimension == units::length))
+    throw InputError{fmt::format("column \"{}\" names no length; allowed: a header such as {}_mm",
+                                 reader.header()[index], name)};
+  return {index, header.unit.si};
+}
+
+struct Reading {
+  double first = 0, spacing = 0;  // m
+  std::size_t samples = 0, missing = 0, bridged = 0;
+};
+
+// The whole file through the checks of a record stream.
+Reading read(const Wish& wish, std::function<void(std::span<const double>)> sink) {
+  report::CsvReader reader{wish.file};
+  const Column column = length_column(reader, wish.column);
+  std::optional<Column> positions;
+  if (!wish.spacing) positions = length_column(reader, wish.distance);
+  signal::RecordStream record{
+      {.spacing = wish.spacing, .bridge = static_cast<std::size_t>(wish.bridge)}, std::move(sink)};
+  Reading result;
+  std::vector<std::string> cells;
+  for (bool first = true; reader.next(cells); first = false) {
+    const double value = reader.number(cells, column.index) * column.metre;
+    if (!positions) {
+      record.add(value);
+      continue;
+    }
+    const double at = reader.number(cells, positions->index) * positions->metre;
+    if (first) result.first = at;
+    record.add(at, value);
+  }
+  record.finish();
+  result.spacing = record.spacing();
+  result.samples = record.samples();
+  result.missing = record.missing();
+  result.bridged = record.bridged();
+  return result;
+}
+
+/*** The channel is written as it comes, under a name of its own until it is whole; the figure keeps the extremes of a thousand pieces. */
+class Channel {
+ public:
+  Channel(const std::optional<std::filesystem::path>& folder, const Reading& reading)
+      : reading_(reading), low_(pieces, 0.0), high_(pieces, 0.0) {
+    if (!folder) return;
+    report::write_file(*folder / "channel.csv", "");  // makes the folder, or says why not
+    file_ = *folder / "channel.csv";
+    out_.reset(std::fopen((file_.string() + ".part").c_str(), "w"));
+    if (!out_) throw InputError{fmt::format("file \"{}\": cannot be written", file_.string())};
+    fmt::print(out_.get(), "distance_m,descriptor\n");
+  }
+
+  void push(std::span<const double> p) {
+    for (const double value : p) {
+      const std::size_t piece = at_ * pieces / reading_.samples;
+      if (!std::isnan(value)) {
+        low_[piece] = std::min(low_[piece], value);
+        high_[piece] = std::max(high_[piece], value);
+      }
+      if (out_)
+        fmt::print(out_.get(), "{},{}\n",
+                   report::csv_number(reading_.first + static_cast<double>(at_) * reading_.spacing),
+                   report::csv_number(value));
+      ++at_;
+    }
+  }
+
+  void close() {
+    if (!out_) return;
+    std::error_code error;
+    if (std::ferror(out_.get()) == 0 && std::fclose(out_.release()) == 0)
+      std::filesystem::rename(file_.string() + ".part", file_, error);
+    if (error) throw InputError{fmt::format("file \"{}\": cannot be written", file_.string())};
+  }
+
+  std::string extremes() const {
+    std::string text = "distance_km,low,high\n";
+    const double step = reading_.spacing * static_cast<double>(reading_.samples) / pieces;
+    for (std::size_t i = 0; i < std::min<std::size_t>(pieces, reading_.samples); ++i)
+      text += fmt::format("{:.8g},{:.6g},{:.6g}\n",
+                          (reading_.first + step * static_cast<double>(i)) / units::kilometre,
+                          low_[i], high_[i]);
+    return text;
+  }
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  static constexpr std::size_t pieces = 1000;
+  Reading reading_;
+  std::vector<double> low_, high_;
+  std::filesystem::path file_;
+  std::unique_ptr<std::FILE, Close> out_;
+  std::size_t at_ = 0;
+};
+
+struct Place {
+  quality::Exceedance e;
+  double at = 0;  // m, as the record counts
+  bool near_end = false;
+};
+
+// The wavelength of the resonance at posted speed, m.
+double resonant_wave(const quality::Descriptor& d) {
+  return d.speed / (d.stroke ? d.stroke->suspension.frequency : suspension(d.force->car).frequency);
+}
+
+std::vector<Place> places(const quality::IndexBuilder& builder, const Reading& r,
+                          const quality::Descriptor& d) {
+  const double wave = resonant_wave(d), length = static_cast<double>(r.samples) * r.spacing;
+  std::vector<Place> result;
+  for (const quality::Exceedance& e : builder.exceedances())
+    result.push_back({e, r.first + e.at, e.cut || e.at < wave || e.at > length - wave});
+  return result;
+}
+
+report::Summary answer(const Wish& wish, const quality::Descriptor& d, const Reading& r,
+                       const quality::FilterTaps& taps, const quality::QualityIndex& q,
+                       std::vector<Place> found) {
+  report::Summary s{"track quality of " + wish.file.string()};
+  add_car(s, d);
+  s.add("length_km", "length", static_cast<double>(r.samples) * r.spacing / units::kilometre, "km",
+        fmt::format("{} samples, {} missing, {} bridged", r.samples, r.missing, r.bridged));
+  s.add("spacing_m", "spacing", r.spacing, "m");
+  s.add("gain_error", "filter gain wrong by at most", taps.gain_error, "",
+        fmt::format("at {:.3g} m", taps.worst_at));
+  if (static_cast<double>(r.samples) * r.spacing < 4 * resonant_wave(d))
+    s.add("length_note", "note", "shorter than four resonant wavelengths: mostly guessed");
+  s.add("mean", "mean of the magnitude", q.mean, "");
+  s.add("deviation", "standard deviation", q.deviation, "");
+  s.add("rms", "rms of the descriptor", q.rms, "");
+  s.add("largest", "largest", q.largest, "",
+        q.largest > 50 ? "is the unit of the column right?" : "");
+  if (std::isfinite(q.margin)) s.add("n", "n of threshold = mean + n deviation", q.margin, "");
+  s.add("above_per_km", "values above the threshold", q.above_per_km, "1/km",
+        fmt::format("threshold {:g}", wish.threshold));
+  s.add("exceedances", "exceedances", static_cast<double>(found.size()), "",
+        fmt::format("{:.3g} per km", q.exceedances_per_km));
+  std::sort(found.begin(), found.end(),
+            [](const Place& a, const Place& b) { return std::abs(a.e.peak) > std::abs(b.e.peak); });
+  for (std::size_t i = 0; i < std::min<std::size_t>(5, found.size()); ++i)
+    s.add(fmt::format("worst_{}", i + 1), i == 0 ? "worst" : "",
+          fmt::format("{:+.3f} at {:.1f} m, wavelength {:.1f} m{}", found[i].e.peak, found[i].at,
+                      found[i].e.wavelength, found[i].near_end ? ", near an end" : ""));
+  return s;
+}
+
+void write_lists(const std::filesystem::path& out, const std::vector<Place>& found,
+                 const quality::IndexBuilder& builder) {
+  std::string list = "distance_m,descriptor,wavelength_m,length_m,near_end\n";
+  for (const Place& p : found)
+    list += fmt::format("{},{:.6g},{:.6g},{:.6g},{}\n", report::csv_number(p.at), p.e.peak,
+                        p.e.wavelength, p.e.length, p.near_end ? "yes" : "no");
+  report::write_file(out / "exceedances.csv", list);
+  std::string bars = "descriptor,samples\n";
+  for (std::size_t i = 0; i < builder.histogram().size(); ++i)
+    bars += fmt::format("{:.2f},{}\n", (static_cast<double>(i) + 0.5) * quality::IndexBuilder::bin,
+                        builder.histogram()[i]);
+  report::write_file(out / "histogram.csv", bars);
+}
+
+void index_track(const Wish& wish) {
+  const quality::Descriptor d = descriptor(wish.car);
+  const Reading reading = read(wish, [](std::span<const double>) {});
+  const double shortest =
+      wish.shortest.value_or(d.force ? std::max(1.0, 2.5 * reading.spacing) : 0);
+  const auto taps = quality::design_filter(quality::Envelope{d},
+                                           {.spacing = reading.spacing, .shortest = shortest});
+  quality::IndexBuilder builder{reading.spacing, wish.threshold};
+  Channel channel{wish.out, reading};
+  quality::FilterStream stream{taps, [&](std::span<const double> p) {
+                                 builder.push(p);
+                                 channel.push(p);
+                               }};
+  read(wish, [&](std::span<const double> piece) { stream.push(piece); });
+  stream.finish();
+  builder.finish();
+  channel.close();
+  const auto found = places(builder, reading, d);
+  const report::Summary summary = answer(wish, d, reading, taps, builder.index(), found);
+  summary.print();
+  if (!wish.out) return;
+  write_lists(*wish.out, found, builder);
+  report::write_file(*wish.out / "extremes.csv", channel.extremes());
+  report::write_file(*wish.out / "threshold.csv",
+                     fmt::format("threshold,shortest_m\n{:g},{:g}\n", wish.threshold, shortest));
+  summary.write_json(*wish.out / "index.json");
+  plot::render(std::filesystem::path{RAILBOOK_CHAPTER_DIR} / "index_tool.gp",
+               {*wish.out / "extremes.csv", *wish.out / "exceedances.csv",
+                *wish.out / "histogram.csv", *wish.out / "threshold.csv"},
+               *wish.out / "index.png");
+}
+
+}  // namespace
+
+void add_index_tool(report::Chapter& chapter) {
+  chapter.tool(
+      "index", "descriptor, exceedances and index of a track record", [](report::Options& o) {
+        auto wish = std::make_shared<Wish>();
+        o.file("record", wish->file, "CSV file with a column of heights");
+        o.required();
+        add_car_options(o, wish->car);
+        o.text("--column", wish->column, "name of that column, with or without its unit");
+        o.text("--distance", wish->distance, "column of positions along the track");
+        o.quantity("--spacing", wish->spacing, units::length,
+                   "distance between samples, instead of positions", report::positive);
+        o.quantity("--shortest", wish->shortest, units::length,
+                   "waves below this are left out; without it 1 m with wheel force, 0 without",
+                   report::non_negative);
+        o.quantity("--threshold", wish->threshold, units::number,
+                   "T_2, above which a place is listed", report::positive);
+        o.count("--bridge", wish->bridge, "longest gap, in samples, to bridge by a straight line",
+                0, 1000);
+        o.out(wish->out);
+        return [wish] { index_track(*wish); };
+      });
+}
+
+}  // namespace quality_chapter
