@@ -12,11 +12,11 @@ of what was before the last sample stays in the output, and dies out as $a^n$. F
 
 {{fig-approximations}}
 
-The first two forget that $C$ must undo $B$ to a part in a thousand. The Padé approximation of one step each, $(2-\kappa)/(2+\kappa)$, is better, but
+With the first two, $C$ does not undo $B$: at {{tail-speed}} {{tail-linear}} and {{tail-reciprocal}} of the past are left. The Padé approximation of one step each, $(2-\kappa)/(2+\kappa)$, is better, but
 negative for $\kappa>2$, below {{pade-speed}} with our corner, where a stopping car makes it useless. The Padé approximation of two steps each costs two
 multiplications more, and nobody would find its error in a record: "extremely close" fits it. The tails in the table are computed from the
-definition and measured: a step goes into the analog filter long before the first sample counted, and what is still there of it in the output is
-the tail.
+definition and measured: the analog filter holds what an input left in it that ended before the last interval began, and what $C$ still shows of
+it is the tail.
 
 For $\kappa\to\infty$ only the exact exponential and $1/(1+\kappa)$ go to zero, as they must: what is measured after a stop must not depend on what was before
 it.
@@ -71,6 +71,13 @@ void approximations(report::Item& item) {
     }
     item.add_row(shown);
   }
+  item.reconstructed(
+      "which approximation was coded is not known; the reference values were worked out "
+      "beforehand");
+  const double nine = gyro_corner * sample_distance / (9 * units::mph);
+  item.value("tail-speed", 9, "mph", "{:.0f}");
+  item.value("tail-linear", tail(nine, Decay::linear), "", "{:.2f}");
+  item.value("tail-reciprocal", std::abs(tail(nine, Decay::reciprocal)), "", "{:.2f}");
   item.value("pade-speed", gyro_corner * sample_distance / 2 / units::mph, "mph", "{:.1f}");
 }
 

@@ -66,18 +66,22 @@ void chords(report::Item& item) {
     const double short_gain = signal::chord_gain(2, 1 / wavelength);
     const double formula = short_gain * signal::short_to_long_gain(half, theta);
     const double driven = driven_gain(wavelength, half);
-    item.row(gains, key).check("gain", formula);
-    item.check("driven-" + key, "the same, driven", "", gains.at(key, "gain"), driven);
+    item.row(gains, key).check("gain", formula, derived(gains.at(key, "gain")));
+    item.check("driven-" + key, "the same, driven", "", gains.at(key, "gain"), driven,
+               derived(gains.at(key, "gain")));
     item.add_row({key, fmt::format("{:.5f}", short_gain), fmt::format("{:.5f}", formula),
                   fmt::format("{:.5f}", driven)});
   }
   double sum = 0;
   const auto taps = signal::chord_taps(half);
   for (const auto tap : taps) sum += static_cast<double>(tap);
-  item.row(constants, "half-chord").check("value", half_exact);
-  item.row(constants, "taps").check("value", static_cast<double>(taps.size()));
-  item.row(constants, "sum").check("value", sum);
-  item.row(constants, "noise").check("value", signal::chord_noise_gain(half));
+  item.row(constants, "half-chord")
+      .check("value", half_exact, derived(constants.at("half-chord", "value")));
+  item.row(constants, "taps")
+      .check("value", static_cast<double>(taps.size()), derived(constants.at("taps", "value")));
+  item.row(constants, "sum").check("value", sum, derived(constants.at("sum", "value")));
+  item.row(constants, "noise")
+      .check("value", signal::chord_noise_gain(half), derived(constants.at("noise", "value")));
   item.agree("noise-driven", "noise gain, white noise through running sums", "",
              noise_gain(half, item.full() ? 8'000'000 : 1'000'000), signal::chord_noise_gain(half),
              0.02, "the formula; the record is a sample");

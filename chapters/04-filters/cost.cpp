@@ -14,10 +14,10 @@ so that the exact answer is known in integers. The error is the largest differen
 
 {{work-precision}}
 
-In double precision everything is accurate enough; what differs is the cost, and that of FIR is {{cost-fir-over-stream}} that of the stream in
-operations. The FFT needs several times the operations of running sums, but does them so well that on whole arrays it is as fast; what it cannot do is
-stay exact on integers, where the sums have no error at all (and so do not appear in the figure). Single precision is good for running sums, as it is for
-FIR; recursively it fails within this record.
+In double precision everything is accurate enough; what differs is the cost, and the FIR takes {{cost-fir-over-stream}} the operations of
+the stream. The FFT takes several times the operations of running sums, but does them so well that on whole arrays it is about as
+fast; what it cannot do is stay exact on integers, where sums have no error at all (and so do not appear in the figure). Single
+precision is good for running sums, as it is for FIR; recursively it fails within this record.
 */
 #include <fmt/format.h>
 

@@ -159,6 +159,7 @@ void drift(report::Item& item) {
                    last[i] > rms          ? "fails"
                    : last[i] > 1e-9 * rms ? "degraded"
                                           : "holds");
+  item.reconstructed("an experiment of ours, not in the paper");
   item.value("drift-power", power, "", "{:.1f}");
   item.value("drift-rms", rms, "", "{:.0f}");
   item.value("drift-year", 70000 * units::mile / units::foot, "", "{:.3g}");

@@ -1,9 +1,17 @@
 // The sections of the chapter.
 #pragma once
 
+#include <string>
+
 #include "report/chapter.hpp"
 
 namespace railbook::filters {
+
+// For a value that follows from what is printed but is not printed itself: half a unit of its last digit.
+inline report::Tolerance derived(const std::string& value) {
+  return report::absolute(report::half_last_digit(value),
+                          "follows from what is printed, and was worked out beforehand");
+}
 
 // Filters.
 void add_responses(report::Chapter& chapter);  // Figures 7 to 9

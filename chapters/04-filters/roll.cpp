@@ -61,8 +61,8 @@ void roll(report::Item& item) {
     const int n = static_cast<int>(report::printed_number(table.at(i, "poles")));
     const Complex low = signal::low_pass_gain(tau, n, f);
     const report::Row row = item.row(table, key);
-    row.check("inclinometer", std::abs(low));
-    row.check("gyro", std::abs(1.0 - low));
+    row.check("inclinometer", std::abs(low), derived(row.printed("inclinometer")));
+    row.check("gyro", std::abs(1.0 - low), derived(row.printed("gyro")));
     const double driven_low = driven_gain(n, f, T, false), driven_high = driven_gain(n, f, T, true);
     const Complex sampled = signal::low_pass_gain(tau, n, f, T);
     item.agree("driven-low-" + key, "inclinometer's path, driven", "", driven_low,
@@ -73,10 +73,12 @@ void roll(report::Item& item) {
                   fmt::format("{:.4f}", driven_low), fmt::format("{:.4f}", std::abs(1.0 - low)),
                   fmt::format("{:.4f}", driven_high)});
   }
-  item.row(constants, "corner").check("value", roll_corner);
-  item.row(constants, "tau").check("value", tau);
+  item.row(constants, "corner")
+      .check("value", roll_corner, derived(constants.at("corner", "value")));
+  item.row(constants, "tau").check("value", tau, derived(constants.at("tau", "value")));
   item.row(constants, "decibel")
-      .check("value", 20 * std::log10(std::abs(signal::low_pass_gain(tau, 1, 1.25))));
+      .check("value", 20 * std::log10(std::abs(signal::low_pass_gain(tau, 1, 1.25))),
+             derived(constants.at("decibel", "value")));
   item.value("roll-corner", roll_corner, "Hz", "{:g}");
   item.value("roll-tau", tau, "s", "{:.4f}");
   item.value("gyro-peak", std::abs(1.0 - signal::low_pass_gain(tau, 2, roll_corner)), "", "{:.3f}");

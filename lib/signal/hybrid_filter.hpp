@@ -90,7 +90,8 @@ class SecondOrderHybrid {
 
 // The short mid-chord offset z_k - (z_{k-1} + z_{k+1})/2 from the mean acceleration over both intervals: exact in the
 // limit of a low corner. `step` is z_k - z_{k-1}, which a change of speed multiplies by T_after/T_before - 1;
-// it counts only where the speed changes, and a signal that already is V^2 z'' does not need it. NaN when the mean is, or an interval is infinite.
+// it counts only where the speed changes, and a signal that already is V^2 z'' does not need it. NaN when the mean is,
+// or when an interval is infinite.
 double short_chord(const TwoIntervals& acceleration, double step = 0);
 
 // Frequency responses at constant speed. theta = 2 pi phi d: radians a sample (phi cycle/m, d m between samples).
