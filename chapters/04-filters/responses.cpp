@@ -120,6 +120,7 @@ void fig_09(report::Item& item) {
     return std::abs(first_order_gains(gyro_corner, sample_distance / speed, units::pi).hybrid);
   };
   item.value("spread", at_nyquist(slow) - at_nyquist(fast), "", "{:.4f}");
+  item.value("spread-limit", signal::sinc_limit(units::pi), "", "{:.2f}");
   item.value("from-sinc", at_nyquist(fast) - signal::sinc_limit(units::pi), "", "{:.5f}");
   item.value("smoothing", smoothing_corner * units::foot, "cycle/ft", "{:g}");
 }

@@ -107,6 +107,7 @@ void streaming(report::Item& item) {
   item.value("stream-block", static_cast<double>(signal::GeometryChainOptions{}.block), "",
              "{:.0f}");
   item.value("stream-history", static_cast<double>(2 * chain.reach()), "", "{:.0f}");
+  item.value("stream-history-half", static_cast<double>(chain.reach()), "", "{:.0f}");
   item.value("stream-window", static_cast<double>(2 * chain.reach() + 1), "", "{:.0f}");
   item.value("stream-taps", static_cast<double>(taps.size()), "", "{:.0f}");
   item.reconstructed("a benchmark of ours, not in the paper");
