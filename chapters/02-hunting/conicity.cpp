@@ -14,7 +14,8 @@ what Figure 7 of the paper plots and its text calls conicity), and the slope of 
 
 {{conicity-table}}
 
-On the tread the three agree within {{tread-difference}}. At the flange they do not: at {{flange-at}} the new wheel
+On the tread the first two agree within {{tread-difference}}, and the fitted line follows within a few percent.
+At the flange they do not: at {{flange-at}} the new wheel
 has {{flange-kinematic}} by wavelength, {{flange-harmonic}} by the first harmonic and {{flange-regression}} by the
 fitted line, and which of them a limit cycle feels is a question of the car's dynamics, not of geometry. The dip of
 the Heumann wheel to {{heumann-dip}} near {{heumann-dip-at}} is what the paper blames for that wheel's low limit cycle

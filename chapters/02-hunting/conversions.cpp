@@ -1,6 +1,6 @@
 /***
-The paper computes in feet, slugs and pounds and prints two of its numbers in metres as well. They settle which
-foot and which inch are meant, and that "fps" is not a rounded figure:
+The paper computes in feet, slugs and pounds, and prints two of its numbers in metres as well. So "fps" are feet a
+second, and all results below are in the paper's units:
 
 {{conversions}}
 */

@@ -8,6 +8,9 @@ files.
     hunting geometry --wheel wheel.csv --rail rail.csv --gauge 1435mm --gauge-depth 14mm \
                      --radius 460mm --half-spacing 750mm --noise 0.01mm \
                      --end 8mm --step 0.05mm --average 0mm --out mine
+
+With `--out`, the functions go to `geometry.csv` and its picture, the conicity against amplitude to `conicity.csv`,
+the places of two-point contact to `jumps.csv`, and what is printed to `geometry.json`.
 */
 
 #include <fmt/format.h>

@@ -133,7 +133,8 @@ void constraint_figure(report::Item& item, const NamedPair& named) {
 
 void hunting::add_profiles(report::Chapter& chapter) {
   for (std::size_t i = 0; i < paper_pairs.size(); ++i)
-    chapter.figure(fmt::format("fig-{:02}", i + 3),
-                   fmt::format("Figure {}. Constraint functions: {}", i + 3, paper_pairs[i].name),
-                   [i](report::Item& item) { constraint_figure(item, paper_pairs[i]); });
+    chapter.figure(
+        fmt::format("fig-{:02}", i + 3),
+        fmt::format("Constraint functions: {} (the paper's Fig. {})", paper_pairs[i].name, i + 3),
+        [i](report::Item& item) { constraint_figure(item, paper_pairs[i]); });
 }
