@@ -9,8 +9,9 @@ files.
                      --radius 460mm --half-spacing 750mm --noise 0.01mm \
                      --end 8mm --step 0.05mm --average 0mm --out mine
 
-With `--out`, the functions go to `geometry.csv` and its picture, the conicity against amplitude to `conicity.csv`,
-the places of two-point contact to `jumps.csv`, and what is printed to `geometry.json`.
+With `--out`, the functions go to `geometry.csv` and its picture, the points that touch to `contacts.csv`, the conicity
+against amplitude to `conicity.csv`, the places of two-point contact to `jumps.csv`, and what is printed to
+`geometry.json`.
 */
 
 #include <fmt/format.h>
@@ -40,28 +41,29 @@ struct Wish : PairWish {
 
 constexpr double smallest_jump = 1e-4;  // m, along the wheel
 
-std::vector<double> amplitudes(const ConstraintFunctions& f) {
+// Whole steps up to the table's end; the end itself where that is less than a step.
+std::vector<double> amplitudes(const ConstraintFunctions& f, double step) {
   std::vector<double> all;
-  for (double A = millimetre; A < f.end() * (1 + 1e-9); A += millimetre)
-    all.push_back(std::min(A, f.end()));
+  for (double A = step; A < f.end() * (1 + 1e-9); A += step) all.push_back(std::min(A, f.end()));
   if (all.empty()) all.push_back(f.end());
   return all;
 }
 
-void write_files(const Wish& wish, const ConstraintFunctions& f,
+void write_files(const Wish& wish, const WheelsetOnTrack& pair, const ConstraintFunctions& f,
                  const std::vector<ContactJump>& jumps, const report::Summary& answer) {
-  std::string text = "x_mm,r_L_mm,r_R_mm,delta_L_rad,delta_R_rad,phi_rad,R,D_rad\n";
+  std::string text = "x_mm,r_L_mm,r_R_mm,difference_mm,delta_L_rad,delta_R_rad,phi_rad,R,D_rad\n";
   const std::size_t middle = f.r_left.size() / 2;
   for (std::size_t k = 0; k < f.R.values().size(); ++k)
-    text +=
-        fmt::format("{:.6g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}\n",
-                    f.R.step() * double(k) / millimetre, f.r_left[middle + k] / millimetre,
-                    f.r_left[middle - k] / millimetre, f.delta_left[middle + k],
-                    f.delta_left[middle - k], f.Phi.values()[k], f.R.values()[k], f.D.values()[k]);
+    text += fmt::format("{:.6g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}\n",
+                        f.R.step() * double(k) / millimetre, f.r_left[middle + k] / millimetre,
+                        f.r_left[middle - k] / millimetre,
+                        (f.r_left[middle + k] - f.r_left[middle - k]) / millimetre,
+                        f.delta_left[middle + k], f.delta_left[middle - k], f.Phi.values()[k],
+                        f.R.values()[k], f.D.values()[k]);
   const auto& out = *wish.out;
   report::write_file(out / "geometry.csv", text);
   text = "amplitude_mm,conicity,first_harmonic,fitted_line,wavelength_m\n";
-  for (const double A : amplitudes(f)) {
+  for (const double A : amplitudes(f, 0.1 * millimetre)) {
     const Conicity c = conicity(f, A);
     text += fmt::format("{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}\n", A / millimetre, c.kinematic,
                         c.harmonic, c.regression, c.wavelength);
@@ -73,6 +75,17 @@ void write_files(const Wish& wish, const ConstraintFunctions& f,
                         jump.before.delta, jump.after.delta, jump.before.radius / millimetre,
                         jump.after.radius / millimetre);
   report::write_file(out / "jumps.csv", text);
+  // Where wheel and rail touch, outward from the middle of the axle and of the track.
+  text = "x_mm,wheel_L_mm,rail_L_mm,wheel_R_mm,rail_R_mm,axle_height_mm\n";
+  for (std::size_t k = 0; k < f.R.values().size(); ++k) {
+    const double x = f.R.step() * double(k);
+    const auto at = wish.level ? pair.level_contact(x) : pair.contact(x);
+    text += fmt::format("{:.6g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}\n", x / millimetre,
+                        -at.left.on_wheel.u / millimetre, -at.left.on_rail.u / millimetre,
+                        -at.right.on_wheel.u / millimetre, -at.right.on_rail.u / millimetre,
+                        at.height / millimetre);
+  }
+  report::write_file(out / "contacts.csv", text);
   answer.write_json(out / "geometry.json");
   plot::render(std::filesystem::path(RAILBOOK_CHAPTER_DIR) / "geometry_tool.gp",
                {out / "geometry.csv"}, out / "geometry.png");
@@ -94,7 +107,7 @@ void run(const Wish& wish) {
              "over the table's first step");
   answer.add("slope_D", "slope of D", f.half_spacing * f.D.slope(0), "rad");
   answer.add("slope_Phi", "slope of the roll angle", f.half_spacing * f.Phi.slope(0), "rad");
-  for (const double A : amplitudes(f)) {
+  for (const double A : amplitudes(f, millimetre)) {
     const Conicity c = conicity(f, A);
     const std::string at = fmt::format("{:.4g}", A / millimetre);
     if (c.oscillates)
@@ -115,7 +128,7 @@ void run(const Wish& wish) {
                fmt::format("contact angle {:.4f} to {:.4f} rad", jumps[i].before.delta,
                            jumps[i].after.delta));
   answer.print();
-  if (wish.out) write_files(wish, f, jumps, answer);
+  if (wish.out) write_files(wish, pair, f, jumps, answer);
 }
 
 std::function<void()> declare(report::Options& options) {
