@@ -14,9 +14,12 @@ Positive creepage gives positive force, that of the wheel on the rail; `spin` is
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
+#include "contact/creep_laws.hpp"
 #include "contact/hertz.hpp"
 #include "items.hpp"
 #include "plot/plot.hpp"
@@ -83,6 +86,22 @@ double curvature(const char* what, const std::optional<double>& radius) {
   return 1 / *radius;
 }
 
+// A contact that is not small against the radii it follows is no contact of half-spaces.
+void judge_size(const Wish& wish, const HertzContact& hertz, report::Summary& answer) {
+  double largest = 0;
+  for (const auto& [radius, half] :
+       {std::pair{wish.wheel_radius, hertz.a}, std::pair{wish.rail_radius, hertz.a},
+        std::pair{wish.wheel_profile, hertz.b}, std::pair{wish.rail_crown, hertz.b}})
+    if (radius) largest = std::max(largest, half / std::abs(*radius));
+  if (largest >= 1)
+    throw InputError(fmt::format(
+        "the contact's semi-axis is {:.3g} of a radius; allowed: less than 1; give less load",
+        largest));
+  if (largest > 0.2)
+    answer.add("half_space", "half space",
+               fmt::format("the contact reaches {:.2g} of a radius: beyond 0.2 doubtful", largest));
+}
+
 RollingCase contact_of(const Wish& wish, const Pair& pair, report::Summary& answer) {
   RollingCase c{.a = 0,
                 .b = 0,
@@ -105,6 +124,7 @@ RollingCase contact_of(const Wish& wish, const Pair& pair, report::Summary& answ
                                               2},
                                         pair.effective_modulus, wish.load);
     c.a = hertz.a, c.b = hertz.b;
+    judge_size(wish, hertz, answer);
     source = "Hertz, from the radii";
     answer.add("p_max_MPa", "largest pressure", hertz.p_max / units::megapascal, "MPa");
   } else {
@@ -180,8 +200,9 @@ void run(const Wish& wish) {
   const double bound = c.friction * c.load;
   if (!wish.to && bound == 0)
     throw InputError("friction is 0, so that no creepage is large: give the end of the range, to");
-  // Without an end: where the reduced creepage is 1, beyond the end of stick.
-  const double to = wish.to ? *wish.to : bound / (c.shear_modulus * c.a * c.b);
+  // Without an end: where the linear force is six times the bound, beyond the end of stick.
+  const double slope = vermeulen_johnson_slopes(c.a / c.b, c.poisson).longitudinal;
+  const double to = wish.to ? *wish.to : 6 / slope * bound / (c.shear_modulus * c.a * c.b);
   if (wish.points > 1 && to == wish.from)
     throw InputError(fmt::format("to is {:.6g}, and so is from; give a range, or points 1", to));
   answer.add("load_kN", "load N", c.load / units::kilonewton, "kN");
@@ -247,7 +268,7 @@ std::function<void()> declare(report::Options& options) {
   options.quantity("--from", wish->from, units::number, "longitudinal creepage, first",
                    report::Range{-1, 1});
   options.quantity("--to", wish->to, units::number,
-                   "and last; without it where G a b creepage = mu N", report::Range{-1, 1});
+                   "and last; without it well beyond the end of stick", report::Range{-1, 1});
   options.count("--points", wish->points, "of the range", 1, 100000);
   options.choice("--theory", wish->theory, creep_chapter::theory_names(), "theory of rolling");
   options.choice(

@@ -14,7 +14,7 @@ using namespace railbook::creep_chapter;
 
 namespace {
 
-constexpr int intervals = 180;
+constexpr int intervals = 72;
 constexpr double end = 2;
 
 // Places are dense near 0: X = end (i/n)^2.
@@ -40,13 +40,17 @@ std::vector<double> solved() {
 double creep_chapter::master_curve(double x) {
   static const std::vector<double> shares = solved();
   if (x < 0) return -master_curve(-x);
+  // The cubic through four neighbours, in the root of X, where the places lie evenly.
   const double place = std::min(std::sqrt(x / end), 1.0) * intervals;
-  const auto low = std::min(static_cast<std::size_t>(place), shares.size() - 2);
-  const auto at = [](std::size_t i) {
-    return end * (double(i) / intervals) * (double(i) / intervals);
-  };
-  const double weight = std::min((x - at(low)) / (at(low + 1) - at(low)), 1.0);
-  return shares[low] + weight * (shares[low + 1] - shares[low]);
+  const int first = std::clamp(static_cast<int>(place) - 1, 0, intervals - 3);
+  double sum = 0;
+  for (int i = first; i < first + 4; ++i) {
+    double weight = 1;
+    for (int j = first; j < first + 4; ++j)
+      if (j != i) weight *= (place - j) / (i - j);
+    sum += weight * shares[static_cast<std::size_t>(i)];
+  }
+  return sum;
 }
 
 double creep_chapter::master_curve_inverse(double share) {

@@ -3,6 +3,7 @@
 
 #include "contact/creep_laws.hpp"
 #include "contact/fastsim.hpp"
+#include "contact/kalker_coefficients.hpp"
 #include "contact/strip_theory.hpp"
 #include "num/quadrature.hpp"
 #include "units/constants.hpp"
@@ -116,5 +117,15 @@ TEST_CASE("unit: FASTSIM with spin converges with the square of the cell") {
     CHECK(std::hypot(coarse.fx - fine.fx, coarse.fy - fine.fy) < 1e-3 * bound);
     const auto middle = run(160);
     CHECK(std::hypot(middle.fx - fine.fx, middle.fy - fine.fy) < 1e-4 * bound);
+  }
+}
+
+TEST_CASE("unit: Kalker's table against the coefficients computed, also where it is misprinted") {
+  for (const double ratio : {0.8, 1.25, 3.3}) {
+    const auto table = kalker_table(ratio, 0.25);
+    const auto computed = kalker_coefficients(ratio, 0.25);
+    CHECK(table.c11 == Approx(computed.c11).epsilon(5e-3));
+    CHECK(table.c22 == Approx(computed.c22).epsilon(5e-3));
+    CHECK(table.c23 == Approx(computed.c23).epsilon(1e-2));  // 1.15 at 0.8 would be 8 % off
   }
 }
