@@ -39,6 +39,8 @@ double error(double q, Eigen::Index cells, bool placed) {
 
 void table(report::Item& item) {
   item.value("delta", contact::edge_offset(), "", "{:.6f}");
+  item.value("end-behind", 0.25 + contact::edge_offset(), "", "{:.3f}");
+  item.value("end-ahead", 0.75 + contact::edge_offset(), "", "{:.3f}");
   item.columns({"Q/μP", "X", "stick share, exact", "200 cells", "error of Q/μP: 25 cells fill",
                 "200 cells fill", "25 placed", "200 placed"});
   item.expect_checks(2 + 3);

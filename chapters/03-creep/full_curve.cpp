@@ -15,10 +15,9 @@ see. Four things make the answer good on few cells:
 * **Rows that end on the ellipse.** Every row has its own cells, so there is no staircase along the rim. Its half length is the
   root of the mean square over the row: then each row bears exactly its share of the load.
 * **Ends at the right place.** Cells that just fill a row make an error of first order, since the slope belongs half a
-  cell ahead of the traction. The ends belong 0.325 of a cell behind the first centre and 0.825 ahead of the last (see the plane
-  problem below). Nothing else changes, and the error becomes one of second order.
-* **Newton's method on stick and slip**: in sticking cells both tractions are unknown, in sliding ones the angle. It settles in three to
-  nine steps, each solved by GMRES with the rows as preconditioner.
+  cell ahead of the traction. The ends belong {{end-behind}} of a cell behind the first centre and {{end-ahead}} ahead of the last (see the
+  plane problem below). Nothing else changes, and the error becomes one of second order.
+* **Newton's method on stick and slip**: in sticking cells both tractions are unknown, in sliding ones the angle. It settles in a few steps, each solved by GMRES with the rows as preconditioner.
 * **Half the grid first**: it gives the start, an error estimate and, from 16 cells along, an extrapolation.
 
 {{fig-full-curve}}
@@ -30,7 +29,7 @@ over the curve is {{error-filled}}; placed, the same cells have {{error-placed}}
 
 The curve is checked twice. Another grid, longer and with fewer rows, differs nowhere by more than {{grids-apart}}. An independent program of the
 same theory (CONTACT's, on square grids of 31 to 90 cells, extrapolated by their first-order error) is nowhere farther than
-{{contact-apart}}, which is what its extrapolation leaves uncertain; ours is the more certain by a factor of about five. In full slip
+{{contact-apart}}, which is what its extrapolation leaves uncertain. In full slip
 $f$ stays a little below 1: the lateral strain turns the slip out of the rolling direction, by an angle that falls as $1/X$.
 */
 

@@ -197,6 +197,41 @@ void combinations(report::Item& item) {
                  f.converged ? "fails" : "refused");
 }
 
+// Hertz's pressure as a user would give it, cell by cell on a square grid; and forces prescribed.
+void other_ways(report::Item& item) {
+  RollingCase c = reduced({0.2, 0.05, 0.1});
+  const Solved fitted = solve(c);
+  constexpr Eigen::Index n = 45;
+  const contact::Grid grid{-c.a, -c.b, 2 * c.a / n, 2 * c.b / n, n, n};
+  Eigen::VectorXd pressure(grid.cells());
+  for (Eigen::Index j = 0; j < n; ++j)
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const double x = grid.x(i) / c.a, y = grid.y(j) / c.b;
+      pressure[j * n + i] = std::sqrt(std::max(0.0, 1 - x * x - y * y));
+    }
+  pressure *= c.load / (pressure.sum() * grid.dx * grid.dy);
+  const CreepForces given = contact::solve_rolling(grid, pressure, c, {.estimate = false});
+  const double bound = c.friction * c.load;
+  const double error = std::hypot(given.fx / bound - fitted.fx, given.fy / bound - fitted.fy);
+  item.stability("given", "Hertz's pressure given on 45 x 45 cells",
+                 "a staircase for a rim; against fitted rows",
+                 fmt::format("f = {:.4f}, {:.4f}", given.fx / bound, given.fy / bound), error,
+                 status(given, error, 5e-3));
+  const contact::EllipseRolling solver(c.a / c.b, c.poisson, {.along = 12, .rows = 8});
+  const auto met =
+      contact::solve_for_forces(solver, reduced({0, 0, 0.3}), 0.9 * bound, -0.3 * bound);
+  const double off = std::hypot(met.forces.fx / bound - 0.9, met.forces.fy / bound + 0.3);
+  const Creepage r = contact::reduced_creepage(met.rolling);
+  item.stability("forces", "F = 0.9, -0.3 of mu N prescribed, spin 0.3",
+                 "close to full slip; an outer Newton iteration",
+                 fmt::format("X = {:.4f}, Y = {:.4f}", r.longitudinal, r.lateral), off,
+                 status(met.forces, off, 1e-8));
+  const auto beyond = contact::solve_for_forces(solver, reduced({0, 0, 0}), 1.001 * bound, {});
+  item.stability("forces-beyond", "F = 1.001 mu N prescribed", "no solution", beyond.forces.reason,
+                 std::numeric_limits<double>::quiet_NaN(),
+                 beyond.forces.converged ? "fails" : "refused");
+}
+
 void wrong(report::Item& item) {
   RollingCase c = rig_case();
   c.poisson = 0.6;
@@ -227,6 +262,7 @@ void table(report::Item& item) {
   grids(item);
   symmetries(item);
   combinations(item);
+  other_ways(item);
   wrong(item);
 }
 

@@ -84,3 +84,19 @@ TEST_CASE("Second order with the remedy, first without", "[rolling]") {
   };
   CHECK(20 * error(true) < error(false));
 }
+
+TEST_CASE("Mean error over the creep curve", "[rolling]") {
+  const EllipseRolling best(1.568, 0.3, {.along = 32, .rows = 16});
+  const auto error = [&](Eigen::Index along, Eigen::Index rows) {
+    const EllipseRolling contact(1.568, 0.3, {.along = along, .rows = rows});
+    double sum = 0;
+    for (const double x : {.02, .06, .1, .16, .25, .35, .45, .6}) {
+      const RollingCase c = with_reduced_creepage(rig(), {x, 0, 0});
+      sum += std::abs(contact.solve(c).fx - best.solve(c).fx) / bound(c);
+    }
+    return sum / 8;
+  };
+  CHECK(error(6, 4) < 2.5e-3);
+  CHECK(error(12, 8) < 1e-3);
+  CHECK(error(24, 12) < 3e-4);
+}
