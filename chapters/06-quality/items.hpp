@@ -43,5 +43,7 @@ void add_index(railbook::report::Chapter& chapter);        // Figure 9
 void add_spreading(railbook::report::Chapter& chapter);    // Figures 10 and 11
 void add_limit_tool(railbook::report::Chapter& chapter);   // tool: a car of your own
 void add_index_tool(railbook::report::Chapter& chapter);   // tool: a record of your own
+void add_cost(railbook::report::Chapter& chapter);         // error against run time
+void add_stability(railbook::report::Chapter& chapter);    // extreme cases
 
 }  // namespace quality_chapter

@@ -97,7 +97,7 @@ class Integration {
                 std::sin(2 * units::pi * w.frequency * track_.ramp + w.phase);
       t = track_.ramp;
     }
-    leg(t, y, end, watch_from);
+    result_.x = leg(t, y, end, watch_from)[0];
     result_.evaluations = ode_.evaluations();
     return result_;
   }

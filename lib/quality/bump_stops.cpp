@@ -132,9 +132,10 @@ class Runner {
   }
   Motion after(double t) const { return after(t, free_.at(t)); }
 
-  // Positive while the branch lasts.
+  // Not negative while the branch lasts; rounding at a touch is no end.
   double margin(const Motion& m) const {
-    return stop_ == 0 ? body_.gap - std::abs(m.x) : stop_ * m.x - body_.gap;
+    if (std::isinf(body_.gap)) return 1;
+    return (stop_ == 0 ? body_.gap - std::abs(m.x) : stop_ * m.x - body_.gap) + 4e-15 * body_.gap;
   }
 
   void leg(double end) {

@@ -35,9 +35,11 @@ bool implicit(const Spreading& law, Profile& p, const std::vector<double>& known
               int& iterations) {
   const std::size_t n = p.height.size();
   const double scale = step / (p.width * p.width);
+  // The solution stays between the extremes of what is known; so do the iterates.
   const double size = *std::max_element(known.begin(), known.end());
+  const double least = std::min(0.0, *std::min_element(known.begin(), known.end()));
   std::vector<double> diagonal(n), right(n);
-  for (int iteration = 0; iteration < 60; ++iteration) {
+  for (int iteration = 0; iteration < 200; ++iteration) {
     ++iterations;
     const auto f = divergence(law, p);
     std::vector<double> s(n);
@@ -55,10 +57,13 @@ bool implicit(const Spreading& law, Profile& p, const std::vector<double>& known
     for (std::size_t i = n; i-- > 0;) {
       if (i + 1 < n) right[i] += s[i + 1] * right[i + 1];
       right[i] /= diagonal[i];
-      change = std::max(change, std::abs(right[i]));
     }
-    for (std::size_t i = 0; i < n; ++i) p.height[i] += right[i];
-    if (!(change > 1e-13 * size)) return std::isfinite(change);
+    for (std::size_t i = 0; i < n; ++i) {
+      const double next = std::clamp(p.height[i] + right[i], least, size);
+      change = std::max(change, std::abs(next - p.height[i]));
+      p.height[i] = next;
+    }
+    if (change <= 1e-13 * size) return true;
   }
   return false;
 }
@@ -116,6 +121,9 @@ Spread spread(const Spreading& law, Profile profile, double from, double to, int
     std::vector<double> known = old;
     for (std::size_t j = 0; j < known.size(); ++j) known[j] += (1 - gamma) * step * f[j];
     result.converged &= implicit(law, result.profile, known, gamma * step, result.iterations);
+    const auto [low, high] =
+        std::minmax_element(result.profile.height.begin(), result.profile.height.end());
+    result.converged &= *low >= -1e-3 * *high;
     t += step;
   }
   return result;

@@ -22,7 +22,7 @@ double deviation(const Profile& p);
 
 // Steps from time `from` to `to` (to > from > 0) in `steps` steps of equal ratio: conservative finite volumes, no flux through the ends, an
 // L-stable two-stage implicit Runge-Kutta method of order 2 (Alexander 1977), Newton with tridiagonal Jacobian. No step limit; the area
-// is kept to rounding. `converged` is false when Newton's method stalled.
+// is kept to rounding. `converged` is false when Newton's method stalled or a step was so long that heights fell below zero.
 struct Spread {
   Profile profile;
   int iterations = 0;
