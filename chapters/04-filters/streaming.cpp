@@ -2,8 +2,8 @@
 
 A year of the paper's fleet is {{stream-year}} samples a channel, so records are not held in memory. The stream takes short offsets in pieces of any size and
 gives the space curve and the 62-ft chord, high-passed, one of each a sample. A block of {{stream-block}} samples and the {{stream-history}} around it is integrated twice (the
-straight line that is free in it is invisible to the high-pass), then summed four times, two sums to a loop so that the processor adds to both
-at once; every block starts anew, so that no rounding gets from one to the next. A missing sample counts as zero and its window, {{stream-window}} samples,
+straight line that is free in it is invisible to the high-pass), then summed four times, all in one loop and two halves of the block at
+once, so that the processor never waits for a sum; every block starts anew, so that no rounding gets from one to the next. A missing sample counts as zero and its window, {{stream-window}} samples,
 is marked NaN in the chord; before and after it the results are those of an undisturbed record.
 
 {{streaming}}
@@ -88,7 +88,7 @@ void streaming(report::Item& item) {
       direct += weights[j] * piece[(n - weights.size() + j) % piece.size()];
     item.agree("last-" + label, "last offset of " + label + " samples", "m", run.last, direct, 1e-7,
                "the 661 weights; the offset may be small against the RMS");
-    item.check("memory-" + label, "memory of the stream, " + label + " samples", "kB", "256",
+    item.check("memory-" + label, "memory of the stream, " + label + " samples", "kB", "512",
                static_cast<double>(run.memory) / 1e3,
                report::at_most("does not depend on the length"));
     rate = static_cast<double>(run.samples) / run.seconds;

@@ -5,7 +5,7 @@ For unequal intervals, $r=T_{k+1}/T_k$, the mean over both gives, in the limit o
 $$D_k=z_{k+1}-(1+r)z_k+rz_{k-1},\qquad m_k=-\tfrac12\left[D_k+(r-1)(z_k-z_{k-1})\right].$$
 
 The second term is geometry, not filtering: on a grade, a car that brakes has a vertical acceleration, and the offset of a chord has not. It is worth
-the grade times $\dot V d^2/V^2$ a sample, and no vertical accelerometer knows the grade. Either the step $z_k-z_{k-1}$ comes from somewhere, a measured pitch
+$\frac12\,$grade$\,\dot V d^2/V^2$ a sample, and no vertical accelerometer knows the grade. Either the step $z_k-z_{k-1}$ comes from somewhere, a measured pitch
 or a long-wave profile of an earlier pass; or the accelerometer pitches with the track, and reads $V^2z''$ instead of $\ddot z$, which is nearly so in a car on
 long waves: then the term is not in the signal and needs no correction.
 

@@ -1,6 +1,7 @@
 #include "signal/geometry_chain.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -13,37 +14,68 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-// Running sums of `length` in place: x[i] <- x[i] + ... + x[i + length - 1] for the first `count` places.
-void box(double* x, std::size_t count, std::size_t length) {
-  double sum = 0;
-  for (std::size_t j = 0; j < length; ++j) sum += x[j];
-  for (std::size_t i = 0; i < count; ++i) {
-    const double leaving = x[i];
-    x[i] = sum;
-    sum += x[i + length] - leaving;
+// Two numbers that the processor handles as one: two halves of a block at once.
+using Pair = GeometryChain::Pair;
+
+// x - (sum of M, P times over)/M^P, for `out.size()` outputs o of the samples o ... o + P (M - 1), in one loop: 2 P + 2
+// additions a sample, no matter how long the sums are. With `integrate`, x is not `in` but the profile
+// whose short chords `in` is: x_0 = x_1 = 0, and -2 in[i] is the second difference. The straight line left free
+// is nothing to the high-pass. All sums start anew here, so no rounding of one block gets into the next.
+template <int P, bool integrate>
+void high_pass(const double* in, std::span<double> out, std::vector<Pair>& rows, std::size_t M) {
+  const std::size_t half = (out.size() + 1) / 2, other = out.size() - half;
+  const std::size_t early = integrate ? 2 : 0;  // x runs ahead of `in`
+  const std::size_t late = P * (M - 1) - early, centre = P * (M / 2), stride = half + late + M;
+  const double scale = 1 / std::pow(M, P);
+  rows.resize(std::max(rows.size(), P * stride));
+  std::array<Pair*, P> row;
+  for (std::size_t p = 0; p < P; ++p) {
+    std::fill_n(rows.data() + p * stride, M, Pair{});
+    row[p] = rows.data() + p * stride + M;
+  }
+  std::array<Pair, P> sum{};
+  Pair slope{}, z{};
+  const auto step = [&](std::size_t i) {
+    Pair x{in[i], in[i + other]};
+    if constexpr (integrate) {
+      slope -= x + x;
+      x = z += slope;
+    }
+    for (std::size_t p = 0; p < P; ++p) {
+      const Pair leaving = *(row[p] + i - M);
+      row[p][i] = x;
+      x = sum[p] += x - leaving;
+    }
+    return x;
+  };
+  for (std::size_t i = 0; i < late; ++i) step(i);
+  for (std::size_t o = 0; o < half; ++o) {
+    const Pair sums = step(o + late), y = *(row[0] + o + centre - early) - scale * sums;
+    out[o] = y[0];
+    out[o + other] = y[1];
   }
 }
 
-// Two of them in one loop, so that the processor adds to both sums at once; `between` holds the first. Both sums start
-// from nothing: the place i is right from the second `length` on, and goes where nobody reads any more.
-void two_boxes(double* x, double* between, std::size_t size, std::size_t length) {
-  double first = 0, second = 0;
-  for (std::size_t i = 0; i < length; ++i) {
-    first += x[i];
-    between[i] = first;
-    second += first;
-  }
-  const std::size_t late = 2 * (length - 1);
-  for (std::size_t i = length; i < late; ++i) {
-    first += x[i] - x[i - length];
-    between[i] = first;
-    second += first - between[i - length];
-  }
-  for (std::size_t i = late; i < size; ++i) {
-    first += x[i] - x[i - length];
-    between[i] = first;
-    second += first - between[i - length];
-    x[i - late] = second;
+template <bool integrate>
+void high_pass(int passes, const double* in, std::span<double> out, std::vector<Pair>& rows,
+               std::size_t M) {
+  switch (passes) {
+    case 1:
+      return high_pass<1, integrate>(in, out, rows, M);
+    case 2:
+      return high_pass<2, integrate>(in, out, rows, M);
+    case 3:
+      return high_pass<3, integrate>(in, out, rows, M);
+    case 4:
+      return high_pass<4, integrate>(in, out, rows, M);
+    case 5:
+      return high_pass<5, integrate>(in, out, rows, M);
+    case 6:
+      return high_pass<6, integrate>(in, out, rows, M);
+    case 7:
+      return high_pass<7, integrate>(in, out, rows, M);
+    default:
+      return high_pass<8, integrate>(in, out, rows, M);
   }
 }
 
@@ -57,9 +89,6 @@ GeometryChain::GeometryChain(const GeometryChainOptions& options, Sink sink)
   curve_reach_ = signal::reach(options.high_pass) - 1;
   reach_ = curve_reach_ + static_cast<std::size_t>(options.half_chord);
   in_.reserve(options.block + 2 * reach_);
-  curve_.resize(in_.capacity() + 2);
-  scratch_.resize(curve_.size() + 1);
-  between_.resize(curve_.size());
   chord_.resize(options.block);
   // What was before the record is not known.
   in_.resize(reach_);
@@ -98,44 +127,23 @@ void GeometryChain::finish() {
 }
 
 std::size_t GeometryChain::memory() const {
-  return sizeof(double) * (in_.capacity() + curve_.capacity() + scratch_.capacity() +
-                           between_.capacity() + chord_.capacity()) +
-         sizeof(std::size_t) * holes_.capacity();
-}
-
-// The profile whose short chords these are, but for a straight line: curve_[i] is z_{i-1}. No rounding of one block
-// gets into the next, and the high-pass does not see the line.
-void GeometryChain::integrate() {
-  double z = 0, slope = 0;
-  curve_[0] = curve_[1] = 0;
-  for (std::size_t i = 0; i < in_.size(); ++i) {
-    slope -= 2 * in_[i];
-    z += slope;
-    curve_[i + 2] = z;
-  }
+  return sizeof(double) *
+             (in_.capacity() + curve_.capacity() + scratch_.capacity() + chord_.capacity()) +
+         sizeof(Pair) * rows_.capacity() + sizeof(std::size_t) * holes_.capacity();
 }
 
 void GeometryChain::compute() {
   const std::size_t n = in_.size() - 2 * reach_;
   const auto N = static_cast<std::size_t>(options_.half_chord);
   const auto M = static_cast<std::size_t>(options_.high_pass.length);
-  const auto passes = static_cast<std::size_t>(options_.high_pass.passes);
-  const double scale = 1 / std::pow(options_.high_pass.length, options_.high_pass.passes);
-  integrate();
-  std::size_t size = in_.size() + 2;
-  for (int stage = 0; stage < options_.high_pass.stages; ++stage) {
-    std::copy_n(curve_.begin(), size, scratch_.begin());
-    const std::size_t centre = passes * (M / 2);
-    for (std::size_t pass = 0; pass + 1 < passes; pass += 2) {
-      two_boxes(scratch_.data(), between_.data(), size, M);
-      size -= 2 * (M - 1);
-    }
-    if (passes % 2 == 1) {
-      scratch_[size] = 0;
-      size -= M - 1;
-      box(scratch_.data(), size, M);
-    }
-    for (std::size_t i = 0; i < size; ++i) curve_[i] = curve_[i + centre] - scale * scratch_[i];
+  const HighPass& hp = options_.high_pass;
+  const std::size_t ends = static_cast<std::size_t>(hp.passes) * (M - 1);
+  curve_.resize(in_.size() + 2 - ends);
+  high_pass<true>(hp.passes, in_.data(), curve_, rows_, M);
+  if (hp.stages == 2) {
+    scratch_.resize(curve_.size() - ends);
+    high_pass<false>(hp.passes, curve_.data(), scratch_, rows_, M);
+    std::swap(curve_, scratch_);
   }
   for (std::size_t i = 0; i < n; ++i)
     chord_[i] = curve_[i + N] - 0.5 * (curve_[i] + curve_[i + 2 * N]);

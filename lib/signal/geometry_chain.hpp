@@ -23,6 +23,8 @@ struct GeometryChainOptions {
 // or holds a NaN, an infinity or an offset beyond the limit; everywhere else such samples leave no trace.
 class GeometryChain {
  public:
+  using Pair = double __attribute__((vector_size(16)));  // for the implementation
+
   // One output of each a sample; both spans are as long, and valid during the call.
   using Sink =
       std::function<void(std::span<const double> space_curve, std::span<const double> chord)>;
@@ -40,14 +42,14 @@ class GeometryChain {
 
  private:
   void compute();
-  void integrate();
   void mask();
 
   GeometryChainOptions options_;
   Sink sink_;
   std::size_t curve_reach_, reach_;
-  std::vector<double> in_;                         // short offsets, masked ones as 0
-  std::vector<double> curve_, scratch_, between_;  // what becomes the space curve
+  std::vector<double> in_;               // short offsets, masked ones as 0
+  std::vector<double> curve_, scratch_;  // what becomes the space curve
+  std::vector<Pair> rows_;               // sums on the way to it
   std::vector<double> chord_;
   std::vector<std::size_t> holes_;  // places in in_ of masked samples, ascending
   std::size_t masked_ = 0;
