@@ -28,6 +28,7 @@ void add_car_scene(report::Chapter& chapter);  // Figures 4, 10, 11 and 14
 void add_errors(report::Chapter& chapter);     // profile by speed and source of error
 void add_speeds(report::Chapter& chapter);     // speed, direction, changes of speed, claims
 void add_curve(report::Chapter& chapter);      // curvature and crosslevel, spiral, strip chart
+void car_stability(report::Item& item);        // rows of the stability table
 void add_process(report::Chapter& chapter);    // tool: geometry from a record of the sensors
 void add_simulate(report::Chapter& chapter);   // tool: such a record to order
 

@@ -48,6 +48,8 @@ speed and direction, and where not. Then it builds the whole car, runs it over s
 
 {{include: stability.cpp}}
 
+{{include: car_stability.cpp}}
+
 ## Deviations
 
 Nothing in the paper contradicts what is found here, but little of it could: it prints no response as a number. What we read otherwise, or more

@@ -7,7 +7,7 @@ takes one row a foot, in the order of time: `elapsed_s` since the row before, `d
 sensors, each with its unit (`vertical_left_m_per_s2`, `yaw_rate_deg_per_s`, `gage_left_mm`). A sensor that is not there is missing throughout, and so is what
 depends on it. The car is described by `car.toml`; an example stands in the chapter's folder `examples`. It answers with gage, curvature, crosslevel, warp, profile and
 alignment of both rails at each mark, as long chords and as space curves, and says for each how far it can be trusted: *good*, *degraded* or
-*unreliable* by the slowest speed in its window and the paper's limits, *missing* where the window is not complete.
+*unreliable* by the slowest speed in its window and the paper's limits, *missing* where the window is not complete or the roll filter has not settled.
 
 A row whose time is zero, negative, missing or shorter than any train allows is an encoder's glitch and is rejected. A jump of the distance begins a new run, and so does a
 reversal: marks then count down, and what was measured twice appears twice. A stop is a long time between two rows, nothing else. Empty cells, `nan`, and

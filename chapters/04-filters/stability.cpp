@@ -255,6 +255,7 @@ void stability(report::Item& item) {
   streams(item);
   others(item);
   item.reconstructed("not in the paper");
+  car_stability(item);
 }
 
 }  // namespace

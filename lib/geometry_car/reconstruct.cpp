@@ -98,13 +98,14 @@ Measurement reconstruct(const Record& record, const Processing& processing) {
   for (auto& values : result.values) values.assign(record.size(), nan);
   std::vector<Run> runs = runs_of(record, processing, result);
   result.runs = runs.size();
-  const std::size_t least = samples_needed(processing);
+  const std::size_t chords =
+      samples_needed(processing);  // short ones; two samples more for their ends
   std::size_t longest = 0;
   for (const Run& run : runs) longest = std::max(longest, run.rows.size());
-  if (longest < least)
+  if (longest < chords + 2)
     throw InputError{"the longest run without a gap or a turn has " + std::to_string(longest) +
-                     " samples; allowed: at least " + std::to_string(least) +
-                     " for the long chord with its high-pass"};
+                     " samples; allowed: at least " + std::to_string(chords + 2) + ", for the " +
+                     std::to_string(chords) + " short chords of one long chord with its high-pass"};
   for (Run& run : runs) {
     load(run, record);
     const std::size_t n = run.rows.size();

@@ -88,8 +88,9 @@ struct Measurement {
 };
 
 // Works through every run of the record in the order of time, forwards or backwards. A row whose time since the row before is zero,
-// negative, NaN or too short is rejected, a jump or a turn of the marks begins a new run, a missing value masks what depends on it.
-// Throws InputError when no run has the samples the composite filter needs (661 with the defaults), and on a
+// negative, NaN or too short is rejected, a jump or a turn of the marks begins a new run, a missing value masks what depends on it;
+// crosslevel, and with it warp and alignment, begins when the roll filter has settled (4 s with the defaults) after the start or a gap.
+// Throws InputError when no run has the samples the composite filter needs (663 with the defaults: 661 short chords), and on a
 // processing that does not make sense.
 Measurement reconstruct(const Record& record, const Processing& processing);
 

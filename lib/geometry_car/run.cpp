@@ -28,7 +28,6 @@ class Matched {
  public:
   explicit Matched(double corner) : w_(2 * units::pi * corner) {}
   void push(double rate, double T) {
-    if (std::isnan(rate)) return;  // keeps what it has
     const double k = w_ * T, a = std::exp(-k);
     second_ = rate + a * (second_ - rate + k * (first_ - rate));
     first_ = rate + a * (first_ - rate);
@@ -54,27 +53,35 @@ Attitude attitude(const Run& run, const Column& yaw, const Column& roll, const P
   signal::ComplementaryFilter filter{signal::time_constant(p.roll_corner), p.roll_poles};
   Matched turn{l.second_corner}, centrifugal{l.second_corner}, rolling{l.second_corner};
   Attitude a{Column(run.size(), nan), Column(run.size(), nan)};
-  bool settled = false;
+  // A start forgets itself like a step through the poles: to a third of a per cent in this time.
+  const double settling = (4 + 2 * p.roll_poles) * signal::time_constant(p.roll_corner);
+  double since = -1;  // the start or the last missing value; negative: not begun
   for (std::size_t k = 1; k < run.size(); ++k) {
     const double T = run.T[k], v = run.direction * l.sample / T;
-    if (!settled && !std::isnan(yaw[k])) {
-      settled = true;
+    double felt = run[Channel::inclinometer][k];
+    if (std::isnan(yaw[k]) || std::isnan(roll[k]) || std::isnan(felt)) {
+      filter.restart();
+      since = -1;
+      continue;
+    }
+    since = since < 0 ? 0 : since + T;
+    if (since == 0) {
       turn.settle(yaw[k]);
       centrifugal.settle(v * yaw[k]);
+      rolling.settle(roll[k]);
     }
     turn.push(yaw[k], T);
     centrifugal.push(v * yaw[k], T);
     rolling.push(roll[k], T);
-    double felt = run[Channel::inclinometer][k];
     if (on.centrifugal) felt -= centrifugal.rate();
     if (on.yaw_centre) felt -= 0.5 * l.truck_spacing * turn.derivative();
     if (on.roll_acceleration) felt += l.inclinometer_height * rolling.derivative();
-    const double slow = std::isnan(felt) ? nan : std::asin(std::clamp(felt / g, -0.5, 0.5));
+    const double slow = std::asin(std::clamp(felt / g, -0.5, 0.5));
     a.body[k] =
         on.gyro ? filter.push(slow + rolling.held_back(), T * roll[k], T) : filter.push(slow, 0, T);
     const double over =
         (run[Channel::height_left][k] - run[Channel::height_right][k]) / l.transducers;
-    a.track[k] = std::sin(a.body[k]) - over;
+    if (since >= settling) a.track[k] = std::sin(a.body[k]) - over;
   }
   return a;
 }

@@ -24,10 +24,11 @@ Record still(std::size_t rows) {
 }  // namespace
 
 TEST_CASE("geometry car: a record too short names the least length", "[input]") {
-  CHECK_THROWS_WITH(reconstruct(still(660), {}),
-                    Contains("660 samples") && Contains("at least 661"));
-  CHECK_NOTHROW(reconstruct(still(661), {}));
-  CHECK_THROWS_WITH(reconstruct(still(0), {}), Contains("at least 661"));
+  CHECK_THROWS_WITH(reconstruct(still(662), {}), Contains("662 samples") &&
+                                                     Contains("at least 663") &&
+                                                     Contains("661 short chords"));
+  CHECK_NOTHROW(reconstruct(still(663), {}));
+  CHECK_THROWS_WITH(reconstruct(still(0), {}), Contains("at least 663"));
 }
 
 TEST_CASE("geometry car: a processing out of range is refused", "[input]") {
