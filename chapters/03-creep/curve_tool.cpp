@@ -9,7 +9,8 @@ marked so in the answer. Quantities carry their unit; a TOML file (`--config`) m
     creep curve --wheel-radius 460mm --rail-crown 300mm --load 80kN \
                 --theory fastsim --lateral 0.001 --to 0.01
 
-Positive creepage gives positive force, that of the wheel on the rail; `spin` is the rotation per metre rolled.
+With `--force` it also seeks the creepage that gives a force, as on the rig, where the brake sets the force and the creep is
+read. Positive creepage gives positive force, that of the wheel on the rail; `spin` is the rotation per metre rolled.
 */
 
 #include <fmt/format.h>
@@ -22,6 +23,8 @@ Positive creepage gives positive force, that of the wheel on the rail; `spin` is
 #include "contact/creep_laws.hpp"
 #include "contact/hertz.hpp"
 #include "items.hpp"
+#include "materials.hpp"
+#include "num/roots.hpp"
 #include "plot/plot.hpp"
 #include "report/csv.hpp"
 #include "report/summary.hpp"
@@ -30,41 +33,25 @@ Positive creepage gives positive force, that of the wheel on the rail; `spin` is
 
 using namespace railbook;
 using namespace railbook::contact;
-using creep_chapter::Solver;
+using namespace railbook::creep_chapter;
 
 namespace {
 
 constexpr report::Range lengths{1e-9, 1e6}, radii{-1e6, 1e6}, moduli{1, 1e15}, ratios{0, 0.5};
 
-struct BodyWish {
-  double young = 207e9;
-  double poisson = 0.3;
-};
 struct Wish {
   std::optional<double> a, b;
   std::optional<double> wheel_radius, wheel_profile, rail_radius, rail_crown;
   double load = 0;
   double friction = 0.3;
-  BodyWish wheel, rail;
+  Steel wheel, rail;
   double lateral = 0, spin = 0, from = 0;
   std::string spin_text = "0rad/m";
-  std::optional<double> to;
+  std::optional<double> to, force;
   long points = 21, cells = 24;
   std::string theory = "full", coefficients = "table";
   std::optional<std::filesystem::path> out;
 };
-
-// The material of two bodies as one, and how far they are from elastically similar.
-struct Pair {
-  double shear_modulus, poisson, effective_modulus, dissimilarity;
-};
-Pair join(const BodyWish& one, const BodyWish& two) {
-  const double g1 = one.young / (2 * (1 + one.poisson)), g2 = two.young / (2 * (1 + two.poisson));
-  const double g = 2 / (1 / g1 + 1 / g2);
-  return {g, g / 2 * (one.poisson / g1 + two.poisson / g2),
-          effective_modulus({one.young, one.poisson, two.young, two.poisson}),
-          g / 4 * ((1 - 2 * one.poisson) / g1 - (1 - 2 * two.poisson) / g2)};
-}
 
 // Radians are no dimension to most people: 0.2rad/m and 0.2 1/m are the same spin. Cycles are not.
 double spin_of(const std::string& text) {
@@ -163,6 +150,23 @@ std::vector<Row> rows(const Wish& wish, RollingCase c, const Solver& solve, doub
   return all;
 }
 
+// The creepage of the range at which the force along is `force`.
+double creepage_for(double force, RollingCase c, const Solver& solve, double from, double to) {
+  const auto fx = [&](double creepage) {
+    c.creepage.longitudinal = creepage;
+    return solve(c).fx;
+  };
+  const auto [low, high] = std::minmax({fx(from), fx(to)});
+  if (!(low <= force && force <= high))
+    throw InputError(
+        fmt::format("force is {:.6g} N; allowed: what the range of creepage gives, "
+                    "from {:.6g} to {:.6g} N",
+                    force, low, high));
+  return num::find_root([&](double creepage) { return fx(creepage) - force; }, std::min(from, to),
+                        std::max(from, to), 1e-10)
+      .x;
+}
+
 void print_rows(const std::vector<Row>& all, double bound) {
   fmt::print("\n{:>12} {:>12} {:>12} {:>12} {:>8} {:>7}\n", "creepage", "fx, N", "fy, N", "mz, N m",
              "F/(mu N)", "stick");
@@ -215,13 +219,17 @@ void run(const Wish& wish) {
   answer.add("lateral", "lateral creepage", wish.lateral, "");
   answer.add("spin_1_per_m", "spin creepage", wish.spin, "1/m");
   if (wish.out) require_writable(*wish.out);
-  const auto all = rows(wish, c,
-                        creep_chapter::solver(wish.theory, c.a / c.b, c.poisson, wish.cells,
-                                              wish.coefficients == "computed"),
-                        to);
+  const Solver solve =
+      solver(wish.theory, c.a / c.b, c.poisson, wish.cells, wish.coefficients == "computed");
+  const auto all = rows(wish, c, solve, to);
   double largest = 0;
   for (const auto& row : all) largest = std::max(largest, std::hypot(row.forces.fx, row.forces.fy));
   answer.add("largest_force_N", "largest force", largest, "N");
+  if (wish.force) {
+    answer.add("force_N", "force along, wanted", *wish.force, "N");
+    answer.add("creepage_at_force", "creepage for it",
+               creepage_for(*wish.force, c, solve, wish.from, to), "");
+  }
   if (std::isfinite(all.back().forces.error)) {
     double error = 0;
     for (const auto& row : all) error = std::max(error, row.forces.error);
@@ -269,8 +277,11 @@ std::function<void()> declare(report::Options& options) {
                    report::Range{-1, 1});
   options.quantity("--to", wish->to, units::number,
                    "and last; without it well beyond the end of stick", report::Range{-1, 1});
+  options.quantity("--force", wish->force, units::force,
+                   "along; the creepage that gives it is sought in the range",
+                   report::Range{-1e12, 1e12});
   options.count("--points", wish->points, "of the range", 1, 100000);
-  options.choice("--theory", wish->theory, creep_chapter::theory_names(), "theory of rolling");
+  options.choice("--theory", wish->theory, theory_names(), "theory of rolling");
   options.choice(
       "--coefficients", wish->coefficients, {"table", "computed"},
       "fast theories: Kalker's coefficients from his table (a/b 0.1 to 10), or computed");
