@@ -26,6 +26,9 @@ void add_labels(report::Chapter&);         // stability by three criteria
 void add_modes(report::Chapter&);          // Fig 12
 void add_algorithm(report::Chapter&);      // the paper's two loops
 void add_printed(report::Chapter&);        // what the text claims
+void add_car_options_table(report::Chapter&);
+void add_speed_tool(report::Chapter&);  // `hunting speed`
+void add_cycle_tool(report::Chapter&);  // `hunting cycle`
 
 // Harmonic balance, time, Floquet, scene.
 

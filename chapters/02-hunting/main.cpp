@@ -54,6 +54,12 @@ drawings (the geometry's names, the idea of the method, a flow chart), with no d
 
 {{include: geometry_tool.cpp}}
 
+{{include: car_options.cpp}}
+
+{{include: speed_tool.cpp}}
+
+{{include: cycle_tool.cpp}}
+
 ## Error against run time
 
 {{include: geometry_cost.cpp}}
@@ -152,6 +158,9 @@ int main(int argc, char** argv) {
   hunting::add_modes(chapter);
   hunting::add_algorithm(chapter);
   hunting::add_printed(chapter);
+  hunting::add_car_options_table(chapter);
+  hunting::add_speed_tool(chapter);
+  hunting::add_cycle_tool(chapter);
 
   // Harmonic balance, time, Floquet, scene.
 

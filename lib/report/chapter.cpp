@@ -99,13 +99,15 @@ std::vector<std::string> with_entries(const CLI::App* command, std::vector<std::
   return words;
 }
 
-// The same for --config and then for every option that Options::toml declared: what comes first wins.
+// The same for --config and then for every option that Options::toml declared: what comes first wins. `tool case.toml` is
+// `tool --config case.toml`.
 std::vector<std::string> with_config(CLI::App& app, std::vector<std::string> words) {
   if (words.empty()) return words;
   const auto commands =
       app.get_subcommands([&](const CLI::App* c) { return c->get_name() == words.front(); });
   if (commands.empty()) return words;
   const CLI::App* command = commands.front();
+  if (words.size() > 1 && words[1].ends_with(".toml")) words.insert(words.begin() + 1, "--config");
   words = with_entries(command, std::move(words), "--config");
   for (const CLI::Option* option : command->get_options())
     if (option->get_type_name() == toml_type)

@@ -145,6 +145,7 @@ TEST_CASE("input: a tool takes quantities with units, from the line or a TOML fi
   CHECK(spacing == Approx(0.6096));
   CHECK(rail == "115RE");
   s.scratch.write("bad.toml", "tie-spacings = \"24in\"\n");
+  CHECK(run(s.chapter, {"solve", (s.scratch.path / "case.toml").string()}) == 0);
   CHECK(run(s.chapter, {"solve", "--config", (s.scratch.path / "bad.toml").string()}) == 2);
   CHECK(run(s.chapter, {"solve", "--config", "/nowhere.toml"}) == 2);
   CHECK(run(s.chapter, {"solve", "--tie-spacing", "20"}) == 2);
