@@ -18,7 +18,7 @@ of limit cycles have to be followed before a range of speeds is called stable.
 {{eigenvalues}}
 
 Which datum matters? With the left null vector $w$ of $Z$, $d\lambda=-w^H\,dZ\,q\,/\,w^HZ_\lambda q$, and what keeps the real part at zero
-is $dV$. {{fig-sensitivities}} shows $\frac pV\frac{dV}{dp}$ for the ten data that matter most. Every bar was checked by solving again with the datum moved by $10^{-3}$.
+is $dV$. {{fig-sensitivities}} shows $\frac pV\frac{dV}{dp}$ for the ten data that matter most. Every bar of a datum of the car was checked by solving again with the datum moved by $10^{-3}$.
 Creep $f_{11}$ and the wheelbase lead. Conicity, the slope of $R$, lowers the critical speed of worn wheels; with new wheels its bar is
 {{conicity-new}}: a small change of the cone moves the frequency and leaves the speed alone.
 

@@ -17,11 +17,11 @@ Four cases, as in the paper: new, CN and Heumann wheels with the equivalent damp
 frictions. A branch begins at each Hopf point of the linear car. With friction there is none: sticking joints make
 $N=4F_0/\pi A$ infinite. The friction is therefore regularized, viscous below a small rate
 ($\varepsilon$ = 0.005 ft/s in translation, 0.0005 rad/s in rotation), and that car has two Hopf points that mean nothing except a place
-to start from. {{branches}} shows what the four diagrams cost.
+to start from. {{branches}} shows what the diagram costs.
 
 {{branches}}
 
-Time per diagram: {{diagram-time}}, the eight branches together, one core; {{diagram-newton}} Newton steps.
+All eight branches with their Hopf points and folds take {{diagram-newton}} Newton steps and {{diagram-time}} on one core.
 */
 
 #include "study.hpp"
