@@ -109,6 +109,9 @@ void table_curve(report::Item& item) {
       item.check("bias", "crosslevel at 2 mph, three poles at least one's", "mm",
                  fmt::format("{:.4f}", by_poles[0]), by_poles[2],
                  report::at_least("poles multiply the bias of the gyro"));
+    if (v == 60)
+      item.value("lean-loss", 100 * (1 - std::cos(std::asin(smooth.superelevation / smooth.base))),
+                 "%", "{:.1f}");
     if (v == 60) item.value("curvature-ideal", ideal / per_100ft, "deg per 100 ft", "{:.5f}");
     p.roll_poles = 2;
   }

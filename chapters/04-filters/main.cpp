@@ -65,6 +65,11 @@ narrowly:
 * **The speed limits** of the paper are statements on errors that depend on sensors it does not specify. With a 12-bit converter they come out; with better
   ones they would lie lower.
 
+* **Figure 3 and the text on profile.** All sensors of the curvature system are said to serve profile. Ours needs of these the yaw gyro and the encoder: the
+  lateral force on the leaning body is read from the inclinometer, behind the same filters, which is what the text on crosslevel keeps that signal for.
+* **Crosslevel "remains accurate to 0 mph".** It does, but for the roll gyro's bias, which the debiasing of the yaw gyro is not said to cover: with typical sensors that is
+  most of its error at any speed ({{table-claims}}).
+
 Figures of the paper that no program can make, and what became of the others:
 
 {{figures}}
@@ -79,6 +84,12 @@ Figures of the paper that no program can make, and what became of the others:
 * The slope term for changing speed has to come from elsewhere.
 * Zero phase costs length: {{stream-history-half}} samples at each end, and on each side of a missing one, give no long chord. For a shorter gap in a
   good record, interpolating the short offsets is better than the mask; it is not done here, since it invents track.
+* The simulated car is linear but for its attitude: five modes, no flange, no hunting, no bending of body or beam. Track moves under no load, sensors read a
+  point and not a patch, and the encoder neither slips nor wears. Profile errors of a real car are larger.
+* The yaw gyro leans with the body and reads {{lean-loss}} less of curvature at 4 in of superelevation; the roll gyro feels a share of the yaw rate on a grade. Neither
+  is corrected (the second is not simulated, either).
+* Curvature is that of the trucks' path. Where they weave about the rails it is off, and no sensor of the system tells.
+* `process` holds its record in memory. The streaming chain of the section on cost does not.
 
 ## Try next
 
