@@ -48,62 +48,79 @@ bench::Outcome outcome(const std::vector<double>& chord, const std::vector<doubl
   return {.values = {1 + worst / rms}, .work = work, .converged = true, .reason = ""};
 }
 
-void cost(report::Item& item) {
-  const std::size_t n = item.full() ? 1'000'000 : 100'000;
-  const std::vector<std::int64_t> units = composite_input(n);
-  const std::vector<double> x = in_metres(units);
-  const std::vector<float> x_float(x.begin(), x.end());
-  const std::vector<std::uint64_t> words(units.begin(), units.end());
-  const std::vector<double> exact = exact_composite(units);
-  const auto samples = static_cast<double>(n);
-  const auto setting = [&](std::string label, double operations,
-                           std::function<std::vector<double>()> run) {
-    return bench::Setting{std::move(label),
-                          [&exact, run = std::move(run), work = operations * samples] {
-                            return outcome(run(), exact, work);
+// One record in every number type, and what the filter must make of it.
+struct Record {
+  std::vector<double> x;
+  std::vector<float> x_float;
+  std::vector<std::uint64_t> words;
+  std::vector<double> exact;
+};
+Record record(std::size_t n) {
+  const auto units = composite_input(n);
+  const auto x = in_metres(units);
+  return {x, {x.begin(), x.end()}, {units.begin(), units.end()}, exact_composite(units)};
+}
+
+constexpr double fir_operations = 2 * 661, sum_operations = 12;  // a sample
+double stream_operations(std::size_t block) {
+  return 14 * (1 + 1320 / static_cast<double>(block));
+}
+
+std::vector<bench::Method> methods(const Record& r) {
+  const auto setting = [&r](std::string label, double operations,
+                            std::function<std::vector<double>()> run) {
+    const double work = operations * static_cast<double>(r.x.size());
+    return bench::Setting{std::move(label), [&r, run = std::move(run), work] {
+                            return outcome(run(), r.exact, work);
                           }};
   };
-  const double fir = 2 * 661, sums = 12, recursive = 12;
-  std::vector<bench::Method> methods{
-      {"FIR double", {setting("661 weights", fir, [&] { return fir_composite<double>(x); })}},
-      {"FIR float", {setting("661 weights", fir, [&] { return fir_composite<float>(x_float); })}},
-      {"FFT", {}},
-      {"running sums double", {}},
-      {"running sums float", {}},
-      {"running sums int64",
-       {setting("never", sums, [&] { return sums_composite<std::uint64_t>(words, 0); })}},
-      {"recursive double",
-       {setting("never", recursive, [&] { return recursive_composite<double>(x); })}},
-      {"recursive float",
-       {setting("never", recursive, [&] { return recursive_composite<float>(x_float); })}},
-      {"recursive int64",
-       {setting("never", recursive, [&] { return recursive_composite<std::uint64_t>(words); })}},
-      {"stream", {}}};
+  bench::Method fft{"FFT", {}}, sums{"running sums double", {}},
+      sums_float{"running sums float", {}}, stream{"stream", {}};
   for (const std::size_t size : {2048, 8192, 32768}) {
     const auto m = static_cast<double>(size);
-    methods[2].settings.push_back(setting(fmt::format("blocks of {}", size),
-                                          5 * m * std::log2(m) / (m - 660),
-                                          [&x, size] { return fft_composite(x, size); }));
+    fft.settings.push_back(setting(fmt::format("blocks of {}", size),
+                                   5 * m * std::log2(m) / (m - 660),
+                                   [&r, size] { return fft_composite(r.x, size); }));
   }
   for (const std::size_t restart : {256, 4096, 0}) {
     const std::string label = restart == 0 ? "never" : fmt::format("every {}", restart);
-    const double again = restart == 0 ? 0 : 666 / static_cast<double>(restart);
-    methods[3].settings.push_back(
-        setting(label, sums + again, [&x, restart] { return sums_composite<double>(x, restart); }));
-    methods[4].settings.push_back(setting(label, sums + again, [&x_float, restart] {
-      return sums_composite<float>(x_float, restart);
-    }));
+    const double work = sum_operations + (restart == 0 ? 0 : 666 / static_cast<double>(restart));
+    sums.settings.push_back(
+        setting(label, work, [&r, restart] { return sums_composite<double>(r.x, restart); }));
+    sums_float.settings.push_back(
+        setting(label, work, [&r, restart] { return sums_composite<float>(r.x_float, restart); }));
   }
   for (const std::size_t block : {512, 4096, 32768})
-    methods[9].settings.push_back(setting(fmt::format("blocks of {}", block),
-                                          14 * (1 + 1320 / static_cast<double>(block)),
-                                          [&x, block] { return stream_composite(x, block); }));
-  const auto points =
-      bench::measure("cost", {{"chord", 1, 0}}, methods, item.timings(), item.full() ? 0.5 : 0.05);
+    stream.settings.push_back(setting(fmt::format("blocks of {}", block), stream_operations(block),
+                                      [&r, block] { return stream_composite(r.x, block); }));
+  const auto only = [&](const char* label, double work, std::function<std::vector<double>()> run) {
+    return std::vector<bench::Setting>{setting(label, work, std::move(run))};
+  };
+  return {
+      {"FIR double", only("661 weights", fir_operations, [&r] { return fir_composite(r.x); })},
+      {"FIR float", only("661 weights", fir_operations, [&r] { return fir_composite(r.x_float); })},
+      fft,
+      sums,
+      sums_float,
+      {"running sums int64",
+       only("never", sum_operations, [&r] { return sums_composite(r.words, 0); })},
+      {"recursive double",
+       only("never", sum_operations, [&r] { return recursive_composite(r.x); })},
+      {"recursive float",
+       only("never", sum_operations, [&r] { return recursive_composite(r.x_float); })},
+      {"recursive int64",
+       only("never", sum_operations, [&r] { return recursive_composite(r.words); })},
+      stream};
+}
+
+void cost(report::Item& item) {
+  const Record r = record(item.full() ? 1'000'000 : 100'000);
+  const auto points = bench::measure("cost", {{"chord", 1, 0}}, methods(r), item.timings(),
+                                     item.full() ? 0.5 : 0.05);
   bench::show(item, points, "chord");
-  item.value("cost-samples", samples, "", "{:.0e}");
-  item.value("cost-taps", 661, "", "{:.0f}");
-  item.value("cost-fir-over-stream", fir / (14 * (1 + 1320.0 / 4096)), "times", "{:.0f}");
+  item.value("cost-samples", static_cast<double>(r.x.size()), "", "{:.0e}");
+  item.value("cost-taps", fir_operations / 2, "", "{:.0f}");
+  item.value("cost-fir-over-stream", fir_operations / stream_operations(4096), "times", "{:.0f}");
   item.reconstructed("not in the paper");
 }
 

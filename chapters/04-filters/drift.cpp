@@ -115,6 +115,53 @@ struct Race {
   }
 };
 
+// What was found after the longest run, and how the error of the recursion in float grew to it.
+struct Outcome {
+  double start = 0, samples = 0, rms = 0;
+  std::array<double, 7> first{}, last{};  // in the order of Race::worst
+  double power() const { return std::log(last[0] / first[0]) / std::log(samples / start); }
+};
+
+void check(report::Item& item, const Outcome& o) {
+  item.expect_checks(5);
+  item.check("exact", "recursion in int64, largest error", "", "1e-300", o.last[2],
+             report::at_most("integers are exact"));
+  item.check("power", "growth of the recursion in float", "", "1.5", o.power(),
+             report::absolute(0.5, "a twice integrated random walk, one realisation"));
+  item.check("sums", "two sums in double after the longest run, over the RMS", "", "1e-11",
+             o.last[5] / o.rms, report::at_most("a random walk of roundings"));
+  item.check("restarted", "restarted sums in double, over the RMS", "", "1e-14", o.last[6] / o.rms,
+             report::at_most("at most 4096 roundings each, two sums"));
+  item.agree("rms", "RMS of the output", "", o.rms, signal::chord_noise_gain(N), 0.02,
+             "the noise gain; the record is a sample");
+  const std::array<const char*, 7> names{"double pole in float",         "double pole in double",
+                                         "double pole in int64",         "two sums in float",
+                                         "two sums in float, restarted", "two sums in double",
+                                         "two sums in double, restarted"};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const double e = o.last[i] / o.rms;
+    item.stability(fmt::format("drift-{}", i), names[i], fmt::format("{:.0e} samples", o.samples),
+                   fmt::format("off by {:.0e} on an RMS of {:.0f}", o.last[i], o.rms), e,
+                   e > 1      ? "fails"
+                   : e > 1e-9 ? "degraded"
+                              : "holds");
+  }
+}
+
+void say(report::Item& item, const Outcome& o) {
+  item.value("drift-power", o.power(), "", "{:.1f}");
+  item.value("drift-rms", o.rms, "", "{:.0f}");
+  item.value("drift-year", 70000 * units::mile / units::foot, "", "{:.3g}");
+  // Where the error reaches the signal, by the power 3/2.
+  const double reached = o.start * std::pow(o.rms / o.first[0], 1 / 1.5);
+  item.value("drift-float-distance", reached * units::foot / units::mile, "", "{:.0f}");
+  item.value("drift-double", o.last[1], "", "{:.0e}");
+  item.value("drift-longest", o.samples, "", "{:.0e}");
+  item.value("drift-ratio", o.last[1] / o.last[5], "", "{:.0e}");
+  item.value("drift-block", static_cast<double>(signal::GeometryChainOptions{}.block), "",
+             "{:.0f}");
+}
+
 void drift(report::Item& item) {
   std::vector<std::size_t> milestones{100'000, 1'000'000, 10'000'000};
   if (item.full()) milestones.push_back(100'000'000);
@@ -122,8 +169,8 @@ void drift(report::Item& item) {
                 "two sums float", "restarted float", "two sums double", "restarted double"});
   const signal::RandomSource random{1981, 1};
   Race race;
+  Outcome outcome;
   std::size_t k = 64;  // numbers from 64 on, so that a ring can look back
-  std::array<double, 7> first{}, last{};
   for (const std::size_t milestone : milestones) {
     race.worst = {};
     for (; k < milestone + 64; ++k)
@@ -131,48 +178,15 @@ void drift(report::Item& item) {
     std::vector<std::string> row{fmt::format("{:.0e}", static_cast<double>(milestone))};
     for (const double e : race.worst) row.push_back(e == 0 ? "0" : fmt::format("{:.1e}", e));
     item.add_row(row);
-    if (milestone == milestones.front()) first = race.worst;
-    last = race.worst;
+    if (milestone == milestones.front()) outcome.first = race.worst;
   }
-  const auto samples = static_cast<double>(milestones.back());
-  const double rms = std::sqrt(race.square / samples);
-  const double power =
-      std::log(last[0] / first[0]) / std::log(samples / static_cast<double>(milestones.front()));
-  item.expect_checks(5);
-  item.check("exact", "recursion in int64, largest error", "", "1e-300", last[2],
-             report::at_most("integers are exact"));
-  item.check("power", "growth of the recursion in float", "", "1.5", power,
-             report::absolute(0.5, "a twice integrated random walk, one realisation"));
-  item.check("sums", "two sums in double after the longest run, over the RMS", "", "1e-11",
-             last[5] / rms, report::at_most("a random walk of roundings"));
-  item.check("restarted", "restarted sums in double, over the RMS", "", "1e-14", last[6] / rms,
-             report::at_most("at most 4096 roundings each, two sums"));
-  item.agree("rms", "RMS of the output", "", rms, signal::chord_noise_gain(N), 0.02,
-             "the noise gain; the record is a sample");
-  const std::array<const char*, 7> names{"double pole in float",         "double pole in double",
-                                         "double pole in int64",         "two sums in float",
-                                         "two sums in float, restarted", "two sums in double",
-                                         "two sums in double, restarted"};
-  for (std::size_t i = 0; i < names.size(); ++i)
-    item.stability(fmt::format("drift-{}", i), names[i], fmt::format("{:.0e} samples", samples),
-                   fmt::format("off by {:.0e} on an RMS of {:.0f}", last[i], rms), last[i] / rms,
-                   last[i] > rms          ? "fails"
-                   : last[i] > 1e-9 * rms ? "degraded"
-                                          : "holds");
+  outcome.start = static_cast<double>(milestones.front());
+  outcome.samples = static_cast<double>(milestones.back());
+  outcome.rms = std::sqrt(race.square / outcome.samples);
+  outcome.last = race.worst;
+  check(item, outcome);
+  say(item, outcome);
   item.reconstructed("an experiment of ours, not in the paper");
-  item.value("drift-power", power, "", "{:.1f}");
-  item.value("drift-rms", rms, "", "{:.0f}");
-  item.value("drift-year", 70000 * units::mile / units::foot, "", "{:.3g}");
-  // Where the error reaches the signal, by the power 3/2.
-  item.value("drift-float-distance",
-             static_cast<double>(milestones.front()) * std::pow(rms / first[0], 1 / 1.5) *
-                 units::foot / units::mile,
-             "", "{:.0f}");
-  item.value("drift-double", last[1], "", "{:.0e}");
-  item.value("drift-longest", samples, "", "{:.0e}");
-  item.value("drift-ratio", last[1] / last[5], "", "{:.0e}");
-  item.value("drift-block", static_cast<double>(signal::GeometryChainOptions{}.block), "",
-             "{:.0f}");
 }
 
 }  // namespace

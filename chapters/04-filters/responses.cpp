@@ -48,6 +48,7 @@ double pole the largest difference is {{butterworth-agree}}.
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -133,57 +134,76 @@ double difference(const Gains& a, const Gains& b) {
 }
 
 /*** The table of reference gains was derived beforehand, in another program; every entry is checked by formula and by sines: */
+// One row of it, at one wavenumber.
+struct ResponseRow {
+  report::Item& item;
+  const report::CsvTable& table;
+  const std::string& key;
+  double theta = theta_of(report::printed_number(key));
+  double apart = 0;  // the largest difference of the two methods
+  std::map<std::string, double> gain = {};
+
+  void check(const std::string& name, double formula, double driven) {
+    item.row(table, key).check(name, formula);
+    item.check("driven-" + key + "-" + name, name + " at " + key + " cycle/ft, driven", "",
+               table.at(key, name), driven);
+    gain[name] = formula;
+  }
+  void at_speed(double speed, const std::string& name) {
+    const double T = sample_distance / speed;
+    const signal::SecondOrderLowPass F{acceleration_corner, 1};
+    const Gains f1 = first_order_gains(gyro_corner, T, theta);
+    const Gains d1 = drive_first_order(gyro_corner, T, theta);
+    const Gains f2 = second_order_gains(F, T, theta), d2 = drive_second_order(F, T, theta);
+    check("B_" + name, std::abs(f1.analog), std::abs(d1.analog));
+    check("C_" + name, std::abs(f1.digital), std::abs(d1.digital));
+    check("BC_" + name, std::abs(f1.hybrid), std::abs(d1.hybrid));
+    check("FG_" + name, std::abs(f2.hybrid), std::abs(d2.hybrid));
+    apart = std::max({apart, difference(d1, f1), difference(d2, f2)});
+  }
+};
+
+// Complex poles have no table: both methods against each other.
+double butterworth_apart(double speed, double theta) {
+  const signal::SecondOrderLowPass f{acceleration_corner, std::sqrt(0.5)};
+  const double T = sample_distance / speed;
+  return difference(drive_second_order(f, T, theta), second_order_gains(f, T, theta));
+}
+
+double hybrid_at_nyquist(double speed) {
+  return std::abs(first_order_gains(gyro_corner, sample_distance / speed, units::pi).hybrid);
+}
+
 void responses(report::Item& item) {
   const auto table = item.printed("responses.csv");
+  const auto numbers = item.printed("small-kappa-constants.csv");
   item.expect_checks(static_cast<int>(2 * 9 * table.rows.size()) + 2);
   item.columns(
       {"φ, cycle/ft", "B 9 mph", "B 80", "C 9", "C 80", "BC 9", "BC 80", "limit", "FG 9", "FG 80"});
-  const signal::SecondOrderLowPass F{acceleration_corner, 1},
-      butterworth{acceleration_corner, std::sqrt(0.5)};
-  double apart = 0, apart_complex = 0;
+  double apart = 0, complex_apart = 0;
   for (const auto& cells : table.rows) {
-    const std::string& key = cells.at(0);
-    const double theta = theta_of(report::printed_number(key));
-    std::vector<std::string> shown{key};
-    const auto column = [&](const std::string& name, double formula, double driven) {
-      const std::string& printed = table.at(key, name);
-      item.row(table, key).check(name, formula);
-      item.check("driven-" + key + "-" + name, name + " at " + key + " cycle/ft, driven", "",
-                 printed, driven);
-    };
-    for (const auto& [speed, name] : {std::pair{slow, std::string{"9"}}, {fast, "80"}}) {
-      const double T = sample_distance / speed;
-      const Gains f1 = first_order_gains(gyro_corner, T, theta),
-                  d1 = drive_first_order(gyro_corner, T, theta);
-      const Gains f2 = second_order_gains(F, T, theta), d2 = drive_second_order(F, T, theta);
-      column("B_" + name, std::abs(f1.analog), std::abs(d1.analog));
-      column("C_" + name, std::abs(f1.digital), std::abs(d1.digital));
-      column("BC_" + name, std::abs(f1.hybrid), std::abs(d1.hybrid));
-      column("FG_" + name, std::abs(f2.hybrid), std::abs(d2.hybrid));
-      apart = std::max({apart, difference(d1, f1), difference(d2, f2)});
-      apart_complex =
-          std::max(apart_complex, difference(drive_second_order(butterworth, T, theta),
-                                             second_order_gains(butterworth, T, theta)));
-    }
-    // The limit by the lowest corner that the arithmetic stands.
-    const double limit = std::abs(first_order_gains(1e-4, sample_distance / fast, theta).hybrid);
-    column("limit", signal::sinc_limit(theta), limit);
+    ResponseRow row{item, table, cells.at(0)};
+    row.at_speed(slow, "9");
+    row.at_speed(fast, "80");
+    // The limit by a corner far below every other rate.
+    row.check("limit", signal::sinc_limit(row.theta),
+              std::abs(first_order_gains(1e-4, sample_distance / fast, row.theta).hybrid));
+    std::vector<std::string> shown{row.key};
     for (const char* name :
          {"B_9", "B_80", "C_9", "C_80", "BC_9", "BC_80", "limit", "FG_9", "FG_80"})
-      shown.push_back(table.at(key, name));
+      shown.push_back(fmt::format("{:.5f}", row.gain.at(name)));
     item.add_row(shown);
+    apart = std::max(apart, row.apart);
+    for (const double speed : {slow, fast})
+      complex_apart = std::max(complex_apart, butterworth_apart(speed, row.theta));
   }
-  const auto numbers = item.printed("small-kappa-constants.csv");
   item.row(numbers, "spread-nyquist")
-      .check(
-          "value",
-          std::abs(first_order_gains(gyro_corner, sample_distance / slow, units::pi).hybrid) -
-              std::abs(first_order_gains(gyro_corner, sample_distance / fast, units::pi).hybrid));
+      .check("value", hybrid_at_nyquist(slow) - hybrid_at_nyquist(fast));
   item.row(numbers, "corner-ratio").check("value", fast / slow);
   item.reconstructed(
       "corners of 1 Hz are ours; the reference values were worked out beforehand, not printed");
   item.value("responses-agree", apart, "", "{:.0e}");
-  item.value("butterworth-agree", apart_complex, "", "{:.0e}");
+  item.value("butterworth-agree", complex_apart, "", "{:.0e}");
 }
 
 }  // namespace
