@@ -10,8 +10,8 @@ struct Steel {
   double poisson = 0.3;
 };
 
-// G and nu of the pair as RollingCase wants them, E*, and K, which is 0 for elastically similar bodies
-//: then the pressure does not depend on the tractions.
+// G and nu of the pair as RollingCase wants them, E*, and Kalker's K, which is 0 for elastically similar bodies: then the
+// pressure does not depend on the tractions.
 struct Pair {
   double shear_modulus, poisson, effective_modulus, dissimilarity;
 };
