@@ -113,7 +113,7 @@ void geometry_claims(report::Item& item) {
   item.expect_checks(8);
   item.columns({"claim", "paper", "here"});
   const auto claim = [&](const char* key, bool holds, const std::string& here) {
-    const std::string says = printed.at(key, "printed");
+    const std::string& says = printed.at(key, "printed");
     item.check_text(key, printed.at(key, "what"), says, holds ? says : "not " + says);
     item.add_row({printed.at(key, "what"), says, here});
   };
