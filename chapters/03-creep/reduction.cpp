@@ -28,7 +28,8 @@ Reduced with the **measured** area they fall on one line, and it is the theory's
 
 In numbers: the factor that brings each test onto the curve spreads by {{spread-hertz}} with Hertz's area and by
 {{spread-true}} with the measured one; the points scatter about the curve by {{rms-hertz}} against {{rms-true}} (root mean
-square of $\mu/\mu_c$), and the second is what the errors of force and creep alone make. The fit finds the contact area of a
+square of $\mu/\mu_c$), and the second is what the errors of force, creep and area make by
+themselves. The fit finds the contact area of a
 test from its creep curve alone, without the replica tape, to {{factor-error}}.
 
 The abscissa has a trap. The nomenclature calls $a$ and $b$ "major and minor axes" and equation (4) has $\pi/4$, so the

@@ -23,7 +23,8 @@ slides, the traction is $\mu$ times the pressure, against the slip. All others a
 
 All start with the right slope but one: Vermeulen and Johnson's own is {{vj-excess}} above Kalker's for the rig's ellipse, and
 their curve, which the paper cites beside Kalker's, stays above. FASTSIM is low by up to {{worst-fastsim}}, the strips are high
-by up to {{worst-fastrip}}; Polach changes sign, by {{worst-polach}} either way.
+by up to {{worst-fastrip}}; Polach is off in both directions, by up to
+{{worst-polach}}.
 */
 
 #include <fmt/format.h>
