@@ -72,8 +72,8 @@ void fig_13(report::Item& item) {
   for (const double w : {20.0, 62.0, 150.0, 200.0, 300.0, 500.0, 1000.0, 3000.0})
     driven.add(w, driven_gain(w));
   auto& limits = item.data("limits", {"wavelength_ft", "what"});
-  limits.add(150.0, "to 90 mph");
-  limits.add(200.0, "to 120 mph");
+  limits.add(150.0, "90 mph");
+  limits.add(200.0, "120 mph");
   item.reconstructed("the paper's curve is not legible and it does not say how the filter is made");
 }
 
