@@ -85,10 +85,9 @@ void text(report::Item& item) {
   };
   row("load", paper_load, "1000 × 0.45359 kg × 9.81 m/s²");
   row("force-error", 5 * paper_pound_force, "5 lb in the same way");
-  const double perimeter = 2.824 * units::metre;  // what a tape around 89.8957 cm reads
   row("speed", rim_speed(big_radius, 50), "not the wheel's speed: see above",
-      report::misprint(perimeter * 50 * 60 / units::kilometre, 1e-3,
-                       "50 turns a minute of a perimeter of 2.824 m"));
+      report::misprint(rim_speed(small_radius, 50 * small_speed / big_speed), 0.003,
+                       "the rim of the small wheel, which rolls with it but for the creep"));
   const double nine_feet = 450 * units::foot * 60 / units::mile;  // mph, at 50 rpm
   row("speed-as-9-ft", std::round(nine_feet * 100) / 100 * 1.6094,
       "9 ft a turn, 5.11 mph, times 1.6094");
