@@ -23,7 +23,7 @@ A versine bump of the height of the flat level, at 100 km/h:
 
 {{fig-bumps}}
 
-A short bump reads {{bump-10}} while no speed uses up more than {{stroke-10}} of the stroke: the descriptor sees half of the resonance in it, which a single bump has no time to
+A short bump reads {{bump-10}} while no speed uses up more than {{stroke-10}} of the stroke: the filter counts on the resonance, which a single bump has no time to
 excite. At 100 m it reads {{bump-100}}, and the vehicle needs {{stroke-100}}. Over-estimates are the rule, up to {{over-most}} times at {{over-at}}; the worst under-estimate is
 {{under-most}}, at {{under-at}}.
 

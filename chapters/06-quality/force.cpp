@@ -104,6 +104,7 @@ void table_damping(report::Item& item) {
   for (const double r : ratios) {
     const double bound = quality::least_damping_without_peak(r);
     least = std::min(least, bound);
+    if (r == 8.75) item.value("damping-A", bound, "", "{:.3f}");
     const auto answer = [&](double damping) { return falls(r, damping) ? "crosses" : "does not"; };
     item.check_text(fmt::format("below-{:g}", r),
                     fmt::format("M/m = {:g}, a little less damping", r), "crosses",

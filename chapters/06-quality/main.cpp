@@ -53,7 +53,7 @@ What the paper prints that we do not confirm, or confirm for some data only:
   in cycles/km in the list of symbols and in cycles/m on the axis of Figure 2; we use cycles/m.
 * **The peak at 55 m** lies between the damped peak, {{peak-wavelength}}, and $v/f'$ = {{resonance-wavelength}}, and is neither rounded. "Resonance at maximum speed" as the end of the flat level is the damped peak.
 * **"Unit gain at wavelengths shorter than resonance"** is an asymptote; at 20 m the gain is {{gain-20}}.
-* **"The curves do not interpenetrate"** in the wheel-force mode needs damping of some 0.36 of critical ({{table-damping}} is exact). With the 0.2 of the roll mode they would.
+* **"The curves do not interpenetrate"** in the wheel-force mode needs a damping of {{damping-A}} of critical for car A ({{table-damping}} is exact). With the 0.2 of the roll mode they would.
 * **"Below 7 m"** for the corner of the wheel force fits the reconstructed car up to 130 km/h; at 177 km/h it is {{corner-177}}. With a loaded 70-ton car it is {{corner-B}} at 100 km/h.
 * **"Above 100 m"** for the growth fits 177 km/h; at 100 km/h the allowed amplitude has doubled at {{double-100}}.
 * **"Resembles" the spectrum of track** holds within about a decade: {{mismatch-squared}} or {{mismatch-relative}}, by the reading of the squared amplitude.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 
 #include "num/quadrature.hpp"
 #include "num/roots.hpp"
@@ -91,6 +92,7 @@ class Runner {
     }
     leg(end);
     result_.end = now_;
+    if (!result_.complete) result_.largest = std::numeric_limits<double>::quiet_NaN();
     result_.energy.gained += held();
     if (watched_ > 0) result_.mean_square /= watched_;
     return result_;

@@ -126,6 +126,17 @@ TEST_CASE("Bump stops: two stable motions and an unstable one between them at 1 
   CHECK(high.growth < 1);
 }
 
+TEST_CASE("Bump stops: a motion that just touches them, to rounding", "[quality]") {
+  const double stroke = amplitude * stroke_gain(roll, frequency);
+  for (const double miss : {-1e-13, -1e-15, 0.0, 1e-15, 1e-13}) {
+    const Track ramp{{{amplitude, frequency, 0}}, 60};
+    const Run r =
+        run({roll, stroke * (1 + miss), 100}, ramp, at_rest(ramp), 180, {.watch_from = 120});
+    CHECK(r.complete);
+    CHECK_THAT(r.largest, WithinRel(stroke, 1e-11));
+  }
+}
+
 TEST_CASE("Bump stops: refusals", "[quality]") {
   const Track track{{{0.01, 1, 0}}, 0};
   CHECK_THROWS_AS(run({roll, 0, 1}, track, {}, 1), InputError);
