@@ -53,8 +53,9 @@ bench::Outcome outcome(const std::vector<CurvePoint>& curve, bool full, double w
 
 bench::Method by_cells(const char* name, bool placed, bool full) {
   bench::Method method{name, {}};
-  for (const auto& [along, rows] :
+  for (const auto& [n, m] :
        {std::pair{4, 4}, {6, 4}, {8, 6}, {12, 8}, {16, 8}, {24, 12}, {32, 16}}) {
+    const int along = n, rows = m;
     method.settings.push_back(
         {fmt::format("{}x{}", along, rows), [=] {
            contact::RollingOptions options;
