@@ -26,6 +26,7 @@ void add_labels(report::Chapter&);         // stability by three criteria
 void add_modes(report::Chapter&);          // Fig 12
 void add_algorithm(report::Chapter&);      // the paper's two loops
 void add_printed(report::Chapter&);        // what the text claims
+void add_df_cost(report::Chapter&);        // error against run time of one cycle
 void add_car_options_table(report::Chapter&);
 void add_speed_tool(report::Chapter&);  // `hunting speed`
 void add_cycle_tool(report::Chapter&);  // `hunting cycle`

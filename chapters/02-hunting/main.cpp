@@ -64,6 +64,8 @@ drawings (the geometry's names, the idea of the method, a flow chart), with no d
 
 {{include: geometry_cost.cpp}}
 
+{{include: df_cost.cpp}}
+
 ## Stability
 
 {{stability}}
@@ -158,6 +160,7 @@ int main(int argc, char** argv) {
   hunting::add_modes(chapter);
   hunting::add_algorithm(chapter);
   hunting::add_printed(chapter);
+  hunting::add_df_cost(chapter);
   hunting::add_car_options_table(chapter);
   hunting::add_speed_tool(chapter);
   hunting::add_cycle_tool(chapter);
