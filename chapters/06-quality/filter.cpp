@@ -10,7 +10,7 @@ $$h(X)=\frac{\delta(X)}{A_0}+2\int_0^{1/\lambda_p}\left(H(\varphi)-\frac1{A_0}\r
 The gain's curvature jumps at $\lambda_p$, so the response fades only as $X^{-3}$. We cut it at twenty resonant wavelengths,
 tapered over the outer half, and take the remaining constant off, so that a level track gives zero; a straight grade gives zero by symmetry. The gain is
 then wrong by at most {{gain-error}}, at {{gain-error-at}}. The wheel-force mode grows with $\varphi^2$ and would amplify the last digit of the record most of all; it
-needs a shortest wavelength, and the tool asks for one. (A mode with odd derivatives, such as a twist, would have an antisymmetric response: the same gain times $i\,\mathrm{sgn}\,\varphi$.)
+needs a shortest wavelength; the tool takes 1 m unless told otherwise. (A mode with odd derivatives, such as a twist, would have an antisymmetric response: the same gain times $i\,\mathrm{sgn}\,\varphi$.)
 
 {{table-filter}}
 

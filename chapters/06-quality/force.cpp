@@ -15,7 +15,7 @@ that falls with frequency somewhere. Whether it does is the sign of a quartic in
 
 {{table-damping}}
 
-With the damping of the roll example, 0.2, no car would have curves that do not cross; the paper must have used more in this mode.
+With the damping of the roll example, 0.2, none of these cars would have curves that do not cross; the paper must have used more in this mode.
 Where they cross, the envelope is again the curve at full speed, or the peak once passed, whichever demands more.
 
 The force that is left for the track is 143 kN less the static load: {{margin-A}} for car A, {{margin-B}} for the loaded 70-ton car B. The

@@ -9,7 +9,7 @@ $$S=\frac{A\varphi_2^2(\varphi^2+\varphi_1^2)}{\varphi^4(\varphi^2+\varphi_2^2)}
 
 {{fig-08}}
 
-All fall with $\varphi^{-4}$ at both ends, the descriptor by its own two asymptotes. In between the spectrum falls with $\varphi^{-2}$, where the
+Spectrum and $A^2$ fall with $\varphi^{-4}$ at both ends, the descriptor by its own two asymptotes (the third reading with $\varphi^{-5}$). In between the spectrum falls with $\varphi^{-2}$, where the
 descriptor is flat or, in the third reading, falls with $\varphi^{-1}$. From 2 to 100 m the shapes miss each other by {{mismatch-squared}} decades
 (rms, the height fitted) in the first two readings and by {{mismatch-relative}} in the third. "Resembles" is right to about a decade. The level says more: in third octaves the
 spectrum at 20 m is {{margin-20}} times (in amplitude) below what the vehicle allows, at 5 m {{margin-5}}, at 100 m {{margin-100}} times.
