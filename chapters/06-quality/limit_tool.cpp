@@ -95,7 +95,8 @@ void add_car(report::Summary& s, const quality::Descriptor& d) {
                       d.stroke->suspension.damping));
     s.add("level_cm", "amplitude allowed for short waves",
           d.stroke->stroke / quality::stroke_peak(d.stroke->suspension.damping).gain / cm, "cm");
-    s.add("flat_until_m", "  up to the wavelength", flat_until(*d.stroke, d.speed), "m");
+    if (const double wave = flat_until(*d.stroke, d.speed); wave > 0)
+      s.add("flat_until_m", "  up to the wavelength", wave, "m");
   }
   if (d.force) {
     s.add("static_force_kN", "static wheel force", static_force(d.force->car) / kN, "kN");
