@@ -16,7 +16,7 @@ the right, to {{fold-new}}. The paper says just that. But **Hill disagrees with 
 bifurcation. The next section asks Floquet multipliers of the true equations.
 
 With CN wheels the branch leans to the left by a little, up to {{cn-flange}}, and then has the paper's two regions of flange
-contact: a lower one between 0.37 and 0.44 in, where one truck has met the flange and the other has not, and a higher one with both. The first is
+contact: a lower one, where one truck has met the flange and the other has not, and a higher one with both. The first is
 stable by both rules up to {{torus-cn}}. The higher is on a falling branch, and unstable.
 The Heumann wheel has its small stable cycle without flange contact between {{heumann-low}} and {{heumann-high}}: the paper's "limited range of speeds".
 
@@ -26,7 +26,7 @@ at {{friction-fold-a}}, from where a stable branch goes up to {{friction-top}}. 
 {{fig-families}}
 
 Each car has a second family, from its second Hopf point ({{fig-families}}). With new wheels it is a truck alone, the rear one, that swings once the flange is met:
-0.48 in behind and a few hundredths in front. Its mirror image, the front truck alone, exists too: exchanging front and rear
+half an inch behind and hardly anything in front ({{cycles}}). Its mirror image, the front truck alone, exists too: exchanging front and rear
 changes nothing in the equations but the coupling through the centre plates.
 
 {{fold-table}}

@@ -135,7 +135,7 @@ void flange_claims(const Claims& c) {
                   [&](const CyclePoint& p) { return p.stable && p.largest > 0.46 * inch; });
   c.differs("cn-regions", upper,
             fmt::format("stable by the rule: {}", stable_amplitudes(cn, 0.3, 0.75)));
-  const auto& low = cycles_at_amplitude(cn.car, cn.main_branch(), 0.42 * inch).at(0);
+  const auto low = cycles_at_amplitude(cn.car, cn.main_branch(), 0.42 * inch).at(0);
   c.differs("cn-rear", low.amplitude[2] > low.amplitude[0],
             fmt::format("front {:.3f}, rear {:.3f} in", low.amplitude[0] / inch,
                         low.amplitude[2] / inch));
