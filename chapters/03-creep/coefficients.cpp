@@ -4,7 +4,7 @@
 For small creepages nothing slides, and the forces are linear: $F_x=C_{11}G\,ab\,\xi$,
 $F_y=G[ab\,C_{22}\eta+(ab)^{3/2}C_{23}\varphi]$, $M_z=G[-(ab)^{3/2}C_{23}\eta+(ab)^2C_{33}\varphi]$. Kalker's table of 1967, from series
 of few terms, is what most vehicle programs still use. The same rows of cells without a traction bound compute it, on three grids
-of 24 x 24, 12 x 12 and 6 x 6 cells extrapolated by a parabola, the whole table in a few seconds. The same coefficient $C_{23}$ comes from spin and from lateral
+of 16 x 32 cells (24 x 24 beyond a/b = 2), half and a quarter of it, extrapolated by a parabola: the whole table in a few seconds. The same coefficient $C_{23}$ comes from spin and from lateral
 creepage. The two agree to {{reciprocity}}: the equations for one direction of rolling are the transpose of those for the other.
 
 {{table-coefficients}}
@@ -12,7 +12,7 @@ creepage. The two agree to {{reciprocity}}: the equations for one direction of r
 {{fig-coefficients}}
 
 The printed table proves good to its last digit for most entries of C11 and C22. The largest differences stand where the ellipse is long
-along rolling: there $C_{33}$ is the small difference of large moments, ours is uncertain by one or two per cent at a/b = 10, and
+along rolling: there $C_{33}$ is the small difference of large moments, ours is uncertain by one per cent at a/b = 10, and
 the series had its own trouble. Elsewhere our grids leave about 0.1 %. For the rig's ellipse, a/b = 1.568 and $\nu$ = 0.3, the computation gives $C_{11}$ = {{c11-rig}},
 $C_{22}$ = {{c22-rig}}, $C_{23}$ = {{c23-rig}}, $C_{33}$ = {{c33-rig}}.
 */

@@ -31,11 +31,16 @@ ComputedCoefficients kalker_coefficients_on(double axis_ratio, double poisson, E
   return c;
 }
 
-ComputedCoefficients kalker_coefficients(double axis_ratio, double poisson, Eigen::Index along) {
-  units::require_between("cells along rolling", static_cast<double>(along), 8, 64);
-  along -= along % 4;
-  const auto on = [&](Eigen::Index n) { return kalker_coefficients_on(axis_ratio, poisson, n, n); };
-  const ComputedCoefficients rough = on(along / 4), middle = on(along / 2), fine = on(along);
+ComputedCoefficients kalker_coefficients(double axis_ratio, double poisson, Eigen::Index size) {
+  units::require_between("cells along rolling", static_cast<double>(size), 8, 32);
+  size -= size % 8;
+  // The error of the rows is of first order, that of the cells along them of second, but large in long contacts.
+  const bool across = axis_ratio <= 2;
+  const Eigen::Index along = across ? size : 3 * size / 2, rows = across ? 2 * size : along;
+  const auto on = [&](Eigen::Index part) {
+    return kalker_coefficients_on(axis_ratio, poisson, along / part, rows / part);
+  };
+  const ComputedCoefficients rough = on(4), middle = on(2), fine = on(1);
   ComputedCoefficients c;
   c.converged = rough.converged && middle.converged && fine.converged;
   using Member = double ComputedCoefficients::*;

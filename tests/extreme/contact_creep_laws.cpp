@@ -91,7 +91,7 @@ TEST_CASE("extreme: one cell is a coarse answer within the bound") {
   const auto k = kalker_table(rig.a / rig.b, rig.poisson);
   for (const Creepage& reduced : {Creepage{0.2, 0, 0}, Creepage{0.1, 0.1, 0.4}}) {
     const auto f = fastsim_grid(with_reduced_creepage(rig, reduced), k, {.along = 1, .strips = 1});
-    CHECK(std::hypot(f.fx, f.fy) <= rig.friction * rig.load);
+    CHECK(std::hypot(f.fx, f.fy) <= rig.friction * rig.load * (1 + 1e-14));
     CHECK(f.fx > 0);
   }
 }
