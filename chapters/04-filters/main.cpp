@@ -38,6 +38,8 @@ speed and direction, and where not. Then it builds the whole car, runs it over s
 
 {{include: process.cpp}}
 
+{{include: sensor_file.cpp}}
+
 {{include: simulate.cpp}}
 
 {{include: drift.cpp}}

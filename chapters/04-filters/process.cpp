@@ -31,6 +31,7 @@ filter there is nothing to answer, and the record is refused.
 #include "plot/plot.hpp"
 #include "report/csv.hpp"
 #include "report/summary.hpp"
+#include "sensor_file.hpp"
 
 namespace railbook::filters {
 
@@ -39,7 +40,6 @@ using namespace geometry_car;
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t long_still = 200;  // equal samples in a row that no rounding explains
 
 struct Wish {
   std::filesystem::path file;
@@ -48,100 +48,6 @@ struct Wish {
   long high_pass = 151, passes = 4, stages = 1, poles = 2, curvature_mean = 51;
   std::optional<std::filesystem::path> out;
 };
-
-// What the record lacks or does wrong, besides what Measurement says.
-struct Faults {
-  std::vector<std::string> absent, stuck;
-  std::size_t beyond = 0;  // values no sensor can have
-};
-
-double plausible(const ChannelInfo& c) {
-  if (c.dimension == units::acceleration) return 100;  // m/s^2
-  return 10;                                           // rad/s, m
-}
-
-std::optional<std::size_t> find(const report::CsvReader& reader, std::string_view name,
-                                const units::Dimension& dimension, double& si) {
-  for (std::size_t i = 0; i < reader.header().size(); ++i) {
-    const units::Header header = units::parse_header(reader.header()[i]);
-    if (header.name != name) continue;
-    if (header.unit_text.empty() || !(header.unit.dimension == dimension))
-      throw InputError{
-          fmt::format("column \"{}\" names no unit that fits; allowed: one of the dimension of {}",
-                      reader.header()[i], units::si_name(dimension))};
-    si = header.unit.si;
-    return i;
-  }
-  return std::nullopt;
-}
-
-// The number of the foot mark, or nothing when the cell is empty.
-std::optional<long> mark_of(const report::CsvReader& reader, double distance, double first,
-                            double sample) {
-  if (!std::isfinite(distance)) return std::nullopt;
-  const double place = (distance - first) / sample, whole = std::round(place);
-  if (std::abs(place - whole) > 0.25 || std::abs(whole) > 1e9)
-    throw InputError{fmt::format(
-        "file \"{}\", line {}: distance {} m is {:.2f} samples from the first; allowed: "
-        "whole samples of {} m, to a quarter",
-        reader.file().string(), reader.line(), distance, place, sample)};
-  return std::lround(whole);
-}
-
-Record read(const Wish& wish, Faults& faults, double& first) {
-  report::CsvReader reader{wish.file};
-  Record record;
-  double second = 1, metre = 1;
-  const auto elapsed = find(reader, "elapsed", units::time, second);
-  if (!elapsed)
-    throw InputError{fmt::format("file \"{}\": no column \"elapsed_s\"; there are: {}",
-                                 wish.file.string(), fmt::join(reader.header(), ", "))};
-  const auto distance = find(reader, "distance", units::length, metre);
-  std::vector<std::optional<std::size_t>> column;
-  std::vector<double> unit(channels, 1.0);
-  for (const ChannelInfo& c : channel_list()) {
-    column.push_back(find(reader, c.name, c.dimension, unit[column.size()]));
-    if (!column.back()) faults.absent.emplace_back(c.name);
-  }
-  if (faults.absent.size() == channels)
-    throw InputError{fmt::format(
-        "file \"{}\": no sensor in it; there are: {}; allowed: vertical_left_m_per_s2 and so on",
-        wish.file.string(), fmt::join(reader.header(), ", "))};
-  std::vector<std::string> cells;
-  std::vector<std::size_t> same(channels, 0), still(channels, 0);
-  first = nan;
-  while (reader.next(cells)) {
-    double T = reader.number(cells, *elapsed) * second;
-    long mark = record.mark.empty() ? 0 : record.mark.back() + 1;
-    if (distance) {
-      const double s = reader.number(cells, *distance) * metre;
-      if (std::isnan(first)) first = s;
-      const auto known = mark_of(reader, s, first, wish.processing.layout.sample);
-      if (known) mark = *known;
-      if (!known) T = nan;
-    } else if (!signal::possible_interval(T) && !record.mark.empty()) {
-      --mark;  // a pulse too many is no foot of travel
-    }
-    record.elapsed.push_back(T);
-    record.mark.push_back(mark);
-    for (const ChannelInfo& c : channel_list()) {
-      const auto i = static_cast<std::size_t>(c.channel);
-      double value = column[i] ? reader.number(cells, *column[i]) * unit[i] : nan;
-      if (!std::isnan(value) && std::abs(value) > plausible(c)) {
-        ++faults.beyond;
-        value = nan;
-      }
-      auto& values = record.values[i];
-      same[i] = !values.empty() && value == values.back() ? same[i] + 1 : 0;
-      still[i] = std::max(still[i], same[i]);
-      values.push_back(value);
-    }
-  }
-  if (std::isnan(first)) first = 0;
-  for (const ChannelInfo& c : channel_list())
-    if (still[static_cast<std::size_t>(c.channel)] >= long_still) faults.stuck.emplace_back(c.name);
-  return record;
-}
 
 const char* word(Quality q) {
   switch (q) {
@@ -273,7 +179,7 @@ void process_record(Wish wish) {
   p.curvature_mean = static_cast<int>(wish.curvature_mean);
   Faults faults;
   Answer a;
-  Record record = read(wish, faults, a.first);
+  Record record = read_sensors(wish.file, p.layout.sample, faults, a.first);
   for (double& v : record[Channel::yaw_rate]) v -= wish.yaw_bias;
   for (double& v : record[Channel::roll_rate]) v -= wish.roll_bias;
   a.m = reconstruct(record, p);

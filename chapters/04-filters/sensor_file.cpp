@@ -1,0 +1,118 @@
+/***
+A header names its unit after the last underscores; a column that is there without one, or with one of another dimension, is refused rather than guessed.
+Distances may be off the marks by a quarter of a sample.
+*/
+#include "sensor_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string_view>
+
+#include "report/csv.hpp"
+#include "signal/hybrid_filter.hpp"
+#include "units/input_error.hpp"
+
+namespace railbook::filters {
+
+using namespace geometry_car;
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+double plausible(const ChannelInfo& c) {
+  if (c.dimension == units::acceleration) return 100;  // m/s^2
+  return 10;                                           // rad/s, m
+}
+
+std::optional<std::size_t> find(const report::CsvReader& reader, std::string_view name,
+                                const units::Dimension& dimension, double& si) {
+  for (std::size_t i = 0; i < reader.header().size(); ++i) {
+    const units::Header header = units::parse_header(reader.header()[i]);
+    if (header.name != name) continue;
+    if (header.unit_text.empty() || !(header.unit.dimension == dimension))
+      throw InputError{
+          fmt::format("column \"{}\" names no unit that fits; allowed: one of the dimension of {}",
+                      reader.header()[i], units::si_name(dimension))};
+    si = header.unit.si;
+    return i;
+  }
+  return std::nullopt;
+}
+
+// The number of the foot mark, or nothing when the cell is empty.
+std::optional<long> mark_of(const report::CsvReader& reader, double distance, double first,
+                            double sample) {
+  if (!std::isfinite(distance)) return std::nullopt;
+  const double place = (distance - first) / sample, whole = std::round(place);
+  if (std::abs(place - whole) > 0.25 || std::abs(whole) > 1e9)
+    throw InputError{fmt::format(
+        "file \"{}\", line {}: distance {} m is {:.2f} samples from the first; allowed: "
+        "whole samples of {} m, to a quarter",
+        reader.file().string(), reader.line(), distance, place, sample)};
+  return std::lround(whole);
+}
+
+}  // namespace
+
+Record read_sensors(const std::filesystem::path& file, double sample, Faults& faults,
+                    double& first) {
+  report::CsvReader reader{file};
+  Record record;
+  double second = 1, metre = 1;
+  const auto elapsed = find(reader, "elapsed", units::time, second);
+  if (!elapsed)
+    throw InputError{fmt::format("file \"{}\": no column \"elapsed_s\"; there are: {}",
+                                 file.string(), fmt::join(reader.header(), ", "))};
+  const auto distance = find(reader, "distance", units::length, metre);
+  std::vector<std::optional<std::size_t>> column;
+  std::vector<double> unit(channels, 1.0);
+  for (const ChannelInfo& c : channel_list()) {
+    column.push_back(find(reader, c.name, c.dimension, unit[column.size()]));
+    if (!column.back()) faults.absent.emplace_back(c.name);
+  }
+  if (faults.absent.size() == channels)
+    throw InputError{fmt::format(
+        "file \"{}\": no sensor in it; there are: {}; allowed: vertical_left_m_per_s2 and so on",
+        file.string(), fmt::join(reader.header(), ", "))};
+  std::vector<std::string> cells;
+  std::vector<std::size_t> same(channels, 0), still(channels, 0);
+  first = nan;
+  while (reader.next(cells)) {
+    double T = reader.number(cells, *elapsed) * second;
+    long mark = record.mark.empty() ? 0 : record.mark.back() + 1;
+    if (distance) {
+      const double s = reader.number(cells, *distance) * metre;
+      if (std::isnan(first)) first = s;
+      const auto known = mark_of(reader, s, first, sample);
+      if (known) mark = *known;
+      if (!known) T = nan;
+    } else if (!signal::possible_interval(T) && !record.mark.empty()) {
+      --mark;  // a pulse too many is no foot of travel
+    }
+    record.elapsed.push_back(T);
+    record.mark.push_back(mark);
+    for (const ChannelInfo& c : channel_list()) {
+      const auto i = static_cast<std::size_t>(c.channel);
+      double value = column[i] ? reader.number(cells, *column[i]) * unit[i] : nan;
+      if (!std::isnan(value) && std::abs(value) > plausible(c)) {
+        ++faults.beyond;
+        value = nan;
+      }
+      auto& values = record.values[i];
+      same[i] = !values.empty() && value == values.back() ? same[i] + 1 : 0;
+      still[i] = std::max(still[i], same[i]);
+      values.push_back(value);
+    }
+  }
+  if (std::isnan(first)) first = 0;
+  for (const ChannelInfo& c : channel_list())
+    if (still[static_cast<std::size_t>(c.channel)] >= long_still) faults.stuck.emplace_back(c.name);
+  return record;
+}
+
+}  // namespace railbook::filters
