@@ -57,10 +57,12 @@ bench::Method by_cells(const char* name, bool placed, bool full) {
        {std::pair{4, 4}, {6, 4}, {8, 6}, {12, 8}, {16, 8}, {24, 12}, {32, 16}}) {
     const int along = n, rows = m;
     method.settings.push_back(
-        {fmt::format("{}x{}", along, rows), [=] {
+        {fmt::format("{}x{}", along, rows), [=, along = along, rows = rows] {
            contact::RollingOptions options;
            options.along = along, options.rows = rows, options.remedy = placed;
-           return outcome(full_curve(options), full, static_cast<double>(along * rows) * 19);
+           const auto curve = full_curve(options);
+           return outcome(curve, full,
+                          static_cast<double>(along * rows) * static_cast<double>(curve.size()));
          }});
   }
   return method;

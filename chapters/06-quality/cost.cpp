@@ -83,10 +83,8 @@ void fig_filter_time(report::Item& item) {
         envelope, {.spacing = step, .shortest = 0, .reach = reach * track_speed / roll.frequency});
     const std::string label = fmt::format("{:g} wavelengths", reach);
     const double direct_work = static_cast<double>(samples * taps.half.size());
-    methods[0].settings.push_back({label, [taps, direct_work, &z] {
-                                     return outcome(quality::filter(taps, z)[crest],
-                                                    samples * 34.0);
-                                   }});
+    methods[0].settings.push_back(
+        {label, [taps, &z] { return outcome(quality::filter(taps, z)[crest], samples * 34.0); }});
     methods[1].settings.push_back({label, [taps, direct_work, &z] {
                                      return outcome(quality::filter_direct(taps, z)[crest],
                                                     direct_work);
