@@ -76,13 +76,13 @@ std::vector<bench::Method> methods(const Record& r) {
   };
   bench::Method fft{"FFT", {}}, sums{"running sums double", {}},
       sums_float{"running sums float", {}}, stream{"stream", {}};
-  for (const std::size_t size : {2048, 8192, 32768}) {
+  for (const std::size_t size : {2048u, 8192u, 32768u}) {
     const auto m = static_cast<double>(size);
     fft.settings.push_back(setting(fmt::format("blocks of {}", size),
                                    5 * m * std::log2(m) / (m - 660),
                                    [&r, size] { return fft_composite(r.x, size); }));
   }
-  for (const std::size_t restart : {256, 4096, 0}) {
+  for (const std::size_t restart : {256u, 4096u, 0u}) {
     const std::string label = restart == 0 ? "never" : fmt::format("every {}", restart);
     const double work = sum_operations + (restart == 0 ? 0 : 666 / static_cast<double>(restart));
     sums.settings.push_back(
@@ -90,7 +90,7 @@ std::vector<bench::Method> methods(const Record& r) {
     sums_float.settings.push_back(
         setting(label, work, [&r, restart] { return sums_composite<float>(r.x_float, restart); }));
   }
-  for (const std::size_t block : {512, 4096, 32768})
+  for (const std::size_t block : {512u, 4096u, 32768u})
     stream.settings.push_back(setting(fmt::format("blocks of {}", block), stream_operations(block),
                                       [&r, block] { return stream_composite(r.x, block); }));
   const auto only = [&](const char* label, double work, std::function<std::vector<double>()> run) {
