@@ -1,9 +1,8 @@
 load "style.gp"
 set output ARG2
 set xrange [-0.6:1.5]
-set yrange [0:4.8]
-set key above horizontal maxrows 2 title "reconstructed, synthetic values"
-set tmargin 7
+set yrange [0:6.2]
+set key top left title "reconstructed, synthetic values"
 set xlabel "descriptor"
 set ylabel "density"
 set boxwidth 0.045

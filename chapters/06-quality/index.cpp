@@ -79,7 +79,7 @@ void fig_09(report::Item& item) {
   item.agree("above", "share of values above T₂", "", above,
              num::integrate(density, (T_2 - mean) / deviation, 40, 1e-12).value, 1e-9,
              "adaptive quadrature");
-  quality::IndexBuilder drawn{0.2, T_2};
+  quality::IndexBuilder drawn{{.spacing = 0.2, .threshold = T_2}};
   std::vector<double> values(1'000'000);
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = mean + deviation * source.normal(i);
   drawn.push(values);

@@ -116,19 +116,8 @@ struct Wish {
   std::optional<std::filesystem::path> out;
 };
 
-void limit(const Wish& wish) {
-  const quality::Descriptor d = descriptor(wish.car);
-  const quality::Envelope envelope{d};
-  report::Summary answer{"amplitude allowed in the track"};
-  add_car(answer, d);
-  for (const double w : wish.wavelengths) {
-    const double all = envelope(1 / w);
-    const bool by_force = d.force && severity(*d.force, d.speed, 1 / w) >= all;
-    answer.add(fmt::format("amplitude_cm_at_{:.4g}_m", w), fmt::format("at {:.4g} m", w),
-               quality::allowed_amplitude(all) / cm, "cm", by_force ? "wheel force" : "stroke");
-  }
-  answer.print();
-  if (!wish.out) return;
+void write_files(const std::filesystem::path& out, const quality::Descriptor& d,
+                 const quality::Envelope& envelope, const report::Summary& answer) {
   std::string text = fmt::format("wavelength_m,amplitude_cm{}{}\n", d.stroke ? ",stroke_cm" : "",
                                  d.force ? ",force_cm" : "");
   for (const double w : wavelengths(0.5, 1000, 80)) {
@@ -140,10 +129,25 @@ void limit(const Wish& wish) {
     text += fmt::format("{:.6g},{:.6g}{}{}\n", w, quality::allowed_amplitude(envelope(1 / w)) / cm,
                         mode(d.stroke), mode(d.force));
   }
-  report::write_file(*wish.out / "limit.csv", text);
-  answer.write_json(*wish.out / "limit.json");
-  plot::render(std::filesystem::path{RAILBOOK_CHAPTER_DIR} / "limit_tool.gp",
-               {*wish.out / "limit.csv"}, *wish.out / "limit.png");
+  report::write_file(out / "limit.csv", text);
+  answer.write_json(out / "limit.json");
+  plot::render(std::filesystem::path{RAILBOOK_CHAPTER_DIR} / "limit_tool.gp", {out / "limit.csv"},
+               out / "limit.png");
+}
+
+void limit(const Wish& wish) {
+  const quality::Descriptor d = descriptor(wish.car);
+  const quality::Envelope envelope{d};
+  report::Summary answer{"amplitude allowed in the track"};
+  add_car(answer, d);
+  for (const double w : wish.wavelengths) {
+    const double all = envelope(1 / w);
+    const bool by_force = d.force && severity(*d.force, d.speed, 1 / w) >= all;
+    answer.add(fmt::format("amplitude_cm_at_{:.4g}_m", w), fmt::format("at {:.4g} m", w),
+               quality::allowed_amplitude(all) / cm, "cm", by_force ? "wheel force" : "stroke");
+  }
+  if (wish.out) write_files(*wish.out, d, envelope, answer);
+  answer.print();
 }
 
 }  // namespace

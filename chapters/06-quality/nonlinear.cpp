@@ -97,7 +97,9 @@ class Integration {
                 std::sin(2 * units::pi * w.frequency * track_.ramp + w.phase);
       t = track_.ramp;
     }
-    result_.x = leg(t, y, end, watch_from)[0];
+    y = leg(t, y, end, watch_from);
+    result_.x = y[0];
+    result_.v = y[1];
     result_.evaluations = ode_.evaluations();
     return result_;
   }

@@ -15,8 +15,8 @@ double peak_amplitude();
 
 // Largest |x| from `watch_from` to `end` by Runge-Kutta of order 5 with local errors below `tolerance` (m).
 struct OdeResult {
-  double largest = 0;  // max |x|, m
-  double x = 0;        // at the end
+  double largest = 0;   // max |x|, m
+  double x = 0, v = 0;  // at the end
   long evaluations = 0;
   bool complete = true;
 };

@@ -95,6 +95,8 @@ void fig_02(report::Item& item) {
   auto& data = item.data({"wavelength_m", "gain"});
   for (const double w : wavelengths(1, 1000, 200)) data.add(w, gain(w));
   const double peak = quality::flat_until(inch_limit, track_speed);
+  const double printed_peak = report::printed_number(printed.at("peak", "printed"));
+  item.data("printed", {"wavelength_m", "gain"}).add(printed_peak, gain(printed_peak));
   item.row(printed, "peak")
       .check("printed", peak,
              report::relative(0.04,
@@ -113,6 +115,10 @@ void fig_02(report::Item& item) {
 void fig_03(report::Item& item) {
   item.expect_checks(1);
   auto& data = item.data({"wavelength_m", "amplitude_cm"});
+  const double resonance =
+      report::printed_number(item.printed("printed.csv").at("peak", "printed"));
+  item.data("printed", {"wavelength_m", "amplitude_cm"})
+      .add(resonance, allowed_amplitude(severity_at(inch_limit, track_speed, 1 / resonance)) / cm);
   double least = 1e9;
   for (const double w : wavelengths(1, 1000, 400)) {
     const double amplitude = allowed_amplitude(severity_at(inch_limit, track_speed, 1 / w));

@@ -52,6 +52,16 @@ foreach(chapter ${chapters})
   endif()
 endforeach()
 
+# Every committed figure has its title in the gallery.
+file(GLOB_RECURSE pngs RELATIVE ${root}/figures ${root}/figures/*.png)
+file(READ ${root}/figures/README.md gallery)
+foreach(png ${pngs})
+  get_filename_component(id ${png} NAME_WLE)
+  if(NOT gallery MATCHES "\n!\\[${id}: [^\n]+\\]\\(${png}\\)")
+    broken("figures/README.md: ${png} has no title; accept it again")
+  endif()
+endforeach()
+
 # Each command that the README tells to run is a target of the Makefile.
 file(STRINGS ${root}/README.md commands REGEX "^ *make [a-z-]+")
 file(READ ${root}/Makefile makefile)

@@ -18,7 +18,7 @@ TEST_CASE("Index of a sine: moments, exceedances, wavelengths", "[quality]") {
   std::vector<double> p(5000);
   for (std::size_t i = 0; i < p.size(); ++i)
     p[i] = 1.25 * std::sin(2 * units::pi * (static_cast<double>(i) + 0.5) / 100);
-  IndexBuilder whole{0.2, 1}, pieces{0.2, 1};
+  IndexBuilder whole{{.spacing = 0.2}}, pieces{{.spacing = 0.2}};
   whole.push(p);
   whole.finish();
   for (std::size_t i = 0; i < p.size(); i += 250) pieces.push(std::span{p}.subspan(i, 250));
@@ -44,7 +44,7 @@ TEST_CASE("Index of a sine: moments, exceedances, wavelengths", "[quality]") {
 TEST_CASE("Index: gaps, silence and nothing", "[quality]") {
   const num::FpTraps traps;
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  IndexBuilder b{1, 1};
+  IndexBuilder b{{.spacing = 1}};
   b.push(std::vector<double>{nan, 2, 2, nan, nan, 0, 0, -3});
   b.finish();
   const QualityIndex q = b.index();
@@ -54,13 +54,51 @@ TEST_CASE("Index: gaps, silence and nothing", "[quality]") {
   REQUIRE(b.exceedances().size() == 2);
   CHECK(b.exceedances()[0].cut);
   CHECK(b.exceedances()[1].peak == -3);
-  IndexBuilder still{1, 1};
+  IndexBuilder still{{.spacing = 1}};
   still.push(std::vector<double>(10, 0.0));
   still.finish();
   CHECK(std::isinf(still.index().margin));
-  CHECK(IndexBuilder(1, 1).index().samples == 0);
-  CHECK_THROWS_AS(IndexBuilder(0, 1), InputError);
-  CHECK_THROWS_AS(IndexBuilder(1, -1), InputError);
+  CHECK(IndexBuilder({.spacing = 1}).index().samples == 0);
+  CHECK_THROWS_AS(IndexBuilder({.spacing = 0}), InputError);
+  CHECK_THROWS_AS(IndexBuilder({.spacing = 1, .threshold = -1}), InputError);
+}
+
+TEST_CASE("Index by segment: aligned with the kilometre posts, exceedances where their peak is",
+          "[quality]") {
+  // Half-waves of 10 m about 1; from 130 m to 770 m, a gap of 20 m at 400 m.
+  IndexBuilder b{{.spacing = 0.5, .threshold = 1, .origin = 130, .segment = 200, .margin = 30}};
+  std::vector<double> p;
+  for (double x = 130; x < 770; x += 0.5)
+    p.push_back(x >= 400 && x < 420 ? std::numeric_limits<double>::quiet_NaN()
+                                    : (x < 600 ? 0.9 : 1.2) * std::sin(units::pi * x / 10));
+  b.push(p);
+  b.finish();
+  REQUIRE(b.segments().size() == 4);
+  const std::vector<double> from{0, 200, 400, 600};
+  const std::vector<std::size_t> samples{140, 400, 400, 340}, found{0, 0, 0, 17};
+  std::size_t total = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const IndexSums& s = b.segments()[i].sums;
+    CHECK(b.segments()[i].from == from[i]);
+    CHECK(s.samples == samples[i]);
+    CHECK(s.exceedances == found[i]);
+    CHECK_THAT(s.index(0.5, 1).rms, WithinRel((i < 3 ? 0.9 : 1.2) / std::sqrt(2.0), 1e-9));
+    total += s.samples;
+  }
+  CHECK(b.segments()[2].sums.missing == 40);
+  CHECK(total == b.index().samples);
+  CHECK_THAT(b.unsure(), WithinRel(2 * 60 / 620.0, 1e-12));
+  CHECK_THAT(b.exceedances().front().clear, WithinAbs(769.5 - 605, 1e-9));
+  CHECK_THAT(b.exceedances().back().clear, WithinAbs(4.5, 1e-9));
+  CHECK_THROWS_AS(IndexBuilder({.spacing = 1, .segment = 0.5}), InputError);
+}
+
+TEST_CASE("Index: short pieces between gaps are all unsure", "[quality]") {
+  IndexBuilder b{{.spacing = 0.25, .margin = 55}};
+  for (int i = 0; i < 1000; ++i)
+    b.push(std::vector<double>{i % 97 == 5 ? std::numeric_limits<double>::quiet_NaN() : 0.5});
+  b.finish();
+  CHECK(b.unsure() == 1);
 }
 
 TEST_CASE("Risk: values by quadrature elsewhere", "[quality]") {
