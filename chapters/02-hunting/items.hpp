@@ -32,5 +32,11 @@ void add_speed_tool(report::Chapter&);  // `hunting speed`
 void add_cycle_tool(report::Chapter&);  // `hunting cycle`
 
 // Harmonic balance, time, Floquet, scene.
+void add_balance(report::Chapter&);
+void add_histories(report::Chapter&);
+void add_floquet(report::Chapter&);
+void add_scene(report::Chapter&);
+void add_cycle_cost(report::Chapter&);
+void add_cycle_extremes(report::Chapter&);
 
 }  // namespace railbook::hunting

@@ -46,10 +46,9 @@ Eigen::MatrixXcd all_rows(const Oscillator& o, Complex p) {
 
 int sample_count(const Cycle& cycle, int wanted) {
   const int highest = cycle.orders.back();
-  int n = 1024;
-  while (n < (wanted > 0 ? std::max(wanted, 4 * highest) : 64 * highest)) n *= 2;
-  if (wanted > 0 && wanted < 1024)
-    for (n = 8; n < std::max(wanted, 4 * highest);) n *= 2;
+  const int least = wanted > 0 ? std::max(wanted, 4 * highest) : std::max(512, 32 * highest);
+  int n = 8;
+  while (n < least) n *= 2;
   return n;
 }
 

@@ -52,7 +52,7 @@ Examined examine(const Oscillator& oscillator, const Cycle& start) {
 
 Examined examine(const FreightCar& car, const wheelrail::ConstraintFunctions& table,
                  const Motion& motion, int highest) {
-  const Oscillator oscillator = hunting(car, table, motion.speed);
+  const Oscillator oscillator = car_on_track(car, table, motion.speed);
   return examine(oscillator,
                  first_harmonic(oscillator, motion.shape, motion.lambda.imag(), highest));
 }

@@ -35,7 +35,7 @@ struct BalanceOptions {
   double tolerance = 1e-11;  // of the residual
   int most_iterations = 40;
   int samples =
-      0;  // a period in time; 0: a power of two of at least 1024 and 64 times the highest order
+      0;  // a period in time; 0: a power of two of at least 512 and 32 times the highest order
 };
 
 // A start from one harmonic q = Re(amplitudes exp(i omega t)) at the oscillator's speed: the odd orders up to `highest`, or,

@@ -55,8 +55,8 @@ void require_shape(const Oscillator& o) {
 
 }  // namespace
 
-Oscillator hunting(const FreightCar& car, const wheelrail::ConstraintFunctions& table,
-                   double speed) {
+Oscillator car_on_track(const FreightCar& car, const wheelrail::ConstraintFunctions& table,
+                        double speed) {
   Oscillator o;
   o.mass = car.mass;
   o.damping = car.suspension_damping;

@@ -4,7 +4,7 @@
 //
 // with piecewise linear f_c: the freight car on its tables, with or without friction.
 //
-//   const Oscillator car = hunting(assemble({}, Suspension::dampers), table, 150 * units::foot);
+//   const Oscillator car = car_on_track(assemble({}, Suspension::dampers), table, 150 * units::foot);
 #pragma once
 
 #include <Eigen/Core>
@@ -35,8 +35,8 @@ struct Oscillator {
 
 // The car on a pair of profiles at a speed [m/s] > 0: channels 0 ... 3 are the wheelsets' displacements [m], with the end of the
 // table as limit, and, if the car has friction, 4 ... 10 the rates of its joints. Throws InputError for a bad speed or empty table.
-Oscillator hunting(const FreightCar& car, const wheelrail::ConstraintFunctions& table,
-                   double speed);
+Oscillator car_on_track(const FreightCar& car, const wheelrail::ConstraintFunctions& table,
+                        double speed);
 // The same car at another speed.
 Oscillator at_speed(Oscillator car, double speed);
 

@@ -13,7 +13,7 @@ TEST_CASE("At a walking pace, 27000 1/s against 0.09 rad/s, the implicit method 
           "[extreme]") {
   const double speed = 1 * units::foot;
   const Oscillator o =
-      hunting(assemble({}, Suspension::dampers), wheelrail::new_wheel_table(), speed);
+      car_on_track(assemble({}, Suspension::dampers), wheelrail::new_wheel_table(), speed);
   Eigen::VectorXd y0 = Eigen::VectorXd::Zero(18);
   y0[X_TF] = y0[X_TR] = 0.2 * units::inch;
   HistoryOptions options{.integrator = Integrator::radau5, .tolerance = 1e-8};
@@ -32,7 +32,7 @@ TEST_CASE("Friction that sticks a hundred times harder: exact pieces and the imp
   data.stick_speed /= 10;
   data.stick_rate /= 10;
   const Oscillator o =
-      hunting(assemble(data, Suspension::friction), wheelrail::cn_table(), 90 * units::foot);
+      car_on_track(assemble(data, Suspension::friction), wheelrail::cn_table(), 90 * units::foot);
   Eigen::VectorXd y0 = Eigen::VectorXd::Zero(18);
   y0[X_TF] = y0[X_TR] = 0.1 * units::inch;
   const History exact = integrate(o, y0, 0.5, {});

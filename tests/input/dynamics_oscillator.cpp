@@ -24,10 +24,10 @@ TEST_CASE("Piecewise linear laws refuse knots out of order, NaN, and one knot", 
 
 TEST_CASE("Integration refuses V = 0, no duration, and a start beyond the table", "[oscillator]") {
   const auto car = assemble({}, Suspension::dampers);
-  CHECK_THROWS_AS(hunting(car, wheelrail::cn_table(), 0), InputError);
-  CHECK_THROWS_AS(hunting(car, wheelrail::cn_table(), -1), InputError);
-  CHECK_THROWS_AS(hunting(car, {}, 10), InputError);
-  Oscillator o = hunting(car, wheelrail::cn_table(), 10);
+  CHECK_THROWS_AS(car_on_track(car, wheelrail::cn_table(), 0), InputError);
+  CHECK_THROWS_AS(car_on_track(car, wheelrail::cn_table(), -1), InputError);
+  CHECK_THROWS_AS(car_on_track(car, {}, 10), InputError);
+  Oscillator o = car_on_track(car, wheelrail::cn_table(), 10);
   Eigen::VectorXd y = Eigen::VectorXd::Zero(18);
   CHECK_THROWS_AS(integrate(o, y, 0, {}), InputError);
   CHECK_THROWS_AS(integrate(o, y, 1, {.tolerance = 0}), InputError);
@@ -46,7 +46,7 @@ TEST_CASE("Integration refuses V = 0, no duration, and a start beyond the table"
 }
 
 TEST_CASE("Harmonic balance refuses a start at rest, or of another size", "[oscillator]") {
-  const Oscillator o = hunting(assemble({}, Suspension::dampers), wheelrail::cn_table(), 40);
+  const Oscillator o = car_on_track(assemble({}, Suspension::dampers), wheelrail::cn_table(), 40);
   CHECK_THROWS_WITH(balance(o, first_harmonic(o, Eigen::VectorXcd::Zero(9), 20, 5)),
                     Catch::Contains("rest"));
   CHECK_THROWS_AS(balance(o, {}), InputError);
@@ -55,8 +55,8 @@ TEST_CASE("Harmonic balance refuses a start at rest, or of another size", "[osci
 
 TEST_CASE("A cycle that is not there is not returned as one", "[oscillator]") {
   // Far below the critical speed every motion dies out.
-  const Oscillator o =
-      hunting(assemble({}, Suspension::dampers), wheelrail::new_wheel_table(), 60 * units::foot);
+  const Oscillator o = car_on_track(assemble({}, Suspension::dampers), wheelrail::new_wheel_table(),
+                                    60 * units::foot);
   Eigen::VectorXcd q = Eigen::VectorXcd::Zero(9);
   q[X_TF] = q[X_TR] = 0.3 * units::inch;
   const Cycle cycle = balance(o, first_harmonic(o, q, 8, 9));

@@ -104,7 +104,7 @@ TEST_CASE("The branch of an asymmetric oscillator has a mean and every order", "
 
 TEST_CASE("New wheel at 150 ft/s: 23 harmonics against integration at 1e-9", "[balance]") {
   const auto car = assemble({}, Suspension::dampers);
-  const Oscillator o = hunting(car, wheelrail::new_wheel_table(), 150 * units::foot);
+  const Oscillator o = car_on_track(car, wheelrail::new_wheel_table(), 150 * units::foot);
   HistoryOptions options{.integrator = Integrator::dopri5, .tolerance = 1e-9};
   for (int i = 0; i < wheelsets; ++i) options.watch.push_back(o.channels[std::size_t(i)].row);
   Eigen::VectorXd y0 = Eigen::VectorXd::Zero(18);
@@ -130,7 +130,7 @@ TEST_CASE("New wheel at 150 ft/s: 23 harmonics against integration at 1e-9", "[b
 TEST_CASE("A cycle's stability is seen in time: both cycles of CN at 131 ft/s", "[balance]") {
   const auto car = assemble({}, Suspension::dampers);
   const auto& table = wheelrail::cn_table();
-  const Oscillator o = hunting(car, table, 131 * units::foot);
+  const Oscillator o = car_on_track(car, table, 131 * units::foot);
   const QuasiLinearCar linear{car, table};
   const auto hopf = hopf_points(linear, 100 * units::foot, 150 * units::foot);
   REQUIRE(hopf.size() == 1);

@@ -25,7 +25,7 @@ Oscillator single(double damping, double stiffness, PiecewiseLinear law, bool of
 TEST_CASE("On the tread, cut into many pieces, the car moves by the matrix exponential",
           "[pieces]") {
   const auto car = assemble({}, Suspension::dampers);
-  Oscillator o = hunting(car, wheelrail::new_wheel_table(), 150 * units::foot);
+  Oscillator o = car_on_track(car, wheelrail::new_wheel_table(), 150 * units::foot);
   // The linear tread as a law of 400 pieces whose bend is far beyond rounding's reach, but nil for the motion.
   for (Channel& c : o.channels) {
     const Eigen::VectorXd slope = c.law.slopes().col(c.law.piece(0));
@@ -71,7 +71,7 @@ TEST_CASE("A bilinear oscillator keeps its period and energy over a thousand per
 
 TEST_CASE("The flow's derivative is that of finite differences, across knots", "[pieces]") {
   const auto car = assemble({}, Suspension::friction);
-  const Oscillator o = hunting(car, wheelrail::cn_table(), 100 * units::foot);
+  const Oscillator o = car_on_track(car, wheelrail::cn_table(), 100 * units::foot);
   State y0 = State::Zero();
   y0[X_TF] = 0.008;
   y0[X_TR] = 0.007;
@@ -99,7 +99,7 @@ TEST_CASE("The flow's derivative is that of finite differences, across knots", "
 TEST_CASE("A wheelset at the end of its table stops every integrator at the same time",
           "[pieces]") {
   const auto car = assemble({}, Suspension::dampers);
-  const Oscillator o = hunting(car, wheelrail::new_wheel_table(), 240 * units::foot);
+  const Oscillator o = car_on_track(car, wheelrail::new_wheel_table(), 240 * units::foot);
   Eigen::VectorXd y0 = Eigen::VectorXd::Zero(18);
   y0[X_TF] = y0[X_TR] = 0.45 * units::inch;
   const History exact = integrate(o, y0, 20, {});
