@@ -28,6 +28,7 @@ started hard. Against an exact motion on the reduced level, at its worst frequen
 #include <vector>
 
 #include "nonlinear.hpp"
+#include "quality/steady_motion.hpp"
 
 namespace quality_chapter {
 
@@ -155,8 +156,7 @@ void fig_branches(report::Item& item) {
 double least_amplitude(double kappa, double ratio) {
   double least = 1e300;
   for (double a = inch_limit.stroke; a < 20 * inch_limit.stroke; a *= 1.01) {
-    const double u = 0.6 * inch_limit.stroke / a;
-    const double n = 1 + kappa * (1 - 2 / units::pi * (std::asin(u) + u * std::sqrt(1 - u * u)));
+    const double n = quality::mean_stiffness(stopped(kappa), a);
     const quality::Suspension hard{roll.frequency * std::sqrt(n), roll.damping / std::sqrt(n)};
     least = std::min(least, a / quality::stroke_gain(hard, ratio * roll.frequency));
   }

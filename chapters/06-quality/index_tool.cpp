@@ -6,7 +6,7 @@ The descriptor of a record of your own, at the posted speed and for your car:
     quality index chapters/06-quality/examples/track.csv --speed 64km/h --column crosslevel
 
 The record is a CSV file with a column of positions and one of heights, units in their headers (`distance_m,profile_mm`). It is read twice, once to check all of it and to learn its spacing, once to filter; memory
-does not grow with its length. Empty cells and `nan` are gaps: short ones may be bridged (`--bridge 5`), others divide the record. The answer names each place where the magnitude of the descriptor passes `--threshold`, the paper's $T_2$, with the
+grows with the places and segments found only. Empty cells and `nan` are gaps: short ones may be bridged (`--bridge 5`), others divide the record. The answer names each place where the magnitude of the descriptor passes `--threshold`, the paper's $T_2$, with the
 wavelength there, twice the distance of the neighbouring zeros, and the limit that counts at that wavelength. Places within a resonant wavelength of an end or of a gap are marked: there the filter had to guess.
 For the planner the record is cut at multiples of `--segment`, each piece with an index of its own and a class: *accept* below $T_1$ (`--accept`), *repair* above $T_2$, *watch* between them. The
 paper prints no thresholds; ours are 0.5 and 1. With `--out` come the channel, the list of places, the segments, the histogram, a figure, and the index as JSON.
@@ -22,10 +22,8 @@ paper prints no thresholds; ours are 0.5 and 1. With `--out` come the channel, t
 #include <string>
 #include <vector>
 
-#include "car_options.hpp"
+#include "index_tool.hpp"
 #include "plot/plot.hpp"
-#include "quality/descriptor_filter.hpp"
-#include "quality/quality_index.hpp"
 #include "report/csv.hpp"
 #include "signal/record.hpp"
 #include "units/input_error.hpp"
@@ -35,16 +33,6 @@ namespace quality_chapter {
 using namespace railbook;
 
 namespace {
-
-struct Wish {
-  CarWish car;
-  std::filesystem::path file;
-  std::string column = "profile", distance = "distance";
-  std::optional<double> spacing, shortest;
-  double threshold = 1, accept = 0.5, segment = 200;
-  long bridge = 0;
-  std::optional<std::filesystem::path> out;
-};
 
 // A column that must be a length, and what one of its unit is in metres.
 struct Column {
@@ -60,13 +48,8 @@ Column length_column(const report::CsvReader& reader, const std::string& name) {
   return {index, header.unit.si};
 }
 
-struct Reading {
-  double first = 0, spacing = 0;  // m
-  std::size_t samples = 0, missing = 0, bridged = 0;
-};
-
 // The whole file through the checks of a record stream.
-Reading read(const Wish& wish, std::function<void(std::span<const double>)> sink) {
+Reading read(const IndexWish& wish, std::function<void(std::span<const double>)> sink) {
   report::CsvReader reader{wish.file};
   const Column column = length_column(reader, wish.column);
   std::optional<Column> positions;
@@ -151,124 +134,12 @@ class Channel {
   std::size_t at_ = 0;
 };
 
-struct Place {
-  quality::Exceedance e;
-  double at = 0;  // m, as the record counts
-  bool unsure = false;
-  const char* limit = "";
-};
-
-// The wavelength of the resonance at posted speed, m.
-double resonant_wave(const quality::Descriptor& d) {
-  return d.speed / (d.stroke ? d.stroke->suspension.frequency : suspension(d.force->car).frequency);
-}
-
 // The force grows with the square of the wavenumber: it needs a shortest wave.
-double shortest_wave(const Wish& wish, const quality::Descriptor& d, double spacing) {
+double shortest_wave(const IndexWish& wish, const quality::Descriptor& d, double spacing) {
   return wish.shortest.value_or(d.force ? std::max(1.0, 2.5 * spacing) : 0);
 }
 
-std::vector<Place> places(const quality::IndexBuilder& builder, double first,
-                          const quality::Descriptor& d) {
-  std::vector<Place> result;
-  for (const quality::Exceedance& e : builder.exceedances()) {
-    const double phi = 1 / e.wavelength;
-    const bool force = d.force && (!d.stroke || severity(*d.force, d.speed, phi) >
-                                                    severity(*d.stroke, d.speed, phi));
-    result.push_back(
-        {e, first + e.at, e.cut || e.clear < resonant_wave(d), force ? "wheel force" : "stroke"});
-  }
-  return result;
-}
-
-// accept below T_1, repair above T_2.
-const char* class_of(const Wish& wish, double largest) {
-  return largest > wish.threshold ? "repair" : largest > wish.accept ? "watch" : "accept";
-}
-
-void add_segments(report::Summary& s, const Wish& wish, const quality::IndexBuilder& builder) {
-  long watch = 0, repair = 0;
-  for (const quality::Segment& segment : builder.segments()) {
-    const std::string name = class_of(wish, segment.sums.largest);
-    watch += name == "watch" ? 1 : 0;
-    repair += name == "repair" ? 1 : 0;
-  }
-  s.add("segments", "segments", static_cast<double>(builder.segments().size()), "",
-        fmt::format("of {:g} m", wish.segment));
-  s.add("segments_watch", "  to watch", static_cast<double>(watch), "",
-        fmt::format("beyond {:g}", wish.accept));
-  s.add("segments_repair", "  to repair", static_cast<double>(repair), "",
-        fmt::format("beyond {:g}", wish.threshold));
-}
-
-void add_worst(report::Summary& s, std::vector<Place> found) {
-  std::sort(found.begin(), found.end(),
-            [](const Place& a, const Place& b) { return std::abs(a.e.peak) > std::abs(b.e.peak); });
-  for (std::size_t i = 0; i < std::min<std::size_t>(5, found.size()); ++i)
-    s.add(
-        fmt::format("worst_{}", i + 1), i == 0 ? "worst" : "",
-        fmt::format("{:+.3f} at {:.1f} m, wavelength {:.1f} m, {}{}", found[i].e.peak, found[i].at,
-                    found[i].e.wavelength, found[i].limit, found[i].unsure ? ", unsure" : ""));
-}
-
-report::Summary answer(const Wish& wish, const quality::Descriptor& d, const Reading& r,
-                       const quality::FilterTaps& taps, const quality::IndexBuilder& builder,
-                       const std::vector<Place>& found) {
-  const quality::QualityIndex q = builder.index();
-  report::Summary s{"track quality of " + wish.file.string()};
-  add_car(s, d);
-  s.add("length_km", "length", static_cast<double>(r.samples) * r.spacing / units::kilometre, "km",
-        fmt::format("{} samples, {} missing, {} bridged", r.samples, r.missing, r.bridged));
-  s.add("spacing_m", "spacing", r.spacing, "m");
-  s.add("shortest_m", "shortest wavelength", shortest_wave(wish, d, r.spacing), "m");
-  s.add("gain_error", "filter gain wrong by at most", taps.gain_error, "",
-        fmt::format("at {:.3g} m", taps.worst_at));
-  s.add("unsure", "share near an end or a gap", builder.unsure(), "",
-        builder.unsure() > 0.5 ? "the descriptor is mostly guessed" : "");
-  s.add("mean", "mean of the magnitude", q.mean, "");
-  s.add("deviation", "standard deviation", q.deviation, "");
-  s.add("rms", "rms of the descriptor", q.rms, "");
-  s.add("largest", "largest", q.largest, "",
-        q.largest > 50 ? "is the unit of the column right?" : "");
-  if (std::isfinite(q.margin)) s.add("n", "n of threshold = mean + n deviation", q.margin, "");
-  s.add("above_per_km", "values above the threshold", q.above_per_km, "1/km",
-        fmt::format("threshold {:g}", wish.threshold));
-  s.add("exceedances", "exceedances", static_cast<double>(found.size()), "",
-        fmt::format("{:.3g} per km", q.exceedances_per_km));
-  add_segments(s, wish, builder);
-  add_worst(s, found);
-  return s;
-}
-
-void write_segments(const Wish& wish, double spacing, const quality::IndexBuilder& builder) {
-  std::string text =
-      "from_m,to_m,samples,missing,mean,deviation,rms,largest,above_per_km,exceedances,class\n";
-  for (const quality::Segment& segment : builder.segments()) {
-    const quality::QualityIndex q = segment.sums.index(spacing, wish.threshold);
-    text += fmt::format(
-        "{},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{},{}\n", report::csv_number(segment.from),
-        report::csv_number(segment.from + wish.segment), q.samples, q.missing, q.mean, q.deviation,
-        q.rms, q.largest, q.above_per_km, segment.sums.exceedances,
-        q.missing == q.samples ? "missing" : class_of(wish, q.largest));
-  }
-  report::write_file(*wish.out / "segments.csv", text);
-}
-
-void write_lists(const std::filesystem::path& out, const std::vector<Place>& found,
-                 const quality::IndexBuilder& builder) {
-  std::string list = "distance_m,descriptor,wavelength_m,length_m,limit,unsure\n";
-  for (const Place& p : found)
-    list += fmt::format("{},{:.6g},{:.6g},{:.6g},{},{}\n", report::csv_number(p.at), p.e.peak,
-                        p.e.wavelength, p.e.length, p.limit, p.unsure ? "yes" : "no");
-  report::write_file(out / "exceedances.csv", list);
-  std::string bars = "descriptor,samples\n";
-  for (std::size_t i = 0; i < builder.histogram().size(); ++i)
-    bars += fmt::format("{:.2f},{}\n", (static_cast<double>(i) + 0.5) * quality::IndexBuilder::bin,
-                        builder.histogram()[i]);
-  report::write_file(out / "histogram.csv", bars);
-}
-
-void index_track(const Wish& wish) {
+void index_track(const IndexWish& wish) {
   if (wish.accept > wish.threshold)
     throw InputError{fmt::format("accept is {:g}; allowed: at most the threshold, {:g}",
                                  wish.accept, wish.threshold)};
@@ -292,14 +163,12 @@ void index_track(const Wish& wish) {
   builder.finish();
   channel.close();
   const auto found = places(builder, reading.first, d);
-  const report::Summary summary = answer(wish, d, reading, taps, builder, found);
+  const IndexAnswer answer{wish, d, reading, taps, shortest, builder, found};
+  const report::Summary summary = summary_of(answer);
   summary.print();
   if (!wish.out) return;
-  write_lists(*wish.out, found, builder);
-  write_segments(wish, reading.spacing, builder);
+  write_lists(answer);
   report::write_file(*wish.out / "extremes.csv", channel.extremes());
-  report::write_file(*wish.out / "threshold.csv",
-                     fmt::format("threshold,shortest_m\n{:g},{:g}\n", wish.threshold, shortest));
   summary.write_json(*wish.out / "index.json");
   plot::render(std::filesystem::path{RAILBOOK_CHAPTER_DIR} / "index_tool.gp",
                {*wish.out / "extremes.csv", *wish.out / "exceedances.csv",
@@ -312,7 +181,7 @@ void index_track(const Wish& wish) {
 void add_index_tool(report::Chapter& chapter) {
   chapter.tool(
       "index", "descriptor, exceedances and index of a track record", [](report::Options& o) {
-        auto wish = std::make_shared<Wish>();
+        auto wish = std::make_shared<IndexWish>();
         o.file("record", wish->file, "CSV file with a column of heights");
         o.required();
         add_car_options(o, wish->car);

@@ -35,6 +35,8 @@ however nonlinear, is put to the test with the bump stops it mentions. It fails,
 
 {{include: index_tool.cpp}}
 
+{{include: index_answer.cpp}}
+
 ## Error against run time
 
 {{include: cost.cpp}}

@@ -233,16 +233,7 @@ class Runner {
   Run result_;
 };
 
-double determinant(const Eigen::Matrix2d& m) {
-  return m(0, 0) * m(1, 1) - m(0, 1) * m(1, 0);
-}
-
-// The stiffness, in units of the spring's, that a stroke of amplitude a feels on average over a period.
-double mean_stiffness(const StoppedBody& body, double a) {
-  if (!(a > body.gap)) return 1;
-  const double u = body.gap / a;
-  return 1 + body.kappa * (1 - 2 / units::pi * (std::asin(u) + u * std::sqrt((1 - u) * (1 + u))));
-}
+}  // namespace
 
 void require(const StoppedBody& body) {
   units::require_positive("natural frequency of the body", body.suspension.frequency, "Hz");
@@ -250,8 +241,6 @@ void require(const StoppedBody& body) {
   if (!(body.gap > 0)) units::require_positive("gap of the stops", body.gap, "m");
   units::require_between("stiffness of the stops over the spring's", body.kappa, 0, 1e12);
 }
-
-}  // namespace
 
 double height(const Track& track, double t) {
   double z = 0;
@@ -292,53 +281,6 @@ Run run(const StoppedBody& body, const Track& track, const Motion& start, double
   units::require_non_negative("ramp", track.ramp, "s");
   units::require_between("duration times the fastest frequency", (end - start.t) * fastest, 0, 4e6);
   return Runner{body, track, start, options}.to(end);
-}
-
-PeriodicMotion periodic_motion(const StoppedBody& body, const Wave& wave, const Motion& guess) {
-  const Track track{{wave}, 0};
-  const double period = 1 / wave.frequency;
-  PeriodicMotion result{.start = {0, guess.x, guess.v}};
-  for (; result.iterations < 40; ++result.iterations) {
-    const Run once = run(body, track, result.start, period);
-    if (!once.complete) return result;
-    result.largest = once.largest;
-    const double trace = once.tangent.trace(), det = determinant(once.tangent);
-    const double square = 0.25 * trace * trace - det;
-    result.growth = square > 0 ? 0.5 * std::abs(trace) + std::sqrt(square) : std::sqrt(det);
-    const double miss_x = once.end.x - result.start.x, miss_v = once.end.v - result.start.v;
-    const double speed = rate_of(wave.frequency) * once.largest;
-    result.converged = std::abs(miss_x) < 1e-12 * once.largest && std::abs(miss_v) < 1e-12 * speed;
-    if (result.converged) return result;
-    const Eigen::Matrix2d j = once.tangent - Eigen::Matrix2d::Identity();
-    const double d = determinant(j);
-    if (d == 0) return result;
-    result.start.x -= (j(1, 1) * miss_x - j(0, 1) * miss_v) / d;
-    result.start.v -= (j(0, 0) * miss_v - j(1, 0) * miss_x) / d;
-  }
-  return result;
-}
-
-std::vector<double> balanced_frequencies(const StoppedBody& body, double amplitude, double a) {
-  require(body);
-  const double k = mean_stiffness(body, a), rho = body.suspension.damping;
-  // u = 1/eta^2: k^2 u^2 + (4 rho^2 - 2 k) u + 1 - (amplitude/a)^2 = 0.
-  const double half = k - 2 * rho * rho, share = amplitude / a;
-  const double square = half * half - k * k * (1 - share) * (1 + share);
-  std::vector<double> result;
-  if (square < 0) return result;
-  for (const double u :
-       {(half + std::sqrt(square)) / (k * k), (half - std::sqrt(square)) / (k * k)})
-    if (u > 0) result.push_back(body.suspension.frequency / std::sqrt(u));
-  return result;
-}
-
-Motion balanced_motion(const StoppedBody& body, const Wave& wave, double a) {
-  require(body);
-  const double own = rate_of(body.suspension.frequency), w = rate_of(wave.frequency);
-  const Complex denominator{own * own * mean_stiffness(body, a) - w * w,
-                            2 * body.suspension.damping * own * w};
-  const Complex x = std::polar(wave.amplitude * w * w, wave.phase) / denominator;
-  return {0, x.imag(), w * x.real()};
 }
 
 }  // namespace railbook::quality

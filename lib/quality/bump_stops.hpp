@@ -19,6 +19,8 @@ struct StoppedBody {
   double kappa = 0;  // stop stiffness over spring stiffness, >= 0
 };
 
+void require(const StoppedBody& body);  // throws InputError on data out of range
+
 // z = amplitude sin(2 pi frequency t + phase).
 struct Wave {
   double amplitude = 0;  // m
@@ -75,22 +77,5 @@ struct Run {
 // From `start` to t = `end`. Throws InputError on data out of range, or when the run needs over 10^8 pieces.
 Run run(const StoppedBody& body, const Track& track, const Motion& start, double end,
         const RunOptions& options = {});
-
-// A steady motion with the period of one wave, stable or not, by Newton's method on the exact map over a period.
-struct PeriodicMotion {
-  Motion start;        // at t = 0 for the wave's own phase
-  double largest = 0;  // max |x|
-  double growth = 0;   // largest magnitude of the two Floquet multipliers; above 1 unstable
-  int iterations = 0;
-  bool converged = false;
-};
-PeriodicMotion periodic_motion(const StoppedBody& body, const Wave& wave, const Motion& guess);
-
-// Harmonic balance: the frequencies (Hz, ascending; none, one or two) at which a track amplitude makes a stroke x = a sin.
-// Exact without stops, an approximation of first harmonics with them; a >= 0.
-std::vector<double> balanced_frequencies(const StoppedBody& body, double amplitude, double a);
-
-// The stroke at t = 0 for such a motion, as a guess for periodic_motion.
-Motion balanced_motion(const StoppedBody& body, const Wave& wave, double a);
 
 }  // namespace railbook::quality

@@ -5,6 +5,7 @@
 #include "num/dopri5.hpp"
 #include "num/fp_trap.hpp"
 #include "quality/bump_stops.hpp"
+#include "quality/steady_motion.hpp"
 #include "units/constants.hpp"
 #include "units/input_error.hpp"
 
@@ -144,4 +145,13 @@ TEST_CASE("Bump stops: refusals", "[quality]") {
   CHECK_THROWS_AS(run(body(1), {{{0.01, 0, 0}}, 0}, {}, 1), InputError);
   CHECK_THROWS_AS(run(body(1), {{{0.01, 1, 0}}, -1}, {}, 1), InputError);
   CHECK_THROWS_AS(run(body(1), track, {}, 1e9), InputError);
+}
+
+TEST_CASE("Steady motions: data out of range are refused, not divided by", "[quality]") {
+  const num::FpTraps traps;
+  const StoppedBody body{{0.5, 0.2}, 0.01, 10};
+  CHECK_THROWS_AS(periodic_motion(body, {0.01, 0, 0}, {}), InputError);
+  CHECK_THROWS_AS(balanced_frequencies({{0.5, 0.2}, -1, 10}, 0.01, 0.02), InputError);
+  CHECK(mean_stiffness(body, 0.01) == 1);
+  CHECK(mean_stiffness(body, 1e6) == Approx(11.0).epsilon(1e-6));
 }

@@ -1,0 +1,30 @@
+// The steady motions of a body with bump stops on one sine: exact ones, stable or not, and harmonic balance.
+#pragma once
+
+#include <vector>
+
+#include "quality/bump_stops.hpp"
+
+namespace railbook::quality {
+
+// A steady motion with the period of one wave, stable or not, by Newton's method on the exact map over a period.
+struct PeriodicMotion {
+  Motion start;        // at t = 0 for the wave's own phase
+  double largest = 0;  // max |x|
+  double growth = 0;   // largest magnitude of the two Floquet multipliers; above 1 unstable
+  int iterations = 0;
+  bool converged = false;
+};
+PeriodicMotion periodic_motion(const StoppedBody& body, const Wave& wave, const Motion& guess);
+
+// The stiffness, in units of the spring's, that a stroke x = a sin feels on average over a period (first harmonic).
+double mean_stiffness(const StoppedBody& body, double a);
+
+// Harmonic balance: the frequencies (Hz, ascending; none, one or two) at which a track amplitude makes a stroke x = a sin.
+// Exact without stops, an approximation of first harmonics with them; a >= 0.
+std::vector<double> balanced_frequencies(const StoppedBody& body, double amplitude, double a);
+
+// The stroke at t = 0 for such a motion, as a guess for periodic_motion.
+Motion balanced_motion(const StoppedBody& body, const Wave& wave, double a);
+
+}  // namespace railbook::quality
