@@ -14,6 +14,7 @@ void add_reduction(report::Chapter&);       // their reduction: Figs 8 to 11
 void add_state(report::Chapter&);           // the one reading that is printed
 void add_area_law(report::Chapter&);        // creep times area
 void add_full_curve(report::Chapter&);      // Kalker's full theory
+void add_pixels(report::Chapter&);          // CONTACT's own discretisation
 void add_carter(report::Chapter&);          // exact: rolling cylinders
 void add_cattaneo(report::Chapter&);        // exact: a shift
 void add_coefficients(report::Chapter&);    // Kalker's coefficients

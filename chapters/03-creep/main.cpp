@@ -24,6 +24,8 @@ is*, enlarged by wear, they fall on one curve, the one that Kalker's theory pred
 
 {{include: full_curve.cpp}}
 
+{{include: pixels.cpp}}
+
 {{include: carter.cpp}}
 
 {{include: cattaneo.cpp}}
@@ -129,6 +131,7 @@ int main(int argc, char** argv) {
   creep_chapter::add_appendix_a(chapter);
   creep_chapter::add_appendix_b(chapter);
   creep_chapter::add_full_curve(chapter);
+  creep_chapter::add_pixels(chapter);
   creep_chapter::add_carter(chapter);
   creep_chapter::add_cattaneo(chapter);
   creep_chapter::add_coefficients(chapter);
