@@ -101,8 +101,11 @@ void add_curves(report::Item& item) {
   }
 }
 
-void fig_branches(report::Item& item) {
-  add_curves(item);
+// Up and down.
+struct Sweeps {
+  std::vector<SweepPoint> up, down;
+};
+Sweeps add_sweeps(report::Item& item) {
   auto& swept = item.data("sweep", {"up", "frequency_Hz", "stroke_cm"});
   const auto up = sweep(0.3, 1.6, 0.02), down = sweep(1.6, 0.3, 0.02);
   for (const auto& p : up) swept.add(1, p.frequency, p.largest / cm);
@@ -119,6 +122,12 @@ void fig_branches(report::Item& item) {
   for (std::size_t i = 1; i < down.size(); ++i)
     if (down[i].largest > 1.2 * down[i - 1].largest)
       item.value("sweep-down-from", down[i - 1].frequency, "Hz", "{:.2f}");
+  return {up, down};
+}
+
+void fig_branches(report::Item& item) {
+  add_curves(item);
+  const auto [up, down] = add_sweeps(item);
   const std::vector<double> frequencies{0.9, 1.0, 1.2};
   item.expect_checks(3 * static_cast<int>(frequencies.size()));
   for (const double f : frequencies) {

@@ -47,7 +47,8 @@ double normal_density(double u) {
   return std::exp(-0.5 * u * u) / std::sqrt(2 * units::pi);
 }
 
-void fig_09(report::Item& item) {
+// The curves, a kilometre of drawn values, and the thresholds.
+void draw_09(report::Item& item, const signal::RandomSource& source) {
   auto& data = item.data({"p", "histogram", "risk"});
   auto& bars = item.data("bars", {"p", "density"});
   auto& lines = item.data("thresholds", {"p", "height", "name"});
@@ -56,7 +57,6 @@ void fig_09(report::Item& item) {
              normal_density((0.01 * i - median) / spread) / spread);
   constexpr double width = 0.05;
   std::vector<int> counts(44);
-  const signal::RandomSource source{69, 0};
   for (int i = 0; i < per_km; ++i) {
     const double p = mean + deviation * source.normal(static_cast<std::uint64_t>(i));
     const double cell = (p + 0.7) / width;
@@ -66,6 +66,11 @@ void fig_09(report::Item& item) {
     bars.add(-0.7 + width * (static_cast<double>(i) + 0.5), counts[i] / (width * per_km));
   lines.add(T_1, 4.2, "T_1");
   lines.add(T_2, 4.2, "T_2");
+}
+
+void fig_09(report::Item& item) {
+  const signal::RandomSource source{69, 0};
+  draw_09(item, source);
   item.expect_checks(3);
   const double risk = quality::failure_probability(mean, deviation, median, spread);
   const auto failing = [&](double u) {

@@ -72,7 +72,7 @@ short waves.
   is applied to whichever channel it is given.
 * The wheel never lifts, and the rail does not yield. Above some 20 Hz the track's own stiffness and the contact govern the force; chapter 07 has them. Waves below a metre are beyond this model.
 * The descriptor is a bound for a lasting sine, not for a bump ({{fig-bumps}}) nor for several waves at once: two sines on the envelope read up to 2.
-* Near the ends of a record the filter continues the track. The tool marks what lies within a resonant wavelength.
+* Near the ends of a record and at its gaps the filter continues the track. The tool marks what lies within a resonant wavelength of them.
 * The stops are elastic and symmetric, the damper is linear. Freight-car damping is dry friction, of which chapter 02 makes more.
 * The chaotic pair has no settled stroke, only samples of one, and another compiler may find others.
 * The stochastic part assumes independent, normal values. Neighbouring values of the channel are nearly the same value: exceedances per kilometre count places, values above the threshold count samples.
