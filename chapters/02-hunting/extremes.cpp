@@ -7,11 +7,17 @@ Creep damps with $1/V$, so that a slow car is stiff: at 1 ft/s its fastest motio
 
 An explicit method, and the Taylor series just as well, must follow the fastest decay, which nobody wants to see. The implicit one takes
 steps of the motion's own size. From a few ft/s on it is not worth its price any more.
+
+Two of the cases above are about eigenvalues. Around {{parallel-speed}} two strongly damped modes have nearly parallel shapes: a single
+eigenvector is no good for following a mode there, but each mode still solves its equations to rounding. And two Hopf points
+may coincide: with the body's yaw inertia times {{coincident-factor}} both modes of the car on new wheels turn critical at {{coincident-speed}}; the
+determinant still lists both.
 */
 
 #include <fmt/format.h>
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -171,6 +177,77 @@ void no_cycle(report::Item& item) {
                  none, cycle.converged ? "fails" : "refused");
 }
 
+// A mode's displacements and rates, of length 1; the rates are divided by 10 to be of one size with the rest.
+Eigen::Matrix<Complex, 18, 1> state_of_mode(const Motion& mode) {
+  Eigen::Matrix<Complex, 18, 1> x;
+  x << mode.shape, mode.lambda / 10.0 * mode.shape;
+  return x.normalized();
+}
+
+// Nearly defective: the two modes with the most parallel shapes, and what their equations leave.
+void parallel_modes(report::Item& item) {
+  const QuasiLinearCar& car = study("new").car;
+  const auto gains = car.small();
+  double most = 0, speed = 0, left = 0;
+  Complex first, second;
+  for (double v = 150 * foot; v < 220 * foot; v += 0.25 * foot) {
+    const auto all = modes(car, gains, v);
+    const Matrix9 stiffness = car.matrices(gains, v).stiffness;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const Motion& m = all[i];
+      left = std::max(left, (car.dynamic_stiffness(gains, m.lambda, v) * m.shape).norm() /
+                                (stiffness * m.shape).norm());
+      for (std::size_t j = 0; j < i; ++j) {
+        const double overlap = std::abs(state_of_mode(m).dot(state_of_mode(all[j])));
+        if (overlap <= most) continue;
+        most = overlap, speed = v, first = m.lambda, second = all[j].lambda;
+      }
+    }
+  }
+  item.value("parallel-speed", speed / foot, "ft/s", "{:.0f}");
+  item.stability(
+      "parallel-modes", fmt::format("new wheel, {:.0f} ft/s", speed / foot),
+      fmt::format("two modes' shapes overlap by {:.6f}", most),
+      fmt::format("{:.3f} {:+.3f}i and {:.3f} {:+.3f}i 1/s are told apart; error: |Zq|/|Kq|",
+                  first.real(), first.imag(), second.real(), second.imag()),
+      left, holds(left, 1e-9));
+}
+
+// The body's yaw inertia at which both Hopf points of the new wheel fall together, by secants.
+void coincident(report::Item& item) {
+  const auto car_with = [](double factor) {
+    CarParameters data;
+    data.body_yaw_inertia *= factor;
+    return QuasiLinearCar{assemble(data, Suspension::dampers), wheelrail::new_wheel_table()};
+  };
+  Motion one = study("new").hopf.at(0).motion, two = study("new").hopf.at(1).motion;
+  const auto gap = [&](double factor) {
+    const QuasiLinearCar car = car_with(factor);
+    one = find_hopf(car, one).point.motion;
+    two = find_hopf(car, two).point.motion;
+    return two.speed - one.speed;
+  };
+  double a = 1, b = 1.01, at_a = gap(a), at_b = gap(b);
+  for (int k = 0; k < 20 && std::abs(at_b) > 1e-11 && at_a != at_b; ++k) {
+    const double next = std::clamp(b - at_b * (b - a) / (at_b - at_a), 0.9 * b, 1.1 * b);
+    a = b, at_a = at_b;
+    b = next, at_b = gap(b);
+  }
+  const auto found = hopf_points(car_with(b), 100 * foot, 200 * foot);
+  double off = none;
+  if (found.size() == 2)
+    off = std::max(std::abs(found[0].motion.speed - one.speed),
+                   std::abs(found[1].motion.speed - one.speed)) /
+          one.speed;
+  item.value("coincident-factor", b, "", "{:.4f}");
+  item.value("coincident-speed", one.speed / foot, "ft/s", "{:.2f}");
+  item.stability("coincident", fmt::format("new wheel, body's yaw inertia times {:.4f}", b),
+                 fmt::format("two Hopf points {:.0e} ft/s apart", std::abs(at_b) / foot),
+                 fmt::format("{} listed, {:.3f} and {:.3f} rad/s", found.size(), one.lambda.imag(),
+                             two.lambda.imag()),
+                 off, off <= 1e-9 ? "holds" : "fails");
+}
+
 void slow_steps(report::Item& item) {
   item.reconstructed("cases of ours, not in the paper");
   item.columns({"V, ft/s", "fastest decay, 1/s", "steps of the implicit method", "explicit",
@@ -193,6 +270,8 @@ void slow_steps(report::Item& item) {
   raw_jump(item);
   sticking(item);
   mirrored(item);
+  parallel_modes(item);
+  coincident(item);
   leaving(item);
   no_cycle(item);
 }

@@ -7,7 +7,9 @@ set xlabel "time, s"
 set ylabel "peaks of the rear leading\nwheelset, in"
 set xrange [0:100]
 set yrange [0:0.45]
+set ytics 0.1
 plot ARG1 using "t_s":"peak_in" with points pt 7 ps 0.6 lc rgb blue
+unset label 1
 set ylabel "its displacement, in"
 set xlabel "time after a crossing, s"
 set xrange [0:1.5]

@@ -12,8 +12,8 @@ frequency is in error, its phase drifts, and in the figure all three are put in 
 
 Every stable cycle found by time integration is the one found by shooting, to all digits shown, whatever the way
 there. A program of another author in another language (an ODE solver of variable order on the same tables) agrees within its rounding.
-The describing function is worst just where amplitudes are small against the friction's own scale. The two
-unstable ones ("upper") are closed by shooting only: started on them, the integration runs off.
+The describing function is worst just where amplitudes are small against the friction's own scale. The
+unstable ones are closed by shooting only: started on them, the integration runs off.
 */
 
 #include <fmt/format.h>

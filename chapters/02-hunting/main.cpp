@@ -102,15 +102,15 @@ remains to compare is the text, and {{geometry-claims}} does. Two remarks beyond
 
 * *Stable limit cycles extend to a high velocity with new wheels.* The branch does, to {{fold-new}}, and is stable by the
   paper's rule, which looks at one mode. But at {{torus-speed}} a torus bifurcation gives the cycle a second frequency, and at 160 ft/s the
-  car leaves the table. Four witnesses agree: the multipliers of the shot cycle, Hill's determinant of the balanced one, integration
-  in time ({{fig-beating}}), and the growth of the other mode on the describing function's own cycle ({{labels}}). With linear creep nothing but the flange limits
-  the motion; a creep force that saturates, which the paper calls for as future work, may well do so.
+  car leaves the table. Three witnesses agree: the multipliers of the shot cycle, Hill's determinant of the balanced one, and integration
+  in time ({{fig-beating}}). Hill's exponents of the describing function see the torus as well, though sooner ({{labels}}). With linear creep nothing but the
+  flange limits the motion; a creep force that saturates, which the paper calls for as future work, may well do so.
 * *Two regions of stable cycles with flange contact for CN wheels, the lower one with the rear truck alone.* We find
   the lower region, stable up to {{torus-floquet-cn}}, but it is the **front** truck that touches; with
   friction it is the rear one. The higher region, both trucks at the flange, exists: there speed falls with amplitude, and every
   criterion calls it unstable ({{floquet-table}}). The measured CN wheel may well have a flange of two steps.
 * *Stable cycles with flange contact under friction.* Ours are unstable by all criteria; the stable ones end at {{friction-top}}, short of
-  the flange. At some speeds balance and shooting find no flange cycle near the describing function's at all.
+  the flange.
 * *Much lower speeds with CN wheels.* Ten percent lower, with slopes three times as large as the paper states them
   and its frequency of 21 rad/s met.
 
@@ -118,11 +118,6 @@ The fishtailing mode of the paper's Fig. 12 is no deviation, but its explanation
 family, to which the paper's algorithm falls ({{fig-loop}}).
 
 ## Limits
-
-**Cycles.** Balance and shooting find the cycle near their start, and say so when they do not; neither proves that there is no other. The
-odd cycles searched for have both rails alike; a car that runs to one side all the time is not among them, though the multipliers would tell
-when one branches off ("symmetry"). Friction is regularized; a joint that truly sticks is only approached. Linear creep is used as in the paper: at the flange the
-force it asks for is several times what friction can give.
 
 **Geometry.** Wheelset and rails are rigid and both sides are alike; yaw of the wheelset, which moves the contact of a
 steep flange ahead of the axle, is left out, as in the paper. The contact is the point of the least *vertical* gap of
@@ -137,10 +132,13 @@ carry, so that amplitudes above flange contact are academic, as in the paper. Th
 harmonic only; {{labels}} shows it good to a percent before the flange and up to a fifth wrong on it. Overturning of
 the body by gravity, the sideways clearances of the truck and the vertical dynamics are left out. Friction is regularized:
 what is slower than $\varepsilon$ sticks like honey, not like stone, and folds at hundredths of an inch depend on that.
+Balance and shooting find the cycle near their start, and say so when they do not; neither proves that there is no other. Only
+odd cycles are searched for: a car that runs to one side all the time is not among them, though the multipliers would tell
+when such a motion branches off.
 
 ## Try next
 
-* Continue a cycle in another datum than speed: `dynamics::trace` does it for the speed; the centre plates' friction would be the first to try.
+* Continue a balanced cycle in another datum than speed (`dynamics::trace` does it in speed); the centre plates' friction would be the first to try.
 * Follow the torus: a Poincaré section of the integration at 154 ft/s, and where it breaks.
 * `hunting geometry` with `examples/worn-wheel.csv` on `new-rail.csv`, and then with `--gauge 57in` or `--cant 0.05`:
   a worn wheel's conicity hangs on half an inch of gauge.
