@@ -67,10 +67,10 @@ void rig(report::Item& item) {
   const scene::Size size{1000, 650};
   const auto camera = scene::looking_at(s, {1.0, -1.5, 0.5}, size, true);
   drawing::labelled(item, "wheels.gp", s, camera, size,
-                    {{{14, 0, top + 2}, "small wheel (braked): the locomotive's"},
-                     {{-46, 0, top}, "gear of 144 teeth"},
-                     {{14, 0, big_r + 1}, "contact"},
-                     {{48, 0, 12}, "big wheel (drives): the rail"},
+                    {{{17, 0, top + 2}, "small wheel (braked): the locomotive's"},
+                     {{-52, 0, top + 4}, "gear of 144 teeth"},
+                     {{17, 0, big_r + 3}, "contact"},
+                     {{44, 0, 30}, "big wheel (drives): the rail"},
                      {{-24, -20, -16}, "gear of 144 teeth"}});
 }
 

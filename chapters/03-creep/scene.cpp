@@ -65,8 +65,7 @@ void draw(report::Item& item) {
   drawing::labelled(item, "traction-scene.gp", drawing, camera, size,
                     {{{0.55, -0.28, 0.05}, "sticks"},
                      {{-0.62, -0.2, 0.42}, "slides"},
-                     {{0.93, 0.1, 0.0}, "leading edge"},
-                     {{0.0, 0.0, 1.12 * height}, "traction bound μp_n"}});
+                     {{0.62, -0.56, -0.1}, "leading edge"}});
 }
 
 }  // namespace

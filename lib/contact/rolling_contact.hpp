@@ -29,8 +29,9 @@ class EllipseRolling {
   ~EllipseRolling();
   EllipseRolling(EllipseRolling&&) noexcept;
 
-  // The forces for creepages prescribed. Error of fx/(mu N) without spin: 2e-3 with 6 x 4 cells, 5e-4 with 12 x 8, 1e-4 with
-  // 24 x 12; some ten times that of fy and mz under large spin. mu = 0 gives zero forces and a reason. Throws InputError
+  // The forces for creepages prescribed. Error of fx/(mu N) without spin, mean over the rig's curve: 2e-3 with 6 x 4 cells,
+  // 5e-4 with 12 x 8, 2e-4 with 24 x 12, and up to five times that at a point; some ten times that of fy and mz under
+  // large spin. The estimate is no bound: it was above the error at 11 to 16 of the curve's 19 points. mu = 0 gives zero forces and a reason. Throws InputError
   // when the case is out of range or its a/b and nu are not those of this object.
   CreepForces solve(const RollingCase& c) const;
 
