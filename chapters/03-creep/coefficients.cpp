@@ -3,17 +3,27 @@
 
 For small creepages nothing slides, and the forces are linear: $F_x=C_{11}G\,ab\,\xi$,
 $F_y=G[ab\,C_{22}\eta+(ab)^{3/2}C_{23}\varphi]$, $M_z=G[-(ab)^{3/2}C_{23}\eta+(ab)^2C_{33}\varphi]$. Kalker's table of 1967, from series
-of few terms, is what most vehicle programs still use. The same rows of cells without a traction bound compute it, on three grids
-of 16 x 32 cells (24 x 24 beyond a/b = 2), half and a quarter of it, extrapolated by a parabola: the whole table in a few seconds. The same coefficient $C_{23}$ comes from spin and from lateral
-creepage. The two agree to {{reciprocity}}: the equations for one direction of rolling are the transpose of those for the other.
+of few terms, is what most vehicle programs still use. We compute it twice. The method below takes many terms of such series, and is
+what the chapter's fast theories use where their coefficients are called computed; the grids of the full theory are its check.
+
+A traction that is a polynomial of degree $n$ over $\sqrt{1-x^2/a^2-y^2/b^2}$ gives a displacement that is a polynomial of the same
+degree (Galin). So the slip can be made to vanish exactly within the polynomials, and what is left free is a displacement of $y$ only. The
+leading edge decides on it: material that enters is not strained yet, the traction must begin without singularity. No polynomial
+vanishes on half a rim, and Kalker made it small there. The way of doing so matters. Two singular tractions $p$, $q$ exchange at the
+edge the energy of a growing crack, $\tfrac{\pi}{2}b\oint\cos t\;q^{T}A\,p\,dt$, with $A$ the half-space's response to a wave in the direction $t$.
+Taking the leading half of this off the equation of no slip is to a rim what upwinding is to a flow. The equations become those of rolling backwards when
+transposed, and the error of a coefficient is the product of two errors of tractions: it falls with the power 3.5 of the degree.
+All integrals are along the rim and the tractions need never be known inside. At the degree of 16, two systems of some 150 equations,
+the coefficients are within 0.01 % from a/b = 0.1 on. $C_{23}$ from spin and from lateral creepage agree to {{reciprocity}}.
 
 {{table-coefficients}}
 
 {{fig-coefficients}}
 
-The printed table proves good to its last digit for most entries of C11 and C22. The largest differences stand where the ellipse is long
-along rolling: there $C_{33}$ is the small difference of large moments, ours is uncertain by one per cent at a/b = 10, and
-the series had its own trouble. Elsewhere our grids leave about 0.1 %. For the rig's ellipse, a/b = 1.568 and $\nu$ = 0.3, the computation gives $C_{11}$ = {{c11-rig}},
+The printed table is good to half a per cent over most of its range. It is too low, by up to {{table-worst}} %, in the rows at both
+ends, and in one entry between them: $C_{11}$ at a/b = 0.5 and $\nu$ = 0.5, printed {{c11-odd-printed}} and out of line with its
+neighbours, is {{c11-odd}}. Of its {{entries}} entries, {{entries-off}} are off by more than half a unit of their last digit. For the rig's
+ellipse, a/b = 1.568 and $\nu$ = 0.3, the computation gives $C_{11}$ = {{c11-rig}},
 $C_{22}$ = {{c22-rig}}, $C_{23}$ = {{c23-rig}}, $C_{33}$ = {{c33-rig}}.
 */
 
@@ -70,27 +80,34 @@ const std::array<Column, 4> columns{{{"c11", &contact::ComputedCoefficients::c11
                                      {"c23", &contact::ComputedCoefficients::c23},
                                      {"c33", &contact::ComputedCoefficients::c33}}};
 
-// How far the printed table and ours may differ, of the coefficient.
-report::Tolerance allowed(const Entry& e, const std::string& column) {
-  if (column == "c33" && e.ratio > 4)
-    return report::relative(0.03,
-                            "small difference of large moments, uncertain here and in the series");
-  if (column == "c23" && e.ratio < 0.15)
-    return report::relative(0.025,
-                            "the smallest of the four; the series of the table has few terms");
-  return report::relative(0.01, "truncated series of the table, up to 0.9 % in its end rows");
+int decimals(const std::string& text) {
+  const auto point = text.find('.');
+  return point == std::string::npos ? 0 : static_cast<int>(text.size() - point) - 1;
 }
 
 void table(report::Item& item) {
   const auto printed = item.printed("kalker.csv");
   item.columns({"a/b", "C11", "table", "C22", "table", "C23", "table", "C33", "table"});
   item.expect_checks(static_cast<int>(4 * entries(item).size()));
-  double reciprocity = 0;
+  const auto allowed =
+      report::relative(0.0125, "truncated series of the table, worst in its end rows");
+  double reciprocity = 0, worst = 0;
+  int off = 0;
   for (const Entry& e : entries(item)) {
     const auto& c = e.computed;
     reciprocity = std::max(reciprocity, std::abs(c.c32 / c.c23 - 1));
-    for (const Column& column : columns)
-      item.row(printed, e.key).check(column.name, c.*column.member, allowed(e, column.name));
+    for (const Column& column : columns) {
+      const double computed = c.*column.member;
+      const std::string& text = printed.at(e.key, column.name);
+      item.row(printed, e.key).check(column.name, computed, allowed);
+      const double gap = std::abs(report::printed_number(text) - computed);
+      worst = std::max(worst, gap / computed);
+      if (gap > 0.5 * std::pow(10.0, -decimals(text))) ++off;
+    }
+    if (e.key == "0p5-nu-0p5") {
+      item.value("c11-odd", c.c11, "", "{:.3f}");
+      item.value("c11-odd-printed", printed.at(e.key, "c11"));
+    }
     if (e.nu != 0.25) continue;
     std::vector<std::string> cells{e.ratio_text};
     for (const Column& column : columns) {
@@ -99,7 +116,10 @@ void table(report::Item& item) {
     }
     item.add_row(cells);
   }
-  item.value("reciprocity", reciprocity, "", "{:.0e}");
+  item.value("reciprocity", std::max(reciprocity, 1e-16), "", "{:.0e}");
+  item.value("table-worst", 100 * worst, "", "{:.1f}");
+  item.value("entries", static_cast<double>(4 * entries(item).size()), "", "{:.0f}");
+  item.value("entries-off", off, "", "{:.0f}");
   const auto rig = contact::kalker_coefficients(axis_ratio, poisson);
   item.value("c11-rig", rig.c11, "", "{:.3f}");
   item.value("c22-rig", rig.c22, "", "{:.3f}");

@@ -18,6 +18,7 @@ void add_pixels(report::Chapter&);          // CONTACT's own discretisation
 void add_carter(report::Chapter&);          // exact: rolling cylinders
 void add_cattaneo(report::Chapter&);        // exact: a shift
 void add_coefficients(report::Chapter&);    // Kalker's coefficients
+void add_kalker_proof(report::Chapter&);    // what proves their computation
 void add_tractions(report::Chapter&);       // maps of traction, stick and slip
 void add_scene(report::Chapter&);           // one of them in space
 void add_full_cost(report::Chapter&);       // error against run time

@@ -1,57 +1,134 @@
 #include "contact/kalker_coefficients.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <vector>
 
-#include "contact/rolling_parts.hpp"
+#include "num/dense_lu.hpp"
+#include "num/quadrature.hpp"
+#include "units/constants.hpp"
 #include "units/input_error.hpp"
 
+// Lengths over sqrt(a b), tractions over G; X = x/a = r cos(t), Y = y/b. For n = 0, 1, ... and harmonics m = n, n - 2, ...
+//   f = Y_nm(X, Y, Z) / Z,  Z = sqrt(1 - X^2 - Y^2),  Y_nm the spherical harmonic scaled to cos(mt) or sin(mt) at r = 1,
+// span the tractions. The sphere's projection makes its transform 2 pi i^-n j_n(k) cos(mt), j_n the spherical Bessel
+// function. That of the half-space is A(t)/k with A = 2/D (1 - nu n n'), where D = |(cos(t)/a, sin(t)/b)|, n = the same
+// vector over D (also the outward normal at t), so that with q, p for the values at the rim
+//   <q, dU/dx p> = b int j_n' j_n k dk Re(i^(n'-n+1)) oint cos(t) q'A p dt,   the first integral +-pi/4,
+// taken as the mean of the values for ellipses a little smaller and a little larger. Two singularities that meet at the edge
+// leave a term
+//   <q, dU/dx p> + <p, dU/dx q> = pi b/2 oint cos(t) q'A p dt.
+// Its part from the leading half (cos(t) > 0) vanishes for the true traction, and is taken off. What remains is
+//   B(q, p) = pi b/4 oint (sgn(n - n') cos(t) - |cos(t)|) q'A p dt = -<q, rigid slip>:
+// its symmetric part is negative, its transpose is rolling backwards, and so the error of a coefficient is B(error of one
+// traction, error of another), the square of theirs.
 namespace railbook::contact {
+namespace {
 
-ComputedCoefficients kalker_coefficients_on(double axis_ratio, double poisson, Eigen::Index along,
-                                            Eigen::Index rows) {
-  units::require_positive("axis ratio a/b", axis_ratio);
-  units::require_between("Poisson's ratio", poisson, 0, 0.5);
-  const RollingGrid grid = ellipse_grid(axis_ratio, along, rows, true);
-  const TangentialInfluence influence(grid.mesh, poisson, true);
-  const Eigen::VectorXd no_bound = Eigen::VectorXd::Constant(grid.mesh.cells(), 1e12);
+struct Term {
+  Eigen::Index degree, harmonic, direction;  // direction 0 along, 1 across
+  bool sine;
+};
+
+// px even and py odd in y for longitudinal creepage, the reverse for lateral creepage and spin.
+std::vector<Term> terms(int degree, bool lateral) {
+  std::vector<Term> list;
+  for (const Eigen::Index direction : {0, 1}) {
+    const bool sine = (direction == 1) != lateral;
+    for (Eigen::Index n = 0; n <= degree; ++n)
+      for (Eigen::Index m = n % 2; m <= n; m += 2)
+        if (m > 0 || !sine) list.push_back({n, m, direction, sine});
+  }
+  return list;
+}
+
+// Integrals over the whole rim of |cos(t)| e_i A_ij e_j dt, e the harmonics 0 to `degree` along, then across; those over
+// cos(t) are the same where they do not vanish. Only a quarter of the rim is needed, by symmetry.
+Eigen::MatrixXd rim_integrals(double a, double b, double poisson, int degree, bool lateral) {
+  const num::GaussRule rule = num::gauss_legendre(128, 0, units::pi / 2);  // enough for 40
+  const Eigen::Index size = degree + 1;
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(2 * size, 2 * size), e(size, 2), weighted;
+  const double stretch = std::sqrt(b / a);  // nodes where D varies
+  for (Eigen::Index k = 0; k < rule.x.size(); ++k) {
+    const double c0 = std::cos(rule.x[k]), s0 = stretch * std::sin(rule.x[k]);
+    const double t = std::atan2(s0, c0), c = std::cos(t), s = std::sin(t);
+    const double weight = 4 * rule.w[k] * stretch / (c0 * c0 + s0 * s0) * c;
+    for (Eigen::Index m = 0; m < size; ++m) {
+      const auto x = static_cast<double>(m) * t;
+      e(m, lateral ? 1 : 0) = std::cos(x);
+      e(m, lateral ? 0 : 1) = std::sin(x);
+    }
+    const double d = std::hypot(c / a, s / b);
+    const Eigen::Vector2d normal{c / a / d, s / b / d};
+    const Eigen::Matrix2d response =
+        2 / d * (Eigen::Matrix2d::Identity() - poisson * normal * normal.transpose());
+    for (Eigen::Index i = 0; i < 2; ++i)
+      for (Eigen::Index j = 0; j < 2; ++j)
+        sum.block(i * size, j * size, size, size) +=
+            (weight * response(i, j) * e.col(i)) * e.col(j).transpose();
+  }
+  return sum;
+}
+
+// The forces on the terms: columns fx, or fy and mz.
+Eigen::MatrixXd forces(const std::vector<Term>& list, double a, double b, bool lateral) {
+  const auto n = static_cast<Eigen::Index>(list.size());
+  Eigen::MatrixXd f = Eigen::MatrixXd::Zero(n, lateral ? 2 : 1);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Term& term = list[static_cast<std::size_t>(i)];
+    if (term.degree == 0) f(i, 0) = 2 * units::pi;
+    if (term.degree == 1 && lateral)
+      f(i, 1) = 2 * units::pi / 3 * (term.direction == 1 ? a : -b);  // of x py - y px
+  }
+  return f;
+}
+
+// Slopes of the forces by the creepages. The rigid slip of creepages and spin is (xi - phi y, eta + phi x), and its
+// product with a term that term's force.
+Eigen::MatrixXd slopes(double axis_ratio, double poisson, int degree, bool lateral) {
+  const double a = std::sqrt(axis_ratio), b = 1 / a;
+  const std::vector<Term> list = terms(degree, lateral);
+  const Eigen::MatrixXd rim = rim_integrals(a, b, poisson, degree, lateral);
+  const auto n = static_cast<Eigen::Index>(list.size());
+  Eigen::MatrixXd matrix(n, n);
+  const auto at = [&](const Term& t) { return t.direction * (degree + 1) + t.harmonic; };
+  for (Eigen::Index i = 0; i < n; ++i)
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const Term &q = list[static_cast<std::size_t>(i)], &p = list[static_cast<std::size_t>(j)];
+      // Degrees apart by an odd number meet in cos(t), the others in |cos(t)| only.
+      const bool rising = p.degree > q.degree && (p.degree - q.degree) % 2 == 1;
+      matrix(i, j) = units::pi * b / 4 * rim(at(q), at(p)) * (rising ? 1 : -1);
+    }
+  num::DenseLu lu;
+  lu.factor(matrix);
+  const Eigen::MatrixXd f = forces(list, a, b, lateral);
+  Eigen::MatrixXd p = -f;
+  for (Eigen::Index k = 0; k < p.cols(); ++k) lu.solve_in_place(p.col(k));
+  return f.transpose() * p;
+}
+
+ComputedCoefficients of_degree(double axis_ratio, double poisson, int degree) {
+  const Eigen::MatrixXd along = slopes(axis_ratio, poisson, degree, false),
+                        across = slopes(axis_ratio, poisson, degree, true);
   ComputedCoefficients c;
-  c.converged = true;
-  const auto forces = [&](const Creepage& creepage) {
-    const StickSlip s =
-        solve_stick_slip(influence, grid.mesh, no_bound, rigid_slip(grid.mesh, creepage));
-    c.converged = c.converged && s.converged;
-    return resultants(grid.mesh, s.p);
-  };
-  c.c11 = forces({1, 0, 0}).fx;
-  const Resultants lateral = forces({0, 1, 0}), spin = forces({0, 0, 1});
-  c.c22 = lateral.fy, c.c32 = -lateral.mz;
-  c.c23 = spin.fy, c.c33 = spin.mz;
+  c.c11 = along(0, 0);
+  c.c22 = across(0, 0), c.c32 = -across(1, 0);
+  c.c23 = across(0, 1), c.c33 = across(1, 1);
   return c;
 }
 
-ComputedCoefficients kalker_coefficients(double axis_ratio, double poisson, Eigen::Index size) {
-  units::require_between("cells along rolling", static_cast<double>(size), 8, 32);
-  size -= size % 8;
-  // The error of the rows is of first order, that of the cells along them of second, but large in long contacts.
-  const bool across = axis_ratio <= 2;
-  const Eigen::Index along = across ? size : 3 * size / 2, rows = across ? 2 * size : along;
-  const auto on = [&](Eigen::Index part) {
-    return kalker_coefficients_on(axis_ratio, poisson, along / part, rows / part);
-  };
-  const ComputedCoefficients rough = on(4), middle = on(2), fine = on(1);
-  ComputedCoefficients c;
-  c.converged = rough.converged && middle.converged && fine.converged;
-  using Member = double ComputedCoefficients::*;
-  constexpr std::array<Member, 5> members{&KalkerCoefficients::c11, &KalkerCoefficients::c22,
-                                          &KalkerCoefficients::c23, &ComputedCoefficients::c32,
-                                          &KalkerCoefficients::c33};
-  for (const Member m : members) {
-    const double straight = 2 * fine.*m - middle.*m, before = 2 * middle.*m - rough.*m;
-    c.*m = (4 * straight - before) / 3;  // the parabola in h through the three, at h = 0
-    c.error = std::max(c.error, std::abs(c.*m - straight) / std::abs(c.*m));
-  }
+}  // namespace
+
+ComputedCoefficients kalker_coefficients(double axis_ratio, double poisson, int degree) {
+  units::require_between("axis ratio a/b", axis_ratio, 1e-4, 1e4);
+  units::require_between("Poisson's ratio", poisson, 0, 0.5);
+  units::require_between("degree of the tractions", degree, 4, 40);
+  ComputedCoefficients c = of_degree(axis_ratio, poisson, degree);
+  const ComputedCoefficients before = of_degree(axis_ratio, poisson, degree - 4);
+  const auto change = [](double now, double then) { return std::abs(then / now - 1); };
+  c.error = std::max({change(c.c11, before.c11), change(c.c22, before.c22),
+                      change(c.c23, before.c23), change(c.c33, before.c33)});
   return c;
 }
 

@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "contact/carter.hpp"
-#include "contact/kalker_coefficients.hpp"
 #include "contact/rolling_contact.hpp"
 
 using namespace railbook;
@@ -84,14 +83,6 @@ TEST_CASE("Slender contacts, single rows, single cells and prime grids", "[rolli
     CHECK(f.converged);
     CHECK(f.fx > 0);
   }
-}
-
-TEST_CASE("Slender contacts across rolling tend to the plane problem", "[rolling]") {
-  const ComputedCoefficients c = kalker_coefficients(0.01, 0.25);
-  CHECK(c.converged);
-  // Strip by strip pi^2/(4 (1 - nu)) along rolling and pi^2/4 across (Kalker 1967).
-  CHECK(c.c11 == Approx(3.2899).epsilon(0.003));
-  CHECK(c.c22 == Approx(2.4674).epsilon(0.003));
 }
 
 TEST_CASE("What does not settle is not returned as settled", "[rolling]") {

@@ -3,7 +3,7 @@
 
 #include "contact/carter.hpp"
 #include "contact/cattaneo.hpp"
-#include "contact/kalker_coefficients.hpp"
+#include "contact/kalker_grids.hpp"
 #include "contact/rolling_contact.hpp"
 #include "units/input_error.hpp"
 
@@ -50,5 +50,8 @@ TEST_CASE("Closed forms refuse what they are not made for", "[rolling]") {
   CHECK_THROWS_AS(cattaneo_stick_ratio(-0.1), InputError);
   CHECK_THROWS_AS(cattaneo_shift(0, 0.5), InputError);
   CHECK_THROWS_AS(kalker_coefficients(-1, 0.25), InputError);
+  CHECK_THROWS_AS(kalker_coefficients(1e5, 0.25), InputError);
   CHECK_THROWS_AS(kalker_coefficients(1, 0.6), InputError);
+  CHECK_THROWS_AS(kalker_coefficients(1, 0.25, 2), InputError);
+  CHECK_THROWS_AS(kalker_coefficients_by_grids(1, 0.25, 64), InputError);
 }

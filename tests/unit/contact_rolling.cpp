@@ -3,7 +3,6 @@
 
 #include "contact/carter.hpp"
 #include "contact/cattaneo.hpp"
-#include "contact/kalker_coefficients.hpp"
 #include "contact/rolling_contact.hpp"
 #include "contact/rolling_influence.hpp"
 #include "num/gmres.hpp"
@@ -117,24 +116,6 @@ TEST_CASE("Cattaneo's shift", "[rolling]") {
       CHECK(std::abs(f.stick_share - std::pow(cattaneo_stick_ratio(q), 2)) < 0.04);
     }
   CHECK(cattaneo_traction(0.875, 0) == Approx(0.5));  // 1 - (1 - q)^(1/3)
-}
-
-TEST_CASE("Kalker's coefficients", "[rolling]") {
-  // Kalker's printed table for nu = 0.25 (a/b, C11, C22, C23, C33), good to its last digit or two.
-  const double table[][5] = {{0.1, 3.31, 2.52, 0.473, 8.28},
-                             {0.5, 3.62, 3.01, 0.929, 1.93},
-                             {1, 4.12, 3.67, 1.47, 1.19},
-                             {2, 5.10, 4.90, 2.62, 0.819},
-                             {10, 11.7, 12.8, 14.6, 0.526}};
-  for (const auto& row : table) {
-    const ComputedCoefficients c = kalker_coefficients(row[0], 0.25);
-    CHECK(c.converged);
-    CHECK(c.c11 == Approx(row[1]).epsilon(0.007));
-    CHECK(c.c22 == Approx(row[2]).epsilon(0.012));
-    CHECK(c.c23 == Approx(row[3]).epsilon(0.012));
-    CHECK(c.c33 == Approx(row[4]).epsilon(0.012));
-    CHECK(c.c32 == Approx(c.c23).epsilon(1e-6));
-  }
 }
 
 TEST_CASE("Rolling is within 0.001 of fine grids on coarse ones", "[rolling]") {
