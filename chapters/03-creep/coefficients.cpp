@@ -20,7 +20,7 @@ the coefficients are within 0.01 % from a/b = 0.1 on. $C_{23}$ from spin and fro
 
 {{fig-coefficients}}
 
-The printed table is good to half a per cent over most of its range. It is too low, by up to {{table-worst}} %, in the rows at both
+The printed table is good to half a per cent over most of its range. It is off, and mostly too low, by up to {{table-worst}} % in the rows at both
 ends, and in one entry between them: $C_{11}$ at a/b = 0.5 and $\nu$ = 0.5, printed {{c11-odd-printed}} and out of line with its
 neighbours, is {{c11-odd}}. Of its {{entries}} entries, {{entries-off}} are off by more than half a unit of their last digit. For the rig's
 ellipse, a/b = 1.568 and $\nu$ = 0.3, the computation gives $C_{11}$ = {{c11-rig}},

@@ -28,8 +28,8 @@ do for [k=1:4] {
   unset logscale y
   set tmargin at screen 0.36
   set bmargin at screen 0.13
-  set yrange [-2.5:2.5]
-  set ytics 1
+  set yrange [-1.5:1.5]
+  set ytics 0.5
   set format x "%g"
   set xlabel "a/b"
   if (k == 1) { set ylabel "table / computed - 1, %" } else { unset ylabel }

@@ -87,7 +87,7 @@ What the paper prints that we do not confirm, or confirm in part only:
 * **Vermeulen and Johnson**, cited beside Kalker, start {{vj-excess}} too steep. With the scatter of the points in {{fig-11}} no
   experiment of this kind could tell their curve from his.
 * **Finishes of 20 and 15 µm**, after polishing with 400 grit, must be microinches.
-* **Kalker's table**, which the paper takes its theory from, is up to {{table-worst}} % low in its end rows; see {{table-coefficients}}.
+* **Kalker's table**, which the paper takes its theory from, is off by up to {{table-worst}} % in its end rows; see {{table-coefficients}}.
 
 Not reproducible: the measured points and average curves of Figures 3 to 8 and 11, the areas of Figures 9 and 10, three of the
 four loads, the tracks' widths and the factors $C$ of equation (7), $\mu_c$, and the shear modulus used. They stand in the figures
