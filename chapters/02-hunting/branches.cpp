@@ -3,21 +3,21 @@
 
 {{fig-11}} is the paper's central figure, recomputed: the largest amplitude of any wheelset on each limit cycle against speed. Lines are solid where the *paper's rule* calls the
 cycle stable: a little more amplitude at the same speed makes the mode decay, which for a mode that speed excites means that $V$ rises with
-$A$. On the cone's tread every amplitude is a cycle at the one critical speed; the paper counts that vertical line as unstable, and so it is drawn.
+$A$. On the cone's tread every amplitude is a cycle at the one critical speed, neither stable nor unstable; the paper counts that vertical line, dotted here, as unstable.
 
-The rule looks at one mode only, the cycle's own. The thick light bands are a second opinion, *Hill's*: change the cycle's complex amplitude by $p\,e^{st}$ in all nine
-coordinates, linearize, and look at all 36 exponents $s$. One is zero (the phase); at a fold a second passes zero, as it must; and a pair with
-$\mathrm{Re}\,s>0$ is another mode growing on top of the cycle. It still uses first harmonics only, and takes no more than an eigenvalue problem a point.
+The rule looks at one mode only, the cycle's own. The circles are what becomes of *every* small deviation, by Floquet multipliers of the full equations
+({{labels}}): filled where all of them die out, open where one grows, at the amplitude of the true cycle. {{floquet-found}} of {{floquet-tried}} searches for the true cycle
+succeeded. On the flange the true amplitude is another than the describing function's, and some circles stand off their line.
 
 {{fig-11}}
 
 With new wheels the branch goes straight up at {{v-new}} until the flange is met at {{flange-new}}, bends back by {{bend-back}} and then runs far to
-the right, to {{fold-new}}. The paper says just that. But **Hill disagrees with the label**: from {{torus-new}} on ($A$ = {{torus-new-a}}) a pair of exponents has a positive real part, a torus
-bifurcation. The next section asks Floquet multipliers of the true equations.
+the right, to {{fold-new}}. The paper says just that. But **Floquet disagrees with the label**: from {{torus-floquet}} on the line is solid and the circles are open. Another mode
+grows on the cycle, a torus bifurcation ({{torus}}).
 
 With CN wheels the branch leans to the left by a little, up to {{cn-flange}}, and then has the paper's two regions of flange
 contact: a lower one, where one truck has met the flange and the other has not, and a higher one with both. The first is
-stable by both rules up to {{torus-cn}}. The higher is on a falling branch, and unstable.
+stable by the rule up to its fold, by Floquet up to {{torus-floquet-cn}}. The higher is on a falling branch, and unstable.
 The Heumann wheel has its small stable cycle without flange contact between {{heumann-low}} and {{heumann-high}}: the paper's "limited range of speeds".
 
 Friction changes the picture at small amplitude. The sticking car is nearly one rigid body and its cycles come down to {{friction-fold}}
@@ -55,66 +55,54 @@ namespace {
 constexpr double inch = units::inch, foot = units::foot;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// Hill's leading exponent at every point of a branch; computed once a branch.
-const std::vector<Complex>& leading(const Study& s) {
-  static std::vector<std::vector<Complex>> all(studies().size());
-  auto& of = all[static_cast<std::size_t>(&s - studies().data())];
-  if (of.empty())
-    for (const auto& p : s.main_branch().points) of.push_back(leading_exponent(s.car, p.motion));
-  return of;
-}
-
 // A neutral direction is not growth: rounding of the zero exponents.
 bool grows(Complex exponent) {
   return exponent.real() > 1e-6;
 }
 
-void draw_branch(report::Data& data, const CycleBranch& branch,
-                 const std::vector<Complex>* exponents) {
+const std::vector<std::string> columns{"V_ft_per_s",  "A_in",       "stable_in",
+                                       "unstable_in", "neutral_in", "omega"};
+
+// One column a kind of line; a line to the next point is of this point's kind.
+void draw_branch(report::Data& data, const CycleBranch& branch) {
+  const auto kind = [](const CyclePoint& p) { return p.neutral ? 2 : p.stable ? 0 : 1; };
   for (std::size_t k = 0; k < branch.points.size(); ++k) {
     const auto& p = branch.points[k];
-    const bool next = k + 1 < branch.points.size() ? branch.points[k + 1].stable : p.stable;
+    const int here = kind(p), before = k > 0 ? kind(branch.points[k - 1]) : here;
     const double a = p.largest / inch;
-    data.add(p.motion.speed / foot, a, p.stable || next ? a : nan, p.stable && next ? nan : a,
-             exponents && !grows((*exponents)[k]) ? a : nan, p.motion.lambda.imag());
+    const auto in = [&](int line) { return here == line || before == line ? a : nan; };
+    data.add(p.motion.speed / foot, a, in(0), in(1), in(2), p.motion.lambda.imag());
   }
 }
 
-const std::vector<std::string> columns{"V_ft_per_s",  "A_in",    "stable_in",
-                                       "unstable_in", "hill_in", "omega"};
-
-// Where a pair of exponents crosses the axis first, between two points of the branch.
-struct Torus {
-  double speed = 0, amplitude = 0, width = 0;
-  bool found = false;
-};
-Torus first_torus(const Study& s, double above) {
-  const auto& points = s.main_branch().points;
-  const auto& exponents = leading(s);
-  for (std::size_t k = 1; k < points.size(); ++k) {
-    if (points[k - 1].largest < above || grows(exponents[k - 1]) || !grows(exponents[k]) ||
-        std::abs(exponents[k].imag()) < 1e-3)
-      continue;
-    const double part = -exponents[k - 1].real() / (exponents[k].real() - exponents[k - 1].real());
-    const auto mix = [&](double from, double to) { return from + part * (to - from); };
-    return {mix(points[k - 1].motion.speed, points[k].motion.speed),
-            mix(points[k - 1].largest, points[k].largest),
-            std::abs(points[k].motion.speed - points[k - 1].motion.speed), true};
+// The cycles of the table of labels, and more of those that the paper's rule calls stable.
+void add_floquet(report::Item& item) {
+  auto& marks = item.data("floquet", {"V_ft_per_s", "stable_in", "unstable_in"});
+  int tried = 0, found = 0;
+  const auto mark = [&](const CyclePoint& p, const Examined& truth) {
+    ++tried;
+    if (!truth.converged) return;
+    ++found;
+    const double a = truth.amplitude / inch;
+    const bool stable = truth.stability.stable;
+    marks.add(p.motion.speed / foot, stable ? a : nan, stable ? nan : a);
+  };
+  for (const auto& l : labelled_cycles()) mark(l.point, l.truth);
+  constexpr int every = 6;
+  for (const auto& s : studies()) {
+    int seen = 0;
+    for (const auto& p : s.main_branch().points)
+      if (p.stable && seen++ % every == 0) mark(p, examine(s.car.car(), *s.table, p.motion));
   }
-  return {};
+  item.value("floquet-tried", tried, "", "{:.0f}");
+  item.value("floquet-found", found, "", "{:.0f}");
 }
 
 void figure_11(report::Item& item) {
   item.reconstructed("profiles, equivalent dampers and the width of friction are ours");
   for (const auto& s : studies())
-    draw_branch(s.key == "new" ? item.data(columns) : item.data(s.key, columns), s.main_branch(),
-                &leading(s));
-  auto& marks = item.data("floquet", {"V_ft_per_s", "stable_in", "unstable_in"});
-  for (const auto& l : labelled_cycles())
-    if (l.truth.converged)
-      marks.add(l.point.motion.speed / foot,
-                l.truth.stability.stable ? l.truth.amplitude / inch : nan,
-                l.truth.stability.stable ? nan : l.truth.amplitude / inch);
+    draw_branch(s.key == "new" ? item.data(columns) : item.data(s.key, columns), s.main_branch());
+  add_floquet(item);
   const auto& fresh = study("new");
   const auto lower_bend =
       std::min_element(fresh.main_branch().folds.begin(), fresh.main_branch().folds.end(),
@@ -131,11 +119,6 @@ void figure_11(report::Item& item) {
     });
   };
   item.value("fold-new", fastest(fresh.main_branch()).motion.speed / foot, "ft/s", "{:.1f}");
-  const Torus t = first_torus(fresh, flange);
-  item.value("torus-new", t.speed / foot, "ft/s", "{:.1f}");
-  item.value("torus-new-a", t.amplitude / inch, "in", "{:.4f}");
-  const Torus cn = first_torus(study("cn"), 0.37 * inch);
-  item.value("torus-cn", cn.speed / foot, "ft/s", "{:.1f}");
 }
 
 void fold_table(report::Item& item) {

@@ -5,10 +5,11 @@ A branch of limit cycles by describing functions, from a critical speed on, with
 
     hunting cycle --pair cn --out mine
     hunting cycle car.toml --wheel wheel.csv --rail rail.csv --family 2 --speed 42m/s
-    hunting cycle --pair cn --suspension friction --criterion floquet --speed 100ft/s
+    hunting cycle --pair cn --suspension friction --criterion hill --speed 100ft/s
 
 `--criterion` is `rule` (the paper's: does speed rise with amplitude?), `hill` (exponents of the describing-function cycle) or
-`floquet` (multipliers of the true cycle, every tenth point). `--speed` solves for the cycles at that speed and gives all three.
+`floquet` (multipliers of the true cycle, every tenth point; the default, and the one to believe). A neutral cycle, one of many at
+the same speed, is neither stable nor unstable. `--speed` solves for the cycles at that speed and gives all three.
 `--out` writes the branch as `cycle.csv`, `cycle.json` and the figure.
 */
 
@@ -40,28 +41,33 @@ struct Wish : CarWish {
   double first = 1 * units::millimetre;
   std::optional<double> largest, speed;
   long family = 1;
-  std::string criterion = "hill";
+  std::string criterion = "floquet";
   std::optional<std::filesystem::path> out;
 };
 
 struct Label {
-  bool known = false, stable = false;
+  std::string verdict;  // "stable", "unstable", "neutral"; empty: none
   double figure = std::numeric_limits<double>::quiet_NaN();  // what the criterion is about
 };
 
+// Where every amplitude is a cycle, as on a cone's tread, no criterion can call one stable.
+Label label(const CyclePoint& p, bool stable, double figure) {
+  return {!stable ? "unstable" : p.neutral ? "neutral" : "stable", figure};
+}
+Label by_rule(const CyclePoint& p) {
+  return label(p, p.stable || p.neutral, p.speed_by_amplitude);
+}
 Label by_hill(const CarCase& c, const CyclePoint& p) {
   const double growth = leading_exponent(c.car, p.motion).real();
-  return {true, growth < 1e-6, growth};
-}
-Label by_floquet(const CarCase& c, const CyclePoint& p) {
-  const Examined e = examine(c.car.car(), c.table, p.motion);
-  if (!e.converged) return {};
-  return {true, e.stability.stable, e.stability.largest};
+  return label(p, growth < 1e-6, growth);
 }
 Label by(const std::string& criterion, const CarCase& c, const CyclePoint& p) {
+  if (criterion == "rule") return by_rule(p);
   if (criterion == "hill") return by_hill(c, p);
-  if (criterion == "floquet") return by_floquet(c, p);
-  return {true, p.stable, p.speed_by_amplitude};
+  const Examined e = examine(c.car.car(), c.table, p.motion);
+  if (!e.converged) return {};
+  const double largest = e.stability.largest;
+  return label(p, e.stability.stable || (p.neutral && largest < 1 + 1e-6), largest);
 }
 
 const char* full_name(const std::string& criterion) {
@@ -93,13 +99,9 @@ void add_cycles_at(report::Summary& answer, const CarCase& c, const CycleBranch&
     const auto& p = cycles[k];
     const std::string id = fmt::format("cycle_{}", k + 1);
     add_point(answer, id, fmt::format("cycle {}", k + 1), p);
-    answer.add(id + "_rule", "  the paper's rule",
-               p.neutral  ? "neutral"
-               : p.stable ? "stable"
-                          : "unstable");
+    answer.add(id + "_rule", "  the paper's rule", by_rule(p).verdict);
     const Label hill = by_hill(c, p);
-    answer.add(id + "_hill", "  Hill's leading exponent", hill.figure, "1/s",
-               hill.stable ? "stable" : "unstable");
+    answer.add(id + "_hill", "  Hill's leading exponent", hill.figure, "1/s", hill.verdict);
     const Examined e = examine(c.car.car(), c.table, p.motion);
     if (e.converged)
       answer.add(id + "_floquet", "  Floquet's largest multiplier", e.stability.largest, "",
@@ -123,9 +125,9 @@ void write_files(const Wish& wish, const CarCase& c, const CycleBranch& branch,
     const std::string a = report::csv_number(p.largest / millimetre);
     text += fmt::format("{:.9g},{},{:.9g}", p.motion.speed, a, p.motion.lambda.imag());
     for (const double x : p.amplitude) text += fmt::format(",{:.8g}", x / millimetre);
-    text += fmt::format(",{},{},{}\n", report::csv_number(label.figure),
-                        label.known && label.stable ? a : "nan",
-                        label.known && !label.stable ? a : "nan");
+    text +=
+        fmt::format(",{},{},{}\n", report::csv_number(label.figure),
+                    label.verdict == "stable" ? a : "nan", label.verdict == "unstable" ? a : "nan");
   }
   const auto& out = *wish.out;
   report::write_file(out / "cycle.csv", text);
@@ -142,6 +144,8 @@ void run(const Wish& wish) {
   const double largest = wish.largest.value_or(end);
   units::require_between("largest amplitude", largest, 0, end, "m, the end of the table");
   units::require_between("first amplitude", wish.first, 0, largest, "m");
+  if (wish.speed)
+    units::require_between("speed on the branch", *wish.speed, wish.lowest, wish.highest, "m/s");
   const CarCase c = read_case(wish);
   const auto hopf = hopf_points(c.car, wish.lowest, wish.highest);
   if (hopf.empty())
@@ -164,8 +168,9 @@ void run(const Wish& wish) {
                     options.first_amplitude));
   report::Summary answer("Limit cycles of a freight car");
   describe_case(answer, wish, c);
+  const double critical = hopf[static_cast<std::size_t>(wish.family - 1)].motion.speed;
   answer.add("hopf_m_per_s", fmt::format("critical speed {} of {}", wish.family, hopf.size()),
-             hopf[static_cast<std::size_t>(wish.family - 1)].motion.speed, "m/s");
+             critical, "m/s", fmt::format("{:.4f} ft/s", critical / units::foot));
   answer.add("points", "points of the branch", static_cast<double>(branch.points.size()), "",
              to_string(branch.end));
   for (std::size_t k = 0; k < branch.folds.size(); ++k)

@@ -14,13 +14,9 @@ set y2label "mm"
 set border 15
 set tmargin 4.5
 set rmargin 9
-set key at graph 0.985,0.985 right top
-set label 1 "data reconstructed" at graph 0.98,0.42 right tc rgb grey
-set label 2 "bands: stable by Hill" at graph 0.98,0.47 right tc rgb grey
-plot ARG1 using 1:5 with lines lw 12 dt solid lc rgb "#D0D0D0", \
-     ARG3 using 1:5 with lines lw 12 dt solid lc rgb "#BFDDF0", \
-     ARG4 using 1:5 with lines lw 12 dt solid lc rgb "#F6CFB0", \
-     ARG5 using 1:5 with lines lw 12 dt solid lc rgb "#BFE8D9", \
+set key at graph 0.985,0.985 right top font ",12"
+set label 1 "profiles, dampers and\nwidth of friction\nreconstructed" at graph 0.985,0.3 right tc rgb grey
+plot ARG1 using 1:5 with lines lw 3 dt (2,3) lc rgb black, \
      ARG1 using 1:4 with lines lw 2 dt (8,5) lc rgb black, \
      ARG3 using 1:4 with lines lw 2 dt (8,5) lc rgb blue, \
      ARG4 using 1:4 with lines lw 2 dt (8,5) lc rgb red, \
@@ -29,6 +25,7 @@ plot ARG1 using 1:5 with lines lw 12 dt solid lc rgb "#D0D0D0", \
      ARG3 using 1:3 with lines lw 3 dt solid lc rgb blue title "CN A", \
      ARG4 using 1:3 with lines lw 3 dt solid lc rgb red title "mod. Heumann", \
      ARG5 using 1:3 with lines lw 3 dt solid lc rgb green title "CN A, friction", \
-     ARG6 using 1:2 with points pt 7 ps 1.1 lc rgb purple title "Floquet: stable", \
-     ARG6 using 1:3 with points pt 6 ps 1.1 lw 1.6 lc rgb purple title "Floquet: unstable", \
-     NaN with lines lw 2 dt (8,5) lc rgb grey title "paper's rule: unstable"
+     NaN with lines lw 2 dt (8,5) lc rgb grey title "paper's rule: unstable", \
+     NaN with lines lw 3 dt (2,3) lc rgb grey title "neutral", \
+     ARG6 using 1:2 with points pt 7 ps 1.0 lc rgb purple title "Floquet: stable", \
+     ARG6 using 1:3 with points pt 6 ps 1.0 lw 1.6 lc rgb purple title "Floquet: unstable"

@@ -1,19 +1,21 @@
 load "style.gp"
-set terminal pngcairo size 1000,1000 font "DejaVu Sans,13" enhanced background rgb "white"
+set terminal pngcairo size 1000,1150 font "DejaVu Sans,15" enhanced background rgb "white"
 set output ARG2
 set multiplot layout 3,1
 set xrange [0:0.75]
 set lmargin 10
 set rmargin 4
-set key top left
+set key reverse Left spacing 1.35
 set ylabel "over X_{TR}"
 set yrange [0:1.6]
-set label 1 "thick: first family   thin: second family (fishtailing)   profiles reconstructed" at graph 0.98,0.94 right tc rgb grey
+set label 1 "thick: first family   thin: second family (fishtailing)   profiles reconstructed" at graph 0.98,1.07 right tc rgb grey
+set key at graph 0.98,0.54 right top
 plot ARG1 using "A_in":"X_TF" with lines lt 1 title "X_{TF}", \
      ARG1 using "A_in":"X_C" with lines lt 2 title "X_C", \
      ARG3 using "A_in":"X_TF" with lines lt 1 lw 1, \
      ARG3 using "A_in":"X_C" with lines lt 2 lw 1
 unset label 1
+set key at graph 0.02,0.97 left top
 set ylabel "rad/ft of X_{TR}"
 set yrange [0:0.5]
 plot ARG1 using "A_in":"TH_TR" with lines lt 1 title "θ_{TR}", \

@@ -7,7 +7,7 @@ set yrange [0:0.75]
 set xtics 50
 set tmargin 2.5
 array name[4] = ["new wheel", "CN A", "modified Heumann", "CN A with friction"]
-set label 1 "data reconstructed" at graph 0.98,0.9 right tc rgb grey font ",11"
+set label 1 "data reconstructed" at graph 0.98,0.95 right tc rgb grey font ",11"
 do for [k=1:4] {
   file = k == 1 ? ARG1 : k == 2 ? ARG3 : k == 3 ? ARG4 : ARG5
   set title name[k]

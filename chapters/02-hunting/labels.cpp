@@ -1,9 +1,11 @@
 /***
 ### Three opinions on stability
 
-{{labels}} asks three criteria about the same cycles. The *paper's rule* and *Hill's* exponents come from the describing functions. *Floquet's* multipliers come from the full
-equations: the cycle is refined by harmonic balance, closed by shooting, and the flow's derivative over one period tells what becomes of every small deviation.
-They are the circles of {{fig-11}}, at the true amplitude: filled where stable, open where not.
+{{labels}} asks three criteria about the same cycles. The *paper's rule* comes from the describing functions, and so do *Hill's* exponents: change the cycle's complex
+amplitude by $p\,e^{st}$ in all nine coordinates, linearize, and look at all 36 exponents $s$. One is zero (the phase); at a fold a second passes zero, as it must; and a pair with
+$\mathrm{Re}\,s>0$ is another mode growing on top of the cycle. That still uses first harmonics only, and takes no more than an eigenvalue problem a point.
+*Floquet's* multipliers come from the full equations: the cycle is refined by harmonic balance, closed by shooting, and the flow's derivative over one period tells what
+becomes of every small deviation. They are the circles of {{fig-11}}.
 
 {{labels}}
 

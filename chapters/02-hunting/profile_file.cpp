@@ -84,6 +84,9 @@ WheelsetOnTrack hunting::read_pair(const PairWish& wish) {
 }
 
 ConstraintFunctions hunting::table_of(const WheelsetOnTrack& pair, const PairWish& wish) {
+  // Far from where the centred wheelset touches: the whole distance for the half, or another gauge's.
+  const double touches = -pair.contact(0).left.on_rail.u;
+  units::require_between("half spacing", wish.half_spacing, 0.8 * touches, 1.2 * touches, "m");
   return tabulate(pair, {.half_spacing = wish.half_spacing,
                          .end = wish.end,
                          .step = wish.step,

@@ -13,20 +13,7 @@ namespace railbook::dynamics {
 
 namespace {
 
-// A scalar over one step: x(t) = sum_j s_j t^j.
-struct Curve {
-  std::array<double, PieceStep::most + 1> s{};
-  int order = 0;
-  double at(double t) const {
-    double sum = s[std::size_t(order)];
-    for (int j = order - 1; j >= 0; --j) sum = sum * t + s[std::size_t(j)];
-    return sum;
-  }
-  double slope(double t) const {
-    double sum = order * s[std::size_t(order)];
-    for (int j = order - 1; j >= 1; --j) sum = sum * t + j * s[std::size_t(j)];
-    return sum;
-  }
+struct Curve : PieceScalar {
   // The zero of f, which changes sign between a and b: Illinois' regula falsi.
   template <class F>
   static double zero(F&& f, double a, double b) {

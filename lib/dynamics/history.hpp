@@ -19,7 +19,7 @@ struct HistoryOptions {
   double tolerance = 1e-9;        // local error relative to `scale`; pieces: at most 1e-12 is used
   State scale = default_scale();  // of each state
   std::vector<Eigen::VectorXd> watch{};  // rows (n) whose turns and rises are kept
-  double sample_step = 0;              // of `samples` [s]; 0: none
+  double sample_step = 0;                // of `samples` [s]; 0: none
   long most_steps = 20'000'000;
 
   // 0.01 (m, rad) and 0.1 a second.

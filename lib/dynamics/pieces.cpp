@@ -11,20 +11,7 @@ using Eigen::Index;
 
 namespace {
 
-// A polynomial s_0 + s_1 t + ... and its derivative.
-struct Polynomial {
-  std::array<double, PieceStep::most + 1> s;
-  int order = 0;
-  double at(double t) const {
-    double sum = s[std::size_t(order)];
-    for (int j = order - 1; j >= 0; --j) sum = sum * t + s[std::size_t(j)];
-    return sum;
-  }
-  double slope(double t) const {
-    double sum = order * s[std::size_t(order)];
-    for (int j = order - 1; j >= 1; --j) sum = sum * t + j * s[std::size_t(j)];
-    return sum;
-  }
+struct Polynomial : PieceScalar {
   // A root of at(t) = level (slope(t) = 0 if `turn`) between two times of opposite sign, by Newton kept within.
   double root(double low, double high, double level, bool turn) const {
     const auto f = [&](double t) { return turn ? slope(t) : at(t) - level; };

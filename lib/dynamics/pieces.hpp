@@ -21,6 +21,22 @@ struct PieceStep {
   State at(double t) const;
 };
 
+// A scalar over one step: x(t) = sum_j s_j t^j.
+struct PieceScalar {
+  std::array<double, PieceStep::most + 1> s{};
+  int order = 0;
+  double at(double t) const {
+    double sum = s[std::size_t(order)];
+    for (int j = order - 1; j >= 0; --j) sum = sum * t + s[std::size_t(j)];
+    return sum;
+  }
+  double slope(double t) const {
+    double sum = order * s[std::size_t(order)];
+    for (int j = order - 1; j >= 1; --j) sum = sum * t + j * s[std::size_t(j)];
+    return sum;
+  }
+};
+
 class PieceIntegrator {
  public:
   // tolerance > 0: of the truncation a step, relative to `scale` (positive, of each state).

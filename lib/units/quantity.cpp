@@ -141,18 +141,8 @@ double parse_quantity(std::string_view quantity, std::string_view text, const Di
 }
 
 std::string si_name(const Dimension& d) {
-  constexpr std::array<std::pair<Dimension, std::string_view>, 10> common{{
-      {number, "1 (a pure number)"},
-      {force, "N"},
-      {moment, "N*m"},
-      {pressure, "Pa"},
-      {stiffness, "N/m"},
-      {damping, "N*s/m"},
-      {subgrade_modulus, "N/m^3"},
-      {frequency, "Hz"},
-      {angle, "rad"},
-      {wavenumber, "1/m"},
-  }};
+  constexpr std::array<std::pair<Dimension, std::string_view>, 4> common{
+      {{number, "1 (a pure number)"}, {pressure, "Pa"}, {frequency, "Hz"}, {angle, "rad"}}};
   for (const auto& [dimension, name] : common)
     if (d == dimension) return std::string{name};
   std::string over;
@@ -166,10 +156,14 @@ std::string si_name(const Dimension& d) {
     side += name;
     if (size > 1) side += "^" + std::to_string(size);
   };
-  add("kg", d.mass);
-  add("m", d.length);
-  add("s", d.time);
-  add("rad", d.angle);
+  // A force over or times something: N*m/rad, not kg*m^2/s^2/rad.
+  const bool forceful = d.mass == 1 && d.time < 0;
+  const Dimension rest = forceful ? d / force : d;
+  if (forceful) over = "N";
+  add("kg", rest.mass);
+  add("m", rest.length);
+  add("s", rest.time);
+  add("rad", rest.angle);
   return (over.empty() ? "1" : over) + under;
 }
 
