@@ -2,18 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace railbook::dynamics {
 
 namespace {
 
 // A few harmonics first, each solution the start of the next: a longer way with shorter steps.
-Cycle by_growing_orders(const Oscillator& oscillator, const Cycle& start) {
+Cycle by_growing_orders(const Oscillator& oscillator, const Cycle& start,
+                        const BalanceOptions& options) {
   const int highest = start.orders.back();
   const bool all = start.orders.front() == 0;
   Cycle cycle = start;
   for (int order = 1;; order = std::min(order + 2, highest)) {
-    cycle = balance(oscillator, with_orders(cycle, order, all));
+    cycle = balance(oscillator, with_orders(cycle, order, all), options);
     if (!cycle.converged || order == highest) return cycle;
   }
 }
@@ -23,10 +25,11 @@ Cycle by_growing_orders(const Oscillator& oscillator, const Cycle& start) {
 Examined examine(const Oscillator& oscillator, const Cycle& start) {
   Examined result;
   result.balance = balance(oscillator, start);
-  if (!result.balance.converged) {
-    const Cycle failed = result.balance;
-    result.balance = by_growing_orders(oscillator, start);
-    if (!result.balance.converged) result.balance = failed;
+  // Coarse samples move the kinks that Newton meets on its way: a cycle may be out of their reach only.
+  for (const int samples : {0, 2048, 8192}) {
+    if (result.balance.converged) break;
+    Cycle again = by_growing_orders(oscillator, start, {.samples = samples});
+    if (again.converged) result.balance = std::move(again);
   }
   Cycle from = result.balance.converged ? result.balance : start;
   from.inverse_speed = oscillator.inverse_speed;
