@@ -66,6 +66,16 @@ int judge_bite(const ChapterRecord& record) {
   return toothless == 0 && !record.checks.empty() ? 0 : 1;
 }
 
+// The folder for what a run writes, before anything is computed.
+void make_folder(const std::filesystem::path& folder, bool anew) {
+  std::error_code error;
+  if (anew) std::filesystem::remove_all(folder, error);
+  std::filesystem::create_directories(folder, error);
+  if (error)
+    throw InputError{
+        fmt::format("folder \"{}\": cannot be made: {}", folder.string(), error.message())};
+}
+
 // The words of the command line with the entries of the TOML file that `option` names put in, unless an option is given on
 // the line itself. A key in a table, [body-1] radius = "18in", is the option --body-1-radius. (CLI11 reads configuration
 // files for the whole program only, not for a subcommand.)
@@ -161,11 +171,9 @@ int Chapter::reproduce(const Reproduce& wish) const {
   record.paper = info_.paper;
   record.level = wish.level;
   record.only = wish.only;
-  if (wish.only.empty() &&
-      !wish.bite) {  // nothing of an earlier run may pass for a result of this one
-    std::filesystem::remove_all(settings.results);
-    std::filesystem::remove_all(settings.figures);
-  }
+  const bool anew = wish.only.empty() && !wish.bite;  // then nothing of an earlier run may remain
+  make_folder(settings.results, anew);
+  make_folder(settings.figures, anew);
   const num::Stopwatch total;
   for (const Entry& e : entries_) {
     if (!wish.only.empty() &&
