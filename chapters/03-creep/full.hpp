@@ -10,6 +10,9 @@ namespace railbook::creep_chapter {
 // A case with the paper's ellipse and load, mu = 0.3, without creepage.
 contact::RollingCase rig_case();
 
+// The same ellipse with sqrt(a b), G and mu N made 1: creepages are then the dimensionless ones, fx is f.
+contact::RollingCase unit_case();
+
 // The abscissae X at which the curve is tabulated.
 const std::vector<double>& curve_abscissae();
 

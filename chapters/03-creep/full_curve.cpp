@@ -58,6 +58,16 @@ contact::RollingCase creep_chapter::rig_case() {
           .creepage = {}};
 }
 
+contact::RollingCase creep_chapter::unit_case() {
+  return {.a = std::sqrt(axis_ratio),
+          .b = 1 / std::sqrt(axis_ratio),
+          .load = 1,
+          .shear_modulus = 1,
+          .poisson = poisson,
+          .friction = 1,
+          .creepage = {}};
+}
+
 const std::vector<double>& creep_chapter::curve_abscissae() {
   static const std::vector<double> x{.01, .02, .04, .06, .08, .1, .13, .16, .2, .25,
                                      .3,  .35, .4,  .45, .5,  .6, .8,  1.2, 2};

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "full.hpp"
 #include "num/roots.hpp"
 #include "rig.hpp"
 #include "theory.hpp"
@@ -19,13 +20,7 @@ constexpr double end = 2;
 
 // Places are dense near 0: X = end (i/n)^2.
 std::vector<double> solved() {
-  contact::RollingCase c{.a = std::sqrt(axis_ratio),
-                         .b = 1 / std::sqrt(axis_ratio),
-                         .load = 1,
-                         .shear_modulus = 1,
-                         .poisson = poisson,
-                         .friction = 1,
-                         .creepage = {}};
+  contact::RollingCase c = unit_case();
   const Solver full = solver(master_theory, axis_ratio, poisson, 32);
   std::vector<double> shares{0};
   for (int i = 1; i <= intervals; ++i) {

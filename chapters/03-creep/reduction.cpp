@@ -44,6 +44,7 @@ figure has both scales; without its own axis we cannot tell which one the paper 
 
 #include "contact/creep_laws.hpp"
 #include "experiment.hpp"
+#include "full.hpp"
 #include "items.hpp"
 #include "master_curve.hpp"
 #include "rig.hpp"
@@ -151,13 +152,7 @@ double scatter(bool measured_area) {
 void dimensionless(report::Item& item, bool measured_area) {
   auto& curves = item.data({"x", "full", "fastsim", "vermeulen_johnson"});
   auto& points = item.data("points", {"x_1", "f_1", "x_2", "f_2", "x_3", "f_3", "x_4", "f_4"});
-  const contact::RollingCase unit{.a = std::sqrt(axis_ratio),
-                                  .b = 1 / std::sqrt(axis_ratio),
-                                  .load = 1,
-                                  .shear_modulus = 1,
-                                  .poisson = poisson,
-                                  .friction = 1,
-                                  .creepage = {}};
+  const contact::RollingCase unit = unit_case();
   for (int i = 0; i <= 250; ++i) {
     auto c = unit;
     c.creepage.longitudinal = 1.25 * i / 250;
