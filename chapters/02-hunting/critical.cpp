@@ -24,9 +24,9 @@ Creep $f_{11}$ and the wheelbase lead. Conicity, the slope of $R$, lowers the cr
 
 {{fig-sensitivities}}
 
-The illegible digits can be judged by what they do. {{changes}} changes one thing at a time. A warp stiffness of $10^5$ or $10^7$, or a creep
-coefficient of $10^5$, puts the critical speed nowhere near 145 ft/s, and so do half the creep coefficients; the paper's
-"full Kalker values" and exponents of 6 are confirmed. The lost first digit of $f_{22}$ cannot be recovered from results.
+The illegible digits can be judged by what they do. {{changes}} changes one thing at a time. An exponent of 5 or 7 for the warp stiffness, or of 5 for $f_{11}$,
+puts the critical speed nowhere near 145 ft/s, and so does half of every creep coefficient: of the exponents tried only 6 will do, and the
+coefficients are the "full Kalker values" that the text names. The lost first digit of $f_{22}$ cannot be recovered from results.
 
 {{changes}}
 */
