@@ -58,7 +58,7 @@ std::vector<Word> composite_integers() {
     const auto c = static_cast<Word>(curve[i]);
     taps[i + N] += 2 * c;
     taps[i] -= c;
-    taps[i + 2 * N] -= c;
+    taps[i + N + N] -= c;
   }
   return taps;
 }
@@ -143,7 +143,7 @@ std::vector<double> sums_composite(std::span<const Number> x, std::size_t restar
   std::vector<Number> mean = chord;
   for (int pass = 0; pass < passes; ++pass) mean = signal::running_sum<Number>(mean, M, restart);
   const auto scale = static_cast<Number>(M_power);
-  constexpr std::size_t centre = passes * (M / 2);
+  constexpr auto centre = static_cast<std::size_t>(passes) * (M / 2);
   std::vector<double> out(mean.size());
   for (std::size_t i = 0; i < out.size(); ++i) {
     if constexpr (std::is_same_v<Number, Word>)
@@ -169,7 +169,7 @@ std::vector<double> recursive_composite(const std::vector<Number>& x) {
   std::vector<Number> curve = z;
   for (int pass = 0; pass < passes; ++pass) curve = signal::running_sum<Number>(curve, M, 0);
   const auto scale = static_cast<Number>(M_power);
-  constexpr std::size_t centre = passes * (M / 2);
+  constexpr auto centre = static_cast<std::size_t>(passes) * (M / 2);
   for (std::size_t i = 0; i < curve.size(); ++i) {
     if constexpr (std::is_same_v<Number, Word>)
       curve[i] = scale * z[i + centre] - curve[i];
@@ -179,7 +179,7 @@ std::vector<double> recursive_composite(const std::vector<Number>& x) {
   std::vector<double> out(curve.size() - 2 * N);
   const double divisor = std::is_same_v<Number, Word> ? 2 * M_power : 2;
   for (std::size_t i = 0; i < out.size(); ++i)
-    out[i] = metres<Number>(curve[i + N] + curve[i + N] - curve[i] - curve[i + 2 * N], divisor);
+    out[i] = metres<Number>(curve[i + N] + curve[i + N] - curve[i] - curve[i + N + N], divisor);
   return out;
 }
 template std::vector<double> recursive_composite(const std::vector<double>&);

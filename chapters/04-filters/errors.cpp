@@ -7,6 +7,8 @@ chord, whose true values have an RMS of {{errors-truth}}.
 
 {{fig-errors}}
 
+{{include: other_tracks.cpp}}
+
 An *ideal* instrument has a hybrid filter and nothing else, and its error is the small-$\kappa$ statement of above made of flesh: the product $F\cdot G$ averages
 over two samples with a kernel that is a triangle only while $\kappa=\omega_2T$ is small. At {{errors-15}} the ideal error is {{ideal-15}}, at 5 mph {{ideal-5}}, and below
 2 mph, where the body's bounce is slower than a sample, it runs away. A lower corner makes it as much smaller: ten times at 0.1 Hz.
@@ -65,13 +67,6 @@ const std::vector<Source>& sources() {
       {"noise-0.1", "noise, 0.1 Hz", 0.1, 0, density},
   };
   return list;
-}
-
-Car bounce_car(double corner) {
-  Car car;
-  car.layout.second_corner = corner;
-  car.layout.transducers = car.layout.base;  // above the rails: one sensor, one rail
-  return car;
 }
 
 const std::vector<double>& speeds() {
@@ -230,7 +225,7 @@ void add_gyros(report::Item& item) {
         "mm",
         change(v * mph, 0, Parameter::crosslevel, Channel::roll_rate, {.bias = 2 * rate}) / mm,
         (signal::gyro_bias_error(2 * rate, signal::time_constant(p.roll_corner), p.roll_poles, T) +
-         (v > 1 ? 2 * rate * held : 2 * rate * held)) *
+         2 * rate * held) *
             l.base / mm,
         0.01, "poles of the inclinometer's path, analog filter included");
   }

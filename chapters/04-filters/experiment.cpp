@@ -30,6 +30,13 @@ TrackDescription bounce_line(std::uint64_t seed) {
   return line;
 }
 
+Car bounce_car(double corner) {
+  Car car;
+  car.layout.second_corner = corner;
+  car.layout.transducers = car.layout.base;
+  return car;
+}
+
 Record cruise(const Track& track, const Car& car, double speed) {
   const double first = 80 * foot, last = track.length() - 1e-3;
   Motion motion{.start = speed > 0 ? first : last, .speed = speed};

@@ -18,6 +18,9 @@ inline constexpr double per_100ft =
 geometry_car::TrackDescription main_line(std::uint64_t seed = 1);
 geometry_car::TrackDescription bounce_line(std::uint64_t seed = 1);
 
+// A car with its vertical transducers above the rails, one sensor for each, and this corner of F (Hz): what the bounce line asks for.
+geometry_car::Car bounce_car(double corner = 1);
+
 // From 80 ft to the end of the track, or back from there, at one speed (m/s).
 geometry_car::Record cruise(const geometry_car::Track& track, const geometry_car::Car& car,
                             double speed);

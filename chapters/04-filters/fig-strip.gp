@@ -1,19 +1,15 @@
 load "style.gp"
 set output ARG2
-set terminal pngcairo size 1728,1150 font "DejaVu Sans,13"
-set multiplot layout 7,1
-set lmargin 12
-set rmargin 3
-set tmargin 0.5
-set bmargin 0.5
+set terminal pngcairo size 1728,1300 font "DejaVu Sans,18"
+set multiplot layout 7,1 margins 0.1,0.97,0.075,0.99 spacing 0,0.018
 set format x ""
 set xrange [0:5280]
 set xtics 528
 unset key
 set macros
 draw = 'plot ARG1 using "x_ft":(column(c."_true")) with lines lc rgb "#B8B8B8" dt solid lw 4.5, ARG1 using "x_ft":(column(c)) with lines lc rgb black dt solid lw 1.2'
-set ytics 2
-set ylabel "gage, mm"
+set ytics 4
+set ylabel "gage,\nmm"
 c = "gage"
 @draw
 set ytics 40
@@ -26,7 +22,7 @@ c = "curvature"
 set yrange [-5:1]
 @draw
 set yrange [*:*]
-set ytics 10
+set ytics 20
 set ylabel "profile\nleft, mm"
 c = "profile_left"
 @draw
@@ -39,7 +35,6 @@ c = "alignment_left"
 set ylabel "alignment\nright, mm"
 c = "alignment_right"
 set format x "%g"
-set bmargin 4
 set xlabel "distance, ft: a mile in 18 in at 1:3520 (synthetic track, 60 mph, typical sensors; grey: truth)"
 @draw
 unset multiplot

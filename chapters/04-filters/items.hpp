@@ -25,12 +25,13 @@ void add_roll(report::Chapter& chapter);  // complementary filter
 // The car: sensors, reconstruction, experiments, tool.
 void add_car(report::Chapter& chapter);        // Figures 2 and 3, what each correction is worth
 void add_car_scene(report::Chapter& chapter);  // Figures 4, 10, 11 and 14
-void add_errors(report::Chapter& chapter);     // profile by speed and source of error
-void add_speeds(report::Chapter& chapter);     // speed, direction, changes of speed, claims
-void add_curve(report::Chapter& chapter);      // curvature and crosslevel, spiral, strip chart
-void car_stability(report::Item& item);        // rows of the stability table
-void add_process(report::Chapter& chapter);    // tool: geometry from a record of the sensors
-void add_simulate(report::Chapter& chapter);   // tool: such a record to order
+void add_errors(report::Chapter& chapter);
+void add_other_tracks(report::Chapter& chapter);  // profile by speed and source of error
+void add_speeds(report::Chapter& chapter);        // speed, direction, changes of speed, claims
+void add_curve(report::Chapter& chapter);         // curvature and crosslevel, spiral, strip chart
+void car_stability(report::Item& item);           // rows of the stability table
+void add_process(report::Chapter& chapter);       // tool: geometry from a record of the sensors
+void add_simulate(report::Chapter& chapter);      // tool: such a record to order
 
 // Error against run time, stability.
 void add_drift(report::Chapter& chapter);

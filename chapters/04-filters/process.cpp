@@ -7,11 +7,12 @@ takes one row a foot, in the order of time: `elapsed_s` since the row before, `d
 sensors, each with its unit (`vertical_left_m_per_s2`, `yaw_rate_deg_per_s`, `gage_left_mm`). A sensor that is not there is missing throughout, and so is what
 depends on it. The car is described by `car.toml`; an example stands in the chapter's folder `examples`. It answers with gage, curvature, crosslevel, warp, profile and
 alignment of both rails at each mark, as long chords and as space curves, and says for each how far it can be trusted: *good*, *degraded* or
-*unreliable* by the slowest speed in its window and the paper's limits, *missing* where the window is not complete or the roll filter has not settled.
+*unreliable* by the slowest speed in its window and the paper's limits, profile also where the car brakes or gathers speed so hard that a grade may spoil it, *missing* where the window is not complete or the roll filter has not settled.
 
 A row whose time is zero, negative, missing or shorter than any train allows is an encoder's glitch and is rejected. A jump of the distance begins a new run, and so does a
 reversal: marks then count down, and what was measured twice appears twice. A stop is a long time between two rows, nothing else. Empty cells, `nan`, and
-values no sensor can have are masked, together with everything whose window they fall in. Without a single run long enough for the composite
+values beyond a sensor's range (`--acceleration-range` and so on) and single spikes of a displacement (`--spike`) are masked, together with everything whose
+window they fall in; columns it has no use for are named. Without a single run long enough for the composite
 filter there is nothing to answer, and the record is refused.
 */
 #include <fmt/format.h>
@@ -44,6 +45,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 struct Wish {
   std::filesystem::path file;
   Processing processing;
+  Plausible plausible;
   double chord = 62 * foot, yaw_bias = 0, roll_bias = 0;
   long high_pass = 151, passes = 4, stages = 1, poles = 2, curvature_mean = 51;
   std::optional<std::filesystem::path> out;
@@ -141,6 +143,8 @@ report::Summary summary(const Wish& wish, const Answer& a, const Faults& faults)
   add_parameters(s, a);
   if (!faults.absent.empty())
     s.add("absent", "note", fmt::format("not in the file: {}", fmt::join(faults.absent, ", ")));
+  if (!faults.unused.empty())
+    s.add("unused", "note", fmt::format("columns not used: {}", fmt::join(faults.unused, ", ")));
   if (!faults.stuck.empty())
     s.add("stuck", "note",
           fmt::format("over {} equal values in a row, a sensor that stuck? {}", long_still,
@@ -148,6 +152,8 @@ report::Summary summary(const Wish& wish, const Answer& a, const Faults& faults)
   if (faults.beyond > 0)
     s.add("beyond", "note",
           fmt::format("{} values beyond what a sensor can give, masked", faults.beyond));
+  if (faults.spikes > 0)
+    s.add("spikes", "note", fmt::format("{} spikes of displacements, masked", faults.spikes));
   if (slow < 0.1 * mph)
     s.add("stop", "note", "the car stopped; what has the stop in its window is not reliable");
   return s;
@@ -179,7 +185,7 @@ void process_record(Wish wish) {
   p.curvature_mean = static_cast<int>(wish.curvature_mean);
   Faults faults;
   Answer a;
-  Record record = read_sensors(wish.file, p.layout.sample, faults, a.first);
+  Record record = read_sensors(wish.file, p.layout.sample, wish.plausible, faults, a.first);
   for (double& v : record[Channel::yaw_rate]) v -= wish.yaw_bias;
   for (double& v : record[Channel::roll_rate]) v -= wish.roll_bias;
   a.m = reconstruct(record, p);
@@ -233,6 +239,16 @@ void add_process(report::Chapter& chapter) {
                    "of the gyro, found at rest");
         o.quantity("--fastest", wish->processing.fastest, units::speed,
                    "a row that means more is rejected", report::positive);
+        o.quantity("--acceleration-range", wish->plausible.acceleration, units::acceleration,
+                   "a sensor that says more is masked", report::positive);
+        o.quantity("--rate-range", wish->plausible.rate, units::angle / units::time, "likewise",
+                   report::positive);
+        o.quantity("--displacement-range", wish->plausible.displacement, units::length, "likewise",
+                   report::positive);
+        o.quantity("--spike", wish->plausible.spike, units::length,
+                   "a displacement this far off both its neighbours is masked", report::positive);
+        o.quantity("--steepest-grade", wish->processing.steepest, units::number,
+                   "of the line, for what braking may cost the profile", report::Range{0, 0.1});
         o.out(wish->out);
         return [wish] { process_record(*wish); };
       });

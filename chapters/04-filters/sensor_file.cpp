@@ -24,9 +24,22 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-double plausible(const ChannelInfo& c) {
-  if (c.dimension == units::acceleration) return 100;  // m/s^2
-  return 10;                                           // rad/s, m
+double range(const ChannelInfo& c, const Plausible& p) {
+  if (c.dimension == units::length) return p.displacement;
+  return c.dimension == units::acceleration ? p.acceleration : p.rate;
+}
+
+// Masks single values that stand out; only displacements, which nothing has smoothed.
+std::size_t mask_spikes(std::vector<double>& values, double limit) {
+  std::size_t masked = 0;
+  for (std::size_t i = 1; i + 1 < values.size(); ++i) {
+    const double rise = values[i] - values[i - 1], fall = values[i] - values[i + 1];
+    if (std::isnan(rise) || std::isnan(fall) || rise * fall <= 0) continue;
+    if (std::min(std::abs(rise), std::abs(fall)) <= limit) continue;
+    values[i] = nan;
+    ++masked;
+  }
+  return masked;
 }
 
 std::optional<std::size_t> find(const report::CsvReader& reader, std::string_view name,
@@ -59,8 +72,8 @@ std::optional<long> mark_of(const report::CsvReader& reader, double distance, do
 
 }  // namespace
 
-Record read_sensors(const std::filesystem::path& file, double sample, Faults& faults,
-                    double& first) {
+Record read_sensors(const std::filesystem::path& file, double sample, const Plausible& plausible,
+                    Faults& faults, double& first) {
   report::CsvReader reader{file};
   Record record;
   double second = 1, metre = 1;
@@ -79,6 +92,9 @@ Record read_sensors(const std::filesystem::path& file, double sample, Faults& fa
     throw InputError{fmt::format(
         "file \"{}\": no sensor in it; there are: {}; allowed: vertical_left_m_per_s2 and so on",
         file.string(), fmt::join(reader.header(), ", "))};
+  for (std::size_t i = 0; i < reader.header().size(); ++i)
+    if (elapsed != i && distance != i && std::find(column.begin(), column.end(), i) == column.end())
+      faults.unused.push_back(reader.header()[i]);
   std::vector<std::string> cells;
   std::vector<std::size_t> same(channels, 0), still(channels, 0);
   first = nan;
@@ -99,7 +115,7 @@ Record read_sensors(const std::filesystem::path& file, double sample, Faults& fa
     for (const ChannelInfo& c : channel_list()) {
       const auto i = static_cast<std::size_t>(c.channel);
       double value = column[i] ? reader.number(cells, *column[i]) * unit[i] : nan;
-      if (!std::isnan(value) && std::abs(value) > plausible(c)) {
+      if (!std::isnan(value) && std::abs(value) > range(c, plausible)) {
         ++faults.beyond;
         value = nan;
       }
@@ -110,6 +126,9 @@ Record read_sensors(const std::filesystem::path& file, double sample, Faults& fa
     }
   }
   if (std::isnan(first)) first = 0;
+  for (const ChannelInfo& c : channel_list())
+    if (c.dimension == units::length)
+      faults.spikes += mask_spikes(record[c.channel], plausible.spike);
   for (const ChannelInfo& c : channel_list())
     if (still[static_cast<std::size_t>(c.channel)] >= long_still) faults.stuck.emplace_back(c.name);
   return record;

@@ -2,7 +2,7 @@
 ### `filters simulate`: a record to order
 
     filters simulate sensors.csv --length 1mi --speeds 60mph --config car.toml --truth truth.csv
-    filters simulate hard.csv --speeds 40mph,0mph,-40mph --distances 1500ft,1ft,1200ft --stand 30s
+    filters simulate hard.csv --speeds 40mph 0mph -40mph --distances 1500ft 1ft 1200ft --stand 30s
 
 drives our car over our track and writes what its sensors say: typical sensors with `--sensors typical`, perfect ones by default. The car cruises at each speed over each
 distance, changes speed at a constant rate between them, stands at a speed of zero, and backs at a negative one.
@@ -84,6 +84,9 @@ std::string truth_table(const Measurement& t, double sample) {
 }
 
 void simulate(Order order) {
+  if (order.truth == order.file)
+    throw InputError{fmt::format("truth is \"{}\", the record's own file; allowed: another",
+                                 order.truth.string())};
   order.track.seed = static_cast<std::uint64_t>(order.seed);
   order.track.sample = order.car.layout.sample;
   order.track.base = order.car.layout.base;

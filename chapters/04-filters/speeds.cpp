@@ -73,12 +73,6 @@ double rms(const std::vector<double>& values) {
   return n > 0 ? std::sqrt(sum / n) : 0.0;
 }
 
-Car bounce_car() {
-  Car car;
-  car.layout.transducers = car.layout.base;
-  return car;
-}
-
 void table_directions(report::Item& item) {
   const Track track = build(bounce_line()), back = turned(track);
   const Car car = bounce_car();

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <limits>
 #include <string>
 
@@ -58,6 +57,7 @@ void require(const Record& record, const Processing& p) {
   units::require_positive("corner of F", l.second_corner, "Hz");
   units::require_positive("corner of the roll filter", p.roll_corner, "Hz");
   units::require_positive("fastest speed", p.fastest, "m/s");
+  units::require_between("steepest grade", p.steepest, 0, 0.1);
   units::require_between("samples of the curvature's mean", p.curvature_mean, 1, 1001);
   if (record.elapsed.size() != record.size()) throw InputError{"record: a time for each mark"};
   for (const ChannelInfo& c : channel_list())
@@ -118,26 +118,57 @@ Measurement reconstruct(const Record& record, const Processing& processing) {
   return result;
 }
 
-std::vector<Quality> quality(const Measurement& m, Parameter parameter,
-                             const Processing& processing) {
+double braking_error(double grade, double rate, double chord, double speed) {
+  return grade * std::abs(rate) * chord * chord / (8 * speed * speed);
+}
+
+namespace {
+
+bool is_profile(Parameter p) {
+  using enum Parameter;
+  return p == profile_left || p == profile_right || p == surface_left || p == surface_right;
+}
+
+// What can be said of one row by itself, its value aside.
+std::vector<Quality> row_quality(const Measurement& m, Parameter parameter, const Processing& p) {
   const ParameterInfo& info = parameter_list()[static_cast<std::size_t>(parameter)];
-  const std::size_t n = m.size(), reach = reach_of(parameter, processing);
-  const auto speed = [&](std::size_t i) {
-    return std::isnan(m.speed[i]) ? units::no_limit : std::abs(m.speed[i]);
-  };
-  std::vector<Quality> result(n);
-  std::deque<std::size_t> slowest;  // rows of the window, each slower than all after it
-  for (std::size_t i = 0, next = 0; i < n; ++i) {
-    for (; next < n && next <= i + reach; ++next) {
-      while (!slowest.empty() && speed(slowest.back()) >= speed(next)) slowest.pop_back();
-      slowest.push_back(next);
+  const auto half = static_cast<std::size_t>(p.chain.half_chord);
+  const double chord = 2 * static_cast<double>(half) * p.layout.sample;
+  std::vector<Quality> result(m.size(), Quality::good);
+  for (std::size_t i = 0; i < m.size(); ++i) {
+    const double v = std::abs(m.speed[i]);
+    if (std::isnan(v)) continue;
+    double braking = 0;
+    if (is_profile(parameter) && v >= info.unreliable_below && i >= half && i + half < m.size()) {
+      const double before = m.speed[i - half], after = m.speed[i + half];
+      if (!std::isnan(before) && !std::isnan(after))
+        braking =
+            braking_error(p.steepest, (after * after - before * before) / (2 * chord), chord, v);
     }
-    while (slowest.front() + reach < i) slowest.pop_front();
-    const double v = speed(slowest.front());
-    result[i] = std::isnan(m[parameter][i]) ? Quality::missing
-                : v < info.unreliable_below ? Quality::unreliable
-                : v < info.degraded_below   ? Quality::degraded
-                                            : Quality::good;
+    if (v < info.unreliable_below || braking > braking_spoils)
+      result[i] = Quality::unreliable;
+    else if (v < info.degraded_below || braking > braking_degrades)
+      result[i] = Quality::degraded;
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<Quality> quality(const Measurement& m, Parameter parameter, const Processing& p) {
+  const std::size_t n = m.size(), reach = reach_of(parameter, p);
+  std::vector<Quality> result = row_quality(m, parameter, p);
+  std::vector<std::size_t> degraded(n + 1), unreliable(n + 1);  // how many before each row
+  for (std::size_t i = 0; i < n; ++i) {
+    degraded[i + 1] = degraded[i] + (result[i] == Quality::degraded ? 1 : 0);
+    unreliable[i + 1] = unreliable[i] + (result[i] == Quality::unreliable ? 1 : 0);
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t from = i - std::min(i, reach), to = std::min(n, i + reach + 1);
+    result[i] = std::isnan(m[parameter][i])         ? Quality::missing
+                : unreliable[to] > unreliable[from] ? Quality::unreliable
+                : degraded[to] > degraded[from]     ? Quality::degraded
+                                                    : Quality::good;
   }
   return result;
 }

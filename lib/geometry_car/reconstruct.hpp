@@ -67,6 +67,7 @@ struct Processing {
   int roll_poles = 2;             // of the inclinometer's path, besides the analog filter
   int curvature_mean = 51;        // samples, odd
   double fastest = 150;           // m/s: a row that would mean more is rejected
+  double steepest = 0.01;         // grade of the line, for the quality of profile at changing speed
   Corrections corrections = {};
   std::vector<double> grade =
       {};  // slope of the rails ahead of each mark from 0 on: only for the size of what its lack costs
@@ -97,8 +98,14 @@ Measurement reconstruct(const Record& record, const Processing& processing);
 // What an ideal instrument would answer at each mark: the same chords, means and filters on the true rails.
 Measurement truth(const Track& track, const Processing& processing);
 
-// Is a value to be trusted? By the slowest speed in its window and the paper's limits.
-enum class Quality { good, degraded, unreliable, missing };
+// What a change of speed may cost a long chord of length L on a grade (m), for the car does not know the grade: the acceleration grade *
+// dV/dt, taken for one of the track, is an offset of grade |dV/dt| L^2/(8 V^2). It is a bound but for the high-pass, which takes off what stays.
+double braking_error(double grade, double rate, double chord, double speed);
+inline constexpr double braking_degrades = 0.2e-3, braking_spoils = 1.6e-3;  // m, ours
+
+// Is a value to be trusted? By the slowest speed in its window and the paper's limits; profile, and its space curve, also by the braking error, with
+// the change of speed over the long chord.
+enum class Quality : unsigned char { good, degraded, unreliable, missing };
 std::vector<Quality> quality(const Measurement& measurement, Parameter parameter,
                              const Processing& processing);
 

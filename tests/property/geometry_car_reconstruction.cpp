@@ -1,4 +1,6 @@
 // The whole chain against the true rails: independence of speed and direction, reversal, speed changes, faults.
+#include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -183,7 +185,8 @@ TEST_CASE("geometry car: a pulse too many is rejected and leaves no trace", "[re
 TEST_CASE("geometry car: quality follows the slowest speed of the window", "[reconstruction]") {
   const Track track = test_track();
   const Car car;
-  const Processing p{.layout = car.layout};
+  Processing p{.layout = car.layout};
+  p.steepest = 0;  // level line: braking costs nothing
   Motion motion{.start = 80 * units::foot, .speed = 30 * mph};
   motion.cruise(400).change_speed(10 * mph, 1).cruise(10).change_speed(30 * mph, 1).cruise(220);
   const auto m = reconstruct(drive(track, car, motion), p);
@@ -197,4 +200,47 @@ TEST_CASE("geometry car: quality follows the slowest speed of the window", "[rec
     CHECK(q[i] != Quality::unreliable);
   }
   for (const Quality g : quality(m, Parameter::gage, p)) CHECK(g == Quality::good);
+}
+
+TEST_CASE("geometry car: hard braking is flagged, and nothing else is", "[reconstruction]") {
+  TrackDescription hill;
+  hill.length = 3000 * units::foot;
+  hill.seed = 5;
+  hill.grade = 0.01;
+  const Track track = build(hill);
+  const Car car;
+  const Processing p{.layout = car.layout};
+  const auto there = truth(track, p);
+  Motion motion{.start = 80 * units::foot, .speed = 60 * mph};
+  motion.cruise(350).change_speed(20 * mph, 2.5).cruise(300);
+  const auto m = reconstruct(drive(track, car, motion), p);
+  const auto q = quality(m, Parameter::profile_left, p);
+  std::array<double, 4> worst{};
+  std::array<int, 4> rows{};
+  for (std::size_t i = 0; i < m.size(); ++i) {
+    const auto of = static_cast<std::size_t>(q[i]);
+    ++rows[of];
+    if (q[i] == Quality::missing) continue;
+    const auto mark = static_cast<std::size_t>(m.mark[i]);
+    worst[of] = std::max(
+        worst[of], std::abs(m[Parameter::profile_left][i] - there[Parameter::profile_left][mark]));
+  }
+  INFO("worst good " << worst[0] << ", degraded " << worst[1] << ", unreliable " << worst[2]);
+  CHECK(rows[static_cast<std::size_t>(Quality::unreliable)] > 500);
+  CHECK(rows[static_cast<std::size_t>(Quality::good)] > 200);
+  CHECK(worst[static_cast<std::size_t>(Quality::good)] < 0.5e-3);
+  CHECK(worst[static_cast<std::size_t>(Quality::unreliable)] > braking_spoils);
+  for (const Quality g : quality(m, Parameter::alignment_left, p)) CHECK(g != Quality::degraded);
+}
+
+TEST_CASE("geometry car: a clock that trembles is no braking", "[reconstruction]") {
+  const Track track = test_track();
+  const Car car;
+  const Processing p{.layout = car.layout};
+  Record r = cruise(track, car, 60 * mph);
+  for (std::size_t i = 0; i < r.size(); ++i) r.elapsed[i] *= i % 2 == 0 ? 1.0001 : 0.9999;
+  const auto m = reconstruct(r, p);
+  for (const Quality g : quality(m, Parameter::profile_left, p))
+    CHECK((g == Quality::good || g == Quality::missing));
+  CHECK(braking_error(0.01, -0.5, 18.8976, 26.8224) == Approx(3.1025e-4).epsilon(1e-3));
 }
