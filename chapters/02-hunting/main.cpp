@@ -143,7 +143,7 @@ when such a motion branches off.
 * `hunting geometry` with `examples/worn-wheel.csv` on `new-rail.csv`, and then with `--gauge 57in` or `--cant 0.05`:
   a worn wheel's conicity hangs on half an inch of gauge.
 * `hunting speed` with half of the warp stiffness: a car maker's cheapest way to a lower or a higher critical speed?
-* `hunting cycle --pair cn --suspension friction`: follow the first family, too, with `--family 1`.
+* `hunting cycle --pair cn --suspension friction`: that is the first family; the one of {{fig-11}} comes with `--family 2`.
 * The new wheel on the new rail: where does the jump go?
 * Give the left wheel another profile than the right one: `WheelsetOnTrack` searches each side by itself, and only the
   odd tables assume that they are alike.

@@ -21,6 +21,16 @@ TEST_CASE("unit: quantities come in as SI") {
   CHECK(parse_quantity("approach", "+4e-4in", length) == Approx(1.016e-5).epsilon(1e-15));
 }
 
+TEST_CASE("unit: a dimension is named with newtons where a force is in it") {
+  CHECK(si_name(moment / angle) == "N*m/rad");
+  CHECK(si_name(damping) == "N*s/m");
+  CHECK(si_name(force * area) == "N*m^2");
+  CHECK(si_name(subgrade_modulus) == "N/m^3");
+  CHECK(si_name(pressure) == "Pa");
+  CHECK(si_name(mass * area) == "kg*m^2");
+  CHECK(si_name(acceleration) == "m/s^2");
+}
+
 TEST_CASE("unit: a header names its unit after the underscore") {
   const Header plain = parse_header("distance_m");
   CHECK(plain.name == "distance");
