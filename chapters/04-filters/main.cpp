@@ -54,6 +54,10 @@ speed and direction, and where not. Then it builds the whole car, runs it over s
 
 ## Deviations
 
+A passed check here is seldom the paper's number. It prints no response, coefficient or error; its own numbers (speeds, wavelengths, 62 ft, a foot, 1.25 Hz, those of
+{{table-claims}}) are what the filters are made from. Most checks compare two of our ways, or our program with values worked out from the formulas before it; `data/SOURCES.md` says
+for each file which.
+
 Nothing in the paper contradicts what is found here, but little of it could: it prints no response as a number. What we read otherwise, or more
 narrowly:
 
