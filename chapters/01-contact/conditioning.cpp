@@ -13,12 +13,13 @@ singular and smooths little.
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
 #include "contact/countact.hpp"
 #include "items.hpp"
+#include "num/eigenvalues.hpp"
 
 using namespace railbook;
 using namespace railbook::contact;
@@ -27,9 +28,7 @@ namespace {
 
 // Ratio of the extreme singular values, from the eigenvalues of A^T A: squaring costs no digit that is shown here.
 double condition_number(const Eigen::MatrixXd& matrix) {
-  const Eigen::VectorXd squares = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(
-                                      matrix.transpose() * matrix, Eigen::EigenvaluesOnly)
-                                      .eigenvalues();
+  const Eigen::VectorXd squares = num::symmetric_eigenvalues(matrix.transpose() * matrix);
   return std::sqrt(squares[squares.size() - 1] / squares[0]);
 }
 

@@ -16,13 +16,13 @@ determinant still lists both.
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "cycles.hpp"
 #include "items.hpp"
+#include "num/eigenvalues.hpp"
 #include "units/input_error.hpp"
 #include "wheelrail/paper_pairs.hpp"
 #include "wheelrail/tabulate.hpp"
@@ -44,8 +44,7 @@ const char* holds(double error, double allowed) {
 double fastest_decay(const Oscillator& car) {
   StateMatrix J;
   compile(car).jacobian(State::Zero(), J);
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver{Eigen::MatrixXd(J), false};
-  return -solver.eigenvalues().real().minCoeff();
+  return -num::eigenvalues(J).real().minCoeff();
 }
 
 void slow(report::Item& item) {

@@ -7,9 +7,9 @@ of the parabola through three places, with bisection and secants for the roll); 
 profiles, splined and turned into arcs. The reference solves the closing of the two gaps for the four arcs in contact
 in closed form, with the long double type.
 
-{{cost-geometry}}
+{{geometry-time}}
 
-{{work-precision: cost-geometry}}
+{{work-precision: geometry-time}}
 
 The exact search takes {{exact-time}} a displacement and its error is rounding. The grid needs {{grid-points}} places
 to come within {{grid-error}} of the angle, and {{grid-time}} for it; it can also miss a second contact that lies
@@ -167,7 +167,7 @@ void cost_geometry(report::Item& item) {
         {fmt::format("{:g} mm apart", step * 1e3), [points] { return exact(*points); }});
   }
   const auto points =
-      bench::measure("cost-geometry", {{"contact angle", closed_form_angle(pair, at_x), 1e-15}},
+      bench::measure("geometry-time", {{"contact angle", closed_form_angle(pair, at_x), 1e-15}},
                      {drawn, grid, measured}, item.timings(), 0.05);
   bench::show(item, points, "contact angle");
   item.value("cost-x", at_x / inch, "in", "{:.1f}");
@@ -187,5 +187,5 @@ void cost_geometry(report::Item& item) {
 }  // namespace
 
 void hunting::add_geometry_cost(report::Chapter& chapter) {
-  chapter.figure("cost-geometry", "Error against cost: where the wheel touches", cost_geometry);
+  chapter.figure("geometry-time", "Error against cost: where the wheel touches", cost_geometry);
 }

@@ -34,7 +34,7 @@ stepping across it takes {{across-evaluations}} evaluations, because error contr
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -43,6 +43,7 @@ stepping across it takes {{across-evaluations}} evaluations, because error contr
 #include "bench/work_precision.hpp"
 #include "extremes.hpp"
 #include "items.hpp"
+#include "num/eigenvalues.hpp"
 #include "track/fe_moving_load.hpp"
 #include "track/impact_methods.hpp"
 #include "track/lumped.hpp"
@@ -57,8 +58,7 @@ double track_chapter::deflection_by_roots(double theta, double zeta) {
   Eigen::Matrix4d companion = Eigen::Matrix4d::Zero();
   companion.diagonal(-1).setOnes();
   companion.col(3) << -4, 8 * zeta * theta, -4 * theta * theta, 0;
-  const Eigen::Vector4cd roots =
-      Eigen::EigenSolver<Eigen::Matrix4d>{companion, false}.eigenvalues();
+  const Eigen::Vector4cd roots = num::eigenvalues(companion);
   std::complex<double> sum = 0;
   for (const auto& p : roots)
     if (p.real() < 0) sum += 8.0 / (4.0 * p * p * p + 8 * theta * theta * p - 8 * zeta * theta);

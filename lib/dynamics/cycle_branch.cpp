@@ -25,7 +25,7 @@ struct Walker {
 
   Solved correct(double length) {
     const Unknowns guess = at + length * along;
-    const auto solved = solve_cycle(
+    auto solved = solve_cycle(
         car, guess, at, {.kind = Pick::hyperplane, .normal = along, .value = along.dot(guess)}, 8);
     branch.newton_steps += solved.iterations;
     return solved;

@@ -1,6 +1,5 @@
 #include "dynamics/floquet.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -8,6 +7,7 @@
 #include "dynamics/balance_equations.hpp"
 #include "dynamics/history.hpp"
 #include "dynamics/pieces.hpp"
+#include "num/eigenvalues.hpp"
 #include "units/constants.hpp"
 #include "units/input_error.hpp"
 
@@ -43,8 +43,7 @@ Half fly(PieceIntegrator& integrator, const State& y, double time, bool derivati
 }
 
 void find_multipliers(Orbit& orbit, const Eigen::MatrixXd& map) {
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver{map, false};
-  const Eigen::VectorXcd values = solver.eigenvalues();
+  const Eigen::VectorXcd values = num::eigenvalues(map);
   orbit.map_multipliers.assign(values.data(), values.data() + values.size());
   std::stable_sort(
       orbit.map_multipliers.begin(), orbit.map_multipliers.end(), [](Complex a, Complex b) {

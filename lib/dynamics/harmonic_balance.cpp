@@ -18,21 +18,6 @@ namespace {
 
 constexpr Complex i_unit{0, 1};
 
-std::vector<int> orders_up_to(int highest, bool all) {
-  units::require_between("highest harmonic", highest, 1, 4096);
-  std::vector<int> orders;
-  for (int k = all ? 0 : 1; k <= highest; k += all ? 1 : 2) orders.push_back(k);
-  return orders;
-}
-
-// Scalars of the channels from the motion.
-void fill_scalars(const Oscillator& o, Cycle& cycle) {
-  cycle.scalars.resize(Index(o.channels.size()), cycle.motion.cols());
-  for (Index k = 0; k < cycle.motion.cols(); ++k)
-    cycle.scalars.col(k) =
-        all_rows(o, i_unit * (cycle.orders[std::size_t(k)] * cycle.omega)) * cycle.motion.col(k);
-}
-
 // Real unknowns: for each channel the cosine and sine parts of each order, divided by the channel's scale; then ln omega, ln u.
 class Equations {
  public:
@@ -134,7 +119,7 @@ void Equations::sample_laws(const Cycle& cycle, bool slopes) {
       for (std::size_t j = 0; j < n; ++j) fft_.real()[j] = law.slopes()(m, piece[j]) - slope;
       fft_.forward();
       auto& p = slopes_[std::size_t(out)];
-      p.assign(fft_.spectrum().begin(), fft_.spectrum().begin() + 2 * orders_.back() + 1);
+      p.assign(fft_.spectrum().begin(), fft_.spectrum().begin() + 2L * orders_.back() + 1);
       for (Complex& x : p) x /= double(n);
     }
   }
@@ -311,50 +296,6 @@ void require_start(const Oscillator& o, const Cycle& start) {
 
 }  // namespace
 
-Cycle first_harmonic(const Oscillator& o, const Eigen::VectorXcd& amplitudes, double omega,
-                     int highest, bool all) {
-  Cycle cycle;
-  cycle.omega = omega;
-  cycle.inverse_speed = o.inverse_speed;
-  cycle.orders = orders_up_to(highest, all);
-  cycle.motion = Eigen::MatrixXcd::Zero(amplitudes.size(), Index(cycle.orders.size()));
-  cycle.motion.col(all ? 1 : 0) = amplitudes;
-  fill_scalars(o, cycle);
-  return cycle;
-}
-
-Cycle from_period(const Oscillator& o, const Eigen::MatrixXd& states, double omega, int highest,
-                  bool all) {
-  const Index n = o.coordinates();
-  units::require_between("samples of a period", double(states.cols()), 4.0 * highest, 1e7);
-  Cycle cycle = first_harmonic(o, Eigen::VectorXcd::Zero(n), omega, highest, all);
-  num::RealFft fft{std::size_t(states.cols())};
-  for (Index i = 0; i < n; ++i) {
-    for (Index j = 0; j < states.cols(); ++j) fft.real()[std::size_t(j)] = states(i, j);
-    fft.forward();
-    for (std::size_t k = 0; k < cycle.orders.size(); ++k)
-      cycle.motion(i, Index(k)) = fft.spectrum()[std::size_t(cycle.orders[k])] *
-                                  ((cycle.orders[k] == 0 ? 1.0 : 2.0) / double(states.cols()));
-  }
-  fill_scalars(o, cycle);
-  return cycle;
-}
-
-Cycle with_orders(const Cycle& cycle, int highest, bool all) {
-  Cycle result = cycle;
-  result.orders = orders_up_to(highest, all);
-  result.scalars = Eigen::MatrixXcd::Zero(cycle.scalars.rows(), Index(result.orders.size()));
-  result.motion = Eigen::MatrixXcd::Zero(cycle.motion.rows(), result.scalars.cols());
-  for (std::size_t k = 0; k < result.orders.size(); ++k)
-    for (std::size_t l = 0; l < cycle.orders.size(); ++l)
-      if (result.orders[k] == cycle.orders[l]) {
-        result.scalars.col(Index(k)) = cycle.scalars.col(Index(l));
-        result.motion.col(Index(k)) = cycle.motion.col(Index(l));
-      }
-  result.converged = false;
-  return result;
-}
-
 namespace {
 
 Cycle at_given_speed(const Oscillator& o, const Cycle& start, const BalanceOptions& options) {
@@ -400,14 +341,14 @@ Cycle balance(const Oscillator& o, const Cycle& start, const BalanceOptions& opt
   if (cycle.converged) return cycle;
   // Far from the start, or drawn to rest: find the branch at the start's size, whatever the speed, and follow it to the
   // speed by the secant rule in the size.
-  const Cycle failed = cycle;
+  Cycle failed = cycle;
   cycle = balance_at_size(o, start, 1, options);
   double factor = 1.01, off = 0;
   for (int i = 0; i < 20 && cycle.converged; ++i) {
     const double before = off;
     off = std::log(cycle.inverse_speed / o.inverse_speed);
     if (std::abs(off) < 0.01) {
-      const Cycle there = at_given_speed(o, cycle, options);
+      Cycle there = at_given_speed(o, cycle, options);
       if (there.converged) return there;
     }
     if (i > 0) {
@@ -419,136 +360,6 @@ Cycle balance(const Oscillator& o, const Cycle& start, const BalanceOptions& opt
     cycle = balance_at_size(o, cycle, factor, options);
   }
   return failed;
-}
-
-namespace {
-
-Eigen::VectorXd tangent_at(Equations& equations, Cycle& cycle, const Eigen::VectorXd& along) {
-  const Index n = equations.size();
-  Eigen::MatrixXd jacobian, matrix(n + 2, n + 2);
-  equations.residual(cycle, &jacobian);
-  matrix.topRows(n) = jacobian;
-  matrix.row(n) << equations.phase().transpose(), 0, 0;
-  matrix.row(n + 1) = along;
-  num::DenseLu lu;
-  lu.factor(matrix);
-  Eigen::VectorXd tangent = Eigen::VectorXd::Zero(n + 2);
-  tangent[n + 1] = 1;
-  lu.solve_in_place(tangent);
-  return tangent.allFinite() ? Eigen::VectorXd(tangent.normalized()) : along;
-}
-
-}  // namespace
-
-Trace trace(const Oscillator& o, const Cycle& start, const TraceOptions& options) {
-  require_start(o, start);
-  Trace result{{start}, {}, "as many points as asked for"};
-  Cycle at = start;
-  double step = options.first_step;
-  Eigen::VectorXd tangent;
-  while (int(result.cycles.size()) < options.most_points) {
-    Equations equations{o, at, options.balance.samples};
-    const Eigen::VectorXd z = equations.unknowns(at);
-    const Index n = equations.size();
-    if (tangent.size() == 0) {
-      tangent = Eigen::VectorXd::Zero(n + 2);
-      tangent[n + 1] = -options.direction;  // of ln u
-    }
-    const Eigen::VectorXd before = tangent;
-    tangent = tangent_at(equations, at, before);
-    if (result.cycles.size() > 1 && tangent[n + 1] * before[n + 1] < 0)
-      result.folds.push_back(result.cycles.size() - 1);
-    Cycle next = at;
-    for (;; step *= 0.5) {
-      if (step < options.smallest_step) {
-        result.end = "the smallest step: " + next.reason;
-        return result;
-      }
-      next = at;
-      const Eigen::VectorXd ahead = z + step * tangent;
-      equations.set(next, ahead);
-      if (newton(equations, next, {tangent, tangent.dot(ahead)}, options.balance) &&
-          (equations.unknowns(next) - z).dot(tangent) > 0.9 * (equations.unknowns(next) - z).norm())
-        break;
-    }
-    if (next.iterations <= 4) step = std::min(1.5 * step, options.largest_step);
-    // The scales of the next equations are its own: keep the tangent's direction in its units.
-    at = next;
-    result.cycles.push_back(next);
-    const double speed = next.speed();
-    double largest = 0;
-    for (const int c : options.watched)
-      largest = std::max(largest, amplitude(next, o.channels[std::size_t(c)].row));
-    if (speed < options.lowest_speed || speed > options.highest_speed) {
-      result.end = "a speed out of the range asked for";
-      return result;
-    }
-    if (largest > options.largest_scalar) {
-      result.end = "an amplitude out of the range asked for";
-      return result;
-    }
-  }
-  return result;
-}
-
-Eigen::VectorXd state_at(const Cycle& cycle, double phase) {
-  const Index n = cycle.motion.rows();
-  Eigen::VectorXd y = Eigen::VectorXd::Zero(2 * n);
-  for (std::size_t k = 0; k < cycle.orders.size(); ++k) {
-    const Complex turn = std::polar(1.0, cycle.orders[k] * phase);
-    const Eigen::VectorXcd q = cycle.motion.col(Index(k)) * turn;
-    y.head(n) += q.real();
-    y.tail(n) -= cycle.orders[k] * cycle.omega * q.imag();
-  }
-  return y;
-}
-
-double amplitude(const Cycle& cycle, const Eigen::VectorXd& row) {
-  const Eigen::VectorXcd s = cycle.motion.transpose() * row.cast<Complex>();
-  // The derivative of given order at a phase.
-  const auto value = [&](double phase, int derivative) {
-    double sum = 0;
-    for (std::size_t k = 0; k < cycle.orders.size(); ++k)
-      sum += (s[Index(k)] * std::pow(i_unit * double(cycle.orders[k]), derivative) *
-              std::polar(1.0, cycle.orders[k] * phase))
-                 .real();
-    return sum;
-  };
-  const int n = std::max(64, 8 * cycle.orders.back());
-  const double step = 2 * units::pi / n;
-  double low = 0, high = 0, low_at = 0, high_at = 0;
-  for (int j = 0; j < n; ++j) {
-    const double x = value(j * step, 0);
-    if (j == 0 || x > high) high = x, high_at = j * step;
-    if (j == 0 || x < low) low = x, low_at = j * step;
-  }
-  for (double* phase : {&low_at, &high_at})
-    for (int newton = 0; newton < 4; ++newton) {
-      const double bend = value(*phase, 2);
-      if (bend == 0) break;
-      *phase -= std::clamp(value(*phase, 1) / bend, -step, step);
-    }
-  return 0.5 * (std::max(high, value(high_at, 0)) - std::min(low, value(low_at, 0)));
-}
-
-double defect(const Oscillator& o, const Cycle& cycle, int samples) {
-  double worst = 0, size = 0;
-  const Eigen::MatrixXd damping = o.damping + cycle.inverse_speed * o.damping_by_speed;
-  const Index n = o.coordinates();
-  for (int j = 0; j < samples; ++j) {
-    const double phase = 2 * units::pi * j / samples;
-    const Eigen::VectorXd y = state_at(cycle, phase);
-    Eigen::VectorXd inertia = Eigen::VectorXd::Zero(n);
-    for (std::size_t k = 0; k < cycle.orders.size(); ++k)
-      inertia -= std::pow(cycle.orders[k] * cycle.omega, 2) *
-                 (cycle.motion.col(Index(k)) * std::polar(1.0, cycle.orders[k] * phase)).real();
-    Eigen::VectorXd off = o.mass * inertia + damping * y.tail(n) + o.stiffness * y.head(n);
-    for (const Channel& c : o.channels)
-      off -= c.force * c.law(c.row.dot(c.of_rate ? y.tail(n) : y.head(n)));
-    worst = std::max(worst, off.lpNorm<Eigen::Infinity>());
-    size = std::max(size, (o.mass * inertia).lpNorm<Eigen::Infinity>());
-  }
-  return worst / size;
 }
 
 }  // namespace railbook::dynamics

@@ -1,9 +1,10 @@
 #include "dynamics/hill.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+
+#include "num/eigenvalues.hpp"
 
 namespace railbook::dynamics {
 
@@ -42,7 +43,7 @@ std::vector<Complex> hill_exponents(const QuasiLinearCar& car, const Motion& cyc
   state.bottomLeftCorner<18, 18>() =
       -lu.solve(Eigen::MatrixXd(car.evaluate(cycle, gains).by_shape)) / rate_scale;
   state.bottomRightCorner<18, 18>() = -lu.solve(Eigen::MatrixXd(rate_matrix(car, cycle, gains)));
-  const Eigen::VectorXcd found = Eigen::EigenSolver<Eigen::MatrixXd>{state, false}.eigenvalues();
+  const Eigen::VectorXcd found = num::eigenvalues(state);
   std::vector<Complex> exponents{found.begin(), found.end()};
   std::sort(exponents.begin(), exponents.end(),
             [](Complex a, Complex b) { return a.real() > b.real(); });

@@ -1,0 +1,140 @@
+#include "dynamics/harmonic_cycle.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dynamics/balance_equations.hpp"
+#include "units/constants.hpp"
+#include "units/input_error.hpp"
+
+namespace railbook::dynamics {
+
+using Complex = std::complex<double>;
+using Eigen::Index;
+
+namespace {
+
+constexpr Complex i_unit{0, 1};
+
+std::vector<int> orders_up_to(int highest, bool all) {
+  units::require_between("highest harmonic", highest, 1, 4096);
+  std::vector<int> orders;
+  for (int k = all ? 0 : 1; k <= highest; k += all ? 1 : 2) orders.push_back(k);
+  return orders;
+}
+
+// Scalars of the channels from the motion.
+void fill_scalars(const Oscillator& o, Cycle& cycle) {
+  cycle.scalars.resize(Index(o.channels.size()), cycle.motion.cols());
+  for (Index k = 0; k < cycle.motion.cols(); ++k)
+    cycle.scalars.col(k) =
+        all_rows(o, i_unit * (cycle.orders[std::size_t(k)] * cycle.omega)) * cycle.motion.col(k);
+}
+
+}  // namespace
+
+Cycle first_harmonic(const Oscillator& o, const Eigen::VectorXcd& amplitudes, double omega,
+                     int highest, bool all) {
+  Cycle cycle;
+  cycle.omega = omega;
+  cycle.inverse_speed = o.inverse_speed;
+  cycle.orders = orders_up_to(highest, all);
+  cycle.motion = Eigen::MatrixXcd::Zero(amplitudes.size(), Index(cycle.orders.size()));
+  cycle.motion.col(all ? 1 : 0) = amplitudes;
+  fill_scalars(o, cycle);
+  return cycle;
+}
+
+Cycle from_period(const Oscillator& o, const Eigen::MatrixXd& states, double omega, int highest,
+                  bool all) {
+  const Index n = o.coordinates();
+  units::require_between("samples of a period", double(states.cols()), 4.0 * highest, 1e7);
+  Cycle cycle = first_harmonic(o, Eigen::VectorXcd::Zero(n), omega, highest, all);
+  num::RealFft fft{std::size_t(states.cols())};
+  for (Index i = 0; i < n; ++i) {
+    for (Index j = 0; j < states.cols(); ++j) fft.real()[std::size_t(j)] = states(i, j);
+    fft.forward();
+    for (std::size_t k = 0; k < cycle.orders.size(); ++k)
+      cycle.motion(i, Index(k)) = fft.spectrum()[std::size_t(cycle.orders[k])] *
+                                  ((cycle.orders[k] == 0 ? 1.0 : 2.0) / double(states.cols()));
+  }
+  fill_scalars(o, cycle);
+  return cycle;
+}
+
+Cycle with_orders(const Cycle& cycle, int highest, bool all) {
+  Cycle result = cycle;
+  result.orders = orders_up_to(highest, all);
+  result.scalars = Eigen::MatrixXcd::Zero(cycle.scalars.rows(), Index(result.orders.size()));
+  result.motion = Eigen::MatrixXcd::Zero(cycle.motion.rows(), result.scalars.cols());
+  for (std::size_t k = 0; k < result.orders.size(); ++k)
+    for (std::size_t l = 0; l < cycle.orders.size(); ++l)
+      if (result.orders[k] == cycle.orders[l]) {
+        result.scalars.col(Index(k)) = cycle.scalars.col(Index(l));
+        result.motion.col(Index(k)) = cycle.motion.col(Index(l));
+      }
+  result.converged = false;
+  return result;
+}
+
+Eigen::VectorXd state_at(const Cycle& cycle, double phase) {
+  const Index n = cycle.motion.rows();
+  Eigen::VectorXd y = Eigen::VectorXd::Zero(2 * n);
+  for (std::size_t k = 0; k < cycle.orders.size(); ++k) {
+    const Complex turn = std::polar(1.0, cycle.orders[k] * phase);
+    const Eigen::VectorXcd q = cycle.motion.col(Index(k)) * turn;
+    y.head(n) += q.real();
+    y.tail(n) -= cycle.orders[k] * cycle.omega * q.imag();
+  }
+  return y;
+}
+
+double amplitude(const Cycle& cycle, const Eigen::VectorXd& row) {
+  const Eigen::VectorXcd s = cycle.motion.transpose() * row.cast<Complex>();
+  // The derivative of given order at a phase.
+  const auto value = [&](double phase, int derivative) {
+    double sum = 0;
+    for (std::size_t k = 0; k < cycle.orders.size(); ++k)
+      sum += (s[Index(k)] * std::pow(i_unit * double(cycle.orders[k]), derivative) *
+              std::polar(1.0, cycle.orders[k] * phase))
+                 .real();
+    return sum;
+  };
+  const int n = std::max(64, 8 * cycle.orders.back());
+  const double step = 2 * units::pi / n;
+  double low = 0, high = 0, low_at = 0, high_at = 0;
+  for (int j = 0; j < n; ++j) {
+    const double x = value(j * step, 0);
+    if (j == 0 || x > high) high = x, high_at = j * step;
+    if (j == 0 || x < low) low = x, low_at = j * step;
+  }
+  for (double* phase : {&low_at, &high_at})
+    for (int newton = 0; newton < 4; ++newton) {
+      const double bend = value(*phase, 2);
+      if (bend == 0) break;
+      *phase -= std::clamp(value(*phase, 1) / bend, -step, step);
+    }
+  return 0.5 * (std::max(high, value(high_at, 0)) - std::min(low, value(low_at, 0)));
+}
+
+double defect(const Oscillator& o, const Cycle& cycle, int samples) {
+  double worst = 0, size = 0;
+  const Eigen::MatrixXd damping = o.damping + cycle.inverse_speed * o.damping_by_speed;
+  const Index n = o.coordinates();
+  for (int j = 0; j < samples; ++j) {
+    const double phase = 2 * units::pi * j / samples;
+    const Eigen::VectorXd y = state_at(cycle, phase);
+    Eigen::VectorXd inertia = Eigen::VectorXd::Zero(n);
+    for (std::size_t k = 0; k < cycle.orders.size(); ++k)
+      inertia -= std::pow(cycle.orders[k] * cycle.omega, 2) *
+                 (cycle.motion.col(Index(k)) * std::polar(1.0, cycle.orders[k] * phase)).real();
+    Eigen::VectorXd off = o.mass * inertia + damping * y.tail(n) + o.stiffness * y.head(n);
+    for (const Channel& c : o.channels)
+      off -= c.force * c.law(c.row.dot(c.of_rate ? y.tail(n) : y.head(n)));
+    worst = std::max(worst, off.lpNorm<Eigen::Infinity>());
+    size = std::max(size, (o.mass * inertia).lpNorm<Eigen::Infinity>());
+  }
+  return worst / size;
+}
+
+}  // namespace railbook::dynamics

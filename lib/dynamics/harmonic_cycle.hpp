@@ -1,0 +1,43 @@
+// A periodic motion as a sum of harmonics.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "dynamics/oscillator.hpp"
+
+namespace railbook::dynamics {
+
+struct Cycle {
+  double omega = 0;          // [rad/s]
+  double inverse_speed = 0;  // u [s/m]
+  std::vector<int> orders;   // of the harmonics kept: 1, 3, 5 ... or 0, 1, 2 ...
+  Eigen::MatrixXcd scalars;  // channels x orders: s = Re sum_k s_k exp(i k omega t)
+  Eigen::MatrixXcd motion;   // coordinates x orders, likewise: q
+  bool converged = false;
+  double residual = 0;  // of the balance, relative to the largest harmonic of each channel
+  int iterations = 0;
+  std::string reason;  // why not converged
+
+  double speed() const { return 1 / inverse_speed; }
+};
+
+// A start from one harmonic q = Re(amplitudes exp(i omega t)) at the oscillator's speed: the odd orders up to `highest`, or,
+// with `all`, those from 0 on. Odd orders alone are right for odd laws and motions symmetric to rest.
+Cycle first_harmonic(const Oscillator& oscillator, const Eigen::VectorXcd& amplitudes, double omega,
+                     int highest, bool all = false);
+// A start from one period of motion in time: states (2n x samples) at equal steps, the first not repeated.
+Cycle from_period(const Oscillator& oscillator, const Eigen::MatrixXd& states, double omega,
+                  int highest, bool all = false);
+// The same motion with other orders kept: what is not there begins as zero.
+Cycle with_orders(const Cycle& cycle, int highest, bool all = false);
+
+// Coordinates and their rates at a phase [rad]: (2n), SI.
+Eigen::VectorXd state_at(const Cycle& cycle, double phase);
+// Half of peak to peak of row q over the period; the peaks are located to rounding.
+double amplitude(const Cycle& cycle, const Eigen::VectorXd& row);
+// Largest relative misfit of the equations of motion over `samples` instants of the period: what the truncation leaves.
+double defect(const Oscillator& oscillator, const Cycle& cycle, int samples = 1024);
+
+}  // namespace railbook::dynamics

@@ -1,0 +1,15 @@
+// Eigenvalues of dense matrices, without the weight of Eigen's solvers in the caller.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace railbook::num {
+
+// All eigenvalues of a real square matrix, in no order; by the QR algorithm, backward stable, O(n^3).
+// Throws std::runtime_error when the iteration does not converge, as with a matrix that holds NaN.
+Eigen::VectorXcd eigenvalues(const Eigen::Ref<const Eigen::MatrixXd>& matrix);
+
+// Those of a symmetric matrix, ascending; only the lower triangle is read.
+Eigen::VectorXd symmetric_eigenvalues(const Eigen::Ref<const Eigen::MatrixXd>& matrix);
+
+}  // namespace railbook::num

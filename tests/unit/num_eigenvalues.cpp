@@ -1,0 +1,26 @@
+#include <catch2/catch.hpp>
+#include <limits>
+#include <stdexcept>
+
+#include "num/eigenvalues.hpp"
+
+using namespace railbook;
+
+TEST_CASE("eigenvalues of a rotation, of a symmetric matrix, and of none", "[num][unit]") {
+  Eigen::MatrixXd turn(2, 2);
+  turn << 3, -4, 4, 3;  // 3 +- 4i
+  const Eigen::VectorXcd pair = num::eigenvalues(turn);
+  CHECK(pair[0].real() == Approx(3).epsilon(1e-14));
+  CHECK(std::abs(pair[0].imag()) == Approx(4).epsilon(1e-14));
+  CHECK(pair[1] == std::conj(pair[0]));
+
+  Eigen::MatrixXd spring(3, 3);
+  spring << 2, -1, 0, -1, 2, -1, 0, -1, 2;  // 2 - sqrt 2, 2, 2 + sqrt 2
+  const Eigen::VectorXd ascending = num::symmetric_eigenvalues(spring);
+  CHECK(ascending[0] == Approx(2 - std::sqrt(2.0)).epsilon(1e-14));
+  CHECK(ascending[1] == Approx(2).epsilon(1e-14));
+  CHECK(ascending[2] == Approx(2 + std::sqrt(2.0)).epsilon(1e-14));
+
+  turn(0, 0) = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THROWS_AS(num::eigenvalues(turn), std::runtime_error);
+}
