@@ -21,7 +21,7 @@ stable by the rule up to its fold, by Floquet up to {{torus-floquet-cn}}. The hi
 The Heumann wheel has its small stable cycle without flange contact between {{heumann-low}} and {{heumann-high}}: the paper's "limited range of speeds".
 
 Friction changes the picture at small amplitude. The sticking car is nearly one rigid body and its cycles come down to {{friction-fold}}
-at {{friction-fold-a}}, from where a stable branch goes up to {{friction-top}}. That minimum is a matter of $\varepsilon$: a tenth of it gives {{fold-10}}, while the cycle at 90 ft/s hardly notices ({{friction-epsilon}}).
+at {{friction-fold-a}}, from where a stable branch goes up to {{friction-top}}. That minimum is a matter of $\varepsilon$: a tenth of it gives {{fold-10}}, while the describing function hardly notices at 90 ft/s ({{friction-epsilon}}). Integrated in time, the cycle there moves more (Stability, below).
 
 {{fig-families}}
 
