@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "../support/rig_case.hpp"
 #include "contact/creep_laws.hpp"
 #include "contact/fastsim.hpp"
 #include "num/fp_trap.hpp"
@@ -10,13 +11,7 @@ using namespace railbook::contact;
 
 namespace {
 
-constexpr RollingCase rig{.a = 1.49e-3,
-                          .b = 0.95e-3,
-                          .load = 4450,
-                          .shear_modulus = 79.6e9,
-                          .poisson = 0.3,
-                          .friction = 0.3,
-                          .creepage = {}};
+constexpr const RollingCase& rig = rig_case;
 constexpr Theory theories[] = {Theory::linear,  Theory::vermeulen_johnson,
                                Theory::fastsim, Theory::shen_hedrick_elkins,
                                Theory::fastrip, Theory::polach};

@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "../support/rig_case.hpp"
 #include "contact/creep_laws.hpp"
 #include "contact/fastsim.hpp"
 #include "contact/kalker_coefficients.hpp"
@@ -13,13 +14,7 @@ using namespace railbook::contact;
 
 namespace {
 
-const RollingCase rig{.a = 1.49e-3,
-                      .b = 0.95e-3,
-                      .load = 4450,
-                      .shear_modulus = 79.6e9,
-                      .poisson = 0.3,
-                      .friction = 0.3,
-                      .creepage = {}};
+constexpr const RollingCase& rig = rig_case;
 const double bound = rig.friction * rig.load;
 
 RollingCase at(double x, double y = 0, double spin = 0) {
