@@ -80,16 +80,3 @@ function(railbook_chapter chapter)
   set_tests_properties("chapter: ${chapter} reproduces" PROPERTIES FIXTURES_SETUP ${chapter})
   set_tests_properties("figures: ${chapter} golden set" PROPERTIES FIXTURES_REQUIRED ${chapter})
 endfunction()
-
-# railbook_refuses(PROGRAM WHAT REASON arguments...)
-# A ctest: the chapter program refuses what it cannot use, for the reason expected (a pattern of grep in what it
-# says) and not for another, with exit status 2 and nothing left behind in the folder of --out.
-# Arguments are taken relative to the calling folder's examples/ where there is one.
-function(railbook_refuses program what reason)
-  set(folder ${CMAKE_CURRENT_SOURCE_DIR})
-  if(EXISTS ${folder}/examples)
-    set(folder ${folder}/examples)
-  endif()
-  add_test(NAME "tool: ${program} refuses ${what}" WORKING_DIRECTORY ${folder}
-           COMMAND ${CMAKE_SOURCE_DIR}/cmake/refuses.sh ${reason} $<TARGET_FILE:${program}> ${ARGN})
-endfunction()

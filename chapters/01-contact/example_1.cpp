@@ -87,7 +87,7 @@ struct Quantity {
 };
 
 void table_2(report::Item& item) {
-  const report::CsvTable printed = item.printed("table-2.csv");
+  const table::CsvTable printed = item.printed("table-2.csv");
   const auto in_print = [&](const char* key, const char* column) {
     return report::printed_number(printed.at(key, column));
   };
@@ -189,7 +189,7 @@ void fig_06(report::Item& item) {
 }  // namespace
 
 double contact_chapter::fitted_tread(const report::Item& item) {
-  const report::CsvTable printed = item.printed("table-2.csv");
+  const table::CsvTable printed = item.printed("table-2.csv");
   return shape_of(report::printed_number(printed.at("a", "hertz")) * inch,
                   report::printed_number(printed.at("b", "hertz")) * inch, delta_1)
       .tread;

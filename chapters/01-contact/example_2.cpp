@@ -99,7 +99,7 @@ confirmed by numbers that Table 2 does not share.
 */
 
 void force_and_moment(report::Item& item) {
-  const report::CsvTable printed = item.printed("example-2.csv");
+  const table::CsvTable printed = item.printed("example-2.csv");
   const NormalContact& c = countact_on_the_jump().contact;
   const NormalContact& grid = cg_fft_on_the_jump().contact;
   const double newton_metre = 1, inch_lbf = inch * lbf;
@@ -144,7 +144,7 @@ void force_and_moment(report::Item& item) {
 void treads(report::Item& item) {
   item.explained("computed with three treads; the printed numbers are checked above");
   item.columns({"tread of the wheel", "F, lbf", "to print", "M, in·lbf", "to print", "peak, psi"});
-  const report::CsvTable printed = item.printed("example-2.csv");
+  const table::CsvTable printed = item.printed("example-2.csv");
   const double force = report::printed_number(printed.at("F", "printed")) * lbf;
   const double moment = report::printed_number(printed.at("M", "printed")) * inch * lbf;
   const double fitted = fitted_tread(item);

@@ -8,11 +8,10 @@
 
 namespace railbook::contact_chapter {
 
-void add_cost(report::Chapter&);        // error against run time, Example 1
-void add_cost_punch(report::Chapter&);  // and Example 4
-void add_example_3(report::Chapter&);   // Figs 11 to 13
-void add_extremes(report::Chapter&);    // stability
-void add_solve_tool(report::Chapter&);
+void add_cost(report::Chapter&);          // error against run time, Example 1
+void add_cost_punch(report::Chapter&);    // and Example 4
+void add_example_3(report::Chapter&);     // Figs 11 to 13
+void add_extremes(report::Chapter&);      // stability
 void add_method(report::Chapter&);        // Figs 1 to 5
 void add_conditioning(report::Chapter&);  // the matrix (14)
 void add_example_1(report::Chapter&);     // Table 2, Figs 6 and 7

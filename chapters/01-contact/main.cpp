@@ -36,7 +36,7 @@ the rounded punch, and conjugate gradients with the fast Fourier transform on a 
 
 {{stability}}
 
-{{include: solve_tool.cpp}}
+
 
 ## Deviations
 
@@ -103,6 +103,5 @@ int main(int argc, char** argv) {
   contact_chapter::add_cost(chapter);
   contact_chapter::add_cost_punch(chapter);
   contact_chapter::add_extremes(chapter);
-  contact_chapter::add_solve_tool(chapter);
   return chapter.run(argc, argv);
 }

@@ -28,7 +28,7 @@ speed cannot represent at all.
 #include "items.hpp"
 #include "study.hpp"
 
-namespace railbook::hunting {
+namespace railbook::hunting_chapter {
 
 using namespace dynamics;
 
@@ -105,7 +105,7 @@ double nearest_speed(double amplitude, double speed) {
   return best;
 }
 
-void table(report::Item& item) {
+void tabulate(report::Item& item) {
   item.columns({"choice of the mode", "A, in", "V, ft/s", "ω, rad/s", "eigenvalue problems",
                 "speeds", "changes of mode", "ends", "front, in", "rear, in"});
   item.explained("the paper's own method on our profiles, against Newton's on the same equations");
@@ -140,7 +140,7 @@ void table(report::Item& item) {
 
 void add_algorithm(report::Chapter& chapter) {
   chapter.figure("fig-loop", "The paper's algorithm on new wheels against continuation", figure);
-  chapter.table("loop-table", "The paper's algorithm: what it takes and how it ends", table);
+  chapter.table("loop-table", "The paper's algorithm: what it takes and how it ends", tabulate);
 }
 
-}  // namespace railbook::hunting
+}  // namespace railbook::hunting_chapter

@@ -22,7 +22,7 @@ The describing function, one harmonic, has the amplitude right within {{df-error
 #include "cycles.hpp"
 #include "items.hpp"
 
-namespace railbook::hunting {
+namespace railbook::hunting_chapter {
 
 using namespace dynamics;
 using units::inch;
@@ -107,4 +107,4 @@ void add_balance(report::Chapter& chapter) {
                  fig_harmonics);
 }
 
-}  // namespace railbook::hunting
+}  // namespace railbook::hunting_chapter

@@ -46,7 +46,7 @@ changes nothing in the equations but the coupling through the centre plates.
 #include "items.hpp"
 #include "study.hpp"
 
-namespace railbook::hunting {
+namespace railbook::hunting_chapter {
 
 using namespace dynamics;
 
@@ -251,4 +251,4 @@ void add_branches(report::Chapter& chapter) {
                 friction_epsilon);
 }
 
-}  // namespace railbook::hunting
+}  // namespace railbook::hunting_chapter

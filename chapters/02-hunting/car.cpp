@@ -40,7 +40,7 @@ frequencies together ({{critical-speeds}}). What it is worth is told by {{fig-se
 #include "items.hpp"
 #include "study.hpp"
 
-namespace railbook::hunting {
+namespace railbook::hunting_chapter {
 
 using namespace dynamics;
 
@@ -141,4 +141,4 @@ void add_car(report::Chapter& chapter) {
   chapter.table("matrices", "The matrices against the car body by body", matrices);
 }
 
-}  // namespace railbook::hunting
+}  // namespace railbook::hunting_chapter

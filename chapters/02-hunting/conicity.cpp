@@ -34,7 +34,7 @@ without flange contact.
 #include "units/constants.hpp"
 
 using namespace railbook;
-using namespace railbook::hunting;
+using namespace railbook::hunting_chapter;
 using namespace railbook::wheelrail;
 using units::inch;
 using units::millimetre;
@@ -85,7 +85,7 @@ void conicity_table(report::Item& item) {
 
 }  // namespace
 
-void hunting::add_conicity(report::Chapter& chapter) {
+void hunting_chapter::add_conicity(report::Chapter& chapter) {
   chapter.figure("fig-conicity", "Equivalent conicity against amplitude", conicity_figure);
   chapter.table("conicity-table", "Equivalent conicity by three definitions", conicity_table);
 }

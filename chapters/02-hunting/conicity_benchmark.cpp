@@ -32,8 +32,8 @@ constexpr double half_spacing = 0.75, radius = 0.46;
 constexpr double smoothing = 1e-6;  // the digits of the thinned points
 
 Curve reference_profile(const report::Item& item, const char* file) {
-  const auto columns = report::read_columns(
-      item.sources() / "data" / file, {{"outward", units::length}, {"height", units::length}});
+  const auto columns = table::read_columns(item.sources() / "data" / file,
+                                           {{"outward", units::length}, {"height", units::length}});
   std::vector<Point> points;
   for (std::size_t i = 0; i < columns[0].size(); ++i)
     points.push_back({-half_spacing - columns[0][i], columns[1][i]});
@@ -41,7 +41,7 @@ Curve reference_profile(const report::Item& item, const char* file) {
 }
 
 void benchmark(report::Item& item) {
-  const report::CsvTable reference = item.printed("en15302_conicity.csv");
+  const table::CsvTable reference = item.printed("en15302_conicity.csv");
   const WheelsetOnTrack pair = with_radius(reference_profile(item, "en15302_wheel_a.csv"),
                                            reference_profile(item, "en15302_rail_a.csv"), radius);
   TableOptions options{
@@ -72,6 +72,6 @@ void benchmark(report::Item& item) {
 
 }  // namespace
 
-void hunting::add_conicity_benchmark(report::Chapter& chapter) {
+void hunting_chapter::add_conicity_benchmark(report::Chapter& chapter) {
   chapter.table("conicity-benchmark", "Equivalent conicity of EN 15302's profiles A", benchmark);
 }

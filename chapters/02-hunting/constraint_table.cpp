@@ -40,7 +40,7 @@ The new wheel's contact angle is largest, {{D-max-new}} in $D$, where the flange
 #include "units/constants.hpp"
 
 using namespace railbook;
-using namespace railbook::hunting;
+using namespace railbook::hunting_chapter;
 using namespace railbook::wheelrail;
 using units::inch;
 
@@ -109,7 +109,7 @@ double largest_jump(const WheelsetOnTrack& pair) {
 }
 
 void geometry_claims(report::Item& item) {
-  const report::CsvTable printed = item.printed("geometry_claims.csv");
+  const table::CsvTable printed = item.printed("geometry_claims.csv");
   item.expect_checks(8);
   item.columns({"claim", "paper", "here"});
   const auto claim = [&](const char* key, bool holds, const std::string& here) {
@@ -190,7 +190,7 @@ void jumps(report::Item& item) {
 
 }  // namespace
 
-void hunting::add_constraint_table(report::Chapter& chapter) {
+void hunting_chapter::add_constraint_table(report::Chapter& chapter) {
   chapter.table("geometry-claims", "What the text says of the three pairs", geometry_claims);
   chapter.table("slopes", "Slopes of the constraint functions at the centre, per x/a", slopes);
   chapter.table("constraint-table", "Constraint functions, running mean over 0.02 in",

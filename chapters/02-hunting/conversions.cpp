@@ -15,7 +15,7 @@ using namespace railbook;
 namespace {
 
 void conversions(report::Item& item) {
-  const report::CsvTable printed = item.printed("conversions.csv");
+  const table::CsvTable printed = item.printed("conversions.csv");
   item.expect_checks(2);
   item.columns({"", "printed", "SI, printed", "SI, computed"});
   const auto show = [&](const char* key, double unit) {
@@ -24,7 +24,7 @@ void conversions(report::Item& item) {
     row.check("printed", si);
     item.add_row({row.printed("what"), row.printed("printed_us") + " " + row.printed("unit_us"),
                   row.printed("printed") + " " + row.printed("unit"),
-                  report::csv_number(si) + " " + row.printed("unit")});
+                  table::csv_number(si) + " " + row.printed("unit")});
   };
   show("speed", units::foot);
   show("gauge", units::inch);
@@ -32,6 +32,6 @@ void conversions(report::Item& item) {
 
 }  // namespace
 
-void hunting::add_conversions(report::Chapter& chapter) {
+void hunting_chapter::add_conversions(report::Chapter& chapter) {
   chapter.table("conversions", "The two quantities the paper prints twice", conversions);
 }

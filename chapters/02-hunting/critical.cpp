@@ -40,7 +40,7 @@ coefficients are the "full Kalker values" that the text names. The lost first di
 #include "items.hpp"
 #include "study.hpp"
 
-namespace railbook::hunting {
+namespace railbook::hunting_chapter {
 
 using namespace dynamics;
 
@@ -235,4 +235,4 @@ void add_critical(report::Chapter& chapter) {
   chapter.table("changes", "The critical speed of other cars", changes);
 }
 
-}  // namespace railbook::hunting
+}  // namespace railbook::hunting_chapter

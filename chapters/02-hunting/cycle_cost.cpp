@@ -36,7 +36,7 @@ For comparison, the whole diagram of describing functions, four cars with both f
 #include "cycles.hpp"
 #include "items.hpp"
 
-namespace railbook::hunting {
+namespace railbook::hunting_chapter {
 
 using namespace dynamics;
 using units::inch;
@@ -203,4 +203,4 @@ void add_cycle_cost(report::Chapter& chapter) {
                  friction_time);
 }
 
-}  // namespace railbook::hunting
+}  // namespace railbook::hunting_chapter

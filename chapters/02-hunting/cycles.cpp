@@ -32,7 +32,7 @@ whole period, is the monodromy matrix; its eigenvalues are the Floquet multiplie
 #include <array>
 #include <stdexcept>
 
-namespace railbook::hunting {
+namespace railbook::hunting_chapter {
 
 using namespace dynamics;
 
@@ -127,4 +127,4 @@ Eigen::VectorXd state_of(const Motion& motion) {
   return y;
 }
 
-}  // namespace railbook::hunting
+}  // namespace railbook::hunting_chapter

@@ -8,7 +8,7 @@
 #include "dynamics/history.hpp"
 #include "study.hpp"
 
-namespace railbook::hunting {
+namespace railbook::hunting_chapter {
 
 struct CycleCase {
   std::string key;   // "new-150"
@@ -32,4 +32,4 @@ dynamics::Swing largest_swing(const dynamics::History& history, int periods);
 // The state of a describing-function cycle at phase 0.
 Eigen::VectorXd state_of(const dynamics::Motion& motion);
 
-}  // namespace railbook::hunting
+}  // namespace railbook::hunting_chapter

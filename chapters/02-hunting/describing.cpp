@@ -41,7 +41,7 @@ a viscous core of width $\varepsilon$ the gain is $F_0/\varepsilon$ up to $A=\va
 #include "num/quadrature.hpp"
 #include "study.hpp"
 
-namespace railbook::hunting {
+namespace railbook::hunting_chapter {
 
 using namespace dynamics;
 
@@ -162,4 +162,4 @@ void add_describing(report::Chapter& chapter) {
   }
 }
 
-}  // namespace railbook::hunting
+}  // namespace railbook::hunting_chapter

@@ -21,7 +21,7 @@ the other side.
 #include "items.hpp"
 #include "study.hpp"
 
-namespace railbook::hunting {
+namespace railbook::hunting_chapter {
 
 using namespace dynamics;
 
@@ -72,4 +72,4 @@ void add_df_cost(report::Chapter& chapter) {
   chapter.figure("df-time", "One describing-function cycle: error against run time", cost);
 }
 
-}  // namespace railbook::hunting
+}  // namespace railbook::hunting_chapter

@@ -27,7 +27,7 @@ determinant still lists both.
 #include "wheelrail/paper_pairs.hpp"
 #include "wheelrail/tabulate.hpp"
 
-namespace railbook::hunting {
+namespace railbook::hunting_chapter {
 
 using namespace dynamics;
 using units::foot;
@@ -282,4 +282,4 @@ void add_cycle_extremes(report::Chapter& chapter) {
                 slow_steps);
 }
 
-}  // namespace railbook::hunting
+}  // namespace railbook::hunting_chapter

@@ -42,7 +42,7 @@ within {{hill-worst}} of the largest exponent compared.
 #include "dynamics/hill.hpp"
 #include "items.hpp"
 
-namespace railbook::hunting {
+namespace railbook::hunting_chapter {
 
 using namespace dynamics;
 using units::foot;
@@ -128,7 +128,7 @@ NewBranch torus_point() {
 }
 
 void fig_multipliers(report::Item& item) {
-  const report::CsvTable program = item.printed("multipliers.csv");
+  const table::CsvTable program = item.printed("multipliers.csv");
   item.expect_checks(static_cast<int>(program.rows.size()));
   item.reconstructed("not in the paper");
   auto& data = item.data({"V_ft_s", "pair", "real", "A_in"});
@@ -294,4 +294,4 @@ void add_floquet(report::Chapter& chapter) {
                 floquet_table);
 }
 
-}  // namespace railbook::hunting
+}  // namespace railbook::hunting_chapter

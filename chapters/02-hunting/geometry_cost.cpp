@@ -33,7 +33,7 @@ see {{gauge-noise}}.
 #include "wheelrail/measured_curve.hpp"
 
 using namespace railbook;
-using namespace railbook::hunting;
+using namespace railbook::hunting_chapter;
 using namespace railbook::wheelrail;
 using units::inch;
 
@@ -186,6 +186,6 @@ void cost_geometry(report::Item& item) {
 
 }  // namespace
 
-void hunting::add_geometry_cost(report::Chapter& chapter) {
+void hunting_chapter::add_geometry_cost(report::Chapter& chapter) {
   chapter.figure("geometry-time", "Error against cost: where the wheel touches", cost_geometry);
 }

@@ -25,7 +25,7 @@ profile itself.
 #include "wheelrail/tabulate.hpp"
 
 using namespace railbook;
-using namespace railbook::hunting;
+using namespace railbook::hunting_chapter;
 using namespace railbook::wheelrail;
 using units::inch;
 
@@ -183,6 +183,6 @@ void geometry_extremes(report::Item& item) {
 
 }  // namespace
 
-void hunting::add_geometry_extremes(report::Chapter& chapter) {
+void hunting_chapter::add_geometry_extremes(report::Chapter& chapter) {
   chapter.table("gauge-noise", "Conicity from noisy points", geometry_extremes);
 }

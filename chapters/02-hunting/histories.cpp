@@ -23,7 +23,7 @@ unstable ones are closed by shooting only: started on them, the integration runs
 #include "cycles.hpp"
 #include "items.hpp"
 
-namespace railbook::hunting {
+namespace railbook::hunting_chapter {
 
 using namespace dynamics;
 using units::inch;
@@ -97,7 +97,7 @@ std::string both(double a, double omega) {
 }
 
 void cycle_table(report::Item& item) {
-  const report::CsvTable program = item.printed("cycles.csv");
+  const table::CsvTable program = item.printed("cycles.csv");
   int stable = 0, known = 0;
   for (const CycleCase& c : cycle_cases()) {
     if (in_time(item, c)) ++stable;
@@ -144,4 +144,4 @@ void add_histories(report::Chapter& chapter) {
   chapter.table("cycle-table", "Limit cycles by four methods", cycle_table);
 }
 
-}  // namespace railbook::hunting
+}  // namespace railbook::hunting_chapter

@@ -3,7 +3,7 @@
 
 #include "report/chapter.hpp"
 
-namespace railbook::hunting {
+namespace railbook::hunting_chapter {
 
 void add_conversions(report::Chapter&);  // quantities printed in two units
 
@@ -14,7 +14,6 @@ void add_conicity(report::Chapter&);
 void add_conicity_benchmark(report::Chapter&);  // EN 15302
 void add_geometry_cost(report::Chapter&);
 void add_geometry_extremes(report::Chapter&);
-void add_geometry_tool(report::Chapter&);  // `hunting geometry`
 
 // The car, describing functions, limit cycles.
 void add_car(report::Chapter&);            // parameters and matrices
@@ -27,9 +26,6 @@ void add_modes(report::Chapter&);          // Fig 12
 void add_algorithm(report::Chapter&);      // the paper's two loops
 void add_printed(report::Chapter&);        // what the text claims
 void add_df_cost(report::Chapter&);        // error against run time of one cycle
-void add_car_options_table(report::Chapter&);
-void add_speed_tool(report::Chapter&);  // `hunting speed`
-void add_cycle_tool(report::Chapter&);  // `hunting cycle`
 
 // Harmonic balance, time, Floquet, scene.
 void add_balance(report::Chapter&);
@@ -39,4 +35,4 @@ void add_scene(report::Chapter&);
 void add_cycle_cost(report::Chapter&);
 void add_cycle_extremes(report::Chapter&);
 
-}  // namespace railbook::hunting
+}  // namespace railbook::hunting_chapter

@@ -29,7 +29,7 @@ mode. A slip force without a limit, as here, would let the amplitude grow out of
 #include "items.hpp"
 #include "study.hpp"
 
-namespace railbook::hunting {
+namespace railbook::hunting_chapter {
 
 using namespace dynamics;
 
@@ -152,4 +152,4 @@ void add_labels(report::Chapter& chapter) {
   chapter.table("torus", "Torus points by Floquet multipliers", torus);
 }
 
-}  // namespace railbook::hunting
+}  // namespace railbook::hunting_chapter

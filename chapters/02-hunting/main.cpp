@@ -60,15 +60,15 @@ drawings (the geometry's names, the idea of the method, a flow chart), with no d
 
 ## Tools for a car and profiles of your own
 
-{{include: profile_file.cpp}}
 
-{{include: geometry_tool.cpp}}
 
-{{include: car_options.cpp}}
 
-{{include: speed_tool.cpp}}
 
-{{include: cycle_tool.cpp}}
+
+
+
+
+
 
 ## Error against run time
 
@@ -162,38 +162,34 @@ int main(int argc, char** argv) {
                 "on Stability of Rail Vehicles, ASME Journal of Engineering for Industry, "
                 "February 1977 (paper 76-WA/RT-2)",
        .sources = RAILBOOK_CHAPTER_DIR}};
-  hunting::add_conversions(chapter);
+  hunting_chapter::add_conversions(chapter);
   // Geometry.
-  hunting::add_profiles(chapter);
-  hunting::add_constraint_table(chapter);
-  hunting::add_conicity(chapter);
-  hunting::add_conicity_benchmark(chapter);
-  hunting::add_geometry_cost(chapter);
-  hunting::add_geometry_extremes(chapter);
-  hunting::add_geometry_tool(chapter);
+  hunting_chapter::add_profiles(chapter);
+  hunting_chapter::add_constraint_table(chapter);
+  hunting_chapter::add_conicity(chapter);
+  hunting_chapter::add_conicity_benchmark(chapter);
+  hunting_chapter::add_geometry_cost(chapter);
+  hunting_chapter::add_geometry_extremes(chapter);
 
   // The car, describing functions, limit cycles.
-  hunting::add_car(chapter);
-  hunting::add_describing(chapter);
-  hunting::add_critical(chapter);
-  hunting::add_branches_cost(chapter);
-  hunting::add_branches(chapter);
-  hunting::add_labels(chapter);
-  hunting::add_modes(chapter);
-  hunting::add_algorithm(chapter);
-  hunting::add_printed(chapter);
-  hunting::add_df_cost(chapter);
-  hunting::add_car_options_table(chapter);
-  hunting::add_speed_tool(chapter);
-  hunting::add_cycle_tool(chapter);
+  hunting_chapter::add_car(chapter);
+  hunting_chapter::add_describing(chapter);
+  hunting_chapter::add_critical(chapter);
+  hunting_chapter::add_branches_cost(chapter);
+  hunting_chapter::add_branches(chapter);
+  hunting_chapter::add_labels(chapter);
+  hunting_chapter::add_modes(chapter);
+  hunting_chapter::add_algorithm(chapter);
+  hunting_chapter::add_printed(chapter);
+  hunting_chapter::add_df_cost(chapter);
 
   // Harmonic balance, time, Floquet, scene.
-  hunting::add_balance(chapter);
-  hunting::add_histories(chapter);
-  hunting::add_floquet(chapter);
-  hunting::add_scene(chapter);
-  hunting::add_cycle_cost(chapter);
-  hunting::add_cycle_extremes(chapter);
+  hunting_chapter::add_balance(chapter);
+  hunting_chapter::add_histories(chapter);
+  hunting_chapter::add_floquet(chapter);
+  hunting_chapter::add_scene(chapter);
+  hunting_chapter::add_cycle_cost(chapter);
+  hunting_chapter::add_cycle_extremes(chapter);
 
   return chapter.run(argc, argv);
 }

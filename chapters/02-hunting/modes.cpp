@@ -21,7 +21,7 @@ the other is shown in the next section: its algorithm loses the first branch at 
 #include "items.hpp"
 #include "study.hpp"
 
-namespace railbook::hunting {
+namespace railbook::hunting_chapter {
 
 using namespace dynamics;
 
@@ -103,4 +103,4 @@ void add_modes(report::Chapter& chapter) {
   chapter.table("mode-claims", "What the text says of mode shapes", mode_claims);
 }
 
-}  // namespace railbook::hunting
+}  // namespace railbook::hunting_chapter

@@ -25,7 +25,7 @@ whose warp stiffness holds it square. Without the last factor it would take {{fr
 #include "items.hpp"
 #include "study.hpp"
 
-namespace railbook::hunting {
+namespace railbook::hunting_chapter {
 
 using namespace dynamics;
 
@@ -70,7 +70,7 @@ std::string between(const Range& r) {
 
 struct Claims {
   report::Item& item;
-  const report::CsvTable& printed;
+  const table::CsvTable& printed;
 
   void say(const std::string& key, bool holds, const std::string& numbers, bool check) const {
     const std::string& what = printed.at(key, "what");
@@ -228,4 +228,4 @@ void add_printed(report::Chapter& chapter) {
   chapter.table("flange-frequency", "Frequencies with flange contact, 0.6 in", flange_frequency);
 }
 
-}  // namespace railbook::hunting
+}  // namespace railbook::hunting_chapter

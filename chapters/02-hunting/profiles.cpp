@@ -58,7 +58,7 @@ still jumps, but by {{heumann-jump}} of contact angle against {{new-jump}}.
 #include "units/constants.hpp"
 
 using namespace railbook;
-using namespace railbook::hunting;
+using namespace railbook::hunting_chapter;
 using namespace railbook::wheelrail;
 using units::inch;
 
@@ -131,7 +131,7 @@ void constraint_figure(report::Item& item, const NamedPair& named) {
 
 }  // namespace
 
-void hunting::add_profiles(report::Chapter& chapter) {
+void hunting_chapter::add_profiles(report::Chapter& chapter) {
   for (std::size_t i = 0; i < paper_pairs.size(); ++i)
     chapter.figure(
         fmt::format("fig-{:02}", i + 3),

@@ -17,7 +17,7 @@ goes along with the trucks.
 #include "items.hpp"
 #include "scene/shapes.hpp"
 
-namespace railbook::hunting {
+namespace railbook::hunting_chapter {
 
 using namespace dynamics;
 
@@ -135,4 +135,4 @@ void add_scene(report::Chapter& chapter) {
   chapter.figure("scene-hunting", "The car on its limit cycle", scene_hunting);
 }
 
-}  // namespace railbook::hunting
+}  // namespace railbook::hunting_chapter

@@ -34,7 +34,7 @@ All eight branches with their Hopf points and folds take {{diagram-newton}} Newt
 #include "items.hpp"
 #include "wheelrail/paper_pairs.hpp"
 
-namespace railbook::hunting {
+namespace railbook::hunting_chapter {
 
 using namespace dynamics;
 
@@ -104,4 +104,4 @@ void add_branches_cost(report::Chapter& chapter) {
   chapter.table("branches", "Branches of limit cycles and what they cost", branches);
 }
 
-}  // namespace railbook::hunting
+}  // namespace railbook::hunting_chapter

@@ -7,7 +7,7 @@
 #include "dynamics/cycle_branch.hpp"
 #include "dynamics/examine.hpp"
 
-namespace railbook::hunting {
+namespace railbook::hunting_chapter {
 
 struct Study {
   std::string key;   // "new", "cn", "heumann", "friction"
@@ -36,4 +36,4 @@ const std::vector<Labelled>& labelled_cycles();
 // "new", "cn" and "heumann": the three with dampers.
 inline constexpr int linear_studies = 3;
 
-}  // namespace railbook::hunting
+}  // namespace railbook::hunting_chapter

@@ -27,14 +27,15 @@ both directions, and wear that does that must act on the rolling radius, too, or
 
 #include <cmath>
 
-#include "contact/carter.hpp"
-#include "contact/kalker_coefficients.hpp"
 #include "items.hpp"
 #include "num/roots.hpp"
 #include "rig.hpp"
-#include "theory.hpp"
+#include "rolling/carter.hpp"
+#include "rolling/kalker_coefficients.hpp"
+#include "rolling/theory.hpp"
 
 using namespace railbook;
+using namespace railbook::rolling;
 using namespace railbook::creep_chapter;
 
 namespace {
@@ -43,7 +44,7 @@ constexpr double friction = 0.3;
 constexpr double profile_factors[] = {1, 1.25, 1.5, 1.966, 3};
 constexpr double shares[] = {0.25, 0.5, 0.8};
 
-contact::RollingCase rolling(const contact::HertzContact& c, double creep) {
+rolling::RollingCase rolling(const contact::HertzContact& c, double creep) {
   return {.a = c.a,
           .b = c.b,
           .load = c.force,
@@ -72,7 +73,7 @@ void law(report::Item& item) {
   for (const double factor : profile_factors) {
     const auto c = rig_contact(paper_load, factor * profile_radius(true));
     const Solver full = solver("full", c.a / c.b, poisson, 24);
-    const double c11 = contact::kalker_coefficients(c.a / c.b, poisson).c11;
+    const double c11 = rolling::kalker_coefficients(c.a / c.b, poisson).c11;
     if (factor == 1) slope = c11, area = c.a * c.b;
     std::vector<std::string> cells{fmt::format("× {:g}", factor), fmt::format("{:.3f}", c.a / c.b),
                                    fmt::format("{:.3f}", units::pi * c.a * c.b / 1e-6)};
@@ -113,7 +114,7 @@ void law(report::Item& item) {
   // Carter: a^2 = 4 P R/(pi E*) for a load P per width; xi = X mu a/R.
   const auto carter_product = [](double radius) {
     const double load = 1e5, a = std::sqrt(4 * load * radius / (units::pi * modulus()));
-    return contact::carter_creepage(0.64) * friction * a / radius * a;
+    return rolling::carter_creepage(0.64) * friction * a / radius * a;
   };
   item.agree("carter", "creep times half width by Carter, radius doubled", "m", carter_product(0.2),
              carter_product(0.1), 1e-12, "the single radius");

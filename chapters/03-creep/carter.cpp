@@ -17,16 +17,17 @@ $$\delta=-\frac1{4\pi}\int_0^\pi\frac{\ln R(t)}{\sin^2\frac t2}\,dt = {{delta}}.
 Carter's formula also gives the example that comes with CONTACT: $\mu$ = 0.3, $a/R$ = 1/500, $Q=0.64\,\mu P$.
 */
 
-#include "contact/carter.hpp"
+#include "rolling/carter.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "contact/rolling_influence.hpp"
 #include "items.hpp"
+#include "rolling/rolling_influence.hpp"
 
 using namespace railbook;
+using namespace railbook::rolling;
 using namespace railbook::creep_chapter;
 
 namespace {
@@ -34,13 +35,13 @@ namespace {
 constexpr double loads[] = {0.2, 0.64, 0.9};
 
 double error(double q, Eigen::Index cells, bool placed) {
-  return contact::carter_by_cells(contact::carter_creepage(q), cells, placed).force - q;
+  return rolling::carter_by_cells(rolling::carter_creepage(q), cells, placed).force - q;
 }
 
-void table(report::Item& item) {
-  item.value("delta", contact::edge_offset(), "", "{:.6f}");
-  item.value("end-behind", 0.25 + contact::edge_offset(), "", "{:.3f}");
-  item.value("end-ahead", 0.75 + contact::edge_offset(), "", "{:.3f}");
+void tabulate(report::Item& item) {
+  item.value("delta", rolling::edge_offset(), "", "{:.6f}");
+  item.value("end-behind", 0.25 + rolling::edge_offset(), "", "{:.3f}");
+  item.value("end-ahead", 0.75 + rolling::edge_offset(), "", "{:.3f}");
   item.columns({"Q/μP", "X", "stick share, exact", "200 cells", "error of Q/μP: 25 cells fill",
                 "200 cells fill", "25 placed", "200 placed"});
   item.expect_checks(2 + 3);
@@ -48,14 +49,14 @@ void table(report::Item& item) {
   const auto row = [&](const char* key, double computed) {
     item.check(key, printed.at(key, "what"), "", printed.at(key, "printed"), computed);
   };
-  row("creepage", 0.3 / 500 * contact::carter_creepage(0.64));
-  row("stick", contact::carter(contact::carter_creepage(0.64)).stick);
+  row("creepage", 0.3 / 500 * rolling::carter_creepage(0.64));
+  row("stick", rolling::carter(rolling::carter_creepage(0.64)).stick);
   for (const double q : loads) {
-    const double x = contact::carter_creepage(q);
-    const auto cells = contact::carter_by_cells(x, 200);
+    const double x = rolling::carter_creepage(q);
+    const auto cells = rolling::carter_by_cells(x, 200);
     item.add_row(
         {fmt::format("{}", q), fmt::format("{:.6f}", x),
-         fmt::format("{:.4f}", contact::carter(x).stick), fmt::format("{:.3f}", cells.stick),
+         fmt::format("{:.4f}", rolling::carter(x).stick), fmt::format("{:.3f}", cells.stick),
          fmt::format("{:.2e}", error(q, 25, false)), fmt::format("{:.2e}", error(q, 200, false)),
          fmt::format("{:.2e}", error(q, 25, true)), fmt::format("{:.2e}", error(q, 200, true))});
     item.agree(fmt::format("q-{}", q), "Q/μP by 200 cells", "", cells.force, q, 2e-5,
@@ -69,7 +70,7 @@ void figure(report::Item& item) {
   for (int k = 0; k <= 400; ++k) {
     const double s = -std::cos(k * 0.0078539816339744830);  // pi/400: dense at the ends
     const auto p = [&](double q) {
-      return contact::carter_traction(contact::carter_creepage(q), s);
+      return rolling::carter_traction(rolling::carter_creepage(q), s);
     };
     traction.add(s, p(loads[0]), p(loads[1]), p(loads[2]), std::sqrt((1 - s) * (1 + s)));
   }
@@ -81,6 +82,6 @@ void figure(report::Item& item) {
 }  // namespace
 
 void creep_chapter::add_carter(report::Chapter& chapter) {
-  chapter.table("carter", "Carter's cylinders by cells", table);
+  chapter.table("carter", "Carter's cylinders by cells", tabulate);
   chapter.figure("fig-carter", "Carter's tractions, and the error of the force by cells", figure);
 }

@@ -8,7 +8,7 @@ than a cell: at Q/μN = 0.1 it is half of one, the error is near 0.5 %, and as i
 {{cattaneo}}
 */
 
-#include "contact/cattaneo.hpp"
+#include "rolling/cattaneo.hpp"
 
 #include <fmt/format.h>
 
@@ -18,19 +18,20 @@ than a cell: at Q/μN = 0.1 it is half of one, the error is near 0.5 %, and as i
 #include "rig.hpp"
 
 using namespace railbook;
+using namespace railbook::rolling;
 using namespace railbook::creep_chapter;
 
 namespace {
 
 // Pulls a circle (ratio 1) or the rig's ellipse along x by the shift of the closed form for force q and nu = 0; for a circle
 // of any nu the compliance is that of nu = 0 times 1 - nu/2.
-contact::CreepForces pulled(double ratio, double nu, double q) {
-  contact::RollingCase c{std::sqrt(ratio), 1 / std::sqrt(ratio), 1, 1, nu, 1, {}};
-  c.creepage.longitudinal = contact::cattaneo_shift(ratio, q) * (1 - nu / 2);
-  return contact::solve_shift(c);
+rolling::CreepForces pulled(double ratio, double nu, double q) {
+  rolling::RollingCase c{std::sqrt(ratio), 1 / std::sqrt(ratio), 1, 1, nu, 1, {}};
+  c.creepage.longitudinal = rolling::cattaneo_shift(ratio, q) * (1 - nu / 2);
+  return rolling::solve_shift(c);
 }
 
-void table(report::Item& item) {
+void tabulate(report::Item& item) {
   item.explained("exact solutions of Cattaneo and Mindlin, by 32 x 32 cells");
   item.columns({"Q/μN", "stick ratio, exact", "circle: by cells", "circle: error of Q/μN",
                 "a/b = 1.568: error", "circle, ν = 0.3: difference"});
@@ -38,7 +39,7 @@ void table(report::Item& item) {
   for (const double q : {0.1, 0.3, 0.6, 0.9}) {
     const auto circle = pulled(1, 0, q), ellipse = pulled(axis_ratio, 0, q),
                stiff = pulled(1, 0.3, q);
-    item.add_row({fmt::format("{}", q), fmt::format("{:.4f}", contact::cattaneo_stick_ratio(q)),
+    item.add_row({fmt::format("{}", q), fmt::format("{:.4f}", rolling::cattaneo_stick_ratio(q)),
                   fmt::format("{:.3f}", std::sqrt(circle.stick_share)),
                   fmt::format("{:.1e}", circle.fx - q), fmt::format("{:.1e}", ellipse.fx - q),
                   fmt::format("{:.1e}", stiff.fx - q)});
@@ -54,5 +55,5 @@ void table(report::Item& item) {
 }  // namespace
 
 void creep_chapter::add_cattaneo(report::Chapter& chapter) {
-  chapter.table("cattaneo", "Cattaneo's shift by cells", table);
+  chapter.table("cattaneo", "Cattaneo's shift by cells", tabulate);
 }

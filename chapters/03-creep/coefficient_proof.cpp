@@ -28,18 +28,19 @@ difference of large moments ({{grids-c33}} %). There it is the grids that err: t
 #include <limits>
 #include <string>
 
-#include "contact/kalker_grids.hpp"
 #include "items.hpp"
 #include "num/quadrature.hpp"
+#include "rolling/kalker_grids.hpp"
 #include "units/constants.hpp"
 
 using namespace railbook;
+using namespace railbook::rolling;
 using namespace railbook::creep_chapter;
 
 namespace {
 
-using contact::ComputedCoefficients;
-using contact::kalker_coefficients;
+using rolling::ComputedCoefficients;
+using rolling::kalker_coefficients;
 
 struct Column {
   const char* name;
@@ -135,7 +136,7 @@ void methods(report::Item& item) {
       const std::string text = printed.at(key, "ratio"), nu = printed.at(key, "nu");
       const double ratio = text.starts_with("1/") ? 1 / std::stod(text.substr(2)) : std::stod(text);
       const auto c = kalker_coefficients(ratio, std::stod(nu));
-      const auto grids = contact::kalker_coefficients_by_grids(ratio, std::stod(nu));
+      const auto grids = rolling::kalker_coefficients_by_grids(ratio, std::stod(nu));
       std::vector<std::string> cells{text, nu};
       for (const Column& column : columns) {
         const double best = c.*column.member, cell = grids.*column.member;

@@ -27,7 +27,7 @@ ellipse, a/b = 1.568 and $\nu$ = 0.3, the computation gives $C_{11}$ = {{c11-rig
 $C_{22}$ = {{c22-rig}}, $C_{23}$ = {{c23-rig}}, $C_{33}$ = {{c33-rig}}.
 */
 
-#include "contact/kalker_coefficients.hpp"
+#include "rolling/kalker_coefficients.hpp"
 
 #include <fmt/format.h>
 
@@ -40,6 +40,7 @@ $C_{22}$ = {{c22-rig}}, $C_{23}$ = {{c23-rig}}, $C_{33}$ = {{c33-rig}}.
 #include "rig.hpp"
 
 using namespace railbook;
+using namespace railbook::rolling;
 using namespace railbook::creep_chapter;
 
 namespace {
@@ -47,7 +48,7 @@ namespace {
 struct Entry {
   std::string key, ratio_text;
   double ratio = 0, nu = 0;
-  contact::ComputedCoefficients computed;
+  rolling::ComputedCoefficients computed;
 };
 
 // "0.1" or "1/0.7".
@@ -63,7 +64,7 @@ const std::vector<Entry>& entries(const report::Item& item) {
       const std::string& key = cells.front();
       Entry e{key, printed.at(key, "ratio"), 0, std::stod(printed.at(key, "nu")), {}};
       e.ratio = ratio_of(e.ratio_text);
-      e.computed = contact::kalker_coefficients(e.ratio, e.nu);
+      e.computed = rolling::kalker_coefficients(e.ratio, e.nu);
       list.push_back(e);
     }
     return list;
@@ -73,19 +74,19 @@ const std::vector<Entry>& entries(const report::Item& item) {
 
 struct Column {
   const char* name;
-  double contact::ComputedCoefficients::*member;
+  double rolling::ComputedCoefficients::*member;
 };
-const std::array<Column, 4> columns{{{"c11", &contact::ComputedCoefficients::c11},
-                                     {"c22", &contact::ComputedCoefficients::c22},
-                                     {"c23", &contact::ComputedCoefficients::c23},
-                                     {"c33", &contact::ComputedCoefficients::c33}}};
+const std::array<Column, 4> columns{{{"c11", &rolling::ComputedCoefficients::c11},
+                                     {"c22", &rolling::ComputedCoefficients::c22},
+                                     {"c23", &rolling::ComputedCoefficients::c23},
+                                     {"c33", &rolling::ComputedCoefficients::c33}}};
 
 int decimals(const std::string& text) {
   const auto point = text.find('.');
   return point == std::string::npos ? 0 : static_cast<int>(text.size() - point) - 1;
 }
 
-void table(report::Item& item) {
+void tabulate(report::Item& item) {
   const auto printed = item.printed("kalker.csv");
   item.columns({"a/b", "C11", "table", "C22", "table", "C23", "table", "C33", "table"});
   item.expect_checks(static_cast<int>(4 * entries(item).size()));
@@ -120,7 +121,7 @@ void table(report::Item& item) {
   item.value("table-worst", 100 * worst, "", "{:.1f}");
   item.value("entries", static_cast<double>(4 * entries(item).size()), "", "{:.0f}");
   item.value("entries-off", off, "", "{:.0f}");
-  const auto rig = contact::kalker_coefficients(axis_ratio, poisson);
+  const auto rig = rolling::kalker_coefficients(axis_ratio, poisson);
   item.value("c11-rig", rig.c11, "", "{:.3f}");
   item.value("c22-rig", rig.c22, "", "{:.3f}");
   item.value("c23-rig", rig.c23, "", "{:.3f}");
@@ -150,6 +151,6 @@ void figure(report::Item& item) {
 
 void creep_chapter::add_coefficients(report::Chapter& chapter) {
   chapter.table("table-coefficients", "Kalker's coefficients for nu = 0.25, computed and printed",
-                table);
+                tabulate);
   chapter.figure("fig-coefficients", "Kalker's coefficients for nu = 0, 0.25 and 0.5", figure);
 }

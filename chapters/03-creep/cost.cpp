@@ -25,21 +25,22 @@ from the former in the mean. The solver's estimate of its own error is no bound;
 #include <limits>
 
 #include "bench/work_precision.hpp"
-#include "contact/creep_laws.hpp"
-#include "contact/fastsim.hpp"
-#include "contact/kalker_coefficients.hpp"
-#include "contact/strip_theory.hpp"
 #include "full.hpp"
 #include "items.hpp"
 #include "rig.hpp"
+#include "rolling/creep_laws.hpp"
+#include "rolling/fastsim.hpp"
+#include "rolling/kalker_coefficients.hpp"
+#include "rolling/strip_theory.hpp"
 
 using namespace railbook;
+using namespace railbook::rolling;
 using namespace railbook::creep_chapter;
 
 namespace {
 
-using contact::CreepForces;
-using contact::RollingCase;
+using rolling::CreepForces;
+using rolling::RollingCase;
 
 constexpr const char* placed_name = "full theory";
 constexpr const char* filled_name = "full theory unplaced";
@@ -64,7 +65,7 @@ bench::Method by_cells(const char* name, bool placed, bool full) {
     const int along = n, rows = m;
     method.settings.push_back(
         {fmt::format("{}x{}", along, rows), [=, along = along, rows = rows] {
-           contact::RollingOptions options;
+           rolling::RollingOptions options;
            options.along = along, options.rows = rows, options.remedy = placed;
            const auto curve = full_curve(options);
            return outcome(curve, full,
@@ -81,7 +82,7 @@ bench::Method by_formula(const char* name, bool full,
                     std::vector<CurvePoint> curve;
                     for (const double x : curve_abscissae())
                       curve.push_back({x,
-                                       law(contact::with_reduced_creepage(rig, {x, 0, 0})).fx /
+                                       law(rolling::with_reduced_creepage(rig, {x, 0, 0})).fx /
                                            (rig.friction * rig.load),
                                        0, 0, true});
                     return outcome(curve, full, std::numeric_limits<double>::quiet_NaN());
@@ -89,32 +90,32 @@ bench::Method by_formula(const char* name, bool full,
 }
 
 std::vector<bench::Method> methods(bool full) {
-  const auto k = contact::kalker_coefficients(axis_ratio, poisson);
+  const auto k = rolling::kalker_coefficients(axis_ratio, poisson);
   std::vector<bench::Method> list{by_cells(placed_name, true, full),
                                   by_cells(filled_name, false, full)};
   list.push_back(by_formula("FASTSIM closed form", full, [k](const RollingCase& c) {
-    return contact::fastsim_without_spin(c, k);
+    return rolling::fastsim_without_spin(c, k);
   }));
   bench::Method grid{"FASTSIM grid", {}};
   for (const int n : {10, 20, 40}) {
     auto one = by_formula("", full, [k, n](const RollingCase& c) {
-      contact::FastsimOptions options;
+      rolling::FastsimOptions options;
       options.along = options.strips = n;
-      return contact::fastsim_grid(c, k, options);
+      return rolling::fastsim_grid(c, k, options);
     });
     one.settings[0].label = fmt::format("{}x{}", n, n);
     grid.settings.push_back(one.settings[0]);
   }
   list.push_back(grid);
   list.push_back(by_formula("FaStrip without spin", full,
-                            [k](const RollingCase& c) { return contact::strip_theory(c, k); }));
+                            [k](const RollingCase& c) { return rolling::strip_theory(c, k); }));
   list.push_back(by_formula("Shen-Hedrick-Elkins", full, [k](const RollingCase& c) {
-    return contact::shen_hedrick_elkins(c, k);
+    return rolling::shen_hedrick_elkins(c, k);
   }));
   list.push_back(
-      by_formula("Polach", full, [k](const RollingCase& c) { return contact::polach(c, k); }));
+      by_formula("Polach", full, [k](const RollingCase& c) { return rolling::polach(c, k); }));
   list.push_back(by_formula("Vermeulen-Johnson", full, [](const RollingCase& c) {
-    return contact::vermeulen_johnson(c, contact::vermeulen_johnson_slopes(c.a / c.b, c.poisson));
+    return rolling::vermeulen_johnson(c, rolling::vermeulen_johnson_slopes(c.a / c.b, c.poisson));
   }));
   return list;
 }

@@ -35,7 +35,7 @@ largest friction and the contact area free. The paper's Figure 7 puts the four t
 #include "items.hpp"
 #include "master_curve.hpp"
 #include "rig.hpp"
-#include "signal/random_source.hpp"
+#include "spectra/random_source.hpp"
 
 using namespace railbook;
 using namespace railbook::creep_chapter;
@@ -47,7 +47,7 @@ constexpr int points_a_test = 28;
 
 // Stream k of the random numbers is test k's.
 Test make_test(double load, double area_factor, std::uint64_t stream) {
-  const signal::RandomSource random(1979, stream);
+  const spectra::RandomSource random(1979, stream);
   Test test{.load = load,
             .friction = synthetic_friction(load),
             .area_factor = area_factor,

@@ -17,15 +17,16 @@ towards the slip by the solution of its equation over the cell, not by a project
 #include <cmath>
 #include <limits>
 
-#include "contact/creep_laws.hpp"
-#include "contact/fastsim.hpp"
-#include "contact/strip_theory.hpp"
 #include "items.hpp"
 #include "rig.hpp"
+#include "rolling/creep_laws.hpp"
+#include "rolling/fastsim.hpp"
+#include "rolling/strip_theory.hpp"
 #include "units/input_error.hpp"
 
 using namespace railbook;
 using namespace railbook::contact;
+using namespace railbook::rolling;
 using namespace railbook::creep_chapter;
 
 namespace {

@@ -3,15 +3,15 @@
 
 #include <vector>
 
-#include "contact/rolling_contact.hpp"
+#include "rolling/rolling_contact.hpp"
 
 namespace railbook::creep_chapter {
 
 // A case with the paper's ellipse and load, mu = 0.3, without creepage.
-contact::RollingCase rig_case();
+rolling::RollingCase rig_case();
 
 // The same ellipse with sqrt(a b), G and mu N made 1: creepages are then the dimensionless ones, fx is f.
-contact::RollingCase unit_case();
+rolling::RollingCase unit_case();
 
 // The abscissae X at which the curve is tabulated.
 const std::vector<double>& curve_abscissae();
@@ -24,7 +24,7 @@ struct CurvePoint {
   bool converged = false;
 };
 // f at the abscissae on `along` x `rows` cells.
-std::vector<CurvePoint> full_curve(const contact::RollingOptions& options);
+std::vector<CurvePoint> full_curve(const rolling::RollingOptions& options);
 
 // The best curve of this run: 40 x 20 cells, 64 x 32 at the full level. Computed once.
 const std::vector<CurvePoint>& reference_curve(bool full);

@@ -45,9 +45,10 @@ $f$ stays a little below 1: the lateral strain turns the slip out of the rolling
 #include "rig.hpp"
 
 using namespace railbook;
+using namespace railbook::rolling;
 using namespace railbook::creep_chapter;
 
-contact::RollingCase creep_chapter::rig_case() {
+rolling::RollingCase creep_chapter::rig_case() {
   const auto ellipse = rig_contact(paper_load, profile_radius(true));
   return {.a = ellipse.a,
           .b = ellipse.b,
@@ -58,7 +59,7 @@ contact::RollingCase creep_chapter::rig_case() {
           .creepage = {}};
 }
 
-contact::RollingCase creep_chapter::unit_case() {
+rolling::RollingCase creep_chapter::unit_case() {
   return {.a = std::sqrt(axis_ratio),
           .b = 1 / std::sqrt(axis_ratio),
           .load = 1,
@@ -74,12 +75,12 @@ const std::vector<double>& creep_chapter::curve_abscissae() {
   return x;
 }
 
-std::vector<CurvePoint> creep_chapter::full_curve(const contact::RollingOptions& options) {
+std::vector<CurvePoint> creep_chapter::full_curve(const rolling::RollingOptions& options) {
   const auto rig = rig_case();
-  const contact::EllipseRolling solver(rig.a / rig.b, rig.poisson, options);
+  const rolling::EllipseRolling solver(rig.a / rig.b, rig.poisson, options);
   std::vector<CurvePoint> curve;
   for (const double x : curve_abscissae()) {
-    const auto f = solver.solve(contact::with_reduced_creepage(rig, {x, 0, 0}));
+    const auto f = solver.solve(rolling::with_reduced_creepage(rig, {x, 0, 0}));
     curve.push_back({x, f.fx / (rig.friction * rig.load), f.error, f.stick_share, f.converged});
   }
   return curve;
@@ -106,7 +107,7 @@ Apart apart(const std::vector<CurvePoint>& a, const std::vector<CurvePoint>& b) 
   return d;
 }
 
-void table(report::Item& item) {
+void tabulate(report::Item& item) {
   item.reconstructed("the paper shows the theoretical curve in Fig. 11 without numbers");
   const auto& curve = reference_curve(item.full());
   const auto other = full_curve({.along = 48, .rows = 12});
@@ -145,9 +146,9 @@ void figure(report::Item& item) {
   }
   auto& errors = item.data("errors", {"cells", "filled", "placed"});
   for (const int n : {4, 6, 8, 12, 16, 24, 32}) {
-    const contact::RollingOptions filled{
+    const rolling::RollingOptions filled{
         .along = n, .rows = n / 2, .remedy = false, .estimate = false};
-    const contact::RollingOptions placed{.along = n, .rows = n / 2, .estimate = false};
+    const rolling::RollingOptions placed{.along = n, .rows = n / 2, .estimate = false};
     const double raw = apart(full_curve(filled), curve).mean,
                  good = apart(full_curve(placed), curve).mean;
     errors.add(n, raw, good);
@@ -164,5 +165,6 @@ void figure(report::Item& item) {
 void creep_chapter::add_full_curve(report::Chapter& chapter) {
   chapter.figure("fig-full-curve",
                  "The dimensionless creep curve by the full theory, and its error", figure);
-  chapter.table("table-full-curve", "The dimensionless creep curve, a/b = 1.568, nu = 0.3", table);
+  chapter.table("table-full-curve", "The dimensionless creep curve, a/b = 1.568, nu = 0.3",
+                tabulate);
 }

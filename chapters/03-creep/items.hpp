@@ -25,11 +25,9 @@ void add_full_cost(report::Chapter&);       // error against run time
 void add_full_stability(report::Chapter&);  // extreme cases
 void add_theories(report::Chapter&);        // the fast theories against the full one
 void add_fastsim_cells(report::Chapter&);   // FASTSIM's grid, and the fast theories' stability rows
-void add_curve_tool(report::Chapter&);      // `creep curve`
-void add_table_tool(report::Chapter&);      // `creep table`
 
 // Checks a number of the paper's text: the row `key` of `printed`.
-inline void check_claim(report::Item& item, const report::CsvTable& printed, const std::string& key,
+inline void check_claim(report::Item& item, const table::CsvTable& printed, const std::string& key,
                         double computed,
                         const report::Tolerance& tolerance = report::last_digit()) {
   item.check(key, printed.at(key, "what"), printed.at(key, "unit"), printed.at(key, "printed"),

@@ -56,9 +56,9 @@ is*, enlarged by wear, they fall on one curve, the one that Kalker's theory pred
 
 {{include: theory.cpp}}
 
-{{include: curve_tool.cpp}}
 
-{{include: table_tool.cpp}}
+
+
 
 ## Error against run time
 
@@ -147,8 +147,6 @@ int main(int argc, char** argv) {
   creep_chapter::add_reduction(chapter);
   creep_chapter::add_state(chapter);
   creep_chapter::add_area_law(chapter);
-  creep_chapter::add_curve_tool(chapter);
-  creep_chapter::add_table_tool(chapter);
   creep_chapter::add_full_cost(chapter);
   creep_chapter::add_full_stability(chapter);
   return chapter.run(argc, argv);

@@ -7,10 +7,11 @@
 #include "full.hpp"
 #include "num/roots.hpp"
 #include "rig.hpp"
-#include "theory.hpp"
+#include "rolling/theory.hpp"
 #include "units/input_error.hpp"
 
 using namespace railbook;
+using namespace railbook::rolling;
 using namespace railbook::creep_chapter;
 
 namespace {
@@ -20,7 +21,7 @@ constexpr double end = 2;
 
 // Places are dense near 0: X = end (i/n)^2.
 std::vector<double> solved() {
-  contact::RollingCase c = unit_case();
+  rolling::RollingCase c = unit_case();
   const Solver full = solver(master_theory, axis_ratio, poisson, 32);
   std::vector<double> shares{0};
   for (int i = 1; i <= intervals; ++i) {

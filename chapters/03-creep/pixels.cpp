@@ -25,6 +25,7 @@ agree to {{grids-apart}}, say more about the limit than it does.
 #include "units/input_error.hpp"
 
 using namespace railbook;
+using namespace railbook::rolling;
 using namespace railbook::creep_chapter;
 
 namespace {
@@ -69,7 +70,7 @@ Eigen::VectorXd pressure(const Grid& grid, const contact::HertzContact& h) {
 struct Ends {
   double low = 2, high = -2;
 };
-Ends ends(const report::CsvTable& program, const std::string& key) {
+Ends ends(const table::CsvTable& program, const std::string& key) {
   const std::vector<int> n{63, 127, 181, 255};
   std::vector<double> f;
   for (const int k : n) f.push_back(report::printed_number(program.at(key, fmt::format("n{}", k))));
@@ -89,8 +90,8 @@ std::vector<double> forces(Index n, const std::vector<std::string>& keys) {
   const Eigen::VectorXd p = pressure(grid, ellipse);
   std::vector<double> f;
   for (const auto& key : keys) {
-    const auto c = contact::with_reduced_creepage(rig_case(), {std::stod(key), 0, 0});
-    const auto solved = contact::solve_rolling(grid, p, c, {.remedy = false, .estimate = false});
+    const auto c = rolling::with_reduced_creepage(rig_case(), {std::stod(key), 0, 0});
+    const auto solved = rolling::solve_rolling(grid, p, c, {.remedy = false, .estimate = false});
     if (!solved.converged) throw InputError{solved.reason};
     f.push_back(solved.fx / (c.friction * c.load));
   }
@@ -124,7 +125,7 @@ void show_limits(report::Item& item, const std::vector<std::string>& keys,
   item.value("pixel-above", above, "", "{:.0f}");
 }
 
-void table(report::Item& item) {
+void tabulate(report::Item& item) {
   item.explained("CONTACT's grids solved again, to the digits it prints");
   const auto program = item.printed("contact-pixels.csv");
   std::vector<int> sizes{15, 31, 63};
@@ -150,5 +151,5 @@ void table(report::Item& item) {
 }  // namespace
 
 void creep_chapter::add_pixels(report::Chapter& chapter) {
-  chapter.table("pixels", "CONTACT's own grids, and where they lead", table);
+  chapter.table("pixels", "CONTACT's own grids, and where they lead", tabulate);
 }

@@ -42,15 +42,16 @@ figure has both scales; without its own axis we cannot tell which one the paper 
 #include <algorithm>
 #include <cmath>
 
-#include "contact/creep_laws.hpp"
 #include "experiment.hpp"
 #include "full.hpp"
 #include "items.hpp"
 #include "master_curve.hpp"
 #include "rig.hpp"
-#include "signal/random_source.hpp"
+#include "rolling/creep_laws.hpp"
+#include "spectra/random_source.hpp"
 
 using namespace railbook;
+using namespace railbook::rolling;
 using namespace railbook::creep_chapter;
 
 namespace {
@@ -102,7 +103,7 @@ void smooth_areas(report::Item& item) {
     const auto across = rig_contact(n, profile_radius(false));
     line.add(load, hertz_area(n) / mm2, units::pi * across.a * across.b / mm2);
   }
-  const signal::RandomSource random(1979, 9);
+  const spectra::RandomSource random(1979, 9);
   for (const double load : {500.0, 750.0, 1000.0, 1250.0, 1500.0, 2000.0, 2500.0}) {
     const double noise = random.normal(static_cast<std::uint64_t>(load));
     points.add(load, hertz_area(load * units::lbf) * (1 + 0.03 * noise) / mm2);
@@ -152,13 +153,13 @@ double scatter(bool measured_area) {
 void dimensionless(report::Item& item, bool measured_area) {
   auto& curves = item.data({"x", "full", "fastsim", "vermeulen_johnson"});
   auto& points = item.data("points", {"x_1", "f_1", "x_2", "f_2", "x_3", "f_3", "x_4", "f_4"});
-  const contact::RollingCase unit = unit_case();
+  const rolling::RollingCase unit = unit_case();
   for (int i = 0; i <= 250; ++i) {
     auto c = unit;
     c.creepage.longitudinal = 1.25 * i / 250;
     curves.add(c.creepage.longitudinal, master_curve(c.creepage.longitudinal),
-               contact::creep_forces(contact::Theory::fastsim, c).fx,
-               contact::creep_forces(contact::Theory::vermeulen_johnson, c).fx);
+               rolling::creep_forces(rolling::Theory::fastsim, c).fx,
+               rolling::creep_forces(rolling::Theory::vermeulen_johnson, c).fx);
   }
   std::vector<std::vector<Reduced>> all;
   for (const Test& test : experiment())

@@ -14,6 +14,7 @@ bound the sliding columns fill it, the sticking ones stay below.
 #include "scene/shapes.hpp"
 
 using namespace railbook;
+using namespace railbook::rolling;
 using namespace railbook::creep_chapter;
 
 namespace {
@@ -40,7 +41,7 @@ scene::Lines outline(double a, double b, double height) {
 void draw(report::Item& item) {
   item.reconstructed("not in the paper: the full theory on its ellipse");
   const auto rig = rig_case();
-  const auto f = contact::solve_rolling(contact::with_reduced_creepage(rig, {0.1, 0.15, 0}),
+  const auto f = rolling::solve_rolling(rolling::with_reduced_creepage(rig, {0.1, 0.15, 0}),
                                         {.along = 32, .rows = 24, .estimate = false});
   const auto& t = f.tractions;
   const double a = 1, b = rig.b / rig.a, height = 0.55;

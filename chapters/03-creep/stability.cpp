@@ -15,18 +15,19 @@ under spin: the rows then see more of each other than of themselves, and the lin
 #include <limits>
 #include <numbers>
 
-#include "contact/carter.hpp"
-#include "contact/kalker_coefficients.hpp"
 #include "full.hpp"
 #include "items.hpp"
 #include "rig.hpp"
+#include "rolling/carter.hpp"
+#include "rolling/kalker_coefficients.hpp"
 #include "units/input_error.hpp"
 
 using namespace railbook;
+using namespace railbook::rolling;
 using namespace railbook::creep_chapter;
-using contact::Creepage;
-using contact::CreepForces;
-using contact::RollingCase;
+using rolling::Creepage;
+using rolling::CreepForces;
+using rolling::RollingCase;
 
 namespace {
 
@@ -40,7 +41,7 @@ struct Solved {
 };
 
 Solved solve(const RollingCase& c, Eigen::Index along = 24, Eigen::Index rows = 12) {
-  Solved s{contact::solve_rolling(c, {.along = along, .rows = rows})};
+  Solved s{rolling::solve_rolling(c, {.along = along, .rows = rows})};
   const double bound = c.friction > 0 ? c.friction * c.load : 1;
   s.fx = s.forces.fx / bound, s.fy = s.forces.fy / bound;
   s.mz = s.forces.mz / (bound * std::sqrt(c.a * c.b));
@@ -48,7 +49,7 @@ Solved solve(const RollingCase& c, Eigen::Index along = 24, Eigen::Index rows = 
 }
 
 RollingCase reduced(const Creepage& r) {
-  return contact::with_reduced_creepage(rig_case(), r);
+  return rolling::with_reduced_creepage(rig_case(), r);
 }
 
 void creepages(report::Item& item) {
@@ -90,7 +91,7 @@ void frictions(report::Item& item) {
 }
 
 void spins(report::Item& item) {
-  const auto k = contact::kalker_coefficients(rig_case().a / rig_case().b, poisson);
+  const auto k = rolling::kalker_coefficients(rig_case().a / rig_case().b, poisson);
   const double small = 1e-6, large = 1e5;
   const Solved s = solve(reduced({0, 0, small}), 24, 12), l = solve(reduced({0, 0, large}), 24, 12);
   const double linear =
@@ -121,8 +122,8 @@ void slender(report::Item& item) {
     // What the next finer grid says; f near one half.
     const double x = ratio < 1 ? 0.2 : 0.008;
     const Creepage r{x, x / 3, ratio < 1 ? x / 10 : 0};
-    const Solved f = solve(contact::with_reduced_creepage(c, r), 24, 12);
-    const Solved g = solve(contact::with_reduced_creepage(c, r), 32, 16);
+    const Solved f = solve(rolling::with_reduced_creepage(c, r), 24, 12);
+    const Solved g = solve(rolling::with_reduced_creepage(c, r), 32, 16);
     const double error = std::hypot(f.fx - g.fx, f.fy - g.fy);
     item.stability(fmt::format("slender-{}", ratio), fmt::format("a/b = {}", ratio),
                    "cells a hundred times longer than wide; against 32 x 16",
@@ -162,7 +163,7 @@ void symmetries(report::Item& item) {
                  "differences over mu N", mirror, status(m.forces, mirror, 1e-9));
   RollingCase twice = rig_case();
   twice.a *= std::cbrt(2.0), twice.b *= std::cbrt(2.0);
-  const Solved s = solve(contact::with_reduced_creepage(twice, {0.2, 0, 0})),
+  const Solved s = solve(rolling::with_reduced_creepage(twice, {0.2, 0, 0})),
                t = solve(reduced({0.2, 0, 0}));
   const double similar = std::abs(s.fx / t.fx - 1);
   item.stability("similar", "both radii doubled at constant load", "f depends on X alone",
@@ -172,13 +173,13 @@ void symmetries(report::Item& item) {
 // 320 combinations of creepages: how many do not converge, and the largest force.
 void combinations(report::Item& item) {
   const auto rig = rig_case();
-  const contact::EllipseRolling solver(rig.a / rig.b, rig.poisson, {.along = 12, .rows = 8});
+  const rolling::EllipseRolling solver(rig.a / rig.b, rig.poisson, {.along = 12, .rows = 8});
   int lost = 0, all = 0, steps = 0;
   double largest = 0;
   for (const double x : {0.0, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 1.0})
     for (const double y : {0.0, 0.05, 0.3, 1.0})
       for (const double s : {-2.0, -1.0, -0.5, -0.1, 0.0, 0.1, 0.5, 1.0, 2.0, 10.0}) {
-        const auto f = solver.solve(contact::with_reduced_creepage(rig, {x, y, s}));
+        const auto f = solver.solve(rolling::with_reduced_creepage(rig, {x, y, s}));
         lost += !f.converged, ++all;
         steps = std::max(steps, f.iterations);
         largest = std::max(largest, std::hypot(f.fx, f.fy) / (rig.friction * rig.load));
@@ -189,9 +190,9 @@ void combinations(report::Item& item) {
                  fmt::format("{} not converged, at most {} steps, largest F/mu N = {:.6f}", lost,
                              steps, largest),
                  std::max(0.0, largest - 1), lost == 0 && largest <= 1 + 1e-12 ? "holds" : "fails");
-  contact::RollingOptions hasty;
+  rolling::RollingOptions hasty;
   hasty.solver.most_newton = 1, hasty.estimate = false;
-  const auto f = contact::solve_rolling(reduced({0.2, 0.1, 0.1}), hasty);
+  const auto f = rolling::solve_rolling(reduced({0.2, 0.1, 0.1}), hasty);
   item.stability("hasty", "one Newton step allowed", "must not be passed off as a solution",
                  f.reason, std::numeric_limits<double>::quiet_NaN(),
                  f.converged ? "fails" : "refused");
@@ -210,23 +211,23 @@ void other_ways(report::Item& item) {
       pressure[j * n + i] = std::sqrt(std::max(0.0, 1 - x * x - y * y));
     }
   pressure *= c.load / (pressure.sum() * grid.dx * grid.dy);
-  const CreepForces given = contact::solve_rolling(grid, pressure, c, {.estimate = false});
+  const CreepForces given = rolling::solve_rolling(grid, pressure, c, {.estimate = false});
   const double bound = c.friction * c.load;
   const double error = std::hypot(given.fx / bound - fitted.fx, given.fy / bound - fitted.fy);
   item.stability("given", "Hertz's pressure given on 45 x 45 cells",
                  "a staircase for a rim; against fitted rows",
                  fmt::format("f = {:.4f}, {:.4f}", given.fx / bound, given.fy / bound), error,
                  status(given, error, 5e-3));
-  const contact::EllipseRolling solver(c.a / c.b, c.poisson, {.along = 12, .rows = 8});
+  const rolling::EllipseRolling solver(c.a / c.b, c.poisson, {.along = 12, .rows = 8});
   const auto met =
-      contact::solve_for_forces(solver, reduced({0, 0, 0.3}), 0.9 * bound, -0.3 * bound);
+      rolling::solve_for_forces(solver, reduced({0, 0, 0.3}), 0.9 * bound, -0.3 * bound);
   const double off = std::hypot(met.forces.fx / bound - 0.9, met.forces.fy / bound + 0.3);
-  const Creepage r = contact::reduced_creepage(met.rolling);
+  const Creepage r = rolling::reduced_creepage(met.rolling);
   item.stability("forces", "F = 0.9, -0.3 of mu N prescribed, spin 0.3",
                  "close to full slip; an outer Newton iteration",
                  fmt::format("X = {:.4f}, Y = {:.4f}", r.longitudinal, r.lateral), off,
                  status(met.forces, off, 1e-8));
-  const auto beyond = contact::solve_for_forces(solver, reduced({0, 0, 0}), 1.001 * bound, {});
+  const auto beyond = rolling::solve_for_forces(solver, reduced({0, 0, 0}), 1.001 * bound, {});
   item.stability("forces-beyond", "F = 1.001 mu N prescribed", "no solution", beyond.forces.reason,
                  std::numeric_limits<double>::quiet_NaN(),
                  beyond.forces.converged ? "fails" : "refused");
@@ -245,7 +246,7 @@ void wrong(report::Item& item) {
                  std::numeric_limits<double>::quiet_NaN(), said == "nothing" ? "fails" : "refused");
 }
 
-void table(report::Item& item) {
+void tabulate(report::Item& item) {
   item.reconstructed("not in the paper: our own study of limits");
   item.columns({"cells", "X = 0.01", "X = 0.2", "X = 0.5", "X = 0.2, Φ = 0.3", "Φ = 2"});
   for (const auto& [along, rows] : {std::pair{6, 4}, {12, 8}, {24, 12}, {32, 16}}) {
@@ -271,5 +272,5 @@ void table(report::Item& item) {
 void creep_chapter::add_full_stability(report::Chapter& chapter) {
   chapter.table("full-extremes",
                 "Newton steps of the full theory on the finest grid; under spin two solutions",
-                table);
+                tabulate);
 }

@@ -21,14 +21,15 @@ semi-axes, the reading fits Hertz's area at $\mu_c$ = {{mu-full-axes}} without a
 #include <cmath>
 #include <limits>
 
-#include "contact/kalker_coefficients.hpp"
 #include "experiment.hpp"
 #include "items.hpp"
 #include "master_curve.hpp"
 #include "num/roots.hpp"
 #include "rig.hpp"
+#include "rolling/kalker_coefficients.hpp"
 
 using namespace railbook;
+using namespace railbook::rolling;
 using namespace railbook::creep_chapter;
 
 namespace {
@@ -50,7 +51,7 @@ void state(report::Item& item) {
   item.reconstructed("from the printed speeds, radii, load and friction; the material is ours");
   item.expect_checks(2);
   const double group = hertz_group(paper_load) * creep;
-  const double slope = contact::kalker_coefficients(axis_ratio, poisson).c11;
+  const double slope = rolling::kalker_coefficients(axis_ratio, poisson).c11;
   const double least = printed_mu / (slope * group);
   item.agree("least", "least area factor, for a friction without limit", "", factor(1e3, creep),
              least, 5e-3, "Kalker's C11, computed");

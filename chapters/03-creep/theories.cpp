@@ -32,14 +32,15 @@ by up to {{worst-fastrip}}; Polach is off in both directions, by up to
 #include <algorithm>
 #include <cmath>
 
-#include "contact/creep_laws.hpp"
-#include "contact/kalker_coefficients.hpp"
 #include "items.hpp"
 #include "master_curve.hpp"
 #include "rig.hpp"
+#include "rolling/creep_laws.hpp"
+#include "rolling/kalker_coefficients.hpp"
 
 using namespace railbook;
 using namespace railbook::contact;
+using namespace railbook::rolling;
 using namespace railbook::creep_chapter;
 
 namespace {

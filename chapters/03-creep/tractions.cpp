@@ -20,13 +20,14 @@ against it the forces nearly cancel, and yet little of the contact sticks.
 #include "items.hpp"
 
 using namespace railbook;
+using namespace railbook::rolling;
 using namespace railbook::creep_chapter;
 
 namespace {
 
 struct State {
   const char* name;
-  contact::Creepage reduced;
+  rolling::Creepage reduced;
 };
 constexpr std::array<State, 5> states{{{"X = 0.05", {0.05, 0, 0}},
                                        {"X = 0.2", {0.2, 0, 0}},
@@ -37,14 +38,14 @@ constexpr std::array<State, 5> states{{{"X = 0.05", {0.05, 0, 0}},
 void figure(report::Item& item) {
   item.reconstructed("not in the paper: the full theory on its ellipse");
   const auto rig = rig_case();
-  const contact::EllipseRolling solver(rig.a / rig.b, rig.poisson,
+  const rolling::EllipseRolling solver(rig.a / rig.b, rig.poisson,
                                        {.along = 32, .rows = 28, .estimate = false});
   auto& titles = item.data({"title", "fx", "fy", "mz", "stick"});
   const double bound = rig.friction * rig.load,
                peak = 1.5 * bound / (3.14159265358979 * rig.a * rig.b);
   int number = 0;
   for (const State& state : states) {
-    const auto f = solver.solve(contact::with_reduced_creepage(rig, state.reduced));
+    const auto f = solver.solve(rolling::with_reduced_creepage(rig, state.reduced));
     if (!f.converged) throw std::runtime_error{std::string{state.name} + ": " + f.reason};
     titles.add(state.name, f.fx / bound, f.fy / bound, f.mz / (bound * std::sqrt(rig.a * rig.b)),
                f.stick_share);

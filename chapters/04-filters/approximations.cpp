@@ -27,27 +27,27 @@ it.
 #include <cmath>
 
 #include "configuration.hpp"
+#include "filters/hybrid_filter.hpp"
 #include "items.hpp"
-#include "signal/hybrid_filter.hpp"
 
-namespace railbook::filters {
+namespace railbook::filters_chapter {
 namespace {
 
-using signal::Decay;
+using filters::Decay;
 constexpr std::array<std::pair<const char*, Decay>, 4> ways{{{"linear", Decay::linear},
                                                              {"reciprocal", Decay::reciprocal},
                                                              {"pade11", Decay::pade11},
                                                              {"pade22", Decay::pade22}}};
 
 double tail(double kappa, Decay how) {
-  const signal::DecayPair exact = signal::decay(kappa), approximate = signal::decay(kappa, how);
+  const filters::DecayPair exact = filters::decay(kappa), approximate = filters::decay(kappa, how);
   return (approximate.rest - exact.rest) /
          approximate.rest;  // two small numbers, no cancellation of a
 }
 
 // The analog filter holds 1 from an input that has ended when the last interval begins: C should give 0.
 double measured_tail(double kappa, Decay how) {
-  signal::FirstOrderHybrid c{1, how};
+  filters::FirstOrderHybrid c{1, how};
   c.push(1, kappa);
   return c.push(std::exp(-kappa), kappa);
 }
@@ -102,4 +102,4 @@ void add_approximations(report::Chapter& chapter) {
   chapter.figure("fig-approximations", "The same against speed", fig_approximations);
 }
 
-}  // namespace railbook::filters
+}  // namespace railbook::filters_chapter

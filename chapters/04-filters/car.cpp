@@ -47,7 +47,7 @@ What is each correction worth? Sixty miles an hour over the whole line, perfect 
 #include "experiment.hpp"
 #include "items.hpp"
 
-namespace railbook::filters {
+namespace railbook::filters_chapter {
 
 using namespace geometry_car;
 
@@ -117,7 +117,7 @@ bool has(const std::vector<std::string>& names, const std::string& name) {
 }
 
 // The printed names less those not needed, in the order of groups().
-std::string expected(const report::CsvTable& table, const std::string& key) {
+std::string expected(const table::CsvTable& table, const std::string& key) {
   const auto printed = split(table.at(key, "printed")), left = split(table.at(key, "not needed"));
   std::string names;
   for (const Group& g : groups())
@@ -200,4 +200,4 @@ void add_car(report::Chapter& chapter) {
   chapter.table("table-corrections", "What each correction is worth", table_corrections);
 }
 
-}  // namespace railbook::filters
+}  // namespace railbook::filters_chapter

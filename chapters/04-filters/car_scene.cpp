@@ -9,7 +9,7 @@ sensors enlarged.
 #include "items.hpp"
 #include "scene/shapes.hpp"
 
-namespace railbook::filters {
+namespace railbook::filters_chapter {
 namespace {
 
 using scene::Colour;
@@ -103,4 +103,4 @@ void add_car_scene(report::Chapter& chapter) {
   chapter.figure("fig-layout", "Figures 4, 10, 11 and 14: the sensors of the car", fig_layout);
 }
 
-}  // namespace railbook::filters
+}  // namespace railbook::filters_chapter

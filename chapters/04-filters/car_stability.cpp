@@ -13,7 +13,7 @@ program `process` at least says in a note that a sensor seems stuck.
 #include "items.hpp"
 #include "units/input_error.hpp"
 
-namespace railbook::filters {
+namespace railbook::filters_chapter {
 
 using namespace geometry_car;
 
@@ -200,4 +200,4 @@ void car_stability(report::Item& item) {
   limits(item);
 }
 
-}  // namespace railbook::filters
+}  // namespace railbook::filters_chapter

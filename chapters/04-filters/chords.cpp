@@ -17,7 +17,7 @@ The table drives a sampled sine through the filters: its short offsets, and the 
 formula to the last digits. That it does not see waves of 31 ft and 15.5 ft, and sees one of 62 ft twice, is the chord's own nature and no
 fault of the filter.
 */
-#include "signal/chord_filter.hpp"
+#include "filters/chord_filter.hpp"
 
 #include <fmt/format.h>
 
@@ -25,10 +25,10 @@ fault of the filter.
 #include <vector>
 
 #include "items.hpp"
-#include "signal/random_source.hpp"
+#include "spectra/random_source.hpp"
 #include "units/constants.hpp"
 
-namespace railbook::filters {
+namespace railbook::filters_chapter {
 namespace {
 
 // The gain of the 62-ft chord on a sine of `wavelength` samples, by way of short offsets and running sums.
@@ -37,17 +37,17 @@ double driven_gain(double wavelength, int half) {
   std::vector<double> z(static_cast<std::size_t>(2 * half + 1));
   for (std::size_t k = 0; k < z.size(); ++k)
     z[k] = std::cos(theta * (static_cast<double>(k) - half));
-  const auto offsets = signal::mid_chord_offsets(z, 1, 2).offset;
-  return signal::to_chord_running(offsets, half).offset.at(0);  // at the crest, where z is 1
+  const auto offsets = spectra::mid_chord_offsets(z, 1, 2).offset;
+  return filters::to_chord_running(offsets, half).offset.at(0);  // at the crest, where z is 1
 }
 
 // Standard deviation of the long offsets of white noise of unit variance.
 double noise_gain(int half, std::size_t samples) {
-  const signal::RandomSource random{62, 1};
+  const spectra::RandomSource random{62, 1};
   std::vector<double> noise(samples);
   for (std::size_t k = 0; k < samples; ++k) noise[k] = random.normal(k);
   double square = 0;
-  const auto offsets = signal::to_chord_running(noise, half).offset;
+  const auto offsets = filters::to_chord_running(noise, half).offset;
   for (const double m : offsets) square += m * m;
   return std::sqrt(square / static_cast<double>(offsets.size()));
 }
@@ -63,8 +63,8 @@ void chords(report::Item& item) {
     const std::string& key = cells.at(0);
     const double wavelength = report::printed_number(key);
     const double theta = 2 * units::pi / wavelength;
-    const double short_gain = signal::chord_gain(2, 1 / wavelength);
-    const double formula = short_gain * signal::short_to_long_gain(half, theta);
+    const double short_gain = spectra::chord_gain(2, 1 / wavelength);
+    const double formula = short_gain * filters::short_to_long_gain(half, theta);
     const double driven = driven_gain(wavelength, half);
     item.row(gains, key).check("gain", formula, derived(gains.at(key, "gain")));
     item.check("driven-" + key, "the same, driven", "", gains.at(key, "gain"), driven,
@@ -73,7 +73,7 @@ void chords(report::Item& item) {
                   fmt::format("{:.5f}", driven)});
   }
   double sum = 0;
-  const auto taps = signal::chord_taps(half);
+  const auto taps = filters::chord_taps(half);
   for (const auto tap : taps) sum += static_cast<double>(tap);
   item.row(constants, "half-chord")
       .check("value", half_exact, derived(constants.at("half-chord", "value")));
@@ -81,14 +81,14 @@ void chords(report::Item& item) {
       .check("value", static_cast<double>(taps.size()), derived(constants.at("taps", "value")));
   item.row(constants, "sum").check("value", sum, derived(constants.at("sum", "value")));
   item.row(constants, "noise")
-      .check("value", signal::chord_noise_gain(half), derived(constants.at("noise", "value")));
+      .check("value", filters::chord_noise_gain(half), derived(constants.at("noise", "value")));
   item.agree("noise-driven", "noise gain, white noise through running sums", "",
-             noise_gain(half, item.full() ? 8'000'000 : 1'000'000), signal::chord_noise_gain(half),
+             noise_gain(half, item.full() ? 8'000'000 : 1'000'000), filters::chord_noise_gain(half),
              0.02, "the formula; the record is a sample");
   item.value("chord-samples", 2 * half_exact, "", "{:.0f}");
   item.value("chord-taps", static_cast<double>(taps.size()), "", "{:.0f}");
   item.value("chord-dc", sum, "", "{:.0f}");
-  item.value("chord-noise", signal::chord_noise_gain(half), "", "{:.2f}");
+  item.value("chord-noise", filters::chord_noise_gain(half), "", "{:.2f}");
 }
 
 }  // namespace
@@ -97,4 +97,4 @@ void add_chords(report::Chapter& chapter) {
   chapter.table("chords", "Gain of the 62-ft chord made of short ones", chords);
 }
 
-}  // namespace railbook::filters
+}  // namespace railbook::filters_chapter

@@ -7,13 +7,13 @@
 #include <complex>
 #include <type_traits>
 
+#include "filters/chord_filter.hpp"
+#include "filters/geometry_chain.hpp"
 #include "num/fft.hpp"
-#include "signal/chord_filter.hpp"
-#include "signal/geometry_chain.hpp"
-#include "signal/synthetic_track.hpp"
+#include "spectra/synthetic_track.hpp"
 #include "units/constants.hpp"
 
-namespace railbook::filters {
+namespace railbook::filters_chapter {
 namespace {
 
 using Word = std::uint64_t;
@@ -33,12 +33,12 @@ double metres(Number value, double scale) {
 }  // namespace
 
 std::vector<std::int64_t> composite_input(std::size_t n) {
-  signal::SyntheticTrack track;
+  spectra::SyntheticTrack track;
   track.seed = 62;
   track.A = 5e-7;
   track.phi_c = 0.13;
   track.dip = 5.5e-3;
-  const auto offsets = signal::mid_chord_offsets(signal::synthesize(track, n + 2), 1, 2).offset;
+  const auto offsets = spectra::mid_chord_offsets(spectra::synthesize(track, n + 2), 1, 2).offset;
   std::vector<std::int64_t> units(n);
   for (std::size_t i = 0; i < n; ++i) units[i] = std::llround(offsets[i] / composite_unit);
   return units;
@@ -52,7 +52,7 @@ std::vector<double> in_metres(const std::vector<std::int64_t>& units) {
 
 // Numerators of the weights over 2 M^p: the space curve's, and its chord.
 std::vector<Word> composite_integers() {
-  const auto curve = signal::space_curve_integers({M, passes, 1});
+  const auto curve = filters::space_curve_integers({M, passes, 1});
   std::vector<Word> taps(window);
   for (std::size_t i = 0; i < curve.size(); ++i) {
     const auto c = static_cast<Word>(curve[i]);
@@ -138,10 +138,10 @@ std::vector<double> fft_composite(const std::vector<double>& x, std::size_t size
 // Chord first, high-pass then: every running sum has a single pole.
 template <class Number>
 std::vector<double> sums_composite(std::span<const Number> x, std::size_t restart) {
-  const auto once = signal::running_sum<Number>(x, N, restart);
-  const auto chord = signal::running_sum<Number>(once, N, restart);
+  const auto once = filters::running_sum<Number>(x, N, restart);
+  const auto chord = filters::running_sum<Number>(once, N, restart);
   std::vector<Number> mean = chord;
-  for (int pass = 0; pass < passes; ++pass) mean = signal::running_sum<Number>(mean, M, restart);
+  for (int pass = 0; pass < passes; ++pass) mean = filters::running_sum<Number>(mean, M, restart);
   const auto scale = static_cast<Number>(M_power);
   constexpr auto centre = static_cast<std::size_t>(passes) * (M / 2);
   std::vector<double> out(mean.size());
@@ -167,7 +167,7 @@ std::vector<double> recursive_composite(const std::vector<Number>& x) {
     z[i + 2] = z[i + 1] + slope;
   }
   std::vector<Number> curve = z;
-  for (int pass = 0; pass < passes; ++pass) curve = signal::running_sum<Number>(curve, M, 0);
+  for (int pass = 0; pass < passes; ++pass) curve = filters::running_sum<Number>(curve, M, 0);
   const auto scale = static_cast<Number>(M_power);
   constexpr auto centre = static_cast<std::size_t>(passes) * (M / 2);
   for (std::size_t i = 0; i < curve.size(); ++i) {
@@ -189,12 +189,12 @@ template std::vector<double> recursive_composite(const std::vector<Word>&);
 std::vector<double> stream_composite(const std::vector<double>& x, std::size_t block) {
   std::vector<double> out;
   out.reserve(x.size());
-  signal::GeometryChain chain{{.block = block}, [&](auto, std::span<const double> chord) {
-                                out.insert(out.end(), chord.begin(), chord.end());
-                              }};
+  filters::GeometryChain chain{{.block = block}, [&](auto, std::span<const double> chord) {
+                                 out.insert(out.end(), chord.begin(), chord.end());
+                               }};
   chain.push(x);
   chain.finish();
   return {out.begin() + reach, out.end() - reach};
 }
 
-}  // namespace railbook::filters
+}  // namespace railbook::filters_chapter

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace railbook::filters {
+namespace railbook::filters_chapter {
 
 inline constexpr double composite_unit = 0x1p-34;  // m
 
@@ -39,4 +39,4 @@ std::vector<double> sums_composite(const std::vector<Number>& x, std::size_t res
   return sums_composite(std::span<const Number>{x}, restart);
 }
 
-}  // namespace railbook::filters
+}  // namespace railbook::filters_chapter

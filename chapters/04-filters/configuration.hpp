@@ -3,7 +3,7 @@
 
 #include "units/constants.hpp"
 
-namespace railbook::filters {
+namespace railbook::filters_chapter {
 
 inline constexpr double sample_distance = 1 * units::foot;          // printed
 inline constexpr double gyro_corner = 2 * units::pi * 1.0;          // rad/s; B: reconstructed
@@ -12,4 +12,4 @@ inline constexpr double smoothing_corner =
     0.05 / units::foot;                          // cycle/m; D, optional: reconstructed
 inline constexpr double roll_corner = 1.25 / 4;  // Hz; two octaves below 1.25 Hz, printed
 
-}  // namespace railbook::filters
+}  // namespace railbook::filters_chapter

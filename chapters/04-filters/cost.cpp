@@ -33,7 +33,7 @@ precision is good for running sums, as it is for FIR; recursively it fails withi
 #include "composite.hpp"
 #include "items.hpp"
 
-namespace railbook::filters {
+namespace railbook::filters_chapter {
 namespace {
 
 // One plus the error, against a reference of one.
@@ -134,4 +134,4 @@ void add_cost(report::Chapter& chapter) {
                  cost);
 }
 
-}  // namespace railbook::filters
+}  // namespace railbook::filters_chapter

@@ -30,7 +30,7 @@ The car's strip chart puts a mile on about 18 in of paper, whatever the speed. T
 #include "experiment.hpp"
 #include "items.hpp"
 
-namespace railbook::filters {
+namespace railbook::filters_chapter {
 
 using namespace geometry_car;
 
@@ -155,4 +155,4 @@ void add_curve(report::Chapter& chapter) {
   chapter.figure("fig-strip", "A mile of strip chart, truth and measured", fig_strip);
 }
 
-}  // namespace railbook::filters
+}  // namespace railbook::filters_chapter

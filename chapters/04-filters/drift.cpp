@@ -24,13 +24,13 @@ In single precision the recursion has lost all its digits within {{drift-float-d
 #include <string>
 #include <vector>
 
+#include "filters/chord_filter.hpp"
+#include "filters/geometry_chain.hpp"
 #include "items.hpp"
-#include "signal/chord_filter.hpp"
-#include "signal/geometry_chain.hpp"
-#include "signal/random_source.hpp"
+#include "spectra/random_source.hpp"
 #include "units/constants.hpp"
 
-namespace railbook::filters {
+namespace railbook::filters_chapter {
 namespace {
 
 constexpr std::size_t N = 31;
@@ -132,7 +132,7 @@ void check(report::Item& item, const Outcome& o) {
              o.last[5] / o.rms, report::at_most("a random walk of roundings"));
   item.check("restarted", "restarted sums in double, over the RMS", "", "1e-14", o.last[6] / o.rms,
              report::at_most("at most 4096 roundings each, two sums"));
-  item.agree("rms", "RMS of the output", "", o.rms, signal::chord_noise_gain(N), 0.02,
+  item.agree("rms", "RMS of the output", "", o.rms, filters::chord_noise_gain(N), 0.02,
              "the noise gain; the record is a sample");
   const std::array<const char*, 7> names{"double pole in float",         "double pole in double",
                                          "double pole in int64",         "two sums in float",
@@ -158,7 +158,7 @@ void say(report::Item& item, const Outcome& o) {
   item.value("drift-double", o.last[1], "", "{:.0e}");
   item.value("drift-longest", o.samples, "", "{:.0e}");
   item.value("drift-ratio", o.last[1] / o.last[5], "", "{:.0e}");
-  item.value("drift-block", static_cast<double>(signal::GeometryChainOptions{}.block), "",
+  item.value("drift-block", static_cast<double>(filters::GeometryChainOptions{}.block), "",
              "{:.0f}");
 }
 
@@ -167,7 +167,7 @@ void drift(report::Item& item) {
   if (item.full()) milestones.push_back(100'000'000);
   item.columns({"samples", "recursion float", "recursion double", "recursion int64",
                 "two sums float", "restarted float", "two sums double", "restarted double"});
-  const signal::RandomSource random{1981, 1};
+  const spectra::RandomSource random{1981, 1};
   Race race;
   Outcome outcome;
   std::size_t k = 64;  // numbers from 64 on, so that a ring can look back
@@ -197,4 +197,4 @@ void add_drift(report::Chapter& chapter) {
                 drift);
 }
 
-}  // namespace railbook::filters
+}  // namespace railbook::filters_chapter

@@ -36,11 +36,11 @@ as much, and no more: the gyro feels $V\kappa$ at the true speed, so the correct
 #include <vector>
 
 #include "experiment.hpp"
+#include "filters/chord_filter.hpp"
+#include "filters/complementary.hpp"
 #include "items.hpp"
-#include "signal/chord_filter.hpp"
-#include "signal/complementary.hpp"
 
-namespace railbook::filters {
+namespace railbook::filters_chapter {
 
 using namespace geometry_car;
 
@@ -176,13 +176,13 @@ void fig_errors(report::Item& item) {
 // The long chord, without high-pass, of a car that stands on a constant acceleration `bias` at speed v.
 double chord_of_bias(double bias, double v) {
   const Layout l;
-  signal::SecondOrderHybrid filter{{2 * units::pi * l.second_corner}};
+  filters::SecondOrderHybrid filter{{2 * units::pi * l.second_corner}};
   std::vector<double> offsets;
   for (int k = 0; k < 100; ++k) {
     const auto two = filter.push(bias, l.sample / v);
-    if (k >= 2) offsets.push_back(signal::short_chord(two));
+    if (k >= 2) offsets.push_back(filters::short_chord(two));
   }
-  return signal::to_chord_running(offsets, 31).offset.front();
+  return filters::to_chord_running(offsets, 31).offset.front();
 }
 
 // What an error of one channel changes in a parameter in the middle of a long curve (or on a tangent), SI.
@@ -224,7 +224,8 @@ void add_gyros(report::Item& item) {
         fmt::format("roll-{}", v), fmt::format("roll bias 0.01 deg/s at {} mph, crosslevel", v),
         "mm",
         change(v * mph, 0, Parameter::crosslevel, Channel::roll_rate, {.bias = 2 * rate}) / mm,
-        (signal::gyro_bias_error(2 * rate, signal::time_constant(p.roll_corner), p.roll_poles, T) +
+        (filters::gyro_bias_error(2 * rate, filters::time_constant(p.roll_corner), p.roll_poles,
+                                  T) +
          2 * rate * held) *
             l.base / mm,
         0.01, "poles of the inclinometer's path, analog filter included");
@@ -285,4 +286,4 @@ void add_errors(report::Chapter& chapter) {
   chapter.table("table-budget", "The error budget against closed forms", table_budget);
 }
 
-}  // namespace railbook::filters
+}  // namespace railbook::filters_chapter

@@ -11,7 +11,7 @@ of the car and not of the filter's band.
 #include <algorithm>
 #include <cmath>
 
-namespace railbook::filters {
+namespace railbook::filters_chapter {
 
 using namespace geometry_car;
 
@@ -60,4 +60,4 @@ Misfit misfit(const Measurement& measured, const Measurement& truth, Parameter p
   return result;
 }
 
-}  // namespace railbook::filters
+}  // namespace railbook::filters_chapter

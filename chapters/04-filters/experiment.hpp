@@ -8,7 +8,7 @@
 #include "geometry_car/simulate.hpp"
 #include "units/constants.hpp"
 
-namespace railbook::filters {
+namespace railbook::filters_chapter {
 
 inline constexpr double mph = units::mph, mm = units::millimetre, foot = units::foot;
 inline constexpr double per_100ft =
@@ -33,4 +33,4 @@ struct Misfit {
 Misfit misfit(const geometry_car::Measurement& measured, const geometry_car::Measurement& truth,
               geometry_car::Parameter parameter, std::size_t from = 0);
 
-}  // namespace railbook::filters
+}  // namespace railbook::filters_chapter

@@ -21,7 +21,7 @@ the space curve. $H^2$, a second stage, takes that out too, for {{hp-200-two}} o
 
 The driven column is no response of weights but of the whole chain: a sampled sine, its short offsets, the streaming filter, at the crest.
 */
-#include "signal/high_pass.hpp"
+#include "filters/high_pass.hpp"
 
 #include <fmt/format.h>
 
@@ -30,31 +30,31 @@ The driven column is no response of weights but of the whole chain: a sampled si
 #include <vector>
 
 #include "configuration.hpp"
+#include "filters/geometry_chain.hpp"
 #include "items.hpp"
 #include "num/roots.hpp"
-#include "signal/chord.hpp"
-#include "signal/geometry_chain.hpp"
+#include "spectra/chord.hpp"
 
-namespace railbook::filters {
+namespace railbook::filters_chapter {
 namespace {
 
-using signal::HighPass;
+using filters::HighPass;
 const HighPass ours{};
 
 double gain_at(double wavelength_ft, const HighPass& filter = ours) {
-  return signal::high_pass_gain(filter,
-                                2 * units::pi * units::foot / (wavelength_ft * sample_distance));
+  return filters::high_pass_gain(filter,
+                                 2 * units::pi * units::foot / (wavelength_ft * sample_distance));
 }
 
 // What the chain makes of the crest of a sine: short offsets in, space curve out.
 double driven_gain(double wavelength_ft) {
-  const std::size_t half = signal::reach(ours) + 31;
+  const std::size_t half = filters::reach(ours) + 31;
   const double theta = 2 * units::pi / wavelength_ft;
   std::vector<double> z(2 * half + 1);
   for (std::size_t k = 0; k < z.size(); ++k)
     z[k] = 1e-3 * std::cos(theta * (static_cast<double>(k) - static_cast<double>(half)));
-  const auto short_offsets = signal::mid_chord_offsets(z, 1, 2).offset;
-  return signal::geometry(short_offsets).space_curve.at(half - 1) / 1e-3;
+  const auto short_offsets = spectra::mid_chord_offsets(z, 1, 2).offset;
+  return filters::geometry(short_offsets).space_curve.at(half - 1) / 1e-3;
 }
 
 double wavelength_of(double gain) {
@@ -99,10 +99,10 @@ void high_pass(report::Item& item) {
   check("limit-120", hertz_120);
   check("3dB", three);
   check("6dB", six);
-  check("taps", static_cast<double>(signal::high_pass_taps(ours).size()));
+  check("taps", static_cast<double>(filters::high_pass_taps(ours).size()));
   // A constant through the chain, not through the formula.
   const std::vector<double> constant(661, 1e-6);
-  check("curve-dc", signal::geometry(constant).space_curve.at(330) / 1e-6);
+  check("curve-dc", filters::geometry(constant).space_curve.at(330) / 1e-6);
   item.reconstructed(
       "the filter is ours; the reference values were worked out beforehand, not printed");
   item.value("hp-length", ours.length, "", "{:.0f}");
@@ -113,7 +113,7 @@ void high_pass(report::Item& item) {
   item.value("hp-200-two", gain_at(200, {151, 4, 2}), "", "{:.3f}");
   item.value("hp-3dB", three, "ft", "{:.0f}");
   item.value("hp-6dB", six, "ft", "{:.0f}");
-  item.value("curve-dc", signal::space_curve_gain(ours, 0), "", "{:.0f}");
+  item.value("curve-dc", filters::space_curve_gain(ours, 0), "", "{:.0f}");
 }
 
 }  // namespace
@@ -123,4 +123,4 @@ void add_high_pass(report::Chapter& chapter) {
   chapter.table("high-pass", "Gain of the high-pass", high_pass);
 }
 
-}  // namespace railbook::filters
+}  // namespace railbook::filters_chapter

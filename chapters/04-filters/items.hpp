@@ -5,7 +5,7 @@
 
 #include "report/chapter.hpp"
 
-namespace railbook::filters {
+namespace railbook::filters_chapter {
 
 // For a value that follows from what is printed but is not printed itself: half a unit of its last digit.
 inline report::Tolerance derived(const std::string& value) {
@@ -30,8 +30,6 @@ void add_other_tracks(report::Chapter& chapter);  // profile by speed and source
 void add_speeds(report::Chapter& chapter);        // speed, direction, changes of speed, claims
 void add_curve(report::Chapter& chapter);         // curvature and crosslevel, spiral, strip chart
 void car_stability(report::Item& item);           // rows of the stability table
-void add_process(report::Chapter& chapter);       // tool: geometry from a record of the sensors
-void add_simulate(report::Chapter& chapter);      // tool: such a record to order
 
 // Error against run time, stability.
 void add_drift(report::Chapter& chapter);
@@ -39,4 +37,4 @@ void add_cost(report::Chapter& chapter);
 void add_streaming(report::Chapter& chapter);
 void add_stability(report::Chapter& chapter);
 
-}  // namespace railbook::filters
+}  // namespace railbook::filters_chapter

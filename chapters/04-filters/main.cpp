@@ -36,11 +36,11 @@ speed and direction, and where not. Then it builds the whole car, runs it over s
 
 ## Your own record
 
-{{include: process.cpp}}
 
-{{include: sensor_file.cpp}}
 
-{{include: simulate.cpp}}
+
+
+
 
 {{include: drift.cpp}}
 
@@ -144,29 +144,27 @@ int main(int argc, char** argv) {
                 "Annual Meeting, Washington, November 1981",
        .sources = RAILBOOK_CHAPTER_DIR}};
   // Filters.
-  filters::add_responses(chapter);
-  filters::add_speed_independence(chapter);
-  filters::add_approximations(chapter);
-  filters::add_chords(chapter);
-  filters::add_high_pass(chapter);
-  filters::add_varying_speed(chapter);
-  filters::add_roll(chapter);
+  filters_chapter::add_responses(chapter);
+  filters_chapter::add_speed_independence(chapter);
+  filters_chapter::add_approximations(chapter);
+  filters_chapter::add_chords(chapter);
+  filters_chapter::add_high_pass(chapter);
+  filters_chapter::add_varying_speed(chapter);
+  filters_chapter::add_roll(chapter);
 
   // The car: sensors, reconstruction, experiments, tool.
-  filters::add_car_scene(chapter);
-  filters::add_car(chapter);
-  filters::add_errors(chapter);
-  filters::add_other_tracks(chapter);
-  filters::add_speeds(chapter);
-  filters::add_curve(chapter);
-  filters::add_process(chapter);
-  filters::add_simulate(chapter);
+  filters_chapter::add_car_scene(chapter);
+  filters_chapter::add_car(chapter);
+  filters_chapter::add_errors(chapter);
+  filters_chapter::add_other_tracks(chapter);
+  filters_chapter::add_speeds(chapter);
+  filters_chapter::add_curve(chapter);
 
   // Error against run time, stability.
-  filters::add_drift(chapter);
-  filters::add_cost(chapter);
-  filters::add_streaming(chapter);
-  filters::add_stability(chapter);
+  filters_chapter::add_drift(chapter);
+  filters_chapter::add_cost(chapter);
+  filters_chapter::add_streaming(chapter);
+  filters_chapter::add_stability(chapter);
   chapter.table("figures", "The figures of the paper", figures);
 
   return chapter.run(argc, argv);

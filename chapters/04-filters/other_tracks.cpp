@@ -17,7 +17,7 @@ the slopes of the body's path, and the converter's not with the track at all.
 #include "experiment.hpp"
 #include "items.hpp"
 
-namespace railbook::filters {
+namespace railbook::filters_chapter {
 
 using namespace geometry_car;
 
@@ -89,4 +89,4 @@ void add_other_tracks(report::Chapter& chapter) {
   chapter.table("table-other-tracks", "The same on two other tracks", other_tracks);
 }
 
-}  // namespace railbook::filters
+}  // namespace railbook::filters_chapter

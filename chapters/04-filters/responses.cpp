@@ -57,7 +57,7 @@ double pole the largest difference is {{butterworth-agree}}.
 #include "sine_drive.hpp"
 #include "units/constants.hpp"
 
-namespace railbook::filters {
+namespace railbook::filters_chapter {
 namespace {
 
 using Complex = std::complex<double>;
@@ -92,7 +92,7 @@ void figure(report::Item& item, Part part) {
     const double theta = theta_of(phi), d = smoothing_gain(theta);
     const double a = pick(first_order_gains(gyro_corner, sample_distance / slow, theta));
     const double b = pick(first_order_gains(gyro_corner, sample_distance / fast, theta));
-    data.add(phi, a, b, signal::sinc_limit(theta), a * d, b * d);
+    data.add(phi, a, b, filters::sinc_limit(theta), a * d, b * d);
   });
   auto& driven = item.data("driven", {"phi_cycle_per_ft", "slow", "fast"});
   for (const double phi : {0.001, 0.003, 0.01, 0.03, 0.1, 0.2, 0.3, 0.4, 0.5}) {
@@ -121,8 +121,8 @@ void fig_09(report::Item& item) {
     return std::abs(first_order_gains(gyro_corner, sample_distance / speed, units::pi).hybrid);
   };
   item.value("spread", at_nyquist(slow) - at_nyquist(fast), "", "{:.4f}");
-  item.value("spread-limit", signal::sinc_limit(units::pi), "", "{:.2f}");
-  item.value("from-sinc", at_nyquist(fast) - signal::sinc_limit(units::pi), "", "{:.5f}");
+  item.value("spread-limit", filters::sinc_limit(units::pi), "", "{:.2f}");
+  item.value("from-sinc", at_nyquist(fast) - filters::sinc_limit(units::pi), "", "{:.5f}");
   item.value("smoothing", smoothing_corner * units::foot, "cycle/ft", "{:g}");
 }
 
@@ -137,7 +137,7 @@ double difference(const Gains& a, const Gains& b) {
 // One row of it, at one wavenumber.
 struct ResponseRow {
   report::Item& item;
-  const report::CsvTable& table;
+  const table::CsvTable& table;
   const std::string& key;
   double theta = theta_of(report::printed_number(key));
   double apart = 0;  // the largest difference of the two methods
@@ -151,7 +151,7 @@ struct ResponseRow {
   }
   void at_speed(double speed, const std::string& name) {
     const double T = sample_distance / speed;
-    const signal::SecondOrderLowPass F{acceleration_corner, 1};
+    const filters::SecondOrderLowPass F{acceleration_corner, 1};
     const Gains f1 = first_order_gains(gyro_corner, T, theta);
     const Gains d1 = drive_first_order(gyro_corner, T, theta);
     const Gains f2 = second_order_gains(F, T, theta), d2 = drive_second_order(F, T, theta);
@@ -165,7 +165,7 @@ struct ResponseRow {
 
 // Complex poles have no table: both methods against each other.
 double butterworth_apart(double speed, double theta) {
-  const signal::SecondOrderLowPass f{acceleration_corner, std::sqrt(0.5)};
+  const filters::SecondOrderLowPass f{acceleration_corner, std::sqrt(0.5)};
   const double T = sample_distance / speed;
   return difference(drive_second_order(f, T, theta), second_order_gains(f, T, theta));
 }
@@ -186,7 +186,7 @@ void responses(report::Item& item) {
     row.at_speed(slow, "9");
     row.at_speed(fast, "80");
     // The limit by a corner far below every other rate.
-    row.check("limit", signal::sinc_limit(row.theta),
+    row.check("limit", filters::sinc_limit(row.theta),
               std::abs(first_order_gains(1e-4, sample_distance / fast, row.theta).hybrid));
     std::vector<std::string> shown{row.key};
     for (const char* name :
@@ -220,4 +220,4 @@ void add_responses(report::Chapter& chapter) {
                 responses);
 }
 
-}  // namespace railbook::filters
+}  // namespace railbook::filters_chapter

@@ -26,18 +26,18 @@ Driven columns: the filter above at 100 samples a second, a sine on the inclinom
 #include <string>
 
 #include "configuration.hpp"
+#include "filters/complementary.hpp"
 #include "items.hpp"
-#include "signal/complementary.hpp"
 
-namespace railbook::filters {
+namespace railbook::filters_chapter {
 namespace {
 
 using Complex = std::complex<double>;
 
 // The steady gain of one path, at f Hz and T s a sample.
 double driven_gain(int poles, double f, double T, bool gyro) {
-  const double tau = signal::time_constant(roll_corner), theta = 2 * units::pi * f * T;
-  signal::ComplementaryFilter real{tau, poles}, imaginary{tau, poles};
+  const double tau = filters::time_constant(roll_corner), theta = 2 * units::pi * f * T;
+  filters::ComplementaryFilter real{tau, poles}, imaginary{tau, poles};
   Complex out, before;
   const int samples = static_cast<int>(std::ceil(40 * tau * poles / T));
   for (int k = 0; k <= samples; ++k) {
@@ -52,19 +52,19 @@ double driven_gain(int poles, double f, double T, bool gyro) {
 void roll(report::Item& item) {
   const auto table = item.printed("complementary.csv");
   const auto constants = item.printed("complementary-constants.csv");
-  const double tau = signal::time_constant(roll_corner), T = 0.01;
+  const double tau = filters::time_constant(roll_corner), T = 0.01;
   item.expect_checks(static_cast<int>(4 * table.rows.size() + constants.rows.size()));
   item.columns({"poles", "Hz", "inclinometer", "driven", "gyro", "driven"});
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     const std::string& key = table.at(i, "key");
     const double f = report::printed_number(table.at(i, "hertz"));
     const int n = static_cast<int>(report::printed_number(table.at(i, "poles")));
-    const Complex low = signal::low_pass_gain(tau, n, f);
+    const Complex low = filters::low_pass_gain(tau, n, f);
     const report::Row row = item.row(table, key);
     row.check("inclinometer", std::abs(low), derived(row.printed("inclinometer")));
     row.check("gyro", std::abs(1.0 - low), derived(row.printed("gyro")));
     const double driven_low = driven_gain(n, f, T, false), driven_high = driven_gain(n, f, T, true);
-    const Complex sampled = signal::low_pass_gain(tau, n, f, T);
+    const Complex sampled = filters::low_pass_gain(tau, n, f, T);
     item.agree("driven-low-" + key, "inclinometer's path, driven", "", driven_low,
                std::abs(sampled), 1e-9, "the formula for samples T apart");
     item.agree("driven-high-" + key, "gyro's path, driven", "", driven_high,
@@ -77,17 +77,18 @@ void roll(report::Item& item) {
       .check("value", roll_corner, derived(constants.at("corner", "value")));
   item.row(constants, "tau").check("value", tau, derived(constants.at("tau", "value")));
   item.row(constants, "decibel")
-      .check("value", 20 * std::log10(std::abs(signal::low_pass_gain(tau, 1, 1.25))),
+      .check("value", 20 * std::log10(std::abs(filters::low_pass_gain(tau, 1, 1.25))),
              derived(constants.at("decibel", "value")));
   item.value("roll-corner", roll_corner, "Hz", "{:g}");
   item.value("roll-tau", tau, "s", "{:.4f}");
-  item.value("gyro-peak", std::abs(1.0 - signal::low_pass_gain(tau, 2, roll_corner)), "", "{:.3f}");
+  item.value("gyro-peak", std::abs(1.0 - filters::low_pass_gain(tau, 2, roll_corner)), "",
+             "{:.3f}");
   for (const int n : {1, 2, 3}) {
-    item.value(fmt::format("sway-{}", n), std::abs(signal::low_pass_gain(tau, n, 1.25)), "",
+    item.value(fmt::format("sway-{}", n), std::abs(filters::low_pass_gain(tau, n, 1.25)), "",
                "{:.3f}");
     item.value(fmt::format("bias-{}", n),
-               signal::gyro_bias_error(0.01 * units::degree, tau, n, T) / units::millimetre, "mrad",
-               "{:.3f}");
+               filters::gyro_bias_error(0.01 * units::degree, tau, n, T) / units::millimetre,
+               "mrad", "{:.3f}");
   }
 }
 
@@ -97,4 +98,4 @@ void add_roll(report::Chapter& chapter) {
   chapter.table("roll", "Gains of the complementary filter, corner 0.3125 Hz", roll);
 }
 
-}  // namespace railbook::filters
+}  // namespace railbook::filters_chapter

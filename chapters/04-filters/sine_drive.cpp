@@ -10,11 +10,11 @@ already the steady one.
 
 #include "num/dopri5.hpp"
 
-namespace railbook::filters {
+namespace railbook::filters_chapter {
 namespace {
 
 using Complex = std::complex<double>;
-using signal::SecondOrderLowPass;
+using filters::SecondOrderLowPass;
 
 // Runs an analog filter of state size N (cosine and sine parts) and hands out its output at the samples.
 template <int N, class Rate, class Take>
@@ -32,14 +32,14 @@ void run(const Rate& rate, double T, int first, int samples, const Take& take) {
 
 // A complex signal through a filter for real ones.
 struct FirstOrder {
-  signal::FirstOrderHybrid real, imaginary;
+  filters::FirstOrderHybrid real, imaginary;
   explicit FirstOrder(double corner) : real(corner), imaginary(corner) {}
   Complex push(Complex y, double T) {
     return {real.push(y.real(), T), imaginary.push(y.imag(), T)};
   }
 };
 struct SecondOrder {
-  signal::SecondOrderHybrid real, imaginary;
+  filters::SecondOrderHybrid real, imaginary;
   explicit SecondOrder(const SecondOrderLowPass& f) : real(f), imaginary(f) {}
   Complex push(Complex y, double T) {
     return {real.push(y.real(), T).mean, imaginary.push(y.imag(), T).mean};
@@ -87,15 +87,15 @@ Gains drive_second_order(const SecondOrderLowPass& f, double T, double theta) {
 }
 
 Gains first_order_gains(double corner, double T, double theta) {
-  const Complex b = signal::first_order_analog(corner * T, theta);
-  const Complex c = signal::first_order_digital(corner * T, theta);
+  const Complex b = filters::first_order_analog(corner * T, theta);
+  const Complex c = filters::first_order_digital(corner * T, theta);
   return {b, c, b * c};
 }
 
 Gains second_order_gains(const SecondOrderLowPass& filter, double T, double theta) {
-  const Complex f = signal::second_order_analog(filter, T, theta);
-  const Complex g = signal::second_order_digital(filter, T, theta);
+  const Complex f = filters::second_order_analog(filter, T, theta);
+  const Complex g = filters::second_order_digital(filter, T, theta);
   return {f, g, f * g};
 }
 
-}  // namespace railbook::filters
+}  // namespace railbook::filters_chapter

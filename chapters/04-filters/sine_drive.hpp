@@ -3,9 +3,9 @@
 
 #include <complex>
 
-#include "signal/hybrid_filter.hpp"
+#include "filters/hybrid_filter.hpp"
 
-namespace railbook::filters {
+namespace railbook::filters_chapter {
 
 // Gains at one speed, with the phase at the sample: analog alone, digital alone, both.
 struct Gains {
@@ -16,10 +16,10 @@ struct Gains {
 // integrated numerically (Dormand-Prince, local error 1e-12) until it swings steadily; what comes out is
 // sampled and goes into the digital filter. The hybrid gain is taken with the filter newly started in the middle.
 Gains drive_first_order(double corner, double T, double theta);
-Gains drive_second_order(const signal::SecondOrderLowPass& filter, double T, double theta);
+Gains drive_second_order(const filters::SecondOrderLowPass& filter, double T, double theta);
 
 // The same by formula.
 Gains first_order_gains(double corner, double T, double theta);
-Gains second_order_gains(const signal::SecondOrderLowPass& filter, double T, double theta);
+Gains second_order_gains(const filters::SecondOrderLowPass& filter, double T, double theta);
 
-}  // namespace railbook::filters
+}  // namespace railbook::filters_chapter

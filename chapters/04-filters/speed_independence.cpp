@@ -31,7 +31,7 @@ steadily comes out late by the centroid.
 #include "items.hpp"
 #include "sine_drive.hpp"
 
-namespace railbook::filters {
+namespace railbook::filters_chapter {
 namespace {
 
 struct Deviation {
@@ -41,9 +41,9 @@ Deviation largest_deviation(double kappa) {
   Deviation largest;
   constexpr int points = 2000;
   for (int i = 1; i <= points; ++i) {
-    const double theta = units::pi * i / points, limit = signal::sinc_limit(theta);
+    const double theta = units::pi * i / points, limit = filters::sinc_limit(theta);
     const auto bc =
-        signal::first_order_analog(kappa, theta) * signal::first_order_digital(kappa, theta);
+        filters::first_order_analog(kappa, theta) * filters::first_order_digital(kappa, theta);
     largest.magnitude = std::max(largest.magnitude, std::abs(std::abs(bc) - limit));
     largest.complex = std::max(largest.complex, std::abs(bc * std::polar(1.0, theta / 2) - limit));
   }
@@ -53,7 +53,7 @@ Deviation largest_deviation(double kappa) {
 // How late the steady output of the hybrid filter is on a ramp, in T: the analog output from its closed form, with
 // another transient than the steady state's, which the digital filter has to take out.
 double measured_delay(double kappa) {
-  signal::FirstOrderHybrid c{kappa};  // T = 1
+  filters::FirstOrderHybrid c{kappa};  // T = 1
   double late = 0;
   for (int k = 0; k < 5; ++k) late = k - c.push(k - 1 / kappa + 3 * std::exp(-kappa * k), 1);
   return late;
@@ -70,7 +70,7 @@ void small_kappa(report::Item& item) {
     const double speed = report::printed_number(key) * units::mph;
     const double kappa = gyro_corner * sample_distance / speed;
     const Deviation d = largest_deviation(kappa);
-    const double delay = signal::centroid_delay(kappa);
+    const double delay = filters::centroid_delay(kappa);
     const double apart = 2 * (0.5 - delay) * sample_distance / units::millimetre;
     const report::Row row = item.row(table, key);
     row.check("kappa", kappa);
@@ -91,9 +91,9 @@ void small_kappa(report::Item& item) {
         .check("value", gyro_corner / (2 * units::pi * speed * units::mph) * units::foot);
   // The bracket at Nyquist, against the formula itself at a small kappa.
   const double bracket = 0.25 - 1 / (units::pi * units::pi) - 1.0 / 12;
-  const double kappa = 1e-3, limit = signal::sinc_limit(units::pi);
-  const double power = std::norm(signal::first_order_analog(kappa, units::pi) *
-                                 signal::first_order_digital(kappa, units::pi));
+  const double kappa = 1e-3, limit = filters::sinc_limit(units::pi);
+  const double power = std::norm(filters::first_order_analog(kappa, units::pi) *
+                                 filters::first_order_digital(kappa, units::pi));
   item.agree("bracket", "coefficient of κ² at Nyquist", "",
              (power / (limit * limit) - 1) / (kappa * kappa), bracket, 1e-5,
              "the expansion; the next term is of the size κ²");
@@ -110,4 +110,4 @@ void add_speed_independence(report::Chapter& chapter) {
                 small_kappa);
 }
 
-}  // namespace railbook::filters
+}  // namespace railbook::filters_chapter

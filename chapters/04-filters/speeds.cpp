@@ -41,10 +41,10 @@ soon as the beam rolls, and a tenth of a milliradian within a chord is 9 mm at 5
 #include <string>
 #include <vector>
 
+#include "filters/hybrid_filter.hpp"
 #include "items.hpp"
-#include "signal/hybrid_filter.hpp"
 
-namespace railbook::filters {
+namespace railbook::filters_chapter {
 
 using namespace geometry_car;
 
@@ -59,7 +59,7 @@ std::vector<double> shift_error(const Record& record, const Track& track, double
               record[Channel::height_left][i];
   for (std::size_t i = 1; i + 1 < n; ++i)
     short_offset[i] = body[i] - 0.5 * (body[i - 1] + body[i + 1]);
-  const auto chord = signal::geometry(short_offset).chord;
+  const auto chord = filters::geometry(short_offset).chord;
   for (std::size_t i = 1; i + 1 < n; ++i)
     error[i] = shift * (chord[i + 1] - chord[i - 1]) / (2 * foot);
   return error;
@@ -85,7 +85,7 @@ void table_directions(report::Item& item) {
   for (const double speed : speeds) {
     const Record ahead = cruise(track, car, speed * mph);
     const double kappa = 2 * units::pi * car.layout.second_corner * foot / (speed * mph);
-    const double shift = (1 - 2 * signal::centroid_delay(kappa)) * foot;
+    const double shift = (1 - 2 * filters::centroid_delay(kappa)) * foot;
     const double by_shift = rms(shift_error(ahead, track, shift)) / mm;
     const auto error = [&](const Record& r, const Measurement& t) {
       return misfit(reconstruct(r, p), t, Parameter::profile_left).rms / mm;
@@ -293,4 +293,4 @@ void add_speeds(report::Chapter& chapter) {
   chapter.table("table-claims", "What the paper claims of its speeds", table_claims);
 }
 
-}  // namespace railbook::filters
+}  // namespace railbook::filters_chapter

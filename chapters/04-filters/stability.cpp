@@ -22,16 +22,16 @@ arithmetic, forbids a very low corner.
 #include <vector>
 
 #include "configuration.hpp"
+#include "filters/chord_filter.hpp"
+#include "filters/complementary.hpp"
+#include "filters/geometry_chain.hpp"
+#include "filters/hybrid_filter.hpp"
 #include "items.hpp"
 #include "num/quadrature.hpp"
-#include "signal/chord_filter.hpp"
-#include "signal/complementary.hpp"
-#include "signal/geometry_chain.hpp"
-#include "signal/hybrid_filter.hpp"
-#include "signal/random_source.hpp"
+#include "spectra/random_source.hpp"
 #include "units/input_error.hpp"
 
-namespace railbook::filters {
+namespace railbook::filters_chapter {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
@@ -45,8 +45,8 @@ double analog_ramp(double t, double begin, int order) {
 
 // Error of the last C (order 1) or G (order 2) over the last interval, on the ramp sampled at these times.
 double ramp_error(const std::vector<double>& times, int order) {
-  signal::FirstOrderHybrid c{corner};
-  signal::SecondOrderHybrid g{{corner, 1}};
+  filters::FirstOrderHybrid c{corner};
+  filters::SecondOrderHybrid g{{corner, 1}};
   double u = 0;
   for (std::size_t k = 0; k < times.size(); ++k) {
     const double T = k == 0 ? 1 : times[k] - times[k - 1],
@@ -55,7 +55,7 @@ double ramp_error(const std::vector<double>& times, int order) {
   }
   const double t0 = times[times.size() - 3], t1 = times[times.size() - 2], t2 = times.back();
   if (order == 1)
-    return std::abs(u - (t2 - (t2 - t1) * signal::centroid_delay(corner * (t2 - t1)))) / (t2 - t1);
+    return std::abs(u - (t2 - (t2 - t1) * filters::centroid_delay(corner * (t2 - t1)))) / (t2 - t1);
   const auto weight = [&](double t) {
     const double e = std::exp(-corner * (t2 - t));
     return t > t1 ? (t2 - t) * e : e * (t2 - t1) / (t1 - t0) * (t - t0);
@@ -124,11 +124,12 @@ Disturbed disturbed(const Push& make, const std::function<void(double&, double&)
 
 void faults(report::Item& item) {
   const auto make_c = [] {
-    return
-        [c = signal::FirstOrderHybrid{corner}](double y, double T) mutable { return c.push(y, T); };
+    return [c = filters::FirstOrderHybrid{corner}](double y, double T) mutable {
+      return c.push(y, T);
+    };
   };
   const auto make_g = [] {
-    return [g = signal::SecondOrderHybrid{{corner, 1}}](double y, double T) mutable {
+    return [g = filters::SecondOrderHybrid{{corner, 1}}](double y, double T) mutable {
       return g.push(y, T).mean;
     };
   };
@@ -151,7 +152,7 @@ void faults(report::Item& item) {
                                first.missing, second.missing),
                    error, error < 1e-12 ? c.extra ? "holds" : "refused" : "fails");
   }
-  signal::SecondOrderHybrid butterworth{{corner, std::sqrt(0.5)}};
+  filters::SecondOrderHybrid butterworth{{corner, std::sqrt(0.5)}};
   double u = 0;
   for (const double T : {0.03, 0.03, 2.0}) u = butterworth.push(1, T).mean;
   item.stability("complex", "G with complex poles",
@@ -161,7 +162,7 @@ void faults(report::Item& item) {
 
 /*** The stream and what it replaces: */
 std::vector<double> noise(std::size_t n) {
-  const signal::RandomSource random{4, 1};
+  const spectra::RandomSource random{4, 1};
   std::vector<double> x(n);
   for (std::size_t k = 0; k < n; ++k) x[k] = 1e-4 * random.normal(k);
   return x;
@@ -185,12 +186,12 @@ Difference compare(const std::vector<double>& a, const std::vector<double>& b) {
 
 void streams(report::Item& item) {
   const auto x = noise(20000);
-  const auto clean = signal::geometry(x).chord;
+  const auto clean = filters::geometry(x).chord;
   const auto row = [&](const char* id, const char* what, const char* stress, double value,
                        std::size_t count) {
     auto harmed = x;
     for (std::size_t k = 0; k < count; ++k) harmed[9000 + 3 * k] = value;
-    const Difference d = compare(clean, signal::geometry(harmed).chord);
+    const Difference d = compare(clean, filters::geometry(harmed).chord);
     item.stability(id, what, stress,
                    fmt::format("{} offsets NaN, others off by {:.0e} m", d.missing, d.largest),
                    d.largest,
@@ -202,12 +203,12 @@ void streams(report::Item& item) {
   row("stream-spike", "stream: 10³⁰⁰ m", "one sample", 1e300, 1);
   auto biased = x;
   for (double& m : biased) m += 8.8e-3;  // 1 mg at 0.5 mph
-  const Difference bias = compare(clean, signal::geometry(biased).chord);
+  const Difference bias = compare(clean, filters::geometry(biased).chord);
   item.stability("stream-bias", "stream: constant short offset", "8.8 mm, as of 1 mg at 0.5 mph",
                  fmt::format("62-ft chord off by {:.0e} m", bias.largest), bias.largest,
                  bias.largest < 1e-9 ? "holds" : "fails");
   try {
-    (void)signal::geometry(std::span{x}.first(660));
+    (void)filters::geometry(std::span{x}.first(660));
     item.stability("stream-short", "stream: short record", "660 samples", "an answer", none,
                    "fails");
   } catch (const InputError& refusal) {
@@ -217,7 +218,7 @@ void streams(report::Item& item) {
   auto spiked = x;
   spiked[500] = 1e10;
   const auto sums = [](const std::vector<double>& v) {
-    return signal::running_sum<double>(v, 31, 0);
+    return filters::running_sum<double>(v, 31, 0);
   };
   const auto a = sums(x), b = sums(spiked);
   item.stability(
@@ -228,20 +229,20 @@ void streams(report::Item& item) {
 
 void others(report::Item& item) {
   const double kappa = gyro_corner * sample_distance / (5 * units::mph);
-  const double apart = 2 * (0.5 - signal::centroid_delay(kappa)) * sample_distance;
+  const double apart = 2 * (0.5 - filters::centroid_delay(kappa)) * sample_distance;
   item.stability("reversal", "C: the other direction, shifted by half a sample", "5 mph",
                  fmt::format("{:.0f} mm apart", apart / units::millimetre), apart / sample_distance,
                  "degraded");
-  const signal::DecayPair pade = signal::decay(1e3, signal::Decay::pade11),
-                          reciprocal = signal::decay(1e3, signal::Decay::reciprocal);
+  const filters::DecayPair pade = filters::decay(1e3, filters::Decay::pade11),
+                           reciprocal = filters::decay(1e3, filters::Decay::reciprocal);
   item.stability(
       "stop-pade", "C with Padé (1,1)", "κ = 1000: nearly at a stop",
       fmt::format("a = {:.3f} instead of 0: half the sample before is still in it", pade.a),
       std::abs(pade.a), "fails");
   item.stability("stop-reciprocal", "C with 1/(1 + κ)", "κ = 1000",
                  fmt::format("a = {:.3f} instead of 0", reciprocal.a), reciprocal.a, "degraded");
-  const double tau = signal::time_constant(roll_corner);
-  signal::ComplementaryFilter filter{tau, 2};
+  const double tau = filters::time_constant(roll_corner);
+  filters::ComplementaryFilter filter{tau, 2};
   filter.push(0, 0, 0.01);
   const double after = filter.push(0.05, 1.0, 3600);
   item.stability("roll-stop", "roll filter", "an hour at a stop, gyro run away by 1 rad",
@@ -264,4 +265,4 @@ void add_stability(report::Chapter& chapter) {
   chapter.table("stability", "Stops, reversals, faults of encoder and sensors", stability);
 }
 
-}  // namespace railbook::filters
+}  // namespace railbook::filters_chapter

@@ -19,12 +19,12 @@ job. {{stream-verdict}}
 #include <vector>
 
 #include "composite.hpp"
+#include "filters/geometry_chain.hpp"
 #include "items.hpp"
 #include "num/stopwatch.hpp"
-#include "signal/geometry_chain.hpp"
 #include "units/constants.hpp"
 
-namespace railbook::filters {
+namespace railbook::filters_chapter {
 namespace {
 
 struct Streamed {
@@ -36,14 +36,14 @@ struct Streamed {
 // A record of n samples, the same piece of track over and over.
 Streamed stream(const std::vector<double>& piece, std::size_t n) {
   Streamed result;
-  signal::GeometryChain chain{{}, [&](std::span<const double>, std::span<const double> chord) {
-                                result.samples += chord.size();
-                                for (std::size_t i = chord.size(); i-- > 0;)
-                                  if (!std::isnan(chord[i])) {
-                                    result.last = chord[i];
-                                    break;
-                                  }
-                              }};
+  filters::GeometryChain chain{{}, [&](std::span<const double>, std::span<const double> chord) {
+                                 result.samples += chord.size();
+                                 for (std::size_t i = chord.size(); i-- > 0;)
+                                   if (!std::isnan(chord[i])) {
+                                     result.last = chord[i];
+                                     break;
+                                   }
+                               }};
   const num::Stopwatch watch;
   for (std::size_t done = 0; done < n; done += piece.size())
     chain.push(std::span{piece}.first(std::min(piece.size(), n - done)));
@@ -66,19 +66,19 @@ double baseline_rate(const std::vector<double>& x, const std::vector<double>& ta
 }
 
 void say(report::Item& item) {
-  const signal::GeometryChain chain{{}, [](auto, auto) {}};
+  const filters::GeometryChain chain{{}, [](auto, auto) {}};
   item.value("stream-year", 70000 * units::mile / units::foot, "", "{:.3g}");
-  item.value("stream-block", static_cast<double>(signal::GeometryChainOptions{}.block), "",
+  item.value("stream-block", static_cast<double>(filters::GeometryChainOptions{}.block), "",
              "{:.0f}");
   item.value("stream-history", static_cast<double>(2 * chain.reach()), "", "{:.0f}");
   item.value("stream-history-half", static_cast<double>(chain.reach()), "", "{:.0f}");
   item.value("stream-window", static_cast<double>(2 * chain.reach() + 1), "", "{:.0f}");
-  item.value("stream-taps", static_cast<double>(signal::high_pass_taps({}).size()), "", "{:.0f}");
+  item.value("stream-taps", static_cast<double>(filters::high_pass_taps({}).size()), "", "{:.0f}");
 }
 
 void streaming(report::Item& item) {
   const std::vector<double> piece = in_metres(composite_input(65536));
-  const auto taps = signal::high_pass_taps({});
+  const auto taps = filters::high_pass_taps({});
   std::vector<std::size_t> lengths{100'000, 1'000'000};
   if (item.timings() || item.full()) lengths.insert(lengths.end(), {10'000'000, 100'000'000});
   item.expect_checks(static_cast<int>(2 * lengths.size()));
@@ -123,4 +123,4 @@ void add_streaming(report::Chapter& chapter) {
   chapter.table("streaming", "Rate and memory of the stream", streaming);
 }
 
-}  // namespace railbook::filters
+}  // namespace railbook::filters_chapter

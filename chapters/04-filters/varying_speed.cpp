@@ -26,12 +26,12 @@ the exact one without the slope: the missing slope is most of the error. With it
 #include <vector>
 
 #include "configuration.hpp"
+#include "filters/geometry_chain.hpp"
+#include "filters/hybrid_filter.hpp"
 #include "items.hpp"
 #include "num/dopri5.hpp"
-#include "signal/geometry_chain.hpp"
-#include "signal/hybrid_filter.hpp"
 
-namespace railbook::filters {
+namespace railbook::filters_chapter {
 namespace {
 
 struct Run {
@@ -71,7 +71,7 @@ struct Samples {
   std::vector<double> T, y;
 };
 Samples measure(const Run& run, bool pitching) {
-  const signal::SecondOrderLowPass f{acceleration_corner, 1};
+  const filters::SecondOrderLowPass f{acceleration_corner, 1};
   const auto rate = [&](double t, const Eigen::Vector2d& y, Eigen::Vector2d& dy) {
     const double v = run.from + run.rate * t, x = run.from * t + 0.5 * run.rate * t * t;
     const double a = v * v * bend(x) + (pitching ? 0 : run.rate * slope(x, run.grade));
@@ -97,7 +97,7 @@ Samples measure(const Run& run, bool pitching) {
 
 // RMS error of the 62-ft chord, mm.
 double chord_error(const Run& run, const Samples& samples, bool local, bool with_slope) {
-  signal::SecondOrderHybrid g{{acceleration_corner, 1}, {.local = local}};
+  filters::SecondOrderHybrid g{{acceleration_corner, 1}, {.local = local}};
   std::vector<double> error;
   for (std::size_t k = 0; k < samples.y.size(); ++k) {
     const auto u = g.push(samples.y[k], samples.T[k]);
@@ -105,10 +105,10 @@ double chord_error(const Run& run, const Samples& samples, bool local, bool with
     const double x = static_cast<double>(k) * sample_distance;  // of the sample before: the middle
     const double z = height(x, run.grade), before = height(x - sample_distance, run.grade);
     const double truth = z - 0.5 * (before + height(x + sample_distance, run.grade));
-    const signal::TwoIntervals used{u.mean, local ? u.T_after : u.T_before, u.T_after};
-    error.push_back(signal::short_chord(used, with_slope ? z - before : 0) - truth);
+    const filters::TwoIntervals used{u.mean, local ? u.T_after : u.T_before, u.T_after};
+    error.push_back(filters::short_chord(used, with_slope ? z - before : 0) - truth);
   }
-  const auto chord = signal::geometry(error).chord;
+  const auto chord = filters::geometry(error).chord;
   double square = 0, count = 0;
   for (const double m : chord)
     if (!std::isnan(m)) square += m * m, count += 1;
@@ -147,4 +147,4 @@ void add_varying_speed(report::Chapter& chapter) {
                 varying_speed);
 }
 
-}  // namespace railbook::filters
+}  // namespace railbook::filters_chapter

@@ -46,32 +46,30 @@ linear in what is estimated, $A$ and the power of the line, its error and so the
 
 #include "items.hpp"
 #include "num/roots.hpp"
-#include "signal/classify.hpp"
+#include "spectra/classify.hpp"
 
-namespace psd {
-
-using namespace railbook;
+namespace railbook::psd_chapter {
 
 namespace {
 
 constexpr double mm = units::millimetre, km = units::kilometre;
-const signal::ClassRule paper_rule{.chord = 19.0};
+const spectra::ClassRule paper_rule{.chord = 19.0};
 
 }  // namespace
 
-signal::SyntheticTrack synthetic(const signal::TrackParameters& track, std::uint64_t seed) {
+spectra::SyntheticTrack synthetic(const spectra::TrackParameters& track, std::uint64_t seed) {
   return {.seed = seed,
           .A = track.A,
           .phi_c = track.phi_c,
           .rail_length = 39 * units::foot,  // of all zones: the 9.2 m of zone 12 are in doubt
-          .dip = signal::convert_dip(track.B, signal::LineConvention::printed,
-                                     signal::LineConvention::exact_one_sided)};
+          .dip = spectra::convert_dip(track.B, spectra::LineConvention::printed,
+                                      spectra::LineConvention::exact_one_sided)};
 }
 
-signal::Spectrum record_spectrum(const signal::SyntheticTrack& track, double length,
-                                 const signal::WelchOptions& options) {
-  signal::TrackGenerator generator{track};
-  signal::Welch welch{track.spacing, options};
+spectra::Spectrum record_spectrum(const spectra::SyntheticTrack& track, double length,
+                                  const spectra::WelchOptions& options) {
+  spectra::TrackGenerator generator{track};
+  spectra::Welch welch{track.spacing, options};
   std::vector<double> piece(1 << 15);
   auto left = static_cast<std::size_t>(length / track.spacing);
   while (left > 0) {
@@ -101,7 +99,7 @@ struct Scatter {
 
 struct Loop {
   Scatter A, phi_c, B, Q, d;  // A, phi_c and Q as shares of what was put in; B, d in m
-  std::array<int, signal::classes + 1> counts{};
+  std::array<int, spectra::classes + 1> counts{};
 };
 
 Loop closed_loop(const Zone& zone, double length, int records) {
@@ -110,12 +108,12 @@ Loop closed_loop(const Zone& zone, double length, int records) {
   for (int r = 0; r < records; ++r) {
     const auto seed = 1000 * std::stoul(zone.name) + static_cast<std::uint64_t>(r);
     const auto fit =
-        signal::fit_track_spectrum(record_spectrum(synthetic(zone.track, seed), length, {}));
+        spectra::fit_track_spectrum(record_spectrum(synthetic(zone.track, seed), length, {}));
     loop.A.add(fit.A.value / zone.track.A, fit.A.error / zone.track.A);
     loop.phi_c.add(fit.phi_c.value / zone.track.phi_c, fit.phi_c.error / zone.track.phi_c);
     loop.B.add(fit.B_printed.value, fit.B_printed.error);
     loop.Q.add(fit.Q_1.value / Q_1, fit.Q_1.error / Q_1);
-    const auto result = signal::classify(fit.A.value, fit.B_printed.value, paper_rule);
+    const auto result = spectra::classify(fit.A.value, fit.B_printed.value, paper_rule);
     loop.d.add(result.deviation, 0);
     ++loop.counts[static_cast<std::size_t>(result.track_class)];
   }
@@ -139,9 +137,9 @@ const std::vector<Loop>& loops(const std::vector<Zone>& all, const Plan& plan) {
   return result;
 }
 
-std::string counted(const std::array<int, signal::classes + 1>& counts) {
+std::string counted(const std::array<int, spectra::classes + 1>& counts) {
   std::string text;
-  for (int m = signal::classes; m >= 0; --m)
+  for (int m = spectra::classes; m >= 0; --m)
     if (const int n = counts[static_cast<std::size_t>(m)]; n > 0)
       text += fmt::format("{}{} × {}", text.empty() ? "" : ", ", n, m);
   return text;
@@ -206,19 +204,19 @@ void table_closed_loop(report::Item& item) {
 lines as the window shows them, goes through the estimator as a record of 500 km, and errors grow with the root of the number of
 segments that a shorter record lacks.
 */
-const signal::SpectrumFit& long_fit(const Zone& zone, double length) {
-  static std::map<std::string, signal::SpectrumFit> done;
+const spectra::SpectrumFit& long_fit(const Zone& zone, double length) {
+  static std::map<std::string, spectra::SpectrumFit> done;
   if (const auto known = done.find(zone.name); known != done.end()) return known->second;
-  signal::SyntheticTrack joints = synthetic(zone.track, 1);
+  spectra::SyntheticTrack joints = synthetic(zone.track, 1);
   joints.A = 0;
-  signal::Spectrum expected = record_spectrum(joints, length, {});
-  const signal::TrackParameters random{.A = zone.track.A, .phi_c = zone.track.phi_c};
+  spectra::Spectrum expected = record_spectrum(joints, length, {});
+  const spectra::TrackParameters random{.A = zone.track.A, .phi_c = zone.track.phi_c};
   for (Eigen::Index k = 1; k < expected.density.size(); ++k)
-    expected.density[k] += signal::random_psd(random, expected.frequency(k));
-  return done[zone.name] = signal::fit_track_spectrum(expected);
+    expected.density[k] += spectra::random_psd(random, expected.frequency(k));
+  return done[zone.name] = spectra::fit_track_spectrum(expected);
 }
 
-signal::SpectrumFit expected_fit(const Zone& zone, double length) {
+spectra::SpectrumFit expected_fit(const Zone& zone, double length) {
   const double long_record = 500 * km, hop = 2048 * units::foot;
   auto fit = long_fit(zone, long_record);
   const double growth = (long_record - hop) / (length - hop);  // of the variances
@@ -273,7 +271,7 @@ void fig_class(report::Item& item) {
   for (const char* name : {"7", "10", "12"}) {
     const Zone& zone = zone_named(all, name);
     for (const double length : lengths()) {
-      const auto p = signal::class_probabilities(expected_fit(zone, length), paper_rule);
+      const auto p = spectra::class_probabilities(expected_fit(zone, length), paper_rule);
       odds.add(name, length / km, p[2], p[3], p[4], p[5]);
     }
     odds.gap();
@@ -298,4 +296,4 @@ void add_accuracy(report::Chapter& chapter) {
   chapter.figure("fig-class", "Odds of the class against the length of the record", fig_class);
 }
 
-}  // namespace psd
+}  // namespace railbook::psd_chapter

@@ -20,13 +20,11 @@ tried up to there, {{chords-found}} read 0.99 on both rails.
 #include <cmath>
 
 #include "items.hpp"
-#include "signal/chord.hpp"
-#include "signal/rail_line.hpp"
+#include "spectra/chord.hpp"
+#include "spectra/rail_line.hpp"
 #include "units/constants.hpp"
 
-namespace psd {
-
-using namespace railbook;
+namespace railbook::psd_chapter {
 
 namespace {
 
@@ -36,9 +34,9 @@ double largest_offset(double chord, double rail) {
   constexpr int positions = 20000;
   for (int i = 0; i < positions; ++i) {
     const double x = rail * i / positions;
-    const double ends = signal::rectified_sine(x - chord / 2, rail, 1.0) +
-                        signal::rectified_sine(x + chord / 2, rail, 1.0);
-    most = std::max(most, std::abs(signal::rectified_sine(x, rail, 1.0) - ends / 2));
+    const double ends = spectra::rectified_sine(x - chord / 2, rail, 1.0) +
+                        spectra::rectified_sine(x + chord / 2, rail, 1.0);
+    most = std::max(most, std::abs(spectra::rectified_sine(x, rail, 1.0) - ends / 2));
   }
   return most;
 }
@@ -53,7 +51,7 @@ bool prints_as(double sensitivity, double text) {
 void prove_misprints(report::Item& item) {
   const double step = 0.001;
   const auto reads_099 = [](double half_ft, double rail_ft) {
-    return prints_as(signal::rail_chord_sensitivity(2 * half_ft, rail_ft), 0.99);
+    return prints_as(spectra::rail_chord_sensitivity(2 * half_ft, rail_ft), 0.99);
   };
   double up = 17.0;
   while (!reads_099(up, 39.0)) up += step;
@@ -70,7 +68,7 @@ void prove_misprints(report::Item& item) {
 
 /*** Feet, metres, and the largest offset found by trying: */
 void table_2(report::Item& item) {
-  const report::CsvTable printed = item.printed("table-2.csv");
+  const table::CsvTable printed = item.printed("table-2.csv");
   item.expect_checks(static_cast<int>(printed.rows.size()));
   item.columns({"chord, ft", "rail, ft", "printed", "feet", "printed metres", "brute force, feet"});
   for (std::size_t i = 0; i < printed.rows.size(); ++i) {
@@ -79,9 +77,9 @@ void table_2(report::Item& item) {
     };
     const double chord = number("chord_ft") * units::foot;
     const double rail = number("rail_ft") * units::foot;
-    const double computed = signal::rail_chord_sensitivity(chord, rail);
+    const double computed = spectra::rail_chord_sensitivity(chord, rail);
     const double brute_force = largest_offset(chord, rail);
-    const double metric = signal::rail_chord_sensitivity(number("chord_m"), number("rail_m"));
+    const double metric = spectra::rail_chord_sensitivity(number("chord_m"), number("rail_m"));
     item.add_row({printed.at(i, "chord_ft"), printed.at(i, "rail_ft"), printed.at(i, "printed"),
                   fmt::format("{:.4f}", computed), fmt::format("{:.4f}", metric),
                   fmt::format("{:.4f}", brute_force)});
@@ -98,7 +96,7 @@ void table_2(report::Item& item) {
     }
   }
   const auto sees = [](double rail_ft) {
-    return 100 * signal::rail_chord_sensitivity(62.0, rail_ft);
+    return 100 * spectra::rail_chord_sensitivity(62.0, rail_ft);
   };
   item.value("sees-39", sees(39), "%", "{:.0f}");
   item.value("sees-30", sees(30), "%", "{:.0f}");
@@ -108,28 +106,29 @@ void table_2(report::Item& item) {
 /*** Figure 10 is drawn from the same numbers: */
 // The rectified sine about a joint, and both chords with their middle on it.
 void fig_10(report::Item& item) {
-  const report::CsvTable printed = item.printed("equations.csv");
+  const table::CsvTable printed = item.printed("equations.csv");
   item.expect_checks(2);
   const double rail = 39 * units::foot;
   report::Data& profile = item.data({"x_m", "z_over_B"});
   for (int i = -600; i <= 600; ++i) {
     const double x = 12.0 * i / 600;
-    profile.add(x, signal::rectified_sine(x, rail, 1.0));
+    profile.add(x, spectra::rectified_sine(x, rail, 1.0));
   }
   report::Data& ends = item.data("ends", {"x_m", "short", "long"});
   report::Data& offset = item.data("offset", {"x_m", "z_over_B"});
   const double none = std::nan("");
   const double short_half = 15.5 * units::foot;
   const double long_half = 31 * units::foot;
-  const double short_height = signal::rectified_sine(short_half, rail, 1.0);
-  const double long_height = signal::rectified_sine(long_half, rail, 1.0);
+  const double short_height = spectra::rectified_sine(short_half, rail, 1.0);
+  const double long_height = spectra::rectified_sine(long_half, rail, 1.0);
   for (const double side : {-1.0, 1.0}) ends.add(side * short_half, short_height, none);
   for (const double side : {-1.0, 1.0}) ends.add(side * long_half, none, long_height);
   offset.add(-0.15, short_height);
   offset.add(0.15, long_height);
   item.row(printed, "mco-9.5")
-      .check("printed", signal::rail_chord_sensitivity(2 * short_half, rail));
-  item.row(printed, "mco-19").check("printed", signal::rail_chord_sensitivity(2 * long_half, rail));
+      .check("printed", spectra::rail_chord_sensitivity(2 * short_half, rail));
+  item.row(printed, "mco-19")
+      .check("printed", spectra::rail_chord_sensitivity(2 * long_half, rail));
 }
 
 }  // namespace
@@ -139,4 +138,4 @@ void add_chord_table(report::Chapter& chapter) {
   chapter.table("table-2", "Table 2. Chord sensitivity to a rectified sine", table_2);
 }
 
-}  // namespace psd
+}  // namespace railbook::psd_chapter

@@ -29,13 +29,11 @@ The paper's two probabilities for three sigma, 0.99 for a normal offset (exactly
 
 #include "items.hpp"
 #include "num/quadrature.hpp"
-#include "signal/chord.hpp"
-#include "signal/rail_line.hpp"
-#include "signal/synthetic_track.hpp"
+#include "spectra/chord.hpp"
+#include "spectra/rail_line.hpp"
+#include "spectra/synthetic_track.hpp"
 
-namespace psd {
-
-using namespace railbook;
+namespace railbook::psd_chapter {
 
 namespace {
 
@@ -49,13 +47,13 @@ struct Offsets {
   double beyond = 0;
 };
 Offsets monte_carlo(double phi_c, double chord, std::size_t samples, std::uint64_t seed) {
-  signal::SyntheticTrack track;
+  spectra::SyntheticTrack track;
   track.seed = seed;
   track.A = A;
   track.phi_c = phi_c;
   const auto mco =
-      signal::mid_chord_offsets(signal::synthesize(track, samples), track.spacing, chord).offset;
-  const double limit = 3 * signal::chord_sigma(A, chord);
+      spectra::mid_chord_offsets(spectra::synthesize(track, samples), track.spacing, chord).offset;
+  const double limit = 3 * spectra::chord_sigma(A, chord);
   double square = 0.0;
   double beyond = 0.0;
   for (const double m : mco) {
@@ -67,14 +65,14 @@ Offsets monte_carlo(double phi_c, double chord, std::size_t samples, std::uint64
 }
 
 double ratio(double phi_c, double chord) {
-  return signal::chord_sigma({.A = A, .phi_c = phi_c}, chord) / signal::chord_sigma(A, chord);
+  return spectra::chord_sigma({.A = A, .phi_c = phi_c}, chord) / spectra::chord_sigma(A, chord);
 }
 
 /*** Equation (8) once more without its closed form, and the table: */
 // The integral of (8) without its closed form: lobe by lobe, the rest with the mean 3/2 of the squared gain.
 double sigma_by_quadrature(double chord) {
   const auto integrand = [&](double phi) {
-    const double gain = signal::chord_gain(chord, phi);
+    const double gain = spectra::chord_gain(chord, phi);
     return gain * gain * A / (phi * phi);
   };
   constexpr int lobes = 400;
@@ -93,12 +91,12 @@ void equation_8(report::Item& item) {
   item.expect_checks(3 + static_cast<int>(corners.size()));
   item.columns({"corner φ<sub>c</sub>, cycle/m", "σ/(8), 9.5-m chord", "σ/(8), 19-m chord",
                 "Monte Carlo, 19-m", "share beyond 3σ"});
-  item.agree("sigma", "(8) for the 62-ft chord", "m", signal::chord_sigma(A, long_chord),
+  item.agree("sigma", "(8) for the 62-ft chord", "m", spectra::chord_sigma(A, long_chord),
              sigma_by_quadrature(long_chord), 1e-6, "quadrature");
   std::uint64_t seed = 0;
   for (const double phi_c : corners) {
     const Offsets offsets = monte_carlo(phi_c, long_chord, samples, ++seed);
-    const double measured = offsets.sigma / signal::chord_sigma(A, long_chord);
+    const double measured = offsets.sigma / spectra::chord_sigma(A, long_chord);
     item.add_row({fmt::format("{:.2f}", phi_c), fmt::format("{:.4f}", ratio(phi_c, short_chord)),
                   fmt::format("{:.4f}", ratio(phi_c, long_chord)), fmt::format("{:.4f}", measured),
                   fmt::format("{:.4f}", offsets.beyond)});
@@ -113,7 +111,7 @@ void equation_8(report::Item& item) {
   item.value("equation-8-length", static_cast<double>(samples) * units::foot / units::kilometre,
              "km", "{:.0f}");
 
-  const report::CsvTable printed = item.printed("equations.csv");
+  const table::CsvTable printed = item.printed("equations.csv");
   const double normal = std::erf(3 / std::sqrt(2.0));
   item.value("three-sigma", 1 - normal, "", "{:.4f}");
   item.row(printed, "normal").check("printed", normal, report::absolute(0.01, "cut, not rounded"));
@@ -133,4 +131,4 @@ void add_chords(report::Chapter& chapter) {
   add_chord_table(chapter);
 }
 
-}  // namespace psd
+}  // namespace railbook::psd_chapter

@@ -45,50 +45,49 @@ the line and welded track to the left, holds for {{jointed-right}} of 6 jointed 
 
 #include "items.hpp"
 #include "num/quadrature.hpp"
-#include "signal/chord.hpp"
-#include "signal/classify.hpp"
+#include "spectra/chord.hpp"
+#include "spectra/classify.hpp"
+#include "units/input_error.hpp"
 
-namespace psd {
-
-using namespace railbook;
+namespace railbook::psd_chapter {
 
 namespace {
 
 constexpr double mm = units::millimetre;
-const signal::ClassRule paper_rule{.chord = 19.0};
+const spectra::ClassRule paper_rule{.chord = 19.0};
 
 // The rule with another coefficient of A.
-signal::ClassRule with_coefficient(double k) {
-  signal::ClassRule rule = paper_rule;
+spectra::ClassRule with_coefficient(double k) {
+  spectra::ClassRule rule = paper_rule;
   rule.alpha = 1;
-  rule.alpha = std::sqrt(k / signal::random_coefficient(rule));
+  rule.alpha = std::sqrt(k / spectra::random_coefficient(rule));
   return rule;
 }
 
 // "5+" is class 5.
-int printed_class(const report::CsvTable& table_3, const std::string& zone) {
+int printed_class(const table::CsvTable& table_3, const std::string& zone) {
   return table_3.at(zone, "class")[0] - '0';
 }
 
-int class_of(const Zone& zone, const signal::ClassRule& rule) {
-  return signal::classify(zone.track.A, zone.track.B, rule).track_class;
+int class_of(const Zone& zone, const spectra::ClassRule& rule) {
+  return spectra::classify(zone.track.A, zone.track.B, rule).track_class;
 }
 
 /*** The allowed range of $k$ follows from the limits in closed form. It is found again by trying: the classes of all zones are
 counted while $k$ moves, and the ends are bisected.
 */
-signal::CoefficientRange common_range(const std::vector<Zone>& all,
-                                      const report::CsvTable& table_3) {
-  signal::CoefficientRange common{0, units::no_limit};
+spectra::CoefficientRange common_range(const std::vector<Zone>& all,
+                                       const table::CsvTable& table_3) {
+  spectra::CoefficientRange common{0, units::no_limit};
   for (const Zone& zone : all) {
-    const auto range = signal::coefficient_range(zone.track.A, zone.track.B,
-                                                 printed_class(table_3, zone.name), paper_rule);
+    const auto range = spectra::coefficient_range(zone.track.A, zone.track.B,
+                                                  printed_class(table_3, zone.name), paper_rule);
     common = {std::max(common.low, range.low), std::min(common.high, range.high)};
   }
   return common;
 }
 
-int zones_as_printed(const std::vector<Zone>& all, const report::CsvTable& table_3, double k) {
+int zones_as_printed(const std::vector<Zone>& all, const table::CsvTable& table_3, double k) {
   int count = 0;
   for (const Zone& zone : all)
     count += class_of(zone, with_coefficient(k)) == printed_class(table_3, zone.name) ? 1 : 0;
@@ -96,7 +95,7 @@ int zones_as_printed(const std::vector<Zone>& all, const report::CsvTable& table
 }
 
 // Between `wrong` and `right` the count of zones as printed becomes complete.
-double end_by_bisection(const std::vector<Zone>& all, const report::CsvTable& table_3, double wrong,
+double end_by_bisection(const std::vector<Zone>& all, const table::CsvTable& table_3, double wrong,
                         double right) {
   const int every = static_cast<int>(all.size());
   for (int i = 0; i < 60; ++i) {
@@ -107,13 +106,13 @@ double end_by_bisection(const std::vector<Zone>& all, const report::CsvTable& ta
 }
 
 void table_3(report::Item& item) {
-  const report::CsvTable printed = item.printed("table-3.csv");
+  const table::CsvTable printed = item.printed("table-3.csv");
   const auto all = zones(item.printed("table-1.csv"));
   item.expect_checks(static_cast<int>(all.size()));
   item.columns({"zone", "3σ, mm", "2B, mm", "d, mm", "class limit, mm", "d / limit", "class",
                 "class printed", "railroad's class (km/h)"});
   for (const Zone& zone : all) {
-    const auto result = signal::classify(zone.track.A, zone.track.B, paper_rule);
+    const auto result = spectra::classify(zone.track.A, zone.track.B, paper_rule);
     const std::string& paper = printed.at(zone.name, "class");
     const double limit = result.deviation / (1 - result.margin);
     if (zone.name == "12") {
@@ -135,9 +134,9 @@ void table_3(report::Item& item) {
                               printed.at(zone.name, "railroad_kmh"))});
   }
   const auto& z = all.at(11).track;
-  const auto borderline = signal::classify(z.A, z.B, paper_rule);
+  const auto borderline = spectra::classify(z.A, z.B, paper_rule);
   const auto deviation = [](double A, double B) {
-    return signal::design_deviation(A, B, paper_rule) / mm;
+    return spectra::design_deviation(A, B, paper_rule) / mm;
   };
   item.value("zone-12-d", borderline.deviation / mm, "mm", "{:.1f}");
   item.value("zone-12-limit", paper_rule.limits[2] / mm, "mm", "{:.2f}");
@@ -152,17 +151,18 @@ double variance_by_quadrature(double chord) {
   double variance = 1.5 * chord / (2.0 * periods);
   for (int i = 0; i < periods; ++i)
     variance += num::integrate(
-                    [&](double phi) { return std::pow(signal::chord_gain(chord, phi) / phi, 2); },
+                    [&](double phi) { return std::pow(spectra::chord_gain(chord, phi) / phi, 2); },
                     i * 2 / chord, (i + 1) * 2 / chord)
                     .value;
   return variance;
 }
 
 void table_k(report::Item& item) {
-  const report::CsvTable readings = item.printed("coefficients.csv");
-  const report::CsvTable table_3 = item.printed("table-3.csv");
+  const table::CsvTable readings = item.printed("coefficients.csv");
+  const table::CsvTable table_3 = item.printed("table-3.csv");
   const auto all = zones(item.printed("table-1.csv"));
-  const double k_19 = signal::random_coefficient(paper_rule), k_62 = signal::random_coefficient({});
+  const double k_19 = spectra::random_coefficient(paper_rule),
+               k_62 = spectra::random_coefficient({});
   const auto range = common_range(all, table_3);
   const double middle = 0.5 * (range.low + range.high);
   item.expect_checks(4);
@@ -191,18 +191,18 @@ void table_k(report::Item& item) {
   item.value("k-62", k_62, "m", "{:.2f}");
   item.value("k-low", range.low, "m", "{:.0f}");
   item.value("k-high", range.high, "m", "{:.0f}");
-  item.value("normal-share", 1 - signal::normal_exceedance(3), "", "{:.4f}");
-  item.value("chebyshev-share", 1 - signal::chebyshev_exceedance(3), "", "{:.4f}");
+  item.value("normal-share", 1 - spectra::normal_exceedance(3), "", "{:.4f}");
+  item.value("chebyshev-share", 1 - spectra::chebyshev_exceedance(3), "", "{:.4f}");
 }
 
 // A along the curve d = D, for a dip B; negative beyond its end.
 double roughness_at(double D, double B) {
-  return (D * D - std::pow(paper_rule.gamma * B, 2)) / signal::random_coefficient(paper_rule);
+  return (D * D - std::pow(paper_rule.gamma * B, 2)) / spectra::random_coefficient(paper_rule);
 }
 
 void fig_11(report::Item& item) {
   auto& limits = item.data({"class", "B_mm", "A_m2_cycle_per_m"});
-  for (int m = 1; m <= signal::classes; ++m) {
+  for (int m = 1; m <= spectra::classes; ++m) {
     const double D = paper_rule.limits[static_cast<std::size_t>(m - 1)], end = D / paper_rule.gamma;
     // Dense towards the end, where the curve falls to zero.
     limits.add(m, 0.4, roughness_at(D, 0.4 * mm));
@@ -213,12 +213,12 @@ void fig_11(report::Item& item) {
     limits.gap();
   }
   auto& zone_points = item.data("zones", {"zone", "B_mm", "A_m2_cycle_per_m", "jointed"});
-  const report::CsvTable table_1 = item.printed("table-1.csv");
+  const table::CsvTable table_1 = item.printed("table-1.csv");
   int jointed_right = 0, welded_left = 0;
   for (const Zone& zone : zones(table_1)) {
     const bool jointed = table_1.at(zone.name, "comment").find("joint") != std::string::npos;
     zone_points.add(zone.name, zone.track.B / mm, zone.track.A, jointed ? 1.0 : 0.0);
-    const auto d = signal::classify(zone.track.A, zone.track.B, paper_rule);
+    const auto d = spectra::classify(zone.track.A, zone.track.B, paper_rule);
     jointed_right += jointed && d.periodic > d.random ? 1 : 0;
     welded_left += !jointed && d.periodic < d.random ? 1 : 0;
   }
@@ -226,9 +226,9 @@ void fig_11(report::Item& item) {
   item.value("welded-left", welded_left, "", "{:.0f}");
   auto& equal = item.data("equal", {"B_mm", "A_m2_cycle_per_m"});
   for (double B = 0.2 * mm; B < 60 * mm; B *= 1.1)
-    equal.add(B / mm, std::pow(paper_rule.gamma * B, 2) / signal::random_coefficient(paper_rule));
+    equal.add(B / mm, std::pow(paper_rule.gamma * B, 2) / spectra::random_coefficient(paper_rule));
   auto& labels = item.data("labels", {"class", "B_mm", "A_m2_cycle_per_m"});
-  for (int m = 1; m <= signal::classes; ++m) {
+  for (int m = 1; m <= spectra::classes; ++m) {
     const double B = (m % 2 == 1 ? 0.56 : 0.72) * mm;  // staggered, so that they stay apart
     labels.add(m, B / mm, roughness_at(paper_rule.limits[static_cast<std::size_t>(m - 1)], B));
   }
@@ -246,4 +246,4 @@ void add_classes(report::Chapter& chapter) {
                  fig_11);
 }
 
-}  // namespace psd
+}  // namespace railbook::psd_chapter

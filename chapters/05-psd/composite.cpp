@@ -11,29 +11,27 @@ are the measured spectrum of {{fig-07-length}} of synthetic track.
 #include <vector>
 
 #include "items.hpp"
-#include "signal/rail_line.hpp"
+#include "spectra/rail_line.hpp"
 
-namespace psd {
-
-using namespace railbook;
+namespace railbook::psd_chapter {
 
 namespace {
 
 constexpr double rail = 39 * units::foot;
 
-signal::SyntheticTrack track_of(const Zone& zone) {
-  signal::SyntheticTrack track;
+spectra::SyntheticTrack track_of(const Zone& zone) {
+  spectra::SyntheticTrack track;
   track.spacing = units::foot / 4;  // at 1 ft the harmonics above the 19th fold onto the lower ones
   track.A = zone.track.A;
   track.phi_c = zone.track.phi_c;
-  track.dip = signal::convert_dip(zone.track.B, signal::LineConvention::printed,
-                                  signal::LineConvention::exact_one_sided);
+  track.dip = spectra::convert_dip(zone.track.B, spectra::LineConvention::printed,
+                                   spectra::LineConvention::exact_one_sided);
   return track;
 }
 
-double periodic(const std::vector<signal::Line>& lines, double phi, double df) {
+double periodic(const std::vector<spectra::Line>& lines, double phi, double df) {
   double density = 0.0;
-  for (const signal::Line& line : lines) density += line.power * hann_line(phi - line.phi, df);
+  for (const spectra::Line& line : lines) density += line.power * hann_line(phi - line.phi, df);
   return density;
 }
 
@@ -43,13 +41,13 @@ void fig_07(report::Item& item) {
   item.reconstructed(
       "the paper draws the sum without numbers; ours is zone 10 of Table 1, synthetic");
   const Zone zone = zones(item.printed("table-1.csv")).at(9);
-  const signal::SyntheticTrack track = track_of(zone);
+  const spectra::SyntheticTrack track = track_of(zone);
   const double length = item.full() ? 2500 * units::kilometre : 500 * units::kilometre;
-  const signal::Spectrum spectrum = record_spectrum(track, length, {.segment = 4096});
-  const auto lines = signal::modulated_lines(1 / rail, track.dip, 0.0, 0.0, 1.7);
+  const spectra::Spectrum spectrum = record_spectrum(track, length, {.segment = 4096});
+  const auto lines = spectra::modulated_lines(1 / rail, track.dip, 0.0, 0.0, 1.7);
   report::Data& curve = item.data({"phi_cycle_per_m", "S_random", "S_periodic", "S_composite"});
   for (double phi = 0.01; phi < 1.6; phi += std::min(0.002 * phi, 0.1 * spectrum.df)) {
-    const double random = signal::random_psd(zone.track, phi);
+    const double random = spectra::random_psd(zone.track, phi);
     const double line = periodic(lines, phi, spectrum.df);
     curve.add(phi, random, line, random + line);
   }
@@ -60,7 +58,8 @@ void fig_07(report::Item& item) {
   int bins = 0;
   for (Eigen::Index k = 4; spectrum.frequency(k) < 1.6; ++k) {
     const double phi = spectrum.frequency(k);
-    const double expected = signal::random_psd(zone.track, phi) + periodic(lines, phi, spectrum.df);
+    const double expected =
+        spectra::random_psd(zone.track, phi) + periodic(lines, phi, spectrum.df);
     points.add(phi, spectrum.density[k]);
     if (phi < 0.02 || phi > 1.2) continue;
     ratio += spectrum.density[k] / expected;
@@ -82,4 +81,4 @@ void add_composite(report::Chapter& chapter) {
   chapter.figure("fig-07", "Figure 7. Composite spectrum, linear and logarithmic", fig_07);
 }
 
-}  // namespace psd
+}  // namespace railbook::psd_chapter

@@ -49,13 +49,13 @@ transform, and its power is added to the average at once.
 #include "items.hpp"
 #include "num/fft.hpp"
 #include "num/stopwatch.hpp"
-#include "signal/spectrum_fit.hpp"
+#include "spectra/spectrum_fit.hpp"
 
-namespace psd {
+namespace railbook::psd_chapter {
 
 using namespace railbook;
-using signal::Detrend;
-using signal::Window;
+using spectra::Detrend;
+using spectra::Window;
 
 namespace {
 
@@ -67,11 +67,11 @@ Zone zone_7(const report::Item& item) {
 
 void fig_windows(report::Item& item) {
   const Zone zone = zone_7(item);
-  signal::SyntheticTrack track = synthetic(zone.track, 71);
+  spectra::SyntheticTrack track = synthetic(zone.track, 71);
   track.dip = 0;
   struct Estimator {
     std::string name;
-    signal::WelchOptions options;
+    spectra::WelchOptions options;
   };
   const std::vector<Estimator> estimators{
       {"boxcar-constant", {.window = Window::boxcar, .detrend = Detrend::constant}},
@@ -83,11 +83,11 @@ void fig_windows(report::Item& item) {
   auto& data = item.data({"window", "phi_cycle_per_m", "ratio"});
   for (const Estimator& e : estimators) {
     const auto spectrum = record_spectrum(track, item.full() ? 2000 * km : 200 * km, e.options);
-    const auto bands = signal::band_average(spectrum, 6, 0.005, 1.5);
+    const auto bands = spectra::band_average(spectrum, 6, 0.005, 1.5);
     double nearest = 1e9, at_1 = 0;
     for (Eigen::Index i = 0; i < bands.density.size(); ++i) {
       const double phi = bands.frequency[i];
-      const double ratio = bands.density[i] / signal::random_psd(zone.track, phi);
+      const double ratio = bands.density[i] / spectra::random_psd(zone.track, phi);
       data.add(e.name, phi, ratio);
       if (std::abs(phi - 1) < nearest) {
         nearest = std::abs(phi - 1);
@@ -117,7 +117,7 @@ Eigen::VectorXd whole_array_welch(std::span<const double> x, double spacing, std
     for (std::size_t i = 0; i < n; ++i)
       rows[s * n + i] -= mean + slope * (static_cast<double>(i) - centre);
   }
-  const Eigen::VectorXd w = signal::window_weights(Window::hann, static_cast<Eigen::Index>(n));
+  const Eigen::VectorXd w = spectra::window_weights(Window::hann, static_cast<Eigen::Index>(n));
   for (std::size_t s = 0; s < segments; ++s)
     for (std::size_t i = 0; i < n; ++i) rows[s * n + i] *= w[static_cast<Eigen::Index>(i)];
   num::RealFft fft{n};
@@ -137,23 +137,23 @@ Eigen::VectorXd whole_array_welch(std::span<const double> x, double spacing, std
 }
 
 // How wrong A is by the generator alone: its own density, free of scatter, through the estimator.
-double generator_error(const signal::SyntheticTrack& track, const signal::Spectrum& like) {
-  const signal::TrackGenerator generator{track};
-  signal::Spectrum own = like;
+double generator_error(const spectra::SyntheticTrack& track, const spectra::Spectrum& like) {
+  const spectra::TrackGenerator generator{track};
+  spectra::Spectrum own = like;
   own.averages = 1e9;
   for (Eigen::Index k = 1; k < own.density.size(); ++k)
     own.density[k] = generator.random_density(own.frequency(k));
-  return std::abs(signal::fit_track_spectrum(own).A.value / track.A - 1);
+  return std::abs(spectra::fit_track_spectrum(own).A.value / track.A - 1);
 }
 
 constexpr int records = 8;
 
 // The rms error of A over the records, put as a value: A (1 + rms).
-bench::Outcome outcome(const std::vector<signal::Spectrum>& spectra, std::size_t segment,
-                       const signal::FitOptions& options, double A) {
+bench::Outcome outcome(const std::vector<spectra::Spectrum>& spectra, std::size_t segment,
+                       const spectra::FitOptions& options, double A) {
   double squares = 0, points = 0;
   for (const auto& spectrum : spectra) {
-    const double found = signal::fit_track_spectrum(spectrum, options).A.value;
+    const double found = spectra::fit_track_spectrum(spectrum, options).A.value;
     squares += std::pow(found / A - 1, 2) / records;
     points += static_cast<double>(spectrum.segments * segment);
   }
@@ -164,20 +164,20 @@ bench::Outcome outcome(const std::vector<signal::Spectrum>& spectra, std::size_t
 void fig_cost(report::Item& item) {
   const Zone zone = zone_7(item);
   const double A = zone.track.A;
-  const signal::SyntheticTrack track = synthetic(zone.track, 72);
+  const spectra::SyntheticTrack track = synthetic(zone.track, 72);
   std::vector<double> lengths{5 * km, 20 * km, 80 * km};
   if (item.full()) lengths.push_back(320 * km);
   const auto samples = [](double length) { return static_cast<std::size_t>(length / units::foot); };
-  const auto all = signal::synthesize(track, records * samples(lengths.back()));
+  const auto all = spectra::synthesize(track, records * samples(lengths.back()));
   struct Way {
     std::string name;
-    signal::WelchOptions welch;
-    signal::FitOptions fit;
+    spectra::WelchOptions welch;
+    spectra::FitOptions fit;
     bool whole = false;
   };
   const std::vector<Way> ways{{"Hann", {}, {}},
                               {"512 samples", {.segment = 512}, {}},
-                              {"octave bands", {}, {.averaging = signal::Averaging::bands}},
+                              {"octave bands", {}, {.averaging = spectra::Averaging::bands}},
                               {"Hamming", {.window = Window::hamming}, {}},
                               {"no window", {.window = Window::boxcar}, {}},
                               {"whole array", {}, {}, true}};
@@ -187,15 +187,15 @@ void fig_cost(report::Item& item) {
     for (const double length : lengths) {
       const std::size_t n = samples(length);
       // The whole array gives densities only; the counts that go with them are taken from here.
-      const auto counts = signal::welch(std::span{all}.first(n), units::foot, way.welch);
+      const auto counts = spectra::welch(std::span{all}.first(n), units::foot, way.welch);
       const auto run = [&all, &way, counts, n, A] {
-        std::vector<signal::Spectrum> spectra(records, counts);
+        std::vector<spectra::Spectrum> spectra(records, counts);
         for (std::size_t r = 0; r < records; ++r) {
           const std::span record = std::span{all}.subspan(r * n, n);
           if (way.whole)
             spectra[r].density = whole_array_welch(record, units::foot, way.welch.segment);
           else
-            spectra[r] = signal::welch(record, units::foot, way.welch);
+            spectra[r] = spectra::welch(record, units::foot, way.welch);
         }
         return outcome(spectra, way.welch.segment, way.fit, A);
       };
@@ -203,7 +203,7 @@ void fig_cost(report::Item& item) {
     }
   }
   const double doubt =
-      generator_error(track, signal::welch(std::span{all}.first(8192), units::foot));
+      generator_error(track, spectra::welch(std::span{all}.first(8192), units::foot));
   const auto points =
       bench::measure("cost", {{"A", A, doubt}}, methods, item.timings(), item.full() ? 0.5 : 0.03);
   bench::show(item, points, "A");
@@ -240,13 +240,13 @@ void table_stream(report::Item& item) {
                 "streamed, memory beyond the input, MB", "whole array, MB"});
   for (const std::size_t n : sizes) {
     const std::string label = fmt::format("{:g}", static_cast<double>(n));
-    const auto record = signal::synthesize(synthetic(zone_7(item).track, 73), n);
+    const auto record = spectra::synthesize(synthetic(zone_7(item).track, 73), n);
     const int runs = n > 10'000'000 ? 1 : 5;
     Eigen::VectorXd streamed, whole;
     const double before = resident_megabytes();
     double memory = 0;
     const double fast = best_of(runs, [&] {
-      signal::Welch welch{units::foot};
+      spectra::Welch welch{units::foot};
       welch.push(record);
       memory =
           std::max(static_cast<double>(welch.state_bytes()) / 1e6, resident_megabytes() - before);
@@ -287,4 +287,4 @@ void add_cost(report::Chapter& chapter) {
   chapter.table("stream", "One segment at a time against the whole array", table_stream);
 }
 
-}  // namespace psd
+}  // namespace railbook::psd_chapter

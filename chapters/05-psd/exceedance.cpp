@@ -23,22 +23,20 @@ dip of 39-ft rail ({{sees-30}} of 30-ft rail, in zone 12); and the printed $B$ i
 #include <vector>
 
 #include "items.hpp"
-#include "signal/chord.hpp"
-#include "signal/classify.hpp"
-#include "signal/rail_line.hpp"
-#include "signal/synthetic_track.hpp"
+#include "spectra/chord.hpp"
+#include "spectra/classify.hpp"
+#include "spectra/rail_line.hpp"
+#include "spectra/synthetic_track.hpp"
 
-namespace psd {
-
-using namespace railbook;
+namespace railbook::psd_chapter {
 
 namespace {
 
 constexpr double chord = 62 * units::foot;
 
 // The zone as a track, its rail length taken in whole feet.
-signal::SyntheticTrack zone_track(const Zone& zone) {
-  signal::SyntheticTrack track = synthetic(zone.track, std::stoul(zone.name));
+spectra::SyntheticTrack zone_track(const Zone& zone) {
+  spectra::SyntheticTrack track = synthetic(zone.track, std::stoul(zone.name));
   track.rail_length = std::round(1 / zone.track.phi_0 / units::foot) * units::foot;
   return track;
 }
@@ -51,18 +49,18 @@ double share_beyond(double d, double sigma, double dip, double rail) {
   double share = 0.0;
   for (int i = 0; i < positions; ++i) {
     const double x = rail * (i + 0.5) / positions;
-    const double r = signal::rectified_sine(x, rail, dip) -
-                     0.5 * (signal::rectified_sine(x - chord / 2, rail, dip) +
-                            signal::rectified_sine(x + chord / 2, rail, dip));
+    const double r = spectra::rectified_sine(x, rail, dip) -
+                     0.5 * (spectra::rectified_sine(x - chord / 2, rail, dip) +
+                            spectra::rectified_sine(x + chord / 2, rail, dip));
     share += (beyond(d - r) + beyond(d + r)) / positions;
   }
   return share;
 }
 
 /*** And the count: */
-double counted_beyond(double d, signal::SyntheticTrack track, std::size_t samples) {
+double counted_beyond(double d, spectra::SyntheticTrack track, std::size_t samples) {
   const auto mco =
-      signal::mid_chord_offsets(signal::synthesize(track, samples), track.spacing, chord).offset;
+      spectra::mid_chord_offsets(spectra::synthesize(track, samples), track.spacing, chord).offset;
   const auto count =
       std::count_if(mco.begin(), mco.end(), [d](double m) { return std::abs(m) > d; });
   return static_cast<double>(count) / static_cast<double>(mco.size());
@@ -78,8 +76,8 @@ void exceedance(report::Item& item) {
   std::vector<double> shares;
   for (const Zone& zone : all) {
     const auto track = zone_track(zone);
-    const double d = signal::design_deviation(zone.track.A, zone.track.B);
-    const double sigma = signal::chord_sigma(zone.track, chord);
+    const double d = spectra::design_deviation(zone.track.A, zone.track.B);
+    const double sigma = spectra::chord_sigma(zone.track, chord);
     const double share = share_beyond(d, sigma, track.dip, track.rail_length);
     const double half = share_beyond(d / 2, sigma, track.dip, track.rail_length);
     const double counted = counted_beyond(d / 2, track, samples);
@@ -87,7 +85,7 @@ void exceedance(report::Item& item) {
     item.add_row(
         {zone.name, fmt::format("{:.1f}", 1e3 * d), fmt::format("{:.2f}", 1e3 * sigma),
          fmt::format("{:.2f}",
-                     1e3 * track.dip * signal::rail_chord_sensitivity(chord, track.rail_length)),
+                     1e3 * track.dip * spectra::rail_chord_sensitivity(chord, track.rail_length)),
          fmt::format("{:.1e}", share), fmt::format("{:.4f}", half),
          fmt::format("{:.4f}", counted)});
     // About one independent reading in half a chord.
@@ -96,7 +94,7 @@ void exceedance(report::Item& item) {
                4 / std::sqrt(half * readings), "the formula; four standard errors of counting");
   }
   const auto [least, most] = std::minmax_element(shares.begin(), shares.end());
-  const double normal = signal::normal_exceedance(3);
+  const double normal = spectra::normal_exceedance(3);
   item.value("exceedance-least", *least, "", "{:.0e}");
   item.value("exceedance-most", *most, "", "{:.0e}");
   item.value("exceedance-normal", normal, "", "{:.4f}");
@@ -113,4 +111,4 @@ void add_exceedance(report::Chapter& chapter) {
   chapter.table("exceedance", "Share of chord readings beyond the d of rule (9)", exceedance);
 }
 
-}  // namespace psd
+}  // namespace railbook::psd_chapter

@@ -41,14 +41,14 @@ about the track. Their product is immune: the power is the same in every row.
 #include <vector>
 
 #include "items.hpp"
-#include "signal/joint_dips.hpp"
-#include "signal/rail_line.hpp"
-#include "signal/spectrum_fit.hpp"
+#include "spectra/joint_dips.hpp"
+#include "spectra/rail_line.hpp"
+#include "spectra/spectrum_fit.hpp"
 
-namespace psd {
+namespace railbook::psd_chapter {
 
 using namespace railbook;
-using signal::LineConvention;
+using spectra::LineConvention;
 
 namespace {
 
@@ -65,29 +65,29 @@ $\rho$ alone; with $c = \cos\pi\beta l$ it is the root of $\rho^2-(4-2c)\rho+1 =
 depths. Their mean is made small, so that hardly any sharp line is left in the middle. (The shape of a dip, falling off with
 $\varphi$, skews the peak a little.)
 */
-signal::SyntheticTrack reconstructed_track(const Zone& zone) {
-  signal::SyntheticTrack track = synthetic(zone.track, 80 + std::stoul(zone.name));
+spectra::SyntheticTrack reconstructed_track(const Zone& zone) {
+  spectra::SyntheticTrack track = synthetic(zone.track, 80 + std::stoul(zone.name));
   track.rail_length = 1 / zone.track.phi_0;
   if (broad(zone)) {
     const double p = 2 - std::cos(units::pi * zone.beta * track.rail_length);
     track.dip_correlation = p - std::sqrt(p * p - 1);
     track.dip_scatter = 10;
-    const signal::JointDips unit{.rail_length = track.rail_length,
-                                 .dip = 1,
-                                 .scatter = track.dip_scatter,
-                                 .correlation = track.dip_correlation};
-    track.dip = std::sqrt(zone.C_1 / signal::joint_scatter_psd(unit, zone.track.phi_0));
+    const spectra::JointDips unit{.rail_length = track.rail_length,
+                                  .dip = 1,
+                                  .scatter = track.dip_scatter,
+                                  .correlation = track.dip_correlation};
+    track.dip = std::sqrt(zone.C_1 / spectra::joint_scatter_psd(unit, zone.track.phi_0));
   }
   return track;
 }
 
 struct Reading {
   Zone zone;
-  signal::Spectrum spectrum;
-  signal::SpectrumFit fit;
+  spectra::Spectrum spectrum;
+  spectra::SpectrumFit fit;
 };
 
-const std::vector<Reading>& readings(const report::CsvTable& table_1) {
+const std::vector<Reading>& readings(const table::CsvTable& table_1) {
   static const auto result = [&] {
     std::vector<Reading> made;
     for (const Zone& zone : zones(table_1)) {
@@ -97,7 +97,7 @@ const std::vector<Reading>& readings(const report::CsvTable& table_1) {
                                                   {.segment = paper_segment}),
                       .fit = {}};
       const double half_width = broad(zone) ? 0.035 : 0.02;
-      reading.fit = signal::fit_track_spectrum(
+      reading.fit = spectra::fit_track_spectrum(
           reading.spectrum, {.rail_length = 1 / zone.track.phi_0, .line_half_width = half_width});
       made.push_back(std::move(reading));
     }
@@ -106,13 +106,13 @@ const std::vector<Reading>& readings(const report::CsvTable& table_1) {
   return result;
 }
 
-const Reading& reading_of(const report::CsvTable& table_1, const std::string& zone) {
+const Reading& reading_of(const table::CsvTable& table_1, const std::string& zone) {
   const auto& all = readings(table_1);
   return *std::find_if(all.begin(), all.end(), [&](const auto& r) { return r.zone.name == zone; });
 }
 
 void fig_08(report::Item& item) {
-  const report::CsvTable table_1 = item.printed("table-1.csv");
+  const table::CsvTable table_1 = item.printed("table-1.csv");
   auto& measured = item.data({"zone", "phi_cycle_per_m", "S_m2_per_cycle_per_m"});
   auto& lines = item.data("lines", {"zone", "phi_cycle_per_m", "S_printed", "S_fitted"});
   auto& marks = item.data("marks", {"zone", "phi_cycle_per_m", "S_peak", "phi_c", "S_corner"});
@@ -123,10 +123,10 @@ void fig_08(report::Item& item) {
         measured.add(name, r.spectrum.frequency(k), r.spectrum.density[k]);
     measured.gap();
     for (double phi = 0.01; phi < 1.2; phi *= 1.05)
-      lines.add(name, phi, signal::random_psd(r.zone.track, phi),
+      lines.add(name, phi, spectra::random_psd(r.zone.track, phi),
                 std::exp(r.fit.regression.log_density(std::log(phi))));
     lines.gap();
-    const auto random = [&](double phi) { return signal::random_psd(r.zone.track, phi); };
+    const auto random = [&](double phi) { return spectra::random_psd(r.zone.track, phi); };
     marks.add(name, r.zone.track.phi_0, r.zone.C_1 + random(r.zone.track.phi_0), r.zone.track.phi_c,
               random(r.zone.track.phi_c));
   }
@@ -136,7 +136,7 @@ void fig_08(report::Item& item) {
 }
 
 void table_peaks(report::Item& item) {
-  const report::CsvTable table_1 = item.printed("table-1.csv");
+  const table::CsvTable table_1 = item.printed("table-1.csv");
   item.reconstructed("synthetic track; the printed parameters are what was put in");
   item.columns({"zone", "A printed", "A found", "φ<sub>c</sub> printed", "φ<sub>c</sub> found",
                 "C₁ printed", "C₁ found", "β printed", "width at half height", "Q₁/C₁",
@@ -158,16 +158,16 @@ void table_peaks(report::Item& item) {
 /*** The width of a pure line needs no Monte Carlo: equal joints, no roughness.
 */
 void table_resolution(report::Item& item) {
-  const report::CsvTable table_1 = item.printed("table-1.csv");
+  const table::CsvTable table_1 = item.printed("table-1.csv");
   const Zone zone = zones(table_1).at(6);
-  const double Q_1 = signal::line_power(1, zone.track.B, LineConvention::printed);
+  const double Q_1 = spectra::line_power(1, zone.track.B, LineConvention::printed);
   item.expect_checks(2);
   item.columns({"segment, ft", "bin, cycle/m", "width at half height", "Q₁/C₁", "C₁ of zone 7"});
   for (const std::size_t segment : {256U, 512U, 1024U, 4096U}) {
-    signal::SyntheticTrack joints = synthetic(zone.track, 1);
+    spectra::SyntheticTrack joints = synthetic(zone.track, 1);
     joints.A = 0;
     const auto spectrum = record_spectrum(joints, 20 * km, {.segment = segment});
-    const auto fit = signal::fit_track_spectrum(spectrum);
+    const auto fit = spectra::fit_track_spectrum(spectrum);
     item.add_row({std::to_string(segment), fmt::format("{:.5f}", spectrum.df),
                   fmt::format("{:.4f}", fit.half_width), fmt::format("{:.4f}", fit.beta),
                   fmt::format("{:.2e}", fit.C_1)});
@@ -181,18 +181,18 @@ void table_resolution(report::Item& item) {
 
 void fig_09(report::Item& item) {
   const Zone zone = zones(item.printed("table-1.csv")).at(6);
-  const double Q_1 = signal::line_power(1, zone.track.B, LineConvention::printed);
+  const double Q_1 = spectra::line_power(1, zone.track.B, LineConvention::printed);
   const double df = 1 / (static_cast<double>(paper_segment) * units::foot);
-  const double phi_0 = zone.track.phi_0, under = signal::random_psd(zone.track, phi_0);
+  const double phi_0 = zone.track.phi_0, under = spectra::random_psd(zone.track, phi_0);
   const double C_1 = Q_1 * hann_line(0, df), beta = Q_1 / C_1;
   auto& curve = item.data({"phi_cycle_per_m", "S_random", "S_total"});
   for (double phi = 0.055; phi < 0.1151; phi += 0.0002) {
-    const double random = signal::random_psd(zone.track, phi);
+    const double random = spectra::random_psd(zone.track, phi);
     curve.add(phi, random, random + Q_1 * hann_line(phi - phi_0, df));
   }
   auto& box = item.data("box", {"phi_cycle_per_m", "S"});
   for (const double side : {-0.5, 0.5}) {
-    const double foot = signal::random_psd(zone.track, phi_0 + side * beta);
+    const double foot = spectra::random_psd(zone.track, phi_0 + side * beta);
     box.add(phi_0 + side * beta, side < 0 ? foot : under + C_1);
     box.add(phi_0 + side * beta, side < 0 ? under + C_1 : foot);
   }
@@ -211,4 +211,4 @@ void add_extraction(report::Chapter& chapter) {
                 table_resolution);
 }
 
-}  // namespace psd
+}  // namespace railbook::psd_chapter

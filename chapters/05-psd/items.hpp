@@ -6,31 +6,31 @@
 #include <vector>
 
 #include "report/chapter.hpp"
-#include "signal/synthetic_track.hpp"
-#include "signal/track_spectrum.hpp"
-#include "signal/welch.hpp"
+#include "spectra/synthetic_track.hpp"
+#include "spectra/track_spectrum.hpp"
+#include "spectra/welch.hpp"
 
-namespace psd {
+namespace railbook::psd_chapter {
 
 // A row of Table 1. SI; B in the printed convention, as in TrackParameters.
 struct Zone {
   std::string name;  // "1" ... "13"
-  railbook::signal::TrackParameters track;
+  railbook::spectra::TrackParameters track;
   double C_1 = 0;   // peak of the line, m^2/(cycle/m)
   double beta = 0;  // its width at half of it, cycle/m
 };
-std::vector<Zone> zones(const railbook::report::CsvTable& table_1);
+std::vector<Zone> zones(const railbook::table::CsvTable& table_1);
 
 // The density (per cycle/m) of a line of unit power, `offset` from it, seen with a Hann window in bins `df`: the
 // square of sinc(u)/(1 - u^2), u = offset/df, scaled to the area one.
 double hann_line(double offset, double df);
 
 // A zone as a track to be synthesised, 39-ft rails, and the spectrum of the first `length` metres of a track.
-railbook::signal::SyntheticTrack synthetic(const railbook::signal::TrackParameters& track,
-                                           std::uint64_t seed);
-railbook::signal::Spectrum record_spectrum(const railbook::signal::SyntheticTrack& track,
-                                           double length,
-                                           const railbook::signal::WelchOptions& options);
+railbook::spectra::SyntheticTrack synthetic(const railbook::spectra::TrackParameters& track,
+                                            std::uint64_t seed);
+railbook::spectra::Spectrum record_spectrum(const railbook::spectra::SyntheticTrack& track,
+                                            double length,
+                                            const railbook::spectra::WelchOptions& options);
 
 // Each section adds its items and tools.
 void add_processes(railbook::report::Chapter& chapter);   // Figures 1 to 7, equations (1) to (5)
@@ -42,8 +42,6 @@ void add_exceedance(railbook::report::Chapter& chapter);  // rule (9) against ch
 void add_accuracy(railbook::report::Chapter& chapter);    // closed loop, record length
 void add_cost(railbook::report::Chapter& chapter);        // windows, error against run time
 void add_stability(railbook::report::Chapter& chapter);   // where the estimate holds
-void add_synthesize(railbook::report::Chapter& chapter);  // tool: a track record to order
-void add_classify(railbook::report::Chapter& chapter);    // tool: class of a track record
 
 // Parts of add_processes.
 void add_random_part(railbook::report::Chapter& chapter);
@@ -53,4 +51,4 @@ void add_composite(railbook::report::Chapter& chapter);
 // Part of add_chords.
 void add_chord_table(railbook::report::Chapter& chapter);
 
-}  // namespace psd
+}  // namespace railbook::psd_chapter

@@ -23,9 +23,9 @@ recompute all tables and figures; and the estimator runs on your own records (`p
 
 {{include: accuracy.cpp}}
 
-{{include: synthesize.cpp}}
 
-{{include: classify.cpp}}
+
+
 
 {{include: cost.cpp}}
 
@@ -72,7 +72,7 @@ so.
 * Fit the closed form of scattered dips to the neighbourhood of $\varphi_0$: it gives the spread of the dips and how far along the track they are
   alike, which (6) throws away, and would answer the paper's question about rock and roll.
 * Measure the ratio of the two sidebands. It tells a smooth envelope (the ground) from joints that react one by one (the bars).
-* Classify by the 31-ft chord, whose sensitivity to joints hardly depends on the rail: `signal::rail_chord_sensitivity` and a set of limits
+* Classify by the 31-ft chord, whose sensitivity to joints hardly depends on the rail: `spectra::rail_chord_sensitivity` and a set of limits
   are all it takes.
 * Make zone 12 of 30-ft rail, `psd synthesize --rail 30ft`, and see what the chord of the standard and the rule make of it.
 
@@ -90,16 +90,14 @@ int main(int argc, char** argv) {
                                               "by Power Spectral Density, Mechanics of "
                                               "Transportation Systems, ASME AMD vol. 15, 1975",
                                      .sources = RAILBOOK_CHAPTER_DIR}};
-  psd::add_processes(chapter);
-  psd::add_extraction(chapter);
-  psd::add_zones(chapter);
-  psd::add_chords(chapter);
-  psd::add_classes(chapter);
-  psd::add_exceedance(chapter);
-  psd::add_accuracy(chapter);
-  psd::add_cost(chapter);
-  psd::add_stability(chapter);
-  psd::add_synthesize(chapter);
-  psd::add_classify(chapter);
+  railbook::psd_chapter::add_processes(chapter);
+  railbook::psd_chapter::add_extraction(chapter);
+  railbook::psd_chapter::add_zones(chapter);
+  railbook::psd_chapter::add_chords(chapter);
+  railbook::psd_chapter::add_classes(chapter);
+  railbook::psd_chapter::add_exceedance(chapter);
+  railbook::psd_chapter::add_accuracy(chapter);
+  railbook::psd_chapter::add_cost(chapter);
+  railbook::psd_chapter::add_stability(chapter);
   return chapter.run(argc, argv);
 }

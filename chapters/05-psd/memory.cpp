@@ -24,13 +24,11 @@ continuum of cases, and one process alone can make most of it.
 
 #include "items.hpp"
 #include "num/fft.hpp"
-#include "signal/joint_dips.hpp"
-#include "signal/rail_line.hpp"
+#include "spectra/joint_dips.hpp"
+#include "spectra/rail_line.hpp"
 #include "units/constants.hpp"
 
-namespace psd {
-
-using namespace railbook;
+namespace railbook::psd_chapter {
 
 namespace {
 
@@ -43,11 +41,11 @@ void fig_06_curves(report::Data& curve) {
   const double dip = 10.0;  // mm
   for (int i = 0; i <= 1430; ++i) {
     const double x = 0.1 * i * units::foot * 3;  // one period of everything: 429 ft
-    const double old = -dip * (1 - signal::rectified_sine(x, old_rail, 1.0));
+    const double old = -dip * (1 - spectra::rectified_sine(x, old_rail, 1.0));
     const double fundamental =
-        -signal::line_strength(1, dip / 2, signal::LineConvention::exact_one_sided) *
+        -spectra::line_strength(1, dip / 2, spectra::LineConvention::exact_one_sided) *
         std::cos(2 * units::pi * x / old_rail);
-    const double fresh = -dip * (1 - signal::rectified_sine(x, new_rail, 1.0));
+    const double fresh = -dip * (1 - spectra::rectified_sine(x, new_rail, 1.0));
     const double envelope = 1 + modulation * std::cos(2 * units::pi * eps * x);
     curve.add(x, old, fundamental, fresh, fresh + fundamental, envelope * fresh, -dip * envelope);
   }
@@ -63,7 +61,7 @@ std::array<double, 2> staircase_sidebands() {
     const double x = length * static_cast<double>(i) / static_cast<double>(fft.size());
     const double joint = std::round(x / new_rail);
     const double depth = 1 + modulation * std::cos(2 * units::pi * joint * new_rail / old_rail);
-    fft.real()[i] = -depth * signal::dip_shape(x / new_rail - joint);
+    fft.real()[i] = -depth * spectra::dip_shape(x / new_rail - joint);
   }
   fft.forward();
   const auto power = [&](double phi) {
@@ -80,7 +78,7 @@ void fig_06(report::Item& item) {
       {"x_m", "old_mm", "fundamental_mm", "new_mm", "linear_mm", "nonlinear_mm", "envelope_mm"}));
   const auto [lower, upper] = staircase_sidebands();
   const auto formula = [](double phi) {
-    const double amplitude = modulation * signal::dip_transform(phi * new_rail);
+    const double amplitude = modulation * spectra::dip_transform(phi * new_rail);
     return amplitude * amplitude / 2;
   };
   const double low = formula(1 / new_rail - eps);
@@ -101,4 +99,4 @@ void add_memory(report::Chapter& chapter) {
   chapter.figure("fig-06", "Figure 6. Ballast memory: 33-ft rails under 39-ft rails", fig_06);
 }
 
-}  // namespace psd
+}  // namespace railbook::psd_chapter

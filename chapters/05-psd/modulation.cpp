@@ -24,14 +24,14 @@ second looks like a broadened peak, the first hardly. (The rest of both goes int
 #include <vector>
 
 #include "items.hpp"
-#include "signal/rail_line.hpp"
-#include "signal/synthetic_track.hpp"
-#include "signal/welch.hpp"
+#include "spectra/rail_line.hpp"
+#include "spectra/synthetic_track.hpp"
+#include "spectra/welch.hpp"
 
-namespace psd {
+namespace railbook::psd_chapter {
 
 using namespace railbook;
-using signal::LineConvention;
+using spectra::LineConvention;
 
 namespace {
 
@@ -41,15 +41,15 @@ const double eps = 1.0 / (33 * units::foot) - phi_0;  // equation (5)
 constexpr double dip = 0.010;
 constexpr double resolution = 1.0 / (4096 * units::foot);
 
-signal::SyntheticTrack uneven(double correlation) {
-  signal::SyntheticTrack track;
+spectra::SyntheticTrack uneven(double correlation) {
+  spectra::SyntheticTrack track;
   track.dip = dip;
   track.dip_scatter = 0.5;
   track.dip_correlation = correlation;
   return track;
 }
 
-signal::JointDips joints(double correlation) {
+spectra::JointDips joints(double correlation) {
   return {rail, dip, 0.5, correlation};
 }
 
@@ -60,7 +60,7 @@ double share_near_lines(double correlation, double width) {
   double all = 0.0;
   const double step = 1e-5;
   for (double phi = 0.5 * step; phi < 2.0; phi += step) {
-    const double density = signal::joint_scatter_psd(joints(correlation), phi);
+    const double density = spectra::joint_scatter_psd(joints(correlation), phi);
     const double n = std::max(1.0, std::round(phi * rail));
     all += density;
     if (std::abs(phi - n * phi_0) < width) near += density;
@@ -76,9 +76,9 @@ void fig_05(report::Item& item) {
   auto track = uneven(0.0);
   track.spacing = spacing;
   track.seed = 3;  // one that shows a group well
-  const auto random = signal::synthesize(track, 40 * 40 + 1);
+  const auto random = spectra::synthesize(track, 40 * 40 + 1);
   track.dip_correlation = 0.9;
-  const auto grouped = signal::synthesize(track, 40 * 40 + 1);
+  const auto grouped = spectra::synthesize(track, 40 * 40 + 1);
   report::Data& curve = item.data({"x_m", "random_mm", "grouped_mm"});
   for (std::size_t i = 0; i < random.size(); ++i)
     curve.add(static_cast<double>(i) * spacing, 1e3 * random[i], 1e3 * grouped[i]);
@@ -96,9 +96,9 @@ a pair at $\varphi_0\pm\varepsilon$ with $(m/2)^2$ of the power of the carrier, 
 usual 1 ft the harmonics above the 19th fold exactly onto the lower ones and add as amplitudes: the first line then reads
 {{folded}} high.
 */
-double lines_at(const std::vector<signal::Line>& lines, double phi) {
+double lines_at(const std::vector<spectra::Line>& lines, double phi) {
   double density = 0.0;
-  for (const signal::Line& line : lines)
+  for (const spectra::Line& line : lines)
     density += line.power * hann_line(phi - line.phi, resolution);
   return density;
 }
@@ -112,21 +112,21 @@ double direct_power(const std::vector<double>& z, double spacing, double phi) {
 }
 
 /*** The four lines against their formula: */
-void check_lines(report::Item& item, signal::SyntheticTrack track) {
-  const double Q_1 = signal::line_power(1, dip, LineConvention::exact_one_sided);
-  const double Q_2 = signal::line_power(2, dip, LineConvention::exact_one_sided);
+void check_lines(report::Item& item, spectra::SyntheticTrack track) {
+  const double Q_1 = spectra::line_power(1, dip, LineConvention::exact_one_sided);
+  const double Q_2 = spectra::line_power(2, dip, LineConvention::exact_one_sided);
   const double share = track.memory_modulation * track.memory_modulation / 4;
   auto plain = track;
   plain.memory_modulation = 0.0;
-  const auto coarse = signal::synthesize(plain, 39);
+  const auto coarse = spectra::synthesize(plain, 39);
   const auto folded = [&](int n) {
-    const double true_power = signal::line_power(n, dip, LineConvention::exact_one_sided);
+    const double true_power = spectra::line_power(n, dip, LineConvention::exact_one_sided);
     return 100 * (direct_power(coarse, plain.spacing, n * phi_0) / true_power - 1);
   };
   item.value("folded", folded(1), "%", "{:.2f}");
   item.value("folded-12", folded(12), "%", "{:.0f}");
   track.spacing = units::foot / 10;
-  const auto z = signal::synthesize(track, 4290);  // 11 rails of 39 ft are 13 of 33 ft
+  const auto z = spectra::synthesize(track, 4290);  // 11 rails of 39 ft are 13 of 33 ft
   const auto agree = [&](const char* id, const char* what, double phi, double power) {
     item.agree(id, what, "m²", direct_power(z, track.spacing, phi), power, 1e-3, "the formula");
   };
@@ -158,18 +158,18 @@ void fig_04(report::Item& item) {
     points.add(random_dips.frequency(k), random_dips.density[k], grouped_dips.density[k],
                one_sideband.density[k], two_sidebands.density[k]);
 
-  const auto plain = signal::modulated_lines(phi_0, dip, 0.0, eps, 1.0);
+  const auto plain = spectra::modulated_lines(phi_0, dip, 0.0, eps, 1.0);
   auto with_memory = plain;
   with_memory.push_back(
       {1.0 / linear.memory_length,
-       signal::line_power(1, linear.memory_dip, LineConvention::exact_one_sided)});
-  const auto pairs = signal::modulated_lines(phi_0, dip, 0.5, eps, 1.0);
+       spectra::line_power(1, linear.memory_dip, LineConvention::exact_one_sided)});
+  const auto pairs = spectra::modulated_lines(phi_0, dip, 0.5, eps, 1.0);
   report::Data& curve =
       item.data("formula", {"phi_cycle_per_m", "random", "grouped", "single", "pair"});
   for (double phi = 0.05; phi < 0.13; phi += 0.02 * resolution) {
     const double line = lines_at(plain, phi);
-    curve.add(phi, line + signal::joint_scatter_psd(joints(0.0), phi),
-              line + signal::joint_scatter_psd(joints(0.9), phi), lines_at(with_memory, phi),
+    curve.add(phi, line + spectra::joint_scatter_psd(joints(0.0), phi),
+              line + spectra::joint_scatter_psd(joints(0.9), phi), lines_at(with_memory, phi),
               lines_at(pairs, phi));
   }
   item.value("fig-04-length", length / units::kilometre, "km", "{:.0f}");
@@ -182,4 +182,4 @@ void add_modulation(report::Chapter& chapter) {
   chapter.figure("fig-04", "Figure 4. Broadening, one sideband, two sidebands", fig_04);
 }
 
-}  // namespace psd
+}  // namespace railbook::psd_chapter

@@ -34,13 +34,13 @@ The printed $Q_2$ is the rounded $Q_1$ divided by 25, which loses its last digit
 
 #include "items.hpp"
 #include "num/fft.hpp"
-#include "signal/rail_line.hpp"
+#include "spectra/rail_line.hpp"
 #include "units/constants.hpp"
 
-namespace psd {
+namespace railbook::psd_chapter {
 
 using namespace railbook;
-using signal::LineConvention;
+using spectra::LineConvention;
 
 namespace {
 
@@ -52,7 +52,7 @@ void fig_01(report::Item& item) {
   report::Data& curve = item.data({"x_m", "z_over_B"});
   for (int i = 0; i <= 1000; ++i) {
     const double x = 4 * rail * i / 1000.0;
-    curve.add(x, signal::rectified_sine(x, rail, 1.0));
+    curve.add(x, spectra::rectified_sine(x, rail, 1.0));
   }
 }
 
@@ -61,40 +61,40 @@ double line_power_by_transform(std::size_t n) {
   num::RealFft fft{1 << 14};
   const auto samples = static_cast<double>(fft.size());
   for (std::size_t i = 0; i < fft.size(); ++i)
-    fft.real()[i] = signal::rectified_sine(static_cast<double>(i) / samples, 1.0, 1.0);
+    fft.real()[i] = spectra::rectified_sine(static_cast<double>(i) / samples, 1.0, 1.0);
   fft.forward();
   return 2.0 * std::norm(fft.spectrum()[n]) / (samples * samples);
 }
 
 void lines(report::Item& item) {
-  const report::CsvTable printed = item.printed("equations.csv");
+  const table::CsvTable printed = item.printed("equations.csv");
   item.expect_checks(5);
   item.columns({"n", "wavelength, m", "Qₙ/B² as printed in (2)", "Qₙ/B² exact, one-sided",
                 "share of the variance"});
   std::array<double, 2> sum{};
   for (int n = 1; n <= 2000; ++n) {
-    const double as_printed = signal::line_power(n, 1.0, LineConvention::printed);
-    const double exact = signal::line_power(n, 1.0, LineConvention::exact_one_sided);
+    const double as_printed = spectra::line_power(n, 1.0, LineConvention::printed);
+    const double exact = spectra::line_power(n, 1.0, LineConvention::exact_one_sided);
     sum[0] += as_printed;
     sum[1] += exact;
     if (n > 4) continue;
     item.add_row({fmt::format("{}", n), fmt::format("{:.3f}", rail / n),
                   fmt::format("{:.5e}", as_printed), fmt::format("{:.5e}", exact),
-                  fmt::format("{:.3f} %", 100 * exact / signal::rectified_sine_variance(1.0))});
+                  fmt::format("{:.3f} %", 100 * exact / spectra::rectified_sine_variance(1.0))});
   }
-  const double Q_1 = signal::line_power(1, 1.0, LineConvention::printed);
-  const double Q_2 = signal::line_power(2, 1.0, LineConvention::printed);
+  const double Q_1 = spectra::line_power(1, 1.0, LineConvention::printed);
+  const double Q_2 = spectra::line_power(2, 1.0, LineConvention::printed);
   const report::Row first = item.row(printed, "Q1");
   const report::Row second = item.row(printed, "Q2");
   first.check("printed", Q_1);
   second.check("printed", report::printed_number(first.printed("printed")) * Q_2 / Q_1);
   item.agree("Q1-exact", "exact line 1", "B²",
-             signal::line_power(1, 1.0, LineConvention::exact_one_sided),
+             spectra::line_power(1, 1.0, LineConvention::exact_one_sided),
              line_power_by_transform(1), 1e-6, "a transform of the sampled profile");
   item.agree("Q2-exact", "exact line 2", "B²",
-             signal::line_power(2, 1.0, LineConvention::exact_one_sided),
+             spectra::line_power(2, 1.0, LineConvention::exact_one_sided),
              line_power_by_transform(2), 1e-6, "a transform of the sampled profile");
-  const double variance = signal::rectified_sine_variance(1.0);
+  const double variance = spectra::rectified_sine_variance(1.0);
   item.agree("sum", "sum of the exact lines", "B²", sum[1], variance, 1e-9,
              "the variance of the rectified sine");
   item.value("Q2", Q_2, "", "{:.3e}");
@@ -131,7 +131,7 @@ namespace {
 double seen(double phi, double df) {
   double density = 0.0;
   for (int n = 1; n <= 8; ++n)
-    density += signal::line_power(n, 0.010, LineConvention::exact_one_sided) *
+    density += spectra::line_power(n, 0.010, LineConvention::exact_one_sided) *
                hann_line(phi - n * phi_0, df);
   return density;
 }
@@ -152,9 +152,9 @@ void fig_02(report::Item& item) {
   for (int i = -300; i <= 300; ++i)
     window.add(0.0002 * i, hann_line(0.0002 * i, fine), hann_line(0.0002 * i, broad));
   for (int n = 1; n <= 3; ++n)
-    line.add(n * phi_0, signal::line_power(n, 10.0, LineConvention::exact_one_sided));
+    line.add(n * phi_0, spectra::line_power(n, 10.0, LineConvention::exact_one_sided));
 
-  const double Q_1 = signal::line_power(1, 0.010, LineConvention::exact_one_sided);
+  const double Q_1 = spectra::line_power(1, 0.010, LineConvention::exact_one_sided);
   for (const double df : {fine, broad}) {
     const double step = 0.01 * df;
     double area = 0.0;
@@ -190,4 +190,4 @@ void add_processes(report::Chapter& chapter) {
   add_composite(chapter);
 }
 
-}  // namespace psd
+}  // namespace railbook::psd_chapter

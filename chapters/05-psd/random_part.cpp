@@ -25,19 +25,17 @@ corner, which a finite filter rounds. Below $10^{-4}$ cycle/m (10 km) it levels 
 #include <vector>
 
 #include "items.hpp"
-#include "signal/synthetic_track.hpp"
-#include "signal/welch.hpp"
+#include "spectra/synthetic_track.hpp"
+#include "spectra/welch.hpp"
 
-namespace psd {
-
-using namespace railbook;
+namespace railbook::psd_chapter {
 
 namespace {
 
-constexpr signal::TrackParameters fair_track{.A = 2.0e-7, .phi_c = 0.12};  // zone 4 of Table 1
+constexpr spectra::TrackParameters fair_track{.A = 2.0e-7, .phi_c = 0.12};  // zone 4 of Table 1
 
-signal::SyntheticTrack random_track() {
-  signal::SyntheticTrack track;
+spectra::SyntheticTrack random_track() {
+  spectra::SyntheticTrack track;
   track.A = fair_track.A;
   track.phi_c = fair_track.phi_c;
   return track;
@@ -46,17 +44,17 @@ signal::SyntheticTrack random_track() {
 /*** The scatter is measured, not assumed: many records, each an independent estimate of the same spectrum. */
 // The relative standard error of an ordinate: over `records` spectra of `samples` each, bins 20 to 1500.
 double scatter(std::size_t samples, int records, double& predicted) {
-  signal::TrackGenerator generator{random_track()};
+  spectra::TrackGenerator generator{random_track()};
   std::vector<double> z(samples);
   double square = 0.0;
   long count = 0;
   for (int r = 0; r < records; ++r) {
     generator.fill(z);
-    const signal::Spectrum spectrum = signal::welch(z, units::foot);
+    const spectra::Spectrum spectrum = spectra::welch(z, units::foot);
     predicted = 1.0 / std::sqrt(spectrum.averages);
     for (Eigen::Index k = 20; k < 1500; ++k) {
       const double off =
-          spectrum.density[k] / signal::random_psd(fair_track, spectrum.frequency(k)) - 1.0;
+          spectrum.density[k] / spectra::random_psd(fair_track, spectrum.frequency(k)) - 1.0;
       square += off * off;
       ++count;
     }
@@ -66,11 +64,12 @@ double scatter(std::size_t samples, int records, double& predicted) {
 
 /*** The density of the generator's own coefficients against the model: */
 double worst_generator_error() {
-  const signal::TrackGenerator generator{random_track()};
+  const spectra::TrackGenerator generator{random_track()};
   double worst = 0.0;
   for (double phi = 0.005; phi < 1.2; phi *= 1.003)
     worst = std::max(
-        worst, std::abs(generator.random_density(phi) / signal::random_psd(fair_track, phi) - 1.0));
+        worst,
+        std::abs(generator.random_density(phi) / spectra::random_psd(fair_track, phi) - 1.0));
   return worst;
 }
 
@@ -80,14 +79,14 @@ void fig_03(report::Item& item) {
   item.reconstructed(
       "the paper draws a smooth curve without numbers; ours is zone 4 of Table 1, synthetic");
   const auto five_miles = static_cast<std::size_t>(5 * units::mile / units::foot);
-  const std::vector<double> z = signal::synthesize(random_track(), five_miles);
-  const signal::Spectrum one = signal::welch(std::span{z}.first(4096), units::foot);
-  const signal::Spectrum all = signal::welch(z, units::foot);
+  const std::vector<double> z = spectra::synthesize(random_track(), five_miles);
+  const spectra::Spectrum one = spectra::welch(std::span{z}.first(4096), units::foot);
+  const spectra::Spectrum all = spectra::welch(z, units::foot);
   report::Data& raw = item.data({"phi_cycle_per_m", "S_one", "S_five_miles", "S_model"});
   for (Eigen::Index k = 8; k < all.density.size() - 1; ++k)
     raw.add(all.frequency(k), one.density[k], all.density[k],
-            signal::random_psd(fair_track, all.frequency(k)));
-  const signal::BandSpectrum bands = signal::band_average(all, 6, 0.006, 1.5);
+            spectra::random_psd(fair_track, all.frequency(k)));
+  const spectra::BandSpectrum bands = spectra::band_average(all, 6, 0.006, 1.5);
   report::Data& band = item.data("bands", {"phi_cycle_per_m", "S"});
   for (Eigen::Index k = 0; k < bands.density.size(); ++k)
     band.add(bands.frequency[k], bands.density[k]);
@@ -110,4 +109,4 @@ void add_random_part(report::Chapter& chapter) {
   chapter.figure("fig-03", "Figure 3. Random part: one segment, five miles, bands, model", fig_03);
 }
 
-}  // namespace psd
+}  // namespace railbook::psd_chapter

@@ -24,13 +24,14 @@ and $A$ counts it.
 #include <vector>
 
 #include "items.hpp"
-#include "signal/chord.hpp"
-#include "signal/line_mask.hpp"
-#include "signal/record.hpp"
-#include "signal/spectrum_fit.hpp"
+#include "spectra/chord.hpp"
+#include "spectra/line_mask.hpp"
+#include "spectra/record.hpp"
+#include "spectra/spectrum_fit.hpp"
 #include "stability.hpp"
+#include "units/input_error.hpp"
 
-namespace psd {
+namespace railbook::psd_chapter {
 
 using namespace railbook;
 namespace {
@@ -39,54 +40,54 @@ constexpr double mm = units::millimetre, km = units::kilometre;
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 struct Result {
-  signal::SpectrumFit fit;
-  std::optional<signal::StrayLine> stray;
+  spectra::SpectrumFit fit;
+  std::optional<spectra::StrayLine> stray;
 };
 
-signal::Spectrum bridged_spectrum(const Case& c, const std::vector<double>& record) {
-  signal::Welch welch{c.track.spacing, c.welch};
-  signal::RecordStream stream{{.spacing = c.track.spacing, .bridge = 20},
-                              [&](std::span<const double> piece) { welch.push(piece); }};
+spectra::Spectrum bridged_spectrum(const Case& c, const std::vector<double>& record) {
+  spectra::Welch welch{c.track.spacing, c.welch};
+  spectra::RecordStream stream{{.spacing = c.track.spacing, .bridge = 20},
+                               [&](std::span<const double> piece) { welch.push(piece); }};
   for (const double z : record) stream.add(z);
   stream.finish();
   return welch.spectrum();
 }
 
-signal::Spectrum spectrum_of(const Case& c) {
+spectra::Spectrum spectrum_of(const Case& c) {
   if (c.fit.chord == 0 && c.gaps == Gaps::kept) return record_spectrum(c.track, c.length, c.welch);
-  auto record = signal::synthesize(c.track, static_cast<std::size_t>(c.length / c.track.spacing));
+  auto record = spectra::synthesize(c.track, static_cast<std::size_t>(c.length / c.track.spacing));
   const auto lost = [](double z) { return std::isnan(z); };
   if (c.gaps == Gaps::bridged) return bridged_spectrum(c, record);
   if (c.gaps == Gaps::zeroed) std::replace_if(record.begin(), record.end(), lost, 0.0);
   if (c.gaps == Gaps::cut_out)
     record.erase(std::remove_if(record.begin(), record.end(), lost), record.end());
-  if (c.gaps != Gaps::kept) return signal::welch(record, c.track.spacing, c.welch);
-  const auto offsets = signal::mid_chord_offsets(record, c.track.spacing, c.fit.chord);
-  return signal::welch(offsets.offset, c.track.spacing, c.welch);
+  if (c.gaps != Gaps::kept) return spectra::welch(record, c.track.spacing, c.welch);
+  const auto offsets = spectra::mid_chord_offsets(record, c.track.spacing, c.fit.chord);
+  return spectra::welch(offsets.offset, c.track.spacing, c.welch);
 }
 
 Result run(const Case& c) {
   const auto spectrum = spectrum_of(c);
-  const auto fit = signal::fit_track_spectrum(spectrum, c.fit);
-  return {fit, signal::stray_line(spectrum, c.fit, fit)};
+  const auto fit = spectra::fit_track_spectrum(spectrum, c.fit);
+  return {fit, spectra::stray_line(spectrum, c.fit, fit)};
 }
 
-std::string corner_text(const signal::SpectrumFit& fit) {
+std::string corner_text(const spectra::SpectrumFit& fit) {
   switch (fit.corner) {
-    case signal::CornerState::fitted:
+    case spectra::CornerState::fitted:
       return fmt::format("φ_c = {:.4f}", fit.phi_c.value);
-    case signal::CornerState::none:
+    case spectra::CornerState::none:
       return "one slope";
-    case signal::CornerState::at_low_bound:
+    case spectra::CornerState::at_low_bound:
       return fmt::format("φ_c at its lower bound, Aφ_c² = {:.3g}", fit.steep.value);
-    case signal::CornerState::at_high_bound:
+    case spectra::CornerState::at_high_bound:
       return "φ_c at its upper bound";
   }
   return "";
 }
 
 std::string text(const Result& r) {
-  const signal::SpectrumFit& fit = r.fit;
+  const spectra::SpectrumFit& fit = r.fit;
   std::string result =
       fmt::format("A = {:.3g} ± {:.1g}, {}, B = {:.2f} ± {:.2f} mm", fit.A.value, fit.A.error,
                   corner_text(fit), fit.B_printed.value / mm, fit.B_printed.error / mm);
@@ -99,9 +100,9 @@ std::string text(const Result& r) {
 
 // Does the fit itself say that something is wrong?
 bool warns(const Result& r) {
-  const signal::SpectrumFit& fit = r.fit;
+  const spectra::SpectrumFit& fit = r.fit;
   return r.stray || !fit.converged || fit.misfit > 1.25 ||
-         fit.corner == signal::CornerState::at_low_bound;
+         fit.corner == spectra::CornerState::at_low_bound;
 }
 
 // Adds the row; false if the fit gave a wrong number without a word.
@@ -109,7 +110,7 @@ bool judge(report::Item& item, const Case& c) {
   const double B = 2 * c.track.dip;
   try {
     const Result r = run(c);
-    const signal::SpectrumFit& fit = r.fit;
+    const spectra::SpectrumFit& fit = r.fit;
     const double error_A = std::abs(fit.A.value - c.track.A);
     const double error_B = std::abs(fit.B_printed.value - B);
     const bool A_good = error_A <= 4 * fit.A.error + 0.01 * c.track.A + 1e-14;
@@ -127,7 +128,7 @@ bool judge(report::Item& item, const Case& c) {
 }
 
 // One record says nothing about chance: how often is a line found in short records that have none?
-void judge_false_alarms(report::Item& item, const signal::SyntheticTrack& base, double length,
+void judge_false_alarms(report::Item& item, const spectra::SyntheticTrack& base, double length,
                         int records) {
   int alarms = 0;
   double threshold = 0;
@@ -157,7 +158,7 @@ void judge_false_alarms(report::Item& item, const signal::SyntheticTrack& base, 
 
 void table_stability(report::Item& item) {
   const Zone zone = zones(item.printed("table-1.csv")).at(6);
-  const signal::SyntheticTrack base = synthetic(zone.track, 700);
+  const spectra::SyntheticTrack base = synthetic(zone.track, 700);
   int silent = 0;
   for (const Case& c : stability_cases(base)) silent += judge(item, c) ? 0 : 1;
   judge_false_alarms(item, base, 5 * km, item.full() ? 1000 : 100);
@@ -173,4 +174,4 @@ void add_stability(report::Chapter& chapter) {
   chapter.table("stability", "What the estimator makes of difficult records", table_stability);
 }
 
-}  // namespace psd
+}  // namespace railbook::psd_chapter

@@ -5,21 +5,21 @@
 #include <vector>
 
 #include "items.hpp"
-#include "signal/spectrum_fit.hpp"
+#include "spectra/spectrum_fit.hpp"
 
-namespace psd {
+namespace railbook::psd_chapter {
 
 enum class Gaps { kept, bridged, zeroed, cut_out };  // what was done about missing samples
 
 struct Case {
   std::string id, what, stress;
-  railbook::signal::SyntheticTrack track;
-  railbook::signal::WelchOptions welch = {};
-  railbook::signal::FitOptions fit = {};
+  railbook::spectra::SyntheticTrack track;
+  railbook::spectra::WelchOptions welch = {};
+  railbook::spectra::FitOptions fit = {};
   double length = 160 * railbook::units::kilometre;
   Gaps gaps = Gaps::kept;
 };
 
-std::vector<Case> stability_cases(const railbook::signal::SyntheticTrack& base);
+std::vector<Case> stability_cases(const railbook::spectra::SyntheticTrack& base);
 
-}  // namespace psd
+}  // namespace railbook::psd_chapter

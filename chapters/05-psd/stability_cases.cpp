@@ -9,11 +9,11 @@ The records: shapes of spectrum that the model has or has not, disturbances of t
 
 #include "stability.hpp"
 
-namespace psd {
+namespace railbook::psd_chapter {
 
 using namespace railbook;
-using signal::NoiseModel;
-using signal::Window;
+using spectra::NoiseModel;
+using spectra::Window;
 
 namespace {
 
@@ -21,14 +21,14 @@ constexpr double mm = units::millimetre, km = units::kilometre;
 
 // The plain record, and the same with one field changed.
 template <class Change>
-signal::SyntheticTrack changed(const signal::SyntheticTrack& base, Change change) {
-  signal::SyntheticTrack track = base;
+spectra::SyntheticTrack changed(const spectra::SyntheticTrack& base, Change change) {
+  spectra::SyntheticTrack track = base;
   change(track);
   return track;
 }
 
-std::vector<Case> shapes(const signal::SyntheticTrack& base) {
-  using Track = signal::SyntheticTrack;
+std::vector<Case> shapes(const spectra::SyntheticTrack& base) {
+  using Track = spectra::SyntheticTrack;
   const auto no_dips = changed(base, [](Track& t) { t.dip = 0; });
   std::vector<Case> cases{{"plain", "zone 7 as it is", "nothing", base},
                           {"no-line", "no joints", "B must not be made of noise", no_dips},
@@ -39,18 +39,18 @@ std::vector<Case> shapes(const signal::SyntheticTrack& base) {
                      fmt::format("corner at {:g} cycle/m", phi_c), "corner near or out of the band",
                      changed(base, [&](Track& t) { t.phi_c = phi_c; })});
   cases.push_back({"no-corner", "no corner, two slopes fitted", "nothing to find",
-                   changed(base, [](Track& t) { t.phi_c = signal::no_corner; })});
+                   changed(base, [](Track& t) { t.phi_c = spectra::no_corner; })});
   cases.push_back({"no-corner-one",
                    "no corner, one slope fitted",
                    "equation (3)",
-                   changed(base, [](Track& t) { t.phi_c = signal::no_corner; }),
+                   changed(base, [](Track& t) { t.phi_c = spectra::no_corner; }),
                    {},
-                   {.slopes = signal::Slopes::one}});
+                   {.slopes = spectra::Slopes::one}});
   return cases;
 }
 
-std::vector<Case> disturbed(const signal::SyntheticTrack& base) {
-  using Track = signal::SyntheticTrack;
+std::vector<Case> disturbed(const spectra::SyntheticTrack& base) {
+  using Track = spectra::SyntheticTrack;
   const auto wave = changed(base, [](Track& t) { t.wave_amplitude = 50; });
   const auto noisy = changed(base, [](Track& t) { t.sensor_noise = 0.3 * mm; });
   const auto linear = changed(base, [](Track& t) { t.memory_dip = 5 * mm; });
@@ -63,7 +63,7 @@ std::vector<Case> disturbed(const signal::SyntheticTrack& base) {
        "the same, only the mean taken off",
        "trend",
        wave,
-       {.detrend = signal::Detrend::constant}},
+       {.detrend = spectra::Detrend::constant}},
       {"wave-boxcar", "the same, no window", "trend and leakage", wave, {.window = Window::boxcar}},
       {"noise", "sensor noise of 0.3 mm, not modelled", "floor over the steep slope", noisy},
       {"noise-fitted",
@@ -104,7 +104,7 @@ std::vector<Case> disturbed(const signal::SyntheticTrack& base) {
        changed(base, [](Track& t) { t.dip_scatter = 1; })}};
 }
 
-std::vector<Case> with_gaps(const signal::SyntheticTrack& base) {
+std::vector<Case> with_gaps(const spectra::SyntheticTrack& base) {
   const auto gaps = [&](double share) {
     return changed(base, [&](auto& t) { t.gap_share = share; });
   };
@@ -141,8 +141,8 @@ std::vector<Case> with_gaps(const signal::SyntheticTrack& base) {
            Gaps::cut_out}};
 }
 
-std::vector<Case> measured_badly(const signal::SyntheticTrack& base) {
-  using Track = signal::SyntheticTrack;
+std::vector<Case> measured_badly(const spectra::SyntheticTrack& base) {
+  using Track = spectra::SyntheticTrack;
   std::vector<Case> cases{{"chord-62",
                            "62-ft chord offsets",
                            "long waves and zeros invisible",
@@ -176,11 +176,11 @@ std::vector<Case> measured_badly(const signal::SyntheticTrack& base) {
 
 }  // namespace
 
-std::vector<Case> stability_cases(const signal::SyntheticTrack& base) {
+std::vector<Case> stability_cases(const spectra::SyntheticTrack& base) {
   std::vector<Case> all = shapes(base);
   for (const auto& group : {disturbed(base), with_gaps(base), measured_badly(base)})
     all.insert(all.end(), group.begin(), group.end());
   return all;
 }
 
-}  // namespace psd
+}  // namespace railbook::psd_chapter

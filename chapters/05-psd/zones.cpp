@@ -20,14 +20,14 @@ corner lies between $\varphi_0$ and $2\varphi_0$ in {{corner-between}} of the th
 
 #include "items.hpp"
 #include "num/fft.hpp"
-#include "signal/rail_line.hpp"
+#include "spectra/rail_line.hpp"
 
-namespace psd {
+namespace railbook::psd_chapter {
 
 using namespace railbook;
-using signal::LineConvention;
+using spectra::LineConvention;
 
-std::vector<Zone> zones(const report::CsvTable& table_1) {
+std::vector<Zone> zones(const table::CsvTable& table_1) {
   std::vector<Zone> result;
   for (std::size_t i = 0; i < table_1.rows.size(); ++i) {
     const auto number = [&](const char* column) {
@@ -54,15 +54,15 @@ transformed, and scaled until its first line, squared and halved as in (2), hold
 double dip_by_transform(double line_power) {
   num::RealFft fft{4096};
   for (std::size_t i = 0; i < fft.size(); ++i)
-    fft.real()[i] = signal::rectified_sine(static_cast<double>(i) / 4096.0, 1.0, 1.0);
+    fft.real()[i] = spectra::rectified_sine(static_cast<double>(i) / 4096.0, 1.0, 1.0);
   fft.forward();
   const double complex_coefficient = std::abs(fft.spectrum()[1]) / 4096.0;
   return std::sqrt(2.0 * line_power) / complex_coefficient;
 }
 
 double dip(double C_1, double beta) {
-  return signal::dip_from_line_power(signal::broadened_line_power(C_1, beta),
-                                     LineConvention::printed);
+  return spectra::dip_from_line_power(spectra::broadened_line_power(C_1, beta),
+                                      LineConvention::printed);
 }
 
 /*** The check then depends on the row. Where the ranges of both sides meet, the printed $B$ must come out within them. Where
@@ -74,7 +74,7 @@ struct Closure {
   bool doubted = false;      // marked in the data file as contradicting (7)
 };
 
-Closure check_row(report::Item& item, const report::CsvTable& printed, const Zone& zone) {
+Closure check_row(report::Item& item, const table::CsvTable& printed, const Zone& zone) {
   const report::Row row = item.row(printed, zone.name);
   const auto half_digit = [&](const char* column) {
     return report::half_last_digit(row.printed(column));
@@ -107,7 +107,7 @@ Closure check_row(report::Item& item, const report::CsvTable& printed, const Zon
 
 /*** Thirteen rows: */
 void table_1(report::Item& item) {
-  const report::CsvTable printed = item.printed("table-1.csv");
+  const table::CsvTable printed = item.printed("table-1.csv");
   const auto all = zones(printed);
   item.expect_checks(2 * static_cast<int>(all.size()) + 2);
   item.columns({"zone", "A", "φ<sub>c</sub>", "C₁", "β", "B printed, mm", "B by (7), mm",
@@ -127,9 +127,9 @@ void table_1(report::Item& item) {
   item.value("zone-12-rail", 1 / all.at(11).track.phi_0, "m", "{:.1f}");
   const Zone& last = all.back();
   item.value("table-1-zone-13-share",
-             100 * last.C_1 / signal::random_psd(last.track, last.track.phi_0), "%", "{:.0f}");
+             100 * last.C_1 / spectra::random_psd(last.track, last.track.phi_0), "%", "{:.0f}");
   item.value("table-1-zone-13-C1",
-             signal::line_power(1, last.track.B, LineConvention::printed) / last.beta,
+             spectra::line_power(1, last.track.B, LineConvention::printed) / last.beta,
              "m²/(cycle/m)", "{:.2g}");
   const auto by_A = [](const Zone& a, const Zone& b) { return a.track.A < b.track.A; };
   const auto [smooth, rough] = std::minmax_element(all.begin(), all.end(), by_A);
@@ -145,4 +145,4 @@ void add_zones(report::Chapter& chapter) {
   chapter.table("table-1", "Table 1. Thirteen zones: does B follow from C₁ and β?", table_1);
 }
 
-}  // namespace psd
+}  // namespace railbook::psd_chapter

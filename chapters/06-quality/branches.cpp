@@ -28,9 +28,10 @@ started hard. Against an exact motion on the reduced level, at its worst frequen
 #include <vector>
 
 #include "nonlinear.hpp"
+#include "num/log_spaced.hpp"
 #include "quality/steady_motion.hpp"
 
-namespace quality_chapter {
+namespace railbook::quality_chapter {
 
 using namespace railbook;
 using quality::Motion;
@@ -177,7 +178,7 @@ void fig_level(report::Item& item) {
   double level_10 = 0, worst_ratio = 0;
   for (const double kappa : {0.0, 1.0, 10.0, 100.0}) {
     double least = 1e300;
-    const auto grid = wavelengths(1, 300, 80);
+    const auto grid = num::log_spaced(1, 300, 80);
     for (auto w = grid.rbegin(); w != grid.rend(); ++w) {
       const double ratio = track_speed / (*w * roll.frequency),
                    here = least_amplitude(kappa, ratio);
@@ -214,4 +215,4 @@ void add_branches(report::Chapter& chapter) {
                  fig_level);
 }
 
-}  // namespace quality_chapter
+}  // namespace railbook::quality_chapter

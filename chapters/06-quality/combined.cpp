@@ -16,9 +16,10 @@ corner is that of an empty or half-empty car. Above, the amplitude has doubled a
 #include <cmath>
 
 #include "items.hpp"
+#include "num/log_spaced.hpp"
 #include "num/roots.hpp"
 
-namespace quality_chapter {
+namespace railbook::quality_chapter {
 
 using namespace railbook;
 
@@ -39,7 +40,7 @@ double searched_corner(const quality::Descriptor& d) {
 }
 
 void fig_07(report::Item& item) {
-  const report::CsvTable printed = item.printed("printed.csv");
+  const table::CsvTable printed = item.printed("printed.csv");
   const quality::ForceLimit A = car(item, "A");
   auto& data = item.data({"speed_kmh", "wavelength_m", "amplitude_cm"});
   const auto all = speeds(item);
@@ -47,7 +48,7 @@ void fig_07(report::Item& item) {
   for (const double v : all) {
     const quality::Descriptor d = both(A, v);
     const quality::Envelope envelope{d};
-    for (const double w : wavelengths(0.5, 1000, 80))
+    for (const double w : num::log_spaced(0.5, 1000, 80))
       data.add(v / kmh, w, quality::allowed_amplitude(envelope(1 / w)) / cm);
     data.gap();
     const std::string name = fmt::format("{:.0f}", v / kmh);
@@ -87,4 +88,4 @@ void add_combined(report::Chapter& chapter) {
   chapter.figure("fig-07", "Figure 7. Both limits kept, by track speed", fig_07);
 }
 
-}  // namespace quality_chapter
+}  // namespace railbook::quality_chapter

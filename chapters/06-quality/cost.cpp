@@ -32,7 +32,7 @@ fixed steps the kinks cost the order: Runge-Kutta of order 4 converges with {{rk
 #include "num/dopri5.hpp"
 #include "quality/descriptor_filter.hpp"
 
-namespace quality_chapter {
+namespace railbook::quality_chapter {
 
 using namespace railbook;
 using quality::Track;
@@ -167,4 +167,4 @@ void add_cost(report::Chapter& chapter) {
                  fig_stops_time);
 }
 
-}  // namespace quality_chapter
+}  // namespace railbook::quality_chapter

@@ -48,9 +48,9 @@ Two thousand kilometres of record at 0.2 m. The weights reach {{reach-samples}} 
 #include "num/stopwatch.hpp"
 #include "quality/bump_stops.hpp"
 #include "quality/descriptor_filter.hpp"
-#include "signal/random_source.hpp"
+#include "spectra/random_source.hpp"
 
-namespace quality_chapter {
+namespace railbook::quality_chapter {
 
 using namespace railbook;
 
@@ -206,7 +206,7 @@ void table_throughput(report::Item& item) {
   const auto taps = stroke_taps();
   constexpr std::size_t n = 10'000'000, part = 100'000, piece = 1'000'000;
   std::vector<double> z(piece);
-  const signal::RandomSource source{61, 0};
+  const spectra::RandomSource source{61, 0};
   for (std::size_t i = 0; i < piece; ++i) z[i] = 0.01 * source.normal(i);
   std::vector<double> first(part);
   std::size_t count = 0;
@@ -259,4 +259,4 @@ void add_filter(report::Chapter& chapter) {
                 table_throughput);
 }
 
-}  // namespace quality_chapter
+}  // namespace railbook::quality_chapter

@@ -29,9 +29,10 @@ amplitude but *{{refusal-C}}*.
 #include <string>
 
 #include "items.hpp"
+#include "num/log_spaced.hpp"
 #include "units/input_error.hpp"
 
-namespace quality_chapter {
+namespace railbook::quality_chapter {
 
 using namespace railbook;
 using quality::allowed_amplitude;
@@ -39,12 +40,12 @@ using quality::allowed_amplitude;
 namespace {
 
 void fig_06(report::Item& item) {
-  const report::CsvTable printed = item.printed("printed.csv");
+  const table::CsvTable printed = item.printed("printed.csv");
   const quality::ForceLimit A = car(item, "A"), B = car(item, "B"), C = car(item, "C");
   item.expect_checks(4);
   auto& data = item.data({"speed_kmh", "wavelength_m", "amplitude_cm"});
   for (const double v : speeds(item)) {
-    for (const double w : wavelengths(0.5, 1000, 60))
+    for (const double w : num::log_spaced(0.5, 1000, 60))
       data.add(v / kmh, w, allowed_amplitude(severity(A, v, 1 / w)) / cm);
     data.gap();
   }
@@ -128,4 +129,4 @@ void add_force(report::Chapter& chapter) {
                 table_damping);
 }
 
-}  // namespace quality_chapter
+}  // namespace railbook::quality_chapter

@@ -30,10 +30,10 @@ The waves exceed the limit from {{map-speed}} on, where the flat part of the env
 #include "num/quadrature.hpp"
 #include "quality/descriptor_filter.hpp"
 #include "quality/quality_index.hpp"
-#include "signal/random_source.hpp"
-#include "signal/synthetic_track.hpp"
+#include "spectra/random_source.hpp"
+#include "spectra/synthetic_track.hpp"
 
-namespace quality_chapter {
+namespace railbook::quality_chapter {
 
 using namespace railbook;
 
@@ -48,7 +48,7 @@ double normal_density(double u) {
 }
 
 // The curves, a kilometre of drawn values, and the thresholds.
-void draw_09(report::Item& item, const signal::RandomSource& source) {
+void draw_09(report::Item& item, const spectra::RandomSource& source) {
   auto& data = item.data({"p", "histogram", "risk"});
   auto& bars = item.data("bars", {"p", "density"});
   auto& lines = item.data("thresholds", {"p", "height", "name"});
@@ -69,7 +69,7 @@ void draw_09(report::Item& item, const signal::RandomSource& source) {
 }
 
 void fig_09(report::Item& item) {
-  const signal::RandomSource source{69, 0};
+  const spectra::RandomSource source{69, 0};
   draw_09(item, source);
   item.expect_checks(3);
   const double risk = quality::failure_probability(mean, deviation, median, spread);
@@ -103,7 +103,7 @@ void fig_09(report::Item& item) {
 void fig_map(report::Item& item) {
   constexpr double step = 0.25, length = 2000;
   constexpr auto n = static_cast<std::size_t>(length / step);
-  auto z = signal::synthesize({.spacing = step, .seed = 66, .A = 2e-7, .phi_c = 0.13}, n);
+  auto z = spectra::synthesize({.spacing = step, .seed = 66, .A = 2e-7, .phi_c = 0.13}, n);
   for (std::size_t i = 0; i < n; ++i) {
     const double x = step * static_cast<double>(i) - length / 2;
     if (std::abs(x) < 80)
@@ -136,4 +136,4 @@ void add_index(report::Chapter& chapter) {
   chapter.figure("fig-map", "Largest descriptor in 10 m, by posted speed", fig_map);
 }
 
-}  // namespace quality_chapter
+}  // namespace railbook::quality_chapter

@@ -8,7 +8,7 @@
 #include "report/chapter.hpp"
 #include "units/constants.hpp"
 
-namespace quality_chapter {
+namespace railbook::quality_chapter {
 
 inline constexpr double cm = 0.01;
 inline constexpr double kmh = railbook::units::kilometre_per_hour;
@@ -26,9 +26,6 @@ railbook::quality::StrokeLimit level_limit();  // the stroke behind Figure 5
 railbook::quality::ForceLimit car(const railbook::report::Item& item, const std::string& key);
 std::vector<double> speeds(const railbook::report::Item& item);  // m/s
 
-// 10^(0), 10^(1/n) ... as wavelengths from `low` to `high`, both included.
-std::vector<double> wavelengths(double low, double high, int per_decade);
-
 // Each section adds its items and tools.
 void add_stroke(railbook::report::Chapter& chapter);       // Figures 1 to 5
 void add_force(railbook::report::Chapter& chapter);        // Figure 6
@@ -41,9 +38,7 @@ void add_branches(railbook::report::Chapter& chapter);     // coexisting motions
 void add_pairs(railbook::report::Chapter& chapter);        // equation (7)
 void add_index(railbook::report::Chapter& chapter);        // Figure 9
 void add_spreading(railbook::report::Chapter& chapter);    // Figures 10 and 11
-void add_limit_tool(railbook::report::Chapter& chapter);   // tool: a car of your own
-void add_index_tool(railbook::report::Chapter& chapter);   // tool: a record of your own
 void add_cost(railbook::report::Chapter& chapter);         // error against run time
 void add_stability(railbook::report::Chapter& chapter);    // extreme cases
 
-}  // namespace quality_chapter
+}  // namespace railbook::quality_chapter

@@ -31,11 +31,11 @@ however nonlinear, is put to the test with the bump stops it mentions. It fails,
 
 {{include: spreading.cpp}}
 
-{{include: limit_tool.cpp}}
 
-{{include: index_tool.cpp}}
 
-{{include: index_answer.cpp}}
+
+
+
 
 ## Error against run time
 
@@ -91,19 +91,20 @@ short waves.
 {{verdicts}}
 */
 #include "items.hpp"
+#include "num/log_spaced.hpp"
 
 #include <cmath>
 
 using namespace railbook;
 
-namespace quality_chapter {
+namespace railbook::quality_chapter {
 
 quality::StrokeLimit level_limit() {
   return quality::stroke_limit_of_level(roll, flat_level);
 }
 
 quality::ForceLimit car(const report::Item& item, const std::string& key) {
-  const report::CsvTable table = item.printed("cars.csv");
+  const table::CsvTable table = item.printed("cars.csv");
   const auto number = [&](const char* column) {
     return report::printed_number(table.at(key, column));
   };
@@ -113,22 +114,14 @@ quality::ForceLimit car(const report::Item& item, const std::string& key) {
 }
 
 std::vector<double> speeds(const report::Item& item) {
-  const report::CsvTable table = item.printed("speeds.csv");
+  const table::CsvTable table = item.printed("speeds.csv");
   std::vector<double> result;
   for (std::size_t i = 0; i < table.rows.size(); ++i)
     result.push_back(report::printed_number(table.at(i, "kmh")) * kmh);
   return result;
 }
 
-std::vector<double> wavelengths(double low, double high, int per_decade) {
-  const int steps = static_cast<int>(std::ceil(per_decade * std::log10(high / low)));
-  std::vector<double> result;
-  for (int i = 0; i <= steps; ++i)
-    result.push_back(low * std::pow(high / low, static_cast<double>(i) / steps));
-  return result;
-}
-
-}  // namespace quality_chapter
+}  // namespace railbook::quality_chapter
 
 int main(int argc, char** argv) {
   report::Chapter chapter{
@@ -138,20 +131,18 @@ int main(int argc, char** argv) {
        .paper = "J. C. Corbin and A. E. Fazio, Performance-Based Track-Quality Measures and Their "
                 "Application to Maintenance-of-Way Planning, Transportation Research Record 802",
        .sources = RAILBOOK_CHAPTER_DIR}};
-  quality_chapter::add_stroke(chapter);
-  quality_chapter::add_force(chapter);
-  quality_chapter::add_combined(chapter);
-  quality_chapter::add_time_domain(chapter);
-  quality_chapter::add_psd(chapter);
-  quality_chapter::add_filter(chapter);
-  quality_chapter::add_nonlinear(chapter);
-  quality_chapter::add_branches(chapter);
-  quality_chapter::add_pairs(chapter);
-  quality_chapter::add_index(chapter);
-  quality_chapter::add_spreading(chapter);
-  quality_chapter::add_limit_tool(chapter);
-  quality_chapter::add_index_tool(chapter);
-  quality_chapter::add_cost(chapter);
-  quality_chapter::add_stability(chapter);
+  railbook::quality_chapter::add_stroke(chapter);
+  railbook::quality_chapter::add_force(chapter);
+  railbook::quality_chapter::add_combined(chapter);
+  railbook::quality_chapter::add_time_domain(chapter);
+  railbook::quality_chapter::add_psd(chapter);
+  railbook::quality_chapter::add_filter(chapter);
+  railbook::quality_chapter::add_nonlinear(chapter);
+  railbook::quality_chapter::add_branches(chapter);
+  railbook::quality_chapter::add_pairs(chapter);
+  railbook::quality_chapter::add_index(chapter);
+  railbook::quality_chapter::add_spreading(chapter);
+  railbook::quality_chapter::add_cost(chapter);
+  railbook::quality_chapter::add_stability(chapter);
   return chapter.run(argc, argv);
 }

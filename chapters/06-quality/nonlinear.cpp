@@ -41,7 +41,7 @@ slowly growing sine ends on the lower. A sudden one ends on the upper if the str
 #include "num/dopri5.hpp"
 #include "num/roots.hpp"
 
-namespace quality_chapter {
+namespace railbook::quality_chapter {
 
 using namespace railbook;
 using quality::Motion;
@@ -291,4 +291,4 @@ void add_nonlinear(report::Chapter& chapter) {
   chapter.figure("fig-starts", "The same track at 1 Hz, begun in two ways", fig_starts);
 }
 
-}  // namespace quality_chapter
+}  // namespace railbook::quality_chapter

@@ -4,7 +4,7 @@
 #include "items.hpp"
 #include "quality/bump_stops.hpp"
 
-namespace quality_chapter {
+namespace railbook::quality_chapter {
 
 // Stops at 0.6 of the stroke limit of 2.54 cm.
 railbook::quality::StoppedBody stopped(double kappa);
@@ -25,4 +25,4 @@ OdeResult integrated_with_stops(const railbook::quality::StoppedBody& body,
                                 const railbook::quality::Motion& start, double end,
                                 double watch_from, double tolerance, bool locate_switches = true);
 
-}  // namespace quality_chapter
+}  // namespace railbook::quality_chapter

@@ -31,7 +31,7 @@ The bound $\rho f'$ is half the resonance's own width. Within it the worst strok
 #include "nonlinear.hpp"
 #include "num/stopwatch.hpp"
 
-namespace quality_chapter {
+namespace railbook::quality_chapter {
 
 using namespace railbook;
 using quality::Track;
@@ -228,4 +228,4 @@ void add_pairs(report::Chapter& chapter) {
   chapter.figure("fig-pairs", "Pairs detuned within equation (7), worst phase", fig_pairs);
 }
 
-}  // namespace quality_chapter
+}  // namespace railbook::quality_chapter

@@ -20,9 +20,10 @@ spectrum at 20 m is {{margin-20}} times (in amplitude) below what the vehicle al
 #include <utility>
 
 #include "items.hpp"
+#include "num/log_spaced.hpp"
 #include "num/quadrature.hpp"
 
-namespace quality_chapter {
+namespace railbook::quality_chapter {
 
 using namespace railbook;
 
@@ -49,7 +50,7 @@ double class_power(double A, double low, double high) {
 template <class Curve>
 std::pair<double, double> misfit(double A, const Curve& curve) {
   double sum = 0, squares = 0;
-  const auto grid = wavelengths(2, 100, 200);
+  const auto grid = num::log_spaced(2, 100, 200);
   for (const double w : grid) {
     const double d = std::log10(curve(1 / w) / class_psd(A, 1 / w));
     sum += d;
@@ -60,7 +61,7 @@ std::pair<double, double> misfit(double A, const Curve& curve) {
 }
 
 void fig_08(report::Item& item) {
-  const report::CsvTable table = item.printed("spectra.csv"), printed = item.printed("printed.csv");
+  const table::CsvTable table = item.printed("spectra.csv"), printed = item.printed("printed.csv");
   const double A = 1e-8 * report::printed_number(table.at("3", "A_1e8_m"));
   const quality::Envelope envelope{{level_limit(), car(item, "A"), 64 * kmh}};
   item.expect_checks(3);
@@ -72,7 +73,7 @@ void fig_08(report::Item& item) {
   const auto [offset_2, rms_2] = misfit(A, squared);
   const auto [offset_3, rms_3] = misfit(A, relative);
   auto& data = item.data({"phi_cycle_per_m", "psd", "squared", "relative"});
-  for (const double w : wavelengths(1, 1000, 60))
+  for (const double w : num::log_spaced(1, 1000, 60))
     data.add(1 / w, class_psd(A, 1 / w), squared(1 / w) * std::pow(10, -offset_2),
              relative(1 / w) * std::pow(10, -offset_3));
   const auto slope = [&](double phi) {
@@ -109,4 +110,4 @@ void add_psd(report::Chapter& chapter) {
                  fig_08);
 }
 
-}  // namespace quality_chapter
+}  // namespace railbook::quality_chapter

@@ -35,7 +35,7 @@ rate is not in it.
 #include "quality/quality_index.hpp"
 #include "quality/spreading.hpp"
 
-namespace quality_chapter {
+namespace railbook::quality_chapter {
 
 using namespace railbook;
 using quality::Profile;
@@ -210,4 +210,4 @@ void add_spreading(report::Chapter& chapter) {
   chapter.figure("fig-11", "Figure 11. Two segments that start alike", fig_11);
 }
 
-}  // namespace quality_chapter
+}  // namespace railbook::quality_chapter

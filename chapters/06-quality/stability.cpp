@@ -15,7 +15,7 @@ word. Where a row names the formula as printed or a plain search, that is what t
 #include "quality/spreading.hpp"
 #include "units/input_error.hpp"
 
-namespace quality_chapter {
+namespace railbook::quality_chapter {
 
 using namespace railbook;
 
@@ -210,4 +210,4 @@ void add_stability(report::Chapter& chapter) {
   chapter.table("stability", "Stiff, extreme and impossible cases", table_stability);
 }
 
-}  // namespace quality_chapter
+}  // namespace railbook::quality_chapter

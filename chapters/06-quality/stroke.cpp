@@ -55,9 +55,10 @@ $A/x_0=(\lambda/\lambda_0)^2-(1-2\rho^2)+\dots$ with $\lambda_0=v/f'$.
 #include <string>
 
 #include "items.hpp"
+#include "num/log_spaced.hpp"
 #include "num/roots.hpp"
 
-namespace quality_chapter {
+namespace railbook::quality_chapter {
 
 using namespace railbook;
 using quality::allowed_amplitude;
@@ -87,13 +88,13 @@ double searched_peak() {
 }
 
 void fig_02(report::Item& item) {
-  const report::CsvTable printed = item.printed("printed.csv");
+  const table::CsvTable printed = item.printed("printed.csv");
   item.expect_checks(3);
   const auto gain = [](double wavelength) {
     return quality::stroke_gain(roll, track_speed / wavelength);
   };
   auto& data = item.data({"wavelength_m", "gain"});
-  for (const double w : wavelengths(1, 1000, 200)) data.add(w, gain(w));
+  for (const double w : num::log_spaced(1, 1000, 200)) data.add(w, gain(w));
   const double peak = quality::flat_until(inch_limit, track_speed);
   const double printed_peak = report::printed_number(printed.at("peak", "printed"));
   item.data("printed", {"wavelength_m", "gain"}).add(printed_peak, gain(printed_peak));
@@ -120,7 +121,7 @@ void fig_03(report::Item& item) {
   item.data("printed", {"wavelength_m", "amplitude_cm"})
       .add(resonance, allowed_amplitude(severity_at(inch_limit, track_speed, 1 / resonance)) / cm);
   double least = 1e9;
-  for (const double w : wavelengths(1, 1000, 400)) {
+  for (const double w : num::log_spaced(1, 1000, 400)) {
     const double amplitude = allowed_amplitude(severity_at(inch_limit, track_speed, 1 / w));
     data.add(w, amplitude / cm);
     least = std::min(least, amplitude);
@@ -132,11 +133,11 @@ void fig_03(report::Item& item) {
 }
 
 void fig_04(report::Item& item) {
-  const report::CsvTable printed = item.printed("printed.csv");
+  const table::CsvTable printed = item.printed("printed.csv");
   item.expect_checks(3);
   auto& envelope = item.data({"wavelength_m", "amplitude_cm"});
   auto& single = item.data("single", {"speed_kmh", "wavelength_m", "amplitude_cm"});
-  const auto grid = wavelengths(1, 1000, 60);
+  const auto grid = num::log_spaced(1, 1000, 60);
   for (const double v : {20.0, 40.0, 60.0, 80.0, 100.0}) {
     for (const double w : grid)
       single.add(v, w, allowed_amplitude(severity_at(inch_limit, v * kmh, 1 / w)) / cm);
@@ -167,14 +168,14 @@ void fig_04(report::Item& item) {
 }
 
 void fig_05(report::Item& item) {
-  const report::CsvTable printed = item.printed("printed.csv");
+  const table::CsvTable printed = item.printed("printed.csv");
   const quality::StrokeLimit limit = level_limit();
   auto& data = item.data({"speed_kmh", "wavelength_m", "amplitude_cm"});
   const auto all = speeds(item);
   item.expect_checks(2);
   double least = 1e9;
   for (const double v : all) {
-    for (const double w : wavelengths(1, 1000, 60)) {
+    for (const double w : num::log_spaced(1, 1000, 60)) {
       const double amplitude = allowed_amplitude(severity(limit, v, 1 / w));
       data.add(v / kmh, w, amplitude / cm);
       least = std::min(least, amplitude);
@@ -211,4 +212,4 @@ void add_stroke(report::Chapter& chapter) {
   chapter.figure("fig-05", "Figure 5. Allowed amplitude by track speed, stroke mode", fig_05);
 }
 
-}  // namespace quality_chapter
+}  // namespace railbook::quality_chapter

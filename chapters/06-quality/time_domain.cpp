@@ -14,7 +14,7 @@ Each formula above is now met by what it stands for: a wheel on a sine, (1) inte
 #include "items.hpp"
 #include "num/dopri5.hpp"
 
-namespace quality_chapter {
+namespace railbook::quality_chapter {
 
 using namespace railbook;
 
@@ -120,4 +120,4 @@ void add_time_domain(report::Chapter& chapter) {
   chapter.table("table-time", "Closed forms against integration in time", table_time);
 }
 
-}  // namespace quality_chapter
+}  // namespace railbook::quality_chapter

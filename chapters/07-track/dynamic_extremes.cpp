@@ -20,6 +20,7 @@ its digits. Choosing $u$ and computing $\zeta$ from it gives test cases with a k
 #include "track/impact_peaks.hpp"
 #include "track/moving_load.hpp"
 #include "track/wheel_on_track.hpp"
+#include "units/input_error.hpp"
 
 using namespace railbook;
 using namespace railbook::track;

@@ -20,11 +20,9 @@ void add_dynamic_cost(report::Chapter&);      // error against run time, moving 
 void add_dynamic_extremes(report::Chapter&);  // stability rows, moving load and joint
 void add_static_cost(report::Chapter&);       // error against run time, statics
 void add_static_extremes(report::Chapter&);   // stability rows, statics
-void add_stiffness_tool(report::Chapter&);    // `track stiffness`
-void add_joint_tool(report::Chapter&);        // `track joint`
 
 // Checks a claim of the paper's text: the row `key` of data/claims.csv.
-inline void check_claim(report::Item& item, const report::CsvTable& claims, const std::string& key,
+inline void check_claim(report::Item& item, const table::CsvTable& claims, const std::string& key,
                         double computed,
                         const report::Tolerance& tolerance = report::last_digit()) {
   item.check(key, claims.at(key, "what"), claims.at(key, "unit"), claims.at(key, "printed"),

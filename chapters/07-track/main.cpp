@@ -34,9 +34,9 @@ choose data, they are marked as assumed, and what rests on them is called a reco
 
 ## Tools for a track of your own
 
-{{include: stiffness_tool.cpp}}
 
-{{include: joint_tool.cpp}}
+
+
 
 ## Error against run time
 
@@ -135,7 +135,5 @@ int main(int argc, char** argv) {
   track_chapter::add_dynamic_cost(chapter);
   track_chapter::add_static_extremes(chapter);
   track_chapter::add_dynamic_extremes(chapter);
-  track_chapter::add_stiffness_tool(chapter);
-  track_chapter::add_joint_tool(chapter);
   return chapter.run(argc, argv);
 }

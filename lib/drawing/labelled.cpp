@@ -3,8 +3,8 @@
 #include <filesystem>
 
 #include "plot/plot.hpp"
-#include "report/csv.hpp"
 #include "scene/image.hpp"
+#include "table/csv.hpp"
 
 namespace railbook::drawing {
 
@@ -22,7 +22,7 @@ void labelled(report::Item& item, const std::string& script, const scene::Scene&
     const auto picture = std::filesystem::path(png).replace_extension(".scene.png");
     const auto list = std::filesystem::path(png).replace_extension(".labels.csv");
     scene::write_png(scene::render(scene, camera, size), picture);
-    report::write_file(list, text);
+    table::write_file(list, text);
     plot::render(script, {picture, list}, png);
     std::filesystem::remove(picture);
     std::filesystem::remove(list);

@@ -21,7 +21,7 @@ std::vector<Run> runs_of(const Record& record, const Processing& p, Measurement&
   for (std::size_t i = 0; i < record.size(); ++i) {
     // The first row has no row before it: its time means nothing.
     const double T = record.elapsed[i];
-    if (i > 0 && !(signal::possible_interval(T) && T * p.fastest >= p.layout.sample)) {
+    if (i > 0 && !(filters::possible_interval(T) && T * p.fastest >= p.layout.sample)) {
       ++result.rejected;
       continue;
     }

@@ -9,11 +9,11 @@
 #include <string_view>
 #include <vector>
 
+#include "filters/geometry_chain.hpp"
+#include "filters/hybrid_filter.hpp"
 #include "geometry_car/car.hpp"
 #include "geometry_car/record.hpp"
 #include "geometry_car/track.hpp"
-#include "signal/geometry_chain.hpp"
-#include "signal/hybrid_filter.hpp"
 
 namespace railbook::geometry_car {
 
@@ -60,8 +60,8 @@ struct Corrections {
 
 struct Processing {
   Layout layout = {};
-  signal::GeometryChainOptions chain = {};  // long chord and high-pass of profile and alignment
-  signal::Decay decay = signal::Decay::exact;
+  filters::GeometryChainOptions chain = {};  // long chord and high-pass of profile and alignment
+  filters::Decay decay = filters::Decay::exact;
   bool local = false;             // G with the last interval only, as if the speed were constant
   double roll_corner = 1.25 / 4;  // Hz: two octaves below the lateral mode
   int roll_poles = 2;             // of the inclinometer's path, besides the analog filter

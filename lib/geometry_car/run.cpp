@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "signal/complementary.hpp"
+#include "filters/complementary.hpp"
 #include "units/constants.hpp"
 
 namespace railbook::geometry_car {
@@ -15,7 +15,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // Means over each interval, by B and C: rate[k] from sample k - 1 to k.
 Column rates(const Run& run, Channel gyro, const Processing& p) {
-  signal::FirstOrderHybrid c{2 * units::pi * p.layout.first_corner, p.decay};
+  filters::FirstOrderHybrid c{2 * units::pi * p.layout.first_corner, p.decay};
   Column rate(run.size());
   for (std::size_t k = 0; k < run.size(); ++k)
     rate[k] = c.push(run[gyro][k], k == 0 ? 1.0 : run.T[k]);
@@ -50,11 +50,11 @@ struct Attitude {
 Attitude attitude(const Run& run, const Column& yaw, const Column& roll, const Processing& p) {
   const Layout& l = p.layout;
   const Corrections& on = p.corrections;
-  signal::ComplementaryFilter filter{signal::time_constant(p.roll_corner), p.roll_poles};
+  filters::ComplementaryFilter filter{filters::time_constant(p.roll_corner), p.roll_poles};
   Matched turn{l.second_corner}, centrifugal{l.second_corner}, rolling{l.second_corner};
   Attitude a{Column(run.size(), nan), Column(run.size(), nan)};
   // A start forgets itself like a step through the poles: to a third of a per cent in this time.
-  const double settling = (4 + 2 * p.roll_poles) * signal::time_constant(p.roll_corner);
+  const double settling = (4 + 2 * p.roll_poles) * filters::time_constant(p.roll_corner);
   double since = -1;  // the start or the last missing value; negative: not begun
   for (std::size_t k = 1; k < run.size(); ++k) {
     const double T = run.T[k], v = run.direction * l.sample / T;
@@ -96,15 +96,15 @@ double triangle(const Column& x, std::size_t k, double before, double after) {
 template <class Correction>
 Column inertial(const Run& run, Channel accelerometer, const Processing& p, Correction correction,
                 const Column& step) {
-  signal::SecondOrderHybrid filter{{2 * units::pi * p.layout.second_corner},
-                                   {.how = p.decay, .local = p.local}};
+  filters::SecondOrderHybrid filter{{2 * units::pi * p.layout.second_corner},
+                                    {.how = p.decay, .local = p.local}};
   Column m(run.size(), nan);
   for (std::size_t k = 0; k < run.size(); ++k) {
     auto two = filter.push(run[accelerometer][k], k == 0 ? 1.0 : run.T[k]);
     if (k < 2) continue;
     const double before = two.T_before / (two.T_before + two.T_after);
     two.mean += correction(k - 1, before, 1 - before);
-    m[k - 1] = signal::short_chord(two, step.empty() ? 0.0 : step[k - 1]);
+    m[k - 1] = filters::short_chord(two, step.empty() ? 0.0 : step[k - 1]);
   }
   return m;
 }
@@ -131,8 +131,8 @@ struct Sides {
 Sides profile(const Run& run, const Attitude& att, const Processing& p, const Column& step) {
   const Layout& l = p.layout;
   // What the leaning body mixes into the vertical: the lateral force that the inclinometer feels, through the same filters, and gravity.
-  signal::SecondOrderHybrid filter{{2 * units::pi * l.second_corner},
-                                   {.how = p.decay, .local = p.local}};
+  filters::SecondOrderHybrid filter{{2 * units::pi * l.second_corner},
+                                    {.how = p.decay, .local = p.local}};
   Column sideways(run.size(), nan);
   for (std::size_t k = 0; k < run.size(); ++k) {
     const auto two = filter.push(run[Channel::inclinometer][k], k == 0 ? 1.0 : run.T[k]);
@@ -209,11 +209,11 @@ Column change_over(const Column& column, std::size_t span) {
 }
 
 std::size_t samples_needed(const Processing& p) {
-  return 2 * (signal::reach(p.chain.high_pass) + static_cast<std::size_t>(p.chain.half_chord)) - 1;
+  return 2 * (filters::reach(p.chain.high_pass) + static_cast<std::size_t>(p.chain.half_chord)) - 1;
 }
 
-signal::Geometry long_chord(const Column& short_offsets, const Processing& p) {
-  if (short_offsets.size() >= samples_needed(p)) return signal::geometry(short_offsets, p.chain);
+filters::Geometry long_chord(const Column& short_offsets, const Processing& p) {
+  if (short_offsets.size() >= samples_needed(p)) return filters::geometry(short_offsets, p.chain);
   return {Column(short_offsets.size(), nan), Column(short_offsets.size(), nan)};
 }
 
@@ -234,7 +234,7 @@ std::size_t reach_of(Parameter parameter, const Processing& p) {
     case curvature_rate:
       return 2 * mean + car;
     default:
-      return signal::reach(p.chain.high_pass) + half_chord;
+      return filters::reach(p.chain.high_pass) + half_chord;
   }
 }
 

@@ -33,7 +33,7 @@ Column mean_curvature(const Column& turn, const Processing& processing, long shi
 // The change of a column over `span` samples, centred.
 Column change_over(const Column& column, std::size_t span);
 // Long chord and space curve of short offsets, NaN throughout when they are too few.
-signal::Geometry long_chord(const Column& short_offsets, const Processing& processing);
+filters::Geometry long_chord(const Column& short_offsets, const Processing& processing);
 
 std::size_t samples_needed(const Processing& processing);
 // Samples to either side that a value depends on (besides the memory of the roll filter).

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "signal/shaped_noise.hpp"
-#include "signal/track_spectrum.hpp"
+#include "spectra/shaped_noise.hpp"
+#include "spectra/track_spectrum.hpp"
 #include "units/input_error.hpp"
 
 namespace railbook::geometry_car {
@@ -37,12 +37,12 @@ std::vector<double> noise(const Roughness& r, const TrackDescription& t, double 
   std::vector<double> z(size);
   if (units::require_non_negative("A", r.A, "m^2 cycle/m") == 0) return z;
   units::require_positive("phi_c", r.phi_c, "cycle/m");
-  const signal::TrackParameters parameters{.A = r.A, .phi_c = r.phi_c};
-  signal::ShapedNoise{{.density = [=](double phi) { return signal::random_psd(parameters, phi); },
-                       .spacing = spacing,
-                       .low_cut = r.low_cut,
-                       .detail = std::min(r.phi_c, 0.5 / spacing)},
-                      signal::RandomSource{t.seed, stream}}
+  const spectra::TrackParameters parameters{.A = r.A, .phi_c = r.phi_c};
+  spectra::ShapedNoise{{.density = [=](double phi) { return spectra::random_psd(parameters, phi); },
+                        .spacing = spacing,
+                        .low_cut = r.low_cut,
+                        .detail = std::min(r.phi_c, 0.5 / spacing)},
+                       spectra::RandomSource{t.seed, stream}}
       .add(z);
   return z;
 }

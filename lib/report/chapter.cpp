@@ -76,55 +76,6 @@ void make_folder(const std::filesystem::path& folder, bool anew) {
         fmt::format("folder \"{}\": cannot be made: {}", folder.string(), error.message())};
 }
 
-// The words of the command line with the entries of the TOML file that `option` names put in, unless an option is given on
-// the line itself. A key in a table, [body-1] radius = "18in", is the option --body-1-radius. (CLI11 reads configuration
-// files for the whole program only, not for a subcommand.)
-std::vector<std::string> with_entries(const CLI::App* command, std::vector<std::string> words,
-                                      const std::string& named) {
-  const auto is = [](const std::string& word, const std::string& option) {
-    return word == option || word.starts_with(option + "=");
-  };
-  const auto at =
-      std::find_if(words.begin(), words.end(), [&](const auto& w) { return is(w, named); });
-  if (at == words.end() || (*at == named && at + 1 == words.end())) return words;
-  const std::string file = *at == named ? *(at + 1) : at->substr(named.size() + 1);
-  if (std::filesystem::is_directory(file))
-    throw InputError{
-        fmt::format("{} is \"{}\", a folder; allowed: a TOML file", named.substr(2), file)};
-
-  std::vector<std::string> added;
-  for (const CLI::ConfigItem& entry : CLI::ConfigTOML{}.from_file(file)) {
-    if (entry.name == "++" || entry.name == "--") continue;  // begin and end of a table
-    std::string name = entry.fullname();
-    std::replace(name.begin(), name.end(), '.', '-');
-    const bool positional = command->get_option_no_throw("--" + name) == nullptr &&
-                            command->get_option_no_throw(name) != nullptr;
-    const std::string option = "--" + name;
-    if (std::any_of(words.begin(), words.end(), [&](const auto& w) { return is(w, option); }))
-      continue;
-    for (const std::string& input : entry.inputs)
-      added.push_back(positional ? input : fmt::format("{}={}", option, input));
-  }
-  words.insert(words.end(), added.begin(), added.end());
-  return words;
-}
-
-// The same for --config and then for every option that Options::toml declared: what comes first wins. `tool case.toml` is
-// `tool --config case.toml`.
-std::vector<std::string> with_config(CLI::App& app, std::vector<std::string> words) {
-  if (words.empty()) return words;
-  const auto commands =
-      app.get_subcommands([&](const CLI::App* c) { return c->get_name() == words.front(); });
-  if (commands.empty()) return words;
-  const CLI::App* command = commands.front();
-  if (words.size() > 1 && words[1].ends_with(".toml")) words.insert(words.begin() + 1, "--config");
-  words = with_entries(command, std::move(words), "--config");
-  for (const CLI::Option* option : command->get_options())
-    if (option->get_type_name() == toml_type)
-      words = with_entries(command, std::move(words), option->get_name());
-  return words;
-}
-
 }  // namespace
 
 void Chapter::table(std::string id, std::string title, ItemFunction compute) {
@@ -139,10 +90,6 @@ void Chapter::add(std::string id, std::string kind, std::string title, ItemFunct
   if (std::any_of(entries_.begin(), entries_.end(), same))
     throw std::logic_error{"item " + id + " is named twice"};
   entries_.push_back({std::move(id), std::move(kind), std::move(title), std::move(compute)});
-}
-
-void Chapter::tool(std::string name, std::string help, ToolSetup setup) {
-  tools_.push_back({std::move(name), std::move(help), std::move(setup)});
 }
 
 void Chapter::list() const {
@@ -195,10 +142,10 @@ int Chapter::reproduce(const Reproduce& wish) const {
   record.seconds = wish.no_timings ? 0 : total.seconds();
   if (wish.bite) return judge_bite(record);
 
-  write_file(settings.results / "checks.csv", checks_csv(record));
+  table::write_file(settings.results / "checks.csv", checks_csv(record));
   write_record(record, out / "results" / (info_.id + ".json"));
   const std::string summary = summary_line(record);
-  write_file(out / "results" / (info_.id + ".txt"), summary + "\n");
+  table::write_file(out / "results" / (info_.id + ".txt"), summary + "\n");
   print_failures(record);
   fmt::print("{}\n", summary);
   const bool good = count_if(record.items, "failed") == 0 && !record.items.empty();
@@ -228,26 +175,10 @@ int Chapter::run(int argc, char** argv) {
       "shift every computed value by twice its tolerance: every check must fail");
   CLI::App* list_command = app.add_subcommand("list", "name the tables and figures");
 
-  std::vector<std::pair<CLI::App*, std::function<void()>>> tools;
-  for (const Tool& tool : tools_) {
-    CLI::App* command = app.add_subcommand(tool.name, tool.help);
-    command->add_option("--config", "the same options from a TOML file; the command line wins")
-        ->type_name("FILE");
-    Options options{*command};
-    tools.emplace_back(command, tool.setup(options));
-  }
-
   try {
-    std::vector<std::string> words = with_config(app, {argv + 1, argv + argc});
-    std::reverse(words.begin(), words.end());  // as CLI11 wants them
-    app.parse(words);
+    app.parse(argc, argv);
     if (*reproduce_command) return reproduce(wish);
     if (*list_command) list();
-    for (const auto& [command, action] : tools)
-      if (*command) {
-        const num::FpTraps traps;
-        action();
-      }
     return 0;
   } catch (const CLI::CallForHelp& help) {
     return app.exit(help);

@@ -1,15 +1,14 @@
-// A chapter program: named tables and figures, and tools for a user's own data, behind one command line.
+// A chapter program: named tables and figures behind one command line.
 //
 //   int main(int argc, char** argv) {
 //     report::Chapter chapter{{.id = RAILBOOK_CHAPTER, .name = "contact", .title = "...", .paper = "...",
 //                              .sources = RAILBOOK_CHAPTER_DIR}};
 //     chapter.table("table-2", "Hertz and COUNTACT", table_2);    // void table_2(report::Item&)
 //     chapter.figure("fig-09", "Pressure along the axis", fig_09);
-//     chapter.tool("solve", "normal contact of your own bodies", solve_tool);
 //     return chapter.run(argc, argv);
 //   }
 //
-// Subcommands: reproduce (--only, --level, --out, --no-figures, --no-timings, --bite), list, and the tools.
+// Subcommands: reproduce (--only, --level, --out, --no-figures, --no-timings, --bite), list.
 // Exit status: 0 all good, 1 a check failed, 2 bad input or usage.
 #pragma once
 
@@ -19,7 +18,6 @@
 #include <vector>
 
 #include "report/item.hpp"
-#include "report/options.hpp"
 
 namespace railbook::report {
 
@@ -41,9 +39,8 @@ class Chapter {
   // so that it is computed once, by the first that needs it.
   void table(std::string id, std::string title, ItemFunction compute);
   void figure(std::string id, std::string title, ItemFunction compute);
-  void tool(std::string name, std::string help, ToolSetup setup);
 
-  // Reads the command line and does what it says; returns the exit status. Items and tools run with the
+  // Reads the command line and does what it says; returns the exit status. Items run with the
   // floating-point traps on.
   int run(int argc, char** argv);
 
@@ -51,10 +48,6 @@ class Chapter {
   struct Entry {
     std::string id, kind, title;
     ItemFunction compute;
-  };
-  struct Tool {
-    std::string name, help;
-    ToolSetup setup;
   };
   struct Reproduce {
     std::vector<std::string> only;
@@ -71,7 +64,6 @@ class Chapter {
 
   ChapterInfo info_;
   std::vector<Entry> entries_;
-  std::vector<Tool> tools_;
 };
 
 }  // namespace railbook::report

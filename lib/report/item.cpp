@@ -16,7 +16,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // A computed value beside its printed text: two digits more than the paper gives.
 std::string show(std::string_view printed, double computed) {
-  if (!std::isfinite(computed)) return csv_number(computed);
+  if (!std::isfinite(computed)) return table::csv_number(computed);
   const double digit = 2 * half_last_digit(printed);
   const double size = std::max(std::abs(computed), std::abs(printed_number(printed)));
   if (!(size > 0) || !(digit > 0)) return fmt::format("{:.6g}", computed);
@@ -33,7 +33,8 @@ bool one_of(std::string_view text, std::initializer_list<std::string_view> allow
 
 Data::Data(std::string file, const std::vector<std::string>& columns)
     : file_(std::move(file)), columns_(columns.size()) {
-  for (const std::string& column : columns) text_ += (text_.empty() ? "" : ",") + csv_cell(column);
+  for (const std::string& column : columns)
+    text_ += (text_.empty() ? "" : ",") + table::csv_cell(column);
   text_ += "\n";
 }
 
@@ -68,8 +69,8 @@ Item::Item(std::string id, std::string kind, std::string title, const RunSetting
   record_.title = std::move(title);
 }
 
-CsvTable Item::printed(std::string_view file) const {
-  return read_table(settings_.sources / "data" / file);
+table::CsvTable Item::printed(std::string_view file) const {
+  return table::read_table(settings_.sources / "data" / file);
 }
 
 void Item::check(std::string_view id, std::string_view what, std::string_view unit,
@@ -115,7 +116,7 @@ void Item::agree(std::string_view id, std::string_view what, std::string_view un
   checks_.back().printed = fmt::format("{:.10g}", reference);
   const double shown = checks_.back().computed;
   checks_.back().computed_text =
-      std::isfinite(shown) ? fmt::format("{:.10g}", shown) : csv_number(shown);
+      std::isfinite(shown) ? fmt::format("{:.10g}", shown) : table::csv_number(shown);
 }
 
 void Item::value(std::string_view id, double number, std::string_view unit,
@@ -170,7 +171,7 @@ void Item::draw() {
   std::vector<std::filesystem::path> files;
   for (const auto& data : data_) {
     files.push_back(settings_.results / data->file());
-    write_file(files.back(), data->text());
+    table::write_file(files.back(), data->text());
     record_.csv.push_back(data->file());
   }
   if (record_.kind != "figure") return;

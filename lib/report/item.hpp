@@ -1,7 +1,7 @@
 // One table or figure of a paper, while it is being computed.
 //
 //   void table_2(report::Item& item) {
-//     const report::CsvTable printed = item.printed("table-2.csv");  // key,what,unit,hertz,countact
+//     const table::CsvTable printed = item.printed("table-2.csv");  // key,what,unit,hertz,countact
 //     item.expect_checks(2);
 //     const auto hertz = contact::hertz(...);
 //     const report::Row row = item.row(printed, "p0");
@@ -26,9 +26,9 @@
 #include <string_view>
 #include <vector>
 
-#include "report/csv.hpp"
 #include "report/record.hpp"
 #include "report/tolerance.hpp"
+#include "table/csv.hpp"
 
 namespace railbook::report {
 
@@ -49,9 +49,9 @@ class Data {
   const std::string& text() const { return text_; }
 
  private:
-  static std::string cell(double value) { return csv_number(value); }
-  static std::string cell(const std::string& text) { return csv_cell(text); }
-  static std::string cell(const char* text) { return csv_cell(text); }
+  static std::string cell(double value) { return table::csv_number(value); }
+  static std::string cell(const std::string& text) { return table::csv_cell(text); }
+  static std::string cell(const char* text) { return table::csv_cell(text); }
   void add_row(std::initializer_list<std::string> cells);
 
   std::string file_;
@@ -71,10 +71,10 @@ class Row {
 
  private:
   friend class Item;
-  Row(Item& item, const CsvTable& table, std::string key)
+  Row(Item& item, const table::CsvTable& table, std::string key)
       : item_(&item), table_(&table), key_(std::move(key)) {}
   Item* item_;
-  const CsvTable* table_;
+  const table::CsvTable* table_;
   std::string key_;
 };
 
@@ -99,8 +99,8 @@ class Item {
   // Checks. The number of checks must be announced, so that a loop over nothing is a failure.
   void expect_checks(int count) { expected_checks_ = count; }
   // A table of printed values from the chapter's data folder; it must outlive the rows taken from it.
-  CsvTable printed(std::string_view file) const;
-  Row row(const CsvTable& table, std::string key) { return {*this, table, std::move(key)}; }
+  table::CsvTable printed(std::string_view file) const;
+  Row row(const table::CsvTable& table, std::string key) { return {*this, table, std::move(key)}; }
   // `printed` is the paper's text; `computed` in the same unit.
   void check(std::string_view id, std::string_view what, std::string_view unit,
              std::string_view printed, double computed, const Tolerance& tolerance = last_digit());

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "report/csv.hpp"
+#include "table/csv.hpp"
 
 namespace railbook::report {
 namespace {
@@ -104,16 +104,17 @@ void write_record(const ChapterRecord& r, const std::filesystem::path& file) {
                {"values", array(r.values)},
                {"work_precision", array(r.work_precision)},
                {"stability", array(r.stability)}};
-  write_file(file, j.dump(1) + "\n");
+  table::write_file(file, j.dump(1) + "\n");
 }
 
 std::string checks_csv(const ChapterRecord& record) {
   std::string text = "id,what,unit,printed,computed,error,allowed,kind,status\n";
   for (const CheckRecord& c : record.checks) {
-    text += fmt::format("{},{},{},{},{},{},{},{},{}\n", csv_cell(c.id), csv_cell(c.what),
-                        csv_cell(c.unit), csv_cell(c.printed),
-                        std::isnan(c.computed) ? csv_cell(c.computed_text) : csv_number(c.computed),
-                        csv_number(c.error), csv_number(c.allowed), c.kind, c.status);
+    text += fmt::format(
+        "{},{},{},{},{},{},{},{},{}\n", table::csv_cell(c.id), table::csv_cell(c.what),
+        table::csv_cell(c.unit), table::csv_cell(c.printed),
+        std::isnan(c.computed) ? table::csv_cell(c.computed_text) : table::csv_number(c.computed),
+        table::csv_number(c.error), table::csv_number(c.allowed), c.kind, c.status);
   }
   return text;
 }

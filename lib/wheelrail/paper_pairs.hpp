@@ -5,6 +5,8 @@
 // radius 16.5 in.
 #pragma once
 
+#include <array>
+
 #include <string>
 #include <vector>
 
@@ -34,5 +36,18 @@ struct PaperTrack {
   double half_spacing, gauge, gauge_depth, cant, radius;  // [m], cant [rad]
 };
 extern const PaperTrack paper_track;
+
+// The paper's three pairs by name.
+struct NamedPair {
+  const char* key;
+  const char* name;
+  const WheelsetOnTrack& (*pair)();
+  const ConstraintFunctions& (*table)();
+};
+
+inline constexpr std::array<NamedPair, 3> paper_pairs{
+    {{"new", "new wheel, worn rail", new_wheel_pair, new_wheel_table},
+     {"cn", "CN profile A, new rail", cn_pair, cn_table},
+     {"heumann", "modified Heumann, worn rail", heumann_pair, heumann_table}}};
 
 }  // namespace railbook::wheelrail

@@ -7,18 +7,25 @@ function(broken message)
   set(broken 1 PARENT_SCOPE)
 endfunction()
 
-# Physics never includes report, plot, scene, drawing or bench; only report knows CLI11 and JSON; only scene knows GL and libpng.
-file(GLOB_RECURSE sources ${root}/lib/*.cpp ${root}/lib/*.hpp ${root}/chapters/*.cpp ${root}/chapters/*.hpp)
+# Physics never includes report, plot, scene, drawing or bench; only report and tool know CLI11 and JSON; only scene knows GL and libpng.
+file(GLOB_RECURSE sources ${root}/lib/*.cpp ${root}/lib/*.hpp ${root}/chapters/*.cpp ${root}/chapters/*.hpp
+     ${root}/tools/*.cpp ${root}/tools/*.hpp)
 foreach(file ${sources})
   file(RELATIVE_PATH name ${root} ${file})
   file(STRINGS ${file} includes REGEX "^#include")
   foreach(line IN LISTS includes)
-    if(name MATCHES "^lib/(units|num|contact|wheelrail|dynamics|signal|track|quality)/"
-       AND line MATCHES "\"(report|plot|scene|drawing|bench)/")
+    if(name MATCHES "^lib/(units|num|contact|rolling|wheelrail|dynamics|spectra|filters|geometry_car|track|quality)/"
+       AND line MATCHES "\"(report|tool|plot|scene|drawing|bench)/")
       broken("${name}: physics includes ${line}")
     endif()
-    if(NOT name MATCHES "^lib/report/.*\\.cpp$" AND line MATCHES "CLI/|nlohmann/")
-      broken("${name}: only lib/report's sources may include ${line}")
+    if(NOT name MATCHES "^lib/(report|tool)/.*\\.cpp$" AND line MATCHES "CLI/|nlohmann/")
+      broken("${name}: only the sources of lib/report and lib/tool may include ${line}")
+    endif()
+    if(name MATCHES "^chapters/" AND line MATCHES "\"tool/")
+      broken("${name}: a chapter knows no tool: ${line}")
+    endif()
+    if(name MATCHES "^tools/" AND line MATCHES "\"(report|bench)/")
+      broken("${name}: a tool knows no report: ${line}")
     endif()
     if(NOT name MATCHES "^lib/scene/.*\\.cpp$" AND line MATCHES "GL/|png\\.h")
       broken("${name}: only lib/scene's sources may include ${line}")

@@ -1,11 +1,11 @@
 // The creep rig's contact at about 1000 lbf, for tests of rolling contact.
 #pragma once
 
-#include "contact/rolling_case.hpp"
+#include "rolling/rolling_case.hpp"
 
 namespace railbook {
 
-inline constexpr contact::RollingCase rig_case{.a = 1.49e-3,
+inline constexpr rolling::RollingCase rig_case{.a = 1.49e-3,
                                                .b = 0.95e-3,
                                                .load = 4450,
                                                .shear_modulus = 79.6e9,

@@ -1,0 +1,60 @@
+#include "filters/complementary.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "filters/hybrid_filter.hpp"
+#include "units/constants.hpp"
+#include "units/input_error.hpp"
+
+namespace railbook::filters {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+ComplementaryFilter::ComplementaryFilter(double tau, int poles)
+    : tau_(units::require_positive("time constant", tau, "s")),
+      theta_(static_cast<std::size_t>(units::require_between("poles", poles, 1, 8))) {}
+
+double ComplementaryFilter::push(double inclination, double increment, double T) {
+  if (T == 0 && known_) return none;
+  if (!std::isfinite(inclination)) {
+    known_ = false;
+    return none;
+  }
+  if (!known_ || !possible_interval(T) || !std::isfinite(increment)) {
+    const bool first = !known_ && (possible_interval(T) || T == 0) && std::isfinite(increment);
+    for (double& theta : theta_) theta = inclination;
+    known_ = true;
+    return first ? inclination : none;
+  }
+  const DecayPair d = decay(T / tau_);
+  double input = inclination;
+  for (double& theta : theta_) {
+    theta = d.a * (theta + increment) + d.rest * input;
+    input = theta;
+  }
+  return input;
+}
+
+double time_constant(double corner) {
+  return 1 / (2 * units::pi * units::require_positive("corner", corner, "Hz"));
+}
+
+std::complex<double> low_pass_gain(double tau, int poles, double f) {
+  return std::pow(1.0 / std::complex<double>{1, 2 * units::pi * f * tau}, poles);
+}
+
+std::complex<double> low_pass_gain(double tau, int poles, double f, double T) {
+  const DecayPair d = decay(T / tau);
+  return std::pow(d.rest / (d.rest + d.a * (1.0 - std::polar(1.0, -2 * units::pi * f * T))), poles);
+}
+
+double gyro_bias_error(double bias, double tau, int poles, double T) {
+  const DecayPair d = decay(T / tau);
+  return bias * poles * (d.a > 0 ? d.a * T / d.rest : 0);
+}
+
+}  // namespace railbook::filters

@@ -1,0 +1,228 @@
+#include "filters/hybrid_filter.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "units/constants.hpp"
+#include "units/input_error.hpp"
+
+namespace railbook::filters {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+using Complex = std::complex<double>;
+
+// q(T), the solution of q'' + 2 s q' + p q = 0 with q(0) = 0, q'(0) = 1, its companion exp(-sT) cos (or cosh), and
+// area(T) = p times the integral of q from 0 to T.
+struct Mode {
+  double q = 0;
+  double area = 0;
+};
+
+// For small T, by its Taylor series: the closed form of the area cancels there.
+Mode mode_series(double s, double p, double T) {
+  Mode mode;
+  double before = 0, term = T;  // of T^n, n = 0 and 1
+  for (int n = 1; n < 20; ++n) {
+    mode.q += term;
+    mode.area += p * term * T / (n + 1);
+    const double next = -(2 * s * T * n * term + p * T * T * before) / (n * (n + 1.0));
+    before = term;
+    term = next;
+  }
+  return mode;
+}
+
+Mode mode_at(double s, double p, double T) {
+  if (2 * std::abs(s) * T + p * T * T < 1) return mode_series(s, p, T);
+  const double split = p - s * s;
+  if (std::abs(split) < 1e-14 * p) {
+    const double e = std::exp(-s * T);
+    return {T * e, 1 - e * (1 + s * T)};
+  }
+  const double w = std::sqrt(std::abs(split));
+  if (split > 0) {
+    const double e = std::exp(-s * T), sine = std::sin(w * T) / w;
+    return {e * sine, 1 - e * (std::cos(w * T) + s * sine)};
+  }
+  const double slow = std::exp(-(s - w) * T), fast = std::exp(-(s + w) * T);
+  const double q = (slow - fast) / (2 * w);
+  return {q, 1 - (slow + fast) / 2 - s * q};
+}
+
+// y_{k+1} - alpha y_k + beta y_{k-1} takes both modes out; `area` is the weight of a constant in it.
+struct Annihilator {
+  double alpha = 0, beta = 0, area = 1;
+};
+
+// The rate of the mode that lasts longest.
+double slow_rate(const SecondOrderLowPass& f) {
+  const double z = f.damping;
+  return z > 1 ? f.omega / (z + std::sqrt(z * z - 1)) : z * f.omega;
+}
+
+constexpr double forgotten = 300;  // exp(-300) is nothing, and its square still a number
+
+// With complex poles, T below half a period: q > 0, and the weight has one sign.
+Annihilator annihilator(const SecondOrderLowPass& f, double before, double after) {
+  const double slow = slow_rate(f);
+  if (slow * after > forgotten) return {0, 0, 1};
+  if (slow * before > forgotten) {
+    if (f.damping < 1) return {none, none, none};
+    const double split = 2 * f.omega * std::sqrt(f.damping * f.damping - 1);
+    const double r = std::isinf(before) ? 0
+                     : split == 0
+                         ? after / before
+                         : std::expm1(-split * (before + after)) / std::expm1(-split * before) - 1;
+    const double e = std::exp(-slow * after);
+    return {e * (1 + r), 0, -std::expm1(-slow * after) - e * r};
+  }
+  const double s = f.damping * f.omega, p = f.omega * f.omega;
+  if (f.damping < 1 && std::sqrt(p - s * s) * std::max(before, after) >= units::pi)
+    return {none, none, none};
+  const Mode first = mode_at(s, p, before), second = mode_at(s, p, after);
+  const double alpha = mode_at(s, p, before + after).q / first.q;
+  const double e = std::exp(-s * before);
+  const double beta = e * e * second.q / first.q;
+  if (s * before > 20) return {alpha, beta, 1 - alpha + beta};
+  // Two positive terms, so without cancellation; back in time the mode grows, hence -s.
+  return {alpha, beta, second.area + beta * mode_at(-s, p, before).area};
+}
+
+// One speed: the same without the condition.
+Annihilator constant_speed(const SecondOrderLowPass& f, double T) {
+  const double s = f.damping * f.omega, p = f.omega * f.omega;
+  if (s * T + p * T * T < 1) return annihilator(f, T, T);
+  if (slow_rate(f) * T > forgotten) return {0, 0, 1};
+  const double beta = std::exp(-2 * s * T);
+  const Complex w = std::sqrt(Complex{s * s - p});
+  const double alpha = (std::exp(-(s - w) * T) + std::exp(-(s + w) * T)).real();
+  return {alpha, beta, 1 - alpha + beta};
+}
+
+Annihilator approximate(double omega, double before, double after, Decay how) {
+  const double first = decay(omega * before, how).a, second = decay(omega * after, how).a;
+  const double r = std::isinf(before) ? 0 : after / before;
+  if (!std::isfinite(first) || !std::isfinite(second) || !std::isfinite(r))
+    return {none, none, none};
+  const double alpha = second * (1 + r), beta = first * second * r;
+  if (!(std::abs(alpha) < 1e300 && std::abs(beta) < 1e300)) return {none, none, none};
+  return {alpha, beta, 1 - alpha + beta};
+}
+
+double centred(double kappa) {  // 1/kappa - a/(1-a) - 1/2 for small kappa, by its Bernoulli series
+  const double k2 = kappa * kappa;
+  return -kappa / 12 * (1 - k2 / 60 * (1 - k2 / 42 * (1 - k2 / 40 * (1 - k2 * 10 / 396))));
+}
+
+}  // namespace
+
+DecayPair decay(double kappa, Decay how) {
+  const double k = kappa;
+  if (how == Decay::exact) return {std::exp(-k), -std::expm1(-k)};
+  if (how == Decay::linear) return {1 - k, k};
+  if (how == Decay::reciprocal) return {1 / (1 + k), std::isinf(k) ? 1 : k / (1 + k)};
+  if (k > 1e100) return how == Decay::pade11 ? DecayPair{-1, 2} : DecayPair{1, 0};
+  if (how == Decay::pade11) return {(2 - k) / (2 + k), 2 * k / (2 + k)};
+  const double d = 12 + k * (6 + k);
+  return {(12 - k * (6 - k)) / d, 12 * k / d};
+}
+
+bool possible_interval(double T) {
+  return std::isgreater(T, 1e-10);
+}
+
+FirstOrderHybrid::FirstOrderHybrid(double corner, Decay how)
+    : corner_(units::require_positive("corner of the filter", corner, "rad/s")), how_(how) {}
+
+double FirstOrderHybrid::push(double y, double T) {
+  if (!possible_interval(T)) {
+    if (T == 0 && known_) return none;
+    known_ = false;
+  }
+  double u = none;
+  if (known_ && std::isfinite(y)) {
+    const DecayPair d = decay(corner_ * T, how_);
+    if (d.rest != 0 && std::isfinite(d.rest)) u = y + d.a * (y - last_) / d.rest;
+  }
+  known_ = std::isfinite(y);
+  last_ = y;
+  return u;
+}
+
+SecondOrderHybrid::SecondOrderHybrid(const SecondOrderLowPass& filter,
+                                     const SecondOrderOptions& options)
+    : filter_(filter), options_(options) {
+  units::require_positive("corner of the filter", filter.omega, "rad/s");
+  units::require_positive("damping of the filter", filter.damping);
+  if (options.how != Decay::exact && filter.damping != 1)
+    throw InputError{"damping is not 1: an approximate decay is for the double pole only"};
+}
+
+TwoIntervals SecondOrderHybrid::push(double y, double T) {
+  if (!possible_interval(T)) {
+    if (T == 0 && known_ > 0) return {none, none, none};
+    known_ = 0;
+  }
+  TwoIntervals out{none, T_, T};
+  if (!std::isfinite(y)) {
+    known_ = 0;
+    return out;
+  }
+  if (known_ == 2) {
+    const double before = options_.local ? T : T_;
+    const Annihilator g = options_.how != Decay::exact
+                              ? approximate(filter_.omega, before, T, options_.how)
+                          : before == T ? constant_speed(filter_, T)
+                                        : annihilator(filter_, before, T);
+    // A constant passes unchanged whatever the rounding: written in differences.
+    if (g.area != 0 && std::isfinite(g.area))
+      out.mean = y + (g.alpha * (y - last_) - g.beta * (y - before_)) / g.area;
+  } else {
+    ++known_;
+  }
+  before_ = last_;
+  last_ = y;
+  T_ = T;
+  return out;
+}
+
+double short_chord(const TwoIntervals& a, double step) {
+  if (!std::isfinite(a.mean) || std::isinf(a.T_before) || std::isinf(a.T_after)) return none;
+  return -0.5 * (0.5 * a.T_after * (a.T_before + a.T_after) * a.mean +
+                 (a.T_after / a.T_before - 1) * step);
+}
+
+Complex first_order_analog(double kappa, double theta) {
+  return kappa / Complex{kappa, theta};
+}
+
+Complex first_order_digital(double kappa, double theta, Decay how) {
+  const DecayPair d = decay(kappa, how);
+  return 1.0 + d.a / d.rest * (1.0 - std::polar(1.0, -theta));
+}
+
+Complex second_order_analog(const SecondOrderLowPass& f, double T, double theta) {
+  const double k = f.omega * T;
+  return k * k / Complex{k * k - theta * theta, 2 * f.damping * k * theta};
+}
+
+Complex second_order_digital(const SecondOrderLowPass& f, double T, double theta) {
+  const Annihilator g = constant_speed(f, T);
+  return 1.0 + (g.alpha * (1.0 - std::polar(1.0, -theta)) -
+                g.beta * (1.0 - std::polar(1.0, -2 * theta))) /
+                   g.area;
+}
+
+double sinc_limit(double theta) {
+  return theta == 0 ? 1 : std::sin(theta / 2) / (theta / 2);
+}
+
+double centroid_delay(double kappa) {
+  if (kappa < 0.3) return 0.5 + centred(kappa);
+  const DecayPair d = decay(kappa);
+  return 1 / kappa - d.a / d.rest;
+}
+
+}  // namespace railbook::filters

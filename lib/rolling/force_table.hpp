@@ -1,0 +1,70 @@
+// Creep forces tabulated over the axis ratio and the reduced creepages, for codes that need them a million times.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "rolling/rolling_case.hpp"
+
+namespace railbook::rolling {
+
+// Shares of the friction bound: forces over mu N, the moment over mu N sqrt(a b).
+struct ForceShares {
+  double fx = 0;
+  double fy = 0;
+  double mz = 0;
+};
+
+// Nodes: axis ratios spaced evenly in ln(a/b); longitudinal and lateral reduced creepages from 0, spin of both signs, all
+// dense near 0, where the forces bend, and thin towards `reach` (x = s sinh(u arsinh(reach/s)), s = 0.5).
+struct ForceTableAxes {
+  double ratio_from = 0.5, ratio_to = 2;
+  int ratios = 5;
+  double reach = 5, spin_reach = 5;                // largest reduced creepages
+  int longitudinal = 13, lateral = 13, spin = 25;  // nodes; spin odd, so that 0 is one
+};
+
+// The theory to tabulate, at an axis ratio.
+using ShareFunction = std::function<ForceShares(const Creepage& reduced)>;
+using ShareTheory = std::function<ShareFunction(double axis_ratio)>;
+
+// How far interpolation is from the theory itself, at points that are no nodes.
+struct InterpolationError {
+  double largest_force = 0, rms_force = 0;    // of (fx, fy), as a share of mu N
+  double largest_moment = 0, rms_moment = 0;  // of mz, as a share of mu N sqrt(a b)
+  int points = 0;
+};
+
+class ForceTable {
+ public:
+  // Calls the theory at every node. Throws InputError on axes out of range: ratios in order and positive, reaches
+  // positive, 2 nodes or more an axis (1 for the ratio if both ends are equal), at most 1e7 nodes in all.
+  ForceTable(const ForceTableAxes& axes, const ShareTheory& theory);
+
+  // Linear in each stretched coordinate. Negative longitudinal creepage turns fx; negative lateral creepage turns spin,
+  // fy and mz (the symmetries of the problem). Beyond an axis the value at its end.
+  ForceShares at(double axis_ratio, const Creepage& reduced) const;
+
+  // Against the theory at `points` places drawn evenly in the stretched coordinates, off the nodes; the same ones for
+  // the same axes and number of points.
+  InterpolationError error(const ShareTheory& theory, int points) const;
+
+  const std::vector<double>& ratios() const { return ratio_; }
+  const std::vector<double>& longitudinal() const { return x_; }
+  const std::vector<double>& lateral() const { return y_; }
+  const std::vector<double>& spin() const { return z_; }
+  // The node's value; indices in the order of the axes above.
+  const ForceShares& node(std::size_t ratio, std::size_t x, std::size_t y, std::size_t z) const {
+    return values_[((ratio * x_.size() + x) * y_.size() + y) * z_.size() + z];
+  }
+
+ private:
+  std::vector<double> ratio_, x_, y_, z_;
+  std::vector<ForceShares> values_;
+};
+
+// A theory's forces as shares, for RollingCase-based solvers: at G = N = mu = 1, a b = 1.
+ShareFunction shares_of(std::function<CreepForces(const RollingCase&)> solve, double axis_ratio,
+                        double poisson);
+
+}  // namespace railbook::rolling

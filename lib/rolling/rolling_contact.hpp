@@ -1,0 +1,62 @@
+// Kalker's full theory of steady rolling: tractions on half-spaces, Coulomb's law with the exact slip.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "contact/grid.hpp"
+#include "rolling/rolling_case.hpp"
+#include "rolling/stick_slip.hpp"
+
+namespace railbook::rolling {
+
+struct RollingOptions {
+  Eigen::Index along = 24;  // cells of a row, along rolling; >= 1
+  Eigen::Index rows = 12;   // rows across; >= 1
+  bool remedy =
+      true;  // cells placed by edge_offset(); false: cells that just fill the contact, first order
+  bool estimate = true;  // a grid of half the cells first: a start, and the error estimate
+  StickSlipOptions solver = {};
+};
+
+// A contact ellipse with Hertz's pressure, meshed by rows that end on the ellipse. Everything that depends on a/b and
+// Poisson's ratio alone is made once, so that a table of creepages costs only its solutions. The problem is solved in
+// dimensionless form: results depend on (a/b, nu, reduced creepages) to rounding.
+class EllipseRolling {
+ public:
+  // axis_ratio = a/b > 0 (along over across); poisson 0 to 0.5. Memory 32 bytes x (along x rows)^2.
+  EllipseRolling(double axis_ratio, double poisson, const RollingOptions& options = {});
+  ~EllipseRolling();
+  EllipseRolling(EllipseRolling&&) noexcept;
+
+  // The forces for creepages prescribed. Error of fx/(mu N) without spin, mean over the rig's curve: 2e-3 with 6 x 4 cells,
+  // 5e-4 with 12 x 8, 2e-4 with 24 x 12, and up to five times that at a point; some ten times that of fy and mz under
+  // large spin. The estimate is no bound: it was above the error at 11 to 16 of the curve's 19 points. mu = 0 gives zero forces and a reason. Throws InputError
+  // when the case is out of range or its a/b and nu are not those of this object.
+  CreepForces solve(const RollingCase& c) const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+// The same for one case.
+CreepForces solve_rolling(const RollingCase& c, const RollingOptions& options = {});
+
+// The creepages that give prescribed forces: longitudinal for fx, lateral for fy, the others as in the case.
+// converged is false when the forces are not below mu N, or not reached to 1e-8 mu N.
+struct RollingForForces {
+  RollingCase rolling;
+  CreepForces forces;
+};
+RollingForForces solve_for_forces(const EllipseRolling& contact, const RollingCase& c,
+                                  std::optional<double> fx, std::optional<double> fy);
+
+// Rolling of any contact whose pressure [Pa] is given at the cells of a uniform grid (x along rolling, row by row, 0
+// outside the contact), with products by Fourier transforms. Of the case, a, b and load are not used: the load is the
+// sum of the pressures. The traction cells lie 1/4 + edge_offset() of a cell behind those of the pressure (with
+// `remedy`), which takes the first-order error away; what is left is the edge of the contact seen in whole cells.
+CreepForces solve_rolling(const contact::Grid& grid, const Eigen::VectorXd& pressure,
+                          const RollingCase& c, const RollingOptions& options = {});
+
+}  // namespace railbook::rolling

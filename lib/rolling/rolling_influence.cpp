@@ -1,0 +1,228 @@
+#include "rolling/rolling_influence.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "num/fft.hpp"
+#include "num/quadrature.hpp"
+#include "units/constants.hpp"
+
+namespace railbook::rolling {
+namespace {
+
+struct Pair {  // xx, xy = yx, yy
+  double xx = 0, xy = 0, yy = 0;
+};
+
+// asinh(v/u) for u, v > 0 and r^2 = u^2 + v^2.
+double inverse_sinh(double v, double u, double r) {
+  if (v > 0.25 * u) return std::log((v + r) / u);
+  return std::log1p((v + v * v / (r + u)) / u);
+}
+
+// Corner functions: mixed second derivatives (1-nu)/r + nu x^2/r^3, nu x y/r^3, (1-nu)/r + nu y^2/r^3.
+Pair corner(double x, double y, double poisson) {
+  const double u = std::abs(x), v = std::abs(y), r = std::sqrt(u * u + v * v);
+  const double gx = u > 0 && v > 0 ? std::copysign(x, x * y) * inverse_sinh(v, u, r) : 0;
+  const double gy = u > 0 && v > 0 ? std::copysign(y, x * y) * inverse_sinh(u, v, r) : 0;
+  return {(1 - poisson) * gx + gy, -poisson * r, gx + (1 - poisson) * gy};
+}
+
+// Displacements at distance (x, y) from the centres of a row of `n` cells dx by dy, the k-th centred at k dx.
+void row_displacements(double x, double y, double dx, double dy, double poisson,
+                       std::vector<Pair>& u) {
+  Pair below_left{}, above_left{};
+  for (std::size_t k = 0; k <= u.size(); ++k) {
+    const double edge = (static_cast<double>(k) - 0.5) * dx - x;
+    const Pair below = corner(edge, -dy / 2 - y, poisson),
+               above = corner(edge, dy / 2 - y, poisson);
+    if (k > 0) {
+      Pair& p = u[k - 1];
+      p.xx = (above.xx - above_left.xx) - (below.xx - below_left.xx);
+      p.xy = (above.xy - above_left.xy) - (below.xy - below_left.xy);
+      p.yy = (above.yy - above_left.yy) - (below.yy - below_left.yy);
+    }
+    below_left = below, above_left = above;
+  }
+}
+
+// Strain at the cells of row `at` from unit tractions on the cells of row `from`, as three along x along blocks.
+struct Blocks {
+  explicit Blocks(Eigen::Index n) : xx(n, n), xy(n, n), yy(n, n) {}
+  Eigen::MatrixXd xx, xy, yy;
+};
+
+void fill(const RollingMesh& mesh, double poisson, Motion motion, Eigen::Index at,
+          Eigen::Index from, Blocks& b) {
+  const Eigen::Index n = mesh.along;
+  std::vector<Pair> here(static_cast<std::size_t>(n)), upstream(here.size());
+  const bool rolls = motion == Motion::rolling;
+  const double scale = 1 / (units::pi * (rolls ? mesh.dx[at] : 1));
+  const Pair none;
+  for (Eigen::Index i = n; i >= 0; --i) {
+    std::swap(here, upstream);
+    row_displacements(mesh.x(at, i) - mesh.x0[from], mesh.y[at] - mesh.y[from], mesh.dx[from],
+                      mesh.dy[from], poisson, here);
+    if (i == n) continue;
+    for (Eigen::Index k = 0; k < n; ++k) {
+      const Pair& u = here[static_cast<std::size_t>(k)];
+      const Pair& v = rolls ? upstream[static_cast<std::size_t>(k)] : none;
+      b.xx(i, k) = scale * (u.xx - v.xx);
+      b.xy(i, k) = scale * (u.xy - v.xy);
+      b.yy(i, k) = scale * (u.yy - v.yy);
+    }
+  }
+}
+
+double log_symbol_ratio(double t) {
+  double sum = 1 / (t * t);
+  for (int m = 1; m < 2000; ++m) {
+    const double low = 2 * units::pi * m - t, high = 2 * units::pi * m + t;
+    sum += (m % 2 ? 1 : -1) * (1 / (low * low) - 1 / (high * high));
+  }
+  const double s = std::sin(t / 2);
+  return std::log(4 * s * s * sum) / (s * s);
+}
+
+}  // namespace
+
+double edge_offset() {
+  static const double value = [] {
+    const num::GaussRule rule = num::gauss_legendre(24, 0, units::pi);
+    double sum = 0;
+    for (Eigen::Index i = 0; i < rule.x.size(); ++i) sum += rule.w[i] * log_symbol_ratio(rule.x[i]);
+    return -sum / (4 * units::pi);
+  }();
+  return value;
+}
+
+bool RollingMesh::uniform() const {
+  const double tolerance = 1e-9;
+  for (Eigen::Index j = 0; j < rows(); ++j)
+    if (std::abs(dx[j] - dx[0]) > tolerance * dx[0] ||
+        std::abs(x0[j] - x0[0]) > tolerance * dx[0] ||
+        std::abs(dy[j] - dy[0]) > tolerance * dy[0] ||
+        std::abs(y[j] - y[0] - static_cast<double>(j) * dy[0]) > 1e-6 * dy[0])
+      return false;
+  return true;
+}
+
+struct TangentialInfluence::Parts {
+  RollingMesh mesh;
+  double poisson = 0;
+  Motion motion = Motion::rolling;
+  Eigen::MatrixXd matrix;               // dense, or empty
+  std::vector<Eigen::MatrixXd> blocks;  // of the rows, or the one they share
+  std::unique_ptr<num::RealFft2d> x, y;
+  std::vector<std::complex<double>> xx, xy, yy;
+
+  void fill_matrix();
+  void fill_spectra();
+  void multiply(const Eigen::VectorXd& p, Eigen::VectorXd& strain);
+};
+
+void TangentialInfluence::Parts::fill_matrix() {
+  const Eigen::Index n = mesh.along, rows = mesh.rows(), half = mesh.cells();
+  matrix.resize(2 * half, 2 * half);
+  Blocks b(n);
+  for (Eigen::Index at = 0; at < rows; ++at)
+    for (Eigen::Index from = 0; from < rows; ++from) {
+      fill(mesh, poisson, motion, at, from, b);
+      matrix.block(at * n, from * n, n, n) = b.xx;
+      matrix.block(at * n, half + from * n, n, n) = b.xy;
+      matrix.block(half + at * n, from * n, n, n) = b.xy;
+      matrix.block(half + at * n, half + from * n, n, n) = b.yy;
+    }
+}
+
+void TangentialInfluence::Parts::fill_spectra() {
+  const auto n = static_cast<std::size_t>(mesh.along), rows = static_cast<std::size_t>(mesh.rows());
+  x = std::make_unique<num::RealFft2d>(num::good_fft_size(2 * rows - 1), num::good_fft_size(2 * n));
+  y = std::make_unique<num::RealFft2d>(x->rows(), x->columns());
+  const auto big_rows = x->rows(), columns = x->columns();
+  const double dx = mesh.dx[0], dy = mesh.dy[0];
+  const double rolls = motion == Motion::rolling ? 1 : 0;
+  const double scale = 1 / (units::pi * (rolls > 0 ? dx : 1) * static_cast<double>(big_rows) *
+                            static_cast<double>(columns));
+  // u at distances -n .. n cells from one cell, the strain at -n .. n - 1.
+  std::vector<Pair> u(2 * n + 1);
+  const auto put = [&](auto part, std::vector<std::complex<double>>& spectrum, bool odd) {
+    std::ranges::fill(x->real(), 0.0);
+    for (std::size_t j = 0; j < rows; ++j) {
+      row_displacements(static_cast<double>(n) * dx, static_cast<double>(j) * dy, dx, dy, poisson,
+                        u);
+      for (std::size_t i = 0; i < 2 * n; ++i) {
+        // u[k] belongs to a cell (k - n) dx downstream of the point: distance of the point n - k.
+        const double strain = scale * (u[2 * n - i].*part - rolls * u[2 * n - i - 1].*part);
+        const std::size_t column = (i + columns - n) % columns;
+        x->row(j)[column] = strain;
+        if (j > 0) x->row(big_rows - j)[column] = odd ? -strain : strain;
+      }
+    }
+    x->forward();
+    spectrum.assign(x->spectrum().begin(), x->spectrum().end());
+  };
+  put(&Pair::xx, xx, false);
+  put(&Pair::xy, xy, true);
+  put(&Pair::yy, yy, false);
+}
+
+void TangentialInfluence::Parts::multiply(const Eigen::VectorXd& p, Eigen::VectorXd& strain) {
+  const auto n = static_cast<std::size_t>(mesh.along), rows = static_cast<std::size_t>(mesh.rows());
+  const auto load = [&](num::RealFft2d& fft, const double* from) {
+    std::ranges::fill(fft.real(), 0.0);
+    for (std::size_t j = 0; j < rows; ++j) std::copy_n(from + j * n, n, fft.row(j));
+    fft.forward();
+  };
+  load(*x, p.data());
+  load(*y, p.data() + mesh.cells());
+  for (std::size_t k = 0; k < xx.size(); ++k) {
+    const std::complex<double> px = x->spectrum()[k], py = y->spectrum()[k];
+    x->spectrum()[k] = xx[k] * px + xy[k] * py;
+    y->spectrum()[k] = xy[k] * px + yy[k] * py;
+  }
+  strain.resize(2 * mesh.cells());
+  const auto unload = [&](num::RealFft2d& fft, double* to) {
+    fft.inverse();
+    for (std::size_t j = 0; j < rows; ++j) std::copy_n(fft.row(j), n, to + j * n);
+  };
+  unload(*x, strain.data());
+  unload(*y, strain.data() + mesh.cells());
+}
+
+TangentialInfluence::TangentialInfluence(const RollingMesh& mesh, double poisson, bool dense,
+                                         Motion motion)
+    : parts_(std::make_unique<Parts>()) {
+  parts_->mesh = mesh;
+  parts_->poisson = poisson;
+  parts_->motion = motion;
+  const bool uniform = mesh.uniform();
+  if (dense || !uniform)
+    parts_->fill_matrix();
+  else
+    parts_->fill_spectra();
+  Blocks b(mesh.along);
+  for (Eigen::Index row = 0; row < (uniform ? std::min<Eigen::Index>(1, mesh.rows()) : mesh.rows());
+       ++row) {
+    fill(mesh, poisson, motion, row, row, b);
+    parts_->blocks.emplace_back(2 * mesh.along, 2 * mesh.along);
+    parts_->blocks.back() << b.xx, b.xy, b.xy, b.yy;
+  }
+}
+TangentialInfluence::~TangentialInfluence() = default;
+TangentialInfluence::TangentialInfluence(TangentialInfluence&&) noexcept = default;
+TangentialInfluence& TangentialInfluence::operator=(TangentialInfluence&&) noexcept = default;
+
+void TangentialInfluence::apply(const Eigen::VectorXd& p, Eigen::VectorXd& strain) const {
+  if (parts_->matrix.size())
+    strain.noalias() = parts_->matrix * p;
+  else
+    parts_->multiply(p, strain);
+}
+
+const Eigen::MatrixXd& TangentialInfluence::row_block(Eigen::Index row) const {
+  return parts_->blocks[parts_->blocks.size() == 1 ? 0 : static_cast<std::size_t>(row)];
+}
+
+}  // namespace railbook::rolling

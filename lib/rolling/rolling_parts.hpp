@@ -1,0 +1,46 @@
+// Pieces shared by the solvers of rolling contact; all lengths over sqrt(a b), tractions over mu N/(a b), slip over
+// mu N/(G a b).
+#pragma once
+
+#include "rolling/rolling_case.hpp"
+#include "rolling/rolling_influence.hpp"
+#include "rolling/stick_slip.hpp"
+
+namespace railbook::rolling {
+
+struct RollingGrid {
+  RollingMesh mesh;
+  Eigen::VectorXd bound;  // mean over each cell; its sum over the area is 1
+};
+
+// Rows that end on the ellipse of axes sqrt(a/b) and sqrt(b/a), with Hertz's pressure integrated exactly.
+RollingGrid ellipse_grid(double axis_ratio, Eigen::Index along, Eigen::Index rows, bool remedy);
+
+// One row of half length 1 and the given width with a plane Hertz pressure: rolling cylinders.
+RollingGrid strip_grid(Eigen::Index along, double width, bool remedy);
+
+// The rigid slip at the points where the upstream difference is the slope: half a cell before the centres.
+Eigen::VectorXd rigid_slip(const RollingMesh& mesh, const Creepage& reduced);
+
+// Stick and slip for the reduced creepages. The slip of a cell is taken half a cell ahead of its middle, and a sliding
+// cell should slide along the slip in its middle: under spin the two differ by first order. A second solution, started
+// from the first, adds what turns the slip of each sliding cell into the mean with that of the cell behind it.
+StickSlip solve_on(const TangentialInfluence& influence, const RollingGrid& grid,
+                   const Creepage& reduced, const StickSlipOptions& options = {},
+                   const StickSlip* start = nullptr);
+
+struct Resultants {
+  double fx = 0, fy = 0, mz = 0;
+};
+Resultants resultants(const RollingMesh& mesh, const Eigen::VectorXd& p);
+
+// The result in SI, given mu N [N] and the unit of length [m].
+CreepForces in_units(const RollingGrid& grid, const StickSlip& solution, double force,
+                     double length);
+// Puts the error estimate on `fine` from the dimensionless forces of a coarser grid; if that has cells of just twice
+// the size (`halved`), also takes the second-order error off the forces, which stay within mu N.
+void extrapolate(CreepForces& fine, const Resultants& coarse, bool halved, double force,
+                 double length);
+CreepForces without_friction();
+
+}  // namespace railbook::rolling

@@ -1,0 +1,41 @@
+// Where a rolling contact sticks and where it slides, cell by cell.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "rolling/rolling_influence.hpp"
+
+namespace railbook::rolling {
+
+struct StickSlipOptions {
+  double tolerance =
+      1e-11;  // of the largest rigid slip: what is left of the slip equations in every cell
+  int most_newton = 80;
+  int most_gmres = 400;  // products a Newton step may take
+};
+
+struct StickSlip {
+  Eigen::VectorXd p;         // tractions [x parts; y parts]
+  Eigen::VectorXd slip;      // w - S p
+  std::vector<bool> slides;  // per cell
+  double residual = 0;       // what `tolerance` bounds, as reached
+  int newton = 0;            // steps
+  int products = 0;          // with the influence matrix
+  bool converged = false;
+};
+
+// Solves, in every cell with bound g > 0, |p| <= g and: slip s = w - S p is zero (stick), or |p| = g and p = g s/|s|
+// (slide). w: rigid slip [x parts; y parts]; g: the traction bound, 0 outside the contact. `start`, if given, holds a
+// guess of p and of the sliding cells of the same size.
+// Newton's method on the active set: unknowns are both tractions of a sticking cell and the angle of a sliding one's;
+// a cell slides when its traction leaves the bound and sticks again when its slip turns against the traction. Each
+// linear system is solved by GMRES, preconditioned by the exact inverses of the rows on themselves. (The states are
+// those of Kalker's TANG, 1990; CONTACT's fast solvers are projected gradients or Gauss-Seidel sweeps instead.)
+[[nodiscard]] StickSlip solve_stick_slip(const TangentialInfluence& influence,
+                                         const RollingMesh& mesh, const Eigen::VectorXd& bound,
+                                         const Eigen::VectorXd& w,
+                                         const StickSlipOptions& options = {},
+                                         const StickSlip* start = nullptr);
+
+}  // namespace railbook::rolling

@@ -1,0 +1,84 @@
+#include "spectra/line_mask.hpp"
+
+#include <gsl/gsl_cdf.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "num/gsl.hpp"
+#include "units/constants.hpp"
+
+namespace railbook::spectra {
+namespace {
+
+using Eigen::Index;
+
+constexpr double harmonic_half_width = 0.008, foreign_half_width = 0.006;  // cycle/m
+constexpr Index line_bins = 4;  // a line reaches so far through a window
+constexpr double most_chance = 1e-3;
+
+// The median of the eight bins on each side, `skip` bins away.
+double surroundings(const Eigen::ArrayXd& density, Index k) {
+  constexpr Index skip = 3, each = 8;
+  std::array<double, 2 * each> near{};
+  for (Index i = 0; i < each; ++i) {
+    near[static_cast<std::size_t>(i)] = density[std::max<Index>(1, k - skip - i)];
+    near[static_cast<std::size_t>(each + i)] = density[std::min(density.size() - 1, k + skip + i)];
+  }
+  std::nth_element(near.begin(), near.begin() + each, near.end());
+  return near[each];
+}
+
+}  // namespace
+
+double squared_gain(double chord, double phi) {
+  if (chord == 0) return 1;
+  const double gain = 1 - std::cos(units::pi * chord * phi);
+  return gain * gain;
+}
+
+bool near_foreign_line(const FitOptions& o, double phi) {
+  const double phi_0 = 1 / o.rail_length, distance = std::remainder(phi, phi_0);
+  return std::any_of(o.foreign_lengths.begin(), o.foreign_lengths.end(), [&](double length) {
+    const double epsilon = std::abs(1 / length - phi_0);
+    const bool multiple = std::round(phi * length) >= 1 &&
+                          std::abs(std::remainder(phi, 1 / length)) <= foreign_half_width;
+    return multiple || std::abs(std::abs(distance) - epsilon) <= foreign_half_width;
+  });
+}
+
+bool masked(const FitOptions& o, double phi) {
+  const double phi_0 = 1 / o.rail_length;
+  if (std::abs(phi - phi_0) <= o.line_half_width) return true;
+  const bool harmonic =
+      std::round(phi / phi_0) > 1 && std::abs(std::remainder(phi, phi_0)) <= harmonic_half_width;
+  return harmonic || squared_gain(o.chord, phi) < o.least_gain || near_foreign_line(o, phi);
+}
+
+std::optional<StrayLine> stray_line(const Spectrum& s, const FitOptions& o,
+                                    const SpectrumFit& fit) {
+  num::use_gsl_status_codes();
+  const double phi_0 = 1 / o.rail_length;
+  const double reach = static_cast<double>(line_bins) * s.df;
+  StrayLine strongest{.chance = most_chance};
+  for (Index k = 2 * line_bins; k < s.density.size() - 1; ++k) {
+    const double phi = s.frequency(k);
+    if (phi < o.low || phi > o.high) continue;
+    if (phi > 0.5 * phi_0 && std::abs(std::remainder(phi, phi_0)) <= reach) continue;
+    if (near_foreign_line(o, phi) || squared_gain(o.chord, phi) < o.least_gain) continue;
+    const double gain = squared_gain(o.chord, phi);
+    const double model = std::exp(fit.regression.log_density(std::log(phi)));
+    const double around = std::max(model, surroundings(s.density.array(), k) / gain);
+    const double ratio = s.density[k] / gain / around;
+    if (ratio < 2) continue;
+    const double chance =
+        static_cast<double>(fit.bins) * gsl_cdf_gamma_Q(s.averages * ratio, s.averages, 1.0);
+    const bool stronger = chance < strongest.chance || (chance == 0 && ratio > strongest.ratio);
+    if (stronger) strongest = {phi, ratio, chance};
+  }
+  if (strongest.ratio == 0) return std::nullopt;
+  return strongest;
+}
+
+}  // namespace railbook::spectra

@@ -1,0 +1,254 @@
+#include "spectra/welch.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <string>
+
+#include "units/input_error.hpp"
+
+namespace railbook::spectra {
+namespace {
+
+// 1 when x is NaN or infinite. On the bits, so that it neither traps nor branches: an exponent of all ones
+// overflows into the sign bit when one is added to it.
+std::uint64_t not_finite(double x) {
+  constexpr std::uint64_t exponent = 0x7ff0000000000000ULL, one = 0x0010000000000000ULL;
+  return ((std::bit_cast<std::uint64_t>(x) & exponent) + one) >> 63U;
+}
+
+std::size_t count_not_finite(std::span<const double> x) {
+  std::uint64_t count = 0;
+  for (const double value : x) count += not_finite(value);
+  return static_cast<std::size_t>(count);
+}
+
+struct Sums {
+  double sum = 0, moment = 0;
+};
+
+// Sum of x and of (i - centre) x, in eight strands: a single one would wait for each addition to finish.
+Sums strand_sums(std::span<const double> x) {
+  constexpr std::size_t strands = 8;
+  const double centre = 0.5 * (static_cast<double>(x.size()) - 1.0);
+  std::array<double, strands> sum{}, moment{}, place{};
+  for (std::size_t j = 0; j < strands; ++j) place[j] = static_cast<double>(j) - centre;
+  std::size_t i = 0;
+  for (; i + strands <= x.size(); i += strands)
+    for (std::size_t j = 0; j < strands; ++j) {
+      sum[j] += x[i + j];
+      moment[j] += place[j] * x[i + j];
+      place[j] += static_cast<double>(strands);
+    }
+  Sums total;
+  for (; i < x.size(); ++i) {
+    total.sum += x[i];
+    total.moment += (static_cast<double>(i) - centre) * x[i];
+  }
+  for (std::size_t j = 0; j < strands; ++j) {
+    total.sum += sum[j];
+    total.moment += moment[j];
+  }
+  return total;
+}
+
+WelchOptions checked(const WelchOptions& o) {
+  if (o.segment < 16 || o.segment % 2 != 0)
+    throw InputError{"segment of " + std::to_string(o.segment) +
+                     " samples; allowed: even numbers from 16"};
+  if (o.parts < 1 || o.segment % o.parts != 0)
+    throw InputError{"segment of " + std::to_string(o.segment) + " samples in " +
+                     std::to_string(o.parts) + " parts; allowed: parts that divide the segment"};
+  return o;
+}
+
+// sum w^p(i) w^p(i + shift) over sum w^2p: how much two segments `shift` apart have in common.
+double overlap_share(const std::vector<double>& w, std::size_t shift, int power) {
+  double common = 0, whole = 0;
+  for (std::size_t i = 0; i < w.size(); ++i) {
+    const double here = std::pow(w[i], power);
+    whole += here * here;
+    if (i + shift < w.size()) common += here * std::pow(w[i + shift], power);
+  }
+  return common / whole;
+}
+
+}  // namespace
+
+Welch::Welch(double spacing, const WelchOptions& options)
+    : spacing_(units::require_positive("sample spacing", spacing, "m")),
+      options_(checked(options)),
+      hop_(options_.segment / options_.parts),
+      buffer_(options_.segment),
+      power_(options_.segment / 2 + 1),
+      pairs_(options_.parts),
+      used_(options_.parts, false),
+      fft_(options_.segment) {
+  const auto w = window_weights(options_.window, static_cast<Eigen::Index>(options_.segment));
+  window_.assign(w.begin(), w.end());
+  blocks_.reserve(options_.parts);
+}
+
+void Welch::push(std::span<const double> samples) {
+  samples_ += samples.size();
+  while (!samples.empty()) {
+    const std::size_t block_end = (blocks_.size() + 1) * hop_;
+    const auto piece = samples.first(std::min(block_end - filled_, samples.size()));
+    const std::size_t gaps = count_not_finite(piece);
+    gap_samples_ += gaps;
+    block_has_gap_ = block_has_gap_ || gaps > 0;
+    std::copy(piece.begin(), piece.end(), buffer_.begin() + static_cast<std::ptrdiff_t>(filled_));
+    filled_ += piece.size();
+    samples = samples.subspan(piece.size());
+    if (filled_ == block_end) finish_block();
+    if (blocks_.size() == options_.parts) finish_segment();
+  }
+}
+
+void Welch::finish_block() {
+  Block done{.finite = !block_has_gap_};
+  block_has_gap_ = false;
+  if (done.finite && options_.detrend != Detrend::none) {
+    const Sums sums = strand_sums({buffer_.data() + filled_ - hop_, hop_});
+    done.sum = sums.sum;
+    done.moment = sums.moment;
+  }
+  blocks_.push_back(done);
+}
+
+void Welch::finish_segment() {
+  const bool whole = std::all_of(blocks_.begin(), blocks_.end(), [](auto& b) { return b.finite; });
+  if (whole) {
+    add_segment();
+    for (std::size_t j = 1; j < options_.parts; ++j) pairs_[j] += used_[j - 1] ? 1 : 0;
+  }
+  ++(whole ? segments_ : dropped_);
+  for (std::size_t j = used_.size(); j-- > 1;) used_[j] = used_[j - 1];
+  used_[0] = whole;
+  std::copy(buffer_.begin() + static_cast<std::ptrdiff_t>(hop_), buffer_.end(), buffer_.begin());
+  blocks_.erase(blocks_.begin());
+  filled_ -= hop_;
+}
+
+// The straight line comes from the sums of the blocks, so each sample is summed once however many segments
+// it is in, and taking the line off costs no pass of its own: it is done while the window is applied.
+void Welch::add_segment() {
+  const auto n = static_cast<double>(options_.segment);
+  const auto hop = static_cast<double>(hop_);
+  const double centre = 0.5 * (n - 1.0);
+  double sum = 0, moment = 0, block_centre = 0.5 * (hop - 1.0);
+  for (const Block& block : blocks_) {
+    sum += block.sum;
+    moment += block.moment + (block_centre - centre) * block.sum;
+    block_centre += hop;
+  }
+  const double slope =
+      options_.detrend == Detrend::linear ? 12.0 * moment / (n * (n * n - 1.0)) : 0.0;
+  const double start = sum / n - slope * centre;
+  const int size = static_cast<int>(options_.segment);
+  const double *x = buffer_.data(), *w = window_.data();
+  double* y = fft_.real().data();
+  for (int i = 0; i < size; ++i) y[i] = w[i] * (x[i] - (start + slope * i));
+  fft_.forward();
+  const std::complex<double>* bin = fft_.spectrum().data();
+  for (double& power : power_) {
+    power += bin->real() * bin->real() + bin->imag() * bin->imag();
+    ++bin;
+  }
+}
+
+Spectrum Welch::spectrum() const {
+  if (segments_ == 0)
+    throw InputError{"the record has " + std::to_string(samples_) + " samples, " +
+                     std::to_string(gap_samples_) + " of them missing; a spectrum needs " +
+                     std::to_string(options_.segment) + " in a row without a gap"};
+  const auto n = static_cast<double>(options_.segment);
+  const auto count = static_cast<double>(segments_);
+  double sum_1 = 0, sum_2 = 0, sum_4 = 0;
+  for (const double w : window_) {
+    sum_1 += w;
+    sum_2 += w * w;
+    sum_4 += w * w * w * w;
+  }
+  Spectrum result;
+  result.df = 1.0 / (n * spacing_);
+  result.segments = segments_;
+  result.dropped = dropped_;
+  result.noise_bandwidth = n * sum_2 / (sum_1 * sum_1) * result.df;
+  double share_of_bins = 0, share_of_bands = 0;
+  for (std::size_t j = 1; j < options_.parts; ++j) {
+    const double pairs = 2.0 * static_cast<double>(pairs_[j]) / count;
+    const double common = overlap_share(window_, j * hop_, 1);
+    share_of_bins += pairs * common * common;
+    share_of_bands += pairs * overlap_share(window_, j * hop_, 2);
+  }
+  result.averages = count / (1.0 + share_of_bins);
+  result.band_variance = n * sum_4 / (sum_2 * sum_2) * (1.0 + share_of_bands) / count;
+  result.density.resize(static_cast<Eigen::Index>(power_.size()));
+  const double scale = spacing_ / (sum_2 * count);
+  for (std::size_t k = 0; k < power_.size(); ++k) {
+    const bool two_sided_bin = k == 0 || k + 1 == power_.size();  // no mirror image to fold in
+    result.density[static_cast<Eigen::Index>(k)] = (two_sided_bin ? 1.0 : 2.0) * scale * power_[k];
+  }
+  return result;
+}
+
+std::size_t Welch::state_bytes() const {
+  const std::size_t spectrum = 2 * power_.size();
+  return sizeof(double) *
+         (window_.size() + buffer_.size() + 2 * power_.size() + options_.segment + spectrum);
+}
+
+Spectrum respaced(const Spectrum& from, double spacing) {
+  units::require_positive("sample spacing", spacing, "m");
+  Spectrum result = from;
+  result.df /= spacing;
+  result.noise_bandwidth /= spacing;
+  result.density *= spacing;
+  return result;
+}
+
+Spectrum welch(std::span<const double> samples, double spacing, const WelchOptions& options) {
+  Welch estimate{spacing, options};
+  estimate.push(samples);
+  return estimate.spectrum();
+}
+
+BandSpectrum band_average(const Spectrum& spectrum, double per_octave, double low, double high) {
+  units::require_positive("bands per octave", per_octave);
+  units::require_positive("lower frequency", low, "cycle/m");
+  units::require_between("upper frequency", high, low, units::no_limit, "cycle/m");
+  std::vector<double> frequency, density, error;
+  std::vector<int> bins;
+  double log_sum = 0, sum = 0;
+  int count = 0, band = -1;
+  const auto close = [&] {
+    if (count == 0) return;
+    frequency.push_back(std::exp(log_sum / count));
+    density.push_back(sum / count);
+    bins.push_back(count);
+    error.push_back(std::sqrt(std::min(1.0 / spectrum.averages, spectrum.band_variance / count)));
+    log_sum = sum = count = 0;
+  };
+  for (Eigen::Index k = 1; k < spectrum.density.size(); ++k) {
+    const double f = spectrum.frequency(k);
+    if (f < low || f > high) continue;
+    const int here = static_cast<int>(std::floor(per_octave * std::log2(f / low)));
+    if (here != band) close();
+    band = here;
+    log_sum += std::log(f);
+    sum += spectrum.density[k];
+    ++count;
+  }
+  close();
+  const auto as_vector = [](const std::vector<double>& v) {
+    return Eigen::VectorXd{
+        Eigen::Map<const Eigen::VectorXd>(v.data(), static_cast<Eigen::Index>(v.size()))};
+  };
+  return {as_vector(frequency), as_vector(density),
+          Eigen::Map<const Eigen::VectorXi>(bins.data(), static_cast<Eigen::Index>(bins.size())),
+          as_vector(error)};
+}
+
+}  // namespace railbook::spectra

@@ -1,0 +1,96 @@
+// Welch's estimate of a power spectral density, streamed: memory of one segment, however long the record.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "num/fft.hpp"
+#include "spectra/window.hpp"
+
+namespace railbook::spectra {
+
+enum class Detrend { none, constant, linear };
+
+struct WelchOptions {
+  std::size_t segment = 4096;  // samples; even
+  std::size_t parts = 2;  // a new segment starts every segment/parts samples: 2 is 50 % overlap
+  Window window = Window::hann;
+  Detrend detrend = Detrend::linear;  // of each segment, by least squares
+};
+
+// A one-sided density at the frequencies k df, k = 0 .. segment/2, per cycle of whatever the sample spacing
+// is in (1/m for a track record: track_psd), with what is needed to judge its scatter.
+struct Spectrum {
+  double df = 0;               // bin spacing, 1/(segment spacing)
+  Eigen::VectorXd density;     // segment/2 + 1 values
+  std::size_t segments = 0;    // averaged
+  std::size_t dropped = 0;     // segments not averaged because they hold a gap (NaN or infinity)
+  double averages = 0;         // K: 2K degrees of freedom of one bin, overlap accounted for
+  double noise_bandwidth = 0;  // equivalent width of a line, 1.5 df for Hann
+  double band_variance = 0;    // relative variance of a mean over m >> 1 bins is band_variance / m
+  double frequency(Eigen::Index k) const { return df * static_cast<double>(k); }
+};
+
+// The same record read with another spacing: densities grow with it, frequencies shrink. `from` must have been
+// made with spacing 1; spacing > 0, else InputError.
+Spectrum respaced(const Spectrum& from, double spacing);
+
+// Accumulates the spectrum of samples `spacing` apart that come in any number of pieces. The state is a few
+// segments of doubles; push() allocates nothing. A sample that is not finite marks a gap: it costs the segments
+// that hold it, never the record. Sums are float64. Relative rounding error of a bin about 1e-15 sqrt(log2 n)
+// of the largest power in a segment.
+class Welch {
+ public:
+  // Throws InputError unless spacing > 0, segment is even, >= 16 and divisible by parts >= 1.
+  explicit Welch(double spacing, const WelchOptions& options = {});
+
+  void push(std::span<const double> samples);
+
+  // The average so far. Throws InputError when no whole segment without a gap has been pushed.
+  Spectrum spectrum() const;
+
+  std::size_t samples() const { return samples_; }          // pushed so far
+  std::size_t gap_samples() const { return gap_samples_; }  // of them not finite
+  std::size_t segments() const { return segments_; }        // averaged so far
+  std::size_t state_bytes() const;                          // memory held, FFT buffers included
+
+ private:
+  struct Block {  // sums of one hop of samples, shared by the segments that overlap there
+    bool finite = true;
+    double sum = 0;     // of x
+    double moment = 0;  // of (i - centre of block) x
+  };
+  void finish_block();
+  void finish_segment();
+  void add_segment();
+
+  double spacing_;
+  WelchOptions options_;
+  std::size_t hop_;
+  std::vector<double> window_, buffer_, power_;
+  std::vector<Block> blocks_;  // the finished ones of the segment in the buffer
+  std::vector<std::size_t>
+      pairs_;               // [j]: averaged segments whose j-th predecessor was averaged too
+  std::vector<bool> used_;  // the last parts - 1 segments, latest first
+  num::RealFft fft_;
+  bool block_has_gap_ = false;
+  std::size_t filled_ = 0, samples_ = 0, gap_samples_ = 0, segments_ = 0, dropped_ = 0;
+};
+
+// The spectrum of a whole record in one call.
+Spectrum welch(std::span<const double> samples, double spacing, const WelchOptions& options = {});
+
+// A spectrum averaged over logarithmic bands, `per_octave` to an octave, from `low` to `high`. A band that
+// holds no bin is left out. The density is the plain mean of the bins.
+struct BandSpectrum {
+  Eigen::VectorXd frequency;  // geometric mean of the bins of each band
+  Eigen::VectorXd density;
+  Eigen::VectorXi bins;            // averaged in each band
+  Eigen::VectorXd relative_error;  // one standard error of the density over the density
+};
+BandSpectrum band_average(const Spectrum& spectrum, double per_octave, double low, double high);
+
+}  // namespace railbook::spectra

@@ -1,0 +1,119 @@
+#include "tool/options.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+namespace railbook::tool {
+namespace {
+
+// "--tie-spacing" is called "tie spacing" in messages.
+std::string spoken(std::string name) {
+  name.erase(0, name.find_first_not_of('-'));
+  std::replace(name.begin(), name.end(), '-', ' ');
+  return name;
+}
+
+double read(const std::string& name, const std::string& text, const units::Dimension& dimension,
+            const Range& range) {
+  const double value = units::parse_quantity(spoken(name), text, dimension);
+  const std::string unit = dimension == units::number ? "" : units::si_name(dimension);
+  if (range.open_low && range.low == 0) units::require_positive(spoken(name), value, unit);
+  return units::require_between(spoken(name), value, range.low, range.high, unit);
+}
+
+std::string default_text(double value, const units::Dimension& dimension) {
+  if (dimension == units::number) return fmt::format("{:g}", value);
+  return fmt::format("{:g} {}", value, units::si_name(dimension));
+}
+
+}  // namespace
+
+void Options::quantity(const std::string& name, double& value, const units::Dimension& dimension,
+                       const std::string& help, Range range) {
+  const auto set = [=, &value](const std::string& text) {
+    value = read(name, text, dimension, range);
+  };
+  last_ = app_->add_option_function<std::string>(name, set, help)
+              ->type_name("QUANTITY")
+              ->default_str(default_text(value, dimension));
+}
+
+void Options::quantity(const std::string& name, std::optional<double>& value,
+                       const units::Dimension& dimension, const std::string& help, Range range) {
+  const auto set = [=, &value](const std::string& text) {
+    value = read(name, text, dimension, range);
+  };
+  auto* option = app_->add_option_function<std::string>(name, set, help)->type_name("QUANTITY");
+  if (value) option->default_str(default_text(*value, dimension));
+  last_ = option;
+}
+
+void Options::quantities(const std::string& name, std::vector<double>& values,
+                         const units::Dimension& dimension, const std::string& help, Range range) {
+  const auto set = [=, &values](const std::vector<std::string>& texts) {
+    values.clear();
+    for (const std::string& text : texts) values.push_back(read(name, text, dimension, range));
+  };
+  last_ = app_->add_option_function<std::vector<std::string>>(name, set, help)
+              ->type_name("QUANTITY ...");
+}
+
+void Options::count(const std::string& name, long& value, const std::string& help, long low,
+                    long high) {
+  const auto set = [=, &value](const std::string& text) {
+    const double number = units::parse_quantity(spoken(name), text, units::number);
+    units::require_between(spoken(name), number, static_cast<double>(low),
+                           static_cast<double>(high));
+    value = static_cast<long>(number);
+    if (static_cast<double>(value) != number)
+      throw InputError{fmt::format("{} is {}; allowed: a whole number", spoken(name), text)};
+  };
+  last_ = app_->add_option_function<std::string>(name, set, help)
+              ->type_name("COUNT")
+              ->default_str(std::to_string(value));
+}
+
+void Options::text(const std::string& name, std::string& value, const std::string& help) {
+  last_ = app_->add_option(name, value, help)->type_name("TEXT")->capture_default_str();
+}
+
+void Options::choice(const std::string& name, std::string& value,
+                     const std::vector<std::string>& allowed, const std::string& help) {
+  const auto set = [=, &value](const std::string& text) {
+    if (std::find(allowed.begin(), allowed.end(), text) == allowed.end()) {
+      throw InputError{
+          fmt::format("{} is \"{}\"; allowed: {}", spoken(name), text, fmt::join(allowed, ", "))};
+    }
+    value = text;
+  };
+  last_ = app_->add_option_function<std::string>(name, set, help)
+              ->type_name(fmt::format("{{{}}}", fmt::join(allowed, ",")))
+              ->default_str(value);
+}
+
+void Options::file(const std::string& name, std::filesystem::path& value, const std::string& help) {
+  last_ = app_->add_option(name, value, help)->type_name("FILE");
+}
+
+void Options::toml(const std::string& name, const std::string& help) {
+  last_ = app_->add_option(name, help)->type_name(toml_type);
+}
+
+void Options::flag(const std::string& name, bool& value, const std::string& help) {
+  last_ = app_->add_flag(name, value, help);
+}
+
+void Options::required() {
+  static_cast<CLI::Option*>(last_)->required();
+}
+
+void Options::out(std::optional<std::filesystem::path>& folder) {
+  last_ = app_->add_option_function<std::string>(
+                  "--out", [&folder](const std::string& text) { folder = text; },
+                  "folder for the CSV, JSON and figure files (made if missing)")
+              ->type_name("DIR");
+}
+
+}  // namespace railbook::tool

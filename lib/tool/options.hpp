@@ -1,0 +1,76 @@
+// The options of a tool: the same on the command line and in a TOML file (--config).
+//
+//   tool::Tool stiffness{"stiffness", "track stiffness of your own track", [](tool::Options& o) {
+//     auto in = std::make_shared<Input>();
+//     o.quantity("--tie-spacing", in->tie_spacing, units::length, "distance between ties");
+//     o.choice("--rail", in->rail, {"115RE", "132RE"}, "rail section");
+//     o.out(in->out);
+//     return [in] { run(*in); };       // called after the options are read and checked
+//   }};
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "units/input_error.hpp"
+#include "units/quantity.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace railbook::tool {
+
+// Allowed range of an option, SI. `open_low` excludes the lower end itself.
+struct Range {
+  double low = -units::no_limit;
+  double high = units::no_limit;
+  bool open_low = false;
+};
+inline constexpr Range positive{0, units::no_limit, true};
+inline constexpr const char* toml_type = "TOML";  // type name of the options of Options::toml
+inline constexpr Range non_negative{0, units::no_limit, false};
+
+class Options {
+ public:
+  explicit Options(CLI::App& app) : app_(&app) {}
+
+  // Names: "--tie-spacing", or "record" for a positional argument. The value the variable holds beforehand is the
+  // default; an optional<double> without one is an option that may be absent.
+  void quantity(const std::string& name, double& value, const units::Dimension& dimension,
+                const std::string& help, Range range = {});
+  void quantity(const std::string& name, std::optional<double>& value,
+                const units::Dimension& dimension, const std::string& help, Range range = {});
+  void quantities(const std::string& name, std::vector<double>& values,
+                  const units::Dimension& dimension, const std::string& help, Range range = {});
+  void count(const std::string& name, long& value, const std::string& help, long low, long high);
+  void text(const std::string& name, std::string& value, const std::string& help);
+  void choice(const std::string& name, std::string& value, const std::vector<std::string>& allowed,
+              const std::string& help);
+  void file(const std::string& name, std::filesystem::path& value, const std::string& help);
+  // A further file of options, after --config: "--car freight.toml".
+  void toml(const std::string& name, const std::string& help);
+  void flag(const std::string& name, bool& value, const std::string& help);
+  // The last option or argument added must be given.
+  void required();
+  // "--out DIR": where files go; without it a tool only prints.
+  void out(std::optional<std::filesystem::path>& folder);
+
+ private:
+  CLI::App* app_;
+  void* last_ = nullptr;
+};
+
+// Declares options, then returns what runs the tool.
+using ToolSetup = std::function<std::function<void()>(Options&)>;
+
+struct Tool {
+  std::string name, help;
+  ToolSetup setup;
+};
+
+}  // namespace railbook::tool

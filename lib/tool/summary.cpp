@@ -1,0 +1,56 @@
+#include "tool/summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "table/csv.hpp"
+
+namespace railbook::tool {
+
+void Summary::add(std::string key, std::string what, double value, std::string unit,
+                  std::string note) {
+  lines_.push_back({std::move(key), std::move(what),
+                    std::isnan(value) ? "nan" : fmt::format("{:.7g}", value), std::move(unit),
+                    std::move(note), value});
+}
+
+void Summary::add(std::string key, std::string what, std::string text) {
+  lines_.push_back({std::move(key), std::move(what), std::move(text), "", "",
+                    std::numeric_limits<double>::quiet_NaN()});
+}
+
+void Summary::print() const {
+  std::size_t wide = 0;
+  for (const Line& line : lines_) wide = std::max(wide, line.what.size());
+  fmt::print("{}\n", title_);
+  for (const Line& line : lines_) {
+    fmt::print("  {:<{}}  {}{}{}{}\n", line.what, wide, line.text, line.unit.empty() ? "" : " ",
+               line.unit, line.note.empty() ? "" : "   (" + line.note + ")");
+  }
+}
+
+void Summary::write_json(const std::filesystem::path& file) const {
+  nlohmann::ordered_json values = nlohmann::ordered_json::object();
+  nlohmann::ordered_json units = nlohmann::ordered_json::object();
+  nlohmann::ordered_json notes = nlohmann::ordered_json::object();
+  for (const Line& line : lines_) {
+    if (std::isfinite(line.value)) {
+      values[line.key] = line.value;
+    } else if (line.unit.empty() && line.text != "nan") {
+      values[line.key] = line.text;
+    } else {
+      values[line.key] = nullptr;
+    }
+    if (!line.unit.empty()) units[line.key] = line.unit;
+    if (!line.note.empty()) notes[line.key] = line.note;
+  }
+  const nlohmann::ordered_json all{
+      {"title", title_}, {"values", values}, {"units", units}, {"notes", notes}};
+  table::write_file(file, all.dump(1) + "\n");
+}
+
+}  // namespace railbook::tool

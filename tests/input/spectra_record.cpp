@@ -1,0 +1,70 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "spectra/record.hpp"
+#include "units/input_error.hpp"
+
+using namespace railbook;
+
+namespace {
+
+void read(const std::vector<double>& positions, const spectra::RecordOptions& options = {}) {
+  spectra::RecordStream stream{options, [](std::span<const double>) {}};
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    stream.add(positions[i], static_cast<double>(i % 5));
+  stream.finish();
+}
+
+std::vector<double> even(std::size_t n) {
+  std::vector<double> x(n);
+  for (std::size_t i = 0; i < n; ++i) x[i] = 0.5 * static_cast<double>(i);
+  return x;
+}
+
+}  // namespace
+
+TEST_CASE("input: positions that do not ascend evenly are refused, early or late in the record") {
+  for (const std::size_t place : {5U, 1500U}) {
+    auto x = even(2000);
+    CHECK_NOTHROW(read(x));
+    x[place] = x[place - 1];
+    CHECK_THROWS_WITH(read(x), Catch::Contains("do not ascend"));
+    x[place] = x[place - 1] - 3;
+    CHECK_THROWS_WITH(read(x), Catch::Contains("do not ascend"));
+    x[place] = x[place - 1] + 0.7;
+    CHECK_THROWS_WITH(read(x), Catch::Contains("not evenly spaced"));
+    x[place] = 1e9;
+    CHECK_THROWS_WITH(read(x), Catch::Contains("jump too far"));
+    x[place] = std::numeric_limits<double>::quiet_NaN();
+    CHECK_THROWS_WITH(read(x), Catch::Contains("position of sample"));
+  }
+}
+
+TEST_CASE("input: descending, unknown and contradictory spacings are refused") {
+  CHECK_THROWS_WITH(read({3, 2, 1, 0}), Catch::Contains("do not ascend"));
+  CHECK_THROWS_WITH(read({3}), Catch::Contains("needs two"));
+  CHECK_THROWS_WITH(read(even(2000), {.spacing = 0.3048}), Catch::Contains("0.5"));
+  CHECK_THROWS_AS(read(even(10), {.spacing = -1}), InputError);
+  spectra::RecordStream stream{{}, [](std::span<const double>) {}};
+  stream.add(1);
+  CHECK_THROWS_WITH(stream.finish(), Catch::Contains("spacing"));
+}
+
+TEST_CASE("input: a record that is empty, missing, constant or out of this world is refused") {
+  const auto finish = [](const std::vector<double>& values) {
+    spectra::RecordStream stream{{.spacing = 1}, [](std::span<const double>) {}};
+    for (const double value : values) stream.add(value);
+    stream.finish();
+  };
+  const double nan = std::nan("");
+  CHECK_THROWS_WITH(finish({}), Catch::Contains("no finite sample"));
+  CHECK_THROWS_WITH(finish({nan, nan}), Catch::Contains("no finite sample"));
+  CHECK_THROWS_WITH(finish({2.5, 2.5, nan, 2.5}), Catch::Contains("constant signal"));
+  CHECK_NOTHROW(finish({1, 2}));
+  CHECK_NOTHROW(finish({1, -1e6}));
+  CHECK_THROWS_WITH(finish({1, nan, 1e100}),
+                    Catch::Contains("sample 3") && Catch::Contains("1e+100"));
+  CHECK_THROWS_WITH(finish({-1e200}), Catch::Contains("from -1000000 to 1000000"));
+}

@@ -1,0 +1,57 @@
+# The tool refuses what it cannot use with exit status 2, and leaves nothing behind.
+set(bodies --out ${CMAKE_BINARY_DIR}/ctest/contact-refused --body-1-radius-across 0.3m --body-2-radius-along 0.46m)
+refuses(contact "neither approach nor load" "give one of approach and load: the other is the answer"
+                 solve ${bodies})
+refuses(contact "both approach and load" "give one of approach and load: the other is the answer"
+                 solve ${bodies} --approach 10um --load 3kN)
+refuses(contact "a load of zero" "load is 0 N. allowed: from 1e-12 to 1e+12"
+                 solve ${bodies} --load 0N)
+refuses(contact "a load in millimetres" "load is .3mm., a quantity in m. allowed: a unit of N"
+                 solve ${bodies} --load 3mm)
+refuses(contact "a missing unit" "load is .3., without a unit. allowed: a unit of N"
+                 solve ${bodies} --load 3)
+refuses(contact "a load that is no number" "load is .nan.. allowed: a finite number with a unit of N"
+                 solve ${bodies} --load nan)
+refuses(contact "a negative modulus" "body 1 young is -3000000000 Pa. allowed: from 1000 to 1e+18"
+                 solve ${bodies} --load 3kN --body-1-young -3GPa)
+refuses(contact "a Poisson's ratio above one half" "body 2 poisson is 0.51. allowed: from 0 to 0.5"
+                 solve ${bodies} --load 3kN --body-2-poisson 0.51)
+refuses(contact "a radius of zero" "radius of body 2 across the rail is 0 m. allowed: 1e-09 m to 1e+06 m"
+                 solve ${bodies} --load 3kN --body-2-radius-across 0mm)
+refuses(contact "bodies that do not separate" "relative curvature A is 0 1/m. allowed: greater than 0, else the"
+                 solve --load 3kN)
+refuses(contact "a missing profile" ".none.csv.: cannot be read"
+                 solve --body-1-profile none.csv --body-2-radius-along 1m --load 3kN)
+refuses(contact "a profile that is none" ".radii.toml.: no column .x."
+                 solve --body-1-profile radii.toml --body-2-radius-along 1m --load 3kN)
+refuses(contact "a profile and a radius" "body 1 has both a profile and a radius across the rail"
+                 solve --body-1-profile rail.csv --body-1-radius-across 0.3m --body-2-radius-along 1m --load 3kN)
+refuses(contact "a grid beyond memory" "a grid of 8192 x 8192 cells needs 8.19 GB"
+                 solve ${bodies} --load 3kN --cells-x 8192 --cells-y 8192)
+refuses(contact "a missing configuration" "none.toml was not readable (missing?)"
+                 solve --config none.toml)
+refuses(contact "a configuration that is a folder" "config is .*, a folder. allowed: a TOML file"
+                 solve --config .)
+refuses(contact "a modulus that overflows" "body 1 young is 1e-300 Pa. allowed: from 1000 to 1e+18"
+                 solve ${bodies} --load 3kN --body-1-young 1e-300Pa)
+refuses(contact "a radius that overflows" "radius of body 1 across the rail is 1e-300 m. allowed: 1e-09 m to"
+                 solve --body-1-radius-across 1e-300m --body-2-radius-along 1m --load 3kN)
+refuses(contact "a contact as large as a radius" "the half width of the contact is 1.162 m"
+                 solve ${bodies} --load 1e9kN)
+refuses(contact "a load beyond the range" "load is 1e+300 N. allowed: from 1e-12 to 1e+12"
+                 solve ${bodies} --load 1e300N)
+set(points "-2,4\n-1,1\n0,0\n1,1\n2,4\n")
+string(REPLACE "4\n" "1e308\n" overflowing "${points}")
+string(REGEX REPLACE "\n" ",0\n" two_columns "${points}")
+file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/overflowing.csv "x_mm,depth_mm\n${overflowing}")
+file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/two-columns.csv "x_mm,depth_mm,height_mm\n${two_columns}")
+refuses(contact "a profile that overflows" "point 1 of the profile of body 1: depth is 1e+305 m"
+                 solve --body-1-profile ${CMAKE_CURRENT_BINARY_DIR}/overflowing.csv --body-2-radius-along 1m --load 3kN)
+refuses(contact "a profile with a height and a depth" "has both a height and a depth. allowed: one of them"
+                 solve --body-1-profile ${CMAKE_CURRENT_BINARY_DIR}/two-columns.csv --body-2-radius-along 1m --load 3kN)
+foreach(example radii profiles)
+  add_test(NAME "tool: contact solves ${example}.toml"
+           COMMAND railbook contact solve --config tools/examples/contact/${example}.toml
+                   --out ${CMAKE_BINARY_DIR}/ctest/contact-${example}
+           WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
+endforeach()

@@ -1,0 +1,53 @@
+# The tools refuse what they cannot use with exit status 2, for the reason expected, and leave nothing behind.
+set(out --out ${CMAKE_BINARY_DIR}/ctest/creep-refused)
+set(ellipse ${out} --a 6mm --b 4mm)
+set(contact ${ellipse} --load 80kN)
+refuses(creep "no load" "load is required" curve ${ellipse})
+refuses(creep "a load of zero" "load is 0 N. allowed: from 1e-09" curve ${ellipse} --load 0N)
+refuses(creep "a load without a unit" "load is .80., without a unit" curve ${ellipse} --load 80)
+refuses(creep "neither axes nor radii" "give either both semi-axes" curve ${out} --load 80kN)
+refuses(creep "one axis" "give either both semi-axes" curve ${out} --load 80kN --a 6mm)
+refuses(creep "axes and radii" "give either both semi-axes" curve ${contact} --wheel-radius 460mm)
+refuses(creep "an axis in newtons" "a is .6N., a quantity in N. allowed: a unit of m" curve ${out} --load 80kN --a 6N --b 4mm)
+refuses(creep "bodies that do not separate" "relative curvature B is 0 1/m" curve ${out} --load 80kN --wheel-radius 460mm)
+refuses(creep "a radius of zero" "wheel radius is 0 m. allowed: at least 1e-9 m" curve ${out} --load 80kN --wheel-radius 0m --rail-crown 0.3m)
+refuses(creep "a contact larger than its radius" "semi-axis is .* of a radius. allowed: less than 1" curve ${out} --load 500MN --wheel-radius 460mm --rail-crown 10mm)
+refuses(creep "a negative friction" "mu is -0.1. allowed" curve ${contact} --mu -0.1)
+refuses(creep "a friction that is no number" "mu is .nan.. allowed: a finite number" curve ${contact} --mu nan)
+refuses(creep "no friction and no range" "friction is 0.*give the end of the range" curve ${contact} --mu 0)
+refuses(creep "a Poisson's ratio above one half" "wheel poisson is 0.6. allowed" curve ${contact} --wheel-poisson 0.6)
+refuses(creep "a spin without a unit" "spin is .0.2., without a unit" curve ${contact} --spin 0.2)
+refuses(creep "a spin in cycles" "spin is .0.2cycle/m.*allowed: a unit of rad/m" curve ${contact} --spin 0.2cycle/m)
+refuses(creep "a creepage above one" "to is 2. allowed: from -1 to 1" curve ${contact} --to 2)
+refuses(creep "an empty range" "to is 0, and so is from" curve ${contact} --to 0)
+refuses(creep "a theory nobody knows" "theory is .kalker.*allowed" curve ${contact} --theory kalker)
+refuses(creep "spin in the strip theory" "closed\\|strip theory here is for creepage without spin" curve ${contact} --theory fastrip --spin 0.2rad/m)
+refuses(creep "an axis ratio beyond Kalker's table" "axis ratio a/b of Kalker's table is 20. allowed: from 0.1 to 10" curve ${out} --load 80kN --a 20mm --b 1mm --theory fastsim)
+refuses(creep "a force beyond friction" "force is 30000 N. allowed: what the range" curve ${contact} --force 30kN)
+refuses(creep "half a point" "points is 0.5. allowed" curve ${contact} --points 0.5)
+refuses(creep "a missing configuration" "none.toml was not readable" curve --config none.toml)
+refuses(creep "an option nobody knows" "not expected: .*--speed" curve ${contact} --speed 3mph)
+refuses(creep "a folder in a file's place" "curve.*cannot be written" curve --a 6mm --b 4mm --load 80kN --out ${CMAKE_CURRENT_SOURCE_DIR}/CMakeLists.txt)
+refuses(creep "an even number of spins" "spin nodes is 4. allowed: an odd number" table ${out} --spin 4)
+refuses(creep "axis ratios that go down" "last axis ratio is 0.5. allowed: from 2" table ${out} --ratio-from 2 --ratio-to 0.5)
+refuses(creep "one ratio for a range" "axis ratios is 1. allowed: from 2" table ${out} --ratios 1)
+refuses(creep "a table beyond memory" "nodes of the table is .*allowed: from 12 to 10000000" table ${out} --longitudinal 1000 --lateral 1000)
+refuses(creep "a reach of zero" "reach is 0. allowed" table ${out} --reach 0)
+
+set(folder ${CMAKE_BINARY_DIR}/ctest)
+add_test(NAME "tool: creep curve answers"
+         COMMAND railbook creep curve --config ${CMAKE_SOURCE_DIR}/tools/examples/creep/axes.toml --out ${folder}/creep-curve)
+add_test(NAME "tool: creep curve takes radii"
+         COMMAND railbook creep curve --config ${CMAKE_SOURCE_DIR}/tools/examples/creep/radii.toml --out ${folder}/creep-radii)
+add_test(NAME "tool: creep curve finds the creepage of a force"
+         COMMAND railbook creep curve --a 6mm --b 4mm --load 80kN --mu 0.3 --force 12kN)
+set_tests_properties("tool: creep curve finds the creepage of a force" PROPERTIES
+                     PASS_REGULAR_EXPRESSION "creepage for it +0\\.0015[0-9]+")
+add_test(NAME "tool: creep table states its error"
+         COMMAND railbook creep table --ratios 3 --spin 9 --points 200 --out ${folder}/creep-table)
+set_tests_properties("tool: creep curve answers" PROPERTIES
+                     PASS_REGULAR_EXPRESSION "spin creepage +0\\.2 1/m.*largest force +2[0-9.]+ N")
+set_tests_properties("tool: creep curve takes radii" PROPERTIES
+                     PASS_REGULAR_EXPRESSION "semi-axis a, along rolling +6\\.680275 mm")
+set_tests_properties("tool: creep table states its error" PROPERTIES
+                     PASS_REGULAR_EXPRESSION "interpolation error of the force, largest +0\\.[0-9]+ of mu N")

@@ -1,0 +1,47 @@
+# `filters process` refuses what it cannot use; what it can use in spite of faults, it uses.
+set(bad ${CMAKE_SOURCE_DIR}/tests/tools/filters)
+refuses(filters "a record that is not there" "none.csv.: cannot be read" process none.csv)
+refuses(filters "a record without times" "no column .elapsed_s.. there are" process ${bad}/no-time.csv)
+refuses(filters "a record without sensors" "no sensor in it" process ${bad}/no-sensor.csv)
+refuses(filters "a sensor without a unit" "column .yaw_rate. names no unit" process ${bad}/no-unit.csv)
+refuses(filters "a yaw rate in millimetres" "column .yaw_rate_mm. names no unit that fits" process ${bad}/wrong-unit.csv)
+refuses(filters "distances off the marks" "line 4: distance .* is 1.50 samples" process ${bad}/uneven.csv)
+refuses(filters "a cell that is no number" "line 3: column .gage_left_mm. is .two." process ${bad}/text.csv)
+refuses(filters "a record too short" "has 2 samples. allowed: at least 663" process ${bad}/short.csv)
+refuses(filters "a record of no rows" "has 0 samples. allowed: at least 663" process ${bad}/header.csv)
+refuses(filters "a chord of an odd number of samples" "chord is .* allowed: an even number" process ${bad}/short.csv --chord 61ft)
+refuses(filters "an even high-pass" "150" process ${bad}/short.csv --high-pass 150)
+refuses(filters "a corner of zero" "first corner is 0 .*allowed" process ${bad}/short.csv --first-corner 0Hz)
+refuses(filters "a corner without a unit" "without a unit" process ${bad}/short.csv --second-corner 1)
+refuses(filters "a key nobody knows" "wheels" process ${bad}/short.csv --config ${bad}/unknown.toml)
+set(never ${CMAKE_BINARY_DIR}/ctest/filters-never.csv)
+refuses(filters "a track that is too short" "length is" simulate ${never} --length 10m)
+refuses(filters "speeds without distances" "0 distances for 2 speeds" simulate ${never} --speeds 60mph 9mph)
+refuses(filters "a car that leaves the track" "position of the car" simulate ${never} --length 300m --speeds 60mph --distances 400m)
+refuses(filters "truth in the record's own file" "truth is .*the record.s own file" simulate ${never} --truth ${never})
+refuses(filters "a journey of no distance" "does not travel" simulate ${never} --speeds 0mph)
+
+# A record to order, its faults, and the geometry made of it.
+set(folder ${CMAKE_BINARY_DIR}/ctest)
+add_test(NAME "tool: filters simulates a record" WORKING_DIRECTORY ${CMAKE_SOURCE_DIR}/tools/examples/filters
+         COMMAND railbook filters simulate ${folder}/filters-sensors.csv --config car.toml --length 4000ft --sensors typical
+                 --truth ${folder}/filters-truth.csv)
+add_test(NAME "tool: filters processes it" WORKING_DIRECTORY ${CMAKE_SOURCE_DIR}/tools/examples/filters
+         COMMAND railbook filters process ${folder}/filters-sensors.csv --config car.toml --out ${folder}/filters-mine)
+add_test(NAME "tool: filters processes it with faults"
+         COMMAND sh -c "awk -F, -v OFS=, 'NR==1500{$3=\"nan\"} NR==1600{$2=0} NR==1700{$9=1e30} NR==1750{$9=800} NR==1800{$2=1e-9} 1' $1 > $2 && $0 filters process $2 --out $3"
+                 $<TARGET_FILE:railbook> ${folder}/filters-sensors.csv ${folder}/filters-faults.csv ${folder}/filters-faults)
+add_test(NAME "tool: filters processes stop and reversal"
+         COMMAND sh -c "$0 filters simulate $1 --length 4000ft --speeds 40mph 0mph -20mph 0mph 40mph --distances 1500ft 1ft 800ft 1ft 300ft --stand 60s && $0 filters process $1 --out $2"
+                 $<TARGET_FILE:railbook> ${folder}/filters-turn.csv ${folder}/filters-turn)
+set_tests_properties("tool: filters simulates a record" PROPERTIES FIXTURES_SETUP filters-record)
+set_tests_properties("tool: filters processes it" PROPERTIES FIXTURES_REQUIRED filters-record
+                     PASS_REGULAR_EXPRESSION "runs without a gap or a turn +1\n.*gage, mean where good +143[0-9]")
+set_tests_properties("tool: filters processes it with faults" PROPERTIES FIXTURES_REQUIRED filters-record
+                     PASS_REGULAR_EXPRESSION "rejected +2 .*turn +3\n.*1 values beyond.*1 spikes")
+add_test(NAME "tool: filters names a misspelt column"
+         COMMAND sh -c "sed '1s/lateral/latteral/' $1 > $2 && $0 filters process $2" $<TARGET_FILE:railbook> ${folder}/filters-sensors.csv ${folder}/filters-misspelt.csv)
+set_tests_properties("tool: filters names a misspelt column" PROPERTIES FIXTURES_REQUIRED filters-record
+                     PASS_REGULAR_EXPRESSION "not in the file: lateral\n.*columns not used: latteral_m_per_s2")
+set_tests_properties("tool: filters processes stop and reversal" PROPERTIES
+                     PASS_REGULAR_EXPRESSION "turn +3\n")

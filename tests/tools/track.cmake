@@ -1,0 +1,99 @@
+# The tool refuses what it cannot use: exit status 2.
+refuses(track "an unknown rail" "rail section .140RE. is not known"
+                 stiffness --rail 140RE)
+refuses(track "a spacing of zero" "tie spacing is 0 m. allowed: from 0.001 to 100"
+                 stiffness --tie-spacing 0in)
+refuses(track "a negative stiffness" "tie stiffness is -3000 N/m. allowed: from 1 to 1e+20"
+                 stiffness --tie-stiffness -3kN/m)
+refuses(track "a wrong unit" "tie spacing is .3kN., a quantity in N. allowed: a unit of m"
+                 stiffness --tie-spacing 3kN)
+refuses(track "a missing unit" "ballast depth is .12., without a unit. allowed: a unit of m"
+                 stiffness --ballast-depth 12)
+refuses(track "a tie wider than the spacing" "tie width is 0.762 m. allowed: from 1e-06 to 0.4953"
+                 stiffness --tie-width 30in)
+refuses(track "two sources of K" "foundation modulus is given and so are parts it would be made of"
+                 stiffness --foundation-modulus 2000psi --tie-spacing 24in)
+refuses(track "a sprung joint without its spring" "joint sprung needs joint rotation (such as 5 MN.m), and no other"
+                 stiffness --joint sprung)
+refuses(track "an unknown option" "The following arguments were not expected: 1435mm --gauge"
+                 stiffness --gauge 1435mm)
+refuses(track "a modulus beyond all ranges" "foundation modulus is .* Pa. allowed: from 0.001 to 1e+15"
+                 stiffness --foundation-modulus 1e-320psi)
+refuses(track "a ballast beyond all ranges" "ballast depth is 2.54e+198 m. allowed: from 0 to 100"
+                 stiffness --ballast-depth 1e200in)
+refuses(track "a quantity that is no number" "tie stiffness is .nanN/m.. allowed: a finite number with a unit of N/m"
+                 stiffness --tie-stiffness nanN/m)
+refuses(track "a tie mass without its chain" "tie mass serves the lumped model, which a foundation modulus alone"
+                 stiffness --foundation-modulus 2000psi --tie-mass 200lb)
+refuses(track "the place of no joint" "joint at is given but no joint"
+                 stiffness --joint-at 30in)
+refuses(track "two wheels in one place" "distance between wheels is 0 m. allowed: at least 0.001"
+                 stiffness --wheels 0in 66in 0in)
+refuses(track "a folder that cannot be" "stiffness.csv.: cannot be written"
+                 stiffness --out /dev/null/x)
+add_test(NAME "tool: track stiffness answers"
+         COMMAND railbook track stiffness --rail 136RE --tie-spacing 19.5in --ballast-depth 12in
+                 --out ${CMAKE_BINARY_DIR}/ctest/track-stiffness)
+
+# Closed form (2): 132RE on 2000 psi is 191 688 lb/in;
+# a quarter of it is left at a free joint, 8.3924 MN/m.
+add_test(NAME "tool: track stiffness knows equation 2"
+         COMMAND railbook track stiffness --foundation-modulus 2000psi)
+set_tests_properties("tool: track stiffness knows equation 2" PROPERTIES
+                     PASS_REGULAR_EXPRESSION "K_r +191688 lbf/in")
+add_test(NAME "tool: track stiffness leaves a quarter at a free joint"
+         COMMAND railbook track stiffness --foundation-modulus 2000psi --joint free)
+set_tests_properties("tool: track stiffness leaves a quarter at a free joint" PROPERTIES
+                     PASS_REGULAR_EXPRESSION "that wheel feels +8\\.392[0-9]+ MN/m")
+
+set(profiles ${CMAKE_SOURCE_DIR}/tests/tools/track)
+refuses(track "no speed" "--speed is required"
+                 joint --dip 0.5in)
+refuses(track "a speed of zero" "speed is 0 m/s. allowed: from 0.1 to 200"
+                 joint --speed 0mph --dip 0.5in)
+refuses(track "a speed without a unit" "speed is .60., without a unit. allowed: a unit of m/s"
+                 joint --speed 60 --dip 0.5in)
+refuses(track "no surface" "surface: give one of --dip, --angle and --profile"
+                 joint --speed 60mph)
+refuses(track "two surfaces" "surface: give one of --dip, --angle and --profile"
+                 joint --speed 60mph --dip 0.5in --angle 7mrad)
+refuses(track "an angle in inches" "angle is .0.5in., a quantity in m. allowed: a unit of rad"
+                 joint --speed 60mph --angle 0.5in)
+refuses(track "a negative wheel" "wheel mass is -650 kg. allowed: from 1 to 100000"
+                 joint --speed 60mph --dip 0.5in --wheel-mass -650kg)
+refuses(track "a negative damping" "bed damping is -1000 N.s/m. allowed: from 0 to 1000000000"
+                 joint --speed 60mph --dip 0.5in --bed-damping -1kN*s/m)
+refuses(track "a history too short for its peaks" "end of the history is 0.001 s. allowed: at least"
+                 joint --speed 60mph --dip 0.5in --duration 1ms)
+refuses(track "a tolerance of zero" "tolerance is 0. allowed: from 1e-13 to 0.001"
+                 joint --speed 60mph --dip 0.5in --tolerance 0)
+refuses(track "a rail too light to step over" "the run stopped at .* s"
+                 joint --speed 60mph --dip 0.5in --rail-mass 1e-9kg)
+refuses(track "a raised joint by its dip" "dip is -0.0127 m. allowed: from 0 to 0.2"
+                 joint --speed 60mph --dip -0.5in)
+refuses(track "a speed beyond all ranges" "speed is 4.4704e+29 m/s. allowed: from 0.1 to 200"
+                 joint --speed 1e30mph --dip 0.5in)
+refuses(track "a history beyond all memory" "duration is 1000000000 s. allowed: from 0 to 2"
+                 joint --speed 60mph --dip 0.5in --duration 1e9s)
+refuses(track "a damper beyond all ranges" "bed damping is 1e+200 N.s/m. allowed: from 0 to 1000000000"
+                 joint --speed 60mph --dip 0.5in --bed-damping 1e200N*s/m)
+refuses(track "a rail length with a profile" "rail length belongs to --dip and --angle. a profile has its own joint"
+                 joint --speed 30m/s --profile ${profiles}/hollow.csv --rail-length 39ft)
+refuses(track "a profile that begins past the joint" "first distance of the profile is 1 m. allowed: from -10000 to 0"
+                 joint --speed 30m/s --profile ${profiles}/late.csv)
+refuses(track "a missing profile" ".none.csv.: cannot be read"
+                 joint --speed 30m/s --profile none.csv)
+refuses(track "a profile that goes back" "profile distance: sample 3 does not lie beyond the one before it"
+                 joint --speed 30m/s --profile ${profiles}/backwards.csv)
+refuses(track "a profile with a gap" "gap.csv., line 3: column .profile_mm. is empty or NaN. allowed: a"
+                 joint --speed 30m/s --profile ${profiles}/gap.csv)
+refuses(track "a profile without a unit" "bare.csv.: column .profile. names no unit. allowed: a header that"
+                 joint --speed 30m/s --profile ${profiles}/bare.csv)
+refuses(track "a profile shorter than the run" "distance at the end of the run is 3.6 m. allowed: from -1.2 to 3"
+                 joint --speed 60m/s --profile ${profiles}/hollow.csv)
+add_test(NAME "tool: track joint answers"
+         COMMAND railbook track joint --speed 60mph --dip 0.5in --out ${CMAKE_BINARY_DIR}/ctest/track-joint)
+add_test(NAME "tool: track joint takes a profile"
+         COMMAND railbook track joint --speed 30m/s --profile ${profiles}/hollow.csv
+                 --out ${CMAKE_BINARY_DIR}/ctest/track-profile)
+set_tests_properties("tool: track joint answers" PROPERTIES PASS_REGULAR_EXPRESSION "P1, first local maximum +178\\.18")

@@ -1,0 +1,83 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "spectra/record.hpp"
+
+using namespace railbook;
+
+namespace {
+
+const double lost = std::numeric_limits<double>::quiet_NaN();
+
+struct Collected {
+  std::vector<double> out;
+  spectra::RecordStream stream;
+  explicit Collected(const spectra::RecordOptions& options)
+      : stream(options,
+               [this](std::span<const double> s) { out.insert(out.end(), s.begin(), s.end()); }) {}
+};
+
+}  // namespace
+
+TEST_CASE("unit: an even record passes unchanged, with positions or without") {
+  for (const bool positions : {false, true}) {
+    Collected c{{.spacing = positions ? std::optional<double>{} : 0.3}};
+    std::vector<double> in;
+    for (int i = 0; i < 10000; ++i) {
+      in.push_back(std::sin(i));
+      positions ? c.stream.add(5 + 0.3 * i, in.back()) : c.stream.add(in.back());
+    }
+    c.stream.finish();
+    CHECK(c.out == in);
+    CHECK(c.stream.spacing() == Approx(0.3));
+    CHECK(c.stream.samples() == 10000);
+    CHECK(c.stream.missing() == 0);
+    CHECK(c.stream.lowest() == Approx(-1).epsilon(1e-4));
+  }
+}
+
+TEST_CASE("unit: positions rounded to a centimetre give the spacing and the grid") {
+  Collected c{{}};
+  for (int i = 0; i < 5000; ++i) c.stream.add(std::round(30.48 * i) / 100, i % 7);
+  c.stream.finish();
+  CHECK(c.stream.spacing() == Approx(0.3048).epsilon(1e-5));
+  CHECK(c.out.size() == 5000);
+}
+
+TEST_CASE("unit: missing positions and missing values leave gaps, short ones are bridged") {
+  for (const std::size_t bridge : {0U, 2U}) {
+    Collected c{{.bridge = bridge}};
+    for (const double x : {0., 1., 2., 5., 6., 10., 11., 12.})
+      c.stream.add(x, x == 11 ? lost : 10 * x);
+    c.stream.finish();
+    REQUIRE(c.out.size() == 13);
+    for (const std::size_t i : {0U, 1U, 2U, 5U, 6U, 10U, 12U})
+      CHECK(c.out[i] == 10.0 * static_cast<double>(i));
+    for (const std::size_t i : {3U, 4U, 11U})
+      CHECK((bridge == 2 ? std::abs(c.out[i] - 10.0 * static_cast<double>(i)) < 1e-12
+                         : std::isnan(c.out[i])));
+    for (const std::size_t i : {7U, 8U, 9U}) CHECK(std::isnan(c.out[i]));
+    CHECK(c.stream.missing() == (bridge == 2 ? 3 : 6));
+    CHECK(c.stream.bridged() == (bridge == 2 ? 3 : 0));
+  }
+}
+
+TEST_CASE("unit: gaps at the ends are kept and never bridged") {
+  Collected c{{.spacing = 1, .bridge = 10}};
+  for (const double value : {lost, lost, 1., 2., lost}) c.stream.add(value);
+  c.stream.finish();
+  REQUIRE(c.out.size() == 5);
+  CHECK(std::isnan(c.out[0]));
+  CHECK(std::isnan(c.out[1]));
+  CHECK(std::isnan(c.out[4]));
+  CHECK(c.stream.missing() == 3);
+}
+
+TEST_CASE("unit: the longest run of equal values is counted, gaps interrupt it") {
+  Collected c{{.spacing = 1}};
+  for (const double value : {5., 5., 1., 2., 2., 2., lost, 2., 2., 3.}) c.stream.add(value);
+  c.stream.finish();
+  CHECK(c.stream.still() == 3);
+}

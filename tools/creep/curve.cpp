@@ -1,0 +1,302 @@
+/*
+### `creep curve`
+
+The forces over a range of longitudinal creepage, with lateral creepage and spin held, for a contact of your own: its
+semi-axes, or the radii of the bodies, from which Hertz's theory makes them. Whatever is not given is assumed and
+marked so in the answer. Quantities carry their unit; a TOML file (`--config`) may hold the same options.
+
+    creep curve --a 6mm --b 4mm --load 80kN --mu 0.3 --spin 0.2rad/m --out mine
+    creep curve --wheel-radius 460mm --rail-crown 300mm --load 80kN \
+                --theory fastsim --lateral 0.001 --to 0.01
+
+With `--force` it also seeks the creepage that gives a force, as on the rig, where the brake sets the force and the creep is
+read. Positive creepage gives positive force, that of the wheel on the rail; `spin` is the rotation per metre rolled.
+*/
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "contact/hertz.hpp"
+#include "num/roots.hpp"
+#include "plot/plot.hpp"
+#include "rolling/creep_laws.hpp"
+#include "rolling/material_pair.hpp"
+#include "rolling/theory.hpp"
+#include "table/csv.hpp"
+#include "tool/summary.hpp"
+#include "tools.hpp"
+#include "units/constants.hpp"
+
+namespace railbook::creep_tool {
+
+using namespace contact;
+using namespace rolling;
+
+namespace {
+
+constexpr tool::Range lengths{1e-9, 1e6}, radii{-1e6, 1e6}, moduli{1, 1e15}, ratios{0, 0.5};
+
+struct Wish {
+  std::optional<double> a, b;
+  std::optional<double> wheel_radius, wheel_profile, rail_radius, rail_crown;
+  double load = 0;
+  double friction = 0.3;
+  Steel wheel, rail;
+  double lateral = 0, spin = 0, from = 0;
+  std::string spin_text = "0rad/m";
+  std::optional<double> to, force;
+  long points = 21, cells = 24;
+  std::string theory = "full", coefficients = "table";
+  std::optional<std::filesystem::path> out;
+};
+
+// Radians are no dimension to most people: 0.2rad/m and 0.2 1/m are the same spin. Cycles are not.
+double spin_of(const std::string& text) {
+  const bool per_length = text.find("rad") == std::string::npos &&
+                          text.find("cycle") == std::string::npos &&
+                          text.find('/') != std::string::npos;
+  const double spin = units::parse_quantity(
+      "spin", text, per_length ? units::wavenumber : units::angle / units::length);
+  return units::require_between("spin", spin, -1e4, 1e4, "rad/m");
+}
+
+double curvature(const char* what, const std::optional<double>& radius) {
+  if (!radius) return 0;
+  if (std::abs(*radius) < 1e-9)
+    throw InputError(
+        fmt::format("{} is {:.6g} m; allowed: at least 1e-9 m either way, "
+                    "negative for a hollow",
+                    what, *radius));
+  return 1 / *radius;
+}
+
+// A contact that is not small against the radii it follows is no contact of half-spaces.
+void judge_size(const Wish& wish, const HertzContact& hertz, tool::Summary& answer) {
+  double largest = 0;
+  for (const auto& [radius, half] :
+       {std::pair{wish.wheel_radius, hertz.a}, std::pair{wish.rail_radius, hertz.a},
+        std::pair{wish.wheel_profile, hertz.b}, std::pair{wish.rail_crown, hertz.b}})
+    if (radius) largest = std::max(largest, half / std::abs(*radius));
+  if (largest >= 1)
+    throw InputError(fmt::format(
+        "the contact's semi-axis is {:.3g} of a radius; allowed: less than 1; give less load",
+        largest));
+  if (largest > 0.2)
+    answer.add("half_space", "half space",
+               fmt::format("the contact reaches {:.2g} of a radius: beyond 0.2 doubtful", largest));
+}
+
+RollingCase contact_of(const Wish& wish, const Pair& pair, tool::Summary& answer) {
+  RollingCase c{.a = 0,
+                .b = 0,
+                .load = wish.load,
+                .shear_modulus = pair.shear_modulus,
+                .poisson = pair.poisson,
+                .friction = wish.friction,
+                .creepage = {wish.from, wish.lateral, wish.spin}};
+  const bool radii_given =
+      wish.wheel_radius || wish.wheel_profile || wish.rail_radius || wish.rail_crown;
+  if (wish.a.has_value() != wish.b.has_value() || wish.a.has_value() == radii_given)
+    throw InputError("give either both semi-axes, a and b, or radii of wheel and rail");
+  const char* source = "given";
+  if (radii_given) {
+    const auto hertz = hertz_from_force({.a = (curvature("wheel radius", wish.wheel_radius) +
+                                               curvature("rail radius", wish.rail_radius)) /
+                                              2,
+                                         .b = (curvature("wheel profile", wish.wheel_profile) +
+                                               curvature("rail crown", wish.rail_crown)) /
+                                              2},
+                                        pair.effective_modulus, wish.load);
+    c.a = hertz.a, c.b = hertz.b;
+    judge_size(wish, hertz, answer);
+    source = "Hertz, from the radii";
+    answer.add("p_max_MPa", "largest pressure", hertz.p_max / units::megapascal, "MPa");
+  } else {
+    c.a = *wish.a, c.b = *wish.b;
+  }
+  answer.add("a_mm", "semi-axis a, along rolling", c.a / units::millimetre, "mm", source);
+  answer.add("b_mm", "semi-axis b, across", c.b / units::millimetre, "mm", source);
+  check(c);
+  return c;
+}
+
+struct Row {
+  Creepage creepage;
+  CreepForces forces;
+};
+
+// Zero for what is only rounding beside the bound.
+void clean(CreepForces& f, double bound, double length) {
+  for (double* force : {&f.fx, &f.fy})
+    if (std::abs(*force) < 1e-12 * bound) *force = 0;
+  if (std::abs(f.mz) < 1e-12 * bound * length) f.mz = 0;
+}
+
+std::vector<Row> rows(const Wish& wish, RollingCase c, const Solver& solve, double to) {
+  std::vector<Row> all;
+  for (long i = 0; i < wish.points; ++i) {
+    const double share = wish.points == 1 ? 0 : double(i) / double(wish.points - 1);
+    c.creepage.longitudinal = wish.from + (to - wish.from) * share;
+    auto f = solve(c);
+    if (!f.converged)
+      throw std::runtime_error(
+          fmt::format("no answer at creepage {:.6g}: {}", c.creepage.longitudinal, f.reason));
+    clean(f, c.friction * c.load, c.a + c.b);
+    all.push_back({c.creepage, f});
+  }
+  return all;
+}
+
+// The creepage of the range at which the force along is `force`.
+double creepage_for(double force, RollingCase c, const Solver& solve, double from, double to) {
+  const auto fx = [&](double creepage) {
+    c.creepage.longitudinal = creepage;
+    return solve(c).fx;
+  };
+  const auto [low, high] = std::minmax({fx(from), fx(to)});
+  if (!(low <= force && force <= high))
+    throw InputError(
+        fmt::format("force is {:.6g} N; allowed: what the range of creepage gives, "
+                    "from {:.6g} to {:.6g} N",
+                    force, low, high));
+  return num::find_root([&](double creepage) { return fx(creepage) - force; }, std::min(from, to),
+                        std::max(from, to), 1e-10)
+      .x;
+}
+
+void print_rows(const std::vector<Row>& all, double bound) {
+  fmt::print("\n{:>12} {:>12} {:>12} {:>12} {:>8} {:>7}\n", "creepage", "fx, N", "fy, N", "mz, N m",
+             "F/(mu N)", "stick");
+  for (const auto& [creepage, f] : all)
+    fmt::print("{:>12.6g} {:>12.6g} {:>12.6g} {:>12.6g} {:>8} {:>7.3f}\n", creepage.longitudinal,
+               f.fx, f.fy, f.mz,
+               bound > 0 ? fmt::format("{:.5f}", std::hypot(f.fx, f.fy) / bound) : "-",
+               std::abs(f.stick_share));
+}
+
+std::string csv(const std::vector<Row>& all) {
+  std::string text = "longitudinal,lateral,spin_1_per_m,fx_N,fy_N,mz_N_m,stick_share,error_share\n";
+  for (const auto& [creepage, f] : all)
+    text +=
+        fmt::format("{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.6g},{}\n", creepage.longitudinal,
+                    creepage.lateral, creepage.spin, f.fx, f.fy, f.mz, std::abs(f.stick_share),
+                    std::isfinite(f.error) ? fmt::format("{:.2g}", f.error) : "nan");
+  return text;
+}
+
+// Refuses a folder that the files cannot all go into, before the first is written.
+void require_writable(const std::filesystem::path& out) {
+  if (out.empty()) throw InputError("out is empty; allowed: the name of a folder");
+  for (const char* name : {"curve.csv", "curve.json", "curve.png"})
+    if (std::filesystem::is_directory(out / name))
+      throw InputError(
+          fmt::format("file \"{}\": cannot be written, it is a folder", (out / name).string()));
+}
+
+void run(const Wish& wish) {
+  tool::Summary answer("Creep curve");
+  answer.add("theory", "theory", wish.theory);
+  const Pair pair = join(wish.wheel, wish.rail);
+  const RollingCase c = contact_of(wish, pair, answer);
+  const double bound = c.friction * c.load;
+  if (!wish.to && bound == 0)
+    throw InputError("friction is 0, so that no creepage is large: give the end of the range, to");
+  // Without an end: where the linear force is six times the bound, beyond the end of stick.
+  const double slope = vermeulen_johnson_slopes(c.a / c.b, c.poisson).longitudinal;
+  const double to = wish.to ? *wish.to : 6 / slope * bound / (c.shear_modulus * c.a * c.b);
+  if (wish.points > 1 && to == wish.from)
+    throw InputError(fmt::format("to is {:.6g}, and so is from; give a range, or points 1", to));
+  answer.add("load_kN", "load N", c.load / units::kilonewton, "kN");
+  answer.add("friction", "friction coefficient mu", c.friction, "");
+  answer.add("shear_modulus_GPa", "shear modulus G", c.shear_modulus / units::gigapascal, "GPa");
+  answer.add("poisson", "Poisson's ratio", c.poisson, "");
+  if (std::abs(pair.dissimilarity) > 0.02)
+    answer.add("similarity", "two materials",
+               fmt::format("not elastically similar (K = {:.3f}); left out", pair.dissimilarity));
+  answer.add("lateral", "lateral creepage", wish.lateral, "");
+  answer.add("spin_1_per_m", "spin creepage", wish.spin, "1/m");
+  if (wish.out) require_writable(*wish.out);
+  const Solver solve =
+      solver(wish.theory, c.a / c.b, c.poisson, wish.cells, wish.coefficients == "computed");
+  const auto all = rows(wish, c, solve, to);
+  double largest = 0;
+  for (const auto& row : all) largest = std::max(largest, std::hypot(row.forces.fx, row.forces.fy));
+  answer.add("largest_force_N", "largest force", largest, "N");
+  if (wish.force) {
+    answer.add("force_N", "force along, wanted", *wish.force, "N");
+    answer.add("creepage_at_force", "creepage for it",
+               creepage_for(*wish.force, c, solve, wish.from, to), "");
+  }
+  if (std::isfinite(all.back().forces.error)) {
+    double error = 0;
+    for (const auto& row : all) error = std::max(error, row.forces.error);
+    answer.add("error_share", "largest error estimate", error, "of mu N");
+  }
+  if (!all.back().forces.reason.empty()) answer.add("note", "note", all.back().forces.reason);
+  if (wish.out) {
+    const auto& out = *wish.out;
+    table::write_file(out / "curve.csv", csv(all));
+    answer.write_json(out / "curve.json");
+    plot::render(tools::scripts("creep") / "curve.gp", {out / "curve.csv"}, out / "curve.png");
+  }
+  answer.print();
+  print_rows(all, bound);
+}
+
+std::function<void()> declare(tool::Options& options) {
+  const auto wish = std::make_shared<Wish>();
+  const std::string hollow = "; straight without it, negative if hollow";
+  options.quantity("--a", wish->a, units::length, "semi-axis of the contact along rolling",
+                   lengths);
+  options.quantity("--b", wish->b, units::length, "and across", lengths);
+  options.quantity("--wheel-radius", wish->wheel_radius, units::length,
+                   "rolling radius of the wheel", radii);
+  options.quantity("--wheel-profile", wish->wheel_profile, units::length,
+                   "radius of the wheel's profile" + hollow, radii);
+  options.quantity("--rail-radius", wish->rail_radius, units::length,
+                   "radius of the rail along rolling, of a roller" + hollow, radii);
+  options.quantity("--rail-crown", wish->rail_crown, units::length,
+                   "radius of the rail's profile" + hollow, radii);
+  options.quantity("--load", wish->load, units::force, "normal load", tool::Range{1e-9, 1e12});
+  options.required();
+  options.quantity("--mu", wish->friction, units::number, "friction coefficient",
+                   tool::Range{0, 10});
+  options.quantity("--wheel-young", wish->wheel.young, units::pressure, "Young's modulus", moduli);
+  options.quantity("--wheel-poisson", wish->wheel.poisson, units::number, "Poisson's ratio",
+                   ratios);
+  options.quantity("--rail-young", wish->rail.young, units::pressure, "Young's modulus", moduli);
+  options.quantity("--rail-poisson", wish->rail.poisson, units::number, "Poisson's ratio", ratios);
+  options.quantity("--lateral", wish->lateral, units::number, "lateral creepage",
+                   tool::Range{-1, 1});
+  options.text("--spin", wish->spin_text, "spin creepage, such as 0.2rad/m or 0.2 1/m");
+  options.quantity("--from", wish->from, units::number, "longitudinal creepage, first",
+                   tool::Range{-1, 1});
+  options.quantity("--to", wish->to, units::number,
+                   "and last; without it well beyond the end of stick", tool::Range{-1, 1});
+  options.quantity("--force", wish->force, units::force,
+                   "along; the creepage that gives it is sought in the range",
+                   tool::Range{-1e12, 1e12});
+  options.count("--points", wish->points, "of the range", 1, 100000);
+  options.choice("--theory", wish->theory, theory_names(), "theory of rolling");
+  options.choice(
+      "--coefficients", wish->coefficients, {"table", "computed"},
+      "fast theories: Kalker's coefficients from his table (a/b 0.1 to 10), or computed");
+  options.count("--cells", wish->cells, "full theory: cells along rolling", 4, 128);
+  options.out(wish->out);
+  return [wish] {
+    wish->spin = spin_of(wish->spin_text);
+    run(*wish);
+  };
+}
+
+}  // namespace
+
+tool::Tool curve_tool() {
+  return {"curve", "creep forces of a contact of your own", declare};
+}
+
+}  // namespace railbook::creep_tool

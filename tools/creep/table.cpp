@@ -1,0 +1,138 @@
+/*
+### `creep table`
+
+A table of the forces for a vehicle code, which needs them millions of times. Its axes are the axis ratio and the
+reduced creepages $G\,ab\,\xi/\mu N$, $G\,ab\,\eta/\mu N$ and $G(ab)^{3/2}\phi/\mu N$, so that it serves every load,
+friction and size; the values are $F_x/\mu N$, $F_y/\mu N$ and $M_z/(\mu N\sqrt{ab})$. Negative longitudinal creepage
+turns $F_x$; negative lateral creepage turns $F_y$, $M_z$ and the spin to look up, so that a quarter of the creepages is
+enough. The error of linear interpolation is measured against the theory at points off the nodes and stated in the
+answer and in the file.
+
+    creep table --ratio-from 0.5 --ratio-to 2 --out mine
+*/
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+
+#include "rolling/force_table.hpp"
+#include "rolling/theory.hpp"
+#include "table/csv.hpp"
+#include "tool/summary.hpp"
+#include "tools.hpp"
+#include "units/constants.hpp"
+#include "units/input_error.hpp"
+
+namespace railbook::creep_tool {
+
+using namespace rolling;
+
+namespace {
+
+struct Wish {
+  ForceTableAxes axes;
+  long ratios = 5, longitudinal = 13, lateral = 13, spin = 25, points = 2000, cells = 12;
+  double poisson = 0.3;
+  std::string theory = "full", coefficients = "table";
+  std::optional<std::filesystem::path> out;
+};
+
+std::string csv(const ForceTable& table, const Wish& wish, const InterpolationError& error) {
+  std::string text = fmt::format(
+      "# Creep forces by the theory \"{}\", Poisson's ratio {:g}. x = G a b xi/(mu N), y = G a b "
+      "eta/(mu N), "
+      "spin = G (a b)^1.5 phi/(mu N); a along rolling.\n"
+      "# Symmetry: -x turns fx; -y turns fy, mz and the spin to look up. Interpolate linearly in "
+      "ln(ratio) and "
+      "arsinh(x/0.5), arsinh(y/0.5), arsinh(spin/0.5).\n"
+      "# Error of that, of (fx, fy): largest {:.2g}, rms {:.2g}; of mz: largest {:.2g}, rms {:.2g} "
+      "({} points "
+      "off the nodes).\n"
+      "a_over_b,x,y,spin,fx,fy,mz\n",
+      wish.theory, wish.poisson, error.largest_force, error.rms_force, error.largest_moment,
+      error.rms_moment, error.points);
+  for (std::size_t r = 0; r < table.ratios().size(); ++r)
+    for (std::size_t i = 0; i < table.longitudinal().size(); ++i)
+      for (std::size_t j = 0; j < table.lateral().size(); ++j)
+        for (std::size_t k = 0; k < table.spin().size(); ++k) {
+          const ForceShares& f = table.node(r, i, j, k);
+          text += fmt::format("{:.8g},{:.8g},{:.8g},{:.8g},{:.7g},{:.7g},{:.7g}\n",
+                              table.ratios()[r], table.longitudinal()[i], table.lateral()[j],
+                              table.spin()[k], f.fx, f.fy, f.mz);
+        }
+  return text;
+}
+
+void run(Wish wish) {
+  wish.axes.ratios = static_cast<int>(wish.ratios);
+  wish.axes.longitudinal = static_cast<int>(wish.longitudinal);
+  wish.axes.lateral = static_cast<int>(wish.lateral);
+  wish.axes.spin = static_cast<int>(wish.spin);
+  if (wish.axes.ratio_from == wish.axes.ratio_to) wish.axes.ratios = 1;
+  if (wish.out && (wish.out->empty() || std::filesystem::is_directory(*wish.out / "table.csv") ||
+                   std::filesystem::is_directory(*wish.out / "table.json")))
+    throw InputError("out: table.csv and table.json cannot be written there");
+  const ShareTheory theory = [&](double ratio) {
+    return shares_of(
+        solver(wish.theory, ratio, wish.poisson, wish.cells, wish.coefficients == "computed"),
+        ratio, wish.poisson);
+  };
+  const ForceTable table(wish.axes, theory);
+  const auto error = table.error(theory, static_cast<int>(wish.points));
+  tool::Summary answer("Creep force table");
+  answer.add("theory", "theory", wish.theory);
+  answer.add("nodes", "nodes",
+             fmt::format("{} axis ratios x {} x {} x {} spins", table.ratios().size(),
+                         table.longitudinal().size(), table.lateral().size(), table.spin().size()));
+  answer.add("reach", "largest reduced creepage", wish.axes.reach, "");
+  answer.add("spin_reach", "largest reduced spin", wish.axes.spin_reach, "");
+  answer.add("error_force_largest", "interpolation error of the force, largest",
+             error.largest_force, "of mu N");
+  answer.add("error_force_rms", "  root of the mean square", error.rms_force, "of mu N");
+  answer.add("error_moment_largest", "of the moment, largest", error.largest_moment,
+             "of mu N sqrt(a b)");
+  answer.add("error_moment_rms", "  root of the mean square", error.rms_moment,
+             "of mu N sqrt(a b)");
+  answer.add("error_points", "measured at points off the nodes", double(error.points), "");
+  if (wish.out) {
+    table::write_file(*wish.out / "table.csv", csv(table, wish, error));
+    answer.write_json(*wish.out / "table.json");
+  }
+  answer.print();
+}
+
+std::function<void()> declare(tool::Options& options) {
+  const auto wish = std::make_shared<Wish>();
+  options.choice("--theory", wish->theory, theory_names(), "theory of rolling");
+  options.choice(
+      "--coefficients", wish->coefficients, {"table", "computed"},
+      "fast theories: Kalker's coefficients from his table (a/b 0.1 to 10), or computed");
+  options.quantity("--poisson", wish->poisson, units::number, "Poisson's ratio",
+                   tool::Range{0, 0.5});
+  options.quantity("--ratio-from", wish->axes.ratio_from, units::number, "first axis ratio a/b",
+                   tool::Range{1e-3, 1e3});
+  options.quantity("--ratio-to", wish->axes.ratio_to, units::number, "and last",
+                   tool::Range{1e-3, 1e3});
+  options.count("--ratios", wish->ratios, "how many, evenly in the logarithm", 1, 1000);
+  options.quantity("--reach", wish->axes.reach, units::number,
+                   "largest reduced longitudinal and lateral creepage", tool::Range{1e-3, 1e6});
+  options.quantity("--spin-reach", wish->axes.spin_reach, units::number, "largest reduced spin",
+                   tool::Range{1e-3, 1e6});
+  options.count("--longitudinal", wish->longitudinal, "nodes of longitudinal creepage", 2, 1000);
+  options.count("--lateral", wish->lateral, "nodes of lateral creepage", 2, 1000);
+  options.count("--spin", wish->spin, "nodes of spin, an odd number", 3, 1001);
+  options.count("--points", wish->points, "off the nodes, where the error is measured", 1,
+                10000000);
+  options.count("--cells", wish->cells, "full theory: cells along rolling", 4, 128);
+  options.out(wish->out);
+  return [wish] { run(*wish); };
+}
+
+}  // namespace
+
+tool::Tool table_tool() {
+  return {"table", "a table of creep forces for a vehicle code", declare};
+}
+
+}  // namespace railbook::creep_tool

@@ -1,0 +1,12 @@
+// Options that the tools of the car share.
+#pragma once
+
+#include "geometry_car/car.hpp"
+#include "tool/options.hpp"
+
+namespace railbook::filters_tool {
+
+// Dimensions and corners, the same names for `simulate` and `process`, so that one TOML file serves both.
+void add_layout(tool::Options& options, geometry_car::Layout& layout);
+
+}  // namespace railbook::filters_tool

@@ -1,0 +1,102 @@
+/*
+Both tools below take a car as options, on the command line or in a TOML file (`hunting speed car.toml`), with the paper's car as the default: every name in
+`car_data()` with two dashes. Wheel radius and half gauge are those of the geometry, `--radius` and `--half-spacing`. Dampers follow from the
+friction levels and the motion at which they are linearized, unless given themselves; with `--suspension friction` the frictions act.
+*/
+
+#include "hunting/car_options.hpp"
+#include "units/constants.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <string>
+
+#include "tools.hpp"
+
+namespace railbook::hunting_tool {
+
+using namespace dynamics;
+
+namespace {
+
+// The two that belong to the geometry.
+bool of_the_pair(const CarDatum& datum) {
+  return datum.member == &CarParameters::half_gauge || datum.member == &CarParameters::wheel_radius;
+}
+
+struct DamperOption {
+  const char* name;
+  const char* help;
+  units::Dimension dimension;
+  std::optional<double> CarWish::*given;
+  double Dampers::*value;
+};
+const units::Dimension turning = units::moment * units::time / units::angle;
+const std::array<DamperOption, 4> dampers{
+    {{"--lateral-damper", "a side frame; without it from the friction", units::damping,
+      &CarWish::lateral_damper, &Dampers::lateral},
+     {"--vertical-damper", "a side frame; without it from the friction", units::damping,
+      &CarWish::vertical_damper, &Dampers::vertical},
+     {"--warp-damper", "a truck; without it from the friction", turning, &CarWish::warp_damper,
+      &Dampers::warp},
+     {"--centre-plate-damper", "a truck; without it from the friction", turning,
+      &CarWish::centre_plate_damper, &Dampers::centre_plate}}};
+
+}  // namespace
+
+void add_car_options(tool::Options& options, CarWish& wish) {
+  add_pair_options(options, wish.pair);
+  // A factor of ten thousand either way is no freight car any more, and spoils the arithmetic.
+  for (const CarDatum& datum : car_data()) {
+    double& value = wish.data.*datum.member;
+    if (!of_the_pair(datum))
+      options.quantity(fmt::format("--{}", datum.key), value, datum.dimension, datum.name,
+                       tool::Range{datum.positive ? 1e-4 * value : 0, 1e4 * value});
+  }
+  options.choice("--suspension", wish.suspension, {"dampers", "friction"},
+                 "equivalent dampers, or dry friction regularized");
+  for (const auto& damper : dampers)
+    options.quantity(damper.name, wish.*damper.given, damper.dimension, damper.help,
+                     tool::Range{0, 1e10});
+}
+
+CarCase read_case(const CarWish& wish) {
+  CarParameters data = wish.data;
+  data.half_gauge = wish.pair.half_spacing;
+  data.wheel_radius = wish.pair.radius;
+  require_valid(data);
+  Dampers c = equivalent_dampers(data);
+  for (const auto& damper : dampers)
+    if (wish.*damper.given) {
+      if (wish.suspension == "friction")
+        throw InputError(fmt::format(
+            "{} is for --suspension dampers; friction is given by its level", damper.name + 2));
+      c.*damper.value = *(wish.*damper.given);
+    }
+  auto geometry = table_of(read_pair(wish.pair), wish.pair);
+  auto car =
+      wish.suspension == "friction" ? assemble(data, Suspension::friction) : assemble(data, c);
+  QuasiLinearCar quasi{std::move(car), geometry};
+  return {std::move(geometry), std::move(quasi)};
+}
+
+void describe_case(tool::Summary& answer, const CarWish& wish, const CarCase& c) {
+  answer.add("pair", "profiles",
+             from_files(wish.pair) ? wish.pair.wheel.string() + " on " + wish.pair.rail.string()
+                                   : wish.pair.pair + ", of the paper, reconstructed");
+  const double a = c.table.half_spacing;
+  answer.add("slope_R", "slope of R at the centre, per x/a", a * c.table.R.slope(0), "");
+  answer.add("slope_D", "slope of D", a * c.table.D.slope(0), "rad");
+  answer.add("slope_Phi", "slope of the roll angle", a * c.table.Phi.slope(0), "rad");
+  answer.add("suspension", "suspension",
+             wish.suspension == "friction" ? "dry friction, regularized" : "dampers");
+  const CarParameters usual;
+  for (const CarDatum& datum : car_data()) {
+    const double value = c.car.car().data.*datum.member;
+    if (std::abs(value - usual.*datum.member) > 1e-12 * std::abs(value))
+      answer.add(datum.key, datum.name, value, units::si_name(datum.dimension), "not the paper's");
+  }
+}
+
+}  // namespace railbook::hunting_tool

@@ -1,0 +1,36 @@
+// A car as options of a tool: every datum of the paper's table, in any fitting unit.
+//
+//   add_car_options(options, wish);          // --body-mass, --warp-stiffness, --suspension, --pair, --wheel, ...
+//   const CarCase c = read_case(wish);       // geometry and quasi-linear car
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "dynamics/quasi_linear.hpp"
+#include "hunting/profile_file.hpp"
+#include "tool/summary.hpp"
+
+namespace railbook::hunting_tool {
+
+struct CarWish {
+  PairWish pair;
+  dynamics::CarParameters data;
+  std::string suspension = "dampers";
+  std::optional<double> lateral_damper, vertical_damper, warp_damper, centre_plate_damper;
+};
+
+void add_car_options(tool::Options& options, CarWish& wish);
+
+struct CarCase {
+  wheelrail::ConstraintFunctions table;
+  dynamics::QuasiLinearCar car;
+};
+// Throws InputError for data that no car has, profiles that do not fit, or a damper given beside friction.
+CarCase read_case(const CarWish& wish);
+
+// Where the geometry comes from, its slopes, and the data that are not the paper's.
+void describe_case(tool::Summary& answer, const CarWish& wish, const CarCase& c);
+
+}  // namespace railbook::hunting_tool

@@ -1,0 +1,129 @@
+/*
+### `hunting speed`
+
+All critical speeds of a car, with frequency and mode, from eigenvalues of the linear car.
+
+    hunting speed
+    hunting speed car.toml --wheel wheel.csv --rail rail.csv --half-spacing 750mm --radius 460mm
+    hunting speed --pair cn --warp-stiffness 10MN*m/rad --speed 40m/s --out mine
+
+With `--speed` it lists the modes at that speed. `--out` writes `speed.json`, the two least damped eigenvalues against
+speed (`speed.csv`) and their figure. With friction the linear car is the one that sticks: its joints are as stiff as the
+regularization makes them, and its critical speeds mean little.
+*/
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "dynamics/linear_stability.hpp"
+#include "hunting/car_options.hpp"
+#include "plot/plot.hpp"
+#include "table/csv.hpp"
+#include "tools.hpp"
+#include "units/constants.hpp"
+
+namespace railbook::hunting_tool {
+
+using namespace dynamics;
+
+namespace {
+
+struct Wish : CarWish {
+  double lowest = 1, highest = 120;
+  std::optional<double> speed;
+  std::optional<std::filesystem::path> out;
+};
+
+std::string shape_text(const QuasiLinearCar& car, const Vector9c& q) {
+  const auto a = wheelset_amplitudes(car.car(), q);
+  return fmt::format("{:.3f}, {:.3f}, {:.3f}, {:.3f}", a[0], a[1], a[2], a[3]);
+}
+
+std::string body_text(const Vector9c& q) {
+  return fmt::format("lateral {:.3f}, yaw {:.4f} rad/m, roll {:.4f} rad/m", std::abs(q[X_C]),
+                     std::abs(q[TH_C]), std::abs(q[PHI_C]));
+}
+
+void add_hopf(tool::Summary& answer, const QuasiLinearCar& car, const std::vector<HopfPoint>& found,
+              const Wish& wish) {
+  answer.add("critical_speeds", "critical speeds", static_cast<double>(found.size()), "",
+             fmt::format("from {:g} to {:g} m/s", wish.lowest, wish.highest));
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const auto& m = found[k].motion;
+    const std::string id = fmt::format("hopf_{}_", k + 1);
+    answer.add(id + "m_per_s", fmt::format("critical speed {}", k + 1), m.speed, "m/s",
+               fmt::format("{:.4f} ft/s, {:.2f} km/h; {}", m.speed / units::foot,
+                           m.speed / units::kilometre_per_hour,
+                           found[k].rate_by_speed.real() > 0 ? "grows above" : "grows below"));
+    answer.add(id + "rad_per_s", "  frequency", m.lambda.imag(), "rad/s",
+               fmt::format("{:.4f} Hz", m.lambda.imag() / (2 * units::pi)));
+    answer.add(id + "wheelsets", "  wheelsets, front to rear", shape_text(car, m.shape));
+    answer.add(id + "body", "  body", body_text(m.shape));
+  }
+  const double growth = modes(car, car.small(), wish.lowest).front().lambda.real();
+  if (found.empty() || growth > 0)
+    answer.add("growth_lowest", "largest growth rate at the lowest speed", growth, "1/s",
+               growth > 0 ? "already unstable there" : "stable throughout");
+}
+
+void add_modes_at(tool::Summary& answer, const QuasiLinearCar& car, double speed) {
+  auto all = modes(car, car.small(), speed);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const bool oscillates = all[k].lambda.imag() > 0;
+    answer.add(fmt::format("mode_{}_growth", k + 1), fmt::format("mode {}: growth rate", k + 1),
+               all[k].lambda.real(), "1/s",
+               oscillates ? fmt::format("{:.5f} rad/s; wheelsets {}", all[k].lambda.imag(),
+                                        shape_text(car, all[k].shape))
+                          : "does not oscillate");
+  }
+}
+
+void write_files(const Wish& wish, const QuasiLinearCar& car, const tool::Summary& answer) {
+  std::string text = "V_m_per_s,growth_1_per_s,omega_rad_per_s,growth_second,omega_second\n";
+  constexpr int points = 240;
+  for (int k = 0; k <= points; ++k) {
+    const double v = wish.lowest + (wish.highest - wish.lowest) * k / points;
+    auto all = modes(car, car.small(), v);
+    std::erase_if(all, [](const Motion& m) { return m.lambda.imag() < 1e-9; });
+    all.resize(std::max<std::size_t>(2, all.size()));
+    text += fmt::format("{:.8g},{:.8g},{:.8g},{:.8g},{:.8g}\n", v, all[0].lambda.real(),
+                        all[0].lambda.imag(), all[1].lambda.real(), all[1].lambda.imag());
+  }
+  const auto& out = *wish.out;
+  table::write_file(out / "speed.csv", text);
+  answer.write_json(out / "speed.json");
+  plot::render(tools::scripts("hunting") / "speed.gp", {out / "speed.csv"}, out / "speed.png");
+}
+
+void run(const Wish& wish) {
+  units::require_between("highest speed", wish.highest, wish.lowest, 1e4, "m/s");
+  const CarCase c = read_case(wish);
+  tool::Summary answer("Critical speeds of a freight car");
+  describe_case(answer, wish, c);
+  add_hopf(answer, c.car, hopf_points(c.car, wish.lowest, wish.highest), wish);
+  if (wish.speed) add_modes_at(answer, c.car, *wish.speed);
+  answer.print();
+  if (wish.out) write_files(wish, c.car, answer);
+}
+
+std::function<void()> declare(tool::Options& options) {
+  const auto wish = std::make_shared<Wish>();
+  add_car_options(options, *wish);
+  const tool::Range speeds{0.01, 1e4};
+  options.quantity("--lowest", wish->lowest, units::speed, "of the range searched", speeds);
+  options.quantity("--highest", wish->highest, units::speed, "of the range searched", speeds);
+  options.quantity("--speed", wish->speed, units::speed, "lists the modes there", speeds);
+  options.out(wish->out);
+  return [wish] { run(*wish); };
+}
+
+}  // namespace
+
+tool::Tool speed_tool() {
+  return {"speed", "critical speeds and modes of your own car", declare};
+}
+
+}  // namespace railbook::hunting_tool

@@ -1,0 +1,122 @@
+/* ## Track to order
+
+`psd synthesize track.csv` writes a profile record with known parameters, to try an estimator on, this one or another:
+
+    psd synthesize track.csv --length 20km --roughness 5e-7m^2*cycle/m --corner 0.13cycle/m --dip 11mm --gaps 2%
+
+The dip is given in the printed convention of Table 1, like everything about $B$ on the command line. The columns are `distance_m` and
+`profile_mm`; samples lost in gaps are `nan`. The same options and seed give the same file on every machine of the same kind, whatever
+the compiler. Records of any length stream through the memory of one filter block.
+*/
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "spectra/synthetic_track.hpp"
+#include "table/csv.hpp"
+#include "tools.hpp"
+#include "units/constants.hpp"
+
+namespace railbook::psd_tool {
+
+namespace {
+
+struct Order {
+  std::filesystem::path file;
+  double length = 10 * units::kilometre;
+  double B = 0.0;         // printed convention
+  double memory_B = 0.0;  // printed convention
+  long seed = 1;
+  spectra::SyntheticTrack track;
+};
+
+void add_options(tool::Options& o, Order& order) {
+  auto& t = order.track;
+  o.file("track", order.file, "the CSV file to write");
+  o.required();
+  o.quantity("--length", order.length, units::length, "length of the record", tool::positive);
+  o.quantity("--spacing", t.spacing, units::length, "distance between samples", tool::positive);
+  o.count("--seed", order.seed, "number of the record: same seed, same record", 0, 1L << 62);
+  o.quantity("--roughness", t.A, units::area * units::wavenumber,
+             "A of equation (4), as in 5e-7m^2*cycle/m", tool::non_negative);
+  o.quantity("--corner", t.phi_c, units::wavenumber, "corner wavenumber; left out: one slope",
+             tool::positive);
+  o.quantity("--rail", t.rail_length, units::length, "rail length", tool::positive);
+  o.quantity("--dip", order.B, units::length, "joint dip B as in Table 1, twice the physical one");
+  o.quantity("--scatter", t.dip_scatter, units::number,
+             "standard deviation of the dips over their mean", tool::non_negative);
+  o.quantity("--correlation", t.dip_correlation, units::number,
+             "of the dips of neighbouring joints", {-0.9999, 0.9999});
+  o.quantity("--old-rail", t.memory_length, units::length, "rail length the ballast remembers",
+             tool::positive);
+  o.quantity("--memory", order.memory_B, units::length, "linear memory: B of the old rail");
+  o.quantity("--modulation", t.memory_modulation, units::number, "nonlinear memory: m",
+             tool::non_negative);
+  o.quantity("--grade", t.grade, units::number, "straight grade");
+  o.quantity("--wave", t.wave_amplitude, units::length, "amplitude of a long vertical wave");
+  o.quantity("--wave-length", t.wave_length, units::length, "its length", tool::positive);
+  o.quantity("--noise", t.sensor_noise, units::length, "standard deviation of white noise",
+             tool::non_negative);
+  o.quantity("--gaps", t.gap_share, units::number, "share of samples lost, in gaps of 20",
+             {0.0, 0.95});
+}
+
+/* The record is written block by block, under a name of its own until it is whole. */
+struct Close {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
+void write_track(const Order& order) {
+  spectra::SyntheticTrack track = order.track;
+  track.seed = static_cast<std::uint64_t>(order.seed);
+  const auto physical = [](double B) {
+    return spectra::convert_dip(B, spectra::LineConvention::printed,
+                                spectra::LineConvention::exact_one_sided);
+  };
+  track.dip = physical(order.B);
+  track.memory_dip = physical(order.memory_B);
+  spectra::TrackGenerator generator{track};
+  const double wanted =
+      units::require_between("length over spacing", order.length / track.spacing, 1, 1e10);
+  const auto samples = static_cast<std::size_t>(wanted);
+  const std::filesystem::path part = order.file.string() + ".part";
+  std::unique_ptr<std::FILE, Close> out{std::fopen(part.c_str(), "w")};
+  if (!out) throw InputError{fmt::format("file \"{}\": cannot be written", order.file.string())};
+  fmt::print(out.get(), "distance_m,profile_mm\n");
+  std::vector<double> z(4096);
+  for (std::size_t done = 0; done < samples;) {
+    const auto block = std::span{z}.first(std::min(z.size(), samples - done));
+    generator.fill(block);
+    for (std::size_t i = 0; i < block.size(); ++i)
+      fmt::print(out.get(), "{},{}\n",
+                 table::csv_number(static_cast<double>(done + i) * track.spacing),
+                 table::csv_number(block[i] / units::millimetre));
+    done += block.size();
+  }
+  std::error_code error;
+  const bool whole = std::ferror(out.get()) == 0 && std::fclose(out.release()) == 0;
+  if (whole) std::filesystem::rename(part, order.file, error);  // nobody reads half a record
+  if (!whole || error) {
+    std::filesystem::remove(part, error);
+    throw InputError{fmt::format("file \"{}\": cannot be written", order.file.string())};
+  }
+  fmt::print("{} samples, {:.3f} km, written to {}\n", samples,
+             static_cast<double>(samples) * track.spacing / units::kilometre, order.file.string());
+}
+
+}  // namespace
+
+tool::Tool synthesize_tool() {
+  return {"synthesize", "write a synthetic track record with known parameters",
+          [](tool::Options& o) {
+            auto order = std::make_shared<Order>();
+            add_options(o, *order);
+            return [order] { write_track(*order); };
+          }};
+}
+
+}  // namespace railbook::psd_tool

@@ -1,0 +1,221 @@
+/*
+### `track joint`
+
+The wheel/rail force over a joint or a profile of your own. The surface is a rectified sine, by its `--dip` or by the
+total `--angle` at the joint, or a measured profile: a CSV file with columns such as `distance_m,profile_mm`, dips positive, the joint at
+distance zero; a raised joint is a profile too. Data that are not given are those of the typical track and marked as assumed.
+
+    track joint --speed 60mph --dip 0.5in
+    track joint --speed 100mph --angle 12mrad --wheel-load 150kN --out mine
+    track joint --speed 30m/s --profile crossing.csv --duration 80ms --out mine
+*/
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "plot/plot.hpp"
+#include "table/csv.hpp"
+#include "tool/summary.hpp"
+#include "tools.hpp"
+#include "track/impact_peaks.hpp"
+#include "track/wheel_on_track.hpp"
+#include "units/constants.hpp"
+#include "units/input_error.hpp"
+
+namespace railbook::track_tool {
+
+using namespace track;
+
+namespace {
+
+// One datum of the lumped model as an option: absent means the typical value.
+struct Part {
+  const char* option;
+  const char* key;
+  const char* name;
+  units::Dimension dimension;
+  const char* unit;
+  double si;
+  double RailOnBed::*member;
+  tool::Range range;
+};
+
+constexpr tool::Range masses{0, 1e6, true}, stiffnesses{1, 1e13}, dampings{0, 1e9};
+
+const std::array<Part, 6> parts{{
+    {"--rail-mass", "rail_mass_kg", "effective rail mass, (16)", units::mass, "kg", 1.0,
+     &RailOnBed::rail_mass, masses},
+    {"--rail-stiffness", "rail_stiffness_MN_per_m", "rail to bed K_1", units::stiffness, "MN/m",
+     1e6, &RailOnBed::rail_stiffness, stiffnesses},
+    {"--rail-damping", "rail_damping_kN_s_per_m", "rail to bed C_1", units::damping, "kN s/m", 1e3,
+     &RailOnBed::rail_damping, dampings},
+    {"--bed-mass", "bed_mass_kg", "tie and ballast mass, (19)", units::mass, "kg", 1.0,
+     &RailOnBed::bed_mass, masses},
+    {"--bed-stiffness", "bed_stiffness_MN_per_m", "bed to ground K_g", units::stiffness, "MN/m",
+     1e6, &RailOnBed::bed_stiffness, stiffnesses},
+    {"--bed-damping", "bed_damping_kN_s_per_m", "bed to ground C_g", units::damping, "kN s/m", 1e3,
+     &RailOnBed::bed_damping, dampings},
+}};
+
+struct Wish {
+  double speed = 0;
+  std::optional<double> dip, angle;
+  std::filesystem::path profile;
+  std::optional<double> rail_length;
+  std::optional<double> wheel_mass, wheel_load;
+  WheelOnRail pair;
+  std::array<std::optional<double>, parts.size()> given;
+  double duration = 0.06;
+  double tolerance = 1e-8;
+  std::optional<std::filesystem::path> out;
+};
+
+Surface surface_of(const Wish& wish) {
+  const int ways =
+      int(wish.dip.has_value()) + int(wish.angle.has_value()) + int(!wish.profile.empty());
+  if (ways != 1) throw InputError("surface: give one of --dip, --angle and --profile");
+  if (!wish.profile.empty()) {
+    if (wish.rail_length)
+      throw InputError("rail length belongs to --dip and --angle; a profile has its own joint");
+    auto columns = table::read_columns(wish.profile,
+                                       {{"distance", units::length}, {"profile", units::length}});
+    SampledProfile profile{std::move(columns[0]), std::move(columns[1])};
+    units::require_between("first distance of the profile", profile.first(), -1e4, 0, "m");
+    return profile;
+  }
+  const double length = wish.rail_length.value_or(39 * units::foot);
+  return RectifiedSine{wish.dip ? *wish.dip : *wish.angle * length / (2 * units::pi), length};
+}
+
+ImpactModel model_of(const Wish& wish, tool::Summary& answer) {
+  ImpactModel model = typical_impact();
+  const auto mark = [](bool given) { return given ? "" : "assumed"; };
+  model.wheel_mass = wish.wheel_mass.value_or(model.wheel_mass);
+  model.static_load = wish.wheel_load.value_or(model.static_load);
+  model.hertz_constant = hertz_constant(wish.pair);
+  answer.add("wheel_mass_kg", "unsprung mass on the rail", model.wheel_mass, "kg",
+             mark(wish.wheel_mass.has_value()));
+  answer.add("wheel_load_kN", "wheel load P_0", model.static_load / units::kilonewton, "kN",
+             mark(wish.wheel_load.has_value()));
+  answer.add("contact_stiffness_MN_per_m", "contact under P_0", contact_stiffness(model) / 1e6,
+             "MN/m", "Hertz");
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    double& value = model.track.*parts[i].member;
+    value = wish.given[i].value_or(value);
+    answer.add(parts[i].key, parts[i].name, value / parts[i].si, parts[i].unit,
+               mark(wish.given[i].has_value()));
+  }
+  return model;
+}
+
+void add_peaks(tool::Summary& answer, const ImpactHistory& history) {
+  const ImpactPeaks p = impact_peaks(history);
+  const auto add = [&](const char* key, const std::string& what, const ForceExtremum& e) {
+    answer.add(std::string(key) + "_kN", what, e.force / units::kilonewton, "kN",
+               fmt::format("at {:.3f} ms", 1e3 * e.time));
+  };
+  if (p.has_first)
+    add("p1", "P1, first local maximum", p.first);
+  else
+    answer.add("p1", "P1, first local maximum", "none");
+  add("second", "largest before 2.5 ms", p.second);
+  add("late", "largest after 4 ms", p.late);
+  add("p2", fmt::format("P2, largest mean over {:.2f} ms", 1e3 * p.mean_window), p.mean);
+  add("least", "smallest", p.least);
+  answer.add("contact_lost_ms", "contact lost for", 1e3 * p.lost_for, "ms",
+             fmt::format("{} times", history.losses.size()));
+  const EnergyAudit audit = energy_audit(history);
+  const double at_rest = history.model.static_load * static_approach(history.model);
+  if (audit.scale > 1e-6 * at_rest)  // else the surface is flat, and nothing moves
+    answer.add("energy_defect", "energy balance open by", audit.defect(), "",
+               "of the largest kinetic energy");
+  answer.add("evaluations", "evaluations of the model", double(history.evaluations), "");
+}
+
+void write_files(const std::filesystem::path& out, const ImpactHistory& history,
+                 const tool::Summary& answer) {
+  std::string text = "time_ms,force_kN,wheel_mm,rail_mm,bed_mm,surface_mm\n";
+  const double begin = std::max(history.begin(), -0.005), end = history.end();
+  const int steps = int(std::ceil((end - begin) / 2e-5));
+  for (int i = 0; i <= steps; ++i) {
+    const double t = std::min(end, begin + (end - begin) * i / steps);
+    const ImpactState y = history.state(t);
+    text += fmt::format("{:.6g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}\n", 1e3 * t,
+                        history.force(t) / units::kilonewton, 1e3 * y[0], 1e3 * y[2], 1e3 * y[4],
+                        1e3 * surface_at(history.surface, history.speed * t).z);
+  }
+  table::write_file(out / "joint.csv", text);
+  answer.write_json(out / "joint.json");
+  plot::render(tools::scripts("track") / "joint.gp", {out / "joint.csv"}, out / "joint.png");
+}
+
+void run(const Wish& wish) {
+  const Surface surface = surface_of(wish);
+  tool::Summary answer("Wheel/rail force over a joint, one wheel");
+  answer.add("speed_m_per_s", "speed", wish.speed, "m/s",
+             fmt::format("{:.1f} mph", wish.speed / units::mph));
+  if (const auto* rail = std::get_if<RectifiedSine>(&surface)) {
+    answer.add("dip_mm", "dip", rail->depth / units::millimetre, "mm");
+    answer.add("angle_mrad", "total angle at the joint", 1e3 * rail->total_angle(), "mrad");
+  }
+  const ImpactModel model = model_of(wish, answer);
+  const Eigen::Vector3d f = natural_frequencies(model);
+  answer.add("frequencies_Hz", "natural frequencies, Hz",
+             fmt::format("{:.2f}, {:.2f}, {:.2f}", f[0], f[1], f[2]));
+  const ImpactHistory history = simulate(
+      model, surface, wish.speed,
+      {.tolerance = wish.tolerance, .start = default_start(surface), .end_time = wish.duration});
+  if (history.status != ImpactStatus::complete)
+    throw InputError(fmt::format(
+        "the run stopped at {:.6g} s after {} steps, {}: the run is too long or its data "
+        "too stiff for the tolerance",
+        history.steps.empty() ? 0.0 : history.end(), history.steps.size(),
+        to_string(history.status)));
+  add_peaks(answer, history);
+  answer.print();
+  if (wish.out) write_files(*wish.out, history, answer);
+}
+
+std::function<void()> declare(tool::Options& options) {
+  const auto wish = std::make_shared<Wish>();
+  options.quantity("--speed", wish->speed, units::speed, "of the train", tool::Range{0.1, 200});
+  options.required();
+  options.quantity("--dip", wish->dip, units::length, "depth of the joint, rectified sine",
+                   tool::Range{0, 0.2});
+  options.quantity("--angle", wish->angle, units::angle,
+                   "total angle of the joint instead of its depth", tool::Range{0, 0.1});
+  options.file("--profile", wish->profile,
+               "measured surface, CSV with distance_m and profile_mm or other units; dips "
+               "positive, joint at 0");
+  options.quantity("--rail-length", wish->rail_length, units::length,
+                   "between joints; without it 39 ft", tool::Range{1, 1000});
+  options.quantity("--wheel-mass", wish->wheel_mass, units::mass, "unsprung, on one rail",
+                   tool::Range{1, 1e5});
+  options.quantity("--wheel-load", wish->wheel_load, units::force, "static, on one rail",
+                   tool::Range{1e3, 1e6});
+  options.quantity("--wheel-radius", wish->pair.wheel_radius, units::length, "of the wheel",
+                   tool::Range{0.01, 10});
+  options.quantity("--crown-radius", wish->pair.crown_radius, units::length, "of the rail's crown",
+                   tool::Range{0.01, 10});
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    options.quantity(parts[i].option, wish->given[i], parts[i].dimension,
+                     std::string(parts[i].name) + "; without it the typical track's",
+                     parts[i].range);
+  options.quantity("--duration", wish->duration, units::time,
+                   "after the joint, at least 7 ms or so", tool::Range{0, 2, true});
+  options.quantity("--tolerance", wish->tolerance, units::number,
+                   "local error over the static approach", tool::Range{1e-13, 1e-3});
+  options.out(wish->out);
+  return [wish] { run(*wish); };
+}
+
+}  // namespace
+
+tool::Tool joint_tool() {
+  return {"joint", "wheel/rail force over a joint or a profile of your own", declare};
+}
+
+}  // namespace railbook::track_tool
