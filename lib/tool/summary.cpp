@@ -23,10 +23,15 @@ void Summary::add(std::string key, std::string what, std::string text) {
                     std::numeric_limits<double>::quiet_NaN()});
 }
 
+void Summary::flag(std::string key, std::string text) {
+  flags_.emplace_back(std::move(key), std::move(text));
+}
+
 void Summary::print() const {
   std::size_t wide = 0;
   for (const Line& line : lines_) wide = std::max(wide, line.what.size());
   fmt::print("{}\n", title_);
+  for (const auto& [key, text] : flags_) fmt::print("  DOUBTFUL: {}\n", text);
   for (const Line& line : lines_) {
     fmt::print("  {:<{}}  {}{}{}{}\n", line.what, wide, line.text, line.unit.empty() ? "" : " ",
                line.unit, line.note.empty() ? "" : "   (" + line.note + ")");
@@ -48,8 +53,10 @@ void Summary::write_json(const std::filesystem::path& file) const {
     if (!line.unit.empty()) units[line.key] = line.unit;
     if (!line.note.empty()) notes[line.key] = line.note;
   }
+  nlohmann::ordered_json flags = nlohmann::ordered_json::object();
+  for (const auto& [key, text] : flags_) flags[key] = text;
   const nlohmann::ordered_json all{
-      {"title", title_}, {"values", values}, {"units", units}, {"notes", notes}};
+      {"title", title_}, {"values", values}, {"units", units}, {"notes", notes}, {"flags", flags}};
   table::write_file(file, all.dump(1) + "\n");
 }
 

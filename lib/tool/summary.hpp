@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace railbook::tool {
@@ -16,9 +17,14 @@ class Summary {
            std::string note = "");
   void add(std::string key, std::string what, std::string text);
 
+  // A doubt that the answer stands under: "not-converged", "after 200 steps the force still changes by 3 %". Printed above
+  // all values, and under "flags" in the JSON. What is only worth knowing is a note of a value.
+  void flag(std::string key, std::string text);
+
   // The table on standard output: what, value, unit, note.
   void print() const;
-  // {"title": ..., "values": {key: value, ...}, "units": {key: unit, ...}, "notes": ...}; NaN is null.
+  // {"title": ..., "values": {key: value, ...}, "units": {key: unit, ...}, "notes": ..., "flags": {key: text}};
+  // NaN is null.
   void write_json(const std::filesystem::path& file) const;
 
  private:
@@ -28,6 +34,7 @@ class Summary {
   };
   std::string title_;
   std::vector<Line> lines_;
+  std::vector<std::pair<std::string, std::string>> flags_;
 };
 
 }  // namespace railbook::tool
