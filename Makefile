@@ -3,7 +3,9 @@
 BUILD    := build
 LEVEL    ?= quick
 CHAPTERS := $(notdir $(patsubst %/,%,$(sort $(wildcard chapters/*/))))
-chosen    = $(filter $(C)-%,$(CHAPTERS))
+chosen    = $(filter $(C)-% 0$(C)-%,$(CHAPTERS))
+some      = $(if $(C),$(or $(chosen),$(error C is "$(C)"; allowed: the number of one of $(CHAPTERS))))
+program   = $(lastword $(subst -, ,$(1)))
 SOURCES   = $(shell git ls-files '*.cpp' '*.hpp' ':!tests/book')
 
 .PHONY: help doctor packages configure programs build reproduce test chapter figures accept-figures book bench format lint failed clean
@@ -35,15 +37,16 @@ test: build       ## run all tests
 	ctest --test-dir $(BUILD) --output-on-failure -j 2
 
 chapter:          ## run one chapter, e.g. make chapter C=01
-	@$(if $(chosen),,echo "C is \"$(C)\"; allowed: the number of one of $(CHAPTERS)"; exit 2)
+	@$(if $(some),,$(error C names no chapter; allowed: the number of one of $(CHAPTERS)))
 	@$(MAKE) --no-print-directory programs
-	$(BUILD)/bin/$(subst $(C)-,,$(chosen)) reproduce --level $(LEVEL) --out $(BUILD)
+	$(BUILD)/bin/$(call program,$(chosen)) reproduce --level $(LEVEL) --out $(BUILD)
 
 figures: programs ## draw every figure to PNG, in build/figures
 	@for c in $(CHAPTERS); do $(BUILD)/bin/$${c#*-} reproduce --level $(LEVEL) --out $(BUILD) || exit 1; done
 
-accept-figures: build ## make today's figures the golden set (commit it alone, and say why)
-	cmake -DBUILD=$(CURDIR)/$(BUILD) -P cmake/accept_figures.cmake
+accept-figures: configure ## make today's figures the golden set, all or of chapter C=03 (commit it alone, and say why)
+	@cmake --build $(BUILD) --target figure_diff $(foreach c,$(or $(some),$(CHAPTERS)),$(call program,$(c)))
+	@cmake -DBUILD=$(CURDIR)/$(BUILD) "-DCHAPTERS=$(some)" -P cmake/accept_figures.cmake
 
 book: programs    ## weave the book from the chapters that have been run
 	@cmake --build $(BUILD) --target book

@@ -74,9 +74,9 @@ function(railbook_chapter chapter)
            --out ${CMAKE_BINARY_DIR}/ctest/${chapter})
   add_test(NAME "chapter: ${chapter} bites" COMMAND ${name} reproduce --bite --no-figures
            --no-timings --out ${CMAKE_BINARY_DIR}/ctest/${chapter}-bite)
-  add_test(NAME "figures: ${chapter} golden set" COMMAND figure_diff
-           ${CMAKE_BINARY_DIR}/ctest/${chapter}/figures/${chapter} ${CMAKE_SOURCE_DIR}/figures/${chapter}
-           ${CMAKE_SOURCE_DIR}/figures/not-golden.txt)
+  add_test(NAME "figures: ${chapter} golden set" COMMAND figure_diff compare
+           ${CMAKE_BINARY_DIR}/ctest/${chapter} ${CMAKE_SOURCE_DIR}/figures/${chapter}
+           ${CMAKE_SOURCE_DIR}/figures/environment.txt ${CMAKE_BINARY_DIR}/environment.txt)
   set_tests_properties("chapter: ${chapter} reproduces" PROPERTIES FIXTURES_SETUP ${chapter})
   set_tests_properties("figures: ${chapter} golden set" PROPERTIES FIXTURES_REQUIRED ${chapter})
 endfunction()

@@ -51,6 +51,20 @@ void Data::add_row(std::initializer_list<std::string> cells) {
   text_ += '\n';
 }
 
+Data& Data::holds_to(std::string_view column, double relative, double absolute,
+                     std::string_view why) {
+  if (why.empty()) throw std::logic_error{file_ + ": an accuracy without a reason"};
+  notes_ += fmt::format("# holds to relative {:g}, absolute {:g} in {}: {}\n", relative, absolute,
+                        column, why);
+  return *this;
+}
+
+Data& Data::not_compared(std::string_view why) {
+  if (why.empty()) throw std::logic_error{file_ + ": not compared, without a reason"};
+  notes_ += fmt::format("# not compared: {}\n", why);
+  return *this;
+}
+
 void Row::check(std::string_view column, double computed, const Tolerance& tolerance) const {
   const auto optional = [&](std::string_view name) {
     const auto& h = table_->header;

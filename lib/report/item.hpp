@@ -45,8 +45,16 @@ class Data {
   // An empty line: gnuplot lifts the pen.
   void gap() { text_ += "\n"; }
 
+  // The committed figures' data are compared on every machine, to 1e-6 of a value or 1e-9 of the largest in its column.
+  // A column ("*": all) whose digits are determined less well holds to a relative or an absolute difference of its own, for
+  // a reason: it is cancellation, a round-off floor, a motion that forgets its start.
+  Data& holds_to(std::string_view column, double relative, double absolute, std::string_view why);
+  // Data that no two runs share, such as times, and the picture drawn from them.
+  Data& not_compared(std::string_view why);
+
   const std::string& file() const { return file_; }
-  const std::string& text() const { return text_; }
+  // The file: header, rows, and what was said about their accuracy as lines that begin with #.
+  std::string text() const { return text_ + notes_; }
 
  private:
   static std::string cell(double value) { return table::csv_number(value); }
@@ -56,7 +64,7 @@ class Data {
 
   std::string file_;
   std::size_t columns_;
-  std::string text_;
+  std::string text_, notes_;
 };
 
 class Item;

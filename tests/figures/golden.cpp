@@ -2,89 +2,172 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <set>
+#include <stdexcept>
 
 #include "scene/image.hpp"
+#include "table/csv.hpp"
 
 namespace railbook::figures {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::set<std::string> names_in(const fs::path& folder, const std::string& chapter,
-                               const std::vector<std::string>& excluded) {
-  std::set<std::string> names;
-  if (!fs::is_directory(folder)) return names;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    const bool timed = name.ends_with("-time.png");
-    const bool listed = std::find(excluded.begin(), excluded.end(),
-                                  fmt::format("{}/{}", chapter, name)) != excluded.end();
-    const bool hidden = name.starts_with(".");
-    if (entry.path().extension() == ".png" && !timed && !listed && !hidden) names.insert(name);
-  }
-  return names;
+bool one_colour(const scene::Image& image) {
+  for (std::size_t i = 3; i < image.rgb.size(); ++i)
+    if (image.rgb[i] != image.rgb[i - 3]) return false;
+  return true;
 }
 
 // Empty when the two are alike; fills in how far they are apart.
-std::string fault_of(const fs::path& drawn, const fs::path& golden, std::string& measured) {
-  try {
-    const scene::Difference d =
-        scene::compare(scene::read_png(drawn), scene::read_png(golden), levels);
+std::string picture_fault(const fs::path& drawn, const fs::path& golden, bool pixels,
+                          std::string& measured) {
+  const scene::Image have = scene::read_png(drawn);
+  const scene::Image want = scene::read_png(golden);
+  if (pixels) {
+    const scene::Difference d = scene::compare(have, want, levels);
     measured =
         fmt::format("{:.4f} % of the pixels off, by at most {} levels", 100.0 * d.share, d.largest);
     return d.share <= allowed_share ? ""
                                     : fmt::format("{}; allowed: {:.4f} % by more than {}", measured,
                                                   100.0 * allowed_share, levels);
-  } catch (const std::runtime_error& e) {
-    return e.what();
   }
+  measured = "drawn, and of the golden's size";
+  if (have.size != want.size)
+    return fmt::format("{} by {} pixels, the golden has {} by {}", have.size.width,
+                       have.size.height, want.size.width, want.size.height);
+  return one_colour(have) ? "the picture is empty" : "";
 }
 
-}  // namespace
+// Compares one file of the run with the golden of its name, and adds what it finds.
+template <class Fault>
+void compare_file(const fs::path& drawn, const fs::path& golden, Report& report, Fault&& fault) {
+  const std::string name = drawn.filename().string();
+  std::string measured = "data agree";
+  std::string wrong;
+  try {
+    wrong = fs::exists(golden) ? fault(drawn, golden, measured)
+                               : "drawn, but no golden is committed (accept-figures)";
+  } catch (const std::exception& error) {
+    wrong = error.what();
+  }
+  (wrong.empty() ? report.compared : report.faults)
+      .push_back(fmt::format("{}: {}", name, wrong.empty() ? measured : wrong));
+}
 
-std::vector<std::string> read_list(const fs::path& file) {
-  std::vector<std::string> names;
-  std::ifstream in(file);
-  for (std::string line; std::getline(in, line);) {
-    line.resize(std::min(line.find('#'), line.size()));
-    line.resize(line.find_last_not_of(" \t\r") + 1);
-    if (!line.empty()) names.push_back(line);
+// Whether a figure has a golden at all; one drawn from data that no two runs share has none.
+bool has_golden(const Drawn& drawn, const Figure& figure) {
+  for (const std::string& csv : figure.csv)
+    if (!is_compared(drawn.data / csv)) return false;
+  return true;
+}
+
+// What the golden folder should hold besides its README.md.
+std::set<std::string> golden_names(const Drawn& drawn) {
+  std::set<std::string> names;
+  for (const Figure& figure : drawn.figures) {
+    if (!has_golden(drawn, figure)) continue;
+    names.insert(figure.png);
+    names.insert(figure.csv.begin(), figure.csv.end());
   }
   return names;
 }
 
-Report compare(const fs::path& drawn, const fs::path& golden,
-               const std::vector<std::string>& excluded) {
-  const std::string chapter = golden.filename().string();
-  const std::set<std::string> have = names_in(drawn, chapter, excluded);
-  const std::set<std::string> want = names_in(golden, chapter, excluded);
+std::vector<std::string> files_in(const fs::path& folder) {
+  std::vector<std::string> names;
+  if (!fs::is_directory(folder)) return names;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (name != "README.md" && !name.starts_with('.')) names.push_back(name);
+  }
+  return names;
+}
+
+std::string gallery_page(const Drawn& drawn) {
+  std::string page = fmt::format(
+      "# [{0}](../../chapters/{0}): {1}\n\nWhat the program drew, and from which data, when these "
+      "were last accepted with "
+      "`make accept-figures`.\n",
+      drawn.chapter, drawn.title);
+  for (const Figure& figure : drawn.figures) {
+    if (!has_golden(drawn, figure)) continue;
+    page += fmt::format("\n**{0}**\n\n![{0}]({1})\n", figure.caption, figure.png);
+  }
+  return page;
+}
+
+}  // namespace
+
+Drawn read_run(const fs::path& out, const std::string& chapter) {
+  const fs::path file = out / "results" / (chapter + ".json");
+  std::ifstream in(file);
+  const auto json = nlohmann::json::parse(in, nullptr, false);
+  if (json.is_discarded()) throw std::runtime_error(file.string() + ": no record of a whole run");
+  Drawn drawn{chapter, json.at("title"), out / "figures" / chapter, out / "results" / chapter, {}};
+  for (const auto& item : json.at("items")) {
+    Figure figure;
+    figure.png = item.value("png", "");
+    if (figure.png.empty()) continue;
+    if (item.contains("csv") && item["csv"].is_array())
+      figure.csv = item["csv"].get<std::vector<std::string>>();
+    figure.caption = fmt::format("{}: {}", item.at("id").get<std::string>(),
+                                 item.at("title").get<std::string>());
+    drawn.figures.push_back(std::move(figure));
+  }
+  return drawn;
+}
+
+Report compare(const Drawn& drawn, const fs::path& golden, bool pixels) {
   Report report;
-  if (have.empty() && want.empty()) {
-    report.faults.push_back(
-        fmt::format("no figures in {} nor in {}", drawn.string(), golden.string()));
-  }
-  for (const std::string& name : want) {
-    if (!have.contains(name))
-      report.faults.push_back(fmt::format("{}: committed, but not drawn any more", name));
-  }
-  for (const std::string& name : have) {
-    if (!want.contains(name)) {
-      report.faults.push_back(
-          fmt::format("{}: drawn, but no golden is committed (accept-figures)", name));
-      continue;
+  if (drawn.figures.empty()) report.faults.push_back(drawn.chapter + ": no figures in its record");
+  for (const Figure& figure : drawn.figures) {
+    if (!has_golden(drawn, figure)) continue;
+    for (const std::string& csv : figure.csv) {
+      compare_file(
+          drawn.data / csv, golden / csv, report,
+          [](const fs::path& a, const fs::path& b, std::string&) { return data_fault(a, b); });
     }
-    std::string measured;
-    const std::string fault = fault_of(drawn / name, golden / name, measured);
-    if (fault.empty()) {
-      report.compared.push_back(fmt::format("{}: {}", name, measured));
-    } else {
-      report.faults.push_back(fmt::format("{}: {}", name, fault));
-    }
+    compare_file(drawn.pictures / figure.png, golden / figure.png, report,
+                 [&](const fs::path& a, const fs::path& b, std::string& measured) {
+                   return picture_fault(a, b, pixels, measured);
+                 });
   }
+  const std::set<std::string> names = golden_names(drawn);
+  for (const std::string& name : files_in(golden))
+    if (!names.contains(name))
+      report.faults.push_back(name + ": committed, but not drawn any more");
   return report;
+}
+
+Report accept(const Drawn& drawn, const fs::path& golden) {
+  Report done;
+  fs::create_directories(golden);
+  const std::set<std::string> names = golden_names(drawn);
+  for (const std::string& name : files_in(golden)) {
+    if (names.contains(name)) continue;
+    fs::remove(golden / name);
+    done.compared.push_back(name + ": removed");
+  }
+  for (const std::string& name : names) {
+    const bool data = name.ends_with(".csv");
+    const fs::path from = (data ? drawn.data : drawn.pictures) / name;
+    const fs::path to = golden / name;
+    Report one;
+    compare_file(from, to, one, [&](const fs::path& a, const fs::path& b, std::string& measured) {
+      return data ? data_fault(a, b) : picture_fault(a, b, true, measured);
+    });
+    if (one.faults.empty()) continue;
+    if (data) {
+      table::write_file(to, golden_text(from));
+    } else {
+      fs::copy_file(from, to, fs::copy_options::overwrite_existing);
+    }
+    done.compared.push_back(one.faults[0]);
+  }
+  table::write_file(golden / "README.md", gallery_page(drawn));
+  return done;
 }
 
 }  // namespace railbook::figures

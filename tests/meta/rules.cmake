@@ -59,13 +59,14 @@ foreach(chapter ${chapters})
   endif()
 endforeach()
 
-# Every committed figure has its title in the gallery.
+# Every committed figure stands in its folder's gallery page with its title.
 file(GLOB_RECURSE pngs RELATIVE ${root}/figures ${root}/figures/*.png)
-file(READ ${root}/figures/README.md gallery)
 foreach(png ${pngs})
   get_filename_component(id ${png} NAME_WLE)
-  if(NOT gallery MATCHES "\n!\\[${id}: [^\n]+\\]\\(${png}\\)")
-    broken("figures/README.md: ${png} has no title; accept it again")
+  get_filename_component(folder ${png} DIRECTORY)
+  file(READ ${root}/figures/${folder}/README.md gallery)
+  if(NOT gallery MATCHES "\n!\\[${id}: [^\n]+\\]\\(${id}.png\\)")
+    broken("figures/${folder}/README.md: ${id}.png has no title; accept it again")
   endif()
 endforeach()
 
