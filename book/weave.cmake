@@ -14,6 +14,8 @@ foreach(default CHAPTERS=${root}/chapters RESULTS=${root}/build/results FIGURES=
 endforeach()
 find_program(PANDOC pandoc REQUIRED)
 
+set(time_limit 300) # seconds; a page takes some 5
+
 set(here ${CMAKE_CURRENT_LIST_DIR})
 set(new ${BOOK}.unfinished)
 file(REMOVE_RECURSE ${new})
@@ -75,13 +77,13 @@ foreach(chapter ${chapters})
     COMMAND ${PANDOC} --from=${here}/literate.lua --lua-filter=${here}/results.lua ${page_options} --toc --toc-depth=2
             ${around} -M record=${RESULTS}/${chapter}.json -M figures=${FIGURES}/${chapter}
             -M data=${new}/data/${chapter} --output=${new}/${chapter}.html ${CHAPTERS}/${chapter}/main.cpp ${sources}
-    RESULT_VARIABLE status ERROR_VARIABLE said)
+    TIMEOUT ${time_limit} RESULT_VARIABLE status ERROR_VARIABLE said)
   if(status EQUAL 0)
     message("${chapter}  ${BOOK}/${chapter}.html")
     list(APPEND records -M record=${RESULTS}/${chapter}.json)
   else()
     file(REMOVE ${new}/${chapter}.html)
-    message("${chapter}  FAILED\n${said}")
+    message("${chapter}  FAILED: ${status}\n${said}")
     list(APPEND failed ${chapter})
     list(APPEND left_out "-M;left-out=${chapter} could not be woven: see the messages of the build")
   endif()
@@ -93,9 +95,9 @@ foreach(page "index=railbook: papers on wheel, rail and track, recomputed" "gall
     COMMAND ${PANDOC} --from=markdown-citations --lua-filter=${here}/index.lua ${page_options} ${records} ${left_out}
             -V page=index -M "title=${CMAKE_MATCH_2}" -M "pagetitle=${CMAKE_MATCH_2}"
             --output=${new}/${CMAKE_MATCH_1}.html ${here}/${CMAKE_MATCH_1}.md
-    RESULT_VARIABLE status ERROR_VARIABLE said)
+    TIMEOUT ${time_limit} RESULT_VARIABLE status ERROR_VARIABLE said)
   if(NOT status EQUAL 0)
-    message("${CMAKE_MATCH_1}  FAILED\n${said}")
+    message("${CMAKE_MATCH_1}  FAILED: ${status}\n${said}")
     list(APPEND failed ${CMAKE_MATCH_1})
   endif()
 endforeach()

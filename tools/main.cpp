@@ -1,11 +1,12 @@
 // The command `railbook`: the suite's solvers on data of your own.
+#include "plot/plot.hpp"
 #include "tool/program.hpp"
 #include "tools.hpp"
 
 using namespace railbook;
 
 std::filesystem::path tools::scripts(std::string_view tool) {
-  return std::filesystem::path(RAILBOOK_TOOLS_DIR) / tool;
+  return plot::shared("tools") / tool;
 }
 
 int main(int argc, char** argv) {

@@ -2,9 +2,9 @@
 
 #include <filesystem>
 
+#include "files/staged.hpp"
 #include "plot/plot.hpp"
 #include "scene/image.hpp"
-#include "table/csv.hpp"
 
 namespace railbook::drawing {
 
@@ -19,13 +19,10 @@ void labelled(report::Item& item, const std::string& script, const scene::Scene&
   }
   item.image([scene, camera, size, text = places.text(),
               script = item.sources() / script](const std::filesystem::path& png) {
-    const auto picture = std::filesystem::path(png).replace_extension(".scene.png");
-    const auto list = std::filesystem::path(png).replace_extension(".labels.csv");
-    scene::write_png(scene::render(scene, camera, size), picture);
-    table::write_file(list, text);
-    plot::render(script, {picture, list}, png);
-    std::filesystem::remove(picture);
-    std::filesystem::remove(list);
+    files::PrivateFolder folder;
+    const auto picture =
+        folder.write("scene.png", scene::png_of(scene::render(scene, camera, size)));
+    plot::render(script, {picture, folder.write("labels.csv", text)}, png);
   });
 }
 

@@ -1,17 +1,25 @@
 #include "plot/plot.hpp"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <thread>
+
+#include "files/out_file.hpp"
+#include "files/staged.hpp"
 
 namespace railbook::plot {
 namespace {
@@ -19,11 +27,27 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Outcome {
-  int status;
+  int status = 0;
   std::string message;  // stderr
+  bool in_time = true;
 };
 
-// A script needs nothing of ours but style.gp, and must give the same figure whatever the user's locale.
+using Clock = std::chrono::steady_clock;
+
+// The time a figure may take; the longest takes some 3 s.
+std::chrono::seconds time_limit() {
+  const char* wanted = std::getenv("RAILBOOK_GNUPLOT_SECONDS");
+  const long seconds = wanted == nullptr ? 0 : std::strtol(wanted, nullptr, 10);
+  return std::chrono::seconds(seconds >= 1 && seconds <= 86400 ? seconds : 60);
+}
+
+std::string program() {
+  if (const char* wanted = std::getenv("RAILBOOK_GNUPLOT"); wanted != nullptr && *wanted != 0)
+    return wanted;
+  return fs::exists(RAILBOOK_GNUPLOT) ? RAILBOOK_GNUPLOT : "gnuplot";
+}
+
+// A script must give the same figure whatever the user's locale and settings of gnuplot.
 std::vector<std::string> environment_for_gnuplot() {
   std::vector<std::string> variables;
   for (char** v = environ; *v != nullptr; ++v) {
@@ -32,7 +56,6 @@ std::vector<std::string> environment_for_gnuplot() {
       variables.emplace_back(text);
     }
   }
-  variables.emplace_back("GNUPLOT_LIB=" RAILBOOK_STYLE_DIR);
   variables.emplace_back("LC_ALL=C.UTF-8");
   return variables;
 }
@@ -45,104 +68,156 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
   return result;
 }
 
-std::string read_to_end(int descriptor) {
-  std::string text;
-  std::array<char, 4096> buffer{};
-  for (;;) {
-    const ssize_t n = read(descriptor, buffer.data(), buffer.size());
-    if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) return text;
-    text.append(buffer.data(), static_cast<std::size_t>(n));
-  }
-}
-
-// Starts the program directly (no shell: file names may hold anything), with nothing to read, its output
-// thrown away and its messages collected.
-Outcome run(std::vector<std::string> arguments) {
-  std::array<int, 2> ends{};
-  if (pipe2(ends.data(), O_CLOEXEC) != 0) {
-    throw PlotError("cannot make a pipe: " + std::generic_category().message(errno));
-  }
+// Starts the program directly (no shell), in `folder` and in a process group of its own, with nothing to read, its
+// output thrown away and its messages going to `messages`.
+pid_t start(std::vector<std::string> arguments, const fs::path& folder, int messages) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-  posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, messages, STDERR_FILENO);
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+  posix_spawnattr_setpgroup(&attributes, 0);
   std::vector<std::string> variables = environment_for_gnuplot();
   pid_t child = 0;
-  const int error = posix_spawn(&child, RAILBOOK_GNUPLOT, &actions, nullptr,
-                                pointers(arguments).data(), pointers(variables).data());
+  const int error = posix_spawnp(&child, arguments[0].c_str(), &actions, &attributes,
+                                 pointers(arguments).data(), pointers(variables).data());
+  posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
-  close(ends[1]);
-  Outcome outcome{0, read_to_end(ends[0])};
-  close(ends[0]);
-  if (error != 0) {
-    throw PlotError("cannot run " RAILBOOK_GNUPLOT ": " + std::generic_category().message(error));
+  if (error == 0) return child;
+  throw PlotError("cannot run " + arguments[0] + ": " + std::generic_category().message(error) +
+                  " (is gnuplot installed? RAILBOOK_GNUPLOT names another)");
+}
+
+// What came by now, waiting a little; false at the end.
+bool read_some(int descriptor, std::string& text) {
+  pollfd ready{descriptor, POLLIN, 0};
+  if (poll(&ready, 1, 20) <= 0) return true;
+  std::array<char, 4096> buffer{};
+  const ssize_t n = read(descriptor, buffer.data(), buffer.size());
+  if (n > 0) text.append(buffer.data(), static_cast<std::size_t>(n));
+  return n > 0 || (n < 0 && errno == EINTR);
+}
+
+Outcome run(std::vector<std::string> arguments, const fs::path& folder) {
+  std::array<int, 2> ends{};
+  if (pipe2(ends.data(), O_CLOEXEC) != 0)
+    throw PlotError("cannot make a pipe: " + std::generic_category().message(errno));
+  struct Closed {
+    ~Closed() { close(descriptor); }
+    int descriptor;
+  };
+  const Closed reading{ends[0]};
+  pid_t child = 0;
+  {
+    const Closed writing{ends[1]};
+    child = start(std::move(arguments), folder, ends[1]);
   }
-  while (waitpid(child, &outcome.status, 0) < 0 && errno == EINTR) {
+  const files::DoomedChild doomed(child);
+  const Clock::time_point end = Clock::now() + time_limit();
+  Outcome outcome;
+  bool more = true;
+  const auto runs = [&] {
+    const pid_t ended = waitpid(child, &outcome.status, WNOHANG);
+    return ended == 0 || (ended < 0 && errno == EINTR);
+  };
+  while (runs()) {
+    if (more) more = read_some(reading.descriptor, outcome.message);
+    if (!more) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    if (outcome.in_time && Clock::now() > end) {
+      outcome.in_time = false;
+      kill(-child, SIGKILL);
+    }
+  }
+  kill(-child, SIGKILL);  // and what it may have started
+  for (std::size_t before = std::string::npos; more && before != outcome.message.size();) {
+    before = outcome.message.size();
+    more = read_some(reading.descriptor, outcome.message);
   }
   return outcome;
 }
 
 // gnuplot's own words, without empty lines and without the font library's remarks on its cache.
-std::string complaints(const std::string& message) {
+std::string complaints(const std::string& message, Missing missing) {
+  const auto is_about_missing = [](std::string_view line) {
+    return line.find("Skipping data file with no valid points") != line.npos ||
+           line.starts_with("Warning: empty ");
+  };
   std::istringstream lines(message);
   std::string kept;
   for (std::string line; std::getline(lines, line);) {
     const bool blank = line.find_first_not_of(" \t\r") == std::string::npos;
-    if (!blank && !line.starts_with("Fontconfig ")) kept += "\n  " + line;
+    if (blank || line.starts_with("Fontconfig ")) continue;
+    if (missing == Missing::allowed && is_about_missing(line)) continue;
+    kept += "\n  " + line;
   }
   return kept;
 }
 
 // A PNG opens with its signature and closes with an IEND chunk; an interrupted one lacks the latter.
-bool is_complete_png(const fs::path& file) {
+bool is_complete_png(std::string_view bytes) {
   using namespace std::string_view_literals;
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream whole;
-  whole << in.rdbuf();
-  const std::string bytes = whole.str();
   return bytes.starts_with("\x89PNG\r\n\x1a\n"sv) && bytes.ends_with("IEND\xae\x42\x60\x82"sv);
 }
 
 void require_file(const fs::path& script, std::string_view what, const fs::path& file) {
   if (!fs::is_regular_file(file)) {
-    throw PlotError(script.string() + ": " + std::string(what) + " " + file.string() +
+    throw PlotError(script.string() + ": " + std::string(what) + " " + files::shown(file) +
                     " does not exist");
   }
 }
 
-// Removes the temporary file unless it was renamed.
-struct Temporary {
-  explicit Temporary(fs::path file) : path(std::move(file)) {}
-  ~Temporary() {
-    std::error_code ignored;
-    fs::remove(path, ignored);
+std::string contents(const fs::path& file) {
+  std::ostringstream whole;
+  whole << std::ifstream(file, std::ios::binary).rdbuf();
+  return whole.str();
+}
+
+// gnuplot runs "<program" and "|program" given as file names: it gets to see names of ours only.
+std::vector<std::string> prepare(files::PrivateFolder& folder, const fs::path& script,
+                                 const std::vector<fs::path>& data) {
+  const fs::path style = shared("lib/plot");
+  for (const char* name : {"style.gp", "scene.gp"}) folder.write(name, contents(style / name));
+  folder.write("script.gp", contents(script));
+  std::vector<std::string> arguments = {program(), "-d", "-c", "script.gp"};
+  for (std::size_t i = 0; i < data.size(); ++i) {
+    const std::string type = data[i].extension() == ".png" ? ".png" : ".csv";
+    arguments.push_back("d" + std::to_string(i + 1) + type);
+    folder.link(arguments.back(), data[i]);
+    if (i == 0) arguments.push_back("out.png");
   }
-  Temporary(const Temporary&) = delete;
-  Temporary& operator=(const Temporary&) = delete;
-  fs::path path;
-};
+  return arguments;
+}
 
 }  // namespace
 
-void render(const fs::path& script, const std::vector<fs::path>& data, const fs::path& png) {
+fs::path shared(std::string_view name) {
+  std::error_code ignored;
+  const fs::path here = fs::read_symlink("/proc/self/exe", ignored).parent_path();
+  for (const fs::path& root : {here / "../share/railbook", here / "../.."})
+    if (fs::exists(root / name, ignored)) return (root / name).lexically_normal();
+  return fs::path(RAILBOOK_SOURCE_DIR) / name;
+}
+
+std::string draw(const fs::path& script, const std::vector<fs::path>& data, Missing missing) {
   require_file(script, "the script", script);
   if (data.empty() || data.size() > 8) {
     throw PlotError(script.string() + ": takes 1 to 8 data files, not " +
                     std::to_string(data.size()));
   }
   for (const fs::path& file : data) require_file(script, "the data file", file);
-  if (png.has_parent_path()) fs::create_directories(png.parent_path());
-
-  const Temporary unfinished(png.parent_path() / (".unfinished-" + std::to_string(getpid()) + "-" +
-                                                  png.filename().string()));
-  std::vector<std::string> arguments = {
-      RAILBOOK_GNUPLOT, "-d", "-c", script.string(), data[0].string(), unfinished.path.string()};
-  for (std::size_t i = 1; i < data.size(); ++i) arguments.push_back(data[i].string());
-
-  const Outcome outcome = run(std::move(arguments));
-  const std::string said = complaints(outcome.message);
+  files::PrivateFolder folder;
+  std::vector<std::string> arguments = prepare(folder, script, data);
+  const fs::path png = folder.expect("out.png");
+  const Outcome outcome = run(std::move(arguments), folder.path());
+  const std::string said = complaints(outcome.message, missing);
+  if (!outcome.in_time) {
+    throw PlotError(script.string() + ": gnuplot was ended after " +
+                    std::to_string(time_limit().count()) + " s" + said);
+  }
   if (!WIFEXITED(outcome.status) || WEXITSTATUS(outcome.status) != 0) {
     const std::string how = WIFEXITED(outcome.status)
                                 ? "exit status " + std::to_string(WEXITSTATUS(outcome.status))
@@ -150,11 +225,16 @@ void render(const fs::path& script, const std::vector<fs::path>& data, const fs:
     throw PlotError(script.string() + ": gnuplot failed (" + how + ")" + said);
   }
   if (!said.empty()) throw PlotError(script.string() + ": gnuplot complained" + said);
-  if (!is_complete_png(unfinished.path)) {
+  std::string bytes = contents(png);
+  if (!is_complete_png(bytes)) {
     throw PlotError(script.string() +
                     ": gnuplot left no complete PNG (is there a `set output ARG2` and a plot?)");
   }
-  fs::rename(unfinished.path, png);
+  return bytes;
+}
+
+void render(const fs::path& script, const std::vector<fs::path>& data, const fs::path& png) {
+  files::write(png, draw(script, data));
 }
 
 }  // namespace railbook::plot

@@ -2,16 +2,22 @@
 #pragma once
 
 #include <filesystem>
-#include <stdexcept>
+#include <string>
+#include <string_view>
 #include <vector>
+
+#include "files/outside.hpp"
 
 namespace railbook::plot {
 
 // A figure that could not be made; the text names the script and quotes gnuplot.
-class PlotError : public std::runtime_error {
+class PlotError : public files::OutsideError {
  public:
-  using std::runtime_error::runtime_error;
+  using files::OutsideError::OutsideError;
 };
+
+// What becomes of a curve without a point, or of a range without extent: an error, or a figure that does without.
+enum class Missing { refused, allowed };
 
 // Runs `gnuplot -d -c script data[0] PNG data[1] ...` and leaves the result in `png`.
 //
@@ -24,13 +30,23 @@ class PlotError : public std::runtime_error {
 //   set xlabel "distance along rolling direction, in"
 //   plot ARG1 using "x_in":"p_psi" title "computed" with lines, ARG3 using 1:2 title "printed" with points ls printed
 //
-// Data files are CSV with a header line (units in the names); gnuplot takes at most eight. Paths may be
-// relative to the working directory. style.gp is found through GNUPLOT_LIB; no start-up file is read.
-// gnuplot writes a temporary file beside `png` (its folder is made if need be), renamed on success and
-// removed otherwise, so `png` is either the old file or a complete new one.
-// Throws PlotError when the script or a data file is missing, when gnuplot exits non-zero or says anything
-// on stderr (its warnings mean a curve that is not there), and when the result is not a complete PNG.
+// Data files are CSV with a header line (units in the names), or PNG pictures; gnuplot takes at most eight. It works in
+// a private temporary folder, where the files have neutral names (script.gp, d1.csv, d2.csv, out.png; the data are
+// links): gnuplot runs a file name such as "<program". style.gp and scene.gp are there, too; no start-up file is read.
+// RAILBOOK_GNUPLOT names another gnuplot. After 60 s (RAILBOOK_GNUPLOT_SECONDS) it is ended with all it started.
+// `png` is either the old file or a complete new one.
+// Throws PlotError when the script or a data file is missing, when gnuplot is, exits non-zero or says anything on
+// stderr (its warnings mean a curve that is not there), and when the result is not a complete PNG.
 void render(const std::filesystem::path& script, const std::vector<std::filesystem::path>& data,
             const std::filesystem::path& png);
+
+// The same, as the bytes of the PNG.
+std::string draw(const std::filesystem::path& script,
+                 const std::vector<std::filesystem::path>& data,
+                 Missing missing = Missing::refused);
+
+// A file or folder of the project, "lib/plot": that of an installed program (../share/railbook from where it is), that of
+// the tree whose build/bin it is in, or that of the tree it was built from.
+std::filesystem::path shared(std::string_view name);
 
 }  // namespace railbook::plot

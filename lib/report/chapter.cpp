@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "files/out_file.hpp"
 #include "num/fp_trap.hpp"
 #include "num/stopwatch.hpp"
 #include "units/input_error.hpp"
@@ -142,10 +143,10 @@ int Chapter::reproduce(const Reproduce& wish) const {
   record.seconds = wish.no_timings ? 0 : total.seconds();
   if (wish.bite) return judge_bite(record);
 
-  table::write_file(settings.results / "checks.csv", checks_csv(record));
+  files::write(settings.results / "checks.csv", checks_csv(record));
   write_record(record, out / "results" / (info_.id + ".json"));
   const std::string summary = summary_line(record);
-  table::write_file(out / "results" / (info_.id + ".txt"), summary + "\n");
+  files::write(out / "results" / (info_.id + ".txt"), summary + "\n");
   print_failures(record);
   fmt::print("{}\n", summary);
   const bool good = count_if(record.items, "failed") == 0 && !record.items.empty();
@@ -190,6 +191,8 @@ int Chapter::run(int argc, char** argv) {
   } catch (const InputError& error) {
     fmt::print(stderr, "{}: {}\n", info_.name, error.what());
     return 2;
+  } catch (const files::OutsideError& error) {
+    return files::report(info_.name, error);
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}: {}\n", info_.name, error.what());
     return 1;

@@ -7,6 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "files/out_file.hpp"
 #include "plot/plot.hpp"
 
 namespace railbook::report {
@@ -185,7 +186,7 @@ void Item::draw() {
   std::vector<std::filesystem::path> files;
   for (const auto& data : data_) {
     files.push_back(settings_.results / data->file());
-    table::write_file(files.back(), data->text());
+    files::write(files.back(), data->text());
     record_.csv.push_back(data->file());
   }
   if (record_.kind != "figure") return;
@@ -194,7 +195,6 @@ void Item::draw() {
   if (!settings_.draw) return;
   record_.png = record_.id + ".png";
   const std::filesystem::path png = settings_.figures / record_.png;
-  std::filesystem::create_directories(settings_.figures);
   if (image_) {
     image_(png);
   } else {

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "files/out_file.hpp"
 #include "table/csv.hpp"
 
 namespace railbook::report {
@@ -104,7 +105,7 @@ void write_record(const ChapterRecord& r, const std::filesystem::path& file) {
                {"values", array(r.values)},
                {"work_precision", array(r.work_precision)},
                {"stability", array(r.stability)}};
-  table::write_file(file, j.dump(1) + "\n");
+  files::write(file, j.dump(1) + "\n");
 }
 
 std::string checks_csv(const ChapterRecord& record) {

@@ -1,14 +1,13 @@
 #include "scene/image.hpp"
 
 #include <png.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
-#include <system_error>
 
+#include "files/out_file.hpp"
 #include "units/input_error.hpp"
 
 namespace railbook::scene {
@@ -33,27 +32,26 @@ struct Control {
 
 }  // namespace
 
-void write_png(const Image& image, const std::filesystem::path& file) {
+std::string png_of(const Image& image) {
   if (image.size.width < 1 || image.size.height < 1 || image.rgb.size() != bytes_of(image.size)) {
-    throw InputError("image for " + file.string() + ": " + std::to_string(image.rgb.size()) +
-                     " bytes do not make " + text_of(image.size) + " pixels of 3");
+    throw InputError("image: " + std::to_string(image.rgb.size()) + " bytes do not make " +
+                     text_of(image.size) + " pixels of 3");
   }
-  if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
-  const std::filesystem::path unfinished =
-      file.parent_path() /
-      (".unfinished-" + std::to_string(getpid()) + "-" + file.filename().string());
   Control control;
   control.png.width = static_cast<png_uint_32>(image.size.width);
   control.png.height = static_cast<png_uint_32>(image.size.height);
   control.png.format = PNG_FORMAT_RGB;
-  std::error_code error;
-  if (png_image_write_to_file(&control.png, unfinished.c_str(), 0, image.rgb.data(), 0, nullptr)) {
-    std::filesystem::rename(unfinished, file, error);
-    if (!error) return;
-  }
-  const std::string why = error ? error.message() : control.png.message;
-  std::filesystem::remove(unfinished, error);
-  throw std::runtime_error("cannot write " + file.string() + ": " + why);
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(control.png);
+  std::string bytes(size, '\0');
+  if (!png_image_write_to_memory(&control.png, bytes.data(), &size, 0, image.rgb.data(), 0,
+                                 nullptr))
+    throw std::runtime_error(std::string("image: no PNG of it: ") + control.png.message);
+  bytes.resize(size);
+  return bytes;
+}
+
+void write_png(const Image& image, const std::filesystem::path& file) {
+  files::write(file, png_of(image));
 }
 
 Image read_png(const std::filesystem::path& file) {

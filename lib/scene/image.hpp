@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace railbook::scene {
@@ -28,9 +29,9 @@ struct Image {
   }
 };
 
-// Writes an 8-bit RGB PNG into a temporary name, renamed when complete; the folder is made if need be.
-// Throws InputError for an image that is empty or whose bytes do not match its size, std::runtime_error
-// when libpng or the file system refuses.
+// The bytes of an 8-bit RGB PNG, and the same in a file (files::write). Throws InputError for an image that is empty or
+// whose bytes do not match its size, std::runtime_error when libpng refuses.
+std::string png_of(const Image& image);
 void write_png(const Image& image, const std::filesystem::path& file);
 
 // Reads any PNG as 8-bit RGB; transparency is laid on white.

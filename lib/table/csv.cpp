@@ -1,14 +1,16 @@
 #include "table/csv.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <system_error>
 
+#include "files/outside.hpp"
 #include "units/input_error.hpp"
 
 namespace railbook::table {
@@ -67,6 +69,7 @@ void CsvReader::refuse(const std::string& why) const {
 }
 
 bool CsvReader::raw_line(std::string& text) {
+  errno = 0;
   while (std::getline(stream_, text)) {
     ++line_;
     if (!text.empty() && text.back() == '\r') text.pop_back();
@@ -74,6 +77,10 @@ bool CsvReader::raw_line(std::string& text) {
     if (!text.empty() && text[0] != '#' && text.find_first_not_of(" \t") != std::string::npos)
       return true;
   }
+  if (stream_.bad())
+    throw files::OutsideError{fmt::format("file {}, after line {}: cannot be read further: {}",
+                                          files::shown(file_), line_,
+                                          std::generic_category().message(errno))};
   return false;
 }
 
@@ -174,25 +181,6 @@ std::string csv_cell(std::string_view text) {
   std::string quoted = "\"";
   for (char c : text) quoted += c == '"' ? std::string{"\"\""} : std::string{c};
   return quoted + "\"";
-}
-
-void write_file(const std::filesystem::path& file, std::string_view text) {
-  std::error_code error;
-  if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), error);
-  std::filesystem::path temporary = file;
-  temporary += fmt::format(".{}.tmp", ::getpid());
-  {
-    std::ofstream stream{temporary, std::ios::binary};
-    stream.write(text.data(), static_cast<std::streamsize>(text.size()));
-    stream.close();
-    if (!stream) error = std::make_error_code(std::errc::io_error);
-  }
-  if (!error) std::filesystem::rename(temporary, file, error);
-  if (error) {
-    std::error_code ignored;
-    std::filesystem::remove(temporary, ignored);
-    throw InputError{fmt::format("file \"{}\": cannot be written", file.string())};
-  }
 }
 
 }  // namespace railbook::table

@@ -15,7 +15,8 @@
 
 namespace railbook::table {
 
-// Reads a file line by line in constant memory. Errors are InputError naming the file and the line.
+// Reads a file line by line in constant memory. Errors are InputError naming the file and the line; a disk that fails in
+// mid-file is files::OutsideError.
 class CsvReader {
  public:
   // Opens the file and reads its header. Throws when it is missing, empty, or names a column twice.
@@ -74,9 +75,5 @@ std::string csv_number(double value);
 
 // A cell quoted where the dialect needs it.
 std::string csv_cell(std::string_view text);
-
-// Writes `text` to `file` through a temporary name in the same folder, so that a reader never sees half of it.
-// Makes the folders on the way. Throws InputError naming the file when it cannot.
-void write_file(const std::filesystem::path& file, std::string_view text);
 
 }  // namespace railbook::table

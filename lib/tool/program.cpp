@@ -8,8 +8,10 @@
 #include <exception>
 #include <filesystem>
 #include <functional>
+#include <system_error>
 #include <utility>
 
+#include "files/outside.hpp"
 #include "num/fp_trap.hpp"
 #include "units/input_error.hpp"
 
@@ -28,7 +30,8 @@ std::vector<std::string> with_entries(const CLI::App* command, std::vector<std::
       std::find_if(words.begin(), words.end(), [&](const auto& w) { return is(w, named); });
   if (at == words.end() || (*at == named && at + 1 == words.end())) return words;
   const std::string file = *at == named ? *(at + 1) : at->substr(named.size() + 1);
-  if (std::filesystem::is_directory(file))
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored))
     throw InputError{
         fmt::format("{} is \"{}\", a folder; allowed: a TOML file", named.substr(2), file)};
 
@@ -71,8 +74,10 @@ std::vector<std::string> with_config(const CLI::App& app, std::vector<std::strin
 
 }  // namespace
 
-int run(int argc, char** argv, const std::string& name, const std::string& about,
-        const std::vector<Subject>& subjects) {
+namespace {
+
+int run_command(int argc, char** argv, const std::string& name, const std::string& about,
+                const std::vector<Subject>& subjects) {
   CLI::App app{name + ": " + about, name};
   app.require_subcommand(1);
   std::vector<std::pair<CLI::App*, std::function<void()>>> actions;
@@ -105,10 +110,22 @@ int run(int argc, char** argv, const std::string& name, const std::string& about
   } catch (const InputError& error) {
     fmt::print(stderr, "{}: {}\n", name, error.what());
     return 2;
+  } catch (const files::OutsideError& error) {
+    return files::report(name, error);
+  } catch (const std::system_error& error) {
+    return files::report(name, error);
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}: {}\n", name, error.what());
     return 1;
   }
+}
+
+}  // namespace
+
+int run(int argc, char** argv, const std::string& name, const std::string& about,
+        const std::vector<Subject>& subjects) {
+  files::prepare_process();
+  return files::finish_process(name, run_command(argc, argv, name, about, subjects));
 }
 
 }  // namespace railbook::tool

@@ -1,7 +1,8 @@
 // The command line of a program of tools: `railbook contact solve --config case.toml`.
 //
 // Every option may stand in a TOML file, named by --config or given as the first word after the tool's name. Exit
-// status: 0 good, 2 bad input or usage, 1 anything else.
+// status: 0 good, 2 bad input or usage, 3 the outside failed (a full disk, gnuplot; quietly when the reader of standard
+// output went away), 1 anything else.
 #pragma once
 
 #include <string>

@@ -7,8 +7,6 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "table/csv.hpp"
-
 namespace railbook::tool {
 
 void Summary::add(std::string key, std::string what, double value, std::string unit,
@@ -38,7 +36,7 @@ void Summary::print() const {
   }
 }
 
-void Summary::write_json(const std::filesystem::path& file) const {
+std::string Summary::json() const {
   nlohmann::ordered_json values = nlohmann::ordered_json::object();
   nlohmann::ordered_json units = nlohmann::ordered_json::object();
   nlohmann::ordered_json notes = nlohmann::ordered_json::object();
@@ -57,7 +55,7 @@ void Summary::write_json(const std::filesystem::path& file) const {
   for (const auto& [key, text] : flags_) flags[key] = text;
   const nlohmann::ordered_json all{
       {"title", title_}, {"values", values}, {"units", units}, {"notes", notes}, {"flags", flags}};
-  table::write_file(file, all.dump(1) + "\n");
+  return all.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace railbook::tool

@@ -25,7 +25,7 @@ class Summary {
   void print() const;
   // {"title": ..., "values": {key: value, ...}, "units": {key: unit, ...}, "notes": ..., "flags": {key: text}};
   // NaN is null.
-  void write_json(const std::filesystem::path& file) const;
+  std::string json() const;
 
  private:
   struct Line {

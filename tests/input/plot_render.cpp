@@ -76,3 +76,39 @@ TEST_CASE("input: missing files and file counts are named before gnuplot runs") 
   CHECK_THROWS_WITH(plot::render(script, {}, png), Contains("1 to 8 data files, not 0"));
   CHECK_THROWS_WITH(plot::render(script, std::vector(9, data), png), Contains("not 9"));
 }
+
+TEST_CASE("input: no name reaches gnuplot") {
+  for (const char* name : {"<touch p;echo ", "|touch p;cat ", "x';touch p;'", "$HOME", "it's mine",
+                           "line\nbreak", "-rf", "`touch p`", "Öl"}) {
+    const TemporaryFolder at("hostile");
+    std::filesystem::create_directories(at.path / name);
+    const std::string in = std::string(name) + "/" + name;
+    const auto data = at.write(in, "x,y\n1,1\n2,3\n");
+    const auto script =
+        at.write(in + ".gp", "load \"style.gp\"\nset output ARG2\nplot ARG1 using 1:2\n");
+    const auto png = at.path / name / (std::string(name) + ".png");
+    plot::render(script, {data}, png);
+    CHECK(TemporaryFolder::size(png) > 3000);
+    CHECK(at.files_in(at.path / name) == 3);
+    CHECK_FALSE(std::filesystem::exists("p"));
+  }
+}
+
+TEST_CASE(
+    "input: a gnuplot that hangs is ended with what it started, one that is not there is named") {
+  const TemporaryFolder at("hanging");
+  const auto script = at.write("fig.gp", "");
+  const auto data = at.write("a.csv", "x\n1\n");
+  const auto fake = at.write("gnuplot", "#!/bin/sh\necho $$ > \"" + (at.path / "pid").string() +
+                                            "\"" + "\nsleep 600 &\nsleep 600\n");
+  std::filesystem::permissions(fake, std::filesystem::perms(0700));
+  setenv("RAILBOOK_GNUPLOT", fake.c_str(), 1);
+  setenv("RAILBOOK_GNUPLOT_SECONDS", "1", 1);
+  CHECK_THROWS_WITH(plot::draw(script, {data}), Contains("was ended after 1 s"));
+  const auto missing = at.path / "none";
+  setenv("RAILBOOK_GNUPLOT", missing.c_str(), 1);
+  CHECK_THROWS_WITH(plot::draw(script, {data}),
+                    Contains("none: No such file") && Contains("is gnuplot installed"));
+  unsetenv("RAILBOOK_GNUPLOT");
+  unsetenv("RAILBOOK_GNUPLOT_SECONDS");
+}

@@ -36,6 +36,24 @@ foreach(file ${sources})
   endforeach()
 endforeach()
 
+# Results are written in one place, lib/files; no script runs a command.
+foreach(file ${sources})
+  file(RELATIVE_PATH name ${root} ${file})
+  file(STRINGS ${file} writes REGEX "ofstream|fopen\\(|std::system\\(|popen\\(|(filesystem|fs)::(rename|remove|create_director|copy)")
+  if(writes AND NOT name MATCHES "^lib/(files/|report/chapter.cpp)")
+    broken("${name}: writes by itself instead of through lib/files: ${writes}")
+  endif()
+endforeach()
+file(GLOB_RECURSE scripts ${root}/lib/*.gp ${root}/chapters/*.gp ${root}/tools/*.gp)
+foreach(file ${scripts})
+  file(RELATIVE_PATH name ${root} ${file})
+  file(READ ${file} text)
+  string(REGEX REPLACE "(^|[ \n])#[ \n][^\n]*" "\n" text "${text}") # comments may name them
+  if(text MATCHES "(^|[^A-Za-z0-9_.])(system|eval|evaluate|shell)([^A-Za-z0-9_]|$)|`|\n[ \t]*!|(plot|stats|load|call|output|print|fit)[ \t]*[\"'][ \t]*[<|]")
+    broken("${name}: a script may not run a command or a text: ${CMAKE_MATCH_0}")
+  endif()
+endforeach()
+
 # Every chapter ends with its five sections, in this order.
 file(GLOB chapters ${root}/chapters/[0-9][0-9]-*)
 foreach(chapter ${chapters})

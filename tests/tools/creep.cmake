@@ -27,7 +27,7 @@ refuses(creep "a force beyond friction" "force is 30000 N. allowed: what the ran
 refuses(creep "half a point" "points is 0.5. allowed" curve ${contact} --points 0.5)
 refuses(creep "a missing configuration" "none.toml was not readable" curve --config none.toml)
 refuses(creep "an option nobody knows" "not expected: .*--speed" curve ${contact} --speed 3mph)
-refuses(creep "a folder in a file's place" "curve.*cannot be written" curve --a 6mm --b 4mm --load 80kN --out ${CMAKE_CURRENT_SOURCE_DIR}/CMakeLists.txt)
+refuses(creep "a folder in a file's place" "cannot be written: Not a directory" curve --a 6mm --b 4mm --load 80kN --out ${CMAKE_CURRENT_SOURCE_DIR}/CMakeLists.txt)
 refuses(creep "an even number of spins" "spin nodes is 4. allowed: an odd number" table ${out} --spin 4)
 refuses(creep "axis ratios that go down" "last axis ratio is 0.5. allowed: from 2" table ${out} --ratio-from 2 --ratio-to 0.5)
 refuses(creep "one ratio for a range" "axis ratios is 1. allowed: from 2" table ${out} --ratios 1)

@@ -29,7 +29,7 @@ refuses(track "the place of no joint" "joint at is given but no joint"
                  stiffness --joint-at 30in)
 refuses(track "two wheels in one place" "distance between wheels is 0 m. allowed: at least 0.001"
                  stiffness --wheels 0in 66in 0in)
-refuses(track "a folder that cannot be" "stiffness.csv.: cannot be written"
+refuses(track "a folder that cannot be" "cannot be written: Not a directory"
                  stiffness --out /dev/null/x)
 add_test(NAME "tool: track stiffness answers"
          COMMAND railbook track stiffness --rail 136RE --tie-spacing 19.5in --ballast-depth 12in

@@ -10,8 +10,8 @@
 #include "contact/bodies.hpp"
 #include "contact/cg_fft.hpp"
 #include "contact/hertz.hpp"
-#include "plot/plot.hpp"
 #include "table/csv.hpp"
+#include "tool/out_folder.hpp"
 #include "tool/summary.hpp"
 #include "tools.hpp"
 #include "units/constants.hpp"
@@ -222,17 +222,8 @@ void add_hertz(const Wish& wish, const CgFft& result, double modulus, const Show
   answer.add(fmt::format("hertz_b_{}", u.length_name), "", h.b / u.length, u.length_name);
 }
 
-// Refuses a folder that the files cannot all go into, before the first is written.
-void require_writable(const std::filesystem::path& out) {
-  if (out.empty()) throw InputError("out is empty; allowed: the name of a folder");
-  for (const char* name : {"pressure.csv", "outline.csv", "contact.json", "pressure.png"})
-    if (std::filesystem::is_directory(out / name))
-      throw InputError(
-          fmt::format("file \"{}\": cannot be written, it is a folder", (out / name).string()));
-}
-
 void write_files(const CgFft& result, const TouchingBodies& bodies, const tool::Summary& answer,
-                 const Shown& u, const std::filesystem::path& out) {
+                 const Shown& u, tool::OutFolder& out) {
   const NormalContact& c = result.contact;
   const Grid& grid = result.levels.back().grid;
   // Every cell within the grid, so that the file is a complete map; cells without contact have pressure 0.
@@ -252,20 +243,21 @@ void write_files(const CgFft& result, const TouchingBodies& bodies, const tool::
     outline +=
         fmt::format("{:.8g},{:.8g},{:.8g}\n", (result.outline.x[n] + bodies.x_touch) / u.length,
                     result.outline.low[n] / u.length, result.outline.high[n] / u.length);
-  table::write_file(out / "pressure.csv", cells);
-  table::write_file(out / "outline.csv", outline);
-  answer.write_json(out / "contact.json");
-  plot::render(tools::scripts("contact") / "solve.gp", {out / "pressure.csv", out / "outline.csv"},
-               out / "pressure.png");
+  out.add("pressure.csv", cells);
+  out.add("outline.csv", outline);
+  out.add("contact.json", answer.json());
+  out.scratch("units.csv", fmt::format("length,pressure\n{},{}\n", u.length_name, u.pressure_name));
+  out.figure(tools::scripts("contact") / "solve.gp", {"pressure.csv", "outline.csv", "units.csv"},
+             "pressure.png");
 }
 
 void run(const Wish& wish) {
+  tool::OutFolder out(wish.out, {"pressure.csv", "outline.csv", "contact.json", "pressure.png"});
   if (wish.approach.has_value() == wish.load.has_value())
     throw InputError("give one of approach and load: the other is the answer");
   const BodyWish &one = wish.bodies[0], &two = wish.bodies[1];
   const double modulus = effective_modulus({one.young, one.poisson, two.young, two.poisson});
   const TouchingBodies bodies = join_bodies(body_of(one, 1), body_of(two, 2), wish.angle);
-  if (wish.out) require_writable(*wish.out);
   const CgFft result = solve(wish, bodies, modulus);
   require_answer(result, bodies);
   const std::string doubt = half_space_note(wish, result.contact);
@@ -273,8 +265,9 @@ void run(const Wish& wish) {
   tool::Summary answer = summarise(result, bodies, modulus, u);
   if (one.profile.empty() && two.profile.empty()) add_hertz(wish, result, modulus, u, answer);
   if (!doubt.empty()) answer.add("half_space", "half space", doubt);
-  if (wish.out) write_files(result, bodies, answer, u, *wish.out);
   answer.print();
+  if (out) write_files(result, bodies, answer, u, out);
+  out.commit();
 }
 
 std::function<void()> declare(tool::Options& options) {

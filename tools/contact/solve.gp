@@ -1,14 +1,14 @@
-# The answer of `contact solve`: pressures as a map, the edge of the contact around them. Units stand in the headers.
+# The answer of `contact solve`: pressures as a map, the edge of the contact around them. ARG4 names the units.
 load "style.gp"
 set output ARG2
 set terminal pngcairo size 1100,750
-header = system("head -1 '" . ARG1 . "'")
-comma = strstrt(header, ",")
-first = substr(header, 1, comma - 1)
-rest = substr(header, comma + 1, strlen(header))
-third = substr(rest, strstrt(rest, ",") + 1, strlen(rest))
-length_unit = substr(first, 3, strlen(first))
-pressure_unit = substr(third, 3, strlen(third))
+note(length, pressure) = (length_unit = length, pressure_unit = pressure, 1)
+set xrange [-1:1]
+set yrange [0:2]
+set table $unused
+plot ARG4 using (note(strcol("length"), strcol("pressure")))
+unset table
+set autoscale
 set xlabel "x across the rail, " . length_unit
 set ylabel "y along the rail, " . length_unit
 set cblabel "pressure, " . pressure_unit

@@ -22,11 +22,11 @@ read. Positive creepage gives positive force, that of the wheel on the rail; `sp
 
 #include "contact/hertz.hpp"
 #include "num/roots.hpp"
-#include "plot/plot.hpp"
 #include "rolling/creep_laws.hpp"
 #include "rolling/material_pair.hpp"
 #include "rolling/theory.hpp"
 #include "table/csv.hpp"
+#include "tool/out_folder.hpp"
 #include "tool/summary.hpp"
 #include "tools.hpp"
 #include "units/constants.hpp"
@@ -188,16 +188,8 @@ std::string csv(const std::vector<Row>& all) {
   return text;
 }
 
-// Refuses a folder that the files cannot all go into, before the first is written.
-void require_writable(const std::filesystem::path& out) {
-  if (out.empty()) throw InputError("out is empty; allowed: the name of a folder");
-  for (const char* name : {"curve.csv", "curve.json", "curve.png"})
-    if (std::filesystem::is_directory(out / name))
-      throw InputError(
-          fmt::format("file \"{}\": cannot be written, it is a folder", (out / name).string()));
-}
-
 void run(const Wish& wish) {
+  tool::OutFolder out(wish.out, {"curve.csv", "curve.json", "curve.png"});
   tool::Summary answer("Creep curve");
   answer.add("theory", "theory", wish.theory);
   const Pair pair = join(wish.wheel, wish.rail);
@@ -219,7 +211,6 @@ void run(const Wish& wish) {
                fmt::format("not elastically similar (K = {:.3f}); left out", pair.dissimilarity));
   answer.add("lateral", "lateral creepage", wish.lateral, "");
   answer.add("spin_1_per_m", "spin creepage", wish.spin, "1/m");
-  if (wish.out) require_writable(*wish.out);
   const Solver solve =
       solver(wish.theory, c.a / c.b, c.poisson, wish.cells, wish.coefficients == "computed");
   const auto all = rows(wish, c, solve, to);
@@ -237,14 +228,14 @@ void run(const Wish& wish) {
     answer.add("error_share", "largest error estimate", error, "of mu N");
   }
   if (!all.back().forces.reason.empty()) answer.add("note", "note", all.back().forces.reason);
-  if (wish.out) {
-    const auto& out = *wish.out;
-    table::write_file(out / "curve.csv", csv(all));
-    answer.write_json(out / "curve.json");
-    plot::render(tools::scripts("creep") / "curve.gp", {out / "curve.csv"}, out / "curve.png");
-  }
   answer.print();
   print_rows(all, bound);
+  if (out) {
+    out.add("curve.csv", csv(all));
+    out.add("curve.json", answer.json());
+    out.figure(tools::scripts("creep") / "curve.gp", {"curve.csv"}, "curve.png");
+  }
+  out.commit();
 }
 
 std::function<void()> declare(tool::Options& options) {

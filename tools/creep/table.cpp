@@ -19,6 +19,7 @@ answer and in the file.
 #include "rolling/force_table.hpp"
 #include "rolling/theory.hpp"
 #include "table/csv.hpp"
+#include "tool/out_folder.hpp"
 #include "tool/summary.hpp"
 #include "tools.hpp"
 #include "units/constants.hpp"
@@ -65,14 +66,12 @@ std::string csv(const ForceTable& table, const Wish& wish, const InterpolationEr
 }
 
 void run(Wish wish) {
+  tool::OutFolder out(wish.out, {"table.csv", "table.json"});
   wish.axes.ratios = static_cast<int>(wish.ratios);
   wish.axes.longitudinal = static_cast<int>(wish.longitudinal);
   wish.axes.lateral = static_cast<int>(wish.lateral);
   wish.axes.spin = static_cast<int>(wish.spin);
   if (wish.axes.ratio_from == wish.axes.ratio_to) wish.axes.ratios = 1;
-  if (wish.out && (wish.out->empty() || std::filesystem::is_directory(*wish.out / "table.csv") ||
-                   std::filesystem::is_directory(*wish.out / "table.json")))
-    throw InputError("out: table.csv and table.json cannot be written there");
   const ShareTheory theory = [&](double ratio) {
     return shares_of(
         solver(wish.theory, ratio, wish.poisson, wish.cells, wish.coefficients == "computed"),
@@ -95,11 +94,12 @@ void run(Wish wish) {
   answer.add("error_moment_rms", "  root of the mean square", error.rms_moment,
              "of mu N sqrt(a b)");
   answer.add("error_points", "measured at points off the nodes", double(error.points), "");
-  if (wish.out) {
-    table::write_file(*wish.out / "table.csv", csv(table, wish, error));
-    answer.write_json(*wish.out / "table.json");
-  }
   answer.print();
+  if (out) {
+    out.add("table.csv", csv(table, wish, error));
+    out.add("table.json", answer.json());
+  }
+  out.commit();
 }
 
 std::function<void()> declare(tool::Options& options) {

@@ -31,8 +31,8 @@ filter there is nothing to answer, and the record is refused.
 #include "geometry_car/reconstruct.hpp"
 #include "geometry_car/sensors.hpp"
 #include "geometry_car/simulate.hpp"
-#include "plot/plot.hpp"
 #include "table/csv.hpp"
+#include "tool/out_folder.hpp"
 #include "tool/summary.hpp"
 #include "tools.hpp"
 #include "units/constants.hpp"
@@ -164,18 +164,16 @@ tool::Summary summary(const Wish& wish, const Answer& a, const Faults& faults) {
   return s;
 }
 
-void write_files(const std::filesystem::path& out, const Wish& wish, const Answer& a,
-                 const tool::Summary& s) {
-  table::write_file(out / "geometry.csv", table(a, wish.processing, 1));
-  s.write_json(out / "geometry.json");
+void write_files(tool::OutFolder& out, const Wish& wish, const Answer& a, const tool::Summary& s) {
+  out.add("geometry.csv", table(a, wish.processing, 1));
+  out.add("geometry.json", s.json());
   const std::size_t every = a.m.size() / 20000 + 1;
-  const auto thin = out / "geometry.figure.csv";
-  table::write_file(thin, table(a, wish.processing, every));
-  plot::render(tools::scripts("filters") / "process.gp", {thin}, out / "geometry.png");
-  std::filesystem::remove(thin);
+  out.scratch("thin.csv", table(a, wish.processing, every));
+  out.figure(tools::scripts("filters") / "process.gp", {"thin.csv"}, "geometry.png");
 }
 
 void process_record(Wish wish) {
+  tool::OutFolder out(wish.out, {"geometry.csv", "geometry.json", "geometry.png"});
   Processing& p = wish.processing;
   const double half = 0.5 * wish.chord / p.layout.sample;
   if (std::abs(half - std::round(half)) > 1e-6 || half < 0.5)
@@ -197,7 +195,8 @@ void process_record(Wish wish) {
     a.quality.push_back(quality(a.m, info.parameter, p));
   const tool::Summary s = summary(wish, a, faults);
   s.print();
-  if (wish.out) write_files(*wish.out, wish, a, s);
+  if (out) write_files(out, wish, a, s);
+  out.commit();
 }
 
 }  // namespace

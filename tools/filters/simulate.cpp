@@ -9,6 +9,7 @@ distance, changes speed at a constant rate between them, stands at a speed of ze
 */
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -16,6 +17,7 @@ distance, changes speed at a constant rate between them, stands at a speed of ze
 #include <string>
 #include <vector>
 
+#include "files/out_file.hpp"
 #include "filters/car_options.hpp"
 #include "geometry_car/reconstruct.hpp"
 #include "geometry_car/sensors.hpp"
@@ -92,6 +94,9 @@ void simulate(Order order) {
   if (order.truth == order.file)
     throw InputError{fmt::format("truth is \"{}\", the record's own file; allowed: another",
                                  order.truth.string())};
+  std::vector<files::OutFile> out;
+  out.emplace_back(order.file);
+  if (!order.truth.empty()) out.emplace_back(order.truth);
   order.track.seed = static_cast<std::uint64_t>(order.seed);
   order.track.sample = order.car.layout.sample;
   order.track.base = order.car.layout.base;
@@ -101,11 +106,13 @@ void simulate(Order order) {
   if (record.size() < 2) throw InputError{"speeds: the car does not travel a foot"};
   if (order.sensors == "typical")
     record = measured(record, order.car.layout, typical_sensors(), order.track.seed);
-  table::write_file(order.file, sensor_table(record, order.car.layout.sample));
-  if (!order.truth.empty())
-    table::write_file(order.truth, truth_table(truth(track, {.layout = order.car.layout}),
-                                               order.car.layout.sample));
-  fmt::print("{} rows in {}\n", record.size(), order.file.string());
+  out[0].write(sensor_table(record, order.car.layout.sample));
+  if (out.size() > 1)
+    out[1].write(truth_table(truth(track, {.layout = order.car.layout}), order.car.layout.sample));
+  files::commit(out);
+  const bool piped = std::any_of(out.begin(), out.end(),
+                                 [](const auto& file) { return file.to_standard_output(); });
+  fmt::print(piped ? stderr : stdout, "{} rows in {}\n", record.size(), order.file.string());
 }
 
 }  // namespace
@@ -114,7 +121,7 @@ tool::Tool simulate_tool() {
   return {"simulate", "a record of the car's sensors to order", [](tool::Options& o) {
             auto order = std::make_shared<Order>();
             auto& t = order->track;
-            o.file("record", order->file, "CSV file to write");
+            o.file("record", order->file, "CSV file to write; - is standard output");
             o.required();
             o.file("--truth", order->truth, "CSV file for the true geometry");
             add_layout(o, order->car.layout);

@@ -24,8 +24,8 @@ the same speed, is neither stable nor unstable. `--speed` solves for the cycles 
 #include "dynamics/examine.hpp"
 #include "dynamics/hill.hpp"
 #include "hunting/car_options.hpp"
-#include "plot/plot.hpp"
 #include "table/csv.hpp"
+#include "tool/out_folder.hpp"
 #include "tools.hpp"
 #include "units/constants.hpp"
 
@@ -114,8 +114,8 @@ void add_cycles_at(tool::Summary& answer, const CarCase& c, const CycleBranch& b
   }
 }
 
-void write_files(const Wish& wish, const CarCase& c, const CycleBranch& branch,
-                 const tool::Summary& answer) {
+void write_files(tool::OutFolder& out, const Wish& wish, const CarCase& c,
+                 const CycleBranch& branch, const tool::Summary& answer) {
   std::string text =
       "V_m_per_s,A_mm,omega_rad_per_s,front_leading_mm,front_trailing_mm,rear_leading_mm,"
       "rear_trailing_mm,criterion_value,stable_mm,unstable_mm\n";
@@ -130,15 +130,15 @@ void write_files(const Wish& wish, const CarCase& c, const CycleBranch& branch,
         fmt::format(",{},{},{}\n", table::csv_number(label.figure),
                     label.verdict == "stable" ? a : "nan", label.verdict == "unstable" ? a : "nan");
   }
-  const auto& out = *wish.out;
-  table::write_file(out / "cycle.csv", text);
-  table::write_file(out / "criterion.txt", std::string(full_name(wish.criterion)) + "\n");
-  answer.write_json(out / "cycle.json");
-  plot::render(tools::scripts("hunting") / fmt::format("cycle_{}.gp", wish.criterion),
-               {out / "cycle.csv"}, out / "cycle.png");
+  out.add("cycle.csv", text);
+  out.add("criterion.txt", std::string(full_name(wish.criterion)) + "\n");
+  out.add("cycle.json", answer.json());
+  out.figure(tools::scripts("hunting") / fmt::format("cycle_{}.gp", wish.criterion), {"cycle.csv"},
+             "cycle.png");
 }
 
 void run(const Wish& wish) {
+  tool::OutFolder out(wish.out, {"cycle.csv", "criterion.txt", "cycle.json", "cycle.png"});
   units::require_between("highest speed", wish.highest, wish.lowest, 1e4, "m/s");
   const double end = wish.pair.end;
   const double largest = wish.largest.value_or(end);
@@ -179,7 +179,8 @@ void run(const Wish& wish) {
   if (wish.speed) add_cycles_at(answer, c, branch, *wish.speed);
   answer.add("criterion", "stability in the files by", full_name(wish.criterion));
   answer.print();
-  if (wish.out) write_files(wish, c, branch, answer);
+  if (out) write_files(out, wish, c, branch, answer);
+  out.commit();
 }
 
 std::function<void()> declare(tool::Options& options) {

@@ -9,9 +9,9 @@ files.
                      --radius 460mm --half-spacing 750mm --noise 0.01mm \
                      --end 8mm --step 0.05mm --average 0mm --out mine
 
-With `--out`, the functions go to `geometry.csv` and its picture, the points that touch to `contacts.csv`, the conicity
+With `--out`, the functions go to `wheelset.csv` and its picture, the points that touch to `contacts.csv`, the conicity
 against amplitude to `conicity.csv`, the places of two-point contact to `jumps.csv`, and what is printed to
-`geometry.json`.
+`wheelset.json`.
 */
 
 #include <fmt/format.h>
@@ -22,8 +22,8 @@ against amplitude to `conicity.csv`, the places of two-point contact to `jumps.c
 #include <optional>
 
 #include "hunting/profile_file.hpp"
-#include "plot/plot.hpp"
 #include "table/csv.hpp"
+#include "tool/out_folder.hpp"
 #include "tool/summary.hpp"
 #include "tools.hpp"
 #include "units/constants.hpp"
@@ -50,8 +50,9 @@ std::vector<double> amplitudes(const ConstraintFunctions& f, double step) {
   return all;
 }
 
-void write_files(const Wish& wish, const WheelsetOnTrack& pair, const ConstraintFunctions& f,
-                 const std::vector<ContactJump>& jumps, const tool::Summary& answer) {
+void write_files(tool::OutFolder& out, const Wish& wish, const WheelsetOnTrack& pair,
+                 const ConstraintFunctions& f, const std::vector<ContactJump>& jumps,
+                 const tool::Summary& answer) {
   std::string text = "x_mm,r_L_mm,r_R_mm,difference_mm,delta_L_rad,delta_R_rad,phi_rad,R,D_rad\n";
   const std::size_t middle = f.r_left.size() / 2;
   for (std::size_t k = 0; k < f.R.values().size(); ++k)
@@ -61,21 +62,20 @@ void write_files(const Wish& wish, const WheelsetOnTrack& pair, const Constraint
                         (f.r_left[middle + k] - f.r_left[middle - k]) / millimetre,
                         f.delta_left[middle + k], f.delta_left[middle - k], f.Phi.values()[k],
                         f.R.values()[k], f.D.values()[k]);
-  const auto& out = *wish.out;
-  table::write_file(out / "geometry.csv", text);
+  out.add("wheelset.csv", text);
   text = "amplitude_mm,conicity,first_harmonic,fitted_line,wavelength_m\n";
   for (const double A : amplitudes(f, 0.1 * millimetre)) {
     const Conicity c = conicity(f, A);
     text += fmt::format("{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}\n", A / millimetre, c.kinematic,
                         c.harmonic, c.regression, c.wavelength);
   }
-  table::write_file(out / "conicity.csv", text);
+  out.add("conicity.csv", text);
   text = "x_mm,delta_before_rad,delta_after_rad,r_before_mm,r_after_mm\n";
   for (const auto& jump : jumps)
     text += fmt::format("{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}\n", jump.x / millimetre,
                         jump.before.delta, jump.after.delta, jump.before.radius / millimetre,
                         jump.after.radius / millimetre);
-  table::write_file(out / "jumps.csv", text);
+  out.add("jumps.csv", text);
   // Where wheel and rail touch, outward from the middle of the axle and of the track.
   text = "x_mm,wheel_L_mm,rail_L_mm,wheel_R_mm,rail_R_mm,axle_height_mm\n";
   for (std::size_t k = 0; k < f.R.values().size(); ++k) {
@@ -86,13 +86,14 @@ void write_files(const Wish& wish, const WheelsetOnTrack& pair, const Constraint
                         -at.right.on_wheel.u / millimetre, -at.right.on_rail.u / millimetre,
                         at.height / millimetre);
   }
-  table::write_file(out / "contacts.csv", text);
-  answer.write_json(out / "geometry.json");
-  plot::render(tools::scripts("hunting") / "geometry.gp", {out / "geometry.csv"},
-               out / "geometry.png");
+  out.add("contacts.csv", text);
+  out.add("wheelset.json", answer.json());
+  out.figure(tools::scripts("hunting") / "geometry.gp", {"wheelset.csv"}, "wheelset.png");
 }
 
 void run(const Wish& wish) {
+  tool::OutFolder out(wish.out, {"wheelset.csv", "conicity.csv", "jumps.csv", "contacts.csv",
+                                 "wheelset.json", "wheelset.png"});
   const WheelsetOnTrack pair = read_pair(wish);
   const ConstraintFunctions f = table_of(pair, wish);
   tool::Summary answer("Wheelset on rails");
@@ -129,7 +130,8 @@ void run(const Wish& wish) {
                fmt::format("contact angle {:.4f} to {:.4f} rad", jumps[i].before.delta,
                            jumps[i].after.delta));
   answer.print();
-  if (wish.out) write_files(wish, pair, f, jumps, answer);
+  if (out) write_files(out, wish, pair, f, jumps, answer);
+  out.commit();
 }
 
 std::function<void()> declare(tool::Options& options) {

@@ -20,8 +20,8 @@ regularization makes them, and its critical speeds mean little.
 
 #include "dynamics/linear_stability.hpp"
 #include "hunting/car_options.hpp"
-#include "plot/plot.hpp"
 #include "table/csv.hpp"
+#include "tool/out_folder.hpp"
 #include "tools.hpp"
 #include "units/constants.hpp"
 
@@ -81,7 +81,8 @@ void add_modes_at(tool::Summary& answer, const QuasiLinearCar& car, double speed
   }
 }
 
-void write_files(const Wish& wish, const QuasiLinearCar& car, const tool::Summary& answer) {
+void write_files(tool::OutFolder& out, const Wish& wish, const QuasiLinearCar& car,
+                 const tool::Summary& answer) {
   std::string text = "V_m_per_s,growth_1_per_s,omega_rad_per_s,growth_second,omega_second\n";
   constexpr int points = 240;
   for (int k = 0; k <= points; ++k) {
@@ -92,13 +93,13 @@ void write_files(const Wish& wish, const QuasiLinearCar& car, const tool::Summar
     text += fmt::format("{:.8g},{:.8g},{:.8g},{:.8g},{:.8g}\n", v, all[0].lambda.real(),
                         all[0].lambda.imag(), all[1].lambda.real(), all[1].lambda.imag());
   }
-  const auto& out = *wish.out;
-  table::write_file(out / "speed.csv", text);
-  answer.write_json(out / "speed.json");
-  plot::render(tools::scripts("hunting") / "speed.gp", {out / "speed.csv"}, out / "speed.png");
+  out.add("speed.csv", text);
+  out.add("speed.json", answer.json());
+  out.figure(tools::scripts("hunting") / "speed.gp", {"speed.csv"}, "speed.png");
 }
 
 void run(const Wish& wish) {
+  tool::OutFolder out(wish.out, {"speed.csv", "speed.json", "speed.png"});
   units::require_between("highest speed", wish.highest, wish.lowest, 1e4, "m/s");
   const CarCase c = read_case(wish);
   tool::Summary answer("Critical speeds of a freight car");
@@ -106,7 +107,8 @@ void run(const Wish& wish) {
   add_hopf(answer, c.car, hopf_points(c.car, wish.lowest, wish.highest), wish);
   if (wish.speed) add_modes_at(answer, c.car, *wish.speed);
   answer.print();
-  if (wish.out) write_files(wish, c.car, answer);
+  if (out) write_files(out, wish, c.car, answer);
+  out.commit();
 }
 
 std::function<void()> declare(tool::Options& options) {

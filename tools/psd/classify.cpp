@@ -24,11 +24,11 @@ track has (a wrong unit?).
 #include <string>
 #include <vector>
 
-#include "plot/plot.hpp"
 #include "spectra/classify.hpp"
 #include "spectra/line_mask.hpp"
 #include "spectra/record.hpp"
 #include "table/csv.hpp"
+#include "tool/out_folder.hpp"
 #include "tool/summary.hpp"
 #include "tools.hpp"
 #include "units/constants.hpp"
@@ -236,7 +236,7 @@ tool::Summary answer(const Wish& wish, const Measured& m, const spectra::Spectru
   return s;
 }
 
-void write_files(const std::filesystem::path& out, const Wish& wish, const Measured& m,
+void write_files(tool::OutFolder& out, const Wish& wish, const Measured& m,
                  const spectra::SpectrumFit& fit, const tool::Summary& summary) {
   std::string text = "phi_cycle_per_m,S_m2_per_cycle_per_m,fitted,A_line\n";
   for (Eigen::Index k = 1; k < m.spectrum.density.size(); ++k) {
@@ -250,7 +250,7 @@ void write_files(const std::filesystem::path& out, const Wish& wish, const Measu
         fmt::format("{:.6g},{:.6g},{:.6g},{:.6g}\n", phi, m.spectrum.density[k] / gain,
                     std::exp(fit.regression.log_density(std::log(phi))), fit.A.value / (phi * phi));
   }
-  table::write_file(out / "spectrum.csv", text);
+  out.add("spectrum.csv", text);
   const spectra::ClassRule rule;
   std::string limits = "class,B_mm,A_m2_cycle_per_m\n";
   for (int i = 1; i <= spectra::classes; ++i) {
@@ -262,24 +262,25 @@ void write_files(const std::filesystem::path& out, const Wish& wish, const Measu
     }
     limits += "\n";
   }
-  table::write_file(out / "classes.csv", limits);
-  table::write_file(
-      out / "point.csv",
-      fmt::format("B_mm,B_error_mm,A_m2_cycle_per_m,A_error\n{},{},{},{}\n",
-                  fit.B_printed.value / mm, fit.B_printed.error / mm, fit.A.value, fit.A.error));
-  summary.write_json(out / "classify.json");
-  plot::render(tools::scripts("psd") / "classify_spectrum.gp", {out / "spectrum.csv"},
-               out / "spectrum.png");
-  plot::render(tools::scripts("psd") / "classify_class.gp",
-               {out / "classes.csv", out / "point.csv"}, out / "class.png");
+  out.add("classes.csv", limits);
+  out.add("point.csv", fmt::format("B_mm,B_error_mm,A_m2_cycle_per_m,A_error\n{},{},{},{}\n",
+                                   fit.B_printed.value / mm, fit.B_printed.error / mm, fit.A.value,
+                                   fit.A.error));
+  out.add("classify.json", summary.json());
+  out.figure(tools::scripts("psd") / "classify_spectrum.gp", {"spectrum.csv"}, "spectrum.png");
+  out.figure(tools::scripts("psd") / "classify_class.gp", {"classes.csv", "point.csv"},
+             "class.png");
 }
 
 void classify_track(const Wish& wish) {
+  tool::OutFolder out(wish.out, {"spectrum.csv", "classes.csv", "point.csv", "classify.json",
+                                 "spectrum.png", "class.png"});
   const Measured measured = measure(wish);
   const auto fit = spectra::fit_track_spectrum(measured.spectrum, fit_options(wish));
   const tool::Summary summary = answer(wish, measured, fit);
   summary.print();
-  if (wish.out) write_files(*wish.out, wish, measured, fit, summary);
+  if (out) write_files(out, wish, measured, fit, summary);
+  out.commit();
 }
 
 }  // namespace

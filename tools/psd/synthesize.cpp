@@ -14,8 +14,10 @@ the compiler. Records of any length stream through the memory of one filter bloc
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <vector>
 
+#include "files/out_file.hpp"
 #include "spectra/synthetic_track.hpp"
 #include "table/csv.hpp"
 #include "tools.hpp"
@@ -36,7 +38,7 @@ struct Order {
 
 void add_options(tool::Options& o, Order& order) {
   auto& t = order.track;
-  o.file("track", order.file, "the CSV file to write");
+  o.file("track", order.file, "the CSV file to write; - is standard output");
   o.required();
   o.quantity("--length", order.length, units::length, "length of the record", tool::positive);
   o.quantity("--spacing", t.spacing, units::length, "distance between samples", tool::positive);
@@ -65,12 +67,9 @@ void add_options(tool::Options& o, Order& order) {
              {0.0, 0.95});
 }
 
-/* The record is written block by block, under a name of its own until it is whole. */
-struct Close {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
-
+/* The record is written block by block; it has its name when it is whole. `-` is standard output. */
 void write_track(const Order& order) {
+  files::OutFile out(order.file);
   spectra::SyntheticTrack track = order.track;
   track.seed = static_cast<std::uint64_t>(order.seed);
   const auto physical = [](double B) {
@@ -83,29 +82,21 @@ void write_track(const Order& order) {
   const double wanted =
       units::require_between("length over spacing", order.length / track.spacing, 1, 1e10);
   const auto samples = static_cast<std::size_t>(wanted);
-  const std::filesystem::path part = order.file.string() + ".part";
-  std::unique_ptr<std::FILE, Close> out{std::fopen(part.c_str(), "w")};
-  if (!out) throw InputError{fmt::format("file \"{}\": cannot be written", order.file.string())};
-  fmt::print(out.get(), "distance_m,profile_mm\n");
+  out.write("distance_m,profile_mm\n");
   std::vector<double> z(4096);
   for (std::size_t done = 0; done < samples;) {
     const auto block = std::span{z}.first(std::min(z.size(), samples - done));
     generator.fill(block);
     for (std::size_t i = 0; i < block.size(); ++i)
-      fmt::print(out.get(), "{},{}\n",
-                 table::csv_number(static_cast<double>(done + i) * track.spacing),
-                 table::csv_number(block[i] / units::millimetre));
+      out.write(fmt::format("{},{}\n",
+                            table::csv_number(static_cast<double>(done + i) * track.spacing),
+                            table::csv_number(block[i] / units::millimetre)));
     done += block.size();
   }
-  std::error_code error;
-  const bool whole = std::ferror(out.get()) == 0 && std::fclose(out.release()) == 0;
-  if (whole) std::filesystem::rename(part, order.file, error);  // nobody reads half a record
-  if (!whole || error) {
-    std::filesystem::remove(part, error);
-    throw InputError{fmt::format("file \"{}\": cannot be written", order.file.string())};
-  }
-  fmt::print("{} samples, {:.3f} km, written to {}\n", samples,
-             static_cast<double>(samples) * track.spacing / units::kilometre, order.file.string());
+  out.commit();
+  fmt::print(out.to_standard_output() ? stderr : stdout, "{} samples, {:.3f} km, written to {}\n",
+             samples, static_cast<double>(samples) * track.spacing / units::kilometre,
+             order.file.string());
 }
 
 }  // namespace

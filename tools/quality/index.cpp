@@ -15,17 +15,16 @@ paper prints no thresholds; ours are 0.5 and 1. With `--out` come the channel, t
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "plot/plot.hpp"
 #include "quality/index_parts.hpp"
 #include "spectra/record.hpp"
 #include "table/csv.hpp"
+#include "tool/out_folder.hpp"
 #include "tools.hpp"
 #include "units/constants.hpp"
 #include "units/input_error.hpp"
@@ -76,17 +75,14 @@ Reading read(const IndexWish& wish, std::function<void(std::span<const double>)>
   return result;
 }
 
-/* The channel is written as it comes, under a name of its own until it is whole; the figure keeps the extremes of a thousand pieces. */
+/* The channel is written as it comes; the figure keeps the extremes of a thousand pieces. */
 class Channel {
  public:
-  Channel(const std::optional<std::filesystem::path>& folder, const Reading& reading)
+  Channel(tool::OutFolder& out, const Reading& reading)
       : reading_(reading), low_(pieces, 0.0), high_(pieces, 0.0) {
-    if (!folder) return;
-    table::write_file(*folder / "channel.csv", "");  // makes the folder, or says why not
-    file_ = *folder / "channel.csv";
-    out_.reset(std::fopen((file_.string() + ".part").c_str(), "w"));
-    if (!out_) throw InputError{fmt::format("file \"{}\": cannot be written", file_.string())};
-    fmt::print(out_.get(), "distance_m,descriptor\n");
+    if (!out) return;
+    file_ = &out.stream("channel.csv");
+    file_->write("distance_m,descriptor\n");
   }
 
   void push(std::span<const double> p) {
@@ -96,20 +92,13 @@ class Channel {
         low_[piece] = std::min(low_[piece], value);
         high_[piece] = std::max(high_[piece], value);
       }
-      if (out_)
-        fmt::print(out_.get(), "{},{}\n",
-                   table::csv_number(reading_.first + static_cast<double>(at_) * reading_.spacing),
-                   table::csv_number(value));
+      if (file_ != nullptr)
+        file_->write(fmt::format(
+            "{},{}\n",
+            table::csv_number(reading_.first + static_cast<double>(at_) * reading_.spacing),
+            table::csv_number(value)));
       ++at_;
     }
-  }
-
-  void close() {
-    if (!out_) return;
-    std::error_code error;
-    if (std::ferror(out_.get()) == 0 && std::fclose(out_.release()) == 0)
-      std::filesystem::rename(file_.string() + ".part", file_, error);
-    if (error) throw InputError{fmt::format("file \"{}\": cannot be written", file_.string())};
   }
 
   std::string extremes() const {
@@ -123,14 +112,10 @@ class Channel {
   }
 
  private:
-  struct Close {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
   static constexpr std::size_t pieces = 1000;
   Reading reading_;
   std::vector<double> low_, high_;
-  std::filesystem::path file_;
-  std::unique_ptr<std::FILE, Close> out_;
+  files::OutFile* file_ = nullptr;
   std::size_t at_ = 0;
 };
 
@@ -140,6 +125,8 @@ double shortest_wave(const IndexWish& wish, const quality::Descriptor& d, double
 }
 
 void index_track(const IndexWish& wish) {
+  tool::OutFolder out(wish.out, {"channel.csv", "exceedances.csv", "histogram.csv", "segments.csv",
+                                 "threshold.csv", "extremes.csv", "index.json", "index.png"});
   if (wish.accept > wish.threshold)
     throw InputError{fmt::format("accept is {:g}; allowed: at most the threshold, {:g}",
                                  wish.accept, wish.threshold)};
@@ -153,7 +140,7 @@ void index_track(const IndexWish& wish) {
                                  .origin = reading.first,
                                  .segment = wish.segment,
                                  .margin = resonant_wave(d)}};
-  Channel channel{wish.out, reading};
+  Channel channel{out, reading};
   quality::FilterStream stream{taps, [&](std::span<const double> p) {
                                  builder.push(p);
                                  channel.push(p);
@@ -161,19 +148,18 @@ void index_track(const IndexWish& wish) {
   read(wish, [&](std::span<const double> piece) { stream.push(piece); });
   stream.finish();
   builder.finish();
-  channel.close();
   const auto found = places(builder, reading.first, d);
   const IndexAnswer answer{wish, d, reading, taps, shortest, builder, found};
   const tool::Summary summary = summary_of(answer);
   summary.print();
-  if (!wish.out) return;
-  write_lists(answer);
-  table::write_file(*wish.out / "extremes.csv", channel.extremes());
-  summary.write_json(*wish.out / "index.json");
-  plot::render(tools::scripts("quality") / "index.gp",
-               {*wish.out / "extremes.csv", *wish.out / "exceedances.csv",
-                *wish.out / "histogram.csv", *wish.out / "threshold.csv"},
-               *wish.out / "index.png");
+  if (out) {
+    write_lists(out, answer);
+    out.add("extremes.csv", channel.extremes());
+    out.add("index.json", summary.json());
+    out.figure(tools::scripts("quality") / "index.gp",
+               {"extremes.csv", "exceedances.csv", "histogram.csv", "threshold.csv"}, "index.png");
+  }
+  out.commit();
 }
 
 }  // namespace

@@ -3,6 +3,8 @@ set terminal pngcairo size 1000,850
 set output ARG2
 stats ARG5 using "threshold" nooutput
 T = STATS_max
+stats ARG5 using "places" nooutput
+places = STATS_max
 set multiplot layout 2,1
 set lmargin 10
 set key above horizontal maxrows 1
@@ -11,7 +13,6 @@ set xlabel "distance, km"
 set ylabel "descriptor"
 set arrow 1 from graph 0,first T to graph 1,first T nohead ls guide front
 set arrow 2 from graph 0,first -T to graph 1,first -T nohead ls guide front
-places = int(system("wc -l < '".ARG3."'")) - 1
 if (places > 0) {
   plot ARG1 using "distance_km":"low":"high" with filledcurves lc rgb blue title "descriptor", \
        ARG3 using (column("distance_m")/1000):"descriptor" with points lc rgb red pt 6 ps 1.2 title sprintf("beyond %g", T)

@@ -91,7 +91,8 @@ tool::Summary summary_of(const IndexAnswer& answer) {
 
 namespace {
 
-void write_segments(const IndexWish& wish, double spacing, const quality::IndexBuilder& builder) {
+void write_segments(tool::OutFolder& out, const IndexWish& wish, double spacing,
+                    const quality::IndexBuilder& builder) {
   std::string text =
       "from_m,to_m,samples,missing,mean,deviation,rms,largest,above_per_km,exceedances,class\n";
   for (const quality::Segment& segment : builder.segments()) {
@@ -102,26 +103,26 @@ void write_segments(const IndexWish& wish, double spacing, const quality::IndexB
         q.rms, q.largest, q.above_per_km, segment.sums.exceedances,
         q.missing == q.samples ? "missing" : class_of(wish, q.largest));
   }
-  table::write_file(*wish.out / "segments.csv", text);
+  out.add("segments.csv", text);
 }
 
 }  // namespace
 
-void write_lists(const IndexAnswer& answer) {
-  const std::filesystem::path& out = *answer.wish.out;
+void write_lists(tool::OutFolder& out, const IndexAnswer& answer) {
   std::string list = "distance_m,descriptor,wavelength_m,length_m,limit,unsure\n";
   for (const Place& p : answer.found)
     list += fmt::format("{},{:.6g},{:.6g},{:.6g},{},{}\n", table::csv_number(p.at), p.e.peak,
                         p.e.wavelength, p.e.length, p.limit, p.unsure ? "yes" : "no");
-  table::write_file(out / "exceedances.csv", list);
+  out.add("exceedances.csv", list);
   std::string bars = "descriptor,samples\n";
   for (std::size_t i = 0; i < answer.builder.histogram().size(); ++i)
     bars += fmt::format("{:.2f},{}\n", (static_cast<double>(i) + 0.5) * quality::IndexBuilder::bin,
                         answer.builder.histogram()[i]);
-  table::write_file(out / "histogram.csv", bars);
-  write_segments(answer.wish, answer.reading.spacing, answer.builder);
-  table::write_file(out / "threshold.csv", fmt::format("threshold,shortest_m\n{:g},{:g}\n",
-                                                       answer.wish.threshold, answer.shortest));
+  out.add("histogram.csv", bars);
+  write_segments(out, answer.wish, answer.reading.spacing, answer.builder);
+  out.add("threshold.csv",
+          fmt::format("threshold,shortest_m,places\n{:g},{:g},{}\n", answer.wish.threshold,
+                      answer.shortest, answer.found.size()));
 }
 
 }  // namespace railbook::quality_tool

@@ -10,6 +10,7 @@
 #include "quality/car_options.hpp"
 #include "quality/descriptor_filter.hpp"
 #include "quality/quality_index.hpp"
+#include "tool/out_folder.hpp"
 
 namespace railbook::quality_tool {
 
@@ -54,6 +55,6 @@ struct IndexAnswer {
 };
 tool::Summary summary_of(const IndexAnswer& answer);
 // exceedances.csv, segments.csv, histogram.csv and threshold.csv.
-void write_lists(const IndexAnswer& answer);
+void write_lists(tool::OutFolder& out, const IndexAnswer& answer);
 
 }  // namespace railbook::quality_tool

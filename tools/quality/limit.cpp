@@ -20,9 +20,9 @@ third line is a car whose static load exceeds the limit: it is refused, *no admi
 #include <vector>
 
 #include "num/log_spaced.hpp"
-#include "plot/plot.hpp"
 #include "quality/car_options.hpp"
 #include "table/csv.hpp"
+#include "tool/out_folder.hpp"
 #include "tools.hpp"
 #include "units/constants.hpp"
 #include "units/input_error.hpp"
@@ -117,25 +117,31 @@ struct Wish {
   std::optional<std::filesystem::path> out;
 };
 
-void write_files(const std::filesystem::path& out, const quality::Descriptor& d,
+void write_files(tool::OutFolder& out, const quality::Descriptor& d,
                  const quality::Envelope& envelope, const tool::Summary& answer) {
   std::string text = fmt::format("wavelength_m,amplitude_cm{}{}\n", d.stroke ? ",stroke_cm" : "",
                                  d.force ? ",force_cm" : "");
+  std::string drawn = "wavelength_m,amplitude_cm,stroke_cm,force_cm\n";  // all columns, some empty
   for (const double w : num::log_spaced(0.5, 1000, 80)) {
     const auto mode = [&](const auto& one) {
-      const double amplitude =
-          one ? quality::allowed_amplitude(severity(*one, d.speed, 1 / w)) / cm : 0;
-      return one ? fmt::format(",{:.6g}", amplitude) : std::string{};
+      return one ? fmt::format(",{:.6g}",
+                               quality::allowed_amplitude(severity(*one, d.speed, 1 / w)) / cm)
+                 : std::string{};
     };
-    text += fmt::format("{:.6g},{:.6g}{}{}\n", w, quality::allowed_amplitude(envelope(1 / w)) / cm,
-                        mode(d.stroke), mode(d.force));
+    const std::string both =
+        fmt::format("{:.6g},{:.6g}", w, quality::allowed_amplitude(envelope(1 / w)) / cm);
+    const std::string stroke = mode(d.stroke), force = mode(d.force);
+    text += both + stroke + force + "\n";
+    drawn += both + (d.stroke ? stroke : ",nan") + (d.force ? force : ",nan") + "\n";
   }
-  table::write_file(out / "limit.csv", text);
-  answer.write_json(out / "limit.json");
-  plot::render(tools::scripts("quality") / "limit.gp", {out / "limit.csv"}, out / "limit.png");
+  out.add("limit.csv", text);
+  out.scratch("drawn.csv", drawn);
+  out.add("limit.json", answer.json());
+  out.figure(tools::scripts("quality") / "limit.gp", {"drawn.csv"}, "limit.png");
 }
 
 void limit(const Wish& wish) {
+  tool::OutFolder out(wish.out, {"limit.csv", "limit.json", "limit.png"});
   const quality::Descriptor d = descriptor(wish.car);
   const quality::Envelope envelope{d};
   tool::Summary answer{"amplitude allowed in the track"};
@@ -146,8 +152,9 @@ void limit(const Wish& wish) {
     answer.add(fmt::format("amplitude_cm_at_{:.4g}_m", w), fmt::format("at {:.4g} m", w),
                quality::allowed_amplitude(all) / cm, "cm", by_force ? "wheel force" : "stroke");
   }
-  if (wish.out) write_files(*wish.out, d, envelope, answer);
   answer.print();
+  if (out) write_files(out, d, envelope, answer);
+  out.commit();
 }
 
 }  // namespace

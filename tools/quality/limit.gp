@@ -6,10 +6,6 @@ set format y "%g"
 set key top left
 set xlabel "wavelength, m"
 set ylabel "allowed amplitude, cm"
-columns = system("head -n 1 '".ARG1."'")
-curves = "ARG1 using \"wavelength_m\":\"amplitude_cm\" with lines lt 1 lw 10 lc rgb light title \"what counts\""
-if (strstrt(columns, "stroke_cm")) \
-  curves = curves.", ARG1 using \"wavelength_m\":\"stroke_cm\" with lines lt 2 title \"stroke\""
-if (strstrt(columns, "force_cm")) \
-  curves = curves.", ARG1 using \"wavelength_m\":\"force_cm\" with lines lt 3 title \"wheel force\""
-eval "plot ".curves
+plot ARG1 using "wavelength_m":"amplitude_cm" with lines lt 1 lw 10 lc rgb light title "what counts", \
+     ARG1 using "wavelength_m":"stroke_cm" with lines lt 2 title "stroke", \
+     ARG1 using "wavelength_m":"force_cm" with lines lt 3 title "wheel force"

@@ -16,8 +16,8 @@ distance zero; a raised joint is a profile too. Data that are not given are thos
 #include <cmath>
 #include <optional>
 
-#include "plot/plot.hpp"
 #include "table/csv.hpp"
+#include "tool/out_folder.hpp"
 #include "tool/summary.hpp"
 #include "tools.hpp"
 #include "track/impact_peaks.hpp"
@@ -135,8 +135,7 @@ void add_peaks(tool::Summary& answer, const ImpactHistory& history) {
   answer.add("evaluations", "evaluations of the model", double(history.evaluations), "");
 }
 
-void write_files(const std::filesystem::path& out, const ImpactHistory& history,
-                 const tool::Summary& answer) {
+void write_files(tool::OutFolder& out, const ImpactHistory& history, const tool::Summary& answer) {
   std::string text = "time_ms,force_kN,wheel_mm,rail_mm,bed_mm,surface_mm\n";
   const double begin = std::max(history.begin(), -0.005), end = history.end();
   const int steps = int(std::ceil((end - begin) / 2e-5));
@@ -147,12 +146,13 @@ void write_files(const std::filesystem::path& out, const ImpactHistory& history,
                         history.force(t) / units::kilonewton, 1e3 * y[0], 1e3 * y[2], 1e3 * y[4],
                         1e3 * surface_at(history.surface, history.speed * t).z);
   }
-  table::write_file(out / "joint.csv", text);
-  answer.write_json(out / "joint.json");
-  plot::render(tools::scripts("track") / "joint.gp", {out / "joint.csv"}, out / "joint.png");
+  out.add("joint.csv", text);
+  out.add("joint.json", answer.json());
+  out.figure(tools::scripts("track") / "joint.gp", {"joint.csv"}, "joint.png");
 }
 
 void run(const Wish& wish) {
+  tool::OutFolder out(wish.out, {"joint.csv", "joint.json", "joint.png"});
   const Surface surface = surface_of(wish);
   tool::Summary answer("Wheel/rail force over a joint, one wheel");
   answer.add("speed_m_per_s", "speed", wish.speed, "m/s",
@@ -176,7 +176,8 @@ void run(const Wish& wish) {
         to_string(history.status)));
   add_peaks(answer, history);
   answer.print();
-  if (wish.out) write_files(*wish.out, history, answer);
+  if (out) write_files(out, history, answer);
+  out.commit();
 }
 
 std::function<void()> declare(tool::Options& options) {

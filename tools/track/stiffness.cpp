@@ -17,8 +17,8 @@ assumed in the answer. Quantities carry their unit; a TOML file (`--config`) may
 #include <cmath>
 #include <optional>
 
-#include "plot/plot.hpp"
 #include "table/csv.hpp"
+#include "tool/out_folder.hpp"
 #include "tool/summary.hpp"
 #include "tools.hpp"
 #include "track/joint.hpp"
@@ -158,8 +158,8 @@ double deflection(const WinklerBeam& beam, const Joint& joint, const Wish& wish,
   return sum;
 }
 
-void write_files(const WinklerBeam& beam, const Joint& joint, const Wish& wish,
-                 const tool::Summary& answer) {
+void write_files(tool::OutFolder& out, const WinklerBeam& beam, const Joint& joint,
+                 const Wish& wish, const tool::Summary& answer) {
   const auto [first, last] = std::ranges::minmax(wish.wheels);
   const double margin = 5 / beam.beta();
   std::string text = "distance_m,deflection_mm,support_kN_per_m\n";
@@ -170,11 +170,9 @@ void write_files(const WinklerBeam& beam, const Joint& joint, const Wish& wish,
     text += fmt::format("{:.6g},{:.6g},{:.6g}\n", x, y / units::millimetre,
                         beam.foundation_modulus * y / units::kilonewton);
   }
-  const auto& out = *wish.out;
-  table::write_file(out / "stiffness.csv", text);
-  answer.write_json(out / "stiffness.json");
-  plot::render(tools::scripts("track") / "stiffness.gp", {out / "stiffness.csv"},
-               out / "stiffness.png");
+  out.add("stiffness.csv", text);
+  out.add("stiffness.json", answer.json());
+  out.figure(tools::scripts("track") / "stiffness.gp", {"stiffness.csv"}, "stiffness.png");
 }
 
 // Wheels are named by their position to the millimetre.
@@ -187,6 +185,7 @@ void require_apart(std::vector<double> wheels) {
 }
 
 void run(const Wish& wish) {
+  tool::OutFolder out(wish.out, {"stiffness.csv", "stiffness.json", "stiffness.png"});
   const auto& rail = rail_section(wish.rail);
   const Joint joint = joint_of(wish);
   const bool parts_given =
@@ -227,7 +226,8 @@ void run(const Wish& wish) {
   }
   if (!wish.modulus) lumped(wish, rail, support, answer);
   answer.print();
-  if (wish.out) write_files(beam, joint, wish, answer);
+  if (out) write_files(out, beam, joint, wish, answer);
+  out.commit();
 }
 
 std::function<void()> declare(tool::Options& options) {

@@ -1,0 +1,241 @@
+#include "files/out_file.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "units/input_error.hpp"
+
+namespace railbook::files {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string reason(int error) {
+  return std::generic_category().message(error);
+}
+
+// Errors of the machine rather than of the name that was given.
+bool is_of_machine(int error) {
+  for (const int e : {ENOSPC, EDQUOT, EIO, EFBIG, EMFILE, ENFILE, ENOMEM})
+    if (error == e) return true;
+  return false;
+}
+
+[[noreturn]] void refuse(const char* what, const fs::path& file, const std::string& why) {
+  throw InputError(std::string(what) + " " + shown(file) + ": cannot be written: " + why);
+}
+
+// A destination that the system refuses.
+[[noreturn]] void refuse(const char* what, const fs::path& file, int error) {
+  if (is_of_machine(error))
+    throw OutsideError(std::string(what) + " " + shown(file) +
+                       ": cannot be written: " + reason(error));
+  refuse(what, file, reason(error));
+}
+
+fs::path folder_of(const fs::path& file) {
+  return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+fs::path temporary_beside(const fs::path& file) {
+  static unsigned count = 0;
+  return folder_of(file) /
+         (".railbook-" + std::to_string(getpid()) + "-" + std::to_string(++count) + ".part");
+}
+
+int open_new(const fs::path& file) {
+  return open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+}
+
+}  // namespace
+
+bool is_standard_output(const fs::path& file) {
+  for (const char* name : {"-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"})
+    if (file == name) return true;
+  return false;
+}
+
+void require_replaceable(const fs::path& file) {
+  if (file.empty()) throw InputError("file \"\": the name is empty; allowed: the name of a file");
+  if (!file.has_filename()) refuse("file", file, "it names a folder");
+  struct stat now {};
+  if (lstat(file.c_str(), &now) != 0) {
+    if (errno == ENOENT) return;
+    refuse("file", file, errno);
+  }
+  if (S_ISLNK(now.st_mode)) {
+    std::error_code ignored;
+    refuse("file", file,
+           "it is a symbolic link, to " + shown(fs::read_symlink(file, ignored)) +
+               "; give the name of the file itself");
+  }
+  if (S_ISDIR(now.st_mode)) refuse("file", file, "it is a folder");
+  if (!S_ISREG(now.st_mode))
+    refuse("file", file,
+           "it is a device, a pipe or a socket; allowed: a regular file, or - for standard output");
+  if ((now.st_mode & 0222) == 0 || access(file.c_str(), W_OK) != 0)
+    refuse("file", file, "it is read-only");
+}
+
+void require_no_link(const fs::path& folder) {
+  struct stat now {};
+  if (lstat(folder.c_str(), &now) != 0 || !S_ISLNK(now.st_mode)) return;
+  std::error_code ignored;
+  refuse("folder", folder,
+         "it is a symbolic link, to " + shown(fs::read_symlink(folder, ignored)) +
+             "; end the name in a slash to follow it");
+}
+
+MadeFolder::MadeFolder(fs::path folder) {
+  if (folder.empty()) folder = ".";
+  struct stat now {};
+  fs::path so_far;
+  for (const fs::path& part : folder) {
+    so_far /= part;
+    if (part.empty() || stat(so_far.c_str(), &now) == 0) continue;
+    const SignalsWait wait;
+    if (mkdir(so_far.c_str(), 0777) == 0) {
+      made_.emplace_back(so_far);
+    } else if (errno != EEXIST) {
+      refuse("folder", folder, errno);
+    }
+  }
+  if (stat(folder.c_str(), &now) != 0) refuse("folder", folder, errno);
+  if (!S_ISDIR(now.st_mode)) refuse("folder", folder, ENOTDIR);
+  const Doomed trial(temporary_beside(folder / "trial"));
+  const int descriptor = open_new(trial.path());
+  if (descriptor < 0) refuse("folder", folder, errno);
+  close(descriptor);
+}
+
+MadeFolder::~MadeFolder() {
+  while (!made_.empty()) made_.pop_back();  // the innermost first
+}
+
+void MadeFolder::keep() {
+  for (Doomed& folder : made_) folder.keep();
+}
+
+struct OutFile::State {
+  explicit State(fs::path file)
+      : destination(std::move(file)), standard(is_standard_output(destination)) {
+    if (standard) return;
+    require_replaceable(destination);
+    part.emplace(temporary_beside(destination));
+    descriptor = open_new(part->path());
+    if (descriptor < 0) refuse("file", destination, errno);
+    struct stat old {};
+    if (lstat(destination.c_str(), &old) != 0) return;
+    if (fchmod(descriptor, old.st_mode & 07777) != 0) refuse("file", destination, errno);
+    if (fchown(descriptor, old.st_uid, old.st_gid) != 0) return;  // whose it was, where we may
+  }
+  ~State() {
+    if (descriptor >= 0) close(descriptor);
+  }
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+
+  [[noreturn]] void fail(int error) const {
+    const std::string who = standard ? "standard output" : "file " + shown(destination);
+    const std::string text = who + ": cannot be written: " + reason(error);
+    if (standard && error == EPIPE) throw ClosedPipe(text);
+    throw OutsideError(text);
+  }
+
+  void flush() {
+    if (standard) flush_standard_output();
+    const int error = write_all(standard ? STDOUT_FILENO : descriptor, buffer);
+    if (error != 0) fail(error);
+    buffer.clear();
+  }
+
+  // All of it is on its way to the disk.
+  void finish() {
+    flush();
+    if (descriptor >= 0 && close(std::exchange(descriptor, -1)) != 0) fail(errno);
+  }
+
+  fs::path destination;
+  bool standard;
+  std::optional<Doomed> part;
+  int descriptor = -1;
+  std::string buffer;
+};
+
+OutFile::OutFile(fs::path destination) : state_(std::make_unique<State>(std::move(destination))) {}
+OutFile::~OutFile() = default;
+OutFile::OutFile(OutFile&&) noexcept = default;
+
+void OutFile::write(std::string_view text) {
+  constexpr std::size_t enough = 1 << 16;
+  state_->buffer += text;
+  if (state_->buffer.size() >= enough) state_->flush();
+}
+
+const fs::path& OutFile::destination() const {
+  return state_->destination;
+}
+
+const fs::path& OutFile::staged() {
+  state_->flush();
+  return state_->part.value().path();
+}
+
+bool OutFile::to_standard_output() const {
+  return state_->standard;
+}
+
+void OutFile::commit() {
+  files::commit(std::span(this, 1));
+}
+
+void commit(std::span<OutFile> all) {
+  flush_standard_output();
+  for (OutFile& file : all) file.state_->finish();
+  for (const OutFile& file : all)
+    if (!file.state_->standard) require_replaceable(file.state_->destination);
+  const SignalsWait wait;
+  // The old files step aside until all the new ones are in place (for one file, a rename does both at once).
+  std::vector<std::pair<fs::path, fs::path>> aside, placed;
+  const auto move = [](const fs::path& from, const fs::path& to, auto& done) {
+    if (rename(from.c_str(), to.c_str()) != 0) return false;
+    done.emplace_back(from, to);
+    return true;
+  };
+  for (OutFile& file : all) {
+    OutFile::State& s = *file.state_;
+    if (s.standard) continue;
+    std::error_code ignored;
+    const bool old = all.size() > 1 && fs::exists(s.destination, ignored);
+    if ((!old || move(s.destination, temporary_beside(s.destination), aside)) &&
+        move(s.part->path(), s.destination, placed))
+      continue;
+    const int error = errno;
+    for (const auto& [from, to] : placed) rename(to.c_str(), from.c_str());
+    for (const auto& [from, to] : aside) rename(to.c_str(), from.c_str());
+    s.fail(error);
+  }
+  for (const auto& [from, to] : aside) unlink(to.c_str());
+  for (OutFile& file : all) {
+    OutFile::State& s = *file.state_;
+    if (s.part) s.part->keep();
+  }
+}
+
+void write(const fs::path& file, std::string_view text) {
+  require_replaceable(file);
+  MadeFolder folder(folder_of(file));
+  OutFile out(file);
+  out.write(text);
+  out.commit();
+  folder.keep();
+}
+
+}  // namespace railbook::files

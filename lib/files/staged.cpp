@@ -1,0 +1,167 @@
+#include "files/staged.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <system_error>
+#include <utility>
+
+#include "files/outside.hpp"
+
+namespace railbook::files {
+namespace {
+
+// All that a signal handler may touch: names in fixed places, and a process.
+constexpr std::size_t slots = 4096;
+constexpr std::size_t none = slots;
+std::array<std::atomic<char*>, slots> names{};
+std::atomic<pid_t> child{0};
+constexpr std::array fatal{SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXCPU};
+
+void remove_name(const char* name) {
+  if (unlink(name) != 0) rmdir(name);
+}
+
+// Async-signal-safe: only atomics, kill, unlink, rmdir, signal and raise. Later names first: files before their folders.
+extern "C" void end_by_signal(int signal) {
+  if (const pid_t running = child.exchange(0); running > 0) kill(-running, SIGKILL);
+  for (std::size_t i = slots; i-- > 0;)
+    if (const char* name = names[i].exchange(nullptr)) remove_name(name);
+  ::signal(signal, SIG_DFL);
+  raise(signal);
+}
+
+// Slots are handed out upwards, so that what was made later is removed first.
+std::size_t take_slot(const std::filesystem::path& path) {
+  std::size_t last = slots;
+  while (last > 0 && names[last - 1].load() == nullptr) --last;
+  if (last == slots) throw OutsideError("too many temporary files at a time");
+  names[last].store(strdup(path.c_str()));
+  return last;
+}
+
+[[noreturn]] void fail(const std::filesystem::path& path, int error) {
+  throw OutsideError("temporary file " + shown(path) + ": " +
+                     std::generic_category().message(error));
+}
+
+std::filesystem::path temporary_folder() {
+  const char* base = std::getenv("TMPDIR");
+  std::string pattern = base != nullptr && base[0] == '/' ? base : "/tmp";
+  pattern += "/railbook-XXXXXX";
+  const SignalsWait wait;
+  if (mkdtemp(pattern.data()) == nullptr) fail(pattern, errno);
+  return pattern;
+}
+
+}  // namespace
+
+Doomed::Doomed(std::filesystem::path name) : path_(std::move(name)), slot_(take_slot(path_)) {}
+
+Doomed::Doomed(Doomed&& other) noexcept
+    : path_(other.path_), slot_(std::exchange(other.slot_, none)) {}
+
+Doomed::~Doomed() {
+  if (slot_ == none) return;
+  char* name = names[slot_].exchange(nullptr);
+  if (name != nullptr) remove_name(name);
+  std::free(name);
+}
+
+void Doomed::keep() {
+  if (slot_ != none) std::free(names[std::exchange(slot_, none)].exchange(nullptr));
+}
+
+DoomedChild::DoomedChild(pid_t process) {
+  child = process;
+}
+DoomedChild::~DoomedChild() {
+  child = 0;
+}
+
+namespace {
+
+sigset_t fatal_set() {
+  sigset_t set;
+  sigemptyset(&set);
+  for (const int signal : fatal) sigaddset(&set, signal);
+  return set;
+}
+
+int waiting = 0;
+
+}  // namespace
+
+SignalsWait::SignalsWait() {
+  const sigset_t set = fatal_set();
+  if (waiting++ == 0) sigprocmask(SIG_BLOCK, &set, nullptr);
+}
+
+SignalsWait::~SignalsWait() {
+  const sigset_t set = fatal_set();
+  if (--waiting == 0) sigprocmask(SIG_UNBLOCK, &set, nullptr);
+}
+
+int write_all(int descriptor, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t n = ::write(descriptor, text.data(), text.size());
+    if (n < 0 && errno != EINTR) return errno;
+    if (n > 0) text.remove_prefix(static_cast<std::size_t>(n));
+  }
+  return 0;
+}
+
+PrivateFolder::PrivateFolder() {
+  const SignalsWait wait;
+  doomed_.emplace_back(temporary_folder());
+}
+
+PrivateFolder::~PrivateFolder() {
+  while (!doomed_.empty()) doomed_.pop_back();
+}
+
+std::filesystem::path PrivateFolder::expect(std::string_view name) {
+  doomed_.emplace_back(path() / name);
+  return doomed_.back().path();
+}
+
+std::filesystem::path PrivateFolder::write(std::string_view name, std::string_view text) {
+  const std::filesystem::path file = expect(name);
+  const int descriptor = open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+  if (descriptor < 0) fail(file, errno);
+  int error = write_all(descriptor, text);
+  if (close(descriptor) != 0 && error == 0) error = errno;
+  if (error != 0) fail(file, error);
+  return file;
+}
+
+std::filesystem::path PrivateFolder::link(std::string_view name,
+                                          const std::filesystem::path& file) {
+  const std::filesystem::path here = expect(name);
+  if (symlink(std::filesystem::absolute(file).c_str(), here.c_str()) != 0) fail(here, errno);
+  return here;
+}
+
+void prepare_process() {
+  // A closed standard stream is held by /dev/null opened for the other direction: uses of it fail, as they should.
+  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (fcntl(descriptor, F_GETFD) < 0 && errno == EBADF)
+      if (open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY) < 0) break;
+  ::signal(SIGXFSZ, SIG_IGN);
+  struct sigaction action {};
+  action.sa_handler = end_by_signal;
+  sigfillset(&action.sa_mask);
+  for (const int signal : fatal) {
+    struct sigaction before {};
+    sigaction(signal, nullptr, &before);
+    if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);
+  }
+}
+
+}  // namespace railbook::files

@@ -1,0 +1,61 @@
+#include "tool/out_folder.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "plot/plot.hpp"
+#include "units/input_error.hpp"
+
+namespace railbook::tool {
+
+OutFolder::OutFolder(const std::optional<std::filesystem::path>& folder,
+                     std::vector<std::string> names)
+    : names_(std::move(names)) {
+  if (!folder) return;
+  folder_ = *folder;
+  if (folder_.empty()) throw InputError("out is empty; allowed: the name of a folder");
+  if (files::is_standard_output(folder_))
+    throw InputError("out is " + files::shown(folder_) +
+                     ", standard output; allowed: the name of a folder (./- for one called -)");
+  files::require_no_link(folder_);
+  files_.reserve(names_.size());  // references to its elements are given out
+  made_.emplace(folder_);
+  for (const std::string& name : names_) files::require_replaceable(folder_ / name);
+}
+
+OutFolder::~OutFolder() = default;
+
+files::OutFile& OutFolder::stream(const std::string& name) {
+  if (std::find(names_.begin(), names_.end(), name) == names_.end() || drawable_.count(name) > 0)
+    throw std::logic_error("file " + name + " was not announced, or is there already");
+  files_.emplace_back(folder_ / name);
+  drawable_[name].clear();
+  return files_.back();
+}
+
+void OutFolder::add(const std::string& name, std::string_view text) {
+  files::OutFile& file = stream(name);
+  file.write(text);
+  drawable_[name] = file.staged();
+}
+
+void OutFolder::scratch(const std::string& name, std::string_view text) {
+  if (!scratch_) scratch_.emplace();
+  drawable_[name] = scratch_->write(name, text);
+}
+
+void OutFolder::figure(const std::filesystem::path& script, const std::vector<std::string>& data,
+                       const std::string& png) {
+  std::vector<std::filesystem::path> paths;
+  for (const std::string& name : data) paths.push_back(drawable_.at(name));
+  add(png, plot::draw(script, paths, plot::Missing::allowed));
+}
+
+void OutFolder::commit() {
+  if (!made_) return;
+  files::commit(files_);
+  made_->keep();
+}
+
+}  // namespace railbook::tool

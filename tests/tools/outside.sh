@@ -1,0 +1,94 @@
+#!/bin/bash
+# outside.sh CASE RAILBOOK TRACK: what the world outside does to the tools. TRACK is a record that `quality index` reads.
+# Status 3, or the signal's; a reason; and neither results nor temporary files are left.
+case=$1 railbook=$2 track=$3
+folder=$(mktemp -d) || exit 77
+trap 'rm -rf "$folder"' EXIT
+mkdir "$folder/run" "$folder/tmp"
+cd "$folder/run" || exit 77
+export TMPDIR=$folder/tmp
+bad() { echo "BAD: $1"; cat "$folder/said"; exit 1; }
+expect() { [ "$status" = "$1" ] || bad "status $status, not $1"; }
+says() { grep -q -e "$1" "$folder/said" || bad "does not say $1"; }
+quiet() { [ -s "$folder/said" ] && bad "says something"; }
+clean() { [ -z "$(ls -A "$folder/run" "$folder/tmp" | grep -v -e : -e '^$')" ] || bad "left $(ls -A "$folder/run" "$folder/tmp")"; }
+limit=(quality limit --speed 100km/h)
+fake() { # a gnuplot that runs $1
+  printf '#!/bin/sh\n%s\n' "$1" >"$folder/gnuplot"
+  chmod +x "$folder/gnuplot"
+  export RAILBOOK_GNUPLOT=$folder/gnuplot
+}
+waits_for() { for _ in $(seq 600); do ls -A "$1" | grep -q "$2" && return; sleep 0.05; done; bad "never began"; }
+case $case in
+  "a full pipe")
+    [ -c /dev/full ] || exit 77
+    for arguments in "psd synthesize -" "psd synthesize /dev/stdout" "quality limit --speed 100km/h" "quality limit --speed 100km/h --out mine" "--help"; do
+      "$railbook" $arguments >/dev/full 2>"$folder/said"
+      status=$?
+      expect 3; says "No space left on device"; clean
+    done ;;
+  "a closed standard output")
+    "$railbook" "${limit[@]}" --out mine >&- 2>"$folder/said"
+    status=$?
+    expect 3; says "standard output"; clean ;;
+  "a reader that goes away")
+    { "$railbook" psd synthesize - --length 1000km 2>"$folder/said"; echo $? >"$folder/status"; } | head -n 2 >/dev/null
+    status=$(cat "$folder/status")
+    expect 141; quiet
+    { (trap '' PIPE; exec "$railbook" psd synthesize - --length 1000km 2>"$folder/said"); echo $? >"$folder/status"; } | head -n 2 >/dev/null
+    status=$(cat "$folder/status")
+    expect 3; quiet; clean ;;
+  "a size limit")
+    for arguments in "psd synthesize big.csv --length 1000km" "quality index $track --column crosslevel --speed 100km/h --out mine"; do
+      (ulimit -f 16; exec "$railbook" $arguments) >/dev/null 2>"$folder/said"
+      status=$?
+      expect 3; says "File too large"; clean
+    done ;;
+  "a disk that cannot be read")
+    head -c 1 /proc/self/mem >/dev/null 2>&1 && exit 77
+    [ -r /proc/self/mem ] || exit 77
+    "$railbook" quality index /proc/self/mem --speed 100km/h >/dev/null 2>"$folder/said"
+    status=$?
+    expect 3; says "Input/output error"; clean ;;
+  "an interrupt in mid-write")
+    timeout --preserve-status -s INT 2 "$railbook" psd synthesize big.csv --length 1000000km >/dev/null 2>"$folder/said"
+    status=$?
+    expect 130; clean ;;
+  "an end in mid-write")
+    "$railbook" psd synthesize big.csv --length 1000000km >/dev/null 2>"$folder/said" &
+    waits_for "$folder/run" part
+    kill -TERM $!; wait $!
+    status=$?
+    expect 143; clean ;;
+  "an end while gnuplot draws")
+    fake 'echo $$ > "'$folder'/child"; sleep 600 & sleep 600'
+    "$railbook" "${limit[@]}" --out mine >/dev/null 2>"$folder/said" &
+    tool=$!
+    waits_for "$folder" child
+    kill -TERM $tool; wait $tool
+    status=$?
+    expect 143; clean
+    sleep 0.2
+    ps -e -o pgid=,stat= | grep -q "^ *$(cat "$folder/child") [^Z]" && bad "gnuplot still runs"
+    true ;;
+  "a gnuplot that hangs")
+    fake 'sleep 600'
+    export RAILBOOK_GNUPLOT_SECONDS=1
+    "$railbook" "${limit[@]}" --out mine >/dev/null 2>"$folder/said"
+    status=$?
+    expect 3; says "was ended after 1 s"; clean ;;
+  "a gnuplot that fails")
+    fake 'echo no fonts >&2; exit 4'
+    "$railbook" "${limit[@]}" --out mine >/dev/null 2>"$folder/said"
+    status=$?
+    expect 3; says "exit status 4"; says "no fonts"; clean ;;
+  "no gnuplot")
+    RAILBOOK_GNUPLOT=$folder/none "$railbook" "${limit[@]}" --out mine >/dev/null 2>"$folder/said"
+    status=$?
+    expect 3; says "cannot run"; clean ;;
+  "a folder for temporary files that is not there")
+    TMPDIR=$folder/none "$railbook" "${limit[@]}" --out mine >/dev/null 2>"$folder/said"
+    status=$?
+    expect 3; says "No such file or directory"; clean ;;
+  *) exit 1 ;;
+esac
