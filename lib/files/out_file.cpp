@@ -93,26 +93,38 @@ void require_no_link(const fs::path& folder) {
              "; end the name in a slash to follow it");
 }
 
-MadeFolder::MadeFolder(fs::path folder) {
-  if (folder.empty()) folder = ".";
+void require_makeable(const fs::path& folder) {
+  fs::path there;  // the innermost part that exists
   struct stat now {};
-  fs::path so_far;
   for (const fs::path& part : folder) {
-    so_far /= part;
-    if (part.empty() || stat(so_far.c_str(), &now) == 0) continue;
-    const SignalsWait wait;
-    if (mkdir(so_far.c_str(), 0777) == 0) {
-      made_.emplace_back(so_far);
-    } else if (errno != EEXIST) {
+    if (part.empty()) continue;
+    const fs::path next = there / part;
+    if (stat(next.c_str(), &now) != 0) {
+      if (errno == ENOENT) break;
       refuse("folder", folder, errno);
     }
+    if (!S_ISDIR(now.st_mode)) refuse("folder", folder, ENOTDIR);
+    there = next;
   }
-  if (stat(folder.c_str(), &now) != 0) refuse("folder", folder, errno);
-  if (!S_ISDIR(now.st_mode)) refuse("folder", folder, ENOTDIR);
-  const Doomed trial(temporary_beside(folder / "trial"));
+  const Doomed trial(temporary_beside(there / "trial"));
   const int descriptor = open_new(trial.path());
   if (descriptor < 0) refuse("folder", folder, errno);
   close(descriptor);
+}
+
+MadeFolder::MadeFolder(fs::path folder) {
+  require_makeable(folder);
+  fs::path so_far;
+  for (const fs::path& part : folder) {
+    so_far /= part;
+    if (part.empty()) continue;
+    const SignalsWait wait;
+    if (mkdir(so_far.c_str(), 0777) == 0) {
+      made_.emplace_back(so_far);
+    } else if (errno != EEXIST && !fs::is_directory(so_far)) {
+      refuse("folder", folder, errno);
+    }
+  }
 }
 
 MadeFolder::~MadeFolder() {

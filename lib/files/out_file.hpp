@@ -29,8 +29,10 @@ void require_replaceable(const std::filesystem::path& file);
 // Throws InputError when `folder` is a symbolic link and its name does not end in a slash.
 void require_no_link(const std::filesystem::path& folder);
 
-// A folder and its parents, made now; those that were made are removed again unless kept.
-// Throws InputError, with the reason, when it cannot be made or written to.
+// Throws InputError, with the reason, when `folder` cannot be written to, or made where it is not there yet.
+void require_makeable(const std::filesystem::path& folder);
+
+// A folder and its parents, made now; those that were made are removed again unless kept. Throws like require_makeable.
 class MadeFolder {
  public:
   explicit MadeFolder(std::filesystem::path folder);

@@ -165,14 +165,16 @@ bool is_complete_png(std::string_view bytes) {
 
 void require_file(const fs::path& script, std::string_view what, const fs::path& file) {
   if (!fs::is_regular_file(file)) {
-    throw PlotError(script.string() + ": " + std::string(what) + " " + files::shown(file) +
+    throw PlotError(script.string() + ": " + std::string(what) + " " + file.string() +
                     " does not exist");
   }
 }
 
 std::string contents(const fs::path& file) {
   std::ostringstream whole;
-  whole << std::ifstream(file, std::ios::binary).rdbuf();
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw PlotError("file " + files::shown(file) + ": cannot be read");
+  whole << in.rdbuf();
   return whole.str();
 }
 
@@ -198,7 +200,7 @@ fs::path shared(std::string_view name) {
   std::error_code ignored;
   const fs::path here = fs::read_symlink("/proc/self/exe", ignored).parent_path();
   for (const fs::path& root : {here / "../share/railbook", here / "../.."})
-    if (fs::exists(root / name, ignored)) return (root / name).lexically_normal();
+    if (fs::exists(root / "lib/plot/style.gp", ignored)) return (root / name).lexically_normal();
   return fs::path(RAILBOOK_SOURCE_DIR) / name;
 }
 
@@ -225,7 +227,7 @@ std::string draw(const fs::path& script, const std::vector<fs::path>& data, Miss
     throw PlotError(script.string() + ": gnuplot failed (" + how + ")" + said);
   }
   if (!said.empty()) throw PlotError(script.string() + ": gnuplot complained" + said);
-  std::string bytes = contents(png);
+  std::string bytes = fs::exists(png) ? contents(png) : std::string{};
   if (!is_complete_png(bytes)) {
     throw PlotError(script.string() +
                     ": gnuplot left no complete PNG (is there a `set output ARG2` and a plot?)");

@@ -12,7 +12,8 @@ namespace railbook::tool {
 OutFolder::OutFolder(const std::optional<std::filesystem::path>& folder,
                      std::vector<std::string> names)
     : names_(std::move(names)) {
-  if (!folder) return;
+  wanted_ = folder.has_value();
+  if (!wanted_) return;
   folder_ = *folder;
   if (folder_.empty()) throw InputError("out is empty; allowed: the name of a folder");
   if (files::is_standard_output(folder_))
@@ -20,7 +21,7 @@ OutFolder::OutFolder(const std::optional<std::filesystem::path>& folder,
                      ", standard output; allowed: the name of a folder (./- for one called -)");
   files::require_no_link(folder_);
   files_.reserve(names_.size());  // references to its elements are given out
-  made_.emplace(folder_);
+  files::require_makeable(folder_);
   for (const std::string& name : names_) files::require_replaceable(folder_ / name);
 }
 
@@ -29,6 +30,7 @@ OutFolder::~OutFolder() = default;
 files::OutFile& OutFolder::stream(const std::string& name) {
   if (std::find(names_.begin(), names_.end(), name) == names_.end() || drawable_.count(name) > 0)
     throw std::logic_error("file " + name + " was not announced, or is there already");
+  if (!made_) made_.emplace(folder_);
   files_.emplace_back(folder_ / name);
   drawable_[name].clear();
   return files_.back();

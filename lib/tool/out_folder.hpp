@@ -24,14 +24,14 @@ namespace railbook::tool {
 
 class OutFolder {
  public:
-  // Without a folder nothing is to be written, and the object is false. Makes the folder and checks that all of `names`
-  // can be written there; throws InputError, with the reason, where not.
+  // Without a folder nothing is to be written, and the object is false. Checks that the folder can be made, and
+  // all of `names` written there; throws InputError, with the reason, where not.
   OutFolder(const std::optional<std::filesystem::path>& folder, std::vector<std::string> names);
   ~OutFolder();
   OutFolder(const OutFolder&) = delete;
   OutFolder& operator=(const OutFolder&) = delete;
 
-  explicit operator bool() const { return made_.has_value(); }
+  explicit operator bool() const { return wanted_; }
 
   // A whole file, and one to write to as its text comes. The name is one of `names`, given once.
   void add(const std::string& name, std::string_view text);
@@ -45,6 +45,7 @@ class OutFolder {
   void commit();
 
  private:
+  bool wanted_ = false;
   std::filesystem::path folder_;
   std::vector<std::string> names_;
   std::optional<files::MadeFolder> made_;

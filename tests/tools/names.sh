@@ -3,7 +3,7 @@
 # the name as that of --out (KIND out, on the line and from a TOML file), of the file it writes (KIND file), or of the file
 # @ and its --out (KIND in, where @ is replaced by a copy of RECORD). Each time it must end with 0 and leave its files
 # under that very name, or with 2 and a message; and nothing else may appear.
-kind=$1 program=$2
+kind=$1 program=$2 verb=$4
 shift 2
 folder=$(mktemp -d) || exit 77
 trap 'rm -rf "$folder"' EXIT
@@ -11,6 +11,7 @@ failed=0
 bad() { printf 'BAD %q: %s\n' "$name" "$1"; cat "$folder/said"; failed=1; }
 names=('<touch p;echo ' '|touch p;cat ' "x';touch p;'" '"; touch p; echo "' '$HOME' '$(touch p)' '`touch p`' "it's mine"
        $'line\nbreak' '-rf' '--help' 'Gleis über Öl' '*' '~' '%s%n' '_{a}' '@COLUMNHEAD-1@' ' ')
+[ "$verb" = limit ] || names=("${names[@]:0:9}") # one tool meets them all
 run() { # run FILE-OR-FOLDER ARGUMENTS...: in an empty folder
   made=$1
   shift
