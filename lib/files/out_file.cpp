@@ -241,6 +241,12 @@ void commit(std::span<OutFile> all) {
   }
 }
 
+void remove(const fs::path& file) {
+  require_replaceable(file);
+  if (unlink(file.c_str()) != 0 && errno != ENOENT)
+    throw OutsideError("file " + shown(file) + ": cannot be removed: " + reason(errno));
+}
+
 void write(const fs::path& file, std::string_view text) {
   require_replaceable(file);
   MadeFolder folder(folder_of(file));

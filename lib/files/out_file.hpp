@@ -71,6 +71,9 @@ class OutFile {
 // All of them, or none: when one cannot be renamed, those before it are put back. Standard output is flushed first.
 void commit(std::span<OutFile> all);
 
+// Removes a regular file, and nothing else; throws like require_replaceable, or OutsideError.
+void remove(const std::filesystem::path& file);
+
 // One whole file; its folder is made if need be.
 void write(const std::filesystem::path& file, std::string_view text);
 

@@ -109,9 +109,10 @@ void Options::required() {
   static_cast<CLI::Option*>(last_)->required();
 }
 
-void Options::out(std::optional<std::filesystem::path>& folder) {
+void Options::out(Destination& destination) {
+  app_->add_flag("--no-figures", destination.no_figures, "with --out: do not draw");
   last_ = app_->add_option_function<std::string>(
-                  "--out", [&folder](const std::string& text) { folder = text; },
+                  "--out", [&destination](const std::string& text) { destination.folder = text; },
                   "folder for the CSV, JSON and figure files (made if missing)")
               ->type_name("DIR");
 }

@@ -35,6 +35,12 @@ inline constexpr Range positive{0, units::no_limit, true};
 inline constexpr const char* toml_type = "TOML";  // type name of the options of Options::toml
 inline constexpr Range non_negative{0, units::no_limit, false};
 
+// Where a tool's files go, if anywhere (see OutFolder).
+struct Destination {
+  std::optional<std::filesystem::path> folder;
+  bool no_figures = false;
+};
+
 class Options {
  public:
   explicit Options(CLI::App& app) : app_(&app) {}
@@ -57,8 +63,8 @@ class Options {
   void flag(const std::string& name, bool& value, const std::string& help);
   // The last option or argument added must be given.
   void required();
-  // "--out DIR": where files go; without it a tool only prints.
-  void out(std::optional<std::filesystem::path>& folder);
+  // "--out DIR": where files go; without it a tool only prints. "--no-figures": without gnuplot.
+  void out(Destination& destination);
 
  private:
   CLI::App* app_;

@@ -9,20 +9,18 @@
 
 namespace railbook::tool {
 
-OutFolder::OutFolder(const std::optional<std::filesystem::path>& folder,
-                     std::vector<std::string> names)
-    : names_(std::move(names)) {
-  wanted_ = folder.has_value();
-  if (!wanted_) return;
-  folder_ = *folder;
-  if (folder_.empty()) throw InputError("out is empty; allowed: the name of a folder");
-  if (files::is_standard_output(folder_))
-    throw InputError("out is " + files::shown(folder_) +
+OutFolder::OutFolder(const Destination& destination, std::vector<std::string> names)
+    : destination_(destination), names_(std::move(names)) {
+  if (!destination_.folder) return;
+  const std::filesystem::path& folder = *destination_.folder;
+  if (folder.empty()) throw InputError("out is empty; allowed: the name of a folder");
+  if (files::is_standard_output(folder))
+    throw InputError("out is " + files::shown(folder) +
                      ", standard output; allowed: the name of a folder (./- for one called -)");
-  files::require_no_link(folder_);
+  files::require_no_link(folder);
   files_.reserve(names_.size());  // references to its elements are given out
-  files::require_makeable(folder_);
-  for (const std::string& name : names_) files::require_replaceable(folder_ / name);
+  files::require_makeable(folder);
+  for (const std::string& name : names_) files::require_replaceable(folder / name);
 }
 
 OutFolder::~OutFolder() = default;
@@ -30,8 +28,8 @@ OutFolder::~OutFolder() = default;
 files::OutFile& OutFolder::stream(const std::string& name) {
   if (std::find(names_.begin(), names_.end(), name) == names_.end() || drawable_.count(name) > 0)
     throw std::logic_error("file " + name + " was not announced, or is there already");
-  if (!made_) made_.emplace(folder_);
-  files_.emplace_back(folder_ / name);
+  if (!made_) made_.emplace(*destination_.folder);
+  files_.emplace_back(*destination_.folder / name);
   drawable_[name].clear();
   return files_.back();
 }
@@ -49,6 +47,7 @@ void OutFolder::scratch(const std::string& name, std::string_view text) {
 
 void OutFolder::figure(const std::filesystem::path& script, const std::vector<std::string>& data,
                        const std::string& png) {
+  if (destination_.no_figures) return;
   std::vector<std::filesystem::path> paths;
   for (const std::string& name : data) paths.push_back(drawable_.at(name));
   add(png, plot::draw(script, paths, plot::Missing::allowed));

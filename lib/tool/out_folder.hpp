@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "files/out_file.hpp"
+#include "tool/options.hpp"
 
 namespace railbook::tool {
 
@@ -26,27 +27,26 @@ class OutFolder {
  public:
   // Without a folder nothing is to be written, and the object is false. Checks that the folder can be made, and
   // all of `names` written there; throws InputError, with the reason, where not.
-  OutFolder(const std::optional<std::filesystem::path>& folder, std::vector<std::string> names);
+  OutFolder(const Destination& destination, std::vector<std::string> names);
   ~OutFolder();
   OutFolder(const OutFolder&) = delete;
   OutFolder& operator=(const OutFolder&) = delete;
 
-  explicit operator bool() const { return wanted_; }
+  explicit operator bool() const { return destination_.folder.has_value(); }
 
   // A whole file, and one to write to as its text comes. The name is one of `names`, given once.
   void add(const std::string& name, std::string_view text);
   files::OutFile& stream(const std::string& name);
   // A file for figures only; it is not kept.
   void scratch(const std::string& name, std::string_view text);
-  // Draws files added before (plot::draw); a curve or a range without data is left out.
+  // Draws files added before (plot::draw), unless no figures are wanted; a curve or a range without data is left out.
   void figure(const std::filesystem::path& script, const std::vector<std::string>& data,
               const std::string& png);
   // Moves all files into place, or none: throws files::OutsideError. Does nothing without a folder.
   void commit();
 
  private:
-  bool wanted_ = false;
-  std::filesystem::path folder_;
+  Destination destination_;
   std::vector<std::string> names_;
   std::optional<files::MadeFolder> made_;
   std::optional<files::PrivateFolder> scratch_;

@@ -11,7 +11,7 @@ using Catch::Matchers::Contains;
 
 TEST_CASE("unit: a folder of results comes whole, and without a name nothing is written") {
   const TemporaryFolder at("out");
-  tool::OutFolder out(at.path / "mine", {"a.csv", "a.png"});
+  tool::OutFolder out({at.path / "mine"}, {"a.csv", "a.png"});
   REQUIRE(out);
   const auto script =
       at.write("a.gp", "load \"style.gp\"\nset output ARG2\nplot ARG1 using 1:2, ARG3 using 1:2\n");
@@ -22,7 +22,12 @@ TEST_CASE("unit: a folder of results comes whole, and without a name nothing is 
   out.commit();
   CHECK(at.files_in(at.path / "mine") == 2);
   CHECK(TemporaryFolder::size(at.path / "mine" / "a.png") > 3000);
-  tool::OutFolder nothing(std::nullopt, {"a.csv"});
+  tool::OutFolder plain({at.path / "plain", true}, {"a.csv", "a.png"});  // without figures
+  plain.add("a.csv", "x,y\n");
+  plain.figure(at.path / "none.gp", {"a.csv"}, "a.png");
+  plain.commit();
+  CHECK(at.files_in(at.path / "plain") == 1);
+  tool::OutFolder nothing({}, {"a.csv"});
   CHECK_FALSE(nothing);
   CHECK_NOTHROW(nothing.commit());
 }
@@ -31,7 +36,7 @@ TEST_CASE("input: a folder of results refuses first, and leaves nothing") {
   const TemporaryFolder at("out-refused");
   const auto refused = [&](const std::filesystem::path& folder) -> std::string {
     try {
-      tool::OutFolder out(folder, {"a.csv", "b.csv"});
+      tool::OutFolder out({folder}, {"a.csv", "b.csv"});
     } catch (const InputError& error) {
       return error.what();
     }
@@ -46,7 +51,7 @@ TEST_CASE("input: a folder of results refuses first, and leaves nothing") {
   CHECK(at.files_in(at.path / "made") == 1);
   std::filesystem::create_directory_symlink(at.path / "made", at.path / "link");
   CHECK_THAT(refused(at.path / "link"), Contains("symbolic link"));
-  { tool::OutFolder out(at.path / "p" / "q", {"a.csv"}); }
+  { tool::OutFolder out({at.path / "p" / "q"}, {"a.csv"}); }
   CHECK_FALSE(std::filesystem::exists(at.path / "p"));
 }
 
@@ -54,7 +59,7 @@ TEST_CASE("input: a figure that fails takes the other files with it") {
   const TemporaryFolder at("out-figure");
   const auto script = at.write("a.gp", "set output ARG2\nplot nonsense(\n");
   {
-    tool::OutFolder out(at.path / "mine", {"a.csv", "a.png"});
+    tool::OutFolder out({at.path / "mine"}, {"a.csv", "a.png"});
     out.add("a.csv", "x,y\n1,1\n");
     CHECK_THROWS_AS(out.figure(script, {"a.csv"}, "a.png"), files::OutsideError);
     CHECK_THROWS_AS(out.add("other.csv", ""), std::logic_error);

@@ -32,3 +32,13 @@ foreach(case "a full pipe" "a closed standard output" "a reader that goes away" 
   add_test(NAME "tool: ${case}" COMMAND ${here}/outside.sh ${case} ${bin} ${examples}/quality/track.csv)
   set_tests_properties("tool: ${case}" PROPERTIES SKIP_RETURN_CODE 77)
 endforeach()
+
+# What cannot be drawn is left out of a figure: a curve of one point, a sensor that gave nothing.
+add_test(NAME "tool: creep curve of one point" COMMAND railbook creep curve --a 6mm --b 4mm --load 80kN --points 1
+         --out ${CMAKE_BINARY_DIR}/ctest/creep-point)
+add_test(NAME "tool: filters process without a sensor" COMMAND sh -c "awk -F, -v OFS=, 'NR>1{$3=\"nan\"} 1' $1 > $2 && $0 filters process $2 --out $3"
+         ${bin} ${CMAKE_BINARY_DIR}/ctest/filters-sensors.csv ${CMAKE_BINARY_DIR}/ctest/filters-dead.csv ${CMAKE_BINARY_DIR}/ctest/filters-dead)
+set_tests_properties("tool: filters process without a sensor" PROPERTIES FIXTURES_REQUIRED filters-record)
+# Without figures gnuplot is not asked; with them and no gnuplot the answer would be refused.
+add_test(NAME "tool: track stiffness without figures" COMMAND ${CMAKE_COMMAND} -E env RAILBOOK_GNUPLOT=/none
+         ${bin} track stiffness --no-figures --out ${CMAKE_BINARY_DIR}/ctest/track-plain)

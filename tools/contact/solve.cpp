@@ -51,7 +51,7 @@ struct Wish {
   std::optional<double> approach, load, edge;
   long cells_x = 127, cells_y = 127;
   std::string system = "metric";
-  std::optional<std::filesystem::path> out;
+  tool::Destination out;
 };
 
 // The units that answers are in.

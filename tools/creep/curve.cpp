@@ -51,7 +51,7 @@ struct Wish {
   std::optional<double> to, force;
   long points = 21, cells = 24;
   std::string theory = "full", coefficients = "table";
-  std::optional<std::filesystem::path> out;
+  tool::Destination out;
 };
 
 // Radians are no dimension to most people: 0.2rad/m and 0.2 1/m are the same spin. Cycles are not.

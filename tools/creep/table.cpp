@@ -36,7 +36,7 @@ struct Wish {
   long ratios = 5, longitudinal = 13, lateral = 13, spin = 25, points = 2000, cells = 12;
   double poisson = 0.3;
   std::string theory = "full", coefficients = "table";
-  std::optional<std::filesystem::path> out;
+  tool::Destination out;
 };
 
 std::string csv(const ForceTable& table, const Wish& wish, const InterpolationError& error) {

@@ -53,7 +53,7 @@ struct Wish {
   Plausible plausible;
   double chord = 62 * foot, yaw_bias = 0, roll_bias = 0;
   long high_pass = 151, passes = 4, stages = 1, poles = 2, curvature_mean = 51;
-  std::optional<std::filesystem::path> out;
+  tool::Destination out;
 };
 
 const char* word(Quality q) {

@@ -43,7 +43,7 @@ struct Wish : CarWish {
   std::optional<double> largest, speed;
   long family = 1;
   std::string criterion = "floquet";
-  std::optional<std::filesystem::path> out;
+  tool::Destination out;
 };
 
 struct Label {

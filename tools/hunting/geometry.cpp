@@ -37,7 +37,7 @@ using units::millimetre;
 namespace {
 
 struct Wish : PairWish {
-  std::optional<std::filesystem::path> out;
+  tool::Destination out;
 };
 
 constexpr double smallest_jump = 1e-4;  // m, along the wheel

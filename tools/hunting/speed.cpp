@@ -34,7 +34,7 @@ namespace {
 struct Wish : CarWish {
   double lowest = 1, highest = 120;
   std::optional<double> speed;
-  std::optional<std::filesystem::path> out;
+  tool::Destination out;
 };
 
 std::string shape_text(const QuasiLinearCar& car, const Vector9c& q) {

@@ -47,7 +47,7 @@ struct Wish {
   std::optional<double> spacing, chord;
   long segment = 4096, bridge = 0;
   spectra::FitOptions fit;
-  std::optional<std::filesystem::path> out;
+  tool::Destination out;
 };
 
 void add_options(tool::Options& o, Wish& w) {

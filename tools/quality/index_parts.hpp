@@ -21,7 +21,7 @@ struct IndexWish {
   std::optional<double> spacing, shortest;
   double threshold = 1, accept = 0.5, segment = 200;
   long bridge = 0;
-  std::optional<std::filesystem::path> out;
+  tool::Destination out;
 };
 
 // What the record held.

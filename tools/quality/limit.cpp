@@ -114,7 +114,7 @@ namespace {
 struct Wish {
   CarWish car;
   std::vector<double> wavelengths{1, 2, 5, 10, 20, 50, 100, 200};
-  std::optional<std::filesystem::path> out;
+  tool::Destination out;
 };
 
 void write_files(tool::OutFolder& out, const quality::Descriptor& d,

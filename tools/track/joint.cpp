@@ -70,7 +70,7 @@ struct Wish {
   std::array<std::optional<double>, parts.size()> given;
   double duration = 0.06;
   double tolerance = 1e-8;
-  std::optional<std::filesystem::path> out;
+  tool::Destination out;
 };
 
 Surface surface_of(const Wish& wish) {

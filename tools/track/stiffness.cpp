@@ -86,7 +86,7 @@ struct Wish {
   std::vector<double> wheels{0.0};
   std::string joint = "none";
   std::optional<double> joint_rotation, joint_at;
-  std::optional<std::filesystem::path> out;
+  tool::Destination out;
 };
 
 Joint joint_of(const Wish& wish) {
