@@ -138,7 +138,7 @@ when such a motion branches off.
 
 ## Try next
 
-* Continue a balanced cycle in another datum than speed (`dynamics::trace` does it in speed); the centre plates' friction would be the first to try.
+* Continue a balanced cycle in speed or another datum (`dynamics::balance` solves at one speed); the centre plates' friction would be the first to try.
 * Follow the torus: a Poincaré section of the integration at 154 ft/s, and where it breaks.
 * `hunting geometry` with `examples/worn-wheel.csv` on `new-rail.csv`, and then with `--gauge 57in` or `--cant 0.05`:
   a worn wheel's conicity hangs on half an inch of gauge.

@@ -42,7 +42,8 @@ const char* to_string(BranchEnd end);
 
 struct CycleBranch {
   std::vector<CyclePoint> points;  // in order along the branch
-  std::vector<CyclePoint> folds;   // where V turns round, located
+  std::vector<CyclePoint>
+      folds;  // where V turns round, located: folds of the describing functions, not of the equations
   BranchEnd end = BranchEnd::start;
   int newton_steps = 0;    // solutions of the 20 x 20 system, folds included
   int rejected_steps = 0;  // steps that were halved

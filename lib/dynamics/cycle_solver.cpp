@@ -112,7 +112,7 @@ Solved solve_cycle(const QuasiLinearCar& car, const Unknowns& start, const Unkno
     }
     const Unknowns step = solve(j, r);
     result.update = step.norm();
-    if (!(result.update < 1e3)) return result;
+    if (!step.allFinite() || !(result.update < 1e3)) return result;
     u -= step;
     if (!sound(u)) return result;
     if (result.update < 1e-10) {
@@ -143,7 +143,7 @@ Solved solve_linear(const QuasiLinearCar& car, const QuasiLinearCar::Gains& gain
     r[19] = size * u - square;
     const Unknowns step = solve(j, r);
     result.update = step.norm();
-    if (!(result.update < 1e3)) return result;
+    if (!step.allFinite() || !(result.update < 1e3)) return result;
     u -= step;
     if (!sound(u)) return result;
     // Newton to rounding: until it stops getting better.

@@ -7,6 +7,7 @@
 #include "dynamics/balance_equations.hpp"
 #include "dynamics/history.hpp"
 #include "dynamics/pieces.hpp"
+#include "num/dense_lu.hpp"
 #include "num/eigenvalues.hpp"
 #include "units/constants.hpp"
 #include "units/input_error.hpp"
@@ -31,15 +32,18 @@ Eigen::MatrixXd unpadded_matrix(const StateMatrix& m, Index n) {
 
 struct Half {
   State end;
-  bool inside = false;
+  const char* lost = nullptr;  // why it did not get to the end
 };
 
-Half fly(PieceIntegrator& integrator, const State& y, double time, bool derivative) {
+Half fly(PieceIntegrator& integrator, const State& y, double time, long most_steps) {
   integrator.start(0, y);
-  if (derivative) integrator.follow_derivative();
-  while (integrator.t() < time)
-    if (!integrator.step(time)) return {integrator.y(), false};
-  return {integrator.y(), true};
+  integrator.follow_derivative();
+  while (integrator.t() < time) {
+    if (integrator.steps() >= most_steps)
+      return {integrator.y(), "too stiff: as many time steps as allowed did not close the orbit"};
+    if (!integrator.step(time)) return {integrator.y(), "the motion leaves the tables"};
+  }
+  return {integrator.y()};
 }
 
 void find_multipliers(Orbit& orbit, const Eigen::MatrixXd& map) {
@@ -69,9 +73,10 @@ Orbit shoot(const Oscillator& oscillator, const Eigen::VectorXd& start, double p
   const State scale = options.scale;
   const double sign = options.symmetric ? -1 : 1, part = options.symmetric ? 0.5 : 1;
   for (orbit.iterations = 1; orbit.iterations <= options.most_iterations; ++orbit.iterations) {
-    const Half flown = fly(integrator, y, part * orbit.period, true);
-    if (!flown.inside) {
-      orbit.reason = "the motion leaves the tables";
+    const Half flown = fly(integrator, y, part * orbit.period, options.most_steps);
+    orbit.steps = integrator.steps();
+    if (flown.lost) {
+      orbit.reason = flown.lost;
       break;
     }
     const State gap = sign * flown.end - y;
@@ -96,7 +101,10 @@ Orbit shoot(const Oscillator& oscillator, const Eigen::VectorXd& start, double p
     // Rows in units of the scale.
     matrix.topRows(2 * n) = s.cwiseInverse().asDiagonal() * matrix.topRows(2 * n);
     right.head(2 * n) = right.head(2 * n).cwiseQuotient(s);
-    const Eigen::VectorXd change = matrix.partialPivLu().solve(right);
+    num::DenseLu lu;
+    lu.factor(matrix);
+    Eigen::VectorXd change = right;
+    lu.solve_in_place(change);
     if (!change.allFinite() || std::abs(change[2 * n]) > 0.3 * orbit.period) {
       orbit.reason = "the Newton step is out of bounds";
       break;

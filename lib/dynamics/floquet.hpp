@@ -19,6 +19,8 @@ struct ShootingOptions {
   double tolerance = 1e-10;  // of the closing error relative to `scale`
   double piece_tolerance = 1e-13;
   int most_iterations = 12;
+  long most_steps =
+      50'000;  // in time, of all iterations; 6,000 are many but for friction that sticks hard
   State scale =
       State::Ones();  // of each state; zero-sized effect on the result but for the test above
 };
@@ -29,6 +31,7 @@ struct Orbit {
   double closing = 0;  // largest misfit after a period, relative to the scale
   bool converged = false;
   int iterations = 0;
+  long steps = 0;      // in time, of all iterations
   std::string reason;  // why not
   bool symmetric = true;
   Eigen::MatrixXd monodromy;  // over the whole period, 2n x 2n

@@ -342,13 +342,18 @@ Cycle balance(const Oscillator& o, const Cycle& start, const BalanceOptions& opt
   // Far from the start, or drawn to rest: find the branch at the start's size, whatever the speed, and follow it to the
   // speed by the secant rule in the size.
   Cycle failed = cycle;
-  cycle = balance_at_size(o, start, 1, options);
+  int used = cycle.iterations;
+  const auto counted = [&](Cycle next) {
+    next.iterations = used += next.iterations;
+    return next;
+  };
+  cycle = counted(balance_at_size(o, start, 1, options));
   double factor = 1.01, off = 0;
-  for (int i = 0; i < 20 && cycle.converged; ++i) {
+  for (int i = 0; i < 20 && cycle.converged && used < options.most_in_all; ++i) {
     const double before = off;
     off = std::log(cycle.inverse_speed / o.inverse_speed);
     if (std::abs(off) < 0.01) {
-      Cycle there = at_given_speed(o, cycle, options);
+      const Cycle there = counted(at_given_speed(o, cycle, options));
       if (there.converged) return there;
     }
     if (i > 0) {
@@ -357,8 +362,9 @@ Cycle balance(const Oscillator& o, const Cycle& start, const BalanceOptions& opt
       factor = std::exp(std::clamp(-off / slope, -0.1, 0.1));
       if (std::abs(factor - 1) < 1e-12) break;
     }
-    cycle = balance_at_size(o, cycle, factor, options);
+    cycle = counted(balance_at_size(o, cycle, factor, options));
   }
+  failed.iterations = used;
   return failed;
 }
 

@@ -15,7 +15,8 @@ namespace railbook::dynamics {
 
 struct BalanceOptions {
   double tolerance = 1e-11;  // of the residual
-  int most_iterations = 40;
+  int most_iterations = 40;  // of Newton, from one start
+  int most_in_all = 1000;    // of all starts that balance() tries
   int samples =
       0;  // a period in time; 0: a power of two of at least 512 and 32 times the highest order
 };

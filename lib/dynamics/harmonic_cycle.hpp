@@ -17,8 +17,8 @@ struct Cycle {
   Eigen::MatrixXcd motion;   // coordinates x orders, likewise: q
   bool converged = false;
   double residual = 0;  // of the balance, relative to the largest harmonic of each channel
-  int iterations = 0;
-  std::string reason;  // why not converged
+  int iterations = 0;   // of Newton, in all
+  std::string reason;   // why not converged
 
   double speed() const { return 1 / inverse_speed; }
 };

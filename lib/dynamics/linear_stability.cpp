@@ -1,11 +1,16 @@
 #include "dynamics/linear_stability.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include "dynamics/cycle_solver.hpp"
+#include "num/eigenvalues.hpp"
 #include "units/input_error.hpp"
 
 namespace railbook::dynamics {
@@ -16,6 +21,9 @@ using Eigen::MatrixXd;
 
 // x' = (A + B / V) x for x = (q, q' / 10): the scale keeps both halves of one size.
 constexpr double rate_scale = 10;
+// The smallest pivot over the largest at which a pencil still has digits.
+constexpr double least_pivot = 1e-13;
+constexpr double most_rounding = 1e-3;  // 1/s, of growth rates
 struct StateMatrix {
   MatrixXd constant, by_slowness;
   MatrixXd at(double slowness) const { return constant + slowness * by_slowness; }
@@ -31,6 +39,11 @@ StateMatrix state_matrix(const QuasiLinearCar& car, const QuasiLinearCar::Gains&
   s.constant.bottomRightCorner<9, 9>() = -mass.solve(m.damping - creep);
   s.by_slowness.bottomRightCorner<9, 9>() = -mass.solve(creep);
   return s;
+}
+
+// What rounding moves simple eigenvalues by.
+double rounding_of(const MatrixXd& a) {
+  return double(a.rows()) * std::numeric_limits<double>::epsilon() * a.norm();
 }
 
 // The bialternate sum: its eigenvalues are the sums of two eigenvalues of a.
@@ -52,10 +65,15 @@ MatrixXd pair_sums(const MatrixXd& a) {
   return b;
 }
 
-// Speeds at which two eigenvalues sum up to zero: Hopf points, and pairs of real eigenvalues besides.
-std::vector<double> candidate_speeds(const StateMatrix& s, double low, double high) {
+// Speeds at which two eigenvalues sum up to zero: Hopf points, and pairs of real eigenvalues besides. Nothing when the pencil is
+// singular to rounding: two motions that nothing holds back have eigenvalues zero at every speed, joints that hardly slip leave no
+// digits to the others.
+std::optional<std::vector<double>> paired_speeds(const StateMatrix& s, double low, double high) {
   const double shift = -1 / high;  // no car runs there, and no eigenvalue is expected there
-  const MatrixXd pencil = pair_sums(s.at(shift)).partialPivLu().solve(pair_sums(s.by_slowness));
+  const Eigen::PartialPivLU<MatrixXd> lu{pair_sums(s.at(shift))};
+  const Eigen::ArrayXd pivots = lu.matrixLU().diagonal().array().abs();
+  if (!(pivots.minCoeff() > least_pivot * pivots.maxCoeff())) return std::nullopt;
+  const MatrixXd pencil = lu.solve(pair_sums(s.by_slowness));
   const Eigen::EigenSolver<MatrixXd> solver{pencil, false};
   std::vector<double> speeds;
   for (const Complex theta : solver.eigenvalues()) {
@@ -66,6 +84,55 @@ std::vector<double> candidate_speeds(const StateMatrix& s, double low, double hi
     if (speed > low * (1 - 1e-4) && speed < high * (1 + 1e-4)) speeds.push_back(speed);
   }
   return speeds;
+}
+
+// The same by counting the oscillations that grow, at speeds 1 % apart: two that begin and end within a step are missed.
+class Scan {
+ public:
+  explicit Scan(const StateMatrix& s) : state_(s) {}
+  std::vector<double> speeds(double low, double high) {
+    const int steps = 1 + int(std::log(high / low) / 0.01);
+    const double ratio = std::pow(high / low, 1.0 / steps);
+    double from = low;
+    int before = growing(from);
+    for (int k = 1; k <= steps; ++k) {
+      const double to = low * std::pow(ratio, k);
+      const int now = growing(to);
+      halve(from, before, to, now);
+      from = to;
+      before = now;
+    }
+    return std::move(found_);
+  }
+
+ private:
+  int growing(double speed) const {
+    const MatrixXd state = state_.at(1 / speed);
+    const double least = std::max(1e-4, 10 * rounding_of(state));
+    int count = 0;
+    for (const Complex lambda : num::eigenvalues(state))
+      count += lambda.real() > 0 && lambda.imag() > least;
+    return count;
+  }
+  void halve(double from, int before, double to, int now) {
+    if (before == now) return;
+    if (to - from < 1e-7 * to) {
+      found_.push_back(to);
+      return;
+    }
+    const double middle = 0.5 * (from + to);
+    const int between = growing(middle);
+    halve(from, before, middle, between);
+    halve(middle, between, to, now);
+  }
+
+  const StateMatrix& state_;
+  std::vector<double> found_;
+};
+
+std::vector<double> candidate_speeds(const StateMatrix& s, double low, double high) {
+  if (auto speeds = paired_speeds(s, low, high)) return *speeds;
+  return Scan{s}.speeds(low, high);
 }
 
 }  // namespace
@@ -97,18 +164,22 @@ std::vector<Motion> modes(const QuasiLinearCar& car, const QuasiLinearCar::Gains
   return result;
 }
 
-HopfSearch find_hopf(const QuasiLinearCar& car, const Motion& start) {
+double growth_rounding(const QuasiLinearCar& car, const Motion& mode) {
+  const double rounding = rounding_of(state_matrix(car, car.small()).at(1 / mode.speed));
+  // A double zero is split by the square root of what the matrix is changed by.
+  const double split = std::sqrt(rounding * rate_scale);
+  return std::abs(mode.lambda) < split ? std::max(rounding, split) : rounding;
+}
+
+namespace {
+
+// A motion at which Z is singular, completed.
+HopfPoint hopf_at(const QuasiLinearCar& car, const Motion& motion, int iterations) {
   const auto gains = car.small();
-  Motion guess = start;
-  guess.lambda = {0, start.lambda.imag()};
-  const auto solved = solve_linear(car, gains, guess);
-  HopfSearch search;
-  search.converged = solved.converged && solved.motion.lambda.imag() > 0;
-  if (!search.converged) return search;
-  HopfPoint& point = search.point;
-  point.motion = solved.motion;
-  point.motion.shape = scaled_to(car.car(), solved.motion.shape, 1);
-  point.iterations = solved.iterations;
+  HopfPoint point;
+  point.motion = motion;
+  point.motion.shape = scaled_to(car.car(), motion.shape, 1);
+  point.iterations = iterations;
   const Motion& m = point.motion;
   // The left null vector: one step of inverse iteration, Z being singular to rounding.
   const Matrix9c z = car.dynamic_stiffness(gains, m.lambda, m.speed);
@@ -118,17 +189,64 @@ HopfSearch find_hopf(const QuasiLinearCar& car, const Motion& start) {
   point.rate_by_speed = -point.adjoint.dot(e.by_speed) / point.adjoint.dot(e.by_lambda);
   point.residual =
       e.residual.norm() / (car.matrices(gains, m.speed).stiffness.cast<Complex>() * m.shape).norm();
+  return point;
+}
+
+// The same where Newton's equations are singular, as for two trucks that hunt alike and apart, or short of digits: the speed at
+// which the growth rate vanishes, by the secant rule, as well as rounding lets it.
+HopfSearch find_by_growth(const QuasiLinearCar& car, const Motion& start) {
+  const auto gains = car.small();
+  const auto mode_at = [&](double speed) {
+    const auto all = modes(car, gains, speed);
+    return *std::min_element(all.begin(), all.end(), [&](const Motion& a, const Motion& b) {
+      return std::abs(a.lambda - start.lambda) < std::abs(b.lambda - start.lambda);
+    });
+  };
+  HopfSearch search;
+  Motion before = mode_at(start.speed * (1 + 1e-6)), now = mode_at(start.speed);
+  for (int i = 1; i <= 20; ++i) {
+    if (std::abs(now.lambda.real()) < growth_rounding(car, now)) {
+      now.lambda = {0, now.lambda.imag()};
+      search.converged = now.lambda.imag() > 0;
+      if (search.converged) search.point = hopf_at(car, now, i);
+      return search;
+    }
+    const double change = now.lambda.real() - before.lambda.real();
+    if (change == 0) return search;
+    const double speed = now.speed - now.lambda.real() * (now.speed - before.speed) / change;
+    if (!(std::abs(speed / start.speed - 1) < 0.01)) return search;
+    before = now;
+    now = mode_at(speed);
+  }
   return search;
+}
+
+}  // namespace
+
+HopfSearch find_hopf(const QuasiLinearCar& car, const Motion& start) {
+  Motion guess = start;
+  guess.lambda = {0, start.lambda.imag()};
+  const auto solved = solve_linear(car, car.small(), guess);
+  if (!solved.converged || !(solved.motion.lambda.imag() > 0)) return find_by_growth(car, start);
+  return {hopf_at(car, solved.motion, solved.iterations), true};
 }
 
 std::vector<HopfPoint> hopf_points(const QuasiLinearCar& car, double low, double high) {
   units::require_positive("lowest speed", low, "m/s");
   units::require_between("highest speed", high, low, 1e6, "m/s");
   const auto gains = car.small();
+  const StateMatrix state = state_matrix(car, gains);
+  if (const double rounding = rounding_of(state.constant); rounding > most_rounding)
+    throw InputError(
+        fmt::format("joints of the linear car are so stiff that rounding moves its growth rates by "
+                    "{:.1g} 1/s; allowed: up to "
+                    "{:g} 1/s (a larger sticking speed or rate, or smaller dampers and springs)",
+                    rounding, most_rounding));
   std::vector<HopfPoint> found;
-  for (const double speed : candidate_speeds(state_matrix(car, gains), low, high)) {
+  for (const double speed : candidate_speeds(state, low, high)) {
     auto all = modes(car, gains, speed);
-    std::erase_if(all, [](const Motion& m) { return m.lambda.imag() < 1e-6; });
+    const double least = std::max(1e-6, 10 * rounding_of(state.at(1 / speed)));
+    std::erase_if(all, [&](const Motion& m) { return m.lambda.imag() < least; });
     std::sort(all.begin(), all.end(), [](const Motion& a, const Motion& b) {
       return std::abs(a.lambda.real()) < std::abs(b.lambda.real());
     });

@@ -15,6 +15,10 @@ namespace railbook::dynamics {
 std::vector<Motion> modes(const QuasiLinearCar& car, const QuasiLinearCar::Gains& gains,
                           double speed);
 
+// How much of a mode's growth rate [1/s] in the linear car may be rounding: some 4e-15 times the size of the state matrix (which
+// grows as 1/V), and more for an eigenvalue next to zero, which may be one of two. A rate below it is zero as far as can be told.
+double growth_rounding(const QuasiLinearCar& car, const Motion& mode);
+
 // Scales the shape so that its largest wheelset moves with this real amplitude [m].
 Vector9c scaled_to(const FreightCar& car, const Vector9c& shape, double amplitude);
 
@@ -30,7 +34,10 @@ struct HopfPoint {
 // Every speed in [low, high] m/s at which an oscillation of the linear car (gains for A = 0) has no damping,
 // ascending. No scan: Z is linear in 1/V, so that the sums of eigenvalue pairs (bialternate sum, 153 x 153)
 // vanish at the eigenvalues of one pencil; each is then polished by Newton on (q, omega, V) to an update below
-// 1e-11 relative. Throws InputError unless 0 < low < high.
+// 1e-11 relative, or to its floor of rounding. Where the pencil is singular (nothing holds two motions back, or friction
+// sticks so hard that no digits are left), the growing modes are counted at speeds 1 % apart instead; a critical
+// speed of two modes at once counts once. Throws InputError unless 0 < low < high, and for joints so stiff that
+// rounding moves growth rates by more than 0.001 1/s (friction sticking below some 1e-6 of the default rates).
 std::vector<HopfPoint> hopf_points(const QuasiLinearCar& car, double low, double high);
 
 // Newton on (q, omega, V) for a Hopf point from a mode near the axis; converged false: no point was found.

@@ -1,6 +1,7 @@
 #include "num/dense_lu.hpp"
 
 #include <Eigen/LU>
+#include <limits>
 
 namespace railbook::num {
 
@@ -19,6 +20,10 @@ void DenseLu::factor(const Eigen::Ref<const Eigen::MatrixXd>& matrix) {
 
 void DenseLu::solve_in_place(Eigen::Ref<Eigen::VectorXd> b) const {
   const auto& lu = factors_->lu.matrixLU();
+  if ((lu.diagonal().array() == 0).any()) {  // dividing would raise a signal where traps are on
+    b.setConstant(std::numeric_limits<double>::quiet_NaN());
+    return;
+  }
   b = factors_->lu.permutationP() * b;  // in place: no temporary
   lu.triangularView<Eigen::UnitLower>().solveInPlace(b);
   lu.triangularView<Eigen::Upper>().solveInPlace(b);

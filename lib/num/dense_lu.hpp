@@ -14,7 +14,8 @@ class DenseLu {
   DenseLu(DenseLu&&) noexcept;
   DenseLu& operator=(DenseLu&&) noexcept;
 
-  // Of a square matrix, with partial pivoting; O(n^3). A singular one gives infinities or NaN when solved.
+  // Of a square matrix, with partial pivoting; O(n^3). A singular one gives NaN when solved,
+  // without a floating-point trap.
   void factor(const Eigen::Ref<const Eigen::MatrixXd>& matrix);
   // Replaces the right-hand side (n) by the solution. factor() must have been called.
   void solve_in_place(Eigen::Ref<Eigen::VectorXd> b) const;

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "num/banded.hpp"
@@ -113,6 +114,16 @@ Fitted fitted(const SmoothingSpline& spline, const VectorXd& u, const VectorXd& 
   return f;
 }
 
+// Distances along the points, from the first.
+VectorXd along(const std::vector<Point>& points) {
+  VectorXd s = VectorXd::Zero(Index(points.size()));
+  for (Index i = 1; i < s.size(); ++i) {
+    const Point &p = points[std::size_t(i)], &before = points[std::size_t(i - 1)];
+    s[i] = s[i - 1] + std::hypot(p.u - before.u, p.z - before.z);
+  }
+  return s;
+}
+
 // The smoothing at which the points are `noise` from the curve: the distance grows with it.
 double smoothing_for(const SmoothingSpline& spline, const VectorXd& u, const VectorXd& z,
                      double noise, double scale) {
@@ -164,17 +175,38 @@ void add_biarc(Point a, double angle_a, Point b, double angle_b, std::vector<Pie
 
 }  // namespace
 
+double scatter(std::vector<Point> points) {
+  check(points);
+  const VectorXd s = along(points);
+  std::vector<double> off;
+  for (Index i = 2; i + 2 < s.size(); ++i) {
+    // Lagrange's weights of the four neighbours.
+    constexpr std::array<Index, 4> neighbour{-2, -1, 1, 2};
+    double u = points[std::size_t(i)].u, z = points[std::size_t(i)].z, squares = 1;
+    for (const Index j : neighbour) {
+      double weight = 1;
+      for (const Index k : neighbour)
+        if (k != j) weight *= (s[i] - s[i + k]) / (s[i + j] - s[i + k]);
+      u -= weight * points[std::size_t(i + j)].u;
+      z -= weight * points[std::size_t(i + j)].z;
+      squares += weight * weight;
+    }
+    off.push_back(std::hypot(u, z) / std::sqrt(squares));
+  }
+  const auto middle = off.begin() + std::ptrdiff_t(off.size() / 2);
+  std::nth_element(off.begin(), middle, off.end());
+  return *middle / 0.6745;  // the median of a normal variable's size
+}
+
 MeasuredCurve measured_curve(std::vector<Point> points, double noise) {
   units::require_non_negative("noise of the profile", noise, "m");
   check(points);
   const Index n = Index(points.size());
-  VectorXd s(n), u(n), z(n);
+  const VectorXd s = along(points);
+  VectorXd u(n), z(n);
   for (Index i = 0; i < n; ++i) {
-    const Point &p = points[std::size_t(i)],
-                &before = points[std::size_t(std::max<Index>(i - 1, 0))];
-    u[i] = p.u;
-    z[i] = p.z;
-    s[i] = i == 0 ? 0.0 : s[i - 1] + std::hypot(p.u - before.u, p.z - before.z);
+    u[i] = points[std::size_t(i)].u;
+    z[i] = points[std::size_t(i)].z;
   }
   const SmoothingSpline spline(s);
   const double mean_step = s[n - 1] / double(n - 1);

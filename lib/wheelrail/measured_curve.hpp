@@ -18,6 +18,12 @@ struct MeasuredCurve {
   double largest = 0;  // and the largest
 };
 
+// Scatter of measured points [m], rms: how far a point is off the cubic through the two before it and the two after it, in the
+// median over all points, so that corners of the curvature do not count. Rounding to a step q gives 0.29 q. Within 25 % for 200
+// points; what is smooth over four points does not count, and of points so far apart that the cubic does not follow the profile
+// it says too much. Throws InputError as measured_curve.
+double scatter(std::vector<Point> points);
+
 // `points` in order of u, rising or falling, [m]; `noise` is the rms distance [m] from the points that the smoothing
 // takes, 0 for a curve through every point. For smooth profiles the curve through points h apart is good to O(h^3),
 // except near its ends, where the spline is straight. Throws InputError for fewer than 8 points or more than 20000, a

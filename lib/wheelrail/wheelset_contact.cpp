@@ -192,12 +192,33 @@ Curve placed_wheel(const Curve& wheel, double from_centre) {
                0);
 }
 
+namespace {
+
+// The highest point of a rail, which a measured one may not be level at alone.
+Point top_of(const Curve& rail) {
+  Point top = rail.start();
+  for (const Piece& p : rail.pieces()) {
+    if (p.end.z > top.z) top = p.end;
+    const bool crest = !p.is_line() && p.radius > 0 && p.angle_start <= 0 && p.angle_end >= 0;
+    if (crest && p.centre.z + p.radius > top.z) top = {p.centre.u, p.centre.z + p.radius};
+  }
+  if (top.u == rail.start().u || top.u == rail.end().u)
+    throw InputError(
+        fmt::format("the rail is highest at an end of its profile, {:.6g} m across; allowed: "
+                    "heights upwards (is it "
+                    "upside down?) and the top of the head within the profile",
+                    top.u));
+  return top;
+}
+
+}  // namespace
+
 Curve placed_rail(const Curve& rail, double gauge, double gauge_depth, double cant) {
   units::require_positive("gauge", gauge, "m");
   units::require_positive("depth of the gauge point", gauge_depth, "m");
   const Curve leaning =
       turned(rail, units::require_between("cant of the rail", cant, -0.5, 0.5, "rad"));
-  const Point top = leaning.point_at_angle(0);
+  const Point top = top_of(leaning);
   const auto above = [&](double u) { return leaning.height(u) - top.z + gauge_depth; };
   if (above(leaning.end().u) > 0)
     throw InputError(

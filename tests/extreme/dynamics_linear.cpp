@@ -2,10 +2,12 @@
 #include <cmath>
 
 #include "dynamics/cycle_branch.hpp"
+#include "num/fp_trap.hpp"
 #include "wheelrail/paper_pairs.hpp"
 
 using namespace railbook;
 using namespace railbook::dynamics;
+using Catch::Matchers::Contains;
 using units::foot;
 
 namespace {
@@ -64,6 +66,105 @@ TEST_CASE("linear car: no damping, weak creep, almost no mass") {
     };
     const double v = found[0].motion.speed;
     CHECK(std::abs(growing(v * 1.0001) - growing(v * 0.9999)) == 1);
+  }
+}
+
+namespace {
+
+// Oscillations that grow by more than rounding.
+int growing(const QuasiLinearCar& car, double speed) {
+  int count = 0;
+  for (const auto& mode : modes(car, car.small(), speed))
+    count += mode.lambda.imag() > 1e-4 && mode.lambda.real() > growth_rounding(car, mode);
+  return count;
+}
+
+QuasiLinearCar sticking(double factor) {
+  CarParameters data;
+  data.stick_speed *= factor;
+  data.stick_rate *= factor;
+  return {assemble(data, Suspension::friction), wheelrail::new_wheel_table()};
+}
+
+}  // namespace
+
+TEST_CASE("linear car: whatever may be zero is zero, with traps on") {
+  const num::FpTraps traps;
+  const CarParameters usual;
+  std::vector<CarParameters> cars;
+  CarParameters all, lateral;
+  for (const CarDatum& datum : car_data()) {
+    if (datum.positive) continue;
+    cars.push_back(usual);
+    cars.back().*datum.member = 0;
+    all.*datum.member = 0;
+  }
+  lateral.lateral_stiffness = lateral.lateral_friction = 0;
+  cars.push_back(all);
+  cars.push_back(lateral);
+  for (const auto& data : cars)
+    for (const auto suspension : {Suspension::dampers, Suspension::friction}) {
+      const QuasiLinearCar car{assemble(data, suspension), wheelrail::new_wheel_table()};
+      const auto found = hopf_points(car, 1, 120);
+      for (const auto& hopf : found) {
+        CHECK(hopf.residual < 1e-9);
+        const double v = hopf.motion.speed;
+        CHECK(growing(car, v * 1.0001) != growing(car, v * 0.9999));
+      }
+      if (found.empty()) CHECK(growing(car, 1) == growing(car, 120));
+    }
+}
+
+TEST_CASE("linear car: no lateral spring is the limit of a weak one") {
+  CarParameters data;
+  data.lateral_stiffness = 0;
+  const auto none = hopf_points(new_wheels(data), 1, 120);
+  data.lateral_stiffness = 1e-3;
+  const auto weak = hopf_points(new_wheels(data), 1, 120);
+  REQUIRE(none.size() == 2);
+  REQUIRE(weak.size() == 2);
+  for (std::size_t k = 0; k < 2; ++k)
+    CHECK(none[k].motion.speed == Approx(weak[k].motion.speed).epsilon(1e-7));
+}
+
+TEST_CASE("linear car: two trucks that hunt alike and apart have one critical speed") {
+  const num::FpTraps traps;
+  CarParameters data;
+  data.lateral_stiffness = data.lateral_friction = data.centre_plate_friction = 0;
+  const auto car = new_wheels(data);
+  const auto found = hopf_points(car, 1, 120);
+  REQUIRE(found.size() == 1);
+  const double v = found[0].motion.speed;
+  CHECK(growing(car, v * 1.0001) == growing(car, v * 0.9999) + 2);
+}
+
+TEST_CASE("linear car: friction that sticks ever harder") {
+  const num::FpTraps traps;
+  const auto speed = [](double factor) {
+    const auto found = hopf_points(sticking(factor), 1, 120);
+    REQUIRE(found.size() == 1);
+    return found[0].motion.speed;
+  };
+  const double at_4 = speed(1e-4), at_5 = speed(1e-5), at_6 = speed(1e-6);
+  // The speed tends to that of the locked car as the sticking rate; at 1e-6 rounding is in the fourth digit.
+  const double locked = at_5 + (at_5 - at_4) / 9;
+  CHECK(at_5 == Approx(at_4).epsilon(3e-3));
+  CHECK(at_6 == Approx(locked).epsilon(2e-3));
+  CHECK_THROWS_WITH(hopf_points(sticking(1e-8), 1, 120), Contains("so stiff"));
+}
+
+TEST_CASE("linear car: a growth rate of nothing but rounding is known as such") {
+  CarParameters data;
+  for (const double stiffness : {0.0, 1e-12}) {
+    data.lateral_stiffness = stiffness;
+    const auto car = new_wheels(data);
+    const auto least = modes(car, car.small(), 1).front();
+    CHECK(std::abs(least.lambda.real()) < growth_rounding(car, least));
+  }
+  const auto car = new_wheels();
+  for (const double speed : {0.1, 10.0, 60.0}) {
+    const auto least = modes(car, car.small(), speed).front();
+    CHECK(std::abs(least.lambda.real()) > 1e3 * growth_rounding(car, least));
   }
 }
 

@@ -62,6 +62,10 @@ TEST_CASE("Wheels beside, inside and on top of the rails are refused") {
   CHECK_THROWS_WITH(WheelsetOnTrack(turned(wheel, 0.3), rail), Contains("angle of the wheel"));
   CHECK_THROWS_WITH(placed_rail(new_rail_profile(), 1.435, 0.1, 0.025), Contains("gauge point"));
   CHECK_THROWS_AS(placed_rail(new_rail_profile(), -1, 0.014, 0.025), InputError);
+  auto upside_down = sampled(new_rail_profile(), 1e-3);
+  for (Point& p : upside_down) p.z = -p.z;
+  CHECK_THROWS_WITH(placed_rail(measured_curve(upside_down, 0).curve, 1.435, 0.014, 0.025),
+                    Contains("upside down"));
   CHECK_THROWS_AS(placed_rail(new_rail_profile(), 1.435, 0.014, 1), InputError);
   CHECK_THROWS_AS(cn_pair().contact(not_a_number), InputError);
 }

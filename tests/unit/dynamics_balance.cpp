@@ -127,6 +127,52 @@ TEST_CASE("New wheel at 150 ft/s: 23 harmonics against integration at 1e-9", "[b
   CHECK(e.stability.trivial_error < 1e-7);
 }
 
+TEST_CASE("The distance of two cycles", "[balance]") {
+  const auto car = assemble({}, Suspension::dampers);
+  const Oscillator o = car_on_track(car, wheelrail::new_wheel_table(), 45);
+  Vector9c shape = Vector9c::Zero();
+  shape[X_TF] = 0.01;
+  shape[X_TR] = Complex{0.004, 0.006};
+  const Cycle cycle = first_harmonic(o, shape, 12, 3);
+  CHECK(distance(cycle, cycle) == 0);
+  CHECK(distance(cycle, first_harmonic(o, std::polar(1.0, 2.0) * shape, 12, 5)) < 1e-14);
+  CHECK(distance(cycle, first_harmonic(o, 1.1 * shape, 12, 1)) == Approx(0.1));
+  CHECK(distance(cycle, first_harmonic(o, shape, 12.6, 1)) == Approx(0.05));
+  Vector9c other = shape;
+  std::swap(other[X_TF], other[X_TR]);
+  CHECK(distance(cycle, first_harmonic(o, other, 12, 1)) > 0.3);
+}
+
+TEST_CASE("Another cycle is not taken for this one: new wheels at 199 ft/s", "[balance]") {
+  const auto car = assemble({}, Suspension::dampers);
+  const auto& table = wheelrail::new_wheel_table();
+  const QuasiLinearCar linear{car, table};
+  const auto hopf = hopf_points(linear, 10, 50);
+  const auto found = cycles_at_speed(linear, trace_from(linear, hopf[0], {}), 199 * units::foot);
+  REQUIRE(found.size() == 2);
+  std::vector<Examined> close;
+  for (const CyclePoint& point : found) {
+    const Examined e = examine(car, table, point.motion);
+    CHECK(e.converged == (e.orbit.converged && e.distance <= another_cycle));
+    if (e.converged) close.push_back(e);
+  }
+  REQUIRE(close.size() == 1);
+  // Balanced at once, the first one leads to a cycle of 24.27 rad/s; by growing orders it goes its own way.
+  CHECK(close[0].omega == Approx(22.33).epsilon(1e-3));
+}
+
+TEST_CASE("Shooting is bounded: friction that sticks hard costs no endless time", "[balance]") {
+  CarParameters data;
+  data.stick_speed *= 1e-4;
+  data.stick_rate *= 1e-4;
+  const auto car = assemble(data, Suspension::friction);
+  const Oscillator o = car_on_track(car, wheelrail::new_wheel_table(), 30);
+  const Orbit orbit = shoot(o, Eigen::VectorXd::Constant(18, 1e-3), 0.5, {.most_steps = 500});
+  CHECK_FALSE(orbit.converged);
+  CHECK(orbit.steps <= 501);
+  CHECK_THAT(orbit.reason, Catch::Matchers::Contains("too stiff"));
+}
+
 TEST_CASE("A cycle's stability is seen in time: both cycles of CN at 131 ft/s", "[balance]") {
   const auto car = assemble({}, Suspension::dampers);
   const auto& table = wheelrail::cn_table();

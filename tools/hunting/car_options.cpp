@@ -10,8 +10,11 @@ friction levels and the motion at which they are linearized, unless given themse
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
+#include <limits>
 #include <string>
 
+#include "dynamics/linear_stability.hpp"
 #include "tools.hpp"
 
 namespace railbook::hunting_tool {
@@ -74,17 +77,29 @@ CarCase read_case(const CarWish& wish) {
             "{} is for --suspension dampers; friction is given by its level", damper.name + 2));
       c.*damper.value = *(wish.*damper.given);
     }
-  auto geometry = table_of(read_pair(wish.pair), wish.pair);
+  auto [pair, fits] = read_pair(wish.pair);
+  auto geometry = table_of(pair, wish.pair);
   auto car =
       wish.suspension == "friction" ? assemble(data, Suspension::friction) : assemble(data, c);
   QuasiLinearCar quasi{std::move(car), geometry};
-  return {std::move(geometry), std::move(quasi)};
+  return {std::move(geometry), std::move(quasi), std::move(fits)};
+}
+
+void flag_smoothing(tool::Summary& answer, const CarWish& wish, const CarCase& c, double lowest,
+                    double highest) {
+  flag_smoothing(answer, wish.pair, c.fits,
+                 {{"critical_speed", "the first critical speed", "m/s", 0.02, 0}},
+                 [&](const PairWish& w) -> std::vector<double> {
+                   CarWish other = wish;
+                   other.pair = w;
+                   const auto found = hopf_points(read_case(other).car, lowest, highest);
+                   if (found.empty()) return {std::numeric_limits<double>::quiet_NaN()};
+                   return {found.front().motion.speed};
+                 });
 }
 
 void describe_case(tool::Summary& answer, const CarWish& wish, const CarCase& c) {
-  answer.add("pair", "profiles",
-             from_files(wish.pair) ? wish.pair.wheel.string() + " on " + wish.pair.rail.string()
-                                   : wish.pair.pair + ", of the paper, reconstructed");
+  describe_pair(answer, wish.pair, c.fits);
   const double a = c.table.half_spacing;
   answer.add("slope_R", "slope of R at the centre, per x/a", a * c.table.R.slope(0), "");
   answer.add("slope_D", "slope of D", a * c.table.D.slope(0), "rad");

@@ -26,11 +26,16 @@ void add_car_options(tool::Options& options, CarWish& wish);
 struct CarCase {
   wheelrail::ConstraintFunctions table;
   dynamics::QuasiLinearCar car;
+  std::vector<ProfileFit> fits;
 };
 // Throws InputError for data that no car has, profiles that do not fit, or a damper given beside friction.
 CarCase read_case(const CarWish& wish);
 
 // Where the geometry comes from, its slopes, and the data that are not the paper's.
 void describe_case(tool::Summary& answer, const CarWish& wish, const CarCase& c);
+
+// Flags a first critical speed in the range [m/s] that hangs on the smoothing of measured profiles by more than 2 %.
+void flag_smoothing(tool::Summary& answer, const CarWish& wish, const CarCase& c, double lowest,
+                    double highest);
 
 }  // namespace railbook::hunting_tool

@@ -2,6 +2,8 @@
 ### `hunting cycle`
 
 A branch of limit cycles by describing functions, from a critical speed on, with folds located and stability by a named criterion.
+Branch and folds are those of the describing functions: good to some percent before the flange, while on it a branch of the equations
+may turn round at quite another speed, and have cycles where this one has none.
 
     hunting cycle --pair cn --out mine
     hunting cycle car.toml --wheel wheel.csv --rail rail.csv --family 2 --speed 42m/s
@@ -9,11 +11,13 @@ A branch of limit cycles by describing functions, from a critical speed on, with
 
 `--criterion` is `rule` (the paper's: does speed rise with amplitude?), `hill` (exponents of the describing-function cycle) or
 `floquet` (multipliers of the true cycle, every tenth point; the default, and the one to believe). A neutral cycle, one of many at
-the same speed, is neither stable nor unstable. `--speed` solves for the cycles at that speed and gives all three.
+the same speed, is neither stable nor unstable. `--speed` solves for the cycles at that speed and gives all three. A true cycle counts
+only when it is near the describing function's; where none was found, the file says so, and stable and unstable are both left open.
 `--out` writes the branch as `cycle.csv`, `cycle.json` and the figure.
 */
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -47,7 +51,7 @@ struct Wish : CarWish {
 };
 
 struct Label {
-  std::string verdict;  // "stable", "unstable", "neutral"; empty: none
+  std::string verdict;  // "stable", "unstable", "neutral", "not found"; empty: not asked for
   double figure = std::numeric_limits<double>::quiet_NaN();  // what the criterion is about
 };
 
@@ -66,7 +70,7 @@ Label by(const std::string& criterion, const CarCase& c, const CyclePoint& p) {
   if (criterion == "rule") return by_rule(p);
   if (criterion == "hill") return by_hill(c, p);
   const Examined e = examine(c.car.car(), c.table, p.motion);
-  if (!e.converged) return {};
+  if (!e.converged) return {"not found"};
   const double largest = e.stability.largest;
   return label(p, e.stability.stable || (p.neutral && largest < 1 + 1e-6), largest);
 }
@@ -91,11 +95,42 @@ void add_point(tool::Summary& answer, const std::string& id, const std::string& 
   answer.add(id + "_rad_per_s", "  frequency", p.motion.lambda.imag(), "rad/s");
 }
 
+// A line for somebody who waits; n = 0 clears it.
+void progress(const char* what, std::size_t k, std::size_t n) {
+  if (isatty(STDERR_FILENO) == 0) return;
+  fmt::print(stderr, "\r{:60}\r", "");
+  if (n > 0) fmt::print(stderr, "stability of {} {} of {} ", what, k + 1, n);
+}
+
+// The true cycle of each; one orbit belongs to the describing-function cycle that is nearest to it.
+std::vector<Examined> examine_all(const CarCase& c, const std::vector<CyclePoint>& cycles) {
+  std::vector<Examined> all;
+  for (const auto& p : cycles) {
+    progress("cycle", all.size(), cycles.size());
+    all.push_back(examine(c.car.car(), c.table, p.motion));
+  }
+  progress("", 0, 0);
+  for (auto& e : all)
+    for (const auto& other : all)
+      if (e.converged && other.converged && other.distance < e.distance &&
+          std::abs(other.omega / e.omega - 1) < 1e-6 &&
+          std::abs(other.amplitude / e.amplitude - 1) < 1e-6) {
+        e.converged = false;
+        e.reason =
+            fmt::format("what was found, {:.4f} mm at {:.5f} rad/s, is nearer to another one",
+                        e.amplitude / millimetre, e.omega);
+      }
+  return all;
+}
+
 void add_cycles_at(tool::Summary& answer, const CarCase& c, const CycleBranch& branch,
                    double speed) {
   const auto cycles = cycles_at_speed(c.car, branch, speed);
-  answer.add("cycles", fmt::format("cycles at {:g} m/s", speed), static_cast<double>(cycles.size()),
-             "");
+  answer.add("describing_function_cycles",
+             fmt::format("describing-function cycles at {:g} m/s", speed),
+             static_cast<double>(cycles.size()), "",
+             cycles.empty() ? "no proof: the equations may have cycles there" : "");
+  const auto all = examine_all(c, cycles);
   for (std::size_t k = 0; k < cycles.size(); ++k) {
     const auto& p = cycles[k];
     const std::string id = fmt::format("cycle_{}", k + 1);
@@ -103,32 +138,60 @@ void add_cycles_at(tool::Summary& answer, const CarCase& c, const CycleBranch& b
     answer.add(id + "_rule", "  the paper's rule", by_rule(p).verdict);
     const Label hill = by_hill(c, p);
     answer.add(id + "_hill", "  Hill's leading exponent", hill.figure, "1/s", hill.verdict);
-    const Examined e = examine(c.car.car(), c.table, p.motion);
-    if (e.converged)
+    const Examined& e = all[k];
+    if (e.converged) {
       answer.add(id + "_floquet", "  Floquet's largest multiplier", e.stability.largest, "",
-                 fmt::format("{}; true amplitude {:.4f} mm at {:.5f} rad/s",
-                             e.stability.stable ? "stable" : "unstable, " + e.stability.loss,
-                             e.amplitude / millimetre, e.omega));
-    else
-      answer.add(id + "_floquet", "  Floquet's multipliers", "not found: " + e.reason);
+                 e.stability.stable ? "stable" : "unstable, " + e.stability.loss);
+      answer.add(id + "_true_mm", "  true amplitude", e.amplitude / millimetre, "mm",
+                 fmt::format("at {:.5f} rad/s; {:.1f} % from the describing function's", e.omega,
+                             100 * e.distance));
+      continue;
+    }
+    answer.add(id + "_floquet", "  Floquet's multipliers",
+               "no true cycle found near it: " + e.reason);
+    answer.flag(id, fmt::format("no true cycle was found near cycle {}; it may not exist", k + 1));
   }
 }
 
-void write_files(tool::OutFolder& out, const Wish& wish, const CarCase& c,
-                 const CycleBranch& branch, const tool::Summary& answer) {
+// By the criterion, at the points that it is asked of.
+std::vector<Label> labels(const Wish& wish, const CarCase& c, const CycleBranch& branch) {
+  const std::size_t every = wish.criterion == "floquet" ? 10 : 1, n = branch.points.size();
+  std::vector<Label> all(n);
+  for (std::size_t k = 0; k < n; k += every) {
+    progress("point", k, n);
+    all[k] = by(wish.criterion, c, branch.points[k]);
+  }
+  progress("", 0, 0);
+  return all;
+}
+
+void flag_missing(tool::Summary& answer, const std::vector<Label>& all) {
+  const auto asked = std::ranges::count_if(all, [](const Label& l) { return !l.verdict.empty(); });
+  const auto missing = std::ranges::count(all, "not found", &Label::verdict);
+  answer.add("probes", "points whose stability was asked for", static_cast<double>(asked), "");
+  answer.add("probes_not_found", "  of them without a true cycle found",
+             static_cast<double>(missing), "");
+  if (missing > 0)
+    answer.flag("probes_not_found",
+                fmt::format("at {} of {} points no true cycle was found near the describing "
+                            "function's: their stability is open, and the cycle may not exist",
+                            missing, asked));
+}
+
+void write_files(tool::OutFolder& out, const Wish& wish, const CycleBranch& branch,
+                 const std::vector<Label>& all, const tool::Summary& answer) {
   std::string text =
       "V_m_per_s,A_mm,omega_rad_per_s,front_leading_mm,front_trailing_mm,rear_leading_mm,"
-      "rear_trailing_mm,criterion_value,stable_mm,unstable_mm\n";
-  const std::size_t every = wish.criterion == "floquet" ? 10 : 1;
+      "rear_trailing_mm,criterion_value,stable_mm,unstable_mm,not_found_mm\n";
   for (std::size_t k = 0; k < branch.points.size(); ++k) {
     const auto& p = branch.points[k];
-    const Label label = k % every == 0 ? by(wish.criterion, c, p) : Label{};
+    const Label& label = all[k];
     const std::string a = table::csv_number(p.largest / millimetre);
+    const auto where = [&](const char* verdict) { return label.verdict == verdict ? a : "nan"; };
     text += fmt::format("{:.9g},{},{:.9g}", p.motion.speed, a, p.motion.lambda.imag());
     for (const double x : p.amplitude) text += fmt::format(",{:.8g}", x / millimetre);
-    text +=
-        fmt::format(",{},{},{}\n", table::csv_number(label.figure),
-                    label.verdict == "stable" ? a : "nan", label.verdict == "unstable" ? a : "nan");
+    text += fmt::format(",{},{},{},{}\n", table::csv_number(label.figure), where("stable"),
+                        where("unstable"), where("not found"));
   }
   out.add("cycle.csv", text);
   out.add("criterion.txt", std::string(full_name(wish.criterion)) + "\n");
@@ -166,20 +229,25 @@ void run(const Wish& wish) {
         fmt::format("no limit cycle of {:g} m was found at the critical speed; try "
                     "another --first-amplitude",
                     options.first_amplitude));
-  tool::Summary answer("Limit cycles of a freight car");
+  tool::Summary answer("Limit cycles of a freight car, by describing functions");
   describe_case(answer, wish, c);
+  flag_smoothing(answer, wish, c, wish.lowest, wish.highest);
   const double critical = hopf[static_cast<std::size_t>(wish.family - 1)].motion.speed;
   answer.add("hopf_m_per_s", fmt::format("critical speed {} of {}", wish.family, hopf.size()),
              critical, "m/s", fmt::format("{:.4f} ft/s", critical / units::foot));
   answer.add("points", "points of the branch", static_cast<double>(branch.points.size()), "",
              to_string(branch.end));
   for (std::size_t k = 0; k < branch.folds.size(); ++k)
-    add_point(answer, fmt::format("fold_{}", k + 1), fmt::format("fold {}", k + 1),
-              branch.folds[k]);
+    add_point(answer, fmt::format("describing_function_fold_{}", k + 1),
+              fmt::format("describing-function fold {}", k + 1), branch.folds[k]);
   if (wish.speed) add_cycles_at(answer, c, branch, *wish.speed);
   answer.add("criterion", "stability in the files by", full_name(wish.criterion));
+  if (out) {
+    const auto all = labels(wish, c, branch);
+    flag_missing(answer, all);
+    write_files(out, wish, branch, all, answer);
+  }
   answer.print();
-  if (out) write_files(out, wish, c, branch, answer);
   out.commit();
 }
 

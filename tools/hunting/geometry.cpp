@@ -91,15 +91,29 @@ void write_files(tool::OutFolder& out, const Wish& wish, const WheelsetOnTrack& 
   out.figure(tools::scripts("hunting") / "geometry.gp", {"wheelset.csv"}, "wheelset.png");
 }
 
+void flag_geometry(tool::Summary& answer, const Wish& wish, const std::vector<ProfileFit>& fits) {
+  std::vector<Smoothed> numbers{{"slope_R", "slope of R at the centre", "", 0.1, 0.01}};
+  for (const double A : {1.0, 3.0})
+    if (A * millimetre <= wish.end)
+      numbers.push_back({fmt::format("conicity_at_{:g}_mm", A),
+                         fmt::format("conicity at {:g} mm", A), "", 0.05, 0.005});
+  flag_smoothing(answer, wish, fits, numbers, [&](const PairWish& w) {
+    const ConstraintFunctions f = table_of(read_pair(w).pair, w);
+    std::vector<double> values{f.half_spacing * f.R.slope(0)};
+    for (const double A : {1.0, 3.0})
+      if (A * millimetre <= wish.end) values.push_back(conicity(f, A * millimetre).kinematic);
+    return values;
+  });
+}
+
 void run(const Wish& wish) {
   tool::OutFolder out(wish.out, {"wheelset.csv", "conicity.csv", "jumps.csv", "contacts.csv",
                                  "wheelset.json", "wheelset.png"});
-  const WheelsetOnTrack pair = read_pair(wish);
+  const auto [pair, fits] = read_pair(wish);
   const ConstraintFunctions f = table_of(pair, wish);
   tool::Summary answer("Wheelset on rails");
-  answer.add("pair", "profiles",
-             from_files(wish) ? wish.wheel.string() + " on " + wish.rail.string()
-                              : wish.pair + ", of the paper, reconstructed");
+  describe_pair(answer, wish, fits);
+  flag_geometry(answer, wish, fits);
   const auto centred = pair.contact(0);
   answer.add("contact_mm", "centred contact, from the middle", -centred.left.on_rail.u / millimetre,
              "mm");

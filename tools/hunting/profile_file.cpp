@@ -3,14 +3,15 @@ A profile is a CSV file with columns `inward` and `height` and their units, such
 across, which grows towards the middle of the track, and the height, upwards. A wheel's origin stands `--datum` from
 the back of its flange, and the backs of the two flanges are `--back-to-back` apart; its heights need no particular
 zero, since the wheel is raised to the rolling `--radius`. A rail is given upright, and the tool leans it by `--cant`
-and puts its gauge face in place. Points are joined by a spline through all of them, or by one that stays `--noise`
-away from them in the mean; each span of it becomes two arcs, so that the same exact search serves measured and drawn
+and puts its gauge face in place. Points are met by a spline that stays `--noise` away from them in the mean, 0 for one
+through all of them; each span of it becomes two arcs, so that the same exact search serves measured and drawn
 profiles.
 
 Contact is far more sensitive than a drawing: on a worn tread the relative curvature of wheel and rail is small, and a
 ripple that no eye sees makes the contact hop. The example files hold points 0.5 mm apart, rounded to a micrometre;
-through all of them the worn wheel's contact jumps dozens of times, and with `--noise 0.001mm` hardly ever. Give some
-three times the noise of your gauge ({{gauge-noise}}).
+through all of them the worn wheel's contact jumps dozens of times, and with `--noise 0.001mm` hardly ever. Without
+`--noise` the tool takes three times the scatter that it finds in the points ({{gauge-noise}}). It prints scatter and
+distances, and flags a conicity or critical speed that changes when the profiles are smoothed by half or by twice as much.
 */
 
 #include "hunting/profile_file.hpp"
@@ -19,6 +20,8 @@ three times the noise of your gauge ({{gauge-noise}}).
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "table/csv.hpp"
 #include "units/input_error.hpp"
@@ -31,14 +34,24 @@ using namespace wheelrail;
 
 namespace {
 
-Curve read_profile(const std::filesystem::path& file, double noise) {
+constexpr double times_scatter = 3;
+constexpr double no_scatter =
+    1e-9;  // m: rounding of the numbers in a file, met by a spline through all points
+
+Curve read_profile(const std::filesystem::path& file, const PairWish& wish, ProfileFit& fit) {
   const auto columns =
       table::read_columns(file, {{"inward", units::length}, {"height", units::length}});
   std::vector<Point> points;
   for (std::size_t i = 0; i < columns[0].size(); ++i)
     points.push_back({columns[0][i], columns[1][i]});
   try {
-    return measured_curve(std::move(points), noise).curve;
+    fit.scatter = scatter(points);
+    if (fit.scatter < no_scatter) fit.scatter = 0;
+    fit.smoothing = wish.smoothing * wish.noise.value_or(times_scatter * fit.scatter);
+    MeasuredCurve met = measured_curve(std::move(points), fit.smoothing);
+    fit.rms = met.rms;
+    fit.largest = met.largest;
+    return std::move(met.curve);
   } catch (const InputError& error) {
     throw InputError(fmt::format("file \"{}\": {}", file.string(), error.what()));
   }
@@ -67,7 +80,7 @@ bool from_files(const PairWish& wish) {
   const bool placed = wish.gauge != usual.gauge || wish.gauge_depth != usual.gauge_depth ||
                       wish.cant != usual.cant || wish.back_to_back != usual.back_to_back ||
                       wish.datum != usual.datum || wish.radius != usual.radius ||
-                      wish.half_spacing != usual.half_spacing || wish.noise != usual.noise;
+                      wish.half_spacing != usual.half_spacing || wish.noise;
   if (wish.wheel.empty() && placed)
     throw InputError(
         "the paper's pairs have their own place; gauge, cant, back-to-back, datum, radius, half "
@@ -75,13 +88,85 @@ bool from_files(const PairWish& wish) {
   return !wish.wheel.empty();
 }
 
-WheelsetOnTrack read_pair(const PairWish& wish) {
-  if (!from_files(wish)) return named(wish).pair();
-  const Curve wheel = read_profile(wish.wheel, wish.noise),
-              rail = read_profile(wish.rail, wish.noise);
+ReadPair read_pair(const PairWish& wish) {
+  if (!from_files(wish)) return {named(wish).pair(), {}};
+  std::vector<ProfileFit> fits{{"wheel"}, {"rail"}};
+  const Curve wheel = read_profile(wish.wheel, wish, fits[0]),
+              rail = read_profile(wish.rail, wish, fits[1]);
   require_flange(wheel, wish.wheel);
-  return with_radius(placed_wheel(wheel, 0.5 * wish.back_to_back + wish.datum),
-                     placed_rail(rail, wish.gauge, wish.gauge_depth, wish.cant), wish.radius);
+  return {with_radius(placed_wheel(wheel, 0.5 * wish.back_to_back + wish.datum),
+                      placed_rail(rail, wish.gauge, wish.gauge_depth, wish.cant), wish.radius),
+          std::move(fits)};
+}
+
+void describe_pair(tool::Summary& answer, const PairWish& wish,
+                   const std::vector<ProfileFit>& fits) {
+  answer.add("pair", "profiles",
+             from_files(wish) ? wish.wheel.string() + " on " + wish.rail.string()
+                              : wish.pair + ", of the paper, reconstructed");
+  for (const ProfileFit& fit : fits)
+    answer.add(
+        std::string(fit.what) + "_rms_mm",
+        std::string(fit.what) + ", points to smoothed profile, rms", fit.rms / units::millimetre,
+        "mm",
+        fmt::format("largest {:.3g} mm; scatter of the points {:.2g} mm{}",
+                    fit.largest / units::millimetre, fit.scatter / units::millimetre,
+                    wish.noise ? "" : fmt::format(", smoothed by {:g} times that", times_scatter)));
+}
+
+namespace {
+
+std::string text_of(const Smoothed& number, double x) {
+  if (std::isnan(x)) return "none";
+  return fmt::format("{:.4g}{}{}", x, number.unit.empty() ? "" : " ", number.unit);
+}
+
+bool differs(const Smoothed& number, double used, double other) {
+  if (std::isnan(used) || std::isnan(other)) return std::isnan(used) != std::isnan(other);
+  const double change = std::abs(other - used);
+  return change > number.relative * std::abs(used) && change > number.absolute;
+}
+
+}  // namespace
+
+void flag_smoothing(tool::Summary& answer, const PairWish& wish,
+                    const std::vector<ProfileFit>& fits, const std::vector<Smoothed>& numbers,
+                    const std::function<std::vector<double>(const PairWish&)>& values) {
+  struct Variant {
+    const char* how;
+    PairWish wish;
+  };
+  std::vector<Variant> variants;
+  if (std::ranges::any_of(fits, [](const ProfileFit& f) { return f.smoothing > 0; })) {
+    variants = {{"smoothed half as much", wish}, {"twice as much", wish}};
+    variants[0].wish.smoothing = 0.5;
+    variants[1].wish.smoothing = 2;
+  }
+  if (wish.noise && std::ranges::any_of(fits, [](const ProfileFit& f) { return f.scatter > 0; })) {
+    variants.push_back({"smoothed as the points' scatter asks for", wish});
+    variants.back().wish.noise.reset();
+  }
+  const auto at = [&](const PairWish& w) {
+    try {
+      return values(w);
+    } catch (const InputError&) {
+      return std::vector<double>(numbers.size(), std::numeric_limits<double>::quiet_NaN());
+    }
+  };
+  if (variants.empty()) return;
+  const auto used = at(wish);
+  std::vector<std::string> others(numbers.size());
+  for (const Variant& variant : variants) {
+    const auto found = at(variant.wish);
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      if (differs(numbers[i], used[i], found[i]))
+        others[i] += fmt::format(", {} {}", text_of(numbers[i], found[i]), variant.how);
+  }
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    if (!others[i].empty())
+      answer.flag(numbers[i].key,
+                  fmt::format("{} hangs on the smoothing of the profiles: {}{}", numbers[i].what,
+                              text_of(numbers[i], used[i]), others[i]));
 }
 
 ConstraintFunctions table_of(const WheelsetOnTrack& pair, const PairWish& wish) {
@@ -117,8 +202,11 @@ void add_pair_options(tool::Options& options, PairWish& wish) {
                    Range{0.05, 5});
   options.quantity("--half-spacing", wish.half_spacing, units::length,
                    "a: half the distance of the rails' heads", lengths);
-  options.quantity("--noise", wish.noise, units::length,
-                   "rms distance of the measured points from the smoothed profile", Range{0, 1e-3});
+  options.quantity(
+      "--noise", wish.noise, units::length,
+      "rms distance of the measured points from the smoothed profile; without it from the "
+      "points' own scatter",
+      Range{0, 1e-3});
   options.quantity("--end", wish.end, units::length, "largest displacement of the table",
                    Range{1e-4, 0.2});
   options.quantity("--step", wish.step, units::length,

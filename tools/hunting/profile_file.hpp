@@ -1,14 +1,21 @@
 // Wheel and rail as options of a tool: one of the paper's pairs, or profiles from files.
 //
 //   add_pair_options(options, wish);            // --wheel, --rail, --pair, --gauge, ...
-//   const auto pair = read_pair(wish);          // the contact itself
+//   const auto [pair, fits] = read_pair(wish);  // the contact itself, and how well points were met
 //   const auto table = table_of(pair, wish);    // constraint functions, a running mean over wish.average
+//   describe_pair(answer, wish, fits);
+//   flag_smoothing(answer, wish, fits, {{"conicity_at_3_mm", "conicity at 3 mm", "", 0.05, 0.005}},
+//                  [&](const PairWish& w) { ... });
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "tool/options.hpp"
+#include "tool/summary.hpp"
 #include "units/constants.hpp"
 #include "wheelrail/tabulate.hpp"
 
@@ -26,7 +33,8 @@ struct PairWish {
   double datum = 0.070;                // of the wheel profile's origin from the back of the flange
   double radius = 16.5 * units::inch;  // rolling radius, centred
   double half_spacing = 29.76 * units::inch;
-  double noise = 0;
+  std::optional<double> noise;  // rms distance that the smoothing takes; without it from the points
+  double smoothing = 1;         // times that
   double end = 0.75 * units::inch;  // of the table
   double step = 0.0025 * units::inch;
   double average = 0.02 * units::inch;
@@ -38,9 +46,35 @@ void add_pair_options(tool::Options& options, PairWish& wish);
 // Whether profiles come from files.
 bool from_files(const PairWish& wish);
 
+// How a measured profile was met, all [m].
+struct ProfileFit {
+  const char* what;      // "wheel"
+  double scatter = 0;    // of the points (wheelrail::scatter)
+  double smoothing = 0;  // asked for
+  double rms = 0, largest = 0;
+};
+struct ReadPair {
+  wheelrail::WheelsetOnTrack pair;
+  std::vector<ProfileFit> fits;  // none for the paper's pairs
+};
+
 // Throw InputError naming the file and what is wrong with it, or with the place of the wheelset on the rails.
-wheelrail::WheelsetOnTrack read_pair(const PairWish& wish);
+ReadPair read_pair(const PairWish& wish);
 wheelrail::ConstraintFunctions table_of(const wheelrail::WheelsetOnTrack& pair,
                                         const PairWish& wish);
+
+// Where the profiles come from, and how well they were met.
+void describe_pair(tool::Summary& answer, const PairWish& wish,
+                   const std::vector<ProfileFit>& fits);
+
+// Flags each number that changes by more than both tolerances when the profiles are smoothed half or twice as much, or, with
+// a noise given, as their own scatter asks for. `values` computes them, NaN for none; an InputError of it counts as none at all.
+struct Smoothed {
+  std::string key, what, unit;
+  double relative, absolute;
+};
+void flag_smoothing(tool::Summary& answer, const PairWish& wish,
+                    const std::vector<ProfileFit>& fits, const std::vector<Smoothed>& numbers,
+                    const std::function<std::vector<double>(const PairWish&)>& values);
 
 }  // namespace railbook::hunting_tool

@@ -63,21 +63,27 @@ void add_hopf(tool::Summary& answer, const QuasiLinearCar& car, const std::vecto
     answer.add(id + "wheelsets", "  wheelsets, front to rear", shape_text(car, m.shape));
     answer.add(id + "body", "  body", body_text(m.shape));
   }
-  const double growth = modes(car, car.small(), wish.lowest).front().lambda.real();
-  if (found.empty() || growth > 0)
+  const auto least_damped = modes(car, car.small(), wish.lowest).front();
+  const double growth = least_damped.lambda.real(), rounding = growth_rounding(car, least_damped);
+  if (found.empty() || growth > -rounding)
     answer.add("growth_lowest", "largest growth rate at the lowest speed", growth, "1/s",
-               growth > 0 ? "already unstable there" : "stable throughout");
+               growth > rounding ? "already unstable there"
+               : growth > -rounding
+                   ? "zero within rounding: nothing holds this motion back or drives it"
+                   : "stable throughout");
 }
 
 void add_modes_at(tool::Summary& answer, const QuasiLinearCar& car, double speed) {
   auto all = modes(car, car.small(), speed);
   for (std::size_t k = 0; k < all.size(); ++k) {
     const bool oscillates = all[k].lambda.imag() > 0;
+    const bool zero = std::abs(all[k].lambda.real()) < growth_rounding(car, all[k]);
     answer.add(fmt::format("mode_{}_growth", k + 1), fmt::format("mode {}: growth rate", k + 1),
                all[k].lambda.real(), "1/s",
-               oscillates ? fmt::format("{:.5f} rad/s; wheelsets {}", all[k].lambda.imag(),
-                                        shape_text(car, all[k].shape))
-                          : "does not oscillate");
+               oscillates
+                   ? fmt::format("{:.5f} rad/s; wheelsets {}", all[k].lambda.imag(),
+                                 shape_text(car, all[k].shape))
+                   : "does not oscillate" + std::string(zero ? "; zero within rounding" : ""));
   }
 }
 
@@ -104,6 +110,7 @@ void run(const Wish& wish) {
   const CarCase c = read_case(wish);
   tool::Summary answer("Critical speeds of a freight car");
   describe_case(answer, wish, c);
+  flag_smoothing(answer, wish, c, wish.lowest, wish.highest);
   add_hopf(answer, c.car, hopf_points(c.car, wish.lowest, wish.highest), wish);
   if (wish.speed) add_modes_at(answer, c.car, *wish.speed);
   answer.print();
