@@ -99,7 +99,7 @@ function html.count(count)
   return #text < 5 and text or (text:reverse():gsub("%d%d%d", "%0 "):reverse():gsub("^ ", ""):gsub(" ", "&#8239;"))
 end
 
-local labels = {misprint = "misprint shown", ["not-reproducible"] = "not reproducible"}
+local labels = {paper = "the paper’s data"}
 
 -- The verdict or status as a coloured word.
 function html.badge(status)

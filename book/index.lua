@@ -1,4 +1,4 @@
--- Pandoc filter of the contents page and the gallery: {{chapters}}, {{legend}} and {{gallery}} from all records.
+-- Pandoc filter of the pages made of all records: {{headline}}, {{papers}}, {{legend}}, {{gallery}}, {{equations}}.
 -- Metadata: record (a list of JSON files), left-out (a list of chapters without a page, with the reason).
 
 package.path = PANDOC_SCRIPT_FILE:match("^(.*)/[^/]*$") .. "/?.lua;" .. package.path
@@ -12,50 +12,99 @@ local function strings(value)
   return out
 end
 
-local function chapter_row(r)
-  local passed, total, closest = record.tally(r.checks)
-  local badges = {}
-  for _, pair in ipairs(record.count(r.items, "verdict")) do
-    badges[#badges + 1] = pair[2] .. " " .. html.badge(pair[1])
-  end
-  local worst = closest and ("%.0f %%"):format(100 * record.used(closest)) or "–"
-  local link = html.tag("a", {href = r.chapter .. ".html"}, r.number .. " " .. html.text(r.title))
-  return {
-    link, html.text(r.paper), table.concat(badges, "<br>"),
-    {("%d of %d"):format(passed, total), class = "number"}, {worst, class = "number"},
-    {html.seconds(r.seconds), class = "number"}, class = passed < total and "failed" or nil}
+local headline_heads = {"paper", "numbers: confirmed", "consistent", "fitted", "corrected", "restored", "not confirmed",
+  "claims: confirmed", "not confirmed", "not testable", "unreadable", "figures: from the paper’s data", "rebuilt", "lost",
+  "verified by other routes"}
+
+-- The cells of a paper's line after its name, as numbers.
+local function headline_counts(r)
+  local h = record.headline(r)
+  local p, c, f = h.print, h.claim, h.figures
+  return {p.confirmed or 0, p.consistent or 0, p.fitted or 0, p.corrected or 0, p.restored or 0, p["not confirmed"] or 0,
+    c.confirmed or 0, c["not confirmed"] or 0, h.untested, h.unreadable, f.paper or 0, (f.rebuilt or 0) + (f.added or 0),
+    (f.lost or 0) + (f.sketch or 0), h.verified}
 end
 
-local function chapters(records, left_out)
+local function headline_row(r)
+  local link = html.tag("a", {href = r.chapter .. ".html"}, r.number .. " " .. html.text(r.title))
+  local row = {link, class = record.tally(r.checks) < #r.checks and "failed" or nil}
+  for _, count in ipairs(headline_counts(r)) do
+    row[#row + 1] = {count == 0 and "–" or tostring(count), class = "number"}
+  end
+  return row
+end
+
+local function headline(records, left_out)
   local rows = {}
   for _, r in ipairs(records) do
-    rows[#rows + 1] = chapter_row(r)
+    rows[#rows + 1] = headline_row(r)
     rows[#rows].name = r.chapter
   end
   for _, line in ipairs(left_out) do
     local name, why = line:match("^(%S+) (.*)$")
-    local none = {"–", class = "number"}
-    rows[#rows + 1] = {html.escape(name), html.text(why), html.badge("no page"), none, none, none, name = name}
+    rows[#rows + 1] = {html.escape(name) .. ": " .. html.text(why), name = name}
+    for i = 2, #headline_heads do rows[#rows][i] = "–" end
   end
   table.sort(rows, function(a, b) return a.name < b.name end)
-  local heads = {"chapter", "paper", "tables and figures", "checks passed", "worst error", "run time"}
-  return html.table("chapters", heads, rows)
+  return html.table("chapters headline", headline_heads, rows)
+end
+
+local function citations(records)
+  local out = {}
+  for i, r in ipairs(records) do
+    local pages = html.tag("a", {href = r.chapter .. ".html"}, html.text(r.title))
+    if r.has_study then pages = pages .. " · " .. html.tag("a", {href = r.chapter .. "-study.html"}, "cost and stability") end
+    out[i] = html.tag("li", nil, pages .. "<br>" .. html.text(r.paper))
+  end
+  return html.tag("ol", {class = "papers"}, table.concat(out, "\n"))
+end
+
+-- Equation -> function -> test -> place on the page, for all papers.
+local function equations(records)
+  local out = {}
+  for _, r in ipairs(records) do
+    local rows = {}
+    for _, row in ipairs(r.inventory) do
+      if row.kind == "equation" then
+        local treated, number = {}, row.number:match("^%(?([%w.-]+)%)?$")
+        for j, id in ipairs(row.treated) do
+          local item = r.item[id] or r.check[id] and r.item[r.check[id].item]
+          treated[j] = item and html.tag("a", {href = items.href(item, r, "index")}, html.escape(id)) or html.escape(id)
+        end
+        local anchor = r.chapter .. ".html" .. (number and "#eq-" .. number or "")
+        rows[#rows + 1] = {html.tag("a", {href = anchor}, html.text(row.number)), html.text(row.place), html.text(row.what),
+          row.symbol ~= "" and html.tag("code", nil, html.escape(row.symbol)) or "–",
+          row.test ~= "" and html.tag("code", nil, html.escape(row.test)) or "–",
+          #treated > 0 and table.concat(treated, ", ") or html.text(row.reason)}
+      end
+    end
+    if #rows > 0 then
+      out[#out + 1] = html.tag("h2", {id = r.chapter}, r.number .. " " .. html.text(r.title))
+      out[#out + 1] = html.table("equations", {"equation", "place", "what", "function", "test", "checked in"}, rows)
+    end
+  end
+  return table.concat(out, "\n")
 end
 
 local meanings = {
-  {"reproduced", "every check passes at the printed precision"},
-  {"explained", "every check passes, some at a wider tolerance or against a method of our own; the reason is given"},
-  {"misprint", "the printed number is shown to be wrong; ours equals the corrected one"},
-  {"reconstructed", "the paper does not give the input, or draws without numbers; ours is stated"},
-  {"sketch", "the paper draws the idea only; ours is computed, with nothing to check it against"},
-  {"not-reproducible", "the paper gives too little, and says so here"},
+  {"confirmed", "rounds to the printed digits, or the claim holds as stated"},
+  {"consistent", "within a stated tolerance, whose reason is given"},
+  {"fitted", "met because an input that the paper does not give was chosen to meet it"},
+  {"corrected", "the print is wrong: the check shows what is right"},
+  {"restored", "our copy of the paper is damaged there; the reading is derived"},
+  {"not confirmed", "something else was found; the check states it, and fails if that changes"},
+  {"verified", "not of the paper: agrees with another publication, or with an independent method"},
   {"failed", "a check does not pass"},
+  {"rebuilt", "a figure or table whose input the paper does not give: ours, documented"},
+  {"added", "not in the paper"},
+  {"sketch", "the paper draws the idea only"},
+  {"lost", "the paper’s own is not to be had"},
 }
 
 local function legend()
   local rows = {}
   for i, m in ipairs(meanings) do rows[i] = {html.badge(m[1]), html.text(m[2])} end
-  return html.table("legend", {"verdict", "meaning"}, rows)
+  return html.table("legend", {"word", "meaning"}, rows)
 end
 
 local function gallery(records)
@@ -66,8 +115,8 @@ local function gallery(records)
       if item.png then
         local source = ("figures/%s/%s"):format(r.chapter, item.png)
         local image = html.tag("img", {src = source, alt = item.title, loading = "lazy"})
-        tiles[#tiles + 1] = html.tag("li", nil, html.tag("a", {href = r.chapter .. ".html#" .. item.id}, image)
-          .. html.tag("p", nil, items.title(item) .. " " .. html.badge(item.verdict)))
+        tiles[#tiles + 1] = html.tag("li", nil, html.tag("a", {href = items.href(item, r, "index")}, image)
+          .. html.tag("p", nil, items.title(item) .. " " .. html.badge(item.failure and "failed" or item.input)))
       end
     end
     if #tiles > 0 then
@@ -88,8 +137,10 @@ function Pandoc(doc)
     end
     records[#records + 1] = r
   end
+  table.sort(records, function(a, b) return a.chapter < b.chapter end)
   local made = {
-    ["{{chapters}}"] = function() return chapters(records, strings(doc.meta["left-out"])) end,
+    ["{{headline}}"] = function() return headline(records, strings(doc.meta["left-out"])) end,
+    ["{{papers}}"] = function() return citations(records) end, ["{{equations}}"] = function() return equations(records) end,
     ["{{legend}}"] = legend, ["{{gallery}}"] = function() return gallery(records) end,
   }
   local machine = records[1] and records[1].machine

@@ -44,25 +44,34 @@ local function notes_of(checks)
   return marks, notes
 end
 
-local function checks_table(checks)
+-- `of_paper`: the reference is what the paper prints or says; otherwise that of another work or method, which is named.
+local function one_table(checks, of_paper)
   local marks, notes = notes_of(checks)
-  local rows, references = {}, 0
+  local rows = {}
   for i, check in ipairs(checks) do
     local off, allowed = difference(check)
     local mark = marks[check.why]
     local unit = check.unit or ""
     unit = unit ~= "" and unit ~= "1" and ", " .. html.unit(html.escape(unit)) or ""
-    local ours = check.kind == "agrees_with" -- not of the paper: a number of an independent method
-    references = references + (ours and 1 or 0)
-    rows[i] = {
-      html.text(check.what or check.id) .. unit,
-      {html.number(check.printed or "–"), class = ours and "number reference" or "number"},
+    local said = check.source == "claim" and "–" or html.number((of_paper and check.printed or check.reference) or "–")
+    local row = {
+      html.tag("span", {id = check.id}, html.text(check.what or check.id)) .. unit,
+      {said, class = of_paper and "number" or "number reference"},
       {computed(check), class = "number"}, {off, class = "number"},
       {allowed .. (mark and html.tag("span", {class = "mark"}, mark) or ""), class = "number"},
-      html.badge(check.pass and check.status or "failed"), class = not check.pass and "failed" or nil}
+      html.badge(check.pass and check.outcome or "failed"), class = not check.pass and "failed" or nil}
+    if of_paper then table.insert(row, 2, html.text(check.place or "")) end
+    rows[i] = row
   end
-  local printed = references == 0 and "printed" or references == #checks and "reference" or "printed (or reference)"
-  return html.table("checks", {"what", printed, "computed", "difference", "allowed", "verdict"}, rows) .. notes
+  local heads = of_paper and {"what", "place", "printed", "computed", "difference", "allowed", "outcome"}
+    or {"what", "reference", "computed", "difference", "allowed", "outcome"}
+  return html.table("checks", heads, rows) .. notes
+end
+
+local function checks_table(checks)
+  local paper, ours = {}, {}
+  for _, check in ipairs(checks) do table.insert(check.of_paper and paper or ours, check) end
+  return (#paper > 0 and one_table(paper, true) or "") .. (#ours > 0 and one_table(ours, false) or "")
 end
 
 -- One line on many checks.
@@ -72,7 +81,7 @@ local function summary(checks)
   local text = total == 1 and (passed == 1 and "1 check, passed" or "1 check, failed")
     or passed == total and ("%d checks, all passed"):format(total) or ("%d of %d checks passed"):format(passed, total)
   if closest and total > 1 then
-    text = text .. ("; closest call: %s, %.0f %% of its tolerance"):format(
+    text = text .. ("; the closest, %s, uses %.0f %% of its tolerance"):format(
       html.text(closest.what or closest.id), 100 * record.used(closest))
   end
   return text
@@ -97,7 +106,8 @@ end
 
 -- "Figure 1.3"
 function items.label(item, r)
-  return ("%s %d.%d"):format(item.kind == "figure" and "Figure" or "Table", r.number, item.number)
+  local kind, series = item.kind == "figure" and "Figure" or "Table", item.page == "study" and "S" or ""
+  return item.number and ("%s %s%d.%d"):format(kind, series, r.number, item.number) or kind .. " " .. item.id
 end
 
 -- A title "Figure 4. New boundary" is the paper's own number: "New boundary (the paper's Figure 4)".
@@ -109,11 +119,13 @@ end
 
 local function heading(item, r)
   local label = html.tag("b", nil, items.label(item, r) .. ".")
-  return label .. " " .. items.title(item) .. " " .. html.badge(item.verdict) .. links(item, r)
+  local input = item.failure and "failed" or item.input ~= "paper" and item.input or nil
+  return label .. " " .. items.title(item) .. (input and " " .. html.badge(input) or "") .. links(item, r)
 end
 
 local function reason(item)
-  return item.reason and item.reason ~= "" and html.tag("p", {class = "reason"}, html.text(item.reason)) or ""
+  local text = item.failure or item.reason
+  return text and text ~= "" and html.tag("p", {class = "reason"}, html.text(text)) or ""
 end
 
 -- The size in pixels of a complete PNG; throws a text naming the file otherwise.
@@ -130,7 +142,7 @@ end
 
 -- A figure with its caption, `more` of the same item, and its checks. `folder` holds the chapter's PNGs.
 function items.figure(item, r, folder, more)
-  if not item.png and item.verdict == "failed" then return items.table(item, r, more) end
+  if not item.png and item.failure then return items.table(item, r, more) end
   if not item.png then error("the figure " .. item.id .. " was not drawn (--no-figures?)", 0) end
   local width, height = items.png_size(folder .. "/" .. item.png)
   local href = ("figures/%s/%s"):format(r.chapter, item.png)
@@ -227,11 +239,41 @@ end
 function items.stability(list)
   local rows = {}
   for i, s in ipairs(list) do
-    local error = type(s.error) == "number" and html.number(("%.2g"):format(s.error)) or "–"
+    local number = function(x) return type(x) == "number" and html.number(("%.2g"):format(x)) or "–" end
+    local error, bound = number(s.error), number(s.allowed)
     rows[i] = {
-      html.text(s.case), html.text(s.stress), html.text(s.result), {error, class = "number"}, html.badge(s.status)}
+      html.tag("span", {id = "stability/" .. s.id}, html.text(s.case)), html.text(s.stress), html.text(s.result),
+      {error, class = "number"}, {bound, class = "number"}, html.badge(s.pass and s.found or "failed")}
   end
-  return html.table("stability", {"case", "what is stressed", "result", "error", "status"}, rows)
+  return html.table("stability", {"case", "what is stressed", "result", "error", "allowed", "found"}, rows)
+end
+
+-- Where a reader finds an item: on this page or on the chapter's other one.
+function items.href(item, r, page)
+  local file = item.page == "study" and r.chapter .. "-study.html" or r.chapter .. ".html"
+  return (item.page == page and "" or file) .. "#" .. item.id
+end
+
+-- The paper, row by row, and what treats it.
+function items.coverage(r, page)
+  local rows = {}
+  local function link(id)
+    local check, item = r.check[id], r.item[id]
+    local home = item or check and r.item[check.item]
+    if not home then return html.tag("code", nil, html.escape(id)) end
+    local href = items.href(home, r, page)
+    if check then href = href:gsub("#.*$", "") .. "#" .. check.id end
+    local text = check and html.badge(check.pass and check.outcome or "failed") or html.text(items.label(item, r))
+    return html.tag("a", {href = href}, text)
+  end
+  for i, row in ipairs(r.inventory) do
+    local treated = {}
+    for j, id in ipairs(row.treated) do treated[j] = link(id) end
+    if row.symbol ~= "" then treated[#treated + 1] = html.tag("code", nil, html.escape(row.symbol)) end
+    rows[i] = {html.text(row.place), html.text(row.number ~= "" and row.number or row.kind), html.text(row.what),
+      table.concat(treated, " ") .. html.text(#treated > 0 and row.reason ~= "" and "; " .. row.reason or row.reason)}
+  end
+  return html.table("coverage", {"place", "number", "what the paper has", "here"}, rows)
 end
 
 function items.verdicts(r)
@@ -239,16 +281,16 @@ function items.verdicts(r)
   for i, item in ipairs(r.items) do
     local passed, total = record.tally(item.checks)
     rows[i] = {
-      html.tag("a", {href = "#" .. item.id}, html.escape(item.id)), items.title(item),
-      {total > 0 and ("%d of %d"):format(passed, total) or "–", class = "number"}, html.badge(item.verdict),
-      html.text(item.reason)}
+      html.tag("a", {href = items.href(item, r, "paper")}, html.escape(item.id)), items.title(item),
+      {total > 0 and ("%d of %d"):format(passed, total) or "–", class = "number"},
+      html.badge(item.failure and "failed" or item.input), html.text(item.failure or item.reason)}
   end
-  return html.table("verdicts", {"item", "what", "checks passed", "verdict", "reason"}, rows)
+  return html.table("verdicts", {"item", "what", "checks passed", "input", "reason"}, rows)
 end
 
 function items.checks(r)
   local parts = {}
-  for _, pair in ipairs(record.count(r.checks, "status")) do
+  for _, pair in ipairs(record.count(r.checks)) do
     parts[#parts + 1] = html.tag("span", {class = "count"}, pair[2] .. " " .. html.badge(pair[1]))
   end
   return html.tag("p", {class = "tally"}, summary(r.checks) .. ". " .. table.concat(parts, " "))

@@ -1,5 +1,7 @@
 -- Pandoc reader of literate C++: `pandoc -f literate.lua main.cpp section.cpp ...`.
 -- A comment that opens with `/***` at the beginning of a line is prose in Markdown; everything else is code.
+-- A prose line `{{code: contact/hertz.hpp hertz_from_approach}}` shows that function or type of lib/. Functions that compute
+-- are shown; what registers, formats and checks (a function that takes a report::Item, a report::Section, main) is folded.
 -- The first file is the page; a prose line `{{include: section.cpp}}` continues with another one. Every .cpp
 -- named on the command line must be included exactly once; a header may be.
 
@@ -107,6 +109,67 @@ local function fenced(code, file, line, role)
   return ('%s {.cpp file="%s" line="%d" role="%s"}\n%s\n%s\n'):format(fence, file, line, role, code, fence)
 end
 
+-- Whether a piece of code only registers, formats and checks.
+local function is_glue(code)
+  for line in code:gmatch("[^\n]+") do
+    if not line:find("^[%s/}]") and (line:find("report::Item&", 1, true) or line:find("report::Section ", 1, true)
+        or line:find("report::Row&", 1, true) or line:find("^int main%(")) then return true end
+  end
+  -- a signature that goes on in the next line
+  return code:find("^[%w][^\n;{]*%([^\n]*\n[^\n]*report::Item&") ~= nil
+end
+
+-- Cuts code at blank lines between top-level definitions into runs that are shown and runs that are folded:
+-- {{code, lines before it, folded}, ...}.
+local function runs(code)
+  local out, chunk, start, n = {}, {}, 1, 0
+  local function close(last)
+    local text = table.concat(chunk, "\n")
+    if text:find("%S") then
+      local glue = is_glue(text) or not text:find("[%w]") or text:find("^}") ~= nil
+      local previous = out[#out]
+      if previous and previous.glue == glue then
+        previous.text = previous.text .. "\n\n" .. text
+      else
+        out[#out + 1] = {text = text, before = start - 1, glue = glue}
+      end
+    end
+    chunk, start = {}, last + 1
+  end
+  for line in (code .. "\n"):gmatch("(.-)\n") do
+    n = n + 1
+    local top = #chunk == 0 or chunk[#chunk]:find("^}") or chunk[#chunk]:find("^[^%s].*;%s*$") -- a definition ended above
+    if line == "" and top then close(n) else chunk[#chunk + 1] = line end
+  end
+  close(n)
+  return out
+end
+
+-- The text of a function or type of the library with the comment above it, and its first line.
+local function library_code(path, name, from)
+  local root = os.getenv("RAILBOOK_LIB") or "lib"
+  local file = io.open(root .. "/" .. path)
+  if not file then fail(from .. ": no file lib/" .. path) end
+  local lines = {}
+  for line in file:lines() do lines[#lines + 1] = line end
+  file:close()
+  for i, line in ipairs(lines) do
+    local defines = not line:find("^[%s/#]") and line:find("%f[%w_]" .. name .. "%f[^%w_]")
+    local declared = line:find("^struct%s+" .. name) or line:find("^class%s+" .. name)
+      or line:find("[%s&*:]" .. name .. "%(") or line:find("^" .. name .. "%(")
+    if defines and declared then
+      local first, last = i, i
+      while first > 1 and (lines[first - 1]:find("^//") or lines[first - 1]:find("^template")) do first = first - 1 end
+      while last <= #lines and not lines[last]:find("^}") and not (lines[last]:find(";%s*$") and not lines[last]:find("^%s")) do
+        last = last + 1
+      end
+      local body = table.concat(lines, "\n", first, math.min(last, #lines))
+      if body:find("{", 1, true) then return body, first end
+    end
+  end
+  fail(from .. ": lib/" .. path .. " defines no " .. name)
+end
+
 local Weaver = {}
 Weaver.__index = Weaver
 
@@ -123,8 +186,10 @@ function Weaver:code(piece, file)
     if body == "" then return end
     code = body
   end
-  self:emit(fenced(code, file, line, "code"))
-  self.blocks = self.blocks + 1
+  for _, run in ipairs(runs(code)) do
+    self:emit(fenced(run.text, file, line + run.before, run.glue and "glue" or "code"))
+    self.blocks = self.blocks + 1
+  end
 end
 
 function Weaver:emit(text) self.out[#self.out + 1] = text .. "\n" end
@@ -134,9 +199,15 @@ function Weaver:prose(piece, file)
   local body = piece.text:gsub("^[ \t]+", "")
   for text in (body .. "\n"):gmatch("(.-)\n") do
     local included = text:match("^%s*{{%s*include:%s*(%S+)%s*}}%s*$")
+    local path, name = text:match("^%s*{{%s*code:%s*(%S+)%s+([%w_]+)%s*}}%s*$")
     if included then
       self:emit("")
       self:file(included, file .. ":" .. line)
+    elseif path then
+      local code, first = library_code(path, name, file .. ":" .. line)
+      self:emit("")
+      self:emit(fenced(code, "lib/" .. path, first, "code"))
+      self.blocks = self.blocks + 1
     else
       self.out[#self.out + 1] = text
     end
@@ -188,7 +259,7 @@ local function present(block)
   local where = ("%s:%s"):format(file, line)
   local shown = pandoc.CodeBlock(block.text, {class = "cpp"})
   local size = lines == 1 and "1 line" or lines .. " lines"
-  if role == "headers" or lines > longest_open_block then
+  if role ~= "code" or lines > longest_open_block then
     local summary = role == "headers" and {pandoc.Str("Headers")} or summary_of(block.text)
     local label = pandoc.Span({pandoc.Str(where .. ", " .. size)}, {class = "where"})
     return {

@@ -25,7 +25,7 @@ function record.load(path)
   file:close()
   if type(r) ~= "table" then error(path .. " is not a record: " .. tostring(problem), 0) end
   if not r.chapter then error(path .. ': has no "chapter"', 0) end
-  for _, key in ipairs({"checks", "items", "values", "work_precision", "stability"}) do r[key] = r[key] or {} end
+  for _, key in ipairs({"checks", "items", "values", "work_precision", "stability", "inventory"}) do r[key] = r[key] or {} end
   if type(r.only) == "table" and #r.only > 0 then
     error(("%s holds only %s: run the whole chapter"):format(path, table.concat(r.only, ", ")), 0)
   end
@@ -38,14 +38,19 @@ function record.load(path)
     if type(item.csv) == "string" then item.csv = {item.csv} end
     for i, name in ipairs(item.csv) do item.csv[i] = basename(name) end
     for _, key in ipairs({"png", "script"}) do item[key] = item[key] and basename(item[key]) end -- "" becomes nil
-    item.verdict = item.verdict or "no verdict"
+    item.input, item.page = item.input or "paper", item.page or "paper"
+    if item.failure == "" then item.failure = nil end
     if item.png then item.kind = "figure" end
   end
+  r.check = {}
   for _, check in ipairs(r.checks) do
+    check.of_paper = check.source == "print" or check.source == "claim"
     local item = r.item[check.item]
     if not item then error(("%s: check %s belongs to no item"):format(path, tostring(check.id)), 0) end
     table.insert(item.checks, check)
+    r.check[check.id] = check
   end
+  for _, item in ipairs(r.items) do r.has_study = r.has_study or item.page == "study" end
   return r
 end
 
@@ -68,18 +73,37 @@ function record.tally(checks)
   return passed, #checks, closest
 end
 
-local verdicts = {"reproduced", "explained", "misprint", "reconstructed", "sketch", "not-reproducible", "failed"}
+record.outcomes = {"confirmed", "consistent", "fitted", "corrected", "restored", "not confirmed", "verified", "failed"}
 
--- {{verdict, count}, ...}, the best first; `key` is "verdict" of items or "status" of checks.
-function record.count(list, key)
+-- {{outcome, count}, ...} of a list of checks, in that order.
+function record.count(checks)
   local counts, out = {}, {}
-  for _, entry in ipairs(list) do counts[entry[key]] = (counts[entry[key]] or 0) + 1 end
-  for _, verdict in ipairs(verdicts) do
-    if counts[verdict] then out[#out + 1] = {verdict, counts[verdict]} end
-    counts[verdict] = nil
+  for _, check in ipairs(checks) do counts[check.outcome] = (counts[check.outcome] or 0) + 1 end
+  for _, outcome in ipairs(record.outcomes) do
+    if counts[outcome] then out[#out + 1] = {outcome, counts[outcome]} end
   end
-  for verdict, count in pairs(counts) do out[#out + 1] = {verdict, count} end -- of no known kind
   return out
+end
+
+-- One paper in a line: what became of its numbers and claims, of its figures, and what else was verified.
+function record.headline(r)
+  local line = {print = {}, claim = {}, figures = {}, verified = 0, failed = 0, untested = 0, unreadable = 0, rows = 0, open = 0}
+  local add = function(counts, key) counts[key] = (counts[key] or 0) + 1 end
+  for _, check in ipairs(r.checks) do
+    if not check.pass then line.failed = line.failed + 1
+    elseif check.of_paper then add(line[check.source], check.outcome)
+    else line.verified = line.verified + 1 end
+  end
+  for _, item in ipairs(r.items) do
+    if item.kind == "figure" and item.page == "paper" then add(line.figures, item.input) end
+  end
+  for _, row in ipairs(r.inventory) do
+    line.rows = line.rows + 1
+    if row.reason:find("^not testable") then line.untested = line.untested + 1 end
+    if row.reason:find("^unreadable") then line.unreadable = line.unreadable + 1 end
+    if #row.treated == 0 and row.reason == "" and row.symbol == "" then line.open = line.open + 1 end
+  end
+  return line
 end
 
 -- The machine and the packages as one line of HTML.

@@ -1,6 +1,8 @@
 -- Pandoc filter: fills a chapter's page from its record.
 --   {{id}}              in a text or a formula: a value; the number of a figure or table, as a link
 --   {{fig-09}} alone    the figure or table, with its checks
+--   {{outcome:id}}      what came of a check, as a link to it
+--   {{coverage}} alone  the inventory of the paper
 --   {{work-precision}}, {{work-precision: id}}, {{stability}}, {{verdicts}}, {{checks}} alone
 -- Metadata: record (JSON file), figures (folder of its PNGs), data (folder of its CSVs and scripts).
 -- An unknown id, a missing file, or an item of the record that the page does not show exactly once is an error.
@@ -8,8 +10,8 @@
 package.path = PANDOC_SCRIPT_FILE:match("^(.*)/[^/]*$") .. "/?.lua;" .. package.path
 local html, items, record = require "html", require "items", require "record"
 
-local r, figures, data
-local problems, shown, reported = {}, {}, {}
+local r, figures, data, page
+local problems, shown, reported, anchors = {}, {}, {}, {}
 
 -- Where the sources say {{text}}: "main.cpp:12".
 local function place(token)
@@ -64,6 +66,17 @@ local function mark(key, token)
   shown[key] = true
 end
 
+-- {{outcome:table-2/p0-hertz}}: what came of a check, as a link to it.
+local function outcome_of(id, token)
+  local check = r.check[id]
+  if not check then
+    unknown(token, id)
+    return pandoc.Str("")
+  end
+  local href = items.href(r.item[check.item], r, page):gsub("#.*$", "") .. "#" .. id
+  return pandoc.RawInline("html", html.tag("a", {href = href}, html.badge(check.pass and check.outcome or "failed")))
+end
+
 local function stability(token)
   mark("the stability cases", token)
   if #r.stability == 0 then problem(token, r.path .. " has no stability cases") end
@@ -86,6 +99,7 @@ end
 -- An item may have the name of a list, stability say; then it shows the list as well.
 local function block_for(name, argument, token)
   local list
+  if name == "coverage" then list = items.coverage(r, page) end
   if name == "verdicts" then list = items.verdicts(r) end
   if name == "checks" then list = items.checks(r) end
   if name == "stability" then list = stability(token) end
@@ -96,8 +110,27 @@ local function block_for(name, argument, token)
   return item_block(item, token, list)
 end
 
+-- A display formula that carries a number, \tag{7}, stands in a block with that number and the anchor eq-7.
+local function numbered(para)
+  local math = para.content[1]
+  local number = math and math.t == "Math" and math.text:match("\\tag{([^{}]*)}")
+  if not number then return nil end
+  math.text = math.text:gsub("\\tag{[^{}]*}", "")
+  local after = pandoc.List()
+  for i = 2, #para.content do after:insert(para.content[i]) end
+  local label = pandoc.Span({pandoc.Str("(" .. number .. ")")}, {class = "number"})
+  local block = pandoc.Div({pandoc.Plain({pandoc.Span({math})  , label})}, {class = "equation"})
+  if not anchors[number] then block.identifier = "eq-" .. number end
+  anchors[number] = true
+  return #after > 0 and {block, pandoc.Para(after)} or block
+end
+
 -- A paragraph of nothing but {{...}}; one that is a mere value stays a paragraph.
 local function Para(para)
+  if #para.content > 0 and para.content[1].t == "Math" then
+    local block = numbered(para)
+    if block then return block end
+  end
   local text = pandoc.utils.stringify(para)
   if not text:find("^{{.*}}%s*$") or text:gsub("{{[^{}]*}}", ""):find("%S") then return nil end
   local out = pandoc.List()
@@ -119,14 +152,16 @@ local function Str(str)
   if not str.text:find("{{", 1, true) then return nil end
   local out, at, text = pandoc.List(), 1, str.text
   while true do
-    local open, close, id = text:find("{{([%w][%w%-_./]*)}}", at)
+    local open, close, id = text:find("{{([%w][%w%-_./:]*)}}", at)
     if not open then break end
     if open > at then out:insert(pandoc.Str(text:sub(at, open - 1))) end
-    local value, item = r.value[id], r.item[id]
-    if value then
+    local value, item, check = r.value[id], r.item[id], id:match("^outcome:(.*)$")
+    if check then
+      out:insert(outcome_of(check, "{{" .. id .. "}}"))
+    elseif value then
       out:insert(value_inlines(value))
     elseif item then
-      out:insert(pandoc.Link({pandoc.Str(items.label(item, r))}, "#" .. id, "", {class = "ref"}))
+      out:insert(pandoc.Link({pandoc.Str(items.label(item, r))}, items.href(item, r, page), "", {class = "ref"}))
     else
       unknown("{{" .. id .. "}}", id)
     end
@@ -222,7 +257,7 @@ local function number_items(doc)
     if text:find("^{{.*}}%s*$") and not text:gsub("{{[^{}]*}}", ""):find("%S") then number(text) end
   end})
   for _, item in ipairs(r.items) do
-    if not item.number then
+    if not item.number and item.page == page then
       local message = "%s: item '%s' of %s is not shown: give it a paragraph {{%s}}"
       problem(nil, message:format(r.chapter, item.id, r.path, item.id))
       item.number = 0
@@ -231,6 +266,7 @@ local function number_items(doc)
 end
 
 local function check_all_shown()
+  if page ~= (r.has_study and "study" or "paper") then return end
   if #r.stability > 0 and not shown["the stability cases"] then
     problem(nil, ("%s: the stability cases of %s are not shown: add {{stability}}"):format(r.chapter, r.path))
   end
@@ -249,7 +285,7 @@ function Pandoc(doc)
     io.stderr:write("book: ", result, "\n")
     os.exit(1)
   end
-  r, figures, data = result, text "figures", text "data"
+  r, figures, data, page = result, text "figures", text "data", text "page" or "paper"
   doc = take_title(doc)
   number_items(doc)
   doc = doc:walk({Para = Para}):walk({Str = Str, Math = Math}):walk({Inlines = Inlines})
@@ -263,7 +299,9 @@ function Pandoc(doc)
   doc.meta["checks-csv"] = exists(data .. "/checks.csv")
   doc.meta.number = pandoc.MetaString(tostring(r.number))
   doc.meta.paper = r.paper and raw(html.text(r.paper)) or nil
-  doc.meta.tally = raw(items.checks(r))
+  doc.meta.tally = page == "paper" and raw(items.checks(r)) or nil
+  if r.doi and r.doi ~= "" then doc.meta.doi = pandoc.MetaString(r.doi) end
+  if page == "study" then doc.meta["paper-page"] = pandoc.MetaString(r.chapter) doc.meta.study = nil end
   doc.meta.machine = raw(record.describe(r.machine))
   doc.meta.level = pandoc.MetaString(tostring(r.level or ""))
   doc.meta.seconds = raw(html.seconds(r.seconds))

@@ -5,7 +5,7 @@
 
 get_filename_component(root ${CMAKE_CURRENT_LIST_DIR}/.. ABSOLUTE)
 foreach(default CHAPTERS=${root}/chapters RESULTS=${root}/build/results FIGURES=${root}/build/figures
-        BOOK=${root}/build/book)
+        BOOK=${root}/build/book LIB=${root}/lib)
   string(REGEX MATCH "^([A-Z]+)=(.*)$" _ ${default})
   if(NOT ${CMAKE_MATCH_1})
     set(${CMAKE_MATCH_1} ${CMAKE_MATCH_2})
@@ -61,7 +61,7 @@ foreach(chapter ${chapters})
     list(APPEND around -V next=${name} -M "next-title=${title_${name}}")
   endif()
 
-  file(GLOB data ${RESULTS}/${chapter}/*.csv ${CHAPTERS}/${chapter}/*.gp)
+  file(GLOB data ${RESULTS}/${chapter}/*.csv ${CHAPTERS}/${chapter}/*.gp ${CHAPTERS}/${chapter}/study/*.gp)
   file(GLOB pngs ${FIGURES}/${chapter}/*.png)
   file(COPY ${data} DESTINATION ${new}/data/${chapter})
   file(COPY ${pngs} DESTINATION ${new}/figures/${chapter})
@@ -71,25 +71,51 @@ foreach(chapter ${chapters})
     file(COPY ${CHAPTERS}/${chapter}/data/${name} DESTINATION ${new}/data/${chapter}/printed)
     list(APPEND around -M printed=${name})
   endforeach()
-  file(GLOB sources ${CHAPTERS}/${chapter}/*.cpp ${CHAPTERS}/${chapter}/*.hpp)
-  list(REMOVE_ITEM sources ${CHAPTERS}/${chapter}/main.cpp)
-  execute_process(
-    COMMAND ${PANDOC} --from=${here}/literate.lua --lua-filter=${here}/results.lua ${page_options} --toc --toc-depth=2
-            ${around} -M record=${RESULTS}/${chapter}.json -M figures=${FIGURES}/${chapter}
-            -M data=${new}/data/${chapter} --output=${new}/${chapter}.html ${CHAPTERS}/${chapter}/main.cpp ${sources}
-    TIMEOUT ${time_limit} RESULT_VARIABLE status ERROR_VARIABLE said)
+  # The chapter's first page, and its second: the files of study/, study.cpp first.
+  set(status 0)
+  set(said "")
+  foreach(page paper study)
+    if(page STREQUAL paper)
+      set(folder ${CHAPTERS}/${chapter})
+      set(main ${folder}/main.cpp)
+      set(output ${chapter})
+    else()
+      set(folder ${CHAPTERS}/${chapter}/study)
+      set(main ${folder}/study.cpp)
+      set(output ${chapter}-study)
+    endif()
+    if(NOT EXISTS ${main})
+      continue()
+    endif()
+    file(GLOB sources ${folder}/*.cpp ${folder}/*.hpp)
+    list(REMOVE_ITEM sources ${main})
+    set(study)
+    if(EXISTS ${CHAPTERS}/${chapter}/study/study.cpp)
+      set(study -M study=${chapter}-study)
+    endif()
+    execute_process(
+      COMMAND ${CMAKE_COMMAND} -E env RAILBOOK_LIB=${LIB}
+              ${PANDOC} --from=${here}/literate.lua --lua-filter=${here}/results.lua ${page_options} --toc --toc-depth=2
+              ${around} ${study} -M record=${RESULTS}/${chapter}.json -M figures=${FIGURES}/${chapter} -M page=${page}
+              -M data=${new}/data/${chapter} --output=${new}/${output}.html ${main} ${sources}
+      RESULT_VARIABLE status_page ERROR_VARIABLE said_page TIMEOUT ${time_limit})
+    if(NOT status_page EQUAL 0)
+      set(status ${status_page})
+      string(APPEND said "${said_page}")
+    endif()
+  endforeach()
   if(status EQUAL 0)
     message("${chapter}  ${BOOK}/${chapter}.html")
     list(APPEND records -M record=${RESULTS}/${chapter}.json)
   else()
-    file(REMOVE ${new}/${chapter}.html)
+    file(REMOVE ${new}/${chapter}.html ${new}/${chapter}-study.html)
     message("${chapter}  FAILED: ${status}\n${said}")
     list(APPEND failed ${chapter})
     list(APPEND left_out "-M;left-out=${chapter} could not be woven: see the messages of the build")
   endif()
 endforeach()
 
-foreach(page "index=railbook: papers on wheel, rail and track, recomputed" "gallery=Gallery")
+foreach(page "index=railbook: papers on wheel, rail and track, recomputed" "gallery=Gallery" "equations=Equations")
   string(REGEX MATCH "^([a-z]+)=(.*)$" _ ${page})
   execute_process(
     COMMAND ${PANDOC} --from=markdown-citations --lua-filter=${here}/index.lua ${page_options} ${records} ${left_out}

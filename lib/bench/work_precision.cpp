@@ -1,5 +1,7 @@
 #include "bench/work_precision.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -98,6 +100,20 @@ void show(report::Item& item, const std::vector<report::WorkPrecision>& points,
     throw std::logic_error{"work-precision: no points of quantity \"" + quantity + "\""};
   item.add(std::move(chosen));
   item.script(RAILBOOK_BENCH_DIR "/work_precision.gp");
+}
+
+std::string label(int size) {
+  return std::to_string(size);
+}
+std::string label(double setting) {
+  return fmt::format("{:g}", setting);
+}
+
+std::vector<report::WorkPrecision> figure(report::Item& item, const Reference& reference,
+                                          const std::vector<Method>& methods, double budget) {
+  auto points = measure(item.id(), {reference}, methods, item.timings(), budget);
+  show(item, points, reference.quantity);
+  return points;
 }
 
 double observed_slope(const std::vector<report::WorkPrecision>& points, const std::string& quantity,

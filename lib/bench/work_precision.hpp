@@ -1,14 +1,16 @@
 // Error against run time: several methods, each at several settings, against one reference.
 //
-//   const auto points = bench::measure(
-//       "cost", {{"F", exact.force, 1e-15}, {"p0", exact.p0, 1e-15}},
-//       {{"cg-fft", {{"63", [&] { return solve(63); }}, {"127", [&] { return solve(127); }}}},
-//        {"countact", ...}},
-//       item.timings());
-//   bench::show(item, points, "F");     // records, <id>.csv and the two-panel figure
+//   void cost(report::Item& item) {
+//     bench::figure(item, {"F", exact.force, 1e-15},
+//                   {bench::sweep("cg-fft", {63, 127, 255}, [&](int n) { return by_grid(n); }),
+//                    bench::sweep("countact", {5, 9, 19}, [&](int n) { return by_columns(n); })});
+//   }
+//
+// Several quantities of the same runs: measure() once, then show() in an item each.
 #pragma once
 
 #include <functional>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -49,6 +51,9 @@ struct Timing {
   double noise = 0;  // (median - min)/min
 };
 
+std::string label(int size);
+std::string label(double setting);
+
 // Times a call: one warm-up, batches of at least 1 ms, up to 21 samples but at most about `budget` seconds.
 Timing time_call(const std::function<void()>& call, double budget = 0.5);
 
@@ -58,6 +63,23 @@ std::vector<report::WorkPrecision> measure(const std::string& id,
                                            const std::vector<Reference>& references,
                                            const std::vector<Method>& methods, bool timings,
                                            double budget = 0.5);
+
+// A method at several sizes: the settings are labelled by them.
+template <class Size, class Run>
+Method sweep(std::string name, const std::vector<Size>& sizes, const Run& run) {
+  Method method{std::move(name), {}};
+  for (const Size& size : sizes)
+    method.settings.push_back({label(size), [run, size] { return run(size); }});
+  return method;
+}
+template <class Run>
+Method sweep(std::string name, std::initializer_list<int> sizes, const Run& run) {
+  return sweep(std::move(name), std::vector<int>(sizes), run);
+}
+
+// Measures one quantity and shows it, in one step; returns the points.
+std::vector<report::WorkPrecision> figure(report::Item& item, const Reference& reference,
+                                          const std::vector<Method>& methods, double budget = 0.5);
 
 // Gives the points of one quantity to a figure item: records, CSV and the common two-panel script (error against
 // time, error against work). Only converged points with a positive error are drawn. A method's

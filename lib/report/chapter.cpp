@@ -4,57 +4,81 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <stdexcept>
 
 #include "files/out_file.hpp"
 #include "num/fp_trap.hpp"
 #include "num/stopwatch.hpp"
+#include "report/inventory.hpp"
 #include "units/input_error.hpp"
 
 namespace railbook::report {
 namespace {
 
-template <class Records>
-auto count_if(const Records& records, std::string_view verdict) {
-  return std::count_if(records.begin(), records.end(),
-                       [&](const auto& r) { return r.verdict == verdict; });
+struct PagedEntry {
+  const Entry* entry;
+  const char* page;
+};
+
+struct Reproduce {
+  std::vector<std::string> only;
+  std::string level = "quick";
+  std::string out = RAILBOOK_BUILD_DIR;
+  bool no_figures = false;
+  bool no_timings = false;
+  bool bite = false;
+};
+
+bool contains(const std::vector<std::string>& list, const std::string& text) {
+  return std::find(list.begin(), list.end(), text) != list.end();
 }
 
-// "01-contact: 9 reproduced, 3 explained; checks 57/57, worst 93 % of its tolerance; 3.2 s"
+std::size_t failures(const ChapterRecord& record) {
+  const auto failed = [](const ItemRecord& item) { return !item.failure.empty(); };
+  return static_cast<std::size_t>(std::count_if(record.items.begin(), record.items.end(), failed)) +
+         record.problems.size();
+}
+
+// "01-contact: of the paper 12 confirmed, 3 corrected; 21 verified; stability 14/14; checks 57/57; 3.2 s"
 std::string summary_line(const ChapterRecord& record) {
-  std::string verdicts;
-  for (const char* verdict :
-       {"reproduced", "explained", "reconstructed", "sketch", "not-reproducible", "failed"}) {
-    const auto n = count_if(record.items, verdict);
-    if (n > 0) verdicts += fmt::format("{}{} {}", verdicts.empty() ? "" : ", ", n, verdict);
+  std::string outcomes;
+  for (const char* outcome : {"confirmed", "consistent", "fitted", "corrected", "restored",
+                              "not confirmed", "verified", "failed"}) {
+    const auto n = std::count_if(record.checks.begin(), record.checks.end(),
+                                 [&](const CheckRecord& c) { return c.outcome == outcome; });
+    if (n > 0) outcomes += fmt::format("{}{} {}", outcomes.empty() ? "" : ", ", n, outcome);
   }
-  std::size_t passed = 0;
-  double worst = 0;
-  for (const CheckRecord& c : record.checks) {
-    passed += c.pass ? 1 : 0;
-    const bool has_share = c.allowed > 0 && c.kind != "at_most" && c.kind != "at_least";
-    if (has_share && std::isfinite(c.error)) worst = std::max(worst, c.error / c.allowed);
-  }
-  return fmt::format("{}: {}; checks {}/{}, worst {:.0f} % of its tolerance; {:.1f} s",
-                     record.chapter, verdicts, passed, record.checks.size(), 100 * worst,
-                     record.seconds);
+  const auto passed = [](const auto& records) {
+    const auto n =
+        std::count_if(records.begin(), records.end(), [](const auto& r) { return r.pass; });
+    return fmt::format("{}/{}", n, records.size());
+  };
+  return fmt::format("{}: {}; checks {}, stability {}; {:.1f} s", record.chapter,
+                     outcomes.empty() ? "no checks" : outcomes, passed(record.checks),
+                     passed(record.stability), record.seconds);
 }
 
 void print_failures(const ChapterRecord& record) {
   for (const ItemRecord& item : record.items)
-    if (item.verdict == "failed") fmt::print(stderr, "FAILED {}: {}\n", item.id, item.reason);
+    if (!item.failure.empty()) fmt::print(stderr, "FAILED {}: {}\n", item.id, item.failure);
   for (const CheckRecord& c : record.checks) {
-    if (!c.pass) {
-      fmt::print(stderr,
-                 "  {} ({}): printed {}, computed {} {}; error {:.3g}, allowed {:.3g} ({})\n", c.id,
-                 c.what, c.printed, c.computed_text, c.unit, c.error, c.allowed, c.kind);
-    }
+    if (c.pass) continue;
+    fmt::print(stderr, "  {} ({}): {} {}, computed {} {}; error {:.3g}, allowed {:.3g} ({})\n",
+               c.id, c.what, c.source, c.reference, c.computed_text, c.unit, c.error, c.allowed,
+               c.kind);
   }
+  for (const Stability& s : record.stability) {
+    if (s.pass) continue;
+    fmt::print(stderr,
+               "  stability {} ({}): expected {}, found {}: {}; error {:.3g}, allowed {:.3g}\n",
+               s.id, s.case_, s.expect, s.found, s.result, s.error, s.allowed);
+  }
+  for (const std::string& problem : record.problems)
+    fmt::print(stderr, "  inventory: {}\n", problem);
 }
 
-// The bite test passes when no shifted check does.
+// The bite test passes when no shifted check and no shifted stability case does.
 int judge_bite(const ChapterRecord& record) {
   std::size_t toothless = 0;
   for (const CheckRecord& c : record.checks) {
@@ -62,9 +86,14 @@ int judge_bite(const ChapterRecord& record) {
     ++toothless;
     fmt::print(stderr, "does not bite: {} (computed {}, kind {})\n", c.id, c.computed_text, c.kind);
   }
-  fmt::print("{}: bite test, {} of {} shifted checks fail\n", record.chapter,
-             record.checks.size() - toothless, record.checks.size());
-  return toothless == 0 && !record.checks.empty() ? 0 : 1;
+  for (const Stability& s : record.stability) {
+    if (!s.pass) continue;
+    ++toothless;
+    fmt::print(stderr, "does not bite: stability {}\n", s.id);
+  }
+  const std::size_t all = record.checks.size() + record.stability.size();
+  fmt::print("{}: bite test, {} of {} shifted checks fail\n", record.chapter, all - toothless, all);
+  return toothless == 0 && all > 0 ? 0 : 1;
 }
 
 // The folder for what a run writes, before anything is computed.
@@ -77,88 +106,102 @@ void make_folder(const std::filesystem::path& folder, bool anew) {
         fmt::format("folder \"{}\": cannot be made: {}", folder.string(), error.message())};
 }
 
-}  // namespace
-
-void Chapter::table(std::string id, std::string title, ItemFunction compute) {
-  add(std::move(id), "table", std::move(title), std::move(compute));
-}
-void Chapter::figure(std::string id, std::string title, ItemFunction compute) {
-  add(std::move(id), "figure", std::move(title), std::move(compute));
-}
-
-void Chapter::add(std::string id, std::string kind, std::string title, ItemFunction compute) {
-  const auto same = [&](const Entry& e) { return e.id == id; };
-  if (std::any_of(entries_.begin(), entries_.end(), same))
-    throw std::logic_error{"item " + id + " is named twice"};
-  entries_.push_back({std::move(id), std::move(kind), std::move(title), std::move(compute)});
-}
-
-void Chapter::list() const {
-  for (const Entry& e : entries_) fmt::print("{:<22} {:<7} {}\n", e.id, e.kind, e.title);
+std::vector<PagedEntry> in_order(const std::vector<Section>& paper,
+                                 const std::vector<Section>& study) {
+  std::vector<PagedEntry> all;
+  const auto add = [&](const std::vector<Section>& sections, const char* page) {
+    for (const Section& section : sections)
+      for (const Entry& entry : section) {
+        if (std::any_of(all.begin(), all.end(),
+                        [&](const PagedEntry& e) { return e.entry->id == entry.id; }))
+          throw std::logic_error{"item " + entry.id + " is named twice"};
+        all.push_back({&entry, page});
+      }
+  };
+  add(paper, "paper");
+  add(study, "study");
+  return all;
 }
 
-int Chapter::reproduce(const Reproduce& wish) const {
+void compute(const PagedEntry& e, const RunSettings& settings, ChapterRecord& record) {
+  const num::Stopwatch watch;
+  Item item{e.entry->id, e.entry->kind, e.entry->title, settings};
+  try {
+    {
+      const num::FpTraps traps;
+      e.entry->compute(item);
+    }
+    item.finish(record);
+  } catch (const std::exception& error) {
+    item.fail(error.what(), record);
+  }
+  record.items.back().page = e.page;
+  record.items.back().seconds = settings.timings ? watch.seconds() : 0;
+}
+
+int reproduce(const Reproduce& wish, const ChapterInfo& info,
+              const std::vector<PagedEntry>& entries) {
   for (const std::string& id : wish.only) {
-    if (std::none_of(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.id == id; }))
+    if (std::none_of(entries.begin(), entries.end(),
+                     [&](const PagedEntry& e) { return e.entry->id == id; }))
       throw InputError{
-          fmt::format("only is \"{}\"; allowed: a name that `{} list` shows", id, info_.name)};
+          fmt::format("only is \"{}\"; allowed: a name that `{} list` shows", id, info.name)};
   }
   const std::filesystem::path out = wish.out;
   RunSettings settings;
-  settings.sources = info_.sources;
-  settings.results = out / "results" / info_.id;
-  settings.figures = out / "figures" / info_.id;
+  settings.sources = info.sources;
+  settings.results = out / "results" / info.id;
+  settings.figures = out / "figures" / info.id;
   settings.full = wish.level == "full";
   settings.draw = !wish.no_figures;
   settings.timings = !wish.no_timings;
   settings.bite = wish.bite;
 
   ChapterRecord record;
-  record.chapter = info_.id;
-  record.title = info_.title;
-  record.paper = info_.paper;
+  record.chapter = info.id;
+  record.title = info.title;
+  record.paper = info.paper;
+  record.doi = info.doi;
   record.level = wish.level;
   record.only = wish.only;
-  const bool anew = wish.only.empty() && !wish.bite;  // then nothing of an earlier run may remain
+  const bool whole = wish.only.empty();
+  const bool anew = whole && !wish.bite;  // then nothing of an earlier run may remain
   make_folder(settings.results, anew);
   make_folder(settings.figures, anew);
-  const num::Stopwatch total;
-  for (const Entry& e : entries_) {
-    if (!wish.only.empty() &&
-        std::find(wish.only.begin(), wish.only.end(), e.id) == wish.only.end())
-      continue;
-    const num::Stopwatch one;
-    Item item{e.id, e.kind, e.title, settings};
-    try {
-      {
-        const num::FpTraps traps;
-        e.compute(item);
-      }
-      item.finish(record);
-    } catch (const std::exception& error) {
-      item.fail(error.what(), record);
-    }
-    record.items.back().seconds = wish.no_timings ? 0 : one.seconds();
-  }
-  record.seconds = wish.no_timings ? 0 : total.seconds();
+  const num::Stopwatch watch;
+  for (const PagedEntry& e : entries)
+    if (whole || contains(wish.only, e.entry->id)) compute(e, settings, record);
+  record.seconds = wish.no_timings ? 0 : watch.seconds();
   if (wish.bite) return judge_bite(record);
 
+  const std::filesystem::path inventory = info.sources / "data" / "inventory.csv";
+  if (whole && std::filesystem::exists(inventory)) {
+    record.inventory = read_inventory(inventory);
+    record.problems = audit(record.inventory, record);
+  }
   files::write(settings.results / "checks.csv", checks_csv(record));
-  write_record(record, out / "results" / (info_.id + ".json"));
+  write_record(record, out / "results" / (info.id + ".json"));
   const std::string summary = summary_line(record);
-  files::write(out / "results" / (info_.id + ".txt"), summary + "\n");
+  files::write(out / "results" / (info.id + ".txt"), summary + "\n");
   print_failures(record);
   fmt::print("{}\n", summary);
-  const bool good = count_if(record.items, "failed") == 0 && !record.items.empty();
-  return good ? 0 : 1;
+  return failures(record) == 0 && !record.items.empty() ? 0 : 1;
 }
 
-int Chapter::run(int argc, char** argv) {
-  CLI::App app{fmt::format("{}: {}", info_.name, info_.title), info_.name};
-  app.require_subcommand(1);
+}  // namespace
 
+Entry table(std::string id, std::string title, ItemFunction compute) {
+  return {std::move(id), "table", std::move(title), std::move(compute)};
+}
+Entry figure(std::string id, std::string title, ItemFunction compute) {
+  return {std::move(id), "figure", std::move(title), std::move(compute)};
+}
+
+int run(int argc, char** argv, const ChapterInfo& info, const std::vector<Section>& paper,
+        const std::vector<Section>& study) {
+  CLI::App app{fmt::format("{}: {}", info.name, info.title), info.name};
+  app.require_subcommand(1);
   Reproduce wish;
-  wish.out = RAILBOOK_BUILD_DIR;
   CLI::App* reproduce_command =
       app.add_subcommand("reproduce", "recompute the paper's tables and figures and check them");
   reproduce_command->add_option("--only", wish.only, "only these items (see list)")->delimiter(',');
@@ -177,24 +220,27 @@ int Chapter::run(int argc, char** argv) {
   CLI::App* list_command = app.add_subcommand("list", "name the tables and figures");
 
   try {
+    const std::vector<PagedEntry> entries = in_order(paper, study);
     app.parse(argc, argv);
-    if (*reproduce_command) return reproduce(wish);
-    if (*list_command) list();
+    if (*reproduce_command) return reproduce(wish, info, entries);
+    if (*list_command)
+      for (const PagedEntry& e : entries)
+        fmt::print("{:<22} {:<7} {}\n", e.entry->id, e.entry->kind, e.entry->title);
     return 0;
   } catch (const CLI::CallForHelp& help) {
     return app.exit(help);
   } catch (const CLI::CallForAllHelp& help) {
     return app.exit(help);
   } catch (const CLI::ParseError& error) {
-    fmt::print(stderr, "{}: {}\nTry `{} --help`.\n", info_.name, error.what(), info_.name);
+    fmt::print(stderr, "{}: {}\nTry `{} --help`.\n", info.name, error.what(), info.name);
     return 2;
   } catch (const InputError& error) {
-    fmt::print(stderr, "{}: {}\n", info_.name, error.what());
+    fmt::print(stderr, "{}: {}\n", info.name, error.what());
     return 2;
   } catch (const files::OutsideError& error) {
-    return files::report(info_.name, error);
+    return files::report(info.name, error);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "{}: {}\n", info_.name, error.what());
+    fmt::print(stderr, "{}: {}\n", info.name, error.what());
     return 1;
   }
 }

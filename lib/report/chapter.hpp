@@ -1,14 +1,16 @@
 // A chapter program: named tables and figures behind one command line.
 //
+//   const report::Section example_1{report::figure("fig-06", "Wheel and rail in contact", fig_06),
+//                                   report::table("table-2", "Hertz and COUNTACT", table_2)};
+//
 //   int main(int argc, char** argv) {
-//     report::Chapter chapter{{.id = RAILBOOK_CHAPTER, .name = "contact", .title = "...", .paper = "...",
-//                              .sources = RAILBOOK_CHAPTER_DIR}};
-//     chapter.table("table-2", "Hertz and COUNTACT", table_2);    // void table_2(report::Item&)
-//     chapter.figure("fig-09", "Pressure along the axis", fig_09);
-//     return chapter.run(argc, argv);
+//     return report::run(argc, argv,
+//                        {.id = RAILBOOK_CHAPTER, .name = "contact", .title = "...", .paper = "...",
+//                         .sources = RAILBOOK_CHAPTER_DIR},
+//                        {method, example_1}, {cost, extremes});
 //   }
 //
-// Subcommands: reproduce (--only, --level, --out, --no-figures, --no-timings, --bite), list.
+// Subcommands: reproduce (--only, --level, --out, --no-figures, --no-timings, --bite) and list.
 // Exit status: 0 all good, 1 a check failed, 2 bad input or usage.
 #pragma once
 
@@ -27,43 +29,43 @@ struct ChapterInfo {
   std::string title;  // of the page
   std::string paper;  // full citation
   std::filesystem::path sources;
+  std::string doi = {};
 };
 
+using ItemFunction = std::function<void(Item&)>;
+
+struct Entry {
+  std::string id, kind, title;
+  ItemFunction compute;
+};
+Entry table(std::string id, std::string title, ItemFunction compute);
+Entry figure(std::string id, std::string title, ItemFunction compute);
+
+// The items of one file, in reading order. A costly result that several share belongs in a function-local static, so that
+// it is computed once, by the first that needs it.
+using Section = std::vector<Entry>;
+
+// Reads the command line and does what it says; returns the exit status. `paper` is the chapter's first page, `study` its
+// second: error against run time, and stability. Items run in this order, with the floating-point traps on.
+int run(int argc, char** argv, const ChapterInfo& info, const std::vector<Section>& paper,
+        const std::vector<Section>& study = {});
+
+// Until all chapters hand their sections to run().
 class Chapter {
  public:
-  using ItemFunction = std::function<void(Item&)>;
-
+  using ItemFunction = report::ItemFunction;
   explicit Chapter(ChapterInfo info) : info_(std::move(info)) {}
-
-  // Items run in the order they are added. A costly result that several share belongs in a function-local static,
-  // so that it is computed once, by the first that needs it.
-  void table(std::string id, std::string title, ItemFunction compute);
-  void figure(std::string id, std::string title, ItemFunction compute);
-
-  // Reads the command line and does what it says; returns the exit status. Items run with the
-  // floating-point traps on.
-  int run(int argc, char** argv);
+  void table(std::string id, std::string title, ItemFunction compute) {
+    entries_.push_back(report::table(std::move(id), std::move(title), std::move(compute)));
+  }
+  void figure(std::string id, std::string title, ItemFunction compute) {
+    entries_.push_back(report::figure(std::move(id), std::move(title), std::move(compute)));
+  }
+  int run(int argc, char** argv) { return report::run(argc, argv, info_, {entries_}); }
 
  private:
-  struct Entry {
-    std::string id, kind, title;
-    ItemFunction compute;
-  };
-  struct Reproduce {
-    std::vector<std::string> only;
-    std::string level = "quick";
-    std::string out;
-    bool no_figures = false;
-    bool no_timings = false;
-    bool bite = false;
-  };
-
-  void add(std::string id, std::string kind, std::string title, ItemFunction compute);
-  int reproduce(const Reproduce& wish) const;
-  void list() const;
-
   ChapterInfo info_;
-  std::vector<Entry> entries_;
+  Section entries_;
 };
 
 }  // namespace railbook::report

@@ -4,16 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include "files/out_file.hpp"
+#include "num/stopwatch.hpp"
 #include "plot/plot.hpp"
 
 namespace railbook::report {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using units::nan;
 
 // A computed value beside its printed text: two digits more than the paper gives.
 std::string show(std::string_view printed, double computed) {
@@ -24,10 +24,6 @@ std::string show(std::string_view printed, double computed) {
   const int digits =
       static_cast<int>(std::floor(std::log10(size)) - std::round(std::log10(digit))) + 3;
   return fmt::format("{:.{}g}", computed, std::clamp(digits, 3, 15));
-}
-
-bool one_of(std::string_view text, std::initializer_list<std::string_view> allowed) {
-  return std::find(allowed.begin(), allowed.end(), text) != allowed.end();
 }
 
 }  // namespace
@@ -66,15 +62,26 @@ Data& Data::not_compared(std::string_view why) {
   return *this;
 }
 
-void Row::check(std::string_view column, double computed, const Tolerance& tolerance) const {
+Row::About Row::about(std::string_view column) const {
   const auto optional = [&](std::string_view name) {
     const auto& h = table_->header;
     return std::find(h.begin(), h.end(), name) == h.end() ? std::string{} : table_->at(key_, name);
   };
   const std::string what = optional("what");
-  item_->check(fmt::format("{}-{}", key_, column),
-               fmt::format("{}, {}", what.empty() ? key_ : what, column), optional("unit"),
-               printed(column), computed, tolerance);
+  const std::string named = what.empty() ? key_ : what;
+  return {fmt::format("{}-{}", key_, column),
+          column == "printed" ? named : fmt::format("{}, {}", named, column), optional("unit")};
+}
+
+void Row::print(std::string_view column, double computed, const Expectation& expectation) const {
+  const About a = about(column);
+  item_->print(a.id, a.what, a.unit, printed(column), computed, expectation);
+}
+
+void Row::publication(std::string_view column, double computed, const Tolerance& tolerance,
+                      const std::string& work) const {
+  const About a = about(column);
+  item_->publication(a.id, a.what, a.unit, printed(column), computed, tolerance, work);
 }
 
 Item::Item(std::string id, std::string kind, std::string title, const RunSettings& settings)
@@ -88,50 +95,108 @@ table::CsvTable Item::printed(std::string_view file) const {
   return table::read_table(settings_.sources / "data" / file);
 }
 
-void Item::check(std::string_view id, std::string_view what, std::string_view unit,
-                 std::string_view printed, double computed, const Tolerance& tolerance) {
-  if (settings_.bite) computed = bitten(printed, computed, tolerance);
-  const Verdict verdict = compare(printed, computed, tolerance);
-  CheckRecord c;
-  c.id = fmt::format("{}/{}", record_.id, id);
+CheckRecord& Item::add_check(const About& about, Source source, Outcome outcome) {
+  CheckRecord& c = checks_.emplace_back();
+  c.id = fmt::format("{}/{}", record_.id, about.id);
   c.item = record_.id;
-  c.what = what;
-  c.unit = unit;
-  c.printed = printed;
+  c.what = about.what;
+  c.unit = about.unit;
+  c.source = name(source);
+  c.outcome = name(outcome);
+  return c;
+}
+
+void Item::compare_with(const About& about, std::string_view reference, double computed,
+                        Source source, const Expectation& expectation, const std::string& by) {
+  const Tolerance& tolerance = expectation.tolerance;
+  if (settings_.bite) computed = bitten(reference, computed, tolerance);
+  const Verdict verdict = compare(reference, computed, tolerance);
+  CheckRecord& c = add_check(about, source, expectation.outcome);
+  c.by = by;
+  c.reference = reference;
   c.computed = computed;
-  c.computed_text = show(printed, computed);
+  c.computed_text = show(reference, computed);
   c.allowed = verdict.allowed;
   c.error = verdict.error;
   c.kind = name(tolerance.kind);
   c.why = tolerance.why;
   c.pass = verdict.pass;
-  checks_.push_back(std::move(c));
 }
 
-void Item::check_text(std::string_view id, std::string_view what, std::string_view printed,
-                      std::string_view computed) {
-  CheckRecord c;
-  c.id = fmt::format("{}/{}", record_.id, id);
-  c.item = record_.id;
-  c.what = what;
-  c.printed = printed;
-  c.computed = nan;
-  c.computed_text = settings_.bite ? "not " + std::string{computed} : std::string{computed};
-  c.kind = name(ToleranceKind::exact);
-  c.pass = c.printed == c.computed_text;
-  c.error = c.pass ? 0 : 1;
-  checks_.push_back(std::move(c));
+void Item::print(std::string_view id, std::string_view what, std::string_view unit,
+                 std::string_view printed, double computed, const Expectation& expectation) {
+  compare_with({id, what, unit}, printed, computed, Source::print, expectation, "");
+}
+
+void Item::publication(std::string_view id, std::string_view what, std::string_view unit,
+                       std::string_view reference, double computed, const Tolerance& tolerance,
+                       const std::string& work) {
+  Expectation expectation{tolerance};
+  expectation.outcome = Outcome::verified;
+  compare_with({id, what, unit}, reference, computed, Source::publication, expectation, work);
 }
 
 void Item::agree(std::string_view id, std::string_view what, std::string_view unit, double computed,
                  double reference, double allowed, const std::string& method) {
-  Tolerance t{ToleranceKind::agrees_with, allowed, "against " + method};
-  // The reference is a number of ours, not a printed text: written with all its digits.
-  check(id, what, unit, fmt::format("{:.17g}", reference), computed, t);
-  checks_.back().printed = fmt::format("{:.10g}", reference);
-  const double shown = checks_.back().computed;
-  checks_.back().computed_text =
-      std::isfinite(shown) ? fmt::format("{:.10g}", shown) : table::csv_number(shown);
+  Expectation expectation{Tolerance{ToleranceKind::agrees_with, allowed, "against " + method}};
+  expectation.outcome = Outcome::verified;
+  // The reference is a number of ours, not a printed text: compared with all its digits, shown with ten.
+  compare_with({id, what, unit}, fmt::format("{:.17g}", reference), computed, Source::route,
+               expectation, method);
+  const auto ten = [](double x) {
+    return std::isfinite(x) ? fmt::format("{:.10g}", x) : table::csv_number(x);
+  };
+  checks_.back().reference = ten(reference);
+  checks_.back().computed_text = ten(checks_.back().computed);
+}
+
+void Item::at_most(std::string_view id, std::string_view what, std::string_view unit,
+                   double computed, double bound, const std::string& why) {
+  Expectation expectation{report::at_most(why)};
+  expectation.outcome = Outcome::verified;
+  compare_with({id, what, unit}, fmt::format("{:.10g}", bound), computed, Source::route,
+               expectation, why);
+}
+
+void Item::at_least(std::string_view id, std::string_view what, std::string_view unit,
+                    double computed, double bound, const std::string& why) {
+  Expectation expectation{report::at_least(why)};
+  expectation.outcome = Outcome::verified;
+  compare_with({id, what, unit}, fmt::format("{:.10g}", bound), computed, Source::route,
+               expectation, why);
+}
+
+void Item::print_text(std::string_view id, std::string_view what, std::string_view printed,
+                      std::string_view computed) {
+  CheckRecord& c = add_check({id, what, ""}, Source::print, Outcome::confirmed);
+  c.reference = printed;
+  c.computed = nan;
+  c.computed_text = settings_.bite ? "not " + std::string{computed} : std::string{computed};
+  c.kind = name(ToleranceKind::exact);
+  c.pass = c.reference == c.computed_text;
+  c.error = c.pass ? 0 : 1;
+}
+
+void Item::judge_claim(std::string_view id, std::string_view what, bool pass, Outcome outcome,
+                       std::string measured) {
+  CheckRecord& c = add_check({id, what, ""}, Source::claim, outcome);
+  c.pass = settings_.bite ? !pass : pass;
+  c.computed = nan;
+  c.computed_text = measured.empty() ? (pass ? "it does" : "it does not") : std::move(measured);
+  c.kind = name(ToleranceKind::exact);
+  c.error = c.pass ? 0 : 1;
+}
+
+void Item::claim(std::string_view id, std::string_view what, bool it_holds,
+                 std::string measured) {
+  judge_claim(id, what, it_holds, Outcome::confirmed, std::move(measured));
+}
+
+void Item::refute(std::string_view id, std::string_view what, bool instead_holds,
+                  std::string instead) {
+  if (instead.empty())
+    throw std::logic_error{fmt::format("{}: a refuted claim says what holds instead", id)};
+  judge_claim(id, what, instead_holds, Outcome::not_confirmed, std::move(instead));
 }
 
 void Item::value(std::string_view id, double number, std::string_view unit,
@@ -146,15 +211,32 @@ void Item::value(std::string_view id, std::string_view text) {
   values_.push_back({std::string{id}, std::string{text}, nan, ""});
 }
 
-void Item::columns(std::vector<std::string> headings) {
-  record_.columns = std::move(headings);
+void Item::columns(std::vector<Heading> headings) {
+  record_.columns.clear();
+  formats_.clear();
+  for (Heading& heading : headings) {
+    record_.columns.push_back(std::move(heading.text));
+    formats_.push_back(std::move(heading.format));
+  }
 }
 
-void Item::add_row(std::vector<std::string> cells) {
+void Item::add_row(const std::vector<std::string>& cells) {
   if (cells.size() != record_.columns.size())
     throw std::logic_error{fmt::format("{}: {} cells for {} columns", record_.id, cells.size(),
                                        record_.columns.size())};
-  record_.rows.push_back(std::move(cells));
+  record_.rows.push_back(cells);
+}
+
+void Item::add_cells(std::initializer_list<Cell> cells) {
+  std::vector<std::string> texts;
+  for (const Cell& cell : cells) {
+    const std::size_t i = texts.size();
+    texts.push_back(!cell.is_number || i >= formats_.size() ? cell.text
+                    : std::isnan(cell.number)
+                        ? "–"
+                        : fmt::format(fmt::runtime(formats_[i]), cell.number));
+  }
+  add_row(texts);
 }
 
 Data& Item::data(std::string_view name, const std::vector<std::string>& columns) {
@@ -164,9 +246,9 @@ Data& Item::data(std::string_view name, const std::vector<std::string>& columns)
   return *data_.back();
 }
 
-void Item::declare(std::string verdict, std::string why) {
-  if (why.empty()) throw std::logic_error{record_.id + ": " + verdict + " without a reason"};
-  record_.verdict = std::move(verdict);
+void Item::from(std::string input, std::string why) {
+  if (why.empty()) throw std::logic_error{record_.id + ": " + input + " without a reason"};
+  record_.input = std::move(input);
   record_.reason = std::move(why);
 }
 
@@ -174,12 +256,56 @@ void Item::add(std::vector<WorkPrecision> points) {
   work_precision_.insert(work_precision_.end(), points.begin(), points.end());
 }
 
+namespace {
+
+std::string_view name(Stands stands) {
+  switch (stands) {
+    case Stands::holds:
+      return "holds";
+    case Stands::degrades:
+      return "degrades";
+    case Stands::refused:
+      return "refused";
+  }
+  return "";
+}
+
+}  // namespace
+
+void Item::stability(const StabilityCase& c, const std::function<Found()>& run) {
+  if (c.expect != Stands::refused && !(c.allowed > 0))
+    throw std::logic_error{fmt::format("stability case {} has no bound of its error", c.id)};
+  Stability s{c.id, c.what, c.stress, "", c.reference, nan, c.allowed, std::string{name(c.expect)},
+              "",   0,      false};
+  const num::Stopwatch watch;
+  try {
+    const Found found = run();
+    s.result = found.text;
+    s.error = found.error;
+    if (settings_.bite && std::isfinite(s.error)) s.error += 2 * c.allowed;
+    const bool within = std::isfinite(s.error) && std::isfinite(c.allowed) && s.error <= c.allowed;
+    s.found = !within || c.expect == Stands::refused ? "fails" : s.expect;
+  } catch (const InputError& refusal) {
+    s.result = refusal.what();
+    s.found = "refused";
+  } catch (const NoAnswer& refusal) {
+    s.result = refusal.what();
+    s.found = "refused";
+  } catch (const std::exception& error) {
+    s.result = error.what();
+    s.found = "fails";
+  }
+  if (settings_.bite && s.found == "refused") s.found = "fails";
+  s.pass = s.found == s.expect;
+  s.seconds = settings_.timings ? watch.seconds() : 0;
+  stability_.push_back(std::move(s));
+}
+
 void Item::stability(std::string_view id, std::string_view case_, std::string_view stress,
                      std::string_view result, double error, std::string_view status) {
-  if (!one_of(status, {"holds", "refused", "degraded", "fails"}))
-    throw std::logic_error{fmt::format("stability case {}: status \"{}\"", id, status)};
+  const std::string found{status == "degraded" ? "degrades" : status};
   stability_.push_back({std::string{id}, std::string{case_}, std::string{stress},
-                        std::string{result}, error, std::string{status}});
+                        std::string{result}, "", error, nan, found, found, 0, !settings_.bite});
 }
 
 void Item::draw() {
@@ -202,44 +328,28 @@ void Item::draw() {
   }
 }
 
-void Item::settle() {
-  const auto fail_as = [&](const std::string& why) {
-    record_.verdict = "failed";
-    record_.reason = why;
+std::string Item::failure() const {
+  const auto count_failed = [](const auto& records) {
+    return std::count_if(records.begin(), records.end(), [](const auto& r) { return !r.pass; });
   };
-  const bool reconstructed = record_.verdict == "reconstructed";
-  std::size_t failed = 0;
-  bool plain = true;
-  for (CheckRecord& c : checks_) {
-    failed += c.pass ? 0 : 1;
-    const bool to_print = one_of(c.kind, {"last_digit", "exact", "at_most", "at_least"});
-    plain = plain && to_print;
-    if (!c.pass) {
-      c.status = "failed";
-    } else if (c.kind == "misprint") {
-      c.status = "misprint";
-    } else if (reconstructed) {
-      c.status = "reconstructed";
-    } else {
-      c.status = to_print ? "reproduced" : "explained";
-    }
-  }
-  if (expected_checks_ != static_cast<int>(checks_.size()) &&
-      !(expected_checks_ < 0 && checks_.empty())) {
-    fail_as(
-        fmt::format("{} checks made, {} announced", checks_.size(), std::max(expected_checks_, 0)));
-  } else if (failed > 0) {
-    fail_as(fmt::format("{} of {} checks failed", failed, checks_.size()));
-  } else if (record_.verdict.empty() && checks_.empty()) {
-    fail_as("no check, and not declared explained, reconstructed, a sketch or not reproducible");
-  } else if (record_.verdict.empty()) {
-    record_.verdict = plain ? "reproduced" : "explained";
-  }
+  const auto failed = count_failed(checks_), fallen = count_failed(stability_);
+  const bool announced = expected_checks_ == static_cast<int>(checks_.size()) ||
+                         (expected_checks_ < 0 && checks_.empty());
+  if (!announced)
+    return fmt::format("{} checks made, {} announced", checks_.size(),
+                       std::max(expected_checks_, 0));
+  if (failed > 0) return fmt::format("{} of {} checks failed", failed, checks_.size());
+  if (fallen > 0) return fmt::format("{} of {} stability cases failed", fallen, stability_.size());
+  if (checks_.empty() && stability_.empty() && record_.input == "paper")
+    return "no check, and not declared rebuilt, added, a sketch or lost";
+  return "";
 }
 
 void Item::finish(ChapterRecord& record) {
   draw();
-  settle();
+  record_.failure = failure();
+  for (CheckRecord& c : checks_)
+    if (!c.pass) c.outcome = "failed";
   const auto move_all = [](auto& from, auto& to) {
     to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
   };
@@ -251,8 +361,7 @@ void Item::finish(ChapterRecord& record) {
 }
 
 void Item::fail(std::string why, ChapterRecord& record) {
-  record_.verdict = "failed";
-  record_.reason = std::move(why);
+  record_.failure = std::move(why);
   record_.png.clear();
   record.items.push_back(std::move(record_));
 }

@@ -1,12 +1,14 @@
-// One table or figure of a paper, while it is being computed.
+// One table or figure, while it is being computed.
 //
 //   void table_2(report::Item& item) {
 //     const table::CsvTable printed = item.printed("table-2.csv");  // key,what,unit,hertz,countact
-//     item.expect_checks(2);
+//     item.expect_checks(4);
 //     const auto hertz = contact::hertz(...);
 //     const report::Row row = item.row(printed, "p0");
-//     row.check("hertz", hertz.p0 / units::psi);                                    // to the printed digits
-//     row.check("countact", p0 / units::psi, report::relative(0.005, "constant-pressure cells, 9 columns"));
+//     row.print("hertz", hertz.p0 / units::psi);                                    // to the printed digits
+//     row.print("countact", p0 / units::psi, report::relative(0.005, "constant-pressure cells, 9 columns"));
+//     item.claim("inside", "the contact lies inside the interpenetration curve", inside);
+//     item.agree("force", "force", "lbf", F, exact, 1e-6, "Hertz in closed form");
 //     item.value("p0-hertz", hertz.p0 / units::psi, "psi", "{:.0f}");               // {{p0-hertz}} in the prose
 //   }
 //
@@ -14,7 +16,7 @@
 //     report::Data& curve = item.data({"x_in", "p_psi"});   // results/<chapter>/fig-09.csv, ARG1 of fig-09.gp
 //     curve.add(x / units::inch, p / units::psi);
 //     report::Data& points = item.data("printed", {"x_in", "p_psi"});  // fig-09-printed.csv, ARG3
-//     item.reconstructed("the paper does not give the radii; ours are stated above");
+//     item.rebuilt("the paper does not give the radii; those used are stated above");
 //   }
 #pragma once
 
@@ -26,9 +28,10 @@
 #include <string_view>
 #include <vector>
 
+#include "report/expectation.hpp"
 #include "report/record.hpp"
-#include "report/tolerance.hpp"
 #include "table/csv.hpp"
+#include "units/input_error.hpp"
 
 namespace railbook::report {
 
@@ -69,21 +72,81 @@ class Data {
 
 class Item;
 
-// A row of printed values: checks one column each. The id of a check is "<key>-<column>"; the optional columns
-// "what" and "unit" of the table describe it.
+// A row of the paper's printed values: checks one column each. The id of a check is "<key>-<column>"; the optional
+// columns "what" and "unit" of the table describe it.
 class Row {
  public:
-  void check(std::string_view column, double computed,
-             const Tolerance& tolerance = last_digit()) const;
+  void print(std::string_view column, double computed,
+             const Expectation& expectation = last_digit()) const;
+  // The row's numbers are those of another work, named: "Kalker 1967, Table 1".
+  void publication(std::string_view column, double computed, const Tolerance& tolerance,
+                   const std::string& work) const;
   const std::string& printed(std::string_view column) const { return table_->at(key_, column); }
+
+  // Until all chapters say print or publication.
+  void check(std::string_view column, double computed, const Tolerance& t = last_digit()) const {
+    print(column, computed, t);
+  }
 
  private:
   friend class Item;
+  struct About {
+    std::string id, what, unit;
+  };
   Row(Item& item, const table::CsvTable& table, std::string key)
       : item_(&item), table_(&table), key_(std::move(key)) {}
+  About about(std::string_view column) const;
   Item* item_;
   const table::CsvTable* table_;
   std::string key_;
+};
+
+// A column of a display table, and how its numbers are written: {"error, mm", "{:.4f}"}.
+struct Heading {
+  Heading(const char* t) : text(t) {}             // NOLINT(google-explicit-constructor)
+  Heading(std::string t) : text(std::move(t)) {}  // NOLINT(google-explicit-constructor)
+  Heading(std::string t, std::string f) : text(std::move(t)), format(std::move(f)) {}
+  std::string text;
+  std::string format = "{:.4g}";
+};
+
+// A cell: a text, or a number in its column's format (NaN: a dash).
+struct Cell {
+  Cell(const char* t) : text(t) {}                // NOLINT(google-explicit-constructor)
+  Cell(std::string t) : text(std::move(t)) {}     // NOLINT(google-explicit-constructor)
+  Cell(double n) : number(n), is_number(true) {}  // NOLINT(google-explicit-constructor)
+  std::string text;
+  double number = 0;
+  bool is_number = false;
+};
+
+// What becomes of a stiff or extreme case.
+enum class Stands {
+  holds,  // the error stays within `allowed`
+  degrades,  // the answer loses accuracy, in a known way: the loss is measured and stays within `allowed`
+  refused,  // InputError, or a result that says it did not converge
+};
+inline constexpr Stands holds = Stands::holds, degrades = Stands::degrades,
+                        refused = Stands::refused;
+
+struct StabilityCase {
+  std::string id;
+  std::string what;    // the case: "b/a = 1e-6"
+  std::string stress;  // what is strained: "near line contact"
+  Stands expect = holds;
+  double allowed = units::nan;  // bound of the error, set beforehand; none for refused
+  std::string reference = {};   // what the error is against
+};
+
+struct Found {
+  std::string text;           // what came out, for the reader
+  double error = units::nan;  // compared with `allowed`
+};
+
+// Thrown by a case whose solver said that it did not converge: found is then "refused".
+class NoAnswer : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
 };
 
 struct RunSettings {
@@ -100,32 +163,53 @@ class Item {
  public:
   Item(std::string id, std::string kind, std::string title, const RunSettings& settings);
 
+  const std::string& id() const { return record_.id; }
   bool full() const { return settings_.full; }
   bool timings() const { return settings_.timings; }
   const std::filesystem::path& sources() const { return settings_.sources; }
 
-  // Checks. The number of checks must be announced, so that a loop over nothing is a failure.
+  // Checks. The number of checks must be announced, so that a loop over nothing is a failure; stability cases are
+  // not counted. An id is written out where the check is made, so that it can be searched for.
   void expect_checks(int count) { expected_checks_ = count; }
   // A table of printed values from the chapter's data folder; it must outlive the rows taken from it.
   table::CsvTable printed(std::string_view file) const;
   Row row(const table::CsvTable& table, std::string key) { return {*this, table, std::move(key)}; }
-  // `printed` is the paper's text; `computed` in the same unit.
-  void check(std::string_view id, std::string_view what, std::string_view unit,
-             std::string_view printed, double computed, const Tolerance& tolerance = last_digit());
-  void check_text(std::string_view id, std::string_view what, std::string_view printed,
+  // source print: `printed` is the paper's text; `computed` in the same unit.
+  void print(std::string_view id, std::string_view what, std::string_view unit,
+             std::string_view printed, double computed,
+             const Expectation& expectation = last_digit());
+  // source print: a word of the paper, a class or a name.
+  void print_text(std::string_view id, std::string_view what, std::string_view printed,
                   std::string_view computed);
-  // Our value against the `reference` of an independent `method`, relative to the reference.
+  // source claim: a statement of the paper in words; `measured` says what was found.
+  void claim(std::string_view id, std::string_view what, bool it_holds, std::string measured = "");
+  // source claim, not confirmed: `instead` is what holds, and the check fails when it no longer does.
+  void refute(std::string_view id, std::string_view what, bool instead_holds, std::string instead);
+  // source publication: `reference` is the text of another work.
+  void publication(std::string_view id, std::string_view what, std::string_view unit,
+                   std::string_view reference, double computed, const Tolerance& tolerance,
+                   const std::string& work);
+  // source route: the value against the `reference` of an independent `method`, relative to the reference.
   void agree(std::string_view id, std::string_view what, std::string_view unit, double computed,
              double reference, double allowed, const std::string& method);
+  // source route: a bound of our own, with its reason.
+  void at_most(std::string_view id, std::string_view what, std::string_view unit, double computed,
+               double bound, const std::string& why);
+  void at_least(std::string_view id, std::string_view what, std::string_view unit, double computed,
+                double bound, const std::string& why);
 
   // Numbers and texts for the prose: {{id}}. `format` is an fmt format of one double; the unit follows it.
   void value(std::string_view id, double number, std::string_view unit = "",
              std::string_view format = "{:.6g}");
   void value(std::string_view id, std::string_view text);
 
-  // A display table: headings once, then rows of text (numbers formatted by the caller with fmt).
-  void columns(std::vector<std::string> headings);
-  void add_row(std::vector<std::string> cells);
+  // A display table: headings once, then a cell for each.
+  void columns(std::vector<Heading> headings);
+  template <class... Cells>
+  void add_row(const Cells&... cells) {
+    add_cells({Cell(cells)...});
+  }
+  void add_row(const std::vector<std::string>& cells);
 
   // Data of a figure: the first is ARG1 (<id>.csv), each named one a further ARG (<id>-<name>.csv, from ARG3 on).
   Data& data(const std::vector<std::string>& columns) { return data("", columns); }
@@ -135,29 +219,54 @@ class Item {
   // Draws without gnuplot: `write` makes the PNG under the name it is given.
   void image(std::function<void(const std::filesystem::path&)> write) { image_ = std::move(write); }
 
-  // What the item is, where it is not a reproduction checked against print.
-  void reconstructed(std::string why) { declare("reconstructed", std::move(why)); }
-  void explained(std::string why) { declare("explained", std::move(why)); }
-  void sketch(std::string why = "drawing, nothing computed") { declare("sketch", std::move(why)); }
-  void not_reproducible(std::string why) { declare("not-reproducible", std::move(why)); }
+  // What the item is computed from, where it is not the paper's data.
+  void rebuilt(std::string why) { from("rebuilt", std::move(why)); }  // ours, documented
+  void added(std::string why) { from("added", std::move(why)); }      // not in the paper
+  void sketch(std::string why = "drawing, nothing computed") { from("sketch", std::move(why)); }
+  void lost(std::string why) { from("lost", std::move(why)); }  // the paper's is not to be had
 
   void add(std::vector<WorkPrecision> points);
-  // `status`: holds, refused, degraded or fails; NaN for `error` where there is none.
+  // Runs a stiff or extreme case and judges it. InputError and NoAnswer are "refused", other exceptions "fails".
+  void stability(const StabilityCase& c, const std::function<Found()>& run);
+
+  // Until all chapters use the names above.
+  void check(std::string_view id, std::string_view what, std::string_view unit,
+             std::string_view printed, double computed, const Tolerance& t = last_digit()) {
+    print(id, what, unit, printed, computed, t);
+  }
+  void check_text(std::string_view id, std::string_view what, std::string_view printed,
+                  std::string_view computed) {
+    print_text(id, what, printed, computed);
+  }
+  void reconstructed(std::string why) { rebuilt(std::move(why)); }
+  void explained(std::string why) { added(std::move(why)); }
+  void not_reproducible(std::string why) { lost(std::move(why)); }
   void stability(std::string_view id, std::string_view case_, std::string_view stress,
                  std::string_view result, double error, std::string_view status);
 
-  // For Chapter: writes the CSV files, draws, settles the verdict, and hands everything over to the record.
+  // For the chapter: writes the CSV files, draws, judges, and hands everything over to the record.
   void finish(ChapterRecord& record);
-  // For Chapter: an exception ended the item.
+  // For the chapter: an exception ended the item.
   void fail(std::string why, ChapterRecord& record);
 
  private:
-  void declare(std::string verdict, std::string why);
+  friend class Row;
+  struct About {
+    std::string_view id, what, unit;
+  };
+  CheckRecord& add_check(const About& about, Source source, Outcome outcome);
+  void compare_with(const About& about, std::string_view reference, double computed, Source source,
+                    const Expectation& expectation, const std::string& by);
+  void judge_claim(std::string_view id, std::string_view what, bool pass, Outcome outcome,
+                   std::string measured);
+  void add_cells(std::initializer_list<Cell> cells);
+  void from(std::string input, std::string why);
   void draw();
-  void settle();
+  std::string failure() const;
 
   RunSettings settings_;
   ItemRecord record_;
+  std::vector<std::string> formats_;
   std::vector<CheckRecord> checks_;
   std::vector<ValueRecord> values_;
   std::vector<WorkPrecision> work_precision_;

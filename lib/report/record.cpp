@@ -23,7 +23,11 @@ Json json(const CheckRecord& c) {
           {"item", c.item},
           {"what", c.what},
           {"unit", c.unit},
-          {"printed", c.printed},
+          {"source", c.source},
+          {"outcome", c.outcome},
+          {"place", c.place},
+          {"by", c.by},
+          {c.source == "print" ? "printed" : "reference", c.reference},
           {"computed", std::isnan(c.computed) && c.kind == "exact" ? Json(c.computed_text)
                                                                    : number(c.computed)},
           {"computed_text", c.computed_text},
@@ -31,14 +35,13 @@ Json json(const CheckRecord& c) {
           {"error", number(c.error)},
           {"kind", c.kind},
           {"why", c.why},
-          {"status", c.status},
           {"pass", c.pass}};
 }
 
 Json json(const ItemRecord& i) {
-  Json j{{"id", i.id},           {"kind", i.kind},     {"title", i.title},
-         {"verdict", i.verdict}, {"reason", i.reason}, {"png", i.png},
-         {"csv", i.csv},         {"script", i.script}, {"seconds", i.seconds}};
+  Json j{{"id", i.id},       {"kind", i.kind},     {"title", i.title},     {"page", i.page},
+         {"input", i.input}, {"reason", i.reason}, {"failure", i.failure}, {"png", i.png},
+         {"csv", i.csv},     {"script", i.script}, {"seconds", i.seconds}};
   if (!i.columns.empty()) {
     j["columns"] = i.columns;
     j["rows"] = i.rows;
@@ -66,8 +69,22 @@ Json json(const WorkPrecision& w) {
 }
 
 Json json(const Stability& s) {
-  return {{"id", s.id},         {"case", s.case_},          {"stress", s.stress},
-          {"result", s.result}, {"error", number(s.error)}, {"status", s.status}};
+  return {{"id", s.id},
+          {"case", s.case_},
+          {"stress", s.stress},
+          {"result", s.result},
+          {"reference", s.reference},
+          {"error", number(s.error)},
+          {"allowed", number(s.allowed)},
+          {"expect", s.expect},
+          {"found", s.found},
+          {"seconds", s.seconds},
+          {"pass", s.pass}};
+}
+
+Json json(const InventoryRow& r) {
+  return {{"place", r.place},     {"kind", r.kind},     {"number", r.number}, {"what", r.what},
+          {"treated", r.treated}, {"symbol", r.symbol}, {"test", r.test},     {"reason", r.reason}};
 }
 
 template <class Record>
@@ -96,6 +113,7 @@ void write_record(const ChapterRecord& r, const std::filesystem::path& file) {
   const Json j{{"chapter", r.chapter},
                {"title", r.title},
                {"paper", r.paper},
+               {"doi", r.doi},
                {"level", r.level},
                {"seconds", r.seconds},
                {"only", r.only},
@@ -104,18 +122,23 @@ void write_record(const ChapterRecord& r, const std::filesystem::path& file) {
                {"items", array(r.items)},
                {"values", array(r.values)},
                {"work_precision", array(r.work_precision)},
-               {"stability", array(r.stability)}};
+               {"stability", array(r.stability)},
+               {"inventory", array(r.inventory)},
+               {"problems", r.problems}};
   files::write(file, j.dump(1) + "\n");
 }
 
 std::string checks_csv(const ChapterRecord& record) {
-  std::string text = "id,what,unit,printed,computed,error,allowed,kind,status\n";
+  std::string text =
+      "id,place,source,outcome,what,unit,printed,reference,by,computed,error,allowed,kind\n";
   for (const CheckRecord& c : record.checks) {
     text += fmt::format(
-        "{},{},{},{},{},{},{},{},{}\n", table::csv_cell(c.id), table::csv_cell(c.what),
-        table::csv_cell(c.unit), table::csv_cell(c.printed),
+        "{},{},{},{},{},{},{},{},{},{},{},{},{}\n", table::csv_cell(c.id), table::csv_cell(c.place),
+        c.source, c.outcome, table::csv_cell(c.what), table::csv_cell(c.unit),
+        table::csv_cell(c.source == "print" ? c.reference : ""),
+        table::csv_cell(c.source == "print" ? "" : c.reference), table::csv_cell(c.by),
         std::isnan(c.computed) ? table::csv_cell(c.computed_text) : table::csv_number(c.computed),
-        table::csv_number(c.error), table::csv_number(c.allowed), c.kind, c.status);
+        table::csv_number(c.error), table::csv_number(c.allowed), c.kind);
   }
   return text;
 }

@@ -7,20 +7,23 @@
 
 namespace railbook::report {
 
-// One comparison. `status`: reproduced, explained, misprint, reconstructed or failed.
+// One comparison.
 struct CheckRecord {
   std::string id;    // "table-2/p0"
   std::string item;  // "table-2"
   std::string what;
   std::string unit;
-  std::string printed;        // the paper's text, or the reference of an independent method
+  std::string source;   // print, claim, publication or route
+  std::string outcome;  // see Outcome; "failed" when it does not pass
+  std::string place;    // where in the paper, from the inventory; print and claim only
+  std::string by;  // the work or the method that the reference is of; publication and route only
+  std::string reference;      // the paper's text, or the number of `by`
   double computed = 0;        // NaN when the computed thing is a text
   std::string computed_text;  // as shown beside the printed text
   double allowed = 0;
   double error = 0;
   std::string kind;
   std::string why;
-  std::string status;
   bool pass = false;
 };
 
@@ -48,24 +51,29 @@ struct WorkPrecision {
   std::string reason;
 };
 
-// One stiff or extreme case. `status`: holds, refused, degraded or fails.
+// One stiff or extreme case: what is expected to become of it, and what was found.
 struct Stability {
   std::string id;
   std::string case_;
   std::string stress;
   std::string result;
-  double error = 0;  // NaN when there is none
-  std::string status;
+  std::string reference;      // what the error is against
+  double error = 0;           // NaN when there is none
+  double allowed = 0;         // NaN when there is none
+  std::string expect, found;  // holds, degrades or refused; found also: fails
+  double seconds = 0;
+  bool pass = false;
 };
 
-// A table, figure or group of checks. `verdict`: reproduced, explained, reconstructed, sketch,
-// not-reproducible or failed.
+// A table, figure or group of checks.
 struct ItemRecord {
   std::string id;
   std::string kind;  // "table" or "figure"
   std::string title;
-  std::string verdict;
-  std::string reason;
+  std::string page = "paper";    // or "study"
+  std::string input = "paper";   // paper, rebuilt, added, sketch or lost
+  std::string reason;            // for another input than the paper's
+  std::string failure;           // why the item failed, empty if it did not
   std::string png;               // file name in figures/<chapter>/, empty without a figure
   std::vector<std::string> csv;  // file names in results/<chapter>/
   std::string script;            // gnuplot script beside the chapter's sources
@@ -74,10 +82,18 @@ struct ItemRecord {
   double seconds = 0;
 };
 
+// A row of the chapter's inventory (report/inventory.hpp).
+struct InventoryRow {
+  std::string place, kind, number, what;
+  std::vector<std::string> treated;
+  std::string symbol, test, reason;
+};
+
 struct ChapterRecord {
   std::string chapter;  // "01-contact"
   std::string title;
   std::string paper;
+  std::string doi;
   std::string level;  // "quick" or "full"
   double seconds = 0;
   std::vector<std::string> only;  // the items asked for; empty: all
@@ -86,12 +102,14 @@ struct ChapterRecord {
   std::vector<ValueRecord> values;
   std::vector<WorkPrecision> work_precision;
   std::vector<Stability> stability;
+  std::vector<InventoryRow> inventory;
+  std::vector<std::string> problems;  // of the inventory
 };
 
 // Writes the record as JSON, at once and whole. NaN and infinity become null.
 void write_record(const ChapterRecord& record, const std::filesystem::path& file);
 
-// The checks of a record as CSV text: id, what, unit, printed, computed, error, allowed, kind, status.
+// The checks of a record as CSV text; the column "printed" holds the paper's text and nothing else.
 std::string checks_csv(const ChapterRecord& record);
 
 }  // namespace railbook::report

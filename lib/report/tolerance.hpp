@@ -12,9 +12,9 @@ enum class ToleranceKind {
   absolute,     // |computed - printed|
   digitised,    // |computed - printed| / axis span, for values read off a figure
   agrees_with,  // |computed - reference| / |reference|, reference from an independent method of ours
-  misprint,     // computed equals the corrected value, and the printed one is wrong
-  at_most,      // computed <= the printed bound
-  at_least,     // computed >= the printed bound
+  misprint,     // computed equals another value, and does not round to the printed one
+  at_most,      // computed <= the bound
+  at_least,     // computed >= the bound
   exact,        // the same text: a class, a name, a yes or no
 };
 

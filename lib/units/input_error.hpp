@@ -17,6 +17,7 @@ class InputError : public std::runtime_error {
 
 namespace units {
 
+inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double no_limit = std::numeric_limits<double>::infinity();
 
 // Returns `value` if it is finite and lies in [low, high]; throws InputError naming `quantity`, the value,

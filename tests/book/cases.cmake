@@ -10,7 +10,7 @@ set(json ${dir}/results/01-sample.json)
 function(weave)
   execute_process(
     COMMAND ${CMAKE_COMMAND} -DCHAPTERS=${dir}/chapters -DRESULTS=${dir}/results -DFIGURES=${dir}/figures
-            -DBOOK=${dir}/book -DVERSION=0 -P ${root}/book/weave.cmake
+            -DBOOK=${dir}/book -DLIB=${dir}/lib -DVERSION=0 -P ${root}/book/weave.cmake
     RESULT_VARIABLE status OUTPUT_VARIABLE said ERROR_VARIABLE said)
   set(status ${status} PARENT_SCOPE)
   set(said "${said}" PARENT_SCOPE)
@@ -103,7 +103,7 @@ book_case("values go into text, tables and formulas" values)
 function(tables)
   expect_page("<section class=\"item\" id=\"table-1\">" "Hertz &amp; co (the paper’s Table 2)" "<td class=\"number\">1.661</td>"
     "<td class=\"number\">0.19 %</td><td class=\"number\">0.6 %<span class=\"mark\">a</span></td>"
-    "<b>a</b> cells of constant pressure, a &lt; b" "<tr class=\"failed\"><th scope=\"row\">a failing one, in</th>"
+    "<b>a</b> cells of constant pressure, a &lt; b" "<tr class=\"failed\"><th scope=\"row\"><span id=\"fig-1/bad\">a failing one</span>, in</th>"
     "<td class=\"number\">not a number</td>" "href=\"data/01-sample/table-1.csv\"" "2 % of axis"
     "failed: singular" "near line contact" "href=\"data/01-sample/printed/table-1.csv\"" "3 of 4 checks passed" "1 of 2")
   foreach(file data/01-sample/table-1.csv data/01-sample/fig-1.gp data/01-sample.json figures/01-sample/fig-1.png book.css
@@ -120,8 +120,46 @@ function(tables)
 endfunction()
 book_case("tables, figures and their checks" tables)
 
+function(paper)
+  expect_page("<span id=\"table-1/p0\">peak pressure</span>" "<td>p. 5</td>" "href=\"#table-1/p0\"" "id=\"eq-7\"" "(7)" "not testable: the machine is gone"
+    "lib/sample/add.hpp:3" "badge failed")
+  file(READ ${dir}/book/equations.html equations)
+  foreach(text "01-sample.html#eq-7" "sample/add.hpp add")
+    string(FIND "${equations}" "${text}" at)
+    if(at LESS 0)
+      message(FATAL_ERROR "the page of equations has no ${text}\n${equations}")
+    endif()
+  endforeach()
+endfunction()
+book_case("checks of the paper, equations and coverage" paper)
+
+function(no_code)
+  edit(${main} "sample/add.hpp add}}" "sample/add.hpp subtract}}")
+  expect_failure("defines no subtract")
+endfunction()
+book_case("code that the library does not have fails" no_code)
+
+function(second_page)
+  file(MAKE_DIRECTORY ${dir}/chapters/01-sample/study)
+  file(WRITE ${dir}/chapters/01-sample/study/study.cpp
+       "/*** # The sample at its limits\n\nThe load is {{F-hertz}}, see {{fig-1}}.\n\n{{table-1}}\n\n{{work-precision}}\n\n{{stability}}\n*/\n")
+  edit(${main} "{{table-1}}\n\n{{include" "{{include")
+  edit(${main} "{{work-precision}}" "")
+  edit(${main} "{{stability}}" "")
+  edit(${json} "\"title\": \"Table 2. Hertz & co\", \"page\": \"paper\"" "\"title\": \"Table 2. Hertz & co\", \"page\": \"study\"")
+  expect_page("href=\"01-sample-study.html\"" "href=\"01-sample-study.html#table-1\"")
+  file(READ ${dir}/book/01-sample-study.html page)
+  foreach(text "The sample at its limits" "href=\"01-sample.html#fig-1\"" "Table S1.1" "near line contact")
+    string(FIND "${page}" "${text}" at)
+    if(at LESS 0)
+      message(FATAL_ERROR "the second page has no ${text}\n${page}")
+    endif()
+  endforeach()
+endfunction()
+book_case("a chapter has a second page for its study" second_page)
+
 function(code)
-  expect_page("<summary>" "Headers" "main.cpp:15" "more.cpp:6" "Counts to sixty, slowly." "63 lines" "<code>Pair, first</code>")
+  expect_page("<summary>" "Headers" "main.cpp:24" "more.cpp:6" "Counts to sixty, slowly." "63 lines" "<code>Pair, first</code>")
   string(REGEX REPLACE "<[^>]*>" "" text "${page}")
   foreach(line "bool less(const std::vector&lt;T&gt;&amp; a, T b) { return a.size() &lt; 1&#39;000 &amp;&amp; a[0] &lt; b; }"
       "int braces[1][1] = {{1}};" "&quot;/*** not prose */&quot;;" "/*** nor this: {{unknown}} */\n)x&quot;;" "int main() {}")
@@ -138,7 +176,7 @@ function(contents)
   file(WRITE ${dir}/chapters/02-unrun/main.cpp "int main() {}\n")
   expect_page("railbook")
   file(READ ${dir}/book/index.html index)
-  foreach(text "1 A sample</a>" "Nothing &amp; more" "3 of 4" "46 %" "1.25 s" "02-unrun" "has not been run" "gallery.html" "eigen")
+  foreach(text "1 A sample</a>" "A sample</a><br>" "Nothing &amp; more" "02-unrun" "has not been run" "gallery.html" "eigen")
     string(FIND "${index}" "${text}" at)
     if(at LESS 0)
       message(FATAL_ERROR "the contents have no ${text}\n${index}")
@@ -235,7 +273,7 @@ book_case("a missing data file fails" missing_csv)
 
 function(undrawn)
   edit(${json} "\"png\": \"fig-1.png\"" "\"png\": \"\"")
-  edit(${json} "\"verdict\": \"failed\", \"reason\": \"one check fails\"" "\"verdict\": \"explained\", \"reason\": \"\"")
+  edit(${json} "\"failure\": \"one check fails\"" "\"failure\": \"\"")
   expect_failure("figure fig-1 was not drawn")
 endfunction()
 book_case("a figure that was not drawn fails" undrawn)
@@ -253,7 +291,7 @@ endfunction()
 book_case("a record of some items only fails" partial)
 
 function(named_like_a_list)
-  edit(${json} "{\"id\": \"fig-1\"" "{\"id\": \"stability\", \"kind\": \"table\", \"title\": \"Where it holds\", \"verdict\": \"sketch\"},\n{\"id\": \"fig-1\"")
+  edit(${json} "{\"id\": \"fig-1\"" "{\"id\": \"stability\", \"kind\": \"table\", \"title\": \"Where it holds\", \"input\": \"sketch\"},\n{\"id\": \"fig-1\"")
   expect_page("<section class=\"item\" id=\"stability\">" "Where it holds" "near line contact")
 endfunction()
 book_case("an item may be named stability" named_like_a_list)

@@ -10,7 +10,11 @@ The load is {{F-hertz}}, small ones are {{tiny}}, and $p_0 = {{tiny}}$ in a form
 
 Table: The caption has {{F-hertz}}.
 
-Text in `{{code}}` is left alone.
+Text in `{{code}}` is left alone. The peak is {{outcome:table-1/p0}}.
+
+$$ a + b \tag{7} $$
+
+{{code: sample/add.hpp add}}
 */
 #include <string>
 #include <vector>
@@ -39,6 +43,8 @@ const char* raw = R"x(
 ## Stability
 
 {{stability}}
+
+{{coverage}}
 
 {{verdicts}}
 
