@@ -59,6 +59,16 @@ local function citations(records)
   return html.tag("ol", {class = "papers"}, table.concat(out, "\n"))
 end
 
+-- Stops the build when a file of the tree does not name what the inventory says it holds.
+local function require_named(r, path, name)
+  local file = io.open((os.getenv("RAILBOOK_ROOT") or ".") .. "/" .. path)
+  local text = file and file:read("a")
+  if file then file:close() end
+  if text and (not name or text:find("%f[%w_]" .. name .. "%f[^%w_]")) then return end
+  io.stderr:write(("book: the inventory of %s names %s%s, which is not there\n"):format(r.chapter, path, name and " " .. name or ""))
+  os.exit(1)
+end
+
 -- Equation -> function -> test -> place on the page, for all papers.
 local function equations(records)
   local out = {}
@@ -71,6 +81,8 @@ local function equations(records)
           local item = r.item[id] or r.check[id] and r.item[r.check[id].item]
           treated[j] = item and html.tag("a", {href = items.href(item, r, "index")}, html.escape(id)) or html.escape(id)
         end
+        for path, name in row.symbol:gmatch("(%S+)%s+([%w_]+)") do require_named(r, "lib/" .. path, name) end
+        for path in row.test:gmatch("%S+") do require_named(r, path) end
         local anchor = r.chapter .. ".html" .. (number and "#eq-" .. number or "")
         rows[#rows + 1] = {html.tag("a", {href = anchor}, html.text(row.number)), html.text(row.place), html.text(row.what),
           row.symbol ~= "" and html.tag("code", nil, html.escape(row.symbol)) or "–",

@@ -5,7 +5,7 @@
 
 get_filename_component(root ${CMAKE_CURRENT_LIST_DIR}/.. ABSOLUTE)
 foreach(default CHAPTERS=${root}/chapters RESULTS=${root}/build/results FIGURES=${root}/build/figures
-        BOOK=${root}/build/book LIB=${root}/lib)
+        BOOK=${root}/build/book ROOT=${root})
   string(REGEX MATCH "^([A-Z]+)=(.*)$" _ ${default})
   if(NOT ${CMAKE_MATCH_1})
     set(${CMAKE_MATCH_1} ${CMAKE_MATCH_2})
@@ -94,7 +94,7 @@ foreach(chapter ${chapters})
       set(study -M study=${chapter}-study)
     endif()
     execute_process(
-      COMMAND ${CMAKE_COMMAND} -E env RAILBOOK_LIB=${LIB}
+      COMMAND ${CMAKE_COMMAND} -E env RAILBOOK_LIB=${ROOT}/lib
               ${PANDOC} --from=${here}/literate.lua --lua-filter=${here}/results.lua ${page_options} --toc --toc-depth=2
               ${around} ${study} -M record=${RESULTS}/${chapter}.json -M figures=${FIGURES}/${chapter} -M page=${page}
               -M data=${new}/data/${chapter} --output=${new}/${output}.html ${main} ${sources}
@@ -118,7 +118,8 @@ endforeach()
 foreach(page "index=railbook: papers on wheel, rail and track, recomputed" "gallery=Gallery" "equations=Equations")
   string(REGEX MATCH "^([a-z]+)=(.*)$" _ ${page})
   execute_process(
-    COMMAND ${PANDOC} --from=markdown-citations --lua-filter=${here}/index.lua ${page_options} ${records} ${left_out}
+    COMMAND ${CMAKE_COMMAND} -E env RAILBOOK_ROOT=${ROOT}
+            ${PANDOC} --from=markdown-citations --lua-filter=${here}/index.lua ${page_options} ${records} ${left_out}
             -V page=index -M "title=${CMAKE_MATCH_2}" -M "pagetitle=${CMAKE_MATCH_2}"
             --output=${new}/${CMAKE_MATCH_1}.html ${here}/${CMAKE_MATCH_1}.md
     TIMEOUT ${time_limit} RESULT_VARIABLE status ERROR_VARIABLE said)

@@ -273,7 +273,7 @@ std::string_view name(Stands stands) {
 }  // namespace
 
 void Item::stability(const StabilityCase& c, const std::function<Found()>& run) {
-  if (c.expect != Stands::refused && !(c.allowed > 0))
+  if (c.expect != Stands::refused && (std::isnan(c.allowed) || c.allowed <= 0))
     throw std::logic_error{fmt::format("stability case {} has no bound of its error", c.id)};
   Stability s{c.id, c.what, c.stress, "", c.reference, nan, c.allowed, std::string{name(c.expect)},
               "",   0,      false};

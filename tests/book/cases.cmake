@@ -10,7 +10,7 @@ set(json ${dir}/results/01-sample.json)
 function(weave)
   execute_process(
     COMMAND ${CMAKE_COMMAND} -DCHAPTERS=${dir}/chapters -DRESULTS=${dir}/results -DFIGURES=${dir}/figures
-            -DBOOK=${dir}/book -DLIB=${dir}/lib -DVERSION=0 -P ${root}/book/weave.cmake
+            -DBOOK=${dir}/book -DROOT=${dir} -DVERSION=0 -P ${root}/book/weave.cmake
     RESULT_VARIABLE status OUTPUT_VARIABLE said ERROR_VARIABLE said)
   set(status ${status} PARENT_SCOPE)
   set(said "${said}" PARENT_SCOPE)
@@ -138,6 +138,16 @@ function(no_code)
   expect_failure("defines no subtract")
 endfunction()
 book_case("code that the library does not have fails" no_code)
+
+function(no_symbol)
+  edit(${json} "sample/add.hpp add\"" "sample/add.hpp subtract\"")
+  weave()
+  string(FIND "${said}" "names lib/sample/add.hpp subtract, which is not there" at)
+  if(status EQUAL 0 OR at LESS 0)
+    message(FATAL_ERROR "an inventory may name what is not there:\n${said}")
+  endif()
+endfunction()
+book_case("an inventory that names what is not there fails" no_symbol)
 
 function(second_page)
   file(MAKE_DIRECTORY ${dir}/chapters/01-sample/study)

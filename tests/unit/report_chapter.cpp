@@ -4,8 +4,8 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "report/chapter.hpp"
@@ -25,11 +25,14 @@ struct Scratch {
   }
 };
 
-int run(report::Chapter& chapter, std::vector<std::string> words) {
+int run(const fs::path& sources, const report::Section& paper, std::vector<std::string> words,
+        const report::Section& study = {}) {
   words.insert(words.begin(), "sample");
   std::vector<char*> argv;
   for (auto& w : words) argv.push_back(w.data());
-  return chapter.run(static_cast<int>(argv.size()), argv.data());
+  return report::run(static_cast<int>(argv.size()), argv.data(),
+                     {"00-sample", "sample", "A sample", "Nobody, 1975", sources}, {paper},
+                     {study});
 }
 
 nlohmann::json record(const fs::path& out) {
@@ -37,97 +40,221 @@ nlohmann::json record(const fs::path& out) {
   return nlohmann::json::parse(stream);
 }
 
+// `reproduce` of one table in a folder of its own.
 struct Sample {
   Scratch scratch;
-  report::Chapter chapter{{"00-sample", "sample", "A sample", "Nobody, 1975", scratch.path}};
-  std::vector<std::string> reproduce(std::vector<std::string> more = {}) const {
+  int reproduce(const report::Section& paper, std::vector<std::string> more = {},
+                const report::Section& study = {}) const {
     std::vector<std::string> words{"reproduce", "--no-timings", "--out", scratch.path.string()};
     words.insert(words.end(), more.begin(), more.end());
-    return words;
+    return run(scratch.path, paper, words, study);
   }
+  nlohmann::json record() const { return ::record(scratch.path); }
 };
+
+report::Section one(report::ItemFunction f) {
+  return {report::table("t", "T", std::move(f))};
+}
+int status(const report::ItemFunction& f) {
+  return Sample{}.reproduce(one(f));
+}
 
 }  // namespace
 
 TEST_CASE("unit: a chapter checks printed rows and leaves a record") {
-  Sample s;
+  const Sample s;
   s.scratch.write("data/t.csv",
                   "key,what,unit,printed\np0,peak pressure,psi,39 240\nm,moment,N.m,806.2\n");
-  s.chapter.table("table-1", "One", [](report::Item& item) {
-    const auto t = item.printed("t.csv");
-    item.expect_checks(2);
-    item.row(t, "p0").check("printed", 39315.4, report::relative(0.006, "coarse cells"));
-    item.row(t, "m").check("printed", 606.2, report::misprint(606.16, 1e-3, "5365 in.lbf"));
-    item.value("p0", 39315.4, "psi", "{:.0f}");
-  });
-  s.chapter.figure("fig-1", "Two", [](report::Item& item) {
-    item.data({"x_m", "y"}).add(1.0, "a,b");
-    item.sketch();
-  });
-  REQUIRE(run(s.chapter, s.reproduce({"--no-figures"})) == 0);
-  const auto r = record(s.scratch.path);
+  const report::Section paper{
+      report::table("table-1", "One",
+                    [](report::Item& item) {
+                      const auto t = item.printed("t.csv");
+                      item.expect_checks(2);
+                      item.row(t, "p0").print("printed", 39315.4,
+                                              report::relative(0.006, "coarse cells"));
+                      item.row(t, "m").print("printed", 606.2,
+                                             report::corrected(606.16, 1e-3, "5365 in.lbf"));
+                      item.value("p0", 39315.4, "psi", "{:.0f}");
+                    }),
+      report::figure("fig-1", "Two", [](report::Item& item) {
+        item.data({"x_m", "y"}).add(1.0, "a,b");
+        item.sketch();
+      })};
+  REQUIRE(s.reproduce(paper, {"--no-figures"}) == 0);
+  const auto r = s.record();
   CHECK(r["checks"][0]["id"] == "table-1/p0-printed");
-  CHECK(r["checks"][0]["status"] == "explained");
-  CHECK(r["checks"][0]["what"] == "peak pressure, printed");
-  CHECK(r["checks"][1]["status"] == "misprint");
-  CHECK(r["items"][0]["verdict"] == "explained");
-  CHECK(r["items"][1]["verdict"] == "sketch");
+  CHECK(r["checks"][0]["source"] == "print");
+  CHECK(r["checks"][0]["outcome"] == "consistent");
+  CHECK(r["checks"][0]["what"] == "peak pressure");
+  CHECK(r["checks"][0]["printed"] == "39 240");
+  CHECK(r["checks"][1]["outcome"] == "corrected");
+  CHECK(r["items"][0]["input"] == "paper");
+  CHECK(r["items"][1]["input"] == "sketch");
   CHECK(r["values"][0]["text"] == "39315 psi");
   std::ifstream csv{s.scratch.path / "results/00-sample/fig-1.csv"};
   CHECK(std::string{std::istreambuf_iterator<char>{csv}, {}} == "x_m,y\n1,\"a,b\"\n");
 }
 
+TEST_CASE("unit: a check says what it is about and what came of it") {
+  const Sample s;
+  REQUIRE(s.reproduce(one([](report::Item& i) {
+    i.expect_checks(10);
+    i.print("a", "a", "m", "1.0", 1.04);
+    i.print("b", "b", "m", "1.0", 1.04, report::fitted("the damper was chosen for it"));
+    i.print("c", "c", "m", "12.3", 12.3, report::restored("the scan reads J2.3"));
+    i.print("d", "d", "m", "8", 6, report::not_confirmed(6, 1e-3, "another mode"));
+    i.print_text("e", "e", "class 5", "class 5");
+    i.claim("f", "it converges", true, "in 3 steps");
+    i.refute("g", "it is linear", true, "it is cubic");
+    i.publication("h", "h", "m", "2", 2.001, report::relative(0.01, "a table"), "A. Nobody");
+    i.agree("i", "i", "m", 2.0, 2.0 + 1e-13, 1e-12, "a closed form");
+    i.at_most("j", "j", "m", 0.1, 0.2, "the accuracy asked for");
+  })) == 0);
+  const auto checks = s.record()["checks"];
+  const char* expected[][2] = {{"print", "confirmed"},     {"print", "fitted"},
+                               {"print", "restored"},      {"print", "not confirmed"},
+                               {"print", "confirmed"},     {"claim", "confirmed"},
+                               {"claim", "not confirmed"}, {"publication", "verified"},
+                               {"route", "verified"},      {"route", "verified"}};
+  REQUIRE(checks.size() == std::size(expected));
+  for (std::size_t i = 0; i < checks.size(); ++i) {
+    CHECK(checks[i]["source"] == expected[i][0]);
+    CHECK(checks[i]["outcome"] == expected[i][1]);
+    CHECK(checks[i].contains("printed") == (checks[i]["source"] == "print"));
+  }
+  CHECK(checks[7]["by"] == "A. Nobody");
+  // Nothing but the paper's text stands under "printed".
+  std::ifstream csv{s.scratch.path / "results/00-sample/checks.csv"};
+  const std::string text{std::istreambuf_iterator<char>{csv}, {}};
+  CHECK(text.find("t/h,,publication,verified,h,m,,2,A. Nobody,") != std::string::npos);
+  CHECK(text.find("t/a,,print,confirmed,a,m,1.0,,,") != std::string::npos);
+}
+
 TEST_CASE("extreme: NaN, an empty loop and a missing count fail the chapter") {
-  const auto status = [](const report::Chapter::ItemFunction& f) {
-    Sample s;
-    s.chapter.table("t", "T", f);
-    return run(s.chapter, s.reproduce());
-  };
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  CHECK(status([](report::Item& i) { i.expect_checks(1), i.check("a", "a", "", "1.0", 1.04); }) ==
+  const double nan = units::nan;
+  CHECK(status([](report::Item& i) { i.expect_checks(1), i.print("a", "a", "", "1.0", 1.04); }) ==
         0);
-  CHECK(status([=](report::Item& i) { i.expect_checks(1), i.check("a", "a", "", "1.0", nan); }) ==
+  CHECK(status([=](report::Item& i) { i.expect_checks(1), i.print("a", "a", "", "1.0", nan); }) ==
         1);
   CHECK(status([](report::Item& i) { i.expect_checks(1); }) == 1);  // loop over nothing
-  CHECK(status([](report::Item& i) { i.check("a", "a", "", "1.0", 1.0); }) ==
+  CHECK(status([](report::Item& i) { i.print("a", "a", "", "1.0", 1.0); }) ==
         1);                                  // count not announced
   CHECK(status([](report::Item&) {}) == 1);  // says nothing
   CHECK(status([](report::Item&) { throw std::runtime_error{"no"}; }) == 1);
-  CHECK(status([](report::Item& i) { i.expect_checks(0), i.reconstructed("inputs are ours"); }) ==
-        0);
+  CHECK(status([](report::Item& i) { i.expect_checks(0), i.rebuilt("inputs are ours"); }) == 0);
   CHECK(status([](report::Item& i) {
-          i.expect_checks(1), i.check("a", "a", "", "1", 1, report::relative(1, ""));
+          i.expect_checks(1), i.print("a", "a", "", "1", 1, report::relative(1, ""));
         }) == 1);
+  CHECK(status([](report::Item& i) {
+          i.expect_checks(1), i.print("a", "a", "", "1", 1, report::fitted(""));
+        }) == 1);
+  CHECK(status([](report::Item& i) { i.expect_checks(1), i.claim("a", "a", false); }) == 1);
+  CHECK(status([](report::Item& i) { i.expect_checks(1), i.refute("a", "a", true, ""); }) == 1);
 }
 
-TEST_CASE("unit: the bite test passes only when every check fails") {
-  Sample s;
-  s.chapter.table("t", "T", [](report::Item& item) {
-    item.expect_checks(3);
-    item.check("a", "a", "", "1.0", 1.04);
-    item.check_text("b", "b", "class 5", "class 5");
+TEST_CASE("unit: a stability case fails when something else is found than expected") {
+  const auto with = [](report::Stands expect, double allowed,
+                       const std::function<report::Found()>& f) {
+    return status([=](report::Item& i) {
+      i.stability({.id = "s", .what = "w", .stress = "x", .expect = expect, .allowed = allowed}, f);
+    });
+  };
+  const auto found = [](double error) { return [=] { return report::Found{"found", error}; }; };
+  const auto throws = []() -> report::Found { throw InputError{"too slender"}; };
+  const auto gives_up = []() -> report::Found { throw report::NoAnswer{"did not converge"}; };
+  CHECK(with(report::holds, 1e-3, found(1e-4)) == 0);
+  CHECK(with(report::holds, 1e-3, found(1e-2)) == 1);
+  CHECK(with(report::holds, 1e-3, found(units::nan)) == 1);
+  CHECK(with(report::holds, 1e-3, throws) == 1);
+  CHECK(with(report::degrades, 0.2, found(0.1)) == 0);
+  CHECK(with(report::degrades, 0.2, found(0.3)) == 1);
+  CHECK(with(report::refused, units::nan, throws) == 0);
+  CHECK(with(report::refused, units::nan, gives_up) == 0);
+  CHECK(with(report::refused, units::nan, found(0)) == 1);
+  CHECK(with(report::holds, units::nan, found(0)) == 1);  // no bound set
+}
+
+TEST_CASE("unit: the bite test passes only when every check and case fails") {
+  const auto section = one([](report::Item& item) {
+    item.expect_checks(4);
+    item.print("a", "a", "", "1.0", 1.04);
+    item.print_text("b", "b", "class 5", "class 5");
     item.agree("c", "c", "", 2.0, 2.0 + 1e-13, 1e-12, "another method");
+    item.claim("d", "d", true);
+    item.stability({.id = "e", .what = "e", .stress = "e", .allowed = 1e-3}, [] {
+      return report::Found{"e", 1e-9};
+    });
+    item.stability({.id = "f", .what = "f", .stress = "f", .expect = report::refused},
+                   []() -> report::Found { throw InputError{"no"}; });
   });
-  CHECK(run(s.chapter, s.reproduce()) == 0);
-  CHECK(run(s.chapter, s.reproduce({"--bite"})) == 0);
-  Sample none;
-  none.chapter.table("t", "T", [](report::Item& item) { item.sketch(); });
-  CHECK(run(none.chapter, none.reproduce({"--bite"})) == 1);
+  CHECK(Sample{}.reproduce(section) == 0);
+  CHECK(Sample{}.reproduce(section, {"--bite"}) == 0);
+  CHECK(Sample{}.reproduce(one([](report::Item& item) { item.sketch(); }), {"--bite"}) == 1);
+}
+
+TEST_CASE("unit: the inventory and the checks name each other") {
+  const auto section = one([](report::Item& i) {
+    i.expect_checks(2);
+    i.print("a", "a", "", "1.0", 1.04);
+    i.claim("b", "b", true);
+  });
+  const auto with = [&](const std::string& rows) {
+    const Sample s;
+    s.scratch.write("data/inventory.csv",
+                    "place,kind,number,what,treated,symbol,test,reason\n" + rows);
+    const int result = s.reproduce(section);
+    if (result == 0) CHECK(s.record()["checks"][0]["place"] == "p. 1, Table 2");
+    return result;
+  };
+  const std::string a = "p. 1,number,Table 2,a,t/a,,,\n", b = "p. 2,claim,,b,t/b,,,\n";
+  CHECK(with(a + b) == 0);
+  CHECK(with(a + "p. 2,claim,,b,t/*,,,\n") == 0);
+  CHECK(with(a + b + "p. 3,figure,Fig. 1,drawing,t,,,\n") == 0);
+  CHECK(with(a + b + "p. 3,claim,,cost,,,,not testable: the machine is gone\n") == 0);
+  CHECK(with(a) == 1);                                           // a check without a place
+  CHECK(with(a + b + "p. 3,number,,c,t/c,,,\n") == 1);           // an id that is not there
+  CHECK(with(a + b + "p. 3,number,,c,,,,\n") == 1);              // left out without a reason
+  CHECK(with(a + b + "p. 3,picture,,c,,,,not treated\n") == 2);  // no such kind
+}
+
+TEST_CASE("unit: the study is a page of its own") {
+  const Sample s;
+  const report::Section study{
+      report::table("u", "U", [](report::Item& item) { item.added("a study"); })};
+  REQUIRE(s.reproduce(one([](report::Item& item) { item.sketch(); }), {}, study) == 0);
+  CHECK(s.record()["items"][0]["page"] == "paper");
+  CHECK(s.record()["items"][1]["page"] == "study");
+}
+
+TEST_CASE("unit: a display table writes its numbers as its headings say") {
+  const Sample s;
+  REQUIRE(s.reproduce(one([](report::Item& item) {
+    item.sketch();
+    item.columns({"what", {"error, mm", "{:.2f}"}, "n"});
+    item.add_row("a", 1.234, "7");
+    item.add_row("b", units::nan, "8");
+  })) == 0);
+  const auto rows = s.record()["items"][0]["rows"];
+  CHECK(rows[0][1] == "1.23");
+  CHECK(rows[1][1] == "–");
 }
 
 TEST_CASE("unit: --only computes just what is asked for") {
-  Sample s;
+  const Sample s;
   bool other = false;
-  s.chapter.table("t", "T", [](report::Item& item) { item.sketch(); });
-  s.chapter.table("u", "U", [&](report::Item& item) { other = true, item.sketch(); });
-  CHECK(run(s.chapter, s.reproduce({"--only", "t"})) == 0);
+  const report::Section paper{
+      report::table("t", "T", [](report::Item& item) { item.sketch(); }),
+      report::table("u", "U", [&](report::Item& item) { other = true, item.sketch(); })};
+  CHECK(s.reproduce(paper, {"--only", "t"}) == 0);
   CHECK_FALSE(other);
-  CHECK(record(s.scratch.path)["only"][0] == "t");
-  CHECK(run(s.chapter, s.reproduce({"--only", "v"})) == 2);
+  CHECK(s.record()["only"][0] == "t");
+  CHECK(s.reproduce(paper, {"--only", "v"}) == 2);
 }
 
 TEST_CASE("input: a chapter without a command is refused, help is not") {
-  Sample s;
-  CHECK(run(s.chapter, {}) == 2);
-  CHECK(run(s.chapter, {"--help"}) == 0);
+  const Sample s;
+  const report::Section paper = one([](report::Item& item) { item.sketch(); });
+  CHECK(run(s.scratch.path, paper, {}) == 2);
+  CHECK(run(s.scratch.path, paper, {"--help"}) == 0);
+  CHECK(run(s.scratch.path, {paper[0], paper[0]}, {"list"}) == 1);  // an item named twice
 }
