@@ -8,7 +8,7 @@ some      = $(if $(C),$(or $(chosen),$(error C is "$(C)"; allowed: the number of
 program   = $(lastword $(subst -, ,$(1)))
 SOURCES   = $(shell git ls-files '*.cpp' '*.hpp' ':!tests/book')
 
-.PHONY: help doctor packages configure programs build reproduce test chapter figures accept-figures book bench format lint failed clean
+.PHONY: new-chapter help doctor packages configure programs build reproduce test chapter figures accept-figures book bench format lint failed clean
 
 help:             ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' $(MAKEFILE_LIST) | expand -t 24
@@ -47,6 +47,9 @@ figures: programs ## draw every figure to PNG, in build/figures
 accept-figures: configure ## make today's figures the golden set, all or of chapter C=03 (commit it alone, and say why)
 	@cmake --build $(BUILD) --target figure_diff $(foreach c,$(or $(some),$(CHAPTERS)),$(call program,$(c)))
 	@cmake -DBUILD=$(CURDIR)/$(BUILD) "-DCHAPTERS=$(some)" -P cmake/accept_figures.cmake
+
+new-chapter:      ## a chapter to start from: make new-chapter NN=08-name
+	@cmake -DNN=$(NN) -P cmake/new_chapter/new_chapter.cmake
 
 book: programs    ## weave the book from the chapters that have been run
 	@cmake --build $(BUILD) --target book

@@ -61,9 +61,10 @@ endfunction()
 function(railbook_chapter chapter)
   cmake_parse_arguments(arg "" "" "NEEDS;USES" ${ARGN})
   string(REGEX REPLACE "^[0-9]+-" "" name ${chapter})
-  file(GLOB sources CONFIGURE_DEPENDS *.cpp)
+  file(GLOB sources CONFIGURE_DEPENDS *.cpp study/*.cpp)
   list(TRANSFORM arg_NEEDS PREPEND railbook_)
   add_executable(${name} ${sources})
+  target_include_directories(${name} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
   target_compile_definitions(${name} PRIVATE
     RAILBOOK_CHAPTER="${chapter}" RAILBOOK_CHAPTER_DIR="${CMAKE_CURRENT_SOURCE_DIR}")
@@ -74,9 +75,12 @@ function(railbook_chapter chapter)
            --out ${CMAKE_BINARY_DIR}/ctest/${chapter})
   add_test(NAME "chapter: ${chapter} bites" COMMAND ${name} reproduce --bite --no-figures
            --no-timings --out ${CMAKE_BINARY_DIR}/ctest/${chapter}-bite)
+  set_tests_properties("chapter: ${chapter} reproduces" PROPERTIES FIXTURES_SETUP ${chapter})
+  if(NOT EXISTS ${CMAKE_SOURCE_DIR}/figures/${chapter})
+    return() # none accepted yet; tests/meta does not let a chapter stay so
+  endif()
   add_test(NAME "figures: ${chapter} golden set" COMMAND figure_diff compare
            ${CMAKE_BINARY_DIR}/ctest/${chapter} ${CMAKE_SOURCE_DIR}/figures/${chapter}
            ${CMAKE_SOURCE_DIR}/figures/environment.txt ${CMAKE_BINARY_DIR}/environment.txt)
-  set_tests_properties("chapter: ${chapter} reproduces" PROPERTIES FIXTURES_SETUP ${chapter})
   set_tests_properties("figures: ${chapter} golden set" PROPERTIES FIXTURES_REQUIRED ${chapter})
 endfunction()

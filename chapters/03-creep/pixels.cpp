@@ -144,7 +144,7 @@ void tabulate(report::Item& item) {
   }
   headings.insert(headings.end(), {"ends of lines through 63 to 255", "f, placed cells",
                                    "f, CONTACT extrapolated"});
-  item.columns(headings);
+  item.columns({headings.begin(), headings.end()});
   show_limits(item, keys, rows);
 }
 

@@ -138,7 +138,7 @@ void table_sensors(report::Item& item) {
   using enum Parameter;
   std::vector<std::string> headings{"parameter"};
   for (const Group& g : groups()) headings.push_back(g.name);
-  item.columns(headings);
+  item.columns({headings.begin(), headings.end()});
   for (const auto& [name, made_of] : std::vector<std::pair<std::string, std::vector<Parameter>>>{
            {"gage", {gage}},
            {"curvature", {curvature, curvature_rate}},

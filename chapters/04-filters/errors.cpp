@@ -133,7 +133,7 @@ void table_errors(report::Item& item) {
   item.expect_checks(cells);
   std::vector<std::string> headings{"mph"};
   for (std::size_t j = 0; j < 6; ++j) headings.push_back(sources()[j].heading + ", mm");
-  item.columns(headings);
+  item.columns({headings.begin(), headings.end()});
   const double scale = e.truth / mm / report::printed_number(earlier.at("truth", "ideal-1.0"));
   for (const auto& row : earlier.rows) {
     if (row[0] == "truth") continue;
