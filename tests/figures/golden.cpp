@@ -7,6 +7,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "files/out_file.hpp"
 #include "scene/image.hpp"
 #include "table/csv.hpp"
 
@@ -160,13 +161,13 @@ Report accept(const Drawn& drawn, const fs::path& golden) {
     });
     if (one.faults.empty()) continue;
     if (data) {
-      table::write_file(to, golden_text(from));
+      files::write(to, golden_text(from));
     } else {
       fs::copy_file(from, to, fs::copy_options::overwrite_existing);
     }
     done.compared.push_back(one.faults[0]);
   }
-  table::write_file(golden / "README.md", gallery_page(drawn));
+  files::write(golden / "README.md", gallery_page(drawn));
   return done;
 }
 

@@ -59,10 +59,10 @@ TEST_CASE("unit: the figure is drawn, with and without times") {
     settings.results = settings.figures = folder;
     report::Item item{timings ? "timed" : "untimed", "figure", "Cost", settings};
     bench::show(item, bench::measure("cost", exact, {rule, twice}, timings, 0.01), "integral");
-    item.explained("a test");
+    item.added("a test");
     report::ChapterRecord record;
     item.finish(record);
-    CHECK(record.items[0].verdict == "explained");
+    CHECK(record.items[0].input == "added");
     CHECK(record.work_precision.size() == 6);
     CHECK(std::filesystem::file_size(folder / record.items[0].png) > 5000);
   }
