@@ -54,7 +54,6 @@ is*, enlarged by wear, they fall on one curve, the one that Kalker's theory pred
 
 ## Tools for a contact of your own
 
-{{include: theory.cpp}}
 
 
 
