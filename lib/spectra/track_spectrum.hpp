@@ -1,16 +1,11 @@
 // Corbin and Kaufman's model of a track's surface profile: random two-slope spectrum plus joint dips.
 //
-// Everything in this folder that is a track spectrum is one-sided, per cycle/m, of a profile in metres
-// (track_psd below): S in m^2/(cycle/m), wavenumber phi in cycle/m, roughness A in m^2 cycle/m.
+// Everything in this folder that is a track spectrum is one-sided, per cycle/m, of a profile in metres: S in m^2/(cycle/m), wavenumber phi in cycle/m, roughness A in m^2 cycle/m.
 #pragma once
 
 #include <limits>
 
-#include "units/psd_convention.hpp"
-
 namespace railbook::spectra {
-
-inline constexpr units::PsdConvention track_psd{units::Sides::one, units::SpectralVariable::cycles};
 
 // How the power of a line follows from the dip B of a rectified sine of rail length 1/phi_0.
 //   printed         equations (1)-(2) of the paper: Q_1 = (1/2) (2B / 3 pi)^2. B_n is there the two-sided

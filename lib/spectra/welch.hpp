@@ -22,7 +22,7 @@ struct WelchOptions {
 };
 
 // A one-sided density at the frequencies k df, k = 0 .. segment/2, per cycle of whatever the sample spacing
-// is in (1/m for a track record: track_psd), with what is needed to judge its scatter.
+// is in (1/m for a track record), with what is needed to judge its scatter.
 struct Spectrum {
   double df = 0;               // bin spacing, 1/(segment spacing)
   Eigen::VectorXd density;     // segment/2 + 1 values

@@ -1,22 +1,22 @@
 // Comma-separated tables: a strict reader with line numbers in its errors, and a writer.
 //
-// Dialect: UTF-8, the first line names the columns, cells in double quotes may hold commas and doubled quotes, lines
-// that start with # and blank lines are skipped, CR LF accepted.
+// Dialect: UTF-8, the first line names the columns, cells in double quotes may hold commas, doubled quotes and up to 100
+// line breaks; lines that start with # and blank lines are skipped, CR LF accepted. Blanks around a bare cell do not count.
 #pragma once
 
 #include <cstddef>
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "table/line_source.hpp"
 #include "units/quantity.hpp"
 
 namespace railbook::table {
 
-// Reads a file line by line in constant memory. Errors are InputError naming the file and the line; a disk that fails in
-// mid-file is files::OutsideError.
+// Reads a file, or a pipe, line by line in constant memory. Errors are InputError naming the file and the line; what the
+// reading itself throws is LineSource's.
 class CsvReader {
  public:
   // Opens the file and reads its header. Throws when it is missing, empty, or names a column twice.
@@ -34,15 +34,15 @@ class CsvReader {
   // A cell as a number. Empty, "NaN" and "nan" are NaN; anything else that is no number throws.
   double number(const std::vector<std::string>& cells, std::size_t column) const;
 
-  std::size_t line() const { return line_; }
-  const std::filesystem::path& file() const { return file_; }
+  std::size_t line() const { return line_; }  // where the last row began
+  const std::filesystem::path& file() const { return source_.file(); }
 
  private:
   bool raw_line(std::string& text);
+  bool record(std::vector<std::string>& cells);
   [[noreturn]] void refuse(const std::string& why) const;
 
-  std::filesystem::path file_;
-  std::ifstream stream_;
+  LineSource source_;
   std::size_t line_ = 0;
   std::vector<std::string> header_;
   std::string text_;
@@ -73,7 +73,8 @@ std::vector<std::vector<double>> read_columns(const std::filesystem::path& file,
 // A number as CSV text: shortest form that keeps 12 digits; NaN as "nan".
 std::string csv_number(double value);
 
-// A cell quoted where the dialect needs it.
+// A cell, quoted where the dialect needs it: it reads back as the same text (but for zero bytes, and for an empty row of one
+// column, which is a blank line).
 std::string csv_cell(std::string_view text);
 
 }  // namespace railbook::table

@@ -3,6 +3,14 @@
 #include <cmath>
 #include <cstdio>
 
+#include "units/printable.hpp"
+
+namespace railbook {
+
+InputError::InputError(std::string_view text) : std::runtime_error(units::printable(text, 2000)) {}
+
+}  // namespace railbook
+
 namespace railbook::units {
 namespace {
 

@@ -9,10 +9,11 @@
 namespace railbook {
 
 // Bad input from outside: a file, an option, an argument. A chapter program turns it into a one-line
-// message and exit status 2. The text names the quantity, the value, its unit and the allowed range.
+// message and exit status 2. The text names the quantity, the value, its unit and the allowed range; it is made
+// printable (units/printable.hpp), and is not longer than 2,000 bytes. Long values are better cut where they are quoted.
 class InputError : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit InputError(std::string_view text);
 };
 
 namespace units {

@@ -1,13 +1,16 @@
 #include "units/quantity.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <optional>
 #include <utility>
 
 #include "units/constants.hpp"
 #include "units/input_error.hpp"
+#include "units/printable.hpp"
 
 namespace railbook::units {
 namespace {
@@ -69,6 +72,20 @@ std::optional<Unit> find(std::string_view name) {
   return std::nullopt;
 }
 
+std::string all_names() {
+  std::string all;
+  for (const Named& n : names) all += (all.empty() ? "" : " ") + std::string{n.name};
+  return all;
+}
+
+// Far beyond any quantity of this world, and far from where a double or a power of it overflows.
+bool sane(const Unit& unit) {
+  const auto small = [](int power) { return std::abs(power) <= 20; };
+  const Dimension& d = unit.dimension;
+  return unit.si > 1e-60 && unit.si < 1e60 && small(d.length) && small(d.mass) && small(d.time) &&
+         small(d.angle);
+}
+
 // One factor: a name with an optional whole power, "in^3", "in3" or "s".
 std::optional<Unit> factor(std::string_view text) {
   if (auto plain = find(text)) return plain;
@@ -98,18 +115,24 @@ Unit parse_unit(std::string_view text) {
   text = trim(text);
   Unit unit;
   if (text.empty()) return unit;
-  const std::string whole{text};
+  const std::string said = "unit \"" + printable(text) + "\"";
+  if (text.front() == '/' || text.front() == '*')
+    throw InputError{said + " begins with " + text.front() +
+                     "; allowed: a name, or 1 before a division (\"1/m\")"};
   bool divide = false;
   while (true) {
     const std::size_t cut = text.find_first_of("*/");
-    const auto one = factor(trim(text.substr(0, cut)));
+    const std::string_view name = trim(text.substr(0, cut));
+    if (name.empty()) throw InputError{said + " lacks a name after * or /"};
+    const auto one = factor(name);
     if (!one) {
-      throw InputError{
-          "unit \"" + whole + "\": \"" + std::string{trim(text.substr(0, cut))} +
-          "\" is not a known unit (m mm in ft kg lb s N kN lbf Pa MPa psi mph deg ...)"};
+      throw InputError{said + ": \"" + printable(name) + "\" is not a known unit; known are " +
+                       all_names()};
     }
     unit.si = divide ? unit.si / one->si : unit.si * one->si;
     unit.dimension = divide ? unit.dimension / one->dimension : unit.dimension * one->dimension;
+    if (!sane(unit))
+      throw InputError{said + " is out of range; allowed: from 1e-60 to 1e60 in SI, powers to 20"};
     if (cut == std::string_view::npos) return unit;
     divide = text[cut] == '/';
     text.remove_prefix(cut + 1);
@@ -118,11 +141,15 @@ Unit parse_unit(std::string_view text) {
 
 double parse_quantity(std::string_view quantity, std::string_view text, const Dimension& expected) {
   text = trim(text);
-  const std::string said = std::string{quantity} + " is \"" + std::string{text} + "\"";
-  const std::string_view digits = text.starts_with('+') ? text.substr(1) : text;
+  const std::string said = std::string{quantity} + " is \"" + printable(text) + "\"";
+  std::string_view digits = text;
+  if (digits.starts_with('+')) digits.remove_prefix(1);
   double value = 0;
   const auto [end, status] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (status != std::errc{} || !std::isfinite(value))
+  const bool two_signs = text.starts_with("+-");
+  if (status == std::errc::result_out_of_range)
+    throw InputError{said + ", which a double cannot hold; allowed: 0, or 1e-307 to 1e308 in size"};
+  if (status != std::errc{} || !std::isfinite(value) || two_signs)
     throw InputError{said + "; allowed: a finite number with a unit of " + si_name(expected)};
   const auto rest = trim({end, static_cast<std::size_t>(digits.data() + digits.size() - end)});
   if (rest.empty() && !(expected == number))
@@ -137,7 +164,10 @@ double parse_quantity(std::string_view quantity, std::string_view text, const Di
     throw InputError{said + ", a quantity in " + si_name(unit.dimension) + "; allowed: a unit of " +
                      si_name(expected)};
   }
-  return require_finite(quantity, value * unit.si, si_name(expected));
+  const double si = value * unit.si;
+  if (!std::isfinite(si) || (value != 0 && !std::isnormal(si)))
+    throw InputError{said + ", which a double cannot hold in " + si_name(expected)};
+  return si;
 }
 
 std::string si_name(const Dimension& d) {
@@ -169,8 +199,10 @@ std::string si_name(const Dimension& d) {
 
 Header parse_header(std::string_view header) {
   header = trim(header);
+  constexpr std::size_t longest = 60;  // of a suffix: a header that goes on for pages costs no more
+  const std::size_t begin = header.size() - std::min(header.size(), longest);
   // Try the longest suffix first: "p_lbf_per_in2" has the unit lbf/in^2, not in^2.
-  for (std::size_t cut = header.find('_'); cut != std::string_view::npos;
+  for (std::size_t cut = header.find('_', begin); cut != std::string_view::npos;
        cut = header.find('_', cut + 1)) {
     std::string unit_text{header.substr(cut + 1)};
     for (std::size_t at; (at = unit_text.find("_per_")) != std::string::npos;)

@@ -51,12 +51,14 @@ struct Unit {
 
 // Reads a unit such as "mm", "lbf/in^2", "N*s/m" or "1/m": names joined by * and /, each with an optional
 // whole power; the empty text is the pure number. Names: m mm um cm km in ft yd mi, kg g t lb slug, s ms min h,
-// N kN MN lbf kip, Pa kPa MPa GPa psi ksi, Hz, mph km/h kph, rad mrad deg, cycle %.
-// "lb" is a mass; a force is "lbf". Throws InputError naming the part it does not know.
+// N kN MN lbf kip, Pa kPa MPa GPa psi ksi, Hz kHz, mph kph kmh fps, rad mrad deg, cycle cycles % percent 1.
+// "lb" is a mass; a force is "lbf"; "1/s" is the dimension of Hz. Throws InputError naming the part it does not know, and
+// for a unit beyond 1e-60 to 1e60 in SI.
 Unit parse_unit(std::string_view text);
 
 // Reads a number followed by its unit and returns the SI value. A missing unit, a unit of another dimension,
-// trailing text, NaN or infinity throws InputError naming `quantity` and an example of a fitting unit.
+// trailing text, two signs, NaN, infinity, or a value that overflows or underflows in SI throws InputError naming
+// `quantity` and a fitting unit.
 double parse_quantity(std::string_view quantity, std::string_view text, const Dimension& expected);
 
 // The SI unit of a dimension as text, "kg/s^2" style, with the common names (m, N, Pa, N/m, ...) where one fits.
@@ -64,7 +66,8 @@ std::string si_name(const Dimension& dimension);
 
 // A column header of a CSV file names its unit after the last underscore: "distance_m" is {"distance", metre}.
 // In such a suffix "_per_" is a division and a digit after a name a power ("p_lbf_per_in2"). Only the longest
-// suffix that reads as a unit counts; a header without one has an empty `unit_text` and the pure number.
+// suffix, of up to 60 characters, that reads as a unit counts; a header without one has an empty `unit_text` and the
+// pure number.
 struct Header {
   std::string name;
   std::string unit_text;

@@ -1,9 +1,11 @@
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 #include "table/csv.hpp"
 #include "units/input_error.hpp"
@@ -58,8 +60,54 @@ TEST_CASE("input: a bad file is refused with its name, line and reason") {
 }
 
 TEST_CASE("property: a written table reads back the same") {
-  const File f{"key,text\n" + table::csv_cell("a") + "," + table::csv_cell("say \"x, y\" # z") +
-               "\n"};
-  CHECK(table::read_table(f.path).at("a", "text") == "say \"x, y\" # z");
+  for (const std::string cell :
+       {"say \"x, y\" # z", " ", "\t", " a ", "a\nb", "a\r\nb", "a\r", "\r", "\n", "\n# no comment",
+        "\"", "\"\"", "#", "", "\xEF\xBB\xBFx", "\x1b[0m"}) {
+    const File f{"key,text\r\n" + table::csv_cell("a") + "," + table::csv_cell(cell) + "\n" +
+                 table::csv_cell(cell + "x") + ",b\r\n"};
+    const table::CsvTable back = table::read_table(f.path);
+    REQUIRE(back.rows.size() == 2);
+    CHECK(back.at("a", "text") == cell);
+    CHECK(back.rows[1][0] == cell + "x");
+  }
   CHECK(std::stod(table::csv_number(1.0 / 3)) == Approx(1.0 / 3).epsilon(1e-12));
+}
+
+TEST_CASE("input: no message repeats a long cell or steers the terminal") {
+  const auto refusal = [](const std::string& text) {
+    const File f{text};
+    try {
+      (void)table::read_columns(f.path, track);
+    } catch (const InputError& error) {
+      return std::string{error.what()};
+    }
+    return std::string{};
+  };
+  const std::string esc = "\x1b]0;owned\x07", huge(4 << 20, 'z');
+  for (const std::string& text :
+       {"distance_m," + esc + "\n1,1\n", "distance_m," + huge + "\n1,1\n",
+        "distance_m,profile_mm\n0," + esc + "\n", "distance_m,profile_mm\n0," + huge + "\n",
+        "distance_m," + esc + "," + esc + "\n", "distance_m,profile_" + esc + "\n0,1\n"}) {
+    const std::string said = refusal(text);
+    CHECK(said.size() > 20);
+    CHECK(said.size() < 1500);
+    CHECK(said.find('\x1b') == std::string::npos);
+  }
+  CHECK_THAT(refusal("distance_m,profile_mm\n0,+-1\n"), Contains("allowed: a finite number"));
+  CHECK_THAT(refusal("distance_m,profile_km\n0,1e308\n"), Contains("overflows"));
+  CHECK_THAT(refusal("distance_m,profile_mm\n0,\"1\n" + std::string(500, '\n')),
+             Contains("line 2") && Contains("a quote is not closed"));
+  CHECK_THAT(refusal("distance_m,\"profile\"_mm\n"), Contains("text after a closing quote"));
+}
+
+TEST_CASE("input: a pipe is read like a file, a failing read is no end of file") {
+  const fs::path pipe = fs::temp_directory_path() / ("railbook-fifo-" + std::to_string(::getpid()));
+  REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+  std::thread writer([&] { std::ofstream{pipe} << "distance_m,profile_mm\n0,1\n1,2\n"; });
+  CHECK(table::read_columns(pipe, track)[0].size() == 2);
+  writer.join();
+  fs::remove(pipe);
+  CHECK_THROWS_WITH(table::read_columns("/", track), Contains("Is a directory"));
+  CHECK_THROWS_WITH(table::read_columns("/proc/self/mem", track),
+                    Contains("cannot be read further: Input/output error"));
 }

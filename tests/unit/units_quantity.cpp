@@ -1,7 +1,9 @@
 #include <catch2/catch.hpp>
+#include <sstream>
+#include <utility>
 
 #include "units/constants.hpp"
-#include "units/psd_convention.hpp"
+#include "units/input_error.hpp"
 #include "units/quantity.hpp"
 
 using namespace railbook::units;
@@ -53,13 +55,20 @@ TEST_CASE("unit: the constants agree with their textbook values") {
   CHECK(inch_system_mass == Approx(175.126835).epsilon(1e-8));
 }
 
-TEST_CASE("unit: a density keeps its variance when its convention changes") {
-  const PsdConvention one_cycle{Sides::one, SpectralVariable::cycles};
-  const PsdConvention two_radian{Sides::two, SpectralVariable::radians};
-  // White density S on (0, f): variance S f. Two-sided per radian it runs over (-2 pi f, 2 pi f).
-  const double s = 3.0;
-  const double f = 5.0;
-  const double s2 = s * psd_factor(one_cycle, two_radian);
-  CHECK(s2 * 2 * (2 * pi * f) == Approx(s * f).epsilon(1e-15));
-  CHECK(psd_factor(two_radian, one_cycle) * psd_factor(one_cycle, two_radian) == Approx(1.0));
+TEST_CASE("unit: every name that the message lists is a unit, and says what it is in SI") {
+  const std::pair<const char*, double> some[] = {{"kHz", 1e3},    {"1/s", 1},    {"kmh", 1 / 3.6},
+                                                 {"fps", 0.3048}, {"cycles", 1}, {"percent", 0.01}};
+  for (const auto& [name, si] : some) CHECK(parse_unit(name).si == Approx(si).epsilon(1e-15));
+  CHECK(parse_unit("1/s").dimension == frequency);
+  CHECK(si_name(parse_unit("1/s").dimension) == "Hz");
+  CHECK(parse_quantity("rate", "2.5 1/s", frequency) == 2.5);
+  try {
+    (void)parse_unit("furlong");
+  } catch (const railbook::InputError& error) {
+    std::istringstream listed{
+        std::string{error.what()}.substr(std::string_view{error.what()}.find("known are ") + 10)};
+    int count = 0;
+    for (std::string name; listed >> name; ++count) CHECK_NOTHROW(parse_unit(name));
+    CHECK(count > 40);
+  }
 }
