@@ -11,18 +11,7 @@
 namespace railbook::files {
 
 std::string shown(const std::filesystem::path& name) {
-  std::string text = "\"";
-  for (const char c : name.string()) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte >= 0x20 && byte != 0x7f) {
-      text += c;
-      continue;
-    }
-    std::array<char, 8> escape{};
-    std::snprintf(escape.data(), escape.size(), "\\x%02x", byte);
-    text += escape.data();
-  }
-  return text + "\"";
+  return "\"" + units::printable(name.string(), 1000) + "\"";
 }
 
 void flush_standard_output() {

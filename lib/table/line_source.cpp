@@ -2,6 +2,8 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -27,17 +29,32 @@ LineSource::Descriptor::~Descriptor() {
   if (value >= 0) ::close(value);
 }
 
-LineSource::LineSource(const std::filesystem::path& file) : file_(file), buffer_(buffer_size) {
+LineSource::LineSource(const std::filesystem::path& file, std::chrono::milliseconds patience)
+    : file_(file), buffer_(buffer_size) {
   const auto refuse = [&](const std::string& why) {
     throw InputError{
         fmt::format("file \"{}\": cannot be read: {}", units::printable(file.string(), 300), why)};
   };
   do {
-    descriptor_ = std::make_unique<Descriptor>(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
+    descriptor_ =
+        std::make_unique<Descriptor>(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   } while (descriptor_->value < 0 && errno == EINTR);
-  if (descriptor_->value < 0) refuse(reason(errno));
-  std::error_code ignored;
-  if (std::filesystem::is_directory(file, ignored)) refuse(reason(EISDIR));
+  const int fd = descriptor_->value;
+  struct stat status {};
+  if (fd < 0 || ::fstat(fd, &status) != 0) refuse(reason(errno));
+  if (S_ISDIR(status.st_mode)) refuse(reason(EISDIR));
+  if (S_ISFIFO(status.st_mode)) {
+    pollfd wait{fd, POLLIN, 0};
+    if (::poll(&wait, 1, static_cast<int>(patience.count())) == 0) {
+      // Nothing came. Without a writer a read is at its end, with one it would block.
+      const ssize_t got = ::read(fd, buffer_.data(), buffer_.size());
+      if (got == 0)
+        refuse(fmt::format("a pipe that nobody writes to (waited {:g} s)",
+                           static_cast<double>(patience.count()) / 1000));
+      if (got > 0) end_ = static_cast<std::size_t>(got);
+    }
+  }
+  ::fcntl(fd, F_SETFL, ::fcntl(fd, F_GETFL) & ~O_NONBLOCK);
 }
 
 std::string LineSource::here() const {

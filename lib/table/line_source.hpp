@@ -1,6 +1,7 @@
 // The lines of a text file, one at a time, with the system's word when reading fails.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <filesystem>
 #include <memory>
@@ -12,8 +13,10 @@ namespace railbook::table {
 // Reads a file, a pipe or a FIFO from its beginning to its end, once, in the memory of its longest line.
 class LineSource {
  public:
-  // Throws InputError with the system's reason when `file` cannot be opened, or is a folder.
-  explicit LineSource(const std::filesystem::path& file);
+  // Throws InputError with the system's reason when `file` cannot be opened, or is a folder; also for a FIFO that nobody has
+  // opened to write to within `patience`. A writer that is there is waited for.
+  explicit LineSource(const std::filesystem::path& file,
+                      std::chrono::milliseconds patience = std::chrono::seconds{10});
 
   // The next line into `line`, without its line feed; false at the end. Throws files::OutsideError when reading fails in
   // mid-file, and InputError for a line of more than 64 MiB: both name file, line and reason.

@@ -6,50 +6,57 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
-#include <filesystem>
 #include <functional>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
 #include "files/outside.hpp"
 #include "num/fp_trap.hpp"
+#include "tool/toml.hpp"
 #include "units/input_error.hpp"
+#include "units/printable.hpp"
 
 namespace railbook::tool {
 namespace {
 
-// The words of the command line with the entries of the TOML file that `option` names put in, unless an option is given on
-// the line itself. A key in a table, [body-1] radius = "18in", is the option --body-1-radius. (CLI11 reads configuration
-// files for the whole program only, not for a subcommand.)
-std::vector<std::string> with_entries(const CLI::App* command, std::vector<std::string> words,
-                                      const std::string& named) {
+// The words of the command line, and where those that a TOML file put in come from, by the name that messages use.
+struct Words {
+  std::vector<std::string> words;
+  std::vector<std::pair<std::string, std::string>> origins;
+};
+
+// Puts in the entries of the TOML file that the option `named` names, unless an option is given on the line itself. A key in
+// a table, [body-1] radius = "18in", is the option --body-1-radius. (CLI11 reads configuration files for the whole program
+// only, not for a subcommand, and knows no line numbers.)
+void add_entries(const CLI::App* command, Words& line, const std::string& named) {
+  std::vector<std::string>& words = line.words;
   const auto is = [](const std::string& word, const std::string& option) {
     return word == option || word.starts_with(option + "=");
   };
   const auto at =
       std::find_if(words.begin(), words.end(), [&](const auto& w) { return is(w, named); });
-  if (at == words.end() || (*at == named && at + 1 == words.end())) return words;
+  if (at == words.end() || (*at == named && at + 1 == words.end())) return;
   const std::string file = *at == named ? *(at + 1) : at->substr(named.size() + 1);
-  std::error_code ignored;
-  if (std::filesystem::is_directory(file, ignored))
-    throw InputError{
-        fmt::format("{} is \"{}\", a folder; allowed: a TOML file", named.substr(2), file)};
 
   std::vector<std::string> added;
-  for (const CLI::ConfigItem& entry : CLI::ConfigTOML{}.from_file(file)) {
-    if (entry.name == "++" || entry.name == "--") continue;  // begin and end of a table
-    std::string name = entry.fullname();
-    std::replace(name.begin(), name.end(), '.', '-');
-    const bool positional = command->get_option_no_throw("--" + name) == nullptr &&
-                            command->get_option_no_throw(name) != nullptr;
-    const std::string option = "--" + name;
+  for (const TomlEntry& entry : read_toml(file)) {
+    const std::string option = "--" + entry.name;
+    const std::string place =
+        fmt::format("file \"{}\", line {}", units::printable(file, 300), entry.line);
+    const bool known = command->get_option_no_throw(option) != nullptr;
+    if (!known && command->get_option_no_throw(entry.name) == nullptr)
+      throw InputError{fmt::format("{}: not expected: {}; see --help for what there is", place,
+                                   units::printable(option))};
     if (std::any_of(words.begin(), words.end(), [&](const auto& w) { return is(w, option); }))
       continue;
     for (const std::string& input : entry.inputs)
-      added.push_back(positional ? input : fmt::format("{}={}", option, input));
+      added.push_back(known ? fmt::format("{}={}", option, input) : input);
+    std::string spoken = entry.name;
+    std::replace(spoken.begin(), spoken.end(), '-', ' ');
+    line.origins.emplace_back(spoken, place);
   }
   words.insert(words.end(), added.begin(), added.end());
-  return words;
 }
 
 const CLI::App* subcommand(const CLI::App* app, const std::string& name) {
@@ -60,16 +67,30 @@ const CLI::App* subcommand(const CLI::App* app, const std::string& name) {
 
 // The same for --config and then for every option that Options::toml declared: what comes first wins. `tool case.toml` is
 // `tool --config case.toml`.
-std::vector<std::string> with_config(const CLI::App& app, std::vector<std::string> words) {
-  if (words.size() < 2) return words;
+Words with_config(const CLI::App& app, std::vector<std::string> given) {
+  Words line{std::move(given), {}};
+  std::vector<std::string>& words = line.words;
+  if (words.size() < 2) return line;
   const CLI::App* command = subcommand(subcommand(&app, words[0]), words[1]);
-  if (command == nullptr) return words;
+  if (command == nullptr) return line;
   if (words.size() > 2 && words[2].ends_with(".toml")) words.insert(words.begin() + 2, "--config");
-  words = with_entries(command, std::move(words), "--config");
+  add_entries(command, line, "--config");
   for (const CLI::Option* option : command->get_options())
-    if (option->get_type_name() == toml_type)
-      words = with_entries(command, std::move(words), option->get_name());
-  return words;
+    if (option->get_type_name() == toml_type) add_entries(command, line, option->get_name());
+  return line;
+}
+
+// As CLI11's, but an error about a value from a file says where it stands.
+void parse(CLI::App& app, Words line) {
+  std::reverse(line.words.begin(), line.words.end());  // as CLI11 wants them
+  try {
+    app.parse(line.words);
+  } catch (const InputError& error) {
+    for (const auto& [name, place] : line.origins)
+      if (std::string_view{error.what()}.starts_with(name + " is "))
+        throw InputError{fmt::format("{}: {}", place, error.what())};
+    throw;
+  }
 }
 
 }  // namespace
@@ -93,9 +114,7 @@ int run_command(int argc, char** argv, const std::string& name, const std::strin
     }
   }
   try {
-    std::vector<std::string> words = with_config(app, {argv + 1, argv + argc});
-    std::reverse(words.begin(), words.end());  // as CLI11 wants them
-    app.parse(words);
+    parse(app, with_config(app, {argv + 1, argv + argc}));
     const num::FpTraps traps;
     for (const auto& [command, action] : actions)
       if (*command) action();
@@ -105,7 +124,8 @@ int run_command(int argc, char** argv, const std::string& name, const std::strin
   } catch (const CLI::CallForAllHelp& help) {
     return app.exit(help);
   } catch (const CLI::ParseError& error) {
-    fmt::print(stderr, "{}: {}\nTry `{} --help`.\n", name, error.what(), name);
+    fmt::print(stderr, "{}: {}\nTry `{} --help`.\n", name, units::printable(error.what(), 2000),
+               name);
     return 2;
   } catch (const InputError& error) {
     fmt::print(stderr, "{}: {}\n", name, error.what());
@@ -115,7 +135,7 @@ int run_command(int argc, char** argv, const std::string& name, const std::strin
   } catch (const std::system_error& error) {
     return files::report(name, error);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "{}: {}\n", name, error.what());
+    fmt::print(stderr, "{}: {}\n", name, units::printable(error.what(), 2000));
     return 1;
   }
 }

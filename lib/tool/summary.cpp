@@ -7,6 +7,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "units/printable.hpp"
+
 namespace railbook::tool {
 
 void Summary::add(std::string key, std::string what, double value, std::string unit,
@@ -29,10 +31,13 @@ void Summary::print() const {
   std::size_t wide = 0;
   for (const Line& line : lines_) wide = std::max(wide, line.what.size());
   fmt::print("{}\n", title_);
-  for (const auto& [key, text] : flags_) fmt::print("  DOUBTFUL: {}\n", text);
+  for (const auto& [key, text] : flags_)
+    fmt::print("  DOUBTFUL: {}\n", units::printable(text, 1000));
   for (const Line& line : lines_) {
-    fmt::print("  {:<{}}  {}{}{}{}\n", line.what, wide, line.text, line.unit.empty() ? "" : " ",
-               line.unit, line.note.empty() ? "" : "   (" + line.note + ")");
+    const auto safe = [](const std::string& text) { return units::printable(text, 1000); };
+    fmt::print("  {:<{}}  {}{}{}{}\n", safe(line.what), wide, safe(line.text),
+               line.unit.empty() ? "" : " ", line.unit,
+               line.note.empty() ? "" : "   (" + safe(line.note) + ")");
   }
 }
 

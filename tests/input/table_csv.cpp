@@ -106,6 +106,8 @@ TEST_CASE("input: a pipe is read like a file, a failing read is no end of file")
   std::thread writer([&] { std::ofstream{pipe} << "distance_m,profile_mm\n0,1\n1,2\n"; });
   CHECK(table::read_columns(pipe, track)[0].size() == 2);
   writer.join();
+  CHECK_THROWS_WITH(table::LineSource(pipe, std::chrono::milliseconds{20}),
+                    Contains("nobody writes to (waited 0.02 s)"));
   fs::remove(pipe);
   CHECK_THROWS_WITH(table::read_columns("/", track), Contains("Is a directory"));
   CHECK_THROWS_WITH(table::read_columns("/proc/self/mem", track),

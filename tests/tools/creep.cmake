@@ -25,7 +25,7 @@ refuses(creep "spin in the strip theory" "closed\\|strip theory here is for cree
 refuses(creep "an axis ratio beyond Kalker's table" "axis ratio a/b of Kalker's table is 20. allowed: from 0.1 to 10" curve ${out} --load 80kN --a 20mm --b 1mm --theory fastsim)
 refuses(creep "a force beyond friction" "force is 30000 N. allowed: what the range" curve ${contact} --force 30kN)
 refuses(creep "half a point" "points is 0.5. allowed" curve ${contact} --points 0.5)
-refuses(creep "a missing configuration" "none.toml was not readable" curve --config none.toml)
+refuses(creep "a missing configuration" "none.toml.: cannot be read: No such file" curve --config none.toml)
 refuses(creep "an option nobody knows" "not expected: .*--speed" curve ${contact} --speed 3mph)
 refuses(creep "a folder in a file's place" "cannot be written: Not a directory" curve --a 6mm --b 4mm --load 80kN --out ${CMAKE_CURRENT_SOURCE_DIR}/CMakeLists.txt)
 refuses(creep "an even number of spins" "spin nodes is 4. allowed: an odd number" table ${out} --spin 4)
