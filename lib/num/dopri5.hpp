@@ -6,22 +6,9 @@
 #include <array>
 #include <cmath>
 
-namespace railbook::num {
+#include "num/dense_step.hpp"
 
-// One accepted step as a polynomial in t, of order 4: y(t) for begin <= t <= begin + length.
-template <int N>
-struct DenseStep {
-  using State = Eigen::Matrix<double, N, 1>;
-  double begin = 0;
-  double length = 0;  // of the step; a restart may have made only a part of it valid, see `end`
-  double end = 0;     // valid up to here
-  Eigen::Matrix<double, N, 5> terms = Eigen::Matrix<double, N, 5>::Zero();
-  State at(double t) const {
-    const double u = (t - begin) / length, v = 1.0 - u;
-    return terms.col(0) +
-           u * (terms.col(1) + v * (terms.col(2) + u * (terms.col(3) + v * terms.col(4))));
-  }
-};
+namespace railbook::num {
 
 // The pair of Dormand and Prince (J. Comp. Appl. Math. 6, 1980) with Shampine's dense output, as in Hairer,
 // Norsett and Wanner, Solving ODEs I, II.5-6; first-same-as-last, six evaluations a step.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "num/dense_lu.hpp"
+#include "num/dense_step.hpp"
 
 namespace railbook::num {
 
@@ -44,6 +45,7 @@ class Radau5 {
       if (solve_stages(f, jac, h)) error = estimate(f, rate, jac, h);
       const double factor = std::clamp(0.85 * std::pow(std::max(error, 1e-12), -0.25), 0.25, 6.0);
       if (error <= 1.0) {
+        keep_dense(h, last ? end : t_ + h);
         y_ += z_.col(2);
         t_ = last ? end : t_ + h;
         const double next = h * std::min(factor, rejected ? 1.0 : 6.0);
@@ -58,6 +60,8 @@ class Radau5 {
 
   double t() const { return t_; }
   const State& y() const { return y_; }
+  // The last step by its collocation polynomial, of order 3.
+  const DenseStep<N>& dense() const { return dense_; }
   long evaluations() const { return evaluations_; }
   long rejections() const { return rejections_; }
 
@@ -128,9 +132,24 @@ class Radau5 {
     return size(error);
   }
 
+  // The cubic through the step's begin and its three stages.
+  void keep_dense(double h, double end) {
+    const double r = std::sqrt(6.0), c1 = (4 - r) / 10, c2 = (4 + r) / 10;
+    const State first = (z_.col(0) / c1 - z_.col(2)) / (1 - c1);
+    const State second = (z_.col(1) / c2 - z_.col(2)) / (1 - c2);
+    dense_.begin = t_;
+    dense_.length = h;
+    dense_.end = end;
+    dense_.terms.col(0) = y_;
+    dense_.terms.col(1) = z_.col(2);
+    dense_.terms.col(3) = (second - first) / (c2 - c1);
+    dense_.terms.col(2) = first - c1 * dense_.terms.col(3);
+  }
+
   State weight_, y_ = State::Zero();
   Eigen::Matrix<double, N, 3> z_ = Eigen::Matrix<double, N, 3>::Zero();
   DenseLu stages_, filter_;
+  DenseStep<N> dense_;
   double first_step_, h_, t_ = 0;
   long evaluations_ = 0, rejections_ = 0;
 };

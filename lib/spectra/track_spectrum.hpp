@@ -5,6 +5,8 @@
 
 #include <limits>
 
+#include "units/constants.hpp"
+
 namespace railbook::spectra {
 
 // How the power of a line follows from the dip B of a rectified sine of rail length 1/phi_0.

@@ -50,12 +50,8 @@ double seismic_mass_per_length(double bed_stiffness, double tamped_area, double 
 double tie_and_ballast_mass(double tie_mass, double tie_spacing, double ballast_per_length,
                             double beta);
 
-// Viscous damping C = 2 zeta sqrt(K M), N s/m, and the ranges of zeta that the paper quotes.
+// Viscous damping C = 2 zeta sqrt(K M), N s/m. The paper quotes zeta of 0.15 to 0.25 from tests on clean ballast, and 0.40 to
+// 1.00 from the theory of the half-space (radiation).
 double viscous_damping(double zeta, double stiffness, double mass);
-struct DampingRange {
-  double low, high;
-};
-inline constexpr DampingRange material_damping{0.15, 0.25};   // tests on clean ballast
-inline constexpr DampingRange radiation_damping{0.40, 1.00};  // theory of the half-space
 
 }  // namespace railbook::track

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "num/dopri5.hpp"
+#include "num/radau5.hpp"
 #include "track/impact_system.hpp"
 #include "units/constants.hpp"
 #include "units/input_error.hpp"
@@ -60,7 +62,10 @@ double default_start(const Surface& surface) {
 namespace {
 
 const num::DenseStep<6>& step_at(const ImpactHistory& history, double t) {
-  units::require_between("time in the history", t, history.begin(), history.end(), "s");
+  const double rounding = 1e-12 * (history.end() - history.begin());
+  units::require_between("time in the history", t, history.begin() - rounding,
+                         history.end() + rounding, "s");
+  t = std::min(t, history.end());
   const auto above = std::partition_point(history.steps.begin(), history.steps.end(),
                                           [t](const auto& s) { return s.end < t; });
   return *above;
@@ -79,8 +84,27 @@ double zero_between(F&& f, double low, double high) {
   return high;
 }
 
+// The two integrators as the Runner drives them.
+struct Explicit : num::Dopri5<6> {
+  using Dopri5::Dopri5;
+};
+struct Implicit : num::Radau5<6> {
+  using Radau5::Radau5;
+  template <class System>
+  void restart(const System&, double t, const ImpactState& y) {
+    Radau5::restart(t, y);
+  }
+  template <class System>
+  [[nodiscard]] bool step(const System& system, double end) {
+    const auto jacobian = [&](double t, const ImpactState& y, ImpactJacobian& jac) {
+      system.jacobian(t, y, jac, nullptr);
+    };
+    return Radau5::step(system, jacobian, end);
+  }
+};
+
 // Runs the passage piece by piece of one surface.
-template <class S>
+template <class S, class Solver>
 class Runner {
  public:
   Runner(ImpactHistory& history, const S& surface, const ImpactOptions& options)
@@ -174,7 +198,7 @@ class Runner {
   ImpactHistory& history_;
   const ImpactOptions& options_;
   ImpactSystem<S> system_;
-  num::Dopri5<6> solver_;
+  Solver solver_;
 };
 
 }  // namespace
@@ -215,7 +239,15 @@ ImpactHistory simulate(const ImpactModel& model, const Surface& surface, double 
   history.surface = surface;
   history.speed = speed;
   history.steps.reserve(4096);
-  std::visit([&](const auto& s) { Runner{history, s, options}.run(); }, history.surface);
+  std::visit(
+      [&](const auto& s) {
+        using S = std::decay_t<decltype(s)>;
+        if (options.implicit)
+          Runner<S, Implicit>{history, s, options}.run();
+        else
+          Runner<S, Explicit>{history, s, options}.run();
+      },
+      history.surface);
   return history;
 }
 

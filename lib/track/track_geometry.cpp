@@ -32,19 +32,24 @@ double rectified_sine_harmonic(int n) {
   return 4.0 / pi / (4.0 * static_cast<double>(n) * static_cast<double>(n) - 1.0);
 }
 
-SampledProfile::SampledProfile(std::vector<double> x, std::vector<double> z)
-    : x_(std::move(x)), z_(std::move(z)), bend_(x_.size(), 0.0) {
+SampledProfile::SampledProfile(std::vector<double> x, std::vector<double> z, Between between)
+    : between_(between), x_(std::move(x)), z_(std::move(z)), bend_(x_.size(), 0.0) {
   const std::size_t n = x_.size();
   if (z_.size() != n) throw InputError("profile: distances and heights differ in number");
   units::require_between("profile samples", static_cast<double>(n), 4, 1e8);
   for (std::size_t i = 0; i < n; ++i) {
-    units::require_finite("profile distance", x_[i], "m");
-    units::require_finite("profile height", z_[i], "m");
-    if (i > 0 && !(x_[i] > x_[i - 1]))
+    units::require_between("profile distance", x_[i], -1e6, 1e6, "m");
+    units::require_between("profile height", z_[i], -1e3, 1e3, "m");
+    if (i > 0 && !(x_[i] - x_[i - 1] > 1e-9))
       throw InputError("profile distance: sample " + std::to_string(i + 1) +
-                       " does not lie beyond the one before it");
+                       " does not lie beyond the one before it (by 1e-9 m at least)");
   }
-  // Natural spline: a tridiagonal system for the second derivatives, zero at the ends.
+  if (between == Between::spline) bend_as_spline();
+}
+
+// A tridiagonal system for the second derivatives, zero at the ends.
+void SampledProfile::bend_as_spline() {
+  const std::size_t n = x_.size();
   std::vector<double> upper(n, 0.0);
   for (std::size_t i = 1; i + 1 < n; ++i) {
     const double left = x_[i] - x_[i - 1], right = x_[i + 1] - x_[i];
@@ -89,7 +94,8 @@ std::vector<double> breakpoints(const Surface& surface, double low, double high)
 }
 
 bool has_cusps(const Surface& surface) {
-  return std::holds_alternative<RectifiedSine>(surface);
+  const auto* profile = std::get_if<SampledProfile>(&surface);
+  return profile == nullptr || profile->between() == Between::lines;
 }
 
 void require_valid(const Surface& surface) {

@@ -27,18 +27,25 @@ struct RectifiedSine {
 // for n = 0 the mean, 1 - 2 / pi.
 double rectified_sine_harmonic(int n);
 
-// A measured profile as a natural cubic spline: continuous to the second derivative.
+// Between its samples a measured profile is a natural cubic spline, continuous to the second derivative, or a polygon.
+enum class Between { spline, lines };
+
 class SampledProfile {
  public:
   // x [m] strictly ascending, z [m], at least 4 samples. Throws InputError naming what is wrong.
-  SampledProfile(std::vector<double> x, std::vector<double> z);
+  SampledProfile(std::vector<double> x, std::vector<double> z, Between between = Between::spline);
   long piece(double x) const;  // the interval; x outside the samples belongs to the first or last
   SurfacePoint at(double x, long piece) const;
   double first() const { return x_.front(); }
   double last() const { return x_.back(); }
   std::span<const double> knots() const { return x_; }
+  std::span<const double> heights() const { return z_; }
+  Between between() const { return between_; }
 
  private:
+  void bend_as_spline();
+
+  Between between_;
   std::vector<double> x_, z_, bend_;  // bend: second derivative at the samples
 };
 

@@ -45,3 +45,20 @@ TEST_CASE("unit: a stiff problem is stepped on the slow scale") {
   CHECK(r.error < 1e-8);
   CHECK(r.evaluations < 3000);
 }
+
+TEST_CASE("unit: the collocation polynomial of a Radau step holds between its ends") {
+  const auto f = [](double, const State& y, State& dy) { dy << y[1], -y[0]; };
+  const auto jac = [](double, const State&, Solver::Jacobian& j) { j << 0, 1, -1, 0; };
+  Solver solver{State::Constant(1e-11), 1e-3};
+  solver.restart(0, State{1, 0});
+  while (solver.t() < 5) {
+    REQUIRE(solver.step(f, jac, 5));
+    const auto& dense = solver.dense();
+    CHECK(dense.end == solver.t());
+    CHECK((dense.at(dense.end) - solver.y()).norm() < 1e-14);
+    for (double u : {0.0, 0.3, 0.7}) {
+      const double t = dense.begin + u * dense.length;
+      CHECK(std::abs(dense.at(t)[0] - std::cos(t)) < 1e-8);
+    }
+  }
+}

@@ -12,6 +12,7 @@ distance zero; a raised joint is a profile too. Data that are not given are thos
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -20,7 +21,7 @@ distance zero; a raised joint is a profile too. Data that are not given are thos
 #include "tool/out_folder.hpp"
 #include "tool/summary.hpp"
 #include "tools.hpp"
-#include "track/impact_peaks.hpp"
+#include "track/impact_check.hpp"
 #include "track/wheel_on_track.hpp"
 #include "units/constants.hpp"
 #include "units/input_error.hpp"
@@ -43,7 +44,7 @@ struct Part {
   tool::Range range;
 };
 
-constexpr tool::Range masses{0, 1e6, true}, stiffnesses{1, 1e13}, dampings{0, 1e9};
+constexpr tool::Range masses{1e-4, 1e6}, stiffnesses{1, 1e13}, dampings{0, 1e9};
 
 const std::array<Part, 6> parts{{
     {"--rail-mass", "rail_mass_kg", "effective rail mass, (16)", units::mass, "kg", 1.0,
@@ -111,8 +112,76 @@ ImpactModel model_of(const Wish& wish, tool::Summary& answer) {
   return model;
 }
 
-void add_peaks(tool::Summary& answer, const ImpactHistory& history) {
-  const ImpactPeaks p = impact_peaks(history);
+// What the distance of the samples leaves open, and a flag when it is more than 2 % of a peak.
+void add_sampling(tool::Summary& answer, const CheckedImpact& checked,
+                  const ImpactOptions& options) {
+  const auto& profile = std::get<SampledProfile>(checked.history.surface);
+  const auto samples = profile.knots().size();
+  answer.add("profile_samples", "samples of the profile", double(samples), "",
+             fmt::format("{:.4g} mm apart in the mean",
+                         1e3 * (profile.last() - profile.first()) / double(samples - 1)));
+  if (samples < 9) {
+    answer.flag("sampling", fmt::format("a profile of {} samples is too coarse to judge what lies "
+                                        "between them; give 9 or more",
+                                        samples));
+    return;
+  }
+  const SamplingSpread spread = sampling_spread(checked, options);
+  const ImpactPeaks& p = checked.peaks;
+  double worst = 0;
+  const auto add = [&](const char* key, const char* what, double size, double force) {
+    worst = std::max(worst, size / std::max(force, checked.history.model.static_load));
+    if (!std::isfinite(size)) {
+      answer.add(key, what, "not known");
+      return;
+    }
+    answer.add(key, what, size / units::kilonewton, "kN",
+               spread.resolved ? "from every second sample"
+                               : "from every second sample, and straight lines between samples");
+  };
+  if (p.has_first) add("p1_sampling_kN", "sampling leaves open: P1", spread.first, p.first.force);
+  add("second_sampling_kN", "  largest before 2.5 ms", spread.second, p.second.force);
+  add("late_sampling_kN", "  largest after 4 ms", spread.late, p.late.force);
+  add("p2_sampling_kN", "  P2", spread.mean, p.mean.force);
+  if (worst > 0.02)
+    answer.flag("sampling",
+                fmt::format("the profile's samples are too far apart: what may lie between them "
+                            "changes a peak by {}; sample it more densely, or give a joint by "
+                            "--dip or --angle",
+                            std::isfinite(worst) ? fmt::format("{:.2g} %", 100 * worst)
+                                                 : "an unknown amount"));
+}
+
+// The tool's own doubts: tolerance and energy.
+void add_checks(tool::Summary& answer, const CheckedImpact& checked) {
+  if (std::isnan(checked.change)) {
+    answer.flag("tolerance",
+                "at a hundredth of the tolerance the run does not end within its "
+                "steps: the peaks are unconfirmed");
+  } else {
+    answer.add("tolerance_change", "a hundredth of the tolerance changes peaks by", checked.change,
+               "", "relative, the largest");
+    if (checked.change > 1e-3)
+      answer.flag("tolerance", fmt::format("at a hundredth of the tolerance a peak changes by "
+                                           "{:.2g} %: choose a smaller --tolerance",
+                                           100 * checked.change));
+  }
+  if (checked.moves) {
+    const double defect = checked.energy.defect();
+    answer.add("energy_defect", "energy balance open by", defect, "",
+               "of the largest kinetic energy");
+    if (defect > 1e-3)
+      answer.flag("energy", fmt::format("the energy balance is open by {:.2g} % of the largest "
+                                        "kinetic energy: motions too fast for the steps are lost; "
+                                        "choose a smaller --tolerance",
+                                        100 * defect));
+  }
+  answer.add("integrator", "integrator",
+             checked.implicit ? "Radau IIA, for stiff data" : "Dormand and Prince");
+  answer.add("evaluations", "evaluations of the model", double(checked.history.evaluations), "");
+}
+
+void add_peaks(tool::Summary& answer, const ImpactHistory& history, const ImpactPeaks& p) {
   const auto add = [&](const char* key, const std::string& what, const ForceExtremum& e) {
     answer.add(std::string(key) + "_kN", what, e.force / units::kilonewton, "kN",
                fmt::format("at {:.3f} ms", 1e3 * e.time));
@@ -127,12 +196,6 @@ void add_peaks(tool::Summary& answer, const ImpactHistory& history) {
   add("least", "smallest", p.least);
   answer.add("contact_lost_ms", "contact lost for", 1e3 * p.lost_for, "ms",
              fmt::format("{} times", history.losses.size()));
-  const EnergyAudit audit = energy_audit(history);
-  const double at_rest = history.model.static_load * static_approach(history.model);
-  if (audit.scale > 1e-6 * at_rest)  // else the surface is flat, and nothing moves
-    answer.add("energy_defect", "energy balance open by", audit.defect(), "",
-               "of the largest kinetic energy");
-  answer.add("evaluations", "evaluations of the model", double(history.evaluations), "");
 }
 
 void write_files(tool::OutFolder& out, const ImpactHistory& history, const tool::Summary& answer) {
@@ -165,16 +228,19 @@ void run(const Wish& wish) {
   const Eigen::Vector3d f = natural_frequencies(model);
   answer.add("frequencies_Hz", "natural frequencies, Hz",
              fmt::format("{:.2f}, {:.2f}, {:.2f}", f[0], f[1], f[2]));
-  const ImpactHistory history = simulate(
-      model, surface, wish.speed,
-      {.tolerance = wish.tolerance, .start = default_start(surface), .end_time = wish.duration});
+  const ImpactOptions options{
+      .tolerance = wish.tolerance, .start = default_start(surface), .end_time = wish.duration};
+  const CheckedImpact checked = simulate_checked(model, surface, wish.speed, options);
+  const ImpactHistory& history = checked.history;
   if (history.status != ImpactStatus::complete)
     throw InputError(fmt::format(
         "the run stopped at {:.6g} s after {} steps, {}: the run is too long or its data "
         "too stiff for the tolerance",
         history.steps.empty() ? 0.0 : history.end(), history.steps.size(),
         to_string(history.status)));
-  add_peaks(answer, history);
+  add_peaks(answer, history, checked.peaks);
+  if (std::holds_alternative<SampledProfile>(surface)) add_sampling(answer, checked, options);
+  add_checks(answer, checked);
   answer.print();
   if (out) write_files(out, history, answer);
   out.commit();

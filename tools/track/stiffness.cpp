@@ -21,6 +21,7 @@ assumed in the answer. Quantities carry their unit; a TOML file (`--config`) may
 #include "tool/out_folder.hpp"
 #include "tool/summary.hpp"
 #include "tools.hpp"
+#include "track/beam_elements.hpp"
 #include "track/joint.hpp"
 #include "track/typical_track.hpp"
 #include "track/wheel_on_track.hpp"
@@ -123,10 +124,25 @@ double modulus_from_chain(const Wish& wish, TieSupport& support, tool::Summary& 
   add("bed_lbf_per_in", "ballast on subgrade k_bs", chain.bed, "eq. (5)");
   add("seat_lbf_per_in", "rail seat k", chain.seat, "eq. (4)");
   if (support.ballast_depth > overlap_depth(support))
-    answer.add("warning", "outside the model",
-               fmt::format("pyramids of neighbouring ties overlap below {:.1f} in of ballast",
-                           overlap_depth(support) / units::inch));
+    answer.flag("overlap", fmt::format("pyramids of neighbouring ties overlap below {:.1f} in of "
+                                       "ballast: eqs (6) and (7) count that ballast twice",
+                                       overlap_depth(support) / units::inch));
   return chain.foundation_modulus;
+}
+
+// Equation (2) smears the ties along the rail. What discrete ties make of it is known exactly; 2 % is the end of its range.
+void discrete_ties(const WinklerBeam& beam, double spacing, tool::Summary& answer) {
+  const double reach = std::clamp(beam.beta() * spacing, 1e-3, 50.0);
+  const double over = discrete_tie_ratio(reach, LoadPlace::over_tie),
+               between = discrete_tie_ratio(reach, LoadPlace::midspan);
+  answer.add("discrete_over_tie", "on discrete ties, K_r over a tie", over, "", "of eq. (2)");
+  answer.add("discrete_midspan", "on discrete ties, K_r between ties", between, "", "of eq. (2)");
+  const double worst = std::max(std::abs(over - 1), std::abs(between - 1));
+  if (worst > 0.02)
+    answer.flag("discrete-ties",
+                fmt::format("the ties are too far apart for eq. (2), which smears them: beta l_t = "
+                            "{:.2g}, and the stiffness under a wheel is off by up to {:.2g} %",
+                            beam.beta() * spacing, 100 * worst));
 }
 
 // The two-mass model of the same track for impact, eqs (15) to (19).
@@ -210,6 +226,7 @@ void run(const Wish& wish) {
   answer.add("point_stiffness_lbf_per_in", "stiffness under one wheel K_r",
              beam.point_stiffness() / lbf_per_in, "lbf/in", "eq. (2)");
   answer.add("point_stiffness_MN_per_m", "", beam.point_stiffness() / 1e6, "MN/m");
+  if (!wish.modulus) discrete_ties(beam, support.tie_spacing, answer);
   answer.add("zero_distance_ft", "zero deflection at", beam.zero_distance() / units::foot, "ft");
   answer.add("zero_distance_m", "", beam.zero_distance(), "m");
   answer.add("wheel_load_kN", "wheel load", wish.wheel_load / units::kilonewton, "kN");
