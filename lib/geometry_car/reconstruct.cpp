@@ -14,15 +14,16 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// Rows that follow each other foot by foot in one direction.
-std::vector<Run> runs_of(const Record& record, const Processing& p, Measurement& result) {
+}  // namespace
+
+std::vector<Run> runs_of(const Record& record, const Processing& p, std::size_t& rejected) {
   std::vector<Run> runs;
   bool broken = true;
   for (std::size_t i = 0; i < record.size(); ++i) {
     // The first row has no row before it: its time means nothing.
     const double T = record.elapsed[i];
     if (i > 0 && !(filters::possible_interval(T) && T * p.fastest >= p.layout.sample)) {
-      ++result.rejected;
+      ++rejected;
       continue;
     }
     const long step = broken ? 0 : record.mark[i] - record.mark[runs.back().rows.back()];
@@ -67,8 +68,6 @@ void require(const Record& record, const Processing& p) {
                        " values; allowed: " + std::to_string(record.size())};
 }
 
-}  // namespace
-
 const std::array<ParameterInfo, parameters>& parameter_list() {
   using enum Parameter;
   constexpr double mm = units::millimetre, mph = units::mph;
@@ -96,7 +95,7 @@ Measurement reconstruct(const Record& record, const Processing& processing) {
   result.mark = record.mark;
   result.speed.assign(record.size(), nan);
   for (auto& values : result.values) values.assign(record.size(), nan);
-  std::vector<Run> runs = runs_of(record, processing, result);
+  std::vector<Run> runs = runs_of(record, processing, result.rejected);
   result.runs = runs.size();
   const std::size_t chords =
       samples_needed(processing);  // short ones; two samples more for their ends
@@ -122,7 +121,16 @@ double braking_error(double grade, double rate, double chord, double speed) {
   return grade * std::abs(rate) * chord * chord / (8 * speed * speed);
 }
 
+double levelling_error(double chord, double speed) {
+  return 2.6e-3 * chord / 18.9 * chord / speed;
+}
+
 namespace {
+
+bool is_alignment(Parameter p) {
+  using enum Parameter;
+  return p == alignment_left || p == alignment_right || p == line_left || p == line_right;
+}
 
 bool is_profile(Parameter p) {
   using enum Parameter;
@@ -145,9 +153,10 @@ std::vector<Quality> row_quality(const Measurement& m, Parameter parameter, cons
         braking =
             braking_error(p.steepest, (after * after - before * before) / (2 * chord), chord, v);
     }
-    if (v < info.unreliable_below || braking > braking_spoils)
+    const double level = is_alignment(parameter) ? levelling_error(chord, v) : 0;
+    if (v < info.unreliable_below || braking > braking_spoils || level > levelling_spoils)
       result[i] = Quality::unreliable;
-    else if (v < info.degraded_below || braking > braking_degrades)
+    else if (v < info.degraded_below || braking > braking_degrades || level > levelling_degrades)
       result[i] = Quality::degraded;
   }
   return result;

@@ -13,34 +13,6 @@ namespace {
 constexpr double g = units::standard_gravity;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// Means over each interval, by B and C: rate[k] from sample k - 1 to k.
-Column rates(const Run& run, Channel gyro, const Processing& p) {
-  filters::FirstOrderHybrid c{2 * units::pi * p.layout.first_corner, p.decay};
-  Column rate(run.size());
-  for (std::size_t k = 0; k < run.size(); ++k)
-    rate[k] = c.push(run[gyro][k], k == 0 ? 1.0 : run.T[k]);
-  return rate;
-}
-
-// The analog filter F once more, on a rate that is constant over each interval. From its two states come the filtered rate, its
-// derivative, and what the filter holds back of the rate's integral.
-class Matched {
- public:
-  explicit Matched(double corner) : w_(2 * units::pi * corner) {}
-  void push(double rate, double T) {
-    const double k = w_ * T, a = std::exp(-k);
-    second_ = rate + a * (second_ - rate + k * (first_ - rate));
-    first_ = rate + a * (first_ - rate);
-  }
-  void settle(double rate) { first_ = second_ = rate; }
-  double rate() const { return second_; }
-  double derivative() const { return w_ * (first_ - second_); }
-  double held_back() const { return (first_ + second_) / w_; }
-
- private:
-  double w_, first_ = 0, second_ = 0;
-};
-
 struct Attitude {
   Column body;   // roll of the car body, rad
   Column track;  // sine of the roll of the track
@@ -176,6 +148,20 @@ Sides alignment(const Run& run, const Attitude& att, const Processing& p) {
 }
 
 }  // namespace
+
+Column rates(const Run& run, Channel gyro, const Processing& p) {
+  filters::FirstOrderHybrid c{2 * units::pi * p.layout.first_corner, p.decay};
+  Column rate(run.size());
+  for (std::size_t k = 0; k < run.size(); ++k)
+    rate[k] = c.push(run[gyro][k], k == 0 ? 1.0 : run.T[k]);
+  return rate;
+}
+
+void Matched::push(double rate, double T) {
+  const double k = w_ * T, a = std::exp(-k);
+  second_ = rate + a * (second_ - rate + k * (first_ - rate));
+  first_ = rate + a * (first_ - rate);
+}
 
 Column short_chords(const Column& z) {
   Column m(z.size(), nan);

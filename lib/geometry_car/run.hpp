@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry_car/reconstruct.hpp"
+#include "units/constants.hpp"
 
 namespace railbook::geometry_car {
 
@@ -20,6 +21,29 @@ struct Run {
 
   std::size_t size() const { return T.size(); }
   const Column& operator[](Channel c) const { return values[static_cast<std::size_t>(c)]; }
+};
+
+// Rows that follow each other foot by foot in one direction; `rejected` counts those whose time cannot be.
+std::vector<Run> runs_of(const Record& record, const Processing& processing, std::size_t& rejected);
+void load(Run& run, const Record& record);
+void require(const Record& record, const Processing& processing);
+
+// Means over each interval, by B and C: rate[k] from sample k - 1 to k.
+Column rates(const Run& run, Channel gyro, const Processing& processing);
+
+// The analog filter F once more, on a rate that is constant over each interval. From its two states come the filtered rate, its
+// derivative, and what the filter holds back of the rate's integral.
+class Matched {
+ public:
+  explicit Matched(double corner) : w_(2 * units::pi * corner) {}
+  void push(double rate, double T);
+  void settle(double rate) { first_ = second_ = rate; }
+  double rate() const { return second_; }
+  double derivative() const { return w_ * (first_ - second_); }
+  double held_back() const { return (first_ + second_) / w_; }
+
+ private:
+  double w_, first_ = 0, second_ = 0;
 };
 
 std::array<Column, parameters> process(const Run& run, const Processing& processing,

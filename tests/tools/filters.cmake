@@ -15,16 +15,16 @@ refuses(filters "a corner of zero" "first corner is 0 .*allowed" process ${bad}/
 refuses(filters "a corner without a unit" "without a unit" process ${bad}/short.csv --second-corner 1)
 refuses(filters "a key nobody knows" "wheels" process ${bad}/short.csv --config ${bad}/unknown.toml)
 set(never ${CMAKE_BINARY_DIR}/ctest/filters-never.csv)
-refuses(filters "a track that is too short" "length is" simulate ${never} --length 10m)
-refuses(filters "speeds without distances" "0 distances for 2 speeds" simulate ${never} --speeds 60mph 9mph)
-refuses(filters "a car that leaves the track" "position of the car" simulate ${never} --length 300m --speeds 60mph --distances 400m)
-refuses(filters "truth in the record's own file" "truth is .*the record.s own file" simulate ${never} --truth ${never})
-refuses(filters "a journey of no distance" "does not travel" simulate ${never} --speeds 0mph)
+refuses(filters "a track that is too short" "length is" simulate --out ${never} --length 10m)
+refuses(filters "speeds without distances" "0 distances for 2 speeds" simulate --out ${never} --speeds 60mph 9mph)
+refuses(filters "a car that leaves the track" "position of the car" simulate --out ${never} --length 300m --speeds 60mph --distances 400m)
+refuses(filters "truth in the record's own file" "truth is .*the record.s own file" simulate --out ${never} --truth ${never})
+refuses(filters "a journey of no distance" "does not travel" simulate --out ${never} --speeds 0mph)
 
 # A record to order, its faults, and the geometry made of it.
 set(folder ${CMAKE_BINARY_DIR}/ctest)
 add_test(NAME "tool: filters simulates a record" WORKING_DIRECTORY ${CMAKE_SOURCE_DIR}/tools/examples/filters
-         COMMAND railbook filters simulate ${folder}/filters-sensors.csv --config car.toml --length 4000ft --sensors typical
+         COMMAND railbook filters simulate --out ${folder}/filters-sensors.csv --config car.toml --length 4000ft --sensors typical
                  --truth ${folder}/filters-truth.csv)
 add_test(NAME "tool: filters processes it" WORKING_DIRECTORY ${CMAKE_SOURCE_DIR}/tools/examples/filters
          COMMAND railbook filters process ${folder}/filters-sensors.csv --config car.toml --out ${folder}/filters-mine)
@@ -32,7 +32,7 @@ add_test(NAME "tool: filters processes it with faults"
          COMMAND sh -c "awk -F, -v OFS=, 'NR==1500{$3=\"nan\"} NR==1600{$2=0} NR==1700{$9=1e30} NR==1750{$9=800} NR==1800{$2=1e-9} 1' $1 > $2 && $0 filters process $2 --out $3"
                  $<TARGET_FILE:railbook> ${folder}/filters-sensors.csv ${folder}/filters-faults.csv ${folder}/filters-faults)
 add_test(NAME "tool: filters processes stop and reversal"
-         COMMAND sh -c "$0 filters simulate $1 --length 4000ft --speeds 40mph 0mph -20mph 0mph 40mph --distances 1500ft 1ft 800ft 1ft 300ft --stand 60s && $0 filters process $1 --out $2"
+         COMMAND sh -c "$0 filters simulate --out $1 --length 4000ft --speeds 40mph 0mph -20mph 0mph 40mph --distances 1500ft 1ft 800ft 1ft 300ft --stand 60s && $0 filters process $1 --out $2"
                  $<TARGET_FILE:railbook> ${folder}/filters-turn.csv ${folder}/filters-turn)
 set_tests_properties("tool: filters simulates a record" PROPERTIES FIXTURES_SETUP filters-record)
 set_tests_properties("tool: filters processes it" PROPERTIES FIXTURES_REQUIRED filters-record

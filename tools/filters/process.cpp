@@ -13,7 +13,11 @@ A row whose time is zero, negative, missing or shorter than any train allows is 
 reversal: marks then count down, and what was measured twice appears twice. A stop is a long time between two rows, nothing else. Empty cells, `nan`, and
 values beyond a sensor's range (`--acceleration-range` and so on) and single spikes of a displacement (`--spike`) are masked, together with everything whose
 window they fall in; columns it has no use for are named. Without a single run long enough for the composite
-filter there is nothing to answer, and the record is refused.
+filter, or without a parameter that can be measured at all, there is nothing to answer, and the record is refused.
+
+Then the sensors are tried against themselves and against each other. A channel that stands still, jumps or loses its zero, a gage that no track has, a clock or
+a distance that stops or leaps; a gain, a unit or a sign that the other sensors contradict: each is a doubt printed above the answer and kept under `flags` in
+the JSON, what is certainly wrong is masked, and no row that rests on a doubt is *good*.
 */
 #include <fmt/format.h>
 
@@ -28,9 +32,8 @@ filter there is nothing to answer, and the record is refused.
 
 #include "filters/car_options.hpp"
 #include "filters/sensor_file.hpp"
+#include "geometry_car/health.hpp"
 #include "geometry_car/reconstruct.hpp"
-#include "geometry_car/sensors.hpp"
-#include "geometry_car/simulate.hpp"
 #include "table/csv.hpp"
 #include "tool/out_folder.hpp"
 #include "tool/summary.hpp"
@@ -131,8 +134,30 @@ void add_parameters(tool::Summary& s, const Answer& a) {
   }
 }
 
-tool::Summary summary(const Wish& wish, const Answer& a, const Faults& faults) {
+// The findings of each kind and place in one line.
+void add_flags(tool::Summary& s, const Health& health, const Faults& faults) {
+  std::vector<std::string> contradicted;
+  for (const Finding& f : health.findings) {
+    if (f.fault == Fault::inconsistent && f.size == 0)
+      contradicted.push_back(f.what);
+    else if (f.fault != Fault::dead ||
+             std::find(faults.absent.begin(), faults.absent.end(), f.what) == faults.absent.end())
+      s.flag(fmt::format("{}-{}", f.what, name_of(f.fault)), fmt::format("{}: {}", f.what, f.text));
+  }
+  if (!contradicted.empty())
+    s.flag("sensors-inconsistent",
+           fmt::format("these sensors contradict each other: {}", fmt::join(contradicted, ", ")));
+  for (const std::string& name : faults.beyond_in)
+    s.flag(name + "-range",
+           fmt::format("{}: more than 1 % of its values are beyond what the sensor can give; "
+                       "is its unit that of its header?",
+                       name));
+}
+
+tool::Summary summary(const Wish& wish, const Answer& a, const Health& health,
+                      const Faults& faults) {
   tool::Summary s{"geometry of " + wish.file.string()};
+  add_flags(s, health, faults);
   double slow = units::no_limit, fast = 0;
   for (const double v : a.m.speed) {
     if (std::isnan(v)) continue;
@@ -150,10 +175,6 @@ tool::Summary summary(const Wish& wish, const Answer& a, const Faults& faults) {
     s.add("absent", "note", fmt::format("not in the file: {}", fmt::join(faults.absent, ", ")));
   if (!faults.unused.empty())
     s.add("unused", "note", fmt::format("columns not used: {}", fmt::join(faults.unused, ", ")));
-  if (!faults.stuck.empty())
-    s.add("stuck", "note",
-          fmt::format("over {} equal values in a row, a sensor that stuck? {}", long_still,
-                      fmt::join(faults.stuck, ", ")));
   if (faults.beyond > 0)
     s.add("beyond", "note",
           fmt::format("{} values beyond what a sensor can give, masked", faults.beyond));
@@ -170,6 +191,19 @@ void write_files(tool::OutFolder& out, const Wish& wish, const Answer& a, const 
   const std::size_t every = a.m.size() / 20000 + 1;
   out.scratch("thin.csv", table(a, wish.processing, every));
   out.figure(tools::scripts("filters") / "process.gp", {"thin.csv"}, "geometry.png");
+}
+
+void refuse_nothing(const Wish& wish, const Answer& a, const Health& health) {
+  for (const auto& rows : a.quality)
+    for (const Quality q : rows)
+      if (q != Quality::missing) return;
+  std::vector<std::string> why;
+  for (const Finding& f : health.findings)
+    if (why.size() < 5) why.push_back(fmt::format("{} {}", f.what, f.text));
+  throw InputError{
+      fmt::format("file \"{}\": nothing can be measured ({}); allowed: working sensors of at least "
+                  "one parameter",
+                  wish.file.string(), fmt::join(why, "; "))};
 }
 
 void process_record(Wish wish) {
@@ -190,10 +224,12 @@ void process_record(Wish wish) {
   Record record = read_sensors(wish.file, p.layout.sample, wish.plausible, faults, a.first);
   for (double& v : record[Channel::yaw_rate]) v -= wish.yaw_bias;
   for (double& v : record[Channel::roll_rate]) v -= wish.roll_bias;
+  const Health health = examine(record, p);
   a.m = reconstruct(record, p);
   for (const ParameterInfo& info : parameter_list())
-    a.quality.push_back(quality(a.m, info.parameter, p));
-  const tool::Summary s = summary(wish, a, faults);
+    a.quality.push_back(quality(a.m, info.parameter, p, health));
+  refuse_nothing(wish, a, health);
+  const tool::Summary s = summary(wish, a, health, faults);
   s.print();
   if (out) write_files(out, wish, a, s);
   out.commit();

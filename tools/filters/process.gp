@@ -7,6 +7,7 @@ set rmargin 17
 set tmargin 0.6
 set bmargin 0.6
 set format x ""
+set yrange [*<-1:1<*]  # a panel without a value has a range, too
 set key outside right center nobox font ",11" samplen 2
 good(q, v) = (strcol(q) eq "good" ? v : NaN)
 less(q, v) = ((strcol(q) eq "degraded" || strcol(q) eq "unreliable") && abs(v) < 100 ? v : NaN)

@@ -97,7 +97,7 @@ Record read_sensors(const std::filesystem::path& file, double sample, const Plau
     if (elapsed != i && distance != i && std::find(column.begin(), column.end(), i) == column.end())
       faults.unused.push_back(reader.header()[i]);
   std::vector<std::string> cells;
-  std::vector<std::size_t> same(channels, 0), still(channels, 0);
+  std::vector<std::size_t> beyond(channels, 0);
   first = nan;
   while (reader.next(cells)) {
     double T = reader.number(cells, *elapsed) * second;
@@ -118,12 +118,10 @@ Record read_sensors(const std::filesystem::path& file, double sample, const Plau
       double value = column[i] ? reader.number(cells, *column[i]) * unit[i] : nan;
       if (!std::isnan(value) && std::abs(value) > range(c, plausible)) {
         ++faults.beyond;
+        ++beyond[i];
         value = nan;
       }
-      auto& values = record.values[i];
-      same[i] = !values.empty() && value == values.back() ? same[i] + 1 : 0;
-      still[i] = std::max(still[i], same[i]);
-      values.push_back(value);
+      record.values[i].push_back(value);
     }
   }
   if (std::isnan(first)) first = 0;
@@ -131,7 +129,8 @@ Record read_sensors(const std::filesystem::path& file, double sample, const Plau
     if (c.dimension == units::length)
       faults.spikes += mask_spikes(record[c.channel], plausible.spike);
   for (const ChannelInfo& c : channel_list())
-    if (still[static_cast<std::size_t>(c.channel)] >= long_still) faults.stuck.emplace_back(c.name);
+    if (100 * beyond[static_cast<std::size_t>(c.channel)] > record.size())
+      faults.beyond_in.emplace_back(c.name);
   return record;
 }
 

@@ -10,8 +10,6 @@
 
 namespace railbook::filters_tool {
 
-inline constexpr std::size_t long_still = 200;  // equal samples in a row that no rounding explains
-
 // What no sensor of this car can say, SI. A spike is a displacement that differs by more than this, and in the same sense, from the
 // one before it and the one behind it.
 struct Plausible {
@@ -20,8 +18,9 @@ struct Plausible {
 
 // What the record lacks or does wrong, besides what Measurement says.
 struct Faults {
-  std::vector<std::string> absent, stuck, unused;
+  std::vector<std::string> absent, unused;
   std::size_t beyond = 0, spikes = 0;  // values masked
+  std::vector<std::string> beyond_in;  // columns where more than one value in a hundred was
 };
 
 // Reads the file in constant memory but for the record itself; `sample` (m) is the distance between rows, `first` becomes the

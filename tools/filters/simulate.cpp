@@ -1,8 +1,8 @@
 /*
 ### `filters simulate`: a record to order
 
-    filters simulate sensors.csv --length 1mi --speeds 60mph --config car.toml --truth truth.csv
-    filters simulate hard.csv --speeds 40mph 0mph -40mph --distances 1500ft 1ft 1200ft --stand 30s
+    filters simulate --out sensors.csv --length 1mi --speeds 60mph --config car.toml --truth truth.csv
+    filters simulate --out hard.csv --speeds 40mph 0mph -40mph --distances 1500ft 1ft 1200ft --stand 30s
 
 drives our car over our track and writes what its sensors say: typical sensors with `--sensors typical`, perfect ones by default. The car cruises at each speed over each
 distance, changes speed at a constant rate between them, stands at a speed of zero, and backs at a negative one.
@@ -44,13 +44,14 @@ struct Order {
   std::string sensors = "ideal";
 };
 
-Motion motion_of(const Order& order) {
+constexpr double longest_journey = 1e5;  // s
+constexpr double most_samples = 1e6;     // of track
+
+Motion motion_of(const Order& order, double length) {
   const double first = order.car.layout.truck_spacing + 20 * foot;
-  Motion motion{.start = order.speeds[0] < 0 ? order.track.length - 1e-3 : first,
-                .speed = order.speeds[0]};
+  Motion motion{.start = order.speeds[0] < 0 ? length - 1e-3 : first, .speed = order.speeds[0]};
   std::vector<double> distances = order.distances;
-  if (distances.empty() && order.speeds.size() == 1)
-    distances = {order.track.length - first - 1e-3};
+  if (distances.empty() && order.speeds.size() == 1) distances = {length - first - 1e-3};
   if (distances.size() != order.speeds.size())
     throw InputError{fmt::format("there are {} distances for {} speeds; allowed: one each",
                                  distances.size(), order.speeds.size())};
@@ -61,6 +62,9 @@ Motion motion_of(const Order& order) {
     else
       motion.cruise(distances[i]);
   }
+  double duration = 0;
+  for (const Leg& leg : motion.legs) duration += leg.duration;
+  units::require_between("time of the journey", duration, 0, longest_journey, "s");
   return motion;
 }
 
@@ -100,8 +104,12 @@ void simulate(Order order) {
   order.track.seed = static_cast<std::uint64_t>(order.seed);
   order.track.sample = order.car.layout.sample;
   order.track.base = order.car.layout.base;
-  const Motion motion = motion_of(order);
+  units::require_between("truck spacing", order.car.layout.truck_spacing,
+                         2 * order.car.layout.sample, 100, "m");
+  units::require_between("length of the track over the distance between samples",
+                         order.track.length / order.track.sample, 100, most_samples);
   const Track track = build(order.track);
+  const Motion motion = motion_of(order, track.length());
   Record record = drive(track, order.car, motion);
   if (record.size() < 2) throw InputError{"speeds: the car does not travel a foot"};
   if (order.sensors == "typical")
@@ -118,37 +126,38 @@ void simulate(Order order) {
 }  // namespace
 
 tool::Tool simulate_tool() {
-  return {"simulate", "a record of the car's sensors to order", [](tool::Options& o) {
-            auto order = std::make_shared<Order>();
-            auto& t = order->track;
-            o.file("record", order->file, "CSV file to write; - is standard output");
-            o.required();
-            o.file("--truth", order->truth, "CSV file for the true geometry");
-            add_layout(o, order->car.layout);
-            o.quantity("--length", t.length, units::length, "of the track", tool::Range{200, 2e5});
-            o.count("--seed", order->seed, "number of the track and of the noise", 0, 1L << 62);
-            o.quantity("--roughness", t.surface.A, units::area * units::wavenumber,
-                       "A of the surface, as in 5e-7m^2*cycle/m", tool::non_negative);
-            o.quantity("--dip", t.dip, units::length, "of the joints");
-            o.quantity("--grade", t.grade, units::number, "before and after the vertical curve",
-                       {-0.1, 0.1});
-            o.quantity("--line-roughness", t.line.A, units::area * units::wavenumber,
-                       "A of the centre line", tool::non_negative);
-            o.quantity("--gage", t.gage, units::length, "of the track", tool::positive);
-            o.quantity("--curvature", t.curvature, units::angle / units::length,
-                       "of the curve, left positive, as in -4deg/100ft", {-0.02, 0.02});
-            o.quantity("--superelevation", t.superelevation, units::length, "of the outer rail",
-                       {-0.3, 0.3});
-            o.quantities("--speeds", order->speeds, units::speed, "to cruise at, in this order");
-            o.quantities("--distances", order->distances, units::length, "to cruise over, one each",
-                         tool::positive);
-            o.quantity("--rate", order->rate, units::acceleration, "of changes of speed",
-                       tool::positive);
-            o.quantity("--stand", order->stand, units::time, "time at a speed of 0",
-                       tool::positive);
-            o.choice("--sensors", order->sensors, {"ideal", "typical"}, "with their errors");
-            return [order] { simulate(*order); };
-          }};
+  return {
+      "simulate", "a record of the car's sensors to order", [](tool::Options& o) {
+        auto order = std::make_shared<Order>();
+        auto& t = order->track;
+        o.file("--out", order->file, "CSV file to write; - is standard output");
+        o.required();
+        o.file("--truth", order->truth, "CSV file for the true geometry");
+        add_layout(o, order->car.layout);
+        o.quantity("--length", t.length, units::length, "of the track", tool::Range{200, 2e5});
+        o.count("--seed", order->seed, "number of the track and of the noise", 0, 1L << 62);
+        o.quantity("--roughness", t.surface.A, units::area * units::wavenumber,
+                   "A of the surface, as in 5e-7m^2*cycle/m", {0, 1e-2});
+        o.quantity("--dip", t.dip, units::length, "of the joints", {-1, 1});
+        o.quantity("--grade", t.grade, units::number, "before and after the vertical curve",
+                   {-0.1, 0.1});
+        o.quantity("--line-roughness", t.line.A, units::area * units::wavenumber,
+                   "A of the centre line", {0, 1e-2});
+        o.quantity("--gage", t.gage, units::length, "of the track", tool::positive);
+        o.quantity("--curvature", t.curvature, units::angle / units::length,
+                   "of the curve, left positive, as in -4deg/100ft", {-0.02, 0.02});
+        o.quantity("--superelevation", t.superelevation, units::length, "of the outer rail",
+                   {-0.3, 0.3});
+        o.quantities("--speeds", order->speeds, units::speed, "to cruise at, in this order",
+                     {-200, 200});
+        o.quantities("--distances", order->distances, units::length, "to cruise over, one each",
+                     tool::positive);
+        o.quantity("--rate", order->rate, units::acceleration, "of changes of speed", {1e-4, 100});
+        o.quantity("--stand", order->stand, units::time, "time at a speed of 0",
+                   {1e-3, longest_journey});
+        o.choice("--sensors", order->sensors, {"ideal", "typical"}, "with their errors");
+        return [order] { simulate(*order); };
+      }};
 }
 
 }  // namespace railbook::filters_tool

@@ -1,0 +1,262 @@
+// Each channel by itself: what stands still, jumps, has lost its zero, or has a mean that cannot be.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "geometry_car/health_parts.hpp"
+#include "units/constants.hpp"
+
+namespace railbook::geometry_car {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t least_still = 40, most_still = 200;  // equal values in a row
+constexpr double narrow = 22e-3, wide = 45e-3;  // m, of gage: outside is no track in service
+constexpr double walking = 3;                   // m/s
+
+struct Kind {
+  bool filtered;  // twice, by F: smooth enough for fourth differences
+  double jump;    // SI: smaller ones are left
+  double zero;    // a step of more moves the mean of what is made of it
+  const char* unit;
+  double si;
+};
+Kind kind_of(const ChannelInfo& c) {
+  if (c.filter == 2) return {true, 0.02, 0.03, "m/s^2", 1};
+  if (c.filter == 1)
+    return {false, 0.2 * units::degree, 0.2 * units::degree, "deg/s", units::degree};
+  return {false, 2e-3, 1.5e-3, "mm", 1e-3};
+}
+
+struct Stretch {
+  std::size_t first, rows;
+};
+
+// Equal values in a row, where the channel's own habit does not explain them: eight times what all but one in a hundred of
+// its changes take.
+std::vector<Stretch> still(const Column& x) {
+  std::vector<Stretch> all;
+  for (std::size_t k = 0; k < x.size();) {
+    std::size_t end = k + 1;
+    while (!std::isnan(x[k]) && end < x.size() && !std::isnan(x[end]) && x[end] == x[k]) ++end;
+    if (!std::isnan(x[k])) all.push_back({k, end - k});
+    k = end;
+  }
+  if (all.empty()) return all;
+  std::vector<std::size_t> lengths;
+  for (const Stretch& s : all) lengths.push_back(s.rows);
+  const auto most = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() * 99 / 100);
+  std::nth_element(lengths.begin(), most, lengths.end());
+  const std::size_t longest =
+      lengths.size() < 100 ? least_still : std::clamp(8 * *most, least_still, most_still);
+  std::erase_if(all, [&](const Stretch& s) { return s.rows < longest; });
+  return all;
+}
+
+double coarseness(const Column& x) {
+  double least = 0;
+  for (std::size_t k = 1; k < x.size(); ++k) {
+    const double d = std::abs(x[k] - x[k - 1]);
+    if (!std::isnan(d) && d > 0 && (least == 0 || d < least)) least = d;
+  }
+  return least;
+}
+
+// Second or fourth differences, centred; NaN at the ends.
+Column differences(const Column& x, bool fourth) {
+  Column e(x.size(), nan);
+  const std::size_t reach = fourth ? 2 : 1;
+  for (std::size_t k = reach; k + reach < x.size(); ++k)
+    e[k] = fourth ? x[k - 2] - 4 * x[k - 1] + 6 * x[k] - 4 * x[k + 1] + x[k + 2]
+                  : x[k - 1] - 2 * x[k] + x[k + 1];
+  return e;
+}
+
+// Places where a difference is out of all proportion to those about it. The first rows of a run are what they are; walking pace, where
+// the body comes to rest between two rows, explains more.
+std::vector<bool> outliers(const Column& e, const Column& T, double slow, double floor) {
+  constexpr std::size_t block = 128;
+  std::vector<bool> out(e.size(), false);
+  Column near;
+  for (std::size_t from = 0; from < e.size(); from += block) {
+    near.clear();
+    for (std::size_t k = from - std::min(from, block); k < std::min(e.size(), from + 2 * block);
+         ++k)
+      if (!std::isnan(e[k])) near.push_back(std::abs(e[k]));
+    const double limit = std::max(floor, 12 * 1.4826 * median(near));
+    for (std::size_t k = std::max<std::size_t>(from, 4); k < std::min(e.size(), from + block);
+         ++k) {
+      double longest = 0;
+      for (std::size_t j = k - 2; j < std::min(e.size(), k + 3); ++j)
+        longest = std::max(longest, T[j]);
+      const double allowed = longest > slow ? std::max(limit, 20 * floor) : limit;
+      out[k] = !std::isnan(e[k]) && std::abs(e[k]) > allowed;
+    }
+  }
+  return out;
+}
+
+// By how much the level differs behind [first, last], a parabola through both sides taken off: the part of a unit step that no
+// parabola explains, and as much of it as is in x.
+double level_change(const Column& x, std::size_t first, std::size_t last) {
+  constexpr std::size_t side = 8;
+  std::vector<Column> basis(5);  // 1, t, t^2, the step, x
+  for (std::size_t k = first - std::min(first, side); k < std::min(x.size(), last + side + 1);
+       ++k) {
+    if ((k >= first && k <= last) || std::isnan(x[k])) continue;
+    const double t = static_cast<double>(k) - static_cast<double>(first);
+    const std::array<double, 5> row{1, t / side, t * t / (side * side), k > last ? 1.0 : 0.0,
+                                    x[k] - x[first - 1]};
+    for (std::size_t j = 0; j < row.size(); ++j) basis[j].push_back(row[j]);
+  }
+  const auto dot = [](const Column& a, const Column& b) {
+    return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+  };
+  if (basis[0].size() < 2 * side - 2) return 0;
+  for (std::size_t j = 0; j < 3; ++j)
+    for (std::size_t i = j + 1; i < 5; ++i) {
+      const double share = dot(basis[i], basis[j]) / dot(basis[j], basis[j]);
+      for (std::size_t k = 0; k < basis[i].size(); ++k) basis[i][k] -= share * basis[j][k];
+    }
+  return dot(basis[4], basis[3]) / dot(basis[3], basis[3]);
+}
+
+struct Jumps {
+  std::size_t count = 0, first = 0;
+  double largest = 0;
+  std::size_t steps = 0, first_step = 0;
+  double largest_step = 0;
+};
+
+void mask_jumps(const Run& run, const ChannelInfo& c, double sample, Record& record, Health& health,
+                Jumps& found) {
+  const auto channel = static_cast<std::size_t>(c.channel);
+  const Kind kind = kind_of(c);
+  const Column& x = run.values[channel];
+  const double grain = coarseness(x);
+  const auto out =
+      outliers(differences(x, kind.filtered), run.T, sample / walking,
+               std::max((kind.filtered ? 3 : 1) * kind.jump, (kind.filtered ? 9 : 3) * grain));
+  double moved = 0, largest = 0;  // of the zero since the run began
+  const std::size_t gap = kind.filtered ? 4 : 2;
+  std::size_t known = 0;  // rows whose zero is settled
+  const auto doubt_to = [&](std::size_t to) {
+    for (; known < to; ++known)
+      if (std::abs(moved) > std::max(kind.zero, 0.15 * largest))
+        health.zero_doubted[channel][run.rows[known]] = true;
+  };
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    if (!out[k]) continue;
+    std::size_t last = k;
+    double peak = 0;
+    for (std::size_t j = k; j < std::min(x.size(), last + gap + 1); ++j)
+      if (out[j]) last = j;
+    for (std::size_t j = k; j <= last; ++j) {
+      if (j > 0) peak = std::max(peak, std::abs(x[j] - x[j - 1]));
+      record.values[channel][run.rows[j]] = nan;
+    }
+    const double change = level_change(x, k, last);
+    doubt_to(k);
+    ++found.count;
+    if (found.count == 1) found.first = run.rows[k];
+    found.largest = std::max(found.largest, peak);
+    if (std::abs(change) > std::max(kind.zero, 0.4 * peak)) {
+      for (std::size_t j = k; j <= last; ++j) health.doubted[channel][run.rows[j]] = true;
+      moved += change;
+      largest = std::max(largest, std::abs(change));
+      if (++found.steps == 1) found.first_step = run.rows[k];
+      found.largest_step = std::max(found.largest_step, std::abs(change));
+    }
+    k = last;
+  }
+  doubt_to(x.size());
+}
+
+void examine_still(const ChannelInfo& c, Record& record, Health& health) {
+  Column& x = record[c.channel];
+  if (std::all_of(x.begin(), x.end(), [](double v) { return std::isnan(v); })) {
+    health.findings.push_back(
+        {Fault::dead, std::string{c.name}, 0, x.size(), 0, "no value at all"});
+    return;
+  }
+  const auto stretches = still(x);
+  std::size_t rows = 0;
+  for (const Stretch& s : stretches) {
+    rows += s.rows;
+    std::fill_n(x.begin() + static_cast<std::ptrdiff_t>(s.first), s.rows, nan);
+  }
+  if (rows > 0)
+    health.findings.push_back({Fault::still, std::string{c.name}, stretches[0].first, rows, 0,
+                               fmt::format("{} rows without a change, masked", rows)});
+}
+
+// Of all rows: the mean of an accelerometer is gravity on a lean at most, and gage sensors read about zero.
+void examine_level(const Record& record, const Processing& p, Health& health) {
+  using enum Channel;
+  for (const ChannelInfo& c : channel_list()) {
+    if (c.filter != 2) continue;
+    Column values;
+    for (const double v : record[c.channel])
+      if (!std::isnan(v)) values.push_back(v);
+    const double middle = median(values);
+    if (std::abs(middle) < 3) continue;
+    health.findings.push_back(
+        {Fault::level, std::string{c.name}, 0, record.size(), middle,
+         fmt::format("its median is {:.3g} m/s^2; gravity left in?", middle)});
+    const auto i = static_cast<std::size_t>(c.channel);
+    health.doubted[i].assign(record.size(), true);
+  }
+  // Running lines lie a rail head, and twice a quarter of one, further apart than gage faces: 76 mm on the default car.
+  const double expected = p.layout.base - 76.2e-3;
+  std::size_t off = 0, known = 0, first = 0;
+  Column values;
+  for (std::size_t k = 0; k < record.size(); ++k) {
+    const double gage = record[gage_left][k] + record[gage_right][k] + p.layout.beam;
+    if (std::isnan(gage)) continue;
+    ++known;
+    if (gage > expected - narrow && gage < expected + wide) continue;
+    if (off++ == 0) first = k;
+    values.push_back(gage);
+    for (const Channel c : {gage_left, gage_right})
+      health.doubted[static_cast<std::size_t>(c)][k] = true;
+  }
+  if (off > 0)
+    health.findings.push_back(
+        {Fault::level, "gage", first, off, median(values),
+         fmt::format("{:.1f} mm in {} of {} rows, where base says {:.0f} to {:.0f}",
+                     median(values) * 1e3, off, known, (expected - narrow) * 1e3,
+                     (expected + wide) * 1e3)});
+}
+
+}  // namespace
+
+void examine_channels(Record& record, const Processing& p, Health& health) {
+  for (const ChannelInfo& c : channel_list()) examine_still(c, record, health);
+  std::array<Jumps, channels> found;
+  std::size_t rejected = 0;
+  for (Run& run : runs_of(record, p, rejected)) {
+    load(run, record);
+    for (const ChannelInfo& c : channel_list())
+      mask_jumps(run, c, p.layout.sample, record, health,
+                 found[static_cast<std::size_t>(c.channel)]);
+  }
+  for (const ChannelInfo& c : channel_list()) {
+    const Jumps& j = found[static_cast<std::size_t>(c.channel)];
+    const Kind kind = kind_of(c);
+    if (j.count > 0)
+      health.findings.push_back(
+          {Fault::jump, std::string{c.name}, j.first, j.count, j.largest,
+           fmt::format("{} jump{} of up to {:.2g} {}, masked", j.count, j.count > 1 ? "s" : "",
+                       j.largest / kind.si, kind.unit)});
+    if (j.steps > 0)
+      health.findings.push_back(
+          {Fault::step, std::string{c.name}, j.first_step, j.steps, j.largest_step,
+           fmt::format("its zero moved, by up to {:.2g} {}", j.largest_step / kind.si, kind.unit)});
+  }
+  examine_level(record, p, health);
+}
+
+}  // namespace railbook::geometry_car

@@ -1,0 +1,417 @@
+// What several sensors feel of one motion, each through its own filter, must add up to zero:
+//
+//   lateral:  inclinometer - accelerometer on the beam + (h - h_b) roll' - g d + h_b d'' - sway'', d the roll of body against track
+//   vertical: left - right accelerometer - (their distance) roll'
+//   yaw:      L yaw' - a(now) + a(when the rear truck's place was the front's) - sway'' of both ends, a the acceleration of the path
+//
+// With one sensor a factor off the sum still vanishes once its term is multiplied by that factor: so the sensor is found.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "geometry_car/health_parts.hpp"
+#include "units/constants.hpp"
+
+namespace railbook::geometry_car {
+namespace {
+
+constexpr double g = units::standard_gravity;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t block = 128, least_block = 64;
+constexpr double slowest = 4.5;     // m/s: below, a row is too long for the filters' times
+constexpr double evident = 0.03;    // m/s^2, rms: less of a motion proves nothing
+constexpr double moved_zero = 0.1;  // m/s^2 of the mean: 15 mm of crosslevel
+
+// A sampled rate through the analog filter F; NaN until that has settled after a start or a gap.
+struct Followed {
+  Column integral, derivative, rate,
+      held_back;  // of the filtered rate; what F holds back of the integral
+};
+Followed follow(const Column& rate, const Run& run, double corner) {
+  const std::size_t n = rate.size();
+  Followed f{Column(n, nan), Column(n, nan), Column(n, nan), Column(n, nan)};
+  Matched filter{corner};
+  double since = -1, integral = 0;
+  for (std::size_t k = 1; k < n; ++k) {
+    const double T = run.T[k];
+    if (std::isnan(rate[k])) {
+      since = -1;
+      continue;
+    }
+    if (since < 0) filter.settle(rate[k]);
+    since = since < 0 ? 0 : since + T;
+    filter.push(rate[k], T);
+    integral += T * rate[k];
+    if (since * corner < 2) continue;
+    f.held_back[k] = filter.held_back();
+    f.integral[k] = integral - filter.held_back();
+    f.rate[k] = filter.rate();
+    f.derivative[k] = filter.derivative();
+  }
+  return f;
+}
+
+Followed follow_changes(const Run& run, Channel c, double corner) {
+  Column rate(run.size(), nan);
+  for (std::size_t k = 1; k < run.size(); ++k) rate[k] = (run[c][k] - run[c][k - 1]) / run.T[k];
+  return follow(rate, run, corner);
+}
+
+struct Term {
+  Channel channel;
+  Column values;  // m/s^2
+};
+using Balance = std::vector<Term>;
+
+std::vector<Balance> balances(const Run& run, const Processing& p) {
+  using enum Channel;
+  const Layout& l = p.layout;
+  const double corner = l.second_corner, over = l.inclinometer_height - l.beam_height;
+  const Followed turn = follow(rates(run, yaw_rate, p), run, corner),
+                 roll = follow(rates(run, roll_rate, p), run, corner);
+  const auto term = [&](Channel c, auto value) {
+    Term t{c, Column(run.size(), nan)};
+    for (std::size_t k = 1; k < run.size(); ++k)
+      if (run.T[k] * slowest <= l.sample) t.values[k] = value(k);
+    return t;
+  };
+  const auto itself = [&](Channel c, double sign) {
+    return term(c, [&, sign](std::size_t k) { return sign * run[c][k]; });
+  };
+  const auto rolling = [&](double arm) {
+    return term(roll_rate, [&, arm](std::size_t k) { return arm * roll.derivative[k]; });
+  };
+  const auto height = [&](Channel c, double sign) {
+    const Followed f = follow_changes(run, c, corner);
+    return term(c, [&, sign](std::size_t k) {
+      const double filtered = run[c][k] - f.held_back[k];
+      return sign * (l.beam_height * f.derivative[k] - g * filtered) / l.transducers;
+    });
+  };
+  const auto sway = [&](Channel c) {
+    const Followed f = follow_changes(run, c, corner);
+    return term(c, [&](std::size_t k) { return -0.5 * f.derivative[k]; });
+  };
+  // Change since (backing: until) the other truck was here; only at a steady speed.
+  const long apart = run.direction * std::lround(l.truck_spacing / l.sample);
+  const auto there = [&](std::size_t k) {
+    return static_cast<std::size_t>(static_cast<long>(k) - apart);
+  };
+  const auto steady = [&](std::size_t k) {
+    return there(k) < run.size() && there(k) > 0 &&
+           std::abs(run.T[k] - run.T[there(k)]) < 0.05 * run.T[k];
+  };
+  const auto change = [&](Channel c, auto value) {
+    return term(c,
+                [&, value](std::size_t k) { return steady(k) ? value(k) - value(there(k)) : nan; });
+  };
+  const Followed front_a = follow_changes(run, sway_front_a, corner),
+                 front_b = follow_changes(run, sway_front_b, corner),
+                 rear = follow_changes(run, sway_rear, corner);
+  const auto ends = [&](Channel c, const Followed& f) {
+    return term(c, [&](std::size_t k) { return steady(k) ? -0.5 * f.derivative[there(k)] : nan; });
+  };
+  return {{itself(inclinometer, 1), itself(lateral, -1), rolling(over), height(height_left, 1),
+           height(height_right, -1), sway(sway_front_a), sway(sway_front_b)},
+          {itself(vertical_left, 1), itself(vertical_right, -1), rolling(-l.transducers)},
+          {term(yaw_rate, [&](std::size_t k) { return l.truck_spacing * turn.derivative[k]; }),
+           change(inclinometer, [&](std::size_t k) { return -run[inclinometer][k]; }),
+           change(roll_rate,
+                  [&](std::size_t k) {
+                    return g * roll.integral[k] - l.inclinometer_height * roll.derivative[k];
+                  }),
+           ends(sway_front_a, front_a), ends(sway_front_b, front_b),
+           term(sway_rear, [&](std::size_t k) { return rear.derivative[k]; })}};
+}
+
+// A stretch of a balance, freed of its straight line.
+struct Piece {
+  std::vector<Channel> channels;
+  std::vector<Column> terms;
+  Column rest;      // their sum
+  double mean = 0;  // of the sum, before
+  double strength = 0;
+};
+
+double dot(const Column& a, const Column& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+double straighten(Column& x) {
+  const double n = static_cast<double>(x.size()), middle = 0.5 * (n - 1);
+  double mean = 0, slope = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    mean += x[i] / n;
+    slope += (static_cast<double>(i) - middle) * x[i];
+  }
+  slope /= n * (n * n - 1) / 12;
+  for (std::size_t i = 0; i < x.size(); ++i)
+    x[i] -= mean + slope * (static_cast<double>(i) - middle);
+  return mean;
+}
+
+Piece piece_of(const Balance& balance, std::size_t from, std::size_t to) {
+  Piece s;
+  s.rest.assign(to - from, 0);
+  for (const Term& t : balance) {
+    Column x(t.values.begin() + static_cast<std::ptrdiff_t>(from),
+             t.values.begin() + static_cast<std::ptrdiff_t>(to));
+    s.mean += straighten(x);
+    for (std::size_t i = 0; i < x.size(); ++i) s.rest[i] += x[i];
+    s.strength += dot(x, x);
+    s.channels.push_back(t.channel);
+    s.terms.push_back(std::move(x));
+  }
+  return s;
+}
+
+// Sensors that may be off together: one, or all that are read alike.
+using Group = std::vector<Channel>;
+const std::vector<Group>& groups() {
+  static const std::vector<Group> all = [] {
+    std::vector<Group> list;
+    for (const ChannelInfo& c : channel_list()) list.push_back({c.channel});
+    for (const int filter : {2, 1, 0}) {
+      Group alike;
+      for (const ChannelInfo& c : channel_list())
+        if (c.filter == filter) alike.push_back(c.channel);
+      list.push_back(alike);
+    }
+    return list;
+  }();
+  return all;
+}
+
+Column share_of(const Piece& s, const Group& group) {
+  Column sum(s.rest.size(), 0);
+  for (std::size_t j = 0; j < s.terms.size(); ++j)
+    if (std::find(group.begin(), group.end(), s.channels[j]) != group.end())
+      for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += s.terms[j][i];
+  return sum;
+}
+
+// The factor of a group's terms that balances best, and what then remains.
+struct Fit {
+  double factor = 1, remains = 0, before = 0;  // before: with the group left out
+};
+Fit fit(const Piece& s, const Group& group) {
+  const Column own = share_of(s, group);
+  Column others = s.rest;
+  for (std::size_t i = 0; i < others.size(); ++i) others[i] -= own[i];
+  const double power = dot(own, own), cross = dot(others, own), before = dot(others, others);
+  if (power < 1e-30) return {1, before, before};
+  return {-cross / power, std::max(0.0, before - cross * cross / power), before};
+}
+
+// What remains in all balances with a group's terms taken so many times, over what remains as they are.
+double remainder(const std::vector<Piece>& pieces, const Group& group, double factor,
+                 double floor) {
+  double before = 0, after = 0;
+  for (const Piece& s : pieces) {
+    const double scale = 1 / std::max(s.strength, floor);
+    const Column own = share_of(s, group);
+    Column rest = s.rest;
+    before += scale * dot(rest, rest);
+    for (std::size_t i = 0; i < rest.size(); ++i) rest[i] += (factor - 1) * own[i];
+    after += scale * dot(rest, rest);
+  }
+  return after / before;
+}
+
+bool off(double factor) {
+  return factor < 0.6 || factor > 1.6;
+}
+
+struct Verdict {
+  Group channels;     // empty: nothing wrong
+  double factor = 0;  // of them; 0: none explains it
+};
+
+Verdict judge(const std::vector<Piece>& pieces) {
+  Verdict v;
+  double least = 0.35;  // share of the imbalance that remains
+  Group all, suspects;
+  for (const Piece& s : pieces) {
+    const double floor = evident * evident * static_cast<double>(s.rest.size());
+    const double wrong = dot(s.rest, s.rest);
+    bool open = wrong > floor && wrong > 0.35 * s.strength;
+    for (const Group& group : groups()) {
+      const Fit f = fit(s, group);
+      if (!(off(f.factor) && f.before > floor && f.remains < 0.1 * f.before)) continue;
+      open = true;
+      const double share = remainder(pieces, group, f.factor, floor);
+      if (share > 0.8 * least) continue;
+      least = share;
+      suspects = group;
+      v.factor = f.factor;
+    }
+    if (open) all.insert(all.end(), s.channels.begin(), s.channels.end());
+  }
+  if (all.empty()) return v;
+  if (suspects.empty()) v.factor = 0;
+  v.channels = suspects.empty() ? all : suspects;
+  std::sort(v.channels.begin(), v.channels.end());
+  v.channels.erase(std::unique(v.channels.begin(), v.channels.end()), v.channels.end());
+  return v;
+}
+
+// What a factor may stand for.
+std::string guess(double factor) {
+  if (factor < 0) return factor > -1.6 && factor < -0.6 ? "its sign is turned" : "";
+  struct Slip {
+    double factor;
+    const char* text;
+  };
+  for (const Slip& s :
+       {Slip{g, "given in g as m/s^2"}, Slip{1 / g, "given in m/s^2 as g"},
+        Slip{units::degree, "given in deg as rad"}, Slip{1 / units::degree, "given in rad as deg"},
+        Slip{1e3, "given in m as mm"}, Slip{1e-3, "given in mm as m"},
+        Slip{25.4, "given in inches as mm"}, Slip{1 / 25.4, "given in mm as inches"},
+        Slip{0.3048, "given in ft as m"}, Slip{1 / 0.3048, "given in m as ft"}})
+    if (std::abs(std::log(factor / s.factor)) < 0.12) return s.text;
+  return "";
+}
+
+struct Found {
+  std::size_t first = 0, last = 0, rows = 0;
+  Column sizes;
+};
+
+}  // namespace
+
+namespace {
+
+struct Range {
+  std::size_t from, to;
+};
+
+// Rows where every balance that the run has at all can be formed, in blocks.
+std::vector<Range> blocks_of(const std::vector<Balance>& balances, std::size_t n) {
+  std::vector<bool> whole(n, true);
+  for (const Balance& b : balances)
+    for (const Term& t : b)
+      for (std::size_t k = 0; k < n; ++k) whole[k] = whole[k] && !std::isnan(t.values[k]);
+  std::vector<Range> blocks;
+  for (std::size_t k = 0; k < n;) {
+    std::size_t end = k;
+    while (end < n && whole[end]) ++end;
+    while (end - k >= least_block) {
+      const std::size_t to = end - k < block + least_block ? end : k + block;
+      blocks.push_back({k, to});
+      k = to;
+    }
+    k = end + 1;
+  }
+  return blocks;
+}
+
+bool mostly_known(const Balance& b) {
+  for (const Term& t : b) {
+    const auto known =
+        std::count_if(t.values.begin(), t.values.end(), [](double x) { return !std::isnan(x); });
+    if (4 * static_cast<std::size_t>(known) < t.values.size()) return false;
+  }
+  return true;
+}
+
+// The two gage sensors only have each other: both see the truck between the rails, and each half of the changes of gage. Their
+// variances differ by chance as much as the correlation of the two, which falls with the length.
+void compare_gages(const Record& record, const Run& run, Health& health) {
+  using enum Channel;
+  constexpr std::size_t apart = 10;
+  double left = 0, right = 0, n = 0;
+  for (std::size_t k = apart; k < run.size(); ++k) {
+    const double l = run[gage_left][k] - run[gage_left][k - apart],
+                 r = run[gage_right][k] - run[gage_right][k - apart];
+    if (std::isnan(l) || std::isnan(r)) continue;
+    left += l * l;
+    right += r * r;
+    ++n;
+  }
+  if (left + right < 1e-8 * n || std::abs(left - right) * std::sqrt(n / 20) < 5 * (left + right))
+    return;
+  const double ratio = std::sqrt(left / std::max(right, 1e-30));
+  for (const Channel c : {gage_left, gage_right})
+    health.doubted[static_cast<std::size_t>(c)].assign(record.size(), true);
+  health.findings.push_back({Fault::inconsistent, "gage_left", run.rows[0], run.rows.size(), ratio,
+                             fmt::format("it moves {:.2g} times as much as gage_right", ratio)});
+}
+
+}  // namespace
+
+void examine_consistency(const Record& record, const Processing& p, Health& health) {
+  std::map<Channel, Found> scales, contradictions, zeros;
+  std::size_t rejected = 0;
+  using enum Channel;
+  for (Run& run : runs_of(record, p, rejected)) {
+    if (run.rows.size() < least_block) continue;
+    load(run, record);
+    compare_gages(record, run, health);
+    std::vector<Balance> all = balances(run, p);
+    std::erase_if(all, [](const Balance& b) { return !mostly_known(b); });
+    if (all.empty()) continue;
+    const std::vector<Range> blocks = blocks_of(all, run.size());
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+      std::vector<Piece> pieces;
+      for (const Balance& b : all) pieces.push_back(piece_of(b, blocks[i].from, blocks[i].to));
+      // Rows between two blocks share the verdict of the one behind them.
+      const std::size_t from = i == 0 ? 0 : blocks[i - 1].to,
+                        to = i + 1 == blocks.size() ? run.size() : blocks[i].to;
+      const auto doubt = [&](std::map<Channel, Found>& where, Channel c, double size, auto& rows) {
+        Found& f = where[c];
+        if (f.rows == 0) f.first = run.rows[from];
+        f.last = run.rows[to - 1];
+        f.rows += to - from;
+        f.sizes.push_back(size);
+        auto& doubted = rows[static_cast<std::size_t>(c)];
+        // a fault may begin within the block before
+        for (std::size_t k = from - std::min(from, block); k < std::min(run.size(), to + block);
+             ++k)
+          doubted[run.rows[k]] = true;
+      };
+      const Verdict v = judge(pieces);
+      for (const Channel c : v.channels)
+        doubt(v.factor != 0 ? scales : contradictions, c, v.factor, health.doubted);
+      for (const Piece& s : pieces)
+        if (v.channels.empty() && s.channels.size() > 1 && s.channels[1] == lateral &&
+            std::abs(s.mean) > moved_zero)
+          for (const Channel c : {inclinometer, height_left, height_right})
+            doubt(zeros, c, s.mean, health.zero_doubted);
+    }
+  }
+  // What is wrong again and again is not right in between.
+  for (auto* found : {&scales, &contradictions})
+    for (const auto& [c, f] : *found) {
+      auto& doubted = health.doubted[static_cast<std::size_t>(c)];
+      if (5 * f.rows > record.size())
+        doubted.assign(record.size(), true);
+      else
+        std::fill(doubted.begin() + static_cast<std::ptrdiff_t>(f.first),
+                  doubted.begin() + static_cast<std::ptrdiff_t>(f.last + 1), true);
+    }
+  const auto name = [](Channel c) {
+    return std::string{channel_list()[static_cast<std::size_t>(c)].name};
+  };
+  for (const auto& [c, f] : scales) {
+    const double factor = median(f.sizes);
+    const std::string why = guess(factor);
+    health.findings.push_back({Fault::scale, name(c), f.first, f.rows, factor,
+                               fmt::format("the other sensors say {:.3g} times as much{}", factor,
+                                           why.empty() ? "" : ": " + why + "?")});
+  }
+  for (const auto& [c, f] : contradictions)
+    health.findings.push_back(
+        {Fault::inconsistent, name(c), f.first, f.rows, 0, "other sensors contradict it"});
+  for (const auto& [c, f] : zeros)
+    health.findings.push_back({Fault::level, name(c), f.first, f.rows, median(f.sizes),
+                               fmt::format("its mean and that of the others (accelerometer, "
+                                           "inclinometer, heights) differ by {:.2g} m/s^2",
+                                           median(f.sizes))});
+}
+
+}  // namespace railbook::geometry_car
