@@ -23,12 +23,13 @@ struct Kind {
   double zero;    // a step of more moves the mean of what is made of it
   const char* unit;
   double si;
+  std::size_t side;  // rows to either side that a parabola follows
 };
 Kind kind_of(const ChannelInfo& c) {
-  if (c.filter == 2) return {true, 0.02, 0.03, "m/s^2", 1};
+  if (c.filter == 2) return {true, 0.02, 0.03, "m/s^2", 1, 8};
   if (c.filter == 1)
-    return {false, 0.2 * units::degree, 0.2 * units::degree, "deg/s", units::degree};
-  return {false, 2e-3, 1.5e-3, "mm", 1e-3};
+    return {false, 0.2 * units::degree, 0.2 * units::degree, "deg/s", units::degree, 8};
+  return {false, 2e-3, 1.5e-3, "mm", 1e-3, 3};
 }
 
 struct Stretch {
@@ -101,21 +102,19 @@ std::vector<bool> outliers(const Column& e, const Column& T, double slow, double
 
 // By how much the level differs behind [first, last], a parabola through both sides taken off: the part of a unit step that no
 // parabola explains, and as much of it as is in x.
-double level_change(const Column& x, std::size_t first, std::size_t last) {
-  constexpr std::size_t side = 8;
+double level_change(const Column& x, std::size_t first, std::size_t last, std::size_t side) {
   std::vector<Column> basis(5);  // 1, t, t^2, the step, x
   for (std::size_t k = first - std::min(first, side); k < std::min(x.size(), last + side + 1);
        ++k) {
     if ((k >= first && k <= last) || std::isnan(x[k])) continue;
     const double t = static_cast<double>(k) - static_cast<double>(first);
-    const std::array<double, 5> row{1, t / side, t * t / (side * side), k > last ? 1.0 : 0.0,
-                                    x[k] - x[first - 1]};
+    const std::array<double, 5> row{1, t, t * t, k > last ? 1.0 : 0.0, x[k] - x[first - 1]};
     for (std::size_t j = 0; j < row.size(); ++j) basis[j].push_back(row[j]);
   }
   const auto dot = [](const Column& a, const Column& b) {
     return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
   };
-  if (basis[0].size() < 2 * side - 2) return 0;
+  if (basis[0].size() < 2 * side - 1) return 0;
   for (std::size_t j = 0; j < 3; ++j)
     for (std::size_t i = j + 1; i < 5; ++i) {
       const double share = dot(basis[i], basis[j]) / dot(basis[j], basis[j]);
@@ -158,7 +157,7 @@ void mask_jumps(const Run& run, const ChannelInfo& c, double sample, Record& rec
       if (j > 0) peak = std::max(peak, std::abs(x[j] - x[j - 1]));
       record.values[channel][run.rows[j]] = nan;
     }
-    const double change = level_change(x, k, last);
+    const double change = level_change(x, k, last, kind.side);
     doubt_to(k);
     ++found.count;
     if (found.count == 1) found.first = run.rows[k];

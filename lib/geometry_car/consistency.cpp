@@ -268,11 +268,13 @@ std::string guess(double factor) {
     const char* text;
   };
   for (const Slip& s :
-       {Slip{g, "given in g as m/s^2"}, Slip{1 / g, "given in m/s^2 as g"},
-        Slip{units::degree, "given in deg as rad"}, Slip{1 / units::degree, "given in rad as deg"},
-        Slip{1e3, "given in m as mm"}, Slip{1e-3, "given in mm as m"},
-        Slip{25.4, "given in inches as mm"}, Slip{1 / 25.4, "given in mm as inches"},
-        Slip{0.3048, "given in ft as m"}, Slip{1 / 0.3048, "given in m as ft"}})
+       {Slip{g, "in g under a header of m/s^2"}, Slip{1 / g, "in m/s^2 under a header of g"},
+        Slip{units::degree, "in deg under a header of rad"},
+        Slip{1 / units::degree, "in rad under a header of deg"},
+        Slip{1e3, "in m under a header of mm"}, Slip{1e-3, "in mm under a header of m"},
+        Slip{25.4, "in inches under a header of mm"},
+        Slip{1 / 25.4, "in mm under a header of inches"}, Slip{0.3048, "in ft under a header of m"},
+        Slip{1 / 0.3048, "in m under a header of ft"}})
     if (std::abs(std::log(factor / s.factor)) < 0.12) return s.text;
   return "";
 }
@@ -381,19 +383,19 @@ void examine_consistency(const Record& record, const Processing& p, Health& heal
         if (v.channels.empty() && s.channels.size() > 1 && s.channels[1] == lateral &&
             std::abs(s.mean) > moved_zero)
           for (const Channel c : {inclinometer, height_left, height_right})
-            doubt(zeros, c, s.mean, health.zero_doubted);
+            doubt(zeros, c, s.mean, health.doubted);
     }
   }
-  // What is wrong again and again is not right in between.
-  for (auto* found : {&scales, &contradictions})
-    for (const auto& [c, f] : *found) {
-      auto& doubted = health.doubted[static_cast<std::size_t>(c)];
-      if (5 * f.rows > record.size())
-        doubted.assign(record.size(), true);
-      else
-        std::fill(doubted.begin() + static_cast<std::ptrdiff_t>(f.first),
-                  doubted.begin() + static_cast<std::ptrdiff_t>(f.last + 1), true);
-    }
+  // A sensor that is a factor off somewhere is not trusted anywhere; a contradiction that is met again and again holds in between.
+  for (const auto& [c, f] : scales)
+    health.doubted[static_cast<std::size_t>(c)].assign(record.size(), true);
+  for (const auto& [c, f] : contradictions) {
+    const bool everywhere = 5 * f.rows > record.size();
+    const auto first = static_cast<std::ptrdiff_t>(everywhere ? 0 : f.first);
+    const auto end = static_cast<std::ptrdiff_t>(everywhere ? record.size() : f.last + 1);
+    for (auto* rows : {&health.doubted[static_cast<std::size_t>(c)], &health.clock_doubted})
+      std::fill(rows->begin() + first, rows->begin() + end, true);
+  }
   const auto name = [](Channel c) {
     return std::string{channel_list()[static_cast<std::size_t>(c)].name};
   };
@@ -407,11 +409,13 @@ void examine_consistency(const Record& record, const Processing& p, Health& heal
   for (const auto& [c, f] : contradictions)
     health.findings.push_back(
         {Fault::inconsistent, name(c), f.first, f.rows, 0, "other sensors contradict it"});
-  for (const auto& [c, f] : zeros)
-    health.findings.push_back({Fault::level, name(c), f.first, f.rows, median(f.sizes),
-                               fmt::format("its mean and that of the others (accelerometer, "
-                                           "inclinometer, heights) differ by {:.2g} m/s^2",
-                                           median(f.sizes))});
+  if (const auto& f = zeros[inclinometer]; f.rows > 0)
+    health.findings.push_back(
+        {Fault::level, "inclinometer", f.first, f.rows, median(f.sizes),
+         fmt::format(
+             "its mean differs from the beam's accelerometer and the roll of the heights by "
+             "{:.2g} m/s^2",
+             median(f.sizes))});
 }
 
 }  // namespace railbook::geometry_car

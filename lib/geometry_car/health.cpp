@@ -56,10 +56,10 @@ std::vector<Channel> sources(Parameter parameter, bool mean, const Processing& p
 void examine_speed(const Run& run, const Processing& p, Health& health) {
   const std::size_t n = run.size();
   if (n < 4 * about) return;
-  Column v(n, 0), squares;
+  Column v(n, 0);
   for (std::size_t k = 1; k < n; ++k) v[k] = p.layout.sample / run.T[k];
   v[0] = v[1];
-  std::size_t steps = 0, first = 0, known = 0;
+  std::size_t steps = 0, first = 0, known = 0, lasting = n;
   double hard = 0;
   const auto middle = [&](std::size_t from) {
     return median(Column(v.begin() + static_cast<std::ptrdiff_t>(from),
@@ -78,15 +78,19 @@ void examine_speed(const Run& run, const Processing& p, Health& health) {
     if (steps == 1 && known == 0) first = run.rows[k];
     known = k;
     hard = std::max(hard, leap ? beside : std::abs(rate));
-    for (std::size_t j = k - about; j < k + about; ++j) health.row_doubted[run.rows[j]] = true;
+    for (std::size_t j = k - about; j < k + about; ++j) health.clock_doubted[run.rows[j]] = true;
+    if (!leap) lasting = std::min(lasting, k);
     // A time that was held before the leap says nothing of its rows.
     for (std::size_t j = k; j > 1 && run.T[j - 1] == run.T[k - 1]; --j)
-      health.row_doubted[run.rows[j - 1]] = true;
+      health.clock_doubted[run.rows[j - 1]] = true;
   }
+  // Which of two speeds is the right one is not known.
+  for (std::size_t k = lasting; k < n; ++k) health.clock_doubted[run.rows[k]] = true;
   if (steps > 0)
     health.findings.push_back(
         {Fault::clock, "elapsed", first, steps, hard,
-         fmt::format("the speed leaps {} times, by up to {:.2g} m/s^2", steps, hard)});
+         fmt::format("the speed leaps {}, as at {:.2g} m/s^2",
+                     steps > 1 ? fmt::format("{} times", steps) : "once", hard)});
 }
 
 }  // namespace
@@ -122,7 +126,7 @@ void examine_clock(const Record& record, const Processing& p, Health& health) {
         {Fault::clock, "elapsed", 0, record.size(), typical,
          fmt::format("a speed of {:.2g} m/s; are the times in the unit of their header?",
                      typical)});
-    health.row_doubted.assign(record.size(), true);
+    health.clock_doubted.assign(record.size(), true);
   }
   // Rows that repeat a mark, but for the one where the car turns.
   std::size_t held = 0, first = 0;
@@ -134,7 +138,7 @@ void examine_clock(const Record& record, const Processing& p, Health& health) {
       if (after == -before) continue;
     }
     if (held++ == 0) first = k;
-    health.row_doubted[k] = health.row_doubted[k - 1] = true;
+    health.place_doubted[k] = health.place_doubted[k - 1] = true;
   }
   if (held > 0)
     health.findings.push_back({Fault::place, "distance", first, held, 0,
@@ -146,7 +150,8 @@ Health examine(Record& record, const Processing& processing) {
   Health health;
   for (auto* rows : {&health.doubted, &health.zero_doubted})
     for (auto& channel : *rows) channel.assign(record.size(), false);
-  health.row_doubted.assign(record.size(), false);
+  health.place_doubted.assign(record.size(), false);
+  health.clock_doubted.assign(record.size(), false);
   examine_channels(record, processing, health);
   examine_clock(record, processing, health);
   examine_consistency(record, processing, health);
@@ -159,7 +164,8 @@ std::vector<Quality> quality(const Measurement& m, Parameter parameter, const Pr
   std::vector<Quality> result = quality(m, parameter, p);
   std::vector<std::size_t> doubts(n + 1);  // before each row
   for (std::size_t i = 0; i < n; ++i) {
-    bool doubt = health.row_doubted[i];
+    bool doubt =
+        health.place_doubted[i] || (parameter != Parameter::gage && health.clock_doubted[i]);
     for (const Channel c : sources(parameter, false, p))
       doubt = doubt || health.doubted[static_cast<std::size_t>(c)][i];
     for (const Channel c : sources(parameter, true, p))

@@ -41,9 +41,10 @@ struct Finding {
 
 struct Health {
   std::vector<Finding> findings;
-  // Rows not to be trusted: of a channel altogether, or for its mean only (a moved zero); of any channel.
+  // Rows not to be trusted: of a channel altogether, or for its mean only (a moved zero); because of the
+  // distance, or of the time, which the gage does not need.
   std::array<std::vector<bool>, channels> doubted, zero_doubted;
-  std::vector<bool> row_doubted;
+  std::vector<bool> place_doubted, clock_doubted;
 };
 
 // Judges every channel by itself (robust statistics of its differences, against the record's own), and against the others: the

@@ -38,10 +38,36 @@ set_tests_properties("tool: filters simulates a record" PROPERTIES FIXTURES_SETU
 set_tests_properties("tool: filters processes it" PROPERTIES FIXTURES_REQUIRED filters-record
                      PASS_REGULAR_EXPRESSION "runs without a gap or a turn +1\n.*gage, mean where good +143[0-9]")
 set_tests_properties("tool: filters processes it with faults" PROPERTIES FIXTURES_REQUIRED filters-record
-                     PASS_REGULAR_EXPRESSION "rejected +2 .*turn +3\n.*1 values beyond.*1 spikes")
+                     PASS_REGULAR_EXPRESSION "DOUBTFUL: 1 values beyond.*1 spikes.*rejected +2 .*turn +3\n")
 add_test(NAME "tool: filters names a misspelt column"
          COMMAND sh -c "sed '1s/lateral/latteral/' $1 > $2 && $0 filters process $2" $<TARGET_FILE:railbook> ${folder}/filters-sensors.csv ${folder}/filters-misspelt.csv)
 set_tests_properties("tool: filters names a misspelt column" PROPERTIES FIXTURES_REQUIRED filters-record
                      PASS_REGULAR_EXPRESSION "not in the file: lateral\n.*columns not used: latteral_m_per_s2")
 set_tests_properties("tool: filters processes stop and reversal" PROPERTIES
                      PASS_REGULAR_EXPRESSION "turn +3\n")
+
+# Sensors that lie: said above the answer, kept in the JSON, and no figure fails for want of values.
+function(doubts what awk expected)
+  set(name filters-${what})
+  add_test(NAME "tool: filters doubts ${what}"
+           COMMAND sh -c "awk -F, -v OFS=, '${awk} 1' $1 > $2.csv && $0 filters process $2.csv --out $2 && grep -q flags $2/geometry.json"
+                   $<TARGET_FILE:railbook> ${folder}/filters-sensors.csv ${folder}/${name})
+  set_tests_properties("tool: filters doubts ${what}" PROPERTIES FIXTURES_REQUIRED filters-record PASS_REGULAR_EXPRESSION "${expected}")
+endfunction()
+doubts(frozen-sensors "NR==501{l=\$0;split(l,a,FS)} NR>501&&NR<3800{for(i=3;i<=NF;i++)\$i=a[i]}" "DOUBTFUL: vertical_left: 3[23][0-9][0-9] rows without a change.*gage, mean where good +143")
+doubts(spike "NR==2000{\$3+=1}" "DOUBTFUL: vertical_left: 1 jump of up to 1 m")
+doubts(dead-sensor "NR>1{\$6=\"nan\"}" "DOUBTFUL: inclinometer: no value at all")
+doubts(turned-sign "NR>1{\$8=-\$8}" "DOUBTFUL: roll_rate: .* its sign is turned")
+doubts(wrong-unit "NR>1{\$5/=9.80665}" "DOUBTFUL: lateral: .* in g under a header of m/s.2")
+add_test(NAME "tool: filters refuses sensors that all stand still"
+         COMMAND sh -c "awk -F, -v OFS=, 'NR==2{split(\$0,a,FS)} NR>2{for(i=3;i<=NF;i++)\$i=a[i]} 1' $1 > $2.csv && exec $3 'nothing can be measured' $0 filters process $2.csv"
+                 $<TARGET_FILE:railbook> ${folder}/filters-sensors.csv ${folder}/filters-still ${CMAKE_CURRENT_SOURCE_DIR}/refuses.sh)
+set_tests_properties("tool: filters refuses sensors that all stand still" PROPERTIES FIXTURES_REQUIRED filters-record)
+foreach(length 2km 777m 1000m 1234.5m 1mi)
+  add_test(NAME "tool: filters simulates ${length}" COMMAND railbook filters simulate --out ${folder}/filters-length.csv --length ${length})
+  set_tests_properties("tool: filters simulates ${length}" PROPERTIES RUN_SERIAL ON)
+endforeach()
+refuses(filters "a track of a million million samples" "length of the track over" simulate --out ${never} --length 100km --sample 1cm)
+refuses(filters "a journey of years" "time of the journey" simulate --out ${never} --speeds 0.01mm/s)
+refuses(filters "a dip of a kilometre" "dip is" simulate --out ${never} --dip 1km)
+refuses(filters "a record without a place for it" "out is required" simulate)

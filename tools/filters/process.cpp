@@ -147,6 +147,10 @@ void add_flags(tool::Summary& s, const Health& health, const Faults& faults) {
   if (!contradicted.empty())
     s.flag("sensors-inconsistent",
            fmt::format("these sensors contradict each other: {}", fmt::join(contradicted, ", ")));
+  if (faults.beyond > 0)
+    s.flag("beyond", fmt::format("{} values beyond what a sensor can give, masked", faults.beyond));
+  if (faults.spikes > 0)
+    s.flag("spikes", fmt::format("{} spikes of displacements, masked", faults.spikes));
   for (const std::string& name : faults.beyond_in)
     s.flag(name + "-range",
            fmt::format("{}: more than 1 % of its values are beyond what the sensor can give; "
@@ -175,11 +179,6 @@ tool::Summary summary(const Wish& wish, const Answer& a, const Health& health,
     s.add("absent", "note", fmt::format("not in the file: {}", fmt::join(faults.absent, ", ")));
   if (!faults.unused.empty())
     s.add("unused", "note", fmt::format("columns not used: {}", fmt::join(faults.unused, ", ")));
-  if (faults.beyond > 0)
-    s.add("beyond", "note",
-          fmt::format("{} values beyond what a sensor can give, masked", faults.beyond));
-  if (faults.spikes > 0)
-    s.add("spikes", "note", fmt::format("{} spikes of displacements, masked", faults.spikes));
   if (slow < 0.1 * mph)
     s.add("stop", "note", "the car stopped; what has the stop in its window is not reliable");
   return s;

@@ -1,0 +1,241 @@
+// Sensors that lie: found out, and nothing that is called good is wrong; sensors that do not: left in peace.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+
+#include "geometry_car/health.hpp"
+#include "geometry_car/sensors.hpp"
+#include "geometry_car/simulate.hpp"
+#include "units/constants.hpp"
+
+using namespace railbook;
+using namespace railbook::geometry_car;
+
+namespace {
+
+constexpr double mph = units::mph, mm = units::millimetre;
+
+// Short records of all kinds: speeds of 10 to 120 mph, forwards and backwards, with a change of speed or a stop, on tangents and in
+// curves, on smooth and rough track.
+Record clean_record(std::uint64_t seed) {
+  TrackDescription d;
+  d.length = 700 * units::foot;
+  d.seed = seed;
+  d.substeps = 4;
+  if (seed % 3 == 0) d.curvature = d.superelevation = 0;
+  d.surface.A *= std::pow(4.0, static_cast<double>(seed % 5) - 2);
+  d.line.A *= std::pow(4.0, static_cast<double>(seed / 5 % 5) - 2);
+  const Track track = build(d);
+  const double end = track.length() - 0.01, first = 80 * units::foot;
+  const double v = static_cast<double>(10 + seed * 7 % 111) * mph;
+  Motion motion{.start = first, .speed = v};
+  if (seed % 4 == 1) {
+    motion = {.start = end, .speed = -v};
+    motion.cruise(end - first);
+  } else if (seed % 4 == 2) {
+    motion.cruise(40).change_speed(0.9 * v, 1);
+    if (motion.final_position() < end - 2)
+      motion.cruise(end - motion.final_position());
+    else
+      motion = Motion{.start = first, .speed = v}.cruise(end - first);
+  } else if (seed % 4 == 3 && v < 11) {
+    motion.cruise(30).change_speed(0, 1).stand(20).change_speed(0.8 * v, 1);
+    motion.cruise(end - motion.final_position());
+  } else {
+    motion.cruise(end - first);
+  }
+  const Car car;
+  const Record record = drive(track, car, motion);
+  return seed % 8 == 0 ? record : measured(record, car.layout, typical_sensors(), seed);
+}
+
+struct Journey {
+  Record record;
+  Measurement truth;
+};
+Journey ride(double speed, bool typical) {
+  TrackDescription d;
+  d.length = 2600 * units::foot;
+  d.substeps = 8;
+  d.seed = 7;
+  const Track track = build(d);
+  const Car car;
+  Motion motion{.start = 80 * units::foot, .speed = speed};
+  motion.cruise(track.length() - motion.start - 0.01);
+  Journey r{drive(track, car, motion), truth(track, Processing{})};
+  if (typical) r.record = measured(r.record, car.layout, typical_sensors(), 7);
+  return r;
+}
+
+// What good rows may be off, about half as much again as without a fault; space curves and the curvature's rate aside.
+double tolerance(Parameter p) {
+  switch (p) {
+    case Parameter::gage:
+      return 0.2 * mm;
+    case Parameter::curvature:
+      return 0.1e-3;
+    case Parameter::crosslevel:
+    case Parameter::warp:
+      return 7 * mm;
+    case Parameter::profile_left:
+    case Parameter::profile_right:
+      return 0.8 * mm;
+    case Parameter::alignment_left:
+    case Parameter::alignment_right:
+      return 3 * mm;
+    default:
+      return 1;
+  }
+}
+
+bool found(const Health& health, const std::string& what) {
+  return std::any_of(health.findings.begin(), health.findings.end(),
+                     [&](const Finding& f) { return what.empty() || f.what == what; });
+}
+
+// The fault is found under that name, or under any, and no good row is wrong.
+void expect(const Journey& clean, const std::string& name, const std::string& what,
+            const std::function<void(Record&)>& fault) {
+  INFO(name);
+  const Processing p;
+  Record record = clean.record;
+  fault(record);
+  const Health health = examine(record, p);
+  CHECK(found(health, what));
+  const auto m = reconstruct(record, p);
+  for (const ParameterInfo& info : parameter_list()) {
+    const auto q = quality(m, info.parameter, p, health);
+    double worst = 0;
+    for (std::size_t i = 0; i < m.size(); ++i) {
+      if (q[i] != Quality::good) continue;
+      const double right = clean.truth[info.parameter][static_cast<std::size_t>(m.mark[i])];
+      if (!std::isnan(right)) worst = std::max(worst, std::abs(m[info.parameter][i] - right));
+    }
+    INFO(info.name);
+    CHECK(worst < tolerance(info.parameter));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("geometry car: clean records raise no alarm", "[health]") {
+  int alarms = 0;
+  for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+    Record record = clean_record(seed);
+    const Record before = record;
+    const Health health = examine(record, Processing{});
+    if (health.findings.empty()) {
+      for (std::size_t c = 0; c < channels; ++c)
+        if (record.values[c] != before.values[c]) FAIL("a value masked without a finding");
+      continue;
+    }
+    ++alarms;
+    UNSCOPED_INFO("seed " << seed << ": " << health.findings[0].what << " "
+                          << health.findings[0].text);
+  }
+  CHECK(alarms < 1);
+}
+
+TEST_CASE("geometry car: each sensor's faults are found, and no good row is wrong", "[health]") {
+  for (const bool typical : {true, false}) {
+    const Journey clean = ride(60 * mph, typical);
+    expect(clean, "clean, but for one value", "lateral",
+           [](Record& r) { r[Channel::lateral][1200] += 0.1; });
+    for (const ChannelInfo& c : channel_list()) {
+      const std::string name{c.name};
+      const Channel channel = c.channel;
+      const bool acceleration = c.filter == 2, rate = c.filter == 1;
+      const double spike = acceleration ? 0.1 : rate ? 0.01 : 6 * mm;
+      const double step = acceleration ? 0.15 : rate ? 0.01 : 10 * mm;
+      const double unit = acceleration ? units::standard_gravity : rate ? 1 / units::degree : 1e3;
+      const auto at = [&](std::size_t from, std::size_t to, auto change) {
+        return [=](Record& r) {
+          for (std::size_t i = from; i < std::min(to, r.size()); ++i)
+            r[channel][i] = change(r[channel][i]);
+        };
+      };
+      const auto times = [&](double factor) {
+        return at(0, 1u << 20, [factor](double v) { return factor * v; });
+      };
+      expect(clean, name + " stands still", name, [=](Record& r) {
+        for (std::size_t i = 1300; i < 1500; ++i) r[channel][i] = r[channel][1300];
+      });
+      expect(clean, name + " is constant", name, times(0));
+      expect(clean, name + " is dead", name,
+             at(0, 1u << 20, [](double) { return std::numeric_limits<double>::quiet_NaN(); }));
+      expect(clean, name + " spikes", name, at(1500, 1501, [=](double v) { return v + spike; }));
+      expect(clean, name + " spikes down", name,
+             at(1400, 1401, [=](double v) { return v - spike; }));
+      expect(clean, name + " loses its zero", name,
+             at(1600, 1u << 20, [=](double v) { return v + step; }));
+      expect(clean, name + " is too large by its unit", "", times(unit));
+      expect(clean, name + " is too small by its unit", "", times(1 / unit));
+      expect(clean, name + " has its sign turned", "", times(-1));
+      expect(clean, name + " has twice its gain", "", times(2));
+      expect(clean, name + " has half its gain", "", times(0.5));
+    }
+  }
+}
+
+TEST_CASE("geometry car: all sensors of a kind in the wrong unit", "[health]") {
+  const Journey clean = ride(60 * mph, true);
+  for (const int filter : {0, 1, 2}) {
+    const double unit = filter == 2   ? units::standard_gravity
+                        : filter == 1 ? 1 / units::degree
+                                      : 1e3;
+    for (const double factor : {unit, 1 / unit})
+      expect(clean, "kind " + std::to_string(filter), "", [&](Record& r) {
+        for (const ChannelInfo& c : channel_list())
+          if (c.filter == filter)
+            for (double& v : r[c.channel]) v *= factor;
+      });
+  }
+}
+
+TEST_CASE("geometry car: clocks and pulses that stop, leap or tick wrong", "[health]") {
+  const Journey clean = ride(60 * mph, true);
+  const auto elapsed = [&](const std::string& name, std::size_t from, std::size_t to,
+                           double factor) {
+    expect(clean, name, "", [=](Record& r) {
+      for (std::size_t i = from; i < std::min(to, r.size()); ++i) r.elapsed[i] *= factor;
+    });
+  };
+  elapsed("the clock stops", 1300, 1500, 0);
+  elapsed("the clock runs slow from here", 1300, 1u << 20, 1.3);
+  elapsed("twice the time", 0, 1u << 20, 2);
+  elapsed("milliseconds under seconds", 0, 1u << 20, 1000);
+  elapsed("one time is halved", 1500, 1501, 0.5);
+  expect(clean, "the distance stands", "distance", [](Record& r) {
+    for (std::size_t i = 1300; i < 1400; ++i) r.mark[i] = r.mark[1299];
+  });
+}
+
+TEST_CASE("geometry car: findings name the sensor, its factor and the row", "[health]") {
+  const Journey clean = ride(60 * mph, true);
+  const auto first = [&](const std::function<void(Record&)>& fault) {
+    Record r = clean.record;
+    fault(r);
+    const Health h = examine(r, Processing{});
+    REQUIRE_FALSE(h.findings.empty());
+    return h.findings[0];
+  };
+  const Finding slip = first([](Record& r) {
+    for (double& v : r[Channel::vertical_left]) v /= units::standard_gravity;
+  });
+  CHECK(slip.fault == Fault::scale);
+  CHECK(slip.what == "vertical_left");
+  CHECK(slip.size == Approx(units::standard_gravity).epsilon(0.02));
+  CHECK_THAT(slip.text, Catch::Matchers::Contains("in g under a header of m/s^2"));
+  const Finding turned = first([](Record& r) {
+    for (double& v : r[Channel::roll_rate]) v = -v;
+  });
+  CHECK(turned.what == "roll_rate");
+  CHECK(turned.size == Approx(-1).epsilon(0.02));
+  const Finding jump = first([](Record& r) { r[Channel::inclinometer][1500] += 0.5; });
+  CHECK(jump.fault == Fault::jump);
+  CHECK(std::abs(static_cast<double>(jump.first) - 1500) <= 2);
+  CHECK(jump.size == Approx(0.5).epsilon(0.1));
+}
