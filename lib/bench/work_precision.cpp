@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "num/stopwatch.hpp"
+#include "plot/plot.hpp"
 
 namespace railbook::bench {
 namespace {
@@ -99,7 +100,7 @@ void show(report::Item& item, const std::vector<report::WorkPrecision>& points,
   if (chosen.empty())
     throw std::logic_error{"work-precision: no points of quantity \"" + quantity + "\""};
   item.add(std::move(chosen));
-  item.script(RAILBOOK_BENCH_DIR "/work_precision.gp");
+  item.script(plot::shared("lib/bench") / "work_precision.gp");
 }
 
 std::string label(int size) {

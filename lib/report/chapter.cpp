@@ -6,11 +6,14 @@
 #include <algorithm>
 #include <cstdio>
 #include <stdexcept>
+#include <system_error>
 
 #include "files/out_file.hpp"
 #include "num/fp_trap.hpp"
 #include "num/stopwatch.hpp"
+#include "plot/plot.hpp"
 #include "report/inventory.hpp"
+#include "report/run_folder.hpp"
 #include "units/input_error.hpp"
 
 namespace railbook::report {
@@ -96,16 +99,6 @@ int judge_bite(const ChapterRecord& record) {
   return toothless == 0 && all > 0 ? 0 : 1;
 }
 
-// The folder for what a run writes, before anything is computed.
-void make_folder(const std::filesystem::path& folder, bool anew) {
-  std::error_code error;
-  if (anew) std::filesystem::remove_all(folder, error);
-  std::filesystem::create_directories(folder, error);
-  if (error)
-    throw InputError{
-        fmt::format("folder \"{}\": cannot be made: {}", folder.string(), error.message())};
-}
-
 std::vector<PagedEntry> in_order(const std::vector<Section>& paper,
                                  const std::vector<Section>& study) {
   std::vector<PagedEntry> all;
@@ -147,11 +140,14 @@ int reproduce(const Reproduce& wish, const ChapterInfo& info,
       throw InputError{
           fmt::format("only is \"{}\"; allowed: a name that `{} list` shows", id, info.name)};
   }
-  const std::filesystem::path out = wish.out;
+  const bool whole = wish.only.empty();
+  RunFolder folder(wish.out, info.id, whole && !wish.bite);
+  if (!wish.bite) folder.forget_record();
   RunSettings settings;
+  settings.folder = &folder;
   settings.sources = info.sources;
-  settings.results = out / "results" / info.id;
-  settings.figures = out / "figures" / info.id;
+  settings.results = folder.results();
+  settings.figures = folder.figures();
   settings.full = wish.level == "full";
   settings.draw = !wish.no_figures;
   settings.timings = !wish.no_timings;
@@ -164,10 +160,6 @@ int reproduce(const Reproduce& wish, const ChapterInfo& info,
   record.doi = info.doi;
   record.level = wish.level;
   record.only = wish.only;
-  const bool whole = wish.only.empty();
-  const bool anew = whole && !wish.bite;  // then nothing of an earlier run may remain
-  make_folder(settings.results, anew);
-  make_folder(settings.figures, anew);
   const num::Stopwatch watch;
   for (const PagedEntry& e : entries)
     if (whole || contains(wish.only, e.entry->id)) compute(e, settings, record);
@@ -179,10 +171,12 @@ int reproduce(const Reproduce& wish, const ChapterInfo& info,
     record.inventory = read_inventory(inventory);
     record.problems = audit(record.inventory, record);
   }
+  folder.announce(settings.results / "checks.csv");
   files::write(settings.results / "checks.csv", checks_csv(record));
-  write_record(record, out / "results" / (info.id + ".json"));
   const std::string summary = summary_line(record);
-  files::write(out / "results" / (info.id + ".txt"), summary + "\n");
+  files::write(folder.summary(), summary + "\n");
+  files::flush_standard_output();
+  write_record(record, folder.record());  // the last of all
   print_failures(record);
   fmt::print("{}\n", summary);
   return failures(record) == 0 && !record.items.empty() ? 0 : 1;
@@ -197,8 +191,10 @@ Entry figure(std::string id, std::string title, ItemFunction compute) {
   return {std::move(id), "figure", std::move(title), std::move(compute)};
 }
 
-int run(int argc, char** argv, const ChapterInfo& info, const std::vector<Section>& paper,
-        const std::vector<Section>& study) {
+namespace {
+
+int run_command(int argc, char** argv, const ChapterInfo& info, const std::vector<Section>& paper,
+                const std::vector<Section>& study) {
   CLI::App app{fmt::format("{}: {}", info.name, info.title), info.name};
   app.require_subcommand(1);
   Reproduce wish;
@@ -239,10 +235,22 @@ int run(int argc, char** argv, const ChapterInfo& info, const std::vector<Sectio
     return 2;
   } catch (const files::OutsideError& error) {
     return files::report(info.name, error);
+  } catch (const std::system_error& error) {
+    return files::report(info.name, error);
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}: {}\n", info.name, error.what());
     return 1;
   }
+}
+
+}  // namespace
+
+int run(int argc, char** argv, const ChapterInfo& info, const std::vector<Section>& paper,
+        const std::vector<Section>& study) {
+  files::prepare_process();
+  ChapterInfo here = info;
+  if (!std::filesystem::exists(here.sources)) here.sources = plot::shared("chapters/" + info.id);
+  return files::finish_process(info.name, run_command(argc, argv, here, paper, study));
 }
 
 }  // namespace railbook::report

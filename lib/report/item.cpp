@@ -187,8 +187,7 @@ void Item::judge_claim(std::string_view id, std::string_view what, bool pass, Ou
   c.error = c.pass ? 0 : 1;
 }
 
-void Item::claim(std::string_view id, std::string_view what, bool it_holds,
-                 std::string measured) {
+void Item::claim(std::string_view id, std::string_view what, bool it_holds, std::string measured) {
   judge_claim(id, what, it_holds, Outcome::confirmed, std::move(measured));
 }
 
@@ -309,9 +308,13 @@ void Item::stability(std::string_view id, std::string_view case_, std::string_vi
 }
 
 void Item::draw() {
+  const auto announce = [&](const std::filesystem::path& file) {
+    if (settings_.folder != nullptr) settings_.folder->announce(file);
+  };
   std::vector<std::filesystem::path> files;
   for (const auto& data : data_) {
     files.push_back(settings_.results / data->file());
+    announce(files.back());
     files::write(files.back(), data->text());
     record_.csv.push_back(data->file());
   }
@@ -321,6 +324,7 @@ void Item::draw() {
   if (!settings_.draw) return;
   record_.png = record_.id + ".png";
   const std::filesystem::path png = settings_.figures / record_.png;
+  announce(png);
   if (image_) {
     image_(png);
   } else {

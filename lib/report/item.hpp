@@ -30,6 +30,7 @@
 
 #include "report/expectation.hpp"
 #include "report/record.hpp"
+#include "report/run_folder.hpp"
 #include "table/csv.hpp"
 #include "units/input_error.hpp"
 
@@ -150,6 +151,7 @@ class NoAnswer : public std::runtime_error {
 };
 
 struct RunSettings {
+  RunFolder* folder = nullptr;    // told of each file before it is written
   std::filesystem::path sources;  // the chapter's folder: data/, scripts
   std::filesystem::path results;  // results/<chapter>
   std::filesystem::path figures;  // figures/<chapter>

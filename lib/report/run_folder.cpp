@@ -54,15 +54,15 @@ RunFolder::RunFolder(fs::path out, std::string chapter, bool anew)
   if (out_.empty()) throw InputError("out is empty; allowed: the name of a folder");
   files::MadeFolder made_results(results()), made_figures(figures());
   known_ = known_files();
+  std::set<std::string> there;
+  for (const fs::path& folder : {results(), figures()})
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+      const std::string name = entry.path().lexically_relative(out_).generic_string();
+      if (known_.count(name) == 0 || !fs::is_regular_file(entry.symlink_status()))
+        refuse(entry.path());
+      there.insert(name);
+    }
   if (anew) {
-    std::set<std::string> there;
-    for (const fs::path& folder : {results(), figures()})
-      for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-        const std::string name = entry.path().lexically_relative(out_).generic_string();
-        if (known_.count(name) == 0 || !fs::is_regular_file(entry.symlink_status()))
-          refuse(entry.path());
-        there.insert(name);
-      }
     forget_record();
     for (const std::string& name : there) files::remove(out_ / name);
     if (fs::exists(list())) files::remove(list());
@@ -73,10 +73,8 @@ RunFolder::RunFolder(fs::path out, std::string chapter, bool anew)
 }
 
 void RunFolder::forget_record() const {
-  for (const char* type : {".json", ".txt"}) {
-    const fs::path file = out_ / "results" / (chapter_ + type);
+  for (const fs::path& file : {record(), summary()})
     if (fs::exists(fs::symlink_status(file))) files::remove(file);
-  }
 }
 
 void RunFolder::announce(const fs::path& file) {

@@ -11,14 +11,15 @@ namespace railbook::report {
 // runs made, OUT/results/NN-name.files, written before the files are.
 class RunFolder {
  public:
-  // Makes the folders; throws InputError, with the reason, when it cannot.
-  // Where all is to be made anew: removes the old record, then all that the list or the record names; throws InputError,
-  // with nothing touched, when there is anything else in one of the two folders.
+  // Makes the folders. Throws InputError, with nothing touched, when it cannot, or when there is anything in one of the
+  // two that neither the list nor the record names. Where all is to be made anew, what they name is removed, the record
+  // first.
   RunFolder(std::filesystem::path out, std::string chapter, bool anew);
 
   std::filesystem::path results() const { return out_ / "results" / chapter_; }
   std::filesystem::path figures() const { return out_ / "figures" / chapter_; }
   std::filesystem::path record() const { return out_ / "results" / (chapter_ + ".json"); }
+  std::filesystem::path summary() const { return out_ / "results" / (chapter_ + ".txt"); }
 
   // The record goes before its files change, so that a run that is ended leaves none that looks good.
   void forget_record() const;
