@@ -12,25 +12,27 @@ local function strings(value)
   return out
 end
 
-local headline_heads = {"paper", "numbers: confirmed", "consistent", "fitted", "corrected", "restored", "not confirmed",
-  "claims: confirmed", "not confirmed", "not testable", "unreadable", "figures: from the paper’s data", "rebuilt", "lost",
-  "verified by other routes"}
+local headline_heads = {"paper", "printed numbers", "confirmed", "consistent", "fitted", "corrected", "restored",
+  "not confirmed", "unreadable", "claims: confirmed / not / not testable", "figures: paper’s data / rebuilt / lost", "verified by other routes"}
 
--- The cells of a paper's line after its name, as numbers.
-local function headline_counts(r)
+-- A paper's line after its name: what became of its numbers, claims and figures.
+local function headline_cells(r)
   local h = record.headline(r)
-  local p, c, f = h.print, h.claim, h.figures
-  return {p.confirmed or 0, p.consistent or 0, p.fitted or 0, p.corrected or 0, p.restored or 0, p["not confirmed"] or 0,
-    c.confirmed or 0, c["not confirmed"] or 0, h.untested, h.unreadable, f.paper or 0, (f.rebuilt or 0) + (f.added or 0),
-    (f.lost or 0) + (f.sketch or 0), h.verified}
+  local p, c, f, found = h.print, h.claim, h.figures, h.unreadable
+  for _, count in pairs(p) do found = found + count end
+  local cells = {found, p.confirmed or 0, p.consistent or 0, p.fitted or 0, p.corrected or 0, p.restored or 0,
+    p["not confirmed"] or 0, h.unreadable,
+    ("%d / %d / %d"):format(c.confirmed or 0, c["not confirmed"] or 0, h.untested),
+    ("%d / %d / %d"):format(f.paper or 0, (f.rebuilt or 0) + (f.sketch or 0), f.lost or 0), h.verified}
+  for i, cell in ipairs(cells) do cells[i] = cell == 0 and "–" or tostring(cell) end
+  return cells
 end
 
 local function headline_row(r)
-  local link = html.tag("a", {href = r.chapter .. ".html"}, r.number .. " " .. html.text(r.title))
-  local row = {link, class = record.tally(r.checks) < #r.checks and "failed" or nil}
-  for _, count in ipairs(headline_counts(r)) do
-    row[#row + 1] = {count == 0 and "–" or tostring(count), class = "number"}
-  end
+  local name = r.chapter:match("^%d+%-(.*)$")
+  local row = {html.tag("a", {href = r.chapter .. ".html", title = r.title}, r.number .. " " .. html.escape(name)),
+    class = record.tally(r.checks) < #r.checks and "failed" or nil}
+  for _, cell in ipairs(headline_cells(r)) do row[#row + 1] = {cell, class = "number"} end
   return row
 end
 
@@ -43,7 +45,7 @@ local function headline(records, left_out)
   for _, line in ipairs(left_out) do
     local name, why = line:match("^(%S+) (.*)$")
     rows[#rows + 1] = {html.escape(name) .. ": " .. html.text(why), name = name}
-    for i = 2, #headline_heads do rows[#rows][i] = "–" end
+    for i = 2, #headline_heads do rows[#rows][i] = {"–", class = "number"} end
   end
   table.sort(rows, function(a, b) return a.name < b.name end)
   return html.table("chapters headline", headline_heads, rows)

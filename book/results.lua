@@ -4,7 +4,7 @@
 --   {{outcome:id}}      what came of a check, as a link to it
 --   {{coverage}} alone  the inventory of the paper
 --   {{work-precision}}, {{work-precision: id}}, {{stability}}, {{verdicts}}, {{checks}} alone
--- Metadata: record (JSON file), figures (folder of its PNGs), data (folder of its CSVs and scripts).
+-- Metadata: part (paper or study), record (JSON file), figures (folder of its PNGs), data (folder of its CSVs and scripts).
 -- An unknown id, a missing file, or an item of the record that the page does not show exactly once is an error.
 
 package.path = PANDOC_SCRIPT_FILE:match("^(.*)/[^/]*$") .. "/?.lua;" .. package.path
@@ -285,7 +285,7 @@ function Pandoc(doc)
     io.stderr:write("book: ", result, "\n")
     os.exit(1)
   end
-  r, figures, data, page = result, text "figures", text "data", text "page" or "paper"
+  r, figures, data, page = result, text "figures", text "data", text "part" or "paper"
   doc = take_title(doc)
   number_items(doc)
   doc = doc:walk({Para = Para}):walk({Str = Str, Math = Math}):walk({Inlines = Inlines})

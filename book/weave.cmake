@@ -96,7 +96,7 @@ foreach(chapter ${chapters})
     execute_process(
       COMMAND ${CMAKE_COMMAND} -E env RAILBOOK_LIB=${ROOT}/lib
               ${PANDOC} --from=${here}/literate.lua --lua-filter=${here}/results.lua ${page_options} --toc --toc-depth=2
-              ${around} ${study} -M record=${RESULTS}/${chapter}.json -M figures=${FIGURES}/${chapter} -M page=${page}
+              ${around} ${study} -M record=${RESULTS}/${chapter}.json -M figures=${FIGURES}/${chapter} -M part=${page}
               -M data=${new}/data/${chapter} --output=${new}/${output}.html ${main} ${sources}
       RESULT_VARIABLE status_page ERROR_VARIABLE said_page TIMEOUT ${time_limit})
     if(NOT status_page EQUAL 0)

@@ -6,7 +6,7 @@ production work.
 
 {{fig-09}}
 
-The paper's figure has no numbers; all of ours are assumptions. With a normal histogram and a normal strength of the vehicle (it fails at a descriptor $p$ with probability
+The paper's figure has no numbers; those here are assumptions. With a normal histogram and a normal strength of the vehicle (it fails at a descriptor $p$ with probability
 $\Phi((p-p_{50})/\sigma)$), the probability that a value fails is
 
 $$P=\Phi\!\left(\frac{\mu-p_{50}}{\sqrt{s^2+\sigma^2}}\right),$$
@@ -14,11 +14,6 @@ $$P=\Phi\!\left(\frac{\mu-p_{50}}{\sqrt{s^2+\sigma^2}}\right),$$
 here {{risk}}; $n$ = {{n}}, and {{per-km}} values a kilometre lie above $T_2$. The risk is twice that share ({{risk-ratio}}): half of it comes from values *below* the
 threshold, where vehicles weaker than the median fail. A threshold at the median strength is not a safe one.
 
-The channel depends on the posted speed, which is the paper's point against chord readings. On a synthetic track with a train of four 40-m waves of 2 cm amplitude, in the middle:
-
-{{fig-map}}
-
-The waves exceed the limit from {{map-speed}} on, where the flat part of the envelope reaches them, and no slow train has to fear them.
 */
 #include <fmt/format.h>
 
@@ -26,16 +21,12 @@ The waves exceed the limit from {{map-speed}} on, where the flat part of the env
 #include <cmath>
 #include <vector>
 
-#include "items.hpp"
 #include "num/quadrature.hpp"
-#include "quality/descriptor_filter.hpp"
 #include "quality/quality_index.hpp"
+#include "sections.hpp"
 #include "spectra/random_source.hpp"
-#include "spectra/synthetic_track.hpp"
 
 namespace railbook::quality_chapter {
-
-using namespace railbook;
 
 namespace {
 
@@ -95,45 +86,12 @@ void fig_09(report::Item& item) {
   item.value("risk-ratio", risk / above, "times", "{:.1f}");
   item.value("n", (T_2 - mean) / deviation, "", "{:.1f}");
   item.value("per-km", above * per_km, "", "{:.2f}");
-  item.reconstructed(
-      "the paper's figure is a sketch without numbers; densities and thresholds are ours");
-}
-
-/*** The map filters one record for many speeds. */
-void fig_map(report::Item& item) {
-  constexpr double step = 0.25, length = 2000;
-  constexpr auto n = static_cast<std::size_t>(length / step);
-  auto z = spectra::synthesize({.spacing = step, .seed = 66, .A = 2e-7, .phi_c = 0.13}, n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const double x = step * static_cast<double>(i) - length / 2;
-    if (std::abs(x) < 80)
-      z[i] += 0.02 * std::sin(2 * units::pi * x / 40) * (1 + std::cos(units::pi * x / 80)) / 2;
-  }
-  auto& data = item.data({"distance_m", "speed_kmh", "descriptor"});
-  double first = 0;
-  std::vector<double> peaks;
-  for (double v = 30; v <= 180; v += 5) {
-    const quality::Envelope envelope{{level_limit(), {}, v * kmh}};
-    const auto p = quality::filter(quality::design_filter(envelope, {.spacing = step}), z);
-    double largest = 0;
-    for (std::size_t i = 0; i < n; i += 40) {  // 10 m
-      double cell = 0;
-      for (std::size_t j = i; j < std::min(i + 40, n); ++j) cell = std::max(cell, std::abs(p[j]));
-      data.add(step * static_cast<double>(i + 20), v, cell);
-      largest = std::max(largest, cell);
-    }
-    data.gap();
-    if (first == 0 && largest > 1) first = v;
-  }
-  item.value("map-speed", first, "km/h", "{:.0f}");
-  item.reconstructed("not in the paper; the track is synthetic");
+  item.rebuilt("the paper's figure is a sketch without numbers; densities and thresholds are ours");
 }
 
 }  // namespace
 
-void add_index(report::Chapter& chapter) {
-  chapter.figure("fig-09", "Figure 9. Histogram of the descriptor and risk of derailment", fig_09);
-  chapter.figure("fig-map", "Largest descriptor in 10 m, by posted speed", fig_map);
-}
+const report::Section index{report::figure(
+    "fig-09", "Histogram of the descriptor and risk of derailment (Fig. 9)", fig_09)};
 
 }  // namespace railbook::quality_chapter

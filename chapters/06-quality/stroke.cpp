@@ -2,25 +2,27 @@
 
 {{fig-01}}
 
-The wheel follows the track $z$, the body above it moves by $y$, the suspension by $x=y-z$. Balance of the body, equation (1), is
-$M\ddot y+b\dot x+kx=0$; in terms of the stroke
+The wheel follows the track $z$, the body above it moves by $y$, the suspension by $x=y-z$. The body's balance and the force on the wheel set are
 
-$$M\ddot x+b\dot x+kx=-M\ddot z .$$
+$$M\ddot y+b\dot x+kx=0 \tag{1}$$
 
-The paper's (3) has no minus; (1) requires it, and nothing printed depends on it. For a sine of the track, taken at speed $v$, only the ratio
-of its frequency to the body's own counts, $\eta=v\varphi/f'$ with $\varphi=1/\lambda$, and (4) is
+$$g=m\ddot z-b\dot x-kx \tag{2}$$
 
-$$\left|\frac XZ\right|=T(\eta)=\frac{\eta^2}{\sqrt{(1-\eta^2)^2+4\rho^2\eta^2}} .$$
+and (1) in terms of the stroke is
 
-Written so, $\eta^4$ overflows long before $T$, which is 1, means harm; above $\eta=1$ we use the same in $1/\eta$.
+$$M\ddot x+b\dot x+kx=-M\ddot z . \tag{3}$$
+
+The scan of (3) shows no minus; (1) requires it, and no magnitude depends on it. For a sine of the track, taken at speed $v$, only the ratio
+of its frequency to the body's own counts, $\eta=v\varphi/f'$ with $\varphi=1/\lambda$:
+
+$$\left|\frac XZ\right|=T(\eta)=\frac{\eta^2}{\sqrt{(1-\eta^2)^2+4\rho^2\eta^2}} . \tag{4}$$
+
+{{code: quality/vehicle.cpp stroke_gain}}
 
 {{fig-02}}
 
-The damped peak lies at {{peak-wavelength}}, the undamped resonance at $v/f'$ = {{resonance-wavelength}}; the paper's 55 m lies between the two and
-is neither, rounded. "Unit gain" is an asymptote: at 20 m the gain is still {{gain-20}}. The curve crosses 1 at {{unit-wavelength}} and falls
-off as $\lambda^{-2}$.
-
-Turned upside down, with the stroke limited to 2.54 cm:
+The damped peak lies at {{peak-wavelength}}, the undamped resonance at $v/f'$ = {{resonance-wavelength}}. The paper's 55 m lies between the two and is
+neither, rounded. "Unit gain" is an asymptote: {{gain-20}} at 20 m. Turned upside down, with the stroke limited to 2.54 cm:
 
 {{fig-03}}
 
@@ -33,9 +35,6 @@ peak and the peak's value from there on:
 $$A(\lambda)=\frac{x_0}{T(v/\lambda f')}\quad(\lambda>\lambda_p),\qquad A=2\rho\sqrt{1-\rho^2}\,x_0\quad(\lambda\le\lambda_p),\qquad
 \lambda_p=\frac v{f'}\sqrt{1-2\rho^2}.$$
 
-The two pieces meet with the same slope, but not the same curvature, which will decide how fast the filter's memory fades. From $\rho=1/\sqrt2$ on
-there is no peak and no flat part.
-
 {{fig-04}}
 
 A search over {{envelope-speeds}} speeds finds nothing below the closed form and comes within {{envelope-gap}} of it. The curves cross, as the paper
@@ -43,24 +42,22 @@ says: a slower train may be worse off.
 
 {{fig-05}}
 
-Figure 5 is the same for several track speeds, scaled so that the flat level is the 1.6 cm that freight-car tests asked for. It takes a stroke of
-{{level-stroke}}. Beyond the flat part the amplitude grows: at {{tail-wavelength}} with the power {{tail-power}} of the wavelength. That the damping
-controls how fast the rise begins, the paper's third feature, shows in the expansion
+Figure 5 is the same for several track speeds, with the flat level at the 1.6 cm that freight-car tests asked for; that takes a stroke of
+{{level-stroke}}. Its three features follow from the formula: the level is constant below the resonance at top speed, the amplitude grows with the
+square of the wavelength in the end, and the damping governs how fast the rise begins, by
 $A/x_0=(\lambda/\lambda_0)^2-(1-2\rho^2)+\dots$ with $\lambda_0=v/f'$.
 */
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
-#include "items.hpp"
 #include "num/log_spaced.hpp"
 #include "num/roots.hpp"
+#include "sections.hpp"
 
 namespace railbook::quality_chapter {
 
-using namespace railbook;
 using quality::allowed_amplitude;
 
 namespace {
@@ -77,63 +74,84 @@ void fig_01(report::Item& item) {
   item.sketch();
 }
 
-// The wavelength of the largest gain by golden section, without the closed form.
+double gain_at_100(double wavelength) {
+  return quality::stroke_gain(roll, track_speed / wavelength);
+}
+
+// The wavelength of the largest gain as a root of its slope, without the closed form.
 double searched_peak() {
   const auto slope = [](double wavelength) {
     const double h = 1e-4 * wavelength;
-    return quality::stroke_gain(roll, track_speed / (wavelength + h)) -
-           quality::stroke_gain(roll, track_speed / (wavelength - h));
+    return gain_at_100(wavelength + h) - gain_at_100(wavelength - h);
   };
   return num::find_root(slope, 20, 200, 1e-12).x;
 }
 
 void fig_02(report::Item& item) {
   const table::CsvTable printed = item.printed("printed.csv");
-  item.expect_checks(3);
-  const auto gain = [](double wavelength) {
-    return quality::stroke_gain(roll, track_speed / wavelength);
-  };
+  item.expect_checks(4);
   auto& data = item.data({"wavelength_m", "gain"});
-  for (const double w : num::log_spaced(1, 1000, 200)) data.add(w, gain(w));
+  for (const double w : num::log_spaced(1, 1000, 200)) data.add(w, gain_at_100(w));
   const double peak = quality::flat_until(inch_limit, track_speed);
   const double printed_peak = report::printed_number(printed.at("peak", "printed"));
-  item.data("printed", {"wavelength_m", "gain"}).add(printed_peak, gain(printed_peak));
+  item.data("printed", {"wavelength_m", "gain"}).add(printed_peak, gain_at_100(printed_peak));
   item.row(printed, "peak")
-      .check("printed", peak,
+      .print("printed", peak,
              report::relative(0.04,
-                              "the paper gives whole metres between the damped peak and v/f', "
-                              "which differ by 4 %"));
+                              "whole metres between the damped peak and v/f', which differ "
+                              "by 4 %"));
   item.agree("peak-search", "wavelength of the peak", "m", peak, searched_peak(), 1e-6,
              "root of the slope of (4) by differences");
-  item.row(printed, "gain").check("printed", gain(1));
+  item.claim(
+      "unit-gain", "unit gain for wavelengths shorter than resonance",
+      std::abs(gain_at_100(1) - 1) < 0.01 && gain_at_100(20) > 1,
+      fmt::format("in the limit: {:.4f} at 1 m, {:.2f} at 20 m", gain_at_100(1), gain_at_100(20)));
+  item.claim("roll-off", "rolls off dramatically at wavelengths longer than resonance",
+             gain_at_100(300) < 0.05, fmt::format("{:.3f} at 300 m", gain_at_100(300)));
   item.value("peak-wavelength", peak, "m", "{:.2f}");
   item.value("resonance-wavelength", track_speed / roll.frequency, "m", "{:.2f}");
-  item.value("gain-20", gain(20), "", "{:.3f}");
-  item.value("unit-wavelength", num::find_root([&](double w) { return gain(w) - 1; }, peak, 500).x,
-             "m", "{:.2f}");
+  item.value("gain-20", gain_at_100(20), "", "{:.3f}");
 }
 
 void fig_03(report::Item& item) {
   item.expect_checks(1);
   auto& data = item.data({"wavelength_m", "amplitude_cm"});
-  const double resonance =
-      report::printed_number(item.printed("printed.csv").at("peak", "printed"));
-  item.data("printed", {"wavelength_m", "amplitude_cm"})
-      .add(resonance, allowed_amplitude(severity_at(inch_limit, track_speed, 1 / resonance)) / cm);
   double least = 1e9;
   for (const double w : num::log_spaced(1, 1000, 400)) {
     const double amplitude = allowed_amplitude(severity_at(inch_limit, track_speed, 1 / w));
     data.add(w, amplitude / cm);
     least = std::min(least, amplitude);
   }
+  const double peak = report::printed_number(item.printed("printed.csv").at("peak", "printed"));
+  item.data("printed", {"wavelength_m", "amplitude_cm"})
+      .add(peak, allowed_amplitude(severity_at(inch_limit, track_speed, 1 / peak)) / cm);
   item.agree("least", "least allowed amplitude", "cm", least / cm,
              2 * roll.damping * std::sqrt(1 - roll.damping * roll.damping) * inch_limit.stroke / cm,
-             1e-4, "closed form 2ρ√(1−ρ²) x₀; the curve has 400 points a decade");
-  item.value("least-amplitude", least / cm, "cm", "{:.4f}");
+             1e-4, "2ρ√(1−ρ²) x₀; the curve has 400 points a decade");
+}
+
+struct Search {
+  double below = 0, above = 0;  // the closed form, relative
+  bool crosses = false;
+};
+
+// The least over many speeds, wavelength by wavelength.
+Search search_over_speeds(const std::vector<double>& wavelengths, int count) {
+  Search found;
+  for (const double w : wavelengths) {
+    const double closed = allowed_amplitude(severity(inch_limit, track_speed, 1 / w));
+    double least = 1e300;
+    for (int i = 1; i <= count; ++i)
+      least = std::min(least,
+                       allowed_amplitude(severity_at(inch_limit, track_speed * i / count, 1 / w)));
+    found.below = std::max(found.below, 1 - least / closed);
+    found.above = std::max(found.above, least / closed - 1);
+    found.crosses |= least < 0.999 * allowed_amplitude(severity_at(inch_limit, track_speed, 1 / w));
+  }
+  return found;
 }
 
 void fig_04(report::Item& item) {
-  const table::CsvTable printed = item.printed("printed.csv");
   item.expect_checks(3);
   auto& envelope = item.data({"wavelength_m", "amplitude_cm"});
   auto& single = item.data("single", {"speed_kmh", "wavelength_m", "amplitude_cm"});
@@ -143,73 +161,65 @@ void fig_04(report::Item& item) {
       single.add(v, w, allowed_amplitude(severity_at(inch_limit, v * kmh, 1 / w)) / cm);
     single.gap();
   }
+  for (const double w : grid)
+    envelope.add(w, allowed_amplitude(severity(inch_limit, track_speed, 1 / w)) / cm);
   constexpr int count = 4000;
-  double below = 0, above = 0;  // of the search against the closed form
-  bool crosses = false;
-  for (const double w : grid) {
-    const double closed = allowed_amplitude(severity(inch_limit, track_speed, 1 / w));
-    double searched = 1e300;
-    for (int i = 1; i <= count; ++i)
-      searched = std::min(
-          searched, allowed_amplitude(severity_at(inch_limit, track_speed * i / count, 1 / w)));
-    below = std::max(below, 1 - searched / closed);
-    above = std::max(above, searched / closed - 1);
-    crosses |= searched < 0.999 * allowed_amplitude(severity_at(inch_limit, track_speed, 1 / w));
-    envelope.add(w, closed / cm);
-  }
-  item.check("below", "search below the closed form by, relative", "", "1e-14", below,
-             report::at_most("nothing may lie below the envelope, to rounding"));
-  item.check("above", "search above the closed form by, relative", "", "1e-3", above,
-             report::at_most("4000 speeds: a short wave's peak lies between two of them"));
-  item.check_text("cross", "do curves of different speeds cross",
-                  printed.at("cross-stroke", "printed"), crosses ? "yes" : "no");
+  const Search found = search_over_speeds(grid, count);
+  item.at_most("below", "search below the closed form by, relative", "", found.below, 1e-14,
+               "nothing may lie below the envelope, to rounding");
+  item.at_most("above", "search above the closed form by, relative", "", found.above, 1e-3,
+               "4000 speeds: a short wave's peak lies between two of them");
+  item.claim("cross", "the curves of different speeds interpenetrate", found.crosses);
   item.value("envelope-speeds", count, "", "{:.0f}");
-  item.value("envelope-gap", above, "", "{:.1g}");
+  item.value("envelope-gap", found.above, "", "{:.1g}");
+}
+
+// How far the amplitude has risen above the flat level at 1.2 times the wavelength at which it is left.
+double early_rise(double damping) {
+  const quality::StrokeLimit limit{{roll.frequency, damping}, inch_limit.stroke};
+  const double corner = quality::flat_until(limit, track_speed);
+  return allowed_amplitude(severity(limit, track_speed, 1 / (1.2 * corner))) /
+         allowed_amplitude(severity(limit, track_speed, 1 / corner));
 }
 
 void fig_05(report::Item& item) {
-  const table::CsvTable printed = item.printed("printed.csv");
   const quality::StrokeLimit limit = level_limit();
   auto& data = item.data({"speed_kmh", "wavelength_m", "amplitude_cm"});
-  const auto all = speeds(item);
-  item.expect_checks(2);
-  double least = 1e9;
-  for (const double v : all) {
+  item.expect_checks(3);
+  double flattest = 0;  // largest deviation from the level below the resonance at top speed
+  for (const double v : speeds(item)) {
     for (const double w : num::log_spaced(1, 1000, 60)) {
       const double amplitude = allowed_amplitude(severity(limit, v, 1 / w));
       data.add(v / kmh, w, amplitude / cm);
-      least = std::min(least, amplitude);
+      if (w < quality::flat_until(limit, v))
+        flattest = std::max(flattest, std::abs(amplitude / flat_level - 1));
     }
     data.gap();
   }
-  constexpr double far = 3000;
-  const auto log_amplitude = [&](double w) {
-    return std::log(allowed_amplitude(severity(limit, track_speed, 1 / w)));
-  };
-  const double power =
-      (log_amplitude(1.01 * far) - log_amplitude(far / 1.01)) / (2 * std::log(1.01));
-  item.row(printed, "tail")
-      .check("printed", power,
-             report::absolute(0.002, "at 3 km, where the next term is below 0.1 %"));
-  item.row(printed, "level")
-      .check("printed", least / cm,
-             report::relative(1e-12,
-                              "the level fixes the stroke: what is checked is that the envelope "
-                              "keeps it at every speed"));
+  const double power = power_of_wavelength(
+      [&](double w) { return allowed_amplitude(severity(limit, track_speed, 1 / w)); }, 3000);
+  item.claim("level",
+             "a constant level from the resonance at maximum speed to arbitrarily short waves",
+             flattest < 1e-12, "constant to rounding, at every speed");
+  item.claim("tail", "the amplitude ultimately grows with the square of the wavelength",
+             std::abs(power - 2) < 0.002, fmt::format("power {:.3f} at 3 km", power));
+  item.claim(
+      "damping", "damping controls how fast control may be relaxed just above resonance",
+      early_rise(0.1) > 1.2 * early_rise(0.2) && early_rise(0.2) > 1.2 * early_rise(0.4),
+      fmt::format("20 % above the corner the amplitude has risen {:.2f}, {:.2f}, {:.2f} times "
+                  "for ρ = .1, .2, .4",
+                  early_rise(0.1), early_rise(0.2), early_rise(0.4)));
   item.value("level-stroke", limit.stroke / cm, "cm", "{:.4f}");
-  item.value("tail-wavelength", far, "m", "{:.0f}");
-  item.value("tail-power", power, "", "{:.4f}");
-  item.reconstructed("speeds of the curves are ours; the paper's labels are not legible");
+  item.rebuilt("the speeds of the curves; the paper's labels are not legible");
 }
 
 }  // namespace
 
-void add_stroke(report::Chapter& chapter) {
-  chapter.figure("fig-01", "Figure 1. The vehicle", fig_01);
-  chapter.figure("fig-02", "Figure 2. Stroke for a centimetre of track, 100 km/h", fig_02);
-  chapter.figure("fig-03", "Figure 3. Amplitude that uses up 2.54 cm of stroke, 100 km/h", fig_03);
-  chapter.figure("fig-04", "Figure 4. The least over all speeds up to 100 km/h", fig_04);
-  chapter.figure("fig-05", "Figure 5. Allowed amplitude by track speed, stroke mode", fig_05);
-}
+const report::Section stroke{
+    report::figure("fig-01", "The vehicle (Fig. 1)", fig_01),
+    report::figure("fig-02", "Stroke for a centimetre of track, 100 km/h (Fig. 2)", fig_02),
+    report::figure("fig-03", "Amplitude that uses up 2.54 cm of stroke, 100 km/h (Fig. 3)", fig_03),
+    report::figure("fig-04", "The least over all speeds up to 100 km/h (Fig. 4)", fig_04),
+    report::figure("fig-05", "Allowed amplitude by track speed, stroke mode (Fig. 5)", fig_05)};
 
 }  // namespace railbook::quality_chapter

@@ -145,3 +145,35 @@ TEST_CASE("Diffusion by the same volumes is Gaussian, second order in time and s
   }
   CHECK(last < 1e-3);
 }
+
+TEST_CASE("The blob's edge stands within half a cell; the mean error falls with order 4/3",
+          "[quality]") {
+  const double end = 10, front = blob_front(end), top = blob_height(0, end);
+  const double place = front * std::sqrt(1 - 1e-3);  // where h is a tenth of its top
+  const auto cell_means = [](double t, int cells) {
+    Profile p{-1.5 + 1.5 / cells, 3.0 / cells, {}};
+    for (std::size_t i = 0; i < static_cast<std::size_t>(cells); ++i) {
+      double sum = 0;
+      for (int j = 0; j < 16; ++j) sum += blob_height(p.x(i) + p.width * ((j + 0.5) / 16 - 0.5), t);
+      p.height.push_back(sum / 16);
+    }
+    return p;
+  };
+  std::vector<double> means;
+  for (const int cells : {50, 100, 200, 400, 800}) {
+    const Spread s = spread({}, cell_means(1, cells), 1, end, cells);
+    REQUIRE(s.converged);
+    const Profile& p = s.profile;
+    const Profile exact = cell_means(end, cells);
+    double mean_error = 0, edge = 1e9;
+    for (std::size_t i = 0; i < p.height.size(); ++i)
+      mean_error += std::abs(p.height[i] - exact.height[i]) / top * p.width;
+    for (std::size_t i = p.height.size() / 2; i + 1 < p.height.size(); ++i) {
+      const double a = p.height[i] - 0.1 * top, b = p.height[i + 1] - 0.1 * top;
+      if (a >= 0 && b < 0) edge = p.x(i) + p.width * a / (a - b);
+    }
+    CHECK(std::abs(edge - place) < 0.5 * p.width);
+    means.push_back(mean_error);
+  }
+  CHECK_THAT(std::log(means.front() / means.back()) / std::log(16.0), WithinAbs(4.0 / 3, 0.1));
+}

@@ -1,0 +1,159 @@
+/*** ### The descriptor of a sine
+
+The descriptor of 32-m waves of 1 cm is $A/A_{env}$ in closed form. Both convolutions cut the impulse response at 3 to 40 resonant wavelengths and are charged
+for designing nothing: the weights are ready. Work counts multiplications for the direct sum, points transformed for the blocks.
+
+{{fig-filter-time}}
+
+Both have the same error, that of the cut. At a reach of 20 wavelengths, {{error-20}}, the transforms take {{ratio-20}} of the time of the direct sum.
+
+{{work-precision: fig-filter-time}}
+
+### A body with stops
+
+The stroke at 20 s after a sudden start at 1 Hz, $\kappa$ = 10, some {{switch-count}} switches. The reference follows the exact solution from switch to switch; its uncertainty is its energy balance,
+and tests hold it against an integrator that restarts at each switch. That takes {{exact-time}}.
+
+{{fig-stops-time}}
+
+An integrator that does not see the switches has to make small steps around each kink: with fixed steps of order 4 the error falls with order {{rk4-order}} only.
+
+{{work-precision: fig-stops-time}}
+*/
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "bench/work_precision.hpp"
+#include "num/dopri5.hpp"
+#include "quality/bump_stops.hpp"
+#include "quality/descriptor_filter.hpp"
+#include "sections.hpp"
+
+namespace railbook::quality_chapter {
+
+namespace {
+
+constexpr double wave_length = 32, wave_amplitude = 1 * cm, step = 0.5;
+constexpr std::size_t samples = 24000, crest = 12032;  // 12 km: 375 waves
+
+quality::FilterTaps taps_of(double wavelengths) {
+  return quality::design_filter(
+      quality::Envelope{{level_limit(), {}, track_speed}},
+      {.spacing = step, .shortest = 0, .reach = wavelengths * track_speed / roll.frequency});
+}
+
+// Blocks of eight reaches, of which two overlap.
+double transformed_points(std::size_t taps) {
+  const auto block = static_cast<double>(8 * std::bit_ceil(taps));
+  return std::ceil(static_cast<double>(samples) / (block - 2 * static_cast<double>(taps))) * block;
+}
+
+void fig_filter_time(report::Item& item) {
+  std::vector<double> z(samples);
+  for (std::size_t i = 0; i < samples; ++i)
+    z[i] = wave_amplitude * std::cos(2 * units::pi * step * static_cast<double>(i) / wave_length);
+  const std::vector<double> reaches{3, 5, 10, 20, 40};
+  std::vector<quality::FilterTaps> taps;
+  for (const double reach : reaches) taps.push_back(taps_of(reach));
+  const auto weights = [&](double reach) -> const quality::FilterTaps& {
+    return taps[static_cast<std::size_t>(std::find(reaches.begin(), reaches.end(), reach) -
+                                         reaches.begin())];
+  };
+  const double exact =
+      wave_amplitude * quality::Envelope{{level_limit(), {}, track_speed}}(1 / wave_length);
+  const auto points = bench::figure(
+      item, {"descriptor", exact, 1e-15},
+      {bench::sweep(
+           "blocks by FFT", reaches,
+           [&](double reach) -> bench::Outcome {
+             const auto& t = weights(reach);
+             return {{quality::filter(t, z)[crest]}, transformed_points(t.half.size()), true, ""};
+           }),
+       bench::sweep("direct", reaches,
+                    [&](double reach) -> bench::Outcome {
+                      const auto& t = weights(reach);
+                      return {{quality::filter_direct(t, z)[crest]},
+                              static_cast<double>(samples * t.half.size()),
+                              true,
+                              ""};
+                    })},
+      item.full() ? 0.5 : 0.02);
+  item.value("error-20", points[3].error, "", "{:.0e}");
+  item.value("ratio-20", !item.timings() ? "(not timed)"
+                                         : fmt::format("{:.2g}", points[3].seconds_min /
+                                                                     points[8].seconds_min));
+  item.added("our own study");
+}
+
+using State = Eigen::Vector2d;
+
+// The body with stops over one wave, without a thought for the switches.
+struct Kinked {
+  quality::StoppedBody body;
+  quality::Wave wave;
+  void operator()(double t, const State& s, State& d) const {
+    const double w = 2 * units::pi * body.suspension.frequency,
+                 rate = 2 * units::pi * wave.frequency;
+    const double over = s[0] - std::clamp(s[0], -body.gap, body.gap);
+    d[0] = s[1];
+    d[1] = wave.amplitude * rate * rate * std::sin(rate * t) -
+           2 * body.suspension.damping * w * s[1] - w * w * (s[0] + body.kappa * over);
+  }
+};
+
+bench::Outcome by_fixed_steps(const Kinked& f, double end, int count) {
+  const double h = end / count;
+  State y = State::Zero(), a, b, c, d;
+  for (int i = 0; i < count; ++i) {
+    const double t = h * i;
+    f(t, y, a);
+    f(t + h / 2, y + h / 2 * a, b);
+    f(t + h / 2, y + h / 2 * b, c);
+    f(t + h, y + h * c, d);
+    y += h / 6 * (a + 2 * b + 2 * c + d);
+  }
+  return {{y[0]}, 4.0 * count, true, ""};
+}
+
+bench::Outcome by_adapted_steps(const Kinked& f, double end, double tolerance) {
+  num::Dopri5<2> ode{State{tolerance, tolerance * 2 * units::pi * roll.frequency}, 1e-3};
+  ode.restart(f, 0, State::Zero());
+  while (ode.t() < end)
+    if (!ode.step(f, end)) return {{units::nan}, 0, false, "the step became too small"};
+  return {{ode.y()[0]}, static_cast<double>(ode.evaluations()), true, ""};
+}
+
+void fig_stops_time(report::Item& item) {
+  const double level = inch_limit.stroke / quality::stroke_peak(roll.damping).gain;
+  const Kinked kinked{{roll, 0.6 * inch_limit.stroke, 10}, {level, 1.0, 0}};
+  const quality::Track track{{kinked.wave}, 0};
+  constexpr double end = 20;
+  const auto exact = quality::run(kinked.body, track, {}, end, {.audit = true});
+  const auto points = bench::figure(
+      item, {"x", exact.end.x, exact.energy.defect()},
+      {bench::sweep("order 5 adapted steps", std::vector{1e-5, 1e-7, 1e-9, 1e-11},
+                    [&](double tolerance) { return by_adapted_steps(kinked, end, tolerance); }),
+       bench::sweep("order 4 fixed steps", {500, 1500, 5000, 15000, 50000},
+                    [&](int count) { return by_fixed_steps(kinked, end, count); })},
+      item.full() ? 0.5 : 0.02);
+  item.value("rk4-order", -bench::observed_slope(points, "x", "order 4 fixed steps"), "", "{:.1f}");
+  item.value("switch-count", static_cast<double>(exact.switches.size()), "", "{:.0f}");
+  const auto timing =
+      bench::time_call([&] { (void)quality::run(kinked.body, track, {}, end); }, 0.02);
+  item.value("exact-time",
+             item.timings() ? fmt::format("{:.2g} ms", 1e3 * timing.min) : "(not timed)");
+  item.added("our own study");
+}
+
+}  // namespace
+
+const report::Section cost{
+    report::figure("fig-filter-time", "Descriptor of a sine: error against run time and work",
+                   fig_filter_time),
+    report::figure("fig-stops-time", "Stroke between stops: error against run time and work",
+                   fig_stops_time)};
+
+}  // namespace railbook::quality_chapter
