@@ -54,13 +54,12 @@ void check(const Profile& p, const char* body) {
   }
 }
 
-Section section(const Body& body, const char* name) {
+Section section(const Body& body) {
   if (!body.profile) {
     const double c = curvature(body.radius_x, "radius across the rail");
     return {[c](double x) { return 0.5 * c * x * x; }};
   }
   const Profile& p = *body.profile;
-  check(p, name);
   num::use_gsl_status_codes();
   const std::shared_ptr<gsl_spline> spline(
       gsl_spline_alloc(gsl_interp_cspline, static_cast<std::size_t>(p.x.size())), gsl_spline_free);
@@ -102,7 +101,9 @@ TouchingBodies join_radii(const Body& one, const Body& two, double angle) {
   const Curvature second{curvature(two.radius_x, "radius of body 2 across the rail"),
                          curvature(two.radius_y, "radius of body 2 along the rail"), angle};
   TouchingBodies result;
-  result.gap = quadratic_gap(relative_curvature(first, second));
+  RelativeCurvature curvature = relative_curvature(first, second);
+  result.angle = std::exchange(curvature.angle, 0);
+  result.gap = quadratic_gap(curvature);
   result.search = [gap = result.gap](double approach) {
     return interpenetration_box(gap, approach);
   };
@@ -110,12 +111,8 @@ TouchingBodies join_radii(const Body& one, const Body& two, double angle) {
   return result;
 }
 
-}  // namespace
-
-TouchingBodies join_bodies(const Body& one, const Body& two, double angle) {
-  units::require_finite("angle between the bodies", angle, "rad");
-  if (!one.profile && !two.profile) return join_radii(one, two, angle);
-  if (angle != 0) throw InputError("an angle between the bodies is only for bodies given by radii");
+// At least one by a profile, which is in order.
+TouchingBodies join_profiles(const Body& one, const Body& two) {
   const double along = curvature(one.radius_y, "radius of body 1 along the rail") +
                        curvature(two.radius_y, "radius of body 2 along the rail");
   if (!(along > 0))
@@ -123,7 +120,7 @@ TouchingBodies join_bodies(const Body& one, const Body& two, double angle) {
         fmt::format("the curvatures along the rail add to {} per m; they must be positive, or the "
                     "bodies do not separate",
                     along));
-  const Section first = section(one, "body 1"), second = section(two, "body 2");
+  const Section first = section(one), second = section(two);
   const double low = std::max(first.x_min, second.x_min),
                high = std::min(first.x_max, second.x_max);
   if (!(low < high)) throw InputError("the two profiles have no x in common");
@@ -151,6 +148,38 @@ TouchingBodies join_bodies(const Body& one, const Body& two, double angle) {
     return Box{a + (from - 1) * step, a + (to + 1) * step, -half, half};
   };
   return result;
+}
+
+// Every second point and both ends.
+Profile thinned(const Profile& p, Index first) {
+  std::vector<Index> kept{0};
+  for (Index n = first; n < p.x.size() - 1; n += 2)
+    if (n > 0) kept.push_back(n);
+  kept.push_back(p.x.size() - 1);
+  return {p.x(kept), p.depth(kept)};
+}
+
+}  // namespace
+
+TouchingBodies join_bodies(const Body& one, const Body& two, double angle) {
+  units::require_finite("angle between the bodies", angle, "rad");
+  if (!one.profile && !two.profile) return join_radii(one, two, angle);
+  if (angle != 0) throw InputError("an angle between the bodies is only for bodies given by radii");
+  if (one.profile) check(*one.profile, "body 1");
+  if (two.profile) check(*two.profile, "body 2");
+  return join_profiles(one, two);
+}
+
+std::vector<TouchingBodies> join_thinned(const Body& one, const Body& two) {
+  std::vector<TouchingBodies> joined;
+  if (!one.profile && !two.profile) return joined;
+  for (const Index first : {1, 2}) {
+    Body coarse_one = one, coarse_two = two;
+    if (one.profile) coarse_one.profile = thinned(*one.profile, first);
+    if (two.profile) coarse_two.profile = thinned(*two.profile, first);
+    joined.push_back(join_profiles(coarse_one, coarse_two));
+  }
+  return joined;
 }
 
 }  // namespace railbook::contact

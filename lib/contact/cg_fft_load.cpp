@@ -9,6 +9,8 @@
 namespace railbook::contact {
 namespace {
 
+constexpr double tolerance = 1e-7;  // on the force
+
 // The approach at which the force is the load, as a secant in log(force) against log(approach).
 struct LoadSearch {
   const Gap& gap;
@@ -18,28 +20,38 @@ struct LoadSearch {
   long work = 0;
   int iterations = 0;
 
-  // Solves until the force is within `tolerance` of the load, at most 40 times; `found` says whether it was.
-  CgFft refine(const CgFftOptions& options, double tolerance, bool& found) {
+  // Solves until the force is within `enough` of the load, at most 40 times, and returns the best answer;
+  // `miss` says how far its force is from the load.
+  CgFft refine(const CgFftOptions& options, double enough, double& miss) {
+    CgFft best;
     double last_log_force = 0, last_log_approach = 0;
-    for (int k = 0;; ++k) {
+    miss = units::no_limit;
+    for (int k = 0, since_best = 0; k <= 40; ++k) {
       CgFft result = solve_cg_fft(gap, approach, effective_modulus, options);
       work += result.contact.work;
       iterations += result.contact.iterations;
-      if (result.contact.force <= 0 && k < 40) {  // too little even for one cell
+      if (result.contact.force <= 0) {  // too little even for one cell
         approach *= 10;
         continue;
       }
       const double log_force = std::log(result.contact.force / load);
-      found = std::abs(log_force) <= tolerance;
-      if (found || k == 40) return result;
       const double log_approach = std::log(approach);
+      ++since_best;
+      if (std::abs(log_force) < miss) {
+        miss = std::abs(log_force);
+        best = std::move(result);
+        since_best = 0;
+      }
+      // On a grid too coarse for the contact the force jumps, by less than its error, as the grid is fitted anew.
+      if (miss <= enough || (since_best >= 8 && miss < best.contact.force_error)) break;
       // Near the end the two forces differ by the solver's own noise: keep the slope.
-      if (k > 0 && std::abs(log_approach - last_log_approach) > 1e-4)
+      if (last_log_approach != 0 && std::abs(log_approach - last_log_approach) > 1e-4)
         slope =
             std::clamp((log_force - last_log_force) / (log_approach - last_log_approach), 0.5, 3.0);
       last_log_force = log_force, last_log_approach = log_approach;
       approach *= std::exp(-log_force / slope);
     }
+    return best;
   }
 };
 
@@ -52,16 +64,23 @@ CgFft solve_cg_fft_load(const Gap& gap, double load, double effective_modulus,
   coarse.nx = std::min<Eigen::Index>(options.nx, 32);
   coarse.ny = std::min<Eigen::Index>(options.ny, 32);
   LoadSearch search{gap, load, effective_modulus};
-  bool found = false;
-  (void)search.refine(coarse, 1e-2, found);
-  CgFft result = search.refine(options, 1e-7, found);
-  result.contact.work = search.work;
-  result.contact.iterations = search.iterations;
-  if (!found) {
-    result.contact.converged = false;
-    result.contact.reason = fmt::format("no approach gives the load; the last force was {:.9g} N",
-                                        result.contact.force);
+  double miss = 0;
+  const double start = search.refine(coarse, 1e-2, miss).contact.approach;
+  if (miss < 1) search.approach = start;
+  CgFft result = search.refine(options, tolerance, miss);
+  NormalContact& contact = result.contact;
+  contact.work = search.work;
+  contact.iterations = search.iterations;
+  if (miss <= tolerance) return result;
+  if (miss < std::min(contact.force_error, 0.5)) {
+    if (contact.reason.empty())
+      contact.reason = fmt::format(
+          "the load is met to {:.1g} of it only, less than the error of the grid", miss);
+    return result;
   }
+  contact.converged = false;
+  contact.reason =
+      fmt::format("no approach gives the load; the nearest force was {:.9g} N", contact.force);
   return result;
 }
 

@@ -1,10 +1,13 @@
 #include "contact/grid.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
 
+#include "units/constants.hpp"
 #include "units/input_error.hpp"
 
 namespace railbook::contact {
@@ -48,8 +51,55 @@ Eigen::VectorXd transfer(const Grid& from, const Eigen::VectorXd& p, const Grid&
 
 namespace {
 
-// The least gap on one side of a box, at 129 points; side: 0 x_min, 1 x_max, 2 y_min, 3 y_max.
-double least_on_side(const Gap& gap, const std::array<double, 4>& reach, std::size_t side) {
+struct Place {
+  double x = 0, y = 0, gap = units::no_limit;
+};
+
+double value_at(const Gap& gap, double x, double y) {
+  const double f = gap(x, y);
+  if (std::isnan(f)) throw InputError("the gap is NaN near the origin; it must be a number");
+  return f;
+}
+
+// The lowest of `count` places on a circle, or `best` when none is lower.
+Place lowest_on_circle(const Gap& gap, const Place& centre, double radius, int count, Place best) {
+  for (int k = 0; k < count; ++k) {
+    const double angle = 2 * units::pi * k / count;
+    const double x = centre.x + radius * std::cos(angle), y = centre.y + radius * std::sin(angle);
+    const double f = value_at(gap, x, y);
+    if (f < best.gap) best = {x, y, f};
+  }
+  return best;
+}
+
+constexpr double farthest = 1e3;  // [m] from the origin
+
+// A place where the gap is less than the approach: the origin, or downhill from the lowest on circles round it.
+Place place_in_contact(const Gap& gap, double approach) {
+  const Place origin{0, 0, value_at(gap, 0, 0)};
+  Place best = origin;
+  double step = 1e-9;
+  for (double radius = 1e-9; radius < farthest && !(best.gap < approach); radius *= 1.25) {
+    const Place next = lowest_on_circle(gap, origin, radius, 32, best);
+    if (next.gap < best.gap) best = next, step = 0.25 * radius;
+  }
+  const double least_step = 1e-9 * step;
+  for (int k = 0; k < 10000 && !(best.gap < approach) && step > least_step; ++k) {
+    const Place next = lowest_on_circle(gap, best, step, 12, best);
+    step *= next.gap < best.gap ? 1.5 : 0.5;
+    best = next;
+  }
+  if (best.gap < approach) return best;
+  throw InputError(
+      fmt::format("the gap is nowhere found below the approach of {:.6g} m: it is {:.6g} m at the "
+                  "origin and {:.6g} m at x = "
+                  "{:.6g} m, y = {:.6g} m; the origin must be where the bodies first touch",
+                  approach, origin.gap, best.gap, best.x, best.y));
+}
+
+// The least gap on one side of a box round a place, at 129 points; side: 0 x_min, 1 x_max, 2 y_min, 3 y_max.
+double least_on_side(const Gap& gap, const Place& c, const std::array<double, 4>& reach,
+                     std::size_t side) {
   double least = units::no_limit;
   for (int k = 0; k <= 128; ++k) {
     const double t = k / 128.0;
@@ -57,9 +107,8 @@ double least_on_side(const Gap& gap, const std::array<double, 4>& reach, std::si
     const double along =
         on_x ? -reach[2] + t * (reach[2] + reach[3]) : -reach[0] + t * (reach[0] + reach[1]);
     const double at = side % 2 == 0 ? -reach[side] : reach[side];
-    const double f = on_x ? gap(at, along) : gap(along, at);
-    if (std::isnan(f)) throw InputError("the gap is NaN near the origin; it must be a number");
-    least = std::min(least, f);
+    least = std::min(
+        least, on_x ? value_at(gap, c.x + at, c.y + along) : value_at(gap, c.x + along, c.y + at));
   }
   return least;
 }
@@ -67,21 +116,22 @@ double least_on_side(const Gap& gap, const std::array<double, 4>& reach, std::si
 }  // namespace
 
 Box interpenetration_box(const Gap& gap, double approach) {
-  constexpr double growth = 1.2, farthest = 1e3;
+  constexpr double growth = 1.2;
+  const Place centre = place_in_contact(gap, approach);
   std::array<double, 4> reach;
-  reach.fill(1e-15);
+  reach.fill(std::max(1e-15, 1e-12 * std::hypot(centre.x, centre.y)));
   bool moved = true;
   while (moved) {
     moved = false;
     for (std::size_t side = 0; side < 4; ++side)
-      while (least_on_side(gap, reach, side) < approach) {
+      while (least_on_side(gap, centre, reach, side) < approach) {
         reach[side] *= growth;
         moved = true;
         if (reach[side] > farthest)
           throw InputError("the bodies do not separate: the gap stays below the approach for 1 km");
       }
   }
-  return {-reach[0], reach[1], -reach[2], reach[3]};
+  return {centre.x - reach[0], centre.x + reach[1], centre.y - reach[2], centre.y + reach[3]};
 }
 
 }  // namespace railbook::contact

@@ -33,8 +33,9 @@ Eigen::VectorXd transfer(const Grid& from, const Eigen::VectorXd& p, const Grid&
 
 // A box that holds {f < approach}, and hence the contact region: displacements of pressures >= 0 are positive, so
 // f = approach - u < approach wherever bodies touch. Found by moving four sides outward from the origin
-// until f >= approach on all of them; a separate patch beyond is not seen. Throws InputError when a side
-// goes farther than 1 km (the bodies do not separate).
+// until f >= approach on all of them; a separate patch beyond is not seen. When f >= approach at the origin, the
+// sides start from a place where it is less, sought on circles round the origin and downhill from the lowest place.
+// Throws InputError when no such place is found, or a side goes farther than 1 km (the bodies do not separate).
 Box interpenetration_box(const Gap& gap, double approach);
 
 }  // namespace railbook::contact

@@ -10,16 +10,17 @@ namespace railbook::contact {
 double corner_function(double x, double y);
 
 // The integral of dA/r over the rectangle [x1, x2] x [y1, y2] [m], seen from the origin (which may lie inside,
-// on an edge or outside): eq. (15) in closed form (Love 1929). Relative accuracy about 1e-16 (D/h)^2 for a cell of
-// size h at distance D, and 1e-15 at its own centre whatever its slenderness.
+// on an edge or outside): eq. (15) in closed form (Love 1929). Relative accuracy 3e-15 D^2/A
+// for a cell of area A whose farthest corner is at distance D, and 1e-15 at its own centre whatever its slenderness.
 double rectangle_influence(double x1, double x2, double y1, double y2);
 
 // The integral of dA/r over a disc of radius c >= 0 [m], seen from a point of its plane at r >= 0 from its centre:
-// 4 c E(r/c) inside, 4 r (E(c/r) - (1 - c^2/r^2) K(c/r)) outside (Johnson 1985, eq. 3.29). Relative accuracy 1e-14.
+// 4 c E(r/c) inside, 4 r (E(c/r) - (1 - c^2/r^2) K(c/r)) outside (Johnson 1985, eq. 3.29). Relative accuracy 5e-15,
+// at the edge and beside it too.
 double disc_influence(double c, double r);
 
 // The same for the ring between r1 and r2 >= r1: the coefficients of COUNTAXI. Relative accuracy about
-// 1e-15 r2/(r2 - r1).
+// 1e-14 r2/(r2 - r1).
 double ring_influence(double r1, double r2, double r);
 
 }  // namespace railbook::contact

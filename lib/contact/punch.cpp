@@ -1,5 +1,6 @@
 #include "contact/punch.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -95,21 +96,33 @@ PunchPeak punch_peak(const PunchContact& c) {
   const double b = c.shape.flat_radius;
   if (c.shape.edge_radius == 0) return {b, std::numeric_limits<double>::infinity()};
   if (b == 0) return {0, punch_pressure(c, 0)};
-  // Golden section in the offset from b; the pressure has one maximum between b and a.
+  // The pressure has one maximum between b and a. Golden sections in the offset from b come as near as the flat top
+  // lets them see, then Newton's steps on the derivative, by differences of sixth order over a hundredth of the offset.
+  const auto at = [&](double offset) { return punch_pressure(c, b + offset); };
   constexpr double golden = 0.6180339887498949;
   double low = 0, high = c.edge_width;
   double x1 = high - golden * (high - low), x2 = low + golden * (high - low);
-  double p1 = punch_pressure(c, b + x1), p2 = punch_pressure(c, b + x2);
-  while (high - low > 1e-8 * c.edge_width && x1 < x2) {
+  double p1 = at(x1), p2 = at(x2);
+  while (high - low > 1e-4 * high) {
     if (p1 < p2) {
       low = x1, x1 = x2, p1 = p2;
-      x2 = low + golden * (high - low), p2 = punch_pressure(c, b + x2);
+      x2 = low + golden * (high - low), p2 = at(x2);
     } else {
       high = x2, x2 = x1, p2 = p1;
-      x1 = high - golden * (high - low), p1 = punch_pressure(c, b + x1);
+      x1 = high - golden * (high - low), p1 = at(x1);
     }
+    if (b + x1 == b + x2) return {b + x1, std::max(p1, p2)};  // as far as the radius has digits
   }
-  return {b + (x1 + x2) / 2, std::max(p1, p2)};
+  double x = (x1 + x2) / 2;
+  for (int k = 0; k < 3; ++k) {
+    const double h = 0.01 * x;
+    const double d1 = at(x + h) - at(x - h), d2 = at(x + 2 * h) - at(x - 2 * h),
+                 d3 = at(x + 3 * h) - at(x - 3 * h);
+    const double slope = (45 * d1 - 9 * d2 + d3) / 60, bend = at(x + h) - 2 * at(x) + at(x - h);
+    if (!(bend < 0)) break;
+    x = std::clamp(x - h * slope / bend, low, high);
+  }
+  return {b + x, at(x)};
 }
 
 }  // namespace railbook::contact

@@ -3,6 +3,8 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 #include <vector>
 
 namespace railbook::contact {
@@ -10,22 +12,68 @@ namespace {
 
 using Eigen::Index;
 
-// One row or column of cells, seen from one of its two sides: value k is the k-th cell from that side.
+// Cells with pressure that hang together, by an edge or a corner, have one number, 0 for the patch that carries most;
+// cells without pressure have none (-1).
+struct Labels {
+  std::vector<int> of;
+  int count = 0;
+
+  Labels(const Grid& grid, const Eigen::VectorXd& p) : of(static_cast<std::size_t>(p.size()), -1) {
+    std::vector<Index> waiting;
+    std::vector<double> force;
+    for (Index n = 0; n < p.size(); ++n) {
+      if (!(p[n] > 0) || (*this)[n] >= 0) continue;
+      at(n) = count;
+      force.push_back(0);
+      for (waiting.push_back(n); !waiting.empty();) {
+        const Index cell = waiting.back(), i = cell % grid.nx, j = cell / grid.nx;
+        waiting.pop_back();
+        force.back() += p[cell];
+        for (Index v = std::max<Index>(j - 1, 0); v <= std::min(j + 1, grid.ny - 1); ++v)
+          for (Index u = std::max<Index>(i - 1, 0); u <= std::min(i + 1, grid.nx - 1); ++u) {
+            const Index next = v * grid.nx + u;
+            if (!(p[next] > 0) || (*this)[next] >= 0) continue;
+            at(next) = count;
+            waiting.push_back(next);
+          }
+      }
+      ++count;
+    }
+    std::vector<int> order(force.size()), rank(force.size());
+    std::iota(order.begin(), order.end(), 0);
+    const auto of_patch = [&](int k) { return force[static_cast<std::size_t>(k)]; };
+    std::ranges::stable_sort(order, std::greater{}, of_patch);
+    for (int k = 0; k < count; ++k)
+      rank[static_cast<std::size_t>(order[static_cast<std::size_t>(k)])] = k;
+    for (int& label : of)
+      if (label >= 0) label = rank[static_cast<std::size_t>(label)];
+  }
+  int operator[](Index n) const { return of[static_cast<std::size_t>(n)]; }
+  int& at(Index n) { return of[static_cast<std::size_t>(n)]; }
+};
+
+// One row or column of cells, seen from one of its two sides: value k is the k-th cell from that side. Only the
+// pressures of one patch count.
 struct Line {
   const Eigen::VectorXd& p;
   const Eigen::VectorXd& f;
+  const Labels& labels;
+  int patch;
   Index start, stride, count;
 
-  double pressure(Index k) const { return p[start + k * stride]; }
+  double pressure(Index k) const {
+    const Index n = start + k * stride;
+    return labels[n] == patch ? p[n] : 0;
+  }
   bool no_body(Index k) const { return k >= 0 && std::isinf(f[start + k * stride]); }
+  Line reversed() const {
+    return {p, f, labels, patch, start + (count - 1) * stride, -stride, count};
+  }
 };
 
-// Distance in cells from the first cell edge of the line to where p^2, continued outward, reaches zero;
-// negative when the line has no pressure. The outermost cell, which the edge cuts, is only used if it must be.
-double end_of(const Line& line) {
-  Index k = 0;
-  while (k < line.count && !(line.pressure(k) > 0)) ++k;
-  if (k == line.count) return -1;
+// Distance in cells from the first cell edge of the line to where p^2, continued outward from cell k, the outermost
+// of a run of cells with pressure, reaches zero. Cell k itself, which the edge cuts, is only used if it must be.
+double end_at(const Line& line, Index k) {
   const double edge = static_cast<double>(k);
   if (line.no_body(k - 1)) return edge;
   auto square = [&](Index n) { return n < line.count ? line.pressure(n) * line.pressure(n) : 0.0; };
@@ -45,6 +93,37 @@ double end_of(const Line& line) {
   }
   // A region that runs off the grid ends with it: never below 0, which would read as no pressure at all.
   return std::max(0.0, edge + 0.5 + std::clamp(t, -1.0, 0.5));
+}
+
+// The end of the line's first run of cells with pressure; negative when it has none.
+double end_of(const Line& line) {
+  for (Index k = 0; k < line.count; ++k)
+    if (line.pressure(k) > 0) return end_at(line, k);
+  return -1;
+}
+
+// Whether the pressure of a run, from its outermost cell k inward, starts at more than 0.3 of `p_max` and falls from there:
+// at a smooth end p^2 grows like the distance, and the third cell has at least 1.5 times the p^2 of the second.
+bool starts_steeply(const Line& line, Index k, double p_max) {
+  const double first = line.pressure(k), second = line.pressure(k + 1);
+  return second > 0.3 * p_max && (first > second || second > line.pressure(k + 2));
+}
+
+// Length in cells of all runs of the line together: what lies between them is not contact. `steep` becomes true when a
+// run of 8 cells or more ends steeply.
+double length_of(const Line& line, double p_max, bool& steep) {
+  const Line back = line.reversed();
+  double length = 0;
+  for (Index k = 0; k < line.count; ++k) {
+    if (!(line.pressure(k) > 0)) continue;
+    const Index first = k;
+    while (k + 1 < line.count && line.pressure(k + 1) > 0) ++k;
+    const Index last = line.count - 1 - k;  // of the run, from behind
+    length += static_cast<double>(line.count) - end_at(back, last) - end_at(line, first);
+    if (k - first >= 7)
+      steep |= starts_steeply(line, first, p_max) || starts_steeply(back, last, p_max);
+  }
+  return length;
 }
 
 // The least of the ends of neighbouring lines, by a parabola through the ends near it: the parabola averages
@@ -73,23 +152,28 @@ double extreme(const std::vector<double>& ends) {
   return c[0] - c[1] * c[1] / (4 * c[2]);
 }
 
-// Replaces the peak cell by the vertex of the parabolas in p^2 through it and its two neighbours in x and in y.
-void refine_peak(const Grid& grid, const Eigen::VectorXd& p, Index i, Index j, Region& region) {
+// The vertex of the parabolas in p^2 through the peak cell and its two neighbours in x and in y.
+void refine_peak(const Grid& grid, const Eigen::VectorXd& p, Index peak, Patch& patch) {
+  const Index i = peak % grid.nx, j = peak / grid.nx;
   auto shift = [&](Index stride, bool inside, double& gain) {
-    const Index n = j * grid.nx + i;
-    if (!inside || !(p[n - stride] > 0) || !(p[n + stride] > 0)) return 0.0;
-    const double before = p[n - stride] * p[n - stride], here = p[n] * p[n];
-    const double after = p[n + stride] * p[n + stride];
+    if (!inside || !(p[peak - stride] > 0) || !(p[peak + stride] > 0)) return 0.0;
+    const double before = p[peak - stride] * p[peak - stride], here = p[peak] * p[peak];
+    const double after = p[peak + stride] * p[peak + stride];
     const double bend = before - 2 * here + after;
     if (!(bend < 0)) return 0.0;
     const double t = 0.5 * (before - after) / bend;
     gain += -0.125 * (before - after) * (before - after) / bend;
     return t;
   };
+  const auto drop = [&](bool inside, Index stride) {
+    patch.peak_drop = std::max(patch.peak_drop, inside ? 1 - p[peak + stride] / p[peak] : 1);
+  };
+  drop(i > 0, -1), drop(i + 1 < grid.nx, 1);
+  drop(j > 0, -grid.nx), drop(j + 1 < grid.ny, grid.nx);
   double gain = 0;
-  region.x_p_max = grid.x(i) + grid.dx * shift(1, i > 0 && i + 1 < grid.nx, gain);
-  region.y_p_max = grid.y(j) + grid.dy * shift(grid.nx, j > 0 && j + 1 < grid.ny, gain);
-  region.p_max = std::sqrt(p[j * grid.nx + i] * p[j * grid.nx + i] + gain);
+  patch.x_p_max = grid.x(i) + grid.dx * shift(1, i > 0 && i + 1 < grid.nx, gain);
+  patch.y_p_max = grid.y(j) + grid.dy * shift(grid.nx, j > 0 && j + 1 < grid.ny, gain);
+  patch.p_max = std::sqrt(p[peak] * p[peak] + gain);
 }
 
 bool next_to_no_body(const Grid& grid, const Eigen::VectorXd& f, Index n) {
@@ -98,62 +182,121 @@ bool next_to_no_body(const Grid& grid, const Eigen::VectorXd& f, Index n) {
          (j > 0 && std::isinf(f[n - grid.nx])) || (j + 1 < grid.ny && std::isinf(f[n + grid.nx]));
 }
 
+// The cells that a patch lies in, first and last of each axis.
+struct Extent {
+  double i = 0, j = 0, ii = 0, jj = 0,
+         ij = 0;  // moments of pressure about the first cell of the grid, in cells
+  Index i0 = std::numeric_limits<Index>::max(), i1 = -1;
+  Index j0 = std::numeric_limits<Index>::max(), j1 = -1;
+  Index peak = -1;
+
+  void add(Index column, Index row, double p) {
+    const double u = static_cast<double>(column), v = static_cast<double>(row);
+    i += p * u, j += p * v, ii += p * u * u, jj += p * v * v, ij += p * u * v;
+    i0 = std::min(i0, column), i1 = std::max(i1, column);
+    j0 = std::min(j0, row), j1 = std::max(j1, row);
+  }
+  // The lesser principal deviation of `total` pressure, a cell's own 1/12 included, as the axis of Hertz's
+  // ellipse, whose deviation is its semi-axis over root 5.
+  double across(double total) const {
+    const double u = i / total, v = j / total;
+    const double xx = ii / total - u * u, yy = jj / total - v * v, xy = ij / total - u * v;
+    const double least = 0.5 * (xx + yy) - std::hypot(0.5 * (xx - yy), xy);
+    return 2 * std::sqrt(5 * (std::max(least, 0.0) + 1.0 / 12));
+  }
+};
+
+// Peak, area and ends of one patch from the lines through it; `steep` becomes true when one of them ends steeply.
+void measure(const Grid& grid, const Eigen::VectorXd& p, const Eigen::VectorXd& f,
+             const Labels& labels, int number, const Extent& extent, Patch& patch, bool& steep) {
+  refine_peak(grid, p, extent.peak, patch);
+  std::vector<double> left, right, below, above;
+  for (Index j = 0; j < grid.ny; ++j) {
+    const bool through = j >= extent.j0 && j <= extent.j1;
+    const Line row{p, f, labels, number, j * grid.nx, 1, through ? grid.nx : 0};
+    left.push_back(end_of(row));
+    right.push_back(end_of(row.reversed()));
+    patch.area += grid.dx * grid.dy * length_of(row, patch.p_max, steep);
+  }
+  for (Index i = 0; i < grid.nx; ++i) {
+    const bool through = i >= extent.i0 && i <= extent.i1;
+    const Line column{p, f, labels, number, i, grid.nx, through ? grid.ny : 0};
+    below.push_back(end_of(column));
+    above.push_back(end_of(column.reversed()));
+    length_of(column, patch.p_max, steep);
+  }
+  patch.ends = {grid.x0 + grid.dx * extreme(left),
+                grid.x0 + grid.dx * (static_cast<double>(grid.nx) - extreme(right)),
+                grid.y0 + grid.dy * extreme(below),
+                grid.y0 + grid.dy * (static_cast<double>(grid.ny) - extreme(above))};
+}
+
 }  // namespace
 
 Region describe(const Grid& grid, const Eigen::VectorXd& p, const Eigen::VectorXd& f) {
+  const Labels labels(grid, p);
+  const double cell = grid.dx * grid.dy;
   Region region;
-  const Index nx = grid.nx, ny = grid.ny;
-  Index peak = 0;
+  region.patches.resize(static_cast<std::size_t>(labels.count));
+  std::vector<Extent> extents(region.patches.size());
   for (Index n = 0; n < grid.cells(); ++n) {
-    if (!(p[n] > 0)) continue;
-    ++region.cells;
-    region.force += p[n];
-    region.moment_x -= grid.y(n / nx) * p[n];
-    region.moment_y += grid.x(n % nx) * p[n];
-    if (p[n] > p[peak]) peak = n;
+    if (labels[n] < 0) continue;
+    const Index i = n % grid.nx, j = n / grid.nx;
+    region.moment_x -= grid.y(j) * p[n];
+    region.moment_y += grid.x(i) * p[n];
     region.meets_body_edge |= next_to_no_body(grid, f, n);
+    region.touches_x_min |= i == 0, region.touches_x_max |= i == grid.nx - 1;
+    region.touches_y_min |= j == 0, region.touches_y_max |= j == grid.ny - 1;
+    region.force += p[n];
+    ++region.cells;
+    Patch& patch = region.patches[static_cast<std::size_t>(labels[n])];
+    Extent& extent = extents[static_cast<std::size_t>(labels[n])];
+    patch.force += p[n] * cell;
+    ++patch.cells;
+    extent.add(i, j, p[n]);
+    if (extent.peak < 0 || p[n] > p[extent.peak]) extent.peak = n;
   }
   if (region.cells == 0) return region;
-  const double cell = grid.dx * grid.dy;
   region.force *= cell, region.moment_x *= cell, region.moment_y *= cell;
-  refine_peak(grid, p, peak % nx, peak / nx, region);
-
-  std::vector<double> left, right, below, above;
-  for (Index j = 0; j < ny; ++j) {
-    left.push_back(end_of({p, f, j * nx, 1, nx}));
-    right.push_back(end_of({p, f, j * nx + nx - 1, -1, nx}));
-    if (left.back() >= 0)
-      region.area += cell * (static_cast<double>(nx) - left.back() - right.back());
-    region.touches_x_min |= p[j * nx] > 0;
-    region.touches_x_max |= p[j * nx + nx - 1] > 0;
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  region.ends = {inf, -inf, inf, -inf};
+  for (std::size_t k = 0; k < extents.size(); ++k) {
+    Patch& patch = region.patches[k];
+    measure(grid, p, f, labels, static_cast<int>(k), extents[k], patch, region.ends_steeply);
+    patch.cells_across = extents[k].across(patch.force / cell);
+    region.area += patch.area;
+    region.ends = {std::min(region.ends.x_min, patch.ends.x_min),
+                   std::max(region.ends.x_max, patch.ends.x_max),
+                   std::min(region.ends.y_min, patch.ends.y_min),
+                   std::max(region.ends.y_max, patch.ends.y_max)};
+    if (patch.p_max <= region.p_max) continue;
+    region.p_max = patch.p_max;
+    region.x_p_max = patch.x_p_max, region.y_p_max = patch.y_p_max;
   }
-  for (Index i = 0; i < nx; ++i) {
-    below.push_back(end_of({p, f, i, nx, ny}));
-    above.push_back(end_of({p, f, (ny - 1) * nx + i, -nx, ny}));
-    region.touches_y_min |= p[i] > 0;
-    region.touches_y_max |= p[(ny - 1) * nx + i] > 0;
-  }
-  region.ends = {grid.x0 + grid.dx * extreme(left),
-                 grid.x0 + grid.dx * (static_cast<double>(nx) - extreme(right)),
-                 grid.y0 + grid.dy * extreme(below),
-                 grid.y0 + grid.dy * (static_cast<double>(ny) - extreme(above))};
   return region;
 }
 
 Outline outline(const Grid& grid, const Eigen::VectorXd& p, const Eigen::VectorXd& f) {
+  const Labels labels(grid, p);
   std::vector<double> x, low, high;
-  for (Index i = 0; i < grid.nx; ++i) {
-    const double below = end_of({p, f, i, grid.nx, grid.ny});
-    if (below < 0) continue;
-    const double above = end_of({p, f, (grid.ny - 1) * grid.nx + i, -grid.nx, grid.ny});
-    x.push_back(grid.x(i));
-    low.push_back(grid.y0 + grid.dy * below);
-    high.push_back(grid.y0 + grid.dy * (static_cast<double>(grid.ny) - above));
+  Outline result;
+  for (int patch = 0; patch < labels.count; ++patch) {
+    for (Index i = 0; i < grid.nx; ++i) {
+      const Line column{p, f, labels, patch, i, grid.nx, grid.ny};
+      const double below = end_of(column);
+      if (below < 0) continue;
+      result.patch.push_back(patch);
+      x.push_back(grid.x(i));
+      low.push_back(grid.y0 + grid.dy * below);
+      high.push_back(grid.y0 +
+                     grid.dy * (static_cast<double>(grid.ny) - end_of(column.reversed())));
+    }
   }
   const auto vector = [](const std::vector<double>& v) -> Eigen::VectorXd {
     return Eigen::Map<const Eigen::VectorXd>(v.data(), static_cast<Index>(v.size()));
   };
-  return {vector(x), vector(low), vector(high)};
+  result.x = vector(x), result.low = vector(low), result.high = vector(high);
+  return result;
 }
 
 }  // namespace railbook::contact

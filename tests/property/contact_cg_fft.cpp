@@ -1,8 +1,13 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <set>
+#include <tuple>
 
 #include "contact/cg_fft.hpp"
 #include "contact/geometry.hpp"
+#include "contact/hertz.hpp"
+#include "contact/punch.hpp"
 #include "contact/uniform_dense.hpp"
 #include "units/constants.hpp"
 
@@ -143,4 +148,117 @@ TEST_CASE("property: the dense matrix and the FFT solve one discrete problem") {
   CHECK(dense.force == Approx(fft.levels.back().region.force).epsilon(1e-9));
   CHECK((dense.p - fft.contact.p).cwiseAbs().maxCoeff() < 1e-8 * dense.p_max);
   CHECK(dense.x_min == Approx(fft.levels.back().region.ends.x_min).epsilon(1e-6));
+}
+
+TEST_CASE(
+    "property: the stated errors hold for Hertz's contacts of any slenderness and direction") {
+  for (const double ratio : {1.0, 4.0, 25.0, 128.0, 289.0, 652.0, 1e4, 1e6})
+    for (const double angle : {0.0, 0.3, units::pi / 4})
+      for (const bool swapped : {false, true})
+        for (const Eigen::Index n : {24, 40, 64, 127}) {
+          const RelativeCurvature curvature{swapped ? ratio : 1, swapped ? 1 : ratio, angle};
+          const HertzContact exact = hertz_from_approach(curvature, 1, 1e-4);
+          const NormalContact c =
+              solve_cg_fft(quadratic_gap(curvature), 1e-4, 1, cells(n, n)).contact;
+          INFO("ratio " << ratio << ", angle " << angle << ", " << n << " cells: " << c.reason);
+          CHECK(std::abs(c.force / exact.force - 1) < c.force_error);
+          CHECK(std::abs(c.p_max / exact.p_max - 1) < 1.3 * c.p_max_error);
+          CHECK(std::isinf(c.force_error) == (c.reason.find("cells wide") != std::string::npos));
+          if (angle == 0 && n >= 64) CHECK(c.force_error < 2e-4);
+        }
+}
+
+TEST_CASE("property: a rounded edge that the grid does not resolve is not answered with an error") {
+  int unresolved = 0;
+  for (const double edge : {100.0, 10.0, 1.0, 0.1, 0.01, 1e-4})
+    for (const Eigen::Index n : {32, 64, 127}) {
+      const RoundedPunch shape{0.5, edge};
+      const PunchContact exact = punch_from_approach(shape, 1, 1e-3);
+      const NormalContact c = solve_cg_fft(rounded_punch_gap(shape), 1e-3, 1, cells(n, n)).contact;
+      INFO("edge " << edge << ", " << n << " cells");
+      CHECK(std::abs(c.force / exact.force - 1) < c.force_error);
+      CHECK(std::abs(c.p_max / punch_peak(exact).pressure - 1) < c.p_max_error);
+      CHECK(std::isinf(c.p_max_error) == (c.reason.find("edge") != std::string::npos));
+      if (std::isinf(c.p_max_error)) ++unresolved;
+    }
+  CHECK(unresolved > 8);
+  CHECK(unresolved < 16);
+}
+
+TEST_CASE("property: several patches are the sum of each") {
+  // Five equal patches in a row along x or y, whose mutual influence is small: each has its share of area and force.
+  const double apart = 40;
+  for (const bool along_x : {true, false})
+    for (const int count : {2, 5}) {
+      const Gap gap = [=](double x, double y) {
+        const double t = along_x ? x : y, s = along_x ? y : x;
+        const double nearest = std::clamp(std::round(t / apart), 0.0, count - 1.0);
+        return 0.5 * (std::pow(t - nearest * apart, 2) + s * s);
+      };
+      CgFftOptions options = along_x ? cells(60 * count, 31) : cells(31, 60 * count);
+      const double end = (count - 1) * apart + 1.5;
+      options.search = [=](double) {
+        return along_x ? Box{-1.5, end, -1.5, 1.5} : Box{-1.5, 1.5, -1.5, end};
+      };
+      const CgFft result = solve_cg_fft(gap, 1, 1, options);
+      const Region& region = result.levels.back().region;
+      REQUIRE(result.contact.converged);
+      REQUIRE(region.patches.size() == static_cast<std::size_t>(count));
+      double area = 0, force = 0;
+      for (const Patch& patch : region.patches) {
+        CHECK(patch.area ==
+              Approx(region.area / count).epsilon(0.3));  // a cell is a fifth of a radius
+        CHECK(patch.force == Approx(region.force / count).epsilon(0.2));
+        area += patch.area, force += patch.force;
+      }
+      CHECK(result.contact.area == Approx(area).epsilon(1e-12));
+      CHECK(region.force == Approx(force).epsilon(1e-12));
+      CHECK(result.contact.area == Approx(count * units::pi).epsilon(0.25));
+      CHECK(std::set<int>(result.outline.patch.begin(), result.outline.patch.end()).size() ==
+            static_cast<std::size_t>(count));
+    }
+}
+
+TEST_CASE("property: a hole in the contact is no area") {
+  // A ring of contact: an annular ridge of radius 1.
+  const Gap gap = [](double x, double y) { return std::pow(std::hypot(x, y) - 1, 2); };
+  CgFftOptions options = cells(121, 121);
+  options.search = [](double) { return Box{-1.2, 1.2, -1.2, 1.2}; };
+  const CgFft result = solve_cg_fft(gap, 1e-3, 1, options);
+  const Grid& grid = result.levels.back().grid;
+  const Region& region = result.levels.back().region;
+  CHECK(region.patches.size() == 1);
+  CHECK(region.area == Approx(static_cast<double>(region.cells) * grid.dx * grid.dy).epsilon(0.35));
+  CHECK(region.area < 0.5);
+}
+
+TEST_CASE("property: a contact off the origin is found, or there is none and it is refused") {
+  const double exact = solve_cg_fft(ellipsoid(1, 3), 1e-4, 1, cells(50, 50)).contact.force;
+  for (const auto& [x0, y0] : {std::pair{0.02, 0.0}, {-1.0, 3.0}, {0.0, 70.0}, {1e-3, -2e-5}}) {
+    INFO(x0 << " " << y0);
+    const Gap gap = [=](double x, double y) {
+      return std::pow(x - x0, 2) + 3 * std::pow(y - y0, 2);
+    };
+    const NormalContact c = solve_cg_fft(gap, 1e-4, 1, cells(50, 50)).contact;
+    CHECK(c.force == Approx(exact).epsilon(1e-4));
+    CHECK(c.x_p_max == Approx(x0).margin(1e-4));
+    const NormalContact loaded = solve_cg_fft_load(gap, exact, 1, cells(50, 50)).contact;
+    CHECK(loaded.converged);
+    CHECK(loaded.approach == Approx(1e-4).epsilon(1e-3));
+  }
+  const Gap ring = [](double x, double y) { return std::pow(std::hypot(x, y) - 1, 2); };
+  CHECK(solve_cg_fft(ring, 1e-3, 1, cells(64, 64)).contact.x_max > 1);
+  const Gap apart = [](double x, double y) { return 1e-3 + x * x + y * y; };
+  CHECK_THROWS_WITH(solve_cg_fft(apart, 1e-4, 1), Catch::Contains("0.001 m at the origin") &&
+                                                      Catch::Contains("below the approach"));
+}
+
+TEST_CASE("property: a load is met on a grid too coarse for the contact, and that is said") {
+  const RelativeCurvature curvature{1, 1e5, 0.6};
+  const double load = hertz_from_approach(curvature, 1, 1e-4).force;
+  const NormalContact c =
+      solve_cg_fft_load(quadratic_gap(curvature), load, 1, cells(48, 48)).contact;
+  CHECK(c.converged);
+  CHECK_FALSE(c.reason.empty());
+  CHECK(std::isinf(c.force_error));
 }

@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <tuple>
 
 #include "contact/hertz.hpp"
 #include "contact/punch.hpp"
@@ -77,5 +78,37 @@ TEST_CASE("unit: the punch against the unreduced closed form in 30 digits") {
     const PunchPeak peak = punch_peak(c);
     CHECK(peak.pressure == Approx(k.peak).epsilon(1e-10));
     CHECK(peak.r == Approx(k.at).margin(5e-7));
+  }
+}
+
+// Beside the edge of a hardly rounded punch the pressure is plane, tanh z + z/cosh^2 z with r^2 - b^2 = (s/cosh z)^2: its
+// peak is at z tanh z = 1. And everywhere the pressure falls to both sides by what a parabola takes off.
+TEST_CASE("unit: the place of the punch's peak to its claim") {
+  const PunchContact plane = punch_from_approach({0.5, 1e-9}, 1, 1e-3);
+  const double z = 1.1996786402577338;
+  CHECK((punch_peak(plane).r - 0.5) / plane.edge_width ==
+        Approx(1 / (std::cosh(z) * std::cosh(z))).margin(2 * plane.s / 0.5));
+  for (const auto& [flat, edge, approach] : {std::tuple{0.5, 1.0, 1e-3},
+                                             {0.5, 0.1, 1e-3},
+                                             {0.5, 5.0, 1e-3},
+                                             {1e-3, 1.0, 1e-3},
+                                             {0.5, 1e3, 1.0},
+                                             {0.1, 0.3, 0.05},
+                                             {0.01, 0.02, 1e-6}}) {
+    INFO(flat << " " << edge);
+    const PunchContact c = punch_from_approach({flat, edge}, 1, approach);
+    const PunchPeak peak = punch_peak(c);
+    // The zero of the derivative by differences far apart, extrapolated to none apart: another order, other points.
+    const auto middle = [&](double h) {  // of the chord of half length h that is level
+      double low = -0.5 * h, high = 0.5 * h;
+      for (int k = 0; k < 60; ++k) {
+        const double t = 0.5 * (low + high);
+        (punch_pressure(c, peak.r + t + h) > punch_pressure(c, peak.r + t - h) ? low : high) = t;
+      }
+      return 0.5 * (low + high);
+    };
+    const double h = 0.02 * (peak.r - flat), m1 = middle(h), m2 = middle(2 * h), m4 = middle(4 * h);
+    const double first = (4 * m1 - m2) / 3, second = (4 * m2 - m4) / 3;
+    CHECK((16 * first - second) / 15 / c.edge_width == Approx(0).margin(1e-8));
   }
 }

@@ -1,16 +1,16 @@
-# The answer of `contact solve`: pressures as a map, the edge of the contact around them. ARG4 names the units.
+# The answer of `contact solve`: pressures as a map, the edge of the contact around them. ARG4 names the units and axes.
 load "style.gp"
 set output ARG2
 set terminal pngcairo size 1100,750
-note(length, pressure) = (length_unit = length, pressure_unit = pressure, 1)
+note(length, pressure, x, y) = (length_unit = length, pressure_unit = pressure, x_name = x, y_name = y, 1)
 set xrange [-1:1]
 set yrange [0:2]
 set table $unused
-plot ARG4 using (note(strcol("length"), strcol("pressure")))
+plot ARG4 using (note(strcol("length"), strcol("pressure"), strcol("x"), strcol("y")))
 unset table
 set autoscale
-set xlabel "x across the rail, " . length_unit
-set ylabel "y along the rail, " . length_unit
+set xlabel x_name . ", " . length_unit
+set ylabel y_name . ", " . length_unit
 set cblabel "pressure, " . pressure_unit
 set cblabel offset 2
 set rmargin 18

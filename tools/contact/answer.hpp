@@ -1,0 +1,62 @@
+// What `contact solve` was asked, and its answer as a table.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "contact/bodies.hpp"
+#include "contact/cg_fft.hpp"
+#include "tool/out_folder.hpp"
+#include "tool/summary.hpp"
+#include "units/constants.hpp"
+
+namespace railbook::contact_tool {
+
+struct BodyWish {
+  std::optional<double> radius_across, radius_along;
+  std::filesystem::path profile;
+  double young = 206.8 * units::gigapascal, poisson = 0.3;
+};
+
+struct Wish {
+  std::array<BodyWish, 2> bodies;
+  std::array<contact::Body, 2> read;  // the same with their profiles read
+  double angle = 0;
+  std::optional<double> approach, load, edge;
+  long cells_x = 127, cells_y = 127;
+  std::string system = "metric";
+  tool::Destination out;
+};
+
+// The units that answers are in.
+struct Shown {
+  double length, small, pressure, force;
+  const char *length_name, *small_name, *pressure_name, *force_name;
+};
+inline constexpr Shown metric{units::millimetre,
+                              units::micrometre,
+                              units::megapascal,
+                              units::kilonewton,
+                              "mm",
+                              "um",
+                              "MPa",
+                              "kN"};
+inline constexpr Shown inches{
+    units::inch, 1e-3 * units::inch, units::psi, units::lbf, "in", "mil", "psi", "lbf"};
+
+// What is solved, in the frame of the grid.
+struct Solved {
+  contact::TouchingBodies bodies;
+  contact::CgFft result;
+  double modulus = 0;  // E* [Pa]
+  // What the interpolation of the profiles may do to force and peak pressure, as shares of them; 0 for radii.
+  double profile_force_error = 0, profile_p_max_error = 0;
+};
+
+// The table, with its doubts: a contact as large as a fifth of a radius, narrower than a few cells, at an edge, profiles
+// with too few points. Throws InputError for a contact as large as a radius.
+tool::Summary answer(const Wish& wish, const Solved& solved);
+
+}  // namespace railbook::contact_tool
