@@ -8,7 +8,7 @@ some      = $(if $(C),$(or $(chosen),$(error C is "$(C)"; allowed: the number of
 program   = $(lastword $(subst -, ,$(1)))
 SOURCES   = $(shell git ls-files '*.cpp' '*.hpp' ':!tests/book')
 
-.PHONY: new-chapter help doctor packages configure programs build reproduce test chapter figures accept-figures book bench format lint failed clean
+.PHONY: headline new-chapter help doctor packages configure programs build reproduce test chapter figures accept-figures book bench format lint failed clean
 
 help:             ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' $(MAKEFILE_LIST) | expand -t 24
@@ -50,6 +50,9 @@ accept-figures: configure ## make today's figures the golden set, all or of chap
 
 new-chapter:      ## a chapter to start from: make new-chapter NN=08-name
 	@cmake -DNN=$(NN) -P cmake/new_chapter/new_chapter.cmake
+
+headline:         ## write the table of what became of each paper into README.md, from the chapters that have been run
+	@cmake -DRESULTS=$(CURDIR)/$(BUILD)/results -P cmake/headline.cmake
 
 book: programs    ## weave the book from the chapters that have been run
 	@cmake --build $(BUILD) --target book

@@ -15,24 +15,11 @@ end
 local headline_heads = {"paper", "printed numbers", "confirmed", "consistent", "fitted", "corrected", "restored",
   "not confirmed", "unreadable", "claims: confirmed / not / not testable", "figures: paper’s data / rebuilt / lost", "verified by other routes"}
 
--- A paper's line after its name: what became of its numbers, claims and figures.
-local function headline_cells(r)
-  local h = record.headline(r)
-  local p, c, f, found = h.print, h.claim, h.figures, h.unreadable
-  for _, count in pairs(p) do found = found + count end
-  local cells = {found, p.confirmed or 0, p.consistent or 0, p.fitted or 0, p.corrected or 0, p.restored or 0,
-    p["not confirmed"] or 0, h.unreadable,
-    ("%d / %d / %d"):format(c.confirmed or 0, c["not confirmed"] or 0, h.untested),
-    ("%d / %d / %d"):format(f.paper or 0, (f.rebuilt or 0) + (f.sketch or 0), f.lost or 0), h.verified}
-  for i, cell in ipairs(cells) do cells[i] = cell == 0 and "–" or tostring(cell) end
-  return cells
-end
-
 local function headline_row(r)
   local name = r.chapter:match("^%d+%-(.*)$")
   local row = {html.tag("a", {href = r.chapter .. ".html", title = r.title}, r.number .. " " .. html.escape(name)),
     class = record.tally(r.checks) < #r.checks and "failed" or nil}
-  for _, cell in ipairs(headline_cells(r)) do row[#row + 1] = {cell, class = "number"} end
+  for _, cell in ipairs(r.headline or {}) do row[#row + 1] = {cell == "0" and "–" or cell, class = "number"} end
   return row
 end
 

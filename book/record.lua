@@ -85,27 +85,6 @@ function record.count(checks)
   return out
 end
 
--- One paper in a line: what became of its numbers and claims, of its figures, and what else was verified.
-function record.headline(r)
-  local line = {print = {}, claim = {}, figures = {}, verified = 0, failed = 0, untested = 0, unreadable = 0, rows = 0, open = 0}
-  local add = function(counts, key) counts[key] = (counts[key] or 0) + 1 end
-  for _, check in ipairs(r.checks) do
-    if not check.pass then line.failed = line.failed + 1
-    elseif check.of_paper then add(line[check.source], check.outcome)
-    else line.verified = line.verified + 1 end
-  end
-  for _, item in ipairs(r.items) do
-    if item.kind == "figure" and item.page == "paper" then add(line.figures, item.input) end
-  end
-  for _, row in ipairs(r.inventory) do
-    line.rows = line.rows + 1
-    if row.reason:find("^not testable") then line.untested = line.untested + 1 end
-    if row.reason:find("^unreadable") then line.unreadable = line.unreadable + 1 end
-    if #row.treated == 0 and row.reason == "" and row.symbol == "" then line.open = line.open + 1 end
-  end
-  return line
-end
-
 -- The machine and the packages as one line of HTML.
 function record.describe(machine)
   local keys, parts = {}, {}

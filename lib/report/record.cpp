@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "files/out_file.hpp"
+#include "report/headline.hpp"
 #include "table/csv.hpp"
 
 namespace railbook::report {
@@ -117,6 +118,7 @@ void write_record(const ChapterRecord& r, const std::filesystem::path& file) {
                {"level", r.level},
                {"seconds", r.seconds},
                {"only", r.only},
+               {"headline", headline(r)},
                {"machine", {{"processor", processor()}, {"compiler", compiler}}},
                {"checks", array(r.checks)},
                {"items", array(r.items)},
