@@ -3,12 +3,12 @@
 # Flags shared by every target of the project (third-party headers are system headers, and exempt).
 add_library(railbook_flags INTERFACE)
 target_compile_options(railbook_flags INTERFACE
-  -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow $<$<BOOL:${RAILBOOK_WERROR}>:-Werror>
   -ffp-contract=off) # no fused multiply-add behind our back: the same digits from every compiler
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(railbook_flags INTERFACE -Wno-restrict) # false alarms in GCC 12 (bug 105651)
 else()
-  # Clang otherwise divides ahead of the test that forbids it, and our floating-point traps go off.
+  # Clang otherwise divides ahead of the test that forbids it, and the flags that we read are raised.
   target_compile_options(railbook_flags INTERFACE -ffp-exception-behavior=maytrap)
 endif()
 target_include_directories(railbook_flags INTERFACE ${CMAKE_SOURCE_DIR}/lib)
@@ -21,11 +21,14 @@ endif()
 # Everything `make reproduce` runs, and nothing that only the tests need.
 add_custom_target(programs)
 
-# railbook_library(NAME [NEEDS other libraries of lib/] [USES third-party targets])
-# The target railbook_NAME from every .cpp of the calling folder.
+# railbook_library(NAME [NEEDS other libraries of lib/] [USES third-party targets] [WITHOUT sources])
+# The target railbook_NAME from every .cpp of the calling folder, but for those named after WITHOUT.
 function(railbook_library name)
-  cmake_parse_arguments(arg "" "" "NEEDS;USES" ${ARGN})
+  cmake_parse_arguments(arg "" "" "NEEDS;USES;WITHOUT" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS *.cpp)
+  foreach(source ${arg_WITHOUT})
+    list(FILTER sources EXCLUDE REGEX "/${source}\\.cpp$")
+  endforeach()
   list(TRANSFORM arg_NEEDS PREPEND railbook_)
   if(sources)
     add_library(railbook_${name} STATIC ${sources})
@@ -43,7 +46,7 @@ function(railbook_tests name)
   set(t ${CMAKE_SOURCE_DIR}/tests)
   file(GLOB sources CONFIGURE_DEPENDS ${t}/unit/${name}_*.cpp ${t}/property/${name}_*.cpp
        ${t}/extreme/${name}_*.cpp ${t}/input/${name}_*.cpp)
-  if(NOT sources)
+  if(NOT sources OR NOT RAILBOOK_TESTS)
     return()
   endif()
   list(TRANSFORM arg_NEEDS PREPEND railbook_)
@@ -71,6 +74,9 @@ function(railbook_chapter chapter)
   target_link_libraries(${name} PRIVATE railbook_flags ${arg_NEEDS} ${arg_USES})
   add_dependencies(programs ${name})
   set_property(GLOBAL APPEND PROPERTY RAILBOOK_CHAPTERS ${name})
+  if(NOT RAILBOOK_TESTS)
+    return()
+  endif()
   add_test(NAME "chapter: ${chapter} reproduces" COMMAND ${name} reproduce --no-timings
            --out ${CMAKE_BINARY_DIR}/ctest/${chapter})
   add_test(NAME "chapter: ${chapter} bites" COMMAND ${name} reproduce --bite --no-figures

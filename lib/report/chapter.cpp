@@ -9,7 +9,7 @@
 #include <system_error>
 
 #include "files/out_file.hpp"
-#include "num/fp_trap.hpp"
+#include "num/fp_flags.hpp"
 #include "num/stopwatch.hpp"
 #include "plot/plot.hpp"
 #include "report/inventory.hpp"
@@ -121,8 +121,10 @@ void compute(const PagedEntry& e, const RunSettings& settings, ChapterRecord& re
   Item item{e.entry->id, e.entry->kind, e.entry->title, settings};
   try {
     {
-      const num::FpTraps traps;
+      const num::FpFlags flags;
       e.entry->compute(item);
+      if (!flags.raised().empty())
+        throw std::runtime_error{fmt::format("{} in its arithmetic", flags.raised())};
     }
     item.finish(record);
   } catch (const std::exception& error) {

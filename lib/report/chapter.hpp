@@ -46,7 +46,7 @@ Entry figure(std::string id, std::string title, ItemFunction compute);
 using Section = std::vector<Entry>;
 
 // Reads the command line and does what it says; returns the exit status. `paper` is the chapter's first page, `study` its
-// second: error against run time, and stability. Items run in this order, with the floating-point traps on.
+// second: error against run time, and stability. Items run in this order; one whose arithmetic divides by zero or is invalid fails.
 int run(int argc, char** argv, const ChapterInfo& info, const std::vector<Section>& paper,
         const std::vector<Section>& study = {});
 

@@ -1,41 +1,18 @@
 #include "scene/raster.hpp"
 
 #include <GL/gl.h>
-#include <GL/osmesa.h>
 
 #include <algorithm>
-#include <memory>
 #include <stdexcept>
 #include <string>
 
-#include "num/fp_trap.hpp"
-
-#ifdef __SANITIZE_ADDRESS__
-// Mesa 22.3 itself loses a few dozen bytes a context; ours are still looked for.
-extern "C" const char* __lsan_default_suppressions() {
-  return "leak:libOSMesa";
-}
-#endif
+#include "num/fp_flags.hpp"
+#include "scene/context.hpp"
 
 namespace railbook::scene {
 namespace {
 
 constexpr int samples = 4;  // across, and down, each pixel
-
-using Context = std::unique_ptr<osmesa_context, decltype(&OSMesaDestroyContext)>;
-
-// The renderer draws into `buffer`, 4 bytes a sample, as long as the context lives.
-Context make_context(std::vector<std::uint8_t>& buffer, int width, int height) {
-  constexpr int depth_bits = 24;
-  Context context(OSMesaCreateContextExt(OSMESA_RGBA, depth_bits, 0, 0, nullptr),
-                  &OSMesaDestroyContext);
-  if (!context) throw std::runtime_error("OSMesa: cannot make a context");
-  if (!OSMesaMakeCurrent(context.get(), buffer.data(), GL_UNSIGNED_BYTE, width, height)) {
-    throw std::runtime_error("OSMesa: cannot draw " + std::to_string(width) + " by " +
-                             std::to_string(height) + " samples");
-  }
-  return context;
-}
 
 void draw(const Corners& part) {
   if (part.places.empty()) return;
@@ -82,12 +59,10 @@ Image averaged(const std::vector<std::uint8_t>& buffer, const Size& size) {
 
 Image rasterise(const std::vector<Corners>& parts, const Eigen::Vector3f& background,
                 const Size& size) {
-  const num::FpTrapsOff traps_off;  // before the context: its threads inherit the setting
+  const num::FpFlagsAside aside;
   const int width = size.width * samples;
   const int height = size.height * samples;
-  std::vector<std::uint8_t> buffer(4 * static_cast<std::size_t>(width) *
-                                   static_cast<std::size_t>(height));
-  const Context context = make_context(buffer, width, height);
+  Context context(width, height);
   glViewport(0, 0, width, height);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
@@ -98,10 +73,9 @@ Image rasterise(const std::vector<Corners>& parts, const Eigen::Vector3f& backgr
   glEnableClientState(GL_VERTEX_ARRAY);
   glEnableClientState(GL_COLOR_ARRAY);
   for (const Corners& part : parts) draw(part);
-  glFinish();
-  if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
-    throw std::runtime_error("OSMesa: OpenGL error " + std::to_string(error));
-  }
+  const std::vector<std::uint8_t> buffer = context.pixels();
+  if (const GLenum error = glGetError(); error != GL_NO_ERROR)
+    throw std::runtime_error("OpenGL error " + std::to_string(error));
   return averaged(buffer, size);
 }
 

@@ -16,7 +16,7 @@ struct Corners {
 };
 
 // Rasterises with 4 by 4 samples a pixel and averages them. Sizes and numbers have been checked before.
-// Only raster.cpp knows OSMesa; another off-screen OpenGL (EGL without a surface) would replace that file.
+// Throws std::system_error with std::errc::function_not_supported where the build has no off-screen OpenGL.
 Image rasterise(const std::vector<Corners>& parts, const Eigen::Vector3f& background,
                 const Size& size);
 

@@ -12,7 +12,6 @@
 #include <utility>
 
 #include "files/outside.hpp"
-#include "num/fp_trap.hpp"
 #include "tool/toml.hpp"
 #include "units/input_error.hpp"
 #include "units/printable.hpp"
@@ -115,7 +114,6 @@ int run_command(int argc, char** argv, const std::string& name, const std::strin
   }
   try {
     parse(app, with_config(app, {argv + 1, argv + argc}));
-    const num::FpTraps traps;
     for (const auto& [command, action] : actions)
       if (*command) action();
     return 0;

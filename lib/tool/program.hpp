@@ -18,7 +18,7 @@ struct Subject {
   std::vector<Tool> tools;
 };
 
-// Reads the command line, runs the tool it names, with the floating-point traps on, and returns the exit status.
+// Reads the command line, runs the tool it names, and returns the exit status.
 int run(int argc, char** argv, const std::string& name, const std::string& about,
         const std::vector<Subject>& subjects);
 

@@ -4,23 +4,33 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 
+#include "units/input_error.hpp"
 #include "units/printable.hpp"
 
 namespace railbook::tool {
 
 void Summary::add(std::string key, std::string what, double value, std::string unit,
                   std::string note) {
-  lines_.push_back({std::move(key), std::move(what),
-                    std::isnan(value) ? "nan" : fmt::format("{:.7g}", value), std::move(unit),
-                    std::move(note), value});
+  if (!std::isfinite(value)) {
+    const auto begin = std::min(what.find_first_not_of(' '), what.size());
+    const std::string name = begin < what.size() ? what.substr(begin) : key;
+    throw InputError{
+        fmt::format("{} ({}): the result is {}; the input leads out of the range of numbers", name,
+                    key, std::isnan(value) ? "not a number" : "infinite")};
+  }
+  lines_.push_back({Line::Kind::number, std::move(key), std::move(what),
+                    fmt::format("{:.7g}", value), std::move(unit), std::move(note), value});
 }
 
 void Summary::add(std::string key, std::string what, std::string text) {
-  lines_.push_back({std::move(key), std::move(what), std::move(text), "", "",
-                    std::numeric_limits<double>::quiet_NaN()});
+  lines_.push_back({Line::Kind::text, std::move(key), std::move(what), std::move(text), "", "", 0});
+}
+
+void Summary::absent(std::string key, std::string what, std::string why) {
+  lines_.push_back(
+      {Line::Kind::absent, std::move(key), std::move(what), std::move(why), "", "", 0});
 }
 
 void Summary::flag(std::string key, std::string text) {
@@ -46,15 +56,12 @@ std::string Summary::json() const {
   nlohmann::ordered_json units = nlohmann::ordered_json::object();
   nlohmann::ordered_json notes = nlohmann::ordered_json::object();
   for (const Line& line : lines_) {
-    if (std::isfinite(line.value)) {
-      values[line.key] = line.value;
-    } else if (line.unit.empty() && line.text != "nan") {
-      values[line.key] = line.text;
-    } else {
-      values[line.key] = nullptr;
-    }
+    if (line.kind == Line::Kind::number) values[line.key] = line.value;
+    if (line.kind == Line::Kind::text) values[line.key] = line.text;
+    if (line.kind == Line::Kind::absent) values[line.key] = nullptr;
     if (!line.unit.empty()) units[line.key] = line.unit;
-    if (!line.note.empty()) notes[line.key] = line.note;
+    const std::string& note = line.kind == Line::Kind::absent ? line.text : line.note;
+    if (!note.empty()) notes[line.key] = note;
   }
   nlohmann::ordered_json flags = nlohmann::ordered_json::object();
   for (const auto& [key, text] : flags_) flags[key] = text;

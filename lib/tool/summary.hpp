@@ -12,10 +12,14 @@ class Summary {
  public:
   explicit Summary(std::string title) : title_(std::move(title)) {}
 
-  // A number in the unit it is shown in. `key` is its JSON name ("force_N" style names carry the unit).
+  // A number in the unit it is shown in. `key` is its JSON name ("force_N" style names carry the unit). Throws InputError
+  // naming it when it is not finite: what has no value is said to be absent.
   void add(std::string key, std::string what, double value, std::string unit,
            std::string note = "");
   void add(std::string key, std::string what, std::string text);
+  // A quantity that has no value here, and why ("none", "beyond the largest force"): null in the JSON, with the reason
+  // as its note.
+  void absent(std::string key, std::string what, std::string why);
 
   // A doubt that the answer stands under: "not-converged", "after 200 steps the force still changes by 3 %". Printed above
   // all values, and under "flags" in the JSON. What is only worth knowing is a note of a value.
@@ -24,11 +28,13 @@ class Summary {
   // The table on standard output: what, value, unit, note.
   void print() const;
   // {"title": ..., "values": {key: value, ...}, "units": {key: unit, ...}, "notes": ..., "flags": {key: text}};
-  // NaN is null.
+  // what is absent is null.
   std::string json() const;
 
  private:
   struct Line {
+    enum class Kind { number, text, absent };
+    Kind kind;
     std::string key, what, text, unit, note;
     double value;
   };

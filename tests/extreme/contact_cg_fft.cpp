@@ -2,12 +2,12 @@
 #include <cmath>
 #include <limits>
 
+#include "../support/no_fp_fault.hpp"
 #include "contact/cg_fft.hpp"
 #include "contact/countact.hpp"
 #include "contact/countaxi.hpp"
 #include "contact/geometry.hpp"
 #include "contact/uniform_dense.hpp"
-#include "num/fp_trap.hpp"
 #include "units/constants.hpp"
 
 using namespace railbook;
@@ -27,7 +27,7 @@ constexpr double inf = std::numeric_limits<double>::infinity();
 }  // namespace
 
 TEST_CASE("extreme: long patches cost no accuracy and few more iterations") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   // Ratios of curvature whose Hertz patch has b/a near .1, .01 and 1e-4: the force of each, scaled by the
   // force of the same patch on twice the cells, must not depend on the ratio.
   for (const double ratio : {36.54, 2003.0, 1.042e7}) {
@@ -43,7 +43,7 @@ TEST_CASE("extreme: long patches cost no accuracy and few more iterations") {
 }
 
 TEST_CASE("extreme: approaches from 1e-20 to 1e20 scale") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   const Gap gap = [](double x, double y) { return 0.5 * (x * x + y * y); };
   for (const double approach : {1e-20, 1e-12, 1e3}) {
     const NormalContact contact = solve_cg_fft(gap, approach, 1, cells(48, 48)).contact;
@@ -54,7 +54,7 @@ TEST_CASE("extreme: approaches from 1e-20 to 1e20 scale") {
 }
 
 TEST_CASE("extreme: prime sizes and sizes of a few cells") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   const Gap gap = [](double x, double y) { return 0.5 * (x * x + y * y); };
   CHECK(solve_cg_fft(gap, 1, 1, cells(101, 103)).contact.force == Approx(4.0 / 3).epsilon(2e-5));
   CHECK(solve_cg_fft(gap, 1, 1, cells(5, 4)).contact.force == Approx(4.0 / 3).epsilon(0.5));
@@ -94,7 +94,7 @@ TEST_CASE("extreme: no approach, no contact") {
 }
 
 TEST_CASE("extreme: a sharp edge is called singular") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   const Gap gap = crowned_roller_gap({0.5, 0.5, 0});
   const NormalContact contact = solve_cg_fft(gap, 6.5e-4, 1, cells(90, 90)).contact;
   CHECK(contact.converged);
@@ -106,7 +106,7 @@ TEST_CASE("extreme: a sharp edge is called singular") {
 }
 
 TEST_CASE("extreme: loads from 1e-12 to 1e4 find their approach") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   const Gap gap = [](double x, double y) { return 0.5 * (x * x + y * y); };
   for (const double load : {1e-12, 1.0, 1e4}) {
     INFO(load);

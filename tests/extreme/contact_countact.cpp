@@ -1,10 +1,10 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "../support/no_fp_fault.hpp"
 #include "contact/countact.hpp"
 #include "contact/geometry.hpp"
 #include "contact/hertz.hpp"
-#include "num/fp_trap.hpp"
 
 using namespace railbook;
 using namespace railbook::contact;
@@ -25,7 +25,7 @@ CountactOptions square(int n) {
 }  // namespace
 
 TEST_CASE("extreme: delta^(1/2) and delta^(3/2) down to an approach of 1e-12") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   const NormalContact one = countact_2(example_1, 4e-4, modulus).contact;
   for (double delta : {1e-12, 1e-20}) {
     const NormalContact c = countact_2(example_1, delta, modulus).contact;
@@ -39,7 +39,7 @@ TEST_CASE("extreme: delta^(1/2) and delta^(3/2) down to an approach of 1e-12") {
 }
 
 TEST_CASE("extreme: towards line contact the errors stay those of the round contact") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   for (double ratio : {1.0, 36.5, 2e3, 1e7, 1e12}) {
     const RelativeCurvature curvature{1, ratio, 0};
     const HertzContact h = hertz_from_approach(curvature, 1, 1e-4);
@@ -84,7 +84,7 @@ TEST_CASE("extreme: nine uniform columns cannot find the narrow side of the jump
 
 TEST_CASE(
     "extreme: a sharp edge is singular: the edge pressure grows with the mesh, and it is said") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   const Gap sharp = crowned_roller_gap({0.5, 0.5, 0});
   double before = 0;
   for (int n : {33, 65, 129}) {

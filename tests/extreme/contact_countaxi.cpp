@@ -2,17 +2,17 @@
 #include <cmath>
 #include <limits>
 
+#include "../support/no_fp_fault.hpp"
 #include "contact/countaxi.hpp"
 #include "contact/geometry.hpp"
 #include "contact/punch.hpp"
-#include "num/fp_trap.hpp"
 #include "units/input_error.hpp"
 
 using namespace railbook;
 using namespace railbook::contact;
 
 TEST_CASE("extreme: too few rings for a sharp gradient are reported, not used") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   CountaxiOptions options;
   options.grading = 1;
   for (int n : {5, 10, 20}) {
@@ -24,7 +24,7 @@ TEST_CASE("extreme: too few rings for a sharp gradient are reported, not used") 
 }
 
 TEST_CASE("extreme: the sphere scales from tiny to large approaches") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   const RingContact one = countaxi(rounded_punch_gap({0, 1}), 1e-3, 1.0);
   for (double delta : {1e-18, 1e-9}) {
     const RingContact c = countaxi(rounded_punch_gap({0, 1}), delta, 1.0);

@@ -1,8 +1,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "../support/no_fp_fault.hpp"
 #include "contact/hertz.hpp"
-#include "num/fp_trap.hpp"
 #include "units/constants.hpp"
 #include "units/input_error.hpp"
 
@@ -10,7 +10,7 @@ using namespace railbook;
 using namespace railbook::contact;
 
 TEST_CASE("extreme: Hertz follows delta^(1/2) and delta^(3/2) over 40 decades") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   const HertzContact one = hertz_from_approach({0.4, 1.1, 0}, 1e11, 1);
   for (double delta : {1e-40, 1e-14, 0.0254e-12, 1e-5}) {
     const HertzContact h = hertz_from_approach({0.4, 1.1, 0}, 1e11, delta);
@@ -23,7 +23,7 @@ TEST_CASE("extreme: Hertz follows delta^(1/2) and delta^(3/2) over 40 decades") 
 }
 
 TEST_CASE("extreme: towards line contact the axis ratio follows its asymptote") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   // B -> 1 and D -> ln(4/sqrt(m1)) - 1, so q m1 (ln(4 a/b) - 1) -> 1, with an error of order m1 ln m1.
   for (double ratio : {1e14, 1e30, 1e100, 1e200}) {
     const HertzContact h = hertz_from_approach({1, ratio, 0}, 1e11, 1e-5);
@@ -35,7 +35,7 @@ TEST_CASE("extreme: towards line contact the axis ratio follows its asymptote") 
 }
 
 TEST_CASE("extreme: nearly round contacts lose nothing") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   for (double excess : {1e-3, 1e-8, 1e-15}) {
     const HertzContact h = hertz_from_approach({1, 1 + excess, 0}, 1, 1);
     // B/A = 1 + 3/4 m + O(m^2) for m = 1 - (b/a)^2, so 1 - b/a = 2/3 excess to first order.

@@ -1,8 +1,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "../support/no_fp_fault.hpp"
 #include "contact/punch.hpp"
-#include "num/fp_trap.hpp"
 #include "units/constants.hpp"
 
 using namespace railbook;
@@ -10,7 +10,7 @@ using namespace railbook::contact;
 
 // As a -> b the width of the rounded contact is governed by s^3 = 3 b delta R (1 + ...): nothing may cancel.
 TEST_CASE("extreme: a hardly rounded punch keeps its digits") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   for (double edge : {1e-6, 1e-12, 1e-24}) {
     const double b = 0.5, delta = 1e-3;
     const PunchContact c = punch_from_approach({b, edge}, 1, delta);
@@ -28,7 +28,7 @@ TEST_CASE("extreme: a hardly rounded punch keeps its digits") {
 }
 
 TEST_CASE("extreme: tiny and huge approaches") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   for (double delta : {1e-30, 1e-15, 1e-6}) {
     const PunchContact c = punch_from_approach({0.01, 0.02}, 1e11, delta);
     CHECK(c.force / (2e11 * 0.01 * delta) ==

@@ -1,8 +1,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "../support/no_fp_fault.hpp"
 #include "dynamics/cycle_branch.hpp"
-#include "num/fp_trap.hpp"
 #include "wheelrail/paper_pairs.hpp"
 
 using namespace railbook;
@@ -89,7 +89,7 @@ QuasiLinearCar sticking(double factor) {
 }  // namespace
 
 TEST_CASE("linear car: whatever may be zero is zero, with traps on") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   const CarParameters usual;
   std::vector<CarParameters> cars;
   CarParameters all, lateral;
@@ -128,7 +128,7 @@ TEST_CASE("linear car: no lateral spring is the limit of a weak one") {
 }
 
 TEST_CASE("linear car: two trucks that hunt alike and apart have one critical speed") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   CarParameters data;
   data.lateral_stiffness = data.lateral_friction = data.centre_plate_friction = 0;
   const auto car = new_wheels(data);
@@ -139,7 +139,7 @@ TEST_CASE("linear car: two trucks that hunt alike and apart have one critical sp
 }
 
 TEST_CASE("linear car: friction that sticks ever harder") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   const auto speed = [](double factor) {
     const auto found = hopf_points(sticking(factor), 1, 120);
     REQUIRE(found.size() == 1);

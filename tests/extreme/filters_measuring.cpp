@@ -3,11 +3,11 @@
 #include <limits>
 #include <vector>
 
+#include "../support/no_fp_fault.hpp"
 #include "filters/chord_filter.hpp"
 #include "filters/complementary.hpp"
 #include "filters/geometry_chain.hpp"
 #include "filters/hybrid_filter.hpp"
-#include "num/fp_trap.hpp"
 
 using namespace railbook;
 using namespace railbook::spectra;
@@ -21,7 +21,7 @@ const double nan_value = std::nan("");
 }  // namespace
 
 TEST_CASE("Filters meet NaN, infinity and impossible intervals without a trap") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   const std::vector<double> values{0, 1, nan_value, infinity, -infinity, 1e300, -1e300, 1e-320};
   const std::vector<double> intervals{0.03, 0, -1, nan_value, infinity, 1e-320, 1e300, 1e-9, 3600};
   for (const auto how :
@@ -81,7 +81,7 @@ TEST_CASE("Complex poles after a long interval are refused, and good again after
 }
 
 TEST_CASE("The stream meets NaN, infinity and huge samples without a trap, and forgets them") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   std::vector<double> x(4000, 1e-5);
   x[1500] = nan_value;
   x[1501] = infinity;
@@ -98,7 +98,7 @@ TEST_CASE("The stream meets NaN, infinity and huge samples without a trap, and f
 }
 
 TEST_CASE("A record of nothing but NaN gives nothing but NaN, in bounded memory") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   const std::vector<double> nothing(100000, nan_value);
   std::size_t numbers = 0, outputs = 0;
   GeometryChain chain{{}, [&](std::span<const double> s, std::span<const double> c) {

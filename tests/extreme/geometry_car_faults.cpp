@@ -3,10 +3,10 @@
 #include <cmath>
 #include <limits>
 
+#include "../support/no_fp_fault.hpp"
 #include "geometry_car/reconstruct.hpp"
 #include "geometry_car/sensors.hpp"
 #include "geometry_car/simulate.hpp"
-#include "num/fp_trap.hpp"
 #include "units/constants.hpp"
 
 using namespace railbook;
@@ -31,7 +31,7 @@ Record cruise(double speed) {
 
 TEST_CASE("geometry car: a dead channel silences what depends on it and nothing else",
           "[extreme]") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   const Record clean = cruise(25);
   const Processing p;
   const auto whole = reconstruct(clean, p);
@@ -53,7 +53,7 @@ TEST_CASE("geometry car: a dead channel silences what depends on it and nothing 
 }
 
 TEST_CASE("geometry car: everything missing, everything zero, everything huge", "[extreme]") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   for (const double value : {missing, 0.0, 1e6, -1e6}) {
     Record r = cruise(25);
     for (auto& values : r.values)
@@ -66,7 +66,7 @@ TEST_CASE("geometry car: everything missing, everything zero, everything huge", 
 }
 
 TEST_CASE("geometry car: times that cannot be", "[extreme]") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   Record r = cruise(25);
   const std::size_t n = r.size();
   r.elapsed[640] = missing;
@@ -86,7 +86,7 @@ TEST_CASE("geometry car: times that cannot be", "[extreme]") {
 }
 
 TEST_CASE("geometry car: walking pace, a stop between two marks, creeping", "[extreme]") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   Motion motion{.start = 80 * units::foot, .speed = 1};
   motion.cruise(300)
       .change_speed(0, 0.01)
@@ -102,7 +102,7 @@ TEST_CASE("geometry car: walking pace, a stop between two marks, creeping", "[ex
 }
 
 TEST_CASE("geometry car: a track without any error", "[extreme]") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   TrackDescription d;
   d.length = 1000 * units::foot;
   d.surface.A = d.line.A = d.gage_variation.A = d.dip = d.grade = d.curvature = d.superelevation =

@@ -1,8 +1,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "../support/no_fp_fault.hpp"
 #include "../support/rig_case.hpp"
-#include "num/fp_trap.hpp"
 #include "rolling/creep_laws.hpp"
 #include "rolling/fastsim.hpp"
 
@@ -19,7 +19,7 @@ constexpr Theory theories[] = {Theory::linear,  Theory::vermeulen_johnson,
 }  // namespace
 
 TEST_CASE("extreme: creepage from 1e-300 to 1e10, friction down to 1e-300, nothing trapped") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   for (const Theory theory : theories)
     for (const double friction : {0.3, 1e-6, 1e-100, 1e-300})
       for (double creep = 1e-300; creep < 1e11; creep *= 1e10) {
@@ -36,7 +36,7 @@ TEST_CASE("extreme: creepage from 1e-300 to 1e10, friction down to 1e-300, nothi
 }
 
 TEST_CASE("extreme: no creepage and no friction have an answer") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   for (const Theory theory : theories) {
     const auto rest = creep_forces(theory, rig);
     CHECK(rest.fx == 0);

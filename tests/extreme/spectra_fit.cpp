@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "num/fp_trap.hpp"
+#include "../support/no_fp_fault.hpp"
 #include "spectra/chord.hpp"
 #include "spectra/spectrum_fit.hpp"
 #include "spectra/synthetic_track.hpp"
@@ -22,7 +22,7 @@ spectra::SyntheticTrack base() {
 spectra::SpectrumFit fit(const spectra::SyntheticTrack& track,
                          const spectra::FitOptions& options = {},
                          const spectra::WelchOptions& welch = {}) {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   auto record = spectra::synthesize(track, 500000);  // 152 km
   if (options.chord > 0)
     record = spectra::mid_chord_offsets(record, track.spacing, options.chord).offset;

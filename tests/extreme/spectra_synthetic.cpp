@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "num/fp_trap.hpp"
+#include "../support/no_fp_fault.hpp"
 #include "spectra/chord.hpp"
 #include "spectra/rail_line.hpp"
 #include "spectra/synthetic_track.hpp"
@@ -26,7 +26,7 @@ TEST_CASE("extreme: the kinked chord formula at both ends of the corner") {
 }
 
 TEST_CASE("extreme: corners and spacings at the ends keep the density positive and finite") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   for (double phi_c : {0.002, 0.01, 1.5, 100.0})
     for (double spacing : {0.05, 1.0}) {
       SyntheticTrack track;
@@ -45,7 +45,7 @@ TEST_CASE("extreme: corners and spacings at the ends keep the density positive a
 }
 
 TEST_CASE("extreme: equal old and new rails modulate at wavenumber zero") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   SyntheticTrack track;
   track.dip = 0.01;
   track.memory_length = track.rail_length;

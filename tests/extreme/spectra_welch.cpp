@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "num/fp_trap.hpp"
+#include "../support/no_fp_fault.hpp"
 #include "spectra/welch.hpp"
 #include "units/input_error.hpp"
 
@@ -33,7 +33,7 @@ double resident() {
 }  // namespace
 
 TEST_CASE("extreme: a gap costs the segments that hold it and nothing else, with traps on") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   auto x = noise(20 * 64);
   const auto whole = spectra::welch(x, 1.0, {.segment = 128});
   CHECK(whole.segments == 19);

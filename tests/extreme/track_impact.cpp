@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "num/fp_trap.hpp"
+#include "../support/no_fp_fault.hpp"
 #include "track/impact_peaks.hpp"
 #include "units/constants.hpp"
 
@@ -23,7 +23,7 @@ ImpactHistory pass(const ImpactModel& m, const Surface& surface, double speed,
 }  // namespace
 
 TEST_CASE("extreme: a contact a hundred times stiffer costs steps, not accuracy") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   ImpactModel stiff = model;
   stiff.hertz_constant *= 100;
   const ImpactHistory soft = pass(model, half_inch, 26.8), hard = pass(stiff, half_inch, 26.8);
@@ -35,7 +35,7 @@ TEST_CASE("extreme: a contact a hundred times stiffer costs steps, not accuracy"
 TEST_CASE(
     "extreme: contact 1e9 N/m over a bed of 1e6 N/m without damping keeps its energy through "
     "lift-off") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   ImpactModel soft = model;
   soft.track = {63, 1e6, 0, 300, 1e6, 0};
   soft.hertz_constant =
@@ -49,7 +49,7 @@ TEST_CASE(
 }
 
 TEST_CASE("extreme: a rail of one gram is carried, slowly, or refused by the step limit") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   ImpactModel light = model;
   light.track.rail_mass = 1e-3;
   ImpactOptions options;

@@ -1,14 +1,14 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "num/fp_trap.hpp"
+#include "../support/no_fp_fault.hpp"
 #include "track/lumped.hpp"
 
 using namespace railbook;
 using namespace railbook::track;
 
 TEST_CASE("extreme: the decaying modulation in resonance with the track's own damped motion") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   // zeta = 1/sqrt 2 and omega = sqrt 2 beta V: the track's rates are exactly -beta V (1 +- i).
   const double rate = 50, omega = std::sqrt(2.0) * rate;
   const auto at = [&](double detune) {
@@ -20,7 +20,7 @@ TEST_CASE("extreme: the decaying modulation in resonance with the track's own da
 }
 
 TEST_CASE("extreme: very fast and very heavy passages stay finite") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   CHECK(trackside_peak(1e-4, 0.75, 0).y == Approx(1.0).epsilon(1e-6));
   CHECK(trackside_peak(100, 0.75, 0.2).y < 0.1);
   CHECK(trackside_peak(100, 0.75, 0.2).y > 0);

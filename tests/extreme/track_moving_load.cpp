@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "num/fp_trap.hpp"
+#include "../support/no_fp_fault.hpp"
 #include "track/fe_moving_load.hpp"
 #include "track/moving_load.hpp"
 
@@ -9,7 +9,7 @@ using namespace railbook;
 using namespace railbook::track;
 
 TEST_CASE("extreme: near V_c without damping the square-root law holds to the last digits") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   for (double gap : {1e-2, 1e-5, 1e-9, 1e-15}) {
     const double theta = 1 - gap;
     const double exact = 1 / std::sqrt((1 - theta) * (1 + theta));
@@ -18,7 +18,7 @@ TEST_CASE("extreme: near V_c without damping the square-root law holds to the la
 }
 
 TEST_CASE("extreme: at V_c with vanishing damping the deflection grows as zeta^(-1/2)") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   // u = a^2 solves u^3 + 8 u^2 = 64 zeta^2; for small zeta u = sqrt(8) zeta + O(zeta^2), y0 = 1/a
   for (double zeta : {1e-4, 1e-8, 1e-12}) {
     const double u = std::sqrt(8.0) * zeta;
@@ -27,7 +27,7 @@ TEST_CASE("extreme: at V_c with vanishing damping the deflection grows as zeta^(
 }
 
 TEST_CASE("extreme: the closed form is continuous through coalescing roots") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   // Behind the load c = a^2/4 is crossed as zeta grows; neighbours on both sides must agree.
   for (double theta : {0.3, 1.0, 2.0}) {
     double low = 1e-3, high = 50;
@@ -51,7 +51,7 @@ TEST_CASE("extreme: the closed form is continuous through coalescing roots") {
 }
 
 TEST_CASE("extreme: tiny and huge speed and damping stay finite and carry the load") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   for (double theta : {0.0, 1e-200, 1e-8, 1.0, 30.0, 1e4})
     for (double zeta : {1e-12, 1e-3, 1.0, 1e3, 1e8}) {
       const MovingLoadShape shape = moving_load(theta, zeta);

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "num/fp_trap.hpp"
+#include "../support/no_fp_fault.hpp"
 #include "num/gsl.hpp"
 #include "track/beam_elements.hpp"
 #include "track/typical_track.hpp"
@@ -16,7 +16,7 @@ constexpr double lb_per_in = units::lbf / units::inch;
 }
 
 TEST_CASE("extreme: ballast at l = w, alpha = 0, h = 0, with traps on") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   const double in = units::inch, e = 30000 * units::psi, angle = 20 * units::degree;
   CHECK(1 / ballast_compliance(9 * in, 9 * in, 12 * in, e, angle) / lb_per_in ==
         Approx(399043.93).epsilon(1e-8));
@@ -29,7 +29,7 @@ TEST_CASE("extreme: ballast at l = w, alpha = 0, h = 0, with traps on") {
 }
 
 TEST_CASE("extreme: the ballast limits are reached without a bump") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   const double at = ballast_compliance(0.3, 0.3, 0.3, 2e8, 0.35);
   const double flat = ballast_compliance(0.7, 0.3, 0.3, 2e8, 0.0);
   for (double e = 1e-3; e > 1e-17; e *= 0.1) {
@@ -40,7 +40,7 @@ TEST_CASE("extreme: the ballast limits are reached without a bump") {
 }
 
 TEST_CASE("extreme: rigid parts drop out of the chain, with traps on") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   auto support = typical_support();
   support.tie_stiffness = rigid;
   const auto without = stiffness_chain(support);
@@ -58,7 +58,7 @@ TEST_CASE("extreme: rigid parts drop out of the chain, with traps on") {
 }
 
 TEST_CASE("extreme: K towards zero and far up, with traps on") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   const double ei = typical_rail().bending_stiffness();
   for (double k = 1e-200; k < 1e200; k *= 1e10) {
     const WinklerBeam beam{ei, k};
@@ -70,7 +70,7 @@ TEST_CASE("extreme: K towards zero and far up, with traps on") {
 }
 
 TEST_CASE("extreme: exact elements from beta L = 1e-6 to 1000") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   const double ei = 5e6, k = 2e7;
   const double beta = WinklerBeam{ei, k}.beta();
   for (double lambda = 1e-6; lambda < 2000; lambda *= 1.7) {
@@ -92,7 +92,7 @@ TEST_CASE("extreme: exact elements from beta L = 1e-6 to 1000") {
 }
 
 TEST_CASE("extreme: very stiff and very soft joints") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   const auto beam = typical_beam();
   CHECK(joint_stiffness_ratio(beam, Joint{}, 0.0) == 1.0);
   CHECK(joint_stiffness_ratio(beam, Joint{1e300, 1e300}, 0.0) == Approx(1.0).epsilon(1e-12));
@@ -102,7 +102,7 @@ TEST_CASE("extreme: very stiff and very soft joints") {
 }
 
 TEST_CASE("extreme: widely spaced ties leave the foundation model behind") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   for (double b : {8.0, 20.0, 50.0})  // a tie alone carries the load: ratio beta l_t / 2
     CHECK(discrete_tie_ratio(b, LoadPlace::over_tie) == Approx(b / 2).epsilon(20 / (b * b * b)));
   CHECK(discrete_tie_ratio(1e-3, LoadPlace::over_tie) == Approx(1.0).epsilon(1e-11));
@@ -110,7 +110,7 @@ TEST_CASE("extreme: widely spaced ties leave the foundation model behind") {
 }
 
 TEST_CASE("extreme: a rail that nothing holds is refused, not solved") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   BeamModel model{.bending_stiffness = 5e6, .x = Eigen::VectorXd{{0.0, 1.0, 2.0}}};
   CHECK_THROWS_AS(solve_beam(model, {{1, 1e5}}), num::NumericalError);
   model.spring = Eigen::VectorXd{{0.0, 1e7, 0.0}};

@@ -9,7 +9,6 @@
 
 #include "files/out_file.hpp"
 #include "scene/image.hpp"
-#include "table/csv.hpp"
 
 namespace railbook::figures {
 namespace {

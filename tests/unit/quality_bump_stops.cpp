@@ -2,8 +2,8 @@
 #include <cmath>
 #include <limits>
 
+#include "../support/no_fp_fault.hpp"
 #include "num/dopri5.hpp"
-#include "num/fp_trap.hpp"
 #include "quality/bump_stops.hpp"
 #include "quality/steady_motion.hpp"
 #include "units/constants.hpp"
@@ -52,7 +52,7 @@ TEST_CASE("Bump stops: without stops the stroke is that of equation (4)", "[qual
 
 TEST_CASE("Bump stops: every instant agrees with an integrator that restarts at the switches",
           "[quality]") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   for (const double damping : {0.05, 0.2, 1.0, 4.0}) {
     const StoppedBody b{{0.5, damping}, gap, 30};
     const Track track{{{0.02, 0.7, 0.4}, {0.006, 1.9, 1.1}}, 5};
@@ -85,7 +85,7 @@ TEST_CASE("Bump stops: every instant agrees with an integrator that restarts at 
 }
 
 TEST_CASE("Bump stops: energy balances over ramp, sudden start and stiff stops", "[quality]") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   for (const double kappa : {0.0, 10.0, 1e4, 1e7})
     for (const double ramp : {0.0, 20.3}) {
       const Track track{{{amplitude, 0.9, 0.7}, {0.004, 0.37, 2}}, ramp};
@@ -148,7 +148,7 @@ TEST_CASE("Bump stops: refusals", "[quality]") {
 }
 
 TEST_CASE("Steady motions: data out of range are refused, not divided by", "[quality]") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   const StoppedBody body{{0.5, 0.2}, 0.01, 10};
   CHECK_THROWS_AS(periodic_motion(body, {0.01, 0, 0}, {}), InputError);
   CHECK_THROWS_AS(balanced_frequencies({{0.5, 0.2}, -1, 10}, 0.01, 0.02), InputError);

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "num/fp_trap.hpp"
+#include "../support/no_fp_fault.hpp"
 #include "quality/descriptor.hpp"
 #include "units/constants.hpp"
 #include "units/input_error.hpp"
@@ -31,7 +31,7 @@ TEST_CASE("Stroke gain: values worked out by an independent integration", "[qual
 }
 
 TEST_CASE("Stroke gain: no overflow, no 0/0 from 0 to the largest double", "[quality]") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   CHECK(stroke_gain(roll, 0) == 0);
   CHECK(stroke_gain(roll, 1e-200) == 0);
   CHECK_THAT(stroke_gain(roll, 1e300), WithinRel(1.0, 1e-15));
@@ -46,7 +46,7 @@ TEST_CASE("Stroke gain: no overflow, no 0/0 from 0 to the largest double", "[qua
 }
 
 TEST_CASE("Force gain: equation (6), the massless wheel and both ends", "[quality]") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   const Car car = freight_car(0.6);
   CHECK_THAT(std::abs(force_gain(car, 0.5)), WithinRel(81171.91, 1e-7));
   CHECK_THAT(std::abs(force_gain(car, 2)), WithinRel(1538080.6, 1e-7));

@@ -3,7 +3,7 @@
 #include <limits>
 #include <vector>
 
-#include "num/fp_trap.hpp"
+#include "../support/no_fp_fault.hpp"
 #include "quality/quality_index.hpp"
 #include "quality/spreading.hpp"
 #include "units/constants.hpp"
@@ -42,7 +42,7 @@ TEST_CASE("Index of a sine: moments, exceedances, wavelengths", "[quality]") {
 }
 
 TEST_CASE("Index: gaps, silence and nothing", "[quality]") {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   IndexBuilder b{{.spacing = 1}};
   b.push(std::vector<double>{nan, 2, 2, nan, nan, 0, 0, -3});

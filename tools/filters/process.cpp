@@ -127,7 +127,7 @@ void add_parameters(tool::Summary& s, const Answer& a) {
       s.add(name + "_mean", name + ", mean where good", mean, unit, note);
       s.add(name + "_deviation", "  standard deviation", rms, unit);
     } else {
-      s.add(name + "_mean", name + ", mean where good", "none");
+      s.absent(name + "_mean", name + ", mean where good", "nowhere good");
       s.add(name + "_note", "  note", note);
     }
     s.add(name + "_good_percent", "  share that is good", share(Quality::good), "%");

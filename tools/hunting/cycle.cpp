@@ -137,7 +137,10 @@ void add_cycles_at(tool::Summary& answer, const CarCase& c, const CycleBranch& b
     add_point(answer, id, fmt::format("cycle {}", k + 1), p);
     answer.add(id + "_rule", "  the paper's rule", by_rule(p).verdict);
     const Label hill = by_hill(c, p);
-    answer.add(id + "_hill", "  Hill's leading exponent", hill.figure, "1/s", hill.verdict);
+    if (std::isnan(hill.figure))
+      answer.absent(id + "_hill", "  Hill's leading exponent", "not found");
+    else
+      answer.add(id + "_hill", "  Hill's leading exponent", hill.figure, "1/s", hill.verdict);
     const Examined& e = all[k];
     if (e.converged) {
       answer.add(id + "_floquet", "  Floquet's largest multiplier", e.stability.largest, "",

@@ -1,0 +1,13 @@
+// Where the build has found no off-screen OpenGL.
+#include <system_error>
+
+#include "scene/raster.hpp"
+
+namespace railbook::scene {
+
+Image rasterise(const std::vector<Corners>&, const Eigen::Vector3f&, const Size&) {
+  throw std::system_error(std::make_error_code(std::errc::function_not_supported),
+                          "no scene is drawn: built without OSMesa and EGL");
+}
+
+}  // namespace railbook::scene
