@@ -9,6 +9,9 @@
 
 #include "units/printable.hpp"
 
+#include "units/input_error.hpp"
+#include "units/printable.hpp"
+
 namespace railbook::files {
 
 std::string shown(const std::filesystem::path& name) {
@@ -26,23 +29,35 @@ void flush_standard_output() {
   throw OutsideError(text);
 }
 
-int report(const std::string& program, const OutsideError& error) {
-  if (dynamic_cast<const ClosedPipe*>(&error) == nullptr)
-    std::fprintf(stderr, "%s: %s\n", program.c_str(), error.what());
-  return 3;
-}
-
-int report(const std::string& program, const std::system_error& error) {
-  if (error.code() == std::errc::broken_pipe) return 3;
-  return report(program, OutsideError(error.what()));
+int status_of_exception(const std::string& program) {
+  const auto say = [&](const char* what) {
+    std::fprintf(stderr, "%s: %s\n", program.c_str(), units::printable(what, 2000).c_str());
+  };
+  try {
+    throw;
+  } catch (const InputError& error) {
+    say(error.what());
+    return 2;
+  } catch (const ClosedPipe&) {
+    return 3;
+  } catch (const OutsideError& error) {
+    say(error.what());
+    return 3;
+  } catch (const std::system_error& error) {
+    if (error.code() != std::errc::broken_pipe) say(error.what());
+    return 3;
+  } catch (const std::exception& error) {
+    say(error.what());
+    return 1;
+  }
 }
 
 int finish_process(const std::string& program, int status) {
   if (status == 3) return status;  // that has been said
   try {
     flush_standard_output();
-  } catch (const OutsideError& error) {
-    return report(program, error);
+  } catch (const OutsideError&) {
+    return status_of_exception(program);
   }
   return status;
 }

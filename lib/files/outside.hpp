@@ -35,8 +35,8 @@ void flush_standard_output();
 // To be called last in main: the exit status, which becomes 3, with a message, when what was printed could not go out.
 int finish_process(const std::string& program, int status);
 
-// The exit status of an exception of this header, its message printed: 3.
-int report(const std::string& program, const OutsideError& error);
-int report(const std::string& program, const std::system_error& error);  // of a stream
+// To be called in a catch block: the exit status of the exception being handled, its message printed. 2 for bad input, 3 for
+// the world outside (a closed pipe says nothing), 1 for all others.
+int status_of_exception(const std::string& program);
 
 }  // namespace railbook::files

@@ -46,20 +46,6 @@ PeriodicMotion periodic_motion(const StoppedBody& body, const Wave& wave, const 
   return result;
 }
 
-std::vector<double> balanced_frequencies(const StoppedBody& body, double amplitude, double a) {
-  require(body);
-  const double k = mean_stiffness(body, a), rho = body.suspension.damping;
-  // u = 1/eta^2: k^2 u^2 + (4 rho^2 - 2 k) u + 1 - (amplitude/a)^2 = 0.
-  const double half = k - 2 * rho * rho, share = amplitude / a;
-  const double square = half * half - k * k * (1 - share) * (1 + share);
-  std::vector<double> result;
-  if (square < 0) return result;
-  for (const double u :
-       {(half + std::sqrt(square)) / (k * k), (half - std::sqrt(square)) / (k * k)})
-    if (u > 0) result.push_back(body.suspension.frequency / std::sqrt(u));
-  return result;
-}
-
 Motion balanced_motion(const StoppedBody& body, const Wave& wave, double a) {
   require(body);
   const double own = 2 * units::pi * body.suspension.frequency, w = 2 * units::pi * wave.frequency;

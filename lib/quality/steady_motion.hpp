@@ -1,8 +1,6 @@
 // The steady motions of a body with bump stops on one sine: exact ones, stable or not, and harmonic balance.
 #pragma once
 
-#include <vector>
-
 #include "quality/bump_stops.hpp"
 
 namespace railbook::quality {
@@ -20,11 +18,8 @@ PeriodicMotion periodic_motion(const StoppedBody& body, const Wave& wave, const 
 // The stiffness, in units of the spring's, that a stroke x = a sin feels on average over a period (first harmonic).
 double mean_stiffness(const StoppedBody& body, double a);
 
-// Harmonic balance: the frequencies (Hz, ascending; none, one or two) at which a track amplitude makes a stroke x = a sin.
-// Exact without stops, an approximation of first harmonics with them; a >= 0.
-std::vector<double> balanced_frequencies(const StoppedBody& body, double amplitude, double a);
-
-// The stroke at t = 0 for such a motion, as a guess for periodic_motion.
+// The stroke at t = 0 of a motion x = a sin of the wave's period by harmonic balance (first harmonic), as a guess for
+// periodic_motion; a >= 0.
 Motion balanced_motion(const StoppedBody& body, const Wave& wave, double a);
 
 }  // namespace railbook::quality

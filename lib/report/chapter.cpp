@@ -225,23 +225,13 @@ int run_command(int argc, char** argv, const ChapterInfo& info, const std::vecto
       for (const PagedEntry& e : entries)
         fmt::print("{:<22} {:<7} {}\n", e.entry->id, e.entry->kind, e.entry->title);
     return 0;
-  } catch (const CLI::CallForHelp& help) {
-    return app.exit(help);
-  } catch (const CLI::CallForAllHelp& help) {
+  } catch (const CLI::Success& help) {
     return app.exit(help);
   } catch (const CLI::ParseError& error) {
     fmt::print(stderr, "{}: {}\nTry `{} --help`.\n", info.name, error.what(), info.name);
     return 2;
-  } catch (const InputError& error) {
-    fmt::print(stderr, "{}: {}\n", info.name, error.what());
-    return 2;
-  } catch (const files::OutsideError& error) {
-    return files::report(info.name, error);
-  } catch (const std::system_error& error) {
-    return files::report(info.name, error);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "{}: {}\n", info.name, error.what());
-    return 1;
+  } catch (...) {
+    return files::status_of_exception(info.name);
   }
 }
 

@@ -117,24 +117,14 @@ int run_command(int argc, char** argv, const std::string& name, const std::strin
     for (const auto& [command, action] : actions)
       if (*command) action();
     return 0;
-  } catch (const CLI::CallForHelp& help) {
-    return app.exit(help);
-  } catch (const CLI::CallForAllHelp& help) {
+  } catch (const CLI::Success& help) {
     return app.exit(help);
   } catch (const CLI::ParseError& error) {
     fmt::print(stderr, "{}: {}\nTry `{} --help`.\n", name, units::printable(error.what(), 2000),
                name);
     return 2;
-  } catch (const InputError& error) {
-    fmt::print(stderr, "{}: {}\n", name, error.what());
-    return 2;
-  } catch (const files::OutsideError& error) {
-    return files::report(name, error);
-  } catch (const std::system_error& error) {
-    return files::report(name, error);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "{}: {}\n", name, units::printable(error.what(), 2000));
-    return 1;
+  } catch (...) {
+    return files::status_of_exception(name);
   }
 }
 

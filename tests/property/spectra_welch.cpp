@@ -1,22 +1,14 @@
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <random>
 #include <vector>
 
+#include "../support/white_noise.hpp"
 #include "spectra/welch.hpp"
 
 using namespace railbook;
 using spectra::Window;
 
 namespace {
-
-std::vector<double> noise(std::size_t n, std::uint64_t seed) {
-  std::mt19937_64 generator{seed};
-  std::normal_distribution<double> normal;
-  std::vector<double> x(n);
-  for (double& value : x) value = normal(generator);
-  return x;
-}
 
 // Over all bins but the first, which detrending empties down to rounding.
 double largest_relative_difference(const spectra::Spectrum& a, const spectra::Spectrum& b,
@@ -28,7 +20,7 @@ double largest_relative_difference(const spectra::Spectrum& a, const spectra::Sp
 }  // namespace
 
 TEST_CASE("property: the pieces a record is pushed in do not change a bit of the spectrum") {
-  const auto x = noise(5000, 11);
+  const auto x = white_noise(5000, 11);
   const auto whole = spectra::welch(x, 0.3, {.segment = 256});
   for (const std::size_t piece : {1U, 7U, 128U, 255U, 256U, 999U, 4999U}) {
     spectra::Welch stream{0.3, {.segment = 256}};
@@ -40,7 +32,7 @@ TEST_CASE("property: the pieces a record is pushed in do not change a bit of the
 }
 
 TEST_CASE("property: a spectrum scales with the square of the signal and with the spacing") {
-  const auto x = noise(3000, 5);
+  const auto x = white_noise(3000, 5);
   auto scaled = x;
   for (double& value : scaled) value *= -3;
   const auto base = spectra::welch(x, 0.3, {.segment = 128});
@@ -54,7 +46,7 @@ TEST_CASE("property: a spectrum scales with the square of the signal and with th
 }
 
 TEST_CASE("property: a straight line added to the record leaves the linearly detrended spectrum") {
-  const auto x = noise(3000, 5);
+  const auto x = white_noise(3000, 5);
   auto inclined = x;
   for (std::size_t i = 0; i < x.size(); ++i) inclined[i] += 1000.0 - 0.5 * static_cast<double>(i);
   for (const Window window : {Window::boxcar, Window::hann, Window::dpss}) {
@@ -80,7 +72,7 @@ TEST_CASE("property: scatter of bins and of bands is what the effective averages
     double bin_squares = 0, band_squares = 0;
     spectra::Spectrum last;
     for (int r = 0; r < records; ++r) {
-      last = spectra::welch(noise(640, 100 + static_cast<std::uint64_t>(r)), 0.5, options);
+      last = spectra::welch(white_noise(640, 100 + static_cast<std::uint64_t>(r)), 0.5, options);
       const Eigen::ArrayXd excess =
           last.density.segment(low, bands).array() - 1.0;  // 2 sigma^2 d = 1
       bin_squares += excess.square().mean() / records;

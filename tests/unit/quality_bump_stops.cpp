@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
@@ -109,18 +110,20 @@ TEST_CASE("Bump stops: two stable motions and an unstable one between them at 1 
   const StoppedBody b = body(10);
   const Wave wave{amplitude, 1.0, 0};
   std::vector<PeriodicMotion> found;
-  for (double a = 0.011; a < 0.08; a += 1e-4) {
-    for (const double f : balanced_frequencies(b, amplitude, a)) {
-      if (std::abs(f - 1.0) < 0.05 && (found.empty() || a > 1.2 * found.back().largest)) {
-        const auto p = periodic_motion(b, wave, balanced_motion(b, wave, a));
-        if (p.converged && (found.empty() || std::abs(p.largest / found.back().largest - 1) > 0.01))
-          found.push_back(p);
-      }
-    }
+  for (double a = 0.011; a < 0.05; a += 5e-4) {
+    const auto p = periodic_motion(b, wave, balanced_motion(b, wave, a));
+    const auto same = [&](const PeriodicMotion& q) {
+      return std::abs(q.largest / p.largest - 1) < 1e-6;
+    };
+    if (p.converged && std::none_of(found.begin(), found.end(), same)) found.push_back(p);
   }
-  REQUIRE(found.size() >= 2);
-  CHECK_THAT(100 * found.front().largest, WithinAbs(1.2825, 1e-4));
-  CHECK(found.front().growth < 1);
+  std::sort(found.begin(), found.end(),
+            [](const auto& p, const auto& q) { return p.largest < q.largest; });
+  REQUIRE(found.size() == 3);
+  CHECK_THAT(100 * found[0].largest, WithinAbs(1.2825, 1e-4));
+  CHECK(found[0].growth < 1);
+  CHECK(found[1].growth > 1);
+  CHECK_THAT(100 * found[2].largest, WithinAbs(3.2033, 1e-4));
   const auto high = periodic_motion(b, wave, run(b, {{wave}, 0}, {}, 180).end);
   CHECK(high.converged);
   CHECK_THAT(100 * high.largest, WithinAbs(3.2033, 1e-4));
@@ -151,7 +154,6 @@ TEST_CASE("Steady motions: data out of range are refused, not divided by", "[qua
   const NoFpFault no_fault;
   const StoppedBody body{{0.5, 0.2}, 0.01, 10};
   CHECK_THROWS_AS(periodic_motion(body, {0.01, 0, 0}, {}), InputError);
-  CHECK_THROWS_AS(balanced_frequencies({{0.5, 0.2}, -1, 10}, 0.01, 0.02), InputError);
   CHECK(mean_stiffness(body, 0.01) == 1);
   CHECK(mean_stiffness(body, 1e6) == Approx(11.0).epsilon(1e-6));
 }

@@ -1,9 +1,9 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <complex>
-#include <random>
 #include <vector>
 
+#include "../support/white_noise.hpp"
 #include "spectra/welch.hpp"
 #include "units/constants.hpp"
 
@@ -12,14 +12,6 @@ using spectra::Detrend;
 using spectra::Window;
 
 namespace {
-
-std::vector<double> white_noise(std::size_t n, std::uint64_t seed) {
-  std::mt19937_64 generator{seed};
-  std::normal_distribution<double> normal;
-  std::vector<double> x(n);
-  for (double& value : x) value = normal(generator);
-  return x;
-}
 
 // Welch's estimate as its definition reads: no FFT, no running sums, everything by direct summation.
 std::vector<double> by_definition(const std::vector<double>& x, double d, std::size_t n,
