@@ -124,7 +124,7 @@ local function heading(item, r)
 end
 
 local function reason(item)
-  local text = item.failure or item.reason
+  local text = item.failure or item.not_drawn or item.reason
   return text and text ~= "" and html.tag("p", {class = "reason"}, html.text(text)) or ""
 end
 
@@ -142,7 +142,7 @@ end
 
 -- A figure with its caption, `more` of the same item, and its checks. `folder` holds the chapter's PNGs.
 function items.figure(item, r, folder, more)
-  if not item.png and item.failure then return items.table(item, r, more) end
+  if not item.png and (item.failure or item.not_drawn) then return items.table(item, r, more) end
   if not item.png then error("the figure " .. item.id .. " was not drawn (--no-figures?)", 0) end
   local width, height = items.png_size(folder .. "/" .. item.png)
   local href = ("figures/%s/%s"):format(r.chapter, item.png)

@@ -93,10 +93,15 @@ void show(report::Item& item, const std::vector<report::WorkPrecision>& points,
     if (p.method.find(',') != std::string::npos)
       throw std::logic_error{"work-precision: gnuplot cuts \"" + p.method + "\" at the comma"};
     chosen.push_back(p);
-    if (p.converged && p.error > 0)
-      data.add(p.method, p.setting, p.error, p.reference_uncertainty, p.seconds_min,
-               p.seconds_median, p.work);
+    // An error below what the reference knows is drawn there.
+    const double floor = std::max(p.reference_uncertainty, 1e-16);
+    if (p.converged && std::isfinite(p.error))
+      data.add(p.method, p.setting, std::max(p.error, floor), p.reference_uncertainty,
+               p.seconds_min, p.seconds_median, p.work);
   }
+  const char* const why = "error control takes other steps where a last digit differs";
+  data.holds_to("error", 0.9, 1e-15, why).holds_to("reference_uncertainty", 0.9, 0, why);
+  data.holds_to("work", 0.05, 0, why);
   if (chosen.empty())
     throw std::logic_error{"work-precision: no points of quantity \"" + quantity + "\""};
   item.add(std::move(chosen));

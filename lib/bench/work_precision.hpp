@@ -82,7 +82,7 @@ std::vector<report::WorkPrecision> figure(report::Item& item, const Reference& r
                                           const std::vector<Method>& methods, double budget = 0.5);
 
 // Gives the points of one quantity to a figure item: records, CSV and the common two-panel script (error against
-// time, error against work). Only converged points with a positive error are drawn. A method's
+// time, error against work). Only converged points are drawn. A method's
 // name must not hold a comma.
 void show(report::Item& item, const std::vector<report::WorkPrecision>& points,
           const std::string& quantity);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <system_error>
 
 #include "files/out_file.hpp"
 #include "num/stopwatch.hpp"
@@ -26,7 +27,23 @@ std::string show(std::string_view printed, double computed) {
   return fmt::format("{:.{}g}", computed, std::clamp(digits, 3, 15));
 }
 
+// A computed value beside the text it is compared with, to digits that hold on every machine.
+std::string show(std::string_view reference, double computed, const Tolerance& tolerance) {
+  if (tolerance.kind != ToleranceKind::at_most && tolerance.kind != ToleranceKind::at_least)
+    return show(reference, computed);
+  if (!std::isfinite(computed)) return table::csv_number(computed);
+  const bool rounding =
+      tolerance.kind == ToleranceKind::at_most && std::abs(printed_number(reference)) < 1e-6;
+  return rounding ? below(computed) : fmt::format("{:.4g}", computed);
+}
+
 }  // namespace
+
+std::string below(double error) {
+  if (!std::isfinite(error)) return table::csv_number(error);
+  if (!(std::abs(error) > 1e-16)) return "below 1e-16";
+  return fmt::format("below 1e{:+03d}", static_cast<int>(std::ceil(std::log10(std::abs(error)))));
+}
 
 Data::Data(std::string file, const std::vector<std::string>& columns)
     : file_(std::move(file)), columns_(columns.size()) {
@@ -115,7 +132,7 @@ void Item::compare_with(const About& about, std::string_view reference, double c
   c.by = by;
   c.reference = reference;
   c.computed = computed;
-  c.computed_text = show(reference, computed);
+  c.computed_text = show(reference, computed, tolerance);
   c.allowed = verdict.allowed;
   c.error = verdict.error;
   c.kind = name(tolerance.kind);
@@ -140,14 +157,17 @@ void Item::agree(std::string_view id, std::string_view what, std::string_view un
                  double reference, double allowed, const std::string& method) {
   Expectation expectation{Tolerance{ToleranceKind::agrees_with, allowed, "against " + method}};
   expectation.outcome = Outcome::verified;
-  // The reference is a number of ours, not a printed text: compared with all its digits, shown with ten.
+  // The reference is a number of ours, not a printed text: compared with all its digits, shown with one digit more than
+  // are allowed to differ.
   compare_with({id, what, unit}, fmt::format("{:.17g}", reference), computed, Source::route,
                expectation, method);
-  const auto ten = [](double x) {
-    return std::isfinite(x) ? fmt::format("{:.10g}", x) : table::csv_number(x);
+  const int digits =
+      allowed > 0 ? std::clamp(static_cast<int>(std::ceil(-std::log10(allowed))) + 1, 3, 10) : 10;
+  const auto shown = [&](double x) {
+    return std::isfinite(x) ? fmt::format("{:.{}g}", x, digits) : table::csv_number(x);
   };
-  checks_.back().reference = ten(reference);
-  checks_.back().computed_text = ten(checks_.back().computed);
+  checks_.back().reference = shown(reference);
+  checks_.back().computed_text = shown(checks_.back().computed);
 }
 
 void Item::at_most(std::string_view id, std::string_view what, std::string_view unit,
@@ -326,7 +346,13 @@ void Item::draw() {
   const std::filesystem::path png = settings_.figures / record_.png;
   announce(png);
   if (image_) {
-    image_(png);
+    try {
+      image_(png);
+    } catch (const std::system_error& error) {
+      if (error.code() != std::errc::function_not_supported) throw;
+      record_.not_drawn = error.what();  // this build has no way to draw it; all else stands
+      record_.png.clear();
+    }
   } else {
     plot::render(script_.is_absolute() ? script_ : settings_.sources / script_, files, png);
   }

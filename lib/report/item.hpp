@@ -71,6 +71,9 @@ class Data {
   std::string text_, notes_;
 };
 
+// "below 1e-14": the decade of an error that is rounding, whose digits are others on another machine.
+std::string below(double error);
+
 class Item;
 
 // A row of the paper's printed values: checks one column each. The id of a check is "<key>-<column>"; the optional
@@ -218,7 +221,8 @@ class Item {
   Data& data(std::string_view name, const std::vector<std::string>& columns);
   // Another gnuplot script than <id>.gp; relative to the chapter's folder.
   void script(std::filesystem::path file) { script_ = std::move(file); }
-  // Draws without gnuplot: `write` makes the PNG under the name it is given.
+  // Draws without gnuplot: `write` makes the PNG under the name it is given, or throws std::system_error with
+  // std::errc::function_not_supported: then the item has no picture and says why, and is judged by its checks.
   void image(std::function<void(const std::filesystem::path&)> write) { image_ = std::move(write); }
 
   // What the item is computed from, where it is not the paper's data.

@@ -43,6 +43,7 @@ Json json(const ItemRecord& i) {
   Json j{{"id", i.id},       {"kind", i.kind},     {"title", i.title},     {"page", i.page},
          {"input", i.input}, {"reason", i.reason}, {"failure", i.failure}, {"png", i.png},
          {"csv", i.csv},     {"script", i.script}, {"seconds", i.seconds}};
+  if (!i.not_drawn.empty()) j["not_drawn"] = i.not_drawn;
   if (!i.columns.empty()) {
     j["columns"] = i.columns;
     j["rows"] = i.rows;

@@ -75,6 +75,7 @@ struct ItemRecord {
   std::string reason;            // for another input than the paper's
   std::string failure;           // why the item failed, empty if it did not
   std::string png;               // file name in figures/<chapter>/, empty without a figure
+  std::string not_drawn;         // why this build draws no picture of it
   std::vector<std::string> csv;  // file names in results/<chapter>/
   std::string script;            // gnuplot script beside the chapter's sources
   std::vector<std::string> columns;

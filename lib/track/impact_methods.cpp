@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 
+#include "num/fp_flags.hpp"
 #include "num/gsl.hpp"
 #include "num/radau5.hpp"
 #include "track/impact_system.hpp"
@@ -180,6 +181,8 @@ class Comparison {
     gsl_odeiv2_driver_set_nmax(driver.get(), static_cast<unsigned long>(options_.most_steps));
     const auto now = std::make_shared<std::pair<double, ImpactState>>(t, y);
     return {[this, driver, now](double end) {
+              // GSL 2.8 as Debian 13 compiles it divides by a norm of zero and does not use the result.
+              const num::FpFlagsAside aside;
               const int status =
                   gsl_odeiv2_driver_apply(driver.get(), &now->first, end, now->second.data());
               return status == GSL_SUCCESS || stopped(gsl_strerror(status));

@@ -17,6 +17,7 @@ inline constexpr double of_largest = 1e-9;      // or of the largest in its colu
 struct Figure {
   std::string png;               // name in `pictures`
   std::vector<std::string> csv;  // names in `data`; a scene has none
+  bool drawn = true;             // not a scene in a build that draws none
   std::string caption;
 };
 struct Drawn {
@@ -35,7 +36,7 @@ struct Report {
 };
 
 // Compares every figure with the folder `golden`. Each file must be on both sides; data agree to the tolerance that the
-// drawn file states (report::Data::holds_to); pictures are alike up to `levels` and `allowed_share` when `pixels`, and
+// drawn file states (report::Data::holds_to); pictures are alike up to `levels` and `allowed_share` when `pixels` and their data fix them, and
 // otherwise whole, of the golden's size and of more than one colour. A record without figures is a fault.
 Report compare(const Drawn& drawn, const std::filesystem::path& golden, bool pixels);
 
@@ -50,5 +51,7 @@ std::string data_fault(const std::filesystem::path& drawn, const std::filesystem
 std::string golden_text(const std::filesystem::path& drawn);
 // Whether the file says that it is not compared.
 bool is_compared(const std::filesystem::path& data);
+// Whether all its columns hold to less than what shows in a picture, 1e-3 of a value or of the largest in its column.
+bool fixes_the_picture(const std::filesystem::path& data);
 
 }  // namespace railbook::figures

@@ -17,6 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr double visible = 1e-3;
+
 struct Tolerance {
   double relative = figures::relative;
   double absolute = -1;  // negative: of_largest of the column's largest
@@ -83,6 +85,19 @@ std::vector<double> largest_of_columns(const table::CsvTable& table) {
 
 bool is_compared(const fs::path& data) {
   return read_notes(data).compared;
+}
+
+bool fixes_the_picture(const fs::path& data) {
+  const table::CsvTable table = table::read_table(data);
+  const std::vector<double> largest = largest_of_columns(table);
+  for (const auto& [column, t] : read_notes(data).columns) {
+    const auto at =
+        std::find(table.header.begin(), table.header.end(), column) - table.header.begin();
+    const double size =
+        column == "*" || at == std::ssize(table.header) ? 0 : largest[static_cast<std::size_t>(at)];
+    if (t.relative > visible || t.absolute > visible * size) return false;
+  }
+  return true;
 }
 
 std::string data_fault(const fs::path& drawn, const fs::path& golden) {

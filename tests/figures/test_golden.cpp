@@ -130,6 +130,26 @@ TEST_CASE("figures: data that no two runs share, and their picture, have no gold
   CHECK(f.compare().faults.empty());
 }
 
+TEST_CASE("figures: data that may differ by more than shows do not fix the pixels") {
+  const Folders f;
+  Folders::picture(f.drawn, 11, 4);
+  CHECK(f.faults("1,2\n# holds to relative 1e-3, absolute 0 in y_N: noise\n", "1,2\n") == 1);
+  CHECK(f.faults("1,2\n# holds to relative 0, absolute 1e-3 in y_N: noise\n", "1,2\n") == 1);
+  CHECK(f.faults("1,2\n# holds to relative 2e-3, absolute 0 in y_N: noise\n", "1,2\n") == 0);
+  CHECK(f.faults("1,2\n# holds to relative 0, absolute 3e-3 in y_N: noise\n", "1,2\n") == 0);
+}
+
+TEST_CASE("figures: a scene that this build does not draw keeps its golden") {
+  const Folders f;
+  std::filesystem::remove(f.drawn);
+  CHECK(f.compare().faults.size() == 1);
+  f.at.write(
+      "out/results/01-x.json",
+      R"({"title": "X", "items": [{"id": "a", "title": "A", "png": "", "csv": ["a.csv"], "not_drawn": "why"}]})");
+  CHECK(f.compare().faults.empty());
+  CHECK(f.faults("1,3\n", "1,2\n") == 1);
+}
+
 TEST_CASE("figures: accepting changes what differs, and nothing else") {
   const Folders f;
   const auto accept = [&] {

@@ -174,6 +174,38 @@ TEST_CASE("unit: a stability case fails when something else is found than expect
   CHECK(with(report::holds, units::nan, found(0)) == 1);  // no bound set
 }
 
+TEST_CASE("unit: an item whose arithmetic is invalid fails, and the others go on") {
+  volatile double zero = 0;
+  volatile double unused = 0;
+  const Sample s;
+  CHECK(s.reproduce(one([&](report::Item& item) {
+    item.sketch();
+    unused = 1 / zero;
+  })) == 1);
+  CHECK(s.record()["items"][0]["failure"] == "a division by zero in its arithmetic");
+  CHECK(s.reproduce(one([](report::Item& item) { item.sketch(); })) == 0);
+}
+
+TEST_CASE(
+    "unit: texts have no more digits than their tolerance, and rounding is told by its decade") {
+  CHECK(report::below(5.8e-15) == "below 1e-14");
+  CHECK(report::below(-7.1e-15) == "below 1e-14");
+  CHECK(report::below(0) == "below 1e-16");
+  CHECK(report::below(0.5) == "below 1e+00");
+  const Sample s;
+  CHECK(s.reproduce(one([](report::Item& item) {
+    item.expect_checks(3);
+    item.agree("a", "a", "", 0.40084984, 0.40084, 1e-4, "another method");
+    item.at_most("b", "b", "", 5.8e-15, 1e-12, "rounding");
+    item.at_most("c", "c", "", 2.5399999, 2.54, "the limit");
+  })) == 0);
+  const auto checks = s.record()["checks"];
+  CHECK(checks[0]["computed_text"] == "0.40085");
+  CHECK(checks[0]["reference"] == "0.40084");
+  CHECK(checks[1]["computed_text"] == "below 1e-14");
+  CHECK(checks[2]["computed_text"] == "2.54");
+}
+
 TEST_CASE("unit: the bite test passes only when every check and case fails") {
   const auto section = one([](report::Item& item) {
     item.expect_checks(4);
