@@ -11,13 +11,13 @@ namespace railbook::rolling {
 
 Carter carter(double reduced_creepage) {
   units::require_finite("reduced creepage", reduced_creepage);
-  const double stick = std::max(0.0, 1 - std::abs(reduced_creepage));
-  return {std::copysign((1 - stick) * (1 + stick), reduced_creepage), stick, true};
+  const double x = std::min(1.0, std::abs(reduced_creepage));
+  return {std::copysign(x * (2 - x), reduced_creepage), 1 - x, true};
 }
 
 double carter_creepage(double force) {
   units::require_between("force over mu P", force, -1, 1);
-  return std::copysign(1 - std::sqrt(1 - std::abs(force)), force);
+  return force / (1 + std::sqrt(1 - std::abs(force)));
 }
 
 double carter_traction(double reduced_creepage, double s) {

@@ -22,6 +22,14 @@ double cubic_stick(double t) {
   return t < 3 ? (1 - t / 3) * (1 - t / 3) : 0;
 }
 
+// Is the reduced spin above `most`, or the linear force it makes above `share` of the bound?
+bool spin_beyond(const RollingCase& c, const KalkerCoefficients& k, double most, double share) {
+  const double size =
+      std::abs(c.creepage.spin) * std::sqrt(c.a) * std::sqrt(c.b) * c.a * c.b * c.shear_modulus;
+  const double limit = c.friction * c.load;
+  return limit > 0 && (size > most * limit || k.c23 * size > share * limit);
+}
+
 // Polach's K_M, with t = 1 - delta instead of delta: no cancellation for large or small arguments.
 double polach_spin(double e) {
   if (e > 1e100) return 0;
@@ -53,7 +61,8 @@ CreepForces linear_theory(const RollingCase& c, const KalkerCoefficients& k) {
   r.fy = f.scale * f.size * f.y;
   r.mz = f.scale * f.moment;
   r.converged = true;
-  r.reason = f.reduced > 1 ? "linear theory beyond the friction bound" : "";
+  if (3 * f.reduced > 1 || 3 * std::abs(r.mz) > moment_bound(c, 0))
+    r.doubt = "the linear theory is for forces and moments up to a third of what friction bears";
   return r;
 }
 
@@ -75,8 +84,16 @@ CreepForces vermeulen_johnson(const RollingCase& c, const Slopes& slopes) {
   without_spin.creepage.spin = 0;
   CreepForces r =
       shen_hedrick_elkins(without_spin, {.c11 = slopes.longitudinal, .c22 = slopes.lateral});
-  if (c.creepage.spin != 0) r.reason = "spin is left out of this theory";
+  if (c.creepage.spin != 0)
+    r.doubt = "the law of Vermeulen and Johnson is for no spin: it is left out";
   return r;
+}
+
+double moment_bound(const RollingCase& c, double force) {
+  const double limit = c.friction * c.load;
+  if (!(std::abs(force) < limit)) return 0;
+  const double share = force / limit;
+  return limit * std::hypot(c.a, c.b) / std::sqrt(5.0) * std::sqrt((1 - share) * (1 + share));
 }
 
 CreepForces shen_hedrick_elkins(const RollingCase& c, const KalkerCoefficients& k) {
@@ -89,8 +106,12 @@ CreepForces shen_hedrick_elkins(const RollingCase& c, const KalkerCoefficients& 
     r.mz = bound * (cubic(f.reduced) / f.size) * f.moment;
   else if (bound > 0)
     r.mz = f.scale * f.moment;
+  const double most = moment_bound(c, bound * cubic(f.reduced));
+  r.mz = std::clamp(r.mz, -most, most);
   r.stick_share = cubic_stick(f.reduced);
   r.converged = true;
+  if (spin_beyond(c, k, 0.2, 0.6))
+    r.doubt = "the law of Shen, Hedrick and Elkins is for reduced spin up to 0.2 and 0.6/C23";
   return r;
 }
 
@@ -119,7 +140,8 @@ CreepForces polach(const RollingCase& c, const KalkerCoefficients& k) {
   if (spin != 0) r.stick_share = std::min(r.stick_share, 1 / (1 + es * es));
   const double size = std::hypot(r.fx, r.fy);
   if (size > bound) r.fx *= bound / size, r.fy *= bound / size;
-  if (spin != 0) r.reason = "no moment in this theory";
+  if (spin_beyond(c, k, 0.2, 0.4))
+    r.doubt = "Polach's law is for reduced spin up to 0.2 and 0.4/C23";
   return r;
 }
 

@@ -12,6 +12,7 @@
 #include <Eigen/Core>
 #include <limits>
 #include <string>
+#include <string_view>
 
 namespace railbook::rolling {
 
@@ -52,7 +53,8 @@ struct CreepForces {
   double mz_error = not_known;  // and of mz over mu N sqrt(a b)
   int iterations = 0;
   bool converged = false;
-  std::string reason;  // why not converged, or a note on the case
+  std::string reason;      // why not converged, or a note on the case
+  std::string_view doubt;  // the range of the theory that the case is outside of; empty within
   Tractions tractions;
 };
 

@@ -85,24 +85,36 @@ Eigen::VectorXd rigid_slip(const RollingMesh& mesh, const Creepage& c) {
   return w;
 }
 
+namespace {
+
+// Adds to the rigid slip `w` what turns the slip of each sliding cell of `first` into the mean with that of the cell
+// behind it: the part across the traction, since only that part turns it. A cell that has just begun to slide has no
+// direction of its own yet, so that the turn fades with its slip; without that the forces would jump with every cell
+// that changes state.
+void turn_sliding(const RollingGrid& grid, const StickSlip& first, Eigen::VectorXd& w) {
+  const Index n = grid.mesh.cells();
+  const Eigen::VectorXd& s = first.slip;
+  for (Index k = 1; k < n; ++k) {
+    if (k % grid.mesh.along == 0 || !first.slides[static_cast<std::size_t>(k)]) continue;
+    const double x = -first.p[k + n] / grid.bound[k], y = first.p[k] / grid.bound[k];
+    const double turn = (x * (s[k - 1] - s[k]) + y * (s[k + n - 1] - s[k + n])) / 2;
+    const double own = std::hypot(s[k], s[k + n]), size = std::hypot(own, 2 * turn);
+    if (size == 0) continue;
+    const double part = (own / size) * (own / size) * turn;
+    w[k] += part * x;
+    w[k + n] += part * y;
+  }
+}
+
+}  // namespace
+
 StickSlip solve_on(const TangentialInfluence& influence, const RollingGrid& grid,
                    const Creepage& reduced, const StickSlipOptions& options,
                    const StickSlip* start) {
   Eigen::VectorXd w = rigid_slip(grid.mesh, reduced);
   StickSlip first = solve_stick_slip(influence, grid.mesh, grid.bound, w, options, start);
-  if (reduced.spin == 0 || !first.converged) return first;
-  const Index n = grid.mesh.cells();
-  const auto slides = [&](Index k) { return first.slides[static_cast<std::size_t>(k)]; };
-  for (Index k = 1; k < n; ++k) {
-    if (k % grid.mesh.along == 0 || !slides(k) || !slides(k - 1)) continue;
-    // Only the part across the traction turns it.
-    const double x = -first.p[k + n] / grid.bound[k], y = first.p[k] / grid.bound[k];
-    const double turn = (x * (first.slip[k - 1] - first.slip[k]) +
-                         y * (first.slip[k + n - 1] - first.slip[k + n])) /
-                        2;
-    w[k] += turn * x;
-    w[k + n] += turn * y;
-  }
+  if (!first.converged) return first;
+  turn_sliding(grid, first, w);
   StickSlip second = solve_stick_slip(influence, grid.mesh, grid.bound, w, options, &first);
   second.newton += first.newton;
   second.products += first.products;
@@ -154,8 +166,24 @@ CreepForces in_units(const RollingGrid& grid, const StickSlip& s, double force, 
   return out;
 }
 
-void extrapolate(CreepForces& fine, const Resultants& coarse, bool halved, double force,
-                 double length) {
+namespace {
+
+// Root of the mean square distance from the origin, by the pressure.
+double mean_arm(const RollingGrid& grid) {
+  const RollingMesh& mesh = grid.mesh;
+  double sum = 0;
+  for (Index j = 0; j < mesh.rows(); ++j)
+    for (Index i = 0; i < mesh.along; ++i) {
+      const double x = mesh.x(j, i), y = mesh.y[j];
+      sum += mesh.dx[j] * mesh.dy[j] * grid.bound[j * mesh.along + i] * (x * x + y * y);
+    }
+  return std::sqrt(sum);
+}
+
+}  // namespace
+
+void extrapolate(CreepForces& fine, const RollingGrid& grid, const Resultants& coarse, bool halved,
+                 double force, double length) {
   // Second order: a grid of twice the cell size is off by four times as much.
   const double part = halved ? 1.0 / 3 : 0;
   const double dx = fine.fx / force - coarse.fx, dy = fine.fy / force - coarse.fy;
@@ -163,8 +191,11 @@ void extrapolate(CreepForces& fine, const Resultants& coarse, bool halved, doubl
   fine.fx += part * dx * force;
   fine.fy += part * dy * force;
   fine.mz += part * dm * force * length;
-  fine.error = std::hypot(dx, dy) / 2;
-  fine.mz_error = std::abs(dm) / 2;
+  // Any one difference may vanish by chance, all three together hardly; a moment over the root mean square of the
+  // distance from the origin is a force.
+  const double arm = mean_arm(grid);
+  fine.error = (halved ? 2.0 / 3 : 1) * std::hypot(dx, dy, dm / arm);
+  fine.mz_error = arm * fine.error;
   const double beyond = std::hypot(fine.fx, fine.fy) / force;
   if (beyond > 1) fine.fx /= beyond, fine.fy /= beyond;
 }
@@ -255,7 +286,8 @@ CreepForces EllipseRolling::solve(const RollingCase& c) const {
   const bool halved = parts_->options.remedy && parts_->options.along >= 16 &&
                       parts_->options.along % 2 == 0 && parts_->options.rows % 2 == 0;
   if (started)
-    extrapolate(out, resultants(parts_->coarse->grid.mesh, coarse.p), halved, force, length);
+    extrapolate(out, parts_->fine->grid, resultants(parts_->coarse->grid.mesh, coarse.p), halved,
+                force, length);
   return out;
 }
 

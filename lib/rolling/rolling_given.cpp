@@ -89,7 +89,7 @@ CreepForces solve_rolling(const contact::Grid& grid, const Eigen::VectorXd& pres
   if (!rough.converged) return out;
   Resultants r = resultants(coarse.grid.mesh, rough.p);
   r.mz *= coarse.length / given.length;
-  extrapolate(out, r, false, c.friction * given.load, given.length);
+  extrapolate(out, given.grid, r, false, c.friction * given.load, given.length);
   return out;
 }
 

@@ -23,8 +23,9 @@ RollingGrid strip_grid(Eigen::Index along, double width, bool remedy);
 Eigen::VectorXd rigid_slip(const RollingMesh& mesh, const Creepage& reduced);
 
 // Stick and slip for the reduced creepages. The slip of a cell is taken half a cell ahead of its middle, and a sliding
-// cell should slide along the slip in its middle: under spin the two differ by first order. A second solution, started
-// from the first, adds what turns the slip of each sliding cell into the mean with that of the cell behind it.
+// cell should slide along the slip in its middle: where the slip turns, the two differ by first order. A second
+// solution, started from the first, adds what turns the slip of each sliding cell into the mean with that of the cell
+// behind it. Both solutions, and so the forces, are continuous in the creepages.
 StickSlip solve_on(const TangentialInfluence& influence, const RollingGrid& grid,
                    const Creepage& reduced, const StickSlipOptions& options = {},
                    const StickSlip* start = nullptr);
@@ -37,10 +38,10 @@ Resultants resultants(const RollingMesh& mesh, const Eigen::VectorXd& p);
 // The result in SI, given mu N [N] and the unit of length [m].
 CreepForces in_units(const RollingGrid& grid, const StickSlip& solution, double force,
                      double length);
-// Puts the error estimate on `fine` from the dimensionless forces of a coarser grid; if that has cells of just twice
+// Puts the error estimates on `fine`, found on `grid`, from the dimensionless forces of a coarser grid; if that has cells of just twice
 // the size (`halved`), also takes the second-order error off the forces, which stay within mu N.
-void extrapolate(CreepForces& fine, const Resultants& coarse, bool halved, double force,
-                 double length);
+void extrapolate(CreepForces& fine, const RollingGrid& grid, const Resultants& coarse, bool halved,
+                 double force, double length);
 CreepForces without_friction();
 
 }  // namespace railbook::rolling
