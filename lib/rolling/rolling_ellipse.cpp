@@ -109,13 +109,12 @@ void turn_sliding(const RollingGrid& grid, const StickSlip& first, Eigen::Vector
 }  // namespace
 
 StickSlip solve_on(const TangentialInfluence& influence, const RollingGrid& grid,
-                   const Creepage& reduced, const StickSlipOptions& options,
-                   const StickSlip* start) {
+                   const Creepage& reduced, const RollingOptions& options, const StickSlip* start) {
   Eigen::VectorXd w = rigid_slip(grid.mesh, reduced);
-  StickSlip first = solve_stick_slip(influence, grid.mesh, grid.bound, w, options, start);
-  if (!first.converged) return first;
+  StickSlip first = solve_stick_slip(influence, grid.mesh, grid.bound, w, options.solver, start);
+  if (!first.converged || !options.remedy) return first;
   turn_sliding(grid, first, w);
-  StickSlip second = solve_stick_slip(influence, grid.mesh, grid.bound, w, options, &first);
+  StickSlip second = solve_stick_slip(influence, grid.mesh, grid.bound, w, options.solver, &first);
   second.newton += first.newton;
   second.products += first.products;
   return second;
@@ -194,7 +193,7 @@ void extrapolate(CreepForces& fine, const RollingGrid& grid, const Resultants& c
   // Any one difference may vanish by chance, all three together hardly; a moment over the root mean square of the
   // distance from the origin is a force.
   const double arm = mean_arm(grid);
-  fine.error = (halved ? 2.0 / 3 : 1) * std::hypot(dx, dy, dm / arm);
+  fine.error = (halved ? 0.8 : 1.25) * std::hypot(dx, dy, dm / arm);
   fine.mz_error = arm * fine.error;
   const double beyond = std::hypot(fine.fx, fine.fy) / force;
   if (beyond > 1) fine.fx /= beyond, fine.fy /= beyond;
@@ -234,8 +233,7 @@ struct Level {
   TangentialInfluence influence;
   Level(double ratio, double poisson, Index along, Index rows, bool remedy)
       : grid(ellipse_grid(ratio, along, rows, remedy)), influence(grid.mesh, poisson, true) {}
-  StickSlip solve(const Creepage& c, const StickSlipOptions& options,
-                  const StickSlip* start) const {
+  StickSlip solve(const Creepage& c, const RollingOptions& options, const StickSlip* start) const {
     return solve_on(influence, grid, c, options, start);
   }
 };
@@ -275,13 +273,12 @@ CreepForces EllipseRolling::solve(const RollingCase& c) const {
     throw InputError{"Poisson's ratio of the case is not that of the contact it is solved on"};
   if (c.friction == 0) return without_friction();
   StickSlip coarse;
-  if (parts_->coarse) coarse = parts_->coarse->solve(reduced, parts_->options.solver, nullptr);
+  if (parts_->coarse) coarse = parts_->coarse->solve(reduced, parts_->options, nullptr);
   const bool started = parts_->coarse && coarse.converged;
   const StickSlip start =
       started ? refined(coarse, parts_->coarse->grid, parts_->fine->grid) : StickSlip{};
-  StickSlip fine = parts_->fine->solve(reduced, parts_->options.solver, started ? &start : nullptr);
-  if (started && !fine.converged)
-    fine = parts_->fine->solve(reduced, parts_->options.solver, nullptr);
+  StickSlip fine = parts_->fine->solve(reduced, parts_->options, started ? &start : nullptr);
+  if (started && !fine.converged) fine = parts_->fine->solve(reduced, parts_->options, nullptr);
   CreepForces out = in_units(parts_->fine->grid, fine, force, length);
   const bool halved = parts_->options.remedy && parts_->options.along >= 16 &&
                       parts_->options.along % 2 == 0 && parts_->options.rows % 2 == 0;

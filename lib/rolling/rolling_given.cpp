@@ -57,7 +57,7 @@ void halve(contact::Grid& cells, Eigen::VectorXd& p) {
   p = sum;
 }
 
-StickSlip solve_given(const Given& g, const RollingCase& c, const StickSlipOptions& options) {
+StickSlip solve_given(const Given& g, const RollingCase& c, const RollingOptions& options) {
   const TangentialInfluence influence(g.grid.mesh, c.poisson, g.grid.mesh.cells() <= 400);
   const double slip = c.friction * g.load / (c.shear_modulus * g.length * g.length);
   const Creepage reduced{c.creepage.longitudinal / slip, c.creepage.lateral / slip,
@@ -78,14 +78,14 @@ CreepForces solve_rolling(const contact::Grid& grid, const Eigen::VectorXd& pres
     throw InputError{"pressures must be finite and not negative"};
   const Given given = placed(grid, pressure, options.remedy);
   if (c.friction == 0) return without_friction();
-  const StickSlip fine = solve_given(given, c, options.solver);
+  const StickSlip fine = solve_given(given, c, options);
   CreepForces out = in_units(given.grid, fine, c.friction * given.load, given.length);
   if (!options.estimate || grid.nx < 4) return out;
   contact::Grid half = grid;
   Eigen::VectorXd p = pressure;
   halve(half, p);
   const Given coarse = placed(half, p, options.remedy);
-  const StickSlip rough = solve_given(coarse, c, options.solver);
+  const StickSlip rough = solve_given(coarse, c, options);
   if (!rough.converged) return out;
   Resultants r = resultants(coarse.grid.mesh, rough.p);
   r.mz *= coarse.length / given.length;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "rolling/rolling_case.hpp"
+#include "rolling/rolling_contact.hpp"
 #include "rolling/rolling_influence.hpp"
 #include "rolling/stick_slip.hpp"
 
@@ -25,9 +26,9 @@ Eigen::VectorXd rigid_slip(const RollingMesh& mesh, const Creepage& reduced);
 // Stick and slip for the reduced creepages. The slip of a cell is taken half a cell ahead of its middle, and a sliding
 // cell should slide along the slip in its middle: where the slip turns, the two differ by first order. A second
 // solution, started from the first, adds what turns the slip of each sliding cell into the mean with that of the cell
-// behind it. Both solutions, and so the forces, are continuous in the creepages.
+// behind it (with `remedy`). Both solutions, and so the forces, are continuous in the creepages.
 StickSlip solve_on(const TangentialInfluence& influence, const RollingGrid& grid,
-                   const Creepage& reduced, const StickSlipOptions& options = {},
+                   const Creepage& reduced, const RollingOptions& options,
                    const StickSlip* start = nullptr);
 
 struct Resultants {

@@ -21,12 +21,14 @@ read. Positive creepage gives positive force, that of the wheel on the rail; `sp
 #include <utility>
 
 #include "contact/hertz.hpp"
+#include "memory.hpp"
 #include "num/roots.hpp"
 #include "rolling/creep_laws.hpp"
 #include "rolling/material_pair.hpp"
 #include "rolling/theory.hpp"
 #include "table/csv.hpp"
 #include "tool/out_folder.hpp"
+#include "tool/progress.hpp"
 #include "tool/summary.hpp"
 #include "tools.hpp"
 #include "units/constants.hpp"
@@ -129,11 +131,47 @@ struct Row {
   CreepForces forces;
 };
 
+constexpr double coarse_error = 0.1;  // of mu N: from here on an answer is doubtful
+
+// Why a row is doubtful; empty if it is not.
+std::string doubt_of(const CreepForces& f) {
+  if (!f.doubt.empty()) return std::string(f.doubt);
+  if (std::isfinite(f.error) && f.error > coarse_error)
+    return fmt::format("the cells are too coarse: error estimate above {:g} mu N; give more cells",
+                       coarse_error);
+  return "";
+}
+
 // Zero for what is only rounding beside the bound.
 void clean(CreepForces& f, double bound, double length) {
   for (double* force : {&f.fx, &f.fy})
     if (std::abs(*force) < 1e-12 * bound) *force = 0;
   if (std::abs(f.mz) < 1e-12 * bound * length) f.mz = 0;
+}
+
+// The largest error estimates, and what the rows are doubtful for.
+void add_doubts(tool::Summary& answer, const std::vector<Row>& all, double unit) {
+  double error = 0, moment = 0;
+  for (const auto& [creepage, f] : all) {
+    error = std::max(error, f.error);
+    moment = std::max(moment, f.mz_error);
+  }
+  if (std::isfinite(error)) {
+    answer.add("error_share", "largest error estimate of the force", error, "of mu N");
+    answer.add("mz_error_N_m", "and of the moment", moment * unit, "N m");
+  } else {
+    answer.add("error_share", "error estimate", "none by this theory; compare with full");
+  }
+  std::vector<std::string> seen;
+  for (const auto& [creepage, f] : all) {
+    const std::string doubt = doubt_of(f);
+    if (doubt.empty() || std::ranges::find(seen, doubt) != seen.end()) continue;
+    const auto count =
+        std::ranges::count_if(all, [&](const Row& r) { return doubt_of(r.forces) == doubt; });
+    seen.push_back(doubt);
+    answer.flag(fmt::format("range_{}", seen.size()),
+                fmt::format("{} ({} of {} rows)", doubt, count, all.size()));
+  }
 }
 
 std::vector<Row> rows(const Wish& wish, RollingCase c, const Solver& solve, double to) {
@@ -178,13 +216,19 @@ void print_rows(const std::vector<Row>& all, double bound) {
                std::abs(f.stick_share));
 }
 
-std::string csv(const std::vector<Row>& all) {
-  std::string text = "longitudinal,lateral,spin_1_per_m,fx_N,fy_N,mz_N_m,stick_share,error_share\n";
+// `unit` of the moment's error: mu N sqrt(a b) [N m].
+std::string csv(const std::vector<Row>& all, double unit) {
+  const auto estimate = [](double x, double of) {
+    return std::isfinite(x) ? fmt::format("{:.2g}", x * of) : "nan";
+  };
+  std::string text =
+      "longitudinal,lateral,spin_1_per_m,fx_N,fy_N,mz_N_m,stick_share,error_share,mz_error_N_m,"
+      "doubt\n";
   for (const auto& [creepage, f] : all)
-    text +=
-        fmt::format("{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.6g},{}\n", creepage.longitudinal,
-                    creepage.lateral, creepage.spin, f.fx, f.fy, f.mz, std::abs(f.stick_share),
-                    std::isfinite(f.error) ? fmt::format("{:.2g}", f.error) : "nan");
+    text += fmt::format("{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.6g},{},{},{}\n",
+                        creepage.longitudinal, creepage.lateral, creepage.spin, f.fx, f.fy, f.mz,
+                        std::abs(f.stick_share), estimate(f.error, 1), estimate(f.mz_error, unit),
+                        table::csv_cell(doubt_of(f)));
   return text;
 }
 
@@ -211,8 +255,14 @@ void run(const Wish& wish) {
                fmt::format("not elastically similar (K = {:.3f}); left out", pair.dissimilarity));
   answer.add("lateral", "lateral creepage", wish.lateral, "");
   answer.add("spin_1_per_m", "spin creepage", wish.spin, "1/m");
-  const Solver solve =
-      solver(wish.theory, c.a / c.b, c.poisson, wish.cells, wish.coefficients == "computed");
+  say_memory(wish.theory, wish.cells);
+  tool::Progress progress("points", double(wish.points) + (wish.force ? 12 : 0));
+  const Solver solve = [&progress,
+                        one = solver(wish.theory, c.a / c.b, c.poisson, wish.cells,
+                                     wish.coefficients == "computed")](const RollingCase& at) {
+    progress.step();
+    return one(at);
+  };
   const auto all = rows(wish, c, solve, to);
   double largest = 0;
   for (const auto& row : all) largest = std::max(largest, std::hypot(row.forces.fx, row.forces.fy));
@@ -222,16 +272,14 @@ void run(const Wish& wish) {
     answer.add("creepage_at_force", "creepage for it",
                creepage_for(*wish.force, c, solve, wish.from, to), "");
   }
-  if (std::isfinite(all.back().forces.error)) {
-    double error = 0;
-    for (const auto& row : all) error = std::max(error, row.forces.error);
-    answer.add("error_share", "largest error estimate", error, "of mu N");
-  }
+  progress.end();
+  const double moment = bound * std::sqrt(c.a * c.b);
+  add_doubts(answer, all, moment);
   if (!all.back().forces.reason.empty()) answer.add("note", "note", all.back().forces.reason);
   answer.print();
   print_rows(all, bound);
   if (out) {
-    out.add("curve.csv", csv(all));
+    out.add("curve.csv", csv(all, moment));
     out.add("curve.json", answer.json());
     out.figure(tools::scripts("creep") / "curve.gp", {"curve.csv"}, "curve.png");
   }

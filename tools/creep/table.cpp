@@ -13,13 +13,16 @@ answer and in the file.
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "memory.hpp"
 #include "rolling/force_table.hpp"
 #include "rolling/theory.hpp"
 #include "table/csv.hpp"
 #include "tool/out_folder.hpp"
+#include "tool/progress.hpp"
 #include "tool/summary.hpp"
 #include "tools.hpp"
 #include "units/constants.hpp"
@@ -65,6 +68,39 @@ std::string csv(const ForceTable& table, const Wish& wish, const InterpolationEr
   return text;
 }
 
+// What the theory itself says of its answers, at nodes and points together.
+struct OwnError {
+  double answers = 0, doubtful = 0, squares = 0, moment_squares = 0, largest = 0;
+  std::string doubt;
+
+  void add(const CreepForces& f) {
+    ++answers;
+    if (!f.doubt.empty()) ++doubtful, doubt = f.doubt;
+    largest = std::max(largest, f.error);
+    squares += f.error * f.error;
+    moment_squares += f.mz_error * f.mz_error;
+  }
+  void tell(tool::Summary& answer) const {
+    if (doubtful > 0)
+      answer.flag("range",
+                  fmt::format("{} ({:.0f} of {:.0f} nodes and points)", doubt, doubtful, answers));
+    if (!std::isfinite(largest)) {
+      answer.add("theory_error", "the theory's own error", "not known to it; compare with full");
+      return;
+    }
+    const double rms = std::sqrt(squares / answers);
+    answer.add("theory_error_largest", "estimate of the theory's own error, largest", largest,
+               "of mu N");
+    answer.add("theory_error_rms", "  root of the mean square", rms, "of mu N");
+    answer.add("theory_error_moment_rms", "  of the moment", std::sqrt(moment_squares / answers),
+               "of mu N sqrt(a b)");
+    if (rms > 0.1)
+      answer.flag(
+          "coarse",
+          fmt::format("the cells are too coarse: error estimate {:.2g} mu N; give more", rms));
+  }
+};
+
 void run(Wish wish) {
   tool::OutFolder out(wish.out, {"table.csv", "table.json"});
   wish.axes.ratios = static_cast<int>(wish.ratios);
@@ -72,13 +108,26 @@ void run(Wish wish) {
   wish.axes.lateral = static_cast<int>(wish.lateral);
   wish.axes.spin = static_cast<int>(wish.spin);
   if (wish.axes.ratio_from == wish.axes.ratio_to) wish.axes.ratios = 1;
+  say_memory(wish.theory, wish.cells);
+  tool::Progress progress("nodes and points", double(wish.axes.ratios) * wish.axes.longitudinal *
+                                                      wish.axes.lateral * wish.axes.spin +
+                                                  double(wish.points));
+  OwnError own;
   const ShareTheory theory = [&](double ratio) {
+    const Solver solve =
+        solver(wish.theory, ratio, wish.poisson, wish.cells, wish.coefficients == "computed");
     return shares_of(
-        solver(wish.theory, ratio, wish.poisson, wish.cells, wish.coefficients == "computed"),
+        [&, solve](const RollingCase& c) {
+          progress.step();
+          const CreepForces f = solve(c);
+          own.add(f);
+          return f;
+        },
         ratio, wish.poisson);
   };
   const ForceTable table(wish.axes, theory);
   const auto error = table.error(theory, static_cast<int>(wish.points));
+  progress.end();
   tool::Summary answer("Creep force table");
   answer.add("theory", "theory", wish.theory);
   answer.add("nodes", "nodes",
@@ -93,6 +142,7 @@ void run(Wish wish) {
              "of mu N sqrt(a b)");
   answer.add("error_moment_rms", "  root of the mean square", error.rms_moment,
              "of mu N sqrt(a b)");
+  own.tell(answer);
   answer.add("error_points", "measured at points off the nodes", double(error.points), "");
   answer.print();
   if (out) {

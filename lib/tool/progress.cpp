@@ -1,0 +1,44 @@
+#include "tool/progress.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <utility>
+
+namespace railbook::tool {
+
+std::string progress_line(const std::string& what, double done, double steps, double seconds) {
+  const double left = done > 0 ? std::max(0.0, steps - done) * seconds / done : 0;
+  const std::string time = left < 100    ? fmt::format("{:.0f} s", left)
+                           : left < 6000 ? fmt::format("{:.0f} min", left / 60)
+                                         : fmt::format("{:.0f} h", left / 3600);
+  return fmt::format("{}: {:.0f} of {:.0f}, about {} to go", what, done, std::max(done, steps),
+                     time);
+}
+
+Progress::Progress(std::string what, double steps)
+    : what_(std::move(what)), steps_(steps), terminal_(isatty(STDERR_FILENO) != 0) {}
+
+void Progress::end() {
+  if (said_ && terminal_) fmt::print(stderr, "\r\x1b[K");
+  said_ = false;
+}
+
+void Progress::step() {
+  ++done_;
+  const auto now = Clock::now();
+  const auto since = [&](Clock::time_point t) {
+    return std::chrono::duration<double>(now - t).count();
+  };
+  const double seconds = since(begin_);
+  const bool first = !said_ && seconds > 2 && (steps_ - done_) * seconds > 10 * done_;
+  if (!first && !(said_ && terminal_ && since(shown_) > 0.5)) return;
+  said_ = true;
+  shown_ = now;
+  fmt::print(stderr, "{}{}{}", terminal_ ? "\r" : "", progress_line(what_, done_, steps_, seconds),
+             terminal_ ? "\x1b[K" : "\n");
+}
+
+}  // namespace railbook::tool

@@ -1,0 +1,12 @@
+#include "tool/progress.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace railbook;
+
+TEST_CASE("Progress says what is left at the pace so far") {
+  CHECK(tool::progress_line("points", 12, 40, 30) == "points: 12 of 40, about 70 s to go");
+  CHECK(tool::progress_line("nodes", 1, 121, 2) == "nodes: 1 of 121, about 4 min to go");
+  CHECK(tool::progress_line("nodes", 1, 10001, 2) == "nodes: 1 of 10001, about 6 h to go");
+  CHECK(tool::progress_line("points", 50, 40, 30) == "points: 50 of 50, about 0 s to go");
+}
