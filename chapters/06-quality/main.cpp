@@ -26,7 +26,7 @@ is tested and its range stated, and the paper's hypothesis is tried on a vehicle
 
 {{include: nonlinear.cpp}}
 
-{{include: index.cpp}}
+{{include: histogram.cpp}}
 
 {{include: spreading.cpp}}
 
@@ -101,5 +101,6 @@ int main(int argc, char** argv) {
                 "Application to Maintenance-of-Way Planning, Transportation Research Record 802, "
                 "1981",
        .sources = RAILBOOK_CHAPTER_DIR},
-      {stroke, force, combined, spectrum, filter, nonlinear, index, spreading}, {cost, extremes});
+      {stroke, force, combined, spectrum, filter, nonlinear, histogram, spreading},
+      {cost, extremes});
 }

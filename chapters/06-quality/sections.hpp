@@ -17,7 +17,7 @@ extern const report::Section combined;   // Figure 7
 extern const report::Section spectrum;   // Figure 8
 extern const report::Section filter;     // the descriptor on a record
 extern const report::Section nonlinear;  // the hypothesis, equation (7)
-extern const report::Section index;      // Figure 9
+extern const report::Section histogram;  // Figure 9
 extern const report::Section spreading;  // Figures 10 and 11
 extern const report::Section cost;       // study: error against run time
 extern const report::Section extremes;   // study: stability

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -74,9 +73,8 @@ std::optional<std::vector<double>> paired_speeds(const StateMatrix& s, double lo
   const Eigen::ArrayXd pivots = lu.matrixLU().diagonal().array().abs();
   if (!(pivots.minCoeff() > least_pivot * pivots.maxCoeff())) return std::nullopt;
   const MatrixXd pencil = lu.solve(pair_sums(s.by_slowness));
-  const Eigen::EigenSolver<MatrixXd> solver{pencil, false};
   std::vector<double> speeds;
-  for (const Complex theta : solver.eigenvalues()) {
+  for (const Complex theta : num::eigenvalues(pencil)) {
     if (std::abs(theta) < 1e-12 * pencil.norm()) continue;
     const Complex slowness = shift - 1.0 / theta;
     if (std::abs(slowness.imag()) > 1e-4 * std::abs(slowness) || slowness.real() <= 0) continue;
@@ -151,12 +149,12 @@ Vector9c scaled_to(const FreightCar& car, const Vector9c& shape, double amplitud
 std::vector<Motion> modes(const QuasiLinearCar& car, const QuasiLinearCar::Gains& gains,
                           double speed) {
   units::require_positive("speed", speed, "m/s");
-  const Eigen::EigenSolver<MatrixXd> solver{state_matrix(car, gains).at(1 / speed)};
+  const auto [values, vectors] = num::eigenpairs(state_matrix(car, gains).at(1 / speed));
   std::vector<Motion> result;
   for (Eigen::Index k = 0; k < 18; ++k) {
-    const Complex lambda = solver.eigenvalues()[k];
+    const Complex lambda = values[k];
     if (lambda.imag() < 0) continue;
-    const Vector9c shape = solver.eigenvectors().col(k).head<9>();
+    const Vector9c shape = vectors.col(k).head<9>();
     result.push_back({scaled_to(car.car(), shape, 1), lambda, speed});
   }
   std::sort(result.begin(), result.end(),

@@ -9,6 +9,13 @@ namespace railbook::num {
 // Throws std::runtime_error when the iteration does not converge, as with a matrix that holds NaN.
 Eigen::VectorXcd eigenvalues(const Eigen::Ref<const Eigen::MatrixXd>& matrix);
 
+// With their eigenvectors, of length 1, as columns.
+struct Eigenpairs {
+  Eigen::VectorXcd values;
+  Eigen::MatrixXcd vectors;
+};
+Eigenpairs eigenpairs(const Eigen::Ref<const Eigen::MatrixXd>& matrix);
+
 // Those of a symmetric matrix, ascending; only the lower triangle is read.
 Eigen::VectorXd symmetric_eigenvalues(const Eigen::Ref<const Eigen::MatrixXd>& matrix);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "num/dopri5.hpp"
+#include "num/eigenvalues.hpp"
 #include "num/radau5.hpp"
 #include "track/impact_system.hpp"
 #include "units/constants.hpp"
@@ -38,8 +39,7 @@ Eigen::Vector3d natural_frequencies(const ImpactModel& model) {
   const Eigen::Vector3d scale =
       Eigen::Vector3d{model.wheel_mass, t.rail_mass, t.bed_mass}.cwiseSqrt().cwiseInverse();
   const Eigen::Matrix3d scaled = scale.asDiagonal() * stiffness * scale.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver{scaled, Eigen::EigenvaluesOnly};
-  return solver.eigenvalues().cwiseMax(0.0).cwiseSqrt() / (2.0 * units::pi);
+  return num::symmetric_eigenvalues(scaled).cwiseMax(0.0).cwiseSqrt() / (2.0 * units::pi);
 }
 
 std::string_view to_string(ImpactStatus status) {

@@ -24,3 +24,13 @@ TEST_CASE("eigenvalues of a rotation, of a symmetric matrix, and of none", "[num
   turn(0, 0) = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS_AS(num::eigenvalues(turn), std::runtime_error);
 }
+
+TEST_CASE("eigenpairs satisfy what defines them", "[num][property]") {
+  Eigen::MatrixXd a(3, 3);
+  a << 1, 2, 0, -3, 0.5, 1, 0, 4, -2;
+  const auto [values, vectors] = num::eigenpairs(a);
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    CHECK(vectors.col(k).norm() == Approx(1));
+    CHECK((a * vectors.col(k) - values[k] * vectors.col(k)).norm() < 1e-14 * a.norm());
+  }
+}

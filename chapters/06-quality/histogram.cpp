@@ -91,7 +91,7 @@ void fig_09(report::Item& item) {
 
 }  // namespace
 
-const report::Section index{report::figure(
+const report::Section histogram{report::figure(
     "fig-09", "Histogram of the descriptor and risk of derailment (Fig. 9)", fig_09)};
 
 }  // namespace railbook::quality_chapter
