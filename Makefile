@@ -2,9 +2,11 @@
 
 BUILD    := build
 LEVEL    ?= quick
+PRESET   ?= default
 CHAPTERS := $(notdir $(patsubst %/,%,$(sort $(wildcard chapters/*/))))
 chosen    = $(filter $(C)-% 0$(C)-%,$(CHAPTERS))
 some      = $(if $(C),$(or $(chosen),$(error C is "$(C)"; allowed: the number of one of $(CHAPTERS))))
+wants     = { command -v $(1) > /dev/null || { echo "$(1) is not installed; on Debian: sudo apt-get install $(1)"; exit 2; }; }
 program   = $(lastword $(subst -, ,$(1)))
 SOURCES   = $(shell git ls-files '*.cpp' '*.hpp' ':!tests/book')
 
@@ -12,7 +14,8 @@ SOURCES   = $(shell git ls-files '*.cpp' '*.hpp' ':!tests/book')
 
 help:             ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' $(MAKEFILE_LIST) | expand -t 24
-	@echo; echo "  LEVEL=full lengthens Monte Carlo and refines references; chapters: $(CHAPTERS)"
+	@echo; echo "  PRESET=developer makes warnings errors."
+	@echo "  LEVEL=full lengthens Monte Carlo and refines references; chapters: $(CHAPTERS)"
 
 doctor:           ## say which packages are missing and what the tools' versions are
 	@cmake/packages.sh check
@@ -22,7 +25,7 @@ packages:
 	@cmake/packages.sh install
 
 configure: packages
-	@cmake --preset default --log-level=WARNING -B $(BUILD)
+	@cmake --preset $(PRESET) --log-level=WARNING -B $(BUILD)
 
 programs: configure
 	@cmake --build $(BUILD) --target programs
@@ -61,9 +64,11 @@ bench: programs   ## error against run time at full length, one chapter after th
 	@cmake/reproduce.sh $(BUILD) full $(CHAPTERS)
 
 format:           ## clang-format every source in place
+	@$(call wants,clang-format)
 	clang-format -i $(SOURCES)
 
 lint: build       ## clang-format (check only) and clang-tidy (Debian packages of those names)
+	@$(call wants,clang-format) && $(call wants,clang-tidy)
 	clang-format --dry-run --Werror $(SOURCES)
 	clang-tidy -p $(BUILD) --quiet --extra-arg=-Wno-unknown-warning-option $(filter lib/%.cpp chapters/%.cpp,$(SOURCES))
 

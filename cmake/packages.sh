@@ -1,5 +1,5 @@
 #!/bin/sh
-# packages.sh check|install: what of packages.txt this machine lacks; `install` gets it with apt (Debian 12).
+# packages.sh check|install: what of packages.txt this machine lacks; `install` gets it with apt (Debian, Ubuntu).
 set -eu
 cd "$(dirname "$0")/.."
 names=$(sed -e 's/#.*//' -e 's/[[:space:]].*//' -e '/^$/d' packages.txt)
@@ -12,23 +12,59 @@ if ! command -v dpkg-query >/dev/null 2>&1 || ! command -v apt-get >/dev/null 2>
   exit 1
 fi
 
-missing=
+parts() { echo "$1" | tr '&' ' '; }
+choices() { echo "$1" | tr '|' ' '; }
+all() { # all TEST NAME&NAME: whether the test holds of each
+  for part in $(parts "$2"); do "$1" "$part" || return 1; done
+}
+installed() { dpkg-query -W -f '${Status}' "$1" 2>/dev/null | grep -q 'ok installed'; }
+known() { apt-cache show --no-all-versions "$1" >/dev/null 2>&1; }
+
+lacking=
 for name in $names; do
-  dpkg-query -W -f '${Status}' "$name" 2>/dev/null | grep -q 'ok installed' || missing="$missing $name"
+  found=
+  for choice in $(choices "$name"); do ! all installed "$choice" || found=yes; done
+  [ -n "$found" ] || lacking="$lacking $name"
 done
-if [ -z "$missing" ]; then
+if [ -z "$lacking" ]; then
   [ "$1" = install ] || echo "All packages of packages.txt are installed."
   exit 0
 fi
-echo "Missing packages:$missing"
+echo "Missing packages:$lacking"
 [ "$1" = install ] || exit 1
 
 root=
+by_hand() {
+  echo "$1 This line, run by an administrator, installs them:"
+  echo "  apt-get update && apt-get install --no-install-recommends$(echo "$lacking" | sed -e 's/|[^ ]*//g')"
+  exit 1
+}
 if [ "$(id -u)" -ne 0 ]; then
-  command -v sudo >/dev/null 2>&1 || { echo "Not root and no sudo: install them by hand."; exit 1; }
-  root=sudo
+  command -v sudo >/dev/null 2>&1 || by_hand "You are not root, and there is no sudo."
+  sudo true || by_hand "sudo does not let you install packages."
+  root="sudo env DEBIAN_FRONTEND=noninteractive" # sudo drops the environment
 fi
-echo "Installing them with apt-get."
+export DEBIAN_FRONTEND=noninteractive
 $root apt-get update -qq
-# shellcheck disable=SC2086  # a list of words
-DEBIAN_FRONTEND=noninteractive $root apt-get install -y -qq --no-install-recommends $missing >/dev/null
+
+# Of each line with alternatives the first that this release has; none of them is no hindrance.
+wanted=
+for name in $lacking; do
+  choice=$name
+  case $name in
+    *'|'*)
+      choice=
+      for one in $(choices "$name"); do [ -n "$choice" ] || ! all known "$one" || choice=$one; done
+      [ -n "$choice" ] || echo "No package here gives $name; what needs it is left out." ;;
+  esac
+  wanted="$wanted $(parts "$choice")"
+done
+[ -n "$(echo "$wanted" | tr -d ' ')" ] || exit 0
+
+# shellcheck disable=SC2086  # lists of words, here and below
+plan=$(apt-get install -s --no-install-recommends $wanted | grep -c '^Inst ') || plan=0
+# shellcheck disable=SC2086
+size=$(LC_ALL=C apt-get install --assume-no --no-install-recommends $wanted 2>/dev/null | sed -n -e 's/^Need to get \(.*\) of archives.*/to fetch \1/p' -e 's/^After this operation, \(.*\) of additional.*/on the disk \1/p' | tr '\n' ',' | sed -e 's/,$//' -e 's/,/, /') || size=
+echo "Installing with apt-get: $plan packages with what they depend on${size:+; $size}."
+# shellcheck disable=SC2086
+$root apt-get install -y -qq --no-install-recommends $wanted >/dev/null
