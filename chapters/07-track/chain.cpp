@@ -4,10 +4,13 @@
 Nobody can look up a foundation modulus. The paper builds it from parts that can be known (Figure 2): under each
 rail seat lie a pad (if any), the tie, the ballast and the subgrade, springs in series,
 
-$$K=\frac{k}{l_t},\qquad\frac1k=\frac1{k_{pad}}+\frac1{k_{tie}}+\frac2{k_{bs}},\qquad
-  \frac1{k_{bs}}=\frac1{k_b}+\frac1{k_s},$$
+$$K=\frac{k}{l_t}, \tag{3}$$
 
-equations (3) to (5). The 2 halves the bed: with its neighbours loaded too, a tie sinks about twice as far as
+$$\frac1k=\frac1{k_{pad}}+\frac1{k_{tie}}+\frac2{k_{bs}}, \tag{4}$$
+
+$$\frac1{k_{bs}}=\frac1{k_b}+\frac1{k_s}. \tag{5}$$
+
+The 2 halves the bed: with its neighbours loaded too, a tie sinks about twice as far as
 alone, and Winkler's separate springs cannot know that.
 
 {{fig-02}}
@@ -15,20 +18,22 @@ alone, and Winkler's separate springs cannot know that.
 The ballast carries in a pyramid only, evenly loaded at every depth, its sides at the friction angle $\alpha$
 (20° in the paper) to the vertical; the subgrade is a bed of springs $K_0$ below the pyramid's base:
 
-$$k_b=\frac{C(l-w)E_b}{\ln\dfrac{l\,(w+Ch)}{w\,(l+Ch)}},\qquad k_s=K_0(l+Ch)(w+Ch),\qquad C=2\tan\alpha,$$
+$$k_b=\frac{C(l-w)E_b}{\ln\dfrac{l\,(w+Ch)}{w\,(l+Ch)}},\qquad C=2\tan\alpha, \tag{6}$$
 
-equations (6) and (7), for a loaded area $l\times w$ and a ballast depth $h$. As printed, (6) divides nothing by
-nothing for a square area ($l=w$) and for vertical sides ($\alpha=0$), neither of which is special physically.
-We evaluate the compliance instead,
+$$k_s=K_0(l+Ch)(w+Ch), \tag{7}$$
+
+for a loaded area $l\times w$ and a ballast depth $h$. (6) divides nothing by nothing for a square area ($l=w$) and for vertical sides
+($\alpha=0$), neither of which is special physically. The program evaluates the compliance instead,
 
 $$\frac1{k_b}=\frac{h}{E_b\,w\,(l+Ch)}\cdot\frac{\ln(1+x)}{x},\qquad x=\frac{Ch\,(l-w)}{w\,(l+Ch)},$$
 
-which is (6) rearranged and has no such holes; `log1p` keeps its digits on the way into them.
+which is (6) rearranged and has no such holes.
+
+{{code: track/stiffness_chain.cpp stiffness_chain}}
 
 {{chain}}
 
-Every length and modulus of this typical track but the 20° is our assumption. We chose ordinary values, and they
-happen to put zero deflection at ten feet; nothing more is claimed for them.
+Every length and modulus of this typical track but the 20° is assumed: ordinary values, chosen so that zero deflection is at ten feet.
 
 {{fig-chain}}
 
@@ -44,55 +49,57 @@ for it.
 #include <cmath>
 #include <functional>
 
-#include "items.hpp"
 #include "num/quadrature.hpp"
+#include "sections.hpp"
 #include "track/typical_track.hpp"
 
-using namespace railbook;
-using namespace railbook::track;
+namespace railbook::track_chapter {
+
+using namespace track;
 
 namespace {
 
-std::string in_lb_per_in(double stiffness) {
-  return fmt::format("{:.1f}", stiffness / (units::lbf / units::inch));
+constexpr double lb_per_in = units::lbf / units::inch;
+
+// Equation (6) as it is printed.
+double printed_ballast_stiffness(const TieSupport& s) {
+  const double l = s.loaded_length, w = s.tie_width, spread = 2 * std::tan(s.friction_angle);
+  const double reach = spread * s.ballast_depth;
+  return spread * (l - w) * s.ballast_modulus / std::log(l * (w + reach) / (w * (l + reach)));
 }
 
-void chain(report::Item& item) {
+// The same by adding up slices of the pyramid.
+double ballast_by_slices(const TieSupport& s) {
+  const double spread = 2 * std::tan(s.friction_angle);
+  const auto slice = [&](double z) {
+    return 1 / (s.ballast_modulus * (s.loaded_length + spread * z) * (s.tie_width + spread * z));
+  };
+  return 1 / num::integrate(slice, 0, s.ballast_depth, 1e-12).value;
+}
+
+void chain_table(report::Item& item) {
+  item.rebuilt("the paper gives the formulas and the friction angle, no other datum");
   const auto support = typical_support();
   const auto chain = stiffness_chain(support);
   const auto beam = typical_beam();
-  item.columns({"part", "from", "value", "unit"});
-  item.add_row({"tie", "assumed", in_lb_per_in(support.tie_stiffness), "lb/in"});
-  item.add_row({"ballast", "(6): 30 × 9 in, 12 in deep, 30 000 psi, all assumed; 20°",
-                in_lb_per_in(chain.ballast), "lb/in"});
-  item.add_row({"subgrade", "(7): 100 lb/in³ assumed", in_lb_per_in(chain.subgrade), "lb/in"});
-  item.add_row({"ballast on subgrade", "(5)", in_lb_per_in(chain.bed), "lb/in"});
-  item.add_row({"rail seat", "(4)", in_lb_per_in(chain.seat), "lb/in"});
-  item.add_row({"foundation modulus K", "(3): ties 19.5 in apart, assumed",
-                fmt::format("{:.1f}", chain.foundation_modulus / units::psi), "psi"});
-  item.add_row(
-      {"β", "(1): 132RE, assumed", fmt::format("{:.6f}", beam.beta() * units::inch), "1/in"});
-  item.add_row({"under one wheel K_r", "(2)", in_lb_per_in(beam.point_stiffness()), "lb/in"});
-
-  item.reconstructed("the paper gives the formulas and the friction angle, no other datum");
+  item.columns({"part", "from", {"value", "{:.1f}"}, "unit"});
+  item.add_row("tie", "assumed", support.tie_stiffness / lb_per_in, "lb/in");
+  item.add_row("ballast", "(6): 30 × 9 in, 12 in deep, 30 000 psi, all assumed; 20°",
+               chain.ballast / lb_per_in, "lb/in");
+  item.add_row("subgrade", "(7): 100 lb/in³ assumed", chain.subgrade / lb_per_in, "lb/in");
+  item.add_row("ballast on subgrade", "(5)", chain.bed / lb_per_in, "lb/in");
+  item.add_row("rail seat", "(4)", chain.seat / lb_per_in, "lb/in");
+  item.add_row("foundation modulus K", "(3): ties 19.5 in apart, assumed",
+               chain.foundation_modulus / units::psi, "psi");
+  item.add_row("under one wheel K_r", "(2): 132RE, assumed", beam.point_stiffness() / lb_per_in,
+               "lb/in");
   item.expect_checks(2);
-  const double spread = 2 * std::tan(support.friction_angle);
-  const auto slice = [&](double z) {
-    return 1 / (support.ballast_modulus * (support.loaded_length + spread * z) *
-                (support.tie_width + spread * z));
-  };
-  item.agree("ballast", "ballast pyramid k_b", "MN/m", chain.ballast / 1e6,
-             1e-6 / num::integrate(slice, 0, support.ballast_depth, 1e-12).value, 1e-11,
+  const double slices = ballast_by_slices(support) / 1e6;
+  item.agree("ballast", "ballast pyramid k_b, (6) rearranged", "MN/m", chain.ballast / 1e6, slices,
+             1e-11, "slices of the pyramid, integrated");
+  item.agree("ballast-as-printed", "ballast pyramid k_b, (6) as printed", "MN/m",
+             printed_ballast_stiffness(support) / 1e6, slices, 1e-11,
              "slices of the pyramid, integrated");
-  const auto layer = [&](double top, double bottom) {
-    return ballast_compliance(support.loaded_length + spread * top,
-                              support.tie_width + spread * top, bottom - top,
-                              support.ballast_modulus, support.friction_angle);
-  };
-  const double third = support.ballast_depth / 3;
-  item.agree("layers", "the same in three layers", "MN/m",
-             1e-6 / (layer(0, third) + layer(third, 2 * third) + layer(2 * third, 3 * third)),
-             chain.ballast / 1e6, 1e-12, "one layer");
 }
 
 // K_r of the typical track with one thing changed, MN/m.
@@ -104,6 +111,7 @@ double changed(const std::function<void(TieSupport&)>& change) {
 }
 
 void chain_curves(report::Item& item) {
+  item.added("equations (2) to (7) with one datum of the typical track changed");
   auto& ties = item.data("", {"tie_spacing_in", "K_r_MN_per_m"});
   for (double in = 15; in <= 36; in += 0.25)
     ties.add(in, changed([&](auto& s) { s.tie_spacing = in * units::inch; }));
@@ -120,18 +128,17 @@ void chain_curves(report::Item& item) {
   const auto chain_of_base = stiffness_chain(base);
   item.value("soil-softer", chain_of_base.ballast / chain_of_base.subgrade, "", "{:.0f}");
   item.value("overlap", overlap_depth(base) / units::inch, "inches", "{:.1f}");
-  item.reconstructed(
-      "not in the paper: its equations (2) to (7), one datum of the typical track changed");
 }
 
 }  // namespace
 
-void track_chapter::add_chain(report::Chapter& chapter) {
-  chapter.figure("fig-02",
-                 "Steps to the model: a wheel on ties and ballast pyramids, and the springs",
-                 draw_steps);
-  chapter.table("chain", "The stiffness chain of the typical track", chain);
-  chapter.figure("fig-chain",
-                 "Stiffness under a wheel as tie spacing, ballast depth and soil change",
-                 chain_curves);
-}
+const report::Section chain{
+    report::figure("fig-02",
+                   "Steps to the model: a wheel on ties and ballast pyramids, and the springs",
+                   draw_steps),
+    report::table("chain", "The stiffness chain of the typical track", chain_table),
+    report::figure("fig-chain",
+                   "Stiffness under a wheel as tie spacing, ballast depth and soil change",
+                   chain_curves)};
+
+}  // namespace railbook::track_chapter

@@ -4,12 +4,13 @@ seat with the base area that (7) multiplies by the soil modulus, and beside it t
 */
 
 #include "drawing/labelled.hpp"
-#include "items.hpp"
 #include "scene/shapes.hpp"
+#include "sections.hpp"
 #include "track/typical_track.hpp"
 
-using namespace railbook;
-using namespace railbook::track;
+namespace railbook::track_chapter {
+
+using namespace track;
 
 namespace {
 
@@ -63,7 +64,7 @@ void add_chain_of_springs(scene::Scene& s, double x, std::vector<drawing::Label>
 
 }  // namespace
 
-void track_chapter::draw_steps(report::Item& item) {
+void draw_steps(report::Item& item) {
   item.sketch("drawn to scale from the assumed typical track; the paper's figure is a scheme");
   std::vector<drawing::Label> labels{{{9, -3, 40}, "wheel P"},
                                      {{-31, -3, 4.5}, "rail EI"},
@@ -76,3 +77,5 @@ void track_chapter::draw_steps(report::Item& item) {
   const auto camera = scene::looking_at(drawing, {0.35, -2.0, 0.55}, size, true);
   drawing::labelled(item, "fig-02.gp", drawing, camera, size, labels);
 }
+
+}  // namespace railbook::track_chapter

@@ -112,29 +112,6 @@ std::vector<double> trackside(const LumpedTrack& track, double beta, double spee
   return sum;
 }
 
-std::vector<double> respond(const LumpedTrack& track, std::span<const double> force, double step) {
-  units::require_positive("sampling step", step, "s");
-  if (force.empty()) throw InputError("force history: no samples");
-  const auto n = track.input.size();
-  // Track, force and the force's slope as one autonomous system over a step.
-  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(n + 2, n + 2);
-  all.topLeftCorner(n, n) = track.rates;
-  all.block(0, n, n, 1) = track.input;
-  all(n, n + 1) = 1.0;
-  const Eigen::MatrixXd flow = (all * step).exp();
-  Eigen::VectorXd x(n + 2);
-  x.head(n) = track.rates.partialPivLu().solve(-track.input * force[0]);
-  std::vector<double> y{x[0]};
-  y.reserve(force.size());
-  for (std::size_t k = 1; k < force.size(); ++k) {
-    x[n] = units::require_finite("force", force[k - 1], "N");
-    x[n + 1] = (force[k] - force[k - 1]) / step;
-    x = flow * x;
-    y.push_back(x[0]);
-  }
-  return y;
-}
-
 TracksidePeak trackside_peak(double theta, double mu, double zeta) {
   units::require_positive("speed ratio V/V_c", theta);
   units::require_positive("mass ratio mu", mu);

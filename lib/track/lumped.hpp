@@ -59,10 +59,6 @@ std::vector<double> trackside(const LumpedTrack& track, double beta, double spee
                               std::span<const WheelLoad> wheels, double start, double step,
                               int count);
 
-// Rail deflection under any force history: `force` [N] sampled every `step` [s] and taken as linear in
-// between, exact for that; from rest in equilibrium with force[0].
-std::vector<double> respond(const LumpedTrack& track, std::span<const double> force, double step);
-
 struct TracksidePeak {
   double y = 0;    // units of the static deflection
   double tau = 0;  // beta V t at the peak; 0 when the load is overhead

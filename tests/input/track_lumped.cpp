@@ -18,6 +18,5 @@ TEST_CASE("input: bad lumped tracks and passages are refused") {
   CHECK_THROWS_AS(Passage(good, -1, 1), InputError);
   const WheelLoad bad{0, nan};
   CHECK_THROWS_AS(trackside(good, 1, 1, {&bad, 1}, 0, 0.1, 10), InputError);
-  CHECK_THROWS_AS(respond(good, {}, 0.1), InputError);
   CHECK_THROWS_AS(trackside_peak(0, 0.75, 0), InputError);
 }

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "track/beam_elements.hpp"
-#include "track/lifting_ties.hpp"
 #include "track/typical_track.hpp"
 #include "units/input_error.hpp"
 
@@ -63,11 +62,4 @@ TEST_CASE("input: beam models that make no sense") {
   model.joints = {};
   model.spring = Eigen::VectorXd{{1.0}};
   CHECK_THROWS_WITH(solve_beam(model, {}), Contains("springs"));
-}
-
-TEST_CASE("input: lifting ties refuse what they cannot do") {
-  auto model = rail_on_ties(5e6, 5e6, 0.5, 20, LoadPlace::over_tie);
-  CHECK_THROWS_AS(solve_lifting(model, {{20, 1e5}}, -1.0), InputError);
-  model.joints = {{10, hinge}};
-  CHECK_THROWS_AS(solve_lifting(model, {{20, 1e5}}, 0.0), InputError);
 }

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <vector>
 
+#include "../support/sampled_response.hpp"
 #include "track/lumped.hpp"
 #include "track/moving_load.hpp"
 

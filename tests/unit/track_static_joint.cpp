@@ -120,3 +120,16 @@ TEST_CASE("unit: elements on ties agree with the Bloch solution to 1e-10") {
       CHECK(ratio == Approx(discrete_tie_ratio(b, place)).epsilon(1e-10));
     }
 }
+
+TEST_CASE("unit: a public finite-element code's benchmark on 100 ties is right but for the ties") {
+  // PlatypusBytes/ROSE, benchmark set 1, test_infinite_euler_beam_without_damping: ties 1 m apart of 275 kN/m, EI of 441 kN m^2,
+  // 18 kN over a tie; a run of its December 2025 revision (5099 steps in time) settles to 20.53682 mm.
+  const double ei = 4.41e5, tie = 2.75e5, spacing = 1.0, force = 18e3, theirs = 20.53682e-3;
+  const double exact =
+      solve_beam(rail_on_ties(ei, tie, spacing, 50, LoadPlace::over_tie), {{50, force}})
+          .deflection(50);
+  CHECK(exact == Approx(theirs).epsilon(2e-5));
+  // Its distance to Winkler's bed is the ties'.
+  CHECK(1 - theirs * WinklerBeam{ei, tie / spacing}.point_stiffness() / force ==
+        Approx(0.00135).epsilon(0.02));
+}

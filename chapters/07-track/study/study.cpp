@@ -1,0 +1,13 @@
+/***
+# Track: what it costs, and where it holds
+
+## Error against run time
+
+{{include: cost.cpp}}
+
+## Stability
+
+{{stability}}
+
+{{include: extremes.cpp}}
+*/
