@@ -8,8 +8,8 @@ step and element takes both errors down. The lumped model keeps its modelling er
 
 {{work-precision: cost-moving}}
 
-**The joint**: the largest force over it, from a quarter rail before the joint on, by six integrators at tolerances from 1e-5 to 1e-11. The reference is order 5 and
-order 8 at their tightest, which agree to {{joint-reference}}.
+**The joint**: the largest force over it, from a quarter rail before the joint on, by five integrators at tolerances from 1e-5 to 1e-10. The reference is order 5 and
+order 8 at their tightest, which agree within {{joint-reference}}.
 
 {{cost-joint}}
 
@@ -20,6 +20,7 @@ method must resolve it, and the explicit ones do that at the least cost. BDF and
 */
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -98,9 +99,10 @@ void cost_joint(report::Item& item) {
   item.added("a comparison of methods");
   const double reference = joint_force(ImpactMethod::dopri5, 1e-14).force[0];
   const double other = joint_force(ImpactMethod::rk8pd, 1e-14).force[0];
-  const double uncertainty = std::abs(other / reference - 1);
+  // Claimed is more than the two differ by: their last digits depend on the machine.
+  const double uncertainty = std::max(1e-12, std::abs(other / reference - 1));
   const auto method = [](const char* name, ImpactMethod which, bool restart = true) {
-    return bench::sweep(name, std::vector<double>{1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11},
+    return bench::sweep(name, std::vector<double>{1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10},
                         [=](double tolerance) {
                           const ForcesAt f = joint_force(which, tolerance, restart);
                           return bench::Outcome{.values = {f.complete ? f.force[0] : units::nan},
@@ -115,10 +117,9 @@ void cost_joint(report::Item& item) {
                  method("explicit order 8 (GSL)", ImpactMethod::rk8pd),
                  method("BDF (GSL)", ImpactMethod::msbdf),
                  method("implicit Gauss (GSL)", ImpactMethod::rk4imp),
-                 method("implicit extrapolation (GSL)", ImpactMethod::bsimp),
                  method("Radau IIA", ImpactMethod::radau5)},
                 0.05);
-  item.value("joint-reference", uncertainty < 1e-10 ? "better than 1e-10" : "no better than 1e-10");
+  item.value("joint-reference", uncertainty, "", "{:.0e}");
 }
 
 }  // namespace
