@@ -5,46 +5,35 @@
 cycle stable: a little more amplitude at the same speed makes the mode decay, which for a mode that speed excites means that $V$ rises with
 $A$. On the cone's tread every amplitude is a cycle at the one critical speed, neither stable nor unstable; the paper counts that vertical line, dotted here, as unstable.
 
-The rule looks at one mode only, the cycle's own. The circles are what becomes of *every* small deviation, by Floquet multipliers of the full equations
-({{labels}}): filled where all of them die out, open where one grows, at the amplitude of the true cycle. {{floquet-found}} of {{floquet-tried}} searches for the true cycle
-succeeded. On the flange the true amplitude is another than the describing function's, and some circles stand off their line.
+The rule looks at one mode only, the cycle's own. The circles are what becomes of *every* small deviation, by Floquet multipliers of the full equations:
+filled where all die out, open where one grows, at the amplitude of the true cycle. {{floquet-found}} of {{floquet-tried}} searches found a true cycle near the describing
+function's. **Folds and ends of these lines are those of the describing functions.** On the flange the equations' own branches turn elsewhere: continued by an independent program
+with orthogonal collocation (AUTO-07p, run apart from this book), the new wheel's turns at 200.57 ft/s instead of {{fold-new}} and CN's at 150.3 instead of {{fold-cn}}.
 
 {{fig-11}}
 
-With new wheels the branch goes straight up at {{v-new}} until the flange is met at {{flange-new}}, bends back by {{bend-back}} and then runs far to
-the right, to {{fold-new}}. The paper says just that. But **Floquet disagrees with the label**: from {{torus-floquet}} on the line is solid and the circles are open. Another mode
-grows on the cycle, a torus bifurcation ({{torus}}).
+With new wheels the branch goes straight up at 145 ft/s until the flange is met at {{flange-new}} and then runs far to
+the right. But from {{torus-speed}} on the line is solid and the circles are open: a second frequency grows on the cycle ({{fig-multipliers}}).
+With CN wheels there is a lower region, where one truck has met the flange and the other has not, and a higher one with both, on a falling branch and unstable.
+The Heumann wheel has its small stable cycle without flange contact, the paper's "limited range of speeds".
+With friction the sticking car is nearly one rigid body, and its cycles come down to {{friction-fold}} (a minimum that hangs on the sticking rate).
 
-With CN wheels the branch leans to the left by a little, up to {{cn-flange}}, and then has the paper's two regions of flange
-contact: a lower one, where one truck has met the flange and the other has not, and a higher one with both. The first is
-stable by the rule up to its fold, by Floquet up to {{torus-floquet-cn}}. The higher is on a falling branch, and unstable.
-The Heumann wheel has its small stable cycle without flange contact between {{heumann-low}} and {{heumann-high}}: the paper's "limited range of speeds".
+{{claims}}
 
-Friction changes the picture at small amplitude. The sticking car is nearly one rigid body and its cycles come down to {{friction-fold}}
-at {{friction-fold-a}}, from where a stable branch goes up to {{friction-top}}. That minimum is a matter of $\varepsilon$: a tenth of it gives {{fold-10}}, while the describing function hardly notices at 90 ft/s ({{friction-epsilon}}). Integrated in time, the cycle there moves more (Stability, below).
+**The frequency on the flange.** "For all three wheel profiles, frequencies for limit cycles with flange contact approach a single high value in the
+neighborhood of 30.5 rad/s." Here the frequency depends on the amplitude, and at 0.6 in, well up the flange, the full equations have lower ones than the describing functions, because a cycle that is
+driven from wall to wall is no sine.
 
-{{fig-families}}
-
-Each car has a second family, from its second Hopf point ({{fig-families}}). With new wheels it is a truck alone, the rear one, that swings once the flange is met:
-half an inch behind and hardly anything in front ({{cycles}}). Its mirror image, the front truck alone, exists too: exchanging front and rear
-changes nothing in the equations but the coupling through the centre plates.
-
-{{fold-table}}
-
-{{cycles}}
-
-{{friction-epsilon}}
+{{flange-frequency}}
 */
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "dynamics/hill.hpp"
-#include "items.hpp"
-#include "study.hpp"
+#include "sections.hpp"
+#include "vehicles.hpp"
 
 namespace railbook::hunting_chapter {
 
@@ -53,12 +42,7 @@ using namespace dynamics;
 namespace {
 
 constexpr double inch = units::inch, foot = units::foot;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-// A neutral direction is not growth: rounding of the zero exponents.
-bool grows(Complex exponent) {
-  return exponent.real() > 1e-6;
-}
+using units::nan;
 
 const std::vector<std::string> columns{"V_ft_per_s",  "A_in",       "stable_in",
                                        "unstable_in", "neutral_in", "omega"};
@@ -75,11 +59,12 @@ void draw_branch(report::Data& data, const CycleBranch& branch) {
   }
 }
 
-// The cycles of the table of labels, and more of those that the paper's rule calls stable.
+// The true cycle near every sixth point that the paper's rule calls stable, and near some others.
 void add_floquet(report::Item& item) {
   auto& marks = item.data("floquet", {"V_ft_per_s", "stable_in", "unstable_in"});
   int tried = 0, found = 0;
-  const auto mark = [&](const CyclePoint& p, const Examined& truth) {
+  const auto mark = [&](const Vehicle& v, const CyclePoint& p) {
+    const Examined truth = examine(v.car.car(), *v.table, p.motion);
     ++tried;
     if (!truth.converged) return;
     ++found;
@@ -87,168 +72,227 @@ void add_floquet(report::Item& item) {
     const bool stable = truth.stability.stable;
     marks.add(p.motion.speed / foot, stable ? a : nan, stable ? nan : a);
   };
-  for (const auto& l : labelled_cycles()) mark(l.point, l.truth);
-  constexpr int every = 6;
-  for (const auto& s : studies()) {
+  for (const auto& v : vehicles()) {
     int seen = 0;
-    for (const auto& p : s.main_branch().points)
-      if (p.stable && seen++ % every == 0) mark(p, examine(s.car.car(), *s.table, p.motion));
+    for (const auto& p : v.main_branch().points)
+      if (p.stable && seen++ % 6 == 0) mark(v, p);
+    for (const double inches : {0.41, 0.43, 0.48, 0.6})
+      for (const auto& p : cycles_at_amplitude(v.car, v.main_branch(), inches * inch))
+        if (!p.stable) mark(v, p);
   }
   item.value("floquet-tried", tried, "", "{:.0f}");
   item.value("floquet-found", found, "", "{:.0f}");
 }
 
-void figure_11(report::Item& item) {
-  item.reconstructed("profiles, equivalent dampers and the width of friction are ours");
-  for (const auto& s : studies())
-    draw_branch(s.key == "new" ? item.data(columns) : item.data(s.key, columns), s.main_branch());
+double fastest_fold(const CycleBranch& branch) {
+  double v = 0;
+  for (const auto& fold : branch.folds) v = std::max(v, fold.motion.speed / foot);
+  return v;
+}
+
+void fig_11(report::Item& item) {
+  item.rebuilt(rebuilt_reason);
+  for (const auto& v : vehicles())
+    draw_branch(v.key == "new" ? item.data(columns) : item.data(v.key, columns), v.main_branch());
   add_floquet(item);
-  const auto& fresh = study("new");
-  const auto lower_bend =
-      std::min_element(fresh.main_branch().folds.begin(), fresh.main_branch().folds.end(),
-                       [](const auto& a, const auto& b) { return a.largest < b.largest; });
   double flange = 0;
-  for (const auto& p : fresh.main_branch().points)
+  for (const auto& p : vehicle("new").main_branch().points)
     if (p.neutral) flange = p.largest;
-  item.value("flange-new", flange / inch, "in", "{:.4f}");
-  item.value("bend-back", (fresh.hopf[0].motion.speed - lower_bend->motion.speed) / foot, "ft/s",
-             "{:.3f}");
-  const auto fastest = [](const CycleBranch& b) {
-    return *std::max_element(b.folds.begin(), b.folds.end(), [](const auto& x, const auto& y) {
-      return x.motion.speed < y.motion.speed;
-    });
+  item.value("flange-new", flange / inch, "in", "{:.2f}");
+  item.value("fold-new", fastest_fold(vehicle("new").main_branch()), "ft/s", "{:.1f}");
+  item.value("fold-cn", fastest_fold(vehicle("cn").main_branch()), "ft/s", "{:.1f}");
+  item.value("friction-fold", vehicle("friction").main_branch().folds.at(0).motion.speed / foot,
+             "ft/s", "{:.0f}");
+}
+
+struct Range {
+  double low = 1e9, high = 0;
+  double width() const { return high - low; }
+  void add(double x) { low = std::min(low, x), high = std::max(high, x); }
+  std::string text() const { return fmt::format("{:.2f} to {:.2f} ft/s", low, high); }
+};
+
+// Speeds of the main branch's points with `accept`, ft/s.
+template <class Accept>
+Range speeds(const Vehicle& v, Accept&& accept) {
+  Range range;
+  for (const auto& p : v.main_branch().points)
+    if (accept(p)) range.add(p.motion.speed / foot);
+  return range;
+}
+
+// The amplitude at which R is ten percent off its tread line [m].
+double flange_of(const Vehicle& v) {
+  double x = 0.05 * inch;
+  const double slope = v.table->R.slope(0.01 * inch);
+  while (std::abs(v.table->R(x) / (slope * x) - 1) < 0.1) x += 0.001 * inch;
+  return x;
+}
+
+CyclePoint at_amplitude(const Vehicle& v, double inches) {
+  return cycles_at_amplitude(v.car, v.main_branch(), inches * inch).at(0);
+}
+
+void tread_claims(report::Item& item) {
+  const Vehicle &fresh = vehicle("new"), &cn = vehicle("cn"), &heumann = vehicle("heumann");
+  const auto tread = [](double top) {
+    return [top](const CyclePoint& p) { return p.largest < top * inch; };
   };
-  item.value("fold-new", fastest(fresh.main_branch()).motion.speed / foot, "ft/s", "{:.1f}");
+  const Range v = speeds(fresh, tread(0.395));
+  item.claim("vertical",
+             "new wheels: the curve is vertical until the flange contacts (to 0.01 ft/s)",
+             v.width() < 0.01, "up to 0.395 in");
+  const Range a = speeds(cn, tread(0.34)), b = speeds(heumann, tread(0.22));
+  item.claim("variation", "CN A and Heumann: slightly more variation, and still small (within 1 %)",
+             std::min(a.width(), b.width()) > v.width() && a.width() < 0.01 * a.low &&
+                 b.width() < 0.01 * b.low,
+             fmt::format("CN A {}, Heumann {}", a.text(), b.text()));
 }
 
-void fold_table(report::Item& item) {
-  item.columns({"branch", "V, ft/s", "V, m/s", "A, in", "ω, rad/s", "leading exponent, 1/s"});
-  item.reconstructed("profiles, equivalent dampers and the width of friction are ours");
-  for (const auto& s : studies())
-    for (const auto& fold : s.main_branch().folds) {
-      const Complex e = leading_exponent(s.car, fold.motion);
-      item.add_row(
-          {s.name, fmt::format("{:.4f}", fold.motion.speed / foot),
-           fmt::format("{:.4f}", fold.motion.speed), fmt::format("{:.5f}", fold.largest / inch),
-           fmt::format("{:.4f}", fold.motion.lambda.imag()),
-           std::abs(e) < 1e-4 ? "0"
-                              : fmt::format("{:.3f} ± {:.3f}i", e.real(), std::abs(e.imag()))});
-    }
-  const auto& cn = study("cn").main_branch().folds;
-  const auto leftmost = std::min_element(cn.begin(), cn.end(), [](const auto& a, const auto& b) {
-    return a.motion.speed < b.motion.speed;
+void flange_claims(report::Item& item) {
+  const Vehicle &fresh = vehicle("new"), &cn = vehicle("cn"), &heumann = vehicle("heumann");
+  const auto stable_above = [](double a) {
+    return [a](const CyclePoint& p) { return p.stable && p.largest > a; };
+  };
+  const Range n = speeds(fresh, stable_above(flange_of(fresh)));
+  const Range r = speeds(cn, stable_above(0.36 * inch));
+  const Range h =
+      speeds(heumann, [](const CyclePoint& p) { return p.stable && p.largest < 0.3 * inch; });
+  item.claim("far-right",
+             "new wheels: by the paper's rule the stable cycles extend to a high speed (a quarter "
+             "above 145 ft/s)",
+             n.high > 1.25 * 145, n.text());
+  item.claim("smaller-range", "the speed range of stable cycles is smaller for CN A and Heumann",
+             std::max(r.width(), h.width()) < n.width(),
+             fmt::format("CN A {}, Heumann {}", r.text(), h.text()));
+  item.claim(
+      "heumann-window",
+      "Heumann: stable cycles in a limited range of speeds, at amplitudes without flange contact",
+      h.high > h.low && h.width() < 0.05 * h.low,
+      fmt::format("{}; the flange is met at {:.2f} in", h.text(), flange_of(heumann) / inch));
+  Range upper;
+  for (const auto& p : cn.main_branch().points)
+    if (p.stable) upper.add(p.largest / inch);
+  item.refute(
+      "cn-regions", "CN A: stable cycles in two distinct regions of flange contact",
+      upper.high < 0.46,
+      fmt::format("by the paper's own rule none is stable above {:.3f} in, where both trucks touch",
+                  upper.high));
+  const auto low = at_amplitude(cn, 0.42), high = at_amplitude(cn, 0.48);
+  item.refute("cn-rear", "CN A, lower region: only a wheelset of the rear truck touches",
+              low.amplitude[0] > flange_of(cn) && low.amplitude[0] > low.amplitude[2],
+              fmt::format("the front truck's does: {:.3f} in at the front, {:.3f} at the rear",
+                          low.amplitude[0] / inch, low.amplitude[2] / inch));
+  item.claim(
+      "cn-both", "CN A, higher region: a wheelset of each truck touches",
+      std::min(high.amplitude[0], high.amplitude[2]) > flange_of(cn),
+      fmt::format("{:.3f} and {:.3f} in", high.amplitude[0] / inch, high.amplitude[2] / inch));
+}
+
+// How far bolster and truck move against each other, a part of the truck's motion.
+double stroke(const Vehicle& v, const CyclePoint& p) {
+  const Complex u = v.car.car().joint[1].row.cast<Complex>().dot(p.motion.shape);
+  return std::abs(u) / std::abs(p.motion.shape[X_TR]);
+}
+
+void friction_claims(report::Item& item) {
+  const Vehicle &cn = vehicle("cn"), &friction = vehicle("friction");
+  const double linear = cn.hopf[0].motion.speed / foot;
+  const Range small = speeds(friction, [](const CyclePoint& p) { return p.largest < 0.05 * inch; });
+  item.claim("friction-low",
+             "friction: at low amplitude the speeds are reduced drastically (to less than half)",
+             small.low < 0.5 * linear,
+             fmt::format("from {:.0f} ft/s on, {:.1f} in the linear car", small.low, linear));
+  double largest = 0;
+  for (const auto& p : friction.main_branch().points)
+    if (p.stable && p.motion.speed < 90 * foot) largest = std::max(largest, p.largest);
+  item.claim(
+      "friction-stable",
+      "friction: stable cycles at low speeds have very low amplitudes (0.05 in below 90 ft/s)",
+      largest > 0 && largest < 0.05 * inch, fmt::format("up to {:.3f} in", largest / inch));
+  const Range large = speeds(friction, [](const CyclePoint& p) {
+    return p.largest > 0.1 * inch && p.largest < 0.45 * inch;
   });
-  item.value("cn-flange", leftmost->largest / inch, "in", "{:.3f}");
-  const auto& heumann = study("heumann").main_branch().folds;
-  item.value("heumann-low", heumann.at(0).motion.speed / foot, "ft/s", "{:.2f}");
-  item.value("heumann-high", heumann.at(1).motion.speed / foot, "ft/s", "{:.2f}");
-  const auto& friction = study("friction").main_branch().folds;
-  item.value("friction-fold", friction.at(0).motion.speed / foot, "ft/s", "{:.1f}");
-  item.value("friction-fold-a", friction.at(0).largest / inch, "in", "{:.4f}");
-  item.value("friction-top", friction.at(1).motion.speed / foot, "ft/s", "{:.1f}");
+  item.claim("friction-large",
+             "friction: at large amplitudes the speeds are closer to the linear critical speed, "
+             "and below it",
+             large.low > small.low && large.high < linear, large.text());
+  const auto touching = at_amplitude(friction, 0.42);
+  item.refute("friction-flange", "friction: the cycles with flange contact are stable",
+              !touching.stable,
+              fmt::format("at 0.42 in speed falls with amplitude ({:.1f} ft/s)",
+                          touching.motion.speed / foot));
+  const double stuck = stroke(friction, at_amplitude(friction, 0.02)),
+               sliding = stroke(friction, at_amplitude(friction, 0.3));
+  item.claim(
+      "friction-rigid",
+      "friction: at low amplitude the car moves more as one rigid body, at large amplitude its "
+      "parts move apart",
+      stuck < sliding,
+      fmt::format("stroke over truck motion {:.4f} at 0.02 in, {:.4f} at 0.3 in", stuck, sliding));
+  CarParameters less;
+  less.damper_travel *= 0.5, less.damper_angle *= 0.5;
+  const auto found =
+      hopf_points({assemble(less, Suspension::dampers), *cn.table}, 20 * foot, 250 * foot);
+  const double slower = found.empty() ? nan : found[0].motion.speed / foot;
+  item.claim("equivalent-too-large",
+             "friction: equivalent amplitudes and frequencies were too large: half of them bring "
+             "the linear car nearer",
+             std::abs(slower - large.high) < std::abs(linear - large.high),
+             fmt::format("{:.1f} ft/s with half, {:.1f} with all", slower, linear));
 }
 
-void add_cycles(report::Item& item, const Study& s, const CycleBranch& branch,
-                const std::string& name, const std::vector<double>& amplitudes) {
-  for (const double inches : amplitudes)
-    for (const auto& p : cycles_at_amplitude(s.car, branch, inches * inch)) {
-      std::vector<std::string> row{name, fmt::format("{:.3f}", inches),
-                                   fmt::format("{:.3f}", p.motion.speed / foot),
-                                   fmt::format("{:.3f}", p.motion.lambda.imag())};
-      for (const double a : p.amplitude) row.push_back(fmt::format("{:.4f}", a / inch));
-      row.push_back(p.neutral ? "neutral" : p.stable ? "stable" : "unstable");
-      const Complex e = leading_exponent(s.car, p.motion);
-      row.push_back(grows(e) ? fmt::format("{:.2f} ± {:.1f}i", e.real(), std::abs(e.imag()))
-                             : "none grows");
-      item.add_row(row);
-    }
+void claims(report::Item& item) {
+  item.rebuilt(rebuilt_reason);
+  item.expect_checks(15);
+  tread_claims(item);
+  flange_claims(item);
+  friction_claims(item);
+  const Vehicle& fresh = vehicle("new");
+  const auto body = [&](std::size_t k) { return std::abs(fresh.hopf[k].motion.shape[X_C]); };
+  item.claim("secondary", "there are secondary limit cycles at higher speeds, of another shape",
+             fresh.hopf.size() > 1 && body(1) < 0.5 * body(0),
+             fmt::format("from {:.1f} ft/s on; body over wheelset {:.2f} instead of {:.2f}",
+                         fresh.hopf[1].motion.speed / foot, body(1), body(0)));
 }
 
-void cycles(report::Item& item) {
-  item.columns({"branch", "A, in", "V, ft/s", "ω, rad/s", "front leading, in", "front trailing",
-                "rear leading", "rear trailing", "paper's rule", "Hill: leading exponent, 1/s"});
-  item.reconstructed("profiles, equivalent dampers and the width of friction are ours");
-  add_cycles(item, study("new"), study("new").branches[0], "new, in phase",
-             {0.2, 0.41, 0.43, 0.45, 0.5, 0.6});
-  add_cycles(item, study("new"), study("new").branches[1], "new, rear truck",
-             {0.2, 0.41, 0.43, 0.48, 0.6});
-  add_cycles(item, study("cn"), study("cn").branches[0], "CN A", {0.2, 0.3, 0.41, 0.48, 0.6});
-  add_cycles(item, study("heumann"), study("heumann").branches[0], "Heumann",
-             {0.1, 0.2, 0.3, 0.41, 0.6});
-  add_cycles(item, study("friction"), study("friction").main_branch(), "CN A with friction",
-             {0.02, 0.05, 0.1, 0.2, 0.3, 0.45, 0.5});
-}
-
-const CyclePoint* slowest_fold(const CycleBranch& branch) {
-  const auto at = std::min_element(
-      branch.folds.begin(), branch.folds.end(),
-      [](const auto& a, const auto& b) { return a.motion.speed < b.motion.speed; });
-  return at == branch.folds.end() ? nullptr : &*at;
-}
-
-// The stable branch downwards from 0.15 in, round the fold and up again along the unstable one.
-CycleBranch friction_branch(const QuasiLinearCar& car, Motion& guess) {
-  const auto first = find_cycle(car, guess, 0.15 * inch);
-  if (!first.converged) return {};
-  guess = first.cycle.motion;
-  BranchOptions options;
-  options.first_amplitude = 1e-4 * inch;
-  options.highest_speed = 110 * foot;
-  return trace_from(car, first.cycle, -1, options);
-}
-
-void friction_epsilon(report::Item& item) {
-  item.columns({"width ε over ours", "fold V, ft/s", "A, in", "ω, rad/s", "A at 90 ft/s, in",
-                "A at 100 ft/s, in"});
-  item.reconstructed("the paper's friction is a sign function; its width is ours");
-  const auto& ours = study("friction");
-  Motion guess = cycles_at_amplitude(ours.car, ours.main_branch(), 0.15 * inch).at(0).motion;
-  for (const double share : {1.0, 0.5, 0.25, 0.15, 0.1}) {
-    CarParameters data;
-    data.stick_speed *= share;
-    data.stick_rate *= share;
-    const QuasiLinearCar car{assemble(data, Suspension::friction), *study("friction").table};
-    const auto branch = friction_branch(car, guess);
-    std::vector<std::string> row{fmt::format("{}", share), "none found", "-", "-"};
-    if (const CyclePoint* fold = slowest_fold(branch)) {
-      row = {fmt::format("{}", share), fmt::format("{:.2f}", fold->motion.speed / foot),
-             fmt::format("{:.4f}", fold->largest / inch),
-             fmt::format("{:.2f}", fold->motion.lambda.imag())};
-      item.value(fmt::format("fold-{:.0f}", 100 * share), fold->motion.speed / foot, "ft/s",
-                 "{:.1f}");
-    }
-    for (const double speed : {90 * foot, 100 * foot}) {
-      const auto at = cycles_at_speed(car, branch, speed);
-      row.push_back(at.empty() ? "-" : fmt::format("{:.4f}", at.front().largest / inch));
-    }
-    item.add_row(row);
+void flange_frequency(report::Item& item) {
+  item.rebuilt(rebuilt_reason);
+  item.expect_checks(2);
+  item.columns({"wheel",
+                {"V, ft/s", "{:.1f}"},
+                {"ω by describing functions, rad/s", "{:.2f}"},
+                {"ω of the full equations", "{:.2f}"},
+                {"amplitude there, in", "{:.3f}"}});
+  double low = 1e9, high = 0, true_low = 1e9, true_high = 0;
+  for (int k = 0; k < with_dampers; ++k) {
+    const Vehicle& v = vehicles()[static_cast<std::size_t>(k)];
+    const auto p = at_amplitude(v, 0.6);
+    const Examined truth = examine(v.car.car(), *v.table, p.motion);
+    const double omega = p.motion.lambda.imag();
+    low = std::min(low, omega), high = std::max(high, omega);
+    if (truth.converged)
+      true_low = std::min(true_low, truth.omega), true_high = std::max(true_high, truth.omega);
+    item.add_row(v.name, p.motion.speed / foot, omega, truth.converged ? truth.omega : nan,
+                 truth.converged ? truth.amplitude / inch : nan);
   }
-}
-
-void families(report::Item& item) {
-  item.reconstructed("profiles, equivalent dampers and the width of friction are ours");
-  for (const auto& s : studies()) {
-    report::Data& data = s.key == "new" ? item.data({"V_ft_per_s", "A_in", "omega"})
-                                        : item.data(s.key, {"V_ft_per_s", "A_in", "omega"});
-    for (std::size_t k = 0; k < s.branches.size(); ++k) {
-      if (k > 0) data.gap();
-      if (k > 0) data.gap();
-      for (const auto& p : s.branches[k].points)
-        data.add(p.motion.speed / foot, p.largest / inch, p.motion.lambda.imag());
-    }
-  }
+  item.refute("flange-single",
+              "with flange contact all three frequencies approach a single value in the "
+              "neighborhood of 30.5 rad/s",
+              true_high - true_low > 2 && true_low < 30.5 && true_high > 30.5,
+              fmt::format("{:.1f} to {:.1f} rad/s by the full equations at the cycles of 0.6 in",
+                          true_low, true_high));
+  item.claim("flange-high",
+             "with flange contact the frequencies are high: above those of the tread",
+             low > 26.5 && true_low > 26.5,
+             fmt::format("{:.1f} to {:.1f} rad/s by describing functions", low, high));
 }
 
 }  // namespace
 
-void add_branches(report::Chapter& chapter) {
-  chapter.figure("fig-11", "Amplitude of limit cycles against speed (the paper's Fig. 11)",
-                 figure_11);
-  chapter.figure("fig-families", "Both families of limit cycles of each car", families);
-  chapter.table("fold-table", "Folds: where speed turns round along a branch", fold_table);
-  chapter.table("cycles", "Limit cycles by describing functions at chosen amplitudes", cycles);
-  chapter.table("friction-epsilon", "What the width of regularized friction changes",
-                friction_epsilon);
-}
+const report::Section branches{
+    report::figure("fig-11", "Amplitude of limit cycles against speed (Fig. 11)", fig_11),
+    report::table("claims", "What the text says of amplitudes and speeds", claims),
+    report::table("flange-frequency", "Frequencies with flange contact, 0.6 in", flange_frequency)};
 
 }  // namespace railbook::hunting_chapter

@@ -5,46 +5,64 @@ Two trucks of three pieces each under a rigid body. The state is $q=(X_{TF},X_{T
 \theta_{WR},X_C,\theta_C,\phi_C)$: each truck's lateral position, the yaw $\theta_T$ of its side frames and its *warp* $\theta_W$, the angle by which
 the parallelogram of side frames and axles is out of square; then the body's lateral position, yaw and roll. A wheelset stands at
 $x_w=X_T\pm L_T\theta_T$ with the yaw $\psi=\theta_T+\theta_W$; the bolster stays parallel to the axles and moves with the
-body.
+body. The creepages of its wheels are, in the paper's (1) to (5),
 
-Table 1 of the paper, the equations of motion, is lost. They follow from the words: with the creepages of
-(1) to (5) and the linear creep forces, one wheelset feels
+$$\xi_x=\frac{\dot x_w}V-\psi, \tag{1}$$
+
+$$\xi_{zR,L}=1\pm\frac aV\dot\psi-\frac{r_{R,L}}{r_0},\qquad \xi_{\theta R,L}=\pm\frac{\delta_{R,L}}{r_0}+\frac{\dot\psi}V, \tag{2}$$
+
+and gravity pushes sideways with
+
+$$N_{xR}+N_{xL}=-W\Big(\frac{\delta_L-\delta_R}2+\phi_w\Big). \tag{6}$$
+
+Table 1 of the paper, the equations of motion, is lost. They follow from these words and linear creep forces: one wheelset feels
 
 $$F=-2f_{11}\Big(\frac{\dot x_w}V-\psi\Big)-\frac{2f_{12}}V\dot\psi+\Big(\frac{2f_{12}}{r_0}-W\Big)D-W\Phi,$$
 $$M=-\frac{2(a^2f_{33}+f_{22})}V\dot\psi-\frac{2a^2f_{33}}{r_0}R+2f_{12}\Big(\frac{\dot x_w}V-\psi\Big)
-  +\frac{2f_{22}}{r_0}D,$$
+  +\frac{2f_{22}}{r_0}D.$$
 
-and no other property of the contact matters than the three functions $R=(r_L-r_R)/2a$, $D=(\delta_L-\delta_R)/2$ and
-$\Phi=\phi_w$ of $x_w$. Spin creep carries {{spin-share}} of what gravity does to the contact angle, with the other sign: $2f_{12}/r_0$ = {{spin-force}} against an axle load of
+Spin creep carries {{spin-share}} of what gravity does to the contact angle, with the other sign: $2f_{12}/r_0$ = {{spin-force}} against an axle load of
 {{axle-load}}.
 
-Every matrix is a sum of outer products of row vectors, one for each body, spring and wheelset. {{matrices}}
-compares the result with the same car computed without them, body by body and wheel by wheel.
+{{code: dynamics/freight_car.cpp add_creep}}
 
-{{matrices}}
+The suspension is springs in parallel with dry friction, whose describing function is (12) below; for the joints, with the amplitudes
+$A_1\ldots A_7$ of their rates,
+
+$$F_{xs}=K_xu+\frac{4F_{0x}}{\pi A}\dot u, \tag{13}$$
+
+and (14) to (19) likewise for the rear, the vertical springs, warp and the centre plates:
+
+{{code: dynamics/freight_car.cpp joint_list}}
 
 {{parameters}}
 
-Some entries are not simply printed: exponents and digits are missing in the available copy, and the equivalent linear
-dampers are not stated at all. The paper took "constant amplitudes and frequency" for them; 20 rad/s,
-0.5 in and 0.003 rad are ours, $c=4F_0/\pi\omega A$ each. This one choice brings the paper's critical speed and its three
-frequencies together ({{critical-speeds}}). What it is worth is told by {{fig-sensitivities}}.
+Exponents and digits are missing in the available copy. **The creep coefficients can be recomputed**, because the paper names the
+theory, Kalker's, and calls them full values: Hertz's ellipse of a 33-in wheel on a rail head of {{crown}} under half the axle load, steel with Young's modulus {{young}}
+and Poisson's ratio {{poisson}} (radius and steel are assumptions), times Kalker's table.
+
+{{creep-coefficients}}
+
+Three agree with the print to a few percent, which settles the exponents of $f_{11}$ and $f_{33}$. For $f_{22}$, of which the copy shows "?2.1", the
+same ellipse gives {{f22}}: 42.1 is the likely reading. The computations below use 82.1, made before; the critical speed with new wheels differs by {{f22-effect}}.
 */
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
-#include "dynamics/body_by_body.hpp"
-#include "items.hpp"
-#include "study.hpp"
+#include "contact/hertz.hpp"
+#include "rolling/kalker_table.hpp"
+#include "sections.hpp"
+#include "vehicles.hpp"
 
 namespace railbook::hunting_chapter {
 
 using namespace dynamics;
 
 namespace {
+
+constexpr double inch = units::inch, foot = units::foot, lbf = units::lbf;
 
 std::string origin_text(const CarDatum& datum) {
   switch (datum.origin) {
@@ -59,86 +77,96 @@ std::string origin_text(const CarDatum& datum) {
 }
 
 void parameters(report::Item& item) {
-  item.columns({"", "what", "value", "unit", "SI", "origin"});
-  item.reconstructed("data of Table 2 that are illegible, missing or ours are marked");
+  item.rebuilt("data of Table 2 that are illegible or not given are marked");
+  item.columns({"", "what", {"value", "{:.7g}"}, "unit", "SI", "origin"});
   const CarParameters car;
   for (const CarDatum& datum : car_data()) {
     const double si = car.*datum.member;
-    item.add_row({fmt::format("${}$", datum.symbol), datum.name,
-                  fmt::format("{:.7g}", si / datum.unit_si), datum.unit,
-                  fmt::format("{:.5g} {}", si, units::si_name(datum.dimension)),
-                  origin_text(datum)});
+    item.add_row(fmt::format("${}$", datum.symbol), datum.name, si / datum.unit_si, datum.unit,
+                 fmt::format("{:.5g} {}", si, units::si_name(datum.dimension)), origin_text(datum));
   }
   const Dampers c = equivalent_dampers(car);
-  const double per_foot = units::lbf / units::foot, torque = units::lbf * units::foot;
   const auto damper = [&](const char* symbol, const char* what, double value, double unit,
                           const char* unit_name, const char* si) {
-    item.add_row({symbol, what, fmt::format("{:.1f}", value / unit), unit_name,
-                  fmt::format("{:.5g} {}", value, si), "reconstructed: $4F_0/\\pi\\omega A$"});
+    item.add_row(symbol, what, value / unit, unit_name, fmt::format("{:.5g} {}", value, si),
+                 "fitted: $4F_0/\\pi\\omega A$");
   };
-  damper("$c_x$", "lateral damper, a side frame", c.lateral, per_foot, "lb s/ft", "N s/m");
-  damper("$c_y$", "vertical damper, a side frame", c.vertical, per_foot, "lb s/ft", "N s/m");
-  damper("$c_w$", "warp damper, a truck", c.warp, torque, "ft lb s/rad", "N m s/rad");
-  damper("$c_\\theta$", "centre-plate damper, a truck", c.centre_plate, torque, "ft lb s/rad",
+  damper("$c_x$", "lateral damper, a side frame", c.lateral, lbf / foot, "lb s/ft", "N s/m");
+  damper("$c_y$", "vertical damper, a side frame", c.vertical, lbf / foot, "lb s/ft", "N s/m");
+  damper("$c_w$", "warp damper, a truck", c.warp, lbf * foot, "ft lb s/rad", "N m s/rad");
+  damper("$c_\\theta$", "centre-plate damper, a truck", c.centre_plate, lbf * foot, "ft lb s/rad",
          "N m s/rad");
   const double spin = 2 * car.f12 / car.wheel_radius, load = axle_load(car);
-  item.value("spin-force", spin / units::lbf, "lb", "{:.0f}");
-  item.value("axle-load", load / units::lbf, "lb", "{:.0f}");
+  item.value("spin-force", spin / lbf, "lb", "{:.0f}");
+  item.value("axle-load", load / lbf, "lb", "{:.0f}");
   item.value("spin-share", 100 * spin / load, "%", "{:.0f}");
 }
 
-// A motion with all parts of it moving, no two alike.
-Vector9 sample(double seed, double size) {
-  return Vector9::NullaryExpr(
-      [&](Eigen::Index k) { return size * std::sin(seed * (1.7 + 2.3 * static_cast<double>(k))); });
+constexpr double crown = 10 * inch, young = 29e6 * units::psi, poisson = 0.3;
+
+struct Creep {
+  double f11, f12, f22, f33;
+};
+
+// Hertz's ellipse of wheel on rail, and Kalker's coefficients of it.
+Creep by_hertz_and_kalker(const CarParameters& car) {
+  const auto curvature =
+      contact::relative_curvature({1 / car.wheel_radius, 0}, {0, 1 / crown});  // x along the rail
+  const double modulus = contact::effective_modulus({young, poisson, young, poisson});
+  const auto ellipse = contact::hertz_from_force(curvature, modulus, axle_load(car) / 2);
+  const auto c = rolling::kalker_table(ellipse.a / ellipse.b, poisson);
+  const double shear = young / (2 * (1 + poisson)), ab = ellipse.a * ellipse.b;
+  return {shear * ab * c.c22, shear * std::pow(ab, 1.5) * c.c23, shear * ab * ab * c.c33,
+          shear * ab * c.c11};
 }
 
-WheelContacts contacts_at(const wheelrail::ConstraintFunctions& t, double x) {
-  const auto c = t.at(x);
-  const double r = t.radius + t.half_spacing * c.R, other = t.radius - t.half_spacing * c.R;
-  return {r, other, c.D, -c.D, c.Phi};
+double critical_speed(const CarParameters& data) {
+  const QuasiLinearCar car{assemble(data, Suspension::dampers), *vehicle("new").table};
+  return find_hopf(car, vehicle("new").hopf[0].motion).point.motion.speed;
 }
 
-void matrices(report::Item& item) {
-  item.columns({"what", "matrices", "by itself"});
-  item.reconstructed("Table 1 of the paper, the equations of motion, is lost");
-  item.expect_checks(7);
-  const double speed = 145 * units::foot;
-  for (const auto suspension : {Suspension::dampers, Suspension::friction}) {
-    const FreightCar car = assemble({}, suspension);
-    const auto& table = *study("cn").table;
-    const CarAtSpeed rates = at_speed(car, speed);
-    const bool friction = car.has_friction;
-    for (int k = 1; k <= 3; ++k) {
-      const Vector9 q = sample(k, 0.008), v = sample(k + 0.4, 0.05), w = sample(k + 0.7, 1);
-      const Vector9 acceleration = rates.acceleration(q, v, [&](double x_over_a) {
-        const auto c = table.at(x_over_a * rates.half_gauge);
-        return Constraint{c.R, c.D, c.Phi};
-      });
-      const double power = w.dot(car.mass * acceleration);
-      const double alone = force_power(
-          car.data, friction, speed, [&](double x) { return contacts_at(table, x); }, q, v, w);
-      const std::string id = fmt::format("power-{}-{}", friction ? "friction" : "dampers", k);
-      const std::string what =
-          fmt::format("power of all forces, {}, motion {}", friction ? "friction" : "dampers", k);
-      item.add_row({what, fmt::format("{:.10g} W", power), fmt::format("{:.10g} W", alone)});
-      item.agree(id, what, "W", power, alone, 1e-9, "eqs (1) to (6) at every wheel");
-    }
-    if (friction) continue;
-    const Vector9 v = sample(1.4, 0.05);
-    const double energy = 0.5 * v.dot(car.mass * v), alone = kinetic_energy(car.data, v);
-    item.add_row(
-        {"kinetic energy", fmt::format("{:.10g} J", energy), fmt::format("{:.10g} J", alone)});
-    item.agree("kinetic-energy", "kinetic energy of one motion", "J", energy, alone, 1e-13,
-               "15 bodies one by one");
-  }
+void creep_coefficients(report::Item& item) {
+  item.rebuilt(
+      "the paper names Kalker's theory; rail crown, modulus and Poisson's ratio are assumed");
+  item.expect_checks(5);
+  const Creep f = by_hertz_and_kalker({});
+  const double f22 = lbf * foot * foot;
+  item.columns({"", "printed, as the copy shows it", "Hertz and Kalker", "unit"});
+  item.add_row("$f_{11}$", "1.151!05 10", fmt::format("{:.4g}", f.f11 / lbf), "lb");
+  item.add_row("$f_{33}$", "1.262x10° 18", fmt::format("{:.4g}", f.f33 / lbf), "lb");
+  item.add_row("$f_{12}$", "6750", fmt::format("{:.4g}", f.f12 / (lbf * foot)), "ft lb");
+  item.add_row("$f_{22}$", "?2.1", fmt::format("{:.4g}", f.f22 / f22), "ft² lb");
+  const auto assumed = report::relative(0.05, "crown, modulus and Poisson's ratio are assumed");
+  item.print(
+      "f11", "lateral creep coefficient, its exponent read as 6", "lb", "1.15e6", f.f11 / lbf,
+      report::restored("the exponent is illegible; any other is off by a factor of ten", assumed));
+  item.print(
+      "f33", "longitudinal creep coefficient, its exponent read as 6", "lb", "1.262e6", f.f33 / lbf,
+      report::restored("the exponent is illegible; any other is off by a factor of ten", assumed));
+  item.print("f12", "lateral/spin creep coefficient", "ft lb", "6750", f.f12 / (lbf * foot),
+             assumed);
+  item.print("f22", "spin creep coefficient, its first digit read as 4", "ft² lb", "42.1",
+             f.f22 / f22,
+             report::restored(
+                 "the first digit is lost; the next readings, 32.1 and 52.1, are 16 % off and more",
+                 assumed));
+  CarParameters other;
+  other.f22 *= 42.1 / 82.1;
+  const double change = std::abs(critical_speed(other) - critical_speed({})) / foot;
+  item.at_most("f22-effect", "critical speed, new wheels, f22 of 42.1 instead of 82.1", "ft/s",
+               change, 0.05, "a tenth of the printed speed's last digit");
+  item.value("crown", crown / inch, "in", "{:.0f}");
+  item.value("young", young / units::psi, "psi", "{:.3g}");
+  item.value("poisson", poisson, "", "{:.1f}");
+  item.value("f22", f.f22 / f22, "ft² lb", "{:.1f}");
+  item.value("f22-effect", change, "ft/s", "{:.0e}");
 }
 
 }  // namespace
 
-void add_car(report::Chapter& chapter) {
-  chapter.table("parameters", "The car's data (the paper's Table 2)", parameters);
-  chapter.table("matrices", "The matrices against the car body by body", matrices);
-}
+const report::Section car{
+    report::table("parameters", "The car's data (Table 2)", parameters),
+    report::table("creep-coefficients", "Creep coefficients by Hertz and Kalker",
+                  creep_coefficients)};
 
 }  // namespace railbook::hunting_chapter

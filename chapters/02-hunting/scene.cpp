@@ -4,18 +4,17 @@
 {{scene-hunting}}
 
 The cycle of the new wheel at 150 ft/s at the moment when the rear leading wheelset is farthest out. Lateral motion, yaw and roll
-are enlarged {{scene-factor}} times, the car is not; the body, whose frequency is below that of its suspension's lateral mode,
-goes along with the trucks.
+are enlarged {{scene-factor}} times, the car is not; the body goes along with the trucks.
 */
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "cycles.hpp"
 #include "drawing/labelled.hpp"
-#include "items.hpp"
 #include "scene/shapes.hpp"
+#include "sections.hpp"
+#include "vehicles.hpp"
 
 namespace railbook::hunting_chapter {
 
@@ -94,9 +93,9 @@ void add_body(scene::Scene& drawing, double half, const Place& place) {
 }
 
 void scene_hunting(report::Item& item) {
-  item.reconstructed("drawn from the computed cycle, motions enlarged");
+  item.sketch("the computed cycle, its motions enlarged");
   const CarParameters car;
-  const CycleCase& c = cycle_case("new-150");
+  const CycleCase& c = example_cycle();
   const Eigen::VectorXd row = c.car.channels[2].row;
   double phase = 0, best = 0;
   for (double p = 0; p < 2 * units::pi; p += 0.01) {
@@ -131,8 +130,7 @@ void scene_hunting(report::Item& item) {
 
 }  // namespace
 
-void add_scene(report::Chapter& chapter) {
-  chapter.figure("scene-hunting", "The car on its limit cycle", scene_hunting);
-}
+const report::Section scenes{
+    report::figure("scene-hunting", "The car on its limit cycle", scene_hunting)};
 
 }  // namespace railbook::hunting_chapter

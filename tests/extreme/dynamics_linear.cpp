@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -179,4 +180,31 @@ TEST_CASE("limit cycles: at the kink of the flange and at the table's end") {
   CHECK(trace_from(car, hopf[0], options).points.back().largest < 0.41 * units::inch);
   options.most_points = 5;
   CHECK(trace_from(car, hopf[0], options).end == BranchEnd::points);
+}
+
+// The body's yaw inertia at which both critical speeds of the new wheel fall together, by secants: a double root of the pencil.
+TEST_CASE("linear car: two critical speeds that coincide are both listed") {
+  const auto car_with = [](double factor) {
+    CarParameters data;
+    data.body_yaw_inertia *= factor;
+    return new_wheels(data);
+  };
+  const auto hopf = hopf_points(new_wheels(), 30, 60);
+  REQUIRE(hopf.size() == 2);
+  Motion one = hopf[0].motion, two = hopf[1].motion;
+  const auto gap = [&](double factor) {
+    const auto car = car_with(factor);
+    one = find_hopf(car, one).point.motion;
+    two = find_hopf(car, two).point.motion;
+    return two.speed - one.speed;
+  };
+  double a = 1, b = 1.01, at_a = gap(a), at_b = gap(b);
+  for (int k = 0; k < 20 && std::abs(at_b) > 1e-11 && at_a != at_b; ++k) {
+    const double next = std::clamp(b - at_b * (b - a) / (at_b - at_a), 0.9 * b, 1.1 * b);
+    a = b, at_a = at_b;
+    b = next, at_b = gap(b);
+  }
+  const auto found = hopf_points(car_with(b), 30, 60);
+  REQUIRE(found.size() == 2);
+  for (const auto& point : found) CHECK(point.motion.speed == Approx(one.speed).epsilon(1e-9));
 }

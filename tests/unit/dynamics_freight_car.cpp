@@ -2,7 +2,7 @@
 #include <cmath>
 #include <random>
 
-#include "dynamics/body_by_body.hpp"
+#include "../support/body_by_body.hpp"
 #include "units/input_error.hpp"
 
 using namespace railbook;

@@ -10,7 +10,7 @@ profiles.
 Contact is far more sensitive than a drawing: on a worn tread the relative curvature of wheel and rail is small, and a
 ripple that no eye sees makes the contact hop. The example files hold points 0.5 mm apart, rounded to a micrometre;
 through all of them the worn wheel's contact jumps dozens of times, and with `--noise 0.001mm` hardly ever. Without
-`--noise` the tool takes three times the scatter that it finds in the points ({{gauge-noise}}). It prints scatter and
+`--noise` the tool takes three times the scatter that it finds in the points. It prints scatter and
 distances, and flags a conicity or critical speed that changes when the profiles are smoothed by half or by twice as much.
 */
 

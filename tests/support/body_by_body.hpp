@@ -1,26 +1,35 @@
-#include "dynamics/body_by_body.hpp"
+// The car once more, without matrices: every body, spring and wheel by itself. Slow, and independent of freight_car.
+#pragma once
 
 #include <algorithm>
+#include <functional>
 
+#include "dynamics/freight_car.hpp"
 #include "units/input_error.hpp"
 
 namespace railbook::dynamics {
 
-namespace {
+// Rolling radii [m] and contact angles to the axle [rad] of both wheels and the wheelset's roll, at x_w [m].
+struct WheelContacts {
+  double r_left, r_right, delta_left, delta_right, roll;
+};
+using ContactGeometry = std::function<WheelContacts(double)>;
+
+namespace body_by_body {
 
 // A wheelset's motion from the truck's, written out without row vectors.
 struct Axle {
   double x, yaw;
 };
-Axle axle(const CarParameters& p, const Vector9& q, bool rear, bool trailing) {
+inline Axle axle(const CarParameters& p, const Vector9& q, bool rear, bool trailing) {
   const int t = rear ? 1 : 0;
   return {q[X_TF + t] + (trailing ? -1 : 1) * p.half_wheelbase * q[TH_TF + t],
           q[TH_TF + t] + q[TH_WF + t]};
 }
 
 // Power of all contact forces of one wheelset in the virtual motion dq: eqs (1)-(6), wheel by wheel.
-double contact_power(const CarParameters& p, double speed, const WheelContacts& g, const Axle& at,
-                     const Axle& rate, const Axle& virtual_motion) {
+inline double contact_power(const CarParameters& p, double speed, const WheelContacts& g,
+                            const Axle& at, const Axle& rate, const Axle& virtual_motion) {
   double power = -axle_load(p) * ((g.delta_left - g.delta_right) / 2 + g.roll) * virtual_motion.x;
   for (const double side : {1.0, -1.0}) {  // left, right
     const double radius = side > 0 ? g.r_left : g.r_right;
@@ -37,8 +46,8 @@ double contact_power(const CarParameters& p, double speed, const WheelContacts& 
 }
 
 // Power of springs and dampers or frictions, spring by spring.
-double suspension_power(const CarParameters& p, const Dampers& c, bool friction, const Vector9& q,
-                        const Vector9& v, const Vector9& w) {
+inline double suspension_power(const CarParameters& p, const Dampers& c, bool friction,
+                               const Vector9& q, const Vector9& v, const Vector9& w) {
   const auto resist = [&](double rate, double damper, double level, double stick) {
     return friction ? level * std::min(1.0, std::max(-1.0, rate / stick)) : damper * rate;
   };
@@ -68,9 +77,11 @@ double suspension_power(const CarParameters& p, const Dampers& c, bool friction,
   return power;
 }
 
-}  // namespace
+}  // namespace body_by_body
 
-double kinetic_energy(const CarParameters& p, const Vector9& v) {
+// Kinetic energy [J] of 15 bodies that move with the rates v.
+inline double kinetic_energy(const CarParameters& p, const Vector9& v) {
+  using namespace body_by_body;
   double twice = p.body_mass * v[X_C] * v[X_C] + p.body_yaw_inertia * v[TH_C] * v[TH_C] +
                  p.body_roll_inertia * v[PHI_C] * v[PHI_C];
   for (const bool rear : {false, true}) {
@@ -95,9 +106,12 @@ double kinetic_energy(const CarParameters& p, const Vector9& v) {
   return twice / 2;
 }
 
-double force_power(const CarParameters& p, bool friction, double speed,
-                   const ContactGeometry& geometry, const Vector9& q, const Vector9& v,
-                   const Vector9& w) {
+// Power [W] of all forces on the car at q, q' = v and `speed`, in the virtual rates w: creep by eqs (1)-(5) at each
+// wheel, eq. (6) at each wheelset, and each spring with its damper (`friction` false) or dry friction.
+inline double force_power(const CarParameters& p, bool friction, double speed,
+                          const ContactGeometry& geometry, const Vector9& q, const Vector9& v,
+                          const Vector9& w) {
+  using namespace body_by_body;
   units::require_positive("speed", speed, "m/s");
   double power = suspension_power(p, equivalent_dampers(p), friction, q, v, w);
   for (const bool rear : {false, true})

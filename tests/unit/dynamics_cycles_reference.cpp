@@ -1,0 +1,107 @@
+// Limit cycles of the full equations against an independent program (Python; an ODE solver of variable order and step size on the
+// same tables, run until periodic; multipliers by Runge-Kutta on the variational equations), and two routes to one exponent.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "dynamics/cycle_branch.hpp"
+#include "dynamics/examine.hpp"
+#include "wheelrail/paper_pairs.hpp"
+
+using namespace railbook;
+using namespace railbook::dynamics;
+using units::foot, units::inch;
+
+namespace {
+
+struct Case {
+  QuasiLinearCar car;
+  const wheelrail::ConstraintFunctions& table;
+  CycleBranch branch;
+};
+
+Case traced(const wheelrail::ConstraintFunctions& table, Suspension suspension) {
+  QuasiLinearCar car{assemble({}, suspension), table};
+  BranchOptions options;
+  const bool friction = suspension == Suspension::friction;
+  if (friction) options.first_amplitude = 0.001 * inch;
+  const auto hopf = hopf_points(car, 1 * foot, 400 * foot);
+  auto branch = trace_from(car, hopf.at(friction ? 1 : 0), options);
+  return {std::move(car), table, std::move(branch)};
+}
+
+Examined cycle(const Case& c, double feet_a_second, std::size_t which = 0) {
+  const auto found = cycles_at_speed(c.car, c.branch, feet_a_second * foot);
+  REQUIRE(found.size() > which);
+  return examine(c.car.car(), c.table, found[which].motion);
+}
+
+struct Reference {
+  double speed, amplitude, omega, allowed;  // ft/s, in, rad/s; of the amplitude, relative
+};
+
+void compare(const Case& c, const std::vector<Reference>& references) {
+  for (const auto& r : references) {
+    CAPTURE(r.speed);
+    const Examined e = cycle(c, r.speed);
+    REQUIRE(e.converged);
+    CHECK(e.amplitude / inch == Approx(r.amplitude).epsilon(r.allowed));
+    CHECK(e.omega == Approx(r.omega).epsilon(2e-4));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("true cycles: new wheels, Heumann, CN A, with an independent program") {
+  compare(traced(wheelrail::new_wheel_table(), Suspension::dampers),
+          {{146, 0.4009, 12.308, 2e-4}, {150, 0.404938, 13.0943, 5e-6}});
+  compare(traced(wheelrail::heumann_table(), Suspension::dampers),
+          {{87, 0.2030, 26.074, 4e-4}, {87.4, 0.2209, 25.974, 4e-4}});
+  compare(traced(wheelrail::cn_table(), Suspension::dampers),
+          {{130.8, 0.4058, 21.448, 2e-4}, {131.5, 0.4134, 21.650, 2e-4}});
+  compare(traced(wheelrail::cn_table(), Suspension::friction),
+          {{90, 0.0454, 14.238, 2e-3}, {100, 0.1282, 17.117, 6e-4}});
+}
+
+TEST_CASE("true cycles: multipliers past the torus point of new wheels") {
+  const Case c = traced(wheelrail::new_wheel_table(), Suspension::dampers);
+  for (const auto& [speed, modulus] : {std::pair{153.0, 0.967}, {153.5, 1.055}, {154.0, 1.141}}) {
+    const Examined e = cycle(c, speed);
+    REQUIRE(e.converged);
+    CHECK(e.stability.loss == "torus");
+    CHECK(e.stability.largest == Approx(modulus).epsilon(0.005));
+  }
+}
+
+TEST_CASE("true cycles: Hill's determinant has the exponents of the multipliers") {
+  const auto compare_exponents = [](const Case& c, double speed, std::size_t which) {
+    const Examined e = cycle(c, speed, which);
+    REQUIRE(e.converged);
+    const Oscillator car = car_on_track(c.car.car(), c.table, speed * foot);
+    const Cycle balanced = balance(car, harmonics(car, e.orbit, 63));
+    const auto& map = e.orbit.map_multipliers;
+    const Complex expected = exponent(map[std::abs(map[0] - 1.0) < 1e-6 ? 1 : 0], e.orbit.period);
+    const HillExponent hill = hill_exponent(car, balanced, expected * 1.03, 63);
+    REQUIRE(hill.converged);
+    CHECK(std::exp(hill.value.real() * e.orbit.period) ==
+          Approx(e.stability.largest).epsilon(0.02));
+  };
+  compare_exponents(traced(wheelrail::new_wheel_table(), Suspension::dampers), 154, 0);
+  const Case cn = traced(wheelrail::cn_table(), Suspension::dampers);
+  compare_exponents(cn, 131.5, 0);
+  compare_exponents(cn, 131.5, 1);
+}
+
+TEST_CASE("harmonic balance: errors fall as harmonics are added, and 23 suffice for 1e-4") {
+  const Case c = traced(wheelrail::new_wheel_table(), Suspension::dampers);
+  const Examined e = cycle(c, 150);
+  const Oscillator car = car_on_track(c.car.car(), c.table, 150 * foot);
+  double before = 1;
+  for (const int highest : {1, 9, 23, 63}) {
+    const Cycle balanced = balance(car, harmonics(car, e.orbit, highest), {.samples = 8192});
+    REQUIRE(balanced.converged);
+    const double error = std::abs(balanced.omega / e.omega - 1);
+    CHECK(error < before / 2);
+    before = error;
+    if (highest == 23) CHECK(error < 1e-4);
+  }
+}
