@@ -174,7 +174,7 @@ void fig_beating(report::Item& item) {
   item.expect_checks(2);
   NewBranch branch;
   for (const double step : {152.0, 153.0, 154.0}) branch.move_to(step * foot);
-  const History settling = beyond(154, branch, 40);
+  const History settling = beyond(154, branch, 24);
   auto& data = item.data({"t_s", "peak_in"});
   data.holds_to("*", 1e-3, 1e-4, "a motion whose disturbance grows from 0.2 %");
   for (const Turn& turn : settling.turns[2])

@@ -83,8 +83,8 @@ std::vector<report::WorkPrecision> measure(const std::string& id,
   return points;
 }
 
-void show(report::Item& item, const std::vector<report::WorkPrecision>& points,
-          const std::string& quantity) {
+report::Data& show(report::Item& item, const std::vector<report::WorkPrecision>& points,
+                   const std::string& quantity) {
   std::vector<report::WorkPrecision> chosen;
   report::Data& data = item.data({"method", "setting", "error", "reference_uncertainty",
                                   "seconds_min_s", "seconds_median_s", "work"});
@@ -106,6 +106,7 @@ void show(report::Item& item, const std::vector<report::WorkPrecision>& points,
     throw std::logic_error{"work-precision: no points of quantity \"" + quantity + "\""};
   item.add(std::move(chosen));
   item.script(plot::shared("lib/bench") / "work_precision.gp");
+  return data;
 }
 
 std::string label(int size) {

@@ -83,9 +83,9 @@ std::vector<report::WorkPrecision> figure(report::Item& item, const Reference& r
 
 // Gives the points of one quantity to a figure item: records, CSV and the common two-panel script (error against
 // time, error against work). Only converged points are drawn. A method's
-// name must not hold a comma.
-void show(report::Item& item, const std::vector<report::WorkPrecision>& points,
-          const std::string& quantity);
+// name must not hold a comma. Returns the data, so that what is said about their accuracy can be added.
+report::Data& show(report::Item& item, const std::vector<report::WorkPrecision>& points,
+                   const std::string& quantity);
 
 // The slope d ln(error)/d ln(work) of one method's converged points, by least squares: minus the order of
 // convergence in work. NaN with fewer than two points.

@@ -3,20 +3,20 @@
 
 The amplitude of the new wheel's cycle at 150 ft/s. Balance begins at the describing function's cycle,
 shooting at nine harmonics, and integration at the describing function's cycle for 20 s, until its transient has died out. The reference is shooting in exact pieces
-to a closing error of 1e-13.
+to a closing error of 1e-13; shooting beyond 1e-5 comes nearer to it than its own uncertainty and is left out.
 
 {{cycle-time}}
 
 {{work-precision: cycle-time}}
 
 The tables have kinks, and the jump of two-point contact is a ramp 0.02 in wide, so that the error of harmonic balance falls with a power of the number of harmonics and not
-exponentially. At the error of 23 harmonics ({{equal-error}}) the fastest integration takes {{ratio-new}} times as long as the balance: the
+exponentially. At the error of 23 harmonics ({{equal-error}}) the explicit integration takes {{ratio-new}} times as long as the balance: the
 cycle attracts strongly at this speed and the car is not stiff. Integration finds stable cycles only; the others need shooting or balance.
 
 ### One describing-function cycle: the paper's loop against Newton
 
 {{df-time}} finds one cycle, Heumann wheels at 0.2 in, from the linear car's mode: by the paper's two loops, stopped at growth
-rates of $10^{-1}$ to $10^{-7}$ 1/s, and by Newton with its exact Jacobian, stopped after one to five steps. The reference is the same cycle reached by continuation.
+rates of $10^{-1}$ to $10^{-7}$ 1/s, and by Newton with its exact Jacobian, stopped after one to three steps (the fourth is at rounding). The reference is the same cycle reached by continuation.
 
 {{df-time}}
 
@@ -93,24 +93,25 @@ void cycle_time(report::Item& item) {
       return by_integration(c, integrator, tolerance);
     });
   };
-  const auto points = bench::figure(
-      item, {"amplitude", reference(c), 1e-11},
+  const auto points = bench::measure(
+      "cycle-time", {{"amplitude", reference(c), 1e-11}},
       {bench::sweep("harmonic balance", {1, 3, 5, 9, 15, 23, 31, 47, 63, 95},
                     [&](int n) { return by_balance(c, n); }),
-       bench::sweep("shooting", std::vector<double>{1e-3, 1e-5, 1e-7, 1e-9, 1e-11},
+       bench::sweep("shooting", std::vector<double>{1e-3, 1e-5},
                     [&](double t) { return by_shooting(c, t); }),
        integration("explicit", Integrator::dopri5, {1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9}),
-       integration("exact pieces", Integrator::pieces, {1e-12}),
        integration("implicit", Integrator::radau5, {1e-3, 1e-4, 1e-5})},
-      0.05);
+      item.timings(), 0.05);
+  bench::show(item, points, "amplitude")
+      .not_compared(
+          "the step control of both integrators meets kinks: their errors hang on the last digits");
   const report::WorkPrecision* balanced = nullptr;
   for (const auto& p : points)
     if (p.method == "harmonic balance" && p.setting == "23") balanced = &p;
   if (balanced == nullptr) throw std::logic_error("no balance with 23 harmonics");
   double fastest = 1e9;
   for (const auto& p : points)
-    if ((p.method == "explicit" || p.method == "exact pieces") && p.converged &&
-        p.error <= balanced->error)
+    if (p.method == "explicit" && p.converged && p.error <= balanced->error)
       fastest = std::min(fastest, p.seconds_min);
   item.value("equal-error", balanced->error, "", "{:.0e}");
   if (item.timings())
@@ -151,7 +152,7 @@ void df_time(report::Item& item) {
       item, {"V", speed, 1e-14},
       {bench::sweep("eigenvector loop",
                     std::vector<double>{1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7}, by_loop),
-       bench::sweep("Newton with exact Jacobian", {1, 2, 3, 4, 5}, by_newton)},
+       bench::sweep("Newton with exact Jacobian", {1, 2, 3}, by_newton)},
       0.05);
 }
 
