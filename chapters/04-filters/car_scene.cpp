@@ -1,13 +1,13 @@
 /***
-The scene is Figures 4, 10, 11 and 14 in one: the sensors of gage, crosslevel, profile and alignment where they sit. Sizes are those of our car, the
+The scene is Figures 4, 10, 11 and 14 in one: the sensors of gage, crosslevel, profile and alignment where they sit. Sizes are chosen, the
 sensors enlarged.
 */
 #include <vector>
 
 #include "drawing/labelled.hpp"
 #include "experiment.hpp"
-#include "items.hpp"
 #include "scene/shapes.hpp"
+#include "sections.hpp"
 
 namespace railbook::filters_chapter {
 namespace {
@@ -48,7 +48,8 @@ void add_axle(scene::Scene& s, double x, double base) {
 }
 
 void fig_layout(report::Item& item) {
-  item.sketch("where the sensors sit, after the text; the paper's drawings are not legible");
+  item.sketch(
+      "where the sensors sit, after the text; the paper's drawings are not legible in our copy");
   const geometry_car::Layout l;
   scene::Scene s;
   add_track(s, l.base);
@@ -99,8 +100,7 @@ void fig_layout(report::Item& item) {
 
 }  // namespace
 
-void add_car_scene(report::Chapter& chapter) {
-  chapter.figure("fig-layout", "Figures 4, 10, 11 and 14: the sensors of the car", fig_layout);
-}
+const report::Section scene_of_car{
+    report::figure("fig-layout", "Figures 4, 10, 11 and 14: the sensors of the car", fig_layout)};
 
 }  // namespace railbook::filters_chapter

@@ -6,10 +6,8 @@
 namespace railbook::filters_chapter {
 
 inline constexpr double sample_distance = 1 * units::foot;          // printed
-inline constexpr double gyro_corner = 2 * units::pi * 1.0;          // rad/s; B: reconstructed
-inline constexpr double acceleration_corner = 2 * units::pi * 1.0;  // rad/s; F: reconstructed
-inline constexpr double smoothing_corner =
-    0.05 / units::foot;                          // cycle/m; D, optional: reconstructed
-inline constexpr double roll_corner = 1.25 / 4;  // Hz; two octaves below 1.25 Hz, printed
+inline constexpr double gyro_corner = 2 * units::pi * 1.0;          // rad/s; of B, chosen
+inline constexpr double acceleration_corner = 2 * units::pi * 1.0;  // rad/s; of F, chosen
+inline constexpr double roll_corner = 1.25 / 4;  // Hz; "two octaves below" 1.25 Hz, printed
 
 }  // namespace railbook::filters_chapter

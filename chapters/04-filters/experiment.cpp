@@ -44,6 +44,17 @@ Record cruise(const Track& track, const Car& car, double speed) {
   return drive(track, car, motion);
 }
 
+double rms(const std::vector<double>& values) {
+  double sum = 0;
+  int n = 0;
+  for (const double v : values) {
+    if (std::isnan(v)) continue;
+    sum += v * v;
+    ++n;
+  }
+  return n > 0 ? std::sqrt(sum / n) : 0.0;
+}
+
 Misfit misfit(const Measurement& measured, const Measurement& truth, Parameter parameter,
               std::size_t from) {
   Misfit result;

@@ -25,6 +25,9 @@ geometry_car::Car bounce_car(double corner = 1);
 geometry_car::Record cruise(const geometry_car::Track& track, const geometry_car::Car& car,
                             double speed);
 
+// Of the values that are known.
+double rms(const std::vector<double>& values);
+
 // RMS and largest of measured less true over the rows `from` to the end less `from` where both are known, SI.
 struct Misfit {
   double rms = 0, largest = 0;

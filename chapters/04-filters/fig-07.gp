@@ -5,8 +5,6 @@ set xrange [0.001:0.5]
 set yrange [0.01:2]
 set xlabel "wavenumber, cycle/ft"
 set ylabel "gain of the analog filter B"
-set key bottom left title "reconstructed: corner 1 Hz" left
+set key bottom left title "chosen: corner 1 Hz" left
 plot ARG1 using "phi_cycle_per_ft":"slow" with lines lt 2 title "9 mph", \
-     ARG1 using "phi_cycle_per_ft":"fast" with lines lt 3 title "80 mph", \
-     ARG3 using "phi_cycle_per_ft":"slow" with points ls other title "driven by sines", \
-     ARG3 using "phi_cycle_per_ft":"fast" with points ls other
+     ARG1 using "phi_cycle_per_ft":"fast" with lines lt 3 title "80 mph"

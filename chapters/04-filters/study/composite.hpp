@@ -18,16 +18,9 @@ std::vector<double> in_metres(const std::vector<std::int64_t>& units);
 // The exact result, by integer weights, rounded once at the end.
 std::vector<double> exact_composite(const std::vector<std::int64_t>& units);
 
-// The 661 weights.
-std::vector<double> composite_taps();
-
 // Weights over a record, directly.
-template <class Number>
-std::vector<double> fir(const std::vector<Number>& x, const std::vector<Number>& taps);
-template <class Number>
-std::vector<double> fir_composite(const std::vector<Number>& x);
+std::vector<double> fir_composite(const std::vector<double>& x);
 std::vector<double> fft_composite(const std::vector<double>& x, std::size_t size);
-// Number: double or float in metres, or 64-bit words in units, which wrap.
 template <class Number>
 std::vector<double> sums_composite(std::span<const Number> x, std::size_t restart);
 template <class Number>

@@ -1,11 +1,10 @@
-/*** The same filter seven times; the number type is a parameter where it matters: */
-#include "composite.hpp"
+/*** The same filter in several ways; the number type is a parameter where it matters: */
+#include "study/composite.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
-#include <type_traits>
 
 #include "filters/chord_filter.hpp"
 #include "filters/geometry_chain.hpp"
@@ -20,15 +19,6 @@ using Word = std::uint64_t;
 constexpr std::size_t reach = 330, window = 2 * reach + 1;
 constexpr int N = 31, M = 151, passes = 4;
 const double M_power = std::pow(M, passes);
-
-// A result in units over `scale`, or in metres over `scale`, as metres.
-template <class Number>
-double metres(Number value, double scale) {
-  if constexpr (std::is_same_v<Number, Word>)
-    return static_cast<double>(static_cast<std::int64_t>(value)) * composite_unit / scale;
-  else
-    return static_cast<double>(value) / scale;
-}
 
 }  // namespace
 
@@ -69,10 +59,13 @@ std::vector<double> exact_composite(const std::vector<std::int64_t>& x) {
   for (std::size_t j = 0; j < window; ++j)
     for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += taps[j] * static_cast<Word>(x[i + j]);
   std::vector<double> out(sums.size());
-  for (std::size_t i = 0; i < out.size(); ++i) out[i] = metres(sums[i], 2 * M_power);
+  for (std::size_t i = 0; i < out.size(); ++i)
+    out[i] =
+        static_cast<double>(static_cast<std::int64_t>(sums[i])) * composite_unit / (2 * M_power);
   return out;
 }
 
+// The 661 weights.
 std::vector<double> composite_taps() {
   const auto integers = composite_integers();
   std::vector<double> taps(window);
@@ -82,35 +75,24 @@ std::vector<double> composite_taps() {
 }
 
 // A block of outputs stays in the cache while all weights pass over it; the inner loop is vectorised.
-template <class Number>
-std::vector<double> fir(const std::vector<Number>& x, const std::vector<Number>& taps) {
+std::vector<double> fir_composite(const std::vector<double>& x) {
   constexpr std::size_t block = 1024;
-  const std::size_t pairs = taps.size() / 2;
+  const auto taps = composite_taps();
   std::vector<double> out(x.size() - taps.size() + 1);
-  std::array<Number, block> sums{};
+  std::array<double, block> sums{};
   for (std::size_t begin = 0; begin < out.size(); begin += block) {
     const std::size_t count = std::min(block, out.size() - begin);
-    const Number* from = x.data() + begin;
-    std::fill_n(sums.begin(), count, Number{});
-    for (std::size_t j = 0; j < 2 * pairs; j += 2)
+    const double* from = x.data() + begin;
+    std::fill_n(sums.begin(), count, 0.0);
+    for (std::size_t j = 0; j + 1 < taps.size(); j += 2)
       for (std::size_t i = 0; i < count; ++i)
         sums[i] += taps[j] * from[i + j] + taps[j + 1] * from[i + j + 1];
-    if (taps.size() % 2 == 1)
-      for (std::size_t i = 0; i < count; ++i) sums[i] += taps.back() * from[i + 2 * pairs];
+    for (std::size_t i = 0; i < count; ++i)  // their number is odd
+      sums[i] += taps.back() * from[i + taps.size() - 1];
     std::copy_n(sums.begin(), count, out.begin() + static_cast<std::ptrdiff_t>(begin));
   }
   return out;
 }
-template std::vector<double> fir(const std::vector<double>&, const std::vector<double>&);
-template std::vector<double> fir(const std::vector<float>&, const std::vector<float>&);
-
-template <class Number>
-std::vector<double> fir_composite(const std::vector<Number>& x) {
-  const auto taps = composite_taps();
-  return fir(x, std::vector<Number>(taps.begin(), taps.end()));
-}
-template std::vector<double> fir_composite(const std::vector<double>&);
-template std::vector<double> fir_composite(const std::vector<float>&);
 
 std::vector<double> fft_composite(const std::vector<double>& x, std::size_t size) {
   num::RealFft fft{size};
@@ -146,16 +128,12 @@ std::vector<double> sums_composite(std::span<const Number> x, std::size_t restar
   constexpr auto centre = static_cast<std::size_t>(passes) * (M / 2);
   std::vector<double> out(mean.size());
   for (std::size_t i = 0; i < out.size(); ++i) {
-    if constexpr (std::is_same_v<Number, Word>)
-      out[i] = metres<Word>(scale * chord[i + centre] - mean[i], M_power);
-    else
-      out[i] = static_cast<double>(chord[i + centre] - mean[i] / scale);
+    out[i] = static_cast<double>(chord[i + centre] - mean[i] / scale);
   }
   return out;
 }
 template std::vector<double> sums_composite(std::span<const double>, std::size_t);
 template std::vector<double> sums_composite(std::span<const float>, std::size_t);
-template std::vector<double> sums_composite(std::span<const Word>, std::size_t);
 
 // The profile by two integrators, then high-pass and chord.
 template <class Number>
@@ -171,20 +149,14 @@ std::vector<double> recursive_composite(const std::vector<Number>& x) {
   const auto scale = static_cast<Number>(M_power);
   constexpr auto centre = static_cast<std::size_t>(passes) * (M / 2);
   for (std::size_t i = 0; i < curve.size(); ++i) {
-    if constexpr (std::is_same_v<Number, Word>)
-      curve[i] = scale * z[i + centre] - curve[i];
-    else
-      curve[i] = z[i + centre] - curve[i] / scale;
+    curve[i] = z[i + centre] - curve[i] / scale;
   }
   std::vector<double> out(curve.size() - 2 * N);
-  const double divisor = std::is_same_v<Number, Word> ? 2 * M_power : 2;
   for (std::size_t i = 0; i < out.size(); ++i)
-    out[i] = metres<Number>(curve[i + N] + curve[i + N] - curve[i] - curve[i + N + N], divisor);
+    out[i] = static_cast<double>(curve[i + N] + curve[i + N] - curve[i] - curve[i + N + N]) / 2;
   return out;
 }
-template std::vector<double> recursive_composite(const std::vector<double>&);
 template std::vector<double> recursive_composite(const std::vector<float>&);
-template std::vector<double> recursive_composite(const std::vector<Word>&);
 
 std::vector<double> stream_composite(const std::vector<double>& x, std::size_t block) {
   std::vector<double> out;

@@ -1,23 +1,17 @@
 /***
-## Error against run time
-
 The 62-ft chord with the high-pass, from short offsets, on a record of {{cost-samples}} samples: synthetic track, rounded to whole units of $2^{-34}$ m
 so that the exact answer is known in integers. The error is the largest difference over the RMS of the answer.
 
-* **FIR**: all {{cost-taps}} weights, vectorised.
+* **FIR**: all 661 weights, vectorised.
 * **FFT**: blocks in the frequency domain (overlap-save), for several block lengths.
 * **running sums**: two of 31 samples and four of 151, one after the other, started anew after so many samples, or never.
 * **recursive**: two integrators that run through the whole record and four running sums, none ever restarted.
-* **stream**: the class below, which gives the space curve besides, for several blocks.
+* **stream**: the class of the library, which gives the space curve besides, for several blocks.
 
 {{cost-time}}
 
-{{work-precision}}
-
 In double precision everything is accurate enough; what differs is the cost, and the FIR takes {{cost-fir-over-stream}} the operations of
-the stream. The FFT takes several times the operations of running sums, but does them so well that on whole arrays it is about as
-fast; what it cannot do is stay exact on integers, where sums have no error at all (and so do not appear in the figure). Single
-precision is good for running sums, as it is for FIR; recursively it fails within this record.
+the stream. Single precision is good for running sums; recursively it fails within this record.
 */
 #include <fmt/format.h>
 
@@ -30,8 +24,8 @@ precision is good for running sums, as it is for FIR; recursively it fails withi
 #include <vector>
 
 #include "bench/work_precision.hpp"
-#include "composite.hpp"
-#include "items.hpp"
+#include "sections.hpp"
+#include "study/composite.hpp"
 
 namespace railbook::filters_chapter {
 namespace {
@@ -52,13 +46,12 @@ bench::Outcome outcome(const std::vector<double>& chord, const std::vector<doubl
 struct Record {
   std::vector<double> x;
   std::vector<float> x_float;
-  std::vector<std::uint64_t> words;
   std::vector<double> exact;
 };
 Record record(std::size_t n) {
   const auto units = composite_input(n);
   const auto x = in_metres(units);
-  return {x, {x.begin(), x.end()}, {units.begin(), units.end()}, exact_composite(units)};
+  return {x, {x.begin(), x.end()}, exact_composite(units)};
 }
 
 constexpr double fir_operations = 2 * 661, sum_operations = 12;  // a sample
@@ -96,42 +89,29 @@ std::vector<bench::Method> methods(const Record& r) {
   const auto only = [&](const char* label, double work, std::function<std::vector<double>()> run) {
     return std::vector<bench::Setting>{setting(label, work, std::move(run))};
   };
-  return {
-      {"FIR double", only("661 weights", fir_operations, [&r] { return fir_composite(r.x); })},
-      {"FIR float", only("661 weights", fir_operations, [&r] { return fir_composite(r.x_float); })},
-      fft,
-      sums,
-      sums_float,
-      {"running sums int64",
-       only("never", sum_operations, [&r] { return sums_composite(r.words, 0); })},
-      {"recursive double",
-       only("never", sum_operations, [&r] { return recursive_composite(r.x); })},
-      {"recursive float",
-       only("never", sum_operations, [&r] { return recursive_composite(r.x_float); })},
-      {"recursive int64",
-       only("never", sum_operations, [&r] { return recursive_composite(r.words); })},
-      stream};
+  return {{"FIR double", only("661 weights", fir_operations, [&r] { return fir_composite(r.x); })},
+          fft,
+          sums,
+          sums_float,
+          {"recursive float",
+           only("never", sum_operations, [&r] { return recursive_composite(r.x_float); })},
+          stream};
 }
 
-void cost(report::Item& item) {
+void cost_time(report::Item& item) {
   const Record r = record(item.full() ? 1'000'000 : 100'000);
-  const auto points = bench::measure("cost", {{"chord", 1, 0}}, methods(r), item.timings(),
+  const auto points = bench::measure("cost-time", {{"chord", 1, 0}}, methods(r), item.timings(),
                                      item.full() ? 0.5 : 0.05);
   bench::show(item, points, "chord");
   item.value("cost-samples", static_cast<double>(r.x.size()), "", "{:.0e}");
-  item.value("cost-taps", fir_operations / 2, "", "{:.0f}");
   item.value("cost-fir-over-stream", fir_operations / stream_operations(4096), "times", "{:.0f}");
-  item.reconstructed("not in the paper");
+  item.added("not in the paper");
 }
 
 }  // namespace
 
-/***
-{{include: composite.cpp}}
-*/
-void add_cost(report::Chapter& chapter) {
-  chapter.figure("cost-time", "Error of the composite filter against run time and operations",
-                 cost);
-}
+/*** {{include: composite.cpp}} */
+const report::Section cost{report::figure(
+    "cost-time", "Error of the composite filter against run time and operations", cost_time)};
 
 }  // namespace railbook::filters_chapter

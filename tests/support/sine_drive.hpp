@@ -1,18 +1,21 @@
-/*** **Driving with sines.** The other way to a response asks no formula: integrate the differential equation of the analog filter with a
-sine on its input, sample it, pass the samples through the digital filter, and divide what comes out by what went in. A complex
-exponential does it for sine and cosine at once. The digital filter may start in the middle of the sine: its first output is
-already the steady one.
-*/
-#include "sine_drive.hpp"
+// Filters driven by sines: the other way to a frequency response. A sine of theta radians a sample, T seconds long, goes into the
+// analog filter as a differential equation that is integrated numerically until it swings steadily; what comes out is sampled and goes
+// into the digital filter, which starts anew in the middle of the sine.
+#pragma once
 
 #include <cmath>
+#include <complex>
 #include <stdexcept>
 
+#include "filters/hybrid_filter.hpp"
 #include "num/dopri5.hpp"
 
-namespace railbook::filters_chapter {
-namespace {
+namespace railbook::tests {
 
+// Gains at one speed, with the phase at the sample: analog alone, digital alone, both.
+struct Gains {
+  std::complex<double> analog, digital, hybrid;
+};
 using Complex = std::complex<double>;
 using filters::SecondOrderLowPass;
 
@@ -54,9 +57,7 @@ Complex steady_gain(Filter filter, int order, double T, double theta, int k, con
   return out / std::polar(1.0, theta * (k + order));
 }
 
-}  // namespace
-
-Gains drive_first_order(double corner, double T, double theta) {
+inline Gains drive_first_order(double corner, double T, double theta) {
   const double w = theta / T;
   const auto rate = [&](double t, const Eigen::Vector2d& y, Eigen::Vector2d& dy) {
     dy = corner * (Eigen::Vector2d{std::cos(w * t), std::sin(w * t)} - y);
@@ -70,7 +71,7 @@ Gains drive_first_order(double corner, double T, double theta) {
           steady_gain(FirstOrder{corner}, 1, T, theta, settled, output)};
 }
 
-Gains drive_second_order(const SecondOrderLowPass& f, double T, double theta) {
+inline Gains drive_second_order(const SecondOrderLowPass& f, double T, double theta) {
   const double w = theta / T;
   const auto rate = [&](double t, const Eigen::Vector4d& y, Eigen::Vector4d& dy) {
     const Eigen::Vector2d x{std::cos(w * t), std::sin(w * t)};
@@ -86,16 +87,16 @@ Gains drive_second_order(const SecondOrderLowPass& f, double T, double theta) {
           steady_gain(SecondOrder{f}, 2, T, theta, settled, output)};
 }
 
-Gains first_order_gains(double corner, double T, double theta) {
+inline Gains first_order_gains(double corner, double T, double theta) {
   const Complex b = filters::first_order_analog(corner * T, theta);
   const Complex c = filters::first_order_digital(corner * T, theta);
   return {b, c, b * c};
 }
 
-Gains second_order_gains(const SecondOrderLowPass& filter, double T, double theta) {
+inline Gains second_order_gains(const SecondOrderLowPass& filter, double T, double theta) {
   const Complex f = filters::second_order_analog(filter, T, theta);
   const Complex g = filters::second_order_digital(filter, T, theta);
   return {f, g, f * g};
 }
 
-}  // namespace railbook::filters_chapter
+}  // namespace railbook::tests

@@ -1,0 +1,129 @@
+/*** ## Crosslevel
+
+Crosslevel needs the roll of the car against gravity. The inclinometer knows it in the long run, but takes every lateral acceleration for
+a roll; the roll gyro knows the changes, but its bias integrates to anything. The complementary filter adds a low-pass of the one to a
+high-pass of the other, with gains that sum to one at every frequency:
+
+$$\vartheta_k=a_k\left(\vartheta_{k-1}+\Delta\vartheta_k\right)+(1-a_k)\,\vartheta^{incl}_k,\qquad a_k=e^{-T_k/\tau}.$$
+
+{{code: filters/complementary.cpp ComplementaryFilter::push}}
+
+Its corner is the one frequency that the paper gives: about two octaves below the lateral mode of the body, typically 1.25 Hz, so {{roll-corner}},
+$\tau$ = {{roll-tau}}. When the car stands, $T\to\infty$ and $a\to0$: what is left is the inclinometer, which is why crosslevel holds "to 0 mph".
+
+The paper has first- and second-order stages in it. With $n$ equal poles a sway at the body's own mode is suppressed as the table says. The price: the
+gyro's share $1-L^n$ peaks above one, and a gyro bias $b$ costs $n\tau b$. Two poles are taken here.
+
+{{roll}}
+
+Before, the inclinometer is rid of what else it feels: the centrifugal acceleration $V\dot\psi$, $\ell\ddot\psi$ because it sits a distance $\ell$ before the middle of the
+car, and $h\ddot\theta$ because it sits above the rails. The height sensors then give the track's roll against the body's.
+
+{{code: geometry_car/run.cpp attitude}}
+
+What each correction of the paper is worth, in crosslevel, profile and alignment: 60 mph over the whole line, perfect sensors, one correction left out at a time.
+
+{{table-corrections}}
+*/
+#include <fmt/format.h>
+
+#include <cmath>
+#include <complex>
+#include <string>
+
+#include "configuration.hpp"
+#include "experiment.hpp"
+#include "filters/complementary.hpp"
+#include "sections.hpp"
+
+namespace railbook::filters_chapter {
+
+using namespace geometry_car;
+
+namespace {
+
+void roll(report::Item& item) {
+  item.columns({{"poles", "{:g}"},
+                {"inclinometer at 1.25 Hz", "{:.4f}"},
+                {"gyro's share at the corner", "{:.3f}"},
+                {"roll by a bias of 0.01 deg/s, mrad", "{:.3f}"}});
+  item.expect_checks(1);
+  const double tau = filters::time_constant(roll_corner);
+  double one = 0, three = 0;
+  for (const int n : {1, 2, 3}) {
+    const double sway = std::abs(filters::low_pass_gain(tau, n, 1.25));
+    if (n == 1) one = sway;
+    three = sway;
+    item.add_row(static_cast<double>(n), sway,
+                 std::abs(1.0 - filters::low_pass_gain(tau, n, roll_corner)),
+                 1e3 * filters::gyro_bias_error(0.01 * units::degree, tau, n, 0.01));
+  }
+  item.claim(
+      "sway",
+      "the low-pass removes what the lateral translation of the body leaves in the inclinometer",
+      one < 0.25 && three < 0.02,
+      "a quarter of it passes one pole, a fiftieth three poles, at 1.25 Hz");
+  item.value("roll-corner", roll_corner, "Hz", "{:g}");
+  item.value("roll-tau", tau, "s", "{:.4f}");
+}
+
+// A correction that the paper names, and the parameter it is for.
+struct Correction {
+  const char *id, *what;
+  bool Corrections::*which;
+  Parameter parameter;
+};
+
+// RMS error of its parameter with and without it, m.
+struct Worth {
+  double with, without;
+};
+Worth worth(const Record& record, const Measurement& truth, const Processing& p,
+            const Correction& c) {
+  Processing less = p;
+  less.corrections.*c.which = false;
+  return {misfit(reconstruct(record, p), truth, c.parameter).rms,
+          misfit(reconstruct(record, less), truth, c.parameter).rms};
+}
+
+void table_corrections(report::Item& item) {
+  item.rebuilt("track, car and ride are chosen");
+  item.columns(
+      {"left out", "parameter", {"RMS error with it, mm", "{:.3g}"}, {"without", "{:.3g}"}});
+  const Track track = build(main_line());
+  const Car car;
+  const Processing p{.layout = car.layout};
+  const Record record = cruise(track, car, 60 * mph);
+  const Measurement t = truth(track, p);
+  using enum Parameter;
+  item.expect_checks(8);
+  for (const Correction& c :
+       {Correction{"centrifugal", "centrifugal acceleration", &Corrections::centrifugal,
+                   crosslevel},
+        Correction{"yaw-centre", "distance to the yaw centre", &Corrections::yaw_centre,
+                   crosslevel},
+        Correction{"roll-acceleration", "roll acceleration", &Corrections::roll_acceleration,
+                   crosslevel},
+        Correction{"roll-gyro", "roll gyro", &Corrections::gyro, crosslevel},
+        Correction{"attitude", "gravity and centrifugal acceleration on the leaning body",
+                   &Corrections::vertical_attitude, profile_left},
+        Correction{"transducers", "transducers beside the rail", &Corrections::transducer_place,
+                   profile_left},
+        Correction{"gravity", "gravity on the rolling beam", &Corrections::gravity, alignment_left},
+        Correction{"beam-height", "beam above the rails", &Corrections::beam_height,
+                   alignment_left}}) {
+    const Worth w = worth(record, t, p, c);
+    item.add_row(c.what, std::string(parameter_list()[static_cast<std::size_t>(c.parameter)].name),
+                 w.with / mm, w.without / mm);
+    item.claim(c.id, fmt::format("correction needed: {}", c.what), w.without > 1.01 * w.with,
+               fmt::format("{:.3g} mm with it, {:.3g} without", w.with / mm, w.without / mm));
+  }
+}
+
+}  // namespace
+
+const report::Section crosslevel{
+    report::table("roll", "The roll filter: a sway at 1.25 Hz, and a gyro's bias", roll),
+    report::table("table-corrections", "What each correction is worth", table_corrections)};
+
+}  // namespace railbook::filters_chapter

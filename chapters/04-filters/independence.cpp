@@ -1,0 +1,127 @@
+/*** ## What "independent of speed and direction" is worth
+
+The weight of $BC$ over its one sample interval is $e^{\omega_1(t-t_k)}$: flat only for $\kappa=\omega_1T\to0$. So the statement is one of small $\kappa$, and it is
+the analog corner that must be low compared with $V/d$. In magnitude the error is of second order in $\kappa$, in phase of first. The centroid
+of the weight lies
+
+$$T\left(\frac1\kappa-\frac a{1-a}\right)=T\left(\frac12-\frac\kappa{12}+\dots\right)$$
+
+before the sample. Half a sample can be shifted away, the same for both directions. The rest changes its sign with the direction of
+travel, and forward and reverse runs end up $\kappa d/6$ apart.
+
+{{small-kappa}}
+
+At 1 mph the response is off by up to {{off-1}}, and the two directions lie {{offset-1}} apart; at 9 mph {{offset-9}}, and at 80 mph {{offset-80}}, which no one sees in
+samples a foot apart. So the statement holds in magnitude and not in phase ({{outcome:small-kappa/direction}}); the paper itself says *nearly* of
+profile and alignment.
+
+**"An extremely close approximation"** of $C$ is said to be coded, to save the exponential. The paper does not say which. What an approximate $\hat a$ leaves of the input
+before the last sample is the share $(a-\hat a)/(1-\hat a)$:
+
+{{approximations}}
+
+At {{tail-speed}} the two simple ones leave {{tail-linear}} and {{tail-reciprocal}}, which a record shows. Only the Padé approximation (2,2) is close enough to deserve the words down to walking pace.
+*/
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+#include "configuration.hpp"
+#include "filters/hybrid_filter.hpp"
+#include "sections.hpp"
+
+namespace railbook::filters_chapter {
+namespace {
+
+double kappa_at(double speed) {
+  return gyro_corner * sample_distance / speed;
+}
+
+// The largest deviation of BC from its limit over all waves that the samples show.
+struct Deviation {
+  double magnitude = 0, complex = 0;  // the second after a shift of half a sample
+};
+Deviation largest_deviation(double kappa) {
+  Deviation largest;
+  constexpr int points = 2000;
+  for (int i = 1; i <= points; ++i) {
+    const double theta = units::pi * i / points, limit = filters::sinc_limit(theta);
+    const auto bc =
+        filters::first_order_analog(kappa, theta) * filters::first_order_digital(kappa, theta);
+    largest.magnitude = std::max(largest.magnitude, std::abs(std::abs(bc) - limit));
+    largest.complex = std::max(largest.complex, std::abs(bc * std::polar(1.0, theta / 2) - limit));
+  }
+  return largest;
+}
+
+// By how much forward and reverse runs differ after the shift of half a sample, m.
+double directions_apart(double kappa) {
+  return 2 * (0.5 - filters::centroid_delay(kappa)) * sample_distance;
+}
+
+void small_kappa(report::Item& item) {
+  item.rebuilt("the corner of 1 Hz is chosen");
+  item.expect_checks(2);
+  item.columns({{"mph", "{:g}"},
+                {"κ", "{:.4f}"},
+                {"largest deviation of |BC|", "{:.5f}"},
+                {"as a complex number", "{:.4f}"},
+                {"delay / T", "{:.5f}"},
+                {"forward and reverse apart, mm", "{:.3g}"}});
+  for (const double mph : {1.0, 5.0, 9.0, 15.0, 30.0, 80.0, 120.0}) {
+    const double kappa = kappa_at(mph * units::mph);
+    const Deviation d = largest_deviation(kappa);
+    item.add_row(mph, kappa, d.magnitude, d.complex, filters::centroid_delay(kappa),
+                 directions_apart(kappa) / units::millimetre);
+  }
+  const double apart_9 = directions_apart(kappa_at(9 * units::mph));
+  const double first_order = kappa_at(9 * units::mph) * sample_distance / 6;
+  item.refute("direction", "the hybrid filter is independent of the direction of travel",
+              apart_9 > 0.02 && std::abs(apart_9 / first_order - 1) < 0.01,
+              "forward and reverse runs lie kappa d/6 apart, 24 mm at 9 mph");
+  item.agree("shift", "forward and reverse apart at 80 mph", "mm",
+             directions_apart(kappa_at(80 * units::mph)) / units::millimetre,
+             kappa_at(80 * units::mph) * sample_distance / 6 / units::millimetre, 1e-4,
+             "kappa d/6, the first term of the series");
+  item.value("off-1", largest_deviation(kappa_at(units::mph)).magnitude, "", "{:.2f}");
+  item.value("offset-1", directions_apart(kappa_at(units::mph)) / units::millimetre, "mm",
+             "{:.0f}");
+  item.value("offset-9", apart_9 / units::millimetre, "mm", "{:.0f}");
+  item.value("offset-80", directions_apart(kappa_at(80 * units::mph)) / units::millimetre, "mm",
+             "{:.1f}");
+}
+
+// What an approximate exponential leaves of the input before the last interval.
+double tail(double kappa, filters::Decay how) {
+  const filters::DecayPair exact = filters::decay(kappa), approximate = filters::decay(kappa, how);
+  return (approximate.rest - exact.rest) / approximate.rest;
+}
+
+void approximations(report::Item& item) {
+  using filters::Decay;
+  item.rebuilt("which approximation was coded is not known; the corner of 1 Hz is chosen");
+  item.columns({{"mph", "{:g}"},
+                {"κ", "{:.4f}"},
+                {"1 − κ", "{:.1e}"},
+                {"1/(1 + κ)", "{:.1e}"},
+                {"Padé (1,1)", "{:.1e}"},
+                {"Padé (2,2)", "{:.1e}"}});
+  for (const double mph : {5.0, 9.0, 15.0, 30.0, 80.0}) {
+    const double kappa = kappa_at(mph * units::mph);
+    item.add_row(mph, kappa, tail(kappa, Decay::linear), tail(kappa, Decay::reciprocal),
+                 tail(kappa, Decay::pade11), tail(kappa, Decay::pade22));
+  }
+  const double nine = kappa_at(9 * units::mph);
+  item.value("tail-speed", 9, "mph", "{:g}");
+  item.value("tail-linear", 100 * tail(nine, Decay::linear), "%", "{:.0f}");
+  item.value("tail-reciprocal", 100 * std::abs(tail(nine, Decay::reciprocal)), "%", "{:.0f}");
+}
+
+}  // namespace
+
+const report::Section independence{
+    report::table("small-kappa", "The hybrid filter against its limit", small_kappa),
+    report::table("approximations", "What an approximate exponential leaves of the past",
+                  approximations)};
+
+}  // namespace railbook::filters_chapter

@@ -1,0 +1,185 @@
+/*** ## Profile and alignment
+
+$F\cdot G$ makes of each acceleration a short mid-chord offset, the height above the middle of a chord of two samples,
+$m_k=z_k-\frac12(z_{k-1}+z_{k+1})$. The law wants 62 ft. A chord of $2N$ samples reads $1-\cos N\theta$ of a sine of $\theta$ radians a sample, and
+
+$$\frac{1-\cos N\theta}{1-\cos\theta}=\left(\frac{\sin N\theta/2}{\sin\theta/2}\right)^2$$
+
+is a polynomial: $N$ equal weights, twice. So the long offset is the sum of the short ones around it with the integer weights
+$N-|j|$, exactly: {{chord-taps}} weights for 62 ft, or two running sums, and any other chord as easily ({{outcome:chords/any}}).
+
+{{chords}}
+
+**Long waves.** Hills are no defects, and the integral of an accelerometer's bias is a hill. One composite filter turns short offsets into long ones and
+removes long waves. Its high-pass part, Figure 13, is lost in our copy. Chosen here is
+
+$$H=1-b_M^{\,p},\qquad b_M(\theta)=\frac{\sin M\theta/2}{M\sin\theta/2},$$
+
+one minus the centred mean over $M$ = 151 samples, applied $p$ = 4 times: of zero phase, so that it reads the same in both directions. The paper says which waves
+count: up to 150 ft at speeds to 90 mph, up to 200 ft at 120 mph. Both are the same frequency in the car, {{limit-hertz}}
+({{outcome:fig-13/limits}}). The choice passes {{hp-150}} of 150 ft and {{hp-200}} of 200 ft.
+
+{{fig-13}}
+
+{{code: filters/geometry_chain.cpp geometry}}
+
+With a chord, the double zero of $H$ removes a constant acceleration altogether. The *pseudo space curve* is the short offset times
+$H/(1-\cos\theta)$, again a polynomial; one factor of the zero goes into the division, and a constant bias shifts it. Its response is then $H$ itself, as the
+paper says ({{outcome:fig-13/true-response}}).
+
+**Alignment** goes the same way with the accelerometer on the beam, gravity on the rolling beam taken off, and the short chord of each gage sensor added.
+
+**How good, and down to which speed.** Straight track, two equal rails, a bouncing body; each source of error on its own, of a 62-ft chord whose true RMS is {{errors-truth}}:
+
+{{fig-errors}}
+
+The ideal error is the statement on small $\kappa$ once more; a lower corner makes it smaller. But the digital filter has to amplify what the analog one took away, and a
+converter of step $q$ leaves the floor $\frac{q}{\sqrt{12}}\sqrt{1.5}/\omega_2^2$ at high speed, so the corner is a compromise: 1 Hz is about right for 12 bits over ±1 g. At low
+speed quantisation rises like $V^{-2}$ and white noise like $V^{-1.5}$. With 12 bits the error is {{twelve-15}} at 15 mph and {{twelve-5}} at 5 mph, where the paper
+calls profile degraded and not to be relied upon. Which error still is good it does not say.
+*/
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "configuration.hpp"
+#include "experiment.hpp"
+#include "filters/chord_filter.hpp"
+#include "filters/geometry_chain.hpp"
+#include "sections.hpp"
+
+namespace railbook::filters_chapter {
+
+using namespace geometry_car;
+
+namespace {
+
+// The gain of a chord of 2 N samples, made of short ones, on a sine of `wavelength` samples.
+double long_chord_gain(double wavelength, int half) {
+  const double theta = 2 * units::pi / wavelength;
+  std::vector<double> z(static_cast<std::size_t>(2 * half + 1));
+  for (std::size_t k = 0; k < z.size(); ++k)
+    z[k] = std::cos(theta * (static_cast<double>(k) - half));
+  const auto short_offsets = spectra::mid_chord_offsets(z, 1, 2).offset;
+  return filters::to_chord_running(short_offsets, half).offset.at(0);
+}
+
+void chords(report::Item& item) {
+  item.added("the paper gives no gains");
+  item.columns({{"wavelength, ft", "{:g}"},
+                {"2-ft chord", "{:.5f}"},
+                {"31-ft chord of short ones", "{:.5f}"},
+                {"62-ft", "{:.5f}"},
+                {"124-ft", "{:.5f}"}});
+  double worst = 0;
+  for (const double w : {20.0, 39.0, 62.0, 100.0, 150.0, 200.0, 500.0}) {
+    item.add_row(w, 1 - std::cos(2 * units::pi / w), long_chord_gain(2 * w, 31),
+                 long_chord_gain(w, 31), long_chord_gain(w, 62));
+    for (const int half : {5, 10, 31, 50, 62})
+      worst = std::max(
+          worst, std::abs(long_chord_gain(w, half) - (1 - std::cos(2 * units::pi * half / w))));
+  }
+  item.expect_checks(1);
+  item.claim("any", "chords of any length are had from the same data", worst < 1e-10,
+             "10, 20, 62, 100 and 124 ft from the short ones, to rounding");
+  item.value("chord-taps", static_cast<double>(filters::chord_taps(31).size()), "", "{:.0f}");
+}
+
+double high_pass_at(double wavelength_ft, const filters::HighPass& filter = {}) {
+  return filters::high_pass_gain(filter,
+                                 2 * units::pi * units::foot / (wavelength_ft * sample_distance));
+}
+
+// What the whole chain makes of the crest of a sine: short offsets in, space curve out.
+double space_curve_at(double wavelength_ft) {
+  const std::size_t half = filters::reach({}) + 31;
+  const double theta = 2 * units::pi / wavelength_ft;
+  std::vector<double> z(2 * half + 1);
+  for (std::size_t k = 0; k < z.size(); ++k)
+    z[k] = std::cos(theta * (static_cast<double>(k) - static_cast<double>(half)));
+  for (double& v : z) v *= 1e-3;
+  return filters::geometry(spectra::mid_chord_offsets(z, 1, 2).offset).space_curve.at(half - 1) /
+         1e-3;
+}
+
+void fig_13(report::Item& item) {
+  item.rebuilt("the paper's curve is not legible and it does not say how the filter is made");
+  auto& data = item.data({"wavelength_ft", "ours", "one_pass", "two_stages"});
+  constexpr int points = 400;
+  for (int i = 0; i <= points; ++i) {
+    const double w = 20 * std::pow(250.0, static_cast<double>(i) / points);
+    data.add(w, high_pass_at(w), high_pass_at(w, {301, 1}), high_pass_at(w, {151, 4, 2}));
+  }
+  auto& limits = item.data("limits", {"wavelength_ft", "what"});
+  limits.add(150.0, "90 mph");
+  limits.add(200.0, "120 mph");
+  double apart = 0;
+  for (const double w : {20.0, 62.0, 150.0, 300.0, 1000.0})
+    apart = std::max(apart, std::abs(space_curve_at(w) - high_pass_at(w)));
+  item.expect_checks(3);
+  const double hertz_90 = 90 * mph / (150 * foot), hertz_120 = 120 * mph / (200 * foot);
+  item.agree("limits", "frequency of 200 ft at 120 mph", "Hz", hertz_120, hertz_90, 1e-12,
+             "that of 150 ft at 90 mph, the paper's other limit");
+  item.at_least("passes", "gain at 200 ft, where waves still count", "", high_pass_at(200), 0.99,
+                "the chosen filter may take a hundredth of a wave that counts");
+  item.claim("true-response", "of the space curve the high-pass is the true response", apart < 1e-9,
+             "sines through the whole chain come out by the high-pass's gain");
+  item.value("limit-hertz", hertz_90, "Hz", "{:.2f}");
+  item.value("hp-150", high_pass_at(150), "", "{:.3f}");
+  item.value("hp-200", high_pass_at(200), "", "{:.3f}");
+}
+
+// A source of error of the profile: corner of F (Hz), steps of converter and height sensor, noise.
+struct Source {
+  const char* name;
+  double corner;
+  double converter = 0, noise = 0, height = 0;  // m/s^2, m/s^2/sqrt(Hz), m
+};
+
+// RMS error of the left profile on straight track, m.
+double profile_error(const Track& track, const Measurement& truth, double speed, const Source& s) {
+  const Car car = bounce_car(s.corner);
+  Sensors sensors;
+  for (const Channel c : {Channel::vertical_left, Channel::vertical_right})
+    sensors[c] = {.density = s.noise, .step = s.converter};
+  for (const Channel c : {Channel::height_left, Channel::height_right}) sensors[c].step = s.height;
+  const Record record = measured(cruise(track, car, speed), car.layout, sensors, 1);
+  const auto m = reconstruct(record, {.layout = car.layout});
+  return misfit(m, truth, Parameter::profile_left, 600).rms;
+}
+
+void fig_errors(report::Item& item) {
+  item.rebuilt("the paper gives no error, track, ride, corner or sensor");
+  constexpr double g = units::standard_gravity;
+  const std::vector<Source> sources{{"ideal-1.0", 1.0},
+                                    {"ideal-0.1", 0.1},
+                                    {"noise", 1.0, 0, 20e-6 * g},
+                                    {"12-bit", 1.0, 2 * g / 4096},
+                                    {"12-bit-0.1", 0.1, 2 * g / 4096},
+                                    {"displacement", 1.0, 0, 0, 0.1 * mm}};
+  std::vector<std::string> columns{"speed_mph"};
+  for (const Source& s : sources) columns.push_back(std::string(s.name) + "_mm");
+  auto& data = item.data(columns);
+  const Track track = build(bounce_line());
+  const auto t = truth(track, {});
+  for (const double v : {0.5, 0.7, 1.0, 1.4, 2.0, 3.0, 5.0, 9.0, 15.0, 30.0, 60.0, 120.0}) {
+    std::vector<double> e;
+    for (const Source& s : sources) e.push_back(profile_error(track, t, v * mph, s) / mm);
+    data.add(v, e[0], e[1], e[2], e[3], e[4], e[5]);
+    if (v == 15.0) item.value("twelve-15", e[3], "mm", "{:.2f}");
+    if (v == 5.0) item.value("twelve-5", e[3], "mm", "{:.1f}");
+  }
+  item.value("errors-truth", rms(t[Parameter::profile_left]) / mm, "mm", "{:.2f}");
+}
+
+}  // namespace
+
+const report::Section profile{
+    report::table("chords", "Gains of chords made of short ones", chords),
+    report::figure("fig-13", "Figure 13. High-pass part of the composite filter", fig_13),
+    report::figure("fig-errors", "RMS error of the profile by speed and source", fig_errors)};
+
+}  // namespace railbook::filters_chapter

@@ -1,0 +1,225 @@
+/*** A filter that keeps no memory beyond two samples has little to go wrong: after a stop of an hour it is right at the second sample. What remains at
+the lower end is rounding, amplified by $1/\kappa$ in $C$ and $1/\kappa^2$ in $G$. In the car's rows the error is the largest of the rows called *good*.
+*/
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "configuration.hpp"
+#include "experiment.hpp"
+#include "filters/complementary.hpp"
+#include "filters/geometry_chain.hpp"
+#include "filters/hybrid_filter.hpp"
+#include "geometry_car/health.hpp"
+#include "sections.hpp"
+#include "spectra/random_source.hpp"
+
+namespace railbook::filters_chapter {
+
+using namespace geometry_car;
+
+namespace {
+
+constexpr double corner = acceleration_corner;
+
+// The error of C over the last of two intervals, on the ramp x = t with a transient that C has to take out, as a share of the interval.
+double ramp_error(double before, double after) {
+  filters::FirstOrderHybrid c{corner};
+  double u = 0, t = -before - after;
+  for (const double T : {1.0, before, after}) {
+    if (T != 1.0) t += T;
+    u = c.push(t - 1 / corner + 0.5 * std::exp(-corner * (t + before + after)), T);
+  }
+  return std::abs(u + after * filters::centroid_delay(corner * after)) / after;
+}
+
+void intervals(report::Item& item) {
+  struct Case {
+    const char *id, *what, *stress;
+    double before, after, allowed;
+    report::Stands expect;
+  };
+  for (const Case& c :
+       {Case{"stop", "C: an hour between two samples", "T → ∞", 0.1, 3600, 1e-9, report::holds},
+        Case{"start", "C: an hour, then 0.1 s", "T → ∞", 3600, 0.1, 1e-9, report::holds},
+        Case{"jump", "C: T 1000 times longer", "speed changes", 1e-3, 1, 1e-9, report::holds},
+        // Rounding over the square of the interval's share of the memory, 1e3 eps/(omega T)^2.
+        Case{"fast", "C: T = 1 µs, 680 000 mph", "T → 0", 1e-6, 1e-6, 6e-3, report::degrades}})
+    item.stability({.id = c.id,
+                    .what = c.what,
+                    .stress = c.stress,
+                    .expect = c.expect,
+                    .allowed = c.allowed,
+                    .reference = "the weighted mean of a ramp"},
+                   [&] {
+                     const double e = ramp_error(c.before, c.after);
+                     return report::Found{fmt::format("off by {:.0e} of the interval", e), e};
+                   });
+}
+
+// The largest difference of two chords where both are known, and how many the second lacks.
+struct Difference {
+  std::size_t missing = 0;
+  double largest = 0;
+};
+Difference compare(const std::vector<double>& a, const std::vector<double>& b) {
+  Difference d;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (std::isnan(a[i])) continue;
+    if (std::isnan(b[i]))
+      ++d.missing;
+    else
+      d.largest = std::max(d.largest, std::abs(a[i] - b[i]));
+  }
+  return d;
+}
+
+void streams(report::Item& item) {
+  const spectra::RandomSource random{4, 1};
+  std::vector<double> x(20000);
+  for (std::size_t k = 0; k < x.size(); ++k) x[k] = 1e-4 * random.normal(k);
+  const auto clean = filters::geometry(x).chord;
+  for (const double value : {units::nan, 1e300})
+    item.stability(
+        {.id = std::isnan(value) ? "stream-nan" : "stream-spike",
+         .what = std::isnan(value) ? "stream: 100 samples NaN" : "stream: 100 of 10³⁰⁰ m",
+         .stress = "a value that a running sum never forgets",
+         .allowed = 1e-12,
+         .reference = "the undisturbed record, where known"},
+        [&] {
+          auto harmed = x;
+          for (std::size_t k = 0; k < 100; ++k) harmed[9000 + 3 * k] = value;
+          const Difference d = compare(clean, filters::geometry(harmed).chord);
+          if (d.missing != 661 + 3 * 99) throw report::NoAnswer("another window is missing");
+          return report::Found{fmt::format("{} offsets missing", d.missing), d.largest};
+        });
+  item.stability({.id = "stream-short",
+                  .what = "stream: a record of 660 samples",
+                  .stress = "one less than the window",
+                  .expect = report::refused},
+                 [&] {
+                   (void)filters::geometry(std::span{x}.first(660));
+                   return report::Found{"an answer"};
+                 });
+  item.stability(
+      {.id = "roll-stop",
+       .what = "roll filter: an hour at a stop",
+       .stress = "the gyro has run away by 1 rad",
+       .allowed = 1e-12,
+       .reference = "the inclinometer, rad"},
+      [] {
+        filters::ComplementaryFilter filter{filters::time_constant(roll_corner), 2};
+        filter.push(0, 0, 0.01);
+        return report::Found{"the inclinometer", std::abs(filter.push(0.05, 1.0, 3600) - 0.05)};
+      });
+}
+
+struct Bench {
+  Track track;
+  Measurement truth;
+};
+const Bench& bench() {
+  static const Bench result = [] {
+    TrackDescription line = main_line(6);
+    line.length = 4000 * foot;
+    Track track = build(line);
+    Measurement t = truth(track, {});
+    return Bench{std::move(track), std::move(t)};
+  }();
+  return result;
+}
+
+// What becomes of a record: its good rows, the worst of them, and how many findings the sensors' examination made.
+report::Found judged(Record record, Parameter parameter = Parameter::profile_left) {
+  const Health health = examine(record, {});
+  const auto m = reconstruct(record, {});
+  const auto q = quality(m, parameter, {}, health);
+  std::size_t good = 0;
+  double largest = 0;
+  for (std::size_t i = 0; i < m.size(); ++i) {
+    if (q[i] != Quality::good) continue;
+    ++good;
+    largest = std::max(
+        largest,
+        std::abs(m[parameter][i] - bench().truth[parameter][static_cast<std::size_t>(m.mark[i])]));
+  }
+  return {fmt::format("{} findings; {} of {} rows good, off by {:.1g} mm at most",
+                      health.findings.size(), good, m.size(), largest / mm),
+          largest};
+}
+
+void car(report::Item& item) {
+  constexpr double good =
+      0.5 * mm;  // of a signal of 6 mm RMS: what braking may cost and still be called good, twice
+  const auto row = [&](const char* id, const char* what, const char* stress,
+                       const std::function<report::Found()>& run, double allowed = good) {
+    item.stability({.id = id,
+                    .what = what,
+                    .stress = stress,
+                    .allowed = allowed,
+                    .reference = "the true rail, m, rows called good"},
+                   run);
+  };
+  const Bench& b = bench();
+  const double start = 80 * foot, v = 60 * mph;
+  const auto journey = [&](Motion motion) { return drive(b.track, Car{}, motion); };
+  row("car-stop", "car: a stop of 30 s", "T 3000 times longer for one sample", [&] {
+    Motion m{.start = start, .speed = v};
+    return judged(
+        journey(m.cruise(350).change_speed(0, 1.5).stand(30).change_speed(v, 1.5).cruise(200)));
+  });
+  row("car-turn", "car: a stop, and back", "marks count down", [&] {
+    Motion m{.start = start, .speed = v};
+    return judged(
+        journey(m.cruise(350).change_speed(0, 1.5).stand(5).change_speed(-v, 1.5).cruise(100)));
+  });
+  row("car-brake", "car: emergency braking, 60 to 20 mph at 2.5 m/s²", "the grade is not known",
+      [&] {
+        Motion m{.start = start, .speed = v};
+        return judged(journey(m.cruise(350).change_speed(20 * mph, 2.5).cruise(600)));
+      });
+  row(
+      "car-crawl", "car: alignment from a crawl of 0.3 m/s up", "gravity on a false lean",
+      [&] {
+        Motion m{.start = start, .speed = 0.3};
+        return judged(journey(m.cruise(5).change_speed(28, 2).cruise(600)),
+                      Parameter::alignment_left);
+      },
+      levelling_degrades);
+  const Record clean = cruise(b.track, Car{}, v);
+  row("car-stuck", "car: a height sensor that stands still", "it looks like a smooth ride", [&] {
+    Record r = clean;
+    for (double& h : r[Channel::height_left]) h = 0.01;
+    return judged(r);
+  });
+  row("car-spike", "car: one value of an accelerometer off by 1 m/s²", "20 mm of profile", [&] {
+    Record r = clean;
+    r[Channel::vertical_left][1800] += 1;
+    return judged(r);
+  });
+  row("car-pulse", "car: a pulse too many", "T = 0, wild values", [&] {
+    Record r = clean;
+    r.elapsed.insert(r.elapsed.begin() + 1800, 0.0);
+    r.mark.insert(r.mark.begin() + 1800, clean.mark[1800]);
+    for (auto& values : r.values) values.insert(values.begin() + 1800, 99.0);
+    return judged(r);
+  });
+}
+
+void stability_table(report::Item& item) {
+  item.added("not in the paper");
+  intervals(item);
+  streams(item);
+  car(item);
+}
+
+}  // namespace
+
+const report::Section stability{
+    report::table("stability", "Stops, reversals, faults of encoder and sensors", stability_table)};
+
+}  // namespace railbook::filters_chapter

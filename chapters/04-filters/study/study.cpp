@@ -1,0 +1,18 @@
+/*** # Filters of a geometry car: what they cost and where they hold
+
+## Error against run time
+
+{{include: cost.cpp}}
+
+{{work-precision: cost-time}}
+
+## Stability
+
+What a car does to its filters: it stops, it reverses, its encoder counts twice, a sensor stands still. Each row puts one of these into a filter, or into the simulated car,
+and compares with the undisturbed answer or the true rail; what may be lost is stated before.
+
+{{stability}}
+
+{{include: stability.cpp}}
+*/
+#include "sections.hpp"
