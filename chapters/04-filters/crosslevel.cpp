@@ -6,7 +6,7 @@ high-pass of the other, with gains that sum to one at every frequency:
 
 $$\vartheta_k=a_k\left(\vartheta_{k-1}+\Delta\vartheta_k\right)+(1-a_k)\,\vartheta^{incl}_k,\qquad a_k=e^{-T_k/\tau}.$$
 
-{{code: filters/complementary.cpp ComplementaryFilter::push}}
+{{code: filters/complementary.cpp push}}
 
 Its corner is the one frequency that the paper gives: about two octaves below the lateral mode of the body, typically 1.25 Hz, so {{roll-corner}},
 $\tau$ = {{roll-tau}}. When the car stands, $T\to\infty$ and $a\to0$: what is left is the inclinometer, which is why crosslevel holds "to 0 mph".

@@ -13,7 +13,7 @@ is a weighted mean of the input over one sample interval and nothing else. This 
 time, no state, no transient when the speed changes. The slower the analog filter, $\kappa=\omega_1T\to0$, the flatter the weight; in the limit $u_kT_k$ is the plain
 integral over a foot, the change of heading per foot that the paper wants.
 
-{{code: filters/hybrid_filter.cpp FirstOrderHybrid::push}}
+{{code: filters/hybrid_filter.cpp push}}
 
 At constant speed, with $\theta=2\pi\varphi d$ radians a sample,
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include "filters/hybrid_filter.hpp"
 #include "geometry_car/health_parts.hpp"
 #include "units/constants.hpp"
 
@@ -214,7 +215,8 @@ void examine_level(const Record& record, const Processing& p, Health& health) {
   Column values;
   for (std::size_t k = 0; k < record.size(); ++k) {
     const double gage = record[gage_left][k] + record[gage_right][k] + p.layout.beam;
-    if (std::isnan(gage)) continue;
+    const bool rejected = k > 0 && !filters::possible_interval(record.elapsed[k]);
+    if (std::isnan(gage) || rejected) continue;
     ++known;
     if (gage > expected - narrow && gage < expected + wide) continue;
     if (off++ == 0) first = k;

@@ -111,8 +111,10 @@ double median(Column values) {
 void examine_clock(const Record& record, const Processing& p, Health& health) {
   std::size_t rejected = 0;
   Column T;
+  std::vector<bool> used(record.size(), false);
   for (Run& run : runs_of(record, p, rejected)) {
     load(run, record);
+    for (const std::size_t i : run.rows) used[i] = true;
     examine_speed(run, p, health);
     T.insert(T.end(), run.T.begin() + 1, run.T.end());
   }
@@ -131,7 +133,7 @@ void examine_clock(const Record& record, const Processing& p, Health& health) {
   // Rows that repeat a mark, but for the one where the car turns.
   std::size_t held = 0, first = 0;
   for (std::size_t k = 1; k + 1 < record.size(); ++k) {
-    if (record.mark[k] != record.mark[k - 1]) continue;
+    if (record.mark[k] != record.mark[k - 1] || !used[k]) continue;
     if (record.mark[k + 1] != record.mark[k] && (k < 2 || record.mark[k - 2] != record.mark[k])) {
       const long after = record.mark[k + 1] - record.mark[k];
       const long before = k < 2 ? -after : record.mark[k - 1] - record.mark[k - 2];

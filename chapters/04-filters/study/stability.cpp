@@ -29,11 +29,12 @@ constexpr double corner = acceleration_corner;
 // The error of C over the last of two intervals, on the ramp x = t with a transient that C has to take out, as a share of the interval.
 double ramp_error(double before, double after) {
   filters::FirstOrderHybrid c{corner};
-  double u = 0, t = -before - after;
-  for (const double T : {1.0, before, after}) {
-    if (T != 1.0) t += T;
-    u = c.push(t - 1 / corner + 0.5 * std::exp(-corner * (t + before + after)), T);
-  }
+  const auto analog = [&](double t) {
+    return t - 1 / corner + 0.5 * std::exp(-corner * (t + before + after));
+  };
+  c.push(analog(-before - after), before);
+  c.push(analog(-after), before);
+  const double u = c.push(analog(0), after);
   return std::abs(u + after * filters::centroid_delay(corner * after)) / after;
 }
 
@@ -153,10 +154,9 @@ report::Found judged(Record record, Parameter parameter = Parameter::profile_lef
 }
 
 void car(report::Item& item) {
-  constexpr double good =
-      0.5 * mm;  // of a signal of 6 mm RMS: what braking may cost and still be called good, twice
+  // 0.5 mm of a signal of 6 mm RMS: twice what braking may cost a row and leave it good.
   const auto row = [&](const char* id, const char* what, const char* stress,
-                       const std::function<report::Found()>& run, double allowed = good) {
+                       const std::function<report::Found()>& run, double allowed = 0.5 * mm) {
     item.stability({.id = id,
                     .what = what,
                     .stress = stress,
