@@ -48,6 +48,11 @@ using namespace geometry_car;
 
 namespace {
 
+// In mm, to the digits that hold on any machine.
+double in_mm(double value) {
+  return 1e-6 * std::round(1e6 * value / mm);
+}
+
 // The error that the shift of FG's centroid makes, by row: shift times the slope of the body's long chord, m.
 std::vector<double> shift_error(const Record& record, const Track& track, double shift) {
   const std::size_t n = record.size();
@@ -81,9 +86,9 @@ void table_directions(report::Item& item) {
     const Record ahead = cruise(track, car, speed * mph);
     const double kappa = 2 * units::pi * car.layout.second_corner * foot / (speed * mph);
     const double shift = (1 - 2 * filters::centroid_delay(kappa)) * foot;
-    const double by_shift = rms(shift_error(ahead, track, shift)) / mm;
+    const double by_shift = in_mm(rms(shift_error(ahead, track, shift)));
     const auto error = [&](const Record& r) {
-      return misfit(reconstruct(r, p), there, Parameter::profile_left).rms / mm;
+      return in_mm(misfit(reconstruct(r, p), there, Parameter::profile_left).rms);
     };
     const double forwards = error(ahead), backing = error(cruise(track, car, -speed * mph));
     const char* why = "shift of the kernel's centroid, first order in kappa";
@@ -162,11 +167,12 @@ void table_speeds(report::Item& item) {
        {History{"up", "5 to 80 mph at 0.5 m/s², level", 0.0, 5, 80, 0.5, 2000},
         History{"down", "60 to 9 mph at 0.3 m/s², 1 % grade", 0.01, 60, 9, 0.3, 2600}}) {
     const FourWays e = ride(h);
-    item.add_row(h.what, e.local.rms / mm, e.exact.rms / mm, e.told.rms / mm, e.pitching.rms / mm);
+    item.add_row(h.what, in_mm(e.local.rms), in_mm(e.exact.rms), in_mm(e.told.rms),
+                 in_mm(e.pitching.rms));
     item.at_most(std::string(h.id) + "-known", "exact filter with the slope, against the local one",
-                 "mm", e.told.rms / mm, e.local.rms / mm, "it leaves nothing out");
+                 "mm", in_mm(e.told.rms), in_mm(e.local.rms), "it leaves nothing out");
     item.at_most(std::string(h.id) + "-pitching", "pitching car, against the upright one", "mm",
-                 e.pitching.rms / mm, e.exact.rms / mm, "it does not feel the grade");
+                 in_mm(e.pitching.rms), in_mm(e.exact.rms), "it does not feel the grade");
   }
 }
 

@@ -4,11 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <complex>
 
 #include "filters/chord_filter.hpp"
 #include "filters/geometry_chain.hpp"
-#include "num/fft.hpp"
 #include "spectra/synthetic_track.hpp"
 #include "units/constants.hpp"
 
@@ -90,29 +88,6 @@ std::vector<double> fir_composite(const std::vector<double>& x) {
     for (std::size_t i = 0; i < count; ++i)  // their number is odd
       sums[i] += taps.back() * from[i + taps.size() - 1];
     std::copy_n(sums.begin(), count, out.begin() + static_cast<std::ptrdiff_t>(begin));
-  }
-  return out;
-}
-
-std::vector<double> fft_composite(const std::vector<double>& x, std::size_t size) {
-  num::RealFft fft{size};
-  const auto taps = composite_taps();
-  std::fill(fft.real().begin(), fft.real().end(), 0.0);
-  std::copy(taps.begin(), taps.end(), fft.real().begin());
-  fft.forward();
-  std::vector<std::complex<double>> gain(fft.spectrum().begin(), fft.spectrum().end());
-  for (auto& g : gain) g /= static_cast<double>(size);
-  std::vector<double> out(x.size() - window + 1);
-  const std::size_t step = size - window + 1;
-  for (std::size_t begin = 0; begin < out.size(); begin += step) {
-    const std::size_t in = std::min(size, x.size() - begin),
-                      count = std::min(step, out.size() - begin);
-    std::fill(fft.real().begin(), fft.real().end(), 0.0);
-    std::copy_n(x.data() + begin, in, fft.real().data());
-    fft.forward();
-    for (std::size_t k = 0; k < gain.size(); ++k) fft.spectrum()[k] *= gain[k];
-    fft.inverse();
-    std::copy_n(fft.real().data() + window - 1, count, out.data() + begin);
   }
   return out;
 }

@@ -20,7 +20,6 @@ std::vector<double> exact_composite(const std::vector<std::int64_t>& units);
 
 // Weights over a record, directly.
 std::vector<double> fir_composite(const std::vector<double>& x);
-std::vector<double> fft_composite(const std::vector<double>& x, std::size_t size);
 template <class Number>
 std::vector<double> sums_composite(std::span<const Number> x, std::size_t restart);
 template <class Number>

@@ -3,7 +3,6 @@ The 62-ft chord with the high-pass, from short offsets, on a record of {{cost-sa
 so that the exact answer is known in integers. The error is the largest difference over the RMS of the answer.
 
 * **FIR**: all 661 weights, vectorised.
-* **FFT**: blocks in the frequency domain (overlap-save), for several block lengths.
 * **running sums**: two of 31 samples and four of 151, one after the other, started anew after so many samples, or never.
 * **recursive**: two integrators that run through the whole record and four running sums, none ever restarted.
 * **stream**: the class of the library, which gives the space curve besides, for several blocks.
@@ -67,14 +66,8 @@ std::vector<bench::Method> methods(const Record& r) {
                             return outcome(run(), r.exact, work);
                           }};
   };
-  bench::Method fft{"FFT", {}}, sums{"running sums double", {}},
-      sums_float{"running sums float", {}}, stream{"stream", {}};
-  for (const std::size_t size : {2048u, 8192u, 32768u}) {
-    const auto m = static_cast<double>(size);
-    fft.settings.push_back(setting(fmt::format("blocks of {}", size),
-                                   5 * m * std::log2(m) / (m - 660),
-                                   [&r, size] { return fft_composite(r.x, size); }));
-  }
+  bench::Method sums{"running sums double", {}}, sums_float{"running sums float", {}},
+      stream{"stream", {}};
   for (const std::size_t restart : {256u, 4096u, 0u}) {
     const std::string label = restart == 0 ? "never" : fmt::format("every {}", restart);
     const double work = sum_operations + (restart == 0 ? 0 : 666 / static_cast<double>(restart));
@@ -90,7 +83,6 @@ std::vector<bench::Method> methods(const Record& r) {
     return std::vector<bench::Setting>{setting(label, work, std::move(run))};
   };
   return {{"FIR double", only("661 weights", fir_operations, [&r] { return fir_composite(r.x); })},
-          fft,
           sums,
           sums_float,
           {"recursive float",
