@@ -53,8 +53,9 @@ IndexBuilder::IndexBuilder(const IndexOptions& options) : options_(options), his
 }
 
 double IndexBuilder::segment_of(std::size_t sample) const {
-  if (!std::isfinite(options_.segment)) return options_.origin;
-  const double at = options_.origin + static_cast<double>(sample) * options_.spacing;
+  if (!std::isfinite(options_.segment)) return 0;
+  const double at =
+      options_.place ? options_.place(sample) : static_cast<double>(sample) * options_.spacing;
   // A millionth of a spacing: positions on the boundary are rounded.
   return options_.segment * std::floor((at + 1e-6 * options_.spacing) / options_.segment);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <span>
 #include <vector>
@@ -38,9 +39,10 @@ struct IndexSums {
 };
 
 struct IndexOptions {
-  double spacing = 0;                                        // m, > 0
-  double threshold = 1;                                      // T_2, > 0
-  double origin = 0;                                         // position of the first sample, m
+  double spacing = 0;    // m, > 0
+  double threshold = 1;  // T_2, > 0
+  // The position of a sample, m; without it the record begins at 0 and is even.
+  std::function<double(std::size_t)> place = {};
   double segment = std::numeric_limits<double>::infinity();  // m, at least a spacing
   double margin = 0;  // m from an end or a gap, within which the descriptor is unsure
 };

@@ -16,18 +16,20 @@ using Eigen::Index;
 
 constexpr double harmonic_half_width = 0.008, foreign_half_width = 0.006;  // cycle/m
 constexpr Index line_bins = 4;  // a line reaches so far through a window
-constexpr double most_chance = 1e-3;
+constexpr double most_chance = 1e-4;
+constexpr double tail_averages =
+    0.8;  // of K: overlapping segments have a heavier tail than a gamma's
 
-// The median of the eight bins on each side, `skip` bins away.
+// The median of the 16 bins on each side, `skip` bins away, and a tenth for its own scatter.
 double surroundings(const Eigen::ArrayXd& density, Index k) {
-  constexpr Index skip = 3, each = 8;
+  constexpr Index skip = 3, each = 16;
   std::array<double, 2 * each> near{};
   for (Index i = 0; i < each; ++i) {
     near[static_cast<std::size_t>(i)] = density[std::max<Index>(1, k - skip - i)];
     near[static_cast<std::size_t>(each + i)] = density[std::min(density.size() - 1, k + skip + i)];
   }
   std::nth_element(near.begin(), near.begin() + each, near.end());
-  return near[each];
+  return 1.1 * near[each];
 }
 
 }  // namespace
@@ -61,6 +63,7 @@ std::optional<StrayLine> stray_line(const Spectrum& s, const FitOptions& o,
   num::use_gsl_status_codes();
   const double phi_0 = 1 / o.rail_length;
   const double reach = static_cast<double>(line_bins) * s.df;
+  const double averages = tail_averages * s.averages;
   StrayLine strongest{.chance = most_chance};
   for (Index k = 2 * line_bins; k < s.density.size() - 1; ++k) {
     const double phi = s.frequency(k);
@@ -73,7 +76,7 @@ std::optional<StrayLine> stray_line(const Spectrum& s, const FitOptions& o,
     const double ratio = s.density[k] / gain / around;
     if (ratio < 2) continue;
     const double chance =
-        static_cast<double>(fit.bins) * gsl_cdf_gamma_Q(s.averages * ratio, s.averages, 1.0);
+        static_cast<double>(fit.bins) * gsl_cdf_gamma_Q(averages * ratio, averages, 1.0);
     const bool stronger = chance < strongest.chance || (chance == 0 && ratio > strongest.ratio);
     if (stronger) strongest = {phi, ratio, chance};
   }

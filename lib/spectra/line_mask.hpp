@@ -25,8 +25,8 @@ struct StrayLine {
 };
 
 // The most significant peak of a single bin in the band of the fit that belongs neither to the rail's harmonics
-// (nearer than 4 bins) nor to a foreign line, if less than one in 1000 records would show its like by chance.
-// It must stand above the fitted random part and above the median of the 16 bins around it, so that the
+// (nearer than 4 bins) nor to a foreign line, if less than one in 10000 records would show its like by chance.
+// It must stand above the fitted random part and above the median of the 32 bins around it, so that the
 // skirts of a broadened line do not count.
 std::optional<StrayLine> stray_line(const Spectrum& spectrum, const FitOptions& options,
                                     const SpectrumFit& fit);

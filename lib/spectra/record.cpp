@@ -7,24 +7,30 @@
 #include <utility>
 
 #include "spectra/number_text.hpp"
+#include "units/constants.hpp"
 #include "units/input_error.hpp"
 
 namespace railbook::spectra {
 namespace {
 
-constexpr std::size_t settling = 1000;  // positions that decide on the spacing
-constexpr std::size_t piece = 4096;     // samples handed on at once
-constexpr double longest_jump = 1e7;    // spacings
-constexpr double off_grid = 0.25;       // of a spacing
-constexpr double spacing_mismatch = 0.005;
+constexpr double lost = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t settling = 1000;                   // positions that decide on the spacing
+constexpr std::size_t piece = 4096;                      // samples handed on at once
+constexpr double free_slots = 1e6, slots_a_sample = 20;  // longest record for its samples
+constexpr double off_grid = 0.25;                        // of a spacing
+constexpr double spacing_mismatch = 0.005, spacing_refused = 0.02;
 constexpr double highest_height = 1e6;  // m: its square still has all digits to spare
+constexpr double lag = 10;              // m
 
 }  // namespace
 
 RecordStream::RecordStream(const RecordOptions& options,
                            std::function<void(std::span<const double>)> sink)
-    : options_(options), sink_(std::move(sink)) {
-  if (options_.spacing) spacing_ = units::require_positive("spacing", *options_.spacing, "m");
+    : options_(options), sink_(std::move(sink)), screen_([this](double v) { join(v); }) {
+  if (options_.spacing) {
+    spacing_ = units::require_positive("spacing", *options_.spacing, "m");
+    places_ = PlaceMap{spacing_};
+  }
   ready_.reserve(piece);
 }
 
@@ -59,17 +65,18 @@ void RecordStream::settle_spacing() {
     throw InputError{"positions do not ascend: the median step is " + number_text(median) + " m"};
   double count = 0;
   for (const double step : steps) count += std::round(step / median);
-  spacing_ = (first_.back().position - first_.front().position) / count;
+  spacing_ = count > 0 ? (first_.back().position - first_.front().position) / count : median;
   if (!(std::abs(spacing_ / median - 1) < 0.05))
     spacing_ = median;  // then it is uneven, as place() says
-  for (const Sample& sample : std::exchange(first_, {})) place(sample);
+  first_position_ = last_position_ = first_.front().position;
+  places_ = PlaceMap{spacing_, first_position_};
+  places_.add(0, first_position_);
+  const auto samples = std::exchange(first_, {});
+  take(samples.front().value);
+  for (std::size_t i = 1; i < samples.size(); ++i) place(samples[i]);
 }
 
 void RecordStream::place(const Sample& sample) {
-  if (steps_ == 0 && samples_ == 0 && gap_ == 0 && !any_) {
-    first_position_ = last_position_ = sample.position;
-    return take(sample.value);
-  }
   const double step = (sample.position - last_position_) / spacing_;
   const double whole = std::round(step);
   const auto refuse = [&](const std::string& why) {
@@ -79,63 +86,103 @@ void RecordStream::place(const Sample& sample) {
   };
   if (!(step > 0)) refuse("positions do not ascend");
   if (whole < 1 || std::abs(step - whole) > off_grid) refuse("positions are not evenly spaced");
-  if (whole > longest_jump) refuse("positions jump too far");
-  for (double missing = 1; missing < whole; ++missing)
-    take(std::numeric_limits<double>::quiet_NaN());
+  if (static_cast<double>(steps_) + whole >
+      free_slots + slots_a_sample * static_cast<double>(taken_))
+    refuse("positions jump too far for a record of " + std::to_string(taken_) + " samples");
+  for (double missing = 1; missing < whole; ++missing) take(lost);
   steps_ += static_cast<std::size_t>(whole);
   last_position_ = sample.position;
+  places_.add(steps_, sample.position);
   take(sample.value);
 }
 
 void RecordStream::take(double value) {
-  if (!std::isfinite(value)) {
+  if (!std::isfinite(value)) return screen_.push(lost);
+  if (std::abs(value) > highest_height)
+    units::require_between("sample " + std::to_string(taken_), value, -highest_height,
+                           highest_height, "m");
+  lowest_ = any_ > 0 ? std::min(lowest_, value) : value;
+  highest_ = any_ > 0 ? std::max(highest_, value) : value;
+  ++any_;
+  screen_.push(value);
+}
+
+// The samples come back from the screen; gaps are closed with the first good sample after them.
+void RecordStream::join(double value) {
+  const std::size_t at = joined_++;
+  if (std::isnan(value)) {
+    while (fault_ < faults().size() && faults()[fault_].first < at) ++fault_;
+    cut_ = cut_ || (fault_ < faults().size() && faults()[fault_].first == at &&
+                    faults()[fault_].fault == Fault::step);
     ++gap_;
-    same_ = 0;
     return;
   }
-  if (std::abs(value) > highest_height)
-    units::require_between("sample " + std::to_string(samples_ + gap_ + 1), value, -highest_height,
-                           highest_height, "m");
-  same_ = any_ && same_ > 0 && value == last_value_ ? same_ + 1 : 1;
-  still_ = std::max(still_, same_);
-  const bool bridge = any_ && gap_ > 0 && gap_ <= options_.bridge;
+  const std::size_t most =
+      spacing_ > 0
+          ? std::max(options_.bridge,
+                     static_cast<std::size_t>(std::min(1e6, options_.bridge_length / spacing_)))
+          : options_.bridge;
+  const bool bridge = begun_ && gap_ > 0 && gap_ <= most && !cut_;
   for (std::size_t i = 1; i <= gap_; ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(gap_ + 1);
-    put(bridge ? last_value_ + share * (value - last_value_)
-               : std::numeric_limits<double>::quiet_NaN());
+    put(bridge ? last_value_ + share * (value - last_value_) : lost);
   }
   (bridge ? bridged_ : missing_) += gap_;
   gap_ = 0;
-  lowest_ = any_ ? std::min(lowest_, value) : value;
-  highest_ = any_ ? std::max(highest_, value) : value;
-  any_ = true;
+  cut_ = false;
+  begun_ = true;
   last_value_ = value;
   put(value);
 }
 
 void RecordStream::put(double value) {
   ++samples_;
+  if (spacing_ > 0) compare(value);
   ready_.push_back(value);
   if (ready_.size() < piece) return;
   sink_(ready_);
   ready_.clear();
 }
 
+// The height against the mean of those 10 m before and behind: a grade does not show.
+void RecordStream::compare(double value) {
+  if (past_.empty())
+    past_.assign(2 * static_cast<std::size_t>(std::clamp(lag / spacing_, 1.0, 1e5)), lost);
+  const std::size_t at = (samples_ - 1) % past_.size(), half = past_.size() / 2;
+  const double middle = past_[(at + half) % past_.size()];
+  if (!std::isnan(value) && !std::isnan(past_[at]) && !std::isnan(middle)) {
+    const double offset = middle - 0.5 * (value + past_[at]);
+    moved_ += offset * offset;
+    ++moves_;
+  }
+  past_[at] = value;
+}
+
 void RecordStream::finish() {
   if (taken_ == 0) throw InputError{"the record holds no finite sample"};
   if (positions_ && !settled_) settle_spacing();
-  for (; gap_ > 0; --gap_, ++missing_) put(std::numeric_limits<double>::quiet_NaN());
+  if (!positions_)
+    units::require_positive("spacing (give one, or a column of positions)", spacing_, "m");
+  if (any_ > 0 && lowest_ == highest_)
+    throw InputError{"constant signal: all samples are " + number_text(lowest_) + " m"};
+  screen_.finish();
+  missing_ += gap_;
+  for (; gap_ > 0; --gap_) put(lost);
   if (!ready_.empty()) sink_(ready_);
   ready_.clear();
+  for (const FaultyStretch& f : faults()) faulty_ += f.count;
   if (positions_ && steps_ > 0)
     spacing_ = (last_position_ - first_position_) / static_cast<double>(steps_);
-  units::require_positive("spacing (give one, or a column of positions)", spacing_, "m");
   if (options_.spacing && std::abs(spacing_ / *options_.spacing - 1) > spacing_mismatch)
     throw InputError{"spacing is given as " + number_text(*options_.spacing) +
                      " m, but the positions are " + number_text(spacing_) + " m apart"};
-  if (!any_) throw InputError{"the record holds no finite sample"};
-  if (lowest_ == highest_)
-    throw InputError{"constant signal: all samples are " + number_text(lowest_) + " m"};
+  if (!begun_) throw InputError{"the record holds no finite sample"};
+  const PlaceMap::Unevenness uneven = places_.unevenness();
+  if (uneven.share > spacing_refused)
+    throw InputError{"positions are not evenly spaced: from " + number_text(uneven.from) +
+                     " m to " + number_text(uneven.to) + " m they are " +
+                     number_text(uneven.spacing) + " m apart, in the whole record " +
+                     number_text(uneven.overall) + " m; allowed: changes of up to 2 %"};
 }
 
 }  // namespace railbook::spectra

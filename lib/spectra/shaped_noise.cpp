@@ -24,14 +24,15 @@ ShapedNoise::ShapedNoise(const NoiseShape& shape, const RandomSource& source)
   const double nyquist = 0.5 / spacing_;
   units::require_positive("low cut", shape.low_cut, "cycle/m");
   units::require_between("low cut", shape.low_cut, 0.0, 0.1 * nyquist, "cycle/m");
+  units::require_between("low cut times spacing", shape.low_cut * spacing_, 1e-8, 0.05, "cycle");
   units::require_positive("detail", shape.detail, "cycle/m");
   leak_ = std::exp(-2.0 * units::pi * shape.low_cut * spacing_);
   design(shape);
 
   // Six lengths of the leaky sum's memory leave exp(-12) of the missing past in the variance.
-  const double memory = 6.0 / (1.0 - leak_);
-  std::vector<double> past(static_cast<std::size_t>(std::ceil(memory)));
-  add(past);
+  std::vector<double> past(4096);
+  for (double left = std::ceil(6.0 / (1.0 - leak_)); left > 0; left -= 4096)
+    add({past.data(), static_cast<std::size_t>(std::min(left, 4096.0))});
 }
 
 void ShapedNoise::design(const NoiseShape& shape) {

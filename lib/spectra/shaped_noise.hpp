@@ -30,7 +30,8 @@ struct NoiseShape {
 // to the Nyquist wavenumber and none is folded in from above it.
 class ShapedNoise {
  public:
-  // Throws InputError on a spacing, cut or detail that is not positive, or a cut at or above Nyquist.
+  // Throws InputError on a spacing, cut or detail that is not positive, or a cut at or above Nyquist,
+  // or below 10^-8 cycles a sample (the past of the sum is computed: 10^9 samples).
   ShapedNoise(const NoiseShape& shape, const RandomSource& source);
 
   // Adds the next z.size() samples (m) to z; the sequence does not depend on how it is cut into calls.

@@ -30,10 +30,14 @@ double random_variance(const TrackParameters& track, double low, double high) {
     units::require_between("upper wavenumber", high, low, units::no_limit, "cycle/m");
   if (track.noise > 0) units::require_finite("upper wavenumber with noise", high, "cycle/m");
   const double corner = std::clamp(track.phi_c, low, high);
-  double variance = track.A * (1.0 / low - 1.0 / corner);
-  if (corner < high)
-    variance += track.A * track.phi_c * track.phi_c *
-                (1.0 / (corner * corner * corner) - 1.0 / (high * high * high)) / 3.0;
+  // Without differences of close numbers.
+  double variance = track.A / low * (std::isinf(corner) ? 1 : (corner - low) / corner);
+  if (corner < high) {
+    const double r = std::isinf(high) ? 0 : corner / high;
+    const double rest = std::isinf(high) ? 1 : (high - corner) / high;  // 1 - r
+    const double roll_off = track.phi_c / corner;
+    variance += track.A * roll_off * roll_off * rest * (1 + r + r * r) / (3 * corner);
+  }
   if (track.noise > 0) variance += track.noise * (high - low);
   return variance;
 }

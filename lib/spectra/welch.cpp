@@ -95,9 +95,10 @@ void Welch::push(std::span<const double> samples) {
   while (!samples.empty()) {
     const std::size_t block_end = (blocks_.size() + 1) * hop_;
     const auto piece = samples.first(std::min(block_end - filled_, samples.size()));
-    const std::size_t gaps = count_not_finite(piece);
-    gap_samples_ += gaps;
-    block_has_gap_ = block_has_gap_ || gaps > 0;
+    if (count_not_finite(piece) > 0) {
+      samples = samples.subspan(restart(piece));
+      continue;
+    }
     std::copy(piece.begin(), piece.end(), buffer_.begin() + static_cast<std::ptrdiff_t>(filled_));
     filled_ += piece.size();
     samples = samples.subspan(piece.size());
@@ -106,10 +107,23 @@ void Welch::push(std::span<const double> samples) {
   }
 }
 
+// A gap: the next segment begins after it. Returns how many samples of `piece` are done with.
+std::size_t Welch::restart(std::span<const double> piece) {
+  std::size_t gap = 0;
+  while (not_finite(piece[gap]) == 0) ++gap;
+  std::size_t end = gap;
+  while (end < piece.size() && not_finite(piece[end]) != 0) ++end;
+  gap_samples_ += end - gap;
+  unused_ += filled_ + gap - averaged_;
+  filled_ = averaged_ = 0;
+  blocks_.clear();
+  std::fill(used_.begin(), used_.end(), false);
+  return end;
+}
+
 void Welch::finish_block() {
-  Block done{.finite = !block_has_gap_};
-  block_has_gap_ = false;
-  if (done.finite && options_.detrend != Detrend::none) {
+  Block done;
+  if (options_.detrend != Detrend::none) {
     const Sums sums = strand_sums({buffer_.data() + filled_ - hop_, hop_});
     done.sum = sums.sum;
     done.moment = sums.moment;
@@ -118,17 +132,14 @@ void Welch::finish_block() {
 }
 
 void Welch::finish_segment() {
-  const bool whole = std::all_of(blocks_.begin(), blocks_.end(), [](auto& b) { return b.finite; });
-  if (whole) {
-    add_segment();
-    for (std::size_t j = 1; j < options_.parts; ++j) pairs_[j] += used_[j - 1] ? 1 : 0;
-  }
-  ++(whole ? segments_ : dropped_);
+  add_segment();
+  for (std::size_t j = 1; j < options_.parts; ++j) pairs_[j] += used_[j - 1] ? 1 : 0;
+  ++segments_;
   for (std::size_t j = used_.size(); j-- > 1;) used_[j] = used_[j - 1];
-  used_[0] = whole;
+  used_[0] = true;
   std::copy(buffer_.begin() + static_cast<std::ptrdiff_t>(hop_), buffer_.end(), buffer_.begin());
   blocks_.erase(blocks_.begin());
-  filled_ -= hop_;
+  averaged_ = filled_ -= hop_;
 }
 
 // The straight line comes from the sums of the blocks, so each sample is summed once however many segments
@@ -174,7 +185,7 @@ Spectrum Welch::spectrum() const {
   Spectrum result;
   result.df = 1.0 / (n * spacing_);
   result.segments = segments_;
-  result.dropped = dropped_;
+  result.unused = unused();
   result.noise_bandwidth = n * sum_2 / (sum_1 * sum_1) * result.df;
   double share_of_bins = 0, share_of_bands = 0;
   for (std::size_t j = 1; j < options_.parts; ++j) {

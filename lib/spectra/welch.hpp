@@ -27,7 +27,7 @@ struct Spectrum {
   double df = 0;               // bin spacing, 1/(segment spacing)
   Eigen::VectorXd density;     // segment/2 + 1 values
   std::size_t segments = 0;    // averaged
-  std::size_t dropped = 0;     // segments not averaged because they hold a gap (NaN or infinity)
+  std::size_t unused = 0;      // samples in no segment: before a gap or the end
   double averages = 0;         // K: 2K degrees of freedom of one bin, overlap accounted for
   double noise_bandwidth = 0;  // equivalent width of a line, 1.5 df for Hann
   double band_variance = 0;    // relative variance of a mean over m >> 1 bins is band_variance / m
@@ -39,8 +39,8 @@ struct Spectrum {
 Spectrum respaced(const Spectrum& from, double spacing);
 
 // Accumulates the spectrum of samples `spacing` apart that come in any number of pieces. The state is a few
-// segments of doubles; push() allocates nothing. A sample that is not finite marks a gap: it costs the segments
-// that hold it, never the record. Sums are float64. Relative rounding error of a bin about 1e-15 sqrt(log2 n)
+// segments of doubles; push() allocates nothing. A sample that is not finite marks a gap: segments begin anew
+// after it, and what is left before it is not used. Sums are float64. Relative rounding error of a bin about 1e-15 sqrt(log2 n)
 // of the largest power in a segment.
 class Welch {
  public:
@@ -55,14 +55,16 @@ class Welch {
   std::size_t samples() const { return samples_; }          // pushed so far
   std::size_t gap_samples() const { return gap_samples_; }  // of them not finite
   std::size_t segments() const { return segments_; }        // averaged so far
-  std::size_t state_bytes() const;                          // memory held, FFT buffers included
+  std::size_t used_samples() const { return samples_ - gap_samples_ - unused(); }  // in them
+  std::size_t state_bytes() const;  // memory held, FFT buffers included
 
  private:
-  struct Block {  // sums of one hop of samples, shared by the segments that overlap there
-    bool finite = true;
+  struct Block {        // sums of one hop of samples, shared by the segments that overlap there
     double sum = 0;     // of x
     double moment = 0;  // of (i - centre of block) x
   };
+  std::size_t unused() const { return unused_ + filled_ - averaged_; }
+  std::size_t restart(std::span<const double> piece);
   void finish_block();
   void finish_segment();
   void add_segment();
@@ -76,8 +78,9 @@ class Welch {
       pairs_;               // [j]: averaged segments whose j-th predecessor was averaged too
   std::vector<bool> used_;  // the last parts - 1 segments, latest first
   num::RealFft fft_;
-  bool block_has_gap_ = false;
-  std::size_t filled_ = 0, samples_ = 0, gap_samples_ = 0, segments_ = 0, dropped_ = 0;
+  std::size_t filled_ = 0, samples_ = 0, gap_samples_ = 0, segments_ = 0;
+  std::size_t averaged_ = 0;  // samples of the buffer that are in an averaged segment
+  std::size_t unused_ = 0;    // samples before gaps that are in none
 };
 
 // The spectrum of a whole record in one call.

@@ -42,6 +42,23 @@ TEST_CASE("input: positions that do not ascend evenly are refused, early or late
   }
 }
 
+TEST_CASE("input: jumps that add up, and a spacing that changes, are refused wherever they are") {
+  std::vector<double> jumps;
+  for (int i = 0; i < 4500; ++i) jumps.push_back(i < 1500 ? i : 9e6 * i);
+  CHECK_THROWS_WITH(read(jumps), Catch::Contains("jump too far"));
+  std::vector<double> many;
+  for (int i = 0; i < 200000; ++i) many.push_back(i < 1500 ? i : 40.0 * i);
+  CHECK_THROWS_WITH(read(many), Catch::Contains("jump too far"));
+  for (const int from : {40, 900, 20000, 39000, 39950})
+    for (const double change : {0.8, 0.9, 1.05, 1.2192}) {
+      std::vector<double> x{0};
+      for (int i = 1; i < 40000; ++i) x.push_back(x.back() + 0.25 * (i < from ? 1 : change));
+      CAPTURE(from, change);
+      if ((from == 40 || from == 39950) && change == 1.05) continue;  // two samples off
+      CHECK_THROWS_WITH(read(x), Catch::Contains("not evenly spaced"));
+    }
+}
+
 TEST_CASE("input: descending, unknown and contradictory spacings are refused") {
   CHECK_THROWS_WITH(read({3, 2, 1, 0}), Catch::Contains("do not ascend"));
   CHECK_THROWS_WITH(read({3}), Catch::Contains("needs two"));

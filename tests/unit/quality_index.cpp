@@ -66,7 +66,8 @@ TEST_CASE("Index: gaps, silence and nothing", "[quality]") {
 TEST_CASE("Index by segment: aligned with the kilometre posts, exceedances where their peak is",
           "[quality]") {
   // Half-waves of 10 m about 1; from 130 m to 770 m, a gap of 20 m at 400 m.
-  IndexBuilder b{{.spacing = 0.5, .threshold = 1, .origin = 130, .segment = 200, .margin = 30}};
+  const auto place = [](std::size_t i) { return 130 + 0.5 * static_cast<double>(i); };
+  IndexBuilder b{{.spacing = 0.5, .threshold = 1, .place = place, .segment = 200, .margin = 30}};
   std::vector<double> p;
   for (double x = 130; x < 770; x += 0.5)
     p.push_back(x >= 400 && x < 420 ? std::numeric_limits<double>::quiet_NaN()

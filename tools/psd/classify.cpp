@@ -9,11 +9,13 @@ class. A column's unit is the end of its header (`profile_mm`) or given with `--
 of another length under the present ones are named with `--foreign 33ft`. A file of any length streams through the memory of one
 segment.
 
-Empty cells and `nan` are gaps. They cost the segments that hold them, unless `--bridge 5` joins short ones by a straight line. Positions that
-do not ascend evenly, a missing column or unit, a constant signal, a record shorter than a segment, a chord longer than an eighth of
-one and a chord that is blind to the rail are refused. What is doubtful without being wrong is said in a note: a line not
-significant, a corner out of sight, a noise floor that cannot be fitted, residuals beyond chance, a sensor that stuck, a roughness no
-track has (a wrong unit?).
+Empty cells and `nan` are gaps; those of up to 1 m are bridged by a straight line (`--bridge` says otherwise), after longer ones the segments begin anew, shorter
+ones where that is needed. A segment is about 1250 m long unless `--segment` says how many samples.
+
+Positions that do not ascend evenly, a missing column or unit, a constant signal, a record shorter than a segment, a chord longer than an eighth of
+one and a chord that is blind to the rail are refused. What no track does is taken out of the record and said above the answer as doubtful: codes for lost samples, outliers, a
+sensor that stuck, a step of the datum; so are a spacing that changes, heights that are in another unit than said, a line of another rail length (used instead of the default
+39 ft; one given with `--rail` is kept), and residuals beyond chance. From twice the residuals of chance on no class is pronounced: the record is filtered, or of another shape than the model's.
 */
 #include <fmt/format.h>
 
@@ -24,9 +26,9 @@ track has (a wrong unit?).
 #include <string>
 #include <vector>
 
+#include "psd/measure.hpp"
 #include "spectra/classify.hpp"
 #include "spectra/line_mask.hpp"
-#include "spectra/record.hpp"
 #include "table/csv.hpp"
 #include "tool/out_folder.hpp"
 #include "tool/summary.hpp"
@@ -38,121 +40,39 @@ namespace railbook::psd_tool {
 namespace {
 
 constexpr double mm = units::millimetre;
-constexpr std::size_t long_still = 100;  // equal samples in a row that no rounding explains
+constexpr double misfit_doubted = 1.25, misfit_refused = 2;  // times the residuals of chance
+constexpr double usual_scatter = 0.2;                        // of the dips of joints
 
 struct Wish {
-  std::filesystem::path file;
-  std::string column = "profile", distance = "distance", unit, window = "hann", noise = "automatic",
-              slopes = "two";
-  std::optional<double> spacing, chord;
-  long segment = 4096, bridge = 0;
+  tools::RecordWish record;
+  std::string window = "hann", noise = "automatic", slopes = "two";
+  std::optional<double> chord, rail, segment;
   spectra::FitOptions fit;
   tool::Destination out;
 };
 
 void add_options(tool::Options& o, Wish& w) {
-  o.file("record", w.file, "CSV file with a column of heights");
-  o.required();
-  o.text("--column", w.column, "name of that column, with or without its unit");
-  o.text("--unit", w.unit, "unit of the column, if its header names none");
-  o.text("--distance", w.distance, "column of positions along the track");
-  o.quantity("--spacing", w.spacing, units::length, "distance between samples", tool::positive);
+  tools::add_record_options(o, w.record);
   o.quantity("--chord", w.chord, units::length, "the column is the mid-chord offset of this chord",
-             tool::positive);
-  o.quantity("--rail", w.fit.rail_length, units::length, "rail length", tool::positive);
+             {0.1, 1e6});
+  o.quantity("--rail", w.rail, units::length,
+             "rail length; left out: 39 ft, or what the spectrum shows", {0.1, 1e3});
   o.quantities("--foreign", w.fit.foreign_lengths, units::length, "lengths of former rails",
-               tool::positive);
-  o.count("--segment", w.segment, "samples a segment, even", 64, 1 << 24);
-  o.count("--bridge", w.bridge, "longest gap, in samples, to bridge by a straight line", 0, 1000);
+               {0.1, 1e3});
+  o.quantity("--segment", w.segment, units::number,
+             "samples a segment, even; left out: about 1250 m", {64, 1 << 20});
   o.choice("--window", w.window, {"hann", "hamming", "blackman-harris", "dpss", "boxcar"},
            "window");
   o.choice("--noise", w.noise, {"automatic", "none", "fitted"}, "white noise floor of the sensor");
   o.choice("--slopes", w.slopes, {"two", "one"}, "of the random part: equation (4) or (3)");
-  o.quantity("--low", w.fit.low, units::wavenumber, "lower end of the band fitted", tool::positive);
-  o.quantity("--high", w.fit.high, units::wavenumber, "upper end of the band fitted",
-             tool::positive);
+  o.quantity("--low", w.fit.low, units::wavenumber, "lower end of the band fitted", {1e-6, 1e4});
+  o.quantity("--high", w.fit.high, units::wavenumber, "upper end of the band fitted", {1e-6, 1e4});
   o.out(w.out);
-}
-
-// What one cell of the column is in metres.
-double unit_of(const Wish& wish, const std::string& header) {
-  const units::Header named = units::parse_header(header);
-  if (wish.unit.empty() && named.unit_text.empty())
-    throw InputError{
-        fmt::format("column \"{}\" names no unit; give one with --unit, such as mm", header)};
-  const units::Unit unit = wish.unit.empty() ? named.unit : units::parse_unit(wish.unit);
-  if (!(unit.dimension == units::length))
-    throw InputError{fmt::format("column \"{}\" has the unit {}; allowed: a length, such as mm",
-                                 header, wish.unit.empty() ? named.unit_text : wish.unit)};
-  if (!wish.unit.empty() && !named.unit_text.empty() && unit.si != named.unit.si)
-    throw InputError{fmt::format("column \"{}\" is in {} by its header, in {} by --unit", header,
-                                 named.unit_text, wish.unit)};
-  return unit.si;
-}
-
-// The column of positions, if the file has it; it must be there when no spacing is given.
-std::optional<std::size_t> position_column(const table::CsvReader& reader, const Wish& wish) {
-  for (std::size_t i = 0; i < reader.header().size(); ++i)
-    if (reader.header()[i] == wish.distance ||
-        units::parse_header(reader.header()[i]).name == wish.distance)
-      return i;
-  if (!wish.spacing)
-    throw InputError{
-        fmt::format("file \"{}\": no column \"{}\"; there are: {}; allowed: a column "
-                    "of positions (--distance) or --spacing, such as 1ft",
-                    reader.file().string(), wish.distance, fmt::join(reader.header(), ", "))};
-  return std::nullopt;
-}
-
-struct Measured {
-  spectra::Spectrum spectrum;
-  std::size_t samples, missing, bridged, still;
-  double spacing;
-};
-
-// The spectrum is taken at unit spacing while the record streams by; its true spacing is known at the end.
-Measured measure(const Wish& wish) {
-  table::CsvReader reader{wish.file};
-  const std::size_t column = reader.column(wish.column);
-  const double unit = unit_of(wish, reader.header()[column]);
-  const auto positions = position_column(reader, wish);
-  double metre = 1;
-  if (positions) {
-    const units::Header header = units::parse_header(reader.header()[*positions]);
-    if (!(header.unit.dimension == units::length))
-      throw InputError{fmt::format("column \"{}\" names no length; allowed: a header such as {}_m",
-                                   reader.header()[*positions], wish.distance)};
-    metre = header.unit.si;
-  }
-  const auto segment = static_cast<std::size_t>(wish.segment);
-  spectra::Welch welch{1.0, {.segment = segment, .window = spectra::parse_window(wish.window)}};
-  spectra::RecordStream record{
-      {.spacing = wish.spacing, .bridge = static_cast<std::size_t>(wish.bridge)},
-      [&](std::span<const double> piece) { welch.push(piece); }};
-  std::vector<std::string> cells;
-  while (reader.next(cells)) {
-    const double value = reader.number(cells, column) * unit;
-    if (positions)
-      record.add(reader.number(cells, *positions) * metre, value);
-    else
-      record.add(value);
-  }
-  record.finish();
-  if (welch.segments() == 0)
-    throw InputError{
-        fmt::format("the record has {} samples, {} of them missing; allowed: {} in a row "
-                    "without a gap (--segment for shorter ones, --bridge for gaps)",
-                    record.samples(), record.missing(), wish.segment)};
-  return {spectra::respaced(welch.spectrum(), record.spacing()),
-          record.samples(),
-          record.missing(),
-          record.bridged(),
-          record.still(),
-          record.spacing()};
 }
 
 spectra::FitOptions fit_options(const Wish& wish) {
   spectra::FitOptions options = wish.fit;
+  if (wish.rail) options.rail_length = *wish.rail;
   options.chord = wish.chord.value_or(0.0);
   options.noise = wish.noise == "none"     ? spectra::NoiseModel::none
                   : wish.noise == "fitted" ? spectra::NoiseModel::fitted
@@ -161,64 +81,81 @@ spectra::FitOptions fit_options(const Wish& wish) {
   return options;
 }
 
-void add_notes(tool::Summary& s, const Measured& m, const spectra::FitOptions& options,
-               const spectra::SpectrumFit& fit) {
+struct Fitted {
+  spectra::FitOptions options;
+  spectra::SpectrumFit fit;
+  std::optional<double> contradicting;  // rail length
+};
+
+// A rail length that nobody gave is read from the spectrum where that contradicts the default.
+Fitted fit_track(const Wish& wish, const spectra::Spectrum& spectrum) {
+  Fitted f{fit_options(wish), {}, {}};
+  f.fit = spectra::fit_track_spectrum(spectrum, f.options);
+  f.contradicting = spectra::contradicting_rail(spectrum, f.options, f.fit);
+  if (f.contradicting && !wish.rail) {
+    f.options.rail_length = *f.contradicting;
+    f.fit = spectra::fit_track_spectrum(spectrum, f.options);
+  }
+  return f;
+}
+
+void add_flags(tool::Summary& s, const Wish& wish, const Measured& m, const Fitted& f) {
+  const auto& [options, fit, contradicting] = f;
+  if (contradicting && !wish.rail)
+    s.flag("rail",
+           fmt::format("the spectrum shows rails of {:.4g} m, not the default of 39 ft: taken "
+                       "instead; say which with --rail",
+                       *contradicting));
+  else if (contradicting)
+    s.flag("rail", fmt::format("the spectrum shows rails of {:.4g} m, not of {:.4g} m: see --rail",
+                               *contradicting, *wish.rail));
+  else if (const auto stray = spectra::stray_line(m.spectrum, options, fit))
+    s.flag("stray_line",
+           fmt::format("a line at {:.4g} cycle/m ({:.4g} m) belongs to no rail named: former "
+                       "rails (--foreign), a wheel, or another rail length (--rail)?",
+                       stray->phi, 1 / stray->phi));
+  if (fit.corner == spectra::CornerState::at_low_bound)
+    s.flag("corner",
+           fmt::format("corner below {:.3g} cycle/m: A is a lower bound, only A phi_c^2 = "
+                       "{:.3g} m^2 (cycle/m)^3 is known; class too good",
+                       fit.phi_c.value, fit.steep.value));
+  if (fit.misfit > misfit_doubted)
+    s.flag("misfit",
+           fmt::format("residuals {:.2f} times those of chance: lines not named (--foreign), noise "
+                       "(--noise), a record that is filtered or an offset (--chord), or another "
+                       "shape of spectrum{}",
+                       fit.misfit, fit.misfit > misfit_refused ? "; no class is pronounced" : ""));
+  if (m.spectrum.segments < 4)
+    s.flag("short", fmt::format("only {} segment(s) averaged: a longer record is needed",
+                                m.spectrum.segments));
+}
+
+void add_notes(tool::Summary& s, const Measured& m, const Fitted& f) {
   const auto note = [&](const char* key, const std::string& text) { s.add(key, "note", text); };
+  const spectra::SpectrumFit& fit = f.fit;
   if (!fit.line_significant)
     note("line_note",
          fmt::format("no significant line: without joints 1 record in 20 shows B > {:.2f} mm",
                      fit.B_threshold / mm));
-  if (fit.corner == spectra::CornerState::at_low_bound)
-    note("corner_note",
-         fmt::format("corner below {:.3g} cycle/m: A is a lower bound, only A phi_c^2 = "
-                     "{:.3g} m^2 (cycle/m)^3 is known; class too good",
-                     fit.phi_c.value, fit.steep.value));
   if (fit.corner == spectra::CornerState::at_high_bound)
     note("corner_note",
          fmt::format("no corner below {:.3g} cycle/m: one slope of -2 fitted", fit.phi_c.value));
   if (!fit.converged) note("noise_note", "a noise floor was asked for, but none could be fitted");
-  if (fit.misfit > 1.25)
-    note("misfit_note", fmt::format("residuals {:.2f} times those of chance: lines not named "
-                                    "(--foreign), noise (--noise), or another shape of spectrum",
-                                    fit.misfit));
-  if (const auto stray = spectra::stray_line(m.spectrum, options, fit))
-    note("stray_note",
-         fmt::format("a line at {:.4g} cycle/m ({:.4g} m) belongs to no rail named: former "
-                     "rails (--foreign), a wheel, or another rail length (--rail)?",
-                     stray->phi, 1 / stray->phi));
-  if (m.still >= long_still)
-    note("still_note", fmt::format("{} samples in a row are equal: a sensor that stuck?", m.still));
-  if (m.spectrum.segments < 4)
-    note("length_note", fmt::format("only {} segment(s) averaged: a longer record is needed",
-                                    m.spectrum.segments));
-  if (!(fit.A.value > 1e-10 && fit.A.value < 1e-4))
-    note("unit_note", "no track has such a roughness (1e-8 to 1e-6 is usual): is the unit right?");
+  if (m.shortened)
+    note("segment_note", "gaps, or the end of the record, ask for shorter segments than 1250 m");
+  if (fit.line_significant)
+    note("scatter_note",
+         fmt::format(
+             "dips that scatter by {:.0f} % would add {:.1f} % to A, which its error does not hold",
+             100 * usual_scatter,
+             100 * spectra::scatter_bias(m.spectrum, f.options, fit, usual_scatter)));
 }
 
-tool::Summary answer(const Wish& wish, const Measured& m, const spectra::SpectrumFit& fit) {
+void add_class(tool::Summary& s, const spectra::SpectrumFit& fit) {
+  if (fit.misfit > misfit_refused) return s.add("class", "class", "none: the model does not apply");
   const spectra::ClassRule rule;
   const auto result = spectra::classify(fit.A.value, fit.B_printed.value, rule);
   const auto odds = spectra::class_probabilities(fit, rule);
-  tool::Summary s{"track of " + wish.file.string()};
-  const auto with_error = [&](const std::string& key, const char* what, spectra::Estimate e,
-                              double unit, const char* unit_name, const char* note = "") {
-    s.add(key, what, e.value / unit, unit_name, note);
-    s.add(key + "_error", "  its standard error", e.error / unit, unit_name);
-  };
-  s.add("length_km", "length", static_cast<double>(m.samples) * m.spacing / units::kilometre, "km",
-        fmt::format("{} samples, {} missing, {} bridged", m.samples, m.missing, m.bridged));
-  s.add("spacing_m", "spacing", m.spacing, "m");
-  s.add("segments", "segments averaged", static_cast<double>(m.spectrum.segments), "",
-        fmt::format("{} dropped", m.spectrum.dropped));
-  with_error("A", "roughness A", fit.A, 1, "m^2 cycle/m");
-  if (fit.corner == spectra::CornerState::fitted)
-    with_error("phi_c", "corner phi_c", fit.phi_c, 1, "cycle/m");
-  if (fit.noise.value > 0) with_error("noise", "noise floor", fit.noise, 1, "m^2/(cycle/m)");
-  with_error("B_printed_mm", "joint dip B, printed convention", fit.B_printed, mm, "mm",
-             "as in Table 1");
-  with_error("B_exact_mm", "joint dip, physical", fit.B_exact, mm, "mm");
-  s.add("C_1", "peak of the line C_1", fit.C_1, "m^2/(cycle/m)");
-  s.add("beta", "its width Q_1/C_1", fit.beta, "cycle/m");
   s.add("deviation_mm", "deviation d expected of a 62-ft chord", result.deviation / mm, "mm",
         fmt::format("random {:.1f}, joints {:.1f}", result.random / mm, result.periodic / mm));
   s.add("class", "class", static_cast<double>(result.track_class), "",
@@ -232,7 +169,34 @@ tool::Summary answer(const Wish& wish, const Measured& m, const spectra::Spectru
     s.add(fmt::format("odds_{}", i), fmt::format("  odds of class {}", i),
           1e-4 * std::round(1e4 * odds[at]), "");
   }
-  add_notes(s, m, fit_options(wish), fit);
+}
+
+tool::Summary answer(const Wish& wish, const Measured& m, const Fitted& f) {
+  const spectra::SpectrumFit& fit = f.fit;
+  tool::Summary s{"track of " + wish.record.record.file.string()};
+  const auto with_error = [&](const std::string& key, const char* what, spectra::Estimate e,
+                              double unit, const char* unit_name, const char* note = "") {
+    s.add(key, what, e.value / unit, unit_name, note);
+    s.add(key + "_error", "  its standard error", e.error / unit, unit_name);
+  };
+  tools::add_record(s, *m.record);
+  s.add("segment_m", "length of a segment", static_cast<double>(m.segment) * m.record->spacing(),
+        "m", fmt::format("{} samples", m.segment));
+  s.add("segments", "segments averaged", static_cast<double>(m.spectrum.segments), "",
+        fmt::format("{} samples in none", m.spectrum.unused));
+  with_error("A", "roughness A", fit.A, 1, "m^2 cycle/m");
+  if (fit.corner == spectra::CornerState::fitted)
+    with_error("phi_c", "corner phi_c", fit.phi_c, 1, "cycle/m");
+  if (fit.noise.value > 0) with_error("noise", "noise floor", fit.noise, 1, "m^2/(cycle/m)");
+  s.add("rail_m", "rail length", f.options.rail_length, "m");
+  with_error("B_printed_mm", "joint dip B, printed convention", fit.B_printed, mm, "mm",
+             "as in Table 1");
+  with_error("B_exact_mm", "joint dip, physical", fit.B_exact, mm, "mm");
+  s.add("C_1", "peak of the line C_1", fit.C_1, "m^2/(cycle/m)");
+  s.add("beta", "its width Q_1/C_1", fit.beta, "cycle/m");
+  add_class(s, fit);
+  add_notes(s, m, f);
+  add_flags(s, wish, m, f);
   return s;
 }
 
@@ -275,11 +239,14 @@ void write_files(tool::OutFolder& out, const Wish& wish, const Measured& m,
 void classify_track(const Wish& wish) {
   tool::OutFolder out(wish.out, {"spectrum.csv", "classes.csv", "point.csv", "classify.json",
                                  "spectrum.png", "class.png"});
-  const Measured measured = measure(wish);
-  const auto fit = spectra::fit_track_spectrum(measured.spectrum, fit_options(wish));
-  const tool::Summary summary = answer(wish, measured, fit);
+  std::optional<std::size_t> segment;
+  if (wish.segment) segment = static_cast<std::size_t>(*wish.segment);
+  const Measured measured =
+      measure(tools::record_file(wish.record), segment, spectra::parse_window(wish.window));
+  const Fitted fitted = fit_track(wish, measured.spectrum);
+  const tool::Summary summary = answer(wish, measured, fitted);
   summary.print();
-  if (out) write_files(out, wish, measured, fit, summary);
+  if (out) write_files(out, wish, measured, fitted.fit, summary);
   out.commit();
 }
 

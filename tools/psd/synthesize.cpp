@@ -37,32 +37,34 @@ struct Order {
 };
 
 void add_options(tool::Options& o, Order& order) {
+  const tool::Range height{-1e3, 1e3};
   auto& t = order.track;
   o.file("track", order.file, "the CSV file to write; - is standard output");
   o.required();
-  o.quantity("--length", order.length, units::length, "length of the record", tool::positive);
-  o.quantity("--spacing", t.spacing, units::length, "distance between samples", tool::positive);
+  o.quantity("--length", order.length, units::length, "length of the record", {0, 1e9, true});
+  o.quantity("--spacing", t.spacing, units::length, "distance between samples", {1e-3, 10});
   o.count("--seed", order.seed, "number of the record: same seed, same record", 0, 1L << 62);
   o.quantity("--roughness", t.A, units::area * units::wavenumber,
-             "A of equation (4), as in 5e-7m^2*cycle/m", tool::non_negative);
+             "A of equation (4), as in 5e-7m^2*cycle/m", {0, 1});
   o.quantity("--corner", t.phi_c, units::wavenumber, "corner wavenumber; left out: one slope",
-             tool::positive);
-  o.quantity("--rail", t.rail_length, units::length, "rail length", tool::positive);
-  o.quantity("--dip", order.B, units::length, "joint dip B as in Table 1, twice the physical one");
+             {1e-6, 1e6});
+  o.quantity("--rail", t.rail_length, units::length, "rail length", {0.1, 1e6});
+  o.quantity("--dip", order.B, units::length, "joint dip B as in Table 1, twice the physical one",
+             height);
   o.quantity("--scatter", t.dip_scatter, units::number,
-             "standard deviation of the dips over their mean", tool::non_negative);
+             "standard deviation of the dips over their mean", {0, 10});
   o.quantity("--correlation", t.dip_correlation, units::number,
              "of the dips of neighbouring joints", {-0.9999, 0.9999});
   o.quantity("--old-rail", t.memory_length, units::length, "rail length the ballast remembers",
-             tool::positive);
-  o.quantity("--memory", order.memory_B, units::length, "linear memory: B of the old rail");
-  o.quantity("--modulation", t.memory_modulation, units::number, "nonlinear memory: m",
-             tool::non_negative);
-  o.quantity("--grade", t.grade, units::number, "straight grade");
-  o.quantity("--wave", t.wave_amplitude, units::length, "amplitude of a long vertical wave");
-  o.quantity("--wave-length", t.wave_length, units::length, "its length", tool::positive);
+             {0.1, 1e6});
+  o.quantity("--memory", order.memory_B, units::length, "linear memory: B of the old rail", height);
+  o.quantity("--modulation", t.memory_modulation, units::number, "nonlinear memory: m", {0, 10});
+  o.quantity("--grade", t.grade, units::number, "straight grade", {-1, 1});
+  o.quantity("--wave", t.wave_amplitude, units::length, "amplitude of a long vertical wave",
+             height);
+  o.quantity("--wave-length", t.wave_length, units::length, "its length", {0.1, 1e9});
   o.quantity("--noise", t.sensor_noise, units::length, "standard deviation of white noise",
-             tool::non_negative);
+             {0, 1e3});
   o.quantity("--gaps", t.gap_share, units::number, "share of samples lost, in gaps of 20",
              {0.0, 0.95});
 }
@@ -78,9 +80,9 @@ void write_track(const Order& order) {
   };
   track.dip = physical(order.B);
   track.memory_dip = physical(order.memory_B);
-  spectra::TrackGenerator generator{track};
   const double wanted =
-      units::require_between("length over spacing", order.length / track.spacing, 1, 1e10);
+      units::require_between("length over spacing", order.length / track.spacing, 1, 1e9);
+  spectra::TrackGenerator generator{track};
   const auto samples = static_cast<std::size_t>(wanted);
   out.write("distance_m,profile_mm\n");
   std::vector<double> z(4096);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "quality/index_parts.hpp"
 #include "table/csv.hpp"
@@ -14,7 +15,7 @@ double resonant_wave(const quality::Descriptor& d) {
   return d.speed / (d.stroke ? d.stroke->suspension.frequency : suspension(d.force->car).frequency);
 }
 
-std::vector<Place> places(const quality::IndexBuilder& builder, double first,
+std::vector<Place> places(const quality::IndexBuilder& builder, const spectra::RecordStream& record,
                           const quality::Descriptor& d) {
   std::vector<Place> result;
   for (const quality::Exceedance& e : builder.exceedances()) {
@@ -22,31 +23,64 @@ std::vector<Place> places(const quality::IndexBuilder& builder, double first,
     const bool force = d.force && (!d.stroke || severity(*d.force, d.speed, phi) >
                                                     severity(*d.stroke, d.speed, phi));
     result.push_back(
-        {e, first + e.at, e.cut || e.clear < resonant_wave(d), force ? "wheel force" : "stroke"});
+        {e, record.places().at(static_cast<std::size_t>(std::lround(e.at / record.spacing()))),
+         e.cut || e.clear < resonant_wave(d), force ? "wheel force" : "stroke"});
   }
   return result;
 }
 
 namespace {
 
-// accept below T_1, repair above T_2.
-const char* class_of(const IndexWish& wish, double largest) {
-  return largest > wish.threshold ? "repair" : largest > wish.accept ? "watch" : "accept";
+struct Class {
+  const quality::Segment* segment;
+  std::size_t faulty = 0;  // samples taken out
+  const char* name = "";
+};
+
+// accept below T_1, repair above T_2, unsure where T_2 is passed only near an end or a gap.
+std::vector<Class> classes(const IndexAnswer& a) {
+  std::vector<Class> result;
+  const std::vector<spectra::FaultyStretch>& faults = a.record.faults();
+  auto fault = faults.begin();
+  auto place = a.found.begin();
+  std::size_t first = 0;
+  for (const quality::Segment& s : a.builder.segments()) {
+    const double to = s.from + a.wish.segment;
+    const bool above = s.sums.largest > a.wish.threshold;
+    bool none = true, sure = false;
+    for (; place != a.found.end() && place->at < to; ++place)
+      none = false, sure = sure || !place->unsure;
+    if (none)  // the wave has its peak in a neighbour
+      sure = (place != a.found.begin() && !std::prev(place)->unsure) ||
+             (place != a.found.end() && !place->unsure);
+    Class c{&s};
+    c.name = s.sums.missing == s.sums.samples ? "missing"
+             : above                          ? (sure ? "repair" : "unsure")
+             : s.sums.largest > a.wish.accept ? "watch"
+                                              : "accept";
+    const std::size_t end = first + s.sums.samples;
+    while (fault != faults.end() && fault->first + fault->count <= first) ++fault;
+    for (auto f = fault; f != faults.end() && f->first < end; ++f)
+      c.faulty += std::min(end, f->first + f->count) - std::max(first, f->first);
+    first = end;
+    result.push_back(c);
+  }
+  return result;
 }
 
-void add_segments(tool::Summary& s, const IndexWish& wish, const quality::IndexBuilder& builder) {
-  long watch = 0, repair = 0;
-  for (const quality::Segment& segment : builder.segments()) {
-    const std::string name = class_of(wish, segment.sums.largest);
-    watch += name == "watch" ? 1 : 0;
-    repair += name == "repair" ? 1 : 0;
-  }
-  s.add("segments", "segments", static_cast<double>(builder.segments().size()), "",
-        fmt::format("of {:g} m", wish.segment));
-  s.add("segments_watch", "  to watch", static_cast<double>(watch), "",
-        fmt::format("beyond {:g}", wish.accept));
-  s.add("segments_repair", "  to repair", static_cast<double>(repair), "",
-        fmt::format("beyond {:g}", wish.threshold));
+void add_segments(tool::Summary& s, const IndexAnswer& a) {
+  const std::vector<Class> all = classes(a);
+  const auto add = [&](const char* name, const std::string& note) {
+    const auto count = std::count_if(all.begin(), all.end(),
+                                     [&](const Class& c) { return std::string{c.name} == name; });
+    s.add(fmt::format("segments_{}", name), fmt::format("  {}", name), static_cast<double>(count),
+          "", note);
+  };
+  s.add("segments", "segments", static_cast<double>(all.size()), "",
+        fmt::format("of {:g} m", a.wish.segment));
+  add("watch", fmt::format("beyond {:g}", a.wish.accept));
+  add("repair", fmt::format("beyond {:g}", a.wish.threshold));
+  add("unsure", "beyond it near an end or a gap only");
 }
 
 void add_worst(tool::Summary& s, std::vector<Place> found) {
@@ -62,46 +96,51 @@ void add_worst(tool::Summary& s, std::vector<Place> found) {
 }  // namespace
 
 tool::Summary summary_of(const IndexAnswer& answer) {
-  const auto& [wish, d, r, taps, shortest, builder, found] = answer;
+  const auto& [wish, d, record, taps, shortest, builder, found] = answer;
   const quality::QualityIndex q = builder.index();
-  tool::Summary s{"track quality of " + wish.file.string()};
+  tool::Summary s{"track quality of " + wish.record.record.file.string()};
   add_car(s, d);
-  s.add("length_km", "length", static_cast<double>(r.samples) * r.spacing / units::kilometre, "km",
-        fmt::format("{} samples, {} missing, {} bridged", r.samples, r.missing, r.bridged));
-  s.add("spacing_m", "spacing", r.spacing, "m");
+  tools::add_record(s, record);
   s.add("shortest_m", "shortest wavelength", shortest, "m");
   s.add("gain_error", "filter gain wrong by at most", taps.gain_error, "",
         fmt::format("at {:.3g} m", taps.worst_at));
-  s.add("unsure", "share near an end or a gap", builder.unsure(), "",
-        builder.unsure() > 0.5 ? "the descriptor is mostly guessed" : "");
+  s.add("unsure", "share near an end or a gap", builder.unsure(), "", "");
+  if (builder.unsure() > 0.5)
+    s.flag("guessed",
+           "the descriptor is mostly guessed: the record is near an end or a gap nearly "
+           "everywhere");
   s.add("mean", "mean of the magnitude", q.mean, "");
   s.add("deviation", "standard deviation", q.deviation, "");
   s.add("rms", "rms of the descriptor", q.rms, "");
-  s.add("largest", "largest", q.largest, "",
-        q.largest > 50 ? "is the unit of the column right?" : "");
+  s.add("largest", "largest", q.largest, "");
+  if (q.largest > 50)
+    s.flag("largest",
+           fmt::format("the descriptor reaches {:.3g} times the limit: is the unit of the "
+                       "column right?",
+                       q.largest));
   if (std::isfinite(q.margin)) s.add("n", "n of threshold = mean + n deviation", q.margin, "");
   s.add("above_per_km", "values above the threshold", q.above_per_km, "1/km",
         fmt::format("threshold {:g}", wish.threshold));
   s.add("exceedances", "exceedances", static_cast<double>(found.size()), "",
         fmt::format("{:.3g} per km", q.exceedances_per_km));
-  add_segments(s, wish, builder);
+  add_segments(s, answer);
   add_worst(s, found);
   return s;
 }
 
 namespace {
 
-void write_segments(tool::OutFolder& out, const IndexWish& wish, double spacing,
-                    const quality::IndexBuilder& builder) {
+void write_segments(tool::OutFolder& out, const IndexAnswer& a) {
   std::string text =
-      "from_m,to_m,samples,missing,mean,deviation,rms,largest,above_per_km,exceedances,class\n";
-  for (const quality::Segment& segment : builder.segments()) {
-    const quality::QualityIndex q = segment.sums.index(spacing, wish.threshold);
-    text += fmt::format(
-        "{},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{},{}\n", table::csv_number(segment.from),
-        table::csv_number(segment.from + wish.segment), q.samples, q.missing, q.mean, q.deviation,
-        q.rms, q.largest, q.above_per_km, segment.sums.exceedances,
-        q.missing == q.samples ? "missing" : class_of(wish, q.largest));
+      "from_m,to_m,samples,missing,faulty,mean,deviation,rms,largest,above_per_km,exceedances,"
+      "class\n";
+  for (const Class& c : classes(a)) {
+    const quality::QualityIndex q = c.segment->sums.index(a.record.spacing(), a.wish.threshold);
+    text += fmt::format("{},{},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{},{}\n",
+                        table::csv_number(c.segment->from),
+                        table::csv_number(c.segment->from + a.wish.segment), q.samples, q.missing,
+                        c.faulty, q.mean, q.deviation, q.rms, q.largest, q.above_per_km,
+                        c.segment->sums.exceedances, c.name);
   }
   out.add("segments.csv", text);
 }
@@ -119,7 +158,7 @@ void write_lists(tool::OutFolder& out, const IndexAnswer& answer) {
     bars += fmt::format("{:.2f},{}\n", (static_cast<double>(i) + 0.5) * quality::IndexBuilder::bin,
                         answer.builder.histogram()[i]);
   out.add("histogram.csv", bars);
-  write_segments(out, answer.wish, answer.reading.spacing, answer.builder);
+  write_segments(out, answer);
   out.add("threshold.csv",
           fmt::format("threshold,shortest_m,places\n{:g},{:g},{}\n", answer.wish.threshold,
                       answer.shortest, answer.found.size()));

@@ -10,24 +10,17 @@
 #include "quality/car_options.hpp"
 #include "quality/descriptor_filter.hpp"
 #include "quality/quality_index.hpp"
+#include "record_options.hpp"
 #include "tool/out_folder.hpp"
 
 namespace railbook::quality_tool {
 
 struct IndexWish {
   CarWish car;
-  std::filesystem::path file;
-  std::string column = "profile", distance = "distance";
-  std::optional<double> spacing, shortest;
+  tools::RecordWish record;
+  std::optional<double> shortest;
   double threshold = 1, accept = 0.5, segment = 200;
-  long bridge = 0;
   tool::Destination out;
-};
-
-// What the record held.
-struct Reading {
-  double first = 0, spacing = 0;  // m
-  std::size_t samples = 0, missing = 0, bridged = 0;
 };
 
 // An exceedance on the track.
@@ -41,13 +34,14 @@ struct Place {
 // The wavelength of the resonance at posted speed, m.
 double resonant_wave(const railbook::quality::Descriptor& d);
 
-std::vector<Place> places(const railbook::quality::IndexBuilder& builder, double first,
+std::vector<Place> places(const railbook::quality::IndexBuilder& builder,
+                          const spectra::RecordStream& record,
                           const railbook::quality::Descriptor& d);
 
 struct IndexAnswer {
   const IndexWish& wish;
   const railbook::quality::Descriptor& descriptor;
-  const Reading& reading;
+  const spectra::RecordStream& record;
   const railbook::quality::FilterTaps& taps;
   double shortest;  // wavelength, m
   const railbook::quality::IndexBuilder& builder;

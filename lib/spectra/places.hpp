@@ -1,0 +1,44 @@
+// Where the samples of a record lie: their positions as straight pieces, true to half a spacing.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace railbook::spectra {
+
+// Keeps a new piece only where the positions leave the present one by over half a spacing (the swinging door of
+// Bristol 1990): two nodes for an even record, whatever its length or the rounding of its positions.
+class PlaceMap {
+ public:
+  // A record that begins at `first` and goes on evenly.
+  explicit PlaceMap(double spacing = 1, double first = 0) : spacing_(spacing), first_(first) {}
+
+  // The position (m) of a sample, given in ascending order.
+  void add(std::size_t sample, double position);
+
+  // The position (m) of any sample; beyond the last one given, on at the spacing.
+  double at(std::size_t sample) const;
+
+  // Where the spacing leaves that of the record as a whole: by how much at most (a share, rounding of the positions
+  // allowed for), and between which positions.
+  struct Unevenness {
+    double share = 0;                 // 0.01: samples 1 % farther apart, or nearer
+    double from = 0, to = 0;          // m
+    double spacing = 0, overall = 0;  // m
+  };
+  Unevenness unevenness() const;
+
+ private:
+  struct Node {
+    double sample, position;
+  };
+  std::vector<Node> all_nodes() const;
+
+  double spacing_, first_;
+  std::vector<Node> nodes_;  // begin of each piece
+  Node last_{};
+  double low_ = 0, high_ = 0;  // slopes from the last node that keep all its samples
+};
+
+}  // namespace railbook::spectra

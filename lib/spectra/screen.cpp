@@ -1,0 +1,215 @@
+#include "spectra/screen.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace railbook::spectra {
+namespace {
+
+constexpr std::size_t block = 8192;
+constexpr double lost = std::numeric_limits<double>::quiet_NaN();
+constexpr double far_off = 12, per_missing = 3, above_recent = 4;  // median steps; recent steps
+constexpr std::size_t longest_excursion = 256;
+constexpr std::size_t fewest_steps = 50;  // that a median step means something
+constexpr std::size_t stuck_at_least = 20, stuck_lags = 8;
+constexpr double moved = 5;  // quanta
+
+double median_of(std::vector<double>& x) {
+  if (x.empty()) return 0;
+  const auto middle = x.begin() + static_cast<std::ptrdiff_t>(x.size() / 2);
+  std::nth_element(x.begin(), middle, x.end());
+  return *middle;
+}
+
+// |v[i + lag] - v[i]| of about `wanted` pairs.
+std::vector<double> moves(const std::vector<double>& v, std::size_t lag, std::size_t wanted) {
+  std::vector<double> result;
+  const std::size_t stride = std::max<std::size_t>(1, v.size() / wanted);
+  for (std::size_t i = 0; i + lag < v.size(); i += stride)
+    if (!std::isnan(v[i]) && !std::isnan(v[i + lag])) result.push_back(std::abs(v[i + lag] - v[i]));
+  return result;
+}
+
+}  // namespace
+
+void Screen::push(double value) {
+  v_.push_back(value);
+  if (v_.size() == 2 * block) judge(block);
+}
+
+void Screen::finish() {
+  last_ = true;
+  judge(v_.size());
+}
+
+void Screen::judge(std::size_t upto) {
+  measure();
+  while (next_ < upto) next_ = judge_at(next_);
+  for (std::size_t i = 0; i < upto; ++i) sink_(v_[i]);
+  v_.erase(v_.begin(), v_.begin() + static_cast<std::ptrdiff_t>(upto));
+  base_ += upto;
+  next_ -= upto;
+  good_at_ -= static_cast<std::ptrdiff_t>(upto);
+}
+
+std::optional<FaultyStretch> Screen::still() const {
+  for (std::size_t i = 0; i < lags; ++i)
+    if (!std::isinf(quantum_) && mean_move_[i] >= moved * quantum_ &&
+        still_.count >= std::max(stuck_at_least, stuck_lags << i))
+      return still_;
+  return std::nullopt;
+}
+
+void Screen::measure() {
+  auto steps = moves(v_, 1, 2 * block);
+  std::erase(steps, 0.0);  // of rounded or stuck values
+  judged_ = judged_ || steps.size() >= fewest_steps;
+  for (const double step : steps) quantum_ = std::min(quantum_, step);
+  median_step_ = median_of(steps);
+  const auto so_far = static_cast<double>(++blocks_);
+  mean_step_ += (median_step_ - mean_step_) / so_far;
+  stuck_from_ = std::isinf(quantum_) ? block : v_.size() + 1;
+  for (std::size_t i = lags; i-- > 0;) {
+    auto over = moves(v_, std::size_t{1} << i, 512);
+    const double here = median_of(over);
+    mean_move_[i] += (here - mean_move_[i]) / so_far;
+    if (!std::isinf(quantum_) && std::max(here, mean_move_[i]) >= moved * quantum_)
+      stuck_from_ = std::max(stuck_at_least, stuck_lags << i);
+  }
+}
+
+double Screen::limit(std::size_t i) const {
+  const auto missing = static_cast<double>(static_cast<std::ptrdiff_t>(i) - good_at_ - 1);
+  if (!judged_) return std::numeric_limits<double>::infinity();
+  const double step = std::max(median_step_, mean_step_);
+  return step * (far_off + per_missing * missing);
+}
+
+// The end of the run of values equal to that at i.
+std::size_t Screen::equal_until(std::size_t i, bool over_gaps) const {
+  std::size_t j = i + 1;
+  while (j < v_.size() && (std::isnan(v_[j]) ? over_gaps : v_[j] == v_[i])) ++j;
+  return j;
+}
+
+std::size_t Screen::take_out(std::size_t from, std::size_t to, Fault fault, double value) {
+  for (std::size_t i = from; i < to; ++i) {
+    if (std::isnan(v_[i])) continue;
+    const std::size_t at = base_ + i;
+    const bool on = !faults_.empty() && fault != Fault::step && faults_.back().fault == fault &&
+                    faults_.back().first + faults_.back().count == at;
+    if (on)
+      ++faults_.back().count;
+    else
+      faults_.push_back({fault, at, 1, value});
+    v_[i] = lost;
+  }
+  return to;
+}
+
+std::size_t Screen::accept(std::size_t i) {
+  if (good_) {
+    std::rotate(recent_.begin(), recent_.begin() + 1, recent_.end());
+    recent_.back() =
+        std::abs(v_[i] - *good_) / static_cast<double>(static_cast<std::ptrdiff_t>(i) - good_at_);
+  }
+  const bool run_begins =
+      !good_ || *good_ != v_[i] || good_at_ + 1 != static_cast<std::ptrdiff_t>(i);
+  run_ = run_begins ? 1 : run_ + 1;
+  if (run_ > still_.count) still_ = {Fault::stuck, base_ + i + 1 - run_, run_, v_[i]};
+  good_ = v_[i];
+  good_at_ = static_cast<std::ptrdiff_t>(i);
+  if (!run_begins || i + 1 >= v_.size()) return i + 1;
+  const std::size_t end = equal_until(i, false);
+  if (end - i < stuck_from_) return i + 1;
+  if (end == v_.size() && !last_) constant_ = v_[i];
+  return take_out(i + 1, end, Fault::stuck, v_[i]);
+}
+
+std::size_t Screen::judge_at(std::size_t i) {
+  if (std::isnan(v_[i])) return i + 1;
+  if (constant_) {
+    if (v_[i] == *constant_) return take_out(i, i + 1, faults_.back().fault, v_[i]);
+    constant_.reset();
+  }
+  if (!good_) return judge_first(i);
+  const double jump = std::abs(v_[i] - *good_);
+  const double slots = static_cast<double>(static_cast<std::ptrdiff_t>(i) - good_at_);
+  const double steps = above_recent * *std::max_element(recent_.begin(), recent_.end()) * slots;
+  return jump <= std::max(limit(i), steps) ? accept(i) : judge_far(i);
+}
+
+// The record may begin with a code or an outlier: far from the next value, and from most of those that follow.
+std::size_t Screen::judge_first(std::size_t i) {
+  const std::size_t end = equal_until(i, true);
+  good_at_ = static_cast<std::ptrdiff_t>(end) - 1;
+  std::size_t seen = 0, far = 0;
+  for (std::size_t j = end; j < v_.size() && seen < 9; ++j) {
+    if (std::isnan(v_[j])) continue;
+    ++seen;
+    far += std::abs(v_[j] - v_[i]) > limit(j) ? 1 : 0;
+  }
+  if (seen < 2 || 2 * far <= seen || std::abs(v_[end] - v_[i]) <= limit(end)) return accept(i);
+  return take_out(i, end, end - i > 1 ? Fault::code : Fault::outlier, v_[i]);
+}
+
+std::size_t Screen::judge_far(std::size_t i) {
+  const std::size_t end = equal_until(i, true);
+  const auto equal =
+      end - i -
+      static_cast<std::size_t>(std::count_if(v_.begin() + static_cast<std::ptrdiff_t>(i),
+                                             v_.begin() + static_cast<std::ptrdiff_t>(end),
+                                             [](double v) { return std::isnan(v); }));
+  const bool open = end == v_.size();
+  if (equal >= 2 && (open || equal >= stuck_at_least || std::abs(v_[end] - *good_) <= limit(end))) {
+    if (open && !last_) constant_ = v_[i];
+    return take_out(i, end, Fault::code, v_[i]);
+  }
+  return judge_excursion(i);
+}
+
+// Off and back again: outliers, unless the way there is as smooth as a wave's.
+std::size_t Screen::judge_excursion(std::size_t i) {
+  const double entry = std::abs(v_[i] - *good_);
+  double farthest = 0, path = entry, before = v_[i];
+  std::size_t away = 0, j = i;
+  bool back = false;
+  for (; j < v_.size() && away < longest_excursion; ++j) {
+    if (std::isnan(v_[j])) continue;
+    path += j > i ? std::abs(v_[j] - before) : 0;
+    const double off = std::abs(v_[j] - *good_);
+    back = off <= limit(j);
+    if (back) break;
+    farthest = std::max(farthest, off);
+    before = v_[j];
+    ++away;
+  }
+  if (!back)
+    return j == v_.size() && away == 1 ? take_out(i, j, Fault::outlier, v_[i]) : judge_level(i);
+  const double exit = std::abs(v_[j] - before);
+  const bool abrupt = entry >= 0.5 * farthest && exit >= 0.5 * farthest;
+  const bool rough = path >= 0.3 * farthest * static_cast<double>(away + 1);
+  if (!abrupt && !rough) return judge_level(i);
+  const std::size_t same = equal_until(i, true);
+  return take_out(i, j, same >= j && away > 1 ? Fault::code : Fault::outlier, v_[i]);
+}
+
+// Off for good: a step, if the record goes on from there in its usual steps.
+std::size_t Screen::judge_level(std::size_t i) {
+  const double entry = v_[i] - *good_;
+  std::vector<double> off, steps;
+  double before = v_[i];
+  for (std::size_t j = i + 1; j < v_.size() && off.size() < longest_excursion; ++j) {
+    if (std::isnan(v_[j])) continue;
+    off.push_back(std::abs(v_[j] - *good_));
+    steps.push_back(std::abs(v_[j] - before));
+    before = v_[j];
+  }
+  const bool at_once = std::abs(entry) >= 0.5 * median_of(off);
+  if (!at_once || median_of(steps) > 0.25 * std::abs(entry)) return accept(i);
+  good_ = v_[i];
+  good_at_ = static_cast<std::ptrdiff_t>(i);
+  return take_out(i, i + 1, Fault::step, entry);
+}
+
+}  // namespace railbook::spectra

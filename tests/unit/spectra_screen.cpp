@@ -1,0 +1,157 @@
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "num/fp_trap.hpp"
+#include "spectra/record.hpp"
+#include "spectra/synthetic_track.hpp"
+#include "units/constants.hpp"
+
+using namespace railbook;
+using spectra::Fault;
+
+namespace {
+
+const double lost = std::numeric_limits<double>::quiet_NaN();
+
+struct Screened {
+  std::vector<double> out;
+  std::vector<spectra::FaultyStretch> faults;
+  std::vector<spectra::Doubt> doubts;
+};
+
+Screened screen(const std::vector<double>& in, double spacing = 0.25) {
+  const num::FpTraps traps;
+  Screened s;
+  spectra::RecordStream stream{{.spacing = spacing}, [&](std::span<const double> piece) {
+                                 s.out.insert(s.out.end(), piece.begin(), piece.end());
+                               }};
+  for (const double z : in) stream.add(z);
+  stream.finish();
+  s.faults = stream.faults();
+  s.doubts = stream.doubts();
+  return s;
+}
+
+// A track of class 5 with joints and some noise, in metres.
+const std::vector<double>& track() {
+  static const std::vector<double> z = spectra::synthesize(
+      {.spacing = 0.25, .A = 5e-7, .phi_c = 0.13, .dip = 0.0055, .sensor_noise = 2e-5}, 40000);
+  return z;
+}
+
+const std::vector<std::size_t> places{0, 1, 77, 8191, 8192, 16383, 20000, 39998, 39999};
+
+}  // namespace
+
+TEST_CASE("unit: a clean track passes the screen unchanged") {
+  const auto s = screen(track());
+  CHECK(s.faults.empty());
+  CHECK(s.doubts.empty());
+  CHECK(s.out == track());
+}
+
+TEST_CASE("unit: a value far off is taken out, wherever it stands and whatever its size") {
+  for (const std::size_t at : places)
+    for (const double value : {-9999.0, -9.999, 999.0, 0.999, 32.767, 0.05, -0.1, -9999 * 0.0254}) {
+      auto z = track();
+      z[at] += value;
+      CAPTURE(at, value);
+      const auto s = screen(z);
+      REQUIRE(s.faults.size() == 1);
+      CHECK(s.faults[0].first == at);
+      CHECK(s.faults[0].count == 1);
+      CHECK(std::isnan(s.out[at]));
+      CHECK(s.doubts.size() == 1);
+    }
+}
+
+TEST_CASE("unit: a code is taken out in runs of any length, others are left alone") {
+  for (const std::size_t at : places)
+    for (const std::size_t length : {2U, 20U, 300U, 9000U, 20000U})
+      for (const double code : {-9.999, 999.0}) {
+        auto z = track();
+        const std::size_t end = std::min(at + length, z.size());
+        if (end - at < 2 || at == 1) continue;  // one good sample before a code: which is which?
+        std::fill(z.begin() + static_cast<std::ptrdiff_t>(at),
+                  z.begin() + static_cast<std::ptrdiff_t>(end), code);
+        CAPTURE(at, length, code);
+        const auto s = screen(z);
+        REQUIRE(!s.doubts.empty());
+        if (at < 8192 && length == 20000) continue;  // it fills all that is looked at
+        REQUIRE(s.faults.size() == 1);
+        CHECK(s.faults[0].fault == Fault::code);
+        CHECK(s.faults[0].first == at);
+        CHECK(s.faults[0].count == end - at);
+      }
+}
+
+TEST_CASE("unit: one sample in eight coded, and a burst of garbage, are taken out") {
+  auto z = track();
+  for (std::size_t i = 3; i < z.size(); i += 8) z[i] = -9.999;
+  auto s = screen(z);
+  CHECK(s.faults.size() == z.size() / 8);
+  z = track();
+  for (std::size_t i = 0; i < 30; ++i)
+    z[9000 + i] += 2 * std::sin(static_cast<double>(i * i)) + 0.05;
+  s = screen(z);
+  std::size_t out = 0;
+  for (const auto& f : s.faults) out += f.count;
+  CHECK(out >= 27);
+  CHECK(out <= 30);
+}
+
+TEST_CASE("unit: a sensor that stuck is taken out but for its first sample") {
+  for (const std::size_t at : places)
+    for (const std::size_t length : {25U, 400U, 7000U, 20000U}) {
+      auto z = track();
+      const std::size_t end = std::min(at + length, z.size());
+      if (end - at < 21) continue;
+      std::fill(z.begin() + static_cast<std::ptrdiff_t>(at),
+                z.begin() + static_cast<std::ptrdiff_t>(end), z[at]);
+      CAPTURE(at, length);
+      const auto s = screen(z);
+      REQUIRE(!s.doubts.empty());
+      std::size_t stuck = 0;
+      for (const auto& f : s.faults)
+        stuck += f.fault == Fault::stuck || f.fault == Fault::code ? f.count : 0;
+      if (at < 8192 && length == 20000) continue;  // it fills all that is looked at
+      CHECK(stuck + 1 >= end - at);
+      CHECK(stuck <= end - at);
+    }
+}
+
+TEST_CASE("unit: a step of the datum is found to the sample, and the record cut there") {
+  for (const std::size_t at : {300U, 8192U, 20000U, 39700U})
+    for (const double step : {0.03, -0.1, 0.5, 20.0}) {
+      auto z = track();
+      for (std::size_t i = at; i < z.size(); ++i) z[i] += step;
+      CAPTURE(at, step);
+      const auto s = screen(z);
+      REQUIRE(s.faults.size() == 1);
+      CHECK(s.faults[0].fault == Fault::step);
+      CHECK(s.faults[0].first == at);
+      CHECK(s.faults[0].value == Approx(step).margin(0.003));
+    }
+}
+
+TEST_CASE("unit: metres for millimetres, and the other way round, are doubted") {
+  for (const double unit : {1e-3, 1e3}) {
+    auto z = track();
+    for (double& h : z) h *= unit;
+    const auto s = screen(z);
+    REQUIRE(s.doubts.size() == 1);
+    CHECK(s.doubts[0].key == "unit");
+  }
+}
+
+TEST_CASE("unit: waves are no faults, however high, nor is a silent record between them") {
+  std::vector<double> z(20000, 0.0);
+  for (std::size_t i = 4000; i < 4400; ++i)
+    z[i] = 0.05 * std::sin(0.015 * units::pi * static_cast<double>(i - 4000));  // 33 m, abruptly
+  for (std::size_t i = 0; i < z.size(); ++i)
+    z[i] += 1e-5 * std::sin(static_cast<double>(i * i % 1000));
+  CHECK(screen(z).faults.empty());
+}
