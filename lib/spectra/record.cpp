@@ -89,7 +89,7 @@ void RecordStream::place(const Sample& sample) {
   if (static_cast<double>(steps_) + whole >
       free_slots + slots_a_sample * static_cast<double>(taken_))
     refuse("positions jump too far for a record of " + std::to_string(taken_) + " samples");
-  for (double missing = 1; missing < whole; ++missing) take(lost);
+  for (double missing = 1; missing < whole; ++missing) screen_.push(lost);
   steps_ += static_cast<std::size_t>(whole);
   last_position_ = sample.position;
   places_.add(steps_, sample.position);
@@ -97,9 +97,10 @@ void RecordStream::place(const Sample& sample) {
 }
 
 void RecordStream::take(double value) {
+  ++placed_;
   if (!std::isfinite(value)) return screen_.push(lost);
   if (std::abs(value) > highest_height)
-    units::require_between("sample " + std::to_string(taken_), value, -highest_height,
+    units::require_between("sample " + std::to_string(placed_), value, -highest_height,
                            highest_height, "m");
   lowest_ = any_ > 0 ? std::min(lowest_, value) : value;
   highest_ = any_ > 0 ? std::max(highest_, value) : value;

@@ -81,6 +81,7 @@ class RecordStream {
   std::vector<Sample> first_;  // until the spacing is known
   std::vector<double> ready_;  // to be handed on
   std::size_t taken_ = 0;      // samples added
+  std::size_t placed_ = 0;     // of them, not waiting for the spacing
   std::size_t steps_ = 0;      // spacings from the first position to the last
   bool settled_ = false, positions_ = false;
   double first_position_ = 0, last_position_ = 0;

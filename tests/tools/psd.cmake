@@ -4,11 +4,16 @@ file(MAKE_DIRECTORY ${folder})
 set(never ${folder}/psd-never.csv)
 refuses(psd "a dip without a unit" "dip is .11., without a unit" synthesize ${never} --dip 11)
 refuses(psd "a roughness in metres squared" "roughness is .* in m^2" synthesize ${never} --roughness 5e-7m^2)
-refuses(psd "a negative roughness" "roughness is -1e-07 m.*allowed: at least 0" synthesize ${never} --roughness -1e-7m)
+refuses(psd "a negative roughness" "roughness is -1e-07 m.*allowed: from 0 to 1" synthesize ${never} --roughness -1e-7m)
 refuses(psd "a corner of zero" "corner is 0 1/m.*allowed" synthesize ${never} --corner 0cycle/m)
 refuses(psd "more gaps than track" "gaps is 0.99.*allowed" synthesize ${never} --gaps 99%)
 refuses(psd "a length below the spacing" "length over spacing is 0.003" synthesize ${never} --length 1mm)
 refuses(psd "rails shorter than two samples" "rail length is 0.3048 m.*allowed" synthesize ${never} --dip 1mm --rail 1ft)
+refuses(psd "samples nearer than a millimetre" "spacing is 7e-12 m. allowed: from 0.001" synthesize ${never} --spacing 7e-12m)
+refuses(psd "samples that divide to infinity" "spacing is 1e-300 m. allowed: from 0.001" synthesize ${never} --spacing 1e-300m)
+refuses(psd "a record of 1e12 samples" "length over spacing is 1e+1[12]" synthesize ${never} --length 1e9m --spacing 1mm)
+refuses(psd "a rail of atoms" "rail is 1e-300 m. allowed" classify ${never} --rail 1e-300m)
+refuses(psd "half a sample to bridge" "bridge is 2.5. allowed: a whole number" classify ${never} --bridge 2.5)
 refuses(psd "a folder that is not there" "cannot be written" synthesize ${folder}/none/such/track.csv)
 refuses(psd "a record that is not there" "none.csv.: cannot be read" classify ${folder}/none.csv)
 set(bad ${CMAKE_SOURCE_DIR}/tests/tools/psd)
@@ -58,3 +63,18 @@ add_test(NAME "tool: psd doubts a profile passed off as a chord's record"
          COMMAND railbook psd classify ${folder}/psd-track.csv --chord 62ft --out ${folder}/psd-chord)
 set_tests_properties("tool: psd doubts a profile passed off as a chord's record" PROPERTIES
                      FIXTURES_REQUIRED psd-track PASS_REGULAR_EXPRESSION "DOUBTFUL: residuals [0-9.]+ times.*class +none")
+
+# Rails of 25 m are seen, and taken instead of the default; they contradict one that is named.
+add_test(NAME "tool: psd synthesizes long rails" COMMAND railbook psd synthesize ${folder}/psd-25m.csv --rail 25m
+         --length 20km --spacing 25cm --roughness 5e-7m^2*cycle/m --corner 0.13cycle/m --dip 11mm)
+add_test(NAME "tool: psd sees long rails" COMMAND railbook psd classify ${folder}/psd-25m.csv)
+add_test(NAME "tool: psd doubts the rails named" COMMAND railbook psd classify ${folder}/psd-25m.csv --rail 39ft)
+set_tests_properties("tool: psd synthesizes long rails" PROPERTIES FIXTURES_SETUP psd-25m)
+set_tests_properties("tool: psd sees long rails" PROPERTIES FIXTURES_REQUIRED psd-25m PASS_REGULAR_EXPRESSION
+                     "DOUBTFUL: the spectrum shows rails of (24\\.9|25\\.|25 m).*class +4 ")
+set_tests_properties("tool: psd doubts the rails named" PROPERTIES FIXTURES_REQUIRED psd-25m
+                     PASS_REGULAR_EXPRESSION "DOUBTFUL: the spectrum shows rails of .*not of 11\\.89 m")
+add_test(NAME "tool: quality refuses a spacing that the positions contradict" COMMAND
+         ${CMAKE_CURRENT_SOURCE_DIR}/refuses.sh "spacing is given as 1 m, but the positions are 0.25" ${bin} quality
+         index ${folder}/psd-25m.csv --speed 100km/h --spacing 1m)
+set_tests_properties("tool: quality refuses a spacing that the positions contradict" PROPERTIES FIXTURES_REQUIRED psd-25m)

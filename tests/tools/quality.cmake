@@ -53,7 +53,7 @@ quality_answers("index by segment" "segments +10 .*of 200 m.*repair +4 "
 quality_answers("index of pieces between gaps says so" "DOUBTFUL: the descriptor is mostly guessed"
                 index ${bad}/pieces.csv --speed 100km/h --bridge 0)
 quality_answers("index of lone samples" "wavelength 3\\.[0-9] m, wheel force, unsure"
-                index ${bad}/lone.csv --speed 100km/h --car freight.toml --threshold 0.001 --accept 0.001)
+                index ${bad}/lone.csv --speed 100km/h --car freight.toml --threshold 0.001 --accept 0.001 --bridge 0)
 quality_answers("index bridges, and finds nothing" "exceedances +0 "
                 index track.csv --column crosslevel --speed 10km/h --threshold 2 --bridge 40 --out ${mine}-none)
 quality_answers("index of a handful of samples" "5 samples, 0 missing" index ${bad}/short.csv --speed 100km/h)

@@ -54,3 +54,21 @@ TEST_CASE("unit: a track spectrum refuses impossible parameters") {
   CHECK_THROWS_AS(spectra::random_variance({.A = 1e-7}, 0.2, 0.1), InputError);
   CHECK_THROWS_AS(spectra::dip_from_line_power(-1e-9, LineConvention::printed), InputError);
 }
+
+TEST_CASE("unit: the variance between close wavenumbers keeps its digits") {
+  const spectra::TrackParameters track{.A = 5e-7, .phi_c = 0.13};
+  for (const double low : {0.02, 0.1299999, 0.13, 0.4})
+    for (const double width : {1e-3, 1e-6, 1e-9, 1e-12}) {
+      const double high = low * (1 + width), middle = low + 0.5 * (high - low);
+      const double mean =
+          (spectra::random_psd(track, low) + 4 * spectra::random_psd(track, middle) +
+           spectra::random_psd(track, high)) /
+          6;  // Simpson, error of width^4
+      CAPTURE(low, width);
+      CHECK(spectra::random_variance(track, low, high) ==
+            Approx(mean * (high - low))
+                .epsilon(low < 0.13 && high > 0.13
+                             ? 2 * width
+                             : 1e-9 * width + 1e-13 + width * width * width * width));
+    }
+}
