@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "num/fp_trap.hpp"
+#include "../support/no_fp_fault.hpp"
 #include "spectra/record.hpp"
 #include "spectra/synthetic_track.hpp"
 #include "units/constants.hpp"
@@ -23,7 +23,7 @@ struct Screened {
 };
 
 Screened screen(const std::vector<double>& in, double spacing = 0.25) {
-  const num::FpTraps traps;
+  const NoFpFault no_fault;
   Screened s;
   spectra::RecordStream stream{{.spacing = spacing}, [&](std::span<const double> piece) {
                                  s.out.insert(s.out.end(), piece.begin(), piece.end());

@@ -152,7 +152,7 @@ void add_notes(tool::Summary& s, const Measured& m, const Fitted& f) {
 }
 
 void add_class(tool::Summary& s, const spectra::SpectrumFit& fit) {
-  if (fit.misfit > misfit_refused) return s.add("class", "class", "none: the model does not apply");
+  if (fit.misfit > misfit_refused) return s.absent("class", "class", "none: the model does not apply");
   const spectra::ClassRule rule;
   const auto result = spectra::classify(fit.A.value, fit.B_printed.value, rule);
   const auto odds = spectra::class_probabilities(fit, rule);
