@@ -62,9 +62,9 @@ done
 [ -n "$(echo "$wanted" | tr -d ' ')" ] || exit 0
 
 # shellcheck disable=SC2086  # lists of words, here and below
-plan=$(apt-get install -s --no-install-recommends $wanted | grep -c '^Inst ') || plan=0
+plan=$(apt-get install -s -qq --no-install-recommends $wanted | grep -c '^Inst ') || plan=0
 # shellcheck disable=SC2086
-size=$(LC_ALL=C apt-get install --assume-no --no-install-recommends $wanted 2>/dev/null | sed -n -e 's/^Need to get \(.*\) of archives.*/to fetch \1/p' -e 's/^After this operation, \(.*\) of additional.*/on the disk \1/p' | tr '\n' ',' | sed -e 's/,$//' -e 's/,/, /') || size=
-echo "Installing with apt-get: $plan packages with what they depend on${size:+; $size}."
+size=$(apt-get install --print-uris -qq --no-install-recommends $wanted | awk '{ s += $3 } END { printf "%.1f", s / 1e6 }')
+echo "Installing with apt-get: $plan packages with what they depend on, $size MB to fetch."
 # shellcheck disable=SC2086
 $root apt-get install -y -qq --no-install-recommends $wanted >/dev/null
