@@ -3,6 +3,8 @@
 #include <random>
 
 #include "spectra/spectrum_fit.hpp"
+#include "spectra/synthetic_track.hpp"
+#include "spectra/welch.hpp"
 
 using namespace railbook;
 using spectra::CornerState;
@@ -119,4 +121,19 @@ TEST_CASE("unit: gradients of the regression model agree with differences") {
     CHECK(g[1] == Approx((c.log_density(l) - fit.log_density(l)) / h).margin(1e-5));
     CHECK(g[2] == Approx((n.log_density(l) - fit.log_density(l)) / h).margin(1e-5));
   }
+}
+
+TEST_CASE("unit: dips that scatter raise A by what is said of them, nearly") {
+  spectra::SyntheticTrack track{.A = 5e-7, .phi_c = 0.13, .dip = 0.011};
+  double A[2];
+  double said = 0;
+  for (const double scatter : {0.0, 0.2}) {
+    track.dip_scatter = scatter;
+    const auto spectrum = spectra::welch(spectra::synthesize(track, 1'300'000), track.spacing);
+    const auto fit = spectra::fit_track_spectrum(spectrum);
+    if (scatter > 0) said = spectra::scatter_bias(spectrum, {}, fit, scatter);
+    A[scatter > 0 ? 1 : 0] = fit.A.value;
+  }
+  CHECK(said > 0.03);
+  CHECK(A[1] / A[0] - 1 == Approx(said).margin(0.012));  // two standard errors
 }

@@ -60,7 +60,7 @@ void add_options(tool::Options& o, Wish& w) {
   o.quantities("--foreign", w.fit.foreign_lengths, units::length, "lengths of former rails",
                {0.1, 1e3});
   o.quantity("--segment", w.segment, units::number,
-             "samples a segment, even; left out: about 1250 m", {64, 1 << 20});
+             "samples a segment, even; left out: about 1250 m", {64, 1 << 18});
   o.choice("--window", w.window, {"hann", "hamming", "blackman-harris", "dpss", "boxcar"},
            "window");
   o.choice("--noise", w.noise, {"automatic", "none", "fitted"}, "white noise floor of the sensor");
