@@ -18,8 +18,9 @@ tried up to there, {{chords-found}} read 0.99 on both rails.
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "items.hpp"
+#include "sections.hpp"
 #include "spectra/chord.hpp"
 #include "spectra/rail_line.hpp"
 #include "units/constants.hpp"
@@ -69,7 +70,7 @@ void prove_misprints(report::Item& item) {
 /*** Feet, metres, and the largest offset found by trying: */
 void table_2(report::Item& item) {
   const table::CsvTable printed = item.printed("table-2.csv");
-  item.expect_checks(static_cast<int>(printed.rows.size()));
+  item.expect_checks(static_cast<int>(printed.rows.size()) + 2);
   item.columns({"chord, ft", "rail, ft", "printed", "feet", "printed metres", "brute force, feet"});
   for (std::size_t i = 0; i < printed.rows.size(); ++i) {
     const auto number = [&](const char* column) {
@@ -85,14 +86,14 @@ void table_2(report::Item& item) {
                   fmt::format("{:.4f}", brute_force)});
     const report::Row row = item.row(printed, printed.at(i, "key"));
     if (printed.at(i, "note") == "misprint") {
-      row.check("printed", computed,
-                report::misprint(
+      row.print("printed", computed,
+                report::corrected(
                     brute_force, 1e-9,
                     "the corrected value is the largest offset found by trying 20000 positions; no "
                     "chord near 34 ft reads 0.99 here, see the text"));
       item.value("table-2-" + printed.at(i, "rail_ft"), computed, "", "{:.3f}");
     } else {
-      row.check("printed", computed);
+      row.print("printed", computed);
     }
   }
   const auto sees = [](double rail_ft) {
@@ -100,6 +101,21 @@ void table_2(report::Item& item) {
   };
   item.value("sees-39", sees(39), "%", "{:.0f}");
   item.value("sees-30", sees(30), "%", "{:.0f}");
+  const auto row_range = [&](double chord_ft) {
+    double low = 1, high = 0;
+    for (const double rail_ft : {39.0, 36.0, 33.0, 30.0}) {
+      const double s = spectra::rail_chord_sensitivity(chord_ft, rail_ft);
+      low = std::min(low, s), high = std::max(high, s);
+    }
+    return std::pair{low, high};
+  };
+  const auto [short_low, short_high] = row_range(31);
+  const auto [long_low, long_high] = row_range(62);
+  item.claim("short-chord", "the 9.5-m chord responds well to all frequent rail lengths",
+             short_low > 0.9, fmt::format("{:.2f} to {:.2f} of the dip", short_low, short_high));
+  item.claim("long-chord", "the response of the 19-m chord is highly variable",
+             long_high > 3 * long_low,
+             fmt::format("{:.2f} to {:.2f} of the dip", long_low, long_high));
   prove_misprints(item);
 }
 
@@ -116,7 +132,7 @@ void fig_10(report::Item& item) {
   }
   report::Data& ends = item.data("ends", {"x_m", "short", "long"});
   report::Data& offset = item.data("offset", {"x_m", "z_over_B"});
-  const double none = std::nan("");
+  const double none = units::nan;
   const double short_half = 15.5 * units::foot;
   const double long_half = 31 * units::foot;
   const double short_height = spectra::rectified_sine(short_half, rail, 1.0);
@@ -126,16 +142,15 @@ void fig_10(report::Item& item) {
   offset.add(-0.15, short_height);
   offset.add(0.15, long_height);
   item.row(printed, "mco-9.5")
-      .check("printed", spectra::rail_chord_sensitivity(2 * short_half, rail));
+      .print("printed", spectra::rail_chord_sensitivity(2 * short_half, rail));
   item.row(printed, "mco-19")
-      .check("printed", spectra::rail_chord_sensitivity(2 * long_half, rail));
+      .print("printed", spectra::rail_chord_sensitivity(2 * long_half, rail));
 }
 
 }  // namespace
 
-void add_chord_table(report::Chapter& chapter) {
-  chapter.figure("fig-10", "Figure 10. Rectified sine under 9.5-m and 19-m chords", fig_10);
-  chapter.table("table-2", "Table 2. Chord sensitivity to a rectified sine", table_2);
-}
+const report::Section chord_table{
+    report::figure("fig-10", "Rectified sine under 9.5-m and 19-m chords (Fig. 10)", fig_10),
+    report::table("table-2", "Chord sensitivity to a rectified sine (Table 2)", table_2)};
 
 }  // namespace railbook::psd_chapter

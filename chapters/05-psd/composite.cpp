@@ -10,7 +10,7 @@ are the measured spectrum of {{fig-07-length}} of synthetic track.
 #include <cmath>
 #include <vector>
 
-#include "items.hpp"
+#include "sections.hpp"
 #include "spectra/rail_line.hpp"
 
 namespace railbook::psd_chapter {
@@ -38,8 +38,7 @@ double periodic(const std::vector<spectra::Line>& lines, double phi, double df) 
 /*** The record is compared with the sum, bin by bin: */
 void fig_07(report::Item& item) {
   item.expect_checks(2);
-  item.reconstructed(
-      "the paper draws the sum without numbers; ours is zone 10 of Table 1, synthetic");
+  item.rebuilt("the paper draws the sum without numbers; ours is zone 10 of Table 1, synthetic");
   const Zone zone = zones(item.printed("table-1.csv")).at(9);
   const spectra::SyntheticTrack track = track_of(zone);
   const double length = item.full() ? 2500 * units::kilometre : 500 * units::kilometre;
@@ -77,8 +76,7 @@ void fig_07(report::Item& item) {
 
 }  // namespace
 
-void add_composite(report::Chapter& chapter) {
-  chapter.figure("fig-07", "Figure 7. Composite spectrum, linear and logarithmic", fig_07);
-}
+const report::Section composite{
+    report::figure("fig-07", "Composite spectrum, linear and logarithmic (Fig. 7)", fig_07)};
 
 }  // namespace railbook::psd_chapter

@@ -4,7 +4,9 @@ The paper lays two straight lines on each measured spectrum, of slope −2 at th
 first gives $A$, where they meet gives $\varphi_c$. Then it takes the peak $C_1$ of the first line above them and its width $\beta$ at half
 that height,
 
-$$Q_1 = \beta\, C_1, \tag{6} \qquad B = 3\pi\sqrt{\tfrac12\beta C_1}. \tag{7}$$
+$$Q_1 = \beta\, C_1 \tag{6}$$
+
+$$B = 3\pi\sqrt{\tfrac12\beta C_1}. \tag{7}$$
 
 The six measured spectra of the paper are not printed as numbers. Ours are of synthetic track with the printed $A$, $\varphi_c$ and peak of
 the same six zones. A peak that is wider than the analysis can show comes from joints of random depth, with depth and
@@ -40,14 +42,13 @@ about the track. Their product is immune: the power is the same in every row.
 #include <string>
 #include <vector>
 
-#include "items.hpp"
+#include "sections.hpp"
 #include "spectra/joint_dips.hpp"
 #include "spectra/rail_line.hpp"
 #include "spectra/spectrum_fit.hpp"
 
 namespace railbook::psd_chapter {
 
-using namespace railbook;
 using spectra::LineConvention;
 
 namespace {
@@ -130,14 +131,14 @@ void fig_08(report::Item& item) {
     marks.add(name, r.zone.track.phi_0, r.zone.C_1 + random(r.zone.track.phi_0), r.zone.track.phi_c,
               random(r.zone.track.phi_c));
   }
-  item.reconstructed(
+  item.rebuilt(
       "the paper's spectra are drawn, not tabled; ours are of synthetic track with the printed "
       "parameters");
 }
 
 void table_peaks(report::Item& item) {
   const table::CsvTable table_1 = item.printed("table-1.csv");
-  item.reconstructed("synthetic track; the printed parameters are what was put in");
+  item.rebuilt("synthetic track; the printed parameters are what was put in");
   item.columns({"zone", "A printed", "A found", "φ<sub>c</sub> printed", "φ<sub>c</sub> found",
                 "C₁ printed", "C₁ found", "β printed", "width at half height", "Q₁/C₁",
                 "B printed, mm", "B found, mm"});
@@ -158,8 +159,8 @@ void table_peaks(report::Item& item) {
 /*** The width of a pure line needs no Monte Carlo: equal joints, no roughness.
 */
 void table_resolution(report::Item& item) {
-  const table::CsvTable table_1 = item.printed("table-1.csv");
-  const Zone zone = zones(table_1).at(6);
+  item.added("what a window makes of a line of no width");
+  const Zone zone = zones(item.printed("table-1.csv")).at(6);
   const double Q_1 = spectra::line_power(1, zone.track.B, LineConvention::printed);
   item.expect_checks(2);
   item.columns({"segment, ft", "bin, cycle/m", "width at half height", "Q₁/C₁", "C₁ of zone 7"});
@@ -172,9 +173,9 @@ void table_resolution(report::Item& item) {
                   fmt::format("{:.4f}", fit.half_width), fmt::format("{:.4f}", fit.beta),
                   fmt::format("{:.2e}", fit.C_1)});
     if (segment != paper_segment) continue;
-    item.check(
-        "beta", "width of a pure line, 512 ft", "cycle/m", "0.010", fit.beta,
-        report::relative(0.12, "the segment length is a guess: 512 is the power of two that fits"));
+    item.print("beta", "width of a pure line, 512 ft", "cycle/m", "0.010", fit.beta,
+               report::fitted("the segment length was chosen for it",
+                              report::relative(0.12, "512 is the power of two that fits")));
     item.agree("Q1", "power under the peak", "m²", fit.Q_1.value, Q_1, 0.01, "equation (2)");
   }
 }
@@ -198,17 +199,16 @@ void fig_09(report::Item& item) {
   }
   auto& marks = item.data("marks", {"phi_0", "S_under", "S_peak"});
   marks.add(phi_0, under, under + C_1);
-  item.reconstructed("the paper draws the peak without numbers; ours is zone 7, from its formula");
+  item.rebuilt("the paper draws the peak without numbers; ours is zone 7, from its formula");
 }
 
 }  // namespace
 
-void add_extraction(report::Chapter& chapter) {
-  chapter.figure("fig-08", "Figure 8. Spectra of six zones, with the lines of the model", fig_08);
-  chapter.table("peaks", "Parameters read off the six spectra", table_peaks);
-  chapter.figure("fig-09", "Figure 9. A broadened peak: C₁ and β", fig_09);
-  chapter.table("resolution", "Width of a line of no width, Hann window, 1-ft samples",
-                table_resolution);
-}
+const report::Section extraction{
+    report::figure("fig-08", "Spectra of six zones, with the lines of the model (Fig. 8)", fig_08),
+    report::table("peaks", "Parameters read off the six spectra", table_peaks),
+    report::figure("fig-09", "A broadened peak: C₁ and β (Fig. 9)", fig_09),
+    report::table("resolution", "Width of a line of no width, Hann window, 1-ft samples",
+                  table_resolution)};
 
 }  // namespace railbook::psd_chapter

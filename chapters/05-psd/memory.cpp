@@ -5,7 +5,7 @@ way into ballast and subgrade. Figure {{fig-06}} follows the paper's drawing. Wh
 old pattern (b). Under welded rail it simply adds (d): no new wavelength, one extra line at 1/(33 ft). When the joints of the new
 rail have loosened, each dips most where an old low spot lies (e): a modulation, whose wavenumber (5) is the difference of both,
 
-$$\varepsilon=\frac1{10.0}-\frac1{11.9}=\frac1{6?.5},$$
+$$\varepsilon=\frac1{10.0}-\frac1{11.9}=\frac1{6?.5}, \tag{5}$$
 
 with a digit of the result not legible in the copy at hand. Exact feet give {{epsilon-feet}}, printed metres {{epsilon-metres}}; with $\varphi_0$
 rounded to 0.084 as in Table 1 it is $0.100-0.084=0.016$, one over {{epsilon-rounded}}, which fits the legible characters.
@@ -22,8 +22,8 @@ continuum of cases, and one process alone can make most of it.
 #include <array>
 #include <cmath>
 
-#include "items.hpp"
 #include "num/fft.hpp"
+#include "sections.hpp"
 #include "spectra/joint_dips.hpp"
 #include "spectra/rail_line.hpp"
 #include "units/constants.hpp"
@@ -73,7 +73,7 @@ std::array<double, 2> staircase_sidebands() {
 
 void fig_06(report::Item& item) {
   item.expect_checks(2);
-  item.reconstructed("the paper draws the patterns by hand; ours: dips of 10 mm, m = 0.5");
+  item.rebuilt("the paper draws the patterns by hand; ours: dips of 10 mm, m = 0.5");
   fig_06_curves(item.data(
       {"x_m", "old_mm", "fundamental_mm", "new_mm", "linear_mm", "nonlinear_mm", "envelope_mm"}));
   const auto [lower, upper] = staircase_sidebands();
@@ -95,8 +95,7 @@ void fig_06(report::Item& item) {
 
 }  // namespace
 
-void add_memory(report::Chapter& chapter) {
-  chapter.figure("fig-06", "Figure 6. Ballast memory: 33-ft rails under 39-ft rails", fig_06);
-}
+const report::Section memory{
+    report::figure("fig-06", "Ballast memory: 33-ft rails under 39-ft rails (Fig. 6)", fig_06)};
 
 }  // namespace railbook::psd_chapter

@@ -11,7 +11,7 @@ For this model the spectrum has a closed form. The mean dip keeps its lines, sha
 $$S(\varphi)=2m^2B^2l\,|D(\varphi l)|^2\,\frac{1-\varrho^2}{1-2\varrho\cos2\pi\varphi l+\varrho^2},$$
 
 with $D$ the transform of one dip. Random dips spread their power over all wavenumbers, grouped dips pile it up around the lines.
-This is where we differ from the paper, which says that the spectrum cannot distinguish the two. With the same spread of dips, the
+The paper says that the spectrum cannot distinguish the two. With the same spread of dips, the
 share of the scattered power within ±0.02 cycle/m of the rail's lines is {{near-random}} for random dips and {{near-grouped}} for grouped ones; the
 second looks like a broadened peak, the first hardly. (The rest of both goes into long waves and hides under $A/\varphi^2$.) Either way
 (6) counts only what is near the peak, as the paper warns below its equation (5).
@@ -23,14 +23,13 @@ second looks like a broadened peak, the first hardly. (The rest of both goes int
 #include <complex>
 #include <vector>
 
-#include "items.hpp"
+#include "sections.hpp"
 #include "spectra/rail_line.hpp"
 #include "spectra/synthetic_track.hpp"
 #include "spectra/welch.hpp"
 
 namespace railbook::psd_chapter {
 
-using namespace railbook;
 using spectra::LineConvention;
 
 namespace {
@@ -70,8 +69,15 @@ double share_near_lines(double correlation, double width) {
 
 /*** The two profiles come from one generator with one seed: */
 void fig_05(report::Item& item) {
-  item.reconstructed(
-      "the paper draws two examples by hand; ours have the same mean and spread of dips");
+  item.rebuilt("the paper draws two examples by hand; these have the same mean and spread of dips");
+  const double near_random = 100 * share_near_lines(0.0, 0.02);
+  const double near_grouped = 100 * share_near_lines(0.9, 0.02);
+  item.expect_checks(1);
+  item.refute("distinguish", "the PSD cannot distinguish random dips from grouped ones",
+              near_grouped > 1.5 * near_random,
+              fmt::format("within .02 cycle/m of the lines lie {:.0f} % of the scattered power of "
+                          "random dips, {:.0f} % of grouped ones",
+                          near_random, near_grouped));
   const double spacing = rail / 40;
   auto track = uneven(0.0);
   track.spacing = spacing;
@@ -82,8 +88,8 @@ void fig_05(report::Item& item) {
   report::Data& curve = item.data({"x_m", "random_mm", "grouped_mm"});
   for (std::size_t i = 0; i < random.size(); ++i)
     curve.add(static_cast<double>(i) * spacing, 1e3 * random[i], 1e3 * grouped[i]);
-  item.value("near-random", 100 * share_near_lines(0.0, 0.02), "%", "{:.0f}");
-  item.value("near-grouped", 100 * share_near_lines(0.9, 0.02), "%", "{:.0f}");
+  item.value("near-random", near_random, "%", "{:.0f}");
+  item.value("near-grouped", near_grouped, "%", "{:.0f}");
 }
 
 /*** Figure {{fig-04}} puts the three signatures of the paper side by side, each as closed form (lines) and as the average spectrum of
@@ -133,14 +139,17 @@ void check_lines(report::Item& item, spectra::SyntheticTrack track) {
   agree("carrier", "line at φ₀", phi_0, Q_1);
   agree("lower", "sideband at φ₀ − ε", phi_0 - eps, share * Q_1);
   agree("upper", "sideband at φ₀ + ε", phi_0 + eps, share * Q_1);
+  const double lower = direct_power(z, track.spacing, phi_0 - eps),
+               upper = direct_power(z, track.spacing, phi_0 + eps);
+  item.claim("symmetric", "modulation produces two symmetrical sidebands at φ₀ ± ε",
+             std::abs(lower / upper - 1) < 1e-3, "equal to 0.1 %, for a smooth envelope");
   agree("second", "sideband at 2φ₀ − ε", 2 * phi_0 - eps, share * Q_2);
 }
 
 /*** The figure: */
 void fig_04(report::Item& item) {
-  item.expect_checks(4);
-  item.reconstructed(
-      "the paper draws the three shapes without numbers; ours: dips of 10 mm, m = 0.5");
+  item.expect_checks(5);
+  item.rebuilt("the paper draws the three shapes without numbers; ours: dips of 10 mm, m = 0.5");
   auto linear = uneven(0.0);
   linear.dip_scatter = 0.0;
   auto nonlinear = linear;
@@ -177,9 +186,8 @@ void fig_04(report::Item& item) {
 
 }  // namespace
 
-void add_modulation(report::Chapter& chapter) {
-  chapter.figure("fig-05", "Figure 5. Random and grouped dips", fig_05);
-  chapter.figure("fig-04", "Figure 4. Broadening, one sideband, two sidebands", fig_04);
-}
+const report::Section modulated{
+    report::figure("fig-05", "Random and grouped dips (Fig. 5)", fig_05),
+    report::figure("fig-04", "Broadening, one sideband, two sidebands (Fig. 4)", fig_04)};
 
 }  // namespace railbook::psd_chapter

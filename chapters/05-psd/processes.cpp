@@ -9,7 +9,9 @@ joints a depth $B$ below them (figure {{fig-01}}), with dips of up to 7.6 cm rep
 
 Its spectrum is a row of lines at $n\varphi_0$, $\varphi_0=1/l$. Equations (1) and (2) of the paper are
 
-$$B_n=\frac{2B}{(4n^2-1)\pi},\qquad Q_n=\tfrac12B_n^2 .$$
+$$B_n=\frac{2B}{(4n^2-1)\pi} \tag{1}$$
+
+$$Q_n=\tfrac12B_n^2 . \tag{2}$$
 
 **Two conventions.** The Fourier series is $B|\sin\pi\varphi_0x|=\frac{2B}{\pi}-\sum_n\frac{4B}{\pi(4n^2-1)}\cos2\pi n\varphi_0x$. So $B_n$ as
 printed is the modulus of the two-sided, complex coefficient, half the amplitude of the cosine; but (2) halves its square as if it
@@ -19,9 +21,11 @@ two-sided density would spoil (8), which is exact for a one-sided one. The sum o
 variance $B^2(\frac12-\frac4{\pi^2})$ = {{line-variance}} $B^2$: the exact powers give {{line-sum-exact}}, the printed ones
 {{line-sum-printed}}.
 
-We keep both, by name, and never mix them. *Printed* $B$ belongs to (7), (10) and the tables; the *physical dip* is half of it. Classes
+Both are kept, by name. *Printed* $B$ belongs to (7), (10) and the tables; the *physical dip* is half of it. Classes
 do not depend on the choice as long as it is kept: the same line power enters (10) with the printed $B$ and $\gamma=2$, or with the
 physical dip and $\gamma=4$.
+
+{{code: spectra/rail_line.cpp line_power}}
 
 {{lines}}
 
@@ -32,14 +36,13 @@ The printed $Q_2$ is the rounded $Q_1$ divided by 25, which loses its last digit
 #include <array>
 #include <cmath>
 
-#include "items.hpp"
 #include "num/fft.hpp"
+#include "sections.hpp"
 #include "spectra/rail_line.hpp"
 #include "units/constants.hpp"
 
 namespace railbook::psd_chapter {
 
-using namespace railbook;
 using spectra::LineConvention;
 
 namespace {
@@ -48,7 +51,7 @@ constexpr double rail = 39 * units::foot;
 constexpr double phi_0 = 1.0 / rail;
 
 void fig_01(report::Item& item) {
-  item.reconstructed("the paper's drawing has no scale; ours is the formula with 39-ft rails");
+  item.rebuilt("the paper's drawing has no scale; ours is the formula with 39-ft rails");
   report::Data& curve = item.data({"x_m", "z_over_B"});
   for (int i = 0; i <= 1000; ++i) {
     const double x = 4 * rail * i / 1000.0;
@@ -69,8 +72,11 @@ double line_power_by_transform(std::size_t n) {
 void lines(report::Item& item) {
   const table::CsvTable printed = item.printed("equations.csv");
   item.expect_checks(5);
-  item.columns({"n", "wavelength, m", "Qₙ/B² as printed in (2)", "Qₙ/B² exact, one-sided",
-                "share of the variance"});
+  item.columns({{"n", "{:.0f}"},
+                {"wavelength, m", "{:.3f}"},
+                {"Qₙ/B² as printed in (2)", "{:.5e}"},
+                {"Qₙ/B² exact, one-sided", "{:.5e}"},
+                {"share of the variance, %", "{:.3f}"}});
   std::array<double, 2> sum{};
   for (int n = 1; n <= 2000; ++n) {
     const double as_printed = spectra::line_power(n, 1.0, LineConvention::printed);
@@ -78,16 +84,18 @@ void lines(report::Item& item) {
     sum[0] += as_printed;
     sum[1] += exact;
     if (n > 4) continue;
-    item.add_row({fmt::format("{}", n), fmt::format("{:.3f}", rail / n),
-                  fmt::format("{:.5e}", as_printed), fmt::format("{:.5e}", exact),
-                  fmt::format("{:.3f} %", 100 * exact / spectra::rectified_sine_variance(1.0))});
+    item.add_row(double(n), rail / n, as_printed, exact,
+                 100 * exact / spectra::rectified_sine_variance(1.0));
   }
   const double Q_1 = spectra::line_power(1, 1.0, LineConvention::printed);
   const double Q_2 = spectra::line_power(2, 1.0, LineConvention::printed);
   const report::Row first = item.row(printed, "Q1");
   const report::Row second = item.row(printed, "Q2");
-  first.check("printed", Q_1);
-  second.check("printed", report::printed_number(first.printed("printed")) * Q_2 / Q_1);
+  first.print("printed", Q_1);
+  second.print("printed", Q_2,
+               report::corrected(line_power_by_transform(2) / 4, 1e-5,
+                                 "the paper divided its rounded Q₁ by 25; a quarter of the line's "
+                                 "power by transform"));
   item.agree("Q1-exact", "exact line 1", "B²",
              spectra::line_power(1, 1.0, LineConvention::exact_one_sided),
              line_power_by_transform(1), 1e-6, "a transform of the sampled profile");
@@ -138,8 +146,7 @@ double seen(double phi, double df) {
 
 void fig_02(report::Item& item) {
   item.expect_checks(2);
-  item.reconstructed(
-      "the paper's drawing has no scale; ours: dips of 10 mm, 39-ft rails, Hann window");
+  item.rebuilt("the paper's drawing has no scale; ours: dips of 10 mm, 39-ft rails, Hann window");
   const double fine = 1.0 / (1024 * units::foot);
   const double broad = 1.0 / (256 * units::foot);
   report::Data& convolved = item.data({"phi_cycle_per_m", "S_fine", "S_broad"});
@@ -171,23 +178,9 @@ void fig_02(report::Item& item) {
 
 }  // namespace
 
-/***
-{{include: random_part.cpp}}
-
-{{include: modulation.cpp}}
-
-{{include: memory.cpp}}
-
-{{include: composite.cpp}}
-*/
-void add_processes(report::Chapter& chapter) {
-  chapter.figure("fig-01", "Figure 1. Rectified sine of 39-ft rails", fig_01);
-  chapter.table("lines", "Line powers of the rectified sine, equations (1) and (2)", lines);
-  chapter.figure("fig-02", "Figure 2. Lines, resolution, and lines seen through it", fig_02);
-  add_random_part(chapter);
-  add_modulation(chapter);
-  add_memory(chapter);
-  add_composite(chapter);
-}
+const report::Section processes{
+    report::figure("fig-01", "Rectified sine of 39-ft rails (Fig. 1)", fig_01),
+    report::table("lines", "Line powers of the rectified sine, equations (1) and (2)", lines),
+    report::figure("fig-02", "Lines, resolution, and lines seen through it (Fig. 2)", fig_02)};
 
 }  // namespace railbook::psd_chapter

@@ -1,8 +1,10 @@
 /*** ### Random: two slopes
 
-Under the lines lies a continuum, equation (4),
+Under the lines lies a continuum, first (3), with a corner (4),
 
-$$S_z(\varphi)=\begin{cases}A/\varphi^2,&\varphi<\varphi_c\\ A\varphi_c^2/\varphi^4,&\varphi>\varphi_c\end{cases}$$
+$$S_z(\varphi)=A/\varphi^2 \tag{3}$$
+
+$$S_z(\varphi)=\begin{cases}A/\varphi^2,&\varphi<\varphi_c\\ A\varphi_c^2/\varphi^4,&\varphi>\varphi_c\end{cases} \tag{4}$$
 
 The paper reads it as a random walk: survey accuracy falls with distance, which makes the $-2$; the stiffness of the rail holds
 the short waves, which makes the $-4$ beyond the corner. Waves above about 100 m belong to the design of the line; the $-2$ is
@@ -24,7 +26,7 @@ corner, which a finite filter rounds. Below $10^{-4}$ cycle/m (10 km) it levels 
 #include <cmath>
 #include <vector>
 
-#include "items.hpp"
+#include "sections.hpp"
 #include "spectra/synthetic_track.hpp"
 #include "spectra/welch.hpp"
 
@@ -76,7 +78,7 @@ double worst_generator_error() {
 /*** The figure and its checks: */
 void fig_03(report::Item& item) {
   item.expect_checks(2);
-  item.reconstructed(
+  item.rebuilt(
       "the paper draws a smooth curve without numbers; ours is zone 4 of Table 1, synthetic");
   const auto five_miles = static_cast<std::size_t>(5 * units::mile / units::foot);
   const std::vector<double> z = spectra::synthesize(random_track(), five_miles);
@@ -105,8 +107,7 @@ void fig_03(report::Item& item) {
 
 }  // namespace
 
-void add_random_part(report::Chapter& chapter) {
-  chapter.figure("fig-03", "Figure 3. Random part: one segment, five miles, bands, model", fig_03);
-}
+const report::Section random_part{report::figure(
+    "fig-03", "Random part: one segment, five miles, bands, model (Fig. 3)", fig_03)};
 
 }  // namespace railbook::psd_chapter

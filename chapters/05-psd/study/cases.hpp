@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "items.hpp"
+#include "sections.hpp"
 #include "spectra/spectrum_fit.hpp"
 
 namespace railbook::psd_chapter {
@@ -13,13 +13,15 @@ enum class Gaps { kept, bridged, zeroed, cut_out };  // what was done about miss
 
 struct Case {
   std::string id, what, stress;
-  railbook::spectra::SyntheticTrack track;
-  railbook::spectra::WelchOptions welch = {};
-  railbook::spectra::FitOptions fit = {};
-  double length = 160 * railbook::units::kilometre;
+  spectra::SyntheticTrack track;
+  spectra::WelchOptions welch = {};
+  spectra::FitOptions fit = {};
+  double length = 160 * units::kilometre;
   Gaps gaps = Gaps::kept;
+  report::Stands expect = report::holds;
+  double loss = 1;  // degrades: bound of the relative error of A
 };
 
-std::vector<Case> stability_cases(const railbook::spectra::SyntheticTrack& base);
+std::vector<Case> stability_cases(const spectra::SyntheticTrack& base);
 
 }  // namespace railbook::psd_chapter
