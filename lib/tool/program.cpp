@@ -72,7 +72,8 @@ Words with_config(const CLI::App& app, std::vector<std::string> given) {
   if (words.size() < 2) return line;
   const CLI::App* command = subcommand(subcommand(&app, words[0]), words[1]);
   if (command == nullptr) return line;
-  if (words.size() > 2 && words[2].ends_with(".toml")) words.insert(words.begin() + 2, "--config");
+  if (words.size() > 2 && !words[2].starts_with('-') && words[2].ends_with(".toml"))
+    words.insert(words.begin() + 2, "--config");
   add_entries(command, line, "--config");
   for (const CLI::Option* option : command->get_options())
     if (option->get_type_name() == toml_type) add_entries(command, line, option->get_name());

@@ -43,6 +43,7 @@ TEST_CASE("input: a tool takes quantities with units, from the line or a TOML fi
   CHECK(rail == "115RE");
   scratch.write("bad.toml", "tie-spacings = \"24in\"\n");
   CHECK(run({"solve", (scratch.path / "case.toml").string()}) == 0);
+  CHECK(run({"solve", "--config=" + (scratch.path / "case.toml").string()}) == 0);
   CHECK(run({"solve", "--config", (scratch.path / "bad.toml").string()}) == 2);
   CHECK(run({"solve", "--config", "/nowhere.toml"}) == 2);
   CHECK(run({"solve", "--tie-spacing", "20"}) == 2);
