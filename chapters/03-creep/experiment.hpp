@@ -20,7 +20,7 @@ struct Test {
 };
 
 // Four tests, deterministic.
-const std::vector<Test>& experiment();
+const std::vector<Test>& tests();
 
 // mu_c(N) that the synthetic wheels have; q of its power law.
 inline constexpr double friction_exponent = 0.17;

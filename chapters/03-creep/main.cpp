@@ -1,50 +1,47 @@
-/***
-# Creep on a rig of two wheels
+/*** # Creep on a rig of two wheels
+
+::: findings
+1. "In order to obtain a single curve it is necessary to utilize the actual area of contact rather than the theoretical one." Result: the points are lost to us, but the one reading that is printed needs {{factor-least}} times Hertz's area or more. {{outcome:fig-state/true-area}}
+2. "The product of the creep and the area of contact must be a constant." Result: exact if the contact grows alike in both directions; while only the profile wears flat it rises by {{rise-moderate}} as the area grows by {{area-moderate}}, and by {{rise-worst}} at three times the radius. {{outcome:table-law/moderate}} {{outcome:table-law/always}}
+3. "The values of creep can be considered accurate to 0.0005", an upper bound. Result: {{xi-rss}} as independent errors, {{xi-conspire}} at worst; the printed sum lets them cancel. {{outcome:table-appendix-a/accurate}} {{outcome:table-appendix-a/upper-bound}}
+:::
 
 A wheel that pulls or brakes turns a little faster or slower than it rolls. The difference, divided by the speed,
 is the *creep* $\xi$; it is a few parts in a thousand, and it decides how much force a wheel can pass to the rail
 before it spins. The paper measures it: a wheel of 8 in diameter runs on one of 36 in, is braked, and the friction
-coefficient $\mu=T/N$ is read against the creep at several loads. The curves differ from load to load and from wheel
+coefficient
+
+$$\mu=\frac TN \tag{2}$$
+
+is read against the creep at several loads. The curves differ from load to load and from wheel
 to wheel, and the paper brings them together: plotted as $\mu/\mu_c$ over
 
 $$X=\frac{G\,a\,b\,\xi}{\mu_cN},$$
 
 with the largest coefficient $\mu_c$, the shear modulus $G$ and the axes $a$, $b$ of the contact ellipse *as it really
-is*, enlarged by wear, they fall on one curve, the one that Kalker's theory predicts.
+is*, enlarged by wear, they fall on one curve, the one that Kalker's theory predicts. The measured points stand in figures that our copy has lost: figures with points are rebuilt, and say so.
 
 {{include: rig_scene.cpp}}
 
 {{include: geometry.cpp}}
 
-## How accurate is a measured creep?
+{{include: replica.cpp}}
 
 {{include: appendix_a.cpp}}
 
 {{include: appendix_b.cpp}}
 
-{{include: full_curve.cpp}}
-
-{{include: pixels.cpp}}
-
-{{include: carter.cpp}}
-
-{{include: cattaneo.cpp}}
-
-{{include: coefficients.cpp}}
-
-{{include: coefficient_proof.cpp}}
-
-{{include: tractions.cpp}}
-
-{{include: scene.cpp}}
-
-{{include: theories.cpp}}
-
-{{include: fastsim_cells.cpp}}
-
 {{include: experiment.cpp}}
 
 {{include: reduction.cpp}}
+
+{{include: full_curve.cpp}}
+
+{{include: tractions.cpp}}
+
+{{include: theories.cpp}}
+
+{{include: collapse.cpp}}
 
 {{include: state.cpp}}
 
@@ -52,45 +49,21 @@ is*, enlarged by wear, they fall on one curve, the one that Kalker's theory pred
 
 {{include: master_curve.cpp}}
 
-## Tools for a contact of your own
-
-
-
-
-
-
-## Error against run time
-
-{{include: cost.cpp}}
-
-## Stability
-
-{{stability}}
-
-{{include: stability.cpp}}
-
 ## Deviations
 
-What the paper prints that we do not confirm, or confirm in part only:
+* **The upper bound of Appendix A** is none: its terms cancel. {{outcome:table-appendix-a/upper-bound}}
+* **The third term of Appendix A** takes another ratio of radii than the first two. {{outcome:table-appendix-a/term-3}}
+* **0.00254 mm** is 0.0254 mm. {{outcome:table-appendix-a/radius-unit}}
+* **0.00005** for the effect of wear is cut, not rounded. {{outcome:table-appendix-b/text}}
+* **8.224 km/h at 50 rpm** is not the speed of the wheel's rim, {{speed-b}}. {{outcome:table-text/speed}}
+* **Friction falls with the load "as predicted"** for small creep; the largest friction is not predicted at all. {{outcome:fig-08/trend}} {{outcome:fig-08/largest}}
+* **Creep times area** is constant only if the contact keeps its shape. {{outcome:table-law/always}}
+* **Replica and contact** are not similar for smooth wheels and a tape that gives way freely: (7) loses {{loss-10}} at 10 µm. {{outcome:table-replica/similitude}}
+* **Full axes or semi-axes.** The nomenclature makes the abscissa of Figure 11 four times that of the theory it is compared with. One of the two must have been converted; the paper does not say which.
+* **Vermeulen and Johnson**, cited beside Kalker, start {{vj-excess}} too steep. With the scatter of {{fig-11}} no such experiment could tell their curve from his.
+* **Finishes of 20 and 15 µm**, after polishing with 400 grit, are likely microinches.
 
-* **The upper bound of Appendix A** is none: its terms cancel. All errors together make {{xi-conspire}}, not 0.0005; as
-  independent errors {{xi-rss}}, which bears the claim out. The slips of both appendices are in their tables, row by row.
-* **8.224 km/h at 50 rpm** is not the speed of the wheel's rim, {{speed-b}}.
-* **Full axes or semi-axes.** The nomenclature makes the abscissa of Figure 11 four times that of the theory it is compared
-  with. One of the two must have been converted, and the paper does not say which.
-* **The printed reading** cannot be had with Hertz's area. This is for the paper and not against it; see {{fig-state}}.
-* **Friction falls with the load "as predicted".** The theory predicts $N^{-1/3}$ for the linear part of the curves. It does not
-  predict the largest friction at all, which is an input to it.
-* **Creep times area.** Constant if the contact grows alike in both directions. While only the profile wears flat it rises by
-  {{rise-moderate}} as the area grows by {{area-moderate}}.
-* **Vermeulen and Johnson**, cited beside Kalker, start {{vj-excess}} too steep. With the scatter of the points in {{fig-11}} no
-  experiment of this kind could tell their curve from his.
-* **Finishes of 20 and 15 µm**, after polishing with 400 grit, must be microinches.
-* **Kalker's table**, which the paper takes its theory from, is off by up to {{table-worst}} % in its end rows; see {{table-coefficients}}.
-
-Not reproducible: the measured points and average curves of Figures 3 to 8 and 11, the areas of Figures 9 and 10, three of the
-four loads, the tracks' widths and the factors $C$ of equation (7), $\mu_c$, and the shear modulus used. They stand in the figures
-or not at all.
+Lost: the measured points and average curves of Figures 3 to 8 and 11, the areas of Figures 9 and 10, three of the four loads, the tracks' widths and the factors $C$, $\mu_c$, and the shear modulus used.
 
 ## Limits
 
@@ -100,26 +73,28 @@ elliptic nor smooth, and the "true area" of the paper puts all of that into one 
 0.3 of it as traction, is more than most wheel steels bear elastically; the paper says itself that its contacts deformed plastically. Real friction
 falls at large creep, with speed and heat; no curve here does.
 
-Of the fast theories, linear and Vermeulen-Johnson know no bound or no spin; Shen-Hedrick-Elkins fails at large spin, where it
-stays at full force while the truth returns to zero; the strips are without spin; Polach has no moment. Only FASTSIM and the full
+Of the fast theories, linear and Vermeulen-Johnson know no bound or no spin; Shen-Hedrick-Elkins and Polach are for small spin; the strips are without. Only FASTSIM and the full
 theory take everything. All but the full theory need Kalker's coefficients, from his table for $0.1\le a/b\le10$, or computed.
 
 ## Try next
 
-* `creep curve` with `--theory fastsim` and `--theory full` for your own wheel: where do they differ most?
-* Let the friction fall with the slip, $\mu(s)$, in the full theory: the curve gets its maximum, and the rig becomes unstable
-  beyond it.
-* A second test of wear: let the rolling radius wear as well and look when creep times area really stays constant.
-* `creep table` with twice the nodes: does its error fall by four?
-* Add the 0.2 rpm of Appendix A to the synthetic counters instead of a normal error: what does the fit of the area lose?
+* `railbook creep curve` with `--theory fastsim` and `--theory full` for your own wheel: where do they differ most?
+* Let the friction fall with the slip, $\mu(s)$, in the full theory: the curve gets its maximum, and the rig becomes unstable beyond it.
+* Let the rolling radius wear as well and look when creep times area really stays constant.
+* `railbook creep table` with twice the nodes: does its error fall by four?
+
+## Coverage
+
+{{coverage}}
 */
 
-#include "items.hpp"
+#include "sections.hpp"
 
-using namespace railbook;
+using namespace railbook::creep_chapter;
 
 int main(int argc, char** argv) {
-  report::Chapter chapter{
+  return railbook::report::run(
+      argc, argv,
       {.id = RAILBOOK_CHAPTER,
        .name = "creep",
        .title = "Wheel and rail creep on a two-wheel rig",
@@ -127,26 +102,8 @@ int main(int argc, char** argv) {
            "C. A. Sciammarella, S. Kumar, L. Nailescu and B. B. Seth, Similitude Law for the "
            "Creep-Adhesion Function in Dry Contact, Journal of Engineering for Industry (ASME) "
            "101(3), 1979, pp. 278-284",
-       .sources = RAILBOOK_CHAPTER_DIR}};
-  creep_chapter::add_rig_scene(chapter);
-  creep_chapter::add_geometry(chapter);
-  creep_chapter::add_appendix_a(chapter);
-  creep_chapter::add_appendix_b(chapter);
-  creep_chapter::add_full_curve(chapter);
-  creep_chapter::add_pixels(chapter);
-  creep_chapter::add_carter(chapter);
-  creep_chapter::add_cattaneo(chapter);
-  creep_chapter::add_coefficients(chapter);
-  creep_chapter::add_kalker_proof(chapter);
-  creep_chapter::add_tractions(chapter);
-  creep_chapter::add_scene(chapter);
-  creep_chapter::add_theories(chapter);
-  creep_chapter::add_fastsim_cells(chapter);
-  creep_chapter::add_experiment(chapter);
-  creep_chapter::add_reduction(chapter);
-  creep_chapter::add_state(chapter);
-  creep_chapter::add_area_law(chapter);
-  creep_chapter::add_full_cost(chapter);
-  creep_chapter::add_full_stability(chapter);
-  return chapter.run(argc, argv);
+       .sources = RAILBOOK_CHAPTER_DIR},
+      {rig_scene, geometry, replica, appendix_a, appendix_b, experiment, reduction, full_theory,
+       tractions, theories, collapse, state, area_law},
+      {cost, extremes});
 }

@@ -14,9 +14,9 @@ a misaligned small wheel, turned by the angle of attack, would mix them:
 #include <cmath>
 
 #include "drawing/labelled.hpp"
-#include "items.hpp"
 #include "rig.hpp"
 #include "scene/shapes.hpp"
+#include "sections.hpp"
 
 using namespace railbook;
 using namespace railbook::creep_chapter;
@@ -55,7 +55,7 @@ constexpr double small_r = small_radius * cm, big_r = big_radius * cm, top = sma
 
 void rig(report::Item& item) {
   item.sketch(
-      "the wheels to scale, profile radius and widths ours; the paper's figure is a scheme");
+      "the wheels to scale, profile radius and widths rebuilt; the paper's figure is a scheme");
   const scene::Point axle{0, 1, 0};
   scene::Scene s;
   s.meshes.push_back(wheel(big_r, 4, 0, {0, 0, 0}, axle));
@@ -99,7 +99,6 @@ void axes(report::Item& item) {
 
 }  // namespace
 
-void creep_chapter::add_rig_scene(report::Chapter& chapter) {
-  chapter.figure("fig-01", "The two wheels of the rig", rig);
-  chapter.figure("fig-02", "Axes of the forces, and the angle of attack", axes);
-}
+const report::Section creep_chapter::rig_scene{
+    report::figure("fig-01", "The two wheels of the rig", rig),
+    report::figure("fig-02", "Axes of the forces, and the angle of attack", axes)};

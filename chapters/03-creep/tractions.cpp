@@ -17,7 +17,7 @@ against it the forces nearly cancel, and yet little of the contact sticks.
 #include <string>
 
 #include "full.hpp"
-#include "items.hpp"
+#include "sections.hpp"
 
 using namespace railbook;
 using namespace railbook::rolling;
@@ -36,7 +36,7 @@ constexpr std::array<State, 5> states{{{"X = 0.05", {0.05, 0, 0}},
                                        {"Φ = 0.4 and Y = -0.2", {0, -0.2, 0.4}}}};
 
 void figure(report::Item& item) {
-  item.reconstructed("not in the paper: the full theory on its ellipse");
+  item.added("the full theory on the rig's ellipse");
   const auto rig = rig_case();
   const rolling::EllipseRolling solver(rig.a / rig.b, rig.poisson,
                                        {.along = 32, .rows = 28, .estimate = false});
@@ -61,6 +61,5 @@ void figure(report::Item& item) {
 
 }  // namespace
 
-void creep_chapter::add_tractions(report::Chapter& chapter) {
-  chapter.figure("fig-tractions", "Tractions, stick and slip at five creepages", figure);
-}
+const report::Section creep_chapter::tractions{
+    report::figure("fig-tractions", "Tractions, stick and slip at five creepages", figure)};
