@@ -76,9 +76,9 @@ here is the family that the Federal Railroad Administration's classes were given
 
 $$S(\phi)=\frac{A\,\phi_2^2}{(\phi^2+\phi_1^2)(\phi^2+\phi_2^2)},$$
 
-with its constants for class 6 and class 3, and the lines at which half-staggered 39-foot rails add power of their own. The constants are doubtful: the same family's
-original list, in feet and inches, gives amplitudes about $(1/0.3048)^2$ = {{feet-squared}} times as large, as if an area had been converted twice. The shape
-does not depend on it, the level does.
+with its constants for class 6 and class 3, and the lines at which half-staggered 39-foot rails add power of their own. The level is doubtful: other
+published lists of the same family have amplitudes about {{feet-squared}}, that is $(1/0.3048)^2$, times as large, as if feet had been converted once too often. That is an
+inference from two such lists; the original was not at hand. The shape of the curves does not depend on it.
 
 {{fig-06}}
 
