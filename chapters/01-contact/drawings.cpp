@@ -1,10 +1,9 @@
-/***
-### Where the points of the figures come from
+/*** ## Where the points of the figures come from
 
-The figures above are drawn from the solvers' own results. The functions that pick the points out of them hold no mechanics
-and are collected here.
+The figures are drawn from the solvers' own results. The functions that pick the points out hold no mechanics and are collected here, folded.
+
+{{include: scene.cpp}}
 */
-
 #include "drawings.hpp"
 
 #include <algorithm>
@@ -12,11 +11,8 @@ and are collected here.
 
 #include "contact/influence.hpp"
 
-using namespace railbook;
-using namespace railbook::contact;
-using namespace railbook::contact_chapter;
+namespace railbook::contact_chapter {
 
-// Points for the figures.
 namespace {
 
 void add_cells(report::Data& data, const NormalContact& c, double from_y) {
@@ -32,7 +28,7 @@ double draw::centre(const ColumnMesh& mesh, Eigen::Index j) {
 
 void draw::gap_before_and_after(report::Item& item, const Gap& gap, const NormalContact& c,
                                 double reach) {
-  const double k = 1 / (units::pi * effective_modulus(steel)), microinch = 1e-6 * inch;
+  const double k = 1 / (units::pi * modulus), microinch = 1e-6 * inch;
   auto& curve = item.data({"x_in", "before_microinch", "after_microinch"});
   for (int i = -130; i <= 130; ++i) {
     const double x = i * 0.002 * inch;
@@ -140,6 +136,15 @@ std::vector<std::pair<double, double>> draw::axis_line(const NormalContact& c) {
   return line;
 }
 
+double draw::off_ellipsoid(const NormalContact& c, const HertzContact& h) {
+  double worst = 0;
+  for (Eigen::Index i = 0; i < c.x.size(); ++i) {
+    const double inside = 1 - std::pow(c.x[i] / h.a, 2) - std::pow(c.y[i] / h.b, 2);
+    worst = std::max(worst, std::abs(c.p[i] / h.p_max - std::sqrt(std::max(inside, 0.0))));
+  }
+  return worst;
+}
+
 void draw::axis_pressure(report::Data& data, const NormalContact& c) {
   for (const auto& [x, p] : axis_line(c)) data.add(x / inch, p / (1e5 * psi));
 }
@@ -171,3 +176,5 @@ void draw::punch(report::Item& item, const RingContact& rings, const PunchContac
   add_pressure(item.data("sharp", {"r_in", "p_1e4_psi"}),
                punch_from_approach(sharp, exact.effective_modulus, exact.approach), 200);
 }
+
+}  // namespace railbook::contact_chapter

@@ -7,15 +7,16 @@
 #include "contact/countaxi.hpp"
 #include "contact/hertz.hpp"
 #include "contact/punch.hpp"
-#include "items.hpp"
+#include "sections.hpp"
 
 namespace railbook::contact_chapter::draw {
-
-using namespace contact;
 
 double centre(const ColumnMesh&, Eigen::Index column);  // its x [m]
 // The pressure along the x axis: x [m] rising, p [Pa], from end to end.
 std::vector<std::pair<double, double>> axis_line(const NormalContact&);
+
+// The largest difference between the cells' pressures and Hertz's ellipsoid, as a share of its peak.
+double off_ellipsoid(const NormalContact&, const HertzContact&);
 
 void gap_before_and_after(report::Item&, const Gap&, const NormalContact&, double reach);  // Fig. 1
 void boundary_update(report::Item&, const CountactStep&, const ColumnMesh& next);          // Fig. 2

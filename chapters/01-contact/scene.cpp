@@ -1,8 +1,5 @@
-/***
-The scene is drawn from the cells of COUNTACT-1 as they are: a column over each, as high as its pressure. Beyond
-the patch runs the interpenetration curve, the first candidate for the region; the contact lies well inside.
+/*** {{scene}} is drawn from the cells of COUNTACT-1 as they are: a column over each, as high as its pressure.
 */
-
 #include <algorithm>
 #include <cmath>
 
@@ -11,8 +8,7 @@ the patch runs the interpenetration curve, the first candidate for the region; t
 #include "scene/colour_map.hpp"
 #include "scene/shapes.hpp"
 
-using namespace railbook;
-using namespace railbook::contact;
+namespace railbook::contact_chapter {
 
 namespace {
 
@@ -48,8 +44,7 @@ scene::Lines curve(const Gap& gap, double approach) {
 
 }  // namespace
 
-void contact_chapter::draw::in_space(report::Item& item, const NormalContact& c, const Gap& gap) {
-  item.explained("drawn from the result of Example 2");
+void draw::in_space(report::Item& item, const NormalContact& c, const Gap& gap) {
   Eigen::VectorXd back, front;
   const scene::Rectangles behind = half_of(c, 1, back), before = half_of(c, -1, front);
   scene::Scene drawing;
@@ -66,3 +61,5 @@ void contact_chapter::draw::in_space(report::Item& item, const NormalContact& c,
        {{-0.30 * units::inch, -0.12 * units::inch, 0}, "last mesh"},
        {{c.x_p_max - 0.36 * units::inch, 0, 1.05 * height}, "peak on the sharp side"}});
 }
+
+}  // namespace railbook::contact_chapter

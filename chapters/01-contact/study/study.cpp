@@ -1,0 +1,14 @@
+/*** # Contact stress: what it costs, and where it holds
+
+## Error against run time
+
+{{include: cost.cpp}}
+
+## Stability
+
+A case *holds* when its error stays within the bound set for it, *degrades* when it loses accuracy in the way stated, and is *refused* when the program says why it has no number.
+
+{{stability}}
+
+{{include: stability.cpp}}
+*/
