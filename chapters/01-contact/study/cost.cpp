@@ -134,7 +134,7 @@ std::string covered() {
 }
 
 void cost_force(report::Item& item) {
-  std::vector<int> cells{12, 16, 23, 32, 45, 64, 90, 128, 181, 255},
+  std::vector<int> cells{12, 17, 24, 34, 48, 68, 96, 136, 192, 255},
       columns{5, 7, 9, 13, 19, 25, 35};
   if (item.full()) cells.insert(cells.end(), {362, 511, 724}), columns.push_back(49);
   const auto points =
