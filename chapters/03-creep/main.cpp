@@ -1,7 +1,7 @@
 /*** # Creep on a rig of two wheels
 
 ::: findings
-1. "In order to obtain a single curve it is necessary to utilize the actual area of contact rather than the theoretical one." Result: the points are lost to us, but the one reading that is printed needs {{factor-least}} times Hertz's area or more. {{outcome:fig-state/true-area}}
+1. "In order to obtain a single curve it is necessary to utilize the actual area of contact rather than the theoretical one." Result: not testable on the points, which are lost to us; the one reading that is printed supports it, since it needs {{factor-least}} times Hertz's area or more. {{outcome:fig-state/true-area}}
 2. "The product of the creep and the area of contact must be a constant." Result: exact if the contact grows alike in both directions; while only the profile wears flat it rises by {{rise-moderate}} as the area grows by {{area-moderate}}, and by {{rise-worst}} at three times the radius. {{outcome:table-law/moderate}} {{outcome:table-law/always}}
 3. "The values of creep can be considered accurate to 0.0005", an upper bound. Result: {{xi-rss}} as independent errors, {{xi-conspire}} at worst; the printed sum lets them cancel. {{outcome:table-appendix-a/accurate}} {{outcome:table-appendix-a/upper-bound}}
 :::

@@ -57,10 +57,8 @@ void reading(report::Item& item) {
   item.agree("factor-05", "fraction of 0.5 at the creep printed and the area needed", "",
              0.5 * master_curve(factor(0.5, creep) * group / 0.5), printed_mu, 1e-9,
              "the printed friction");
-  item.claim(
-      "true-area", "a single curve needs the actual area of contact, not the theoretical one",
-      slope * group < printed_mu,
-      fmt::format("Hertz's area allows at most {:.3f} of the 0.3 that is printed", slope * group));
+  item.at_most("true-area", "largest friction that Hertz's area allows at the printed creep", "",
+               slope * group, printed_mu, "the friction that the paper prints for this reading");
   item.value("creep", creep, "", "{:.7f}");
   item.value("creep-cut", 1 - 10.0548 / 44.9478 * 442.6 / 99.2, "", "{:.7f}");
   item.value("group", group, "", "{:.5f}");
