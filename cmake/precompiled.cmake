@@ -1,6 +1,6 @@
 # Headers that most files of a kind include, compiled once a kind: half of the compilation time of a clean build.
 # Off, every file must still compile by its own includes (the presets for Clang and for the sanitizers do so).
-option(RAILBOOK_PCH "Precompile the headers that most files include" OFF)
+option(RAILBOOK_PCH "Precompile the headers that most files include" ON)
 
 set(railbook_pch_lib <Eigen/Core> <algorithm> <cmath> <functional> <string> <vector>)
 set(railbook_pch_chapter ${railbook_pch_lib} <filesystem> <memory> <fmt/format.h> "${CMAKE_SOURCE_DIR}/lib/report/chapter.hpp")

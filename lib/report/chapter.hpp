@@ -50,22 +50,4 @@ using Section = std::vector<Entry>;
 int run(int argc, char** argv, const ChapterInfo& info, const std::vector<Section>& paper,
         const std::vector<Section>& study = {});
 
-// Until all chapters hand their sections to run().
-class Chapter {
- public:
-  using ItemFunction = report::ItemFunction;
-  explicit Chapter(ChapterInfo info) : info_(std::move(info)) {}
-  void table(std::string id, std::string title, ItemFunction compute) {
-    entries_.push_back(report::table(std::move(id), std::move(title), std::move(compute)));
-  }
-  void figure(std::string id, std::string title, ItemFunction compute) {
-    entries_.push_back(report::figure(std::move(id), std::move(title), std::move(compute)));
-  }
-  int run(int argc, char** argv) { return report::run(argc, argv, info_, {entries_}); }
-
- private:
-  ChapterInfo info_;
-  Section entries_;
-};
-
 }  // namespace railbook::report

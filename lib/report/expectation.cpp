@@ -14,10 +14,7 @@ Tolerance with_reason(Tolerance t, std::string why) {
 }  // namespace
 
 Expectation::Expectation(Tolerance t)
-    : outcome(t.kind == ToleranceKind::last_digit || t.kind == ToleranceKind::exact
-                  ? Outcome::confirmed
-              : t.kind == ToleranceKind::misprint ? Outcome::corrected
-                                                  : Outcome::consistent),
+    : outcome(t.kind == ToleranceKind::last_digit ? Outcome::confirmed : Outcome::consistent),
       tolerance(std::move(t)) {}
 
 Expectation fitted(std::string why, Tolerance tolerance) {

@@ -32,7 +32,7 @@ std::string_view name(Outcome outcome);
 
 // The outcome that a check asserts, and how close it must come. `reason` is empty only for confirmed.
 struct Expectation {
-  // A bare tolerance: confirmed when it is last_digit() or exact, otherwise consistent.
+  // A bare tolerance: confirmed when it is last_digit(), otherwise consistent.
   Expectation(Tolerance tolerance);  // NOLINT(google-explicit-constructor): reads as a tolerance
 
   Outcome outcome;

@@ -320,13 +320,6 @@ void Item::stability(const StabilityCase& c, const std::function<Found()>& run) 
   stability_.push_back(std::move(s));
 }
 
-void Item::stability(std::string_view id, std::string_view case_, std::string_view stress,
-                     std::string_view result, double error, std::string_view status) {
-  const std::string found{status == "degraded" ? "degrades" : status};
-  stability_.push_back({std::string{id}, std::string{case_}, std::string{stress},
-                        std::string{result}, "", error, nan, found, found, 0, !settings_.bite});
-}
-
 void Item::draw() {
   const auto announce = [&](const std::filesystem::path& file) {
     if (settings_.folder != nullptr) settings_.folder->announce(file);

@@ -87,11 +87,6 @@ class Row {
                    const std::string& work) const;
   const std::string& printed(std::string_view column) const { return table_->at(key_, column); }
 
-  // Until all chapters say print or publication.
-  void check(std::string_view column, double computed, const Tolerance& t = last_digit()) const {
-    print(column, computed, t);
-  }
-
  private:
   friend class Item;
   struct About {
@@ -234,21 +229,6 @@ class Item {
   void add(std::vector<WorkPrecision> points);
   // Runs a stiff or extreme case and judges it. InputError and NoAnswer are "refused", other exceptions "fails".
   void stability(const StabilityCase& c, const std::function<Found()>& run);
-
-  // Until all chapters use the names above.
-  void check(std::string_view id, std::string_view what, std::string_view unit,
-             std::string_view printed, double computed, const Tolerance& t = last_digit()) {
-    print(id, what, unit, printed, computed, t);
-  }
-  void check_text(std::string_view id, std::string_view what, std::string_view printed,
-                  std::string_view computed) {
-    print_text(id, what, printed, computed);
-  }
-  void reconstructed(std::string why) { rebuilt(std::move(why)); }
-  void explained(std::string why) { added(std::move(why)); }
-  void not_reproducible(std::string why) { lost(std::move(why)); }
-  void stability(std::string_view id, std::string_view case_, std::string_view stress,
-                 std::string_view result, double error, std::string_view status);
 
   // For the chapter: writes the CSV files, draws, judges, and hands everything over to the record.
   void finish(ChapterRecord& record);
