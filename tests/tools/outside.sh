@@ -51,11 +51,11 @@ case $case in
     status=$?
     expect 3; says "Input/output error"; clean ;;
   "an interrupt in mid-write")
-    timeout --preserve-status -s INT 2 "$railbook" psd synthesize big.csv --length 1000000km >/dev/null 2>"$folder/said"
+    timeout --preserve-status -s INT 2 "$railbook" psd synthesize big.csv --length 200000km >/dev/null 2>"$folder/said"
     status=$?
     expect 130; clean ;;
   "an end in mid-write")
-    "$railbook" psd synthesize big.csv --length 1000000km >/dev/null 2>"$folder/said" &
+    "$railbook" psd synthesize big.csv --length 200000km >/dev/null 2>"$folder/said" &
     waits_for "$folder/run" part
     kill -TERM $!; wait $!
     status=$?
