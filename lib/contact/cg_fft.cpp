@@ -7,6 +7,7 @@
 
 #include "contact/extrapolation.hpp"
 #include "contact/grid_fit.hpp"
+#include "contact/missed.hpp"
 #include "units/input_error.hpp"
 
 namespace railbook::contact {
@@ -231,6 +232,14 @@ struct Placement {
     return {x.start, y.start, x.step, y.step, x.cells, y.cells};
   }
 
+  // Widens the box to places where contact was missed.
+  void hold(const std::vector<Point>& places) {
+    for (const Point& place : places) {
+      box.x_min = std::min(box.x_min, place.x), box.x_max = std::max(box.x_max, place.x);
+      box.y_min = std::min(box.y_min, place.y), box.y_max = std::max(box.y_max, place.y);
+    }
+  }
+
   // Takes over the region seen on `grid`; its ends are moved to edges of the body found by bisection.
   void refit(const Gap& gap, const Grid& grid, Region& region) {
     if (region.cells == 0 || std::min(grid.nx, grid.ny) < coarsest) return;
@@ -257,6 +266,17 @@ struct Placement {
   }
 };
 
+// Drops the places that a patch now holds.
+void drop_found(const Grid& grid, const Region& region, std::vector<Point>& places) {
+  std::erase_if(places, [&](const Point& place) {
+    return std::ranges::any_of(region.patches, [&](const Patch& patch) {
+      const Box& ends = patch.ends;
+      return place.x > ends.x_min - 2 * grid.dx && place.x < ends.x_max + 2 * grid.dx &&
+             place.y > ends.y_min - 2 * grid.dy && place.y < ends.y_max + 2 * grid.dy;
+    });
+  });
+}
+
 }  // namespace
 
 CgFft solve_cg_fft(const Gap& gap, double approach, double effective_modulus,
@@ -266,10 +286,14 @@ CgFft solve_cg_fft(const Gap& gap, double approach, double effective_modulus,
   CgFft result;
   result.contact.approach = approach;
   result.contact.converged = true;
-  Placement place{options.search ? options.search(approach) : interpenetration_box(gap, approach)};
+  const Box whole = options.search ? options.search(approach) : interpenetration_box(gap, approach);
+  Placement place{whole};
   Grid last;
   VectorXd p, f;
-  for (const auto& [nx, ny] : ladder(options)) {
+  std::vector<Point> missed;
+  std::vector<std::pair<Index, Index>> sizes = ladder(options);
+  for (std::size_t level = 0, again = 0; level < sizes.size(); ++level) {
+    const auto [nx, ny] = sizes[level];
     constexpr int most_growths = 40;
     for (int growths = 0;; ++growths) {
       const Grid grid = place.grid(nx, ny, options);
@@ -284,9 +308,27 @@ CgFft solve_cg_fft(const Gap& gap, double approach, double effective_modulus,
       result.levels.pop_back();
       place = {grown(grid, region)};
     }
-    place.refit(gap, last, result.levels.back().region);
+    Region& region = result.levels.back().region;
+    const bool finest = level + 1 == sizes.size();
+    if (level == 0 || finest)
+      missed =
+          missed_places(gap, approach, effective_modulus, last, p, whole, finest ? 1e-3 : 0.02);
+    drop_found(last, region, missed);
+    place.refit(gap, last, region);
+    place.hold(missed);
+    if (finest && !missed.empty() && again++ < 2) {  // once more, with what lies beside the grid
+      result.levels.pop_back();
+      --level;
+    }
   }
   finish(last, p, f, options.remedy, result);
+  if (!missed.empty()) {
+    result.contact.force_error = result.contact.p_max_error = units::no_limit;
+    result.contact.reason = fmt::format(
+        "under-resolved: a further patch near x = {:.6g} m, y = {:.6g} m is narrower than the "
+        "cells",
+        missed.front().x, missed.front().y);
+  }
   return result;
 }
 

@@ -262,3 +262,31 @@ TEST_CASE("property: a load is met on a grid too coarse for the contact, and tha
   CHECK_FALSE(c.reason.empty());
   CHECK(std::isinf(c.force_error));
 }
+
+TEST_CASE("property: patches that the coarse grids of the ladder miss are found all the same") {
+  // Three summits 20 mm apart, the second and third lower: patches of 1 to 3 mm at each.
+  for (const double lower : {1e-7, 1e-6, 2e-6})
+    for (const double approach : {8e-6, 12e-6, 20e-6}) {
+      INFO("lower " << lower << ", approach " << approach);
+      const Gap gap = [=](double x, double y) {
+        const double nearest = std::clamp(std::round(x / 0.02), 0.0, 2.0);
+        const double t = x - 0.02 * nearest;
+        return 5 * t * t + y * y + lower * nearest;
+      };
+      CgFftOptions options = cells(255, 63);
+      options.search = [](double d) {
+        const double half = std::sqrt(d);
+        return Box{-0.009, 0.049, -half, half};
+      };
+      const CgFft result = solve_cg_fft(gap, approach, 1e11, options);
+      const Region& region = result.levels.back().region;
+      CHECK(result.contact.converged);
+      CHECK(region.patches.size() == 3);
+      // Each alone would bear Hertz's force at its own approach; the others take a little of it.
+      double alone = 0;
+      for (const int k : {0, 1, 2})
+        alone += hertz_from_approach({5, 1, 0}, 1e11, approach - k * lower).force;
+      CHECK(region.force < alone);
+      CHECK(region.force > 0.75 * alone);
+    }
+}
