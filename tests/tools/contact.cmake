@@ -55,3 +55,34 @@ foreach(example radii profiles)
                    --out ${CMAKE_BINARY_DIR}/ctest/contact-${example}
            WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
 endforeach()
+# What the answer says: answers(WHAT PATTERN arguments...).
+function(contact_answers what pattern)
+  add_test(NAME "tool: contact ${what}" COMMAND railbook contact solve ${ARGN})
+  set_tests_properties("tool: contact ${what}" PROPERTIES PASS_REGULAR_EXPRESSION "${pattern}")
+endfunction()
+set(turned --body-1-radius-across 30m --body-1-radius-along 30m --body-2-radius-across 10mm --angle 45deg)
+contact_answers("holds a slender contact at 45 degrees against Hertz at the asked load"
+                "Hertz: approach at this load +[0-9.]+ um +.the grid is off by -?[0-9.]+e-0[6-9]" ${turned} --load 1kN)
+set(rows "x_mm,depth_mm\n")
+set(coarse "x_mm,depth_mm\n")
+foreach(k RANGE 0 240) # three summits 20 mm apart: parabolas of 250 mm radius
+  math(EXPR u "${k} % 80 - 40")
+  math(EXPR x "${k} * 250 - 30000")
+  math(EXPR depth "(${u} * ${u} * 250 * 250) / 500") # nanometres
+  string(APPEND rows "${x}e-3,${depth}e-6\n")
+endforeach()
+foreach(k RANGE -20 20) # the radius falls from 250 to 30 mm at 0.1 mm, points every half millimetre
+  math(EXPR u "${k} * 500 - 100")
+  set(radius 250)
+  if(u GREATER 0)
+    set(radius 30)
+  endif()
+  math(EXPR depth "(${u} * ${u}) / (2 * ${radius})")
+  string(APPEND coarse "${u}e-3,${depth}e-6\n")
+endforeach()
+file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/summits.csv "${rows}")
+file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/coarse.csv "${coarse}")
+contact_answers("tells three patches" "patches +3 .*patch 3: force" --body-1-profile ${CMAKE_CURRENT_BINARY_DIR}/summits.csv
+                --body-1-radius-along 0.5m --approach 20um --cells-x 400 --cells-y 60)
+contact_answers("doubts a profile of too few points" "DOUBTFUL: every second point of the profiles alone would change"
+                --body-1-profile ${CMAKE_CURRENT_BINARY_DIR}/coarse.csv --body-1-radius-along 0.5m --approach 20um)
