@@ -64,10 +64,10 @@ const std::vector<Vehicle>& vehicles() {
   return all;
 }
 
-const Vehicle& vehicle(const std::string& key) {
+const Vehicle& vehicle(std::string_view key) {
   for (const auto& v : vehicles())
     if (v.key == key) return v;
-  throw std::logic_error("no vehicle \"" + key + "\"");
+  throw std::logic_error(fmt::format("no vehicle \"{}\"", key));
 }
 
 CycleCase cycle_case(const Vehicle& v, double speed, std::size_t which) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "dynamics/cycle_branch.hpp"
@@ -24,7 +25,7 @@ struct Vehicle {
 };
 const std::vector<Vehicle>& vehicles();
 // By key; throws std::logic_error for an unknown one.
-const Vehicle& vehicle(const std::string& key);
+const Vehicle& vehicle(std::string_view key);
 // "new", "cn" and "heumann": the three with dampers.
 inline constexpr int with_dampers = 3;
 
