@@ -60,13 +60,7 @@ rolling::RollingCase creep_chapter::rig_case() {
 }
 
 rolling::RollingCase creep_chapter::unit_case() {
-  return {.a = std::sqrt(axis_ratio),
-          .b = 1 / std::sqrt(axis_ratio),
-          .load = 1,
-          .shear_modulus = 1,
-          .poisson = poisson,
-          .friction = 1,
-          .creepage = {}};
+  return rolling::unit_case(axis_ratio, poisson);
 }
 
 const std::vector<double>& creep_chapter::curve_abscissae() {

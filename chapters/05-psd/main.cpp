@@ -126,5 +126,5 @@ int main(int argc, char** argv) {
        .sources = RAILBOOK_CHAPTER_DIR},
       {processes, random_part, modulated, memory, composite, extraction, table_of_zones, chords,
        chord_table, classes},
-      {length, cost, extremes});
+      {record_length, cost, extremes});
 }

@@ -40,7 +40,7 @@ extern const report::Section table_of_zones;  // Table 1, equation (7)
 extern const report::Section chords;          // equation (8)
 extern const report::Section chord_table;     // Table 2, Figure 10
 extern const report::Section classes;         // Table 3, Figure 11, equations (9) and (10)
-extern const report::Section length;          // study: how much track it takes
+extern const report::Section record_length;   // study: how much track it takes
 extern const report::Section cost;            // study: error against run time
 extern const report::Section extremes;        // study: stability
 

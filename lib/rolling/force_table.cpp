@@ -146,23 +146,17 @@ InterpolationError ForceTable::error(const ShareTheory& theory, int points) cons
 
 ShareFunction shares_of(std::function<CreepForces(const RollingCase&)> solve, double axis_ratio,
                         double poisson) {
-  const RollingCase unit{.a = std::sqrt(axis_ratio),
-                         .b = 1 / std::sqrt(axis_ratio),
-                         .load = 1,
-                         .shear_modulus = 1,
-                         .poisson = poisson,
-                         .friction = 1,
-                         .creepage = {}};
-  return [solve = std::move(solve), unit](const Creepage& reduced) {
-    RollingCase c = unit;
-    c.creepage = reduced;
-    const CreepForces f = solve(c);
-    if (!f.converged)
-      throw std::runtime_error(
-          fmt::format("no answer at reduced creepages {:.6g}, {:.6g} and spin {:.6g}: {}",
-                      reduced.longitudinal, reduced.lateral, reduced.spin, f.reason));
-    return ForceShares{f.fx, f.fy, f.mz};
-  };
+  return
+      [solve = std::move(solve), unit = unit_case(axis_ratio, poisson)](const Creepage& reduced) {
+        RollingCase c = unit;
+        c.creepage = reduced;
+        const CreepForces f = solve(c);
+        if (!f.converged)
+          throw std::runtime_error(
+              fmt::format("no answer at reduced creepages {:.6g}, {:.6g} and spin {:.6g}: {}",
+                          reduced.longitudinal, reduced.lateral, reduced.spin, f.reason));
+        return ForceShares{f.fx, f.fy, f.mz};
+      };
 }
 
 }  // namespace railbook::rolling

@@ -43,4 +43,14 @@ RollingCase with_reduced_creepage(RollingCase c, const Creepage& reduced) {
   return c;
 }
 
+RollingCase unit_case(double axis_ratio, double poisson) {
+  return {.a = std::sqrt(axis_ratio),
+          .b = 1 / std::sqrt(axis_ratio),
+          .load = 1,
+          .shear_modulus = 1,
+          .poisson = poisson,
+          .friction = 1,
+          .creepage = {}};
+}
+
 }  // namespace railbook::rolling

@@ -68,4 +68,8 @@ RollingCase with_reduced_creepage(RollingCase c, const Creepage& reduced);
 // Throws InputError naming the quantity that is out of the range given at RollingCase.
 void check(const RollingCase& c);
 
+// An ellipse of semi-axes sqrt(a/b) and its inverse with load, shear modulus and friction 1: forces are then shares of the
+// friction, and creepages are reduced but for Hertz's factor.
+RollingCase unit_case(double axis_ratio, double poisson);
+
 }  // namespace railbook::rolling

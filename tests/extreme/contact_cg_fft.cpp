@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "../support/cg_fft_cells.hpp"
 #include "../support/no_fp_fault.hpp"
 #include "contact/cg_fft.hpp"
 #include "contact/countact.hpp"
@@ -14,13 +15,6 @@ using namespace railbook;
 using namespace railbook::contact;
 
 namespace {
-
-CgFftOptions cells(Eigen::Index nx, Eigen::Index ny) {
-  CgFftOptions options;
-  options.nx = nx;
-  options.ny = ny;
-  return options;
-}
 
 constexpr double inf = std::numeric_limits<double>::infinity();
 

@@ -4,6 +4,7 @@
 #include <set>
 #include <tuple>
 
+#include "../support/cg_fft_cells.hpp"
 #include "contact/cg_fft.hpp"
 #include "contact/geometry.hpp"
 #include "contact/hertz.hpp"
@@ -15,13 +16,6 @@ using namespace railbook;
 using namespace railbook::contact;
 
 namespace {
-
-CgFftOptions cells(Eigen::Index nx, Eigen::Index ny) {
-  CgFftOptions options;
-  options.nx = nx;
-  options.ny = ny;
-  return options;
-}
 
 Gap ellipsoid(double a, double b) {
   return [=](double x, double y) { return a * x * x + b * y * y; };

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "../support/no_fp_fault.hpp"
+#include "../support/roll_mode.hpp"
 #include "num/dopri5.hpp"
 #include "quality/bump_stops.hpp"
 #include "quality/steady_motion.hpp"
@@ -17,7 +18,6 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-constexpr Suspension roll{0.5, 0.2};
 constexpr double amplitude = 0.009954726, frequency = 0.5212860, gap = 0.6 * 0.0254;
 
 StoppedBody body(double kappa) {

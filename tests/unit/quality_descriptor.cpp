@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "../support/no_fp_fault.hpp"
+#include "../support/roll_mode.hpp"
 #include "quality/descriptor.hpp"
 #include "units/constants.hpp"
 #include "units/input_error.hpp"
@@ -13,7 +14,6 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-constexpr Suspension roll{0.5, 0.2};
 constexpr double speed = 100 / 3.6;
 
 Car freight_car(double damping) {

@@ -114,7 +114,7 @@ void fig_length(report::Item& item) {
 
 }  // namespace
 
-const report::Section length{report::figure(
+const report::Section record_length{report::figure(
     "fig-length", "Error of the roughness against the length of the record", fig_length)};
 
 }  // namespace railbook::psd_chapter
