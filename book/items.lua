@@ -201,7 +201,7 @@ local function study(id, list, several)
   for _, quantity in ipairs(quantities) do
     heads[#heads + 1] = quantity == "" and "error" or "error of " .. quantity
   end
-  for _, head in ipairs({"fastest", "median", "work", "outcome"}) do heads[#heads + 1] = head end
+  for _, head in ipairs({"median", "quartiles", "work", "outcome"}) do heads[#heads + 1] = head end
   for _, w in ipairs(list) do uncertainty = math.max(uncertainty, w.reference_uncertainty or 0) end
   for i, run in ipairs(runs) do
     local w, failed = run.first, run.outcome ~= "converged"
@@ -210,7 +210,9 @@ local function study(id, list, several)
       local error = run.errors[quantity]
       row[#row + 1] = {type(error) == "number" and html.number(("%.2g"):format(error)) or "–", class = "number"}
     end
-    for _, text in ipairs({html.seconds(w.seconds_min), html.seconds(w.seconds_median), html.count(w.work)}) do
+    local quartiles = w.samples and w.samples > 1 and html.seconds(w.seconds_q1) .. " to " .. html.seconds(w.seconds_q3) or "–"
+    local unit = w.work_unit and w.work_unit ~= "" and " " .. html.escape(w.work_unit) or ""
+    for _, text in ipairs({html.seconds(w.seconds_median), quartiles, html.count(w.work) .. unit}) do
       row[#row + 1] = {text, class = "number"}
     end
     row[#row + 1] = html.text(run.outcome)

@@ -33,7 +33,7 @@ The line through the points stands for the paper's average curve: the theory's c
 #include "master_curve.hpp"
 #include "rig.hpp"
 #include "sections.hpp"
-#include "spectra/random_source.hpp"
+#include "num/random_source.hpp"
 
 using namespace railbook;
 using namespace railbook::creep_chapter;
@@ -45,7 +45,7 @@ constexpr int points_a_test = 28;
 
 // Stream k of the random numbers is test k's.
 Test make_test(double load, double area_factor, std::uint64_t stream) {
-  const spectra::RandomSource random(1979, stream);
+  const num::RandomSource random(1979, stream);
   Test test{.load = load,
             .friction = synthetic_friction(load),
             .area_factor = area_factor,

@@ -25,7 +25,7 @@ Then the areas. For smooth new wheels they are Hertz's; for worn ones they are n
 #include "experiment.hpp"
 #include "rig.hpp"
 #include "sections.hpp"
-#include "spectra/random_source.hpp"
+#include "num/random_source.hpp"
 
 using namespace railbook;
 using namespace railbook::creep_chapter;
@@ -79,7 +79,7 @@ void smooth_areas(report::Item& item) {
     const auto across = rig_contact(n, profile_radius(false));
     line.add(load, hertz_area(n) / mm2, units::pi * across.a * across.b / mm2);
   }
-  const spectra::RandomSource random(1979, 9);
+  const num::RandomSource random(1979, 9);
   for (const double load : {500.0, 750.0, 1000.0, 1250.0, 1500.0, 2000.0, 2500.0}) {
     const double noise = random.normal(static_cast<std::uint64_t>(load));
     points.add(load, hertz_area(load * units::lbf) * (1 + 0.03 * noise) / mm2);

@@ -24,7 +24,7 @@ threshold, where vehicles weaker than the median fail. A threshold at the median
 #include "num/quadrature.hpp"
 #include "quality/quality_index.hpp"
 #include "sections.hpp"
-#include "spectra/random_source.hpp"
+#include "num/random_source.hpp"
 
 namespace railbook::quality_chapter {
 
@@ -39,7 +39,7 @@ double normal_density(double u) {
 }
 
 // The curves, a kilometre of drawn values, and the thresholds.
-void draw_09(report::Item& item, const spectra::RandomSource& source) {
+void draw_09(report::Item& item, const num::RandomSource& source) {
   auto& data = item.data({"p", "histogram", "risk"});
   auto& bars = item.data("bars", {"p", "density"});
   auto& lines = item.data("thresholds", {"p", "height", "name"});
@@ -60,7 +60,7 @@ void draw_09(report::Item& item, const spectra::RandomSource& source) {
 }
 
 void fig_09(report::Item& item) {
-  const spectra::RandomSource source{69, 0};
+  const num::RandomSource source{69, 0};
   draw_09(item, source);
   item.expect_checks(3);
   const double risk = quality::failure_probability(mean, deviation, median, spread);

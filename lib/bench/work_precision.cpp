@@ -7,11 +7,15 @@
 #include <limits>
 #include <stdexcept>
 
-#include "num/stopwatch.hpp"
+#include "bench/timing.hpp"
 #include "plot/plot.hpp"
 
 namespace railbook::bench {
 namespace {
+
+using Points = std::vector<report::WorkPrecision>;
+
+constexpr double tighter = 100;  // a reference must be so much better than what it judges
 
 Outcome guarded(const Setting& setting, std::size_t quantities) {
   Outcome outcome;
@@ -31,80 +35,135 @@ double relative_error(double value, double reference) {
   return std::abs(value - reference) / std::abs(reference);
 }
 
-}  // namespace
-
-Timing time_call(const std::function<void()>& call, double budget) {
-  const auto batch = [&](int calls) {
-    const num::Stopwatch watch;
-    for (int i = 0; i < calls; ++i) call();
-    return watch.seconds() / calls;
-  };
-  const double first = std::max(batch(1), 1e-9);  // the warm-up
-  const int calls = static_cast<int>(std::clamp(std::ceil(1e-3 / first), 1.0, 1e6));
-  const double cost = first * calls;
-  const int samples = static_cast<int>(std::clamp(budget / cost, 1.0, 21.0));
-  std::vector<double> times;
-  times.reserve(static_cast<std::size_t>(samples));
-  for (int i = 0; i < samples; ++i) times.push_back(batch(calls));
-  std::sort(times.begin(), times.end());
-  const double median = times[times.size() / 2];
-  return {times.front(), median, (median - times.front()) / times.front()};
+bool known(const report::WorkPrecision& p) {
+  return p.converged && p.error >= tighter * p.reference_uncertainty && p.error > 0;
 }
 
-std::vector<report::WorkPrecision> measure(const std::string& id,
-                                           const std::vector<Reference>& references,
-                                           const std::vector<Method>& methods, bool timings,
-                                           double budget) {
-  std::vector<report::WorkPrecision> points;
-  for (const Method& method : methods) {
+}  // namespace
+
+Points measure(const std::string& id, const std::vector<Reference>& references,
+               const std::vector<Method>& methods, bool timings, double budget) {
+  std::vector<Outcome> outcomes;
+  std::vector<std::function<void()>> calls;
+  std::vector<double> first;
+  for (const Method& method : methods)
     for (const Setting& setting : method.settings) {
-      const Outcome outcome = guarded(setting, references.size());
-      Timing timing;
-      if (timings && outcome.converged) timing = time_call([&] { (void)setting.run(); }, budget);
-      for (std::size_t q = 0; q < references.size(); ++q) {
-        report::WorkPrecision point;
-        point.id = id;
-        point.quantity = references[q].quantity;
-        point.method = method.name;
-        point.setting = setting.label;
-        point.error = outcome.converged ? relative_error(outcome.values[q], references[q].value)
-                                        : std::numeric_limits<double>::quiet_NaN();
-        point.reference_uncertainty = references[q].uncertainty;
-        point.seconds_min = timing.min;
-        point.seconds_median = timing.median;
-        point.noise = timing.noise;
-        point.work = outcome.work;
-        point.converged = outcome.converged;
-        point.reason = outcome.reason;
-        points.push_back(std::move(point));
-      }
+      first.push_back(seconds_of([&] { outcomes.push_back(guarded(setting, references.size())); }));
+      calls.push_back(outcomes.back().converged ? [run = setting.run] { (void)run(); }
+                                                : std::function<void()>{});
     }
-  }
+  std::vector<Timing> times(calls.size());
+  if (timings) times = time_interleaved(calls, first, budget);
+  Points points;
+  std::size_t i = 0;
+  for (const Method& method : methods)
+    for (const Setting& setting : method.settings) {
+      for (std::size_t q = 0; q < references.size(); ++q) {
+        const Outcome& found = outcomes[i];
+        report::WorkPrecision& p = points.emplace_back();
+        p.id = id;
+        p.quantity = references[q].quantity;
+        p.method = method.name;
+        p.setting = setting.label;
+        p.error = found.converged ? relative_error(found.values[q], references[q].value)
+                                  : std::numeric_limits<double>::quiet_NaN();
+        p.reference_uncertainty = references[q].uncertainty;
+        p.seconds_min = times[i].min;
+        p.seconds_q1 = times[i].q1;
+        p.seconds_median = times[i].median;
+        p.seconds_q3 = times[i].q3;
+        p.samples = times[i].samples;
+        p.work = found.work;
+        p.work_unit = method.work_unit;
+        p.converged = found.converged;
+        p.reason = found.reason;
+      }
+      ++i;
+    }
   return points;
 }
 
-report::Data& show(report::Item& item, const std::vector<report::WorkPrecision>& points,
-                   const std::string& quantity) {
-  std::vector<report::WorkPrecision> chosen;
-  report::Data& data = item.data({"method", "setting", "error", "reference_uncertainty",
-                                  "seconds_min_s", "seconds_median_s", "work"});
+namespace {
+
+Points of_quantity(const Points& points, const std::string& quantity) {
+  Points chosen;
   for (const report::WorkPrecision& p : points) {
     if (p.quantity != quantity) continue;
     if (p.method.find(',') != std::string::npos)
       throw std::logic_error{"work-precision: gnuplot cuts \"" + p.method + "\" at the comma"};
     chosen.push_back(p);
-    // An error below what the reference knows is drawn there.
-    const double floor = std::max(p.reference_uncertainty, 1e-16);
-    if (p.converged && std::isfinite(p.error))
-      data.add(p.method, p.setting, std::max(p.error, floor), p.reference_uncertainty,
-               p.seconds_min, p.seconds_median, p.work);
   }
-  const char* const why = "error control takes other steps where a last digit differs";
-  data.holds_to("error", 0.9, 1e-15, why).holds_to("reference_uncertainty", 0.9, 0, why);
-  data.holds_to("work", 0.05, 0, why);
   if (chosen.empty())
     throw std::logic_error{"work-precision: no points of quantity \"" + quantity + "\""};
-  item.add(std::move(chosen));
+  return chosen;
+}
+
+// Slope and means of ln(error) over ln(x), where x is the time or the work.
+struct Line {
+  double slope = std::numeric_limits<double>::quiet_NaN();
+  double x = 0, y = 0;           // means of the logarithms
+  double x_low = 0, x_high = 0;  // range of ln(x)
+};
+
+Line line_through(const Points& points, const std::string& method,
+                  double report::WorkPrecision::*across) {
+  double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
+  Line line{.x_low = 1e300, .x_high = -1e300};
+  for (const report::WorkPrecision& p : points) {
+    if (p.method != method || !known(p) || !(p.*across > 0)) continue;
+    const double x = std::log(p.*across), y = std::log(p.error);
+    n += 1, sx += x, sy += y, sxx += x * x, sxy += x * y;
+    line.x_low = std::min(line.x_low, x), line.x_high = std::max(line.x_high, x);
+  }
+  const double spread = n * sxx - sx * sx;
+  if (n < 2 || !(spread > 0)) return line;
+  line.slope = (n * sxy - sx * sy) / spread;
+  line.x = sx / n, line.y = sy / n;
+  return line;
+}
+
+// The panel's frame: the axes, and a line of the expected slope a little below each method that has one.
+void frame(report::Item& item, const Points& points, const std::vector<Method>& methods,
+           const Axes& axes, double report::WorkPrecision::*across) {
+  report::Data& data = item.data("frame", {"what", "x1", "y1", "x2", "y2", "text"});
+  data.add("error", axes.error_low, axes.error_high, 0.0, 0.0, "");
+  data.add("seconds", axes.seconds_low, axes.seconds_high, 0.0, 0.0, "");
+  data.add("reference", points.front().reference_uncertainty,
+           tighter * points.front().reference_uncertainty, 0.0, 0.0, "");
+  for (const Method& m : methods) {
+    const Line line = line_through(points, m.name, across);
+    if (m.slope == 0 || std::isnan(line.slope)) continue;
+    const double half = 0.3 * (line.x_high - line.x_low), below = std::log(4.0);
+    data.add("slope", std::exp(line.x - half), std::exp(line.y - below - m.slope * half),
+             std::exp(line.x + half), std::exp(line.y - below + m.slope * half),
+             fmt::format("expected {:.2g}; found {:.2g}", m.slope, line.slope));
+  }
+  data.holds_to("*", 0.9, 1e-12, "errors near rounding move the lines; work may differ by a step");
+}
+
+}  // namespace
+
+report::Data& show(report::Item& item, const Points& points, const std::string& quantity,
+                   const std::vector<Method>& methods, const Axes& axes) {
+  const Points chosen = of_quantity(points, quantity);
+  const bool timed = std::ranges::any_of(chosen, [](auto& p) { return p.seconds_median > 0; });
+  const auto across = timed ? &report::WorkPrecision::seconds_median : &report::WorkPrecision::work;
+  report::Data& data = item.data({"method", "setting", "error", "seconds_q1_s", "seconds_median_s",
+                                  "seconds_q3_s", "work", "state"});
+  for (const report::WorkPrecision& p : chosen) {
+    const bool failed = !p.converged || !std::isfinite(p.error);
+    // An error below what the reference knows, or none at all, is drawn there.
+    const double error = std::max({p.error, p.reference_uncertainty, 1e-16});
+    data.add(p.method, p.setting, failed ? 1.0 : error, p.seconds_q1, p.seconds_median,
+             p.seconds_q3, p.work,
+             failed     ? "failed"
+             : known(p) ? "known"
+                        : "vague");
+  }
+  const char* const why = "error control takes other steps where a last digit differs";
+  data.holds_to("error", 0.9, 1e-15, why).holds_to("work", 0.05, 0, why);
+  frame(item, chosen, methods, axes, across);
+  item.add(chosen);
   item.script(plot::shared("lib/bench") / "work_precision.gp");
   return data;
 }
@@ -116,26 +175,50 @@ std::string label(double setting) {
   return fmt::format("{:g}", setting);
 }
 
-std::vector<report::WorkPrecision> figure(report::Item& item, const Reference& reference,
-                                          const std::vector<Method>& methods, double budget) {
-  auto points = measure(item.id(), {reference}, methods, item.timings(), budget);
-  show(item, points, reference.quantity);
+Points figure(report::Item& item, const Reference& reference, const std::vector<Method>& methods,
+              double budget, const Axes& axes) {
+  Points points = measure(item.id(), {reference}, methods, item.timings(), budget);
+  show(item, points, reference.quantity, methods, axes);
   return points;
 }
 
-double observed_slope(const std::vector<report::WorkPrecision>& points, const std::string& quantity,
+double observed_slope(const Points& points, const std::string& quantity,
                       const std::string& method) {
-  double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
-  for (const report::WorkPrecision& p : points) {
-    if (p.quantity != quantity || p.method != method || !p.converged) continue;
-    if (!(p.error > 0 && p.work > 0)) continue;
-    const double x = std::log(p.work);
-    const double y = std::log(p.error);
-    n += 1, sx += x, sy += y, sxx += x * x, sxy += x * y;
+  return line_through(of_quantity(points, quantity), method, &report::WorkPrecision::work).slope;
+}
+
+Cheapest cheapest(const Points& points, const std::string& quantity, double error) {
+  const Points chosen = of_quantity(points, quantity);
+  Cheapest best{"", "", std::numeric_limits<double>::infinity()}, candidate = best;
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    const report::WorkPrecision& p = chosen[i];
+    if (i == 0 || p.method != chosen[i - 1].method) candidate.method.clear();
+    const bool good = p.converged && std::max(p.error, tighter * p.reference_uncertainty) <= error;
+    if (!good)
+      candidate.method.clear();
+    else if (candidate.method.empty())
+      candidate = {p.method, p.setting, p.seconds_median};
+    const bool last = i + 1 == chosen.size() || chosen[i + 1].method != p.method;
+    if (last && !candidate.method.empty() && candidate.seconds < best.seconds) best = candidate;
   }
-  const double spread = n * sxx - sx * sx;
-  if (n < 2 || !(spread > 0)) return std::numeric_limits<double>::quiet_NaN();
-  return (n * sxy - sx * sy) / spread;
+  return best;
+}
+
+std::string answer(const Points& points, const std::string& quantity,
+                   std::initializer_list<double> errors) {
+  std::string text;
+  for (const double error : errors) {
+    const Cheapest best = cheapest(points, quantity, error);
+    text += fmt::format("{} {:.0e} ", text.empty() ? "To" : "; to", error);
+    const bool timed = !best.method.empty() && best.seconds > 0;
+    if (best.method.empty())
+      text += "nothing that was tried";
+    else
+      text += timed ? fmt::format("take {} at {} ({})", best.method, best.setting,
+                                  duration(best.seconds))
+                    : "(not timed)";
+  }
+  return text + ".";
 }
 
 }  // namespace railbook::bench

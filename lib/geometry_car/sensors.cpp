@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "spectra/random_source.hpp"
+#include "num/random_source.hpp"
 #include "units/constants.hpp"
 #include "units/input_error.hpp"
 
@@ -16,7 +16,7 @@ namespace {
 // that keeps the stationary one.
 class FilteredNoise {
  public:
-  FilteredNoise(int order, double w, double density, const spectra::RandomSource& source)
+  FilteredNoise(int order, double w, double density, const num::RandomSource& source)
       : order_(order), w_(w), variance_(0.25 * w * density * density), source_(source) {
     const double sigma = std::sqrt(variance_);
     first_ = sigma * draw();
@@ -41,7 +41,7 @@ class FilteredNoise {
 
   int order_;
   double w_, variance_, first_ = 0, second_ = 0;
-  spectra::RandomSource source_;
+  num::RandomSource source_;
   std::uint64_t drawn_ = 0;
 };
 
@@ -78,8 +78,8 @@ Record measured(const Record& clean, const Layout& layout, const Sensors& sensor
   for (const ChannelInfo& info : channel_list()) {
     const SensorError& e = sensors[info.channel];
     require(info, e);
-    const spectra::RandomSource noise{seed, 100 + static_cast<std::uint64_t>(info.channel)};
-    const spectra::RandomSource white{seed, 200 + static_cast<std::uint64_t>(info.channel)};
+    const num::RandomSource noise{seed, 100 + static_cast<std::uint64_t>(info.channel)};
+    const num::RandomSource white{seed, 200 + static_cast<std::uint64_t>(info.channel)};
     const double corner = info.filter == 2 ? layout.second_corner : layout.first_corner;
     FilteredNoise filtered{info.filter, 2 * units::pi * corner, e.density, noise};
     auto& values = record[info.channel];

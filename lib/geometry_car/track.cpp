@@ -42,7 +42,7 @@ std::vector<double> noise(const Roughness& r, const TrackDescription& t, double 
                         .spacing = spacing,
                         .low_cut = r.low_cut,
                         .detail = std::min(r.phi_c, 0.5 / spacing)},
-                       spectra::RandomSource{t.seed, stream}}
+                       num::RandomSource{t.seed, stream}}
       .add(z);
   return z;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "files/out_file.hpp"
 #include "report/headline.hpp"
@@ -63,9 +64,12 @@ Json json(const WorkPrecision& w) {
           {"error", number(w.error)},
           {"reference_uncertainty", number(w.reference_uncertainty)},
           {"seconds_min", number(w.seconds_min)},
+          {"seconds_q1", number(w.seconds_q1)},
           {"seconds_median", number(w.seconds_median)},
-          {"noise", number(w.noise)},
+          {"seconds_q3", number(w.seconds_q3)},
+          {"samples", w.samples},
           {"work", number(w.work)},
+          {"work_unit", w.work_unit},
           {"converged", w.converged},
           {"reason", w.reason}};
 }
@@ -109,6 +113,17 @@ std::string processor() {
   return "unknown";
 }
 
+// What the times were measured on; the load is the mean number of waiting processes of the last minute.
+Json machine() {
+  double load = 0;
+  if (std::ifstream average{"/proc/loadavg"}) average >> load;
+  return {{"processor", processor()},
+          {"cores", std::thread::hardware_concurrency()},
+          {"compiler", compiler},
+          {"flags", RAILBOOK_CXX_FLAGS},
+          {"load", load}};
+}
+
 }  // namespace
 
 void write_record(const ChapterRecord& r, const std::filesystem::path& file) {
@@ -120,7 +135,7 @@ void write_record(const ChapterRecord& r, const std::filesystem::path& file) {
                {"seconds", r.seconds},
                {"only", r.only},
                {"headline", headline(r)},
-               {"machine", {{"processor", processor()}, {"compiler", compiler}}},
+               {"machine", machine()},
                {"checks", array(r.checks)},
                {"items", array(r.items)},
                {"values", array(r.values)},

@@ -44,9 +44,12 @@ struct WorkPrecision {
   double error = 0;  // relative to the reference
   double reference_uncertainty = 0;
   double seconds_min = 0;
+  double seconds_q1 = 0;  // quartiles of the samples
   double seconds_median = 0;
-  double noise = 0;  // (median - minimum)/minimum
-  double work = 0;   // the method's own work count
+  double seconds_q3 = 0;
+  int samples = 0;
+  double work = 0;        // the method's own work count
+  std::string work_unit;  // of what: "cell pairs"
   bool converged = true;
   std::string reason;
 };

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <span>
 
-#include "spectra/random_source.hpp"
+#include "num/random_source.hpp"
 
 namespace railbook::spectra {
 
@@ -37,7 +37,7 @@ double joint_scatter_psd(const JointDips& joints, double phi);
 class JointSequence {
  public:
   // Throws InputError on values out of the ranges of JointDips, or rails shorter than two samples.
-  JointSequence(const JointDips& joints, double spacing, const RandomSource& source);
+  JointSequence(const JointDips& joints, double spacing, const num::RandomSource& source);
 
   // Adds the next z.size() samples to z; the sequence does not depend on how it is cut into calls.
   void add(std::span<double> z);
@@ -47,7 +47,7 @@ class JointSequence {
 
   JointDips joints_;
   double spacing_;
-  RandomSource source_;
+  num::RandomSource source_;
   std::uint64_t sample_ = 0;
   std::uint64_t joint_ = 0;
   double deviation_ = 0;  // g_j

@@ -19,7 +19,7 @@ std::size_t half_length(double spacing, double detail) {
 
 }  // namespace
 
-ShapedNoise::ShapedNoise(const NoiseShape& shape, const RandomSource& source)
+ShapedNoise::ShapedNoise(const NoiseShape& shape, const num::RandomSource& source)
     : source_(source), spacing_(units::require_positive("spacing", shape.spacing, "m")) {
   const double nyquist = 0.5 / spacing_;
   units::require_positive("low cut", shape.low_cut, "cycle/m");

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "num/fft.hpp"
-#include "spectra/random_source.hpp"
+#include "num/random_source.hpp"
 
 namespace railbook::spectra {
 
@@ -32,7 +32,7 @@ class ShapedNoise {
  public:
   // Throws InputError on a spacing, cut or detail that is not positive, or a cut at or above Nyquist,
   // or below 10^-8 cycles a sample (the past of the sum is computed: 10^9 samples).
-  ShapedNoise(const NoiseShape& shape, const RandomSource& source);
+  ShapedNoise(const NoiseShape& shape, const num::RandomSource& source);
 
   // Adds the next z.size() samples (m) to z; the sequence does not depend on how it is cut into calls.
   void add(std::span<double> z);
@@ -44,7 +44,7 @@ class ShapedNoise {
   void design(const NoiseShape& shape);
   void next_block();
 
-  RandomSource source_;
+  num::RandomSource source_;
   double spacing_;
   double leak_;                   // factor of the leaky sum per sample
   std::vector<double> taps_;      // of the FIR, odd number, symmetric

@@ -46,11 +46,11 @@ void require_track(const SyntheticTrack& track) {
 TrackGenerator::TrackGenerator(const SyntheticTrack& track)
     : track_(track), noise_source_(track.seed, sensor), gap_source_(track.seed, gaps) {
   require_track(track);
-  if (track.A > 0) random_.emplace(random_shape(track), RandomSource{track.seed, random_part});
+  if (track.A > 0) random_.emplace(random_shape(track), num::RandomSource{track.seed, random_part});
   if (track.dip != 0)
     joints_.emplace(
         JointDips{track.rail_length, track.dip, track.dip_scatter, track.dip_correlation},
-        track.spacing, RandomSource{track.seed, joint_depths});
+        track.spacing, num::RandomSource{track.seed, joint_depths});
 }
 
 void TrackGenerator::fill(std::span<double> z) {

@@ -64,8 +64,8 @@ class TrackGenerator {
   SyntheticTrack track_;
   std::optional<ShapedNoise> random_;
   std::optional<JointSequence> joints_;
-  RandomSource noise_source_;
-  RandomSource gap_source_;
+  num::RandomSource noise_source_;
+  num::RandomSource gap_source_;
   std::uint64_t sample_ = 0;
 };
 

@@ -60,13 +60,13 @@ TEST_CASE("extreme: a line number of a million still has its strength") {
 
 TEST_CASE("extreme: the normal quantile out to the last random number there is") {
   // The smallest uniform number is 2^-53; Phi(-8.2095...) = 2^-53.
-  const double x = normal_quantile(0x1p-53);
+  const double x = num::normal_quantile(0x1p-53);
   CHECK_THAT(0.5 * std::erfc(-x / std::sqrt(2.0)), WithinRel(0x1p-53, 1e-12));
-  CHECK(normal_quantile(1 - 0x1p-53) == -x);
+  CHECK(num::normal_quantile(1 - 0x1p-53) == -x);
 }
 
 TEST_CASE("extreme: a million rails from the start the joints are still where they belong") {
-  JointSequence joints{{.rail_length = 11.8872, .dip = 1.0}, 5.9436, RandomSource{1, 1}};
+  JointSequence joints{{.rail_length = 11.8872, .dip = 1.0}, 5.9436, num::RandomSource{1, 1}};
   std::vector<double> z(100001);
   for (int block = 0; block < 20; ++block) {
     std::fill(z.begin(), z.end() - 1, 0.0);

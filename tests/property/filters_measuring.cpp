@@ -8,7 +8,7 @@
 #include "filters/complementary.hpp"
 #include "filters/geometry_chain.hpp"
 #include "filters/hybrid_filter.hpp"
-#include "spectra/random_source.hpp"
+#include "num/random_source.hpp"
 #include "units/constants.hpp"
 
 using namespace railbook;
@@ -18,7 +18,7 @@ using namespace railbook::filters;
 namespace {
 
 std::vector<double> noise(std::size_t n, std::uint64_t stream) {
-  const RandomSource random{11, stream};
+  const num::RandomSource random{11, stream};
   std::vector<double> x(n);
   for (std::size_t k = 0; k < n; ++k) x[k] = 1e-4 * random.normal(k);
   return x;

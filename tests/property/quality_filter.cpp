@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "quality/descriptor_filter.hpp"
-#include "spectra/random_source.hpp"
+#include "num/random_source.hpp"
 #include "units/constants.hpp"
 #include "units/input_error.hpp"
 
@@ -27,7 +27,7 @@ Envelope combined_envelope() {
 }
 
 std::vector<double> noise(std::size_t n) {
-  const spectra::RandomSource source{7, 1};
+  const num::RandomSource source{7, 1};
   std::vector<double> z(n);
   for (std::size_t i = 0; i < n; ++i) z[i] = 0.01 * source.normal(i);
   return z;

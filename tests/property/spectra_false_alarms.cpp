@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "spectra/line_mask.hpp"
-#include "spectra/random_source.hpp"
+#include "num/random_source.hpp"
 #include "spectra/record.hpp"
 #include "spectra/spectrum_fit.hpp"
 #include "spectra/synthetic_track.hpp"
@@ -15,7 +15,7 @@ using namespace railbook;
 namespace {
 
 spectra::SyntheticTrack some_track(std::uint64_t k) {
-  const spectra::RandomSource random{k, 77};
+  const num::RandomSource random{k, 77};
   std::uint64_t i = 0;
   const auto between = [&](double low, double high) {
     return low * std::pow(high / low, random.uniform(i++));

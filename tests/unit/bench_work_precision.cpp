@@ -38,7 +38,10 @@ TEST_CASE("unit: errors, order and failures are kept") {
   REQUIRE(points.size() == 6);
   CHECK(bench::observed_slope(points, "integral", "midpoint") == Approx(-2).margin(0.02));
   CHECK(points[0].seconds_min > 0);
-  CHECK(points[0].seconds_min <= points[0].seconds_median);
+  CHECK(points[0].seconds_min <= points[0].seconds_q1);
+  CHECK(points[0].seconds_q1 <= points[0].seconds_median);
+  CHECK(points[0].seconds_median <= points[0].seconds_q3);
+  CHECK(points[0].samples > 1);
   CHECK_FALSE(points[4].converged);
   CHECK(points[4].reason == "ran out of steps");
   CHECK(points[5].reason == "singular");
@@ -58,13 +61,41 @@ TEST_CASE("unit: the figure is drawn, with and without times") {
     report::RunSettings settings;
     settings.results = settings.figures = folder;
     report::Item item{timings ? "timed" : "untimed", "figure", "Cost", settings};
-    bench::show(item, bench::measure("cost", exact, {rule, twice}, timings, 0.01), "integral");
+    rule.expects(-2).counts("evaluations");
+    const bench::Method broken{"broken", {{"a", [] {
+                                             return bench::Outcome{{}, 3, false, "ran out"};
+                                           }}}};
+    const std::vector<bench::Method> methods{rule, twice, broken};
+    bench::show(item, bench::measure("cost", exact, methods, timings, 0.01), "integral", methods,
+                {1e-8, 1e-2, 1e-9, 1e-2});
     item.added("a test");
     report::ChapterRecord record;
     item.finish(record);
     CHECK(record.items[0].input == "added");
-    CHECK(record.work_precision.size() == 6);
+    CHECK(record.work_precision.size() == 7);
+    CHECK(record.work_precision[0].work_unit == "evaluations");
     CHECK(std::filesystem::file_size(folder / record.items[0].png) > 5000);
   }
   if (std::getenv("KEEP") == nullptr) std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("unit: the answer names the cheapest method that stays below the error") {
+  const auto point = [](const char* method, const char* setting, double error, double seconds) {
+    report::WorkPrecision p;
+    p.quantity = "F";
+    p.method = method;
+    p.setting = setting;
+    p.error = error;
+    p.reference_uncertainty = 1e-9;
+    p.seconds_median = seconds;
+    return p;
+  };
+  // The lucky first setting of a does not count, since the next one is worse again.
+  const std::vector<report::WorkPrecision> points{
+      point("a", "1", 1e-5, 1e-6), point("a", "2", 1e-2, 2e-6), point("a", "3", 5e-4, 3e-3),
+      point("b", "1", 9e-4, 2.5e-3), point("b", "2", 1e-12, 4e-2)};
+  CHECK(bench::answer(points, "F", {1e-3, 1e-6, 1e-8}) ==
+        "To 1e-03 take b at 1 (2.5 ms); to 1e-06 take b at 2 (40 ms); to 1e-08 nothing that was "
+        "tried.");
+  CHECK(bench::cheapest(points, "F", 1e-20).method.empty());
 }

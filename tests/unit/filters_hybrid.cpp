@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "num/dopri5.hpp"
-#include "spectra/random_source.hpp"
+#include "num/random_source.hpp"
 #include "units/constants.hpp"
 
 using namespace railbook;
@@ -49,7 +49,7 @@ std::vector<double> analog(const SecondOrderLowPass& f, const std::vector<double
 
 // Intervals that vary by a factor of 1000 from one to the next.
 std::vector<double> uneven_times(int n) {
-  const RandomSource random{7, 1};
+  const num::RandomSource random{7, 1};
   std::vector<double> t{0};
   for (int k = 1; k < n; ++k)
     t.push_back(t.back() + std::pow(10.0, -3 + 3 * random.uniform(static_cast<std::uint64_t>(k))));

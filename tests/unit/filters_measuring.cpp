@@ -8,7 +8,7 @@
 #include "filters/complementary.hpp"
 #include "filters/geometry_chain.hpp"
 #include "filters/high_pass.hpp"
-#include "spectra/random_source.hpp"
+#include "num/random_source.hpp"
 #include "units/constants.hpp"
 
 using namespace railbook;
@@ -18,7 +18,7 @@ using namespace railbook::filters;
 namespace {
 
 std::vector<double> noise(std::size_t n, std::uint64_t seed = 1) {
-  const RandomSource random{seed, 3};
+  const num::RandomSource random{seed, 3};
   std::vector<double> x(n);
   for (std::size_t k = 0; k < n; ++k) x[k] = 1e-4 * random.normal(k);
   return x;

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "spectra/random_source.hpp"
+#include "num/random_source.hpp"
 #include "spectra/synthetic_track.hpp"
 
 using namespace railbook;
@@ -10,16 +10,16 @@ using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
 
 TEST_CASE("unit: the normal quantile inverts the normal distribution") {
-  CHECK_THAT(normal_quantile(0.975), WithinRel(1.959963984540054, 1e-15));
+  CHECK_THAT(num::normal_quantile(0.975), WithinRel(1.959963984540054, 1e-15));
   for (double x = -8.0; x <= 8.0; x += 0.0625) {
     const double below = 0.5 * std::erfc(-x / std::sqrt(2.0));
-    if (below < 0.9) CHECK_THAT(normal_quantile(below), WithinAbs(x, 4e-15 * (1 + std::abs(x))));
+    if (below < 0.9) CHECK_THAT(num::normal_quantile(below), WithinAbs(x, 4e-15 * (1 + std::abs(x))));
   }
-  CHECK(normal_quantile(0.5) == 0.0);
+  CHECK(num::normal_quantile(0.5) == 0.0);
 }
 
 TEST_CASE("unit: the normal numbers have the moments of the normal distribution") {
-  const RandomSource source{20, 3};
+  const num::RandomSource source{20, 3};
   constexpr int n = 400000;
   double m1 = 0, m2 = 0, m3 = 0, m4 = 0, lag = 0, before = 0;
   for (int i = 0; i < n; ++i) {

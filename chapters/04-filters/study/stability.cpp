@@ -16,7 +16,7 @@ the lower end is rounding, amplified by $1/\kappa$ in $C$ and $1/\kappa^2$ in $G
 #include "filters/hybrid_filter.hpp"
 #include "geometry_car/health.hpp"
 #include "sections.hpp"
-#include "spectra/random_source.hpp"
+#include "num/random_source.hpp"
 
 namespace railbook::filters_chapter {
 
@@ -80,7 +80,7 @@ Difference compare(const std::vector<double>& a, const std::vector<double>& b) {
 }
 
 void streams(report::Item& item) {
-  const spectra::RandomSource random{4, 1};
+  const num::RandomSource random{4, 1};
   std::vector<double> x(20000);
   for (std::size_t k = 0; k < x.size(); ++k) x[k] = 1e-4 * random.normal(k);
   const auto clean = filters::geometry(x).chord;

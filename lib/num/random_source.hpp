@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-namespace railbook::spectra {
+namespace railbook::num {
 
 // The standard normal quantile: Phi(normal_quantile(p)) = p, 0 < p < 1; relative accuracy about 1e-15
 // (Wichura 1988, algorithm AS 241, PPND16). Outside (0, 1) the result is NaN or infinite.
@@ -24,4 +24,4 @@ class RandomSource {
   std::uint64_t start_;
 };
 
-}  // namespace railbook::spectra
+}  // namespace railbook::num

@@ -1,8 +1,8 @@
-#include "spectra/random_source.hpp"
+#include "num/random_source.hpp"
 
 #include <cmath>
 
-namespace railbook::spectra {
+namespace railbook::num {
 namespace {
 
 constexpr std::uint64_t golden = 0x9e3779b97f4a7c15U;
@@ -79,4 +79,4 @@ double RandomSource::uniform(std::uint64_t k) const {
   return (static_cast<double>(bits) + 0.5) * 0x1p-52;
 }
 
-}  // namespace railbook::spectra
+}  // namespace railbook::num
