@@ -31,9 +31,9 @@ The line through the points stands for the paper's average curve: the theory's c
 #include <cmath>
 
 #include "master_curve.hpp"
+#include "num/random_source.hpp"
 #include "rig.hpp"
 #include "sections.hpp"
-#include "num/random_source.hpp"
 
 using namespace railbook;
 using namespace railbook::creep_chapter;

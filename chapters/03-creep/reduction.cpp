@@ -23,9 +23,9 @@ Then the areas. For smooth new wheels they are Hertz's; for worn ones they are n
 #include <cmath>
 
 #include "experiment.hpp"
+#include "num/random_source.hpp"
 #include "rig.hpp"
 #include "sections.hpp"
-#include "num/random_source.hpp"
 
 using namespace railbook;
 using namespace railbook::creep_chapter;

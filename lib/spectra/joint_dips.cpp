@@ -42,7 +42,8 @@ double joint_scatter_psd(const JointDips& joints, double phi) {
   return 2.0 * lift * lift * joints.rail_length * memory;
 }
 
-JointSequence::JointSequence(const JointDips& joints, double spacing, const num::RandomSource& source)
+JointSequence::JointSequence(const JointDips& joints, double spacing,
+                             const num::RandomSource& source)
     : joints_(joints), spacing_(spacing), source_(source) {
   require_joints(joints);
   units::require_positive("spacing", spacing, "m");

@@ -10,7 +10,7 @@
 #include "units/constants.hpp"
 
 using namespace railbook;
-using namespace railbook::spectra;
+using namespace railbook;
 using namespace railbook::filters;
 
 namespace {

@@ -26,6 +26,7 @@ An integrator that does not see the switches has to make small steps around each
 #include <bit>
 #include <cmath>
 
+#include "bench/timing.hpp"
 #include "bench/work_precision.hpp"
 #include "num/dopri5.hpp"
 #include "quality/bump_stops.hpp"
