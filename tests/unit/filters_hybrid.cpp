@@ -10,7 +10,6 @@
 #include "units/constants.hpp"
 
 using namespace railbook;
-using namespace railbook;
 using namespace railbook::filters;
 
 namespace {
