@@ -1,5 +1,5 @@
-#include <Eigen/LU>
-#include <Eigen/SVD>
+#include <gsl/gsl_linalg.h>
+
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -24,9 +24,21 @@ CountactOptions square(int n) {
   return options;
 }
 
+// Ratio of the largest to the smallest singular value (GSL: Eigen's SVD takes a minute to compile).
 double condition(const Eigen::MatrixXd& b) {
-  const Eigen::VectorXd s = Eigen::BDCSVD<Eigen::MatrixXd>(b).singularValues();
-  return s[0] / s[s.size() - 1];
+  const auto n = static_cast<std::size_t>(b.rows());
+  gsl_matrix* u = gsl_matrix_alloc(n, n);
+  gsl_matrix* v = gsl_matrix_alloc(n, n);
+  gsl_vector* s = gsl_vector_alloc(n);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j)
+      gsl_matrix_set(u, i, j, b(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+  gsl_linalg_SV_decomp_jacobi(u, v, s);
+  const double ratio = gsl_vector_get(s, 0) / gsl_vector_get(s, n - 1);
+  gsl_matrix_free(u);
+  gsl_matrix_free(v);
+  gsl_vector_free(s);
+  return ratio;
 }
 
 }  // namespace
