@@ -50,13 +50,17 @@ function html.tex(text)
   return unit == "" and number or ("%s\\;\\text{%s}"):format(number, unit)
 end
 
+local formulas = {}
+
 local function formula(tex, kind)
+  if formulas[tex] then return formulas[tex] end
   local doc = pandoc.Pandoc({pandoc.Plain({pandoc.Math(kind, tex)})})
   local out = pandoc.write(doc, "html", {html_math_method = "mathml"}):gsub("%s+$", "")
   if not out:find("<math", 1, true) then
     io.stderr:write("book: the formula $", tex, "$ of a record cannot be set\n")
     os.exit(1)
   end
+  formulas[tex] = out
   return out
 end
 
@@ -106,14 +110,17 @@ function html.badge(status)
   return html.tag("span", {class = "badge " .. status:gsub("[^%w-]", "-")}, html.escape(labels[status] or status))
 end
 
--- Heads are texts; rows are lists of cells, each HTML or {html, class = ...}. The first cell of a row heads it.
+-- Heads are texts, or {text, filter = true} where a reader may choose among the values of the column; rows are lists of
+-- cells, each HTML or {html, class = ..., sort = number}. The first cell of a row heads it.
 function html.table(class, heads, rows, caption)
   local out = {html.tag("table", {class = class .. (#heads > 8 and " many" or "")})}
   if caption then out[#out + 1] = html.tag("caption", nil, caption) end
   local cells = {}
   for i, head in ipairs(heads) do
     local below = rows[1] and rows[1][i]
-    cells[i] = html.tag("th", {scope = "col", class = type(below) == "table" and below.class or nil}, html.text(head))
+    local filter = type(head) == "table" and head.filter and "yes" or nil
+    cells[i] = html.tag("th", {scope = "col", class = type(below) == "table" and below.class or nil, ["data-filter"] = filter},
+      html.text(type(head) == "table" and head[1] or head))
   end
   out[#out + 1] = "<thead><tr>" .. table.concat(cells) .. "</tr></thead>\n<tbody>"
   for _, row in ipairs(rows) do
@@ -121,13 +128,22 @@ function html.table(class, heads, rows, caption)
     for i, cell in ipairs(row) do
       local content = type(cell) == "table" and cell[1] or cell
       local attributes = {class = type(cell) == "table" and cell.class or nil}
+      if type(cell) == "table" and type(cell.sort) == "number" then attributes["data-sort"] = ("%.6g"):format(cell.sort) end
       if i == 1 then attributes.scope = "row" end
       cells[i] = html.tag(i == 1 and "th" or "td", attributes, content)
     end
-    out[#out + 1] = html.tag("tr", {class = row.class}, table.concat(cells))
+    out[#out + 1] = html.tag("tr", {class = row.class, id = row.id}, table.concat(cells))
   end
   out[#out + 1] = "</tbody></table>"
   return html.tag("div", {class = "wide"}, table.concat(out, "\n"))
+end
+
+-- A table of which the first `most` rows are open and the others folded, when there are several of them.
+function html.folded_table(class, heads, rows, most, more)
+  if #rows <= most + 3 then return html.table(class, heads, rows) end
+  local open, rest = {table.unpack(rows, 1, most)}, {table.unpack(rows, most + 1)}
+  return html.table(class, heads, open) .. html.tag("details", {class = "more"},
+    html.tag("summary", nil, ("%d more %s"):format(#rest, more or "rows")) .. html.table(class, heads, rest))
 end
 
 return html

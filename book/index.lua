@@ -1,16 +1,13 @@
--- Pandoc filter of the pages made of all records: {{headline}}, {{papers}}, {{legend}}, {{gallery}}, {{equations}}.
--- Metadata: record (a list of JSON files), left-out (a list of chapters without a page, with the reason).
+-- Pandoc filter of the pages made of all records: index.md, and those of pages/, which it writes beside it. Each has a paragraph
+-- {{name}} where its list goes.
+-- Metadata: record (a list of JSON files), left-out (a list of chapters without a page, with the reason), chapters (see
+-- frame.lua), parts (folder of what the chapters' pages left), header (the headers of lib/), figures (folder of the
+-- pictures), book (folder of the result).
 
 package.path = PANDOC_SCRIPT_FILE:match("^(.*)/[^/]*$") .. "/?.lua;" .. package.path
-local html, items, record = require "html", require "items", require "record"
-
-local function strings(value)
-  local out = {}
-  if not value then return out end
-  if pandoc.utils.type(value) ~= "List" then value = {value} end
-  for i, entry in ipairs(value) do out[i] = pandoc.utils.stringify(entry) end
-  return out
-end
+local html, items, record, frame = require "html", require "items", require "record", require "frame"
+local overview, benchmarks, library = require "overview", require "benchmarks", require "library"
+local dkjson = require "dkjson"
 
 local headline_heads = {"paper", "printed numbers", "confirmed", "consistent", "fitted", "corrected", "restored",
   "not confirmed", "unreadable", "claims: confirmed / not / not testable", "figures: paper’s data / rebuilt / lost", "verified by other routes"}
@@ -38,14 +35,25 @@ local function headline(records, left_out)
   return html.table("chapters headline", headline_heads, rows)
 end
 
-local function citations(records)
+-- The papers with what was found in each.
+local function citations(records, parts)
   local out = {}
   for i, r in ipairs(records) do
     local pages = html.tag("a", {href = r.chapter .. ".html"}, html.text(r.title))
     if r.has_study then pages = pages .. " · " .. html.tag("a", {href = r.chapter .. "-study.html"}, "cost and stability") end
-    out[i] = html.tag("li", nil, pages .. "<br>" .. html.text(r.paper))
+    local found = parts[r.chapter] and parts[r.chapter].findings
+    out[i] = html.tag("section", {class = "paper"}, html.tag("h3", {id = r.chapter}, html.tag("span", {class = "chapter-number"}, r.number)
+      .. pages) .. html.tag("p", {class = "paper"}, html.text(r.paper)) .. (found or ""))
   end
-  return html.tag("ol", {class = "papers"}, table.concat(out, "\n"))
+  return table.concat(out, "\n")
+end
+
+local function overviews()
+  local out = {}
+  for i, page in ipairs(frame.overviews) do
+    out[i] = html.tag("li", nil, html.tag("a", {href = page[1] .. ".html"}, page[2]) .. ": " .. page[3])
+  end
+  return html.tag("ul", {class = "overviews"}, table.concat(out, "\n"))
 end
 
 -- Stops the build when a file of the tree does not name what the inventory says it holds.
@@ -59,7 +67,7 @@ local function require_named(r, path, name)
 end
 
 -- Equation -> function -> test -> place on the page, for all papers.
-local function equations(records)
+local function equations(records, parts)
   local out = {}
   for _, r in ipairs(records) do
     local rows = {}
@@ -72,8 +80,9 @@ local function equations(records)
         end
         for path, name in row.symbol:gmatch("(%S+)%s+([%w_]+)") do require_named(r, "lib/" .. path, name) end
         for path in row.test:gmatch("%S+") do require_named(r, path) end
-        local anchor = r.chapter .. ".html" .. (number and "#eq-" .. number or "")
-        rows[#rows + 1] = {html.tag("a", {href = anchor}, html.text(row.number)), html.text(row.place), html.text(row.what),
+        local tagged = number and parts[r.chapter] and parts[r.chapter].tags[number]
+        local anchor = r.chapter .. ".html" .. (tagged and "#eq-" .. number or "")
+        rows[#rows + 1] = {html.tag("a", {href = anchor}, html.text(row.number ~= "" and row.number or "unnumbered")), html.text(row.place), html.text(row.what),
           row.symbol ~= "" and html.tag("code", nil, html.escape(row.symbol)) or "–",
           row.test ~= "" and html.tag("code", nil, html.escape(row.test)) or "–",
           #treated > 0 and table.concat(treated, ", ") or html.text(row.reason)}
@@ -108,14 +117,13 @@ local function legend()
   return html.table("legend", {"word", "meaning"}, rows)
 end
 
-local function gallery(records)
+local function gallery(records, figures)
   local out = {}
   for _, r in ipairs(records) do
     local tiles = {}
     for _, item in ipairs(r.items) do
       if item.png then
-        local source = ("figures/%s/%s"):format(r.chapter, item.png)
-        local image = html.tag("img", {src = source, alt = item.title, loading = "lazy"})
+        local image = items.image(item, r, figures .. "/" .. r.chapter, true)
         tiles[#tiles + 1] = html.tag("li", nil, html.tag("a", {href = items.href(item, r, "index")}, image)
           .. html.tag("p", nil, items.title(item) .. " " .. html.badge(item.failure and "failed" or item.input)))
       end
@@ -128,28 +136,96 @@ local function gallery(records)
   return table.concat(out, "\n")
 end
 
-function Pandoc(doc)
+local function read_file(path)
+  local file = io.open(path, "rb")
+  local text = file and file:read("a")
+  if file then file:close() end
+  return text
+end
+
+local function load_records(paths)
   local records = {}
-  for _, path in ipairs(strings(doc.meta.record)) do
+  for i, path in ipairs(paths) do
     local good, r = pcall(record.load, path)
     if not good then
       io.stderr:write("book: ", r, "\n")
       os.exit(1)
     end
-    records[#records + 1] = r
+    records[i] = r
   end
   table.sort(records, function(a, b) return a.chapter < b.chapter end)
-  local made = {
-    ["{{headline}}"] = function() return headline(records, strings(doc.meta["left-out"])) end,
-    ["{{papers}}"] = function() return citations(records) end, ["{{equations}}"] = function() return equations(records) end,
-    ["{{legend}}"] = legend, ["{{gallery}}"] = function() return gallery(records) end,
-  }
-  local machine = records[1] and records[1].machine
-  if machine then
-    doc.meta.machine = pandoc.MetaInlines({pandoc.RawInline("html", record.describe(machine))})
+  return records
+end
+
+-- What the chapters' pages left for these: their findings, and what a search finds on them.
+local function load_parts(folder, chapters)
+  local parts = {}
+  for _, c in ipairs(chapters) do
+    for _, page in ipairs({c.id, c.id .. "-study"}) do
+      local text = read_file(folder .. "/" .. page .. ".json")
+      if text then parts[page] = dkjson.decode(text) end
+    end
   end
+  return parts
+end
+
+-- search.js: {page, title of the page, {{title, anchor, text}, ...}} for each page.
+local function write_search(path, pages, parts, of_library)
+  local all = {}
+  for _, page in ipairs(pages) do
+    local entries = parts[page[1]] and parts[page[1]].search or {}
+    if page[1] == "library" then entries = of_library end
+    all[#all + 1] = {page[1] .. ".html", page[2], entries}
+  end
+  local file = assert(io.open(path, "w"))
+  file:write("railbookSearch(", dkjson.encode(all), ")\n")
+  file:close()
+end
+
+local function filled(doc, made)
   return doc:walk({Para = function(para)
     local make = made[pandoc.utils.stringify(para)]
     return make and pandoc.RawBlock("html", make()) or nil
   end})
+end
+
+-- The contents, with the other overview pages and the search written beside it, in the folder `book`.
+function Pandoc(doc)
+  local text = function(key) return pandoc.utils.stringify(doc.meta[key]) end
+  local chapters, book = frame.chapters(frame.strings(doc.meta.chapters)), text "book"
+  local records = load_records(frame.strings(doc.meta.record))
+  local parts, of_library = load_parts(text "parts", chapters), nil
+  local made = {
+    ["{{headline}}"] = function() return headline(records, frame.strings(doc.meta["left-out"])) end,
+    ["{{papers}}"] = function() return citations(records, parts) end, ["{{equations}}"] = function() return equations(records, parts) end,
+    ["{{overviews}}"] = overviews, ["{{legend}}"] = legend, ["{{gallery}}"] = function() return gallery(records, text "figures") end,
+    ["{{findings}}"] = function() return overview.findings(records, parts) end,
+    ["{{ledger}}"] = function() return overview.ledger(records) end,
+    ["{{stability}}"] = function() return overview.stability(records) end,
+    ["{{verification}}"] = function() return overview.verification(records) end,
+    ["{{benchmarks}}"] = function() return benchmarks.all(records) end,
+    ["{{library}}"] = function()
+      local page
+      page, of_library = library.all(frame.strings(doc.meta.header))
+      return page
+    end,
+  }
+  local here = PANDOC_SCRIPT_FILE:match("^(.*)/[^/]*$")
+  local template = pandoc.template.compile(read_file(here .. "/template.html"))
+  local machine = records[1] and records[1].machine
+  for i, page in ipairs(frame.overviews) do
+    local other = filled(pandoc.read(read_file(("%s/pages/%s.md"):format(here, page[1])), "markdown-citations"), made)
+    frame.set(other.meta, chapters, page[1])
+    other.meta.title, other.meta.pagetitle = pandoc.MetaString(page[2]), pandoc.MetaString(page[2])
+    other.meta.page = pandoc.MetaString(page[1])
+    other.meta.machine = machine and pandoc.MetaInlines({pandoc.RawInline("html", record.describe(machine))}) or nil
+    other.meta.version = doc.meta.version
+    local file = assert(io.open(("%s/%s.html"):format(book, page[1]), "w"))
+    file:write(pandoc.write(other, "html5", {template = template, html_math_method = "mathml", wrap_text = "none"}))
+    file:close()
+  end
+  write_search(book .. "/search.js", frame.pages(chapters), parts, of_library or {})
+  frame.set(doc.meta, chapters, "index")
+  doc.meta.machine = machine and pandoc.MetaInlines({pandoc.RawInline("html", record.describe(machine))}) or nil
+  return filled(doc, made)
 end

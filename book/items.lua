@@ -5,18 +5,21 @@ local record = require "record"
 
 local items = {}
 
-local widest_open = {figure = 6, table = 24} -- more checks than this are folded
+local most_checks = 4 -- of more than these only the telling ones are open
+local most_rows = 10 -- of a longer table these are open
 
 local function share(ratio) return html.number(("%.3g"):format(ratio * 100)) .. " %" end
 
-local function computed(check)
+-- What came out, as it is shown.
+function items.computed(check)
   local text = check.computed_text or check.computed
   if type(text) == "number" then text = ("%.7g"):format(text) end
   if text == nil or text == "nan" then text = "not a number" end
   return html.number(text)
 end
 
-local function difference(check)
+-- The difference and what is allowed of it, as they are shown.
+function items.difference(check)
   local kind, error, allowed = check.kind, check.error, check.allowed
   if kind == "exact" then return check.pass and "none" or "differs", "the same" end
   if kind == "at_most" then return "–", "at most" end
@@ -27,6 +30,17 @@ local function difference(check)
     return html.number(("%.2g"):format(error)), html.number(("%.2g"):format(allowed))
   end
   return share(error), share(allowed) .. of
+end
+
+-- ", psi", or nothing.
+function items.unit(check)
+  local unit = check.unit or ""
+  return unit ~= "" and unit ~= "1" and ", " .. html.unit(html.escape(unit)) or ""
+end
+
+-- What the check is held against: the text of the paper, or the number of another work or method.
+function items.said(check, of_paper)
+  return check.source == "claim" and "–" or html.number((of_paper and check.printed or check.reference) or "–")
 end
 
 -- Reasons, each said once and marked a, b, c ... in the rows it belongs to.
@@ -49,15 +63,12 @@ local function one_table(checks, of_paper)
   local marks, notes = notes_of(checks)
   local rows = {}
   for i, check in ipairs(checks) do
-    local off, allowed = difference(check)
+    local off, allowed = items.difference(check)
     local mark = marks[check.why]
-    local unit = check.unit or ""
-    unit = unit ~= "" and unit ~= "1" and ", " .. html.unit(html.escape(unit)) or ""
-    local said = check.source == "claim" and "–" or html.number((of_paper and check.printed or check.reference) or "–")
     local row = {
-      html.tag("span", {id = check.id}, html.text(check.what or check.id)) .. unit,
-      {said, class = of_paper and "number" or "number reference"},
-      {computed(check), class = "number"}, {off, class = "number"},
+      html.tag("span", {id = check.id}, html.text(check.what or check.id)) .. items.unit(check),
+      {items.said(check, of_paper), class = of_paper and "number" or "number reference"},
+      {items.computed(check), class = "number"}, {off, class = "number"},
       {allowed .. (mark and html.tag("span", {class = "mark"}, mark) or ""), class = "number"},
       html.badge(check.pass and check.outcome or "failed"), class = not check.pass and "failed" or nil}
     if of_paper then table.insert(row, 2, html.text(check.place or "")) end
@@ -68,12 +79,6 @@ local function one_table(checks, of_paper)
   return html.table("checks", heads, rows) .. notes
 end
 
-local function checks_table(checks)
-  local paper, ours = {}, {}
-  for _, check in ipairs(checks) do table.insert(check.of_paper and paper or ours, check) end
-  return (#paper > 0 and one_table(paper, true) or "") .. (#ours > 0 and one_table(ours, false) or "")
-end
-
 -- One line on many checks.
 local function summary(checks)
   local passed, total, closest = record.tally(checks)
@@ -81,17 +86,42 @@ local function summary(checks)
   local text = total == 1 and (passed == 1 and "1 check, passed" or "1 check, failed")
     or passed == total and ("%d checks, all passed"):format(total) or ("%d of %d checks passed"):format(passed, total)
   if closest and total > 1 then
-    text = text .. ("; the closest, %s, uses %.0f %% of its tolerance"):format(
-      html.text(closest.what or closest.id), 100 * record.used(closest))
+    local used = 100 * record.used(closest)
+    text = text .. ("; the closest, %s, uses %s of its tolerance"):format(html.text(closest.what or closest.id),
+      used < 1 and "less than 1 %" or ("%.0f %%"):format(used))
   end
   return text
 end
 
-local function checks_of(item, open)
-  if #item.checks == 0 then return "" end
-  local whole = checks_table(item.checks)
-  if #item.checks <= open then return whole end
-  return html.tag("details", {class = "checks"}, html.tag("summary", nil, summary(item.checks)) .. whole)
+local function folded(checks, of_paper, more)
+  return html.tag("details", {class = "checks"}, html.tag("summary", nil, more .. summary(checks)) .. one_table(checks, of_paper))
+end
+
+local telling = {["corrected"] = true, ["not confirmed"] = true, ["restored"] = true, ["fitted"] = true}
+
+-- Checks of the paper: all of a few, of many those that came out otherwise than confirmed and the closest.
+local function paper_checks(checks)
+  if #checks <= most_checks then return #checks > 0 and one_table(checks, true) or "" end
+  local open, rest = {}, {}
+  local _, _, closest = record.tally(checks)
+  for _, check in ipairs(checks) do
+    table.insert((not check.pass or telling[check.outcome] or check == closest) and open or rest, check)
+  end
+  return (#open > 0 and one_table(open, true) or "") .. (#rest > 0 and folded(rest, true, #open > 0 and "More: " or "") or "")
+end
+
+-- Checks against other works and methods: folded, when there are more than three and none fails.
+local function other_checks(checks)
+  if #checks == 0 then return "" end
+  local passed = record.tally(checks)
+  if #checks <= 3 or passed < #checks then return one_table(checks, false) end
+  return folded(checks, false, "Against other works and methods: ")
+end
+
+local function checks_of(item)
+  local paper, others = {}, {}
+  for _, check in ipairs(item.checks) do table.insert(check.of_paper and paper or others, check) end
+  return paper_checks(paper) .. other_checks(others)
 end
 
 local function links(item, r)
@@ -118,7 +148,7 @@ function items.title(item)
 end
 
 local function heading(item, r)
-  local label = html.tag("b", nil, items.label(item, r) .. ".")
+  local label = html.tag("a", {class = "self", href = "#" .. item.id}, html.tag("b", nil, items.label(item, r) .. "."))
   local input = item.failure and "failed" or item.input ~= "paper" and item.input or nil
   return label .. " " .. items.title(item) .. (input and " " .. html.badge(input) or "") .. links(item, r)
 end
@@ -140,16 +170,34 @@ function items.png_size(path)
   return string.unpack(">I4I4", bytes, 17)
 end
 
--- A figure with its caption, `more` of the same item, and its checks. `folder` holds the chapter's PNGs.
+-- The picture of a figure: its SVG, which a dark page may turn, where there is one. `folder` holds the chapter's pictures.
+function items.image(item, r, folder, lazy)
+  local width, height = items.png_size(folder .. "/" .. item.png)
+  local href = ("figures/%s/%s"):format(r.chapter, item.svg or item.png)
+  local image = html.tag("img", {src = href, alt = item.alt or item.title, width = width, height = height,
+    class = item.svg and "drawing" or nil, loading = lazy and "lazy" or nil})
+  return image, href
+end
+
+-- The place where a reader's sliders go, when the program left data for them: <id>-answer.csv (see answer.js).
+local function answer(item, r)
+  for _, name in ipairs(item.csv) do
+    if name == item.id .. "-answer.csv" then
+      return html.tag("div", {class = "answer", ["data-id"] = item.id,
+        ["data-src"] = ("data/%s/%s-answer.js"):format(r.chapter, item.id)}, "")
+    end
+  end
+  return ""
+end
+
+-- A figure with its caption, `more` of the same item, and its checks.
 function items.figure(item, r, folder, more)
   if not item.png and (item.failure or item.not_drawn) then return items.table(item, r, more) end
   if not item.png then error("the figure " .. item.id .. " was not drawn (--no-figures?)", 0) end
-  local width, height = items.png_size(folder .. "/" .. item.png)
-  local href = ("figures/%s/%s"):format(r.chapter, item.png)
-  local image = html.tag("img", {src = href, alt = item.alt or item.title, width = width, height = height})
+  local image, href = items.image(item, r, folder, true)
   return html.tag("figure", {class = "item", id = item.id}, table.concat({
-    html.tag("a", {href = href}, image), html.tag("figcaption", nil, heading(item, r)), reason(item), more or "",
-    checks_of(item, widest_open.figure)}, "\n"))
+    html.tag("a", {href = href}, image), answer(item, r), html.tag("figcaption", nil, heading(item, r)), reason(item), more or "",
+    checks_of(item)}, "\n"))
 end
 
 -- A table: the display table if there is one, `more` of the same item, then the checks.
@@ -167,12 +215,11 @@ function items.table(item, r, more)
         cells[i][j] = {numeric and html.number(text) or html.text(text), class = class}
       end
     end
-    display = html.table("display", item.columns or {}, cells)
+    display = html.folded_table("display", item.columns or {}, cells, most_rows)
   end
-  local open = display == "" and widest_open.table or widest_open.figure
   return html.tag("section", {class = "item", id = item.id}, table.concat({
     html.tag("p", {class = "caption"}, heading(item, r)), reason(item), display, more or "",
-    checks_of(item, open)}, "\n"))
+    checks_of(item)}, "\n"))
 end
 
 -- The runs of one study: {method, setting, ..., errors = {quantity = error}}, and its quantities in order.
@@ -221,7 +268,8 @@ local function study(id, list, several)
   end
   local note = uncertainty > 0 and html.tag("p", {class = "reason"},
     "Relative errors; the reference itself is known to " .. html.number(("%.1g"):format(uncertainty)) .. ".") or ""
-  return html.table("work", heads, rows, several and html.text(id) or nil) .. note
+  local name = several and html.tag("p", {class = "caption"}, html.tag("b", nil, html.text(id))) or ""
+  return name .. html.folded_table("work", heads, rows, most_rows, "runs") .. note
 end
 
 -- Error against run time, a table for each study of the list.
@@ -247,7 +295,7 @@ function items.stability(list)
       html.tag("span", {id = "stability/" .. s.id}, html.text(s.case)), html.text(s.stress), html.text(s.result),
       {error, class = "number"}, {bound, class = "number"}, html.badge(s.pass and s.found or "failed")}
   end
-  return html.table("stability", {"case", "what is stressed", "result", "error", "allowed", "found"}, rows)
+  return html.folded_table("stability", {"case", "what is stressed", "result", "error", "allowed", "found"}, rows, most_rows, "cases")
 end
 
 -- Where a reader finds an item: on this page or on the chapter's other one.
@@ -275,7 +323,7 @@ function items.coverage(r, page)
     rows[i] = {html.text(row.place), html.text(row.number ~= "" and row.number or row.kind), html.text(row.what),
       table.concat(treated, " ") .. html.text(#treated > 0 and row.reason ~= "" and "; " .. row.reason or row.reason)}
   end
-  return html.table("coverage", {"place", "number", "what the paper has", "here"}, rows)
+  return html.folded_table("coverage", {"place", "number", "what the paper has", "here"}, rows, most_rows)
 end
 
 function items.verdicts(r)
@@ -287,7 +335,7 @@ function items.verdicts(r)
       {total > 0 and ("%d of %d"):format(passed, total) or "–", class = "number"},
       html.badge(item.failure and "failed" or item.input), html.text(item.failure or item.reason)}
   end
-  return html.table("verdicts", {"item", "what", "checks passed", "input", "reason"}, rows)
+  return html.folded_table("verdicts", {"item", "what", "checks passed", "input", "reason"}, rows, most_rows)
 end
 
 function items.checks(r)

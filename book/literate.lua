@@ -5,6 +5,9 @@
 -- The first file is the page; a prose line `{{include: section.cpp}}` continues with another one. Every .cpp
 -- named on the command line must be included exactly once; a header may be.
 
+package.path = PANDOC_SCRIPT_FILE:match("^(.*)/[^/]*$") .. "/?.lua;" .. package.path
+local highlight = require "highlight"
+
 local longest_open_block = 60 -- longer code is folded
 
 local function fail(message)
@@ -15,36 +18,6 @@ end
 local function line_of(text, position)
   local _, newlines = text:sub(1, position - 1):gsub("\n", "")
   return newlines + 1
-end
-
--- Position just after the C++ token at `at`: enough of the language to know strings and comments from code.
-local function skip_token(text, at)
-  local rest = function(pattern) return select(2, text:find("^" .. pattern, at)) end
-  local prefix, delimiter = text:match('^(u?8?[UL]?R)"([^()\\%s]*)%(', at)
-  if prefix then
-    local _, stop = text:find(")" .. delimiter .. '"', at, true)
-    return (stop or #text) + 1
-  end
-  local comment = text:find("^/%*", at)
-  if comment then
-    local _, stop = text:find("*/", at + 2, true)
-    return (stop or #text) + 1
-  end
-  local stop = rest("//[^\n]*") or rest("[%a_][%w_]*") or rest("%.?%d[%w_.']*")
-  if stop then return stop + 1 end
-  local quote = text:match("^[\"']", at)
-  if not quote then return at + 1 end
-  local i = at + 1
-  while i <= #text do
-    local c = text:sub(i, i)
-    if c == "\\" then
-      i = i + 1
-    elseif c == quote or c == "\n" then
-      return i + 1
-    end
-    i = i + 1
-  end
-  return i
 end
 
 -- Cuts a source file into pieces {prose = bool, text = ..., line = first line}.
@@ -63,7 +36,7 @@ local function cut(source)
       add(true, at + 4, close - 1)
       at, start = stop + 1, stop + 1
     else
-      at = skip_token(text, at)
+      at = highlight.skip_token(text, at)
     end
   end
   add(false, start, #text)
@@ -113,7 +86,7 @@ end
 local function is_glue(code)
   for line in code:gmatch("[^\n]+") do
     if not line:find("^[%s/}]") and (line:find("report::Item&", 1, true) or line:find("report::Section ", 1, true)
-        or line:find("report::Row&", 1, true) or line:find("^int main%(")) then return true end
+        or line:find("report::Row&", 1, true) or line:find("report::Answer&", 1, true) or line:find("^int main%(")) then return true end
   end
   -- a signature that goes on in the next line
   return code:find("^[%w][^\n;{]*%([^\n]*\n[^\n]*report::Item&") ~= nil
@@ -252,23 +225,47 @@ local function summary_of(code)
   return {pandoc.Code(first)}
 end
 
-local function present(block)
+local function details(class, summary, content, more)
+  local out = pandoc.List({pandoc.RawBlock("html", ('<details class="%s"%s><summary>'):format(class, more or ""))})
+  out:insert(pandoc.Plain(summary))
+  out:insert(pandoc.RawBlock("html", "</summary>"))
+  out:extend(content)
+  out:insert(pandoc.RawBlock("html", "</details>"))
+  return out
+end
+
+local function where(text) return pandoc.Span({pandoc.Str(text)}, {class = "where"}) end
+
+-- Code that computes stands where it is told, folded when it is long. The rest is left for the end of the page, by file.
+local function present(block, rest)
   local file, line, role = block.attributes.file, block.attributes.line, block.attributes.role
   if not role then return nil end
   local lines = count_lines(block.text)
-  local where = ("%s:%s"):format(file, line)
-  local shown = pandoc.CodeBlock(block.text, {class = "cpp"})
-  local size = lines == 1 and "1 line" or lines .. " lines"
-  if role ~= "code" or lines > longest_open_block then
-    local summary = role == "headers" and {pandoc.Str("Headers")} or summary_of(block.text)
-    local label = pandoc.Span({pandoc.Str(where .. ", " .. size)}, {class = "where"})
-    return {
-      pandoc.RawBlock("html", '<details class="code"><summary>'),
-      pandoc.Plain({pandoc.Span(summary), pandoc.Space(), label}),
-      pandoc.RawBlock("html", "</summary>"), shown, pandoc.RawBlock("html", "</details>")}
+  local place = ("%s:%s"):format(file, line)
+  local shown = pandoc.RawBlock("html", highlight.cpp(block.text))
+  if role ~= "code" then
+    if not rest[file] then
+      rest[file] = {lines = 0, blocks = pandoc.List()}
+      rest[#rest + 1] = file
+    end
+    rest[file].lines = rest[file].lines + lines
+    rest[file].blocks:extend({pandoc.Plain({where(place)}), shown})
+    return {}
   end
-  local origin = pandoc.RawBlock("html", ('<span class="origin">%s</span>'):format(where))
-  return pandoc.Div({shown, origin}, {class = "code"})
+  if lines <= longest_open_block then return details("code shown", {where(place)}, {shown}, " open") end
+  return details("code", {pandoc.Span(summary_of(block.text)), pandoc.Space(), where(("%s, %d lines"):format(place, lines))}, {shown})
+end
+
+-- What only includes, registers, formats and checks, a fold for each file.
+local function rest_of(rest)
+  local out = pandoc.List()
+  if #rest == 0 then return out end
+  out:insert(pandoc.Header(2, {pandoc.Str("The rest of the program")}, {id = "the-rest-of-the-program"}))
+  out:insert(pandoc.Para({pandoc.Str("What only includes, registers, formats and checks, file by file.")}))
+  for _, file in ipairs(rest) do
+    out:extend(details("code", {pandoc.Code(file), pandoc.Space(), where(rest[file].lines .. " lines")}, rest[file].blocks))
+  end
+  return out
 end
 
 function Reader(inputs)
@@ -289,12 +286,12 @@ function Reader(inputs)
 
   local dialect = "markdown-citations-example_lists-blank_before_header+autolink_bare_uris"
   local doc = pandoc.read(table.concat(weaver.out, "\n"), dialect)
-  local blocks, found = pandoc.List(), 0
+  local blocks, found, rest = pandoc.List(), 0, {}
   for _, block in ipairs(doc.blocks) do
-    local shown = block.t == "CodeBlock" and present(block)
+    local shown = block.t == "CodeBlock" and present(block, rest)
     if shown then
       found = found + 1
-      blocks:extend(shown.t and {shown} or shown)
+      blocks:extend(shown)
     else
       blocks:insert(block)
     end
@@ -302,5 +299,6 @@ function Reader(inputs)
   if found ~= weaver.blocks then
     fail(main .. ": some code was swallowed by prose: a ``` block, <div> or $$ of the prose is not closed")
   end
+  blocks:extend(rest_of(rest))
   return pandoc.Pandoc(blocks, doc.meta)
 end

@@ -4,14 +4,17 @@
 --   {{outcome:id}}      what came of a check, as a link to it
 --   {{coverage}} alone  the inventory of the paper
 --   {{work-precision}}, {{work-precision: id}}, {{stability}}, {{verdicts}}, {{checks}} alone
--- Metadata: part (paper or study), record (JSON file), figures (folder of its PNGs), data (folder of its CSVs and scripts).
+-- Metadata: part (paper or study), record (JSON file), figures (folder of its PNGs), data (folder of its CSVs and scripts),
+-- chapters (see frame.lua), parts (folder for what the overview pages take from this one).
 -- An unknown id, a missing file, or an item of the record that the page does not show exactly once is an error.
 
 package.path = PANDOC_SCRIPT_FILE:match("^(.*)/[^/]*$") .. "/?.lua;" .. package.path
-local html, items, record = require "html", require "items", require "record"
+local html, items, record, frame = require "html", require "items", require "record", require "frame"
+local dkjson = require "dkjson"
 
 local r, figures, data, page
 local problems, shown, reported, anchors = {}, {}, {}, {}
+local tags = {} -- the numbers of the page's display formulas
 
 -- Where the sources say {{text}}: "main.cpp:12".
 local function place(token)
@@ -118,7 +121,7 @@ local function numbered(para)
   math.text = math.text:gsub("\\tag{[^{}]*}", "")
   local after = pandoc.List()
   for i = 2, #para.content do after:insert(para.content[i]) end
-  local label = pandoc.Span({pandoc.Str("(" .. number .. ")")}, {class = "number"})
+  local label = pandoc.RawInline("html", html.tag("a", {class = "number", href = "#eq-" .. number}, html.escape("(" .. number .. ")")))
   local block = pandoc.Div({pandoc.Plain({pandoc.Span({math})  , label})}, {class = "equation"})
   if not anchors[number] then block.identifier = "eq-" .. number end
   anchors[number] = true
@@ -148,8 +151,27 @@ local function value_inlines(value)
   return pandoc.RawInline("html", html.tag("span", {class = "value", title = title}, html.number(value.text)))
 end
 
+-- "(7)" in the text, where the page has an equation (7), leads there.
+local function equation_reference(str)
+  local out, at = pandoc.List(), 1
+  while true do
+    local open, close, number = str.text:find("%((%w[%w.-]*)%)", at)
+    if not open then break end
+    if tags[number] then
+      if open > at then out:insert(pandoc.Str(str.text:sub(at, open - 1))) end
+      out:insert(pandoc.Link({pandoc.Str("(" .. number .. ")")}, "#eq-" .. number, "", {class = "equation-reference"}))
+    else
+      out:insert(pandoc.Str(str.text:sub(at, close)))
+    end
+    at = close + 1
+  end
+  if at == 1 then return nil end
+  if at <= #str.text then out:insert(pandoc.Str(str.text:sub(at))) end
+  return out
+end
+
 local function Str(str)
-  if not str.text:find("{{", 1, true) then return nil end
+  if not str.text:find("{{", 1, true) then return equation_reference(str) end
   local out, at, text = pandoc.List(), 1, str.text
   while true do
     local open, close, id = text:find("{{([%w][%w%-_./:]*)}}", at)
@@ -219,7 +241,8 @@ local function Inlines(inlines)
   return out
 end
 
--- The first level-1 heading is the title; further ones, if any, go one level down with all that follow.
+-- The paper's page has the title of its record, as everywhere; the first level-1 heading is that of the study. Further ones,
+-- if any, go one level down with all that follow.
 local function take_title(doc)
   local first, more = nil, false
   for i, block in ipairs(doc.blocks) do
@@ -227,15 +250,15 @@ local function take_title(doc)
       if first then more = true else first = i end
     end
   end
+  doc.meta.title = pandoc.MetaString(r.title)
   if first then
-    doc.meta.title = pandoc.MetaInlines(doc.blocks[first].content)
+    if page == "study" then doc.meta.title = pandoc.MetaInlines(doc.blocks[first].content) end
     doc.blocks:remove(first)
-  else
-    doc.meta.title = pandoc.MetaString(r.title)
   end
   if more then doc = doc:walk({Header = function(h) h.level = h.level + 1 return h end}) end
   return doc:walk({Header = function(h)
     if r.item[h.identifier] then h.identifier = h.identifier .. "-section" end
+    h.content:insert(pandoc.Link({}, "#" .. h.identifier, "link to this section", {class = "permalink"}))
     return h
   end})
 end
@@ -278,6 +301,52 @@ local function check_all_shown()
   end
 end
 
+local function clipped(text, length)
+  if #text <= length then return text end
+  return (text:sub(1, length):gsub("[\192-\255]?[\128-\191]*$", ""))
+end
+
+-- What a search finds: the sections with the beginning of their text, and the figures and tables with what they check.
+local function search_entries(doc)
+  local out, entry = {}, {pandoc.utils.stringify(doc.meta.title), "", ""}
+  out[1] = entry
+  for _, block in ipairs(doc.blocks) do
+    if block.t == "Header" then
+      entry = {pandoc.utils.stringify(block), block.identifier, ""}
+      out[#out + 1] = entry
+    elseif block.t ~= "CodeBlock" and block.t ~= "RawBlock" and block.t ~= "Plain" and #entry[3] < 900 then
+      entry[3] = clipped(entry[3] .. " " .. pandoc.utils.stringify(block), 900)
+    end
+  end
+  for _, item in ipairs(r.items) do
+    if item.page == page then
+      local whats = {}
+      for i, check in ipairs(item.checks) do whats[i] = check.what or check.id end
+      out[#out + 1] = {items.label(item, r) .. ". " .. item.title, item.id, clipped(table.concat(whats, "; "), 600)}
+    end
+  end
+  return out
+end
+
+-- The box of the chapter's findings, with links that lead to this page from any other.
+local function findings(doc)
+  local out
+  for _, block in ipairs(doc.blocks) do
+    if block.t == "Div" and block.classes:includes("findings") and not out then
+      out = pandoc.write(pandoc.Pandoc(block.content), "html", {html_math_method = "mathml"})
+      out = out:gsub('href="#', ('href="%s.html#'):format(r.chapter))
+    end
+  end
+  return out
+end
+
+local function leave_parts(doc, folder)
+  local name = page == "study" and r.chapter .. "-study" or r.chapter
+  local file = assert(io.open(folder .. "/" .. name .. ".json", "w"))
+  file:write(dkjson.encode({findings = findings(doc), search = search_entries(doc), tags = tags}))
+  file:close()
+end
+
 function Pandoc(doc)
   local text = function(key) return doc.meta[key] and pandoc.utils.stringify(doc.meta[key]) end
   local good, result = pcall(record.load, text "record")
@@ -288,12 +357,18 @@ function Pandoc(doc)
   r, figures, data, page = result, text "figures", text "data", text "part" or "paper"
   doc = take_title(doc)
   number_items(doc)
+  doc:walk({Math = function(math)
+    local number = math.mathtype == "DisplayMath" and math.text:match("\\tag{([^{}]*)}")
+    if number then tags[number] = true end
+  end})
   doc = doc:walk({Para = Para}):walk({Str = Str, Math = Math}):walk({Inlines = Inlines})
   check_all_shown()
   if #problems > 0 then
     for _, message in ipairs(problems) do io.stderr:write("book: ", message, "\n") end
     os.exit(1)
   end
+  frame.set(doc.meta, frame.chapters(frame.strings(doc.meta.chapters)), page == "study" and r.chapter .. "-study" or r.chapter)
+  leave_parts(doc, text "parts")
   local raw = function(content) return pandoc.MetaInlines({pandoc.RawInline("html", content)}) end
   doc.meta.pagetitle = pandoc.MetaString(pandoc.utils.stringify(doc.meta.title))
   doc.meta["checks-csv"] = exists(data .. "/checks.csv")

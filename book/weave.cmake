@@ -1,6 +1,6 @@
 # Weaves the book: cmake [-DCHAPTERS=...] [-DRESULTS=...] [-DFIGURES=...] [-DBOOK=...] [-DVERSION=...] -P weave.cmake
 # One page for each folder of CHAPTERS that has a record RESULTS/NN-name.json (its CSVs are in RESULTS/NN-name, its
-# PNGs in FIGURES/NN-name), then the contents and the gallery. The folder BOOK is replaced at the end, as a whole; it
+# pictures in FIGURES/NN-name), then the pages made of all records. The folder BOOK is replaced at the end, as a whole; it
 # needs nothing outside itself. Exits non-zero when a page cannot be woven; the others are there all the same.
 
 get_filename_component(root ${CMAKE_CURRENT_LIST_DIR}/.. ABSOLUTE)
@@ -20,11 +20,11 @@ set(here ${CMAKE_CURRENT_LIST_DIR})
 set(new ${BOOK}.unfinished)
 file(REMOVE_RECURSE ${new})
 file(MAKE_DIRECTORY ${new}/data ${new}/figures)
-file(COPY ${here}/book.css DESTINATION ${new})
+file(COPY ${here}/book.css ${here}/book.js ${here}/answer.js DESTINATION ${new})
 file(GLOB shared_scripts ${root}/lib/*/*.gp) # the look of all figures, and scripts that several chapters use
 file(COPY ${shared_scripts} DESTINATION ${new}/data)
-set(page_options --template=${here}/template.html --to=html5 --mathml --fail-if-warnings --standalone --wrap=none
-    --highlight-style=kate -V version=${VERSION})
+set(page_options --template=${here}/template.html --to=html5 --mathml --fail-if-warnings --standalone --wrap=none --no-highlight
+    -V version=${VERSION})
 
 file(GLOB folders RELATIVE ${CHAPTERS} ${CHAPTERS}/[0-9][0-9]-*)
 list(SORT folders)
@@ -46,34 +46,48 @@ endforeach()
 
 set(failed)
 set(records)
-list(LENGTH chapters count)
-set(i 0)
+set(chapter_list)
 foreach(chapter ${chapters})
-  set(around -M chapter=${chapter})
-  math(EXPR before "${i} - 1")
-  math(EXPR i "${i} + 1")
-  if(before GREATER_EQUAL 0)
-    list(GET chapters ${before} name)
-    list(APPEND around -V prev=${name} -M "prev-title=${title_${name}}")
+  set(study)
+  if(EXISTS ${CHAPTERS}/${chapter}/study/study.cpp)
+    set(study study)
   endif()
-  if(i LESS count)
-    list(GET chapters ${i} name)
-    list(APPEND around -V next=${name} -M "next-title=${title_${name}}")
-  endif()
+  list(APPEND chapter_list -M "chapters=${chapter}|${title_${chapter}}|${study}")
+endforeach()
+set(parts ${new}.parts) # what the pages of the chapters leave for the pages made of all
+file(REMOVE_RECURSE ${parts})
+file(MAKE_DIRECTORY ${parts})
+foreach(chapter ${chapters})
+  set(around -M chapter=${chapter} ${chapter_list} -M parts=${parts})
 
   file(GLOB data ${RESULTS}/${chapter}/*.csv ${CHAPTERS}/${chapter}/*.gp ${CHAPTERS}/${chapter}/study/*.gp)
-  file(GLOB pngs ${FIGURES}/${chapter}/*.png)
+  file(GLOB pictures ${FIGURES}/${chapter}/*.png ${FIGURES}/${chapter}/*.svg)
+  foreach(svg ${pictures}) # what there is as SVG is not needed twice
+    string(REGEX REPLACE "\\.svg$" ".png" png ${svg})
+    if(NOT png STREQUAL svg)
+      list(REMOVE_ITEM pictures ${png})
+    endif()
+  endforeach()
   file(COPY ${data} DESTINATION ${new}/data/${chapter})
-  file(COPY ${pngs} DESTINATION ${new}/figures/${chapter})
+  file(COPY ${pictures} DESTINATION ${new}/figures/${chapter})
   file(COPY ${RESULTS}/${chapter}.json DESTINATION ${new}/data)
+  set(answers) # figures that answer: their tables as a script, which a page from disk can load
+  file(GLOB tables ${RESULTS}/${chapter}/*-answer.csv)
+  foreach(table ${tables})
+    set(answers -M answers=yes)
+    string(REGEX REPLACE "-answer\\.csv$" "" whole ${table})
+    get_filename_component(id ${whole} NAME)
+    file(READ ${whole}-panels.csv panels)
+    file(READ ${table} rows)
+    file(WRITE ${new}/data/${chapter}/${id}-answer.js "railbookAnswer(\"${id}\", `${panels}`, `${rows}`);\n")
+  endforeach()
   file(GLOB printed RELATIVE ${CHAPTERS}/${chapter}/data ${CHAPTERS}/${chapter}/data/*)
   foreach(name ${printed})
     file(COPY ${CHAPTERS}/${chapter}/data/${name} DESTINATION ${new}/data/${chapter}/printed)
     list(APPEND around -M printed=${name})
   endforeach()
-  # The chapter's first page, and its second: the files of study/, study.cpp first.
-  set(status 0)
-  set(said "")
+  # The chapter's first page, and its second, the files of study/ with study.cpp first; both at the same time.
+  set(commands)
   foreach(page paper study)
     if(page STREQUAL paper)
       set(folder ${CHAPTERS}/${chapter})
@@ -93,41 +107,41 @@ foreach(chapter ${chapters})
     if(EXISTS ${CHAPTERS}/${chapter}/study/study.cpp)
       set(study -M study=${chapter}-study)
     endif()
-    execute_process(
-      COMMAND ${CMAKE_COMMAND} -E env RAILBOOK_LIB=${ROOT}/lib
-              ${PANDOC} --from=${here}/literate.lua --lua-filter=${here}/results.lua ${page_options} --toc --toc-depth=2
-              ${around} ${study} -M record=${RESULTS}/${chapter}.json -M figures=${FIGURES}/${chapter} -M part=${page}
-              -M data=${new}/data/${chapter} --output=${new}/${output}.html ${main} ${sources}
-      RESULT_VARIABLE status_page ERROR_VARIABLE said_page TIMEOUT ${time_limit})
-    if(NOT status_page EQUAL 0)
-      set(status ${status_page})
-      string(APPEND said "${said_page}")
-    endif()
+    list(APPEND commands
+         COMMAND ${CMAKE_COMMAND} -E env RAILBOOK_LIB=${ROOT}/lib
+                 ${PANDOC} --from=${here}/literate.lua --lua-filter=${here}/results.lua ${page_options} --toc --toc-depth=2 ${answers}
+                 ${around} ${study} -M record=${RESULTS}/${chapter}.json -M figures=${FIGURES}/${chapter} -M part=${page}
+                 -M data=${new}/data/${chapter} --output=${new}/${output}.html ${main} ${sources})
   endforeach()
-  if(status EQUAL 0)
+  execute_process(${commands} RESULTS_VARIABLE statuses ERROR_VARIABLE said TIMEOUT ${time_limit})
+  list(TRANSFORM statuses STRIP)
+  list(REMOVE_ITEM statuses 0)
+  if(NOT statuses)
     message("${chapter}  ${BOOK}/${chapter}.html")
     list(APPEND records -M record=${RESULTS}/${chapter}.json)
   else()
     file(REMOVE ${new}/${chapter}.html ${new}/${chapter}-study.html)
-    message("${chapter}  FAILED: ${status}\n${said}")
+    message("${chapter}  FAILED: ${statuses}\n${said}")
     list(APPEND failed ${chapter})
     list(APPEND left_out "-M;left-out=${chapter} could not be woven: see the messages of the build")
   endif()
 endforeach()
 
-foreach(page "index=railbook: papers on wheel, rail and track, recomputed" "gallery=Gallery" "equations=Equations")
-  string(REGEX MATCH "^([a-z]+)=(.*)$" _ ${page})
-  execute_process(
-    COMMAND ${CMAKE_COMMAND} -E env RAILBOOK_ROOT=${ROOT}
-            ${PANDOC} --from=markdown-citations --lua-filter=${here}/index.lua ${page_options} ${records} ${left_out}
-            -V page=index -M "title=${CMAKE_MATCH_2}" -M "pagetitle=${CMAKE_MATCH_2}"
-            --output=${new}/${CMAKE_MATCH_1}.html ${here}/${CMAKE_MATCH_1}.md
-    TIMEOUT ${time_limit} RESULT_VARIABLE status ERROR_VARIABLE said)
-  if(NOT status EQUAL 0)
-    message("${CMAKE_MATCH_1}  FAILED: ${status}\n${said}")
-    list(APPEND failed ${CMAKE_MATCH_1})
-  endif()
-endforeach()
+# The pages made of all records.
+file(GLOB headers ${ROOT}/lib/*/*.hpp)
+list(TRANSFORM headers PREPEND "-M;header=")
+execute_process(
+  COMMAND ${CMAKE_COMMAND} -E env RAILBOOK_ROOT=${ROOT}
+          ${PANDOC} --from=markdown-citations --lua-filter=${here}/index.lua ${page_options} ${records} ${left_out}
+          ${chapter_list} ${headers} -M parts=${parts} -M book=${new} -M figures=${FIGURES} -M page=index -M version=${VERSION}
+          -M "title=railbook: papers on wheel, rail and track, recomputed" -M "pagetitle=Contents"
+          --output=${new}/index.html ${here}/index.md
+  TIMEOUT ${time_limit} RESULT_VARIABLE status ERROR_VARIABLE said)
+if(NOT status EQUAL 0)
+  message("index  FAILED: ${status}\n${said}")
+  list(APPEND failed index)
+endif()
+file(REMOVE_RECURSE ${parts})
 
 file(REMOVE_RECURSE ${BOOK}.old)
 if(EXISTS ${BOOK})

@@ -46,6 +46,12 @@ const char* raw = R"x(
 
 {{coverage}}
 
+::: findings
+1. The load is confirmed. {{outcome:table-1/p0}}
+:::
+
+It follows by (7); (8) is no equation of this page.
+
 {{verdicts}}
 
 {{checks}}

@@ -1,0 +1,156 @@
+-- The reference of lib/, from its headers alone: the comment above a declaration is its contract.
+
+local html = require "html"
+
+local library = {}
+
+local function lines_of(path)
+  local out = {}
+  for line in io.lines(path) do out[#out + 1] = line end
+  return out
+end
+
+-- Where the declaration that begins at line i ends: a `;` or a `}` at the depth where it began.
+local function declaration_end(lines, i)
+  local depth = 0
+  for j = i, #lines do
+    local line = lines[j]:gsub("//.*$", ""):gsub('"[^"]*"', '""'):gsub("'[^']*'", "")
+    for c in line:gmatch("[{}()]") do depth = depth + ((c == "{" or c == "(") and 1 or -1) end
+    if depth <= 0 and (line:find("[;}]%s*$")) then return j end
+  end
+  return #lines
+end
+
+local function name_of(text)
+  text = text:gsub("^template%s*%b<>%s*", ""):gsub("%[%[[^%]]*%]%]%s*", "")
+  local kind, name = text:match("^(%a+)%s+([%w_]+)%s*[:{;]?")
+  if text:find("^enum%s+class%s") then return text:match("^enum%s+class%s+([%w_]+)"), "type" end
+  if kind == "struct" or kind == "class" or kind == "using" or kind == "enum" or kind == "concept" then return name, "type" end
+  local before = text:match("^([^{=;]-)%s*%(")
+  if before and before:find("%s") then return before:match("([%w_]+)$") or before:match("operator.*$"), "function" end
+  return text:match("([%w_]+)%s*[={;]") or text:match("([%w_]+)%s*%["), "constant"
+end
+
+-- A declaration without the bodies of its inline functions.
+local function shortened(lines, first, last, kind)
+  local text = table.concat(lines, "\n", first, last)
+  if kind == "function" then
+    local open = text:find("{%s*\n") or text:find("{[^{}]*}%s*$")
+    if open and text:sub(1, open):find(")") then text = text:sub(1, open - 1):gsub("%s+$", "") .. ";" end
+  end
+  return text
+end
+
+-- {comment, entries = {{name, kind, comment, text, line}}} of a header; what is in namespace detail is not public.
+function library.header(path)
+  local lines = lines_of(path)
+  local out, comment, i, hidden = {entries = {}}, {}, 1, false
+  while i <= #lines do
+    local line = lines[i]
+    if line:find("^//") then
+      comment[#comment + 1] = line:gsub("^///? ?", "")
+    elseif line:find("^#pragma once") then
+      out.comment, comment = table.concat(comment, "\n"), {}
+    elseif line:find("^namespace") then
+      hidden = line:find("detail") ~= nil
+      comment = {}
+    elseif line:find("^}") or line == "" or line:find("^#") then
+      if line:find("^}") then hidden = false end
+      if line == "" then comment = {} end
+    else
+      local last = declaration_end(lines, i)
+      if line:find("^template") and last == i then last = declaration_end(lines, i + 1) end
+      local name, kind = name_of(table.concat(lines, " ", i, last))
+      local forward = line:find("^[%a]+%s+[%w_]+;%s*$") and (line:find("^class") or line:find("^struct"))
+      if name and not hidden and not forward then
+        local previous = out.entries[#out.entries]
+        local same = #comment == 0 and previous and previous.last == i - 1 and previous.kind == "function" and kind == "function"
+        if same then -- the contract stands above the first of several
+          previous.text = previous.text .. "\n" .. shortened(lines, i, last, kind)
+          previous.last = last
+          if previous.names[#previous.names] ~= name then table.insert(previous.names, name) end
+        else
+          table.insert(out.entries, {name = name, names = {name}, kind = kind, comment = table.concat(comment, "\n"),
+            text = shortened(lines, i, last, kind), line = i, last = last})
+        end
+      end
+      comment, i = {}, last
+    end
+    i = i + 1
+  end
+  return out
+end
+
+-- Prose of a comment: paragraphs, and indented lines as code.
+local function prose(text)
+  local out, code = {}, {}
+  local function close()
+    if #code > 0 then out[#out + 1] = html.tag("pre", nil, html.tag("code", nil, html.escape(table.concat(code, "\n")))) end
+    code = {}
+  end
+  local paragraph = {}
+  local function finish()
+    if #paragraph > 0 then out[#out + 1] = html.tag("p", nil, html.escape(table.concat(paragraph, " "))) end
+    paragraph = {}
+  end
+  for line in (text .. "\n"):gmatch("(.-)\n") do
+    if line:find("^  ") then
+      finish()
+      code[#code + 1] = line:sub(3)
+    elseif line == "" then
+      finish()
+      close()
+    else
+      close()
+      paragraph[#paragraph + 1] = line
+    end
+  end
+  finish()
+  close()
+  return table.concat(out, "\n")
+end
+
+local function anchor(room, name) return room .. "-" .. name:gsub("[^%w_]+", "-") end
+
+local function section(room, file, header, seen)
+  local names, out = {}, {prose(header.comment or "")}
+  for _, entry in ipairs(header.entries) do
+    for _, name in ipairs(entry.names) do
+      local id = anchor(room, name)
+      names[#names + 1] = html.tag("code", nil, html.escape(name))
+      entry.anchors = (entry.anchors or "") .. (seen[id] and "" or html.tag("span", {id = id}, ""))
+      seen[id] = true
+    end
+    out[#out + 1] = html.tag("div", {class = "declaration"}, (entry.anchors or "")
+      .. html.tag("pre", nil, html.tag("code", nil, html.escape(entry.text))) .. prose(entry.comment))
+  end
+  local first = (header.comment or ""):match("^(.-%.)%s") or (header.comment or ""):match("^[^\n]*") or ""
+  local summary = html.tag("b", nil, html.escape(file)) .. " " .. html.escape(first)
+    .. html.tag("span", {class = "where"}, table.concat(names, " "))
+  return html.tag("details", {class = "more header", id = room .. "-" .. file:match("([^/]+)%.hpp$") .. "-header"},
+    html.tag("summary", nil, summary) .. table.concat(out, "\n"))
+end
+
+-- The page, and what a search finds on it: {{title, anchor, text}}.
+function library.all(paths)
+  local rooms, order, found, seen = {}, {}, {}, {}
+  for _, path in ipairs(paths) do
+    local room, file = path:match("([^/]+)/([^/]+)$")
+    if not rooms[room] then
+      rooms[room], order[#order + 1] = {}, room
+    end
+    local header = library.header(path)
+    table.insert(rooms[room], section(room, room .. "/" .. file, header, seen))
+    for _, entry in ipairs(header.entries) do
+      found[#found + 1] = {entry.name, anchor(room, entry.name), room .. "/" .. file .. " " .. entry.comment:sub(1, 240)}
+    end
+  end
+  local out, index = {}, {}
+  for i, room in ipairs(order) do
+    index[i] = html.tag("a", {href = "#room-" .. room}, room)
+    out[i] = html.tag("h2", {id = "room-" .. room}, html.tag("code", nil, "lib/" .. room)) .. table.concat(rooms[room], "\n")
+  end
+  return html.tag("p", nil, table.concat(index, " · ")) .. html.tag("div", {class = "filterable"}, table.concat(out, "\n")), found
+end
+
+return library

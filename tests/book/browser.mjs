@@ -1,0 +1,159 @@
+// node browser.mjs BOOK [PAGE ...]: opens each page of the woven book in headless Chromium and looks for what a reader would
+// trip over. Exit status 0 good, 1 faults, 77 there is no browser (skipped). With $AXE, the file axe.min.js of npm's axe-core, it also asks
+// that for what keeps readers out.
+import {existsSync, readdirSync, readFileSync} from "node:fs";
+import {join, resolve} from "node:path";
+import {pathToFileURL} from "node:url";
+import {Browser, chromium} from "./chromium.mjs";
+
+const highest = 20000; // px wanted, at 1280 px of width with the code folded; a taller page is told, and no fault
+const slowest = Number(process.env.PAINT ?? Infinity); // ms to the first paint, from disk: on a quiet machine PAINT=1000
+const widths = [360, 768, 1280, 1920];
+
+const book = resolve(process.argv[2]);
+const path = chromium();
+if (!path) {
+  console.log("no Chromium on this machine: skipped");
+  process.exit(77);
+}
+const pages = process.argv.length > 3 ? process.argv.slice(3) : readdirSync(book).filter((name) => name.endsWith(".html")).sort();
+const axe = process.env.AXE && existsSync(process.env.AXE) ? readFileSync(process.env.AXE, "utf8") : null;
+const faults = [];
+const fault = (page, text) => { faults.push(page + ": " + text); console.log("FAULT " + page + ": " + text); };
+
+const ids = new Map(); // of each page
+function idsOf(page) {
+  if (!ids.has(page)) {
+    const text = existsSync(join(book, page)) ? readFileSync(join(book, page), "utf8") : "";
+    ids.set(page, new Set([...text.matchAll(/ id="([^"]*)"/g)].map((m) => m[1])));
+  }
+  return ids.get(page);
+}
+
+// Links: to files of the book, to places that are there, and outside to DOIs only.
+function links(page, hrefs) {
+  for (const href of new Set(hrefs)) {
+    if (/^https?:/.test(href)) {
+      if (!href.startsWith("https://doi.org/")) fault(page, "leads outside the book: " + href);
+      continue;
+    }
+    if (href.startsWith("data:")) continue;
+    const [file, anchor] = href.split("#");
+    if (file && !existsSync(join(book, decodeURIComponent(file)))) fault(page, "leads nowhere: " + href);
+    else if (anchor && (file === "" || file.endsWith(".html")) && !idsOf(file || page).has(decodeURIComponent(anchor)))
+      fault(page, "leads to no place: " + href);
+  }
+}
+
+// What stands out of the page to the right, at one width.
+const overflow = `(() => {
+  const wide = document.documentElement.scrollWidth - innerWidth;
+  if (wide <= 1) return null;
+  const inside = (e) => { for (let p = e.parentElement; p; p = p.parentElement) if (getComputedStyle(p).overflowX !== "visible") return true; return false; };
+  const worst = [...document.querySelectorAll("body *")].filter((e) => e.getBoundingClientRect().right > innerWidth + 1 && !inside(e)).pop();
+  return wide + " px too wide: " + (worst ? worst.tagName + "." + worst.getAttribute("class") + " " + worst.textContent.slice(0, 60) : "?");
+})()`;
+
+async function layout(browser, page) {
+  for (const width of widths) {
+    await browser.width(width);
+    const wide = await browser.run(overflow);
+    if (wide) fault(page, "at " + width + " px " + wide);
+  }
+  await browser.width(1280);
+  await browser.run(`document.querySelectorAll("details.code").forEach((d) => { d.open = false; })`);
+  const height = await browser.run("document.documentElement.scrollHeight");
+  if (height > highest) console.log("tall  " + page + ": " + height + " px, " + highest + " wanted");
+  const flat = await browser.run(`[...document.querySelectorAll("math")].filter((m) => m.checkVisibility() && m.getBoundingClientRect().width < 1).length`);
+  if (flat > 0) fault(page, flat + " formulas without width");
+  const repeated = await browser.run(`(() => { const seen = new Set(); return [...document.querySelectorAll("[id]")].map((e) => e.id).filter((id) => seen.has(id) || !seen.add(id)); })()`);
+  if (repeated.length > 0) fault(page, "ids given twice: " + repeated.slice(0, 5));
+  return height;
+}
+
+async function accessible(browser, page) {
+  if (!axe) return;
+  await browser.run(axe + "; 0");
+  for (const theme of ["light", "dark"]) {
+    const found = await browser.run(`document.documentElement.dataset.theme = "${theme}"; axe.run(document, {resultTypes: ["violations"], preload: false}).then((r) =>
+      r.violations.filter((v) => v.impact === "serious" || v.impact === "critical").map((v) => v.id + ": " + v.nodes.length + " times, " + v.nodes[0].html.slice(0, 120)))`);
+    found.forEach((text) => fault(page, theme + ": " + text));
+  }
+}
+
+// Search, theme, sorting and filtering do what they say.
+async function functions(browser) {
+  const url = (page) => pathToFileURL(join(book, page)).href;
+  await browser.go(url("index.html"));
+  const hits = await browser.run(`(async () => { const s = document.getElementById("search"); s.value = "pressure"; await s.oninput();
+    return document.querySelectorAll(".results a[href]").length; })()`);
+  if (hits < 1) fault("search", "finds nothing of pressure");
+  const none = await browser.run(`(async () => { const s = document.getElementById("search"); s.value = "qwertzuiop"; await s.oninput();
+    return document.querySelector(".results").textContent; })()`);
+  if (!none.includes("Nothing")) fault("search", "finds what is not there: " + none);
+  const colours = await browser.run(`(() => { const out = []; for (let i = 0; i < 3; i++) { document.getElementById("theme").click();
+    out.push(document.documentElement.dataset.theme + " " + getComputedStyle(document.body).backgroundColor); } return out; })()`);
+  if (new Set(colours.map((c) => c.split(" ")[0])).size !== 3 || new Set(colours.map((c) => c.slice(c.indexOf(" ")))).size < 2)
+    fault("theme", "does not change: " + colours);
+  await browser.go(url("ledger.html"));
+  const sorted = await browser.run(`(() => { const t = document.querySelector("table.ledger"); const h = t.tHead.rows[0].cells;
+    const at = [...h].findIndex((c) => c.textContent.startsWith("tolerance")); h[at].click();
+    const values = [...t.tBodies[0].rows].map((r) => r.cells[at].dataset.sort).filter((v) => v !== undefined).map(Number);
+    return values.every((v, i) => i === 0 || values[i - 1] <= v) && h[at].getAttribute("aria-sort") === "ascending"; })()`);
+  if (!sorted) fault("ledger.html", "a column does not sort");
+  const filtered = await browser.run(`(() => { const rows = () => [...document.querySelectorAll("table.ledger tbody tr")].filter((r) => !r.hidden);
+    const before = rows().length, s = [...document.querySelectorAll(".filter select")].find((e) => e.dataset.column === "outcome");
+    s.value = "consistent"; s.onchange(); const after = rows();
+    return after.length > 0 && after.length < before && after.every((r) => r.textContent.includes("consistent")); })()`);
+  if (!filtered) fault("ledger.html", "the filter does not filter");
+  const copied = await browser.run(`(async () => { let text = null; Object.defineProperty(navigator, "clipboard", {value: {writeText: async (t) => { text = t; }}, configurable: true});
+    const m = document.createElement("pre"); m.textContent = "int x;"; const d = document.createElement("div"); d.append(m); document.body.append(d);
+    copyButton(m); await d.querySelector(".copy").onclick(); return text; })()`);
+  if (copied !== "int x;") fault("copy", "copies " + copied);
+}
+
+// A figure that answers draws, follows its slider, and keeps its state in the address.
+async function answers(browser, page) {
+  const ids = await browser.run(`[...document.querySelectorAll(".answer")].map((e) => e.dataset.id)`);
+  for (const id of ids) {
+    const seen = await browser.run(`(async () => {
+      const holder = document.querySelector('.answer[data-id="${id}"]');
+      holder.scrollIntoView();
+      for (let i = 0; i < 60 && !holder.querySelector("input"); i++) { scrollBy(0, i % 2 ? 1 : -1); await new Promise((done) => setTimeout(done, 50)); }
+      const input = holder.querySelector("input");
+      if (!input) return "does not come";
+      const before = holder.querySelector(".panes").innerHTML;
+      input.value = Number(input.value) === 0 ? 1 : 0;
+      input.oninput();
+      if (holder.querySelector(".panes").innerHTML === before) return "does not follow its slider";
+      if (/NaN|undefined|Infinity/.test(holder.innerHTML)) return "draws what is no number";
+      if (!location.hash.startsWith("#${id}=")) return "does not keep its state in the address";
+      return null; })()`);
+    if (seen) fault(page, "the answers of " + id + ": " + seen);
+  }
+}
+
+const browser = new Browser(path);
+try {
+  await browser.open();
+  await browser.width(1280);
+  for (const page of pages) {
+    browser.complaints.length = browser.requests.length = 0;
+    await browser.go(pathToFileURL(join(book, page)).href);
+    const paint = await browser.run(`new Promise((done) => { const seen = () => performance.getEntriesByName("first-contentful-paint")[0]?.startTime;
+      if (seen() !== undefined) done(seen()); else { new PerformanceObserver(() => done(seen() ?? 0)).observe({type: "paint", buffered: true}); setTimeout(() => done(-1), 3000); } })`);
+    links(page, await browser.run(`[...document.querySelectorAll("[href], [src]")].map((e) => e.getAttribute("href") ?? e.getAttribute("src"))`));
+    const height = await layout(browser, page);
+    await answers(browser, page);
+    await accessible(browser, page);
+    browser.complaints.forEach((text) => fault(page, text));
+    browser.requests.filter((url) => !/^(file|data|blob|about):/.test(url)).forEach((url) => fault(page, "asks outside: " + url));
+    if (paint > slowest) fault(page, "first paint after " + Math.round(paint) + " ms");
+    console.log(page.padEnd(26), String(height).padStart(6) + " px", String(Math.round(paint)).padStart(5) + " ms");
+  }
+  if (process.argv.length <= 3) await functions(browser);
+} finally {
+  await browser.close();
+}
+console.log(pages.length + " pages, " + faults.length + " faults" + (axe ? "" : "; not asked axe-core ($AXE)"));
+process.exitCode = faults.length > 0 ? 1 : 0;
