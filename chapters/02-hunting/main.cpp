@@ -20,8 +20,8 @@ wall at the flange, and the dry friction of the suspension.
 
 The paper's numbers are few: a table of the car's data (partly illegible in the copy that is available), the
 critical speed with new wheels, four frequencies. Its figures are lost and so are the measured profiles. This
-chapter therefore rebuilds profiles that fit what the text says of them and marks what rests on them. Its statements in words are many, and each is
-checked.
+chapter therefore rebuilds profiles that fit what the text says of them and marks what rests on them. Its statements in words are many; each is
+checked, or left with a reason.
 
 {{include: geometry.cpp}}
 
@@ -54,11 +54,10 @@ checked.
   a flange of two steps.
 * *Stable cycles with flange contact under friction*: {{outcome:claims/friction-flange}}.
 * *Much lower speeds with CN wheels*: {{outcome:dampers/much-lower-cn}}, a tenth lower with all dampers that fit 145 ft/s.
-* *One high frequency with flange contact, 30.5 rad/s*: {{outcome:flange-frequency/flange-single}}.
+* *One high frequency with flange contact, 30.5 rad/s*: by describing functions {{outcome:flange-frequency/flange-single}}, by the full equations {{outcome:flange-frequency/flange-true}}.
 * *The body moves much with new wheels because the frequency is below its lateral resonance*: {{outcome:mode-claims/below-resonance}}.
 * *The algorithm provides all possible limit cycles*: {{outcome:loop-claims/all-cycles}}.
 * *All slopes with CN wheels are about three times those with new ones*: for the roll angle {{outcome:geometry-claims/cn-roll-slope}}, as the paper itself says later.
-* *CN wheels: all functions nearly linear until the flange*: for the contact angle {{outcome:geometry-claims/cn-straight-D}}.
 * $a$ is called half the gauge. Its value in Table 2 is the half distance of the rails' heads, {{half-spacing}}, and is read so wherever it appears.
 
 ## Limits
@@ -103,5 +102,5 @@ int main(int argc, char** argv) {
                 "February 1977 (paper 76-WA/RT-2)",
        .sources = RAILBOOK_CHAPTER_DIR},
       {geometry, car, describing, critical, branches, modes, algorithm, stability, scenes},
-      {cost, extremes});
+      {cost, stiffness, extremes});
 }

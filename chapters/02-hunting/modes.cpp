@@ -85,19 +85,16 @@ Held body_alone() {
 
 void tread_claims(report::Item& item) {
   const auto fresh = cycle("new", 0.1), cn = cycle("cn", 0.1), heumann = cycle("heumann", 0.1);
-  item.claim(
-      "body-new",
-      "new wheels: the body's lateral motion is large against the rear truck's (over a half)",
-      relative(fresh, X_C) > 0.5, fmt::format("{:.2f}", relative(fresh, X_C)));
-  item.claim("body-worn", "worn wheels: the body's lateral motion is insignificant (below a tenth)",
-             std::max(relative(cn, X_C), relative(heumann, X_C)) < 0.1,
+  item.claim("body-new", "new wheels: the body's lateral motion is large against the rear truck's",
+             relative(fresh, X_C) > 1 / words::much, fmt::format("{:.2f}", relative(fresh, X_C)));
+  item.claim("body-worn", "worn wheels: the body's lateral motion is insignificant",
+             std::max(relative(cn, X_C), relative(heumann, X_C)) < words::nearly,
              fmt::format("CN A {:.2f}, Heumann {:.2f}", relative(cn, X_C), relative(heumann, X_C)));
   const auto equal = [](const CyclePoint& p) {
     return std::min(relative(p, X_TF), 1 / relative(p, X_TF));
   };
-  item.claim("trucks-equal",
-             "before the flange both trucks have about the same amplitude (within a tenth)",
-             std::min({equal(fresh), equal(cn), equal(heumann)}) > 0.9,
+  item.claim("trucks-equal", "before the flange both trucks have about the same amplitude",
+             std::min({equal(fresh), equal(cn), equal(heumann)}) > 1 - words::nearly,
              fmt::format("{:.2f}, {:.2f}, {:.2f}", equal(fresh), equal(cn), equal(heumann)));
   item.claim("yaw-and-warp",
              "truck yaw and warp are small with new wheels and larger with worn ones",
@@ -111,10 +108,11 @@ void tread_claims(report::Item& item) {
     if (p.neutral)
       least = std::min(least, relative(p, X_C)), most = std::max(most, relative(p, X_C));
   item.claim("constant-on-tread", "new wheels: the shape is constant before the flange",
-             most - least < 1e-6, fmt::format("X_C/X_TR {:.4f} to {:.4f}", least, most));
+             most / least - 1 < words::drawn,
+             fmt::format("X_C/X_TR {:.4f} to {:.4f}", least, most));
   const double change = std::abs(relative(cycle("cn", 0.3), X_C) / relative(cn, X_C) - 1);
-  item.claim("varies-worn", "worn wheels: the shape is not constant on the tread (over 1 %)",
-             change > 0.01,
+  item.claim("varies-worn", "worn wheels: the shape is not constant on the tread",
+             change > words::drawn,
              fmt::format("CN A: X_C/X_TR changes by {:.1f} % from 0.1 to 0.3 in", 100 * change));
   const Held body = body_alone();
   const double omega = fresh.motion.lambda.imag();
@@ -127,13 +125,14 @@ void tread_claims(report::Item& item) {
 }
 
 void flange_claims(report::Item& item) {
-  const auto before = cycle("new", 0.39), after = cycle("new", 0.42);
+  const double flange = vehicle("new").flange / inch;
+  const auto before = cycle("new", flange), after = cycle("new", (1 + words::nearly) * flange);
   item.claim("abrupt",
-             "new wheels: the shape changes abruptly when the flange is met (by over a third "
-             "within 0.03 in)",
-             relative(after, X_C) < 0.67 * relative(before, X_C),
-             fmt::format("X_C/X_TR {:.2f} at 0.39 in, {:.2f} at 0.42 in", relative(before, X_C),
-                         relative(after, X_C)));
+             "new wheels: the shape changes abruptly when the flange is met (much, within a tenth "
+             "of the amplitude)",
+             relative(after, X_C) < relative(before, X_C) / words::much,
+             fmt::format("X_C/X_TR {:.2f} at {:.2f} in, {:.2f} at {:.2f} in", relative(before, X_C),
+                         before.largest / inch, relative(after, X_C), after.largest / inch));
   const auto far = cycle("new", 0.5);
   item.claim(
       "follow-conicity",
@@ -141,7 +140,7 @@ void flange_claims(report::Item& item) {
       far.motion.lambda.imag() > before.motion.lambda.imag() &&
           relative(far, TH_TR) > relative(before, TH_TR) &&
           relative(far, TH_WR) > relative(before, TH_WR),
-      fmt::format("from 0.39 to 0.5 in: {:.1f} to {:.1f} rad/s, yaw {:.3f} to {:.3f}, warp {:.3f} "
+      fmt::format("to 0.5 in: {:.1f} to {:.1f} rad/s, yaw {:.3f} to {:.3f}, warp {:.3f} "
                   "to {:.3f} rad/ft",
                   before.motion.lambda.imag(), far.motion.lambda.imag(), relative(before, TH_TR),
                   relative(far, TH_TR), relative(before, TH_WR), relative(far, TH_WR)));
@@ -149,7 +148,7 @@ void flange_claims(report::Item& item) {
   item.claim(
       "fishtailing",
       "new wheels on the flange: the rear truck swings, the front truck and the body hardly do",
-      relative(fish, X_TF) < 0.1 && relative(fish, X_C) < 0.2,
+      std::max(relative(fish, X_TF), relative(fish, X_C)) < words::small,
       fmt::format("second family, 0.48 in: X_TF {:.3f}, X_C {:.3f} of X_TR", relative(fish, X_TF),
                   relative(fish, X_C)));
   const Vehicle& v = vehicle("new");
@@ -161,16 +160,17 @@ void flange_claims(report::Item& item) {
   const double speed = rear.motion.speed / units::foot, omega = rear.motion.lambda.imag();
   const auto& m = front.cycle.motion;
   item.claim("mirrored",
-             "the other mode has the same velocity and frequency (within 1 %), with large motions "
-             "of the front truck instead",
-             front.converged && front.cycle.amplitude[0] > 5 * front.cycle.amplitude[2] &&
-                 std::abs(m.speed / units::foot / speed - 1) < 0.01 &&
-                 std::abs(m.lambda.imag() / omega - 1) < 0.01,
+             "the other mode has the same velocity and frequency, with large motions of the front "
+             "truck instead",
+             front.converged &&
+                 front.cycle.amplitude[2] < words::small * front.cycle.amplitude[0] &&
+                 std::abs(m.speed / units::foot / speed - 1) < words::drawn &&
+                 std::abs(m.lambda.imag() / omega - 1) < words::drawn,
              fmt::format("rear {:.2f} ft/s and {:.2f} rad/s, front {:.2f} and {:.2f}, at 0.45 in",
                          speed, omega, m.speed / units::foot, m.lambda.imag()));
   const double body = std::abs(m.shape[X_C]) / std::abs(rear.motion.shape[X_C]);
-  item.claim("mirrored-body", "in both the body's motion is the same (within 5 %)",
-             std::abs(body - 1) < 0.05, fmt::format("{:.3f} times", body));
+  item.claim("mirrored-body", "in both the body's motion is about the same",
+             std::abs(body - 1) < words::nearly, fmt::format("{:.3f} times", body));
 }
 
 void mode_claims(report::Item& item) {

@@ -135,7 +135,7 @@ void fig_multipliers(report::Item& item) {
   const double first = vehicle("new").hopf.at(0).motion.speed;
   item.refute("stable-to-high-speed",
               "new wheels: the stable limit cycle on the flange extends to a high velocity",
-              std::abs(at.complex - 1) < 1e-6 && torus.speed() < 1.1 * first,
+              std::abs(at.complex - 1) < 1e-6 && torus.speed() < words::much * first,
               fmt::format("a pair of multipliers leaves the unit circle at {:.1f} ft/s",
                           torus.speed() / foot));
   item.value("torus-speed", torus.speed() / foot, "ft/s", "{:.1f}");
@@ -196,6 +196,17 @@ void fig_beating(report::Item& item) {
              away.end == History::End::left_table, "at 160 ft/s a wheelset leaves its table");
 }
 
+// What the harmonics beyond the first have of a wheelset's motion, relative to the first; the largest of the four.
+double distortion(const CycleCase& c) {
+  const Eigen::MatrixXcd motion = harmonics(c.car, c.examined.orbit, 23).motion;
+  double worst = 0;
+  for (std::size_t i = 0; i < wheelsets; ++i) {
+    const Eigen::RowVectorXcd s = c.car.channels[i].row.transpose() * motion;
+    worst = std::max(worst, s.tail(s.size() - 1).norm() / std::abs(s[0]));
+  }
+  return worst;
+}
+
 double df_error(const CycleCase& c) {
   return 100 * std::abs(c.quasi.largest / c.examined.amplitude - 1);
 }
@@ -213,19 +224,22 @@ double after(const char* key, double feet_a_second, double aside, double duratio
 
 void time_claims(report::Item& item) {
   item.added("integration in time, which the paper asks for");
-  item.expect_checks(6);
+  item.expect_checks(7);
   item.columns({"cycle",
                 {"A by describing functions, in", "{:.5f}"},
                 {"true A, in", "{:.5f}"},
                 {"ω, rad/s", "{:.4f}"},
                 {"true ω", "{:.4f}"},
+                {"beyond the first harmonic, %", "{:.1f}"},
                 "the paper's rule",
                 "Floquet"});
+  double worst = 0;
   const auto add = [&](const CycleCase& c) {
     item.add_row(c.name, c.quasi.largest / inch, c.examined.amplitude / inch,
-                 c.quasi.motion.lambda.imag(), c.examined.omega,
+                 c.quasi.motion.lambda.imag(), c.examined.omega, 100 * distortion(c),
                  c.quasi.stable ? "stable" : "unstable",
                  c.examined.stability.stable ? "stable" : "unstable, " + c.examined.stability.loss);
+    worst = std::max(worst, distortion(c));
   };
   const CycleCase& fresh = example_cycle();
   const CycleCase cn = cycle_case(vehicle("cn"), 131.5 * foot),
@@ -234,13 +248,18 @@ void time_claims(report::Item& item) {
                   heumann = cycle_case(vehicle("heumann"), 87.4 * foot),
                   friction = cycle_case(vehicle("friction"), 100 * foot);
   for (const CycleCase* c : {&fresh, &torus, &cn, &upper, &heumann, &friction}) add(*c);
+  item.claim(
+      "sinusoidal", "limit cycles are approximately sinusoidal", worst < words::nearly,
+      fmt::format("up to {:.1f} % of a wheelset's motion is beyond the first harmonic in the "
+                  "cycles of the table",
+                  100 * worst));
   const double grown = after("new", 150, 0.02, 100), decayed = after("new", 140, 0.3, 60);
   item.claim("growth",
              "above the critical speed small amplitudes grow until flange contact limits them",
-             std::abs(grown * inch / fresh.examined.amplitude - 1) < 0.01,
+             std::abs(grown * inch / fresh.examined.amplitude - 1) < words::drawn,
              fmt::format("150 ft/s: from 0.02 in to {:.4f} in, the cycle's {:.4f}", grown,
                          fresh.examined.amplitude / inch));
-  item.claim("decay", "left of each curve motions of any amplitude decrease", decayed < 0.1,
+  item.claim("decay", "left of each curve motions of any amplitude decrease", decayed < 0.3,
              fmt::format("140 ft/s: from 0.3 in to {:.3f} in after a minute", decayed));
   item.claim("stable-on-flange", "the first occurrence of flange contact is a stable limit cycle",
              fresh.examined.stability.stable && cn.examined.stability.stable,
@@ -254,12 +273,11 @@ void time_claims(report::Item& item) {
   double off = 0;
   for (const char* key : {"new", "cn", "heumann"}) {
     const Vehicle& v = vehicle(key);
-    const auto p = cycles_at_amplitude(v.car, v.main_branch(), 0.2 * inch).at(0);
+    const auto p = cycles_at_amplitude(v.car, v.main_branch(), v.flange).at(0);
     off = std::max(off, std::abs(p.motion.speed / v.hopf[0].motion.speed - 1));
   }
-  item.claim("linear-good",
-             "linear theory is good until flange contact (within 1 % in speed at 0.2 in)",
-             off < 0.01, fmt::format("within {:.1f} %", 100 * off));
+  item.claim("linear-good", "linear theory is good until flange contact: for the critical speed",
+             off < words::nearly, fmt::format("within {:.1f} %", 100 * off));
   item.value("df-error-new", df_error(fresh), "%", "{:.2f}");
   item.value("df-error-cn", df_error(cn), "%", "{:.2f}");
   item.value("df-error-friction", df_error(friction), "%", "{:.1f}");

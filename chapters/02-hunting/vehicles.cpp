@@ -27,19 +27,19 @@ speeds of that car mean nothing and serve as a start.
 #include <algorithm>
 #include <stdexcept>
 
-#include "wheelrail/paper_pairs.hpp"
-
 namespace railbook::hunting_chapter {
 
 using namespace dynamics;
 
 namespace {
 
-Vehicle trace(std::string key, std::string name, const wheelrail::ConstraintFunctions& table,
+Vehicle trace(std::string key, std::string name, const wheelrail::NamedPair& pair,
               Suspension suspension) {
+  const auto& table = pair.table();
   Vehicle v{.key = std::move(key),
             .name = std::move(name),
             .table = &table,
+            .flange = flange_begins(pair.pair()),
             .suspension = suspension,
             .car = {assemble({}, suspension), table},
             .hopf = {},
@@ -57,10 +57,10 @@ Vehicle trace(std::string key, std::string name, const wheelrail::ConstraintFunc
 
 const std::vector<Vehicle>& vehicles() {
   static const std::vector<Vehicle> all{
-      trace("new", "new wheel", wheelrail::new_wheel_table(), Suspension::dampers),
-      trace("cn", "CN A", wheelrail::cn_table(), Suspension::dampers),
-      trace("heumann", "modified Heumann", wheelrail::heumann_table(), Suspension::dampers),
-      trace("friction", "CN A with friction", wheelrail::cn_table(), Suspension::friction)};
+      trace("new", "new wheel", wheelrail::paper_pairs[0], Suspension::dampers),
+      trace("cn", "CN A", wheelrail::paper_pairs[1], Suspension::dampers),
+      trace("heumann", "modified Heumann", wheelrail::paper_pairs[2], Suspension::dampers),
+      trace("friction", "CN A with friction", wheelrail::paper_pairs[1], Suspension::friction)};
   return all;
 }
 

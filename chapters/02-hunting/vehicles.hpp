@@ -9,6 +9,7 @@
 #include "dynamics/examine.hpp"
 #include "dynamics/history.hpp"
 #include "report/item.hpp"
+#include "wheelrail/paper_pairs.hpp"
 
 namespace railbook::hunting_chapter {
 
@@ -16,6 +17,7 @@ struct Vehicle {
   std::string key;   // "new", "cn", "heumann", "friction"
   std::string name;  // for tables
   const wheelrail::ConstraintFunctions* table;
+  double flange;  // displacement up to which the tables are those of the tread [m]
   dynamics::Suspension suspension;
   dynamics::QuasiLinearCar car;
   std::vector<dynamics::HopfPoint> hopf;        // of the linear car, up to 400 ft/s
@@ -28,6 +30,10 @@ const std::vector<Vehicle>& vehicles();
 const Vehicle& vehicle(std::string_view key);
 // "new", "cn" and "heumann": the three with dampers.
 inline constexpr int with_dampers = 3;
+
+// The displacement up to which the left wheel stands on its tread, not on the throat, curved by less than 2 in; less
+// half the width of the tables' running mean [m].
+double flange_begins(const wheelrail::WheelsetOnTrack& pair);
 
 // Why an item is rebuilt.
 inline constexpr const char* rebuilt_reason =

@@ -14,11 +14,7 @@ constexpr double same_mode = 0.9;
 Motion choose(std::vector<Motion> all, const Motion& now, ModeChoice choice) {
   std::erase_if(all, [](const Motion& m) { return m.lambda.imag() <= 0; });
   if (all.empty()) return now;
-  if (choice == ModeChoice::least_damped) return all[0];
-  if (choice == ModeChoice::next_least_damped) return all[std::min<std::size_t>(1, all.size() - 1)];
-  return *std::max_element(all.begin(), all.end(), [&](const Motion& a, const Motion& b) {
-    return overlap(a.shape, now.shape) < overlap(b.shape, now.shape);
-  });
+  return all[choice == ModeChoice::least_damped ? 0 : std::min<std::size_t>(1, all.size() - 1)];
 }
 
 struct Loop {

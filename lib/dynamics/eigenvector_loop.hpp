@@ -13,7 +13,6 @@ namespace railbook::dynamics {
 enum class ModeChoice {
   least_damped,       // the paper's
   next_least_damped,  // the paper's footnote 3, where the first does not reproduce itself
-  largest_overlap,    // ours: the mode most like the one before
 };
 
 struct LoopLimits {

@@ -47,15 +47,4 @@ struct HopfSearch {
 };
 HopfSearch find_hopf(const QuasiLinearCar& car, const Motion& start);
 
-// What the critical speed does when a datum is changed: p / V dV/dp, by the adjoint of the Hopf condition.
-struct Sensitivity {
-  const char* key;  // of car_data(), or "R-slope", "D-slope", "Phi-slope"
-  double relative = 0;
-};
-// For car data other than frictions and regularization (dampers follow the friction levels) and the three
-// initial slopes of the constraint functions. `suspension` and `geometry` are those `car` was made with.
-std::vector<Sensitivity> sensitivities(const QuasiLinearCar& car, Suspension suspension,
-                                       const wheelrail::ConstraintFunctions& geometry,
-                                       const HopfPoint& hopf);
-
 }  // namespace railbook::dynamics

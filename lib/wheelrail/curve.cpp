@@ -70,11 +70,6 @@ double Curve::angle(double u) const {
   return std::asin(std::clamp((u - p.centre.u) / p.radius, -1.0, 1.0));
 }
 
-double Curve::curvature(double u) const {
-  const Piece& p = piece(u);
-  return p.is_line() ? 0.0 : 1 / p.radius;
-}
-
 Point Curve::point_at_angle(double angle) const {
   for (const Piece& p : pieces_) {
     const auto [low, high] = std::minmax(p.angle_start, p.angle_end);

@@ -37,10 +37,9 @@ class Curve {
   Point start() const { return pieces_.front().start; }
   Point end() const { return pieces_.back().end; }
 
-  // Height, angle [rad] and curvature 1/radius at u, which must lie on the curve (InputError otherwise).
+  // Height and angle [rad] at u, which must lie on the curve (InputError otherwise).
   double height(double u) const;
   double angle(double u) const;
-  double curvature(double u) const;
   // The first point whose angle is `angle`; throws InputError when there is none.
   Point point_at_angle(double angle) const;
 

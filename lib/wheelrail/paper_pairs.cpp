@@ -29,6 +29,33 @@ Curve with_flange(double tread_angle, std::vector<Step> steps) {
   return chain({0, 0}, tread_angle, steps);
 }
 
+Curve new_rail_profile() {
+  // The crown ends where the head becomes 3 in wide.
+  const double crown =
+      std::asin((1.5 - 0.875 * std::sin(0.45) - 0.375 * std::sin(units::pi / 2 - 0.025)) / 8.75);
+  return upright({arc(1.25 * inch, -crown), arc(10 * inch, crown), arc(1.25 * inch, 0.45),
+                  arc(0.375 * inch, face_angle), line(0.5 * inch)});
+}
+
+Curve worn_rail_profile() {
+  return upright({arc(1.25 * inch, -0.08), arc(12 * inch, 0.02), arc(6 * inch, 0.17),
+                  arc(0.6 * inch, 0.50), arc(0.33 * inch, face_angle), line(0.5 * inch)});
+}
+
+Curve new_wheel_profile() {
+  return with_flange(0.05, {line(4 * inch), arc(0.6875 * inch, flange_angle)});
+}
+
+Curve cn_wheel_profile() {
+  return with_flange(0, {line(4 * inch), arc(14.3 * inch, 0.115), arc(1.7 * inch, 0.45),
+                         arc(0.5 * inch, flange_angle)});
+}
+
+Curve heumann_wheel_profile() {
+  return with_flange(0.05, {line(4 * inch), arc(8.9 * inch, 0.20), arc(0.9 * inch, 0.50),
+                            arc(0.45 * inch, flange_angle)});
+}
+
 Curve railed(const Curve& rail) {
   return placed_rail(rail, paper_track.gauge, paper_track.gauge_depth, paper_track.cant);
 }
@@ -57,33 +84,6 @@ ConstraintFunctions table_of(const WheelsetOnTrack& pair) {
 }  // namespace
 
 const PaperTrack paper_track{29.76 * inch, 56.5 * inch, 0.625 * inch, 0.025, 16.5 * inch};
-
-Curve new_rail_profile() {
-  // The crown ends where the head becomes 3 in wide.
-  const double crown =
-      std::asin((1.5 - 0.875 * std::sin(0.45) - 0.375 * std::sin(units::pi / 2 - 0.025)) / 8.75);
-  return upright({arc(1.25 * inch, -crown), arc(10 * inch, crown), arc(1.25 * inch, 0.45),
-                  arc(0.375 * inch, face_angle), line(0.5 * inch)});
-}
-
-Curve worn_rail_profile() {
-  return upright({arc(1.25 * inch, -0.08), arc(12 * inch, 0.02), arc(6 * inch, 0.17),
-                  arc(0.6 * inch, 0.50), arc(0.33 * inch, face_angle), line(0.5 * inch)});
-}
-
-Curve new_wheel_profile() {
-  return with_flange(0.05, {line(4 * inch), arc(0.6875 * inch, flange_angle)});
-}
-
-Curve cn_wheel_profile() {
-  return with_flange(0, {line(4 * inch), arc(14.3 * inch, 0.115), arc(1.7 * inch, 0.45),
-                         arc(0.5 * inch, flange_angle)});
-}
-
-Curve heumann_wheel_profile() {
-  return with_flange(0.05, {line(4 * inch), arc(8.9 * inch, 0.20), arc(0.9 * inch, 0.50),
-                            arc(0.45 * inch, flange_angle)});
-}
 
 const WheelsetOnTrack& new_wheel_pair() {
   static const WheelsetOnTrack pair = make_new_wheel_pair();

@@ -20,17 +20,10 @@ const ConstraintFunctions& new_wheel_table();  // 1:20 cone on a worn rail
 const ConstraintFunctions& cn_table();         // Canadian National profile A on a new rail
 const ConstraintFunctions& heumann_table();    // modified Heumann wheel on a worn rail
 
-// The pairs themselves, computed once.
+// The pairs themselves, computed once; wheel() and rail() are the profiles in their places.
 const WheelsetOnTrack& new_wheel_pair();
 const WheelsetOnTrack& cn_pair();
 const WheelsetOnTrack& heumann_pair();
-
-// The profiles they are made of; rails as rolled, upright with angle 0 at u = 0.
-Curve new_rail_profile();
-Curve worn_rail_profile();
-Curve new_wheel_profile();
-Curve cn_wheel_profile();
-Curve heumann_wheel_profile();
 
 struct PaperTrack {
   double half_spacing, gauge, gauge_depth, cant, radius;  // [m], cant [rad]

@@ -150,7 +150,6 @@ WheelsetContact WheelsetOnTrack::contact(double x, double guess) const {
   for (int i = 0; i < 200; ++i) {
     left = least_gap(x, phi, posed);
     right = least_gap(-x, -phi, posed);
-    result.evaluations += 2;
     if (!left.found || !right.found) return result;
     const double f = left.gap - right.gap;
     const auto lever = [](const Least& at, double shift) {
@@ -178,7 +177,6 @@ WheelsetContact WheelsetOnTrack::level_contact(double x) const {
   const Least left = least_gap(x, 0, posed), right = least_gap(-x, 0, posed);
   WheelsetContact result;
   result.x = x;
-  result.evaluations = 2;
   result.converged = left.found && right.found;
   if (!result.converged) return result;
   result.height = -std::min(left.gap, right.gap);

@@ -31,7 +31,6 @@ struct WheelsetContact {
   double roll = 0;    // phi_w [rad], > 0 left side up
   double height = 0;  // of the axle's centre over the rails' tops [m]
   SideContact left, right;
-  int evaluations = 0;     // of the least gap of one side
   bool converged = false;  // false: no roll within the limit closes both gaps
 };
 

@@ -49,7 +49,7 @@ TEST_CASE("Equal radii, and a hollow rounder than the crown, still close both ga
 }
 
 TEST_CASE("Twenty thousand points are a profile like another") {
-  const Curve drawn = cn_wheel_profile();
+  const Curve drawn = cn_pair().wheel();
   std::vector<Point> points;
   const double from = drawn.start().u, to = drawn.start().u + 4.9 * units::inch;
   for (int i = 0; i < 20000; ++i) {

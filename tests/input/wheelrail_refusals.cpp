@@ -32,9 +32,9 @@ TEST_CASE("Chains that go back, turn the wrong way or stand upright are refused"
   CHECK_THROWS_AS(arc(1, 2), InputError);
   CHECK_THROWS_WITH(chain({0, 0}, 0.5, {arc(1, 0.2)}), Contains("cannot lead"));
   CHECK_THROWS_WITH(chain({0, 0}, 0.5, {arc(-1, 0.7)}), Contains("cannot lead"));
-  CHECK_THROWS_WITH(cn_wheel_profile().height(9), Contains("not on the profile"));
-  CHECK_THROWS_AS(cn_wheel_profile().height(not_a_number), InputError);
-  CHECK_THROWS_WITH(cn_wheel_profile().point_at_angle(1.4), Contains("no point"));
+  CHECK_THROWS_WITH(cn_pair().wheel().height(9), Contains("not on the profile"));
+  CHECK_THROWS_AS(cn_pair().wheel().height(not_a_number), InputError);
+  CHECK_THROWS_WITH(cn_pair().wheel().point_at_angle(1.4), Contains("no point"));
 }
 
 TEST_CASE("Measured points that are no profile are refused") {
@@ -49,7 +49,7 @@ TEST_CASE("Measured points that are no profile are refused") {
   CHECK_THROWS_WITH(measured_curve(points, 0), Contains("do not go on"));
   CHECK_THROWS_AS(measured_curve(level(20, 0.005), -1e-6), InputError);
   CHECK_THROWS_AS(measured_curve(level(20, 0.005), not_a_number), InputError);
-  CHECK_THROWS_WITH(measured_curve(sampled(cn_wheel_profile(), 2e-3), 1),
+  CHECK_THROWS_WITH(measured_curve(sampled(cn_pair().wheel(), 2e-3), 1),
                     Contains("more than its shape"));
 }
 
@@ -60,13 +60,13 @@ TEST_CASE("Wheels beside, inside and on top of the rails are refused") {
   CHECK_THROWS_WITH(with_radius(moved(wheel, 0.14, 0), rail, 0.4), Contains("end of a profile"));
   CHECK_THROWS_AS(with_radius(wheel, rail, 0), InputError);
   CHECK_THROWS_WITH(WheelsetOnTrack(turned(wheel, 0.3), rail), Contains("angle of the wheel"));
-  CHECK_THROWS_WITH(placed_rail(new_rail_profile(), 1.435, 0.1, 0.025), Contains("gauge point"));
-  CHECK_THROWS_AS(placed_rail(new_rail_profile(), -1, 0.014, 0.025), InputError);
-  auto upside_down = sampled(new_rail_profile(), 1e-3);
+  CHECK_THROWS_WITH(placed_rail(cn_pair().rail(), 1.435, 0.1, 0.025), Contains("gauge point"));
+  CHECK_THROWS_AS(placed_rail(cn_pair().rail(), -1, 0.014, 0.025), InputError);
+  auto upside_down = sampled(cn_pair().rail(), 1e-3);
   for (Point& p : upside_down) p.z = -p.z;
   CHECK_THROWS_WITH(placed_rail(measured_curve(upside_down, 0).curve, 1.435, 0.014, 0.025),
                     Contains("upside down"));
-  CHECK_THROWS_AS(placed_rail(new_rail_profile(), 1.435, 0.014, 1), InputError);
+  CHECK_THROWS_AS(placed_rail(cn_pair().rail(), 1.435, 0.014, 1), InputError);
   CHECK_THROWS_AS(cn_pair().contact(not_a_number), InputError);
 }
 

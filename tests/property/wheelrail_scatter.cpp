@@ -84,7 +84,7 @@ TEST_CASE("Scatter: normal noise, rounding, and none") {
     slope.push_back({u, 1e-6 * std::round(u * 0.05 / 1e-6)});
   }
   CHECK(scatter(slope) == Approx(1e-6 / std::sqrt(12)).epsilon(0.25));
-  CHECK(scatter(sampled(cn_wheel_profile(), 0.5e-3)) < 1e-9);
+  CHECK(scatter(sampled(cn_pair().wheel(), 0.5e-3)) < 1e-9);
   CHECK_THROWS_AS(scatter({{0, 0}, {1, 1}}), InputError);
 }
 

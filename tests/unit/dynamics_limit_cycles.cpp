@@ -128,7 +128,7 @@ TEST_CASE("Hopf points: eigenvalues on the axis, and none missed") {
   }
 }
 
-TEST_CASE("Hopf points: rate and sensitivities against solving again") {
+TEST_CASE("Hopf points: rate of growth against solving again") {
   const auto table = hollow();
   const QuasiLinearCar car{assemble({}, Suspension::dampers), table};
   const auto hopf = hopf_points(car, 3, 120).front();
@@ -139,20 +139,6 @@ TEST_CASE("Hopf points: rate and sensitivities against solving again") {
   const double v = hopf.motion.speed;
   CHECK(hopf.rate_by_speed.real() ==
         Approx((growth(v + h) - growth(v - h)) / (2 * h)).epsilon(1e-5));
-  const auto all = sensitivities(car, Suspension::dampers, table, hopf);
-  for (std::size_t k = 0; k < car_data().size(); ++k) {
-    const auto& datum = car_data()[k];
-    if (datum.member == &CarParameters::half_gauge) continue;  // the table's, too
-    const auto speed = [&](double factor) {
-      CarParameters moved;
-      moved.*datum.member *= factor;
-      const QuasiLinearCar other{assemble(moved, Suspension::dampers), table};
-      return find_hopf(other, hopf.motion).point.motion.speed;
-    };
-    const double again = (speed(1 + h) - speed(1 - h)) / (2 * h * v);
-    CAPTURE(datum.key);
-    CHECK(all[k].relative == Approx(again).margin(3e-6));
-  }
 }
 
 // 145 ft/s with new wheels; 12, 21 and 26 rad/s are in the paper's text. The slopes are those of the

@@ -7,6 +7,8 @@ The second page of this chapter: methods against each other, and cases that stra
 
 {{include: cost.cpp}}
 
+{{include: stiffness.cpp}}
+
 ## Stability
 
 {{stability}}
