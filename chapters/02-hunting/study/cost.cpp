@@ -20,6 +20,8 @@ harmonics needs no integration. The reference is the derivative carried along ex
 
 {{work-precision: multiplier-time}}
 
+{{multiplier-answer}} Each harmonic more brings Hill's determinant little, for the slope of a law has jumps where the law has kinks.
+
 ### One describing-function cycle: the paper's loop against Newton
 
 {{df-time}} finds one cycle, Heumann wheels at 0.2 in, from the linear car's mode: by the paper's two loops, stopped at growth
@@ -28,6 +30,8 @@ rates of $10^{-1}$ to $10^{-7}$ 1/s, and by Newton with its exact Jacobian, stop
 {{df-time}}
 
 {{work-precision: df-time}}
+
+{{df-answer}}
 */
 
 #include <fmt/format.h>
@@ -48,6 +52,8 @@ using namespace dynamics;
 using units::inch;
 
 namespace {
+
+constexpr bench::Axes axes{1e-14, 1, 1e-5, 10};  // of all panels
 
 bench::Outcome outcome(double amplitude, double work, bool converged, std::string reason) {
   return {.values = {amplitude / inch},
@@ -94,47 +100,31 @@ bench::Reference reference(const CycleCase& c) {
   return {"amplitude", best, std::max(std::abs(other / best - 1), 1e-15)};
 }
 
-const report::WorkPrecision& point(const std::vector<report::WorkPrecision>& points,
-                                   const char* method, const char* setting) {
-  for (const auto& p : points)
-    if (p.method == method && p.setting == setting) return p;
-  throw std::logic_error("no such point");
-}
-
 void cycle_time(report::Item& item) {
   item.added("a study of methods");
   const CycleCase& c = example_cycle();
   const auto integration = [&](const char* name, Integrator integrator,
                                const std::vector<double>& tolerances) {
-    return bench::sweep(name, tolerances, [&c, integrator](double tolerance) {
-      return by_integration(c, integrator, tolerance);
-    });
+    return bench::sweep(name, tolerances,
+                        [&c, integrator](double tolerance) {
+                          return by_integration(c, integrator, tolerance);
+                        })
+        .counts("evaluations");
   };
-  const auto points = bench::measure(
-      "cycle-time", {reference(c)},
-      {bench::sweep("harmonic balance", {1, 3, 5, 9, 15, 23, 31, 47, 63, 95},
-                    [&](int n) { return by_balance(c, n); }),
-       bench::sweep("shooting", std::vector<double>{1e-3, 1e-5},
-                    [&](double t) { return by_shooting(c, t); }),
-       integration("explicit", Integrator::dopri5, {1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9}),
-       integration("implicit", Integrator::radau5, {1e-3, 1e-4, 1e-5})},
-      item.timings(), 0.05);
-  bench::show(item, points, "amplitude")
+  const std::vector<bench::Method> methods{
+      bench::sweep("harmonic balance", {1, 3, 5, 9, 15, 23, 31, 47, 63, 95},
+                   [&](int n) { return by_balance(c, n); })
+          .counts("unknowns times iterations"),
+      bench::sweep("shooting", std::vector<double>{1e-3, 1e-5},
+                   [&](double t) { return by_shooting(c, t); })
+          .counts("steps"),
+      integration("explicit", Integrator::dopri5, {1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9}),
+      integration("implicit", Integrator::radau5, {1e-3, 1e-4, 1e-5})};
+  const auto points = bench::measure("cycle-time", {reference(c)}, methods, item.timings(), 0.05);
+  bench::show(item, points, "amplitude", methods, axes)
       .not_compared(
           "the step control of both integrators meets kinks: their errors hang on the last digits");
-  const auto& balanced = point(points, "harmonic balance", "23");
-  const report::WorkPrecision* fastest = nullptr;
-  for (const auto& p : points)
-    if (p.method == "explicit" && p.converged && p.error <= balanced.error &&
-        (fastest == nullptr || p.seconds_min < fastest->seconds_min))
-      fastest = &p;
-  item.value(
-      "cycle-answer",
-      !item.timings() || fastest == nullptr
-          ? "(Not timed.)"
-          : fmt::format("At the error of 23 harmonics, {:.0e}, balance takes {:.2g} ms and "
-                        "the explicit integration {:.2g} ms.",
-                        balanced.error, 1e3 * balanced.seconds_min, 1e3 * fastest->seconds_min));
+  item.value("cycle-answer", bench::answer(points, "amplitude", {1e-3, 1e-5, 1e-7}));
 }
 
 // Of the half-period map: the largest of the pairs, as modulus and angle [rad].
@@ -192,15 +182,18 @@ void multiplier_time(report::Item& item) {
   const CycleCase& c = example_cycle();
   const double best = by_pieces(c, 1e-15).values[0];
   const double uncertainty = std::max(std::abs(by_pieces(c, 1e-12).values[0] / best - 1), 1e-15);
-  const auto points =
-      bench::measure("multiplier-time", {{"largest pair", best, uncertainty}},
-                     {bench::sweep("differences", std::vector<double>{1e-6, 1e-8, 1e-10, 1e-12},
-                                   [&](double t) { return by_differences(c, t); }),
-                      bench::sweep("Hill's determinant", {5, 9, 15, 23, 47, 95},
-                                   [&](int n) { return by_hill(c, n); })},
-                     item.timings(), 0.05);
-  bench::show(item, points, "largest pair")
+  const std::vector<bench::Method> methods{
+      bench::sweep("differences", std::vector<double>{1e-6, 1e-8, 1e-10, 1e-12},
+                   [&](double t) { return by_differences(c, t); })
+          .counts("evaluations"),
+      bench::sweep("Hill's determinant", {5, 9, 15, 23, 47, 95}, [&](int n) {
+        return by_hill(c, n);
+      }).counts("harmonics times iterations")};
+  const auto points = bench::measure("multiplier-time", {{"largest pair", best, uncertainty}},
+                                     methods, item.timings(), 0.05);
+  bench::show(item, points, "largest pair", methods, axes)
       .not_compared("differences of integrations with error control");
+  item.value("multiplier-answer", bench::answer(points, "largest pair", {1e-1, 1e-2, 1e-4}));
 }
 
 constexpr double amplitude = 0.2 * inch;
@@ -232,12 +225,13 @@ void df_time(report::Item& item) {
   const Vehicle& v = vehicle("heumann");
   const double speed = cycles_at_amplitude(v.car, v.main_branch(), amplitude).at(0).motion.speed;
   const double again = find_cycle(v.car, v.hopf[0].motion, amplitude).cycle.motion.speed;
-  bench::figure(
+  const auto points = bench::figure(
       item, {"V", speed, std::max(std::abs(again / speed - 1), 1e-15)},
       {bench::sweep("eigenvector loop",
                     std::vector<double>{1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7}, by_loop),
        bench::sweep("Newton with exact Jacobian", {1, 2, 3}, by_newton)},
-      0.05);
+      0.05, axes);
+  item.value("df-answer", bench::answer(points, "V", {1e-3, 1e-6}));
 }
 
 }  // namespace

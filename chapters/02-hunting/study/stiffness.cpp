@@ -18,7 +18,7 @@ size, and pays for each with a factorization.
 #include <cmath>
 #include <optional>
 
-#include "bench/work_precision.hpp"
+#include "bench/timing.hpp"
 #include "num/eigenvalues.hpp"
 #include "sections.hpp"
 #include "vehicles.hpp"
@@ -92,20 +92,23 @@ std::string compare(report::Item& item, const char* name, const std::vector<Case
   auto& data = item.data(
       name, {"method", "stiffness", "tolerance", "error", "seconds", "steps", "crossover"});
   data.not_compared("times, and steps that hang on last digits");
-  std::vector<double> values, ratios;
+  std::vector<double> values;
+  std::vector<History> references;
   for (const Case& c : cases) {
-    const History reference = c.run(Integrator::pieces, 1e-13);
-    std::array<double, 3> spent{units::nan, units::nan, units::nan};
-    for (std::size_t m = 0; m < methods.size(); ++m) {
-      const auto cost = cost_at_error(c, reference, methods[m].integrator, item.timings());
-      if (!cost) continue;
-      spent[m] = item.timings() ? cost->seconds : double(cost->steps);
-      data.add(methods[m].name, c.stiffness, cost->tolerance, cost->error, cost->seconds,
-               double(cost->steps), units::nan);
-    }
     values.push_back(c.stiffness);
-    ratios.push_back(spent[1] / spent[0]);
+    references.push_back(c.run(Integrator::pieces, 1e-13));
   }
+  std::vector<double> ratios(cases.size(), 1);
+  for (const Method& method : methods)
+    for (std::size_t k = 0; k < cases.size(); ++k) {
+      const auto cost = cost_at_error(cases[k], references[k], method.integrator, item.timings());
+      if (!cost) continue;
+      data.add(method.name, values[k], cost->tolerance, cost->error, cost->seconds,
+               double(cost->steps), units::nan);
+      const double spent = item.timings() ? cost->seconds : double(cost->steps);
+      if (method.integrator == Integrator::dopri5) ratios[k] /= spent;
+      if (method.integrator == Integrator::radau5) ratios[k] *= spent;
+    }
   const double at = crossover(values, ratios);
   if (!std::isfinite(at)) return "One method is the faster over the whole range.";
   for (const double end : {1e-9, 1e9}) data.add("", 0, 0, 0, item.timings() ? end : 0, end, at);
