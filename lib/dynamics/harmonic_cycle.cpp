@@ -91,30 +91,35 @@ Eigen::VectorXd state_at(const Cycle& cycle, double phase) {
 
 double amplitude(const Cycle& cycle, const Eigen::VectorXd& row) {
   const Eigen::VectorXcd s = cycle.motion.transpose() * row.cast<Complex>();
-  // The derivative of given order at a phase.
-  const auto value = [&](double phase, int derivative) {
-    double sum = 0;
-    for (std::size_t k = 0; k < cycle.orders.size(); ++k)
-      sum += (s[Index(k)] * std::pow(i_unit * double(cycle.orders[k]), derivative) *
-              std::polar(1.0, cycle.orders[k] * phase))
-                 .real();
-    return sum;
-  };
-  const int n = std::max(64, 8 * cycle.orders.back());
-  const double step = 2 * units::pi / n;
-  double low = 0, high = 0, low_at = 0, high_at = 0;
-  for (int j = 0; j < n; ++j) {
-    const double x = value(j * step, 0);
-    if (j == 0 || x > high) high = x, high_at = j * step;
-    if (j == 0 || x < low) low = x, low_at = j * step;
-  }
-  for (double* phase : {&low_at, &high_at})
+  std::size_t n = 64;
+  while (n < 8 * std::size_t(cycle.orders.back())) n *= 2;
+  num::RealFft fft{n};
+  std::fill(fft.spectrum().begin(), fft.spectrum().end(), Complex{});
+  for (std::size_t k = 0; k < cycle.orders.size(); ++k)
+    fft.spectrum()[std::size_t(cycle.orders[k])] = (cycle.orders[k] > 0 ? 0.5 : 1.0) * s[Index(k)];
+  fft.inverse();
+  // The extreme near a sample, by Newton on the slope.
+  const double step = 2 * units::pi / double(n);
+  const auto extreme = [&](std::size_t sample, double sign) {
+    double phase = step * double(sample), best = fft.real()[sample];
     for (int newton = 0; newton < 4; ++newton) {
-      const double bend = value(*phase, 2);
+      double value = 0, slope = 0, bend = 0;
+      for (std::size_t k = 0; k < cycle.orders.size(); ++k) {
+        const double order = cycle.orders[k];
+        const Complex x = s[Index(k)] * std::polar(1.0, order * phase);
+        value += x.real();
+        slope -= order * x.imag();
+        bend -= order * order * x.real();
+      }
+      if (sign * value > sign * best) best = value;
       if (bend == 0) break;
-      *phase -= std::clamp(value(*phase, 1) / bend, -step, step);
+      phase -= std::clamp(slope / bend, -step, step);
     }
-  return 0.5 * (std::max(high, value(high_at, 0)) - std::min(low, value(low_at, 0)));
+    return best;
+  };
+  const auto [low, high] = std::minmax_element(fft.real().begin(), fft.real().end());
+  return 0.5 * (extreme(std::size_t(high - fft.real().begin()), 1) -
+                extreme(std::size_t(low - fft.real().begin()), -1));
 }
 
 double defect(const Oscillator& o, const Cycle& cycle, int samples) {

@@ -48,6 +48,13 @@ void require_shape(const Oscillator& o) {
   for (const Channel& c : o.channels)
     good = good && c.row.size() == n && c.force.rows() == n && c.law.pieces() > 0 &&
            c.force.cols() == c.law.outputs();
+  for (const Coupling& c : o.couplings) {
+    const auto wide = [&c, n](const Eigen::MatrixXd& m) {
+      return m.rows() == c.inputs() && m.cols() == n;
+    };
+    good = good && wide(c.of_motion) && wide(c.of_rate) && wide(c.of_rate_by_speed) &&
+           c.force.rows() == n && c.law;
+  }
   if (!good)
     throw InputError("oscillator of " + std::to_string(n) +
                      " coordinates: its matrices, rows and forces do not fit; allowed: 1 to 9");
@@ -105,6 +112,17 @@ Compiled compile(const Oscillator& o) {
       out.constant.col(i) -= c.law.knots()[i] * out.slope.col(i);
     result.channels.push_back(std::move(out));
   }
+  for (const Coupling& c : o.couplings) {
+    CompiledCoupling out;
+    out.rows = Eigen::MatrixXd::Zero(c.inputs(), 2 * coordinates);
+    out.rows.leftCols(n) = c.of_motion;
+    out.rows.middleCols(coordinates, n) = c.of_rate + o.inverse_speed * c.of_rate_by_speed;
+    Eigen::MatrixXd force = Eigen::MatrixXd::Zero(coordinates, c.outputs());
+    force.topRows(n) = c.force;
+    out.response = mass.solve(force);
+    out.law = c.law;
+    result.couplings.push_back(std::move(out));
+  }
   return result;
 }
 
@@ -116,6 +134,12 @@ void Compiled::rate(const State& y, State& dy) const {
     const Eigen::Index i = c.law.piece(s);
     dy.tail<9>() += c.constant.col(i) + s * c.slope.col(i);
   }
+  for (const CompiledCoupling& c : couplings) {
+    const Eigen::VectorXd s = c.rows * y;
+    Eigen::VectorXd f(c.response.cols());
+    c.law(s.data(), f.data(), nullptr);
+    dy.tail<9>() += c.response * f;
+  }
 }
 
 void Compiled::jacobian(const State& y, StateMatrix& J) const {
@@ -125,6 +149,14 @@ void Compiled::jacobian(const State& y, StateMatrix& J) const {
   for (const CompiledChannel& c : channels)
     J.block<9, 9>(9, c.of_rate ? 9 : 0) +=
         c.slope.col(c.law.piece(scalar(c, y))) * c.row.transpose();
+  for (const CompiledCoupling& c : couplings) {
+    const Eigen::VectorXd s = c.rows * y;
+    Eigen::VectorXd f(c.response.cols());
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> slope(f.size(),
+                                                                                 s.size());
+    c.law(s.data(), f.data(), slope.data());
+    J.bottomRows<9>() += c.response * slope * c.rows;
+  }
 }
 
 State padded(const Eigen::VectorXd& y) {

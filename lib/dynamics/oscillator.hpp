@@ -2,12 +2,14 @@
 //
 //   M q'' + (C_0 + u C_1) q' + K q = sum_c G_c f_c(s_c),   s_c = row_c q  or  row_c q',   u = 1/V
 //
-// with piecewise linear f_c: the freight car on its tables, with or without friction.
+// with piecewise linear f_c, the freight car on its tables, with or without friction; and, where forces are smooth or depend on
+// several scalars at once, couplings beside them.
 //
 //   const Oscillator car = car_on_track(assemble({}, Suspension::dampers), table, 150 * units::foot);
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -25,10 +27,22 @@ struct Channel {
   double limit = std::numeric_limits<double>::infinity();  // |s| beyond it: derailed, law unknown
 };
 
+// G f(s) of several scalars s = of_motion q + (of_rate + u of_rate_by_speed) q', each k x n. `law` fills f (m) and its derivative
+// (m x k, row by row; not asked for when null). It must have a derivative, and continuous, wherever the motion goes.
+struct Coupling {
+  Eigen::MatrixXd of_motion, of_rate, of_rate_by_speed;
+  Eigen::MatrixXd force;  // G: n x m
+  std::function<void(const double* s, double* f, double* slope)> law;
+
+  Eigen::Index inputs() const { return of_motion.rows(); }
+  Eigen::Index outputs() const { return force.cols(); }
+};
+
 struct Oscillator {
   Eigen::MatrixXd mass, damping, damping_by_speed, stiffness;  // n x n: M, C_0, C_1, K
   double inverse_speed = 0;                                    // u [s/m]
   std::vector<Channel> channels;
+  std::vector<Coupling> couplings;
 
   Eigen::Index coordinates() const { return mass.rows(); }
 };
@@ -52,9 +66,14 @@ struct CompiledChannel {
   Eigen::Matrix<double, 9, Eigen::Dynamic> constant,
       slope;  // q'' = constant + slope s, a column a piece
 };
+struct CompiledCoupling {
+  Eigen::MatrixXd rows, response;  // s = rows (q, q'), q'' = response f(s)
+  std::function<void(const double* s, double* f, double* slope)> law;
+};
 struct Compiled {
   Acceleration linear;
   std::vector<CompiledChannel> channels;
+  std::vector<CompiledCoupling> couplings;
 
   double scalar(const CompiledChannel& c, const State& y) const {
     return c.of_rate ? c.row.dot(y.tail<9>()) : c.row.dot(y.head<9>());

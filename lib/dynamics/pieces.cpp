@@ -45,6 +45,10 @@ PieceIntegrator::PieceIntegrator(Compiled system, const State& scale, double tol
     : system_(std::move(system)), inverse_scale_(scale.cwiseInverse()), tolerance_(tolerance) {
   units::require_positive("tolerance", tolerance);
   units::require_positive("smallest scale of a state", scale.minCoeff());
+  if (!system_.couplings.empty())
+    throw InputError(
+        "integration in exact pieces: a force couples several scalars; allowed: "
+        "piecewise linear laws only (dopri5 and radau5 take any)");
 }
 
 void PieceIntegrator::start(double t, const State& y) {

@@ -24,6 +24,10 @@ PiecewiseLinear::PiecewiseLinear(Eigen::VectorXd knots, Eigen::MatrixXd values)
   slopes_.resize(values_.rows(), n - 1);
   for (Eigen::Index i = 0; i + 1 < n; ++i)
     slopes_.col(i) = (values_.col(i + 1) - values_.col(i)) / (knots_[i + 1] - knots_[i]);
+  integrals_ = Eigen::MatrixXd::Zero(values_.rows(), n);
+  for (Eigen::Index i = 0; i + 1 < n; ++i)
+    integrals_.col(i + 1) = integrals_.col(i) + 0.5 * (knots_[i + 1] - knots_[i]) *
+                                                    (values_.col(i) + values_.col(i + 1));
   const Eigen::Index buckets = 4 * n;
   buckets_ = double(buckets) / (knots_[n - 1] - knots_[0]);
   first_.resize(std::size_t(buckets) + 1);
@@ -48,6 +52,27 @@ Eigen::Index PiecewiseLinear::piece(double s) const {
 Eigen::VectorXd PiecewiseLinear::operator()(double s) const {
   const Eigen::Index i = piece(s);
   return values_.col(i) + (s - knots_[i]) * slopes_.col(i);
+}
+
+PiecewiseLinear::Mean PiecewiseLinear::mean(Eigen::Index m, double a, Eigen::Index piece_a,
+                                            double b, Eigen::Index piece_b) const {
+  const auto value = [&](double s, Eigen::Index i) {
+    return values_(m, i) + (s - knots_[i]) * slopes_(m, i);
+  };
+  const double half = 0.5 * slopes_(m, piece_a);
+  if (piece_a == piece_b) return {value(0.5 * (a + b), piece_a), half, half};
+  if (piece_a > piece_b) {
+    const Mean turned = mean(m, b, piece_b, a, piece_a);
+    return {turned.value, turned.by_b, turned.by_a};
+  }
+  // To the next knot, the knots between, and from the last one.
+  const double next = knots_[piece_a + 1], last = knots_[piece_b], f_a = value(a, piece_a),
+               f_b = value(b, piece_b), way = b - a;
+  const double sum = 0.5 * (next - a) * (f_a + values_(m, piece_a + 1)) +
+                     (integrals_(m, piece_b) - integrals_(m, piece_a + 1)) +
+                     0.5 * (b - last) * (f_b + values_(m, piece_b));
+  if (!(way > 1e-12 * std::abs(b))) return {f_b, half, 0.5 * slopes_(m, piece_b)};
+  return {sum / way, (sum / way - f_a) / way, (f_b - sum / way) / way};
 }
 
 double PiecewiseLinear::low(Eigen::Index i) const {

@@ -18,6 +18,12 @@ class PiecewiseLinear {
   // The piece of s: 0 ... pieces() - 1. At an inner knot, the piece above it.
   Eigen::Index piece(double s) const;
   Eigen::VectorXd operator()(double s) const;
+  // Mean of output m over [a, b] (either order), and its derivatives by a and b: continuous, also where a kink lies between. The
+  // pieces are those of a and b.
+  struct Mean {
+    double value = 0, by_a = 0, by_b = 0;
+  };
+  Mean mean(Eigen::Index m, double a, Eigen::Index piece_a, double b, Eigen::Index piece_b) const;
   // Ends of a piece; the outermost ones are infinite.
   double low(Eigen::Index piece) const;
   double high(Eigen::Index piece) const;
@@ -28,7 +34,7 @@ class PiecewiseLinear {
 
  private:
   Eigen::VectorXd knots_;
-  Eigen::MatrixXd values_, slopes_;
+  Eigen::MatrixXd values_, slopes_, integrals_;  // integrals: from the first knot to each
   std::vector<Eigen::Index> first_;  // piece at the lower end of each of many equal buckets
   double buckets_ = 0;               // a unit of s
 };

@@ -1,0 +1,133 @@
+#include "dynamics/creep_limit.hpp"
+
+#include <cmath>
+#include <memory>
+
+#include "units/input_error.hpp"
+
+namespace railbook::dynamics {
+
+namespace {
+
+struct Wheel {
+  double a, r0, f11, f12, f22, f33, bound;  // mu N
+};
+
+Wheel wheel_of(const FreightCar& car, double friction) {
+  const CarParameters& d = car.data;
+  return {d.half_gauge, d.wheel_radius, d.f11, d.f12, d.f22, d.f33, friction * axle_load(d) / 2};
+}
+
+// Shares that the linear forces are of mu N, and d/d(lateral creepage, yaw rate over V, displacement).
+struct Demand {
+  std::array<double, 3> share;  // longitudinal, lateral, spin
+  std::array<std::array<double, 3>, 3> slope;
+};
+Demand demand(const Wheel& w, const wheelrail::ConstraintFunctions& table, const double* s) {
+  const auto c = table.at(s[2]);
+  const double x = w.f33 / w.bound, y = w.f11 / w.bound, z = w.f12 / w.bound;
+  return {{x * (w.a * s[1] + w.a / w.r0 * c.R), y * s[0], z * (s[1] - c.D / w.r0)},
+          {{{0, x * w.a, x * w.a / w.r0 * c.dR}, {y, 0, 0}, {0, z, -z / w.r0 * c.dD}}}};
+}
+
+struct Limited {
+  std::array<double, 2> share;                 // longitudinal, lateral
+  std::array<std::array<double, 3>, 2> slope;  // by the three shares asked for
+};
+
+Limited cubic(const std::array<double, 3>& t) {
+  const double x = t[0], y = t[1] + t[2], size = std::hypot(x, y);
+  // Force over demand, and its derivative over the demand.
+  const double part = size < 3 ? 1 - size / 3 + size * size / 27 : 1 / size;
+  const double bend = size == 0  ? 0
+                      : size < 3 ? (-1.0 / 3 + 2 * size / 27) / size
+                                 : -1 / (size * size * size);
+  Limited r{{part * x, part * y}, {}};
+  r.slope[0] = {part + bend * x * x, bend * x * y, bend * x * y};
+  r.slope[1] = {bend * x * y, part + bend * y * y, part + bend * y * y};
+  return r;
+}
+
+Limited by_curve(const CreepCurve& curve, const std::array<double, 3>& t) {
+  constexpr double step = 1e-5;
+  Limited r{curve(t[0], t[1], t[2]), {}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    auto low = t, high = t;
+    low[i] -= step;
+    high[i] += step;
+    const auto a = curve(low[0], low[1], low[2]), b = curve(high[0], high[1], high[2]);
+    for (std::size_t m = 0; m < 2; ++m) r.slope[m][i] = (b[m] - a[m]) / (2 * step);
+  }
+  return r;
+}
+
+// What friction takes from lateral force and moment of a wheelset: f, and d f/d s row by row.
+void take(const Wheel& w, const Demand& d, const Limited& l, const double* s, double* f,
+          double* slope) {
+  const double x = d.share[0], y = d.share[1] + d.share[2], asked = x * x + y * y;
+  const double given = l.share[0] * x + l.share[1] * y;  // along the demand
+  const double part = asked > 0 ? given / asked : 1;
+  const double moment = w.f12 * s[0] - w.f22 * w.bound / w.f12 * d.share[2];
+  const bool spin = w.f12 > 0;
+  f[0] = 2 * w.bound * (y - l.share[1]);
+  f[1] = 2 * w.a * w.bound * (x - l.share[0]) + (spin ? 2 * (part - 1) * moment : 0);
+  if (!slope) return;
+  for (std::size_t i = 0; i < 3; ++i) {
+    double fx = 0, fy = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      fx += l.slope[0][k] * d.slope[k][i];
+      fy += l.slope[1][k] * d.slope[k][i];
+    }
+    const double dx = d.slope[0][i], dy = d.slope[1][i] + d.slope[2][i];
+    slope[i] = 2 * w.bound * (dy - fy);
+    slope[3 + i] = 2 * w.a * w.bound * (dx - fx);
+    if (!spin || asked == 0) continue;
+    const double part_slope =
+        (fx * x + fy * y + l.share[0] * dx + l.share[1] * dy - 2 * part * (x * dx + y * dy)) /
+        asked;
+    const double moment_slope = (i == 0 ? w.f12 : 0) - w.f22 * w.bound / w.f12 * d.slope[2][i];
+    slope[3 + i] += 2 * (part_slope * moment + (part - 1) * moment_slope);
+  }
+}
+
+}  // namespace
+
+void limit_creep(Oscillator& o, const FreightCar& car, const wheelrail::ConstraintFunctions& table,
+                 const CreepLimit& limit) {
+  units::require_positive("friction of wheel and rail", limit.friction);
+  const Wheel w = wheel_of(car, limit.friction);
+  const auto shared = std::make_shared<const wheelrail::ConstraintFunctions>(table);
+  for (const Wheelset& set : car.wheels) {
+    Coupling c;
+    c.of_motion = c.of_rate = c.of_rate_by_speed = Eigen::MatrixXd::Zero(3, coordinates);
+    c.of_rate_by_speed.row(0) = set.lateral.transpose();
+    c.of_motion.row(0) = -set.yaw.transpose();
+    c.of_rate_by_speed.row(1) = set.yaw.transpose();
+    c.of_motion.row(2) = set.lateral.transpose();
+    c.force.resize(coordinates, 2);
+    c.force << set.lateral, set.yaw;
+    c.law = [w, shared, curve = limit.curve](const double* s, double* f, double* slope) {
+      const Demand d = demand(w, *shared, s);
+      take(w, d, curve ? by_curve(curve, d.share) : cubic(d.share), s, f, slope);
+    };
+    o.couplings.push_back(std::move(c));
+  }
+}
+
+std::array<double, wheelsets> linear_creep_demand(const FreightCar& car,
+                                                  const wheelrail::ConstraintFunctions& table,
+                                                  double friction, double speed, const Vector9& q,
+                                                  const Vector9& rate) {
+  const Wheel w = wheel_of(car, units::require_positive("friction of wheel and rail", friction));
+  std::array<double, wheelsets> result{};
+  for (std::size_t i = 0; i < wheelsets; ++i) {
+    const Wheelset& set = car.wheels[i];
+    const double s[3] = {set.lateral.dot(rate) / speed - set.yaw.dot(q), set.yaw.dot(rate) / speed,
+                         set.lateral.dot(q)};
+    const Demand d = demand(w, table, s);
+    result[i] = std::hypot(d.share[0], d.share[1] + d.share[2]);
+  }
+  return result;
+}
+
+}  // namespace railbook::dynamics

@@ -1,0 +1,252 @@
+// Continuation of limit cycles against normal forms with exact branches: circular motions of a plane oscillator, on which other
+// coordinates ride.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "dynamics/continuation.hpp"
+#include "num/roots.hpp"
+#include "units/constants.hpp"
+#include "units/input_error.hpp"
+
+using namespace railbook;
+using namespace railbook::dynamics;
+
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::MatrixXd;
+
+// n coordinates of unit mass and stiffness, of which a law sees all motions and all rates and pushes all.
+Oscillator seen_by(int n, std::function<void(const double*, double*, double*)> law) {
+  const MatrixXd one = MatrixXd::Identity(n, n), none = MatrixXd::Zero(n, n);
+  Oscillator o{one, none, none, one, 1.0, {}, {}};
+  Coupling c;
+  c.of_motion = MatrixXd::Zero(2 * n, n);
+  c.of_rate = c.of_rate_by_speed = c.of_motion;
+  c.of_motion.topRows(n) = one;
+  c.of_rate.bottomRows(n) = one;
+  c.force = one;
+  c.law = std::move(law);
+  o.couplings.push_back(std::move(c));
+  return o;
+}
+
+// Derivatives of a law by complex steps: exact to rounding, and nothing to get wrong.
+template <class F>
+auto differentiated(int inputs, int outputs, F&& f) {
+  return [=](const double* s, double* out, double* slope) {
+    std::vector<Complex> x(s, s + inputs), y(static_cast<std::size_t>(outputs));
+    f(x.data(), y.data());
+    for (int m = 0; m < outputs; ++m) out[m] = y[std::size_t(m)].real();
+    if (!slope) return;
+    for (int i = 0; i < inputs; ++i) {
+      x[std::size_t(i)] += Complex{0, 1e-20};
+      f(x.data(), y.data());
+      for (int m = 0; m < outputs; ++m) slope[m * inputs + i] = y[std::size_t(m)].imag() / 1e-20;
+      x[std::size_t(i)] = s[i];
+    }
+  };
+}
+
+Eigen::VectorXd first_row(int n) {
+  return Eigen::VectorXd::Unit(n, 0);
+}
+Eigen::VectorXcd circle(int n) {
+  Eigen::VectorXcd shape = Eigen::VectorXcd::Zero(n);
+  shape[0] = 1;
+  shape[1] = Complex{0, -1};
+  return shape;
+}
+std::vector<SpecialCycle> of_kind(const LimitCycleBranch& branch, CycleEvent kind) {
+  std::vector<SpecialCycle> found;
+  for (const SpecialCycle& s : branch.special)
+    if (s.kind == kind) found.push_back(s);
+  return found;
+}
+
+// Circles of radius^2 = p in the first two coordinates, omega^2 = 1 + p / 2; `rest` adds forces on the others. The term with q q',
+// zero on circles, keeps the motion from turning back on itself: without it circles are unstable.
+template <class Rest>
+Family on_circles(int n, Rest rest) {
+  Family family;
+  family.oscillator = seen_by(n, differentiated(2 * n, n, [=](const Complex* s, Complex* f) {
+                                const Complex rho = s[0] * s[0] + s[1] * s[1];
+                                for (int i = 0; i < n; ++i) f[i] = 0;
+                                const Complex radial = s[0] * s[n] + s[1] * s[n + 1];
+                                for (int i = 0; i < 2; ++i)
+                                  f[i] = -rho * s[n + i] - (0.5 * rho + 2.0 * radial) * s[i];
+                                rest(rho, s, f);
+                              }));
+  family.set = [](Oscillator& o, double p) { o.damping(0, 0) = o.damping(1, 1) = -p; };
+  family.watch = {first_row(n)};
+  return family;
+}
+
+}  // namespace
+
+TEST_CASE("Continuation: a Hopf point's branch and its turning point", "[continuation]") {
+  // q'' - (p + rho - rho^2) q' + (1 + rho/2) q = 0: circles where p = rho^2 - rho, turning at rho = 1/2, p = -1/4.
+  Family family;
+  family.oscillator =
+      seen_by(2, differentiated(4, 2, [](const Complex* s, Complex* f) {
+                const Complex rho = s[0] * s[0] + s[1] * s[1];
+                const Complex radial = s[0] * s[2] + s[1] * s[3];
+                for (int i = 0; i < 2; ++i)
+                  f[i] = (rho - rho * rho) * s[2 + i] - (0.5 * rho + 4.0 * radial) * s[i];
+              }));
+  family.set = [](Oscillator& o, double p) { o.damping(0, 0) = o.damping(1, 1) = -p; };
+  family.watch = {first_row(2)};
+  ContinuationOptions options;
+  options.lowest = -1;
+  options.highest = 1;
+  options.first_amplitude = 0.05;
+  const auto branch = follow_from_hopf(family, circle(2), 1, 0, options);
+  CHECK(branch.stop == BranchStop::parameter);
+  REQUIRE(branch.points.size() > 10);
+  for (const LimitCycle& p : branch.points) {
+    const double rho = p.largest * p.largest;
+    CHECK(p.parameter == Approx(rho * rho - rho).margin(1e-9));
+    CHECK(p.cycle.omega == Approx(std::sqrt(1 + 0.5 * rho)).epsilon(1e-9));
+    CHECK(p.multipliers.trivial_error < 1e-6);
+  }
+  const auto folds = of_kind(branch, CycleEvent::fold);
+  REQUIRE(folds.size() == 1);
+  CHECK(folds[0].located);
+  CHECK(folds[0].at.parameter == Approx(-0.25).epsilon(1e-7));
+  CHECK(folds[0].at.largest == Approx(std::sqrt(0.5)).epsilon(1e-6));
+  // Below the turning point unstable, above it stable.
+  CHECK(branch.points.front().unstable > 0);
+  CHECK(branch.points.back().stable);
+  const auto at = cycles_at(family, branch, -0.1, options);
+  REQUIRE(at.size() == 2);
+  CHECK(at[0].largest == Approx(std::sqrt(0.5 - std::sqrt(0.15))).epsilon(1e-9));
+  CHECK(at[1].largest == Approx(std::sqrt(0.5 + std::sqrt(0.15))).epsilon(1e-9));
+}
+
+TEST_CASE("Continuation: Duffing's two turning points", "[continuation]") {
+  // z'' + d z' + z + b |z|^2 z = g exp(i W t) in the plane, driven by circles u'' + (|u|^2 - 1) u' + W^2 u = 0 of radius 1:
+  // rho ((1 + b rho - W^2)^2 + d^2 W^2) = g^2 exactly, and one frequency.
+  constexpr double d = 0.1, b = 0.5, g = 0.2;
+  Family family;
+  family.oscillator = seen_by(4, differentiated(8, 4, [=](const Complex* s, Complex* f) {
+                                const Complex rho = s[0] * s[0] + s[1] * s[1],
+                                              size = s[2] * s[2] + s[3] * s[3];
+                                for (int i = 0; i < 2; ++i) {
+                                  f[i] = -b * rho * s[i] + g * s[2 + i];
+                                  f[2 + i] = -(size - 1.0) * s[6 + i];
+                                }
+                              }));
+  family.set = [](Oscillator& o, double w) {
+    o.damping(0, 0) = o.damping(1, 1) = d;
+    o.stiffness(2, 2) = o.stiffness(3, 3) = w * w;
+  };
+  family.watch = {first_row(4)};
+  ContinuationOptions options;
+  options.lowest = 0.3;
+  options.highest = 2.5;
+  Oscillator start = family.oscillator;
+  family.set(start, 0.5);
+  Eigen::VectorXcd shape = Eigen::VectorXcd::Zero(4);
+  shape << 0.27, Complex{0, -0.27}, 1, Complex{0, -1};
+  const auto branch = follow_from(family, first_harmonic(start, shape, 0.5, 7), 0.5,
+                                  Towards::larger_parameter, options);
+  CHECK(branch.stop == BranchStop::parameter);
+  // dW/d rho = 0 there: with a = 1 + b rho - W^2 = -g^2 / (2 b rho^2).
+  const auto turning = [&](double rho) {
+    return std::pow(g, 4) / (4 * b * b * std::pow(rho, 4)) - g * g / rho +
+           d * d * (1 + b * rho + g * g / (2 * b * rho * rho));
+  };
+  const auto folds = of_kind(branch, CycleEvent::fold);
+  REQUIRE(folds.size() == 2);
+  double bracket[2][2] = {{1, 20}, {0.1, 1}};
+  for (std::size_t k = 0; k < 2; ++k) {
+    const double rho = num::find_root(turning, bracket[k][0], bracket[k][1]).x;
+    CAPTURE(rho);
+    CHECK(folds[k].at.parameter ==
+          Approx(std::sqrt(1 + b * rho + g * g / (2 * b * rho * rho))).epsilon(1e-7));
+    CHECK(folds[k].at.largest == Approx(std::sqrt(rho)).epsilon(1e-5));
+  }
+}
+
+TEST_CASE("Continuation: a torus point of known place", "[continuation]") {
+  // A third coordinate whose damping 0.3 - p changes sign at p = 0.3.
+  const Family family = on_circles(3, [](Complex rho, const Complex* s, Complex* f) {
+    f[2] = -(0.3 - rho) * s[5] - 0.7 * s[2];
+  });
+  ContinuationOptions options;
+  options.highest = 0.6;
+  options.lowest = -1;
+  options.first_amplitude = 0.1;
+  const auto branch = follow_from_hopf(family, circle(3), 1, 0, options);
+  const auto found = of_kind(branch, CycleEvent::torus);
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].located);
+  CHECK(found[0].at.parameter == Approx(0.3).epsilon(1e-6));
+  CHECK(branch.points[found[0].after].stable);
+  CHECK(branch.points.back().unstable == 2);
+  for (const LimitCycle& p : branch.points) {
+    // exp of the exponents over half a period.
+    const double rate = 0.5 * (p.parameter - 0.3), half = units::pi / p.cycle.omega;
+    double nearest = 1;
+    for (const Complex m : p.multipliers.map)
+      nearest = std::min(nearest, std::abs(std::abs(m) - std::exp(rate * half)));
+    CHECK(nearest < 1e-6);
+  }
+}
+
+TEST_CASE("Continuation: symmetry breaks, and the branch that leaves there", "[continuation]") {
+  // w'' + w' + (0.3 - rho) w + w^3 = 0 has w^2 = p - 0.3 beside w = 0.
+  const Family family = on_circles(3, [](Complex rho, const Complex* s, Complex* f) {
+    f[2] = -s[5] + (0.7 + rho) * s[2] - s[2] * s[2] * s[2];
+  });
+  ContinuationOptions options;
+  options.highest = 0.6;
+  options.lowest = -1;
+  options.first_amplitude = 0.1;
+  const auto branch = follow_from_hopf(family, circle(3), 1, 0, options);
+  const auto found = of_kind(branch, CycleEvent::symmetry_breaking);
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].at.parameter == Approx(0.3).epsilon(1e-6));
+  const auto aside = follow_secondary(family, found[0], options);
+  REQUIRE(aside.points.size() > 3);
+  CHECK(aside.stop == BranchStop::parameter);
+  for (const LimitCycle& p : aside.points) {
+    CHECK(std::norm(p.cycle.motion(2, 0)) == Approx(p.parameter - 0.3).epsilon(1e-6));
+    CHECK(p.stable);
+  }
+}
+
+TEST_CASE("Continuation: van der Pol's cycle from its first to its later days", "[continuation]") {
+  // Rayleigh's q'' - e (q' - q'^3 / 3) + q = 0.
+  Family family;
+  family.oscillator = seen_by(1, differentiated(2, 1, [](const Complex* s, Complex* f) {
+                                f[0] = -s[1] * s[1] * s[1] / 3.0;
+                              }));
+  // The law is weighed by its force's matrix.
+  family.set = [](Oscillator& o, double e) {
+    o.damping(0, 0) = -e;
+    o.couplings[0].force(0, 0) = e;
+  };
+  family.watch = {first_row(1)};
+  ContinuationOptions options;
+  options.highest = 2;
+  options.tail = 1e-9;
+  Oscillator start = family.oscillator;
+  family.set(start, 0.1);
+  const auto branch =
+      follow_from(family, first_harmonic(start, 2 * Eigen::VectorXcd::Ones(1), 1, 7), 0.1,
+                  Towards::larger_parameter, options);
+  CHECK(branch.stop == BranchStop::parameter);
+  const auto at = cycles_at(family, branch, 1, options);
+  REQUIRE(at.size() == 1);
+  CHECK(2 * units::pi / at[0].cycle.omega == Approx(6.6632868593).epsilon(1e-9));
+  // Liouville: the log of the other multiplier is the integral of e (1 - q'^2).
+  double trace = 0;
+  constexpr int samples = 1024;
+  for (int j = 0; j < samples; ++j) {
+    const double v = state_at(at[0].cycle, 2 * units::pi * j / samples)[1];
+    trace += (1 - v * v) * (2 * units::pi / at[0].cycle.omega) / samples;
+  }
+  CHECK(at[0].leading == Approx(std::exp(trace)).epsilon(2e-5));
+  CHECK(at[0].stable);
+}
