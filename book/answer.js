@@ -8,7 +8,7 @@ const answers = new Map();
 globalThis.railbookAnswer = (id, panels, rows) => answers.set(id, {panels: table(panels), rows: table(rows)});
 
 function table(text) {
-  const [head, ...lines] = text.trim().split("\n").map((line) => cells(line));
+  const [head, ...lines] = text.trim().split("\n").filter((line) => line && !line.startsWith("#")).map(cells);
   return {head, lines};
 }
 

@@ -32,7 +32,7 @@ end
 
 -- A number as text, 1.2e-05 or "-3.4 psi", the way it is printed: 1.2×10⁻⁵, −3.4 psi. Other text: escaped.
 function html.number(text)
-  text = html.escape(text)
+  text = html.escape(text):gsub("^([+-]?[%d.]+)[eE](%d+)$", "%1e+%2")
   if text:find("^[+-]?%.?%d") then text = html.unit(power_of_ten((text:gsub("^-", "−")))) end
   return text
 end

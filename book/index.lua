@@ -117,16 +117,34 @@ local function legend()
   return html.table("legend", {"word", "meaning"}, rows)
 end
 
+local function tile(item, r, figures)
+  local image = items.image(item, r, figures .. "/" .. r.chapter, true)
+  return html.tag("li", nil, html.tag("a", {href = items.href(item, r, "index")}, image)
+    .. html.tag("p", nil, items.title(item) .. " " .. html.badge(item.failure and "failed" or item.input)))
+end
+
+-- The figures to look at first; one that a run did not draw is left out.
+local heroes = {"01-contact/scene", "01-contact/fig-12", "01-contact/fig-14", "02-hunting/fig-04", "02-hunting/fig-multipliers",
+  "03-creep/fig-tractions", "03-creep/fig-theories", "04-filters/fig-directions", "05-psd/fig-03", "05-psd/fig-11",
+  "06-quality/fig-level", "07-track/fig-joint"}
+
+local function best(records, figures)
+  local tiles = {}
+  for _, name in ipairs(heroes) do
+    for _, r in ipairs(records) do
+      local item = r.item[name:match("/(.*)$")]
+      if r.chapter == name:match("^[^/]*") and item and item.png then tiles[#tiles + 1] = tile(item, r, figures) end
+    end
+  end
+  return html.tag("ul", {class = "gallery"}, table.concat(tiles, "\n"))
+end
+
 local function gallery(records, figures)
   local out = {}
   for _, r in ipairs(records) do
     local tiles = {}
     for _, item in ipairs(r.items) do
-      if item.png then
-        local image = items.image(item, r, figures .. "/" .. r.chapter, true)
-        tiles[#tiles + 1] = html.tag("li", nil, html.tag("a", {href = items.href(item, r, "index")}, image)
-          .. html.tag("p", nil, items.title(item) .. " " .. html.badge(item.failure and "failed" or item.input)))
-      end
+      if item.png then tiles[#tiles + 1] = tile(item, r, figures) end
     end
     if #tiles > 0 then
       out[#out + 1] = html.tag("h2", {id = r.chapter}, r.number .. " " .. html.text(r.title))
@@ -199,6 +217,7 @@ function Pandoc(doc)
     ["{{headline}}"] = function() return headline(records, frame.strings(doc.meta["left-out"])) end,
     ["{{papers}}"] = function() return citations(records, parts) end, ["{{equations}}"] = function() return equations(records, parts) end,
     ["{{overviews}}"] = overviews, ["{{legend}}"] = legend, ["{{gallery}}"] = function() return gallery(records, text "figures") end,
+    ["{{heroes}}"] = function() return best(records, text "figures") end,
     ["{{findings}}"] = function() return overview.findings(records, parts) end,
     ["{{ledger}}"] = function() return overview.ledger(records) end,
     ["{{stability}}"] = function() return overview.stability(records) end,

@@ -18,6 +18,12 @@ function items.computed(check)
   return html.number(text)
 end
 
+-- A cell of a number or of words.
+function items.cell(text, class)
+  local words = #text:gsub("<[^>]*>", "") > 24
+  return {text, class = words and "words" or class or "number"}
+end
+
 -- The difference and what is allowed of it, as they are shown.
 function items.difference(check)
   local kind, error, allowed = check.kind, check.error, check.allowed
@@ -67,8 +73,7 @@ local function one_table(checks, of_paper)
     local mark = marks[check.why]
     local row = {
       html.tag("span", {id = check.id}, html.text(check.what or check.id)) .. items.unit(check),
-      {items.said(check, of_paper), class = of_paper and "number" or "number reference"},
-      {items.computed(check), class = "number"}, {off, class = "number"},
+      items.cell(items.said(check, of_paper), not of_paper and "number reference" or nil), items.cell(items.computed(check)), {off, class = "number"},
       {allowed .. (mark and html.tag("span", {class = "mark"}, mark) or ""), class = "number"},
       html.badge(check.pass and check.outcome or "failed"), class = not check.pass and "failed" or nil}
     if of_paper then table.insert(row, 2, html.text(check.place or "")) end
@@ -173,9 +178,12 @@ end
 -- The picture of a figure: its SVG, which a dark page may turn, where there is one. `folder` holds the chapter's pictures.
 function items.image(item, r, folder, lazy)
   local width, height = items.png_size(folder .. "/" .. item.png)
-  local href = ("figures/%s/%s"):format(r.chapter, item.svg or item.png)
+  local svg = item.png:gsub("%.png$", ".svg")
+  local drawing = io.open(folder .. "/" .. svg)
+  if drawing then drawing:close() end
+  local href = ("figures/%s/%s"):format(r.chapter, drawing and svg or item.png)
   local image = html.tag("img", {src = href, alt = item.alt or item.title, width = width, height = height,
-    class = item.svg and "drawing" or nil, loading = lazy and "lazy" or nil})
+    class = drawing and "drawing" or nil, loading = lazy and "lazy" or nil})
   return image, href
 end
 

@@ -26,8 +26,10 @@ local function findings_table(r)
   local rows = {}
   for i, entry in ipairs(found) do
     local check = entry[3]
+    local came, why = items.cell(items.computed(check)), html.text(check.why or "")
+    if came.class == "words" then came, why = {"–", class = "number"}, came[1] .. (why ~= "" and "; " .. why or "") end
     rows[i] = {check_link(check, r), html.badge(check.pass and check.outcome or "failed"), html.text(check.place or ""),
-      {items.said(check, true), class = "number"}, {items.computed(check), class = "number"}, html.text(check.why or "")}
+      items.cell(items.said(check, true)), came, why}
   end
   local heads = {"what", {"outcome", filter = true}, "place in the paper", "printed", "computed", "proof or reason"}
   return #rows > 0 and html.table("sortable findings-table", heads, rows) or ""
@@ -54,7 +56,7 @@ function overview.ledger(records)
     for i, check in ipairs(r.checks) do
       local used = record.used(check)
       rows[i] = {check_link(check, r), html.text(check.of_paper and check.place or check.by or ""), check.source or "–",
-        {items.said(check, check.of_paper), class = "number"}, {items.computed(check), class = "number"},
+        items.cell(items.said(check, check.of_paper)), items.cell(items.computed(check)),
         {used and ("%.0f %%"):format(100 * used) or "–", class = "number", sort = used},
         html.badge(check.pass and check.outcome or "failed"), class = not check.pass and "failed" or nil}
     end

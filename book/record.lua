@@ -37,7 +37,7 @@ function record.load(path)
     item.checks, item.csv = {}, item.csv or {}
     if type(item.csv) == "string" then item.csv = {item.csv} end
     for i, name in ipairs(item.csv) do item.csv[i] = basename(name) end
-    for _, key in ipairs({"png", "svg", "script"}) do item[key] = item[key] and basename(item[key]) end -- "" becomes nil
+    for _, key in ipairs({"png", "script"}) do item[key] = item[key] and basename(item[key]) end -- "" becomes nil
     item.input, item.page = item.input or "paper", item.page or "paper"
     if item.failure == "" then item.failure = nil end
     if item.png then item.kind = "figure" end

@@ -312,7 +312,6 @@ endfunction()
 book_case("a missing or empty figure fails" missing_png)
 
 function(drawing)
-  edit(${json} "\"png\": \"fig-1.png\"" "\"png\": \"fig-1.png\", \"svg\": \"fig-1.svg\"")
   file(WRITE ${dir}/figures/01-sample/fig-1.svg "<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'></svg>")
   expect_page("class=\"drawing\"" "src=\"figures/01-sample/fig-1.svg\"")
   expect_links(01-sample gallery)
