@@ -1,4 +1,10 @@
 // The command `railbook`: the suite's solvers on data of your own.
+#include <fftw3.h>
+#include <fmt/format.h>
+#include <gsl/gsl_version.h>
+
+#include <Eigen/Core>
+
 #include "plot/plot.hpp"
 #include "tool/program.hpp"
 #include "tools.hpp"
@@ -9,9 +15,32 @@ std::filesystem::path tools::scripts(std::string_view tool) {
   return plot::shared("tools") / tool;
 }
 
+namespace {
+
+constexpr const char* help = R"help(From a recorder's file to a table of its sections and a picture:
+
+  railbook quality index track.csv --speed 100km/h --column profile --out mine
+  railbook psd classify track.csv --column profile --out mine
+
+track.csv is a table with a line of headers, a column of positions and columns of heights, as distance_m,profile_mm or
+"Distance [km]";"Profile (mm)". Quantities carry their unit: 0.5in, 60mph, 80kN. `railbook SUBJECT TOOL --help` lists a
+tool's options, columns and an example. Examples are in ../share/railbook/examples beside the command's folder.
+Exit status: 0 good, 1 a check failed, 2 bad input or usage, 3 the outside failed (a full disk, gnuplot).)help";
+
+}  // namespace
+
 int main(int argc, char** argv) {
+  const tool::Program program{
+      .name = "railbook",
+      .about = "wheel, rail and track: solvers for data of your own",
+      .version = RAILBOOK_VERSION,
+      .libraries = {{"Eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION,
+                                          EIGEN_MINOR_VERSION)},
+                    {"GSL", gsl_version},
+                    {"FFTW", fftw_version}},
+      .help = help};
   return tool::run(
-      argc, argv, "railbook", "wheel, rail and track: solvers for data of your own",
+      argc, argv, program,
       {
           {"contact", "normal contact of bodies of your own", {contact_tool::solve_tool()}},
           {"hunting",
@@ -28,7 +57,8 @@ int main(int argc, char** argv) {
            {psd_tool::classify_tool(), psd_tool::synthesize_tool()}},
           {"quality",
            "track as a vehicle feels it",
-           {quality_tool::index_tool(), quality_tool::limit_tool()}},
+           {quality_tool::compare_tool(), quality_tool::index_tool(), quality_tool::limit_tool(),
+            quality_tool::measures_tool()}},
           {"track",
            "stiffness of track, and the force over a joint",
            {track_tool::joint_tool(), track_tool::stiffness_tool()}},

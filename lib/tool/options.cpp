@@ -1,9 +1,12 @@
 #include "tool/options.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+
+#include "units/nearest.hpp"
 
 namespace railbook::tool {
 namespace {
@@ -83,14 +86,54 @@ void Options::choice(const std::string& name, std::string& value,
                      const std::vector<std::string>& allowed, const std::string& help) {
   const auto set = [=, &value](const std::string& text) {
     if (std::find(allowed.begin(), allowed.end(), text) == allowed.end()) {
-      throw InputError{
-          fmt::format("{} is \"{}\"; allowed: {}", spoken(name), text, fmt::join(allowed, ", "))};
+      throw InputError{fmt::format("{} is \"{}\"; allowed: {}{}", spoken(name), text,
+                                   fmt::join(allowed, ", "), units::did_you_mean(text, allowed))};
     }
     value = text;
   };
   last_ = app_->add_option_function<std::string>(name, set, help)
               ->type_name(fmt::format("{{{}}}", fmt::join(allowed, ",")))
               ->default_str(value);
+}
+
+void Options::texts(const std::string& name, std::vector<std::string>& values,
+                    const std::string& help) {
+  const auto set = [&values](const std::vector<std::string>& texts) {
+    values.clear();
+    for (std::string_view text : texts)
+      for (std::size_t end = 0; end != std::string_view::npos; text.remove_prefix(end + 1)) {
+        end = text.find(',');
+        values.emplace_back(text.substr(0, end));
+        if (end == std::string_view::npos) break;
+      }
+  };
+  last_ = app_->add_option_function<std::vector<std::string>>(name, set, help)
+              ->allow_extra_args(false)
+              ->type_name("TEXT,...")
+              ->default_str(fmt::format("{}", fmt::join(values, ",")));
+}
+
+void Options::records(BatchWish& wish) {
+  const auto set = [&wish](const std::vector<std::string>& texts) {
+    wish.files.assign(texts.begin(), texts.end());
+  };
+  app_->add_option_function<std::vector<std::string>>(
+          "record", set,
+          "CSV files, with headers, separated by commas, semicolons or tabs, packed by gzip or "
+          "not; - is "
+          "standard input. Many make a table with a row for each, in the folder of --out")
+      ->type_name("FILE ...");
+  app_->add_option_function<std::string>(
+          "--manifest", [&wish](const std::string& text) { wish.manifest = text; },
+          "text file that lists records, one a line, relative to its own folder")
+      ->type_name("FILE");
+  wish.jobs = std::clamp(sysconf(_SC_NPROCESSORS_ONLN), 1L, 256L);
+  count("--jobs", wish.jobs, "processes for many records", 1, 256);
+  app_->add_option(
+          "--shard", wish.shard,
+          "2/4: of many records, only every fourth from the second; the same command without "
+          "it merges the shards in the folder of --out")
+      ->type_name("TEXT");
 }
 
 void Options::file(const std::string& name, std::filesystem::path& value, const std::string& help) {
@@ -109,12 +152,20 @@ void Options::required() {
   static_cast<CLI::Option*>(last_)->required();
 }
 
+void Options::help(const std::string& text) {
+  app_->footer(text);
+}
+
 void Options::out(Destination& destination) {
   app_->add_flag("--no-figures", destination.no_figures, "with --out: do not draw");
   last_ = app_->add_option_function<std::string>(
                   "--out", [&destination](const std::string& text) { destination.folder = text; },
                   "folder for the CSV, JSON and figure files (made if missing)")
               ->type_name("DIR");
+  app_->add_option_function<std::string>(
+          "--figure", [&destination](const std::string& text) { destination.figure = text; },
+          "PNG file for the figure, without the other files; - is standard output")
+      ->type_name("FILE");
 }
 
 }  // namespace railbook::tool

@@ -39,6 +39,18 @@ inline constexpr Range non_negative{0, units::no_limit, false};
 struct Destination {
   std::optional<std::filesystem::path> folder;
   bool no_figures = false;
+  std::optional<std::filesystem::path> figure;  // the first figure alone goes here
+};
+
+// Records to answer, one or many (see batch.hpp).
+struct BatchWish {
+  std::vector<std::filesystem::path> files;
+  std::optional<std::filesystem::path> manifest;
+  long jobs = 1;
+  std::string shard;  // "2/4"
+  bool many() const;
+  // The one record. Throws InputError when there is none.
+  const std::filesystem::path& only() const;
 };
 
 class Options {
@@ -57,13 +69,20 @@ class Options {
   void text(const std::string& name, std::string& value, const std::string& help);
   void choice(const std::string& name, std::string& value, const std::vector<std::string>& allowed,
               const std::string& help);
+  // "--column a,b" and "--column a --column b".
+  void texts(const std::string& name, std::vector<std::string>& values, const std::string& help);
+  // "record ...", --manifest, --jobs and --shard.
+  void records(BatchWish& wish);
   void file(const std::string& name, std::filesystem::path& value, const std::string& help);
   // A further file of options, after --config: "--car freight.toml".
   void toml(const std::string& name, const std::string& help);
   void flag(const std::string& name, bool& value, const std::string& help);
   // The last option or argument added must be given.
   void required();
-  // "--out DIR": where files go; without it a tool only prints. "--no-figures": without gnuplot.
+  // What --help says at its end: columns, files, and an example to start from.
+  void help(const std::string& text);
+  // "--out DIR": where files go; without it a tool only prints. "--no-figures": without gnuplot; "--figure FILE": the
+  // first figure and nothing else.
   void out(Destination& destination);
 
  private:

@@ -5,12 +5,25 @@
 #include <utility>
 
 #include "plot/plot.hpp"
+#include "tool/session.hpp"
 #include "units/input_error.hpp"
 
 namespace railbook::tool {
 
 OutFolder::OutFolder(const Destination& destination, std::vector<std::string> names)
     : destination_(destination), names_(std::move(names)) {
+  if (destination_.figure) {
+    if (destination_.folder || destination_.no_figures)
+      throw InputError(std::string{"figure is given with "} +
+                       (destination_.folder ? "out" : "no-figures") + "; allowed: one of them");
+    if (files::is_standard_output(*destination_.figure) && session().json)
+      throw InputError("figure is - with json; allowed: one answer on standard output");
+    session().taken = files::is_standard_output(*destination_.figure);
+    files_.reserve(names_.size());
+    figure_.emplace(*destination_.figure);
+    destination_.folder = scratch_.emplace().path();
+    return;
+  }
   if (!destination_.folder) return;
   const std::filesystem::path& folder = *destination_.folder;
   if (folder.empty()) throw InputError("out is empty; allowed: the name of a folder");
@@ -28,7 +41,7 @@ OutFolder::~OutFolder() = default;
 files::OutFile& OutFolder::stream(const std::string& name) {
   if (std::find(names_.begin(), names_.end(), name) == names_.end() || drawable_.count(name) > 0)
     throw std::logic_error("file " + name + " was not announced, or is there already");
-  if (!made_) made_.emplace(*destination_.folder);
+  if (!made_ && !figure_) made_.emplace(*destination_.folder);
   files_.emplace_back(*destination_.folder / name);
   drawable_[name].clear();
   return files_.back();
@@ -47,13 +60,20 @@ void OutFolder::scratch(const std::string& name, std::string_view text) {
 
 void OutFolder::figure(const std::filesystem::path& script, const std::vector<std::string>& data,
                        const std::string& png) {
-  if (destination_.no_figures) return;
+  if (destination_.no_figures || (figure_ && drawn_)) return;
   std::vector<std::filesystem::path> paths;
   for (const std::string& name : data) paths.push_back(drawable_.at(name));
-  add(png, plot::draw(script, paths, plot::Missing::allowed));
+  const std::string picture = plot::draw(script, paths, plot::Missing::allowed);
+  drawn_ = true;
+  if (figure_)
+    figure_->write(picture);
+  else
+    add(png, picture);
 }
 
 void OutFolder::commit() {
+  if (figure_ && !drawn_) throw InputError("figure is given, but there is nothing to draw");
+  if (figure_) figure_->commit();
   if (!made_) return;
   files::commit(files_);
   made_->keep();

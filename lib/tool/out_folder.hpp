@@ -1,4 +1,4 @@
-// The folder of --out: all of a tool's files, or none.
+// The folder of --out: all of a tool's files, or none. With --figure, the first figure alone.
 //
 //   tool::OutFolder out(wish.out, {"limit.csv", "limit.json", "limit.png"});   // first: refuses before the work
 //   ...
@@ -50,6 +50,9 @@ class OutFolder {
   std::vector<std::string> names_;
   std::optional<files::MadeFolder> made_;
   std::optional<files::PrivateFolder> scratch_;
+  std::optional<files::OutFile>
+      figure_;  // of --figure; the other files then are in scratch_, and go
+  bool drawn_ = false;
   std::vector<files::OutFile> files_;
   std::map<std::string, std::filesystem::path> drawable_;  // those that are complete
 };

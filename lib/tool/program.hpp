@@ -6,6 +6,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tool/options.hpp"
@@ -18,8 +19,16 @@ struct Subject {
   std::vector<Tool> tools;
 };
 
-// Reads the command line, runs the tool it names, and returns the exit status.
-int run(int argc, char** argv, const std::string& name, const std::string& about,
-        const std::vector<Subject>& subjects);
+// The program: its name, what it is for, its version and those of the libraries that only its caller knows, and what
+// --help says at its end.
+struct Program {
+  std::string name, about, version;
+  std::vector<std::pair<std::string, std::string>> libraries;
+  std::string help;
+};
+
+// Reads the command line, runs the tool it names, and returns the exit status. Besides, there are --version, --help,
+// --manual (the manual page) and --completion bash or zsh.
+int run(int argc, char** argv, const Program& program, const std::vector<Subject>& subjects);
 
 }  // namespace railbook::tool

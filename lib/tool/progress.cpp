@@ -33,7 +33,8 @@ void Progress::step() {
     return std::chrono::duration<double>(now - t).count();
   };
   const double seconds = since(begin_);
-  const bool first = !said_ && seconds > 2 && (steps_ - done_) * seconds > 10 * done_;
+  const double enough = terminal_ ? 1 : 10;  // seconds to go
+  const bool first = !said_ && seconds > 2 && (steps_ - done_) * seconds > enough * done_;
   if (!first && !(said_ && terminal_ && since(shown_) > 0.5)) return;
   said_ = true;
   shown_ = now;

@@ -7,7 +7,7 @@
 namespace railbook::tool {
 
 // Counts the steps of some work. When two seconds have passed and ten more are expected, says so in a line; on a terminal
-// the line then keeps up with the work and is removed at its end.
+// already where one more is expected, and there the line keeps up with the work and is removed at its end.
 class Progress {
  public:
   // `what`: the steps in the plural, "points".

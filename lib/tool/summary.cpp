@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "tool/session.hpp"
 #include "units/input_error.hpp"
 #include "units/printable.hpp"
 
@@ -38,14 +39,16 @@ void Summary::flag(std::string key, std::string text) {
 }
 
 void Summary::print() const {
+  std::FILE* const to = session().taken ? stderr : stdout;
+  if (session().json) return fmt::print(to, "{}", json());
   std::size_t wide = 0;
   for (const Line& line : lines_) wide = std::max(wide, line.what.size());
-  fmt::print("{}\n", title_);
+  fmt::print(to, "{}\n", title_);
   for (const auto& [key, text] : flags_)
-    fmt::print("  DOUBTFUL: {}\n", units::printable(text, 1000));
+    fmt::print(to, "  DOUBTFUL: {}\n", units::printable(text, 1000));
   for (const Line& line : lines_) {
     const auto safe = [](const std::string& text) { return units::printable(text, 1000); };
-    fmt::print("  {:<{}}  {}{}{}{}\n", safe(line.what), wide, safe(line.text),
+    fmt::print(to, "  {:<{}}  {}{}{}{}\n", safe(line.what), wide, safe(line.text),
                line.unit.empty() ? "" : " ", line.unit,
                line.note.empty() ? "" : "   (" + safe(line.note) + ")");
   }
@@ -63,10 +66,22 @@ std::string Summary::json() const {
     const std::string& note = line.kind == Line::Kind::absent ? line.text : line.note;
     if (!note.empty()) notes[line.key] = note;
   }
-  nlohmann::ordered_json flags = nlohmann::ordered_json::object();
-  for (const auto& [key, text] : flags_) flags[key] = text;
-  const nlohmann::ordered_json all{
-      {"title", title_}, {"values", values}, {"units", units}, {"notes", notes}, {"flags", flags}};
+  const auto object = [](const auto& pairs) {
+    nlohmann::ordered_json result = nlohmann::ordered_json::object();
+    for (const auto& [key, text] : pairs) result[key] = text;
+    return result;
+  };
+  const Session& asked = session();
+  const nlohmann::ordered_json all{{"title", title_},
+                                   {"values", values},
+                                   {"units", units},
+                                   {"notes", notes},
+                                   {"flags", object(flags_)},
+                                   {"program", asked.program},
+                                   {"version", asked.version},
+                                   {"command", asked.command},
+                                   {"given", object(asked.given)},
+                                   {"assumed", object(asked.assumed)}};
   return all.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 

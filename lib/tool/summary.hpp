@@ -25,10 +25,13 @@ class Summary {
   // all values, and under "flags" in the JSON. What is only worth knowing is a note of a value.
   void flag(std::string key, std::string text);
 
-  // The table on standard output: what, value, unit, note.
+  const std::vector<std::pair<std::string, std::string>>& flags() const { return flags_; }
+
+  // The table on standard output: what, value, unit, note; with --json, json(). On standard error where standard output is
+  // a file's.
   void print() const;
-  // {"title": ..., "values": {key: value, ...}, "units": {key: unit, ...}, "notes": ..., "flags": {key: text}};
-  // what is absent is null.
+  // {"title": ..., "values": {key: value, ...}, "units": {key: unit, ...}, "notes": ..., "flags": {key: text}, "program": ...,
+  // "version": ..., "command": [...], "given": {option: text}, "assumed": {option: text}}; what is absent is null.
   std::string json() const;
 
  private:

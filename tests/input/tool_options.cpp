@@ -15,8 +15,10 @@ int run_tool(const tool::Tool& tool, std::vector<std::string> words) {
   words.insert(words.begin(), "railbook");
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
-  return tool::run(static_cast<int>(arguments.size()), arguments.data(), "railbook", "a test",
-                   {{"sample", "help", {tool}}});
+  return tool::run(
+      static_cast<int>(arguments.size()), arguments.data(),
+      {.name = "railbook", .about = "a test", .version = "1", .libraries = {}, .help = ""},
+      {{"sample", "help", {tool}}});
 }
 
 }  // namespace

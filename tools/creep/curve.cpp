@@ -29,6 +29,7 @@ read. Positive creepage gives positive force, that of the wheel on the rail; `sp
 #include "table/csv.hpp"
 #include "tool/out_folder.hpp"
 #include "tool/progress.hpp"
+#include "tool/session.hpp"
 #include "tool/summary.hpp"
 #include "tools.hpp"
 #include "units/constants.hpp"
@@ -207,11 +208,12 @@ double creepage_for(double force, RollingCase c, const Solver& solve, double fro
 }
 
 void print_rows(const std::vector<Row>& all, double bound) {
-  fmt::print("\n{:>12} {:>12} {:>12} {:>12} {:>8} {:>7}\n", "creepage", "fx, N", "fy, N", "mz, N m",
-             "F/(mu N)", "stick");
+  std::FILE* const to = tool::session().taken ? stderr : stdout;
+  fmt::print(to, "\n{:>12} {:>12} {:>12} {:>12} {:>8} {:>7}\n", "creepage", "fx, N", "fy, N",
+             "mz, N m", "F/(mu N)", "stick");
   for (const auto& [creepage, f] : all)
-    fmt::print("{:>12.6g} {:>12.6g} {:>12.6g} {:>12.6g} {:>8} {:>7.3f}\n", creepage.longitudinal,
-               f.fx, f.fy, f.mz,
+    fmt::print(to, "{:>12.6g} {:>12.6g} {:>12.6g} {:>12.6g} {:>8} {:>7.3f}\n",
+               creepage.longitudinal, f.fx, f.fy, f.mz,
                bound > 0 ? fmt::format("{:.5f}", std::hypot(f.fx, f.fy) / bound) : "-",
                std::abs(f.stick_share));
 }
@@ -277,7 +279,7 @@ void run(const Wish& wish) {
   add_doubts(answer, all, moment);
   if (!all.back().forces.reason.empty()) answer.add("note", "note", all.back().forces.reason);
   answer.print();
-  print_rows(all, bound);
+  if (!tool::session().json) print_rows(all, bound);
   if (out) {
     out.add("curve.csv", csv(all, moment));
     out.add("curve.json", answer.json());

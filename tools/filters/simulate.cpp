@@ -23,6 +23,8 @@ distance, changes speed at a constant rate between them, stands at a speed of ze
 #include "geometry_car/sensors.hpp"
 #include "geometry_car/simulate.hpp"
 #include "table/csv.hpp"
+#include "tool/session.hpp"
+#include "tool/summary.hpp"
 #include "tools.hpp"
 #include "units/constants.hpp"
 
@@ -118,9 +120,12 @@ void simulate(Order order) {
   if (out.size() > 1)
     out[1].write(truth_table(truth(track, {.layout = order.car.layout}), order.car.layout.sample));
   files::commit(out);
-  const bool piped = std::any_of(out.begin(), out.end(),
-                                 [](const auto& file) { return file.to_standard_output(); });
-  fmt::print(piped ? stderr : stdout, "{} rows in {}\n", record.size(), order.file.string());
+  tool::session().taken = std::any_of(out.begin(), out.end(),
+                                      [](const auto& file) { return file.to_standard_output(); });
+  tool::Summary answer{"sensors in " + order.file.string()};
+  answer.add("rows", "rows", static_cast<double>(record.size()), "");
+  answer.add("seed", "seed", static_cast<double>(order.seed), "");
+  answer.print();
 }
 
 }  // namespace

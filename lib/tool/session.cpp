@@ -1,0 +1,10 @@
+#include "tool/session.hpp"
+
+namespace railbook::tool {
+
+Session& session() {
+  static Session one;
+  return one;
+}
+
+}  // namespace railbook::tool
