@@ -7,6 +7,7 @@
 namespace railbook::spectra {
 
 void PlaceMap::add(std::size_t sample, double position) {
+  position *= direction_;
   const Node here{static_cast<double>(sample), position};
   if (nodes_.empty()) {
     nodes_.push_back(here);
@@ -35,6 +36,11 @@ std::vector<PlaceMap::Node> PlaceMap::all_nodes() const {
 }
 
 double PlaceMap::at(std::size_t sample) const {
+  return direction_ * ahead(sample);
+}
+
+// In the direction of travel.
+double PlaceMap::ahead(std::size_t sample) const {
   const auto x = static_cast<double>(sample);
   if (nodes_.empty()) return first_ + spacing_ * x;
   if (x >= last_.sample) return last_.position + spacing_ * (x - last_.sample);
@@ -59,7 +65,8 @@ PlaceMap::Unevenness PlaceMap::unevenness() const {
     const double share =
         std::abs(spacing / worst.overall - 1) - 1 / count;  // nodes are rounded, too
     if (share > worst.share)
-      worst = {share, nodes[i - 1].position, nodes[i].position, spacing, worst.overall};
+      worst = {share, direction_ * nodes[i - 1].position, direction_ * nodes[i].position, spacing,
+               worst.overall};
   }
   return worst;
 }

@@ -11,10 +11,11 @@ namespace railbook::spectra {
 // Bristol 1990): two nodes for an even record, whatever its length or the rounding of its positions.
 class PlaceMap {
  public:
-  // A record that begins at `first` and goes on evenly.
-  explicit PlaceMap(double spacing = 1, double first = 0) : spacing_(spacing), first_(first) {}
+  // A record that begins at `first` and goes on evenly; towards smaller positions where `direction` is -1.
+  explicit PlaceMap(double spacing = 1, double first = 0, double direction = 1)
+      : spacing_(spacing), first_(direction * first), direction_(direction) {}
 
-  // The position (m) of a sample, given in ascending order.
+  // The position (m) of a sample, given in the record's order.
   void add(std::size_t sample, double position);
 
   // The position (m) of any sample; beyond the last one given, on at the spacing.
@@ -35,7 +36,9 @@ class PlaceMap {
   };
   std::vector<Node> all_nodes() const;
 
-  double spacing_, first_;
+  double ahead(std::size_t sample) const;
+
+  double spacing_, first_, direction_;
   std::vector<Node> nodes_;  // begin of each piece
   Node last_{};
   double low_ = 0, high_ = 0;  // slopes from the last node that keep all its samples

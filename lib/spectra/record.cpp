@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -21,6 +22,47 @@ constexpr double off_grid = 0.25;                        // of a spacing
 constexpr double spacing_mismatch = 0.005, spacing_refused = 0.02;
 constexpr double highest_height = 1e6;  // m: its square still has all digits to spare
 constexpr double lag = 10;              // m
+constexpr double coarse = 0.05;         // of a spacing: rounding of positions that matters
+
+// The largest length of which all steps are multiples, to a tolerance; 0 where it is smaller than that.
+double common_divisor(const std::vector<double>& steps, double tolerance) {
+  double divisor = 0;
+  for (const double step : steps) {
+    double a = std::abs(step), b = divisor;
+    while (b > tolerance) {
+      double rest = std::fmod(a, b);
+      if (b - rest < tolerance) rest = 0;
+      a = std::exchange(b, rest);
+    }
+    divisor = a;
+    if (!(divisor > tolerance) && std::abs(step) > tolerance) return 0;
+  }
+  return divisor > tolerance ? divisor : 0;
+}
+
+// What positions are rounded to, where that is more than a twentieth of their spacing; 0 for positions on an even grid, with
+// samples lost or without.
+double rounding_of(const std::vector<double>& steps) {
+  constexpr std::size_t fewest = 16;
+  std::vector<double> positive;
+  for (const double step : steps) {
+    if (step < 0) return 0;
+    if (step > 0) positive.push_back(step);
+  }
+  if (positive.empty() || steps.size() < fewest) return 0;
+  const auto middle = positive.begin() + static_cast<std::ptrdiff_t>(positive.size() / 2);
+  std::nth_element(positive.begin(), middle, positive.end());
+  const double tolerance = 1e-3 * *middle, unit = common_divisor(positive, tolerance);
+  const auto share = [&](double of) {
+    const auto n = std::count_if(steps.begin(), steps.end(),
+                                 [&](double step) { return std::abs(step - of) < tolerance; });
+    return static_cast<double>(n) / static_cast<double>(steps.size());
+  };
+  const bool grid = share(unit) >= 0.6 && share(0) < 0.02;
+  const double mean =
+      std::accumulate(steps.begin(), steps.end(), 0.0) / static_cast<double>(steps.size());
+  return grid || unit < coarse * mean ? 0 : unit;
+}
 
 }  // namespace
 
@@ -44,55 +86,68 @@ void RecordStream::add(double position, double value) {
   positions_ = true;
   if (!std::isfinite(position))
     units::require_finite("position of sample " + std::to_string(taken_), position, "m");
-  if (settled_) return place({position, value});
+  if (settled_) return place({direction_ * position, value});
   first_.push_back({position, value});
   if (first_.size() == settling) settle_spacing();
 }
 
-// The median step is the spacing but for rounding of the positions; the whole stretch in such steps refines it.
+// The median step is the spacing but for rounding of the positions; the whole stretch in such steps refines it. Where the
+// rounding is not small, all steps are multiples of it, and only the stretch as a whole knows the spacing.
 void RecordStream::settle_spacing() {
   settled_ = true;
   if (first_.size() < 2)
     throw InputError{"the record has " + std::to_string(first_.size()) +
                      " samples; a spacing needs two"};
+  if (first_.back().position < first_.front().position) direction_ = -1;
+  for (Sample& sample : first_) sample.position *= direction_;
   std::vector<double> steps;
   for (std::size_t i = 1; i < first_.size(); ++i)
     steps.push_back(first_[i].position - first_[i - 1].position);
+  const double whole = first_.back().position - first_.front().position;
+  const double mean = whole / static_cast<double>(steps.size());
+  rounding_ = rounding_of(steps);
   const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
   std::nth_element(steps.begin(), middle, steps.end());
   const double median = *middle;
-  if (!(median > 0))
-    throw InputError{"positions do not ascend: the median step is " + number_text(median) + " m"};
+  if (!(median > 0) && rounding_ == 0)
+    throw InputError{"positions do not ascend or descend: the median step is " +
+                     number_text(direction_ * median) + " m"};
   double count = 0;
   for (const double step : steps) count += std::round(step / median);
-  spacing_ = count > 0 ? (first_.back().position - first_.front().position) / count : median;
-  if (!(std::abs(spacing_ / median - 1) < 0.05))
+  spacing_ = count > 0 && median > 0 ? whole / count : mean;
+  if (rounding_ > 0.45 * spacing_ || !(median > 0)) spacing_ = mean;
+  if (rounding_ == 0 && !(std::abs(spacing_ / median - 1) < 0.05))
     spacing_ = median;  // then it is uneven, as place() says
-  first_position_ = last_position_ = first_.front().position;
-  places_ = PlaceMap{spacing_, first_position_};
-  places_.add(0, first_position_);
+  first_position_ = last_position_ = grid_ = first_.front().position;
+  places_ = PlaceMap{spacing_, direction_ * first_position_, direction_};
+  places_.add(0, direction_ * first_position_);
   const auto samples = std::exchange(first_, {});
   take(samples.front().value);
   for (std::size_t i = 1; i < samples.size(); ++i) place(samples[i]);
 }
 
+// A rounded position is met by the grid of those before it, not by the last of them.
 void RecordStream::place(const Sample& sample) {
-  const double step = (sample.position - last_position_) / spacing_;
-  const double whole = std::round(step);
+  const double last = rounding_ > 0 ? grid_ : last_position_;
+  const double step = (sample.position - last) / spacing_;
+  const double slack = off_grid + 0.5 * rounding_ / spacing_;
+  const double whole = std::abs(step - 1) <= slack ? 1 : std::round(step);
   const auto refuse = [&](const std::string& why) {
-    throw InputError{why + ": " + number_text(last_position_) + " m is followed by " +
-                     number_text(sample.position) + " m; the spacing is " + number_text(spacing_) +
-                     " m"};
+    throw InputError{why + ": " + number_text(direction_ * last_position_) + " m is followed by " +
+                     number_text(direction_ * sample.position) + " m; the spacing is " +
+                     number_text(spacing_) + " m"};
   };
-  if (!(step > 0)) refuse("positions do not ascend");
-  if (whole < 1 || std::abs(step - whole) > off_grid) refuse("positions are not evenly spaced");
+  if (rounding_ == 0 ? !(step > 0) : step < 1 - slack)
+    refuse(direction_ > 0 ? "positions do not ascend" : "positions do not descend");
+  if (whole < 1 || std::abs(step - whole) > slack) refuse("positions are not evenly spaced");
   if (static_cast<double>(steps_) + whole >
       free_slots + slots_a_sample * static_cast<double>(taken_))
     refuse("positions jump too far for a record of " + std::to_string(taken_) + " samples");
   for (double missing = 1; missing < whole; ++missing) screen_.push(lost);
   steps_ += static_cast<std::size_t>(whole);
   last_position_ = sample.position;
-  places_.add(steps_, sample.position);
+  grid_ = last + spacing_ * (whole + (rounding_ > 0.5 * spacing_ ? 0.0625 : 0.25) * (step - whole));
+  places_.add(steps_, direction_ * (rounding_ > 0 ? grid_ : sample.position));
   take(sample.value);
 }
 

@@ -26,8 +26,9 @@ struct Doubt {
 };
 
 // Takes samples one by one, with their positions or without, and hands an evenly spaced record on to `sink` in
-// pieces. A position must come a whole number of spacings after the last (to a quarter of one, for rounded
-// positions); more than one leaves a gap. Faulty samples (see Screen) are gaps, too, and are told by doubts(). The memory is some
+// pieces. Positions ascend or descend. One must come a whole number of spacings after the last (to a quarter of one); more than
+// one leaves a gap. Where the recorder rounds positions to more than a twentieth of a spacing (to .1 m, to whole metres), they
+// are met by the even grid through those before them. Faulty samples (see Screen) are gaps, too, and are told by doubts(). The memory is some
 // thousand samples, and a few words for each faulty stretch and each change of spacing.
 class RecordStream {
  public:
@@ -37,7 +38,7 @@ class RecordStream {
   RecordStream& operator=(const RecordStream&) = delete;
 
   // The next sample; NaN if it is missing. Either all samples have a position or none. Throws InputError
-  // naming the sample when positions do not ascend, or not evenly, or when gaps come to more than 10^6 spacings and twenty
+  // naming the sample when positions turn back, or are not even, or when gaps come to more than 10^6 spacings and twenty
   // times the samples there are, and when a value is beyond 10^6 m.
   void add(double value);
   void add(double position, double value);
@@ -84,7 +85,10 @@ class RecordStream {
   std::size_t placed_ = 0;     // of them, not waiting for the spacing
   std::size_t steps_ = 0;      // spacings from the first position to the last
   bool settled_ = false, positions_ = false;
-  double first_position_ = 0, last_position_ = 0;
+  double first_position_ = 0, last_position_ = 0;  // as all inside, in the direction of travel
+  double direction_ = 1;                           // -1: positions descend
+  double rounding_ = 0,
+         grid_ = 0;      // of positions, m, where it matters; the place of the last sample
   std::size_t any_ = 0;  // finite samples
   double lowest_ = 0, highest_ = 0;
 

@@ -1,86 +1,198 @@
 #include "spectra/record_file.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <string_view>
 #include <utility>
-#include <vector>
 
 #include "table/csv.hpp"
 #include "units/input_error.hpp"
+#include "units/printable.hpp"
 #include "units/quantity.hpp"
 
 namespace railbook::spectra {
 namespace {
 
 constexpr double bridged_length = 1;  // m
+constexpr double lost = std::numeric_limits<double>::quiet_NaN();
 
 std::string quoted(const std::string& name) {
-  return "column \"" + name + "\"";
+  return "column \"" + units::printable(name) + "\"";
 }
 
-// What one cell of the column of heights is in metres.
-double metres_of_height(const RecordFile& wish, const std::string& header) {
-  const units::Header named = units::parse_header(header);
-  if (wish.unit.empty() && named.unit_text.empty())
-    throw InputError{quoted(header) + " names no unit; give one with --unit, such as mm"};
-  const units::Unit unit = wish.unit.empty() ? named.unit : units::parse_unit(wish.unit);
+// What one cell of a column is in metres: by its header, or else by what the option named says.
+double metres(const std::string& header, const std::string& given, const std::string& option) {
+  const units::Header named = table::parse_column(header);
+  if (given.empty() && named.unit_text.empty())
+    throw InputError{quoted(header) + " names no unit; give one with " + option + ", such as mm"};
+  const units::Unit unit = given.empty() ? named.unit : units::parse_unit(given);
   if (!(unit.dimension == units::length))
-    throw InputError{quoted(header) + " has the unit " +
-                     (wish.unit.empty() ? named.unit_text : wish.unit) +
+    throw InputError{quoted(header) + " has the unit " + (given.empty() ? named.unit_text : given) +
                      "; allowed: a length, such as mm"};
-  if (!wish.unit.empty() && !named.unit_text.empty() && unit.si != named.unit.si)
-    throw InputError{quoted(header) + " is in " + named.unit_text + " by its header, in " +
-                     wish.unit + " by --unit"};
+  if (!given.empty() && !named.unit_text.empty() && unit.si != named.unit.si)
+    throw InputError{quoted(header) + " is in " + named.unit_text + " by its header, in " + given +
+                     " by " + option};
   return unit.si;
 }
 
+std::pair<std::string, std::string> cut_at_plus(const std::string& text) {
+  const std::size_t at = text.find('+');
+  if (at == std::string::npos || at == 0 || at + 1 == text.size()) return {text, ""};
+  return {text.substr(0, at), text.substr(at + 1)};
+}
+
+// The columns of positions: one, or two that add up.
 struct Positions {
-  std::size_t column;
-  double metre;
+  std::vector<std::size_t> columns;
+  std::vector<double> metre;
 };
 
-std::optional<Positions> positions_of(const RecordFile& wish, const table::CsvReader& reader) {
-  const std::vector<std::string>& header = reader.header();
-  std::string there;
-  for (std::size_t i = 0; i < header.size(); ++i) {
-    const units::Header named = units::parse_header(header[i]);
-    if (header[i] != wish.distance && named.name != wish.distance) {
-      there += (i > 0 ? ", " : "") + header[i];
-      continue;
-    }
-    if (!(named.unit.dimension == units::length))
-      throw InputError{quoted(header[i]) + " names no length; allowed: a header such as " +
-                       wish.distance + "_m"};
-    return Positions{i, named.unit.si};
-  }
-  if (!wish.spacing)
-    throw InputError{"file \"" + wish.file.string() + "\": no " + quoted(wish.distance) +
-                     "; there are: " + there +
-                     "; allowed: a column of positions (--distance) or --spacing, such as 1ft"};
-  return std::nullopt;
+// "Km" and "metres" over a column of positions are its unit.
+std::string unit_in_name(const std::string& header) {
+  const units::Header as_unit = table::parse_column("x (" + header + ")");
+  return as_unit.unit.dimension == units::length ? as_unit.unit_text : "";
 }
+
+double metres_of_position(const std::string& header, const std::string& given) {
+  const bool bare = table::parse_column(header).unit_text.empty();
+  const std::string by_name = given.empty() && bare ? unit_in_name(header) : given;
+  if (bare && by_name.empty())
+    throw InputError{quoted(header) +
+                     " names no length; allowed: a header such as distance_m, or "
+                     "its unit with --distance-unit"};
+  return metres(header, by_name, "--distance-unit");
+}
+
+std::optional<Positions> positions_of(const RecordFile& wish, const table::CsvReader& reader) {
+  const auto [first, second] = cut_at_plus(wish.distance);
+  if (!second.empty() && !reader.find(wish.distance)) {
+    const auto [major, minor] = cut_at_plus(wish.distance_unit);
+    const std::array columns{reader.column(first), reader.column(second)};
+    return Positions{{columns[0], columns[1]},
+                     {metres_of_position(reader.header()[columns[0]], major),
+                      metres_of_position(reader.header()[columns[1]], minor)}};
+  }
+  auto column = reader.find(wish.distance);
+  if (!column && wish.distance == "distance" && !wish.spacing)
+    for (const char* name : {"position", "chainage", "mileage", "kilometre", "kilometer", "km"})
+      if (!column) column = reader.find(name);
+  if (column)
+    return Positions{{*column}, {metres_of_position(reader.header()[*column], wish.distance_unit)}};
+  if (wish.spacing) return std::nullopt;
+  std::string there;
+  for (const std::string& header : reader.header()) there += (there.empty() ? "" : ", ") + header;
+  throw InputError{"file \"" + units::printable(wish.file.string(), 300) + "\": no " +
+                   quoted(wish.distance) + "; there are: " + units::printable(there, 1000) +
+                   "; allowed: a column of positions (--distance) or --spacing, such as 1ft"};
+}
+
+// 12+345.6 and 12K345.6M: thousands and ones. False when the cell is neither.
+bool kilometres_and_metres(std::string_view cell, double& major, double& minor) {
+  if (cell.ends_with('M') || cell.ends_with('m')) cell.remove_suffix(1);
+  const std::size_t at = cell.find_first_of("+Kk", 1);
+  if (at == std::string_view::npos) return false;
+  std::string rest{cell.substr(at + 1)};
+  std::replace(rest.begin(), rest.end(), ',', '.');
+  if (rest.empty() || !std::isdigit(static_cast<unsigned char>(rest.front()))) return false;
+  const auto whole = [](std::string_view text, double& value) {
+    const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return status == std::errc{} && end == text.data() + text.size() && std::isfinite(value);
+  };
+  return whole(cell.substr(0, at), major) && whole(rest, minor) && major == std::floor(major);
+}
+
+class Cells {
+ public:
+  Cells(const RecordFile& wish, const table::CsvReader& reader) : reader_(reader) {
+    for (const std::string& text : wish.missing) {
+      double number = 0;
+      const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), number);
+      if (status == std::errc{} && end == text.data() + text.size())
+        numbers_.push_back(number);
+      else
+        texts_.push_back(text);
+    }
+  }
+
+  double height(std::size_t column) const {
+    const std::string_view cell = reader_.cell(column);
+    if (!texts_.empty() && std::find(texts_.begin(), texts_.end(), cell) != texts_.end())
+      return lost;
+    const double value = reader_.number(column);
+    if (!numbers_.empty() && std::find(numbers_.begin(), numbers_.end(), value) != numbers_.end())
+      return lost;
+    return value;
+  }
+
+  double position(const Positions& p) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < p.columns.size(); ++i) {
+      const std::string_view cell = reader_.cell(p.columns[i]);
+      double major = 0, minor = 0;
+      const bool marked = !cell.empty() && !std::isdigit(static_cast<unsigned char>(cell.back()));
+      if (cell.size() > 2 && (marked || cell.find('+', 1) != std::string_view::npos) &&
+          kilometres_and_metres(cell, major, minor)) {
+        const bool feet = std::abs(p.metre[i] - 0.3048) < 1e-4;
+        sum += feet ? (100 * major + minor) * p.metre[i] : 1000 * major + minor;
+      } else {
+        sum += reader_.number(p.columns[i]) * p.metre[i];
+      }
+    }
+    return sum;
+  }
+
+ private:
+  const table::CsvReader& reader_;
+  std::vector<double> numbers_;
+  std::vector<std::string> texts_;
+};
 
 }  // namespace
 
-std::unique_ptr<const RecordStream> read_record(const RecordFile& wish, const RecordSink& sink) {
-  table::CsvReader reader{wish.file};
-  const std::size_t column = reader.column(wish.column);
-  const double metre = metres_of_height(wish, reader.header()[column]);
-  const auto positions = positions_of(wish, reader);
-  std::unique_ptr<RecordStream> record;
-  record = std::make_unique<RecordStream>(
-      RecordOptions{.spacing = wish.spacing,
-                    .bridge = wish.bridge.value_or(0),
-                    .bridge_length = wish.bridge ? 0 : bridged_length},
-      [&](std::span<const double> piece) { sink(piece, record->spacing()); });
-  std::vector<std::string> cells;
-  while (reader.next(cells)) {
-    const double value = reader.number(cells, column) * metre;
-    if (positions)
-      record->add(reader.number(cells, positions->column) * positions->metre, value);
-    else
-      record->add(value);
+std::vector<std::unique_ptr<const RecordStream>> read_records(
+    const RecordFile& wish, const std::vector<std::string>& columns,
+    const std::vector<RecordSink>& sinks) {
+  table::CsvReader reader{wish.file, wish.skip};
+  std::vector<std::size_t> column;
+  std::vector<double> metre;
+  for (const std::string& name : columns) {
+    column.push_back(reader.column(name));
+    metre.push_back(metres(reader.header()[column.back()], wish.unit, "--unit"));
   }
-  record->finish();
-  return record;
+  const auto positions = positions_of(wish, reader);
+  std::vector<std::unique_ptr<RecordStream>> records(columns.size());
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    records[i] = std::make_unique<RecordStream>(
+        RecordOptions{.spacing = wish.spacing,
+                      .bridge = wish.bridge.value_or(0),
+                      .bridge_length = wish.bridge ? 0 : bridged_length},
+        [&sinks, &records, i](std::span<const double> piece) { sinks[i](piece, *records[i]); });
+  const Cells cells{wish, reader};
+  for (std::size_t row = 1; reader.next(); ++row) {
+    const double at = positions ? cells.position(*positions) : 0;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      const double value = cells.height(column[i]) * metre[i];
+      if (positions)
+        records[i]->add(at, value);
+      else
+        records[i]->add(value);
+    }
+    if (wish.progress && row % 16384 == 0 && reader.share() >= 0) wish.progress(reader.share());
+  }
+  std::vector<std::unique_ptr<const RecordStream>> result;
+  for (auto& record : records) {
+    record->finish();
+    result.push_back(std::move(record));
+  }
+  return result;
+}
+
+std::unique_ptr<const RecordStream> read_record(const RecordFile& wish, const RecordSink& sink) {
+  return std::move(read_records(wish, {wish.column}, {sink}).front());
 }
 
 }  // namespace railbook::spectra

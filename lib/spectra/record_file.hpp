@@ -1,32 +1,49 @@
-// A record in a CSV file: which of its columns, in which units.
+// A record in a file: which of its columns, in which units.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "spectra/record.hpp"
 
 namespace railbook::spectra {
 
 struct RecordFile {
-  std::filesystem::path file;
-  std::string column = "profile";          // with or without its unit
-  std::string unit = {};                   // if the header of the column names none
-  std::string distance = "distance";       // column of positions; read where there is one
+  std::filesystem::path file;      // - is standard input
+  std::string column = "profile";  // by name, with or without its unit, or by number
+  std::string unit = {};           // if the header of the column names none
+  std::string distance =
+      "distance";  // column of positions, or two that add up, "km+m"; read where they are
+  std::string distance_unit = {};          // if its header names none; "km+m" for two
   std::optional<double> spacing = {};      // m; needed where there is none
   std::optional<std::size_t> bridge = {};  // samples; without it, gaps of up to 1 m are bridged
+  std::vector<std::string> missing =
+      {};                // cells that stand for lost samples, "-9999", besides those of CsvReader
+  std::size_t skip = 0;  // lines before the header
+  std::function<void(double share)> progress =
+      {};  // told now and then how much has been read, 0 to 1, where that is known
 };
 
-// Takes the record in pieces; their spacing (m) is known to the rounding of the first thousand positions.
-using RecordSink = std::function<void(std::span<const double> piece, double spacing)>;
+// Takes the record in pieces, with what is known of it so far: the spacing is known to the rounding of the first thousand
+// positions, the places are those up to the piece.
+using RecordSink = std::function<void(std::span<const double> piece, const RecordStream& record)>;
 
-// Reads the file once through a RecordStream into `sink` and returns the stream, finished. Throws InputError naming
-// file, line and column on what cannot be read, a column without a unit or with one that is no length, units that
-// contradict each other, no positions and no spacing, and as RecordStream does.
+// Reads the file once through a RecordStream into `sink` and returns the stream, finished. Where there is no column
+// `distance`, one called position, chainage, mileage or kilometre is taken. A position may be written 12+345.6 (kilometres and
+// metres; stations of 100 ft where the unit is ft) or 12K345.6M. Throws InputError naming file, line and column on what cannot
+// be read, a column without a unit or with one that is no length, units that contradict each other, no positions and no
+// spacing, and as RecordStream does.
 std::unique_ptr<const RecordStream> read_record(const RecordFile& wish, const RecordSink& sink);
+
+// Several columns of one file in one pass: a stream and a sink each. `wish.column` does not count.
+std::vector<std::unique_ptr<const RecordStream>> read_records(
+    const RecordFile& wish, const std::vector<std::string>& columns,
+    const std::vector<RecordSink>& sinks);
 
 }  // namespace railbook::spectra

@@ -3,137 +3,312 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "units/input_error.hpp"
+#include "units/nearest.hpp"
 #include "units/printable.hpp"
 
 namespace railbook::table {
 namespace {
 
-enum class Split { done, open_quote, after_quote };
-
-// Splits a line into cells: what else it finds is a quote left open, or text after a closing quote.
-Split split(std::string_view line, std::vector<std::string>& cells) {
-  cells.clear();
-  std::size_t i = 0;
-  while (true) {
-    std::string cell;
-    if (i < line.size() && line[i] == '"') {
-      for (++i;; ++i) {
-        if (i >= line.size()) return Split::open_quote;
-        if (line[i] != '"') {
-          cell += line[i];
-        } else if (i + 1 < line.size() && line[i + 1] == '"') {
-          cell += line[i++];
-        } else {
-          break;
-        }
-      }
-      ++i;
-      if (i < line.size() && line[i] != ',') return Split::after_quote;
-    } else {
-      const std::size_t end = std::min(line.find(',', i), line.size());
-      const std::string_view raw = line.substr(i, end - i);
-      const std::size_t first = raw.find_first_not_of(" \t");
-      if (first != std::string_view::npos)
-        cell = raw.substr(first, raw.find_last_not_of(" \t") - first + 1);
-      i = end;
-    }
-    cells.push_back(std::move(cell));
-    if (i >= line.size()) return Split::done;
-    ++i;
-  }
-}
-
-// Whether a carriage return ends the line; it is taken off.
-bool drop_return(std::string& line) {
-  if (line.empty() || line.back() != '\r') return false;
-  line.pop_back();
-  return true;
-}
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 std::string said(const std::filesystem::path& file) {
+  if (file == "-") return "standard input";
   return fmt::format("file \"{}\"", units::printable(file.string(), 300));
+}
+
+std::string_view trim(std::string_view text) {
+  const auto blank = [](char c) { return c == ' ' || c == '\t'; };
+  while (!text.empty() && blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && blank(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+bool is_skipped(std::string_view line) {
+  return line.starts_with('#') || line.find_first_not_of(" \t\r") == std::string_view::npos;
+}
+
+// How often the separator stands outside quotes.
+std::size_t count(std::string_view line, char separator) {
+  bool quoted = false;
+  std::size_t n = 0;
+  for (const char c : line) {
+    if (c == '"') quoted = !quoted;
+    n += c == separator && !quoted ? 1U : 0U;
+  }
+  return n;
+}
+
+// The one that a header and the line after it have as often; else the one the header has most of.
+char separator_of(std::string_view header, std::string_view row) {
+  constexpr std::array candidates{'\t', ';', ','};
+  for (const char c : candidates)
+    if (count(header, c) > 0 && count(header, c) == count(row, c)) return c;
+  return *std::max_element(candidates.begin(), candidates.end(), [&](char a, char b) {
+    return count(header, a) < count(header, b) ||
+           (count(header, a) == count(header, b) && b == ',');
+  });
+}
+
+// Letters and digits, in lower case.
+std::string folded(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (std::isalnum(byte) || byte > 127) result += static_cast<char>(std::tolower(byte));
+  }
+  return result;
+}
+
+bool parse(std::string_view cell, double& value) {
+  const char *first = cell.data(), *last = first + cell.size();
+  if (first != last && *first == '+') {
+    ++first;
+    if (first != last && *first == '-') return false;
+  }
+  const auto [end, status] = std::from_chars(first, last, value);
+  return status == std::errc{} && end == last && first != last && std::isfinite(value);
+}
+
+bool is_missing(std::string_view cell) {
+  if (cell.empty()) return true;
+  if (cell.size() > 4) return false;
+  std::string lower{cell};
+  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  for (const char* word : {"nan", "na", "n/a", "#n/a", "null", "nv", "-", "--"})
+    if (lower == word) return true;
+  return false;
 }
 
 }  // namespace
 
-CsvReader::CsvReader(const std::filesystem::path& file) : source_(file) {
-  if (!record(header_)) {
-    line_ = 1;
-    refuse("empty; allowed: a header line and rows");
+CsvReader::CsvReader(const std::filesystem::path& file, std::size_t skip) : source_(file) {
+  std::string_view text;
+  for (; skip > 0; --skip)
+    if (!raw_line(text)) refuse("has no more lines than are to be skipped");
+  line_ = 1;
+  do {
+    if (!raw_line(text)) refuse("empty; allowed: a header line and rows");
+  } while (is_skipped(text));
+  first_ahead_ = source_.line();
+  ahead_.emplace_back(text);
+  while (ahead_.size() < 100 && raw_line(text)) {
+    ahead_.emplace_back(text);
+    if (!is_skipped(text)) break;
   }
-  for (std::size_t i = 0; i < header_.size(); ++i) {
-    if (header_[i].empty()) refuse(fmt::format("column {} has no name", i + 1));
-    if (std::count(header_.begin(), header_.end(), header_[i]) > 1)
-      refuse(fmt::format("column \"{}\" is named twice", units::printable(header_[i])));
-  }
+  separator_ = separator_of(ahead_.front(), ahead_.size() > 1 ? ahead_.back() : "");
+  std::reverse(ahead_.begin(), ahead_.end());
+  read_header();
+}
+
+void CsvReader::read_header() {
+  const std::vector<std::string> lines = ahead_;
+  const std::size_t first = first_ahead_;
+  record();
+  double ignored = 0;
+  const auto is_number = [&](std::string_view cell) { return parse(cell, ignored); };
+  const bool none = std::all_of(cells_.begin(), cells_.end(), is_number);
+  for (std::size_t i = 0; i < cells_.size(); ++i)
+    header_.emplace_back(none || cells_[i].empty() ? std::to_string(i + 1)
+                                                   : std::string{cells_[i]});
+  if (!none) return;
+  ahead_ = lines;
+  first_ahead_ = first;
 }
 
 void CsvReader::refuse(const std::string& why) const {
   throw InputError{fmt::format("{}, line {}: {}", said(file()), line_, why)};
 }
 
-bool CsvReader::raw_line(std::string& text) {
+bool CsvReader::raw_line(std::string_view& text) {
   if (!source_.next(text)) return false;
-  if (source_.line() == 1 && text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
-  if (text.find('\0') != std::string::npos) {
+  if (source_.line() == 1 && text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  if (text.find('\0') != std::string_view::npos) {
     line_ = source_.line();
     refuse("holds a zero byte: not a text file");
   }
   return true;
 }
 
-// The cells of the next line that is not skipped, and of those after it that a quoted cell goes on in.
-bool CsvReader::record(std::vector<std::string>& cells) {
+// The next line that is not skipped, into its cells.
+bool CsvReader::record() {
+  std::string_view text;
   do {
-    if (!raw_line(text_)) return false;
-  } while (text_.starts_with('#') || text_.find_first_not_of(" \t\r") == std::string::npos);
-  line_ = source_.line();
-  std::string more;
-  for (int breaks = 0;; ++breaks) {
-    const bool returned = drop_return(text_);
-    const Split found = split(text_, cells);
-    if (found == Split::done) return true;
-    if (found == Split::after_quote) refuse("text after a closing quote; allowed: a comma");
-    if (breaks == 100 || text_.size() > (1 << 20) || !raw_line(more))
-      refuse("a quote is not closed");
-    text_ += (returned ? "\r\n" : "\n") + more;
+    if (ahead_.empty()) {
+      if (!raw_line(text)) return false;
+      line_ = source_.line();
+    } else {
+      kept_ = std::move(ahead_.back());
+      ahead_.pop_back();
+      line_ = first_ahead_++;
+      text = kept_;
+    }
+  } while (is_skipped(text));
+  return split(text) || split_quoted(std::string{text});
+}
+
+// A line without quotes; false when it has one.
+bool CsvReader::split(std::string_view text) {
+  cells_.clear();
+  if (text.ends_with('\r')) text.remove_suffix(1);
+  const char* begin = text.data();
+  const char* const end = begin + text.size();
+  for (const char* at = begin;; ++at) {
+    if (at == end || *at == separator_) {
+      cells_.push_back(trim({begin, static_cast<std::size_t>(at - begin)}));
+      if (at == end) return true;
+      begin = at + 1;
+    } else if (*at == '"') {
+      return false;
+    }
   }
 }
 
-std::size_t CsvReader::column(std::string_view name) const {
-  for (std::size_t i = 0; i < header_.size(); ++i)
-    if (header_[i] == name || units::parse_header(header_[i]).name == name) return i;
-  std::string there;
-  for (const auto& h : header_) there += (there.empty() ? "" : ", ") + h;
-  throw InputError{fmt::format("{}: no column \"{}\"; there are: {}", said(file()),
-                               units::printable(name), units::printable(there, 1000))};
-}
-
-bool CsvReader::next(std::vector<std::string>& cells) {
-  if (!record(cells)) return false;
-  if (cells.size() != header_.size())
-    refuse(fmt::format("{} cells; allowed: {}, one a column", cells.size(), header_.size()));
+// A line with cells in quotes, and the lines after it that such a cell goes on in.
+bool CsvReader::split_quoted(std::string text) {
+  enum class Found { all, open_quote, after_quote };
+  const auto cut = [&]() {
+    quoted_.clear();
+    std::size_t i = 0;
+    while (true) {
+      std::string cell;
+      if (i < text.size() && text[i] == '"') {
+        for (++i;; ++i) {
+          if (i >= text.size()) return Found::open_quote;
+          if (text[i] != '"') {
+            cell += text[i];
+          } else if (i + 1 < text.size() && text[i + 1] == '"') {
+            cell += text[i++];
+          } else {
+            break;
+          }
+        }
+        ++i;
+        if (i < text.size() && text[i] != separator_) return Found::after_quote;
+      } else {
+        const std::size_t end = std::min(text.find(separator_, i), text.size());
+        cell = trim(std::string_view{text}.substr(i, end - i));
+        i = end;
+      }
+      quoted_.push_back(std::move(cell));
+      if (i >= text.size()) return Found::all;
+      ++i;
+    }
+  };
+  for (int breaks = 0;; ++breaks) {
+    const bool returned = text.ends_with('\r');
+    if (returned) text.pop_back();
+    const Found found = cut();
+    if (found == Found::all) break;
+    if (found == Found::after_quote)
+      refuse(fmt::format("text after a closing quote; allowed: a {}", separator_ == ',' ? "comma"
+                                                                      : separator_ == ';'
+                                                                          ? "semicolon"
+                                                                          : "tab"));
+    std::string_view more;
+    std::string kept;
+    bool there = breaks < 100 && text.size() <= (1 << 20);
+    if (there && !ahead_.empty()) {
+      kept = std::move(ahead_.back());
+      ahead_.pop_back();
+      ++first_ahead_;
+      more = kept;
+    } else {
+      there = there && raw_line(more);
+    }
+    if (!there) refuse("a quote is not closed");
+    text += (returned ? "\r\n" : "\n") + std::string{more};
+  }
+  cells_.assign(quoted_.begin(), quoted_.end());
   return true;
 }
 
-double CsvReader::number(const std::vector<std::string>& cells, std::size_t column) const {
-  const std::string& cell = cells[column];
-  if (cell.empty() || cell == "NaN" || cell == "nan" || cell == "NA")
-    return std::numeric_limits<double>::quiet_NaN();
-  const char* first = cell.data() + (cell[0] == '+' ? 1 : 0);
+std::optional<std::size_t> CsvReader::find(std::string_view name) const {
+  std::vector<std::size_t> found;
+  const auto collect = [&](const auto& fits) {
+    for (std::size_t i = 0; i < header_.size() && found.size() < 2; ++i)
+      if (fits(header_[i])) found.push_back(i);
+    if (found.size() > 1)
+      throw InputError{fmt::format(
+          "{}: column \"{}\" is there twice, as number {} and {}; allowed: the number of one",
+          said(file()), units::printable(name), found[0] + 1, found[1] + 1)};
+    return !found.empty();
+  };
+  const std::string fold = folded(name);
+  if (collect([&](const std::string& h) { return h == name; }) ||
+      collect([&](const std::string& h) { return parse_column(h).name == name; }) ||
+      (!fold.empty() && collect([&](const std::string& h) {
+        return folded(h) == fold || folded(parse_column(h).name) == fold;
+      })))
+    return found[0];
+  std::size_t number = 0;
+  const std::string_view digits = name.starts_with('#') ? name.substr(1) : name;
+  const auto [end, status] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  if (status == std::errc{} && end == digits.data() + digits.size() && number >= 1 &&
+      number <= header_.size())
+    return number - 1;
+  return std::nullopt;
+}
+
+std::size_t CsvReader::column(std::string_view name) const {
+  if (const auto found = find(name)) return *found;
+  std::string there;
+  std::vector<std::string> names;
+  for (const auto& h : header_) {
+    there += (there.empty() ? "" : ", ") + h;
+    names.push_back(parse_column(h).name);
+  }
+  throw InputError{fmt::format("{}: no column \"{}\"; there are: {}{}", said(file()),
+                               units::printable(name), units::printable(there, 1000),
+                               units::did_you_mean(name, names))};
+}
+
+bool CsvReader::next() {
+  if (!record()) return false;
+  if (cells_.size() != header_.size())
+    refuse(fmt::format("{} cells; allowed: {}, one a column", cells_.size(), header_.size()));
+  return true;
+}
+
+double CsvReader::number(std::size_t column) const {
+  const std::string_view cell = cells_[column];
   double value = 0;
-  const auto [end, status] = std::from_chars(first, cell.data() + cell.size(), value);
-  if (status != std::errc{} || cell.starts_with("+-") || end != cell.data() + cell.size() ||
-      !std::isfinite(value))
-    refuse(fmt::format("column \"{}\" is \"{}\"; allowed: a finite number",
-                       units::printable(header_[column]), units::printable(cell)));
+  if (!parse(cell, value)) return is_missing(cell) ? nan : with_comma(column);
+  if (separator_ != ',' && decimal_ != '.' && cell.find('.') != std::string_view::npos) {
+    if (decimal_ == ',') refuse_number(column);
+    decimal_ = '.';
+  }
   return value;
+}
+
+// A number with a decimal comma, where the file can have one.
+double CsvReader::with_comma(std::size_t column) const {
+  std::string text{cells_[column]};
+  const std::size_t at = text.find(',');
+  double value = 0;
+  if (separator_ == ',' || at == std::string::npos || text.find('.') != std::string::npos ||
+      decimal_ == '.')
+    refuse_number(column);
+  text[at] = '.';
+  if (!parse(text, value)) refuse_number(column);
+  decimal_ = ',';
+  return value;
+}
+
+void CsvReader::refuse_number(std::size_t column) const {
+  refuse(fmt::format("column \"{}\" is \"{}\"; allowed: a finite number{}",
+                     units::printable(header_[column]), units::printable(cells_[column]),
+                     decimal_ == 0     ? ""
+                     : decimal_ == ',' ? ", with a decimal comma as before"
+                                       : ", with a decimal point as before"));
 }
 
 const std::string& CsvTable::at(std::size_t row, std::string_view column) const {
@@ -153,8 +328,10 @@ const std::string& CsvTable::at(std::string_view key, std::string_view column) c
 CsvTable read_table(const std::filesystem::path& file) {
   CsvReader reader{file};
   CsvTable table{file, reader.header(), {}};
-  std::vector<std::string> cells;
-  while (reader.next(cells)) table.rows.push_back(cells);
+  while (reader.next()) {
+    std::vector<std::string>& row = table.rows.emplace_back();
+    for (std::size_t i = 0; i < reader.header().size(); ++i) row.emplace_back(reader.cell(i));
+  }
   return table;
 }
 
@@ -166,7 +343,7 @@ std::vector<std::vector<double>> read_columns(const std::filesystem::path& file,
   std::vector<double> si;
   for (const ColumnWanted& w : wanted) {
     index.push_back(reader.column(w.name));
-    const units::Header header = units::parse_header(reader.header()[index.back()]);
+    const units::Header header = parse_column(reader.header()[index.back()]);
     if (!(header.unit.dimension == w.dimension)) {
       throw InputError{fmt::format(
           "{}: column \"{}\" {}; allowed: a header that ends in a unit of {}, such as {}_{}",
@@ -177,10 +354,9 @@ std::vector<std::vector<double>> read_columns(const std::filesystem::path& file,
     si.push_back(header.unit.si);
   }
   std::vector<std::vector<double>> columns(wanted.size());
-  std::vector<std::string> cells;
-  while (reader.next(cells)) {
+  while (reader.next()) {
     for (std::size_t i = 0; i < wanted.size(); ++i) {
-      const double value = reader.number(cells, index[i]);
+      const double value = reader.number(index[i]);
       if (std::isnan(value) && !allow_nan) {
         throw InputError{
             fmt::format("{}, line {}: column \"{}\" is empty or NaN; allowed: a finite number",

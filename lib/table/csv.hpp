@@ -1,11 +1,15 @@
-// Comma-separated tables: a strict reader with line numbers in its errors, and a writer.
+// Tables of cells with a separator: a strict reader with line numbers in its errors, and a writer.
 //
-// Dialect: UTF-8, the first line names the columns, cells in double quotes may hold commas, doubled quotes and up to 100
-// line breaks; lines that start with # and blank lines are skipped, CR LF accepted. Blanks around a bare cell do not count.
+// Dialect: UTF-8; cells are parted by commas, semicolons or tabs, whichever the header and the line after it agree on; the
+// first line names the columns, unless all its cells are numbers: then the columns are called 1, 2 and so on. Cells in double
+// quotes may hold separators, doubled quotes and up to 100 line breaks; lines that start with # and blank lines are skipped,
+// CR LF accepted. Blanks around a bare cell do not count. Where the separator is no comma, numbers may have a decimal comma
+// (all of a file, or none). What LineSource unpacks is read as well.
 #pragma once
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,37 +19,56 @@
 
 namespace railbook::table {
 
+// The name and the unit in a column's header, as people write them: "distance_m", "Distance (m)", "Distance [km]",
+// "Profile, mm", and units as "metres" or "inch". Without a unit, `unit_text` is empty and the unit the pure number.
+units::Header parse_column(std::string_view header);
+
 // Reads a file, or a pipe, line by line in constant memory. Errors are InputError naming the file and the line; what the
 // reading itself throws is LineSource's.
 class CsvReader {
  public:
-  // Opens the file and reads its header. Throws when it is missing, empty, or names a column twice.
-  explicit CsvReader(const std::filesystem::path& file);
+  // Opens the file, skips some lines, and reads its header. Throws when it is missing or empty.
+  explicit CsvReader(const std::filesystem::path& file, std::size_t skip = 0);
 
   const std::vector<std::string>& header() const { return header_; }
 
-  // The index of a column, by its whole header or by its name without the unit ("distance" finds "distance_m").
-  // Throws InputError listing the columns there are.
+  // The index of a column, by its whole header or by its name without the unit ("distance" finds "distance_m" and
+  // "Distance [km]"; case, blanks, dashes and underscores do not count where no header fits exactly), or by its number, 3 or
+  // #3. Throws InputError listing the columns there are, or when more than one fits; find() gives nothing instead of the first.
   std::size_t column(std::string_view name) const;
+  std::optional<std::size_t> find(std::string_view name) const;
 
-  // The next row into `cells` (one a column); false at the end. A row with another number of cells throws.
-  bool next(std::vector<std::string>& cells);
+  // The next row; false at the end. A row with another number of cells throws. Views hold until the next call.
+  bool next();
+  std::string_view cell(std::size_t column) const { return cells_[column]; }
 
-  // A cell as a number. Empty, "NaN" and "nan" are NaN; anything else that is no number throws.
-  double number(const std::vector<std::string>& cells, std::size_t column) const;
+  // A cell as a number. Empty, and "NaN", "NA", "N/A", "null" and dashes, are NaN; anything else that is no number throws.
+  double number(std::size_t column) const;
+  [[noreturn]] void refuse_number(std::size_t column) const;
 
   std::size_t line() const { return line_; }  // where the last row began
   const std::filesystem::path& file() const { return source_.file(); }
+  double share() const { return source_.share(); }  // LineSource's
 
  private:
-  bool raw_line(std::string& text);
-  bool record(std::vector<std::string>& cells);
+  bool raw_line(std::string_view& text);
+  bool record();
+  bool split(std::string_view text);
+  bool split_quoted(std::string text);
+  void read_header();
+  double with_comma(std::size_t column) const;
   [[noreturn]] void refuse(const std::string& why) const;
 
   LineSource source_;
   std::size_t line_ = 0;
+  char separator_ = ',';
   std::vector<std::string> header_;
-  std::string text_;
+  std::vector<std::string> ahead_;  // lines read to know the dialect; the next one last
+  std::size_t first_ahead_ = 0;     // number of the next of them
+  std::string kept_;                // one of them, in use
+  std::vector<std::string_view> cells_;
+  std::vector<std::string> quoted_;  // cells that are not as in the file
+  mutable char decimal_ = 0;         // point or comma, once seen
 };
 
 // A small table held as text: the paper's printed values.

@@ -6,38 +6,40 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace railbook::table {
 
-// Reads a file, a pipe or a FIFO from its beginning to its end, once, in the memory of its longest line.
+// Reads a file, a pipe or a FIFO from its beginning to its end, once, in the memory of its longest line; - is standard input.
+// A file packed by gzip is unpacked as it is read.
 class LineSource {
  public:
   // Throws InputError with the system's reason when `file` cannot be opened, or is a folder; also for a FIFO that nobody has
   // opened to write to within `patience`. A writer that is there is waited for.
   explicit LineSource(const std::filesystem::path& file,
                       std::chrono::milliseconds patience = std::chrono::seconds{10});
+  ~LineSource();
 
-  // The next line into `line`, without its line feed; false at the end. Throws files::OutsideError when reading fails in
-  // mid-file, and InputError for a line of more than 64 MiB: both name file, line and reason.
+  // The next line, without its line feed; false at the end. The view holds until the next call. Throws files::OutsideError
+  // when reading fails in mid-file, and InputError for a line of more than 64 MiB and for gzip data that are damaged or cut
+  // off: all name file, line and reason.
+  bool next(std::string_view& line);
   bool next(std::string& line);
 
   std::size_t line() const { return line_; }  // number of the last line read, from 1
   const std::filesystem::path& file() const { return file_; }
+  // How much of the file has been read, 0 to 1; -1 where its size is not known.
+  double share() const;
 
  private:
-  bool fill();
+  std::size_t read(char* to, std::size_t size);
+  std::size_t fill(char* to, std::size_t size);
   std::string here() const;
 
-  struct Descriptor {
-    explicit Descriptor(int number) : value(number) {}
-    ~Descriptor();
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    int value;
-  };
+  struct Input;
   std::filesystem::path file_;
-  std::unique_ptr<Descriptor> descriptor_;
+  std::unique_ptr<Input> input_;
   std::vector<char> buffer_;
   std::size_t begin_ = 0, end_ = 0;  // of what is read but not used
   std::size_t line_ = 0;

@@ -92,10 +92,54 @@ TEST_CASE("unit: places follow the positions to half a sample where the spacing 
   std::vector<double> x;
   for (int i = 0; i < 40000; ++i)
     x.push_back(i == 0 ? 100 : x.back() + 0.25 * (i < 15000 ? 1 : 1.01));
-  for (int i = 0; i < 40000; ++i) c.stream.add(std::round(100 * x[i]) / 100, 0.001 * std::sin(0.7 * i));
+  for (int i = 0; i < 40000; ++i)
+    c.stream.add(std::round(100 * x[i]) / 100, 0.001 * std::sin(0.7 * i));
   c.stream.finish();
   for (std::size_t i = 0; i < x.size(); i += 7)
     REQUIRE(std::abs(c.stream.places().at(i) - x[i]) < 0.2);
   REQUIRE(c.stream.doubts().size() == 1);
   CHECK(c.stream.doubts()[0].key == "spacing");
+}
+
+TEST_CASE("unit: positions may descend") {
+  Collected c{{}};
+  for (int i = 0; i < 3000; ++i)
+    if (i != 2000) c.stream.add(1000 - 0.25 * i, 0.001 * std::sin(0.7 * i));
+  c.stream.finish();
+  CHECK(c.stream.spacing() == Approx(0.25));
+  CHECK(c.stream.samples() == 3000);
+  CHECK(c.stream.missing() == 1);
+  CHECK(c.stream.places().at(0) == Approx(1000));
+  CHECK(c.stream.places().at(2999) == Approx(1000 - 0.25 * 2999));
+}
+
+TEST_CASE("unit: positions that the recorder rounds give the grid, samples lost and all") {
+  for (const double spacing : {0.25, 0.3048, 0.5, 0.2})
+    for (const double quantum : {0.01, 0.05, 0.1, 0.2})
+      for (const double sign : {1.0, -1.0}) {
+        CAPTURE(spacing, quantum, sign);
+        Collected c{{}};
+        const int n = 20000;
+        for (int i = 0; i < n; ++i)
+          if (i % 997 != 500 && !(i > 9000 && i < 9040))
+            c.stream.add(sign * quantum * std::round((5000 + spacing * i) / quantum),
+                         0.001 * std::sin(0.7 * i));
+        c.stream.finish();
+        CHECK(c.stream.spacing() == Approx(spacing).epsilon(1e-4));
+        if (quantum <= 0.45 * spacing) {
+          CHECK(std::abs(static_cast<int>(c.stream.samples()) - n) <= 1);
+          CHECK(std::abs(static_cast<int>(c.stream.missing()) - 59) <= 1);
+        }
+        for (std::size_t i = 0; i < 19000; i += 371)
+          CHECK(std::abs(c.stream.places().at(i) -
+                         sign * (5000 + spacing * static_cast<double>(i))) < spacing + quantum);
+      }
+}
+
+TEST_CASE("unit: positions in whole metres give the spacing of the record") {
+  Collected c{{}};
+  for (int i = 0; i < 40000; ++i) c.stream.add(std::floor(0.25 * i), 0.001 * std::sin(0.7 * i));
+  c.stream.finish();
+  CHECK(c.stream.spacing() == Approx(0.25).epsilon(1e-3));
+  CHECK(std::abs(static_cast<int>(c.stream.samples()) - 40000) < 8);
 }

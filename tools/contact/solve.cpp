@@ -44,8 +44,8 @@ Profile read_profile(const std::filesystem::path& file) {
   const table::CsvReader reader(file);
   bool height = false, depth = false;
   for (const std::string& header : reader.header()) {
-    height = height || units::parse_header(header).name == "height";
-    depth = depth || units::parse_header(header).name == "depth";
+    height = height || table::parse_column(header).name == "height";
+    depth = depth || table::parse_column(header).name == "depth";
   }
   if (height && depth)
     throw InputError(fmt::format("file \"{}\" has both a height and a depth; allowed: one of them",

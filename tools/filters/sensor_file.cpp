@@ -46,7 +46,7 @@ std::size_t mask_spikes(std::vector<double>& values, double limit) {
 std::optional<std::size_t> find(const table::CsvReader& reader, std::string_view name,
                                 const units::Dimension& dimension, double& si) {
   for (std::size_t i = 0; i < reader.header().size(); ++i) {
-    const units::Header header = units::parse_header(reader.header()[i]);
+    const units::Header header = table::parse_column(reader.header()[i]);
     if (header.name != name) continue;
     if (header.unit_text.empty() || !(header.unit.dimension == dimension))
       throw InputError{
@@ -96,14 +96,13 @@ Record read_sensors(const std::filesystem::path& file, double sample, const Plau
   for (std::size_t i = 0; i < reader.header().size(); ++i)
     if (elapsed != i && distance != i && std::find(column.begin(), column.end(), i) == column.end())
       faults.unused.push_back(reader.header()[i]);
-  std::vector<std::string> cells;
   std::vector<std::size_t> beyond(channels, 0);
   first = nan;
-  while (reader.next(cells)) {
-    double T = reader.number(cells, *elapsed) * second;
+  while (reader.next()) {
+    double T = reader.number(*elapsed) * second;
     long mark = record.mark.empty() ? 0 : record.mark.back() + 1;
     if (distance) {
-      const double s = reader.number(cells, *distance) * metre;
+      const double s = reader.number(*distance) * metre;
       if (std::isnan(first)) first = s;
       const auto known = mark_of(reader, s, first, sample);
       if (known) mark = *known;
@@ -115,7 +114,7 @@ Record read_sensors(const std::filesystem::path& file, double sample, const Plau
     record.mark.push_back(mark);
     for (const ChannelInfo& c : channel_list()) {
       const auto i = static_cast<std::size_t>(c.channel);
-      double value = column[i] ? reader.number(cells, *column[i]) * unit[i] : nan;
+      double value = column[i] ? reader.number(*column[i]) * unit[i] : nan;
       if (!std::isnan(value) && std::abs(value) > range(c, plausible)) {
         ++faults.beyond;
         ++beyond[i];

@@ -1,0 +1,72 @@
+// What people write over a column.
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <optional>
+#include <utility>
+
+#include "table/csv.hpp"
+#include "units/input_error.hpp"
+
+namespace railbook::table {
+namespace {
+
+constexpr auto spellings = std::to_array<std::pair<std::string_view, std::string_view>>({
+    {"metre", "m"},       {"metres", "m"},          {"meter", "m"},
+    {"meters", "m"},      {"millimetre", "mm"},     {"millimetres", "mm"},
+    {"millimeter", "mm"}, {"millimeters", "mm"},    {"kilometre", "km"},
+    {"kilometres", "km"}, {"kilometer", "km"},      {"kilometers", "km"},
+    {"inch", "in"},       {"inches", "in"},         {"in.", "in"},
+    {"foot", "ft"},       {"feet", "ft"},           {"ft.", "ft"},
+    {"mile", "mi"},       {"miles", "mi"},          {"micron", "um"},
+    {"microns", "um"},    {"\xC2\xB5m", "um"},      {"\xCE\xBCm", "um"},
+    {"sec", "s"},         {"second", "s"},          {"seconds", "s"},
+    {"km/h", "kmh"},      {"degree", "deg"},        {"degrees", "deg"},
+    {"\xC2\xB0", "deg"},  {"m/s\xC2\xB2", "m/s^2"}, {"mm/s\xC2\xB2", "mm/s^2"},
+});
+
+std::string_view trim(std::string_view text) {
+  const auto blank = [](char c) { return c == ' ' || c == '\t'; };
+  while (!text.empty() && blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && blank(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+// A unit as the project spells it, in letters of either case.
+std::optional<std::pair<std::string, units::Unit>> unit_of(std::string_view text) {
+  std::string lower{trim(text)};
+  if (lower.empty() || lower.size() > 40) return std::nullopt;
+  std::string exact = lower;
+  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  for (const auto& [spelling, meant] : spellings)
+    if (lower == spelling) lower = exact = meant;
+  for (const std::string& one : {exact, lower}) {
+    try {
+      return std::pair{one, units::parse_unit(one)};
+    } catch (const InputError&) {
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+units::Header parse_column(std::string_view header) {
+  header = trim(header);
+  const units::Header plain = units::parse_header(header);
+  if (!plain.unit_text.empty()) return plain;
+  // "(mm)" and "[mm]" at the end, or what follows the last comma, blank or underscore.
+  std::size_t begin = std::string_view::npos, end = header.size();
+  if (header.ends_with(')')) begin = header.rfind('('), --end;
+  if (header.ends_with(']')) begin = header.rfind('['), --end;
+  if (begin == std::string_view::npos) begin = header.find_last_of(", _/"), end = header.size();
+  if (begin == std::string_view::npos || begin == 0) return plain;
+  const auto unit = unit_of(header.substr(begin + 1, end - begin - 1));
+  if (!unit || unit->first == "1") return plain;
+  std::string_view name = trim(header.substr(0, begin));
+  while (!name.empty() && (name.back() == ',' || name.back() == '_')) name.remove_suffix(1);
+  if (name.ends_with(" in") && unit->first != "in") name.remove_suffix(3);  // "Distance in metres"
+  return {std::string{trim(name)}, unit->first, unit->second};
+}
+
+}  // namespace railbook::table

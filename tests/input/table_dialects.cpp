@@ -1,0 +1,128 @@
+#include <unistd.h>
+#include <zlib.h>
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "table/csv.hpp"
+#include "units/input_error.hpp"
+
+using namespace railbook;
+using Catch::Matchers::Contains;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct File {
+  fs::path path = fs::temp_directory_path() / ("railbook-dialect-" + std::to_string(::getpid()));
+  explicit File(const std::string& text) { std::ofstream{path, std::ios::binary} << text; }
+  ~File() { fs::remove(path); }
+};
+
+// As gzip packs it; cut to `size` bytes if that is given.
+std::string packed(const std::string& text, std::size_t size = std::string::npos) {
+  std::string out(text.size() + 1000, '\0');
+  z_stream z{};
+  deflateInit2(&z, 6, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY);
+  z.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
+  z.avail_in = static_cast<uInt>(text.size());
+  z.next_out = reinterpret_cast<Bytef*>(out.data());
+  z.avail_out = static_cast<uInt>(out.size());
+  deflate(&z, Z_FINISH);
+  out.resize(out.size() - z.avail_out);
+  deflateEnd(&z);
+  return out.substr(0, size);
+}
+
+const std::vector<table::ColumnWanted> track{{"distance", units::length},
+                                             {"profile", units::length}};
+
+}  // namespace
+
+TEST_CASE("input: commas, semicolons and tabs; decimal commas; headers in many spellings") {
+  for (const std::string text :
+       {"distance_m,profile_mm\n0.25,-1.5\n0.5,2\n",
+        "Distance (m),Profile (mm)\n0.25,-1.5\n0.5,2\n",
+        "distance [m];profile [mm]\n0,25;-1,5\n0,5;2\n",
+        "DISTANCE, m;PROFILE, mm\n0,25;-1,5\n0,5;2\n",
+        "Distance [km]\tProfile (um)\n0.00025\t-1500\n0.0005\t2000\n",
+        "\xEF\xBB\xBF\"Distance (metres)\";\"Profile (MM)\"\r\n\"0,25\";-1,5\r\n0,5;2\r\n",
+        "# a recorder\n\nDistance in metres;Profile in mm\n# units above\n0.25;-1.5\n0.5;2\n",
+        "Profile_mm;;distance_m\n-1,5;;0,25\n2;x;0,5\n"}) {
+    CAPTURE(text);
+    const File f{text};
+    const auto columns = table::read_columns(f.path, track);
+    REQUIRE(columns[0].size() == 2);
+    CHECK(columns[0][0] == Approx(0.25));
+    CHECK(columns[0][1] == Approx(0.5));
+    CHECK(columns[1][0] == Approx(-1.5e-3));
+    CHECK(columns[1][1] == Approx(2e-3));
+  }
+}
+
+TEST_CASE("input: units in headers") {
+  const auto unit = [](const char* header) { return table::parse_column(header).unit_text; };
+  const auto name = [](const char* header) { return table::parse_column(header).name; };
+  CHECK(unit("Gauge (inches)") == "in");
+  CHECK(name("Gauge (inches)") == "Gauge");
+  CHECK(unit("a_m_per_s2") == "m/s2");
+  CHECK(unit("Acceleration [m/s\xC2\xB2]") == "m/s^2");
+  CHECK(unit("Speed [km/h]") == "kmh");
+  CHECK(unit("level left (D1)").empty());
+  CHECK(unit("profile").empty());
+  CHECK(unit("(mm)").empty());
+  CHECK(unit("").empty());
+  CHECK(unit("Rail 2").empty());
+}
+
+TEST_CASE("input: columns by number, and a file without headers") {
+  const File f{"0.25;1,5\n0.5;2\n"};
+  table::CsvReader reader{f.path};
+  CHECK(reader.header() == std::vector<std::string>{"1", "2"});
+  CHECK(reader.column("#2") == 1);
+  REQUIRE(reader.next());
+  CHECK(reader.line() == 1);
+  CHECK(reader.number(0) == 0.25);
+  CHECK_THROWS_WITH(reader.number(1), Contains("with a decimal point as before"));
+  const File twice{"x_m,z_mm,z_mm\n1,2,3\n"};
+  table::CsvReader other{twice.path};
+  CHECK_THROWS_WITH(other.column("z"), Contains("twice") && Contains("number 2 and 3"));
+  CHECK(other.column("3") == 2);
+  CHECK_THROWS_WITH(other.column("4"), Contains("no column \"4\""));
+  CHECK_THROWS_WITH(table::CsvReader(twice.path, 9), Contains("no more lines"));
+}
+
+TEST_CASE("input: cells that stand for nothing") {
+  const File f{"a_m,b_m\n,NaN\nNA,n/a\n-,null\n#,NV\n"};
+  table::CsvReader reader{f.path};
+  for (int i = 0; i < 3; ++i) {
+    REQUIRE(reader.next());
+    CHECK(std::isnan(reader.number(0)));
+    CHECK(std::isnan(reader.number(1)));
+  }
+  CHECK_FALSE(reader.next());  // "#,NV" is a comment
+}
+
+TEST_CASE("input: gzip is unpacked as it is read; what is cut off or damaged is said so") {
+  std::string text = "distance_m,profile_mm\n";
+  for (int i = 0; i < 50000; ++i) text += std::to_string(i) + "," + std::to_string(i % 17) + "\n";
+  const std::string whole = packed(text);
+  const File f{whole};
+  CHECK(table::read_columns(f.path, track)[0].size() == 50000);
+  const File two{packed(text.substr(0, 22)) + packed(text.substr(22))};
+  CHECK(table::read_columns(two.path, track)[0].size() == 50000);
+  const File cut{packed(text, whole.size() / 2)};
+  CHECK_THROWS_WITH(table::read_columns(cut.path, track), Contains("the gzip data are cut off"));
+  std::string bad = whole;
+  for (std::size_t i = bad.size() / 2; i < bad.size() / 2 + 40; ++i) bad[i] = '\x55';
+  const File damaged{bad};
+  CHECK_THROWS_WITH(table::read_columns(damaged.path, track),
+                    Contains("damaged") || Contains("cells") || Contains("finite"));
+  const File mark{"\x1f\x8b"};
+  CHECK_THROWS_AS(table::read_columns(mark.path, track), InputError);
+}
