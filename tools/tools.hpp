@@ -37,6 +37,8 @@ tool::Tool synthesize_tool();
 namespace quality_tool {
 tool::Tool index_tool();
 tool::Tool limit_tool();
+tool::Tool compare_tool();
+tool::Tool measures_tool();
 }  // namespace quality_tool
 namespace track_tool {
 tool::Tool joint_tool();

@@ -14,7 +14,7 @@ foreach(file ${sources})
   file(RELATIVE_PATH name ${root} ${file})
   file(STRINGS ${file} includes REGEX "^#include")
   foreach(line IN LISTS includes)
-    if(name MATCHES "^lib/(units|num|contact|rolling|wheelrail|dynamics|spectra|filters|geometry_car|track|quality)/"
+    if(name MATCHES "^lib/(units|num|contact|rolling|wheelrail|dynamics|spectra|filters|geometry_car|track|quality|measures)/"
        AND line MATCHES "\"(report|tool|plot|scene|drawing|bench)/")
       broken("${name}: physics includes ${line}")
     endif()
@@ -53,6 +53,25 @@ foreach(file ${scripts})
     broken("${name}: a script may not run a command or a text: ${CMAKE_MATCH_0}")
   endif()
 endforeach()
+
+# No two tools write files of one name: their answers may share a folder.
+set(written "")
+file(GLOB tools ${root}/tools/*/*.cpp)
+foreach(file ${tools})
+  file(READ ${file} text)
+  string(REGEX MATCH "OutFolder [a-z]+\\(wish\\.out, {([^}]*)}" found "${text}")
+  string(REGEX MATCHALL "[a-z-]+\\.[a-z]+" names "${CMAKE_MATCH_1}")
+  foreach(name ${names})
+    if(name IN_LIST written)
+      broken("${file}: writes ${name}, as another tool does")
+    endif()
+    list(APPEND written ${name})
+  endforeach()
+endforeach()
+list(LENGTH written count)
+if(count LESS 30)
+  broken("only ${count} names of files of the tools were found")
+endif()
 
 # The closing sections of a page, in this order and none of them empty: Deviations, Limits and Try next on the first; error
 # against run time and stability on the second, study/.

@@ -33,10 +33,9 @@ for name in "${names[@]}"; do
     out)
       fresh; run "$name" "$@" "--out=$name"
       [ $status = 0 ] || bad "was refused"
-      quote=\'
-      [[ $name == *\'* ]] && quote=\"
-      [[ $name == *[\"$'\n']* ]] && continue # what our reader of TOML cannot quote
-      fresh; printf 'out = %s%s%s\n' "$quote" "$name" "$quote" >given.toml; run "$name" "$@" --config given.toml
+      quoted=${name//\\/\\\\}
+      quoted=${quoted//\"/\\\"}
+      fresh; printf 'out = "%s"\n' "${quoted//$'\n'/\\n}" >given.toml; run "$name" "$@" --config given.toml
       [ $status = 0 ] || bad "was refused"
       ;;
     file) fresh; run "$name" "$@" -- "$name" ;;

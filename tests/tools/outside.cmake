@@ -28,10 +28,18 @@ set_tests_properties("tool: psd classify takes any name (in)" PROPERTIES FIXTURE
 
 foreach(case "a full pipe" "a closed standard output" "a reader that goes away" "a size limit"
         "a disk that cannot be read" "an interrupt in mid-write" "an end in mid-write" "an end while gnuplot draws"
-        "a gnuplot that hangs" "a gnuplot that fails" "no gnuplot" "a folder for temporary files that is not there")
+        "a FIFO of options" "a disk that is full" "a gnuplot that hangs" "a gnuplot that fails" "no gnuplot" "a folder for temporary files that is not there")
   add_test(NAME "tool: ${case}" COMMAND ${here}/outside.sh ${case} ${bin} ${examples}/quality/track.csv)
   set_tests_properties("tool: ${case}" PROPERTIES SKIP_RETURN_CODE 77)
 endforeach()
+
+# Many records, and what is typed wrong.
+add_test(NAME "tool: many records make a table" COMMAND ${here}/batch.sh ${bin})
+add_test(NAME "tool: a person's habits" COMMAND ${here}/habits.sh ${bin})
+add_test(NAME "tool: files as recorders write them" COMMAND ${here}/files.sh ${bin})
+add_test(NAME "tool: hostile and clumsy inputs" COMMAND ${here}/hostile.sh ${bin} ${examples})
+
+add_test(NAME "readme: its commands on data of one's own" COMMAND ${here}/readme.sh ${CMAKE_SOURCE_DIR} ${bin})
 
 # What cannot be drawn is left out of a figure: a curve of one point, a sensor that gave nothing.
 add_test(NAME "tool: creep curve of one point" COMMAND railbook creep curve --a 6mm --b 4mm --load 80kN --points 1

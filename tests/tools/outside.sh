@@ -71,6 +71,25 @@ case $case in
     sleep 0.2
     ps -e -o pgid=,stat= | grep -q "^ *$(cat "$folder/child") [^Z]" && bad "gnuplot still runs"
     true ;;
+  "a FIFO of options")
+    mkfifo options
+    printf 'speed = "100km/h"\n' >options &
+    "$railbook" quality limit --config options --out mine >/dev/null 2>"$folder/said"
+    status=$?
+    rm -f options
+    expect 0; [ -s mine/limit.json ] || bad "no answer"
+    mkfifo "$folder/silent"
+    timeout 30 "$railbook" quality limit --config "$folder/silent" >/dev/null 2>"$folder/said"
+    status=$?
+    expect 2; says "nobody writes to" ;;
+  "a disk that is full")
+    unshare --user --map-root-user --mount sh -c 'mount -t tmpfs -o size=100k none .' 2>/dev/null || exit 77
+    for size in 4 8 16 40; do
+      unshare --user --map-root-user --mount sh -c 'mount -t tmpfs -o size=$1k none . && cd . && shift && exec "$@"' sh $size \
+        "$railbook" quality index "$track" --column crosslevel --speed 100km/h --out "$folder/run/mine" >"$folder/said" 2>&1
+      status=$?
+      expect 3; says "No space left on device"; clean
+    done ;;
   "a gnuplot that hangs")
     fake 'sleep 600'
     export RAILBOOK_GNUPLOT_SECONDS=1

@@ -41,8 +41,23 @@ kill -KILL "$(cat "$folder/child")" # nobody else could
 [ -e "out/results/$chapter.json" ] && bad "left the old record"
 [ -e "out/results/$chapter.txt" ] && bad "left the old summary"
 reproduce out || bad "does not recover"
-RAILBOOK_GNUPLOT=$folder/gnuplot RAILBOOK_GNUPLOT_SECONDS=1 reproduce out && bad "was content with a gnuplot that hangs"
+RAILBOOK_GNUPLOT=$folder/gnuplot RAILBOOK_GNUPLOT_SECONDS=1 reproduce out
+[ $? = 3 ] || bad "a gnuplot that hangs is no status 3"
 grep -q "was ended after 1 s" "$folder/said" || bad "does not say so"
 "$program" reproduce --only "$item" --no-timings --out out >/dev/full 2>"$folder/said"
 [ $? = 3 ] || bad "was content with a full pipe"
+# A disk that is full inside one item, tried on a small file system of one's own.
+small() { # small KIB: reproduce on a file system of that size
+  unshare --user --map-root-user --mount sh -c 'mount -t tmpfs -o size=$1k none out && shift && exec "$@"' sh "$1" \
+    "$program" reproduce --only "$item" --no-timings --out out >"$folder/said" 2>&1
+}
+if unshare --user --map-root-user --mount sh -c 'mount -t tmpfs -o size=100k none out' 2>/dev/null; then
+  for size in 4 8 16 24 32; do
+    small $size
+    status=$?
+    [ $status = 3 ] || bad "a disk of $size KiB: status $status"
+    grep -q "No space left on device" "$folder/said" || bad "a disk of $size KiB: no reason"
+  done
+  small 8000 || bad "fails on a small disk that is large enough"
+fi
 exit 0

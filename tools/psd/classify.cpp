@@ -26,14 +26,17 @@ sensor that stuck, a step of the datum; so are a spacing that changes, heights t
 #include <string>
 #include <vector>
 
+#include "measures/reference.hpp"
 #include "psd/measure.hpp"
 #include "spectra/classify.hpp"
 #include "spectra/line_mask.hpp"
 #include "table/csv.hpp"
+#include "tool/batch.hpp"
 #include "tool/out_folder.hpp"
 #include "tool/summary.hpp"
 #include "tools.hpp"
 #include "units/constants.hpp"
+#include "units/input_error.hpp"
 
 namespace railbook::psd_tool {
 
@@ -48,6 +51,7 @@ struct Wish {
   std::string window = "hann", noise = "automatic", slopes = "two";
   std::optional<double> chord, rail, segment;
   spectra::FitOptions fit;
+  std::vector<std::string> references;
   tool::Destination out;
 };
 
@@ -67,7 +71,16 @@ void add_options(tool::Options& o, Wish& w) {
   o.choice("--slopes", w.slopes, {"two", "one"}, "of the random part: equation (4) or (3)");
   o.quantity("--low", w.fit.low, units::wavenumber, "lower end of the band fitted", {1e-6, 1e4});
   o.quantity("--high", w.fit.high, units::wavenumber, "upper end of the band fitted", {1e-6, 1e4});
+  o.texts("--reference", w.references,
+          "spectra to draw behind, and to compare with: german-low, fra-5, hamid-yang-5, china-hsr "
+          "...");
+  o.quantity("--section", w.record.section, units::length,
+             "a row for each such stretch as well, as 1km", {1, 1e6});
   o.out(w.out);
+  o.help(std::string{tools::record_help} +
+         "\n\nExample: railbook psd classify track.csv --column profile --out mine\n"
+         "         railbook psd classify runs/*.csv --column left,right --section 1km "
+         "--out mine");
 }
 
 spectra::FitOptions fit_options(const Wish& wish) {
@@ -152,7 +165,8 @@ void add_notes(tool::Summary& s, const Measured& m, const Fitted& f) {
 }
 
 void add_class(tool::Summary& s, const spectra::SpectrumFit& fit) {
-  if (fit.misfit > misfit_refused) return s.absent("class", "class", "none: the model does not apply");
+  if (fit.misfit > misfit_refused)
+    return s.absent("class", "class", "none: the model does not apply");
   const spectra::ClassRule rule;
   const auto result = spectra::classify(fit.A.value, fit.B_printed.value, rule);
   const auto odds = spectra::class_probabilities(fit, rule);
@@ -171,9 +185,48 @@ void add_class(tool::Summary& s, const spectra::SpectrumFit& fit) {
   }
 }
 
+// The rms of both in the waves of 3 to 25 m, where all references hold.
+void add_references(tool::Summary& s, const Wish& wish, const Measured& m) {
+  if (wish.references.empty()) return;
+  const spectra::Spectrum& own = m.spectrum;
+  double measured = 0;
+  std::vector<double> sums(wish.references.size());
+  for (Eigen::Index k = 1; k < own.density.size(); ++k) {
+    const double phi = own.frequency(k);
+    const double gain = spectra::squared_gain(wish.chord.value_or(0), phi);
+    if (phi < 1.0 / 25 || phi > 1.0 / 3 || gain < wish.fit.least_gain) continue;
+    measured += own.density[k] / gain * own.df;
+    for (std::size_t i = 0; i < sums.size(); ++i)
+      sums[i] += measures::reference(wish.references[i]).density(phi) * own.df;
+  }
+  if (!(measured > 0)) return;
+  s.add("rms_3_25_mm", "rms of waves of 3 to 25 m", std::sqrt(measured) / mm, "mm");
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    const std::string& name = wish.references[i];
+    s.add("rms_" + name + "_mm", "  of " + name, std::sqrt(sums[i]) / mm, "mm",
+          fmt::format("the record is {}; {}", measured < sums[i] ? "better" : "worse",
+                      measures::reference(name).source));
+  }
+}
+
+std::string reference_table(const Wish& wish, double low, double high) {
+  std::string text;
+  for (const std::string& name : wish.references) {
+    const measures::Reference& r = measures::reference(name);
+    if (!text.empty()) text += "\n\n";
+    text += fmt::format("phi_cycle_per_m,S_m2_per_cycle_per_m,{}\n", name);
+    const double from = std::max(low, r.low), to = std::min(high, r.high);
+    for (int i = 0; i <= 200; ++i) {
+      const double phi = from * std::pow(to / from, i / 200.0);
+      text += fmt::format("{:.6g},{:.6g},\n", phi, r.density(phi));
+    }
+  }
+  return text + "\n";
+}
+
 tool::Summary answer(const Wish& wish, const Measured& m, const Fitted& f) {
   const spectra::SpectrumFit& fit = f.fit;
-  tool::Summary s{"track of " + wish.record.record.file.string()};
+  tool::Summary s{"track of " + wish.record.batch.only().string()};
   const auto with_error = [&](const std::string& key, const char* what, spectra::Estimate e,
                               double unit, const char* unit_name, const char* note = "") {
     s.add(key, what, e.value / unit, unit_name, note);
@@ -195,9 +248,88 @@ tool::Summary answer(const Wish& wish, const Measured& m, const Fitted& f) {
   s.add("C_1", "peak of the line C_1", fit.C_1, "m^2/(cycle/m)");
   s.add("beta", "its width Q_1/C_1", fit.beta, "cycle/m");
   add_class(s, fit);
+  add_references(s, wish, m);
   add_notes(s, m, f);
   add_flags(s, wish, m, f);
   return s;
+}
+
+MeasureWish measure_wish(const Wish& wish) {
+  MeasureWish m{.columns = wish.record.columns,
+                .segment = {},
+                .window = spectra::parse_window(wish.window),
+                .section = wish.record.section};
+  if (wish.segment) m.segment = static_cast<std::size_t>(*wish.segment);
+  return m;
+}
+
+void add_fit(tool::Row& row, const Fitted& f) {
+  const spectra::SpectrumFit& fit = f.fit;
+  row.add("A_m2_cycle_per_m", fit.A.value);
+  row.add("A_error", fit.A.error);
+  row.add("phi_c_cycle_per_m",
+          fit.corner == spectra::CornerState::fitted ? fit.phi_c.value : std::nan(""));
+  row.add("rail_m", f.options.rail_length);
+  row.add("B_printed_mm", fit.B_printed.value / mm);
+  row.add("B_printed_error_mm", fit.B_printed.error / mm);
+  row.add("misfit", fit.misfit);
+  if (fit.misfit > misfit_refused) return row.flag("misfit");
+  const spectra::ClassRule rule;
+  const auto result = spectra::classify(fit.A.value, fit.B_printed.value, rule);
+  row.add("deviation_mm", result.deviation / mm);
+  row.add("class", static_cast<double>(result.track_class));
+  const auto odds = spectra::class_probabilities(fit, rule);
+  row.add("odds", 1e-4 * std::round(1e4 * odds[static_cast<std::size_t>(result.track_class)]));
+}
+
+tool::Row row_of_section(const Wish& wish, const spectra::RecordStream& record, const Section& s,
+                         double rail, const std::string& column) {
+  tool::Row row;
+  row.add("kind", "section");
+  row.add("column", column);
+  row.add("from_m", record.places().at(s.first));
+  row.add("to_m", record.places().at(s.first + s.count));
+  row.add("samples", static_cast<double>(s.count));
+  row.add("missing", static_cast<double>(s.missing));
+  try {
+    if (!s.spectrum) throw InputError{"gaps leave no segment whole"};
+    Fitted f{fit_options(wish), {}, {}};
+    f.options.rail_length = rail;
+    f.fit = spectra::fit_track_spectrum(*s.spectrum, f.options);
+    add_fit(row, f);
+  } catch (const InputError& error) {
+    row.add("status", "refused");
+    row.add("reason", error.what());
+  }
+  return row;
+}
+
+// A row for each column, and one for each of its sections.
+std::vector<tool::Row> rows_of(const Wish& wish, const std::filesystem::path& file) {
+  const MeasureWish measure_it = measure_wish(wish);
+  std::vector<std::vector<Section>> sections(measure_it.columns.size());
+  const auto all =
+      measure(tools::record_file(wish.record, file), measure_it,
+              [&](std::size_t column, const Section& s) { sections[column].push_back(s); });
+  std::vector<tool::Row> rows;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Measured& m = all[i];
+    const Fitted f = fit_track(wish, m.spectrum);
+    tool::Row& row = rows.emplace_back();
+    row.add("kind", "record");
+    row.add("column", measure_it.columns[i]);
+    tools::add_record(row, *m.record);
+    row.add("segment_m", static_cast<double>(m.segment) * m.record->spacing());
+    row.add("segments", static_cast<double>(m.spectrum.segments));
+    add_fit(row, f);
+    tool::Summary doubts{""};
+    add_flags(doubts, wish, m, f);
+    for (const auto& [key, text] : doubts.flags()) row.flag(key);
+    for (const Section& s : sections[i])
+      rows.push_back(
+          row_of_section(wish, *m.record, s, f.options.rail_length, measure_it.columns[i]));
+  }
+  return rows;
 }
 
 void write_files(tool::OutFolder& out, const Wish& wish, const Measured& m,
@@ -231,18 +363,25 @@ void write_files(tool::OutFolder& out, const Wish& wish, const Measured& m,
                                    fit.B_printed.value / mm, fit.B_printed.error / mm, fit.A.value,
                                    fit.A.error));
   out.add("classify.json", summary.json());
-  out.figure(tools::scripts("psd") / "classify_spectrum.gp", {"spectrum.csv"}, "spectrum.png");
+  std::vector<std::string> drawn{"spectrum.csv"};
+  if (!wish.references.empty()) {
+    out.scratch("references.csv", reference_table(wish, m.spectrum.frequency(1), 2));
+    drawn.emplace_back("references.csv");
+  }
+  out.figure(tools::scripts("psd") / "classify_spectrum.gp", drawn, "spectrum.png");
   out.figure(tools::scripts("psd") / "classify_class.gp", {"classes.csv", "point.csv"},
              "class.png");
 }
 
 void classify_track(const Wish& wish) {
+  for (const std::string& name : wish.references) (void)measures::reference(name);
+  if (wish.record.batch.many() || wish.record.columns.size() > 1 || wish.record.section)
+    return tool::run_batch(wish.record.batch, wish.out, "classify",
+                           [&](const auto& file) { return rows_of(wish, file); });
   tool::OutFolder out(wish.out, {"spectrum.csv", "classes.csv", "point.csv", "classify.json",
                                  "spectrum.png", "class.png"});
-  std::optional<std::size_t> segment;
-  if (wish.segment) segment = static_cast<std::size_t>(*wish.segment);
-  const Measured measured =
-      measure(tools::record_file(wish.record), segment, spectra::parse_window(wish.window));
+  const auto file = tools::record_file(wish.record, wish.record.batch.only());
+  const Measured measured = std::move(measure(file, measure_wish(wish)).front());
   const Fitted fitted = fit_track(wish, measured.spectrum);
   const tool::Summary summary = answer(wish, measured, fitted);
   summary.print();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "units/input_error.hpp"
@@ -36,30 +37,98 @@ std::size_t best(const std::vector<spectra::Welch>& all, std::size_t present) {
   return most;
 }
 
+// Cuts a column into sections as it streams by.
+class Sections {
+ public:
+  Sections(const MeasureWish& wish, std::size_t column, const SectionSink& sink)
+      : wish_(wish), column_(column), sink_(sink) {}
+
+  void push(std::span<const double> piece, double spacing) {
+    if (!wish_.section) return;
+    if (!welch_) begin(spacing);
+    while (!piece.empty()) {
+      const auto part = piece.first(std::min(piece.size(), length_ - section_.count));
+      welch_->push(part);
+      section_.count += part.size();
+      piece = piece.subspan(part.size());
+      if (section_.count == length_) end();
+    }
+  }
+
+  // What is left is a section when it is half as long as one.
+  void finish() {
+    if (welch_ && 2 * section_.count >= length_) end();
+  }
+
+ private:
+  void begin(double spacing) {
+    length_ = static_cast<std::size_t>(std::lround(*wish_.section / spacing));
+    if (length_ < 3 * fewest_samples)
+      throw InputError{fmt::format("section is {:.6g} m, {} samples; allowed: from {:.6g} m",
+                                   *wish_.section, length_, 3 * fewest_samples * spacing)};
+    const double segment = std::exp2(std::floor(std::log2(static_cast<double>(length_) / 3)));
+    options_ = {
+        .segment = std::min<std::size_t>(std::size_t(1) << 18, static_cast<std::size_t>(segment)),
+        .window = wish_.window};
+    spacing_ = spacing;
+    welch_.emplace(spacing_, options_);
+  }
+
+  void end() {
+    section_.missing = welch_->gap_samples();
+    if (welch_->segments() > 0) section_.spectrum = welch_->spectrum();
+    sink_(column_, section_);
+    section_ = {section_.first + section_.count, 0, 0, {}};
+    welch_.emplace(spacing_, options_);
+  }
+
+  static constexpr std::size_t fewest_samples = 64;  // of a segment
+  const MeasureWish& wish_;
+  std::size_t column_;
+  const SectionSink& sink_;
+  std::size_t length_ = 0;
+  double spacing_ = 0;
+  spectra::WelchOptions options_;
+  std::optional<spectra::Welch> welch_;
+  Section section_;
+};
+
 }  // namespace
 
-Measured measure(const spectra::RecordFile& file, std::optional<std::size_t> segment,
-                 spectra::Window window) {
+std::vector<Measured> measure(const spectra::RecordFile& file, const MeasureWish& wish,
+                              const SectionSink& sink) {
   // At unit spacing while the record streams by; its true spacing is known at the end.
-  std::vector<spectra::Welch> all;
-  const auto record = [&](std::span<const double> piece, double spacing) {
-    if (all.empty())
-      for (const std::size_t size : segment ? std::vector{*segment} : segments_for(spacing))
-        all.emplace_back(1.0, spectra::WelchOptions{.segment = size, .window = window});
-    for (spectra::Welch& welch : all) welch.push(piece);
-  };
-  Measured result{spectra::read_record(file, record), {}, 0, false};
-  const std::size_t present = result.record->samples() - result.record->missing();
-  const std::size_t chosen = best(all, present);
-  result.segment = segment ? *segment : segments_for(result.record->spacing())[chosen];
-  if (all[chosen].segments() == 0)
-    throw InputError{fmt::format(
-        "the record has {} samples, {} of them missing; allowed: {} in a row without a gap "
-        "(--segment for shorter ones, --bridge for gaps)",
-        result.record->samples(), result.record->missing(), result.segment)};
-  result.spectrum = spectra::respaced(all[chosen].spectrum(), result.record->spacing());
-  result.shortened = chosen > 0;
-  return result;
+  std::vector<std::vector<spectra::Welch>> all(wish.columns.size());
+  std::vector<Sections> sections;
+  std::vector<spectra::RecordSink> sinks;
+  for (std::size_t i = 0; i < wish.columns.size(); ++i) sections.emplace_back(wish, i, sink);
+  for (std::size_t i = 0; i < wish.columns.size(); ++i)
+    sinks.push_back([&, i](std::span<const double> piece, const spectra::RecordStream& record) {
+      const double spacing = record.spacing();
+      if (all[i].empty())
+        for (const std::size_t size :
+             wish.segment ? std::vector{*wish.segment} : segments_for(spacing))
+          all[i].emplace_back(1.0, spectra::WelchOptions{.segment = size, .window = wish.window});
+      for (spectra::Welch& welch : all[i]) welch.push(piece);
+      sections[i].push(piece, spacing);
+    });
+  auto records = spectra::read_records(file, wish.columns, sinks);
+  std::vector<Measured> results;
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    sections[i].finish();
+    Measured& result = results.emplace_back(Measured{std::move(records[i]), {}, 0, false});
+    const std::size_t present = result.record->samples() - result.record->missing();
+    const std::size_t chosen = best(all[i], present);
+    result.segment = wish.segment ? *wish.segment : segments_for(result.record->spacing())[chosen];
+    if (all[i][chosen].segments() == 0)
+      throw InputError{fmt::format(
+          "the record has {} samples, {} of them missing; allowed: {} in a row without a gap "
+          "(--segment for shorter ones, --bridge for gaps)",
+          result.record->samples(), result.record->missing(), result.segment)};
+    result.spectrum = spectra::respaced(all[i][chosen].spectrum(), result.record->spacing());
+    result.shortened = chosen > 0;
+  }
+  return results;
 }
 
 }  // namespace railbook::psd_tool

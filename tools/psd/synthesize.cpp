@@ -20,6 +20,8 @@ the compiler. Records of any length stream through the memory of one filter bloc
 #include "files/out_file.hpp"
 #include "spectra/synthetic_track.hpp"
 #include "table/csv.hpp"
+#include "tool/session.hpp"
+#include "tool/summary.hpp"
 #include "tools.hpp"
 #include "units/constants.hpp"
 
@@ -96,9 +98,13 @@ void write_track(const Order& order) {
     done += block.size();
   }
   out.commit();
-  fmt::print(out.to_standard_output() ? stderr : stdout, "{} samples, {:.3f} km, written to {}\n",
-             samples, static_cast<double>(samples) * track.spacing / units::kilometre,
-             order.file.string());
+  tool::session().taken = out.to_standard_output();
+  tool::Summary answer{"synthetic track in " + order.file.string()};
+  answer.add("samples", "samples", static_cast<double>(samples), "");
+  answer.add("length_km", "length", static_cast<double>(samples) * track.spacing / units::kilometre,
+             "km");
+  answer.add("seed", "seed", static_cast<double>(order.seed), "");
+  answer.print();
 }
 
 }  // namespace

@@ -5,8 +5,7 @@ The descriptor of a record of your own, at the posted speed and for your car:
     quality index track.csv --speed 100km/h --car chapters/06-quality/examples/freight.toml --out mine
     quality index chapters/06-quality/examples/track.csv --speed 64km/h --column crosslevel
 
-The record is a CSV file with a column of positions and one of heights, units in their headers (`distance_m,profile_mm`). It is read once and held in memory, 8 bytes
-a sample. Empty cells and `nan` are gaps: those of up to 1 m are bridged (`--bridge` says otherwise), others divide the record. Codes for lost samples, outliers, stuck sensors and steps of the datum are found, taken out
+The record is a CSV file with a column of positions and one of heights, units in their headers (`distance_m,profile_mm`). It is read once, in constant memory. Empty cells and `nan` are gaps: those of up to 1 m are bridged (`--bridge` says otherwise), others divide the record. Codes for lost samples, outliers, stuck sensors and steps of the datum are found, taken out
 as gaps and told above the answer as doubtful, and so are a spacing that changes (places stay true to a sample) and heights in another unit than said. The answer names each place where the magnitude of the descriptor passes `--threshold`, the paper's $T_2$, with the
 wavelength there, twice the distance of the neighbouring zeros, and the limit that counts at that wavelength. Places within a resonant wavelength of an end or of a gap are marked: there the filter had to guess.
 For the planner the record is cut at multiples of `--segment`, each piece with an index of its own and a class: *accept* below $T_1$ (`--accept`), *repair* above $T_2$, *watch* between them, and *unsure* where it passes $T_2$ only where the filter had to guess. The
@@ -24,6 +23,7 @@ paper prints no thresholds; ours are 0.5 and 1. With `--out` come the channel, t
 
 #include "quality/index_parts.hpp"
 #include "table/csv.hpp"
+#include "tool/batch.hpp"
 #include "tool/out_folder.hpp"
 #include "tools.hpp"
 #include "units/constants.hpp"
@@ -33,65 +33,54 @@ namespace railbook::quality_tool {
 
 namespace {
 
-constexpr std::size_t most_samples = 100'000'000;
-
-// The record in memory, so that the file is read once.
-struct Track {
-  std::unique_ptr<const spectra::RecordStream> record;
-  std::vector<double> heights;
-};
-Track read(const spectra::RecordFile& file) {
-  Track track;
-  track.record = spectra::read_record(file, [&](std::span<const double> piece, double) {
-    if (track.heights.size() + piece.size() > most_samples)
-      throw InputError{
-          fmt::format("the record has over {:g} samples; allowed: as many, which take "
-                      "800 MB; cut it",
-                      static_cast<double>(most_samples))};
-    track.heights.insert(track.heights.end(), piece.begin(), piece.end());
-  });
-  return track;
-}
-
-/* The channel is written as it comes; the figure keeps the extremes of a thousand pieces. */
+/* The channel is written as it comes; the figure keeps the extremes of some thousand pieces, which grow with the record. */
 class Channel {
  public:
-  Channel(tool::OutFolder& out, const spectra::RecordStream& record)
-      : record_(record), low_(pieces, 0.0), high_(pieces, 0.0) {
-    if (!out) return;
-    file_ = &out.stream("channel.csv");
+  explicit Channel(tool::OutFolder* out) {
+    if (out == nullptr || !*out) return;
+    file_ = &out->stream("channel.csv");
     file_->write("distance_m,descriptor\n");
   }
 
-  void push(std::span<const double> p) {
+  void push(std::span<const double> p, const spectra::PlaceMap& places) {
+    if (file_ == nullptr) return;
     for (const double value : p) {
-      const std::size_t piece = at_ * pieces / record_.samples();
+      if (at_ % per_piece_ == 0) pieces_.push_back({places.at(at_), 0, 0});
       if (!std::isnan(value)) {
-        low_[piece] = std::min(low_[piece], value);
-        high_[piece] = std::max(high_[piece], value);
+        pieces_.back().low = std::min(pieces_.back().low, value);
+        pieces_.back().high = std::max(pieces_.back().high, value);
       }
-      if (file_ != nullptr)
-        file_->write(fmt::format("{},{}\n", table::csv_number(record_.places().at(at_)),
-                                 table::csv_number(value)));
+      file_->write(
+          fmt::format("{},{}\n", table::csv_number(places.at(at_)), table::csv_number(value)));
       ++at_;
+      if (pieces_.size() == most && at_ % per_piece_ == 0) halve();
     }
   }
 
   std::string extremes() const {
     std::string text = "distance_km,low,high\n";
-    for (std::size_t i = 0; i < std::min<std::size_t>(pieces, record_.samples()); ++i)
-      text += fmt::format("{:.8g},{:.6g},{:.6g}\n",
-                          record_.places().at(i * record_.samples() / pieces) / units::kilometre,
-                          low_[i], high_[i]);
+    for (const Piece& piece : pieces_)
+      text += fmt::format("{:.8g},{:.6g},{:.6g}\n", piece.from / units::kilometre, piece.low,
+                          piece.high);
     return text;
   }
 
  private:
-  static constexpr std::size_t pieces = 1000;
-  const spectra::RecordStream& record_;
-  std::vector<double> low_, high_;
+  struct Piece {
+    double from, low, high;
+  };
+  void halve() {
+    for (std::size_t i = 0; i < most / 2; ++i)
+      pieces_[i] = {pieces_[2 * i].from, std::min(pieces_[2 * i].low, pieces_[2 * i + 1].low),
+                    std::max(pieces_[2 * i].high, pieces_[2 * i + 1].high)};
+    pieces_.resize(most / 2);
+    per_piece_ *= 2;
+  }
+
+  static constexpr std::size_t most = 2000;
+  std::vector<Piece> pieces_;
+  std::size_t at_ = 0, per_piece_ = 1;
   files::OutFile* file_ = nullptr;
-  std::size_t at_ = 0;
 };
 
 // The force grows with the square of the wavenumber: it needs a shortest wave.
@@ -99,33 +88,77 @@ double shortest_wave(const IndexWish& wish, const quality::Descriptor& d, double
   return wish.shortest.value_or(d.force ? std::max(1.0, 2.5 * spacing) : 0);
 }
 
+// All that is made of one record as it streams by, at the spacing that its first positions show.
+struct Run {
+  std::unique_ptr<const spectra::RecordStream> record;
+  double spacing = 0, shortest = 0;
+  quality::FilterTaps taps;
+  std::optional<quality::IndexBuilder> builder;
+};
+
+Run run_record(const IndexWish& wish, const quality::Descriptor& d,
+               const std::filesystem::path& file, Channel& channel) {
+  Run run;
+  const spectra::RecordStream* known = nullptr;
+  std::optional<quality::FilterStream> stream;
+  const auto begin = [&] {
+    run.spacing = known->spacing();
+    run.shortest = shortest_wave(wish, d, run.spacing);
+    run.taps = quality::design_filter(quality::Envelope{d},
+                                      {.spacing = run.spacing, .shortest = run.shortest});
+    run.builder.emplace(
+        quality::IndexOptions{.spacing = run.spacing,
+                              .threshold = wish.threshold,
+                              .place = [&known](std::size_t i) { return known->places().at(i); },
+                              .segment = wish.segment,
+                              .margin = resonant_wave(d)});
+    stream.emplace(run.taps, [&](std::span<const double> p) {
+      run.builder->push(p);
+      channel.push(p, known->places());
+    });
+  };
+  run.record =
+      spectra::read_record(tools::record_file(wish.record, file),
+                           [&](std::span<const double> piece, const spectra::RecordStream& record) {
+                             known = &record;
+                             if (!stream) begin();
+                             stream->push(piece);
+                           });
+  known = run.record.get();
+  stream->finish();
+  run.builder->finish();
+  return run;
+}
+
+std::vector<tool::Row> rows_of(const IndexWish& wish, const quality::Descriptor& d,
+                               const std::filesystem::path& file) {
+  std::vector<tool::Row> rows;
+  for (const std::string& column : wish.record.columns) {
+    IndexWish one = wish;
+    one.record.columns = {column};
+    Channel none{nullptr};
+    const Run run = run_record(one, d, file, none);
+    const auto found = places(*run.builder, *run.record, d, run.spacing);
+    add_rows(rows, {one, d, *run.record, run.taps, run.shortest, *run.builder, found}, column);
+  }
+  return rows;
+}
+
 void index_track(const IndexWish& wish) {
-  tool::OutFolder out(wish.out, {"channel.csv", "exceedances.csv", "histogram.csv", "segments.csv",
-                                 "threshold.csv", "extremes.csv", "index.json", "index.png"});
   if (wish.accept > wish.threshold)
     throw InputError{fmt::format("accept is {:g}; allowed: at most the threshold, {:g}",
                                  wish.accept, wish.threshold)};
   const quality::Descriptor d = descriptor(wish.car);
-  const Track track = read(tools::record_file(wish.record));
-  const spectra::RecordStream& record = *track.record;
-  const double shortest = shortest_wave(wish, d, record.spacing());
-  const auto taps = quality::design_filter(quality::Envelope{d},
-                                           {.spacing = record.spacing(), .shortest = shortest});
-  quality::IndexBuilder builder{{.spacing = record.spacing(),
-                                 .threshold = wish.threshold,
-                                 .place = [&](std::size_t i) { return record.places().at(i); },
-                                 .segment = wish.segment,
-                                 .margin = resonant_wave(d)}};
-  Channel channel{out, record};
-  quality::FilterStream stream{taps, [&](std::span<const double> p) {
-                                 builder.push(p);
-                                 channel.push(p);
-                               }};
-  stream.push(track.heights);
-  stream.finish();
-  builder.finish();
-  const auto found = places(builder, record, d);
-  const IndexAnswer answer{wish, d, record, taps, shortest, builder, found};
+  if (wish.record.batch.many() || wish.record.columns.size() > 1)
+    return tool::run_batch(wish.record.batch, wish.out, "index",
+                           [&](const auto& file) { return rows_of(wish, d, file); });
+  tool::OutFolder out(wish.out, {"channel.csv", "exceedances.csv", "histogram.csv", "segments.csv",
+                                 "threshold.csv", "extremes.csv", "index.json", "index.png"});
+  Channel channel{&out};
+  const Run run = run_record(wish, d, wish.record.batch.only(), channel);
+  const spectra::RecordStream& record = *run.record;
+  const auto found = places(*run.builder, record, d, run.spacing);
+  const IndexAnswer answer{wish, d, record, run.taps, run.shortest, *run.builder, found};
   const tool::Summary summary = summary_of(answer);
   summary.print();
   if (out) {
@@ -141,22 +174,28 @@ void index_track(const IndexWish& wish) {
 }  // namespace
 
 tool::Tool index_tool() {
-  return {"index", "descriptor, exceedances and index of a track record", [](tool::Options& o) {
-            auto wish = std::make_shared<IndexWish>();
-            tools::add_record_options(o, wish->record);
-            add_car_options(o, wish->car);
-            o.quantity("--shortest", wish->shortest, units::length,
-                       "waves below this are left out; without it 1 m with wheel force, 0 without",
-                       tool::non_negative);
-            o.quantity("--threshold", wish->threshold, units::number,
-                       "T_2, above which a place is listed", tool::positive);
-            o.quantity("--accept", wish->accept, units::number,
-                       "T_1, below which a segment is as good as new", tool::positive);
-            o.quantity("--segment", wish->segment, units::length,
-                       "length of the pieces that have an index of their own", {1, 1e6});
-            o.out(wish->out);
-            return [wish] { index_track(*wish); };
-          }};
+  return {
+      "index", "descriptor, exceedances and index of a track record", [](tool::Options& o) {
+        auto wish = std::make_shared<IndexWish>();
+        tools::add_record_options(o, wish->record);
+        add_car_options(o, wish->car);
+        o.quantity("--shortest", wish->shortest, units::length,
+                   "waves below this are left out; without it 1 m with wheel force, 0 without",
+                   tool::non_negative);
+        o.quantity("--threshold", wish->threshold, units::number,
+                   "T_2, above which a place is listed", tool::positive);
+        o.quantity("--accept", wish->accept, units::number,
+                   "T_1, below which a segment is as good as new", tool::positive);
+        o.quantity("--segment", wish->segment, units::length,
+                   "length of the pieces that have an index of their own", {1, 1e6});
+        o.quantity("--section", wish->segment, units::length, "the same", {1, 1e6});
+        o.out(wish->out);
+        o.help(std::string{tools::record_help} +
+               "\n\nExample: railbook quality index track.csv --speed 100km/h --column profile "
+               "--out mine\n         railbook quality index runs/*.csv --speed 100km/h --section "
+               "200m --out mine");
+        return [wish] { index_track(*wish); };
+      }};
 }
 
 }  // namespace railbook::quality_tool

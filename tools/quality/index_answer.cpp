@@ -16,15 +16,14 @@ double resonant_wave(const quality::Descriptor& d) {
 }
 
 std::vector<Place> places(const quality::IndexBuilder& builder, const spectra::RecordStream& record,
-                          const quality::Descriptor& d) {
+                          const quality::Descriptor& d, double spacing) {
   std::vector<Place> result;
   for (const quality::Exceedance& e : builder.exceedances()) {
     const double phi = 1 / std::max(e.wavelength, e.length);  // a lone sample has no wavelength
     const bool force = d.force && (!d.stroke || severity(*d.force, d.speed, phi) >
                                                     severity(*d.stroke, d.speed, phi));
-    result.push_back(
-        {e, record.places().at(static_cast<std::size_t>(std::lround(e.at / record.spacing()))),
-         e.cut || e.clear < resonant_wave(d), force ? "wheel force" : "stroke"});
+    result.push_back({e, record.places().at(static_cast<std::size_t>(std::lround(e.at / spacing))),
+                      e.cut || e.clear < resonant_wave(d), force ? "wheel force" : "stroke"});
   }
   return result;
 }
@@ -45,10 +44,13 @@ std::vector<Class> classes(const IndexAnswer& a) {
   auto place = a.found.begin();
   std::size_t first = 0;
   for (const quality::Segment& s : a.builder.segments()) {
-    const double to = s.from + a.wish.segment;
+    const auto here = [&](const Place& p) {
+      return s.from ==
+             a.wish.segment * std::floor((p.at + 1e-6 * a.record.spacing()) / a.wish.segment);
+    };
     const bool above = s.sums.largest > a.wish.threshold;
     bool none = true, sure = false;
-    for (; place != a.found.end() && place->at < to; ++place)
+    for (; place != a.found.end() && here(*place); ++place)
       none = false, sure = sure || !place->unsure;
     if (none)  // the wave has its peak in a neighbour
       sure = (place != a.found.begin() && !std::prev(place)->unsure) ||
@@ -98,7 +100,7 @@ void add_worst(tool::Summary& s, std::vector<Place> found) {
 tool::Summary summary_of(const IndexAnswer& answer) {
   const auto& [wish, d, record, taps, shortest, builder, found] = answer;
   const quality::QualityIndex q = builder.index();
-  tool::Summary s{"track quality of " + wish.record.record.file.string()};
+  tool::Summary s{"track quality of " + wish.record.batch.only().string()};
   add_car(s, d);
   tools::add_record(s, record);
   s.add("shortest_m", "shortest wavelength", shortest, "m");
@@ -126,6 +128,36 @@ tool::Summary summary_of(const IndexAnswer& answer) {
   add_segments(s, answer);
   add_worst(s, found);
   return s;
+}
+
+void add_rows(std::vector<tool::Row>& rows, const IndexAnswer& a, const std::string& column) {
+  const auto add_index = [&](tool::Row& row, const quality::QualityIndex& q, std::size_t places) {
+    row.add("mean", q.mean);
+    row.add("deviation", q.deviation);
+    row.add("rms", q.rms);
+    row.add("largest", q.largest);
+    row.add("above_per_km", q.above_per_km);
+    row.add("exceedances", static_cast<double>(places));
+  };
+  tool::Row& record = rows.emplace_back();
+  record.add("kind", "record");
+  record.add("column", column);
+  tools::add_record(record, a.record);
+  add_index(record, a.builder.index(), a.found.size());
+  record.add("unsure", a.builder.unsure());
+  for (const Class& c : classes(a)) {
+    tool::Row& row = rows.emplace_back();
+    const quality::QualityIndex q = c.segment->sums.index(a.record.spacing(), a.wish.threshold);
+    row.add("kind", "section");
+    row.add("column", column);
+    row.add("from_m", c.segment->from);
+    row.add("to_m", c.segment->from + a.wish.segment);
+    row.add("samples", static_cast<double>(q.samples));
+    row.add("missing", static_cast<double>(q.missing));
+    row.add("faulty", static_cast<double>(c.faulty));
+    add_index(row, q, c.segment->sums.exceedances);
+    row.add("class", c.name);
+  }
 }
 
 namespace {

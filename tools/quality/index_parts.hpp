@@ -11,6 +11,7 @@
 #include "quality/descriptor_filter.hpp"
 #include "quality/quality_index.hpp"
 #include "record_options.hpp"
+#include "tool/batch.hpp"
 #include "tool/out_folder.hpp"
 
 namespace railbook::quality_tool {
@@ -34,9 +35,10 @@ struct Place {
 // The wavelength of the resonance at posted speed, m.
 double resonant_wave(const railbook::quality::Descriptor& d);
 
+// `spacing`: the builder's.
 std::vector<Place> places(const railbook::quality::IndexBuilder& builder,
                           const spectra::RecordStream& record,
-                          const railbook::quality::Descriptor& d);
+                          const railbook::quality::Descriptor& d, double spacing);
 
 struct IndexAnswer {
   const IndexWish& wish;
@@ -48,6 +50,8 @@ struct IndexAnswer {
   const std::vector<Place>& found;
 };
 tool::Summary summary_of(const IndexAnswer& answer);
+// The record as a row of a table of many, and its segments as rows after it.
+void add_rows(std::vector<tool::Row>& rows, const IndexAnswer& answer, const std::string& column);
 // exceedances.csv, segments.csv, histogram.csv and threshold.csv.
 void write_lists(tool::OutFolder& out, const IndexAnswer& answer);
 

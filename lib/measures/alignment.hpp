@@ -1,0 +1,34 @@
+// Two runs over one line: where a place of the first is in the second.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace railbook::measures {
+
+struct AlignmentOptions {
+  double window = 200;  // m of the first run that are looked for in the second
+  double reach = 20;    // m to either side
+  double least = 0.5;   // correlation below which a window is not found
+};
+
+// A window of the first run, found in the second.
+struct Match {
+  std::size_t centre = 0;  // sample of the first run
+  double offset = 0;       // m: what lies at x in the first run is at x + offset in the second
+  double correlation = 0;  // of the window with its like, -1 to 1
+  bool found = false;
+};
+
+// Both runs on grids of the same spacing (m), sample i of each at the same nominal place; NaN where a sample is missing. Each
+// window is laid where its correlation is largest, to a part of a spacing by a parabola; an offset that leaves the median of
+// five neighbours by over two metres is not found. Throws InputError for options that are not positive, a window below 16
+// samples or above the record.
+std::vector<Match> align(std::span<const double> first, std::span<const double> second,
+                         double spacing, const AlignmentOptions& options = {});
+
+// The offset (m) at a sample: linear between the windows found, level beyond them; 0 where none is.
+double offset_at(std::span<const Match> matches, double sample);
+
+}  // namespace railbook::measures

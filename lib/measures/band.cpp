@@ -1,0 +1,66 @@
+#include "measures/band.hpp"
+
+#include <bit>
+#include <cmath>
+#include <vector>
+
+#include "num/fft.hpp"
+#include "units/constants.hpp"
+#include "units/input_error.hpp"
+
+namespace railbook::measures {
+
+double band_gain(const Band& band, int passes, double phi) {
+  if (!(phi > 0)) return 0;
+  const double low = 1 / band.longest, high = 1 / band.shortest;
+  const double x = (phi * phi - low * high) / (phi * (high - low));
+  const double squared = 1 / (1 + std::pow(x, 8));
+  return passes == 2 ? squared : std::sqrt(squared);
+}
+
+quality::FilterTaps band_taps(const Band& band, int passes, double spacing) {
+  units::require_positive("spacing", spacing, "m");
+  units::require_between("shortest wavelength of the band", band.shortest, 2 * spacing,
+                         units::no_limit, "m");
+  // The slowest pole of the lower edge decays by e in some 0.42 of its wavelength; ten such, and as much for the taper.
+  const double reach = units::require_between("reach of the band over the spacing",
+                                              8 * band.longest / spacing, 8, 1e6);
+  const auto taps = static_cast<std::size_t>(reach);
+  num::RealFft fft{16 * std::bit_ceil(taps)};
+  const auto n = static_cast<double>(fft.size());
+  for (std::size_t k = 0; k < fft.spectrum().size(); ++k)
+    fft.spectrum()[k] = band_gain(band, passes, static_cast<double>(k) / (n * spacing)) / n;
+  fft.inverse();
+  quality::FilterTaps result{spacing, std::vector<double>(taps + 1)};
+  double sum = 0, weight = 0;
+  const auto taper = [&](std::size_t j) {
+    const double u = static_cast<double>(j) / static_cast<double>(taps + 1);
+    const double c = u <= 0.5 ? 1 : std::cos(units::pi * (u - 0.5));
+    return c * c;
+  };
+  for (std::size_t j = 0; j <= taps; ++j) {
+    result.half[j] = taper(j) * fft.real()[j];
+    sum += (j == 0 ? 1 : 2) * result.half[j];
+    weight += (j == 0 ? 1 : 2) * taper(j);
+  }
+  for (std::size_t j = 0; j <= taps; ++j) result.half[j] -= taper(j) * sum / weight;
+  return result;
+}
+
+quality::FilterTaps chord_taps(double chord, double spacing) {
+  units::require_positive("spacing", spacing, "m");
+  const double half =
+      units::require_between("chord over twice the spacing", 0.5 * chord / spacing, 2, 1e6);
+  const double begin = std::floor(half), t = half - begin;
+  const auto at = static_cast<std::size_t>(begin);
+  quality::FilterTaps result{spacing, std::vector<double>(std::max<std::size_t>(at + 3, 9))};
+  // Lagrange's cubic through the four samples around the end of the chord.
+  result.half[at - 1] += 0.5 * t * (t - 1) * (t - 2) / 6;
+  result.half[at] += -0.5 * (t + 1) * (t - 1) * (t - 2) / 2;
+  result.half[at + 1] += 0.5 * (t + 1) * t * (t - 2) / 2;
+  result.half[at + 2] += -0.5 * (t + 1) * t * (t - 1) / 6;
+  result.half[0] += 1;
+  return result;
+}
+
+}  // namespace railbook::measures

@@ -1,0 +1,45 @@
+// Limits of the United States' track safety standards (49 CFR 213) on mid-chord offsets and cross level, classes 1 to 5.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "units/constants.hpp"
+
+namespace railbook::measures {
+
+inline constexpr int fra_classes = 5;
+
+// A limit of each class, falling, m. Each row is in two copies of the code of regulations (law.cornell.edu and elaws.us for
+// profile, casetext and an open index class for alinement). Left out, since no second source was found: classes 6 to 9, the
+// 31-ft chord in curves.
+struct FraLimit {
+  std::string_view name;
+  double chord = 0;  // m; 0: no chord
+  std::array<double, fra_classes> limit{};
+};
+
+namespace fra {
+inline constexpr double inch = units::inch, feet = units::foot;
+inline constexpr FraLimit profile{
+    "profile, 62-ft chord", 62 * feet, {3 * inch, 2.75 * inch, 2.25 * inch, 2 * inch, 1.25 * inch}};
+inline constexpr FraLimit alinement{"alinement on tangent, 62-ft chord",
+                                    62 * feet,
+                                    {5 * inch, 3 * inch, 1.75 * inch, 1.5 * inch, 0.75 * inch}};
+inline constexpr FraLimit crosslevel{"deviation from zero cross level on tangent",
+                                     0,
+                                     {3 * inch, 2 * inch, 1.75 * inch, 1.25 * inch, 1 * inch}};
+inline constexpr FraLimit warp{"difference in cross level within 62 ft",
+                               0,
+                               {3 * inch, 2.25 * inch, 2 * inch, 1.75 * inch, 1.5 * inch}};
+}  // namespace fra
+
+// The highest class whose limit a magnitude (m) keeps; 0 where it keeps none.
+constexpr int fra_class(const FraLimit& limit, double magnitude) {
+  int kept = 0;
+  for (int i = 0; i < fra_classes; ++i)
+    if (magnitude <= limit.limit[static_cast<std::size_t>(i)]) kept = i + 1;
+  return kept;
+}
+
+}  // namespace railbook::measures

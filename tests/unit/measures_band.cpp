@@ -1,0 +1,92 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <complex>
+#include <vector>
+
+#include "measures/band.hpp"
+#include "units/constants.hpp"
+#include "units/input_error.hpp"
+
+using namespace railbook;
+using measures::Band;
+using units::pi;
+
+namespace {
+
+// The band-pass from its poles: the four of the low-pass, each carried to two by s -> (s^2 + w0^2)/(B s).
+double gain_by_poles(const Band& band, double phi) {
+  const double low = 2 * pi / band.longest, high = 2 * pi / band.shortest, B = high - low;
+  const std::complex<double> s{0, 2 * pi * phi};
+  std::complex<double> gain = 1;
+  for (int k = 0; k < 4; ++k) {
+    const std::complex<double> pole = std::polar(1.0, pi * (2 * k + 5) / 8);
+    const std::complex<double> root = std::sqrt(0.25 * B * B * pole * pole - low * high);
+    gain *= B * s / ((s - 0.5 * B * pole - root) * (s - 0.5 * B * pole + root));
+  }
+  return std::abs(gain);
+}
+
+// Largest value in the middle of a sine of wavenumber phi that went through the filter.
+double amplitude(const quality::FilterTaps& taps, double phi) {
+  const std::size_t n = 4 * taps.half.size() + 2000;
+  std::vector<double> wave(n);
+  for (std::size_t i = 0; i < n; ++i)
+    wave[i] = std::cos(2 * pi * phi * taps.spacing * static_cast<double>(i));
+  const auto out = quality::filter(taps, wave);
+  // Without phase, what comes out is the wave times the gain.
+  double along = 0, own = 0;
+  for (std::size_t i = n / 3; i < 2 * n / 3; ++i) {
+    along += out[i] * wave[i];
+    own += wave[i] * wave[i];
+  }
+  return along / own;
+}
+
+}  // namespace
+
+TEST_CASE("unit: a band's gain is that of a Butterworth band-pass, once or there and back") {
+  for (const Band& band : measures::bands) {
+    for (const double edge : {band.shortest, band.longest}) {
+      CHECK(measures::band_gain(band, 1, 1 / edge) == Approx(std::sqrt(0.5)));
+      CHECK(measures::band_gain(band, 2, 1 / edge) == Approx(0.5));
+    }
+    for (const double phi : {0.001, 0.005, 0.02, 0.05, 0.1, 0.3, 0.9}) {
+      const double gain = gain_by_poles(band, phi);
+      CHECK(measures::band_gain(band, 1, phi) == Approx(gain).epsilon(1e-9));
+      CHECK(measures::band_gain(band, 2, phi) == Approx(gain * gain).epsilon(1e-9));
+    }
+    CHECK(measures::band_gain(band, 2, 0) == 0);
+  }
+}
+
+TEST_CASE("unit: the sampled band-pass has the band's gain") {
+  for (const Band& band : measures::bands)
+    for (const int passes : {1, 2}) {
+      const auto taps = measures::band_taps(band, passes, 0.25);
+      const double middle = std::sqrt(band.shortest * band.longest);
+      for (const double wave : {band.shortest * 1.01, middle, band.longest, 2 * band.longest}) {
+        CAPTURE(band.name, passes, wave);
+        CHECK(amplitude(taps, 1 / wave) ==
+              Approx(measures::band_gain(band, passes, 1 / wave)).margin(2e-3));
+      }
+    }
+}
+
+TEST_CASE("unit: a chord reads 1 - cos(pi L phi), with its ends on samples or between") {
+  for (const double chord : {62 * units::foot, 31 * units::foot, 20.0, 10.0})
+    for (const double spacing : {0.25, units::foot}) {
+      const auto taps = measures::chord_taps(chord, spacing);
+      for (const double wave : {3.0, 5.0, chord / 2, chord, 62 * units::foot, 70.0}) {
+        CAPTURE(chord, spacing, wave);
+        CHECK(amplitude(taps, 1 / wave) == Approx(1 - std::cos(pi * chord / wave)).margin(2e-3));
+      }
+    }
+}
+
+TEST_CASE("input: bands and chords that the samples cannot carry are refused") {
+  CHECK_THROWS_AS(measures::band_taps(measures::bands[0], 1, 0.6), InputError);
+  CHECK_THROWS_AS(measures::band_taps(measures::bands[3], 1, 1e-5), InputError);
+  CHECK_THROWS_AS(measures::band_taps(measures::bands[1], 1, 0), InputError);
+  CHECK_THROWS_AS(measures::chord_taps(1, 0.3), InputError);
+  CHECK_THROWS_AS(measures::chord_taps(20, -1), InputError);
+}

@@ -1,0 +1,357 @@
+/* ### `quality measures`
+
+The measures that networks keep of a record of track geometry, for each section of 200 m:
+
+    railbook quality measures track.csv --column left,right --alignment aleft,aright --gauge gauge --crosslevel cant --out mine
+
+standard deviation and largest value of longitudinal level and alignment in the bands of EN 13848 (D1 and D2; `--bands` names others) with the place of the largest, the standard deviations of gauge, cross level
+and twist, the combined standard deviation (weights 1), China's index where all seven parameters are there, and what a 62-ft chord reads with the highest FRA class (1 to 5) that allows it. The
+band-pass has four poles an edge and no phase; it counts as run forward and backward (half the gain at the edges), `--passes 1` takes the root of that. Limits and class
+tables that could not be checked in two sources are left out: the classes A to E of EN 13848-6, its limits for action, FRA classes 6 to 9.
+*/
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "measures/band.hpp"
+#include "measures/fra_limits.hpp"
+#include "measures/sections.hpp"
+#include "record_options.hpp"
+#include "table/csv.hpp"
+#include "tool/batch.hpp"
+#include "tool/out_folder.hpp"
+#include "tool/summary.hpp"
+#include "tools.hpp"
+#include "units/constants.hpp"
+#include "units/input_error.hpp"
+
+namespace railbook::quality_tool {
+
+namespace {
+
+constexpr double mm = units::millimetre;
+namespace ms = railbook::measures;
+
+struct MeasuresWish {
+  tools::RecordWish record;
+  std::vector<std::string> alignment, bands{"D1", "D2"};
+  std::string gauge, crosslevel;
+  double section = 200, twist_base = 3;
+  long passes = 2;
+  tool::Destination out;
+};
+
+enum class Kind { level, alignment, gauge, crosslevel };
+
+struct Column {
+  std::string name;
+  Kind kind;
+};
+
+std::vector<Column> columns_of(const MeasuresWish& wish) {
+  std::vector<Column> columns;
+  for (const std::string& name : wish.record.columns) columns.push_back({name, Kind::level});
+  for (const std::string& name : wish.alignment) columns.push_back({name, Kind::alignment});
+  if (!wish.gauge.empty()) columns.push_back({wish.gauge, Kind::gauge});
+  if (!wish.crosslevel.empty()) columns.push_back({wish.crosslevel, Kind::crosslevel});
+  return columns;
+}
+
+std::vector<ms::Band> bands_of(const MeasuresWish& wish) {
+  std::vector<ms::Band> chosen;
+  for (const std::string& name : wish.bands) {
+    const auto at = std::find_if(ms::bands.begin(), ms::bands.end(),
+                                 [&](const ms::Band& b) { return b.name == name; });
+    if (at == ms::bands.end())
+      throw InputError{fmt::format("bands: \"{}\"; allowed: D0, D1, D2, D3", name)};
+    chosen.push_back(*at);
+  }
+  return chosen;
+}
+
+// What is kept of a column: the channel itself or a filtered one, section by section.
+struct Kept {
+  std::string name;  // "D1"; empty for the channel as it is
+  ms::Sections sections;
+  std::optional<quality::FilterStream> filter;
+};
+
+// A column on its way: each sample goes to all that is kept of it.
+class Channel {
+ public:
+  Channel(const MeasuresWish& wish, const Column& column) : wish_(wish), column_(column) {}
+
+  void push(std::span<const double> piece, const spectra::RecordStream& record) {
+    if (kept_.empty()) begin(record);
+    for (Kept& kept : kept_) {
+      if (kept.filter)
+        kept.filter->push(piece);
+      else if (kept.name.empty())
+        kept.sections.push(piece);
+    }
+    if (!twist_) return;
+    std::vector<double> twist;
+    for (const double value : piece) twist.push_back(twist_->push(value));
+    kept_.back().sections.push(twist);
+  }
+
+  void finish() {
+    for (Kept& kept : kept_)
+      if (kept.filter) kept.filter->finish();
+  }
+
+  const Column& column() const { return column_; }
+  const std::deque<Kept>& kept() const { return kept_; }
+
+ private:
+  void begin(const spectra::RecordStream& record) {
+    const auto place = [&record](std::size_t i) { return record.places().at(i); };
+    const auto keep = [&](const std::string& name) -> Kept& {
+      return kept_.emplace_back(Kept{name, ms::Sections{wish_.section, place}, {}});
+    };
+    const auto filter = [&](const std::string& name, const quality::FilterTaps& taps) {
+      Kept& kept = keep(name);
+      kept.filter.emplace(taps, [&kept](std::span<const double> p) { kept.sections.push(p); });
+    };
+    keep("");
+    if (column_.kind == Kind::level || column_.kind == Kind::alignment) {
+      for (const ms::Band& band : bands_of(wish_))
+        filter(std::string{band.name},
+               ms::band_taps(band, static_cast<int>(wish_.passes), record.spacing()));
+      filter("chord", ms::chord_taps(ms::fra::profile.chord, record.spacing()));
+    }
+    if (column_.kind == Kind::crosslevel) {
+      twist_.emplace(wish_.twist_base, record.spacing());
+      keep("twist");
+    }
+  }
+
+  const MeasuresWish& wish_;
+  Column column_;
+  std::deque<Kept> kept_;  // references to them are kept
+  std::optional<ms::Twist> twist_;
+};
+
+struct Measured {
+  std::vector<std::unique_ptr<const spectra::RecordStream>> records;
+  std::deque<Channel> channels;
+};
+
+Measured measure_record(const MeasuresWish& wish, const std::filesystem::path& file) {
+  Measured m;
+  std::vector<std::string> names;
+  std::vector<spectra::RecordSink> sinks;
+  for (const Column& column : columns_of(wish)) {
+    names.push_back(column.name);
+    Channel& channel = m.channels.emplace_back(wish, column);
+    sinks.emplace_back([&channel](std::span<const double> piece, const spectra::RecordStream& r) {
+      channel.push(piece, r);
+    });
+  }
+  m.records = spectra::read_records(tools::record_file(wish.record, file), names, sinks);
+  for (Channel& channel : m.channels) channel.finish();
+  return m;
+}
+
+// The deviations of a section that indices are made of.
+class Deviations {
+ public:
+  void add(Kind kind, double deviation) {
+    of_[static_cast<std::size_t>(kind)].push_back(deviation);
+  }
+  void add_twist(double deviation) { twist_ = deviation; }
+  const std::vector<double>& of(Kind kind) const { return of_[static_cast<std::size_t>(kind)]; }
+
+  // Of alignment, gauge, cross level and longitudinal level, the means of both rails; nothing where one lacks.
+  std::optional<double> combined() const {
+    std::vector<double> all;
+    for (const std::vector<double>& one : of_) {
+      if (one.empty()) return std::nullopt;
+      double sum = 0;
+      for (const double deviation : one) sum += deviation;
+      all.push_back(sum / static_cast<double>(one.size()));
+    }
+    return ms::combined_deviation(all);
+  }
+
+  std::optional<double> tqi() const {
+    std::vector<double> all;
+    for (const std::vector<double>& one : of_) all.insert(all.end(), one.begin(), one.end());
+    if (twist_) all.push_back(*twist_);
+    if (all.size() != 7 || of(Kind::level).size() != 2 || of(Kind::alignment).size() != 2)
+      return std::nullopt;
+    return ms::track_quality_index(std::span<const double, 7>{all.data(), 7});
+  }
+
+ private:
+  std::array<std::vector<double>, 4> of_;
+  std::optional<double> twist_;
+};
+
+tool::Row row_of_section(const MeasuresWish& wish, const Measured& m, std::size_t at) {
+  tool::Row row;
+  const ms::Section& first = m.channels.front().kept().front().sections.all()[at];
+  row.add("kind", "section");
+  row.add("from_m", first.from);
+  row.add("to_m", first.from + wish.section);
+  row.add("samples", static_cast<double>(first.samples));
+  row.add("missing", static_cast<double>(first.missing));
+  Deviations banded, plain;
+  int fra = ms::fra_classes;
+  for (const Channel& channel : m.channels) {
+    const Kind kind = channel.column().kind;
+    for (const Kept& kept : channel.kept()) {
+      if (at >= kept.sections.all().size()) continue;
+      const ms::Section& s = kept.sections.all()[at];
+      const bool twist = kept.name == "twist", chord = kept.name == "chord";
+      const double unit = twist ? 1e-3 : mm;
+      const std::string name =
+          twist ? "twist" : channel.column().name + (kept.name.empty() ? "" : "_" + kept.name);
+      const std::string in = twist ? "_mm_per_m" : "_mm";
+      const auto sd = s.deviation();
+      if (!chord) row.add(name + "_sd" + in, sd ? *sd / unit : std::nan(""));
+      if (sd && kept.name.empty()) plain.add(kind, *sd);
+      if (sd && twist) plain.add_twist(*sd * wish.twist_base);
+      if (sd && (kept.name == "D1" || (kept.name.empty() && kind >= Kind::gauge)))
+        banded.add(kind, *sd);
+      if (kept.name.empty()) continue;
+      const bool low = std::abs(s.lowest) > std::abs(s.highest);
+      row.add(name + "_largest" + in, sd ? (low ? s.lowest : s.highest) / unit : std::nan(""));
+      row.add(name + "_largest_at_m", sd ? (low ? s.lowest_at : s.highest_at) : std::nan(""));
+      if (chord && sd)
+        fra =
+            std::min(fra, ms::fra_class(kind == Kind::level ? ms::fra::profile : ms::fra::alinement,
+                                        s.largest()));
+    }
+  }
+  if (const auto combined = banded.combined()) row.add("combined_sd_mm", *combined / mm);
+  if (const auto tqi = plain.tqi()) row.add("tqi_mm", *tqi / mm);
+  row.add("fra_class", static_cast<double>(fra));
+  return row;
+}
+
+std::vector<tool::Row> rows_of(const MeasuresWish& wish, const Measured& m) {
+  std::vector<tool::Row> rows(1);
+  rows[0].add("kind", "record");
+  tools::add_record(rows[0], *m.records.front());
+  const std::size_t sections = m.channels.front().kept().front().sections.all().size();
+  for (std::size_t i = 0; i < sections; ++i) rows.push_back(row_of_section(wish, m, i));
+  return rows;
+}
+
+std::string table_of(const std::vector<tool::Row>& sections) {
+  std::string text;
+  for (const tool::Row& row : sections) {
+    const bool first = text.empty();
+    std::string head, line;
+    for (const tool::Row::Cell& cell : row.cells()) {
+      if (cell.key == "kind") continue;
+      const char* const comma = head.empty() ? "" : ",";
+      head += comma + table::csv_cell(cell.key);
+      line += comma + table::csv_number(cell.value);
+    }
+    text += (first ? head + "\n" : "") + line + "\n";
+  }
+  return text;
+}
+
+// What the picture shows: the deviations in the first band, and of all that has no band.
+std::string picture_of(const MeasuresWish& wish, const Measured& m) {
+  std::string text;
+  for (const Channel& channel : m.channels)
+    for (const Kept& kept : channel.kept()) {
+      const bool filtered = channel.column().kind <= Kind::alignment;
+      if (kept.name != (filtered ? wish.bands.front() : "")) continue;
+      if (!text.empty()) text += "\n\n";
+      text += fmt::format("distance_km,deviation_mm,{}\n",
+                          table::csv_cell(channel.column().name + " " + kept.name));
+      for (const ms::Section& s : kept.sections.all()) {
+        const auto sd = s.deviation();
+        for (const double at : {s.from, s.from + wish.section})
+          text += fmt::format("{:.8g},{},\n", at / units::kilometre,
+                              table::csv_number(sd ? *sd / mm : std::nan("")));
+      }
+    }
+  return text + "\n";
+}
+
+tool::Summary summary_of(const MeasuresWish& wish, const Measured& m) {
+  tool::Summary s{"measures of " + wish.record.batch.only().string()};
+  tools::add_record(s, *m.records.front());
+  s.add("section_m", "length of a section", wish.section, "m");
+  s.add("passes", "band-pass, passes", static_cast<double>(wish.passes), "");
+  for (const Channel& channel : m.channels)
+    for (const Kept& kept : channel.kept()) {
+      if (kept.name == "chord") continue;
+      const bool twist = kept.name == "twist";
+      std::vector<std::pair<double, double>> all;  // deviation, from
+      for (const ms::Section& section : kept.sections.all())
+        if (const auto sd = section.deviation()) all.emplace_back(*sd, section.from);
+      if (all.empty()) continue;
+      std::sort(all.begin(), all.end());
+      const double unit = twist ? 1e-3 : mm;
+      const char* const name_of_unit = twist ? "mm/m" : "mm";
+      const std::string name =
+          twist ? "twist" : channel.column().name + (kept.name.empty() ? "" : " " + kept.name);
+      std::string key = name;
+      std::replace(key.begin(), key.end(), ' ', '_');
+      s.add(key + "_median_sd", name + ", median deviation", all[all.size() / 2].first / unit,
+            name_of_unit);
+      s.add(key + "_worst_sd", "  worst section", all.back().first / unit, name_of_unit,
+            fmt::format("from {:g} m", all.back().second));
+    }
+  return s;
+}
+
+void measure_track(const MeasuresWish& wish) {
+  (void)bands_of(wish);
+  if (wish.record.batch.many())
+    return tool::run_batch(wish.record.batch, wish.out, "measures", [&](const auto& file) {
+      return rows_of(wish, measure_record(wish, file));
+    });
+  tool::OutFolder out(wish.out, {"measures.csv", "measures.json", "measures.png"});
+  const Measured m = measure_record(wish, wish.record.batch.only());
+  const tool::Summary summary = summary_of(wish, m);
+  summary.print();
+  if (out) {
+    const auto rows = rows_of(wish, m);
+    out.add("measures.csv", table_of({rows.begin() + 1, rows.end()}));
+    out.add("measures.json", summary.json());
+    out.scratch("picture.csv", picture_of(wish, m));
+    out.figure(tools::scripts("quality") / "measures.gp", {"picture.csv"}, "measures.png");
+  }
+  out.commit();
+}
+
+}  // namespace
+
+tool::Tool measures_tool() {
+  return {
+      "measures", "standard deviations, chords, twist and indices of sections",
+      [](tool::Options& o) {
+        auto wish = std::make_shared<MeasuresWish>();
+        tools::add_record_options(o, wish->record);
+        o.texts("--alignment", wish->alignment, "columns of alignment");
+        o.text("--gauge", wish->gauge, "column of gauge");
+        o.text("--crosslevel", wish->crosslevel, "column of cross level, a height");
+        o.texts("--bands", wish->bands,
+                "bands of EN 13848 for level and alignment, of D0, D1, D2, D3");
+        o.count("--passes", wish->passes, "of the band-pass: 2, half the gain at its edges, or 1",
+                1, 2);
+        o.quantity("--twist-base", wish->twist_base, units::length, "base of twist", {0.5, 30});
+        o.quantity("--section", wish->section, units::length, "length of a section", {1, 1e6});
+        o.out(wish->out);
+        o.help(std::string{tools::record_help} +
+               "\n\nExample: railbook quality measures track.csv --column left,right --gauge gauge "
+               "--crosslevel cant --out mine");
+        return [wish] { measure_track(*wish); };
+      }};
+}
+
+}  // namespace railbook::quality_tool
