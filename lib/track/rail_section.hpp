@@ -1,4 +1,4 @@
-// Rail sections of American practice: what a beam model needs of them.
+// Rail sections: what a beam model needs of them.
 #pragma once
 
 #include <span>
@@ -18,10 +18,10 @@ struct RailSection {
   double bending_stiffness() const { return rail_steel_modulus * second_moment; }  // EI, N m^2
 };
 
-// The sections known, by rising weight. Source: AREA/AREMA section tables as commonly reprinted.
+// The American sections, by rising weight. Source: AREA/AREMA section tables as commonly reprinted.
 std::span<const RailSection> rail_sections();
 
-// The section of that name (case ignored). Throws InputError listing the known names.
+// The section of that name (case ignored): an American one, or 60E1 (UIC60). 54E1 is left out: no second source for its moment was found. Throws InputError listing the known names.
 const RailSection& rail_section(std::string_view name);
 
 }  // namespace railbook::track

@@ -80,6 +80,7 @@ const std::array<Part, 9> parts{{
 
 struct Wish {
   std::string rail = "132RE";
+  std::optional<double> rail_moment, rail_mass;
   std::array<std::optional<double>, parts.size()> given;
   std::optional<double> modulus;
   std::optional<double> tie_mass;
@@ -202,7 +203,11 @@ void require_apart(std::vector<double> wheels) {
 
 void run(const Wish& wish) {
   tool::OutFolder out(wish.out, {"stiffness.csv", "stiffness.json", "stiffness.png"});
-  const auto& rail = rail_section(wish.rail);
+  if (wish.rail_moment.has_value() != wish.rail_mass.has_value())
+    throw InputError("a section of your own needs both, rail moment and rail mass");
+  const RailSection rail = wish.rail_moment
+                               ? RailSection{"your own", *wish.rail_moment, *wish.rail_mass}
+                               : rail_section(wish.rail);
   const Joint joint = joint_of(wish);
   const bool parts_given =
       std::ranges::any_of(wish.given, [](const auto& part) { return part.has_value(); });
@@ -249,7 +254,12 @@ void run(const Wish& wish) {
 
 std::function<void()> declare(tool::Options& options) {
   const auto wish = std::make_shared<Wish>();
-  options.text("--rail", wish->rail, "rail section: 115RE, 119RE, 132RE or 136RE");
+  options.text("--rail", wish->rail, "rail section: 115RE, 119RE, 132RE, 136RE or 60E1 (UIC60)");
+  options.quantity("--rail-moment", wish->rail_moment, units::second_moment_of_area,
+                   "second moment of a section of your own, with --rail-mass",
+                   tool::Range{1e-9, 1});
+  options.quantity("--rail-mass", wish->rail_mass, units::mass_per_length, "its mass per length",
+                   tool::Range{1e-3, 1e4});
   for (std::size_t i = 0; i < parts.size(); ++i)
     options.quantity(parts[i].option, wish->given[i], parts[i].dimension,
                      std::string(parts[i].help) + "; without it the typical track's",
