@@ -116,7 +116,9 @@ std::vector<PagedEntry> in_order(const std::vector<Section>& paper,
   return all;
 }
 
-void compute(const PagedEntry& e, const RunSettings& settings, ChapterRecord& record) {
+// Whether the world outside let it: a figure that gnuplot does not draw fails its item, a disk that is full ends the run.
+bool compute(const PagedEntry& e, const RunSettings& settings, ChapterRecord& record) {
+  bool let = true;
   const num::Stopwatch watch;
   Item item{e.entry->id, e.entry->kind, e.entry->title, settings};
   try {
@@ -127,11 +129,17 @@ void compute(const PagedEntry& e, const RunSettings& settings, ChapterRecord& re
         throw std::runtime_error{fmt::format("{} in its arithmetic", flags.raised())};
     }
     item.finish(record);
+  } catch (const plot::PlotError& error) {
+    let = false;
+    item.fail(error.what(), record);
+  } catch (const files::OutsideError&) {
+    throw;
   } catch (const std::exception& error) {
     item.fail(error.what(), record);
   }
   record.items.back().page = e.page;
   record.items.back().seconds = settings.timings ? watch.seconds() : 0;
+  return let;
 }
 
 int reproduce(const Reproduce& wish, const ChapterInfo& info,
@@ -163,8 +171,9 @@ int reproduce(const Reproduce& wish, const ChapterInfo& info,
   record.level = wish.level;
   record.only = wish.only;
   const num::Stopwatch watch;
+  bool let = true;
   for (const PagedEntry& e : entries)
-    if (whole || contains(wish.only, e.entry->id)) compute(e, settings, record);
+    if (whole || contains(wish.only, e.entry->id)) let = compute(e, settings, record) && let;
   record.seconds = wish.no_timings ? 0 : watch.seconds();
   if (wish.bite) return judge_bite(record);
 
@@ -181,6 +190,7 @@ int reproduce(const Reproduce& wish, const ChapterInfo& info,
   write_record(record, folder.record());  // the last of all
   print_failures(record);
   fmt::print("{}\n", summary);
+  if (!let) return 3;
   return failures(record) == 0 && !record.items.empty() ? 0 : 1;
 }
 
