@@ -3,6 +3,7 @@
 BUILD    := build
 LEVEL    ?= quick
 PRESET   ?= default
+PREFIX   ?= /usr/local
 CHAPTERS := $(notdir $(patsubst %/,%,$(sort $(wildcard chapters/*/))))
 chosen    = $(filter $(C)-% 0$(C)-%,$(CHAPTERS))
 some      = $(if $(C),$(or $(chosen),$(error C is "$(C)"; allowed: the number of one of $(CHAPTERS))))
@@ -10,7 +11,7 @@ wants     = { command -v $(1) > /dev/null || { echo "$(1) is not installed; on D
 program   = $(lastword $(subst -, ,$(1)))
 SOURCES   = $(shell git ls-files '*.cpp' '*.hpp' ':!tests/book')
 
-.PHONY: headline new-chapter help doctor packages configure programs build reproduce test chapter figures accept-figures book bench format lint failed clean
+.PHONY: headline new-chapter help doctor packages configure programs build install reproduce test chapter figures accept-figures book bench format lint failed clean
 
 help:             ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' $(MAKEFILE_LIST) | expand -t 24
@@ -32,6 +33,10 @@ programs: configure
 
 build: configure  ## compile everything, tests as well
 	@cmake --build $(BUILD)
+
+install: configure ## the command `railbook` and its library into PREFIX (/usr/local); DESTDIR goes before it
+	@cmake --build $(BUILD) --target railbook
+	@cmake --install $(BUILD) --prefix $(PREFIX)
 
 reproduce: programs ## everything: build, run all chapters, draw the figures, weave the book
 	@cmake/reproduce.sh $(BUILD) $(LEVEL) $(CHAPTERS)

@@ -2,16 +2,19 @@
 
 # Flags shared by every target of the project (third-party headers are system headers, and exempt).
 add_library(railbook_flags INTERFACE)
-target_compile_options(railbook_flags INTERFACE
-  -Wall -Wextra -Wpedantic -Wconversion -Wshadow $<$<BOOL:${RAILBOOK_WERROR}>:-Werror>
-  -ffp-contract=off) # no fused multiply-add behind our back: the same digits from every compiler
+# They are ours: a project that uses the installed library compiles as it likes, but for C++20.
+set(flags -Wall -Wextra -Wpedantic -Wconversion -Wshadow $<$<BOOL:${RAILBOOK_WERROR}>:-Werror>
+    -ffp-contract=off) # no fused multiply-add behind our back: the same digits from every compiler
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  target_compile_options(railbook_flags INTERFACE -Wno-restrict -Wno-stringop-overflow -Wno-array-bounds) # false alarms in GCC 12 (bugs 105651, 105329)
+  list(APPEND flags -Wno-restrict -Wno-stringop-overflow -Wno-array-bounds) # false alarms in GCC 12 (bugs 105651, 105329)
 else()
   # Clang otherwise divides ahead of the test that forbids it, and the flags that we read are raised.
-  target_compile_options(railbook_flags INTERFACE -ffp-exception-behavior=maytrap)
+  list(APPEND flags -ffp-exception-behavior=maytrap)
 endif()
-target_include_directories(railbook_flags INTERFACE ${CMAKE_SOURCE_DIR}/lib)
+target_compile_options(railbook_flags INTERFACE "$<BUILD_INTERFACE:${flags}>")
+target_compile_features(railbook_flags INTERFACE cxx_std_20)
+target_include_directories(railbook_flags INTERFACE $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/lib>
+                           $<INSTALL_INTERFACE:include/railbook>)
 if(RAILBOOK_SANITIZE)
   target_compile_options(railbook_flags INTERFACE
     -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
@@ -29,6 +32,7 @@ function(railbook_library name)
   foreach(source ${arg_WITHOUT})
     list(FILTER sources EXCLUDE REGEX "/${source}\\.cpp$")
   endforeach()
+  set_property(GLOBAL PROPERTY RAILBOOK_NEEDS_${name} ${arg_NEEDS})
   list(TRANSFORM arg_NEEDS PREPEND railbook_)
   if(sources)
     add_library(railbook_${name} STATIC ${sources})

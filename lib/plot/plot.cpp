@@ -198,10 +198,12 @@ std::vector<std::string> prepare(files::PrivateFolder& folder, const fs::path& s
 
 fs::path shared(std::string_view name) {
   std::error_code ignored;
-  const fs::path here = fs::read_symlink("/proc/self/exe", ignored).parent_path();
-  for (const fs::path& root : {here / "../share/railbook", here / "../.."})
-    if (fs::exists(root / "lib/plot/style.gp", ignored)) return (root / name).lexically_normal();
-  return fs::path(RAILBOOK_SOURCE_DIR) / name;
+  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
+  for (fs::path at = program.parent_path(); at.has_relative_path(); at = at.parent_path())
+    if (fs::exists(at / "share/railbook/lib/plot/style.gp", ignored))
+      return at / "share/railbook" / name;
+  throw PlotError("no folder share/railbook beside " + files::shown(program) +
+                  " or above it: the installation is not complete");
 }
 
 std::string draw(const fs::path& script, const std::vector<fs::path>& data, Missing missing) {

@@ -45,8 +45,9 @@ std::string draw(const std::filesystem::path& script,
                  const std::vector<std::filesystem::path>& data,
                  Missing missing = Missing::refused);
 
-// A file or folder of the project, "lib/plot": that of an installed program (../share/railbook from where it is), that of
-// the tree whose build/bin it is in, or that of the tree it was built from.
+// A file or folder of the project, "lib/plot": that in share/railbook beside the program's folder, or beside one above it.
+// An installed program finds what was installed with it, a program of the build its tree (build/share/railbook leads there).
+// Throws PlotError where there is no such folder.
 std::filesystem::path shared(std::string_view name);
 
 }  // namespace railbook::plot

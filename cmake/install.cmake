@@ -1,0 +1,69 @@
+# What `cmake --install` puts where: the command with its scripts, examples, manual page and completions (component
+# `command`), and the library with headers and a CMake package (component `development`). All of it may be moved as one.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME command)
+
+# The libraries of physics, and what they need.
+set(physics contact rolling wheelrail dynamics spectra filters geometry_car track quality measures)
+set(installed "")
+set(todo ${physics})
+while(todo)
+  list(POP_FRONT todo name)
+  if(NOT name IN_LIST installed)
+    list(APPEND installed ${name})
+    get_property(needs GLOBAL PROPERTY RAILBOOK_NEEDS_${name})
+    list(APPEND todo ${needs})
+  endif()
+endwhile()
+
+set(package ${CMAKE_INSTALL_LIBDIR}/cmake/railbook)
+set(targets railbook_flags)
+set_target_properties(railbook_flags PROPERTIES EXPORT_NAME flags)
+foreach(name ${installed})
+  set_target_properties(railbook_${name} PROPERTIES EXPORT_NAME ${name})
+  list(APPEND targets railbook_${name})
+  install(DIRECTORY lib/${name} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/railbook COMPONENT development
+          FILES_MATCHING PATTERN *.hpp)
+endforeach()
+install(TARGETS ${targets} EXPORT railbook ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+install(EXPORT railbook NAMESPACE railbook:: FILE railbook-targets.cmake DESTINATION ${package} COMPONENT development)
+list(SORT installed)
+configure_package_config_file(cmake/install/railbook-config.cmake.in ${CMAKE_BINARY_DIR}/railbook-config.cmake
+                              INSTALL_DESTINATION ${package} NO_SET_AND_CHECK_MACRO)
+write_basic_package_version_file(${CMAKE_BINARY_DIR}/railbook-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_BINARY_DIR}/railbook-config.cmake ${CMAKE_BINARY_DIR}/railbook-config-version.cmake
+        DESTINATION ${package} COMPONENT development)
+
+install(TARGETS railbook RUNTIME COMPONENT command)
+install(DIRECTORY tools/ DESTINATION ${CMAKE_INSTALL_DATADIR}/railbook/tools FILES_MATCHING PATTERN *.gp
+        PATTERN examples EXCLUDE)
+install(FILES lib/plot/style.gp lib/plot/scene.gp DESTINATION ${CMAKE_INSTALL_DATADIR}/railbook/lib/plot)
+install(DIRECTORY tools/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/railbook)
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
+
+# The manual page and the completions are what the command says of itself.
+set(said ${CMAKE_BINARY_DIR}/said)
+file(MAKE_DIRECTORY ${said})
+foreach(page "railbook.1 --manual" "railbook --completion bash" "_railbook --completion zsh")
+  separate_arguments(page)
+  list(POP_FRONT page file)
+  list(JOIN page " " arguments)
+  install(CODE "execute_process(COMMAND \"$<TARGET_FILE:railbook>\" ${arguments} OUTPUT_FILE \"${said}/${file}\" COMMAND_ERROR_IS_FATAL ANY)")
+endforeach()
+install(FILES ${said}/railbook.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES ${said}/railbook DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+install(FILES ${said}/_railbook DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+
+# `cpack` in the build folder makes a Debian package of all of it.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME railbook)
+set(CPACK_PACKAGE_CONTACT "railbook developers <railbook@localhost>")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "gnuplot-nox | gnuplot, fonts-dejavu-core")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "g++, cmake, libeigen3-dev, libgsl-dev, libfftw3-dev, libfmt-dev, zlib1g-dev")
+include(CPack)

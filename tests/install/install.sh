@@ -1,0 +1,37 @@
+#!/bin/sh
+# install.sh BUILD SOURCE CXX: what `cmake --install` makes works wherever it is moved, from anywhere, without the tree it was
+# built from; an outside project builds against it.
+build=$1 source=$2 compiler=$3
+set -e
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+fail() { echo "$*"; exit 1; }
+cmake --install "$build" --prefix "$folder/a place" >"$folder/said" 2>&1 || fail "$(tail -5 "$folder/said")"
+mv "$folder/a place" "$folder/an other place"
+there="$folder/an other place"
+railbook="$there/bin/railbook"
+cd "$folder"
+
+"$railbook" --version | grep -q '^railbook [0-9]' || fail "no version"
+grep -q "^.TH RAILBOOK 1" "$there/share/man/man1/railbook.1" || fail "no manual page"
+[ -s "$there/share/doc/railbook/copyright" ] || fail "no licence"
+bash -c '. "$1/share/bash-completion/completions/railbook"; COMP_WORDS=(railbook psd cla) COMP_CWORD=2; _railbook; [ "${COMPREPLY[*]}" = classify ]' sh "$there" || fail "bash completes nothing"
+bash -c '. "$1/share/bash-completion/completions/railbook"; COMP_WORDS=(railbook psd classify --wi) COMP_CWORD=3; _railbook; [ "${COMPREPLY[*]}" = --window ]' sh "$there" || fail "bash completes no option"
+grep -q "^#compdef railbook" "$there/share/zsh/site-functions/_railbook" || fail "no zsh completion"
+if command -v zsh >/dev/null; then zsh -n "$there/share/zsh/site-functions/_railbook" || fail "zsh completion"; fi
+if command -v man >/dev/null; then
+  man --warnings -l "$there/share/man/man1/railbook.1" >page 2>warnings </dev/null || fail "man: $(cat warnings)"
+  grep -q "railbook psd classify" page || fail "the manual page lacks a tool"
+fi
+
+# Figures are drawn with what was installed, not with what stands in the tree.
+"$railbook" track stiffness --out mine >/dev/null || fail "no figure"
+[ -s mine/stiffness.png ] || fail "no figure"
+"$railbook" quality index "$there/share/railbook/examples/quality/track.csv" --speed 100km/h --column crosslevel --out mine >/dev/null || fail "an example"
+if grep -q "$source/" "$railbook"; then fail "the program knows where it was built: $(grep -ao "$source/[^[:space:]]*" "$railbook" | head -3)"; fi
+
+if find "$there" -name '*.a' | xargs -d '\n' grep -q "$source/"; then fail "the library knows where it was built"; fi
+if grep -rq "$source" "$there/lib"*/cmake "$there/lib"*/*/cmake 2>/dev/null; then fail "the package knows where it was built"; fi
+cmake -S "$source/tests/install/outside" -B outside -DCMAKE_CXX_COMPILER="$compiler" "-DCMAKE_PREFIX_PATH=$there" >said 2>&1 || fail "$(tail -20 said)"
+cmake --build outside >said 2>&1 || fail "$(tail -20 said)"
+./outside/outside
