@@ -113,17 +113,37 @@ void RecordStream::settle_spacing() {
     throw InputError{"positions do not ascend or descend: the median step is " +
                      number_text(direction_ * median) + " m"};
   double count = 0;
-  for (const double step : steps) count += std::round(step / median);
-  spacing_ = count > 0 && median > 0 ? whole / count : mean;
-  if (rounding_ > 0.45 * spacing_ || !(median > 0)) spacing_ = mean;
+  for (const double step : steps) count += median > 0 ? std::round(step / median) : 1;
+  spacing_ = count > 0 ? whole / count : mean;
+  if (rounding_ > 0.45 * mean) spacing_ = mean;
   if (rounding_ == 0 && !(std::abs(spacing_ / median - 1) < 0.05))
     spacing_ = median;  // then it is uneven, as place() says
   first_position_ = last_position_ = grid_ = first_.front().position;
-  places_ = PlaceMap{spacing_, direction_ * first_position_, direction_};
-  places_.add(0, direction_ * first_position_);
+  if (rounding_ > 0) fit_grid();
+  places_ = PlaceMap{spacing_, direction_ * grid_, direction_};
+  places_.add(0, direction_ * grid_);
   const auto samples = std::exchange(first_, {});
   take(samples.front().value);
   for (std::size_t i = 1; i < samples.size(); ++i) place(samples[i]);
+}
+
+// The straight line through the first positions, by least squares: rounding up or down is its beginning.
+void RecordStream::fit_grid() {
+  double place = 0, n = 0, mean = 0, height = 0, square = 0, product = 0;
+  for (std::size_t i = 0; i < first_.size(); ++i) {
+    if (i > 0) {
+      const double step = (first_[i].position - first_[i - 1].position) / spacing_;
+      place += rounding_ > 0.45 * spacing_ ? 1 : std::max(1.0, std::round(step));
+    }
+    n += 1;
+    const double along = place - mean, up = first_[i].position - height;
+    mean += along / n;
+    height += up / n;
+    square += along * (place - mean);
+    product += along * (first_[i].position - height);
+  }
+  spacing_ = product / square;
+  grid_ = height - spacing_ * mean;
 }
 
 // A rounded position is met by the grid of those before it, not by the last of them.
@@ -137,7 +157,7 @@ void RecordStream::place(const Sample& sample) {
                      number_text(direction_ * sample.position) + " m; the spacing is " +
                      number_text(spacing_) + " m"};
   };
-  if (rounding_ == 0 ? !(step > 0) : step < 1 - slack)
+  if (rounding_ == 0 ? !(step > 0) : sample.position < last_position_)
     refuse(direction_ > 0 ? "positions do not ascend" : "positions do not descend");
   if (whole < 1 || std::abs(step - whole) > slack) refuse("positions are not evenly spaced");
   if (static_cast<double>(steps_) + whole >

@@ -27,7 +27,7 @@ struct Doubt {
 
 // Takes samples one by one, with their positions or without, and hands an evenly spaced record on to `sink` in
 // pieces. Positions ascend or descend. One must come a whole number of spacings after the last (to a quarter of one); more than
-// one leaves a gap. Where the recorder rounds positions to more than a twentieth of a spacing (to .1 m, to whole metres), they
+// one leaves a gap. Where the recorder rounds positions to more than a twentieth of a spacing (to .1 m, to whole metres; not to nearly a spacing, which looks like samples lost), they
 // are met by the even grid through those before them. Faulty samples (see Screen) are gaps, too, and are told by doubts(). The memory is some
 // thousand samples, and a few words for each faulty stretch and each change of spacing.
 class RecordStream {
@@ -68,6 +68,7 @@ class RecordStream {
     double position, value;
   };
   void settle_spacing();
+  void fit_grid();
   void place(const Sample& sample);
   void take(double value);
   void join(double value);

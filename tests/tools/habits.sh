@@ -23,7 +23,7 @@ printf 'distance_m,profil_mm\n0,1\n' >x.csv
 said 2 'did you mean "profil"' psd classify x.csv
 printf 'sped = "100km/h"\n' >bad.toml
 said 2 'bad.toml", line 1.*did you mean "--speed"' quality limit bad.toml
-said 2 'subject' frobnicate --help
+said 2 "is no subject" frobnicate --help
 said 0 'Example: ' psd classify --help
 
 # JSON is JSON and nothing else; the answer can be made again from it.

@@ -28,8 +28,7 @@ try() { # try WISH arguments...: WISH is refuse, doubt or any
 
 "$railbook" psd synthesize good.csv --length 4km --roughness 5e-7m^2*cycle/m --corner 0.13cycle/m >/dev/null || exit 1
 rows() { tail -n +2 good.csv; }
-file() { cat >"$1.csv"; bodies="$bodies $2:$1.csv"; }
-bodies=
+file() { cat >"$1.csv"; echo "$2:$1.csv" >>bodies; } # in a process of its own
 : | file empty refuse
 printf '\n\n\n' | file blank refuse
 printf '# only a comment\n' | file comment refuse
@@ -77,7 +76,7 @@ printf 'distance_m,%s\n0,1\n' "$(head -c 70000 /dev/zero | tr '\0' x)" | file lo
 { head -c 70000000 /dev/zero | tr '\0' 7; } | file longline refuse
 printf 'distance_m,\033[31mprofile_mm\n0,1\n' | file escape refuse
 yes 'a,b' | head -100000 | file words refuse
-for body in $bodies; do
+for body in $(cat bodies); do
   for tool in "psd classify" "quality index --speed 100km/h" "quality measures"; do try "${body%%:*}" $tool "${body#*:}"; done
 done
 
@@ -93,7 +92,7 @@ done
 for tool in "psd classify good.csv --low 0.1/m" "psd classify good.csv --low 5cycle/m --high 1cycle/m" "psd classify good.csv --reference german" "psd classify good.csv --window ''" \
   "quality measures good.csv --bands D9" "quality measures good.csv --passes 3" "quality measures good.csv --twist-base 1kg" "quality measures good.csv --gauge none" \
   "quality measures good.csv --bands" "quality index good.csv" "quality index good.csv --speed fast" "psd synthesize" "psd synthesize /dev/null" "psd synthesize good.csv/x" \
-  "psd classify good.csv good.csv" "psd" "quality index" "" "help" "--nothing" "psd classify --help=x" "--completion tcsh" "psd synthesize x.csv --length 1e30km" "psd synthesize x.csv --seed -1"; do
+  "psd classify good.csv good.csv" "psd" "quality index" "" "help" "--nothing" "--completion tcsh" "psd synthesize x.csv --length 1e30km" "psd synthesize x.csv --seed -1"; do
   try refuse $tool
 done
 
