@@ -39,7 +39,7 @@ inline constexpr Range non_negative{0, units::no_limit, false};
 struct Destination {
   std::optional<std::filesystem::path> folder;
   bool no_figures = false;
-  std::optional<std::filesystem::path> figure;  // the first figure alone goes here
+  std::optional<std::filesystem::path> figure = {};  // the first figure alone goes here
 };
 
 // Records to answer, one or many (see batch.hpp).
