@@ -26,8 +26,8 @@ double band_gain(const Band& band, int passes, double phi);
 // below two spacings, or when the band asks for more than 10^6 samples or fewer than 8.
 quality::FilterTaps band_taps(const Band& band, int passes, double spacing);
 
-// The mid-chord offset as a filter, gain 1 - cos(pi chord phi) for waves longer than some 8 spacings; ends of the chord between samples are
-// read by a cubic. Throws InputError when the chord is shorter than four spacings or longer than 10^6.
+// The mid-chord offset as a filter, gain 1 - cos(pi chord phi); ends of the chord between samples are read by a cubic, which costs up to
+// 3/128 (2 pi phi spacing)^4. Throws InputError when the chord is shorter than four spacings or longer than 10^6.
 quality::FilterTaps chord_taps(double chord, double spacing);
 
 }  // namespace railbook::measures

@@ -114,7 +114,11 @@ void CsvReader::read_header() {
   const std::size_t first = first_ahead_;
   record();
   double ignored = 0;
-  const auto is_number = [&](std::string_view cell) { return parse(cell, ignored); };
+  const auto is_number = [&](std::string_view cell) {
+    std::string text{cell};
+    if (separator_ != ',') std::replace(text.begin(), text.end(), ',', '.');
+    return parse(text, ignored);
+  };
   const bool none = std::all_of(cells_.begin(), cells_.end(), is_number);
   for (std::size_t i = 0; i < cells_.size(); ++i)
     header_.emplace_back(none || cells_[i].empty() ? std::to_string(i + 1)

@@ -78,7 +78,10 @@ TEST_CASE("unit: a chord reads 1 - cos(pi L phi), with its ends on samples or be
       const auto taps = measures::chord_taps(chord, spacing);
       for (const double wave : {3.0, 5.0, chord / 2, chord, 62 * units::foot, 70.0}) {
         CAPTURE(chord, spacing, wave);
-        CHECK(amplitude(taps, 1 / wave) == Approx(1 - std::cos(pi * chord / wave)).margin(2e-3));
+        // The cubic misses the middle between two samples by 3/128 of the fourth power of the phase from one to the next.
+        const double missed = 3.0 / 128 * std::pow(2 * pi * spacing / wave, 4);
+        CHECK(amplitude(taps, 1 / wave) ==
+              Approx(1 - std::cos(pi * chord / wave)).margin(1e-4 + missed));
       }
     }
 }
