@@ -10,7 +10,8 @@ namespace railbook::measures {
 struct AlignmentOptions {
   double window = 200;  // m of the first run that are looked for in the second
   double reach = 20;    // m to either side
-  double least = 0.7;   // correlation below which a window is not found: strangers reach 0.6 by chance
+  double least =
+      0.7;  // correlation below which a window is not found: strangers reach 0.6 by chance
 };
 
 // A window of the first run, found in the second.
