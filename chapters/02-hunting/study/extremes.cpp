@@ -167,9 +167,10 @@ Found random_cars(int cars) {
   return {fmt::format("{} cars, {} critical speeds", cars, points), worst};
 }
 
-void cases(report::Item& item) {
+}  // namespace
+
+void extremes(report::Item& item) {
   using report::degrades, report::holds, report::refused;
-  item.added("a study of methods");
   const int cars = item.full() ? 1000 : 40;
   item.value("random-cars", cars, "", "{:.0f}");
   item.stability({"slow", "V = 1 ft/s", "fastest decay 27,000 1/s against a period of a minute",
@@ -202,9 +203,5 @@ void cases(report::Item& item) {
                   holds, 1e-9, "eigenvalues of the full system"},
                  [&] { return random_cars(cars); });
 }
-
-}  // namespace
-
-const report::Section extremes{report::table("extremes", "Stiff and extreme cases", cases)};
 
 }  // namespace railbook::hunting_chapter

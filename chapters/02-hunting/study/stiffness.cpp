@@ -147,6 +147,7 @@ void stiff(report::Item& item) {
   item.added("a study of methods");
   item.expect_checks(1);
   item.script("study/stiffness.gp");
+  extremes(item);
   const auto slow = slow_cars();
   item.value("speed-answer", compare(item, "", slow, "ft/s"));
   item.value("sticking-answer", compare(item, "sticking", sticking_cars(item.full()), "m/s"));
