@@ -1,18 +1,17 @@
 /***
 ### Amplitude against speed
 
-{{fig-11}} is the paper's central figure, recomputed: the largest amplitude of any wheelset on each limit cycle against speed. Lines are solid where the *paper's rule* calls the
-cycle stable: a little more amplitude at the same speed makes the mode decay, which for a mode that speed excites means that $V$ rises with
-$A$. On the cone's tread every amplitude is a cycle at the one critical speed, neither stable nor unstable; the paper counts that vertical line, dotted here, as unstable.
+{{fig-11}} is the paper's central figure, recomputed twice: the largest amplitude of any wheelset on each limit cycle against speed. The thin lines are the describing functions', solid where the *paper's rule*
+calls the cycle stable: a little more amplitude at the same speed makes the mode decay, which for a mode that speed excites means that $V$ rises with $A$. On the cone's tread every amplitude is a cycle at
+the one critical speed, neither stable nor unstable; the paper counts that vertical line as unstable.
 
-The rule looks at one mode only, the cycle's own. The circles are what becomes of *every* small deviation, by Floquet multipliers of the full equations:
-filled where all die out, open where one grows, at the amplitude of the true cycle. {{floquet-found}} of {{floquet-tried}} searches found a true cycle near the describing
-function's. **Folds and ends of these lines are those of the describing functions.** On the flange the equations' own branches turn elsewhere.
+The rule looks at one mode only, the cycle's own. The thick lines are the branches of the full equations, solid where *every* small deviation dies out ({{true-branches}}); circles mark where they turn
+in speed, squares where a second frequency sets in.
 
 {{fig-11}}
 
 With new wheels the branch goes straight up at 145 ft/s until the flange is met at {{flange-new}} and then runs far to
-the right. But from {{torus-speed}} on the line is solid and the circles are open: a second frequency grows on the cycle ({{fig-multipliers}}).
+the right, by describing functions. The thick line turns earlier and is stable to {{torus-speed}} only.
 With CN wheels there is a lower region, where one truck has met the flange and the other has not, and a higher one with both, on a falling branch and unstable.
 The Heumann wheel has its small stable cycle without flange contact, the paper's "limited range of speeds".
 With friction the sticking car is nearly one rigid body, and its cycles come down to {{friction-fold}} (a minimum that hangs on the sticking rate).
@@ -46,52 +45,56 @@ using units::nan;
 const std::vector<std::string> columns{"V_ft_per_s",  "A_in",       "stable_in",
                                        "unstable_in", "neutral_in", "omega"};
 
-// One column a kind of line; a line to the next point is of this point's kind.
-void draw_branch(report::Data& data, const CycleBranch& branch) {
-  const auto kind = [](const CyclePoint& p) { return p.neutral ? 2 : p.stable ? 0 : 1; };
-  for (std::size_t k = 0; k < branch.points.size(); ++k) {
-    const auto& p = branch.points[k];
-    const int here = kind(p), before = k > 0 ? kind(branch.points[k - 1]) : here;
-    const double a = p.largest / inch;
-    const auto in = [&](int line) { return here == line || before == line ? a : nan; };
-    data.add(p.motion.speed / foot, a, in(0), in(1), in(2), p.motion.lambda.imag());
-  }
+enum Kind { stable, unstable, neutral };
+Kind kind(const CyclePoint& p) {
+  return p.neutral ? neutral : p.stable ? stable : unstable;
+}
+Kind kind(const LimitCycle& p) {
+  return p.neutral ? neutral : p.stable ? stable : unstable;
+}
+double speed(const CyclePoint& p) {
+  return p.motion.speed;
+}
+double speed(const LimitCycle& p) {
+  return p.parameter;
+}
+double omega(const CyclePoint& p) {
+  return p.motion.lambda.imag();
+}
+double omega(const LimitCycle& p) {
+  return p.cycle.omega;
 }
 
-// The true cycle near every sixth point that the paper's rule calls stable, and near some others.
-void add_floquet(report::Item& item) {
-  auto& marks = item.data("floquet", {"V_ft_per_s", "stable_in", "unstable_in"});
-  int tried = 0, found = 0;
-  const auto mark = [&](const Vehicle& v, const CyclePoint& p) {
-    const Examined truth = examine(v.car.car(), *v.table, p.motion);
-    ++tried;
-    if (!truth.converged) return;
-    ++found;
-    const double a = truth.amplitude / inch;
-    const bool stable = truth.stability.stable;
-    marks.add(p.motion.speed / foot, stable ? a : nan, stable ? nan : a);
-  };
-  for (const auto& v : vehicles()) {
-    int seen = 0;
-    for (const auto& p : v.main_branch().points)
-      if (p.stable && seen++ % 6 == 0) mark(v, p);
-    for (const double inches : {0.41, 0.43, 0.48, 0.6})
-      for (const auto& p : cycles_at_amplitude(v.car, v.main_branch(), inches * inch))
-        if (!p.stable) mark(v, p);
+// One column a kind of line; a line to the next point is of this point's kind.
+template <class Point>
+void draw_branch(report::Data& data, const std::vector<Point>& points) {
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const auto& p = points[k];
+    const Kind here = kind(p), before = k > 0 ? kind(points[k - 1]) : here;
+    const double a = p.largest / inch;
+    const auto in = [&](Kind line) { return here == line || before == line ? a : nan; };
+    data.add(speed(p) / foot, a, in(stable), in(unstable), in(neutral), omega(p));
   }
-  item.value("floquet-tried", tried, "", "{:.0f}");
-  item.value("floquet-found", found, "", "{:.0f}");
 }
 
 void fig_11(report::Item& item) {
   item.rebuilt(rebuilt_reason);
   for (const auto& v : vehicles())
-    draw_branch(v.key == "new" ? item.data(columns) : item.data(v.key, columns), v.main_branch());
-  add_floquet(item);
-  double flange = 0;
-  for (const auto& p : vehicle("new").main_branch().points)
-    if (p.neutral) flange = p.largest;
-  item.value("flange-new", flange / inch, "in", "{:.2f}");
+    draw_branch(v.key == "new" ? item.data(columns) : item.data(v.key, columns),
+                v.main_branch().points);
+  auto& exact = item.data("true", columns);
+  for (const auto& v : vehicles()) {
+    draw_branch(exact, true_branch(v.key).points);
+    exact.gap();
+  }
+  auto& marks = item.data("special", {"V_ft_per_s", "fold_in", "torus_in", "other_in"});
+  for (const auto& v : vehicles())
+    for (const SpecialCycle& s : true_branch(v.key).special) {
+      const auto in = [&](bool is) { return is ? s.at.largest / inch : nan; };
+      const bool fold = s.kind == CycleEvent::fold, torus = s.kind == CycleEvent::torus;
+      marks.add(s.at.parameter / foot, in(fold), in(torus), in(!fold && !torus));
+    }
+  item.value("flange-new", vehicle("new").flange / inch, "in", "{:.2f}");
   item.value("friction-fold", vehicle("friction").main_branch().folds.at(0).motion.speed / foot,
              "ft/s", "{:.0f}");
 }

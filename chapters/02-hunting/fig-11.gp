@@ -1,5 +1,6 @@
+# ARG1, ARG3 to ARG5: describing functions of the four cars; ARG6: branches of the equations, a block a car; ARG7: their special points.
 load "style.gp"
-set terminal pngcairo size 1000,800 font "DejaVu Sans,14" enhanced background rgb "white"
+set terminal pngcairo size 1000,860 font "DejaVu Sans,14" enhanced background rgb "white"
 set output ARG2
 set xlabel "speed V, ft/s"
 set ylabel "largest wheelset amplitude A, in"
@@ -16,16 +17,18 @@ set tmargin 4.5
 set rmargin 9
 set key at graph 0.985,0.985 right top font ",12"
 set label 1 "profiles, dampers and\nwidth of friction\nreconstructed" at graph 0.985,0.3 right tc rgb grey
-plot ARG1 using 1:5 with lines lw 3 dt (2,3) lc rgb black, \
-     ARG1 using 1:4 with lines lw 2 dt (8,5) lc rgb black, \
-     ARG3 using 1:4 with lines lw 2 dt (8,5) lc rgb blue, \
-     ARG4 using 1:4 with lines lw 2 dt (8,5) lc rgb red, \
-     ARG5 using 1:4 with lines lw 2 dt (8,5) lc rgb green, \
-     ARG1 using 1:3 with lines lw 3 dt solid lc rgb black title "new wheel", \
-     ARG3 using 1:3 with lines lw 3 dt solid lc rgb blue title "CN A", \
-     ARG4 using 1:3 with lines lw 3 dt solid lc rgb red title "mod. Heumann", \
-     ARG5 using 1:3 with lines lw 3 dt solid lc rgb green title "CN A, friction", \
-     NaN with lines lw 2 dt (8,5) lc rgb grey title "paper's rule: unstable", \
-     NaN with lines lw 3 dt (2,3) lc rgb grey title "neutral", \
-     ARG6 using 1:2 with points pt 7 ps 1.0 lc rgb purple title "Floquet: stable", \
-     ARG6 using 1:3 with points pt 6 ps 1.0 lw 1.6 lc rgb purple title "Floquet: unstable"
+array colour[4] = [black, blue, red, green]
+array name[4] = ["new wheel", "CN A", "mod. Heumann", "CN A, friction"]
+array file[4] = [ARG1, ARG3, ARG4, ARG5]
+plot for [k = 1:4] file[k] using 1:3 with lines lw 1.2 dt solid lc rgb colour[k], \
+     for [k = 1:4] file[k] using 1:4 with lines lw 1.2 dt (6,5) lc rgb colour[k], \
+     for [k = 1:4] file[k] using 1:5 with lines lw 1.2 dt (2,3) lc rgb colour[k], \
+     for [k = 1:4] ARG6 every :::k-1::k-1 using 1:4 with lines lw 3 dt (3,2) lc rgb colour[k], \
+     for [k = 1:4] ARG6 every :::k-1::k-1 using 1:5 with lines lw 3 dt (1,1.5) lc rgb colour[k], \
+     for [k = 1:4] ARG6 every :::k-1::k-1 using 1:3 with lines lw 4 dt solid lc rgb colour[k] title name[k], \
+     NaN with lines lw 3 dt (3,2) lc rgb grey title "unstable, by multipliers", \
+     NaN with lines lw 1.2 dt solid lc rgb grey title "describing functions", \
+     NaN with lines lw 1.2 dt (6,5) lc rgb grey title "by the paper's rule unstable", \
+     ARG7 using 1:2 with points pt 6 ps 1.3 lw 1.8 lc rgb purple title "fold", \
+     ARG7 using 1:3 with points pt 4 ps 1.3 lw 1.8 lc rgb purple title "torus", \
+     ARG7 using 1:4 with points pt 8 ps 1.3 lw 1.8 lc rgb purple title "branch point"

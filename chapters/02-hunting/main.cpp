@@ -3,7 +3,7 @@
 
 ::: findings
 1. The paper claims that the car hunts on new wheels above 145 ft/s, at 12 rad/s, and at 21 rad/s on CN wheels. Result: the speed is fitted by dampers that the paper does not give, but the frequencies follow from it, {{fit-new-low}} to {{fit-new-high}} and {{fit-cn-low}} to {{fit-cn-high}}. {{outcome:dampers/frequency-new-low}}
-2. The paper claims that with new wheels a stable limit cycle on the flange extends to a high velocity. Result: by describing functions it does; by the full equations it is stable to {{torus-speed}} only. {{outcome:fig-multipliers/stable-to-high-speed}}
+2. The paper claims that with new wheels a stable limit cycle on the flange extends to a high velocity. Result: by describing functions it does; by the full equations it is stable to {{torus-speed}} only. {{outcome:true-branches/stable-to-high-speed}}
 3. The paper claims that its creep coefficients are Kalker's full values. Result: Hertz's ellipse and Kalker's table give them to a few percent, which restores two exponents and a digit that our copy lost. {{outcome:creep-coefficients/f12}}
 :::
 
@@ -49,7 +49,7 @@ checked, or left with a reason.
 
 ## Deviations
 
-* *Stable limit cycles extend to a high velocity with new wheels.* By the paper's rule they do; a torus bifurcation ends them at {{torus-speed}}: {{outcome:fig-multipliers/stable-to-high-speed}}.
+* *Stable limit cycles extend to a high velocity with new wheels.* By the paper's rule they do; a torus bifurcation ends them at {{torus-speed}}: {{outcome:true-branches/stable-to-high-speed}}.
 * *Two regions of stable cycles with flange contact for CN wheels*: {{outcome:claims/cn-regions}}; *the lower one with the rear truck alone*: {{outcome:claims/cn-rear}}, with these profiles it is the front truck. The measured CN wheel may have
   a flange of two steps.
 * *Stable cycles with flange contact under friction*: {{outcome:claims/friction-flange}}.
@@ -71,15 +71,14 @@ wheel.
 
 **Limit cycles.** Creep is linear: on the flange the creep forces asked for are several times what friction could
 carry, so that amplitudes above flange contact are academic, as in the paper. The describing function keeps the first
-harmonic only: good to a percent before the flange and up to a quarter wrong on it; its folds are not those of the equations. Overturning of
+harmonic only; its folds are not those of the equations. Overturning of
 the body by gravity, the sideways clearances of the truck and the vertical dynamics are left out. Friction is regularized,
 and results at hundredths of an inch depend on how.
-Balance and shooting find the cycle near their start, and say so when they do not; neither proves that there is no other. Only
-odd cycles are searched for.
+A branch says nothing of cycles that lie on others, and only odd cycles are searched for.
 
 ## Try next
 
-* Continue a balanced cycle in speed or another datum (`dynamics::balance` solves at one speed); the centre plates' friction would be the first to try.
+* Continue the cycles in another datum than speed (`dynamics::by_datum`); the centre plates' friction would be the first to try.
 * Follow the torus: a Poincaré section of the integration at 154 ft/s, and where it breaks.
 * `railbook hunting geometry` with `worn-wheel.csv` on `new-rail.csv` of the examples, and then with `--gauge 57in` or `--cant 0.05`:
   a worn wheel's conicity hangs on half an inch of gauge.

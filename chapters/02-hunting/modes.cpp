@@ -20,7 +20,9 @@ goes along because the dampers carry it.
 
 #include <fmt/format.h>
 
+#include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "num/eigenvalues.hpp"
@@ -68,17 +70,10 @@ struct Held {
 };
 Held body_alone() {
   const FreightCar& car = vehicle("new").car.car();
-  const auto block = [](const Matrix9& m) {
-    Eigen::Matrix2d b;
-    b << m(X_C, X_C), m(X_C, PHI_C), m(PHI_C, X_C), m(PHI_C, PHI_C);
-    return b;
-  };
-  const Eigen::Matrix2d m = block(car.mass), k = block(car.suspension_stiffness),
-                        c = block(car.suspension_damping);
-  const double det = m(0, 0) * m(1, 1) - m(0, 1) * m(1, 0);
-  Eigen::Matrix2d inverse;
-  inverse << m(1, 1) / det, -m(0, 1) / det, -m(1, 0) / det, m(0, 0) / det;
-  const Eigen::VectorXcd squares = num::eigenvalues(inverse * k);
+  const std::array<int, 2> body{X_C, PHI_C};
+  const Eigen::Matrix2d m = car.mass(body, body), k = car.suspension_stiffness(body, body),
+                        c = car.suspension_damping(body, body);
+  const Eigen::VectorXcd squares = num::eigenvalues(m.inverse() * k);
   const double omega = std::sqrt(squares.real().minCoeff());
   return {omega, c(0, 0) / (2 * omega * m(0, 0))};
 }

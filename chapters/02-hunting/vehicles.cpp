@@ -25,6 +25,7 @@ speeds of that car mean nothing and serve as a start.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <stdexcept>
 
 namespace railbook::hunting_chapter {
@@ -68,6 +69,22 @@ const Vehicle& vehicle(std::string_view key) {
   for (const auto& v : vehicles())
     if (v.key == key) return v;
   throw std::logic_error(fmt::format("no vehicle \"{}\"", key));
+}
+
+const LimitCycleBranch& true_branch(std::string_view key) {
+  static std::map<std::string, LimitCycleBranch, std::less<>> known;
+  if (const auto at = known.find(key); at != known.end()) return at->second;
+  const Vehicle& v = vehicle(key);
+  const Motion& hopf = v.hopf[v.main].motion;
+  ContinuationOptions options;
+  options.lowest = 1 * units::foot;
+  options.highest = 250 * units::foot;
+  const bool friction = v.suspension == Suspension::friction;
+  options.first_amplitude = (friction ? 0.001 : 0.036) * units::inch;
+  options.largest_amplitude = (friction ? 0.5 : 0.6) * units::inch;  // beyond: many small folds
+  auto branch = follow_from_hopf(by_speed(v.car.car(), *v.table), hopf.shape, hopf.lambda.imag(),
+                                 hopf.speed, options);
+  return known.emplace(key, std::move(branch)).first->second;
 }
 
 CycleCase cycle_case(const Vehicle& v, double speed, std::size_t which) {

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "dynamics/continuation.hpp"
 #include "dynamics/cycle_branch.hpp"
 #include "dynamics/examine.hpp"
 #include "dynamics/history.hpp"
@@ -28,6 +29,8 @@ struct Vehicle {
 const std::vector<Vehicle>& vehicles();
 // By key; throws std::logic_error for an unknown one.
 const Vehicle& vehicle(std::string_view key);
+// The branch of the full equations from the same critical speed; computed once, when it is asked for.
+const dynamics::LimitCycleBranch& true_branch(std::string_view key);
 // "new", "cn" and "heumann": the three with dampers.
 inline constexpr int with_dampers = 3;
 

@@ -14,7 +14,7 @@ exponentially. {{cycle-answer}} Integration finds stable cycles only; the others
 ### Its multipliers
 
 The largest pair of the half-period map's multipliers. A user without the derivative of the flow takes differences: eighteen integrations over half a period from states moved by 1e-6 of their scale. Hill's determinant in the cycle's
-harmonics needs no integration. The reference is the derivative carried along exact pieces; its uncertainty is what the pieces' tolerance does to it.
+harmonics needs no integration. The variational equation along the balanced cycle, in equal steps with the laws averaged over each, is what the branches of the first page use. The reference is the derivative carried along exact pieces; its uncertainty is what the pieces' tolerance does to it.
 
 {{multiplier-time}}
 
@@ -177,6 +177,10 @@ bench::Outcome by_hill(const CycleCase& c, int highest) {
           .reason = found.converged ? "" : "the secant method did not converge"};
 }
 
+bench::Outcome by_variation(const CycleCase& c, int steps) {
+  return largest_pair(multipliers(c.car, harmonics(c.car, c.examined.orbit, 95), steps).map, steps);
+}
+
 void multiplier_time(report::Item& item) {
   item.added("a study of methods");
   const CycleCase& c = example_cycle();
@@ -186,6 +190,10 @@ void multiplier_time(report::Item& item) {
       bench::sweep("differences", std::vector<double>{1e-6, 1e-8, 1e-10, 1e-12},
                    [&](double t) { return by_differences(c, t); })
           .counts("evaluations"),
+      bench::sweep("variational equation", {64, 128, 256, 512, 1024, 2048},
+                   [&](int n) { return by_variation(c, n); })
+          .counts("steps")
+          .expects(-2),
       bench::sweep("Hill's determinant", {5, 9, 15, 23, 47, 95}, [&](int n) {
         return by_hill(c, n);
       }).counts("harmonics times iterations")};
