@@ -5,7 +5,7 @@ The paper asks for "validation of the quasi-linear results by comparison with nu
 harmonics as each cycle needs, in steps along the branch. At each point the flow's derivative over a period multiplies a small disturbance by its eigenvalues, the Floquet multipliers $\mu$. The cycle is
 stable if all of them, but for the 1 of a shift along the cycle, lie inside the unit circle; where one leaves it the point is located.
 
-{{code: dynamics/continuation.cpp advance}}
+{{code: dynamics/continuation.cpp follow_from_hopf}}
 
 {{true-branches}}
 
