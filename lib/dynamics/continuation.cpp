@@ -119,6 +119,9 @@ class Solver {
     return t.dot(towards) < 0 ? VectorXd(-t) : t;
   }
 
+  // Changes where another branch crosses, not at a fold (with the last normal along the branch).
+  int orientation() const { return lu_.sign(); }
+
   // The cycle at x, whose motion is evaluated once more.
   Cycle cycle(const Place& p) {
     family_.set(here_, p.parameter);
@@ -187,9 +190,33 @@ double tail_of(const Cycle& cycle) {
   return std::sqrt(high / all);
 }
 
-// log of the modulus of the m-th largest multiplier: continuous along a branch.
-double growth(const LimitCycle& p, int m) {
-  return std::log(std::max(std::abs(p.multipliers.map.at(std::size_t(m - 1))), 1e-300));
+// Multipliers that stay on the circle from one point to the next, as those of a coordinate that nothing holds back.
+std::vector<Complex> staying(const LimitCycle& from, const LimitCycle& to) {
+  std::vector<Complex> result;
+  for (const Complex m : from.multipliers.map)
+    if (std::abs(std::abs(m) - 1) < neutral_growth &&
+        std::any_of(to.multipliers.map.begin(), to.multipliers.map.end(),
+                    [m](Complex other) { return std::abs(other - m) < neutral_growth; }))
+      result.push_back(m);
+  return result;
+}
+
+// The others, by falling modulus: each modulus is continuous along a branch.
+std::vector<Complex> moving(const LimitCycle& p, const std::vector<Complex>& neutral) {
+  std::vector<Complex> result = p.multipliers.map;
+  for (const Complex m : neutral)
+    if (!result.empty())
+      result.erase(std::min_element(result.begin(), result.end(), [m](Complex a, Complex b) {
+        return std::abs(a - m) < std::abs(b - m);
+      }));
+  return result;
+}
+double growth(const std::vector<Complex>& multipliers, std::size_t k) {
+  return k < multipliers.size() ? std::log(std::max(std::abs(multipliers[k]), 1e-300)) : -700;
+}
+std::size_t outside(const std::vector<Complex>& multipliers) {
+  return std::size_t(std::count_if(multipliers.begin(), multipliers.end(),
+                                   [](Complex m) { return std::abs(m) > 1; }));
 }
 
 CycleEvent kind_of(Complex multiplier, bool symmetric) {
@@ -243,10 +270,10 @@ class Walker {
     c.neutral = std::abs(slope) < no_slope;
     if (options_.multiplier_steps == 0) return c;
     c.multipliers = multipliers(solver.oscillator(), c.cycle, options_.multiplier_steps);
-    // The multiplier 1 of a family of cycles is no instability.
-    const double circle = c.neutral ? 1 + 1e-5 : 1;
+    // The multiplier 1 of a family of cycles, or of a coordinate that nothing holds back, is no instability.
+    const double circle = 1 + (c.neutral ? 1e-5 : neutral_growth);
     for (const Complex m : c.multipliers.map) c.unstable += std::abs(m) > circle ? 1 : 0;
-    c.stable = !c.neutral && c.unstable == 0;
+    c.stable = !c.neutral && c.unstable == 0 && !c.multipliers.map.empty();
     if (!c.multipliers.map.empty())
       c.leading = std::pow(std::abs(c.multipliers.map[0]), c.multipliers.symmetric ? 2 : 1);
     return c;
@@ -265,13 +292,19 @@ class Walker {
       if (!solver.correct(x, t, t.dot(x))) continue;
       const int iterations = solver.iterations();
       const VectorXd next = solver.tangent(t);
+      const int orientation = solver.orientation();
       const double cosine = next.dot(t);
       if (cosine < least_cosine) continue;
       at_ = solver.place(x);
       along_ = solver.direction(next);
       LimitCycle point = describe(at_, next[next.size() - 1]);
-      find_special(from, t, next, point);
-      if (settle()) point = describe(at_, slope(along_));
+      const int before = orientation_;
+      orientation_ = orientation;
+      find_special(from, t, next, point, before * orientation_ < 0);
+      if (settle()) {
+        point = describe(at_, slope(along_));
+        orientation_ = 0;
+      }
       branch.points.push_back(std::move(point));
       if (cosine > easy_cosine && iterations <= 6)
         step_ = std::min(1.5 * step_, options_.largest_step);
@@ -311,9 +344,9 @@ class Walker {
     return changed;
   }
 
-  // What happens on the step from `from` along t to the point at step_, with the direction `next` there.
+  // `crossed`: another branch was passed. What happens on the step from `from` along t to the point at step_, with the direction `next` there.
   void find_special(const VectorXd& from, const VectorXd& t, const VectorXd& next,
-                    const LimitCycle& point) {
+                    const LimitCycle& point, bool crossed) {
     const Index last = t.size() - 1;
     const LimitCycle& before = branch.points.back();
     std::optional<LimitCycle> found;
@@ -353,21 +386,34 @@ class Walker {
       locate(
           CycleEvent::fold, [](const LimitCycle&, double s) { return s; }, t[last], next[last]);
     }
-    if (options_.multiplier_steps > 0 && !upright)
-      for (int m = std::min(before.unstable, point.unstable) + 1;
-           m <= std::max(before.unstable, point.unstable); ++m) {
-        const double low = growth(before, m), high = growth(point, m);
-        if (low * high >= 0 || std::max(std::abs(low), std::abs(high)) < neutral_growth) continue;
+    if (options_.multiplier_steps > 0 && !upright) {
+      const auto neutral = staying(before, point);
+      const auto first = moving(before, neutral), last_ones = moving(point, neutral);
+      const std::size_t from_count = outside(first), to_count = outside(last_ones);
+      for (std::size_t k = std::min(from_count, to_count); k < std::max(from_count, to_count);
+           ++k) {
+        const double low = growth(first, k), high = growth(last_ones, k);
+        if (low * high >= 0) continue;
         locate(
-            CycleEvent::torus, [m](const LimitCycle& c, double) { return growth(c, m); }, low,
-            high);
+            CycleEvent::torus,
+            [&](const LimitCycle& c, double) { return growth(moving(c, neutral), k); }, low, high);
         SpecialCycle& event = here.back();
-        event.kind = kind_of(event.at.multipliers.map.at(std::size_t(m - 1)),
-                             event.at.multipliers.symmetric);
-        if (event.kind == CycleEvent::torus) ++m;
-        // The multiplier that passes 1 at a fold.
-        if (event.kind == CycleEvent::branch_point && fold) here.pop_back();
+        const auto there = moving(event.at, neutral);
+        if (there.size() <= k) {
+          here.pop_back();
+          continue;
+        }
+        event.kind = kind_of(there.at(k), event.at.multipliers.symmetric);
+        // At a fold a multiplier passes 1, as near as multipliers are known; elsewhere one does only where branches cross.
+        const bool near_one = std::abs(there[k] - 1.0) < 0.3;
+        const bool of_fold =
+            fold && near_one && std::abs(event.at.parameter / here.front().at.parameter - 1) < 1e-5;
+        if (of_fold || (event.kind == CycleEvent::branch_point && (fold || !crossed)))
+          here.pop_back();
+        else if (event.kind == CycleEvent::torus)
+          ++k;
       }
+    }
     for (SpecialCycle& event : here) branch.special.push_back(std::move(event));
   }
 
@@ -388,6 +434,7 @@ class Walker {
   Place at_;
   VectorXd along_;  // SI, as Solver::direction
   double step_;
+  int orientation_ = 0;  // at the last point; 0: not known
 };
 
 VectorXd unit_of_parameter(Index size) {
@@ -425,7 +472,7 @@ const char* to_string(BranchStop stop) {
     case BranchStop::points:
       return "as many points as allowed";
     case BranchStop::asked:
-      return "stopped by the caller";
+      return "stopped before its end";
     case BranchStop::start:
       return "no cycle to start from";
   }

@@ -138,6 +138,7 @@ Multipliers multipliers(const Oscillator& oscillator, const Cycle& cycle, int st
   map << flow.topLeftCorner(n, n), flow.block(0, 9, n, n), flow.block(9, 0, n, n),
       flow.block(9, 9, n, n);
   if (result.symmetric) map = -map;
+  if (!map.allFinite()) return result;
   // Rates in units of omega, so that both halves are of one size.
   map.topRightCorner(n, n) *= cycle.omega;
   map.bottomLeftCorner(n, n) /= cycle.omega;

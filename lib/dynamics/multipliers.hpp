@@ -23,6 +23,7 @@ struct Multipliers {
 
 // `steps` of the finer integration over the map's time, even; more when the harmonics need them. The cycle is taken at its own speed; its laws must have one value
 // each at every place. Error of order steps^-2 and better on smooth laws; `trivial_error` shows it.
+// `map` is empty where the changes overflow.
 Multipliers multipliers(const Oscillator& oscillator, const Cycle& cycle, int steps = 256);
 
 }  // namespace railbook::dynamics

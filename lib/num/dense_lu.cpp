@@ -18,6 +18,13 @@ void DenseLu::factor(const Eigen::Ref<const Eigen::MatrixXd>& matrix) {
   factors_->lu.compute(matrix);
 }
 
+int DenseLu::sign() const {
+  const auto pivots = factors_->lu.matrixLU().diagonal().array();
+  if ((pivots == 0).any()) return 0;
+  const auto negative = (pivots < 0).count();
+  return int(factors_->lu.permutationP().determinant()) * (negative % 2 == 0 ? 1 : -1);
+}
+
 void DenseLu::solve_in_place(Eigen::Ref<Eigen::VectorXd> b) const {
   const auto& lu = factors_->lu.matrixLU();
   if ((lu.diagonal().array() == 0).any()) {  // dividing would raise a signal where traps are on

@@ -17,6 +17,8 @@ class DenseLu {
   // Of a square matrix, with partial pivoting; O(n^3). A singular one gives NaN when solved,
   // without a floating-point trap.
   void factor(const Eigen::Ref<const Eigen::MatrixXd>& matrix);
+  // The sign of the factored matrix's determinant: -1, 0 or 1.
+  int sign() const;
   // Replaces the right-hand side (n) by the solution. factor() must have been called.
   void solve_in_place(Eigen::Ref<Eigen::VectorXd> b) const;
 
