@@ -1,19 +1,20 @@
 /*
 ### `hunting cycle`
 
-A branch of limit cycles by describing functions, from a critical speed on, with folds located and stability by a named criterion.
-Branch and folds are those of the describing functions: good to some percent before the flange, while on it a branch of the equations
-may turn round at quite another speed, and have cycles where this one has none.
+Limit cycles of the full equations against speed: a branch from a critical speed on by continuation of harmonic balance, with the speeds
+at which it turns round (folds), loses its stability to a second frequency (torus) or to a lopsided motion (symmetry breaking).
 
     hunting cycle --pair cn --out mine
     hunting cycle car.toml --wheel wheel.csv --rail rail.csv --family 2 --speed 42m/s
-    hunting cycle --pair cn --suspension friction --criterion hill --speed 100ft/s
+    hunting cycle --pair cn --speed 150ft/s --against warp-stiffness --factor 0.5
+    hunting cycle --wheel-rail-friction 0.3 --out mine
 
-`--criterion` is `rule` (the paper's: does speed rise with amplitude?), `hill` (exponents of the describing-function cycle) or
-`floquet` (multipliers of the true cycle, every tenth point; the default, and the one to believe). A neutral cycle, one of many at
-the same speed, is neither stable nor unstable. `--speed` solves for the cycles at that speed and gives all three. A true cycle counts
-only when it is near the describing function's; where none was found, the file says so, and stable and unstable are both left open.
-`--out` writes the branch as `cycle.csv`, `cycle.json` and the figure.
+Stability is by Floquet multipliers, at every point. `--speed` lists all cycles of the branch at that speed. `--against` follows each of them
+on in another datum of the car, from its value to `--factor` times it. With `--wheel-rail-friction` creep forces saturate (Shen, Hedrick
+and Elkins); without it they are linear, and amplitudes on the flange are academic. Where symmetry breaks, the branch that leaves there is
+followed too. What is not on these branches is not found: the answer says what was searched. `--out` writes the points as `cycle.csv`, the
+special ones as `special.csv`, `cycle.json` and the figure. Stiff cars take long: after `--patience` the branch ends where it is, and the
+answer says so.
 */
 
 #include <fmt/format.h>
@@ -21,13 +22,12 @@ only when it is near the describing function's; where none was found, the file s
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 
-#include "dynamics/cycle_branch.hpp"
-#include "dynamics/examine.hpp"
-#include "dynamics/hill.hpp"
+#include "dynamics/continuation.hpp"
+#include "dynamics/linear_stability.hpp"
 #include "hunting/car_options.hpp"
+#include "num/stopwatch.hpp"
 #include "table/csv.hpp"
 #include "tool/out_folder.hpp"
 #include "tools.hpp"
@@ -44,174 +44,204 @@ constexpr double millimetre = units::millimetre;
 struct Wish : CarWish {
   double lowest = 1, highest = 120;
   double first = 1 * units::millimetre;
-  std::optional<double> largest, speed;
-  long family = 1;
-  std::string criterion = "floquet";
+  std::optional<double> largest, speed, wheel_rail_friction;
+  std::string against;
+  double factor = 2;
+  long family = 1, patience = 30;
   tool::Destination out;
 };
 
-struct Label {
-  std::string verdict;  // "stable", "unstable", "neutral", "not found"; empty: not asked for
-  double figure = std::numeric_limits<double>::quiet_NaN();  // what the criterion is about
+// A branch and how it is called in the files.
+struct Named {
+  std::string key, name;
+  LimitCycleBranch branch;
 };
 
-// Where every amplitude is a cycle, as on a cone's tread, no criterion can call one stable.
-Label label(const CyclePoint& p, bool stable, double figure) {
-  return {!stable ? "unstable" : p.neutral ? "neutral" : "stable", figure};
-}
-Label by_rule(const CyclePoint& p) {
-  return label(p, p.stable || p.neutral, p.speed_by_amplitude);
-}
-Label by_hill(const CarCase& c, const CyclePoint& p) {
-  const double growth = leading_exponent(c.car, p.motion).real();
-  return label(p, growth < 1e-6, growth);
-}
-Label by(const std::string& criterion, const CarCase& c, const CyclePoint& p) {
-  if (criterion == "rule") return by_rule(p);
-  if (criterion == "hill") return by_hill(c, p);
-  const Examined e = examine(c.car.car(), c.table, p.motion);
-  if (!e.converged) return {"not found"};
-  const double largest = e.stability.largest;
-  return label(p, e.stability.stable || (p.neutral && largest < 1 + 1e-6), largest);
-}
-
-const char* full_name(const std::string& criterion) {
-  if (criterion == "hill") return "Hill's exponents, one harmonic";
-  if (criterion == "floquet") return FloquetStability::criterion;
-  return "the paper's rule (dV/dA > 0)";
-}
-
-std::string wheelsets_text(const CyclePoint& p) {
-  return fmt::format("{:.4f}, {:.4f}, {:.4f}, {:.4f} mm", p.amplitude[0] / millimetre,
-                     p.amplitude[1] / millimetre, p.amplitude[2] / millimetre,
-                     p.amplitude[3] / millimetre);
-}
-
-void add_point(tool::Summary& answer, const std::string& id, const std::string& what,
-               const CyclePoint& p) {
-  answer.add(id + "_m_per_s", what + ", speed", p.motion.speed, "m/s",
-             fmt::format("{:.4f} ft/s", p.motion.speed / units::foot));
-  answer.add(id + "_mm", "  largest amplitude", p.largest / millimetre, "mm", wheelsets_text(p));
-  answer.add(id + "_rad_per_s", "  frequency", p.motion.lambda.imag(), "rad/s");
-}
-
-// A line for somebody who waits; n = 0 clears it.
-void progress(const char* what, std::size_t k, std::size_t n) {
-  if (isatty(STDERR_FILENO) == 0) return;
-  fmt::print(stderr, "\r{:60}\r", "");
-  if (n > 0) fmt::print(stderr, "stability of {} {} of {} ", what, k + 1, n);
-}
-
-// The true cycle of each; one orbit belongs to the describing-function cycle that is nearest to it.
-std::vector<Examined> examine_all(const CarCase& c, const std::vector<CyclePoint>& cycles) {
-  std::vector<Examined> all;
-  for (const auto& p : cycles) {
-    progress("cycle", all.size(), cycles.size());
-    all.push_back(examine(c.car.car(), c.table, p.motion));
+// Ends a branch when its time is over; a line for somebody who waits.
+class Patience {
+ public:
+  explicit Patience(double seconds) : seconds_(seconds) {}
+  ~Patience() { clear(); }
+  Patience(const Patience&) = delete;
+  Patience& operator=(const Patience&) = delete;
+  bool left(const LimitCycle& p) {
+    ++points_;
+    if (isatty(STDERR_FILENO) != 0)
+      fmt::print(stderr, "\r{:70}\rpoint {}: {:.5g}, {:.4g} mm, {} harmonics ", "", points_,
+                 p.parameter, p.largest / millimetre, p.cycle.orders.back());
+    over_ = watch_.seconds() > seconds_;
+    return !over_;
   }
-  progress("", 0, 0);
-  for (auto& e : all)
-    for (const auto& other : all)
-      if (e.converged && other.converged && other.distance < e.distance &&
-          std::abs(other.omega / e.omega - 1) < 1e-6 &&
-          std::abs(other.amplitude / e.amplitude - 1) < 1e-6) {
-        e.converged = false;
-        e.reason =
-            fmt::format("what was found, {:.4f} mm at {:.5f} rad/s, is nearer to another one",
-                        e.amplitude / millimetre, e.omega);
-      }
+  bool over() const { return over_; }
+  void clear() const {
+    if (points_ > 0 && isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r{:70}\r", "");
+  }
+
+ private:
+  double seconds_;
+  num::Stopwatch watch_;
+  int points_ = 0;
+  bool over_ = false;
+};
+
+std::string stability_text(const LimitCycle& c) {
+  if (c.neutral) return "neutral: one of many at this speed";
+  return c.stable ? "stable" : fmt::format("unstable, {} multipliers outside", c.unstable);
+}
+
+void add_cycle(tool::Summary& answer, const std::string& id, const LimitCycle& c) {
+  answer.add(id + "_mm", "  largest amplitude", c.largest / millimetre, "mm",
+             fmt::format("{:.4f}, {:.4f}, {:.4f}, {:.4f} mm", c.amplitude[0] / millimetre,
+                         c.amplitude[1] / millimetre, c.amplitude[2] / millimetre,
+                         c.amplitude[3] / millimetre));
+  answer.add(id + "_rad_per_s", "  frequency", c.cycle.omega, "rad/s");
+  answer.add(id + "_multiplier", "  largest Floquet multiplier", c.leading, "", stability_text(c));
+}
+
+void add_special(tool::Summary& answer, const Named& named) {
+  for (std::size_t k = 0; k < named.branch.special.size(); ++k) {
+    const SpecialCycle& s = named.branch.special[k];
+    const std::string id = fmt::format("{}_special_{}", named.key, k + 1);
+    answer.add(id + "_m_per_s", fmt::format("{}: {}", named.name, to_string(s.kind)),
+               s.at.parameter, "m/s",
+               fmt::format("{:.4f} ft/s{}", s.at.parameter / units::foot,
+                           s.located ? "" : ", not located closely"));
+    answer.add(id + "_mm", "  largest amplitude", s.at.largest / millimetre, "mm",
+               fmt::format("at {:.5f} rad/s", s.at.cycle.omega));
+  }
+}
+
+void add_extent(tool::Summary& answer, const Named& named) {
+  const auto& points = named.branch.points;
+  double slow = 1e300, fast = 0, small = 1e300, large = 0;
+  for (const LimitCycle& p : points) {
+    slow = std::min(slow, p.parameter);
+    fast = std::max(fast, p.parameter);
+    small = std::min(small, p.largest);
+    large = std::max(large, p.largest);
+  }
+  answer.add(named.key + "_points", named.name + ": points", static_cast<double>(points.size()), "",
+             to_string(named.branch.stop));
+  answer.add(named.key + "_extent", "  searched",
+             fmt::format("{:.4f} to {:.4f} m/s, {:.4f} to {:.4f} mm", slow, fast,
+                         small / millimetre, large / millimetre));
+}
+
+// The branch itself, then those that leave it where symmetry breaks or the period doubles.
+std::vector<Named> follow_all(const Wish& wish, const Family& family, const HopfPoint& hopf,
+                              const ContinuationOptions& options, const Patience& patience) {
+  std::vector<Named> all;
+  const Motion& m = hopf.motion;
+  all.push_back({"branch", fmt::format("branch of critical speed {}", wish.family),
+                 follow_from_hopf(family, m.shape, m.lambda.imag(), m.speed, options)});
+  const auto special = all.front().branch.special;
+  for (const SpecialCycle& s : special) {
+    if (patience.over()) break;
+    if (s.kind != CycleEvent::symmetry_breaking && s.kind != CycleEvent::period_doubling) continue;
+    LimitCycleBranch next = follow_secondary(family, s, options);
+    if (next.points.empty()) continue;
+    const auto number = all.size();
+    all.push_back({fmt::format("secondary_{}", number),
+                   fmt::format("branch {} of {}", number, to_string(s.kind)), std::move(next)});
+  }
   return all;
 }
 
-void add_cycles_at(tool::Summary& answer, const CarCase& c, const CycleBranch& branch,
-                   double speed) {
-  const auto cycles = cycles_at_speed(c.car, branch, speed);
-  answer.add("describing_function_cycles",
-             fmt::format("describing-function cycles at {:g} m/s", speed),
-             static_cast<double>(cycles.size()), "",
-             cycles.empty() ? "no proof: the equations may have cycles there" : "");
-  const auto all = examine_all(c, cycles);
-  for (std::size_t k = 0; k < cycles.size(); ++k) {
-    const auto& p = cycles[k];
-    const std::string id = fmt::format("cycle_{}", k + 1);
-    add_point(answer, id, fmt::format("cycle {}", k + 1), p);
-    answer.add(id + "_rule", "  the paper's rule", by_rule(p).verdict);
-    const Label hill = by_hill(c, p);
-    if (std::isnan(hill.figure))
-      answer.absent(id + "_hill", "  Hill's leading exponent", "not found");
-    else
-      answer.add(id + "_hill", "  Hill's leading exponent", hill.figure, "1/s", hill.verdict);
-    const Examined& e = all[k];
-    if (e.converged) {
-      answer.add(id + "_floquet", "  Floquet's largest multiplier", e.stability.largest, "",
-                 e.stability.stable ? "stable" : "unstable, " + e.stability.loss);
-      answer.add(id + "_true_mm", "  true amplitude", e.amplitude / millimetre, "mm",
-                 fmt::format("at {:.5f} rad/s; {:.1f} % from the describing function's", e.omega,
-                             100 * e.distance));
-      continue;
+void follow_datum(tool::Summary& answer, const Wish& wish, const CarCase& c, const LimitCycle& from,
+                  const std::string& id, const ContinuationOptions& speed_options) {
+  const auto datum = std::find_if(car_data().begin(), car_data().end(),
+                                  [&](const CarDatum& d) { return d.key == wish.against; });
+  const double value = c.car.car().data.*(datum->member), end = wish.factor * value;
+  units::require_positive(datum->name, value);
+  std::optional<CreepLimit> creep;
+  if (wish.wheel_rail_friction) creep = CreepLimit{*wish.wheel_rail_friction, {}};
+  const Family family = by_datum(c.car.car(), datum->member, c.table, *wish.speed, creep);
+  ContinuationOptions options = speed_options;
+  options.lowest = std::min(value, end);
+  options.highest = std::max(value, end);
+  const auto branch = follow_from(
+      family, from.cycle, value,
+      wish.factor > 1 ? Towards::larger_parameter : Towards::smaller_parameter, options);
+  const auto unit = units::si_name(datum->dimension);
+  if (branch.points.empty()) {
+    answer.flag(id + "_against", fmt::format("{} could not be followed from there", datum->name));
+    return;
+  }
+  answer.add(
+      id + "_against", fmt::format("  followed in {} up to", datum->name),
+      branch.points.back().parameter, unit,
+      fmt::format("{}; {:.4f} mm, {}", to_string(branch.stop),
+                  branch.points.back().largest / millimetre, stability_text(branch.points.back())));
+  for (std::size_t k = 0; k < branch.special.size(); ++k)
+    answer.add(fmt::format("{}_against_special_{}", id, k + 1),
+               fmt::format("    {}", to_string(branch.special[k].kind)),
+               branch.special[k].at.parameter, unit,
+               fmt::format("{:.4f} mm", branch.special[k].at.largest / millimetre));
+}
+
+void add_cycles_at(tool::Summary& answer, const Wish& wish, const CarCase& c, const Family& family,
+                   const std::vector<Named>& all, const ContinuationOptions& options) {
+  std::size_t count = 0;
+  for (const Named& named : all)
+    for (const LimitCycle& p : cycles_at(family, named.branch, *wish.speed, options)) {
+      const std::string id = fmt::format("cycle_{}", ++count);
+      answer.add(id, fmt::format("cycle {} at {:g} m/s", count, *wish.speed),
+                 "on the " + named.name);
+      add_cycle(answer, id, p);
+      if (!wish.against.empty()) follow_datum(answer, wish, c, p, id, options);
     }
-    answer.add(id + "_floquet", "  Floquet's multipliers",
-               "no true cycle found near it: " + e.reason);
-    answer.flag(id, fmt::format("no true cycle was found near cycle {}; it may not exist", k + 1));
-  }
+  answer.add("cycles", fmt::format("cycles at {:g} m/s", *wish.speed), static_cast<double>(count),
+             "", count == 0 ? "none on what was searched; other branches may have some" : "");
 }
 
-// By the criterion, at the points that it is asked of.
-std::vector<Label> labels(const Wish& wish, const CarCase& c, const CycleBranch& branch) {
-  const std::size_t every = wish.criterion == "floquet" ? 10 : 1, n = branch.points.size();
-  std::vector<Label> all(n);
-  for (std::size_t k = 0; k < n; k += every) {
-    progress("point", k, n);
-    all[k] = by(wish.criterion, c, branch.points[k]);
-  }
-  progress("", 0, 0);
-  return all;
-}
-
-void flag_missing(tool::Summary& answer, const std::vector<Label>& all) {
-  const auto asked = std::ranges::count_if(all, [](const Label& l) { return !l.verdict.empty(); });
-  const auto missing = std::ranges::count(all, "not found", &Label::verdict);
-  answer.add("probes", "points whose stability was asked for", static_cast<double>(asked), "");
-  answer.add("probes_not_found", "  of them without a true cycle found",
-             static_cast<double>(missing), "");
-  if (missing > 0)
-    answer.flag("probes_not_found",
-                fmt::format("at {} of {} points no true cycle was found near the describing "
-                            "function's: their stability is open, and the cycle may not exist",
-                            missing, asked));
-}
-
-void write_files(tool::OutFolder& out, const Wish& wish, const CycleBranch& branch,
-                 const std::vector<Label>& all, const tool::Summary& answer) {
+void write_files(tool::OutFolder& out, const std::vector<Named>& all, const tool::Summary& answer) {
   std::string text =
-      "V_m_per_s,A_mm,omega_rad_per_s,front_leading_mm,front_trailing_mm,rear_leading_mm,"
-      "rear_trailing_mm,criterion_value,stable_mm,unstable_mm,not_found_mm\n";
-  for (std::size_t k = 0; k < branch.points.size(); ++k) {
-    const auto& p = branch.points[k];
-    const Label& label = all[k];
-    const std::string a = table::csv_number(p.largest / millimetre);
-    const auto where = [&](const char* verdict) { return label.verdict == verdict ? a : "nan"; };
-    text += fmt::format("{:.9g},{},{:.9g}", p.motion.speed, a, p.motion.lambda.imag());
-    for (const double x : p.amplitude) text += fmt::format(",{:.8g}", x / millimetre);
-    text += fmt::format(",{},{},{},{}\n", table::csv_number(label.figure), where("stable"),
-                        where("unstable"), where("not found"));
+      "branch,V_m_per_s,A_mm,omega_rad_per_s,front_leading_mm,front_trailing_mm,rear_leading_mm,"
+      "rear_trailing_mm,multiplier,unstable_multipliers,stable_mm,unstable_mm,harmonics\n";
+  std::string marks = "branch,V_m_per_s,A_mm,kind\n";
+  for (std::size_t b = 0; b < all.size(); ++b) {
+    for (const LimitCycle& p : all[b].branch.points) {
+      const std::string a = table::csv_number(p.largest / millimetre);
+      text += fmt::format("{},{:.9g},{},{:.9g}", b + 1, p.parameter, a, p.cycle.omega);
+      for (const double x : p.amplitude) text += fmt::format(",{:.8g}", x / millimetre);
+      text += fmt::format(",{:.6g},{},{},{},{}\n", p.leading, p.unstable, p.stable ? a : "nan",
+                          p.unstable > 0 ? a : "nan", p.cycle.orders.back());
+    }
+    for (const SpecialCycle& s : all[b].branch.special)
+      marks += fmt::format("{},{:.9g},{:.8g},{}\n", b + 1, s.at.parameter,
+                           s.at.largest / millimetre, to_string(s.kind));
   }
   out.add("cycle.csv", text);
-  out.add("criterion.txt", std::string(full_name(wish.criterion)) + "\n");
+  out.add("special.csv", marks);
   out.add("cycle.json", answer.json());
-  out.figure(tools::scripts("hunting") / fmt::format("cycle_{}.gp", wish.criterion), {"cycle.csv"},
-             "cycle.png");
+  out.figure(tools::scripts("hunting") / "cycle.gp", {"cycle.csv", "special.csv"}, "cycle.png");
+}
+
+ContinuationOptions options_of(const Wish& wish, Patience& patience) {
+  ContinuationOptions options;
+  options.first_amplitude = wish.suspension == "friction" ? 0.03 * wish.first : wish.first;
+  options.largest_amplitude = wish.largest.value_or(wish.pair.end);
+  options.lowest = wish.lowest;
+  options.highest = wish.highest;
+  options.go_on = [&patience](const LimitCycle& p) { return patience.left(p); };
+  return options;
+}
+
+void check(const Wish& wish) {
+  units::require_between("highest speed", wish.highest, wish.lowest, 1e4, "m/s");
+  const double end = wish.pair.end;
+  units::require_between("largest amplitude", wish.largest.value_or(end), 0, end,
+                         "m, the end of the table");
+  units::require_between("first amplitude", wish.first, 0, wish.largest.value_or(end), "m");
+  if (wish.speed)
+    units::require_between("speed on the branch", *wish.speed, wish.lowest, wish.highest, "m/s");
+  if (!wish.against.empty() && !wish.speed)
+    throw InputError("--against follows the cycles of one speed: give --speed");
 }
 
 void run(const Wish& wish) {
-  tool::OutFolder out(wish.out, {"cycle.csv", "criterion.txt", "cycle.json", "cycle.png"});
-  units::require_between("highest speed", wish.highest, wish.lowest, 1e4, "m/s");
-  const double end = wish.pair.end;
-  const double largest = wish.largest.value_or(end);
-  units::require_between("largest amplitude", largest, 0, end, "m, the end of the table");
-  units::require_between("first amplitude", wish.first, 0, largest, "m");
-  if (wish.speed)
-    units::require_between("speed on the branch", *wish.speed, wish.lowest, wish.highest, "m/s");
+  tool::OutFolder out(wish.out, {"cycle.csv", "special.csv", "cycle.json", "cycle.png"});
+  check(wish);
   const CarCase c = read_case(wish);
   const auto hopf = hopf_points(c.car, wish.lowest, wish.highest);
   if (hopf.empty())
@@ -221,36 +251,44 @@ void run(const Wish& wish) {
                     wish.lowest, wish.highest));
   units::require_between("family", static_cast<double>(wish.family), 1,
                          static_cast<double>(hopf.size()));
-  BranchOptions options;
-  options.first_amplitude = wish.suspension == "friction" ? 0.03 * wish.first : wish.first;
-  options.largest_amplitude = largest;
-  options.lowest_speed = wish.lowest;
-  options.highest_speed = wish.highest;
-  const auto branch = trace_from(c.car, hopf[static_cast<std::size_t>(wish.family - 1)], options);
-  if (branch.points.empty())
+  const HopfPoint& begin = hopf[static_cast<std::size_t>(wish.family - 1)];
+  std::optional<CreepLimit> creep;
+  if (wish.wheel_rail_friction) creep = CreepLimit{*wish.wheel_rail_friction, {}};
+  const Family family = by_speed(c.car.car(), c.table, creep);
+  Patience patience(static_cast<double>(wish.patience));
+  const ContinuationOptions options = options_of(wish, patience);
+  const auto all = follow_all(wish, family, begin, options, patience);
+  if (all.front().branch.points.empty())
     throw InputError(
         fmt::format("no limit cycle of {:g} m was found at the critical speed; try "
                     "another --first-amplitude",
                     options.first_amplitude));
-  tool::Summary answer("Limit cycles of a freight car, by describing functions");
+  tool::Summary answer("Limit cycles of a freight car");
   describe_case(answer, wish, c);
+  answer.add("creep", "creep forces",
+             creep ? fmt::format("limited by a friction of {:g}", creep->friction) : "linear");
   flag_smoothing(answer, wish, c, wish.lowest, wish.highest);
-  const double critical = hopf[static_cast<std::size_t>(wish.family - 1)].motion.speed;
   answer.add("hopf_m_per_s", fmt::format("critical speed {} of {}", wish.family, hopf.size()),
-             critical, "m/s", fmt::format("{:.4f} ft/s", critical / units::foot));
-  answer.add("points", "points of the branch", static_cast<double>(branch.points.size()), "",
-             to_string(branch.end));
-  for (std::size_t k = 0; k < branch.folds.size(); ++k)
-    add_point(answer, fmt::format("describing_function_fold_{}", k + 1),
-              fmt::format("describing-function fold {}", k + 1), branch.folds[k]);
-  if (wish.speed) add_cycles_at(answer, c, branch, *wish.speed);
-  answer.add("criterion", "stability in the files by", full_name(wish.criterion));
-  if (out) {
-    const auto all = labels(wish, c, branch);
-    flag_missing(answer, all);
-    write_files(out, wish, branch, all, answer);
+             begin.motion.speed, "m/s",
+             fmt::format("{:.4f} ft/s", begin.motion.speed / units::foot));
+  for (const Named& named : all) {
+    add_extent(answer, named);
+    add_special(answer, named);
   }
+  if (wish.speed) add_cycles_at(answer, wish, c, family, all, options);
+  patience.clear();
+  if (patience.over())
+    answer.flag("patience", fmt::format("the search was stopped after {} s: branches end early "
+                                        "(--patience gives it longer)",
+                                        wish.patience));
+  for (const Named& named : all)
+    if (named.branch.stop == BranchStop::step)
+      answer.flag(named.key, fmt::format("the {} could not be followed farther than {:.4f} m/s, "
+                                         "{:.4f} mm: it may go on",
+                                         named.name, named.branch.points.back().parameter,
+                                         named.branch.points.back().largest / millimetre));
   answer.print();
+  if (out) write_files(out, all, answer);
   out.commit();
 }
 
@@ -265,9 +303,16 @@ std::function<void()> declare(tool::Options& options) {
   options.quantity("--largest-amplitude", wish->largest, units::length,
                    "of the branch; without it the end of the table", tool::Range{1e-6, 0.2});
   options.count("--family", wish->family, "from which critical speed, the lowest being 1", 1, 99);
-  options.quantity("--speed", wish->speed, units::speed, "solves for the cycles there", speeds);
-  options.choice("--criterion", wish->criterion, {"rule", "hill", "floquet"},
-                 "of stability, for the files");
+  options.quantity("--speed", wish->speed, units::speed, "lists the cycles there", speeds);
+  options.quantity("--wheel-rail-friction", wish->wheel_rail_friction, units::number,
+                   "creep forces saturate; without it they are linear", tool::Range{0.01, 2});
+  std::vector<std::string> keys;
+  for (const CarDatum& d : car_data()) keys.emplace_back(d.key);
+  options.choice("--against", wish->against, keys, "follows the cycles of --speed in this datum");
+  options.quantity("--factor", wish->factor, units::number, "how far, as a factor",
+                   tool::Range{1e-4, 1e4});
+  options.count("--patience", wish->patience, "seconds after which a branch ends where it is", 1,
+                86400);
   options.out(wish->out);
   return [wish] { run(*wish); };
 }
