@@ -36,7 +36,7 @@ build: configure  ## compile everything, tests as well
 
 install: configure ## the command `railbook` and its library into PREFIX (/usr/local); DESTDIR goes before it
 	@cmake --build $(BUILD) --target railbook
-	@cmake --install $(BUILD) --prefix $(PREFIX)
+	@cmake --install $(BUILD) --prefix "$(PREFIX)"
 
 reproduce: programs ## everything: build, run all chapters, draw the figures, weave the book
 	@cmake/reproduce.sh $(BUILD) $(LEVEL) $(CHAPTERS)
