@@ -64,8 +64,24 @@ local function notes_of(checks)
   return marks, notes
 end
 
+-- Claims alone: words, without columns of numbers that they have none of.
+local function claims_table(checks)
+  local marks, notes = notes_of(checks)
+  local rows = {}
+  for i, check in ipairs(checks) do
+    local mark = marks[check.why]
+    rows[i] = {html.tag("span", {id = check.id}, html.text(check.what or check.id)), html.text(check.place or ""),
+      items.computed(check) .. (mark and html.tag("span", {class = "mark"}, mark) or ""),
+      html.badge(check.pass and check.outcome or "failed"), class = not check.pass and "failed" or nil}
+  end
+  return html.table("checks claims", {"claim", "place", "found", "outcome"}, rows) .. notes
+end
+
 -- `of_paper`: the reference is what the paper prints or says; otherwise that of another work or method, which is named.
 local function one_table(checks, of_paper)
+  local claims = of_paper
+  for _, check in ipairs(checks) do claims = claims and check.source == "claim" end
+  if claims then return claims_table(checks) end
   local marks, notes = notes_of(checks)
   local rows = {}
   for i, check in ipairs(checks) do

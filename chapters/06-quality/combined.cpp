@@ -7,6 +7,8 @@ wheel force by profile; the paper puts both on one chart.)
 
 {{fig-07}}
 
+{{include: answer.cpp}}
+
 The shape is the paper's: a rise with the square of the wavelength at both ends and a constant level between. Its two numbers depend on the vehicle, which is not printed.
 With car A the level ends below at {{corner-40}}, {{corner-64}}, {{corner-100}}, {{corner-130}} and
 {{corner-177}} for the five speeds, where the paper says "below 7 m"; with the loaded car B at {{corner-B}} at 100 km/h. Above, the amplitude has doubled at {{double-64}} for 64 km/h, {{double-100}} for 100 and
@@ -56,6 +58,7 @@ void fig_07(report::Item& item) {
     item.value(fmt::format("corner-{:.0f}", v / kmh), corner, "m", "{:.2f}");
     item.value(fmt::format("double-{:.0f}", v / kmh), doubled, "m", "{:.0f}");
   }
+  limit_answer(item);
   item.expect_checks(4);
   item.claim("long",
              "at long waves the amplitudes ultimately approach the square of the wavelength",

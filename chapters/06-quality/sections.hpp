@@ -38,6 +38,8 @@ quality::StrokeLimit level_limit();  // the stroke behind Figure 5
 quality::ForceLimit car(const report::Item& item, const std::string& key);
 std::vector<double> speeds(const report::Item& item);  // m/s
 
+void limit_answer(report::Item& item);  // of Figure 7
+
 // The power of the wavelength with which the allowed amplitude grows near `wavelength` (m).
 template <class Amplitude>
 double power_of_wavelength(const Amplitude& amplitude, double wavelength) {

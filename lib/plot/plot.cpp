@@ -178,20 +178,78 @@ std::string contents(const fs::path& file) {
   return whole.str();
 }
 
+enum class Format { png, svg };
+
+// A script whose terminal is pngcairo, for SVG: size and font as they are, or those of style.gp.
+std::string for_svg(const std::string& script) {
+  constexpr std::string_view png = "set terminal pngcairo";
+  std::istringstream lines(script);
+  std::string text;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with(png)) {
+      line.replace(0, png.size(), "set terminal svg");
+      if (line.find("font") == line.npos) line += " font \"DejaVu Sans,14\"";
+      if (line.find("background") == line.npos) line += " background rgb \"white\"";
+    }
+    text += line + "\n";
+  }
+  return text;
+}
+
+// An SVG of gnuplot's with a second font of the same widths, for readers who have no DejaVu Sans.
+std::string with_fonts(std::string svg) {
+  constexpr std::string_view font = "font-family=\"DejaVu Sans\"";
+  constexpr std::string_view fonts = "font-family=\"DejaVu Sans, Verdana, sans-serif\"";
+  for (std::size_t at = 0; (at = svg.find(font, at)) != svg.npos; at += fonts.size())
+    svg.replace(at, font.size(), fonts);
+  return svg;
+}
+
 // gnuplot runs "<program" and "|program" given as file names: it gets to see names of ours only.
 std::vector<std::string> prepare(files::PrivateFolder& folder, const fs::path& script,
-                                 const std::vector<fs::path>& data) {
+                                 const std::vector<fs::path>& data, Format format) {
   const fs::path style = shared("lib/plot");
-  for (const char* name : {"style.gp", "scene.gp"}) folder.write(name, contents(style / name));
-  folder.write("script.gp", contents(script));
+  const auto text = [&](const fs::path& file) {
+    return format == Format::svg ? for_svg(contents(file)) : contents(file);
+  };
+  for (const char* name : {"style.gp", "scene.gp"}) folder.write(name, text(style / name));
+  folder.write("script.gp", text(script));
   std::vector<std::string> arguments = {program(), "-d", "-c", "script.gp"};
   for (std::size_t i = 0; i < data.size(); ++i) {
     const std::string type = data[i].extension() == ".png" ? ".png" : ".csv";
     arguments.push_back("d" + std::to_string(i + 1) + type);
     folder.link(arguments.back(), data[i]);
-    if (i == 0) arguments.push_back("out.png");
+    if (i == 0) arguments.push_back(format == Format::svg ? "out.svg" : "out.png");
   }
   return arguments;
+}
+
+// What gnuplot made of the script, complete or not.
+std::string drawn(const fs::path& script, const std::vector<fs::path>& data, Missing missing,
+                  Format format) {
+  require_file(script, "the script", script);
+  if (data.empty() || data.size() > 8) {
+    throw PlotError(script.string() + ": takes 1 to 8 data files, not " +
+                    std::to_string(data.size()));
+  }
+  for (const fs::path& file : data) require_file(script, "the data file", file);
+  files::PrivateFolder folder;
+  std::vector<std::string> arguments = prepare(folder, script, data, format);
+  const fs::path picture = folder.expect(arguments[5]);
+  const Outcome outcome = run(std::move(arguments), folder.path());
+  const std::string said = complaints(outcome.message, missing);
+  if (!outcome.in_time) {
+    throw PlotError(script.string() + ": gnuplot was ended after " +
+                    std::to_string(time_limit().count()) + " s" + said);
+  }
+  if (!WIFEXITED(outcome.status) || WEXITSTATUS(outcome.status) != 0) {
+    const std::string how = WIFEXITED(outcome.status)
+                                ? "exit status " + std::to_string(WEXITSTATUS(outcome.status))
+                                : "signal " + std::to_string(WTERMSIG(outcome.status));
+    throw PlotError(script.string() + ": gnuplot failed (" + how + ")" + said);
+  }
+  if (!said.empty()) throw PlotError(script.string() + ": gnuplot complained" + said);
+  return fs::exists(picture) ? contents(picture) : std::string{};
 }
 
 }  // namespace
@@ -207,34 +265,19 @@ fs::path shared(std::string_view name) {
 }
 
 std::string draw(const fs::path& script, const std::vector<fs::path>& data, Missing missing) {
-  require_file(script, "the script", script);
-  if (data.empty() || data.size() > 8) {
-    throw PlotError(script.string() + ": takes 1 to 8 data files, not " +
-                    std::to_string(data.size()));
-  }
-  for (const fs::path& file : data) require_file(script, "the data file", file);
-  files::PrivateFolder folder;
-  std::vector<std::string> arguments = prepare(folder, script, data);
-  const fs::path png = folder.expect("out.png");
-  const Outcome outcome = run(std::move(arguments), folder.path());
-  const std::string said = complaints(outcome.message, missing);
-  if (!outcome.in_time) {
-    throw PlotError(script.string() + ": gnuplot was ended after " +
-                    std::to_string(time_limit().count()) + " s" + said);
-  }
-  if (!WIFEXITED(outcome.status) || WEXITSTATUS(outcome.status) != 0) {
-    const std::string how = WIFEXITED(outcome.status)
-                                ? "exit status " + std::to_string(WEXITSTATUS(outcome.status))
-                                : "signal " + std::to_string(WTERMSIG(outcome.status));
-    throw PlotError(script.string() + ": gnuplot failed (" + how + ")" + said);
-  }
-  if (!said.empty()) throw PlotError(script.string() + ": gnuplot complained" + said);
-  std::string bytes = fs::exists(png) ? contents(png) : std::string{};
+  std::string bytes = drawn(script, data, missing, Format::png);
   if (!is_complete_png(bytes)) {
     throw PlotError(script.string() +
                     ": gnuplot left no complete PNG (is there a `set output ARG2` and a plot?)");
   }
   return bytes;
+}
+
+std::string draw_svg(const fs::path& script, const std::vector<fs::path>& data) {
+  const std::string text = drawn(script, data, Missing::refused, Format::svg);
+  if (text.find("<svg") == text.npos || text.find("</svg>") == text.npos)
+    throw PlotError(script.string() + ": gnuplot left no complete SVG");
+  return with_fonts(text);
 }
 
 void render(const fs::path& script, const std::vector<fs::path>& data, const fs::path& png) {

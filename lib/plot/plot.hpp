@@ -45,6 +45,11 @@ std::string draw(const std::filesystem::path& script,
                  const std::vector<std::filesystem::path>& data,
                  Missing missing = Missing::refused);
 
+// The same figure as the text of an SVG, for a page: its lines and letters stay sharp at any size. Every line
+// "set terminal pngcairo ..." of the script and of style.gp is read as one for SVG.
+std::string draw_svg(const std::filesystem::path& script,
+                     const std::vector<std::filesystem::path>& data);
+
 // A file or folder of the project, "lib/plot": that in share/railbook beside the program's folder, or beside one above it.
 // An installed program finds what was installed with it, a program of the build its tree (build/share/railbook leads there).
 // Throws PlotError where there is no such folder.

@@ -16,6 +16,8 @@ namespace {
 
 using units::nan;
 
+constexpr std::size_t largest_svg = 200'000;  // bytes; what is larger a page shows as PNG
+
 // A computed value beside its printed text: two digits more than the paper gives.
 std::string show(std::string_view printed, double computed) {
   if (!std::isfinite(computed)) return table::csv_number(computed);
@@ -347,7 +349,13 @@ void Item::draw() {
       record_.png.clear();
     }
   } else {
-    plot::render(script_.is_absolute() ? script_ : settings_.sources / script_, files, png);
+    const auto script = script_.is_absolute() ? script_ : settings_.sources / script_;
+    plot::render(script, files, png);
+    const std::string svg = plot::draw_svg(script, files);
+    if (svg.size() > largest_svg) return;
+    const std::filesystem::path beside = settings_.figures / (record_.id + ".svg");
+    announce(beside);
+    files::write(beside, svg);
   }
 }
 

@@ -31,6 +31,8 @@ void add_files_of(const Json& record, const std::string& chapter, std::set<std::
   for (const Json& item : record.value("items", Json::array())) {
     if (!item.is_object()) continue;
     add("figures", item.value("png", Json()));
+    if (const Json id = item.value("id", Json()); id.is_string())
+      add("figures", id.get<std::string>() + ".svg");
     for (const Json& csv : item.value("csv", Json::array())) add("results", csv);
   }
 }

@@ -32,3 +32,18 @@ plot ARG1 using 1:2 with lines, "" using 1:3 with linespoints
   plot::render(script, {data}, at.path / "two.png");
   CHECK(at.read("one.png") == at.read("two.png"));
 }
+
+TEST_CASE("unit: the same figure as SVG, whatever the terminal line of the script leaves out") {
+  const TemporaryFolder at("svg");
+  const auto data = at.write("a.csv", "x,y\n0,1\n1,2\n2,5\n");
+  for (const char* terminal : {"", "set terminal pngcairo size 900,400\n",
+                               "set terminal pngcairo size 900,400 font \"DejaVu Sans,15\"\n"}) {
+    const auto script = at.write("fig.gp", std::string("load \"style.gp\"\n") + terminal +
+                                               "set output ARG2\nplot ARG1 using 1:2 with lines\n");
+    const std::string svg = plot::draw_svg(script, {data});
+    CHECK_THAT(svg, Catch::Matchers::Contains("</svg>") &&
+                        Catch::Matchers::Contains("\"DejaVu Sans, Verdana, sans-serif\""));
+    CHECK_THAT(svg, Catch::Matchers::Contains(*terminal == 0 ? "width=\"1000\" height=\"650\""
+                                                             : "width=\"900\" height=\"400\""));
+  }
+}
