@@ -24,19 +24,6 @@ void require_window(std::size_t samples, std::size_t window) {
 
 }  // namespace
 
-std::vector<std::int64_t> chord_taps(int half_chord) {
-  const std::size_t n = checked(half_chord);
-  std::vector<std::int64_t> taps(2 * n - 1);
-  for (std::size_t i = 0; i < n; ++i)
-    taps[i] = taps[2 * n - 2 - i] = static_cast<std::int64_t>(i + 1);
-  return taps;
-}
-
-double chord_noise_gain(int half_chord) {
-  const auto n = static_cast<double>(checked(half_chord));
-  return std::sqrt(n * (2 * n * n + 1) / 3);
-}
-
 double mean_gain(int M, double theta) {
   const double x = 0.5 * std::remainder(theta, 2 * units::pi);
   const double below = M * std::sin(x);
@@ -44,23 +31,6 @@ double mean_gain(int M, double theta) {
   const double turns = std::nearbyint((0.5 * theta - x) / units::pi);
   const double sign = M % 2 == 0 && std::fmod(turns, 2.0) != 0 ? -1 : 1;
   return sign * (below == 0 ? 1 : std::sin(M * x) / below);
-}
-
-double short_to_long_gain(int half_chord, double theta) {
-  const double g = half_chord * mean_gain(half_chord, theta);
-  return g * g;
-}
-
-spectra::ChordOffsets to_chord(std::span<const double> x, int half_chord) {
-  const auto taps = chord_taps(half_chord);
-  require_window(x.size(), taps.size());
-  spectra::ChordOffsets result{checked(half_chord) - 1,
-                               std::vector<double>(x.size() - taps.size() + 1)};
-  for (std::size_t j = 0; j < taps.size(); ++j) {
-    const auto weight = static_cast<double>(taps[j]);
-    for (std::size_t i = 0; i < result.offset.size(); ++i) result.offset[i] += weight * x[i + j];
-  }
-  return result;
 }
 
 template <class Number>
@@ -86,7 +56,7 @@ template std::vector<float> running_sum(std::span<const float>, int, std::size_t
 template std::vector<double> running_sum(std::span<const double>, int, std::size_t);
 template std::vector<std::uint64_t> running_sum(std::span<const std::uint64_t>, int, std::size_t);
 
-spectra::ChordOffsets to_chord_running(std::span<const double> x, int half_chord) {
+spectra::ChordOffsets to_chord(std::span<const double> x, int half_chord) {
   const std::size_t n = checked(half_chord);
   require_window(x.size(), 2 * n - 1);
   std::vector<double> clean(x.begin(), x.end());

@@ -32,34 +32,7 @@ std::vector<Word> high_pass_words(const HighPass& f) {
   return box;
 }
 
-std::vector<std::int64_t> as_signed(const std::vector<Word>& words) {
-  return {words.begin(), words.end()};
-}
-
-std::vector<double> over_power(const std::vector<std::int64_t>& numerators, const HighPass& f) {
-  std::vector<double> taps(numerators.size());
-  const auto scale = static_cast<double>(power(f));
-  for (std::size_t i = 0; i < taps.size(); ++i)
-    taps[i] = static_cast<double>(numerators[i]) / scale;
-  return taps;
-}
-
-std::vector<double> convolve(const std::vector<double>& a, const std::vector<double>& b) {
-  std::vector<double> c(a.size() + b.size() - 1);
-  for (std::size_t i = 0; i < a.size(); ++i)
-    for (std::size_t j = 0; j < b.size(); ++j) c[i + j] += a[i] * b[j];
-  return c;
-}
-
-// 1 - b^p = (1 - b)(1 + b + ...); `first` is what stands for 1 - b.
-double geometric(const HighPass& f, double theta, double first) {
-  const double b = mean_gain(f.length, theta);
-  double sum = 0;
-  for (int i = 0; i < f.passes; ++i) sum = 1 + b * sum;
-  return first * sum;
-}
-
-// 1 - b and (1 - b)/(1 - cos theta) as sums of squares: no cancellation.
+// 1 - b as a sum of squares: no cancellation.
 double one_minus_mean(int M, double theta) {
   double sum = 0;
   for (int j = 1; j <= M / 2; ++j) {
@@ -67,11 +40,6 @@ double one_minus_mean(int M, double theta) {
     sum += s * s;
   }
   return 4 * sum / M;
-}
-double one_minus_mean_over_chord(int M, double theta) {
-  double sum = 0;
-  for (int j = 1; j <= M / 2; ++j) sum += short_to_long_gain(j, theta);
-  return 2 * sum / M;
 }
 
 }  // namespace
@@ -94,17 +62,10 @@ std::size_t reach(const HighPass& f) {
 
 double high_pass_gain(const HighPass& f, double theta) {
   require_valid(f);
-  return std::pow(geometric(f, theta, one_minus_mean(f.length, theta)), f.stages);
-}
-
-double space_curve_gain(const HighPass& f, double theta) {
-  require_valid(f);
-  const double one = geometric(f, theta, one_minus_mean_over_chord(f.length, theta));
-  return f.stages == 1 ? one : one * high_pass_gain({f.length, f.passes, 1}, theta);
-}
-
-std::vector<std::int64_t> high_pass_integers(const HighPass& f) {
-  return as_signed(high_pass_words(f));
+  const double b = mean_gain(f.length, theta);
+  double sum = 0;  // 1 - b^p = (1 - b)(1 + b + ...)
+  for (int i = 0; i < f.passes; ++i) sum = 1 + b * sum;
+  return std::pow(one_minus_mean(f.length, theta) * sum, f.stages);
 }
 
 std::vector<std::int64_t> space_curve_integers(const HighPass& f) {
@@ -117,17 +78,7 @@ std::vector<std::int64_t> space_curve_integers(const HighPass& f) {
     before = now;
     now = next;
   }
-  return as_signed(curve);
-}
-
-std::vector<double> high_pass_taps(const HighPass& f) {
-  const auto one = over_power(high_pass_integers(f), f);
-  return f.stages == 1 ? one : convolve(one, one);
-}
-
-std::vector<double> space_curve_taps(const HighPass& f) {
-  const auto one = over_power(space_curve_integers(f), f);
-  return f.stages == 1 ? one : convolve(one, over_power(high_pass_integers(f), f));
+  return {curve.begin(), curve.end()};
 }
 
 }  // namespace railbook::filters

@@ -23,17 +23,11 @@ void require_valid(const HighPass& filter);
 // Samples that count on each side of an output: of the high-pass, and one less of the space curve.
 std::size_t reach(const HighPass& filter);
 
-// Gains at theta radians a sample: of the high-pass, and of the space curve from the short chord, (high-pass)/(1 - cos
-// theta), whose limit at 0 is p (M^2 - 1)/12 for one stage.
+// Gain at theta radians a sample; to rounding, without cancellation at long waves.
 double high_pass_gain(const HighPass& filter, double theta);
-double space_curve_gain(const HighPass& filter, double theta);
 
-// The same as weights, centred, 2 reach + 1 and 2 reach - 1 of them. The quotient has no remainder.
-std::vector<double> high_pass_taps(const HighPass& filter);
-std::vector<double> space_curve_taps(const HighPass& filter);
-
-// Numerators of the weights over M^p for one stage: integers, exact modulo 2^64.
-std::vector<std::int64_t> high_pass_integers(const HighPass& filter);
+// The space curve from the short chord, (high-pass)/(1 - cos theta), as weights: 2 reach - 1 numerators over M^p for one
+// stage, centred, exact modulo 2^64. The quotient has no remainder.
 std::vector<std::int64_t> space_curve_integers(const HighPass& filter);
 
 }  // namespace railbook::filters

@@ -41,15 +41,6 @@ double Motion::final_speed() const {
   return std::abs(v) < 1e-9 ? 0.0 : v;
 }
 
-double Motion::final_position() const {
-  double v = speed, s = start;
-  for (const Leg& leg : legs) {
-    s += leg.duration * (v + 0.5 * leg.acceleration * leg.duration);
-    v += leg.acceleration * leg.duration;
-  }
-  return s;
-}
-
 Motion& Motion::cruise(double distance) {
   units::require_positive("distance to cruise", distance, "m");
   const double v = std::abs(final_speed());

@@ -20,7 +20,6 @@ struct Motion {
   std::vector<Leg> legs = {};
 
   double final_speed() const;
-  double final_position() const;
 
   // Append a leg. Throw InputError on a distance, rate or duration that is not positive, or on cruising at
   // no speed.

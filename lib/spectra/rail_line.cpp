@@ -29,10 +29,6 @@ double rectified_sine(double x, double rail_length, double dip) {
   return dip * std::abs(std::sin(units::pi * (rails - std::round(rails))));
 }
 
-double rectified_sine_mean(double dip) {
-  return 2.0 * dip / units::pi;
-}
-
 double rectified_sine_variance(double dip) {
   return dip * dip * (0.5 - 4.0 / (units::pi * units::pi));
 }

@@ -13,8 +13,7 @@ namespace railbook::spectra {
 // The profile at x (m) of rails of length `rail_length` > 0 (m) with dip B (m): between 0 (joint) and B.
 double rectified_sine(double x, double rail_length, double dip);
 
-// Its mean 2B/pi (m), and its variance B^2 (1/2 - 4/pi^2) (m^2), the sum of all its line powers.
-double rectified_sine_mean(double dip);
+// Its variance B^2 (1/2 - 4/pi^2) (m^2), the sum of all its line powers.
 double rectified_sine_variance(double dip);
 
 // The strength B_n (m) of the line at n/l, n >= 1. printed: equation (1), 2B/(pi (4n^2 - 1)), the modulus of

@@ -34,20 +34,19 @@ TEST_CASE("Hybrid filters refuse corners that are none") {
 
 TEST_CASE("Chords refuse lengths and records that cannot be") {
   const std::vector<double> x(60, 0.0);
-  CHECK_THROWS_WITH(chord_taps(0), Contains("half chord"));
-  CHECK_THROWS_WITH(chord_taps(-3), Contains("half chord"));
+  CHECK_THROWS_WITH(to_chord(x, 0), Contains("half chord"));
+  CHECK_THROWS_WITH(to_chord(x, -3), Contains("half chord"));
   CHECK_THROWS_WITH(to_chord(x, 31), Contains("allowed: at least 61"));
-  CHECK_THROWS_WITH(to_chord_running(x, 31), Contains("allowed: at least 61"));
   CHECK_NOTHROW(to_chord(x, 30));
   CHECK_THROWS_WITH(running_sum<double>(x, 61), Contains("samples of the record"));
 }
 
 TEST_CASE("The high-pass refuses what it is not made for") {
-  CHECK_THROWS_WITH(high_pass_taps({150, 4}), Contains("odd"));
-  CHECK_THROWS_WITH(high_pass_taps({1, 4}), Contains("length of the mean"));
+  CHECK_THROWS_WITH(reach({150, 4}), Contains("odd"));
+  CHECK_THROWS_WITH(reach({1, 4}), Contains("length of the mean"));
   CHECK_THROWS_WITH(high_pass_gain({151, 0}, 1), Contains("passes"));
-  CHECK_THROWS_WITH(space_curve_gain({151, 4, 3}, 1), Contains("stages"));
-  CHECK_THROWS_WITH(high_pass_taps({10001, 4}), Contains("length^passes"));
+  CHECK_THROWS_WITH(high_pass_gain({151, 4, 3}, 1), Contains("stages"));
+  CHECK_THROWS_WITH(space_curve_integers({10001, 4}), Contains("length^passes"));
 }
 
 TEST_CASE("The stream refuses bad options and short records") {

@@ -91,7 +91,7 @@ TEST_CASE("geometry car: a constant bias without high-pass is -b L^2/(8 V^2)", "
       const auto two = filter.push(1e-3 * g, foot / (v * mph));
       if (k >= 2) offsets.push_back(filters::short_chord(two));
     }
-    CHECK(filters::to_chord_running(offsets, 31).offset.front() ==
+    CHECK(filters::to_chord(offsets, 31).offset.front() ==
           Approx(-1e-3 * g * std::pow(62 * foot / (v * mph), 2) / 8).epsilon(1e-9));
   }
 }

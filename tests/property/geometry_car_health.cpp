@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "../support/final_position.hpp"
 #include "geometry_car/health.hpp"
 #include "geometry_car/sensors.hpp"
 #include "geometry_car/simulate.hpp"
@@ -37,13 +38,13 @@ Record clean_record(std::uint64_t seed) {
     motion.cruise(end - first);
   } else if (seed % 4 == 2) {
     motion.cruise(40).change_speed(0.9 * v, 1);
-    if (motion.final_position() < end - 2)
-      motion.cruise(end - motion.final_position());
+    if (final_position(motion) < end - 2)
+      motion.cruise(end - final_position(motion));
     else
       motion = Motion{.start = first, .speed = v}.cruise(end - first);
   } else if (seed % 4 == 3 && v < 11) {
     motion.cruise(30).change_speed(0, 1).stand(20).change_speed(0.8 * v, 1);
-    motion.cruise(end - motion.final_position());
+    motion.cruise(end - final_position(motion));
   } else {
     motion.cruise(end - first);
   }

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "../support/final_position.hpp"
 #include "geometry_car/reconstruct.hpp"
 #include "geometry_car/sensors.hpp"
 #include "geometry_car/simulate.hpp"
@@ -259,7 +260,7 @@ TEST_CASE("geometry car: good alignment is good, from a crawl up", "[reconstruct
       Motion motion{.start = 80 * units::foot, .speed = slow};
       motion.cruise(5);
       if (slow < 28) motion.change_speed(28, 2);
-      motion.cruise(track.length() - motion.final_position() - 0.01);
+      motion.cruise(track.length() - final_position(motion) - 0.01);
       const auto m = reconstruct(drive(track, car, motion), p);
       const auto q = quality(m, Parameter::alignment_left, p);
       for (std::size_t i = 0; i < m.size(); ++i) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <complex>
 
+#include "../support/final_position.hpp"
 #include "geometry_car/simulate.hpp"
 #include "units/constants.hpp"
 
@@ -104,8 +105,8 @@ TEST_CASE("geometry car: times at the marks of a changing speed", "[simulation]"
   motion.change_speed(20, 0.5).change_speed(0, 1).stand(7).change_speed(-5, 0.5).cruise(20);
   std::vector<Moment> moments;
   each_moment(motion, 0.1, 0.5, [&](const Moment& m) { moments.push_back(m); });
-  CHECK(motion.final_position() == Approx(30 + 300 + 200 - 25 - 20));
-  CHECK(moments.back().position == Approx(motion.final_position()));
+  CHECK(final_position(motion) == Approx(30 + 300 + 200 - 25 - 20));
+  CHECK(moments.back().position == Approx(final_position(motion)));
   double before = -1;
   int standing = 0;
   for (const Moment& m : moments) {
