@@ -104,6 +104,16 @@ FilterTaps design_filter(const Envelope& envelope, const FilterDesign& design) {
   return result;
 }
 
+double end_effect(const FilterTaps& taps, double amplitude, double share) {
+  units::require_non_negative("amplitude", amplitude, "m");
+  double beyond = 0;  // the weights at this distance and more: what a unit step there does
+  for (std::size_t j = taps.half.size(); j-- > 0;) {
+    beyond += taps.half[j];
+    if (2 * amplitude * std::abs(beyond) > share) return static_cast<double>(j + 1) * taps.spacing;
+  }
+  return 0;
+}
+
 std::vector<double> filter_periodic(const Envelope& envelope, double spacing,
                                     std::span<const double> record) {
   units::require_positive("spacing", spacing, "m");

@@ -39,6 +39,10 @@ std::vector<double> impulse_response(const Envelope& envelope, double spacing, d
 // exceeds 10^6 samples or has fewer than 8.
 FilterTaps design_filter(const Envelope& envelope, const FilterDesign& design);
 
+// How far (m) from an end or a gap the continuation may change the descriptor by more than `share` of the limit, for a wave of
+// this amplitude (m): continued about its last sample, a short wave is shifted by up to twice its amplitude.
+double end_effect(const FilterTaps& taps, double amplitude, double share = 0.02);
+
 // The record is one period of an endless track: the gain is exact at the record's own wavenumbers.
 std::vector<double> filter_periodic(const Envelope& envelope, double spacing,
                                     std::span<const double> record);

@@ -4,8 +4,9 @@
 #include <limits>
 #include <vector>
 
-#include "quality/descriptor_filter.hpp"
 #include "num/random_source.hpp"
+#include "quality/descriptor_filter.hpp"
+#include "quality/quality_index.hpp"
 #include "units/constants.hpp"
 #include "units/input_error.hpp"
 
@@ -119,6 +120,37 @@ TEST_CASE("Gaps split the record into pieces of their own", "[quality]") {
   CHECK(std::isnan(p[1539]));
   CHECK(largest_difference({p.begin(), p.begin() + 1500}, filter_direct(taps, left)) < 1e-10);
   CHECK(largest_difference({p.begin() + 1540, p.end()}, filter_direct(taps, right)) < 1e-10);
+}
+
+TEST_CASE("A sine is beyond the limit where its amplitude is, whatever its phase at the ends",
+          "[quality]") {
+  const num::RandomSource draw{22, 3};
+  for (const double damping : {0.1, 0.2, 0.4}) {
+    const Envelope envelope{{stroke_limit_of_level({0.5, damping}, 0.016), {}, speed}};
+    const auto taps = design_filter(envelope, {.spacing = 0.5, .reach = 600});
+    const double margin = end_effect(taps, 0.016);
+    CHECK(margin > 40);
+    CHECK(margin < 300);
+    for (std::uint64_t k = 0; k < 100; ++k) {
+      const double wave = k == 0 ? 2.2 : 2 * std::pow(40.0, draw.uniform(2 * k));
+      const double phase = 2 * units::pi * draw.uniform(2 * k + 1), phi = 1 / wave;
+      for (const double share : {0.97, 1.03}) {
+        std::vector<double> z(3000);
+        for (std::size_t i = 0; i < z.size(); ++i)
+          z[i] = share * allowed_amplitude(envelope(phi)) *
+                 std::sin(2 * units::pi * phi * 0.5 * static_cast<double>(i) + phase);
+        IndexBuilder builder{{.spacing = 0.5, .margin = margin}};
+        builder.push(filter(taps, z));
+        builder.finish();
+        const auto& found = builder.exceedances();
+        const bool sure = std::any_of(found.begin(), found.end(), [&](const Exceedance& e) {
+          return !e.cut && e.clear >= margin;
+        });
+        CAPTURE(damping, wave, phase, share);
+        CHECK(sure == (share > 1));
+      }
+    }
+  }
 }
 
 TEST_CASE("Filters out of range are refused", "[quality]") {
