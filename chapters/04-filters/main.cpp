@@ -3,8 +3,8 @@
 ::: findings
 1. The paper claims that analog and digital filter together respond independently of speed and direction. Result: in magnitude 9 and 80 mph differ by {{spread}} at most
    ({{outcome:fig-09/magnitude}}); in phase forward and reverse runs lie {{offset-9}} apart at 9 mph ({{outcome:small-kappa/direction}}).
-2. The paper claims that only gage and crosslevel remain accurate down to 0 mph. Result: their errors do not grow; those of curvature, profile and alignment
-   grow {{slow-growth}} and more ({{outcome:table-claims/only-two}}).
+2. The paper claims that only gage and crosslevel remain accurate down to 0 mph. Result: their errors do not grow; those of curvature, profile and alignment are at 0.5 mph
+   {{slow-growth}} and more what they are from 15 mph on ({{outcome:table-claims/only-two}}).
 3. The paper calls the digital filter $C$ a bandpass. Result: the filter that undoes the analog one rises up to the shortest wave ({{outcome:fig-08/bandpass}}).
 :::
 
@@ -32,8 +32,7 @@ chapter derives them, asks what the paper's claims are worth, builds the whole c
 
 {{include: speeds.cpp}}
 
-What the filters cost against other ways to write them, and what stops, reversals and faults do to them, is on the second page: a record of any length passes through
-the stream at 14 operations a sample, and whatever a car does to its clock costs its window only.
+What the filters cost against other ways to write them, and what stops, reversals and faults do to them, is on the second page.
 
 ## Deviations
 
@@ -44,7 +43,13 @@ the stream at 14 operations a sample, and whatever a car does to its clock costs
   inclinometer, behind the same filters, for which the text on crosslevel keeps that signal.
 * **Crosslevel "accurate to 0 mph"**, {{outcome:table-claims/crosslevel}}: but for the roll gyro's bias, which the debiasing of the yaw gyro is not said to cover.
 * **Chosen here**: the corners of $B$ and $F$, the shape of the high-pass, the number of poles in the roll filter, track, ride and sensors. All are values in
-  `configuration.hpp` or options of `railbook filters process`. The paper's limits of 2, 5 and 15 mph depend on sensors and on an accuracy that it does not state.
+  `configuration.hpp` or options of `railbook filters process`. The paper's limits of 2, 5 and 15 mph depend on sensors and on an accuracy that it does not state; that the
+  errors grow below them is {{outcome:table-claims/profile}} for profile, {{outcome:table-claims/alignment}} for alignment.
+
+## Citation
+
+*Inertial and Inductive Measurement Techniques for Track Geometry*, contributed by the Dynamic Systems and Control Division of the American Society of Mechanical Engineers for its Winter
+Annual Meeting, Washington, D.C., 15-20 November 1981. So much stands in our copy. It names ENSCO and no author, paper number or DOI; these were looked up and not found. The page cites no other work.
 
 ## Limits
 
