@@ -170,6 +170,7 @@ void table_damping(report::Item& item) {
     if (r == 8.75) item.value("damping-A", bound, "", "{:.3f}");
     item.add_row(r, bound, below ? "crosses" : "does not", above ? "crosses" : "does not");
   }
+  item.value("least-damping", least, "", "{:.2f}");
   item.expect_checks(2);
   item.agree("search", "cases in which the search agrees with the quartic", "", found ? 1 : 0, 1,
              1e-12, "search for a falling gain on a fine grid");

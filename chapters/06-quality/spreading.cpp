@@ -86,7 +86,7 @@ void fig_10(report::Item& item) {
                std::sqrt(3.0 / 11) * quality::blob_front(t), 3e-3, "similarity solution");
   }
   item.value("blob-front", quality::blob_front(1), "", "{:.3f}");
-  item.rebuilt("the paper's figure is a sketch; both laws and all numbers are ours");
+  item.rebuilt("the paper's figure is a sketch; both laws and all numbers are chosen");
 }
 
 /*** The two segments: $\bar x$ = 0.2, $s_0$ = 0.15 and $T_2$ = 1, tonnage in units in which $2D$ = 0.005 for A. */
@@ -114,7 +114,7 @@ void fig_11(report::Item& item) {
              "when the histogram spreads about its mean");
   item.value("basic-A", until(D_A), "", "{:.2f}");
   item.value("basic-B", until(D_B), "", "{:.2f}");
-  item.rebuilt("two curves without numbers in the paper; law and rates are ours");
+  item.rebuilt("two curves without numbers in the paper; law and rates are chosen");
 }
 
 }  // namespace
