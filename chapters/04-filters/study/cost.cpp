@@ -1,27 +1,31 @@
 /***
-The 62-ft chord with the high-pass, from short offsets, on a record of {{cost-samples}} samples: synthetic track, rounded to whole units of $2^{-34}$ m
-so that the exact answer is known in integers. The error is the largest difference over the RMS of the answer.
+The 62-ft chord with the high-pass, from short offsets. The input is synthetic track, rounded to whole units of $2^{-34}$ m, so that the exact answer is known in integers: the reference has
+no error but one rounding. The error is the largest difference over the RMS of the answer. All methods get the same array and return another; making weights and plans is counted.
 
-* **FIR**: all 661 weights, vectorised.
-* **running sums**: two of 31 samples and four of 151, one after the other, started anew after so many samples, or never.
-* **recursive**: two integrators that run through the whole record and four running sums, none ever restarted.
-* **stream**: the class of the library, which gives the space curve besides, for several blocks.
+* **weights**: all 661, vectorised.
+* **transforms**: of overlapping blocks of 8192, what a signal library takes for a filter of this length.
+* **sums**: two running sums of 31 samples and four of 151, one after the other, started anew every 4096 samples.
+* **stream**: the class of the library, which gives the space curve besides, and masks what is missing.
 
-{{cost-time}}
+{{cost-length}}
 
-In double precision everything is accurate enough; what differs is the cost, and the FIR takes {{cost-fir-over-stream}} the operations of
-the stream. Single precision is good for running sums; recursively it fails within this record.
+{{length-answer}} The direct weights take {{weights-over-sums}} the operations of the sums and are vectorised; every method is as accurate as a double, so cost is what decides, and what the stream can do besides.
+
+**How long may a filter run?** Sums that are never started anew keep every rounding. The same samples over and over, with the exact answer known, for a filter in floating point that never restarts:
+
+{{cost-drift}}
+
+{{drift-answer}} In 64-bit integers there is no error at any length ({{outcome:cost-drift/integers}}). This is why the library starts its sums anew, and why nothing in it integrates along the track.
 */
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <functional>
-#include <span>
+#include <map>
 #include <string>
 #include <vector>
 
+#include "bench/timing.hpp"
 #include "bench/work_precision.hpp"
 #include "sections.hpp"
 #include "study/composite.hpp"
@@ -29,81 +33,117 @@ the stream. Single precision is good for running sums; recursively it fails with
 namespace railbook::filters_chapter {
 namespace {
 
-// One plus the error, against a reference of one.
-bench::Outcome outcome(const std::vector<double>& chord, const std::vector<double>& exact,
-                       double work) {
-  double worst = 0, square = 0;
-  for (std::size_t i = 0; i < exact.size(); ++i) {
-    worst = std::max(worst, std::abs(chord.at(i) - exact[i]));
-    square += exact[i] * exact[i];
-  }
-  const double rms = std::sqrt(square / static_cast<double>(exact.size()));
-  return {.values = {1 + worst / rms}, .work = work, .converged = true, .reason = ""};
+double rms(const std::vector<double>& x) {
+  double square = 0;
+  for (const double v : x) square += v * v;
+  return std::sqrt(square / static_cast<double>(x.size()));
 }
 
-// One record in every number type, and what the filter must make of it.
-struct Record {
-  std::vector<double> x;
-  std::vector<float> x_float;
-  std::vector<double> exact;
+// One record, and what the filter must make of it.
+struct Sample {
+  std::vector<double> x, exact;
 };
-Record record(std::size_t n) {
-  const auto units = composite_input(n);
-  const auto x = in_metres(units);
-  return {x, {x.begin(), x.end()}, exact_composite(units)};
+
+bench::Method method(const char* name, double operations, const std::map<int, Sample>& samples,
+                     const Composite& filter) {
+  std::vector<int> lengths;
+  for (const auto& [n, sample] : samples) lengths.push_back(n);
+  return bench::sweep(name, lengths,
+                      [&samples, operations, filter](int n) -> bench::Outcome {
+                        const Sample& s = samples.at(n);
+                        const auto chord = filter(s.x);
+                        double worst = 0;
+                        for (std::size_t i = 0; i < chord.size(); ++i)
+                          worst = std::max(worst, std::abs(chord[i] - s.exact.at(i)));
+                        // One plus the error, against a reference of one.
+                        return {{1 + worst / rms(s.exact)}, operations * n, true, ""};
+                      })
+      .counts("operations");
 }
 
-constexpr double fir_operations = 2 * 661, sum_operations = 12;  // a sample
-double stream_operations(std::size_t block) {
-  return 14 * (1 + 1320 / static_cast<double>(block));
-}
+// Operations a sample, one addition or multiplication each.
+constexpr double weights_cost = 2.0 * composite_window, sums_cost = 14;
+const double transforms_cost = 2 * 2.5 * 13 * 8192 / (8192 - 660.0);
 
-std::vector<bench::Method> methods(const Record& r) {
-  const auto setting = [&r](std::string label, double operations,
-                            std::function<std::vector<double>()> run) {
-    const double work = operations * static_cast<double>(r.x.size());
-    return bench::Setting{std::move(label), [&r, run = std::move(run), work] {
-                            return outcome(run(), r.exact, work);
-                          }};
-  };
-  bench::Method sums{"running sums double", {}}, sums_float{"running sums float", {}},
-      stream{"stream", {}};
-  for (const std::size_t restart : {256u, 4096u, 0u}) {
-    const std::string label = restart == 0 ? "never" : fmt::format("every {}", restart);
-    const double work = sum_operations + (restart == 0 ? 0 : 666 / static_cast<double>(restart));
-    sums.settings.push_back(
-        setting(label, work, [&r, restart] { return sums_composite<double>(r.x, restart); }));
-    sums_float.settings.push_back(
-        setting(label, work, [&r, restart] { return sums_composite<float>(r.x_float, restart); }));
+void cost_length(report::Item& item) {
+  std::map<int, Sample> samples;
+  for (const int n : {1000, 10'000, 100'000, 1'000'000}) {
+    if (n > 100'000 && !item.full()) continue;
+    const auto units = composite_input(static_cast<std::size_t>(n));
+    samples[n] = {in_metres(units), exact_composite(units)};
   }
-  for (const std::size_t block : {512u, 4096u, 32768u})
-    stream.settings.push_back(setting(fmt::format("blocks of {}", block), stream_operations(block),
-                                      [&r, block] { return stream_composite(r.x, block); }));
-  const auto only = [&](const char* label, double work, std::function<std::vector<double>()> run) {
-    return std::vector<bench::Setting>{setting(label, work, std::move(run))};
-  };
-  return {{"FIR double", only("661 weights", fir_operations, [&r] { return fir_composite(r.x); })},
-          sums,
-          sums_float,
-          {"recursive float",
-           only("never", sum_operations, [&r] { return recursive_composite(r.x_float); })},
-          stream};
+  const auto points = bench::measure("cost-length", {{"chord", 1, 0}},
+                                     {method("weights", weights_cost, samples, by_weights),
+                                      method("transforms", transforms_cost, samples, by_transforms),
+                                      method("sums", sums_cost, samples, by_sums),
+                                      method("stream", 2 * sums_cost, samples, by_stream)},
+                                     item.timings(), item.full() ? 0.5 : 0.05);
+  auto& data = item.data({"samples", "method", "operations", "ns", "q1_ns", "q3_ns", "error"});
+  data.not_compared("times, and rounding");
+  std::string said;
+  for (const report::WorkPrecision& p : points) {
+    const double n = std::stod(p.setting), ns = 1e9 / n;
+    data.add(n, p.method, p.work / n, ns * p.seconds_median, ns * p.seconds_q1, ns * p.seconds_q3,
+             p.error);
+    if (std::stoi(p.setting) != samples.rbegin()->first) continue;
+    said += fmt::format("{}{} {:.1f}", said.empty() ? "" : ", ", p.method, ns * p.seconds_median);
+  }
+  item.add(points);
+  item.value("length-answer",
+             item.timings() ? fmt::format("At {:.0e} samples a sample takes, in nanoseconds: {}.",
+                                          static_cast<double>(samples.rbegin()->first), said)
+                            : "(Not timed.)");
+  item.value("weights-over-sums", weights_cost / sums_cost, "times", "{:.0f}");
+  item.expect_checks(1);
+  double worst = 0;
+  for (const auto& p : points) worst = std::max(worst, p.error);
+  item.at_most("as-double", "largest error of any method over the RMS", "", worst, 1e-12,
+               "661 products of a double each, and sums that start anew");
+  item.added("not in the paper");
 }
 
-void cost_time(report::Item& item) {
-  const Record r = record(item.full() ? 1'000'000 : 100'000);
-  const auto points = bench::measure("cost-time", {{"chord", 1, 0}}, methods(r), item.timings(),
-                                     item.full() ? 0.5 : 0.05);
-  bench::show(item, points, "chord");
-  item.value("cost-samples", static_cast<double>(r.x.size()), "", "{:.0e}");
-  item.value("cost-fir-over-stream", fir_operations / stream_operations(4096), "times", "{:.0f}");
+void cost_drift(report::Item& item) {
+  const auto period = composite_input(32768);
+  const double scale = rms(exact_composite(period));
+  std::vector<std::size_t> counts;
+  for (std::size_t n = 100'000; n <= (item.full() ? 1'000'000'000u : 10'000'000u); n *= 10)
+    counts.insert(counts.end(), {n, 3 * n});
+  auto& data = item.data({"samples", "method", "error"});
+  data.holds_to("error", 0.5, 0, "drift of rounding errors");
+  std::string said;
+  const auto run = [&](const char* name, const std::vector<double>& errors) {
+    for (std::size_t i = 0; i < counts.size(); ++i)
+      data.add(static_cast<double>(counts[i]), name, errors[i] / scale);
+    data.gap();
+    const auto lost =
+        std::find_if(errors.begin(), errors.end(), [&](double e) { return !(e < 1e-3 * scale); });
+    said += said.empty() ? "A thousandth of the RMS is lost " : ", ";
+    said += lost == errors.end()
+                ? fmt::format("by {} not within {:.0e} samples", name,
+                              static_cast<double>(counts.back()))
+                : fmt::format(
+                      "by {} within {:.0e}", name,
+                      static_cast<double>(counts[static_cast<std::size_t>(lost - errors.begin())]));
+  };
+  run("sums in single precision", drift<float>(Endless::sums, period, counts));
+  run("sums in double precision", drift<double>(Endless::sums, period, counts));
+  run("integrators in single precision", drift<float>(Endless::integrators, period, counts));
+  run("integrators in double precision", drift<double>(Endless::integrators, period, counts));
+  item.value("drift-answer", said + ".");
+  const auto integers = drift<std::uint64_t>(Endless::integrators, period, counts);
+  item.expect_checks(1);
+  item.at_most("integers", "error of integrators in 64-bit integers, m", "m",
+               *std::max_element(integers.begin(), integers.end()), 1e-18,
+               "wrapping integers are exact: nothing but the last rounding to metres");
   item.added("not in the paper");
 }
 
 }  // namespace
 
 /*** {{include: composite.cpp}} */
-const report::Section cost{report::figure(
-    "cost-time", "Error of the composite filter against run time and operations", cost_time)};
+const report::Section cost{
+    report::figure("cost-length", "Time a sample and error against the length of the record",
+                   cost_length),
+    report::figure("cost-drift", "Error of filters that never start anew", cost_drift)};
 
 }  // namespace railbook::filters_chapter

@@ -5,18 +5,20 @@ the lower end is rounding, amplified by $1/\kappa$ in $C$ and $1/\kappa^2$ in $G
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "bench/evidence.hpp"
 #include "configuration.hpp"
 #include "experiment.hpp"
 #include "filters/complementary.hpp"
 #include "filters/geometry_chain.hpp"
 #include "filters/hybrid_filter.hpp"
 #include "geometry_car/health.hpp"
-#include "sections.hpp"
 #include "num/random_source.hpp"
+#include "sections.hpp"
 
 namespace railbook::filters_chapter {
 
@@ -39,6 +41,18 @@ double ramp_error(double before, double after) {
 }
 
 void intervals(report::Item& item) {
+  const int cases = item.full() ? 20'000 : 1'000;
+  item.stability(
+      {.id = "random-intervals",
+       .what = fmt::format("G: the worst of {} random pairs of poles and intervals", cases),
+       .stress = "κ from 1e-4 to 3, intervals 1:10",
+       .allowed = 1e-13,
+       .reference = "a constant, after F's own modes; times κ²"},
+      [=] {
+        const bench::Worst w = bench::worst_of(cases, 41, random_intervals);
+        if (w.unanswered > 0) throw report::NoAnswer("an interval without a mean");
+        return w.found;
+      });
   struct Case {
     const char *id, *what, *stress;
     double before, after, allowed;
@@ -60,6 +74,24 @@ void intervals(report::Item& item) {
                      const double e = ramp_error(c.before, c.after);
                      return report::Found{fmt::format("off by {:.0e} of the interval", e), e};
                    });
+}
+
+// F's two modes and a constant, at random intervals: what G makes of it less the constant, over the rounding that its weights of 1/kappa^2 allow.
+report::Found random_intervals(bench::Draw& draw) {
+  const double omega = draw.decades(0.1, 100), damping = draw.decades(0.2, 5);
+  const double longest = draw.decades(1e-3, 3) / (omega * (1 + damping));
+  const std::complex<double> w = std::sqrt(std::complex<double>{damping * damping - 1});
+  const std::complex<double> p_1 = omega * (-damping + w), p_2 = omega * (-damping - w);
+  filters::SecondOrderHybrid g{{omega, damping}};
+  double t = 0, kappa = units::no_limit, mean = units::nan;
+  for (int k = 0; k < 3; ++k) {
+    const double T = longest * draw(0.1, 1);
+    t += T;
+    if (k > 0) kappa = std::min(kappa, omega * T);
+    mean = g.push(1 + (std::exp(p_1 * t) + std::exp(p_2 * t)).real(), T).mean;
+  }
+  return {fmt::format("ω = {:.3g} rad/s, ζ = {:.2g}, κ = {:.2g}", omega, damping, kappa),
+          std::abs(mean - 1) * kappa * kappa};
 }
 
 // The largest difference of two chords where both are known, and how many the second lacks.
@@ -201,6 +233,29 @@ void car(report::Item& item) {
     r[Channel::vertical_left][1800] += 1;
     return judged(r);
   });
+  row("car-clipped", "car: an accelerometer that clips at half its largest value", "spread faults",
+      [&] {
+        Record r = clean;
+        auto& a = r[Channel::vertical_left];
+        double largest = 0;
+        for (const double v : a) largest = std::max(largest, std::abs(v));
+        for (double& v : a) v = std::clamp(v, -largest / 2, largest / 2);
+        return judged(r);
+      });
+  row("car-step", "car: an accelerometer's zero steps by 0.15 m/s²", "as braking does", [&] {
+    Record r = clean;
+    auto& a = r[Channel::vertical_left];
+    for (std::size_t i = 1800; i < r.size(); ++i) a[i] += 0.15;
+    return judged(r);
+  });
+  row(
+      "car-level", "car: crosslevel from a crawl of 0.3 m/s up",
+      "an hour a mile: only the inclinometer",
+      [&] {
+        Motion m{.start = start, .speed = 0.3};
+        return judged(journey(m.cruise(5).change_speed(28, 2).cruise(600)), Parameter::crosslevel);
+      },
+      7 * mm);
   row("car-pulse", "car: a pulse too many", "T = 0, wild values", [&] {
     Record r = clean;
     r.elapsed.insert(r.elapsed.begin() + 1800, 0.0);

@@ -4,7 +4,13 @@
 
 {{include: cost.cpp}}
 
-{{work-precision: cost-time}}
+{{work-precision: cost-length}}
+
+## Digits
+
+{{include: digits.cpp}}
+
+{{digits}}
 
 ## Stability
 
