@@ -2,15 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "units/constants.hpp"
 #include "units/input_error.hpp"
 
 namespace railbook::filters {
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 std::size_t checked(int half_chord) {
   return static_cast<std::size_t>(
@@ -73,7 +70,7 @@ spectra::ChordOffsets to_chord(std::span<const double> x, int half_chord) {
   for (const std::size_t hole : holes) {
     const std::size_t end = std::min(hole + 1, result.offset.size());
     for (std::size_t i = std::max(masked, hole - std::min(hole, 2 * n - 2)); i < end; ++i)
-      result.offset[i] = none;
+      result.offset[i] = units::nan;
     masked = end;
   }
   return result;

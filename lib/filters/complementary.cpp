@@ -1,34 +1,29 @@
 #include "filters/complementary.hpp"
 
 #include <cmath>
-#include <limits>
 
 #include "filters/hybrid_filter.hpp"
 #include "units/constants.hpp"
 #include "units/input_error.hpp"
 
 namespace railbook::filters {
-namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
-}  // namespace
+namespace {}  // namespace
 
 ComplementaryFilter::ComplementaryFilter(double tau, int poles)
     : tau_(units::require_positive("time constant", tau, "s")),
       theta_(static_cast<std::size_t>(units::require_between("poles", poles, 1, 8))) {}
 
 double ComplementaryFilter::push(double inclination, double increment, double T) {
-  if (T == 0 && known_) return none;
+  if (T == 0 && known_) return units::nan;
   if (!std::isfinite(inclination)) {
     known_ = false;
-    return none;
+    return units::nan;
   }
   if (!known_ || !possible_interval(T) || !std::isfinite(increment)) {
     const bool first = !known_ && (possible_interval(T) || T == 0) && std::isfinite(increment);
     for (double& theta : theta_) theta = inclination;
     known_ = true;
-    return first ? inclination : none;
+    return first ? inclination : units::nan;
   }
   const DecayPair d = decay(T / tau_);
   double input = inclination;

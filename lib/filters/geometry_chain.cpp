@@ -5,14 +5,12 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
+#include "units/constants.hpp"
 #include "units/input_error.hpp"
 
 namespace railbook::filters {
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 // Two numbers that the processor handles as one: two halves of a block at once.
 using Pair = GeometryChain::Pair;
@@ -120,7 +118,7 @@ void GeometryChain::push(std::span<const double> x) {
 
 void GeometryChain::finish() {
   const std::size_t masked = masked_;
-  const std::vector<double> unknown(reach_, none);
+  const std::vector<double> unknown(reach_, units::nan);
   push(unknown);
   masked_ = masked;
   if (in_.size() > 2 * reach_) compute();
@@ -164,7 +162,7 @@ void GeometryChain::mask() {
       const std::size_t first = q > reach_ + window ? q - reach_ - window : 0;
       if (q + window < reach_) continue;
       const std::size_t end = std::min(n, q + window - reach_ + 1);
-      for (std::size_t i = std::max(settled, first); i < end; ++i) out[i] = none;
+      for (std::size_t i = std::max(settled, first); i < end; ++i) out[i] = units::nan;
       settled = std::max(settled, end);
     }
   };

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "units/constants.hpp"
 #include "units/input_error.hpp"
@@ -10,7 +9,6 @@
 namespace railbook::filters {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 using Complex = std::complex<double>;
 
 // q(T), the solution of q'' + 2 s q' + p q = 0 with q(0) = 0, q'(0) = 1, its companion exp(-sT) cos (or cosh), and
@@ -69,7 +67,7 @@ Annihilator annihilator(const SecondOrderLowPass& f, double before, double after
   const double slow = slow_rate(f);
   if (slow * after > forgotten) return {0, 0, 1};
   if (slow * before > forgotten) {
-    if (f.damping < 1) return {none, none, none};
+    if (f.damping < 1) return {units::nan, units::nan, units::nan};
     const double split = 2 * f.omega * std::sqrt(f.damping * f.damping - 1);
     const double r = std::isinf(before) ? 0
                      : split == 0
@@ -80,7 +78,7 @@ Annihilator annihilator(const SecondOrderLowPass& f, double before, double after
   }
   const double s = f.damping * f.omega, p = f.omega * f.omega;
   if (f.damping < 1 && std::sqrt(p - s * s) * std::max(before, after) >= units::pi)
-    return {none, none, none};
+    return {units::nan, units::nan, units::nan};
   const Mode first = mode_at(s, p, before), second = mode_at(s, p, after);
   const double alpha = mode_at(s, p, before + after).q / first.q;
   const double e = std::exp(-s * before);
@@ -105,9 +103,10 @@ Annihilator approximate(double omega, double before, double after, Decay how) {
   const double first = decay(omega * before, how).a, second = decay(omega * after, how).a;
   const double r = std::isinf(before) ? 0 : after / before;
   if (!std::isfinite(first) || !std::isfinite(second) || !std::isfinite(r))
-    return {none, none, none};
+    return {units::nan, units::nan, units::nan};
   const double alpha = second * (1 + r), beta = first * second * r;
-  if (!(std::abs(alpha) < 1e300 && std::abs(beta) < 1e300)) return {none, none, none};
+  if (!(std::abs(alpha) < 1e300 && std::abs(beta) < 1e300))
+    return {units::nan, units::nan, units::nan};
   return {alpha, beta, 1 - alpha + beta};
 }
 
@@ -138,10 +137,10 @@ FirstOrderHybrid::FirstOrderHybrid(double corner, Decay how)
 
 double FirstOrderHybrid::push(double y, double T) {
   if (!possible_interval(T)) {
-    if (T == 0 && known_) return none;
+    if (T == 0 && known_) return units::nan;
     known_ = false;
   }
-  double u = none;
+  double u = units::nan;
   if (known_ && std::isfinite(y)) {
     const DecayPair d = decay(corner_ * T, how_);
     if (d.rest != 0 && std::isfinite(d.rest)) u = y + d.a * (y - last_) / d.rest;
@@ -162,10 +161,10 @@ SecondOrderHybrid::SecondOrderHybrid(const SecondOrderLowPass& filter,
 
 TwoIntervals SecondOrderHybrid::push(double y, double T) {
   if (!possible_interval(T)) {
-    if (T == 0 && known_ > 0) return {none, none, none};
+    if (T == 0 && known_ > 0) return {units::nan, units::nan, units::nan};
     known_ = 0;
   }
-  TwoIntervals out{none, T_, T};
+  TwoIntervals out{units::nan, T_, T};
   if (!std::isfinite(y)) {
     known_ = 0;
     return out;
@@ -189,7 +188,7 @@ TwoIntervals SecondOrderHybrid::push(double y, double T) {
 }
 
 double short_chord(const TwoIntervals& a, double step) {
-  if (!std::isfinite(a.mean) || std::isinf(a.T_before) || std::isinf(a.T_after)) return none;
+  if (!std::isfinite(a.mean) || std::isinf(a.T_before) || std::isinf(a.T_after)) return units::nan;
   return -0.5 * (0.5 * a.T_after * (a.T_before + a.T_after) * a.mean +
                  (a.T_after / a.T_before - 1) * step);
 }

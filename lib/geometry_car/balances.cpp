@@ -5,16 +5,16 @@
 //   yaw:      L yaw' - a(now) + a(when the rear truck's place was the front's) - sway'' of both ends, a the acceleration of the path
 //
 #include <cmath>
-#include <limits>
 
 #include "geometry_car/health_parts.hpp"
 #include "units/constants.hpp"
+#include "units/input_error.hpp"
 
 namespace railbook::geometry_car {
 namespace {
 
 constexpr double g = units::standard_gravity;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using units::nan;
 constexpr double slowest = 4.5;  // m/s: below, a row is too long for the filters' times
 
 // A sampled rate through the analog filter F; NaN until that has settled after a start or a gap.

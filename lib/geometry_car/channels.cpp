@@ -3,20 +3,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "filters/hybrid_filter.hpp"
 #include "geometry_car/health_parts.hpp"
 #include "units/constants.hpp"
+#include "units/input_error.hpp"
 
 namespace railbook::geometry_car {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using units::nan;
 constexpr std::size_t least_still = 40, most_still = 200;  // equal values in a row
 constexpr double narrow = 22e-3, wide = 45e-3;  // m, of gage: outside is no track in service
-constexpr double walking = 3;                   // m/s
+constexpr double brisk = 10;                    // m/s: slower, a body moves more between two rows
 
 struct Kind {
   bool filtered;  // twice, by F: smooth enough for fourth differences
@@ -29,8 +29,8 @@ struct Kind {
 Kind kind_of(const ChannelInfo& c) {
   if (c.filter == 2) return {true, 0.02, 0.03, "m/s^2", 1, 8};
   if (c.filter == 1)
-    return {false, 0.2 * units::degree, 0.2 * units::degree, "deg/s", units::degree, 8};
-  return {false, 2e-3, 1.5e-3, "mm", 1e-3, 3};
+    return {false, 0.4 * units::degree, 0.2 * units::degree, "deg/s", units::degree, 8};
+  return {false, 3e-3, 1.5e-3, "mm", 1e-3, 3};
 }
 
 struct Stretch {
@@ -77,9 +77,9 @@ Column differences(const Column& x, bool fourth) {
   return e;
 }
 
-// Places where a difference is out of all proportion to those about it. The first rows of a run are what they are; walking pace, where
-// the body comes to rest between two rows, explains more.
-std::vector<bool> outliers(const Column& e, const Column& T, double slow, double floor) {
+// Places where a difference is out of all proportion to those about it. The first rows of a run are what they are; a body's own
+// motion between rows grows with the square of the time, until at a walking pace it comes to rest there.
+std::vector<bool> outliers(const Column& e, const Column& T, double T_brisk, double floor) {
   constexpr std::size_t block = 128;
   std::vector<bool> out(e.size(), false);
   Column near;
@@ -94,7 +94,8 @@ std::vector<bool> outliers(const Column& e, const Column& T, double slow, double
       double longest = 0;
       for (std::size_t j = k - 2; j < std::min(e.size(), k + 3); ++j)
         longest = std::max(longest, T[j]);
-      const double allowed = longest > slow ? std::max(limit, 20 * floor) : limit;
+      const double share = std::clamp(std::pow(longest / T_brisk, 2), 1.0, 20.0);
+      const double allowed = std::max(limit, share * floor);
       out[k] = !std::isnan(e[k]) && std::abs(e[k]) > allowed;
     }
   }
@@ -138,7 +139,7 @@ void mask_jumps(const Run& run, const ChannelInfo& c, double sample, Record& rec
   const Column& x = run.values[channel];
   const double grain = coarseness(x);
   const auto out =
-      outliers(differences(x, kind.filtered), run.T, sample / walking,
+      outliers(differences(x, kind.filtered), run.T, sample / brisk,
                std::max((kind.filtered ? 3 : 1) * kind.jump, (kind.filtered ? 9 : 3) * grain));
   double moved = 0, largest = 0;  // of the zero since the run began
   const std::size_t gap = kind.filtered ? 4 : 2;
@@ -193,6 +194,33 @@ void examine_still(const ChannelInfo& c, Record& record, Health& health) {
                                fmt::format("{} rows without a change, masked", rows)});
 }
 
+// A converter at both of its ends: its largest and its smallest value each come ten times and more, and ten times as often as
+// the value next to them. An acceleration that has been filtered twice has no such crests.
+void examine_clipping(const ChannelInfo& c, Record& record, Health& health) {
+  if (c.filter != 2) return;
+  Column& x = record[c.channel];
+  Column sorted = x;
+  std::erase_if(sorted, [](double v) { return std::isnan(v); });
+  std::sort(sorted.begin(), sorted.end());
+  const auto piles = [](auto begin, auto end) {
+    const auto first = std::find_if(begin, end, [&](double v) { return v != *begin; });
+    if (first == end) return false;
+    const auto second = std::find_if(first, end, [&](double v) { return v != *first; });
+    return first - begin >= 10 && first - begin >= 10 * (second - first);
+  };
+  if (!piles(sorted.begin(), sorted.end()) || !piles(sorted.rbegin(), sorted.rend())) return;
+  const double low = sorted.front(), high = sorted.back();
+  std::size_t first = x.size(), rows = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (x[i] != low && x[i] != high) continue;
+    first = std::min(first, i);
+    ++rows;
+    x[i] = nan;
+  }
+  health.findings.push_back({Fault::still, std::string{c.name}, first, rows, high - low,
+                             fmt::format("{} rows at the ends of its range, masked", rows)});
+}
+
 // Of all rows: the mean of an accelerometer is gravity on a lean at most, and gage sensors read about zero.
 void examine_level(const Record& record, const Processing& p, Health& health) {
   using enum Channel;
@@ -235,7 +263,10 @@ void examine_level(const Record& record, const Processing& p, Health& health) {
 }  // namespace
 
 void examine_channels(Record& record, const Processing& p, Health& health) {
-  for (const ChannelInfo& c : channel_list()) examine_still(c, record, health);
+  for (const ChannelInfo& c : channel_list()) {
+    examine_still(c, record, health);
+    examine_clipping(c, record, health);
+  }
   std::array<Jumps, channels> found;
   std::size_t rejected = 0;
   for (Run& run : runs_of(record, p, rejected)) {

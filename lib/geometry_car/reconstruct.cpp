@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "geometry_car/run.hpp"
@@ -12,7 +11,7 @@
 namespace railbook::geometry_car {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using units::nan;
 
 }  // namespace
 

@@ -2,16 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "filters/complementary.hpp"
 #include "units/constants.hpp"
+#include "units/input_error.hpp"
 
 namespace railbook::geometry_car {
 namespace {
 
 constexpr double g = units::standard_gravity;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using units::nan;
 
 struct Attitude {
   Column body;   // roll of the car body, rad

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <complex>
 
 #include "units/constants.hpp"
 #include "units/input_error.hpp"
@@ -104,14 +105,21 @@ FilterTaps design_filter(const Envelope& envelope, const FilterDesign& design) {
   return result;
 }
 
-double end_effect(const FilterTaps& taps, double amplitude, double share) {
-  units::require_non_negative("amplitude", amplitude, "m");
-  double beyond = 0;  // the weights at this distance and more: what a unit step there does
-  for (std::size_t j = taps.half.size(); j-- > 0;) {
-    beyond += taps.half[j];
-    if (2 * amplitude * std::abs(beyond) > share) return static_cast<double>(j + 1) * taps.spacing;
+double end_effect(const FilterTaps& taps, const Envelope& envelope, double share) {
+  const double top = longest(envelope.descriptor());
+  constexpr int waves = 24;
+  std::size_t reach = 0;
+  for (int i = 0; i < waves; ++i) {
+    const double wave = top * std::pow(4 * taps.spacing / top, i / (waves - 1.0));
+    const double turn = 2 * units::pi * taps.spacing / wave;
+    const double twice = 2 * allowed_amplitude(envelope(1 / wave));
+    std::complex<double> beyond = 0;  // of the weights at this distance and more
+    for (std::size_t j = taps.half.size(); j-- > reach;) {
+      beyond += taps.half[j] * std::polar(1.0, turn * static_cast<double>(j));
+      if (twice * std::abs(beyond) > share) reach = j + 1;
+    }
   }
-  return 0;
+  return static_cast<double>(reach) * taps.spacing;
 }
 
 std::vector<double> filter_periodic(const Envelope& envelope, double spacing,

@@ -39,9 +39,9 @@ std::vector<double> impulse_response(const Envelope& envelope, double spacing, d
 // exceeds 10^6 samples or has fewer than 8.
 FilterTaps design_filter(const Envelope& envelope, const FilterDesign& design);
 
-// How far (m) from an end or a gap the continuation may change the descriptor by more than `share` of the limit, for a wave of
-// this amplitude (m): continued about its last sample, a short wave is shifted by up to twice its amplitude.
-double end_effect(const FilterTaps& taps, double amplitude, double share = 0.02);
+// How far (m) from an end or a gap its continuation may change the descriptor of a wave at the limit by more than `share`:
+// continued about its last sample, a wave has the wrong phase beyond it. Waves from four samples to the resonance.
+double end_effect(const FilterTaps& taps, const Envelope& envelope, double share = 0.03);
 
 // The record is one period of an endless track: the gain is exact at the record's own wavenumbers.
 std::vector<double> filter_periodic(const Envelope& envelope, double spacing,

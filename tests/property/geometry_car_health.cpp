@@ -140,6 +140,19 @@ TEST_CASE("geometry car: clean records raise no alarm", "[health]") {
   CHECK(alarms < 1);
 }
 
+TEST_CASE("geometry car: an accelerometer that clips is found", "[health]") {
+  for (const bool typical : {true, false}) {
+    const Journey clean = ride(60 * mph, typical);
+    for (const Channel c : {Channel::vertical_left, Channel::lateral})
+      expect(clean, "clips", std::string{channel_list()[static_cast<std::size_t>(c)].name},
+             [=](Record& r) {
+               double largest = 0;
+               for (const double v : r[c]) largest = std::max(largest, std::abs(v));
+               for (double& v : r[c]) v = std::clamp(v, -largest / 2, largest / 2);
+             });
+  }
+}
+
 TEST_CASE("geometry car: each sensor's faults are found, and no good row is wrong", "[health]") {
   for (const bool typical : {true, false}) {
     const Journey clean = ride(60 * mph, typical);
