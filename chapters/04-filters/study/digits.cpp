@@ -77,6 +77,7 @@ void digits(report::Item& item) {
           {"bias", "roll of a gyro's bias, two poles", "T 1e-8 to 300 s", plain, 1e-14}, kappas,
           [](double T) { return filters::gyro_bias_error(1, 0.5, 2, T); },
           [](Long T) { return 2 * T / std::expm1(T / 0.5L); })};
+  item.expect_checks(static_cast<int>(rows.size()));
   bench::digits_table(item, rows);
   item.added("not in the paper");
 }

@@ -40,6 +40,24 @@ double ramp_error(double before, double after) {
   return std::abs(u + after * filters::centroid_delay(corner * after)) / after;
 }
 
+// F's two modes and a constant, at random intervals: what G makes of it less the constant, over the rounding that its weights of 1/kappa^2 allow.
+report::Found random_intervals(bench::Draw& draw) {
+  const double omega = draw.decades(0.1, 100), damping = draw.decades(0.2, 5);
+  const double longest = draw.decades(1e-3, 3) / (omega * (1 + damping));
+  const std::complex<double> w = std::sqrt(std::complex<double>{damping * damping - 1});
+  const std::complex<double> p_1 = omega * (-damping + w), p_2 = omega * (-damping - w);
+  filters::SecondOrderHybrid g{{omega, damping}};
+  double t = 0, kappa = units::no_limit, mean = units::nan;
+  for (int k = 0; k < 3; ++k) {
+    const double T = longest * draw(0.1, 1);
+    t += T;
+    if (k > 0) kappa = std::min(kappa, omega * T);
+    mean = g.push(1 + (std::exp(p_1 * t) + std::exp(p_2 * t)).real(), T).mean;
+  }
+  return {fmt::format("ω = {:.3g} rad/s, ζ = {:.2g}, κ = {:.2g}", omega, damping, kappa),
+          std::abs(mean - 1) * kappa * kappa};
+}
+
 void intervals(report::Item& item) {
   const int cases = item.full() ? 20'000 : 1'000;
   item.stability(
@@ -74,24 +92,6 @@ void intervals(report::Item& item) {
                      const double e = ramp_error(c.before, c.after);
                      return report::Found{fmt::format("off by {:.0e} of the interval", e), e};
                    });
-}
-
-// F's two modes and a constant, at random intervals: what G makes of it less the constant, over the rounding that its weights of 1/kappa^2 allow.
-report::Found random_intervals(bench::Draw& draw) {
-  const double omega = draw.decades(0.1, 100), damping = draw.decades(0.2, 5);
-  const double longest = draw.decades(1e-3, 3) / (omega * (1 + damping));
-  const std::complex<double> w = std::sqrt(std::complex<double>{damping * damping - 1});
-  const std::complex<double> p_1 = omega * (-damping + w), p_2 = omega * (-damping - w);
-  filters::SecondOrderHybrid g{{omega, damping}};
-  double t = 0, kappa = units::no_limit, mean = units::nan;
-  for (int k = 0; k < 3; ++k) {
-    const double T = longest * draw(0.1, 1);
-    t += T;
-    if (k > 0) kappa = std::min(kappa, omega * T);
-    mean = g.push(1 + (std::exp(p_1 * t) + std::exp(p_2 * t)).real(), T).mean;
-  }
-  return {fmt::format("ω = {:.3g} rad/s, ζ = {:.2g}, κ = {:.2g}", omega, damping, kappa),
-          std::abs(mean - 1) * kappa * kappa};
 }
 
 // The largest difference of two chords where both are known, and how many the second lacks.
@@ -238,8 +238,8 @@ void car(report::Item& item) {
         Record r = clean;
         auto& a = r[Channel::vertical_left];
         double largest = 0;
-        for (const double v : a) largest = std::max(largest, std::abs(v));
-        for (double& v : a) v = std::clamp(v, -largest / 2, largest / 2);
+        for (const double value : a) largest = std::max(largest, std::abs(value));
+        for (double& value : a) value = std::clamp(value, -largest / 2, largest / 2);
         return judged(r);
       });
   row("car-step", "car: an accelerometer's zero steps by 0.15 m/s²", "as braking does", [&] {
