@@ -91,7 +91,7 @@ double shortest_wave(const IndexWish& wish, const quality::Descriptor& d, double
 // All that is made of one record as it streams by, at the spacing that its first positions show.
 struct Run {
   std::unique_ptr<const spectra::RecordStream> record;
-  double spacing = 0, shortest = 0;
+  double spacing = 0, shortest = 0, margin = 0;
   quality::FilterTaps taps;
   std::optional<quality::IndexBuilder> builder;
 };
@@ -106,12 +106,13 @@ Run run_record(const IndexWish& wish, const quality::Descriptor& d,
     run.shortest = shortest_wave(wish, d, run.spacing);
     run.taps = quality::design_filter(quality::Envelope{d},
                                       {.spacing = run.spacing, .shortest = run.shortest});
+    run.margin = unsure_margin(d, run.taps);
     run.builder.emplace(
         quality::IndexOptions{.spacing = run.spacing,
                               .threshold = wish.threshold,
                               .place = [&known](std::size_t i) { return known->places().at(i); },
                               .segment = wish.segment,
-                              .margin = resonant_wave(d)});
+                              .margin = run.margin});
     stream.emplace(run.taps, [&](std::span<const double> p) {
       run.builder->push(p);
       channel.push(p, known->places());
@@ -138,7 +139,7 @@ std::vector<tool::Row> rows_of(const IndexWish& wish, const quality::Descriptor&
     one.record.columns = {column};
     Channel none{nullptr};
     const Run run = run_record(one, d, file, none);
-    const auto found = places(*run.builder, *run.record, d, run.spacing);
+    const auto found = places(*run.builder, *run.record, d, run.spacing, run.margin);
     add_rows(rows, {one, d, *run.record, run.taps, run.shortest, *run.builder, found}, column);
   }
   return rows;
@@ -157,7 +158,7 @@ void index_track(const IndexWish& wish) {
   Channel channel{&out};
   const Run run = run_record(wish, d, wish.record.batch.only(), channel);
   const spectra::RecordStream& record = *run.record;
-  const auto found = places(*run.builder, record, d, run.spacing);
+  const auto found = places(*run.builder, record, d, run.spacing, run.margin);
   const IndexAnswer answer{wish, d, record, run.taps, run.shortest, *run.builder, found};
   const tool::Summary summary = summary_of(answer);
   summary.print();

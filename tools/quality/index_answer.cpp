@@ -11,19 +11,20 @@
 
 namespace railbook::quality_tool {
 
-double resonant_wave(const quality::Descriptor& d) {
-  return d.speed / (d.stroke ? d.stroke->suspension.frequency : suspension(d.force->car).frequency);
+double unsure_margin(const quality::Descriptor& d, const quality::FilterTaps& taps) {
+  const auto& own = d.stroke ? d.stroke->suspension : suspension(d.force->car);
+  return std::max(d.speed / own.frequency, quality::end_effect(taps, quality::Envelope{d}));
 }
 
 std::vector<Place> places(const quality::IndexBuilder& builder, const spectra::RecordStream& record,
-                          const quality::Descriptor& d, double spacing) {
+                          const quality::Descriptor& d, double spacing, double margin) {
   std::vector<Place> result;
   for (const quality::Exceedance& e : builder.exceedances()) {
     const double phi = 1 / std::max(e.wavelength, e.length);  // a lone sample has no wavelength
     const bool force = d.force && (!d.stroke || severity(*d.force, d.speed, phi) >
                                                     severity(*d.stroke, d.speed, phi));
     result.push_back({e, record.places().at(static_cast<std::size_t>(std::lround(e.at / spacing))),
-                      e.cut || e.clear < resonant_wave(d), force ? "wheel force" : "stroke"});
+                      e.cut || e.clear < margin, force ? "wheel force" : "stroke"});
   }
   return result;
 }

@@ -32,13 +32,15 @@ struct Place {
   const char* limit = "";
 };
 
-// The wavelength of the resonance at posted speed, m.
-double resonant_wave(const railbook::quality::Descriptor& d);
+// Beyond this distance (m) from an end or a gap a wave within the limit is not taken for one beyond it: the wavelength of the
+// resonance at posted speed, or more.
+double unsure_margin(const railbook::quality::Descriptor& d,
+                     const railbook::quality::FilterTaps& taps);
 
-// `spacing`: the builder's.
+// `spacing` and `margin`: the builder's.
 std::vector<Place> places(const railbook::quality::IndexBuilder& builder,
                           const spectra::RecordStream& record,
-                          const railbook::quality::Descriptor& d, double spacing);
+                          const railbook::quality::Descriptor& d, double spacing, double margin);
 
 struct IndexAnswer {
   const IndexWish& wish;
