@@ -46,34 +46,34 @@ const std::vector<std::string> columns{"V_ft_per_s",  "A_in",       "stable_in",
                                        "unstable_in", "neutral_in", "omega"};
 
 enum Kind { stable, unstable, neutral };
-Kind kind(const CyclePoint& p) {
-  return p.neutral ? neutral : p.stable ? stable : unstable;
+struct Dot {
+  double speed, amplitude, omega;
+  Kind kind;
+};
+Dot dot(const CyclePoint& p) {
+  return {p.motion.speed, p.largest, p.motion.lambda.imag(),
+          p.neutral  ? neutral
+          : p.stable ? stable
+                     : unstable};
 }
-Kind kind(const LimitCycle& p) {
-  return p.neutral ? neutral : p.stable ? stable : unstable;
-}
-double speed(const CyclePoint& p) {
-  return p.motion.speed;
-}
-double speed(const LimitCycle& p) {
-  return p.parameter;
-}
-double omega(const CyclePoint& p) {
-  return p.motion.lambda.imag();
-}
-double omega(const LimitCycle& p) {
-  return p.cycle.omega;
+Dot dot(const LimitCycle& p) {
+  return {p.parameter, p.largest, p.cycle.omega,
+          p.neutral  ? neutral
+          : p.stable ? stable
+                     : unstable};
 }
 
 // One column a kind of line; a line to the next point is of this point's kind.
 template <class Point>
 void draw_branch(report::Data& data, const std::vector<Point>& points) {
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const auto& p = points[k];
-    const Kind here = kind(p), before = k > 0 ? kind(points[k - 1]) : here;
-    const double a = p.largest / inch;
-    const auto in = [&](Kind line) { return here == line || before == line ? a : nan; };
-    data.add(speed(p) / foot, a, in(stable), in(unstable), in(neutral), omega(p));
+  Kind before = dot(points.front()).kind;
+  for (const Point& point : points) {
+    const Dot p = dot(point);
+    const auto in = [&](Kind line) {
+      return p.kind == line || before == line ? p.amplitude / inch : nan;
+    };
+    data.add(p.speed / foot, p.amplitude / inch, in(stable), in(unstable), in(neutral), p.omega);
+    before = p.kind;
   }
 }
 

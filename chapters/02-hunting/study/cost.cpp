@@ -190,7 +190,7 @@ void multiplier_time(report::Item& item) {
       bench::sweep("differences", std::vector<double>{1e-6, 1e-8, 1e-10, 1e-12},
                    [&](double t) { return by_differences(c, t); })
           .counts("evaluations"),
-      bench::sweep("variational equation", {64, 128, 256, 512, 1024, 2048},
+      bench::sweep("variational equation", {512, 1024, 2048, 4096},
                    [&](int n) { return by_variation(c, n); })
           .counts("steps")
           .expects(-2),
