@@ -119,7 +119,7 @@ void rows(report::Item& item) {
   item.claim("accurate", "creep is accurate to 0.0005, errors being independent", t.rms <= 0.0005,
              fmt::format("{:.6f}", t.rms));
   item.refute("upper-bound", "0.0005 is an upper bound for the error of the creep",
-              t.worst > 0.0006, fmt::format("all errors together make {:.6f}", t.worst));
+              t.worst > 0.00055, fmt::format("all errors together make {:.6f}", t.worst));
   item.agree("worst", "errors that conspire", "", t.worst, largest_by_corners(nominal, error), 1e-3,
              "equation (1) at the corners of the errors");
 

@@ -5,8 +5,7 @@ If $\mu/\mu_c$ depends on $X=G\,ab\,\xi/\mu_cN$ only, then at the same load, fri
 area is constant: a worn wheel with a larger contact creeps less. How exact is that law?
 
 **Exact part.** With the same axis ratio, Poisson's ratio and friction law, the full theory has no other variable than $X$
-(and Carter's plane theory as well, where $\xi a=4\mu PX/\pi E^*$ contains no radius). Both radii doubled at constant load:
-the friction at the same product differs by rounding.
+{{outcome:table-law/scale}}, and in Carter's plane theory $\xi a=4\mu PX/\pi E^*$ contains no radius at all {{outcome:table-law/carter}}.
 
 **Inexact part.** Wear does not enlarge the contact that way. It flattens the profile of the small wheel and leaves its
 rolling radius: the contact grows across, the ellipse becomes rounder and then wide, and Kalker's coefficient falls with $a/b$.
@@ -15,12 +14,12 @@ rolling radius: the contact grows across, the ellipse becomes rounder and then w
 
 {{fig-law}}
 
-With a profile {{flatter}} times as flat the area grows by {{area-moderate}} and the product rises by {{rise-moderate}}: taken as "the
-product is constant", the law holds to five percent, and so does the paper's habit of changing the wheel when the ellipse no
-longer has its ratio. But taken as "creep falls as the area grows" it promises twice too much: the creep falls by
-{{creep-moderate}} only. With a profile three times as flat the product is off by {{rise-worst}}. Most of that is the initial
-slope: the ratio of the computed coefficients $C_{11}$ alone gives {{rise-slope}}. The law is about a contact that grows alike in
-both directions, and wear that does that must act on the rolling radius, too, or roughen the surface.
+With a profile {{flatter}} times as flat the area grows by {{area-moderate}} and the product rises by {{rise-moderate}}: the law as it is stated
+is not confirmed, since the change is many times what the computation can be wrong by {{outcome:table-law/always}}. But
+no rig could see it: at the creep that Appendix B prints, even the {{rise-worst}} of a profile three times as flat is a change of {{rise-seen}}, below the 0.0005 to which the
+paper's creep is accurate {{outcome:table-law/resolution}}. Most of the rise is the initial slope: the ratio of the computed coefficients $C_{11}$ alone gives
+{{rise-slope}}. The paper changed its wheels when the ellipse lost its ratio of axes; with that ratio kept the law is exact, but wear that enlarges the contact so
+must act on the rolling radius too, or roughen the surface.
 */
 
 #include <fmt/format.h>
@@ -30,9 +29,8 @@ both directions, and wear that does that must act on the rolling radius, too, or
 
 #include "num/roots.hpp"
 #include "rig.hpp"
-#include "rolling/carter.hpp"
 #include "rolling/kalker_coefficients.hpp"
-#include "rolling/theory.hpp"
+#include "rolling/rolling_contact.hpp"
 #include "sections.hpp"
 
 using namespace railbook;
@@ -41,88 +39,96 @@ using namespace railbook::creep_chapter;
 
 namespace {
 
-constexpr double friction = 0.3;
-constexpr double profile_factors[] = {1, 1.25, 1.5, 1.966, 3};
-constexpr double shares[] = {0.25, 0.5, 0.8};
+constexpr double law_friction = 0.3;
+constexpr double used_shares[] = {0.25, 0.5, 0.8};
 
-rolling::RollingCase rolling(const contact::HertzContact& c, double creep) {
-  return {.a = c.a,
-          .b = c.b,
-          .load = c.force,
-          .shear_modulus = shear_modulus,
-          .poisson = poisson,
-          .friction = friction,
-          .creepage = {creep, 0, 0}};
-}
-
-// Creep times area [m^2] at which the contact uses `share` of its friction.
-double product(const contact::HertzContact& c, const Solver& full, double share) {
-  const double unit = friction * c.force / (shear_modulus * c.a * c.b);
-  const auto miss = [&](double x) {
-    return full(rolling(c, x * unit)).fx / (friction * c.force) - share;
-  };
-  return num::find_root(miss, 1e-6, 1, 1e-9).x * unit * units::pi * c.a * c.b;
+// Creep times area [m^2] at which the contact uses each of the shares of its friction.
+struct Products {
+  double at[3];
+};
+Products products(const contact::HertzContact& c, Eigen::Index cells) {
+  const EllipseRolling full(c.a / c.b, poisson, {.along = cells, .rows = cells / 2});
+  const RollingCase at_rest{.a = c.a,
+                            .b = c.b,
+                            .load = c.force,
+                            .shear_modulus = shear_modulus,
+                            .poisson = poisson,
+                            .friction = law_friction,
+                            .creepage = {}};
+  Products p{};
+  for (int k = 0; k < 3; ++k) {
+    const auto miss = [&](double x) {
+      return full.solve(with_reduced_creepage(at_rest, {x, 0, 0})).fx / (law_friction * c.force) -
+             used_shares[k];
+    };
+    const double unit = law_friction * c.force / (shear_modulus * c.a * c.b);
+    p.at[k] = num::find_root(miss, 1e-6, 1, 1e-9).x * unit * units::pi * c.a * c.b;
+  }
+  return p;
 }
 
 void law(report::Item& item) {
-  item.columns(
-      {"profile radius", "a/b", "area, mm²", "ξA for µ/µ_c = 0.25", "0.5", "0.8", "by C11 alone"});
+  item.columns({"profile radius",
+                {"a/b", "{:.3f}"},
+                {"area, mm²", "{:.3f}"},
+                {"rise of ξA for µ/µ_c = 0.25, %", "{:+.1f}"},
+                {"0.5, %", "{:+.1f}"},
+                {"0.8, %", "{:+.1f}"},
+                {"by C11 alone, %", "{:+.1f}"}});
   item.rebuilt("material and profile radius are not printed; those used are stated above");
   const auto other = item.printed("contact.csv");
   item.expect_checks(16);
-  double base[3] = {}, slope = 0, area = 0, moderate = 0, most = 0;
-  for (const double factor : profile_factors) {
+  const auto fresh = rig_contact(paper_load, profile_radius(true));
+  const Products base = products(fresh, 24);
+  const auto slope = [](const contact::HertzContact& c) {
+    return kalker_coefficients(c.a / c.b, poisson).c11;
+  };
+  double least = 1, most = 0;
+  for (const double factor : {1.0, 1.25, 1.5, 1.966, 3.0}) {
     const auto c = rig_contact(paper_load, factor * profile_radius(true));
-    const Solver full = solver("full", c.a / c.b, poisson, 24);
-    const double c11 = rolling::kalker_coefficients(c.a / c.b, poisson).c11;
-    if (factor == 1) slope = c11, area = c.a * c.b;
-    std::vector<std::string> cells{fmt::format("× {:g}", factor), fmt::format("{:.3f}", c.a / c.b),
-                                   fmt::format("{:.3f}", units::pi * c.a * c.b / 1e-6)};
+    const Products now = products(c, 24);
+    const auto rise = [&](int k) { return now.at[k] / base.at[k] - 1; };
+    const double by_slope = slope(fresh) / slope(c) - 1;
+    item.add_row(fmt::format("× {:g}", factor), c.a / c.b, units::pi * c.a * c.b / 1e-6,
+                 100 * rise(0), 100 * rise(1), 100 * rise(2), 100 * by_slope);
+    if (factor == 1) continue;
+    const std::string key = fmt::format("x{:g}", factor);
     for (int k = 0; k < 3; ++k) {
-      const double now = product(c, full, shares[k]);
-      if (factor == 1) base[k] = now;
-      cells.push_back(fmt::format("{:+.1f} %", 100 * (now / base[k] - 1)));
-      if (factor == 1) continue;
-      (factor == 1.25 ? moderate : most) =
-          std::max(factor == 1.25 ? moderate : most, now / base[k] - 1);
-      const std::string key = fmt::format("x{:g}", factor);
+      least = std::min(least, rise(k)), most = std::max(most, rise(k));
       const double reference =
-          report::printed_number(other.at(key, fmt::format("rise_{:g}", 100 * shares[k])));
-      item.agree(fmt::format("{}-{:g}", key, 100 * shares[k]),
-                 fmt::format("ξA at {:g} of the friction, profile × {:g}", shares[k], factor), "",
-                 now / base[k], 1 + reference / 100, 0.005,
+          report::printed_number(other.at(key, fmt::format("rise_{:g}", 100 * used_shares[k])));
+      item.agree(fmt::format("{}-{:g}", key, 100 * used_shares[k]),
+                 fmt::format("ξA at {:g} of the friction, profile × {:g}", used_shares[k], factor),
+                 "", 1 + rise(k), 1 + reference / 100, 0.005,
                  "the program CONTACT on 45 x 45 cells, uncertain by 0.003");
-      if (k == 1 && factor == 1.25) {
-        item.value("rise-moderate", 100 * (now / base[k] - 1), "%", "{:.1f}");
-        item.value("creep-moderate", 100 * (1 - now / base[k] * area / (c.a * c.b)), "%", "{:.1f}");
-        item.value("flatter", factor, "", "{:g}");
-        item.value("area-moderate", 100 * (c.a * c.b / area - 1), "%", "{:.1f}");
-      }
-      if (k == 1 && factor == 3) item.value("rise-worst", 100 * (now / base[k] - 1), "%", "{:.0f}");
     }
-    cells.push_back(fmt::format("{:+.1f} %", 100 * (slope / c11 - 1)));
-    if (factor == 3) item.value("rise-slope", 100 * (slope / c11 - 1), "%", "{:.0f}");
-    item.add_row(cells);
+    if (factor == 1.25) {
+      item.value("rise-moderate", 100 * rise(1), "%", "{:.1f}");
+      item.value("flatter", factor, "", "{:g}");
+      item.value("area-moderate", 100 * (c.a * c.b / (fresh.a * fresh.b) - 1), "%", "{:.1f}");
+    } else if (factor == 3) {
+      item.value("rise-worst", 100 * rise(1), "%", "{:.0f}");
+      item.value("rise-slope", 100 * by_slope, "%", "{:.0f}");
+    }
   }
-  item.claim("moderate", "creep times area is constant, to five percent under moderate wear",
-             moderate < 0.05, fmt::format("rises by {:.1f} %", 100 * moderate));
-  item.refute(
-      "always", "creep times area is constant whatever the wear", most > 0.15,
-      fmt::format("rises by {:.0f} % as the profile wears three times as flat", 100 * most));
+  item.value("rise-seen", most * printed_creep, "", "{:.5f}");
+  item.claim("resolution",
+             "creep times area is constant, as far as creep accurate to 0.0005 can tell",
+             most * printed_creep < 0.0005,
+             fmt::format("at the printed creep the change is {:.5f}", most * printed_creep));
+  item.refute("always", "the product of the creep and the area of contact must be a constant",
+              least > 0.005,
+              fmt::format("rises by {:.0f} to {:.0f} % as the profile wears flat, computed to 0.5",
+                          100 * least, 100 * most));
   // The exact part: both radii doubled, the same load and creep times area.
-  const double creep = 0.0024;
-  const auto small = rig_contact(paper_load, profile_radius(true));
   const auto large = contact::hertz_from_force(
       {.a = 0.25 / rolling_radius, .b = 0.25 / profile_radius(true)}, modulus(), paper_load);
-  const double same = creep * small.a * small.b / (large.a * large.b);
-  item.agree("scale", "friction with both radii doubled, at the same creep times area", "",
-             solver("full", large.a / large.b, poisson, 24)(rolling(large, same)).fx,
-             solver("full", small.a / small.b, poisson, 24)(rolling(small, creep)).fx, 1e-9,
-             "the rig itself");
-  // Carter: a^2 = 4 P R/(pi E*) for a load P per width; xi = X mu a/R.
+  item.agree("scale", "creep times area for half of the friction, both radii doubled", "m^2",
+             products(large, 24).at[1], base.at[1], 1e-7, "the rig itself");
+  // Carter: a^2 = 4 P R/(pi E*) for a load P per width; xi = X mu a/R, and X = 1 - sqrt(1 - Q/mu P).
   const auto carter_product = [](double radius) {
     const double load = 1e5, a = std::sqrt(4 * load * radius / (units::pi * modulus()));
-    return rolling::carter_creepage(0.64) * friction * a / radius * a;
+    return (1 - std::sqrt(1 - 0.64)) * law_friction * a / radius * a;
   };
   item.claim("carter", "the law is implied in Carter's analysis",
              std::abs(carter_product(0.2) / carter_product(0.1) - 1) < 1e-12,
@@ -131,19 +137,14 @@ void law(report::Item& item) {
 
 void law_figure(report::Item& item) {
   auto& lines = item.data({"area", "creep_constant", "creep_25", "creep_50", "creep_80"});
-  double base[3] = {}, area = 0;
+  const auto fresh = rig_contact(paper_load, profile_radius(true));
+  const Products base = products(fresh, 12);
   for (int i = 0; i <= 12; ++i) {
     const auto c = rig_contact(paper_load, (1 + i / 6.0) * profile_radius(true));
-    const Solver full = solver("full", c.a / c.b, poisson, 12);
-    double creep[3];
-    if (i == 0) area = c.a * c.b;
-    const double grown = c.a * c.b / area;
-    for (int k = 0; k < 3; ++k) {
-      creep[k] = product(c, full, shares[k]) / (c.a * c.b);
-      if (i == 0) base[k] = creep[k];
-      creep[k] /= base[k];
-    }
-    lines.add(grown, 1 / grown, creep[0], creep[1], creep[2]);
+    const Products now = products(c, 12);
+    const double grown = c.a * c.b / (fresh.a * fresh.b);
+    const auto creep = [&](int k) { return now.at[k] / base.at[k] / grown; };
+    lines.add(grown, 1 / grown, creep(0), creep(1), creep(2));
   }
   item.added("the paper refers to another report for its check of the law");
 }

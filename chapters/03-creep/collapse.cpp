@@ -28,9 +28,8 @@ figure has both scales; without its own axis we cannot tell which one the paper 
 #include <algorithm>
 #include <cmath>
 
+#include "curve.hpp"
 #include "experiment.hpp"
-#include "full.hpp"
-#include "master_curve.hpp"
 #include "rig.hpp"
 #include "rolling/creep_laws.hpp"
 #include "sections.hpp"
@@ -41,16 +40,12 @@ using namespace railbook::creep_chapter;
 
 namespace {
 
-constexpr const char* lost =
-    "the paper's measured points are lost; these are synthetic, made from the theory and the "
-    "stated errors";
-
-// mu/mu_c over X, the area Hertz's times `factor` of the test.
+// mu/mu_c over X, with Hertz's area or the measured one.
 struct Reduced {
   double x, share;
 };
-std::vector<Reduced> reduce(const Test& test, double factor) {
-  const double friction = average(test).friction;
+std::vector<Reduced> reduce(const Test& test, bool measured_area) {
+  const double friction = average(test).friction, factor = measured_area ? test.area_measured : 1;
   std::vector<Reduced> all;
   for (const Point& p : test.points)
     all.push_back({factor * hertz_group(test.load) * p.creep / friction, p.mu / friction});
@@ -61,7 +56,7 @@ double scatter(bool measured_area) {
   double sum = 0;
   int count = 0;
   for (const Test& test : tests())
-    for (const auto& [x, share] : reduce(test, measured_area ? test.area_measured : 1.0)) {
+    for (const auto& [x, share] : reduce(test, measured_area)) {
       sum += std::pow(share - master_curve(x), 2);
       ++count;
     }
@@ -71,29 +66,19 @@ double scatter(bool measured_area) {
 void dimensionless(report::Item& item, bool measured_area) {
   auto& curves = item.data({"x", "full", "fastsim", "vermeulen_johnson"});
   auto& points = item.data("points", {"x_1", "f_1", "x_2", "f_2", "x_3", "f_3", "x_4", "f_4"});
-  const rolling::RollingCase unit = unit_case();
   for (int i = 0; i <= 250; ++i) {
-    auto c = unit;
-    c.creepage.longitudinal = 1.25 * i / 250;
-    curves.add(c.creepage.longitudinal, master_curve(c.creepage.longitudinal),
-               rolling::creep_forces(rolling::Theory::fastsim, c).fx,
-               rolling::creep_forces(rolling::Theory::vermeulen_johnson, c).fx);
+    const double x = 1.25 * i / 250;
+    const auto c = with_reduced_creepage(rolling::unit_case(axis_ratio, poisson), {x, 0, 0});
+    curves.add(x, master_curve(x), creep_forces(Theory::fastsim, c).fx,
+               creep_forces(Theory::vermeulen_johnson, c).fx);
   }
   std::vector<std::vector<Reduced>> all;
-  for (const Test& test : tests())
-    all.push_back(reduce(test, measured_area ? test.area_measured : 1.0));
+  for (const Test& test : tests()) all.push_back(reduce(test, measured_area));
   for (std::size_t k = 0; k < all[0].size(); ++k)
     points.add(all[0][k].x, all[0][k].share, all[1][k].x, all[1][k].share, all[2][k].x,
                all[2][k].share, all[3][k].x, all[3][k].share);
   item.script("dimensionless.gp");
-  item.rebuilt(lost);
-}
-
-void by_hertz(report::Item& item) {
-  dimensionless(item, false);
-}
-void by_measurement(report::Item& item) {
-  dimensionless(item, true);
+  item.rebuilt(synthetic);
 }
 
 void four_tests(report::Item& item) {
@@ -123,7 +108,7 @@ void four_tests(report::Item& item) {
                mean.area_factor, test.area_factor, 0.15,
                "the area put in, through 28 points with the stated errors");
   }
-  item.rebuilt(lost);
+  item.rebuilt(synthetic);
   item.value("spread-hertz", 100 * (high[0] / low[0] - 1), "%", "{:.0f}");
   item.value("spread-true", 100 * (high[1] / low[1] - 1), "%", "{:.0f}");
   item.value("rms-hertz", scatter(false), "", "{:.3f}");
@@ -135,7 +120,7 @@ void four_tests(report::Item& item) {
 
 const report::Section creep_chapter::collapse{
     report::figure("fig-11-hertz", "The dimensionless curve with Hertz's area (synthetic)",
-                   by_hertz),
+                   [](report::Item& item) { dimensionless(item, false); }),
     report::figure("fig-11", "The dimensionless curve with the measured area (synthetic)",
-                   by_measurement),
+                   [](report::Item& item) { dimensionless(item, true); }),
     report::table("table-collapse", "Four tests on one curve", four_tests)};

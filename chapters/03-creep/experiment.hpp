@@ -5,6 +5,11 @@
 
 namespace railbook::creep_chapter {
 
+// Why an item with them is rebuilt.
+inline constexpr const char* synthetic =
+    "the paper's measured points are lost; these are synthetic, made from the theory and the "
+    "stated errors";
+
 struct Point {
   double creep = 0;
   double mu = 0;

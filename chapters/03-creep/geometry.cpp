@@ -13,9 +13,10 @@ The text does not say which. The major axis is taken along rolling: a locomotive
 long axis along the rail, with a ratio of {{locomotive-ratio}}, and a profile of {{profile-along-inch}} fits a wheel of 8 in better than
 one of {{profile-across-inch}}. The area depends on the choice; the dimensionless curve depends on it through Kalker's coefficient.
 
-The small wheel "simulates" a locomotive's, the big one is of "steel typical of rail material"; no modulus is printed. Used here: $E$ = 207 GPa, $\nu$ = 0.3. A journal listing of the
-paper names stresses "up to approximately 200,000 psi", which our copy does not. As the largest pressure that is {{load-200-peak}}, less than the
-printed 4449.72 N, which gives {{peak-1000}}; as the mean pressure it is {{load-200-mean}}.
+No modulus is printed: the big wheel is of "steel typical of rail material". Used here: $E$ = 207 GPa, $\nu$ = 0.3. The publisher's summary, which our
+copy lacks but for its end, adds a "1070 plain carbon steel" for the small wheel and stresses "up to approximately 200,000 psi". Read as the largest pressure at the centre of the
+ellipse that is a load of {{load-200-peak}}, less than the 4449.72 N of Appendix B, which give {{peak-1000}}; read as the mean pressure it is {{load-200-mean}}. With the printed
+load only the second reading agrees, or a 200 that is rounded.
 */
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 
 ::: findings
 1. "In order to obtain a single curve it is necessary to utilize the actual area of contact rather than the theoretical one." Result: not testable on the points, which are lost to us; the one reading that is printed supports it, since it needs {{factor-least}} times Hertz's area or more. {{outcome:fig-state/true-area}}
-2. "The product of the creep and the area of contact must be a constant." Result: exact if the contact grows alike in both directions; while only the profile wears flat it rises by {{rise-moderate}} as the area grows by {{area-moderate}}, and by {{rise-worst}} at three times the radius. {{outcome:table-law/moderate}} {{outcome:table-law/always}}
+2. "The product of the creep and the area of contact must be a constant." Result: exact if the contact grows alike in both directions; while only the profile wears flat it rises, by {{rise-moderate}} as the area grows by {{area-moderate}} and by {{rise-worst}} at three times the radius, which the rig could not have seen. {{outcome:table-law/always}} {{outcome:table-law/resolution}}
 3. "The values of creep can be considered accurate to 0.0005", an upper bound. Result: {{xi-rss}} as independent errors, {{xi-conspire}} at worst; the printed sum lets them cancel. {{outcome:table-appendix-a/accurate}} {{outcome:table-appendix-a/upper-bound}}
 :::
 
@@ -37,17 +37,11 @@ is*, enlarged by wear, they fall on one curve, the one that Kalker's theory pred
 
 {{include: full_curve.cpp}}
 
-{{include: tractions.cpp}}
-
-{{include: theories.cpp}}
-
 {{include: collapse.cpp}}
 
 {{include: state.cpp}}
 
 {{include: area_law.cpp}}
-
-{{include: master_curve.cpp}}
 
 ## Deviations
 
@@ -59,29 +53,35 @@ is*, enlarged by wear, they fall on one curve, the one that Kalker's theory pred
 * **Friction falls with the load "as predicted"** for small creep; the largest friction is not predicted at all. {{outcome:fig-08/trend}} {{outcome:fig-08/largest}}
 * **Creep times area** is constant only if the contact keeps its shape. {{outcome:table-law/always}}
 * **Replica and contact** are not similar for smooth wheels and a tape that gives way freely: (7) loses {{loss-10}} at 10 µm. {{outcome:table-replica/similitude}}
-* **Full axes or semi-axes.** The nomenclature makes the abscissa of Figure 11 four times that of the theory it is compared with. One of the two must have been converted; the paper does not say which.
-* **Vermeulen and Johnson**, cited beside Kalker, start {{vj-excess}} too steep. With the scatter of {{fig-11}} no such experiment could tell their curve from his.
-* **Finishes of 20 and 15 µm**, after polishing with 400 grit, are likely microinches.
+
+Not decided: the nomenclature calls $a$ and $b$ axes, which makes the abscissa of Figure 11 four times that of the theory it is compared with; one of the two must have been
+converted, and the paper does not say which. Finishes of "20 µm" and "15 µm" after polishing with 400 grit are likely microinches.
 
 Lost: the measured points and average curves of Figures 3 to 8 and 11, the areas of Figures 9 and 10, three of the four loads, the tracks' widths and the factors $C$, $\mu_c$, and the shear modulus used.
 
 ## Limits
 
+What the curve costs by each theory, what the error estimates are worth, and where the solver stops is on the [second page](03-creep-study.html). {{curve-answer}} Of random cases {{estimates/covered}} are
+within the error that the full theory states.
+
 The full theory is that of two elastic half-spaces of one material, with Coulomb's friction at one coefficient, in steady state.
 The rig's contact is {{contact-share}} of the small wheel's profile radius wide, which half-spaces bear. A worn wheel is neither
-elliptic nor smooth, and the "true area" of the paper puts all of that into one number. A largest pressure of some 1500 MPa, with
-0.3 of it as traction, is more than most wheel steels bear elastically; the paper says itself that its contacts deformed plastically. Real friction
+elliptic nor smooth, and the "true area" of the paper puts all of that into one number. A pressure of {{peak-1000}},
+with 0.3 of it as traction, is more than most wheel steels bear elastically; the paper says itself that its contacts deformed plastically. Real friction
 falls at large creep, with speed and heat; no curve here does.
-
-Of the fast theories, linear and Vermeulen-Johnson know no bound or no spin; Shen-Hedrick-Elkins and Polach are for small spin; the strips are without. Only FASTSIM and the full
-theory take everything. All but the full theory need Kalker's coefficients, from his table for $0.1\le a/b\le10$, or computed.
 
 ## Try next
 
 * `railbook creep curve` with `--theory fastsim` and `--theory full` for your own wheel: where do they differ most?
 * Let the friction fall with the slip, $\mu(s)$, in the full theory: the curve gets its maximum, and the rig becomes unstable beyond it.
-* Let the rolling radius wear as well and look when creep times area really stays constant.
 * `railbook creep table` with twice the nodes: does its error fall by four?
+
+## Works named
+
+The paper: *Journal of Engineering for Industry* 101(3), August 1979, [doi:10.1115/1.3439508](https://doi.org/10.1115/1.3439508). Of its own references those
+named here are Kalker [13], Vermeulen and Johnson [18], Carter [19] and Poritsky [20]; our scan ends before the list. Carter's "On the action of a locomotive driving wheel", *Proceedings of the
+Royal Society* A 112 (1926), p. 151, was found in listings; the theory computed is that of Kalker, *Three-Dimensional Elastic Bodies in Rolling Contact*, Kluwer, Dordrecht 1990, and its FASTSIM that of *Vehicle
+System Dynamics* 11 (1982), pp. 1-13. What was looked up, where, and what was not found is in `data/SOURCES.md`.
 
 ## Coverage
 
@@ -104,6 +104,6 @@ int main(int argc, char** argv) {
            "101(3), 1979, pp. 278-284",
        .sources = RAILBOOK_CHAPTER_DIR},
       {rig_scene, geometry, replica, appendix_a, appendix_b, experiment, reduction, full_theory,
-       tractions, theories, collapse, state, area_law},
-      {cost, extremes});
+       collapse, state, area_law},
+      {cost, evidence, extremes});
 }

@@ -12,6 +12,11 @@ inline constexpr double small_radius = 0.201097 / 2;
 inline constexpr double big_radius = 0.898957 / 2;
 inline constexpr double axis_ratio = 1.568;
 
+// The one reading that is printed, of Appendix B: speeds [rpm], creep by equation (1) and the friction.
+inline constexpr double small_rpm = 442.6, big_rpm = 99.2;
+inline constexpr double printed_creep = 1 - small_radius / big_radius * small_rpm / big_rpm;
+inline constexpr double printed_friction = 0.3;
+
 // Not printed: steel as in chapter 01.
 inline constexpr double young = 207e9;
 inline constexpr double poisson = 0.3;

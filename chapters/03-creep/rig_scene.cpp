@@ -23,7 +23,7 @@ using namespace railbook::creep_chapter;
 
 namespace {
 
-constexpr double cm = 100;  // a metre in the picture's unit
+constexpr double in_cm = 100;  // a metre in the picture's unit
 
 // Disc of revolution about y with a crowned rim (crown radius 0: a cylinder), centred on y = 0.
 scene::Mesh wheel(double radius, double half_width, double crown, const scene::Point& centre,
@@ -51,7 +51,7 @@ scene::Lines arrow(const scene::Point& from, const scene::Point& to, const scene
   return lines;
 }
 
-constexpr double small_r = small_radius * cm, big_r = big_radius * cm, top = small_r + big_r;
+constexpr double small_r = small_radius * in_cm, big_r = big_radius * in_cm, top = small_r + big_r;
 
 void rig(report::Item& item) {
   item.sketch(
@@ -59,7 +59,7 @@ void rig(report::Item& item) {
   const scene::Point axle{0, 1, 0};
   scene::Scene s;
   s.meshes.push_back(wheel(big_r, 4, 0, {0, 0, 0}, axle));
-  s.meshes.push_back(wheel(small_r, 2.2, profile_radius(true) * cm, {0, 0, top}, axle));
+  s.meshes.push_back(wheel(small_r, 2.2, profile_radius(true) * in_cm, {0, 0, top}, axle));
   s.meshes.push_back(scene::cylinder({0, -16, 0}, {0, 16, 0}, 4, scene::stone));
   s.meshes.push_back(scene::cylinder({0, -16, top}, {0, 16, top}, 1.6, scene::stone));
   s.meshes.push_back(scene::cylinder({0, -14.5, 0}, {0, -13, 0}, 9, scene::wood));
@@ -81,7 +81,7 @@ void axes(report::Item& item) {
       contact{0, 0, big_r};
   scene::Scene s;
   s.meshes.push_back(wheel(big_r, 4, 0, {0, 0, 0}, axle));
-  s.meshes.push_back(wheel(small_r, 2.2, profile_radius(true) * cm, {0, 0, top}, turned));
+  s.meshes.push_back(wheel(small_r, 2.2, profile_radius(true) * in_cm, {0, 0, top}, turned));
   const scene::Colour red{0.84, 0.37, 0.0}, blue{0.0, 0.45, 0.70}, black{0, 0, 0};
   const scene::Point along{std::cos(attack), std::sin(attack), 0}, crown{0, 0, 2 * small_r};
   s.lines.push_back(arrow(contact, contact + scene::Point{34, 0, 0}, red));

@@ -13,12 +13,11 @@ extern const report::Section appendix_b;   // wear of the wheels; numbers of the
 extern const report::Section experiment;   // Figs 3 to 7
 extern const report::Section reduction;    // Figs 8 to 10
 extern const report::Section full_theory;  // Kalker's curve
-extern const report::Section tractions;    // where it sticks
-extern const report::Section theories;     // the fast theories against the full one
 extern const report::Section collapse;     // Fig. 11
 extern const report::Section state;        // the one reading that is printed
 extern const report::Section area_law;     // creep times area
 extern const report::Section cost;         // study
+extern const report::Section evidence;     // study
 extern const report::Section extremes;     // study
 
 }  // namespace railbook::creep_chapter

@@ -25,7 +25,9 @@ struct RollingOptions {
 // dimensionless form: results depend on (a/b, nu, reduced creepages) to rounding.
 class EllipseRolling {
  public:
-  // axis_ratio = a/b > 0 (along over across); poisson 0 to 0.5. Memory 32 bytes x (along x rows)^2.
+  // axis_ratio = a/b > 0 (along over across); poisson 0 to 0.5. Up to 1024 cells by a matrix, and rows of equally many
+  // cells; beyond by Fourier transforms, and rows of cells of one length. Refuses what would take more than 2.2 GB (128 x
+  // 128 cells take 0.14).
   EllipseRolling(double axis_ratio, double poisson, const RollingOptions& options = {});
   ~EllipseRolling();
   EllipseRolling(EllipseRolling&&) noexcept;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "num/dense_lu.hpp"
 #include "rolling/rolling_contact.hpp"
@@ -9,81 +10,8 @@
 #include "units/input_error.hpp"
 
 namespace railbook::rolling {
-namespace {
 
 using Eigen::Index;
-
-// Integral of sqrt(1 - s^2) from -1 to s.
-double half_disc(double s) {
-  s = std::clamp(s, -1.0, 1.0);
-  return 0.5 * (s * std::sqrt((1 - s) * (1 + s)) + std::asin(s)) + units::pi / 4;
-}
-
-}  // namespace
-
-namespace {
-
-// Puts the cells of row j on its half length; `share` of the load is spread along it like sqrt(1 - s^2).
-void place_row(RollingGrid& grid, Index j, double half_length, double share, bool remedy) {
-  RollingMesh& mesh = grid.mesh;
-  const double offset = remedy ? edge_offset() : 0, first = remedy ? 0.25 + offset : 0.5;
-  mesh.dx[j] = 2 * half_length / (static_cast<double>(mesh.along) + 2 * offset);
-  mesh.x0[j] = -half_length + first * mesh.dx[j];
-  const double h = mesh.dx[j] / (2 * half_length);
-  for (Index i = 0; i < mesh.along; ++i) {
-    const double s = mesh.x(j, i) / half_length;
-    const double from = i > 0 ? half_disc(s - h) : 0;
-    const double to = i + 1 < mesh.along ? half_disc(s + h) : units::pi / 2;
-    grid.bound[j * mesh.along + i] =
-        share * (to - from) / (units::pi / 2) / (mesh.dx[j] * mesh.dy[j]);
-  }
-}
-
-RollingGrid empty_grid(Index along, Index rows) {
-  RollingGrid grid;
-  grid.mesh.along = along;
-  for (Eigen::VectorXd* v : {&grid.mesh.y, &grid.mesh.dy, &grid.mesh.x0, &grid.mesh.dx})
-    v->resize(rows);
-  grid.bound.resize(along * rows);
-  return grid;
-}
-
-}  // namespace
-
-RollingGrid ellipse_grid(double axis_ratio, Index along, Index rows, bool remedy) {
-  const double a = std::sqrt(axis_ratio), b = 1 / a;
-  RollingGrid grid = empty_grid(along, rows);
-  const double height = 2 / static_cast<double>(rows);
-  for (Index j = 0; j < rows; ++j) {
-    const double low = -1 + height * static_cast<double>(j), high = low + height;
-    // The mean of the squared half length: every row keeps its exact share of the load.
-    const double strip = height - (high * high * high - low * low * low) / 3;
-    grid.mesh.y[j] = b * (low + high) / 2;
-    grid.mesh.dy[j] = b * height;
-    place_row(grid, j, a * std::sqrt(strip / height), 0.75 * strip, remedy);
-  }
-  return grid;
-}
-
-RollingGrid strip_grid(Index along, double width, bool remedy) {
-  RollingGrid grid = empty_grid(along, 1);
-  grid.mesh.y[0] = 0;
-  grid.mesh.dy[0] = width;
-  place_row(grid, 0, 1, width, remedy);
-  return grid;
-}
-
-Eigen::VectorXd rigid_slip(const RollingMesh& mesh, const Creepage& c) {
-  const Index n = mesh.cells();
-  Eigen::VectorXd w(2 * n);
-  for (Index j = 0; j < mesh.rows(); ++j)
-    for (Index i = 0; i < mesh.along; ++i) {
-      const Index k = j * mesh.along + i;
-      w[k] = c.longitudinal - c.spin * mesh.y[j];
-      w[k + n] = c.lateral + c.spin * (mesh.x(j, i) + mesh.dx[j] / 2);
-    }
-  return w;
-}
 
 namespace {
 
@@ -95,7 +23,9 @@ void turn_sliding(const RollingGrid& grid, const StickSlip& first, Eigen::Vector
   const Index n = grid.mesh.cells();
   const Eigen::VectorXd& s = first.slip;
   for (Index k = 1; k < n; ++k) {
-    if (k % grid.mesh.along == 0 || !first.slides[static_cast<std::size_t>(k)]) continue;
+    if (k % grid.mesh.along == 0 || grid.bound[k - 1] <= 0 ||
+        !first.slides[static_cast<std::size_t>(k)])
+      continue;
     const double x = -first.p[k + n] / grid.bound[k], y = first.p[k] / grid.bound[k];
     const double turn = (x * (s[k - 1] - s[k]) + y * (s[k + n - 1] - s[k + n])) / 2;
     const double own = std::hypot(s[k], s[k + n]), size = std::hypot(own, 2 * turn);
@@ -210,40 +140,63 @@ CreepForces without_friction() {
 
 namespace {
 
+// The solution of a grid as a start on a finer one: each cell takes the share of its bound of the old cell it lies on, or
+// next to.
 StickSlip refined(const StickSlip& coarse, const RollingGrid& from, const RollingGrid& to) {
   StickSlip start;
-  const Index n = to.mesh.cells(), m = from.mesh.cells();
-  start.p.resize(2 * n);
-  start.slides.resize(static_cast<std::size_t>(n));
-  for (Index j = 0; j < to.mesh.rows(); ++j)
+  const Index n = to.mesh.cells(), m = from.mesh.cells(), last = from.mesh.along - 1;
+  start.p.setZero(2 * n);
+  start.slides.assign(static_cast<std::size_t>(n), false);
+  for (Index j = 0; j < to.mesh.rows(); ++j) {
+    const Index row = (2 * j + 1) * from.mesh.rows() / (2 * to.mesh.rows());
+    const auto bounds = from.bound.segment(row * (last + 1), last + 1);
+    const Index first = last + 1 - (bounds.array() > 0).count();
     for (Index i = 0; i < to.mesh.along; ++i) {
       const Index k = j * to.mesh.along + i;
-      const Index row = (2 * j + 1) * from.mesh.rows() / (2 * to.mesh.rows());
-      const Index old = row * from.mesh.along + (2 * i + 1) * from.mesh.along / (2 * to.mesh.along);
+      if (to.bound[k] <= 0) continue;
+      const double place = (to.mesh.x(j, i) - from.mesh.x0[row]) / from.mesh.dx[row];
+      const Index old =
+          row * (last + 1) +
+          std::clamp(static_cast<Index>(std::lround(std::max(place, -1.0))), first, last);
       const double ratio = to.bound[k] / from.bound[old];
       start.p[k] = ratio * coarse.p[old];
       start.p[k + n] = ratio * coarse.p[old + m];
       start.slides[static_cast<std::size_t>(k)] = coarse.slides[static_cast<std::size_t>(old)];
     }
+  }
   return start;
 }
 
 struct Level {
   RollingGrid grid;
   TangentialInfluence influence;
-  Level(double ratio, double poisson, Index along, Index rows, bool remedy)
-      : grid(ellipse_grid(ratio, along, rows, remedy)), influence(grid.mesh, poisson, true) {}
-  StickSlip solve(const Creepage& c, const RollingOptions& options, const StickSlip* start) const {
-    return solve_on(influence, grid, c, options, start);
-  }
+  Level(double ratio, double poisson, const RollingOptions& o, Index coarser, bool stepped)
+      : grid(ellipse_grid(ratio, (o.along + coarser - 1) / coarser,
+                          (o.rows + coarser - 1) / coarser, o.remedy, stepped)),
+        influence(grid.mesh, poisson, !stepped) {}
 };
+
+// From here on a matrix is slower than transforms, and soon too large.
+constexpr Index most_dense = 1024;
+
+bool is_stepped(const RollingOptions& o) {
+  return o.along * o.rows > most_dense && o.along >= 16;
+}
+
+// Bytes: products between rows, their factors, and vectors of GMRES; or the matrix of all cells.
+double memory_of(const RollingOptions& o) {
+  const double n = static_cast<double>(o.along), rows = static_cast<double>(o.rows);
+  const double cells = n * rows;
+  return is_stepped(o) ? 36 * n * rows * rows + 24 * n * cells + 1600 * cells
+                       : 32 * cells * cells * (o.estimate ? 17.0 / 16 : 1);
+}
 
 }  // namespace
 
 struct EllipseRolling::Parts {
   double ratio = 0, poisson = 0;
   RollingOptions options;
-  std::unique_ptr<Level> coarse, fine;
+  std::vector<Level> levels;  // finest last
 };
 
 EllipseRolling::EllipseRolling(double axis_ratio, double poisson, const RollingOptions& options)
@@ -252,14 +205,13 @@ EllipseRolling::EllipseRolling(double axis_ratio, double poisson, const RollingO
   units::require_between("Poisson's ratio", poisson, 0, 0.5);
   units::require_between("cells along rolling", static_cast<double>(options.along), 1, 4096);
   units::require_between("rows across", static_cast<double>(options.rows), 1, 4096);
-  units::require_between("cells in all", static_cast<double>(options.along * options.rows), 1,
-                         8192);
-  *parts_ = {axis_ratio, poisson, options, nullptr, nullptr};
-  parts_->fine =
-      std::make_unique<Level>(axis_ratio, poisson, options.along, options.rows, options.remedy);
-  if (options.estimate && options.along > 1)
-    parts_->coarse = std::make_unique<Level>(axis_ratio, poisson, (options.along + 1) / 2,
-                                             (options.rows + 1) / 2, options.remedy);
+  units::require_between("memory for the cells", memory_of(options), 0, 2.2e9, "bytes");
+  *parts_ = {axis_ratio, poisson, options, {}};
+  const bool stepped = is_stepped(options);
+  Index coarsest = options.estimate && options.along > 1 ? 2 : 1;
+  while (stepped && coarsest > 1 && options.along / coarsest > 32) coarsest *= 2;
+  for (; coarsest >= 1; coarsest /= 2)
+    parts_->levels.emplace_back(axis_ratio, poisson, options, coarsest, stepped);
 }
 EllipseRolling::~EllipseRolling() = default;
 EllipseRolling::EllipseRolling(EllipseRolling&&) noexcept = default;
@@ -272,19 +224,29 @@ CreepForces EllipseRolling::solve(const RollingCase& c) const {
   if (c.poisson != parts_->poisson)
     throw InputError{"Poisson's ratio of the case is not that of the contact it is solved on"};
   if (c.friction == 0) return without_friction();
-  StickSlip coarse;
-  if (parts_->coarse) coarse = parts_->coarse->solve(reduced, parts_->options, nullptr);
-  const bool started = parts_->coarse && coarse.converged;
-  const StickSlip start =
-      started ? refined(coarse, parts_->coarse->grid, parts_->fine->grid) : StickSlip{};
-  StickSlip fine = parts_->fine->solve(reduced, parts_->options, started ? &start : nullptr);
-  if (started && !fine.converged) fine = parts_->fine->solve(reduced, parts_->options, nullptr);
-  CreepForces out = in_units(parts_->fine->grid, fine, force, length);
-  const bool halved = parts_->options.remedy && parts_->options.along >= 16 &&
-                      parts_->options.along % 2 == 0 && parts_->options.rows % 2 == 0;
-  if (started)
-    extrapolate(out, parts_->fine->grid, resultants(parts_->coarse->grid.mesh, coarse.p), halved,
-                force, length);
+  const Level* before = nullptr;
+  Resultants coarse;
+  StickSlip found;
+  for (const Level& level : parts_->levels) {
+    const auto solved = [&](const StickSlip* start) {
+      return solve_on(level.influence, level.grid, reduced, parts_->options, start);
+    };
+    if (before && found.converged) {
+      coarse = resultants(before->grid.mesh, found.p);
+      const StickSlip start = refined(found, before->grid, level.grid);
+      found = solved(&start);
+      if (!found.converged) found = solved(nullptr);
+    } else {
+      before = nullptr;
+      found = solved(nullptr);
+    }
+    if (&level != &parts_->levels.back()) before = &level;
+  }
+  const RollingGrid& grid = parts_->levels.back().grid;
+  CreepForces out = in_units(grid, found, force, length);
+  const RollingOptions& o = parts_->options;
+  const bool halved = o.remedy && o.along >= 16 && o.along % 2 == 0 && o.rows % 2 == 0;
+  if (before) extrapolate(out, grid, coarse, halved, force, length);
   return out;
 }
 

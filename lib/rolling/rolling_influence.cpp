@@ -6,46 +6,12 @@
 
 #include "num/fft.hpp"
 #include "num/quadrature.hpp"
+#include "rolling/cell_displacements.hpp"
+#include "rolling/stepped_rows.hpp"
 #include "units/constants.hpp"
 
 namespace railbook::rolling {
 namespace {
-
-struct Pair {  // xx, xy = yx, yy
-  double xx = 0, xy = 0, yy = 0;
-};
-
-// asinh(v/u) for u, v > 0 and r^2 = u^2 + v^2.
-double inverse_sinh(double v, double u, double r) {
-  if (v > 0.25 * u) return std::log((v + r) / u);
-  return std::log1p((v + v * v / (r + u)) / u);
-}
-
-// Corner functions: mixed second derivatives (1-nu)/r + nu x^2/r^3, nu x y/r^3, (1-nu)/r + nu y^2/r^3.
-Pair corner(double x, double y, double poisson) {
-  const double u = std::abs(x), v = std::abs(y), r = std::sqrt(u * u + v * v);
-  const double gx = u > 0 && v > 0 ? std::copysign(x, x * y) * inverse_sinh(v, u, r) : 0;
-  const double gy = u > 0 && v > 0 ? std::copysign(y, x * y) * inverse_sinh(u, v, r) : 0;
-  return {(1 - poisson) * gx + gy, -poisson * r, gx + (1 - poisson) * gy};
-}
-
-// Displacements at distance (x, y) from the centres of a row of `n` cells dx by dy, the k-th centred at k dx.
-void row_displacements(double x, double y, double dx, double dy, double poisson,
-                       std::vector<Pair>& u) {
-  Pair below_left{}, above_left{};
-  for (std::size_t k = 0; k <= u.size(); ++k) {
-    const double edge = (static_cast<double>(k) - 0.5) * dx - x;
-    const Pair below = corner(edge, -dy / 2 - y, poisson),
-               above = corner(edge, dy / 2 - y, poisson);
-    if (k > 0) {
-      Pair& p = u[k - 1];
-      p.xx = (above.xx - above_left.xx) - (below.xx - below_left.xx);
-      p.xy = (above.xy - above_left.xy) - (below.xy - below_left.xy);
-      p.yy = (above.yy - above_left.yy) - (below.yy - below_left.yy);
-    }
-    below_left = below, above_left = above;
-  }
-}
 
 // Strain at the cells of row `at` from unit tractions on the cells of row `from`, as three along x along blocks.
 struct Blocks {
@@ -53,21 +19,18 @@ struct Blocks {
   Eigen::MatrixXd xx, xy, yy;
 };
 
-void fill(const RollingMesh& mesh, double poisson, Motion motion, Eigen::Index at,
-          Eigen::Index from, Blocks& b) {
+void fill(const RollingMesh& mesh, double poisson, Eigen::Index at, Eigen::Index from, Blocks& b) {
   const Eigen::Index n = mesh.along;
-  std::vector<Pair> here(static_cast<std::size_t>(n)), upstream(here.size());
-  const bool rolls = motion == Motion::rolling;
-  const double scale = 1 / (units::pi * (rolls ? mesh.dx[at] : 1));
-  const Pair none;
+  std::vector<Influence2> here(static_cast<std::size_t>(n)), upstream(here.size());
+  const double scale = 1 / (units::pi * mesh.dx[at]);
   for (Eigen::Index i = n; i >= 0; --i) {
     std::swap(here, upstream);
     row_displacements(mesh.x(at, i) - mesh.x0[from], mesh.y[at] - mesh.y[from], mesh.dx[from],
                       mesh.dy[from], poisson, here);
     if (i == n) continue;
     for (Eigen::Index k = 0; k < n; ++k) {
-      const Pair& u = here[static_cast<std::size_t>(k)];
-      const Pair& v = rolls ? upstream[static_cast<std::size_t>(k)] : none;
+      const Influence2& u = here[static_cast<std::size_t>(k)];
+      const Influence2& v = upstream[static_cast<std::size_t>(k)];
       b.xx(i, k) = scale * (u.xx - v.xx);
       b.xy(i, k) = scale * (u.xy - v.xy);
       b.yy(i, k) = scale * (u.yy - v.yy);
@@ -97,23 +60,34 @@ double edge_offset() {
   return value;
 }
 
-bool RollingMesh::uniform() const {
-  const double tolerance = 1e-9;
-  for (Eigen::Index j = 0; j < rows(); ++j)
-    if (std::abs(dx[j] - dx[0]) > tolerance * dx[0] ||
-        std::abs(x0[j] - x0[0]) > tolerance * dx[0] ||
-        std::abs(dy[j] - dy[0]) > tolerance * dy[0] ||
-        std::abs(y[j] - y[0] - static_cast<double>(j) * dy[0]) > 1e-6 * dy[0])
+namespace {
+
+// All rows of one height and spacing, and of one length of cell.
+bool regular(const RollingMesh& mesh) {
+  for (Eigen::Index j = 0; j < mesh.rows(); ++j)
+    if (std::abs(mesh.dx[j] / mesh.dx[0] - 1) > 1e-9 ||
+        std::abs(mesh.dy[j] / mesh.dy[0] - 1) > 1e-9 ||
+        std::abs(mesh.y[j] - mesh.y[0] - static_cast<double>(j) * mesh.dy[0]) > 1e-6 * mesh.dy[0])
       return false;
   return true;
+}
+
+}  // namespace
+
+bool RollingMesh::uniform() const {
+  return regular(*this) && ((x0.array() - x0[0]).abs() <= 1e-9 * dx[0]).all();
+}
+
+bool RollingMesh::stepped() const {
+  return regular(*this) && ((x0 - x0.reverse()).array().abs() <= 1e-9 * dx[0]).all();
 }
 
 struct TangentialInfluence::Parts {
   RollingMesh mesh;
   double poisson = 0;
-  Motion motion = Motion::rolling;
   Eigen::MatrixXd matrix;               // dense, or empty
   std::vector<Eigen::MatrixXd> blocks;  // of the rows, or the one they share
+  std::unique_ptr<SteppedRows> stepped;
   std::unique_ptr<num::RealFft2d> x, y;
   std::vector<std::complex<double>> xx, xy, yy;
 
@@ -128,7 +102,7 @@ void TangentialInfluence::Parts::fill_matrix() {
   Blocks b(n);
   for (Eigen::Index at = 0; at < rows; ++at)
     for (Eigen::Index from = 0; from < rows; ++from) {
-      fill(mesh, poisson, motion, at, from, b);
+      fill(mesh, poisson, at, from, b);
       matrix.block(at * n, from * n, n, n) = b.xx;
       matrix.block(at * n, half + from * n, n, n) = b.xy;
       matrix.block(half + at * n, from * n, n, n) = b.xy;
@@ -142,11 +116,10 @@ void TangentialInfluence::Parts::fill_spectra() {
   y = std::make_unique<num::RealFft2d>(x->rows(), x->columns());
   const auto big_rows = x->rows(), columns = x->columns();
   const double dx = mesh.dx[0], dy = mesh.dy[0];
-  const double rolls = motion == Motion::rolling ? 1 : 0;
-  const double scale = 1 / (units::pi * (rolls > 0 ? dx : 1) * static_cast<double>(big_rows) *
-                            static_cast<double>(columns));
+  const double scale =
+      1 / (units::pi * dx * static_cast<double>(big_rows) * static_cast<double>(columns));
   // u at distances -n .. n cells from one cell, the strain at -n .. n - 1.
-  std::vector<Pair> u(2 * n + 1);
+  std::vector<Influence2> u(2 * n + 1);
   const auto put = [&](auto part, std::vector<std::complex<double>>& spectrum, bool odd) {
     std::ranges::fill(x->real(), 0.0);
     for (std::size_t j = 0; j < rows; ++j) {
@@ -154,7 +127,7 @@ void TangentialInfluence::Parts::fill_spectra() {
                         u);
       for (std::size_t i = 0; i < 2 * n; ++i) {
         // u[k] belongs to a cell (k - n) dx downstream of the point: distance of the point n - k.
-        const double strain = scale * (u[2 * n - i].*part - rolls * u[2 * n - i - 1].*part);
+        const double strain = scale * (u[2 * n - i].*part - u[2 * n - i - 1].*part);
         const std::size_t column = (i + columns - n) % columns;
         x->row(j)[column] = strain;
         if (j > 0) x->row(big_rows - j)[column] = odd ? -strain : strain;
@@ -163,9 +136,9 @@ void TangentialInfluence::Parts::fill_spectra() {
     x->forward();
     spectrum.assign(x->spectrum().begin(), x->spectrum().end());
   };
-  put(&Pair::xx, xx, false);
-  put(&Pair::xy, xy, true);
-  put(&Pair::yy, yy, false);
+  put(&Influence2::xx, xx, false);
+  put(&Influence2::xy, xy, true);
+  put(&Influence2::yy, yy, false);
 }
 
 void TangentialInfluence::Parts::multiply(const Eigen::VectorXd& p, Eigen::VectorXd& strain) {
@@ -191,21 +164,22 @@ void TangentialInfluence::Parts::multiply(const Eigen::VectorXd& p, Eigen::Vecto
   unload(*y, strain.data() + mesh.cells());
 }
 
-TangentialInfluence::TangentialInfluence(const RollingMesh& mesh, double poisson, bool dense,
-                                         Motion motion)
+TangentialInfluence::TangentialInfluence(const RollingMesh& mesh, double poisson, bool dense)
     : parts_(std::make_unique<Parts>()) {
   parts_->mesh = mesh;
   parts_->poisson = poisson;
-  parts_->motion = motion;
-  const bool uniform = mesh.uniform();
-  if (dense || !uniform)
-    parts_->fill_matrix();
-  else
+  const bool uniform = mesh.uniform(), stepped = !dense && mesh.stepped();
+  if (!dense && uniform)
     parts_->fill_spectra();
+  else if (stepped)
+    parts_->stepped = std::make_unique<SteppedRows>(mesh, poisson);
+  else
+    parts_->fill_matrix();
   Blocks b(mesh.along);
-  for (Eigen::Index row = 0; row < (uniform ? std::min<Eigen::Index>(1, mesh.rows()) : mesh.rows());
-       ++row) {
-    fill(mesh, poisson, motion, row, row, b);
+  const Eigen::Index kinds =
+      std::min<Eigen::Index>(uniform || stepped ? 1 : mesh.rows(), mesh.rows());
+  for (Eigen::Index row = 0; row < kinds; ++row) {
+    fill(mesh, poisson, row, row, b);
     parts_->blocks.emplace_back(2 * mesh.along, 2 * mesh.along);
     parts_->blocks.back() << b.xx, b.xy, b.xy, b.yy;
   }
@@ -217,6 +191,8 @@ TangentialInfluence& TangentialInfluence::operator=(TangentialInfluence&&) noexc
 void TangentialInfluence::apply(const Eigen::VectorXd& p, Eigen::VectorXd& strain) const {
   if (parts_->matrix.size())
     strain.noalias() = parts_->matrix * p;
+  else if (parts_->stepped)
+    parts_->stepped->apply(p, strain);
   else
     parts_->multiply(p, strain);
 }

@@ -16,8 +16,8 @@ struct RollingMesh {
   double x(Eigen::Index row, Eigen::Index i) const {
     return x0[row] + static_cast<double>(i) * dx[row];
   }
-  bool uniform()
-      const;  // all rows alike and evenly spaced: products by Fourier transforms are possible
+  bool uniform() const;  // all rows alike and evenly spaced
+  bool stepped() const;  // but for where they begin, and that mirrored across: see SteppedRows
 };
 
 // Where the ends of the contact belong on a row of cells of constant traction whose slip comes from the upstream
@@ -29,24 +29,19 @@ struct RollingMesh {
 // Cells that just fill the contact make an error of first order in h, which this placing removes.
 double edge_offset();
 
-// Exact influence of cell-constant tractions on half-spaces (Boussinesq-Cerruti): for two bodies of shear modulus 1
+// Exact influence of cell-constant tractions on half-spaces (Boussinesq-Cerruti): the strain [u(x) - u(x + dx)]/dx at the
+// cell centres, which rolling turns into slip per metre. For two bodies of shear modulus 1
 // u_x = 1/pi integral of [(1 - nu)/r + nu X^2/r^3] px + nu X Y/r^3 py, u_y likewise.
-enum class Motion {
-  rolling,  // the strain [u(x) - u(x + dx)]/dx at the cell centres, which rolling turns into slip per metre
-  shift  // the displacement u at the cell centres: bodies pulled without rolling
-};
-
 class TangentialInfluence {
  public:
-  // `dense` asks for a matrix (32 bytes a pair of cells), quicker up to some hundred cells; a mesh that is not uniform
-  // always has one.
-  TangentialInfluence(const RollingMesh& mesh, double poisson, bool dense,
-                      Motion motion = Motion::rolling);
+  // `dense` asks for a matrix (32 bytes a pair of cells), quicker up to some hundred cells; a mesh that is neither uniform
+  // nor stepped always has one.
+  TangentialInfluence(const RollingMesh& mesh, double poisson, bool dense);
   ~TangentialInfluence();
   TangentialInfluence(TangentialInfluence&&) noexcept;
   TangentialInfluence& operator=(TangentialInfluence&&) noexcept;
 
-  // The strain (or displacement) at every cell: p and strain are [x parts; y parts], 2 cells() long, row by row.
+  // The strain at every cell: p and strain are [x parts; y parts], 2 cells() long, row by row.
   void apply(const Eigen::VectorXd& p, Eigen::VectorXd& strain) const;
   // The part of `apply` from row `row` on itself, 2 along x 2 along.
   const Eigen::MatrixXd& row_block(Eigen::Index row) const;

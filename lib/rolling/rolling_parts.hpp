@@ -14,11 +14,10 @@ struct RollingGrid {
   Eigen::VectorXd bound;  // mean over each cell; its sum over the area is 1
 };
 
-// Rows that end on the ellipse of axes sqrt(a/b) and sqrt(b/a), with Hertz's pressure integrated exactly.
-RollingGrid ellipse_grid(double axis_ratio, Eigen::Index along, Eigen::Index rows, bool remedy);
-
-// One row of half length 1 and the given width with a plane Hertz pressure: rolling cylinders.
-RollingGrid strip_grid(Eigen::Index along, double width, bool remedy);
+// Rows that end on the ellipse of axes sqrt(a/b) and sqrt(b/a), with Hertz's pressure integrated exactly. All have `along`
+// cells; if `stepped`, cells of one length instead, the shorter rows with empty ones at their trailing end.
+RollingGrid ellipse_grid(double axis_ratio, Eigen::Index along, Eigen::Index rows, bool remedy,
+                         bool stepped = false);
 
 // The rigid slip at the points where the upstream difference is the slope: half a cell before the centres.
 Eigen::VectorXd rigid_slip(const RollingMesh& mesh, const Creepage& reduced);
@@ -39,8 +38,8 @@ Resultants resultants(const RollingMesh& mesh, const Eigen::VectorXd& p);
 // The result in SI, given mu N [N] and the unit of length [m].
 CreepForces in_units(const RollingGrid& grid, const StickSlip& solution, double force,
                      double length);
-// Puts the error estimates on `fine`, found on `grid`, from the dimensionless forces of a coarser grid; if that has cells of just twice
-// the size (`halved`), also takes the second-order error off the forces, which stay within mu N.
+// Puts the error estimates on `fine`, found on `grid`, from the dimensionless forces of a coarser grid; if that has cells of
+// just twice the size (`halved`), also takes the second-order error off the forces, which stay within mu N.
 void extrapolate(CreepForces& fine, const RollingGrid& grid, const Resultants& coarse, bool halved,
                  double force, double length);
 CreepForces without_friction();

@@ -32,7 +32,10 @@ class Newton {
       if (result_.converged) break;
       step(std::max(tight, 0.1 * options_.tolerance / std::max(result_.residual, 1e-300)));
       changes = update_slip(scale);
-      tight = changes > n_ / 50 ? 1e-3 : changes > 0 ? 1e-6 : 1e-10;
+      // Beside what the next change of states or the turning of the tractions undoes, more is wasted.
+      tight = changes > n_ / 50 ? 1e-2
+              : changes > 0     ? 1e-4
+                                : std::clamp(residual() / scale, 1e-10, 1e-4);
     }
     result_.slip = slip_;
     return std::move(result_);

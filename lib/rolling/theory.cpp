@@ -26,14 +26,6 @@ const std::vector<std::string>& theory_names() {
   return names;
 }
 
-double full_theory_memory(long cells) {
-  const auto matrix = [](long n) {
-    const double all = double(n) * double((n + 1) / 2);
-    return 32 * all * all;
-  };
-  return matrix(cells) + matrix((cells + 1) / 2);
-}
-
 Solver solver(const std::string& theory, double axis_ratio, double poisson, long cells,
               bool computed) {
   if (theory == "full") {

@@ -20,10 +20,4 @@ const std::vector<std::string>& theory_names();
 Solver solver(const std::string& theory, double axis_ratio, double poisson, long cells,
               bool computed = false);
 
-// Memory that the full theory takes with `cells` cells along rolling [bytes]; it grows with their fourth power.
-double full_theory_memory(long cells);
-
-// The theory that the paper's curve is compared with.
-inline constexpr const char* master_theory = "full";
-
 }  // namespace railbook::rolling

@@ -1,12 +1,13 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "../support/kalker_grids.hpp"
 #include "rolling/kalker_coefficients.hpp"
-#include "rolling/kalker_grids.hpp"
 #include "units/constants.hpp"
 
 using namespace railbook;
 using namespace railbook::rolling;
+using namespace railbook::tests;
 
 TEST_CASE("Contacts short along rolling tend to plane strips", "[kalker]") {
   // Strip by strip, Kalker 1967: pi^2/(4 (1 - nu)) along, pi^2/4 across; C33 is the second moment of the strips' C11.

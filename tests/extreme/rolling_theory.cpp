@@ -1,7 +1,6 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "rolling/carter.hpp"
 #include "rolling/rolling_contact.hpp"
 
 using namespace railbook;

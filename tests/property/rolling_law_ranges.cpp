@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "../support/draw.hpp"
-#include "rolling/carter.hpp"
 #include "rolling/creep_laws.hpp"
 #include "rolling/fastsim.hpp"
 #include "rolling/rolling_contact.hpp"
@@ -68,11 +67,4 @@ TEST_CASE("property: the linear theory doubts itself where slip takes more than 
     if (linear_theory(c, k).doubt.empty()) CHECK(lost < 0.125);
   }
   CHECK_FALSE(linear_theory(with_reduced_creepage(unit(1.5), {0, 0, 5}), k).doubt.empty());
-}
-
-TEST_CASE("property: Carter's creepage for a force keeps its digits down to the smallest") {
-  for (double x = 1e-300; x < 1; x *= 17) {
-    CHECK(carter_creepage(carter(x).force) == Approx(x).epsilon(1e-13));
-    CHECK(carter_creepage(-x) == -carter_creepage(x));
-  }
 }

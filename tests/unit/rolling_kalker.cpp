@@ -1,13 +1,14 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "../support/kalker_grids.hpp"
 #include "num/quadrature.hpp"
 #include "rolling/kalker_coefficients.hpp"
-#include "rolling/kalker_grids.hpp"
 #include "units/constants.hpp"
 
 using namespace railbook;
 using namespace railbook::rolling;
+using namespace railbook::tests;
 
 TEST_CASE("Kalker's coefficients against his table", "[kalker]") {
   // The printed table for nu = 0.25 (a/b, C11, C22, C23, C33), from series of few terms.

@@ -3,16 +3,17 @@
 #include <cmath>
 #include <vector>
 
+#include "../support/kalker_grids.hpp"
 #include "contact/cg_fft.hpp"
 #include "contact/hertz.hpp"
 #include "contact/normal_contact.hpp"
 #include "rolling/kalker_coefficients.hpp"
-#include "rolling/kalker_grids.hpp"
 #include "rolling/kalker_table.hpp"
 #include "rolling/rolling_contact.hpp"
 
 using namespace railbook;
 using namespace railbook::rolling;
+using namespace railbook::tests;
 
 namespace {
 

@@ -1,16 +1,16 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "../support/carter.hpp"
 #include "num/gmres.hpp"
 #include "num/quadrature.hpp"
-#include "rolling/carter.hpp"
-#include "rolling/cattaneo.hpp"
 #include "rolling/rolling_contact.hpp"
 #include "rolling/rolling_influence.hpp"
 #include "units/constants.hpp"
 
 using namespace railbook;
 using namespace railbook::rolling;
+using namespace railbook::tests;
 
 namespace {
 
@@ -43,12 +43,10 @@ TEST_CASE("GMRES solves a small unsymmetric system", "[rolling]") {
 TEST_CASE("Products by Fourier transforms are those of the matrix", "[rolling]") {
   const RollingMesh mesh = small_mesh();
   const Eigen::VectorXd p = Eigen::VectorXd::LinSpaced(70, -1, 2).array().sin();
-  for (const Motion motion : {Motion::rolling, Motion::shift}) {
-    Eigen::VectorXd dense, fast;
-    TangentialInfluence(mesh, 0.3, true, motion).apply(p, dense);
-    TangentialInfluence(mesh, 0.3, false, motion).apply(p, fast);
-    CHECK((dense - fast).norm() < 1e-13 * dense.norm());
-  }
+  Eigen::VectorXd dense, fast;
+  TangentialInfluence(mesh, 0.3, true).apply(p, dense);
+  TangentialInfluence(mesh, 0.3, false).apply(p, fast);
+  CHECK((dense - fast).norm() < 1e-13 * dense.norm());
 }
 
 TEST_CASE("Influence of a cell is the integral of Cerruti's kernel", "[rolling]") {
@@ -61,18 +59,21 @@ TEST_CASE("Influence of a cell is the integral of Cerruti's kernel", "[rolling]"
   const double nu = 0.28;
   Eigen::VectorXd p = Eigen::VectorXd::Zero(4), u;
   p[0] = 1;  // px of the first cell
-  TangentialInfluence(mesh, nu, true, Motion::shift).apply(p, u);
+  TangentialInfluence(mesh, nu, true).apply(p, u);
   const num::GaussRule gx = num::gauss_legendre(12, -0.25, 0.25),
                        gy = num::gauss_legendre(12, -0.2, 0.2);
-  double xx = 0, xy = 0;
+  double xx = 0, xy = 0;  // displacements of the second cell's centre less those a cell ahead
   for (Eigen::Index i = 0; i < 12; ++i)
     for (Eigen::Index j = 0; j < 12; ++j) {
-      const double x = 0.7 - gx.x[i], y = 1.1 - gy.x[j], r = std::hypot(x, y);
-      xx += gx.w[i] * gy.w[j] * ((1 - nu) / r + nu * x * x / (r * r * r)) / units::pi;
-      xy += gx.w[i] * gy.w[j] * nu * x * y / (r * r * r) / units::pi;
+      for (const double ahead : {0.0, 0.3}) {
+        const double x = 0.7 + ahead - gx.x[i], y = 1.1 - gy.x[j], r = std::hypot(x, y);
+        const double weight = (ahead > 0 ? -1 : 1) * gx.w[i] * gy.w[j] / units::pi;
+        xx += weight * ((1 - nu) / r + nu * x * x / (r * r * r));
+        xy += weight * nu * x * y / (r * r * r);
+      }
     }
-  CHECK(u[1] == Approx(xx).epsilon(1e-12));
-  CHECK(u[3] == Approx(xy).epsilon(1e-12));
+  CHECK(u[1] == Approx(xx / 0.3).epsilon(1e-11));
+  CHECK(u[3] == Approx(xy / 0.3).epsilon(1e-11));
 }
 
 TEST_CASE("The ends of a row belong 0.0753 cells beyond the quarters", "[rolling]") {
@@ -93,9 +94,6 @@ TEST_CASE("Carter's problem in closed form and by cells", "[rolling]") {
   }
   // Half the distance of the centres is 500 m: xi = mu a/R (1 - 0.6) = 0.00024 for Q = 0.64 mu P.
   CHECK(0.3 / 500 * carter_creepage(0.64) == Approx(0.00024).epsilon(1e-12));
-  const num::Integral q =
-      num::integrate([](double s) { return carter_traction(0.4, s); }, -1, 1, 1e-10);
-  CHECK(q.value / (units::pi / 2) == Approx(0.64).epsilon(1e-8));
 }
 
 TEST_CASE("Cells that just fill the strip are off by first order", "[rolling]") {
@@ -103,19 +101,6 @@ TEST_CASE("Cells that just fill the strip are off by first order", "[rolling]") 
   const double x = carter_creepage(0.64);
   CHECK(carter_by_cells(x, 25, false).force - 0.64 == Approx(9.03e-3).epsilon(2e-3));
   CHECK(carter_by_cells(x, 100, false).force - 0.64 == Approx(2.27e-3).epsilon(3e-3));
-}
-
-TEST_CASE("Cattaneo's shift", "[rolling]") {
-  for (const double ratio : {1.0, 1.568, 0.5})
-    for (const double q : {0.1, 0.5, 0.9}) {
-      RollingCase c{std::sqrt(ratio), 1 / std::sqrt(ratio), 1, 1, 0, 1, {}};
-      c.creepage.longitudinal = cattaneo_shift(ratio, q);
-      const CreepForces f = solve_shift(c, 32, 32);
-      CHECK(f.converged);
-      CHECK(std::abs(f.fx - q) < 2e-3 * std::max(q, 0.4));
-      CHECK(std::abs(f.stick_share - std::pow(cattaneo_stick_ratio(q), 2)) < 0.04);
-    }
-  CHECK(cattaneo_traction(0.875, 0) == Approx(0.5));  // 1 - (1 - q)^(1/3)
 }
 
 TEST_CASE("Rolling is within 0.001 of fine grids on coarse ones", "[rolling]") {

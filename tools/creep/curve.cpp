@@ -21,7 +21,6 @@ read. Positive creepage gives positive force, that of the wheel on the rail; `sp
 #include <utility>
 
 #include "contact/hertz.hpp"
-#include "memory.hpp"
 #include "num/roots.hpp"
 #include "rolling/creep_laws.hpp"
 #include "rolling/material_pair.hpp"
@@ -257,7 +256,6 @@ void run(const Wish& wish) {
                fmt::format("not elastically similar (K = {:.3f}); left out", pair.dissimilarity));
   answer.add("lateral", "lateral creepage", wish.lateral, "");
   answer.add("spin_1_per_m", "spin creepage", wish.spin, "1/m");
-  say_memory(wish.theory, wish.cells);
   tool::Progress progress("points", double(wish.points) + (wish.force ? 12 : 0));
   const Solver solve = [&progress,
                         one = solver(wish.theory, c.a / c.b, c.poisson, wish.cells,
@@ -326,7 +324,7 @@ std::function<void()> declare(tool::Options& options) {
   options.choice(
       "--coefficients", wish->coefficients, {"table", "computed"},
       "fast theories: Kalker's coefficients from his table (a/b 0.1 to 10), or computed");
-  options.count("--cells", wish->cells, "full theory: cells along rolling", 4, 128);
+  options.count("--cells", wish->cells, "full theory: cells along rolling", 4, 256);
   options.out(wish->out);
   return [wish] {
     wish->spin = spin_of(wish->spin_text);

@@ -17,7 +17,6 @@ answer and in the file.
 #include <cmath>
 #include <optional>
 
-#include "memory.hpp"
 #include "rolling/force_table.hpp"
 #include "rolling/theory.hpp"
 #include "table/csv.hpp"
@@ -108,7 +107,6 @@ void run(Wish wish) {
   wish.axes.lateral = static_cast<int>(wish.lateral);
   wish.axes.spin = static_cast<int>(wish.spin);
   if (wish.axes.ratio_from == wish.axes.ratio_to) wish.axes.ratios = 1;
-  say_memory(wish.theory, wish.cells);
   tool::Progress progress("nodes and points", double(wish.axes.ratios) * wish.axes.longitudinal *
                                                       wish.axes.lateral * wish.axes.spin +
                                                   double(wish.points));

@@ -1,17 +1,22 @@
-#include "rolling/kalker_grids.hpp"
+// Kalker's creep coefficients on the grids of the full theory: a second method, for comparison.
+#pragma once
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "rolling/kalker_coefficients.hpp"
 #include "rolling/rolling_parts.hpp"
-#include "units/input_error.hpp"
 
-namespace railbook::rolling {
-namespace {
+namespace railbook::tests {
 
-GridCoefficients on_one_grid(double axis_ratio, double poisson, Eigen::Index along,
-                             Eigen::Index rows) {
+struct GridCoefficients : rolling::ComputedCoefficients {
+  bool converged = false;
+};
+
+inline GridCoefficients on_one_grid(double axis_ratio, double poisson, Eigen::Index along,
+                                    Eigen::Index rows) {
+  using namespace rolling;
   const RollingGrid grid = ellipse_grid(axis_ratio, along, rows, true);
   const TangentialInfluence influence(grid.mesh, poisson, true);
   const Eigen::VectorXd no_bound = Eigen::VectorXd::Constant(grid.mesh.cells(), 1e12);
@@ -30,14 +35,13 @@ GridCoefficients on_one_grid(double axis_ratio, double poisson, Eigen::Index alo
   return c;
 }
 
-}  // namespace
-
-GridCoefficients kalker_coefficients_by_grids(double axis_ratio, double poisson,
-                                              Eigen::Index size) {
-  units::require_positive("axis ratio a/b", axis_ratio);
-  units::require_between("Poisson's ratio", poisson, 0, 0.5);
-  units::require_between("cells along rolling", static_cast<double>(size), 8, 32);
-  size -= size % 8;
+// As kalker_coefficients, but for any a/b > 0 and by the full theory's cells without a traction bound. Grids of `size` x
+// 2 `size` cells (along x across; 8 to 32, a multiple of 8; 1.5 `size` both ways beyond a/b = 2), half and a quarter of it
+// are extrapolated by a parabola in the cell size. c23 and c32 are equal to rounding: one direction's equations are the
+// transpose of the other's.
+inline GridCoefficients kalker_coefficients_by_grids(double axis_ratio, double poisson,
+                                                     Eigen::Index size = 16) {
+  using namespace rolling;
   // The error of the rows is of first order, that of the cells along them of second, but large in long contacts.
   const bool across = axis_ratio <= 2;
   const Eigen::Index along = across ? size : 3 * size / 2, rows = across ? 2 * size : along;
@@ -59,4 +63,4 @@ GridCoefficients kalker_coefficients_by_grids(double axis_ratio, double poisson,
   return c;
 }
 
-}  // namespace railbook::rolling
+}  // namespace railbook::tests
