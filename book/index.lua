@@ -125,7 +125,7 @@ end
 
 -- The figures to look at first; one that a run did not draw is left out.
 local heroes = {"01-contact/scene", "01-contact/fig-12", "01-contact/fig-14", "02-hunting/fig-04", "02-hunting/fig-11",
-  "03-creep/fig-tractions", "03-creep/fig-theories", "04-filters/fig-directions", "05-psd/fig-03", "05-psd/fig-11",
+  "03-creep/fig-full-curve", "03-creep/fig-law", "04-filters/fig-directions", "05-psd/fig-03", "05-psd/fig-11",
   "06-quality/fig-level", "07-track/fig-joint"}
 
 local function best(records, figures)
