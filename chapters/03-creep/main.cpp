@@ -61,7 +61,7 @@ Lost: the measured points and average curves of Figures 3 to 8 and 11, the areas
 
 ## Limits
 
-What the curve costs by each theory, what the error estimates are worth, and where the solver stops is on the [second page](03-creep-study.html). {{curve-answer}} Of random cases {{estimates/covered}} are
+What the curve costs by each theory, what the error estimates are worth, and where the solver stops is on the [second page](03-creep-study.html). {{curve-answer}} Of random cases {{covered}} are
 within the error that the full theory states.
 
 The full theory is that of two elastic half-spaces of one material, with Coulomb's friction at one coefficient, in steady state.

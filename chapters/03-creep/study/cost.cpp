@@ -13,6 +13,8 @@ another mesh with another solver: rows fitted to the ellipse with a matrix again
 
 {{work-precision: curve-time}}
 
+{{work-precision: spin-time}}
+
 ### A matrix or transforms
 
 The same cells of one length, once with the matrix of all influences and once with transforms along the rows: the answers are the same to the solver's tolerance.

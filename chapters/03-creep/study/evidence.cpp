@@ -2,7 +2,7 @@
 ### What the program says of its errors
 
 The full theory states an error for the force, from a grid of half the cells. Random ellipses (a/b from 0.1 to 10, all Poisson's ratios) and creepages, 8 x 4 and 12 x 6 cells, against 32 x 16:
-{{estimates/covered}} are within what was stated, which is {{estimates/median-margin}} times the true error in the middle of them.
+{{covered}} are within what was stated, which is {{median-margin}} times the true error in the middle of them.
 
 {{estimates}}
 
