@@ -42,7 +42,7 @@ struct Oscillator {
   Eigen::MatrixXd mass, damping, damping_by_speed, stiffness;  // n x n: M, C_0, C_1, K
   double inverse_speed = 0;                                    // u [s/m]
   std::vector<Channel> channels;
-  std::vector<Coupling> couplings;
+  std::vector<Coupling> couplings{};
 
   Eigen::Index coordinates() const { return mass.rows(); }
 };
