@@ -34,6 +34,8 @@ below. So the number in print was either larger than (8) makes it, or the points
 
 {{fig-11}}
 
+{{include: answer.cpp}}
+
 On log-log paper each class limit is a rounded corner: up to it the class is set by $A$ alone, right of it by $B$ alone. On the dashed
 line both parts weigh the same. Most of the thirteen zones crowd around it, as the paper remarks. Its other remark, that jointed track lies to the right of
 the line and welded track to the left, holds for {{jointed-right}} of 6 jointed zones and for {{welded-left}} of 7 welded ones.
@@ -268,6 +270,7 @@ void fig_11(report::Item& item) {
   item.rebuilt(
       "points are the printed A and B; the coefficient of A cannot be read and is derived, the "
       "class limits are taken from the standards the paper refers to");
+  class_answer(item);
 }
 
 }  // namespace

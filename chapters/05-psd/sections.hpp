@@ -44,4 +44,6 @@ extern const report::Section record_length;   // study: how much track it takes
 extern const report::Section cost;            // study: error against run time
 extern const report::Section extremes;        // study: stability
 
+void class_answer(report::Item& item);  // of Figure 11
+
 }  // namespace railbook::psd_chapter
