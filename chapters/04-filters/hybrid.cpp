@@ -25,6 +25,8 @@ $$|B|=\frac1{\sqrt{1+\theta^2/\kappa^2}},\quad|C|^2=1+\frac{\sin^2\theta/2}{\sin
 
 {{fig-09}}
 
+{{include: answer.cpp}}
+
 The paper's three figures do not survive in our copy, and it prints no corner: {{corner}} is chosen. At 9 mph the corner lies at {{corner-9}}, at 80 mph at
 {{corner-80}}: fixed in time, moving along the track, by the ratio of the speeds for any corner ({{outcome:fig-07/moves}}). In Figure 9 the two speeds differ by
 {{spread}} at most, at the shortest wave ({{outcome:fig-09/magnitude}}).
@@ -118,6 +120,7 @@ void fig_08(report::Item& item) {
 void fig_09(report::Item& item) {
   item.expect_checks(1);
   response(item, &Gains::hybrid);
+  speed_answer(item);
   double spread = 0;
   sweep([&](double phi) {
     spread = std::max(spread, std::abs(gains(slow, phi / units::foot).hybrid -

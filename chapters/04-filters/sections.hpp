@@ -11,4 +11,6 @@ extern const report::Section curvature, crosslevel;               // and what co
 extern const report::Section profile, speeds;                     // Figure 13, error against speed
 extern const report::Section cost, digits_of_filters, stability;  // the study
 
+void speed_answer(report::Item& item);  // of Figure 9
+
 }  // namespace railbook::filters_chapter
