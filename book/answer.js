@@ -25,7 +25,13 @@ const draw = (name, attributes, text) => {
   if (text !== undefined) element.textContent = text;
   return element;
 };
-const short = (v) => Number(v.toPrecision(3)).toString().replace("-", "−");
+const raised = (n) => String(n).replace(/./g, (c) => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(c)]);
+function short(v) {
+  const text = Number(v.toPrecision(3)).toString().replace("-", "−");
+  if (v === 0 || (Math.abs(v) >= 1e-3 && Math.abs(v) < 1e5)) return text;
+  const power = Math.floor(Math.log10(Math.abs(v)) + 1e-9), lead = Number((v / 10 ** power).toPrecision(3));
+  return (lead === 1 ? "" : String(lead).replace("-", "−") + "×") + "10" + raised(power);
+}
 
 function ticks(from, to, log) {
   if (log) {
