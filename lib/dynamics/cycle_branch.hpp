@@ -20,7 +20,7 @@ struct CyclePoint {
   double largest = 0;                         // of them
   // dV/dA along the branch [1/s]. The paper's criterion, growth of a larger amplitude at the same speed, is
   // its sign, for a mode that speed excites: stable when V rises with A. Necessary for stability, and not
-  // sufficient: it is blind to every other mode (see hill.hpp).
+  // sufficient: it is blind to every other mode (see multipliers.hpp).
   double speed_by_amplitude = 0;
   bool stable = false;  // speed_by_amplitude > 0
   bool neutral =

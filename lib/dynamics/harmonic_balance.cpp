@@ -294,10 +294,6 @@ void require_start(const Oscillator& o, const Cycle& start) {
     throw InputError("start of a harmonic balance: at rest");
 }
 
-}  // namespace
-
-namespace {
-
 Cycle at_given_speed(const Oscillator& o, const Cycle& start, const BalanceOptions& options) {
   Cycle cycle = start;
   cycle.inverse_speed = o.inverse_speed;
@@ -313,8 +309,7 @@ std::pair<Index, Index> largest_harmonic(const Cycle& cycle) {
   return {c, k};
 }
 
-}  // namespace
-
+// The cycle whose largest harmonic is `factor` times that of the start, at whatever speed that needs.
 Cycle balance_at_size(const Oscillator& o, const Cycle& start, double factor,
                       const BalanceOptions& options) {
   require_start(o, start);
@@ -334,6 +329,8 @@ Cycle balance_at_size(const Oscillator& o, const Cycle& start, double factor,
   newton(equations, cycle, condition, options);
   return cycle;
 }
+
+}  // namespace
 
 Cycle balance(const Oscillator& o, const Cycle& start, const BalanceOptions& options) {
   require_start(o, start);

@@ -25,8 +25,5 @@ struct BalanceOptions {
 // size, followed to the speed. Not converged: `reason` says whether there was no progress, the motion fell back to rest, the
 // frequency ran away, or the iterations were used up.
 Cycle balance(const Oscillator& oscillator, const Cycle& start, const BalanceOptions& options = {});
-// The cycle whose largest harmonic is `factor` times that of the start, at whatever speed that needs.
-Cycle balance_at_size(const Oscillator& oscillator, const Cycle& start, double factor,
-                      const BalanceOptions& options = {});
 
 }  // namespace railbook::dynamics

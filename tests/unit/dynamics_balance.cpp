@@ -26,21 +26,6 @@ Oscillator rayleigh(double e) {
 
 }  // namespace
 
-TEST_CASE("Duffing's oscillator: the period of the elliptic integral", "[balance]") {
-  // q'' + (u - 1) q' + q + q^3 = 0 has periodic motions only without damping, at u = 1, with any amplitude.
-  Oscillator o{one, -one, one, one, 0.9, {}};
-  o.channels.push_back({Eigen::VectorXd::Ones(1), false, -one,
-                        sampled([](double q) { return q * q * q; }, -4, 4, 40000)});
-  Cycle start = first_harmonic(o, 2 * unit_motion, 1.9, 31);
-  const Cycle cycle = balance_at_size(o, start, 1);
-  REQUIRE(cycle.converged);
-  CHECK(cycle.inverse_speed == Approx(1).epsilon(1e-9));
-  const double a = amplitude(cycle, Eigen::VectorXd::Ones(1)), m = a * a / (2 * (1 + a * a));
-  const double period = 4 * std::comp_ellint_1(std::sqrt(m)) / std::sqrt(1 + a * a);
-  CHECK(cycle.omega == Approx(2 * units::pi / period).epsilon(1e-7));
-  CHECK(defect(o, cycle) < 1e-4);
-}
-
 TEST_CASE("Van der Pol's cycle: printed period, Liouville's multiplier, Hill's exponent",
           "[balance]") {
   const Oscillator o = rayleigh(1);

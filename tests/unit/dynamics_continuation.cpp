@@ -250,3 +250,25 @@ TEST_CASE("Continuation: van der Pol's cycle from its first to its later days", 
   CHECK(at[0].leading == Approx(std::exp(trace)).epsilon(2e-5));
   CHECK(at[0].stable);
 }
+
+TEST_CASE("Continuation: Duffing's free oscillation has the period of the elliptic integral",
+          "[continuation]") {
+  // q'' + p q' + q + q^3 = 0 has cycles at p = 0 only, of any amplitude.
+  Family family;
+  family.oscillator = seen_by(
+      1, differentiated(2, 1, [](const Complex* s, Complex* f) { f[0] = -s[0] * s[0] * s[0]; }));
+  family.set = [](Oscillator& o, double p) { o.damping(0, 0) = p; };
+  family.watch = {first_row(1)};
+  ContinuationOptions options;
+  options.first_amplitude = 2;
+  options.tail = 1e-8;
+  options.most_points = 1;
+  const auto branch = follow_from_hopf(family, Eigen::VectorXcd::Ones(1), 1.9, 0.05, options);
+  REQUIRE(branch.points.size() == 1);
+  const LimitCycle& p = branch.points[0];
+  CHECK(p.neutral);
+  CHECK(p.parameter == Approx(0).margin(1e-9));
+  const double a = p.largest, m = a * a / (2 * (1 + a * a));
+  const double period = 4 * std::comp_ellint_1(std::sqrt(m)) / std::sqrt(1 + a * a);
+  CHECK(2 * units::pi / p.cycle.omega == Approx(period).epsilon(1e-9));
+}

@@ -4,7 +4,6 @@
 #include <random>
 
 #include "dynamics/cycle_branch.hpp"
-#include "dynamics/hill.hpp"
 #include "units/input_error.hpp"
 
 using namespace railbook;
@@ -201,39 +200,6 @@ TEST_CASE("limit cycles: folds, cycles at an amplitude and at a speed") {
   // On the straight part every amplitude is a cycle at the linear car's speed.
   CHECK(branch.points.front().neutral);
   CHECK(branch.points.front().motion.speed == Approx(hopf[0].motion.speed).epsilon(1e-9));
-}
-
-TEST_CASE("limit cycles: an exponent of the one-harmonic Hill problem vanishes at a fold") {
-  for (const auto suspension : {Suspension::dampers, Suspension::friction}) {
-    const QuasiLinearCar car{assemble({}, suspension), hollow()};
-    BranchOptions options;
-    if (suspension == Suspension::friction) options.first_amplitude = 0.001 * inch;
-    const auto hopf = hopf_points(car, 3, 120);
-    const auto branch = trace_from(car, car.car().has_friction ? hopf.back() : hopf[0], options);
-    REQUIRE_FALSE(branch.folds.empty());
-    for (const auto& fold : branch.folds) {
-      const auto all = hill_exponents(car, fold.motion);
-      CHECK(all.size() == 36);
-      const auto zeros =
-          std::count_if(all.begin(), all.end(), [](Complex s) { return std::abs(s) < 2e-3; });
-      CHECK(zeros == 2);  // the phase, and the fold
-    }
-    const auto& cycle = branch.points[branch.points.size() / 2];
-    const auto all = hill_exponents(car, cycle.motion);
-    CHECK(std::count_if(all.begin(), all.end(), [](Complex s) { return std::abs(s) < 1e-7; }) == 1);
-  }
-}
-
-TEST_CASE("limit cycles: for a linear car Hill's exponents are its eigenvalues") {
-  const QuasiLinearCar car{assemble({}, Suspension::dampers), cone()};
-  const auto hopf = hopf_points(car, 3, 120)[0];
-  const auto all = hill_exponents(car, hopf.motion);
-  for (const auto& mode : modes(car, car.small(), hopf.motion.speed)) {
-    double nearest = 1e9;
-    for (const Complex s : all)
-      nearest = std::min(nearest, std::abs(s - (mode.lambda - hopf.motion.lambda)));
-    CHECK(nearest < 1e-6 * (1 + std::abs(mode.lambda)));
-  }
 }
 
 TEST_CASE("linear stability: what cannot be asked is refused") {
