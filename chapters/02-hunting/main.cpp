@@ -101,5 +101,5 @@ int main(int argc, char** argv) {
                 "February 1977 (paper 76-WA/RT-2)",
        .sources = RAILBOOK_CHAPTER_DIR},
       {geometry, car, describing, critical, branches, modes, algorithm, stability, scenes},
-      {cost, stiffness});
+      {cost, stiffness, closed_forms});
 }

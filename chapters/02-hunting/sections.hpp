@@ -9,8 +9,8 @@ namespace railbook::hunting_chapter {
 
 extern const report::Section geometry, car, describing, critical, branches, modes, algorithm,
     stability, scenes;
-extern const report::Section cost, stiffness;  // study/
-void extremes(report::Item& item);             // the rows of stability
+extern const report::Section cost, stiffness, closed_forms;  // study/
+void extremes(report::Item& item);                           // the rows of stability
 
 // The paper's words as numbers: one reading for every claim of the chapter.
 namespace words {

@@ -12,7 +12,7 @@ stable if all of them, but for the 1 of a shift along the cycle, lie inside the 
 **What the describing functions get right** is everything up to the flange, and the first of it: where the branch leaves the critical speed, how far the car swings there, and that this cycle is
 stable. **What they invent** is how far that goes. With new wheels they promise stable cycles to {{fold-quasi-new}}; the equations' branch turns at {{fold-new}}, and from {{torus-speed}} on, {{torus-above}} above the
 critical speed, its cycles are unstable, because a pair of multipliers leaves the circle: a *torus* bifurcation, a second frequency that grows on the cycle. With CN wheels the two folds are near one another,
-{{fold-quasi-cn}} and {{fold-cn}}, and stability ends at {{cn-end}}. The Heumann wheel's small cycles, and those with friction before the flange, are as the describing functions have them.
+{{fold-quasi-cn}} and {{fold-cn}}, and stability ends at {{cn-end}}. The Heumann wheel's small cycles, and those with friction before the flange, are near what the describing functions have.
 
 At 160 ft/s the motion leaves the cycle, front and rear get out of step, and a wheelset comes to the end of the table, beyond the flange's top. With linear creep nothing but the
 flange limits the motion; a creep force that saturates, which the paper calls for as future work, may well do so.

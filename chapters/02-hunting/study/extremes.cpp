@@ -1,14 +1,21 @@
 /***
 The rows strain the search for cycles and critical speeds, friction's sticking rate and the end of the tables. The random cars have data drawn between half and twice the
 paper's ({{random-cars}} of them, for one takes a tenth of a second); the error is the worst of all. The contact of random wheels and rails against a scan of all places is a test of the library.
+
+{{digits}}
+
+The derivative loses digits where the amplitude comes down to the core's width, for there $1-\beta$ is a small difference.
 */
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 
+#include "bench/evidence.hpp"
+#include "dynamics/describing_function.hpp"
 #include "num/eigenvalues.hpp"
 #include "sections.hpp"
 #include "vehicles.hpp"
@@ -167,7 +174,35 @@ Found random_cars(int cars) {
   return {fmt::format("{} cars, {} critical speeds", cars, points), worst};
 }
 
+// The gain of friction with a viscous core of width 1, and its derivative, against 80-bit arithmetic.
+void digits(report::Item& item) {
+  item.added("a study of methods");
+  item.expect_checks(2);
+  std::vector<double> amplitudes;
+  for (double a = 1.01; a < 1e6; a *= 1.01) amplitudes.push_back(a);
+  const auto root = [](long double b) { return std::sqrt((1 - b) * (1 + b)); };
+  const auto gain = [&](double a) {
+    const long double b = 1 / static_cast<long double>(a);
+    return 2 / std::numbers::pi_v<long double> * (std::asin(b) + b * root(b));
+  };
+  const auto slope = [&](double a) {
+    const long double b = 1 / static_cast<long double>(a);
+    return -4 / std::numbers::pi_v<long double> * b * b * root(b);
+  };
+  const char *range = "A/ε from 1.01 to 1e6", *against = "80-bit arithmetic";
+  bench::digits_table(
+      item, {bench::worst_digits(
+                 {"gain", "N(A) of regularized friction", range, against, 1e-15}, amplitudes,
+                 [](double a) { return regularized_friction(1, 1, a).value; }, gain),
+             bench::worst_digits(
+                 {"slope", "dN/dA", range, against, 1e-13}, amplitudes,
+                 [](double a) { return regularized_friction(1, 1, a).slope; }, slope)});
+}
+
 }  // namespace
+
+const report::Section closed_forms{
+    report::table("digits", "Digits of the closed form of friction's gain", digits)};
 
 void extremes(report::Item& item) {
   using report::degrades, report::holds, report::refused;
