@@ -127,6 +127,11 @@ const std::vector<CurvePoint>& creep_chapter::reference_curve(bool full) {
   return curve;
 }
 
+const std::vector<CurvePoint>& creep_chapter::other_curve() {
+  static const auto curve = full_curve({.along = 64, .rows = 32});
+  return curve;
+}
+
 namespace {
 
 // Mean and largest difference of two curves at the same abscissae.
@@ -146,7 +151,7 @@ Apart apart(const std::vector<CurvePoint>& a, const std::vector<CurvePoint>& b) 
 void tabulate(report::Item& item) {
   item.rebuilt("the paper shows the theoretical curve in Fig. 11 without numbers");
   const auto& curve = reference_curve(item.full());
-  const auto other = full_curve({.along = 64, .rows = 32});
+  const auto& other = other_curve();
   const auto program = item.printed("contact-curve.csv");
   item.columns({"X",
                 {"f", "{:.5f}"},
