@@ -109,5 +109,5 @@ int main(int argc, char** argv) {
                 "1981",
        .sources = RAILBOOK_CHAPTER_DIR},
       {stroke, force, combined, spectrum, filter, nonlinear, histogram, spreading},
-      {cost, extremes});
+      {cost, closed_forms, extremes});
 }

@@ -42,7 +42,7 @@ double continued(std::span<const double> z, std::ptrdiff_t i) {
 }
 
 void judge(FilterTaps& taps, const Envelope& envelope, double shortest) {
-  num::RealFft fft{4 * std::bit_ceil(taps.half.size())};
+  num::RealFft fft{16 * std::bit_ceil(taps.half.size())};  // 16 points and more a ripple
   const auto got = gains(taps.half, fft);
   const double step = 1 / (static_cast<double>(fft.size()) * taps.spacing);
   const double lowest = 1 / (static_cast<double>(taps.half.size()) * taps.spacing);
