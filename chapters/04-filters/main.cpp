@@ -46,11 +46,6 @@ What the filters cost against other ways to write them, and what stops, reversal
   `configuration.hpp` or options of `railbook filters process`. The paper's limits of 2, 5 and 15 mph depend on sensors and on an accuracy that it does not state; that the
   errors grow below them is {{outcome:table-claims/profile}} for profile, {{outcome:table-claims/alignment}} for alignment.
 
-## Citation
-
-*Inertial and Inductive Measurement Techniques for Track Geometry*, contributed by the Dynamic Systems and Control Division of the American Society of Mechanical Engineers for its Winter
-Annual Meeting, Washington, D.C., 15-20 November 1981. So much stands in our copy. It names ENSCO and no author, paper number or DOI; these were looked up and not found. The page cites no other work.
-
 ## Limits
 
 * $C$ and $G$ undo the analog filter exactly, and amplify everything behind it: noise and steps of the converter by $1/\kappa$ and $1/\kappa^2$. The lower the
@@ -67,6 +62,11 @@ Annual Meeting, Washington, D.C., 15-20 November 1981. So much stands in our cop
 * Set `gyro_corner` and `acceleration_corner` to a tenth, and run the chapter: the directions meet, and the error of a coarse converter grows.
 * Take the slope for the term of changing speed from the space curve itself, and iterate: the long waves it lacks matter least.
 * Compute the filter for three poles: $q$ becomes the response of a third-order filter, and four samples are combined.
+
+## Citation
+
+*Inertial and Inductive Measurement Techniques for Track Geometry*, contributed by the Dynamic Systems and Control Division of the American Society of Mechanical Engineers for its Winter
+Annual Meeting, Washington, D.C., 15-20 November 1981. So much stands in our copy. It names ENSCO and no author, paper number or DOI; these were looked up and not found. The page cites no other work.
 
 ## Coverage
 
