@@ -205,12 +205,6 @@ Spectrum Welch::spectrum() const {
   return result;
 }
 
-std::size_t Welch::state_bytes() const {
-  const std::size_t spectrum = 2 * power_.size();
-  return sizeof(double) *
-         (window_.size() + buffer_.size() + 2 * power_.size() + options_.segment + spectrum);
-}
-
 Spectrum respaced(const Spectrum& from, double spacing) {
   units::require_positive("sample spacing", spacing, "m");
   Spectrum result = from;

@@ -56,7 +56,6 @@ class Welch {
   std::size_t gap_samples() const { return gap_samples_; }  // of them not finite
   std::size_t segments() const { return segments_; }        // averaged so far
   std::size_t used_samples() const { return samples_ - gap_samples_ - unused(); }  // in them
-  std::size_t state_bytes() const;  // memory held, FFT buffers included
 
  private:
   struct Block {        // sums of one hop of samples, shared by the segments that overlap there

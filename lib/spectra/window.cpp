@@ -118,12 +118,6 @@ VectorXd window_weights(Window window, Index n) {
   throw InputError{"unknown window"};
 }
 
-std::string_view window_name(Window window) {
-  for (const auto& known : names)
-    if (known.window == window) return known.name;
-  return "unknown";
-}
-
 Window parse_window(std::string_view name) {
   std::string allowed;
   for (const auto& known : names) {

@@ -13,8 +13,7 @@ enum class Window { boxcar, hann, hamming, blackman_harris, dpss };
 // n >= 8, else InputError. Blackman-Harris is the 4-term, 92 dB one (Harris 1978).
 Eigen::VectorXd window_weights(Window window, Eigen::Index n);
 
-// "hann" and so on, as the options of a program spell it; from text, InputError lists the allowed names.
-std::string_view window_name(Window window);
+// From "hann" and so on, as the options of a program spell it; else InputError lists the allowed names.
 Window parse_window(std::string_view name);
 
 }  // namespace railbook::spectra

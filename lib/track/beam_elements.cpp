@@ -189,22 +189,6 @@ BeamSolution solve_beam(const BeamModel& model, const std::vector<NodeLoad>& loa
   return s;
 }
 
-BeamModel rail_on_ties(double bending_stiffness, double tie_stiffness, double tie_spacing,
-                       int bays_each_side, LoadPlace place) {
-  units::require_positive("tie spacing", tie_spacing, "m");
-  units::require_positive("tie stiffness", tie_stiffness, "N/m");
-  units::require_between("bays on each side", bays_each_side, 2, 1e6);
-  const Index n = 2 * Index(bays_each_side) + 1, middle = n / 2;
-  BeamModel model{.bending_stiffness = bending_stiffness,
-                  .x = Eigen::VectorXd(n),
-                  .spring = Eigen::VectorXd::Constant(n, tie_stiffness)};
-  const double shift = place == LoadPlace::midspan ? 0.5 * tie_spacing : 0.0;
-  for (Index i = 0; i < n; ++i)
-    model.x(i) = double(i - middle) * tie_spacing + (i < middle ? shift : i > middle ? -shift : 0);
-  if (place == LoadPlace::midspan) model.spring(middle) = 0;
-  return model;
-}
-
 double discrete_tie_ratio(double beta_spacing, LoadPlace place) {
   units::require_between("beta l_t", beta_spacing, 1e-3, 50.0);
   // With l_t = EI = 1 the tie is 4 b^4. In one phase phi the two unknowns of a node are condensed

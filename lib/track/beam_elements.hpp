@@ -52,10 +52,7 @@ BeamSolution solve_beam(const BeamModel& model, const std::vector<NodeLoad>& loa
 Eigen::Matrix4d exact_element(double bending_stiffness, double foundation_modulus, double length);
 Eigen::Matrix4d cubic_element(double bending_stiffness, double foundation_modulus, double length);
 
-// A track of discrete ties: one load in the middle of `ties` bays a side.
 enum class LoadPlace { over_tie, midspan };
-BeamModel rail_on_ties(double bending_stiffness, double tie_stiffness, double tie_spacing,
-                       int bays_each_side, LoadPlace place);
 
 // Stiffness under a load on the infinite rail over discrete ties, relative to the same ties smeared
 // to K = k / l_t, against beta l_t: from the periodic (Bloch) solution, an integral over one period

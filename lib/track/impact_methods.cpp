@@ -17,24 +17,6 @@
 
 namespace railbook::track {
 
-std::string_view to_string(ImpactMethod method) {
-  switch (method) {
-    case ImpactMethod::dopri5:
-      return "dopri5";
-    case ImpactMethod::rk8pd:
-      return "rk8pd";
-    case ImpactMethod::msbdf:
-      return "msbdf";
-    case ImpactMethod::rk4imp:
-      return "rk4imp";
-    case ImpactMethod::bsimp:
-      return "bsimp";
-    case ImpactMethod::radau5:
-      return "radau5";
-  }
-  return "unknown";
-}
-
 namespace {
 
 // Where a run stops, ascending: at a time asked for, at a joint or knot, or both.
@@ -136,7 +118,10 @@ class Comparison {
         result.reason = reason_;
         break;
       }
-      if (stop.asked) result.force.push_back(system_.force(stop.t, stepper.state()));
+      if (stop.asked) {
+        result.state.push_back(stepper.state());
+        result.force.push_back(system_.force(stop.t, result.state.back()));
+      }
       after_joint_ = stop.joint;
       from = stop.t;
     }
@@ -218,12 +203,15 @@ ForcesAt forces_at(const ImpactModel& model, const Surface& surface, double spee
   if (method == ImpactMethod::dopri5) {
     const ImpactHistory history = simulate(model, surface, speed, until);
     ForcesAt result{{},
+                    {},
                     history.evaluations,
                     0,
                     history.status == ImpactStatus::complete,
                     std::string(to_string(history.status))};
-    if (result.complete)
-      for (double t : times) result.force.push_back(history.force(t));
+    for (std::size_t i = 0; result.complete && i < times.size(); ++i) {
+      result.state.push_back(history.state(times[i]));
+      result.force.push_back(history.force(times[i]));
+    }
     return result;
   }
   require_valid(model);

@@ -3,7 +3,6 @@
 
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "track/impact.hpp"
@@ -13,11 +12,11 @@ namespace railbook::track {
 // radau5 is this project's; the rest are GSL's: explicit of order 8(9), multistep BDF of variable order (1 to
 // 5), implicit Gauss of order 4, and implicit extrapolation (Bader and Deuflhard).
 enum class ImpactMethod { dopri5, rk8pd, msbdf, rk4imp, bsimp, radau5 };
-std::string_view to_string(ImpactMethod method);
 
 struct ForcesAt {
   std::vector<double> force;  // [N], one a time asked for
-  long evaluations = 0;       // of the right-hand side
+  std::vector<ImpactState> state;
+  long evaluations = 0;  // of the right-hand side
   long jacobians = 0;
   bool complete = false;
   std::string reason;  // why not

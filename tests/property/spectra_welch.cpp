@@ -78,7 +78,7 @@ TEST_CASE("property: scatter of bins and of bands is what the effective averages
       bin_squares += excess.square().mean() / records;
       band_squares += excess.mean() * excess.mean() / records;
     }
-    INFO("window " << spectra::window_name(window) << ", parts " << parts);
+    INFO("window " << static_cast<int>(window) << ", parts " << parts);
     CHECK(bin_squares * last.averages == Approx(1).epsilon(0.04));
     CHECK(band_squares * static_cast<double>(bands) / last.band_variance ==
           Approx(1).epsilon(0.15));

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "../support/rail_on_ties.hpp"
 #include "track/beam_elements.hpp"
 #include "track/typical_track.hpp"
 
@@ -104,7 +105,7 @@ TEST_CASE("property: cutting the rail at beta L costs e^(-2 beta L)") {
 }
 
 TEST_CASE("property: springs carry the whole load, across joints too") {
-  auto model = rail_on_ties(5e6, 4e6, 0.5, 30, LoadPlace::over_tie);
+  auto model = support::rail_on_ties(5e6, 4e6, 0.5, 30, LoadPlace::over_tie);
   model.joints = {{20, hinge}, {33, free_joint}};
   const auto s = solve_beam(model, {{30, 1e5}, {34, 5e4}});
   const double reaction = model.spring.dot(0.5 * (s.deflection + s.deflection_left));

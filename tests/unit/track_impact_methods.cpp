@@ -29,7 +29,7 @@ TEST_CASE("unit: six integrators of three families agree on the forces over a jo
   for (ImpactMethod method : {ImpactMethod::rk8pd, ImpactMethod::msbdf, ImpactMethod::rk4imp,
                               ImpactMethod::bsimp, ImpactMethod::radau5}) {
     const ForcesAt forces = run(method, 1e-10);
-    INFO(to_string(method));
+    INFO(static_cast<int>(method));
     REQUIRE(forces.complete);
     REQUIRE(forces.force.size() == times.size());
     for (std::size_t i = 0; i < times.size(); ++i)

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "../support/rail_on_ties.hpp"
 #include "track/beam_elements.hpp"
 #include "track/typical_track.hpp"
 
@@ -114,7 +115,7 @@ TEST_CASE("unit: elements on ties agree with the Bloch solution to 1e-10") {
       const WinklerBeam smeared{ei, k / spacing};
       const double b = smeared.beta() * spacing;
       const int bays = int(16.0 / b) + 12;
-      const auto model = rail_on_ties(ei, k, spacing, bays, place);
+      const auto model = support::rail_on_ties(ei, k, spacing, bays, place);
       const auto solution = solve_beam(model, {{bays, 1.0}});
       const double ratio = 1.0 / (solution.deflection(bays) * smeared.point_stiffness());
       CHECK(ratio == Approx(discrete_tie_ratio(b, place)).epsilon(1e-10));
@@ -126,7 +127,7 @@ TEST_CASE("unit: a public finite-element code's benchmark on 100 ties is right b
   // 18 kN over a tie; a run of its December 2025 revision (5099 steps in time) settles to 20.53682 mm.
   const double ei = 4.41e5, tie = 2.75e5, spacing = 1.0, force = 18e3, theirs = 20.53682e-3;
   const double exact =
-      solve_beam(rail_on_ties(ei, tie, spacing, 50, LoadPlace::over_tie), {{50, force}})
+      solve_beam(support::rail_on_ties(ei, tie, spacing, 50, LoadPlace::over_tie), {{50, force}})
           .deflection(50);
   CHECK(exact == Approx(theirs).epsilon(2e-5));
   // Its distance to Winkler's bed is the ties'.
