@@ -10,7 +10,6 @@ Below {{fig-11}} a track can be chosen by its roughness $A$ and its dip $B$: the
 namespace railbook::psd_chapter {
 
 void class_answer(report::Item& item) {
-  constexpr double mm = units::millimetre;
   const spectra::ClassRule rule{.chord = 19.0};
   report::Answer answer{item,
                         {"A_m²-cycle/m", "B_mm"},

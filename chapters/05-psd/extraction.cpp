@@ -19,7 +19,7 @@ The program reads them with a regression and a sum instead of a ruler. What it m
 {{peaks}}
 
 Two remarks on (6). The power is the area under the peak, and height times half width is the area of a rectangle. A peak of the shape of a
-resonance curve has {{lorentz}} times that: $B$ by (6) and (7) is then {{lorentz-B}} too small. We sum the area and take
+resonance curve has {{lorentz}} times that: $B$ by (6) and (7) is then {{lorentz-B}} too small. The program sums the area and takes
 $\beta = Q_1/C_1$. And with $\beta$ wide, the joints' randomness lifts the spectrum between the peaks as well; the regression takes
 it for roughness, and $A$ comes out high.
 
@@ -35,27 +35,19 @@ this:
 So 0.010 is most likely the resolution of the analysis, and $C_1$ of these zones says as much about the window as
 about the track. Their product is immune: the power is the same in every row.
 */
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <string>
-#include <vector>
 
 #include "sections.hpp"
 #include "spectra/joint_dips.hpp"
-#include "spectra/rail_line.hpp"
 #include "spectra/spectrum_fit.hpp"
 
 namespace railbook::psd_chapter {
 
-using spectra::LineConvention;
-
 namespace {
 
-constexpr double mm = units::millimetre, km = units::kilometre;
-constexpr std::size_t paper_segment = 512;  // samples of 1 ft: our guess at the paper's analysis
-const std::vector<std::string> shown{"7", "10", "2", "11", "12", "13"};  // Figure 8 (a) to (f)
+constexpr std::size_t paper_segment = 512;  // samples of 1 ft: a guess at the paper's analysis
+constexpr std::size_t shown[]{7, 10, 2, 11, 12, 13};  // Figure 8 (a) to (f)
 
 bool broad(const Zone& zone) {
   return zone.beta > 0.015;
@@ -88,37 +80,29 @@ struct Reading {
   spectra::SpectrumFit fit;
 };
 
-const std::vector<Reading>& readings(const table::CsvTable& table_1) {
+const std::vector<Reading>& readings(const report::Item& item) {
   static const auto result = [&] {
     std::vector<Reading> made;
-    for (const Zone& zone : zones(table_1)) {
-      if (std::find(shown.begin(), shown.end(), zone.name) == shown.end()) continue;
-      Reading reading{.zone = zone,
-                      .spectrum = record_spectrum(reconstructed_track(zone), 40 * km,
-                                                  {.segment = paper_segment}),
-                      .fit = {}};
-      const double half_width = broad(zone) ? 0.035 : 0.02;
-      reading.fit = spectra::fit_track_spectrum(
-          reading.spectrum, {.rail_length = 1 / zone.track.phi_0, .line_half_width = half_width});
-      made.push_back(std::move(reading));
+    const auto all = zones(item);
+    for (const std::size_t number : shown) {
+      const Zone& zone = all.at(number - 1);
+      const auto spectrum =
+          record_spectrum(reconstructed_track(zone), 40 * km, {.segment = paper_segment});
+      const spectra::FitOptions options{.rail_length = 1 / zone.track.phi_0,
+                                        .line_half_width = broad(zone) ? 0.035 : 0.02};
+      made.push_back({zone, spectrum, spectra::fit_track_spectrum(spectrum, options)});
     }
     return made;
   }();
   return result;
 }
 
-const Reading& reading_of(const table::CsvTable& table_1, const std::string& zone) {
-  const auto& all = readings(table_1);
-  return *std::find_if(all.begin(), all.end(), [&](const auto& r) { return r.zone.name == zone; });
-}
-
 void fig_08(report::Item& item) {
-  const table::CsvTable table_1 = item.printed("table-1.csv");
   auto& measured = item.data({"zone", "phi_cycle_per_m", "S_m2_per_cycle_per_m"});
   auto& lines = item.data("lines", {"zone", "phi_cycle_per_m", "S_printed", "S_fitted"});
   auto& marks = item.data("marks", {"zone", "phi_cycle_per_m", "S_peak", "phi_c", "S_corner"});
-  for (const std::string& name : shown) {
-    const Reading& r = reading_of(table_1, name);
+  for (const Reading& r : readings(item)) {
+    const std::string& name = r.zone.name;
     for (Eigen::Index k = 2; k < r.spectrum.density.size(); ++k)
       if (r.spectrum.frequency(k) < 1.2)
         measured.add(name, r.spectrum.frequency(k), r.spectrum.density[k]);
@@ -132,8 +116,7 @@ void fig_08(report::Item& item) {
               random(r.zone.track.phi_c));
   }
   item.rebuilt(
-      "the paper's spectra are drawn, not tabled; ours are of synthetic track with the printed "
-      "parameters");
+      "the paper's spectra are drawn, not tabled: synthetic track with the printed parameters");
 }
 
 void table_peaks(report::Item& item) {
@@ -142,11 +125,10 @@ void table_peaks(report::Item& item) {
   item.columns({"zone", "A printed", "A found", "φ<sub>c</sub> printed", "φ<sub>c</sub> found",
                 "C₁ printed", "C₁ found", "β printed", "width at half height", "Q₁/C₁",
                 "B printed, mm", "B found, mm"});
-  for (const std::string& name : shown) {
-    const Reading& r = reading_of(table_1, name);
-    const auto printed = [&](const char* column) { return table_1.at(name, column); };
+  for (const Reading& r : readings(item)) {
+    const auto printed = [&](const char* column) { return table_1.at(r.zone.name, column); };
     item.add_row(
-        {name, printed("A"), fmt::format("{:.1e}", r.fit.A.value), printed("phi_c"),
+        {r.zone.name, printed("A"), fmt::format("{:.1e}", r.fit.A.value), printed("phi_c"),
          fmt::format("{:.3f}", r.fit.phi_c.value), printed("C_1"), fmt::format("{:.1e}", r.fit.C_1),
          printed("beta"), fmt::format("{:.3f}", r.fit.half_width),
          fmt::format("{:.3f}", r.fit.beta), printed("B"),
@@ -160,11 +142,11 @@ void table_peaks(report::Item& item) {
 */
 void table_resolution(report::Item& item) {
   item.added("what a window makes of a line of no width");
-  const Zone zone = zones(item.printed("table-1.csv")).at(6);
+  const Zone zone = zones(item).at(6);
   const double Q_1 = spectra::line_power(1, zone.track.B, LineConvention::printed);
   item.expect_checks(2);
   item.columns({"segment, ft", "bin, cycle/m", "width at half height", "Q₁/C₁", "C₁ of zone 7"});
-  for (const std::size_t segment : {256U, 512U, 1024U, 4096U}) {
+  for (const std::size_t segment : {256U, 512U, 4096U}) {
     spectra::SyntheticTrack joints = synthetic(zone.track, 1);
     joints.A = 0;
     const auto spectrum = record_spectrum(joints, 20 * km, {.segment = segment});
@@ -181,25 +163,25 @@ void table_resolution(report::Item& item) {
 }
 
 void fig_09(report::Item& item) {
-  const Zone zone = zones(item.printed("table-1.csv")).at(6);
+  const Zone zone = zones(item).at(6);
   const double Q_1 = spectra::line_power(1, zone.track.B, LineConvention::printed);
   const double df = 1 / (static_cast<double>(paper_segment) * units::foot);
-  const double phi_0 = zone.track.phi_0, under = spectra::random_psd(zone.track, phi_0);
+  const double top = zone.track.phi_0, under = spectra::random_psd(zone.track, top);
   const double C_1 = Q_1 * hann_line(0, df), beta = Q_1 / C_1;
   auto& curve = item.data({"phi_cycle_per_m", "S_random", "S_total"});
   for (double phi = 0.055; phi < 0.1151; phi += 0.0002) {
     const double random = spectra::random_psd(zone.track, phi);
-    curve.add(phi, random, random + Q_1 * hann_line(phi - phi_0, df));
+    curve.add(phi, random, random + Q_1 * hann_line(phi - top, df));
   }
   auto& box = item.data("box", {"phi_cycle_per_m", "S"});
   for (const double side : {-0.5, 0.5}) {
-    const double foot = spectra::random_psd(zone.track, phi_0 + side * beta);
-    box.add(phi_0 + side * beta, side < 0 ? foot : under + C_1);
-    box.add(phi_0 + side * beta, side < 0 ? under + C_1 : foot);
+    const double foot = spectra::random_psd(zone.track, top + side * beta);
+    box.add(top + side * beta, side < 0 ? foot : under + C_1);
+    box.add(top + side * beta, side < 0 ? under + C_1 : foot);
   }
   auto& marks = item.data("marks", {"phi_0", "S_under", "S_peak"});
-  marks.add(phi_0, under, under + C_1);
-  item.rebuilt("the paper draws the peak without numbers; ours is zone 7, from its formula");
+  marks.add(top, under, under + C_1);
+  item.rebuilt("the paper draws the peak without numbers: zone 7, from its formula");
 }
 
 }  // namespace

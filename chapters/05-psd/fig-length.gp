@@ -1,15 +1,42 @@
 load "style.gp"
+set terminal pngcairo size 1500,850
 set output ARG2
-set logscale xy
-set xrange [1.5:600]
-set yrange [0.3:20]
+set multiplot layout 2,4
+set logscale x
+set xrange [2:25]
+set xtics (2.5, 5, 10, 20)
+unset key
+ways = "'regression' '512 ft' 'straightforward'"
+quantities = "A corner B"
+titles = "'roughness A' 'corner φ_c' 'dip B'"
+shift(i) = 1 + 0.04 * (i - 2)  # so that the bars stand side by side
+is(q, w) = strcol("quantity") eq word(quantities, q) && strcol("method") eq word(ways, w)
+set ylabel "bias, %"
+set arrow 1 from graph 0, first 0 to graph 1, first 0 nohead ls guide
+do for [q = 1:3] {
+  set title word(titles, q)
+  plot for [w = 1:3] ARG1 using (is(q, w) ? column("length_km") * shift(w) : NaN):"bias_percent":"bias_error" \
+       with yerrorbars lt w dt solid title word(ways, w)
+}
+set title "class"
+set ylabel "share of records with the right class, %"
+set key at graph 1.0, graph -0.35 right top samplen 2 font ",13"
+set yrange [-3:100]
+unset arrow 1
+plot for [w = 1:3] ARG3 using (strcol("method") eq word(ways, w) ? column("length_km") * shift(w) : NaN):"right_percent":"error" \
+     with yerrorbars lt w dt solid title word(ways, w), \
+     ARG3 using (strcol("method") eq word(ways, 1) ? column("length_km") : NaN):"stated_percent" with lines lt 1 title "stated probability"
+unset key
+unset title
 set xlabel "length of record, km"
-set ylabel "standard error of A, %"
-set ytics (0.3, 0.5, 1, 2, 5, 10, 20)
-set xtics (2, 5, 10, 20, 50, 100, 200, 500)
-names = "1 10 13"
-set arrow from graph 0, first 5 to graph 1, first 5 nohead ls guide
-plot for [i = 1:3] ARG1 using (strcol("zone") eq word(names, i) ? column("length_km") : NaN):"error_percent" \
-       with lines lt i title "zone ".word(names, i).", claimed", \
-     for [i = 1:3] ARG3 using (strcol("zone") eq word(names, i) ? column("length_km") : NaN):"scatter_percent":"low_percent":"high_percent" \
-       with yerrorbars lt i dt solid title "zone ".word(names, i).", scatter of records"
+set ylabel "scatter, %"
+set logscale y
+set yrange [0.5:50]
+set ytics (0.5, 1, 2, 5, 10, 20, 50)
+do for [q = 1:3] {
+  plot for [w = 1:3] ARG1 using (is(q, w) ? column("length_km") * shift(w) : NaN):"scatter_percent":"scatter_error" \
+       with yerrorbars lt w dt solid title word(ways, w), \
+       ARG1 using (is(q, 1) ? column("length_km") : NaN):"stated_percent" with lines lt 1, \
+       30 / sqrt(x) with lines dt 2 lc rgb grey
+}
+unset multiplot

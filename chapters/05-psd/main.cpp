@@ -3,7 +3,7 @@
 ::: findings
 1. A line of the spectrum has the power $Q_n=\frac12B_n^2$. Result: that is a quarter of the power in the one-sided density used everywhere else; the $B$ of Table 1 is twice the physical dip. {{outcome:lines/Q1-exact}} {{outcome:lines/Q2-printed}}
 2. Rule (10) gives the classes of Table 3. Result: twelve of thirteen, with the coefficient derived; zone 12 lies {{zone-12-margin}} inside class 3, printed is 2. {{outcome:table-3/zone-12}}
-3. "The PSD cannot distinguish" random dips from grouped ones. Result: it can; {{near-grouped}} of the scattered power of grouped dips lies at the lines, {{near-random}} of random ones. {{outcome:fig-05/distinguish}}
+3. "The PSD cannot distinguish" random dips from grouped ones. Result: it can; on five miles of each their densities at $\varphi_0$ are {{distinguish-errors}} standard errors apart. {{outcome:fig-05/distinguish}}
 :::
 
 A geometry car leaves kilometres of numbers; a track engineer wants one: which speed class can this stretch be held to? The
@@ -17,21 +17,13 @@ what went in. For records of your own there is `railbook psd classify`.
 
 {{include: processes.cpp}}
 
-{{include: random_part.cpp}}
-
 {{include: modulation.cpp}}
-
-{{include: memory.cpp}}
-
-{{include: composite.cpp}}
 
 {{include: extraction.cpp}}
 
 {{include: zones.cpp}}
 
 {{include: chords.cpp}}
-
-{{include: chord_table.cpp}}
 
 {{include: classes.cpp}}
 
@@ -42,13 +34,15 @@ what went in. For records of your own there is `railbook psd classify`.
 * **Below (2).** $Q_2$ is {{Q2}}$\,B^2$ in the paper's convention, which does not round to 9.00: it was divided out of the rounded $Q_1$ ({{outcome:lines/Q2-printed}}).
 * **Table 1.** Rows 1, 3, 6, 7, 8, 11 and 13 do not fit (7) within their rounding ({{outcome:table-1/1-B}}): values read off graphs, in zone 13 illegible exponents.
   Zone 12 is said to be 10-m rail, but its $\varphi_0$ is that of {{zone-12-rail}}.
+* **"Quite satisfactory for wavelengths longer than 6 m"** is said of (3), but most corners of Table 1 lie at longer ones
+  ({{outcome:table-1/six-metres}}).
 * **Table 2.** 0.99 for the 10.4-m chord on 11.9-m and on 9.1-m rail should read 0.98 ({{outcome:table-2/34-39-printed}}). The 19-m row holds for 62 ft only.
 * **Three sigma.** 0.99 and 0.8 are cut, not rounded ({{outcome:equation-8/normal-printed}}).
 * **Table 3.** Zone 12 comes out as class 3; printed is 2 ({{outcome:table-3/zone-12}}). The coefficient $k$ of (10) cannot be read; with
   {{k-low}} < $k$ ≤ {{k-high}} all thirteen classes would be as printed, (8) gives {{k-19}} ({{outcome:table-k/k-19}}). Text and table name different zones as rebuilt after the survey.
 * **(6).** Height times half width is the area of the peak only for the shape of a good window ({{outcome:resolution/Q1}}). For a peak broadened by the track
   itself it is too small.
-* **"The PSD cannot distinguish"** random from grouped dips. With the same spread it can ({{outcome:fig-05/distinguish}}).
+* **"The PSD cannot distinguish"** random from grouped dips. With the same mean and spread it can ({{outcome:fig-05/distinguish}}).
 * **"Symmetrical sidebands"** need a smooth envelope ({{outcome:fig-04/symmetric}}). Dips that scale joint by joint give {{staircase-ratio}} to 1.
 
 Damage of our copy: the square root's ½ in (8), confirmed by derivation; a digit of (5); the coefficient of (10); the plot symbols of Figure 11.
@@ -71,10 +65,16 @@ Damage of our copy: the square root's ½ in (8), confirmed by derivation; a digi
 
 * Fit the closed form of scattered dips to the neighbourhood of $\varphi_0$: it gives the spread of the dips and how far along the track they are
   alike, which (6) throws away, and would answer the paper's question about rock and roll.
-* Measure the ratio of the two sidebands. It tells a smooth envelope (the ground) from joints that react one by one (the bars).
 * Classify by the 31-ft chord, whose sensitivity to joints hardly depends on the rail: `spectra::rail_chord_sensitivity` and a set of limits
   are all it takes.
 * Make zone 12 of 30-ft rail, `railbook psd synthesize --rail 30ft`, and see what the chord of the standard and the rule make of it.
+
+## Citations
+
+The copy at hand names no author, venue or year. These are from the Transportation Research Board's catalogue (TRID 00128608): J. C. Corbin and W. M.
+Kaufman, in *Mechanics of Transportation Systems*, AMD-Vol. 15, presented at the Winter Annual Meeting of ASME, Houston, Texas, 30 November to 5 December
+1975. No DOI was found. The paper cites its sources by number, and its list of references is not in the copy. Not the paper's: the limits of the classes,
+49 CFR 213.63 (class 6 as of the 1970s; not looked up again).
 
 ## Coverage
 
@@ -83,8 +83,6 @@ Damage of our copy: the square root's ½ in (8), confirmed by derivation; a digi
 #include <algorithm>
 
 #include "sections.hpp"
-#include "spectra/rail_line.hpp"
-#include "units/constants.hpp"
 
 namespace railbook::psd_chapter {
 
@@ -92,9 +90,9 @@ spectra::SyntheticTrack synthetic(const spectra::TrackParameters& track, std::ui
   return {.seed = seed,
           .A = track.A,
           .phi_c = track.phi_c,
-          .rail_length = 39 * units::foot,  // of all zones: the 9.2 m of zone 12 are in doubt
-          .dip = spectra::convert_dip(track.B, spectra::LineConvention::printed,
-                                      spectra::LineConvention::exact_one_sided)};
+          .rail_length = rail,
+          .dip = spectra::convert_dip(track.B, LineConvention::printed,
+                                      LineConvention::exact_one_sided)};
 }
 
 spectra::Spectrum record_spectrum(const spectra::SyntheticTrack& track, double length,
@@ -122,9 +120,10 @@ int main(int argc, char** argv) {
        .name = "psd",
        .title = "Classifying track by power spectral density",
        .paper = "J. C. Corbin and W. M. Kaufman, Classifying Track by Power Spectral Density, "
-                "Mechanics of Transportation Systems, ASME AMD vol. 15, 1975",
+                "Mechanics of Transportation Systems, ASME AMD-Vol. 15, 1975 (authors and venue "
+                "from TRID "
+                "00128608)",
        .sources = RAILBOOK_CHAPTER_DIR},
-      {processes, random_part, modulated, memory, composite, extraction, table_of_zones, chords,
-       chord_table, classes},
-      {record_length, cost, extremes});
+      {processes, modulated, extraction, table_of_zones, chords, classes},
+      {accuracy, extremes, digits});
 }

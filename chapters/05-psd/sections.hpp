@@ -6,11 +6,20 @@
 #include <vector>
 
 #include "report/chapter.hpp"
+#include "spectra/rail_line.hpp"
 #include "spectra/synthetic_track.hpp"
 #include "spectra/track_spectrum.hpp"
 #include "spectra/welch.hpp"
+#include "units/constants.hpp"
 
 namespace railbook::psd_chapter {
+
+using spectra::LineConvention;
+
+inline constexpr double mm = units::millimetre, km = units::kilometre;
+// The rails of all zones (the 9.2 m of zone 12 are in doubt), those of before 1939, and equation (5).
+inline constexpr double rail = 39 * units::foot, phi_0 = 1 / rail;
+inline constexpr double old_rail = 33 * units::foot, eps = 1 / old_rail - phi_0;
 
 // A row of Table 1. SI; B in the printed convention, as in TrackParameters.
 struct Zone {
@@ -19,30 +28,29 @@ struct Zone {
   double C_1 = 0;   // peak of the line, m^2/(cycle/m)
   double beta = 0;  // its width at half of it, cycle/m
 };
-std::vector<Zone> zones(const table::CsvTable& table_1);
+std::vector<Zone> zones(const report::Item& item);
 
+// The power of line n of a rectified sine of dip 1, sampled and transformed: no formula in it.
+double line_power_by_transform(std::size_t n);
 // The density (per cycle/m) of a line of unit power, `offset` from it, seen with a Hann window in bins `df`: the
-// square of sinc(u)/(1 - u^2), u = offset/df, scaled to the area one.
+// square of sinc(u)/(1 - u^2), u = offset/df, scaled to the area one. And that of some lines at phi.
 double hann_line(double offset, double df);
+double lines_seen(const std::vector<spectra::Line>& lines, double phi, double df);
+// The variance that a chord (m) reads on S = 1/phi^2, without the closed form of (8).
+double variance_by_quadrature(double chord);
 
-// A zone as a track to be synthesised, 39-ft rails, and the spectrum of the first `length` metres of a track.
+// A zone as a track to be synthesised, and the spectrum of the first `length` metres of a track.
 spectra::SyntheticTrack synthetic(const spectra::TrackParameters& track, std::uint64_t seed);
 spectra::Spectrum record_spectrum(const spectra::SyntheticTrack& track, double length,
                                   const spectra::WelchOptions& options);
 
-extern const report::Section processes;       // Figures 1 and 2, equations (1) and (2)
-extern const report::Section random_part;     // Figure 3, equations (3) and (4)
-extern const report::Section modulated;       // Figures 4 and 5
-extern const report::Section memory;          // Figure 6, equation (5)
-extern const report::Section composite;       // Figure 7
+extern const report::Section processes;       // Figures 1 to 3, equations (1) to (4)
+extern const report::Section modulated;       // Figures 4 to 7, equation (5)
 extern const report::Section extraction;      // Figures 8 and 9, equation (6)
 extern const report::Section table_of_zones;  // Table 1, equation (7)
-extern const report::Section chords;          // equation (8)
-extern const report::Section chord_table;     // Table 2, Figure 10
+extern const report::Section chords;          // equation (8), Table 2, Figure 10
 extern const report::Section classes;         // Table 3, Figure 11, equations (9) and (10)
-extern const report::Section record_length;   // study: how much track it takes
-extern const report::Section cost;            // study: error against run time
-extern const report::Section extremes;        // study: stability
+extern const report::Section accuracy, extremes, digits;  // study/
 
 void class_answer(report::Item& item);  // of Figure 11
 

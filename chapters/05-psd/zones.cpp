@@ -10,23 +10,18 @@ Seven zones do not close. In six of them $B$ is {{table-1-least}} to {{table-1-m
 below, which is what happens when the peak is read low or narrow off a steep graph, or $B$ from a curve not printed. In zone 13
 the exponent of $C_1$ is hardly legible. With $10^{-8}$ the peak would be {{table-1-zone-13-share}} of the random part under it and
 could not have been seen; the printed $B$ asks for $C_1$ = {{table-1-zone-13-C1}}. From here on $B$ is used as printed. The
-corner lies between $\varphi_0$ and $2\varphi_0$ in {{corner-between}} of the thirteen, "usually" as the paper says.
+corner lies between $\varphi_0$ and $2\varphi_0$ in {{corner-between}} of the thirteen, "usually" as the paper says. But in {{corner-long}} of them
+it lies at wavelengths above 6 m, down to which the paper calls (3) "quite satisfactory"; at 6 m (3) is then up to {{six-metres}} too high.
 */
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
-#include "num/fft.hpp"
 #include "sections.hpp"
-#include "spectra/rail_line.hpp"
 
 namespace railbook::psd_chapter {
 
-using spectra::LineConvention;
-
-std::vector<Zone> zones(const table::CsvTable& table_1) {
+std::vector<Zone> zones(const report::Item& item) {
+  const table::CsvTable table_1 = item.printed("table-1.csv");
   std::vector<Zone> result;
   for (std::size_t i = 0; i < table_1.rows.size(); ++i) {
     const auto number = [&](const char* column) {
@@ -36,7 +31,7 @@ std::vector<Zone> zones(const table::CsvTable& table_1) {
                       {.A = number("A"),
                        .phi_c = number("phi_c"),
                        .phi_0 = number("phi_0"),
-                       .B = number("B") * units::millimetre},
+                       .B = number("B") * mm},
                       number("C_1"),
                       number("beta")});
   }
@@ -45,18 +40,11 @@ std::vector<Zone> zones(const table::CsvTable& table_1) {
 
 namespace {
 
-constexpr double mm = units::millimetre;
-
-/*** Equation (7) is one line. The dip is found a second way: a rectified sine is sampled,
-transformed, and scaled until its first line, squared and halved as in (2), holds $\beta C_1$.
+/*** Equation (7) is one line. The dip is found a second way: a rectified sine is sampled, transformed, and scaled until its first
+line, a quarter of its power as in (2), holds $\beta C_1$.
 */
 double dip_by_transform(double line_power) {
-  num::RealFft fft{4096};
-  for (std::size_t i = 0; i < fft.size(); ++i)
-    fft.real()[i] = spectra::rectified_sine(static_cast<double>(i) / 4096.0, 1.0, 1.0);
-  fft.forward();
-  const double complex_coefficient = std::abs(fft.spectrum()[1]) / 4096.0;
-  return std::sqrt(2.0 * line_power) / complex_coefficient;
+  return std::sqrt(4 * line_power / line_power_by_transform(1));
 }
 
 double dip(double C_1, double beta) {
@@ -105,17 +93,20 @@ Closure check_row(report::Item& item, const table::CsvTable& printed, const Zone
 /*** Thirteen rows: */
 void table_1(report::Item& item) {
   const table::CsvTable printed = item.printed("table-1.csv");
-  const auto all = zones(printed);
-  item.expect_checks(static_cast<int>(all.size()) + 2);
+  const auto all = zones(item);
+  item.expect_checks(static_cast<int>(all.size()) + 3);
   item.columns({"zone", "A", "φ<sub>c</sub>", "C₁", "β", "B printed, mm", "B by (7), mm",
                 "range of rounding, mm", "physical dip, mm", "doubt"});
   std::vector<double> excess;
-  int corner_between = 0;
+  int corner_between = 0, corner_long = 0;
+  double lowest_corner = units::no_limit;
   for (const Zone& zone : all) {
     const Closure c = check_row(item, printed, zone);
     if (c.doubted && zone.name != "13") excess.push_back(zone.track.B / c.B - 1.0);
     corner_between +=
         zone.track.phi_c > zone.track.phi_0 && zone.track.phi_c < 2 * zone.track.phi_0;
+    corner_long += zone.track.phi_c < 1 / 6.0;
+    lowest_corner = std::min(lowest_corner, zone.track.phi_c);
   }
   const auto [least, most] = std::minmax_element(excess.begin(), excess.end());
   item.value("table-1-least", 100 * *least, "%", "{:.0f}");
@@ -136,6 +127,15 @@ void table_1(report::Item& item) {
   item.claim("corner", "φ_c usually lies between φ₀ and 2φ₀",
              2 * corner_between > static_cast<int>(all.size()),
              fmt::format("in {} of {} zones", corner_between, all.size()));
+  const double too_high = std::pow(lowest_corner * 6, -2);  // (3) over (4) at 6 m
+  item.refute(
+      "six-metres", "(3) is quite satisfactory for wavelengths longer than 6 m",
+      2 * corner_long > static_cast<int>(all.size()),
+      fmt::format("{} of {} corners of Table 1 lie at longer ones; at 6 m (3) is up to {:.1f} "
+                  "times (4)",
+                  corner_long, all.size(), too_high));
+  item.value("corner-long", corner_long, "", "{:.0f}");
+  item.value("six-metres", too_high, "times", "{:.1f}");
 }
 
 }  // namespace

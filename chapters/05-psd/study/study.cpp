@@ -2,13 +2,13 @@
 
 ## Error against run time
 
-{{include: length.cpp}}
-
-{{include: cost.cpp}}
+{{include: accuracy.cpp}}
 
 ## Stability
 
 {{include: stability.cpp}}
 
-{{include: cases.cpp}}
+## Stated errors and digits
+
+{{include: digits.cpp}}
 */
