@@ -26,18 +26,16 @@ measures:
 {{joint-peaks}}
 
 The formulas of British practice, $P_1=P_0+2\alpha V\sqrt{k_Hm_e/(1+m_e/m_u)}$ and its companion for P2, come within {{p1-formula}} and {{p2-formula}} of these P1 and
-P2. With all of the track in one mass, that of (15) with tie and ballast, P1 would be {{single-p1}}: the paper's reason for two.
+P2. With all of the track in one mass, that of (15) with tie and ballast, P1 would be {{single-p1}}, while with two masses half or twice the tie and ballast, more
+than the two rules (18) differ by, leave it within {{bed-p1}} of itself: the paper's reason for two.
 */
 #include "track/impact.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "sections.hpp"
-#include "track/impact_methods.hpp"
 #include "track/impact_peaks.hpp"
 #include "track/wheel_on_track.hpp"
 
@@ -47,12 +45,8 @@ using namespace track;
 
 namespace {
 
-RectifiedSine dip(double inches) {
-  return {inches * units::inch, 39 * units::foot};
-}
-
 ImpactHistory passage(const ImpactModel& model, double mph, double dip_in) {
-  const RectifiedSine rail = dip(dip_in);
+  const RectifiedSine rail = joint_dip(dip_in);
   return simulate(model, rail, mph * units::mph,
                   {.tolerance = 1e-10, .start = default_start(rail)});
 }
@@ -91,10 +85,21 @@ void fig_joint(report::Item& item) {
     damped.add(1e3 * t, quiet.force(t) / units::kilonewton);
   item.expect_checks(1);
   const double single = impact_peaks(passage(single_mass_model(model), 60, 0.5)).first.force;
-  item.claim("single-mass", "a single-mass model is not sufficient for wheel/rail impact",
-             single > 1.2 * p.first.force,
-             fmt::format("P1 {:.0f} kN instead of {:.0f} kN", single / units::kilonewton,
-                         p.first.force / units::kilonewton));
+  double bed = 0;  // the most that P1 owes to the mass that nobody knows
+  for (const double factor : {0.5, 2.0}) {
+    ImpactModel other = model;
+    other.track.bed_mass *= factor;
+    bed =
+        std::max(bed, std::abs(impact_peaks(passage(other, 60, 0.5)).first.force - p.first.force));
+  }
+  item.claim(
+      "single-mass", "a single-mass model is not sufficient for wheel/rail impact",
+      std::abs(single - p.first.force) > bed,
+      fmt::format("P1 {:.0f} kN instead of {:.0f} kN, which half or twice the mass of tie and "
+                  "ballast change by {:.1f} kN",
+                  single / units::kilonewton, p.first.force / units::kilonewton,
+                  bed / units::kilonewton));
+  item.value("bed-p1", bed / units::kilonewton, "kN", "{:.1g}");
   const Eigen::Vector3d f = natural_frequencies(model);
   for (int i = 0; i < 3; ++i) item.value(fmt::format("f-{}", i + 1), f[i], "Hz", "{:.1f}");
   item.value("mean-window", 1e3 * p.mean_window, "ms", "{:.2f}");
@@ -124,31 +129,17 @@ void joint_peaks(report::Item& item) {
                 kn("least, kN"),
                 kn("formula P1, kN"),
                 kn("formula P2, kN")});
-  item.expect_checks(2);
   double off_1 = 0, off_2 = 0;
   for (const auto& [mph, inches] : runs) {
     const ImpactPeaks p = impact_peaks(passage(model, mph, inches));
     const DipForces f =
-        dip_formula(model, formula, dip(inches).total_angle() / 2, mph * units::mph);
+        dip_formula(model, formula, joint_dip(inches).total_angle() / 2, mph * units::mph);
     const auto force = [](double newton) { return newton / units::kilonewton; };
     item.add_row(mph, inches, force(p.first.force), 1e3 * p.first.time, force(p.second.force),
                  1e3 * p.second.time, force(p.late.force), force(p.mean.force), 1e3 * p.mean.time,
                  force(p.least.force), force(f.p1), force(f.p2));
     off_1 = std::max(off_1, std::abs(f.p1 / p.first.force - 1));
     off_2 = std::max(off_2, std::abs(f.p2 / p.mean.force - 1));
-    if (mph != 100) continue;
-    // The instants of the peaks again by implicit integration: another family, another program.
-    const std::array times{p.first.time, p.second.time};
-    const auto other = forces_at(model, dip(inches), mph * units::mph,
-                                 {.tolerance = 1e-11, .start = default_start(dip(inches))},
-                                 ImpactMethod::bsimp, times);
-    const auto agree = [&](const char* id, double ours, std::size_t i) {
-      item.agree(id, fmt::format("{} at 100 mph, 0.5 in", id), "kN", force(ours),
-                 other.complete ? force(other.force[i]) : units::nan, 1e-7,
-                 "implicit extrapolation (GSL)");
-    };
-    agree("P1", p.first.force, 0);
-    agree("second", p.second.force, 1);
   }
   item.value("p1-formula", 100 * off_1, "%", "{:.1f}");
   item.value("p2-formula", 100 * off_2, "%", "{:.1f}");

@@ -24,15 +24,11 @@ computes every claim that can be computed and says for what data it is true. Whe
 
 {{include: chain.cpp}}
 
-{{include: steps.cpp}}
-
 {{include: joint.cpp}}
 
 {{include: moving.cpp}}
 
 {{include: lumped.cpp}}
-
-{{include: masses.cpp}}
 
 {{include: geometry.cpp}}
 
@@ -75,6 +71,13 @@ itself calls the ballast's hysteretic. The paper's lateral model has no numbers 
 * `railbook track joint` with half the bed's damping, or with `--rail-damping "70 kN*s/m"`: which of the four peaks notices?
 * Let the stiffness below the wheel follow equation (8) past the joint, the paper's other disturbance, in `ImpactSystem`.
 
+## Citations
+
+The copy names neither authors, book nor year; they are those by which later works cite it, and no catalogue entry or DOI was found. The list of references is not in
+the copy either. Not the paper's: H. H. Jenkins, J. E. Stephenson, G. A. Clayton, G. W. Morland and D. Lyon, "The effect of track and vehicle parameters on
+wheel/rail vertical dynamic forces", *Railway Engineering Journal*, January 1974, pp. 2-16 (TRID 00054692), for the formulas of P1 and P2; M. Hetényi, *Beams on
+Elastic Foundation*, 1946, which the paper cites, and L. Frýba, *Dynamics of Railway Bridges*, 1996, for the spectrum of {{fig-06}} (both not looked up).
+
 ## Coverage
 
 {{coverage}}
@@ -95,5 +98,5 @@ int main(int argc, char** argv) {
                 "(A. D. Kerr, ed.), Pergamon, 1978, pp. 239 ff. (title and venue are not in the "
                 "copy used)",
        .sources = RAILBOOK_CHAPTER_DIR},
-      {stiffness, chain, joint, moving, lumped, masses, geometry, impact}, {cost, extremes});
+      {stiffness, chain, joint, moving, lumped, geometry, impact}, {cost, extremes, digits});
 }

@@ -2,20 +2,29 @@
 #pragma once
 
 #include "report/chapter.hpp"
+#include "track/impact.hpp"
+#include "track/typical_track.hpp"
 
 namespace railbook::track_chapter {
+
+// The stiffness [N/m] of the ballast's pyramid by equation (6) as it is printed, and by adding up its slices.
+double printed_ballast_stiffness(const track::TieSupport& support);
+double ballast_by_slices(const track::TieSupport& support);
+
+// A joint of 39-ft rails with a dip of so many inches.
+inline track::RectifiedSine joint_dip(double inches) {
+  return {inches * units::inch, 39 * units::foot};
+}
 
 extern const report::Section stiffness;  // rail on its foundation: Fig. 1
 extern const report::Section chain;      // from pad to subgrade: Fig. 2
 extern const report::Section joint;      // stiffness near a joint: Fig. 3
 extern const report::Section moving;     // critical speed and moving load
-extern const report::Section lumped;     // on car and at trackside: Figs 4 and 5
-extern const report::Section masses;     // effective masses and damping
-extern const report::Section geometry;   // joints, spectra, profiles: Figs 6 and 7
-extern const report::Section impact;     // what the model does with a joint
+extern const report::Section
+    lumped;  // on car and at trackside: Figs 4 and 5; effective masses and damping
+extern const report::Section geometry;  // joints, spectra, profiles: Figs 6 and 7
+extern const report::Section impact;    // what the model does with a joint
 
-extern const report::Section cost, extremes;  // study/
-
-void draw_steps(report::Item&);  // the scene of Fig. 2
+extern const report::Section cost, extremes, digits;  // study/
 
 }  // namespace railbook::track_chapter

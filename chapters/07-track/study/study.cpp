@@ -10,4 +10,8 @@
 {{stability}}
 
 {{include: extremes.cpp}}
+
+## Digits and stated errors
+
+{{include: digits.cpp}}
 */
