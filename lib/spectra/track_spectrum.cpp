@@ -23,6 +23,25 @@ double random_psd(const TrackParameters& track, double phi) {
   return track.A * (roll_off / phi) * (roll_off / phi) + track.noise;
 }
 
+double random_variance(const TrackParameters& track, double low, double high) {
+  require_random_part(track);
+  units::require_positive("lower wavenumber", low, "cycle/m");
+  if (!(high >= low))
+    units::require_between("upper wavenumber", high, low, units::no_limit, "cycle/m");
+  if (track.noise > 0) units::require_finite("upper wavenumber with noise", high, "cycle/m");
+  const double corner = std::clamp(track.phi_c, low, high);
+  // Without differences of close numbers.
+  double variance = track.A / low * (std::isinf(corner) ? 1 : (corner - low) / corner);
+  if (corner < high) {
+    const double r = std::isinf(high) ? 0 : corner / high;
+    const double rest = std::isinf(high) ? 1 : (high - corner) / high;  // 1 - r
+    const double roll_off = track.phi_c / corner;
+    variance += track.A * roll_off * roll_off * rest * (1 + r + r * r) / (3 * corner);
+  }
+  if (track.noise > 0) variance += track.noise * (high - low);
+  return variance;
+}
+
 double broadened_line_power(double C_1, double beta) {
   return units::require_non_negative("line peak C_1", C_1, "m^2/(cycle/m)") *
          units::require_non_negative("line width beta", beta, "cycle/m");

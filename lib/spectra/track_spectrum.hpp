@@ -40,6 +40,10 @@ struct TrackParameters {
 // Throws InputError unless phi > 0, A >= 0, phi_c > 0 and noise >= 0.
 double random_psd(const TrackParameters& track, double phi);
 
+// The variance of the random part between two wavenumbers, in closed form: m^2. 0 < low <= high, high may
+// be infinite (then `noise` must be 0). Throws InputError otherwise.
+double random_variance(const TrackParameters& track, double low, double high);
+
 // Equation (6): the power Q_1 = beta C_1 (m^2) of a broadened line with peak `C_1` above the random part
 // (m^2/(cycle/m)) and width `beta` (cycle/m) at half of it. Both must be non-negative.
 double broadened_line_power(double C_1, double beta);

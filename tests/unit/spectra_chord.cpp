@@ -35,8 +35,7 @@ double quadrature_sigma(const TrackParameters& track, double chord) {
     low = high;
   }
   // Beyond: the gain squared has the mean 3/2 over a lobe, and the density falls smoothly.
-  const double A = track.A, c = track.phi_c;
-  sum += 1.5 * (c < low ? A * c * c / (3 * low * low * low) : A / low);
+  sum += 1.5 * random_variance(track, low, units::no_limit);
   return std::sqrt(sum);
 }
 
