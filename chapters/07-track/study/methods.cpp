@@ -1,3 +1,6 @@
+/***
+What was written for the comparison: the four roots, the two rules of fixed steps, and the peaks from what a wheel did.
+*/
 #include "study/methods.hpp"
 
 #include <Eigen/LU>

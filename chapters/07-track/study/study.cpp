@@ -5,6 +5,8 @@
 
 {{include: cost.cpp}}
 
+{{include: methods.cpp}}
+
 ## Stability
 
 {{stability}}
