@@ -123,6 +123,8 @@ void force_and_moment(report::Item& item) {
 
 {{fig-09}}
 
+{{include: answer.cpp}}
+
 The pressure along the axis of symmetry: on the flat side it would be Hertz's ellipse, were it not for the corner. Towards the jump it rises steeply, by the load that the
 corner can no longer spread, to {{peak}} at $x$ = {{x-peak}}, and falls to zero within {{fall}}. At the jump the pressure is continuous and its slope is infinite, like a logarithm: there
 the column of COUNTACT-1 next to the jump is the one that differs. {{fig-10}} shows the patch with the last mesh, and {{scene}} the same result in space: columns as high as
@@ -138,6 +140,7 @@ void fig_09(report::Item& item) {
   draw::axis_pressure(item.data({"x_in", "p_1e5_psi"}), c);
   draw::axis_pressure(item.data("grid", {"x_in", "p_1e5_psi"}), grid);
   draw::axis_pressure(item.data("cone", {"x_in", "p_1e5_psi"}), with_cone());
+  place_answer(item);
   item.value("peak", grid.p_max / psi, "psi", "{:.0f}");
   item.value("x-peak", grid.x_p_max / inch, "in", "{:.4f}");
   item.value("fall", (c.x_max - grid.x_p_max) / inch, "in", "{:.3f}");

@@ -41,6 +41,8 @@ RailWheel on_the_jump(double tread = tread_radius);
 CrownedRoller roller(double crown);
 inline constexpr RoundedPunch stamp{0.5 * inch, 1 * inch};
 
+void place_answer(report::Item& item);  // of Fig. 9
+
 // Example 1 by COUNTACT-2 on the nine columns of Fig. 2, and nine rows; solved once.
 const CountactResult& nine_by_nine();
 
