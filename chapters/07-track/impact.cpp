@@ -13,6 +13,8 @@ model has three natural frequencies, {{f-1}} (wheel and track on the ground), {{
 
 {{fig-joint}}
 
+{{include: answer.cpp}}
+
 British practice knows two peaks: P1 while the rail alone is hit, P2 when the wheel has pushed the whole track down. The history shows that "the peaks" need
 definitions. The contact's ripple rides on the hump of the rail on its ties, so that the largest force, at {{second-at}}, is neither. Every peak here says what it
 measures:
@@ -78,6 +80,7 @@ void fig_joint(report::Item& item) {
        {std::pair{p.first, "P1"}, {p.second, "second"}, {p.late, "late"}, {p.mean, "P2"}})
     marks.add(1e3 * e.time, e.force / units::kilonewton, name);
   auto& damped = item.data("damped", {"time_ms", "force_kN"});
+  joint_answer(item);
   ImpactModel more = model;
   more.track.rail_damping *= 6;  // zeta 0.3
   const ImpactHistory quiet = passage(more, 60, 0.5);

@@ -27,4 +27,6 @@ extern const report::Section impact;    // what the model does with a joint
 
 extern const report::Section cost, extremes, digits;  // study/
 
+void joint_answer(report::Item&);  // of the figure of the joint
+
 }  // namespace railbook::track_chapter
