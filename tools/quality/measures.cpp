@@ -12,6 +12,7 @@ tables that could not be checked in two sources are left out: the classes A to E
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <deque>
 #include <memory>
