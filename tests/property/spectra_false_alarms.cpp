@@ -1,4 +1,5 @@
-// Clean records, of all kinds: fewer than one in a thousand is doubted.
+// Clean records, of all kinds: fewer than one in a thousand is doubted. The seeds are others than those the thresholds were
+// set with; the hidden cases, `test_spectra "[long]"`, measure the rates.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <vector>
@@ -35,12 +36,15 @@ spectra::SyntheticTrack some_track(std::uint64_t k) {
   return t;
 }
 
-}  // namespace
+struct Count {
+  std::size_t records = 0, doubted = 0;
+  double rate() const { return static_cast<double>(doubted) / static_cast<double>(records); }
+};
 
-TEST_CASE(
-    "property: no clean record is found faulty, whatever its spacing, roughness and rounding") {
-  std::size_t records = 0;
-  for (std::uint64_t k = 0; k < 30; ++k) {
+// Records of 2500 samples, 40 of a track, as a recorder would round their heights and places.
+Count doubted_records(std::uint64_t first_seed, std::uint64_t tracks) {
+  Count count;
+  for (std::uint64_t k = first_seed; k < first_seed + tracks; ++k) {
     const auto t = some_track(k);
     constexpr std::size_t length = 2500;
     const auto z = spectra::synthesize(t, 40 * length);
@@ -54,38 +58,64 @@ TEST_CASE(
                    quantum > 0 ? quantum * std::round(z[i] / quantum) : z[i]);
       }
       stream.finish();
+      ++count.records;
       const auto doubts = stream.doubts();
-      CAPTURE(k, r, t.spacing, t.A, t.phi_c, quantum);
-      for (const auto& doubt : doubts) UNSCOPED_INFO(doubt.text);
-      CHECK(doubts.empty());
-      ++records;
+      count.doubted += !doubts.empty();
+      if (!doubts.empty())
+        UNSCOPED_INFO("seed " << k << " record " << r << " spacing " << t.spacing << " A " << t.A
+                              << " quantum " << quantum << ": " << doubts.front().text);
     }
   }
-  CHECK(records == 1200);
+  return count;
 }
 
-TEST_CASE("property: no clean spectrum is doubted: residuals, stray lines, another rail") {
-  std::size_t records = 0;
+// Spectra of records of 10000 ft: residuals, lines that nobody named, another rail than the one looked for.
+Count doubted_spectra(std::uint64_t first_seed, std::size_t records) {
+  Count count;
   for (std::uint64_t k = 0; k < 6; ++k) {
-    const spectra::SyntheticTrack t{.seed = 100 + k,
+    const spectra::SyntheticTrack t{.seed = first_seed + k,
                                     .A = k % 2 == 0 ? 5e-7 : 3e-6,
                                     .phi_c = k < 3 ? 0.13 : spectra::no_corner,
                                     .dip = k % 3 == 0 ? 0 : 0.004};
     spectra::TrackGenerator generator{t};
     std::vector<double> z(10000);
-    for (std::size_t r = 0; r < 200; ++r) {
+    for (std::size_t r = 0; r < records / 6; ++r) {
       generator.fill(z);
       const auto s = spectra::welch(z, t.spacing, {.segment = 2048});
       const spectra::FitOptions options{.noise = spectra::NoiseModel::automatic};
       const auto fit = spectra::fit_track_spectrum(s, options);
-      CAPTURE(k, r);
-      CHECK(fit.misfit < 1.25);
-      const auto stray = spectra::stray_line(s, options, fit);
-      if (stray) UNSCOPED_INFO(stray->phi << " " << stray->ratio << " " << stray->chance);
-      CHECK_FALSE(stray.has_value());
-      CHECK_FALSE(spectra::contradicting_rail(s, options, fit).has_value());
-      ++records;
+      const bool misfit = fit.misfit >= 1.25,
+                 stray = spectra::stray_line(s, options, fit).has_value(),
+                 rail = spectra::contradicting_rail(s, options, fit).has_value();
+      ++count.records;
+      count.doubted += misfit || stray || rail;
+      if (misfit || stray || rail)
+        UNSCOPED_INFO("seed " << t.seed << " record " << r << ": misfit " << fit.misfit
+                              << ", stray " << stray << ", rail " << rail);
     }
   }
-  CHECK(records == 1200);
+  return count;
+}
+
+}  // namespace
+
+// Of 1200 records with one chance in a thousand each, four or more are doubted once in thirty.
+TEST_CASE("property: fewer than one clean record in a thousand is found faulty") {
+  const Count count = doubted_records(1'000'000, 30);
+  CHECK(count.records == 1200);
+  CHECK(count.doubted <= 3);
+}
+
+TEST_CASE("property: fewer than one clean spectrum in a thousand is doubted") {
+  const Count count = doubted_spectra(2'000'000, 1200);
+  CHECK(count.records == 1200);
+  CHECK(count.doubted <= 3);
+}
+
+TEST_CASE("property: the rate of doubted clean records and spectra", "[.][long]") {
+  const Count records = doubted_records(3'000'000, 500),
+              spectra = doubted_spectra(4'000'000, 20000);
+  CAPTURE(records.records, records.doubted, spectra.records, spectra.doubted);
+  CHECK(records.rate() < 1e-3);
+  CHECK(spectra.rate() < 1e-3);
 }
