@@ -47,7 +47,7 @@ struct Wish : CarWish {
   std::optional<double> largest, speed, wheel_rail_friction;
   std::string against;
   double factor = 2;
-  long family = 1, patience = 30;
+  long family = 1, patience = 10;
   tool::Destination out;
 };
 
