@@ -19,11 +19,11 @@ using Eigen::VectorXd;
 constexpr double phase_x = 0.9, phase_y = 0.4;  // half a cell apart: the irregular errors cancel
 constexpr Index coarsest = 16;
 
-void check(double approach, double effective_modulus, const CgFftOptions& options, double fewest) {
+void check(double approach, double effective_modulus, const CgFftOptions& options) {
   units::require_finite("approach", approach, "m");
   units::require_positive("effective modulus", effective_modulus, "Pa");
-  units::require_between("cells along x", static_cast<double>(options.nx), fewest, 1e6);
-  units::require_between("cells along y", static_cast<double>(options.ny), fewest, 1e6);
+  units::require_between("cells along x", static_cast<double>(options.nx), 4, 1e6);
+  units::require_between("cells along y", static_cast<double>(options.ny), 4, 1e6);
   units::require_between("tolerance of the conjugate gradients", options.cg.tolerance, 1e-14, 0.1);
   const double bytes = memory_needed(options.nx, options.ny);
   if (bytes > options.memory_limit)
@@ -118,10 +118,11 @@ void extrapolate_ends(const std::vector<CgFftLevel>& levels, const std::vector<d
 double irregular_error(const Region& region) {
   const bool edge = region.meets_body_edge || region.ends_steeply;
   double error = 0;
-  for (const Patch& patch : region.patches)
-    error +=
-        patch.force / region.force *
-        (edge ? 12 * std::pow(patch.cells_across, -1.7) : 2 * std::pow(patch.cells_across, -2.5));
+  for (const Patch& patch : region.patches) {
+    const double cells = std::max(patch.cells_across, 1.0);  // a single row has no second moment
+    error += patch.force / region.force *
+             (edge ? 12 * std::pow(cells, -1.7) : 2 * std::pow(cells, -2.5));
+  }
   return error;
 }
 
@@ -281,7 +282,7 @@ void drop_found(const Grid& grid, const Region& region, std::vector<Point>& plac
 
 CgFft solve_cg_fft(const Gap& gap, double approach, double effective_modulus,
                    const CgFftOptions& options) {
-  check(approach, effective_modulus, options, 4);
+  check(approach, effective_modulus, options);
   if (approach <= 0) return {empty_contact(approach), {}, {}};
   CgFft result;
   result.contact.approach = approach;
@@ -329,38 +330,6 @@ CgFft solve_cg_fft(const Gap& gap, double approach, double effective_modulus,
         "cells",
         missed.front().x, missed.front().y);
   }
-  return result;
-}
-
-CgFft solve_cg_fft(const Grid& grid, const VectorXd& f, double approach, double effective_modulus,
-                   const CgFftOptions& options) {
-  CgFftOptions of_grid = options;
-  of_grid.nx = grid.nx, of_grid.ny = grid.ny;
-  check(approach, effective_modulus, of_grid, 1);
-  units::require_positive("cell size along x", grid.dx, "m");
-  units::require_positive("cell size along y", grid.dy, "m");
-  if (f.size() != grid.cells())
-    throw InputError(
-        fmt::format("the gap has {} values, the grid {} x {} cells", f.size(), grid.nx, grid.ny));
-  const Gap at = [&](double x, double y) {  // the gap of the cell that (x, y) is in
-    return f[static_cast<Index>((y - grid.y0) / grid.dy) * grid.nx +
-             static_cast<Index>((x - grid.x0) / grid.dx)];
-  };
-  CgFft result;
-  result.contact.approach = approach;
-  result.contact.converged = true;
-  VectorXd p;
-  std::vector<Grid> grids{grid};
-  if (std::min(grid.nx, grid.ny) >= 3 * coarsest / 2)
-    grids.insert(grids.begin(),
-                 {grid.x0, grid.y0, 3 * grid.dx, 3 * grid.dy, grid.nx / 3, grid.ny / 3});
-  for (const Grid& g : grids) {
-    const VectorXd of_cells = sample(at, g);
-    p = uniform_start(of_cells, approach, effective_modulus);
-    result.levels.push_back(
-        solve_grid(g, of_cells, approach, effective_modulus, options.cg, p, result.contact));
-  }
-  finish(grid, p, f, options.remedy, result);
   return result;
 }
 

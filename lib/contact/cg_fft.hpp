@@ -17,14 +17,14 @@ namespace railbook::contact {
 struct CgFftOptions {
   Eigen::Index nx = 127,
                ny = 127;  // cells of the finest grid, which is fitted to the region; at least 4
-  BoundedCgOptions cg;
+  BoundedCgOptions cg = {};
   bool remedy = true;  // extrapolate over the grids; false: the sums of the finest grid
   // Where to look for contact at an approach; empty: found from the gap, outward from the origin or, when the gap there
   // is larger than the approach, from a place near it where it is not.
-  std::function<Box(double)> search;
-  std::optional<double> edge_x;  // a cell edge is put on this x (a jump of the curvature) ...
-  std::optional<double> edge_y;  // ... or y
-  double memory_limit = 4e9;     // bytes
+  std::function<Box(double)> search = {};
+  std::optional<double> edge_x = {};  // a cell edge is put on this x (a jump of the curvature) ...
+  std::optional<double> edge_y = {};  // ... or y
+  double memory_limit = 4e9;          // bytes
 };
 
 // One grid of the ladder, as solved.
@@ -64,11 +64,5 @@ struct CgFft {
 // with the approach, that is any gap that is finite near the origin.
 [[nodiscard]] CgFft solve_cg_fft_load(const Gap& gap, double load, double effective_modulus,
                                       const CgFftOptions& options = {});
-
-// The same for a gap given point by point, f at the cell centres of `grid` [m]. Nothing is known between the
-// points: one grid is solved, and its middle cells of 3 x 3 blocks once more for the error estimate and the
-// remedy. A region that touches the edge of the grid is reported as not converged.
-[[nodiscard]] CgFft solve_cg_fft(const Grid& grid, const Eigen::VectorXd& f, double approach,
-                                 double effective_modulus, const CgFftOptions& options = {});
 
 }  // namespace railbook::contact

@@ -59,7 +59,7 @@ void solve_rings(RingContact& c, const Gap& gap, double modulus) {
   c.p_max = c.p.maxCoeff(&at);
   c.r_p_max = c.r[at];
   c.work += n * n;
-  c.history.push_back({c.radius, c.force, c.p_max});
+  ++c.iterations;
 }
 
 // The radius at which the pressure asks for no move, between one too small and one too large.
@@ -126,11 +126,10 @@ RingContact countaxi(const Gap& gap, double approach, double modulus, const Coun
       c.reason = "collapsed: no pressure is left at the centre";
     else if (!c.converged && search.width() < 0.1 * o.tolerance * c.radius)
       c.reason = "the pressure does not fall towards the boundary: too few rings there";
-    else if (!c.converged && static_cast<int>(c.history.size()) >= o.most_iterations)
+    else if (!c.converged && c.iterations >= o.most_iterations)
       c.reason =
           "the boundary still moves by " + std::to_string(move / c.radius) + " of the radius";
   }
-  c.iterations = static_cast<int>(c.history.size());
   return c;
 }
 

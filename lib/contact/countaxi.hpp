@@ -3,7 +3,6 @@
 
 #include <Eigen/Core>
 #include <string>
-#include <vector>
 
 #include "contact/countact.hpp"
 
@@ -15,12 +14,6 @@ struct CountaxiOptions {
   Fit fit = Fit::two_points;
   double tolerance = 1e-7;  // on the move of the boundary, relative to the radius
   int most_iterations = 100;
-};
-
-struct RingStep {
-  double radius = 0;
-  double force = 0;
-  double p_max = 0;
 };
 
 // Rings of constant pressure.
@@ -37,7 +30,6 @@ struct RingContact {
   int iterations = 0;
   bool converged = false;
   std::string reason;  // why not converged, or a note on a sharp edge
-  std::vector<RingStep> history;
 };
 
 // Solves the contact at approach delta [m] (<= 0: empty, see empty_contact) of a gap f(r) = gap(r, 0) that grows outward, over a disc; its

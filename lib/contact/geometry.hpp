@@ -24,7 +24,7 @@ struct Curvature {
   double angle = 0;
 };
 
-// A, B and the angle of the relative principal axes of two bodies (Hertz; Johnson 1985, eq. 4.3). Principal
+// A, B and the angle of the relative principal axes of two bodies (Hertz 1882; Johnson, Contact Mechanics, 1985). Principal
 // directions are named so that |angle| <= pi/4: bodies aligned with x and y give angle 0.
 // Throws InputError unless A > 0 and B > 0 (the bodies would touch elsewhere first).
 RelativeCurvature relative_curvature(const Curvature& body_1, const Curvature& body_2);

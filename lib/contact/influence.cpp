@@ -62,8 +62,4 @@ double disc_influence(double c, double r) {
   return r < c ? 4 * c * (i.b + m1 * i.d) : 4 * c * k * i.b;
 }
 
-double ring_influence(double r1, double r2, double r) {
-  return disc_influence(r2, r) - disc_influence(r1, r);
-}
-
 }  // namespace railbook::contact

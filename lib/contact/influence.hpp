@@ -15,12 +15,8 @@ double corner_function(double x, double y);
 double rectangle_influence(double x1, double x2, double y1, double y2);
 
 // The integral of dA/r over a disc of radius c >= 0 [m], seen from a point of its plane at r >= 0 from its centre:
-// 4 c E(r/c) inside, 4 r (E(c/r) - (1 - c^2/r^2) K(c/r)) outside (Johnson 1985, eq. 3.29). Relative accuracy 5e-15,
+// 4 c E(r/c) inside, 4 r (E(c/r) - (1 - c^2/r^2) K(c/r)) outside (Johnson, Contact Mechanics, 1985). Relative accuracy 5e-15,
 // at the edge and beside it too.
 double disc_influence(double c, double r);
-
-// The same for the ring between r1 and r2 >= r1: the coefficients of COUNTAXI. Relative accuracy about
-// 1e-14 r2/(r2 - r1).
-double ring_influence(double r1, double r2, double r);
 
 }  // namespace railbook::contact

@@ -16,12 +16,14 @@ using Eigen::Index;
 struct Loads {
   std::vector<double> x, y, force;
   double half_x = 0, half_y = 0;  // of a rod; one of them, or none, is not 0
+  double least = 0;               // a load is as wide as its block: no place is nearer to it
 
   Loads(const Grid& grid, const Eigen::VectorXd& p, Index most_across) {
     const Index wide = std::max<Index>(1, grid.nx / most_across),
                 high = std::max<Index>(1, grid.ny / most_across);
     const double width = static_cast<double>(wide) * grid.dx,
                  height = static_cast<double>(high) * grid.dy;
+    least = std::min(width, height) / 4;
     if (width > 2 * height) half_x = width / 2;
     if (height > 2 * width) half_y = height / 2;
     for (Index j0 = 0; j0 < grid.ny; j0 += high)
@@ -45,6 +47,7 @@ struct Loads {
     for (std::size_t k = 0; k < x.size(); ++k) {
       double along = std::abs(place.x - x[k]), beside = std::abs(place.y - y[k]);
       if (half_y > 0) std::swap(along, beside);
+      beside = std::max(beside, least);
       const double r2 = along * along + beside * beside;
       // Beyond four half lengths a rod is a point to half a per cent.
       if (half == 0 || r2 > 16 * half * half)

@@ -19,8 +19,8 @@ struct PunchContact {
 };
 
 // The contact at approach delta > 0 [m]; effective_modulus E* > 0 [Pa]. edge_radius 0 is the sharp punch
-// (F = 2 E* b delta), flat_radius 0 the sphere. Relative accuracy 1e-13 (Jaeger 1995; Ciavarella, Hills &
-// Monno 1998; here in a form of our own without cancellation). Throws InputError on bad input.
+// (F = 2 E* b delta), flat_radius 0 the sphere. Relative accuracy 1e-13 (Sneddon's integrals, 1965, brought to a
+// form without cancellation). Throws InputError on bad input.
 PunchContact punch_from_approach(const RoundedPunch& shape, double effective_modulus,
                                  double approach);
 

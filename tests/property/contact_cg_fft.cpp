@@ -113,35 +113,20 @@ TEST_CASE("property: a box that is too small grows to the same answer") {
         Approx(solve_cg_fft(ellipsoid(1, 1), 1, 1, cells(64, 64)).contact.force).epsilon(3e-5));
 }
 
-TEST_CASE("property: points of a gap solve like its function") {
-  const Grid grid{-0.9, -0.9, 0.02, 0.02, 90, 90};
-  const Gap gap = ellipsoid(1, 1);
-  const CgFft points = solve_cg_fft(grid, sample(gap, grid), 1, 1);
-  CHECK(points.contact.converged);
-  const double exact = solve_cg_fft(gap, 1, 1, cells(128, 128)).contact.force;
-  CHECK(points.contact.force == Approx(exact).epsilon(2e-4));
-  CHECK(std::abs(points.contact.force / exact - 1) < points.contact.force_error);
-  // Too small a grid is reported, not answered.
-  const Grid small{-0.3, -0.3, 0.02, 0.02, 30, 30};
-  const NormalContact cut = solve_cg_fft(small, sample(gap, small), 1, 1).contact;
-  CHECK_FALSE(cut.converged);
-  CHECK(cut.reason.find("edge") != std::string::npos);
-}
-
 TEST_CASE("property: the dense matrix and the FFT solve one discrete problem") {
   const Gap gap = rail_wheel_gap({0.4, 0.3, 0.25, 0.03});
   const Grid grid{-0.02, -0.012, 0.0008, 0.0008, 36, 30};
   const Eigen::VectorXd f = sample(gap, grid);
-  CgFftOptions options;
-  options.cg.tolerance = 1e-11;
   const NormalContact dense = solve_uniform_dense(grid, f, 1e-4, 1e11);
-  const CgFft fft = solve_cg_fft(grid, f, 1e-4, 1e11, options);
+  Eigen::VectorXd p;
+  const Region fft = solve_on(grid, f, 1e-4, 1e11, p, 1e-11);
   REQUIRE(dense.converged);
-  REQUIRE(fft.contact.converged);
-  REQUIRE(dense.p.size() == fft.contact.p.size());
-  CHECK(dense.force == Approx(fft.levels.back().region.force).epsilon(1e-9));
-  CHECK((dense.p - fft.contact.p).cwiseAbs().maxCoeff() < 1e-8 * dense.p_max);
-  CHECK(dense.x_min == Approx(fft.levels.back().region.ends.x_min).epsilon(1e-6));
+  REQUIRE(dense.p.size() == fft.cells);
+  CHECK(dense.force == Approx(fft.force).epsilon(1e-9));
+  Eigen::Index k = 0;
+  for (const double pressure : p)
+    if (pressure > 0) CHECK(std::abs(pressure - dense.p[k++]) < 1e-8 * dense.p_max);
+  CHECK(dense.x_min == Approx(fft.ends.x_min).epsilon(1e-6));
 }
 
 TEST_CASE(

@@ -44,7 +44,6 @@ TEST_CASE("unit: COUNTAXI on the rounded punch against the closed form") {
     for (Eigen::Index i = 0; i < c.r.size(); ++i)
       if (c.r[i] < 0.49) CHECK(c.p[i] == Approx(punch_pressure(exact, c.r[i])).epsilon(2e-3));
     CHECK(c.work == 60L * 60 * c.iterations);
-    CHECK(static_cast<int>(c.history.size()) == c.iterations);
   }
 }
 

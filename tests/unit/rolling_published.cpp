@@ -3,8 +3,8 @@
 #include <cmath>
 #include <vector>
 
+#include "../support/cg_fft_cells.hpp"
 #include "../support/kalker_grids.hpp"
-#include "contact/cg_fft.hpp"
 #include "contact/hertz.hpp"
 #include "contact/normal_contact.hpp"
 #include "rolling/kalker_coefficients.hpp"
@@ -30,21 +30,10 @@ Pixels pressed(const contact::HertzContact& h, double modulus, Eigen::Index n) {
   Pixels out{{-h.a - dx, -h.b - dy, dx, dy, n + 2, n + 2}, {}};
   const auto gap = contact::sample(
       [&](double x, double y) { return h.curvature.a * x * x + h.curvature.b * y * y; }, out.grid);
-  contact::CgFftOptions options;
-  options.remedy = false;
-  options.cg.tolerance = 1e-10;
   double approach = h.approach, last = 0, force = 0;
   for (int k = 0; k < 12; ++k) {  // secants
-    const auto c = contact::solve_cg_fft(out.grid, gap, approach, modulus, options).contact;
-    if (std::abs(c.force / h.force - 1) < 1e-9) {
-      out.pressure = Eigen::VectorXd::Zero(out.grid.cells());
-      for (Eigen::Index m = 0; m < c.p.size(); ++m) {
-        const auto i = static_cast<Eigen::Index>((c.x[m] - out.grid.x0) / dx);
-        const auto j = static_cast<Eigen::Index>((c.y[m] - out.grid.y0) / dy);
-        out.pressure[j * out.grid.nx + i] = c.p[m];
-      }
-      return out;
-    }
+    const auto c = solve_on(out.grid, gap, approach, modulus, out.pressure, 1e-10);
+    if (std::abs(c.force / h.force - 1) < 1e-9) return out;
     const double slope = k > 0 ? (c.force - force) / (approach - last) : 1.5 * h.force / h.approach;
     last = approach, force = c.force;
     approach += (h.force - force) / slope;
