@@ -22,8 +22,8 @@ Sixty rings, finer towards the edge, give the load and the peak:
 
 {{example-4}}
 
-The peak is {{ratio}} times the pressure in the middle and lies {{beyond}} outside the flat, within a contact that reaches only {{reach}} beyond it. Equal rings would need {{equal-rings}} to
-put as many into that strip: the rings must be where the gradient is.
+The peak is {{ratio}} times the pressure in the middle and lies {{beyond}} outside the flat, within a contact that reaches only {{reach}} beyond it: the rings must be where
+the gradient is.
 */
 #include <fmt/format.h>
 
@@ -31,7 +31,6 @@ put as many into that strip: the rings must be where the gradient is.
 
 #include "contact/countaxi.hpp"
 #include "contact/punch.hpp"
-#include "drawings.hpp"
 #include "sections.hpp"
 
 namespace railbook::contact_chapter {
@@ -55,35 +54,48 @@ void by_rings(report::Item& item) {
   const PunchContact& exact = exact_stamp();
   const PunchPeak peak = punch_peak(exact);
   const RingContact& rings = sixty_rings();
-  item.expect_checks(5);
-  const char* method = "closed form";
+  item.expect_checks(3);
   item.columns({"", {"60 rings", "{:.7g}"}, {"closed form", "{:.7g}"}});
   item.add_row("force, lbf", rings.force / lbf, exact.force / lbf);
   item.add_row("reach beyond the flat, in", (rings.radius - stamp.flat_radius) / inch,
                exact.edge_width / inch);
   item.add_row("peak pressure, psi", rings.p_max / psi, peak.pressure / psi);
-  item.agree("force", "force", "lbf", rings.force / lbf, exact.force / lbf, 1e-5, method);
-  item.agree("width", "reach of the contact beyond the flat", "in",
-             (rings.radius - stamp.flat_radius) / inch, exact.edge_width / inch, 1e-3, method);
-  item.agree("peak", "peak pressure", "psi", rings.p_max / psi, peak.pressure / psi, 5e-3, method);
-  item.agree("centre", "pressure in the middle", "psi", rings.p[0] / psi,
-             punch_pressure(exact, rings.r[0]) / psi, 2e-4, method);
+  item.agree("force", "force", "lbf", rings.force / lbf, exact.force / lbf, 1e-5, "closed form");
+  item.agree("peak", "peak pressure", "psi", rings.p_max / psi, peak.pressure / psi, 5e-3,
+             "closed form");
   const double off = std::abs(rings.p_max / peak.pressure - 1);
+  const double smooth = report::printed_number(item.printed("table-2.csv").at("p0", "error"));
   const double ratio = peak.pressure / punch_pressure(exact, 0);
-  item.claim("resolving", "the method is capable of dealing with extremely steep gradients",
-             off < 5e-3 && ratio > 5,
-             fmt::format("a peak of {:.1f} times the middle within {:.1g} % on 60 graded rings",
-                         ratio, 100 * off));
+  item.claim(
+      "resolving", "the method is capable of dealing with extremely steep gradients",
+      off < smooth / 100,
+      fmt::format("a peak of {:.1f} times the middle within {:.1g} % on 60 graded rings, less "
+                  "than the {} % that Table 2 prints for the peak of a smooth contact",
+                  ratio, 100 * off, smooth));
   item.value("ratio", ratio, "", "{:.1f}");
   item.value("beyond", (peak.r - stamp.flat_radius) / inch, "in", "{:.4f}");
   item.value("reach", exact.edge_width / inch, "in", "{:.4f}");
-  const auto strip = static_cast<double>((rings.edges.array() > stamp.flat_radius).count());
-  item.value("equal-rings", strip * exact.radius / exact.edge_width, "", "{:.0f}");
   item.rebuilt(why_rebuilt);
 }
 
+// The exact pressure, at radii that crowd towards the edge.
+void add_pressure(report::Data& data, const PunchContact& c, int n) {
+  for (int i = 0; i < n; ++i) {
+    const double r = c.radius * (1 - std::pow(1 - double(i) / n, 3));
+    data.add(r / inch, punch_pressure(c, r) / (1e4 * psi));
+  }
+}
+
 void fig_14(report::Item& item) {
-  draw::punch(item, sixty_rings(), exact_stamp());
+  auto& points = item.data({"r_in", "p_1e4_psi"});
+  for (Eigen::Index i = 0; i < sixty_rings().r.size(); ++i)
+    points.add(sixty_rings().r[i] / inch, sixty_rings().p[i] / (1e4 * psi));
+  add_pressure(item.data("exact", {"r_in", "p_1e4_psi"}), exact_stamp(), 400);
+  auto& profile = item.data("profile", {"r_in", "gap_1e-3_in"});
+  const Gap gap = rounded_punch_gap(stamp);
+  for (int i = 0; i <= 60; ++i) profile.add(0.01 * i, gap(0.01 * i * inch, 0) / (1e-3 * inch));
+  add_pressure(item.data("sharp", {"r_in", "p_1e4_psi"}),
+               punch_from_approach({stamp.flat_radius, 0}, modulus, delta_4), 200);
   item.rebuilt(why_rebuilt);
 }
 

@@ -1,20 +1,16 @@
-// The sections of the chapter, and the paper's inputs that they share.
+// The sections of the chapter, and what they share: the paper's inputs, a result, points of figures.
 #pragma once
 
 #include "contact/countact.hpp"
 #include "contact/geometry.hpp"
+#include "contact/hertz.hpp"
 #include "report/chapter.hpp"
 #include "units/constants.hpp"
 
 namespace railbook::contact_chapter {
 
-extern const report::Section method;     // Figs 1 to 5, the matrix (14), units
-extern const report::Section example_1;  // Figs 6 and 7, Table 2
-extern const report::Section example_2;  // Figs 8 to 10
-extern const report::Section example_3;  // Figs 11 to 13
-extern const report::Section example_4;  // Fig. 14
-extern const report::Section cost;       // study: error against run time
-extern const report::Section stability;  // study: stiff and extreme cases
+extern const report::Section method, example_1, example_2, example_3, example_4;
+extern const report::Section cost, errors, stability;  // study/
 
 using namespace contact;
 using units::inch, units::lbf, units::psi;
@@ -24,26 +20,41 @@ inline const Material steel{30e6 * psi, 0.3, 30e6 * psi, 0.3};
 inline const double modulus = effective_modulus(steel);
 
 // Radii as drawn in Fig. 8. The tread's is read from a damaged "J2.34".
-inline constexpr double wheel_radius = 18 * inch;
-inline constexpr double tread_radius = 12.34 * inch;
-inline constexpr double crown_radius = 10 * inch;
-inline constexpr double corner_radius = 1.25 * inch;
+inline constexpr double wheel_radius = 18 * inch, tread_radius = 12.34 * inch;
+inline constexpr double crown_radius = 10 * inch, corner_radius = 1.25 * inch;
 
 // The approach of each example.
-inline constexpr double delta_1 = 0.0004 * inch;
-inline constexpr double delta_2 = 0.005 * inch;
-inline constexpr double delta_3 = 0.00065 * inch;
-inline constexpr double delta_4 = 0.001 * inch;
+inline constexpr double delta_1 = 0.0004 * inch, delta_2 = 0.005 * inch;
+inline constexpr double delta_3 = 0.00065 * inch, delta_4 = 0.001 * inch;
 
 // The bodies of each example; of 3 and 4 only the crown of 85 in is printed.
-RailWheel on_the_crown(double tread = tread_radius);
-RailWheel on_the_jump(double tread = tread_radius);
-CrownedRoller roller(double crown);
+inline Gap on_the_crown(double tread = tread_radius) {
+  return rail_wheel_gap({wheel_radius, tread, crown_radius, crown_radius});
+}
+inline Gap on_the_jump(double tread = tread_radius) {
+  return rail_wheel_gap({wheel_radius, tread, crown_radius, corner_radius});
+}
+inline Gap roller(double crown) {
+  return crowned_roller_gap({0.5 * inch, 0.5 * inch, crown});
+}
 inline constexpr RoundedPunch stamp{0.5 * inch, 1 * inch};
 
 void place_answer(report::Item& item);  // of Fig. 9
 
+// Example 1 in closed form.
+inline HertzContact hertz_1(double tread = tread_radius, double approach = delta_1) {
+  return hertz_from_approach(
+      relative_curvature({1 / crown_radius, 0}, {-1 / tread, 1 / wheel_radius}), modulus, approach);
+}
 // Example 1 by COUNTACT-2 on the nine columns of Fig. 2, and nine rows; solved once.
 const CountactResult& nine_by_nine();
+
+namespace draw {
+double centre(const ColumnMesh&, Eigen::Index column);                      // its x [m]
+void profiles(report::Item&, double right_radius, double from, double to);  // Figs 6, 8
+void axis(report::Data&, const NormalContact&);  // p(x, 0) from end to end
+void cells(report::Data&, const NormalContact&, double from_y = -units::no_limit);
+void in_space(report::Item&, const NormalContact&, const Gap&);
+}  // namespace draw
 
 }  // namespace railbook::contact_chapter
