@@ -3,21 +3,21 @@ What a user would take without this library is among the methods: equal cells ov
 
 ### Example 2: the rail's radius jumps
 
-No closed form exists. The reference is CG-FFT on {{cost-jump-force/reference-cells}} cells; how far its neighbours of other sizes scatter is its uncertainty, and what is not 100 times larger is grey. By
-another route, COUNTACT-1 on two meshes, continued to cells of no size, the force is the same within {{cost-jump-force/other-route}}.
+No closed form exists. The reference is CG-FFT on {{reference-cells}} cells; how far its neighbours of other sizes scatter is its uncertainty, and what is not 100 times larger is grey. By
+another route, COUNTACT-1 on two meshes, continued to cells of no size, the force is the same within {{other-route}}.
 
 {{cost-jump-force}}
 
-{{cost-jump-force/answer}} Equal columns fail or lose the peak, as the paper's footnote says. Raw sums of the grid are held up by their pixelised edge; the fit over three grids removes what is
+{{cost-jump-force-answer}} Equal columns fail, which is what the paper's footnote on two widths is about. Raw sums of the grid are held up by their pixelised edge; the fit over three grids removes what is
 regular in it.
 
 {{cost-jump-peak}}
 
-{{cost-jump-peak/answer}}
+{{cost-jump-peak-answer}}
 
 {{cost-jump-length}}
 
-{{cost-jump-length/answer}} The ends of the patch are first order in the cell, in every method.
+{{cost-jump-length-answer}}
 
 {{work-precision: cost-jump-force}}
 
@@ -27,15 +27,15 @@ The closed form is the reference. Symmetry is worth a great deal, and so is wher
 
 {{cost-punch-force}}
 
-{{cost-punch-force/answer}}
+{{cost-punch-force-answer}}
 
 {{cost-punch-peak}}
 
-{{cost-punch-peak/answer}} Equal rings are refused as long as too few of them lie between the peak and the boundary to find it.
+{{cost-punch-peak-answer}} Equal rings are refused as long as too few of them lie between the peak and the boundary to find it.
 
 {{cost-punch-length}}
 
-{{cost-punch-length/answer}}
+{{cost-punch-length-answer}}
 
 {{work-precision: cost-punch-force}}
 */
@@ -170,7 +170,7 @@ const Study& punch(const report::Item& item) {
 
 void panel(report::Item& item, const Study& study, const std::string& quantity) {
   bench::show(item, study.points, quantity, study.methods, {1e-8, 1, 1e-5, 3});
-  item.value("answer", bench::answer(study.points, quantity, {1e-2, 1e-3, 1e-4}));
+  item.value(item.id() + "-answer", bench::answer(study.points, quantity, {1e-2, 1e-3, 1e-4}));
   item.added("a study of methods");
 }
 

@@ -1,18 +1,18 @@
 /*** ## Estimates against the truth
 
-CG-FFT states an error of its force and of its peak. {{estimates-force/drawn}} contacts were drawn at random, of closed form all: Hertz's of any slenderness, along the axes and turned, and
-punches with rounded edges, on 32 to 48 cells a side. Of these the solver called {{estimates-force/unresolved}} under-resolved, without a number for the force, and {{estimates-peak/unresolved}} for the
+CG-FFT states an error of its force and of its peak. {{drawn}} contacts were drawn at random, of closed form all: Hertz's of any slenderness, along the axes and turned, and
+punches with rounded edges, on 32 to 48 cells a side. Of these the solver called {{estimates-force-unresolved}} under-resolved, without a number for the force, and {{estimates-peak-unresolved}} for the
 peak. The others:
 
 {{estimates-force}}
 
 {{estimates-peak}}
 
-The stated error covers {{estimates-force/covered}} forces and {{estimates-peak/covered}} peaks; in the median it is {{estimates-force/median-margin}} and {{estimates-peak/median-margin}} times the true one.
+The stated error covers {{estimates-force-covered}} forces and {{estimates-peak-covered}} peaks.
 
 ## Digits
 
-The closed forms against extended precision (80 bits), at {{digits/arguments}} arguments each:
+The closed forms against extended precision (80 bits), at {{arguments}} arguments each:
 
 {{digits}}
 */
@@ -80,7 +80,9 @@ void estimates(report::Item& item, const std::vector<bench::Estimate>& runs) {
   bench::estimates_against_truth(item, runs);
   const int drawn = random_contacts(item).drawn;
   item.value("drawn", drawn, "", "{:.0f}");
-  item.value("unresolved", drawn - static_cast<int>(runs.size()), "", "{:.0f}");
+  item.value(item.id() + "-covered",
+             fmt::format("{:.1f} % of {}", 100 * bench::covered(runs), runs.size()));
+  item.value(item.id() + "-unresolved", drawn - static_cast<int>(runs.size()), "", "{:.0f}");
   double worst = 0;
   for (const bench::Estimate& run : runs) worst = std::max(worst, run.truth / run.stated);
   item.stability(
