@@ -2,7 +2,8 @@
 set(bad ${CMAKE_SOURCE_DIR}/tests/tools/quality)
 set(never ${CMAKE_BINARY_DIR}/ctest/quality-never)
 function(quality_refuses what reason)
-  refuses(quality ${what} ${reason} ${ARGN} --out ${never})
+  string(MAKE_C_IDENTIFIER "${what}" folder) # one each: tests run beside each other
+  refuses(quality ${what} ${reason} ${ARGN} --out ${never}-${folder})
 endfunction()
 quality_refuses("no speed" "speed is required" limit --car freight.toml)
 quality_refuses("a speed of zero" "speed is 0 m/s.*allowed" limit --speed 0km/h)

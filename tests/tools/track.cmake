@@ -15,7 +15,7 @@ refuses(track "two sources of K" "foundation modulus is given and so are parts i
                  stiffness --foundation-modulus 2000psi --tie-spacing 24in)
 refuses(track "a sprung joint without its spring" "joint sprung needs joint rotation (such as 5 MN.m), and no other"
                  stiffness --joint sprung)
-refuses(track "an unknown option" "The following arguments were not expected: 1435mm --gauge"
+refuses(track "an unknown option" "not expected: --gauge, no option of stiffness"
                  stiffness --gauge 1435mm)
 refuses(track "a modulus beyond all ranges" "foundation modulus is .1e-320psi., which a double cannot hold"
                  stiffness --foundation-modulus 1e-320psi)
