@@ -196,13 +196,28 @@ std::string for_svg(const std::string& script) {
   return text;
 }
 
-// An SVG of gnuplot's with a second font of the same widths, for readers who have no DejaVu Sans.
+// gnuplot opens a group for each change of the pen; most of them stay empty, and are a third of the file.
+std::string without_empty_groups(const std::string& svg) {
+  std::istringstream lines{svg};
+  std::string out, group;
+  for (std::string line; std::getline(lines, line);) {
+    if (!group.empty() && line == "</g>") {
+      group.clear();
+      continue;
+    }
+    out += group;
+    group.clear();
+    (line.starts_with("<g ") && line.ends_with(">") ? group : out) += line + "\n";
+  }
+  return out + group;
+}
+
+// The font said once, for the whole picture, and with a second one of the same widths for readers who have no DejaVu Sans.
 std::string with_fonts(std::string svg) {
-  constexpr std::string_view font = "font-family=\"DejaVu Sans\"";
-  constexpr std::string_view fonts = "font-family=\"DejaVu Sans, Verdana, sans-serif\"";
-  for (std::size_t at = 0; (at = svg.find(font, at)) != svg.npos; at += fonts.size())
-    svg.replace(at, font.size(), fonts);
-  return svg;
+  constexpr std::string_view font = " font-family=\"DejaVu Sans\"", root = "<svg ";
+  for (std::size_t at = 0; (at = svg.find(font, at)) != svg.npos;) svg.erase(at, font.size());
+  return svg.insert(svg.find(root) + root.size(),
+                    "font-family=\"DejaVu Sans, Verdana, sans-serif\" ");
 }
 
 // gnuplot runs "<program" and "|program" given as file names: it gets to see names of ours only.
@@ -277,7 +292,7 @@ std::string draw_svg(const fs::path& script, const std::vector<fs::path>& data) 
   const std::string text = drawn(script, data, Missing::refused, Format::svg);
   if (text.find("<svg") == text.npos || text.find("</svg>") == text.npos)
     throw PlotError(script.string() + ": gnuplot left no complete SVG");
-  return with_fonts(text);
+  return with_fonts(without_empty_groups(text));
 }
 
 void render(const fs::path& script, const std::vector<fs::path>& data, const fs::path& png) {

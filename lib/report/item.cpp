@@ -16,7 +16,7 @@ namespace {
 
 using units::nan;
 
-constexpr std::size_t largest_svg = 200'000;  // bytes; what is larger a page shows as PNG
+constexpr std::size_t largest_svg = 100'000;  // bytes; what is larger is smaller as PNG
 
 // A computed value beside its printed text: two digits more than the paper gives.
 std::string show(std::string_view printed, double computed) {
