@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "spectra/line_mask.hpp"
 #include "num/random_source.hpp"
+#include "spectra/line_mask.hpp"
 #include "spectra/record.hpp"
 #include "spectra/spectrum_fit.hpp"
 #include "spectra/synthetic_track.hpp"

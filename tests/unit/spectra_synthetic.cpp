@@ -13,7 +13,8 @@ TEST_CASE("unit: the normal quantile inverts the normal distribution") {
   CHECK_THAT(num::normal_quantile(0.975), WithinRel(1.959963984540054, 1e-15));
   for (double x = -8.0; x <= 8.0; x += 0.0625) {
     const double below = 0.5 * std::erfc(-x / std::sqrt(2.0));
-    if (below < 0.9) CHECK_THAT(num::normal_quantile(below), WithinAbs(x, 4e-15 * (1 + std::abs(x))));
+    if (below < 0.9)
+      CHECK_THAT(num::normal_quantile(below), WithinAbs(x, 4e-15 * (1 + std::abs(x))));
   }
   CHECK(num::normal_quantile(0.5) == 0.0);
 }
