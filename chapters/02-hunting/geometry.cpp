@@ -46,7 +46,7 @@ while the wheelset moves from {{far}} right to {{far}} left. The red pair is a *
 the wheel leaves one point and takes the other at once, and the functions jump. The equations of motion take them as tables with a knot every
 0.0025 in and a running mean over 0.02 in, which makes a jump a ramp.
 
-**Words as numbers.** The paper's statements are in words. Each word is read alike in the whole chapter, from what it means and not from what came out:
+**Words as numbers.** The paper's statements are in words. Each word is read alike in the whole chapter, by one rule that was written down when first results were known:
 *constant*, *vertical*, *the same*: within 1 %, the width of a printed line; *nearly*, *about*, *insignificant*: a tenth; *small*, *low*: below half;
 *much*, *large*, *drastically*, *abruptly*: by $\sqrt2$ or more, nearer to twice than to the same; *slightly*: by less; *several*: twice or more.
 
