@@ -5,7 +5,7 @@
 //         item, {"F", exact.force, 1e-15},
 //         {bench::sweep("cg-fft", {63, 127, 255}, by_grid).counts("points transformed").expects(-1),
 //          bench::sweep("countact", {5, 9, 19}, by_columns).counts("matrix elements")},
-//         axes_of_the_chapter);
+//         0.5, axes_of_the_chapter);
 //     item.value("answer", bench::answer(points, "F", {1e-3, 1e-5}));   // the sentence under the panel
 //   }
 //

@@ -114,20 +114,4 @@ void limit_creep(Oscillator& o, const FreightCar& car, const wheelrail::Constrai
   }
 }
 
-std::array<double, wheelsets> linear_creep_demand(const FreightCar& car,
-                                                  const wheelrail::ConstraintFunctions& table,
-                                                  double friction, double speed, const Vector9& q,
-                                                  const Vector9& rate) {
-  const Wheel w = wheel_of(car, units::require_positive("friction of wheel and rail", friction));
-  std::array<double, wheelsets> result{};
-  for (std::size_t i = 0; i < wheelsets; ++i) {
-    const Wheelset& set = car.wheels[i];
-    const double s[3] = {set.lateral.dot(rate) / speed - set.yaw.dot(q), set.yaw.dot(rate) / speed,
-                         set.lateral.dot(q)};
-    const Demand d = demand(w, table, s);
-    result[i] = std::hypot(d.share[0], d.share[1] + d.share[2]);
-  }
-  return result;
-}
-
 }  // namespace railbook::dynamics

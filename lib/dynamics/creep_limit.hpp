@@ -30,11 +30,4 @@ struct CreepLimit {
 void limit_creep(Oscillator& oscillator, const FreightCar& car,
                  const wheelrail::ConstraintFunctions& table, const CreepLimit& limit);
 
-// The largest share of mu N that the linear creep force of a wheel asks for along a motion, wheelset by wheelset: above 1 the linear
-// car has more than friction gives. `q` and `rate` as in FreightCar.
-std::array<double, wheelsets> linear_creep_demand(const FreightCar& car,
-                                                  const wheelrail::ConstraintFunctions& table,
-                                                  double friction, double speed, const Vector9& q,
-                                                  const Vector9& rate);
-
 }  // namespace railbook::dynamics
