@@ -49,13 +49,29 @@ Worst worst_of(int cases, std::uint64_t seed, const std::function<report::Found(
   worst.cases = cases;
   for (int k = 0; k < cases; ++k) {
     Draw draw{seed, static_cast<std::uint64_t>(k)};
-    report::Found found = run(draw);
-    if (std::isnan(found.error))
+    try {
+      report::Found found = run(draw);
+      if (std::isnan(found.error)) found.error = std::numeric_limits<double>::infinity();
+      if (!(found.error <= worst.found.error)) worst.found = std::move(found);
+    } catch (const report::NoAnswer&) {
       ++worst.unanswered;
-    else if (!(found.error <= worst.found.error))
-      worst.found = std::move(found);
+    }
   }
   return worst;
+}
+
+void worst_row(report::Item& item, const report::StabilityCase& c, int cases, std::uint64_t seed,
+               const std::function<report::Found(Draw&)>& run, int may_refuse) {
+  item.stability(c, [&] {
+    Worst worst = worst_of(cases, seed, run);
+    if (worst.unanswered > may_refuse)
+      throw report::NoAnswer{fmt::format("{} of {} cases without an answer; allowed: {}",
+                                         worst.unanswered, cases, may_refuse)};
+    worst.found.text = fmt::format("worst of {}: {}", cases, worst.found.text);
+    if (worst.unanswered > 0)
+      worst.found.text += fmt::format("; {} said that they have no answer", worst.unanswered);
+    return worst.found;
+  });
 }
 
 }  // namespace railbook::bench

@@ -73,12 +73,17 @@ class Draw {
   std::uint64_t count_ = 0;
 };
 
-// The worst of `cases` random runs: `run` draws its case and returns what came out, with its error (NaN when the
-// solver said that it has no answer). The text of the worst says which case it was.
+// The worst of `cases` random runs: `run` draws its case and returns what came out, with its error. A solver that says
+// that it has no answer throws report::NoAnswer and is counted; an error that is NaN without a word is the worst there is.
+// The text of the worst says which case it was.
 struct Worst {
   report::Found found{"", 0};
   int cases = 0, unanswered = 0;
 };
 Worst worst_of(int cases, std::uint64_t seed, const std::function<report::Found(Draw&)>& run);
+
+// The stability row of that worst; more than `may_refuse` cases without an answer are a refusal of the row.
+void worst_row(report::Item& item, const report::StabilityCase& c, int cases, std::uint64_t seed,
+               const std::function<report::Found(Draw&)>& run, int may_refuse = 0);
 
 }  // namespace railbook::bench

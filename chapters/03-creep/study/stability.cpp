@@ -160,14 +160,7 @@ void many_cells(report::Item& item) {
 // Random cases; the worst is the row.
 void sweeps(report::Item& item) {
   const auto row = [&](const report::StabilityCase& c, int quick, int full, const auto& run) {
-    item.stability(c, [&] {
-      const bench::Worst worst = bench::worst_of(item.full() ? full : quick, 2003, run);
-      if (worst.unanswered > 0)
-        throw report::NoAnswer(
-            fmt::format("{} of {} did not settle", worst.unanswered, worst.cases));
-      return Found{fmt::format("worst of {}: {}", worst.cases, worst.found.text),
-                   worst.found.error};
-    });
+    bench::worst_row(item, c, item.full() ? full : quick, 2003, run);
   };
   const auto random_case = [](bench::Draw& draw, bool spins) {
     const double ratio = draw.decades(0.1, 10), nu = draw(0, 0.5);
@@ -191,7 +184,7 @@ void sweeps(report::Item& item) {
         const RollingCase c = random_case(draw, true);
         const auto f = solve_rolling(c, {.along = 8, .rows = 4}),
                    g = solve_rolling(c, {.along = 12, .rows = 6});
-        if (!f.converged || !g.converged) return Found{f.reason, units::nan};
+        if (!f.converged || !g.converged) throw report::NoAnswer{f.converged ? g.reason : f.reason};
         return Found{text(c), std::hypot(f.fx - g.fx, f.fy - g.fy) / (f.error + g.error + 1e-12)};
       });
   row({.id = "sweep-fastsim",

@@ -94,9 +94,10 @@ Found random_body(bench::Draw& draw) {
   const quality::Wave wave{draw.decades(1e-3, 0.1),
                            body.suspension.frequency * draw.decades(0.1, 10), draw(0, 6.28)};
   const auto r = quality::run(body, {{wave}, 0}, {}, 5 / wave.frequency, {.audit = true});
+  if (!r.complete) throw report::NoAnswer{"a run that did not end"};
   return {fmt::format("damping {:.2g}, stops {:.2g} times the spring", body.suspension.damping,
                       body.kappa),
-          r.complete ? r.energy.defect() : units::nan};
+          r.energy.defect()};
 }
 
 // A sine through the taps against the envelope, over what the design says of itself.
@@ -121,22 +122,18 @@ Found random_sine(bench::Draw& draw) {
 }
 
 void random_rows(report::Item& item) {
-  const auto row = [&](const report::StabilityCase& c, int cases, std::uint64_t seed,
-                       Found (*run)(bench::Draw&)) {
-    item.stability(c, [=] {
-      const bench::Worst w = bench::worst_of(cases, seed, run);
-      if (w.unanswered > 0) throw report::NoAnswer{"a run that did not end"};
-      return w.found;
-    });
-  };
   const int bodies = item.full() ? 20'000 : 1'000, filters = item.full() ? 1'000 : 50;
-  row({.id = "random-bodies",
+  bench::worst_row(
+      item,
+      {.id = "random-bodies",
        .what = fmt::format("the worst of {} random bodies with stops", bodies),
        .stress = "damping 0.01 to 1, stops to 10⁴, from a tenth to ten times resonance",
        .allowed = 1e-9,
        .reference = "energy balance"},
       bodies, 61, random_body);
-  row({.id = "random-sines",
+  bench::worst_row(
+      item,
+      {.id = "random-sines",
        .what = fmt::format("20 sines through each of {} random filters", filters),
        .stress =
            "does the design's own statement of its gain's error hold between its wavenumbers?",
