@@ -4,6 +4,7 @@ BUILD    := build
 LEVEL    ?= quick
 PRESET   ?= default
 PREFIX   ?= /usr/local
+JOBS     ?= $(shell nproc)
 CHAPTERS := $(notdir $(patsubst %/,%,$(sort $(wildcard chapters/*/))))
 chosen    = $(filter $(C)-% 0$(C)-%,$(CHAPTERS))
 some      = $(if $(C),$(or $(chosen),$(error C is "$(C)"; allowed: the number of one of $(CHAPTERS))))
@@ -38,8 +39,8 @@ install: configure ## the command `railbook` and its library into PREFIX (/usr/l
 	@cmake --build $(BUILD) --target railbook
 	@cmake --install $(BUILD) --prefix "$(PREFIX)"
 
-reproduce: programs ## everything: build, run all chapters, draw the figures, weave the book
-	@cmake/reproduce.sh $(BUILD) $(LEVEL) $(CHAPTERS)
+reproduce: programs ## everything: build, run the chapters that have changed (JOBS=n at a time), weave the book
+	@cmake/reproduce.sh $(BUILD) $(LEVEL) $(JOBS) $(CHAPTERS)
 
 test: build       ## run all tests
 	ctest --test-dir $(BUILD) --output-on-failure -j 2
@@ -66,7 +67,7 @@ book: programs    ## weave the book from the chapters that have been run
 	@cmake --build $(BUILD) --target book
 
 bench: programs   ## error against run time at full length, one chapter after the other
-	@cmake/reproduce.sh $(BUILD) full $(CHAPTERS)
+	@cmake/reproduce.sh $(BUILD) full 1 $(CHAPTERS)
 
 format:           ## clang-format every source in place
 	@$(call wants,clang-format)

@@ -1,17 +1,53 @@
 #!/bin/sh
-# reproduce.sh BUILD LEVEL CHAPTER...: runs the chapters, weaves the book, and sums up. Fails if any of them did,
-# but runs them all.
+# reproduce.sh BUILD LEVEL JOBS CHAPTER...: runs the chapters that something has changed for, JOBS at a time (they take
+# turns with the clock: while one measures time the others wait), weaves the book, and sums up. Fails if any of them did,
+# but runs them all. What a chapter was run with and what it left stands in BUILD/results/NN-name.stamp.
 set -u
-build=$1 level=$2
-shift 2
-failed=0 count=0 total=$#
+# A chapter's own process: the program, what it reads, and what it writes.
+inputs() { echo "$level"; find "chapters/$1" lib -type f ! -name '*.?pp' ! -name CMakeLists.txt | LC_ALL=C sort | xargs cat "$build/bin/${1#*-}"; }
+outputs() { find "$build/results/$1" "$build/results/$1.json" "$build/results/$1.txt" "$build/figures/$1" -printf '%p %s %T@\n' 2> /dev/null | LC_ALL=C sort; }
+stamp() { inputs "$1" | sha256sum; outputs "$1" | sha256sum; }
+if [ "$1" = --chapter ]; then
+  build=$2 level=$3 chapter=$4
+  began=$(date +%s)
+  rm -f "$build/results/$chapter.stamp"
+  if "$build/bin/${chapter#*-}" reproduce --level "$level" --out "$build" > /dev/null; then
+    stamp "$chapter" > "$build/results/$chapter.stamp"
+    echo "$chapter: $(($(date +%s) - began)) s"
+  else
+    echo "$chapter: NOT good"
+  fi
+  exit 0
+fi
+
+build=$1 level=$2 jobs=$3
+shift 3
+mkdir -p "$build/results" "$build/turns"
+RAILBOOK_TURNS=$(cd "$build/turns" && pwd)
+export RAILBOOK_TURNS
+due=
 for chapter in "$@"; do
-  count=$((count + 1))
-  echo "[$count/$total] $chapter ..."
-  "$build/bin/${chapter#*-}" reproduce --level "$level" --out "$build" || failed=1
+  stamp "$chapter" | cmp -s - "$build/results/$chapter.stamp" || due="$due $chapter"
 done
-echo "[book]"
-cmake --build "$build" --target book || failed=1
+if [ -n "$due" ]; then
+  total=$(echo "$due" | wc -w) count=0 began=$(date +%s)
+  [ "$total" = $# ] || echo "Nothing has changed for the other chapters."
+  echo "Running$due, $jobs at a time ..."
+  echo "$due" | xargs -n 1 -P "$jobs" "$0" --chapter "$build" "$level" | while read -r line; do
+    count=$((count + 1))
+    left=$((($(date +%s) - began) * (total - count) / count))
+    echo "[$count/$total] $line$([ "$count" = "$total" ] || echo "; about $left s left")"
+  done
+fi
+failed=0
+for chapter in "$@"; do [ -f "$build/results/$chapter.stamp" ] || failed=1; done
+
+# The book is woven of all of this.
+sources() { find chapters lib book README.md CMakeLists.txt "$build/results" "$build/figures" -type f ! -name book.stamp -printf '%p %s %T@\n' | LC_ALL=C sort | sha256sum; }
+if [ ! -f "$build/book/index.html" ] || ! sources | cmp -s - "$build/results/book.stamp"; then
+  echo "[book]"
+  if cmake --build "$build" --target book; then sources > "$build/results/book.stamp"; else failed=1; fi
+fi
 echo
 for chapter in "$@"; do cat "$build/results/$chapter.txt"; done
 echo "book: $build/book/index.html"

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "num/stopwatch.hpp"
+#include "report/turn.hpp"
 
 namespace railbook::bench {
 namespace {
@@ -54,6 +55,7 @@ std::vector<Timing> time_interleaved(const std::vector<std::function<void()>>& c
   std::vector<Plan> plans;
   std::vector<std::vector<double>> times(calls.size());
   int rounds = 0;
+  const report::ClockTurn alone;
   for (std::size_t i = 0; i < calls.size(); ++i) {
     plans.push_back(plan_for(first[i], budget));
     if (!calls[i]) plans[i].samples = 0, times[i] = {first[i]};

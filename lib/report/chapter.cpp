@@ -14,6 +14,7 @@
 #include "plot/plot.hpp"
 #include "report/inventory.hpp"
 #include "report/run_folder.hpp"
+#include "report/turn.hpp"
 #include "units/input_error.hpp"
 
 namespace railbook::report {
@@ -119,6 +120,7 @@ std::vector<PagedEntry> in_order(const std::vector<Section>& paper,
 // Whether the world outside let it: a figure that gnuplot does not draw fails its item, a disk that is full ends the run.
 bool compute(const PagedEntry& e, const RunSettings& settings, ChapterRecord& record) {
   bool let = true;
+  const WorkTurn turn;
   const num::Stopwatch watch;
   Item item{e.entry->id, e.entry->kind, e.entry->title, settings};
   try {

@@ -1,0 +1,55 @@
+#!/bin/bash
+# front_door.sh REPRODUCE.SH: what is run and woven again, with chapters and a cmake that only leave their mark.
+script=$1
+folder=$(mktemp -d) || exit 77
+trap 'rm -rf "$folder"' EXIT
+cd "$folder" || exit 77
+mkdir -p build/bin lib chapters/01-one chapters/02-two book bin
+echo '# prose' | tee README.md CMakeLists.txt chapters/01-one/fig.gp chapters/02-two/fig.gp >book/page.lua
+for name in one two; do
+  cat >"build/bin/$name" <<'END'
+#!/bin/sh
+name=${0##*/}
+for chapter in chapters/*-"$name"; do chapter=${chapter#chapters/}; done
+echo "$name" >>ran
+rm -f "build/results/$chapter.json"
+mkdir -p "build/results/$chapter" "build/figures/$chapter"
+[ ! -f "fail-$name" ] || exit 1
+for file in "$chapter/a.csv" "$chapter.json" "$chapter.txt"; do echo "$name" >"build/results/$file"; done
+END
+done
+cat >bin/cmake <<'END'
+#!/bin/sh
+echo book >>ran
+mkdir -p build/book && echo book >build/book/index.html
+END
+chmod +x build/bin/* bin/cmake
+export PATH=$folder/bin:$PATH
+runs() { # runs STATUS "what ran, in the alphabet": reproduces, and compares
+  : >ran
+  "$script" build "${level:-quick}" 2 01-one 02-two >said 2>&1
+  local status=$? ran
+  ran=$(sort ran | tr '\n' ' ')
+  [ "$status" = "$1" ] && [ "${ran% }" = "$2" ] && return
+  echo "BAD: $3: status $status, ran $ran"
+  cat said
+  exit 1
+}
+runs 0 "book one two" "the first time"
+runs 0 "" "the second time"
+echo '# more' >>chapters/01-one/fig.gp
+runs 0 "book one" "after a script of one chapter has changed"
+echo '# more' >>build/bin/two
+runs 0 "book two" "after a program has changed"
+echo 1 >chapters/01-one/main.cpp
+runs 0 "book" "after what the page shows of the source has changed"
+rm build/results/02-two/a.csv
+runs 0 "book two" "after a result is gone"
+level=full runs 0 "book one two" "at another level"
+level=full runs 0 "" "at that level again"
+touch fail-one && echo '# broken' >>build/bin/one
+level=full runs 1 "book one" "when a chapter fails"
+level=full runs 1 "one" "when it fails again"
+grep -q 'NOT all good' said || { echo "BAD: a failure is not said" && exit 1; }
+rm fail-one
+level=full runs 0 "book one" "after it is mended"
