@@ -1,6 +1,7 @@
 // Figures that answer: a reader moves a slider, and the page draws what the chapter's program computed for that value. It
 // chooses and draws, and computes nothing. The data are two tables of the program:
-//   <id>-panels.csv   panel,kind,x_label,y_label,x_from,x_to,y_from,y_to,scale   kind: lines, cells or says; scale: lin, log, logx or logy
+//   <id>-panels.csv   panel,kind,x_label,y_label,x_from,x_to,y_from,y_to,scale   kind: lines, cells (dots), plane (dots and the unit circle)
+//                     or says; scale: lin, log, logx or logy
 //   <id>-answer.csv   the sliders' columns, then panel,curve,x,y (of a `says` panel: x is a number, and curve what it is, with its unit)
 "use strict";
 
@@ -57,6 +58,8 @@ class Panel {
     }
     this.root = draw("svg", {viewBox: "0 0 470 290", role: "img", "aria-label": name});
     this.axes();
+    if (kind === "plane") this.root.append(draw("ellipse", {cx: this.x(0), cy: this.y(0), rx: this.x(1) - this.x(0), ry: this.y(0) - this.y(1),
+      fill: "none", stroke: colours[1], "stroke-width": 1.5}));
     this.curves = draw("g", {});
     this.root.append(this.curves);
   }
@@ -98,7 +101,7 @@ class Panel {
       const colour = this.colour(curve);
       const inside = points.map(([x, y]) => [Number(x), Number(y)]).map(([x, y]) => [this.x(x),
         Math.min(260, Math.max(20, this.y(this.yLog ? Math.max(y, this.y0 / 10) : y)))]);
-      if (this.kind === "cells" || inside.length === 1) {
+      if (this.kind !== "lines" || inside.length === 1) {
         for (const [x, y] of inside) this.curves.append(draw("circle", {cx: x, cy: y, r: this.kind === "cells" ? 3 : 5, fill: colour}));
       } else {
         this.curves.append(draw("polyline", {points: inside.map((p) => p.map((v) => v.toFixed(1)).join()).join(" "), fill: "none",

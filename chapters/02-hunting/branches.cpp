@@ -10,6 +10,8 @@ in speed, squares where a second frequency sets in.
 
 {{fig-11}}
 
+{{include: answer.cpp}}
+
 With new wheels the branch goes straight up at 145 ft/s until the flange is met at {{flange-new}} and then runs far to
 the right, by describing functions. The thick line turns earlier and is stable to {{torus-speed}} only.
 With CN wheels there is a lower region, where one truck has met the flange and the other has not, and a higher one with both, on a falling branch and unstable.
@@ -94,6 +96,7 @@ void fig_11(report::Item& item) {
       const bool fold = s.kind == CycleEvent::fold, torus = s.kind == CycleEvent::torus;
       marks.add(s.at.parameter / foot, in(fold), in(torus), in(!fold && !torus));
     }
+  speed_answer(item);
   item.value("flange-new", vehicle("new").flange / inch, "in", "{:.2f}");
   item.value("friction-fold", vehicle("friction").main_branch().folds.at(0).motion.speed / foot,
              "ft/s", "{:.0f}");

@@ -10,6 +10,7 @@ namespace railbook::hunting_chapter {
 extern const report::Section geometry, car, describing, critical, branches, modes, algorithm,
     stability, scenes;
 extern const report::Section cost, stiffness, closed_forms;  // study/
+void speed_answer(report::Item& item);                       // the sliders of fig-11
 void extremes(report::Item& item);                           // the rows of stability
 
 // The paper's words as numbers: one reading for every claim of the chapter.

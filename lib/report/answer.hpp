@@ -15,12 +15,12 @@
 
 namespace railbook::report {
 
-// One panel of it, with its axes; "cells" draws dots, "says" lists what says() gave it.
+// One panel of it, with its axes; "cells" draws dots, "plane" dots and the unit circle, "says" lists what says() gave it.
 struct Panel {
   std::string name, x_label = {}, y_label = {};
   double x_from = 0, x_to = 1, y_from = 0, y_to = 1;
   std::string scale = "lin";   // lin, log (both), logx or logy
-  std::string kind = "lines";  // lines, cells or says
+  std::string kind = "lines";  // lines, cells, plane or says
 };
 
 // The data files <item>-panels.csv and <item>-answer.csv, which book/answer.js draws. A page should load quickly: keep them
