@@ -75,24 +75,13 @@ class BranchSolver {
 
   // Newton from x with normal . x = value. False when it does not converge; `tangent` is that of the branch at the result.
   bool correct(VectorXd& x, const VectorXd& normal, double value, int most = 10) {
-    const Eigen::Index n = equations_->size();
-    double before = 1e300;
-    for (iterations_ = 1; iterations_ <= most; ++iterations_, ++all_) {
-      VectorXd right(n + 2);
-      if (!assemble(x, normal, right)) return false;
-      right[n] = phase_.dot(x.head(n));
-      right[n + 1] = normal.dot(x) - value;
-      lu_.factor(matrix_);
-      lu_.solve_in_place(right);
-      const double update = right.norm();
-      if (!right.allFinite() || update > 2) return false;
-      x -= right;
-      if (update < 1e-9 || (update < 1e-7 && update > 0.3 * before)) return true;
-      if (iterations_ > 4 && update > 2 * before) return false;
-      before = update;
-    }
-    return false;
+    return newton(x, normal, value, most, false);
   }
+  // The same from a start that may be far: steps are shortened until the misfit falls.
+  bool approach(VectorXd& x, const VectorXd& normal, double value) {
+    return newton(x, normal, value, 40, true);
+  }
+
   // Along the branch at the last solution, on the side of `towards`.
   VectorXd tangent(const VectorXd& towards) {
     VectorXd t = VectorXd::Zero(towards.size());
@@ -122,6 +111,49 @@ class BranchSolver {
   const Family& family() const { return family_; }
 
  private:
+  bool newton(VectorXd& x, const VectorXd& normal, double value, int most, bool shortened) {
+    const Eigen::Index n = equations_->size();
+    double before = 1e300;
+    for (iterations_ = 1; iterations_ <= most; ++iterations_, ++all_) {
+      VectorXd right(n + 2);
+      if (!assemble(x, normal, right)) return false;
+      right[n] = phase_.dot(x.head(n));
+      right[n + 1] = normal.dot(x) - value;
+      lu_.factor(matrix_);
+      lu_.solve_in_place(right);
+      double update = right.norm();
+      if (!right.allFinite() || (!shortened && update > 2)) return false;
+      if (shortened && update > 1e-7) {
+        // Natural monotony (Deuflhard): the next step with the same matrix must be shorter; no matter in what units.
+        double part = std::min(1.0, 0.5 / update);
+        for (int k = 0; k < 8; ++k, part *= 0.5)
+          if (next_update(x - part * right, normal, value) < (1 - 0.25 * part) * update) break;
+        right *= part;
+      }
+      x -= right;
+      if (update < 1e-9 || (update < 1e-7 && update > 0.3 * before)) return true;
+      if (!shortened && iterations_ > 4 && update > 2 * before) return false;
+      before = update;
+    }
+    return false;
+  }
+  // The step from x by the last matrix.
+  double next_update(const VectorXd& x, const VectorXd& normal, double value) {
+    const Eigen::Index n = equations_->size();
+    const Place p = place(x);
+    if (!(p.omega > 1e-9 && p.omega < 1e9) || !p.z.allFinite()) return 1e300;
+    try {
+      family_.set(here_, p.parameter);
+    } catch (const InputError&) {
+      return 1e300;
+    }
+    equations_->change(here_);
+    VectorXd left(n + 2);
+    left << equations_->residual(p.z, p.omega) / size_, phase_.dot(x.head(n)),
+        normal.dot(x) - value;
+    lu_.solve_in_place(left);
+    return left.allFinite() ? left.norm() : 1e300;
+  }
   // Residual and derivative by x. False for values that are none.
   bool assemble(const VectorXd& x, const VectorXd& normal, VectorXd& right) {
     const Eigen::Index n = equations_->size();

@@ -68,17 +68,12 @@ CycleEvent kind_of(Complex multiplier, bool symmetric) {
 
 }  // namespace
 
-std::vector<int> orders_up_to(int highest, bool all) {
-  std::vector<int> orders;
-  for (int k = all ? 0 : 1; k <= highest; k += all ? 1 : 2) orders.push_back(k);
-  return orders;
-}
-
-bool BranchWalker::begin(const Place& p, const VectorXd& normal, const VectorXd& towards) {
+bool BranchWalker::begin(const Place& p, const VectorXd& normal, const VectorXd& towards,
+                         bool far) {
   solver.measure(p);
   VectorXd x = solver.scaled(p);
   const VectorXd n = solver.scaled_direction(normal);
-  if (!solver.correct(x, n, n.dot(x), 20)) return false;
+  if (!(far ? solver.approach(x, n, n.dot(x)) : solver.correct(x, n, n.dot(x), 20))) return false;
   at_ = solver.place(x);
   along_ = solver.direction(solver.tangent(solver.scaled_direction(towards)));
   settle();

@@ -7,9 +7,6 @@
 
 namespace railbook::dynamics {
 
-// 1, 3, 5 ... or, with `all`, 0, 1, 2 ...
-std::vector<int> orders_up_to(int highest, bool all);
-
 class BranchWalker {
  public:
   BranchWalker(const Family& family, std::vector<int> orders, const ContinuationOptions& options)
@@ -19,7 +16,8 @@ class BranchWalker {
   LimitCycleBranch branch;
 
   // Solves for the point where normal . (x - p) = 0 (SI direction) and begins the branch there, along `towards`.
-  bool begin(const Place& p, const VectorXd& normal, const VectorXd& towards);
+  // `far`: p may be a poor start.
+  bool begin(const Place& p, const VectorXd& normal, const VectorXd& towards, bool far = false);
 
   void walk();
 

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "dynamics/floquet.hpp"
+#include "dynamics/harmonic_balance.hpp"
 #include "dynamics/quasi_linear.hpp"
 
 namespace railbook::dynamics {
@@ -19,19 +20,9 @@ struct Examined {
   Orbit orbit;             // closed by shooting to 1e-10
   double amplitude = 0;    // half of peak to peak of the largest wheelset on the orbit [m]
   double omega = 0;        // [rad/s]
-  double distance =
-      0;  // of the orbit from the start, see below; as far as found, also when not converged
+  double distance = 0;     // of the orbit from the start; as far as found, also when not converged
   FloquetStability stability;
 };
-
-// A cycle farther than this from the start is another one. What the first harmonic leaves out moves the paper's cycles by a percent
-// before the flange and by up to a fifth on it; two cycles of one speed may be nearer than that, so that of two starts with one orbit
-// only the nearer has it.
-inline constexpr double another_cycle = 0.25;
-
-// How far a cycle is from another: the larger of |omega / omega' - 1| and the misfit of the wheelsets' first harmonics (for other
-// oscillators, of the first four channels) relative to their size, at the best phase.
-double distance(const Cycle& from, const Cycle& to);
 
 // The cycle near a quasi-linear motion (lambda = i omega), at the motion's speed, with harmonics up to `highest`. When balance does not
 // converge, or only on another cycle, shooting is tried from the quasi-linear motion itself. Not converged: there may be none near,

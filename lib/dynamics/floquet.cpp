@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dynamics/balance_equations.hpp"
+#include "dynamics/cycle_equations.hpp"
 #include "dynamics/history.hpp"
 #include "dynamics/pieces.hpp"
 #include "num/dense_lu.hpp"
@@ -176,13 +176,44 @@ Complex exponent(Complex half_multiplier, double period) {
   return 2.0 * std::log(half_multiplier) / period;
 }
 
+namespace {
+
+// Coefficients P_0, P_1 ... of the slopes of all laws along a cycle, P(t) = sum_n P_n exp(i n w t): a row an output.
+Eigen::MatrixXcd slope_spectra(const Oscillator& o, const Scalars& scalars, const Cycle& cycle,
+                               int samples) {
+  Eigen::MatrixXcd s(scalars.of_motion.rows(), cycle.motion.cols());
+  for (Index k = 0; k < s.cols(); ++k)
+    s.col(k) = (scalars.of_motion +
+                Complex{0, cycle.orders[std::size_t(k)] * cycle.omega} * scalars.of_rate) *
+               cycle.motion.col(k);
+  num::RealFft fft{std::size_t(samples)};
+  const Eigen::MatrixXd x = in_time(s, cycle.orders, fft);
+  Eigen::MatrixXcd result(scalars.forces.cols(), samples / 2 + 1);
+  for (std::size_t c = 0; c < o.channels.size(); ++c)
+    for (Index m = 0; m < scalars.laws[c].outputs; ++m) {
+      const PiecewiseLinear& law = o.channels[c].law;
+      for (Index j = 0; j < samples; ++j)
+        fft.real()[std::size_t(j)] = law.slopes()(m, law.piece(x(j, Index(c)))) / samples;
+      fft.forward();
+      std::copy(fft.spectrum().begin(), fft.spectrum().end(),
+                result.row(scalars.laws[c].output + m).begin());
+    }
+  return result;
+}
+
+}  // namespace
+
 HillExponent hill_exponent(const Oscillator& oscillator, const Cycle& cycle, Complex start,
                            int highest) {
+  if (!oscillator.couplings.empty())
+    throw InputError("Hill's determinant: a force couples several scalars; allowed: channels only");
   Oscillator o = oscillator;
   o.inverse_speed = cycle.inverse_speed;
-  const Reference ref = reference(o);
-  const auto slopes = slope_spectra(o, ref, cycle, sample_count(cycle, 64 * highest));
-  const Eigen::MatrixXcd forces = all_forces(o).cast<Complex>();
+  const Scalars scalars(o);
+  const Eigen::MatrixXcd slopes =
+      slope_spectra(o, scalars, cycle, samples_for(highest, 64 * highest));
+  const Eigen::MatrixXcd forces = scalars.forces.cast<Complex>();
+  const Eigen::MatrixXd damping = o.damping + o.inverse_speed * o.damping_by_speed;
   const auto channels = Index(o.channels.size());
   const int orders = highest + 1;  // -highest, -highest + 2, ..., highest
   // 1 - T(lambda + i k omega) P: singular at an exponent.
@@ -190,17 +221,17 @@ HillExponent hill_exponent(const Oscillator& oscillator, const Cycle& cycle, Com
     Eigen::MatrixXcd a = Eigen::MatrixXcd::Identity(channels * orders, channels * orders);
     for (int i = 0; i < orders; ++i) {
       const Complex p = lambda + Complex(0, (2 * i - highest) * cycle.omega);
+      const Eigen::MatrixXcd dynamic = p * p * o.mass + p * damping + o.stiffness;
       const Eigen::MatrixXcd transfer =
-          all_rows(o, p) * dynamic_stiffness(o, ref.stiffness, p).partialPivLu().solve(forces);
+          (scalars.of_motion + p * scalars.of_rate) * dynamic.partialPivLu().solve(forces);
       for (int l = 0; l < orders; ++l) {
-        const auto n = std::size_t(2 * std::abs(i - l));
-        Index out = 0;
-        for (Index from = 0; from < channels; ++from)
-          for (Index m = 0; m < o.channels[std::size_t(from)].law.outputs(); ++m, ++out) {
-            const Complex p_n = slopes[std::size_t(out)][n];
+        const Index n = 2 * std::abs(i - l);
+        for (Index from = 0; from < channels; ++from) {
+          const auto& law = scalars.laws[std::size_t(from)];
+          for (Index m = law.output; m < law.output + law.outputs; ++m)
             a.block(i * channels, l * channels + from, channels, 1) -=
-                transfer.col(out) * (i >= l ? p_n : std::conj(p_n));
-          }
+                transfer.col(m) * (i >= l ? slopes(m, n) : std::conj(slopes(m, n)));
+        }
       }
     }
     return a;

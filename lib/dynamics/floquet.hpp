@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "dynamics/harmonic_balance.hpp"
+#include "dynamics/harmonic_cycle.hpp"
 #include "dynamics/oscillator.hpp"
 
 namespace railbook::dynamics {

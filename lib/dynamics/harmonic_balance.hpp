@@ -1,29 +1,26 @@
-// Periodic motions by harmonic balance with any number of harmonics.
+// One periodic motion of an oscillator by harmonic balance, with the equations and the walk of continuation.hpp.
 //
 //   auto cycle = balance(car, first_harmonic(car, q, omega, 23));   // q, omega from a describing function
 //   if (!cycle.converged) ... cycle.reason
 //   amplitude(cycle, wheelset_row);
-//
-// The linear part is solved once a harmonic, so that the unknowns are the harmonics of the channels' scalars only
-// (alternating frequency/time, Cameron and Griffin 1989), the frequency and, at a given size, the speed. The
-// Jacobian is analytic: the derivative of a law, sampled, is a Toeplitz plus a Hankel matrix in the harmonics.
 #pragma once
 
 #include "dynamics/harmonic_cycle.hpp"
 
 namespace railbook::dynamics {
 
-struct BalanceOptions {
-  double tolerance = 1e-11;  // of the residual
-  int most_iterations = 40;  // of Newton, from one start
-  int most_in_all = 1000;    // of all starts that balance() tries
-  int samples =
-      0;  // a period in time; 0: a power of two of at least 512 and 32 times the highest order
-};
+// A cycle farther than this from the start is another one. What the first harmonic leaves out moves the paper's cycles by a percent
+// before the flange and by up to a fifth on it; two cycles of one speed may be nearer than that, so that of two starts with one orbit
+// only the nearer has it.
+inline constexpr double another_cycle = 0.25;
 
-// Newton with step halving from `start`, at the oscillator's speed; if that fails, from the cycle of the start's
-// size, followed to the speed. Not converged: `reason` says whether there was no progress, the motion fell back to rest, the
-// frequency ran away, or the iterations were used up.
-Cycle balance(const Oscillator& oscillator, const Cycle& start, const BalanceOptions& options = {});
+// How far a cycle is from another: the larger of |omega / omega' - 1| and the misfit of the first four channels' first harmonics (the
+// wheelsets') relative to their size, at the best phase. Both have the order 1.
+double distance(const Oscillator& oscillator, const Cycle& from, const Cycle& to);
+
+// Newton from `start` at the oscillator's speed and with the start's orders. If that fails or leads to another cycle: from the cycle of
+// the start's size at whatever speed it has, found with one harmonic, then more, and followed along its branch to the speed. Not
+// converged: none was found near; `reason` says how far it got. Throws InputError for a start at rest or that does not fit.
+Cycle balance(const Oscillator& oscillator, const Cycle& start);
 
 }  // namespace railbook::dynamics

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dynamics/balance_equations.hpp"
+#include "num/fft.hpp"
 #include "units/constants.hpp"
 #include "units/input_error.hpp"
 
@@ -12,26 +12,12 @@ namespace railbook::dynamics {
 using Complex = std::complex<double>;
 using Eigen::Index;
 
-namespace {
-
-constexpr Complex i_unit{0, 1};
-
 std::vector<int> orders_up_to(int highest, bool all) {
   units::require_between("highest harmonic", highest, 1, 4096);
   std::vector<int> orders;
   for (int k = all ? 0 : 1; k <= highest; k += all ? 1 : 2) orders.push_back(k);
   return orders;
 }
-
-// Scalars of the channels from the motion.
-void fill_scalars(const Oscillator& o, Cycle& cycle) {
-  cycle.scalars.resize(Index(o.channels.size()), cycle.motion.cols());
-  for (Index k = 0; k < cycle.motion.cols(); ++k)
-    cycle.scalars.col(k) =
-        all_rows(o, i_unit * (cycle.orders[std::size_t(k)] * cycle.omega)) * cycle.motion.col(k);
-}
-
-}  // namespace
 
 Cycle first_harmonic(const Oscillator& o, const Eigen::VectorXcd& amplitudes, double omega,
                      int highest, bool all) {
@@ -41,7 +27,6 @@ Cycle first_harmonic(const Oscillator& o, const Eigen::VectorXcd& amplitudes, do
   cycle.orders = orders_up_to(highest, all);
   cycle.motion = Eigen::MatrixXcd::Zero(amplitudes.size(), Index(cycle.orders.size()));
   cycle.motion.col(all ? 1 : 0) = amplitudes;
-  fill_scalars(o, cycle);
   return cycle;
 }
 
@@ -58,21 +43,17 @@ Cycle from_period(const Oscillator& o, const Eigen::MatrixXd& states, double ome
       cycle.motion(i, Index(k)) = fft.spectrum()[std::size_t(cycle.orders[k])] *
                                   ((cycle.orders[k] == 0 ? 1.0 : 2.0) / double(states.cols()));
   }
-  fill_scalars(o, cycle);
   return cycle;
 }
 
 Cycle with_orders(const Cycle& cycle, int highest, bool all) {
   Cycle result = cycle;
   result.orders = orders_up_to(highest, all);
-  result.scalars = Eigen::MatrixXcd::Zero(cycle.scalars.rows(), Index(result.orders.size()));
-  result.motion = Eigen::MatrixXcd::Zero(cycle.motion.rows(), result.scalars.cols());
+  result.motion = Eigen::MatrixXcd::Zero(cycle.motion.rows(), Index(result.orders.size()));
   for (std::size_t k = 0; k < result.orders.size(); ++k)
     for (std::size_t l = 0; l < cycle.orders.size(); ++l)
-      if (result.orders[k] == cycle.orders[l]) {
-        result.scalars.col(Index(k)) = cycle.scalars.col(Index(l));
+      if (result.orders[k] == cycle.orders[l])
         result.motion.col(Index(k)) = cycle.motion.col(Index(l));
-      }
   result.converged = false;
   return result;
 }
@@ -120,26 +101,6 @@ double amplitude(const Cycle& cycle, const Eigen::VectorXd& row) {
   const auto [low, high] = std::minmax_element(fft.real().begin(), fft.real().end());
   return 0.5 * (extreme(std::size_t(high - fft.real().begin()), 1) -
                 extreme(std::size_t(low - fft.real().begin()), -1));
-}
-
-double defect(const Oscillator& o, const Cycle& cycle, int samples) {
-  double worst = 0, size = 0;
-  const Eigen::MatrixXd damping = o.damping + cycle.inverse_speed * o.damping_by_speed;
-  const Index n = o.coordinates();
-  for (int j = 0; j < samples; ++j) {
-    const double phase = 2 * units::pi * j / samples;
-    const Eigen::VectorXd y = state_at(cycle, phase);
-    Eigen::VectorXd inertia = Eigen::VectorXd::Zero(n);
-    for (std::size_t k = 0; k < cycle.orders.size(); ++k)
-      inertia -= std::pow(cycle.orders[k] * cycle.omega, 2) *
-                 (cycle.motion.col(Index(k)) * std::polar(1.0, cycle.orders[k] * phase)).real();
-    Eigen::VectorXd off = o.mass * inertia + damping * y.tail(n) + o.stiffness * y.head(n);
-    for (const Channel& c : o.channels)
-      off -= c.force * c.law(c.row.dot(c.of_rate ? y.tail(n) : y.head(n)));
-    worst = std::max(worst, off.lpNorm<Eigen::Infinity>());
-    size = std::max(size, (o.mass * inertia).lpNorm<Eigen::Infinity>());
-  }
-  return worst / size;
 }
 
 }  // namespace railbook::dynamics

@@ -13,15 +13,16 @@ struct Cycle {
   double omega = 0;          // [rad/s]
   double inverse_speed = 0;  // u [s/m]
   std::vector<int> orders;   // of the harmonics kept: 1, 3, 5 ... or 0, 1, 2 ...
-  Eigen::MatrixXcd scalars;  // channels x orders: s = Re sum_k s_k exp(i k omega t)
-  Eigen::MatrixXcd motion;   // coordinates x orders, likewise: q
+  Eigen::MatrixXcd motion;   // coordinates x orders: q = Re sum_k q_k exp(i k omega t)
   bool converged = false;
-  double residual = 0;  // of the balance, relative to the largest harmonic of each channel
-  int iterations = 0;   // of Newton, in all
-  std::string reason;   // why not converged
+  int iterations = 0;  // of Newton, in all
+  std::string reason;  // why not converged
 
   double speed() const { return 1 / inverse_speed; }
 };
+
+// 1, 3, 5 ... or, with `all`, 0, 1, 2 ... up to `highest`, 1 to 4096.
+std::vector<int> orders_up_to(int highest, bool all);
 
 // A start from one harmonic q = Re(amplitudes exp(i omega t)) at the oscillator's speed: the odd orders up to `highest`, or,
 // with `all`, those from 0 on. Odd orders alone are right for odd laws and motions symmetric to rest.
@@ -37,7 +38,5 @@ Cycle with_orders(const Cycle& cycle, int highest, bool all = false);
 Eigen::VectorXd state_at(const Cycle& cycle, double phase);
 // Half of peak to peak of row q over the period; the peaks are located to rounding.
 double amplitude(const Cycle& cycle, const Eigen::VectorXd& row);
-// Largest relative misfit of the equations of motion over `samples` instants of the period: what the truncation leaves.
-double defect(const Oscillator& oscillator, const Cycle& cycle, int samples = 1024);
 
 }  // namespace railbook::dynamics

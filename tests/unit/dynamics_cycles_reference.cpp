@@ -97,7 +97,8 @@ TEST_CASE("harmonic balance: errors fall as harmonics are added, and 23 suffice 
   const Oscillator car = car_on_track(c.car.car(), c.table, 150 * foot);
   double before = 1;
   for (const int highest : {1, 9, 23, 63}) {
-    const Cycle balanced = balance(car, harmonics(car, e.orbit, highest), {.samples = 8192});
+    const Cycle balanced = balance(car, harmonics(car, e.orbit, highest));
+    CAPTURE(highest, balanced.reason);
     REQUIRE(balanced.converged);
     const double error = std::abs(balanced.omega / e.omega - 1);
     CHECK(error < before / 2);

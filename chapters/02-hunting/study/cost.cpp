@@ -67,7 +67,7 @@ bench::Outcome by_balance(const CycleCase& c, int highest) {
       first_harmonic(c.car, c.quasi.motion.shape, c.quasi.motion.lambda.imag(), highest);
   const Cycle cycle = balance(c.car, start);
   return outcome(cycle.converged ? largest_amplitude(c.car, cycle) : 0,
-                 double(cycle.scalars.size()) * std::max(cycle.iterations, 1), cycle.converged,
+                 double(cycle.motion.size()) * std::max(cycle.iterations, 1), cycle.converged,
                  cycle.reason);
 }
 
