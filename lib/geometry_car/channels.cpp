@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "filters/hybrid_filter.hpp"
 #include "geometry_car/health_parts.hpp"
@@ -132,8 +133,14 @@ struct Jumps {
   double largest_step = 0;
 };
 
+// A zero that has moved, and the largest of its moves.
+struct Zero {
+  double moved = 0, largest = 0;
+};
+
+// `zero` is that of the run so far; `then` becomes that at the row `at` of the record, where the run holds it.
 void mask_jumps(const Run& run, const ChannelInfo& c, double sample, Record& record, Health& health,
-                Jumps& found) {
+                Jumps& found, Zero zero, std::size_t at, Zero& then) {
   const auto channel = static_cast<std::size_t>(c.channel);
   const Kind kind = kind_of(c);
   const Column& x = run.values[channel];
@@ -141,7 +148,9 @@ void mask_jumps(const Run& run, const ChannelInfo& c, double sample, Record& rec
   const auto out =
       outliers(differences(x, kind.filtered), run.T, sample / brisk,
                std::max((kind.filtered ? 3 : 1) * kind.jump, (kind.filtered ? 9 : 3) * grain));
-  double moved = 0, largest = 0;  // of the zero since the run began
+  auto& [moved, largest] = zero;  // since the run began
+  const bool holds = run.rows.front() <= at && at <= run.rows.back();
+  if (holds) then = zero;
   const std::size_t gap = kind.filtered ? 4 : 2;
   std::size_t known = 0;  // rows whose zero is settled
   const auto doubt_to = [&](std::size_t to) {
@@ -168,6 +177,7 @@ void mask_jumps(const Run& run, const ChannelInfo& c, double sample, Record& rec
       for (std::size_t j = k; j <= last; ++j) health.doubted[channel][run.rows[j]] = true;
       moved += change;
       largest = std::max(largest, std::abs(change));
+      if (holds && run.rows[k] < at) then = zero;
       if (++found.steps == 1) found.first_step = run.rows[k];
       found.largest_step = std::max(found.largest_step, std::abs(change));
     }
@@ -262,18 +272,25 @@ void examine_level(const Record& record, const Processing& p, Health& health) {
 
 }  // namespace
 
-void examine_channels(Record& record, const Processing& p, Health& health) {
+void examine_channels(Record& record, const Processing& p, Health& health, Carried& carried,
+                      std::size_t at) {
   for (const ChannelInfo& c : channel_list()) {
     examine_still(c, record, health);
     examine_clipping(c, record, health);
   }
   std::array<Jumps, channels> found;
   std::size_t rejected = 0;
+  const Carried before = std::exchange(carried, {.leapt = carried.leapt});
   for (Run& run : runs_of(record, p, rejected)) {
     load(run, record);
-    for (const ChannelInfo& c : channel_list())
-      mask_jumps(run, c, p.layout.sample, record, health,
-                 found[static_cast<std::size_t>(c.channel)]);
+    for (std::size_t i = 0; i < channels; ++i) {
+      Zero then{carried.moved[i], carried.largest[i]};
+      mask_jumps(run, channel_list()[i], p.layout.sample, record, health, found[i],
+                 run.rows.front() == 0 ? Zero{before.moved[i], before.largest[i]} : Zero{}, at,
+                 then);
+      carried.moved[i] = then.moved;
+      carried.largest[i] = then.largest;
+    }
   }
   for (const ChannelInfo& c : channel_list()) {
     const Jumps& j = found[static_cast<std::size_t>(c.channel)];

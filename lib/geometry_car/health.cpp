@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "geometry_car/health_parts.hpp"
 #include "units/constants.hpp"
@@ -52,9 +53,14 @@ std::vector<Channel> sources(Parameter parameter, bool mean, const Processing& p
   return none;
 }
 
-// A clock that stands, leaps or was stopped shows in the speed.
-void examine_speed(const Run& run, const Processing& p, Health& health) {
+// A clock that stands, leaps or was stopped shows in the speed. `leapt`: it did before in this run; comes back for the row `at`.
+void examine_speed(const Run& run, const Processing& p, Health& health, bool leapt, std::size_t at,
+                   bool& then) {
   const std::size_t n = run.size();
+  const bool holds = run.rows.front() <= at && at <= run.rows.back();
+  if (holds) then = leapt;
+  if (leapt)
+    for (const std::size_t row : run.rows) health.clock_doubted[row] = true;
   if (n < 4 * about) return;
   Column v(n, 0);
   for (std::size_t k = 1; k < n; ++k) v[k] = p.layout.sample / run.T[k];
@@ -86,6 +92,7 @@ void examine_speed(const Run& run, const Processing& p, Health& health) {
   }
   // Which of two speeds is the right one is not known.
   for (std::size_t k = lasting; k < n; ++k) health.clock_doubted[run.rows[k]] = true;
+  if (holds && lasting < n && run.rows[lasting] < at) then = true;
   if (steps > 0)
     health.findings.push_back(
         {Fault::clock, "elapsed", first, steps, hard,
@@ -108,14 +115,16 @@ double median(Column values) {
   return *middle;
 }
 
-void examine_clock(const Record& record, const Processing& p, Health& health) {
+void examine_clock(const Record& record, const Processing& p, Health& health, bool& leapt,
+                   std::size_t at) {
   std::size_t rejected = 0;
   Column T;
   std::vector<bool> used(record.size(), false);
+  const bool before = std::exchange(leapt, false);
   for (Run& run : runs_of(record, p, rejected)) {
     load(run, record);
     for (const std::size_t i : run.rows) used[i] = true;
-    examine_speed(run, p, health);
+    examine_speed(run, p, health, before && run.rows.front() == 0, at, leapt);
     T.insert(T.end(), run.T.begin() + 1, run.T.end());
   }
   if (rejected > 3 && 1000 * rejected > record.size())
@@ -136,8 +145,8 @@ void examine_clock(const Record& record, const Processing& p, Health& health) {
     if (record.mark[k] != record.mark[k - 1] || !used[k]) continue;
     if (record.mark[k + 1] != record.mark[k] && (k < 2 || record.mark[k - 2] != record.mark[k])) {
       const long after = record.mark[k + 1] - record.mark[k];
-      const long before = k < 2 ? -after : record.mark[k - 1] - record.mark[k - 2];
-      if (after == -before) continue;
+      const long previous = k < 2 ? -after : record.mark[k - 1] - record.mark[k - 2];
+      if (after == -previous) continue;
     }
     if (held++ == 0) first = k;
     health.place_doubted[k] = health.place_doubted[k - 1] = true;
@@ -148,14 +157,19 @@ void examine_clock(const Record& record, const Processing& p, Health& health) {
 }
 
 Health examine(Record& record, const Processing& processing) {
+  Carried nothing;
+  return examine(record, processing, nothing, record.size());
+}
+
+Health examine(Record& record, const Processing& processing, Carried& carried, std::size_t at) {
   require(record, processing);
   Health health;
   for (auto* rows : {&health.doubted, &health.zero_doubted})
     for (auto& channel : *rows) channel.assign(record.size(), false);
   health.place_doubted.assign(record.size(), false);
   health.clock_doubted.assign(record.size(), false);
-  examine_channels(record, processing, health);
-  examine_clock(record, processing, health);
+  examine_channels(record, processing, health, carried, at);
+  examine_clock(record, processing, health, carried.leapt, at);
   examine_consistency(record, processing, health);
   return health;
 }

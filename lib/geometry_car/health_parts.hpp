@@ -21,9 +21,11 @@ using Balance = std::vector<Term>;
 std::vector<Balance> balances(const Run& run, const Processing& processing);
 
 // Each channel by itself: dead, still, jumps and steps (masked), and means that cannot be.
-void examine_channels(Record& record, const Processing& processing, Health& health);
+void examine_channels(Record& record, const Processing& processing, Health& health,
+                      Carried& carried, std::size_t at);
 // The times between rows and the marks.
-void examine_clock(const Record& record, const Processing& processing, Health& health);
+void examine_clock(const Record& record, const Processing& processing, Health& health, bool& leapt,
+                   std::size_t at);
 // The channels against each other.
 void examine_consistency(const Record& record, const Processing& processing, Health& health);
 

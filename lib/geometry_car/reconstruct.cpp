@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "geometry_car/run.hpp"
 #include "units/constants.hpp"
@@ -88,22 +89,22 @@ const std::array<ParameterInfo, parameters>& parameter_list() {
   return list;
 }
 
-Measurement reconstruct(const Record& record, const Processing& processing) {
-  require(record, processing);
-  Measurement result;
-  result.mark = record.mark;
-  result.speed.assign(record.size(), nan);
-  for (auto& values : result.values) values.assign(record.size(), nan);
-  std::vector<Run> runs = runs_of(record, processing, result.rejected);
-  result.runs = runs.size();
+void require_length(std::size_t longest, const Processing& processing) {
   const std::size_t chords =
       samples_needed(processing);  // short ones; two samples more for their ends
-  std::size_t longest = 0;
-  for (const Run& run : runs) longest = std::max(longest, run.rows.size());
   if (longest < chords + 2)
     throw InputError{"the longest run without a gap or a turn has " + std::to_string(longest) +
                      " samples; allowed: at least " + std::to_string(chords + 2) + ", for the " +
                      std::to_string(chords) + " short chords of one long chord with its high-pass"};
+}
+
+Measurement reconstruct_runs(const Record& record, const Processing& processing,
+                             std::vector<Run> runs) {
+  Measurement result;
+  result.mark = record.mark;
+  result.speed.assign(record.size(), nan);
+  for (auto& values : result.values) values.assign(record.size(), nan);
+  result.runs = runs.size();
   for (Run& run : runs) {
     load(run, record);
     const std::size_t n = run.rows.size();
@@ -112,7 +113,19 @@ Measurement reconstruct(const Record& record, const Processing& processing) {
     const auto columns = process(run, processing, record.mark);
     for (std::size_t p = 0; p < parameters; ++p)
       for (std::size_t k = 0; k < n; ++k) result.values[p][run.rows[k]] = columns[p][k];
+    run = {};
   }
+  return result;
+}
+
+Measurement reconstruct(const Record& record, const Processing& processing) {
+  require(record, processing);
+  std::size_t rejected = 0, longest = 0;
+  std::vector<Run> runs = runs_of(record, processing, rejected);
+  for (const Run& run : runs) longest = std::max(longest, run.rows.size());
+  require_length(longest, processing);
+  Measurement result = reconstruct_runs(record, processing, std::move(runs));
+  result.rejected = rejected;
   return result;
 }
 

@@ -25,6 +25,10 @@ struct Run {
 
 // Rows that follow each other foot by foot in one direction; `rejected` counts those whose time cannot be.
 std::vector<Run> runs_of(const Record& record, const Processing& processing, std::size_t& rejected);
+// The runs worked through one by one, however short; and what throws InputError where the longest is too short for a chord.
+Measurement reconstruct_runs(const Record& record, const Processing& processing,
+                             std::vector<Run> runs);
+void require_length(std::size_t longest_run, const Processing& processing);
 void load(Run& run, const Record& record);
 void require(const Record& record, const Processing& processing);
 

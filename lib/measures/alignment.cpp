@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "units/input_error.hpp"
@@ -10,13 +11,10 @@ namespace railbook::measures {
 namespace {
 
 // Of the samples that both have; -1 where they are fewer than half.
-double correlation(std::span<const double> a, std::span<const double> b, std::ptrdiff_t shift,
-                   std::size_t begin, std::size_t end) {
+double correlation(std::span<const double> a, std::span<const double> b) {
   double n = 0, sa = 0, sb = 0, saa = 0, sbb = 0, sab = 0;
-  for (std::size_t i = begin; i < end; ++i) {
-    const auto j = static_cast<std::ptrdiff_t>(i) + shift;
-    if (j < 0 || j >= static_cast<std::ptrdiff_t>(b.size())) continue;
-    const double x = a[i], y = b[static_cast<std::size_t>(j)];
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double x = a[i], y = b[i];
     if (std::isnan(x) || std::isnan(y)) continue;
     n += 1;
     sa += x;
@@ -26,7 +24,7 @@ double correlation(std::span<const double> a, std::span<const double> b, std::pt
     sab += x * y;
   }
   const double va = saa - sa * sa / n, vb = sbb - sb * sb / n;
-  if (2 * n < static_cast<double>(end - begin) || !(va > 0) || !(vb > 0)) return -1;
+  if (2 * n < static_cast<double>(a.size()) || !(va > 0) || !(vb > 0)) return -1;
   return (sab - sa * sb / n) / std::sqrt(va * vb);
 }
 
@@ -48,23 +46,25 @@ void drop_strays(std::vector<Match>& all) {
 
 }  // namespace
 
-std::vector<Match> align(std::span<const double> first, std::span<const double> second,
+std::vector<Match> align(std::size_t samples, const Heights& first, const Heights& second,
                          double spacing, const AlignmentOptions& options) {
   units::require_positive("spacing", spacing, "m");
   const auto window = static_cast<std::size_t>(units::require_between(
-      "window over the spacing", options.window / spacing, 16, static_cast<double>(first.size())));
-  const auto reach = static_cast<std::ptrdiff_t>(
+      "window over the spacing", options.window / spacing, 16, static_cast<double>(samples)));
+  const auto reach = static_cast<std::size_t>(
       units::require_between("reach over the spacing", options.reach / spacing, 1, 1e5));
   std::vector<Match> all;
-  std::vector<double> r(static_cast<std::size_t>(2 * reach + 1));
-  for (std::size_t begin = 0; begin + window <= first.size(); begin += window / 2) {
-    for (std::ptrdiff_t lag = -reach; lag <= reach; ++lag)
-      r[static_cast<std::size_t>(lag + reach)] =
-          correlation(first, second, lag, begin, begin + window);
+  std::vector<double> r(2 * reach + 1), a(window), b(window + 2 * reach);
+  for (std::size_t begin = 0; begin + window <= samples; begin += window / 2) {
+    const auto from = static_cast<std::ptrdiff_t>(begin);
+    first(from, a);
+    second(from - static_cast<std::ptrdiff_t>(reach), b);
+    for (std::size_t lag = 0; lag < r.size(); ++lag)
+      r[lag] = correlation(a, std::span{b}.subspan(lag, window));
     const auto at = static_cast<std::size_t>(std::max_element(r.begin(), r.end()) - r.begin());
     Match match{
         .centre = begin + window / 2, .correlation = r[at], .found = r[at] >= options.least};
-    match.offset = static_cast<double>(static_cast<std::ptrdiff_t>(at) - reach) * spacing;
+    match.offset = (static_cast<double>(at) - static_cast<double>(reach)) * spacing;
     if (at == 0 || at + 1 == r.size()) match.found = false;  // it may lie beyond
     if (match.found) {
       const double bend = r[at - 1] - 2 * r[at] + r[at + 1];
@@ -76,19 +76,33 @@ std::vector<Match> align(std::span<const double> first, std::span<const double> 
   return all;
 }
 
+std::vector<Match> align(std::span<const double> first, std::span<const double> second,
+                         double spacing, const AlignmentOptions& options) {
+  const auto heights = [](std::span<const double> run) {
+    return [run](std::ptrdiff_t from, std::span<double> to) {
+      for (double& value : to) {
+        const bool there = from >= 0 && from < static_cast<std::ptrdiff_t>(run.size());
+        value =
+            there ? run[static_cast<std::size_t>(from)] : std::numeric_limits<double>::quiet_NaN();
+        ++from;
+      }
+    };
+  };
+  return align(first.size(), heights(first), heights(second), spacing, options);
+}
+
 double offset_at(std::span<const Match> matches, double sample) {
-  const Match* before = nullptr;
-  for (const Match& match : matches) {
-    if (!match.found) continue;
-    const auto here = static_cast<double>(match.centre);
-    if (here >= sample) {
-      if (before == nullptr) return match.offset;
-      const auto from = static_cast<double>(before->centre);
-      return before->offset + (match.offset - before->offset) * (sample - from) / (here - from);
-    }
-    before = &match;
-  }
-  return before == nullptr ? 0 : before->offset;
+  const auto place = [](const Match& m) { return static_cast<double>(m.centre); };
+  auto after = std::partition_point(matches.begin(), matches.end(),
+                                    [&](const Match& m) { return place(m) < sample; });
+  auto before = after;
+  while (after != matches.end() && !after->found) ++after;
+  while (before != matches.begin() && !std::prev(before)->found) --before;
+  if (before == matches.begin()) return after == matches.end() ? 0 : after->offset;
+  --before;
+  if (after == matches.end()) return before->offset;
+  return before->offset + (after->offset - before->offset) * (sample - place(*before)) /
+                              (place(*after) - place(*before));
 }
 
 }  // namespace railbook::measures

@@ -17,25 +17,30 @@ filter, or without a parameter that can be measured at all, there is nothing to 
 
 Then the sensors are tried against themselves and against each other. A channel that stands still, jumps or loses its zero, a gage that no track has, a clock or
 a distance that stops or leaps; a gain, a unit or a sign that the other sensors contradict: each is a doubt printed above the answer and kept under `flags` in
-the JSON, what is certainly wrong is masked, and no row that rests on a doubt is *good*.
+the JSON, what is certainly wrong is masked, and no row that rests on a doubt is *good*. A record of more than 32768 rows (10 km) is judged in stretches of that
+length, each with 4096 rows of its neighbours or twice its windows: so the memory does not grow with the record. A sensor that is a factor off is then not trusted in
+the stretches where that shows; a zero that has moved, and a speed that leapt, are remembered.
 */
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "filters/car_options.hpp"
 #include "filters/sensor_file.hpp"
-#include "geometry_car/health.hpp"
-#include "geometry_car/reconstruct.hpp"
+#include "geometry_car/stretches.hpp"
 #include "table/csv.hpp"
 #include "tool/out_folder.hpp"
+#include "tool/progress.hpp"
 #include "tool/summary.hpp"
 #include "tools.hpp"
 #include "units/constants.hpp"
@@ -73,50 +78,84 @@ const char* word(Quality q) {
   return "";
 }
 
-struct Answer {
-  Measurement m;
-  std::vector<std::vector<Quality>> quality;  // [parameter][row]
-  double first = 0;                           // m, of mark 0
+// What is known of a parameter where it is good, and how often it is.
+struct Tally {
+  std::array<double, 4> rows{};  // by Quality
+  double sum = 0, squares = 0;
+
+  double of(Quality q) const { return rows[static_cast<std::size_t>(q)]; }
 };
 
-std::string table(const Answer& a, const Processing& p, std::size_t every) {
+// The record as it goes by.
+struct Answer {
+  std::array<Tally, parameters> tally;
+  double slow = units::no_limit, fast = 0;  // m/s
+
+  void add(const Stretch& s) {
+    for (std::size_t i = s.from; i < s.to; ++i) {
+      const double v = std::abs(s.m.speed[i]);
+      if (!std::isnan(v)) slow = std::min(slow, v), fast = std::max(fast, v);
+      for (const ParameterInfo& info : parameter_list()) {
+        const auto p = static_cast<std::size_t>(info.parameter);
+        Tally& t = tally[p];
+        const Quality q = s.quality[p][i];
+        ++t.rows[static_cast<std::size_t>(q)];
+        if (q != Quality::good) continue;
+        const double value = s.m[info.parameter][i] / info.si;
+        t.sum += value;
+        t.squares += value * value;
+      }
+    }
+  }
+};
+
+std::string headers() {
   std::string text = "distance_m,speed_mph";
   for (const ParameterInfo& info : parameter_list())
     text += fmt::format(",{}_{}", info.name, info.unit);
   for (const ParameterInfo& info : parameter_list()) text += fmt::format(",{}_is", info.name);
-  text += "\n";
-  for (std::size_t i = 0; i < a.m.size(); i += every) {
-    text += fmt::format("{:.9g},{}", a.first + static_cast<double>(a.m.mark[i]) * p.layout.sample,
-                        table::csv_number(a.m.speed[i] / mph));
-    for (const ParameterInfo& info : parameter_list()) {
-      const double value = a.m[info.parameter][i] / info.si;
-      text += std::isnan(value) ? std::string(",nan") : fmt::format(",{:.6g}", value);
-    }
-    for (std::size_t q = 0; q < parameters; ++q) text += fmt::format(",{}", word(a.quality[q][i]));
-    text += "\n";
-  }
-  return text;
+  return text + "\n";
 }
+
+std::string line(const Stretch& s, std::size_t i, double first, double sample) {
+  std::string text = fmt::format("{:.9g},{}", first + static_cast<double>(s.m.mark[i]) * sample,
+                                 table::csv_number(s.m.speed[i] / mph));
+  for (const ParameterInfo& info : parameter_list()) {
+    const double value = s.m[info.parameter][i] / info.si;
+    text += std::isnan(value) ? std::string(",nan") : fmt::format(",{:.6g}", value);
+  }
+  for (std::size_t q = 0; q < parameters; ++q) text += fmt::format(",{}", word(s.quality[q][i]));
+  return text + "\n";
+}
+
+// Rows for a figure: every one, or every second, fourth ... of a long record.
+class Thin {
+ public:
+  void add(std::string text) {
+    if (rows_++ % every_ != 0) return;
+    lines_.push_back(std::move(text));
+    if (lines_.size() < most) return;
+    for (std::size_t i = 0; 2 * i < lines_.size(); ++i) lines_[i] = std::move(lines_[2 * i]);
+    lines_.resize(most / 2);
+    every_ *= 2;
+  }
+  std::string table() const { return headers() + fmt::format("{}", fmt::join(lines_, "")); }
+
+ private:
+  static constexpr std::size_t most = 20000;
+  std::vector<std::string> lines_;
+  std::size_t rows_ = 0, every_ = 1;
+};
 
 void add_parameters(tool::Summary& s, const Answer& a) {
   for (const ParameterInfo& info : parameter_list()) {
     if (info.parameter == Parameter::surface_left) break;  // space curves are in the table only
-    const auto& q = a.quality[static_cast<std::size_t>(info.parameter)];
-    const auto share = [&](Quality which) {
-      return 100.0 * static_cast<double>(std::count(q.begin(), q.end(), which)) /
-             static_cast<double>(q.size());
-    };
-    double sum = 0, square = 0;
-    int n = 0;
-    for (std::size_t i = 0; i < q.size(); ++i) {
-      if (q[i] != Quality::good) continue;
-      const double v = a.m[info.parameter][i] / info.si;
-      sum += v;
-      square += v * v;
-      ++n;
-    }
-    const double mean = n > 0 ? sum / n : nan;
-    const double rms = n > 0 ? std::sqrt(std::max(0.0, square / n - mean * mean)) : nan;
+    const Tally& t = a.tally[static_cast<std::size_t>(info.parameter)];
+    const double all = std::accumulate(t.rows.begin(), t.rows.end(), 0.0);
+    const auto share = [&](Quality which) { return 100.0 * t.of(which) / all; };
+    const double n = t.of(Quality::good);
+    const double mean = n > 0 ? t.sum / n : nan;
+    const double rms = n > 0 ? std::sqrt(std::max(0.0, t.squares / n - mean * mean)) : nan;
     const std::string name{info.name},
         note = fmt::format("good {:.1f} %, degraded {:.1f}, unreliable {:.1f}, missing {:.1f}",
                            share(Quality::good), share(Quality::degraded),
@@ -135,9 +174,9 @@ void add_parameters(tool::Summary& s, const Answer& a) {
 }
 
 // The findings of each kind and place in one line.
-void add_flags(tool::Summary& s, const Health& health, const Faults& faults) {
+void add_flags(tool::Summary& s, const std::vector<Finding>& findings, const Faults& faults) {
   std::vector<std::string> contradicted;
-  for (const Finding& f : health.findings) {
+  for (const Finding& f : findings) {
     if (f.fault == Fault::inconsistent && f.size == 0)
       contradicted.push_back(f.what);
     else if (f.fault != Fault::dead ||
@@ -158,46 +197,32 @@ void add_flags(tool::Summary& s, const Health& health, const Faults& faults) {
                        name));
 }
 
-tool::Summary summary(const Wish& wish, const Answer& a, const Health& health,
+tool::Summary summary(const Wish& wish, const Answer& a, const Stretches& record,
                       const Faults& faults) {
   tool::Summary s{"geometry of " + wish.file.string()};
-  add_flags(s, health, faults);
-  double slow = units::no_limit, fast = 0;
-  for (const double v : a.m.speed) {
-    if (std::isnan(v)) continue;
-    slow = std::min(slow, std::abs(v));
-    fast = std::max(fast, std::abs(v));
-  }
-  s.add("rows", "rows", static_cast<double>(a.m.size()), "");
-  s.add("rejected", "  of them rejected", static_cast<double>(a.m.rejected), "",
+  add_flags(s, record.findings(), faults);
+  s.add("rows", "rows", static_cast<double>(record.rows()), "");
+  s.add("rejected", "  of them rejected", static_cast<double>(record.rejected()), "",
         "time zero, negative, missing or too short");
-  s.add("runs", "runs without a gap or a turn", static_cast<double>(a.m.runs), "");
-  s.add("slowest_mph", "slowest foot", slow / mph, "mph");
-  s.add("fastest_mph", "fastest foot", fast / mph, "mph");
+  s.add("runs", "runs without a gap or a turn", static_cast<double>(record.runs()), "");
+  s.add("slowest_mph", "slowest foot", a.slow / mph, "mph");
+  s.add("fastest_mph", "fastest foot", a.fast / mph, "mph");
   add_parameters(s, a);
   if (!faults.absent.empty())
     s.add("absent", "note", fmt::format("not in the file: {}", fmt::join(faults.absent, ", ")));
   if (!faults.unused.empty())
     s.add("unused", "note", fmt::format("columns not used: {}", fmt::join(faults.unused, ", ")));
-  if (slow < 0.1 * mph)
+  if (a.slow < 0.1 * mph)
     s.add("stop", "note", "the car stopped; what has the stop in its window is not reliable");
   return s;
 }
 
-void write_files(tool::OutFolder& out, const Wish& wish, const Answer& a, const tool::Summary& s) {
-  out.add("geometry.csv", table(a, wish.processing, 1));
-  out.add("geometry.json", s.json());
-  const std::size_t every = a.m.size() / 20000 + 1;
-  out.scratch("thin.csv", table(a, wish.processing, every));
-  out.figure(tools::scripts("filters") / "process.gp", {"thin.csv"}, "geometry.png");
-}
-
-void refuse_nothing(const Wish& wish, const Answer& a, const Health& health) {
-  for (const auto& rows : a.quality)
-    for (const Quality q : rows)
-      if (q != Quality::missing) return;
+void refuse_nothing(const Wish& wish, const Answer& a, const Stretches& record) {
+  for (const Tally& t : a.tally)
+    for (const Quality q : {Quality::good, Quality::degraded, Quality::unreliable})
+      if (t.of(q) > 0) return;
   std::vector<std::string> why;
-  for (const Finding& f : health.findings)
+  for (const Finding& f : record.findings())
     if (why.size() < 5) why.push_back(fmt::format("{} {}", f.what, f.text));
   throw InputError{
       fmt::format("file \"{}\": nothing can be measured ({}); allowed: working sensors of at least "
@@ -218,19 +243,40 @@ void process_record(Wish wish) {
                        static_cast<int>(wish.stages)};
   p.roll_poles = static_cast<int>(wish.poles);
   p.curvature_mean = static_cast<int>(wish.curvature_mean);
-  Faults faults;
+  SensorFile file{wish.file, p.layout.sample, wish.plausible};
+  files::OutFile* rows = out ? &out.stream("geometry.csv") : nullptr;
+  if (rows != nullptr) rows->write(headers());
   Answer a;
-  Record record = read_sensors(wish.file, p.layout.sample, wish.plausible, faults, a.first);
-  for (double& v : record[Channel::yaw_rate]) v -= wish.yaw_bias;
-  for (double& v : record[Channel::roll_rate]) v -= wish.roll_bias;
-  const Health health = examine(record, p);
-  a.m = reconstruct(record, p);
-  for (const ParameterInfo& info : parameter_list())
-    a.quality.push_back(quality(a.m, info.parameter, p, health));
-  refuse_nothing(wish, a, health);
-  const tool::Summary s = summary(wish, a, health, faults);
+  Thin thin;
+  Stretches record{p, [&](const Stretch& s) {
+                     a.add(s);
+                     if (rows == nullptr) return;
+                     std::string text;
+                     for (std::size_t i = s.from; i < s.to; ++i) {
+                       std::string one = line(s, i, file.first(), p.layout.sample);
+                       text += one;
+                       thin.add(std::move(one));
+                     }
+                     rows->write(text);
+                   }};
+  {
+    tool::Progress progress{"per cent of the record", 100};
+    int told = 0;
+    for (Row row; file.next(row); record.push(row)) {
+      row.values[static_cast<std::size_t>(Channel::yaw_rate)] -= wish.yaw_bias;
+      row.values[static_cast<std::size_t>(Channel::roll_rate)] -= wish.roll_bias;
+      for (; told < static_cast<int>(100 * file.share()); ++told) progress.step();
+    }
+  }
+  record.finish();
+  refuse_nothing(wish, a, record);
+  const tool::Summary s = summary(wish, a, record, file.faults());
   s.print();
-  if (out) write_files(out, wish, a, s);
+  if (out) {
+    out.add("geometry.json", s.json());
+    out.scratch("thin.csv", thin.table());
+    out.figure(tools::scripts("filters") / "process.gp", {"thin.csv"}, "geometry.png");
+  }
   out.commit();
 }
 

@@ -30,17 +30,11 @@ double range(const ChannelInfo& c, const Plausible& p) {
   return c.dimension == units::acceleration ? p.acceleration : p.rate;
 }
 
-// Masks single values that stand out; only displacements, which nothing has smoothed.
-std::size_t mask_spikes(std::vector<double>& values, double limit) {
-  std::size_t masked = 0;
-  for (std::size_t i = 1; i + 1 < values.size(); ++i) {
-    const double rise = values[i] - values[i - 1], fall = values[i] - values[i + 1];
-    if (std::isnan(rise) || std::isnan(fall) || rise * fall <= 0) continue;
-    if (std::min(std::abs(rise), std::abs(fall)) <= limit) continue;
-    values[i] = nan;
-    ++masked;
-  }
-  return masked;
+// A value on the same side of both its neighbours by more than the limit.
+bool is_spike(double before, double value, double behind, double limit) {
+  const double rise = value - before, fall = value - behind;
+  if (std::isnan(rise) || std::isnan(fall) || rise * fall <= 0) return false;
+  return std::min(std::abs(rise), std::abs(fall)) > limit;
 }
 
 std::optional<std::size_t> find(const table::CsvReader& reader, std::string_view name,
@@ -73,64 +67,78 @@ std::optional<long> mark_of(const table::CsvReader& reader, double distance, dou
 
 }  // namespace
 
-Record read_sensors(const std::filesystem::path& file, double sample, const Plausible& plausible,
-                    Faults& faults, double& first) {
-  table::CsvReader reader{file};
-  Record record;
-  double second = 1, metre = 1;
-  const auto elapsed = find(reader, "elapsed", units::time, second);
-  if (!elapsed)
+SensorFile::SensorFile(const std::filesystem::path& file, double sample, const Plausible& plausible)
+    : reader_(file), sample_(sample), plausible_(plausible) {
+  elapsed_ = find(reader_, "elapsed", units::time, second_);
+  if (!elapsed_)
     throw InputError{fmt::format("file \"{}\": no column \"elapsed_s\"; there are: {}",
-                                 file.string(), fmt::join(reader.header(), ", "))};
-  const auto distance = find(reader, "distance", units::length, metre);
-  std::vector<std::optional<std::size_t>> column;
-  std::vector<double> unit(channels, 1.0);
-  for (const ChannelInfo& c : channel_list()) {
-    column.push_back(find(reader, c.name, c.dimension, unit[column.size()]));
-    if (!column.back()) faults.absent.emplace_back(c.name);
+                                 file.string(), fmt::join(reader_.header(), ", "))};
+  distance_ = find(reader_, "distance", units::length, metre_);
+  for (std::size_t i = 0; i < channels; ++i) {
+    const ChannelInfo& c = channel_list()[i];
+    column_[i] = find(reader_, c.name, c.dimension, unit_[i]);
+    if (!column_[i]) faults_.absent.emplace_back(c.name);
   }
-  if (faults.absent.size() == channels)
+  if (faults_.absent.size() == channels)
     throw InputError{fmt::format(
         "file \"{}\": no sensor in it; there are: {}; allowed: vertical_left_m_per_s2 and so on",
-        file.string(), fmt::join(reader.header(), ", "))};
-  for (std::size_t i = 0; i < reader.header().size(); ++i)
-    if (elapsed != i && distance != i && std::find(column.begin(), column.end(), i) == column.end())
-      faults.unused.push_back(reader.header()[i]);
-  std::vector<std::size_t> beyond(channels, 0);
-  first = nan;
-  while (reader.next()) {
-    double T = reader.number(*elapsed) * second;
-    long mark = record.mark.empty() ? 0 : record.mark.back() + 1;
-    if (distance) {
-      const double s = reader.number(*distance) * metre;
-      if (std::isnan(first)) first = s;
-      const auto known = mark_of(reader, s, first, sample);
-      if (known) mark = *known;
-      if (!known) T = nan;
-    } else if (!filters::possible_interval(T) && !record.mark.empty()) {
-      --mark;  // a pulse too many is no foot of travel
-    }
-    record.elapsed.push_back(T);
-    record.mark.push_back(mark);
-    for (const ChannelInfo& c : channel_list()) {
-      const auto i = static_cast<std::size_t>(c.channel);
-      double value = column[i] ? reader.number(*column[i]) * unit[i] : nan;
-      if (!std::isnan(value) && std::abs(value) > range(c, plausible)) {
-        ++faults.beyond;
-        ++beyond[i];
-        value = nan;
-      }
-      record.values[i].push_back(value);
-    }
+        file.string(), fmt::join(reader_.header(), ", "))};
+  for (std::size_t i = 0; i < reader_.header().size(); ++i)
+    if (elapsed_ != i && distance_ != i &&
+        std::find(column_.begin(), column_.end(), i) == column_.end())
+      faults_.unused.push_back(reader_.header()[i]);
+  before_.fill(nan);
+}
+
+// A row as it stands in the file, what is beyond a sensor's range masked.
+bool SensorFile::read(Row& row) {
+  if (!reader_.next()) return false;
+  double T = reader_.number(*elapsed_) * second_;
+  const bool begins = rows_++ == 0;
+  long mark = begins ? 0 : mark_ + 1;
+  if (distance_) {
+    const double s = reader_.number(*distance_) * metre_;
+    if (!first_ && !std::isnan(s)) first_ = s;
+    const auto known = mark_of(reader_, s, first_.value_or(nan), sample_);
+    if (known) mark = *known;
+    if (!known) T = nan;
+  } else if (!filters::possible_interval(T) && !begins) {
+    --mark;  // a pulse too many is no foot of travel
   }
-  if (std::isnan(first)) first = 0;
-  for (const ChannelInfo& c : channel_list())
-    if (c.dimension == units::length)
-      faults.spikes += mask_spikes(record[c.channel], plausible.spike);
-  for (const ChannelInfo& c : channel_list())
-    if (100 * beyond[static_cast<std::size_t>(c.channel)] > record.size())
-      faults.beyond_in.emplace_back(c.name);
-  return record;
+  row.elapsed = T;
+  row.mark = mark_ = mark;
+  for (std::size_t i = 0; i < channels; ++i) {
+    double value = column_[i] ? reader_.number(*column_[i]) * unit_[i] : nan;
+    if (!std::isnan(value) && std::abs(value) > range(channel_list()[i], plausible_)) {
+      ++faults_.beyond;
+      ++beyond_[i];
+      value = nan;
+    }
+    row.values[i] = value;
+  }
+  return true;
+}
+
+bool SensorFile::next(Row& row) {
+  if (!ahead_) {
+    if (rows_ > 0 || !read(ahead_.emplace())) return false;
+  }
+  row = *ahead_;
+  if (!read(*ahead_)) {
+    ahead_.reset();
+    for (std::size_t i = 0; i < channels; ++i)
+      if (100 * beyond_[i] > rows_) faults_.beyond_in.emplace_back(channel_list()[i].name);
+    return true;
+  }
+  for (std::size_t i = 0; i < channels; ++i) {
+    if (channel_list()[i].dimension == units::length &&
+        is_spike(before_[i], row.values[i], ahead_->values[i], plausible_.spike)) {
+      row.values[i] = nan;
+      ++faults_.spikes;
+    }
+    before_[i] = row.values[i];
+  }
+  return true;
 }
 
 }  // namespace railbook::filters_tool

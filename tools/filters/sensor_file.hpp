@@ -1,12 +1,15 @@
 // A record of the car's sensors from a CSV file.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "geometry_car/record.hpp"
+#include "geometry_car/stretches.hpp"
+#include "table/csv.hpp"
 
 namespace railbook::filters_tool {
 
@@ -23,9 +26,33 @@ struct Faults {
   std::vector<std::string> beyond_in;  // columns where more than one value in a hundred was
 };
 
-// Reads the file in constant memory but for the record itself; `sample` (m) is the distance between rows, `first` becomes the
-// distance (m) of mark 0. Throws InputError naming the column or the line that cannot be used.
-geometry_car::Record read_sensors(const std::filesystem::path& file, double sample,
-                                  const Plausible& plausible, Faults& faults, double& first);
+// Reads the file row by row in constant memory; `sample` (m) is the distance between rows. Throws InputError naming the column or
+// the line that cannot be used.
+class SensorFile {
+ public:
+  SensorFile(const std::filesystem::path& file, double sample, const Plausible& plausible);
+  bool next(geometry_car::Row& row);
+
+  const Faults& faults() const { return faults_; }       // beyond_in: at the end of the file
+  double first() const { return first_ ? *first_ : 0; }  // m, of mark 0
+  double share() const { return reader_.share(); }
+
+ private:
+  bool read(geometry_car::Row& row);
+
+  table::CsvReader reader_;
+  double sample_;
+  Plausible plausible_;
+  Faults faults_;
+  std::optional<std::size_t> elapsed_, distance_;
+  double second_ = 1, metre_ = 1;
+  std::array<std::optional<std::size_t>, geometry_car::channels> column_;
+  std::array<double, geometry_car::channels> unit_{}, before_{};  // before_: as masked
+  std::array<std::size_t, geometry_car::channels> beyond_{};
+  std::optional<double> first_;
+  std::optional<geometry_car::Row> ahead_;  // read to know whether the row before it is a spike
+  std::size_t rows_ = 0;
+  long mark_ = 0;
+};
 
 }  // namespace railbook::filters_tool

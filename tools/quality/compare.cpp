@@ -6,7 +6,7 @@ Two runs over one line, and what has grown between them:
 
 Both runs are brought to the grid of the first and filtered to the band D1; windows of 200 m of the first are looked for within 20 m of their place in the second, by correlation, and the
 offsets found are joined by straight lines (recorders count differently). For each section of the first run there are the standard deviations of both runs, the growth from one to the other, and how well the
-runs agree. A section without a window that was found says so and has no growth. Both runs are held in memory, 8 bytes a sample.
+runs agree. A section without a window that was found says so and has no growth. The filtered runs are set aside on disk (in TMPDIR, 8 bytes a sample), so that the memory does not grow with them.
 */
 #include <fmt/format.h>
 
@@ -18,6 +18,7 @@ runs agree. A section without a window that was found says so and has no growth.
 #include <string>
 #include <vector>
 
+#include "files/spool.hpp"
 #include "measures/alignment.hpp"
 #include "measures/band.hpp"
 #include "measures/sections.hpp"
@@ -44,73 +45,100 @@ struct CompareWish {
   tool::Destination out;
 };
 
-// A run in the band D1, by ascending positions.
-struct Run {
-  std::unique_ptr<const spectra::RecordStream> record;
-  std::vector<double> z, at;  // m
-};
-
-Run read(const CompareWish& wish, const std::filesystem::path& file) {
-  Run run;
-  std::optional<quality::FilterStream> filter;
-  const auto keep = [&](std::span<const double> p) {
-    run.z.insert(run.z.end(), p.begin(), p.end());
-  };
-  run.record = spectra::read_record(
-      tools::record_file(wish.record, file),
-      [&](std::span<const double> piece, const spectra::RecordStream& record) {
-        if (!filter) filter.emplace(ms::band_taps(ms::bands[1], 2, record.spacing()), keep);
-        filter->push(piece);
-      });
-  filter->finish();
-  for (std::size_t i = 0; i < run.z.size(); ++i) run.at.push_back(run.record->places().at(i));
-  if (run.at.size() > 1 && run.at.back() < run.at.front()) {
-    std::reverse(run.z.begin(), run.z.end());
-    std::reverse(run.at.begin(), run.at.end());
+// A run in the band D1, by ascending positions; on disk but for the block last read.
+class Run {
+ public:
+  Run(const CompareWish& wish, const std::filesystem::path& file) {
+    std::optional<quality::FilterStream> filter;
+    const auto keep = [&](std::span<const double> p) { samples_.append(p); };
+    record_ = spectra::read_record(
+        tools::record_file(wish.record, file),
+        [&](std::span<const double> piece, const spectra::RecordStream& record) {
+          if (!filter) filter.emplace(ms::band_taps(ms::bands[1], 2, record.spacing()), keep);
+          filter->push(piece);
+        });
+    filter->finish();
+    turned_ = size() > 1 && place(size() - 1) < place(0);
   }
-  return run;
-}
 
-// The run at a place between its samples, straight between them; NaN beyond its ends.
-double value_at(const Run& run, double x) {
-  const auto next = std::upper_bound(run.at.begin(), run.at.end(), x);
-  if (next == run.at.begin() || next == run.at.end()) return nan;
-  const auto i = static_cast<std::size_t>(next - run.at.begin());
-  const double share = (x - run.at[i - 1]) / (run.at[i] - run.at[i - 1]);
-  return (1 - share) * run.z[i - 1] + share * run.z[i];
-}
+  const spectra::RecordStream& record() const { return *record_; }
+  std::size_t size() const { return samples_.size(); }
+  double at(std::size_t i) const { return place(own(i)); }  // m
+
+  double operator[](std::size_t i) {
+    const std::size_t k = own(i);
+    if (k < from_ || k >= from_ + held_) {
+      from_ = k - std::min(k, block_.size() / 2);  // neighbours on both sides
+      held_ = std::min(block_.size(), size() - from_);
+      samples_.read(from_, std::span{block_}.first(held_));
+    }
+    return block_[k - from_];
+  }
+
+  // Between the samples, straight between them; NaN beyond the ends. Places that follow each other are found at once.
+  double at_place(double x) {
+    while (next_ < size() && at(next_) <= x) ++next_;
+    while (next_ > 0 && at(next_ - 1) > x) --next_;
+    if (next_ == 0 || next_ == size()) return nan;
+    const double share = (x - at(next_ - 1)) / (at(next_) - at(next_ - 1));
+    return (1 - share) * (*this)[next_ - 1] + share * (*this)[next_];
+  }
+
+ private:
+  double place(std::size_t k) const { return record_->places().at(k); }
+  std::size_t own(std::size_t i) const { return turned_ ? size() - 1 - i : i; }
+
+  std::unique_ptr<const spectra::RecordStream> record_;
+  files::Spool samples_;
+  bool turned_ = false;
+  std::vector<double> block_ = std::vector<double>(1 << 15);
+  std::size_t from_ = 0, held_ = 0, next_ = 0;
+};
 
 struct Compared {
   std::vector<ms::Section> first, second;
   std::vector<double> correlation, offset;  // of a section; NaN where no window was found
 };
 
-Compared compare(const CompareWish& wish, const Run& a, const Run& b) {
-  const double h = a.record->spacing();
-  std::vector<double> other;
-  for (const double x : a.at) other.push_back(value_at(b, x));
-  const auto matches = ms::align(a.z, other, h, wish.alignment);
+Compared compare(const CompareWish& wish, Run& a, Run& b) {
+  const auto each = [&](std::ptrdiff_t from, std::span<double> to, const auto& value) {
+    for (double& z : to) {
+      const bool there = from >= 0 && from < static_cast<std::ptrdiff_t>(a.size());
+      z = there ? value(static_cast<std::size_t>(from)) : nan;
+      ++from;
+    }
+  };
+  const auto matches = ms::align(
+      a.size(),
+      [&](std::ptrdiff_t from, std::span<double> to) {
+        each(from, to, [&](std::size_t i) { return a[i]; });
+      },
+      [&](std::ptrdiff_t from, std::span<double> to) {
+        each(from, to, [&](std::size_t i) { return b.at_place(a.at(i)); });
+      },
+      a.record().spacing(), wish.alignment);
   if (std::none_of(matches.begin(), matches.end(), [](const ms::Match& m) { return m.found; }))
     throw InputError{
         fmt::format("the second run is nowhere like the first within {:g} m of its place; allowed: "
                     "two runs over one "
                     "line (--reach for larger offsets)",
                     wish.alignment.reach)};
-  const auto place = [&](std::size_t i) { return a.at[i]; };
+  const auto place = [&](std::size_t i) { return a.at(i); };
   ms::Sections first{wish.section, place}, second{wish.section, place};
-  std::vector<double> moved;
-  for (std::size_t i = 0; i < a.at.size(); ++i)
-    moved.push_back(value_at(b, a.at[i] + ms::offset_at(matches, static_cast<double>(i))));
-  first.push(a.z);
-  second.push(moved);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double here = a[i];
+    const double there = b.at_place(a.at(i) + ms::offset_at(matches, static_cast<double>(i)));
+    first.push({&here, 1});
+    second.push({&there, 1});
+  }
   Compared result{first.all(), second.all(), {}, {}};
+  auto match = matches.begin();
   for (const ms::Section& section : result.first) {
     double worst = 1, sum = 0, n = 0;
-    for (const ms::Match& m : matches) {
-      const double x = a.at[m.centre];
-      if (!m.found || x < section.from || x >= section.from + wish.section) continue;
-      worst = std::min(worst, m.correlation);
-      sum += m.offset;
+    for (; match != matches.end() && a.at(match->centre) < section.from + wish.section; ++match) {
+      if (!match->found || a.at(match->centre) < section.from) continue;
+      worst = std::min(worst, match->correlation);
+      sum += match->offset;
       ++n;
     }
     result.correlation.push_back(n > 0 ? worst : nan);
@@ -138,7 +166,7 @@ std::vector<Growth> growths(const Compared& c) {
 tool::Summary summary_of(const CompareWish& wish, const Run& a, const Compared& c) {
   const auto& files = wish.record.batch.files;
   tool::Summary s{fmt::format("growth from {} to {}", files[0].string(), files[1].string())};
-  tools::add_record(s, *a.record);
+  tools::add_record(s, a.record());
   s.add("sections", "sections", static_cast<double>(c.first.size()), "",
         fmt::format("of {:g} m", wish.section));
   std::vector<Growth> all = growths(c);
@@ -189,7 +217,7 @@ void compare_runs(const CompareWish& wish) {
     throw InputError{fmt::format("{} records are given; allowed: 2, the earlier run first",
                                  wish.record.batch.files.size())};
   tool::OutFolder out(wish.out, {"compare.csv", "compare.json", "compare.png"});
-  const Run a = read(wish, wish.record.batch.files[0]), b = read(wish, wish.record.batch.files[1]);
+  Run a{wish, wish.record.batch.files[0]}, b{wish, wish.record.batch.files[1]};
   const Compared c = compare(wish, a, b);
   const tool::Summary summary = summary_of(wish, a, c);
   summary.print();

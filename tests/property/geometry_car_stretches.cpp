@@ -1,0 +1,152 @@
+// A record in stretches is the record as a whole, in the memory of a stretch.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "../support/final_position.hpp"
+#include "geometry_car/sensors.hpp"
+#include "geometry_car/simulate.hpp"
+#include "geometry_car/stretches.hpp"
+#include "units/constants.hpp"
+
+using namespace railbook;
+using namespace railbook::geometry_car;
+
+namespace {
+
+// 4 km of typical sensors, repeated: the memory of the filters and the place of the cut are what counts here.
+const Record& long_record() {
+  static const Record record = [] {
+    TrackDescription d;
+    d.length = 4000 * units::foot;
+    d.substeps = 4;
+    const Track track = build(d);
+    Motion motion{.start = 80 * units::foot, .speed = 25};
+    motion.cruise(track.length() - motion.start - 1);
+    const Record one = measured(drive(track, Car{}, motion), Layout{}, typical_sensors(), 5);
+    Record all;
+    for (long n = 0; n < 6; ++n)
+      for (std::size_t i = 0; i < one.size(); ++i) {
+        all.elapsed.push_back(i == 0 ? one.elapsed[1] : one.elapsed[i]);
+        all.mark.push_back(static_cast<long>(all.mark.size()));
+        for (std::size_t c = 0; c < channels; ++c) all.values[c].push_back(one.values[c][i]);
+      }
+    return all;
+  }();
+  return record;
+}
+
+struct Read {
+  Measurement m;
+  std::array<std::vector<Quality>, parameters> quality;
+  std::size_t rows = 0, most = 0, runs = 0, rejected = 0;
+  std::vector<Finding> findings;
+};
+
+Read in_stretches(const Record& record, std::size_t rows) {
+  Read read;
+  Stretches stretches{{},
+                      [&](const Stretch& s) {
+                        REQUIRE(s.first == read.rows);
+                        read.rows += s.to - s.from;
+                        for (std::size_t i = s.from; i < s.to; ++i) {
+                          read.m.mark.push_back(s.m.mark[i]);
+                          read.m.speed.push_back(s.m.speed[i]);
+                          for (std::size_t p = 0; p < parameters; ++p) {
+                            read.m.values[p].push_back(s.m.values[p][i]);
+                            read.quality[p].push_back(s.quality[p][i]);
+                          }
+                        }
+                      },
+                      rows};
+  for (std::size_t i = 0; i < record.size(); ++i) {
+    Row row{record.elapsed[i], record.mark[i], {}};
+    for (std::size_t c = 0; c < channels; ++c) row.values[c] = record.values[c][i];
+    stretches.push(row);
+    read.most = std::max(read.most, stretches.held());
+  }
+  stretches.finish();
+  read.runs = stretches.runs();
+  read.rejected = stretches.rejected();
+  read.findings = stretches.findings();
+  return read;
+}
+
+}  // namespace
+
+TEST_CASE("geometry_car: stretches give what the whole record gives, wherever it is cut") {
+  Record record = long_record();
+  REQUIRE(record.size() > 20000);
+  record.elapsed[9000] = 0;                                                 // rejected
+  for (std::size_t i = 12000; i < record.size(); ++i) record.mark[i] += 7;  // a gap
+  const Read pieces = in_stretches(record, 1);
+  Record masked = record;
+  const Health health = examine(masked, {});
+  const Measurement whole = reconstruct(masked, {});
+  CHECK(pieces.most <= 4 * 4096);
+  CHECK(pieces.runs == whole.runs);
+  CHECK(pieces.rejected == whole.rejected);
+  REQUIRE(pieces.m.size() == whole.size());
+  CHECK(pieces.m.mark == whole.mark);
+  for (const ParameterInfo& info : parameter_list()) {
+    const auto p = static_cast<std::size_t>(info.parameter);
+    const auto expected = quality(whole, info.parameter, {}, health);
+    double largest = 0, difference = 0;
+    std::size_t other = 0;
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+      other += pieces.quality[p][i] != expected[i] ? 1 : 0;
+      if (expected[i] == Quality::missing) continue;
+      largest = std::max(largest, std::abs(whole.values[p][i]));
+      difference = std::max(difference, std::abs(pieces.m.values[p][i] - whole.values[p][i]));
+    }
+    INFO(info.name);
+    CHECK(other == 0);
+    CHECK(largest > 0);
+    CHECK(difference <= 1e-9 * largest);
+  }
+}
+
+TEST_CASE("geometry_car: a short record is one stretch") {
+  Record record = long_record();
+  const Read one = in_stretches(record, record.size());
+  const Health health = examine(record, {});
+  const Measurement whole = reconstruct(record, {});
+  for (const ParameterInfo& info : parameter_list()) {
+    const auto p = static_cast<std::size_t>(info.parameter);
+    CHECK(one.quality[p] == quality(whole, info.parameter, {}, health));
+  }
+  CHECK(one.findings.size() == health.findings.size());
+}
+
+TEST_CASE("geometry_car: a zero that has moved and a speed that leapt are remembered across cuts") {
+  Record moved = long_record();
+  const auto yaw = static_cast<std::size_t>(Channel::yaw_rate);
+  for (std::size_t i = 3000; i < moved.size(); ++i) moved.values[yaw][i] += 2 * units::degree;
+  const Read read = in_stretches(moved, 1);
+  const auto& quality = read.quality[static_cast<std::size_t>(Parameter::curvature)];
+  for (std::size_t i = 3100; i < moved.size(); ++i) REQUIRE(quality[i] != Quality::good);
+  const auto step = std::find_if(read.findings.begin(), read.findings.end(), [](const Finding& f) {
+    return f.fault == Fault::step && f.what == "yaw_rate";
+  });
+  REQUIRE(step != read.findings.end());
+  CHECK(step->first >= 2997);
+  CHECK(step->first <= 3003);
+  CHECK(step->text.find(" stretches; first at row ") != std::string::npos);
+
+  Record leapt = long_record();
+  for (std::size_t i = 3000; i < leapt.size(); ++i) leapt.elapsed[i] *= 0.8;
+  const Read fast = in_stretches(leapt, 1);
+  const auto& profile = fast.quality[static_cast<std::size_t>(Parameter::profile_left)];
+  for (std::size_t i = 3000; i < leapt.size(); ++i) REQUIRE(profile[i] != Quality::good);
+}
+
+TEST_CASE("geometry_car: stretches refuse what the whole record is refused for") {
+  Record record = long_record();
+  for (std::size_t i = 0; i < record.size(); ++i)
+    record.mark[i] += static_cast<long>(5 * (i / 600));
+  CHECK_THROWS_WITH(in_stretches(record, 1), Catch::Contains("has 600 samples"));
+  CHECK_THROWS_WITH(in_stretches({}, 1), Catch::Contains("has 0 samples"));
+  CHECK_THROWS(Stretches({.curvature_mean = 0}, [](const Stretch&) {}));
+}
