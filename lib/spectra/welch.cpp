@@ -63,13 +63,13 @@ WelchOptions checked(const WelchOptions& o) {
   return o;
 }
 
-// sum w^p(i) w^p(i + shift) over sum w^2p: how much two segments `shift` apart have in common.
+// sum w^p(i) w^p(i + shift) over sum w^2p, p = 1 or 2: how much two segments `shift` apart have in common.
 double overlap_share(const std::vector<double>& w, std::size_t shift, int power) {
+  const auto weight = [&](std::size_t i) { return power == 1 ? w[i] : w[i] * w[i]; };
   double common = 0, whole = 0;
   for (std::size_t i = 0; i < w.size(); ++i) {
-    const double here = std::pow(w[i], power);
-    whole += here * here;
-    if (i + shift < w.size()) common += here * std::pow(w[i + shift], power);
+    whole += weight(i) * weight(i);
+    if (i + shift < w.size()) common += weight(i) * weight(i + shift);
   }
   return common / whole;
 }
@@ -80,9 +80,8 @@ Welch::Welch(double spacing, const WelchOptions& options)
     : spacing_(units::require_positive("sample spacing", spacing, "m")),
       options_(checked(options)),
       hop_(options_.segment / options_.parts),
-      buffer_(options_.segment),
+      buffer_(hop_ + options_.segment),
       power_(options_.segment / 2 + 1),
-      pairs_(options_.parts),
       used_(options_.parts, false),
       fft_(options_.segment) {
   const auto w = window_weights(options_.window, static_cast<Eigen::Index>(options_.segment));
@@ -99,7 +98,8 @@ void Welch::push(std::span<const double> samples) {
       samples = samples.subspan(restart(piece));
       continue;
     }
-    std::copy(piece.begin(), piece.end(), buffer_.begin() + static_cast<std::ptrdiff_t>(filled_));
+    std::copy(piece.begin(), piece.end(),
+              buffer_.begin() + static_cast<std::ptrdiff_t>(hop_ + filled_));
     filled_ += piece.size();
     samples = samples.subspan(piece.size());
     if (filled_ == block_end) finish_block();
@@ -114,27 +114,54 @@ std::size_t Welch::restart(std::span<const double> piece) {
   std::size_t end = gap;
   while (end < piece.size() && not_finite(piece[end]) != 0) ++end;
   gap_samples_ += end - gap;
-  unused_ += filled_ + gap - averaged_;
+  std::copy_n(piece.begin(), gap, buffer_.begin() + static_cast<std::ptrdiff_t>(hop_ + filled_));
+  filled_ += gap;
+  if (used_[0] && filled_ > averaged_)
+    add_last_segment();
+  else
+    unused_ += filled_ - averaged_;
   filled_ = averaged_ = 0;
   blocks_.clear();
   std::fill(used_.begin(), used_.end(), false);
   return end;
 }
 
+// The last samples of a run, which the steps do not meet.
+void Welch::add_last_segment() {
+  const double* x = buffer_.data() + hop_ + filled_ - options_.segment;
+  Sums sums;
+  if (options_.detrend != Detrend::none) sums = strand_sums({x, options_.segment});
+  const std::size_t fresh = filled_ - averaged_;
+  const double weight = static_cast<double>(fresh) / static_cast<double>(hop_);
+  add_segment(x, sums.sum, sums.moment, weight);
+  for (std::size_t j = 0; j < used_.size(); ++j)
+    if (used_[j]) pairs_[fresh + j * hop_] += weight;
+}
+
 void Welch::finish_block() {
   Block done;
   if (options_.detrend != Detrend::none) {
-    const Sums sums = strand_sums({buffer_.data() + filled_ - hop_, hop_});
+    const Sums sums = strand_sums({buffer_.data() + filled_, hop_});
     done.sum = sums.sum;
     done.moment = sums.moment;
   }
   blocks_.push_back(done);
 }
 
+// The straight line comes from the sums of the blocks, so each sample is summed once however many segments
+// it is in, and taking the line off costs no pass of its own: it is done while the window is applied.
 void Welch::finish_segment() {
-  add_segment();
-  for (std::size_t j = 1; j < options_.parts; ++j) pairs_[j] += used_[j - 1] ? 1 : 0;
-  ++segments_;
+  const double centre = 0.5 * (static_cast<double>(options_.segment) - 1.0);
+  const auto hop = static_cast<double>(hop_);
+  double sum = 0, moment = 0, block_centre = 0.5 * (hop - 1.0);
+  for (const Block& block : blocks_) {
+    sum += block.sum;
+    moment += block.moment + (block_centre - centre) * block.sum;
+    block_centre += hop;
+  }
+  add_segment(buffer_.data() + hop_, sum, moment, 1);
+  for (std::size_t j = 1; j < options_.parts; ++j)
+    if (used_[j - 1]) pairs_[j * hop_] += 1;
   for (std::size_t j = used_.size(); j-- > 1;) used_[j] = used_[j - 1];
   used_[0] = true;
   std::copy(buffer_.begin() + static_cast<std::ptrdiff_t>(hop_), buffer_.end(), buffer_.begin());
@@ -142,31 +169,25 @@ void Welch::finish_segment() {
   averaged_ = filled_ -= hop_;
 }
 
-// The straight line comes from the sums of the blocks, so each sample is summed once however many segments
-// it is in, and taking the line off costs no pass of its own: it is done while the window is applied.
-void Welch::add_segment() {
+void Welch::add_segment(const double* x, double sum, double moment, double weight) {
   const auto n = static_cast<double>(options_.segment);
-  const auto hop = static_cast<double>(hop_);
   const double centre = 0.5 * (n - 1.0);
-  double sum = 0, moment = 0, block_centre = 0.5 * (hop - 1.0);
-  for (const Block& block : blocks_) {
-    sum += block.sum;
-    moment += block.moment + (block_centre - centre) * block.sum;
-    block_centre += hop;
-  }
   const double slope =
       options_.detrend == Detrend::linear ? 12.0 * moment / (n * (n * n - 1.0)) : 0.0;
   const double start = sum / n - slope * centre;
   const int size = static_cast<int>(options_.segment);
-  const double *x = buffer_.data(), *w = window_.data();
+  const double* w = window_.data();
   double* y = fft_.real().data();
   for (int i = 0; i < size; ++i) y[i] = w[i] * (x[i] - (start + slope * i));
   fft_.forward();
   const std::complex<double>* bin = fft_.spectrum().data();
   for (double& power : power_) {
-    power += bin->real() * bin->real() + bin->imag() * bin->imag();
+    power += weight * (bin->real() * bin->real() + bin->imag() * bin->imag());
     ++bin;
   }
+  ++segments_;
+  weight_ += weight;
+  weights_squared_ += weight * weight;
 }
 
 Spectrum Welch::spectrum() const {
@@ -175,7 +196,6 @@ Spectrum Welch::spectrum() const {
                      std::to_string(gap_samples_) + " of them missing; a spectrum needs " +
                      std::to_string(options_.segment) + " in a row without a gap"};
   const auto n = static_cast<double>(options_.segment);
-  const auto count = static_cast<double>(segments_);
   double sum_1 = 0, sum_2 = 0, sum_4 = 0;
   for (const double w : window_) {
     sum_1 += w;
@@ -187,17 +207,18 @@ Spectrum Welch::spectrum() const {
   result.segments = segments_;
   result.unused = unused();
   result.noise_bandwidth = n * sum_2 / (sum_1 * sum_1) * result.df;
-  double share_of_bins = 0, share_of_bands = 0;
-  for (std::size_t j = 1; j < options_.parts; ++j) {
-    const double pairs = 2.0 * static_cast<double>(pairs_[j]) / count;
-    const double common = overlap_share(window_, j * hop_, 1);
+  double share_of_bins = weights_squared_ / weight_, share_of_bands = share_of_bins;
+  for (const auto& [shift, products] : pairs_) {
+    if (shift >= options_.segment) continue;
+    const double pairs = 2.0 * products / weight_;
+    const double common = overlap_share(window_, shift, 1);
     share_of_bins += pairs * common * common;
-    share_of_bands += pairs * overlap_share(window_, j * hop_, 2);
+    share_of_bands += pairs * overlap_share(window_, shift, 2);
   }
-  result.averages = count / (1.0 + share_of_bins);
-  result.band_variance = n * sum_4 / (sum_2 * sum_2) * (1.0 + share_of_bands) / count;
+  result.averages = weight_ / share_of_bins;
+  result.band_variance = n * sum_4 / (sum_2 * sum_2) * share_of_bands / weight_;
   result.density.resize(static_cast<Eigen::Index>(power_.size()));
-  const double scale = spacing_ / (sum_2 * count);
+  const double scale = spacing_ / (sum_2 * weight_);
   for (std::size_t k = 0; k < power_.size(); ++k) {
     const bool two_sided_bin = k == 0 || k + 1 == power_.size();  // no mirror image to fold in
     result.density[static_cast<Eigen::Index>(k)] = (two_sided_bin ? 1.0 : 2.0) * scale * power_[k];

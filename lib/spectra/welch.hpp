@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -27,7 +28,7 @@ struct Spectrum {
   double df = 0;               // bin spacing, 1/(segment spacing)
   Eigen::VectorXd density;     // segment/2 + 1 values
   std::size_t segments = 0;    // averaged
-  std::size_t unused = 0;      // samples in no segment: before a gap or the end
+  std::size_t unused = 0;      // samples in no segment: in runs too short for one, and at the end
   double averages = 0;         // K: 2K degrees of freedom of one bin, overlap accounted for
   double noise_bandwidth = 0;  // equivalent width of a line, 1.5 df for Hann
   double band_variance = 0;    // relative variance of a mean over m >> 1 bins is band_variance / m
@@ -39,8 +40,9 @@ struct Spectrum {
 Spectrum respaced(const Spectrum& from, double spacing);
 
 // Accumulates the spectrum of samples `spacing` apart that come in any number of pieces. The state is a few
-// segments of doubles; push() allocates nothing. A sample that is not finite marks a gap: segments begin anew
-// after it, and what is left before it is not used. Sums are float64. Relative rounding error of a bin about 1e-15 sqrt(log2 n)
+// segments of doubles; push() allocates nothing but a word a gap. A sample that is not finite marks a gap: segments begin anew
+// after it, and what is left before it, where the run holds a segment at all, is read by a last one that ends there: it counts as
+// much as its share of new samples in a step, and its larger overlap goes into `averages` and `band_variance`. Sums are float64. Relative rounding error of a bin about 1e-15 sqrt(log2 n)
 // of the largest power in a segment.
 class Welch {
  public:
@@ -56,26 +58,28 @@ class Welch {
   std::size_t gap_samples() const { return gap_samples_; }  // of them not finite
   std::size_t segments() const { return segments_; }        // averaged so far
   std::size_t used_samples() const { return samples_ - gap_samples_ - unused(); }  // in them
+  std::size_t ahead() const { return filled_ - averaged_; }  // at the end so far, for the next
 
  private:
   struct Block {        // sums of one hop of samples, shared by the segments that overlap there
     double sum = 0;     // of x
     double moment = 0;  // of (i - centre of block) x
   };
-  std::size_t unused() const { return unused_ + filled_ - averaged_; }
+  std::size_t unused() const { return unused_ + ahead(); }
   std::size_t restart(std::span<const double> piece);
   void finish_block();
   void finish_segment();
-  void add_segment();
+  void add_last_segment();
+  void add_segment(const double* x, double sum, double moment, double weight);
 
   double spacing_;
   WelchOptions options_;
   std::size_t hop_;
-  std::vector<double> window_, buffer_, power_;
-  std::vector<Block> blocks_;  // the finished ones of the segment in the buffer
-  std::vector<std::size_t>
-      pairs_;               // [j]: averaged segments whose j-th predecessor was averaged too
-  std::vector<bool> used_;  // the last parts - 1 segments, latest first
+  std::vector<double> window_, buffer_, power_;  // buffer_: the step before the segment, then it
+  std::vector<Block> blocks_;                    // the finished ones of the segment in the buffer
+  std::map<std::size_t, double> pairs_;  // products of weights of segments so far apart, samples
+  std::vector<bool> used_;               // the last segments of this run, latest first
+  double weight_ = 0, weights_squared_ = 0;
   num::RealFft fft_;
   std::size_t filled_ = 0, samples_ = 0, gap_samples_ = 0, segments_ = 0;
   std::size_t averaged_ = 0;  // samples of the buffer that are in an averaged segment

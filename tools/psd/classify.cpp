@@ -9,8 +9,8 @@ class. A column's unit is the end of its header (`profile_mm`) or given with `--
 of another length under the present ones are named with `--foreign 33ft`. A file of any length streams through the memory of one
 segment.
 
-Empty cells and `nan` are gaps; those of up to 1 m are bridged by a straight line (`--bridge` says otherwise), after longer ones the segments begin anew, shorter
-ones where that is needed. A segment is about 1250 m long unless `--segment` says how many samples.
+Empty cells and `nan` are gaps; those of up to 1 m are bridged by a straight line (`--bridge` says otherwise), after longer ones the segments begin anew, and the last
+one before a gap ends at it; they are made shorter until 95 % of the samples are in one. A segment is about 1250 m long unless `--segment` says how many samples.
 
 Positions that do not ascend evenly, a missing column or unit, a constant signal, a record shorter than a segment, a chord longer than an eighth of
 one and a chord that is blind to the rail are refused. What no track does is taken out of the record and said above the answer as doubtful: codes for lost samples, outliers, a

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double usual_length = 1250;       // m: 4096 ft
 constexpr std::size_t fewest_segments = 4;  // for a scatter that means something
-constexpr double enough = 0.6;              // of the record in segments
+constexpr double enough = 0.95;             // of the record in segments, its end aside
 
 std::vector<std::size_t> segments_for(double spacing) {
   const double base = std::clamp(std::exp2(std::round(std::log2(usual_length / spacing))), 512.0,
@@ -30,7 +30,7 @@ std::size_t best(const std::vector<spectra::Welch>& all, std::size_t present) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     const std::size_t used = all[i].used_samples();
     if (all[i].segments() >= fewest_segments &&
-        static_cast<double>(used) >= enough * static_cast<double>(present))
+        static_cast<double>(used) >= enough * static_cast<double>(present - all[i].ahead()))
       return i;
     if (used > all[most].used_samples()) most = i;
   }
