@@ -14,7 +14,7 @@ foreach(file ${sources})
   file(RELATIVE_PATH name ${root} ${file})
   file(STRINGS ${file} includes REGEX "^#include")
   foreach(line IN LISTS includes)
-    if(name MATCHES "^lib/(units|num|contact|rolling|wheelrail|dynamics|spectra|filters|geometry_car|track|quality|measures)/"
+    if(name MATCHES "^lib/(units|num|contact|rolling|wheelrail|wheel_on_rail|dynamics|spectra|filters|geometry_car|track|quality|measures)/"
        AND line MATCHES "\"(report|tool|plot|scene|drawing|bench)/")
       broken("${name}: physics includes ${line}")
     endif()

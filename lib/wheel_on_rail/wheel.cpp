@@ -1,0 +1,411 @@
+#include "wheel_on_rail/wheel.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <string_view>
+#include <utility>
+
+#include "contact/bounded_cg.hpp"
+#include "contact/region.hpp"
+#include "rolling/rolling_contact.hpp"
+#include "units/constants.hpp"
+#include "units/input_error.hpp"
+
+namespace railbook::wheel_on_rail {
+
+using Eigen::Index;
+using Eigen::Vector3d;
+
+double Friction::at(double slip_speed) const {
+  return coefficient * (left + (1 - left) * std::exp(-slip_speed / speed));
+}
+
+namespace {
+
+void check(const Pair& pair, const Pose& pose, const WheelWish& wish) {
+  using namespace units;
+  require_between("shift", pose.y, -0.05, 0.05, "m");
+  require_between("yaw", pose.yaw, -0.1, 0.1, "rad");
+  require_between("roll", pose.roll, -0.1, 0.1, "rad");
+  require_positive("load", wish.load, "N");
+  require_positive("speed", wish.speed, "m/s");
+  require_finite("turning", wish.turning, "rad/s");
+  require_between("friction", wish.friction.coefficient, 0, 2);
+  require_between("friction's share at high speed", wish.friction.left, 0, 1);
+  require_positive("friction's speed", wish.friction.speed, "m/s");
+  require_positive("wheel radius", pair.radius, "m");
+  require_between("cells along", static_cast<double>(wish.along), 8, 512);
+  require_between("cells across", static_cast<double>(wish.across), 8, 512);
+}
+
+// What does not change while the wheel is lowered.
+struct Work {
+  const Placed& wheel;
+  const Touching& touch;
+  const WheelWish& wish;
+  rolling::Pair material;
+};
+
+// The wheel's rigid creepages over the rail at a patch (rolling_case.hpp), and the speed of rolling.
+struct Motion {
+  rolling::Creepage creepage;
+  double speed;
+};
+Motion motion_of(const Work& w, const Frame& frame, double approach, double z) {
+  const Vector3d centre(0, w.wheel.pose.y, z - w.wheel.pair->radius);
+  const Vector3d spin = w.wheel.turn * Vector3d(0, -w.wish.turning, 0);
+  const Vector3d arm = frame.origin + approach * frame.normal() - centre;
+  const Vector3d v = Vector3d(w.wish.speed, 0, 0) + spin.cross(arm);
+  const double speed = w.wish.speed - 0.5 * v.x();
+  return {{v.x() / speed, v.dot(frame.across()) / speed, spin.dot(frame.normal()) / speed}, speed};
+}
+
+rolling::RollingCase case_of(const Work& w, PatchResult& p, double z) {
+  const Motion m = motion_of(w, p.patch.frame, p.approach, z);
+  p.creepage = m.creepage;
+  const double slip =
+      std::sqrt(std::pow(m.creepage.longitudinal, 2) + std::pow(m.creepage.lateral, 2) +
+                std::pow(m.creepage.spin, 2) * p.area / (2 * units::pi));
+  p.friction = w.wish.friction.at(std::abs(m.speed) * slip);
+  return {.a = 1,
+          .b = 1,
+          .load = 1,
+          .shear_modulus = w.material.shear_modulus,
+          .poisson = w.material.poisson,
+          .friction = p.friction,
+          .creepage = m.creepage};
+}
+
+// Vertical force on the rail for a unit of normal force, with what friction bears.
+double vertical(const PatchResult& p) {
+  const double angle = p.patch.frame.angle;
+  return std::cos(angle) + (p.load > 0 ? p.forces.fy / p.load : 0) * std::sin(angle);
+}
+double vertical_force(const std::vector<PatchResult>& all) {
+  double sum = 0;
+  for (const PatchResult& p : all) sum += p.load * vertical(p);
+  return sum;
+}
+
+// All patches at a depth by an approximate method, with frames made at the depth `frames`.
+std::vector<PatchResult> approximate(const Work& w, double z, double frames, bool friction,
+                                     bool keep = false) {
+  std::vector<PatchResult> all;
+  const double modulus = w.material.effective_modulus;
+  for (Patch& patch : patches(w.wheel, w.touch, frames, w.wish.patches)) {
+    const double down = (z - frames) * std::cos(patch.frame.angle);
+    PatchResult p;
+    p.strips = w.wish.method == Method::hertz ? hertzian(patch, modulus, down)
+                                              : semi_hertzian(patch, modulus, down);
+    if (p.strips.strips.empty()) continue;
+    p.patch = std::move(patch);
+    p.load = p.strips.load, p.approach = p.strips.approach;
+    p.p_max = p.strips.p_max, p.area = p.strips.area;
+    if (friction) p.forces = fastsim(p.strips, case_of(w, p, z), keep);
+    all.push_back(std::move(p));
+  }
+  return all;
+}
+
+constexpr double deepest = 2e-3;  // m: half-spaces that sink in by millimetres are none
+
+// The root of a growing function near `guess`, where it grows like a power 3/2 of the distance from `zero`: f gives force
+// over load.
+struct Depths {
+  double z = 0;
+  bool converged = false;
+};
+Depths find_depth(const std::function<double(double)>& share, double zero, double guess,
+                  double tolerance) {
+  double low = zero, high = units::no_limit, z = guess;
+  for (int k = 0; k < 60; ++k) {
+    const double f = share(z);
+    if (std::abs(f - 1) < tolerance) return {z, true};
+    (f < 1 ? low : high) = z;
+    double next = f > 1e-3 ? zero + (z - zero) * std::pow(f, -2.0 / 3) : zero + 4 * (z - zero);
+    if (k % 4 == 3 && std::isfinite(high)) next = 0.5 * (low + high);
+    if (!(next > low && next < high))
+      next = std::isfinite(high) ? 0.5 * (low + high) : low + 2 * (low - zero);
+    if (z - zero > deepest) break;
+    if (next == z || high - low < 1e-15) break;
+    z = next;
+  }
+  return {z, false};
+}
+
+// Where areas merge into one patch the force jumps, and no depth may bear just the load: then the frames of that depth are
+// kept, with which it does not jump.
+struct Approximate {
+  double z, frames;
+  bool converged;
+};
+Approximate approximate_depth(const Work& w, bool friction) {
+  const double zero = w.touch.z();
+  const auto share = [&](double z, double frames) {
+    return vertical_force(approximate(w, z, frames, friction)) / w.wish.load;
+  };
+  const Depths first = find_depth([&](double z) { return share(z, z); }, zero,
+                                  zero + 5e-5 * std::pow(w.wish.load / 5e4, 2.0 / 3), 1e-5);
+  if (first.converged || first.z - zero > deepest) return {first.z, first.z, first.converged};
+  const Depths kept = find_depth([&](double z) { return share(z, first.z); }, zero, first.z, 1e-5);
+  return {kept.z, first.z, kept.converged};
+}
+
+// A patch's grid, the overlaps on it, and the pressure so far.
+struct Cells {
+  contact::Grid grid;
+  Eigen::VectorXd overlap, pressure, lowered;
+  std::unique_ptr<contact::Convolution> convolution;
+  contact::Region region;
+
+  Cells(const Work& w, const Frame& frame, double z, const contact::Box& box, Index nx, Index ny) {
+    grid = {box.x_min,
+            box.y_min,
+            (box.x_max - box.x_min) / static_cast<double>(nx),
+            (box.y_max - box.y_min) / static_cast<double>(ny),
+            nx,
+            ny};
+    overlap = wheel_on_rail::overlap(w.wheel, frame, z, grid);
+    pressure.setZero(grid.cells());
+    convolution = std::make_unique<contact::Convolution>(grid, w.material.effective_modulus);
+  }
+  // The normal force, the wheel lowered by `down` along n; negative when the solver fails.
+  double solve(double down) {
+    lowered = overlap.array() + down;
+    if (!(lowered.maxCoeff() > 0)) {
+      pressure.setZero();
+      return 0;
+    }
+    if (!(pressure.maxCoeff() > 0)) {
+      const double start = lowered.maxCoeff() / convolution->self() / 20;
+      pressure = (lowered.array() > 0).select(Eigen::VectorXd::Constant(grid.cells(), start), 0);
+    }
+    const auto cg =
+        contact::solve_bounded_cg(*convolution, grid, lowered, pressure, {.tolerance = 1e-7});
+    return cg.converged ? pressure.sum() * grid.dx * grid.dy : -1;
+  }
+  void describe() {
+    region = contact::describe(grid, pressure, Eigen::VectorXd::Zero(grid.cells()));
+  }
+};
+
+// One and a half cells around the contact as a coarser grid saw it.
+contact::Box around(const Cells& c, Index nx, Index ny) {
+  const contact::Box& e = c.region.ends;
+  const double mx = std::max(0.3 * c.grid.dx, 1.6 * (e.x_max - e.x_min) / static_cast<double>(nx));
+  const double my = std::max(0.3 * c.grid.dy, 1.6 * (e.y_max - e.y_min) / static_cast<double>(ny));
+  return {e.x_min - mx, e.x_max + mx, e.y_min - my, e.y_max + my};
+}
+
+struct Full {
+  const Work& w;
+  double z0;  // at which the frames are made and the overlaps hold
+  std::vector<PatchResult>& all;
+  std::vector<std::unique_ptr<Cells>> cells;
+  double down = 0;  // below z0
+
+  // Lowers the wheel until it bears the load, with the shares that friction bears as they are.
+  bool balance(double tolerance) {
+    double last = 0, last_share = 0;
+    for (int k = 0; k < 25; ++k) {
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        const double before = all[i].load;
+        const double load = cells[i]->solve(down * std::cos(all[i].patch.frame.angle));
+        if (load < 0) return false;
+        const double ratio = before > 0 ? load / before : 0;
+        all[i].load = load;  // friction as a share of it
+        for (double* f : {&all[i].forces.fx, &all[i].forces.fy, &all[i].forces.mz}) *f *= ratio;
+      }
+      const double share = vertical_force(all) / w.wish.load;
+      if (std::abs(share - 1) < tolerance) return true;
+      const double depth = z0 + down - w.touch.z();
+      double slope = 1.5 * std::max(share, 0.05) / std::max(depth, 1e-9);
+      if (k > 0 && std::abs(down - last) > 1e-12) {
+        const double secant = (share - last_share) / (down - last);
+        if (secant > 0.3 * slope && secant < 5 * slope) slope = secant;
+      }
+      last = down, last_share = share;
+      down +=
+          std::clamp((1 - share) / slope, -0.5 * std::abs(depth) - 1e-7, std::abs(depth) + 1e-7);
+    }
+    return false;
+  }
+
+  // The patches anew, at the depth found; friction as shares of the load as before where they are the same patches.
+  void lower_frames() {
+    z0 += down, down = 0;
+    std::vector<Patch> anew = patches(w.wheel, w.touch, z0, w.wish.patches);
+    if (anew.size() != all.size()) all.assign(anew.size(), {});
+    for (std::size_t i = 0; i < all.size(); ++i) all[i].patch = std::move(anew[i]);
+    cells.clear();
+  }
+
+  void mesh(Index nx, Index ny) {
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      std::unique_ptr<Cells>& c = i < cells.size() ? cells[i] : cells.emplace_back();
+      const contact::Box box = c ? around(*c, nx, ny) : all[i].patch.overlap;
+      auto finer = std::make_unique<Cells>(w, all[i].patch.frame, z0, box, nx, ny);
+      if (c) finer->pressure = contact::transfer(c->grid, c->pressure, finer->grid);
+      c = std::move(finer);
+    }
+  }
+  void describe() {
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      cells[i]->describe();
+      PatchResult& p = all[i];
+      const double before = p.p_max;
+      p.p_max = cells[i]->region.p_max, p.area = cells[i]->region.area;
+      p.approach = cells[i]->lowered.maxCoeff();
+      p.p_max_error =
+          std::abs(p.p_max / before - 1) + 1 / static_cast<double>(cells[i]->grid.cells());
+    }
+  }
+  // Friction on the pressures; its error is the change from what it was, on coarser cells or under a load nearly the same.
+  bool roll() {
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      PatchResult& p = all[i];
+      const rolling::RollingCase c = case_of(w, p, z0 + down);
+      const double fx = p.forces.fx, fy = p.forces.fy, mz = p.forces.mz;
+      p.forces = rolling::solve_rolling(cells[i]->grid, cells[i]->pressure, c,
+                                        {.estimate = false, .solver = {.tolerance = 1e-7}});
+      if (!p.forces.converged) return false;
+      if (p.friction == 0) continue;
+      const double bound = p.friction * p.load, arm = std::sqrt(p.area / units::pi);
+      p.forces.error = std::hypot(p.forces.fx - fx, p.forces.fy - fy) / bound;
+      p.forces.mz_error = std::abs(p.forces.mz - mz) / (bound * arm);
+    }
+    return true;
+  }
+  void forget_unloaded() {
+    for (std::size_t i = all.size(); i-- > 0;)
+      if (!(all[i].load > 0)) {
+        all.erase(all.begin() + static_cast<std::ptrdiff_t>(i));
+        cells.erase(cells.begin() + static_cast<std::ptrdiff_t>(i));
+      }
+  }
+  bool touches_edge() const {
+    return std::ranges::any_of(cells, [](const auto& c) { return c->region.touches_edge(); });
+  }
+};
+
+void solve_full(const Work& w, double z, WheelResult& out) {
+  Full f{w, z, out.patches, {}};
+  const auto fail = [&](const char* why) { out.converged = false, out.reason = why; };
+  constexpr const char* unborne = "the load was not met by the half-space's pressures";
+  constexpr const char* unsettled = "the stick and slip areas did not settle";
+  f.mesh(w.wish.along / 2, w.wish.across / 2);
+  if (!f.balance(1e-2)) return fail(unborne);
+  f.lower_frames();
+  f.mesh(w.wish.along / 2, w.wish.across / 2);
+  if (!f.balance(1e-3)) return fail(unborne);
+  f.forget_unloaded();
+  f.describe();
+  if (w.wish.friction.coefficient > 0 && !f.roll()) return fail(unsettled);
+  for (int k = 0;; ++k) {
+    f.mesh(w.wish.along, w.wish.across);
+    if (!f.balance(1e-5)) return fail(unborne);
+    f.describe();
+    if (!f.touches_edge()) break;
+    if (k == 3) return fail("the contact did not fit its grid");
+  }
+  for (int k = 0; w.wish.friction.coefficient > 0; ++k) {
+    if (!f.roll()) return fail(unsettled);
+    if (std::abs(vertical_force(f.all) / w.wish.load - 1) < 1e-3) break;
+    if (k == 7) return fail("friction and load did not settle");
+    if (!f.balance(1e-5)) return fail(unborne);
+    f.describe();
+  }
+  out.z = f.z0 + f.down;
+  for (std::size_t i = 0; i < f.all.size(); ++i) {
+    f.all[i].grid = f.cells[i]->grid;
+    f.all[i].pressure = f.cells[i]->pressure;
+  }
+}
+
+void complete(const Work& w, WheelResult& out) {
+  const Vector3d centre(0, w.wheel.pose.y, out.z - w.wheel.pair->radius);
+  const Vector3d axle = w.wheel.turn.col(1);
+  out.force.setZero(), out.axle_moment = 0;
+  for (PatchResult& p : out.patches) {
+    const Vector3d n = p.patch.frame.normal();
+    const Vector3d force =
+        p.forces.fx * Vector3d::UnitX() + p.forces.fy * p.patch.frame.across() + p.load * n;
+    const Vector3d arm = p.patch.frame.origin + p.approach * n - centre;
+    out.force += force;
+    // On the wheel: the opposite; forward turning is about -axle.
+    out.axle_moment += axle.dot(arm.cross(-force) - p.forces.mz * n);
+    p.wear_number = p.forces.fx * p.creepage.longitudinal + p.forces.fy * p.creepage.lateral +
+                    p.forces.mz * p.creepage.spin;
+    const auto& t = p.forces.tractions;
+    p.largest_shear =
+        t.px.size() > 0 ? std::sqrt((t.px.array().square() + t.py.array().square()).maxCoeff()) : 0;
+  }
+  std::ranges::stable_sort(out.patches, std::greater{},
+                           [](const PatchResult& p) { return p.load; });
+}
+
+void doubt(const Work& w, WheelResult& out) {
+  const auto say = [&](std::string_view text) { out.doubts.emplace_back(text); };
+  for (const Placed::Point& p : w.touch.least) {
+    const double clear = p.gap - out.z;
+    if (clear > 0 && clear < 0.5 * (out.z - out.z_touch))
+      say(fmt::format(
+          "verge of a second contact: at {:.2f} mm across the wheel only {:.1f} um clear",
+          p.s / units::millimetre, clear / units::micrometre));
+  }
+  for (const PatchResult& p : out.patches) {
+    if (out.patches.size() > 1 && p.load < 0.1 * out.patches.front().load)
+      say(fmt::format("verge of a second contact: a patch carries only {:.0f} N", p.load));
+    if (p.strips.two_lobes)
+      say("two areas of overlap in one patch: rough by this method; take the full theory");
+    if (p.patch.merged) say("two areas of overlap are near one another and share one frame");
+    if (p.patch.turn > 0.35)
+      say(fmt::format(
+          "conformal: the rail turns by {:.2f} rad over the patch, whose frame is plane",
+          p.patch.turn));
+    if (!p.forces.doubt.empty()) say(p.forces.doubt);
+    if (p.p_max_error > 0.02 && std::isfinite(p.p_max_error))
+      say(fmt::format("coarse: the peak pressure may be off by {:.1f} %", 100 * p.p_max_error));
+  }
+}
+
+}  // namespace
+
+WheelResult solve_wheel(const Pair& pair, const Pose& pose, const WheelWish& wish) {
+  check(pair, pose, wish);
+  const Placed wheel(pair, pose);
+  const Touching touch = touching(wheel);
+  if (at_end(pair, touch.least.front()))
+    throw InputError{
+        fmt::format("the wheel touches at an end of a profile, {:.2f} mm across the wheel; "
+                    "allowed: more than 0.5 mm "
+                    "from the ends; is the pose right, and the profile long enough?",
+                    touch.least.front().s / units::millimetre)};
+  const Work w{wheel, touch, wish, rolling::join(wish.wheel, wish.rail)};
+  WheelResult out;
+  out.z_touch = touch.z();
+  const bool friction = wish.friction.coefficient > 0;
+  const Approximate depth = approximate_depth(w, friction);
+  out.z = depth.z;
+  if (!depth.converged && depth.z - touch.z() > deepest) {
+    out.reason = "no depth up to 2 mm bears the load";
+    return out;
+  }
+  if (!depth.converged && wish.method != Method::full) {
+    out.reason = "verge of a second contact: by this method the load jumps; take the full theory";
+    return out;
+  }
+  out.converged = true;
+  out.patches = approximate(w, depth.z, depth.frames, friction, wish.method != Method::full);
+  if (wish.method == Method::full) solve_full(w, depth.z, out);
+  complete(w, out);
+  doubt(w, out);
+  return out;
+}
+
+}  // namespace railbook::wheel_on_rail
