@@ -62,7 +62,9 @@ Products products(const contact::HertzContact& c, Eigen::Index cells) {
              used_shares[k];
     };
     const double unit = law_friction * c.force / (shear_modulus * c.a * c.b);
-    p.at[k] = num::find_root(miss, 1e-6, 1, 1e-9).x * unit * units::pi * c.a * c.b;
+    // Between the linear law and a guess that is too large for every ellipse here.
+    const double least = used_shares[k] / kalker_coefficients(c.a / c.b, poisson, 8).c11;
+    p.at[k] = num::find_root(miss, least, 2 * least, 1e-9).x * unit * units::pi * c.a * c.b;
   }
   return p;
 }

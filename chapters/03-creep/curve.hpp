@@ -30,7 +30,7 @@ std::vector<CurvePoint> full_curve(const rolling::RollingOptions& options);
 
 // The best curve of this run: 32 x 16 cells, 40 x 20 at the full level. Computed once.
 const std::vector<CurvePoint>& reference_curve(bool full);
-// Another, on 64 x 32 cells of one length.
+// Another, on 48 x 24 cells of one length.
 const std::vector<CurvePoint>& other_curve();
 
 }  // namespace railbook::creep_chapter

@@ -98,7 +98,9 @@ double creep_chapter::Average::mu(double load, double creep) const {
   return friction * master_curve(area_factor * hertz_group(load) * creep / friction);
 }
 
-Average creep_chapter::average(const Test& test) {
+namespace {
+
+Average fitted(const Test& test) {
   // Golden section on the area factor: the residual has one valley.
   double low = 0.5, high = 4;
   const double golden = (std::sqrt(5.0) - 1) / 2;
@@ -113,11 +115,22 @@ Average creep_chapter::average(const Test& test) {
   return {fit_friction(test, factor).friction, factor};
 }
 
+}  // namespace
+
 const std::vector<Test>& creep_chapter::tests() {
   static const std::vector<Test> all = {
       make_test(500 * units::lbf, 1.3, 1), make_test(paper_load, 1.6, 2),
       make_test(1500 * units::lbf, 1.1, 3), make_test(2500 * units::lbf, 1.9, 4)};
   return all;
+}
+
+const Average& creep_chapter::average(const Test& test) {
+  static const std::vector<Average> all = [] {
+    std::vector<Average> each;
+    for (const Test& one : tests()) each.push_back(fitted(one));
+    return each;
+  }();
+  return all.at(static_cast<std::size_t>(&test - tests().data()));
 }
 
 namespace {

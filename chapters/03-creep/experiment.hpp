@@ -37,7 +37,7 @@ struct Average {
   double area_factor = 0;
   double mu(double load, double creep) const;
 };
-Average average(const Test& test);
+const Average& average(const Test& test);  // of one of the four
 
 // G a b/N by Hertz's area at `load`: X = this times creep/mu_c.
 double hertz_group(double load);

@@ -20,4 +20,6 @@ extern const report::Section cost;         // study
 extern const report::Section evidence;     // study
 extern const report::Section extremes;     // study
 
+void contact_answer(report::Item& item);  // of fig-full-curve
+
 }  // namespace railbook::creep_chapter

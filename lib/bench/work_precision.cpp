@@ -214,9 +214,10 @@ std::string answer(const Points& points, const std::string& quantity,
     if (best.method.empty())
       text += "nothing that was tried";
     else
-      text += timed ? fmt::format("take {} at {} ({})", best.method, best.setting,
-                                  duration(best.seconds))
-                    : "(not timed)";
+      text += timed
+                  ? fmt::format("take {}{}{} ({})", best.method, best.setting.empty() ? "" : " at ",
+                                best.setting, duration(best.seconds))
+                  : "(not timed)";
   }
   return text + ".";
 }
