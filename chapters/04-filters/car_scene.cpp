@@ -16,73 +16,66 @@ using scene::Colour;
 using scene::Point;
 
 const Colour accelerometer{0.84, 0.37, 0.0}, gyro{0.0, 0.45, 0.70}, displacement{0.0, 0.62, 0.45},
-    gage_sensor{0.80, 0.47, 0.65};
-
-scene::Mesh cube(const Point& at, double size, const Colour& colour) {
-  const Point half = Point::Constant(0.5 * size);
-  return scene::box(at - half, at + half, colour);
-}
-
-void add_track(scene::Scene& s, double base) {
-  const auto section = scene::rail_section(0.172, 0.074, 0.045, 0.017, 0.150, 0.025);
-  for (const double y : {-0.5 * base, 0.5 * base}) {
-    scene::Outline placed = section;
-    placed.col(0).array() += y;
-    placed.col(1).array() -= 0.172;
-    s.meshes.push_back(scene::extrusion(placed, -2.6, 2.6));
-  }
-  for (double x = -2.4; x < 2.5; x += 0.6)
-    s.meshes.push_back(scene::box({x - 0.11, -1.3, -0.35}, {x + 0.11, 1.3, -0.18}, scene::wood));
-}
-
-void add_axle(scene::Scene& s, double x, double base) {
-  const double radius = 0.46;
-  for (const double side : {-1.0, 1.0}) {
-    const auto outline = scene::wheel_outline(radius, 0.13, 0.028, 0.03);
-    s.meshes.push_back(
-        scene::revolution({x, side * (0.5 * base - 0.05), radius}, {0, side, 0}, outline));
-    s.meshes.push_back(scene::box({x - 0.15, side * 1.0 - 0.09, 0.33},
-                                  {x + 0.15, side * 1.0 + 0.09, 0.6}, Colour{0.45, 0.47, 0.50}));
-  }
-  s.meshes.push_back(scene::cylinder({x, -1.05, radius}, {x, 1.05, radius}, 0.08));
-}
+    gage_sensor{0.80, 0.47, 0.65}, frame{0.45, 0.47, 0.50};
 
 void fig_layout(report::Item& item) {
   item.sketch(
       "where the sensors sit, after the text; the paper's drawings are not legible in our copy");
   const geometry_car::Layout l;
   scene::Scene s;
-  add_track(s, l.base);
-  add_axle(s, 0, l.base);
-  add_axle(s, -1.9, l.base);
-  const Colour frame{0.45, 0.47, 0.50}, floor{0.88, 0.90, 0.93};
-  for (const double y : {-1.0, 1.0})
-    s.meshes.push_back(scene::box({-2.4, y - 0.06, 0.6}, {0.5, y + 0.06, 0.72}, frame));
-  s.meshes.push_back(scene::box({-1.1, -1.06, 0.6}, {-0.8, 1.06, 0.72}, frame));
+  const auto box = [&](const Point& low, const Point& high, const Colour& colour) {
+    s.meshes.push_back(scene::box(low, high, colour));
+  };
+  const auto cube = [&](const Point& at, double size, const Colour& colour) {
+    const Point half = Point::Constant(0.5 * size);
+    box(at - half, at + half, colour);
+  };
+  const auto rod = [&](const Point& from, const Point& to, double radius, const Colour& colour) {
+    s.meshes.push_back(scene::cylinder(from, to, radius, colour));
+  };
+  const auto rail = scene::rail_section(0.172, 0.074, 0.045, 0.017, 0.150, 0.025);
+  for (const double y : {-0.5 * l.base, 0.5 * l.base}) {
+    scene::Outline placed = rail;
+    placed.col(0).array() += y;
+    placed.col(1).array() -= 0.172;
+    s.meshes.push_back(scene::extrusion(placed, -2.6, 2.6));
+  }
+  for (double x = -2.4; x < 2.5; x += 0.6)
+    box({x - 0.11, -1.3, -0.35}, {x + 0.11, 1.3, -0.18}, scene::wood);
+  // Two axles, their boxes and the frame of the truck.
+  const double radius = 0.46;
+  for (const double x : {0.0, -1.9}) {
+    for (const double side : {-1.0, 1.0}) {
+      const auto outline = scene::wheel_outline(radius, 0.13, 0.028, 0.03);
+      s.meshes.push_back(
+          scene::revolution({x, side * (0.5 * l.base - 0.05), radius}, {0, side, 0}, outline));
+      box({x - 0.15, side - 0.09, 0.33}, {x + 0.15, side + 0.09, 0.6}, frame);
+    }
+    s.meshes.push_back(scene::cylinder({x, -1.05, radius}, {x, 1.05, radius}, 0.08));
+  }
+  for (const double y : {-1.0, 1.0}) box({-2.4, y - 0.06, 0.6}, {0.5, y + 0.06, 0.72}, frame);
+  box({-1.1, -1.06, 0.6}, {-0.8, 1.06, 0.72}, frame);
   // The instrumented beam, ahead of the axle, with the gage sensors reaching down to the heads.
   const double beam_x = 0.72, beam_z = l.beam_height;
-  s.meshes.push_back(scene::box({beam_x - 0.06, -0.72, beam_z - 0.05},
-                                {beam_x + 0.06, 0.72, beam_z + 0.05}, frame));
+  box({beam_x - 0.06, -0.72, beam_z - 0.05}, {beam_x + 0.06, 0.72, beam_z + 0.05}, frame);
   for (const double y : {-0.6, 0.6}) {
-    s.meshes.push_back(scene::box({0.5, y - 0.04, beam_z - 0.04}, {beam_x, y + 0.04, 0.66}, frame));
-    s.meshes.push_back(scene::cylinder({beam_x, y, beam_z}, {beam_x, y, -0.02}, 0.03, gage_sensor));
-    s.meshes.push_back(cube({beam_x, y, -0.02}, 0.10, gage_sensor));
+    box({0.5, y - 0.04, beam_z - 0.04}, {beam_x, y + 0.04, 0.66}, frame);
+    rod({beam_x, y, beam_z}, {beam_x, y, -0.02}, 0.03, gage_sensor);
+    cube({beam_x, y, -0.02}, 0.10, gage_sensor);
   }
-  s.meshes.push_back(cube({beam_x, 0, beam_z + 0.12}, 0.16, accelerometer));
+  cube({beam_x, 0, beam_z + 0.12}, 0.16, accelerometer);
   // The floor of the body, and what stands on it.
   const double z = l.inclinometer_height, side = 0.5 * l.transducers;
-  s.meshes.push_back(scene::box({-2.4, -1.25, z - 0.06}, {0.35, 1.25, z}, floor));
+  box({-2.4, -1.25, z - 0.06}, {0.35, 1.25, z}, Colour{0.88, 0.90, 0.93});
   for (const double y : {-side, side}) {
-    s.meshes.push_back(scene::cylinder({0, y, 0.6}, {0, y, z - 0.06}, 0.035, displacement));
-    s.meshes.push_back(cube({0, y, z + 0.09}, 0.18, accelerometer));
+    rod({0, y, 0.6}, {0, y, z - 0.06}, 0.035, displacement);
+    cube({0, y, z + 0.09}, 0.18, accelerometer);
   }
-  s.meshes.push_back(cube({0, 0, z + 0.09}, 0.18, Colour{0.90, 0.62, 0.0}));
-  s.meshes.push_back(scene::cylinder({-0.7, 0.35, z}, {-0.7, 0.35, z + 0.22}, 0.10, gyro));
-  s.meshes.push_back(scene::cylinder({-0.8, -0.35, z + 0.1}, {-0.5, -0.35, z + 0.1}, 0.10, gyro));
-  for (const double x : {-0.55, -1.35})
-    s.meshes.push_back(scene::cylinder({x, -0.95, 0.92}, {x, -0.3, 0.92}, 0.03, displacement));
-  s.meshes.push_back(
-      scene::cylinder({-1.9, -1.05, 0.46}, {-1.9, -1.22, 0.46}, 0.12, Colour{0.2, 0.2, 0.2}));
+  cube({0, 0, z + 0.09}, 0.18, Colour{0.90, 0.62, 0.0});
+  rod({-0.7, 0.35, z}, {-0.7, 0.35, z + 0.22}, 0.10, gyro);
+  rod({-0.8, -0.35, z + 0.1}, {-0.5, -0.35, z + 0.1}, 0.10, gyro);
+  for (const double x : {-0.55, -1.35}) rod({x, -0.95, 0.92}, {x, -0.3, 0.92}, 0.03, displacement);
+  rod({-1.9, -1.05, radius}, {-1.9, -1.22, radius}, 0.12, Colour{0.2, 0.2, 0.2});
 
   const scene::Size size{1200, 760};
   const auto camera = scene::looking_at(s, {0.9, -1.25, 0.75}, size, true);

@@ -65,56 +65,39 @@ void roll(report::Item& item) {
   item.value("roll-tau", tau, "s", "{:.4f}");
 }
 
-// A correction that the paper names, and the parameter it is for.
-struct Correction {
-  const char *id, *what;
-  bool Corrections::*which;
-  Parameter parameter;
-};
-
-// RMS error of its parameter with and without it, m.
-struct Worth {
-  double with, without;
-};
-Worth worth(const Record& record, const Measurement& truth, const Processing& p,
-            const Correction& c) {
-  Processing less = p;
-  less.corrections.*c.which = false;
-  return {misfit(reconstruct(record, p), truth, c.parameter).rms,
-          misfit(reconstruct(record, less), truth, c.parameter).rms};
-}
-
 void table_corrections(report::Item& item) {
   item.rebuilt("track, car and ride are chosen");
   item.columns(
       {"left out", "parameter", {"RMS error with it, mm", "{:.3g}"}, {"without", "{:.3g}"}});
-  const Track track = build(main_line());
-  const Car car;
-  const Processing p{.layout = car.layout};
-  const Record record = cruise(track, car, 60 * mph);
-  const Measurement t = truth(track, p);
+  const Record record = cruise(main_line(), 60 * mph);
+  const Measurement& t = main_line().truth;
+  const Measurement whole = reconstruct(record, {});
   using enum Parameter;
   item.expect_checks(8);
-  for (const Correction& c :
-       {Correction{"centrifugal", "centrifugal acceleration", &Corrections::centrifugal,
-                   crosslevel},
-        Correction{"yaw-centre", "distance to the yaw centre", &Corrections::yaw_centre,
-                   crosslevel},
-        Correction{"roll-acceleration", "roll acceleration", &Corrections::roll_acceleration,
-                   crosslevel},
-        Correction{"roll-gyro", "roll gyro", &Corrections::gyro, crosslevel},
-        Correction{"attitude", "gravity and centrifugal acceleration on the leaning body",
-                   &Corrections::vertical_attitude, profile_left},
-        Correction{"transducers", "transducers beside the rail", &Corrections::transducer_place,
-                   profile_left},
-        Correction{"gravity", "gravity on the rolling beam", &Corrections::gravity, alignment_left},
-        Correction{"beam-height", "beam above the rails", &Corrections::beam_height,
-                   alignment_left}}) {
-    const Worth w = worth(record, t, p, c);
-    item.add_row(c.what, std::string(parameter_list()[static_cast<std::size_t>(c.parameter)].name),
-                 w.with / mm, w.without / mm);
-    item.claim(c.id, fmt::format("correction needed: {}", c.what), w.without > w.with,
-               fmt::format("{:.3g} mm with it, {:.3g} without", w.with / mm, w.without / mm));
+  struct Correction {  // one that the paper names, and the parameter it is for
+    const char *id, *what;
+    bool Corrections::*which;
+    Parameter parameter;
+  };
+  for (const auto& [id, what, which, parameter] : std::initializer_list<Correction>{
+           {"centrifugal", "centrifugal acceleration", &Corrections::centrifugal, crosslevel},
+           {"yaw-centre", "distance to the yaw centre", &Corrections::yaw_centre, crosslevel},
+           {"roll-acceleration", "roll acceleration", &Corrections::roll_acceleration, crosslevel},
+           {"roll-gyro", "roll gyro", &Corrections::gyro, crosslevel},
+           {"attitude", "gravity and centrifugal acceleration on the leaning body",
+            &Corrections::vertical_attitude, profile_left},
+           {"transducers", "transducers beside the rail", &Corrections::transducer_place,
+            profile_left},
+           {"gravity", "gravity on the rolling beam", &Corrections::gravity, alignment_left},
+           {"beam-height", "beam above the rails", &Corrections::beam_height, alignment_left}}) {
+    Processing less;
+    less.corrections.*which = false;
+    const double with = rms_error(whole, t, parameter) / mm;
+    const double without = rms_error(reconstruct(record, less), t, parameter) / mm;
+    item.add_row(what, std::string(parameter_list()[static_cast<std::size_t>(parameter)].name),
+                 with, without);
+    item.claim(id, fmt::format("correction needed: {}", what), without > with,
+               fmt::format("{:.3g} mm with it, {:.3g} without", with, without));
   }
 }
 

@@ -39,13 +39,10 @@ void fig_curve(report::Item& item) {
   item.rebuilt("track, ride, corners and sensors are chosen");
   auto& data = item.data({"x_ft", "mph", "curvature_deg_per_100ft", "curvature_true",
                           "crosslevel_mm", "crosslevel_true"});
-  const Track track = build(main_line());
-  const Car car;
-  const Processing p{.layout = car.layout};
-  const auto t = truth(track, p);
+  const Line& line = main_line();
+  const Measurement& t = line.truth;
   for (const double v : {9.0, 80.0}) {
-    const auto m =
-        reconstruct(measured(cruise(track, car, v * mph), car.layout, typical_sensors(), 4), p);
+    const auto m = reconstruct(measured(cruise(line, v * mph), {}, typical_sensors(), 4), {});
     for (std::size_t i = 0; i < m.size(); i += 4) {
       const auto k = static_cast<std::size_t>(m.mark[i]);
       if (k < 3700 || k > 5900) continue;
@@ -79,12 +76,9 @@ void table_curvature(report::Item& item) {
                 {"bias and noise add", "{:.4f}"},
                 {"expected", "{:.4f}"},
                 {"after debiasing", "{:.4f}"}});
-  TrackDescription smooth = main_line();
+  TrackDescription smooth;
   smooth.line.A = smooth.gage_variation.A = 0;
-  const Track track = build(smooth);
-  const Car car;
-  const Processing p{.layout = car.layout};
-  const auto t = truth(track, p);
+  const Line line = line_of(smooth);
   // The gyro's bias and noise; what its mean over a standing minute leaves of the bias is that minute's noise.
   const double rate = 0.005 * units::degree, standing = 60;
   const double residual = rate / std::sqrt(2 * standing);
@@ -94,31 +88,30 @@ void table_curvature(report::Item& item) {
   bool lost_in_noise = true;
   item.expect_checks(7);
   for (const double v : {2.0, 5.0, 15.0, 60.0, 120.0}) {
-    const Record clean = cruise(track, car, v * mph);
-    const auto perfect = reconstruct(clean, p);
-    const Added noisy = added(reconstruct(measured(clean, car.layout, biased, 9), p), perfect);
-    const Added cured = added(reconstruct(measured(clean, car.layout, debiased, 9), p), perfect);
-    const double time = p.curvature_mean * foot / (v * mph);
+    const Record clean = cruise(line, v * mph);
+    const auto perfect = reconstruct(clean, {});
+    const Added noisy = added(reconstruct(measured(clean, {}, biased, 9), {}), perfect);
+    const Added cured = added(reconstruct(measured(clean, {}, debiased, 9), {}), perfect);
+    const double time = Processing{}.curvature_mean * foot / (v * mph);
     const double expected = rate * std::sqrt(1 + 0.5 / time) / (v * mph);
     item.agree(fmt::format("added-{:g}", v), fmt::format("what bias and noise add at {:g} mph", v),
                "deg/100 ft", noisy.rms / per_100ft, expected / per_100ft, 0.05,
                "bias, and white noise over the time of the mean");
-    item.add_row(v, misfit(perfect, t, Parameter::curvature, 700).rms / per_100ft,
+    item.add_row(v, rms_error(perfect, line.truth, Parameter::curvature, 700) / per_100ft,
                  noisy.rms / per_100ft, expected / per_100ft, cured.rms / per_100ft);
     lost_in_noise = lost_in_noise && std::abs(cured.mean) < std::sqrt(0.5) * cured.rms;
     if (v == 2.0) item.value("curvature-2", noisy.rms / per_100ft, "deg per 100 ft", "{:.2f}");
   }
   item.claim("debias", "debiasing the standing gyro effectively eliminates its residual bias",
              lost_in_noise, "after a minute the gyro's noise hides what is left, at every speed");
-  const Track rough = build(main_line());
-  const Record record = cruise(rough, car, 60 * mph);
-  Processing less = p;
-  less.corrections.truck_motion = false;
-  const auto rough_truth = truth(rough, p);
+  const Record rough = cruise(main_line(), 60 * mph);
+  const auto error = [&](bool corrected) {
+    Processing p;
+    p.corrections.truck_motion = corrected;
+    return rms_error(reconstruct(rough, p), main_line().truth, Parameter::curvature);
+  };
   item.claim("trucks", "yaw of the body against its trucks has to be taken off",
-             misfit(reconstruct(record, less), rough_truth, Parameter::curvature).rms >
-                 misfit(reconstruct(record, p), rough_truth, Parameter::curvature).rms,
-             "the error is larger without, with perfect sensors");
+             error(false) > error(true), "the error is larger without, with perfect sensors");
 }
 
 }  // namespace

@@ -8,67 +8,55 @@ of the car and not of the filter's band.
 */
 #include "experiment.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace railbook::filters_chapter {
 
 using namespace geometry_car;
 
-TrackDescription main_line(std::uint64_t seed) {
-  TrackDescription line;
-  line.seed = seed;
+Line line_of(const TrackDescription& description, const Car& car) {
+  const Track track = build(description);
+  return {track, car, truth(track, {.layout = car.layout})};
+}
+
+const Line& main_line() {
+  static const Line line = line_of({});
   return line;
 }
 
-TrackDescription bounce_line(std::uint64_t seed) {
-  TrackDescription line;
-  line.seed = seed;
-  line.line.A = line.gage_variation.A = line.opposite_share = 0;
-  line.curvature = line.superelevation = 0;
-  line.staggered = false;
-  return line;
-}
-
-Car bounce_car(double corner) {
+Line bounce_line(double corner) {
+  TrackDescription straight;
+  straight.line.A = straight.gage_variation.A = straight.opposite_share = 0;
+  straight.curvature = straight.superelevation = 0;
+  straight.staggered = false;
   Car car;
   car.layout.second_corner = corner;
   car.layout.transducers = car.layout.base;
-  return car;
+  return line_of(straight, car);
 }
 
-Record cruise(const Track& track, const Car& car, double speed) {
-  const double first = 80 * foot, last = track.length() - 1e-3;
+Record cruise(const Line& line, double speed) {
+  const double first = 80 * foot, last = line.track.length() - 1e-3;
   Motion motion{.start = speed > 0 ? first : last, .speed = speed};
   motion.cruise(last - first);
-  return drive(track, car, motion);
+  return drive(line.track, line.car, motion);
 }
 
 double rms(const std::vector<double>& values) {
   double sum = 0;
   int n = 0;
-  for (const double v : values) {
-    if (std::isnan(v)) continue;
-    sum += v * v;
-    ++n;
-  }
+  for (const double v : values)
+    if (!std::isnan(v)) sum += v * v, ++n;
   return n > 0 ? std::sqrt(sum / n) : 0.0;
 }
 
-Misfit misfit(const Measurement& measured, const Measurement& truth, Parameter parameter,
-              std::size_t from) {
-  Misfit result;
-  double sum = 0;
-  for (std::size_t i = from; i + from < measured.size(); ++i) {
-    const auto mark = static_cast<std::size_t>(measured.mark[i]);
-    const double error = measured[parameter][i] - truth[parameter][mark];
-    if (std::isnan(error)) continue;
-    sum += error * error;
-    result.largest = std::max(result.largest, std::abs(error));
-    ++result.rows;
-  }
-  result.rms = result.rows > 0 ? std::sqrt(sum / result.rows) : 0.0;
-  return result;
+double rms_error(const Measurement& measured, const Measurement& truth, Parameter parameter,
+                 std::size_t from) {
+  std::vector<double> errors;
+  for (std::size_t i = from; i + from < measured.size(); ++i)
+    errors.push_back(measured[parameter][i] -
+                     truth[parameter][static_cast<std::size_t>(measured.mark[i])]);
+  return rms(errors);
 }
 
 }  // namespace railbook::filters_chapter

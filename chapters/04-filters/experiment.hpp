@@ -14,26 +14,28 @@ inline constexpr double mph = units::mph, mm = units::millimetre, foot = units::
 inline constexpr double per_100ft =
     units::degree / (100 * foot);  // of curvature: a degree a chord of 100 ft
 
-// 8192 ft of main line with everything, and of straight track with two equal rails: all that bounce and profile need.
-geometry_car::TrackDescription main_line(std::uint64_t seed = 1);
-geometry_car::TrackDescription bounce_line(std::uint64_t seed = 1);
+// A track, the car that measures it, and what an ideal instrument would read.
+struct Line {
+  geometry_car::Track track;
+  geometry_car::Car car;
+  geometry_car::Measurement truth;
+};
+Line line_of(const geometry_car::TrackDescription& track, const geometry_car::Car& car = {});
 
-// A car with its vertical transducers above the rails, one sensor for each, and this corner of F (Hz): what the bounce line asks for.
-geometry_car::Car bounce_car(double corner = 1);
+// 8192 ft of main line with everything; built once.
+const Line& main_line();
+// Straight track with two equal rails, and a car with its vertical transducers above them, one sensor for each, and this corner of F (Hz):
+// all that bounce and profile need.
+Line bounce_line(double corner = 1);
 
 // From 80 ft to the end of the track, or back from there, at one speed (m/s).
-geometry_car::Record cruise(const geometry_car::Track& track, const geometry_car::Car& car,
-                            double speed);
+geometry_car::Record cruise(const Line& line, double speed);
 
 // Of the values that are known.
 double rms(const std::vector<double>& values);
 
-// RMS and largest of measured less true over the rows `from` to the end less `from` where both are known, SI.
-struct Misfit {
-  double rms = 0, largest = 0;
-  int rows = 0;
-};
-Misfit misfit(const geometry_car::Measurement& measured, const geometry_car::Measurement& truth,
-              geometry_car::Parameter parameter, std::size_t from = 0);
+// RMS of measured less true over the rows `from` to the end less `from` where both are known, SI.
+double rms_error(const geometry_car::Measurement& measured, const geometry_car::Measurement& truth,
+                 geometry_car::Parameter parameter, std::size_t from = 0);
 
 }  // namespace railbook::filters_chapter

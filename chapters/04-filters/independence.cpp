@@ -35,10 +35,6 @@ At {{tail-speed}} the two simple ones leave {{tail-linear}} and {{tail-reciproca
 namespace railbook::filters_chapter {
 namespace {
 
-double kappa_at(double speed) {
-  return gyro_corner * sample_distance / speed;
-}
-
 // The largest deviation of BC from its limit over all waves that the samples show.
 struct Deviation {
   double magnitude = 0, complex = 0;  // the second after a shift of half a sample
@@ -56,11 +52,6 @@ Deviation largest_deviation(double kappa) {
   return largest;
 }
 
-// By how much forward and reverse runs differ after the shift of half a sample, m.
-double directions_apart(double kappa) {
-  return 2 * (0.5 - filters::centroid_delay(kappa)) * sample_distance;
-}
-
 void small_kappa(report::Item& item) {
   item.rebuilt("the corner of 1 Hz is chosen");
   item.expect_checks(2);
@@ -73,25 +64,21 @@ void small_kappa(report::Item& item) {
   for (const double mph : {1.0, 5.0, 9.0, 15.0, 30.0, 80.0, 120.0}) {
     const double kappa = kappa_at(mph * units::mph);
     const Deviation d = largest_deviation(kappa);
-    item.add_row(mph, kappa, d.magnitude, d.complex, filters::centroid_delay(kappa),
-                 directions_apart(kappa) / units::millimetre);
+    const double apart = directions_apart(kappa) / units::millimetre;
+    item.add_row(mph, kappa, d.magnitude, d.complex, filters::centroid_delay(kappa), apart);
+    if (mph == 1) item.value("off-1", d.magnitude, "", "{:.2f}");
+    item.value(fmt::format("offset-{:g}", mph), apart, "mm", mph > 9 ? "{:.1f}" : "{:.0f}");
   }
-  const double apart_9 = directions_apart(kappa_at(9 * units::mph));
-  const double first_order = kappa_at(9 * units::mph) * sample_distance / 6;
+  // Over what the first term of the series says, kappa d/6.
+  const auto of_first_order = [](double speed) {
+    return directions_apart(kappa_at(speed)) / (kappa_at(speed) * sample_distance / 6);
+  };
   item.refute("direction", "the hybrid filter is independent of the direction of travel",
-              std::abs(apart_9 / first_order - 1) < 0.01,
+              std::abs(of_first_order(9 * units::mph) - 1) < 0.01,
               fmt::format("forward and reverse runs lie kappa d/6 apart, {:.0f} mm at 9 mph",
-                          apart_9 / units::millimetre));
-  item.agree("shift", "forward and reverse apart at 80 mph", "mm",
-             directions_apart(kappa_at(80 * units::mph)) / units::millimetre,
-             kappa_at(80 * units::mph) * sample_distance / 6 / units::millimetre, 1e-4,
-             "kappa d/6, the first term of the series");
-  item.value("off-1", largest_deviation(kappa_at(units::mph)).magnitude, "", "{:.2f}");
-  item.value("offset-1", directions_apart(kappa_at(units::mph)) / units::millimetre, "mm",
-             "{:.0f}");
-  item.value("offset-9", apart_9 / units::millimetre, "mm", "{:.0f}");
-  item.value("offset-80", directions_apart(kappa_at(80 * units::mph)) / units::millimetre, "mm",
-             "{:.1f}");
+                          directions_apart(kappa_at(9 * units::mph)) / units::millimetre));
+  item.agree("shift", "forward and reverse apart at 80 mph over kappa d/6", "",
+             of_first_order(80 * units::mph), 1, 1e-4, "the first term of the series");
 }
 
 // What an approximate exponential leaves of the input before the last interval.

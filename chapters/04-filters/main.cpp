@@ -89,5 +89,5 @@ int main(int argc, char** argv) {
        .sources = RAILBOOK_CHAPTER_DIR},
       {scene_of_car, filters_chapter::system, hybrid, independence, curvature, crosslevel, profile,
        speeds},
-      {cost, digits_of_filters, stability});
+      {cost, stability});
 }

@@ -42,89 +42,77 @@ using namespace geometry_car;
 
 namespace {
 
-struct Group {
-  std::string name;
-  std::vector<Channel> channels;  // none: the encoder
-};
-
-const std::vector<Group>& groups() {
+// The sensors as the paper groups them; the encoder has no channel.
+const std::vector<std::pair<std::string, std::vector<Channel>>>& groups() {
   using enum Channel;
-  static const std::vector<Group> list{{"gage sensors", {gage_left, gage_right}},
-                                       {"yaw gyro", {yaw_rate}},
-                                       {"sway sensors front", {sway_front_a, sway_front_b}},
-                                       {"sway sensor rear", {sway_rear}},
-                                       {"inclinometer", {inclinometer}},
-                                       {"roll gyro", {roll_rate}},
-                                       {"height sensors", {height_left, height_right}},
-                                       {"vertical accelerometers", {vertical_left, vertical_right}},
-                                       {"lateral accelerometer", {lateral}},
-                                       {"encoder", {}}};
+  static const std::vector<std::pair<std::string, std::vector<Channel>>> list{
+      {"gage sensors", {gage_left, gage_right}},
+      {"yaw gyro", {yaw_rate}},
+      {"sway sensors front", {sway_front_a, sway_front_b}},
+      {"sway sensor rear", {sway_rear}},
+      {"inclinometer", {inclinometer}},
+      {"roll gyro", {roll_rate}},
+      {"height sensors", {height_left, height_right}},
+      {"vertical accelerometers", {vertical_left, vertical_right}},
+      {"lateral accelerometer", {lateral}},
+      {"encoder", {}}};
   return list;
 }
 
+using Names = std::vector<std::string>;
+
 // Groups of which each member, disturbed alone, changes one of the parameters, in the order of groups().
-std::vector<std::string> needed(const Record& record, const Measurement& whole,
-                                const Processing& processing,
-                                const std::vector<Parameter>& parameters) {
-  std::vector<std::string> names;
+Names needed(const Record& record, const std::vector<Parameter>& made_of) {
+  const Measurement whole = reconstruct(record, {});
   const auto changes = [&](const Record& disturbed) {
-    const Measurement m = reconstruct(disturbed, processing);
-    for (const Parameter p : parameters)
+    const Measurement m = reconstruct(disturbed, {});
+    for (const Parameter p : made_of)
       for (std::size_t i = 0; i < m.size(); ++i)
         if (!std::isnan(m[p][i]) && m[p][i] != whole[p][i]) return true;
     return false;
   };
-  for (const Group& group : groups()) {
+  Names names;
+  for (const auto& [name, members] : groups()) {
     bool all = true;
-    for (const Channel c : group.channels) {
+    for (const Channel c : members) {
       Record r = record;
       for (std::size_t i = 0; i < r.size(); ++i)
         r[c][i] += 1e-3 * std::sin(0.1 * static_cast<double>(i));
       all = all && changes(r);
     }
-    if (group.channels.empty()) {
+    if (members.empty()) {
       Record r = record;
       for (double& T : r.elapsed) T *= 1.01;
       all = changes(r);
     }
-    if (all) names.push_back(group.name);
+    if (all) names.push_back(name);
   }
   return names;
-}
-
-bool has(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 void table_sensors(report::Item& item) {
   item.rebuilt("from the text; the paper's Figure 3 is not legible in our copy");
   item.expect_checks(5);
-  TrackDescription line = main_line();
-  line.length = 1500 * foot;
-  const Car car;
-  const Record record = cruise(build(line), car, 60 * mph);
-  const Processing processing{.layout = car.layout};
-  const Measurement whole = reconstruct(record, processing);
+  const Record record = cruise(line_of({.length = 1500 * foot}), 60 * mph);
   std::vector<report::Heading> headings{"parameter"};
-  for (const Group& g : groups()) headings.emplace_back(g.name);
+  for (const auto& [name, members] : groups()) headings.emplace_back(name);
   item.columns(headings);
-  const auto found = [&](const std::string& name, const std::vector<Parameter>& made_of) {
-    const auto names = needed(record, whole, processing, made_of);
-    std::vector<std::string> cells{name};
-    for (const Group& g : groups()) cells.emplace_back(has(names, g.name) ? "●" : "");
+  const auto found = [&](const char* name, const std::vector<Parameter>& made_of) {
+    Names names = needed(record, made_of), cells{name};
+    for (const auto& [group, members] : groups())
+      cells.emplace_back(std::ranges::count(names, group) > 0 ? "●" : "");
     item.add_row(cells);
     return names;
   };
-  using Names = std::vector<std::string>;
   using enum Parameter;
-  const Names roll{"yaw gyro", "inclinometer", "roll gyro", "height sensors", "encoder"};
   item.claim("gage", "gage is made of the gage sensors",
              found("gage", {gage}) == Names{"gage sensors"});
   item.claim("curvature", "curvature: yaw gyro, three sway sensors, encoder",
              found("curvature", {curvature, curvature_rate}) ==
                  Names{"yaw gyro", "sway sensors front", "sway sensor rear", "encoder"});
   item.claim("crosslevel", "crosslevel: inclinometer, roll gyro, height sensors, yaw gyro, encoder",
-             found("crosslevel", {Parameter::crosslevel, warp}) == roll);
+             found("crosslevel", {Parameter::crosslevel, warp}) ==
+                 Names{"yaw gyro", "inclinometer", "roll gyro", "height sensors", "encoder"});
   item.refute("profile",
               "profile: two accelerometers and all of the crosslevel and curvature systems",
               found("profile", {profile_left, profile_right, surface_left, surface_right}) ==
@@ -147,10 +135,7 @@ long lag(const Measurement& m, const Measurement& t, Parameter p) {
       const double e = m[p][i] - t[p][static_cast<std::size_t>(m.mark[i] + shift)];
       if (!std::isnan(e)) sum += e * e;
     }
-    if (sum < least) {
-      least = sum;
-      best = shift;
-    }
+    if (sum < least) least = sum, best = shift;
   }
   return best;
 }
@@ -161,20 +146,15 @@ void table_system(report::Item& item) {
   item.columns({"the paper says", "found"});
   item.print("location", "a mark read at the nearest sample lies within", "in", "6",
              0.5 * Layout{}.sample / units::inch);
-  TrackDescription line = main_line();
-  line.length = 3000 * foot;
-  const Track track = build(line);
-  const Car car;
-  const Processing p{.layout = car.layout};
-  const Measurement t = truth(track, p);
+  const Line line = line_of({.length = 3000 * foot});
   using enum Parameter;
   bool synchronous = true;
   Record record;
   for (const double v : {60.0, -60.0}) {
-    record = measured(cruise(track, car, v * mph), car.layout, typical_sensors(), 2);
-    const Measurement m = reconstruct(record, p);
+    record = measured(cruise(line, v * mph), {}, typical_sensors(), 2);
+    const Measurement m = reconstruct(record, {});
     for (const Parameter q : {gage, Parameter::crosslevel, profile_left, alignment_left})
-      synchronous = synchronous && lag(m, t, q) == 0;
+      synchronous = synchronous && lag(m, line.truth, q) == 0;
   }
   item.claim("synchronous",
              "all parameters stand at one place of the track, forwards and backwards", synchronous,
@@ -187,11 +167,10 @@ void table_system(report::Item& item) {
   for (const ChannelInfo& c : channel_list()) {
     Record r = record;
     for (std::size_t i = 1000; i < 1300; ++i) r[c.channel][i] = r[c.channel][1000];
-    for (const Finding& f : examine(r, p).findings)
+    for (const Finding& f : examine(r, {}).findings)
       if (f.fault == Fault::still && f.what == c.name) ++seen;
   }
-  Record clean = record;
-  const bool quiet = examine(clean, p).findings.empty();
+  const bool quiet = examine(record, {}).findings.empty();
   item.claim("faults", "an algorithm detects out-of-range signals and lack of activity",
              seen == channels && quiet,
              "each sensor that stands still over 300 ft is named, and no other");

@@ -6,12 +6,6 @@
 
 {{work-precision: cost-length}}
 
-## Digits
-
-{{include: digits.cpp}}
-
-{{digits}}
-
 ## Stability
 
 What a car does to its filters: it stops, it reverses, its encoder counts twice, a sensor stands still. Each row puts one of these into a filter, or into the simulated car,
