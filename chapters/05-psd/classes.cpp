@@ -34,7 +34,7 @@ below. So the number in print was either larger than (8) makes it, or the points
 
 {{fig-11}}
 
-{{include: answer.cpp}}
+Below {{fig-11}} a track can be chosen by its roughness $A$ and its dip $B$: the class that rule (10) gives it, and how much of the deviation each part has.
 
 On log-log paper each class limit is a rounded corner: up to it the class is set by $A$ alone, right of it by $B$ alone. On the dashed
 line both parts weigh the same. "All points tended to cluster" near it, says the paper, "thus" a rougher random part goes with deeper joints: the
@@ -45,8 +45,8 @@ the line and welded track to the left, holds for {{jointed-right}} of 6 jointed 
 
 #include <cmath>
 
+#include "report/answer.hpp"
 #include "sections.hpp"
-#include "spectra/chord.hpp"
 
 namespace railbook::psd_chapter {
 
@@ -71,25 +71,20 @@ int class_of(const Zone& zone, const spectra::ClassRule& rule) {
   return spectra::classify(zone.track.A, zone.track.B, rule).track_class;
 }
 
-/*** The range of $k$ that a printed class allows follows from its limits in closed form. */
-spectra::CoefficientRange common_range(const std::vector<Zone>& all,
-                                       const table::CsvTable& table_3) {
-  spectra::CoefficientRange common{0, units::no_limit};
-  for (const Zone& zone : all) {
-    const auto range = spectra::coefficient_range(zone.track.A, zone.track.B,
-                                                  printed_class(table_3, zone.name), paper_rule);
-    common = {std::max(common.low, range.low), std::min(common.high, range.high)};
-  }
-  return common;
-}
-
 void table_3(report::Item& item) {
   const table::CsvTable printed = item.printed("table-3.csv");
   const auto all = zones(item);
   item.expect_checks(static_cast<int>(all.size()) + 3);
   int applies = 0, agrees = 0, most_off = 0, in_class_5 = 0;
-  item.columns({"zone", "3σ, mm", "2B, mm", "d, mm", "class limit, mm", "d / limit", "class",
-                "class printed", "railroad's class (km/h)"});
+  item.columns({"zone",
+                {"3σ, mm", "{:.2f}"},
+                {"2B, mm", "{:.1f}"},
+                {"d, mm", "{:.1f}"},
+                {"class limit, mm", "{:.2f}"},
+                {"d / limit", "{:.3f}"},
+                {"class", "{:.0f}"},
+                "class printed",
+                "railroad's class (km/h)"});
   for (const Zone& zone : all) {
     const auto result = spectra::classify(zone.track.A, zone.track.B, paper_rule);
     const std::string& paper = printed.at(zone.name, "class");
@@ -111,13 +106,11 @@ void table_3(report::Item& item) {
       agrees += off == 0;
       most_off = std::max(most_off, std::abs(off));
     }
-    item.add_row(
-        {zone.name, fmt::format("{:.2f}", result.random / mm),
-         fmt::format("{:.1f}", result.periodic / mm), fmt::format("{:.1f}", result.deviation / mm),
-         fmt::format("{:.2f}", result.deviation / (1 - result.margin) / mm),
-         fmt::format("{:.3f}", 1 - result.margin), std::to_string(result.track_class), paper,
-         fmt::format("{} ({})", printed.at(zone.name, "railroad_class"),
-                     printed.at(zone.name, "railroad_kmh"))});
+    item.add_row(zone.name, result.random / mm, result.periodic / mm, result.deviation / mm,
+                 result.deviation / (1 - result.margin) / mm, 1 - result.margin,
+                 double(result.track_class), paper,
+                 fmt::format("{} ({})", printed.at(zone.name, "railroad_class"),
+                             printed.at(zone.name, "railroad_kmh")));
   }
   item.claim(
       "railroad", "where correct data is available, Figure 11 agrees well with the railroad",
@@ -170,7 +163,13 @@ void table_k(report::Item& item) {
         others += (others.empty() ? "" : ", ") + zone.name;
     item.add_row(k, readings.at(i, "what"), double(as_printed), others);
   }
-  const auto range = common_range(all, table_3);
+  // The range of k that a printed class allows follows from its limits in closed form.
+  spectra::CoefficientRange range{0, units::no_limit};
+  for (const Zone& zone : all) {
+    const auto of = spectra::coefficient_range(zone.track.A, zone.track.B,
+                                               printed_class(table_3, zone.name), paper_rule);
+    range = {std::max(range.low, of.low), std::min(range.high, of.high)};
+  }
   item.value("k-19", k_19, "m", "{:.2f}");
   item.value("k-62", spectra::random_coefficient({}), "m", "{:.2f}");
   item.value("k-low", range.low, "m", "{:.0f}");
@@ -194,6 +193,34 @@ void limit_curves(report::Item& item) {
     for (double A = roughness_at(D, end * (1 - 1e-4)); A > 1e-9; A *= 0.5)
       limits.add(m, end / mm, A);
     limits.gap();
+  }
+}
+
+// The answer below the figure.
+void class_answer(report::Item& item) {
+  report::Answer answer{item,
+                        {"A_m²-cycle/m", "B_mm"},
+                        {{"random part of the spectrum", "wavenumber, cycle/m",
+                          "density, m²/(cycle/m)", 0.005, 1, 1e-9, 0.1, "log"},
+                         {"design deviation", "class", "mm", 0.5, 6.5, 0, 80},
+                         {.name = "class", .kind = "says"}}};
+  for (int i = 0; i <= 10; ++i) {
+    const double A = 1e-8 * std::pow(10.0, 0.25 * i);
+    for (double B = 0; B < 21; B += 2) {
+      const auto c = spectra::classify(A, B * mm, paper_rule);
+      answer.at({A, B});
+      for (const double phi : {0.005, 1.0})  // a straight line on these axes
+        answer.point("random part of the spectrum", "", phi, spectra::random_psd({.A = A}, phi));
+      for (int m = 1; m <= spectra::classes; ++m)
+        answer.point("design deviation", "limit of the class", m,
+                     paper_rule.limits[static_cast<std::size_t>(m - 1)] / mm);
+      answer.point("design deviation", "this track", 0.5, c.deviation / mm);
+      answer.point("design deviation", "this track", 6.5, c.deviation / mm);
+      answer.says("class", "class", c.track_class);
+      answer.says("class", "deviation d, mm", c.deviation / mm);
+      answer.says("class", "of the random part, mm", c.random / mm);
+      answer.says("class", "of the joints, mm", c.periodic / mm);
+    }
   }
 }
 

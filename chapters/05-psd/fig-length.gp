@@ -25,7 +25,8 @@ set yrange [-3:100]
 unset arrow 1
 plot for [w = 1:3] ARG3 using (strcol("method") eq word(ways, w) ? column("length_km") * shift(w) : NaN):"right_percent":"error" \
      with yerrorbars lt w dt solid title word(ways, w), \
-     ARG3 using (strcol("method") eq word(ways, 1) ? column("length_km") : NaN):"stated_percent" with lines lt 1 title "stated probability"
+     ARG3 using (strcol("method") eq word(ways, 1) ? column("length_km") : NaN):"stated_percent" with lines lt 1 title "stated by the library", \
+     NaN with lines dt 2 lc rgb grey title "slope of 1/√length"
 unset key
 unset title
 set xlabel "length of record, km"

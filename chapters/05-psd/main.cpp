@@ -82,6 +82,7 @@ Kaufman, in *Mechanics of Transportation Systems*, AMD-Vol. 15, presented at the
 */
 #include <algorithm>
 
+#include "num/random_source.hpp"
 #include "sections.hpp"
 
 namespace railbook::psd_chapter {
@@ -93,6 +94,10 @@ spectra::SyntheticTrack synthetic(const spectra::TrackParameters& track, std::ui
           .rail_length = rail,
           .dip = spectra::convert_dip(track.B, LineConvention::printed,
                                       LineConvention::exact_one_sided)};
+}
+
+double by_chance(int rows) {
+  return num::normal_quantile(1 - 0.005 / rows);
 }
 
 spectra::Spectrum record_spectrum(const spectra::SyntheticTrack& track, double length,
@@ -125,5 +130,5 @@ int main(int argc, char** argv) {
                 "00128608)",
        .sources = RAILBOOK_CHAPTER_DIR},
       {processes, modulated, extraction, table_of_zones, chords, classes},
-      {accuracy, extremes, digits});
+      {accuracy, estimates, extremes});
 }

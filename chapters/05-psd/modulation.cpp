@@ -128,7 +128,7 @@ void fig_04(report::Item& item) {
   const auto pairs = spectra::modulated_lines(phi_0, dip, 0.5, eps, 1.0);
   report::Data& curve =
       item.data("formula", {"phi_cycle_per_m", "random", "grouped", "single", "pair"});
-  for (double phi = 0.05; phi < 0.13; phi += 0.02 * resolution) {
+  for (double phi = 0.05; phi < 0.13; phi += 0.1 * resolution) {  // ten to a side lobe
     const double line = lines_seen(lines, phi, resolution);
     curve.add(phi, line + scattered(0, phi), line + scattered(in_groups, phi),
               lines_seen(with_memory, phi, resolution), lines_seen(pairs, phi, resolution));
@@ -160,8 +160,9 @@ constexpr double modulation = 0.5;
 
 void fig_06_curves(report::Data& curve) {
   const double fundamental = -spectra::line_strength(1, 5, LineConvention::exact_one_sided);  // mm
-  for (int i = 0; i <= 1430; ++i) {
-    const double x = 0.1 * i * units::foot * 3;  // one period of everything: 429 ft
+  for (int i = 0; i <= 715; ++i) {
+    const double x =
+        0.6 * i * units::foot;  // one period of everything: 429 ft; joints are among them
     const double old = -10 * (1 - spectra::rectified_sine(x, old_rail, 1.0));
     const double left = fundamental * std::cos(2 * units::pi * x / old_rail);
     const double fresh = -10 * (1 - spectra::rectified_sine(x, rail, 1.0));
@@ -230,7 +231,14 @@ void fig_07(report::Item& item) {
   const spectra::Spectrum spectrum = record_spectrum(track, length, {});
   const auto lines = spectra::modulated_lines(phi_0, track.dip, 0.0, 0.0, 1.7);
   report::Data& curve = item.data({"phi_cycle_per_m", "S_random", "S_periodic", "S_composite"});
-  for (double phi = 0.01; phi < 1.6; phi += std::min(0.002 * phi, 0.1 * spectrum.df)) {
+  // Ten points to a lobe of the first two lines, whose feet the picture shows; twenty to the width of the others.
+  const auto step = [&](double phi) {
+    const double off = std::abs(phi / phi_0 - std::round(phi / phi_0)) * phi_0;
+    return phi < 2.5 * phi_0         ? std::min(0.005 * phi, 0.1 * spectrum.df)
+           : off < 2.5 * spectrum.df ? 0.2 * spectrum.df
+                                     : std::min(0.005 * phi, spectrum.df);
+  };
+  for (double phi = 0.01; phi < 1.6; phi += step(phi)) {
     const double random = spectra::random_psd(zone.track, phi);
     const double line = lines_seen(lines, phi, spectrum.df);
     curve.add(phi, random, line, random + line);

@@ -39,6 +39,10 @@ double lines_seen(const std::vector<spectra::Line>& lines, double phi, double df
 // The variance that a chord (m) reads on S = 1/phi^2, without the closed form of (8).
 double variance_by_quadrature(double chord);
 
+// How many standard errors one of `rows` normal numbers exceeds, to either side, by chance once in a hundred times: 1 % shared out
+// among the rows (Bonferroni).
+double by_chance(int rows);
+
 // A zone as a track to be synthesised, and the spectrum of the first `length` metres of a track.
 spectra::SyntheticTrack synthetic(const spectra::TrackParameters& track, std::uint64_t seed);
 spectra::Spectrum record_spectrum(const spectra::SyntheticTrack& track, double length,
@@ -50,8 +54,6 @@ extern const report::Section extraction;      // Figures 8 and 9, equation (6)
 extern const report::Section table_of_zones;  // Table 1, equation (7)
 extern const report::Section chords;          // equation (8), Table 2, Figure 10
 extern const report::Section classes;         // Table 3, Figure 11, equations (9) and (10)
-extern const report::Section accuracy, extremes, digits;  // study/
-
-void class_answer(report::Item& item);  // of Figure 11
+extern const report::Section accuracy, estimates, extremes;  // study/
 
 }  // namespace railbook::psd_chapter

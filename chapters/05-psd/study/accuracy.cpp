@@ -168,6 +168,8 @@ void fig_length(report::Item& item) {
     }
   }
   item.expect_checks(3 * quantities);
+  // A scatter of n records has the standard error 1/sqrt(2n) of itself.
+  const double chance = by_chance(3 * quantities);
   const auto &own = study.found[0], &plain = study.found[2];
   for (int q = 0; q < quantities; ++q) {
     double stated = 0;
@@ -176,14 +178,15 @@ void fig_length(report::Item& item) {
                          std::log(study.lengths.back() / study.lengths.front());
     const std::string name = names[q];
     item.agree("claim-" + name, "scatter over its stated error, mean of the lengths: " + name, "",
-               stated, 1, 0.02 + 4 / std::sqrt(2.0) / root, "stated errors; counting, and 2 %");
-    item.at_most(
-        "root-" + name, "scatter falls as the root of the length, exponent off by: " + name, "",
-        std::abs(slope + 0.5), 4 / root / std::log(study.lengths.back() / study.lengths.front()),
-        "four standard errors of two scatters");
+               stated, 1, chance / std::sqrt(2.0) / root, "stated errors; chance of counting");
+    item.at_most("root-" + name,
+                 "scatter falls as the root of the length, exponent off by: " + name, "",
+                 std::abs(slope + 0.5),
+                 chance / root / std::log(study.lengths.back() / study.lengths.front()),
+                 "chance of two scatters");
     item.at_most("bias-" + name, "bias at the longest length: " + name, "",
-                 std::abs(own.back().bias[q]), 0.01 + 4 * own.back().scatter[q] / root,
-                 "1 %, and four standard errors");
+                 std::abs(own.back().bias[q]), 0.01 + chance * own.back().scatter[q] / root,
+                 "1 % that the fit states, and chance");
   }
   std::vector<double> kilometres;
   for (const double length : study.lengths) kilometres.push_back(length / km);

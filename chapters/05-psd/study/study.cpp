@@ -4,11 +4,11 @@
 
 {{include: accuracy.cpp}}
 
+## Stated errors
+
+{{include: estimates.cpp}}
+
 ## Stability
 
 {{include: stability.cpp}}
-
-## Stated errors and digits
-
-{{include: digits.cpp}}
 */
