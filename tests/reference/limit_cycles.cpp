@@ -228,23 +228,27 @@ std::string digits(double x, int count) {
 
 // The matrix that a motion q e^(lambda t) is a null vector of, for given sizes of the wheelsets' and the joints' motions.
 using Gains = std::array<double, 3>;
+const std::vector<double>& sines() {  // over half a cycle, in the middles of equal steps
+  static const std::vector<double> all = [] {
+    std::vector<double> out;
+    for (int k = 0; k < 4000; ++k) out.push_back(std::sin(two_pi / 2 * (k + 0.5) / 4000));
+    return out;
+  }();
+  return all;
+}
 Gains gains(const Table& table, double size) {
-  constexpr int n = 4000;
   Gains out{};
-  for (int k = 0; k < n; ++k) {
-    const double s = std::sin(two_pi / 2 * (k + 0.5) / n), x = size * s,
-                 weight = 2 * s / (n * size);
+  for (const double s : sines()) {
+    const double x = size * s, weight = 2 * s / (double(sines().size()) * size);
     out[0] += weight * table.R(x), out[1] += weight * table.D(x), out[2] += weight * table.Phi(x);
   }
   return out;
 }
-double friction_gain(const Slider& s, double size) {
-  constexpr int n = 5000;  // the sine passes the width of the friction within a few of them
+double friction_gain(const Slider& slider, double size) {
   double out = 0;
-  for (int k = 0; k < n; ++k) {
-    const double sine = std::sin(two_pi / 2 * (k + 0.5) / n);
-    out += 2 * sine / (n * size) * s.level * std::min(1.0, size * sine / s.stick);
-  }
+  for (const double s : sines())
+    out += 2 * s / (double(sines().size()) * size) * slider.level *
+           std::min(1.0, size * s / slider.stick);
   return out;
 }
 
