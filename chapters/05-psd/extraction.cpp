@@ -83,14 +83,14 @@ struct Reading {
 const std::vector<Reading>& readings(const report::Item& item) {
   static const auto result = [&] {
     std::vector<Reading> made;
-    const auto all = zones(item);
     for (const std::size_t number : shown) {
-      const Zone& zone = all.at(number - 1);
+      const Zone zone = zones(item).at(number - 1);
       const auto spectrum =
           record_spectrum(reconstructed_track(zone), 40 * km, {.segment = paper_segment});
-      const spectra::FitOptions options{.rail_length = 1 / zone.track.phi_0,
-                                        .line_half_width = broad(zone) ? 0.035 : 0.02};
-      made.push_back({zone, spectrum, spectra::fit_track_spectrum(spectrum, options)});
+      made.push_back(
+          {zone, spectrum,
+           spectra::fit_track_spectrum(spectrum, {.rail_length = 1 / zone.track.phi_0,
+                                                  .line_half_width = broad(zone) ? 0.035 : 0.02})});
     }
     return made;
   }();
@@ -122,17 +122,24 @@ void fig_08(report::Item& item) {
 void table_peaks(report::Item& item) {
   const table::CsvTable table_1 = item.printed("table-1.csv");
   item.rebuilt("synthetic track; the printed parameters are what was put in");
-  item.columns({"zone", "A printed", "A found", "φ<sub>c</sub> printed", "φ<sub>c</sub> found",
-                "C₁ printed", "C₁ found", "β printed", "width at half height", "Q₁/C₁",
-                "B printed, mm", "B found, mm"});
+  item.columns({"zone",
+                "A printed",
+                {"A found", "{:.1e}"},
+                "φ<sub>c</sub> printed",
+                {"φ<sub>c</sub> found", "{:.3f}"},
+                "C₁ printed",
+                {"C₁ found", "{:.1e}"},
+                "β printed",
+                {"width at half height", "{:.3f}"},
+                {"Q₁/C₁", "{:.3f}"},
+                "B printed, mm",
+                "B found, mm"});
   for (const Reading& r : readings(item)) {
     const auto printed = [&](const char* column) { return table_1.at(r.zone.name, column); };
     item.add_row(
-        {r.zone.name, printed("A"), fmt::format("{:.1e}", r.fit.A.value), printed("phi_c"),
-         fmt::format("{:.3f}", r.fit.phi_c.value), printed("C_1"), fmt::format("{:.1e}", r.fit.C_1),
-         printed("beta"), fmt::format("{:.3f}", r.fit.half_width),
-         fmt::format("{:.3f}", r.fit.beta), printed("B"),
-         fmt::format("{:.1f} ± {:.1f}", r.fit.B_printed.value / mm, r.fit.B_printed.error / mm)});
+        r.zone.name, printed("A"), r.fit.A.value, printed("phi_c"), r.fit.phi_c.value,
+        printed("C_1"), r.fit.C_1, printed("beta"), r.fit.half_width, r.fit.beta, printed("B"),
+        fmt::format("{:.1f} ± {:.1f}", r.fit.B_printed.value / mm, r.fit.B_printed.error / mm));
   }
   item.value("lorentz", units::pi / 2, "", "{:.2f}");
   item.value("lorentz-B", 100 * (1 - std::sqrt(2 / units::pi)), "%", "{:.0f}");
@@ -145,15 +152,17 @@ void table_resolution(report::Item& item) {
   const Zone zone = zones(item).at(6);
   const double Q_1 = spectra::line_power(1, zone.track.B, LineConvention::printed);
   item.expect_checks(2);
-  item.columns({"segment, ft", "bin, cycle/m", "width at half height", "Q₁/C₁", "C₁ of zone 7"});
+  item.columns({{"segment, ft", "{:.0f}"},
+                {"bin, cycle/m", "{:.5f}"},
+                {"width at half height", "{:.4f}"},
+                {"Q₁/C₁", "{:.4f}"},
+                {"C₁ of zone 7", "{:.2e}"}});
   for (const std::size_t segment : {256U, 512U, 4096U}) {
     spectra::SyntheticTrack joints = synthetic(zone.track, 1);
     joints.A = 0;
     const auto spectrum = record_spectrum(joints, 20 * km, {.segment = segment});
     const auto fit = spectra::fit_track_spectrum(spectrum);
-    item.add_row({std::to_string(segment), fmt::format("{:.5f}", spectrum.df),
-                  fmt::format("{:.4f}", fit.half_width), fmt::format("{:.4f}", fit.beta),
-                  fmt::format("{:.2e}", fit.C_1)});
+    item.add_row(double(segment), spectrum.df, fit.half_width, fit.beta, fit.C_1);
     if (segment != paper_segment) continue;
     item.print("beta", "width of a pure line, 512 ft", "cycle/m", "0.010", fit.beta,
                report::fitted("the segment length was chosen for it",

@@ -1,4 +1,5 @@
 load "style.gp"
+set terminal pngcairo size 1000,520
 set output ARG2
 set logscale xy
 set xrange [0.006:1.6]

@@ -59,10 +59,11 @@ void fig_01(report::Item& item) {
 }
 
 void lines(report::Item& item) {
-  const auto as_printed = [](int n) { return spectra::line_power(n, 1, LineConvention::printed); };
-  const auto exact = [](int n) {
-    return spectra::line_power(n, 1, LineConvention::exact_one_sided);
+  const auto power = [](LineConvention c) {
+    return [c](int n) { return spectra::line_power(n, 1, c); };
   };
+  const auto as_printed = power(LineConvention::printed),
+             exact = power(LineConvention::exact_one_sided);
   const double variance = spectra::rectified_sine_variance(1.0);
   item.expect_checks(5);
   item.columns({{"n", "{:.0f}"},
@@ -80,11 +81,10 @@ void lines(report::Item& item) {
                  line_power_by_transform(2) / 4, 1e-5,
                  "the paper divided its rounded Q₁ by 25; a quarter of the line's power by "
                  "transform"));
-  const char* transform = "a transform of the sampled profile";
-  item.agree("Q1-exact", "exact line 1", "B²", exact(1), line_power_by_transform(1), 1e-6,
-             transform);
-  item.agree("Q2-exact", "exact line 2", "B²", exact(2), line_power_by_transform(2), 1e-6,
-             transform);
+  for (const int n : {1, 2})
+    item.agree(fmt::format("Q{}-exact", n), fmt::format("exact line {}", n), "B²", exact(n),
+               line_power_by_transform(static_cast<std::size_t>(n)), 1e-6,
+               "a transform of the sampled profile");
   double sum_printed = 0, sum_exact = 0;
   for (int n = 1; n <= 2000; ++n) sum_printed += as_printed(n), sum_exact += exact(n);
   item.agree("sum", "sum of the exact lines", "B²", sum_exact, variance, 1e-9,
@@ -106,13 +106,11 @@ Hann window: lines, window, and the lines seen through it, for 1024 samples of 1
 {{fig-02}}
 */
 double hann_line(double offset, double df) {
-  const double u = offset / df;
-  double amplitude = 0.5;  // its limit at |u| = 1
-  if (std::abs(u) < 1e-9) {
-    amplitude = 1.0;
-  } else if (std::abs(std::abs(u) - 1.0) > 1e-9) {
-    amplitude = std::sin(units::pi * u) / (units::pi * u * (1.0 - u * u));
-  }
+  const double u = std::abs(offset / df);
+  const double amplitude = u < 1e-9 ? 1.0
+                           : std::abs(u - 1) < 1e-9
+                               ? 0.5
+                               : std::sin(units::pi * u) / (units::pi * u * (1 - u * u));
   return amplitude * amplitude / (1.5 * df);
 }
 

@@ -90,7 +90,6 @@ Closure check_row(report::Item& item, const table::CsvTable& printed, const Zone
   return c;
 }
 
-/*** Thirteen rows: */
 void table_1(report::Item& item) {
   const table::CsvTable printed = item.printed("table-1.csv");
   const auto all = zones(item);

@@ -364,8 +364,6 @@ void doubt(const Work& w, WheelResult& out) {
     if (p.strips.two_lobes)
       say("two areas of overlap in one patch: rough by this method; take the full theory");
     if (p.patch.merged) say("two areas of overlap are near one another and share one frame");
-    if (p.patch.at_end)
-      say("off the profile: the overlap reaches an end of one, beyond which no body is taken");
     if (p.patch.turn > 0.35)
       say(fmt::format(
           "conformal: the rail turns by {:.2f} rad over the patch, whose frame is plane",

@@ -33,6 +33,7 @@ The same filter in several ways; the number type is a parameter where it matters
 #include <complex>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bench/work_precision.hpp"
@@ -237,19 +238,17 @@ void cost_length(report::Item& item) {
   item.added("not in the paper");
 }
 
-// What went in `length` pushes ago, and the sum since.
+// A sum over the last `length` samples.
 template <class Number>
 struct Window {
   std::vector<Number> ring;
   std::size_t at = 0;
-  Number sum{};
+  Number sum{}, old{};  // what went in `length` samples ago
   explicit Window(std::size_t length) : ring(length) {}
   Number push(Number x) {
-    const Number old = ring[at];
-    sum += x - old;
-    ring[at] = x;
-    at = at + 1 == ring.size() ? 0 : at + 1;
-    return old;
+    old = std::exchange(ring[at], x);
+    if (++at == ring.size()) at = 0;
+    return sum += x - old;
   }
 };
 
@@ -258,36 +257,27 @@ enum class Endless { sums, integrators };
 
 // The numerator over 2 M^p of the newest output.
 template <class Number>
-class EndlessFilter {
- public:
-  explicit EndlessFilter(Endless way) : way_(way) {}
+struct EndlessFilter {
+  Endless way;
+  Number slope{}, height{};
+  Window<Number> first{N}, second{N}, delay{centre};
+  std::array<Window<Number>, passes> means{Window<Number>{M}, Window<Number>{M}, Window<Number>{M},
+                                           Window<Number>{M}};
+
   Number push(Number x) {
-    constexpr auto scale = static_cast<Number>(M) * M * M * M;
     Number chord;  // twice the 62-ft one
-    if (way_ == Endless::sums) {
-      first_.push(x);
-      second_.push(first_.sum);
-      chord = second_.sum + second_.sum;
+    if (way == Endless::sums) {
+      chord = 2 * second.push(first.push(x));
     } else {
-      slope_ -= x + x;
-      height_ += slope_;
-      const Number middle = half_.push(height_), end = other_half_.push(middle);
-      chord = middle + middle - height_ - end;
+      height += slope -= 2 * x;
+      first.push(height), second.push(first.old);
+      chord = 2 * first.old - height - second.old;
     }
     Number sum = chord;
-    for (Window<Number>& mean : means_) {
-      mean.push(sum);
-      sum = mean.sum;
-    }
-    return centre_.push(chord) * scale - sum;
+    for (Window<Number>& mean : means) sum = mean.push(sum);
+    delay.push(chord);
+    return delay.old * static_cast<Number>(M) * M * M * M - sum;
   }
-
- private:
-  Endless way_;
-  Number slope_{}, height_{};
-  Window<Number> first_{N}, second_{N}, half_{N}, other_half_{N}, centre_{centre};
-  std::array<Window<Number>, passes> means_{Window<Number>{M}, Window<Number>{M}, Window<Number>{M},
-                                            Window<Number>{M}};
 };
 
 // The largest error, m, among the samples from one count to the next of `counts` (ascending), fed with `period` over and over.
@@ -297,7 +287,7 @@ Values drift(Endless way, const std::vector<std::int64_t>& period,
   auto twice = period;  // the answer repeats as the input does
   twice.insert(twice.end(), period.begin(), period.end());
   const auto exact = exact_composite(twice);
-  EndlessFilter<Number> filter{way};
+  EndlessFilter<Number> filter{.way = way};
   Values errors;
   std::size_t at = 0, in = 0;
   for (const std::size_t count : counts) {
@@ -330,12 +320,11 @@ void cost_drift(report::Item& item) {
       data.add(static_cast<double>(counts[i]), name, errors[i] / scale);
     data.gap();
     const auto lost = std::ranges::find_if(errors, [&](double e) { return !(e < 1e-3 * scale); });
-    const auto at =
-        lost == errors.end() ? counts.size() - 1 : static_cast<std::size_t>(lost - errors.begin());
-    said += fmt::format("{}by {} {}within {:.0e}{}",
+    const bool kept = lost == errors.end();
+    const auto at = kept ? counts.size() - 1 : static_cast<std::size_t>(lost - errors.begin());
+    said += fmt::format("{}by {} {}within {:.0e} samples",
                         said.empty() ? "A thousandth of the RMS is lost " : ", ", name,
-                        lost == errors.end() ? "not " : "", static_cast<double>(counts[at]),
-                        lost == errors.end() ? " samples" : "");
+                        kept ? "not " : "", static_cast<double>(counts[at]));
   };
   run("sums in single precision", drift<float>(Endless::sums, period, counts));
   run("sums in double precision", drift<double>(Endless::sums, period, counts));
@@ -344,7 +333,7 @@ void cost_drift(report::Item& item) {
   item.value("drift-answer", said + ".");
   const auto integers = drift<Word>(Endless::integrators, period, counts);
   item.expect_checks(1);
-  item.at_most("integers", "error of integrators in 64-bit integers, m", "m",
+  item.at_most("integers", "error of integrators in 64-bit integers", "m",
                std::ranges::max(integers), 1e-18,
                "wrapping integers are exact: nothing but the last rounding to metres");
   item.added("not in the paper");
