@@ -1,7 +1,7 @@
 /***
 ## The car
 
-Two trucks of three pieces each under a rigid body. The state is $q=(X_{TF},X_{TR},\theta_{TF},\theta_{TR},\theta_{WF},
+Two trucks of three pieces each under a rigid body: nine degrees of freedom, $q=(X_{TF},X_{TR},\theta_{TF},\theta_{TR},\theta_{WF},
 \theta_{WR},X_C,\theta_C,\phi_C)$: each truck's lateral position, the yaw $\theta_T$ of its side frames and its *warp* $\theta_W$, the angle by which
 the parallelogram of side frames and axles is out of square; then the body's lateral position, yaw and roll. A wheelset stands at
 $x_w=X_T\pm L_T\theta_T$ with the yaw $\psi=\theta_T+\theta_W$; the bolster stays parallel to the axles and moves with the
@@ -21,7 +21,7 @@ $$F=-2f_{11}\Big(\frac{\dot x_w}V-\psi\Big)-\frac{2f_{12}}V\dot\psi+\Big(\frac{2
 $$M=-\frac{2(a^2f_{33}+f_{22})}V\dot\psi-\frac{2a^2f_{33}}{r_0}R+2f_{12}\Big(\frac{\dot x_w}V-\psi\Big)
   +\frac{2f_{22}}{r_0}D.$$
 
-Spin creep carries {{spin-share}} of what gravity does to the contact angle, with the other sign: $2f_{12}/r_0$ = {{spin-force}} against an axle load of
+Spin creep takes back {{spin-share}} of what gravity does through the contact angle: $2f_{12}/r_0$ = {{spin-force}} against an axle load of
 {{axle-load}}.
 
 {{code: dynamics/freight_car.cpp add_creep}}
@@ -37,15 +37,15 @@ and (14) to (19) likewise for the rear, the vertical springs, warp and the centr
 
 {{parameters}}
 
-Exponents and digits are missing in the available copy. **The creep coefficients can be recomputed**, because the paper names the
-theory, Kalker's, and calls them full values: Hertz's ellipse of a 33-in wheel on a rail head of {{crown}} under half the axle load, steel with Young's modulus {{young}}
-and Poisson's ratio {{poisson}} (radius and steel are assumptions), times Kalker's table.
+**The creep coefficients can be recomputed**, because the paper names the
+theory, Kalker's, and calls them full values: Hertz's ellipse of a 33-in wheel on a rail head of 10 in under half the axle load, steel of 29·10⁶ psi
+and Poisson's ratio 0.3 (radius and steel are assumptions), times Kalker's table.
 
 {{creep-coefficients}}
 
-Three agree with the print, which settles the exponents of $f_{11}$ and $f_{33}$ and that the values are full ones. For $f_{22}$, of which the copy shows "?2.1", the
+Three agree with the print, which settles the exponents of $f_{11}$ and $f_{33}$ and that the values are full ones. For $f_{22}$ the
 ellipse gives {{f22}}. The printed $f_{11}$ and $f_{12}$ give it without crown, load and modulus, because $f_{22}f_{11}/f_{12}^2=C_{33}C_{22}/C_{23}^2$ hangs on the
-ellipse's shape alone: {{f22-print}}. The reading is 42.1. The computations below use 82.1, made before; the critical speed with new wheels differs by {{f22-effect}}.
+ellipse's shape alone: {{f22-print}}. The reading is 42.1. The computations below use an earlier reading, 82.1; the critical speed with new wheels differs by {{f22-effect}}.
 */
 
 #include <fmt/format.h>
@@ -55,53 +55,19 @@ ellipse's shape alone: {{f22-print}}. The reading is 42.1. The computations belo
 
 #include "contact/hertz.hpp"
 #include "rolling/kalker_table.hpp"
-#include "sections.hpp"
 #include "vehicles.hpp"
 
 namespace railbook::hunting_chapter {
 
-using namespace dynamics;
-
 namespace {
 
-constexpr double inch = units::inch, foot = units::foot, lbf = units::lbf;
+constexpr double lbf = units::lbf, foot_pound = units::foot * units::lbf;
 
 std::string origin_text(const CarDatum& datum) {
-  switch (datum.origin) {
-    case Origin::printed:
-      return *datum.remark ? fmt::format("printed; {}", datum.remark) : "printed";
-    case Origin::restored:
-      return fmt::format("restored: {}", datum.remark);
-    case Origin::reconstructed:
-      return fmt::format("reconstructed: {}", datum.remark);
-  }
-  return "";
-}
-
-void parameters(report::Item& item) {
-  item.rebuilt("data of Table 2 that are illegible or not given are marked");
-  item.columns({"", "what", {"value", "{:.7g}"}, "unit", "SI", "origin"});
-  const CarParameters car;
-  for (const CarDatum& datum : car_data()) {
-    const double si = car.*datum.member;
-    item.add_row(fmt::format("${}$", datum.symbol), datum.name, si / datum.unit_si, datum.unit,
-                 fmt::format("{:.5g} {}", si, units::si_name(datum.dimension)), origin_text(datum));
-  }
-  const Dampers c = equivalent_dampers(car);
-  const auto damper = [&](const char* symbol, const char* what, double value, double unit,
-                          const char* unit_name, const char* si) {
-    item.add_row(symbol, what, value / unit, unit_name, fmt::format("{:.5g} {}", value, si),
-                 "fitted: $4F_0/\\pi\\omega A$");
-  };
-  damper("$c_x$", "lateral damper, a side frame", c.lateral, lbf / foot, "lb s/ft", "N s/m");
-  damper("$c_y$", "vertical damper, a side frame", c.vertical, lbf / foot, "lb s/ft", "N s/m");
-  damper("$c_w$", "warp damper, a truck", c.warp, lbf * foot, "ft lb s/rad", "N m s/rad");
-  damper("$c_\\theta$", "centre-plate damper, a truck", c.centre_plate, lbf * foot, "ft lb s/rad",
-         "N m s/rad");
-  const double spin = 2 * car.f12 / car.wheel_radius, load = axle_load(car);
-  item.value("spin-force", spin / lbf, "lb", "{:.0f}");
-  item.value("axle-load", load / lbf, "lb", "{:.0f}");
-  item.value("spin-share", 100 * spin / load, "%", "{:.0f}");
+  const char* origin = datum.origin == Origin::printed    ? "printed"
+                       : datum.origin == Origin::restored ? "restored"
+                                                          : "reconstructed";
+  return *datum.remark ? fmt::format("{}: {}", origin, datum.remark) : origin;
 }
 
 constexpr double crown = 10 * inch, young = 29e6 * units::psi, poisson = 0.3;
@@ -122,9 +88,30 @@ Creep by_hertz_and_kalker(const CarParameters& car) {
           shear * ab * c.c11};
 }
 
-double critical_speed(const CarParameters& data) {
-  const QuasiLinearCar car{assemble(data, Suspension::dampers), *vehicle("new").table};
-  return find_hopf(car, vehicle("new").hopf[0].motion).point.motion.speed;
+void parameters(report::Item& item) {
+  item.rebuilt("data of Table 2 that are illegible or not given are marked");
+  item.columns({"", "what", {"value", "{:.7g}"}, "unit", "SI", "origin"});
+  const CarParameters car;
+  for (const CarDatum& datum : car_data()) {
+    const double si = car.*datum.member;
+    item.add_row(fmt::format("${}$", datum.symbol), datum.name, si / datum.unit_si, datum.unit,
+                 fmt::format("{:.5g} {}", si, units::si_name(datum.dimension)), origin_text(datum));
+  }
+  const Dampers c = equivalent_dampers(car);
+  const auto damper = [&](const char* symbol, const char* what, double value, bool turns) {
+    item.add_row(symbol, what, value / (turns ? foot_pound : lbf / foot),
+                 turns ? "ft lb s/rad" : "lb s/ft",
+                 fmt::format("{:.5g} {}", value, turns ? "N m s/rad" : "N s/m"),
+                 "fitted: $4F_0/\\pi\\omega A$");
+  };
+  damper("$c_x$", "lateral damper, a side frame", c.lateral, false);
+  damper("$c_y$", "vertical damper, a side frame", c.vertical, false);
+  damper("$c_w$", "warp damper, a truck", c.warp, true);
+  damper("$c_\\theta$", "centre-plate damper, a truck", c.centre_plate, true);
+  const double spin = 2 * car.f12 / car.wheel_radius, load = axle_load(car);
+  item.value("spin-force", spin / lbf, "lb", "{:.0f}");
+  item.value("axle-load", load / lbf, "lb", "{:.0f}");
+  item.value("spin-share", 100 * spin / load, "%", "{:.0f}");
 }
 
 void creep_coefficients(report::Item& item) {
@@ -133,41 +120,36 @@ void creep_coefficients(report::Item& item) {
   item.expect_checks(6);
   const CarParameters print;
   const Creep f = by_hertz_and_kalker(print);
-  const double f12 = lbf * foot, f22 = f12 * foot;
+  const double f22 = foot * foot_pound;
   // Free of load, size and modulus: f11 goes with the ellipse's area, f12 with its power 3/2, f22 with its square.
   const double by_print = f.f22 * f.f11 / (f.f12 * f.f12) * print.f12 * print.f12 / print.f11;
-  item.columns({"", "printed, as the copy shows it", "Hertz and Kalker", "unit"});
-  item.add_row("$f_{11}$", "1.151!05 10", fmt::format("{:.4g}", f.f11 / lbf), "lb");
-  item.add_row("$f_{33}$", "1.262x10° 18", fmt::format("{:.4g}", f.f33 / lbf), "lb");
-  item.add_row("$f_{12}$", "6750", fmt::format("{:.4g}", f.f12 / f12), "ft lb");
-  item.add_row("$f_{22}$", "?2.1", fmt::format("{:.4g}", f.f22 / f22), "ft² lb");
   const auto assumed =
       report::relative(words::nearly, "crown, modulus and Poisson's ratio are assumed");
   const auto exponent =
       report::restored("the exponent is illegible; any other is off by a factor of ten", assumed);
-  item.print("f11", "lateral creep coefficient, its exponent read as 6", "lb", "1.15e6",
-             f.f11 / lbf, exponent);
-  item.print("f33", "longitudinal creep coefficient, its exponent read as 6", "lb", "1.262e6",
+  item.print("f11", "f11, lateral creep: the copy has \"1.151!05 10\"", "lb", "1.15e6", f.f11 / lbf,
+             exponent);
+  item.print("f33", "f33, longitudinal creep: the copy has \"1.262x10° 18\"", "lb", "1.262e6",
              f.f33 / lbf, exponent);
-  item.print("f12", "lateral/spin creep coefficient", "ft lb", "6750", f.f12 / f12, assumed);
-  item.print("f22",
-             "spin creep coefficient from the printed f11 and f12, its first digit read as 4",
+  item.print("f12", "f12, lateral/spin creep: the copy has \"6750\"", "ft lb", "6750",
+             f.f12 / foot_pound, assumed);
+  item.print("f22", "f22, spin creep, from the printed f11 and f12: the copy has \"?2.1\"",
              "ft² lb", "42.1", by_print / f22,
              report::restored("the first digit is lost",
                               report::absolute(5, "half of the way to the next readings")));
-  item.claim("full-kalker", "the creep coefficients are full Kalker values",
-             std::max({std::abs(print.f11 / f.f11 - 1), std::abs(print.f33 / f.f33 - 1),
-                       std::abs(print.f12 / f.f12 - 1)}) < words::nearly,
-             fmt::format("{:.2f}, {:.2f} and {:.2f} times those of Hertz and Kalker",
-                         print.f11 / f.f11, print.f33 / f.f33, print.f12 / f.f12));
+  Range times;
+  for (const double t : {print.f11 / f.f11, print.f33 / f.f33, print.f12 / f.f12}) times.add(t);
+  item.claim(
+      "full-kalker", "the creep coefficients are full Kalker values",
+      times.low > 1 - words::nearly && times.high < 1 + words::nearly,
+      fmt::format("{:.2f} to {:.2f} times those of Hertz and Kalker", times.low, times.high));
   CarParameters other;
   other.f22 *= 42.1 / 82.1;
-  const double change = std::abs(critical_speed(other) - critical_speed({})) / foot;
+  const Vehicle& fresh = vehicle("new");
+  const double change =
+      std::abs(first_critical(other, fresh).speed - first_critical({}, fresh).speed);
   item.at_most("f22-effect", "critical speed, new wheels, f22 of 42.1 instead of 82.1", "ft/s",
                change, 0.5, "half of the printed speed's last digit");
-  item.value("crown", crown / inch, "in", "{:.0f}");
-  item.value("young", young / units::psi, "psi", "{:.3g}");
-  item.value("poisson", poisson, "", "{:.1f}");
   item.value("f22", f.f22 / f22, "ft² lb", "{:.1f}");
   item.value("f22-print", by_print / f22, "ft² lb", "{:.1f}");
   item.value("f22-effect", change, "ft/s", "{:.0e}");

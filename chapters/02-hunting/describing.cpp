@@ -22,11 +22,9 @@ The paper's Figures 7 to 9; it calls the first *conicity*. Which of the other tw
 
 {{describing-claims}}
 
-Dry friction
+Dry friction and its describing function are
 
-$$F=F_0\,\mathrm{sign}\,\dot X \tag{11}$$
-
-has
+$$F=F_0\,\mathrm{sign}\,\dot X, \tag{11}$$
 
 $$N=\frac{4F_0}{\pi A}, \tag{12}$$
 
@@ -41,85 +39,66 @@ where $A$ is the amplitude of the *rate*. With a viscous core of width $\varepsi
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "sections.hpp"
 #include "vehicles.hpp"
 
 namespace railbook::hunting_chapter {
 
-using namespace dynamics;
-
 namespace {
 
-constexpr double inch = units::inch;
 enum Function : std::size_t { R, D, Phi };
 
-// N against x_w / a, as in the paper.
+// N against x_w / a, as in the paper; amplitude in inches.
 double gain(const Vehicle& v, Function f, double amplitude) {
   Vector9c shape = Vector9c::Zero();
-  shape[X_TF] = amplitude;
+  shape[X_TF] = amplitude * inch;
   return v.car.at(shape, 1).wheel[0][f].value * v.table->half_spacing;
+}
+
+// Amplitude of the largest N_D, and displacement of the largest D [in].
+struct Steep {
+  double gain_at = 0, function_at = 0;
+};
+Steep steepest(const Vehicle& v) {
+  Steep found;
+  double best = 0;
+  for (double at = 0.001; at < 0.7505; at += 0.001)
+    if (const double n = gain(v, D, at); n > best) best = n, found.gain_at = at;
+  const auto& values = v.table->D.values();
+  const auto top = std::ranges::max_element(values) - values.begin();
+  found.function_at = v.table->D.step() * static_cast<double>(top) / inch;
+  return found;
 }
 
 void curves(report::Item& item, Function f) {
   item.rebuilt("the paper's profiles and curves are lost");
-  auto& data = item.data({"A_in", "A_over_a", "new", "cn", "heumann"});
-  for (int k = 1; k <= 300; ++k) {
-    const double amplitude = 0.0025 * k * inch;
-    data.add(amplitude / inch, amplitude / vehicle("new").table->half_spacing,
-             gain(vehicle("new"), f, amplitude), gain(vehicle("cn"), f, amplitude),
-             gain(vehicle("heumann"), f, amplitude));
-  }
-}
-void fig_07(report::Item& item) {
-  curves(item, R);
-}
-void fig_08(report::Item& item) {
-  curves(item, D);
-}
-void fig_09(report::Item& item) {
-  curves(item, Phi);
-}
-
-// Where a gain is largest [m].
-double top(const Vehicle& v, Function f) {
-  double best = 0, at = 0;
-  for (int k = 1; k <= 750; ++k)
-    if (const double n = gain(v, f, 0.001 * k * inch); n > best) best = n, at = 0.001 * k * inch;
-  return at;
-}
-
-// Displacement of the largest D [m].
-double steepest(const Vehicle& v) {
-  const auto& values = v.table->D.values();
-  const auto at = std::max_element(values.begin(), values.end()) - values.begin();
-  return v.table->D.step() * static_cast<double>(at);
+  item.script("gain.gp");
+  auto& data = item.data({"A_in", "new", "cn", "heumann"});
+  for (int k = 1; k <= 300; ++k)
+    data.add(0.0025 * k, gain(vehicle("new"), f, 0.0025 * k), gain(vehicle("cn"), f, 0.0025 * k),
+             gain(vehicle("heumann"), f, 0.0025 * k));
 }
 
 void describing_claims(report::Item& item) {
   item.rebuilt("the paper's profiles are lost");
   item.expect_checks(5);
-  item.columns({"wheel",
-                {"N_R at 0.05 in", "{:.4f}"},
-                {"N_D", "{:.4f}"},
-                {"N_Φ", "{:.4f}"},
-                {"N_D is largest at, in", "{:.3f}"},
-                {"D is largest at, in", "{:.3f}"}});
+  item.columns(headings("{:.4f}", {"wheel", "N_R at 0.05 in", "N_D", "N_Φ", "N_D is largest at, in",
+                                   "D is largest at, in"}));
   const Vehicle &fresh = vehicle("new"), &heumann = vehicle("heumann");
-  const double small = 0.05 * inch, large = 0.75 * inch;
-  double least = 10, most = 0;
+  const double small = 0.05, large = 0.75;
+  Range ratio;
   bool falls = true;
   for (const Vehicle* v : {&fresh, &vehicle("cn"), &heumann}) {
-    const double ratio = top(*v, D) / steepest(*v);
-    least = std::min(least, ratio), most = std::max(most, ratio);
-    falls = falls && gain(*v, D, large) < gain(*v, D, top(*v, D));
-    item.add_row(v->name, gain(*v, R, small), gain(*v, D, small), gain(*v, Phi, small),
-                 top(*v, D) / inch, steepest(*v) / inch);
+    const Steep at = steepest(*v);
+    ratio.add(at.gain_at / at.function_at);
+    falls = falls && gain(*v, D, large) < gain(*v, D, at.gain_at);
+    item.add_row(v->name, gain(*v, R, small), gain(*v, D, small), gain(*v, Phi, small), at.gain_at,
+                 at.function_at);
   }
-  const double tread = gain(fresh, R, small), before = gain(fresh, R, fresh.flange) / tread,
-               after = gain(fresh, R, (1 + words::nearly) * fresh.flange) / tread;
+  const double flange = fresh.flange / inch, tread = gain(fresh, R, small),
+               before = gain(fresh, R, flange) / tread,
+               after = gain(fresh, R, (1 + words::nearly) * flange) / tread;
   item.claim(
       "df-tread",
       "nearly constant for small motions, and rising rapidly on the flange (new wheel, R, by "
@@ -128,22 +107,20 @@ void describing_claims(report::Item& item) {
       fmt::format("{:.4f} times its first value before, {:.1f} times after", before, after));
   item.claim("df-maximum",
              "the largest values come near the steepest portion of the flange (within a tenth)",
-             least > 1 - words::nearly && most < 1 + words::nearly,
-             fmt::format("N_D is largest at {:.2f} to {:.2f} of the displacement where D is", least,
-                         most));
+             ratio.low > 1 - words::nearly && ratio.high < 1 + words::nearly,
+             fmt::format("N_D is largest at {:.2f} to {:.2f} of the displacement where D is",
+                         ratio.low, ratio.high));
   item.claim("df-beyond", "beyond that they decrease", falls,
              "at the table's end all three N_D are past their largest");
-  const auto apart = [&](double amplitude) {
-    return gain(heumann, R, amplitude) / gain(fresh, R, amplitude);
-  };
+  const auto apart = [&](double at) { return gain(heumann, R, at) / gain(fresh, R, at); };
   item.claim("df-differences", "the major differences show up at small amplitudes",
              apart(small) > words::much * apart(large),
              fmt::format("N_R, Heumann over new: {:.1f} at 0.05 in, {:.1f} at 0.75 in",
                          apart(small), apart(large)));
   double dip = 10, dip_at = 0;
-  for (double inches = 0.05; inches < heumann.flange / inch; inches += 0.001)
-    if (const double n = gain(heumann, R, inches * inch); n < dip) dip = n, dip_at = inches;
-  const double part = dip / gain(heumann, R, 0.17 * inch);
+  for (double at = 0.05; at < heumann.flange / inch; at += 0.001)
+    if (const double n = gain(heumann, R, at); n < dip) dip = n, dip_at = at;
+  const double part = dip / gain(heumann, R, 0.17);
   item.claim("conicity-dip",
              "Heumann: the conicity, N_R, falls with amplitude before the flange is met", part < 1,
              fmt::format("to {:.3f} of its value at 0.17 in, at {:.2f} in", part, dip_at));
@@ -155,9 +132,12 @@ void describing_claims(report::Item& item) {
 }  // namespace
 
 const report::Section describing{
-    report::figure("fig-07", "N_R, of the difference of rolling radii (Fig. 7)", fig_07),
-    report::figure("fig-08", "N_D, of the difference of contact angles (Fig. 8)", fig_08),
-    report::figure("fig-09", "N_Φ, of the wheelset's roll (Fig. 9)", fig_09),
+    report::figure("fig-07", "N_R, of the difference of rolling radii (Fig. 7)",
+                   [](report::Item& item) { curves(item, R); }),
+    report::figure("fig-08", "N_D, of the difference of contact angles (Fig. 8)",
+                   [](report::Item& item) { curves(item, D); }),
+    report::figure("fig-09", "N_Φ, of the wheelset's roll (Fig. 9)",
+                   [](report::Item& item) { curves(item, Phi); }),
     report::table("describing-claims", "What the text says of the describing functions",
                   describing_claims)};
 

@@ -1,23 +1,27 @@
 load "style.gp"
-set terminal pngcairo size 1000,1150 font "DejaVu Sans,15" enhanced background rgb "white"
+set terminal pngcairo size 900,720 font "DejaVu Sans,14" enhanced background rgb "white"
 set output ARG2
 set multiplot layout 3,1
+set tmargin 1.6
+set bmargin 3
 set xrange [0:0.75]
 set lmargin 10
 set rmargin 4
-set key reverse Left spacing 1.35
+set key horizontal nobox reverse Left
 set ylabel "over X_{TR}"
 set yrange [0:1.6]
-set label 1 "thick: first family   thin: second family (fishtailing)   profiles reconstructed" at graph 0.98,1.07 right tc rgb grey
-set key at graph 0.98,0.54 right top
+set ytics 0.4
+set label 1 "thick: first family   thin: second family (fishtailing)" at graph 0.98,1.08 right tc rgb grey
+set key at graph 0.98,0.55 right top
 plot ARG1 using "A_in":"X_TF" with lines lt 1 title "X_{TF}", \
      ARG1 using "A_in":"X_C" with lines lt 2 title "X_C", \
      ARG3 using "A_in":"X_TF" with lines lt 1 lw 1, \
      ARG3 using "A_in":"X_C" with lines lt 2 lw 1
 unset label 1
-set key at graph 0.02,0.97 left top
+set key at graph 0.02,0.97 left top maxcols 2
 set ylabel "rad/ft of X_{TR}"
 set yrange [0:0.5]
+set ytics 0.1
 plot ARG1 using "A_in":"TH_TR" with lines lt 1 title "θ_{TR}", \
      ARG1 using "A_in":"TH_WR" with lines lt 2 title "θ_{WR}", \
      ARG1 using "A_in":"TH_C" with lines lt 3 title "θ_C", \
@@ -27,8 +31,9 @@ plot ARG1 using "A_in":"TH_TR" with lines lt 1 title "θ_{TR}", \
      ARG3 using "A_in":"TH_C" with lines lt 3 lw 1, \
      ARG3 using "A_in":"PHI_C" with lines lt 4 lw 1
 set ylabel "ω, rad/s"
-set xlabel "largest wheelset amplitude A, in"
+set xlabel "largest wheelset amplitude A, in" offset 0,0.8
 set yrange [0:40]
-plot ARG1 using "A_in":"omega" with lines lt 1 title "first family", \
-     ARG3 using "A_in":"omega" with lines lt 1 lw 1 title "second family"
+set ytics 10
+plot ARG1 using "A_in":"omega" with lines lt 1, \
+     ARG3 using "A_in":"omega" with lines lt 1 lw 1
 unset multiplot

@@ -2,26 +2,20 @@
 # Hunting of a freight car: limit cycles and the shape of wheel and rail
 
 ::: findings
-1. The paper claims that the car hunts on new wheels above 145 ft/s, at 12 rad/s, and at 21 rad/s on CN wheels. Result: the speed is fitted by dampers that the paper does not give, but the frequencies follow from it, {{fit-new-low}} to {{fit-new-high}} and {{fit-cn-low}} to {{fit-cn-high}}. {{outcome:dampers/frequency-new-low}}
+1. The paper claims that the car hunts on new wheels above 145 ft/s, at 12 rad/s, and at 21 rad/s on CN wheels. Result: the speed is fitted by dampers that the paper does not give, but the frequencies follow from it, {{fit-new}} and {{fit-cn}}. {{outcome:dampers/frequency-new-low}}
 2. The paper claims that with new wheels a stable limit cycle on the flange extends to a high velocity. Result: by describing functions it does; by the full equations it is stable to {{torus-speed}} only. {{outcome:true-branches/stable-to-high-speed}}
 3. The paper claims that its creep coefficients are Kalker's full values. Result: Hertz's ellipse and Kalker's table give them to a few percent, which restores two exponents and a digit that our copy lost. {{outcome:creep-coefficients/f12}}
 :::
 
 Above some speed a railway car does not run straight: its wheelsets weave from flange to flange, a steady
 oscillation that nothing outside drives. R. Hull and N. K. Cooperrider asked in 1976 at which speeds an empty
-North American freight car does so, how far it swings, and what the profiles of wheel and rail have to do with
-it. The motion is a *limit cycle* of a nonlinear system, and they found it with describing functions: replace
+North American freight car does so, how far it swings, and what the profiles of wheel and rail have to do
+with it. The motion is a *limit cycle* of a nonlinear system, and they found it with describing functions: replace
 every nonlinear function by the gain that a sine of the amplitude in question would feel, and look for the
 speed at which that amplitude neither grows nor dies.
 
-The car has nine degrees of freedom: lateral, yaw and warp of each of two trucks, lateral, yaw and roll of the
-body. Two kinds of nonlinearity are in it: the geometry of contact, which is nearly straight on the tread and a
-wall at the flange, and the dry friction of the suspension.
-
-The paper's numbers are few: a table of the car's data (partly illegible in the copy that is available), the
-critical speed with new wheels, four frequencies. Its figures are lost and so are the measured profiles. This
-chapter therefore rebuilds profiles that fit what the text says of them and marks what rests on them. Its statements in words are many; each is
-checked, or left with a reason.
+The paper's figures, its measured profiles and part of its table of data are lost or illegible in the copy that is available. This
+chapter rebuilds profiles that fit what the text says of them and marks what rests on them. What is left to test are four frequencies, a critical speed, and many statements in words.
 
 {{include: geometry.cpp}}
 
@@ -50,39 +44,32 @@ checked, or left with a reason.
 ## Deviations
 
 * *Stable limit cycles extend to a high velocity with new wheels.* By the paper's rule they do; a torus bifurcation ends them at {{torus-speed}}: {{outcome:true-branches/stable-to-high-speed}}.
-* *Two regions of stable cycles with flange contact for CN wheels*: {{outcome:claims/cn-regions}}; *the lower one with the rear truck alone*: {{outcome:claims/cn-rear}}, with these profiles it is the front truck. The measured CN wheel may have
-  a flange of two steps.
+* *Two regions of stable cycles with flange contact for CN wheels*: {{outcome:claims/cn-regions}}; *the lower one with the rear truck alone*: {{outcome:claims/cn-rear}}, with these profiles it is the front truck.
 * *Stable cycles with flange contact under friction*: {{outcome:claims/friction-flange}}.
 * *Much lower speeds with CN wheels*: {{outcome:dampers/much-lower-cn}}, a tenth lower with all dampers that fit 145 ft/s.
 * *One high frequency with flange contact, 30.5 rad/s*: by describing functions {{outcome:flange-frequency/flange-single}}, by the full equations {{outcome:flange-frequency/flange-true}}.
 * *The body moves much with new wheels because the frequency is below its lateral resonance*: {{outcome:mode-claims/below-resonance}}.
 * *The algorithm provides all possible limit cycles*: {{outcome:loop-claims/all-cycles}}.
 * *All slopes with CN wheels are about three times those with new ones*: for the roll angle {{outcome:geometry-claims/cn-roll-slope}}, as the paper itself says later.
-* $a$ is called half the gauge. Its value in Table 2 is the half distance of the rails' heads, {{half-spacing}}, and is read so wherever it appears.
+* $a$ is called half the gauge. Its value in Table 2 is the half distance of the rails' heads, {{half-spacing}}, and is read so.
 
 ## Limits
 
 **Geometry.** Wheelset and rails are rigid and both sides are alike; yaw of the wheelset, which moves the contact of a
 steep flange ahead of the axle, is left out, as in the paper. The contact is the point of the least *vertical* gap of
-two curves in one plane; on a flange at 70° a wheel that is pressed sideways
-bears elsewhere too, and the load's division between tread and flange needs an elastic model.
-Beyond {{far}} the tables go on straight; no result from there is used. Measured profiles must be functions of the place across, steeper than 84° nowhere on the
-wheel.
+two curves in one plane; how tread and flange share the load needs an elastic model.
 
 **Limit cycles.** Creep is linear: on the flange the creep forces asked for are several times what friction could
-carry, so that amplitudes above flange contact are academic, as in the paper. The describing function keeps the first
-harmonic only; its folds are not those of the equations. Overturning of
+carry, so that amplitudes above flange contact are academic, as in the paper. Overturning of
 the body by gravity, the sideways clearances of the truck and the vertical dynamics are left out. Friction is regularized,
-and results at hundredths of an inch depend on how.
-A branch says nothing of cycles that lie on others, and only odd cycles are searched for.
+and results at hundredths of an inch depend on how. Only odd cycles are searched for, and only along branches from critical speeds.
 
 ## Try next
 
 * Continue the cycles in another datum than speed (`dynamics::by_datum`); the centre plates' friction would be the first to try.
 * Follow the torus: a Poincaré section of the integration at 154 ft/s, and where it breaks.
-* `railbook hunting geometry` with `worn-wheel.csv` on `new-rail.csv` of the examples, and then with `--gauge 57in` or `--cant 0.05`:
+* `railbook hunting geometry` with `worn-wheel.csv` on `new-rail.csv` of the examples, and then with `--gauge 57in`:
   a worn wheel's conicity hangs on half an inch of gauge.
-* `railbook hunting speed` with half of the warp stiffness: a car maker's cheapest way to a lower or a higher critical speed?
 * `railbook hunting cycle --pair cn --suspension friction`: that is the first family; the one of {{fig-11}} comes with `--family 2`.
 */
 

@@ -5,9 +5,8 @@
 On the tread nothing changes, as the cone is straight. When the flange is met the shape changes abruptly.
 
 The paper's "limiting mode with flange contact" is fishtailing: the rear truck swings, the front truck and the body hardly move. It is not on the branch that begins at the first
-critical speed, whose trucks stay together all the way (thick lines). It is on the **second** family (thin lines), and its mirror image exists too: exchanging front and rear
-changes nothing in the equations but the coupling through the centre plates. Why the paper's curve may lead from one family to
-the other is shown in the next section.
+critical speed, whose trucks stay together all the way. It is on the **second** family, and its mirror image exists too: exchanging front and rear
+changes nothing in the equations but the coupling through the centre plates.
 
 {{fig-12}}
 
@@ -26,37 +25,17 @@ goes along because the dampers carry it.
 #include <cmath>
 
 #include "num/eigenvalues.hpp"
-#include "sections.hpp"
 #include "vehicles.hpp"
 
 namespace railbook::hunting_chapter {
 
-using namespace dynamics;
-
 namespace {
-
-constexpr double inch = units::inch;
 
 // |q_k| / |X_TR| as in the paper's figure; angles in rad a foot of X_TR.
 double relative(const CyclePoint& p, int coordinate) {
   const double ratio = std::abs(p.motion.shape[coordinate]) / std::abs(p.motion.shape[X_TR]);
   const bool angle = coordinate != X_TF && coordinate != X_C;
-  return angle ? ratio * units::foot : ratio;
-}
-
-void add_curve(report::Data& data, const CycleBranch& branch) {
-  for (const auto& p : branch.points)
-    data.add(p.largest / inch, relative(p, X_TF), relative(p, X_C), relative(p, TH_TR),
-             relative(p, TH_WR), relative(p, TH_C), relative(p, PHI_C), p.motion.lambda.imag());
-}
-
-const std::vector<std::string> columns{"A_in",  "X_TF", "X_C",   "TH_TR",
-                                       "TH_WR", "TH_C", "PHI_C", "omega"};
-
-void fig_12(report::Item& item) {
-  item.rebuilt("the paper's curves are lost; " + std::string(rebuilt_reason));
-  add_curve(item.data(columns), vehicle("new").branches[0]);
-  add_curve(item.data("second", columns), vehicle("new").branches[1]);
+  return angle ? ratio * foot : ratio;
 }
 
 CyclePoint cycle(const char* key, double inches, std::size_t family = 0) {
@@ -64,7 +43,7 @@ CyclePoint cycle(const char* key, double inches, std::size_t family = 0) {
   return cycles_at_amplitude(v.car, v.branches[family], inches * inch).at(0);
 }
 
-// Natural frequencies [rad/s] of the body's lateral motion and roll with the trucks held, and the first's damping ratio.
+// Natural frequency [rad/s] of the body's lateral motion with the trucks held, and its damping ratio.
 struct Held {
   double frequency, damping;
 };
@@ -78,92 +57,104 @@ Held body_alone() {
   return {omega, c(0, 0) / (2 * omega * m(0, 0))};
 }
 
+void fig_12(report::Item& item) {
+  item.rebuilt("the paper's curves are lost; " + std::string(rebuilt_reason));
+  for (std::size_t family = 0; family < 2; ++family) {
+    auto& data = item.data(family == 0 ? "" : "second",
+                           {"A_in", "X_TF", "X_C", "TH_TR", "TH_WR", "TH_C", "PHI_C", "omega"});
+    for (const auto& p : vehicle("new").branches[family].points)
+      data.add(p.largest / inch, relative(p, X_TF), relative(p, X_C), relative(p, TH_TR),
+               relative(p, TH_WR), relative(p, TH_C), relative(p, PHI_C), p.motion.lambda.imag());
+  }
+}
+
 void tread_claims(report::Item& item) {
-  const auto fresh = cycle("new", 0.1), cn = cycle("cn", 0.1), heumann = cycle("heumann", 0.1);
+  const std::array<CyclePoint, 3> wheels{cycle("new", 0.1), cycle("cn", 0.1),
+                                         cycle("heumann", 0.1)};
+  const auto& [fresh, cn, heumann] = wheels;
+  const auto three = [&](int coordinate) {
+    return fmt::format("{:.3f}, {:.3f}, {:.3f}", relative(wheels[0], coordinate),
+                       relative(wheels[1], coordinate), relative(wheels[2], coordinate));
+  };
   item.claim("body-new", "new wheels: the body's lateral motion is large against the rear truck's",
              relative(fresh, X_C) > 1 / words::much, fmt::format("{:.2f}", relative(fresh, X_C)));
   item.claim("body-worn", "worn wheels: the body's lateral motion is insignificant",
              std::max(relative(cn, X_C), relative(heumann, X_C)) < words::nearly,
              fmt::format("CN A {:.2f}, Heumann {:.2f}", relative(cn, X_C), relative(heumann, X_C)));
-  const auto equal = [](const CyclePoint& p) {
-    return std::min(relative(p, X_TF), 1 / relative(p, X_TF));
-  };
   item.claim("trucks-equal", "before the flange both trucks have about the same amplitude",
-             std::min({equal(fresh), equal(cn), equal(heumann)}) > 1 - words::nearly,
-             fmt::format("{:.2f}, {:.2f}, {:.2f}", equal(fresh), equal(cn), equal(heumann)));
+             std::ranges::all_of(wheels,
+                                 [](const CyclePoint& p) {
+                                   const double front = relative(p, X_TF);
+                                   return std::min(front, 1 / front) > 1 - words::nearly;
+                                 }),
+             three(X_TF));
+  const auto larger = [&](int k) {
+    return relative(fresh, k) < std::min(relative(cn, k), relative(heumann, k));
+  };
   item.claim("yaw-and-warp",
              "truck yaw and warp are small with new wheels and larger with worn ones",
-             relative(fresh, TH_TR) < std::min(relative(cn, TH_TR), relative(heumann, TH_TR)) &&
-                 relative(fresh, TH_WR) < std::min(relative(cn, TH_WR), relative(heumann, TH_WR)),
-             fmt::format("yaw {:.3f}, {:.3f}, {:.3f} rad/ft; warp {:.3f}, {:.3f}, {:.3f}",
-                         relative(fresh, TH_TR), relative(cn, TH_TR), relative(heumann, TH_TR),
-                         relative(fresh, TH_WR), relative(cn, TH_WR), relative(heumann, TH_WR)));
-  double least = 1e9, most = 0;
+             larger(TH_TR) && larger(TH_WR),
+             fmt::format("yaw {} rad/ft; warp {}", three(TH_TR), three(TH_WR)));
+  Range body;
   for (const auto& p : vehicle("new").branches[0].points)
-    if (p.neutral)
-      least = std::min(least, relative(p, X_C)), most = std::max(most, relative(p, X_C));
+    if (p.neutral) body.add(relative(p, X_C));
   item.claim("constant-on-tread", "new wheels: the shape is constant before the flange",
-             most / least - 1 < words::drawn,
-             fmt::format("X_C/X_TR {:.4f} to {:.4f}", least, most));
+             body.high / body.low - 1 < words::drawn,
+             fmt::format("X_C/X_TR {:.4f} to {:.4f}", body.low, body.high));
   const double change = std::abs(relative(cycle("cn", 0.3), X_C) / relative(cn, X_C) - 1);
   item.claim("varies-worn", "worn wheels: the shape is not constant on the tread",
              change > words::drawn,
              fmt::format("CN A: X_C/X_TR changes by {:.1f} % from 0.1 to 0.3 in", 100 * change));
-  const Held body = body_alone();
+  const Held held = body_alone();
   const double omega = fresh.motion.lambda.imag();
   item.refute("below-resonance",
               "new wheels: the frequency is below the resonance of the body's lateral motion",
-              omega > body.frequency,
-              fmt::format("{:.1f} rad/s, the body on its springs {:.1f}", omega, body.frequency));
-  item.value("body-frequency", body.frequency, "rad/s", "{:.1f}");
-  item.value("body-damping", body.damping, "times", "{:.1f}");
+              omega > held.frequency,
+              fmt::format("{:.1f} rad/s, the body on its springs {:.1f}", omega, held.frequency));
+  item.value("body-frequency", held.frequency, "rad/s", "{:.1f}");
+  item.value("body-damping", held.damping, "times", "{:.1f}");
 }
 
 void flange_claims(report::Item& item) {
-  const double flange = vehicle("new").flange / inch;
-  const auto before = cycle("new", flange), after = cycle("new", (1 + words::nearly) * flange);
+  const Vehicle& v = vehicle("new");
+  const double flange = v.flange / inch;
+  const auto before = cycle("new", flange), after = cycle("new", (1 + words::nearly) * flange),
+             far = cycle("new", 0.5), fish = cycle("new", 0.48, 1), rear = cycle("new", 0.45, 1);
   item.claim("abrupt",
              "new wheels: the shape changes abruptly when the flange is met (much, within a tenth "
              "of the amplitude)",
              relative(after, X_C) < relative(before, X_C) / words::much,
              fmt::format("X_C/X_TR {:.2f} at {:.2f} in, {:.2f} at {:.2f} in", relative(before, X_C),
                          before.largest / inch, relative(after, X_C), after.largest / inch));
-  const auto far = cycle("new", 0.5);
-  item.claim(
-      "follow-conicity",
-      "frequency, truck yaw and warp follow the conicity: they rise with it on the flange",
-      far.motion.lambda.imag() > before.motion.lambda.imag() &&
-          relative(far, TH_TR) > relative(before, TH_TR) &&
-          relative(far, TH_WR) > relative(before, TH_WR),
-      fmt::format("to 0.5 in: {:.1f} to {:.1f} rad/s, yaw {:.3f} to {:.3f}, warp {:.3f} "
-                  "to {:.3f} rad/ft",
-                  before.motion.lambda.imag(), far.motion.lambda.imag(), relative(before, TH_TR),
-                  relative(far, TH_TR), relative(before, TH_WR), relative(far, TH_WR)));
-  const auto fish = cycle("new", 0.48, 1);
-  item.claim(
-      "fishtailing",
-      "new wheels on the flange: the rear truck swings, the front truck and the body hardly do",
-      std::max(relative(fish, X_TF), relative(fish, X_C)) < words::small,
-      fmt::format("second family, 0.48 in: X_TF {:.3f}, X_C {:.3f} of X_TR", relative(fish, X_TF),
-                  relative(fish, X_C)));
-  const Vehicle& v = vehicle("new");
-  const auto rear = cycle("new", 0.45, 1);
+  const double low = before.motion.lambda.imag(), high = far.motion.lambda.imag();
+  item.claim("follow-conicity",
+             "frequency, truck yaw and warp follow the conicity: they rise with it on the flange",
+             high > low && relative(far, TH_TR) > relative(before, TH_TR) &&
+                 relative(far, TH_WR) > relative(before, TH_WR),
+             fmt::format("to 0.5 in: {:.1f} to {:.1f} rad/s, yaw {:.3f} to {:.3f}, warp {:.3f} to "
+                         "{:.3f} rad/ft",
+                         low, high, relative(before, TH_TR), relative(far, TH_TR),
+                         relative(before, TH_WR), relative(far, TH_WR)));
+  item.claim("fishtailing",
+             "new wheels on the flange: the rear truck swings, front truck and body hardly do",
+             std::max(relative(fish, X_TF), relative(fish, X_C)) < words::small,
+             fmt::format("second family, 0.48 in: X_TF {:.3f}, X_C {:.3f} of X_TR",
+                         relative(fish, X_TF), relative(fish, X_C)));
   Motion swapped = rear.motion;
   for (const int k : {X_TF, TH_TF, TH_WF}) std::swap(swapped.shape[k], swapped.shape[k + 1]);
   swapped.shape[TH_C] *= -1;
   const auto front = find_cycle(v.car, swapped, 0.45 * inch);
-  const double speed = rear.motion.speed / units::foot, omega = rear.motion.lambda.imag();
-  const auto& m = front.cycle.motion;
+  const Motion &m = front.cycle.motion, &r = rear.motion;
+  const auto same = [](double a, double b) { return std::abs(a / b - 1) < words::drawn; };
   item.claim("mirrored",
              "the other mode has the same velocity and frequency, with large motions of the front "
              "truck instead",
              front.converged &&
                  front.cycle.amplitude[2] < words::small * front.cycle.amplitude[0] &&
-                 std::abs(m.speed / units::foot / speed - 1) < words::drawn &&
-                 std::abs(m.lambda.imag() / omega - 1) < words::drawn,
+                 same(m.speed, r.speed) && same(m.lambda.imag(), r.lambda.imag()),
              fmt::format("rear {:.2f} ft/s and {:.2f} rad/s, front {:.2f} and {:.2f}, at 0.45 in",
-                         speed, omega, m.speed / units::foot, m.lambda.imag()));
-  const double body = std::abs(m.shape[X_C]) / std::abs(rear.motion.shape[X_C]);
+                         r.speed / foot, r.lambda.imag(), m.speed / foot, m.lambda.imag()));
+  const double body = std::abs(m.shape[X_C]) / std::abs(r.shape[X_C]);
   item.claim("mirrored-body", "in both the body's motion is about the same",
              std::abs(body - 1) < words::nearly, fmt::format("{:.3f} times", body));
 }

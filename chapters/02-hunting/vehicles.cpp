@@ -4,8 +4,8 @@
 Replace every nonlinear function by its describing function. For a motion $q\,e^{i\omega t}$ the car's equations, (9), become nine complex
 ones,
 
-$$N(A,\omega)\,x=0:\quad\Big[K_s+K_c-\sum_i(g^R_iN_R+g^D_iN_D+g^\Phi_iN_\Phi)\,b_i+i\omega\Big(C_s+\frac{C_c}V+\sum_jd_j^TN_jd_j\Big)
-  -\omega^2M\Big]q=0, \tag{10}$$
+$$\begin{aligned}N(A,\omega)\,x=0:\quad\Big[K_s+K_c&-\sum_i(g^R_iN_R+g^D_iN_D+g^\Phi_iN_\Phi)\,b_i\\
+  &+i\omega\Big(C_s+\frac{C_c}V+\sum_jd_j^TN_jd_j\Big)-\omega^2M\Big]q=0,\end{aligned} \tag{10}$$
 
 with gains that depend on the four wheelsets' amplitudes $A_i=|b_iq|$ and, with dry friction, on the seven joints'
 rates. The unknowns are $q$, $\omega$ and $V$: twenty real ones for eighteen equations. One more fixes the phase, and
@@ -24,13 +24,10 @@ speeds of that car mean nothing and serve as a start.
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
 #include <stdexcept>
 
 namespace railbook::hunting_chapter {
-
-using namespace dynamics;
 
 namespace {
 
@@ -41,27 +38,26 @@ Vehicle trace(std::string key, std::string name, const wheelrail::NamedPair& pai
             .name = std::move(name),
             .table = &table,
             .flange = flange_begins(pair.pair()),
-            .suspension = suspension,
             .car = {assemble({}, suspension), table},
             .hopf = {},
             .branches = {}};
   BranchOptions options;
-  const bool friction = suspension == Suspension::friction;
-  if (friction) options.first_amplitude = 0.001 * units::inch;
-  v.hopf = hopf_points(v.car, 1 * units::foot, 400 * units::foot);
+  if (v.friction()) options.first_amplitude = 0.001 * inch;
+  v.hopf = hopf_points(v.car, 1 * foot, 400 * foot);
   for (const auto& hopf : v.hopf) v.branches.push_back(trace_from(v.car, hopf, options));
-  if (friction && v.branches.size() > 1) v.main = 1;
+  if (v.friction() && v.branches.size() > 1) v.main = 1;
   return v;
 }
 
 }  // namespace
 
 const std::vector<Vehicle>& vehicles() {
+  using wheelrail::paper_pairs;
   static const std::vector<Vehicle> all{
-      trace("new", "new wheel", wheelrail::paper_pairs[0], Suspension::dampers),
-      trace("cn", "CN A", wheelrail::paper_pairs[1], Suspension::dampers),
-      trace("heumann", "modified Heumann", wheelrail::paper_pairs[2], Suspension::dampers),
-      trace("friction", "CN A with friction", wheelrail::paper_pairs[1], Suspension::friction)};
+      trace("new", "new wheel", paper_pairs[0], Suspension::dampers),
+      trace("cn", "CN A", paper_pairs[1], Suspension::dampers),
+      trace("heumann", "modified Heumann", paper_pairs[2], Suspension::dampers),
+      trace("friction", "CN A with friction", paper_pairs[1], Suspension::friction)};
   return all;
 }
 
@@ -77,22 +73,26 @@ const LimitCycleBranch& true_branch(std::string_view key) {
   const Vehicle& v = vehicle(key);
   const Motion& hopf = v.hopf[v.main].motion;
   ContinuationOptions options;
-  options.lowest = 1 * units::foot;
-  options.highest = 250 * units::foot;
-  const bool friction = v.suspension == Suspension::friction;
-  options.first_amplitude = (friction ? 0.001 : 0.036) * units::inch;
-  options.largest_amplitude = (friction ? 0.5 : 0.6) * units::inch;  // beyond: many small folds
+  options.lowest = 1 * foot;
+  options.highest = 250 * foot;
+  options.first_amplitude = (v.friction() ? 0.001 : 0.036) * inch;
+  options.largest_amplitude = (v.friction() ? 0.5 : 0.6) * inch;  // beyond: many small folds
   auto branch = follow_from_hopf(by_speed(v.car.car(), *v.table), hopf.shape, hopf.lambda.imag(),
                                  hopf.speed, options);
   return known.emplace(key, std::move(branch)).first->second;
 }
 
-CycleCase cycle_case(const Vehicle& v, double speed, std::size_t which) {
-  CycleCase c;
-  c.vehicle = &v;
-  c.name = fmt::format("{}, {:g} ft/s", v.name, speed / units::foot);
-  c.car = car_on_track(v.car.car(), *v.table, speed);
-  const auto found = cycles_at_speed(v.car, v.main_branch(), speed);
+Critical first_critical(const CarParameters& data, const Vehicle& v) {
+  const auto found =
+      hopf_points({assemble(data, Suspension::dampers), *v.table}, 20 * foot, 400 * foot);
+  if (found.empty()) return {nan, nan};
+  return {found[0].motion.speed / foot, found[0].motion.lambda.imag()};
+}
+
+CycleCase cycle_case(std::string_view key, double speed, std::size_t which) {
+  const Vehicle& v = vehicle(key);
+  CycleCase c{fmt::format("{}, {:g} ft/s", v.name, speed), &v, {}, car_at(key, speed), {}};
+  const auto found = cycles_at_speed(v.car, v.main_branch(), speed * foot);
   if (found.size() <= which) {
     c.examined.reason = "the describing function has no such cycle";
     return c;
@@ -103,29 +103,25 @@ CycleCase cycle_case(const Vehicle& v, double speed, std::size_t which) {
 }
 
 const CycleCase& example_cycle() {
-  static const CycleCase c = cycle_case(vehicle("new"), 150 * units::foot);
+  static const CycleCase c = cycle_case("new", 150);
   return c;
 }
 
-double largest_amplitude(const Oscillator& car, const Cycle& cycle) {
-  double largest = 0;
-  for (std::size_t i = 0; i < wheelsets; ++i)
-    largest = std::max(largest, amplitude(cycle, car.channels[i].row));
-  return largest;
+Oscillator car_at(std::string_view key, double speed) {
+  return car_on_track(vehicle(key).car.car(), *vehicle(key).table, speed * foot);
 }
 
-double largest_amplitude(const Oscillator& car, const Orbit& orbit) {
-  double largest = 0;
-  for (std::size_t i = 0; i < wheelsets; ++i)
-    largest = std::max(largest, amplitude(car, orbit, car.channels[i].row));
-  return largest;
+Eigen::VectorXd aside(double inches) {
+  Eigen::VectorXd y = Eigen::VectorXd::Zero(18);
+  y[X_TF] = y[X_TR] = inches * inch;
+  return y;
 }
 
-HistoryOptions watching(const Oscillator& car, double tolerance) {
-  HistoryOptions options;
-  options.tolerance = tolerance;
-  for (std::size_t i = 0; i < wheelsets; ++i) options.watch.push_back(car.channels[i].row);
-  return options;
+History run(const Oscillator& moving, const Eigen::VectorXd& y, double duration,
+            Integrator integrator, double tolerance) {
+  HistoryOptions options{.integrator = integrator, .tolerance = tolerance};
+  for (std::size_t i = 0; i < wheelsets; ++i) options.watch.push_back(moving.channels[i].row);
+  return integrate(moving, y, duration, options);
 }
 
 Swing largest_swing(const History& history, int periods) {

@@ -10,59 +10,83 @@
 #include "dynamics/examine.hpp"
 #include "dynamics/history.hpp"
 #include "report/item.hpp"
+#include "sections.hpp"
 #include "wheelrail/paper_pairs.hpp"
 
 namespace railbook::hunting_chapter {
+
+using namespace dynamics;
+using units::foot, units::inch, units::nan;
 
 struct Vehicle {
   std::string key;   // "new", "cn", "heumann", "friction"
   std::string name;  // for tables
   const wheelrail::ConstraintFunctions* table;
   double flange;  // displacement up to which the tables are those of the tread [m]
-  dynamics::Suspension suspension;
-  dynamics::QuasiLinearCar car;
-  std::vector<dynamics::HopfPoint> hopf;        // of the linear car, up to 400 ft/s
-  std::vector<dynamics::CycleBranch> branches;  // one a Hopf point
-  std::size_t main = 0;                         // the branch of the paper's figure
-  const dynamics::CycleBranch& main_branch() const { return branches[main]; }
+  QuasiLinearCar car;
+  std::vector<HopfPoint> hopf;        // of the linear car, up to 400 ft/s
+  std::vector<CycleBranch> branches;  // one a Hopf point
+  std::size_t main = 0;               // the branch of the paper's figure
+  const CycleBranch& main_branch() const { return branches[main]; }
+  bool friction() const { return key == "friction"; }
 };
 const std::vector<Vehicle>& vehicles();
 // By key; throws std::logic_error for an unknown one.
 const Vehicle& vehicle(std::string_view key);
 // The branch of the full equations from the same critical speed; computed once, when it is asked for.
-const dynamics::LimitCycleBranch& true_branch(std::string_view key);
+const LimitCycleBranch& true_branch(std::string_view key);
 // "new", "cn" and "heumann": the three with dampers.
 inline constexpr int with_dampers = 3;
 
 // The displacement up to which the left wheel stands on its tread, not on the throat, curved by less than 2 in; less
 // half the width of the tables' running mean [m].
 double flange_begins(const wheelrail::WheelsetOnTrack& pair);
+// The first critical speed [ft/s] of other data on a vehicle's wheels, and its frequency; NaN if there is none.
+struct Critical {
+  double speed, omega;
+};
+Critical first_critical(const CarParameters& data, const Vehicle& v);
 
 // Why an item is rebuilt.
 inline constexpr const char* rebuilt_reason =
-    "the paper's profiles, its equivalent dampers and the sticking of its friction are not in it; "
-    "those used are stated";
+    "profiles, equivalent dampers and the sticking of friction are ours, as stated";
+// Columns of one format.
+inline std::vector<report::Heading> headings(const char* format,
+                                             std::initializer_list<const char*> titles) {
+  std::vector<report::Heading> all;
+  for (const char* title : titles) all.emplace_back(title, format);
+  return all;
+}
 
 struct CycleCase {
   std::string name;  // "new wheel, 150 ft/s"
   const Vehicle* vehicle = nullptr;
-  dynamics::CyclePoint quasi;  // the describing-function cycle
-  dynamics::Oscillator car;
-  dynamics::Examined examined;  // balance with 23 harmonics, shooting, multipliers
+  CyclePoint quasi;  // the describing-function cycle
+  Oscillator car;
+  Examined examined;  // balance with 23 harmonics, shooting, multipliers
 };
-// The cycle of a vehicle's main branch at a speed [m/s], `which` in order along it.
-CycleCase cycle_case(const Vehicle& vehicle, double speed, std::size_t which = 0);
+// The cycle of a vehicle's main branch at a speed [ft/s], `which` in order along it.
+CycleCase cycle_case(std::string_view key, double speed, std::size_t which = 0);
 // New wheel, 150 ft/s.
 const CycleCase& example_cycle();
 
-// Half of peak to peak of the largest wheelset [m].
-double largest_amplitude(const dynamics::Oscillator& car, const dynamics::Cycle& cycle);
-double largest_amplitude(const dynamics::Oscillator& car, const dynamics::Orbit& orbit);
-// Integration that watches the four wheelsets.
-dynamics::HistoryOptions watching(const dynamics::Oscillator& car, double tolerance = 1e-9);
-// Of the wheelset that swings most, over the last periods.
-dynamics::Swing largest_swing(const dynamics::History& history, int periods);
+// A vehicle's car at a speed [ft/s], and a state with both trucks aside [in].
+Oscillator car_at(std::string_view key, double speed);
+Eigen::VectorXd aside(double inches);
+// Integration that watches the four wheelsets, and the swing of the one that swings most, over the last periods.
+History run(const Oscillator& moving, const Eigen::VectorXd& y, double duration,
+            Integrator integrator, double tolerance = 1e-9);
+Swing largest_swing(const History& history, int periods);
 // The state of a describing-function cycle at phase 0.
-Eigen::VectorXd state_of(const dynamics::Motion& motion);
+Eigen::VectorXd state_of(const Motion& motion);
+
+struct Range {
+  double low = 1e9, high = 0;
+  double width() const { return high - low; }
+  void add(double x) {
+    if (x < low) low = x;
+    if (x > high) high = x;
+  }
+};
 
 }  // namespace railbook::hunting_chapter

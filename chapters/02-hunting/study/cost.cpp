@@ -13,8 +13,8 @@ exponentially. {{cycle-answer}} Integration finds stable cycles only; the others
 
 ### Its multipliers
 
-The largest pair of the half-period map's multipliers. A user without the derivative of the flow takes differences: eighteen integrations over half a period from states moved by 1e-6 of their scale. Hill's determinant in the cycle's
-harmonics needs no integration. The variational equation along the balanced cycle, in equal steps with the laws averaged over each, is what the branches of the first page use. The reference is the derivative carried along exact pieces; its uncertainty is what the pieces' tolerance does to it.
+The largest pair of the half-period map's multipliers. Hill's determinant in the cycle's harmonics needs no integration. The variational equation along the balanced cycle, in equal steps with the laws
+averaged over each, is what the branches of the first page use. The reference is the derivative carried along exact pieces; its uncertainty is what the pieces' tolerance does to it.
 
 {{multiplier-time}}
 
@@ -24,8 +24,8 @@ harmonics needs no integration. The variational equation along the balanced cycl
 
 ### One describing-function cycle: the paper's loop against Newton
 
-{{df-time}} finds one cycle, Heumann wheels at 0.2 in, from the linear car's mode: by the paper's two loops, stopped at growth
-rates of $10^{-1}$ to $10^{-7}$ 1/s, and by Newton with its exact Jacobian, stopped after one to three steps (the fourth is at rounding). The reference is the same cycle reached by continuation.
+Heumann wheels at 0.2 in, from the linear car's mode: by the paper's two loops, stopped at growth rates of $10^{-1}$ to $10^{-7}$ 1/s, and by Newton with its exact Jacobian,
+stopped after one to three steps (the fourth is at rounding). The reference is the same cycle reached by continuation.
 
 {{df-time}}
 
@@ -34,211 +34,171 @@ rates of $10^{-1}$ to $10^{-7}$ 1/s, and by Newton with its exact Jacobian, stop
 {{df-answer}}
 */
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "bench/work_precision.hpp"
 #include "dynamics/cycle_solver.hpp"
 #include "dynamics/eigenvector_loop.hpp"
-#include "num/eigenvalues.hpp"
-#include "sections.hpp"
 #include "vehicles.hpp"
 
 namespace railbook::hunting_chapter {
 
-using namespace dynamics;
-using units::inch;
-
 namespace {
 
 constexpr bench::Axes axes{1e-14, 1, 1e-5, 10};  // of all panels
+constexpr double budget = 0.02;                  // seconds of timing a setting
 
-bench::Outcome outcome(double amplitude, double work, bool converged, std::string reason) {
-  return {.values = {amplitude / inch},
-          .work = work,
-          .converged = converged,
-          .reason = std::move(reason)};
+Cycle balanced(const CycleCase& c, int highest) {
+  const Motion& m = c.quasi.motion;
+  return balance(c.car, first_harmonic(c.car, m.shape, m.lambda.imag(), highest));
 }
 
-bench::Outcome by_balance(const CycleCase& c, int highest) {
-  const Cycle start =
-      first_harmonic(c.car, c.quasi.motion.shape, c.quasi.motion.lambda.imag(), highest);
-  const Cycle cycle = balance(c.car, start);
-  return outcome(cycle.converged ? largest_amplitude(c.car, cycle) : 0,
-                 double(cycle.motion.size()) * std::max(cycle.iterations, 1), cycle.converged,
-                 cycle.reason);
+// Half of peak to peak of the largest wheelset [in], of a cycle or an orbit.
+double largest(const std::function<double(const Eigen::VectorXd&)>& amplitude_of) {
+  double most = 0;
+  for (std::size_t i = 0; i < wheelsets; ++i)
+    most = std::max(most, amplitude_of(example_cycle().car.channels[i].row));
+  return most / inch;
 }
 
-bench::Outcome by_integration(const CycleCase& c, Integrator integrator, double tolerance) {
-  HistoryOptions options = watching(c.car, tolerance);
-  options.integrator = integrator;
-  const History h = integrate(c.car, state_of(c.quasi.motion), 20, options);
+bench::Outcome by_balance(int highest) {
+  const Cycle cycle = balanced(example_cycle(), highest);
+  return {{largest([&](const auto& row) { return amplitude(cycle, row); })},
+          double(cycle.motion.size()) * std::max(cycle.iterations, 1),
+          cycle.converged,
+          cycle.reason};
+}
+
+bench::Outcome by_integration(Integrator integrator, double tolerance) {
+  const CycleCase& c = example_cycle();
+  const History h = run(c.car, state_of(c.quasi.motion), 20, integrator, tolerance);
   const Swing s = largest_swing(h, 5);
-  return outcome(s.amplitude, double(h.evaluations), s.found, s.found ? "" : "no periods found");
+  return {{s.amplitude / inch}, double(h.evaluations), s.found, "no periods found"};
 }
 
-bench::Outcome by_shooting(const CycleCase& c, double tolerance) {
-  ShootingOptions options;
-  options.tolerance = tolerance;
-  const Cycle nine =
-      balance(c.car, first_harmonic(c.car, c.quasi.motion.shape, c.quasi.motion.lambda.imag(), 9));
-  const Orbit orbit = shoot(c.car, nine, options);
-  return outcome(orbit.converged ? largest_amplitude(c.car, orbit) : 0, double(orbit.steps),
-                 orbit.converged, orbit.reason);
+bench::Outcome of_orbit(const Orbit& orbit) {
+  const Oscillator& car = example_cycle().car;
+  return {{largest([&](const auto& row) { return amplitude(car, orbit, row); })},
+          double(orbit.steps),
+          orbit.converged,
+          orbit.reason};
 }
 
-// Shooting to rounding, and by how much, relatively, an independent integrator is off it.
-bench::Reference reference(const CycleCase& c) {
-  ShootingOptions options;
-  options.tolerance = 1e-13;
-  options.piece_tolerance = 1e-15;
-  const Orbit orbit = shoot(c.car, c.examined.orbit.y, c.examined.orbit.period, options);
-  const double best = largest_amplitude(c.car, orbit.converged ? orbit : c.examined.orbit) / inch;
-  const double other = by_integration(c, Integrator::dopri5, 1e-12).values[0];
-  return {"amplitude", best, std::max(std::abs(other / best - 1), 1e-15)};
+Orbit closed(double tolerance, double piece_tolerance) {
+  const Examined& e = example_cycle().examined;
+  return shoot(example_cycle().car, e.orbit.y, e.orbit.period,
+               {.tolerance = tolerance, .piece_tolerance = piece_tolerance});
+}
+
+double apart(double a, double b) {
+  return std::max(std::abs(a / b - 1), 1e-15);
 }
 
 void cycle_time(report::Item& item) {
   item.added("a study of methods");
-  const CycleCase& c = example_cycle();
-  const auto integration = [&](const char* name, Integrator integrator,
-                               const std::vector<double>& tolerances) {
+  const auto integration = [](const char* name, Integrator integrator,
+                              const std::vector<double>& tolerances) {
     return bench::sweep(name, tolerances,
-                        [&c, integrator](double tolerance) {
-                          return by_integration(c, integrator, tolerance);
-                        })
+                        [integrator](double t) { return by_integration(integrator, t); })
         .counts("evaluations");
   };
+  const auto by_shooting = [](double tolerance) {
+    const CycleCase& c = example_cycle();
+    return of_orbit(shoot(c.car, balanced(c, 9), {.tolerance = tolerance}));
+  };
   const std::vector<bench::Method> methods{
-      bench::sweep("harmonic balance", {1, 3, 5, 9, 15, 23, 31, 47, 63, 95},
-                   [&](int n) { return by_balance(c, n); })
+      bench::sweep("harmonic balance", {1, 3, 5, 9, 15, 23, 31, 47, 63, 95}, by_balance)
           .counts("unknowns times iterations"),
-      bench::sweep("shooting", std::vector<double>{1e-3, 1e-5},
-                   [&](double t) { return by_shooting(c, t); })
-          .counts("steps"),
-      integration("explicit", Integrator::dopri5, {1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9}),
-      integration("implicit", Integrator::radau5, {1e-3, 1e-4, 1e-5})};
-  const auto points = bench::measure("cycle-time", {reference(c)}, methods, item.timings(), 0.05);
+      bench::sweep("shooting", std::vector<double>{1e-3, 1e-5}, by_shooting).counts("steps"),
+      integration("explicit", Integrator::dopri5, {1e-4, 1e-6, 1e-8}),
+      integration("implicit", Integrator::radau5, {1e-3, 1e-5})};
+  const double best = of_orbit(closed(1e-13, 1e-15)).values[0];
+  const double other = by_integration(Integrator::dopri5, 1e-12).values[0];
+  const auto points = bench::measure("cycle-time", {{"amplitude", best, apart(other, best)}},
+                                     methods, item.timings(), budget);
   bench::show(item, points, "amplitude", methods, axes)
       .not_compared(
-          "the step control of both integrators meets kinks: their errors hang on the last digits");
+          "the step control of both integrators meets kinks: their errors hang on the "
+          "last digits");
   item.value("cycle-answer", bench::answer(points, "amplitude", {1e-3, 1e-5, 1e-7}));
 }
 
-// Of the half-period map: the largest of the pairs, as modulus and angle [rad].
-bench::Outcome largest_pair(const std::vector<Complex>& multipliers, double work) {
-  Complex largest = 0;
+// Of the half-period map's pairs the one of largest modulus.
+Complex largest_pair(const std::vector<Complex>& multipliers) {
+  Complex most = 0;
   for (const Complex& m : multipliers)
-    if (std::abs(m.imag()) > 1e-6 * std::abs(m) && std::abs(m) > std::abs(largest)) largest = m;
-  return {.values = {std::abs(largest)}, .work = work, .reason = ""};
+    if (std::abs(m.imag()) > 1e-6 * std::abs(m) && std::abs(m) > std::abs(most)) most = m;
+  return most;
 }
 
-bench::Outcome by_pieces(const CycleCase& c, double tolerance) {
-  ShootingOptions options;
-  options.piece_tolerance = tolerance;
-  const Orbit orbit = shoot(c.car, c.examined.orbit.y, c.examined.orbit.period, options);
-  return largest_pair(orbit.map_multipliers, double(orbit.steps));
-}
-
-bench::Outcome by_differences(const CycleCase& c, double tolerance) {
-  const State scale = HistoryOptions::default_scale();
+bench::Outcome by_hill(int highest) {
+  const CycleCase& c = example_cycle();
   const Orbit& orbit = c.examined.orbit;
-  HistoryOptions options;
-  options.integrator = Integrator::dopri5;
-  options.tolerance = tolerance;
-  long evaluations = 0;
-  const auto flow = [&](const Eigen::VectorXd& y) -> Eigen::VectorXd {
-    const History h = integrate(c.car, y, 0.5 * orbit.period, options);
-    evaluations += h.evaluations;
-    return -h.y;
-  };
-  const Eigen::VectorXd unmoved = flow(orbit.y);
-  Eigen::MatrixXd map(18, 18);
-  for (Eigen::Index k = 0; k < 18; ++k) {
-    const double step = 1e-6 * scale[k];
-    map.col(k) = (flow(orbit.y + step * Eigen::VectorXd::Unit(18, k)) - unmoved) / step;
-  }
-  const Eigen::VectorXcd all = num::eigenvalues(map);
-  return largest_pair({all.begin(), all.end()}, double(evaluations));
+  const Complex start = exponent(largest_pair(orbit.map_multipliers), orbit.period);
+  const auto found = hill_exponent(c.car, harmonics(c.car, orbit, highest), 1.01 * start, highest);
+  return {{std::exp(found.value.real() * orbit.period / 2)},
+          double(found.iterations) * highest,
+          found.converged,
+          "the secant method did not converge"};
 }
 
-bench::Outcome by_hill(const CycleCase& c, int highest) {
-  const Orbit& orbit = c.examined.orbit;
-  Complex start = 0;
-  for (const Complex& m : orbit.map_multipliers)
-    if (std::abs(m.imag()) > 1e-6 * std::abs(m) && std::abs(m) > std::abs(start)) start = m;
-  const auto found = hill_exponent(c.car, harmonics(c.car, orbit, highest),
-                                   1.01 * exponent(start, orbit.period), highest);
-  return {.values = {std::exp(found.value.real() * orbit.period / 2)},
-          .work = double(found.iterations) * highest,
-          .converged = found.converged,
-          .reason = found.converged ? "" : "the secant method did not converge"};
-}
-
-bench::Outcome by_variation(const CycleCase& c, int steps) {
-  return largest_pair(multipliers(c.car, harmonics(c.car, c.examined.orbit, 95), steps).map, steps);
+bench::Outcome by_variation(int steps) {
+  const CycleCase& c = example_cycle();
+  const Cycle cycle = harmonics(c.car, c.examined.orbit, 95);
+  return {{std::abs(largest_pair(multipliers(c.car, cycle, steps).map))}, double(steps), true, ""};
 }
 
 void multiplier_time(report::Item& item) {
   item.added("a study of methods");
-  const CycleCase& c = example_cycle();
-  const double best = by_pieces(c, 1e-15).values[0];
-  const double uncertainty = std::max(std::abs(by_pieces(c, 1e-12).values[0] / best - 1), 1e-15);
+  const auto by_pieces = [](double tolerance) {
+    return std::abs(largest_pair(closed(1e-10, tolerance).map_multipliers));
+  };
+  const double best = by_pieces(1e-15), uncertainty = apart(by_pieces(1e-12), best);
   const std::vector<bench::Method> methods{
-      bench::sweep("differences", std::vector<double>{1e-6, 1e-8, 1e-10, 1e-12},
-                   [&](double t) { return by_differences(c, t); })
-          .counts("evaluations"),
-      bench::sweep("variational equation", {512, 1024, 2048, 4096},
-                   [&](int n) { return by_variation(c, n); })
+      bench::sweep("variational equation", {512, 1024, 2048, 4096}, by_variation)
           .counts("steps")
           .expects(-2),
-      bench::sweep("Hill's determinant", {5, 9, 15, 23, 47, 95}, [&](int n) {
-        return by_hill(c, n);
-      }).counts("harmonics times iterations")};
+      bench::sweep("Hill's determinant", {5, 9, 15, 23, 47, 95}, by_hill)
+          .counts("harmonics times iterations")};
   const auto points = bench::measure("multiplier-time", {{"largest pair", best, uncertainty}},
-                                     methods, item.timings(), 0.05);
+                                     methods, item.timings(), budget);
   bench::show(item, points, "largest pair", methods, axes)
-      .not_compared("differences of integrations with error control");
+      .not_compared("kinks: the small errors hang on the orbit's last digits");
   item.value("multiplier-answer", bench::answer(points, "largest pair", {1e-1, 1e-2, 1e-4}));
 }
 
-constexpr double amplitude = 0.2 * inch;
+constexpr double size = 0.2 * inch;
 
 bench::Outcome by_loop(double growth) {
   const Vehicle& v = vehicle("heumann");
-  const auto r = paper_cycle(v.car, v.hopf[0].motion, amplitude, ModeChoice::least_damped,
+  const auto r = paper_cycle(v.car, v.hopf[0].motion, size, ModeChoice::least_damped,
                              {.shape = growth / 10, .growth = growth});
-  return {
-      {r.cycle.speed}, static_cast<double>(r.inner), r.end == LoopEnd::converged, to_string(r.end)};
+  return {{r.cycle.speed}, double(r.inner), r.end == LoopEnd::converged, to_string(r.end)};
 }
 
 // A run cut short has its last iterate; its error is what the figure is about.
 bench::Outcome by_newton(int steps) {
   const Vehicle& v = vehicle("heumann");
   Motion start = v.hopf[0].motion;
-  start.shape = scaled_to(v.car.car(), start.shape, amplitude);
-  const Unknowns u = scaled(start);
-  const auto r = solve_cycle(v.car, u, u,
-                             {.kind = Pick::amplitude,
-                              .wheelset = largest_wheelset(v.car.car(), start.shape),
-                              .value = amplitude},
-                             steps);
-  return {{r.motion.speed}, static_cast<double>(std::min(r.iterations, steps)), true, ""};
+  start.shape = scaled_to(v.car.car(), start.shape, size);
+  const int wheelset = largest_wheelset(v.car.car(), start.shape);
+  const auto r = solve_cycle(v.car, scaled(start), scaled(start),
+                             {.kind = Pick::amplitude, .wheelset = wheelset, .value = size}, steps);
+  return {{r.motion.speed}, double(std::min(r.iterations, steps)), true, ""};
 }
 
 void df_time(report::Item& item) {
   item.added("a study of methods; the paper does not say what its algorithm costs");
   const Vehicle& v = vehicle("heumann");
-  const double speed = cycles_at_amplitude(v.car, v.main_branch(), amplitude).at(0).motion.speed;
-  const double again = find_cycle(v.car, v.hopf[0].motion, amplitude).cycle.motion.speed;
-  const auto points = bench::figure(
-      item, {"V", speed, std::max(std::abs(again / speed - 1), 1e-15)},
-      {bench::sweep("eigenvector loop",
-                    std::vector<double>{1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7}, by_loop),
-       bench::sweep("Newton with exact Jacobian", {1, 2, 3}, by_newton)},
-      0.05, axes);
+  const double speed = cycles_at_amplitude(v.car, v.main_branch(), size).at(0).motion.speed;
+  const double again = find_cycle(v.car, v.hopf[0].motion, size).cycle.motion.speed;
+  const std::vector<double> growths{1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7};
+  const auto points =
+      bench::figure(item, {"V", speed, apart(again, speed)},
+                    {bench::sweep("eigenvector loop", growths, by_loop),
+                     bench::sweep("Newton with exact Jacobian", {1, 2, 3}, by_newton)},
+                    budget, axes);
   item.value("df-answer", bench::answer(points, "V", {1e-3, 1e-6}));
 }
 

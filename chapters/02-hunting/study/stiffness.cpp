@@ -16,30 +16,20 @@ size, and pays for each with a factorization.
 
 #include <array>
 #include <cmath>
-#include <optional>
 
 #include "bench/timing.hpp"
 #include "num/eigenvalues.hpp"
-#include "sections.hpp"
 #include "vehicles.hpp"
 
 namespace railbook::hunting_chapter {
 
-using namespace dynamics;
-using units::foot;
-using units::inch;
-
 namespace {
 
 constexpr double allowed = 1e-4;
-
-struct Method {
-  const char* name;
-  Integrator integrator;
-};
-constexpr std::array<Method, 3> methods{{{"explicit", Integrator::dopri5},
-                                         {"implicit", Integrator::radau5},
-                                         {"exact pieces", Integrator::pieces}}};
+constexpr std::array<std::pair<const char*, Integrator>, 3> methods{
+    {{"explicit", Integrator::dopri5},
+     {"implicit", Integrator::radau5},
+     {"exact pieces", Integrator::pieces}}};
 
 // A car and a start: `stiffness` is what the figure is drawn against.
 struct Case {
@@ -51,96 +41,61 @@ struct Case {
   History run(Integrator integrator, double tolerance) const {
     return integrate(car, start, duration, {.integrator = integrator, .tolerance = tolerance});
   }
-  double error(const History& history, const History& reference) const {
-    const auto off = (history.y - reference.y).head(9).lpNorm<Eigen::Infinity>();
-    return off / reference.y.head(9).lpNorm<Eigen::Infinity>();
-  }
 };
 
+double error_of(const History& history, const History& reference) {
+  if (history.end != History::End::completed) return 1;
+  const auto off = (history.y - reference.y).head(9).lpNorm<Eigen::Infinity>();
+  return off / reference.y.head(9).lpNorm<Eigen::Infinity>();
+}
+
+// Steps and, if timed, seconds at the largest tolerance that keeps the error; steps of 0: none did.
 struct Cost {
-  double tolerance, error, seconds = 0;
-  long steps;
+  double tolerance = 0, error = 0, seconds = 0, steps = 0;
 };
-
-std::optional<Cost> cost_at_error(const Case& c, const History& reference, Integrator integrator,
-                                  bool timings) {
+Cost cost_at_error(const Case& c, const History& reference, Integrator integrator, bool timed) {
   for (double tolerance = 1e-2; tolerance > 0.5e-10; tolerance *= 0.1) {
     const History history = c.run(integrator, tolerance);
-    const double error = c.error(history, reference);
-    if (history.end != History::End::completed || !(error < allowed)) continue;
-    Cost cost{tolerance, error, 0, history.steps};
-    if (timings)
-      cost.seconds = bench::time_call([&] { (void)c.run(integrator, tolerance); }, 0.05).median;
+    const double error = error_of(history, reference);
+    if (!(error < allowed)) continue;
+    Cost cost{tolerance, error, 0, double(history.steps)};
+    if (timed)
+      cost.seconds = bench::time_call([&] { (void)c.run(integrator, tolerance); }, 0.02).median;
     return cost;
   }
-  return std::nullopt;
+  return {};
 }
 
-// Where the implicit method's cost meets the explicit one's, between cases in order of falling stiffness.
-double crossover(const std::vector<double>& stiffness, const std::vector<double>& ratio) {
-  for (std::size_t k = 1; k < ratio.size(); ++k) {
-    const double a = std::log(ratio[k - 1]), b = std::log(ratio[k]);
-    if (a < 0 && b >= 0)
-      return stiffness[k - 1] * std::pow(stiffness[k] / stiffness[k - 1], a / (a - b));
-  }
-  return units::nan;
-}
-
-// Adds the costs of the cases, and where the methods meet, in time or, untimed, in steps.
+// Adds the costs of the cases, in order of falling stiffness, and where the implicit method's cost, in time or, untimed, in
+// steps, meets the explicit one's.
 std::string compare(report::Item& item, const char* name, const std::vector<Case>& cases,
                     const char* unit) {
   auto& data = item.data(
       name, {"method", "stiffness", "tolerance", "error", "seconds", "steps", "crossover"});
   data.not_compared("times, and steps that hang on last digits");
-  std::vector<double> values;
-  std::vector<History> references;
-  for (const Case& c : cases) {
-    values.push_back(c.stiffness);
-    references.push_back(c.run(Integrator::pieces, 1e-13));
-  }
-  std::vector<double> ratios(cases.size(), 1);
-  for (const Method& method : methods)
-    for (std::size_t k = 0; k < cases.size(); ++k) {
-      const auto cost = cost_at_error(cases[k], references[k], method.integrator, item.timings());
-      if (!cost) continue;
-      data.add(method.name, values[k], cost->tolerance, cost->error, cost->seconds,
-               double(cost->steps), units::nan);
-      const double spent = item.timings() ? cost->seconds : double(cost->steps);
-      if (method.integrator == Integrator::dopri5) ratios[k] /= spent;
-      if (method.integrator == Integrator::radau5) ratios[k] *= spent;
+  double at = nan, before = 0;
+  const bool timed = item.timings();
+  for (std::size_t k = 0; k < cases.size(); ++k) {
+    const History reference = cases[k].run(Integrator::pieces, 1e-13);
+    double ratio = 0;  // logarithm of implicit over explicit
+    for (const auto& [method, integrator] : methods) {
+      const Cost cost = cost_at_error(cases[k], reference, integrator, timed);
+      if (cost.steps == 0) continue;
+      data.add(method, cases[k].stiffness, cost.tolerance, cost.error, cost.seconds, cost.steps,
+               nan);
+      const double spent = std::log(timed ? cost.seconds : cost.steps);
+      if (integrator == Integrator::dopri5) ratio -= spent;
+      if (integrator == Integrator::radau5) ratio += spent;
     }
-  const double at = crossover(values, ratios);
+    if (before < 0 && ratio >= 0)
+      at = cases[k - 1].stiffness *
+           std::pow(cases[k].stiffness / cases[k - 1].stiffness, before / (before - ratio));
+    before = ratio;
+  }
   if (!std::isfinite(at)) return "One method is the faster over the whole range.";
-  for (const double end : {1e-9, 1e9}) data.add("", 0, 0, 0, item.timings() ? end : 0, end, at);
+  for (const double end : {1e-9, 1e9}) data.add("", 0, 0, 0, timed ? end : 0, end, at);
   return fmt::format("Below {:.1g} {} the implicit method takes less {} than the explicit one.", at,
-                     unit, item.timings() ? "time" : "steps");
-}
-
-std::vector<Case> slow_cars() {
-  std::vector<Case> cases;
-  for (const double speed : {0.1, 0.3, 1.0, 3.0, 10.0, 30.0, 100.0}) {
-    cases.push_back(
-        {speed,
-         car_on_track(assemble({}, Suspension::dampers), *vehicle("new").table, speed * foot),
-         Eigen::VectorXd::Zero(18), 0.5});
-    cases.back().start[X_TF] = cases.back().start[X_TR] = 0.2 * inch;
-  }
-  return cases;
-}
-
-// From a rate that is quick to integrate in any case down to 1e-6 m/s, at full level, or 1e-5.
-std::vector<Case> sticking_cars(bool full) {
-  std::vector<Case> cases;
-  const Vehicle& v = vehicle("friction");
-  const auto cycle = cycles_at_speed(v.car, v.main_branch(), 90 * foot).at(0);
-  for (double stick = full ? 1e-6 : 1e-5; stick < 2e-2; stick *= 10) {
-    CarParameters data;
-    data.stick_rate *= stick / data.stick_speed;
-    data.stick_speed = stick;
-    cases.push_back({stick, car_on_track(assemble(data, Suspension::friction), *v.table, 90 * foot),
-                     state_of(cycle.motion), 0.25});
-  }
-  return cases;
+                     unit, timed ? "time" : "steps");
 }
 
 void stiff(report::Item& item) {
@@ -148,11 +103,24 @@ void stiff(report::Item& item) {
   item.expect_checks(1);
   item.script("study/stiffness.gp");
   extremes(item);
-  const auto slow = slow_cars();
+  std::vector<Case> slow, sticking;
+  for (const double speed : {0.1, 0.3, 1.0, 3.0, 10.0, 30.0, 100.0})
+    slow.push_back({speed, car_at("new", speed), aside(0.2), 0.5});
+  // From a rate that is quick to integrate in any case down to 1e-6 m/s, at full level, or 1e-5.
+  const Vehicle& v = vehicle("friction");
+  const auto cycle = cycles_at_speed(v.car, v.main_branch(), 90 * foot).at(0);
+  for (double stick = item.full() ? 1e-6 : 1e-5; stick < 2e-2; stick *= 10) {
+    CarParameters data;
+    data.stick_rate *= stick / data.stick_speed;
+    data.stick_speed = stick;
+    const FreightCar car = assemble(data, Suspension::friction);
+    sticking.push_back(
+        {stick, car_on_track(car, *v.table, 90 * foot), state_of(cycle.motion), 0.25});
+  }
   item.value("speed-answer", compare(item, "", slow, "ft/s"));
-  item.value("sticking-answer", compare(item, "sticking", sticking_cars(item.full()), "m/s"));
-  const Case& c = slow[2];
-  const double apart = c.error(c.run(Integrator::radau5, 1e-10), c.run(Integrator::pieces, 1e-13));
+  item.value("sticking-answer", compare(item, "sticking", sticking, "m/s"));
+  const double apart =
+      error_of(slow[2].run(Integrator::radau5, 1e-10), slow[2].run(Integrator::pieces, 1e-13));
   item.at_most("reference", "exact pieces against the implicit method at 1e-10, 1 ft/s", "", apart,
                allowed / 100, "a hundredth of the error compared");
   StateMatrix jacobian;
