@@ -4,60 +4,61 @@
 #include <cmath>
 #include <vector>
 
+#include "num/parallel.hpp"
+
 namespace railbook::contact {
 namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
 
+using num::in_parallel, num::reduce_in_blocks;
+
 // One solve. The outer loop changes the set of cells in contact, the inner one is a preconditioned conjugate
 // gradient on a fixed set. Every vector has a value per cell, zero outside the set.
 class ActiveSet {
  public:
-  ActiveSet(Convolution& a, const Grid& grid, const VectorXd& g, VectorXd& p,
+  ActiveSet(Convolution& a, const Grid& grid, const VectorXd& f, double approach, VectorXd& p,
             const BoundedCgOptions& options, BoundedCg& result)
       : a_(a),
-        inverse_(grid, a.effective_modulus()),
-        g_(g),
+        inverse_(grid, a.effective_modulus(), options.threads),
+        f_(f),
         p_(p),
         options_(options),
         result_(result),
-        scale_(g.maxCoeff()) {
-    in_.resize(static_cast<std::size_t>(g.size()));
-    for (VectorXd* v : {&r_, &z_, &d_, &w_}) v->setZero(g.size());
-    for (Index n = 0; n < g.size(); ++n) {
-      if (std::isinf(g[n])) p[n] = 0;  // no body
+        cells_(static_cast<std::size_t>(f.size())),
+        approach_(approach),
+        scale_(approach - f.minCoeff()),
+        self_(a.self()) {
+    in_.resize(cells_);
+    for (VectorXd* v : {&r_, &d_, &w_}) v->setZero(f.size());
+    for (Index n = 0; n < f.size(); ++n) {
+      if (std::isinf(f[n])) p[n] = 0;  // no body
       in(n) = p[n] > 0 ? 1 : 0;
     }
-    self_ = a.self();
-  }
-
-  void apply(const VectorXd& v, VectorXd& out) {
-    a_.apply(v, out);
-    result_.work += a_.points();
   }
 
   // Largest |g - u| in the set.
-  double residual() const { return r_.cwiseAbs().maxCoeff() / scale_; }
+  double residual() const { return largest_ / scale_; }
 
   // Cells under tension leave, cells that penetrate join; returns the worst violation, as a share of the scale.
   double update_set() {
-    double worst = 0;
-    for (Index n = 0; n < g_.size(); ++n) {
-      if (!(p_[n] < 0)) continue;
-      worst = std::max(worst, -p_[n] * self_);
+    double worst = largest_of([&](Index n) {
+      if (!(p_[n] < 0)) return 0.0;
+      const double tension = -p_[n] * self_;
       p_[n] = 0;
       in(n) = 0;
-    }
-    apply(p_, w_);
-    for (Index n = 0; n < g_.size(); ++n) {
-      const double penetration = g_[n] - w_[n];
-      if (!in(n) && penetration > 0) {
-        in(n) = 1;
-        worst = std::max(worst, penetration);
-      }
-      r_[n] = in(n) ? penetration : 0;
-    }
+      return tension;
+    });
+    apply(p_);
+    worst = std::max(worst, largest_of([&](Index n) {
+                       const double penetration = approach_ - f_[n] - w_[n];
+                       const bool joins = !in(n) && penetration > 0;
+                       if (joins) in(n) = 1;
+                       r_[n] = in(n) ? penetration : 0;
+                       return joins ? penetration : 0.0;
+                     }));
+    largest_ = largest_of([&](Index n) { return std::abs(r_[n]); });
     return worst / scale_;
   }
 
@@ -67,51 +68,83 @@ class ActiveSet {
     d_.setZero();
     while (residual() > tolerance && result_.iterations < options_.most_iterations) {
       ++result_.iterations;
-      if (options_.precondition) {
-        inverse_.apply(r_, z_);
+      if (options_.precondition) {  // w is z = P r first, and A d after it
+        inverse_.apply(r_, w_, a_.workspace());
         result_.work += inverse_.points();
       } else {
-        z_ = r_;
+        w_ = r_;
       }
-      for (Index n = 0; n < g_.size(); ++n)
-        if (!in(n)) z_[n] = 0;
-      const double rz = r_.dot(z_);
+      const double rz = sum_of([&](Index n) {
+        if (!in(n)) w_[n] = 0;
+        return r_[n] * w_[n];
+      });
       const double beta = rz_old > 0 ? rz / rz_old : 0;
       rz_old = rz;
-      d_ = z_ + beta * d_;
-      apply(d_, w_);
-      const double step = rz / d_.dot(w_);
-      p_ += step * d_;
-      for (Index n = 0; n < g_.size(); ++n)
+      in_parallel(options_.threads, cells_, [&](std::size_t begin, std::size_t end, std::size_t) {
+        for (std::size_t k = begin; k < end; ++k) {
+          const auto n = static_cast<Index>(k);
+          d_[n] = w_[n] + beta * d_[n];
+        }
+      });
+      apply(d_);
+      const double step = rz / sum_of([&](Index n) { return d_[n] * w_[n]; });
+      largest_ = largest_of([&](Index n) {
+        p_[n] += step * d_[n];
         if (in(n)) r_[n] -= step * w_[n];
+        return std::abs(r_[n]);
+      });
     }
   }
 
  private:
   char& in(Index n) { return in_[static_cast<std::size_t>(n)]; }
 
+  void apply(const VectorXd& v) {
+    a_.apply(v, w_);
+    result_.work += a_.points();
+  }
+
+  template <class Term, class Join>
+  double over_cells(const Term& term, const Join& join) {
+    const auto of_block = [&](std::size_t begin, std::size_t end) {
+      double found = 0;
+      for (std::size_t k = begin; k < end; ++k) found = join(found, term(static_cast<Index>(k)));
+      return found;
+    };
+    return reduce_in_blocks(options_.threads, cells_, of_block, join);
+  }
+  template <class Term>
+  double sum_of(const Term& term) {
+    return over_cells(term, [](double a, double b) { return a + b; });
+  }
+  template <class Term>
+  double largest_of(const Term& term) {
+    return over_cells(term, [](double a, double b) { return std::max(a, b); });
+  }
+
   Convolution& a_;
   InversePreconditioner inverse_;
-  const VectorXd& g_;
+  const VectorXd& f_;
   VectorXd& p_;
   const BoundedCgOptions& options_;
   BoundedCg& result_;
-  VectorXd r_, z_, d_, w_;
+  VectorXd r_, d_, w_;
   std::vector<char> in_;
-  double scale_, self_;
+  std::size_t cells_;
+  double approach_, scale_, self_, largest_ = 0;
 };
 
 }  // namespace
 
-BoundedCg solve_bounded_cg(Convolution& a, const Grid& grid, const VectorXd& g, VectorXd& p,
-                           const BoundedCgOptions& options) {
+BoundedCg solve_bounded_cg(Convolution& a, const Grid& grid, const VectorXd& f, double approach,
+                           VectorXd& p, const BoundedCgOptions& options) {
   BoundedCg result;
-  if (!(g.maxCoeff() > 0)) {  // nothing penetrates at first touch: no contact
+  if (!(approach > f.minCoeff())) {  // nothing penetrates at first touch: no contact
     p.setZero();
     result.converged = true;
     return result;
   }
-  ActiveSet s(a, grid, g, p, options, result);
+  ActiveSet s(a, grid, f, approach, p, options, result);
   double violation = s.update_set();
   violation = std::max(violation, s.residual());
   for (int outer = 0; outer < 100; ++outer) {

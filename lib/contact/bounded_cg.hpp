@@ -13,6 +13,7 @@ struct BoundedCgOptions {
   double tolerance = 1e-8;
   int most_iterations = 1000;
   bool precondition = true;
+  int threads = 1;  // the digits do not depend on it; small grids take one
 };
 
 struct BoundedCg {
@@ -22,13 +23,14 @@ struct BoundedCg {
   bool converged = false;
 };
 
-// Solves p >= 0, s = A p - g >= 0, p s = 0 for g = approach - gap (m; -infinity where there is no body),
+// Solves p >= 0, s = A p - g >= 0, p s = 0 for g = approach - f (f the gap, m; infinite where there is no body),
 // starting from `p` (Pa, >= 0) and leaving the solution there. Conjugate gradients solve A p = g on a set of cells,
 // not more tightly than the set deserves; then cells under tension leave it and cells that penetrate join, until
 // neither happens. (Polonsky & Keer 1999 and Vollebregt, doi:10.1007/s10957-013-0499-x, change the
 // set at every step; with the preconditioner that can cycle, and doing it between solves cannot lose conjugacy.)
 // With the preconditioner the iterations hardly depend on the grid: about 15 from a good start.
-[[nodiscard]] BoundedCg solve_bounded_cg(Convolution& a, const Grid& grid, const Eigen::VectorXd& g,
-                                         Eigen::VectorXd& p, const BoundedCgOptions& options);
+[[nodiscard]] BoundedCg solve_bounded_cg(Convolution& a, const Grid& grid, const Eigen::VectorXd& f,
+                                         double approach, Eigen::VectorXd& p,
+                                         const BoundedCgOptions& options);
 
 }  // namespace railbook::contact

@@ -47,11 +47,11 @@ std::vector<std::pair<Index, Index>> ladder(const CgFftOptions& options) {
 
 // One grid solved from the start p, which becomes the solution; `contact` gathers work and failure.
 CgFftLevel solve_grid(const Grid& grid, const VectorXd& f, double approach,
-                      double effective_modulus, const BoundedCgOptions& options, VectorXd& p,
+                      double effective_modulus, BoundedCgOptions options, VectorXd& p,
                       NormalContact& contact) {
-  Convolution a(grid, effective_modulus);
-  const VectorXd g = (approach - f.array()).matrix();
-  const BoundedCg cg = solve_bounded_cg(a, grid, g, p, options);
+  if (grid.cells() < 1 << 15) options.threads = 1;  // starting a thread takes longer than it saves
+  Convolution a(grid, effective_modulus, options.threads);
+  const BoundedCg cg = solve_bounded_cg(a, grid, f, approach, p, options);
   contact.work += cg.work;
   contact.iterations += cg.iterations;
   if (!cg.converged) {

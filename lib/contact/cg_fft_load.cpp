@@ -20,16 +20,23 @@ struct LoadSearch {
   long work = 0;
   int iterations = 0;
 
+  CgFft solve(double at, const CgFftOptions& options) {
+    CgFft result = solve_cg_fft(gap, at, effective_modulus, options);
+    work += result.contact.work;
+    iterations += result.contact.iterations;
+    return result;
+  }
+
   // Solves until the force is within `enough` of the load, at most 40 times, and returns the best answer;
-  // `miss` says how far its force is from the load.
+  // `miss` says how far its force is from the load. One answer is held at a time: it is large, and the best is
+  // nearly always the last.
   CgFft refine(const CgFftOptions& options, double enough, double& miss) {
-    CgFft best;
-    double last_log_force = 0, last_log_approach = 0;
+    CgFft result;
+    double best = 0, best_error = 0, last_log_force = 0, last_log_approach = 0;
     miss = units::no_limit;
     for (int k = 0, since_best = 0; k <= 40; ++k) {
-      CgFft result = solve_cg_fft(gap, approach, effective_modulus, options);
-      work += result.contact.work;
-      iterations += result.contact.iterations;
+      result = {};
+      result = solve(approach, options);
       if (result.contact.force <= 0) {  // too little even for one cell
         approach *= 10;
         continue;
@@ -39,11 +46,11 @@ struct LoadSearch {
       ++since_best;
       if (std::abs(log_force) < miss) {
         miss = std::abs(log_force);
-        best = std::move(result);
+        best = approach, best_error = result.contact.force_error;
         since_best = 0;
       }
       // On a grid too coarse for the contact the force jumps, by less than its error, as the grid is fitted anew.
-      if (miss <= enough || (since_best >= 8 && miss < best.contact.force_error)) break;
+      if (miss <= enough || (since_best >= 8 && miss < best_error)) break;
       // Near the end the two forces differ by the solver's own noise: keep the slope.
       if (last_log_approach != 0 && std::abs(log_approach - last_log_approach) > 1e-4)
         slope =
@@ -51,7 +58,8 @@ struct LoadSearch {
       last_log_force = log_force, last_log_approach = log_approach;
       approach *= std::exp(-log_force / slope);
     }
-    return best;
+    if (result.contact.approach != best && best > 0) result = {}, result = solve(best, options);
+    return result;
   }
 };
 

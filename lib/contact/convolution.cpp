@@ -2,15 +2,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "contact/influence.hpp"
+#include "num/fft.hpp"
+#include "num/parallel.hpp"
 #include "units/constants.hpp"
 
 namespace railbook::contact {
 namespace {
 
+std::size_t size(Eigen::Index n) {
+  return static_cast<std::size_t>(n);
+}
+
 std::size_t padded(Eigen::Index n) {
-  return num::good_fft_size(static_cast<std::size_t>(2 * n - 1));
+  return num::good_fft_size(size(2 * n - 1));
+}
+
+long points_of(const num::EvenFilter& filter) {
+  return static_cast<long>(filter.frame_rows() * filter.frame_columns());
 }
 
 // Far from the cell the second difference loses digits like (r/h)^2, while the first two terms of the
@@ -41,108 +52,75 @@ double symbol(double theta_x, double theta_y, const Grid& grid) {
 
 }  // namespace
 
-Convolution::Convolution(const Grid& grid, double effective_modulus)
-    : nx_(grid.nx),
-      ny_(grid.ny),
-      fft_(padded(grid.ny), padded(grid.nx)),
+Convolution::Convolution(const Grid& grid, double effective_modulus, int threads)
+    : filter_(size(grid.ny), size(grid.nx), padded(grid.ny), padded(grid.nx), threads),
+      workspace_(filter_.workspace()),
       effective_modulus_(effective_modulus) {
   const double k = 1 / (units::pi * effective_modulus);
   const double dx = grid.dx, dy = grid.dy;
   const double far = 280 * std::max(dx, dy);
-  const auto rows = fft_.rows(), columns = fft_.columns();
-  std::ranges::fill(fft_.real(), 0.0);
-  std::vector<double> below(static_cast<std::size_t>(nx_) + 1), above(below.size());
-  auto fill_corners = [&](double y, std::vector<double>& g) {
-    for (std::size_t i = 0; i < g.size(); ++i)
-      g[i] = corner_function((static_cast<double>(i) - 0.5) * dx, y);
-  };
-  fill_corners(-0.5 * dy, above);
-  for (std::size_t j = 0; j < static_cast<std::size_t>(ny_); ++j) {
-    std::swap(below, above);
-    fill_corners((static_cast<double>(j) + 0.5) * dy, above);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(nx_); ++i) {
-      const double x = static_cast<double>(i) * dx, y = static_cast<double>(j) * dy;
-      const double b = std::hypot(x, y) > far ? far_integral(x, y, dx, dy)
-                                              : above[i + 1] - above[i] - below[i + 1] + below[i];
-      for (const std::size_t row : {j, (rows - j) % rows})
-        for (const std::size_t column : {i, (columns - i) % columns}) fft_.row(row)[column] = k * b;
+  num::in_parallel(threads, size(grid.ny), [&](std::size_t begin, std::size_t end, std::size_t) {
+    std::vector<double> below(size(grid.nx) + 1), above(below.size());
+    const auto fill_corners = [&](double row, std::vector<double>& g) {
+      for (std::size_t i = 0; i < g.size(); ++i)
+        g[i] = corner_function((static_cast<double>(i) - 0.5) * dx, (row - 0.5) * dy);
+    };
+    fill_corners(static_cast<double>(begin), above);
+    for (std::size_t j = begin; j < end; ++j) {
+      std::swap(below, above);
+      fill_corners(static_cast<double>(j + 1), above);
+      for (std::size_t i = 0; i < size(grid.nx); ++i) {
+        const double x = static_cast<double>(i) * dx, y = static_cast<double>(j) * dy;
+        const double b = std::hypot(x, y) > far ? far_integral(x, y, dx, dy)
+                                                : above[i + 1] - above[i] - below[i + 1] + below[i];
+        filter_.at(j, i) = k * b;
+      }
     }
-  }
-  self_ = fft_.row(0)[0];
-  fft_.forward();
-  const std::size_t width = columns / 2 + 1;
-  spectrum_.resize((rows / 2 + 1) * width);
-  const double norm = 1 / static_cast<double>(rows * columns);
-  for (std::size_t n = 0; n < spectrum_.size(); ++n)
-    spectrum_[n] = fft_.spectrum()[n].real() * norm;
+  });
+  self_ = filter_.at(0, 0);
+  filter_.transform_kernel();
 }
 
 void Convolution::apply(const Eigen::VectorXd& p, Eigen::VectorXd& u) {
-  const auto rows = fft_.rows(), width = fft_.columns() / 2 + 1;
-  const auto nx = static_cast<std::size_t>(nx_), ny = static_cast<std::size_t>(ny_);
-  for (std::size_t j = 0; j < ny; ++j) {
-    std::copy_n(p.data() + j * nx, nx, fft_.row(j));
-    std::fill_n(fft_.row(j) + nx, fft_.stride() - nx, 0.0);
-  }
-  std::fill_n(fft_.row(ny), (rows - ny) * fft_.stride(), 0.0);
-  fft_.forward();
-  for (std::size_t j = 0; j < rows; ++j) {
-    std::complex<double>* row = fft_.spectrum().data() + j * width;
-    const double* s = spectrum_.data() + std::min(j, rows - j) * width;
-    for (std::size_t i = 0; i < width; ++i) row[i] *= s[i];
-  }
-  fft_.inverse();
-  for (std::size_t j = 0; j < ny; ++j) std::copy_n(fft_.row(j), nx, u.data() + j * nx);
+  filter_.apply(p.data(), u.data(), workspace_.data());
 }
 
 long Convolution::points() const {
-  return static_cast<long>(fft_.rows() * fft_.columns());
+  return points_of(filter_);
 }
 
-InversePreconditioner::InversePreconditioner(const Grid& grid, double effective_modulus)
-    : nx_(grid.nx),
-      ny_(grid.ny),
-      fft_(num::good_fft_size(static_cast<std::size_t>(ny_)),
-           num::good_fft_size(static_cast<std::size_t>(nx_))) {
-  const auto rows = fft_.rows(), columns = fft_.columns(), width = columns / 2 + 1;
-  inverse_.resize((rows / 2 + 1) * width);
-  const double norm = effective_modulus / (2 * static_cast<double>(rows * columns));
-  for (std::size_t j = 0; j <= rows / 2; ++j)
-    for (std::size_t i = 0; i < width; ++i) {
-      // The lowest wave number that fits stands in for zero: the patch is not periodic, its mean is finite.
-      const double u = i + j ? static_cast<double>(i) : 0.5;
-      inverse_[j * width + i] =
-          norm / symbol(2 * units::pi * u / static_cast<double>(columns),
-                        2 * units::pi * static_cast<double>(j) / static_cast<double>(rows), grid);
-    }
+InversePreconditioner::InversePreconditioner(const Grid& grid, double effective_modulus,
+                                             int threads)
+    : filter_(size(grid.ny), size(grid.nx), num::good_fft_size(size(grid.ny)),
+              num::good_fft_size(size(grid.nx)), threads) {
+  const std::size_t rows = filter_.frame_rows(), columns = filter_.frame_columns();
+  num::in_parallel(threads, columns / 2 + 1, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t i = begin; i < end; ++i)
+      for (std::size_t j = 0; j <= rows / 2; ++j) {
+        // The lowest wave number that fits stands in for zero: the patch is not periodic, its mean is finite.
+        const double u = i + j ? static_cast<double>(i) : 0.5;
+        filter_.at(j, i) =
+            effective_modulus / 2 /
+            symbol(2 * units::pi * u / static_cast<double>(columns),
+                   2 * units::pi * static_cast<double>(j) / static_cast<double>(rows), grid);
+      }
+  });
 }
 
-void InversePreconditioner::apply(const Eigen::VectorXd& r, Eigen::VectorXd& z) {
-  const auto rows = fft_.rows(), width = fft_.columns() / 2 + 1;
-  const auto nx = static_cast<std::size_t>(nx_), ny = static_cast<std::size_t>(ny_);
-  for (std::size_t j = 0; j < rows; ++j) {
-    const std::size_t filled = j < ny ? nx : 0;
-    if (filled) std::copy_n(r.data() + j * nx, nx, fft_.row(j));
-    std::fill_n(fft_.row(j) + filled, fft_.stride() - filled, 0.0);
-  }
-  fft_.forward();
-  for (std::size_t j = 0; j < rows; ++j) {
-    std::complex<double>* row = fft_.spectrum().data() + j * width;
-    const double* s = inverse_.data() + std::min(j, rows - j) * width;
-    for (std::size_t i = 0; i < width; ++i) row[i] *= s[i];
-  }
-  fft_.inverse();
-  for (std::size_t j = 0; j < ny; ++j) std::copy_n(fft_.row(j), nx, z.data() + j * nx);
+void InversePreconditioner::apply(const Eigen::VectorXd& r, Eigen::VectorXd& z, double* workspace) {
+  filter_.apply(r.data(), z.data(), workspace);
 }
 
 long InversePreconditioner::points() const {
-  return static_cast<long>(fft_.rows() * fft_.columns());
+  return points_of(filter_);
 }
 
 double memory_needed(Eigen::Index nx, Eigen::Index ny) {
   const double cells = static_cast<double>(nx) * static_cast<double>(ny);
   const double big = static_cast<double>(padded(nx)) * static_cast<double>(padded(ny));
-  return 8 * (big * 1.25 + cells * (1.25 + 9));
+  // Filters, workspace, and the solver's vectors; as much is taken again by the answer when these are gone.
+  return 8 * (0.25 * (big + cells) + static_cast<double>(ny) * static_cast<double>(padded(nx)) +
+              5.2 * cells);
 }
 
 }  // namespace railbook::contact

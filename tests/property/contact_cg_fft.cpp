@@ -269,3 +269,19 @@ TEST_CASE("property: patches that the coarse grids of the ladder miss are found 
       CHECK(region.force > 0.75 * alone);
     }
 }
+
+TEST_CASE("property: one, two and three threads find the same digits") {
+  const Gap gap = rail_wheel_gap({0.4, 0.3, 0.25, 0.03});
+  const auto with_threads = [&](int threads) {
+    CgFftOptions options = cells(251, 260);  // a prime, and large enough for threads to be started
+    options.cg.threads = threads;
+    return solve_cg_fft(gap, 1e-4, 1e11, options);
+  };
+  const CgFft one = with_threads(1);
+  for (const int threads : {2, 3}) {
+    const CgFft more = with_threads(threads);
+    CHECK(more.contact.iterations == one.contact.iterations);
+    CHECK(more.contact.force == one.contact.force);
+    CHECK(more.contact.p == one.contact.p);
+  }
+}

@@ -2,9 +2,13 @@
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <utility>
+#include <vector>
 
+#include "num/even_filter.hpp"
 #include "num/fft.hpp"
 #include "num/gsl.hpp"
+#include "num/parallel.hpp"
 #include "num/quadrature.hpp"
 #include "num/roots.hpp"
 #include "units/constants.hpp"
@@ -63,6 +67,47 @@ TEST_CASE("unit: a two-dimensional round trip returns n times the samples") {
   for (std::size_t i = 0; i < 6; ++i)
     for (std::size_t j = 0; j < 5; ++j)
       CHECK(fft.row(i)[j] == Approx(30.0 * double(10 * i + j)).margin(1e-11));
+}
+
+TEST_CASE("unit: an even filter is the sum over its kernel, whatever the threads") {
+  constexpr std::size_t rows = 5, columns = 7;
+  const auto kernel = [](std::size_t v, std::size_t u) {
+    return 1 / (1.0 + double(v * v + 2 * u));
+  };
+  for (const auto& [tall, wide] : {std::pair<std::size_t, std::size_t>{9, 14}, {10, 13}}) {
+    num::EvenFilter filter(rows, columns, tall, wide, 3);
+    for (std::size_t v = 0; v < rows; ++v)
+      for (std::size_t u = 0; u < columns; ++u) filter.at(v, u) = kernel(v, u);
+    filter.transform_kernel();
+    num::Workspace space(filter.workspace());
+    std::vector<double> in(rows * columns), out(in.size());
+    for (std::size_t n = 0; n < in.size(); ++n) in[n] = std::sin(1.0 + double(n * n));
+    filter.apply(in.data(), out.data(), space.data());
+    const auto apart = [](std::size_t a, std::size_t b) { return a > b ? a - b : b - a; };
+    for (std::size_t n = 0; n < in.size(); ++n) {
+      double sum = 0;
+      for (std::size_t m = 0; m < in.size(); ++m)
+        sum += in[m] * kernel(apart(n / columns, m / columns), apart(n % columns, m % columns));
+      CHECK(out[n] == Approx(sum).margin(1e-13));
+    }
+  }
+}
+
+TEST_CASE("unit: a reduction in blocks does not depend on the threads, and covers all") {
+  const auto sum = [](int threads, std::size_t count) {
+    return num::reduce_in_blocks(
+        threads, count,
+        [](std::size_t begin, std::size_t end) {
+          double part = 0;
+          for (std::size_t k = begin; k < end; ++k) part += 1 / double(k + 1);
+          return part;
+        },
+        [](double a, double b) { return a + b; });
+  };
+  CHECK(sum(1, 0) == 0);
+  CHECK(sum(2, 1) == 1);
+  CHECK(sum(1, 100000) == sum(3, 100000));
+  CHECK(sum(1, 100000) == Approx(12.090146129863428));
 }
 
 TEST_CASE("unit: good sizes have no factor above seven") {

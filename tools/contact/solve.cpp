@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 #include "contact/answer.hpp"
@@ -75,6 +76,7 @@ Body body_of(const BodyWish& wish, int number) {
 CgFft solve(const Wish& wish, const TouchingBodies& bodies, double modulus) {
   CgFftOptions options;
   options.nx = wish.cells_x, options.ny = wish.cells_y;
+  options.cg.threads = static_cast<int>(std::thread::hardware_concurrency());
   options.search = bodies.search;
   if (wish.edge) options.edge_x = *wish.edge - bodies.x_touch;
   return wish.load ? solve_cg_fft_load(bodies.gap, *wish.load, modulus, options)

@@ -1,0 +1,53 @@
+// Convolution of a real array with a kernel that is even in both directions, by Fourier transforms.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+
+namespace railbook::num {
+
+// out = filter * in for arrays of `rows` x `columns` (row major) in a periodic frame of at least that size, zero around the
+// array. The filter's transform is real and even, so a quarter of it is held. The frame is never held whole: its empty rows
+// are neither stored nor transformed, and its columns pass through the cache a few at a time.
+//
+// Each row and each column is transformed for itself, so that the digits do not depend on the number of threads.
+class EvenFilter {
+ public:
+  EvenFilter(std::size_t rows, std::size_t columns, std::size_t frame_rows,
+             std::size_t frame_columns, int threads = 1);
+  ~EvenFilter();
+  EvenFilter(EvenFilter&&) noexcept;
+  EvenFilter& operator=(EvenFilter&&) noexcept;
+
+  std::size_t frame_rows() const;
+  std::size_t frame_columns() const;
+  // The values at wave numbers v = 0 .. frame_rows/2 down the columns and u = 0 .. frame_columns/2 along the rows;
+  // before transform_kernel(), the kernel at these distances. Zero at first.
+  double& at(std::size_t v, std::size_t u);
+  void transform_kernel();
+
+  // Complex numbers that apply() works on, rows x (frame_columns/2 + 1); filters may share them.
+  std::size_t workspace() const;
+  // Aligned as `Workspace` is. `in` and `out` may be the same.
+  void apply(const double* in, double* out, double* workspace) const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+// Aligned memory for `complexes` complex numbers, for EvenFilter::apply.
+class Workspace {
+ public:
+  explicit Workspace(std::size_t complexes);
+  ~Workspace();
+  Workspace(const Workspace&) = delete;
+  Workspace& operator=(const Workspace&) = delete;
+  double* data() { return data_; }
+
+ private:
+  double* data_;
+};
+
+}  // namespace railbook::num
