@@ -81,6 +81,18 @@ Convolution::Convolution(const Grid& grid, double effective_modulus, int threads
   filter_.transform_kernel();
 }
 
+Convolution::Convolution(const Grid& grid, double effective_modulus,
+                         const std::function<double(Eigen::Index, Eigen::Index)>& kernel)
+    : filter_(size(grid.ny), size(grid.nx), padded(grid.ny), padded(grid.nx), 1),
+      workspace_(filter_.workspace()),
+      effective_modulus_(effective_modulus) {
+  for (Eigen::Index j = 0; j < grid.ny; ++j)
+    for (Eigen::Index i = 0; i < grid.nx; ++i)
+      filter_.at(size(j), size(i)) = kernel(i, j) / (units::pi * effective_modulus);
+  self_ = filter_.at(0, 0);
+  filter_.transform_kernel();
+}
+
 void Convolution::apply(const Eigen::VectorXd& p, Eigen::VectorXd& u) {
   filter_.apply(p.data(), u.data(), workspace_.data());
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 
 #include "contact/grid.hpp"
 #include "num/even_filter.hpp"
@@ -15,6 +16,10 @@ namespace railbook::contact {
 class Convolution {
  public:
   Convolution(const Grid& grid, double effective_modulus, int threads = 1);
+  // The same with a kernel of one's own: kernel(i, j) is the displacement times pi E* [m] that a unit pressure
+  // on a cell makes i cells along x and j along y from its centre; even in both.
+  Convolution(const Grid& grid, double effective_modulus,
+              const std::function<double(Eigen::Index, Eigen::Index)>& kernel);
   void apply(const Eigen::VectorXd& p, Eigen::VectorXd& u);
   double effective_modulus() const { return effective_modulus_; }
   long points() const;                   // real points of one padded transform

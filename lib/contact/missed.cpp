@@ -1,6 +1,7 @@
 #include "contact/missed.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -40,11 +41,11 @@ struct Loads {
       }
   }
 
-  // Displacement times pi E* [N/m].
-  double at(const Point& place) const {
+  // Displacement times pi E* [N/m], or what of it was added up when it passed `enough`.
+  double at(const Point& place, double enough) const {
     const double half = std::max(half_x, half_y);
     double sum = 0;
-    for (std::size_t k = 0; k < x.size(); ++k) {
+    for (std::size_t k = 0; k < x.size() && sum <= enough; ++k) {
       double along = std::abs(place.x - x[k]), beside = std::abs(place.y - y[k]);
       if (half_y > 0) std::swap(along, beside);
       beside = std::max(beside, least);
@@ -61,12 +62,47 @@ struct Loads {
   }
 };
 
+// The loads by sixteenths of the grid: what each sinks a place is at least what it would from its farthest corner.
+struct Sixteenths {
+  std::array<Box, 16> box;
+  std::array<double, 16> force{};
+  double least;
+
+  Sixteenths(const Grid& grid, const Loads& loads) : least(loads.least) {
+    const double width = static_cast<double>(grid.nx) * grid.dx,
+                 height = static_cast<double>(grid.ny) * grid.dy;
+    for (std::size_t n = 0; n < 16; ++n) {
+      const double i = static_cast<double>(n % 4), j = static_cast<double>(n / 4);
+      box[n] = {
+          grid.x0 + i * width / 4 - loads.half_x, grid.x0 + (i + 1) * width / 4 + loads.half_x,
+          grid.y0 + j * height / 4 - loads.half_y, grid.y0 + (j + 1) * height / 4 + loads.half_y};
+    }
+    const auto quarter = [](double t) {
+      return static_cast<std::size_t>(std::clamp(4 * t, 0.0, 3.0));
+    };
+    for (std::size_t k = 0; k < loads.x.size(); ++k)
+      force[4 * quarter((loads.y[k] - grid.y0) / height) +
+            quarter((loads.x[k] - grid.x0) / width)] += loads.force[k];
+  }
+
+  double at_least(const Point& place) const {
+    double sum = 0;
+    for (std::size_t n = 0; n < 16; ++n) {
+      const double along = std::max(place.x - box[n].x_min, box[n].x_max - place.x),
+                   beside = std::max(place.y - box[n].y_min, box[n].y_max - place.y);
+      sum += force[n] / (std::hypot(along, beside) + least);
+    }
+    return sum;
+  }
+};
+
 }  // namespace
 
 std::vector<Point> missed_places(const Gap& gap, double approach, double effective_modulus,
                                  const Grid& grid, const Eigen::VectorXd& p, const Box& box,
                                  double share) {
   const Loads blocks(grid, p, 24), cells(grid, p, 4096);
+  const Sixteenths sixteenths(grid, blocks);  // most places need no more
   const double k = 1 / (units::pi * effective_modulus);
   const double x_end = grid.x0 + static_cast<double>(grid.nx) * grid.dx;
   const double y_end = grid.y0 + static_cast<double>(grid.ny) * grid.dy;
@@ -74,9 +110,12 @@ std::vector<Point> missed_places(const Gap& gap, double approach, double effecti
   const auto look = [&](double x, double y) {
     if (x > grid.x0 && x < x_end && y > grid.y0 && y < y_end) return;
     const double overlap = approach - gap(x, y);
-    if (!(overlap > share * approach) || overlap - k * blocks.at({x, y}) < 0.5 * share * approach)
+    const double enough = 0.5 * share * approach;
+    if (!(overlap > share * approach) || overlap - k * sixteenths.at_least({x, y}) < enough ||
+        overlap - k * blocks.at({x, y}, (overlap - enough) / k) < enough)
       return;
-    if (overlap - k * cells.at({x, y}) > share * approach) places.push_back({x, y});
+    const double most = (overlap - share * approach) / k;
+    if (cells.at({x, y}, most) < most) places.push_back({x, y});
   };
   constexpr int across = 96, along = 1024;
   const auto between = [](double low, double high, int i, int n) {
