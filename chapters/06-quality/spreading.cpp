@@ -31,6 +31,17 @@ namespace railbook::quality_chapter {
 
 using quality::Profile;
 
+// The means of the cells of a height, the edge resolved.
+Profile cell_means(double half, int cells, const std::function<double(double)>& height) {
+  Profile p{-half + half / cells, 2 * half / cells, {}};
+  for (std::size_t i = 0; i < static_cast<std::size_t>(cells); ++i) {
+    double sum = 0;
+    for (int j = 0; j < 16; ++j) sum += height(p.x(i) + p.width * ((j + 0.5) / 16 - 0.5));
+    p.height.push_back(sum / 16);
+  }
+  return p;
+}
+
 namespace {
 
 // A result that has converged.
@@ -38,17 +49,6 @@ Profile after(const quality::Spreading& law, Profile start, double from, double 
   quality::Spread s = spread(law, std::move(start), from, to, steps);
   if (!s.converged) throw num::NumericalError("spreading did not converge");
   return s.profile;
-}
-
-template <class Height>
-Profile profile(double half, int cells, const Height& height) {
-  Profile p{-half + half / cells, 2 * half / cells, {}};
-  for (std::size_t i = 0; i < static_cast<std::size_t>(cells); ++i) {
-    double sum = 0;  // cell mean, the edge resolved
-    for (int j = 0; j < 16; ++j) sum += height(p.x(i) + p.width * ((j + 0.5) / 16 - 0.5));
-    p.height.push_back(sum / 16);
-  }
-  return p;
 }
 
 double gaussian(double x, double s) {
@@ -69,10 +69,11 @@ void fig_10(report::Item& item) {
     }
     exact.gap();
     if (t == 1) continue;
-    const auto blob =
-        after({}, profile(4, 400, [](double x) { return quality::blob_height(x, 1); }), 1, t, 200);
-    const auto diffused = after(
-        {diffusivity, 0}, profile(6, 600, [&](double x) { return gaussian(x, sd(1)); }), 1, t, 200);
+    const auto blob = after(
+        {}, cell_means(4, 400, [](double x) { return quality::blob_height(x, 1); }), 1, t, 200);
+    const auto diffused =
+        after({diffusivity, 0}, cell_means(6, 600, [&](double x) { return gaussian(x, sd(1)); }), 1,
+              t, 200);
     for (std::size_t i = 0; i < 600; i += 10) {
       const double x = diffused.x(i);
       const double h = std::abs(x) < 4 ? blob.height[static_cast<std::size_t>((x + 4) / 0.02)] : 0;
