@@ -34,7 +34,7 @@ void add_outline(report::Answer& answer, const NormalContact& c, double at) {
     row->second = {std::min(row->second.first, left), std::max(row->second.second, right)};
   }
   const auto point = [&](double x, double y) {
-    answer.point("patch", "", (x + at) / inch, y / inch);
+    answer.point("patch", "", (x + at) / inch, 1e-6 * std::round(1e6 * y / inch));  // 0, not 1e-9
   };
   for (const auto& [y, ends] : rows) point(ends.first, y);
   for (auto row = rows.rbegin(); row != rows.rend(); ++row) point(row->second.second, row->first);

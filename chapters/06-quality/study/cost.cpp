@@ -194,8 +194,7 @@ bench::Outcome by_explicit_steps(int cells) {
     const double top = *std::max_element(p.height.begin(), p.height.end());
     const double dt = std::min(last_run - t, 0.75 * 1.5 * p.width * p.width / std::pow(top, 3));
     for (std::size_t i = 1; i < p.height.size(); ++i)
-      flux[i] = std::pow((p.height[i - 1] + p.height[i]) / 2, 3) / 3 *
-                (p.height[i - 1] - p.height[i]) / p.width;
+      flux[i] = (std::pow(p.height[i - 1], 4) - std::pow(p.height[i], 4)) / (12 * p.width);
     for (std::size_t i = 0; i < p.height.size(); ++i)
       p.height[i] += dt / p.width * (flux[i] - flux[i + 1]);
     t += dt, work += cells;
