@@ -85,16 +85,21 @@ double largest_by_corners(const Reading& r, const Reading& d) {
   return largest;
 }
 
+}  // namespace
+
+void creep_chapter::PrintedRows::operator()(const char* key, double computed, const char* note,
+                                            const report::Expectation& expectation) const {
+  const std::string &what = table.at(key, "what"), &text = table.at(key, "printed");
+  item.add_row(what, text, computed, note);
+  item.print(key, what, table.at(key, "unit"), text, computed, expectation);
+}
+
+namespace {
+
 void rows(report::Item& item) {
   item.columns({"row", "printed", {"recomputed", "{:.5g}"}, "note"});
-  const auto printed = item.printed("appendix-a.csv");
   item.expect_checks(14);
-  const auto row = [&](const char* key, double computed, const char* note,
-                       const report::Expectation& expectation = report::last_digit()) {
-    const std::string &what = printed.at(key, "what"), &text = printed.at(key, "printed");
-    item.add_row(what, text, computed, note);
-    item.print(key, what, printed.at(key, "unit"), text, computed, expectation);
-  };
+  const PrintedRows row{item, item.printed("appendix-a.csv")};
   const Terms t = terms(nominal, error);
   const double u = nominal.small / nominal.big;
   row("u", u, "copy reads 10.1, then 0.16",

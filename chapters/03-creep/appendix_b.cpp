@@ -34,14 +34,8 @@ double rim_speed(double radius, double rpm) {
 
 void wear_rows(report::Item& item) {
   item.columns({"row", "printed", {"recomputed", "{:.6g}"}, "note"});
-  const auto printed = item.printed("appendix-b.csv");
   item.expect_checks(11);
-  const auto row = [&](const char* key, double computed, const char* note,
-                       const report::Expectation& expectation = report::last_digit()) {
-    const std::string &what = printed.at(key, "what"), &text = printed.at(key, "printed");
-    item.add_row(what, text, computed, note);
-    item.print(key, what, printed.at(key, "unit"), text, computed, expectation);
-  };
+  const PrintedRows row{item, item.printed("appendix-b.csv")};
   const double change = 0.00152 / 2;  // cm, both wheels
   const double s = small_radius / centimetre, b = big_radius / centimetre,
                speeds = small_rpm / big_rpm;
@@ -71,14 +65,8 @@ void wear_rows(report::Item& item) {
 
 void text(report::Item& item) {
   item.columns({"number of the text", "printed", {"recomputed", "{:.6g}"}, "note"});
-  const auto printed = item.printed("text.csv");
   item.expect_checks(3);
-  const auto row = [&](const char* key, double computed, const char* note,
-                       const report::Expectation& expectation) {
-    const std::string &what = printed.at(key, "what"), &text = printed.at(key, "printed");
-    item.add_row(what, text, computed, note);
-    item.print(key, what, printed.at(key, "unit"), text, computed, expectation);
-  };
+  const PrintedRows row{item, item.printed("text.csv")};
   row("load", paper_load, "1000 × 0.45359 kg × 9.81 m/s²",
       report::fitted("the factors are chosen to meet it"));
   row("force-error", 5 * paper_pound_force, "5 lb with the same factors",
@@ -89,7 +77,7 @@ void text(report::Item& item) {
   item.value("load-exact", 1000 * units::lbf, "N", "{:.3f}");
   item.value("speed-b", rim_speed(big_radius, 50), "km/h", "{:.3f}");
   item.value("rpm-needed",
-             report::printed_number(printed.at("speed", "printed")) / rim_speed(big_radius, 1),
+             report::printed_number(row.table.at("speed", "printed")) / rim_speed(big_radius, 1),
              "rpm", "{:.2f}");
   item.value("speed-at-116", rim_speed(big_radius, 116), "km/h", "{:.1f}");
   item.value("speed-at-99", rim_speed(big_radius, 99.2), "km/h", "{:.1f}");

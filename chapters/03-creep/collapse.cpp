@@ -40,43 +40,40 @@ using namespace railbook::creep_chapter;
 
 namespace {
 
-// mu/mu_c over X, with Hertz's area or the measured one.
+// A point as X and mu/mu_c, with Hertz's area or the measured one.
 struct Reduced {
   double x, share;
 };
-std::vector<Reduced> reduce(const Test& test, bool measured_area) {
-  const double friction = average(test).friction, factor = measured_area ? test.area_measured : 1;
-  std::vector<Reduced> all;
-  for (const Point& p : test.points)
-    all.push_back({factor * hertz_group(test.load) * p.creep / friction, p.mu / friction});
-  return all;
+Reduced reduced(const Test& test, const Point& p, bool measured_area) {
+  const double friction = test.average.friction, factor = measured_area ? test.area_measured : 1;
+  return {factor * hertz_group(test.load) * p.creep / friction, p.mu / friction};
 }
 
+// Root mean square distance of all points from the curve.
 double scatter(bool measured_area) {
-  double sum = 0;
-  int count = 0;
+  double sum = 0, count = 0;
   for (const Test& test : tests())
-    for (const auto& [x, share] : reduce(test, measured_area)) {
-      sum += std::pow(share - master_curve(x), 2);
-      ++count;
+    for (const Point& p : test.points) {
+      const auto [x, share] = reduced(test, p, measured_area);
+      sum += std::pow(share - master_curve(x), 2), ++count;
     }
   return std::sqrt(sum / count);
 }
 
 void dimensionless(report::Item& item, bool measured_area) {
   auto& curves = item.data({"x", "full", "fastsim", "vermeulen_johnson"});
-  auto& points = item.data("points", {"x_1", "f_1", "x_2", "f_2", "x_3", "f_3", "x_4", "f_4"});
+  auto& points = item.data("points", {"x", "f", "test"});
   for (int i = 0; i <= 250; ++i) {
     const double x = 1.25 * i / 250;
     const auto c = with_reduced_creepage(rolling::unit_case(axis_ratio, poisson), {x, 0, 0});
     curves.add(x, master_curve(x), creep_forces(Theory::fastsim, c).fx,
                creep_forces(Theory::vermeulen_johnson, c).fx);
   }
-  std::vector<std::vector<Reduced>> all;
-  for (const Test& test : tests()) all.push_back(reduce(test, measured_area));
-  for (std::size_t k = 0; k < all[0].size(); ++k)
-    points.add(all[0][k].x, all[0][k].share, all[1][k].x, all[1][k].share, all[2][k].x,
-               all[2][k].share, all[3][k].x, all[3][k].share);
+  for (const Test& test : tests())
+    for (const Point& p : test.points) {
+      const auto [x, share] = reduced(test, p, measured_area);
+      points.add(x, share, std::round(test.load / units::lbf));
+    }
   item.script("dimensionless.gp");
   item.rebuilt(synthetic);
 }
@@ -89,31 +86,33 @@ void four_tests(report::Item& item) {
                 {"found from the curve", "{:.3f}"},
                 {"μ_c: true", "{:.4f}"},
                 {"fitted", "{:.4f}"},
-                {"shift with Hertz's area", "{:.3f}"},
-                {"with the measured area", "{:.3f}"}});
-  double low[2] = {1e9, 1e9}, high[2] = {0, 0}, worst = 0;
+                {"over the measured", "{:.3f}"}});
+  std::vector<double> by_hertz, by_measured, off;
   int number = 0;
   item.expect_checks(static_cast<int>(tests().size()));
   for (const Test& test : tests()) {
-    const Average mean = average(test);
-    const double shift[2] = {mean.area_factor, mean.area_factor / test.area_measured};
-    for (int k = 0; k < 2; ++k)
-      low[k] = std::min(low[k], shift[k]), high[k] = std::max(high[k], shift[k]);
-    worst = std::max(worst, std::abs(mean.area_factor / test.area_factor - 1));
+    const Average& mean = test.average;
+    by_hertz.push_back(mean.area_factor);
+    by_measured.push_back(mean.area_factor / test.area_measured);
+    off.push_back(std::abs(mean.area_factor / test.area_factor - 1));
     item.add_row(fmt::format("{}", ++number), test.load / units::lbf, test.area_factor,
-                 test.area_measured, mean.area_factor, test.friction, mean.friction, shift[0],
-                 shift[1]);
+                 test.area_measured, mean.area_factor, test.friction, mean.friction,
+                 by_measured.back());
     item.agree(fmt::format("factor-{}", number),
                fmt::format("area over Hertz's from the curve, test {}", number), "",
                mean.area_factor, test.area_factor, 0.15,
                "the area put in, through 28 points with the stated errors");
   }
+  const auto spread = [](const std::vector<double>& shifts) {
+    const auto [low, high] = std::ranges::minmax(shifts);
+    return 100 * (high / low - 1);
+  };
   item.rebuilt(synthetic);
-  item.value("spread-hertz", 100 * (high[0] / low[0] - 1), "%", "{:.0f}");
-  item.value("spread-true", 100 * (high[1] / low[1] - 1), "%", "{:.0f}");
+  item.value("spread-hertz", spread(by_hertz), "%", "{:.0f}");
+  item.value("spread-true", spread(by_measured), "%", "{:.0f}");
   item.value("rms-hertz", scatter(false), "", "{:.3f}");
   item.value("rms-true", scatter(true), "", "{:.3f}");
-  item.value("factor-error", 100 * worst, "%", "{:.0f}");
+  item.value("factor-error", 100 * std::ranges::max(off), "%", "{:.0f}");
 }
 
 }  // namespace

@@ -1,15 +1,16 @@
 /***
 ## A synthetic experiment
 
-The measured points of the paper's Figures 3 to 11 stand in its figures only, and these are lost to us. What can be
-done is to run the same experiment on a computer: take the theory for the truth, add the errors the paper states, and
-reduce the points as the paper does. **Every point below is synthetic**, and the figures say so. What is assumed:
+The measured points stand in the paper's figures only, and these are lost to us. What can be done is to run the same experiment on a computer: take the theory for the truth,
+add the errors the paper states, and reduce the points as the paper does. **Every point below is synthetic**, and the figures say so. What is assumed:
 
 * four loads of 500, 1000, 1500 and 2500 lbf; the paper prints one, 4449.72 N or 1000 lb, and with the stress of its summary read as the mean pressure
   the largest is {{load-200-mean}};
 * a largest friction of 0.5 at 1000 lbf, falling with the load to the power −{{exponent}};
 * contact areas 1.1 to 1.9 times Hertz's, by wear, and measured with an error of 3 %;
 * errors of 0.0005 in the creep (Appendix A) and 22.249 N in the force, both taken as two standard deviations.
+
+The line through the points stands for the paper's average curve: the theory's, fitted with the largest friction and the area free.
 
 {{fig-03}}
 
@@ -19,16 +20,11 @@ reduce the points as the paper does. **Every point below is synthetic**, and the
 
 {{fig-06}}
 
-The line through the points stands for the paper's average curve: the theory's curve, fitted with the largest friction and the contact area free. The paper's Figure 7 puts the four together:
-
 {{fig-07}}
 */
 
 #include "experiment.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <cmath>
 
 #include "curve.hpp"
@@ -50,8 +46,7 @@ Test make_test(double load, double area_factor, std::uint64_t stream) {
   Test test{.load = load,
             .friction = synthetic_friction(load),
             .area_factor = area_factor,
-            .area_measured = area_factor * (1 + area_error * random.normal(1000)),
-            .points = {}};
+            .area_measured = area_factor * (1 + area_error * random.normal(1000))};
   const double group = area_factor * hertz_group(load) / test.friction;  // X per creep
   for (int i = 0; i < points_a_test; ++i) {
     const auto k = static_cast<std::uint64_t>(2 * i);
@@ -62,25 +57,37 @@ Test make_test(double load, double area_factor, std::uint64_t stream) {
   return test;
 }
 
-// Least squares in mu_c for a given area factor is a linear problem; this is what is left.
-struct Fit {
-  double friction, residual;
-};
-Fit fit_friction(const Test& test, double area_factor) {
-  // mu_c enters X as well: a few passes settle it.
-  Fit fit{test.points.back().mu, 0};
+// mu_c by least squares for a given area: linear but for mu_c in X, which a few passes settle.
+Average with_area(const Test& test, double area_factor) {
+  Average mean{test.points.back().mu, area_factor};
   for (int pass = 0; pass < 40; ++pass) {
     double num = 0, den = 0;
     for (const Point& p : test.points) {
-      const double f = master_curve(area_factor * hertz_group(test.load) * p.creep / fit.friction);
-      num += f * p.mu;
-      den += f * f;
+      const double f = mean.mu(test.load, p.creep) / mean.friction;
+      num += f * p.mu, den += f * f;
     }
-    fit.friction = num / den;
+    mean.friction = num / den;
   }
-  for (const Point& p : test.points)
-    fit.residual += std::pow(p.mu - Average{fit.friction, area_factor}.mu(test.load, p.creep), 2);
-  return fit;
+  return mean;
+}
+
+double residual(const Test& test, const Average& mean) {
+  double sum = 0;
+  for (const Point& p : test.points) sum += std::pow(p.mu - mean.mu(test.load, p.creep), 2);
+  return sum;
+}
+
+// Golden section on the area factor: the residual has one valley.
+Average fitted(const Test& test) {
+  double low = 0.5, high = 4;
+  const double golden = (std::sqrt(5.0) - 1) / 2;
+  while (high - low > 1e-4) {
+    const double left = high - golden * (high - low), right = low + golden * (high - low);
+    const bool below =
+        residual(test, with_area(test, left)) < residual(test, with_area(test, right));
+    (below ? high : low) = below ? right : left;
+  }
+  return with_area(test, (low + high) / 2);
 }
 
 }  // namespace
@@ -98,39 +105,15 @@ double creep_chapter::Average::mu(double load, double creep) const {
   return friction * master_curve(area_factor * hertz_group(load) * creep / friction);
 }
 
-namespace {
-
-Average fitted(const Test& test) {
-  // Golden section on the area factor: the residual has one valley.
-  double low = 0.5, high = 4;
-  const double golden = (std::sqrt(5.0) - 1) / 2;
-  while (high - low > 1e-4) {
-    const double left = high - golden * (high - low), right = low + golden * (high - low);
-    if (fit_friction(test, left).residual < fit_friction(test, right).residual)
-      high = right;
-    else
-      low = left;
-  }
-  const double factor = (low + high) / 2;
-  return {fit_friction(test, factor).friction, factor};
-}
-
-}  // namespace
-
 const std::vector<Test>& creep_chapter::tests() {
-  static const std::vector<Test> all = {
-      make_test(500 * units::lbf, 1.3, 1), make_test(paper_load, 1.6, 2),
-      make_test(1500 * units::lbf, 1.1, 3), make_test(2500 * units::lbf, 1.9, 4)};
-  return all;
-}
-
-const Average& creep_chapter::average(const Test& test) {
-  static const std::vector<Average> all = [] {
-    std::vector<Average> each;
-    for (const Test& one : tests()) each.push_back(fitted(one));
-    return each;
+  static const std::vector<Test> all = [] {
+    std::vector<Test> four{make_test(500 * units::lbf, 1.3, 1), make_test(paper_load, 1.6, 2),
+                           make_test(1500 * units::lbf, 1.1, 3),
+                           make_test(2500 * units::lbf, 1.9, 4)};
+    for (Test& test : four) test.average = fitted(test);
+    return four;
   }();
-  return all.at(static_cast<std::size_t>(&test - tests().data()));
+  return all;
 }
 
 namespace {
@@ -138,38 +121,29 @@ namespace {
 template <std::size_t which>
 void one_load(report::Item& item) {
   const Test& test = tests()[which];
-  const Average mean = average(test);
   auto& curve = item.data({"creep", "mu"});
   auto& points = item.data("points", {"creep", "mu"});
-  auto& text = item.data("text", {"x", "y", "label"});
-  for (int i = 0; i <= 200; ++i) {
-    const double creep = 0.02 * i / 200;
-    curve.add(creep, mean.mu(test.load, creep));
-  }
+  for (int i = 0; i <= 200; ++i) curve.add(1e-4 * i, test.average.mu(test.load, 1e-4 * i));
   for (const Point& p : test.points) points.add(p.creep, p.mu);
-  text.add(0.0192, 0.05, fmt::format("{:.0f} lbf", test.load / units::lbf));
   item.script("load.gp");
   item.rebuilt(synthetic);
-  if (which == 0) item.value("exponent", friction_exponent, "", "{:.2f}");
 }
 
 void all_loads(report::Item& item) {
   auto& curves = item.data({"creep", "mu_500", "mu_1000", "mu_1500", "mu_2500"});
-  std::vector<Average> means;
-  for (const Test& test : tests()) means.push_back(average(test));
   for (int i = 0; i <= 200; ++i) {
-    const double creep = 0.02 * i / 200;
-    const auto mu = [&](std::size_t k) { return means[k].mu(tests()[k].load, creep); };
-    curves.add(creep, mu(0), mu(1), mu(2), mu(3));
+    const auto mu = [&](std::size_t k) { return tests()[k].average.mu(tests()[k].load, 1e-4 * i); };
+    curves.add(1e-4 * i, mu(0), mu(1), mu(2), mu(3));
   }
   item.rebuilt(synthetic);
+  item.value("exponent", friction_exponent, "", "{:.2f}");
 }
 
 }  // namespace
 
 const report::Section creep_chapter::experiment{
-    report::figure("fig-03", "Friction against creep, load 1 of 4 (synthetic)", one_load<0>),
-    report::figure("fig-04", "Friction against creep, load 2 of 4 (synthetic)", one_load<1>),
-    report::figure("fig-05", "Friction against creep, load 3 of 4 (synthetic)", one_load<2>),
-    report::figure("fig-06", "Friction against creep, load 4 of 4 (synthetic)", one_load<3>),
+    report::figure("fig-03", "Friction against creep at 500 lbf (synthetic)", one_load<0>),
+    report::figure("fig-04", "Friction against creep at 1000 lbf (synthetic)", one_load<1>),
+    report::figure("fig-05", "Friction against creep at 1500 lbf (synthetic)", one_load<2>),
+    report::figure("fig-06", "Friction against creep at 2500 lbf (synthetic)", one_load<3>),
     report::figure("fig-07", "All average curves (synthetic)", all_loads)};

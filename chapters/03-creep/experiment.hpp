@@ -10,6 +10,20 @@ inline constexpr const char* synthetic =
     "the paper's measured points are lost; these are synthetic, made from the theory and the "
     "stated errors";
 
+// mu_c(N) that the synthetic wheels have; q of its power law.
+inline constexpr double friction_exponent = 0.17;
+double synthetic_friction(double load);
+
+// G a b/N by Hertz's area at `load`: X = this times creep/mu_c.
+double hertz_group(double load);
+
+// The average curve of a test: mu_c and the factor on Hertz's area that fit its points best (least squares).
+struct Average {
+  double friction = 0;
+  double area_factor = 0;
+  double mu(double load, double creep) const;
+};
+
 struct Point {
   double creep = 0;
   double mu = 0;
@@ -21,25 +35,11 @@ struct Test {
   double friction = 0;       // mu_c it was made with
   double area_factor = 0;    // true area over Hertz's, by wear
   double area_measured = 0;  // the same with the error of its measurement
-  std::vector<Point> points;
+  std::vector<Point> points = {};
+  Average average = {};
 };
 
 // Four tests, deterministic.
 const std::vector<Test>& tests();
-
-// mu_c(N) that the synthetic wheels have; q of its power law.
-inline constexpr double friction_exponent = 0.17;
-double synthetic_friction(double load);
-
-// The average curve of a test: mu_c and the factor on Hertz's area that fit its points best (least squares).
-struct Average {
-  double friction = 0;
-  double area_factor = 0;
-  double mu(double load, double creep) const;
-};
-const Average& average(const Test& test);  // of one of the four
-
-// G a b/N by Hertz's area at `load`: X = this times creep/mu_c.
-double hertz_group(double load);
 
 }  // namespace railbook::creep_chapter

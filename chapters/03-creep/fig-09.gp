@@ -1,11 +1,10 @@
 load "style.gp"
 set output ARG2
+set terminal pngcairo size 900,440
 set xlabel "normal load, lbf"
 set ylabel "contact area, mm²"
 set xrange [0:3000]
 set yrange [0:*]
 set key bottom right
-set label "synthetic points, not the paper's" at graph 0.03, 0.95 tc rgb "#D55E00"
 plot ARG1 using 1:3 with lines lt 7 title "Hertz, major axis across", \
-     ARG1 using 1:2 with lines lt 1 title "Hertz, major axis along rolling", \
-     ARG3 using 1:2 with points lt 2 title "synthetic points"
+     ARG1 using 1:2 with lines lt 1 title "Hertz, major axis along rolling"

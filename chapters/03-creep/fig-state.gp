@@ -1,5 +1,6 @@
 load "style.gp"
 set output ARG2
+set terminal pngcairo size 900,440
 set xlabel "largest friction coefficient µ_c, assumed"
 set ylabel "true area over Hertz's"
 set xrange [0.3:1]

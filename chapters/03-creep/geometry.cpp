@@ -19,9 +19,6 @@ ellipse that is a load of {{load-200-peak}}, less than the 4449.72 N of Appendix
 load only the second reading agrees, or a 200 that is rounded.
 */
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <cmath>
 
 #include "rig.hpp"
@@ -45,21 +42,18 @@ contact::HertzContact creep_chapter::rig_contact(double load, double profile) {
 namespace {
 
 void ellipse(report::Item& item) {
-  item.columns(
-      {"load", "major axis", "a (along), mm", "b (across), mm", "area π a b, mm²", "p_0, MPa"});
-  const auto rows = [&](double load, const std::string& name) {
+  item.columns({{"load, N", "{:.2f}"},
+                "major axis",
+                {"a (along), mm", "{:.4f}"},
+                {"b (across), mm", "{:.4f}"},
+                {"area π a b, mm²", "{:.4f}"},
+                {"p_0, MPa", "{:.1f}"}});
+  for (const double load : {500 * units::lbf, paper_load, 2500 * units::lbf})
     for (const bool along : {true, false}) {
       const auto c = rig_contact(load, profile_radius(along));
-      item.add_row({name, along ? "along" : "across", fmt::format("{:.4f}", c.a / 1e-3),
-                    fmt::format("{:.4f}", c.b / 1e-3),
-                    fmt::format("{:.4f}", units::pi * c.a * c.b / 1e-6),
-                    fmt::format("{:.1f}", c.p_max / units::megapascal)});
+      item.add_row(load, along ? "along" : "across", c.a / 1e-3, c.b / 1e-3,
+                   units::pi * c.a * c.b / 1e-6, c.p_max / units::megapascal);
     }
-  };
-  for (const double load : {500.0, 1000.0, 1500.0, 2500.0})
-    rows(load * units::lbf, fmt::format("{:.0f} lbf", load));
-  rows(paper_load, "4449.72 N");
-
   item.rebuilt("material and profile radius are not printed; those used are stated above");
   item.expect_checks(3);
   const auto locomotive = contact::hertz_from_force(

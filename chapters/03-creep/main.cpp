@@ -105,5 +105,5 @@ int main(int argc, char** argv) {
        .sources = RAILBOOK_CHAPTER_DIR},
       {rig_scene, geometry, replica, appendix_a, appendix_b, experiment, reduction, full_theory,
        collapse, state, area_law},
-      {cost, evidence, extremes});
+      {cost, extremes});
 }

@@ -23,7 +23,6 @@ Then the areas. For smooth new wheels they are Hertz's; for worn ones they are n
 #include <cmath>
 
 #include "experiment.hpp"
-#include "num/random_source.hpp"
 #include "rig.hpp"
 #include "sections.hpp"
 
@@ -32,28 +31,24 @@ using namespace railbook::creep_chapter;
 
 namespace {
 
-constexpr double mm2 = 1e-6;
-
-double hertz_area(double load) {
-  const auto c = rig_contact(load, profile_radius(true));
-  return units::pi * c.a * c.b;
+// [mm^2] at a load [lbf]
+double hertz_area(double load, bool major_along_rolling) {
+  const auto c =
+      rig_contact(std::max(load, 1e-3) * units::lbf, profile_radius(major_along_rolling));
+  return units::pi * c.a * c.b / 1e-6;
 }
 
 void constant_creep(report::Item& item) {
   auto& lines = item.data({"load_lbf", "mu_0005", "mu_001", "mu_002", "mu_004", "mu_c"});
   auto& points = item.data("points", {"load_lbf", "mu_0005", "mu_001", "mu_002", "mu_004", "mu_c"});
   const double factor = 1.5;  // one wear for all loads: the lines are smooth
-  for (double load = 400; load <= 2700; load += 20) {
-    const double n = load * units::lbf;
-    const Average wheels{synthetic_friction(n), factor};
-    lines.add(load, wheels.mu(n, 0.0005), wheels.mu(n, 0.001), wheels.mu(n, 0.002),
-              wheels.mu(n, 0.004), wheels.friction);
-  }
-  for (const Test& test : tests()) {
-    const Average mean = average(test);
-    points.add(test.load / units::lbf, mean.mu(test.load, 0.0005), mean.mu(test.load, 0.001),
-               mean.mu(test.load, 0.002), mean.mu(test.load, 0.004), mean.friction);
-  }
+  const auto add = [](report::Data& data, double load, const Average& a) {
+    data.add(load / units::lbf, a.mu(load, 0.0005), a.mu(load, 0.001), a.mu(load, 0.002),
+             a.mu(load, 0.004), a.friction);
+  };
+  for (double load = 400; load <= 2700; load += 20)
+    add(lines, load * units::lbf, {synthetic_friction(load * units::lbf), factor});
+  for (const Test& test : tests()) add(points, test.load, test.average);
   item.rebuilt("loads, friction and wear are not printed; those used are stated above");
   item.expect_checks(2);
   const auto exponent = [&](double creep) {
@@ -73,32 +68,19 @@ void constant_creep(report::Item& item) {
 
 void smooth_areas(report::Item& item) {
   auto& line = item.data({"load_lbf", "area_mm2", "across_mm2"});
-  auto& points = item.data("points", {"load_lbf", "area_mm2"});
-  for (double load = 0; load <= 3000; load += 25) {
-    const double n = std::max(load, 1e-3) * units::lbf;
-    const auto across = rig_contact(n, profile_radius(false));
-    line.add(load, hertz_area(n) / mm2, units::pi * across.a * across.b / mm2);
-  }
-  const num::RandomSource random(1979, 9);
-  for (const double load : {500.0, 750.0, 1000.0, 1250.0, 1500.0, 2000.0, 2500.0}) {
-    const double noise = random.normal(static_cast<std::uint64_t>(load));
-    points.add(load, hertz_area(load * units::lbf) * (1 + 0.03 * noise) / mm2);
-  }
-  item.rebuilt("Hertz's line is exact for the material and radii used; the points are synthetic");
-  item.expect_checks(1);
-  item.agree("power", "area at 2000 over area at 500 lbf", "",
-             hertz_area(2000 * units::lbf) / hertz_area(500 * units::lbf), std::cbrt(16.0), 1e-12,
-             "the power 2/3 of the load");
+  for (double load = 0; load <= 3000; load += 25)
+    line.add(load, hertz_area(load, true), hertz_area(load, false));
+  item.rebuilt("Hertz's lines for the material and radii used; the paper's points are lost");
 }
 
 void worn_areas(report::Item& item) {
   auto& line = item.data({"load_lbf", "area_mm2"});
   auto& points = item.data("points", {"load_lbf", "area_mm2", "test"});
-  for (double load = 0; load <= 3000; load += 25)
-    line.add(load, hertz_area(std::max(load, 1e-3) * units::lbf) / mm2);
+  for (double load = 0; load <= 3000; load += 25) line.add(load, hertz_area(load, true));
   int number = 0;
   for (const Test& test : tests())
-    points.add(test.load / units::lbf, hertz_area(test.load) * test.area_measured / mm2,
+    points.add(test.load / units::lbf,
+               hertz_area(test.load / units::lbf, true) * test.area_measured,
                fmt::format("test {}: {:.2f}", ++number, test.area_measured));
   item.rebuilt("Hertz's line is exact for the material and radii used; the points are synthetic");
 }

@@ -25,46 +25,43 @@ namespace {
 
 constexpr double in_cm = 100;  // a metre in the picture's unit
 
-// Disc of revolution about y with a crowned rim (crown radius 0: a cylinder), centred on y = 0.
-scene::Mesh wheel(double radius, double half_width, double crown, const scene::Point& centre,
-                  const scene::Point& axle) {
-  scene::Outline outline(0, 2);
-  const auto add = [&](double y, double r) {
-    outline.conservativeResize(outline.rows() + 1, 2);
-    outline.row(outline.rows() - 1) << y, r;
-  };
-  add(0, 0);
+constexpr double small_r = small_radius * in_cm, big_r = big_radius * in_cm, top = small_r + big_r;
+
+// The big cylinder and the small wheel on it with its crowned rim.
+scene::Scene wheels(const scene::Point& axle) {
   constexpr int n = 24;
+  constexpr double half = 2.2;
+  const double crown = profile_radius(true) * in_cm;
+  scene::Outline outline(n + 3, 2);
+  outline.row(0) << 0, 0;
   for (int i = 0; i <= n; ++i) {
-    const double y = half_width * (2.0 * i / n - 1);
-    add(y + half_width, crown > 0 ? radius - crown + std::sqrt(crown * crown - y * y) : radius);
+    const double y = half * (2.0 * i / n - 1);
+    outline.row(i + 1) << y + half, small_r - crown + std::sqrt(crown * crown - y * y);
   }
-  add(2 * half_width, 0);
-  return scene::revolution(centre - half_width * axle, axle, outline);
+  outline.row(n + 2) << 2 * half, 0;
+  scene::Scene s;
+  s.meshes.push_back(scene::cylinder({0, -4, 0}, {0, 4, 0}, big_r, scene::steel));
+  s.meshes.push_back(scene::revolution(scene::Point{0, 0, top} - half * axle, axle, outline));
+  return s;
 }
 
-scene::Lines arrow(const scene::Point& from, const scene::Point& to, const scene::Colour& colour) {
+scene::Lines arrow(const scene::Point& from, const scene::Point& along,
+                   const scene::Colour& colour) {
   scene::Lines lines{scene::Points(2, 3), scene::Segments(1, 2), colour, 3.0};
-  lines.vertices.row(0) = from.transpose();
-  lines.vertices.row(1) = to.transpose();
-  lines.segments.row(0) << 0, 1;
+  lines.vertices << from.transpose(), (from + along).transpose();
+  lines.segments << 0, 1;
   return lines;
 }
-
-constexpr double small_r = small_radius * in_cm, big_r = big_radius * in_cm, top = small_r + big_r;
 
 void rig(report::Item& item) {
   item.sketch(
       "the wheels to scale, profile radius and widths rebuilt; the paper's figure is a scheme");
-  const scene::Point axle{0, 1, 0};
-  scene::Scene s;
-  s.meshes.push_back(wheel(big_r, 4, 0, {0, 0, 0}, axle));
-  s.meshes.push_back(wheel(small_r, 2.2, profile_radius(true) * in_cm, {0, 0, top}, axle));
+  scene::Scene s = wheels({0, 1, 0});
   s.meshes.push_back(scene::cylinder({0, -16, 0}, {0, 16, 0}, 4, scene::stone));
   s.meshes.push_back(scene::cylinder({0, -16, top}, {0, 16, top}, 1.6, scene::stone));
   s.meshes.push_back(scene::cylinder({0, -14.5, 0}, {0, -13, 0}, 9, scene::wood));
   s.meshes.push_back(scene::cylinder({0, -14.5, top}, {0, -13, top}, 5, scene::wood));
-  const scene::Size size{1000, 650};
+  const scene::Size size{1000, 520};
   const auto camera = scene::looking_at(s, {1.0, -1.5, 0.5}, size, true);
   drawing::labelled(item, "wheels.gp", s, camera, size,
                     {{{17, 0, top + 2}, "small wheel (braked): the locomotive's"},
@@ -77,18 +74,13 @@ void rig(report::Item& item) {
 void axes(report::Item& item) {
   item.sketch("axes as the text names them; the angle of attack is drawn far too large");
   const double attack = 12 * units::degree;
-  const scene::Point axle{0, 1, 0}, turned{-std::sin(attack), std::cos(attack), 0},
-      contact{0, 0, big_r};
-  scene::Scene s;
-  s.meshes.push_back(wheel(big_r, 4, 0, {0, 0, 0}, axle));
-  s.meshes.push_back(wheel(small_r, 2.2, profile_radius(true) * in_cm, {0, 0, top}, turned));
+  scene::Scene s = wheels({-std::sin(attack), std::cos(attack), 0});
   const scene::Colour red{0.84, 0.37, 0.0}, blue{0.0, 0.45, 0.70}, black{0, 0, 0};
-  const scene::Point along{std::cos(attack), std::sin(attack), 0}, crown{0, 0, 2 * small_r};
-  s.lines.push_back(arrow(contact, contact + scene::Point{34, 0, 0}, red));
-  s.lines.push_back(arrow(contact, contact + 34 * along, red));
-  s.lines.push_back(arrow(contact, contact + scene::Point{0, -26, 0}, blue));
-  s.lines.push_back(arrow(contact + crown, contact + crown + scene::Point{0, 0, 12}, black));
-  const scene::Size size{1000, 650};
+  const scene::Point along{std::cos(attack), std::sin(attack), 0}, contact{0, 0, big_r},
+      crown{0, 0, 2 * small_r};
+  s.lines = {arrow(contact, {34, 0, 0}, red), arrow(contact, 34 * along, red),
+             arrow(contact, {0, -26, 0}, blue), arrow(contact + crown, {0, 0, 12}, black)};
+  const scene::Size size{1000, 520};
   const auto camera = scene::looking_at(s, {1.0, -1.3, 1.3}, size, true);
   drawing::labelled(item, "wheels.gp", s, camera, size,
                     {{contact + scene::Point{34, -4, 0}, "z: longitudinal"},

@@ -17,8 +17,15 @@ extern const report::Section collapse;     // Fig. 11
 extern const report::Section state;        // the one reading that is printed
 extern const report::Section area_law;     // creep times area
 extern const report::Section cost;         // study
-extern const report::Section evidence;     // study
 extern const report::Section extremes;     // study
+
+// A row of an item's table with a printed value, checked.
+struct PrintedRows {
+  report::Item& item;
+  table::CsvTable table;
+  void operator()(const char* key, double computed, const char* note,
+                  const report::Expectation& expectation = report::last_digit()) const;
+};
 
 void contact_answer(report::Item& item);  // of fig-full-curve
 

@@ -47,12 +47,10 @@ void reading(report::Item& item) {
     lines.add(friction, factor(friction, creep), factor(friction, creep + 0.0005),
               factor(friction, creep - 0.0005));
   item.rebuilt("from the printed speeds, radii, load and friction; the material is not printed");
-  item.expect_checks(2);
+  item.expect_checks(1);
   const double group = hertz_group(paper_load) * creep;
   const double slope = rolling::kalker_coefficients(axis_ratio, poisson).c11;
-  const double least = printed_mu / (slope * group);
-  item.agree("least", "least area factor, for a friction without limit", "", factor(1e3, creep),
-             least, 5e-3, "Kalker's C11, computed");
+  const double least = printed_mu / (slope * group);  // for a friction without limit
   item.at_most("true-area", "largest friction that Hertz's area allows at the printed creep", "",
                slope * group, printed_mu, "the friction that the paper prints for this reading");
   item.value("creep", creep, "", "{:.7f}");

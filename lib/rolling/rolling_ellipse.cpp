@@ -123,7 +123,7 @@ void extrapolate(CreepForces& fine, const RollingGrid& grid, const Resultants& c
   // Any one difference may vanish by chance, all three together hardly; a moment over the root mean square of the
   // distance from the origin is a force.
   const double arm = mean_arm(grid);
-  fine.error = (halved ? 0.8 : 1.25) * std::hypot(dx, dy, dm / arm);
+  fine.error = (halved ? 0.8 : 2) * std::hypot(dx, dy, dm / arm);
   fine.mz_error = arm * fine.error;
   const double beyond = std::hypot(fine.fx, fine.fy) / force;
   if (beyond > 1) fine.fx /= beyond, fine.fy /= beyond;

@@ -52,16 +52,17 @@ own; FASTSIM's cells do not buy more than that. Transforms give the answers of t
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
-#include <limits>
-#include <map>
+#include <list>
 
+#include "../curve.hpp"
 #include "../rig.hpp"
 #include "../sections.hpp"
+#include "bench/limit.hpp"
 #include "bench/work_precision.hpp"
 #include "rolling/creep_laws.hpp"
 #include "rolling/fastsim.hpp"
-#include "rolling/force_table.hpp"
 #include "rolling/kalker_coefficients.hpp"
 #include "rolling/rolling_parts.hpp"
 
@@ -73,7 +74,8 @@ namespace {
 
 using Law = std::function<CreepForces(const RollingCase&)>;
 using LawOf = std::function<Law(double axis_ratio)>;  // what is set up for an ellipse
-using Answers = std::vector<Eigen::Array3d>;          // fx, fy over mu N, mz over mu N sqrt(a b)
+using Answers = std::vector<double>;  // of each case fx and fy over mu N, mz over mu N sqrt(a b)
+using Errors = std::array<double, 3>;
 
 // Reduced creepages on ellipses of several shapes.
 using Cases = std::vector<std::pair<double, std::vector<Creepage>>>;
@@ -85,7 +87,7 @@ Answers solved(const Cases& cases, const LawOf& law) {
     for (const Creepage& c : creepages) {
       const CreepForces f = solve(with_reduced_creepage(unit_case(ratio, poisson), c));
       if (!f.converged) throw std::runtime_error(f.reason);
-      all.emplace_back(f.fx, f.fy, f.mz);
+      all.insert(all.end(), {f.fx, f.fy, f.mz});
     }
   }
   return all;
@@ -140,83 +142,48 @@ LawOf looked_up(const ForceTable& table) {
   };
 }
 
-Eigen::Array3d mean_distance(const Answers& a, const Answers& b) {
-  Eigen::Array3d sum = Eigen::Array3d::Zero();
-  for (std::size_t k = 0; k < a.size(); ++k) sum += (a[k] - b[k]).abs();
-  return sum / static_cast<double>(a.size());
+// Means over the cases of each quantity's distance, or of its uncertainty.
+Errors mean(const Answers& all, const Answers& from = {}) {
+  Errors sum{};
+  for (std::size_t k = 0; k < all.size(); ++k)
+    sum[k % 3] += std::abs(all[k] - (from.empty() ? 0 : from[k]));
+  for (double& e : sum) e *= 3 / static_cast<double>(all.size());
+  return sum;
 }
 
-// Answers on n x n cells, and where they tend to as cells shrink: least squares in n^-order, of all orders the best.
-using Ladder = std::vector<std::pair<Eigen::Index, Answers>>;
-Answers continued(const Ladder& ladder) {
-  Answers best;
-  double least = std::numeric_limits<double>::infinity();
-  for (double order = 1; order <= 2.5; order += 0.05) {
-    Answers limit;
-    double left = 0;
-    for (std::size_t k = 0; k < ladder[0].second.size(); ++k) {
-      double n = 0, sx = 0, sxx = 0;
-      Eigen::Array3d sy = Eigen::Array3d::Zero(), sxy = sy;
-      const auto step = [&](Eigen::Index cells) {
-        return std::pow(static_cast<double>(cells), -order);
-      };
-      for (const auto& [cells, answers] : ladder) {
-        const double x = step(cells);
-        n += 1, sx += x, sxx += x * x, sy += answers[k], sxy += x * answers[k];
-      }
-      limit.push_back((sxx * sy - sx * sxy) / (n * sxx - sx * sx));
-      const Eigen::Array3d slope = (n * sxy - sx * sy) / (n * sxx - sx * sx);
-      for (const auto& [cells, answers] : ladder)
-        left += (answers[k] - limit[k] - step(cells) * slope).matrix().squaredNorm();
-    }
-    if (left < least) least = left, best = limit;
-  }
-  return best;
-}
-
-// The limit; uncertain by how it moves when a grid is left out (the jackknife).
-struct Limit {
-  Answers answers;
-  Eigen::Array3d uncertainty;
-};
-Limit limit_of(const Cases& cases, const std::vector<Eigen::Index>& sizes, bool one_length) {
-  Ladder ladder;
-  for (const Eigen::Index n : sizes)
-    ladder.emplace_back(n, solved(cases, on_cells(n, one_length, !one_length)));
-  const Answers limit = continued(ladder);
-  Eigen::Array3d sum = Eigen::Array3d::Zero();
-  for (std::size_t k = 0; k < ladder.size(); ++k) {
-    Ladder others = ladder;
-    others.erase(others.begin() + static_cast<long>(k));
-    sum += mean_distance(limit, continued(others)).square();
-  }
-  const double n = static_cast<double>(ladder.size());
-  return {limit, (sum * (n - 1) / n).sqrt()};
+bench::Limit limit_of(const Cases& cases, const std::vector<int>& sizes, bool one_length) {
+  std::vector<bench::Grid> ladder;
+  for (const int n : sizes)
+    ladder.push_back({1.0 * n, solved(cases, on_cells(n, one_length, !one_length))});
+  return bench::limit_of(ladder);
 }
 
 // One set of cases by all methods; a method's error is its mean distance from the limit.
 struct Study {
   Cases cases;
-  Limit limit;
+  bench::Limit limit = {};
   double routes =
       0;  // distance of the limits of two meshes with two solvers over their uncertainties
   std::vector<bench::Method> methods = {};
   std::vector<report::WorkPrecision> points = {};
 
   Study(Cases all, bool finer) : cases(std::move(all)) {
-    std::vector<Eigen::Index> sizes{20, 26, 32, 40, 48}, fitted{12, 14, 16, 18, 20};
-    if (finer) sizes = {32, 40, 48, 64, 80}, fitted = {16, 20, 24, 28};
-    limit = limit_of(cases, sizes, true);
-    const Limit other = limit_of(cases, fitted, false);
-    routes = (mean_distance(limit.answers, other.answers) / (limit.uncertainty + other.uncertainty))
-                 .maxCoeff();
+    const std::vector<int> sizes{20, 26, 32, 40, 48}, fitted{12, 14, 16, 18, 20};
+    limit = limit_of(cases, finer ? std::vector{32, 40, 48, 64, 80} : sizes, true);
+    const bench::Limit other = limit_of(cases, finer ? std::vector{16, 20, 24, 28} : fitted, false);
+    const Errors off = mean(limit.answers, other.answers), a = mean(limit.uncertainty),
+                 b = mean(other.uncertainty);
+    for (std::size_t q = 0; q < 3; ++q)
+      if (off[q] > 0) routes = std::max(routes, off[q] / (a[q] + b[q]));
   }
   // Errors of quantities that are 1.
   bench::Setting setting(const std::string& label, const LawOf& law, double work = 1) const {
     return {label, [this, law, work] {
-              const Eigen::Array3d e = 1 + mean_distance(limit.answers, solved(cases, law));
-              return bench::Outcome{
-                  {e[0], e[1], e[2]}, work * static_cast<double>(limit.answers.size()), true, {}};
+              const Errors e = mean(solved(cases, law), limit.answers);
+              return bench::Outcome{{1 + e[0], 1 + e[1], 1 + e[2]},
+                                    work * static_cast<double>(limit.answers.size()) / 3,
+                                    true,
+                                    {}};
             }};
   }
   void add(std::initializer_list<Theory> theories) {
@@ -232,7 +199,8 @@ struct Study {
   }
   void measure(const report::Item& item) {
     std::vector<bench::Reference> references;
-    for (int q = 0; q < 3; ++q) references.push_back({quantities[q], 1, limit.uncertainty[q]});
+    for (std::size_t q = 0; q < 3; ++q)
+      references.push_back({quantities[q], 1, mean(limit.uncertainty)[q]});
     points = bench::measure(item.id(), references, methods, item.timings(), 0.05);
   }
   void check(report::Item& item) const {
@@ -342,20 +310,6 @@ void slope_time(report::Item& item) {
   item.value("slope-degree", fmt::format("{}", degree));
 }
 
-const ForceTable& curve_table(int nodes) {
-  static std::map<int, ForceTable> made;
-  // Spin and lateral creepage are not asked for.
-  return made
-      .try_emplace(nodes, ForceTableAxes{axis_ratio, axis_ratio, 1, 2, 1, nodes, 2, 3},
-                   [](double ratio) -> ShareFunction {
-                     const Law solve = full({.along = 12, .rows = 8})(ratio);
-                     return [share = shares_of(solve, ratio, poisson)](const Creepage& c) {
-                       return c.lateral != 0 || c.spin != 0 ? ForceShares{} : share(c);
-                     };
-                   })
-      .first->second;
-}
-
 void curve_time(report::Item& item) {
   std::vector<Creepage> creepages;
   for (const double x : {.04, .1, .2, .3, .4, .6}) creepages.push_back({x, 0, 0});
@@ -365,13 +319,16 @@ void curve_time(report::Item& item) {
   study.add({Theory::fastsim, Theory::fastrip, Theory::shen_hedrick_elkins, Theory::polach,
              Theory::vermeulen_johnson});
   study.methods.push_back({"table of the full theory", {}});
-  for (const int n : {9, 17, 33})
+  std::list<ForceTable> tables;
+  for (const int n : {9, 17, 33}) {
+    tables.push_back(curve_table(n, {.along = 12, .rows = 8}));
     study.methods.back().settings.push_back(
-        study.setting(fmt::format("{} nodes", n), looked_up(curve_table(n))));
+        study.setting(fmt::format("{} nodes", n), looked_up(tables.back())));
+  }
   study.measure(item);
   show(item, study.points, study.methods, "fx", {5e-2, 2e-2}, "curve-answer");
   study.check(item);
-  item.value("curve-uncertainty", study.limit.uncertainty[0], "", "{:.0e}");
+  item.value("curve-uncertainty", mean(study.limit.uncertainty)[0], "", "{:.0e}");
 }
 
 const Study& spinning(const report::Item& item) {

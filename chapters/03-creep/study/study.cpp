@@ -4,13 +4,9 @@
 
 {{include: cost.cpp}}
 
-{{include: evidence.cpp}}
-
 ## Stability
 
 A case *holds* when its error stays within the bound set for it, *degrades* when it loses accuracy in the way stated, and is *refused* when the program says why it has no number.
-
-{{stability}}
 
 {{include: stability.cpp}}
 */

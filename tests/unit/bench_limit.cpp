@@ -1,0 +1,36 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "bench/evidence.hpp"
+#include "bench/limit.hpp"
+
+using namespace railbook::bench;
+
+TEST_CASE("unit: the limit of a ladder of grids is found with its order") {
+  std::vector<Grid> grids;
+  for (const double n : {8., 12., 16., 24., 32.})
+    grids.push_back({n, {1 + 3 * std::pow(n, -1.5), -2 - std::pow(n, -1.5)}});
+  const Limit limit = limit_of(grids);
+  CHECK(limit.order == Approx(1.5));
+  CHECK(std::abs(limit.answers[0] - 1) < 1e-12);
+  CHECK(std::abs(limit.answers[1] + 2) < 1e-12);
+  CHECK(limit.uncertainty[0] < 1e-12);
+}
+
+TEST_CASE("unit: the uncertainty of a limit covers the truth of noisy ladders") {
+  int covered = 0;
+  for (std::uint64_t k = 0; k < 200; ++k) {
+    Draw draw(31, k);
+    std::vector<Grid> grids;
+    for (const double n : {16., 20., 24., 28., 32.})
+      grids.push_back({n, {1 + std::pow(n, -2) + 1e-4 * draw(-1, 1)}});
+    const Limit limit = limit_of(grids);
+    covered += std::abs(limit.answers[0] - 1) <= 2 * limit.uncertainty[0];
+  }
+  CHECK(covered >= 180);
+}
+
+TEST_CASE("unit: a limit refuses too few grids") {
+  CHECK_THROWS_AS(limit_of({{8, {1}}, {16, {1}}, {32, {1}}}), std::logic_error);
+  CHECK_THROWS_AS(limit_of({{8, {1}}, {12, {1}}, {16, {1, 2}}, {32, {1}}}), std::logic_error);
+}
