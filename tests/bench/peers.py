@@ -1,0 +1,32 @@
+"""peers.py OUT.json: what scipy takes for the work of speed.cpp, best of five rounds; nothing where there is no scipy."""
+import json
+import sys
+import time
+
+try:
+    import numpy as np
+    from scipy import signal
+except ImportError:
+    json.dump({}, open(sys.argv[1], "w"))
+    sys.exit(0)
+
+
+def best(run):
+    times = []
+    for _ in range(5):
+        begin = time.perf_counter()
+        run()
+        times.append(time.perf_counter() - begin)
+    return min(times)
+
+
+x = 1e-3 * np.random.default_rng(20261122).standard_normal(1 << 22)
+a = np.exp(-0.01)
+weights = signal.windows.hann(661)
+out = {
+    "psd": ("scipy.signal.welch", lambda: signal.welch(x, 1, "hann", 4096, detrend="linear")),
+    "hybrid": ("scipy.signal.lfilter, which has one interval for all samples", lambda: signal.lfilter([1, -a], [1 - a], x)),
+    "chain": ("scipy.signal.oaconvolve, twice", lambda: [signal.oaconvolve(x, weights) for _ in range(2)]),
+}
+json.dump({key: {"what": what, "work": len(x), "seconds": best(run)} for key, (what, run) in out.items()},
+          open(sys.argv[1], "w"), indent=1)
