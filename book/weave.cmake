@@ -1,7 +1,8 @@
 # Weaves the book: cmake [-DCHAPTERS=...] [-DRESULTS=...] [-DFIGURES=...] [-DBOOK=...] [-DVERSION=...] -P weave.cmake
 # One page for each folder of CHAPTERS that has a record RESULTS/NN-name.json (its CSVs are in RESULTS/NN-name, its
 # pictures in FIGURES/NN-name), then the pages made of all records. The folder BOOK is replaced at the end, as a whole; it
-# needs nothing outside itself. Exits non-zero when a page cannot be woven; the others are there all the same.
+# needs nothing outside itself. Exits non-zero when a page cannot be woven; the others are there all the same, and when none can
+# be, the book stays what it was.
 
 get_filename_component(root ${CMAKE_CURRENT_LIST_DIR}/.. ABSOLUTE)
 foreach(default CHAPTERS=${root}/chapters RESULTS=${root}/build/results FIGURES=${root}/build/figures
@@ -15,6 +16,9 @@ endforeach()
 find_program(PANDOC pandoc REQUIRED)
 
 set(time_limit 300) # seconds; a page takes some 5
+if(TIME_LIMIT)
+  set(time_limit ${TIME_LIMIT})
+endif()
 
 set(here ${CMAKE_CURRENT_LIST_DIR})
 set(new ${BOOK}.unfinished)
@@ -142,6 +146,11 @@ if(NOT status EQUAL 0)
   list(APPEND failed index)
 endif()
 file(REMOVE_RECURSE ${parts})
+
+if(NOT EXISTS ${new}/index.html AND NOT records) # no page at all: pandoc itself; the book of before stays
+  file(REMOVE_RECURSE ${new})
+  message(FATAL_ERROR "The book could not be woven: ${failed}")
+endif()
 
 file(REMOVE_RECURSE ${BOOK}.old)
 if(EXISTS ${BOOK})

@@ -10,7 +10,7 @@ set(json ${dir}/results/01-sample.json)
 function(weave)
   execute_process(
     COMMAND ${CMAKE_COMMAND} -DCHAPTERS=${dir}/chapters -DRESULTS=${dir}/results -DFIGURES=${dir}/figures
-            -DBOOK=${dir}/book -DROOT=${dir} -DVERSION=0 -P ${root}/book/weave.cmake
+            -DBOOK=${dir}/book -DROOT=${dir} -DVERSION=0 ${with} -P ${root}/book/weave.cmake
     RESULT_VARIABLE status OUTPUT_VARIABLE said ERROR_VARIABLE said)
   set(status ${status} PARENT_SCOPE)
   set(said "${said}" PARENT_SCOPE)
@@ -381,6 +381,33 @@ function(unclosed)
   expect_failure("swallowed")
 endfunction()
 book_case("prose that swallows code fails" unclosed)
+
+# A pandoc of this script: the weaving ends, says why, and leaves the book of before.
+function(broken_pandoc)
+  weave()
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "the book was not woven:\n${said}")
+  endif()
+  file(READ ${dir}/book/index.html before)
+  foreach(script "echo no fonts >&2; exit 4" "kill -9 $$" "exec sleep 600")
+    file(WRITE ${dir}/pandoc "#!/bin/sh\n${script}\n")
+    file(CHMOD ${dir}/pandoc PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE)
+    set(with -DPANDOC=${dir}/pandoc -DTIME_LIMIT=1)
+    weave()
+    file(REMOVE ${dir}/pandoc)
+    file(READ ${dir}/book/index.html after)
+    if(status EQUAL 0 OR NOT said MATCHES "could not be woven" OR NOT after STREQUAL before OR EXISTS ${dir}/book.unfinished)
+      message(FATAL_ERROR "a pandoc that does '${script}': status ${status}\n${said}")
+    endif()
+  endforeach()
+  set(with -DPANDOC=${dir}/pandoc) # gone by now
+  weave()
+  file(READ ${dir}/book/index.html after)
+  if(status EQUAL 0 OR NOT after STREQUAL before)
+    message(FATAL_ERROR "no pandoc: status ${status}\n${said}")
+  endif()
+endfunction()
+book_case("a pandoc that fails, hangs or is gone leaves the book of before" broken_pandoc)
 
 if(NOT found)
   message(FATAL_ERROR "no case '${CASE}'")

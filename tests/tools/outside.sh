@@ -60,6 +60,57 @@ case $case in
     kill -TERM $!; wait $!
     status=$?
     expect 143; clean ;;
+  "a kill in mid-write")
+    # Nobody can clean up after it; but what stands under the name asked for is whole or not there, and the next run works.
+    "$railbook" psd synthesize big.csv --length 200000km >/dev/null 2>"$folder/said" &
+    waits_for "$folder/run" part
+    kill -KILL $!
+    wait $! 2>/dev/null
+    [ -e big.csv ] && bad "a part stands under the name of the whole"
+    "$railbook" psd synthesize big.csv --length 1km >/dev/null 2>"$folder/said"
+    status=$?
+    expect 0
+    [ "$(wc -l <big.csv)" -gt 1000 ] || bad "the next run wrote $(wc -l <big.csv) lines" ;;
+  "an interrupt while answers are written")
+    fake 'echo $$ > "'$folder'/child"; sleep 600'
+    timeout --preserve-status -s INT 2 "$railbook" "${limit[@]}" --out mine >/dev/null 2>"$folder/said" # to its whole group
+    status=$?
+    expect 130; clean ;;
+  "a folder that is read-only")
+    mkdir locked
+    if [ "$(id -u)" = 0 ]; then # whom no permission stops
+      unshare --mount sh -c 'mount -t tmpfs -o ro none .' 2>/dev/null || exit 77
+      unshare --mount sh -c 'mount -t tmpfs -o ro none locked && shift && exec "$@"' sh x \
+        "$railbook" "${limit[@]}" --out "$folder/run/locked/mine" >/dev/null 2>"$folder/said"
+    else
+      chmod a-w locked
+      "$railbook" "${limit[@]}" --out locked/mine >/dev/null 2>"$folder/said"
+    fi
+    status=$?
+    rmdir locked || bad "something was left in it"
+    [ "$status" = 2 ] || [ "$status" = 3 ] || bad "status $status"
+    says "cannot be\|Read-only\|Permission denied"; clean ;;
+  "a folder that is not there")
+    "$railbook" psd synthesize none/of/these/big.csv --length 1km >/dev/null 2>"$folder/said"
+    status=$?
+    [ "$status" = 2 ] || [ "$status" = 3 ] || bad "status $status"
+    says "No such file or directory"; clean
+    "$railbook" "${limit[@]}" --out none/of/these >/dev/null 2>"$folder/said" # which --out makes
+    status=$?
+    expect 0; [ -s none/of/these/limit.json ] || bad "no answer" ;;
+  "another folder, language and time zone")
+    answer() { "$railbook" quality index "$track" --column crosslevel --speed 100km/h --json 2>"$folder/said" | grep -v -e '"out"' -e seconds; }
+    plain=$(answer)
+    [ -n "$plain" ] || bad "no answer"
+    for setting in LC_ALL=de_DE.UTF-8 LC_ALL=tr_TR.UTF-8 LC_ALL=C LC_ALL=none LANG=fr_FR.ISO-8859-1 TZ=Pacific/Kiritimati TZ=none HOME=/nowhere COLUMNS=1 TERM=dumb; do
+      [ "$(env "$setting" bash -c '"$@"' x "$railbook" quality index "$track" --column crosslevel --speed 100km/h --json 2>"$folder/said" | grep -v -e '"out"' -e seconds)" = "$plain" ] || bad "another answer with $setting"
+    done
+    cd / || exit 1
+    [ "$(answer)" = "$plain" ] || bad "another answer in /"
+    mkdir "$folder/gone" && cd "$folder/gone" && rmdir "$folder/gone"
+    [ "$(answer)" = "$plain" ] || bad "another answer in a folder that has been removed"
+    cd "$folder/run" || exit 1
+    clean ;;
   "an end while gnuplot draws")
     fake 'echo $$ > "'$folder'/child"; sleep 600 & sleep 600'
     "$railbook" "${limit[@]}" --out mine >/dev/null 2>"$folder/said" &
