@@ -97,8 +97,13 @@ LimitCycle BranchWalker::describe(const Place& p, double slope) {
   LimitCycle c;
   c.parameter = p.parameter;
   c.cycle = solver.cycle(p);
-  for (const VectorXd& row : solver.family().watch) c.amplitude.push_back(amplitude(c.cycle, row));
-  for (const double a : c.amplitude) c.largest = std::max(c.largest, a);
+  for (const VectorXd& row : solver.family().watch) {
+    const auto [low, high] = extremes(c.cycle, row);
+    c.amplitude.push_back(0.5 * (high - low));
+    c.middle.push_back(0.5 * (high + low));
+    c.largest = std::max(c.largest, c.amplitude.back());
+    c.reach = std::max({c.reach, high, -low});
+  }
   c.tail = tail_of(c.cycle);
   c.neutral = std::abs(slope) < no_slope;
   if (options_.multiplier_steps == 0) return c;
@@ -245,7 +250,7 @@ void BranchWalker::find_special(const VectorXd& from, const VectorXd& t, const V
 void BranchWalker::stop_if_done() {
   const LimitCycle& p = branch.points.back();
   const double first = branch.points.front().largest;
-  if (p.largest > options_.largest_amplitude)
+  if (p.reach > options_.largest_amplitude)
     branch.stop = BranchStop::amplitude;
   else if (p.parameter < options_.lowest || p.parameter > options_.highest)
     branch.stop = BranchStop::parameter;

@@ -15,6 +15,14 @@ VectorXd unit_of_parameter(Index size) {
   return VectorXd::Unit(size + 2, size + 1);
 }
 
+// All harmonics larger by one factor, the mean and the rest as they are.
+VectorXd growing(const CycleEquations& equations, const VectorXd& z) {
+  VectorXd grow = VectorXd::Zero(z.size() + 2);
+  grow.head(z.size()) = z;
+  for (const Index i : equations.places(0)) grow[i] = 0;
+  return grow;
+}
+
 }  // namespace
 
 const char* to_string(CycleEvent event) {
@@ -56,17 +64,18 @@ const char* to_string(BranchStop stop) {
 LimitCycleBranch follow_from_hopf(const Family& family, const Eigen::VectorXcd& shape, double omega,
                                   double parameter, const ContinuationOptions& options) {
   units::require_positive("first amplitude", options.first_amplitude);
-  BranchWalker walker{family, orders_up_to(options.least_order, false), options};
+  const bool odd = family.rest.size() == 0;
+  BranchWalker walker{family, orders_up_to(options.least_order, !odd), options};
   double largest = 0;
   for (const VectorXd& row : family.watch)
     largest = std::max(largest, std::abs(row.cast<Complex>().dot(shape)));
   units::require_positive("watched part of the shape", largest);
   Eigen::MatrixXcd motion =
       Eigen::MatrixXcd::Zero(shape.size(), Index(walker.solver.orders().size()));
-  motion.col(0) = shape * (options.first_amplitude / largest);
+  motion.col(odd ? 0 : 1) = shape * (options.first_amplitude / largest);
+  if (!odd) motion.col(0) = family.rest.cast<Complex>();
   const Place p{walker.solver.equations().unknowns(motion), omega, parameter};
-  VectorXd grow = VectorXd::Zero(p.z.size() + 2);
-  grow.head(p.z.size()) = p.z;
+  const VectorXd grow = growing(walker.solver.equations(), p.z);
   if (walker.begin(p, grow, grow)) walker.walk();
   return walker.branch;
 }
@@ -77,10 +86,8 @@ LimitCycleBranch follow_from(const Family& family, const Cycle& cycle, double pa
   const Place p{walker.solver.equations().unknowns(cycle.motion), cycle.omega, parameter};
   const VectorXd hold = unit_of_parameter(p.z.size());
   VectorXd direction = hold;
-  if (towards == Towards::larger_cycles || towards == Towards::smaller_cycles) {
-    direction.setZero();
-    direction.head(p.z.size()) = p.z;
-  }
+  if (towards == Towards::larger_cycles || towards == Towards::smaller_cycles)
+    direction = growing(walker.solver.equations(), p.z);
   if (towards == Towards::smaller_cycles || towards == Towards::smaller_parameter)
     direction = -direction;
   if (walker.begin(p, hold, direction)) walker.walk();

@@ -26,6 +26,8 @@ struct Family {
   std::function<void(Oscillator&, double)> set;  // to another one; may throw InputError
   std::vector<Eigen::VectorXd> watch{};          // rows (n) whose half peak to peak is measured
   double scale = 1;                              // a change of the parameter that matters
+  // Forces that are not odd: where the oscillator rests (n). Its cycles have harmonics of every order. Empty: odd forces.
+  Eigen::VectorXd rest{};
 };
 // The car against speed [m/s], watching its wheelsets; with friction between wheel and rail if a limit is given.
 Family by_speed(const FreightCar& car, const wheelrail::ConstraintFunctions& table,
@@ -38,8 +40,11 @@ Family by_datum(const FreightCar& car, double CarParameters::*datum,
 struct LimitCycle {
   double parameter = 0;
   Cycle cycle;
-  std::vector<double> amplitude;  // of each watched row
+  std::vector<double> amplitude;  // of each watched row, half of peak to peak
   double largest = 0;             // of them
+  std::vector<double>
+      middle;        // of each watched row, between its extremes: 0 for odd harmonics alone
+  double reach = 0;  // how far a watched row gets from 0
   // Norm of the highest third of the harmonics over that of all: how good the balance is.
   double tail = 0;
   Multipliers multipliers;

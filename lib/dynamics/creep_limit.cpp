@@ -1,8 +1,10 @@
 #include "dynamics/creep_limit.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
+#include "units/constants.hpp"
 #include "units/input_error.hpp"
 
 namespace railbook::dynamics {
@@ -49,16 +51,14 @@ Limited cubic(const std::array<double, 3>& t) {
 }
 
 Limited by_curve(const CreepCurve& curve, const std::array<double, 3>& t) {
-  constexpr double step = 1e-5;
-  Limited r{curve(t[0], t[1], t[2]), {}};
-  for (std::size_t i = 0; i < 3; ++i) {
-    auto low = t, high = t;
-    low[i] -= step;
-    high[i] += step;
-    const auto a = curve(low[0], low[1], low[2]), b = curve(high[0], high[1], high[2]);
-    for (std::size_t m = 0; m < 2; ++m) r.slope[m][i] = (b[m] - a[m]) / (2 * step);
-  }
+  Limited r{};
+  double slope[6];
+  curve(t.data(), r.share.data(), slope);
+  for (std::size_t k = 0; k < 6; ++k) r.slope[k / 3][k % 3] = slope[k];
   return r;
+}
+Limited limited(const CreepLimit& limit, const std::array<double, 3>& t) {
+  return limit.curve ? by_curve(limit.curve, t) : cubic(t);
 }
 
 // What friction takes from lateral force and moment of a wheelset: f, and d f/d s row by row.
@@ -106,12 +106,57 @@ void limit_creep(Oscillator& o, const FreightCar& car, const wheelrail::Constrai
     c.of_motion.row(2) = set.lateral.transpose();
     c.force.resize(coordinates, 2);
     c.force << set.lateral, set.yaw;
-    c.law = [w, shared, curve = limit.curve](const double* s, double* f, double* slope) {
+    c.law = [w, shared, limit](const double* s, double* f, double* slope) {
       const Demand d = demand(w, *shared, s);
-      take(w, d, curve ? by_curve(curve, d.share) : cubic(d.share), s, f, slope);
+      take(w, d, limited(limit, d.share), s, f, slope);
     };
     o.couplings.push_back(std::move(c));
   }
+}
+
+namespace {
+
+// Of a column at -end, ..., 0, ..., end.
+double between(const std::vector<double>& column, double step, double x) {
+  const double at =
+      std::clamp(x / step + 0.5 * double(column.size() - 1), 0.0, double(column.size() - 1) - 1e-9);
+  const auto i = std::size_t(at);
+  return column[i] + (at - double(i)) * (column[i + 1] - column[i]);
+}
+
+// What a wheel presses outwards over what it presses down.
+double quotient(double angle, double outward) {
+  const double t = std::tan(angle);
+  return (t - outward) / (1 + outward * t);
+}
+
+}  // namespace
+
+CycleForces cycle_forces(const FreightCar& car, const wheelrail::ConstraintFunctions& table,
+                         const CreepLimit& limit, const Cycle& cycle, int samples) {
+  units::require_positive("friction of wheel and rail", limit.friction);
+  units::require_between("samples of a period", samples, 8, 1 << 20);
+  const Wheel w = wheel_of(car, limit.friction);
+  CycleForces result;
+  for (int j = 0; j < samples; ++j) {
+    const Eigen::VectorXd y = state_at(cycle, 2 * units::pi * j / samples);
+    const auto q = y.head<coordinates>(), v = y.tail<coordinates>();
+    for (std::size_t i = 0; i < wheelsets; ++i) {
+      const Wheelset& set = car.wheels[i];
+      const double x = set.lateral.dot(q);
+      const double s[3] = {cycle.inverse_speed * set.lateral.dot(v) - set.yaw.dot(q),
+                           cycle.inverse_speed * set.yaw.dot(v), x};
+      const auto asked = demand(w, table, s).share;
+      const auto share = limited(limit, asked).share;
+      // Creep pulls both wheels against their slip, to the left when the share is negative.
+      const double left = -limit.friction * share[1], roll = table.at(x).Phi, h = table.R.step();
+      double& worst = result.lateral_over_vertical[i];
+      worst = std::max({worst, quotient(between(table.delta_left, h, x) + roll, left),
+                        quotient(between(table.delta_right, h, x) - roll, -left)});
+      result.creep[i] = std::max(result.creep[i], std::hypot(share[0], share[1]));
+    }
+  }
+  return result;
 }
 
 }  // namespace railbook::dynamics

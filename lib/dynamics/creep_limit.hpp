@@ -11,14 +11,14 @@
 #include <array>
 #include <functional>
 
+#include "dynamics/harmonic_cycle.hpp"
 #include "dynamics/oscillator.hpp"
 
 namespace railbook::dynamics {
 
 // Longitudinal and lateral creep force of a wheel as shares of mu N, from the linear forces f33 xi_z, f11 xi_x and f12 xi_theta
-// as shares of mu N.
-using CreepCurve =
-    std::function<std::array<double, 2>(double longitudinal, double lateral, double spin)>;
+// as shares of mu N (`linear`); and the derivative, row by row (6 numbers), unless null. Continuous with it.
+using CreepCurve = std::function<void(const double* linear, double* share, double* slope)>;
 
 struct CreepLimit {
   double friction = 0.3;  // mu > 0
@@ -29,5 +29,17 @@ struct CreepLimit {
 // Adds a coupling for each wheelset. The moment of spin is reduced as the force is. Throws InputError unless friction > 0.
 void limit_creep(Oscillator& oscillator, const FreightCar& car,
                  const wheelrail::ConstraintFunctions& table, const CreepLimit& limit);
+
+// How hard a cycle uses wheels and rails: the largest of both wheels of each set over a period, at `samples` instants.
+//   lateral_over_vertical: L/V = (tan d - f)/(1 + f tan d), d the contact plane's angle to the track and f the lateral creep force
+//     towards the outside over the normal force N, both at the same instant. At f = mu it is Nadal's limit of the flange's angle.
+//   creep: force of longitudinal and lateral creepage over mu N, 0 to 1; 1 slides altogether.
+// For a car whose creep friction limits. As everywhere in it N is the static load: what inertia and roll move from wheel to wheel is
+// left out of V, and where the table is a running mean over two points of contact, so is d.
+struct CycleForces {
+  std::array<double, wheelsets> lateral_over_vertical{}, creep{};
+};
+CycleForces cycle_forces(const FreightCar& car, const wheelrail::ConstraintFunctions& table,
+                         const CreepLimit& limit, const Cycle& cycle, int samples = 256);
 
 }  // namespace railbook::dynamics

@@ -51,8 +51,11 @@ Family by_speed(const FreightCar& car, const wheelrail::ConstraintFunctions& tab
                 [](Oscillator& o, double speed) {
                   o.inverse_speed = 1 / units::require_positive("speed", speed, "m/s");
                 },
-                wheelset_rows(car), 50};
+                wheelset_rows(car),
+                50,
+                {}};
   if (creep) limit_creep(family.oscillator, car, table, *creep);
+  if (!table.symmetric()) family.rest = rest(family.oscillator);
   return family;
 }
 
@@ -74,8 +77,11 @@ Family by_datum(const FreightCar& car, double CarParameters::*datum,
                   o.couplings.clear();
                   limit_creep(o, other, table, *creep);
                 },
-                wheelset_rows(car), std::abs(car.data.*datum)};
+                wheelset_rows(car),
+                std::abs(car.data.*datum),
+                {}};
   if (creep) limit_creep(family.oscillator, car, table, *creep);
+  if (!table.symmetric()) family.rest = rest(family.oscillator);
   return family;
 }
 

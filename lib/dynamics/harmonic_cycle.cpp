@@ -70,7 +70,7 @@ Eigen::VectorXd state_at(const Cycle& cycle, double phase) {
   return y;
 }
 
-double amplitude(const Cycle& cycle, const Eigen::VectorXd& row) {
+std::pair<double, double> extremes(const Cycle& cycle, const Eigen::VectorXd& row) {
   const Eigen::VectorXcd s = cycle.motion.transpose() * row.cast<Complex>();
   std::size_t n = 64;
   while (n < 8 * std::size_t(cycle.orders.back())) n *= 2;
@@ -99,8 +99,13 @@ double amplitude(const Cycle& cycle, const Eigen::VectorXd& row) {
     return best;
   };
   const auto [low, high] = std::minmax_element(fft.real().begin(), fft.real().end());
-  return 0.5 * (extreme(std::size_t(high - fft.real().begin()), 1) -
-                extreme(std::size_t(low - fft.real().begin()), -1));
+  return {extreme(std::size_t(low - fft.real().begin()), -1),
+          extreme(std::size_t(high - fft.real().begin()), 1)};
+}
+
+double amplitude(const Cycle& cycle, const Eigen::VectorXd& row) {
+  const auto [low, high] = extremes(cycle, row);
+  return 0.5 * (high - low);
 }
 
 }  // namespace railbook::dynamics

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "dynamics/oscillator.hpp"
@@ -36,7 +37,8 @@ Cycle with_orders(const Cycle& cycle, int highest, bool all = false);
 
 // Coordinates and their rates at a phase [rad]: (2n), SI.
 Eigen::VectorXd state_at(const Cycle& cycle, double phase);
-// Half of peak to peak of row q over the period; the peaks are located to rounding.
+// Least and largest value of row q over the period, located to rounding; and half of the difference.
+std::pair<double, double> extremes(const Cycle& cycle, const Eigen::VectorXd& row);
 double amplitude(const Cycle& cycle, const Eigen::VectorXd& row);
 
 }  // namespace railbook::dynamics

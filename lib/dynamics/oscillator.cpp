@@ -1,6 +1,7 @@
 #include "dynamics/oscillator.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <string>
 
 #include "units/input_error.hpp"
@@ -9,7 +10,7 @@ namespace railbook::dynamics {
 
 namespace {
 
-// The three odd tables as one law of the displacement with three values, over both signs.
+// The three tables as one law of the displacement with three values, over both signs.
 PiecewiseLinear both_sides(const wheelrail::ConstraintFunctions& table) {
   const auto& r = table.R.values();
   const auto& d = table.D.values();
@@ -26,8 +27,10 @@ PiecewiseLinear both_sides(const wheelrail::ConstraintFunctions& table) {
     const Eigen::Vector3d f{r[k], d[k], phi[k]};
     knots[n - 1 + i] = table.R.step() * double(i);
     knots[n - 1 - i] = -knots[n - 1 + i];
-    values.col(n - 1 + i) = f;
-    values.col(n - 1 - i) = -f;
+    Eigen::Vector3d even = Eigen::Vector3d::Zero();
+    if (!table.symmetric()) even << table.even.R[k], table.even.D[k], table.even.Phi[k];
+    values.col(n - 1 - i) = even - f;
+    values.col(n - 1 + i) = even + f;
   }
   return simplified({std::move(knots), std::move(values)});
 }
@@ -86,6 +89,49 @@ Oscillator car_on_track(const FreightCar& car, const wheelrail::ConstraintFuncti
 Oscillator at_speed(Oscillator car, double speed) {
   car.inverse_speed = 1 / units::require_positive("speed", speed, "m/s");
   return car;
+}
+
+Eigen::VectorXd rest(const Oscillator& o) {
+  const Eigen::Index n = o.coordinates();
+  Eigen::VectorXd q = Eigen::VectorXd::Zero(n);
+  Eigen::MatrixXd jacobian(n, n);
+  // Forces left over at q, and how they change.
+  const auto forces = [&](const Eigen::VectorXd& at) {
+    Eigen::VectorXd left = -o.stiffness * at;
+    jacobian = o.stiffness;
+    for (const Channel& c : o.channels) {
+      const double s = c.of_rate ? 0.0 : c.row.dot(at);
+      left += c.force * c.law(s);
+      if (!c.of_rate) jacobian -= c.force * c.law.slopes().col(c.law.piece(s)) * c.row.transpose();
+    }
+    for (const Coupling& c : o.couplings) {
+      const Eigen::VectorXd s = c.of_motion * at;
+      Eigen::VectorXd f(c.outputs());
+      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> slope(f.size(),
+                                                                                   s.size());
+      c.law(s.data(), f.data(), slope.data());
+      left += c.force * f;
+      jacobian -= c.force * slope * c.of_motion;
+    }
+    return left;
+  };
+  Eigen::VectorXd left = forces(q);
+  if (left.norm() == 0) return q;
+  for (int i = 0; i < 100; ++i) {
+    const Eigen::FullPivLU<Eigen::MatrixXd> lu{jacobian};
+    Eigen::VectorXd step = lu.solve(left);
+    if (!lu.isInvertible() || !step.allFinite()) break;
+    if (step.norm() < 1e-13 * (1e-3 + q.norm())) return q + step;
+    // Shorter until the same matrix has a shorter step to go: kinks are passed so.
+    double part = 1;
+    for (int k = 0; k < 12; ++k, part *= 0.5)
+      if (lu.solve(forces(q + part * step)).norm() < (1 - 0.25 * part) * step.norm()) break;
+    q += part * step;
+    left = forces(q);
+  }
+  throw InputError(
+      "wheels or rails of left and right differ so that the car finds no position of rest on them; "
+      "allowed: a difference of rolling radii that the wheels' cones can make up");
 }
 
 Compiled compile(const Oscillator& o) {

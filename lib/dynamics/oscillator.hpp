@@ -54,6 +54,10 @@ Oscillator car_on_track(const FreightCar& car, const wheelrail::ConstraintFuncti
 // The same car at another speed.
 Oscillator at_speed(Oscillator car, double speed);
 
+// Where an oscillator without motion has no force left: n. Zero for laws that vanish at rest, else found from zero by Newton's method.
+// Throws InputError when it finds none.
+Eigen::VectorXd rest(const Oscillator& oscillator);
+
 // What integrators need, padded to nine coordinates and premultiplied by M^-1.
 using State = Eigen::Matrix<double, 18, 1>;         // q, q'
 using StateMatrix = Eigen::Matrix<double, 18, 18>;  // of small perturbations

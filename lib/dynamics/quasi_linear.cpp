@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "dynamics/oscillator.hpp"
 #include "units/input_error.hpp"
 
 namespace railbook::dynamics {
@@ -61,6 +62,13 @@ QuasiLinearCar::QuasiLinearCar(FreightCar car, const wheelrail::ConstraintFuncti
   if (geometry.half_spacing > 0)
     units::require_between("half spacing of the wheel/rail geometry over the car's half gauge",
                            geometry.half_spacing / car_.data.half_gauge, 1 - 1e-6, 1 + 1e-6);
+  symmetric_ = geometry.symmetric();
+  if (symmetric_) return;
+  rest_ = dynamics::rest(car_on_track(car_, geometry, 1));
+  for (std::size_t i = 0; i < wheelsets; ++i) {
+    const auto c = geometry.at(car_.wheels[i].lateral.dot(rest_));
+    at_rest_[i] = {Gain{c.dR, 0}, Gain{c.dD, 0}, Gain{c.dPhi, 0}};
+  }
 }
 
 QuasiLinearCar::Gains QuasiLinearCar::small() const {
@@ -69,7 +77,10 @@ QuasiLinearCar::Gains QuasiLinearCar::small() const {
 
 QuasiLinearCar::Gains QuasiLinearCar::at(const Vector9c& shape, double frequency) const {
   Gains gains{};
-  for (std::size_t i = 0; i < wheelsets; ++i)
+  gains.wheel = at_rest_;
+  if (!symmetric_ && !shape.isZero(0))
+    throw InputError("describing functions: left and right differ; allowed: odd functions only");
+  for (std::size_t i = 0; symmetric_ && i < wheelsets; ++i)
     table_.evaluate(std::abs(along(car_.wheels[i].lateral, shape)), gains.wheel[i]);
   if (car_.has_friction)
     for (std::size_t j = 0; j < joints; ++j) {

@@ -37,10 +37,13 @@ int largest_wheelset(const FreightCar& car, const Vector9c& shape);
 
 class QuasiLinearCar {
  public:
-  // Throws InputError when the geometry's half spacing is not the car's half gauge.
+  // Throws InputError when the geometry's half spacing is not the car's half gauge. Where left and right of the geometry differ,
+  // the car is linear about its rest, and has no describing functions: at() throws for amplitudes other than 0.
   QuasiLinearCar(FreightCar car, const wheelrail::ConstraintFunctions& geometry);
 
   const FreightCar& car() const { return car_; }
+  // Where the car is at rest: zero when left and right are alike.
+  const Vector9& rest() const { return rest_; }
 
   // The gains for a small motion (A = 0), or for the amplitudes of a motion.
   struct Gains {
@@ -68,6 +71,9 @@ class QuasiLinearCar {
  private:
   FreightCar car_;
   PiecewiseLinearGain table_;
+  Vector9 rest_ = Vector9::Zero();
+  bool symmetric_ = true;
+  std::array<std::array<Gain, 3>, wheelsets> at_rest_{};  // when not symmetric
 };
 
 }  // namespace railbook::dynamics

@@ -49,30 +49,43 @@ struct ConstraintValues {
   double dR, dD, dPhi;  // their slopes [1/m]
 };
 
-// The constraint functions of a wheelset that is symmetric, on a symmetric track. Displacements x and half spacing in
-// metres.
+// The constraint functions of a wheelset on its track. Displacements x and half spacing in metres.
 struct ConstraintFunctions {
   double half_spacing = 0;  // a: half the distance between the rails' head centres
-  double radius = 0;        // r_0: rolling radius at x = 0
+  double radius = 0;        // r_0: rolling radius at x = 0, the mean of both wheels
   OddTable R, D, Phi;       // all with the same step and length
-  std::vector<double>
-      r_left;  // rolling radius of the left wheel at -end, ..., -step, 0, step, ..., end [m]
-  std::vector<double>
-      delta_left;  // its contact angle to the axle [rad], at the same places; the right wheel's is at -x
+  // What is added where left and right differ: even functions, at 0, step, ...; empty for a symmetric wheelset and track.
+  struct Even {
+    std::vector<double> R, D, Phi;
+  } even{};
+  // Rolling radii [m] and contact angles to the axle [rad] of both wheels at -end, ..., -step, 0, step, ..., end. Of a symmetric
+  // wheelset the right one's are the left one's at -x.
+  std::vector<double> r_left{}, delta_left{}, r_right{}, delta_right{};
 
   double end() const { return R.end(); }
+  bool symmetric() const { return even.R.empty(); }
 
   ConstraintValues at(double x) const {
     const double size = std::abs(x), sign = x < 0 ? -1.0 : 1.0;
     const std::size_t i = R.interval(size);
     const double past = size - R.step() * double(i);
     const double dR = R.slopes()[i], dD = D.slopes()[i], dPhi = Phi.slopes()[i];
-    return {sign * (R.values()[i] + past * dR),
-            sign * (D.values()[i] + past * dD),
-            sign * (Phi.values()[i] + past * dPhi),
-            dR,
-            dD,
-            dPhi};
+    ConstraintValues c{sign * (R.values()[i] + past * dR),
+                       sign * (D.values()[i] + past * dD),
+                       sign * (Phi.values()[i] + past * dPhi),
+                       dR,
+                       dD,
+                       dPhi};
+    if (symmetric()) return c;
+    const auto add = [&](const std::vector<double>& e, double& value, double& slope) {
+      const double d = (e[i + 1] - e[i]) / R.step();
+      value += e[i] + past * d;
+      slope += sign * d;
+    };
+    add(even.R, c.R, c.dR);
+    add(even.D, c.D, c.dD);
+    add(even.Phi, c.Phi, c.dPhi);
+    return c;
   }
 };
 

@@ -45,12 +45,52 @@ void require_contact(const WheelsetContact& at) {
       at.x));
 }
 
-// The odd half of a column: from its middle on.
-OddTable odd(double step, const std::vector<double>& values) {
-  std::vector<double> half(values.begin() + std::ptrdiff_t(values.size() / 2), values.end());
-  half.front() = 0;
+// What is odd and what is even of a column. One that is odd but for rounding keeps its values.
+OddTable odd(double step, const std::vector<double>& values, bool symmetric) {
+  const std::size_t n = values.size() / 2;
+  std::vector<double> half(n + 1);
+  for (std::size_t k = 1; k <= n; ++k)
+    half[k] = symmetric ? values[n + k] : 0.5 * (values[n + k] - values[n - k]);
   return {step, std::move(half)};
 }
+std::vector<double> even(const std::vector<double>& values) {
+  const std::size_t n = values.size() / 2;
+  std::vector<double> half(n + 1);
+  for (std::size_t k = 0; k <= n; ++k) half[k] = 0.5 * (values[n + k] + values[n - k]);
+  return half;
+}
+
+// Both wheels and the roll at every displacement from -n to n steps.
+struct Columns {
+  std::vector<double> r_left, r_right, delta_left, delta_right, roll;
+
+  Columns(const WheelsetOnTrack& pair, std::size_t n, double step, bool level)
+      : r_left(2 * n + 1), r_right(r_left), delta_left(r_left), delta_right(r_left), roll(r_left) {
+    fill(pair, n, step, level, 1);
+    // A symmetric wheelset at -x is the one at x with its sides exchanged.
+    if (!pair.symmetric()) fill(pair, n, step, level, -1);
+  }
+
+ private:
+  void fill(const WheelsetOnTrack& pair, std::size_t n, double step, bool level, int way) {
+    double guess = 0;
+    for (std::size_t k = 0; k <= n; ++k) {
+      const double x = way * step * double(k);
+      const WheelsetContact at = level ? pair.level_contact(x) : pair.contact(x, guess);
+      require_contact(at);
+      guess = at.roll;
+      put(way > 0 ? n + k : n - k, at.left, at.right, at.roll);
+      if (pair.symmetric()) put(n - k, at.right, at.left, -at.roll);
+    }
+  }
+  void put(std::size_t at, const SideContact& left, const SideContact& right, double phi) {
+    r_left[at] = left.radius;
+    r_right[at] = right.radius;
+    delta_left[at] = left.delta;
+    delta_right[at] = right.delta;
+    roll[at] = phi;
+  }
+};
 
 }  // namespace
 
@@ -62,35 +102,32 @@ ConstraintFunctions tabulate(const WheelsetOnTrack& pair, const TableOptions& op
   const std::size_t knots = whole("end of the table", options.end, step);
   const std::size_t half = whole("half the width of the mean", 0.5 * options.average, step);
   const std::size_t n = knots + half;
-  // The right wheel at x is the left one at -x, so one contact serves two places.
-  std::vector<double> r(2 * n + 1), delta(2 * n + 1), roll(2 * n + 1);
-  double guess = 0;
-  for (std::size_t k = 0; k <= n; ++k) {
-    const double x = step * double(k);
-    const WheelsetContact at = options.level ? pair.level_contact(x) : pair.contact(x, guess);
-    require_contact(at);
-    guess = at.roll;
-    r[n + k] = at.left.radius;
-    r[n - k] = at.right.radius;
-    delta[n + k] = at.left.delta;
-    delta[n - k] = at.right.delta;
-    roll[n + k] = at.roll;
-    roll[n - k] = -at.roll;
-  }
-  const auto half_difference = [](const std::vector<double>& values, double unit) {
-    std::vector<double> out(values.size());
-    for (std::size_t k = 0; k < out.size(); ++k)
-      out[k] = 0.5 * (values[k] - values[out.size() - 1 - k]) / unit;
+  const Columns at(pair, n, step, options.level);
+  const auto half_difference = [](const std::vector<double>& left, const std::vector<double>& right,
+                                  double unit) {
+    std::vector<double> out(left.size());
+    for (std::size_t k = 0; k < out.size(); ++k) out[k] = 0.5 * (left[k] - right[k]) / unit;
     return out;
   };
   ConstraintFunctions table;
   table.half_spacing = a;
-  table.radius = r[n];
-  table.r_left = mean(r, half);
-  table.delta_left = mean(delta, half);
-  table.R = odd(step, half_difference(table.r_left, a));
-  table.D = odd(step, half_difference(table.delta_left, 1));
-  table.Phi = odd(step, mean(roll, half));
+  table.radius = 0.5 * (at.r_left[n] + at.r_right[n]);
+  table.r_left = mean(at.r_left, half);
+  table.delta_left = mean(at.delta_left, half);
+  if (pair.symmetric()) {
+    table.r_right.assign(table.r_left.rbegin(), table.r_left.rend());
+    table.delta_right.assign(table.delta_left.rbegin(), table.delta_left.rend());
+  } else {
+    table.r_right = mean(at.r_right, half);
+    table.delta_right = mean(at.delta_right, half);
+  }
+  const auto R = half_difference(table.r_left, table.r_right, a);
+  const auto D = half_difference(table.delta_left, table.delta_right, 1);
+  const auto roll = mean(at.roll, half);
+  table.R = odd(step, R, pair.symmetric());
+  table.D = odd(step, D, pair.symmetric());
+  table.Phi = odd(step, roll, pair.symmetric());
+  if (!pair.symmetric()) table.even = {even(R), even(D), even(roll)};
   return table;
 }
 

@@ -28,15 +28,23 @@ WheelsetOnTrack::WheelsetOnTrack(Curve wheel, Curve rail)
     const double steepest = std::max(std::abs(p.angle_start), std::abs(p.angle_end));
     units::require_between("angle of the wheel's profile", steepest / units::degree, 0,
                            steepest_wheel / units::degree, "deg");
-    wheel_parts_.push_back(part_of(p));
+    left_.wheel.push_back(part_of(p));
   }
-  for (const Piece& p : rail_.pieces()) rail_parts_.push_back(part_of(p));
+  for (const Piece& p : rail_.pieces()) left_.rail.push_back(part_of(p));
   if (wheel_.start().u >= rail_.end().u || wheel_.end().u <= rail_.start().u)
     throw InputError(fmt::format(
         "wheel and rail do not touch: the wheel is {:.6g} to {:.6g} m from the centre, the "
         "rail {:.6g} to {:.6g} m",
         -wheel_.end().u, -wheel_.start().u, -rail_.end().u, -rail_.start().u));
+  right_ = left_;
 }
+
+WheelsetOnTrack::WheelsetOnTrack(const WheelsetOnTrack& left, const WheelsetOnTrack& right)
+    : wheel_(left.wheel_),
+      rail_(left.rail_),
+      left_(left.left_),
+      right_(right.left_),
+      symmetric_(false) {}
 
 WheelsetOnTrack::Part WheelsetOnTrack::part_of(const Piece& piece) {
   Part part{};
@@ -95,29 +103,30 @@ std::optional<double> WheelsetOnTrack::parallel(const Part& w, const Part& r) {
   return w.uc + w.radius * s;
 }
 
-WheelsetOnTrack::Least WheelsetOnTrack::least_gap(double x, double phi,
-                                                  std::vector<Part>& posed) const {
+WheelsetOnTrack::Least WheelsetOnTrack::least_gap(const Side& side, double x, double phi,
+                                                  std::vector<Part>& posed) {
+  const std::vector<Part>&wheel_parts = side.wheel, &rail_parts = side.rail;
   const double s = std::sin(phi), c = std::cos(phi);
-  posed.resize(wheel_parts_.size());
-  for (std::size_t k = 0; k < posed.size(); ++k) pose(wheel_parts_[k], x, s, c, posed[k]);
+  posed.resize(wheel_parts.size());
+  for (std::size_t k = 0; k < posed.size(); ++k) pose(wheel_parts[k], x, s, c, posed[k]);
   std::size_t i = 0, j = 0;
-  double from = std::max(posed.front().u0, rail_parts_.front().u0);
+  double from = std::max(posed.front().u0, rail_parts.front().u0);
   while (i < posed.size() && posed[i].u1 <= from) ++i;
-  while (j < rail_parts_.size() && rail_parts_[j].u1 <= from) ++j;
+  while (j < rail_parts.size() && rail_parts[j].u1 <= from) ++j;
   Least best;
-  if (i == posed.size() || j == rail_parts_.size()) return best;
+  if (i == posed.size() || j == rail_parts.size()) return best;
   const auto offer = [&](double u, double tangent_sine, bool at_end) {
-    const double z = height(rail_parts_[j], u), gap = height(posed[i], u) - z;
+    const double z = height(rail_parts[j], u), gap = height(posed[i], u) - z;
     if (gap < best.gap) best = {gap, tangent_sine, {u, z}, at_end, true};
   };
   offer(from, sine(posed[i], from), true);
   for (;;) {
-    const Part &w = posed[i], &r = rail_parts_[j];
+    const Part &w = posed[i], &r = rail_parts[j];
     const double to = std::min(w.u1, r.u1);
     if (const auto u = parallel(w, r); u && *u > from && *u < to) offer(*u, sine(w, *u), false);
     const bool wheel_ends = w.u1 <= to, rail_ends = r.u1 <= to;
     const bool last =
-        (wheel_ends && i + 1 == posed.size()) || (rail_ends && j + 1 == rail_parts_.size());
+        (wheel_ends && i + 1 == posed.size()) || (rail_ends && j + 1 == rail_parts.size());
     // At a corner of the wheel the rail says how the common tangent lies.
     offer(to, wheel_ends ? sine(r, to) : sine(w, to), last);
     if (last) return best;
@@ -148,8 +157,8 @@ WheelsetContact WheelsetOnTrack::contact(double x, double guess) const {
   double low = -largest_roll, high = largest_roll, phi = std::clamp(guess, low, high);
   // Newton's method within a bracket: the difference of the gaps grows with the roll.
   for (int i = 0; i < 200; ++i) {
-    left = least_gap(x, phi, posed);
-    right = least_gap(-x, -phi, posed);
+    left = least_gap(left_, x, phi, posed);
+    right = least_gap(right_, -x, -phi, posed);
     if (!left.found || !right.found) return result;
     const double f = left.gap - right.gap;
     const auto lever = [](const Least& at, double shift) {
@@ -174,7 +183,7 @@ WheelsetContact WheelsetOnTrack::contact(double x, double guess) const {
 WheelsetContact WheelsetOnTrack::level_contact(double x) const {
   units::require_finite("lateral displacement", x, "m");
   std::vector<Part> posed;
-  const Least left = least_gap(x, 0, posed), right = least_gap(-x, 0, posed);
+  const Least left = least_gap(left_, x, 0, posed), right = least_gap(right_, -x, 0, posed);
   WheelsetContact result;
   result.x = x;
   result.converged = left.found && right.found;

@@ -40,6 +40,9 @@ class WheelsetOnTrack {
   // track's frame: u = 0 is the track's centre, z = 0 its plane. Both for the left side, u towards the centre.
   // Throws InputError when they do not overlap sideways at x = 0, or an angle of the wheel is over 85 degrees.
   WheelsetOnTrack(Curve wheel, Curve rail);
+  // The left sides of two such pairs, the second on the right.
+  WheelsetOnTrack(const WheelsetOnTrack& left, const WheelsetOnTrack& right);
+  bool symmetric() const { return symmetric_; }
 
   // Contact at displacement x [m]; NaN and infinite x throw InputError. `guess` of the roll only saves time. Accurate
   // to rounding (some 1e-15 m of gap). Not converged when the profiles do not overlap any more or the roll needed is
@@ -50,6 +53,7 @@ class WheelsetOnTrack {
   // is least, and the two gaps differ. Not converged when the profiles do not overlap any more.
   WheelsetContact level_contact(double x) const;
 
+  // Of the left side.
   const Curve& wheel() const { return wheel_; }
   const Curve& rail() const { return rail_; }
 
@@ -72,10 +76,14 @@ class WheelsetOnTrack {
   static double sine(const Part& part, double u);
   static std::optional<double> parallel(const Part& w, const Part& r);
   static SideContact side(const Least& least, double x, double phi);
-  Least least_gap(double x, double phi, std::vector<Part>& posed) const;
+  struct Side {
+    std::vector<Part> wheel, rail;
+  };
+  static Least least_gap(const Side& side, double x, double phi, std::vector<Part>& posed);
 
   Curve wheel_, rail_;
-  std::vector<Part> wheel_parts_, rail_parts_;
+  Side left_, right_;
+  bool symmetric_ = true;
 };
 
 // Puts profiles in their places. `wheel` of a wheelset whose profile origin is `from_centre` [m] from the axle's

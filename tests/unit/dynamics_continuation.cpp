@@ -81,6 +81,18 @@ Family on_circles(int n, Rest rest) {
   family.watch = {first_row(n)};
   return family;
 }
+// The branch of its circles from p = 0 to 0.6.
+ContinuationOptions to_06() {
+  ContinuationOptions options;
+  options.highest = 0.6;
+  options.lowest = -1;
+  options.first_amplitude = 0.1;
+  return options;
+}
+LimitCycleBranch circles(const Family& family) {
+  const int n = int(family.oscillator.coordinates());
+  return follow_from_hopf(family, circle(n), 1, 0, to_06());
+}
 
 }  // namespace
 
@@ -173,11 +185,7 @@ TEST_CASE("Continuation: a torus point of known place", "[continuation]") {
   const Family family = on_circles(3, [](Complex rho, const Complex* s, Complex* f) {
     f[2] = -(0.3 - rho) * s[5] - 0.7 * s[2];
   });
-  ContinuationOptions options;
-  options.highest = 0.6;
-  options.lowest = -1;
-  options.first_amplitude = 0.1;
-  const auto branch = follow_from_hopf(family, circle(3), 1, 0, options);
+  const auto branch = circles(family);
   const auto found = of_kind(branch, CycleEvent::torus);
   REQUIRE(found.size() == 1);
   CHECK(found[0].located);
@@ -199,19 +207,50 @@ TEST_CASE("Continuation: symmetry breaks, and the branch that leaves there", "[c
   const Family family = on_circles(3, [](Complex rho, const Complex* s, Complex* f) {
     f[2] = -s[5] + (0.7 + rho) * s[2] - s[2] * s[2] * s[2];
   });
-  ContinuationOptions options;
-  options.highest = 0.6;
-  options.lowest = -1;
-  options.first_amplitude = 0.1;
-  const auto branch = follow_from_hopf(family, circle(3), 1, 0, options);
+  const auto branch = circles(family);
   const auto found = of_kind(branch, CycleEvent::symmetry_breaking);
   REQUIRE(found.size() == 1);
   CHECK(found[0].at.parameter == Approx(0.3).epsilon(1e-6));
-  const auto aside = follow_secondary(family, found[0], options);
+  const auto aside = follow_secondary(family, found[0], to_06());
   REQUIRE(aside.points.size() > 3);
   CHECK(aside.stop == BranchStop::parameter);
   for (const LimitCycle& p : aside.points) {
     CHECK(std::norm(p.cycle.motion(2, 0)) == Approx(p.parameter - 0.3).epsilon(1e-6));
+    CHECK(p.stable);
+  }
+}
+
+TEST_CASE("Continuation: the period doubles at a known place, and the branch that leaves there",
+          "[continuation]") {
+  // A second plane, U'' + c U' + k U + b |U|^2 U = g z conj(U), driven by the circle z: U = A exp(i omega t / 2) where
+  // (k - omega^2 / 4 + b |A|^2)^2 + (c omega / 2)^2 = g^2 p.
+  constexpr double c = 0.1, k = 0.35, g = 0.15, b = 0.5;
+  Family family = on_circles(4, [=](Complex, const Complex* s, Complex* f) {
+    const Complex size = s[2] * s[2] + s[3] * s[3];
+    for (int i = 2; i < 4; ++i) f[i] = -c * s[4 + i] + (1 - k - b * size) * s[i];
+    f[2] += g * (s[0] * s[2] + s[1] * s[3]);
+    f[3] += g * (s[1] * s[2] - s[0] * s[3]);
+  });
+  family.rest = Eigen::VectorXd::Zero(4);
+  const auto size = [&](double p) {
+    const double square = 1 + 0.5 * p;
+    return (std::sqrt(g * g * p - 0.25 * c * c * square) - (k - 0.25 * square)) / b;
+  };
+  const double place = num::find_root(size, 0.2, 0.6).x;
+  const auto branch = circles(family);
+  const auto found = of_kind(branch, CycleEvent::period_doubling);
+  REQUIRE(branch.special.size() == 1);
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].located);
+  CHECK(found[0].at.parameter == Approx(place).epsilon(1e-6));
+  CHECK(branch.points[found[0].after].stable);
+  CHECK(branch.points.back().unstable == 1);
+  const auto doubled = follow_secondary(family, found[0], to_06());
+  REQUIRE(doubled.points.size() > 3);
+  CHECK(doubled.stop == BranchStop::parameter);
+  for (const LimitCycle& p : doubled.points) {
+    CHECK(p.cycle.omega == Approx(0.5 * std::sqrt(1 + 0.5 * p.parameter)).epsilon(1e-9));
+    CHECK(std::norm(p.cycle.motion(2, 1)) == Approx(size(p.parameter)).epsilon(1e-6));
     CHECK(p.stable);
   }
 }

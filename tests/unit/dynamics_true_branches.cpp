@@ -200,10 +200,20 @@ TEST_CASE("Limited creep: the cubic as a curve of one's own is the built-in one"
           "[continuation]") {
   const FreightCar car = assemble({}, Suspension::dampers);
   const auto& table = wheelrail::cn_table();
-  const CreepCurve cubic = [](double x, double y, double z) {
+  const auto force = [](double x, double y, double z) {
     const double t = std::hypot(x, y + z);
     const double f = t < 3 ? 1 - t / 3 + t * t / 27 : 1 / t;
     return std::array{f * x, f * (y + z)};
+  };
+  const CreepCurve cubic = [force](const double* t, double* share, double* slope) {
+    constexpr double h = 1e-5;
+    for (std::size_t m = 0; m < 2; ++m) share[m] = force(t[0], t[1], t[2])[m];
+    for (std::size_t e = 0; slope && e < 3; ++e) {
+      double low[3] = {t[0], t[1], t[2]}, high[3] = {t[0], t[1], t[2]};
+      low[e] -= h, high[e] += h;
+      const auto a = force(low[0], low[1], low[2]), b = force(high[0], high[1], high[2]);
+      for (std::size_t m = 0; m < 2; ++m) slope[3 * m + e] = (b[m] - a[m]) / (2 * h);
+    }
   };
   Oscillator a = car_on_track(car, table, 40), b = a;
   limit_creep(a, car, table, {.friction = 0.3});
