@@ -47,19 +47,48 @@ quality::FilterTaps band_taps(const Band& band, int passes, double spacing) {
   return result;
 }
 
+namespace {
+
+// Lagrange's weights of the four samples from one before `t`, 0 <= t < 1, on.
+std::array<double, 4> cubic(double t) {
+  return {-t * (t - 1) * (t - 2) / 6, (t + 1) * (t - 1) * (t - 2) / 2, -(t + 1) * t * (t - 2) / 2,
+          (t + 1) * t * (t - 1) / 6};
+}
+
+}  // namespace
+
 quality::FilterTaps chord_taps(double chord, double spacing) {
   units::require_positive("spacing", spacing, "m");
   const double half =
       units::require_between("chord over twice the spacing", 0.5 * chord / spacing, 2, 1e6);
-  const double begin = std::floor(half), t = half - begin;
-  const auto at = static_cast<std::size_t>(begin);
+  const auto at = static_cast<std::size_t>(std::floor(half));
   quality::FilterTaps result{spacing, std::vector<double>(std::max<std::size_t>(at + 3, 9))};
-  // Lagrange's cubic through the four samples around the end of the chord.
-  result.half[at - 1] += 0.5 * t * (t - 1) * (t - 2) / 6;
-  result.half[at] += -0.5 * (t + 1) * (t - 1) * (t - 2) / 2;
-  result.half[at + 1] += 0.5 * (t + 1) * t * (t - 2) / 2;
-  result.half[at + 2] += -0.5 * (t + 1) * t * (t - 1) / 6;
+  const auto end = cubic(half - std::floor(half));
+  for (std::size_t j = 0; j < end.size(); ++j) result.half[at - 1 + j] -= 0.5 * end[j];
   result.half[0] += 1;
+  return result;
+}
+
+quality::FilterTaps uniformity_taps(double chord, double spacing) {
+  const quality::FilterTaps one = chord_taps(chord, spacing);
+  const double quarter = 0.25 * chord / spacing;
+  const auto reach = static_cast<std::ptrdiff_t>(one.half.size()) - 1;
+  const auto far = static_cast<std::ptrdiff_t>(std::ceil(4 * quarter)) + 2;
+  quality::FilterTaps result{spacing,
+                             std::vector<double>(static_cast<std::size_t>(reach + far + 1))};
+  std::copy(one.half.begin(), one.half.end(), result.half.begin());
+  for (int m = -4; m <= 4; ++m) {
+    const double place = m * quarter, whole = std::floor(place);
+    const auto weights = cubic(place - whole);
+    for (std::ptrdiff_t i = -reach; i <= reach; ++i)
+      for (std::size_t j = 0; j < weights.size(); ++j) {
+        const std::ptrdiff_t to =
+            i + static_cast<std::ptrdiff_t>(whole) - 1 + static_cast<std::ptrdiff_t>(j);
+        if (to >= 0)
+          result.half[static_cast<std::size_t>(to)] -=
+              weights[j] * one.half[static_cast<std::size_t>(std::abs(i))] / 9;
+      }
+  }
   return result;
 }
 

@@ -30,4 +30,8 @@ quality::FilterTaps band_taps(const Band& band, int passes, double spacing);
 // 3/128 (2 pi phi spacing)^4. Throws InputError when the chord is shorter than four spacings or longer than 10^6.
 quality::FilterTaps chord_taps(double chord, double spacing);
 
+// That offset less the mean of nine, centred and a quarter of the chord apart: the deviation from uniformity of 49 CFR 213.327, with the
+// gain (1 - cos(pi chord phi)) (1 - (1 + 2 sum of cos(pi m chord phi/2), m = 1 .. 4)/9). Ranges and errors as chord_taps.
+quality::FilterTaps uniformity_taps(double chord, double spacing);
+
 }  // namespace railbook::measures

@@ -336,23 +336,6 @@ const std::filesystem::path& BatchWish::only() const {
   return files.front();
 }
 
-void Row::add(std::string key, double value) {
-  cells_.push_back({std::move(key), "", value, false});
-}
-
-void Row::add(std::string key, std::string text) {
-  cells_.push_back({std::move(key), std::move(text), 0, true});
-}
-
-void Row::flag(const std::string& key) {
-  for (Cell& cell : cells_)
-    if (cell.key == "flags") {
-      cell.text += (cell.text.empty() ? "" : ";") + key;
-      return;
-    }
-  add("flags", key);
-}
-
 void run_batch(const BatchWish& wish, const Destination& out, const std::string& name,
                const RecordRows& rows) {
   if (out.figure) throw InputError{"figure is given with many records; allowed: with one"};

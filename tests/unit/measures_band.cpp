@@ -93,3 +93,20 @@ TEST_CASE("input: bands and chords that the samples cannot carry are refused") {
   CHECK_THROWS_AS(measures::chord_taps(1, 0.3), InputError);
   CHECK_THROWS_AS(measures::chord_taps(20, -1), InputError);
 }
+
+TEST_CASE("unit: a deviation from uniformity is an offset less the mean of nine") {
+  for (const double chord : {31 * units::foot, 62 * units::foot, 124 * units::foot})
+    for (const double spacing : {0.25, units::foot}) {
+      const auto taps = measures::uniformity_taps(chord, spacing);
+      double sum = taps.half[0];
+      for (std::size_t j = 1; j < taps.half.size(); ++j) sum += 2 * taps.half[j];
+      CHECK(std::abs(sum) < 1e-12);
+      for (const double wave : {6.0, chord / 2, chord, 2 * chord, 5 * chord}) {
+        double mean = 1;
+        for (int m = 1; m <= 4; ++m) mean += 2 * std::cos(pi * m * chord / (2 * wave));
+        const double gain = (1 - std::cos(pi * chord / wave)) * (1 - mean / 9);
+        CAPTURE(chord, spacing, wave);
+        CHECK(amplitude(taps, 1 / wave) == Approx(gain).margin(5e-3));
+      }
+    }
+}

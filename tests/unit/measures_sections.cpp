@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "measures/exceptions.hpp"
 #include "measures/fra_limits.hpp"
 #include "measures/reference.hpp"
 #include "measures/sections.hpp"
@@ -99,4 +100,22 @@ TEST_CASE("unit: the highest class that keeps a limit") {
   CHECK(fra_class(fra::profile, 2.5 * fra::inch) == 2);
   CHECK(fra_class(fra::profile, 3.1 * fra::inch) == 0);
   CHECK(fra_class(fra::alinement, 1.6 * fra::inch) == 3);
+}
+
+TEST_CASE("unit: exceptions are runs beyond the limit, on one side, ended by a gap") {
+  measures::Exceptions exceptions{1, [](std::size_t i) { return 10.0 * static_cast<double>(i); }};
+  const double gap = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<double> all{0, 1, 1.5, 3, 2, 1, -2, -1.5, 2, gap, 2, 0};
+  exceptions.push(std::span{all}.first(4));
+  exceptions.push(std::span{all}.subspan(4));
+  REQUIRE(exceptions.all().size() == 4);
+  const auto& first = exceptions.all()[0];
+  CHECK(first.from == 20);
+  CHECK(first.to == 40);
+  CHECK(first.largest == 3);
+  CHECK(first.at == 30);
+  CHECK(exceptions.all()[1].largest == -2);
+  CHECK(exceptions.all()[1].to == 70);
+  CHECK(exceptions.all()[3].from == 100);
+  CHECK_THROWS_AS(measures::Exceptions(0, [](std::size_t) { return 0.0; }), InputError);
 }

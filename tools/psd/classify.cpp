@@ -28,6 +28,7 @@ sensor that stuck, a step of the datum; so are a spacing that changes, heights t
 
 #include "measures/reference.hpp"
 #include "psd/measure.hpp"
+#include "psd/references.hpp"
 #include "spectra/classify.hpp"
 #include "spectra/line_mask.hpp"
 #include "table/csv.hpp"
@@ -185,45 +186,6 @@ void add_class(tool::Summary& s, const spectra::SpectrumFit& fit) {
   }
 }
 
-// The rms of both in the waves of 3 to 25 m, where all references hold.
-void add_references(tool::Summary& s, const Wish& wish, const Measured& m) {
-  if (wish.references.empty()) return;
-  const spectra::Spectrum& own = m.spectrum;
-  double measured = 0;
-  std::vector<double> sums(wish.references.size());
-  for (Eigen::Index k = 1; k < own.density.size(); ++k) {
-    const double phi = own.frequency(k);
-    const double gain = spectra::squared_gain(wish.chord.value_or(0), phi);
-    if (phi < 1.0 / 25 || phi > 1.0 / 3 || gain < wish.fit.least_gain) continue;
-    measured += own.density[k] / gain * own.df;
-    for (std::size_t i = 0; i < sums.size(); ++i)
-      sums[i] += measures::reference(wish.references[i]).density(phi) * own.df;
-  }
-  if (!(measured > 0)) return;
-  s.add("rms_3_25_mm", "rms of waves of 3 to 25 m", std::sqrt(measured) / mm, "mm");
-  for (std::size_t i = 0; i < sums.size(); ++i) {
-    const std::string& name = wish.references[i];
-    s.add("rms_" + name + "_mm", "  of " + name, std::sqrt(sums[i]) / mm, "mm",
-          fmt::format("the record is {}; {}", measured < sums[i] ? "better" : "worse",
-                      measures::reference(name).source));
-  }
-}
-
-std::string reference_table(const Wish& wish, double low, double high) {
-  std::string text;
-  for (const std::string& name : wish.references) {
-    const measures::Reference& r = measures::reference(name);
-    if (!text.empty()) text += "\n\n";
-    text += fmt::format("phi_cycle_per_m,S_m2_per_cycle_per_m,{}\n", name);
-    const double from = std::max(low, r.low), to = std::min(high, r.high);
-    for (int i = 0; i <= 200; ++i) {
-      const double phi = from * std::pow(to / from, i / 200.0);
-      text += fmt::format("{:.6g},{:.6g},\n", phi, r.density(phi));
-    }
-  }
-  return text + "\n";
-}
-
 tool::Summary answer(const Wish& wish, const Measured& m, const Fitted& f) {
   const spectra::SpectrumFit& fit = f.fit;
   tool::Summary s{"track of " + wish.record.batch.only().string()};
@@ -248,7 +210,7 @@ tool::Summary answer(const Wish& wish, const Measured& m, const Fitted& f) {
   s.add("C_1", "peak of the line C_1", fit.C_1, "m^2/(cycle/m)");
   s.add("beta", "its width Q_1/C_1", fit.beta, "cycle/m");
   add_class(s, fit);
-  add_references(s, wish, m);
+  add_references(s, wish.references, m.spectrum, fit_options(wish));
   add_notes(s, m, f);
   add_flags(s, wish, m, f);
   return s;
@@ -365,7 +327,7 @@ void write_files(tool::OutFolder& out, const Wish& wish, const Measured& m,
   out.add("classify.json", summary.json());
   std::vector<std::string> drawn{"spectrum.csv"};
   if (!wish.references.empty()) {
-    out.scratch("references.csv", reference_table(wish, m.spectrum.frequency(1), 2));
+    out.scratch("references.csv", reference_table(wish.references, m.spectrum.frequency(1), 2));
     drawn.emplace_back("references.csv");
   }
   out.figure(tools::scripts("psd") / "classify_spectrum.gp", drawn, "spectrum.png");

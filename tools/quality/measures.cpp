@@ -5,9 +5,11 @@ The measures that networks keep of a record of track geometry, for each section 
     railbook quality measures track.csv --column left,right --alignment aleft,aright --gauge gauge --crosslevel cant --out mine
 
 standard deviation and largest value of longitudinal level and alignment in the bands of EN 13848 (D1 and D2; `--bands` names others) with the place of the largest, the standard deviations of gauge, cross level
-and twist, the combined standard deviation (weights 1), China's index where all seven parameters are there, and what a 62-ft chord reads with the highest FRA class (1 to 5) that allows it. The
-band-pass has four poles an edge and no phase; it counts as run forward and backward (half the gain at the edges), `--passes 1` takes the root of that. Limits and class
-tables that could not be checked in two sources are left out: the classes A to E of EN 13848-6, its limits for action, FRA classes 6 to 9.
+and twist, the combined standard deviation (weights 1), China's index where all seven parameters are there, and what a 62-ft chord reads with the highest FRA class (1 to 5) that allows it; `--chords 31ft 124ft` adds what other chords read. `--fra-class 4` lists every place where
+profile or alinement leaves the limit of that class (exceptions.csv), except where a chord reaches over an end or a gap: classes 1 to 5 by the 62-ft chord, classes 6 to 9 alinement only, by its deviation from uniformity on chords of 31, 62
+and 124 ft. The band-pass has four poles an edge and no phase; it counts as run forward and backward (half the gain at the edges), `--passes 1` takes the root of that. Limits and class
+tables that could not be checked in two sources are left out: the classes A to E of EN 13848-6, the limits for action of EN 13848-5, the surface of FRA
+classes 6 to 9.
 */
 #include <fmt/format.h>
 
@@ -23,6 +25,8 @@ tables that could not be checked in two sources are left out: the classes A to E
 #include "measures/band.hpp"
 #include "measures/fra_limits.hpp"
 #include "measures/sections.hpp"
+#include "quality/deviations.hpp"
+#include "quality/exceptions.hpp"
 #include "record_options.hpp"
 #include "table/csv.hpp"
 #include "tool/batch.hpp"
@@ -44,11 +48,10 @@ struct MeasuresWish {
   std::vector<std::string> alignment, bands{"D1", "D2"};
   std::string gauge, crosslevel;
   double section = 200, twist_base = 3;
-  long passes = 2;
+  std::vector<double> chords;
+  long passes = 2, fra_class = 0;  // 0: none asked for
   tool::Destination out;
 };
-
-enum class Kind { level, alignment, gauge, crosslevel };
 
 struct Column {
   std::string name;
@@ -84,12 +87,19 @@ struct Kept {
 };
 
 // A column on its way: each sample goes to all that is kept of it.
+std::string name_of_chord(double chord) {
+  const double feet = chord / units::foot;
+  return std::abs(feet - std::round(feet)) < 1e-6 ? fmt::format("chord_{:g}ft", feet)
+                                                  : fmt::format("chord_{:g}m", chord);
+}
+
 class Channel {
  public:
   Channel(const MeasuresWish& wish, const Column& column) : wish_(wish), column_(column) {}
 
   void push(std::span<const double> piece, const spectra::RecordStream& record) {
     if (kept_.empty()) begin(record);
+    if (watch_) watch_->push(piece);
     for (Kept& kept : kept_) {
       if (kept.filter)
         kept.filter->push(piece);
@@ -105,10 +115,12 @@ class Channel {
   void finish() {
     for (Kept& kept : kept_)
       if (kept.filter) kept.filter->finish();
+    if (watch_) watch_->finish();
   }
 
   const Column& column() const { return column_; }
   const std::deque<Kept>& kept() const { return kept_; }
+  const std::optional<FraWatch>& watch() const { return watch_; }
 
  private:
   void begin(const spectra::RecordStream& record) {
@@ -126,6 +138,11 @@ class Channel {
         filter(std::string{band.name},
                ms::band_taps(band, static_cast<int>(wish_.passes), record.spacing()));
       filter("chord", ms::chord_taps(ms::fra::profile.chord, record.spacing()));
+      for (const double chord : wish_.chords)
+        filter(name_of_chord(chord), ms::chord_taps(chord, record.spacing()));
+      if (wish_.fra_class > 0)
+        watch_.emplace(column_.name, column_.kind == Kind::alignment,
+                       static_cast<int>(wish_.fra_class), record);
     }
     if (column_.kind == Kind::crosslevel) {
       twist_.emplace(wish_.twist_base, record.spacing());
@@ -137,11 +154,18 @@ class Channel {
   Column column_;
   std::deque<Kept> kept_;  // references to them are kept
   std::optional<ms::Twist> twist_;
+  std::optional<FraWatch> watch_;
 };
 
 struct Measured {
   std::vector<std::unique_ptr<const spectra::RecordStream>> records;
   std::deque<Channel> channels;
+
+  double exceptions() const {
+    std::size_t n = 0;
+    for (const Channel& channel : channels) n += channel.watch() ? channel.watch()->count() : 0;
+    return static_cast<double>(n);
+  }
 };
 
 Measured measure_record(const MeasuresWish& wish, const std::filesystem::path& file) {
@@ -160,41 +184,6 @@ Measured measure_record(const MeasuresWish& wish, const std::filesystem::path& f
   return m;
 }
 
-// The deviations of a section that indices are made of.
-class Deviations {
- public:
-  void add(Kind kind, double deviation) {
-    of_[static_cast<std::size_t>(kind)].push_back(deviation);
-  }
-  void add_twist(double deviation) { twist_ = deviation; }
-  const std::vector<double>& of(Kind kind) const { return of_[static_cast<std::size_t>(kind)]; }
-
-  // Of alignment, gauge, cross level and longitudinal level, the means of both rails; nothing where one lacks.
-  std::optional<double> combined() const {
-    std::vector<double> all;
-    for (const std::vector<double>& one : of_) {
-      if (one.empty()) return std::nullopt;
-      double sum = 0;
-      for (const double deviation : one) sum += deviation;
-      all.push_back(sum / static_cast<double>(one.size()));
-    }
-    return ms::combined_deviation(all);
-  }
-
-  std::optional<double> tqi() const {
-    std::vector<double> all;
-    for (const std::vector<double>& one : of_) all.insert(all.end(), one.begin(), one.end());
-    if (twist_) all.push_back(*twist_);
-    if (all.size() != 7 || of(Kind::level).size() != 2 || of(Kind::alignment).size() != 2)
-      return std::nullopt;
-    return ms::track_quality_index(std::span<const double, 7>{all.data(), 7});
-  }
-
- private:
-  std::array<std::vector<double>, 4> of_;
-  std::optional<double> twist_;
-};
-
 tool::Row row_of_section(const MeasuresWish& wish, const Measured& m, std::size_t at) {
   tool::Row row;
   const ms::Section& first = m.channels.front().kept().front().sections.all()[at];
@@ -210,7 +199,7 @@ tool::Row row_of_section(const MeasuresWish& wish, const Measured& m, std::size_
     for (const Kept& kept : channel.kept()) {
       if (at >= kept.sections.all().size()) continue;
       const ms::Section& s = kept.sections.all()[at];
-      const bool twist = kept.name == "twist", chord = kept.name == "chord";
+      const bool twist = kept.name == "twist", chord = kept.name.starts_with("chord");
       const double unit = twist ? 1e-3 : mm;
       const std::string name =
           twist ? "twist" : channel.column().name + (kept.name.empty() ? "" : "_" + kept.name);
@@ -225,7 +214,7 @@ tool::Row row_of_section(const MeasuresWish& wish, const Measured& m, std::size_
       const bool low = std::abs(s.lowest) > std::abs(s.highest);
       row.add(name + "_largest" + in, sd ? (low ? s.lowest : s.highest) / unit : std::nan(""));
       row.add(name + "_largest_at_m", sd ? (low ? s.lowest_at : s.highest_at) : std::nan(""));
-      if (chord && sd)
+      if (kept.name == "chord" && sd)
         fra =
             std::min(fra, ms::fra_class(kind == Kind::level ? ms::fra::profile : ms::fra::alinement,
                                         s.largest()));
@@ -241,6 +230,7 @@ std::vector<tool::Row> rows_of(const MeasuresWish& wish, const Measured& m) {
   std::vector<tool::Row> rows(1);
   rows[0].add("kind", "record");
   tools::add_record(rows[0], *m.records.front());
+  if (wish.fra_class > 0) rows[0].add("exceptions", m.exceptions());
   const std::size_t sections = m.channels.front().kept().front().sections.all().size();
   for (std::size_t i = 0; i < sections; ++i) rows.push_back(row_of_section(wish, m, i));
   return rows;
@@ -286,10 +276,13 @@ tool::Summary summary_of(const MeasuresWish& wish, const Measured& m) {
   tool::Summary s{"measures of " + wish.record.batch.only().string()};
   tools::add_record(s, *m.records.front());
   s.add("section_m", "length of a section", wish.section, "m");
+  if (wish.fra_class > 0)
+    s.add("exceptions", fmt::format("exceptions to FRA class {}", wish.fra_class), m.exceptions(),
+          "", wish.fra_class > ms::fra_classes ? "of alinement; surface is not watched" : "");
   s.add("passes", "band-pass, passes", static_cast<double>(wish.passes), "");
   for (const Channel& channel : m.channels)
     for (const Kept& kept : channel.kept()) {
-      if (kept.name == "chord") continue;
+      if (kept.name.starts_with("chord")) continue;
       const bool twist = kept.name == "twist";
       std::vector<std::pair<double, double>> all;  // deviation, from
       for (const ms::Section& section : kept.sections.all())
@@ -312,11 +305,17 @@ tool::Summary summary_of(const MeasuresWish& wish, const Measured& m) {
 
 void measure_track(const MeasuresWish& wish) {
   (void)bands_of(wish);
+  if (wish.fra_class > ms::fra_classes && wish.alignment.empty())
+    throw InputError{
+        fmt::format("fra class is {}, whose limits are known for alinement only; allowed: 1 to 5, "
+                    "or --alignment",
+                    wish.fra_class)};
   if (wish.record.batch.many())
     return tool::run_batch(wish.record.batch, wish.out, "measures", [&](const auto& file) {
       return rows_of(wish, measure_record(wish, file));
     });
-  tool::OutFolder out(wish.out, {"measures.csv", "measures.json", "measures.png"});
+  tool::OutFolder out(wish.out,
+                      {"measures.csv", "measures.json", "exceptions.csv", "measures.png"});
   const Measured m = measure_record(wish, wish.record.batch.only());
   const tool::Summary summary = summary_of(wish, m);
   summary.print();
@@ -324,6 +323,12 @@ void measure_track(const MeasuresWish& wish) {
     const auto rows = rows_of(wish, m);
     out.add("measures.csv", table_of({rows.begin() + 1, rows.end()}));
     out.add("measures.json", summary.json());
+    if (wish.fra_class > 0) {
+      std::string text = FraWatch::header();
+      for (const Channel& channel : m.channels)
+        if (channel.watch()) text += channel.watch()->rows();
+      out.add("exceptions.csv", text);
+    }
     out.scratch("picture.csv", picture_of(wish, m));
     out.figure(tools::scripts("quality") / "measures.gp", {"picture.csv"}, "measures.png");
   }
@@ -345,12 +350,17 @@ tool::Tool measures_tool() {
                 "bands of EN 13848 for level and alignment, of D0, D1, D2, D3");
         o.count("--passes", wish->passes, "of the band-pass: 2, half the gain at its edges, or 1",
                 1, 2);
+        o.quantities("--chords", wish->chords, units::length, "more chords, besides 62 ft",
+                     {0.5, 1e3});
+        o.count("--fra-class", wish->fra_class, "list where this class's limits are left", 1, 9);
         o.quantity("--twist-base", wish->twist_base, units::length, "base of twist", {0.5, 30});
         o.quantity("--section", wish->section, units::length, "length of a section", {1, 1e6});
         o.out(wish->out);
         o.help(std::string{tools::record_help} +
                "\n\nExample: railbook quality measures track.csv --column left,right --gauge gauge "
-               "--crosslevel cant --out mine");
+               "--crosslevel cant --out mine\n"
+               "         railbook quality measures track.csv --chords 31ft 124ft --fra-class 4 "
+               "--out mine");
         return [wish] { measure_track(*wish); };
       }};
 }

@@ -1,0 +1,34 @@
+// Where a measure leaves its limit.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace railbook::measures {
+
+// Samples in a row beyond the limit, all on one side.
+struct Exception {
+  double from = 0, to = 0;     // m, of the first and the last of them
+  double largest = 0, at = 0;  // m, with its sign
+};
+
+// Finds them in a measure that comes in pieces. NaN ends one.
+class Exceptions {
+ public:
+  // `limit` > 0, m; `place`: position of a sample, m.
+  Exceptions(double limit, std::function<double(std::size_t)> place);
+  void push(std::span<const double> piece);
+  const std::vector<Exception>& all() const { return all_; }
+  double limit() const { return limit_; }
+
+ private:
+  double limit_;
+  std::function<double(std::size_t)> place_;
+  std::vector<Exception> all_;
+  std::size_t at_ = 0;
+  int side_ = 0;  // of the one that is open
+};
+
+}  // namespace railbook::measures

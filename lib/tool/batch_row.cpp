@@ -1,0 +1,25 @@
+#include <algorithm>
+#include <utility>
+
+#include "tool/batch.hpp"
+
+namespace railbook::tool {
+
+void Row::add(std::string key, double value) {
+  cells_.push_back({std::move(key), "", value, false});
+}
+
+void Row::add(std::string key, std::string text) {
+  cells_.push_back({std::move(key), std::move(text), 0, true});
+}
+
+void Row::flag(const std::string& key) {
+  for (Cell& cell : cells_)
+    if (cell.key == "flags") {
+      cell.text += (cell.text.empty() ? "" : ";") + key;
+      return;
+    }
+  add("flags", key);
+}
+
+}  // namespace railbook::tool
