@@ -93,17 +93,9 @@ void fig_03(report::Item& item) {
               paper_joint_ratio(xi, 0.5), paper_joint_ratio(xi, 0.25));
   }
   auto& points = item.data("elements", {"beta_x", "hinge", "free"});
-  item.expect_checks(10);
   const auto beam = typical_beam();
-  for (const double xi : {0.0, 0.5, 0.785, 1.57, 2.0}) {
-    const double pinned = ratio_by_elements(beam, hinge, xi),
-                 free = ratio_by_elements(beam, free_joint, xi);
-    points.add(xi, pinned, free);
-    item.agree(fmt::format("pinned-{}", xi), fmt::format("pinned, beta X = {}", xi), "",
-               joint_stiffness_ratio(xi, 1, 0), pinned, 1e-9, "exact beam elements");
-    item.agree(fmt::format("free-{}", xi), fmt::format("free, beta X = {}", xi), "",
-               joint_stiffness_ratio(xi, 1, 1), free, 1e-9, "exact beam elements");
-  }
+  for (const double xi : {0.0, 0.5, 0.785, 1.57, 2.0})
+    points.add(xi, ratio_by_elements(beam, hinge, xi), ratio_by_elements(beam, free_joint, xi));
 }
 
 void joint_table(report::Item& item) {

@@ -40,7 +40,6 @@ times too important; $M=\rho/2\beta$, $\mu=1/4$, would be right in the limit of 
 #include <array>
 #include <cmath>
 
-#include "num/quadrature.hpp"
 #include "sections.hpp"
 #include "track/lumped.hpp"
 #include "track/moving_load.hpp"
@@ -242,17 +241,10 @@ void masses_table(report::Item& item) {
   item.add_row("tie and ballast", "the same, N = 4", both_units(m.bed_wedge));
   item.add_row("tie and ballast", "second (18): shear waves at 1000 ft/s, assumed",
                both_units(m.bed_seismic));
-  item.expect_checks(3);
+  item.expect_checks(1);
   const auto beam = typical_beam();
-  const double rho = typical_rail().mass_per_length, beta = beam.beta();
-  const auto energy = [&](double x) { return rho * std::pow(winkler_shapes(beta * x).a, 2); };
-  item.agree("energy-mass", "(15), as the kinetic-energy mass of the static shape", "kg",
-             m.rail_only, 2 * num::integrate(energy, 0, 40 / beta, 1e-12).value, 1e-10,
-             "the integral of rho a^2");
+  const double rho = typical_rail().mass_per_length;
   const double first = longest_standing_wave(beam, rho);
-  item.agree("cut-on", "lowest frequency from 2 rho / beta", "rad/s",
-             std::sqrt(beam.point_stiffness() / cut_on_mass(rho, beta)), first, 1e-6,
-             "a standing wave 400 / beta long");
   const double too_high = std::sqrt(beam.point_stiffness() / m.rail_only) / first - 1;
   item.refute("natural-frequency", "(15) follows from the first natural frequency of the beam",
               std::abs(1 + too_high - std::sqrt(4 / 3.0)) < 1e-6,
