@@ -94,8 +94,17 @@ void fig_03(report::Item& item) {
   }
   auto& points = item.data("elements", {"beta_x", "hinge", "free"});
   const auto beam = typical_beam();
-  for (const double xi : {0.0, 0.5, 0.785, 1.57, 2.0})
-    points.add(xi, ratio_by_elements(beam, hinge, xi), ratio_by_elements(beam, free_joint, xi));
+  double off = 0;
+  for (const double xi : {0.0, 0.5, 0.785, 1.57, 2.0}) {
+    const double pinned = ratio_by_elements(beam, hinge, xi),
+                 free = ratio_by_elements(beam, free_joint, xi);
+    points.add(xi, pinned, free);
+    off = std::max({off, std::abs(joint_stiffness_ratio(xi, 1, 0) / pinned - 1),
+                    std::abs(joint_stiffness_ratio(xi, 1, 1) / free - 1)});
+  }
+  item.expect_checks(1);
+  item.at_most("elements", "largest difference from exact beam elements, relative", "", off, 1e-9,
+               "rounding of the elements");
 }
 
 void joint_table(report::Item& item) {
