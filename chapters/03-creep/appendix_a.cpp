@@ -20,7 +20,7 @@ and finds 0.0005. Row by row:
 * The third term uses $u$ = 0.2238, close to the value of Appendix B, where the first two use 0.2256. {{outcome:table-appendix-a/term-3}}
 * The text takes the radii to 0.00254 mm; the numbers are those of 0.0254 mm, which the body of the paper has.
   {{outcome:table-appendix-a/radius-unit}}
-* An error of 1/144 rpm, one tooth in a minute, is taken for the big wheel, and 0.2 rpm, 29 teeth, for the small one on the same kind of counter.
+* One tooth in a minute, 1/144 rpm, is taken for the big wheel, and 0.2 rpm, 29 teeth, for the small one.
 * Our copy is damaged in three places: it reads "10.1" for 10.16 cm (4 in), "118" for 116 rpm, "0.009" for 0.0069; the results that follow need the latter.
 * With the radii of Appendix A the creep at 518 and 116 rpm would be {{xi-wrong-sign}}, a braked wheel that runs *ahead*;
   with those of Appendix B it is {{xi-right-sign}}.

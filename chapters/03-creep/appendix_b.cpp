@@ -4,8 +4,6 @@ diameter, and the big one is assumed to have lost as much. The speeds are exact 
 
 {{table-appendix-b}}
 
-The body of the paper cuts the result to 0.00005. {{outcome:table-appendix-b/text}}
-
 The main text has three more numbers. "4449.72 N" is 1000 lb taken as 0.45359 kg each at 9.81 m/s² (1000 lbf are {{load-exact}}), and the force error of 22.249 N
 is 5 lb in the same way. The speed of 8.224 km/h at 50 rpm is not that of the wheel: its radius gives {{speed-b}}, and 8.224 km/h would need
 {{rpm-needed}}. Neither appendix was run "near 50 rpm": 116 and 99.2 rpm are {{speed-at-116}} and {{speed-at-99}}.

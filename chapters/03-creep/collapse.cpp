@@ -18,9 +18,7 @@ square of $\mu/\mu_c$), and the second is what the errors of force, creep and ar
 themselves. The fit finds the contact area of a
 test from its creep curve alone, without the replica tape, to {{factor-error}}. This shows what the reduction can do, not that the paper's own points did so.
 
-The abscissa has a trap. The nomenclature calls $a$ and $b$ "major and minor axes" and equation (4) has $\pi/4$, so the
-paper means **full axes**. Kalker's $a$ and $b$ are semi-axes, and with full axes the abscissa is four times as large. The
-figure has both scales; without its own axis we cannot tell which one the paper plotted.
+The figure has two scales: the paper's $a$ and $b$ are **full axes** by its nomenclature and its equation (4), Kalker's are semi-axes.
 */
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 load "style.gp"
 set output ARG2
-set terminal pngcairo size 900,470
+set terminal pngcairo size 900,410
 set xlabel "G a b ξ/(µ_c N), a and b semi-axes"
 set x2label "the same with full axes"
 set ylabel "µ/µ_c"
@@ -10,7 +10,7 @@ set x2tics 0.4
 set border 7
 set tmargin 4.5
 set yrange [0:1.25]
-set key bottom right
+set key bottom right maxrows 4
 set label "synthetic points, not the paper's" at graph 0.03, 0.95 tc rgb "#D55E00"
 loads = "500 1000 1500 2500"
 plot for [k=1:4] ARG3 using (column("test") == word(loads, k) + 0 ? column("x") : NaN):"f" with points lt k+1 title word(loads, k)." lbf", \

@@ -1,8 +1,7 @@
 /***
 ## A synthetic experiment
 
-The measured points stand in the paper's figures only, and these are lost to us. What can be done is to run the same experiment on a computer: take the theory for the truth,
-add the errors the paper states, and reduce the points as the paper does. **Every point below is synthetic**, and the figures say so. What is assumed:
+The measured points stand in the paper's figures only, which are lost to us. So the theory is taken for the truth, the errors the paper states are added, and the points reduced as the paper does. **Every point below is synthetic**, and the figures say so. What is assumed:
 
 * four loads of 500, 1000, 1500 and 2500 lbf; the paper prints one, 4449.72 N or 1000 lb, and with the stress of its summary read as the mean pressure
   the largest is {{load-200-mean}};

@@ -1,6 +1,6 @@
 load "style.gp"
 set output ARG2
-set terminal pngcairo size 900,440
+set terminal pngcairo size 900,370
 set xlabel "normal load, lbf"
 set ylabel "friction coefficient µ"
 set xrange [400:2700]

@@ -1,6 +1,6 @@
 load "style.gp"
 set output ARG2
-set terminal pngcairo size 900,440
+set terminal pngcairo size 900,370
 set xlabel "contact area over that of the new wheel"
 set ylabel "creep over that of the new wheel"
 set xrange [1:1.5]

@@ -28,13 +28,10 @@ On 24 x 12 cells that fill the ellipse the mean error over the curve is {{error-
 
 {{table-full-curve}}
 
-Beyond 1024 cells the program gives all rows cells of one length, which Fourier transforms along the rows can multiply; 48 x 24 such cells differ nowhere by more than {{grids-apart}}. An independent program of the
-same theory (CONTACT's, on square grids of 31 to 90 cells, extrapolated) is nowhere farther than {{contact-apart}}; on its own grids the
-two agree to the six digits that it prints, so that the difference is that of the extrapolation. In full slip
+Cells of one length in all rows, multiplied by Fourier transforms, differ nowhere by more than {{grids-apart}}, and CONTACT's theory on square grids, extrapolated, nowhere by more than {{contact-apart}}. In full slip
 $f$ stays a little below 1: the lateral strain turns the slip out of the rolling direction, by an angle that falls as $1/X$.
 
-Vermeulen and Johnson, whom the paper names beside Kalker for the trend with the load, have another curve, $1-(1-CX/3)^3$, with a slope $C$ of their own:
-{{vj-excess}} above Kalker's for this ellipse. With the scatter of {{fig-11}} no such experiment could tell the two apart.
+Vermeulen and Johnson's curve, $1-(1-CX/3)^3$, has a slope $C$ {{vj-excess}} above Kalker's for this ellipse; with the scatter of {{fig-11}} no such experiment could tell the two apart.
 */
 
 #include <fmt/format.h>

@@ -9,14 +9,11 @@ complementary parameter, the curvature ratio is $B(m_1)/(m_1D(m_1))$, for 1.568 
 
 {{table-ellipse}}
 
-The text does not say which. The major axis is taken along rolling: a locomotive wheel of 40 in diameter on a rail with a 10-in crown has its
-long axis along the rail, with a ratio of {{locomotive-ratio}}, and a profile of {{profile-along-inch}} fits a wheel of 8 in better than
-one of {{profile-across-inch}}. The area depends on the choice; the dimensionless curve depends on it through Kalker's coefficient.
+The text does not say which. The major axis is taken along rolling, as that of a locomotive wheel of 40 in on a rail with a 10-in crown, whose ratio is {{locomotive-ratio}}; and a profile of
+{{profile-along-inch}} fits a wheel of 8 in better than one of {{profile-across-inch}}.
 
-No modulus is printed: the big wheel is of "steel typical of rail material". Used here: $E$ = 207 GPa, $\nu$ = 0.3. The publisher's summary, which our
-copy lacks but for its end, adds a "1070 plain carbon steel" for the small wheel and stresses "up to approximately 200,000 psi". Read as the largest pressure at the centre of the
-ellipse that is a load of {{load-200-peak}}, less than the 4449.72 N of Appendix B, which give {{peak-1000}}; read as the mean pressure it is {{load-200-mean}}. With the printed
-load only the second reading agrees, or a 200 that is rounded.
+No modulus is printed; used here are $E$ = 207 GPa and $\nu$ = 0.3. The publisher's summary, which our copy lacks but for its end, has stresses "up to approximately 200,000 psi". Read as the largest
+pressure that is a load of {{load-200-peak}}, less than the 4449.72 N of Appendix B, which give {{peak-1000}}; read as the mean it is {{load-200-mean}}, and only this agrees.
 */
 
 #include <cmath>

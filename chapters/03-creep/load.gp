@@ -1,6 +1,6 @@
 load "style.gp"
 set output ARG2
-set terminal pngcairo size 900,420
+set terminal pngcairo size 900,270
 set xlabel "creep"
 set ylabel "friction coefficient µ = T/N"
 set xrange [0:0.02]

@@ -61,27 +61,23 @@ Lost: the measured points and average curves of Figures 3 to 8 and 11, the areas
 
 ## Limits
 
-What the curve costs by each theory, what the error estimates are worth, and where the solver stops is on the [second page](03-creep-study.html). {{curve-answer}} Of random cases {{covered}} are
+What each theory costs and where the solver stops is on the [second page](03-creep-study.html). {{curve-answer}} Of random cases {{covered}} are
 within the error that the full theory states.
 
 The full theory is that of two elastic half-spaces of one material, with Coulomb's friction at one coefficient, in steady state.
-The rig's contact is {{contact-share}} of the small wheel's profile radius wide, which half-spaces bear. A worn wheel is neither
-elliptic nor smooth, and the "true area" of the paper puts all of that into one number. A pressure of {{peak-1000}},
-with 0.3 of it as traction, is more than most wheel steels bear elastically; the paper says itself that its contacts deformed plastically. Real friction
-falls at large creep, with speed and heat; no curve here does.
+The rig's contact is {{contact-share}} of the small wheel's profile radius wide, which half-spaces bear; a pressure of {{peak-1000}} with 0.3 of it as traction is more than
+most wheel steels bear elastically. The "true area" puts shape and roughness of a worn wheel into one number. Real friction falls at large creep, with speed and heat; no curve here does.
 
 ## Try next
 
 * `railbook creep curve` with `--theory fastsim` and `--theory full` for your own wheel: where do they differ most?
 * Let the friction fall with the slip, $\mu(s)$, in the full theory: the curve gets its maximum, and the rig becomes unstable beyond it.
-* `railbook creep table` with twice the nodes: does its error fall by four?
 
 ## Works named
 
-The paper: *Journal of Engineering for Industry* 101(3), August 1979, [doi:10.1115/1.3439508](https://doi.org/10.1115/1.3439508). Of its own references those
-named here are Kalker [13], Vermeulen and Johnson [18], Carter [19] and Poritsky [20]; our scan ends before the list. Carter's "On the action of a locomotive driving wheel", *Proceedings of the
-Royal Society* A 112 (1926), p. 151, was found in listings; the theory computed is that of Kalker, *Three-Dimensional Elastic Bodies in Rolling Contact*, Kluwer, Dordrecht 1990, and its FASTSIM that of *Vehicle
-System Dynamics* 11 (1982), pp. 1-13. What was looked up, where, and what was not found is in `data/SOURCES.md`.
+The paper: *Journal of Engineering for Industry* 101(3), August 1979, [doi:10.1115/1.3439508](https://doi.org/10.1115/1.3439508). It names Kalker [13], Vermeulen and Johnson [18], Carter [19] and
+Poritsky [20]; our scan ends before the list. The theory computed is that of Kalker's *Three-Dimensional Elastic Bodies in Rolling Contact*, Kluwer 1990. What was looked up, and what was not found, is in
+`data/SOURCES.md`.
 
 ## Coverage
 

@@ -1,11 +1,8 @@
 /***
 ## Friction and area against the load
 
-First the friction at constant creep, against the load, the paper's Figure 8. Theory says how it must fall. The group
-$X$ goes with $\xi\,ab/N\propto\xi N^{-1/3}$, since the area goes with $N^{2/3}$. In the linear part $\mu=\mu_cC_{11}X$ does
-not contain $\mu_c$, so $\mu\propto N^{-1/3}$ whatever the friction does; at large creep $\mu=\mu_c(N)$. The paper calls its lines
-"almost parallel". On a linear scale that asks for an exponent well below 1/3 at large creep: lines with slopes $-\frac13\mu_1/N$
-and $-q\,\mu_2/N$ are parallel for $q=\frac13\mu_1/\mu_2$. The paper says that "this trend is predicted" by Vermeulen and Johnson and by Kalker: it is, for small creep
+At constant creep the friction falls with the load. The area goes with $N^{2/3}$, so $X\propto\xi N^{-1/3}$, and in the linear part $\mu=\mu_cC_{11}X\propto N^{-1/3}$ whatever $\mu_c$ does; at
+large creep $\mu=\mu_c(N)$. The paper's "almost parallel" lines ask for an exponent well below 1/3 there: slopes $-\frac13\mu_1/N$ and $-q\,\mu_2/N$ are equal for $q=\frac13\mu_1/\mu_2$. The paper says that "this trend is predicted" by Vermeulen and Johnson and by Kalker: it is, for small creep
 {{outcome:fig-08/trend}}; the largest friction is an input of those theories and its trend is not in them {{outcome:fig-08/largest}}.
 
 {{fig-08}}

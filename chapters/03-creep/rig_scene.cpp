@@ -3,10 +3,8 @@
 
 {{fig-01}}
 
-The wheels are drawn to scale; frames, motors and the dynamometer are left out. The small wheel is pressed onto the big one,
-which drives it, and is braked by its own motor. A gear of 144 teeth on each axle counts the turns. Forces are measured along
-three axes, the axial one, the longitudinal one of rolling and the transversal one in which the wheels are pressed together;
-a misaligned small wheel, turned by the angle of attack, would mix them:
+The small wheel is pressed onto the big one, which drives it, and is braked by its own motor; a gear of 144 teeth on each axle counts the turns. Forces are measured along
+three axes, which a misaligned small wheel, turned by the angle of attack, would mix:
 
 {{fig-02}}
 */
@@ -61,7 +59,7 @@ void rig(report::Item& item) {
   s.meshes.push_back(scene::cylinder({0, -16, top}, {0, 16, top}, 1.6, scene::stone));
   s.meshes.push_back(scene::cylinder({0, -14.5, 0}, {0, -13, 0}, 9, scene::wood));
   s.meshes.push_back(scene::cylinder({0, -14.5, top}, {0, -13, top}, 5, scene::wood));
-  const scene::Size size{1000, 520};
+  const scene::Size size{1000, 470};
   const auto camera = scene::looking_at(s, {1.0, -1.5, 0.5}, size, true);
   drawing::labelled(item, "wheels.gp", s, camera, size,
                     {{{17, 0, top + 2}, "small wheel (braked): the locomotive's"},
@@ -80,7 +78,7 @@ void axes(report::Item& item) {
       crown{0, 0, 2 * small_r};
   s.lines = {arrow(contact, {34, 0, 0}, red), arrow(contact, 34 * along, red),
              arrow(contact, {0, -26, 0}, blue), arrow(contact + crown, {0, 0, 12}, black)};
-  const scene::Size size{1000, 520};
+  const scene::Size size{1000, 470};
   const auto camera = scene::looking_at(s, {1.0, -1.3, 1.3}, size, true);
   drawing::labelled(item, "wheels.gp", s, camera, size,
                     {{contact + scene::Point{34, -4, 0}, "z: longitudinal"},

@@ -1,5 +1,6 @@
 load "style.gp"
 set output ARG2
+H = 470
 load "scene.gp"
 set style textbox opaque noborder margins 0.6,0.3
 plot ARG1 binary filetype=png flipy with rgbimage, \
