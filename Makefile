@@ -12,7 +12,7 @@ wants     = { command -v $(1) > /dev/null || { echo "$(1) is not installed; on D
 program   = $(lastword $(subst -, ,$(1)))
 SOURCES   = $(shell git ls-files '*.cpp' '*.hpp' ':!tests/book')
 
-.PHONY: headline new-chapter help doctor packages configure programs build install reproduce test chapter figures accept-figures book bench format lint failed clean
+.PHONY: headline new-chapter help doctor packages configure programs build install reproduce test chapter figures accept-figures book bench format lint failed clean mutate coverage matrix fuzz
 
 help:             ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' $(MAKEFILE_LIST) | expand -t 24
@@ -79,6 +79,19 @@ lint: build       ## clang-format (check only) and clang-tidy (Debian packages o
 	@$(call wants,clang-format) && $(call wants,clang-tidy)
 	clang-format --dry-run --Werror $(SOURCES)
 	clang-tidy -p $(BUILD) --quiet --extra-arg=-Wno-unknown-warning-option $(filter lib/%.cpp chapters/%.cpp,$(SOURCES))
+
+mutate: build     ## faults of one line, a sample: how many the tests notice (FAULTS=100 SEED=1; python3)
+	@$(call wants,python3)
+	tests/mutate/mutate.py --build $(BUILD) --faults $(or $(FAULTS),100) --seed $(or $(SEED),1)
+
+coverage: packages ## lines and branches that the tests of lib/ take, by folder (R="num contact" for some)
+	tests/coverage.sh $(R)
+
+matrix: packages  ## checks and prose the same text from GCC and Clang, -O0 and -O3, and another processor's mathematics
+	tests/matrix.sh $(C)
+
+fuzz: packages    ## libFuzzer on every parser, SECONDS=60 each (clang)
+	tests/fuzz/fuzz.sh $(or $(SECONDS),60)
 
 failed: build     ## run again only the tests that failed
 	ctest --test-dir $(BUILD) --rerun-failed --output-on-failure

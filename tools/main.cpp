@@ -62,5 +62,8 @@ int main(int argc, char** argv) {
           {"track",
            "stiffness of track, and the force over a joint",
            {track_tool::joint_tool(), track_tool::stiffness_tool()}},
+          {"wheelrail",
+           "wheel on rail: from profiles to patches and creep forces",
+           {wheelrail_tool::contact_tool(), wheelrail_tool::table_tool()}},
       });
 }

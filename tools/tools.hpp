@@ -40,6 +40,10 @@ tool::Tool limit_tool();
 tool::Tool compare_tool();
 tool::Tool measures_tool();
 }  // namespace quality_tool
+namespace wheelrail_tool {
+tool::Tool contact_tool();
+tool::Tool table_tool();
+}  // namespace wheelrail_tool
 namespace track_tool {
 tool::Tool joint_tool();
 tool::Tool stiffness_tool();

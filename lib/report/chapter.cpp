@@ -211,6 +211,7 @@ int run_command(int argc, char** argv, const ChapterInfo& info, const std::vecto
                 const std::vector<Section>& study) {
   CLI::App app{fmt::format("{}: {}", info.name, info.title), info.name};
   app.require_subcommand(1);
+  app.set_version_flag("--version", fmt::format("{} {}", info.name, RAILBOOK_VERSION));
   Reproduce wish;
   CLI::App* reproduce_command =
       app.add_subcommand("reproduce", "recompute the paper's tables and figures and check them");

@@ -128,6 +128,7 @@ Json machine() {
 
 void write_record(const ChapterRecord& r, const std::filesystem::path& file) {
   const Json j{{"chapter", r.chapter},
+               {"version", RAILBOOK_VERSION},
                {"title", r.title},
                {"paper", r.paper},
                {"doi", r.doi},

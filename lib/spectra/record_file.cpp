@@ -122,10 +122,11 @@ class Cells {
     const std::string_view cell = reader_.cell(column);
     if (!texts_.empty() && std::find(texts_.begin(), texts_.end(), cell) != texts_.end())
       return lost;
-    const double value = reader_.number(column);
-    if (!numbers_.empty() && std::find(numbers_.begin(), numbers_.end(), value) != numbers_.end())
-      return lost;
-    return value;
+    return unless_missing(reader_.number(column));
+  }
+
+  double unless_missing(double value) const {
+    return std::find(numbers_.begin(), numbers_.end(), value) == numbers_.end() ? value : lost;
   }
 
   double position(const Positions& p) const {
@@ -172,10 +173,32 @@ std::vector<std::unique_ptr<const RecordStream>> read_records(
                       .bridge_length = wish.bridge ? 0 : bridged_length},
         [&sinks, &records, i](std::span<const double> piece) { sinks[i](piece, *records[i]); });
   const Cells cells{wish, reader};
-  for (std::size_t row = 1; reader.next(); ++row) {
-    const double at = positions ? cells.position(*positions) : 0;
+  // Where the columns are in a row whose cells are all plain numbers.
+  std::vector<std::size_t> plain = column;
+  if (positions) plain.insert(plain.end(), positions->columns.begin(), positions->columns.end());
+  std::sort(plain.begin(), plain.end());
+  plain.erase(std::unique(plain.begin(), plain.end()), plain.end());
+  const auto place_of = [&](std::size_t of) {
+    return static_cast<std::size_t>(std::lower_bound(plain.begin(), plain.end(), of) -
+                                    plain.begin());
+  };
+  std::vector<std::size_t> height_at, position_at;
+  for (const std::size_t c : column) height_at.push_back(place_of(c));
+  if (positions)
+    for (const std::size_t c : positions->columns) position_at.push_back(place_of(c));
+  std::vector<double> numbers(plain.size());
+  for (std::size_t row = 1;; ++row) {
+    const bool all_plain = reader.numbers(plain, numbers);
+    if (!all_plain && !reader.next()) break;
+    double at = 0;
+    if (positions && !all_plain) at = cells.position(*positions);
+    if (all_plain)
+      for (std::size_t i = 0; i < position_at.size(); ++i)
+        at += numbers[position_at[i]] * positions->metre[i];
     for (std::size_t i = 0; i < columns.size(); ++i) {
-      const double value = cells.height(column[i]) * metre[i];
+      const double value =
+          (all_plain ? cells.unless_missing(numbers[height_at[i]]) : cells.height(column[i])) *
+          metre[i];
       if (positions)
         records[i]->add(at, value);
       else

@@ -61,10 +61,14 @@ std::optional<FaultyStretch> Screen::still() const {
 }
 
 void Screen::measure() {
-  auto steps = moves(v_, 1, 2 * block);
-  std::erase(steps, 0.0);  // of rounded or stuck values
+  for (std::size_t i = 0; i + 1 < v_.size(); ++i) {
+    if (std::isnan(v_[i]) || std::isnan(v_[i + 1])) continue;
+    const double step = std::abs(v_[i + 1] - v_[i]);
+    if (step > 0 && step < quantum_) quantum_ = step;
+  }
+  auto steps = moves(v_, 1, 2 * block / 3);  // for a median to a per cent
+  std::erase(steps, 0.0);                    // of rounded or stuck values
   judged_ = judged_ || steps.size() >= fewest_steps;
-  for (const double step : steps) quantum_ = std::min(quantum_, step);
   median_step_ = median_of(steps);
   const auto so_far = static_cast<double>(++blocks_);
   mean_step_ += (median_step_ - mean_step_) / so_far;

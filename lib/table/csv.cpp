@@ -7,6 +7,8 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -19,11 +21,6 @@ namespace railbook::table {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-std::string said(const std::filesystem::path& file) {
-  if (file == "-") return "standard input";
-  return fmt::format("file \"{}\"", units::printable(file.string(), 300));
-}
 
 std::string_view trim(std::string_view text) {
   const auto blank = [](char c) { return c == ' ' || c == '\t'; };
@@ -76,6 +73,33 @@ bool parse(std::string_view cell, double& value) {
   }
   const auto [end, status] = std::from_chars(first, last, value);
   return status == std::errc{} && end == last && first != last && std::isfinite(value);
+}
+
+// A decimal of at most 15 digits without an exponent, up to the first character that is none of it: its digits and its power of ten
+// are exact doubles, so that one division rounds as std::from_chars does (Clinger 1990). Nothing for what else there is. A
+// character that ends it must follow.
+const char* short_decimal(const char* at, double& value) {
+  static constexpr std::array<double, 16> tens{1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                               1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+  const auto digit = [](char c) { return static_cast<unsigned>(c) - '0'; };
+  const bool negative = *at == '-';
+  at += negative ? 1 : 0;
+  const char* const first = at;
+  std::uint64_t digits = 0;
+  while (digit(*at) < 10) digits = 10 * digits + digit(*at++);
+  std::ptrdiff_t count = at - first, behind = 0;
+  if (count == 0 || count > 15) return nullptr;
+  if (*at == '.') {
+    const char* const point = ++at;
+    while (digit(*at) < 10) digits = 10 * digits + digit(*at++);
+    behind = at - point;
+    count += behind;
+  }
+  if (count > 15 || *at == 'e' || *at == 'E') return nullptr;
+  value = static_cast<double>(static_cast<std::int64_t>(digits)) /
+          tens[static_cast<std::size_t>(behind)];
+  if (negative) value = -value;
+  return at;
 }
 
 bool is_missing(std::string_view cell) {
@@ -282,6 +306,42 @@ bool CsvReader::next() {
   return true;
 }
 
+bool CsvReader::numbers(std::span<const std::size_t> columns, std::span<double> values) {
+  if (!ahead_.empty() || decimal_ == ',') return false;
+  const std::string_view text = source_.lines_ahead();
+  if (text.empty() || text.front() == '#') return false;
+  const char *at = text.data(), *const end = at + text.size();  // a line feed before it
+  const char separator = separator_;
+  const std::size_t count = header_.size();
+  const bool undecided = separator != ',' && decimal_ == 0;
+  bool point = false;
+  std::size_t wanted = 0;
+  for (std::size_t column = 0; column < count; ++column) {
+    if (wanted < columns.size() && columns[wanted] == column) {
+      while (*at == ' ') ++at;
+      const char* behind = short_decimal(at, values[wanted]);
+      if (behind == nullptr) {
+        const auto [stop, status] = std::from_chars(at, end, values[wanted]);
+        if (status != std::errc{} || !std::isfinite(values[wanted])) return false;
+        behind = stop;
+      }
+      point = point || (undecided && std::find(at, behind, '.') != behind);
+      at = behind;
+      while (*at == ' ') ++at;
+      if (*at == '\r' && column + 1 == count) ++at;
+      ++wanted;
+    } else {
+      while (*at != separator && *at != '\n' && *at != '"' && *at != 0) ++at;
+    }
+    if (*at != (column + 1 == count ? '\n' : separator)) return false;
+    ++at;
+  }
+  if (point) decimal_ = '.';
+  source_.use(static_cast<std::size_t>(at - text.data()));
+  line_ = source_.line();
+  return true;
+}
+
 double CsvReader::number(std::size_t column) const {
   const std::string_view cell = cells_[column];
   double value = 0;
@@ -313,84 +373,6 @@ void CsvReader::refuse_number(std::size_t column) const {
                      decimal_ == 0     ? ""
                      : decimal_ == ',' ? ", with a decimal comma as before"
                                        : ", with a decimal point as before"));
-}
-
-const std::string& CsvTable::at(std::size_t row, std::string_view column) const {
-  const auto it = std::find(header.begin(), header.end(), column);
-  if (it == header.end() || row >= rows.size())
-    throw std::logic_error{
-        fmt::format("{}: no column \"{}\" or row {}", file.string(), column, row)};
-  return rows[row][static_cast<std::size_t>(it - header.begin())];
-}
-
-const std::string& CsvTable::at(std::string_view key, std::string_view column) const {
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    if (rows[i][0] == key) return at(i, column);
-  throw std::logic_error{fmt::format("{}: no row \"{}\"", file.string(), key)};
-}
-
-CsvTable read_table(const std::filesystem::path& file) {
-  CsvReader reader{file};
-  CsvTable table{file, reader.header(), {}};
-  while (reader.next()) {
-    std::vector<std::string>& row = table.rows.emplace_back();
-    for (std::size_t i = 0; i < reader.header().size(); ++i) row.emplace_back(reader.cell(i));
-  }
-  return table;
-}
-
-std::vector<std::vector<double>> read_columns(const std::filesystem::path& file,
-                                              const std::vector<ColumnWanted>& wanted,
-                                              bool allow_nan) {
-  CsvReader reader{file};
-  std::vector<std::size_t> index;
-  std::vector<double> si;
-  for (const ColumnWanted& w : wanted) {
-    index.push_back(reader.column(w.name));
-    const units::Header header = parse_column(reader.header()[index.back()]);
-    if (!(header.unit.dimension == w.dimension)) {
-      throw InputError{fmt::format(
-          "{}: column \"{}\" {}; allowed: a header that ends in a unit of {}, such as {}_{}",
-          said(file), units::printable(reader.header()[index.back()]),
-          header.unit_text.empty() ? "names no unit" : "has the unit " + header.unit_text,
-          units::si_name(w.dimension), w.name, units::si_name(w.dimension))};
-    }
-    si.push_back(header.unit.si);
-  }
-  std::vector<std::vector<double>> columns(wanted.size());
-  while (reader.next()) {
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
-      const double value = reader.number(index[i]);
-      if (std::isnan(value) && !allow_nan) {
-        throw InputError{
-            fmt::format("{}, line {}: column \"{}\" is empty or NaN; allowed: a finite number",
-                        said(file), reader.line(), units::printable(reader.header()[index[i]]))};
-      }
-      if (std::isinf(value * si[i])) {
-        throw InputError{fmt::format("{}, line {}: column \"{}\" overflows in SI", said(file),
-                                     reader.line(), units::printable(reader.header()[index[i]]))};
-      }
-      columns[i].push_back(value * si[i]);
-    }
-  }
-  return columns;
-}
-
-std::string csv_number(double value) {
-  if (std::isnan(value))
-    return "nan";  // fmt compares NaNs, which the floating-point traps would stop
-  return fmt::format("{:.12g}", value);
-}
-
-std::string csv_cell(std::string_view text) {
-  const auto blank = [](char c) { return c == ' ' || c == '\t'; };
-  const bool quote = text.find_first_of(",\"\r\n#") != std::string_view::npos ||
-                     text.starts_with("\xEF\xBB\xBF") ||
-                     (!text.empty() && (blank(text.front()) || blank(text.back())));
-  if (!quote) return std::string{text};
-  std::string quoted = "\"";
-  for (char c : text) quoted += c == '"' ? std::string{"\"\""} : std::string{c};
-  return quoted + "\"";
 }
 
 }  // namespace railbook::table

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,6 +42,10 @@ class CsvReader {
   // The next row; false at the end. A row with another number of cells throws. Views hold until the next call.
   bool next();
   std::string_view cell(std::size_t column) const { return cells_[column]; }
+
+  // The next row's numbers in some columns (ascending), in one pass and without cells; false, and nothing read, where the row is
+  // not all plain: next() and number() then read it, or say what is wrong.
+  bool numbers(std::span<const std::size_t> columns, std::span<double> values);
 
   // A cell as a number. Empty, and "NaN", "NA", "N/A", "null" and dashes, are NaN; anything else that is no number throws.
   double number(std::size_t column) const;

@@ -27,11 +27,6 @@ std::string reason(int error) {
   return std::error_code(error, std::generic_category()).message();
 }
 
-std::string said(const std::filesystem::path& file) {
-  if (file == "-") return "standard input";
-  return fmt::format("file \"{}\"", units::printable(file.string(), 300));
-}
-
 // A stream of zlib's.
 struct Unpacker {
   z_stream stream{};
@@ -46,6 +41,11 @@ struct Unpacker {
 };
 
 }  // namespace
+
+std::string said(const std::filesystem::path& file) {
+  if (file == "-") return "standard input";
+  return fmt::format("file \"{}\"", units::printable(file.string(), 300));
+}
 
 struct LineSource::Input {
   explicit Input(int number) : descriptor(number) {}
@@ -150,6 +150,15 @@ std::size_t LineSource::fill(char* to, std::size_t size) {
   return size - z.avail_out;
 }
 
+std::string_view LineSource::lines_ahead() {
+  if (whole_ <= begin_) {
+    const std::string_view rest{buffer_.data() + begin_, end_ - begin_};
+    const std::size_t feed = rest.rfind('\n');
+    whole_ = feed == std::string_view::npos ? begin_ : begin_ + feed + 1;
+  }
+  return {buffer_.data() + begin_, whole_ - begin_};
+}
+
 bool LineSource::next(std::string_view& line) {
   std::size_t searched = begin_;
   while (true) {
@@ -166,7 +175,7 @@ bool LineSource::next(std::string_view& line) {
     // What is left goes to the front, where the rest of the line joins it.
     std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
     end_ -= begin_;
-    begin_ = 0;
+    begin_ = whole_ = 0;
     searched = end_;
     if (end_ == buffer_.size()) buffer_.resize(2 * buffer_.size());
     const std::size_t got = fill(buffer_.data() + end_, buffer_.size() - end_);

@@ -11,6 +11,9 @@
 
 namespace railbook::table {
 
+// A file as errors name it: standard input, or file "NAME".
+std::string said(const std::filesystem::path& file);
+
 // Reads a file, a pipe or a FIFO from its beginning to its end, once, in the memory of its longest line; - is standard input.
 // A file packed by gzip is unpacked as it is read.
 class LineSource {
@@ -27,6 +30,10 @@ class LineSource {
   bool next(std::string_view& line);
   bool next(std::string& line);
 
+  // What is in memory of the next lines, whole ones with their line feeds, maybe none; and how much of it has been used.
+  std::string_view lines_ahead();
+  void use(std::size_t bytes) { begin_ += bytes, ++line_; }  // one line
+
   std::size_t line() const { return line_; }  // number of the last line read, from 1
   const std::filesystem::path& file() const { return file_; }
   // How much of the file has been read, 0 to 1; -1 where its size is not known.
@@ -42,6 +49,7 @@ class LineSource {
   std::unique_ptr<Input> input_;
   std::vector<char> buffer_;
   std::size_t begin_ = 0, end_ = 0;  // of what is read but not used
+  std::size_t whole_ = 0;            // end of its last whole line, once looked for
   std::size_t line_ = 0;
 };
 

@@ -93,8 +93,8 @@ std::string hash(const std::string& text) {
 }
 
 // What the answer depends on, but for the file's bytes: its size and time stand for them.
-std::string key_of(const fs::path& file) {
-  std::string text = session().version;
+std::string key_of(const fs::path& file, const std::string& stamp) {
+  std::string text = session().version + "\n" + stamp;
   static const std::set<std::string> ways{"jobs", "shard",      "manifest", "record",
                                           "out",  "no-figures", "figure"};
   for (const auto& [name, value] : session().given)
@@ -345,7 +345,8 @@ void run_batch(const BatchWish& wish, const Destination& out, const std::string&
   const std::vector<fs::path> files = records_of(wish);
   std::vector<Task> tasks;
   for (std::size_t i = 0; i < files.size(); ++i)
-    if (i % shard.of == shard.number - 1) tasks.push_back({i, files[i], key_of(files[i])});
+    if (i % shard.of == shard.number - 1)
+      tasks.push_back({i, files[i], key_of(files[i], wish.stamp)});
   const bool part = shard.of > 1;
   OutFolder folder(part ? Destination{} : out, {name + "-table.csv", name + "-table.jsonl"});
   Rows done, failed;

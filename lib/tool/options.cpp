@@ -127,6 +127,10 @@ void Options::records(BatchWish& wish) {
           "--manifest", [&wish](const std::string& text) { wish.manifest = text; },
           "text file that lists records, one a line, relative to its own folder")
       ->type_name("FILE");
+  workers(wish);
+}
+
+void Options::workers(BatchWish& wish) {
   wish.jobs = std::clamp(sysconf(_SC_NPROCESSORS_ONLN), 1L, 256L);
   count("--jobs", wish.jobs, "processes for many records", 1, 256);
   app_->add_option(

@@ -48,6 +48,8 @@ struct BatchWish {
   std::optional<std::filesystem::path> manifest;
   long jobs = 1;
   std::string shard;  // "2/4"
+  std::string
+      stamp;  // what answers depend on besides the options and the records: contents of other files
   bool many() const;
   // The one record. Throws InputError when there is none.
   const std::filesystem::path& only() const;
@@ -73,6 +75,8 @@ class Options {
   void texts(const std::string& name, std::vector<std::string>& values, const std::string& help);
   // "record ...", --manifest, --jobs and --shard.
   void records(BatchWish& wish);
+  // --jobs and --shard alone, for a tool that makes its records itself.
+  void workers(BatchWish& wish);
   void file(const std::string& name, std::filesystem::path& value, const std::string& help);
   // A further file of options, after --config: "--car freight.toml".
   void toml(const std::string& name, const std::string& help);

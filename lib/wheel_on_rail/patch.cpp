@@ -137,6 +137,7 @@ Patch patch_of(const Placed& wheel, const Group& group, double z) {
   std::vector<std::pair<double, double>> line;  // t, x
   double radius = 0;
   const double from = group.ranges.front().low, to = group.ranges.back().high;
+  patch.at_end = at_end(*wheel.pair, wheel.point(from)) || at_end(*wheel.pair, wheel.point(to));
   for (int k = 0; k <= steps; ++k) {
     const auto p = wheel.point(from + (to - from) * (k - 2.0) / (steps - 4.0));
     const Vector3d d = p.at - patch.frame.origin + Vector3d(0, 0, z);

@@ -40,6 +40,7 @@ struct Patch {
   double radius = 0;     // of the wheel in the plane of rolling along n [m]: r/cos(angle)
   double turn = 0;       // by which the rail's angle changes over the overlap [rad]
   bool merged = false;   // of areas that are apart
+  bool at_end = false;   // the overlap comes within 0.5 mm of an end of a profile
 };
 
 // The patches of a wheel at depth z, none when it does not touch; those with the deeper overlap first.

@@ -185,8 +185,9 @@ struct Cells {
       const double start = lowered.maxCoeff() / convolution->self() / 20;
       pressure = (lowered.array() > 0).select(Eigen::VectorXd::Constant(grid.cells(), start), 0);
     }
+    const Eigen::VectorXd gap = -lowered;
     const auto cg =
-        contact::solve_bounded_cg(*convolution, grid, lowered, pressure, {.tolerance = 1e-7});
+        contact::solve_bounded_cg(*convolution, grid, gap, 0, pressure, {.tolerance = 1e-7});
     return cg.converged ? pressure.sum() * grid.dx * grid.dy : -1;
   }
   void describe() {
@@ -364,6 +365,8 @@ void doubt(const Work& w, WheelResult& out) {
     if (p.strips.two_lobes)
       say("two areas of overlap in one patch: rough by this method; take the full theory");
     if (p.patch.merged) say("two areas of overlap are near one another and share one frame");
+    if (p.patch.at_end)
+      say("off the profile: the overlap reaches an end of one, beyond which no body is taken");
     if (p.patch.turn > 0.35)
       say(fmt::format(
           "conformal: the rail turns by {:.2f} rad over the patch, whose frame is plane",

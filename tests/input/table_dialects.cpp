@@ -1,10 +1,13 @@
 #include <unistd.h>
 #include <zlib.h>
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -125,4 +128,72 @@ TEST_CASE("input: gzip is unpacked as it is read; what is cut off or damaged is 
                     Contains("damaged") || Contains("cells") || Contains("finite"));
   const File mark{"\x1f\x8b"};
   CHECK_THROWS_AS(table::read_columns(mark.path, track), InputError);
+}
+
+TEST_CASE("property: a row read at once is the row read cell by cell, its refusals too") {
+  std::mt19937_64 random{3};
+  const auto one_of = [&](const auto& list) { return list[random() % std::size(list)]; };
+  const std::array usual{"1.5",
+                         "-0.25",
+                         "17",
+                         "0.1",
+                         "-42.7096805635",
+                         "99999999.99",
+                         "0",
+                         "-0",
+                         "3.00000000001",
+                         "123456789012345",
+                         "1e-3",
+                         "2E5",
+                         ".5",
+                         "5.",
+                         "0.000000000000001",
+                         " 8 ",
+                         "1e400",
+                         "-.5",
+                         "9007199254740993"};
+  const std::array odd{"+3",  "nan",   "",    "\"4\"", "x", "--1",      "1.5.2",
+                       "inf", "0x1p3", "1,5", "#",     "-", "\"a\nb\"", "1 2"};
+  int refused = 0;
+  for (int round = 0; round < 1500; ++round) {
+    const std::string separator = one_of(std::array{",", ";", "\t"});
+    const std::string ending = one_of(std::array{"\n", "\r\n"});
+    std::string text = "a_m" + separator + "b_m" + separator + "c_m" + ending;
+    for (int row = 0; row < 6; ++row) {
+      for (int cell = 0; cell < 3; ++cell) {
+        text += random() % 40 == 0 ? one_of(odd) : one_of(usual);
+        if (cell < 2 || random() % 100 == 0) text += separator;
+      }
+      if (row < 5 || random() % 2 == 0) text += ending;
+      if (random() % 40 == 0) text += one_of(std::array{"\n", "# remark\n", " \n"});
+    }
+    const File file{text};
+    const auto read = [&](bool at_once) {
+      std::string told;
+      try {
+        table::CsvReader reader{file.path};
+        const std::array<std::size_t, 2> columns{0, 2};
+        std::array<double, 2> v{};
+        while (true) {
+          if (!at_once || !reader.numbers(columns, v)) {
+            if (!reader.next()) break;
+            for (std::size_t i = 0; i < 2; ++i) v[i] = reader.number(columns[i]);
+          }
+          told += std::to_string(reader.line());
+          for (const double x : v) {
+            std::array<char, 40> digits{};
+            std::snprintf(digits.data(), digits.size(), " %a", x);
+            told += digits.data();
+          }
+          told += "\n";
+        }
+      } catch (const InputError& error) {
+        told += error.what();
+        ++refused;
+      }
+      return told;
+    };
+    REQUIRE(read(true) == read(false));
+  }
+  CHECK(refused > 500);
 }

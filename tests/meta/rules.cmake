@@ -54,6 +54,17 @@ foreach(file ${scripts})
   endif()
 endforeach()
 
+# The version stands in CMakeLists.txt; what cannot ask CMake says the same.
+file(STRINGS ${root}/CMakeLists.txt line REGEX "^project")
+string(REGEX MATCH "VERSION ([0-9.]+)" _ "${line}")
+set(version ${CMAKE_MATCH_1})
+file(STRINGS ${root}/CITATION.cff cited REGEX "^version: ")
+file(STRINGS ${root}/CHANGELOG.md changes REGEX "^## [0-9]")
+list(GET changes 0 newest)
+if(NOT cited STREQUAL "version: ${version}" OR NOT newest STREQUAL "## ${version}")
+  broken("CMakeLists.txt says ${version}, CITATION.cff \"${cited}\", CHANGELOG.md \"${newest}\"")
+endif()
+
 # No two tools write files of one name: their answers may share a folder.
 set(written "")
 file(GLOB tools ${root}/tools/*/*.cpp)

@@ -24,6 +24,8 @@ sweep(quality index track.csv --column=crosslevel --speed=100km/h --car=freight.
 sweep(quality measures track.csv --column=crosslevel)
 sweep(quality compare track.csv track.csv --column=crosslevel)
 sweep(quality limit --speed=100km/h --car=freight.toml)
+sweep(wheelrail contact --load=50kN --speed=30m/s --method=strips)
+sweep(wheelrail table --load=50kN --speed=30m/s --shifts=2 --jobs=1)
 sweep(track joint --speed=60mph --dip=0.5in)
 sweep(track stiffness --joint=sprung --joint-rotation=5MN*m)
 set_tests_properties("tool: filters process stands any number" PROPERTIES FIXTURES_REQUIRED filters-record)

@@ -98,4 +98,5 @@ TEST_CASE("unit: the answer names the cheapest method that stays below the error
         "To 1e-03 take b at 1 (2.5 ms); to 1e-06 take b at 2 (40 ms); to 1e-08 nothing that was "
         "tried.");
   CHECK(bench::cheapest(points, "F", 1e-20).method.empty());
+  CHECK(bench::answer({point("a", "1", 1e-5, 0)}, "F", {1e-3}) == "To 1e-03 (not timed).");
 }

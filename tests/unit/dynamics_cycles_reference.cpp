@@ -1,5 +1,5 @@
-// Limit cycles of the full equations against an independent program (Python; an ODE solver of variable order and step size on the
-// same tables, run until periodic; multipliers by Runge-Kutta on the variational equations), and two routes to one exponent.
+// Limit cycles of the full equations against tests/reference/limit_cycles.cpp (the car body by body, fixed steps, orbits closed by
+// Newton, multipliers by differences of orbits), and two routes to one exponent.
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -53,7 +53,7 @@ void compare(const Case& c, const std::vector<Reference>& references) {
 
 TEST_CASE("true cycles: new wheels, Heumann, CN A, with an independent program") {
   compare(traced(wheelrail::new_wheel_table(), Suspension::dampers),
-          {{146, 0.4009, 12.308, 2e-4}, {150, 0.404938, 13.0943, 5e-6}});
+          {{146, 0.40085, 12.308, 5e-5}, {150, 0.404938, 13.0943, 5e-6}});
   compare(traced(wheelrail::heumann_table(), Suspension::dampers),
           {{87, 0.2030, 26.074, 4e-4}, {87.4, 0.2209, 25.974, 4e-4}});
   compare(traced(wheelrail::cn_table(), Suspension::dampers),
@@ -64,11 +64,11 @@ TEST_CASE("true cycles: new wheels, Heumann, CN A, with an independent program")
 
 TEST_CASE("true cycles: multipliers past the torus point of new wheels") {
   const Case c = traced(wheelrail::new_wheel_table(), Suspension::dampers);
-  for (const auto& [speed, modulus] : {std::pair{153.0, 0.967}, {153.5, 1.055}, {154.0, 1.141}}) {
+  for (const auto& [speed, modulus] : {std::pair{153.0, 0.97}, {153.5, 1.06}, {154.0, 1.14}}) {
     const Examined e = cycle(c, speed);
     REQUIRE(e.converged);
     CHECK(e.stability.loss == "torus");
-    CHECK(e.stability.largest == Approx(modulus).epsilon(0.005));
+    CHECK(e.stability.largest == Approx(modulus).margin(0.007));
   }
 }
 

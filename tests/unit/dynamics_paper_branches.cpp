@@ -1,5 +1,4 @@
-// Limit cycles of the paper's four cases against an independent program (numeric Jacobian, other language, its own
-// contact geometry), to 0.3 percent in speed, and 2 percent within 0.01 in of the new wheel's flange.
+// Limit cycles of the paper's four cases by describing functions, against tests/reference/limit_cycles.cpp on the same tables.
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -45,29 +44,30 @@ void compare(const wheelrail::ConstraintFunctions& table, Suspension suspension,
 TEST_CASE("the paper's car: new wheels, both families") {
   const auto& table = wheelrail::new_wheel_table();
   compare(table, Suspension::dampers, 0,
-          {{0.41, 171.4, 15.79, 0.02},
-           {0.43, 193.9, 23.60, 0.003},
-           {0.45, 166.4, 26.42, 0.003},
-           {0.50, 125.6, 32.80, 0.003},
-           {0.60, 107.1, 33.85, 0.003}});
+          {{0.41, 171.06, 15.76, 0.0005},
+           {0.43, 193.87, 23.59, 0.0005},
+           {0.45, 166.46, 26.41, 0.0005},
+           {0.50, 125.45, 32.81, 0.0005},
+           {0.60, 106.89, 33.86, 0.0005}});
   compare(table, Suspension::dampers, 1,
-          {{0.43, 202.3, 25.74, 0.003}, {0.48, 143.3, 33.29, 0.003}});
+          {{0.43, 202.45, 25.77, 0.0005}, {0.48, 142.99, 33.32, 0.0005}});
 }
 
 TEST_CASE("the paper's car: CN A and Heumann wheels") {
   compare(wheelrail::cn_table(), Suspension::dampers, 0,
-          {{0.30, 130.22, 21.10, 0.003},
-           {0.41, 131.44, 21.60, 0.003},
-           {0.48, 131.1, 25.22, 0.003},
-           {0.60, 103.1, 32.04, 0.003}});
-  compare(wheelrail::heumann_table(), Suspension::dampers, 0,
-          {{0.20, 86.95, 26.09, 0.003}, {0.30, 87.87, 26.26, 0.003}, {0.41, 76.04, 32.10, 0.003}});
+          {{0.30, 130.26, 21.12, 0.0005},
+           {0.41, 131.42, 21.59, 0.0005},
+           {0.48, 131.08, 25.19, 0.0005},
+           {0.60, 103.06, 32.05, 0.0005}});
+  compare(
+      wheelrail::heumann_table(), Suspension::dampers, 0,
+      {{0.20, 86.95, 26.09, 0.0005}, {0.30, 87.88, 26.25, 0.0005}, {0.41, 76.01, 32.11, 0.0005}});
 }
 
 TEST_CASE("the paper's car: CN A with friction") {
   compare(wheelrail::cn_table(), Suspension::friction, 1,
-          {{0.10, 98.62, 16.65, 0.003},
-           {0.20, 102.49, 17.76, 0.003},
-           {0.30, 103.61, 18.12, 0.003},
-           {0.45, 102.2, 19.77, 0.005}});
+          {{0.10, 98.71, 16.68, 0.0005},
+           {0.20, 102.50, 17.77, 0.0005},
+           {0.30, 103.60, 18.12, 0.0005},
+           {0.45, 102.40, 19.70, 0.0005}});
 }

@@ -45,6 +45,10 @@ TEST_CASE("On the tread, cut into many pieces, the car moves by the matrix expon
       (solver.eigenvectors() * (solver.eigenvalues() * t).array().exp().matrix().cwiseProduct(part))
           .real();
   const History h = integrate(o, y0, t, {});
+  HistoryOptions sampled;
+  sampled.watch = {Eigen::VectorXd::Ones(y0.size() / 2)};
+  sampled.sample_step = t / 2.5;  // at 0, 1 and 2 steps
+  CHECK(integrate(o, y0, t, sampled).sample_times.size() == 3);
   CHECK(h.steps > 300);
   CHECK((h.y - exact).lpNorm<Eigen::Infinity>() < 1e-11);
   HistoryOptions options{.integrator = Integrator::dopri5, .tolerance = 1e-11};

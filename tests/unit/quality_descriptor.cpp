@@ -22,7 +22,7 @@ Car freight_car(double damping) {
 
 }  // namespace
 
-TEST_CASE("Stroke gain: values worked out by an independent integration", "[quality]") {
+TEST_CASE("Stroke gain: values by tests/reference/responses.cpp", "[quality]") {
   CHECK_THAT(stroke_peak(0.2).gain, WithinAbs(2.551552, 5e-7));
   CHECK_THAT(stroke_gain(roll, speed / 20), WithinAbs(1.133490, 5e-7));
   CHECK_THAT(stroke_gain(roll, speed / 55), WithinAbs(2.522070, 5e-7));

@@ -152,6 +152,19 @@ TEST_CASE("extreme: NaN, an empty loop and a missing count fail the chapter") {
   CHECK(status([](report::Item& i) { i.expect_checks(1), i.refute("a", "a", true, ""); }) == 1);
 }
 
+TEST_CASE("unit: data that hold to less than their digits say why") {
+  const auto holds = [](const char* why) {
+    return status([why](report::Item& i) {
+      i.expect_checks(1);
+      i.data({"x"}).holds_to("x", 1e-3, 0, why);
+      i.claim("a", "a", true);
+    });
+  };
+  CHECK(holds("ill-conditioned") == 0);
+  CHECK(holds("") == 1);
+  CHECK_FALSE(report::RunSettings{}.full);
+}
+
 TEST_CASE("unit: a stability case fails when something else is found than expected") {
   const auto with = [](report::Stands expect, double allowed,
                        const std::function<report::Found()>& f) {

@@ -77,7 +77,7 @@ TEST_CASE("Influence of a cell is the integral of Cerruti's kernel", "[rolling]"
 }
 
 TEST_CASE("The ends of a row belong 0.0753 cells beyond the quarters", "[rolling]") {
-  // The constant by a midpoint sum of 4000 points and 4000 terms of the series, in a program of its own.
+  // tests/reference/closed_forms.cpp
   CHECK(edge_offset() == Approx(0.0753467715).epsilon(1e-7));
 }
 

@@ -123,6 +123,21 @@ TEST_CASE("unit: a sensor that stuck is taken out but for its first sample") {
     }
 }
 
+TEST_CASE("unit: the doubt about steps names the largest of them, whatever its sign") {
+  for (const double first : {-0.5, 0.5, -0.03, 0.03})
+    for (const double second : {-0.1, 0.1}) {
+      auto z = track();
+      for (std::size_t i = 0; i < z.size(); ++i)
+        z[i] += (i >= 8192 ? first : 0) + (i >= 20000 ? second : 0);
+      CAPTURE(first, second);
+      const auto s = screen(z);
+      REQUIRE(s.doubts.size() == 1);
+      CHECK(s.doubts[0].key == "steps");
+      const bool is_first = std::abs(first) > std::abs(second);
+      CHECK_THAT(s.doubts[0].text, Catch::Contains(is_first ? "m at 2048 m" : "m at 5000 m"));
+    }
+}
+
 TEST_CASE("unit: a step of the datum is found to the sample, and the record cut there") {
   for (const std::size_t at : {300U, 8192U, 20000U, 39700U})
     for (const double step : {0.03, -0.1, 0.5, 20.0}) {

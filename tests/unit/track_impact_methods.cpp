@@ -26,6 +26,8 @@ ForcesAt run(ImpactMethod method, double tolerance, long most = 2000000) {
 TEST_CASE("unit: six integrators of three families agree on the forces over a joint") {
   const ForcesAt reference = run(ImpactMethod::dopri5, 1e-12);
   REQUIRE(reference.complete);
+  CHECK(reference.force.size() == times.size());
+  CHECK(reference.state.size() == times.size());
   for (ImpactMethod method : {ImpactMethod::rk8pd, ImpactMethod::msbdf, ImpactMethod::rk4imp,
                               ImpactMethod::bsimp, ImpactMethod::radau5}) {
     const ForcesAt forces = run(method, 1e-10);

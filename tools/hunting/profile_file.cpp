@@ -38,6 +38,8 @@ constexpr double times_scatter = 3;
 constexpr double no_scatter =
     1e-9;  // m: rounding of the numbers in a file, met by a spline through all points
 
+}  // namespace
+
 Curve read_profile(const std::filesystem::path& file, const PairWish& wish, ProfileFit& fit) {
   const auto columns =
       table::read_columns(file, {{"inward", units::length}, {"height", units::length}});
@@ -65,6 +67,8 @@ void require_flange(const Curve& wheel, const std::filesystem::path& file) {
       "flange, height upwards",
       file.string()));
 }
+
+namespace {
 
 const NamedPair& named(const PairWish& wish) {
   return *std::ranges::find(paper_pairs, wish.pair,

@@ -53,6 +53,12 @@ struct ProfileFit {
   double smoothing = 0;  // asked for
   double rms = 0, largest = 0;
 };
+// One profile from its file, and how it was met; of the wish only the smoothing is used.
+wheelrail::Curve read_profile(const std::filesystem::path& file, const PairWish& wish,
+                              ProfileFit& fit);
+// Throws InputError unless the wheel's flange is on its inner side.
+void require_flange(const wheelrail::Curve& wheel, const std::filesystem::path& file);
+
 struct ReadPair {
   wheelrail::WheelsetOnTrack pair;
   std::vector<ProfileFit> fits;  // none for the paper's pairs

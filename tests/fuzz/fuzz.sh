@@ -1,0 +1,13 @@
+#!/usr/bin/env bash
+# tests/fuzz/fuzz.sh [SECONDS]: libFuzzer with both sanitizers on every parser, from the corpus; then a thousand random command
+# lines. What it finds it leaves in build/fuzz; put the file into tests/fuzz/corpus once it is mended, and ctest keeps it.
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+clang=$(command -v clang++ clang++-14 clang++-19 | head -n 1) || { echo "clang++ is not installed"; exit 2; }
+mkdir -p build/fuzz/found
+"$clang" -std=c++20 -O1 -g -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all -D_GLIBCXX_ASSERTIONS \
+  -ffp-exception-behavior=maytrap -Ilib tests/fuzz/parsers.cpp lib/units/*.cpp lib/files/*.cpp lib/table/*.cpp lib/tool/toml.cpp \
+  -lfmt -lz -o build/fuzz/parsers
+build/fuzz/parsers -max_total_time="${1:-60}" -timeout=10 -rss_limit_mb=4096 -max_len=4096 -print_final_stats=1 \
+  -artifact_prefix=build/fuzz/ build/fuzz/found tests/fuzz/corpus
+[ ! -x build/bin/railbook ] || tests/fuzz/command_lines.sh "$PWD/build/bin/railbook" 1000 "$RANDOM"

@@ -1,0 +1,102 @@
+// Everything that reads what people and recorders write, on any bytes: it gives an answer or refuses with InputError or
+// OutsideError, and nothing else. The first byte says which parser. Built by fuzz.sh with libFuzzer; by ctest with replay.cpp.
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+#include "files/outside.hpp"
+#include "table/csv.hpp"
+#include "tool/toml.hpp"
+#include "units/input_error.hpp"
+#include "units/quantity.hpp"
+
+using namespace railbook;
+
+namespace {
+
+void wrong(const char* what) {
+  std::fprintf(stderr, "%s\n", what);
+  std::abort();
+}
+
+// A file of these bytes, gone with the object.
+class Held {
+ public:
+  explicit Held(std::string_view bytes) : file_(memfd_create("fuzz", 0)) {
+    for (std::size_t done = 0; done < bytes.size();) {
+      const auto n = write(file_, bytes.data() + done, bytes.size() - done);
+      if (n <= 0) wrong("memory file");
+      done += static_cast<std::size_t>(n);
+    }
+    lseek(file_, 0, SEEK_SET);
+  }
+  ~Held() { close(file_); }
+  Held(const Held&) = delete;
+  Held& operator=(const Held&) = delete;
+  std::string name() const { return "/proc/self/fd/" + std::to_string(file_); }
+
+ private:
+  int file_;
+};
+
+void parse(int which, std::string_view bytes) {
+  switch (which) {
+    case 0:
+      if (std::isnan(units::parse_quantity("length", bytes, units::length)))
+        wrong("a quantity that is no number was taken");
+      break;
+    case 1:
+      if (!(units::parse_unit(bytes).si > 0)) wrong("a unit that is not positive");
+      break;
+    case 2:
+      static_cast<void>(table::parse_column(bytes));
+      break;
+    case 3:
+      static_cast<void>(units::parse_header(bytes));
+      break;
+    case 4: {
+      const Held file(bytes);
+      static_cast<void>(table::read_table(file.name()));
+      break;
+    }
+    case 5: {
+      const Held file(bytes);
+      table::CsvReader reader(file.name());
+      while (reader.next())
+        for (std::size_t k = 0; k < reader.header().size(); ++k)
+          static_cast<void>(reader.number(k));
+      break;
+    }
+    case 6: {
+      const Held file(bytes);
+      static_cast<void>(tool::read_toml(file.name()));
+      break;
+    }
+    default: {  // what is written is read as it was
+      const std::string cell = table::csv_cell(bytes);
+      const std::string text(bytes);
+      if (text.find_first_of(std::string("\r\n\0", 3)) != std::string::npos) return;
+      const Held file("a,b\n" + cell + ",1\n");
+      table::CsvReader reader(file.name());
+      if (!reader.next() || reader.cell(0) != text) wrong("a cell came back as another");
+    }
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size == 0) return 0;
+  try {
+    parse(data[0] % 8, {reinterpret_cast<const char*>(data) + 1, size - 1});
+  } catch (const InputError&) {
+  } catch (const files::OutsideError&) {
+  }
+  return 0;
+}

@@ -1,0 +1,29 @@
+# The tools of wheel on rail: what they refuse, answers with known digits, and a table in shards.
+set(out --out ${CMAKE_BINARY_DIR}/ctest/wheelrail-refused)
+set(position ${out} --load 50kN --speed 30m/s)
+refuses(wheelrail "no load" "load is required" contact ${out} --speed 30m/s)
+refuses(wheelrail "no speed" "speed is required" contact ${out} --load 50kN)
+refuses(wheelrail "a load without a unit" "load is .50., without a unit" contact ${out} --speed 30m/s --load 50)
+refuses(wheelrail "a shift off the rails" "shift is 0.06 m. allowed: from -0.05" contact ${position} --shift 60mm)
+refuses(wheelrail "a wheel beside its rail" "nowhere above its rail\\|end of a profile" contact ${position} --gauge 1700mm --roll 0rad --slip 0)
+refuses(wheelrail "the end of a tread" "end of a profile" contact ${position} --gauge 1590mm --roll 0rad --slip 0)
+refuses(wheelrail "roll without slip" "give both roll and slip" contact ${position} --roll 1mrad)
+refuses(wheelrail "a negative friction" "mu is -0.1. allowed" contact ${position} --mu -0.1)
+refuses(wheelrail "a method nobody knows" "method is .kalker.*allowed" contact ${position} --method kalker)
+refuses(wheelrail "four cells" "cells is 4. allowed: from 8" contact ${position} --cells 4)
+refuses(wheelrail "a file that is not there" "none.csv.: cannot be read: No such file" contact ${position} --wheel none.csv)
+refuses(wheelrail "shifts that go down" "last shift is -0.01 m. allowed" table ${position} --from 1mm --to -10mm)
+refuses(wheelrail "a table of a thousand million rows" "rows of the table is 1000000000. allowed" table ${position} --shifts 100000 --yaws 10000 --yaw-to 1mrad)
+refuses(wheelrail "a shard of nothing" "shard is .5/4.. allowed" table ${position} --shard 5/4)
+
+# The Manchester benchmark, y = 3 mm: CONTACT says 713.2 MPa and 9774 N on the right wheel.
+add_test(NAME "tool: wheelrail contact answers the benchmark"
+         COMMAND railbook wheelrail contact --head 60E1-benchmark --shift 3mm --yaw 7.2mrad --roll -0.1803mrad --load 10kN --speed 2m/s
+         --slip -0.000615411 --wheel-young 209.92GPa --rail-young 209.92GPa --out ${CMAKE_BINARY_DIR}/ctest/wheelrail-contact)
+set_tests_properties("tool: wheelrail contact answers the benchmark" PROPERTIES PASS_REGULAR_EXPRESSION
+                     "left.*498\\.[0-9]+ MPa.*right patch 1.*normal force +977[0-9.]+ N.*largest pressure +71[0-9.]+ MPa")
+add_test(NAME "tool: wheelrail contact takes files" WORKING_DIRECTORY ${CMAKE_SOURCE_DIR}/tools/examples/hunting
+         COMMAND railbook wheelrail contact --wheel new-wheel.csv --rail worn-rail.csv --gauge 56.5in --gauge-depth 0.625in
+         --radius 16.5in --load 15000lbf --speed 60mph --method strips)
+set_tests_properties("tool: wheelrail contact takes files" PROPERTIES PASS_REGULAR_EXPRESSION "right patch 1")
+add_test(NAME "tool: wheelrail table in shards" COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/wheelrail.sh ${bin})

@@ -1,0 +1,171 @@
+/*
+### `wheelrail contact`
+
+One position of a wheelset on its rails, from the profiles to the creep forces: where each wheel touches, the patches with
+their own angles, pressures, creepages, forces on the rail in the track's axes (x forward, y right, z down), wear number,
+stick, and the largest shear.
+
+    wheelrail contact --shift 4mm --yaw 5mrad --load 50kN --speed 30m/s --out mine
+    wheelrail contact --wheel wheel.csv --rail rail.csv --load 80kN --speed 20m/s --slip 0.002 --roll 0mrad
+
+The wheelset turns freely and rolls until both wheels stand at one height, unless `--slip` or `--roll` say otherwise.
+Doubts are printed above the answer: the verge of a second contact, areas that share a frame, a conformal patch. A wheel that
+touches at the end of a profile is refused.
+*/
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include "tool/out_folder.hpp"
+#include "tool/summary.hpp"
+#include "tools.hpp"
+#include "units/constants.hpp"
+#include "units/input_error.hpp"
+#include "wheelrail/pair.hpp"
+
+namespace railbook::wheelrail_tool {
+
+using namespace wheel_on_rail;
+using units::millimetre;
+
+namespace {
+
+struct Wish : PairWish {
+  double shift = 0, yaw = 0, load = 0, friction = 0.3;
+  std::optional<double> roll, slip;
+  tool::Destination out;
+};
+
+WheelsetResult solve(const Wish& wish, const Pair& pair) {
+  WheelWish w = wheel_wish(wish);
+  w.load = wish.load, w.friction.coefficient = wish.friction;
+  const Pose pose{wish.shift, wish.yaw, wish.roll.value_or(0)};
+  if (!wish.roll && !wish.slip) return solve_wheelset(pair, pose, w);
+  if (!wish.roll || !wish.slip)
+    throw InputError{"give both roll and slip, or neither for a wheelset free to roll and turn"};
+  WheelsetResult r;
+  r.pose = pose;
+  r.turning = w.turning = wish.speed / pair.radius * (1 + *wish.slip);
+  r.left = solve_wheel(pair, mirrored(pose), w);
+  r.right = solve_wheel(pair, pose, w);
+  r.converged = r.left.converged && r.right.converged;
+  r.reason = r.left.converged ? r.right.reason : r.left.reason;
+  return r;
+}
+
+void add_wheel(tool::Summary& answer, const char* side, const WheelResult& wheel, double sign) {
+  const std::string s = side;
+  int flag = 0;
+  for (const std::string& doubt : wheel.doubts)
+    answer.flag(fmt::format("{}_{}", s, ++flag), fmt::format("{} wheel: {}", s, doubt));
+  answer.add(s + "_x_N", s + " rail: force along", wheel.force.x(), "N");
+  answer.add(s + "_y_N", "  to the right", sign * wheel.force.y(), "N");
+  answer.add(s + "_z_N", "  down", wheel.force.z(), "N");
+  int k = 0;
+  for (const PatchResult& p : wheel.patches) {
+    const std::string key = fmt::format("{}_{}_", s, ++k);
+    const auto add = [&](const char* name, const char* what, double value, const char* unit,
+                         const std::string& note = "") {
+      answer.add(key + name, what, value, unit, note);
+    };
+    const auto& at = p.patch.frame.origin;
+    add("x_mm", fmt::format("{} patch {}: place along", s, k).c_str(), at.x() / millimetre, "mm");
+    add("y_mm", "  to the right", sign * at.y() / millimetre, "mm");
+    add("angle_mrad", "  contact angle", 1e3 * sign * p.patch.frame.angle, "mrad");
+    add("normal_N", "  normal force", p.load, "N");
+    add("p_max_MPa", "  largest pressure", p.p_max / units::megapascal, "MPa",
+        std::isfinite(p.p_max_error) ? fmt::format("error about {:.1g} %", 100 * p.p_max_error)
+                                     : "error not known to this method");
+    add("area_mm2", "  area", p.area / (millimetre * millimetre), "mm^2");
+    add("approach_um", "  approach", p.approach / units::micrometre, "um");
+    add("creepage_x", "  creepage along", p.creepage.longitudinal, "");
+    add("creepage_y", "  across", sign * p.creepage.lateral, "");
+    add("spin_1_per_m", "  spin", sign * p.creepage.spin, "1/m");
+    add("fx_N", "  force along", p.forces.fx, "N",
+        std::isfinite(p.forces.error) ? fmt::format("error about {:.1g} of mu N", p.forces.error)
+                                      : "");
+    add("fy_N", "  across, in the patch", sign * p.forces.fy, "N");
+    add("mz_N_m", "  moment about its normal", sign * p.forces.mz, "N m");
+    add("friction", "  friction", p.friction, "");
+    add("stick_share", "  share that sticks", p.forces.stick_share, "");
+    add("shear_MPa", "  largest shear", p.largest_shear / units::megapascal, "MPa");
+    add("wear_N", "  wear number", p.wear_number, "N");
+  }
+}
+
+std::string cells_csv(const WheelsetResult& r) {
+  std::string text = "wheel,patch,along_mm,across_mm,pressure_MPa,shear_x_MPa,shear_y_MPa,stick\n";
+  const auto wheel = [&](const char* side, const WheelResult& w, double sign) {
+    int k = 0;
+    for (const PatchResult& p : w.patches) {
+      ++k;
+      const auto& t = p.forces.tractions;
+      for (Eigen::Index i = 0; i < t.x.size(); ++i)
+        text += fmt::format("{},{},{:.5g},{:.5g},{:.5g},{:.5g},{:.5g},{:g}\n", side, k,
+                            t.x[i] / millimetre, sign * t.y[i] / millimetre,
+                            p.friction > 0 ? t.bound[i] / p.friction / units::megapascal : 0,
+                            t.px[i] / units::megapascal, sign * t.py[i] / units::megapascal,
+                            t.stick[i]);
+    }
+  };
+  wheel("left", r.left, -1);
+  wheel("right", r.right, 1);
+  return text;
+}
+
+void run(const Wish& wish) {
+  tool::OutFolder out(wish.out, {"patches.csv", "wheelset-contact.json"});
+  const Pair pair = read_pair(wish);
+  const WheelsetResult r = solve(wish, pair);
+  if (!r.converged) throw std::runtime_error(fmt::format("no answer: {}", r.reason));
+  tool::Summary answer("Wheelset on its rails");
+  describe_pair(answer, wish);
+  answer.add("roll_mrad", "roll, right wheel down", 1e3 * r.pose.roll, "mrad");
+  answer.add("turning_rad_per_s", "turning", r.turning, "rad/s");
+  answer.add("lowered_mm", "axle below its height on the running circles", r.right.z / millimetre,
+             "mm", wish.roll ? fmt::format("left wheel {:.6g} mm", r.left.z / millimetre) : "");
+  add_wheel(answer, "left", r.left, -1);
+  add_wheel(answer, "right", r.right, 1);
+  answer.print();
+  if (out) {
+    out.add("patches.csv", cells_csv(r));
+    out.add("wheelset-contact.json", answer.json());
+  }
+  out.commit();
+}
+
+std::function<void()> declare(tool::Options& options) {
+  const auto wish = std::make_shared<Wish>();
+  add_pair_options(options, *wish);
+  options.quantity("--shift", wish->shift, units::length, "of the wheelset to the right",
+                   tool::Range{-0.05, 0.05});
+  options.quantity("--yaw", wish->yaw, units::angle, "front to the right", tool::Range{-0.1, 0.1});
+  options.quantity("--roll", wish->roll, units::angle, "right wheel down; free without it",
+                   tool::Range{-0.1, 0.1});
+  options.quantity(
+      "--slip", wish->slip, units::number,
+      "the wheelset turns by this share faster than speed over radius; free without it",
+      tool::Range{-1, 10});
+  options.quantity("--load", wish->load, units::force, "vertical, on each wheel",
+                   tool::Range{1, 1e9});
+  options.required();
+  options.quantity("--mu", wish->friction, units::number, "friction", tool::Range{0, 2});
+  options.out(wish->out);
+  options.help(
+      "Axes: x forward, y to the right, z down; forces are those on the rail. Creepages are the "
+      "wheel's over the "
+      "rail.\n\nExample: railbook wheelrail contact --shift 4mm --yaw 5mrad --load 50kN --speed "
+      "30m/s");
+  return [wish] { run(*wish); };
+}
+
+}  // namespace
+
+tool::Tool contact_tool() {
+  return {"contact", "patches and creep forces of a wheelset in one position", declare};
+}
+
+}  // namespace railbook::wheelrail_tool

@@ -1,0 +1,107 @@
+#include "wheelrail/pair.hpp"
+
+#include <cmath>
+
+#include "hunting/profile_file.hpp"
+#include "units/constants.hpp"
+#include "wheelrail/wheelset_contact.hpp"
+
+namespace railbook::wheelrail_tool {
+
+using namespace wheel_on_rail;
+using tool::Range;
+
+namespace {
+
+Profile wheel_profile(const PairWish& wish) {
+  if (wish.wheel.empty()) return s1002();
+  hunting_tool::PairWish smoothing;
+  smoothing.noise = wish.noise;
+  hunting_tool::ProfileFit fit{"wheel"};
+  const wheelrail::Curve curve = hunting_tool::read_profile(wish.wheel, smoothing, fit);
+  hunting_tool::require_flange(curve, wish.wheel);
+  return Profile(wheelrail::moved(curve, 0, -curve.height(0)));
+}
+
+wheelrail::Curve rail_curve(const PairWish& wish) {
+  if (wish.rail.empty())
+    return rail_60e1(wish.head == "60E1" ? Rail60::drawing : Rail60::benchmark);
+  hunting_tool::PairWish smoothing;
+  smoothing.noise = wish.noise;
+  hunting_tool::ProfileFit fit{"rail"};
+  return hunting_tool::read_profile(wish.rail, smoothing, fit);
+}
+
+}  // namespace
+
+Pair read_pair(const PairWish& wish) {
+  return {wheel_profile(wish),
+          Profile(wheelrail::placed_rail(rail_curve(wish), wish.gauge, wish.gauge_depth,
+                                         std::atan(wish.cant))),
+          wish.radius, 0.5 * wish.back_to_back + wish.datum};
+}
+
+void describe_pair(tool::Summary& answer, const PairWish& wish) {
+  answer.add("wheel", "wheel", wish.wheel.empty() ? "S1002" : wish.wheel.string());
+  answer.add("rail", "rail", wish.rail.empty() ? wish.head : wish.rail.string());
+  answer.add("cant", "cant of the rails", wish.cant, "");
+}
+
+Method method_of(const std::string& name) {
+  return name == "hertz" ? Method::hertz : name == "strips" ? Method::strips : Method::full;
+}
+
+WheelWish wheel_wish(const PairWish& wish) {
+  WheelWish w = wish.wheel_wish;
+  w.speed = wish.speed;
+  w.method = method_of(wish.method);
+  w.along = w.across = wish.cells;
+  return w;
+}
+
+void add_pair_options(tool::Options& options, PairWish& wish) {
+  const Range lengths{1e-3, 10}, moduli{1, 1e15}, ratios{0, 0.5};
+  options.file("--wheel", wish.wheel,
+               "wheel profile, CSV with inward_mm and height_mm or other units; S1002 without it");
+  options.file("--rail", wish.rail, "rail profile, upright, CSV with the same columns");
+  options.choice("--head", wish.head, {"60E1", "60E1-benchmark"},
+                 "rail without a file: of the drawing, or of the Manchester benchmark");
+  options.quantity("--cant", wish.cant, units::number,
+                   "lean of the rails inwards, such as 0.025 for 1:40", Range{-0.2, 0.2});
+  options.quantity("--gauge", wish.gauge, units::length, "between the gauge faces of the rails",
+                   lengths);
+  options.quantity("--gauge-depth", wish.gauge_depth, units::length,
+                   "below the rail's top, where the gauge is measured", Range{1e-3, 0.1});
+  options.quantity("--back-to-back", wish.back_to_back, units::length,
+                   "between the backs of the flanges", lengths);
+  options.quantity("--datum", wish.datum, units::length,
+                   "of the wheel profile's origin from the back of the flange", Range{-1, 1});
+  options.quantity("--radius", wish.radius, units::length, "rolling radius at that origin",
+                   Range{0.05, 5});
+  options.quantity("--noise", wish.noise, units::length,
+                   "rms distance of measured points from the smoothed profile; without it from "
+                   "the points' own scatter",
+                   Range{0, 1e-3});
+  WheelWish& w = wish.wheel_wish;
+  for (const auto& [name, steel] : {std::pair{"wheel", &w.wheel}, std::pair{"rail", &w.rail}}) {
+    const std::string of = name;
+    options.quantity("--" + of + "-young", steel->young, units::pressure,
+                     "Young's modulus of the " + of, moduli);
+    options.quantity("--" + of + "-poisson", steel->poisson, units::number,
+                     "Poisson's ratio of the " + of, ratios);
+  }
+  options.quantity("--speed", wish.speed, units::speed, "of the wheelset along the track",
+                   Range{1e-6, 1e3});
+  options.required();
+  options.quantity("--mu-left", w.friction.left, units::number,
+                   "share of the friction left at high slip speed; 1 is constant friction",
+                   Range{0, 1});
+  options.quantity("--mu-speed", w.friction.speed, units::speed,
+                   "slip speed over which the rest falls to 1/e", Range{1e-6, 1e6});
+  options.choice("--method", wish.method, {"full", "strips", "hertz"},
+                 "half-space and Kalker's full theory, semi-Hertzian strips, or Hertz's ellipse; "
+                 "the last two with FASTSIM");
+  options.count("--cells", wish.cells, "full: cells along a patch, and across", 8, 256);
+}
+
+}  // namespace railbook::wheelrail_tool

@@ -1,0 +1,233 @@
+/*
+### `wheelrail table`
+
+A table of one wheel's contact over shift, yaw, load, friction and slip, which a vehicle code can interpolate. A line of it,
+one shift and one yaw, is a task of its own: lines are shared out over processes (`--jobs`) and machines (`--shard 2/8`), and
+a run that was ended goes on where it was.
+
+    wheelrail table --speed 30m/s --shifts 41 --yaws 5 --load 40kN 50kN --mu 0.3 --slip -0.002 0 0.002 --out mine
+
+The rows are the right wheel's; the left wheel's are those at the opposite shift and yaw, with the opposite forces across.
+The wheelset rolls as a rigid one and turns with the given slip. Each line's first row says how far linear interpolation to
+the next shift is from an answer half way, and with an approximate method how far that is from the full theory.
+*/
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+
+#include "tool/batch.hpp"
+#include "tool/summary.hpp"
+#include "tools.hpp"
+#include "units/constants.hpp"
+#include "units/input_error.hpp"
+#include "wheelrail/pair.hpp"
+
+namespace railbook::wheelrail_tool {
+
+using namespace wheel_on_rail;
+using units::millimetre;
+
+namespace {
+
+struct Wish : PairWish {
+  double from = -8 * millimetre, to = 8 * millimetre, yaw_from = 0, yaw_to = 0;
+  long shifts = 33, yaws = 1;
+  std::vector<double> loads, frictions{0.3}, slips{0};
+  tool::BatchWish batch;
+  tool::Destination out;
+};
+
+struct Line {
+  double shift, yaw, step;
+};
+// What varies along a line.
+struct Place {
+  double load, friction, slip;
+};
+
+WheelResult solve(const Wish& wish, const Pair& pair, const Pose& pose, const Place& place,
+                  Method method) {
+  WheelWish w = wheel_wish(wish);
+  w.load = place.load, w.friction.coefficient = place.friction, w.method = method;
+  w.turning = wish.speed / pair.radius * (1 + place.slip);
+  WheelResult r = solve_wheel(pair, pose, w);
+  if (!r.converged) throw std::runtime_error(r.reason);
+  return r;
+}
+
+Pose pose_of(const Pair& pair, double shift, double yaw) {
+  return {shift, yaw, rigid_roll(pair, shift, yaw)};
+}
+
+// (Fx, Fy) on the rail apart, over the friction times the load.
+double apart(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Place& place) {
+  const double bound = place.friction * place.load;
+  return bound > 0 ? (a - b).head<2>().norm() / bound : 0;
+}
+
+// Measured at the first place of a line; NaN where there is no answer.
+void add_errors(tool::Row& row, const Wish& wish, const Pair& pair, const Line& line,
+                const Place& place, const WheelResult& here) {
+  double between = units::nan, method = units::nan, pressure = units::nan;
+  const Method own = method_of(wish.method);
+  try {
+    if (line.step > 0) {
+      const auto middle =
+          solve(wish, pair, pose_of(pair, line.shift + line.step / 2, line.yaw), place, own);
+      const auto next =
+          solve(wish, pair, pose_of(pair, line.shift + line.step, line.yaw), place, own);
+      between = apart(middle.force, 0.5 * (here.force + next.force), place);
+    }
+    if (own != Method::full) {
+      const auto full = solve(wish, pair, pose_of(pair, line.shift, line.yaw), place, Method::full);
+      method = apart(here.force, full.force, place);
+      pressure = std::abs(here.patches.front().p_max / full.patches.front().p_max - 1);
+    }
+  } catch (const std::exception&) {
+    row.flag("error-not-measured");
+  }
+  row.add("interpolation_error_of_mu_N", between);
+  row.add("method_error_of_mu_N", method);
+  row.add("method_error_p_max", pressure);
+}
+
+tool::Row row_of(const Line& line, const Place& place) {
+  tool::Row row;
+  row.add("shift_mm", line.shift / millimetre);
+  row.add("yaw_mrad", 1e3 * line.yaw);
+  row.add("load_kN", place.load / units::kilonewton);
+  row.add("friction", place.friction);
+  row.add("slip", place.slip);
+  return row;
+}
+
+void add_answer(tool::Row& row, const Pose& pose, const WheelResult& r) {
+  const PatchResult& p = r.patches.front();
+  double wear = 0, error = 0, pressure_error = 0;
+  for (const PatchResult& patch : r.patches) {
+    wear += patch.wear_number;
+    error = std::max(error, patch.forces.error),
+    pressure_error = std::max(pressure_error, patch.p_max_error);
+  }
+  row.add("roll_mrad", 1e3 * pose.roll);
+  row.add("lowered_mm", r.z / millimetre);
+  row.add("x_N", r.force.x());
+  row.add("y_N", r.force.y());
+  row.add("z_N", r.force.z());
+  row.add("axle_moment_N_m", r.axle_moment);
+  row.add("patches", static_cast<double>(r.patches.size()));
+  row.add("along_mm", p.patch.frame.origin.x() / millimetre);
+  row.add("across_mm", p.patch.frame.origin.y() / millimetre);
+  row.add("angle_mrad", 1e3 * p.patch.frame.angle);
+  row.add("normal_N", p.load);
+  row.add("p_max_MPa", p.p_max / units::megapascal);
+  row.add("area_mm2", p.area / (millimetre * millimetre));
+  row.add("creepage_x", p.creepage.longitudinal);
+  row.add("creepage_y", p.creepage.lateral);
+  row.add("spin_1_per_m", p.creepage.spin);
+  row.add("mz_N_m", p.forces.mz);
+  row.add("stick_share", p.forces.stick_share);
+  row.add("wear_N", wear);
+  row.add("grid_error_of_mu_N", error);
+  row.add("grid_error_p_max", pressure_error);
+  for (const std::string& doubt : r.doubts) row.flag(doubt.substr(0, doubt.find(':')));
+}
+
+std::vector<tool::Row> rows_of(const Wish& wish, const Pair& pair, const Line& line) {
+  const Pose pose = pose_of(pair, line.shift, line.yaw);
+  std::vector<tool::Row> rows;
+  for (const double load : wish.loads)
+    for (const double friction : wish.frictions)
+      for (const double slip : wish.slips) {
+        const Place place{load, friction, slip};
+        tool::Row row = row_of(line, place);
+        try {
+          const WheelResult r = solve(wish, pair, pose, place, method_of(wish.method));
+          add_answer(row, pose, r);
+          if (rows.empty()) add_errors(row, wish, pair, line, place, r);
+        } catch (const std::exception& error) {
+          row.add("refused", std::string(error.what()));
+          row.flag("refused");
+        }
+        rows.push_back(std::move(row));
+      }
+  return rows;
+}
+
+double step_of(double from, double to, long count) {
+  return count > 1 ? (to - from) / static_cast<double>(count - 1) : 0;
+}
+
+std::string stamp_of(const std::filesystem::path& file) {
+  std::error_code none;
+  const auto size = std::filesystem::file_size(file, none);
+  return none
+             ? ""
+             : fmt::format("{} {}", size,
+                           std::filesystem::last_write_time(file, none).time_since_epoch().count());
+}
+
+void run(Wish wish) {
+  units::require_between("last shift", wish.to, wish.from, 0.05, "m");
+  units::require_between("last yaw", wish.yaw_to, wish.yaw_from, 0.1, "rad");
+  const double rows = double(wish.shifts) * double(wish.yaws) * double(wish.loads.size()) *
+                      double(wish.frictions.size()) * double(wish.slips.size());
+  units::require_between("rows of the table", rows, 1, 2e7);
+  const Pair pair = read_pair(wish);
+  const double step = step_of(wish.from, wish.to, wish.shifts),
+               turn = step_of(wish.yaw_from, wish.yaw_to, wish.yaws);
+  std::map<std::filesystem::path, Line> lines;
+  for (long i = 0; i < wish.shifts; ++i)
+    for (long j = 0; j < wish.yaws; ++j) {
+      const Line line{wish.from + step * double(i), wish.yaw_from + turn * double(j),
+                      i + 1 < wish.shifts ? step : 0};
+      const std::string name =
+          fmt::format("shift {:.9g} mm, yaw {:.9g} mrad", line.shift / millimetre, 1e3 * line.yaw);
+      if (lines.emplace(name, line).second) wish.batch.files.emplace_back(name);
+    }
+  wish.batch.stamp = stamp_of(wish.wheel) + " " + stamp_of(wish.rail);
+  tool::run_batch(wish.batch, wish.out, "wheelrail",
+                  [&](const auto& name) { return rows_of(wish, pair, lines.at(name)); });
+}
+
+std::function<void()> declare(tool::Options& options) {
+  const auto wish = std::make_shared<Wish>();
+  wish->method = "strips";
+  add_pair_options(options, *wish);
+  using tool::Range;
+  options.quantity("--from", wish->from, units::length, "first shift to the right",
+                   Range{-0.05, 0.05});
+  options.quantity("--to", wish->to, units::length, "and last", Range{-0.05, 0.05});
+  options.count("--shifts", wish->shifts, "how many", 1, 100000);
+  options.quantity("--yaw-from", wish->yaw_from, units::angle, "first yaw, front to the right",
+                   Range{-0.1, 0.1});
+  options.quantity("--yaw-to", wish->yaw_to, units::angle, "and last", Range{-0.1, 0.1});
+  options.count("--yaws", wish->yaws, "how many", 1, 100000);
+  options.quantities("--load", wish->loads, units::force, "vertical, on the wheel", Range{1, 1e9});
+  options.required();
+  options.quantities("--mu", wish->frictions, units::number, "friction", Range{0, 2});
+  options.quantities("--slip", wish->slips, units::number,
+                     "the wheelset turns by this share faster than speed over radius",
+                     Range{-1, 10});
+  options.workers(wish->batch);
+  options.out(wish->out);
+  options.help(
+      "With --out DIR: DIR/wheelrail-table.csv and .jsonl, a row a position. Columns are those of "
+      "the right wheel, "
+      "forces on the rail; x forward, y right, z down; the first patch carries most.\n\n"
+      "Example: railbook wheelrail table --speed 30m/s --load 40kN 50kN --slip -0.002 0 0.002 "
+      "--out mine");
+  return [wish] { run(*wish); };
+}
+
+}  // namespace
+
+tool::Tool table_tool() {
+  return {"table", "contact over shift, yaw, load, friction and slip", declare};
+}
+
+}  // namespace railbook::wheelrail_tool
