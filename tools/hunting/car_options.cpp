@@ -50,6 +50,7 @@ const std::array<DamperOption, 4> dampers{
 
 void add_car_options(tool::Options& options, CarWish& wish) {
   add_pair_options(options, wish.pair);
+  add_right_options(options, wish.pair);
   // A factor of ten thousand either way is no freight car any more, and spoils the arithmetic.
   for (const CarDatum& datum : car_data()) {
     double& value = wish.data.*datum.member;
@@ -104,6 +105,14 @@ void describe_case(tool::Summary& answer, const CarWish& wish, const CarCase& c)
   answer.add("slope_R", "slope of R at the centre, per x/a", a * c.table.R.slope(0), "");
   answer.add("slope_D", "slope of D", a * c.table.D.slope(0), "rad");
   answer.add("slope_Phi", "slope of the roll angle", a * c.table.Phi.slope(0), "rad");
+  if (!c.table.symmetric()) {
+    const auto& car = c.car.car();
+    std::string text;
+    for (const auto& w : car.wheels)
+      text += fmt::format("{}{:.4f}", text.empty() ? "" : ", ",
+                          w.lateral.dot(c.car.rest()) / units::millimetre);
+    answer.add("rest_mm", "  at rest the wheelsets stand, front to rear", text + " mm to the left");
+  }
   answer.add("suspension", "suspension",
              wish.suspension == "friction" ? "dry friction, regularized" : "dampers");
   const CarParameters usual;

@@ -7,12 +7,19 @@ at which it turns round (folds), loses its stability to a second frequency (toru
     hunting cycle --pair cn --out mine
     hunting cycle car.toml --wheel wheel.csv --rail rail.csv --family 2 --speed 42m/s
     hunting cycle --pair cn --speed 150ft/s --against warp-stiffness --factor 0.5
-    hunting cycle --wheel-rail-friction 0.3 --out mine
+    hunting cycle --wheel-rail-friction 0.3 --creep-law full --out mine
+    hunting cycle --wheel worn-wheel.csv --rail new-rail.csv --right-wheel new-wheel.csv --noise 0.003mm
 
 Stability is by Floquet multipliers, at every point. `--speed` lists all cycles of the branch at that speed. `--against` follows each of them
-on in another datum of the car, from its value to `--factor` times it. With `--wheel-rail-friction` creep forces saturate (Shen, Hedrick
-and Elkins); without it they are linear, and amplitudes on the flange are academic. Where symmetry breaks, the branch that leaves there is
-followed too. What is not on these branches is not found: the answer says what was searched. `--out` writes the points as `cycle.csv`, the
+on in another datum of the car, from its value to `--factor` times it. With `--wheel-rail-friction` creep forces saturate: by the cubic of
+Shen, Hedrick and Elkins, or with `--creep-law full` by a table of the full theory for a round contact; without it they are linear, and
+amplitudes on the flange are academic. Where friction limits, every point has the largest derailment quotient, L/V = (tan d - f)/(1 + f tan d)
+with d the contact angle and f the lateral creep force towards the outside over the static wheel load, and the largest share that the
+creep force has of friction, 0 to 1; no load moves from wheel to wheel. Right wheels and rail may have profiles and a radius of their own: the
+car then hunts off the centre, and cycles have harmonics of every order. Where symmetry breaks or the period doubles, the branch that leaves there is
+followed too. Folds and other points are those of the full equations by harmonic balance and Floquet multipliers; describing functions
+have no part in it. What is not on these branches is not found: the answer says what was searched, and a speed without a cycle there may
+have one elsewhere. `--out` writes the points as `cycle.csv`, the
 special ones as `special.csv`, `cycle.json` and the figure. Stiff cars take long: after `--patience` the branch ends where it is, and the
 answer says so.
 */
@@ -28,6 +35,9 @@ answer says so.
 #include "dynamics/linear_stability.hpp"
 #include "hunting/car_options.hpp"
 #include "num/stopwatch.hpp"
+#include "rolling/kalker_coefficients.hpp"
+#include "rolling/smooth_force.hpp"
+#include "rolling/theory.hpp"
 #include "table/csv.hpp"
 #include "tool/out_folder.hpp"
 #include "tools.hpp"
@@ -45,11 +55,30 @@ struct Wish : CarWish {
   double lowest = 1, highest = 120;
   double first = 1 * units::millimetre;
   std::optional<double> largest, speed, wheel_rail_friction;
-  std::string against;
+  std::string against, creep_law = "cubic";
   double factor = 2;
   long family = 1, patience = 10;
   tool::Destination out;
 };
+
+// How friction limits the creep forces, if it does.
+std::optional<CreepLimit> creep_of(const Wish& wish) {
+  if (!wish.wheel_rail_friction) {
+    if (wish.creep_law == "full")
+      throw InputError("--creep-law full says how friction limits: give --wheel-rail-friction");
+    return {};
+  }
+  CreepLimit limit{*wish.wheel_rail_friction, {}};
+  if (wish.creep_law == "full")
+    limit.curve =
+        rolling::SmoothForce(rolling::shares_of(rolling::solver("full", 1, 0.3, 12), 1, 0.3),
+                             rolling::kalker_coefficients(1, 0.3));
+  return limit;
+}
+
+double largest_of(const std::array<double, wheelsets>& values) {
+  return *std::max_element(values.begin(), values.end());
+}
 
 // A branch and how it is called in the files.
 struct Named {
@@ -89,11 +118,28 @@ std::string stability_text(const LimitCycle& c) {
   return c.stable ? "stable" : fmt::format("unstable, {} multipliers outside", c.unstable);
 }
 
-void add_cycle(tool::Summary& answer, const std::string& id, const LimitCycle& c) {
+void add_cycle(tool::Summary& answer, const std::string& id, const LimitCycle& c,
+               const CarCase& car, const std::optional<CreepLimit>& creep) {
   answer.add(id + "_mm", "  largest amplitude", c.largest / millimetre, "mm",
              fmt::format("{:.4f}, {:.4f}, {:.4f}, {:.4f} mm", c.amplitude[0] / millimetre,
                          c.amplitude[1] / millimetre, c.amplitude[2] / millimetre,
                          c.amplitude[3] / millimetre));
+  if (!car.table.symmetric())
+    answer.add(
+        id + "_middle_mm", "  about", c.middle[0] / millimetre, "mm",
+        fmt::format("to the left of the centre; {:.4f}, {:.4f}, {:.4f} mm the others",
+                    c.middle[1] / millimetre, c.middle[2] / millimetre, c.middle[3] / millimetre));
+  if (creep) {
+    const CycleForces f = cycle_forces(car.car.car(), car.table, *creep, c.cycle);
+    answer.add(id + "_L_over_V", "  largest L/V of a wheel", largest_of(f.lateral_over_vertical),
+               "",
+               fmt::format("{:.3f}, {:.3f}, {:.3f}, {:.3f}; static wheel load",
+                           f.lateral_over_vertical[0], f.lateral_over_vertical[1],
+                           f.lateral_over_vertical[2], f.lateral_over_vertical[3]));
+    answer.add(id + "_creep", "  largest creep force", largest_of(f.creep), "of mu N",
+               fmt::format("{:.3f}, {:.3f}, {:.3f}, {:.3f}", f.creep[0], f.creep[1], f.creep[2],
+                           f.creep[3]));
+  }
   answer.add(id + "_rad_per_s", "  frequency", c.cycle.omega, "rad/s");
   answer.add(id + "_multiplier", "  largest Floquet multiplier", c.leading, "", stability_text(c));
 }
@@ -148,13 +194,12 @@ std::vector<Named> follow_all(const Wish& wish, const Family& family, const Hopf
 }
 
 void follow_datum(tool::Summary& answer, const Wish& wish, const CarCase& c, const LimitCycle& from,
-                  const std::string& id, const ContinuationOptions& speed_options) {
+                  const std::optional<CreepLimit>& creep, const std::string& id,
+                  const ContinuationOptions& speed_options) {
   const auto datum = std::find_if(car_data().begin(), car_data().end(),
                                   [&](const CarDatum& d) { return d.key == wish.against; });
   const double value = c.car.car().data.*(datum->member), end = wish.factor * value;
   units::require_positive(datum->name, value);
-  std::optional<CreepLimit> creep;
-  if (wish.wheel_rail_friction) creep = CreepLimit{*wish.wheel_rail_friction, {}};
   const Family family = by_datum(c.car.car(), datum->member, c.table, *wish.speed, creep);
   ContinuationOptions options = speed_options;
   options.lowest = std::min(value, end);
@@ -180,32 +225,43 @@ void follow_datum(tool::Summary& answer, const Wish& wish, const CarCase& c, con
 }
 
 void add_cycles_at(tool::Summary& answer, const Wish& wish, const CarCase& c, const Family& family,
-                   const std::vector<Named>& all, const ContinuationOptions& options) {
+                   const std::optional<CreepLimit>& creep, const std::vector<Named>& all,
+                   const ContinuationOptions& options) {
   std::size_t count = 0;
   for (const Named& named : all)
     for (const LimitCycle& p : cycles_at(family, named.branch, *wish.speed, options)) {
       const std::string id = fmt::format("cycle_{}", ++count);
       answer.add(id, fmt::format("cycle {} at {:g} m/s", count, *wish.speed),
                  "on the " + named.name);
-      add_cycle(answer, id, p);
-      if (!wish.against.empty()) follow_datum(answer, wish, c, p, id, options);
+      add_cycle(answer, id, p, c, creep);
+      if (!wish.against.empty()) follow_datum(answer, wish, c, p, creep, id, options);
     }
   answer.add("cycles", fmt::format("cycles at {:g} m/s", *wish.speed), static_cast<double>(count),
              "", count == 0 ? "none on what was searched; other branches may have some" : "");
 }
 
-void write_files(tool::OutFolder& out, const std::vector<Named>& all, const tool::Summary& answer) {
+void write_files(tool::OutFolder& out, const CarCase& c, const std::optional<CreepLimit>& creep,
+                 const std::vector<Named>& all, const tool::Summary& answer) {
   std::string text =
       "branch,V_m_per_s,A_mm,omega_rad_per_s,front_leading_mm,front_trailing_mm,rear_leading_mm,"
-      "rear_trailing_mm,multiplier,unstable_multipliers,stable_mm,unstable_mm,harmonics\n";
+      "rear_trailing_mm,multiplier,unstable_multipliers,stable_mm,unstable_mm,harmonics,"
+      "middle_mm,L_over_V,creep_over_friction\n";
   std::string marks = "branch,V_m_per_s,A_mm,kind\n";
   for (std::size_t b = 0; b < all.size(); ++b) {
     for (const LimitCycle& p : all[b].branch.points) {
       const std::string a = table::csv_number(p.largest / millimetre);
       text += fmt::format("{},{:.9g},{},{:.9g}", b + 1, p.parameter, a, p.cycle.omega);
       for (const double x : p.amplitude) text += fmt::format(",{:.8g}", x / millimetre);
-      text += fmt::format(",{:.6g},{},{},{},{}\n", p.leading, p.unstable, p.stable ? a : "nan",
-                          p.unstable > 0 ? a : "nan", p.cycle.orders.back());
+      text +=
+          fmt::format(",{:.6g},{},{},{},{},{:.8g}", p.leading, p.unstable, p.stable ? a : "nan",
+                      p.unstable > 0 ? a : "nan", p.cycle.orders.back(), p.middle[0] / millimetre);
+      if (!creep) {
+        text += ",nan,nan\n";
+        continue;
+      }
+      const CycleForces f = cycle_forces(c.car.car(), c.table, *creep, p.cycle);
+      text +=
+          fmt::format(",{:.6g},{:.6g}\n", largest_of(f.lateral_over_vertical), largest_of(f.creep));
     }
     for (const SpecialCycle& s : all[b].branch.special)
       marks += fmt::format("{},{:.9g},{:.8g},{}\n", b + 1, s.at.parameter,
@@ -252,8 +308,7 @@ void run(const Wish& wish) {
   units::require_between("family", static_cast<double>(wish.family), 1,
                          static_cast<double>(hopf.size()));
   const HopfPoint& begin = hopf[static_cast<std::size_t>(wish.family - 1)];
-  std::optional<CreepLimit> creep;
-  if (wish.wheel_rail_friction) creep = CreepLimit{*wish.wheel_rail_friction, {}};
+  const std::optional<CreepLimit> creep = creep_of(wish);
   const Family family = by_speed(c.car.car(), c.table, creep);
   Patience patience(static_cast<double>(wish.patience));
   const ContinuationOptions options = options_of(wish, patience);
@@ -266,7 +321,10 @@ void run(const Wish& wish) {
   tool::Summary answer("Limit cycles of a freight car");
   describe_case(answer, wish, c);
   answer.add("creep", "creep forces",
-             creep ? fmt::format("limited by a friction of {:g}", creep->friction) : "linear");
+             creep ? fmt::format("limited by a friction of {:g}, {}", creep->friction,
+                                 wish.creep_law == "full" ? "full theory, round contact"
+                                                          : "Shen, Hedrick and Elkins")
+                   : "linear");
   flag_smoothing(answer, wish, c, wish.lowest, wish.highest);
   answer.add("hopf_m_per_s", fmt::format("critical speed {} of {}", wish.family, hopf.size()),
              begin.motion.speed, "m/s",
@@ -275,7 +333,7 @@ void run(const Wish& wish) {
     add_extent(answer, named);
     add_special(answer, named);
   }
-  if (wish.speed) add_cycles_at(answer, wish, c, family, all, options);
+  if (wish.speed) add_cycles_at(answer, wish, c, family, creep, all, options);
   patience.clear();
   if (patience.over())
     answer.flag("patience", fmt::format("the search was stopped after {} s: branches end early "
@@ -288,7 +346,7 @@ void run(const Wish& wish) {
                                          named.name, named.branch.points.back().parameter,
                                          named.branch.points.back().largest / millimetre));
   answer.print();
-  if (out) write_files(out, all, answer);
+  if (out) write_files(out, c, creep, all, answer);
   out.commit();
 }
 
@@ -306,6 +364,8 @@ std::function<void()> declare(tool::Options& options) {
   options.quantity("--speed", wish->speed, units::speed, "lists the cycles there", speeds);
   options.quantity("--wheel-rail-friction", wish->wheel_rail_friction, units::number,
                    "creep forces saturate; without it they are linear", tool::Range{0.01, 2});
+  options.choice("--creep-law", wish->creep_law, {"cubic", "full"},
+                 "how they do: by Shen, Hedrick and Elkins, or by a table of the full theory");
   std::vector<std::string> keys;
   for (const CarDatum& d : car_data()) keys.emplace_back(d.key);
   options.choice("--against", wish->against, keys, "follows the cycles of --speed in this datum");

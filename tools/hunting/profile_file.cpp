@@ -92,27 +92,67 @@ bool from_files(const PairWish& wish) {
   return !wish.wheel.empty();
 }
 
-ReadPair read_pair(const PairWish& wish) {
-  if (!from_files(wish)) return {named(wish).pair(), {}};
-  std::vector<ProfileFit> fits{{"wheel"}, {"rail"}};
-  const Curve wheel = read_profile(wish.wheel, wish, fits[0]),
-              rail = read_profile(wish.rail, wish, fits[1]);
-  require_flange(wheel, wish.wheel);
-  return {with_radius(placed_wheel(wheel, 0.5 * wish.back_to_back + wish.datum),
-                      placed_rail(rail, wish.gauge, wish.gauge_depth, wish.cant), wish.radius),
-          std::move(fits)};
+bool sides_differ(const PairWish& wish) {
+  return !wish.right_wheel.empty() || !wish.right_rail.empty() || wish.right_radius;
 }
+
+ReadPair read_pair(const PairWish& wish) {
+  if (!from_files(wish)) {
+    if (sides_differ(wish))
+      throw InputError(
+          "right wheel, right rail and right radius go with --wheel and --rail, which are the left "
+          "ones");
+    return {named(wish).pair(), {}};
+  }
+  std::vector<ProfileFit> fits;
+  const auto read = [&](const char* what, const std::filesystem::path& file) {
+    fits.push_back({what});
+    return read_profile(file, wish, fits.back());
+  };
+  const auto side = [&](const Curve& wheel, const Curve& rail, double radius) {
+    return with_radius(placed_wheel(wheel, 0.5 * wish.back_to_back + wish.datum),
+                       placed_rail(rail, wish.gauge, wish.gauge_depth, wish.cant), radius);
+  };
+  const Curve wheel = read("wheel", wish.wheel), rail = read("rail", wish.rail);
+  require_flange(wheel, wish.wheel);
+  WheelsetOnTrack left = side(wheel, rail, wish.radius);
+  if (!sides_differ(wish)) return {std::move(left), std::move(fits)};
+  const Curve other = wish.right_wheel.empty() ? wheel : read("right wheel", wish.right_wheel);
+  require_flange(other, wish.right_wheel.empty() ? wish.wheel : wish.right_wheel);
+  const WheelsetOnTrack right =
+      side(other, wish.right_rail.empty() ? rail : read("right rail", wish.right_rail),
+           wish.right_radius.value_or(wish.radius));
+  return {WheelsetOnTrack(left, right), std::move(fits)};
+}
+
+namespace {
+
+std::string key_of(const ProfileFit& fit) {
+  std::string key = fit.what;
+  std::ranges::replace(key, ' ', '_');
+  return key;
+}
+
+}  // namespace
 
 void describe_pair(tool::Summary& answer, const PairWish& wish,
                    const std::vector<ProfileFit>& fits) {
   answer.add("pair", "profiles",
              from_files(wish) ? wish.wheel.string() + " on " + wish.rail.string()
                               : wish.pair + ", of the paper, reconstructed");
+  if (sides_differ(wish)) {
+    const auto& wheel = wish.right_wheel.empty() ? wish.wheel : wish.right_wheel;
+    const auto& rail = wish.right_rail.empty() ? wish.rail : wish.right_rail;
+    answer.add(
+        "pair_right", "  on the right",
+        fmt::format("{} on {}, radius {:.6g} mm against {:.6g}", wheel.string(), rail.string(),
+                    wish.right_radius.value_or(wish.radius) / units::millimetre,
+                    wish.radius / units::millimetre));
+  }
   for (const ProfileFit& fit : fits)
     answer.add(
-        std::string(fit.what) + "_rms_mm",
-        std::string(fit.what) + ", points to smoothed profile, rms", fit.rms / units::millimetre,
-        "mm",
+        key_of(fit) + "_rms_mm", std::string(fit.what) + ", points to smoothed profile, rms",
+        fit.rms / units::millimetre, "mm",
         fmt::format("largest {:.3g} mm; scatter of the points {:.2g} mm{}",
                     fit.largest / units::millimetre, fit.scatter / units::millimetre,
                     wish.noise ? "" : fmt::format(", smoothed by {:g} times that", times_scatter)));
@@ -182,6 +222,16 @@ ConstraintFunctions table_of(const WheelsetOnTrack& pair, const PairWish& wish) 
                          .step = wish.step,
                          .average = wish.average,
                          .level = wish.level});
+}
+
+void add_right_options(tool::Options& options, PairWish& wish) {
+  options.file("--right-wheel", wish.right_wheel,
+               "profile of the right wheels; without it as the left, --wheel");
+  options.file("--right-rail", wish.right_rail,
+               "profile of the right rail; without it as the left, --rail");
+  options.quantity("--right-radius", wish.right_radius, units::length,
+                   "rolling radius of the right wheel, centred; without it as --radius",
+                   tool::Range{0.05, 5});
 }
 
 void add_pair_options(tool::Options& options, PairWish& wish) {

@@ -26,12 +26,14 @@ namespace railbook::hunting_tool {
 struct PairWish {
   std::string pair = "new";           // of the paper; used when there are no files
   std::filesystem::path wheel, rail;  // CSV: inward and height, with units; both or none
+  std::filesystem::path right_wheel, right_rail;  // where they are not the left ones
   double gauge = 56.5 * units::inch;
   double gauge_depth = 0.625 * units::inch;
   double cant = 0.025;
   double back_to_back = 1.360;
   double datum = 0.070;                // of the wheel profile's origin from the back of the flange
   double radius = 16.5 * units::inch;  // rolling radius, centred
+  std::optional<double> right_radius;  // of the right wheel
   double half_spacing = 29.76 * units::inch;
   std::optional<double> noise;  // rms distance that the smoothing takes; without it from the points
   double smoothing = 1;         // times that
@@ -42,6 +44,10 @@ struct PairWish {
 };
 
 void add_pair_options(tool::Options& options, PairWish& wish);
+
+// The options for a right side of its own.
+void add_right_options(tool::Options& options, PairWish& wish);
+bool sides_differ(const PairWish& wish);
 
 // Whether profiles come from files.
 bool from_files(const PairWish& wish);
