@@ -1,16 +1,16 @@
 /***
 ### The paper's algorithm, and where it fails
 
-The paper's flow chart has two loops. Inside: take the gains for the present shape and frequency, compute the car's eigenvectors, accept the least damped one as the next shape, scale it to
+The paper's flow chart has two loops. Inside: take the gains for the present shape and frequency, take the car's least damped eigenvector as the next shape, scale it to
 the amplitude wanted, and repeat until it reproduces itself. Outside: extrapolate the growth rate linearly in speed to zero. A footnote admits that "in a few
-cases" the least damped eigenvector is not reproducible, and that the next one is used then.
+cases" the least damped eigenvector does not reproduce itself, and that the next one is used then.
 
 {{code: dynamics/eigenvector_loop.cpp Loop}}
 
-{{fig-loop}} runs it on new wheels, in steps of 0.01 in of amplitude, each started from the last result. On the tread it takes one eigenvalue problem. At {{loop-lost}} it stops converging: trucks have
+{{fig-loop}} runs it on new wheels, in steps of 0.01 in of amplitude, each started from the last result. At {{loop-lost}} it stops converging: trucks have
 modes in nearly equal pairs, and the least damped takes turns between the front truck, the rear truck and both together. From {{loop-found}} on it converges
 again, now on the *other* family: {{loop-front}} at the front, {{loop-rear}} at the rear. That may be how the paper came to its fishtailing mode and its abrupt
-change of shape; its own curves are lost, so this is an inference. The footnote's variant follows the second family from the beginning and is lost above.
+change of shape; its own curves are lost, so this is an inference.
 
 {{fig-loop}}
 
@@ -79,18 +79,14 @@ void loop_claims(report::Item& item) {
   const auto lost = std::find_if(s.begin(), s.end(), [](const Step& t) { return !t.good(); });
   const auto again = std::find_if(lost, s.end(), [](const Step& t) { return t.good(); });
   const auto good = std::ranges::count_if(s, &Step::good);
-  item.claim("converges",
-             "generally the iteration will converge (at more than three of four amplitudes)",
-             double(good) > 0.75 * amplitudes, fmt::format("at {} of {}", good, amplitudes));
+  claim(item, "converges", double(good) > 0.75 * amplitudes,
+        fmt::format("at {} of {}", good, amplitudes));
   const auto size = wheelset_amplitudes(vehicle("new").car.car(), again->result.cycle.shape);
-  item.refute("all-cycles", "the process provides all possible limit cycles, stable and unstable",
-              std::min(size[0], size[2]) < words::small * std::max(size[0], size[2]),
-              fmt::format("from {:.2f} in on it is on the second family and misses the first",
-                          again->inches));
-  item.claim("needs-development",
-             "the algorithms need development to improve their convergence to the correct mode",
-             lost < again,
-             fmt::format("lost from {:.2f} to {:.2f} in", lost->inches, again->inches));
+  refute(item, "all-cycles", std::min(size[0], size[2]) < words::small * std::max(size[0], size[2]),
+         fmt::format("from {:.2f} in on it is on the second family and misses the first",
+                     again->inches));
+  claim(item, "needs-development", lost < again,
+        fmt::format("lost from {:.2f} to {:.2f} in", lost->inches, again->inches));
   item.value("loop-lost", lost->inches, "in", "{:.2f}");
   item.value("loop-found", again->inches, "in", "{:.2f}");
   item.value("loop-front", size[0] / inch, "in", "{:.3f}");

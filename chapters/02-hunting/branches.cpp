@@ -11,16 +11,15 @@ The rule looks at one mode only, the cycle's own. The thick lines are the branch
 
 {{include: answer.cpp}}
 
-With new wheels the branch goes straight up at 145 ft/s until the flange is met at {{flange-new}} and then runs far to
-the right; the equations' branch turns earlier and is stable to {{torus-speed}} only.
-With CN wheels there is a lower region, where one truck has met the flange and the other has not, and a higher one with both, on a falling branch and unstable.
-The Heumann wheel has its small stable cycle without flange contact, the paper's "limited range of speeds".
-With friction the sticking car is nearly one rigid body, and its cycles come down to {{friction-fold}} (a minimum that hangs on the sticking rate).
+With new wheels the flange is met at {{flange-new}}; from there the describing functions' branch runs far to the right, while that of the equations is stable to {{torus-speed}} only.
+With CN wheels there is a lower region, where one truck has met the flange, and a higher one with both, on a falling branch and unstable.
+The Heumann wheel has a small stable cycle without flange contact, in the paper's "limited range of speeds".
+With friction the cycles come down to {{friction-fold}}, a minimum that hangs on the sticking rate.
 
 {{claims}}
 
 **The frequency on the flange.** "For all three wheel profiles, frequencies for limit cycles with flange contact approach a single high value in the
-neighborhood of 30.5 rad/s." The paper does not say at which amplitude. At 0.6 in, well up the flange, the describing functions have about one frequency for all three; the full equations have lower ones, farther apart, because a cycle that is
+neighborhood of 30.5 rad/s." The paper does not say at which amplitude. At 0.6 in, well up the flange, the describing functions have about one frequency; the full equations have lower ones, farther apart, for a cycle
 driven from wall to wall is no sine.
 
 {{flange-frequency}}
@@ -114,24 +113,19 @@ void geometry_claims(report::Item& item) {
     return speeds(v, [&](const CyclePoint& p) { return p.stable && p.largest > v.flange; });
   };
   const Range v = tread(fresh), a = tread(cn), b = tread(heumann);
-  item.claim("vertical", "new wheels: the curve is vertical until the flange contacts",
-             v.width() < words::drawn * v.low,
-             fmt::format("{}, up to {:.2f} in", text(v), fresh.flange / inch));
-  item.claim("variation", "CN A and Heumann: slightly more variation, and still small",
-             std::min(a.width(), b.width()) > v.width() && a.width() < words::nearly * a.low &&
-                 b.width() < words::nearly * b.low,
-             fmt::format("CN A {}, Heumann {}", text(a), text(b)));
+  claim(item, "vertical", v.width() < words::drawn * v.low,
+        fmt::format("{}, up to {:.2f} in", text(v), fresh.flange / inch));
+  claim(item, "variation",
+        std::min(a.width(), b.width()) > v.width() && a.width() < words::nearly * a.low &&
+            b.width() < words::nearly * b.low,
+        fmt::format("CN A {}, Heumann {}", text(a), text(b)));
   const Range n = stable_flange(fresh), r = stable_flange(cn),
               h = speeds(heumann, [&](auto&p) { return p.stable && p.largest < heumann.flange; });
-  item.claim("far-right",
-             "new wheels: by the paper's rule the stable cycles extend to a high speed",
-             n.high * foot > words::much * fresh.hopf[0].motion.speed, text(n));
-  item.claim("smaller-range", "the speed range of stable cycles is smaller for CN A and Heumann",
-             std::max(r.width(), h.width()) < n.width(),
-             fmt::format("CN A {}, Heumann {}", text(r), text(h)));
-  item.claim("heumann-window", "Heumann: stable cycles without flange contact in a limited range",
-             h.high > h.low && h.width() < words::nearly * h.low,
-             fmt::format("{}; the flange is met at {:.2f} in", text(h), heumann.flange / inch));
+  claim(item, "far-right", n.high * foot > words::much * fresh.hopf[0].motion.speed, text(n));
+  claim(item, "smaller-range", std::max(r.width(), h.width()) < n.width(),
+        fmt::format("CN A {}, Heumann {}", text(r), text(h)));
+  claim(item, "heumann-window", h.high > h.low && h.width() < words::nearly * h.low,
+        fmt::format("{}; the flange is met at {:.2f} in", text(h), heumann.flange / inch));
   // A region is another one when it begins a tenth of the amplitude beyond the last.
   int regions = 0;
   double up_to = 0;
@@ -140,22 +134,18 @@ void geometry_claims(report::Item& item) {
       regions += p.largest > (1 + words::nearly) * up_to;
       up_to = std::max(up_to, p.largest);
     }
-  item.refute("cn-regions", "CN A: stable cycles in two distinct regions of flange contact",
-              regions < 2,
-              fmt::format("by the paper's own rule one region, up to {:.3f} in", up_to / inch));
+  refute(item, "cn-regions", regions < 2,
+         fmt::format("by the paper's own rule one region, up to {:.3f} in", up_to / inch));
   const auto low = at_amplitude(cn, 0.42).amplitude, high = at_amplitude(cn, 0.48).amplitude;
-  item.refute("cn-rear", "CN A, lower region: only a wheelset of the rear truck touches",
-              low[0] > cn.flange && low[0] > low[2],
-              fmt::format("the front truck's does: {:.3f} in at the front, {:.3f} at the rear",
-                          low[0] / inch, low[2] / inch));
-  item.claim("cn-both", "CN A, higher region: a wheelset of each truck touches",
-             std::min(high[0], high[2]) > cn.flange,
-             fmt::format("{:.3f} and {:.3f} in", high[0] / inch, high[2] / inch));
+  refute(item, "cn-rear", low[0] > cn.flange && low[0] > low[2],
+         fmt::format("the front truck's does: {:.3f} in at the front, {:.3f} at the rear",
+                     low[0] / inch, low[2] / inch));
+  claim(item, "cn-both", std::min(high[0], high[2]) > cn.flange,
+        fmt::format("{:.3f} and {:.3f} in", high[0] / inch, high[2] / inch));
   const auto body = [&](std::size_t k) { return std::abs(fresh.hopf[k].motion.shape[X_C]); };
-  item.claim("secondary", "there are secondary limit cycles at higher speeds, of another shape",
-             fresh.hopf.size() > 1 && body(1) < words::small * body(0),
-             fmt::format("from {:.1f} ft/s on; body over wheelset {:.2f} instead of {:.2f}",
-                         fresh.hopf[1].motion.speed / foot, body(1), body(0)));
+  claim(item, "secondary", fresh.hopf.size() > 1 && body(1) < words::small * body(0),
+        fmt::format("from {:.1f} ft/s on; body over wheelset {:.2f} instead of {:.2f}",
+                    fresh.hopf[1].motion.speed / foot, body(1), body(0)));
 }
 
 void friction_claims(report::Item& item) {
@@ -164,39 +154,27 @@ void friction_claims(report::Item& item) {
   const Range small = speeds(friction, [&](const CyclePoint& p) { return p.largest < low; });
   const Range large = speeds(
       friction, [&](const CyclePoint& p) { return p.largest > low && p.largest < cn.flange; });
-  item.claim("friction-low", "friction: at low amplitude the speeds are reduced drastically",
-             small.low < linear / words::much,
-             fmt::format("from {:.0f} ft/s on, {:.1f} in the linear car", small.low, linear));
+  claim(item, "friction-low", small.low < linear / words::much,
+        fmt::format("from {:.0f} ft/s on, {:.1f} in the linear car", small.low, linear));
   double largest = 0;
   for (const auto& p : friction.main_branch().points)
     if (p.stable && speed_of(p) * words::much < linear) largest = std::max(largest, p.largest);
-  item.claim(
-      "friction-stable",
-      "friction: stable cycles at low speeds have very low amplitudes (below half of what "
-      "the flange allows)",
-      largest > 0 && largest < low,
-      fmt::format("up to {:.3f} in below {:.0f} ft/s", largest / inch, linear / words::much));
-  item.claim("friction-large",
-             "friction: at larger amplitudes the speeds are closer to the linear one, and below it",
-             large.high > small.low && large.high < linear, text(large));
+  claim(item, "friction-stable", largest > 0 && largest < low,
+        fmt::format("up to {:.3f} in below {:.0f} ft/s", largest / inch, linear / words::much));
+  claim(item, "friction-large", large.high > small.low && large.high < linear, text(large));
   const auto touching = at_amplitude(friction, 0.42);
-  item.refute(
-      "friction-flange", "friction: the cycles with flange contact are stable", !touching.stable,
-      fmt::format("at 0.42 in speed falls with amplitude ({:.1f} ft/s)", speed_of(touching)));
+  refute(item, "friction-flange", !touching.stable,
+         fmt::format("at 0.42 in speed falls with amplitude ({:.1f} ft/s)", speed_of(touching)));
   const double stuck = stroke(friction, at_amplitude(friction, 0.02)),
                sliding = stroke(friction, at_amplitude(friction, 0.3));
-  item.claim(
-      "friction-rigid", "friction: at low amplitude the car moves more as one rigid body",
-      stuck < sliding,
+  claim(
+      item, "friction-rigid", stuck < sliding,
       fmt::format("stroke over truck motion {:.4f} at 0.02 in, {:.4f} at 0.3 in", stuck, sliding));
   CarParameters less;
   less.damper_travel *= 0.5, less.damper_angle *= 0.5;
   const double slower = first_critical(less, cn).speed;
-  item.claim("equivalent-too-large",
-             "friction: equivalent amplitudes and frequencies were too large: half of them bring "
-             "the linear car nearer",
-             std::abs(slower - large.high) < std::abs(linear - large.high),
-             fmt::format("{:.1f} ft/s with half, {:.1f} with all", slower, linear));
+  claim(item, "equivalent-too-large", std::abs(slower - large.high) < std::abs(linear - large.high),
+        fmt::format("{:.1f} ft/s with half, {:.1f} with all", slower, linear));
 }
 
 void claims(report::Item& item) {
@@ -229,14 +207,13 @@ void flange_frequency(report::Item& item) {
   };
   item.print("flange-frequency", "mean of the three by describing functions, 0.6 in", "rad/s",
              "30.5", mean, report::relative(words::nearly, "\"in the neighborhood\" of it"));
-  item.claim("flange-single", "with flange contact all three frequencies approach a single value",
-             quasi.high < (1 + words::nearly) * quasi.low,
-             between(quasi, "by describing functions"));
-  item.refute("flange-true", "the same by the full equations",
-              exact.high > (1 + words::nearly) * exact.low, between(exact, "near the same cycles"));
-  item.claim("flange-high", "it is a high value: above those of the tread",
-             std::min(quasi.low, exact.low) > vehicle("heumann").hopf[0].motion.lambda.imag(),
-             "by describing functions and by the full equations");
+  claim(item, "flange-single", quasi.high < (1 + words::nearly) * quasi.low,
+        between(quasi, "by describing functions"));
+  refute(item, "flange-true", exact.high > (1 + words::nearly) * exact.low,
+         between(exact, "near the same cycles"));
+  claim(item, "flange-high",
+        std::min(quasi.low, exact.low) > vehicle("heumann").hopf[0].motion.lambda.imag(),
+        "by describing functions and by the full equations");
 }
 
 }  // namespace

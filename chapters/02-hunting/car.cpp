@@ -43,7 +43,7 @@ and Poisson's ratio 0.3 (radius and steel are assumptions), times Kalker's table
 
 {{creep-coefficients}}
 
-Three agree with the print, which settles the exponents of $f_{11}$ and $f_{33}$ and that the values are full ones. For $f_{22}$ the
+Three agree with the print, which settles two exponents and that the values are full ones. For $f_{22}$ the
 ellipse gives {{f22}}. The printed $f_{11}$ and $f_{12}$ give it without crown, load and modulus, because $f_{22}f_{11}/f_{12}^2=C_{33}C_{22}/C_{23}^2$ hangs on the
 ellipse's shape alone: {{f22-print}}. The reading is 42.1. The computations below use an earlier reading, 82.1; the critical speed with new wheels differs by {{f22-effect}}.
 */
@@ -139,10 +139,8 @@ void creep_coefficients(report::Item& item) {
                               report::absolute(5, "half of the way to the next readings")));
   Range times;
   for (const double t : {print.f11 / f.f11, print.f33 / f.f33, print.f12 / f.f12}) times.add(t);
-  item.claim(
-      "full-kalker", "the creep coefficients are full Kalker values",
-      times.low > 1 - words::nearly && times.high < 1 + words::nearly,
-      fmt::format("{:.2f} to {:.2f} times those of Hertz and Kalker", times.low, times.high));
+  claim(item, "full-kalker", times.low > 1 - words::nearly && times.high < 1 + words::nearly,
+        fmt::format("{:.2f} to {:.2f} times those of Hertz and Kalker", times.low, times.high));
   CarParameters other;
   other.f22 *= 42.1 / 82.1;
   const Vehicle& fresh = vehicle("new");

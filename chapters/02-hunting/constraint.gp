@@ -1,6 +1,6 @@
 # ARG1: constraint functions; ARG3, ARG4: wheel and rail; ARG5: lines that join points that touch; ARG6: two-point contact.
 load "style.gp"
-set terminal pngcairo size 1000,620 font "DejaVu Sans,14" enhanced background rgb "white"
+set terminal pngcairo size 1000,530 font "DejaVu Sans,14" enhanced background rgb "white"
 set output ARG2
 set multiplot
 set xrange [0:0.025]

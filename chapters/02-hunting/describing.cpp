@@ -99,31 +99,22 @@ void describing_claims(report::Item& item) {
   const double flange = fresh.flange / inch, tread = gain(fresh, R, small),
                before = gain(fresh, R, flange) / tread,
                after = gain(fresh, R, (1 + words::nearly) * flange) / tread;
-  item.claim(
-      "df-tread",
-      "nearly constant for small motions, and rising rapidly on the flange (new wheel, R, by "
-      "several times within a tenth of the amplitude)",
-      std::abs(before - 1) < words::nearly && after > words::several,
-      fmt::format("{:.4f} times its first value before, {:.1f} times after", before, after));
-  item.claim("df-maximum",
-             "the largest values come near the steepest portion of the flange (within a tenth)",
-             ratio.low > 1 - words::nearly && ratio.high < 1 + words::nearly,
-             fmt::format("N_D is largest at {:.2f} to {:.2f} of the displacement where D is",
-                         ratio.low, ratio.high));
-  item.claim("df-beyond", "beyond that they decrease", falls,
-             "at the table's end all three N_D are past their largest");
+  claim(item, "df-tread", std::abs(before - 1) < words::nearly && after > words::several,
+        fmt::format("{:.4f} times its first value before, {:.1f} times after", before, after));
+  claim(item, "df-maximum", ratio.low > 1 - words::nearly && ratio.high < 1 + words::nearly,
+        fmt::format("N_D is largest at {:.2f} to {:.2f} of the displacement where D is", ratio.low,
+                    ratio.high));
+  claim(item, "df-beyond", falls, "at the table's end all three N_D are past their largest");
   const auto apart = [&](double at) { return gain(heumann, R, at) / gain(fresh, R, at); };
-  item.claim("df-differences", "the major differences show up at small amplitudes",
-             apart(small) > words::much * apart(large),
-             fmt::format("N_R, Heumann over new: {:.1f} at 0.05 in, {:.1f} at 0.75 in",
-                         apart(small), apart(large)));
+  claim(item, "df-differences", apart(small) > words::much * apart(large),
+        fmt::format("N_R, Heumann over new: {:.1f} at 0.05 in, {:.1f} at 0.75 in", apart(small),
+                    apart(large)));
   double dip = 10, dip_at = 0;
   for (double at = 0.05; at < heumann.flange / inch; at += 0.001)
     if (const double n = gain(heumann, R, at); n < dip) dip = n, dip_at = at;
   const double part = dip / gain(heumann, R, 0.17);
-  item.claim("conicity-dip",
-             "Heumann: the conicity, N_R, falls with amplitude before the flange is met", part < 1,
-             fmt::format("to {:.3f} of its value at 0.17 in, at {:.2f} in", part, dip_at));
+  claim(item, "conicity-dip", part < 1,
+        fmt::format("to {:.3f} of its value at 0.17 in, at {:.2f} in", part, dip_at));
   item.value("friction-difference",
              100 * (1 - regularized_friction(1, 0.1, 1).value / ideal_friction(1, 1).value), "%",
              "{:.2f}");

@@ -1,6 +1,6 @@
 # ARG1, ARG3 to ARG5: describing functions of the four cars; ARG6: branches of the equations, a block a car; ARG7: their special points.
 load "style.gp"
-set terminal pngcairo size 900,640 font "DejaVu Sans,14" enhanced background rgb "white"
+set terminal pngcairo size 900,610 font "DejaVu Sans,14" enhanced background rgb "white"
 set output ARG2
 set xlabel "speed V, ft/s"
 set ylabel "largest wheelset amplitude A, in"

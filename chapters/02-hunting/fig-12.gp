@@ -1,5 +1,5 @@
 load "style.gp"
-set terminal pngcairo size 900,720 font "DejaVu Sans,14" enhanced background rgb "white"
+set terminal pngcairo size 900,640 font "DejaVu Sans,14" enhanced background rgb "white"
 set output ARG2
 set multiplot layout 3,1
 set tmargin 1.6

@@ -1,5 +1,5 @@
 load "style.gp"
-set terminal pngcairo size 900,500 font "DejaVu Sans,14" enhanced background rgb "white"
+set terminal pngcairo size 900,430 font "DejaVu Sans,14" enhanced background rgb "white"
 set output ARG2
 set xlabel "speed V, ft/s"
 set ylabel "largest wheelset amplitude A, in"

@@ -1,5 +1,5 @@
 load "style.gp"
-set terminal pngcairo size 900,410 font "DejaVu Sans,14" enhanced background rgb "white"
+set terminal pngcairo size 900,355 font "DejaVu Sans,14" enhanced background rgb "white"
 set output ARG2
 set xlabel "amplitude of the wheelset A, in"
 set ylabel "describing function, per x_w/a"

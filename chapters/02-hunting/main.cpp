@@ -7,15 +7,13 @@
 3. The paper claims that its creep coefficients are Kalker's full values. Result: Hertz's ellipse and Kalker's table give them to a few percent, which restores two exponents and a digit that our copy lost. {{outcome:creep-coefficients/f12}}
 :::
 
-Above some speed a railway car does not run straight: its wheelsets weave from flange to flange, a steady
-oscillation that nothing outside drives. R. Hull and N. K. Cooperrider asked in 1976 at which speeds an empty
-North American freight car does so, how far it swings, and what the profiles of wheel and rail have to do
-with it. The motion is a *limit cycle* of a nonlinear system, and they found it with describing functions: replace
-every nonlinear function by the gain that a sine of the amplitude in question would feel, and look for the
-speed at which that amplitude neither grows nor dies.
+Above some speed a railway car does not run straight: its wheelsets weave from flange to flange, a *limit cycle* that nothing outside
+drives. R. Hull and N. K. Cooperrider asked in 1976 at which speeds an empty North American freight car does so, how far it swings, and
+what the profiles of wheel and rail have to do with it. They used describing functions: replace every nonlinear function by the gain
+that a sine of the amplitude in question would feel, and look for the speed at which that amplitude neither grows nor dies.
 
 The paper's figures, its measured profiles and part of its table of data are lost or illegible in the copy that is available. This
-chapter rebuilds profiles that fit what the text says of them and marks what rests on them. What is left to test are four frequencies, a critical speed, and many statements in words.
+chapter rebuilds profiles that fit what the text says of them and marks what rests on them.
 
 {{include: geometry.cpp}}
 
@@ -51,25 +49,20 @@ chapter rebuilds profiles that fit what the text says of them and marks what res
 * *The body moves much with new wheels because the frequency is below its lateral resonance*: {{outcome:mode-claims/below-resonance}}.
 * *The algorithm provides all possible limit cycles*: {{outcome:loop-claims/all-cycles}}.
 * *All slopes with CN wheels are about three times those with new ones*: for the roll angle {{outcome:geometry-claims/cn-roll-slope}}, as the paper itself says later.
-* $a$ is called half the gauge. Its value in Table 2 is the half distance of the rails' heads, {{half-spacing}}, and is read so.
 
 ## Limits
 
-**Geometry.** Wheelset and rails are rigid and both sides are alike; yaw of the wheelset, which moves the contact of a
-steep flange ahead of the axle, is left out, as in the paper. The contact is the point of the least *vertical* gap of
-two curves in one plane; how tread and flange share the load needs an elastic model.
+**Geometry.** Wheelset and rails are rigid and both sides are alike; yaw of the wheelset is left out, as in the paper. The contact is the
+point of the least *vertical* gap of two curves in one plane; how tread and flange share the load needs an elastic model.
 
 **Limit cycles.** Creep is linear: on the flange the creep forces asked for are several times what friction could
-carry, so that amplitudes above flange contact are academic, as in the paper. Overturning of
-the body by gravity, the sideways clearances of the truck and the vertical dynamics are left out. Friction is regularized,
+carry, so that amplitudes above flange contact are academic, as in the paper. Friction is regularized,
 and results at hundredths of an inch depend on how. Only odd cycles are searched for, and only along branches from critical speeds.
 
 ## Try next
 
 * Continue the cycles in another datum than speed (`dynamics::by_datum`); the centre plates' friction would be the first to try.
-* Follow the torus: a Poincaré section of the integration at 154 ft/s, and where it breaks.
-* `railbook hunting geometry` with `worn-wheel.csv` on `new-rail.csv` of the examples, and then with `--gauge 57in`:
-  a worn wheel's conicity hangs on half an inch of gauge.
+* `railbook hunting geometry` with another `--gauge`: a worn wheel's conicity hangs on half an inch of it.
 * `railbook hunting cycle --pair cn --suspension friction`: that is the first family; the one of {{fig-11}} comes with `--family 2`.
 */
 

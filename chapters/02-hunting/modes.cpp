@@ -1,9 +1,7 @@
 /***
 ### Mode shapes
 
-{{fig-12}} is the paper's Figure 12: for new wheels, each motion over that of the rear truck, and the frequency, against amplitude.
-On the tread nothing changes, as the cone is straight. When the flange is met the shape changes abruptly.
-
+{{fig-12}} shows, for new wheels, each motion over that of the rear truck, and the frequency. On the tread nothing changes, as the cone is straight; when the flange is met the shape changes abruptly.
 The paper's "limiting mode with flange contact" is fishtailing: the rear truck swings, the front truck and the body hardly move. It is not on the branch that begins at the first
 critical speed, whose trucks stay together all the way. It is on the **second** family, and its mirror image exists too: exchanging front and rear
 changes nothing in the equations but the coupling through the centre plates.
@@ -11,8 +9,7 @@ changes nothing in the equations but the coupling through the centre plates.
 {{fig-12}}
 
 The paper explains the body's large motion with new wheels by a frequency below the resonance of the body's lateral motion. With its own data the body on its lateral
-springs, trucks held, has {{body-frequency}}, *below* the 12 rad/s of the cycle, and the fitted dampers hold it at {{body-damping}} of critical damping. The body
-goes along because the dampers carry it.
+springs, trucks held, has {{body-frequency}}, *below* the 12 rad/s of the cycle; it goes along because the dampers, {{body-damping}} critical, carry it.
 
 {{mode-claims}}
 */
@@ -76,41 +73,34 @@ void tread_claims(report::Item& item) {
     return fmt::format("{:.3f}, {:.3f}, {:.3f}", relative(wheels[0], coordinate),
                        relative(wheels[1], coordinate), relative(wheels[2], coordinate));
   };
-  item.claim("body-new", "new wheels: the body's lateral motion is large against the rear truck's",
-             relative(fresh, X_C) > 1 / words::much, fmt::format("{:.2f}", relative(fresh, X_C)));
-  item.claim("body-worn", "worn wheels: the body's lateral motion is insignificant",
-             std::max(relative(cn, X_C), relative(heumann, X_C)) < words::nearly,
-             fmt::format("CN A {:.2f}, Heumann {:.2f}", relative(cn, X_C), relative(heumann, X_C)));
-  item.claim("trucks-equal", "before the flange both trucks have about the same amplitude",
-             std::ranges::all_of(wheels,
-                                 [](const CyclePoint& p) {
-                                   const double front = relative(p, X_TF);
-                                   return std::min(front, 1 / front) > 1 - words::nearly;
-                                 }),
-             three(X_TF));
+  claim(item, "body-new", relative(fresh, X_C) > 1 / words::much,
+        fmt::format("{:.2f}", relative(fresh, X_C)));
+  claim(item, "body-worn", std::max(relative(cn, X_C), relative(heumann, X_C)) < words::nearly,
+        fmt::format("CN A {:.2f}, Heumann {:.2f}", relative(cn, X_C), relative(heumann, X_C)));
+  claim(item, "trucks-equal",
+        std::ranges::all_of(wheels,
+                            [](const CyclePoint& p) {
+                              const double front = relative(p, X_TF);
+                              return std::min(front, 1 / front) > 1 - words::nearly;
+                            }),
+        three(X_TF));
   const auto larger = [&](int k) {
     return relative(fresh, k) < std::min(relative(cn, k), relative(heumann, k));
   };
-  item.claim("yaw-and-warp",
-             "truck yaw and warp are small with new wheels and larger with worn ones",
-             larger(TH_TR) && larger(TH_WR),
-             fmt::format("yaw {} rad/ft; warp {}", three(TH_TR), three(TH_WR)));
+  claim(item, "yaw-and-warp", larger(TH_TR) && larger(TH_WR),
+        fmt::format("yaw {} rad/ft; warp {}", three(TH_TR), three(TH_WR)));
   Range body;
   for (const auto& p : vehicle("new").branches[0].points)
     if (p.neutral) body.add(relative(p, X_C));
-  item.claim("constant-on-tread", "new wheels: the shape is constant before the flange",
-             body.high / body.low - 1 < words::drawn,
-             fmt::format("X_C/X_TR {:.4f} to {:.4f}", body.low, body.high));
+  claim(item, "constant-on-tread", body.high / body.low - 1 < words::drawn,
+        fmt::format("X_C/X_TR {:.4f} to {:.4f}", body.low, body.high));
   const double change = std::abs(relative(cycle("cn", 0.3), X_C) / relative(cn, X_C) - 1);
-  item.claim("varies-worn", "worn wheels: the shape is not constant on the tread",
-             change > words::drawn,
-             fmt::format("CN A: X_C/X_TR changes by {:.1f} % from 0.1 to 0.3 in", 100 * change));
+  claim(item, "varies-worn", change > words::drawn,
+        fmt::format("CN A: X_C/X_TR changes by {:.1f} % from 0.1 to 0.3 in", 100 * change));
   const Held held = body_alone();
   const double omega = fresh.motion.lambda.imag();
-  item.refute("below-resonance",
-              "new wheels: the frequency is below the resonance of the body's lateral motion",
-              omega > held.frequency,
-              fmt::format("{:.1f} rad/s, the body on its springs {:.1f}", omega, held.frequency));
+  refute(item, "below-resonance", omega > held.frequency,
+         fmt::format("{:.1f} rad/s, the body on its springs {:.1f}", omega, held.frequency));
   item.value("body-frequency", held.frequency, "rad/s", "{:.1f}");
   item.value("body-damping", held.damping, "times", "{:.1f}");
 }
@@ -120,43 +110,34 @@ void flange_claims(report::Item& item) {
   const double flange = v.flange / inch;
   const auto before = cycle("new", flange), after = cycle("new", (1 + words::nearly) * flange),
              far = cycle("new", 0.5), fish = cycle("new", 0.48, 1), rear = cycle("new", 0.45, 1);
-  item.claim("abrupt",
-             "new wheels: the shape changes abruptly when the flange is met (much, within a tenth "
-             "of the amplitude)",
-             relative(after, X_C) < relative(before, X_C) / words::much,
-             fmt::format("X_C/X_TR {:.2f} at {:.2f} in, {:.2f} at {:.2f} in", relative(before, X_C),
-                         before.largest / inch, relative(after, X_C), after.largest / inch));
+  claim(item, "abrupt", relative(after, X_C) < relative(before, X_C) / words::much,
+        fmt::format("X_C/X_TR {:.2f} at {:.2f} in, {:.2f} at {:.2f} in", relative(before, X_C),
+                    before.largest / inch, relative(after, X_C), after.largest / inch));
   const double low = before.motion.lambda.imag(), high = far.motion.lambda.imag();
-  item.claim("follow-conicity",
-             "frequency, truck yaw and warp follow the conicity: they rise with it on the flange",
-             high > low && relative(far, TH_TR) > relative(before, TH_TR) &&
-                 relative(far, TH_WR) > relative(before, TH_WR),
-             fmt::format("to 0.5 in: {:.1f} to {:.1f} rad/s, yaw {:.3f} to {:.3f}, warp {:.3f} to "
-                         "{:.3f} rad/ft",
-                         low, high, relative(before, TH_TR), relative(far, TH_TR),
-                         relative(before, TH_WR), relative(far, TH_WR)));
-  item.claim("fishtailing",
-             "new wheels on the flange: the rear truck swings, front truck and body hardly do",
-             std::max(relative(fish, X_TF), relative(fish, X_C)) < words::small,
-             fmt::format("second family, 0.48 in: X_TF {:.3f}, X_C {:.3f} of X_TR",
-                         relative(fish, X_TF), relative(fish, X_C)));
+  claim(item, "follow-conicity",
+        high > low && relative(far, TH_TR) > relative(before, TH_TR) &&
+            relative(far, TH_WR) > relative(before, TH_WR),
+        fmt::format("to 0.5 in: {:.1f} to {:.1f} rad/s, yaw {:.3f} to {:.3f}, warp {:.3f} to "
+                    "{:.3f} rad/ft",
+                    low, high, relative(before, TH_TR), relative(far, TH_TR),
+                    relative(before, TH_WR), relative(far, TH_WR)));
+  claim(item, "fishtailing", std::max(relative(fish, X_TF), relative(fish, X_C)) < words::small,
+        fmt::format("second family, 0.48 in: X_TF {:.3f}, X_C {:.3f} of X_TR", relative(fish, X_TF),
+                    relative(fish, X_C)));
   Motion swapped = rear.motion;
   for (const int k : {X_TF, TH_TF, TH_WF}) std::swap(swapped.shape[k], swapped.shape[k + 1]);
   swapped.shape[TH_C] *= -1;
   const auto front = find_cycle(v.car, swapped, 0.45 * inch);
   const Motion &m = front.cycle.motion, &r = rear.motion;
   const auto same = [](double a, double b) { return std::abs(a / b - 1) < words::drawn; };
-  item.claim("mirrored",
-             "the other mode has the same velocity and frequency, with large motions of the front "
-             "truck instead",
-             front.converged &&
-                 front.cycle.amplitude[2] < words::small * front.cycle.amplitude[0] &&
-                 same(m.speed, r.speed) && same(m.lambda.imag(), r.lambda.imag()),
-             fmt::format("rear {:.2f} ft/s and {:.2f} rad/s, front {:.2f} and {:.2f}, at 0.45 in",
-                         r.speed / foot, r.lambda.imag(), m.speed / foot, m.lambda.imag()));
+  claim(item, "mirrored",
+        front.converged && front.cycle.amplitude[2] < words::small * front.cycle.amplitude[0] &&
+            same(m.speed, r.speed) && same(m.lambda.imag(), r.lambda.imag()),
+        fmt::format("rear {:.2f} ft/s and {:.2f} rad/s, front {:.2f} and {:.2f}, at 0.45 in",
+                    r.speed / foot, r.lambda.imag(), m.speed / foot, m.lambda.imag()));
   const double body = std::abs(m.shape[X_C]) / std::abs(r.shape[X_C]);
-  item.claim("mirrored-body", "in both the body's motion is about the same",
-             std::abs(body - 1) < words::nearly, fmt::format("{:.3f} times", body));
+  claim(item, "mirrored-body", std::abs(body - 1) < words::nearly,
+        fmt::format("{:.3f} times", body));
 }
 
 void mode_claims(report::Item& item) {

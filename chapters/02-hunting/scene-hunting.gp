@@ -2,6 +2,6 @@ load "style.gp"
 set output ARG2
 load "scene.gp"
 set style textbox opaque noborder margins 0.6,0.3
-set label 99 "new wheels, 150 ft/s; motions 40 times enlarged (reconstructed profiles)" at 20, 630 front
+set label 99 "new wheels, 150 ft/s; motions 40 times enlarged (reconstructed profiles)" at 20, 540 front
 plot ARG1 binary filetype=png flipy with rgbimage, \
      ARG3 using "x_px":"y_px":"label" with labels left boxed font ",14"

@@ -94,7 +94,7 @@ void scene_hunting(report::Item& item) {
          q[TH_TF + t] + q[TH_WF + t], q[PHI_C]});
   }
   add_body(drawing, l + 1.6, {0, q[X_C], h, q[TH_C], q[PHI_C]});
-  const scene::Size size{1000, 650};
+  const scene::Size size{1000, 560};
   const auto camera = scene::looking_at(drawing, {1.0, -0.9, 0.8}, size, true);
   drawing::labelled(item, "scene-hunting.gp", drawing, camera, size,
                     {{{l + 2.2, -car.half_gauge, 0.1}, "rail"},

@@ -2,7 +2,7 @@
 ## Are the cycles stable? The full equations
 
 The paper asks for "validation of the quasi-linear results by comparison with numerical integration". The branches of the full equations in {{fig-11}} are followed by harmonic balance, with as many
-harmonics as each cycle needs, in steps along the branch. At each point the flow's derivative over a period multiplies a small disturbance by its eigenvalues, the Floquet multipliers $\mu$. The cycle is
+harmonics as each cycle needs. At each point the flow's derivative over a period multiplies a small disturbance by its eigenvalues, the Floquet multipliers $\mu$. The cycle is
 stable if all of them, but for the 1 of a shift along the cycle, lie inside the unit circle; where one leaves it the point is located.
 
 {{code: dynamics/continuation.cpp follow_from_hopf}}
@@ -13,10 +13,8 @@ stable if all of them, but for the 1 of a shift along the cycle, lie inside the 
 stable. Their amplitude is right within {{df-error-new}} for the new wheel at 150 ft/s, {{df-error-cn}} for CN at 131.5 and {{df-error-friction}} with friction at 100 ft/s. **What they invent** is how far
 that goes. With new wheels they promise stable cycles to {{fold-quasi-new}}; the equations' branch turns at {{fold-new}}, and from {{torus-speed}} on, {{torus-above}} above the
 critical speed, its cycles are unstable: a *torus* bifurcation, a second frequency that grows on the cycle. With CN wheels the two folds are near one another,
-{{fold-quasi-cn}} and {{fold-cn}}, and stability ends at {{cn-end}}.
-
-At 160 ft/s the motion leaves the cycle, front and rear get out of step, and a wheelset comes to the end of the table, beyond the flange's top. With linear creep nothing but the
-flange limits the motion; a creep force that saturates, which the paper calls for as future work, may well do so.
+{{fold-quasi-cn}} and {{fold-cn}}, and stability ends at {{cn-end}}. At 160 ft/s the motion leaves the cycle, and a wheelset comes to the end of the table, beyond the flange's top. With linear creep nothing but the
+flange limits the motion; wheel slip, which the paper names as future work, may well do so.
 
 {{time-claims}}
 */
@@ -104,10 +102,8 @@ void true_branches(report::Item& item) {
   }
   const Vehicle &fresh = vehicle("new"), &cn = vehicle("cn");
   const double hopf = fresh.hopf[0].motion.speed / foot, end = stable_flange(fresh).high;
-  item.refute("stable-to-high-speed",
-              "new wheels: the stable limit cycle on the flange extends to a high velocity",
-              end < words::much * hopf,
-              fmt::format("a pair of multipliers leaves the unit circle at {:.1f} ft/s", end));
+  refute(item, "stable-to-high-speed", end < words::much * hopf,
+         fmt::format("a pair of multipliers leaves the unit circle at {:.1f} ft/s", end));
   // The torus point again, by an independent integrator: shooting in exact pieces there has multipliers of modulus 1.
   const LimitCycle& torus = *torus_of(fresh);
   const Orbit orbit = shoot(car_at("new", torus.parameter / foot), torus.cycle);
@@ -143,42 +139,34 @@ void time_claims(report::Item& item) {
                  e.stability.stable ? "stable" : "unstable, " + e.stability.loss);
     worst = std::max(worst, distortion(*c));
   }
-  item.claim("sinusoidal", "limit cycles are approximately sinusoidal", worst < words::nearly,
-             fmt::format("up to {:.1f} % of a wheelset's motion is beyond the first harmonic in "
-                         "the cycles of the table",
-                         100 * worst));
+  claim(item, "sinusoidal", worst < words::nearly,
+        fmt::format("up to {:.1f} % of a wheelset's motion is beyond the first harmonic in "
+                    "the cycles of the table",
+                    100 * worst));
   const History away =
       run(at_speed(torus.car, 160 * foot), 1.002 * torus.examined.orbit.y, 200, Integrator::dopri5);
-  item.claim("unbounded", "motions beyond the unstable cycles may become unbounded",
-             away.end == History::End::left_table,
-             fmt::format("160 ft/s, from 0.2 % off the cycle of 154: a wheelset leaves its table "
-                         "after {:.0f} s",
-                         away.t));
+  claim(item, "unbounded", away.end == History::End::left_table,
+        fmt::format("160 ft/s, from 0.2 % off the cycle of 154: a wheelset leaves its table "
+                    "after {:.0f} s",
+                    away.t));
   const double grown = after(150, 0.02, 100), decayed = after(140, 0.3, 60),
                cycle = fresh.examined.amplitude / inch;
-  item.claim("growth",
-             "above the critical speed small amplitudes grow until flange contact limits them",
-             std::abs(grown / cycle - 1) < words::drawn,
-             fmt::format("150 ft/s: from 0.02 in to {:.4f} in, the cycle's {:.4f}", grown, cycle));
-  item.claim("decay", "left of each curve motions of any amplitude decrease", decayed < 0.3,
-             fmt::format("140 ft/s: from 0.3 in to {:.3f} in after a minute", decayed));
-  item.claim("stable-on-flange", "the first occurrence of flange contact is a stable limit cycle",
-             fresh.examined.stability.stable && cn.examined.stability.stable,
-             "by multipliers, new wheel at 150, CN A at 131.5 ft/s");
-  item.claim("heumann-stable", "Heumann: the cycles of low amplitude are stable",
-             heumann.examined.stability.stable, "by multipliers, at 87.4 ft/s");
-  item.refute(
-      "cn-upper-stable", "CN A: the cycles of the higher region are stable",
-      upper.examined.converged && !upper.examined.stability.stable,
-      fmt::format("largest multiplier {:.2f} at 131.5 ft/s", upper.examined.stability.largest));
+  claim(item, "growth", std::abs(grown / cycle - 1) < words::drawn,
+        fmt::format("150 ft/s: from 0.02 in to {:.4f} in, the cycle's {:.4f}", grown, cycle));
+  claim(item, "decay", decayed < 0.3,
+        fmt::format("140 ft/s: from 0.3 in to {:.3f} in after a minute", decayed));
+  claim(item, "stable-on-flange", fresh.examined.stability.stable && cn.examined.stability.stable,
+        "by multipliers, new wheel at 150, CN A at 131.5 ft/s");
+  claim(item, "heumann-stable", heumann.examined.stability.stable, "by multipliers, at 87.4 ft/s");
+  refute(item, "cn-upper-stable", upper.examined.converged && !upper.examined.stability.stable,
+         fmt::format("largest multiplier {:.2f} at 131.5 ft/s", upper.examined.stability.largest));
   double off = 0;
   for (std::size_t k = 0; k < with_dampers; ++k) {
     const Vehicle& v = vehicles()[k];
     const auto p = cycles_at_amplitude(v.car, v.main_branch(), v.flange).at(0);
     off = std::max(off, std::abs(p.motion.speed / v.hopf[0].motion.speed - 1));
   }
-  item.claim("linear-good", "linear theory is good until flange contact: for the critical speed",
-             off < words::nearly, fmt::format("within {:.1f} %", 100 * off));
+  claim(item, "linear-good", off < words::nearly, fmt::format("within {:.1f} %", 100 * off));
   item.value("df-error-new", df_error(fresh), "%", "{:.2f}");
   item.value("df-error-cn", df_error(cn), "%", "{:.2f}");
   item.value("df-error-friction", df_error(friction), "%", "{:.1f}");

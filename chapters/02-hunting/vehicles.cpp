@@ -49,6 +49,10 @@ Vehicle trace(std::string key, std::string name, const wheelrail::NamedPair& pai
   return v;
 }
 
+std::string words_of(const report::Item& item, std::string_view key) {
+  return item.printed("claims.csv").at(key, "what");
+}
+
 }  // namespace
 
 const std::vector<Vehicle>& vehicles() {
@@ -87,6 +91,14 @@ Critical first_critical(const CarParameters& data, const Vehicle& v) {
       hopf_points({assemble(data, Suspension::dampers), *v.table}, 20 * foot, 400 * foot);
   if (found.empty()) return {nan, nan};
   return {found[0].motion.speed / foot, found[0].motion.lambda.imag()};
+}
+
+void claim(report::Item& item, std::string_view key, bool holds, std::string measured) {
+  item.claim(key, words_of(item, key), holds, std::move(measured));
+}
+
+void refute(report::Item& item, std::string_view key, bool instead_holds, std::string instead) {
+  item.refute(key, words_of(item, key), instead_holds, std::move(instead));
 }
 
 CycleCase cycle_case(std::string_view key, double speed, std::size_t which) {

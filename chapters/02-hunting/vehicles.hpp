@@ -50,6 +50,9 @@ Critical first_critical(const CarParameters& data, const Vehicle& v);
 // Why an item is rebuilt.
 inline constexpr const char* rebuilt_reason =
     "profiles, equivalent dampers and the sticking of friction are ours, as stated";
+// A statement of the paper, in the words of data/claims.csv, holds; or it does not, and something else does.
+void claim(report::Item& item, std::string_view key, bool holds, std::string measured);
+void refute(report::Item& item, std::string_view key, bool instead_holds, std::string instead);
 // Columns of one format.
 inline std::vector<report::Heading> headings(const char* format,
                                              std::initializer_list<const char*> titles) {
