@@ -1,6 +1,6 @@
 # ARG1: constraint functions; ARG3, ARG4: wheel and rail; ARG5: lines that join points that touch; ARG6: two-point contact.
 load "style.gp"
-set terminal pngcairo size 1000,530 font "DejaVu Sans,14" enhanced background rgb "white"
+set terminal pngcairo size 1000,550 font "DejaVu Sans,14" enhanced background rgb "white"
 set output ARG2
 set multiplot
 set xrange [0:0.025]
@@ -25,8 +25,8 @@ plot ARG1 using "x_over_a":"delta_L_rad" with lines lt 1 title "δ_L", \
 
 set lmargin at screen 0.105
 set rmargin at screen 0.40
-set tmargin at screen 0.48
-set bmargin at screen 0.10
+set tmargin at screen 0.47
+set bmargin at screen 0.13
 set xtics 0.01
 set ytics 0.01
 set ylabel "R; φ_w, rad" offset 0.5

@@ -3,7 +3,7 @@ set terminal pngcairo size 900,640 font "DejaVu Sans,14" enhanced background rgb
 set output ARG2
 set multiplot layout 3,1
 set tmargin 1.6
-set bmargin 3
+set bmargin 3.2
 set xrange [0:0.75]
 set lmargin 10
 set rmargin 4
@@ -31,7 +31,7 @@ plot ARG1 using "A_in":"TH_TR" with lines lt 1 title "θ_{TR}", \
      ARG3 using "A_in":"TH_C" with lines lt 3 lw 1, \
      ARG3 using "A_in":"PHI_C" with lines lt 4 lw 1
 set ylabel "ω, rad/s"
-set xlabel "largest wheelset amplitude A, in" offset 0,0.8
+set xlabel "largest wheelset amplitude A, in" offset 0,0.4
 set yrange [0:40]
 set ytics 10
 plot ARG1 using "A_in":"omega" with lines lt 1, \

@@ -1,5 +1,6 @@
 load "style.gp"
 set output ARG2
+W = 1000; H = 560
 load "scene.gp"
 set style textbox opaque noborder margins 0.6,0.3
 set label 99 "new wheels, 150 ft/s; motions 40 times enlarged (reconstructed profiles)" at 20, 540 front
