@@ -38,6 +38,7 @@ endforeach()
 # Many records, and what is typed wrong.
 add_test(NAME "tool: many records make a table" COMMAND ${here}/batch.sh ${bin})
 add_test(NAME "tool: a person's habits" COMMAND ${here}/habits.sh ${bin})
+add_test(NAME "tool: forty examples" COMMAND ${here}/examples.sh ${bin} ${examples})
 add_test(NAME "tool: exceptions to FRA classes are where they are" COMMAND ${here}/exceptions.sh ${bin})
 add_test(NAME "tool: memory does not grow with the record" COMMAND ${here}/memory.sh ${bin})
 set_tests_properties("tool: memory does not grow with the record" PROPERTIES SKIP_RETURN_CODE 77)
