@@ -191,14 +191,14 @@ function items.png_size(path)
   return string.unpack(">I4I4", bytes, 17)
 end
 
--- The picture of a figure: its SVG, which a dark page may turn, where there is one. `folder` holds the chapter's pictures.
+-- The picture of a figure, whose PNG has twice the pixels it is shown with: its SVG, which a dark page may turn, where there is one. `folder` holds the chapter's pictures.
 function items.image(item, r, folder, lazy)
   local width, height = items.png_size(folder .. "/" .. item.png)
   local svg = item.png:gsub("%.png$", ".svg")
   local drawing = io.open(folder .. "/" .. svg)
   if drawing then drawing:close() end
   local href = ("figures/%s/%s"):format(r.chapter, drawing and svg or item.png)
-  local image = html.tag("img", {src = href, alt = item.alt or item.title, width = width, height = height,
+  local image = html.tag("img", {src = href, alt = item.alt or item.title, width = width // 2, height = height // 2,
     class = drawing and "drawing" or nil, loading = lazy and "lazy" or nil})
   return image, href
 end

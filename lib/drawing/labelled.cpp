@@ -20,8 +20,11 @@ void labelled(report::Item& item, const std::string& script, const scene::Scene&
   item.image([scene, camera, size, text = places.text(),
               script = item.sources() / script](const std::filesystem::path& png) {
     files::PrivateFolder folder;
-    const auto picture =
-        folder.write("scene.png", scene::png_of(scene::render(scene, camera, size)));
+    scene::Scene dense = scene;  // at the twice as many pixels of all pictures
+    for (scene::Lines& lines : dense.lines) lines.width *= 2;
+    const auto picture = folder.write(
+        "scene.png",
+        scene::png_of(scene::render(dense, camera, {2 * size.width, 2 * size.height})));
     plot::render(script, {picture, folder.write("labels.csv", text)}, png);
   });
 }

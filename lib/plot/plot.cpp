@@ -196,6 +196,30 @@ std::string for_svg(const std::string& script) {
   return text;
 }
 
+// A script for PNG at twice its size in pixels, with everything in it twice as large: sharp on dense screens and on paper.
+// The width and the height may be expressions, without a blank outside their brackets.
+std::string for_png(const std::string& script) {
+  constexpr std::string_view size = "set terminal pngcairo size ";
+  std::istringstream lines(script);
+  std::string text;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with(size)) {
+      std::size_t comma = line.npos, end = size.size();
+      for (int depth = 0; end < line.size() && (depth > 0 || line[end] != ' '); ++end) {
+        depth += line[end] == '(' ? 1 : line[end] == ')' ? -1 : 0;
+        if (depth == 0 && line[end] == ',') comma = end;
+      }
+      if (comma == line.npos) throw PlotError("\"" + line + "\": no width and height");
+      const std::string width = line.substr(size.size(), comma - size.size());
+      const std::string height = line.substr(comma + 1, end - comma - 1);
+      line = std::string{size} + "2*(" + width + "),2*(" + height + ")" + line.substr(end) +
+             " fontscale 2 linewidth 2 pointscale 2";
+    }
+    text += line + "\n";
+  }
+  return text;
+}
+
 // gnuplot opens a group for each change of the pen; most of them stay empty, and are a third of the file.
 std::string without_empty_groups(const std::string& svg) {
   std::istringstream lines{svg};
@@ -225,7 +249,7 @@ std::vector<std::string> prepare(files::PrivateFolder& folder, const fs::path& s
                                  const std::vector<fs::path>& data, Format format) {
   const fs::path style = shared("lib/plot");
   const auto text = [&](const fs::path& file) {
-    return format == Format::svg ? for_svg(contents(file)) : contents(file);
+    return format == Format::svg ? for_svg(contents(file)) : for_png(contents(file));
   };
   for (const char* name : {"style.gp", "scene.gp"}) folder.write(name, text(style / name));
   folder.write("script.gp", text(script));

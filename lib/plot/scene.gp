@@ -2,9 +2,9 @@
 #
 #   load "scene.gp"
 #   set cblabel "pressure, psi"; set cbrange [0:40000]     (only for a colour bar)
-#   plot ARG1 binary filetype=png flipy with rgbimage, ARG3 using "x_px":"y_px":"label" with labels
+#   plot ARG1 @picture, ARG3 using "x_px":"y_px":"label" with labels
 #
-# ARG1 is the PNG of scene::render, 1000 by 650 or what `W = 800; H = 600` set before says; ARG3 a CSV of
+# ARG1 is the PNG of scene::render, twice 1000 by 650 or what `W = 800; H = 600` set before says; ARG3 a CSV of
 # scene::project's pixels. x runs from the left edge, y from the top edge down. A bar of colours shows when
 # the plot has a palette element: add `, NaN with points palette`, and render 860 pixels wide to leave it room.
 # Labels with a comma in them need quotes in the CSV.
@@ -23,3 +23,4 @@ set xrange [-0.5:W-0.5] # the picture has its pixels at whole numbers
 set yrange [H-0.5:-0.5]
 set cbtics
 set colorbox user origin graph 0.89, graph 0.2 size graph 0.02, graph 0.6 front
+picture = "binary filetype=png flipy dx=0.5 dy=0.5 origin=(-0.25,-0.25) with rgbimage"

@@ -61,7 +61,7 @@ class Data {
   std::string text() const { return text_ + notes_; }
 
  private:
-  static std::string cell(double value) { return table::csv_number(value); }
+  static std::string cell(double value) { return table::csv_number(value, 8); }
   static std::string cell(const std::string& text) { return table::csv_cell(text); }
   static std::string cell(const char* text) { return table::csv_cell(text); }
   void add_row(std::initializer_list<std::string> cells);

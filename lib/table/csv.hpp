@@ -98,8 +98,8 @@ std::vector<std::vector<double>> read_columns(const std::filesystem::path& file,
                                               const std::vector<ColumnWanted>& wanted,
                                               bool allow_nan = false);
 
-// A number as CSV text: shortest form that keeps 12 digits; NaN as "nan".
-std::string csv_number(double value);
+// A number as CSV text: shortest form that keeps so many digits; NaN as "nan".
+std::string csv_number(double value, int digits = 12);
 
 // A cell, quoted where the dialect needs it: it reads back as the same text (but for zero bytes, and for an empty row of one
 // column, which is a blank line).
