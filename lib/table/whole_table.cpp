@@ -72,10 +72,10 @@ std::vector<std::vector<double>> read_columns(const std::filesystem::path& file,
   return columns;
 }
 
-std::string csv_number(double value) {
+std::string csv_number(double value, int digits) {
   if (std::isnan(value))
     return "nan";  // fmt compares NaNs, which the floating-point traps would stop
-  return fmt::format("{:.12g}", value);
+  return fmt::format("{:.{}g}", value, digits);
 }
 
 std::string csv_cell(std::string_view text) {
