@@ -68,7 +68,8 @@ Profile::Value Profile::at(double y) const {
   const Piece& p = pieces_[k];
   Value v{0, 0};
   if (p.sign != 0) {
-    const double d = y - p.centre, root = std::sqrt(p.radius * p.radius - d * d);
+    const double d = y - p.centre, square = p.radius * p.radius;
+    const double root = std::sqrt(std::max(square - d * d, 1e-12 * square));  // upright: nearly
     return {p.c[0] + p.sign * root, -p.sign * d / root};
   }
   for (std::size_t i = p.c.size(); i-- > 0;) {

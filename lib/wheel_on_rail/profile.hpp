@@ -29,7 +29,8 @@ class Profile {
   double to() const { return pieces_.back().to; }
   bool covers(double y) const { return y >= from() && y <= to(); }
 
-  // Depth and slope d depth/dy at y on the profile; beyond its ends those of the end's piece as far as it goes, then NaN.
+  // Depth and slope d depth/dy at y on the profile; beyond its ends those of the end's piece, of an
+  // arc as far as it is not upright.
   struct Value {
     double depth, slope;
   };

@@ -262,8 +262,9 @@ struct Full {
       const double before = p.p_max;
       p.p_max = cells[i]->region.p_max, p.area = cells[i]->region.area;
       p.approach = cells[i]->lowered.maxCoeff();
-      p.p_max_error =
-          std::abs(p.p_max / before - 1) + 1 / static_cast<double>(cells[i]->grid.cells());
+      p.p_max_error = !(before > 0) ? std::numeric_limits<double>::infinity()
+                                    : std::abs(p.p_max / before - 1) +
+                                          1 / static_cast<double>(cells[i]->grid.cells());
     }
   }
   // Friction on the pressures; its error is the change from what it was, on coarser cells or under a load nearly the same.

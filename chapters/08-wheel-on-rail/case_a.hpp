@@ -1,0 +1,65 @@
+// Case A2.2 of the Manchester benchmark: its inputs, and the numbers CONTACT gives.
+#pragma once
+
+#include <cstdlib>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "table/csv.hpp"
+#include "units/constants.hpp"
+#include "wheel_on_rail/wheel.hpp"
+
+namespace railbook::wheel_on_rail_chapter {
+
+constexpr double rail_origin = 0.7605326;  // of the rail's profile from the middle of the track [m]
+
+struct Wheel {
+  std::string key;
+  double side = 1;  // 1 right, -1 left
+  double y = 0;     // [m]
+  double roll = 0, turning = 0;
+  double normal = 0, p_max = 0, fx = 0, fy = 0;  // as published: N, MPa
+};
+
+inline std::vector<Wheel> wheels(const table::CsvTable& t) {
+  std::vector<Wheel> all;
+  for (const char* side : {"left", "right"})
+    for (int i = 0; i <= 10; ++i) {
+      const std::string key = std::string(side) + "-" + std::to_string(i);
+      const auto number = [&](const char* column) {
+        return std::strtod(t.at(key, column).c_str(), nullptr);
+      };
+      all.push_back({key, side[0] == 'r' ? 1.0 : -1.0, i * units::millimetre,
+                     1e-6 * number("roll_urad"), number("turning_rad_per_s"), number("normal"),
+                     number("p-max"), number("fx"), number("fy")});
+    }
+  return all;
+}
+
+inline const wheel_on_rail::Pair& pair() {
+  static const auto p = wheel_on_rail::s1002_on_60e1(1.0 / 40, wheel_on_rail::Rail60::benchmark);
+  return p;
+}
+
+inline wheel_on_rail::WheelResult solve(const Wheel& wheel, wheel_on_rail::Method method,
+                                        long cells = 40) {
+  wheel_on_rail::Pose pose{wheel.y, 2.4 * wheel.y, wheel.roll};
+  if (wheel.side < 0) pose = wheel_on_rail::mirrored(pose);
+  wheel_on_rail::WheelWish wish;
+  wish.load = 10 * units::kilonewton, wish.speed = 2, wish.turning = wheel.turning;
+  wish.wheel = wish.rail = {2 * 82e9 * 1.28, 0.28};
+  wish.method = method, wish.along = wish.across = cells;
+  return wheel_on_rail::solve_wheel(pair(), pose, wish);
+}
+
+// The same, once for all items.
+inline const wheel_on_rail::WheelResult& solved(const Wheel& wheel, wheel_on_rail::Method method) {
+  static std::map<std::pair<std::string, wheel_on_rail::Method>, wheel_on_rail::WheelResult> all;
+  const auto key = std::pair{wheel.key, method};
+  const auto known = all.find(key);
+  return known != all.end() ? known->second : all.emplace(key, solve(wheel, method)).first->second;
+}
+
+}  // namespace railbook::wheel_on_rail_chapter

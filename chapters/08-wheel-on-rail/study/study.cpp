@@ -1,0 +1,106 @@
+/*** # Wheel on rail: what it costs, and where it holds
+
+## Error against run time
+
+{{cost}}
+
+{{cost-answer}} The right wheel of the benchmark at 3 mm; the reference is 96 x 96 cells.
+
+{{work-precision: cost}}
+
+## Stability
+
+A case *holds* when its error stays within the bound set for it, and is *refused* when the program says why it has no number.
+
+{{stability}}
+
+{{extremes}}
+*/
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "../case_a.hpp"
+#include "bench/work_precision.hpp"
+#include "report/chapter.hpp"
+
+using namespace railbook;
+using namespace railbook::wheel_on_rail;
+using namespace railbook::wheel_on_rail_chapter;
+
+namespace {
+
+const Wheel third{"right-3", 1, 3e-3, -180.30e-6, 4.3451503, 9774, 713.2, -417.5, -2902};
+
+void cost(report::Item& item) {
+  item.added("cost of the solvers");
+  const auto peak = [](Method method, long cells) {
+    const WheelResult r = solve(third, method, cells);
+    return bench::Outcome{{r.patches.front().p_max},
+                          method == Method::full ? double(cells * cells) : 60,
+                          r.converged,
+                          r.reason};
+  };
+  const double best = peak(Method::full, 96).values[0], next = peak(Method::full, 72).values[0];
+  const std::vector<bench::Method> methods{
+      bench::sweep("full theory", {12, 20, 32, 48}, [&](int n) { return peak(Method::full, n); })
+          .counts("cells"),
+      bench::sweep("strips", {60}, [&](int) { return peak(Method::strips, 40); }).counts("strips"),
+      bench::sweep("Hertz", {60}, [&](int) { return peak(Method::hertz, 40); }).counts("strips")};
+  const auto points =
+      bench::figure(item, {"largest pressure", best, std::abs(best - next) / best}, methods, 0.1);
+  item.value("cost-answer", bench::answer(points, "largest pressure", {1e-2, 2e-3}));
+}
+
+report::Found load_kept(const WheelResult& r, double load) {
+  if (!r.converged) throw report::NoAnswer(r.reason);
+  return {fmt::format("{} patches; {}", r.patches.size(),
+                      r.doubts.empty() ? "no doubt" : r.doubts.front()),
+          std::abs(r.force.z() / load - 1)};
+}
+
+WheelWish wish_of(double load, Method method = Method::full) {
+  WheelWish w;
+  w.load = load, w.speed = 30, w.turning = 30 / 0.46, w.method = method;
+  w.along = w.across = 24;
+  return w;
+}
+
+void extremes(report::Item& item) {
+  item.added("stiff and extreme cases of our own");
+  const auto at = [&](const char* id, const char* what, const char* stress, const Pose& pose,
+                      double load, report::Stands stands) {
+    item.stability({.id = id,
+                    .what = what,
+                    .stress = stress,
+                    .expect = stands,
+                    .allowed = stands == report::refused ? units::nan : 2e-3,
+                    .reference = "the load asked for"},
+                   [=] { return load_kept(solve_wheel(pair(), pose, wish_of(load)), load); });
+  };
+  at("verge", "50 kN at a shift of 5 mm", "a second place touches", {5e-3, 0, -3.5e-4}, 50e3,
+     report::holds);
+  at("root", "100 kN at a shift of 6.2 mm", "the root of the flange, nearly conformal",
+     {6.2e-3, 0, -1.5e-3}, 100e3, report::holds);
+  at("feather", "1 N on the tread", "a patch of a fifth of a millimetre", {1e-3, 0, 0}, 1,
+     report::holds);
+  at("flange", "100 kN on the flange at 8 mm with 40 mrad of yaw", "a slender patch far ahead",
+     {8e-3, 0.04, -8.6e-3}, 100e3, report::holds);
+  at("crush", "10 GN", "sinking in by millimetres", {1e-3, 0, 0}, 1e10, report::refused);
+  item.stability({.id = "off",
+                  .what = "rails 150 mm too far apart",
+                  .stress = "the end of the tread",
+                  .expect = report::refused},
+                 [] {
+                   Pair wide = pair();
+                   wide.half_spacing -= 0.075;
+                   return load_kept(solve_wheel(wide, {}, wish_of(50e3)), 50e3);
+                 });
+}
+
+}  // namespace
+
+extern const report::Section study;
+const report::Section study{
+    report::figure("cost", "Error of the largest pressure against run time", cost),
+    report::table("extremes", "Stiff and extreme cases", extremes)};
