@@ -47,8 +47,12 @@ full theory's tractions: the force along the track, a small part of what frictio
 
 ## Deviations
 
-CONTACT's table was made with cells of 0.2 mm, four across a flange patch: its pressures there are 1 to 2 % above those on finer cells, and so above ours.
+CONTACT's table was made with cells of 0.2 mm, four across a flange patch: its pressures there are 1 to 2 % above those on finer cells, and above those here.
 At 5 mm its right wheel has one patch of two areas 10 mm apart, with one frame between; here they are two half-spaces. That wheel is shown and not compared.
+
+Two things were chosen after CONTACT's numbers were seen, so that they confirm nothing: how the depth weighs the middle of a patch (the origin, the
+angle and with it the spin of the frames then met CONTACT's), and that a wheelset whose roll is free balances with friction's part of the forces. Pressures and
+forces hardly moved with either. In the table above roll and turning are the benchmark's.
 
 ## Limits
 
@@ -98,6 +102,7 @@ void case_a(report::Item& item) {
                 "CONTACT",
                 "patches"});
   double pressure = 0, force = 0, strips_pressure = 0, strips_force = 0;
+  int compared = 0;
   for (const Wheel& wheel : wheels(published)) {
     const WheelResult found = solved(wheel, Method::full);
     const PatchResult& p = found.patches.front();
@@ -105,6 +110,7 @@ void case_a(report::Item& item) {
                  p.forces.fx, published.at(wheel.key, "fx"), wheel.side * p.forces.fy,
                  published.at(wheel.key, "fy"), double(found.patches.size()));
     if (verge(wheel.key)) continue;
+    ++compared;
     const report::Row row = item.row(published, wheel.key);
     const double bound = 0.3 * wheel.normal;
     row.publication("p-max", p.p_max / units::megapascal,
@@ -126,7 +132,7 @@ void case_a(report::Item& item) {
     off(p, pressure, force);
     off(quick, strips_pressure, strips_force);
   }
-  item.value("wheels", 21, "", "{:.0f}");
+  item.value("wheels", compared, "", "{:.0f}");
   item.value("worst-pressure", 100 * pressure, "%", "{:.1f}");
   item.value("worst-force", 100 * force, "%", "{:.1f}");
   item.value("strips-pressure", 100 * strips_pressure, "%", "{:.0f}");
