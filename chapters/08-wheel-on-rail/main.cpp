@@ -19,7 +19,7 @@ $$ \cos\psi\,\sin\theta+\sin\psi\,r'(s)=0, $$
 
 with the yaw $\psi$ and the radius $r(s)$: one line on the wheel. Where the gap below that line is least, the rigid wheel touches; a
 wheel pressed further overlaps the rail around there. Each area of overlap is a patch with a frame of its own: its origin and angle are the
-means over the overlap, weighted by the squared depth, and the gap is measured in it along its normal between the exact surfaces, the wheel one of revolution.
+means over the overlap, weighted by the depth to the power 5/2, and the gap is measured in it along its normal between the exact surfaces, the wheel one of revolution.
 Areas less than 4 mm apart that look nearly the same way share a frame.
 
 ## Load, creepage and force

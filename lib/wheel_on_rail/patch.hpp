@@ -16,8 +16,8 @@ struct PatchOptions {
   double merge_angle = 0.35;
 };
 
-// A patch's frame: x forward, t across (outwards), n into the rail. Their origin is the mean of the overlap, weighted by its
-// depth and length, on the rail; the angle is the rail's, averaged alike. n = (0, -sin, cos), t = (0, cos, sin).
+// A patch's frame: x forward, t across (outwards), n into the rail. Their origin is the mean of the overlap, weighted by the 5/2 power of its
+// depth, on the rail; the angle is the rail's, averaged alike. n = (0, -sin, cos), t = (0, cos, sin).
 struct Frame {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  // in the track's axes [m]
   double angle = 0;
