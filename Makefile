@@ -9,7 +9,7 @@ CHAPTERS := $(notdir $(patsubst %/,%,$(sort $(wildcard chapters/*/))))
 chosen    = $(filter $(C)-% 0$(C)-%,$(CHAPTERS))
 some      = $(if $(C),$(or $(chosen),$(error C is "$(C)"; allowed: the number of one of $(CHAPTERS))))
 wants     = { command -v $(1) > /dev/null || { echo "$(1) is not installed; on Debian: sudo apt-get install $(1)"; exit 2; }; }
-program   = $(lastword $(subst -, ,$(1)))
+program   = $(patsubst $(firstword $(subst -, ,$(1)))-%,%,$(1))
 SOURCES   = $(shell git ls-files '*.cpp' '*.hpp' ':!tests/book')
 
 .PHONY: headline new-chapter help doctor packages configure programs build install reproduce test chapter figures accept-figures book bench format lint failed clean mutate coverage matrix fuzz
