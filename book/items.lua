@@ -145,12 +145,15 @@ local function checks_of(item)
   return paper_checks(paper) .. other_checks(others)
 end
 
+-- The file of the book that holds a CSV of the results: of a figure that answers, a script.
+function items.file_of(name) return (name:gsub("%-answer%.csv$", "-answer.js")) end
+
 local function links(item, r)
   local out = {}
   local function add(folder, name)
     out[#out + 1] = html.tag("a", {href = "data/" .. folder .. name}, html.escape(name))
   end
-  for _, name in ipairs(item.csv) do add(r.chapter .. "/", name) end
+  for _, name in ipairs(item.csv) do add(r.chapter .. "/", items.file_of(name)) end
   if item.script then add(item.script_shared and "" or r.chapter .. "/", item.script) end
   return #out > 0 and html.tag("span", {class = "links"}, table.concat(out, " · ")) or ""
 end

@@ -52,7 +52,7 @@ local function require_data(token, name)
 end
 
 local function item_block(item, token, more)
-  for _, name in ipairs(item.csv) do require_data(token, name) end
+  for _, name in ipairs(item.csv) do require_data(token, items.file_of(name)) end
   if item.script then
     item.script_shared = exists(data .. "/../" .. item.script)
     if not item.script_shared then require_data(token, item.script) end

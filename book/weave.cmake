@@ -72,6 +72,7 @@ foreach(chapter ${chapters})
       list(REMOVE_ITEM pictures ${png})
     endif()
   endforeach()
+  list(FILTER data EXCLUDE REGEX "-answer\\.csv$") # they are scripts, below
   file(COPY ${data} DESTINATION ${new}/data/${chapter})
   file(COPY ${pictures} DESTINATION ${new}/figures/${chapter})
   file(COPY ${RESULTS}/${chapter}.json DESTINATION ${new}/data)

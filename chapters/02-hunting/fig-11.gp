@@ -18,7 +18,7 @@ set rmargin 8
 set key at graph 0.985,0.42 right top font ",12" samplen 2 width 0
 array colour[4] = [black, blue, red, green]
 array file[4] = [ARG1, ARG3, ARG4, ARG5]
-set label 1 "new wheel" at 147,0.06 tc rgb black
+set label 1 "new wheel" at 147,0.03 tc rgb black
 set label 2 "CN A" at 128,0.10 right tc rgb blue
 set label 3 "Heumann" at 84,0.16 right tc rgb red
 set label 4 "CN A,\nfriction" at 60,0.055 right tc rgb green
