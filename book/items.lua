@@ -92,7 +92,8 @@ local function one_table(checks, of_paper)
       items.cell(items.said(check, of_paper), not of_paper and "number reference" or nil), items.cell(items.computed(check)), {off, class = "number"},
       {allowed .. (mark and html.tag("span", {class = "mark"}, mark) or ""), class = "number"},
       html.badge(check.pass and check.outcome or "failed"), class = not check.pass and "failed" or nil}
-    if of_paper then table.insert(row, 2, html.text(check.place or "")) end
+    local place = check.place or ""
+    if of_paper then table.insert(row, 2, {html.text(place), class = #place <= 18 and "short" or nil}) end
     rows[i] = row
   end
   local heads = of_paper and {"what", "place", "printed", "computed", "difference", "allowed", "outcome"}

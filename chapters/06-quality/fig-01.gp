@@ -1,5 +1,5 @@
 load "style.gp"
-set terminal pngcairo size 1000,700
+set terminal pngcairo size 1000,580
 set output ARG2
 unset border; unset tics; unset grid; unset key
 set xrange [-4.2:4.2]

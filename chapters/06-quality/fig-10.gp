@@ -1,5 +1,5 @@
 load "style.gp"
-set terminal pngcairo size 1000,900
+set terminal pngcairo size 1000,760
 set output ARG2
 set multiplot layout 2,1
 set lmargin 9

@@ -1,6 +1,6 @@
 load "style.gp"
 set output ARG2
-set terminal pngcairo size 1300,600
+set terminal pngcairo size 1300,540
 set multiplot layout 1,2
 set xlabel "normalised distance from the joint, βX"
 set ylabel "K_j / K_r"

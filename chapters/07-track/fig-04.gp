@@ -1,5 +1,5 @@
 load "style.gp"
-set terminal pngcairo size 1000,800
+set terminal pngcairo size 1000,600
 set output ARG2
 unset border
 unset tics

@@ -142,7 +142,8 @@ double FirstOrderHybrid::push(double y, double T) {
   }
   double u = units::nan;
   if (known_ && std::isfinite(y)) {
-    const DecayPair d = decay(corner_ * T, how_);
+    if (T != interval_) interval_ = T, decay_ = decay(corner_ * T, how_);  // at one speed: once
+    const DecayPair& d = decay_;
     if (d.rest != 0 && std::isfinite(d.rest)) u = y + d.a * (y - last_) / d.rest;
   }
   known_ = std::isfinite(y);

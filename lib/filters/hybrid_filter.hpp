@@ -48,6 +48,8 @@ class FirstOrderHybrid {
  private:
   double corner_, last_ = 0;
   Decay how_;
+  double interval_ = 0;  // the last one, and its decay
+  DecayPair decay_;
   bool known_ = false;
 };
 

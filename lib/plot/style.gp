@@ -7,7 +7,7 @@
 # plot ARG1 using "x_in":"p_psi". Inline data ($points << EOD) needs a header line and commas, too.
 # Anything gnuplot says on stderr, a warning or a `print`, fails the figure.
 
-set terminal pngcairo size 1000,650 font "DejaVu Sans,14" enhanced background rgb "white"
+set terminal pngcairo size 1000,560 font "DejaVu Sans,14" enhanced background rgb "white"
 set encoding utf8
 set datafile separator comma
 set datafile columnheaders

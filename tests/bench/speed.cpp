@@ -148,9 +148,23 @@ Row power_spectrum() {
                     }}};
 }
 
-Row hybrid() {
+Row hybrid_at_one_speed() {
   const auto x = std::make_shared<std::vector<double>>(noise(4'000'000));
   return {.key = "hybrid",
+          .what = "Hybrid filter C at one speed",
+          .unit = "samples",
+          .work = static_cast<double>(x->size()),
+          .ours = {"FirstOrderHybrid", [x] {
+                     filters::FirstOrderHybrid filter(1.0);
+                     double sum = 0;
+                     for (const double value : *x) sum += filter.push(value, 0.01);
+                     sink = sum;
+                   }}};
+}
+
+Row hybrid() {
+  const auto x = std::make_shared<std::vector<double>>(noise(4'000'000));
+  return {.key = "hybrid-varied",
           .what = "Hybrid filter C, an interval of its own for each sample",
           .unit = "samples",
           .work = static_cast<double>(x->size()),
@@ -158,12 +172,14 @@ Row hybrid() {
                    [x] {
                      filters::FirstOrderHybrid filter(1.0);
                      double sum = 0;
-                     for (const double value : *x) sum += filter.push(value, 0.01 + value);
+                     for (std::size_t i = 1; i < x->size(); ++i)
+                       sum += filter.push((*x)[i], 0.02 + (*x)[i - 1]);
                      sink = sum;
                    }},
-          .limit = {"an exponential a sample", [x] {
+          .limit = {"two exponentials and a division a sample", [x] {
                       double sum = 0;
-                      for (const double value : *x) sum += std::expm1(-0.01 - value);
+                      for (const double value : *x)
+                        sum += std::exp(-0.02 - value) / std::expm1(-0.02 - value);
                       sink = sum;
                     }}};
 }
@@ -359,6 +375,7 @@ int run(int argc, char** argv) {
   files::PrivateFolder folder;
   const std::vector<std::function<Row()>> rows = {[&] { return reading(folder.path()); },
                                                   power_spectrum,
+                                                  hybrid_at_one_speed,
                                                   hybrid,
                                                   chain,
                                                   normal_contact,

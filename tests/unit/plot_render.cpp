@@ -43,7 +43,7 @@ TEST_CASE("unit: the same figure as SVG, whatever the terminal line of the scrip
     const std::string svg = plot::draw_svg(script, {data});
     CHECK_THAT(svg, Catch::Matchers::Contains("</svg>") &&
                         Catch::Matchers::Contains("\"DejaVu Sans, Verdana, sans-serif\""));
-    CHECK_THAT(svg, Catch::Matchers::Contains(*terminal == 0 ? "width=\"1000\" height=\"650\""
+    CHECK_THAT(svg, Catch::Matchers::Contains(*terminal == 0 ? "width=\"1000\" height=\"560\""
                                                              : "width=\"900\" height=\"400\""));
   }
 }
