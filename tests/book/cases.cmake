@@ -121,7 +121,7 @@ endfunction()
 book_case("tables, figures and their checks" tables)
 
 function(paper)
-  expect_page("<span id=\"table-1/p0\">peak pressure</span>" "<td class="short">p. 5</td>" "href=\"#table-1/p0\"" "id=\"eq-7\"" "(7)" "not testable: the machine is gone"
+  expect_page("<span id=\"table-1/p0\">peak pressure</span>" "<td class=\"short\">p. 5</td>" "href=\"#table-1/p0\"" "id=\"eq-7\"" "(7)" "not testable: the machine is gone"
     "lib/sample/add.hpp:3" "badge failed")
   file(READ ${dir}/book/equations.html equations)
   foreach(text "01-sample.html#eq-7" "sample/add.hpp add")
