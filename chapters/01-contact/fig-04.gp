@@ -3,7 +3,7 @@ set output ARG2
 set xlabel "y along the rail, in"
 set ylabel "p, 10^4 psi"
 set xrange [0.02:0.09]
-set yrange [-0.2:4]
+set yrange [-0.2:5]
 set key top right
 stats ARG3 using "boundary_in" name "old" nooutput
 set arrow from old_max, graph 0 to old_max, graph 1 nohead lc rgb blue lw 1.6 dt (14,5)

@@ -1,5 +1,5 @@
 load "style.gp"
-set terminal pngcairo size 1000,720
+set terminal pngcairo size 1000,850
 set output ARG2
 set multiplot layout 3,1
 set lmargin 11

@@ -1,5 +1,5 @@
 load "style.gp"
-set terminal pngcairo size 1000,720
+set terminal pngcairo size 1000,840
 set output ARG2
 unset key
 set multiplot layout 5,1

@@ -1,5 +1,5 @@
 load "style.gp"
-set terminal pngcairo size 1000,680
+set terminal pngcairo size 1000,820
 set output ARG2
 set multiplot layout 2,1
 set lmargin 12

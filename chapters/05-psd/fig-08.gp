@@ -1,5 +1,5 @@
 load "style.gp"
-set terminal pngcairo size 1300,760
+set terminal pngcairo size 1300,900
 set output ARG2
 set logscale xy
 set format y "10^{%T}"
