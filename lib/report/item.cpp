@@ -16,7 +16,6 @@ namespace {
 
 using units::nan;
 
-
 // A computed value beside its printed text: two digits more than the paper gives.
 std::string show(std::string_view printed, double computed) {
   if (!std::isfinite(computed)) return table::csv_number(computed);
@@ -351,7 +350,8 @@ void Item::draw() {
     const auto script = script_.is_absolute() ? script_ : settings_.sources / script_;
     plot::render(script, files, png);
     const std::string svg = plot::draw_svg(script, files);
-    if (svg.size() > std::filesystem::file_size(png)) return;  // a page shows the smaller of the two
+    if (svg.size() > std::filesystem::file_size(png))
+      return;  // a page shows the smaller of the two
     const std::filesystem::path beside = settings_.figures / (record_.id + ".svg");
     announce(beside);
     files::write(beside, svg);

@@ -31,8 +31,7 @@ double settled(double kappa, double f, double ramp) {
 
 }  // namespace
 
-TEST_CASE("Bump stops: settled strokes by fixed steps of Runge-Kutta",
-          "[quality]") {
+TEST_CASE("Bump stops: settled strokes by fixed steps of Runge-Kutta", "[quality]") {
   // tests/reference/responses.cpp
   const double kappas[] = {0, 1, 10, 100, 1000};
   const double strokes[] = {2.54, 2.43908, 1.79676, 1.60285, 1.54826};
