@@ -23,18 +23,27 @@ struct Wheel {
   double normal = 0, p_max = 0, fx = 0, fy = 0;  // as published: N, MPa
 };
 
+// The "left" or "right" wheel at a shift of so many millimetres.
+inline Wheel wheel_of(const table::CsvTable& t, const std::string& side, int shift) {
+  const std::string key = side + "-" + std::to_string(shift);
+  const auto number = [&](const char* column) {
+    return std::strtod(t.at(key, column).c_str(), nullptr);
+  };
+  return {key,
+          side == "right" ? 1.0 : -1.0,
+          shift * units::millimetre,
+          1e-6 * number("roll_urad"),
+          number("turning_rad_per_s"),
+          number("normal"),
+          number("p-max"),
+          number("fx"),
+          number("fy")};
+}
+
 inline std::vector<Wheel> wheels(const table::CsvTable& t) {
   std::vector<Wheel> all;
   for (const char* side : {"left", "right"})
-    for (int i = 0; i <= 10; ++i) {
-      const std::string key = std::string(side) + "-" + std::to_string(i);
-      const auto number = [&](const char* column) {
-        return std::strtod(t.at(key, column).c_str(), nullptr);
-      };
-      all.push_back({key, side[0] == 'r' ? 1.0 : -1.0, i * units::millimetre,
-                     1e-6 * number("roll_urad"), number("turning_rad_per_s"), number("normal"),
-                     number("p-max"), number("fx"), number("fy")});
-    }
+    for (int shift = 0; shift <= 10; ++shift) all.push_back(wheel_of(t, side, shift));
   return all;
 }
 

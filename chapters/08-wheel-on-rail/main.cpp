@@ -200,7 +200,7 @@ void fig_patches(report::Item& item) {
 void draw_scene(report::Item& item) {
   item.added("a picture of the third wheel's patch");
   static const table::CsvTable table = item.printed("case-a.csv");
-  const PatchResult p = solved(wheels(table)[11 + 3], Method::full).patches.front();
+  const PatchResult p = solved(wheel_of(table, "right", 3), Method::full).patches.front();
   const auto& t = p.forces.tractions;
   const double high = p.p_max, up = 5 / high;  // the peak is 5 mm high
   std::vector<Eigen::Index> cells;

@@ -30,11 +30,10 @@ using namespace railbook::wheel_on_rail_chapter;
 
 namespace {
 
-const Wheel third{"right-3", 1, 3e-3, -180.30e-6, 4.3451503, 9774, 713.2, -417.5, -2902};
-
 void cost(report::Item& item) {
   item.added("cost of the solvers");
-  const auto peak = [](Method method, long cells) {
+  const Wheel third = wheel_of(item.printed("case-a.csv"), "right", 3);
+  const auto peak = [&](Method method, long cells) {
     const WheelResult r = solve(third, method, cells);
     return bench::Outcome{{r.patches.front().p_max},
                           method == Method::full ? double(cells * cells) : 60,
