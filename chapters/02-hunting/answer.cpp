@@ -1,6 +1,6 @@
 /***
-Below {{fig-11}} the speed can be moved along the full equations' branch for new wheels, from the critical speed to near the fold. At 153 ft/s all multipliers
-lie in the unit circle, at 154 ft/s a pair has left it, and the cycle itself shows nothing of that. They are those of half a period, as the cycle is odd.
+Below {{fig-11}} the speed can be moved along the full equations' branch for new wheels, from the critical speed to near the fold. Up to {{torus-speed}} all multipliers
+lie in the unit circle, from there on a pair has left it, and the cycle itself shows nothing of that. They are those of half a period, as the cycle is odd.
 */
 #include <array>
 #include <cmath>

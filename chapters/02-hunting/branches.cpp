@@ -14,7 +14,7 @@ The rule looks at one mode only, the cycle's own. The thick lines are the branch
 With new wheels the flange is met at {{flange-new}}; from there the describing functions' branch runs far to the right, while that of the equations is stable to {{torus-speed}} only.
 With CN wheels there is a lower region, where one truck has met the flange, and a higher one with both, on a falling branch and unstable.
 The Heumann wheel has a small stable cycle without flange contact, in the paper's "limited range of speeds".
-With friction the cycles come down to {{friction-fold}}, a minimum that hangs on the sticking rate.
+With friction the cycles come down to {{friction-fold}}, a minimum that hangs on the sticking rate; there is a stable cycle with flange contact, the rear truck's, but it lasts for a tenth of a ft/s only.
 
 {{claims}}
 
@@ -104,7 +104,7 @@ void fig_11(report::Item& item) {
              "{:.0f}");
 }
 
-void geometry_claims(report::Item& item) {
+void speed_claims(report::Item& item) {
   const Vehicle &fresh = vehicle("new"), &cn = vehicle("cn"), &heumann = vehicle("heumann");
   const auto tread = [](const Vehicle& v) {
     return speeds(v, [&](const CyclePoint& p) { return p.largest < v.flange; });
@@ -119,11 +119,14 @@ void geometry_claims(report::Item& item) {
         std::min(a.width(), b.width()) > v.width() && a.width() < words::nearly * a.low &&
             b.width() < words::nearly * b.low,
         fmt::format("CN A {}, Heumann {}", text(a), text(b)));
-  const Range n = stable_flange(fresh), r = stable_flange(cn),
+  const auto stable = [](const Vehicle& of) {
+    return speeds(of, [](const CyclePoint& p) { return p.stable; });
+  };
+  const Range n = stable_flange(fresh), r = stable(cn), every = stable(heumann),
               h = speeds(heumann, [&](auto&p) { return p.stable && p.largest < heumann.flange; });
   claim(item, "far-right", n.high * foot > words::much * fresh.hopf[0].motion.speed, text(n));
-  claim(item, "smaller-range", std::max(r.width(), h.width()) < n.width(),
-        fmt::format("CN A {}, Heumann {}", text(r), text(h)));
+  claim(item, "smaller-range", std::max(r.width(), every.width()) < stable(fresh).width(),
+        fmt::format("CN A {}, Heumann {}", text(r), text(every)));
   claim(item, "heumann-window", h.high > h.low && h.width() < words::nearly * h.low,
         fmt::format("{}; the flange is met at {:.2f} in", text(h), heumann.flange / inch));
   // A region is another one when it begins a tenth of the amplitude beyond the last.
@@ -152,8 +155,7 @@ void friction_claims(report::Item& item) {
   const Vehicle &cn = vehicle("cn"), &friction = vehicle("friction");
   const double linear = cn.hopf[0].motion.speed / foot, low = words::small * cn.flange;
   const Range small = speeds(friction, [&](const CyclePoint& p) { return p.largest < low; });
-  const Range large = speeds(
-      friction, [&](const CyclePoint& p) { return p.largest > low && p.largest < cn.flange; });
+  const Range large = stable_on_flange(friction);
   claim(item, "friction-low", small.low < linear / words::much,
         fmt::format("from {:.0f} ft/s on, {:.1f} in the linear car", small.low, linear));
   double largest = 0;
@@ -161,10 +163,12 @@ void friction_claims(report::Item& item) {
     if (p.stable && speed_of(p) * words::much < linear) largest = std::max(largest, p.largest);
   claim(item, "friction-stable", largest > 0 && largest < low,
         fmt::format("up to {:.3f} in below {:.0f} ft/s", largest / inch, linear / words::much));
-  claim(item, "friction-large", large.high > small.low && large.high < linear, text(large));
-  const auto touching = at_amplitude(friction, 0.42);
-  refute(item, "friction-flange", !touching.stable,
-         fmt::format("at 0.42 in speed falls with amplitude ({:.1f} ft/s)", speed_of(touching)));
+  claim(item, "friction-large", large.low > small.low && large.high < linear, text(large));
+  claim(item, "friction-flange", large.width() > 0,
+        fmt::format(
+            "by multipliers, over {:.2f} ft/s where a wheelset of the rear truck meets it; beyond "
+            "they are unstable",
+            large.width()));
   const double stuck = stroke(friction, at_amplitude(friction, 0.02)),
                sliding = stroke(friction, at_amplitude(friction, 0.3));
   claim(
@@ -180,7 +184,7 @@ void friction_claims(report::Item& item) {
 void claims(report::Item& item) {
   item.rebuilt(rebuilt_reason);
   item.expect_checks(15);
-  geometry_claims(item);
+  speed_claims(item);
   friction_claims(item);
 }
 

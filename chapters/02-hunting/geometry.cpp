@@ -14,7 +14,7 @@ the first steers, the other two push the wheelset back to the middle.
 Heumann wheel on the worn rail, at a gauge of {{gauge}}, and gives none of them. Here each is a chain of circular arcs and straight lines without corners. Rails have a 10 in crown, 1¼ in shoulders and 3/8
 in corners when new, are flatter and then sharper when worn, and lean inwards by 1:40. The new wheel is a 1:20
 cone with an 11/16 in throat; CN profile A has a hollow of {{cn-radius}} and the Heumann wheel one of
-{{heumann-radius}}; all have a 70° flange. The free lengths were chosen to have what the text states, which these profiles therefore cannot test; {{geometry-claims}} holds them to it. The half spacing $a$ is {{half-spacing}}, the half
+{{heumann-radius}}; all have a 70° flange. The free lengths were chosen to have what the text states, which these profiles therefore cannot test; a test of the library holds them to it. The half spacing $a$ is {{half-spacing}}, the half
 distance of the rails' *heads*; the paper calls it half the gauge, which would be {{half-gauge}}.
 
 **Contact.** Roll the wheelset by $\phi$ and look at the vertical gap between wheel and rail on one side. Its
@@ -89,22 +89,6 @@ void join(const SideContact& at, double head, double above, report::Data& data) 
   data.gap();
 }
 
-// The largest departure of R and Φ from their tangents at 0 for 0 < x < end, as a part of the tangent's value at the end.
-double bend(const NamedPair& named, double end) {
-  double worst = 0;
-  for (const OddTable* f : {&named.table().R, &named.table().Phi})
-    for (double x = 0; x < end; x += f->step())
-      worst = std::max(worst, std::abs(((*f)(x)-f->slope(0) * x) / (f->slope(0) * end)));
-  return worst;
-}
-
-double largest_jump(const NamedPair& named) {
-  double largest = 0;
-  for (const auto& jump : contact_jumps(named.pair(), 0, far, 1e-4))
-    largest = std::max(largest, std::abs(jump.after.delta - jump.before.delta));
-  return largest;
-}
-
 void constraints(report::Item& item, const NamedPair& named) {
   item.rebuilt("the measured profiles are lost; these are chains of arcs chosen to the text");
   item.script("constraint.gp");
@@ -133,33 +117,15 @@ void constraints(report::Item& item, const NamedPair& named) {
 
 void geometry_claims(report::Item& item) {
   item.rebuilt("the profiles were chosen to have these properties");
-  item.expect_checks(9);
-  const auto slope = [](const OddTable& f) { return f.slope(0) * a; };
-  const ConstraintFunctions &n = fresh.table(), &c = cn.table(), &h = heumann.table();
+  item.expect_checks(3);
+  const ConstraintFunctions &n = fresh.table(), &c = cn.table();
   item.print("gauge-si", "nominal gauge, 56.5 in", "m", "1.435", 56.5 * inch);
-  item.at_most("new-straight", "new wheel: R and Φ off their tangents before the flange", "",
-               bend(fresh, flange_begins(fresh.pair())), words::nearly,
-               "\"nearly linear until the flange\"");
-  item.at_most("cn-straight", "CN A: R and Φ off their tangents before the flange", "",
-               bend(cn, flange_begins(cn.pair())), words::nearly,
-               "\"nearly linear until flange contact\"");
-  item.at_most("heumann-straight", "Heumann: R and Φ off their tangents up to 0.1 in", "",
-               bend(heumann, 0.1 * inch), words::nearly,
-               "\"approximately linear for small displacements\"");
-  item.print("cn-slope", "slope of R, CN A over the new wheel's", "", "3", slope(c.R) / slope(n.R),
+  item.print("cn-slope", "slope of R, CN A over the new wheel's", "", "3",
+             c.R.slope(0) / n.R.slope(0),
              report::fitted("the hollow's radius was chosen for \"about three times\"",
                             report::relative(words::nearly, "\"about\"")));
-  refute(item, "cn-roll-slope", slope(c.Phi) < slope(n.Phi),
-         fmt::format("{:.2f} times", slope(c.Phi) / slope(n.Phi)));
-  item.at_least("heumann-steep", "Heumann: slopes of R and D over CN's, the lesser", "",
-                std::min(slope(h.R) / slope(c.R), slope(h.D) / slope(c.D)), words::much,
-                "\"much steeper than those of either\"");
-  item.at_least("heumann-several", "Heumann: slopes of R and Φ over the new wheel's, the lesser",
-                "", std::min(slope(h.R) / slope(n.R), slope(h.Phi) / slope(n.Phi)), words::several,
-                "\"several times larger\"");
-  item.at_most("heumann-single", "Heumann: largest jump of the angle over the new wheel's", "",
-               largest_jump(heumann) / largest_jump(fresh), words::nearly,
-               "\"closely approximates single-point contact\"");
+  const double roll = c.Phi.slope(0) / n.Phi.slope(0);
+  refute(item, "cn-roll-slope", roll < 1, fmt::format("{:.2f} times", roll));
   item.value("gauge", paper_track.gauge / inch, "in", "{:.1f}");
   item.value("half-gauge", 0.5 * paper_track.gauge / inch, "in", "{:.2f}");
   item.value("half-spacing", a / inch, "in", "{:.2f}");

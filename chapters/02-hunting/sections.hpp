@@ -7,11 +7,11 @@
 
 namespace railbook::hunting_chapter {
 
-extern const report::Section geometry, car, describing, critical, branches, modes, algorithm,
-    stability, scenes;
-extern const report::Section cost, stiffness, closed_forms;  // study/
-void speed_answer(report::Item& item);                       // the sliders of fig-11
-void extremes(report::Item& item);                           // the rows of stability
+extern const report::Section geometry, car, describing, critical, branches, mode_shapes, algorithm,
+    full_equations, scenes;
+extern const report::Section cost, stiffness;  // study/
+void speed_answer(report::Item& item);         // the sliders of fig-11
+void extremes(report::Item& item);             // the rows of stability
 
 // The paper's words as numbers: one reading for every claim of the chapter.
 namespace words {

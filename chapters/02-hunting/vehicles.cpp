@@ -86,6 +86,22 @@ const LimitCycleBranch& true_branch(std::string_view key) {
   return known.emplace(key, std::move(branch)).first->second;
 }
 
+Range stable_on_flange(const Vehicle& v) {
+  const LimitCycleBranch& branch = true_branch(v.key);
+  Range range;
+  for (std::size_t k = 0; k < branch.points.size(); ++k) {
+    const LimitCycle& p = branch.points[k];
+    if (!p.stable || p.largest < v.flange) {
+      if (range.high > 0) break;
+      continue;
+    }
+    range.add(p.parameter / foot);
+    for (const SpecialCycle& s : branch.special)
+      if (s.after == k) range.add(s.at.parameter / foot);
+  }
+  return range;
+}
+
 Critical first_critical(const CarParameters& data, const Vehicle& v) {
   const auto found =
       hopf_points({assemble(data, Suspension::dampers), *v.table}, 20 * foot, 400 * foot);

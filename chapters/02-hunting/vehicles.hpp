@@ -18,6 +18,15 @@ namespace railbook::hunting_chapter {
 using namespace dynamics;
 using units::foot, units::inch, units::nan;
 
+struct Range {
+  double low = 1e9, high = 0;
+  double width() const { return high - low; }
+  void add(double x) {
+    if (x < low) low = x;
+    if (x > high) high = x;
+  }
+};
+
 struct Vehicle {
   std::string key;   // "new", "cn", "heumann", "friction"
   std::string name;  // for tables
@@ -35,6 +44,8 @@ const std::vector<Vehicle>& vehicles();
 const Vehicle& vehicle(std::string_view key);
 // The branch of the full equations from the same critical speed; computed once, when it is asked for.
 const LimitCycleBranch& true_branch(std::string_view key);
+// Where the full equations' branch is stable with flange contact [ft/s]: its first stretch, to the located point that ends it.
+Range stable_on_flange(const Vehicle& v);
 // "new", "cn" and "heumann": the three with dampers.
 inline constexpr int with_dampers = 3;
 
@@ -82,14 +93,5 @@ History run(const Oscillator& moving, const Eigen::VectorXd& y, double duration,
 Swing largest_swing(const History& history, int periods);
 // The state of a describing-function cycle at phase 0.
 Eigen::VectorXd state_of(const Motion& motion);
-
-struct Range {
-  double low = 1e9, high = 0;
-  double width() const { return high - low; }
-  void add(double x) {
-    if (x < low) low = x;
-    if (x > high) high = x;
-  }
-};
 
 }  // namespace railbook::hunting_chapter

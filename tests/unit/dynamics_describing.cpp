@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <numbers>
 
 #include "dynamics/describing_function.hpp"
 #include "units/constants.hpp"
@@ -90,6 +92,21 @@ TEST_CASE("describing function: friction, regularized, tends to eq. (12)") {
   }
   CHECK(ideal_friction(5, 2).value == Approx(10 / pi));
   CHECK_THROWS_AS(ideal_friction(5, 0), InputError);
+}
+
+// The slope loses digits where the amplitude comes down to the core's width, for there 1 - 1/A is a small difference.
+TEST_CASE("describing function: digits of regularized friction against 80-bit arithmetic") {
+  const long double pi_l = std::numbers::pi_v<long double>;
+  double gain = 0, slope = 0;
+  for (double a = 1.01; a < 1e6; a *= 1.01) {
+    const long double b = 1 / static_cast<long double>(a), root = std::sqrt((1 - b) * (1 + b));
+    const long double value = 2 / pi_l * (std::asin(b) + b * root), rise = -4 / pi_l * b * b * root;
+    const Gain found = regularized_friction(1, 1, a);
+    gain = std::max(gain, static_cast<double>(std::abs(found.value / value - 1)));
+    slope = std::max(slope, static_cast<double>(std::abs(found.slope / rise - 1)));
+  }
+  CHECK(gain < 1e-15);
+  CHECK(slope < 1e-13);
 }
 
 TEST_CASE("describing function: tables that are no odd functions are refused") {

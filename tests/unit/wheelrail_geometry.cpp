@@ -1,4 +1,5 @@
 // Geometry of contact against closed forms and a brute-force search.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <vector>
@@ -98,4 +99,34 @@ TEST_CASE("Both gaps are closed, and no place of the profiles is closer") {
       CHECK(scanned_gap(p.pair, x, at.roll) == Approx(-at.height).margin(2e-14));
       CHECK(scanned_gap(p.pair, -x, -at.roll) == Approx(-at.height).margin(2e-14));
     }
+}
+
+// The profiles are chains of arcs chosen to what the paper's text says of the lost ones: chapter 02 rests on this.
+TEST_CASE("The paper's pairs have what its text says of them") {
+  const ConstraintFunctions &fresh = new_wheel_table(), &cn = cn_table(),
+                            &heumann = heumann_table();
+  // The largest departure of R and Phi from their tangents at 0, as a part of the tangent's value at the end.
+  const auto bend = [](const ConstraintFunctions& table, double end) {
+    double worst = 0;
+    for (const OddTable* f : {&table.R, &table.Phi})
+      for (double x = 0; x < end; x += f->step())
+        worst = std::max(worst, std::abs(((*f)(x)-f->slope(0) * x) / (f->slope(0) * end)));
+    return worst;
+  };
+  CHECK(bend(fresh, 0.39 * inch) < 1e-5);    // "nearly linear until" the flange
+  CHECK(bend(cn, 0.32 * inch) < 0.1);        // "nearly linear until flange contact"
+  CHECK(bend(heumann, 0.1 * inch) < 0.001);  // "approximately linear for small ... displacements"
+  // "much steeper than those of either", "several times larger"
+  CHECK(heumann.R.slope(0) > 1.4 * cn.R.slope(0));
+  CHECK(heumann.D.slope(0) > 1.4 * cn.D.slope(0));
+  CHECK(heumann.R.slope(0) > 2 * fresh.R.slope(0));
+  CHECK(heumann.Phi.slope(0) > 2 * fresh.Phi.slope(0));
+  // "closely approximates single-point contact"
+  const auto largest_jump = [](const WheelsetOnTrack& pair) {
+    double largest = 0;
+    for (const auto& jump : contact_jumps(pair, 0, 0.75 * inch, 1e-4))
+      largest = std::max(largest, std::abs(jump.after.delta - jump.before.delta));
+    return largest;
+  };
+  CHECK(largest_jump(heumann_pair()) < 0.1 * largest_jump(new_wheel_pair()));
 }

@@ -1,18 +1,11 @@
 /***
 The rows strain the search for cycles and critical speeds, friction's sticking rate and the end of the tables. Random cars, wheels without a cone and a speed of zero are tests of the library.
-
-{{digits}}
-
-The derivative loses digits where the amplitude comes down to the core's width, for there $1-\beta$ is a small difference.
 */
 
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
-#include "bench/evidence.hpp"
-#include "dynamics/describing_function.hpp"
 #include "vehicles.hpp"
 
 namespace railbook::hunting_chapter {
@@ -91,37 +84,13 @@ CarParameters with_friction(double part) {
   return data;
 }
 
-// The gain of friction with a viscous core of width 1, and its derivative, against 80-bit arithmetic.
-void digits(report::Item& item) {
-  item.added("a study of methods");
-  item.expect_checks(2);
-  std::vector<double> amplitudes;
-  for (double a = 1.01; a < 1e6; a *= 1.01) amplitudes.push_back(a);
-  const auto gain = [](long double b, bool slope) {
-    const long double root = std::sqrt((1 - b) * (1 + b)), pi = std::numbers::pi_v<long double>;
-    return slope ? -4 / pi * b * b * root : 2 / pi * (std::asin(b) + b * root);
-  };
-  const char *range = "A/ε from 1.01 to 1e6", *against = "80-bit arithmetic";
-  bench::digits_table(
-      item, {bench::worst_digits(
-                 {"gain", "N(A) of regularized friction", range, against, 1e-15}, amplitudes,
-                 [](double a) { return regularized_friction(1, 1, a).value; },
-                 [&](double a) { return gain(1 / (long double)a, false); }),
-             bench::worst_digits(
-                 {"slope", "dN/dA", range, against, 1e-13}, amplitudes,
-                 [](double a) { return regularized_friction(1, 1, a).slope; },
-                 [&](double a) { return gain(1 / (long double)a, true); })});
-}
-
 }  // namespace
-
-const report::Section closed_forms{
-    report::table("digits", "Digits of the closed form of friction's gain", digits)};
 
 void extremes(report::Item& item) {
   using report::degrades, report::holds, report::refused;
-  item.stability({"slow", "V = 1 ft/s", "fastest decay 27,000 1/s against a period of a minute",
-                  holds, 1e-5, "exact pieces, in"},
+  item.stability({"slow", "V = 1 ft/s",
+                  "creep decays in microseconds, the car weaves with a period of a minute", holds,
+                  1e-5, "exact pieces, in"},
                  slow);
   item.stability({"stick", "CN with friction, 90 ft/s, sticking rate 1/4 and 1/16",
                   "the sign function is approached; a half would be an order of 1/2", degrades, 0.5,
