@@ -171,7 +171,7 @@ Patch patch_of(const Placed& wheel, const Group& group, double z) {
   return patch;
 }
 
-double deepest(const Patch& patch) {
+double greatest_overlap(const Patch& patch) {
   double most = nowhere;
   for (const Depth& d : patch.line) most = std::max(most, d.overlap);
   return most;
@@ -198,9 +198,10 @@ std::vector<Patch> patches(const Placed& wheel, const Touching& touching, double
   std::vector<Patch> all;
   for (const Group& group : groups)
     if (mean_of(wheel, group, z).weight > 0) all.push_back(patch_of(wheel, group, z));
-  std::erase_if(all, [](const Patch& p) { return !(deepest(p) > 0); });
-  std::ranges::stable_sort(all,
-                           [](const Patch& a, const Patch& b) { return deepest(a) > deepest(b); });
+  std::erase_if(all, [](const Patch& p) { return !(greatest_overlap(p) > 0); });
+  std::ranges::stable_sort(all, [](const Patch& a, const Patch& b) {
+    return greatest_overlap(a) > greatest_overlap(b);
+  });
   return all;
 }
 

@@ -10,11 +10,10 @@
 #include <string_view>
 #include <utility>
 
-#include "contact/bounded_cg.hpp"
-#include "contact/region.hpp"
 #include "rolling/rolling_contact.hpp"
 #include "units/constants.hpp"
 #include "units/input_error.hpp"
+#include "wheel_on_rail/cells.hpp"
 
 namespace railbook::wheel_on_rail {
 
@@ -156,53 +155,6 @@ Approximate approximate_depth(const Work& w, bool friction) {
   return {kept.z, first.z, kept.converged};
 }
 
-// A patch's grid, the overlaps on it, and the pressure so far.
-struct Cells {
-  contact::Grid grid;
-  Eigen::VectorXd overlap, pressure, lowered;
-  std::unique_ptr<contact::Convolution> convolution;
-  contact::Region region;
-
-  Cells(const Work& w, const Frame& frame, double z, const contact::Box& box, Index nx, Index ny) {
-    grid = {box.x_min,
-            box.y_min,
-            (box.x_max - box.x_min) / static_cast<double>(nx),
-            (box.y_max - box.y_min) / static_cast<double>(ny),
-            nx,
-            ny};
-    overlap = wheel_on_rail::overlap(w.wheel, frame, z, grid);
-    pressure.setZero(grid.cells());
-    convolution = std::make_unique<contact::Convolution>(grid, w.material.effective_modulus);
-  }
-  // The normal force, the wheel lowered by `down` along n; negative when the solver fails.
-  double solve(double down) {
-    lowered = overlap.array() + down;
-    if (!(lowered.maxCoeff() > 0)) {
-      pressure.setZero();
-      return 0;
-    }
-    if (!(pressure.maxCoeff() > 0)) {
-      const double start = lowered.maxCoeff() / convolution->self() / 20;
-      pressure = (lowered.array() > 0).select(Eigen::VectorXd::Constant(grid.cells(), start), 0);
-    }
-    const Eigen::VectorXd gap = -lowered;
-    const auto cg =
-        contact::solve_bounded_cg(*convolution, grid, gap, 0, pressure, {.tolerance = 1e-7});
-    return cg.converged ? pressure.sum() * grid.dx * grid.dy : -1;
-  }
-  void describe() {
-    region = contact::describe(grid, pressure, Eigen::VectorXd::Zero(grid.cells()));
-  }
-};
-
-// One and a half cells around the contact as a coarser grid saw it.
-contact::Box around(const Cells& c, Index nx, Index ny) {
-  const contact::Box& e = c.region.ends;
-  const double mx = std::max(0.3 * c.grid.dx, 1.6 * (e.x_max - e.x_min) / static_cast<double>(nx));
-  const double my = std::max(0.3 * c.grid.dy, 1.6 * (e.y_max - e.y_min) / static_cast<double>(ny));
-  return {e.x_min - mx, e.x_max + mx, e.y_min - my, e.y_max + my};
-}
-
 struct Full {
   const Work& w;
   double z0;  // at which the frames are made and the overlaps hold
@@ -249,8 +201,9 @@ struct Full {
   void mesh(Index nx, Index ny) {
     for (std::size_t i = 0; i < all.size(); ++i) {
       std::unique_ptr<Cells>& c = i < cells.size() ? cells[i] : cells.emplace_back();
-      const contact::Box box = c ? around(*c, nx, ny) : all[i].patch.overlap;
-      auto finer = std::make_unique<Cells>(w, all[i].patch.frame, z0, box, nx, ny);
+      const contact::Box box = c ? c->around(nx, ny) : all[i].patch.overlap;
+      auto finer = std::make_unique<Cells>(w.wheel, w.material.effective_modulus,
+                                           all[i].patch.frame, z0, box, nx, ny);
       if (c) finer->pressure = contact::transfer(c->grid, c->pressure, finer->grid);
       c = std::move(finer);
     }

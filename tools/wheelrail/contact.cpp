@@ -3,18 +3,20 @@
 
 One position of a wheelset on its rails, from the profiles to the creep forces: where each wheel touches, the patches with
 their own angles, pressures, creepages, forces on the rail in the track's axes (x forward, y right, z down), wear number,
-stick, and the largest shear.
+stick, the largest traction; with the full theory also the largest von Mises and shear stress in rail and wheel, and how deep they lie.
 
     wheelrail contact --shift 4mm --yaw 5mrad --load 50kN --speed 30m/s --out mine
     wheelrail contact --wheel wheel.csv --rail rail.csv --load 80kN --speed 20m/s --slip 0.002 --roll 0mrad
 
 The wheelset turns freely and rolls until both wheels stand at one height, unless `--slip` or `--roll` say otherwise.
-Doubts are printed above the answer: the verge of a second contact, areas that share a frame, a conformal patch. A wheel that
+`--out` adds the cells with their pressures, tractions and the largest von Mises stress in the rail below each, the answer as JSON, and a
+figure: the sections with their patches, and the pressures seen from above. Doubts are printed above the answer: the verge of a second contact, areas that share a frame, a conformal patch. A wheel that
 touches at the end of a profile is refused.
 */
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -24,6 +26,7 @@ touches at the end of a profile is refused.
 #include "tools.hpp"
 #include "units/constants.hpp"
 #include "units/input_error.hpp"
+#include "wheelrail/contact_drawing.hpp"
 #include "wheelrail/pair.hpp"
 
 namespace railbook::wheelrail_tool {
@@ -39,9 +42,14 @@ struct Wish : PairWish {
   tool::Destination out;
 };
 
-WheelsetResult solve(const Wish& wish, const Pair& pair) {
+WheelWish wish_of(const Wish& wish) {
   WheelWish w = wheel_wish(wish);
   w.load = wish.load, w.friction.coefficient = wish.friction;
+  return w;
+}
+
+WheelsetResult solve(const Wish& wish, const Pair& pair) {
+  WheelWish w = wish_of(wish);
   const Pose pose{wish.shift, wish.yaw, wish.roll.value_or(0)};
   if (!wish.roll && !wish.slip) return solve_wheelset(pair, pose, w);
   if (!wish.roll || !wish.slip)
@@ -56,8 +64,10 @@ WheelsetResult solve(const Wish& wish, const Pair& pair) {
   return r;
 }
 
-void add_wheel(tool::Summary& answer, const char* side, const WheelResult& wheel, double sign) {
-  const std::string s = side;
+void add_wheel(tool::Summary& answer, const Side& shown) {
+  const std::string s = shown.name;
+  const WheelResult& wheel = shown.wheel;
+  const double sign = shown.sign;
   int flag = 0;
   for (const std::string& doubt : wheel.doubts)
     answer.flag(fmt::format("{}_{}", s, ++flag), fmt::format("{} wheel: {}", s, doubt));
@@ -91,33 +101,27 @@ void add_wheel(tool::Summary& answer, const char* side, const WheelResult& wheel
     add("mz_N_m", "  moment about its normal", sign * p.forces.mz, "N m");
     add("friction", "  friction", p.friction, "");
     add("stick_share", "  share that sticks", p.forces.stick_share, "");
-    add("shear_MPa", "  largest shear", p.largest_shear / units::megapascal, "MPa");
+    add("shear_MPa", "  largest shear traction", p.largest_shear / units::megapascal, "MPa");
     add("wear_N", "  wear number", p.wear_number, "N");
+    if (shown.stress.empty()) continue;
+    const PatchStress& stress = shown.stress[static_cast<std::size_t>(k - 1)];
+    for (const auto& [name, body] : {std::pair{"rail", &stress.rail}, {"wheel", &stress.wheel}}) {
+      const std::string of = name;
+      const auto both = [&](const std::string& kind, const std::string& what,
+                            const contact::LargestStress::Place& place) {
+        add((of + "_" + kind + "_MPa").c_str(), ("  largest " + what + " in the " + of).c_str(),
+            place.value / units::megapascal, "MPa");
+        add((of + "_" + kind + "_depth_mm").c_str(), "    at a depth of", place.depth / millimetre,
+            "mm");
+      };
+      both("von_mises", "von Mises stress", body->von_mises);
+      both("shear", "shear stress", body->shear);
+    }
   }
 }
 
-std::string cells_csv(const WheelsetResult& r) {
-  std::string text = "wheel,patch,along_mm,across_mm,pressure_MPa,shear_x_MPa,shear_y_MPa,stick\n";
-  const auto wheel = [&](const char* side, const WheelResult& w, double sign) {
-    int k = 0;
-    for (const PatchResult& p : w.patches) {
-      ++k;
-      const auto& t = p.forces.tractions;
-      for (Eigen::Index i = 0; i < t.x.size(); ++i)
-        text += fmt::format("{},{},{:.5g},{:.5g},{:.5g},{:.5g},{:.5g},{:g}\n", side, k,
-                            t.x[i] / millimetre, sign * t.y[i] / millimetre,
-                            p.friction > 0 ? t.bound[i] / p.friction / units::megapascal : 0,
-                            t.px[i] / units::megapascal, sign * t.py[i] / units::megapascal,
-                            t.stick[i]);
-    }
-  };
-  wheel("left", r.left, -1);
-  wheel("right", r.right, 1);
-  return text;
-}
-
 void run(const Wish& wish) {
-  tool::OutFolder out(wish.out, {"patches.csv", "wheelset-contact.json"});
+  tool::OutFolder out(wish.out, {"patches.csv", "wheelset-contact.json", "wheelset-contact.png"});
   const Pair pair = read_pair(wish);
   const WheelsetResult r = solve(wish, pair);
   if (!r.converged) throw std::runtime_error(fmt::format("no answer: {}", r.reason));
@@ -127,12 +131,14 @@ void run(const Wish& wish) {
   answer.add("turning_rad_per_s", "turning", r.turning, "rad/s");
   answer.add("lowered_mm", "axle below its height on the running circles", r.right.z / millimetre,
              "mm", wish.roll ? fmt::format("left wheel {:.6g} mm", r.left.z / millimetre) : "");
-  add_wheel(answer, "left", r.left, -1);
-  add_wheel(answer, "right", r.right, 1);
+  const std::array<Side, 2> sides{Side("left", -1, r.left, wish_of(wish)),
+                                  Side("right", 1, r.right, wish_of(wish))};
+  for (const Side& side : sides) add_wheel(answer, side);
   answer.print();
   if (out) {
-    out.add("patches.csv", cells_csv(r));
+    out.add("patches.csv", cells_csv(sides));
     out.add("wheelset-contact.json", answer.json());
+    draw(pair, r.pose, sides, out);
   }
   out.commit();
 }

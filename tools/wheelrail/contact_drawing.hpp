@@ -1,0 +1,29 @@
+// What `wheelrail contact` writes and draws beside its summary.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "tool/out_folder.hpp"
+#include "wheel_on_rail/stress.hpp"
+
+namespace railbook::wheelrail_tool {
+
+struct Side {
+  std::string name;
+  double sign;  // 1 right, -1 left, whose wheel is solved in the mirror
+  const wheel_on_rail::WheelResult& wheel;
+  std::vector<wheel_on_rail::PatchStress> stress;  // of every patch of the full theory
+  Side(const char* name, double sign, const wheel_on_rail::WheelResult& wheel,
+       const wheel_on_rail::WheelWish& wish);
+};
+
+// One cell a row; in the patch's frame, across > 0 to the right.
+std::string cells_csv(const std::array<Side, 2>& sides);
+
+// wheelset-contact.png: both sections with their patches, and the pressures from above.
+void draw(const wheel_on_rail::Pair& pair, const wheel_on_rail::Pose& pose,
+          const std::array<Side, 2>& sides, tool::OutFolder& out);
+
+}  // namespace railbook::wheelrail_tool
