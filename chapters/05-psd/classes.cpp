@@ -16,8 +16,8 @@ $k$ = {{k-19}} for a chord of 19 m and {{k-62}} for 62 ft.
 {{table-3}}
 
 Twelve of the thirteen classes come out as printed. Zone 12 does not: its $d$ is {{zone-12-d}} against a limit of {{zone-12-limit}} for
-class 3, inside by {{zone-12-margin}}, while the paper has it in class 2. Nobody reads a graph that closely, so it is a
-borderline rather than a misprint. Half a unit in the last digit of its $A$ and $B$ moves $d$ from {{zone-12-low}} to {{zone-12-high}}.
+class 3, inside by {{zone-12-margin}}, while the paper has it in class 2: a borderline rather than a misprint, for half a unit in the last digit of its
+$A$ and $B$ moves $d$ from {{zone-12-low}} to {{zone-12-high}}.
 
 The plus and minus signs were put by eye: "−" stands at zones 7 and 8, which lie in the lower half of their class as the paper says, "+" at a zone
 that is close to the next class (6) or far inside the last (13). But zone 10, closer to class 5 than zone 6 is to class 6, has no sign. The text
@@ -26,7 +26,7 @@ says that zones 3 and 4 were rebuilt after the survey; the table marks 3 and 5.
 ### Which coefficient did the paper use?
 
 Each printed class allows a range of $k$; all thirteen, zone 12 included, hold together for {{k-low}} < $k$ ≤ {{k-high}}. The derived one lies
-below. So the number in print was either larger than (8) makes it, or the points were placed by eye. The other readings are out:
+below. So the number in print was either larger than (8) makes it, or the points were placed by eye. The other readings:
 
 {{table-k}}
 
@@ -36,13 +36,16 @@ below. So the number in print was either larger than (8) makes it, or the points
 
 Below {{fig-11}} a track can be chosen by its roughness $A$ and its dip $B$: the class that rule (10) gives it, and how much of the deviation each part has.
 
-On log-log paper each class limit is a rounded corner: up to it the class is set by $A$ alone, right of it by $B$ alone. On the dashed
+Up to the rounded corner of a limit the class is set by $A$ alone, right of it by $B$ alone. On the dashed
 line both parts weigh the same. "All points tended to cluster" near it, says the paper, "thus" a rougher random part goes with deeper joints: the
-correlation of $\ln A$ and $\ln B$ is {{correlation}}. Its other remark, that on the average jointed track lies to the right of
-the line and welded track to the left, holds for {{jointed-right}} of 6 jointed zones and for {{welded-left}} of 7 welded ones.
+correlation of $\ln A$ and $\ln B$ is {{correlation}}. That on the average jointed track lies to the right of
+the line and welded track to the left holds for {{jointed-right}} of 6 jointed zones and for {{welded-left}} of 7 welded ones.
 */
 #include "spectra/classify.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 
 #include "report/answer.hpp"
@@ -52,11 +55,11 @@ namespace railbook::psd_chapter {
 
 namespace {
 
-const spectra::ClassRule paper_rule{.chord = 19.0};
+const spectra::ClassRule rule_10{.chord = 19.0};
 
 // The rule with another coefficient of A.
 spectra::ClassRule with_coefficient(double k) {
-  spectra::ClassRule rule = paper_rule;
+  spectra::ClassRule rule = rule_10;
   rule.alpha = 1;
   rule.alpha = std::sqrt(k / spectra::random_coefficient(rule));
   return rule;
@@ -67,7 +70,7 @@ int printed_class(const table::CsvTable& table_3, const std::string& zone) {
   return table_3.at(zone, "class")[0] - '0';
 }
 
-int class_of(const Zone& zone, const spectra::ClassRule& rule) {
+int class_by(const Zone& zone, const spectra::ClassRule& rule) {
   return spectra::classify(zone.track.A, zone.track.B, rule).track_class;
 }
 
@@ -86,14 +89,14 @@ void table_3(report::Item& item) {
                 "class printed",
                 "railroad's class (km/h)"});
   for (const Zone& zone : all) {
-    const auto result = spectra::classify(zone.track.A, zone.track.B, paper_rule);
+    const auto result = spectra::classify(zone.track.A, zone.track.B, rule_10);
     const std::string& paper = printed.at(zone.name, "class");
     if (zone.name == "12") {
       // The same rule with (8) by quadrature.
-      const double k = 9 * variance_by_quadrature(paper_rule.chord);
+      const double k = 9 * variance_by_quadrature(rule_10.chord);
       item.print("zone-12", "zone 12, class", "", paper, result.track_class,
                  report::not_confirmed(
-                     class_of(zone, with_coefficient(k)), 1e-9,
+                     class_by(zone, with_coefficient(k)), 1e-9,
                      fmt::format("a borderline: d lies inside class 3 by {:.1f} %, on the limit "
                                  "within the rounding of A and B",
                                  100 * result.margin)));
@@ -120,22 +123,22 @@ void table_3(report::Item& item) {
       fmt::format("{} of the {} zones whose railroad class applied agree, no other is off by "
                   "more than {}",
                   agrees, applies, most_off));
-  const double middle = 0.5 * (paper_rule.limits[4] + paper_rule.limits[5]);
+  const double middle = 0.5 * (rule_10.limits[4] + rule_10.limits[5]);
   const auto deviation = [](double A, double B) {
-    return spectra::design_deviation(A, B, paper_rule);
+    return spectra::design_deviation(A, B, rule_10);
   };
   const double d_7 = deviation(all.at(6).track.A, all.at(6).track.B),
                d_8 = deviation(all.at(7).track.A, all.at(7).track.B);
   item.claim("lower-range", "zones 7 and 8 are in the lower range of class 5",
              std::min(d_7, d_8) > middle,
              fmt::format("d = {:.1f} and {:.1f} mm, the class goes from {:.1f} to {:.1f} mm",
-                         d_7 / mm, d_8 / mm, paper_rule.limits[5] / mm, paper_rule.limits[4] / mm));
+                         d_7 / mm, d_8 / mm, rule_10.limits[5] / mm, rule_10.limits[4] / mm));
   item.claim("most-5", "most of the zones studied ended up as class 5", 2 * in_class_5 > 13,
              fmt::format("{} of 13", in_class_5));
   const auto& z = all.at(11).track;
-  const auto borderline = spectra::classify(z.A, z.B, paper_rule);
+  const auto borderline = spectra::classify(z.A, z.B, rule_10);
   item.value("zone-12-d", borderline.deviation / mm, "mm", "{:.1f}");
-  item.value("zone-12-limit", paper_rule.limits[2] / mm, "mm", "{:.2f}");
+  item.value("zone-12-limit", rule_10.limits[2] / mm, "mm", "{:.2f}");
   item.value("zone-12-margin", 100 * borderline.margin, "%", "{:.1f}");
   item.value("zone-12-low", deviation(z.A - 0.05e-7, z.B - 0.05 * mm) / mm, "mm", "{:.1f}");
   item.value("zone-12-high", deviation(z.A + 0.05e-7, z.B + 0.05 * mm) / mm, "mm", "{:.1f}");
@@ -145,7 +148,7 @@ void table_k(report::Item& item) {
   const table::CsvTable readings = item.printed("coefficients.csv");
   const table::CsvTable table_3 = item.printed("table-3.csv");
   const auto all = zones(item);
-  const double k_19 = spectra::random_coefficient(paper_rule);
+  const double k_19 = spectra::random_coefficient(rule_10);
   item.expect_checks(1);
   item.agree("k-19", "k, chord of 19 m", "m", k_19, 9 * variance_by_quadrature(19), 1e-5,
              "quadrature of (8)");
@@ -159,7 +162,7 @@ void table_k(report::Item& item) {
     std::string others;
     int as_printed = 0;
     for (const Zone& zone : all)
-      if (class_of(zone, with_coefficient(k)) == printed_class(table_3, zone.name))
+      if (class_by(zone, with_coefficient(k)) == printed_class(table_3, zone.name))
         ++as_printed;
       else
         others += (others.empty() ? "" : ", ") + zone.name;
@@ -169,7 +172,7 @@ void table_k(report::Item& item) {
   spectra::CoefficientRange range{0, units::no_limit};
   for (const Zone& zone : all) {
     const auto of = spectra::coefficient_range(zone.track.A, zone.track.B,
-                                               printed_class(table_3, zone.name), paper_rule);
+                                               printed_class(table_3, zone.name), rule_10);
     range = {std::max(range.low, of.low), std::min(range.high, of.high)};
   }
   item.value("k-19", k_19, "m", "{:.2f}");
@@ -181,13 +184,13 @@ void table_k(report::Item& item) {
 
 // A along the curve d = D, for a dip B; negative beyond its end.
 double roughness_at(double D, double B) {
-  return (D * D - std::pow(paper_rule.gamma * B, 2)) / spectra::random_coefficient(paper_rule);
+  return (D * D - std::pow(rule_10.gamma * B, 2)) / spectra::random_coefficient(rule_10);
 }
 
 void limit_curves(report::Item& item) {
   auto& limits = item.data({"class", "B_mm", "A_m2_cycle_per_m"});
   for (int m = 1; m <= spectra::classes; ++m) {
-    const double D = paper_rule.limits[static_cast<std::size_t>(m - 1)], end = D / paper_rule.gamma;
+    const double D = rule_10.limits[static_cast<std::size_t>(m - 1)], end = D / rule_10.gamma;
     // Dense towards the end, where the curve falls to zero.
     limits.add(m, 0.4, roughness_at(D, 0.4 * mm));
     for (double s = 1; s > 1e-4; s *= 0.93)
@@ -209,13 +212,13 @@ void class_answer(report::Item& item) {
   for (int i = 0; i <= 10; ++i) {
     const double A = 1e-8 * std::pow(10.0, 0.25 * i);
     for (double B = 0; B < 21; B += 2) {
-      const auto c = spectra::classify(A, B * mm, paper_rule);
+      const auto c = spectra::classify(A, B * mm, rule_10);
       answer.at({A, B});
       for (const double phi : {0.005, 1.0})  // a straight line on these axes
         answer.point("random part of the spectrum", "", phi, spectra::random_psd({.A = A}, phi));
       for (int m = 1; m <= spectra::classes; ++m)
         answer.point("design deviation", "limit of the class", m,
-                     paper_rule.limits[static_cast<std::size_t>(m - 1)] / mm);
+                     rule_10.limits[static_cast<std::size_t>(m - 1)] / mm);
       answer.point("design deviation", "this track", 0.5, c.deviation / mm);
       answer.point("design deviation", "this track", 6.5, c.deviation / mm);
       answer.says("class", "class", c.track_class);
@@ -241,7 +244,7 @@ void fig_11(report::Item& item) {
     const Zone& zone = all.at(static_cast<std::size_t>(i));
     const bool jointed = table_1.at(zone.name, "comment").find("joint") != std::string::npos;
     zone_points.add(zone.name, zone.track.B / mm, zone.track.A, jointed ? 1.0 : 0.0);
-    const auto d = spectra::classify(zone.track.A, zone.track.B, paper_rule);
+    const auto d = spectra::classify(zone.track.A, zone.track.B, rule_10);
     (jointed ? jointed_mean : welded_mean) += std::log(d.periodic / d.random);
     jointed_right += jointed && d.periodic > d.random;
     welded_left += !jointed && d.periodic < d.random;
@@ -267,11 +270,11 @@ void fig_11(report::Item& item) {
   item.value("welded-left", welded_left, "", "{:.0f}");
   auto& equal = item.data("equal", {"B_mm", "A_m2_cycle_per_m"});
   for (double B = 0.2 * mm; B < 60 * mm; B *= 1.1)
-    equal.add(B / mm, std::pow(paper_rule.gamma * B, 2) / spectra::random_coefficient(paper_rule));
+    equal.add(B / mm, std::pow(rule_10.gamma * B, 2) / spectra::random_coefficient(rule_10));
   auto& labels = item.data("labels", {"class", "B_mm", "A_m2_cycle_per_m"});
   for (int m = 1; m <= spectra::classes; ++m) {
     const double B = (m % 2 == 1 ? 0.56 : 0.72) * mm;  // staggered, so that they stay apart
-    labels.add(m, B / mm, roughness_at(paper_rule.limits[static_cast<std::size_t>(m - 1)], B));
+    labels.add(m, B / mm, roughness_at(rule_10.limits[static_cast<std::size_t>(m - 1)], B));
   }
   class_answer(item);
 }

@@ -8,34 +8,31 @@ $$Q_1 = \beta\, C_1 \tag{6}$$
 
 $$B = 3\pi\sqrt{\tfrac12\beta C_1}. \tag{7}$$
 
-The six measured spectra of the paper are not printed as numbers. Ours are of synthetic track with the printed $A$, $\varphi_c$ and peak of
-the same six zones. A peak that is wider than the analysis can show comes from joints of random depth, with depth and
-correlation chosen so that its height and width are the printed $C_1$ and $\beta$; a narrow one from equal joints.
+The six measured spectra are not printed as numbers. Ours are of synthetic track with the printed $A$, $\varphi_c$ and peak of the same zones. A peak
+wider than the analysis can show comes from joints of random depth, with depth and correlation chosen so that its height and width are the
+printed $C_1$ and $\beta$; a narrow one from equal joints.
 
 {{fig-08}}
 
-The program reads them with a regression and a sum instead of a ruler. What it makes of the six:
+The program fits the two lines by regression and sums the area of the peak instead of using a ruler.
 
-{{peaks}}
-
-Two remarks on (6). The power is the area under the peak, and height times half width is the area of a rectangle. A peak of the shape of a
-resonance curve has {{lorentz}} times that: $B$ by (6) and (7) is then {{lorentz-B}} too small. The program sums the area and takes
-$\beta = Q_1/C_1$. And with $\beta$ wide, the joints' randomness lifts the spectrum between the peaks as well; the regression takes
-it for roughness, and $A$ comes out high.
+The power is the area under the peak, and height times half width that of a rectangle. A peak of the shape of a resonance curve has {{lorentz}}
+times that: $B$ by (6) and (7) is then {{lorentz-B}} too small. And with $\beta$ wide, the
+joints' randomness lifts the spectrum between the peaks; the regression takes it for roughness, and $A$ comes out high.
 
 {{fig-09}}
 
 ### The narrow peaks are as wide as the window
 
-Five zones have $\beta$ = 0.010 cycle/m. A line of no width at all, seen through a Hann window on 512 samples of one foot, shows
-this:
+Five zones have $\beta$ = 0.010 cycle/m. A line of no width at all, seen through a Hann window on 512 samples of one foot, shows this:
 
 {{resolution}}
 
 So 0.010 is most likely the resolution of the analysis, and $C_1$ of these zones says as much about the window as
 about the track. Their product is immune: the power is the same in every row.
 */
-#include <algorithm>
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "sections.hpp"
@@ -74,15 +71,15 @@ spectra::SyntheticTrack reconstructed_track(const Zone& zone) {
   return track;
 }
 
-struct Reading {
+struct ZoneSpectrum {
   Zone zone;
   spectra::Spectrum spectrum;
   spectra::SpectrumFit fit;
 };
 
-const std::vector<Reading>& readings(const report::Item& item) {
+const std::vector<ZoneSpectrum>& readings(const report::Item& item) {
   static const auto result = [&] {
-    std::vector<Reading> made;
+    std::vector<ZoneSpectrum> made;
     for (const std::size_t number : shown) {
       const Zone zone = zones(item).at(number - 1);
       const auto spectrum =
@@ -101,7 +98,7 @@ void fig_08(report::Item& item) {
   auto& measured = item.data({"zone", "phi_cycle_per_m", "S_m2_per_cycle_per_m"});
   auto& lines = item.data("lines", {"zone", "phi_cycle_per_m", "S_printed", "S_fitted"});
   auto& marks = item.data("marks", {"zone", "phi_cycle_per_m", "S_peak", "phi_c", "S_corner"});
-  for (const Reading& r : readings(item)) {
+  for (const ZoneSpectrum& r : readings(item)) {
     const std::string& name = r.zone.name;
     for (Eigen::Index k = 2; k < r.spectrum.density.size(); ++k)
       if (r.spectrum.frequency(k) < 1.2)
@@ -119,34 +116,7 @@ void fig_08(report::Item& item) {
       "the paper's spectra are drawn, not tabled: synthetic track with the printed parameters");
 }
 
-void table_peaks(report::Item& item) {
-  const table::CsvTable table_1 = item.printed("table-1.csv");
-  item.rebuilt("synthetic track; the printed parameters are what was put in");
-  item.columns({"zone",
-                "A printed",
-                {"A found", "{:.1e}"},
-                "φ<sub>c</sub> printed",
-                {"φ<sub>c</sub> found", "{:.3f}"},
-                "C₁ printed",
-                {"C₁ found", "{:.1e}"},
-                "β printed",
-                {"width at half height", "{:.3f}"},
-                {"Q₁/C₁", "{:.3f}"},
-                "B printed, mm",
-                "B found, mm"});
-  for (const Reading& r : readings(item)) {
-    const auto printed = [&](const char* column) { return table_1.at(r.zone.name, column); };
-    item.add_row(
-        r.zone.name, printed("A"), r.fit.A.value, printed("phi_c"), r.fit.phi_c.value,
-        printed("C_1"), r.fit.C_1, printed("beta"), r.fit.half_width, r.fit.beta, printed("B"),
-        fmt::format("{:.1f} ± {:.1f}", r.fit.B_printed.value / mm, r.fit.B_printed.error / mm));
-  }
-  item.value("lorentz", units::pi / 2, "", "{:.2f}");
-  item.value("lorentz-B", 100 * (1 - std::sqrt(2 / units::pi)), "%", "{:.0f}");
-}
-
-/*** The width of a pure line needs no Monte Carlo: equal joints, no roughness.
-*/
+// Equal joints, no roughness.
 void table_resolution(report::Item& item) {
   item.added("what a window makes of a line of no width");
   const Zone zone = zones(item).at(6);
@@ -172,6 +142,8 @@ void table_resolution(report::Item& item) {
 }
 
 void fig_09(report::Item& item) {
+  item.value("lorentz", units::pi / 2, "", "{:.2f}");
+  item.value("lorentz-B", 100 * (1 - std::sqrt(2 / units::pi)), "%", "{:.0f}");
   const Zone zone = zones(item).at(6);
   const double Q_1 = spectra::line_power(1, zone.track.B, LineConvention::printed);
   const double df = 1 / (static_cast<double>(paper_segment) * units::foot);
@@ -197,7 +169,6 @@ void fig_09(report::Item& item) {
 
 const report::Section extraction{
     report::figure("fig-08", "Spectra of six zones, with the lines of the model (Fig. 8)", fig_08),
-    report::table("peaks", "Parameters read off the six spectra", table_peaks),
     report::figure("fig-09", "A broadened peak: C₁ and β (Fig. 9)", fig_09),
     report::table("resolution", "Width of a line of no width, Hann window, 1-ft samples",
                   table_resolution)};

@@ -1,30 +1,31 @@
 load "style.gp"
-set terminal pngcairo size 1000,800
+set terminal pngcairo size 1400,430
 set output ARG2
-set multiplot layout 3,1
-set lmargin 11
+set multiplot layout 1,3
+set lmargin 9
+set xlabel "wavenumber φ, cycle/m"
 set xrange [0:0.3]
-set xtics 0.05
+set xtics 0.1
 set ylabel "line power Q_n, mm²"
 set yrange [0:10]
 unset key
-set title "(a) lines of the rectified sine, B = 10 mm"
+set title "(a) lines, B = 10 mm"
 plot ARG4 using "phi_cycle_per_m":"Q_mm2" with impulses lt 1 lw 4, \
      ARG4 using "phi_cycle_per_m":"Q_mm2" with points lt 1
-set key on opaque box
-set title "(b) spectrum of the Hann window"
+set key top right samplen 2
+set title "(b) Hann window"
 set ylabel "1/(cycle/m)"
-set yrange [0:*]
+set yrange [0:330]
 set xrange [-0.15:0.15]
-plot ARG3 using "phi_cycle_per_m":"W_fine" with lines lt 1 title "1024 samples of 1 ft", \
-     ARG3 using "phi_cycle_per_m":"W_broad" with lines lt 2 title "256 samples of 1 ft"
-set title "(c) the lines seen through the window"
+plot ARG3 using "phi_cycle_per_m":"W_fine" with lines lt 1 title "1024 ft", \
+     ARG3 using "phi_cycle_per_m":"W_broad" with lines lt 2 title "256 ft"
+unset key
+set title "(c) lines seen through it"
 set ylabel "S, m²/(cycle/m)"
 set logscale y
 set format y "10^{%L}"
 set yrange [1e-7:1e-2]
 set xrange [0:0.3]
-set xlabel "wavenumber φ, cycle/m"
-plot ARG1 using "phi_cycle_per_m":"S_fine" with lines lt 1 title "1024 samples", \
-     ARG1 using "phi_cycle_per_m":"S_broad" with lines lt 2 title "256 samples"
+plot ARG1 using "phi_cycle_per_m":"S_fine" with lines lt 1, \
+     ARG1 using "phi_cycle_per_m":"S_broad" with lines lt 2
 unset multiplot

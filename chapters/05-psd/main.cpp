@@ -7,13 +7,12 @@
 :::
 
 A geometry car leaves kilometres of numbers; a track engineer wants one: which speed class can this stretch be held to? The
-paper goes there through the power spectral density of the profile. It finds the same pattern in every spectrum, from new
-welded rail to a rough branch line: a smooth random part and the lines of the rail length. Three parameters carry it, the
-roughness $A$, the corner wavenumber $\varphi_c$ and the joint dip $B$, and two of them, through the 62-ft mid-chord offset that the
-US track safety standards limit, give the class.
+paper finds the same pattern in every spectrum of the profile, from new welded rail to a rough branch line: a smooth random part and the lines of the
+rail length. Three parameters carry it, the roughness $A$, the corner wavenumber $\varphi_c$ and the joint dip $B$, and two of them, through the 62-ft
+mid-chord offset that the US track safety standards limit, give the class.
 
-The measured spectra of the paper are not to be had. Synthetic track whose spectrum is known exactly stands for them, so that each step can be judged by
-what went in. For records of your own there is `railbook psd classify`.
+The measured spectra of the paper are not to be had. Synthetic track whose spectrum is known stands for them. For records of your own there is
+`railbook psd classify`.
 
 {{include: processes.cpp}}
 
@@ -31,9 +30,9 @@ what went in. For records of your own there is `railbook psd classify`.
 
 * **Line power, (1), (2) and (7).** A factor two in amplitude and four in power between the printed lines and a one-sided density ({{outcome:lines/Q1-exact}}). $B$
   of Table 1 is twice the physical dip.
-* **Below (2).** $Q_2$ is {{Q2}}$\,B^2$ in the paper's convention, which does not round to 9.00: it was divided out of the rounded $Q_1$ ({{outcome:lines/Q2-printed}}).
+* **Below (2).** $Q_2$ is {{Q2}}$\,B^2$ in the paper's convention, which does not round to 9.00 ({{outcome:lines/Q2-printed}}).
 * **Table 1.** Rows 1, 3, 6, 7, 8, 11 and 13 do not fit (7) within their rounding ({{outcome:table-1/1-B}}): values read off graphs, in zone 13 illegible exponents.
-  Zone 12 is said to be 10-m rail, but its $\varphi_0$ is that of {{zone-12-rail}}.
+  Zone 12 is said to be 10-m rail, but its $\varphi_0$ is that of {{zone-12-rail}} ({{outcome:table-1/ten-metres}}).
 * **"Quite satisfactory for wavelengths longer than 6 m"** is said of (3), but most corners of Table 1 lie at longer ones
   ({{outcome:table-1/six-metres}}).
 * **Table 2.** 0.99 for the 10.4-m chord on 11.9-m and on 9.1-m rail should read 0.98 ({{outcome:table-2/34-39-printed}}). The 19-m row holds for 62 ft only.
@@ -51,22 +50,17 @@ Damage of our copy: the square root's ½ in (8), confirmed by derivation; a digi
 
 * One rail, one surface, stationary over the record: no crosslevel, no alignment, no curve. A spectrum has no phase and finds no single
   defect.
-* The model has two straight slopes and one set of lines. Waves beyond 100 m are design, not roughness. White sensor noise needs its own term.
+* The model has two straight slopes and one set of lines. White sensor noise needs its own term.
 * Rule (10) does not ask which rail length the dips belong to. The 62-ft chord sees {{sees-39}} of a dip on 39-ft rail and {{sees-30}} on
   30-ft rail; the rule counts both with $\gamma=2$ and is far on the safe side for the latter.
-* The generator is Gaussian, with dips that are Gaussian, too: from a scatter of about 0.4 on, some joints stand up. Its density is (4) within
-  {{generator-error}} from 0.005 to 1.2 cycle/m for corners from 0.02 cycle/m; corners below 0.002 would need longer filters than it allows.
-* The analytic spectra by track class that vehicle dynamics uses (the same two slopes, with a round corner) are not compared with Table 1:
-  their coefficients are not in the paper.
-* A rectified sine has kinks. Sampled at 1 ft, its folded harmonics raise the first line by {{folded}}, and the twelfth, at 1 cycle/m, by
-  {{folded-12}}. Above a metre between samples do not trust the lines.
+* The dips are Gaussian: from a scatter of about 0.4 on, some joints stand up. Corners below 0.002 cycle/m would need longer filters than the generator
+  allows.
 
 ## Try next
 
 * Fit the closed form of scattered dips to the neighbourhood of $\varphi_0$: it gives the spread of the dips and how far along the track they are
-  alike, which (6) throws away, and would answer the paper's question about rock and roll.
-* Classify by the 31-ft chord, whose sensitivity to joints hardly depends on the rail: `spectra::rail_chord_sensitivity` and a set of limits
-  are all it takes.
+  alike, and would answer the paper's question about rock and roll.
+* Classify by the 31-ft chord, whose sensitivity to joints hardly depends on the rail.
 * Make zone 12 of 30-ft rail, `railbook psd synthesize --rail 30ft`, and see what the chord of the standard and the rule make of it.
 
 ## Citations

@@ -8,6 +8,8 @@ is itself uncertain: below {{sweep-least}} it would be less than 95 %, with one 
 
 A class is given with a probability: on average {{sweep-probability}} for the class pronounced, which was right in {{sweep-right}} of the records.
 */
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
