@@ -33,6 +33,8 @@ than the two rules (18) differ by, leave it within {{bed-p1}} of itself: the pap
 */
 #include "track/impact.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -35,6 +35,8 @@ joint leaving it out is nearer on {{hinge-worse}} of that way; another factor wo
 A joint in good condition, says the paper, loses perhaps 25 to 30 percent. For a joint that carries shear that takes a rotational spring of $\beta EI$ to
 $\frac23\beta EI$, on the typical track {{k-theta-25}} to {{k-theta-30}}.
 */
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 

@@ -36,7 +36,8 @@ times too important; $M=\rho/2\beta$, $\mu=1/4$, would be right in the limit of 
 
 {{trackside-peak}}
 */
-#include <algorithm>
+#include <fmt/format.h>
+
 #include <array>
 #include <cmath>
 
@@ -51,62 +52,12 @@ using namespace track;
 
 namespace {
 
-// The scheme of Figure 4 as line drawing: polylines, boxes and labels in one small coordinate system.
+// The rail's running surface with a joint; the rest of the scheme is drawn by its script.
 void scheme(report::Item& item) {
-  auto& lines = item.data({"x", "y"});
-  const auto stroke = [&](std::initializer_list<std::array<double, 2>> points) {
-    for (const auto& p : points) lines.add(p[0], p[1]);
-    lines.gap();
-  };
-  const auto box = [&](double x, double y, double w, double h) {
-    stroke({{x, y}, {x + w, y}, {x + w, y + h}, {x, y + h}, {x, y}});
-  };
-  const auto spring = [&](double x, double low, double high) {
-    const double end = 0.18 * (high - low), turn = (high - low - 2 * end) / 6;
-    lines.add(x, low);
-    for (int i = 0; i <= 6; ++i)
-      lines.add(x + (i == 0 || i == 6 ? 0 : i % 2 ? 0.14 : -0.14), low + end + turn * i);
-    lines.add(x, high);
-    lines.gap();
-  };
-  const auto damper = [&](double x, double low, double high) {
-    const double mid = 0.5 * (low + high), top = mid + 0.18, foot = mid - 0.12;
-    stroke({{x, low}, {x, foot}});
-    stroke({{x - 0.14, top}, {x - 0.14, foot}, {x + 0.14, foot}, {x + 0.14, top}});
-    stroke({{x - 0.1, mid + 0.05}, {x + 0.1, mid + 0.05}});
-    stroke({{x, mid + 0.05}, {x, high}});
-  };
-  for (int i = 0; i <= 40; ++i)  // the wheel
-    lines.add(0.55 * std::sin(units::pi * i / 20), 4.95 + 0.55 * std::cos(units::pi * i / 20));
-  lines.gap();
-  spring(0, 3.6, 4.4);
-  box(-0.6, 3.2, 1.2, 0.4);
-  box(-0.8, 1.7, 1.6, 0.5);
-  for (const double low : {2.2, 0.7}) {
-    spring(-0.35, low, low + 1);
-    damper(0.35, low, low + 1);
-  }
-  stroke({{-1.1, 0.7}, {1.1, 0.7}});
-  for (int i = -5; i < 5; ++i) stroke({{0.22 * i, 0.5}, {0.22 * i + 0.2, 0.7}});
-  for (double x = 1.2; x <= 4.7; x += 0.05)  // the rail's running surface, with a joint
-    lines.add(x, 3.9 - 0.35 * (1 - std::abs(std::sin(units::pi * (x - 2.95) / 2.9))));
-  lines.gap();
-  auto& labels = item.data("labels", {"x", "y", "label"});
-  for (const auto& [x, y, text] : {std::tuple{0.0, 5.85, "static load P_0"},
-                                   {0.0, 4.95, "m_w"},
-                                   {-0.95, 4.0, "Hertz contact"},
-                                   {-0.95, 3.75, "F = C_H x^{3/2}"},
-                                   {0.0, 3.4, "M_{rail}"},
-                                   {-0.8, 2.7, "K_1"},
-                                   {0.8, 2.7, "C_1"},
-                                   {0.0, 1.95, "m_t"},
-                                   {-0.8, 1.2, "K_g"},
-                                   {0.8, 1.2, "C_g"},
-                                   {2.95, 4.25, "rail surface z(Vt), dip at a joint"},
-                                   {2.95, 2.7, "pads and ties"},
-                                   {2.95, 1.2, "ballast and subgrade"}})
-    labels.add(x, y, text);
   item.sketch("scheme of the lumped model as rebuilt here");
+  auto& surface = item.data({"x", "y"});
+  for (double x = 1.2; x <= 4.7; x += 0.05)
+    surface.add(x, 3.9 - 0.35 * (1 - std::abs(std::sin(units::pi * (x - 2.95) / 2.9))));
 }
 
 void modulation(report::Item& item) {

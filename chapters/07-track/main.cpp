@@ -73,7 +73,7 @@ itself calls the ballast's hysteretic. The paper's lateral model has no numbers 
 
 ## Citations
 
-The copy names neither authors, book nor year; they are those by which later works cite it, and no catalogue entry or DOI was found. The list of references is not in
+The copy names the authors at the head of one page, and neither title, book nor year; these are those by which later works cite it, and no catalogue entry or DOI was found. The list of references is not in
 the copy either. Not the paper's: H. H. Jenkins, J. E. Stephenson, G. A. Clayton, G. W. Morland and D. Lyon, "The effect of track and vehicle parameters on
 wheel/rail vertical dynamic forces", *Railway Engineering Journal*, January 1974, pp. 2-16 (TRID 00054692), for the formulas of P1 and P2; M. Hetényi, *Beams on
 Elastic Foundation*, 1946, which the paper cites, and L. Frýba, *Dynamics of Railway Bridges*, 1996, for the spectrum of {{fig-06}} (both not looked up).
@@ -98,5 +98,5 @@ int main(int argc, char** argv) {
                 "(A. D. Kerr, ed.), Pergamon, 1978, pp. 239 ff. (title and venue are not in the "
                 "copy used)",
        .sources = RAILBOOK_CHAPTER_DIR},
-      {stiffness, chain, joint, moving, lumped, geometry, impact}, {cost, extremes, digits});
+      {stiffness, chain, joint, moving, lumped, geometry, impact}, {cost, digits});
 }

@@ -7,6 +7,8 @@
 
 namespace railbook::track_chapter {
 
+inline constexpr double lb_per_in = units::lbf / units::inch;
+
 // The stiffness [N/m] of the ballast's pyramid by equation (6) as it is printed, and by adding up its slices.
 double printed_ballast_stiffness(const track::TieSupport& support);
 double ballast_by_slices(const track::TieSupport& support);
@@ -25,7 +27,9 @@ extern const report::Section
 extern const report::Section geometry;  // joints, spectra, profiles: Figs 6 and 7
 extern const report::Section impact;    // what the model does with a joint
 
-extern const report::Section cost, extremes, digits;  // study/
+extern const report::Section cost, digits;  // study/
+
+void extremes(report::Item&);  // the rows of stability
 
 void joint_answer(report::Item&);  // of the figure of the joint
 

@@ -33,6 +33,8 @@ By linearity a second wheel at a distance $l$ deflects the rail below the first 
 $K_r$, one of a 108-inch truck {{share-108}}. Ties that stand apart instead of a smeared bed change $K_r$ by {{worst-tie}} at most on the four rails and the
 spacings of 19.5 to 24 in that were in use: what is "more or less" in the agreement with experiment is not the spacing of ties.
 */
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -44,8 +46,6 @@ namespace railbook::track_chapter {
 using namespace track;
 
 namespace {
-
-constexpr double lb_per_in = units::lbf / units::inch;
 
 void fig_01(report::Item& item) {
   auto& curve = item.data({"beta_x", "a"});

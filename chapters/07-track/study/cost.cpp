@@ -1,6 +1,6 @@
 /***
 **The moving load**, at $\theta$ = 0.5, $\zeta$ = 0.2: the deflection under the load. The closed form is the reference, the textbook's four roots and residues lie
-{{roots-error}} from it here, and far from it near $V_c$ (see {{coalescence}}). The steady finite elements converge with about the fourth power of the element until
+{{roots-error}} from it here, and far from it at $V_c$ (*critical*, below). The steady finite elements converge with about the fourth power of the element until
 rounding, which grows as the elements shrink, takes over. A run in time must wait for its transient and step along the whole way; Richardson's extrapolation in
 step and element takes both errors down. The lumped model keeps its modelling error, {{lumped-error}}.
 
@@ -26,12 +26,14 @@ order 5 and order 8 at their tightest, which agree within {{cost-p1-reference}} 
 
 {{work-precision: cost-p2}}
 
-**Light rails.** The problem looks stiff, a contact of 1.5 GN/m on a bed of 32 MN/m, and is not: the fastest motion, in the contact, is also the one whose amplitude is
+**Light rails.** The problem looks stiff, a contact of {{contact-stiffness}} on a bed of {{bed-stiffness}}, and is not: the fastest motion, in the contact, is also the one whose amplitude is
 wanted. It becomes stiff when the rail's mass goes to nothing and its damper does not. The figure gives what P1 and P2 to 1e-4 take by each method at its coarsest
 sufficient setting. {{mass-answer}}
 
 {{cost-mass}}
 */
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -240,6 +242,9 @@ void cost_mass(report::Item& item) {
     if (explicit_5.evaluations <= radau.evaluations)
       lightest_explicit = std::min(lightest_explicit, mass);
   }
+  const ImpactModel typical = typical_impact();
+  item.value("contact-stiffness", contact_stiffness(typical) / 1e9, "GN/m", "{:.1f}");
+  item.value("bed-stiffness", typical.track.bed_stiffness / 1e6, "MN/m", "{:.0f}");
   item.value("mass-answer",
              fmt::format("The explicit integrator needs fewer evaluations down to {:g} kg of rail, "
                          "Radau IIA below.",

@@ -10,6 +10,8 @@ of the tolerance changes in the peaks: at order five what is left then is at mos
 
 {{estimates}}
 */
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -49,6 +51,7 @@ std::vector<double> arguments(double low, double high) {
 void digits_table(report::Item& item) {
   item.added("closed forms against extended precision");
   item.expect_checks(3);
+  extremes(item);
   const auto decay = [](Long xi) { return std::exp(-2 * xi); };
   bench::digits_table(
       item,
