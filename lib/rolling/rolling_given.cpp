@@ -7,17 +7,24 @@
 #include "units/input_error.hpp"
 
 namespace railbook::rolling {
-namespace {
-
 using Eigen::Index;
 
-struct Given {
-  RollingGrid grid;
-  double load = 0, length = 0;  // N, m
-};
+void check_given(const contact::Grid& grid, const Eigen::VectorXd& pressure, const RollingCase& c) {
+  RollingCase checked = c;
+  checked.a = checked.b = checked.load = 1;
+  check(checked);
+  if (pressure.size() != grid.nx * grid.ny || grid.nx < 1 || grid.ny < 1)
+    throw InputError{"the pressure does not have one value for every cell of its grid"};
+  if (!(pressure.array() >= 0).all() || !(pressure.array() < not_known).all())
+    throw InputError{"pressures must be finite and not negative"};
+}
 
-// The traction cells over the pressure's: each bears what of the pressure lies on it, and the cell at the leading end
-// of a run also what sticks out ahead.
+Creepage Given::reduced(const RollingCase& c) const {
+  const double slip = c.friction * load / (c.shear_modulus * length * length);
+  return {c.creepage.longitudinal / slip, c.creepage.lateral / slip,
+          c.creepage.spin * length / slip};
+}
+
 Given placed(const contact::Grid& cells, const Eigen::VectorXd& pressure, bool remedy) {
   Given g;
   const double area = cells.dx * cells.dy * static_cast<double>((pressure.array() > 0).count());
@@ -46,6 +53,8 @@ Given placed(const contact::Grid& cells, const Eigen::VectorXd& pressure, bool r
   return g;
 }
 
+namespace {
+
 // Two by two cells made one; an odd one out at the end is joined by an empty one.
 void halve(contact::Grid& cells, Eigen::VectorXd& p) {
   const contact::Grid fine = cells;
@@ -59,23 +68,14 @@ void halve(contact::Grid& cells, Eigen::VectorXd& p) {
 
 StickSlip solve_given(const Given& g, const RollingCase& c, const RollingOptions& options) {
   const TangentialInfluence influence(g.grid.mesh, c.poisson, g.grid.mesh.cells() <= 400);
-  const double slip = c.friction * g.load / (c.shear_modulus * g.length * g.length);
-  const Creepage reduced{c.creepage.longitudinal / slip, c.creepage.lateral / slip,
-                         c.creepage.spin * g.length / slip};
-  return solve_on(influence, g.grid, reduced, options);
+  return solve_on(influence, g.grid, g.reduced(c), options);
 }
 
 }  // namespace
 
 CreepForces solve_rolling(const contact::Grid& grid, const Eigen::VectorXd& pressure,
                           const RollingCase& c, const RollingOptions& options) {
-  RollingCase checked = c;
-  checked.a = checked.b = checked.load = 1;
-  check(checked);
-  if (pressure.size() != grid.nx * grid.ny || grid.nx < 1 || grid.ny < 1)
-    throw InputError{"the pressure does not have one value for every cell of its grid"};
-  if (!(pressure.array() >= 0).all() || !(pressure.array() < not_known).all())
-    throw InputError{"pressures must be finite and not negative"};
+  check_given(grid, pressure, c);
   const Given given = placed(grid, pressure, options.remedy);
   if (c.friction == 0) return without_friction();
   const StickSlip fine = solve_given(given, c, options);

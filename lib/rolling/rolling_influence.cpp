@@ -13,16 +13,19 @@
 namespace railbook::rolling {
 namespace {
 
-// Strain at the cells of row `at` from unit tractions on the cells of row `from`, as three along x along blocks.
+// Response at the cells of row `at` from unit tractions on the cells of row `from`, as three along x along blocks.
 struct Blocks {
   explicit Blocks(Eigen::Index n) : xx(n, n), xy(n, n), yy(n, n) {}
   Eigen::MatrixXd xx, xy, yy;
 };
 
-void fill(const RollingMesh& mesh, double poisson, Eigen::Index at, Eigen::Index from, Blocks& b) {
+void fill(const RollingMesh& mesh, double poisson, Response response, Eigen::Index at,
+          Eigen::Index from, Blocks& b) {
+  const bool strain = response == Response::strain;
   const Eigen::Index n = mesh.along;
   std::vector<Influence2> here(static_cast<std::size_t>(n)), upstream(here.size());
-  const double scale = 1 / (units::pi * mesh.dx[at]);
+  const double scale = 1 / (units::pi * (strain ? mesh.dx[at] : 1));
+  const double upstream_part = strain ? 1 : 0;
   for (Eigen::Index i = n; i >= 0; --i) {
     std::swap(here, upstream);
     row_displacements(mesh.x(at, i) - mesh.x0[from], mesh.y[at] - mesh.y[from], mesh.dx[from],
@@ -31,9 +34,9 @@ void fill(const RollingMesh& mesh, double poisson, Eigen::Index at, Eigen::Index
     for (Eigen::Index k = 0; k < n; ++k) {
       const Influence2& u = here[static_cast<std::size_t>(k)];
       const Influence2& v = upstream[static_cast<std::size_t>(k)];
-      b.xx(i, k) = scale * (u.xx - v.xx);
-      b.xy(i, k) = scale * (u.xy - v.xy);
-      b.yy(i, k) = scale * (u.yy - v.yy);
+      b.xx(i, k) = scale * (u.xx - upstream_part * v.xx);
+      b.xy(i, k) = scale * (u.xy - upstream_part * v.xy);
+      b.yy(i, k) = scale * (u.yy - upstream_part * v.yy);
     }
   }
 }
@@ -85,6 +88,7 @@ bool RollingMesh::stepped() const {
 struct TangentialInfluence::Parts {
   RollingMesh mesh;
   double poisson = 0;
+  Response response = Response::strain;
   Eigen::MatrixXd matrix;               // dense, or empty
   std::vector<Eigen::MatrixXd> blocks;  // of the rows, or the one they share
   std::unique_ptr<SteppedRows> stepped;
@@ -102,7 +106,7 @@ void TangentialInfluence::Parts::fill_matrix() {
   Blocks b(n);
   for (Eigen::Index at = 0; at < rows; ++at)
     for (Eigen::Index from = 0; from < rows; ++from) {
-      fill(mesh, poisson, at, from, b);
+      fill(mesh, poisson, response, at, from, b);
       matrix.block(at * n, from * n, n, n) = b.xx;
       matrix.block(at * n, half + from * n, n, n) = b.xy;
       matrix.block(half + at * n, from * n, n, n) = b.xy;
@@ -116,8 +120,9 @@ void TangentialInfluence::Parts::fill_spectra() {
   y = std::make_unique<num::RealFft2d>(x->rows(), x->columns());
   const auto big_rows = x->rows(), columns = x->columns();
   const double dx = mesh.dx[0], dy = mesh.dy[0];
-  const double scale =
-      1 / (units::pi * dx * static_cast<double>(big_rows) * static_cast<double>(columns));
+  const double upstream_part = response == Response::strain ? 1 : 0;
+  const double scale = 1 / (units::pi * (response == Response::strain ? dx : 1) *
+                            static_cast<double>(big_rows) * static_cast<double>(columns));
   // u at distances -n .. n cells from one cell, the strain at -n .. n - 1.
   std::vector<Influence2> u(2 * n + 1);
   const auto put = [&](auto part, std::vector<std::complex<double>>& spectrum, bool odd) {
@@ -127,10 +132,10 @@ void TangentialInfluence::Parts::fill_spectra() {
                         u);
       for (std::size_t i = 0; i < 2 * n; ++i) {
         // u[k] belongs to a cell (k - n) dx downstream of the point: distance of the point n - k.
-        const double strain = scale * (u[2 * n - i].*part - u[2 * n - i - 1].*part);
+        const double value = scale * (u[2 * n - i].*part - upstream_part * u[2 * n - i - 1].*part);
         const std::size_t column = (i + columns - n) % columns;
-        x->row(j)[column] = strain;
-        if (j > 0) x->row(big_rows - j)[column] = odd ? -strain : strain;
+        x->row(j)[column] = value;
+        if (j > 0) x->row(big_rows - j)[column] = odd ? -value : value;
       }
     }
     x->forward();
@@ -164,10 +169,12 @@ void TangentialInfluence::Parts::multiply(const Eigen::VectorXd& p, Eigen::Vecto
   unload(*y, strain.data() + mesh.cells());
 }
 
-TangentialInfluence::TangentialInfluence(const RollingMesh& mesh, double poisson, bool dense)
+TangentialInfluence::TangentialInfluence(const RollingMesh& mesh, double poisson, bool dense,
+                                         Response response)
     : parts_(std::make_unique<Parts>()) {
   parts_->mesh = mesh;
   parts_->poisson = poisson;
+  parts_->response = response;
   const bool uniform = mesh.uniform(), stepped = !dense && mesh.stepped();
   if (!dense && uniform)
     parts_->fill_spectra();
@@ -179,7 +186,7 @@ TangentialInfluence::TangentialInfluence(const RollingMesh& mesh, double poisson
   const Eigen::Index kinds =
       std::min<Eigen::Index>(uniform || stepped ? 1 : mesh.rows(), mesh.rows());
   for (Eigen::Index row = 0; row < kinds; ++row) {
-    fill(mesh, poisson, row, row, b);
+    fill(mesh, poisson, response, row, row, b);
     parts_->blocks.emplace_back(2 * mesh.along, 2 * mesh.along);
     parts_->blocks.back() << b.xx, b.xy, b.xy, b.yy;
   }

@@ -29,19 +29,23 @@ struct RollingMesh {
 // Cells that just fill the contact make an error of first order in h, which this placing removes.
 double edge_offset();
 
-// Exact influence of cell-constant tractions on half-spaces (Boussinesq-Cerruti): the strain [u(x) - u(x + dx)]/dx at the
-// cell centres, which rolling turns into slip per metre. For two bodies of shear modulus 1
+// What tractions do at the cell centres: the strain [u(x) - u(x + dx)]/dx, which steady rolling turns into slip per metre, or
+// the displacement u itself, for steps in time on a uniform mesh.
+enum class Response { strain, displacement };
+
+// Exact influence of cell-constant tractions on half-spaces (Boussinesq-Cerruti). For two bodies of shear modulus 1
 // u_x = 1/pi integral of [(1 - nu)/r + nu X^2/r^3] px + nu X Y/r^3 py, u_y likewise.
 class TangentialInfluence {
  public:
   // `dense` asks for a matrix (32 bytes a pair of cells), quicker up to some hundred cells; a mesh that is neither uniform
   // nor stepped always has one.
-  TangentialInfluence(const RollingMesh& mesh, double poisson, bool dense);
+  TangentialInfluence(const RollingMesh& mesh, double poisson, bool dense,
+                      Response response = Response::strain);
   ~TangentialInfluence();
   TangentialInfluence(TangentialInfluence&&) noexcept;
   TangentialInfluence& operator=(TangentialInfluence&&) noexcept;
 
-  // The strain at every cell: p and strain are [x parts; y parts], 2 cells() long, row by row.
+  // The response at every cell: p and strain are [x parts; y parts], 2 cells() long, row by row.
   void apply(const Eigen::VectorXd& p, Eigen::VectorXd& strain) const;
   // The part of `apply` from row `row` on itself, 2 along x 2 along.
   const Eigen::MatrixXd& row_block(Eigen::Index row) const;

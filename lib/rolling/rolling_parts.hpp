@@ -19,6 +19,18 @@ struct RollingGrid {
 RollingGrid ellipse_grid(double axis_ratio, Eigen::Index along, Eigen::Index rows, bool remedy,
                          bool stepped = false);
 
+// A contact of given pressure.
+struct Given {
+  RollingGrid grid;
+  double load = 0, length = 0;  // N, m
+  Creepage reduced(const RollingCase& c) const;
+};
+// Throws InputError on a case out of range (a, b and load are not used) or a pressure that is none on the grid.
+void check_given(const contact::Grid& grid, const Eigen::VectorXd& pressure, const RollingCase& c);
+// The traction cells over the pressure's: each bears what of the pressure lies on it, and the cell at the leading end
+// of a run also what sticks out ahead.
+Given placed(const contact::Grid& cells, const Eigen::VectorXd& pressure, bool remedy);
+
 // The rigid slip at the points where the upstream difference is the slope: half a cell before the centres.
 Eigen::VectorXd rigid_slip(const RollingMesh& mesh, const Creepage& reduced);
 
