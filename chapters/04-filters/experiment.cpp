@@ -2,9 +2,8 @@
 ### What the experiments share
 
 The standard track is 8192 ft of main line: two-slope random surface and line on each rail, joints of 39-ft rail as a rectified sine with 5.5 mm of
-dip, a vertical curve between grades, and a curve of 4 degrees with spirals and 4 in of superelevation. For the profile alone, a straight track with
-two equal rails does: the car then only bounces. *Truth* is always the same chord and the same high-pass on the true rail, so an error is an error
-of the car and not of the filter's band.
+dip, a vertical curve between grades, and a curve of 4 degrees with spirals and 4 in of superelevation. *Truth* is always the same chord and the same
+high-pass on the true rail, so an error is an error of the car and not of the filter's band.
 */
 #include "experiment.hpp"
 
@@ -22,17 +21,6 @@ Line line_of(const TrackDescription& description, const Car& car) {
 const Line& main_line() {
   static const Line line = line_of({});
   return line;
-}
-
-Line bounce_line(double corner) {
-  TrackDescription straight;
-  straight.line.A = straight.gage_variation.A = straight.opposite_share = 0;
-  straight.curvature = straight.superelevation = 0;
-  straight.staggered = false;
-  Car car;
-  car.layout.second_corner = corner;
-  car.layout.transducers = car.layout.base;
-  return line_of(straight, car);
 }
 
 Record cruise(const Line& line, double speed) {

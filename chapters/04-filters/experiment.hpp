@@ -24,9 +24,6 @@ Line line_of(const geometry_car::TrackDescription& track, const geometry_car::Ca
 
 // 8192 ft of main line with everything; built once.
 const Line& main_line();
-// Straight track with two equal rails, and a car with its vertical transducers above them, one sensor for each, and this corner of F (Hz):
-// all that bounce and profile need.
-Line bounce_line(double corner = 1);
 
 // From 80 ft to the end of the track, or back from there, at one speed (m/s).
 geometry_car::Record cruise(const Line& line, double speed);

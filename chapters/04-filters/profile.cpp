@@ -28,15 +28,6 @@ $H/(1-\cos\theta)$, again a polynomial; one factor of the zero goes into the div
 paper says ({{outcome:fig-13/true-response}}).
 
 **Alignment** goes the same way with the accelerometer on the beam, gravity on the rolling beam taken off, and the short chord of each gage sensor added.
-
-**How good, and down to which speed.** Straight track, two equal rails, a bouncing body; each source of error on its own, of a 62-ft chord whose true RMS is {{errors-truth}}:
-
-{{fig-errors}}
-
-The ideal error is the statement on small $\kappa$ once more; a lower corner makes it smaller. But the digital filter has to amplify what the analog one took away, and a
-converter of step $q$ leaves the floor $\frac{q}{\sqrt{12}}\sqrt{1.5}/\omega_2^2$ at high speed, so the corner is a compromise: 1 Hz is about right for 12 bits over ±1 g. At low
-speed quantisation rises like $V^{-2}$ and white noise like $V^{-1.5}$. With 12 bits the error is {{twelve-15}} at 15 mph and {{twelve-5}} at 5 mph, where the paper
-calls profile degraded and not to be relied upon. Which error still is good it does not say.
 */
 #include <fmt/format.h>
 
@@ -132,54 +123,10 @@ void fig_13(report::Item& item) {
   item.value("hp-200", high_pass_at(200), "", "{:.3f}");
 }
 
-// A source of error of the profile: corner of F (Hz), steps of converter and height sensor, noise.
-struct Source {
-  const char* name;
-  double corner;
-  double converter = 0, noise = 0, height = 0;  // m/s^2, m/s^2/sqrt(Hz), m
-};
-
-void fig_errors(report::Item& item) {
-  item.rebuilt("the paper gives no error, track, ride, corner or sensor");
-  constexpr double g = units::standard_gravity;
-  const std::vector<Source> sources{{"ideal-1.0", 1.0},
-                                    {"ideal-0.1", 0.1},
-                                    {"noise", 1.0, 0, 20e-6 * g},
-                                    {"12-bit", 1.0, 2 * g / 4096},
-                                    {"12-bit-0.1", 0.1, 2 * g / 4096},
-                                    {"displacement", 1.0, 0, 0, 0.1 * mm}};
-  std::vector<std::string> columns{"speed_mph"};
-  for (const Source& s : sources) columns.push_back(std::string(s.name) + "_mm");
-  auto& data = item.data(columns);
-  const Line plain = bounce_line(1.0), slower = bounce_line(0.1);
-  for (const double v : {0.5, 0.7, 1.0, 1.4, 2.0, 3.0, 5.0, 9.0, 15.0, 30.0, 60.0, 120.0}) {
-    // One journey a corner, measured by each source's sensors.
-    const Record journeys[]{cruise(plain, v * mph), cruise(slower, v * mph)};
-    std::vector<double> e;
-    for (const Source& s : sources) {
-      const bool slow = s.corner < 1;
-      const Layout& layout = (slow ? slower : plain).car.layout;
-      Sensors sensors;
-      for (const Channel c : {Channel::vertical_left, Channel::vertical_right})
-        sensors[c] = {.density = s.noise, .step = s.converter};
-      for (const Channel c : {Channel::height_left, Channel::height_right})
-        sensors[c].step = s.height;
-      const auto m =
-          reconstruct(measured(journeys[slow ? 1 : 0], layout, sensors, 1), {.layout = layout});
-      e.push_back(rms_error(m, plain.truth, Parameter::profile_left, 600) / mm);
-    }
-    data.add(v, e[0], e[1], e[2], e[3], e[4], e[5]);
-    if (v == 15.0) item.value("twelve-15", e[3], "mm", "{:.2f}");
-    if (v == 5.0) item.value("twelve-5", e[3], "mm", "{:.1f}");
-  }
-  item.value("errors-truth", rms(plain.truth[Parameter::profile_left]) / mm, "mm", "{:.2f}");
-}
-
 }  // namespace
 
 const report::Section profile{
     report::table("chords", "Gains of chords made of short ones", chords),
-    report::figure("fig-13", "Figure 13. High-pass part of the composite filter", fig_13),
-    report::figure("fig-errors", "RMS error of the profile by speed and source", fig_errors)};
+    report::figure("fig-13", "Figure 13. High-pass part of the composite filter", fig_13)};
 
 }  // namespace railbook::filters_chapter

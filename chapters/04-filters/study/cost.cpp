@@ -11,7 +11,7 @@ no error but one rounding. The error is the largest difference over the RMS of t
 
 {{length-answer}} The direct weights take {{weights-over-sums}} the operations of the sums and are vectorised. Every method is accurate enough for any track, so cost is what decides, and what the stream can do besides.
 
-**How accurate must they be?** The running sums of a block carry at most $n$ = {{roundings}} roundings into an output, each of at most half a unit in the last place of the largest number summed, which is the height of
+**How accurate must they be?** The running sums of a block carry at most $n$ = {{roundings}} roundings into an output, each of at most half a unit in the last place of the largest number summed, the height of
 the profile over the line through the block's first two samples, {{largest-number}} times the RMS of the answer. Roundings of either sign leave at most $\lambda\sqrt n$ of them, with
 $\lambda$ = {{lambda}} for one chance in a hundred over all outputs (Hoeffding's bound): {{rounding-bound}}. The worst error found is {{rounding-found}} ({{outcome:cost-length/as-double}}).
 

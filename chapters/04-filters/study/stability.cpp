@@ -7,17 +7,13 @@ the lower end is rounding, amplified by $1/\kappa$ in $C$ and $1/\kappa^2$ in $G
 #include <cmath>
 #include <complex>
 #include <functional>
-#include <tuple>
 #include <vector>
 
 #include "bench/evidence.hpp"
 #include "configuration.hpp"
 #include "experiment.hpp"
-#include "filters/complementary.hpp"
-#include "filters/geometry_chain.hpp"
 #include "filters/hybrid_filter.hpp"
 #include "geometry_car/health.hpp"
-#include "num/random_source.hpp"
 #include "sections.hpp"
 
 namespace railbook::filters_chapter {
@@ -90,47 +86,6 @@ void intervals(report::Item& item) {
           const double e = ramp_error(c.before, c.after);
           return report::Found{fmt::format("off by {:.0e} of the interval", e), e};
         });
-}
-
-void streams(report::Item& item) {
-  const num::RandomSource random{4, 1};
-  std::vector<double> x(20000);
-  for (std::size_t k = 0; k < x.size(); ++k) x[k] = 1e-4 * random.normal(k);
-  const auto clean = filters::geometry(x).chord;
-  for (const auto& [id, what, value] :
-       {std::tuple{"stream-nan", "stream: 100 samples NaN", units::nan},
-        {"stream-spike", "stream: 100 of 10³⁰⁰ m", 1e300}})
-    item.stability({.id = id,
-                    .what = what,
-                    .stress = "a value that a running sum never forgets",
-                    .allowed = 1e-12,
-                    .reference = "the undisturbed record, where known"},
-                   [&, value = value] {
-                     auto harmed = x;
-                     for (std::size_t k = 0; k < 100; ++k) harmed[9000 + 3 * k] = value;
-                     const auto chord = filters::geometry(harmed).chord;
-                     double largest = 0;
-                     int missing = 0;
-                     for (std::size_t i = 0; i < chord.size(); ++i) {
-                       if (std::isnan(clean[i])) continue;
-                       if (std::isnan(chord[i])) ++missing;
-                       largest = std::fmax(largest, std::abs(chord[i] - clean[i]));
-                     }
-                     if (missing != 661 + 3 * 99)
-                       throw report::NoAnswer("another window is missing");
-                     return report::Found{fmt::format("{} offsets missing", missing), largest};
-                   });
-  item.stability(
-      {.id = "roll-stop",
-       .what = "roll filter: an hour at a stop",
-       .stress = "the gyro has run away by 1 rad",
-       .allowed = 1e-12,
-       .reference = "the inclinometer, rad"},
-      [] {
-        filters::ComplementaryFilter filter{filters::time_constant(roll_corner), 2};
-        filter.push(0, 0, 0.01);
-        return report::Found{"the inclinometer", std::abs(filter.push(0.05, 1.0, 3600) - 0.05)};
-      });
 }
 
 const Line& line() {
@@ -232,7 +187,6 @@ void car(report::Item& item) {
 void stability_table(report::Item& item) {
   item.added("not in the paper");
   intervals(item);
-  streams(item);
   car(item);
 }
 
