@@ -5,9 +5,7 @@ set yrange [0:6.2]
 set key top left title "reconstructed, synthetic values"
 set xlabel "descriptor"
 set ylabel "density"
-set boxwidth 0.045
-plot ARG3 using "p":"density" with boxes lc rgb light title "one kilometre, 5000 drawn values", \
-     ARG1 using "p":"histogram" with lines lt 1 title "histogram N(0.2, 0.25)", \
+plot ARG1 using "p":"histogram" with lines lt 1 title "histogram N(0.2, 0.25)", \
      ARG1 using "p":"risk" with lines lt 3 title "density of derailment over p", \
-     ARG4 using "p":"height" with impulses ls guide lw 2, \
-     ARG4 using "p":(column("height")+0.2):"name" with labels
+     ARG3 using "p":"height" with impulses ls guide lw 2, \
+     ARG3 using "p":(column("height")+0.2):"name" with labels

@@ -8,11 +8,9 @@ set yrange [0:1.75]
 set ylabel "density"
 set key top left title "reconstructed"
 set label 1 "diffusion" at graph 0.97,0.9 right font ",17"
-plot for [i=1:3] ARG1 using (column("t") == word("1 8 64",i) ? column("x") : NaN):"diffusion" with lines lt i title "t = ".word("1 8 64",i), \
-     ARG3 using "x":"diffusion" with points lc rgb black pt 6 ps 0.7 title "finite volumes"
+plot for [i=1:3] ARG1 using (column("t") == word("1 8 64",i) ? column("x") : NaN):"diffusion" with lines lt i title "t = ".word("1 8 64",i)
 set yrange [0:1]
 set xlabel "descriptor, about its mean"
 set label 1 "viscous blob" at graph 0.97,0.9 right font ",17"
-plot for [i=1:3] ARG1 using (column("t") == word("1 8 64",i) ? column("x") : NaN):"blob" with lines lt i title "t = ".word("1 8 64",i), \
-     ARG3 using "x":"blob" with points lc rgb black pt 6 ps 0.7 title "finite volumes"
+plot for [i=1:3] ARG1 using (column("t") == word("1 8 64",i) ? column("x") : NaN):"blob" with lines lt i title "t = ".word("1 8 64",i)
 unset multiplot

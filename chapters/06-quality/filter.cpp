@@ -16,9 +16,8 @@ A versine bump of the height of the flat level, at 100 km/h:
 
 {{fig-bumps}}
 
-A short bump reads {{bump-10}} while no speed uses up more than {{stroke-10}} of the stroke: the filter counts on the resonance, which a single bump has no time to
-excite. Over-estimates are the rule, up to {{over-most}} times at {{over-at}}; the worst under-estimate is
-{{under-most}}, at {{under-at}}.
+A short bump of 10 m reads {{bump-10}} while no speed uses up more than {{stroke-10}} of the stroke: a single bump has no time to excite the resonance on which the filter counts.
+Over-estimates are the rule, up to {{over-most}} times at {{over-at}}; the worst under-estimate is {{under-most}}, at {{under-at}}.
 */
 #include <fmt/format.h>
 

@@ -21,7 +21,6 @@ threshold, where vehicles weaker than the median fail. A threshold at the median
 #include <cmath>
 #include <vector>
 
-#include "num/random_source.hpp"
 #include "quality/quality_index.hpp"
 #include "sections.hpp"
 
@@ -29,7 +28,7 @@ namespace railbook::quality_chapter {
 
 namespace {
 
-constexpr double mean = 0.2, deviation = 0.25, median = 1.0, spread = 0.1;
+constexpr double level_mean = 0.2, level_sd = 0.25, sustained = 1.0, sustained_sd = 0.1;
 constexpr double T_1 = 0.6, T_2 = 1.0;
 constexpr int per_km = 5000;
 
@@ -37,34 +36,19 @@ double normal_density(double u) {
   return std::exp(-0.5 * u * u) / std::sqrt(2 * units::pi);
 }
 
-// The curves, a kilometre of drawn values, and the thresholds.
-void draw_09(report::Item& item, const num::RandomSource& source) {
+void fig_09(report::Item& item) {
   auto& data = item.data({"p", "histogram", "risk"});
-  auto& bars = item.data("bars", {"p", "density"});
   auto& lines = item.data("thresholds", {"p", "height", "name"});
   for (int i = -60; i <= 150; ++i)
-    data.add(0.01 * i, normal_density((0.01 * i - mean) / deviation) / deviation,
-             normal_density((0.01 * i - median) / spread) / spread);
-  constexpr double width = 0.05;
-  std::vector<int> counts(44);
-  for (int i = 0; i < per_km; ++i) {
-    const double p = mean + deviation * source.normal(static_cast<std::uint64_t>(i));
-    const double cell = (p + 0.7) / width;
-    if (cell >= 0 && cell < 44) ++counts[static_cast<std::size_t>(cell)];
-  }
-  for (std::size_t i = 0; i < counts.size(); ++i)
-    bars.add(-0.7 + width * (static_cast<double>(i) + 0.5), counts[i] / (width * per_km));
+    data.add(0.01 * i, normal_density((0.01 * i - level_mean) / level_sd) / level_sd,
+             normal_density((0.01 * i - sustained) / sustained_sd) / sustained_sd);
   lines.add(T_1, 4.2, "T_1");
   lines.add(T_2, 4.2, "T_2");
-}
-
-void fig_09(report::Item& item) {
-  draw_09(item, num::RandomSource{69, 0});
-  const double risk = quality::failure_probability(mean, deviation, median, spread);
-  const double above = quality::share_above(mean, deviation, T_2);
+  const double risk = quality::failure_probability(level_mean, level_sd, sustained, sustained_sd);
+  const double above = quality::share_above(level_mean, level_sd, T_2);
   item.value("risk", risk, "", "{:.3g}");
   item.value("risk-ratio", risk / above, "times", "{:.1f}");
-  item.value("n", (T_2 - mean) / deviation, "", "{:.1f}");
+  item.value("n", (T_2 - level_mean) / level_sd, "", "{:.1f}");
   item.value("per-km", above * per_km, "", "{:.2f}");
   item.rebuilt(
       "the paper's figure is a sketch without numbers; densities and thresholds are chosen");

@@ -37,7 +37,6 @@ is tested and its range stated, and the paper's hypothesis is tried on a vehicle
 * **"The curves do not interpenetrate"** in the wheel-force mode needs a damping of {{damping-A}} of critical for car A. With the 0.2 of the roll mode they would. {{outcome:table-damping/least}}
 * **"Below 7 m" and "above 100 m"** depend on a vehicle that is not printed; {{fig-07}} says what car A gives. {{outcome:fig-07/short}} {{outcome:fig-07/long}}
 * **"Resembles" the spectrum of track** is not testable: spectrum and vertical scale are lost. {{fig-08}} shows how far another line's spectrum is from it.
-* **The viscous blob** of Figure 10, taken literally, has no tails: it never exceeds a threshold that its edge has not reached. {{outcome:fig-10/blob-8}}
 
 Damage of our copy: the minus of (3) and the first factor of (6) are restored ({{outcome:table-equations/six}}), (7) is read from fragments. Spatial frequency is
 in cycles/km in the list of symbols and in cycles/m on the axis of Figure 2; cycles/m is used. Not in the paper and therefore rebuilt: masses, springs and dampers, the speeds of Figures 5 to 7, the

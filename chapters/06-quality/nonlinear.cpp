@@ -27,7 +27,7 @@ The linear vehicle's own level is no substitute for that. On it, the stops make 
 {{table-starts}}
 
 Two steady motions coexist. On the upper one the stroke is {{high-1}} at 1 Hz and {{high-12}} at 1.2 Hz, where the linear vehicle stays below 2.54 cm. A
-slowly growing sine ends on the lower; a sudden one ends on the upper if the stroke is at rest when it starts. A test with gentle starts would have found nothing.
+slowly growing sine ends on the lower; a sudden one ends on the upper if the stroke is at rest when it starts.
 
 ### Pairs of sines
 

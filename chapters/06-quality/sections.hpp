@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cmath>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -40,11 +39,6 @@ quality::StrokeLimit level_limit();  // the stroke behind Figure 5
 // Rebuilt: data/cars.csv and data/speeds.csv.
 quality::ForceLimit car(const report::Item& item, const std::string& key);
 std::vector<double> speeds(const report::Item& item);  // m/s
-
-// The mean of `height` in each of the equal cells from -half to half.
-quality::Profile cell_means(double half, int cells, const std::function<double(double)>& height);
-
-void limit_answer(report::Item& item);  // of Figure 7
 
 // The power of the wavelength with which the allowed amplitude grows near `wavelength` (m).
 template <class Amplitude>

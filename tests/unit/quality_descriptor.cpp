@@ -60,6 +60,16 @@ TEST_CASE("Force gain: equation (6), the massless wheel and both ends", "[qualit
 }
 
 TEST_CASE("Least damping without a peak of the wheel force", "[quality]") {
+  // Does |G/Z| fall between neighbouring points of a fine grid? No closed form in it.
+  const auto falls = [](const Car& car) {
+    double last = 0;
+    for (double f = 0.2; f < 200; f *= 1.0005) {
+      const double gain = std::abs(force_gain(car, f));
+      if (gain < last) return true;
+      last = gain;
+    }
+    return false;
+  };
   const double ratios[] = {2, 5, 8.75, 14.6, 20, 100};
   const double bounds[] = {0.3619, 0.3715, 0.3678, 0.3635, 0.3612, 0.3553};
   for (int i = 0; i < 6; ++i) {
@@ -67,6 +77,8 @@ TEST_CASE("Least damping without a peak of the wheel force", "[quality]") {
     CHECK_THAT(bound, WithinAbs(bounds[i], 1e-4));
     CHECK(force_peak(make_car(1, ratios[i], {1, bound - 1e-3})).found);
     CHECK_FALSE(force_peak(make_car(1, ratios[i], {1, bound + 1e-3})).found);
+    CHECK(falls(make_car(1, ratios[i], {1, bound - 0.002})));
+    CHECK_FALSE(falls(make_car(1, ratios[i], {1, bound + 0.002})));
   }
 }
 
@@ -81,6 +93,18 @@ TEST_CASE("The force envelope is the worst of all speeds, with a peak and withou
       CHECK(closed >= worst * (1 - 1e-14));
       CHECK(closed <= worst * (1 + 1e-3));
     }
+  }
+}
+
+TEST_CASE("The stroke envelope is the worst of all speeds", "[quality]") {
+  const StrokeLimit limit{roll, 0.0254};
+  for (double w = 1; w < 1000; w *= 1.1) {
+    double worst = 0;
+    for (int i = 1; i <= 4000; ++i)
+      worst = std::max(worst, severity_at(limit, speed * i / 4000, 1 / w));
+    const double closed = severity(limit, speed, 1 / w);
+    CHECK(closed >= worst * (1 - 1e-14));
+    CHECK(closed <= worst * (1 + 1e-3));  // a short wave's peak lies between two speeds
   }
 }
 
@@ -106,6 +130,10 @@ TEST_CASE("The descriptor combines what it is given and refuses the impossible",
     CHECK(envelope(1 / w) == std::max(severity(*envelope.descriptor().stroke, speed, 1 / w),
                                       severity(force, speed, 1 / w)));
   CHECK_THAT(lower_corner(envelope.descriptor()), WithinAbs(4.31, 5e-3));
+  double searched = 0;  // the longest wave below 20 m that is held below the level
+  for (double w = 0.5; w < 20; w *= 1.0002)
+    if (allowed_amplitude(envelope(1 / w)) < 0.016 * (1 - 1e-9)) searched = w;
+  CHECK_THAT(lower_corner(envelope.descriptor()), WithinRel(searched, 5e-4));
   CHECK_THAT(force_margin(force), WithinRel(66508.0, 1e-5));
   CHECK_THROWS_WITH(force_margin({make_car(800, 14090, {2, 0.5}), 143e3}),
                     Catch::Contains("no admissible amplitude"));

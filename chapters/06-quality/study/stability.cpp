@@ -26,17 +26,6 @@ Found flat_peak() {
           std::abs(peak.ratio / other - 1)};
 }
 
-Found weak_damping() {
-  const quality::ForceLimit weak{quality::make_car(800, 7000, {2, 0.05}), wheel_force_limit};
-  double searched = 0;
-  for (int i = 1; i <= 20000; ++i)
-    searched = std::max(searched, severity_at(weak, track_speed * i / 20000, 0.1));
-  const double worst = severity(weak, track_speed, 0.1);
-  return {fmt::format("allowed {:.4g} cm; at full speed alone {:.4g} cm", 1 / worst / cm,
-                      1 / severity_at(weak, track_speed, 0.1) / cm),
-          std::abs(searched / worst - 1)};
-}
-
 Found energy(const quality::Run& r) {
   return {fmt::format("stroke {:.5f} cm, {} switches", r.largest / cm, r.switches.size()),
           r.complete ? r.energy.defect() : units::nan};
@@ -151,9 +140,6 @@ void table_stability(report::Item& item) {
         "the peak leaves for infinity: its place is ill-conditioned", holds, 1e-9,
         "the same in factors that do not cancel"},
        flat_peak},
-      {{"weak", "car A with damping 0.05, 10 m", "curves cross, the envelope has a peak", holds,
-        1e-5, "search over 20 000 speeds"},
-       weak_damping},
       {{"kappa-1e+04", "stops of 10⁴ times the spring's stiffness",
         "impact limit; an integrator's step falls with κ^−½", holds, 1e-9, "energy balance"},
        [] { return stiff_stops(1e4); }},
