@@ -65,8 +65,8 @@ endfunction()
 
 # railbook_chapter(NN-NAME [NEEDS libraries of lib/])
 # The chapter program NAME in build/bin; a need that is not named is a link error.
-# ctest runs it (every check must pass) and its bite test (every check must fail when shifted), and then
-# compares the figures with the golden set (tests/figures).
+# ctest runs it (every check must pass) and compares the figures with the golden set (tests/figures); again, without
+# pictures, with other mathematics.
 function(railbook_chapter chapter)
   cmake_parse_arguments(arg "" "" "NEEDS;USES" ${ARGN})
   string(REGEX REPLACE "^[0-9]+-" "" name ${chapter})
@@ -91,20 +91,18 @@ function(railbook_chapter chapter)
   endif()
   add_test(NAME "chapter: ${chapter} reproduces" COMMAND ${name} reproduce --no-timings
            --out ${CMAKE_BINARY_DIR}/ctest/${chapter})
-  add_test(NAME "chapter: ${chapter} bites" COMMAND ${name} reproduce --bite --no-figures
-           --no-timings --out ${CMAKE_BINARY_DIR}/ctest/${chapter}-bite)
   set_tests_properties("chapter: ${chapter} reproduces" PROPERTIES FIXTURES_SETUP ${chapter})
   if(NOT EXISTS ${CMAKE_SOURCE_DIR}/figures/${chapter})
     return() # none accepted yet; tests/meta does not let a chapter stay so
   endif()
-  railbook_golden_test(${chapter} ${chapter} "")
+  railbook_golden_test(${chapter} ${chapter} compare "")
   # The same as on another processor: the C library's mathematics without fused multiply-add gives other last digits.
   set(maths ${chapter}-maths)
   add_test(NAME "chapter: ${chapter} reproduces with other maths" COMMAND ${CMAKE_COMMAND} -E env
            GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-AVX2,-AVX512F,-FMA4 $<TARGET_FILE:${name}> reproduce --no-timings
-           --out ${CMAKE_BINARY_DIR}/ctest/${maths})
+           --no-figures --out ${CMAKE_BINARY_DIR}/ctest/${maths})
   set_tests_properties("chapter: ${chapter} reproduces with other maths" PROPERTIES FIXTURES_SETUP ${maths})
-  railbook_golden_test(${chapter} ${maths} " with other maths")
+  railbook_golden_test(${chapter} ${maths} data " with other maths")
   add_test(NAME "chapter: ${chapter} says the same with other maths" COMMAND same_text
            ${CMAKE_BINARY_DIR}/ctest/${chapter}/results/${chapter}.json
            ${CMAKE_BINARY_DIR}/ctest/${maths}/results/${chapter}.json)
@@ -112,9 +110,9 @@ function(railbook_chapter chapter)
                        FIXTURES_REQUIRED "${chapter};${maths}")
 endfunction()
 
-# The golden test of the run in the folder `run` of build/ctest.
-function(railbook_golden_test chapter run label)
-  add_test(NAME "figures: ${chapter} golden set${label}" COMMAND figure_diff compare
+# The golden test of the run in the folder `run` of build/ctest: compare, or data (without the pictures).
+function(railbook_golden_test chapter run verb label)
+  add_test(NAME "figures: ${chapter} golden set${label}" COMMAND figure_diff ${verb}
            ${CMAKE_BINARY_DIR}/ctest/${run} ${CMAKE_SOURCE_DIR}/figures/${chapter}
            ${CMAKE_SOURCE_DIR}/figures/environment.txt ${CMAKE_BINARY_DIR}/environment.txt)
   set_tests_properties("figures: ${chapter} golden set${label}" PROPERTIES FIXTURES_REQUIRED ${run})

@@ -31,7 +31,6 @@ struct Reproduce {
   std::string out = RAILBOOK_BUILD_DIR;
   bool no_figures = false;
   bool no_timings = false;
-  bool bite = false;
 };
 
 bool contains(const std::vector<std::string>& list, const std::string& text) {
@@ -80,24 +79,6 @@ void print_failures(const ChapterRecord& record) {
   }
   for (const std::string& problem : record.problems)
     fmt::print(stderr, "  inventory: {}\n", problem);
-}
-
-// The bite test passes when no shifted check and no shifted stability case does.
-int judge_bite(const ChapterRecord& record) {
-  std::size_t toothless = 0;
-  for (const CheckRecord& c : record.checks) {
-    if (!c.pass) continue;
-    ++toothless;
-    fmt::print(stderr, "does not bite: {} (computed {}, kind {})\n", c.id, c.computed_text, c.kind);
-  }
-  for (const Stability& s : record.stability) {
-    if (!s.pass) continue;
-    ++toothless;
-    fmt::print(stderr, "does not bite: stability {}\n", s.id);
-  }
-  const std::size_t all = record.checks.size() + record.stability.size();
-  fmt::print("{}: bite test, {} of {} shifted checks fail\n", record.chapter, all - toothless, all);
-  return toothless == 0 && all > 0 ? 0 : 1;
 }
 
 std::vector<PagedEntry> in_order(const std::vector<Section>& paper,
@@ -153,8 +134,8 @@ int reproduce(const Reproduce& wish, const ChapterInfo& info,
           fmt::format("only is \"{}\"; allowed: a name that `{} list` shows", id, info.name)};
   }
   const bool whole = wish.only.empty();
-  RunFolder folder(wish.out, info.id, whole && !wish.bite);
-  if (!wish.bite) folder.forget_record();
+  RunFolder folder(wish.out, info.id, whole);
+  folder.forget_record();
   RunSettings settings;
   settings.folder = &folder;
   settings.sources = info.sources;
@@ -163,7 +144,6 @@ int reproduce(const Reproduce& wish, const ChapterInfo& info,
   settings.full = wish.level == "full";
   settings.draw = !wish.no_figures;
   settings.timings = !wish.no_timings;
-  settings.bite = wish.bite;
 
   ChapterRecord record;
   record.chapter = info.id;
@@ -177,7 +157,6 @@ int reproduce(const Reproduce& wish, const ChapterInfo& info,
   for (const PagedEntry& e : entries)
     if (whole || contains(wish.only, e.entry->id)) let = compute(e, settings, record) && let;
   record.seconds = wish.no_timings ? 0 : watch.seconds();
-  if (wish.bite) return judge_bite(record);
 
   const std::filesystem::path inventory = info.sources / "data" / "inventory.csv";
   if (whole && std::filesystem::exists(inventory)) {
@@ -225,9 +204,6 @@ int run_command(int argc, char** argv, const ChapterInfo& info, const std::vecto
   reproduce_command->add_flag("--no-figures", wish.no_figures, "do not draw");
   reproduce_command->add_flag("--no-timings", wish.no_timings,
                               "measure no time: the same record on every run");
-  reproduce_command->add_flag(
-      "--bite", wish.bite,
-      "shift every computed value by twice its tolerance: every check must fail");
   CLI::App* list_command = app.add_subcommand("list", "name the tables and figures");
 
   try {

@@ -1,4 +1,4 @@
-// figure_diff compare|accept OUT GOLDEN RECORDED HERE: the figures of the run with --out OUT and the committed folder GOLDEN,
+// figure_diff compare|data|accept OUT GOLDEN RECORDED HERE: the figures, or their data alone, of the run with --out OUT and the committed folder GOLDEN,
 // figures/NN-name. RECORDED names what the committed pictures were made with, HERE what draws on this machine.
 // Exit status 0: alike, or accepted; 1: not, each fault on a line of its own; 2: usage.
 #include <fmt/format.h>
@@ -23,8 +23,8 @@ std::string text_of(const char* file) {
 int main(int argc, char** argv) try {
   using namespace railbook::figures;
   const std::string verb = argc == 6 ? argv[1] : "";
-  if (verb != "compare" && verb != "accept") {
-    fmt::print(stderr, "usage: figure_diff compare|accept OUT GOLDEN RECORDED HERE\n");
+  if (verb != "compare" && verb != "data" && verb != "accept") {
+    fmt::print(stderr, "usage: figure_diff compare|data|accept OUT GOLDEN RECORDED HERE\n");
     return 2;
   }
   const std::filesystem::path golden = argv[3];
@@ -44,9 +44,10 @@ int main(int argc, char** argv) try {
     fmt::print("{}: {} files changed\n", drawn.chapter, done.compared.size());
     return 0;
   }
-  const Report report = compare(drawn, golden, pixels);
+  const Report report =
+      verb == "data" ? compare_data(drawn.data, golden) : compare(drawn, golden, pixels);
   for (const std::string& line : report.compared) fmt::print("{}\n", line);
-  if (!pixels)
+  if (verb == "compare" && !pixels)
     fmt::print("Pictures by size only: the golden ones were made with other programs, see {}.\n",
                argv[4]);
   for (const std::string& line : report.faults) fmt::print("FAULT {}\n", line);

@@ -127,6 +127,18 @@ Drawn read_run(const fs::path& out, const std::string& chapter) {
   return drawn;
 }
 
+Report compare_data(const fs::path& data, const fs::path& golden) {
+  Report report;
+  for (const std::string& name : files_in(golden))
+    if (name.ends_with(".csv"))
+      compare_file(
+          data / name, golden / name, report,
+          [](const fs::path& a, const fs::path& b, std::string&) { return data_fault(a, b); });
+  if (report.compared.empty() && report.faults.empty())
+    report.faults.push_back(golden.string() + ": no data");
+  return report;
+}
+
 Report compare(const Drawn& drawn, const fs::path& golden, bool pixels) {
   Report report;
   if (drawn.figures.empty()) report.faults.push_back(drawn.chapter + ": no figures in its record");

@@ -40,6 +40,9 @@ struct Report {
 // otherwise whole, of the golden's size and of more than one colour. A record without figures is a fault.
 Report compare(const Drawn& drawn, const std::filesystem::path& golden, bool pixels);
 
+// The same of the golden folder's data alone, for a run without pictures that left its data in the folder `data`.
+Report compare_data(const std::filesystem::path& data, const std::filesystem::path& golden);
+
 // Makes the figures the golden set in the folder `golden`, with a README.md that shows them. A file that compares as alike
 // stays as it was committed, so that only what has changed changes. Files of more than `kept_bytes` keep every n-th row.
 inline constexpr std::size_t kept_bytes = 40'000;

@@ -121,6 +121,21 @@ TEST_CASE("figures: what is missing on either side is named") {
   CHECK_THROWS_WITH(f.compare(), Contains("no record of a whole run"));
 }
 
+TEST_CASE("figures: of a run without pictures the data are compared") {
+  const Folders f;
+  const auto faults = [&] {
+    return figures::compare_data(f.at.path / "out/results/01-x", f.at.path / "01-x").faults;
+  };
+  std::filesystem::remove(f.drawn);
+  CHECK(faults().empty());
+  f.data("1,2\n3,5\n", "1,2\n3,4\n");
+  CHECK(faults().size() == 1);
+  std::filesystem::remove(f.at.path / "out/results/01-x/a.csv");
+  CHECK(faults().size() == 1);
+  std::filesystem::remove(f.at.path / "01-x/a.csv");
+  CHECK_THAT(faults().at(0), Contains("no data"));
+}
+
 TEST_CASE("figures: data that no two runs share, and their picture, have no golden") {
   const Folders f;
   f.at.write("out/results/01-x/a.csv", "x_m,y_N\n1,2\n# not compared: times\n");

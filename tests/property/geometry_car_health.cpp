@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 
 #include "../support/final_position.hpp"
@@ -22,14 +23,20 @@ constexpr double mph = units::mph, mm = units::millimetre;
 // Short records of all kinds: speeds of 10 to 120 mph, forwards and backwards, with a change of speed or a stop, on tangents and in
 // curves, on smooth and rough track.
 Record clean_record(std::uint64_t seed) {
-  TrackDescription d;
-  d.length = 700 * units::foot;
-  d.seed = seed;
-  d.substeps = 4;
-  if (seed % 3 == 0) d.curvature = d.superelevation = 0;
-  d.surface.A *= std::pow(4.0, static_cast<double>(seed % 5) - 2);
-  d.line.A *= std::pow(4.0, static_cast<double>(seed / 5 % 5) - 2);
-  const Track track = build(d);
+  static std::uint64_t number = 0;
+  static std::optional<Track> of_four;  // journeys
+  if (const std::uint64_t wanted = 1 + seed / 4; !of_four || number != wanted) {
+    number = wanted;
+    TrackDescription d;
+    d.length = 700 * units::foot;
+    d.seed = number;
+    d.substeps = 4;
+    if (number % 3 == 0) d.curvature = d.superelevation = 0;
+    d.surface.A *= std::pow(4.0, static_cast<double>(number % 5) - 2);
+    d.line.A *= std::pow(4.0, static_cast<double>(number / 5 % 5) - 2);
+    of_four.emplace(build(d));
+  }
+  const Track& track = *of_four;
   const double end = track.length() - 0.01, first = 80 * units::foot;
   const double v = static_cast<double>(10 + seed * 7 % 111) * mph;
   Motion motion{.start = first, .speed = v};

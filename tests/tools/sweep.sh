@@ -34,8 +34,8 @@ run() {
 options=$("$program" "$subject" "$tool" --help | sed -n 's/^ *\(--[a-z0-9-]*\) \(QUANTITY\|COUNT\).*/\1/p')
 [ -n "$options" ] || { echo "no options in the help of $subject $tool"; exit 1; }
 for name in $options; do
-  # The message about a missing unit names the one that is due.
-  unit=$("$program" "$subject" "$tool" "$name=1" 2>&1 | sed -n 's/.*without a unit; allowed: a unit of //p' | head -1)
+  # The message about a wrong unit names the one that is due; without one the tool would be run.
+  unit=$("$program" "$subject" "$tool" "$name=1 kg*m^9" 2>&1 | sed -n 's/.*; allowed: a unit of \([^ ]*\)$/\1/p' | head -1)
   for number in 0 1e-300 5e-324 1e300 -1; do run "$name" "$number${unit:+ $unit}" "$@"; done
 done
 echo "$runs runs, $(echo "$options" | wc -l) options"

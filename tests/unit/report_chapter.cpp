@@ -219,22 +219,17 @@ TEST_CASE(
   CHECK(checks[2]["computed_text"] == "2.54");
 }
 
-TEST_CASE("unit: the bite test passes only when every check and case fails") {
-  const auto section = one([](report::Item& item) {
-    item.expect_checks(4);
-    item.print("a", "a", "", "1.0", 1.04);
-    item.print_text("b", "b", "class 5", "class 5");
-    item.agree("c", "c", "", 2.0, 2.0 + 1e-13, 1e-12, "another method");
-    item.claim("d", "d", true);
-    item.stability({.id = "e", .what = "e", .stress = "e", .allowed = 1e-3}, [] {
-      return report::Found{"e", 1e-9};
+TEST_CASE("unit: a check that cannot fail has failed") {
+  const auto agree_with = [](double reference) {
+    return one([=](report::Item& item) {
+      item.expect_checks(1);
+      item.agree("c", "c", "", reference, reference, 1e-12, "another method");
     });
-    item.stability({.id = "f", .what = "f", .stress = "f", .expect = report::refused},
-                   []() -> report::Found { throw InputError{"no"}; });
-  });
-  CHECK(Sample{}.reproduce(section) == 0);
-  CHECK(Sample{}.reproduce(section, {"--bite"}) == 0);
-  CHECK(Sample{}.reproduce(one([](report::Item& item) { item.sketch(); }), {"--bite"}) == 1);
+  };
+  CHECK(Sample{}.reproduce(agree_with(2)) == 0);
+  const Sample toothless;  // a share of nothing is nothing
+  CHECK(toothless.reproduce(agree_with(0)) == 1);
+  CHECK(toothless.record()["checks"][0]["outcome"] == "failed");
 }
 
 TEST_CASE("unit: the inventory and the checks name each other") {
