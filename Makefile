@@ -12,7 +12,7 @@ wants     = { command -v $(1) > /dev/null || { echo "$(1) is not installed; on D
 program   = $(patsubst $(firstword $(subst -, ,$(1)))-%,%,$(1))
 SOURCES   = $(shell git ls-files '*.cpp' '*.hpp' ':!tests/book')
 
-.PHONY: headline new-chapter help doctor packages configure programs build install reproduce test chapter figures accept-figures book bench format lint failed clean mutate coverage matrix fuzz
+.PHONY: headline new-chapter help doctor packages configure programs build install reproduce test chapter figures accept-figures book bench format lint failed clean mutate coverage sanitize matrix fuzz
 
 help:             ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' $(MAKEFILE_LIST) | expand -t 24
@@ -86,6 +86,9 @@ mutate: build     ## faults of one line, a sample: how many the tests notice (FA
 
 coverage: packages ## lines and branches that the tests of lib/ take, by folder (R="num contact" for some)
 	tests/coverage.sh $(R)
+
+sanitize: packages ## the tests of lib/ and the chapters under the address and undefined-behaviour sanitizers
+	tests/sanitize.sh
 
 matrix: packages  ## checks and prose the same text from GCC and Clang, -O0 and -O3, and another processor's mathematics
 	tests/matrix.sh $(C)

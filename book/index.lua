@@ -224,6 +224,7 @@ function Pandoc(doc)
     ["{{ledger}}"] = function() return overview.ledger(records) end,
     ["{{stability}}"] = function() return overview.stability(records) end,
     ["{{verification}}"] = function() return overview.verification(records) end,
+    ["{{claims}}"] = function() return overview.claims(PANDOC_SCRIPT_FILE:match("^(.*)/[^/]*$") .. "/../tests/claims.csv") end,
     ["{{benchmarks}}"] = function() return benchmarks.all(records) end,
     ["{{library}}"] = function()
       local page

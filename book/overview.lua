@@ -134,4 +134,22 @@ function overview.verification(records)
   return html.tag("div", {class = "filterable"}, join(out))
 end
 
+-- tests/claims.csv, whose rows the tests hold.
+function overview.claims(path)
+  local rows = {}
+  local file = assert(io.open(path))
+  local headings = file:read() == "function,kind,bound,worst,inputs,route"
+  assert(headings, path .. ": other columns than were expected")
+  for line in file:lines() do
+    local row = {}
+    for cell in (line .. ","):gmatch("([^,]*),") do row[#row + 1] = html.text(cell) end
+    assert(#row == 6, path .. ": a row without six cells: " .. line)
+    row[1] = "<code>" .. row[1] .. "</code>"
+    for _, i in ipairs({3, 4}) do row[i] = {row[i], class = "number"} end
+    rows[#rows + 1] = row
+  end
+  file:close()
+  return html.folded_table("sortable claims", {"function", "error", "claimed below", "worst found", "inputs", "held against"}, rows, 14)
+end
+
 return overview

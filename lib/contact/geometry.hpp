@@ -26,6 +26,7 @@ struct Curvature {
 
 // A, B and the angle of the relative principal axes of two bodies (Hertz 1882; Johnson, Contact Mechanics, 1985). Principal
 // directions are named so that |angle| <= pi/4: bodies aligned with x and y give angle 0.
+// Relative accuracy 5e-15 for convex bodies, of the smaller curvature too; a concave one loses what cancels.
 // Throws InputError unless A > 0 and B > 0 (the bodies would touch elsewhere first).
 RelativeCurvature relative_curvature(const Curvature& body_1, const Curvature& body_2);
 

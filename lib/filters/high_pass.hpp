@@ -23,7 +23,7 @@ void require_valid(const HighPass& filter);
 // Samples that count on each side of an output: of the high-pass, and one less of the space curve.
 std::size_t reach(const HighPass& filter);
 
-// Gain at theta radians a sample; to rounding, without cancellation at long waves.
+// Gain at theta radians a sample; relative accuracy 1e-14, without cancellation at long waves.
 double high_pass_gain(const HighPass& filter, double theta);
 
 // The space curve from the short chord, (high-pass)/(1 - cos theta), as weights: 2 reach - 1 numerators over M^p for one

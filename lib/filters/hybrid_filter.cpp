@@ -198,9 +198,27 @@ Complex first_order_analog(double kappa, double theta) {
   return kappa / Complex{kappa, theta};
 }
 
+namespace {
+
+// 1 - exp(-i theta).
+Complex one_less(double theta) {
+  return {2 * std::pow(std::sin(theta / 2), 2), std::sin(theta)};
+}
+
+// (1 - e z)/(1 - e), e = exp(-k): the filter that takes out one mode; a sum in which nothing cancels.
+Complex mode_taken_out(Complex k, double theta) {
+  if (k.real() > forgotten) return 1;
+  const double size = std::exp(-k.real());
+  const Complex rest{-std::expm1(-k.real()) + 2 * size * std::pow(std::sin(k.imag() / 2), 2),
+                     size * std::sin(k.imag())};
+  return 1.0 + std::polar(size, -k.imag()) / rest * one_less(theta);
+}
+
+}  // namespace
+
 Complex first_order_digital(double kappa, double theta, Decay how) {
   const DecayPair d = decay(kappa, how);
-  return 1.0 + d.a / d.rest * (1.0 - std::polar(1.0, -theta));
+  return 1.0 + d.a / d.rest * one_less(theta);
 }
 
 Complex second_order_analog(const SecondOrderLowPass& f, double T, double theta) {
@@ -209,10 +227,12 @@ Complex second_order_analog(const SecondOrderLowPass& f, double T, double theta)
 }
 
 Complex second_order_digital(const SecondOrderLowPass& f, double T, double theta) {
-  const Annihilator g = constant_speed(f, T);
-  return 1.0 + (g.alpha * (1.0 - std::polar(1.0, -theta)) -
-                g.beta * (1.0 - std::polar(1.0, -2 * theta))) /
-                   g.area;
+  if (f.damping >= 1) {
+    const double slow = slow_rate(f), fast = f.omega * f.omega / slow;
+    return mode_taken_out(slow * T, theta) * mode_taken_out(fast * T, theta);
+  }
+  const Complex k = f.omega * T * Complex{f.damping, std::sqrt((1 - f.damping) * (1 + f.damping))};
+  return mode_taken_out(k, theta) * mode_taken_out(std::conj(k), theta);
 }
 
 double sinc_limit(double theta) {

@@ -8,7 +8,7 @@
 
 namespace railbook::num {
 
-// The standard normal quantile: Phi(normal_quantile(p)) = p, 0 < p < 1; relative accuracy about 1e-15
+// The standard normal quantile: Phi(normal_quantile(p)) = p, 0 < p < 1; relative accuracy 2e-15
 // (Wichura 1988, algorithm AS 241, PPND16). Outside (0, 1) the result is NaN or infinite.
 double normal_quantile(double p);
 

@@ -16,7 +16,7 @@ namespace railbook::spectra {
 double dip_shape(double u);
 
 // Its Fourier transform, the integral of dip_shape(u) cos(2 pi nu u) du, with nu in cycles per rail length:
-// 1 - 2/pi at nu = 0, 2/(3 pi) at nu = 1. Even in nu.
+// 1 - 2/pi at nu = 0, 2/(3 pi) at nu = 1. Even in nu. Relative accuracy 1e-12.
 double dip_transform(double nu);
 
 struct JointDips {

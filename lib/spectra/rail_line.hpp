@@ -34,8 +34,8 @@ struct Line {
 // rail's lines n phi_0, the pair n phi_0 +- eps about each with (m/2)^2 of its power, and a long wave at eps
 // itself (its power alone depends on the datum, here the crests). This is the nonlinear ballast memory of
 // Figure 6(e); m = 0 gives the plain rectified sine. Lines that fall on each other (eps and phi_0
-// commensurable) are added as amplitudes, since all are cosines of one origin. Powers are exact for a
-// one-sided density, `dip` is the physical one. phi_0, phi_max > 0, eps >= 0; eps = 0 needs m = 0.
+// commensurable) are added as amplitudes, since all are cosines of one origin. Powers are exact, but for
+// rounding, for a one-sided density, `dip` is the physical one. phi_0, phi_max > 0, eps >= 0; eps = 0 needs m = 0.
 std::vector<Line> modulated_lines(double phi_0, double dip, double m, double eps, double phi_max);
 
 }  // namespace railbook::spectra

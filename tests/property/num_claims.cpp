@@ -1,0 +1,283 @@
+// The accuracy that lib/num states, on seeded inputs over its range; exact values in 80-bit arithmetic or by construction.
+#include <Eigen/Core>
+#include <complex>
+#include <vector>
+
+#include "../support/claim.hpp"
+#include "num/banded.hpp"
+#include "num/dense_lu.hpp"
+#include "num/dopri5.hpp"
+#include "num/eigenvalues.hpp"
+#include "num/even_filter.hpp"
+#include "num/fft.hpp"
+#include "num/gmres.hpp"
+#include "num/log_spaced.hpp"
+#include "num/quadrature.hpp"
+#include "num/radau5.hpp"
+#include "num/random_source.hpp"
+#include "num/roots.hpp"
+#include "num/special.hpp"
+
+using namespace railbook;
+using namespace railbook::tests;
+
+namespace {
+
+using LongMatrix = Eigen::Matrix<Long, Eigen::Dynamic, Eigen::Dynamic>;
+
+Eigen::MatrixXd random_matrix(Draw& draw, Eigen::Index rows, Eigen::Index columns) {
+  return Eigen::MatrixXd::NullaryExpr(rows, columns, [&](Eigen::Index) { return draw(-1, 1); });
+}
+
+// Q B Q^T for a product Q of plane rotations, in 80 bits.
+Eigen::MatrixXd rotated(Draw& draw, const Eigen::MatrixXd& b) {
+  LongMatrix a = b.cast<Long>();
+  for (Eigen::Index i = 0; i < a.rows(); ++i)
+    for (Eigen::Index j = i + 1; j < a.rows(); ++j) {
+      const Long t = draw(0, 7), c = std::cos(t), s = std::sin(t);
+      const LongMatrix rows = a;
+      a.row(i) = c * rows.row(i) + s * rows.row(j), a.row(j) = c * rows.row(j) - s * rows.row(i);
+      const LongMatrix columns = a;
+      a.col(i) = c * columns.col(i) + s * columns.col(j);
+      a.col(j) = c * columns.col(j) - s * columns.col(i);
+    }
+  return a.cast<double>();
+}
+
+// |A x - b| over |A| |x| + |b|, the largest norms of rows.
+double backward_error(const Eigen::MatrixXd& a, const Eigen::VectorXd& x,
+                      const Eigen::VectorXd& b) {
+  const LongMatrix r = a.cast<Long>() * x.cast<Long>() - b.cast<Long>();
+  const double scale =
+      a.cwiseAbs().rowwise().sum().maxCoeff() * x.cwiseAbs().maxCoeff() + b.cwiseAbs().maxCoeff();
+  return static_cast<double>(r.cwiseAbs().maxCoeff()) / scale;
+}
+
+// Si(x) by its series, or pi/2 - f cos x - g sin x with f + i g = integral of (x + i u) e^-u/(x^2 + u^2) du.
+Long sine_integral_long(Long x) {
+  if (std::abs(x) < 8) {
+    Long sum = 0, term = x;
+    for (int n = 0; n < 40; ++n) {
+      sum += term / (2 * n + 1);
+      term *= -x * x / ((2 * n + 2) * (2 * n + 3));
+    }
+    return sum;
+  }
+  Long f = 0, g = 0;
+  for (int k = -72; k <= 80; ++k) {
+    const Long s = k / Long{16}, u = std::exp(s - std::exp(-s));
+    const Long part = std::exp(-u) * u * (1 + std::exp(-s)) / 16 / (x * x + u * u);
+    f += part * x, g += part * u;
+  }
+  return long_pi / 2 - f * std::cos(x) - g * std::sin(x);
+}
+
+// e^(-d t) turned by w t: exactly what y' = (-d, w; -w, -d) y makes of y.
+Eigen::Vector2d damped_turn(double d, double w, double t, const Eigen::Vector2d& y) {
+  const Long e = std::exp(-Long{d} * t), c = std::cos(Long{w} * t), s = std::sin(Long{w} * t);
+  return {static_cast<double>(e * (c * y[0] + s * y[1])),
+          static_cast<double>(e * (c * y[1] - s * y[0]))};
+}
+
+}  // namespace
+
+TEST_CASE("claim: special functions and good sizes") {
+  Claim quantile("normal_quantile"), integral("sine_integral"), sizes("good_fft_size");
+  Draw draw(1);
+  for (int k = 0; k < 2000; ++k) {
+    const double p = k % 2 == 0 ? draw.decades(1e-300, 0.5) : draw(0, 1);
+    const double x = num::normal_quantile(p);
+    const Long error = (std::erfc(-Long{x} / std::sqrt(Long{2})) / 2 - p) * std::sqrt(2 * long_pi) *
+                       std::exp(Long{x} * x / 2);
+    quantile.error(static_cast<double>(std::abs(error / x)));
+    const double y = draw.decades(1e-8, 1e8) * (k % 3 == 0 ? -1 : 1);
+    integral.relative(num::sine_integral(y),
+                      y < 0 ? -sine_integral_long(-y) : sine_integral_long(y));
+  }
+  for (std::size_t n = 1; n <= 2000; ++n) {
+    std::size_t good = n;
+    for (;; ++good) {
+      std::size_t rest = good;
+      for (const std::size_t f : {2U, 3U, 5U, 7U})
+        while (rest % f == 0) rest /= f;
+      if (rest == 1) break;
+    }
+    sizes.error(num::good_fft_size(n) == good ? 0 : 1);
+  }
+}
+
+TEST_CASE("claim: roots and integrals") {
+  Claim roots("find_root"), adaptive("integrate"), gauss("gauss_legendre"), spaced("log_spaced");
+  Draw draw(2);
+  for (int k = 0; k < 1000; ++k) {
+    const double r = draw.decades(1e-6, 1e6) * (k % 2 == 0 ? 1 : -1),
+                 scale = draw.decades(1e-3, 10);
+    const auto f = [&](double x) { return std::expm1((x - r) / std::abs(r) * scale); };
+    const num::Root root =
+        num::find_root(f, r - draw(0.1, 9) * std::abs(r), r + draw(0.1, 9) * std::abs(r));
+    roots.relative(root.x, root.converged ? r : std::nan(""));
+    const double power = draw(-0.9, 6);
+    const num::Integral i = num::integrate([&](double x) { return std::pow(x, power); }, 0, 1);
+    if (i.converged) adaptive.relative(i.value, 1 / (1 + Long{power}));
+    const int n = 1 + k % 64, degree = static_cast<int>(draw(0, 2 * n));
+    const num::GaussRule rule = num::gauss_legendre(n, 0, 1);
+    gauss.relative(rule.w.dot(rule.x.array().pow(degree).matrix()), 1 / Long(degree + 1));
+    const double low = draw.decades(1e-9, 1), high = low * draw.decades(1.001, 1e9);
+    spaced.relative(num::log_spaced(low, high, 1 + k % 40).back(), high);
+  }
+}
+
+TEST_CASE("claim: linear systems") {
+  Claim banded("BandedCholesky"), lu("DenseLu"), krylov("gmres");
+  Draw draw(3);
+  for (int k = 0; k < 1000; ++k) {
+    const Eigen::Index n = 2 + k % 19, m = k % std::min<Eigen::Index>(n, 5);
+    Eigen::MatrixXd band = random_matrix(draw, m + 1, n);
+    for (Eigen::Index j = 0; j < n; ++j)
+      band(0, j) = draw.decades(1e-3, 1) + 2 * static_cast<double>(m);
+    Eigen::MatrixXd a = Eigen::MatrixXd::Zero(n, n);
+    for (Eigen::Index d = 0; d <= m; ++d)
+      for (Eigen::Index j = 0; j + d < n; ++j) a(j + d, j) = a(j, j + d) = band(d, j);
+    const Eigen::VectorXd b = random_matrix(draw, n, 1);
+    banded.error(backward_error(a, num::BandedCholesky(band, "band").solve(b), b));
+
+    const Eigen::MatrixXd full = random_matrix(draw, n, n);
+    num::DenseLu factors;
+    factors.factor(full);
+    Eigen::VectorXd x = b;
+    factors.solve_in_place(x);
+    lu.error(backward_error(full, x, b));
+
+    // What it says of its residual, beside the residual; scaled rows, the diagonal for a preconditioner.
+    const Eigen::MatrixXd near = full + 3 * Eigen::MatrixXd::Identity(n, n);
+    const num::Gmres found =
+        num::gmres([&](const Eigen::VectorXd& in, Eigen::VectorXd& out) { out = near * in; },
+                   [&](const Eigen::VectorXd& in, Eigen::VectorXd& out) {
+                     out = in.cwiseQuotient(near.diagonal());
+                   },
+                   b, draw.decades(1e-12, 1e-2), 60);
+    const double residual = (b - near * found.x).norm() / b.norm();
+    krylov.error(found.converged ? std::abs(residual - found.residual) : std::nan(""));
+  }
+}
+
+TEST_CASE("claim: determinant's sign and a singular matrix") {
+  num::DenseLu factors;
+  factors.factor(Eigen::Matrix2d{{0, 1}, {1, 0}});
+  CHECK(factors.sign() == -1);
+  factors.factor(Eigen::Matrix2d{{2, 1}, {1, 1}});
+  CHECK(factors.sign() == 1);
+  factors.factor(Eigen::Matrix2d{{1, 2}, {2, 4}});
+  CHECK(factors.sign() == 0);
+  Eigen::VectorXd x = Eigen::Vector2d{1, 1};
+  factors.solve_in_place(x);
+  CHECK(x.hasNaN());
+}
+
+TEST_CASE("claim: eigenvalues of normal matrices") {
+  Claim general("eigenvalues"), pairs("eigenpairs"), symmetric("symmetric_eigenvalues");
+  Draw draw(4);
+  for (int k = 0; k < 1000; ++k) {
+    const Eigen::Index n = 2 + 2 * (k % 4);
+    Eigen::VectorXd values = random_matrix(draw, n, 1);
+    std::sort(values.begin(), values.end());
+    const Eigen::MatrixXd s = rotated(draw, values.asDiagonal());
+    const double size = values.cwiseAbs().maxCoeff();
+    symmetric.error((num::symmetric_eigenvalues(s) - values).cwiseAbs().maxCoeff() / size);
+    // Pairs a +- i b by twos.
+    Eigen::MatrixXd blocks = Eigen::MatrixXd::Zero(n, n);
+    std::vector<std::complex<double>> exact;
+    for (Eigen::Index i = 0; i < n; i += 2) {
+      const double a = draw(-1, 1), b = draw(0.1, 1);
+      blocks(i, i) = blocks(i + 1, i + 1) = a, blocks(i, i + 1) = b, blocks(i + 1, i) = -b;
+      exact.insert(exact.end(), {{a, b}, {a, -b}});
+    }
+    const Eigen::MatrixXd turned = rotated(draw, blocks);
+    double off = 0;
+    for (const auto& value : num::eigenvalues(turned)) {
+      const auto nearest = std::min_element(exact.begin(), exact.end(), [&](auto p, auto q) {
+        return std::abs(p - value) < std::abs(q - value);
+      });
+      off = std::max(off, std::abs(*nearest - value));
+      exact.erase(nearest);  // each is found once
+    }
+    general.error(off);
+    const num::Eigenpairs found = num::eigenpairs(turned);
+    pairs.error(
+        (turned * found.vectors - found.vectors * found.values.asDiagonal()).cwiseAbs().maxCoeff());
+  }
+}
+
+TEST_CASE("claim: transforms against the sum itself") {
+  Claim real("RealFft"), filter_claim("EvenFilter");
+  Draw draw(5);
+  for (int k = 0; k < 1000; ++k) {
+    const auto n = static_cast<std::size_t>(1 + k % 97);
+    num::RealFft fft(n);
+    std::vector<double> x(n);
+    for (double& value : x) value = draw(-1, 1);
+    std::copy(x.begin(), x.end(), fft.real().begin());
+    fft.forward();
+    const auto at = static_cast<std::size_t>(draw(0, static_cast<double>(n / 2 + 1)));
+    Long re = 0, im = 0, square = 0;
+    for (std::size_t j = 0; j < n; ++j) {
+      const Long angle = 2 * long_pi * static_cast<Long>(j * at % n) / static_cast<Long>(n);
+      re += x[j] * std::cos(angle), im -= x[j] * std::sin(angle), square += Long{x[j]} * x[j];
+    }
+    const auto found = fft.spectrum()[at];
+    real.error(static_cast<double>(std::hypot(found.real() - re, found.imag() - im) /
+                                   std::sqrt(square * static_cast<Long>(n))));
+
+    const auto rows = static_cast<std::size_t>(1 + k % 5),
+               columns = static_cast<std::size_t>(1 + k % 7);
+    num::EvenFilter filter(rows, columns, 2 * rows, 2 * columns + 1);
+    std::vector<double> kernel(rows * columns), in(kernel), out(kernel);
+    for (double& value : kernel) value = draw(-1, 1);
+    for (double& value : in) value = draw(-1, 1);
+    for (std::size_t v = 0; v < rows; ++v)
+      for (std::size_t u = 0; u < columns; ++u) filter.at(v, u) = kernel[v * columns + u];
+    filter.transform_kernel();
+    num::Workspace space(filter.workspace());
+    filter.apply(in.data(), out.data(), space.data());
+    const auto apart = [](std::size_t a, std::size_t b) { return a > b ? a - b : b - a; };
+    double off = 0;
+    for (std::size_t i = 0; i < in.size(); ++i) {
+      Long sum = 0;
+      for (std::size_t j = 0; j < in.size(); ++j)
+        sum += Long{in[j]} *
+               kernel[apart(i / columns, j / columns) * columns + apart(i % columns, j % columns)];
+      off = std::max(off, static_cast<double>(std::abs(out[i] - sum)));
+    }
+    filter_claim.error(off / static_cast<double>(in.size()));
+  }
+}
+
+TEST_CASE("claim: each step of an integrator is within its tolerance") {
+  Claim explicit_steps("Dopri5"), implicit_steps("Radau5");
+  Draw draw(6);
+  for (int k = 0; k < 300; ++k) {
+    const double d = draw(0, 1), w = draw(0.2, 5), tolerance = draw.decades(1e-10, 1e-4);
+    const auto f = [&](double, const Eigen::Vector2d& y, Eigen::Vector2d& dy) {
+      dy << -d * y[0] + w * y[1], -w * y[0] - d * y[1];
+    };
+    const auto jacobian = [&](double, const Eigen::Vector2d&, Eigen::Matrix2d& j) {
+      j << -d, w, -w, -d;
+    };
+    const auto held = [&](Claim& claim, auto& solver, const auto& step) {
+      for (int n = 0; n < 12 && solver.t() < 5; ++n) {
+        const double t = solver.t();
+        const Eigen::Vector2d y = solver.y();
+        REQUIRE(step());
+        const Eigen::Vector2d exact = damped_turn(d, w, solver.t() - t, y);
+        claim.error((solver.y() - exact).norm() / std::sqrt(2.0) / tolerance);
+      }
+    };
+    const Eigen::Vector2d start{draw(-1, 1), draw(-1, 1)};
+    num::Dopri5<2> one(Eigen::Vector2d::Constant(tolerance), 0.01);
+    one.restart(f, 0, start);
+    held(explicit_steps, one, [&] { return one.step(f, 5); });
+    num::Radau5<2> other(Eigen::Vector2d::Constant(tolerance), 0.01);
+    other.restart(0, start);
+    held(implicit_steps, other, [&] { return other.step(f, jacobian, 5); });
+  }
+}
