@@ -52,15 +52,24 @@ inline const wheel_on_rail::Pair& pair() {
   return p;
 }
 
-inline wheel_on_rail::WheelResult solve(const Wheel& wheel, wheel_on_rail::Method method,
+inline wheel_on_rail::WheelWish wish_of(const Wheel& wheel, wheel_on_rail::Method method,
                                         long cells = 40) {
-  wheel_on_rail::Pose pose{wheel.y, 2.4 * wheel.y, wheel.roll};
-  if (wheel.side < 0) pose = wheel_on_rail::mirrored(pose);
   wheel_on_rail::WheelWish wish;
   wish.load = 10 * units::kilonewton, wish.speed = 2, wish.turning = wheel.turning;
   wish.wheel = wish.rail = {2 * 82e9 * 1.28, 0.28};
   wish.method = method, wish.along = wish.across = cells;
-  return wheel_on_rail::solve_wheel(pair(), pose, wish);
+  return wish;
+}
+
+// Of the right wheel, or of the left one in the mirror.
+inline wheel_on_rail::Pose pose_of(const Wheel& wheel) {
+  const wheel_on_rail::Pose pose{wheel.y, 2.4 * wheel.y, wheel.roll};
+  return wheel.side < 0 ? wheel_on_rail::mirrored(pose) : pose;
+}
+
+inline wheel_on_rail::WheelResult solve(const Wheel& wheel, wheel_on_rail::Method method,
+                                        long cells = 40) {
+  return wheel_on_rail::solve_wheel(pair(), pose_of(wheel), wish_of(wheel, method, cells));
 }
 
 // The same, once for all items.

@@ -39,25 +39,36 @@ full theory's tractions: the force along the track, a small part of what frictio
 
 {{case-a}}
 
-## The patches
+{{include: below.cpp}}
 
-{{fig-patches}}
-
-{{scene}}
+{{include: patches.cpp}}
 
 ## Deviations
 
 CONTACT's table was made with cells of 0.2 mm, four across a flange patch: its pressures there are 1 to 2 % above those on finer cells, and above those here.
 At 5 mm its right wheel has one patch of two areas 10 mm apart, with one frame between; here they are two half-spaces. That wheel is shown and not compared.
 
-Two things were chosen after CONTACT's numbers were seen, so that they confirm nothing: how the depth weighs the middle of a patch (the origin, the
-angle and with it the spin of the frames then met CONTACT's), and that a wheelset whose roll is free balances with friction's part of the forces. Pressures and
-forces hardly moved with either. In the table above roll and turning are the benchmark's.
+The power 5/2 of the depth was first chosen because the frames then met CONTACT's. It also follows without them. A circular Hertzian contact of half-width
+$b$ lies in an overlap of half-width $\sqrt2\,b$ whose depth is a parabola; weighted with the depth to the power $m$, a place across has the mean square
+
+$$ \overline{t^2}=\frac{2b^2}{2m+3}, $$
+
+and the contact's area has $b^2/4$: $m=5/2$. The frame stands at the middle of the area, as nearly as the overlap tells it: on the wheels compared the middle of the
+pressures found is within {{frame-off}} of the patch's width from it, the one of 15 mm at no shift included.
+
+That a wheelset whose roll is free balances with friction's part of the forces is plain statics, but it was put so after CONTACT's numbers were seen and confirms
+nothing. In the table above roll and turning are the benchmark's.
 
 ## Limits
 
-Half-spaces, also on the gauge corner, where a patch that turns by more than 0.35 rad is flagged as conformal; plane frames; elastically alike bodies;
-steady rolling. Friction falls with the mean rigid slip of a patch, not with the slip of each particle. Stresses below the surface, dissimilar rollers and transient starts are not here.
+Half-spaces, also on the gauge corner, where a patch that turns by more than 0.35 rad is flagged as conformal; plane frames; steady rolling. Friction falls with the mean rigid slip of a patch, not with the slip of each particle.
+
+*Elastically alike bodies.* In a pair of unlike ones pressures drive the surfaces apart along the surface, and tractions push back into the pressure. Rollers of aluminium on steel (Bentall
+and Johnson 1967) then creep even when they roll freely, and friction stiffens an aluminium ball pressed on steel (Spence 1975), whose central pressure rises by a third. Both need the two problems solved in turns and, for Spence's, with a history of loads as well;
+wheel and rail are both of steel, so that neither is here.
+
+*Steady rolling.* The library can start from rest: under a constant force Cattaneo's shift goes over into Carter's rolling step by step, in Kalker's case within 0.2 % of the creepages that CONTACT prints on the way (a test: *from Cattaneo to
+Carter*). A wheel's patch is passed in some milliseconds, so this page stays with the steady end.
 
 ## Try next
 
@@ -69,10 +80,8 @@ steady rolling. Friction falls with the mean rigid slip of a patch, not with the
 #include <map>
 
 #include "case_a.hpp"
-#include "drawing/labelled.hpp"
 #include "report/chapter.hpp"
-#include "scene/colour_map.hpp"
-#include "scene/shapes.hpp"
+#include "sections.hpp"
 #include "units/constants.hpp"
 
 using namespace railbook;
@@ -88,6 +97,18 @@ bool verge(const std::string& key) {
   return key == "right-5";
 }
 
+// Across, from the frame's origin, over the width of the contact.
+double middle_of_pressure(const PatchResult& p) {
+  double moment = 0, low = units::no_limit, high = -units::no_limit;
+  for (Eigen::Index k = 0; k < p.pressure.size(); ++k) {
+    if (!(p.pressure[k] > 0)) continue;
+    const double t = p.grid.y(k / p.grid.nx);
+    moment += t * p.pressure[k];
+    low = std::min(low, t), high = std::max(high, t);
+  }
+  return moment / p.pressure.sum() / (high - low + p.grid.dy);
+}
+
 void case_a(report::Item& item) {
   item.added("the benchmark is no paper of the book");
   static const table::CsvTable published = item.printed("case-a.csv");
@@ -101,7 +122,7 @@ void case_a(report::Item& item) {
                 {"across, N", "{:.0f}"},
                 "CONTACT",
                 "patches"});
-  double pressure = 0, force = 0, strips_pressure = 0, strips_force = 0;
+  double pressure = 0, force = 0, strips_pressure = 0, strips_force = 0, frame = 0;
   int compared = 0;
   for (const Wheel& wheel : wheels(published)) {
     const WheelResult found = solved(wheel, Method::full);
@@ -130,11 +151,13 @@ void case_a(report::Item& item) {
                    std::hypot(a.forces.fx - wheel.fx, wheel.side * a.forces.fy - wheel.fy) / bound);
     };
     off(p, pressure, force);
+    frame = std::max(frame, std::abs(middle_of_pressure(p)));
     off(quick, strips_pressure, strips_force);
   }
   item.value("wheels", compared, "", "{:.0f}");
   item.value("worst-pressure", 100 * pressure, "%", "{:.1f}");
   item.value("worst-force", 100 * force, "%", "{:.1f}");
+  item.value("frame-off", 100 * frame, "%", "{:.0f}");
   item.value("strips-pressure", 100 * strips_pressure, "%", "{:.0f}");
   item.value("strips-force", 100 * strips_force, "%", "{:.0f}");
 }
@@ -177,85 +200,15 @@ void fig_force(report::Item& item) {
       [](const Wheel& w) { return w.fx; });
 }
 
-void fig_patches(report::Item& item) {
-  item.added("the benchmark is no paper of the book");
-  static const table::CsvTable table = item.printed("case-a.csv");
-  report::Data& data = item.data({"across_mm", "along_mm", "p_MPa"});
-  for (const Wheel& wheel : wheels(table)) {
-    if (wheel.key != "right-0" && wheel.key != "right-2" && wheel.key != "right-4" &&
-        wheel.key != "right-6" && wheel.key != "right-8")
-      continue;
-    const PatchResult p = solved(wheel, Method::full).patches.front();
-    for (Eigen::Index k = 0; k < p.pressure.size(); ++k)
-      if (p.pressure[k] > 0)
-        data.add((p.patch.frame.origin.y() - rail_origin) / units::millimetre +
-                     p.grid.y(k / p.grid.nx) / units::millimetre * std::cos(p.patch.frame.angle),
-                 (p.patch.frame.origin.x() + p.grid.x(k % p.grid.nx)) / units::millimetre,
-                 p.pressure[k] / units::megapascal);
-    data.gap();
-  }
-  data.holds_to("p_MPa", 1e-3, 1, "pressures beside the edge of the contact end within a cell");
-}
-
-void draw_scene(report::Item& item) {
-  item.added("a picture of the third wheel's patch");
-  static const table::CsvTable table = item.printed("case-a.csv");
-  const PatchResult p = solved(wheel_of(table, "right", 3), Method::full).patches.front();
-  const auto& t = p.forces.tractions;
-  const double high = p.p_max, up = 5 / high;  // the peak is 5 mm high
-  std::vector<Eigen::Index> cells;
-  for (Eigen::Index k = 0; k < p.pressure.size(); ++k)
-    if (p.pressure[k] > 0) cells.push_back(k);
-  scene::Rectangles places(cells.size(), 4);
-  Eigen::VectorXd heights(cells.size());
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const auto row = Eigen::Index(i), k = cells[i];
-    const double x = p.grid.x(k % p.grid.nx), y = p.grid.y(k / p.grid.nx);
-    places.row(row) << 1e3 * (x - p.grid.dx / 2), 1e3 * (x + p.grid.dx / 2),
-        1e3 * (y - p.grid.dy / 2), 1e3 * (y + p.grid.dy / 2);
-    heights[row] = up * p.pressure[k];
-  }
-  scene::Scene s;
-  s.meshes.push_back(scene::columns(places, heights, scene::viridis(heights, 0.0, 5.0)));
-  // The rail's surface beside, and tractions over the columns of every third cell.
-  s.meshes.push_back(scene::box({-8, -6, -0.6}, {8, 6, -0.05}, scene::steel));
-  scene::Lines arrows{scene::Points(0, 3), scene::Segments(0, 2), {0.84, 0.37, 0.0}, 2.5};
-  for (Eigen::Index k = 0; k < t.x.size(); ++k) {
-    const auto i = std::lround((t.x[k] - p.grid.x0) / p.grid.dx),
-               j = std::lround((t.y[k] - p.grid.y0) / p.grid.dy);
-    if (i % 3 != 0 || j % 3 != 0) continue;
-    const double z = up * t.bound[k] / p.friction + 0.15, scale = 4 / (p.friction * high);
-    const auto n = arrows.vertices.rows();
-    arrows.vertices.conservativeResize(n + 2, 3);
-    arrows.vertices.row(n) << 1e3 * t.x[k], 1e3 * t.y[k], z;
-    arrows.vertices.row(n + 1) << 1e3 * t.x[k] + scale * t.px[k], 1e3 * t.y[k] + scale * t.py[k], z;
-    arrows.segments.conservativeResize(n / 2 + 1, 2);
-    arrows.segments.row(n / 2) << int(n), int(n + 1);
-  }
-  s.lines.push_back(arrows);
-  const scene::Size size{1000, 650};
-  const auto camera = scene::looking_at(s, {0.7, -1.4, 0.9}, size, true);
-  drawing::labelled(
-      item, "labels.gp", s, camera, size,
-      {{{8.2, 0, 0}, "rolling"}, {{0, -6.5, -0.6}, "across: towards the gauge face"}});
-}
-
 const report::Section benchmark{
     report::table("case-a", "Case A2.2 of the Manchester benchmark", case_a),
     report::figure(
         "fig-pressure",
         "Largest pressure over the shift: left wheel at negative shifts, right at positive",
         fig_pressure),
-    report::figure("fig-force", "Force along the track over the shift", fig_force),
-    report::figure("fig-patches",
-                   "Patches of the right wheel at shifts of 0, 2, 4, 6 and 8 mm, seen from above",
-                   fig_patches),
-    report::figure("scene", "Pressure and tractions of the right wheel's patch at a shift of 3 mm",
-                   draw_scene)};
+    report::figure("fig-force", "Force along the track over the shift", fig_force)};
 
 }  // namespace
-
-extern const report::Section study;  // study/study.cpp
 
 int main(int argc, char** argv) {
   return report::run(argc, argv,
@@ -265,5 +218,5 @@ int main(int argc, char** argv) {
                       .paper = "Addition beyond the papers: the Manchester contact benchmark, case "
                                "A, with CONTACT's answers.",
                       .sources = RAILBOOK_CHAPTER_DIR},
-                     {benchmark}, {study});
+                     {benchmark, below, drawn}, {study});
 }

@@ -4,7 +4,8 @@
 
 {{cost}}
 
-{{cost-answer}} The right wheel of the benchmark at 3 mm; the reference is 96 x 96 cells.
+{{cost-answer}} The right wheel of the benchmark at 3 mm, in the frame and under the normal load of 40 x 40 cells. The reference is of another make: the grids of the
+chapter *contact*, each a factor $\sqrt2$ finer, extrapolated to no cells at all; it knows its own error to be some 4e-6, and the grey band is a hundred times that.
 
 {{work-precision: cost}}
 
@@ -19,9 +20,11 @@ A case *holds* when its error stays within the bound set for it, and is *refused
 #include <fmt/format.h>
 
 #include <cmath>
+#include <stdexcept>
 
 #include "../case_a.hpp"
 #include "bench/work_precision.hpp"
+#include "contact/cg_fft.hpp"
 #include "report/chapter.hpp"
 
 using namespace railbook;
@@ -29,6 +32,21 @@ using namespace railbook::wheel_on_rail;
 using namespace railbook::wheel_on_rail_chapter;
 
 namespace {
+
+// The largest pressure between the same surfaces under the same load, by the grids of `contact`.
+contact::NormalContact extrapolated(const Wheel& wheel) {
+  const WheelResult found = solved(wheel, Method::full);
+  const PatchResult& p = found.patches.front();
+  const Placed placed(pair(), pose_of(wheel));
+  const WheelWish wish = wish_of(wheel, Method::full);
+  const auto gap = [&](double x, double y) {
+    return p.approach - overlap(placed, p.patch.frame, found.z, x, y);
+  };
+  const double modulus = rolling::join(wish.wheel, wish.rail).effective_modulus;
+  const auto best = contact::solve_cg_fft_load(gap, p.load, modulus, {.nx = 256, .ny = 256});
+  if (!best.contact.converged) throw std::runtime_error(best.contact.reason);
+  return best.contact;
+}
 
 void cost(report::Item& item) {
   item.added("cost of the solvers");
@@ -40,14 +58,14 @@ void cost(report::Item& item) {
                           r.converged,
                           r.reason};
   };
-  const double best = peak(Method::full, 96).values[0], next = peak(Method::full, 72).values[0];
+  const auto best = extrapolated(third);
   const std::vector<bench::Method> methods{
       bench::sweep("full theory", {12, 20, 32, 48}, [&](int n) { return peak(Method::full, n); })
           .counts("cells"),
       bench::sweep("strips", {60}, [&](int) { return peak(Method::strips, 40); }).counts("strips"),
       bench::sweep("Hertz", {60}, [&](int) { return peak(Method::hertz, 40); }).counts("strips")};
   const auto points =
-      bench::figure(item, {"largest pressure", best, std::abs(best - next) / best}, methods, 0.1);
+      bench::figure(item, {"largest pressure", best.p_max, best.p_max_error}, methods, 0.1);
   item.value("cost-answer", bench::answer(points, "largest pressure", {1e-2, 2e-3}));
 }
 

@@ -1,0 +1,8 @@
+// The sections of the chapter, in reading order.
+#pragma once
+
+#include "report/chapter.hpp"
+
+extern const railbook::report::Section below;  // below.cpp
+extern const railbook::report::Section drawn;  // patches.cpp
+extern const railbook::report::Section study;  // study/study.cpp
