@@ -122,7 +122,7 @@ void dampers(report::Item& item) {
   claim(item, "lower-speeds", std::max(speed[1].high, speed[2].high) < speed[0].low,
         "with all dampers of the table");
   refute(item, "much-lower-cn", speed[1].low > 145 / words::much,
-         fmt::format("{:.0f} to {:.0f} ft/s, {:.0f} to {:.0f} % lower", speed[1].low, speed[1].high,
+         fmt::format("{:.0f} to {:.0f} ft/s, {:.1f} to {:.1f} % lower", speed[1].low, speed[1].high,
                      100 * (1 - speed[1].high / 145), 100 * (1 - speed[1].low / 145)));
   claim(item, "much-lower-heumann", speed[2].high < 145 / words::much,
         fmt::format("{:.0f} to {:.0f} ft/s", speed[2].low, speed[2].high));

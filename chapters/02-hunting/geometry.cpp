@@ -10,7 +10,7 @@ $$R=\frac{r_L-r_R}{2a},\qquad D=\frac{\delta_L-\delta_R}2,\qquad\Phi=\phi_w;$$
 
 the first steers, the other two push the wheelset back to the middle.
 
-**Profiles.** The paper measured a new wheel on a worn rail, the Canadian National's worn-wheel profile A on a new rail, and a modified
+**Profiles.** The paper takes a new wheel on a worn rail, the Canadian National's worn-wheel profile A on a new rail, and a modified
 Heumann wheel on the worn rail, at a gauge of {{gauge}}, and gives none of them. Here each is a chain of circular arcs and straight lines without corners. Rails have a 10 in crown, 1¼ in shoulders and 3/8
 in corners when new, are flatter and then sharper when worn, and lean inwards by 1:40. The new wheel is a 1:20
 cone with an 11/16 in throat; CN profile A has a hollow of {{cn-radius}} and the Heumann wheel one of
@@ -90,7 +90,7 @@ void join(const SideContact& at, double head, double above, report::Data& data) 
 }
 
 void constraints(report::Item& item, const NamedPair& named) {
-  item.rebuilt("the measured profiles are lost; these are chains of arcs chosen to the text");
+  item.rebuilt("the profiles are lost; these are chains of arcs chosen to the text");
   item.script("constraint.gp");
   const WheelsetOnTrack& pair = named.pair();
   report::Data& functions = item.data(

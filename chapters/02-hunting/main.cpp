@@ -12,7 +12,7 @@ drives. R. Hull and N. K. Cooperrider asked in 1976 at which speeds an empty Nor
 what the profiles of wheel and rail have to do with it. They used describing functions: replace every nonlinear function by the gain
 that a sine of the amplitude in question would feel, and look for the speed at which that amplitude neither grows nor dies.
 
-The paper's figures, its measured profiles and part of its table of data are lost or illegible in the copy that is available. This
+The paper's figures, its profiles of wheel and rail and part of its table of data are lost or illegible in the copy that is available. This
 chapter rebuilds profiles that fit what the text says of them and marks what rests on them.
 
 {{include: geometry.cpp}}
@@ -56,8 +56,8 @@ chapter rebuilds profiles that fit what the text says of them and marks what res
 **Geometry.** Wheelset and rails are rigid and both sides are alike; yaw of the wheelset is left out, as in the paper. The contact is the
 point of the least *vertical* gap of two curves in one plane; how tread and flange share the load needs an elastic model.
 
-**Limit cycles.** Creep is linear: on the flange the creep forces asked for are several times what friction could
-carry, so that amplitudes above flange contact are academic, as in the paper. Friction is regularized,
+**Limit cycles.** Creep is linear, as in the paper: on the flange the creep forces asked for are many times what friction could
+carry, so that amplitudes above flange contact are academic. Friction is regularized,
 and results at hundredths of an inch depend on how. Only odd cycles are searched for, and only along branches from critical speeds.
 
 ## Try next

@@ -98,5 +98,5 @@ int main(int argc, char** argv) {
                 "(A. D. Kerr, ed.), Pergamon, 1978, pp. 239 ff. (title and venue are not in the "
                 "copy used)",
        .sources = RAILBOOK_CHAPTER_DIR},
-      {stiffness, chain, joint, moving, lumped, geometry, impact}, {cost, digits});
+      {stiffness, chain, joint, moving, lumped, geometry, impact}, {cost, passages, digits});
 }

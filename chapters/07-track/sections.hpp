@@ -13,6 +13,10 @@ inline constexpr double lb_per_in = units::lbf / units::inch;
 double printed_ballast_stiffness(const track::TieSupport& support);
 double ballast_by_slices(const track::TieSupport& support);
 
+// The textbook's way to the deflection under a moving load, in static deflections: all four roots of p^4 + 4 theta^2 p^2 -
+// 8 zeta theta p + 4 = 0, the sum of the residues of those that die out ahead. Loses its digits where roots meet.
+double deflection_by_roots(double theta, double zeta);
+
 // A joint of 39-ft rails with a dip of so many inches.
 inline track::RectifiedSine joint_dip(double inches) {
   return {inches * units::inch, 39 * units::foot};
@@ -27,7 +31,7 @@ extern const report::Section
 extern const report::Section geometry;  // joints, spectra, profiles: Figs 6 and 7
 extern const report::Section impact;    // what the model does with a joint
 
-extern const report::Section cost, digits;  // study/
+extern const report::Section cost, passages, digits;  // study/
 
 void extremes(report::Item&);  // the rows of stability
 

@@ -9,7 +9,6 @@ $\zeta$ from it gives a case with a known answer, $y(0)=16\sqrt u/(3u^2+16u)$, f
 #include <cmath>
 
 #include "sections.hpp"
-#include "study/methods.hpp"
 #include "track/beam_elements.hpp"
 #include "track/fe_moving_load.hpp"
 #include "track/impact_check.hpp"

@@ -5,7 +5,7 @@
 
 {{include: cost.cpp}}
 
-{{include: methods.cpp}}
+{{include: passages.cpp}}
 
 ## Stability
 
