@@ -48,7 +48,7 @@ What the filters cost against other ways to write them, and what stops, reversal
 
 ## Limits
 
-* $C$ and $G$ undo the analog filter exactly, and amplify everything behind it: noise and steps of the converter by $1/\kappa$ and $1/\kappa^2$. The lower the
+* $C$ and $G$ amplify everything behind the analog filter, noise and steps of the converter, by $1/\kappa$ and $1/\kappa^2$. The lower the
   corner, the more independent of speed, and the noisier.
 * Waves shorter than two samples are folded: the hybrid filter lets {{nyquist-gain}} of a wave of 2 ft through, and is no anti-aliasing filter.
 * A worn wheel stretches the chord and the wavelengths by its wear, and none of this notices.

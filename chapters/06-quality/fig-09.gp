@@ -2,7 +2,7 @@ load "style.gp"
 set output ARG2
 set xrange [-0.6:1.5]
 set yrange [0:6.2]
-set key top left title "reconstructed, synthetic values"
+set key top left title "reconstructed"
 set xlabel "descriptor"
 set ylabel "density"
 plot ARG1 using "p":"histogram" with lines lt 1 title "histogram N(0.2, 0.25)", \

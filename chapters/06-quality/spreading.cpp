@@ -12,7 +12,7 @@ $x_N\propto t^{1/5}$, here {{blob-front}} at $t=1$: beyond it nothing is ever ex
 
 Figure 11 in the paper is two curves without numbers: segments A (ties renewed) and B (only surfaced) start alike and part. Here they spread by diffusion, B four times as fast. The index $n$ of B falls to 3, taken as the
 end of basic maintenance, after {{basic-B}} units of tonnage, that of A after {{basic-A}}. The histogram after surfacing tells nothing about which is which, as the paper says: the
-rate is not in it.
+rate is not in it. Its hypothesis that poor track degrades faster than good track fits neither law: in both the spreading slows down.
 */
 #include <cmath>
 

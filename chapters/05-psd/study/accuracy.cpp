@@ -6,7 +6,7 @@ package: Welch's method with 1024 samples, straight lines through the logarithms
 {{fig-length}}
 
 Upper row: the bias, with its standard error; lower row: the scatter, with its standard error, what the library states (line) and the square root
-of the length (dashed), which the scatter outruns while segments are few. {{length-answer}} The library's class is right in {{length-right}} of the records at the longest length, where it gives
+of the length (dashed). {{length-answer}} The library's class is right in {{length-right}} of the records at the longest length, where it gives
 that class a probability of {{length-stated}} on average; the straightforward reading is right in {{length-plain}}.
 */
 #include <fmt/format.h>
@@ -176,12 +176,16 @@ void fig_length(report::Item& item) {
   item.value("length-records", study.records, "", "{:.0f}");
   item.value("length-lengths", fmt::format("{:g} km", fmt::join(kilometres, ", ")));
   const auto needed = [&](int q) { return std::pow(own.rms()[q] / 0.05, 2) * kilometres.back(); };
-  item.value("length-answer",
-             fmt::format("To know A to 5 % takes {:.0f} km by the regression, φ_c {:.0f} km and B "
-                         "{:.0f} km; straightforwardly the bias alone is {:+.0f}, {:+.0f} and "
-                         "{:+.0f} % at {:g} km.",
-                         needed(0), needed(1), needed(2), 100 * plain.bias[0], 100 * plain.bias[1],
-                         100 * plain.bias[2], kilometres.back()));
+  item.value(
+      "length-answer",
+      fmt::format("Over {:.0f} times the length the regression's scatter of A falls to 1/{:.1f}. "
+                  "To know A to 5 % takes {:.0f} km by the regression, φ_c {:.0f} km and B "
+                  "{:.0f} km; straightforwardly the bias alone is {:+.0f}, {:+.0f} and "
+                  "{:+.0f} % at {:g} km.",
+                  kilometres.back() / kilometres.front(),
+                  study.found[0].front().scatter[0] / own.scatter[0], needed(0), needed(1),
+                  needed(2), 100 * plain.bias[0], 100 * plain.bias[1], 100 * plain.bias[2],
+                  kilometres.back()));
   item.value("length-right", 100 * own.right, "%", "{:.0f}");
   item.value("length-stated", 100 * own.probability, "%", "{:.0f}");
   item.value("length-plain", 100 * plain.right, "%", "{:.0f}");

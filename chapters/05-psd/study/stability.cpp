@@ -32,14 +32,13 @@ using report::Found;
 namespace {
 
 using Record = std::vector<double>;
-constexpr double usual_length = 160 * km, df = 1 / (4096 * units::foot);
+constexpr double length = 160 * km, df = 1 / (4096 * units::foot);
 
 struct Case {
   std::string id, what, stress;
   spectra::SyntheticTrack track;
   spectra::WelchOptions welch = {};
   spectra::FitOptions fit = {};
-  double length = usual_length;
   std::function<void(Record&)> spoil = {};  // what is done to the samples
   std::optional<spectra::RecordOptions> read =
       {};           // as the tool reads them: screened, gaps bridged
@@ -100,11 +99,6 @@ void disturbed_track(Cases& cases) {
       return S + lines_seen(lines, phi, df) - lines_seen(plain, phi, df);
     };
   });
-  cases.add("named", "both, and the old rail named", "left out of the fit", [](Case& c) {
-    c.track.memory_dip = 5 * mm;
-    c.track.memory_modulation = 0.5;
-    c.fit.foreign_lengths = {old_rail};
-  });
   cases.add("scatter-1", "joint depths vary by 100 %", "continuous spectrum of the joints",
             [](Case& c) {
               c.track.dip_scatter = 1;
@@ -158,9 +152,6 @@ void measured_badly(Cases& cases) {
                 z = spectra::mid_chord_offsets(z, units::foot, 100 * units::foot).offset;
               };
             });
-  cases.add("spacing", "samples 1 m apart", "band cut, harmonics folded",
-            [](Case& c) { c.track.spacing = 1; });
-  cases.add("one-segment", "1.3 km", "one segment, K = 1", [](Case& c) { c.length = 1.3 * km; });
 }
 
 /*** What comes of one: */
@@ -170,7 +161,7 @@ struct Result {
 };
 
 Result run(const Case& c) {
-  Record z = spectra::synthesize(c.track, static_cast<std::size_t>(c.length / c.track.spacing));
+  Record z = spectra::synthesize(c.track, static_cast<std::size_t>(length / c.track.spacing));
   if (c.spoil) c.spoil(z);
   spectra::Welch welch{c.track.spacing, c.welch};
   std::string doubts;
@@ -244,7 +235,7 @@ void table_stability(report::Item& item) {
                       : c.lossy() ? "A put in: the loss"
                                   : "A and B put in, in units of those errors and 1 %"},
         [&] { return judged(c, errors); });
-  item.value("stability-length", usual_length / km, "km", "{:.0f}");
+  item.value("stability-length", length / km, "km", "{:.0f}");
   item.value("stability-errors", errors, "", "{:.1f}");
 }
 
