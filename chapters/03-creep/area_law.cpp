@@ -32,7 +32,6 @@ must act on the rolling radius too, or roughen the surface.
 #include "rig.hpp"
 #include "rolling/kalker_coefficients.hpp"
 #include "rolling/rolling_contact.hpp"
-#include "sections.hpp"
 
 using namespace railbook;
 using namespace railbook::rolling;

@@ -24,7 +24,8 @@ see. Four things make the answer good on few cells:
 
 On 24 x 12 cells that fill the ellipse the mean error over the curve is {{error-filled}}; placed, the same cells have {{error-placed}}.
 
-{{include: answer.cpp}}
+Below {{fig-full-curve}} creep and spin can be moved, for the rig's ellipse at the printed load and friction: the cells that stick and those that slide, and the tractions along the middle.
+The contact rolls to the right; what slides begins at the trailing edge, and spin moves it to one side.
 
 {{table-full-curve}}
 
@@ -39,13 +40,11 @@ Vermeulen and Johnson's curve, $1-(1-CX/3)^3$, has a slope $C$ {{vj-excess}} abo
 #include <algorithm>
 #include <cmath>
 
-#include "curve.hpp"
-#include "num/roots.hpp"
+#include "report/answer.hpp"
 #include "rig.hpp"
 #include "rolling/creep_laws.hpp"
 #include "rolling/kalker_coefficients.hpp"
 #include "rolling/rolling_influence.hpp"
-#include "sections.hpp"
 
 using namespace railbook;
 using namespace railbook::rolling;
@@ -66,10 +65,6 @@ ForceTable creep_chapter::curve_table(int nodes, const RollingOptions& options) 
 double creep_chapter::master_curve(double x) {
   static const ForceTable table = curve_table(97, {.along = 24, .rows = 12});
   return table.at(axis_ratio, {x, 0, 0}).fx;
-}
-
-double creep_chapter::master_curve_inverse(double share) {
-  return num::find_root([&](double x) { return master_curve(x) - share; }, 0, 2, 1e-13).x;
 }
 
 RollingCase creep_chapter::rig_case() {
@@ -110,6 +105,43 @@ std::pair<double, double> apart(const std::vector<CreepForces>& a,
     sum += e, most = std::max(most, e);
   }
   return {sum / static_cast<double>(a.size()), most};
+}
+
+void contact_answer(report::Item& item) {
+  constexpr const char *patch = "patch", *middle = "middle";
+  report::Answer answer{item,
+                        {"creep_‰", "spin_1/m"},
+                        {{.name = patch,
+                          .x_label = "along rolling, mm",
+                          .y_label = "across, mm",
+                          .x_from = -1.6,
+                          .x_to = 1.6,
+                          .y_from = -1.1,
+                          .y_to = 1.1,
+                          .kind = "cells"},
+                         {middle, "along rolling, mm", "traction, MPa", -1.6, 1.6, -500, 500},
+                         {.name = "forces", .kind = "says"}}};
+  RollingCase c = rig_case();
+  const EllipseRolling contact(c.a / c.b, c.poisson, {.along = 14, .rows = 9});
+  for (const double creep : {0.25, 0.5, 1., 2., 3., 4., 6.})
+    for (const double spin : {0., 1., 3., 6., 12., 25.}) {
+      c.creepage = {creep / 1000, 0, spin};
+      const CreepForces f = contact.solve(c);
+      if (!f.converged) throw std::runtime_error(f.reason);
+      answer.at({creep, spin});
+      const Tractions& t = f.tractions;
+      for (Eigen::Index i = 0; i < t.x.size(); ++i) {
+        const double x = t.x[i] / units::millimetre, y = t.y[i] / units::millimetre;
+        answer.point(patch, t.stick[i] > 0 ? "sticks" : "slides", x, y);
+        if (std::abs(y) > 1e-9) continue;
+        answer.point(middle, "along", x, t.px[i] / units::megapascal);
+        answer.point(middle, "across", x, t.py[i] / units::megapascal);
+        answer.point(middle, "limit", x, t.bound[i] / units::megapascal);
+      }
+      answer.says("forces", "along rolling over µN", f.fx / (c.friction * c.load));
+      answer.says("forces", "across over µN", f.fy / (c.friction * c.load));
+      answer.says("forces", "area that sticks, %", 100 * f.stick_share);
+    }
 }
 
 void tabulate(report::Item& item) {

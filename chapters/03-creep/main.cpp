@@ -21,23 +21,15 @@ $$X=\frac{G\,a\,b\,\xi}{\mu_cN},$$
 with the largest coefficient $\mu_c$, the shear modulus $G$ and the axes $a$, $b$ of the contact ellipse *as it really
 is*, enlarged by wear, they fall on one curve, the one that Kalker's theory predicts. The measured points stand in figures that our copy has lost: figures with points are rebuilt, and say so.
 
-{{include: rig_scene.cpp}}
-
-{{include: geometry.cpp}}
+{{include: rig.cpp}}
 
 {{include: replica.cpp}}
 
-{{include: appendix_a.cpp}}
-
-{{include: appendix_b.cpp}}
-
-{{include: experiment.cpp}}
-
-{{include: reduction.cpp}}
+{{include: appendices.cpp}}
 
 {{include: full_curve.cpp}}
 
-{{include: collapse.cpp}}
+{{include: experiment.cpp}}
 
 {{include: state.cpp}}
 
@@ -61,7 +53,7 @@ Lost: the measured points and average curves of Figures 3 to 8 and 11, the areas
 
 ## Limits
 
-What each theory costs and where the solver stops is on the [second page](03-creep-study.html). {{curve-answer}} Of random cases {{covered}} are
+What each theory costs and where the solver stops is on the [second page](03-creep-study.html). {{curve-time-answer}} Of random cases {{covered}} are
 within the error that the full theory states.
 
 The full theory is that of two elastic half-spaces of one material, with Coulomb's friction at one coefficient, in steady state.
@@ -84,7 +76,7 @@ Poritsky [20]; our scan ends before the list. The theory computed is that of Kal
 {{coverage}}
 */
 
-#include "sections.hpp"
+#include "rig.hpp"
 
 using namespace railbook::creep_chapter;
 
@@ -99,7 +91,5 @@ int main(int argc, char** argv) {
            "Creep-Adhesion Function in Dry Contact, Journal of Engineering for Industry (ASME) "
            "101(3), 1979, pp. 278-284",
        .sources = RAILBOOK_CHAPTER_DIR},
-      {rig_scene, geometry, replica, appendix_a, appendix_b, experiment, reduction, full_theory,
-       collapse, state, area_law},
-      {cost, extremes});
+      {rig, replica, appendices, full_theory, experiment, state, area_law}, {cost, extremes});
 }

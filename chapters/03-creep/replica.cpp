@@ -38,7 +38,6 @@ is squeezed flat acts thinner than it is.
 #include "num/quadrature.hpp"
 #include "num/roots.hpp"
 #include "rig.hpp"
-#include "sections.hpp"
 
 using namespace railbook;
 using namespace railbook::creep_chapter;

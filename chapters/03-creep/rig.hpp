@@ -1,10 +1,17 @@
-// The paper's rig: two wheels pressed together, rolling along x, axles along y.
+// The sections of the chapter, and what they share: the paper's rig, two wheels pressed together, rolling along x, axles along
+// y, and Kalker's curve for it.
 #pragma once
 
 #include "contact/hertz.hpp"
+#include "report/chapter.hpp"
+#include "rolling/force_table.hpp"
+#include "rolling/rolling_contact.hpp"
 #include "units/constants.hpp"
 
 namespace railbook::creep_chapter {
+
+extern const report::Section rig, replica, appendices, full_theory, experiment, state, area_law;
+extern const report::Section cost, extremes;  // study/
 
 // Radii after five hours of running (Appendix B, diameters halved), the ellipse of the text, and the largest
 // coefficient of friction of the state that is printed.
@@ -40,5 +47,18 @@ double profile_radius(bool major_along_rolling);
 
 // Hertz's ellipse [m] at `load` [N] for a profile radius; a is the semi-axis along rolling, b across.
 contact::HertzContact rig_contact(double load, double profile);
+
+// G a b/N by Hertz's area at `load`: X = this times creep/mu_c.
+double hertz_group(double load);
+
+// The ellipse and the load of the rig by the rolling solver, mu = 0.3, without creepage.
+rolling::RollingCase rig_case();
+
+// Kalker's curve for the rig's ellipse by the full theory, mu/mu_c over X = G a b xi/(mu_c N) from 0 to 2, as a table that is
+// linear between its nodes.
+rolling::ForceTable curve_table(int nodes, const rolling::RollingOptions& options);
+
+// From such a table, to about 2e-4; odd in X, and beyond X = 2 the value there.
+double master_curve(double x);
 
 }  // namespace railbook::creep_chapter

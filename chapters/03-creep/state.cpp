@@ -20,12 +20,9 @@ semi-axes, the reading fits Hertz's area at $\mu_c$ = {{mu-full-axes}} without a
 
 #include <cmath>
 
-#include "curve.hpp"
-#include "experiment.hpp"
 #include "num/roots.hpp"
 #include "rig.hpp"
 #include "rolling/kalker_coefficients.hpp"
-#include "sections.hpp"
 
 using namespace railbook;
 using namespace railbook::rolling;
@@ -37,7 +34,8 @@ constexpr double creep = printed_creep, printed_mu = printed_friction;
 
 // The area over Hertz's that gives mu = 0.3 at this creep, for a largest friction.
 double factor(double friction, double measured_creep) {
-  return master_curve_inverse(printed_mu / friction) * friction /
+  const auto miss = [&](double x) { return friction * master_curve(x) - printed_mu; };
+  return num::find_root(miss, 0, 2, 1e-13).x * friction /
          (hertz_group(paper_load) * measured_creep);
 }
 

@@ -21,7 +21,6 @@ The full theory states an error for the force, from a grid of half the cells. Ra
 #include <cmath>
 
 #include "../rig.hpp"
-#include "../sections.hpp"
 #include "bench/evidence.hpp"
 #include "rolling/creep_laws.hpp"
 #include "rolling/kalker_coefficients.hpp"

@@ -1,0 +1,26 @@
+load "style.gp"
+set output ARG2
+set terminal pngcairo size 1300,520
+set datafile missing NaN
+array name[6]
+keep(k, text) = (k >= 1 && k <= 6 ? (name[k] = text) : 0, 1)
+set yrange [0:2]
+set table $unused
+plot ARG1 using (keep(int(column("case")), strcol("shape_and_spin")))
+unset table
+set multiplot layout 1,3
+set logscale xy
+set xrange [5:110]
+set yrange [1e-6:0.2]
+set format y "10^{%T}"
+set xtics (6,12,24,48,96)
+set xlabel "cells along, and rows"
+# Columns 4 to 6 are the distances, 7 to 9 what the limits are known to; what they do not know 100 times better is grey.
+do for [q = 1:3] {
+  set ylabel "distance of " . word("fx fy mz", q) . " from its limit"
+  if (q == 3) { set key top right font ",11" } else { unset key }
+  plot for [k = 1:6] ARG1 using "cells":(column("case") == k ? column(3 + q) : NaN) with linespoints lt k lw 1 title name[k], \
+       ARG1 using "cells":(column(3 + q) < 100 * column(6 + q) ? column(3 + q) : NaN) with points pt 7 ps 1.3 lc rgb light, \
+       2 / x**2 with lines ls guide title "slope -2"
+}
+unset multiplot
