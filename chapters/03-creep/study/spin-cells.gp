@@ -11,14 +11,14 @@ unset table
 set multiplot layout 1,3
 set logscale xy
 set xrange [5:110]
-set yrange [1e-6:0.2]
+set yrange [1e-8:0.2]
 set format y "10^{%T}"
 set xtics (6,12,24,48,96)
 set xlabel "cells along, and rows"
 # Columns 4 to 6 are the distances, 7 to 9 what the limits are known to; what they do not know 100 times better is grey.
 do for [q = 1:3] {
   set ylabel "distance of " . word("fx fy mz", q) . " from its limit"
-  if (q == 3) { set key top right font ",11" } else { unset key }
+  if (q == 1) { set key bottom left font ",10" } else { unset key }
   plot for [k = 1:6] ARG1 using "cells":(column("case") == k ? column(3 + q) : NaN) with linespoints lt k lw 1 title name[k], \
        ARG1 using "cells":(column(3 + q) < 100 * column(6 + q) ? column(3 + q) : NaN) with points pt 7 ps 1.3 lc rgb light, \
        2 / x**2 with lines ls guide title "slope -2"
