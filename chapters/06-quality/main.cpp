@@ -108,5 +108,5 @@ int main(int argc, char** argv) {
                 "1981",
        .sources = RAILBOOK_CHAPTER_DIR},
       {stroke, force, combined, spectrum, filter, nonlinear, histogram, spreading},
-      {cost, closed_forms, extremes});
+      {cost, extremes});
 }

@@ -12,17 +12,16 @@
 
 namespace railbook::quality_chapter {
 
-extern const report::Section stroke;        // Figures 1 to 5, equations (1) to (4)
-extern const report::Section force;         // Figure 6, equations (5) and (6)
-extern const report::Section combined;      // Figure 7
-extern const report::Section spectrum;      // Figure 8
-extern const report::Section filter;        // the descriptor on a record
-extern const report::Section nonlinear;     // the hypothesis, equation (7)
-extern const report::Section histogram;     // Figure 9
-extern const report::Section spreading;     // Figures 10 and 11
-extern const report::Section cost;          // study: error against run time
-extern const report::Section closed_forms;  // study: digits
-extern const report::Section extremes;      // study: stability
+extern const report::Section stroke;     // Figures 1 to 5, equations (1) to (4)
+extern const report::Section force;      // Figure 6, equations (5) and (6)
+extern const report::Section combined;   // Figure 7
+extern const report::Section spectrum;   // Figure 8
+extern const report::Section filter;     // the descriptor on a record
+extern const report::Section nonlinear;  // the hypothesis, equation (7)
+extern const report::Section histogram;  // Figure 9
+extern const report::Section spreading;  // Figures 10 and 11
+extern const report::Section cost;       // study: error against run time
+extern const report::Section extremes;   // study: stability
 
 inline constexpr double cm = 0.01;
 inline constexpr double kmh = units::kilometre_per_hour;

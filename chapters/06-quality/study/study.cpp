@@ -4,12 +4,6 @@
 
 {{include: cost.cpp}}
 
-## Digits
-
-{{include: digits.cpp}}
-
-{{digits}}
-
 ## Stability
 
 A case *holds* when its error stays within the bound set for it, *degrades* when it loses accuracy in the way stated, and is *refused* when the program says why it has no number.
