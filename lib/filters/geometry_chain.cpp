@@ -179,6 +179,8 @@ Geometry geometry(std::span<const double> x, const GeometryChainOptions& options
                       }};
   units::require_between("samples of the record", static_cast<double>(x.size()),
                          2 * static_cast<double>(chain.reach()) + 1, units::no_limit);
+  result.space_curve.reserve(x.size());
+  result.chord.reserve(x.size());
   chain.push(x);
   chain.finish();
   return result;

@@ -110,6 +110,13 @@ Annihilator approximate(double omega, double before, double after, Decay how) {
   return {alpha, beta, 1 - alpha + beta};
 }
 
+// a/(1 - a), NaN where there is none. Beyond 700 a is nothing beside 1, and its inverse still a number.
+double gain(double kappa, Decay how) {
+  if (how == Decay::exact && kappa > 0) return 1 / std::expm1(std::min(kappa, 700.0));
+  const DecayPair d = decay(kappa, how);
+  return d.rest != 0 && std::isfinite(d.rest) ? d.a / d.rest : units::nan;
+}
+
 double centred(double kappa) {  // 1/kappa - a/(1-a) - 1/2 for small kappa, by its Bernoulli series
   const double k2 = kappa * kappa;
   return -kappa / 12 * (1 - k2 / 60 * (1 - k2 / 42 * (1 - k2 / 40 * (1 - k2 * 10 / 396))));
@@ -135,16 +142,16 @@ bool possible_interval(double T) {
 FirstOrderHybrid::FirstOrderHybrid(double corner, Decay how)
     : corner_(units::require_positive("corner of the filter", corner, "rad/s")), how_(how) {}
 
-double FirstOrderHybrid::push(double y, double T) {
+double FirstOrderHybrid::push_any(double y, double T) {
   if (!possible_interval(T)) {
     if (T == 0 && known_) return units::nan;
     known_ = false;
   }
   double u = units::nan;
   if (known_ && std::isfinite(y)) {
-    if (T != interval_) interval_ = T, decay_ = decay(corner_ * T, how_);  // at one speed: once
-    const DecayPair& d = decay_;
-    if (d.rest != 0 && std::isfinite(d.rest)) u = y + d.a * (y - last_) / d.rest;
+    if (!(T == interval_)) gain_ = gain(corner_ * T, how_);
+    interval_ = std::isfinite(gain_) ? T : units::nan;
+    if (std::isfinite(gain_)) u = y + gain_ * (y - last_);
   }
   known_ = std::isfinite(y);
   last_ = y;
