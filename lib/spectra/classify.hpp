@@ -30,7 +30,7 @@ double random_coefficient(const ClassRule& rule);
 
 // The deviation d = sqrt(k A + (gamma B)^2) that (10) holds against the limits, m. A in m^2 cycle/m, B in m in
 // the printed convention; both non-negative, else InputError. The corner phi_c is ignored, as in the paper:
-// 2 to 6 % on the safe side.
+// 2 to 6 % on the safe side. To rounding.
 double design_deviation(double A, double B_printed, const ClassRule& rule = {});
 
 struct Classification {

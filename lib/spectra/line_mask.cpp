@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "num/gsl.hpp"
-#include "units/constants.hpp"
+#include "spectra/chord.hpp"
 
 namespace railbook::spectra {
 namespace {
@@ -36,7 +36,7 @@ double surroundings(const Eigen::ArrayXd& density, Index k) {
 
 double squared_gain(double chord, double phi) {
   if (chord == 0) return 1;
-  const double gain = 1 - std::cos(units::pi * chord * phi);
+  const double gain = chord_gain(chord, phi);
   return gain * gain;
 }
 

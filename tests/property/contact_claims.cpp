@@ -152,8 +152,30 @@ TEST_CASE("claim: the curve of interpenetration") {
   }
 }
 
+TEST_CASE("claim: the box holds the curve of interpenetration, and no contact is empty") {
+  Draw draw(7);
+  for (int k = 0; k < 300; ++k) {
+    const double a = draw.decades(1e-3, 1e3), b = draw.decades(1e-3, 1e3),
+                 delta = draw.decades(1e-9, 1e-3);
+    const Box box = interpenetration_box(quadratic_gap({a, b, 0}), delta);
+    const double x = std::sqrt(delta / a), y = std::sqrt(delta / b);
+    REQUIRE(std::min(-box.x_min, box.x_max) >= x);
+    REQUIRE(std::min(-box.y_min, box.y_max) >= y);
+    REQUIRE(std::max(-box.x_min, box.x_max) < 10 * x);
+    REQUIRE(std::max(-box.y_min, box.y_max) < 10 * y);
+  }
+  const NormalContact none = empty_contact(-1e-6);
+  CHECK(none.converged);
+  CHECK(none.reason == empty_contact_reason);
+  CHECK(none.approach == -1e-6);
+  CHECK(none.force == 0);
+  // At least the pressures, the displacements and a padded transform, twice as many cells each way.
+  CHECK(memory_needed(100, 50) > 8.0 * (2 + 4) * 100 * 50);
+  CHECK(memory_needed(200, 100) > 3 * memory_needed(100, 50));
+}
+
 TEST_CASE("claim: disc, ring and rectangle") {
-  Claim discs("disc_influence"), rectangles("rectangle_influence");
+  Claim discs("disc_influence"), rectangles("rectangle_influence"), corners("corner_function");
   Draw draw(4);
   for (int k = 0; k < 4000; ++k) {
     const double c = draw.decades(1e-3, 1e3), beside = draw.decades(1e-16, 1);  // of the edge
@@ -170,6 +192,7 @@ TEST_CASE("claim: disc, ring and rectangle") {
     CHECK(std::abs(static_cast<double>((disc_influence(wider, r) - disc_influence(c, r)) / ring -
                                        1)) < 1e-14 * wider / (wider - c));
 
+    corners.relative(corner_function(c, beside), corner(c, beside));
     const double a = draw.decades(1e-2, 1e2), b = draw.decades(1e-2, 1e2);
     const double far = std::max(a, b) * draw.decades(0.1, 1e4);
     const double x = far * draw(-0.5, 0.5), y = far * draw(-0.5, 0.5);

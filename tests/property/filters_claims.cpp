@@ -67,6 +67,12 @@ TEST_CASE("claim: closed forms of the filters") {
   }
 }
 
+TEST_CASE("claim: what can be an interval between samples") {
+  for (const double T : {2e-10, 1.0, 1e300, HUGE_VAL}) CHECK(possible_interval(T));
+  for (const double T : {1e-10, 0.0, -1.0, -HUGE_VAL, std::nan("")})
+    CHECK_FALSE(possible_interval(T));
+}
+
 TEST_CASE("claim: chords of short chords") {
   Claim claim("to_chord"), sums("running_sum");
   Draw draw(2);

@@ -6,6 +6,7 @@
 #include "rolling/cell_displacements.hpp"
 #include "rolling/creep_laws.hpp"
 #include "rolling/fastsim.hpp"
+#include "rolling/theory.hpp"
 
 using namespace railbook;
 using namespace railbook::rolling;
@@ -123,5 +124,24 @@ TEST_CASE("claim: no theory but the linear one exceeds friction, and small creep
     linear.relative(f.fx, g * ab * kalker.c11 * creep.longitudinal);
     linear.error(static_cast<double>(std::abs(f.fy - fy) / size_y));
     linear.error(static_cast<double>(std::abs(f.mz - mz) / size_m));
+  }
+}
+
+TEST_CASE("claim: each named theory solves, and says that without friction there are no forces") {
+  CHECK(theory_names().size() == 7);
+  RollingCase c = with_reduced_creepage(unit_case(1.2, poisson), {0.01, 0.01, 0});
+  const CreepForces exact = solver("full", 1.2, poisson, 12)(c);
+  for (const std::string& name : theory_names()) {
+    INFO(name);
+    const Solver solve = solver(name, 1.2, poisson, 12);
+    c.friction = 1;
+    CHECK(solve(c).fx == Approx(exact.fx).epsilon(0.3));
+    c.friction = 0;
+    const CreepForces none = solve(c);
+    CHECK(none.converged);
+    if (name == "linear") continue;  // which knows no bound
+    CHECK(none.fx == 0);
+    CHECK(none.fy == 0);
+    CHECK(none.mz == 0);
   }
 }

@@ -5,7 +5,9 @@
 #include "../support/claim.hpp"
 #include "num/quadrature.hpp"
 #include "spectra/chord.hpp"
+#include "spectra/classify.hpp"
 #include "spectra/joint_dips.hpp"
+#include "spectra/line_mask.hpp"
 #include "spectra/rail_line.hpp"
 #include "spectra/track_spectrum.hpp"
 
@@ -108,4 +110,28 @@ TEST_CASE("claim: the lines add up to the variance of the rectified sine") {
                                     (1 / (48 * N * N * N) - 1 / (240 * std::pow(N, Long{5})));
     claim.relative(sum + rest, spectra::rectified_sine_variance(dip));
   }
+}
+
+TEST_CASE("claim: the rule of the classes and the mask of the lines") {
+  Claim rule("design_deviation");
+  Draw draw(4);
+  for (int k = 0; k < 1000; ++k) {
+    const double A = draw.decades(1e-9, 1e-4), B = draw.decades(1e-5, 0.1), L = draw(5, 25),
+                 phi = draw.decades(1e-4, 1);
+    spectra::ClassRule wish;
+    wish.chord = L, wish.alpha = draw(1, 4), wish.gamma = draw(0.5, 4);
+    const Long sigma = long_pi * std::sqrt(Long{A} * L / 2);
+    const double found = spectra::design_deviation(A, B, wish);
+    rule.relative(found, std::hypot(wish.alpha * sigma, Long{wish.gamma} * B));
+    REQUIRE(spectra::classify(A, B, wish).deviation == found);
+    REQUIRE(spectra::squared_gain(L, phi) == Approx(std::pow(spectra::chord_gain(L, phi), 2)));
+  }
+  CHECK(spectra::squared_gain(0, 0.3) == 1);
+  // Old rails of 10 m under new ones of 12: multiples of 0.1, and 1/60 beside those of 1/12; nothing below the first.
+  spectra::FitOptions options;
+  options.rail_length = 12, options.foreign_lengths = {10};
+  for (const double phi : {0.1, 0.2059, 0.3, 1 / 12.0 - 1 / 60.0, 2 / 12.0 + 1 / 60.0})
+    CHECK(spectra::near_foreign_line(options, phi));
+  for (const double phi : {1 / 12.0, 0.13, 0.2141, 0.004})
+    CHECK_FALSE(spectra::near_foreign_line(options, phi));
 }

@@ -73,3 +73,13 @@ TEST_CASE("unit: two summits are two patches") {
   CHECK(c.x_max - c.x_min > 0.038);
   CHECK((c.x.array() + t.x_touch).abs().minCoeff() < 0.003);
 }
+
+TEST_CASE("unit: thinned profiles are two, of half the points, and none without profiles") {
+  const Body rail{.profile = circle(0.3, 0, 0), .radius_y = inf};
+  const Body wheel{.radius_x = inf, .radius_y = 0.46};
+  const auto thinned = join_thinned(rail, wheel);
+  REQUIRE(thinned.size() == 2);
+  for (const TouchingBodies& t : thinned)
+    CHECK(t.gap(0.005, 0.001) == Approx(join_bodies(rail, wheel).gap(0.005, 0.001)).epsilon(1e-4));
+  CHECK(join_thinned(wheel, {.radius_x = 0.3, .radius_y = inf}).empty());
+}

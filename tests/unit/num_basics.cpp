@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <complex>
@@ -120,4 +121,20 @@ TEST_CASE("unit: good sizes have no factor above seven") {
 TEST_CASE("unit: a failing GSL status is an exception with its text") {
   CHECK_THROWS_WITH(num::check_gsl(4, "my routine"), Catch::Contains("my routine"));
   CHECK_NOTHROW(num::check_gsl(0, ""));
+}
+
+TEST_CASE("unit: parallel parts cover every item once, whatever the threads") {
+  for (const int threads : {-1, 1, 2, 3, 7})
+    for (const std::size_t count : {0U, 1U, 2U, 1000U}) {
+      std::vector<int> visits(count);
+      num::in_parallel(threads, count, [&](std::size_t begin, std::size_t end, std::size_t) {
+        for (std::size_t k = begin; k < end; ++k) ++visits[k];
+      });
+      CHECK(std::count(visits.begin(), visits.end(), 1) == static_cast<long>(count));
+    }
+}
+
+TEST_CASE("unit: GSL says what is wrong instead of ending the program") {
+  num::use_gsl_status_codes();
+  CHECK_THROWS_AS(num::integrate([](double x) { return x; }, 0, 1, 1e-30), num::NumericalError);
 }

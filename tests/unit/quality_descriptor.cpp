@@ -139,3 +139,17 @@ TEST_CASE("The descriptor combines what it is given and refuses the impossible",
                     Catch::Contains("no admissible amplitude"));
   CHECK_THROWS_AS(Envelope(Descriptor{}), InputError);
 }
+
+TEST_CASE("Peaks of the severities are higher than what is beside them", "[quality]") {
+  const Car car = freight_car(0.2);
+  CHECK_THAT(static_force(car), WithinRel((800 + 7000) * units::standard_gravity, 1e-12));
+  const auto held = [](const auto& limit) {
+    const SeverityPeak peak = severity_peak(limit);
+    REQUIRE(std::isfinite(peak.frequency));
+    CHECK_THAT(severity_at(limit, 1, peak.frequency), WithinRel(peak.severity, 1e-9));
+    for (const double share : {0.9, 0.999, 1.001, 1.1})
+      CHECK(severity_at(limit, 1, share * peak.frequency) < peak.severity);
+  };
+  held(StrokeLimit{suspension(car), 0.02});
+  held(ForceLimit{car, 1.5 * static_force(car)});
+}

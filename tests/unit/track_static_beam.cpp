@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "num/quadrature.hpp"
+#include "track/beam_elements.hpp"
 #include "track/beam_on_foundation.hpp"
 #include "track/effective_mass.hpp"
 #include "track/typical_track.hpp"
@@ -174,4 +175,14 @@ TEST_CASE("unit: the seismic ballast mass of the typical track") {
   const double mass =
       tie_and_ballast_mass(typical_tie_mass, 19.5 * units::inch, rho, typical_beam().beta());
   CHECK(mass / units::pound == Approx(418.2037).epsilon(1e-6));
+}
+
+TEST_CASE("unit: the cubic element is the exact one but for (beta L)^4") {
+  for (const double L : {0.01, 0.05, 0.1}) {
+    const Eigen::Matrix4d exact = exact_element(6e6, 3e7, L), cubic = cubic_element(6e6, 3e7, L);
+    const double beta_4 = 3e7 * std::pow(L, 4) / (4 * 6e6);
+    CHECK((exact - cubic).cwiseAbs().maxCoeff() < 0.01 * beta_4 * cubic.cwiseAbs().maxCoeff());
+    CHECK((cubic - cubic.transpose()).cwiseAbs().maxCoeff() == 0);
+  }
+  CHECK((exact_element(6e6, 0, 0.5) - cubic_element(6e6, 0, 0.5)).cwiseAbs().maxCoeff() < 1e-6);
 }
