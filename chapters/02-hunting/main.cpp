@@ -43,7 +43,7 @@ chapter rebuilds profiles that fit what the text says of them and marks what res
 
 * *Stable limit cycles extend to a high velocity with new wheels.* By the paper's rule they do; a torus bifurcation ends them at {{torus-speed}}: {{outcome:true-branches/stable-to-high-speed}}.
 * *Two regions of stable cycles with flange contact for CN wheels*: {{outcome:claims/cn-regions}}; *the lower one with the rear truck alone*: {{outcome:claims/cn-rear}}, with these profiles it is the front truck.
-* *The describing functions have their maximum near the steepest portion of the flange*: that of the contact angle has ({{outcome:describing-claims/df-maximum}}), the other two go on rising: {{outcome:describing-claims/df-maximum-rest}}.
+* *The describing functions have their maximum near the steepest portion of the flange*: that of the contact angle has ({{outcome:describing-claims/df-maximum}}), the other two rise on past it: {{outcome:describing-claims/df-maximum-rest}}.
 * *Two mode shapes with flange contact, one the mirror of the other*: there is a third, with the trucks together: {{outcome:mode-claims/two-shapes}}.
 * *Much lower speeds with CN wheels*: {{outcome:dampers/much-lower-cn}}, a tenth lower with all dampers that fit 145 ft/s.
 * *One high frequency with flange contact, 30.5 rad/s*: by describing functions {{outcome:flange-frequency/flange-single}}, by the full equations {{outcome:flange-frequency/flange-true}}.

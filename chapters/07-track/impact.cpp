@@ -127,11 +127,8 @@ void joint_peaks(report::Item& item) {
                 kn("P1, kN"),
                 ms(),
                 kn("second, kN"),
-                ms(),
-                kn("late, kN"),
                 kn("P2, kN"),
                 ms(),
-                kn("least, kN"),
                 kn("formula P1, kN"),
                 kn("formula P2, kN")});
   double off_1 = 0, off_2 = 0;
@@ -141,8 +138,7 @@ void joint_peaks(report::Item& item) {
         dip_formula(model, formula, joint_dip(inches).total_angle() / 2, mph * units::mph);
     const auto force = [](double newton) { return newton / units::kilonewton; };
     item.add_row(mph, inches, force(p.first.force), 1e3 * p.first.time, force(p.second.force),
-                 1e3 * p.second.time, force(p.late.force), force(p.mean.force), 1e3 * p.mean.time,
-                 force(p.least.force), force(f.p1), force(f.p2));
+                 force(p.mean.force), 1e3 * p.mean.time, force(f.p1), force(f.p2));
     off_1 = std::max(off_1, std::abs(f.p1 / p.first.force - 1));
     off_2 = std::max(off_2, std::abs(f.p2 / p.mean.force - 1));
   }
