@@ -63,9 +63,9 @@ nothing. In the table above roll and turning are the benchmark's.
 
 Half-spaces, also on the gauge corner, where a patch that turns by more than 0.35 rad is flagged as conformal; plane frames; steady rolling. Friction falls with the mean rigid slip of a patch, not with the slip of each particle.
 
-*Elastically alike bodies.* In a pair of unlike ones pressures drive the surfaces apart along the surface, and tractions push back into the pressure. Rollers of aluminium on steel (Bentall
-and Johnson 1967) then creep even when they roll freely, and friction stiffens an aluminium ball pressed on steel (Spence 1975), whose central pressure rises by a third. Both need the two problems solved in turns and, for Spence's, with a history of loads as well;
-wheel and rail are both of steel, so that neither is here.
+*Unlike materials.* Pressures drive the surfaces of unlike bodies apart along themselves, so that a roller of aluminium on one of steel creeps even when it rolls freely. The full theory takes that into the slip and meets Bentall and Johnson's rollers within 1 %
+of the creepage that CONTACT prints (a test: *rollers of aluminium and steel*). What the tractions do to the pressure in return is left out, half a per cent there; where friction stiffens an aluminium ball pressed on steel (Spence 1975) it is a third,
+which would need both problems solved in turns under a history of loads. Wheel and rail are both of steel.
 
 *Steady rolling.* The library can start from rest: under a constant force Cattaneo's shift goes over into Carter's rolling step by step, in Kalker's case within 0.2 % of the creepages that CONTACT prints on the way (a test: *from Cattaneo to
 Carter*). A wheel's patch is passed in some milliseconds, so this page stays with the steady end.

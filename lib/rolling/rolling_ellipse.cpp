@@ -39,8 +39,10 @@ void turn_sliding(const RollingGrid& grid, const StickSlip& first, Eigen::Vector
 }  // namespace
 
 StickSlip solve_on(const TangentialInfluence& influence, const RollingGrid& grid,
-                   const Creepage& reduced, const RollingOptions& options, const StickSlip* start) {
+                   const Creepage& reduced, const RollingOptions& options, const StickSlip* start,
+                   const Eigen::VectorXd* driven) {
   Eigen::VectorXd w = rigid_slip(grid.mesh, reduced);
+  if (driven) w += *driven;
   StickSlip first = solve_stick_slip(influence, grid.mesh, grid.bound, w, options.solver, start);
   if (!first.converged || !options.remedy) return first;
   turn_sliding(grid, first, w);

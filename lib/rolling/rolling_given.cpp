@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rolling/rolling_contact.hpp"
 #include "rolling/rolling_parts.hpp"
+#include "rolling/rolling_unlike.hpp"
 #include "units/constants.hpp"
 #include "units/input_error.hpp"
 
@@ -66,31 +66,41 @@ void halve(contact::Grid& cells, Eigen::VectorXd& p) {
   p = sum;
 }
 
-StickSlip solve_given(const Given& g, const RollingCase& c, const RollingOptions& options) {
+StickSlip solve_given(const Given& g, const RollingCase& c, const RollingOptions& options,
+                      double dissimilarity) {
   const TangentialInfluence influence(g.grid.mesh, c.poisson, g.grid.mesh.cells() <= 400);
-  return solve_on(influence, g.grid, g.reduced(c), options);
+  if (dissimilarity == 0) return solve_on(influence, g.grid, g.reduced(c), options);
+  const Eigen::VectorXd driven = driven_slip(g.grid.mesh, g.grid.bound / c.friction, dissimilarity);
+  return solve_on(influence, g.grid, g.reduced(c), options, nullptr, &driven);
 }
 
 }  // namespace
 
-CreepForces solve_rolling(const contact::Grid& grid, const Eigen::VectorXd& pressure,
-                          const RollingCase& c, const RollingOptions& options) {
+CreepForces solve_rolling_unlike(const contact::Grid& grid, const Eigen::VectorXd& pressure,
+                                 const RollingCase& c, const RollingOptions& options,
+                                 double dissimilarity) {
   check_given(grid, pressure, c);
+  units::require_between("dissimilarity K", dissimilarity, -0.5, 0.5);
   const Given given = placed(grid, pressure, options.remedy);
   if (c.friction == 0) return without_friction();
-  const StickSlip fine = solve_given(given, c, options);
+  const StickSlip fine = solve_given(given, c, options, dissimilarity);
   CreepForces out = in_units(given.grid, fine, c.friction * given.load, given.length);
   if (!options.estimate || grid.nx < 4) return out;
   contact::Grid half = grid;
   Eigen::VectorXd p = pressure;
   halve(half, p);
   const Given coarse = placed(half, p, options.remedy);
-  const StickSlip rough = solve_given(coarse, c, options);
+  const StickSlip rough = solve_given(coarse, c, options, dissimilarity);
   if (!rough.converged) return out;
   Resultants r = resultants(coarse.grid.mesh, rough.p);
   r.mz *= coarse.length / given.length;
   extrapolate(out, given.grid, r, false, c.friction * given.load, given.length);
   return out;
+}
+
+CreepForces solve_rolling(const contact::Grid& grid, const Eigen::VectorXd& pressure,
+                          const RollingCase& c, const RollingOptions& options) {
+  return solve_rolling_unlike(grid, pressure, c, options, 0);
 }
 
 }  // namespace railbook::rolling

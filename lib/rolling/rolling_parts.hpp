@@ -31,16 +31,21 @@ void check_given(const contact::Grid& grid, const Eigen::VectorXd& pressure, con
 // of a run also what sticks out ahead.
 Given placed(const contact::Grid& cells, const Eigen::VectorXd& pressure, bool remedy);
 
+// The slip [x parts; y parts] to which pressures (per mu N/(a b)) on a uniform mesh drive unlike bodies, from upstream differences
+// of u = -K/pi integral of p (X, Y)/r^2, body 1 against body 2.
+Eigen::VectorXd driven_slip(const RollingMesh& mesh, const Eigen::VectorXd& pressure,
+                            double dissimilarity);
+
 // The rigid slip at the points where the upstream difference is the slope: half a cell before the centres.
 Eigen::VectorXd rigid_slip(const RollingMesh& mesh, const Creepage& reduced);
 
 // Stick and slip for the reduced creepages. The slip of a cell is taken half a cell ahead of its middle, and a sliding
 // cell should slide along the slip in its middle: where the slip turns, the two differ by first order. A second
 // solution, started from the first, adds what turns the slip of each sliding cell into the mean with that of the cell
-// behind it (with `remedy`). Both solutions, and so the forces, are continuous in the creepages.
+// behind it (with `remedy`). `driven` is slip beside that of the creepages. Both solutions, and so the forces, are continuous in the creepages.
 StickSlip solve_on(const TangentialInfluence& influence, const RollingGrid& grid,
                    const Creepage& reduced, const RollingOptions& options,
-                   const StickSlip* start = nullptr);
+                   const StickSlip* start = nullptr, const Eigen::VectorXd* driven = nullptr);
 
 struct Resultants {
   double fx = 0, fy = 0, mz = 0;

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <utility>
 
-#include "rolling/rolling_contact.hpp"
+#include "rolling/rolling_unlike.hpp"
 #include "units/constants.hpp"
 #include "units/input_error.hpp"
 #include "wheel_on_rail/cells.hpp"
@@ -226,8 +226,9 @@ struct Full {
       PatchResult& p = all[i];
       const rolling::RollingCase c = case_of(w, p, z0 + down);
       const double fx = p.forces.fx, fy = p.forces.fy, mz = p.forces.mz;
-      p.forces = rolling::solve_rolling(cells[i]->grid, cells[i]->pressure, c,
-                                        {.estimate = false, .solver = {.tolerance = 1e-7}});
+      p.forces = rolling::solve_rolling_unlike(cells[i]->grid, cells[i]->pressure, c,
+                                               {.estimate = false, .solver = {.tolerance = 1e-7}},
+                                               w.material.dissimilarity);
       if (!p.forces.converged) return false;
       if (p.friction == 0) continue;
       const double bound = p.friction * p.load, arm = std::sqrt(p.area / units::pi);
@@ -313,6 +314,12 @@ void doubt(const Work& w, WheelResult& out) {
           "verge of a second contact: at {:.2f} mm across the wheel only {:.1f} um clear",
           p.s / units::millimetre, clear / units::micrometre));
   }
+  const double unlike = w.material.dissimilarity;
+  if (std::abs(unlike) > 0.02)
+    say(fmt::format("unlike materials (K = {:.3f}): {}", unlike,
+                    w.wish.method == Method::full
+                        ? "what their tractions do to the pressure is left out"
+                        : "left out by this method; take the full theory"));
   for (const PatchResult& p : out.patches) {
     if (out.patches.size() > 1 && p.load < 0.1 * out.patches.front().load)
       say(fmt::format("verge of a second contact: a patch carries only {:.0f} N", p.load));

@@ -100,3 +100,17 @@ TEST_CASE("property: falling friction gives less force, and its constant limit t
   CHECK(falling.patches.front().friction < 0.2);
   CHECK(std::abs(falling.force.x()) < 0.7 * std::abs(constant.force.x()));
 }
+
+TEST_CASE("property: unlike materials are said, and drive a wheel that would roll freely") {
+  const Pair pair = cylinder_on_round(0.3);
+  WheelWish wish = wish_for(Method::full);
+  wish.turning = 20 / 0.46;
+  wish.along = wish.across = 20;
+  const double alike = solve_wheel(pair, {}, wish).force.x();
+  wish.wheel.young = 70e9;
+  const WheelResult found = solve_wheel(pair, {}, wish);
+  REQUIRE(found.converged);
+  REQUIRE_FALSE(found.doubts.empty());
+  CHECK(found.doubts.front().starts_with("unlike materials (K = 0.1"));
+  CHECK(found.force.x() > alike + 0.02 * 0.3 * wish.load);
+}
