@@ -43,7 +43,7 @@ reproduce: programs ## everything: build, run the chapters that have changed (JO
 	@cmake/reproduce.sh $(BUILD) $(LEVEL) $(JOBS) $(CHAPTERS)
 
 test: build       ## run all tests
-	ctest --test-dir $(BUILD) --output-on-failure -j 2
+	ctest --test-dir $(BUILD) --output-on-failure -j $$(($(JOBS) + 1)) # some only wait
 
 chapter:          ## run one chapter, e.g. make chapter C=01
 	@$(if $(some),,$(error C names no chapter; allowed: the number of one of $(CHAPTERS)))

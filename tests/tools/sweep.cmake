@@ -16,7 +16,7 @@ sweep(creep table --ratios=2 --longitudinal=4 --lateral=4 --spin=3 --points=20 -
 sweep(hunting geometry)
 sweep(hunting speed)
 sweep(hunting cycle --pair=cn --speed=132ft/s --largest-amplitude=8mm --patience=1)
-sweep(filters simulate --out=${scratch}/sweep-sensors.csv --length=1000m)
+sweep(filters simulate --out=${scratch}/sweep-sensors.csv --length=300m)
 sweep(filters process ${scratch}/filters-sensors.csv)
 sweep(psd synthesize ${scratch}/sweep-track.csv --length=2km)
 sweep(psd classify ${scratch}/psd-track.csv)
