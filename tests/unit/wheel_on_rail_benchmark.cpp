@@ -80,8 +80,8 @@ void compare(const WheelResult& found, const BenchmarkWheel& c, double side) {
   CHECK(std::hypot(p.forces.fx - c.fx, side * p.forces.fy - c.fs) < 0.01 * bound);
   // The place and what hangs on it: spin, moment.
   CHECK(side * (1e3 * p.patch.frame.origin.y() - benchmark_rail_origin) ==
-        Approx(c.y_r).margin(0.04));
-  CHECK(side * p.patch.frame.angle == Approx(c.delta).margin(5e-4));
+        Approx(c.y_r).margin(0.01));
+  CHECK(side * p.patch.frame.angle == Approx(c.delta).margin(2e-4));
   CHECK(-1e3 * p.creepage.longitudinal == Approx(c.xi).margin(0.006 + 2e-3 * std::abs(c.xi)));
   CHECK(-side * 1e3 * p.creepage.lateral == Approx(c.eta).margin(2e-3 * std::abs(c.eta)));
   CHECK(-side * 1e2 * p.creepage.spin == Approx(c.phi).margin(0.1));
