@@ -156,7 +156,6 @@ struct RunSettings {
   bool full = false;              // --level full
   bool draw = true;               // not --no-figures
   bool timings = true;            // not --no-timings
-  bool bite = false;              // shift every computed value by twice its tolerance
 };
 
 class Item {
