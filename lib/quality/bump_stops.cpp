@@ -155,7 +155,9 @@ class Runner {
         ++still;
         continue;
       }
-      still = advance(length, next, full) ? 0 : still + 1;
+      // Switches that follow each other within rounding are no progress: they would never end.
+      const double before = now_.t;
+      still = advance(length, next, full) && now_.t - before > 1e-9 * length ? 0 : still + 1;
       if (still > 20) result_.complete = false;
       ++result_.pieces;
     }
