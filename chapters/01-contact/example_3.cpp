@@ -18,7 +18,6 @@ method "can handle problems with extremely large radii": force and peak agree wi
 #include <algorithm>
 #include <cmath>
 
-#include "contact/cg_fft.hpp"
 #include "sections.hpp"
 
 namespace railbook::contact_chapter {

@@ -62,15 +62,6 @@ from the scan either. What was found of each stands in `data/SOURCES.md`.
 */
 #include "sections.hpp"
 
-namespace railbook::contact_chapter {
-
-const CountactResult& nine_by_nine() {
-  static const CountactResult result = countact_2(on_the_crown(), delta_1, modulus);
-  return result;
-}
-
-}  // namespace railbook::contact_chapter
-
 int main(int argc, char** argv) {
   using namespace railbook::contact_chapter;
   return railbook::report::run(

@@ -92,7 +92,6 @@ All four examples take steel of 30·10⁶ psi and Poisson's ratio .3. Numbers ar
 #include <algorithm>
 #include <cmath>
 
-#include "contact/cg_fft.hpp"
 #include "contact/influence.hpp"
 #include "num/eigenvalues.hpp"
 #include "sections.hpp"

@@ -1,6 +1,7 @@
 // The sections of the chapter, and what they share: the paper's inputs, a result, points of figures.
 #pragma once
 
+#include "contact/cg_fft.hpp"
 #include "contact/countact.hpp"
 #include "contact/geometry.hpp"
 #include "contact/hertz.hpp"
@@ -27,19 +28,22 @@ inline constexpr double crown_radius = 10 * inch, corner_radius = 1.25 * inch;
 inline constexpr double delta_1 = 0.0004 * inch, delta_2 = 0.005 * inch;
 inline constexpr double delta_3 = 0.00065 * inch, delta_4 = 0.001 * inch;
 
-// The bodies of each example; of 3 and 4 only the crown of 85 in is printed.
+// The bodies of each example; of 3 and 4 only the crown of 85 in is printed. On a grid the jump lies between cells.
 inline Gap on_the_crown(double tread = tread_radius) {
   return rail_wheel_gap({wheel_radius, tread, crown_radius, crown_radius});
 }
 inline Gap on_the_jump(double tread = tread_radius) {
   return rail_wheel_gap({wheel_radius, tread, crown_radius, corner_radius});
 }
+inline NormalContact jump_on_grid(Eigen::Index cells, double tread = tread_radius) {
+  CgFftOptions options{cells, cells};
+  options.edge_x = 0;
+  return solve_cg_fft(on_the_jump(tread), delta_2, modulus, options).contact;
+}
 inline Gap roller(double crown) {
   return crowned_roller_gap({0.5 * inch, 0.5 * inch, crown});
 }
 inline constexpr RoundedPunch stamp{0.5 * inch, 1 * inch};
-
-void place_answer(report::Item& item);  // of Fig. 9
 
 // Example 1 in closed form.
 inline HertzContact hertz_1(double tread = tread_radius, double approach = delta_1) {
@@ -48,6 +52,8 @@ inline HertzContact hertz_1(double tread = tread_radius, double approach = delta
 }
 // Example 1 by COUNTACT-2 on the nine columns of Fig. 2, and nine rows; solved once.
 const CountactResult& nine_by_nine();
+// The force of Example 2 by sums over lattices (study); computed once.
+double force_by_lattices();
 
 namespace draw {
 double centre(const ColumnMesh&, Eigen::Index column);                      // its x [m]
