@@ -37,7 +37,7 @@ namespace railbook::contact_chapter {
 
 namespace {
 
-const NormalContact& by_columns() {
+const NormalContact& jump_by_columns() {
   static const NormalContact result =
       countact_1(on_the_jump(), delta_2, modulus, {graded_columns(18, 12), 17}).contact;
   return result;
@@ -59,7 +59,7 @@ const NormalContact& with_cone() {
 
 void force_and_moment(report::Item& item) {
   const table::CsvTable printed = item.printed("example-2.csv");
-  const NormalContact &c = by_columns(), &grid = by_grid(), &cone = with_cone();
+  const NormalContact &c = jump_by_columns(), &grid = by_grid(), &cone = with_cone();
   const double inch_lbf = inch * lbf;
   const double force = report::printed_number(printed.at("F", "printed")) * lbf;
   const double moment = report::printed_number(printed.at("M", "printed")) * inch_lbf;
@@ -173,7 +173,7 @@ void place_answer(report::Item& item) {
 }
 
 void fig_09(report::Item& item) {
-  const NormalContact &c = by_columns(), &grid = by_grid();
+  const NormalContact &c = jump_by_columns(), &grid = by_grid();
   draw::axis(item.data({"x_in", "p_1e5_psi"}), c);
   draw::axis(item.data("grid", {"x_in", "p_1e5_psi"}), grid);
   draw::axis(item.data("cone", {"x_in", "p_1e5_psi"}), with_cone());
@@ -188,7 +188,7 @@ void fig_09(report::Item& item) {
 }
 
 void fig_10(report::Item& item) {
-  draw::cells(item.data({"x_in", "y_in", "dx_in", "dy_in"}), by_columns());
+  draw::cells(item.data({"x_in", "y_in", "dx_in", "dy_in"}), jump_by_columns());
   auto& curve = item.data("interpenetration", {"x_in", "y_in"});
   for (int i = 0; i <= 360; ++i) {
     const double t = i * units::degree, r = interpenetration_distance(on_the_jump(), delta_2, t);
@@ -203,7 +203,7 @@ void fig_08(report::Item& item) {
 }
 
 void in_space(report::Item& item) {
-  draw::in_space(item, by_columns(), on_the_jump());
+  draw::in_space(item, jump_by_columns(), on_the_jump());
   item.added("drawn from the result of Example 2");
 }
 

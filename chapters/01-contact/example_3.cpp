@@ -24,21 +24,22 @@ namespace railbook::contact_chapter {
 
 namespace {
 
-constexpr const char* why_rebuilt =
+constexpr const char* roller_rebuilt =
     "only the crown radius and the approach can be read; the other dimensions are rebuilt";
 
-CgFft solve(double crown, Eigen::Index cells) {  // odd: the middle row of cells is on the axis
+CgFft roller_on_grid(double crown,
+                     Eigen::Index cells) {  // odd: the middle row of cells is on the axis
   return solve_cg_fft(roller(crown), delta_3, modulus, {cells, cells});
 }
 
 // The paper's crown on the finest grid, computed once for all items.
 const CgFft& crowned() {
-  static const CgFft result = solve(85 * inch, 301);
+  static const CgFft result = roller_on_grid(85 * inch, 301);
   return result;
 }
 
 // COUNTACT-2 with narrow columns towards the ends, where the pressure falls.
-const NormalContact& by_columns() {
+const NormalContact& roller_by_columns() {
   static const NormalContact result = [] {
     const Side side{.wide = 10, .narrow = 10, .share = 0.4};
     return countact_2(roller(85 * inch), delta_3, modulus, {split_columns(side, side), 13}).contact;
@@ -78,12 +79,13 @@ The mesh is the last of COUNTACT, its height magnified; the line around it is th
 */
 
 void fig_12(report::Item& item) {
-  const NormalContact &smooth = crowned().contact, &columns = by_columns();
-  const NormalContact sharp = solve(0, 201).contact, coarse = solve(0, 101).contact;
+  const NormalContact &smooth = crowned().contact, &columns = roller_by_columns();
+  const NormalContact sharp = roller_on_grid(0, 201).contact,
+                      coarse = roller_on_grid(0, 101).contact;
   draw::axis(item.data({"x_in", "p_1e5psi"}), smooth);
   draw::axis(item.data("countact", {"x_in", "p_1e5psi"}), columns);
   draw::axis(item.data("square", {"x_in", "p_1e5psi"}), sharp);
-  draw::axis(item.data("crown-10", {"x_in", "p_1e5psi"}), solve(10 * inch, 201).contact);
+  draw::axis(item.data("crown-10", {"x_in", "p_1e5psi"}), roller_on_grid(10 * inch, 201).contact);
   const double ratio = smooth.p_max / pressure_at_centre(smooth);
   const double rate = std::log(sharp.p_max / coarse.p_max) / std::log(coarse.dx[0] / sharp.dx[0]);
   const double off = std::max(std::abs(columns.force / smooth.force - 1),
@@ -106,7 +108,7 @@ void fig_12(report::Item& item) {
   item.value("peak-percent", 100 * (ratio - 1), "%", "{:.1f}");
   item.value("peak-place", std::abs(smooth.x_p_max) / inch, "in", "{:.3f}");
   item.value("sharp-rate", rate, "", "{:.2f}");
-  item.rebuilt(why_rebuilt);
+  item.rebuilt(roller_rebuilt);
 }
 
 void fig_13(report::Item& item) {
@@ -115,8 +117,8 @@ void fig_13(report::Item& item) {
   for (Eigen::Index n = 0; n < o.x.size(); ++n) edge.add(o.x[n] / inch, o.low[n] / inch);
   for (Eigen::Index n = o.x.size() - 1; n >= 0; --n) edge.add(o.x[n] / inch, o.high[n] / inch);
   edge.add(o.x[0] / inch, o.low[0] / inch);
-  draw::cells(item.data("mesh", {"x_in", "y_in", "dx_in", "dy_in"}), by_columns());
-  item.rebuilt(why_rebuilt);
+  draw::cells(item.data("mesh", {"x_in", "y_in", "dx_in", "dy_in"}), roller_by_columns());
+  item.rebuilt(roller_rebuilt);
 }
 
 }  // namespace

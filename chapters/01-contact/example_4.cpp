@@ -37,7 +37,7 @@ namespace railbook::contact_chapter {
 
 namespace {
 
-constexpr const char* why_rebuilt =
+constexpr const char* stamp_rebuilt =
     "the paper's dimensions are unreadable; b = .5 in and R = 1 in are rebuilt";
 
 const PunchContact& exact_stamp() {
@@ -75,7 +75,7 @@ void by_rings(report::Item& item) {
   item.value("ratio", ratio, "", "{:.1f}");
   item.value("beyond", (peak.r - stamp.flat_radius) / inch, "in", "{:.4f}");
   item.value("reach", exact.edge_width / inch, "in", "{:.4f}");
-  item.rebuilt(why_rebuilt);
+  item.rebuilt(stamp_rebuilt);
 }
 
 // The exact pressure, at radii that crowd towards the edge.
@@ -96,7 +96,7 @@ void fig_14(report::Item& item) {
   for (int i = 0; i <= 60; ++i) profile.add(0.01 * i, gap(0.01 * i * inch, 0) / (1e-3 * inch));
   add_pressure(item.data("sharp", {"r_in", "p_1e4_psi"}),
                punch_from_approach({stamp.flat_radius, 0}, modulus, delta_4), 200);
-  item.rebuilt(why_rebuilt);
+  item.rebuilt(stamp_rebuilt);
 }
 
 }  // namespace
