@@ -8,6 +8,7 @@
 #include "spectra/classify.hpp"
 #include "spectra/joint_dips.hpp"
 #include "spectra/line_mask.hpp"
+#include "spectra/log_regression.hpp"
 #include "spectra/rail_line.hpp"
 #include "spectra/track_spectrum.hpp"
 
@@ -134,4 +135,19 @@ TEST_CASE("claim: the rule of the classes and the mask of the lines") {
     CHECK(spectra::near_foreign_line(options, phi));
   for (const double phi : {1 / 12.0, 0.13, 0.2141, 0.004})
     CHECK_FALSE(spectra::near_foreign_line(options, phi));
+}
+
+TEST_CASE("claim: where there is no white floor, none is said to be fitted") {
+  spectra::LogPoints points{Eigen::ArrayXd::LinSpaced(60, -4.5, 0), {}, Eigen::ArrayXd::Ones(60)};
+  const auto fitted = [&](double noise) {
+    points.log_density = (2e-7 * (-2 * points.log_phi).exp() *
+                              (2 * (std::log(0.13) - points.log_phi).min(0.0)).exp() +
+                          noise)
+                             .log();
+    return spectra::fit_with_noise(points, spectra::fit_two_slopes(points, 0.03, 0.5), 0.03, 0.5);
+  };
+  CHECK_FALSE(fitted(0).converged);
+  const spectra::LogFit with = fitted(1e-7);
+  CHECK(with.converged);
+  CHECK(with.noise == Approx(1e-7).epsilon(1e-4));
 }

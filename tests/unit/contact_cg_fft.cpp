@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "../support/draw.hpp"
 #include "contact/cg_fft.hpp"
 #include "contact/extrapolation.hpp"
 #include "contact/geometry.hpp"
@@ -98,4 +99,22 @@ TEST_CASE("unit: a fitted axis has the phase asked for at both ends, and its edg
   CHECK(cells == Approx(std::round(cells)).epsilon(1e-12));
   CHECK(edged.start < -1);
   CHECK(edged.start + 40 * edged.step > 3);
+}
+
+TEST_CASE(
+    "unit: a covering axis reaches both ends in cells little larger than the least, with its "
+    "edge") {
+  tests::Draw draw(1);
+  for (int k = 0; k < 1000; ++k) {
+    const double low = draw(-5, 5), length = draw.decades(1e-3, 10), high = low + length;
+    const Eigen::Index n = 16 + k % 100;
+    const double edge = low + draw(0.2, 0.8) * length;
+    const Axis axis = cover_axis(low, high, n, edge);
+    const double cells = (edge - axis.start) / axis.step;
+    REQUIRE(axis.cells == n);
+    REQUIRE(cells == Approx(std::round(cells)).epsilon(1e-9));
+    REQUIRE(axis.start <= low + 1e-12);
+    REQUIRE(axis.start + static_cast<double>(n) * axis.step >= high - 1e-12);
+    REQUIRE(axis.step <= 1.2 * length / static_cast<double>(n));
+  }
 }

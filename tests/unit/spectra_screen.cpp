@@ -170,3 +170,17 @@ TEST_CASE("unit: waves are no faults, however high, nor is a silent record betwe
     z[i] += 1e-5 * std::sin(static_cast<double>(i * i % 1000));
   CHECK(screen(z).faults.empty());
 }
+
+TEST_CASE("unit: a sensor that stands still before any step is known is told, and not taken out") {
+  std::vector<double> z = track();
+  for (double& value : z) value = 1e-4 * std::round(1e4 * value);
+  const auto told = [](const Screened& s) {
+    return std::any_of(s.doubts.begin(), s.doubts.end(),
+                       [](const spectra::Doubt& d) { return d.key == "still"; });
+  };
+  CHECK_FALSE(told(screen(z)));
+  z.insert(z.begin(), 16000, z.front());
+  const Screened s = screen(z);
+  CHECK(told(s));
+  CHECK(s.out.front() == z.front());
+}
