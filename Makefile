@@ -12,7 +12,7 @@ wants     = { command -v $(1) > /dev/null || { echo "$(1) is not installed; on D
 program   = $(patsubst $(firstword $(subst -, ,$(1)))-%,%,$(1))
 SOURCES   = $(shell git ls-files '*.cpp' '*.hpp' ':!tests/book')
 
-.PHONY: headline new-chapter help doctor packages configure programs build install reproduce test chapter figures accept-figures book bench format lint failed clean mutate coverage sanitize matrix fuzz
+.PHONY: headline new-chapter help doctor packages configure chapter-programs programs build install reproduce test chapter figures accept-figures book bench format lint failed clean mutate coverage sanitize matrix fuzz
 
 help:             ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' $(MAKEFILE_LIST) | expand -t 24
@@ -29,6 +29,9 @@ packages:
 configure: packages
 	@cmake --preset $(PRESET) --log-level=WARNING -B $(BUILD)
 
+chapter-programs: configure
+	@cmake --build $(BUILD) --target chapter_programs
+
 programs: configure
 	@cmake --build $(BUILD) --target programs
 
@@ -39,7 +42,7 @@ install: configure ## the command `railbook` and its library into PREFIX (/usr/l
 	@cmake --build $(BUILD) --target railbook
 	@cmake --install $(BUILD) --prefix "$(PREFIX)"
 
-reproduce: programs ## everything: build, run the chapters that have changed (JOBS=n at a time), weave the book
+reproduce: chapter-programs ## everything: build, run the chapters that have changed (JOBS=n at a time), weave the book
 	@cmake/reproduce.sh $(BUILD) $(LEVEL) $(JOBS) $(CHAPTERS)
 
 test: build       ## run all tests
@@ -47,10 +50,10 @@ test: build       ## run all tests
 
 chapter:          ## run one chapter, e.g. make chapter C=01
 	@$(if $(some),,$(error C names no chapter; allowed: the number of one of $(CHAPTERS)))
-	@$(MAKE) --no-print-directory programs
+	@$(MAKE) --no-print-directory chapter-programs
 	$(BUILD)/bin/$(call program,$(chosen)) reproduce --level $(LEVEL) --out $(BUILD)
 
-figures: programs ## draw every figure to PNG, in build/figures
+figures: chapter-programs ## draw every figure to PNG, in build/figures
 	@for c in $(CHAPTERS); do $(BUILD)/bin/$${c#*-} reproduce --level $(LEVEL) --out $(BUILD) || exit 1; done
 
 accept-figures: configure ## make today's figures the golden set, all or of chapter C=03 (commit it alone, and say why)
@@ -63,7 +66,7 @@ new-chapter:      ## a chapter to start from: make new-chapter NN=08-name
 headline:         ## write the table of what became of each paper into README.md, from the chapters that have been run
 	@cmake -DRESULTS=$(CURDIR)/$(BUILD)/results -P cmake/headline.cmake
 
-book: programs    ## weave the book from the chapters that have been run
+book: chapter-programs ## weave the book from the chapters that have been run
 	@cmake --build $(BUILD) --target book
 
 bench: configure  ## the solvers beside the machine's limit, a plain way, and scipy where it is: build/bench.json

@@ -11,6 +11,9 @@ else()
   # Clang otherwise divides ahead of the test that forbids it, and the flags that we read are raised.
   list(APPEND flags -ffp-exception-behavior=maytrap)
 endif()
+if(CMAKE_UNITY_BUILD) # several sources in one are no headers of each other
+  list(APPEND flags -Wno-shadow $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+endif()
 target_compile_options(railbook_flags INTERFACE "$<BUILD_INTERFACE:${flags}>")
 target_compile_features(railbook_flags INTERFACE cxx_std_20)
 target_include_directories(railbook_flags INTERFACE $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/lib>
@@ -22,8 +25,9 @@ if(RAILBOOK_SANITIZE)
   target_link_options(railbook_flags INTERFACE -fsanitize=address,undefined)
 endif()
 
-# Everything `make reproduce` runs, and nothing that only the tests need.
-add_custom_target(programs)
+# Everything `make reproduce` runs, and everything but what only the tests need.
+add_custom_target(chapter_programs)
+add_custom_target(programs DEPENDS chapter_programs)
 # The test programs of lib/.
 add_custom_target(unit_tests)
 
@@ -59,6 +63,7 @@ function(railbook_tests name)
   endif()
   list(TRANSFORM arg_NEEDS PREPEND railbook_)
   add_executable(test_${name} ${sources})
+  set_target_properties(test_${name} PROPERTIES UNITY_BUILD OFF) # each file has its own cases of the same names
   target_link_libraries(test_${name} PRIVATE railbook_flags railbook_${name} ${arg_NEEDS}
                         ${arg_USES} catch_main)
   railbook_precompile(test_${name} test catch_main)
@@ -84,7 +89,7 @@ function(railbook_chapter chapter)
   target_link_libraries(${name} PRIVATE railbook_flags ${arg_NEEDS} ${arg_USES})
   railbook_precompile(${name} chapter fmt::fmt)
   if(EXISTS ${CMAKE_SOURCE_DIR}/chapters/${chapter}) # not the new one that a test makes
-    add_dependencies(programs ${name})
+    add_dependencies(chapter_programs ${name})
   endif()
   set_property(GLOBAL APPEND PROPERTY RAILBOOK_CHAPTERS ${name})
   if(EXISTS ${CMAKE_SOURCE_DIR}/figures/${chapter})

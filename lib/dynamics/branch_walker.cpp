@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "dynamics/step_length.hpp"
 #include "num/roots.hpp"
 
 namespace railbook::dynamics {
@@ -13,10 +14,6 @@ using Eigen::Index;
 
 namespace {
 
-// Tangents of neighbouring points may differ by this much.
-constexpr double least_cosine = 0.9, easy_cosine = 0.985;
-// A branch this upright is vertical to rounding and does not turn round.
-constexpr double no_slope = 1e-6;
 // A multiplier that stays this near to the circle does not cross it.
 constexpr double neutral_growth = 1e-6;
 

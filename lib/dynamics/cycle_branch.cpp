@@ -5,16 +5,12 @@
 #include <optional>
 
 #include "dynamics/cycle_solver.hpp"
+#include "dynamics/step_length.hpp"
 #include "num/roots.hpp"
 
 namespace railbook::dynamics {
 
 namespace {
-
-// Tangents of neighbouring points may differ by this much.
-constexpr double least_cosine = 0.9, easy_cosine = 0.985;
-// A branch this upright is vertical to rounding and does not turn round.
-constexpr double no_slope = 1e-6;
 
 struct Walker {
   const QuasiLinearCar& car;

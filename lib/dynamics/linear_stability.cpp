@@ -23,16 +23,16 @@ constexpr double rate_scale = 10;
 // The smallest pivot over the largest at which a pencil still has digits.
 constexpr double least_pivot = 1e-13;
 constexpr double most_rounding = 1e-3;  // 1/s, of growth rates
-struct StateMatrix {
+struct SpeedPencil {
   MatrixXd constant, by_slowness;
   MatrixXd at(double slowness) const { return constant + slowness * by_slowness; }
 };
 
-StateMatrix state_matrix(const QuasiLinearCar& car, const QuasiLinearCar::Gains& gains) {
+SpeedPencil speed_pencil(const QuasiLinearCar& car, const QuasiLinearCar::Gains& gains) {
   const Eigen::PartialPivLU<Matrix9> mass{car.car().mass};
   const auto m = car.matrices(gains, 1);
   const Matrix9 creep = car.car().creep_damping;
-  StateMatrix s{MatrixXd::Zero(18, 18), MatrixXd::Zero(18, 18)};
+  SpeedPencil s{MatrixXd::Zero(18, 18), MatrixXd::Zero(18, 18)};
   s.constant.topRightCorner<9, 9>() = rate_scale * Matrix9::Identity();
   s.constant.bottomLeftCorner<9, 9>() = -mass.solve(m.stiffness) / rate_scale;
   s.constant.bottomRightCorner<9, 9>() = -mass.solve(m.damping - creep);
@@ -67,7 +67,7 @@ MatrixXd pair_sums(const MatrixXd& a) {
 // Speeds at which two eigenvalues sum up to zero: Hopf points, and pairs of real eigenvalues besides. Nothing when the pencil is
 // singular to rounding: two motions that nothing holds back have eigenvalues zero at every speed, joints that hardly slip leave no
 // digits to the others.
-std::optional<std::vector<double>> paired_speeds(const StateMatrix& s, double low, double high) {
+std::optional<std::vector<double>> paired_speeds(const SpeedPencil& s, double low, double high) {
   const double shift = -1 / high;  // no car runs there, and no eigenvalue is expected there
   const Eigen::PartialPivLU<MatrixXd> lu{pair_sums(s.at(shift))};
   const Eigen::ArrayXd pivots = lu.matrixLU().diagonal().array().abs();
@@ -87,7 +87,7 @@ std::optional<std::vector<double>> paired_speeds(const StateMatrix& s, double lo
 // The same by counting the oscillations that grow, at speeds 1 % apart: two that begin and end within a step are missed.
 class Scan {
  public:
-  explicit Scan(const StateMatrix& s) : state_(s) {}
+  explicit Scan(const SpeedPencil& s) : state_(s) {}
   std::vector<double> speeds(double low, double high) {
     const int steps = 1 + int(std::log(high / low) / 0.01);
     const double ratio = std::pow(high / low, 1.0 / steps);
@@ -124,11 +124,11 @@ class Scan {
     halve(middle, between, to, now);
   }
 
-  const StateMatrix& state_;
+  const SpeedPencil& state_;
   std::vector<double> found_;
 };
 
-std::vector<double> candidate_speeds(const StateMatrix& s, double low, double high) {
+std::vector<double> candidate_speeds(const SpeedPencil& s, double low, double high) {
   if (auto speeds = paired_speeds(s, low, high)) return *speeds;
   return Scan{s}.speeds(low, high);
 }
@@ -149,7 +149,7 @@ Vector9c scaled_to(const FreightCar& car, const Vector9c& shape, double amplitud
 std::vector<Motion> modes(const QuasiLinearCar& car, const QuasiLinearCar::Gains& gains,
                           double speed) {
   units::require_positive("speed", speed, "m/s");
-  const auto [values, vectors] = num::eigenpairs(state_matrix(car, gains).at(1 / speed));
+  const auto [values, vectors] = num::eigenpairs(speed_pencil(car, gains).at(1 / speed));
   std::vector<Motion> result;
   for (Eigen::Index k = 0; k < 18; ++k) {
     const Complex lambda = values[k];
@@ -163,7 +163,7 @@ std::vector<Motion> modes(const QuasiLinearCar& car, const QuasiLinearCar::Gains
 }
 
 double growth_rounding(const QuasiLinearCar& car, const Motion& mode) {
-  const double rounding = rounding_of(state_matrix(car, car.small()).at(1 / mode.speed));
+  const double rounding = rounding_of(speed_pencil(car, car.small()).at(1 / mode.speed));
   // A double zero is split by the square root of what the matrix is changed by.
   const double split = std::sqrt(rounding * rate_scale);
   return std::abs(mode.lambda) < split ? std::max(rounding, split) : rounding;
@@ -233,7 +233,7 @@ std::vector<HopfPoint> hopf_points(const QuasiLinearCar& car, double low, double
   units::require_positive("lowest speed", low, "m/s");
   units::require_between("highest speed", high, low, 1e6, "m/s");
   const auto gains = car.small();
-  const StateMatrix state = state_matrix(car, gains);
+  const SpeedPencil state = speed_pencil(car, gains);
   if (const double rounding = rounding_of(state.constant); rounding > most_rounding)
     throw InputError(
         fmt::format("joints of the linear car are so stiff that rounding moves its growth rates by "

@@ -46,7 +46,7 @@ std::size_t take_slot(const std::filesystem::path& path) {
   return last;
 }
 
-[[noreturn]] void fail(const std::filesystem::path& path, int error) {
+[[noreturn]] void no_temporary(const std::filesystem::path& path, int error) {
   throw OutsideError("temporary file " + shown(path) + ": " +
                      std::generic_category().message(error));
 }
@@ -56,7 +56,7 @@ std::filesystem::path temporary_folder() {
   std::string pattern = base != nullptr && base[0] == '/' ? base : "/tmp";
   pattern += "/railbook-XXXXXX";
   const SignalsWait wait;
-  if (mkdtemp(pattern.data()) == nullptr) fail(pattern, errno);
+  if (mkdtemp(pattern.data()) == nullptr) no_temporary(pattern, errno);
   return pattern;
 }
 
@@ -134,17 +134,18 @@ std::filesystem::path PrivateFolder::expect(std::string_view name) {
 std::filesystem::path PrivateFolder::write(std::string_view name, std::string_view text) {
   const std::filesystem::path file = expect(name);
   const int descriptor = open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
-  if (descriptor < 0) fail(file, errno);
+  if (descriptor < 0) no_temporary(file, errno);
   int error = write_all(descriptor, text);
   if (close(descriptor) != 0 && error == 0) error = errno;
-  if (error != 0) fail(file, error);
+  if (error != 0) no_temporary(file, error);
   return file;
 }
 
 std::filesystem::path PrivateFolder::link(std::string_view name,
                                           const std::filesystem::path& file) {
   const std::filesystem::path here = expect(name);
-  if (symlink(std::filesystem::absolute(file).c_str(), here.c_str()) != 0) fail(here, errno);
+  if (symlink(std::filesystem::absolute(file).c_str(), here.c_str()) != 0)
+    no_temporary(here, errno);
   return here;
 }
 

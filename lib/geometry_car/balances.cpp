@@ -13,7 +13,6 @@
 namespace railbook::geometry_car {
 namespace {
 
-constexpr double g = units::standard_gravity;
 using units::nan;
 constexpr double slowest = 4.5;  // m/s: below, a row is too long for the filters' times
 

@@ -7,6 +7,8 @@
 
 namespace railbook::geometry_car {
 
+inline constexpr double g = units::standard_gravity;
+
 // What the builder of the car knows and the processing may use.
 struct Layout {
   double sample = units::foot;            // distance between two encoder interrupts

@@ -34,14 +34,14 @@ Kind kind_of(const ChannelInfo& c) {
   return {false, 3e-3, 1.5e-3, "mm", 1e-3, 3};
 }
 
-struct Stretch {
+struct StillStretch {
   std::size_t first, rows;
 };
 
 // Equal values in a row, where the channel's own habit does not explain them: eight times what all but one in a hundred of
 // its changes take.
-std::vector<Stretch> still(const Column& x) {
-  std::vector<Stretch> all;
+std::vector<StillStretch> still(const Column& x) {
+  std::vector<StillStretch> all;
   for (std::size_t k = 0; k < x.size();) {
     std::size_t end = k + 1;
     while (!std::isnan(x[k]) && end < x.size() && !std::isnan(x[end]) && x[end] == x[k]) ++end;
@@ -50,12 +50,12 @@ std::vector<Stretch> still(const Column& x) {
   }
   if (all.empty()) return all;
   std::vector<std::size_t> lengths;
-  for (const Stretch& s : all) lengths.push_back(s.rows);
+  for (const StillStretch& s : all) lengths.push_back(s.rows);
   const auto most = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() * 99 / 100);
   std::nth_element(lengths.begin(), most, lengths.end());
   const std::size_t longest =
       lengths.size() < 100 ? least_still : std::clamp(8 * *most, least_still, most_still);
-  std::erase_if(all, [&](const Stretch& s) { return s.rows < longest; });
+  std::erase_if(all, [&](const StillStretch& s) { return s.rows < longest; });
   return all;
 }
 
@@ -195,7 +195,7 @@ void examine_still(const ChannelInfo& c, Record& record, Health& health) {
   }
   const auto stretches = still(x);
   std::size_t rows = 0;
-  for (const Stretch& s : stretches) {
+  for (const StillStretch& s : stretches) {
     rows += s.rows;
     std::fill_n(x.begin() + static_cast<std::ptrdiff_t>(s.first), s.rows, nan);
   }

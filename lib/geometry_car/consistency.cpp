@@ -13,7 +13,6 @@
 namespace railbook::geometry_car {
 namespace {
 
-constexpr double g = units::standard_gravity;
 constexpr std::size_t block = 128, least_block = 64;
 constexpr double evident = 0.03;    // m/s^2, rms: less of a motion proves nothing
 constexpr double moved_zero = 0.1;  // m/s^2 of the mean: 15 mm of crosslevel

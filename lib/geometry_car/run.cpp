@@ -10,7 +10,6 @@
 namespace railbook::geometry_car {
 namespace {
 
-constexpr double g = units::standard_gravity;
 using units::nan;
 
 struct Attitude {

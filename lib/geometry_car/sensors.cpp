@@ -61,7 +61,7 @@ void require(const ChannelInfo& info, const SensorError& e) {
 
 Sensors typical_sensors() {
   using enum Channel;
-  constexpr double g = units::standard_gravity, rate = 0.005 * units::degree;
+  constexpr double rate = 0.005 * units::degree;
   Sensors s;
   for (const Channel c : {vertical_left, vertical_right, lateral, inclinometer})
     s[c] = {.bias = 1e-3 * g, .density = 20e-6 * g, .range = g, .step = 2 * g / 4096};

@@ -9,7 +9,6 @@
 namespace railbook::geometry_car {
 namespace {
 
-constexpr double g = units::standard_gravity;
 constexpr double longest = 0.1;  // s between two moments
 
 // One step of a linear system x' = f(x, u, u') whose input runs straight from u0 at the slope du: the Taylor series of the

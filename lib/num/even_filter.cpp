@@ -1,14 +1,12 @@
 #include "num/even_filter.hpp"
 
-#include <fftw3.h>
-
 #include <algorithm>
 #include <limits>
 #include <new>
 #include <string>
 #include <vector>
 
-#include "num/gsl.hpp"
+#include "num/fftw_plan.hpp"
 #include "num/parallel.hpp"
 #include "units/input_error.hpp"
 
@@ -16,16 +14,6 @@ namespace railbook::num {
 namespace {
 
 constexpr std::size_t at_once = 8;  // columns: two lines of the cache of every row
-
-struct PlanFree {
-  void operator()(fftw_plan_s* p) const { fftw_destroy_plan(p); }
-};
-using Plan = std::unique_ptr<fftw_plan_s, PlanFree>;
-
-Plan checked(fftw_plan plan) {
-  if (!plan) throw NumericalError{"FFTW made no plan"};
-  return Plan{plan};
-}
 
 int checked_size(std::size_t n, std::size_t least) {
   if (n < std::max<std::size_t>(least, 1) ||
@@ -56,7 +44,7 @@ struct EvenFilter::Parts {
       {};  // a column of `height` after the other: the columns are filtered
   // Two rows of samples or a few columns, one for each thread.
   std::vector<std::unique_ptr<Workspace>> buffers = {};
-  Plan row_forward = {}, row_inverse = {}, column_forward = {}, column_inverse = {};
+  FftwPlan row_forward = {}, row_inverse = {}, column_forward = {}, column_inverse = {};
 };
 
 EvenFilter::EvenFilter(std::size_t rows, std::size_t columns, std::size_t frame_rows,
@@ -97,7 +85,7 @@ void EvenFilter::transform_kernel() {
   const auto transform = [&](std::size_t length, std::size_t lines, std::size_t across,
                              std::size_t along) {
     Workspace line(length / 2 + 1);
-    const Plan plan =
+    const FftwPlan plan =
         checked(fftw_plan_dft_r2c_1d(static_cast<int>(length), s.buffers[0]->data(),
                                      complex(line.data()), FFTW_ESTIMATE | FFTW_UNALIGNED));
     in_parallel(s.threads, lines, [&](std::size_t begin, std::size_t end, std::size_t part) {

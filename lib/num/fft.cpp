@@ -1,12 +1,10 @@
 #include "num/fft.hpp"
 
-#include <fftw3.h>
-
 #include <limits>
 #include <new>
 #include <string>
 
-#include "num/gsl.hpp"
+#include "num/fftw_plan.hpp"
 #include "units/input_error.hpp"
 
 namespace railbook::num {
@@ -15,11 +13,7 @@ namespace {
 struct FftwFree {
   void operator()(double* p) const { fftw_free(p); }
 };
-struct PlanFree {
-  void operator()(fftw_plan_s* p) const { fftw_destroy_plan(p); }
-};
 using Buffer = std::unique_ptr<double[], FftwFree>;
-using PlanPtr = std::unique_ptr<fftw_plan_s, PlanFree>;
 
 Buffer allocate(std::size_t doubles) {
   Buffer buffer{fftw_alloc_real(doubles)};
@@ -32,11 +26,6 @@ int checked_size(std::size_t n) {
   if (n < 1 || n > static_cast<std::size_t>(std::numeric_limits<int>::max()))
     throw InputError{"transform length is " + std::to_string(n) + "; allowed: 1 to 2^31 - 1"};
   return static_cast<int>(n);
-}
-
-PlanPtr checked(fftw_plan plan) {
-  if (!plan) throw NumericalError{"FFTW made no plan"};
-  return PlanPtr{plan};
 }
 
 }  // namespace
@@ -54,8 +43,8 @@ struct RealFft::Plan {
   std::size_t n;
   Buffer real;
   Buffer spectrum;
-  PlanPtr forward;
-  PlanPtr inverse;
+  FftwPlan forward;
+  FftwPlan inverse;
 };
 
 RealFft::RealFft(std::size_t n) : plan_(std::make_unique<Plan>()) {
@@ -92,8 +81,8 @@ struct RealFft2d::Plan {
   std::size_t rows;
   std::size_t columns;
   Buffer buffer;
-  PlanPtr forward;
-  PlanPtr inverse;
+  FftwPlan forward;
+  FftwPlan inverse;
 };
 
 RealFft2d::RealFft2d(std::size_t rows, std::size_t columns) : plan_(std::make_unique<Plan>()) {

@@ -13,7 +13,7 @@ namespace railbook::report {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 [[noreturn]] void refuse(const fs::path& file) {
   throw InputError(fmt::format(

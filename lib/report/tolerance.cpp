@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
+
+#include "units/input_error.hpp"
 
 namespace railbook::report {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using units::nan;
 
 std::string without_spaces(std::string_view text) {
   std::string clean;

@@ -40,12 +40,12 @@ double weight(const Vector3& t) {
 }
 
 // Keys' weights of four neighbours at u in [0, 1] between the middle ones.
-std::array<double, 4> cubic(double u) {
+std::array<double, 4> cubic_weights(double u) {
   return {0.5 * u * (-1 + u * (2 - u)), 0.5 * (2 + u * u * (-5 + 3 * u)),
           0.5 * u * (1 + u * (4 - 3 * u)), 0.5 * u * u * (u - 1)};
 }
 
-std::array<double, 4> cubic_slope(double u) {
+std::array<double, 4> cubic_slope_weights(double u) {
   return {0.5 * (-1 + u * (4 - 3 * u)), 0.5 * u * (-10 + 9 * u), 0.5 * (1 + u * (8 - 9 * u)),
           0.5 * u * (3 * u - 2)};
 }
@@ -99,8 +99,8 @@ void SmoothForce::operator()(const double* linear, double* share, double* slope)
     const double p = n * t[d] / r;
     const int low = std::clamp(int(std::floor(p)), -n, n - 1);
     first[d] = low + n;  // of the node before, counted from -n - 1
-    w[d] = cubic(p - low);
-    dw[d] = cubic_slope(p - low);
+    w[d] = cubic_weights(p - low);
+    dw[d] = cubic_slope_weights(p - low);
   }
   double c[2] = {0, 0}, dc[2][3] = {};  // the correction, and by p
   for (std::size_t i = 0; i < 4; ++i)

@@ -14,7 +14,6 @@
 namespace railbook::spectra {
 namespace {
 
-constexpr double lost = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t settling = 1000;                   // positions that decide on the spacing
 constexpr std::size_t piece = 4096;                      // samples handed on at once
 constexpr double free_slots = 1e6, slots_a_sample = 20;  // longest record for its samples

@@ -18,7 +18,6 @@ namespace railbook::spectra {
 namespace {
 
 constexpr double bridged_length = 1;  // m
-constexpr double lost = std::numeric_limits<double>::quiet_NaN();
 
 std::string quoted(const std::string& name) {
   return "column \"" + units::printable(name) + "\"";

@@ -7,7 +7,6 @@ namespace railbook::spectra {
 namespace {
 
 constexpr std::size_t block = 8192;
-constexpr double lost = std::numeric_limits<double>::quiet_NaN();
 constexpr double far_off = 12, per_missing = 3, above_recent = 4;  // median steps; recent steps
 constexpr std::size_t longest_excursion = 256;
 constexpr std::size_t fewest_steps = 50;  // that a median step means something

@@ -12,6 +12,9 @@
 
 namespace railbook::spectra {
 
+inline constexpr double lost =
+    std::numeric_limits<double>::quiet_NaN();  // a sample that is not there
+
 enum class Fault {
   outlier,  // samples far off that come back
   code,     // the same value far off, two times or more: -9999 for a lost sample

@@ -13,6 +13,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "table/trim.hpp"
 #include "units/input_error.hpp"
 #include "units/nearest.hpp"
 #include "units/printable.hpp"
@@ -21,13 +22,6 @@ namespace railbook::table {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-std::string_view trim(std::string_view text) {
-  const auto blank = [](char c) { return c == ' ' || c == '\t'; };
-  while (!text.empty() && blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && blank(text.back())) text.remove_suffix(1);
-  return text;
-}
 
 bool is_skipped(std::string_view line) {
   return line.starts_with('#') || line.find_first_not_of(" \t\r") == std::string_view::npos;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "table/csv.hpp"
+#include "table/trim.hpp"
 #include "units/input_error.hpp"
 
 namespace railbook::table {
@@ -24,13 +25,6 @@ constexpr auto spellings = std::to_array<std::pair<std::string_view, std::string
     {"km/h", "kmh"},      {"degree", "deg"},        {"degrees", "deg"},
     {"\xC2\xB0", "deg"},  {"m/s\xC2\xB2", "m/s^2"}, {"mm/s\xC2\xB2", "mm/s^2"},
 });
-
-std::string_view trim(std::string_view text) {
-  const auto blank = [](char c) { return c == ' ' || c == '\t'; };
-  while (!text.empty() && blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && blank(text.back())) text.remove_suffix(1);
-  return text;
-}
 
 // A unit as the project spells it, in letters of either case.
 std::optional<std::pair<std::string, units::Unit>> unit_of(std::string_view text) {

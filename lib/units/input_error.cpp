@@ -14,7 +14,7 @@ InputError::InputError(std::string_view text) : std::runtime_error(units::printa
 namespace railbook::units {
 namespace {
 
-std::string number(double value) {
+std::string short_number(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.10g", value);
   return text;
@@ -23,7 +23,7 @@ std::string number(double value) {
 [[noreturn]] void refuse(std::string_view quantity, double value, std::string_view unit,
                          const std::string& allowed) {
   std::string text{quantity};
-  text += " is " + number(value);
+  text += " is " + short_number(value);
   if (!unit.empty()) text += " " + std::string{unit};
   text += "; allowed: " + allowed;
   throw InputError{text};
@@ -39,9 +39,9 @@ double require_finite(std::string_view quantity, double value, std::string_view 
 double require_between(std::string_view quantity, double value, double low, double high,
                        std::string_view unit) {
   if (std::isfinite(value) && value >= low && value <= high) return value;
-  std::string range = "from " + number(low) + " to " + number(high);
-  if (!std::isfinite(high)) range = "at least " + number(low);
-  if (!std::isfinite(low)) range = "at most " + number(high);
+  std::string range = "from " + short_number(low) + " to " + short_number(high);
+  if (!std::isfinite(high)) range = "at least " + short_number(low);
+  if (!std::isfinite(low)) range = "at most " + short_number(high);
   refuse(quantity, value, unit, range);
 }
 

@@ -111,7 +111,7 @@ std::vector<PatchResult> approximate(const Work& w, double z, double frames, boo
   return all;
 }
 
-constexpr double deepest = 2e-3;  // m: half-spaces that sink in by millimetres are none
+constexpr double deepest_sinking = 2e-3;  // m: half-spaces that sink in by millimetres are none
 
 // The root of a growing function near `guess`, where it grows like a power 3/2 of the distance from `zero`: f gives force
 // over load.
@@ -130,7 +130,7 @@ Depths find_depth(const std::function<double(double)>& share, double zero, doubl
     if (k % 4 == 3 && std::isfinite(high)) next = 0.5 * (low + high);
     if (!(next > low && next < high))
       next = std::isfinite(high) ? 0.5 * (low + high) : low + 2 * (low - zero);
-    if (z - zero > deepest) break;
+    if (z - zero > deepest_sinking) break;
     if (next == z || high - low < 1e-15) break;
     z = next;
   }
@@ -150,7 +150,8 @@ Approximate approximate_depth(const Work& w, bool friction) {
   };
   const Depths first = find_depth([&](double z) { return share(z, z); }, zero,
                                   zero + 5e-5 * std::pow(w.wish.load / 5e4, 2.0 / 3), 1e-5);
-  if (first.converged || first.z - zero > deepest) return {first.z, first.z, first.converged};
+  if (first.converged || first.z - zero > deepest_sinking)
+    return {first.z, first.z, first.converged};
   const Depths kept = find_depth([&](double z) { return share(z, first.z); }, zero, first.z, 1e-5);
   return {kept.z, first.z, kept.converged};
 }
@@ -356,7 +357,7 @@ WheelResult solve_wheel(const Pair& pair, const Pose& pose, const WheelWish& wis
   const bool friction = wish.friction.coefficient > 0;
   const Approximate depth = approximate_depth(w, friction);
   out.z = depth.z;
-  if (!depth.converged && depth.z - touch.z() > deepest) {
+  if (!depth.converged && depth.z - touch.z() > deepest_sinking) {
     out.reason = "no depth up to 2 mm bears the load";
     return out;
   }
