@@ -5,9 +5,8 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <new>
 #include <system_error>
-
-#include "units/printable.hpp"
 
 #include "units/input_error.hpp"
 #include "units/printable.hpp"
@@ -42,6 +41,9 @@ int status_of_exception(const std::string& program) {
     return 3;
   } catch (const OutsideError& error) {
     say(error.what());
+    return 3;
+  } catch (const std::bad_alloc&) {
+    say("not enough memory for this (a limit of the shell, ulimit -v, or of the machine)");
     return 3;
   } catch (const std::system_error& error) {
     if (error.code() != std::errc::broken_pipe) say(error.what());

@@ -36,7 +36,7 @@ void flush_standard_output();
 int finish_process(const std::string& program, int status);
 
 // To be called in a catch block: the exit status of the exception being handled, its message printed. 2 for bad input, 3 for
-// the world outside (a closed pipe says nothing), 1 for all others.
+// the world outside (a closed pipe says nothing; no more memory), 1 for all others.
 int status_of_exception(const std::string& program);
 
 }  // namespace railbook::files

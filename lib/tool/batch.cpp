@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <deque>
 #include <map>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <system_error>
@@ -139,6 +140,8 @@ std::string answer(const Task& task, const RecordRows& work) {
     }
   } catch (const InputError& error) {
     rows = {row_of(task, "refused", units::printable(error.what(), 1000))};
+  } catch (const std::bad_alloc&) {
+    rows = {row_of(task, "failed", "not enough memory")};
   } catch (const std::exception& error) {
     rows = {row_of(task, "failed", units::printable(error.what(), 1000))};
   }

@@ -30,6 +30,16 @@ fi
 "$railbook" quality index "$there/share/railbook/examples/quality/track.csv" --speed 100km/h --column crosslevel --out mine >/dev/null || fail "an example"
 if grep -q "$source/" "$railbook"; then fail "the program knows where it was built: $(grep -ao "$source/[^[:space:]]*" "$railbook" | head -3)"; fi
 
+# The Debian package names what it needs, and its command runs where it is unpacked.
+if command -v dpkg-shlibdeps >/dev/null; then
+  cpack --config "$build/CPackConfig.cmake" -B "$folder/package" >said 2>&1 || fail "$(tail -5 said)"
+  package=$(echo "$folder"/package/railbook_*.deb)
+  dpkg-deb -f "$package" Depends | grep -q libfftw3 || fail "the package forgets FFTW"
+  dpkg-deb -x "$package" unpacked
+  ./unpacked/usr/bin/railbook --version | grep -q '^railbook [0-9]' || fail "the package's command does not run"
+  [ -s unpacked/usr/share/railbook/lib/plot/style.gp ] || fail "the package lacks the figures' style"
+fi
+
 if find "$there" -name '*.a' | xargs -d '\n' grep -q "$source/"; then fail "the library knows where it was built"; fi
 if grep -rq "$source" "$there/lib"*/cmake "$there/lib"*/*/cmake 2>/dev/null; then fail "the package knows where it was built"; fi
 cmake -S "$source/tests/install/outside" -B outside -DCMAKE_CXX_COMPILER="$compiler" "-DCMAKE_PREFIX_PATH=$there" >said 2>&1 || fail "$(tail -20 said)"

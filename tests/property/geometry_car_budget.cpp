@@ -15,7 +15,7 @@ using namespace railbook::geometry_car;
 
 namespace {
 
-constexpr double g = units::standard_gravity, mph = units::mph, foot = units::foot;
+constexpr double mph = units::mph, foot = units::foot;
 constexpr double mm = units::millimetre, per_100ft = units::degree / (100 * foot);
 
 Record cruise(const Track& track, const Car& car, double speed) {

@@ -11,3 +11,7 @@ for tool in "quality compare first.csv second.csv" "quality measures first.csv" 
   # shellcheck disable=SC2086
   (ulimit -v 60000; exec "$railbook" $tool) >out 2>&1 || { echo "railbook $tool:"; cat out; exit 1; }
 done
+
+# Where the memory is not enough, the tool says so: status 3 and no word of a library.
+(ulimit -v 150000; exec "$railbook" contact solve --body-1-radius-across 300mm --body-1-radius-along 460mm --load 100kN --cells-x 2047 --cells-y 2047) >out 2>&1
+[ $? = 3 ] && grep -q "not enough memory" out || { echo "without memory:"; cat out; exit 1; }

@@ -12,8 +12,6 @@ using namespace railbook::geometry_car;
 
 namespace {
 
-constexpr double g = units::standard_gravity;
-
 TrackDescription smooth(double length) {
   TrackDescription d;
   d.length = length;
