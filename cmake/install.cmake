@@ -5,7 +5,7 @@ include(CMakePackageConfigHelpers)
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME command)
 
 # The libraries of physics, and what they need.
-set(physics contact rolling wheelrail dynamics spectra filters geometry_car track quality measures)
+set(physics contact rolling wheelrail wheel_on_rail dynamics spectra filters geometry_car track quality measures)
 set(installed "")
 set(todo ${physics})
 while(todo)
