@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "num/random_source.hpp"
+#include "num/draw.hpp"
 #include "report/item.hpp"
 
 namespace railbook::bench {
@@ -56,22 +56,7 @@ Digits worst_digits(Digits row, const std::vector<double>& arguments, const Func
 // The table of them, a row and a check each; says how many of the 15.95 digits of a double are lost.
 void digits_table(report::Item& item, const std::vector<Digits>& rows);
 
-// Random numbers of one case of a sweep: the same on every machine, and case k whatever came before it.
-class Draw {
- public:
-  Draw(std::uint64_t seed, std::uint64_t k) : source_(seed, k) {}
-  double operator()(double low, double high) {
-    return low + (high - low) * source_.uniform(count_++);
-  }
-  // Evenly in the logarithm; low > 0.
-  double decades(double low, double high) {
-    return std::exp((*this)(std::log(low), std::log(high)));
-  }
-
- private:
-  num::RandomSource source_;
-  std::uint64_t count_ = 0;
-};
+using num::Draw;  // case k of a sweep has stream k
 
 // The worst of `cases` random runs: `run` draws its case and returns what came out, with its error. A solver that says
 // that it has no answer throws report::NoAnswer and is counted; an error that is NaN without a word is the worst there is.

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <vector>
 
-#include "../support/draw.hpp"
+#include "num/draw.hpp"
 #include "rolling/rolling_contact.hpp"
 
 using namespace railbook;
@@ -69,7 +69,7 @@ void require_continuous(const Path& path) {
 }  // namespace
 
 TEST_CASE("property: forces are continuous in the creepages", "[rolling]") {
-  tests::Draw draw(5);
+  num::Draw draw(5);
   for (int k = 0; k < 6; ++k) {
     const double ratio = draw.decades(0.2, 5), poisson = draw(0, 0.5);
     const EllipseRolling contact(ratio, poisson, {.along = k % 2 ? 16 : 12, .rows = 8});

@@ -1,14 +1,14 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "../support/draw.hpp"
+#include "num/draw.hpp"
 #include "rolling/rolling_contact.hpp"
 
 using namespace railbook;
 using namespace railbook::rolling;
 
 TEST_CASE("property: the estimates are above the errors of 95 % of random cases", "[rolling]") {
-  tests::Draw draw(11);
+  num::Draw draw(11);
   int force = 0, moment = 0, all = 0;
   double claimed = 0, made = 0;
   for (int k = 0; k < 20; ++k) {

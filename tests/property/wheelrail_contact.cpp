@@ -2,27 +2,17 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <random>
 #include <vector>
 
+#include "num/draw.hpp"
 #include "units/constants.hpp"
 #include "wheelrail/wheelset_contact.hpp"
 
 using namespace railbook;
 using namespace railbook::wheelrail;
+using num::Draw;
 
 namespace {
-
-class Draw {
- public:
-  explicit Draw(unsigned seed) : engine_(seed) {}
-  double operator()(double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(engine_);
-  }
-
- private:
-  std::mt19937 engine_;
-};
 
 // A chain over some 0.14 m whose angle wanders, with arcs of either kind, lines, and corners now and then.
 Curve random_curve(Draw& draw, double steepest) {

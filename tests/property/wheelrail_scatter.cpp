@@ -1,9 +1,9 @@
 // The scatter of measured points: found where there is some, and without effect where there is none.
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <random>
 
 #include "../support/sampled_curve.hpp"
+#include "num/draw.hpp"
 #include "units/constants.hpp"
 #include "units/input_error.hpp"
 #include "wheelrail/conicity.hpp"
@@ -13,22 +13,9 @@
 
 using namespace railbook;
 using namespace railbook::wheelrail;
+using num::Draw;
 
 namespace {
-
-class Draw {
- public:
-  explicit Draw(unsigned seed) : engine_(seed) {}
-  double operator()(double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(engine_);
-  }
-  double normal(double deviation) {
-    return std::normal_distribution<double>(0, deviation)(engine_);
-  }
-
- private:
-  std::mt19937 engine_;
-};
 
 // A coned or hollow tread with a throat, a flange and its tip.
 Curve any_wheel(Draw& draw) {

@@ -11,10 +11,11 @@
 #include <sstream>
 #include <string>
 
-#include "draw.hpp"
+#include "num/draw.hpp"
 
 namespace railbook::tests {
 
+using num::Draw;
 using Long = long double;
 inline const Long long_pi = std::acos(Long{-1});
 

@@ -1,11 +1,11 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "../support/draw.hpp"
 #include "contact/cg_fft.hpp"
 #include "contact/extrapolation.hpp"
 #include "contact/geometry.hpp"
 #include "contact/grid_fit.hpp"
+#include "num/draw.hpp"
 #include "units/constants.hpp"
 
 using namespace railbook;
@@ -104,7 +104,7 @@ TEST_CASE("unit: a fitted axis has the phase asked for at both ends, and its edg
 TEST_CASE(
     "unit: a covering axis reaches both ends in cells little larger than the least, with its "
     "edge") {
-  tests::Draw draw(1);
+  num::Draw draw(1);
   for (int k = 0; k < 1000; ++k) {
     const double low = draw(-5, 5), length = draw.decades(1e-3, 10), high = low + length;
     const Eigen::Index n = 16 + k % 100;

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "../support/draw.hpp"
+#include "num/draw.hpp"
 #include "rolling/kalker_coefficients.hpp"
 #include "rolling/smooth_force.hpp"
 #include "rolling/theory.hpp"
@@ -40,7 +40,7 @@ TEST_CASE("Smooth force: the linear forces at small creepage", "[smooth_force]")
 TEST_CASE("Smooth force: within friction, with the symmetries, near the theory", "[smooth_force]") {
   // Each of the three up to `reach`: largest and rms distance from the theory.
   const auto off_theory = [](double reach) {
-    tests::Draw draw(18);
+    num::Draw draw(18);
     double largest = 0, squares = 0;
     constexpr int points = 300;
     for (int k = 0; k < points; ++k) {
