@@ -69,7 +69,7 @@ function(railbook_tests name)
   railbook_precompile(test_${name} test catch_main)
   add_dependencies(unit_tests test_${name})
   include(Catch)
-  catch_discover_tests(test_${name} TEST_PREFIX "${name}: ")
+  catch_discover_tests(test_${name} TEST_PREFIX "${name}: " PROPERTIES LABELS unit)
 endfunction()
 
 # railbook_chapter(NN-NAME [NEEDS libraries of lib/])

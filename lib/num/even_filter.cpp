@@ -1,5 +1,7 @@
 #include "num/even_filter.hpp"
 
+#include <fftw3.h>
+
 #include <algorithm>
 #include <limits>
 #include <new>

@@ -1,10 +1,13 @@
 #include "num/fft.hpp"
 
+#include <fftw3.h>
+
 #include <limits>
 #include <new>
 #include <string>
 
 #include "num/fftw_plan.hpp"
+#include "num/gsl.hpp"
 #include "units/input_error.hpp"
 
 namespace railbook::num {
@@ -29,6 +32,15 @@ int checked_size(std::size_t n) {
 }
 
 }  // namespace
+
+void FftwPlanFree::operator()(fftw_plan_s* p) const {
+  fftw_destroy_plan(p);
+}
+
+FftwPlan checked(fftw_plan_s* plan) {
+  if (!plan) throw NumericalError{"FFTW made no plan"};
+  return FftwPlan{plan};
+}
 
 std::size_t good_fft_size(std::size_t n) {
   for (std::size_t size = n > 0 ? n : 1;; ++size) {

@@ -1,23 +1,18 @@
-// A plan of FFTW that frees itself. For source files: fftw3.h comes with it.
+// A plan of FFTW that frees itself, without fftw3.h.
 #pragma once
-
-#include <fftw3.h>
 
 #include <memory>
 
-#include "num/gsl.hpp"
+struct fftw_plan_s;
 
 namespace railbook::num {
 
 struct FftwPlanFree {
-  void operator()(fftw_plan_s* p) const { fftw_destroy_plan(p); }
+  void operator()(fftw_plan_s* p) const;
 };
 using FftwPlan = std::unique_ptr<fftw_plan_s, FftwPlanFree>;
 
 // Throws NumericalError where FFTW made none.
-inline FftwPlan checked(fftw_plan plan) {
-  if (!plan) throw NumericalError{"FFTW made no plan"};
-  return FftwPlan{plan};
-}
+FftwPlan checked(fftw_plan_s* plan);
 
 }  // namespace railbook::num

@@ -1,6 +1,6 @@
 #include "track/impact.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 

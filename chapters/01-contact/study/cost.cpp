@@ -34,7 +34,7 @@ The closed form is the reference. Its pressures, added up, bear its force to {{p
 */
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
