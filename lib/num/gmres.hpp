@@ -10,8 +10,9 @@ using LinearMap = std::function<void(const Eigen::VectorXd& in, Eigen::VectorXd&
 
 struct Gmres {
   Eigen::VectorXd x;
-  double residual = 0;  // |b - A x| over |b|, by the recurrence: true to 1e-12 for well scaled systems
-  int iterations = 0;   // products with A
+  double residual =
+      0;  // |b - A x| over |b|, by the recurrence: true to 1e-12 for well scaled systems
+  int iterations = 0;  // products with A
   bool converged = false;
 };
 
