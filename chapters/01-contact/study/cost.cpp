@@ -180,23 +180,24 @@ const Study& jump(const report::Item& item) {
     const auto grids = [](bool remedy) {
       return [=](int n) { return outcome(on_grid(on_the_jump(), delta_2, n, 0, remedy)); };
     };
-    Study s{jump_references(),
-            {bench::sweep("COUNTACT-1 equal columns", {9, 15, 21, 31},
-                          [](int n) { return outcome(by_columns(uniform_columns(n), n)); })
-                 .counts("unknowns squared"),
-             bench::sweep("COUNTACT-1 graded columns", {10, 15, 20, 30},
-                          [](int n) {
-                            const Columns columns = graded_columns(3 * n / 5, 2 * n / 5);
-                            return outcome(by_columns(columns, n / 2 * 2 - 1));
-                          })
-                 .counts("unknowns squared"),
-             bench::sweep("dense matrix", {9, 13, 19, 27, 38},
-                          [](int n) { return outcome(by_dense(on_the_jump(), delta_2, n)); })
-                 .counts("unknowns squared"),
-             bench::sweep("CG-FFT raw", {12, 17, 24, 34, 48, 68, 96, 136, 192, 255}, grids(false))
-                 .counts("points transformed"),
-             bench::sweep("CG-FFT", {12, 17, 24, 34, 48, 68, 96, 136, 192, 255}, grids(true))
-                 .counts("points transformed")}};
+    std::vector<bench::Method> methods{
+        bench::sweep("COUNTACT-1 equal columns", {9, 15, 21, 31},
+                     [](int n) { return outcome(by_columns(uniform_columns(n), n)); })
+            .counts("unknowns squared"),
+        bench::sweep("COUNTACT-1 graded columns", {10, 15, 20, 30},
+                     [](int n) {
+                       const Columns columns = graded_columns(3 * n / 5, 2 * n / 5);
+                       return outcome(by_columns(columns, n / 2 * 2 - 1));
+                     })
+            .counts("unknowns squared"),
+        bench::sweep("dense matrix", {9, 13, 19, 27, 38},
+                     [](int n) { return outcome(by_dense(on_the_jump(), delta_2, n)); })
+            .counts("unknowns squared"),
+        bench::sweep("CG-FFT raw", {12, 17, 24, 34, 48, 68, 96, 136, 192, 255}, grids(false))
+            .counts("points transformed"),
+        bench::sweep("CG-FFT", {12, 17, 24, 34, 48, 68, 96, 136, 192, 255}, grids(true))
+            .counts("points transformed")};
+    Study s{jump_references(), std::move(methods)};
     s.points = bench::measure("cost-jump-force", s.references, s.methods, item.timings(), 0.05);
     return s;
   }();
@@ -216,17 +217,18 @@ const Study& punch(const report::Item& item) {
             {c.force, c.p_max}, static_cast<double>(c.work), c.converged, c.reason};
       };
     };
-    Study s{punch_references(exact),
-            {bench::sweep("COUNTAXI equal rings", {10, 20, 40, 80, 160, 240}, rings(1))
-                 .counts("unknowns squared"),
-             bench::sweep("COUNTAXI graded rings", {10, 20, 40, 80, 160, 240}, rings(3))
-                 .counts("unknowns squared"),
-             bench::sweep("dense matrix", {9, 13, 19, 27, 38},
-                          [=](int n) { return outcome(by_dense(gap, delta_4, n)); })
-                 .counts("unknowns squared"),
-             bench::sweep("CG-FFT", {17, 24, 34, 48, 68, 96, 136, 192, 255}, [=](int n) {
-               return outcome(on_grid(gap, delta_4, n));
-             }).counts("points transformed")}};
+    std::vector<bench::Method> methods{
+        bench::sweep("COUNTAXI equal rings", {10, 20, 40, 80, 160, 240}, rings(1))
+            .counts("unknowns squared"),
+        bench::sweep("COUNTAXI graded rings", {10, 20, 40, 80, 160, 240}, rings(3))
+            .counts("unknowns squared"),
+        bench::sweep("dense matrix", {9, 13, 19, 27, 38},
+                     [=](int n) { return outcome(by_dense(gap, delta_4, n)); })
+            .counts("unknowns squared"),
+        bench::sweep("CG-FFT", {17, 24, 34, 48, 68, 96, 136, 192, 255}, [=](int n) {
+          return outcome(on_grid(gap, delta_4, n));
+        }).counts("points transformed")};
+    Study s{punch_references(exact), std::move(methods)};
     s.points = bench::measure("cost-punch-force", s.references, s.methods, item.timings(), 0.05);
     return s;
   }();
