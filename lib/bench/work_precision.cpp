@@ -153,9 +153,8 @@ report::Data& show(report::Item& item, const Points& points, const std::string& 
   for (const report::WorkPrecision& p : chosen) {
     const bool failed = !p.converged || !std::isfinite(p.error);
     // An error below what the reference knows, or none at all, is drawn there.
-    const double error = std::max({p.error, p.reference_uncertainty, 1e-16});
-    data.add(p.method, p.setting, failed ? 1.0 : error, p.seconds_q1, p.seconds_median,
-             p.seconds_q3, p.work,
+    const double error = failed ? 1 : std::max({p.error, p.reference_uncertainty, 1e-16});
+    data.add(p.method, p.setting, error, p.seconds_q1, p.seconds_median, p.seconds_q3, p.work,
              failed     ? "failed"
              : known(p) ? "known"
                         : "vague");

@@ -190,6 +190,11 @@ TEST_CASE("property: several patches are the sum of each") {
         CHECK(patch.force == Approx(region.force / count).epsilon(0.2));
         area += patch.area, force += patch.force;
       }
+      const Box& e = region.ends;  // of all together: a radius of 1 beyond the outer summits
+      CHECK((along_x ? e.x_min : e.y_min) == Approx(-1).margin(0.25));
+      CHECK((along_x ? e.x_max : e.y_max) == Approx((count - 1) * apart + 1).margin(0.25));
+      CHECK((along_x ? e.y_min : e.x_min) == Approx(-1).margin(0.25));
+      CHECK((along_x ? e.y_max : e.x_max) == Approx(1).margin(0.25));
       CHECK(result.contact.area == Approx(area).epsilon(1e-12));
       CHECK(region.force == Approx(force).epsilon(1e-12));
       CHECK(result.contact.area == Approx(count * units::pi).epsilon(0.25));

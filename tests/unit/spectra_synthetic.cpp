@@ -2,7 +2,9 @@
 #include <cmath>
 
 #include "num/random_source.hpp"
+#include "spectra/joint_dips.hpp"
 #include "spectra/synthetic_track.hpp"
+#include "units/constants.hpp"
 
 using namespace railbook;
 using namespace railbook::spectra;
@@ -85,4 +87,19 @@ TEST_CASE("unit: a seed gives the same record with every compiler and library") 
   CHECK_THAT(z[1], WithinRel(0.1361593185060048, 1e-11));
   CHECK_THAT(z[1000], WithinRel(0.018710839608864556, 1e-10));
   CHECK_THAT(z[100000], WithinRel(0.037074517514556753, 1e-10));
+}
+
+TEST_CASE(
+    "unit: what joints remember shapes their scatter's density as the sum over their "
+    "correlations") {
+  for (const double rho : {-0.9, -0.3, 0.0, 0.6, 0.95}) {
+    const JointDips joints{11.9, 0.01, 0.4, rho};
+    for (const double phi : {0.013, 0.04, 1 / 11.9, 0.11, 0.4}) {
+      const double nu = phi * joints.rail_length;
+      double sum = 1;
+      for (int k = 1; k < 1000; ++k) sum += 2 * std::pow(rho, k) * std::cos(2 * units::pi * k * nu);
+      const double alone = 2 * joints.rail_length * std::pow(0.4 * 0.01 * dip_transform(nu), 2);
+      CHECK_THAT(joint_scatter_psd(joints, phi), WithinRel(alone * sum, 1e-10));
+    }
+  }
 }
