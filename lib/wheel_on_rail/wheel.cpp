@@ -324,7 +324,7 @@ void doubt(const Work& w, WheelResult& out) {
   for (const PatchResult& p : out.patches) {
     if (out.patches.size() > 1 && p.load < 0.1 * out.patches.front().load)
       say(fmt::format("verge of a second contact: a patch carries only {:.0f} N", p.load));
-    if (p.strips.two_lobes)
+    if (p.strips.two_lobes && w.wish.method != Method::full)
       say("two areas of overlap in one patch: rough by this method; take the full theory");
     if (p.patch.merged) say("two areas of overlap are near one another and share one frame");
     if (p.patch.at_end)

@@ -71,6 +71,8 @@ TEST_CASE(
     CHECK(found.force.z() == Approx(50e3).epsilon(2e-3));
     if (k > 0) CHECK(std::abs(found.z - last) < 2e-5);
     last = found.z;
+    for (const std::string& doubt : found.doubts)
+      CHECK(doubt.find("take the full theory") == std::string::npos);
     // The strips give up here, or say that they are rough.
     WheelWish quick = wish;
     quick.method = Method::strips;
