@@ -25,7 +25,8 @@ PunchContact punch_from_approach(const RoundedPunch& shape, double effective_mod
                                  double approach);
 
 // The pressure at r >= 0 [Pa]; 0 outside the contact, infinite at a sharp edge. An integral of Abel's type
-// (Sneddon 1965) in a variable that makes it smooth, by adaptive quadrature; relative accuracy 1e-10.
+// (Sneddon 1965) in a variable that makes it smooth, by adaptive quadrature; relative accuracy 1e-10,
+// but for 1e-15 a/(a - r) next to the end a of the contact, where a rounding of r is as much.
 // Throws num::NumericalError if the quadrature does not converge.
 double punch_pressure(const PunchContact& contact, double r);
 

@@ -71,9 +71,14 @@ Slopes vermeulen_johnson_slopes(double axis_ratio, double poisson) {
   units::require_between("Poisson's ratio", poisson, 0, 0.5);
   const double g = std::min(axis_ratio, 1 / axis_ratio);
   const contact::EllipticIntegrals e = contact::elliptic_integrals(2 * std::log(g));
-  // C = (D - B)/(1 - g^2), whose limit for a circle is pi/16; the difference loses digits close to it.
-  const double m = 1 - g * g;
-  const double c = m > 1e-5 ? (e.d - e.b) / m : units::pi / 16 * (1 + 0.75 * m);
+  // C = (D - B)/(1 - g^2), whose limit for a circle is pi/16; the difference loses digits close to it, the series in m does not.
+  const double m = (1 - g) * (1 + g);
+  double c = m > 0.1 ? (e.d - e.b) / m : 0;
+  double term = m > 0.1 ? 0 : units::pi / 16;
+  for (int n = 0; term > 1e-17; ++n) {
+    c += term;
+    term *= m * (2 * n + 3) * (2 * n + 3) / (4.0 * (n + 1) * (n + 3));
+  }
   const double dc = poisson * (e.d - c);
   if (axis_ratio >= 1) return {units::pi / (g * (e.d - dc)), units::pi / (g * (e.d - poisson * c))};
   return {units::pi / (e.b - dc), units::pi / (e.b - poisson * g * g * c)};

@@ -82,7 +82,9 @@ TEST_CASE("claim: closed forms of the creep forces") {
     strips.relative(fastsim_without_spin(at(x), one).fx, fastsim_integral(x));
     const Long e = long_pi / 4 * x;
     curve.relative(polach(at(x), one).fx, 2 / long_pi * (e / (1 + e * e) + std::atan(e)));
-    const double ratio = draw.decades(0.02, 50);
+    // Half of them nearly round, where the closed form cancels.
+    const double ratio =
+        k % 2 == 0 ? draw.decades(0.02, 50) : 1 + (k % 4 == 1 ? 1 : -1) * draw.decades(1e-9, 0.5);
     slopes.relative(vermeulen_johnson_slopes(ratio, poisson).longitudinal,
                     slope_integral(ratio, poisson));
     // Differences of differences lose the square of the distance in cells.
