@@ -12,7 +12,7 @@ wants     = { command -v $(1) > /dev/null || { echo "$(1) is not installed; on D
 program   = $(patsubst $(firstword $(subst -, ,$(1)))-%,%,$(1))
 SOURCES   = $(shell git ls-files '*.cpp' '*.hpp' ':!tests/book')
 
-.PHONY: headline new-chapter help doctor packages configure chapter-programs programs build install reproduce test chapter figures accept-figures book bench format lint failed clean mutate coverage sanitize matrix fuzz
+.PHONY: headline new-chapter help doctor packages configure chapter-programs programs build install reproduce test elsewhere chapter figures accept-figures book bench format lint failed clean mutate coverage sanitize matrix fuzz
 
 help:             ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' $(MAKEFILE_LIST) | expand -t 24
@@ -45,8 +45,11 @@ install: configure ## the command `railbook` and its library into PREFIX (/usr/l
 reproduce: chapter-programs ## everything: build, run the chapters that have changed (JOBS=n at a time), weave the book
 	@cmake/reproduce.sh $(BUILD) $(LEVEL) $(JOBS) $(CHAPTERS)
 
-test: build       ## run all tests
-	ctest --test-dir $(BUILD) --output-on-failure -j $$(($(JOBS) + 1)) # some only wait
+test: build       ## run all tests but those of `make elsewhere`
+	ctest --test-dir $(BUILD) --output-on-failure -LE elsewhere -j $$(($(JOBS) + 1)) # some only wait
+
+elsewhere:        ## after `make test`: the chapters with another processor's mathematics, and the book in a browser
+	ctest --test-dir $(BUILD) --output-on-failure -L elsewhere -FA . -j $$(($(JOBS) + 1))
 
 chapter:          ## run one chapter, e.g. make chapter C=01
 	@$(if $(some),,$(error C names no chapter; allowed: the number of one of $(CHAPTERS)))
@@ -84,9 +87,9 @@ lint: configure     ## clang-format (check only) and clang-tidy (Debian packages
 	@cmake --preset $(PRESET) -B $(BUILD)/tidy -DRAILBOOK_PCH=OFF --log-level=WARNING > /dev/null # Clang reads no headers that GCC has compiled
 	clang-tidy -p $(BUILD)/tidy --quiet --extra-arg=-Wno-unknown-warning-option $(filter lib/%.cpp chapters/%.cpp,$(SOURCES))
 
-mutate: build     ## faults of one line, a sample: how many the tests notice (FAULTS=100 SEED=1; python3)
+mutate: build     ## faults of one line, a sample: how many the tests notice (FAULTS=100 SEED=1, FAR=1 asks all tests; python3)
 	@$(call wants,python3)
-	tests/mutate/mutate.py --build $(BUILD) --faults $(or $(FAULTS),100) --seed $(or $(SEED),1)
+	tests/mutate/mutate.py --build $(BUILD) --faults $(or $(FAULTS),100) --seed $(or $(SEED),1) $(if $(FAR),--far)
 
 coverage: packages ## lines and branches that the tests of lib/ take, by folder (R="num contact" for some)
 	tests/coverage.sh $(R)

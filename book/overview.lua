@@ -134,9 +134,9 @@ function overview.verification(records)
   return html.tag("div", {class = "filterable"}, join(out))
 end
 
--- tests/claims.csv, whose rows the tests hold.
+-- tests/claims.csv, whose rows the tests hold: a table for each room of lib/, in the order of the file.
 function overview.claims(path)
-  local rows = {}
+  local rooms, order = {}, {}
   local file = assert(io.open(path))
   local headings = file:read() == "function,kind,bound,worst,inputs,route"
   assert(headings, path .. ": other columns than were expected")
@@ -144,12 +144,20 @@ function overview.claims(path)
     local row = {}
     for cell in (line .. ","):gmatch("([^,]*),") do row[#row + 1] = html.text(cell) end
     assert(#row == 6, path .. ": a row without six cells: " .. line)
-    row[1] = "<code>" .. row[1] .. "</code>"
+    local room, name = row[1]:match("^([%w_]+)::([%w_]+)$")
+    assert(room, path .. ": no room::function: " .. line)
+    row[1] = "<code>" .. name .. "</code>"
     for _, i in ipairs({3, 4}) do row[i] = {row[i], class = "number"} end
-    rows[#rows + 1] = row
+    if not rooms[room] then rooms[room], order[#order + 1] = {}, room end
+    table.insert(rooms[room], row)
   end
   file:close()
-  return html.folded_table("sortable claims", {"function", "error", "claimed below", "worst found", "inputs", "held against"}, rows, 14)
+  local out = {}
+  for i, room in ipairs(order) do
+    out[i] = "<h3><code>" .. room .. "</code></h3>" .. html.folded_table("sortable claims",
+      {"function", "error", "claimed below", "worst found", "inputs", "held against"}, rooms[room], 14)
+  end
+  return join(out)
 end
 
 return overview

@@ -74,8 +74,8 @@ endfunction()
 
 # railbook_chapter(NN-NAME [NEEDS libraries of lib/])
 # The chapter program NAME in build/bin; a need that is not named is a link error.
-# ctest runs it (every check must pass) and compares the figures with the golden set (tests/figures); again, without
-# pictures, with other mathematics.
+# ctest runs it (every check must pass) and compares the figures with the golden set (tests/figures); under the label
+# "elsewhere", again, without pictures, with other mathematics.
 function(railbook_chapter chapter)
   cmake_parse_arguments(arg "" "" "NEEDS;USES" ${ARGN})
   string(REGEX REPLACE "^[0-9]+-" "" name ${chapter})
@@ -110,13 +110,14 @@ function(railbook_chapter chapter)
   add_test(NAME "chapter: ${chapter} reproduces with other maths" COMMAND ${CMAKE_COMMAND} -E env
            GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-AVX2,-AVX512F,-FMA4 $<TARGET_FILE:${name}> reproduce --no-timings
            --no-figures --out ${CMAKE_BINARY_DIR}/ctest/${maths})
-  set_tests_properties("chapter: ${chapter} reproduces with other maths" PROPERTIES FIXTURES_SETUP ${maths})
+  set_tests_properties("chapter: ${chapter} reproduces with other maths" PROPERTIES FIXTURES_SETUP ${maths} LABELS elsewhere)
   railbook_golden_test(${chapter} ${maths} data " with other maths")
+  set_property(TEST "figures: ${chapter} golden set with other maths" PROPERTY LABELS elsewhere)
   add_test(NAME "chapter: ${chapter} says the same with other maths" COMMAND same_text
            ${CMAKE_BINARY_DIR}/ctest/${chapter}/results/${chapter}.json
            ${CMAKE_BINARY_DIR}/ctest/${maths}/results/${chapter}.json)
   set_tests_properties("chapter: ${chapter} says the same with other maths" PROPERTIES
-                       FIXTURES_REQUIRED "${chapter};${maths}")
+                       FIXTURES_REQUIRED "${chapter};${maths}" LABELS elsewhere)
 endfunction()
 
 # The golden test of the run in the folder `run` of build/ctest: compare, or data (without the pictures).

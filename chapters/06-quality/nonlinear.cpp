@@ -45,6 +45,7 @@ supposed. (The ratio 3:1 is left out: that motion never settles, neighbouring mo
 #include <utility>
 
 #include "num/log_spaced.hpp"
+#include "num/parallel.hpp"
 #include "quality/bump_stops.hpp"
 #include "quality/steady_motion.hpp"
 #include "sections.hpp"
@@ -183,13 +184,11 @@ Track pair(std::pair<int, int> n, double phase) {
 }
 
 double worst_of_phases(double kappa, std::pair<int, int> n) {
-  double largest = 0;
-  for (int i = 0; i < 32; ++i) {
-    const Track track = pair(n, 2 * units::pi * i / 32);
-    largest =
-        std::max(largest, quality::run(stopped(kappa), track, {}, settled_to, settled).largest);
-  }
-  return largest;
+  const auto strokes = num::map_in_parallel(32, [&](std::size_t i) {
+    const Track track = pair(n, 2 * units::pi * static_cast<double>(i) / 32);
+    return quality::run(stopped(kappa), track, {}, settled_to, settled).largest;
+  });
+  return *std::max_element(strokes.begin(), strokes.end());
 }
 
 void table_pairs(report::Item& item) {

@@ -1,5 +1,6 @@
 #include "bench/limit.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -55,7 +56,11 @@ Limit limit_of(const std::vector<Grid>& grids) {
     for (std::size_t k = 0; k < limit.answers.size(); ++k)
       limit.uncertainty[k] += (n - 1) / n * std::pow(without.answers[k] - limit.answers[k], 2);
   }
-  for (double& u : limit.uncertainty) u = std::sqrt(u);
+  const auto finer = static_cast<long>(std::max<std::size_t>(4, (grids.size() + 1) / 2));
+  const Limit half = best_fit({grids.end() - finer, grids.end()});
+  for (std::size_t k = 0; k < limit.answers.size(); ++k)
+    limit.uncertainty[k] =
+        std::hypot(std::sqrt(limit.uncertainty[k]), half.answers[k] - limit.answers[k]);
   return limit;
 }
 

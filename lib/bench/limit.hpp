@@ -18,8 +18,10 @@ struct Limit {
   double order = 0;  // of the error in 1/size
 };
 
-// Fits answer = limit + slope size^-order by least squares, with one order for all answers: of 1 to 2.5, in steps of 0.05, the
-// one that leaves least. The error is the jackknife's: how the limit moves as each grid is left out, the order sought anew.
+// From grids in order, the finest last: fits answer = limit + slope size^-order by least squares, with one order for all
+// answers: of 1 to 2.5, in steps of 0.05, the one that leaves least. The error is the root of a sum of squares: the
+// jackknife's, how the limit moves as each grid is left out, the order sought anew; and, of more than four grids, how it
+// moves as the coarser half is (four stay), for where errors are no one power of the size the others agree on a wrong limit.
 // Throws std::logic_error with fewer than four grids, or with other counts of answers.
 Limit limit_of(const std::vector<Grid>& grids);
 

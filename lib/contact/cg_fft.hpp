@@ -52,7 +52,7 @@ struct CgFft {
 // An approach <= 0 is an empty contact: force 0, converged, and the reason says so.
 // The errors stated for force and p_max were never exceeded by Hertz's contacts of any slenderness and direction.
 // p_max_error is infinite where the contact ends at the edge of a body or more steeply than the grid resolves,
-// both errors are where the contact is narrower than 5 cells; the reason says so.
+// both errors are where the contact is narrower than 5 cells (or between them: then no cell bears); the reason says so.
 // Throws InputError on NaN in the gap or an argument, E* <= 0, sizes < 4, a ladder beyond the memory limit, or
 // bodies that never separate or do not come closer than the approach near the origin. converged is false, with the reason, when a grid is not solved to tolerance.
 [[nodiscard]] CgFft solve_cg_fft(const Gap& gap, double approach, double effective_modulus,

@@ -30,7 +30,8 @@ struct Curvature {
 // Throws InputError unless A > 0 and B > 0 (the bodies would touch elsewhere first).
 RelativeCurvature relative_curvature(const Curvature& body_1, const Curvature& body_2);
 
-// f = A x'^2 + B y'^2: the Hertzian gap. Throws InputError unless A, B > 0.
+// f = A x'^2 + B y'^2: the Hertzian gap. Relative accuracy 2e-15 times the root of the larger curvature over the smaller.
+// Throws InputError unless A, B > 0.
 Gap quadratic_gap(const RelativeCurvature& curvature);
 
 // A wheel of rolling radius R on a rail whose crown radius jumps at x = 0 (the paper's Examples 1 and 2, Fig. 8);
@@ -42,8 +43,8 @@ struct RailWheel {
   double rail_radius_right = 0;     // for x > 0, > 0; equal to the left one for Example 1
 };
 
-// f = y^2/(2 R) + x^2/2 (1/r(x) - 1/R_c): piecewise quadratic, with a jump of curvature at x = 0.
-// Throws InputError when a radius is not positive or the tread does not clear the rail.
+// f = y^2/(2 R) + x^2/2 (1/r(x) - 1/R_c): piecewise quadratic, with a jump of curvature at x = 0; to 2e-15 of the gap to
+// a conical tread. Throws InputError when a radius is not positive or the tread does not clear the rail.
 Gap rail_wheel_gap(const RailWheel& shape);
 
 // Two parallel cylinders, one flat for |x| < L and crowned beyond (Example 3, Fig. 11).
@@ -53,7 +54,8 @@ struct CrownedRoller {
   double crown_radius = 0;      // >= 0; 0 is a sharp edge, no body beyond it
 };
 
-// f = y^2/(2 R) + max(|x| - L, 0)^2/(2 R_crown); infinite beyond a sharp edge.
+// f = y^2/(2 R) + max(|x| - L, 0)^2/(2 R_crown); infinite beyond a sharp edge. Relative accuracy
+// 5e-15. Throws InputError for a radius or length out of range.
 Gap crowned_roller_gap(const CrownedRoller& shape);
 
 // A flat circular punch with a rounded edge (Example 4, Fig. 14). flat_radius 0 is a sphere of edge_radius.
@@ -62,7 +64,8 @@ struct RoundedPunch {
   double edge_radius = 0;  // R >= 0; 0 is a sharp edge; b and R are not both 0
 };
 
-// f = max(r - b, 0)^2/(2 R), r^2 = x^2 + y^2; infinite beyond a sharp edge.
+// f = max(r - b, 0)^2/(2 R), r^2 = x^2 + y^2; infinite beyond a sharp edge. The root of f is good to
+// 2e-15 of r: just beyond the flat that is more of f. Throws InputError for a radius out of range, or both 0.
 Gap rounded_punch_gap(const RoundedPunch& shape);
 
 // The distance from the origin, along the direction at `angle` from x towards y [rad], at which the gap first

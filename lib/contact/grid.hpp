@@ -28,12 +28,14 @@ struct Grid {
 Eigen::VectorXd sample(const Gap& gap, const Grid& grid);
 
 // Pressures carried from one grid to another: p^2 is interpolated bilinearly between centres (p^2 is smooth
-// across the edge of a contact, p is not) and is zero outside the old grid.
+// across the edge of a contact, p is not) and is zero outside the old grid; p^2 to 1e-14 of the
+// largest near.
 Eigen::VectorXd transfer(const Grid& from, const Eigen::VectorXd& p, const Grid& to);
 
 // A box that holds {f < approach}, and hence the contact region: displacements of pressures >= 0 are positive, so
 // f = approach - u < approach wherever bodies touch. Found by moving four sides outward from the origin
-// until f >= approach on all of them; a separate patch beyond is not seen. When f >= approach at the origin, the
+// until f >= approach on all of them; a separate patch beyond is not seen, a slender one that crosses a
+// side is, wherever (axes 1:10000). When f >= approach at the origin, the
 // sides start from a place where it is less, sought on circles round the origin and downhill from the lowest place.
 // Throws InputError when no such place is found, or a side goes farther than 1 km (the bodies do not separate).
 Box interpenetration_box(const Gap& gap, double approach);

@@ -37,7 +37,8 @@ HertzContact hertz_from_approach(const RelativeCurvature& curvature, double effe
 HertzContact hertz_from_force(const RelativeCurvature& curvature, double effective_modulus,
                               double force);
 
-// Hertz's pressure at (x, y) [Pa], 0 outside the ellipse.
+// Hertz's pressure at (x, y) [Pa], 0 outside the ellipse; its square to 5e-15 of the peak's, times the longer axis over the
+// shorter.
 double hertz_pressure(const HertzContact& contact, double x, double y);
 
 }  // namespace railbook::contact

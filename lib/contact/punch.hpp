@@ -31,7 +31,7 @@ PunchContact punch_from_approach(const RoundedPunch& shape, double effective_mod
 double punch_pressure(const PunchContact& contact, double r);
 
 // The largest pressure and where it is: just outside the flat for a rounded edge, at the centre for a sphere,
-// infinite at the edge of a sharp punch. The position is accurate to 1e-8 of the contact's edge width.
+// infinite at the edge of a sharp punch. For edge radii of 1e-3 to 1e3 of the flat the position is accurate to 1e-8 of the contact's edge width.
 struct PunchPeak {
   double r = 0;
   double pressure = 0;

@@ -7,6 +7,8 @@
 #include <numeric>
 #include <vector>
 
+#include "units/constants.hpp"
+
 namespace railbook::contact {
 namespace {
 
@@ -109,19 +111,39 @@ bool starts_steeply(const Line& line, Index k, double p_max) {
   return second > 0.3 * p_max && (first > second || second > line.pressure(k + 2));
 }
 
-// Length in cells of all runs of the line together: what lies between them is not contact. `steep` becomes true when a
-// run of 8 cells or more ends steeply.
-double length_of(const Line& line, double p_max, bool& steep) {
+// What the ends of the runs of 8 cells or more have in common.
+struct Edges {
+  bool steep = false;    // one of them ends steeply
+  double intensity = 0;  // sum of K over Hertz's, see Patch
+  int count = 0;
+
+  // The end at cell k, inward, of a run of `cells` with a mean pressure: Hertz's p^2 = (4/pi mean)^2 4 s/cells at s cells.
+  void add(const Line& line, Index k, Index cells, double mean, double p_max) {
+    steep |= starts_steeply(line, k, p_max);
+    const auto square = [&](Index n) { return line.pressure(n) * line.pressure(n); };
+    // The outermost cell is cut by the edge; where p^2 falls inward the rise was before.
+    const double rise = std::max({square(k + 2) - square(k + 1), square(k + 1) - square(k), 0.0});
+    intensity += units::pi / (8 * mean) * std::sqrt(rise * static_cast<double>(cells));
+    ++count;
+  }
+};
+
+// Length in cells of all runs of the line together: what lies between them is not contact.
+double length_of(const Line& line, double p_max, Edges& edges) {
   const Line back = line.reversed();
   double length = 0;
   for (Index k = 0; k < line.count; ++k) {
     if (!(line.pressure(k) > 0)) continue;
     const Index first = k;
-    while (k + 1 < line.count && line.pressure(k + 1) > 0) ++k;
+    double sum = line.pressure(k);
+    while (k + 1 < line.count && line.pressure(k + 1) > 0) sum += line.pressure(++k);
     const Index last = line.count - 1 - k;  // of the run, from behind
     length += static_cast<double>(line.count) - end_at(back, last) - end_at(line, first);
-    if (k - first >= 7)
-      steep |= starts_steeply(line, first, p_max) || starts_steeply(back, last, p_max);
+    const Index cells = k - first + 1;
+    if (cells < 8) continue;
+    const double mean = sum / static_cast<double>(cells);
+    edges.add(line, first, cells, mean, p_max);
+    edges.add(back, last, cells, mean, p_max);
   }
   return length;
 }
@@ -210,21 +232,24 @@ struct Extent {
 void measure(const Grid& grid, const Eigen::VectorXd& p, const Eigen::VectorXd& f,
              const Labels& labels, int number, const Extent& extent, Patch& patch, bool& steep) {
   refine_peak(grid, p, extent.peak, patch);
+  Edges edges;
   std::vector<double> left, right, below, above;
   for (Index j = 0; j < grid.ny; ++j) {
     const bool through = j >= extent.j0 && j <= extent.j1;
     const Line row{p, f, labels, number, j * grid.nx, 1, through ? grid.nx : 0};
     left.push_back(end_of(row));
     right.push_back(end_of(row.reversed()));
-    patch.area += grid.dx * grid.dy * length_of(row, patch.p_max, steep);
+    patch.area += grid.dx * grid.dy * length_of(row, patch.p_max, edges);
   }
   for (Index i = 0; i < grid.nx; ++i) {
     const bool through = i >= extent.i0 && i <= extent.i1;
     const Line column{p, f, labels, number, i, grid.nx, through ? grid.ny : 0};
     below.push_back(end_of(column));
     above.push_back(end_of(column.reversed()));
-    length_of(column, patch.p_max, steep);
+    length_of(column, patch.p_max, edges);
   }
+  steep |= edges.steep;
+  if (edges.count > 0) patch.edge_intensity = edges.intensity / edges.count;
   patch.ends = {grid.x0 + grid.dx * extreme(left),
                 grid.x0 + grid.dx * (static_cast<double>(grid.nx) - extreme(right)),
                 grid.y0 + grid.dy * extreme(below),

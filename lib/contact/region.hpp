@@ -18,6 +18,9 @@ struct Patch {
   double peak_drop =
       0;     // from the peak cell to the lowest of its four neighbours, as a share of the peak
   Box ends;  // where p^2, continued outward, reaches zero
+  // K of p = K sqrt(distance) at the ends of its rows and columns, over that of Hertz's pressure with the same mean along
+  // the line, on average: 1 for every Hertzian contact. Falls again where the grid is too coarse to see K.
+  double edge_intensity = 1;
   // Cells across its narrowest direction, whichever way that lies: those of Hertz's ellipse with the same second
   // moments of pressure.
   double cells_across = 0;

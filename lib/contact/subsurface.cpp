@@ -95,8 +95,10 @@ double von_mises(const Stress& s) {
 }
 
 double largest_shear(const Stress& s) {
+  // Less the mean stress, by differences: close to hydrostatic it would take the digits with it.
+  const double xy = s[0] - s[1], yz = s[1] - s[2], zx = s[2] - s[0];
   Eigen::Matrix3d m;
-  m << s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2];
+  m << (xy - zx) / 3, s[3], s[5], s[3], (yz - xy) / 3, s[4], s[5], s[4], (zx - yz) / 3;
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
   solver.computeDirect(m, Eigen::EigenvaluesOnly);
   return 0.5 * (solver.eigenvalues()[2] - solver.eigenvalues()[0]);

@@ -18,6 +18,15 @@ double inner_share(double beta, double root) {
   return 2 / pi * (std::asin(beta) + beta * root);
 }
 
+// The rest of it, 1 - inner_share, which close to 1 is all that a dead zone leaves: (2 t - sin 2 t)/pi at beta = cos t.
+double outer_share(double beta, double root) {
+  const double x = 2 * std::atan2(root, beta);
+  if (x > 0.7) return (x - std::sin(x)) / pi;
+  double sum = 0, term = x * x * x / 6;
+  for (int k = 4; std::abs(term) > 1e-17 * sum; k += 2) sum += term, term *= -x * x / (k * (k + 1));
+  return sum / pi;
+}
+
 void require_odd_table(std::span<const double> x, std::span<const std::vector<double>> values) {
   if (x.size() < 2) throw InputError("describing function: a table needs two points or more");
   for (std::size_t k = 0; k < x.size(); ++k)
@@ -57,7 +66,7 @@ void PiecewiseLinearGain::evaluate(double amplitude, std::span<Gain> gains) cons
     if (bend >= amplitude) break;
     const double beta = bend / amplitude;
     const double root = std::sqrt((1 - beta) * (1 + beta));
-    const double outer = 1 - inner_share(beta, root);
+    const double outer = outer_share(beta, root);
     const double rise = 4 / pi * beta * root / amplitude;
     for (std::size_t f = 0; f < functions_; ++f, ++change) {
       gains[f].value += *change * outer;

@@ -20,7 +20,7 @@ struct Gain {
 
 // Odd functions that are linear between common points and beyond the last. With slope changes dm_k at b_k,
 //   N = m_0 + sum over b_k < A of dm_k [1 - 2/pi (asin beta + beta sqrt(1 - beta^2))],  beta = b_k / A:
-// exact, no quadrature. Points where no function bends are dropped.
+// exact, no quadrature, to rounding also just beyond a dead zone. Points where no function bends are dropped.
 class PiecewiseLinearGain {
  public:
   // x: ascending from 0; values[f][k] at x[k], values[f][0] = 0. Throws InputError otherwise, or when fewer
@@ -49,11 +49,13 @@ QuadratureGain describe(const std::function<double(double)>& f,
                         const std::function<double(double)>& derivative, double amplitude,
                         double relative = 1e-10);
 
-// Dry friction level * sign(v): N = 4 level / (pi A); A > 0 is the amplitude of the rate v (eq. (12)).
+// Dry friction level * sign(v): N = 4 level / (pi A); A > 0 is the amplitude of the rate v (eq. (12)); InputError otherwise.
+// Relative accuracy 1e-15.
 Gain ideal_friction(double level, double amplitude);
 
 // level * saturate(v / stick): N = level / stick up to A = stick, then
-// 2 level / (pi stick) (asin beta + beta sqrt(1 - beta^2)), beta = stick / A. A >= 0, stick > 0.
+// 2 level / (pi stick) (asin beta + beta sqrt(1 - beta^2)), beta = stick / A. A >= 0, stick > 0 (not checked);
+// relative accuracy 1e-14.
 Gain regularized_friction(double level, double stick, double amplitude);
 
 }  // namespace railbook::dynamics

@@ -225,7 +225,7 @@ HillExponent hill_exponent(const Oscillator& oscillator, const Cycle& cycle, Com
       const Eigen::MatrixXcd transfer =
           (scalars.of_motion + p * scalars.of_rate) * dynamic.partialPivLu().solve(forces);
       for (int l = 0; l < orders; ++l) {
-        const Index n = 2 * std::abs(i - l);
+        const Index n = 2 * Index(std::abs(i - l));
         for (Index from = 0; from < channels; ++from) {
           const auto& law = scalars.laws[std::size_t(from)];
           for (Index m = law.output; m < law.output + law.outputs; ++m)

@@ -73,7 +73,7 @@ struct HillExponent {
 };
 HillExponent hill_exponent(const Oscillator& oscillator, const Cycle& cycle,
                            std::complex<double> start, int highest);
-// The exponent of a multiplier of the half-period map.
+// The exponent of a multiplier (not 0) of the half-period map; its imaginary part is known up to 4 pi over the period. To rounding.
 std::complex<double> exponent(std::complex<double> half_multiplier, double period);
 
 }  // namespace railbook::dynamics

@@ -98,9 +98,17 @@ std::pair<double, double> extremes(const Cycle& cycle, const Eigen::VectorXd& ro
     }
     return best;
   };
-  const auto [low, high] = std::minmax_element(fft.real().begin(), fft.real().end());
-  return {extreme(std::size_t(low - fft.real().begin()), -1),
-          extreme(std::size_t(high - fft.real().begin()), 1)};
+  // Of humps that are nearly equal, the highest need not have the highest sample.
+  const auto of_all = [&](double sign) {
+    double best = -units::no_limit;
+    for (std::size_t j = 0; j < n; ++j) {
+      const double here = sign * fft.real()[j];
+      if (here >= sign * fft.real()[(j + n - 1) % n] && here >= sign * fft.real()[(j + 1) % n])
+        best = std::max(best, sign * extreme(j, sign));
+    }
+    return sign * best;
+  };
+  return {of_all(-1), of_all(1)};
 }
 
 double amplitude(const Cycle& cycle, const Eigen::VectorXd& row) {

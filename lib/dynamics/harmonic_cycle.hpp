@@ -37,7 +37,7 @@ Cycle with_orders(const Cycle& cycle, int highest, bool all = false);
 
 // Coordinates and their rates at a phase [rad]: (2n), SI.
 Eigen::VectorXd state_at(const Cycle& cycle, double phase);
-// Least and largest value of row q over the period, located to rounding; and half of the difference.
+// Least and largest value of row q over the period, located to rounding, also of nearly equal humps; and half of the difference.
 std::pair<double, double> extremes(const Cycle& cycle, const Eigen::VectorXd& row);
 double amplitude(const Cycle& cycle, const Eigen::VectorXd& row);
 

@@ -1,11 +1,11 @@
 #include "dynamics/multipliers.hpp"
 
 #include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
 #include "dynamics/cycle_equations.hpp"
+#include "num/dense_lu.hpp"
 #include "num/eigenvalues.hpp"
 #include "units/constants.hpp"
 #include "units/input_error.hpp"
@@ -32,14 +32,14 @@ class Variation {
                      (scalars_.of_rate.cast<Complex>() * cycle.motion.col(k));
     samples_ = in_time(s, cycle.orders, fft);
     laws_ = sample_laws(o, scalars_, samples_, true);
-    const Eigen::PartialPivLU<Eigen::MatrixXd> mass{o.mass};
     const Index n = o.coordinates(), inputs = scalars_.of_motion.rows();
     stiffness_.setZero();
     damping_.setZero();
-    stiffness_.topLeftCorner(n, n) = mass.solve(o.stiffness);
-    damping_.topLeftCorner(n, n) = mass.solve(o.damping + o.inverse_speed * o.damping_by_speed);
+    stiffness_.topLeftCorner(n, n) = num::solved(o.mass, o.stiffness);
+    damping_.topLeftCorner(n, n) =
+        num::solved(o.mass, o.damping + o.inverse_speed * o.damping_by_speed);
     response_ = Eigen::MatrixXd::Zero(9, scalars_.forces.cols());
-    response_.topRows(n) = mass.solve(scalars_.forces);
+    response_.topRows(n) = num::solved(o.mass, scalars_.forces);
     rows_ = Eigen::MatrixXd::Zero(inputs, 18);
     rows_.leftCols(n) = scalars_.of_motion;
     rows_.middleCols(9, n) = scalars_.of_rate;
@@ -146,9 +146,13 @@ Multipliers multipliers(const Oscillator& oscillator, const Cycle& cycle, int st
   along.tail(n) /= cycle.omega;
   along.normalize();
   result.trivial_error = (map * along - along).norm();
-  const Eigen::MatrixXd basis = along.householderQr().householderQ();
-  const Eigen::MatrixXd rest = basis.rightCols(2 * n - 1);
-  const Eigen::VectorXcd values = num::eigenvalues(rest.transpose() * map * rest);
+  // Householder's reflection of that direction onto the first axis; the rest of the map are the others.
+  Eigen::VectorXd normal = along;
+  normal[0] += std::copysign(1.0, along[0]);
+  normal.normalize();
+  map -= (2 * normal) * (normal.transpose() * map).eval();
+  map -= (map * normal).eval() * (2 * normal).transpose();
+  const Eigen::VectorXcd values = num::eigenvalues(map.bottomRightCorner(2 * n - 1, 2 * n - 1));
   result.map.assign(values.data(), values.data() + values.size());
   std::stable_sort(result.map.begin(), result.map.end(), [](Complex a, Complex b) {
     return std::abs(a) > std::abs(b) || (std::abs(a) == std::abs(b) && a.imag() > b.imag());

@@ -55,7 +55,7 @@ Oscillator car_on_track(const FreightCar& car, const wheelrail::ConstraintFuncti
 Oscillator at_speed(Oscillator car, double speed);
 
 // Where an oscillator without motion has no force left: n. Zero for laws that vanish at rest, else found from zero by Newton's method.
-// Throws InputError when it finds none.
+// To 1e-12. Throws InputError when it finds none.
 Eigen::VectorXd rest(const Oscillator& oscillator);
 
 // What integrators need, padded to nine coordinates and premultiplied by M^-1.

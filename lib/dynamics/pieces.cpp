@@ -146,13 +146,18 @@ void PieceIntegrator::find_crossing(std::size_t index, Crossing& first) const {
     if (j > 0) reach += std::abs(p.s[std::size_t(j)]) * (power *= first.time);
   }
   if (p.s[0] + reach < high && p.s[0] - reach > low) return;
-  // Monotone stretches: up to one turn within the step.
-  double ends[3] = {0, first.time, first.time};
-  int stretches = 1;
-  if (p.slope(0) * p.slope(first.time) < 0) {
-    ends[1] = p.root(0, first.time, 0, true);
-    stretches = 2;
+  // Monotone stretches. A series may reach over more than a whole period of a small and simple motion.
+  constexpr int parts = 8;
+  double ends[parts + 2] = {0}, before = p.slope(0);
+  int stretches = 1, from_part = 0;
+  for (int i = 1; i <= parts; ++i) {
+    const double now = p.slope(first.time * i / parts);
+    if (before * now < 0)
+      ends[stretches++] = p.root(first.time * from_part / parts, first.time * i / parts, 0, true);
+    if (now != 0) before = now, from_part = i;
   }
+  if (stretches == 2) ends[1] = p.root(0, first.time, 0, true);
+  ends[stretches] = first.time;
   for (int i = 0; i < stretches; ++i) {
     const double from = p.at(ends[i]), to = p.at(ends[i + 1]);
     const bool up = to > from;

@@ -1,7 +1,8 @@
 // Time integration that is exact but for rounding: a Taylor series in each linear piece, knots located.
 //
 // Between knots the system is linear with constant coefficients, so its Taylor series converges everywhere and is as long as the
-// tolerance wants; the time at which a scalar reaches the next knot is a root of a polynomial. No step ever contains a kink.
+// tolerance wants; the time at which a scalar reaches the next knot is a root of a polynomial. No step ever contains a kink,
+// nor more than some 4 turns of a scalar.
 #pragma once
 
 #include <Eigen/Core>

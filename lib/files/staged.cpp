@@ -152,7 +152,7 @@ std::filesystem::path PrivateFolder::link(std::string_view name,
 void prepare_process() {
   // A closed standard stream is held by /dev/null opened for the other direction: uses of it fail, as they should.
   for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-    if (fcntl(descriptor, F_GETFD) < 0 && errno == EBADF)
+    if (fcntl(descriptor, F_GETFD) < 0)
       if (open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY) < 0) break;
   ::signal(SIGXFSZ, SIG_IGN);
   struct sigaction action {};

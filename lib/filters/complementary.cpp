@@ -7,8 +7,6 @@
 #include "units/input_error.hpp"
 
 namespace railbook::filters {
-namespace {}  // namespace
-
 ComplementaryFilter::ComplementaryFilter(double tau, int poles)
     : tau_(units::require_positive("time constant", tau, "s")),
       theta_(static_cast<std::size_t>(units::require_between("poles", poles, 1, 8))) {}
@@ -44,7 +42,9 @@ std::complex<double> low_pass_gain(double tau, int poles, double f) {
 
 std::complex<double> low_pass_gain(double tau, int poles, double f, double T) {
   const DecayPair d = decay(T / tau);
-  return std::pow(d.rest / (d.rest + d.a * (1.0 - std::polar(1.0, -2 * units::pi * f * T))), poles);
+  const double half = units::pi * f * T, s = std::sin(half);
+  const std::complex<double> one_less{2 * s * s, 2 * s * std::cos(half)};  // 1 - exp(-2 pi i f T)
+  return std::pow(d.rest / (d.rest + d.a * one_less), poles);
 }
 
 double gyro_bias_error(double bias, double tau, int poles, double T) {

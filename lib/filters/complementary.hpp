@@ -26,12 +26,12 @@ class ComplementaryFilter {
   bool known_ = false;
 };
 
-// tau (s) of a corner (Hz): 1/(2 pi f). The paper's corner is two octaves below the lateral mode of the car, 1.25 Hz.
+// tau (s) of a corner (Hz): 1/(2 pi f), to rounding; throws InputError unless f > 0. The paper's corner is two octaves below the lateral mode of the car, 1.25 Hz.
 double time_constant(double corner);
 
 // Gain of the inclinometer's path, L^n, in continuous time at f Hz; the gyro's is one minus it. Relative accuracy 5e-15.
 std::complex<double> low_pass_gain(double tau, int poles, double f);
-// The same of the filter above for a step T: ((1 - a)/(1 - a exp(-2 pi i f T)))^n.
+// The same of the filter above for a step T > 0, as accurate for steps of 1e-9 tau too: ((1 - a)/(1 - a exp(-2 pi i f T)))^n.
 std::complex<double> low_pass_gain(double tau, int poles, double f, double T);
 
 // The steady error (rad) of a gyro bias (rad/s): n a T/(1 - a) times it, n tau for small T. Relative accuracy 2e-15.

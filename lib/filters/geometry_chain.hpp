@@ -55,7 +55,7 @@ class GeometryChain {
   std::size_t masked_ = 0;
 };
 
-// Both outputs of a whole record, as long as the record.
+// Both outputs of a whole record, as long as the record; rounding 1e-11 of what the weights add up.
 struct Geometry {
   std::vector<double> space_curve, chord;  // m
 };

@@ -20,7 +20,7 @@ struct HighPass {
 // Throws InputError unless M is odd, 3 <= M <= 10001, 1 <= p <= 8, 1 <= stages <= 2 and M^p < 2^53.
 void require_valid(const HighPass& filter);
 
-// Samples that count on each side of an output: of the high-pass, and one less of the space curve.
+// Samples that count on each side of an output: of the high-pass, and one less of the space curve. Throws InputError as require_valid does.
 std::size_t reach(const HighPass& filter);
 
 // Gain at theta radians a sample; relative accuracy 1e-14, without cancellation at long waves.

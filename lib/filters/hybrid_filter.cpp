@@ -230,7 +230,7 @@ Complex first_order_digital(double kappa, double theta, Decay how) {
 
 Complex second_order_analog(const SecondOrderLowPass& f, double T, double theta) {
   const double k = f.omega * T;
-  return k * k / Complex{k * k - theta * theta, 2 * f.damping * k * theta};
+  return k * k / Complex{(k - theta) * (k + theta), 2 * f.damping * k * theta};
 }
 
 Complex second_order_digital(const SecondOrderLowPass& f, double T, double theta) {

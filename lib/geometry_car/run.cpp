@@ -230,14 +230,12 @@ std::array<Column, parameters> process(const Run& run, const Processing& p,
   const Column yaw = rates(run, Channel::yaw_rate, p), roll = rates(run, Channel::roll_rate, p);
   const Attitude att = attitude(run, yaw, roll, p);
   Column step;  // rise of the rails over the foot before each sample, where it is known
-  if (!p.grade.empty())
-    for (const std::size_t i : run.rows) {
-      const long before = marks[i] - (run.direction > 0 ? 1 : 0);
-      const bool known = before >= 0 && before < static_cast<long>(p.grade.size());
-      step.push_back(known ? run.direction * p.layout.sample *
-                                 p.grade[static_cast<std::size_t>(before)]
-                           : 0.0);
-    }
+  for (const std::size_t i : run.rows) {
+    const long before = marks[i] - (run.direction > 0 ? 1 : 0);
+    const bool known = before >= 0 && before < static_cast<long>(p.grade.size());
+    step.push_back(
+        known ? run.direction * p.layout.sample * p.grade[static_cast<std::size_t>(before)] : 0.0);
+  }
   const Sides up = profile(run, att, p, step), across = alignment(run, att, p);
 
   at(Parameter::gage).resize(run.size());

@@ -27,7 +27,7 @@ struct Match {
 using Heights = std::function<void(std::ptrdiff_t from, std::span<double> to)>;
 
 // Both runs on grids of the same spacing (m), sample i of each at the same nominal place; the first has `samples`. Each window is
-// laid where its correlation is largest, to a part of a spacing by a parabola; an offset that leaves the median of
+// laid where its correlation is largest, to a tenth of a spacing by a parabola where waves are eight spacings and longer; an offset that leaves the median of
 // five neighbours by over two metres is not found. The memory is that of a window, and a match each half window. Throws InputError for options that are not positive, a window below 16
 // samples or above the record.
 std::vector<Match> align(std::size_t samples, const Heights& first, const Heights& second,

@@ -1,5 +1,6 @@
 #include "measures/band.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <vector>
@@ -22,9 +23,11 @@ quality::FilterTaps band_taps(const Band& band, int passes, double spacing) {
   units::require_positive("spacing", spacing, "m");
   units::require_between("shortest wavelength of the band", band.shortest, 2 * spacing,
                          units::no_limit, "m");
-  // The slowest pole of the lower edge decays by e in some 0.42 of its wavelength; ten such, and as much for the taper.
+  // The slowest pole of the lower edge decays by e in some 0.42 of its wavelength, longer in a narrow band; ten such, and as
+  // much for the taper.
+  const double narrow = std::max(1.0, 1 / (band.longest / band.shortest - 1));
   const double reach = units::require_between("reach of the band over the spacing",
-                                              8 * band.longest / spacing, 8, 1e6);
+                                              8 * band.longest * narrow / spacing, 8, 1e6);
   const auto taps = static_cast<std::size_t>(reach);
   num::RealFft fft{16 * std::bit_ceil(taps)};
   const auto n = static_cast<double>(fft.size());

@@ -22,7 +22,7 @@ inline constexpr std::array<Band, 4> bands{
 // 2^-1/2 or 1/2 at the edges. Both without phase here. `passes` is 1 or 2.
 double band_gain(const Band& band, int passes, double phi);
 
-// The filter with that gain, to 2e-3 of the gain in the band, without gain at zero. Throws InputError when the shortest wavelength is
+// The filter with that gain, to 1e-2 of the gain in the band, without gain at zero. Throws InputError when the shortest wavelength is
 // below two spacings, or when the band asks for more than 10^6 samples or fewer than 8.
 quality::FilterTaps band_taps(const Band& band, int passes, double spacing);
 
@@ -31,7 +31,7 @@ quality::FilterTaps band_taps(const Band& band, int passes, double spacing);
 quality::FilterTaps chord_taps(double chord, double spacing);
 
 // That offset less the mean of nine, centred and a quarter of the chord apart: the deviation from uniformity of 49 CFR 213.327, with the
-// gain (1 - cos(pi chord phi)) (1 - (1 + 2 sum of cos(pi m chord phi/2), m = 1 .. 4)/9). Ranges and errors as chord_taps.
+// gain (1 - cos(pi chord phi)) (1 - (1 + 2 sum of cos(pi m chord phi/2), m = 1 .. 4)/9). Ranges as chord_taps, errors up to 3.2 times its.
 quality::FilterTaps uniformity_taps(double chord, double spacing);
 
 }  // namespace railbook::measures

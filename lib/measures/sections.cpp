@@ -17,7 +17,7 @@ std::optional<double> Section::deviation() const {
 }
 
 double Section::largest() const {
-  return std::max(std::abs(lowest), std::abs(highest));
+  return std::max(-lowest, highest);
 }
 
 Sections::Sections(double length, std::function<double(std::size_t)> place)

@@ -36,4 +36,14 @@ void DenseLu::solve_in_place(Eigen::Ref<Eigen::VectorXd> b) const {
   lu.triangularView<Eigen::Upper>().solveInPlace(b);
 }
 
+Eigen::MatrixXd solved(const Eigen::Ref<const Eigen::MatrixXd>& a,
+                       const Eigen::Ref<const Eigen::MatrixXd>& b) {
+  return a.partialPivLu().solve(b);
+}
+
+Eigen::MatrixXcd solved(const Eigen::Ref<const Eigen::MatrixXcd>& a,
+                        const Eigen::Ref<const Eigen::MatrixXcd>& b) {
+  return a.partialPivLu().solve(b);
+}
+
 }  // namespace railbook::num

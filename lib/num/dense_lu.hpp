@@ -28,4 +28,10 @@ class DenseLu {
   std::unique_ptr<Factors> factors_;
 };
 
+// X with A X = B, A square; partial pivoting, backward stable as above. Not finite where A is singular.
+Eigen::MatrixXd solved(const Eigen::Ref<const Eigen::MatrixXd>& a,
+                       const Eigen::Ref<const Eigen::MatrixXd>& b);
+Eigen::MatrixXcd solved(const Eigen::Ref<const Eigen::MatrixXcd>& a,
+                        const Eigen::Ref<const Eigen::MatrixXcd>& b);
+
 }  // namespace railbook::num

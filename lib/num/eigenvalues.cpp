@@ -13,20 +13,27 @@ const Solver& converged(const Solver& solver) {
   return solver;
 }
 
+// Eigen's iterations may not see a NaN: those of a triangular matrix end before they begin.
+const Eigen::Ref<const Eigen::MatrixXd>& finite(const Eigen::Ref<const Eigen::MatrixXd>& matrix) {
+  if (!matrix.allFinite()) throw std::runtime_error{"eigenvalues of a matrix that is not finite"};
+  return matrix;
+}
+
 }  // namespace
 
 Eigen::VectorXcd eigenvalues(const Eigen::Ref<const Eigen::MatrixXd>& matrix) {
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver{matrix, false};
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver{finite(matrix), false};
   return converged(solver).eigenvalues();
 }
 
 Eigenpairs eigenpairs(const Eigen::Ref<const Eigen::MatrixXd>& matrix) {
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver{matrix};
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver{finite(matrix)};
   return {converged(solver).eigenvalues(), solver.eigenvectors()};
 }
 
 Eigen::VectorXd symmetric_eigenvalues(const Eigen::Ref<const Eigen::MatrixXd>& matrix) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver{matrix, Eigen::EigenvaluesOnly};
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver{finite(matrix),
+                                                              Eigen::EigenvaluesOnly};
   return converged(solver).eigenvalues();
 }
 

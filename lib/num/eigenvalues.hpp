@@ -7,7 +7,7 @@ namespace railbook::num {
 
 // All eigenvalues of a real square matrix, in no order; by the QR algorithm, backward stable, O(n^3).
 // Those of normal matrices are within 2e-14 of the norm, others as their condition allows.
-// Throws std::runtime_error when the iteration does not converge, as with a matrix that holds NaN.
+// All three throw std::runtime_error of a matrix that is not finite, and when the iteration does not converge.
 Eigen::VectorXcd eigenvalues(const Eigen::Ref<const Eigen::MatrixXd>& matrix);
 
 // With their eigenvectors, of length 1, as columns: |A v - lambda v| within 2e-14 of the norm.

@@ -60,10 +60,14 @@ EvenFilter::EvenFilter(std::size_t rows, std::size_t columns, std::size_t frame_
   Workspace line(s.width);
   double* buffer = s.buffers[0]->data();
   fftw_complex* column = complex(buffer);
-  s.row_forward = checked(fftw_plan_dft_r2c_1d(wide, buffer, complex(line.data()), FFTW_ESTIMATE));
-  s.row_inverse = checked(fftw_plan_dft_c2r_1d(wide, complex(line.data()), buffer, FFTW_ESTIMATE));
-  s.column_forward = checked(fftw_plan_dft_1d(tall, column, column, FFTW_FORWARD, FFTW_ESTIMATE));
-  s.column_inverse = checked(fftw_plan_dft_1d(tall, column, column, FFTW_BACKWARD, FFTW_ESTIMATE));
+  s.row_forward =
+      plan([&] { return fftw_plan_dft_r2c_1d(wide, buffer, complex(line.data()), FFTW_ESTIMATE); });
+  s.row_inverse =
+      plan([&] { return fftw_plan_dft_c2r_1d(wide, complex(line.data()), buffer, FFTW_ESTIMATE); });
+  s.column_forward =
+      plan([&] { return fftw_plan_dft_1d(tall, column, column, FFTW_FORWARD, FFTW_ESTIMATE); });
+  s.column_inverse =
+      plan([&] { return fftw_plan_dft_1d(tall, column, column, FFTW_BACKWARD, FFTW_ESTIMATE); });
 }
 EvenFilter::~EvenFilter() = default;
 EvenFilter::EvenFilter(EvenFilter&&) noexcept = default;
@@ -87,16 +91,17 @@ void EvenFilter::transform_kernel() {
   const auto transform = [&](std::size_t length, std::size_t lines, std::size_t across,
                              std::size_t along) {
     Workspace line(length / 2 + 1);
-    const FftwPlan plan =
-        checked(fftw_plan_dft_r2c_1d(static_cast<int>(length), s.buffers[0]->data(),
-                                     complex(line.data()), FFTW_ESTIMATE | FFTW_UNALIGNED));
+    const FftwPlan of_line = plan([&] {
+      return fftw_plan_dft_r2c_1d(static_cast<int>(length), s.buffers[0]->data(),
+                                  complex(line.data()), FFTW_ESTIMATE | FFTW_UNALIGNED);
+    });
     in_parallel(s.threads, lines, [&](std::size_t begin, std::size_t end, std::size_t part) {
       double *samples = s.buffers[part]->data(), *found = samples + length;
       for (std::size_t k = begin; k < end; ++k) {
         double* values = s.filter.data() + k * across;
         for (std::size_t i = 0; i <= length / 2; ++i)
           samples[i] = samples[(length - i) % length] = values[i * along];
-        fftw_execute_dft_r2c(plan.get(), samples, complex(found));
+        fftw_execute_dft_r2c(of_line.get(), samples, complex(found));
         for (std::size_t i = 0; i <= length / 2; ++i) values[i * along] = found[2 * i];
       }
     });
@@ -121,9 +126,8 @@ void EvenFilter::apply(const double* in, double* out, double* workspace) const {
     double* const columns = s.buffers[part]->data();
     const std::size_t length = 2 * s.frame_rows;
     const double norm = 1 / static_cast<double>(s.frame_rows * s.frame_columns);
-    for (std::size_t first = begin * at_once; first < std::min(end * at_once, s.width);
-         first += at_once) {
-      const std::size_t count = std::min(at_once, s.width - first);
+    for (std::size_t block = begin; block < end; ++block) {
+      const std::size_t first = block * at_once, count = std::min(at_once, s.width - first);
       for (std::size_t j = 0; j < s.rows; ++j)
         for (std::size_t c = 0; c < count; ++c)
           std::copy_n(workspace + j * stride + 2 * (first + c), 2, columns + c * length + 2 * j);

@@ -3,6 +3,7 @@
 #include <fftw3.h>
 
 #include <limits>
+#include <mutex>
 #include <new>
 #include <string>
 
@@ -25,6 +26,8 @@ Buffer allocate(std::size_t doubles) {
   return buffer;
 }
 
+std::mutex planner;
+
 int checked_size(std::size_t n) {
   if (n < 1 || n > static_cast<std::size_t>(std::numeric_limits<int>::max()))
     throw InputError{"transform length is " + std::to_string(n) + "; allowed: 1 to 2^31 - 1"};
@@ -34,12 +37,15 @@ int checked_size(std::size_t n) {
 }  // namespace
 
 void FftwPlanFree::operator()(fftw_plan_s* p) const {
+  const std::lock_guard one_at_a_time(planner);
   fftw_destroy_plan(p);
 }
 
-FftwPlan checked(fftw_plan_s* plan) {
-  if (!plan) throw NumericalError{"FFTW made no plan"};
-  return FftwPlan{plan};
+FftwPlan plan(const std::function<fftw_plan_s*()>& make) {
+  const std::lock_guard one_at_a_time(planner);
+  FftwPlan made{make()};
+  if (!made) throw NumericalError{"FFTW made no plan"};
+  return made;
 }
 
 std::size_t good_fft_size(std::size_t n) {
@@ -65,9 +71,12 @@ RealFft::RealFft(std::size_t n) : plan_(std::make_unique<Plan>()) {
   plan_->real = allocate(n);
   plan_->spectrum = allocate(2 * (n / 2 + 1));
   auto* complex = reinterpret_cast<fftw_complex*>(plan_->spectrum.get());
-  plan_->forward = checked(
-      fftw_plan_dft_r2c_1d(size, plan_->real.get(), complex, FFTW_ESTIMATE | FFTW_PRESERVE_INPUT));
-  plan_->inverse = checked(fftw_plan_dft_c2r_1d(size, complex, plan_->real.get(), FFTW_ESTIMATE));
+  plan_->forward = plan([&] {
+    return fftw_plan_dft_r2c_1d(size, plan_->real.get(), complex,
+                                FFTW_ESTIMATE | FFTW_PRESERVE_INPUT);
+  });
+  plan_->inverse =
+      plan([&] { return fftw_plan_dft_c2r_1d(size, complex, plan_->real.get(), FFTW_ESTIMATE); });
 }
 RealFft::~RealFft() = default;
 RealFft::RealFft(RealFft&&) noexcept = default;
@@ -104,10 +113,10 @@ RealFft2d::RealFft2d(std::size_t rows, std::size_t columns) : plan_(std::make_un
   plan_->columns = columns;
   plan_->buffer = allocate(rows * stride());
   auto* complex = reinterpret_cast<fftw_complex*>(plan_->buffer.get());
-  plan_->forward =
-      checked(fftw_plan_dft_r2c_2d(n0, n1, plan_->buffer.get(), complex, FFTW_ESTIMATE));
-  plan_->inverse =
-      checked(fftw_plan_dft_c2r_2d(n0, n1, complex, plan_->buffer.get(), FFTW_ESTIMATE));
+  plan_->forward = plan(
+      [&] { return fftw_plan_dft_r2c_2d(n0, n1, plan_->buffer.get(), complex, FFTW_ESTIMATE); });
+  plan_->inverse = plan(
+      [&] { return fftw_plan_dft_c2r_2d(n0, n1, complex, plan_->buffer.get(), FFTW_ESTIMATE); });
 }
 RealFft2d::~RealFft2d() = default;
 RealFft2d::RealFft2d(RealFft2d&&) noexcept = default;

@@ -1,7 +1,7 @@
 // Real Fourier transforms on FFTW: plans and buffers that own themselves.
 //
 // All plans are made with FFTW_ESTIMATE: planning does not time anything, so the same machine code and the
-// same digits come out on every run. Transforms are unnormalised: inverse(forward(x)) = n x.
+// same digits come out on every run. Transforms are unnormalised: inverse(forward(x)) = n x. n >= 1.
 #pragma once
 
 #include <complex>
@@ -36,7 +36,7 @@ class RealFft {
 
 // A two-dimensional real transform of rows x columns (row major), in place to halve the memory:
 // the spectrum has rows x (columns/2 + 1) coefficients and overlays the samples, so a row of samples
-// has stride() = 2 (columns/2 + 1) doubles, of which the first `columns` count.
+// has stride() = 2 (columns/2 + 1) doubles, of which the first `columns` count. Accurate as RealFft; rows, columns >= 1.
 class RealFft2d {
  public:
   RealFft2d(std::size_t rows, std::size_t columns);

@@ -1,6 +1,7 @@
 // A plan of FFTW that frees itself, without fftw3.h.
 #pragma once
 
+#include <functional>
 #include <memory>
 
 struct fftw_plan_s;
@@ -12,7 +13,7 @@ struct FftwPlanFree {
 };
 using FftwPlan = std::unique_ptr<fftw_plan_s, FftwPlanFree>;
 
-// Throws NumericalError where FFTW made none.
-FftwPlan checked(fftw_plan_s* plan);
+// What `make` makes, one at a time: FFTW plans and frees in no two threads at once. Throws NumericalError where FFTW made none.
+FftwPlan plan(const std::function<fftw_plan_s*()>& make);
 
 }  // namespace railbook::num

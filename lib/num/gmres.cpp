@@ -20,8 +20,8 @@ struct Hessenberg {
       h(i, k) = t;
     }
     const double r = std::hypot(h(k, k), h(k + 1, k));
-    c[k] = r > 0 ? h(k, k) / r : 1;
-    s[k] = r > 0 ? h(k + 1, k) / r : 0;
+    c[k] = r > 0 ? h(k, k) / r : 0;  // a column of zeros: A is singular, and nothing is gained
+    s[k] = r > 0 ? h(k + 1, k) / r : 1;
     h(k, k) = r;
     g[k + 1] = -s[k] * g[k];
     g[k] *= c[k];
@@ -70,7 +70,10 @@ Gmres gmres(const LinearMap& a, const LinearMap& p, const Eigen::VectorXd& b, do
   Eigen::VectorXd y = small.g.head(k);
   for (int i = k - 1; i >= 0; --i) {
     for (int j = i + 1; j < k; ++j) y[i] -= small.h(i, j) * y[j];
-    if (small.h(i, i) == 0) return result;  // singular: x stays 0
+    if (small.h(i, i) == 0) {  // singular: x stays 0
+      result.residual = 1;
+      return result;
+    }
     y[i] /= small.h(i, i);
   }
   in = basis.leftCols(k) * y;

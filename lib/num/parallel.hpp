@@ -2,7 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
+#include <exception>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -25,6 +27,28 @@ void in_parallel(int threads, std::size_t count, const Work& work) {
     for (; k < parts; ++k) part(k);
   }
   part(0);
+}
+
+// make(0) .. make(count - 1) in their order, each called on whichever of the threads is free (0: as many as run at once here):
+// for items of unlike cost, whose results have a default constructor. They do not depend on `threads` as long as an item draws
+// its random numbers by its own index. What the first item that fails throws is thrown when all are done.
+template <class Make>
+auto map_in_parallel(std::size_t count, const Make& make, int threads = 0) {
+  std::vector<decltype(make(count))> made(count);
+  std::vector<std::exception_ptr> failed(count);
+  std::atomic<std::size_t> next{0};
+  if (threads == 0) threads = static_cast<int>(std::thread::hardware_concurrency());
+  const auto most = std::min(static_cast<std::size_t>(std::max(threads, 1)), count);
+  in_parallel(threads, most, [&](std::size_t, std::size_t, std::size_t) {
+    for (std::size_t i = 0; (i = next++) < count;) try {
+        made[i] = make(i);
+      } catch (...) {
+        failed[i] = std::current_exception();
+      }
+  });
+  for (const auto& error : failed)
+    if (error) std::rethrow_exception(error);
+  return made;
 }
 
 // The sum, or another reduction, of items 0 .. count: reduce(begin, end) of blocks that do not depend on `threads`,

@@ -17,7 +17,7 @@ double normal_quantile(double p);
 class RandomSource {
  public:
   RandomSource(std::uint64_t seed, std::uint64_t stream);
-  double uniform(std::uint64_t k) const;  // (j + 1/2)/2^52: never 0 or 1
+  double uniform(std::uint64_t k) const;  // (j + 1/2)/2^52: never 0 or 1; exact
   double normal(std::uint64_t k) const { return normal_quantile(uniform(k)); }
 
  private:

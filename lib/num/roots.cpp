@@ -37,8 +37,7 @@ Root find_root(const std::function<double(double)>& f, double low, double high, 
   for (int i = 0; i < most && !root.converged; ++i) {
     check_gsl(gsl_root_fsolver_iterate(solver.get()), "find_root");
     root.x = gsl_root_fsolver_root(solver.get());
-    root.width =
-        std::abs(gsl_root_fsolver_x_upper(solver.get()) - gsl_root_fsolver_x_lower(solver.get()));
+    root.width = gsl_root_fsolver_x_upper(solver.get()) - gsl_root_fsolver_x_lower(solver.get());
     root.converged = root.width <= relative * std::abs(root.x) + 1e-300;
   }
   root.evaluations = counted.evaluations;

@@ -18,8 +18,8 @@ PeriodicMotion periodic_motion(const StoppedBody& body, const Wave& wave, const 
 // The stiffness, in units of the spring's, that a stroke x = a sin feels on average over a period (first harmonic).
 double mean_stiffness(const StoppedBody& body, double a);
 
-// The stroke at t = 0 of a motion x = a sin of the wave's period by harmonic balance (first harmonic), as a guess for
-// periodic_motion; a >= 0.
+// The stroke at t = 0 that the wave forces, by harmonic balance (first harmonic), where the stops are as stiff as a stroke of
+// a >= 0 feels them; its amplitude is a at a balance. A guess for periodic_motion.
 Motion balanced_motion(const StoppedBody& body, const Wave& wave, double a);
 
 }  // namespace railbook::quality

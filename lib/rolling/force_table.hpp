@@ -41,7 +41,7 @@ class ForceTable {
   // positive, 2 nodes or more an axis (1 for the ratio if both ends are equal), at most 1e7 nodes in all.
   ForceTable(const ForceTableAxes& axes, const ShareTheory& theory);
 
-  // Linear in each stretched coordinate. Negative longitudinal creepage turns fx; negative lateral creepage turns spin,
+  // Linear in each stretched coordinate, to rounding. Negative longitudinal creepage turns fx; negative lateral creepage turns spin,
   // fy and mz (the symmetries of the problem). Beyond an axis the value at its end.
   ForceShares at(double axis_ratio, const Creepage& reduced) const;
 
@@ -63,7 +63,8 @@ class ForceTable {
   std::vector<ForceShares> values_;
 };
 
-// A theory's forces as shares, for RollingCase-based solvers: at G = N = mu = 1, a b = 1.
+// A theory's forces as shares, for RollingCase-based solvers: at G = N = mu = 1, a b = 1. Calls throw std::runtime_error
+// where the theory does not converge.
 ShareFunction shares_of(std::function<CreepForces(const RollingCase&)> solve, double axis_ratio,
                         double poisson);
 

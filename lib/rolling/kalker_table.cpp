@@ -36,10 +36,14 @@ constexpr std::array<TableRow, 19> rows{{
     {1 / 0.1, {{{10.7, 11.7, 12.9}, {10.7, 12.8, 16.0}, {12.2, 14.6, 18.0}, {.795, .526, .228}}}},
 }};
 
-// The parabola through 1/C at 0, 1/4, 1/2, as a factor on each of the three.
-double over_poisson(const std::array<double, 3>& c, double nu) {
-  return 1 / (8 * (nu - 0.25) * (nu - 0.5) / c[0] + 16 * nu * (0.5 - nu) / c[1] +
-              8 * nu * (nu - 0.25) / c[2]);
+// The parabola through 1/C at 0, 1/4, 1/2, as a factor on each of the three. C33 of contacts long along rolling falls with
+// Poisson's ratio almost to nothing, and there is a parabola itself.
+double over_poisson(const TableRow& row, std::size_t n, double nu) {
+  const bool itself = n == 3 && row.axis_ratio > 1;
+  const auto form = [&](double c) { return itself ? c : 1 / c; };
+  const auto& c = row.c[n];
+  return form(8 * (nu - 0.25) * (nu - 0.5) * form(c[0]) + 16 * nu * (0.5 - nu) * form(c[1]) +
+              8 * nu * (nu - 0.25) * form(c[2]));
 }
 
 }  // namespace
@@ -60,7 +64,7 @@ KalkerCoefficients kalker_table(double axis_ratio, double poisson) {
       if (m != k) weight *= std::log(axis_ratio / other) / std::log(row.axis_ratio / other);
     }
     for (std::size_t n = 0; n < 4; ++n)
-      log_c[n] += weight * std::log(over_poisson(row.c[n], poisson));
+      log_c[n] += weight * std::log(over_poisson(row, n, poisson));
   }
   return {std::exp(log_c[0]), std::exp(log_c[1]), std::exp(log_c[2]), std::exp(log_c[3])};
 }

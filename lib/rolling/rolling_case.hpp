@@ -59,17 +59,19 @@ struct CreepForces {
 };
 
 // The dimensionless creepages: X = G a b xi/(mu N), Y = G a b eta/(mu N), and G (a b)^(3/2) phi/(mu N).
-// Infinite for friction 0 with creepage, 0 for none. Throws InputError on a case out of range.
+// Infinite for friction 0 with creepage, 0 for none; relative accuracy 2e-15.
+// Throws InputError on a case out of range.
 Creepage reduced_creepage(const RollingCase& c);
 
-// `c` with the creepages that have these dimensionless ones; friction must be > 0.
+// `c` with the creepages that have these dimensionless ones; friction must be > 0. Relative
+// accuracy 4e-15. Throws InputError on a case out of range.
 RollingCase with_reduced_creepage(RollingCase c, const Creepage& reduced);
 
 // Throws InputError naming the quantity that is out of the range given at RollingCase.
 void check(const RollingCase& c);
 
 // An ellipse of semi-axes sqrt(a/b) and its inverse with load, shear modulus and friction 1: forces are then shares of the
-// friction, and creepages are reduced but for Hertz's factor.
+// friction, and creepages are reduced but for Hertz's factor. Not checked: check() is for that.
 RollingCase unit_case(double axis_ratio, double poisson);
 
 }  // namespace railbook::rolling

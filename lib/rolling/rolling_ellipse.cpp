@@ -113,23 +113,47 @@ double mean_arm(const RollingGrid& grid) {
 
 }  // namespace
 
-void extrapolate(CreepForces& fine, const RollingGrid& grid, const Resultants& coarse, bool halved,
-                 double force, double length) {
-  // Second order: a grid of twice the cell size is off by four times as much.
-  const double part = halved ? 1.0 / 3 : 0;
-  const double dx = fine.fx / force - coarse.fx, dy = fine.fy / force - coarse.fy;
-  const double dm = fine.mz / (force * length) - coarse.mz;
-  fine.fx += part * dx * force;
-  fine.fy += part * dy * force;
-  fine.mz += part * dm * force * length;
+void estimate(CreepForces& fine, const RollingGrid& grid, const Resultants& coarse, double force,
+              double length) {
   // Any one difference may vanish by chance, all three together hardly; a moment over the root mean square of the
   // distance from the origin is a force.
   const double arm = mean_arm(grid);
-  fine.error = (halved ? 0.8 : 2) * std::hypot(dx, dy, dm / arm);
+  fine.error = 2 * std::hypot(fine.fx / force - coarse.fx, fine.fy / force - coarse.fy,
+                              (fine.mz / (force * length) - coarse.mz) / arm);
   fine.mz_error = arm * fine.error;
+}
+
+namespace {
+
+// The same on rows that end on the ellipse. If the coarser grid has cells of just twice the size (`halved`), the
+// second-order error is taken off the forces, which stay within mu N, first.
+void extrapolate(CreepForces& fine, const RollingGrid& grid, const Resultants& coarse, bool halved,
+                 double force, double length) {
+  // Second order: a grid of twice the cell size is off by four times as much.
+  const double dx = fine.fx / force - coarse.fx, dy = fine.fy / force - coarse.fy;
+  const double dm = fine.mz / (force * length) - coarse.mz;
+  if (halved) {
+    fine.fx += dx / 3 * force;
+    fine.fy += dy / 3 * force;
+    fine.mz += dm / 3 * force * length;
+  }
   const double beyond = std::hypot(fine.fx, fine.fy) / force;
   if (beyond > 1) fine.fx /= beyond, fine.fy /= beyond;
+  // Of the differences about a half (where they have been taken off, hardly less: under large spin the order is below two). The
+  // moment's is among the force's, since both seldom vanish at the same creepages. And what differences do not see: slip
+  // begins at the rim in whole cells. One more or less in a row is of the order h^1.5, at random from row to row, and
+  // nothing where all sticks or all slides. The rim is root 5 times as far out as the mean arm. The factors are chosen on
+  // random cases.
+  const double part = halved ? 0.5 : 0.55, share = std::min(1.0, beyond);
+  const double cells = 0.7 * std::pow(static_cast<double>(grid.mesh.along), -1.5) *
+                       std::pow(static_cast<double>(grid.mesh.rows()), -0.5) *
+                       std::sqrt(share * (1 - share));
+  const double arm = mean_arm(grid), forces = std::hypot(dx, dy), moment = std::abs(dm) / arm;
+  fine.error = part * (forces + 0.5 * moment) + cells;
+  fine.mz_error = arm * (part * (moment + 0.5 * forces) + std::sqrt(5) * cells);
 }
+
+}  // namespace
 
 CreepForces without_friction() {
   CreepForces out;

@@ -94,7 +94,7 @@ CreepForces solve_rolling_unlike(const contact::Grid& grid, const Eigen::VectorX
   if (!rough.converged) return out;
   Resultants r = resultants(coarse.grid.mesh, rough.p);
   r.mz *= coarse.length / given.length;
-  extrapolate(out, given.grid, r, false, c.friction * given.load, given.length);
+  estimate(out, given.grid, r, c.friction * given.load, given.length);
   return out;
 }
 

@@ -55,10 +55,10 @@ Resultants resultants(const RollingMesh& mesh, const Eigen::VectorXd& p);
 // The result in SI, given mu N [N] and the unit of length [m].
 CreepForces in_units(const RollingGrid& grid, const StickSlip& solution, double force,
                      double length);
-// Puts the error estimates on `fine`, found on `grid`, from the dimensionless forces of a coarser grid; if that has cells of
-// just twice the size (`halved`), also takes the second-order error off the forces, which stay within mu N.
-void extrapolate(CreepForces& fine, const RollingGrid& grid, const Resultants& coarse, bool halved,
-                 double force, double length);
+// Puts error estimates on `fine`, found on `grid`, from the dimensionless forces of a grid of half the cells: for contacts
+// whose edge is seen in whole cells.
+void estimate(CreepForces& fine, const RollingGrid& grid, const Resultants& coarse, double force,
+              double length);
 CreepForces without_friction();
 
 }  // namespace railbook::rolling

@@ -22,12 +22,12 @@ double chord_sigma(double A, double chord);
 double chord_sigma(const TrackParameters& track, double chord);
 
 // Table 2: the largest offset |sin(pi L / 2l)|, as a share of the dip, that a chord L reads on a rectified sine of
-// rail length l. It occurs with the middle of the chord on a joint. L, l > 0 (m).
+// rail length l. It occurs with the middle of the chord on a joint. L, l > 0 (m), else InputError; to rounding of L/l.
 double rail_chord_sensitivity(double chord, double rail_length);
 
-// Offsets of a sampled profile: out[i] = z_i - (z(x_i - L/2) + z(x_i + L/2))/2, for the samples that have both
-// ends. Ends between samples are read with a cubic through four points; on a sample they are exact, and so is a profile of degree three, to rounding. The
-// first offset belongs to sample `first`; a NaN anywhere in the reach of a chord gives NaN.
+// Offsets of a sampled profile: out[i] = z_i - (z(x_i - L/2) + z(x_i + L/2))/2, for the samples that have both ends. Ends
+// between samples are read with a cubic through four points; on a sample they are exact, and so is a profile of degree
+// three, to rounding. The first offset belongs to sample `first`; a NaN anywhere in the reach of a chord gives NaN.
 struct ChordOffsets {
   std::size_t first = 0;
   std::vector<double> offset;  // m

@@ -55,7 +55,7 @@ CoefficientRange coefficient_range(double A, double B_printed, int track_class,
   units::require_between("class", track_class, 1, classes);
   const double periodic = rule.gamma * B_printed;
   const auto k_at = [&](double deviation) {
-    return std::max(0.0, (deviation * deviation - periodic * periodic) / A);
+    return std::max(0.0, (deviation - periodic) * (deviation + periodic) / A);
   };
   const double high = limit(rule, track_class);
   CoefficientRange range{track_class < classes ? k_at(limit(rule, track_class + 1)) : 0.0,

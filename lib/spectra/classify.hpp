@@ -25,7 +25,7 @@ struct ClassRule {
   std::array<double, classes> limits = profile_limits;  // descending, m
 };
 
-// Equation (10)'s coefficient k of A: alpha^2 pi^2 L / 2, m. 839.30 for 62 ft.
+// Equation (10)'s coefficient k of A: alpha^2 pi^2 L / 2, m, to rounding. 839.30 for 62 ft. Throws InputError unless L > 0.
 double random_coefficient(const ClassRule& rule);
 
 // The deviation d = sqrt(k A + (gamma B)^2) that (10) holds against the limits, m. A in m^2 cycle/m, B in m in
@@ -40,10 +40,11 @@ struct Classification {
   double margin = 0;   // 1 - d/D of the class it has; of class 1 if it has none (then negative)
   double to_next = 0;  // d/D - 1 of the next better class, by how much it is missed; 0 in class 6
 };
+// To rounding; throws InputError on negative A or B, and limits that ascend.
 Classification classify(double A, double B_printed, const ClassRule& rule = {});
 
 // The range of k for which (10) puts (A, B) in class m, the other values of `rule` unchanged: `low` < k <= `high`.
-// low > high when no k does. 1 <= m <= 6, A > 0.
+// low > high when no k does. 1 <= m <= 6, A > 0, else InputError. To rounding, however near gamma B is to a limit.
 struct CoefficientRange {
   double low = 0, high = 0;
 };
@@ -51,11 +52,12 @@ CoefficientRange coefficient_range(double A, double B_printed, int track_class,
                                    const ClassRule& rule = {});
 
 // The probability of each class, [0] none, [m] class m, given the errors of a fit: d^2 = k A + 18 pi^2 (gamma/2)^2
-// Q_1 is linear in what was estimated and taken as normal.
+// Q_1 is linear in what was estimated and taken as normal. To rounding of the mean over its error.
 std::array<double, classes + 1> class_probabilities(const SpectrumFit& fit,
                                                     const ClassRule& rule = {});
 
-// Chance of a deviation beyond alpha standard deviations: of a normal one, and Chebyshev's bound for any.
+// Chance of a deviation beyond alpha standard deviations: of a normal one, and Chebyshev's bound for any (alpha > 0, else
+// InputError). To rounding of alpha.
 double normal_exceedance(double alpha);
 double chebyshev_exceedance(double alpha);
 

@@ -18,7 +18,10 @@ void require_joints(const JointDips& joints) {
 }  // namespace
 
 double dip_shape(double u) {
-  return std::abs(u) <= 0.5 ? 1.0 - std::sin(units::pi * std::abs(u)) : 0.0;
+  if (std::abs(u) > 0.5) return 0.0;
+  if (std::abs(u) < 0.25) return 1.0 - std::sin(units::pi * std::abs(u));
+  const double s = std::sin(0.5 * units::pi * (0.5 - std::abs(u)));  // next to the crest
+  return 2.0 * s * s;
 }
 
 double dip_transform(double nu) {
@@ -37,8 +40,9 @@ double joint_scatter_psd(const JointDips& joints, double phi) {
   const double nu = phi * joints.rail_length;
   const double rho = joints.correlation;
   const double lift = joints.scatter * joints.dip * dip_transform(nu);
-  const double memory =
-      (1.0 - rho * rho) / (1.0 - 2.0 * rho * std::cos(2.0 * units::pi * nu) + rho * rho);
+  // The denominator 1 - 2 rho cos(2 pi nu) + rho^2, which cancels at the lines of joints that hardly differ.
+  const double s = std::sin(units::pi * std::remainder(nu, 1.0));
+  const double memory = (1.0 - rho) * (1.0 + rho) / ((1.0 - rho) * (1.0 - rho) + 4.0 * rho * s * s);
   return 2.0 * lift * lift * joints.rail_length * memory;
 }
 

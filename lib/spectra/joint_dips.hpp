@@ -12,7 +12,7 @@
 
 namespace railbook::spectra {
 
-// The shape of one dip of depth 1: 1 - |sin(pi u)| for |u| <= 1/2, u in rail lengths from the joint; else 0.
+// The shape of one dip of depth 1: 1 - |sin(pi u)| for |u| <= 1/2, u in rail lengths from the joint; else 0. To rounding.
 double dip_shape(double u);
 
 // Its Fourier transform, the integral of dip_shape(u) cos(2 pi nu u) du, with nu in cycles per rail length:
@@ -30,10 +30,11 @@ struct JointDips {
 
 // The continuous part of the one-sided density (m^2/(cycle/m)) at phi > 0 (cycle/m):
 //   2 m^2 B^2 l |D(phi l)|^2 (1 - rho^2)/(1 - 2 rho cos(2 pi phi l) + rho^2),  D = dip_transform.
-// The lines of the mean dip B come on top. Throws InputError on values out of the ranges above.
+// The lines of the mean dip B come on top. Relative accuracy that of dip_transform, -0.9999 <= rho <= 0.9999. Throws
+// InputError on values out of the ranges above.
 double joint_scatter_psd(const JointDips& joints, double phi);
 
-// The profile of the joints, sample after sample.
+// The profile of the joints, sample after sample; to rounding of the dip and the rails gone by.
 class JointSequence {
  public:
   // Throws InputError on values out of the ranges of JointDips, or rails shorter than two samples.

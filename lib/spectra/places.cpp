@@ -6,27 +6,32 @@
 
 namespace railbook::spectra {
 
-void PlaceMap::add(std::size_t sample, double position) {
-  position *= direction_;
-  const Node here{static_cast<double>(sample), position};
+void PlaceMap::add(std::size_t sample, std::span<const double> positions) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
   if (nodes_.empty()) {
-    nodes_.push_back(here);
-    low_ = -std::numeric_limits<double>::infinity();
-    high_ = -low_;
-  } else {
-    const double half = 0.5 * spacing_;
-    const auto slope = [&](double off) {
-      return (position + off - nodes_.back().position) / (here.sample - nodes_.back().sample);
-    };
-    if (slope(0) < low_ || slope(0) > high_) {
-      nodes_.push_back(last_);
-      low_ = -std::numeric_limits<double>::infinity();
-      high_ = -low_;
-    }
-    low_ = std::max(low_, slope(-half));
-    high_ = std::min(high_, slope(half));
+    nodes_.push_back({static_cast<double>(sample++), direction_ * positions.front()});
+    last_ = nodes_.back();
+    positions = positions.subspan(1);
   }
-  last_ = here;
+  Node from = nodes_.back(), last = last_;
+  double low = low_, high = high_;
+  for (const double position : positions) {
+    const Node here{static_cast<double>(sample++), direction_ * position};
+    double share = 1 / (here.sample - from.sample), slope = (here.position - from.position) * share;
+    if (slope < low || slope > high) {
+      nodes_.push_back(from = last);
+      low = -infinity;
+      high = infinity;
+      share = 1 / (here.sample - from.sample);
+      slope = (here.position - from.position) * share;
+    }
+    low = std::max(low, slope - 0.5 * spacing_ * share);
+    high = std::min(high, slope + 0.5 * spacing_ * share);
+    last = here;
+  }
+  last_ = last;
+  low_ = low;
+  high_ = high;
 }
 
 std::vector<PlaceMap::Node> PlaceMap::all_nodes() const {

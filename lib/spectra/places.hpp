@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,10 +17,11 @@ class PlaceMap {
   explicit PlaceMap(double spacing = 1, double first = 0, double direction = 1)
       : spacing_(spacing), first_(direction * first), direction_(direction) {}
 
-  // The position (m) of a sample, given in the record's order.
-  void add(std::size_t sample, double position);
+  // The positions (m) of a sample and those that follow it, given in the record's order.
+  void add(std::size_t sample, std::span<const double> positions);
+  void add(std::size_t sample, double position) { add(sample, {&position, 1}); }
 
-  // The position (m) of any sample; beyond the last one given, on at the spacing.
+  // The position (m) of any sample, true to half a spacing; beyond the last one given, on at the spacing.
   double at(std::size_t sample) const;
 
   // Where the spacing leaves that of the record as a whole: by how much at most (a share, rounding of the positions
@@ -41,7 +44,8 @@ class PlaceMap {
   double spacing_, first_, direction_;
   std::vector<Node> nodes_;  // begin of each piece
   Node last_{};
-  double low_ = 0, high_ = 0;  // slopes from the last node that keep all its samples
+  double low_ = -std::numeric_limits<double>::infinity(),
+         high_ = -low_;  // slopes from the last node that keep all its samples
 };
 
 }  // namespace railbook::spectra

@@ -10,18 +10,19 @@
 
 namespace railbook::spectra {
 
-// The profile at x (m) of rails of length `rail_length` > 0 (m) with dip B (m): between 0 (joint) and B.
+// The profile at x (m) of rails of length `rail_length` > 0 (m) with dip B (m): between 0 (joint) and B. To rounding of the
+// rails gone by.
 double rectified_sine(double x, double rail_length, double dip);
 
-// Its variance B^2 (1/2 - 4/pi^2) (m^2), the sum of all its line powers.
+// Its variance B^2 (1/2 - 4/pi^2) (m^2), the sum of all its line powers; to rounding.
 double rectified_sine_variance(double dip);
 
 // The strength B_n (m) of the line at n/l, n >= 1. printed: equation (1), 2B/(pi (4n^2 - 1)), the modulus of
 // the complex Fourier coefficient. exact_one_sided: the amplitude 4B/(pi (4n^2 - 1)) of the cosine itself.
-// Throws InputError when n < 1 or B is not finite.
+// To rounding. Throws InputError when n < 1 or B is not finite.
 double line_strength(int n, double dip, LineConvention convention);
 
-// The power Q_n (m^2) of the line at n/l: half the square of line_strength, equation (2).
+// The power Q_n (m^2) of the line at n/l: half the square of line_strength, equation (2), and its errors.
 double line_power(int n, double dip, LineConvention convention);
 
 // One line of a spectrum: wavenumber (cycle/m) and power (m^2, one-sided).

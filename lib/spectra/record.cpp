@@ -67,7 +67,9 @@ double rounding_of(const std::vector<double>& steps) {
 
 RecordStream::RecordStream(const RecordOptions& options,
                            std::function<void(std::span<const double>)> sink)
-    : options_(options), sink_(std::move(sink)), screen_([this](double v) { join(v); }) {
+    : options_(options),
+      sink_(std::move(sink)),
+      screen_([this](std::span<const double> values) { join(values); }) {
   if (options_.spacing) {
     spacing_ = units::require_positive("spacing", *options_.spacing, "m");
     places_ = PlaceMap{spacing_};
@@ -75,19 +77,46 @@ RecordStream::RecordStream(const RecordOptions& options,
   ready_.reserve(piece);
 }
 
-void RecordStream::add(double value) {
-  ++taken_;
-  take(value);
+void RecordStream::add(std::span<const double> values) {
+  taken_ += values.size();
+  take(values);
 }
 
-void RecordStream::add(double position, double value) {
-  ++taken_;
+void RecordStream::add(std::span<const double> positions, std::span<const double> values) {
   positions_ = true;
-  if (!std::isfinite(position))
-    units::require_finite("position of sample " + std::to_string(taken_), position, "m");
-  if (settled_) return place({direction_ * position, value});
-  first_.push_back({position, value});
-  if (first_.size() == settling) settle_spacing();
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const std::size_t even = go_on(positions.subspan(i));
+    taken_ += even;
+    take(values.subspan(i, even));
+    i += even;
+    if (i == positions.size()) return;
+    ++taken_;
+    if (!std::isfinite(positions[i]))
+      units::require_finite("position of sample " + std::to_string(taken_), positions[i], "m");
+    if (settled_) {
+      place({direction_ * positions[i], values[i]});
+    } else {
+      first_.push_back({positions[i], values[i]});
+      if (first_.size() == settling) settle_spacing();
+    }
+  }
+}
+
+// Places samples as long as each is about a spacing behind the one before; how many.
+std::size_t RecordStream::go_on(std::span<const double> positions) {
+  if (!settled_ || rounding_ > 0) return 0;
+  const double slack = off_grid * spacing_;
+  double last = last_position_;
+  std::size_t n = 0;
+  for (; n < positions.size(); ++n) {
+    const double position = direction_ * positions[n];
+    if (!std::islessequal(std::abs(position - last - spacing_), slack)) break;
+    last = position;
+  }
+  if (n > 0) places_.add(steps_ + 1, positions.first(n));
+  steps_ += n;
+  last_position_ = last;
+  return n;
 }
 
 // The median step is the spacing but for rounding of the positions; the whole stretch in such steps refines it. Where the
@@ -120,9 +149,10 @@ void RecordStream::settle_spacing() {
   first_position_ = last_position_ = grid_ = first_.front().position;
   if (rounding_ > 0) fit_grid();
   places_ = PlaceMap{spacing_, direction_ * grid_, direction_};
-  places_.add(0, direction_ * grid_);
+  const double first = direction_ * grid_;
+  places_.add(0, {&first, 1});
   const auto samples = std::exchange(first_, {});
-  take(samples.front().value);
+  take({&samples.front().value, 1});
   for (std::size_t i = 1; i < samples.size(); ++i) place(samples[i]);
 }
 
@@ -162,42 +192,55 @@ void RecordStream::place(const Sample& sample) {
   if (static_cast<double>(steps_) + whole >
       free_slots + slots_a_sample * static_cast<double>(taken_))
     refuse("positions jump too far for a record of " + std::to_string(taken_) + " samples");
-  for (double missing = 1; missing < whole; ++missing) screen_.push(lost);
+  for (double missing = 1; missing < whole; ++missing) screen_.push({&lost, 1});
   steps_ += static_cast<std::size_t>(whole);
   last_position_ = sample.position;
   grid_ = last + spacing_ * (whole + (rounding_ > 0.5 * spacing_ ? 0.0625 : 0.25) * (step - whole));
-  places_.add(steps_, direction_ * (rounding_ > 0 ? grid_ : sample.position));
-  take(sample.value);
+  const double here = direction_ * (rounding_ > 0 ? grid_ : sample.position);
+  places_.add(steps_, {&here, 1});
+  take({&sample.value, 1});
 }
 
-void RecordStream::take(double value) {
-  ++placed_;
-  if (!std::isfinite(value)) return screen_.push(lost);
-  if (std::abs(value) > highest_height)
-    units::require_between("sample " + std::to_string(placed_), value, -highest_height,
-                           highest_height, "m");
-  lowest_ = any_ > 0 ? std::min(lowest_, value) : value;
-  highest_ = any_ > 0 ? std::max(highest_, value) : value;
-  ++any_;
-  screen_.push(value);
+void RecordStream::take(std::span<const double> values) {
+  for (const double value : values) {
+    ++placed_;
+    if (!std::islessequal(std::abs(value), highest_height) && !std::isnan(value))
+      units::require_between("sample " + std::to_string(placed_), value, -highest_height,
+                             highest_height, "m");
+    if (varies_ || std::isnan(value)) continue;
+    varies_ = any_ && value != first_value_;
+    first_value_ = value;
+    any_ = true;
+  }
+  screen_.push(values);
 }
 
 // The samples come back from the screen; gaps are closed with the first good sample after them.
-void RecordStream::join(double value) {
-  const std::size_t at = joined_++;
-  if (std::isnan(value)) {
-    while (fault_ < faults().size() && faults()[fault_].first < at) ++fault_;
-    cut_ = cut_ || (fault_ < faults().size() && faults()[fault_].first == at &&
-                    faults()[fault_].fault == Fault::step);
-    ++gap_;
-    return;
+void RecordStream::join(std::span<const double> values) {
+  const auto is_lost = [](double value) { return std::isnan(value); };
+  for (auto at = values.begin(); at != values.end();) {
+    const auto good = std::find_if_not(at, values.end(), is_lost);
+    for (; at != good; ++at, ++joined_, ++gap_) {
+      while (fault_ < faults().size() && faults()[fault_].first < joined_) ++fault_;
+      cut_ = cut_ || (fault_ < faults().size() && faults()[fault_].first == joined_ &&
+                      faults()[fault_].fault == Fault::step);
+    }
+    at = std::find_if(good, values.end(), is_lost);
+    if (at == good) return;
+    close_gap(*good);
+    put({good, at});
+    joined_ += static_cast<std::size_t>(at - good);
+    last_value_ = *(at - 1);
   }
+}
+
+void RecordStream::close_gap(double value) {
   const std::size_t most =
       spacing_ > 0
           ? std::max(options_.bridge,
                      static_cast<std::size_t>(std::min(1e6, options_.bridge_length / spacing_)))
           : options_.bridge;
-  const bool bridge = begun_ && gap_ > 0 && gap_ <= most && !cut_;
+  const bool bridge = begun_ && gap_ <= most && !cut_;
   for (std::size_t i = 1; i <= gap_; ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(gap_ + 1);
     put(bridge ? last_value_ + share * (value - last_value_) : lost);
@@ -206,31 +249,40 @@ void RecordStream::join(double value) {
   gap_ = 0;
   cut_ = false;
   begun_ = true;
-  last_value_ = value;
-  put(value);
 }
 
-void RecordStream::put(double value) {
-  ++samples_;
-  if (spacing_ > 0) compare(value);
-  ready_.push_back(value);
-  if (ready_.size() < piece) return;
-  sink_(ready_);
-  ready_.clear();
+void RecordStream::put(std::span<const double> values) {
+  while (!values.empty()) {
+    const auto next = values.first(std::min(values.size(), piece - ready_.size()));
+    values = values.subspan(next.size());
+    samples_ += next.size();
+    if (spacing_ > 0) compare(next);
+    ready_.insert(ready_.end(), next.begin(), next.end());
+    if (ready_.size() < piece) continue;
+    sink_(ready_);
+    ready_.clear();
+  }
 }
 
 // The height against the mean of those 10 m before and behind: a grade does not show.
-void RecordStream::compare(double value) {
+void RecordStream::compare(std::span<const double> values) {
   if (past_.empty())
     past_.assign(2 * static_cast<std::size_t>(std::clamp(lag / spacing_, 1.0, 1e5)), lost);
-  const std::size_t at = (samples_ - 1) % past_.size(), half = past_.size() / 2;
-  const double middle = past_[(at + half) % past_.size()];
-  if (!std::isnan(value) && !std::isnan(past_[at]) && !std::isnan(middle)) {
-    const double offset = middle - 0.5 * (value + past_[at]);
-    moved_ += offset * offset;
-    ++moves_;
+  const std::size_t size = past_.size();
+  std::size_t at = oldest_, middle = (at + size / 2) % size, moves = moves_;
+  double moved = moved_;
+  for (const double value : values) {
+    const double offset = past_[middle] - 0.5 * (value + past_[at]);
+    past_[at] = value;
+    if (++at == size) at = 0;
+    if (++middle == size) middle = 0;
+    if (std::isnan(offset)) continue;
+    moved += offset * offset;
+    ++moves;
   }
-  past_[at] = value;
+  oldest_ = at;
+  moved_ = moved;
+  moves_ = moves;
 }
 
 void RecordStream::finish() {
@@ -238,8 +290,8 @@ void RecordStream::finish() {
   if (positions_ && !settled_) settle_spacing();
   if (!positions_)
     units::require_positive("spacing (give one, or a column of positions)", spacing_, "m");
-  if (any_ > 0 && lowest_ == highest_)
-    throw InputError{"constant signal: all samples are " + number_text(lowest_) + " m"};
+  if (any_ && !varies_)
+    throw InputError{"constant signal: all samples are " + number_text(first_value_) + " m"};
   screen_.finish();
   missing_ += gap_;
   for (; gap_ > 0; --gap_) put(lost);

@@ -25,7 +25,7 @@ struct Doubt {
   std::string key, text;
 };
 
-// Takes samples one by one, with their positions or without, and hands an evenly spaced record on to `sink` in
+// Takes samples, with their positions or without, and hands an evenly spaced record on to `sink` in
 // pieces. Positions ascend or descend. One must come a whole number of spacings after the last (to a quarter of one); more than
 // one leaves a gap. Where the recorder rounds positions to more than a twentieth of a spacing (to .1 m, to whole metres; not to nearly a spacing, which looks like samples lost), they
 // are met by the even grid through those before them. Faulty samples (see Screen) are gaps, too, and are told by doubts(). The memory is some
@@ -37,11 +37,13 @@ class RecordStream {
   RecordStream(const RecordStream&) = delete;
   RecordStream& operator=(const RecordStream&) = delete;
 
-  // The next sample; NaN if it is missing. Either all samples have a position or none. Throws InputError
+  // The next samples; NaN where one is missing. Either all samples have a position or none. Throws InputError
   // naming the sample when positions turn back, or are not even, or when gaps come to more than 10^6 spacings and twenty
   // times the samples there are, and when a value is beyond 10^6 m.
-  void add(double value);
-  void add(double position, double value);
+  void add(std::span<const double> values);
+  void add(std::span<const double> positions, std::span<const double> values);  // as many
+  void add(double value) { add({&value, 1}); }
+  void add(double position, double value) { add({&position, 1}, {&value, 1}); }
 
   // Hands on what is left. Throws InputError when the spacing is unknown (no positions and none given),
   // when the positions' own differs by over 0.5 % from the one given or changes by over 2 % on the way, when no
@@ -69,11 +71,14 @@ class RecordStream {
   };
   void settle_spacing();
   void fit_grid();
+  std::size_t go_on(std::span<const double> positions);
   void place(const Sample& sample);
-  void take(double value);
-  void join(double value);
-  void put(double value);
-  void compare(double value);
+  void take(std::span<const double> values);
+  void join(std::span<const double> values);
+  void close_gap(double value);
+  void put(double value) { put({&value, 1}); }
+  void put(std::span<const double> values);
+  void compare(std::span<const double> values);
 
   RecordOptions options_;
   std::function<void(std::span<const double>)> sink_;
@@ -89,9 +94,9 @@ class RecordStream {
   double first_position_ = 0, last_position_ = 0;  // as all inside, in the direction of travel
   double direction_ = 1;                           // -1: positions descend
   double rounding_ = 0,
-         grid_ = 0;      // of positions, m, where it matters; the place of the last sample
-  std::size_t any_ = 0;  // finite samples
-  double lowest_ = 0, highest_ = 0;
+         grid_ = 0;  // of positions, m, where it matters; the place of the last sample
+  bool any_ = false, varies_ = false;  // finite samples; they differ
+  double first_value_ = 0;
 
   std::size_t gap_ = 0;  // missing or faulty samples since the last good one
   bool begun_ = false;   // a good sample has come
@@ -100,6 +105,7 @@ class RecordStream {
   double last_value_ = 0;  // the last good one
   std::size_t samples_ = 0, missing_ = 0, bridged_ = 0, faulty_ = 0;
   std::vector<double> past_;  // 20 m of samples, in turn
+  std::size_t oldest_ = 0;    // of them
   double moved_ = 0;          // sum of squared offsets of their middle
   std::size_t moves_ = 0;
 };

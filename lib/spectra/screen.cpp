@@ -6,18 +6,41 @@
 namespace railbook::spectra {
 namespace {
 
-constexpr std::size_t block = 8192;
 constexpr double far_off = 12, per_missing = 3, above_recent = 4;  // median steps; recent steps
 constexpr std::size_t longest_excursion = 256;
 constexpr std::size_t fewest_steps = 50;  // that a median step means something
 constexpr std::size_t stuck_at_least = 20, stuck_lags = 8;
 constexpr double moved = 5;  // quanta
 
+// The upper median, 0 of nothing; x is used up. As std::nth_element, but without branches that nobody can foretell: each round
+// parts what is left into what is below the pivot, to the front of the other array, and what is above it, to its end.
 double median_of(std::vector<double>& x) {
   if (x.empty()) return 0;
-  const auto middle = x.begin() + static_cast<std::ptrdiff_t>(x.size() / 2);
-  std::nth_element(x.begin(), middle, x.end());
-  return *middle;
+  std::vector<double> other(x.size());
+  double *from = x.data(), *to = other.data();
+  std::size_t n = x.size(), wanted = n / 2;
+  while (true) {
+    const double a = from[n / 4], b = from[n / 2], c = from[3 * n / 4];
+    const double pivot = std::max(std::min(a, b), std::min(std::max(a, b), c));
+    std::size_t below = 0, above = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double value = from[i];
+      to[below] = value;
+      to[n - 1 - above] = value;
+      below += value < pivot ? 1 : 0;
+      above += value > pivot ? 1 : 0;
+    }
+    if (wanted >= below && wanted < n - above) return pivot;
+    std::swap(from, to);
+    if (wanted >= below) {
+      from += n - above;
+      to += n - above;
+      wanted -= n - above;
+      n = above;
+    } else {
+      n = below;
+    }
+  }
 }
 
 // |v[i + lag] - v[i]| of about `wanted` pairs.
@@ -31,9 +54,13 @@ std::vector<double> moves(const std::vector<double>& v, std::size_t lag, std::si
 
 }  // namespace
 
-void Screen::push(double value) {
-  v_.push_back(value);
-  if (v_.size() == 2 * block) judge(block);
+void Screen::push(std::span<const double> values) {
+  while (!values.empty()) {
+    const auto next = values.first(std::min(values.size(), 2 * block - v_.size()));
+    values = values.subspan(next.size());
+    v_.insert(v_.end(), next.begin(), next.end());
+    if (v_.size() == 2 * block) judge(block);
+  }
 }
 
 void Screen::finish() {
@@ -43,11 +70,12 @@ void Screen::finish() {
 
 void Screen::judge(std::size_t upto) {
   measure();
-  while (next_ < upto) next_ = judge_at(next_);
-  for (std::size_t i = 0; i < upto; ++i) sink_(v_[i]);
+  while ((next_ = pass(next_, upto)) < upto) next_ = judge_at(next_);
+  sink_({v_.data(), upto});
   v_.erase(v_.begin(), v_.begin() + static_cast<std::ptrdiff_t>(upto));
   base_ += upto;
   next_ -= upto;
+  seen_ -= std::min(seen_, upto);
   good_at_ -= static_cast<std::ptrdiff_t>(upto);
 }
 
@@ -60,10 +88,9 @@ std::optional<FaultyStretch> Screen::still() const {
 }
 
 void Screen::measure() {
-  for (std::size_t i = 0; i + 1 < v_.size(); ++i) {
-    if (std::isnan(v_[i]) || std::isnan(v_[i + 1])) continue;
-    const double step = std::abs(v_[i + 1] - v_[i]);
-    if (step > 0 && step < quantum_) quantum_ = step;
+  for (; seen_ + 1 < v_.size(); ++seen_) {
+    const double step = std::abs(v_[seen_ + 1] - v_[seen_]);
+    if (std::isless(step, quantum_) && step > 0) quantum_ = step;
   }
   auto steps = moves(v_, 1, 2 * block / 3);  // for a median to a per cent
   std::erase(steps, 0.0);                    // of rounded or stuck values
@@ -111,11 +138,8 @@ std::size_t Screen::take_out(std::size_t from, std::size_t to, Fault fault, doub
 }
 
 std::size_t Screen::accept(std::size_t i) {
-  if (good_) {
-    std::rotate(recent_.begin(), recent_.begin() + 1, recent_.end());
-    recent_.back() =
-        std::abs(v_[i] - *good_) / static_cast<double>(static_cast<std::ptrdiff_t>(i) - good_at_);
-  }
+  if (good_)
+    step(std::abs(v_[i] - *good_) / static_cast<double>(static_cast<std::ptrdiff_t>(i) - good_at_));
   const bool run_begins =
       !good_ || *good_ != v_[i] || good_at_ + 1 != static_cast<std::ptrdiff_t>(i);
   run_ = run_begins ? 1 : run_ + 1;
@@ -127,6 +151,32 @@ std::size_t Screen::accept(std::size_t i) {
   if (end - i < stuck_from_) return i + 1;
   if (end == v_.size() && !last_) constant_ = v_[i];
   return take_out(i + 1, end, Fault::stuck, v_[i]);
+}
+
+void Screen::step(double size) {
+  recent_ = {recent_[1], recent_[2], size};
+}
+
+// Accepts the samples from i on that follow each other in usual steps, none of them zero: nothing need be looked at twice.
+// The first that is left, at most upto.
+std::size_t Screen::pass(std::size_t i, std::size_t upto) {
+  if (constant_ || !good_ || good_at_ + 1 != static_cast<std::ptrdiff_t>(i)) return i;
+  const double most = limit(i);
+  double before = *good_;
+  std::size_t end = i;
+  for (; end < upto; before = v_[end++]) {
+    const double size = std::abs(v_[end] - before);
+    if (!(std::isgreater(size, 0) && std::islessequal(size, most))) break;
+  }
+  // One from which the next does not differ may begin a run of equal ones.
+  if (end > i && end < v_.size() && v_[end] == v_[end - 1]) --end;
+  if (end == i) return i;
+  for (std::size_t j = end - std::min<std::size_t>(end - i, 3); j < end; ++j)
+    step(std::abs(v_[j] - (j == i ? *good_ : v_[j - 1])));
+  run_ = 1;
+  good_ = v_[end - 1];
+  good_at_ = static_cast<std::ptrdiff_t>(end) - 1;
+  return end;
 }
 
 std::size_t Screen::judge_at(std::size_t i) {

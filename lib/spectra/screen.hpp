@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace railbook::spectra {
@@ -39,8 +40,10 @@ struct FaultyStretch {
 // number of samples on in which the record usually moves by five of its smallest steps.
 class Screen {
  public:
-  explicit Screen(std::function<void(double)> sink) : sink_(std::move(sink)) {}
-  void push(double value);  // m; NaN for a missing sample
+  explicit Screen(std::function<void(std::span<const double>)> sink) : sink_(std::move(sink)) {
+    v_.reserve(2 * block);
+  }
+  void push(std::span<const double> values);  // m; NaN for a missing sample
   void finish();
 
   const std::vector<FaultyStretch>& faults() const { return faults_; }
@@ -48,22 +51,26 @@ class Screen {
   std::optional<FaultyStretch> still() const;
 
  private:
+  static constexpr std::size_t block = 8192;
   void judge(std::size_t upto);
   void measure();
+  std::size_t pass(std::size_t i, std::size_t upto);
   std::size_t judge_at(std::size_t i);
   std::size_t judge_first(std::size_t i);
   std::size_t judge_far(std::size_t i);
   std::size_t judge_excursion(std::size_t i);
   std::size_t judge_level(std::size_t i);
   std::size_t accept(std::size_t i);
+  void step(double size);
   std::size_t take_out(std::size_t from, std::size_t to, Fault fault, double value);
   double limit(std::size_t i) const;
   std::size_t equal_until(std::size_t i, bool over_gaps) const;
 
-  std::function<void(double)> sink_;
+  std::function<void(std::span<const double>)> sink_;
   std::vector<double> v_;  // not handed on
   std::size_t base_ = 0;   // the first of them
   std::size_t next_ = 0;   // the first of them not judged
+  std::size_t seen_ = 0;   // the first whose step to the next is new
   bool last_ = false;      // no more will come
   std::vector<FaultyStretch> faults_;
 

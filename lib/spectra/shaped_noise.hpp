@@ -37,7 +37,9 @@ class ShapedNoise {
   // Adds the next z.size() samples (m) to z; the sequence does not depend on how it is cut into calls.
   void add(std::span<double> z);
 
-  // The density this generator has, by its own coefficients (no statistics): for 0 < phi <= Nyquist.
+  // The density this generator has, by its own coefficients (no statistics): for 0 < phi <= Nyquist. It is the wanted one,
+  // cut, to 0.5 % where the cut is below 1e-4 of a cycle a sample; else low by the share 2 pi low_cut spacing next to the
+  // Nyquist wavenumber.
   double density(double phi) const;
 
  private:

@@ -69,7 +69,7 @@ class TrackGenerator {
   std::uint64_t sample_ = 0;
 };
 
-// The first `samples` heights of the record.
+// The first `samples` heights of the record. Throws InputError as TrackGenerator does.
 std::vector<double> synthesize(const SyntheticTrack& track, std::size_t samples);
 
 }  // namespace railbook::spectra

@@ -1,6 +1,7 @@
 // Corbin and Kaufman's model of a track's surface profile: random two-slope spectrum plus joint dips.
 //
-// Everything in this folder that is a track spectrum is one-sided, per cycle/m, of a profile in metres: S in m^2/(cycle/m), wavenumber phi in cycle/m, roughness A in m^2 cycle/m.
+// Everything in this folder that is a track spectrum is one-sided, per cycle/m, of a profile in metres: S in m^2/(cycle/m),
+// wavenumber phi in cycle/m, roughness A in m^2 cycle/m.
 #pragma once
 
 #include <limits>
@@ -37,7 +38,7 @@ struct TrackParameters {
 
 // The random part of the spectrum, S = A/phi^2 below phi_c and A phi_c^2/phi^4 above, plus `noise`
 // (equations (3) and (4); (3) is phi_c = no_corner). One-sided, m^2/(cycle/m); the lines are not in it.
-// Throws InputError unless phi > 0, A >= 0, phi_c > 0 and noise >= 0.
+// To rounding. Throws InputError unless phi > 0, A >= 0, phi_c > 0 and noise >= 0.
 double random_psd(const TrackParameters& track, double phi);
 
 // The variance of the random part between two wavenumbers, in closed form: m^2. 0 < low <= high, high may
@@ -45,11 +46,11 @@ double random_psd(const TrackParameters& track, double phi);
 double random_variance(const TrackParameters& track, double low, double high);
 
 // Equation (6): the power Q_1 = beta C_1 (m^2) of a broadened line with peak `C_1` above the random part
-// (m^2/(cycle/m)) and width `beta` (cycle/m) at half of it. Both must be non-negative.
+// (m^2/(cycle/m)) and width `beta` (cycle/m) at half of it, to rounding. Both must be non-negative, else InputError.
 double broadened_line_power(double C_1, double beta);
 
 // Equation (7): the dip B (m) that gives the first line the power `Q_1` (m^2): 3 pi sqrt(Q_1/2) as printed,
-// half of that in the exact one-sided convention. Throws InputError when Q_1 is negative.
+// half of that in the exact one-sided convention, to rounding. Throws InputError when Q_1 is negative.
 double dip_from_line_power(double Q_1, LineConvention convention);
 
 }  // namespace railbook::spectra

@@ -39,11 +39,11 @@ struct Spectrum {
 // made with spacing 1; spacing > 0, else InputError.
 Spectrum respaced(const Spectrum& from, double spacing);
 
-// Accumulates the spectrum of samples `spacing` apart that come in any number of pieces. The state is a few
-// segments of doubles; push() allocates nothing but a word a gap. A sample that is not finite marks a gap: segments begin anew
-// after it, and what is left before it, where the run holds a segment at all, is read by a last one that ends there: it counts as
-// much as its share of new samples in a step, and its larger overlap goes into `averages` and `band_variance`. Sums are float64. Relative rounding error of a bin about 1e-15 sqrt(log2 n)
-// of the largest power in a segment.
+// Accumulates the spectrum of samples `spacing` apart that come in any number of pieces. The state is a few segments of
+// doubles; push() allocates nothing but a word a gap. A sample that is not finite marks a gap: segments begin anew after it,
+// and what is left before it, where the run holds a segment at all, is read by a last one that ends there: it counts as much
+// as its share of new samples in a step, and its larger overlap goes into `averages` and `band_variance`. Sums are float64.
+// Relative rounding error of a bin about 1e-15 sqrt(log2 n) of the largest power in a segment.
 class Welch {
  public:
   // Throws InputError unless spacing > 0, segment is even, >= 16 and divisible by parts >= 1.
@@ -86,11 +86,12 @@ class Welch {
   std::size_t unused_ = 0;    // samples before gaps that are in none
 };
 
-// The spectrum of a whole record in one call.
+// The spectrum of a whole record in one call; errors as Welch.
 Spectrum welch(std::span<const double> samples, double spacing, const WelchOptions& options = {});
 
-// A spectrum averaged over logarithmic bands, `per_octave` to an octave, from `low` to `high`. A band that
-// holds no bin is left out. The density is the plain mean of the bins.
+// A spectrum averaged over logarithmic bands, `per_octave` to an octave, from `low` to `high`. A band that holds no bin is
+// left out. The density is the plain mean of the bins; `relative_error` holds to a tenth for a stationary Gaussian record.
+// Throws InputError unless per_octave > 0 and 0 < low <= high < infinity.
 struct BandSpectrum {
   Eigen::VectorXd frequency;  // geometric mean of the bins of each band
   Eigen::VectorXd density;

@@ -96,6 +96,19 @@ const char* short_decimal(const char* at, double& value) {
   return at;
 }
 
+// A finite number and the blanks around it; what follows it, or nothing.
+const char* plain_number(const char* at, const char* end, double& value) {
+  while (*at == ' ') ++at;
+  const char* behind = short_decimal(at, value);
+  if (behind == nullptr) {
+    const auto [stop, status] = std::from_chars(at, end, value);
+    if (status != std::errc{} || !std::isfinite(value)) return nullptr;
+    behind = stop;
+  }
+  while (*behind == ' ') ++behind;
+  return behind;
+}
+
 bool is_missing(std::string_view cell) {
   if (cell.empty()) return true;
   if (cell.size() > 4) return false;
@@ -300,40 +313,48 @@ bool CsvReader::next() {
   return true;
 }
 
-bool CsvReader::numbers(std::span<const std::size_t> columns, std::span<double> values) {
-  if (!ahead_.empty() || decimal_ == ',') return false;
-  const std::string_view text = source_.lines_ahead();
-  if (text.empty() || text.front() == '#') return false;
-  const char *at = text.data(), *const end = at + text.size();  // a line feed before it
-  const char separator = separator_;
-  const std::size_t count = header_.size();
-  const bool undecided = separator != ',' && decimal_ == 0;
+// One of them, its numbers `rows` apart; nothing when it is not plain. There is a line feed before the end.
+const char* CsvReader::plain_row(const char* at, const char* end,
+                                 std::span<const std::size_t> columns, double* values,
+                                 std::size_t rows) {
+  if (*at == '#') return nullptr;
+  const std::size_t last = header_.size() - 1;
+  const bool undecided = separator_ != ',' && decimal_ == 0;
   bool point = false;
-  std::size_t wanted = 0;
-  for (std::size_t column = 0; column < count; ++column) {
-    if (wanted < columns.size() && columns[wanted] == column) {
-      while (*at == ' ') ++at;
-      const char* behind = short_decimal(at, values[wanted]);
-      if (behind == nullptr) {
-        const auto [stop, status] = std::from_chars(at, end, values[wanted]);
-        if (status != std::errc{} || !std::isfinite(values[wanted])) return false;
-        behind = stop;
-      }
+  auto wanted = columns.begin();
+  for (std::size_t column = 0; column <= last; ++column, ++at) {
+    const char stop = column == last ? '\n' : separator_;
+    if (wanted == columns.end() || *wanted != column) {
+      while (*at != separator_ && *at != '\n' && *at != '"' && *at != 0) ++at;
+    } else {
+      const char* const behind = plain_number(at, end, *values);
+      if (behind == nullptr) return nullptr;
       point = point || (undecided && std::find(at, behind, '.') != behind);
       at = behind;
-      while (*at == ' ') ++at;
-      if (*at == '\r' && column + 1 == count) ++at;
+      if (*at == '\r' && column == last) ++at;
+      values += rows;
       ++wanted;
-    } else {
-      while (*at != separator && *at != '\n' && *at != '"' && *at != 0) ++at;
     }
-    if (*at != (column + 1 == count ? '\n' : separator)) return false;
-    ++at;
+    if (*at != stop) return nullptr;
   }
   if (point) decimal_ = '.';
-  source_.use(static_cast<std::size_t>(at - text.data()));
-  line_ = source_.line();
-  return true;
+  return at;
+}
+
+std::size_t CsvReader::numbers(std::span<const std::size_t> columns, std::span<double> values) {
+  if (!ahead_.empty() || decimal_ == ',') return 0;
+  const std::string_view text = source_.lines_ahead();
+  const char *at = text.data(), *const end = at + text.size();
+  const std::size_t rows = values.size() / columns.size();
+  std::size_t row = 0;
+  for (; row < rows && at != end; ++row) {
+    const char* const next = plain_row(at, end, columns, values.data() + row, rows);
+    if (next == nullptr) break;
+    at = next;
+  }
+  source_.use(static_cast<std::size_t>(at - text.data()), row);
+  if (row > 0) line_ = source_.line();
+  return row;
 }
 
 double CsvReader::number(std::size_t column) const {

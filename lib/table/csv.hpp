@@ -43,9 +43,10 @@ class CsvReader {
   bool next();
   std::string_view cell(std::size_t column) const { return cells_[column]; }
 
-  // The next row's numbers in some columns (ascending), in one pass and without cells; false, and nothing read, where the row is
-  // not all plain: next() and number() then read it, or say what is wrong.
-  bool numbers(std::span<const std::size_t> columns, std::span<double> values);
+  // The numbers in some columns (ascending) of the rows that follow, without cells: of as many rows as `values` has room for and
+  // are in memory, up to one that is not all plain; next() and number() then read that row, or say what is wrong. Row r of
+  // the i-th column goes to values[i * rows + r], where rows = values.size() / columns.size(). Returns how many rows were read.
+  std::size_t numbers(std::span<const std::size_t> columns, std::span<double> values);
 
   // A cell as a number. Empty, and "NaN", "NA", "N/A", "null" and dashes, are NaN; anything else that is no number throws.
   double number(std::size_t column) const;
@@ -56,6 +57,8 @@ class CsvReader {
   double share() const { return source_.share(); }  // LineSource's
 
  private:
+  const char* plain_row(const char* at, const char* end, std::span<const std::size_t> columns,
+                        double* values, std::size_t rows);
   bool raw_line(std::string_view& text);
   bool record();
   bool split(std::string_view text);

@@ -32,7 +32,7 @@ class LineSource {
 
   // What is in memory of the next lines, whole ones with their line feeds, maybe none; and how much of it has been used.
   std::string_view lines_ahead();
-  void use(std::size_t bytes) { begin_ += bytes, ++line_; }  // one line
+  void use(std::size_t bytes, std::size_t lines) { begin_ += bytes, line_ += lines; }
 
   std::size_t line() const { return line_; }  // number of the last line read, from 1
   const std::filesystem::path& file() const { return file_; }

@@ -13,10 +13,10 @@ namespace {
 
 using Index = Eigen::Index;
 
-// Unknowns of a node: deflection and slope on its left and on its right; the same ones without a
-// joint.
+// Unknowns of a node: deflection and slope on its left, and how much more they are on its right where a joint yields; the gaps
+// rather than the right ends themselves, for these are nearly equal across a stiff link. -1: none.
 struct NodeUnknowns {
-  Index y_left, slope_left, y_right, slope_right;
+  Index y, slope, step = -1, kink = -1;
 };
 
 struct Numbering {
@@ -31,10 +31,10 @@ Numbering number_unknowns(const BeamModel& model) {
     const bool jointed = joint != model.joints.end() && joint->node == i;
     const Joint link = jointed ? (joint++)->joint : Joint{};
     NodeUnknowns u{};
-    u.y_left = u.y_right = numbering.count++;
-    u.slope_left = u.slope_right = numbering.count++;
-    if (link.shear_stiffness != rigid) u.y_right = numbering.count++;
-    if (link.rotational_stiffness != rigid) u.slope_right = numbering.count++;
+    u.y = numbering.count++;
+    u.slope = numbering.count++;
+    if (link.shear_stiffness != rigid) u.step = numbering.count++;
+    if (link.rotational_stiffness != rigid) u.kink = numbering.count++;
     numbering.node.push_back(u);
   }
   return numbering;
@@ -42,18 +42,11 @@ Numbering number_unknowns(const BeamModel& model) {
 
 // Adds `value` to entry (i, j) of a symmetric matrix kept as its lower band.
 void add(Eigen::MatrixXd& band, Index i, Index j, double value) {
-  if (i >= j) band(i - j, j) += value;
-}
-
-void add_link(Eigen::MatrixXd& band, Index i, Index j, double stiffness) {
-  if (i == j) return;
-  add(band, i, i, stiffness);
-  add(band, j, j, stiffness);
-  add(band, std::max(i, j), std::min(i, j), -stiffness);
+  if (j >= 0 && i >= j) band(i - j, j) += value;
 }
 
 Eigen::MatrixXd assemble(const BeamModel& model, const Numbering& numbering) {
-  const Index n = model.x.size(), half_band = model.joints.empty() ? 3 : 4;
+  const Index n = model.x.size(), half_band = model.joints.empty() ? 3 : 5;
   Eigen::MatrixXd band = Eigen::MatrixXd::Zero(half_band + 1, numbering.count);
   for (Index e = 0; e + 1 < n; ++e) {
     const double length = model.x(e + 1) - model.x(e);
@@ -62,19 +55,21 @@ Eigen::MatrixXd assemble(const BeamModel& model, const Numbering& numbering) {
             ? exact_element(model.bending_stiffness, model.foundation_modulus, length)
             : cubic_element(model.bending_stiffness, model.foundation_modulus, length);
     const auto &a = numbering.node[std::size_t(e)], &b = numbering.node[std::size_t(e + 1)];
-    const std::array<Index, 4> at{a.y_right, a.slope_right, b.y_left, b.slope_left};
-    for (int i = 0; i < 4; ++i)
-      for (int j = 0; j < 4; ++j) add(band, at[std::size_t(i)], at[std::size_t(j)], k(i, j));
+    // The left end moves with its node and with the gap of the joint there.
+    const std::array<Index, 6> at{a.y, a.slope, b.y, b.slope, a.step, a.kink};
+    for (std::size_t i = 0; i < 6; ++i)
+      for (std::size_t j = 0; j < 6; ++j) add(band, at[i], at[j], k(Index(i % 4), Index(j % 4)));
   }
   for (Index i = 0; i < model.spring.size(); ++i) {  // under a joint, half for each rail end
     const auto& u = numbering.node[std::size_t(i)];
-    add(band, u.y_left, u.y_left, 0.5 * model.spring(i));
-    add(band, u.y_right, u.y_right, 0.5 * model.spring(i));
+    add(band, u.y, u.y, model.spring(i));
+    add(band, u.step, u.y, 0.5 * model.spring(i));
+    add(band, u.step, u.step, 0.5 * model.spring(i));
   }
   for (const auto& [node, joint] : model.joints) {
     const auto& u = numbering.node[std::size_t(node)];
-    add_link(band, u.y_left, u.y_right, joint.shear_stiffness);
-    add_link(band, u.slope_left, u.slope_right, joint.rotational_stiffness);
+    add(band, u.step, u.step, joint.shear_stiffness);
+    add(band, u.kink, u.kink, joint.rotational_stiffness);
   }
   return band;
 }
@@ -174,7 +169,11 @@ BeamSolution solve_beam(const BeamModel& model, const std::vector<NodeLoad>& loa
   require_valid_model(model, loads);
   const auto numbering = number_unknowns(model);
   Eigen::VectorXd u = Eigen::VectorXd::Zero(numbering.count);
-  for (const auto& load : loads) u(numbering.node[std::size_t(load.node)].y_right) += load.force;
+  for (const auto& load : loads) {
+    const auto& at = numbering.node[std::size_t(load.node)];
+    u(at.y) += load.force;
+    if (at.step >= 0) u(at.step) += load.force;
+  }
   const num::BandedCholesky factored(assemble(model, numbering), "stiffness of the beam");
   factored.solve_in_place(u);
 
@@ -183,8 +182,9 @@ BeamSolution solve_beam(const BeamModel& model, const std::vector<NodeLoad>& loa
                  int(numbering.count)};
   for (Index i = 0; i < n; ++i) {
     const auto& at = numbering.node[std::size_t(i)];
-    s.deflection(i) = u(at.y_right), s.slope(i) = u(at.slope_right);
-    s.deflection_left(i) = u(at.y_left), s.slope_left(i) = u(at.slope_left);
+    s.deflection_left(i) = u(at.y), s.slope_left(i) = u(at.slope);
+    s.deflection(i) = u(at.y) + (at.step >= 0 ? u(at.step) : 0.0);
+    s.slope(i) = u(at.slope) + (at.kink >= 0 ? u(at.kink) : 0.0);
   }
   return s;
 }

@@ -11,7 +11,8 @@
 
 namespace railbook::track {
 
-// A rail on its foundation. Both must be positive and finite.
+// A rail on its foundation. Both must be positive and finite (require_valid; the functions below do not ask). To rounding
+// over 18 decades of each.
 struct WinklerBeam {
   double bending_stiffness;   // EI, N m^2
   double foundation_modulus;  // K, force per length per deflection of one rail: Pa
@@ -26,6 +27,7 @@ const WinklerBeam& require_valid(const WinklerBeam& beam);
 
 // The shapes of the point-loaded infinite beam against xi = beta |x| >= 0: deflection a = e^-xi
 // (cos + sin), slope b = e^-xi sin, moment c = e^-xi (cos - sin), shear d = e^-xi cos.
+// To rounding of e^-xi, for finite xi.
 struct WinklerShapes {
   double a, b, c, d;
 };
@@ -45,13 +47,13 @@ struct WheelLoad {
   double force;  // N, downwards
 };
 
-// State at x (m) under wheels at fixed places, superposed; exact to rounding. O(wheels).
+// State at x (m) under wheels at fixed places, superposed; exact to rounding of the loads' own. O(wheels).
 BeamState beam_state(const WinklerBeam& beam, std::span<const WheelLoad> wheels, double x);
 BeamState beam_state(const WinklerBeam& beam, double force, double distance);
 
 // Force of wheel `index` over the deflection under it, N/m: the stiffness that wheel feels with the
-// others present (the two-wheel formula after eq. (1), for any number). Throws InputError on a bad
-// index.
+// others present (the two-wheel formula after eq. (1), for any number); infinite or negative where the others lift it. To
+// rounding of the deflections' sum. Throws InputError on a bad index.
 double stiffness_under_wheel(const WinklerBeam& beam, std::span<const WheelLoad> wheels,
                              std::size_t index);
 

@@ -1,6 +1,8 @@
 // Lumped masses and damping of the track, per rail.
 //
-// Source: Ahlbeck, Meacham & Prause, eqs (15)-(19) and the text on damping.
+// All are products and roots, to rounding; a value that is not positive (tie and ballast masses and zeta: negative) or not
+// finite is refused by an InputError that names it. Source: Ahlbeck, Meacham & Prause, eqs (15)-(19) and the text on
+// damping.
 #pragma once
 
 #include "track/beam_on_foundation.hpp"

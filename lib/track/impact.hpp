@@ -25,9 +25,11 @@ struct ImpactModel {
 // Throws InputError unless all masses, stiffnesses and the load are positive.
 void require_valid(const ImpactModel& model);
 
+// To rounding, for a valid model.
 double static_approach(const ImpactModel& model);    // [m], under P0
 double contact_stiffness(const ImpactModel& model);  // dF/dx under P0 [N/m]
-// Undamped natural frequencies [Hz], ascending, the contact linearized under P0.
+// Undamped natural frequencies [Hz], ascending, the contact linearized under P0. Their squares to rounding of the largest.
+// Throws InputError as require_valid does.
 Eigen::Vector3d natural_frequencies(const ImpactModel& model);
 
 using ImpactState = Eigen::Matrix<double, 6, 1>;  // w, w', r, r', b, b': wheel, rail, bed
@@ -74,8 +76,8 @@ double default_start(const Surface& surface);
 void require_valid(const ImpactOptions& options, const Surface& surface, double speed);
 
 // Runs the wheel over the surface at `speed` [m/s]. Order 5 with error control, explicit or implicit; contact lost and
-// regained are located on the dense output. Anything but status `complete` is a history that stopped early.
-// Throws InputError as require_valid does.
+// regained are located on the dense output; at a tolerance of 1e-8 forces are good to 1e-5 of the load. Anything but status
+// `complete` is a history that stopped early. Throws InputError as require_valid does.
 [[nodiscard]] ImpactHistory simulate(const ImpactModel& model, const Surface& surface, double speed,
                                      const ImpactOptions& options);
 

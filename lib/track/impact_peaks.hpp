@@ -14,15 +14,17 @@ struct ForceExtremum {
 };
 
 // All local extremes of the wheel/rail force with from <= t <= to while in contact, ascending in time; each
-// is a zero of dx/dt on the dense output, or a cusp of the surface where dx/dt changes sign.
+// is a zero of dx/dt on the dense output, or a cusp of the surface where dx/dt changes sign. To the jumps of the dense output
+// between steps, 1e-7 of the load at a tolerance of 1e-8; so are the largest and smallest below.
 std::vector<ForceExtremum> force_extremes(const ImpactHistory& history, double from, double to);
 
 // The largest and the smallest force with from <= t <= to, ends of the interval included.
 ForceExtremum largest_force(const ImpactHistory& history, double from, double to);
 ForceExtremum smallest_force(const ImpactHistory& history, double from, double to);
 
-// Centred running mean of the force over `window` [s] at t; exact for the computed motion, because the
-// wheel's change of momentum is the impulse: P0 - m_w (w'(t + T/2) - w'(t - T/2)) / T.
+// Centred running mean of the force over `window` [s] at t; exact for the computed motion, because the wheel's change of
+// momentum is the impulse: P0 - m_w (w'(t + T/2) - w'(t - T/2)) / T. Errors of w' grow as 1/T. Throws InputError where the
+// window leaves the history.
 double running_mean(const ImpactHistory& history, double t, double window);
 
 struct PeakWindows {
@@ -58,7 +60,7 @@ struct EnergyAudit {
 EnergyAudit energy_audit(const ImpactHistory& history);
 
 // The formulas of Jenkins, Stephenson, Clayton, Morland and Lyon (Railway Eng. J. 3, 1974) as simplified by
-// British Rail practice, for a dip of half angle alpha [rad]. For comparison only.
+// British Rail practice, for a dip of half angle alpha [rad]. For comparison only; to rounding, no value is checked.
 struct DipFormula {
   double rail_mass = 0;        // effective for P1, m_e [kg]
   double track_mass = 0;       // for P2, m_t [kg]

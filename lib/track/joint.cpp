@@ -61,13 +61,13 @@ double rotational_stiffness_for_loss(const WinklerBeam& beam, double loss) {
   if (!(loss > 0 && loss <= 0.5))
     throw InputError("loss of stiffness at a joint that carries shear is " + std::to_string(loss) +
                      "; it must be above 0 and at most 0.5, the hinge");
-  return 0.5 * beam.beta() * beam.bending_stiffness * ((1.0 - loss) / loss - 1.0);
+  return 0.5 * beam.beta() * beam.bending_stiffness * (1.0 - 2.0 * loss) / loss;
 }
 
 double paper_joint_ratio(double xi, double delta, double factor) {
-  const double theta = std::min(factor * xi, units::pi / 2.0);
-  const double gap = 1.0 - std::sin(theta);
-  return 1.0 - (1.0 - delta) * gap * gap;
+  // 1 - gap^2 = s (2 - s), so that nothing cancels where delta and xi are small.
+  const double s = std::sin(std::min(factor * xi, units::pi / 2.0));
+  return delta * (1.0 - s) * (1.0 - s) + s * (2.0 - s);
 }
 
 // A grid finds the hump, golden section polishes it; the error is smooth but for the end of eq.

@@ -1,11 +1,11 @@
 #include "track/lumped.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <unsupported/Eigen/MatrixFunctions>
 
+#include "num/dense_lu.hpp"
 #include "units/input_error.hpp"
 
 namespace railbook::track {
@@ -42,6 +42,28 @@ LumpedTrack two_layer(const RailOnBed& t) {
   return track;
 }
 
+namespace {
+
+// Powers of two that bring the rows and columns of a matrix to like sizes (Parlett and Reinsch): the exponential of stiffness
+// over mass beside 1 would lose digits.
+Eigen::VectorXd balance(Eigen::MatrixXd& a) {
+  const auto n = a.rows();
+  Eigen::VectorXd scale = Eigen::VectorXd::Ones(n);
+  for (int sweep = 0; sweep < 20; ++sweep)
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const double own = std::abs(a(i, i)), column = a.col(i).lpNorm<1>() - own,
+                   row = a.row(i).lpNorm<1>() - own;
+      if (!(row > 0) || !(column > 0)) continue;
+      const double factor = std::exp2(std::round(0.5 * std::log2(row / column)));
+      a.col(i) *= factor;
+      a.row(i) /= factor;
+      scale(i) *= factor;
+    }
+  return scale;
+}
+
+}  // namespace
+
 Passage::Passage(LumpedTrack track, double beta, double speed) : track_(std::move(track)) {
   rate_ = units::require_positive("rigidity factor beta", beta, "1/m") *
           units::require_positive("speed", speed, "m/s");
@@ -51,7 +73,7 @@ Passage::Passage(LumpedTrack track, double beta, double speed) : track_(std::mov
   const std::complex<double> lambda = rate_ * std::complex<double>(1, 1);
   const Eigen::MatrixXcd shifted =
       lambda * Eigen::MatrixXcd::Identity(n, n) - track_.rates.cast<std::complex<double>>();
-  coming_ = shifted.partialPivLu().solve((std::complex<double>(1, 1) * track_.input).eval());
+  coming_ = num::solved(shifted, std::complex<double>(1, 1) * track_.input);
   // After: a = g1 + g2 with g1 = exp(-tau) cos tau, g2 = exp(-tau) sin tau. Carrying g1 and g2 as states
   // stays exact where their rate meets one of the track's (a resonance that would divide by zero).
   leaving_ = Eigen::MatrixXd::Zero(n + 2, n + 2);
@@ -59,21 +81,22 @@ Passage::Passage(LumpedTrack track, double beta, double speed) : track_(std::mov
   leaving_.block(0, n, n, 1) = track_.input;
   leaving_.block(0, n + 1, n, 1) = track_.input;
   leaving_.bottomRightCorner(2, 2) << -rate_, -rate_, rate_, -rate_;
+  scale_ = balance(leaving_);
+  overhead_.resize(n + 2);
+  overhead_ << coming_.real(), 1.0, 0.0;
+  overhead_ = overhead_.cwiseQuotient(scale_).eval();
 }
 
 Eigen::VectorXd Passage::state(double t) const {
   const auto n = track_.input.size();
   const std::complex<double> lambda = rate_ * std::complex<double>(1, 1);
   if (t <= 0) return (coming_ * std::exp(lambda * t)).real();
-  Eigen::VectorXd start(n + 2);
-  start << coming_.real(), 1.0, 0.0;
   const Eigen::MatrixXd flow = (leaving_ * t).exp();
-  return (flow * start).head(n);
+  return (flow * overhead_).cwiseProduct(scale_).head(n);
 }
 
 // Rail deflection of one passage at t = start + k step: the flow over one step is computed once.
 std::vector<double> add_passage(const Passage& passage, double start, double step, int count) {
-  const auto n = passage.track_.input.size();
   std::vector<double> y(static_cast<std::size_t>(count));
   const Eigen::MatrixXd flow = (passage.leaving_ * step).exp();
   Eigen::VectorXd state;
@@ -84,13 +107,11 @@ std::vector<double> add_passage(const Passage& passage, double start, double ste
       continue;
     }
     if (state.size() == 0) {
-      Eigen::VectorXd overhead(n + 2);
-      overhead << passage.coming_.real(), 1.0, 0.0;
-      state = (passage.leaving_ * t).exp() * overhead;
+      state = (passage.leaving_ * t).exp() * passage.overhead_;
     } else {
       state = flow * state;
     }
-    y[static_cast<std::size_t>(k)] = state[0];
+    y[static_cast<std::size_t>(k)] = state[0] * passage.scale_[0];
   }
   return y;
 }
@@ -116,7 +137,8 @@ TracksidePeak trackside_peak(double theta, double mu, double zeta) {
   units::require_positive("speed ratio V/V_c", theta);
   units::require_positive("mass ratio mu", mu);
   units::require_non_negative("damping ratio", zeta);
-  const double root = theta * std::sqrt(mu);
+  const double root =
+      units::require_between("V/V_c times the root of mu", theta * std::sqrt(mu), 0, 1e4);
   const Passage passage{single_mass(1.0, 2.0 * zeta * root, root * root), 1.0, 1.0};
   // The response overhead still rises or falls slowly; scan a period and more for the highest sample.
   const double step = 0.02 * std::clamp(root, 1e-3, 1.0);  // a faster ripple is below 1e-6

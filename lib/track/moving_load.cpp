@@ -57,19 +57,19 @@ std::array<double, 2> turning_points(const MovingLoadSide& side) {
   const double none = std::numeric_limits<double>::infinity();
   const double half = 0.5 * side.damping;
   const double w2 = side.stiffness - half * half;
-  const double first = side.slope0;  // y' = exp(-half d) (first cos(w d) + second sin(w d) / w)
-  const double second = -side.stiffness * side.y0 - half * side.slope0;
-  if (w2 > 0) {
+  const double first = side.slope0;
+  if (w2 > 0) {  // y' = exp(-half d) (first cos(w d) + second sin(w d) / w)
+    const double second = -side.stiffness * side.y0 - half * first;
     const double w = std::sqrt(w2);
     double phase = std::atan2(-first * w, second);
     if (phase < 0) phase += units::pi;
     return {phase / w, (phase + units::pi) / w};
   }
-  const double w = std::sqrt(-w2);
-  if (second == 0) return {none, none};
-  const double ratio = -first / second;  // tanh(w d) / w
-  if (!(ratio > 0) || !(ratio * w < 1)) return {none, none};
-  return {w > 0 ? std::atanh(ratio * w) / w : ratio, none};
+  // Two real rates: where the shares of both in y' meet, exp(2 w d) = 1 + 2 w rise.
+  const double w = std::sqrt(-w2), fast = half + w, slow = side.stiffness / fast;
+  const double rise = first / (slow * (first + fast * side.y0));
+  if (!(rise > 0)) return {none, none};
+  return {w > 0 ? std::log1p(2.0 * w * rise) / (2.0 * w) : rise, none};
 }
 
 MovingLoadExtremum extreme(const MovingLoadShape& shape, double sign) {
@@ -139,8 +139,8 @@ MovingLoadExtremum MovingLoadShape::minimum() const {
 }
 
 MovingLoadShape moving_load(double theta, double zeta) {
-  units::require_non_negative("speed ratio V/V_c", theta);
-  units::require_non_negative("damping ratio", zeta);
+  units::require_between("speed ratio V/V_c", theta, 0, 1e6);
+  units::require_between("damping ratio", zeta, 0, 1e9);
   if (zeta == 0 && theta >= 1)
     throw InputError("speed ratio V/V_c is " + std::to_string(theta) +
                      ": without damping a steady state needs a ratio below 1");

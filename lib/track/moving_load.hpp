@@ -44,15 +44,16 @@ struct MovingLoadShape {
   MovingLoadExtremum minimum() const;
 };
 
-// The steady shape under a constant load: closed form for every theta >= 0, zeta >= 0.
+// The steady shape under a constant load: closed form for theta in [0, 1e6], zeta in [0, 1e9].
 //
 // Throws InputError when theta >= 1 without damping (no bounded steady state that dies out on both sides
-// exists) and for negative, infinite or NaN arguments. Solves p^4 + 4 theta^2 p^2 - 8 zeta theta p + 4 = 0
+// exists) and for arguments outside. Solves p^4 + 4 theta^2 p^2 - 8 zeta theta p + 4 = 0
 // by its two real quadratic factors, one a side; accuracy a few units in the last place also where the
-// roots coalesce, relative to the largest deflection of that side.
+// roots coalesce, relative to the largest deflection of that side times 1 + |p s|, p the larger root.
 MovingLoadShape moving_load(double theta, double zeta);
 
-// Deflection at the load over the static one without damping, 1 / sqrt(1 - theta^2). 0 <= theta < 1.
+// Deflection at the load over the static one without damping, 1 / sqrt(1 - theta^2), to rounding. Throws InputError unless 0 <=
+// theta < 1.
 double undamped_amplification(double theta);
 
 }  // namespace railbook::track

@@ -33,19 +33,19 @@ struct StiffnessChain {
   double foundation_modulus;  // K = k / l_t, eq. (3), Pa
 };
 
-// Evaluates eqs (3)-(7). Throws InputError for a negative, zero or NaN value where none makes
+// Evaluates eqs (3)-(7), to rounding. Throws InputError for a negative, zero or NaN value where none makes
 // sense, and when the whole chain is rigid.
 StiffnessChain stiffness_chain(const TieSupport& support);
 
 // Compliance 1/k_b of a ballast pyramid, m/N: the integral over depth of 1 / (E_b (l + Cz)(w +
 // Cz)), C = 2 tan(alpha). Eq. (6) divides 0 by 0 at l = w, at alpha = 0 and at h = 0; this form, h
 // / (E_b w (l + Ch)) * log(1 + x) / x with x = C h (l - w) / (w (l + Ch)), does not, and keeps full
-// accuracy on the way there.
+// accuracy on the way there. Arguments as stiffness_chain asks; not checked here.
 double ballast_compliance(double length, double width, double depth, double modulus,
                           double friction_angle);
 
 // Depth below which the pyramids of neighbouring ties overlap, (l_t - w) / C, m; rigid for alpha =
-// 0. Eq. (6) takes no account of it: below that depth the model counts the same ballast twice.
+// 0; to rounding. Eq. (6) takes no account of it: below that depth the model counts the same ballast twice.
 double overlap_depth(const TieSupport& support);
 
 }  // namespace railbook::track

@@ -13,7 +13,8 @@ struct SurfacePoint {
   double slope = 0;  // dz/dx
 };
 
-// z = A (1 - |sin(pi x / L)|): dips of depth A [m] with a cusp at the joints x = 0, +-L, ... [m].
+// z = A (1 - |sin(pi x / L)|): dips of depth A [m] with a cusp at the joints x = 0, +-L, ... [m]. To rounding of A (1 +
+// |x|/L); |x|/L below 1e15. Depth and length are checked by require_valid.
 struct RectifiedSine {
   double depth = 0;
   double length = 0;
@@ -24,7 +25,7 @@ struct RectifiedSine {
 };
 
 // Coefficient of cos(2 pi n x / L) in the rectified sine of depth 1, n >= 1: (4 / pi) / (4 n^2 - 1);
-// for n = 0 the mean, 1 - 2 / pi.
+// for n = 0 the mean, 1 - 2 / pi. To rounding; throws InputError unless n is in [0, 1e6].
 double rectified_sine_harmonic(int n);
 
 // Between its samples a measured profile is a natural cubic spline, continuous to the second derivative, or a polygon.
@@ -32,7 +33,8 @@ enum class Between { spline, lines };
 
 class SampledProfile {
  public:
-  // x [m] strictly ascending, z [m], at least 4 samples. Throws InputError naming what is wrong.
+  // x [m] strictly ascending by 1e-9 at least, within 1e6, z [m] within 1e3, 4 to 1e8 samples. Throws InputError naming what is
+  // wrong. To rounding of the largest height and bend.
   SampledProfile(std::vector<double> x, std::vector<double> z, Between between = Between::spline);
   long piece(double x) const;  // the interval; x outside the samples belongs to the first or last
   SurfacePoint at(double x, long piece) const;
@@ -51,7 +53,7 @@ class SampledProfile {
 
 using Surface = std::variant<RectifiedSine, SampledProfile>;
 SurfacePoint surface_at(const Surface& surface, double x);
-// Abscissae in (low, high) where pieces meet, ascending.
+// Abscissae in (low, high) where pieces meet, ascending; exact. The rail's length positive, low and high finite.
 std::vector<double> breakpoints(const Surface& surface, double low, double high);
 // True when the slope jumps at the breakpoints.
 bool has_cusps(const Surface& surface);
@@ -66,8 +68,9 @@ struct BounceRoll {
 };
 BounceRoll half_staggered(const RectifiedSine& rail, double x);
 
-// Amplitudes of cos(2 pi n x / L), n = 0 ... count - 1, of one period of samples (a multiple of the
-// wanted count or more; error by aliasing only): a discrete Fourier transform.
+// Amplitudes of cos(2 pi n x / L), n = 0 ... count - 1, of one period of samples (a multiple of the wanted count or more;
+// error by aliasing only): a discrete Fourier transform, to rounding. Throws InputError unless count is in [1, half of the
+// samples].
 std::vector<double> cosine_amplitudes(std::span<const double> samples, int count);
 
 // The idealized cross-level spectrum, one-sided over cycles per metre [m^2 / (1/m)]:
@@ -75,11 +78,13 @@ std::vector<double> cosine_amplitudes(std::span<const double> samples, int count
 // Reconstructed: the curve of the paper's Figure 6 is not in the text. Defaults are the class 6 values of
 // the FRA roughness family quoted by Fryba (Dynamics of Railway Bridges, 1996).
 struct CrossLevelSpectrum {
-  double roughness = 0.98e-8;                      // A [m]
-  double low_break = 0.0233;                       // f1 [1/m]
-  double high_break = 0.131;                       // f2 [1/m]
-  double density(double wavenumber) const;         // at wavenumber >= 0 [cycles/m]
-  double variance(double low, double high) const;  // exact integral over wavenumbers [m^2]
+  double roughness = 0.98e-8;  // A [m]
+  double low_break = 0.0233;   // f1 [1/m]
+  double high_break = 0.131;   // f2 [1/m]
+  // At wavenumber >= 0 [cycles/m]; its integral over wavenumbers [m^2], 0 <= low <= high < infinity. Both to rounding, equal
+  // breaks, narrow bands and tails too. They throw InputError unless so, and the breaks positive.
+  double density(double wavenumber) const;
+  double variance(double low, double high) const;
 };
 
 }  // namespace railbook::track

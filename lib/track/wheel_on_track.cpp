@@ -26,14 +26,19 @@ RailOnBed rail_on_bed(const RailSection& rail, const TieSupport& support,
                       const BallastMass& ballast, double tie_mass, const LayerDamping& damping) {
   const double ei = rail.bending_stiffness();
   const double upper = rail_beta(ei, support);
-  const WinklerBeam beam{ei, stiffness_chain(support).foundation_modulus};
+  const StiffnessChain chain = stiffness_chain(support);
+  if (chain.bed == rigid)
+    throw InputError("ballast and subgrade are both rigid: rail on bed needs one to yield");
+  const WinklerBeam beam{ei, chain.foundation_modulus};
   const WinklerBeam on_ties{ei, 4 * ei * std::pow(upper, 4)};
   RailOnBed track;
   track.rail_mass = effective_mass(rail.mass_per_length, upper);
   track.rail_stiffness = on_ties.point_stiffness();
   track.bed_mass = tie_and_ballast_mass(tie_mass, support.tie_spacing,
                                         ballast_mass_per_length(ballast, support), beam.beta());
-  track.bed_stiffness = 1 / (1 / beam.point_stiffness() - 1 / track.rail_stiffness);
+  // 1 / (1/K_r - 1/K_1); K_1/K_r is the 3/4th power of the seat's compliance over that of pad and tie.
+  const double more = 2 / chain.bed * on_ties.foundation_modulus * support.tie_spacing;
+  track.bed_stiffness = track.rail_stiffness / std::expm1(0.75 * std::log1p(more));
   track.rail_damping = viscous_damping(damping.rail, track.rail_stiffness, track.rail_mass);
   track.bed_damping = viscous_damping(damping.bed, track.bed_stiffness, track.bed_mass);
   return track;

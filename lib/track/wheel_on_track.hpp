@@ -15,8 +15,8 @@ struct WheelOnRail {
   double youngs_modulus = 30e6 * units::psi;
   double poisson_ratio = 0.3;
 };
-// C_H [N/m^(3/2)], by elliptic integrals; independent of the load. Throws InputError on non-positive lengths
-// or modulus, or a Poisson ratio outside [0, 0.5].
+// C_H [N/m^(3/2)], by elliptic integrals, to 1e-14 at any ratio of the radii; independent of the load. Throws InputError on
+// non-positive lengths or modulus, or a Poisson ratio outside [0, 0.5].
 double hertz_constant(const WheelOnRail& pair);
 
 // Damping ratios of the two layers, C = 2 zeta sqrt(K M) each.
@@ -28,7 +28,8 @@ struct LayerDamping {
 // The track below the wheel as rail on bed (reconstructed; the paper describes the split in words):
 // rail mass by (16), (17), bed mass by (18), (19), rail-to-tie stiffness K_1 = 2 (4 EI (k_pt/l_t)^3)^(1/4) of the
 // rail on its pads and ties alone, and K_g = 1 / (1/K_r - 1/K_1), which keeps the static stiffness K_r of (2).
-// Throws InputError where its parts do (rigid pads and ties have no such split).
+// To rounding, however stiff the bed. Throws InputError where its parts do; rigid pads and ties, or a rigid bed, have no such
+// split.
 RailOnBed rail_on_bed(const RailSection& rail, const TieSupport& support,
                       const BallastMass& ballast, double tie_mass,
                       const LayerDamping& damping = {});

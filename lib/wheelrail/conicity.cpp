@@ -9,6 +9,37 @@
 
 namespace railbook::wheelrail {
 
+namespace {
+
+// The way inwards over a length on which the pull goes from `outer` to `inner` evenly, in closed form: a quarter of the wave
+// bends like sqrt(A - y) at its outer end, and does so in a piece that ends just beside that, where no quadrature follows.
+struct Passage {
+  double distance = 0;  // along the track over sqrt(r_0)
+  double energy = 0;    // at its end; not positive where the wheelset does not come so far
+};
+Passage pass(double length, double outer, double inner, double energy) {
+  Passage p;
+  p.energy = energy + 0.5 * length * (outer + inner);
+  const double slope = (outer - inner) / length;
+  if (inner > outer && outer < 0 && energy <= -0.5 * outer * outer / slope) p.energy = 0;
+  if (outer < 0 && energy <= 0) p.energy = 0;
+  if (!(p.energy > 0)) return p;
+  const double before = std::sqrt(2 * energy), after = std::sqrt(2 * p.energy);
+  const double rise = length * (outer + inner) / (before + after);  // after - before
+  const double root = std::sqrt(std::abs(slope));
+  if (slope == 0)
+    p.distance = 2 * length / (before + after);
+  else if (slope > 0)
+    p.distance = std::atan2(root * (outer * rise + before * slope * length),
+                            outer * inner + slope * before * after) /
+                 root;
+  else
+    p.distance = std::log1p(root * (rise + root * length) / (root * before + outer)) / root;
+  return p;
+}
+
+}  // namespace
+
 Conicity conicity(const ConstraintFunctions& pair, double amplitude) {
   const OddTable& R = pair.R;
   units::require_positive("amplitude", amplitude, "m");
@@ -26,15 +57,13 @@ Conicity conicity(const ConstraintFunctions& pair, double amplitude) {
       const double psi = 0.5 * (from + to + (to - from) * rule.x[i]);
       const double w = 0.5 * (to - from) * rule.w[i];
       const double sine = std::sin(psi), cosine = std::cos(psi), y = amplitude * sine;
-      const double level = energy + 0.5 * (outer - y) * (R(y) + R(outer));
-      if (level > 0)
-        quarter += w * amplitude * cosine / std::sqrt(2 * level / r0);
-      else
-        oscillates = false;
       first += w * R(y) * sine;
       moment += w * R(y) * y * amplitude * cosine;
     }
-    energy += 0.5 * (outer - inner) * (R(inner) + R(outer));
+    const Passage passage = pass(outer - inner, R(outer), R(inner), energy);
+    oscillates = oscillates && passage.energy > 0;
+    quarter += std::sqrt(r0) * passage.distance;
+    energy = passage.energy;
     outer = inner;
   }
   Conicity result;

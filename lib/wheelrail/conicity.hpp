@@ -18,8 +18,9 @@ struct Conicity {
   bool oscillates = true;  // false: the wheelset is not driven back; kinematic and wavelength are 0
 };
 
-// `amplitude` > 0, up to the end of the table (InputError beyond). Gauss-Legendre with 8 points between knots, in the
-// angle whose sine is y/amplitude: better than 1e-10 for the piecewise linear table.
+// `amplitude` > 0, up to the end of the table (InputError beyond). The wavelength in closed form between
+// knots, the other two by Gauss-Legendre with 8 points, in the angle whose sine is y/amplitude: better than 1e-10, also for
+// an amplitude just beyond a knot.
 Conicity conicity(const ConstraintFunctions& pair, double amplitude);
 
 }  // namespace railbook::wheelrail

@@ -14,7 +14,7 @@
 namespace railbook::wheelrail {
 
 // An odd, piecewise linear function with knots at 0, step, 2 step, ...; beyond the last knot it goes on with its last
-// slope. At a knot the slope is that of the outer side.
+// slope. At a knot the slope is that of the outer side. Values to 1e-14 of the largest.
 class OddTable {
  public:
   OddTable() = default;

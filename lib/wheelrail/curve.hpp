@@ -37,7 +37,7 @@ class Curve {
   Point start() const { return pieces_.front().start; }
   Point end() const { return pieces_.back().end; }
 
-  // Height and angle [rad] at u, which must lie on the curve (InputError otherwise).
+  // Height and angle [rad] at u, which must lie on the curve (InputError otherwise); to rounding over the cosine of the angle.
   double height(double u) const;
   double angle(double u) const;
   // The first point whose angle is `angle`; throws InputError when there is none.
@@ -55,7 +55,7 @@ struct Step {
 Step line(double length);
 Step arc(double radius, double to_angle);
 
-// Steps joined without corners, from a point and angle on. Throws InputError for a length or radius that is zero or
+// Steps joined without corners, from a point and angle on; joints to 1e-14 of the lengths and radii. Throws InputError for a length or radius that is zero or
 // not finite, an arc whose angle goes the other way than its radius says, or a size of an angle of 90 degrees.
 Curve chain(Point start, double angle, const std::vector<Step>& steps);
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -48,6 +49,17 @@ TEST_CASE("extreme: the closed form is continuous through coalescing roots") {
     const FeShape fe = fe_steady(theta, low, {0.02, 1e-9});
     CHECK(largest_difference(fe, theta, low, -1e9, 1e9) < 1e-6);
   }
+}
+
+TEST_CASE("extreme: elements too short lose digits to rounding, no more than is said") {
+  for (const double theta : {0.5, 1.3})
+    for (const double element : {0.01, 0.005, 0.002}) {
+      CAPTURE(theta, element);
+      const FeShape fe = fe_steady(theta, 0.3, {element, 1e-12});
+      const double h4 = std::pow(element, 4);
+      CHECK(largest_difference(fe, theta, 0.3, -1e9, 1e9) <
+            (0.3 * h4 + 1e-15 / h4) * *std::max_element(fe.y.begin(), fe.y.end()));
+    }
 }
 
 TEST_CASE("extreme: tiny and huge speed and damping stay finite and carry the load") {

@@ -77,3 +77,16 @@ TEST_CASE("input: what an earlier edition's record names is replaced") {
   CHECK_FALSE(std::filesystem::exists(at.path / "figures" / chapter / "fig-01.png"));
   CHECK_FALSE(std::filesystem::exists(at.path / "results" / chapter / "fig-01.csv"));
 }
+
+TEST_CASE("input: a record of our chapter with names that are none bars nothing") {
+  const TemporaryFolder at("names");
+  run(at.path, true, "fig-01.png", true);
+  files::write(
+      at.path / "results" / (chapter + ".json"),
+      R"({"chapter": "01-contact", "items": [7, {"id": 3, "png": null, "csv": [1, null]}, {}]})");
+  CHECK_NOTHROW(run(at.path, true, "fig-02.png", true));
+  for (const char* text : {"{\"chapter\": 1}", "[]", "{", "{\"chapter\": \"02-hunting\"}"}) {
+    files::write(at.path / "results" / (chapter + ".json"), text);
+    CHECK_THROWS_WITH(run(at.path, true, "fig-03.png", true), Contains("no earlier run"));
+  }
+}

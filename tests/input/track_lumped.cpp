@@ -19,4 +19,5 @@ TEST_CASE("input: bad lumped tracks and passages are refused") {
   const WheelLoad bad{0, nan};
   CHECK_THROWS_AS(trackside(good, 1, 1, {&bad, 1}, 0, 0.1, 10), InputError);
   CHECK_THROWS_AS(trackside_peak(0, 0.75, 0), InputError);
+  CHECK_THROWS_WITH(trackside_peak(1e8, 0.75, 0), Catch::Contains("root of mu"));
 }

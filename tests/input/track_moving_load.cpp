@@ -20,6 +20,8 @@ TEST_CASE("input: bad arguments of the moving load are named") {
   CHECK_THROWS_AS(moving_load(-0.1, 0.1), InputError);
   CHECK_THROWS_AS(moving_load(0.1, -0.1), InputError);
   CHECK_THROWS_AS(moving_load(nan, 0.1), InputError);
+  CHECK_THROWS_WITH(moving_load(1e7, 0.1), Catch::Contains("V/V_c"));
+  CHECK_THROWS_WITH(moving_load(1, 1e10), Catch::Contains("damping ratio"));
   CHECK_THROWS_AS(moving_load(0.1, nan), InputError);
   CHECK_THROWS_AS(critical_speed(0, 1, 1), InputError);
   CHECK_THROWS_AS(critical_speed(1, -1, 1), InputError);

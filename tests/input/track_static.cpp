@@ -4,6 +4,7 @@
 
 #include "track/beam_elements.hpp"
 #include "track/typical_track.hpp"
+#include "track/wheel_on_track.hpp"
 #include "units/input_error.hpp"
 
 using namespace railbook;
@@ -47,6 +48,10 @@ TEST_CASE("input: beams, joints and masses") {
   auto flat = typical_support();
   flat.friction_angle = 0;
   CHECK_THROWS_WITH(ballast_mass_per_length(typical_ballast, flat), Contains("friction angle"));
+  auto rock = typical_support();
+  rock.ballast_modulus = rock.soil_modulus = rigid;
+  CHECK_THROWS_WITH(rail_on_bed(typical_rail(), rock, typical_ballast, typical_tie_mass),
+                    Contains("ballast and subgrade"));
   const WheelLoad wheel[] = {{0, 1e5}};
   CHECK_THROWS_WITH(stiffness_under_wheel(typical_beam(), wheel, 1), Contains("wheel index"));
 }

@@ -1,27 +1,34 @@
 #!/usr/bin/env python3
 """How much would the tests notice? One-line faults, one at a time, over lib/ and tools/.
 
-    make mutate [FAULTS=100] [SEED=1]    or    tests/mutate/mutate.py --faults 100 --seed 1 [--only lib/contact]
+    make mutate [FAULTS=100] [SEED=1]    or    tests/mutate/mutate.py --faults 100 --seed 1 [--only lib/contact] [--far]
 
-Each fault is built and run by what is nearest: the test program of its room of lib/, the ctests of its tool. Killed: a
-test fails, ends by a signal, or runs past ten times its time. A fault that does not compile is replaced. What the
-chapters and the rooms above would see is not asked, so that the score is a lower bound; it is one of a sample, and the
-kinds are drawn evenly, not as people err. Works in the checkout it stands in and puts every file back.
+Each fault is run by what is nearest: the test program of its room of lib/, the ctests of its tool. Killed: a test
+fails, ends by a signal, or takes four times its processor time. With --far, what survives is run by the rest that ctest
+runs and that links it: the test programs of the rooms above, the chapters (their checks and golden data), the tools.
+A fault that does not compile is replaced. The score is one of a sample, and the kinds are drawn evenly, not as people
+err.
+
+Only what includes the faulty line is compiled, from a copy of it, and linked into a copy of the program: the tree is
+not touched (but for bin/railbook while ctest runs the tools: it is put back). The tree must have been built.
 
 Survivors go to build/mutants/survivors.txt, each with its line before and after; tests/mutate/equivalent.txt holds
 those argued to be equivalent (file, line's text, fault's text, reason), which count apart.
 """
 
 import argparse
+import json
 import pathlib
 import random
 import re
+import resource
+import shlex
+import shutil
 import subprocess
 import sys
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-TIMED_OUT = -1000
 
 # kind: pattern and what takes its place; one match of a line is changed.
 SWAP = {"+": "-", "-": "+", "*": "/", "/": "*", "<": "<=", ">": ">=", "<=": "<", ">=": ">", "==": "!=", "!=": "==",
@@ -52,7 +59,7 @@ KINDS = {
     "condition always": (r"(?<=\bif \()([^;{}=]+)(?=\)( return| break| continue| \{|$))",
                          lambda m: f"true || ({m.group(1)})"),
     "constant": (r"(?<![\w.\"<])\d+(\.\d+)?(e-?\d+)?(?![\w.\"'>])", other_constant),
-    "swapped arguments": (r"(?<=\w\()(\w[\w.]*), (\w[\w.]*)(?=[,)])", lambda m: f"{m.group(2)}, {m.group(1)}"),
+    "swapped arguments": (r"(?<=\w\()(?<!min\()(?<!max\()(?<!hypot\()(?<!swap\()(\w[\w.]*), (\w[\w.]*)(?=[,)])", lambda m: f"{m.group(2)}, {m.group(1)}"),
     "dropped term": (r" [+-] [\w.]+(\([^()]*\))?(?=[;,)])", lambda m: ""),
     "dropped factor": (r" \* [\w.]+(?=[;,) ])", lambda m: ""),
     "function": (r"\b(?P<o>sin|cos)(?=\()", exchanged),
@@ -93,28 +100,172 @@ def sites(only):
     return {kind: places for kind, places in found.items() if places}
 
 
-def run(command, limit):
-    """(status, seconds); a program past its limit is ended with its children."""
-    begun = time.monotonic()
-    child = subprocess.Popen(command, cwd=ROOT, stdout=subprocess.DEVNULL, stderr=subprocess.STDOUT, start_new_session=True)
+def run(command, seconds=1e6, cwd=ROOT):
+    """(status, processor seconds); a command past its limit of them (a program's own, or the sum) is ended."""
+    def limited():
+        if seconds < 1e6:
+            resource.setrlimit(resource.RLIMIT_CPU, (int(seconds) + 1, int(seconds) + 2))
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    child = subprocess.Popen(command, cwd=cwd, stdout=subprocess.DEVNULL, stderr=subprocess.STDOUT, start_new_session=True,
+                             preexec_fn=limited)
     try:
-        status = child.wait(limit)
+        status = child.wait(20 * seconds + 60)  # one that sleeps
     except subprocess.TimeoutExpired:
         subprocess.run(["kill", "-KILL", "--", f"-{child.pid}"], check=False)
-        child.wait()
-        status = TIMED_OUT
-    return status, time.monotonic() - begun
+        status = child.wait()
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return status, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
 
-def nearest(path, build):
-    """(targets, command) that a fault in the file is built and run by; None when nothing is near."""
+class Tree:
+    """What was built: how each object was compiled and each program linked, and what includes what."""
+
+    def __init__(self, build):
+        self.build = build
+        self.out = build / "mutants"
+        ninja = ["ninja", "-C", str(build), "-t"]
+        text = subprocess.run([*ninja, "compdb"], check=True, capture_output=True, text=True).stdout
+        self.compile, self.link = {}, {}
+        for rule in json.loads(text):
+            if rule["output"].endswith(".o"):
+                self.compile[rule["output"]] = (pathlib.Path(rule["file"]), rule["command"])
+            elif re.search(r"(/test_\w+|^bin/\w+)$", rule["output"]) and " -o " in rule["command"]:
+                part = next(p for p in rule["command"].split(" && ") if f" -o {rule['output']} " in p)
+                self.link[rule["output"]] = shlex.split(part)
+        self.includes, name = {}, None
+        for line in subprocess.run([*ninja, "deps"], check=True, capture_output=True, text=True).stdout.split("\n"):
+            if line.startswith("    "):
+                path = pathlib.Path(line.strip())
+                self.includes[name].add(path if path.is_absolute() else (build / path).resolve())
+            elif ": #deps" in line:
+                name = line.split(":")[0]
+                self.includes[name] = set()
+
+    def rooms(self, program):
+        return [w.group(1) for w in (re.match(r"lib/(\w+)/librailbook_", part) for part in self.link[program]) if w]
+
+    def objects(self, program):
+        folders = tuple(f"lib/{room}/CMakeFiles/railbook_{room}.dir/" for room in self.rooms(program))
+        direct = {part for part in self.link[program] if part.endswith(".o")}
+        return [o for o in self.compile if o in direct or o.startswith(folders)]
+
+    def made(self, program, path, text, done):
+        """The program with the text in place of the file's: "" when it does not include it, None when that does not
+        compile. `done` keeps the objects."""
+        overlay = self.out / "tree"
+        faulty = []
+        for output in self.objects(program):
+            source, command = self.compile[output]
+            if source != path and path not in self.includes.get(output, ()):
+                continue
+            new = str(self.out / (output.replace("/", "-")))
+            faulty.append((output, new))
+            if output in done:
+                continue
+            for file, content in ((path, text), (source, text if source == path else source.read_text())):
+                copy = overlay / file.relative_to(ROOT)
+                copy.parent.mkdir(parents=True, exist_ok=True)
+                copy.write_text(content)
+            if source != path:  # what was precompiled may hold the header
+                command = re.sub(r"-Winvalid-pch -include \S+", "", command)
+            words = shlex.split(command)
+            words[words.index("-o") + 1] = new
+            words[words.index("-c") + 1] = str(overlay / source.relative_to(ROOT))
+            words[1:1] = ["-w", "-I", str(overlay / "lib"), "-I", str(overlay / "tools"), "-iquote", str(source.parent)]
+            status = run(words, cwd=self.build)[0]
+            if status != 0:
+                return None
+            done.add(output)
+        if not faulty:
+            return ""
+        words = list(self.link[program])
+        new = str(self.out / program.split("/")[-1])
+        words[words.index("-o") + 1] = new
+        for old, made in faulty:  # an object of an archive that comes first is taken in its place
+            if old in words:
+                words[words.index(old)] = made
+            else:
+                words.insert(words.index("-o"), made)
+        return new if run(words, cwd=self.build)[0] == 0 else None
+
+
+def nearest(path):
+    """(program, pattern of ctest's names) that a fault in the file is run by."""
     parts = path.relative_to(ROOT).parts
     if parts[0] == "lib":
-        room = parts[1]
-        program = build / "lib" / room / f"test_{room}"
-        return ([f"test_{room}"], [str(program), "--abort"]) if program.exists() else None
-    subject = parts[1] if len(parts) > 2 else "psd"
-    return ["railbook"], ["ctest", "--test-dir", str(build), "--stop-on-failure", "-R", f"^tool: {subject}"]
+        return f"lib/{parts[1]}/test_{parts[1]}", None
+    return "bin/railbook", f"^tool: {parts[1] if len(parts) > 2 else 'psd'}"
+
+
+def farther(tree, path):
+    """The rest of ctest that a fault in the file could fail, the quick ones first."""
+    parts = path.relative_to(ROOT).parts
+    if parts[0] == "tools":
+        return [("bin/railbook", "^(tool|readme|outside)")] if len(parts) == 2 else []
+    room = parts[1]
+    users = [p for p in tree.link if room in tree.rooms(p) or room in p]
+    steps = [(p, None) for p in users if "/test_" in p and p != nearest(path)[0]]
+    steps += [(p, None) for p in users if (ROOT / "chapters").joinpath(chapter_folder(p)).is_dir()]
+    if "bin/railbook" in users:
+        subjects = {f.relative_to(ROOT).parts[1] for f in (ROOT / "tools").glob("*/*.cpp") if uses(f, room)}
+        steps.append(("bin/railbook", f"^tool: ({'|'.join(sorted(subjects))})" if subjects else "^tool:"))
+    return steps
+
+
+def uses(file, room):
+    return f'#include "{room}/' in file.read_text()
+
+
+def chapter_folder(program):
+    found = list((ROOT / "chapters").glob(f"*-{program.split('/')[-1].replace('_', '-')}"))
+    return found[0].name if found else "none"
+
+
+class Tests:
+    """Runs a program's tests on a copy of it, and knows what they take without a fault."""
+
+    def __init__(self, tree):
+        self.tree, self.healthy = tree, {}
+
+    def command(self, program, pattern, made):
+        out = self.tree.out / "run"
+        if pattern:
+            return [["ctest", "--test-dir", str(self.tree.build), "--stop-on-failure", "-j", "2", "-R", pattern]]
+        if "/test_" in program:
+            return [[made, "--abort"]]
+        chapter = chapter_folder(program)
+        figures, now = ROOT / "figures", self.tree.build / "environment.txt"
+        return [[made, "reproduce", "--no-timings", "--no-figures", "--out", str(out)],
+                [str(self.tree.build / "bin/figure_diff"), "data", str(out), str(figures / chapter),
+                 str(figures / "environment.txt"), str(now)]]
+
+    def pass_with(self, program, pattern, made):
+        """Whether all pass; ended after four times what they take without a fault."""
+        key = (program, pattern)
+        if key not in self.healthy:
+            status, seconds = self.run(self.command(program, pattern, str(self.tree.build / program)), 600)
+            if status != 0:
+                sys.exit(f"{program} {pattern or ''}: fails without a fault")
+            self.healthy[key] = seconds
+        if not pattern:
+            return self.run(self.command(program, pattern, made), 4 * self.healthy[key] + 2)[0] == 0
+        kept, place = self.tree.out / "kept", self.tree.build / program
+        shutil.move(place, kept)
+        try:
+            shutil.copy(made, place)
+            return self.run(self.command(program, pattern, made), 4 * self.healthy[key] + 2)[0] == 0
+        finally:
+            shutil.move(kept, place)
+
+    @staticmethod
+    def run(commands, limit):
+        total = 0
+        for command in commands:
+            status, seconds = run(command, limit)
+            total += seconds
+            if status != 0:
+                return status, total
+        return 0, total
 
 
 def main():
@@ -123,9 +274,9 @@ def main():
     a.add_argument("--seed", type=int, default=1)
     a.add_argument("--build", default="build")
     a.add_argument("--only", action="append", default=[], help="a folder or file, e.g. lib/contact")
+    a.add_argument("--far", action="store_true", help="survivors of what is nearest are run by all that links them")
     a.add_argument("--list", action="store_true", help="count the places of each kind, and stop")
     wish = a.parse_args()
-    build = ROOT / wish.build
     places = sites(wish.only or [""])
     if wish.list:
         for kind, found in places.items():
@@ -136,65 +287,59 @@ def main():
         random.shuffle(found)
     known = ROOT / "tests/mutate/equivalent.txt"
     equivalent = known.read_text() if known.exists() else ""
-    out = build / "mutants"
-    out.mkdir(exist_ok=True)
-    survivors, healthy = [], {}
-    killed = argued = still = untested = 0
+    tree = Tree(ROOT / wish.build)
+    tests = Tests(tree)
+    tree.out.mkdir(exist_ok=True)
+    survivors = []
+    near = far = argued = still = untested = 0
     order = list(places)
     turn = 0
-    while killed + argued + len(survivors) < wish.faults and any(places.values()):
+    while near + far + argued + len(survivors) < wish.faults and any(places.values()):
         kind = order[turn % len(order)]
         turn += 1
         if not places[kind]:
             continue
         path, number, start, end, text = places[kind].pop()
-        near = nearest(path, build)
-        if near is None:
+        program, pattern = nearest(path)
+        if program not in tree.link:
             untested += 1
             print(f"no tests  {path.relative_to(ROOT)}:{number + 1}", flush=True)
             continue
-        targets, command = near
-        make = ["cmake", "--build", str(build), "--target", *targets, "-j", "1"]
-        whole = path.read_text()
-        if command[0] not in healthy or command[0] == "ctest":  # it must pass without a fault
-            key = " ".join(command)
-            if key not in healthy:
-                if run(make, 1800)[0] != 0:
-                    sys.exit(f"{targets[0]} does not build")
-                status, seconds = run(command, 900)
-                if status != 0:
-                    sys.exit(f"{key}: fails without a fault")
-                healthy[key] = healthy[command[0]] = seconds
-        seconds = healthy[" ".join(command)]
-        lines = whole.split("\n")
+        lines = path.read_text().split("\n")
         before = lines[number]
         lines[number] = before[:start] + text + before[end:]
-        at = f"{path.relative_to(ROOT)}:{number + 1} ({kind})\n  - {before.strip()}\n  + {lines[number].strip()}"
-        try:
-            path.write_text("\n".join(lines))
-            if run(make, 1800)[0] != 0:
-                still += 1
-                continue
-            status, took = run(command, 10 * seconds + 20)
-        finally:
-            path.write_text(whole)
-        if status != 0:
-            killed += 1
-            verdict = "killed" if status != TIMED_OUT else "killed (time)"
-        elif f"  - {before.strip()}\n  + {lines[number].strip()}\n" in equivalent:
+        change = f"  - {before.strip()}\n  + {lines[number].strip()}"
+        shutil.rmtree(tree.out / "tree", ignore_errors=True)
+        done, begun = set(), time.monotonic()
+        faulty = "\n".join(lines)
+        made = tree.made(program, path, faulty, done)
+        if made is None:
+            still += 1
+            continue
+        if made and not tests.pass_with(program, pattern, made):
+            near += 1
+            verdict = "killed"
+        elif change + "\n" in equivalent:
             argued += 1
             verdict = "equivalent"
         else:
-            survivors.append(at)
             verdict = "SURVIVED"
-        print(f"{verdict:10}{at}  [{took:.0f} s]", flush=True)
-        (out / "survivors.txt").write_text("\n".join(survivors) + "\n")
-    # What was built last had a fault in it.
-    run(["cmake", "--build", str(build), "--target", "railbook"], 1800)
-    counted = killed + len(survivors)
-    print(f"{killed} of {counted} faults killed ({100 * killed / max(counted, 1):.0f} %), seed {wish.seed}; "
+            for program, pattern in farther(tree, path) if wish.far else []:
+                made = tree.made(program, path, faulty, done)
+                if made and not tests.pass_with(program, pattern, made):
+                    far += 1
+                    verdict = f"killed by {program.split('/')[-1]} {pattern or ''}"
+                    break
+        at = f"{path.relative_to(ROOT)}:{number + 1} ({kind})\n{change}"
+        if verdict == "SURVIVED":
+            survivors.append(at)
+        print(f"{verdict:10}{at}  [{time.monotonic() - begun:.0f} s]", flush=True)
+        (tree.out / "survivors.txt").write_text("\n".join(survivors) + "\n")
+    counted = near + far + len(survivors)
+    print(f"{near + far} of {counted} faults killed ({100 * (near + far) / max(counted, 1):.0f} %)"
+          f"{f', {near} of them by what is nearest' if wish.far else ''}, seed {wish.seed}; "
           f"{argued} argued equivalent, {still} did not compile, {untested} in folders without tests")
-    print(f"survivors: {out.relative_to(ROOT)}/survivors.txt")
+    print(f"survivors: {(tree.out / 'survivors.txt').relative_to(ROOT)}")
     return 0 if not survivors else 1
 
 

@@ -84,7 +84,8 @@ Long abel(Long r, Long b, Long a) {
 }  // namespace
 
 TEST_CASE("claim: elliptic integrals and Hertz's contact") {
-  Claim integrals("elliptic_integrals"), approach("hertz_from_approach"), force("hertz_from_force");
+  Claim integrals("contact::elliptic_integrals"), approach("contact::hertz_from_approach"),
+      force("contact::hertz_from_force");
   Draw draw(1);
   for (int k = 0; k < 1000; ++k) {
     const double log_m1 = -draw.decades(1e-12, 700);
@@ -118,7 +119,7 @@ TEST_CASE("claim: elliptic integrals and Hertz's contact") {
 }
 
 TEST_CASE("claim: relative curvatures of convex bodies") {
-  Claim claim("relative_curvature");
+  Claim claim("contact::relative_curvature");
   Draw draw(2);
   for (int k = 0; k < 1000; ++k) {
     const Curvature one{draw.decades(1e-8, 1), draw.decades(1e-8, 1), draw(-2, 2)};
@@ -141,7 +142,7 @@ TEST_CASE("claim: relative curvatures of convex bodies") {
 }
 
 TEST_CASE("claim: the curve of interpenetration") {
-  Claim claim("interpenetration_distance");
+  Claim claim("contact::interpenetration_distance");
   Draw draw(3);
   for (int k = 0; k < 1000; ++k) {
     const double a = draw.decades(1e-4, 1e3), b = draw.decades(1e-4, 1e3), angle = draw(-4, 4),
@@ -152,18 +153,7 @@ TEST_CASE("claim: the curve of interpenetration") {
   }
 }
 
-TEST_CASE("claim: the box holds the curve of interpenetration, and no contact is empty") {
-  Draw draw(7);
-  for (int k = 0; k < 300; ++k) {
-    const double a = draw.decades(1e-3, 1e3), b = draw.decades(1e-3, 1e3),
-                 delta = draw.decades(1e-9, 1e-3);
-    const Box box = interpenetration_box(quadratic_gap({a, b, 0}), delta);
-    const double x = std::sqrt(delta / a), y = std::sqrt(delta / b);
-    REQUIRE(std::min(-box.x_min, box.x_max) >= x);
-    REQUIRE(std::min(-box.y_min, box.y_max) >= y);
-    REQUIRE(std::max(-box.x_min, box.x_max) < 10 * x);
-    REQUIRE(std::max(-box.y_min, box.y_max) < 10 * y);
-  }
+TEST_CASE("claim: an empty contact, and a budget of memory") {
   const NormalContact none = empty_contact(-1e-6);
   CHECK(none.converged);
   CHECK(none.reason == empty_contact_reason);
@@ -175,7 +165,8 @@ TEST_CASE("claim: the box holds the curve of interpenetration, and no contact is
 }
 
 TEST_CASE("claim: disc, ring and rectangle") {
-  Claim discs("disc_influence"), rectangles("rectangle_influence"), corners("corner_function");
+  Claim discs("contact::disc_influence"), rectangles("contact::rectangle_influence"),
+      corners("contact::corner_function");
   Draw draw(4);
   for (int k = 0; k < 4000; ++k) {
     const double c = draw.decades(1e-3, 1e3), beside = draw.decades(1e-16, 1);  // of the edge
@@ -209,7 +200,7 @@ TEST_CASE("claim: disc, ring and rectangle") {
 }
 
 TEST_CASE("claim: the rounded punch and its pressure") {
-  Claim closed("punch_from_approach"), pressure("punch_pressure");
+  Claim closed("contact::punch_from_approach"), pressure("contact::punch_pressure");
   Draw draw(5);
   for (int k = 0; k < 1000; ++k) {
     const double b = draw.decades(1e-4, 1),
@@ -238,7 +229,7 @@ TEST_CASE("claim: the rounded punch and its pressure") {
 }
 
 TEST_CASE("claim: displacements by transforms") {
-  Claim claim("Convolution");
+  Claim claim("contact::Convolution");
   Draw draw(6);
   for (int k = 0; k < 40; ++k) {
     const Grid grid{0, 0, draw.decades(1e-5, 1e-2), draw.decades(1e-5, 1e-2), 4 + k % 7, 4 + k % 5};

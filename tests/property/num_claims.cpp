@@ -12,6 +12,7 @@
 #include "num/fft.hpp"
 #include "num/gmres.hpp"
 #include "num/log_spaced.hpp"
+#include "num/parallel.hpp"
 #include "num/quadrature.hpp"
 #include "num/radau5.hpp"
 #include "num/random_source.hpp"
@@ -82,15 +83,25 @@ Eigen::Vector2d damped_turn(double d, double w, double t, const Eigen::Vector2d&
 }  // namespace
 
 TEST_CASE("claim: special functions and good sizes") {
-  Claim quantile("normal_quantile"), integral("sine_integral"), sizes("good_fft_size");
+  Claim quantile("num::normal_quantile"), integral("num::sine_integral"),
+      sizes("num::good_fft_size");
   Draw draw(1);
   for (int k = 0; k < 2000; ++k) {
-    const double p = k % 2 == 0 ? draw.decades(1e-300, 0.5) : draw(0, 1);
+    // Also next to 1/2 and to 1, where the distance from there is what counts.
+    const double side = k % 8 < 4 ? -1 : 1;
+    const double p = k % 4 == 0   ? draw.decades(1e-300, 0.5)
+                     : k % 4 == 1 ? draw(0, 1)
+                     : k % 4 == 2 ? 0.5 + side * draw.decades(1e-15, 0.4)
+                                  : 1 - draw.decades(1e-15, 0.5);
     const double x = num::normal_quantile(p);
-    const Long error = (std::erfc(-Long{x} / std::sqrt(Long{2})) / 2 - p) * std::sqrt(2 * long_pi) *
-                       std::exp(Long{x} * x / 2);
-    quantile.error(static_cast<double>(std::abs(error / x)));
-    const double y = draw.decades(1e-8, 1e8) * (k % 3 == 0 ? -1 : 1);
+    const Long z = Long{x} / std::sqrt(Long{2});
+    const Long off = std::abs(p - 0.5) < 0.4 ? (std::erf(z) - 2 * (Long{p} - 0.5L)) / 2
+                     : p < 0.5               ? std::erfc(-z) / 2 - p
+                                             : (1 - Long{p}) - std::erfc(z) / 2;
+    quantile.error(
+        static_cast<double>(std::abs(off * std::sqrt(2 * long_pi) * std::exp(z * z) / x)));
+    const double y =
+        draw.decades(k % 2 == 0 ? 1e-8 : 1e-300, k % 2 == 0 ? 1e8 : 1e300) * (k % 3 == 0 ? -1 : 1);
     integral.relative(num::sine_integral(y),
                       y < 0 ? -sine_integral_long(-y) : sine_integral_long(y));
   }
@@ -107,18 +118,39 @@ TEST_CASE("claim: special functions and good sizes") {
 }
 
 TEST_CASE("claim: roots and integrals") {
-  Claim roots("find_root"), adaptive("integrate"), gauss("gauss_legendre"), spaced("log_spaced");
+  Claim roots("num::find_root"), adaptive("num::integrate"), gauss("num::gauss_legendre"),
+      spaced("num::log_spaced");
   Draw draw(2);
   for (int k = 0; k < 1000; ++k) {
     const double r = draw.decades(1e-6, 1e6) * (k % 2 == 0 ? 1 : -1),
                  scale = draw.decades(1e-3, 10);
     const auto f = [&](double x) { return std::expm1((x - r) / std::abs(r) * scale); };
-    const num::Root root =
-        num::find_root(f, r - draw(0.1, 9) * std::abs(r), r + draw(0.1, 9) * std::abs(r));
-    roots.relative(root.x, root.converged ? r : std::nan(""));
-    const double power = draw(-0.9, 6);
-    const num::Integral i = num::integrate([&](double x) { return std::pow(x, power); }, 0, 1);
-    if (i.converged) adaptive.relative(i.value, 1 / (1 + Long{power}));
+    const double low_end = r - draw(0.1, 9) * std::abs(r),
+                 high_end = r + draw(0.1, 9) * std::abs(r);
+    const num::Root root = num::find_root(f, low_end, high_end);
+    roots.error(root.converged ? std::abs(root.x / r - 1) : INFINITY);
+    // Flat, steep or bent at the root; scales from 1e-250 to 1e250.
+    const double power = draw.decades(0.2, 5), unit = draw.decades(1e-250, 1e250);
+    const num::Root flat = num::find_root(
+        [&](double x) {
+          return std::copysign(std::pow(std::abs(x - r * unit) / std::abs(r * unit), power),
+                               x - r * unit);
+        },
+        low_end * unit, high_end * unit);
+    roots.error(flat.converged ? std::abs(flat.x / (r * unit) - 1) : INFINITY);
+
+    const double a = draw(-0.9, 6), width = draw.decades(0.01, 10), middle = draw(-1, 2),
+                 s = draw.decades(0.01, 100);
+    const num::Integral one = num::integrate([&](double x) { return std::pow(x, a); }, 0, 1);
+    const num::Integral peak = num::integrate(
+        [&](double x) { return width / (width * width + (x - middle) * (x - middle)); }, 0, 1);
+    const num::Integral tail =
+        num::integrate([&](double x) { return std::exp(-s * x); }, 0, INFINITY);
+    if (one.converged) adaptive.relative(one.value, 1 / (1 + Long{a}));
+    if (peak.converged)
+      adaptive.relative(peak.value,
+                        std::atan((1 - Long{middle}) / width) + std::atan(Long{middle} / width));
+    if (tail.converged) adaptive.relative(tail.value, 1 / Long{s});
     const int n = 1 + k % 64, degree = static_cast<int>(draw(0, 2 * n));
     const num::GaussRule rule = num::gauss_legendre(n, 0, 1);
     gauss.relative(rule.w.dot(rule.x.array().pow(degree).matrix()), 1 / Long(degree + 1));
@@ -128,8 +160,9 @@ TEST_CASE("claim: roots and integrals") {
 }
 
 TEST_CASE("claim: linear systems") {
-  Claim banded("BandedCholesky"), lu("DenseLu"), krylov("gmres");
-  Draw draw(3);
+  Claim banded("num::BandedCholesky"), lu("num::DenseLu"), krylov("num::gmres"),
+      solved("num::solved");
+  Draw draw(3), parts(31);
   for (int k = 0; k < 1000; ++k) {
     const Eigen::Index n = 2 + k % 19, m = k % std::min<Eigen::Index>(n, 5);
     Eigen::MatrixXd band = random_matrix(draw, m + 1, n);
@@ -147,6 +180,18 @@ TEST_CASE("claim: linear systems") {
     Eigen::VectorXd x = b;
     factors.solve_in_place(x);
     lu.error(backward_error(full, x, b));
+
+    // A complex system as a real one of twice the order.
+    const Eigen::MatrixXd imaginary = random_matrix(parts, n, n), c = random_matrix(parts, n, 1);
+    const std::complex<double> i{0, 1};
+    const Eigen::VectorXcd z = num::solved(full + i * imaginary, b + i * c).col(0);
+    Eigen::MatrixXd twice(2 * n, 2 * n);
+    twice << full, -imaginary, imaginary, full;
+    Eigen::VectorXd parts_of_z(2 * n), right(2 * n);
+    parts_of_z << z.real(), z.imag();
+    right << b, c;
+    solved.error(backward_error(twice, parts_of_z, right));
+    solved.error(backward_error(full, num::solved(full, b).col(0), b));
 
     // What it says of its residual, beside the residual; scaled rows, the diagonal for a preconditioner.
     const Eigen::MatrixXd near = full + 3 * Eigen::MatrixXd::Identity(n, n);
@@ -175,7 +220,8 @@ TEST_CASE("claim: determinant's sign and a singular matrix") {
 }
 
 TEST_CASE("claim: eigenvalues of normal matrices") {
-  Claim general("eigenvalues"), pairs("eigenpairs"), symmetric("symmetric_eigenvalues");
+  Claim general("num::eigenvalues"), pairs("num::eigenpairs"),
+      symmetric("num::symmetric_eigenvalues");
   Draw draw(4);
   for (int k = 0; k < 1000; ++k) {
     const Eigen::Index n = 2 + 2 * (k % 4);
@@ -209,7 +255,7 @@ TEST_CASE("claim: eigenvalues of normal matrices") {
 }
 
 TEST_CASE("claim: transforms against the sum itself") {
-  Claim real("RealFft"), filter_claim("EvenFilter");
+  Claim real("num::RealFft"), filter_claim("num::EvenFilter");
   Draw draw(5);
   for (int k = 0; k < 1000; ++k) {
     const auto n = static_cast<std::size_t>(1 + k % 97);
@@ -252,8 +298,101 @@ TEST_CASE("claim: transforms against the sum itself") {
   }
 }
 
+TEST_CASE("claim: a transform of two dimensions against the sum itself") {
+  Claim claim("num::RealFft2d");
+  Draw draw(7);
+  for (int k = 0; k < 1000; ++k) {
+    const auto rows = static_cast<std::size_t>(1 + k % 13),
+               columns = static_cast<std::size_t>(1 + k % 11);
+    num::RealFft2d fft(rows, columns);
+    const double scale = draw.decades(1e-100, 1e100);
+    std::vector<double> x(rows * columns);
+    for (double& value : x) value = scale * draw(-1, 1);
+    const auto fill = [&] {
+      for (std::size_t i = 0; i < rows; ++i)
+        std::copy_n(x.data() + i * columns, columns, fft.row(i));
+    };
+    fill();
+    fft.forward();
+    const std::size_t v = static_cast<std::size_t>(k) % rows,
+                      u = static_cast<std::size_t>(k) % (columns / 2 + 1);
+    Long re = 0, im = 0, square = 0;
+    for (std::size_t i = 0; i < rows; ++i)
+      for (std::size_t j = 0; j < columns; ++j) {
+        const Long turn = static_cast<Long>(i * v % rows) / static_cast<Long>(rows) +
+                          static_cast<Long>(j * u % columns) / static_cast<Long>(columns);
+        const Long value = x[i * columns + j];
+        re += value * std::cos(2 * long_pi * turn), im -= value * std::sin(2 * long_pi * turn);
+        square += value * value;
+      }
+    const auto found = fft.spectrum()[v * (columns / 2 + 1) + u];
+    const auto count = static_cast<Long>(rows * columns);
+    claim.error(static_cast<double>(std::hypot(found.real() - re, found.imag() - im) /
+                                    std::sqrt(square * count)));
+    fft.inverse();
+    for (std::size_t i = 0; i < rows; ++i)
+      for (std::size_t j = 0; j < columns; ++j)
+        claim.error(static_cast<double>(std::abs(fft.row(i)[j] / count - x[i * columns + j]) /
+                                        std::sqrt(square)));
+  }
+}
+
+TEST_CASE("claim: sums in blocks and parts of a loop, whatever the threads") {
+  Claim sums("num::reduce_in_blocks"), loops("num::in_parallel"), items("num::map_in_parallel");
+  Draw draw(8);
+  for (int k = 0; k < 1000; ++k) {
+    const auto count = static_cast<std::size_t>(draw.decades(1, k % 10 == 0 ? 1e6 : 2e4));
+    const int threads = k % 5 - 1;  // 0 and -1 are one
+    const auto shift = static_cast<std::uint64_t>(k);
+    const double sum = num::reduce_in_blocks(
+        threads, count,
+        [&](std::size_t begin, std::size_t end) {
+          return static_cast<double>((begin + end - 1 + 2 * shift) * (end - begin) / 2);
+        },
+        std::plus<>{});
+    sums.error(sum == static_cast<double>((count - 1 + 2 * shift) * count / 2) ? 0 : 1);
+    std::vector<int> times(count % 1000);
+    num::in_parallel(threads, times.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+      for (std::size_t i = begin; i < end; ++i) ++times[i];
+    });
+    loops.error(std::all_of(times.begin(), times.end(), [](int n) { return n == 1; }) ? 0 : 1);
+    const auto made = num::map_in_parallel(
+        times.size(), [](std::size_t i) { return i; }, threads);
+    bool same = made.size() == times.size();
+    for (std::size_t i = 0; i < made.size(); ++i) same = same && made[i] == i;
+    items.error(same ? 0 : 1);
+  }
+}
+
+TEST_CASE("claim: random numbers by position are those of the generator that steps") {
+  // SplitMix64 as published: a state that grows by a constant, hashed; a stream begins at the hash of its own number.
+  Claim claim("num::RandomSource");
+  const auto hash = [](std::uint64_t z) {
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
+    return z ^ (z >> 31);
+  };
+  constexpr std::uint64_t step = 0x9e3779b97f4a7c15U;
+  double mean = 0, square = 0, next = 0, before = 0;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const std::uint64_t stream = seed * seed;
+    const num::RandomSource source(seed, stream);
+    std::uint64_t state = hash(hash(seed + step) + step * (2 * stream + 1));
+    for (std::uint64_t k = 0; k < 1000; ++k) {
+      state += step;
+      const double exact = std::ldexp(static_cast<double>(hash(state) >> 12) + 0.5, -52);
+      claim.error(source.uniform(k) == exact && exact > 0 && exact < 1 ? 0 : 1);
+      const double x = source.normal(k);
+      mean += x, square += x * x, next += x * before, before = x;
+    }
+  }
+  CHECK(std::abs(mean) < 3 * std::sqrt(20000.0));
+  CHECK(std::abs(square - 20000) < 3 * std::sqrt(40000.0));
+  CHECK(std::abs(next) < 3 * std::sqrt(20000.0));
+}
+
 TEST_CASE("claim: each step of an integrator is within its tolerance") {
-  Claim explicit_steps("Dopri5"), implicit_steps("Radau5");
+  Claim explicit_steps("num::Dopri5"), implicit_steps("num::Radau5");
   Draw draw(6);
   for (int k = 0; k < 300; ++k) {
     const double d = draw(0, 1), w = draw(0.2, 5), tolerance = draw.decades(1e-10, 1e-4);

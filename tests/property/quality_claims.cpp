@@ -10,7 +10,7 @@ using namespace railbook;
 using namespace railbook::tests;
 
 TEST_CASE("claim: gains of the one-wheel vehicle") {
-  Claim stroke("stroke_gain"), peak("stroke_peak"), force("force_gain");
+  Claim stroke("quality::stroke_gain"), peak("quality::stroke_peak"), force("quality::force_gain");
   Draw draw(6);
   for (int k = 0; k < 2000; ++k) {
     const quality::Suspension s{draw.decades(0.2, 5), draw.decades(1e-3, 1)};
@@ -34,7 +34,7 @@ TEST_CASE("claim: gains of the one-wheel vehicle") {
 }
 
 TEST_CASE("claim: the share of a normal histogram above a threshold") {
-  Claim share("share_above");
+  Claim share("quality::share_above");
   Draw draw(7);
   for (int k = 0; k < 2000; ++k) {
     const double n = draw(-8, 8);

@@ -74,8 +74,8 @@ RollingCase at(double x) {
 }  // namespace
 
 TEST_CASE("claim: closed forms of the creep forces") {
-  Claim strips("fastsim_without_spin"), curve("polach"), slopes("vermeulen_johnson_slopes"),
-      displacements("row_displacements");
+  Claim strips("rolling::fastsim_without_spin"), curve("rolling::polach"),
+      slopes("rolling::vermeulen_johnson_slopes"), displacements("rolling::row_displacements");
   Draw draw(1);
   for (int k = 0; k < 1000; ++k) {
     const double x = draw.decades(1e-3, 100);
@@ -97,7 +97,7 @@ TEST_CASE("claim: closed forms of the creep forces") {
 }
 
 TEST_CASE("claim: no theory but the linear one exceeds friction, and small creepage is linear") {
-  Claim bound("creep_forces"), linear("linear_theory");
+  Claim bound("rolling::creep_forces"), linear("rolling::linear_theory");
   Draw draw(2);
   for (int k = 0; k < 400; ++k) {
     RollingCase c{

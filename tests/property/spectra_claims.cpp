@@ -49,7 +49,8 @@ Long chord_variance(Long c) {
 }  // namespace
 
 TEST_CASE("claim: gains and variances of a chord") {
-  Claim gain("chord_gain"), sigma("chord_sigma"), dips("dip_transform"), between("random_variance");
+  Claim gain("spectra::chord_gain"), sigma("spectra::chord_sigma"), dips("spectra::dip_transform"),
+      between("spectra::random_variance");
   Draw draw(1);
   for (int k = 0; k < 2000; ++k) {
     const double phi = draw.decades(1e-8, 1), L = draw.decades(0.3, 30);
@@ -78,7 +79,7 @@ TEST_CASE("claim: gains and variances of a chord") {
 }
 
 TEST_CASE("claim: offsets of sampled profiles of degree three") {
-  Claim claim("mid_chord_offsets");
+  Claim claim("spectra::mid_chord_offsets");
   Draw draw(2);
   for (int k = 0; k < 60; ++k) {
     const double spacing = draw.decades(0.05, 1), chord = spacing * draw(2, 9);
@@ -99,7 +100,7 @@ TEST_CASE("claim: offsets of sampled profiles of degree three") {
 TEST_CASE("claim: the lines add up to the variance of the rectified sine") {
   // What is left of the sum beyond n lines is 8 B^2/pi^2 times the sum of 1/(4 n^2 - 1)^2: 1/(48 N^3) - 1/(240 N^5),
   // N = n + 1/2.
-  Claim claim("modulated_lines");
+  Claim claim("spectra::modulated_lines");
   Draw draw(3);
   for (int k = 0; k < 1000; ++k) {
     const double dip = draw.decades(1e-4, 0.1), phi = draw.decades(0.02, 0.2);
@@ -114,7 +115,7 @@ TEST_CASE("claim: the lines add up to the variance of the rectified sine") {
 }
 
 TEST_CASE("claim: the rule of the classes and the mask of the lines") {
-  Claim rule("design_deviation");
+  Claim rule("spectra::design_deviation");
   Draw draw(4);
   for (int k = 0; k < 1000; ++k) {
     const double A = draw.decades(1e-9, 1e-4), B = draw.decades(1e-5, 0.1), L = draw(5, 25),

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <vector>
 
+#include "num/parallel.hpp"
 #include "spectra/line_mask.hpp"
 #include "spectra/spectrum_fit.hpp"
 #include "spectra/synthetic_track.hpp"
@@ -111,4 +112,15 @@ TEST_CASE("property: joints of random depth are not taken for a foreign line") {
     if (spectra::stray_line(spectrum, {}, spectra::fit_track_spectrum(spectrum))) ++found;
   }
   CHECK(found <= 2);
+}
+
+TEST_CASE("property: many records give the same digits on any number of threads") {
+  const auto read = [](std::size_t i) {
+    const auto record = spectra::synthesize(zone(5e-7, 0.13, 11e-3, 1 + i), 16384);
+    const auto fit = spectra::fit_track_spectrum(spectra::welch(record, units::foot));
+    return std::vector{fit.A.value, fit.A.error, fit.phi_c.value, fit.Q_1.value, fit.Q_1.error};
+  };
+  const auto alone = num::map_in_parallel(12, read, 1);
+  CHECK(alone.front() != alone.back());
+  for (const int threads : {2, 3}) CHECK(num::map_in_parallel(12, read, threads) == alone);
 }

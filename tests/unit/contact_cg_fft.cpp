@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -117,4 +118,25 @@ TEST_CASE(
     REQUIRE(axis.start + static_cast<double>(n) * axis.step >= high - 1e-12);
     REQUIRE(axis.step <= 1.2 * length / static_cast<double>(n));
   }
+}
+
+TEST_CASE("unit: the intensity of the edge is that of the pressures, over Hertz's") {
+  const Grid grid{-1.5, -1.5, 0.025, 0.025, 120, 120};
+  const auto intensity = [&](auto&& square) {
+    Eigen::VectorXd p(grid.cells());
+    for (Eigen::Index j = 0; j < grid.ny; ++j)
+      for (Eigen::Index i = 0; i < grid.nx; ++i)
+        p[j * grid.nx + i] = std::sqrt(std::max(0.0, square(grid.x(i), grid.y(j))));
+    return describe(grid, p, Eigen::VectorXd::Zero(p.size())).patches[0].edge_intensity;
+  };
+  CHECK(intensity([](double x, double y) {
+          const double u = x + y, v = x - y;  // an ellipse of axes 1 and 0.4 across the cells
+          return 7 * (1 - u * u / 2 - v * v / 0.32);
+        }) == Approx(1).epsilon(0.04));
+  // Even but for an edge of width w, where p^2 falls linearly: K = 1/sqrt(w), and the mean is 1 - w/3.
+  for (const double w : {0.2, 0.4, 0.8})
+    CHECK(intensity([w](double x, double y) {
+            const auto ramp = [w](double t) { return std::clamp((1 - std::abs(t)) / w, 0.0, 1.0); };
+            return ramp(x) * ramp(y);
+          }) == Approx(units::pi / (4 * std::sqrt(2 * w) * (1 - w / 3))).epsilon(0.01));
 }

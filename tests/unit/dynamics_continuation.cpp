@@ -57,6 +57,16 @@ Eigen::VectorXcd circle(int n) {
   shape[1] = Complex{0, -1};
   return shape;
 }
+// What a branch cost: a walk that is a little wrong still arrives, and takes longer. The counts are today's; a change for the better
+// changes them with its reason.
+struct Work {
+  int points, newton_steps, rejected_steps;
+};
+void check_work(const LimitCycleBranch& branch, const Work& known) {
+  CHECK(static_cast<int>(branch.points.size()) == Approx(known.points).margin(1));
+  CHECK(branch.newton_steps == Approx(known.newton_steps).epsilon(0.03));
+  CHECK(branch.rejected_steps == Approx(known.rejected_steps).margin(1));
+}
 std::vector<SpecialCycle> of_kind(const LimitCycleBranch& branch, CycleEvent kind) {
   std::vector<SpecialCycle> found;
   for (const SpecialCycle& s : branch.special)
@@ -178,6 +188,7 @@ TEST_CASE("Continuation: Duffing's two turning points", "[continuation]") {
           Approx(std::sqrt(1 + b * rho + g * g / (2 * b * rho * rho))).epsilon(1e-7));
     CHECK(folds[k].at.largest == Approx(std::sqrt(rho)).epsilon(1e-5));
   }
+  check_work(branch, {40, 193, 2});
 }
 
 TEST_CASE("Continuation: a torus point of known place", "[continuation]") {
@@ -288,6 +299,19 @@ TEST_CASE("Continuation: van der Pol's cycle from its first to its later days", 
   }
   CHECK(at[0].leading == Approx(std::exp(trace)).epsilon(2e-5));
   CHECK(at[0].stable);
+  check_work(branch, {16, 34, 0});
+
+  // Back again: harmonics are taken off as the cycle becomes a circle; a step that does so may leave a few times the tail.
+  options.lowest = 0.01;
+  const auto back =
+      follow_from(family, branch.points.back().cycle, 2, Towards::smaller_parameter, options);
+  CHECK(back.stop == BranchStop::parameter);
+  const auto highest = [](const LimitCycle& c) { return c.cycle.orders.back(); };
+  CHECK(highest(branch.points.back()) == 77);
+  CHECK(highest(back.points.front()) == 77);
+  CHECK(highest(back.points.back()) == 13);
+  for (const LimitCycle& c : back.points) CHECK(c.tail < 10 * options.tail);
+  check_work(back, {17, 120, 0});
 }
 
 TEST_CASE("Continuation: Duffing's free oscillation has the period of the elliptic integral",

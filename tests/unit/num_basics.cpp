@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <atomic>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -132,6 +134,36 @@ TEST_CASE("unit: parallel parts cover every item once, whatever the threads") {
       });
       CHECK(std::count(visits.begin(), visits.end(), 1) == static_cast<long>(count));
     }
+}
+
+TEST_CASE("unit: what items make comes in their order, and the first failure is told") {
+  for (const int threads : {-1, 0, 1, 2, 3, 7}) {
+    const auto square = [](std::size_t i) { return std::to_string(i * i); };
+    const auto made = num::map_in_parallel(100, square, threads);
+    REQUIRE(made.size() == 100);
+    for (std::size_t i = 0; i < 100; ++i) CHECK(made[i] == std::to_string(i * i));
+    CHECK(num::map_in_parallel(0, square, threads).empty());
+    std::atomic<int> called{0};
+    const auto failing = [&](std::size_t i) {
+      ++called;
+      if (i % 10 == 7) throw InputError{"item " + std::to_string(i)};
+      return i;
+    };
+    CHECK_THROWS_WITH(num::map_in_parallel(100, failing, threads), Catch::Contains("item 7"));
+    CHECK(called == 100);
+  }
+}
+
+TEST_CASE("unit: transforms may be made and used in several threads at once") {
+  const auto transform = [](std::size_t i) {
+    num::RealFft fft(64 + i % 7);
+    for (std::size_t k = 0; k < fft.size(); ++k)
+      fft.real()[k] = static_cast<double>((k * k + i) % 11);
+    fft.forward();
+    return std::vector(fft.spectrum().begin(), fft.spectrum().end());
+  };
+  const auto alone = num::map_in_parallel(500, transform, 1);
+  CHECK(num::map_in_parallel(500, transform, 3) == alone);
 }
 
 TEST_CASE("unit: GSL says what is wrong instead of ending the program") {

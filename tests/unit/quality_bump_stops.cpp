@@ -6,6 +6,7 @@
 #include "../support/no_fp_fault.hpp"
 #include "../support/roll_mode.hpp"
 #include "num/dopri5.hpp"
+#include "num/parallel.hpp"
 #include "quality/bump_stops.hpp"
 #include "quality/steady_motion.hpp"
 #include "units/constants.hpp"
@@ -166,4 +167,16 @@ TEST_CASE("Bump stops: a body that rests on a stop within rounding goes on", "[q
   const auto r = run(body, {{wave}, 0}, {}, 5 / wave.frequency, {.audit = true});
   CHECK(r.complete);
   CHECK(r.energy.defect() < 1e-9);
+}
+
+TEST_CASE("Bump stops: many runs give the same digits on any number of threads", "[quality]") {
+  const auto largest = [&](std::size_t i) {
+    const double phase = 2 * units::pi * static_cast<double>(i) / 32;
+    const Track pair{{{amplitude / 2, frequency, 0}, {amplitude / 2, 2 * frequency, phase}}, 0};
+    return run(body(10), pair, {}, 60, {.watch_from = 30}).largest;
+  };
+  const auto alone = num::map_in_parallel(32, largest, 1);
+  CHECK(alone.front() > 0);
+  CHECK(alone.front() != alone.back());
+  for (const int threads : {2, 3}) CHECK(num::map_in_parallel(32, largest, threads) == alone);
 }

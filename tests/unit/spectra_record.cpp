@@ -1,9 +1,13 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "spectra/record.hpp"
+#include "units/input_error.hpp"
 
 using namespace railbook;
 
@@ -141,4 +145,46 @@ TEST_CASE("unit: positions in whole metres give the spacing of the record") {
   c.stream.finish();
   CHECK(c.stream.spacing() == Approx(0.25).epsilon(1e-3));
   CHECK(std::abs(static_cast<int>(c.stream.samples()) - 40000) < 8);
+}
+
+TEST_CASE("unit: what comes of a record does not depend on the pieces it comes in") {
+  for (const int kind : {0, 1, 2, 3}) {  // as it should be; rounded; a height, a position in error
+    std::vector<double> x, z;
+    for (int i = 0; i < 30000; ++i) {
+      if (i % 5000 == 77) continue;
+      x.push_back(kind == 1 ? std::round(2.5 * i) / 10 : 0.25 * i);
+      const double height = 1e-5 * std::round(100 * std::sin(0.7 * i) + 30 * std::sin(0.011 * i));
+      z.push_back(i % 3001 < 3 ? lost : i % 7001 < 2 ? -9.999 : height + (i < 20000 ? 0 : 0.1));
+    }
+    for (std::size_t i = 9000; i < 9050; ++i) z[i] = z[9000];
+    if (kind == 2) z[25000] = 1e7;
+    if (kind == 3) x[25000] = x[24999];
+    const auto read = [&](std::size_t piece) {
+      Collected c{{.bridge = 3}};
+      std::string told;
+      try {
+        for (std::size_t i = 0; i < x.size(); i += piece) {
+          const std::size_t n = std::min(piece, x.size() - i);
+          c.stream.add({&x[i], n}, {&z[i], n});
+        }
+        c.stream.finish();
+        for (const auto& doubt : c.stream.doubts()) told += doubt.text + "\n";
+        for (const auto& f : c.stream.faults())
+          told += std::to_string(f.first) + " " + std::to_string(f.count) + "\n";
+      } catch (const InputError& error) {
+        told = error.what();
+      }
+      std::replace_if(
+          c.out.begin(), c.out.end(), [](double v) { return std::isnan(v); }, 999);
+      return std::pair{told, c.out};
+    };
+    const auto one_by_one = read(1);
+    CHECK((one_by_one.first.find("one value") == std::string::npos) == (kind > 1));
+    for (const std::size_t piece : {7U, 1024U, 30000U}) {
+      CAPTURE(kind, piece);
+      const auto in_pieces = read(piece);
+      CHECK(in_pieces.first == one_by_one.first);
+      CHECK((kind > 1 || in_pieces.second == one_by_one.second));
+    }
+  }
 }

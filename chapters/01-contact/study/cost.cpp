@@ -33,8 +33,8 @@ The closed form is the reference. Its pressures, added up, bear its force to {{p
 {{work-precision: cost-punch-force}}
 */
 #include <fmt/format.h>
+#include <gsl/gsl_fit.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -82,17 +82,17 @@ struct Study {
   std::vector<report::WorkPrecision> points = {};
 };
 
-// What the sum of 1/r over the points of a lattice lacks of the integral, for a spacing of 1: the part of the
-// point at the centre. What the edge of a square of 2n leaves falls with 1/n.
+// What the sum of 1/r over the points of a lattice, from -n to n both ways, lacks of the integral, for a spacing of 1.
+double lacking(int n) {
+  double sum = 0;
+  for (int j = -n; j <= n; ++j)
+    for (int i = -n; i <= n; ++i)
+      if (i || j) sum += (i * i == n * n ? 0.5 : 1) * (j * j == n * n ? 0.5 : 1) / std::hypot(i, j);
+  return 8 * n * std::asinh(1.0) - sum;
+}
+
+// The part of the point at the centre: what the edge of the square leaves falls with 1/n.
 double lattice_constant() {
-  const auto lacking = [](int n) {
-    double sum = 0;
-    for (int j = -n; j <= n; ++j)
-      for (int i = -n; i <= n; ++i)
-        if (i || j)
-          sum += (i * i == n * n ? 0.5 : 1) * (j * j == n * n ? 0.5 : 1) / std::hypot(i, j);
-    return 8 * n * std::asinh(1.0) - sum;
-  };
   return 2 * lacking(400) - lacking(200);
 }
 
@@ -128,21 +128,20 @@ constexpr int coarsest = 100, finest = 250, every = 8;  // lattices of the refer
 // The least-squares line in h^2 through the lattices, of which each is off by about h^2.5 in its own way.
 std::vector<bench::Reference> fitted_lattices() {
   std::vector<bench::Reference> references{{"F"}, {"p_max"}};
-  const int count = (finest - coarsest) / every + 1;
-  Eigen::MatrixXd line(count, 2), found(count, 2);
-  for (int k = 0; k < count; ++k) {
-    const double n = coarsest + every * k, weight = std::pow(n, 2.5);
-    const Region r = on_lattice(coarsest + every * k);
-    line.row(k) << weight, weight / (n * n);
-    found.row(k) << weight * r.force, weight * r.p_max;
+  std::vector<double> squares, weights, found[2];
+  for (int n = coarsest; n <= finest; n += every) {
+    const Region r = on_lattice(n);
+    squares.push_back(1 / (double(n) * n));
+    weights.push_back(std::pow(n, 5));
+    found[0].push_back(r.force);
+    found[1].push_back(r.p_max);
   }
-  const Eigen::Matrix2d inverse = (line.transpose() * line).inverse();
-  const Eigen::MatrixXd ends = inverse * line.transpose() * found;
-  for (Eigen::Index q = 0; q < 2; ++q) {
-    const double squares = (found.col(q) - line * ends.col(q)).squaredNorm() / (count - 2);
-    bench::Reference& reference = references[static_cast<std::size_t>(q)];
-    reference.value = ends(0, q);
-    reference.uncertainty = 2 * std::sqrt(squares * inverse(0, 0)) / ends(0, q);
+  for (std::size_t q = 0; q < 2; ++q) {
+    double slope, c00, c01, c11, sum;
+    gsl_fit_wlinear(squares.data(), 1, weights.data(), 1, found[q].data(), 1, squares.size(),
+                    &references[q].value, &slope, &c00, &c01, &c11, &sum);
+    const double scatter = std::sqrt(sum / double(squares.size() - 2) * c00);
+    references[q].uncertainty = 2 * scatter / references[q].value;
   }
   return references;
 }

@@ -15,6 +15,7 @@ that class a probability of {{length-stated}} on average; the straightforward re
 #include <cmath>
 
 #include "bench/work_precision.hpp"
+#include "num/parallel.hpp"
 #include "sections.hpp"
 #include "spectra/classify.hpp"
 #include "spectra/spectrum_fit.hpp"
@@ -90,23 +91,21 @@ struct Study {
   std::vector<std::vector<Statistics>> found;  // of each way, at each length
 };
 
-using Readings = std::vector<std::vector<std::vector<ReadTrack>>>;  // of each way, length, record
+using Readings = std::vector<std::vector<ReadTrack>>;  // of one record: each way, each length
 
-Readings read_all(const Study& study) {
-  const std::size_t n = study.lengths.size();
-  Readings readings(std::size(ways), std::vector<std::vector<ReadTrack>>(n));
-  for (int r = 0; r < study.records; ++r) {
-    spectra::SyntheticTrack track = study.track;
-    track.seed = 5000 + static_cast<std::uint64_t>(r);
-    const auto z =
-        spectra::synthesize(track, static_cast<std::size_t>(study.lengths.back() / track.spacing));
-    for (std::size_t w = 0; w < std::size(ways); ++w) {
-      spectra::Welch welch{track.spacing, ways[w].welch};
-      for (std::size_t i = 0; i < n; ++i) {
-        const auto upto = static_cast<std::size_t>(study.lengths[i] / track.spacing);
-        welch.push(std::span{z}.subspan(welch.samples(), upto - welch.samples()));
-        readings[w][i].push_back(ways[w].read(welch.spectrum(), study.true_class));
-      }
+Readings read(const Study& study, std::size_t record) {
+  spectra::SyntheticTrack track = study.track;
+  track.seed = 5000 + record;
+  const auto z =
+      spectra::synthesize(track, static_cast<std::size_t>(study.lengths.back() / track.spacing));
+  Readings readings;
+  for (const Way& way : ways) {
+    spectra::Welch welch{track.spacing, way.welch};
+    auto& of_way = readings.emplace_back();
+    for (const double length : study.lengths) {
+      const auto upto = static_cast<std::size_t>(length / track.spacing);
+      welch.push(std::span{z}.subspan(welch.samples(), upto - welch.samples()));
+      of_way.push_back(way.read(welch.spectrum(), study.true_class));
     }
   }
   return readings;
@@ -135,9 +134,16 @@ const Study& study_of(const report::Item& item) {
             .lengths = {2.5 * km, 5 * km, 10 * km, 20 * km},
             .found = {}};
     s.true_class = class_of(s.truth);
-    for (const auto& of_way : read_all(s)) {
+    // Each record by its own seed, on whichever processor is free.
+    const auto all = num::map_in_parallel(static_cast<std::size_t>(s.records),
+                                          [&](std::size_t record) { return read(s, record); });
+    for (std::size_t w = 0; w < std::size(ways); ++w) {
       s.found.emplace_back();
-      for (const auto& readings : of_way) s.found.back().push_back(statistics_of(readings, s));
+      for (std::size_t i = 0; i < s.lengths.size(); ++i) {
+        std::vector<ReadTrack> readings;
+        for (const Readings& of_record : all) readings.push_back(of_record[w][i]);
+        s.found.back().push_back(statistics_of(readings, s));
+      }
     }
     return s;
   }();

@@ -14,6 +14,7 @@ A class is given with a probability: on average {{sweep-probability}} for the cl
 #include <cmath>
 
 #include "bench/evidence.hpp"
+#include "num/parallel.hpp"
 #include "num/random_source.hpp"
 #include "sections.hpp"
 #include "spectra/classify.hpp"
@@ -42,14 +43,20 @@ void sweep(report::Item& item) {
   Misses of_A{"coverage-A", "roughness A"}, of_corner{"coverage-corner", "corner φ_c"},
       of_line{"coverage-line", "power of the line"};
   double probability = 0, right = 0;
-  for (std::uint64_t k = 0; k < static_cast<std::uint64_t>(records); ++k) {
+  struct Found {
+    spectra::TrackParameters track;
+    spectra::SpectrumFit fit;
+  };
+  const auto all = num::map_in_parallel(static_cast<std::size_t>(records), [](std::size_t k) {
     bench::Draw draw{31, k};
     const spectra::TrackParameters track{.A = draw.decades(1e-8, 1e-6),
                                          .phi_c = draw.decades(0.08, 0.3),
                                          .phi_0 = phi_0,
                                          .B = draw(0, 25 * mm)};
-    const auto fit =
-        spectra::fit_track_spectrum(record_spectrum(synthetic(track, 40000 + k), 5 * km, {}));
+    return Found{track, spectra::fit_track_spectrum(
+                            record_spectrum(synthetic(track, 40000 + k), 5 * km, {}))};
+  });
+  for (const auto& [track, fit] : all) {
     of_A.add(fit.A, track.A);
     of_line.add(fit.Q_1, spectra::line_power(1, track.B, LineConvention::printed));
     if (fit.corner == spectra::CornerState::fitted) of_corner.add(fit.phi_c, track.phi_c);

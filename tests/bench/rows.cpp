@@ -1,0 +1,336 @@
+// The rows of `make bench`.
+#include "rows.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <thread>
+
+#include "contact/cg_fft.hpp"
+#include "contact/geometry.hpp"
+#include "dynamics/continuation.hpp"
+#include "dynamics/linear_stability.hpp"
+#include "filters/geometry_chain.hpp"
+#include "filters/hybrid_filter.hpp"
+#include "num/fft.hpp"
+#include "num/random_source.hpp"
+#include "quality/descriptor_filter.hpp"
+#include "rolling/force_table.hpp"
+#include "rolling/rolling_contact.hpp"
+#include "rolling/theory.hpp"
+#include "spectra/record_file.hpp"
+#include "spectra/welch.hpp"
+#include "units/constants.hpp"
+#include "wheelrail/paper_pairs.hpp"
+
+using namespace railbook;
+
+namespace bench_rows {
+namespace {
+
+volatile double sink = 0;  // what is computed is used
+
+std::vector<double> noise(std::size_t n) {
+  const num::RandomSource random(20261122, 1);
+  std::vector<double> x(n);
+  for (std::size_t i = 0; i < n; ++i) x[i] = 1e-3 * random.normal(i);
+  return x;
+}
+
+// The numbers of a text, one after the other, and nothing else done with them.
+double scan(const std::filesystem::path& file) {
+  const int fd = open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  struct stat about {};
+  if (fd < 0 || fstat(fd, &about) != 0) throw std::runtime_error("cannot read " + file.string());
+  const auto size = static_cast<std::size_t>(about.st_size);
+  void* map = mmap(nullptr, size, PROT_READ, MAP_PRIVATE, fd, 0);
+  close(fd);
+  if (map == MAP_FAILED) throw std::runtime_error("cannot map " + file.string());
+  const char *at = static_cast<const char*>(map), *const end = at + size;
+  double sum = 0;
+  at = std::find(at, end, '\n') + 1;
+  while (at < end) {
+    double value = 0;
+    at = std::from_chars(at, end, value).ptr + 1;
+    sum += value;
+  }
+  munmap(map, size);
+  return sum;
+}
+
+double scan_by_streams(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  std::string line;
+  std::getline(in, line);
+  double sum = 0;
+  while (std::getline(in, line)) {
+    const std::size_t comma = line.find(',');
+    sum += std::stod(line.substr(0, comma)) + std::stod(line.substr(comma + 1));
+  }
+  return sum;
+}
+
+Row reading(const std::filesystem::path& folder) {
+  const auto file = folder / "record.csv";
+  std::string text = "distance_m,profile_mm\n";
+  const std::vector<double> x = noise(2'000'000);
+  double z = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    z = 0.99 * z + x[i];
+    text += fmt::format("{:.2f},{:.4f}\n", 0.25 * static_cast<double>(i), 1e3 * z);
+  }
+  std::ofstream(file, std::ios::binary) << text;
+  return {.key = "csv",
+          .what = "A record read from CSV, placed and judged",
+          .unit = "bytes",
+          .work = static_cast<double>(text.size()),
+          .ours = {"read_record",
+                   [file] {
+                     double sum = 0;
+                     spectra::read_record({.file = file}, [&](std::span<const double> piece,
+                                                              const spectra::RecordStream&) {
+                       for (const double value : piece) sum += value;
+                     });
+                     sink = sum;
+                   }},
+          .limit = {"std::from_chars over mapped memory", [file] { sink = scan(file); }},
+          .plain = {"std::getline and std::stod", [file] { sink = scan_by_streams(file); }}};
+}
+
+Row power_spectrum() {
+  const auto x = std::make_shared<std::vector<double>>(noise(1U << 23U));
+  const std::size_t segment = 4096, transforms = 2 * x->size() / segment - 1;
+  const auto fft = std::make_shared<num::RealFft>(segment);
+  return {.key = "psd",
+          .what = "Welch's spectrum, segments of 4,096 that overlap by half",
+          .unit = "samples",
+          .work = static_cast<double>(x->size()),
+          .ours = {"welch", [x] { sink = spectra::welch(*x, 1).density[7]; }},
+          .limit = {"reading the samples and transforming as many segments", [=] {
+                      for (std::size_t i = 0; i < transforms; ++i) {
+                        std::memcpy(fft->real().data(), x->data() + i * segment / 2,
+                                    segment * sizeof(double));
+                        fft->forward();
+                      }
+                      sink = fft->spectrum()[7].real();
+                    }}};
+}
+
+// Filter C over four million samples; varied: each with an interval of its own.
+Row hybrid(bool varied) {
+  const auto x = std::make_shared<std::vector<double>>(noise(4'000'000)),
+             out = std::make_shared<std::vector<double>>(x->size());
+  Row row{
+      .key = varied ? "hybrid-varied" : "hybrid",
+      .what = fmt::format("Hybrid filter C, {} interval", varied ? "each sample its own" : "one"),
+      .unit = "samples",
+      .work = static_cast<double>(x->size()),
+      .ours = {"FirstOrderHybrid", [=] {
+                 filters::FirstOrderHybrid filter(1.0);
+                 for (std::size_t i = 1; i < x->size(); ++i)
+                   (*out)[i] = filter.push((*x)[i], varied ? 0.02 + (*x)[i - 1] : 0.01);
+                 sink = out->back();
+               }}};
+  row.limit = {varied ? "an exponential and a division a sample" : "reading and writing a double",
+               [=] {
+                 for (std::size_t i = 0; i < x->size(); ++i)
+                   (*out)[i] = varied ? 1 / std::expm1(0.02 + (*x)[i]) : -(*x)[i];
+                 sink = out->back();
+               }};
+  return row;
+}
+
+// `fresh`: into arrays that each run allocates, as scipy does; else into one that is there.
+Row chain(bool fresh) {
+  const auto x = std::make_shared<std::vector<double>>(noise(2'000'000));
+  const auto taps = std::make_shared<Eigen::VectorXd>(Eigen::VectorXd::Random(661));
+  const auto there = std::make_shared<std::vector<double>>(fresh ? 0 : 2 * x->size());
+  const auto out = [=] {
+    return fresh ? std::make_shared<std::vector<double>>(2 * x->size()) : there;
+  };
+  return {.key = fresh ? "chain-new" : "chain",
+          .what = fmt::format("Space curve and 62-ft chord from short chords, into {}",
+                              fresh ? "arrays allocated for it" : "an array that is there"),
+          .unit = "samples",
+          .work = static_cast<double>(x->size()),
+          .ours = {"GeometryChain, block by block",
+                   [=] {
+                     const auto result = out();
+                     double* to = result->data();
+                     filters::GeometryChain stream({}, [&](auto curve, auto chord) {
+                       to = std::copy_n(chord.begin(), chord.size(),
+                                        std::copy_n(curve.begin(), curve.size(), to));
+                     });
+                     stream.push(*x);
+                     stream.finish();
+                     sink = result->back();
+                   }},
+          .limit = {"reading one and writing two doubles a sample",
+                    [=] {
+                      const auto result = out();
+                      for (std::size_t i = 0; i < x->size(); ++i)
+                        (*result)[2 * i] = (*x)[i], (*result)[2 * i + 1] = -(*x)[i];
+                      sink = result->back();
+                    }},
+          .plain = {"one scalar product of 661 weights a sample",
+                    [=] {
+                      double sum = 0;
+                      for (std::size_t i = 0; i + 661 < x->size() / 20; ++i)
+                        sum += taps->dot(Eigen::Map<const Eigen::VectorXd>(x->data() + i, 661));
+                      sink = sum;
+                    }},
+          .share = 0.05};
+}
+
+// Overlapped transforms cannot be 8 times as quick as scipy's, which take some 4.5 times the bare ones.
+Row descriptor(bool fresh) {
+  const auto x = std::make_shared<std::vector<double>>(noise(1U << 22U));
+  const quality::Envelope envelope(
+      {.stroke = quality::StrokeLimit{{0.5, 0.2}, 25.4e-3}, .force = {}, .speed = 100 / 3.6});
+  const auto taps =
+      std::make_shared<quality::FilterTaps>(quality::design_filter(envelope, {.spacing = 0.25}));
+  const std::size_t reach = taps->half.size() - 1, size = 8 * std::bit_ceil(reach + 1);
+  const std::size_t outputs = size - 2 * reach, blocks = (x->size() + outputs - 1) / outputs;
+  const auto fft = std::make_shared<num::RealFft>(size);
+  const auto out = std::make_shared<std::vector<double>>(fresh ? 0 : x->size());
+  return {.key = fresh ? "descriptor-new" : "descriptor",
+          .what = fmt::format("Descriptor of a record, {} weights, into {}", 2 * reach + 1,
+                              fresh ? "an array allocated for it" : "an array that is there"),
+          .unit = "samples",
+          .work = static_cast<double>(x->size()),
+          .ours = {"FilterStream",
+                   [=] {
+                     if (fresh) {
+                       sink = quality::filter(*taps, *x).back();
+                       return;
+                     }
+                     double* to = out->data();
+                     quality::FilterStream stream(*taps, [&](auto piece) {
+                       to = std::copy(piece.begin(), piece.end(), to);
+                     });
+                     stream.push(*x);
+                     stream.finish();
+                     sink = out->back();
+                   }},
+          .limit = {fmt::format("a pair of transforms of {} for each {} samples", size, outputs),
+                    [=] {
+                      for (std::size_t i = 0; i < blocks; ++i) fft->forward(), fft->inverse();
+                      sink = fft->real()[0];
+                    }},
+          .plain = {"a multiplication for each two weights",
+                    [=] {
+                      const std::span part{x->data(), x->size() / 50};
+                      sink = quality::filter_direct(*taps, part).back();
+                    }},
+          .share = 0.02};
+}
+
+Row normal_contact(Eigen::Index cells) {
+  const auto frame = 2 * static_cast<std::size_t>(cells + 1);
+  const auto fft =
+      std::make_shared<std::optional<num::RealFft2d>>();  // after ours: its memory is not ours
+  const auto iterations = std::make_shared<int>(0);
+  const int threads = static_cast<int>(std::thread::hardware_concurrency());
+  return {.key = fmt::format("contact-{}", cells),
+          .what = fmt::format("Normal contact of an ellipse, {0} by {0} cells and the grids below, "
+                              "{1} threads",
+                              cells, threads),
+          .unit = "cells",
+          .work = static_cast<double>(cells * cells),
+          .ours = {"solve_cg_fft",
+                   [=] {
+                     contact::CgFftOptions options;
+                     options.nx = options.ny = cells;
+                     options.cg.threads = threads;
+                     const auto answer = contact::solve_cg_fft(
+                         contact::quadratic_gap({1.0, 1.7, 0.0}), 50e-6, 115e9, options);
+                     if (!answer.contact.converged) throw std::runtime_error(answer.contact.reason);
+                     *iterations = answer.levels.back().iterations;
+                     sink = answer.contact.force;
+                   }},
+          .limit = {"the pair of transforms of each iteration on the finest grid, one thread", [=] {
+                      if (!*fft) fft->emplace(frame, frame);
+                      for (int i = 0; i < *iterations; ++i) (*fft)->forward(), (*fft)->inverse();
+                      sink = (*fft)->row(0)[0];
+                    }}};
+}
+
+Row rolling_contact() {
+  return {.key = "rolling",
+          .what = "Rolling contact of an ellipse with spin, 128 by 128 cells",
+          .unit = "cells",
+          .work = 128.0 * 128.0,
+          .ours = {"EllipseRolling", [] {
+                     rolling::RollingCase c = rolling::unit_case(1.5, 0.28);
+                     c = rolling::with_reduced_creepage(c, {0.6, 0.2, 0.5});
+                     const auto forces = rolling::solve_rolling(c, {.along = 128, .rows = 128});
+                     if (!forces.converged) throw std::runtime_error(forces.reason);
+                     sink = forces.fx;
+                   }}};
+}
+
+Row force_table() {
+  const rolling::ForceTableAxes axes{
+      .ratio_from = 1, .ratio_to = 1, .ratios = 1, .longitudinal = 5, .lateral = 5, .spin = 9};
+  return {.key = "table",
+          .what = "Table of creep forces by the full theory, 12 cells along rolling",
+          .unit = "nodes",
+          .work = 5.0 * 5.0 * 9.0,
+          .ours = {"ForceTable", [axes] {
+                     const rolling::ForceTable table(axes, [](double ratio) {
+                       return rolling::shares_of(rolling::solver("full", ratio, 0.28, 12, false),
+                                                 ratio, 0.28);
+                     });
+                     sink = table.node(0, 1, 1, 1).fx;
+                   }}};
+}
+
+Row limit_cycles() {
+  return {.key = "branch",
+          .what = "Branch of 60 limit cycles of the new wheel, with multipliers and located points",
+          .unit = "points",
+          .work = 60,
+          .ours = {"follow_from_hopf", [] {
+                     using namespace dynamics;
+                     const FreightCar car = assemble({}, Suspension::dampers);
+                     const auto& table = wheelrail::new_wheel_table();
+                     const Motion m = hopf_points({car, table}, 5, 100).front().motion;
+                     const auto branch =
+                         follow_from_hopf(by_speed(car, table), m.shape, m.lambda.imag(), m.speed,
+                                          {.most_points = 60});
+                     if (branch.points.size() != 60) throw std::runtime_error("not 60 points");
+                     sink = branch.points.back().largest;
+                   }}};
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::function<Row()>>> all(const std::filesystem::path& folder) {
+  return {{"csv", [=] { return reading(folder); }},
+          {"psd", power_spectrum},
+          {"hybrid", [] { return hybrid(false); }},
+          {"hybrid-varied", [] { return hybrid(true); }},
+          {"chain", [] { return chain(false); }},
+          {"chain-new", [] { return chain(true); }},
+          {"descriptor", [] { return descriptor(false); }},
+          {"descriptor-new", [] { return descriptor(true); }},
+          {"contact-1023", [] { return normal_contact(1023); }},
+          {"contact-2047", [] { return normal_contact(2047); }},
+          {"rolling", rolling_contact},
+          {"table", force_table},
+          {"branch", limit_cycles}};
+}
+
+}  // namespace bench_rows
