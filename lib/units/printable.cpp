@@ -1,6 +1,8 @@
 #include "units/printable.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <cstdio>
 
 namespace railbook::units {
@@ -12,15 +14,21 @@ std::size_t drawn(std::string_view text) {
   const unsigned char first = byte(0);
   if (first < 0x80) return first >= 0x20 && first != 0x7f ? 1 : 0;
   const std::size_t size = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
-  if (first < 0xc2 || first > 0xf4 || size > text.size()) return 0;
-  for (std::size_t i = 1; i < size; ++i)
+  if (size > text.size()) return 0;
+  std::uint32_t point = first & (0x7fU >> size);
+  for (std::size_t i = 1; i < size; ++i) {
     if ((byte(i) & 0xc0) != 0x80) return 0;
-  if (first == 0xc2 && byte(1) < 0xa0) return 0;  // the control characters of ISO 8859
-  // Marks that turn the direction of writing (U+200E, U+200F, U+2028 to U+202E, U+2066 to U+2069).
-  if (first == 0xe2 && byte(1) == 0x80 &&
-      (byte(2) == 0x8e || byte(2) == 0x8f || (byte(2) >= 0xa8 && byte(2) <= 0xae)))
+    point = point << 6 | (byte(i) & 0x3fU);
+  }
+  // Overlong forms, halves of UTF-16's pairs and what is beyond Unicode; first of all lone bytes of a character's rest.
+  constexpr std::array<std::uint32_t, 5> least{0, 0, 0x80, 0x800, 0x10000};
+  if (first < 0xc0 || first > 0xf7 || point < least[size] || point > 0x10ffff) return 0;
+  if (point >= 0xd800 && point <= 0xdfff) return 0;
+  if (point < 0xa0) return 0;  // the control characters of ISO 8859
+  // Line breaks and marks that turn the direction of writing (Unicode's Bidi_Control).
+  if (point == 0x61c || point == 0x200e || point == 0x200f ||
+      (point >= 0x2028 && point <= 0x202e) || (point >= 0x2066 && point <= 0x2069))
     return 0;
-  if (first == 0xe2 && byte(1) == 0x81 && byte(2) >= 0xa6 && byte(2) <= 0xa9) return 0;
   return size;
 }
 

@@ -147,7 +147,7 @@ double parse_quantity(std::string_view quantity, std::string_view text, const Di
   double value = 0;
   const auto [end, status] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   const bool two_signs = text.starts_with("+-");
-  if (status == std::errc::result_out_of_range)
+  if (status == std::errc::result_out_of_range || std::fpclassify(value) == FP_SUBNORMAL)
     throw InputError{said + ", which a double cannot hold; allowed: 0, or 1e-307 to 1e308 in size"};
   if (status != std::errc{} || !std::isfinite(value) || two_signs)
     throw InputError{said + "; allowed: a finite number with a unit of " + si_name(expected)};
@@ -200,7 +200,7 @@ std::string si_name(const Dimension& d) {
 Header parse_header(std::string_view header) {
   header = trim(header);
   constexpr std::size_t longest = 60;  // of a suffix: a header that goes on for pages costs no more
-  const std::size_t begin = header.size() - std::min(header.size(), longest);
+  const std::size_t begin = header.size() - std::min(header.size(), longest + 1);
   // Try the longest suffix first: "p_lbf_per_in2" has the unit lbf/in^2, not in^2.
   for (std::size_t cut = header.find('_', begin); cut != std::string_view::npos;
        cut = header.find('_', cut + 1)) {

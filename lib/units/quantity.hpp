@@ -53,15 +53,17 @@ struct Unit {
 // whole power; the empty text is the pure number. Names: m mm um cm km in ft yd mi, kg g t lb slug, s ms min h,
 // N kN MN lbf kip, Pa kPa MPa GPa psi ksi, Hz kHz, mph kph kmh fps, rad mrad deg, cycle cycles % percent 1.
 // "lb" is a mass; a force is "lbf"; "1/s" is the dimension of Hz. Throws InputError naming the part it does not know, and
-// for a unit beyond 1e-60 to 1e60 in SI.
+// where a unit, read from the left, goes beyond 1e-60 to 1e60 in SI or the power of a dimension beyond 20. Accurate to
+// 1e-15 for each power of each name.
 Unit parse_unit(std::string_view text);
 
 // Reads a number followed by its unit and returns the SI value. A missing unit, a unit of another dimension,
-// trailing text, two signs, NaN, infinity, or a value that overflows or underflows in SI throws InputError naming
-// `quantity` and a fitting unit.
+// trailing text, two signs, NaN, infinity, or a value that overflows or underflows as written or in SI throws
+// InputError naming `quantity` and a fitting unit. Accurate as its unit.
 double parse_quantity(std::string_view quantity, std::string_view text, const Dimension& expected);
 
-// The SI unit of a dimension as text, "kg/s^2" style, with the common names (m, N, Pa, N/m, ...) where one fits.
+// The SI unit of a dimension as text, "kg/s^2" style, with the common names (m, N, Pa, N/m, ...) where one fits;
+// with powers up to 8 parse_unit() reads it back, but for "1 (a pure number)".
 std::string si_name(const Dimension& dimension);
 
 // A column header of a CSV file names its unit after the last underscore: "distance_m" is {"distance", metre}.
