@@ -1,14 +1,12 @@
 #include "track/fe_moving_load.hpp"
 
-#include <gsl/gsl_linalg.h>
-
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <memory>
 
 #include "num/banded.hpp"
-#include "num/gsl.hpp"
+#include "num/double_double.hpp"
 #include "track/moving_load.hpp"
 #include "units/constants.hpp"
 #include "units/input_error.hpp"
@@ -22,74 +20,105 @@ using Eigen::Matrix4d;
 using Eigen::MatrixXd;
 using Eigen::Vector4d;
 using Eigen::VectorXd;
+using num::DoubleDouble;
 
-// Cubic Hermite element of length h, unknowns (y, y') at each end.
-Matrix4d bending(double h) {  // integral of v'' w''
+// Integrals over the cubic Hermite element of unit length, unknowns (y, y') at each end, as whole numbers.
+Matrix4d bending() {  // of v'' w''
   Matrix4d m;
-  m << 12, 6 * h, -12, 6 * h,               //
-      6 * h, 4 * h * h, -6 * h, 2 * h * h,  //
-      -12, -6 * h, 12, -6 * h,              //
-      6 * h, 2 * h * h, -6 * h, 4 * h * h;
-  return m / (h * h * h);
+  m << 12, 6, -12, 6,   //
+      6, 4, -6, 2,      //
+      -12, -6, 12, -6,  //
+      6, 2, -6, 4;
+  return m;
 }
-Matrix4d mass(double h) {  // integral of v w
+Matrix4d mass() {  // 420 times that of v w
   Matrix4d m;
-  m << 156, 22 * h, 54, -13 * h,              //
-      22 * h, 4 * h * h, 13 * h, -3 * h * h,  //
-      54, 13 * h, 156, -22 * h,               //
-      -13 * h, -3 * h * h, -22 * h, 4 * h * h;
-  return m * (h / 420.0);
+  m << 156, 22, 54, -13,  //
+      22, 4, 13, -3,      //
+      54, 13, 156, -22,   //
+      -13, -3, -22, 4;
+  return m;
 }
-Matrix4d geometric(double h) {  // integral of v' w'
+Matrix4d geometric() {  // 30 times that of v' w'
   Matrix4d m;
-  m << 36, 3 * h, -36, 3 * h,            //
-      3 * h, 4 * h * h, -3 * h, -h * h,  //
-      -36, -3 * h, 36, -3 * h,           //
-      3 * h, -h * h, -3 * h, 4 * h * h;
-  return m / (30.0 * h);
+  m << 36, 3, -36, 3,   //
+      3, 4, -3, -1,     //
+      -36, -3, 36, -3,  //
+      3, -1, -3, 4;
+  return m;
 }
-Matrix4d convection(double h) {  // integral of v w', v the row
+Matrix4d convection() {  // 60 times that of v w', v the row
   Matrix4d m;
-  m << -30, 6 * h, 30, -6 * h,   //
-      -6 * h, 0, 6 * h, -h * h,  //
-      -30, -6 * h, 30, 6 * h,    //
-      6 * h, h * h, -6 * h, 0;
-  return m / 60.0;
+  m << -30, 6, 30, -6,  //
+      -6, 0, 6, -1,     //
+      -30, -6, 30, 6,   //
+      6, 1, -6, 0;
+  return m;
+}
+// The same integrals over length h, without the power of h that the derivatives bring.
+Matrix4d stretched(const Matrix4d& unit, double h) {
+  const Vector4d scale{1, h, 1, h};
+  return scale.asDiagonal() * unit * scale.asDiagonal();
 }
 Vector4d hermite(double u, double h) {  // shape functions at the fraction u of the element
   const double v = 1.0 - u;
   return {v * v * (1 + 2 * u), u * v * v * h, u * u * (3 - 2 * u), -u * u * v * h};
 }
 
-struct FreeMatrix {
-  void operator()(gsl_matrix* m) const { gsl_matrix_free(m); }
-};
+// The matrix of the steady element of length h for the unknowns (y, h y') at each end, times h^3: all entries of bending are
+// exact, and the others as small beside them as they are.
+std::array<std::array<DoubleDouble, 4>, 4> steady_element(double theta, double zeta, double h) {
+  const DoubleDouble h2 = DoubleDouble{h} * h, tension = DoubleDouble{-4 * theta} * theta * h2 / 30,
+                     drag = DoubleDouble{-8 * theta} * zeta * h2 * h / 60,
+                     support = h2 * h2 * 4 / 420;
+  std::array<std::array<DoubleDouble, 4>, 4> element;
+  for (Index i = 0; i < 4; ++i)
+    for (Index j = 0; j < 4; ++j)
+      element[std::size_t(i)][std::size_t(j)] = tension * geometric()(i, j) +
+                                                drag * convection()(i, j) + support * mass()(i, j) +
+                                                bending()(i, j);
+  return element;
+}
 
-// Solves the banded system (three diagonals each side) of identical elements with clamped ends and a
-// unit right-hand side on the unknown `loaded`; partial pivoting, for the matrix is not definite.
-std::vector<double> solve_band(const Matrix4d& element, std::size_t nodes, std::size_t loaded) {
-  const std::size_t n = 2 * nodes;
-  constexpr std::size_t p = 3;
-  num::use_gsl_status_codes();
-  const std::unique_ptr<gsl_matrix, FreeMatrix> band{gsl_matrix_calloc(n, 3 * p + 1)};
-  const auto at = [&](std::size_t i, std::size_t j) -> double& {
-    return *gsl_matrix_ptr(band.get(), j, 2 * p + i - j);
-  };
-  for (std::size_t e = 0; e + 1 < nodes; ++e)
-    for (std::size_t i = 0; i < 4; ++i)
-      for (std::size_t j = 0; j < 4; ++j)
-        at(2 * e + i, 2 * e + j) += element(static_cast<int>(i), static_cast<int>(j));
-  for (std::size_t clamped : {std::size_t{0}, std::size_t{1}, n - 2, n - 1})
-    at(clamped, clamped) = 1e30;
-  std::vector<double> x(n, 0.0);
-  x[loaded] = 1.0;
-  const std::unique_ptr<gsl_vector_uint, decltype(&gsl_vector_uint_free)> pivots{
-      gsl_vector_uint_alloc(n), gsl_vector_uint_free};
-  num::check_gsl(gsl_linalg_LU_band_decomp(n, p, p, band.get(), pivots.get()),
-                 "banded elimination");
-  gsl_vector_view view = gsl_vector_view_array(x.data(), n);
-  num::check_gsl(gsl_linalg_LU_band_svx(p, p, band.get(), pivots.get(), &view.vector),
-                 "banded solution");
+// Elimination with partial pivoting, for the matrix is not definite, of identical elements between clamped ends under a
+// `load` at the node `loaded`: (y, h y') at all nodes. In double-double, for the condition grows with the fourth power of the
+// number of elements.
+std::vector<double> solve_band(const std::array<std::array<DoubleDouble, 4>, 4>& element,
+                               std::size_t nodes, std::size_t loaded, const DoubleDouble& load) {
+  constexpr std::size_t band = 3, width = 2 * band + 1;
+  // A row: its entries from the column that is eliminated next, the unknown of its own at first `band` further; the right side.
+  using Row = std::array<DoubleDouble, width + 1>;
+  const std::size_t n = 2 * (nodes - 2);  // the ends are clamped
+  std::vector<Row> rows(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t kind = i % 2, first = std::max(i, band) - band;  // 0: y, 1: its slope
+    for (std::size_t j = 0; j < 4; ++j)
+      for (const std::size_t element_row : {kind, kind + 2}) {
+        const std::size_t column = i + j - element_row;  // wraps below 0
+        if (column < n) rows[i][column - first] += element[element_row][j];
+      }
+  }
+  rows[2 * (loaded - 1)][width] = load;
+  const auto size = [](const Row& row) { return std::abs(row[0].high); };
+  for (std::size_t j = 0; j < n; ++j) {
+    const auto top = rows.begin() + std::ptrdiff_t(j),
+               end = rows.begin() + std::ptrdiff_t(std::min(j + band + 1, n));
+    std::iter_swap(top, std::ranges::max_element(top, end, {}, size));
+    for (auto row = top + 1; row != end; ++row) {
+      const DoubleDouble factor = (*row)[0] / (*top)[0];
+      for (std::size_t k = 1; k < width; ++k) (*row)[k - 1] = (*row)[k] - factor * (*top)[k];
+      (*row)[width - 1] = 0;
+      (*row)[width] += -(factor * (*top)[width]);
+    }
+  }
+  std::vector<double> x(2 * nodes, 0.0);
+  for (std::size_t j = n; j-- > 0;) {  // the right sides become the solution
+    DoubleDouble& unknown = rows[j][width];
+    for (std::size_t k = 1; k < width && j + k < n; ++k)
+      unknown += -(rows[j][k] * rows[j + k][width]);
+    unknown = unknown / rows[j][0];
+    x[j + 2] = double(unknown);
+  }
   return x;
 }
 
@@ -118,15 +147,15 @@ class NewmarkBeam {
   NewmarkBeam(std::size_t nodes, double element, double step, double zeta)
       : h_(element),
         dt_(step),
-        mass_(mass(element)),
+        mass_(stretched(mass(), h_) * (h_ / 420)),
         damping_(2.0 * zeta * mass_),
         y_(VectorXd::Zero(2 * static_cast<Index>(nodes))),
         v_(y_),
         a_(y_),
         rhs_(y_),
-        effective_(
-            band(mass_ * (4.0 / (dt_ * dt_)) + damping_ * (2.0 / dt_) + 0.25 * bending(h_) + mass_),
-            "Newmark's effective matrix") {}
+        effective_(band(mass_ * (4.0 / (dt_ * dt_)) + damping_ * (2.0 / dt_) +
+                        stretched(bending(), h_) * (0.25 / (h_ * h_ * h_)) + mass_),
+                   "Newmark's effective matrix") {}
 
   // One step with the force f at the abscissa x at its end.
   void step(double f, double x) {
@@ -171,7 +200,7 @@ class NewmarkBeam {
 }  // namespace
 
 FeShape fe_steady(double theta, double zeta, const FeSteadyOptions& options) {
-  const double h = units::require_positive("element length", options.element, "1/beta");
+  const double h = units::require_between("element length", options.element, 1e-9, 1e3, "1/beta");
   units::require_between("neglected amplitude", options.neglect, 1e-15, 0.1);
   const MovingLoadShape shape = moving_load(theta, zeta);  // for the length of the frame only
   const double reach = -std::log(options.neglect);
@@ -180,9 +209,9 @@ FeShape fe_steady(double theta, double zeta, const FeSteadyOptions& options) {
   units::require_between("number of elements of the moving frame", back + front, 1.0, 2e6);
   const auto loaded = static_cast<std::size_t>(back);
   const std::size_t nodes = loaded + static_cast<std::size_t>(front) + 1;
-  const Matrix4d element = bending(h) - 4.0 * theta * theta * geometric(h) -
-                           8.0 * zeta * theta * convection(h) + 4.0 * mass(h);
-  const std::vector<double> x = solve_band(element / 8.0, nodes, 2 * loaded);
+  std::vector<double> x =
+      solve_band(steady_element(theta, zeta, h), nodes, loaded, DoubleDouble{h} * h * h * 8);
+  for (std::size_t i = 1; i < x.size(); i += 2) x[i] /= h;
   FeShape fe = nodal_values(x.data(), nodes, loaded, h);
   fe.steps = 1;
   return fe;

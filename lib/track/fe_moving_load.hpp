@@ -24,12 +24,11 @@ struct FeSteadyOptions {
   double neglect = 1e-10;  // the beam ends where the free decay has come down to this
 };
 
-// Steady state in the moving frame, by a direct banded solve. theta >= 0, zeta >= 0; the frame is cut
-// where exp(-decay s) < neglect, with the decay rate estimated from the quartic's roots, and clamped.
-// Error of the deflection over its largest value below 0.3 element^4 + 1e-15/element^4 for theta up to 1.5: the second part
-// is rounding, for a bending stiffness of 1/element^3 stands beside the mass of an element. Least, some 1e-8, for
-// elements of 0.02; shorter ones are worse, 1e-3 at 0.001. Throws InputError on bad arguments, when theta >= 1 without
-// damping, or when the frame would need more than 2e6 elements (too little damping near V_c).
+// Steady state in the moving frame, by a direct banded solution in double-double: the condition of the system grows as
+// 1/element^4. theta >= 0, zeta >= 0; the frame is cut where exp(-decay s) < neglect, with the decay rate from the quartic's
+// roots, and clamped. Error of the deflection over its largest value below 0.3 element^4 + 40 neglect + 5e-15 for theta up to 1.5
+// and zeta from 0.1. Throws InputError on bad arguments (element from 1e-9 to 1e3, neglect from 1e-15 to 0.1), when theta >= 1
+// without damping, or when the frame would need more than 2e6 elements (too little damping near V_c; half a gigabyte).
 FeShape fe_steady(double theta, double zeta, const FeSteadyOptions& options = {});
 
 struct FeNewmarkOptions {

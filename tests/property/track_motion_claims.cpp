@@ -8,7 +8,6 @@
 
 #include "../support/claim.hpp"
 #include "num/quadrature.hpp"
-#include "track/fe_moving_load.hpp"
 #include "track/impact_methods.hpp"
 #include "track/impact_peaks.hpp"
 #include "track/lumped.hpp"
@@ -188,38 +187,6 @@ TEST_CASE("claim: the moving load's shape") {
     const double below = k % 2 == 0 ? draw(0, 1) : 1 - draw.decades(1e-15, 1);
     undamped.relative(undamped_amplification(below),
                       1 / std::sqrt((1 - Long{below}) * (1 + Long{below})));
-  }
-}
-
-TEST_CASE("claim: the moving load by finite elements") {
-  Claim steady("track::fe_steady"), newmark("track::fe_newmark"),
-      twice("track::fe_newmark_extrapolated"), largest("track::largest_difference");
-  Draw draw(32);
-  for (int k = 0; k < 20; ++k) {
-    const double theta = draw(0, 1.5), zeta = draw(0.1, 1), h = draw(0.05, 0.2);
-    const FeShape fe = fe_steady(theta, zeta, {h, 1e-12});
-    const MovingLoadShape exact = moving_load(theta, zeta);
-    for (std::size_t i = 0; i < fe.s.size(); ++i)
-      steady.error(std::abs(fe.y[i] - exact.deflection(fe.s[i])) / (h * h * h * h));
-    for (int j = 0; j < 50; ++j) {
-      const double low = draw(-5, 0), high = draw(0, 5);
-      double most = 0;
-      for (std::size_t i = 0; i < fe.s.size(); ++i)
-        if (fe.s[i] >= low && fe.s[i] <= high)
-          most = std::max(most, std::abs(fe.y[i] - exact.deflection(fe.s[i])));
-      largest.error(std::abs(largest_difference(fe, theta, zeta, low, high) - most));
-    }
-  }
-  for (int k = 0; k < 3; ++k) {
-    const double theta = draw(0.2, 1.2), zeta = draw(0.3, 1);
-    const FeNewmarkOptions options{.element = 0.2, .step = 0.05, .neglect = 1e-7, .margin = 30};
-    const MovingLoadShape exact = moving_load(theta, zeta);
-    const auto hold = [&](Claim& claim, const FeShape& fe) {
-      for (std::size_t i = 0; i < fe.s.size(); ++i)
-        claim.error(std::abs(fe.y[i] - exact.deflection(fe.s[i])));
-    };
-    hold(newmark, fe_newmark(theta, zeta, options));
-    hold(twice, fe_newmark_extrapolated(theta, zeta, options));
   }
 }
 
