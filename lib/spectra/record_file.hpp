@@ -15,9 +15,9 @@
 namespace railbook::spectra {
 
 struct RecordFile {
-  std::filesystem::path file;      // - is standard input
-  std::string column = "profile";  // by name, with or without its unit, or by number
-  std::string unit = {};           // if the header of the column names none
+  std::filesystem::path file = {};  // - is standard input
+  std::string column = "profile";   // by name, with or without its unit, or by number
+  std::string unit = {};            // if the header of the column names none
   std::string distance =
       "distance";  // column of positions, or two that add up, "km+m"; read where they are
   std::string distance_unit = {};          // if its header names none; "km+m" for two

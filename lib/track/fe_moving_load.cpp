@@ -157,7 +157,7 @@ class NewmarkBeam {
                         stretched(bending(), h_) * (0.25 / (h_ * h_ * h_)) + mass_),
                    "Newmark's effective matrix") {}
 
-  // One step with the force f at the abscissa x at its end.
+  // One step with the force f at the abscissa x, between the first node and the last, at its end.
   void step(double f, double x) {
     // M (4/dt^2 y + 4/dt v + a) + C (2/dt y + v), element by element
     const Index n = y_.size();
@@ -166,7 +166,7 @@ class NewmarkBeam {
       rhs_.segment<4>(i) += mass_ * (4.0 / (dt_ * dt_) * y_.segment<4>(i) +
                                      4.0 / dt_ * v_.segment<4>(i) + a_.segment<4>(i)) +
                             damping_ * (2.0 / dt_ * y_.segment<4>(i) + v_.segment<4>(i));
-    const Index e = std::min(static_cast<Index>(x / h_), n / 2 - 2);
+    const auto e = static_cast<Index>(x / h_);
     rhs_.segment<4>(2 * e) += f * hermite(x / h_ - static_cast<double>(e), h_);
     rhs_.head<2>().setZero();
     rhs_.tail<2>().setZero();

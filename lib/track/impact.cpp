@@ -76,9 +76,8 @@ const num::DenseStep<6>& step_at(const ImpactHistory& history, double t) {
 template <class F>
 double zero_between(F&& f, double low, double high) {
   const bool sign = f(high) > 0;
-  for (int i = 0; i < 100; ++i) {
+  for (int i = 0; i < 60; ++i) {
     const double middle = 0.5 * (low + high);
-    if (!(middle > low) || !(middle < high)) break;
     ((f(middle) > 0) == sign ? high : low) = middle;
   }
   return high;

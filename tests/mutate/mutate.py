@@ -109,7 +109,7 @@ def run(command, seconds=1e6, cwd=ROOT):
     child = subprocess.Popen(command, cwd=cwd, stdout=subprocess.DEVNULL, stderr=subprocess.STDOUT, start_new_session=True,
                              preexec_fn=limited)
     try:
-        status = child.wait(20 * seconds + 60)  # one that sleeps
+        status = child.wait(5 * seconds + 60)  # one that sleeps
     except subprocess.TimeoutExpired:
         subprocess.run(["kill", "-KILL", "--", f"-{child.pid}"], check=False)
         status = child.wait()

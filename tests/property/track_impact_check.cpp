@@ -22,12 +22,12 @@ SampledProfile sampled(double spacing, double offset) {
   return {x, z};
 }
 
-// A hollow of 5 mm, 1.2 m long.
-SampledProfile hollow(double spacing) {
+// A hollow of 5 mm, 1.2 m long; a bump where the depth is negative.
+SampledProfile hollow(double spacing, double depth = 0.005) {
   std::vector<double> x, z;
   for (double s = -3; s < 3; s += spacing) {
     x.push_back(s);
-    z.push_back(std::abs(s) < 0.6 ? 0.0025 * (1 + std::cos(2 * units::pi * s / 1.2)) : 0.0);
+    z.push_back(std::abs(s) < 0.6 ? 0.5 * depth * (1 + std::cos(2 * units::pi * s / 1.2)) : 0.0);
   }
   return {x, z};
 }
@@ -65,6 +65,28 @@ TEST_CASE("property: a smooth profile sampled well is not doubted") {
       CHECK(spread.resolved);
       CHECK(spread.second < 0.02 * found.peaks.second.force);
     }
+}
+
+TEST_CASE(
+    "property: peaks that converge, from below as from above, are resolved to twice their spread") {
+  const auto peaks = [](double spacing, SamplingSpread& spread) {
+    const SampledProfile bump = hollow(spacing, -0.005);
+    const ImpactOptions options{.start = bump.first(), .end_time = 2.9 / 30};
+    const CheckedImpact found = simulate_checked(typical_impact(), bump, 30, options);
+    spread = sampling_spread(found, options);
+    return found.peaks;
+  };
+  SamplingSpread spread;
+  const ImpactPeaks truth = peaks(0.002, spread);
+  const double least = 0.003 * typical_impact().static_load;
+  for (const double spacing : {0.022, 0.028, 0.03}) {
+    const ImpactPeaks found = peaks(spacing, spread);
+    CAPTURE(spacing);
+    CHECK(spread.resolved);
+    CHECK(spread.late > 1.3 * least);  // it is by converging that it is
+    CHECK(std::abs(found.late.force - truth.late.force) <= 2 * spread.late);
+    CHECK(std::abs(found.second.force - truth.second.force) <= 2 * spread.second);
+  }
 }
 
 TEST_CASE("input: nine samples are the fewest that can be judged") {

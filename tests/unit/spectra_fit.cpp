@@ -137,3 +137,16 @@ TEST_CASE("unit: dips that scatter raise A by what is said of them, nearly") {
   CHECK(said > 0.03);
   CHECK(A[1] / A[0] - 1 == Approx(said).margin(0.012));  // two standard errors
 }
+
+TEST_CASE("unit: what scattered dips add is counted over the band of the fit") {
+  const double spacing = 0.6, nyquist = 0.5 / spacing;
+  const auto spectrum =
+      spectra::welch(spectra::synthesize({.spacing = spacing, .dip = 0.011}, 60000), spacing);
+  const auto fit = spectra::fit_track_spectrum(spectrum);
+  const auto bias = [&](double high) {
+    return spectra::scatter_bias(spectrum, {.high = high}, fit, 0.2);
+  };
+  CHECK(bias(10) == bias(0.95 * nyquist));
+  CHECK(bias(10) != bias(0.94 * nyquist));
+  CHECK(bias(0.2) != bias(0.94 * nyquist));
+}

@@ -184,3 +184,14 @@ TEST_CASE("unit: a sensor that stands still before any step is known is told, an
   CHECK(told(s));
   CHECK(s.out.front() == z.front());
 }
+
+TEST_CASE("unit: a record of fewer than fifty steps is not judged, one of more is") {
+  for (const std::size_t samples : {45U, 60U})
+    for (const std::size_t at : {0U, 20U}) {
+      std::vector<double> z(track().begin() + 100,
+                            track().begin() + 100 + static_cast<long>(samples));
+      z[at] = -9.999;
+      CAPTURE(samples, at);
+      CHECK(screen(z).faults.size() == (samples > 50 ? 1 : 0));
+    }
+}

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -168,4 +169,22 @@ TEST_CASE("unit: stepping across joint and touch-down converges to the same forc
   CHECK(across.losses.empty());
   for (double t = 0; t < 0.06; t += 1e-3)
     CHECK(across.force(t) == Approx(located.force(t)).epsilon(1e-6).margin(1e-3));
+}
+
+TEST_CASE("unit: contact is first lost for a moment, however long the steps are") {
+  // Between the deepest dip without a loss and the least with one, the wheel only grazes zero load.
+  for (const double tolerance : {1e-9, 1e-5}) {
+    double with = 1.5, without = 0.5;
+    for (int i = 0; i < 40; ++i) {
+      const double dip = 0.5 * (with + without);
+      (pass(100, dip, tolerance).losses.empty() ? without : with) = dip;
+    }
+    const ImpactHistory history = pass(100, with, tolerance);
+    const ContactLoss first = history.losses.at(0);
+    const auto step = std::ranges::find_if(
+        history.steps, [&](const auto& piece) { return piece.end > first.from - 1e-9; });
+    const double length = step->end - step->begin;
+    CAPTURE(tolerance, with, first.from, length);
+    CHECK(first.to - first.from < 0.01 * length);
+  }
 }

@@ -40,6 +40,15 @@ TEST_CASE("unit: six integrators of three families agree on the forces over a jo
   }
 }
 
+TEST_CASE("unit: the default method's forces are those of the passage itself") {
+  ImpactOptions options{.tolerance = 1e-9, .start = -0.5, .end_time = times.back()};
+  const ImpactHistory passage = simulate(model, rail, 26.8, options);
+  const ForcesAt forces = run(ImpactMethod::dopri5, 1e-9);
+  CHECK(forces.evaluations == passage.evaluations);
+  for (std::size_t i = 0; i < times.size(); ++i)
+    CHECK(forces.force.at(i) == passage.force(times[i]));
+}
+
 TEST_CASE("unit: a run that stops early says so and why") {
   for (ImpactMethod method : {ImpactMethod::dopri5, ImpactMethod::msbdf, ImpactMethod::radau5}) {
     const ForcesAt forces = run(method, 1e-9, 5);
