@@ -128,7 +128,7 @@ Strips semi_hertzian(const Patch& patch, double effective_modulus, double down) 
   Strips s;
   const Ends whole = ends_of(patch.line, down, 0);
   s.approach = whole.deepest;
-  if (!(whole.deepest > 0) || !(whole.high > whole.low)) return s;
+  if (!(whole.deepest > 0)) return s;
   const double half = 0.5 * (whole.high - whole.low);
   const double along = 0.5 / patch.radius, across = whole.deepest / (half * half);
   const auto hertz =
@@ -153,7 +153,7 @@ Strips hertzian(const Patch& patch, double effective_modulus, double down) {
   Strips s;
   const Ends whole = ends_of(patch.line, down, 0);
   s.approach = whole.deepest;
-  if (!(whole.deepest > 0) || !(whole.high > whole.low)) return s;
+  if (!(whole.deepest > 0)) return s;
   const double h = (whole.high - whole.low) / 8;
   const double t = std::clamp(whole.t_deepest, patch.line.front().t + h, patch.line.back().t - h);
   const auto depth = [&](double place) { return at(patch.line, place, &Depth::overlap); };
