@@ -30,6 +30,17 @@ Eigen::MatrixXd unpadded_matrix(const StateMatrix& m, Index n) {
   return result;
 }
 
+// Of each state: the largest coordinate or rate over omega, and omega times it.
+State size_of(const Eigen::VectorXd& y, double period) {
+  const Index n = y.size() / 2;
+  const double omega = 2 * units::pi / period;
+  const double size = std::max(
+      {y.head(n).lpNorm<Eigen::Infinity>(), y.tail(n).lpNorm<Eigen::Infinity>() / omega, 1e-300});
+  State scale;
+  scale << Vector9::Constant(size), Vector9::Constant(omega * size);
+  return scale;
+}
+
 struct Half {
   State end;
   const char* lost = nullptr;  // why it did not get to the end
@@ -65,12 +76,14 @@ Orbit shoot(const Oscillator& oscillator, const Eigen::VectorXd& start, double p
             const ShootingOptions& options) {
   units::require_positive("period", period, "s");
   const Index n = oscillator.coordinates();
-  PieceIntegrator integrator{compile(oscillator), options.scale, options.piece_tolerance};
+  if (start.size() != 2 * n || !start.allFinite())
+    throw InputError("start of an orbit: not finite, or not of twice the coordinates");
+  State y = padded(start);
+  const State scale = options.scale.isZero(0) ? size_of(start, period) : options.scale;
+  PieceIntegrator integrator{compile(oscillator), scale, options.piece_tolerance};
   Orbit orbit;
   orbit.symmetric = options.symmetric;
   orbit.period = period;
-  State y = padded(start);
-  const State scale = options.scale;
   const double sign = options.symmetric ? -1 : 1, part = options.symmetric ? 0.5 : 1;
   for (orbit.iterations = 1; orbit.iterations <= options.most_iterations; ++orbit.iterations) {
     const Half flown = fly(integrator, y, part * orbit.period, options.most_steps);
@@ -121,14 +134,17 @@ Orbit shoot(const Oscillator& oscillator, const Eigen::VectorXd& start, double p
 Orbit shoot(const Oscillator& oscillator, const Cycle& cycle, const ShootingOptions& options) {
   Oscillator o = oscillator;
   o.inverse_speed = cycle.inverse_speed;
-  return shoot(o, state_at(cycle, 0), 2 * units::pi / cycle.omega, options);
+  ShootingOptions used = options;
+  used.symmetric &= is_odd(cycle);
+  return shoot(o, state_at(cycle, 0), 2 * units::pi / cycle.omega, used);
 }
 
 double amplitude(const Oscillator& oscillator, const Orbit& orbit, const Eigen::VectorXd& row) {
   HistoryOptions options;
   options.watch = {row};
+  options.scale = size_of(orbit.y, orbit.period);
   const History history = integrate(oscillator, orbit.y, 1.05 * orbit.period, options);
-  double low = 0, high = 0;
+  double low = row.dot(orbit.y.head(row.size())), high = low;
   for (const Turn& turn : history.turns[0]) {
     low = std::min(low, turn.x);
     high = std::max(high, turn.x);
@@ -137,7 +153,7 @@ double amplitude(const Oscillator& oscillator, const Orbit& orbit, const Eigen::
 }
 
 Cycle harmonics(const Oscillator& oscillator, const Orbit& orbit, int highest, int samples) {
-  PieceIntegrator integrator{compile(oscillator), State::Ones()};
+  PieceIntegrator integrator{compile(oscillator), size_of(orbit.y, orbit.period)};
   integrator.start(0, padded(orbit.y));
   Eigen::MatrixXd states(orbit.y.size(), samples);
   for (int j = 0; j < samples; ++j) {
@@ -207,6 +223,8 @@ HillExponent hill_exponent(const Oscillator& oscillator, const Cycle& cycle, Com
                            int highest) {
   if (!oscillator.couplings.empty())
     throw InputError("Hill's determinant: a force couples several scalars; allowed: channels only");
+  if (!is_odd(cycle))
+    throw InputError("Hill's determinant: a cycle of even harmonics; allowed: odd ones only");
   Oscillator o = oscillator;
   o.inverse_speed = cycle.inverse_speed;
   const Scalars scalars(o);

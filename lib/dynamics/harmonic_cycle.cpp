@@ -58,6 +58,10 @@ Cycle with_orders(const Cycle& cycle, int highest, bool all) {
   return result;
 }
 
+bool is_odd(const Cycle& cycle) {
+  return std::all_of(cycle.orders.begin(), cycle.orders.end(), [](int k) { return k % 2 == 1; });
+}
+
 Eigen::VectorXd state_at(const Cycle& cycle, double phase) {
   const Index n = cycle.motion.rows();
   Eigen::VectorXd y = Eigen::VectorXd::Zero(2 * n);

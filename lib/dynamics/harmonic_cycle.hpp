@@ -35,6 +35,9 @@ Cycle from_period(const Oscillator& oscillator, const Eigen::MatrixXd& states, d
 // The same motion with other orders kept: what is not there begins as zero.
 Cycle with_orders(const Cycle& cycle, int highest, bool all = false);
 
+// Odd orders alone: y(t + T/2) = -y(t).
+bool is_odd(const Cycle& cycle);
+
 // Coordinates and their rates at a phase [rad]: (2n), SI.
 Eigen::VectorXd state_at(const Cycle& cycle, double phase);
 // Least and largest value of row q over the period, located to rounding, also of nearly equal humps; and half of the difference.

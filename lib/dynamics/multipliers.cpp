@@ -124,12 +124,12 @@ Eigen::VectorXd direction(const Cycle& cycle) {
 
 Multipliers multipliers(const Oscillator& oscillator, const Cycle& cycle, int steps) {
   units::require_between("steps of the multipliers", steps, 4, 1 << 20);
+  steps += steps % 2;
   while (steps < 4 * cycle.orders.back()) steps *= 2;
   Oscillator o = oscillator;
   o.inverse_speed = cycle.inverse_speed;
   Multipliers result;
-  result.symmetric =
-      std::all_of(cycle.orders.begin(), cycle.orders.end(), [](int k) { return k % 2 == 1; });
+  result.symmetric = is_odd(cycle);
   const Variation variation{o, cycle, result.symmetric ? 2 * steps : steps};
   const StateMatrix fine = variation.flow(steps, 1), coarse = variation.flow(steps / 2, 2);
   const StateMatrix flow = (4 * fine - coarse) / 3;

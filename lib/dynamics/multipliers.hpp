@@ -21,9 +21,9 @@ struct Multipliers {
       0;  // misfit of the cycle's direction after a turn, relative: how good the multipliers are
 };
 
-// `steps` of the finer integration over the map's time, even; more when the harmonics need them. The cycle is taken at its own speed; its laws must have one value
-// each at every place. Error of order steps^-2 and better on smooth laws; `trivial_error` shows it.
-// `map` is empty where the changes overflow.
+// `steps` of the finer integration over the map's time (one more when odd); more when the harmonics need them. The cycle is taken at
+// its own speed; its laws must have one value each at every place. On piecewise linear laws to twice the square of a step times the
+// largest rate of the motion, and better on smooth laws; `trivial_error` shows it. `map` is empty where the changes overflow.
 Multipliers multipliers(const Oscillator& oscillator, const Cycle& cycle, int steps = 256);
 
 }  // namespace railbook::dynamics

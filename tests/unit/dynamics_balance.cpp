@@ -69,24 +69,6 @@ TEST_CASE("With even orders as well, the same cycle", "[balance]") {
   CHECK(std::abs(all.motion(0, 2)) < 1e-9);
 }
 
-TEST_CASE("The branch of an asymmetric oscillator has a mean and every order", "[balance]") {
-  // A softer spring to the left, in a self-excited oscillator.
-  Oscillator o = rayleigh(0.3);
-  o.channels.push_back({Eigen::VectorXd::Ones(1),
-                        false,
-                        -one,
-                        {Eigen::Vector3d{-5, 0, 5}, Eigen::RowVector3d{-2.5, 0, 0}}});
-  const Cycle cycle = balance(o, first_harmonic(o, 2 * unit_motion, 1.1, 40, true));
-  REQUIRE(cycle.converged);
-  const Orbit orbit =
-      shoot(o, state_at(cycle, 0), 2 * units::pi / cycle.omega, {.symmetric = false});
-  REQUIRE(orbit.converged);
-  CHECK(orbit.omega() == Approx(cycle.omega).epsilon(1e-6));
-  CHECK(cycle.motion(0, 0).real() > 0.1);
-  const Cycle again = harmonics(o, orbit, 40);
-  CHECK(again.motion(0, 0).real() == Approx(cycle.motion(0, 0).real()).epsilon(1e-4));
-}
-
 TEST_CASE("New wheel at 150 ft/s: 23 harmonics against integration at 1e-9", "[balance]") {
   const auto car = assemble({}, Suspension::dampers);
   const Oscillator o = car_on_track(car, wheelrail::new_wheel_table(), 150 * units::foot);
@@ -110,22 +92,6 @@ TEST_CASE("New wheel at 150 ft/s: 23 harmonics against integration at 1e-9", "[b
   CHECK(e.amplitude == Approx(in_time).epsilon(1e-7));
   CHECK(e.stability.stable);
   CHECK(e.stability.trivial_error < 1e-7);
-}
-
-TEST_CASE("The distance of two cycles", "[balance]") {
-  const auto car = assemble({}, Suspension::dampers);
-  const Oscillator o = car_on_track(car, wheelrail::new_wheel_table(), 45);
-  Vector9c shape = Vector9c::Zero();
-  shape[X_TF] = 0.01;
-  shape[X_TR] = Complex{0.004, 0.006};
-  const Cycle cycle = first_harmonic(o, shape, 12, 3);
-  CHECK(distance(o, cycle, cycle) == 0);
-  CHECK(distance(o, cycle, first_harmonic(o, std::polar(1.0, 2.0) * shape, 12, 5)) < 1e-14);
-  CHECK(distance(o, cycle, first_harmonic(o, 1.1 * shape, 12, 1)) == Approx(0.1));
-  CHECK(distance(o, cycle, first_harmonic(o, shape, 12.6, 1)) == Approx(0.05));
-  Vector9c other = shape;
-  std::swap(other[X_TF], other[X_TR]);
-  CHECK(distance(o, cycle, first_harmonic(o, other, 12, 1)) > 0.3);
 }
 
 TEST_CASE("Another cycle is not taken for this one: new wheels at 199 ft/s", "[balance]") {
