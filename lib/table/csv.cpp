@@ -130,12 +130,24 @@ CsvReader::CsvReader(const std::filesystem::path& file, std::size_t skip) : sour
     if (!raw_line(text)) refuse("empty; allowed: a header line and rows");
   } while (is_skipped(text));
   first_ahead_ = source_.line();
-  ahead_.emplace_back(text);
-  while (ahead_.size() < 100 && raw_line(text)) {
+  const auto more = [&] {
+    if (ahead_.size() >= 100 || !raw_line(text)) return false;
     ahead_.emplace_back(text);
-    if (!is_skipped(text)) break;
-  }
-  separator_ = separator_of(ahead_.front(), ahead_.size() > 1 ? ahead_.back() : "");
+    return true;
+  };
+  // With the lines that its quotes go on in.
+  const auto whole = [&] {
+    std::string record{ahead_.back()};
+    while (std::count(record.begin(), record.end(), '"') % 2 == 1 && record.size() <= 1 << 20 &&
+           more())
+      record += text;
+    return record;
+  };
+  ahead_.emplace_back(text);
+  const std::string header = whole();
+  bool row = more();
+  while (row && is_skipped(text)) row = more();
+  separator_ = separator_of(header, row ? whole() : "");
   std::reverse(ahead_.begin(), ahead_.end());
   read_header();
 }
@@ -342,7 +354,7 @@ const char* CsvReader::plain_row(const char* at, const char* end,
 }
 
 std::size_t CsvReader::numbers(std::span<const std::size_t> columns, std::span<double> values) {
-  if (!ahead_.empty() || decimal_ == ',') return 0;
+  if (columns.empty() || !ahead_.empty() || decimal_ == ',') return 0;
   const std::string_view text = source_.lines_ahead();
   const char *at = text.data(), *const end = at + text.size();
   const std::size_t rows = values.size() / columns.size();

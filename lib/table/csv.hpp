@@ -2,8 +2,8 @@
 //
 // Dialect: UTF-8; cells are parted by commas, semicolons or tabs, whichever the header and the line after it agree on; the
 // first line names the columns, unless all its cells are numbers: then the columns are called 1, 2 and so on. Cells in double
-// quotes may hold separators, doubled quotes and up to 100 line breaks; lines that start with # and blank lines are skipped,
-// CR LF accepted. Blanks around a bare cell do not count. Where the separator is no comma, numbers may have a decimal comma
+// quotes may hold separators, doubled quotes and line breaks, up to 100 of them and 1 MiB in a row; lines that start with # and
+// lines of blanks and tabs alone are skipped, CR LF accepted. Blanks around a bare cell do not count. Where the separator is no comma, numbers may have a decimal comma
 // (all of a file, or none). What LineSource unpacks is read as well.
 #pragma once
 
@@ -48,7 +48,8 @@ class CsvReader {
   // the i-th column goes to values[i * rows + r], where rows = values.size() / columns.size(). Returns how many rows were read.
   std::size_t numbers(std::span<const std::size_t> columns, std::span<double> values);
 
-  // A cell as a number. Empty, and "NaN", "NA", "N/A", "null" and dashes, are NaN; anything else that is no number throws.
+  // A cell as a number, rounded to the nearest double, of two to the even one. Empty, and "NaN", "NA", "N/A", "null" and dashes,
+  // are NaN; anything else throws, so does a number that rounds to infinity, or to 0 without being it.
   double number(std::size_t column) const;
   [[noreturn]] void refuse_number(std::size_t column) const;
 
@@ -92,7 +93,8 @@ struct CsvTable {
 CsvTable read_table(const std::filesystem::path& file);
 
 // Numeric columns of a user's file as SI values, in the order of `names`. Each header must name a unit of the
-// dimension wanted ("distance_m", "profile_mm"). NaN cells throw unless `allow_nan`. Result: [column][row].
+// dimension wanted ("distance_m", "profile_mm"). NaN cells throw unless `allow_nan`. Result: [column][row], to
+// 1e-15 of each value.
 struct ColumnWanted {
   std::string name;
   units::Dimension dimension;

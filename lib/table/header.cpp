@@ -49,17 +49,22 @@ units::Header parse_column(std::string_view header) {
   header = trim(header);
   const units::Header plain = units::parse_header(header);
   if (!plain.unit_text.empty()) return plain;
-  // "(mm)" and "[mm]" at the end, or what follows the last comma, blank or underscore.
-  std::size_t begin = std::string_view::npos, end = header.size();
-  if (header.ends_with(')')) begin = header.rfind('('), --end;
-  if (header.ends_with(']')) begin = header.rfind('['), --end;
-  if (begin == std::string_view::npos) begin = header.find_last_of(", _/"), end = header.size();
-  if (begin == std::string_view::npos || begin == 0) return plain;
-  const auto unit = unit_of(header.substr(begin + 1, end - begin - 1));
-  if (!unit || unit->first == "1") return plain;
+  std::optional<std::pair<std::string, units::Unit>> unit;
+  std::size_t begin = std::string_view::npos;
+  if (header.ends_with(')')) begin = header.rfind('(');
+  if (header.ends_with(']')) begin = header.rfind('[');
+  if (begin != std::string_view::npos) {
+    unit = unit_of(header.substr(begin + 1, header.size() - begin - 2));
+  } else {
+    // The longest that reads as one behind a comma, a blank, an underscore or a stroke: "Speed, km/h", "Profile / mm".
+    begin = header.find_first_of(", _/");
+    for (; begin != std::string_view::npos; begin = header.find_first_of(", _/", begin + 1))
+      if ((unit = unit_of(header.substr(begin + 1)))) break;
+  }
+  if (!unit || begin == 0 || unit->first == "1") return plain;
   std::string_view name = trim(header.substr(0, begin));
   while (!name.empty() && (name.back() == ',' || name.back() == '_')) name.remove_suffix(1);
-  if (name.ends_with(" in") && unit->first != "in") name.remove_suffix(3);  // "Distance in metres"
+  if (name.ends_with(" in")) name.remove_suffix(3);  // "Distance in metres"
   return {std::string{trim(name)}, unit->first, unit->second};
 }
 

@@ -31,7 +31,7 @@ std::string reason(int error) {
 struct Unpacker {
   z_stream stream{};
   std::vector<char> packed = std::vector<char>(packed_size);
-  bool between = true;  // two members of the file, or before the first
+  bool between = false;  // two members of the file, or behind the last
   Unpacker() {
     if (inflateInit2(&stream, 15 + 16) != Z_OK) throw std::bad_alloc();
   }
@@ -137,7 +137,7 @@ std::size_t LineSource::fill(char* to, std::size_t size) {
       if (z.avail_in == 0)
         throw InputError{here() + ": cannot be read further: the gzip data are cut off"};
     }
-    if (u.between && line_ + begin_ > 0 && *z.next_in == 0) return 0;  // padding behind the last
+    if (u.between && *z.next_in == 0) return 0;  // padding behind the last
     u.between = false;
     const int status = inflate(&z, Z_NO_FLUSH);
     if (status == Z_STREAM_END) {
@@ -164,14 +164,16 @@ bool LineSource::next(std::string_view& line) {
   while (true) {
     const char* from = buffer_.data() + searched;
     const auto* feed = static_cast<const char*>(std::memchr(from, '\n', end_ - searched));
+    const std::size_t end =
+        feed != nullptr ? static_cast<std::size_t>(feed - buffer_.data()) : end_;
+    if (end - begin_ > longest_line)
+      throw InputError{fmt::format("{}: longer than {} bytes", here(), longest_line)};
     if (feed != nullptr) {
-      line = {buffer_.data() + begin_, static_cast<std::size_t>(feed - buffer_.data()) - begin_};
-      begin_ += line.size() + 1;
+      line = {buffer_.data() + begin_, end - begin_};
+      begin_ = end + 1;
       ++line_;
       return true;
     }
-    if (end_ - begin_ > longest_line)
-      throw InputError{fmt::format("{}: longer than {} bytes", here(), longest_line)};
     // What is left goes to the front, where the rest of the line joins it.
     std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
     end_ -= begin_;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "../support/claim.hpp"
+#include "../support/number_text.hpp"
 #include "units/input_error.hpp"
 #include "units/nearest.hpp"
 #include "units/printable.hpp"
@@ -73,10 +74,6 @@ const std::vector<Known>& known() {
   return all;
 }
 
-std::size_t below(Draw& draw, std::size_t n) {
-  return std::min(n - 1, static_cast<std::size_t>(draw(0, static_cast<double>(n))));
-}
-
 // A unit of up to four names with powers, what it is, and how many factors it is made of.
 struct Written {
   std::string text;
@@ -116,31 +113,6 @@ Written written(Draw& draw, bool header) {
     w.allowed = w.allowed && size < 60;
   }
   return w;
-}
-
-// A number as people and programs write it.
-std::string figures(Draw& draw) {
-  std::string text = std::array{"", "-", "+"}[below(draw, 3)];
-  const std::size_t whole = below(draw, 20), part = below(draw, 20) + (whole == 0 ? 1 : 0);
-  for (std::size_t i = 0; i < whole; ++i) text += static_cast<char>('0' + below(draw, 10));
-  if (part > 0) text += '.';
-  for (std::size_t i = 0; i < part; ++i) text += static_cast<char>('0' + below(draw, 10));
-  if (draw(0, 1) < 0.7) {
-    const int power =
-        static_cast<int>(std::round(draw(0, 1) < 0.5 ? draw(-340, 340) : draw(-9, 9)));
-    text += (draw(0, 1) < 0.5 ? "e" : "E") + std::to_string(power);
-  }
-  return text;
-}
-
-template <class Read>
-bool refuses(Read read) {
-  try {
-    read();
-  } catch (const InputError&) {
-    return true;
-  }
-  return false;
 }
 
 }  // namespace
