@@ -12,7 +12,7 @@ wants     = { command -v $(1) > /dev/null || { echo "$(1) is not installed; on D
 program   = $(patsubst $(firstword $(subst -, ,$(1)))-%,%,$(1))
 SOURCES   = $(shell git ls-files '*.cpp' '*.hpp' ':!tests/book')
 
-.PHONY: headline new-chapter help doctor packages configure chapter-programs programs build install reproduce test elsewhere chapter figures accept-figures book bench format lint failed clean mutate coverage sanitize matrix fuzz
+.PHONY: headline new-chapter help doctor packages configure chapter-programs programs build install reproduce test thorough chapter figures accept-figures book bench format lint failed clean mutate coverage sanitize matrix fuzz
 
 help:             ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' $(MAKEFILE_LIST) | expand -t 24
@@ -45,11 +45,11 @@ install: configure ## the command `railbook` and its library into PREFIX (/usr/l
 reproduce: chapter-programs ## everything: build, run the chapters that have changed (JOBS=n at a time), weave the book
 	@cmake/reproduce.sh $(BUILD) $(LEVEL) $(JOBS) $(CHAPTERS)
 
-test: build       ## run all tests but those of `make elsewhere`
-	ctest --test-dir $(BUILD) --output-on-failure -LE elsewhere -j $$(($(JOBS) + 1)) # some only wait
+test: build       ## run all tests but those of `make thorough`
+	ctest --test-dir $(BUILD) --output-on-failure -LE thorough -j $$(($(JOBS) + 1)) # some only wait
 
-elsewhere:        ## after `make test`: the chapters with another processor's mathematics, and the book in a browser
-	ctest --test-dir $(BUILD) --output-on-failure -L elsewhere -FA . -j $$(($(JOBS) + 1))
+thorough:         ## after `make test`: extreme options and hostile names for each command, rates over thousands of records, the chapters with another processor's mathematics, the book in a browser
+	ctest --test-dir $(BUILD) --output-on-failure -L thorough -FA . -j $$(($(JOBS) + 1))
 
 chapter:          ## run one chapter, e.g. make chapter C=01
 	@$(if $(some),,$(error C names no chapter; allowed: the number of one of $(CHAPTERS)))

@@ -52,7 +52,8 @@ function(railbook_library name)
 endfunction()
 
 # railbook_tests(NAME [NEEDS ...] [USES ...])
-# The program test_NAME from tests/{unit,property,extreme,input}/NAME_*.cpp; each TEST_CASE is a ctest.
+# The program test_NAME from tests/{unit,property,extreme,input}/NAME_*.cpp; each TEST_CASE is a ctest, of `make thorough`
+# if it has that tag.
 function(railbook_tests name)
   cmake_parse_arguments(arg "" "" "NEEDS;USES" ${ARGN})
   set(t ${CMAKE_SOURCE_DIR}/tests)
@@ -69,13 +70,20 @@ function(railbook_tests name)
   railbook_precompile(test_${name} test catch_main)
   add_dependencies(unit_tests test_${name})
   include(Catch)
-  catch_discover_tests(test_${name} TEST_PREFIX "${name}: " PROPERTIES LABELS unit)
+  catch_discover_tests(test_${name} TEST_PREFIX "${name}: " TEST_SPEC "~[.]~[thorough]" PROPERTIES LABELS unit)
+  foreach(source ${sources})
+    file(STRINGS ${source} long REGEX "\\[thorough\\]" LIMIT_COUNT 1)
+    if(long)
+      catch_discover_tests(test_${name} TEST_PREFIX "${name}: " TEST_SPEC "[thorough]~[.]" PROPERTIES LABELS unit-thorough)
+      break()
+    endif()
+  endforeach()
 endfunction()
 
 # railbook_chapter(NN-NAME [NEEDS libraries of lib/])
 # The chapter program NAME in build/bin; a need that is not named is a link error.
 # ctest runs it (every check must pass) and compares the figures with the golden set (tests/figures); under the label
-# "elsewhere", again, without pictures, with other mathematics.
+# "thorough", again, without pictures, with other mathematics.
 function(railbook_chapter chapter)
   cmake_parse_arguments(arg "" "" "NEEDS;USES" ${ARGN})
   string(REGEX REPLACE "^[0-9]+-" "" name ${chapter})
@@ -110,14 +118,14 @@ function(railbook_chapter chapter)
   add_test(NAME "chapter: ${chapter} reproduces with other maths" COMMAND ${CMAKE_COMMAND} -E env
            GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-AVX2,-AVX512F,-FMA4 $<TARGET_FILE:${name}> reproduce --no-timings
            --no-figures --out ${CMAKE_BINARY_DIR}/ctest/${maths})
-  set_tests_properties("chapter: ${chapter} reproduces with other maths" PROPERTIES FIXTURES_SETUP ${maths} LABELS elsewhere)
+  set_tests_properties("chapter: ${chapter} reproduces with other maths" PROPERTIES FIXTURES_SETUP ${maths} LABELS thorough)
   railbook_golden_test(${chapter} ${maths} data " with other maths")
-  set_property(TEST "figures: ${chapter} golden set with other maths" PROPERTY LABELS elsewhere)
+  set_property(TEST "figures: ${chapter} golden set with other maths" PROPERTY LABELS thorough)
   add_test(NAME "chapter: ${chapter} says the same with other maths" COMMAND same_text
            ${CMAKE_BINARY_DIR}/ctest/${chapter}/results/${chapter}.json
            ${CMAKE_BINARY_DIR}/ctest/${maths}/results/${chapter}.json)
   set_tests_properties("chapter: ${chapter} says the same with other maths" PROPERTIES
-                       FIXTURES_REQUIRED "${chapter};${maths}" LABELS elsewhere)
+                       FIXTURES_REQUIRED "${chapter};${maths}" LABELS thorough)
 endfunction()
 
 # The golden test of the run in the folder `run` of build/ctest: compare, or data (without the pictures).

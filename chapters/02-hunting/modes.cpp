@@ -70,7 +70,7 @@ void fig_12(report::Item& item) {
 void tread_claims(report::Item& item) {
   const std::array<CyclePoint, 3> wheels{cycle("new", 0.1), cycle("cn", 0.1),
                                          cycle("heumann", 0.1)};
-  const auto& [fresh, cn, heumann] = wheels;
+  const CyclePoint &fresh = wheels[0], &cn = wheels[1], &heumann = wheels[2];
   const auto three = [&](int coordinate) {
     return fmt::format("{:.3f}, {:.3f}, {:.3f}", relative(wheels[0], coordinate),
                        relative(wheels[1], coordinate), relative(wheels[2], coordinate));

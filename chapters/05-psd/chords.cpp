@@ -24,6 +24,7 @@ The paper's two probabilities for three sigma, 0.99 for a normal offset (exactly
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "num/quadrature.hpp"
@@ -150,10 +151,9 @@ void table_2(report::Item& item) {
     }
   }
   const auto row_range = [&](double chord_ft) {
-    return std::ranges::minmax({spectra::rail_chord_sensitivity(chord_ft, 39),
-                                spectra::rail_chord_sensitivity(chord_ft, 36),
-                                spectra::rail_chord_sensitivity(chord_ft, 33),
-                                spectra::rail_chord_sensitivity(chord_ft, 30)});
+    std::array<double, 4> of_rails{39, 36, 33, 30};  // ft
+    for (double& rail : of_rails) rail = spectra::rail_chord_sensitivity(chord_ft, rail);
+    return std::ranges::minmax(of_rails);
   };
   const auto small = row_range(31), large = row_range(62);
   item.claim(

@@ -55,12 +55,13 @@ double worst_stroke_over_bump(double length) {
 }
 
 double descriptor_of_bump(double length) {
-  constexpr std::size_t n = 32768;
+  constexpr int n = 32768, middle = n / 2;
   std::vector<double> z(n, 0.0);
-  for (std::size_t i = 0; i < n; ++i) {
-    const double x = (static_cast<double>(i) - n / 2) * spacing;
+  for (int i = 0; i < n; ++i) {
+    const double x = (i - middle) * spacing;
     if (std::abs(x) < length / 2)
-      z[i] = 0.5 * flat_level * (1 + std::cos(2 * units::pi * x / length));
+      z[static_cast<std::size_t>(i)] =
+          0.5 * flat_level * (1 + std::cos(2 * units::pi * x / length));
   }
   double peak = 0;
   for (const double p : quality::filter_periodic(stroke_envelope(), spacing, z))

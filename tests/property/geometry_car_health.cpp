@@ -129,7 +129,7 @@ void expect(const Journey& clean, const std::string& name, const std::string& wh
 
 }  // namespace
 
-TEST_CASE("geometry car: clean records raise no alarm", "[health]") {
+TEST_CASE("geometry car: clean records raise no alarm", "[health][thorough]") {
   int alarms = 0;
   for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
     Record record = clean_record(seed);

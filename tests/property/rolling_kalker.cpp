@@ -22,8 +22,8 @@ TEST_CASE("Without Poisson's ratio longitudinal and lateral creepage are the sam
 }
 
 TEST_CASE("The coefficients converge with the degree, and their error is known", "[kalker]") {
-  for (const double poisson : {0.0, 0.25, 0.5})
-    for (const double ratio : {0.1, 0.5, 1.0, 2.0, 10.0}) {
+  for (const double poisson : {0.0, 0.5})
+    for (const double ratio : {0.1, 1.0, 10.0}) {
       const ComputedCoefficients fine = kalker_coefficients(ratio, poisson, 40);
       double before = 1;
       for (const int degree : {8, 16, 32}) {

@@ -100,13 +100,13 @@ Count doubted_spectra(std::uint64_t first_seed, std::size_t records) {
 }  // namespace
 
 // Of 1200 records with one chance in a thousand each, four or more are doubted once in thirty.
-TEST_CASE("property: fewer than one clean record in a thousand is found faulty") {
+TEST_CASE("property: fewer than one clean record in a thousand is found faulty", "[thorough]") {
   const Count count = doubted_records(1'000'000, 30);
   CHECK(count.records == 1200);
   CHECK(count.doubted <= 3);
 }
 
-TEST_CASE("property: fewer than one clean spectrum in a thousand is doubted") {
+TEST_CASE("property: fewer than one clean spectrum in a thousand is doubted", "[thorough]") {
   const Count count = doubted_spectra(2'000'000, 1200);
   CHECK(count.records == 1200);
   CHECK(count.doubted <= 3);

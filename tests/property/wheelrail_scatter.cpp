@@ -76,7 +76,8 @@ TEST_CASE("Scatter: normal noise, rounding, and none") {
 }
 
 // What a tool flags is a conicity that moves by more than 5 % and 0.005 when the smoothing is halved or doubled.
-TEST_CASE("Scatter: smoothing by it changes no clean profile, fewer than one in a thousand") {
+TEST_CASE("Scatter: smoothing by it changes no clean profile, fewer than one in a thousand",
+          "[thorough]") {
   Draw draw(1000);
   int seen = 0, changed = 0;
   while (seen < 1000) {

@@ -6,7 +6,7 @@ function(sweep subject tool)
   endif()
   add_test(NAME "tool: ${subject} ${tool} stands any number" WORKING_DIRECTORY ${where}
            COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/sweep.sh ${bin} ${subject} ${tool} ${ARGN})
-  set_tests_properties("tool: ${subject} ${tool} stands any number" PROPERTIES TIMEOUT 1500)
+  set_tests_properties("tool: ${subject} ${tool} stands any number" PROPERTIES TIMEOUT 1500 LABELS thorough)
 endfunction()
 
 set(scratch ${CMAKE_BINARY_DIR}/ctest)

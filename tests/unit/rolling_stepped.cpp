@@ -62,7 +62,7 @@ TEST_CASE("Many cells and few agree within the errors they state", "[rolling]") 
   }
 }
 
-TEST_CASE("128 x 128 cells take few products", "[rolling]") {
+TEST_CASE("128 x 128 cells take few products", "[rolling][thorough]") {
   const EllipseRolling contact(1.568, 0.3, {.along = 128, .rows = 128});
   const CreepForces f = contact.solve(with_reduced_creepage(unit_case(1.568, 0.3), {0, 0, 2}));
   CHECK(f.converged);

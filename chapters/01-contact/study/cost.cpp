@@ -118,7 +118,7 @@ Region on_lattice(int across) {
   Eigen::VectorXd p = Eigen::VectorXd::Zero(grid.cells());
   if (!solve_bounded_cg(a, grid, f, delta_2, p, {}).converged)
     throw std::runtime_error("the reference did not converge");
-  const Region region = describe(grid, p, f);
+  Region region = describe(grid, p, f);
   if (region.touches_edge()) throw std::runtime_error("the reference's lattice is too small");
   return region;
 }
@@ -244,7 +244,8 @@ void jump_force(report::Item& item) {
   panel(item, jump(item), "F");
   const bench::Reference& reference = jump(item).references.front();
   const double grid = jump_on_grid(255).force;
-  item.value("lattices", (finest - coarsest) / every + 1, "", "{:.0f}");
+  constexpr int lattices = (finest - coarsest) / every + 1;
+  item.value("lattices", lattices, "", "{:.0f}");
   item.value("uncertainty", reference.uncertainty, "", "{:.0e}");
   item.expect_checks(1);
   item.agree("other-route", "the force by CG-FFT, 255 x 255", "N", grid, reference.value, 1e-5,

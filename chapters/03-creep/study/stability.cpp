@@ -37,7 +37,7 @@ namespace {
 CreepForces solve(double ratio, const Creepage& reduced, Eigen::Index along = 24,
                   Eigen::Index rows = 12) {
   const auto c = with_reduced_creepage(unit_case(ratio, poisson), reduced);
-  const CreepForces f = solve_rolling(c, {.along = along, .rows = rows});
+  CreepForces f = solve_rolling(c, {.along = along, .rows = rows});
   if (!f.converged) throw report::NoAnswer(f.reason);
   return f;
 }

@@ -47,7 +47,7 @@ namespace {
 using Word = std::uint64_t;
 constexpr double whole = 0x1p-34;  // m, of the input
 constexpr int N = 31, M = 151, passes = 4;
-constexpr std::size_t window = 661, reach = window / 2, centre = passes * (M / 2);
+constexpr std::size_t window = 661, reach = window / 2, centre = std::size_t{passes} * (M / 2);
 const double M_power = std::pow(M, passes);
 
 // Short offsets of synthetic track in whole units.
@@ -87,8 +87,8 @@ std::vector<double> exact_composite(const std::vector<std::int64_t>& x) {
   std::vector<Word> sums(x.size() - window + 1);
   for (std::size_t j = 0; j < window; ++j)
     for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += taps[j] * static_cast<Word>(x[i + j]);
-  std::vector<double> out;
-  for (const Word sum : sums) out.push_back(metres(sum));
+  std::vector<double> out(sums.size());
+  std::ranges::transform(sums, out.begin(), metres<Word>);
   return out;
 }
 
@@ -157,6 +157,7 @@ struct Sample {
 bench::Method method(const char* name, double operations, const std::map<int, Sample>& samples,
                      Values (*filter)(const Values&)) {
   std::vector<int> lengths;
+  lengths.reserve(samples.size());
   for (const auto& [n, sample] : samples) lengths.push_back(n);
   return bench::sweep(name, lengths,
                       [&samples, operations, filter](int n) -> bench::Outcome {

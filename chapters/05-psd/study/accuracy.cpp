@@ -141,6 +141,7 @@ const Study& study_of(const report::Item& item) {
       s.found.emplace_back();
       for (std::size_t i = 0; i < s.lengths.size(); ++i) {
         std::vector<ReadTrack> readings;
+        readings.reserve(all.size());
         for (const Readings& of_record : all) readings.push_back(of_record[w][i]);
         s.found.back().push_back(statistics_of(readings, s));
       }

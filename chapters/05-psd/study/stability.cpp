@@ -121,9 +121,11 @@ void measured_badly(Cases& cases) {
             });
   cases.add_screened("spikes", "a spike of 1 m every 10 000 samples", "outliers, screened",
                      [](double& z, std::size_t i, double) { z += i % 10000 == 5000 ? 1 : 0; });
-  cases.add_screened(
-      "steps", "the datum steps by 0.5 m every 50 000 samples", "steps, screened",
-      [](double& z, std::size_t i, double) { z += 0.5 * static_cast<double>(i / 50000); });
+  cases.add_screened("steps", "the datum steps by 0.5 m every 50 000 samples", "steps, screened",
+                     [](double& z, std::size_t i, double) {
+                       const std::size_t stretch = i / 50000;
+                       z += 0.5 * static_cast<double>(stretch);
+                     });
   cases.add_screened("stuck", "the sensor sticks for 100 of every 50 000 samples",
                      "equal values, screened",
                      [](double& z, std::size_t i, double held) { z = i % 50000 < 100 ? held : z; });

@@ -71,6 +71,7 @@ void fig_filter_time(report::Item& item) {
     z[i] = wave_amplitude * std::cos(2 * units::pi * step * static_cast<double>(i) / wave_length);
   const std::vector<double> reaches{3, 5, 10, 20, 40};
   std::vector<quality::FilterTaps> taps;
+  taps.reserve(reaches.size());
   for (const double reach : reaches) taps.push_back(taps_of(reach));
   const auto weights = [&](double reach) -> const quality::FilterTaps& {
     return taps[static_cast<std::size_t>(std::find(reaches.begin(), reaches.end(), reach) -
