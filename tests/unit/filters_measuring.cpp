@@ -9,6 +9,7 @@
 #include "filters/complementary.hpp"
 #include "filters/geometry_chain.hpp"
 #include "filters/high_pass.hpp"
+#include "filters/hybrid_filter.hpp"
 #include "num/random_source.hpp"
 #include "units/constants.hpp"
 
@@ -156,5 +157,21 @@ TEST_CASE("The complementary filter passes a true roll, and leaves a bias as it 
     double last = 0;
     for (int k = 0; k < 3000; ++k) last = biased.push(0, 0.01 * 0.02, 0.02);
     CHECK(last == Approx(gyro_bias_error(0.01, tau, poles, 0.02)).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("A second pulse in no time is passed over as if it had not come") {
+  FirstOrderHybrid c{6}, c_plain{6};
+  SecondOrderHybrid g{{6, 1}}, g_plain{{6, 1}};
+  ComplementaryFilter roll{0.5, 2}, roll_plain{0.5, 2};
+  for (int k = 0; k < 20; ++k) {
+    const double y = std::sin(0.7 * k), T = 0.03 + 0.01 * (k % 3);
+    const double with[] = {c.push(y, T), g.push(y, T).mean, roll.push(y, 0.02, T)};
+    const double without[] = {c_plain.push(y, T), g_plain.push(y, T).mean,
+                              roll_plain.push(y, 0.02, T)};
+    for (int i = 0; i < 3; ++i) CHECK((with[i] == without[i] || (k < 2 && std::isnan(without[i]))));
+    CHECK(std::isnan(c.push(5, 0)));
+    CHECK(std::isnan(g.push(5, 0).mean));
+    CHECK(std::isnan(roll.push(5, 1, 0)));
   }
 }

@@ -54,3 +54,24 @@ TEST_CASE("unit: another track is not found") {
   CHECK_THROWS_AS(measures::align(a, b, 0.25, {.window = 1}), InputError);
   CHECK_THROWS_AS(measures::align(a, b, 0.25, {.window = 5000}), InputError);
 }
+
+TEST_CASE("unit: a window that is like another place, before or behind, is left out") {
+  const double h = 0.25, slip = 3, window = measures::AlignmentOptions{}.window;
+  for (const double astray : {-12.0, 12.0}) {
+    std::vector<double> a(12000), b(12000);
+    const double from = 5 * window, to = 6 * window;  // one of the windows, half of two others
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      const double x = h * static_cast<double>(i), there = x - slip - astray;
+      a[i] = height(x);
+      b[i] = height(there >= from && there < to ? there : x - slip);
+    }
+    CAPTURE(astray);
+    std::size_t lost = 0;
+    for (const auto& m : measures::align(a, b, h)) {
+      if (m.found) CHECK(m.offset == Approx(slip).margin(0.05));
+      lost += m.found ? 0 : 1;
+    }
+    CHECK(lost >= 1);
+    CHECK(lost <= 3);
+  }
+}

@@ -102,6 +102,29 @@ TEST_CASE("unit: the highest class that keeps a limit") {
   CHECK(fra_class(fra::alinement, 1.6 * fra::inch) == 3);
 }
 
+TEST_CASE("unit: limits are whole eighths of an inch, and no higher class allows more") {
+  using namespace measures;
+  const auto check = [](const auto& limit) {
+    for (std::size_t i = 0; i < limit.size(); ++i) {
+      const double eighths = 8 * limit[i] / fra::inch;
+      CHECK(std::abs(eighths - std::round(eighths)) < 1e-9);
+      CHECK(eighths >= 4);
+      CHECK(eighths <= 40);
+      if (i > 0) CHECK(limit[i] <= limit[i - 1]);
+    }
+  };
+  for (const FraLimit& row : {fra::profile, fra::alinement, fra::crosslevel, fra::warp}) {
+    check(row.limit);
+    CHECK((row.chord == 0 || row.chord == 62 * fra::feet));
+  }
+  for (std::size_t i = 0; i < fra::uniformity.size(); ++i) {
+    check(fra::uniformity[i].limit);
+    CHECK(fra::uniformity[i].chord == 31 * fra::feet * std::pow(2, i));
+    for (std::size_t k = 0; i > 0 && k < 4; ++k)  // a longer chord sees more
+      CHECK(fra::uniformity[i].limit[k] >= fra::uniformity[i - 1].limit[k]);
+  }
+}
+
 TEST_CASE("unit: exceptions are runs beyond the limit, on one side, ended by a gap") {
   measures::Exceptions exceptions{1, [](std::size_t i) { return 10.0 * static_cast<double>(i); }};
   const double gap = std::numeric_limits<double>::quiet_NaN();
