@@ -4,16 +4,19 @@
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "../support/no_fp_fault.hpp"
 #include "num/even_filter.hpp"
 #include "num/fft.hpp"
 #include "num/gsl.hpp"
 #include "num/parallel.hpp"
 #include "num/quadrature.hpp"
 #include "num/roots.hpp"
+#include "num/special.hpp"
 #include "units/constants.hpp"
 #include "units/input_error.hpp"
 
@@ -169,4 +172,13 @@ TEST_CASE("unit: transforms may be made and used in several threads at once") {
 TEST_CASE("unit: GSL says what is wrong instead of ending the program") {
   num::use_gsl_status_codes();
   CHECK_THROWS_AS(num::integrate([](double x) { return x; }, 0, 1, 1e-30), num::NumericalError);
+}
+
+TEST_CASE("unit: the sine integral at its ends") {
+  const NoFpFault no_fault;
+  const double infinity = std::numeric_limits<double>::infinity();
+  CHECK(num::sine_integral(infinity) == std::numbers::pi / 2);
+  CHECK(num::sine_integral(-infinity) == -std::numbers::pi / 2);
+  CHECK(std::isnan(num::sine_integral(std::nan(""))));
+  CHECK(num::sine_integral(0) == 0);
 }
