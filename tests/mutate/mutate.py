@@ -201,7 +201,7 @@ def farther(tree, path):
     """The rest of ctest that a fault in the file could fail, the quick ones first."""
     parts = path.relative_to(ROOT).parts
     if parts[0] == "tools":
-        return [("bin/railbook", "^(tool|readme|outside)")] if len(parts) == 2 else []
+        return [("bin/railbook", "^(tool|readme|outside)")]
     room = parts[1]
     users = [p for p in tree.link if room in tree.rooms(p) or room in p]
     steps = [(p, None) for p in users if "/test_" in p and p != nearest(path)[0]]
@@ -308,7 +308,7 @@ def main():
         lines = path.read_text().split("\n")
         before = lines[number]
         lines[number] = before[:start] + text + before[end:]
-        change = f"  - {before.strip()}\n  + {lines[number].strip()}"
+        change = f"  - {before.strip()}\n  + {lines[number].strip()}".rstrip()
         shutil.rmtree(tree.out / "tree", ignore_errors=True)
         done, begun = set(), time.monotonic()
         faulty = "\n".join(lines)

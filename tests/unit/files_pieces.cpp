@@ -167,6 +167,8 @@ TEST_CASE("unit: a file is the owner's and has the modes of the old one") {
   CHECK_FALSE(fs::exists(file));
   CHECK_NOTHROW(files::remove(file));
   CHECK_THROWS_AS(files::remove(at.path), InputError);
+  CHECK_THROWS_WITH(files::remove("/proc/self/comm"),
+                    Contains("cannot be removed: ") && Contains("ermi"));
 }
 
 TEST_CASE("unit: a private folder goes with all that was put there") {
@@ -266,6 +268,14 @@ TEST_CASE("unit: each kind of failure has its status and its words") {
   });
   CHECK(WEXITSTATUS(full) == 3);
   CHECK(message == "prog: standard output: No space left on device\n");
+  const auto [again, nothing] = apart(2, [] {
+    const int device = open("/dev/full", O_WRONLY);
+    dup2(device, 1);
+    std::printf("text");
+    return files::finish_process("prog", 3);  // what failed before has been said
+  });
+  CHECK(WEXITSTATUS(again) == 3);
+  CHECK(nothing.empty());
 }
 
 TEST_CASE("unit: large texts go to standard output in order, once") {

@@ -85,6 +85,21 @@ TEST_CASE("unit: the nearer triangle hides the farther one, in whatever order th
   }
 }
 
+TEST_CASE(
+    "unit: in perspective near hides far by a hair, and what is behind the camera hides nothing") {
+  const auto wall = [](double y, const Colour& colour) {
+    return triangle({-1, y, -1}, {1, y, -1}, {0, y, 1}, colour);
+  };
+  Camera camera;
+  camera.eye = {0.0, -5.0, 0.0};
+  const Mesh near = wall(0, red), far = wall(1e-4, blue), behind = wall(-9, blue);
+  for (const auto& meshes : {std::vector{near, far}, {far, near}, {near, behind}, {behind, near}}) {
+    Scene scene;
+    scene.meshes = meshes;
+    CHECK(render(scene, camera, size).at(100, 50) == Pixel{255, 0, 0});
+  }
+}
+
 TEST_CASE("unit: a colour per triangle and a colour per vertex land where they belong") {
   Mesh mesh;
   mesh.vertices.resize(4, 3);
