@@ -176,7 +176,8 @@ TEST_CASE("unit: a stability case fails when something else is found than expect
   const auto throws = []() -> report::Found { throw InputError{"too slender"}; };
   const auto gives_up = []() -> report::Found { throw report::NoAnswer{"did not converge"}; };
   CHECK(with(report::holds, 1e-3, found(1e-4)) == 0);
-  CHECK(with(report::holds, 1e-3, found(1e-2)) == 1);
+  CHECK(with(report::holds, 1e-3, found(1e-3)) == 0);  // the bound itself is allowed
+  CHECK(with(report::holds, 1e-3, found(std::nextafter(1e-3, 1))) == 1);
   CHECK(with(report::holds, 1e-3, found(units::nan)) == 1);
   CHECK(with(report::holds, 1e-3, throws) == 1);
   CHECK(with(report::degrades, 0.2, found(0.1)) == 0);
@@ -277,6 +278,60 @@ TEST_CASE("unit: a display table writes its numbers as its headings say") {
   const auto rows = s.record()["items"][0]["rows"];
   CHECK(rows[0][1] == "1.23");
   CHECK(rows[1][1] == "–");
+}
+
+TEST_CASE("unit: a row of a display table has a cell for each column") {
+  CHECK(status([](report::Item& item) {
+          item.sketch();
+          item.columns({"what", "n"});
+          item.add_row(std::vector<std::string>{"a", "b"});
+        }) == 0);
+  CHECK(status([](report::Item& item) {
+          item.sketch();
+          item.columns({"what", "n"});
+          item.add_row(std::vector<std::string>{"a"});
+        }) == 1);
+}
+
+TEST_CASE("unit: a value is shown to the same digits on both sides of zero") {
+  const Sample s;
+  s.reproduce(one([](report::Item& i) {
+    i.expect_checks(2);
+    i.print("up", "a", "m", "5.5", 123.4567);
+    i.print("down", "a", "m", "-5.5", -123.4567);
+  }));
+  CHECK(s.record()["checks"][0]["computed_text"] == "123.457");
+  CHECK(s.record()["checks"][1]["computed_text"] == "-123.457");
+}
+
+TEST_CASE("unit: stability cases and times stand in the record, and without timings no time does") {
+  const report::Section paper = one([](report::Item& i) {
+    i.stability({.id = "s", .what = "w", .stress = "x", .expect = report::holds, .allowed = 1}, [] {
+      return report::Found{"found", 0.5};
+    });
+  });
+  for (const bool timed : {false, true}) {
+    const Sample s;
+    std::vector<std::string> words{"reproduce", "--out", s.scratch.path.string()};
+    if (!timed) words.emplace_back("--no-timings");
+    CHECK(run(s.scratch.path, paper, words) == 0);
+    const auto r = s.record();
+    REQUIRE(r["stability"].size() == 1);
+    CHECK(r["stability"][0]["error"] == 0.5);
+    for (const auto& timed_part : {r, r["items"][0], r["stability"][0]})
+      CHECK((timed_part["seconds"] > 0) == timed);
+  }
+}
+
+TEST_CASE("unit: a figure that is drawn by the chapter itself stands among the figures") {
+  const Sample s;
+  const report::Section paper{report::figure("fig-1", "F", [](report::Item& item) {
+    item.sketch();
+    item.image([](const fs::path& png) { std::ofstream{png} << "drawn"; });
+  })};
+  REQUIRE(s.reproduce(paper) == 0);
+  CHECK(fs::file_size(s.scratch.path / "figures/00-sample/fig-1.png") == 5);
+  CHECK(s.record()["items"][0]["png"] == "fig-1.png");
 }
 
 TEST_CASE("unit: --only computes just what is asked for") {

@@ -30,6 +30,8 @@ TEST_CASE("unit: each kind measures its own error") {
   CHECK_FALSE(compare("200", 201.3, relative(0.006, "r")).pass);
   CHECK(compare("0", 0.4, absolute(0.5, "r")).pass);
   CHECK_FALSE(compare("0", 0.1, relative(0.5, "r")).pass);
+  CHECK(compare("0", 0, relative(0.5, "r")).pass);
+  CHECK_FALSE(compare("0", 1, relative(0.5, "r")).pass);
   CHECK(compare("3", 3.4, digitised(0.05, 10, "r")).pass);
   CHECK_FALSE(compare("3", 3.6, digitised(0.05, 10, "r")).pass);
   CHECK(compare("3", 2.687, at_most("r")).pass);

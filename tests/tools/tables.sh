@@ -1,0 +1,124 @@
+#!/bin/sh
+# tables.sh SUBJECT RAILBOOK: the tables that tools write say what their answers say, and keep the laws of what they are about.
+subject=$1 railbook=$2
+folder=$(mktemp -d) || exit 1
+trap 'rm -rf "$folder"' EXIT
+cd "$folder" || exit 1
+fail() { echo "$*"; exit 1; }
+# answers FOLDER arguments...: files in FOLDER, the answer as JSON in FOLDER.json.
+answers() {
+  to=$1
+  shift
+  "$railbook" "$subject" "$@" --no-figures --out "$to" --json >"$to.json" 2>said || fail "$*: $(cat said)"
+}
+# v FOLDER KEY: a number of the answer.
+v() { sed -n "s/^  \"$2\": \(-\?[0-9][0-9.e+-]*\),\?\$/\1/p" "$1.json" | head -1; }
+# near WHAT VALUE EXPECTED WITHIN
+near() { awk -v a="$2" -v b="$3" -v within="$4" 'BEGIN {exit !(a != "" && a - b <= within && b - a <= within)}' || fail "$1: $2 is not $3"; }
+# holds WHAT FILE PROGRAM assignments...: an awk program over a CSV, columns by name in c, that counts what is wrong in `wrong`.
+holds() {
+  what=$1 file=$2 program=$3
+  shift 3
+  # shellcheck disable=SC2046 # one word each
+  awk $(for one in "$@"; do echo "-v $one"; done) -F, 'function abs(x) {return x < 0 ? -x : x}
+    function near(x, y, within) {if (y == "" || !(abs(x - y) <= within)) {print x, "is not", y; wrong++}}
+    NR == 1 {for (i = 1; i <= NF; ++i) c[$i] = i; next} {++rows} '"$program"' END {exit wrong > 0 || rows == 0}' "$file" >said ||
+    fail "$what: $(head -5 said)"
+}
+
+case $subject in
+hunting)
+  # The table goes over the range; where the greatest growth passes zero is the critical speed, with its frequency.
+  answers speed speed --lowest 20m/s --highest 80m/s
+  holds "growth over speed" speed/speed.csv '
+    rows == 1 {near($1, 20, 1e-6)} rows > 1 {near($1 - last, 0.25, 1e-5)} $2 < $4 {wrong++}
+    rows > 1 && $2 > 0 && before <= 0 {near(last - before * ($1 - last) / ($2 - before), hopf, 0.01); ++roots; near($3, omega, 0.1)}
+    {last = $1; before = $2} END {near(last, 80, 1e-6); near(roots, 1, 0)}' \
+    hopf="$(v speed hopf_1_m_per_s)" omega="$(v speed hopf_1_rad_per_s)"
+  ;;
+track)
+  # From 5 ms before the joint; the peaks are those of the answer, and the joint is the lowest place of the surface.
+  answers joint joint --speed 60mph --dip 0.5in --duration 40ms
+  holds "force over a joint" joint/joint.csv '
+    rows == 1 {near($1, -5, 1e-6); least = $2} {last = $1} $1 <= 2.5 && $2 > second {second = $2}
+    $1 >= 4 && $2 > late {late = $2} $2 < least {least = $2} $6 > deepest {deepest = $6; at = $1}
+    END {near(last, 40, 1e-6); near(second, s, 0.1); near(late, l, 0.1); near(least, w, 0.1); near(deepest, 12.7, 0.01); near(at, 0, 0.03)}' \
+    s="$(v joint second_kN)" l="$(v joint late_kN)" w="$(v joint least_kN)"
+  # What the bed bears is the wheel load; the rail is symmetrical about the wheel, and deepest under it.
+  answers bend stiffness --wheel-load 100kN
+  holds "deflected rail" bend/stiffness.csv '
+    {x[rows] = $1; y[rows] = $2; q[rows] = $3; if ($2 > deepest) {deepest = $2; at = $1}}
+    END {for (i = 1; i <= rows; ++i) near(y[i], y[rows + 1 - i], 1e-5)
+      for (i = 2; i <= rows; ++i) sum += (x[i] - x[i - 1]) * (q[i] + q[i - 1]) / 2
+      near(sum, 100, 0.3); near(at, 0, 1e-6); near(deepest, d, 1e-4)}' d="$(v bend deflection_mm_at_0.000)"
+  ;;
+contact)
+  # Pressures add up to the load.
+  answers press solve --body-1-radius-along 460mm --body-2-radius-across 300mm --load 80kN --cells-x 63 --cells-y 63
+  holds "pressures" press/pressure.csv '
+    NF == 3 {if ($1 > x && rows > 1) dx = $1 - x; if ($2 > y && rows > 1) dy = $2 - y; x = $1; y = $2; sum += $3; if ($3 > most) most = $3}
+    END {near(sum * abs(dx * dy) / 80e3, 1, 1e-3); near(most / p, 1, 2e-3)}' p="$(v press p_max_MPa)"
+  # Bodies turned to one another: the ends are those of Hertz's ellipse in its own axes.
+  answers turned solve --body-1-radius-along 200mm --body-2-radius-across 500mm --body-2-radius-along 400mm --angle 30deg --load 80kN
+  eval "$(awk -v a="$(v turned hertz_a_mm)" -v b="$(v turned hertz_b_mm)" -v g="$(v turned grid_angle_deg)" 'BEGIN {
+    c = cos(g / 57.2957795); s = sin(g / 57.2957795)
+    print "x=" sqrt((a * c) ^ 2 + (b * s) ^ 2), "y=" sqrt((a * s) ^ 2 + (b * c) ^ 2)}')"
+  for end in x_min:-"$x" x_max:"$x" y_min:-"$y" y_max:"$y"; do
+    near "${end%%:*} of turned bodies" "$(v turned "${end%%:*}_mm")" "${end#*:}" 0.06
+  done
+  # A profile whose lowest place is not at its zero: the contact is about that place, and else Hertz's.
+  awk 'BEGIN {print "x_mm,depth_mm"; for (i = -200; i <= 200; ++i) {x = i / 10; printf "%.1f,%.9f\n", x, (x - 7) ^ 2 / 600}}' >aside.csv
+  answers aside solve --body-2-profile aside.csv --body-1-radius-along 460mm --load 80kN
+  for place in x_touch x_p_max; do near "$place of a profile" "$(v aside ${place}_mm)" 7 0.01; done
+  for end in x_min x_max y_min y_max; do
+    near "$end of a profile" "$(v aside ${end}_mm)" "$(awk -v e="$(v press ${end}_mm)" -v at=${end%_*} 'BEGIN {print e + (at == "x" ? 7 : 0)}')" 0.2
+  done
+  near "pressure of a profile" "$(v aside p_max_MPa)" "$(v press p_max_MPa)" 3
+  ;;
+creep)
+  # Friction bounds what creeps, and more creepage is more force, from Kalker's slope on.
+  answers creep curve --a 6mm --b 4mm --load 80kN --theory fastsim --points 9
+  holds "a creep curve" creep/curve.csv '
+    {near($2, 0, 0); near($c["fy_N"], 0, 1e-6); f = $c["fx_N"]} f > 24000.001 || (rows > 1 && f < last) || (rows == 2 && !(f > 1000)) {wrong++} {last = f} END {near(rows, 9, 0)}'
+  ;;
+filters)
+  # A run forth, back and forth: speeds have no sign, rows are in order of the road.
+  "$railbook" filters simulate --out drive.csv --length 4000ft --speeds 40mph 0mph -20mph 0mph 40mph --distances 1500ft 1ft 800ft 1ft 300ft --stand 60s >/dev/null || fail "simulate"
+  answers geometry process drive.csv
+  near "fastest" "$(v geometry fastest_mph)" 40 0.01
+  awk -v slow="$(v geometry slowest_mph)" 'BEGIN {exit !(slow > 0 && slow < 5)}' || fail "slowest: $(v geometry slowest_mph)"
+  near "gage" "$(v geometry gage_mean)" 1435 2
+  holds "gage in the table" geometry/geometry.csv '$c["gage_is"] == "good" {sum += $c["gage_mm"]; squares += $c["gage_mm"] ^ 2; ++n}
+    END {mean = sum / n; near(mean, m, 1e-3); near(sqrt(squares / n - mean ^ 2), d, 0.01); near(100 * n / rows, g, 0.1)}' \
+    m="$(v geometry gage_mean)" d="$(v geometry gage_deviation)" g="$(v geometry gage_good_percent)"
+  ;;
+psd)
+  # 4 mm of a wave of 6 m, and waves of 1 m and 60 m: the band of 3 to 25 m has the first alone.
+  awk 'BEGIN {print "distance_m,profile_mm"; for (i = 0; i < 12000; ++i) {w = 2 * 3.14159265358979 * i / 4
+    printf "%.2f,%.4f\n", i / 4, 4 * sin(w / 6) + 2 * sin(w) + 6 * sin(w / 60) + 0.1 * sin(i * i)}}' >waves.csv
+  answers rms classify waves.csv --reference fra-5
+  near "rms of waves of 3 to 25 m" "$(v rms rms_3_25_mm)" 2.83 0.05
+  ;;
+quality)
+  # A bump in the middle and one at the end, where it is not sure; a gap, and a code for lost samples over the border of two segments.
+  awk 'BEGIN {print "distance_m,profile_mm"; for (i = 0; i < 12000; ++i) {x = i / 4
+    z = 0.3 * sin(i * i) + 60 * exp(-((x - 1010) / 8) ^ 2) + 60 * exp(-((x - 2985) / 8) ^ 2)
+    printf "%.2f,%s\n", x, (i >= 2000 && i < 2050 ? "" : i >= 7590 && i < 7610 ? "-999.9" : sprintf("%.4f", z))}}' >bumps.csv
+  answers index index bumps.csv --speed 100km/h --segment 100m
+  holds "segments" index/segments.csv '
+    {samples += $3; missing += $4; faulty += $5; if ($9 > most) most = $9; here += $c["exceedances"]; near($2 - $1, 100, 1e-6); class = $c["class"]}
+    $5 > 0 {places = places $1 ","} class == "repair" {repair = repair $1 ","} class == "unsure" {unsure = unsure $1 ","}
+    class == "accept" && $9 > 0.5 || class == "watch" && !($9 > 0.5 && $9 <= 1) {wrong++}
+    END {near(samples, 12000, 0); near(faulty, 20, 0); near(missing, m, 0); near(most, l, 1e-5); near(here, e, 0); near(rows, 30, 0)
+      if (places repair unsure != "1800,1900,1000,2900,") {print "faulty, repair, unsure: " places " " repair " " unsure; wrong++}}' \
+    m="$(v index missing)" l="$(v index largest)" e="$(v index exceedances)"
+  holds "exceedances" index/exceedances.csv '
+    abs($1 - 1010) < 1 {near($2, l, 0.5); if ($c["unsure"] != "no") wrong++} $1 > 2900 && $c["unsure"] != "yes" {wrong++} END {near(rows, e, 0)}' \
+    l="$(v index largest)" e="$(v index exceedances)"
+  holds "the channel" index/channel.csv '$2 != "" && abs($2) > most {most = abs($2)} $2 == "" || $2 == "nan" {++none}
+    END {near(most, l, 1e-5); near(rows, 12000, 0); near(none, m, 0)}' l="$(v index largest)" m="$(v index missing)"
+  holds "the histogram" index/histogram.csv '{sum += $2} END {near(sum, 12000 - m, 0)}' m="$(v index missing)"
+  ;;
+*) fail "no tables of $subject are known" ;;
+esac
+exit 0
