@@ -18,6 +18,10 @@ std::string progress_line(const std::string& what, double done, double steps, do
                      time);
 }
 
+bool worth_saying(double done, double steps, double seconds, double enough) {
+  return seconds > 2 && (steps - done) * seconds > enough * done;
+}
+
 Progress::Progress(std::string what, double steps)
     : what_(std::move(what)), steps_(steps), terminal_(isatty(STDERR_FILENO) != 0) {}
 
@@ -33,8 +37,7 @@ void Progress::step() {
     return std::chrono::duration<double>(now - t).count();
   };
   const double seconds = since(begin_);
-  const double enough = terminal_ ? 1 : 10;  // seconds to go
-  const bool first = !said_ && seconds > 2 && (steps_ - done_) * seconds > enough * done_;
+  const bool first = !said_ && worth_saying(done_, steps_, seconds, terminal_ ? 1 : 10);
   if (!first && !(said_ && terminal_ && since(shown_) > 0.5)) return;
   said_ = true;
   shown_ = now;

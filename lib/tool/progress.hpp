@@ -31,4 +31,7 @@ class Progress {
 // The line: "points: 12 of 40, about 90 s to go".
 std::string progress_line(const std::string& what, double done, double steps, double seconds);
 
+// Whether work has taken more than two seconds, and more than `enough` seconds are to go at the pace so far.
+bool worth_saying(double done, double steps, double seconds, double enough);
+
 }  // namespace railbook::tool

@@ -68,6 +68,7 @@ KINDS = {
     "negation": (r"!(?=[a-z(])", lambda m: ""),
     "dropped statement": (r"^\s+[a-z][\w.\[\]>-]* (\+=|-=|\*=|=) [^;{}]*;$", lambda m: ""),
 }
+GENERAL = ("many", "a person", "forty", "exceptions", "files", "hostile")  # tests of tools of no one subject
 SKIPPED = re.compile(r"^\s*(//|#|static_assert|template|using|namespace|\[\[|public:|private:)|InputError|fmt::|require_|for_each")
 
 
@@ -208,7 +209,7 @@ def farther(tree, path):
     steps += [(p, None) for p in users if (ROOT / "chapters").joinpath(chapter_folder(p)).is_dir()]
     if "bin/railbook" in users:
         subjects = {f.relative_to(ROOT).parts[1] for f in (ROOT / "tools").glob("*/*.cpp") if uses(f, room)}
-        steps.append(("bin/railbook", f"^tool: ({'|'.join(sorted(subjects))})" if subjects else "^tool:"))
+        steps.append(("bin/railbook", f"^tool: ({'|'.join([*sorted(subjects), *GENERAL])})" if subjects else "^tool:"))
     return steps
 
 

@@ -10,3 +10,13 @@ TEST_CASE("Progress says what is left at the pace so far") {
   CHECK(tool::progress_line("nodes", 1, 10001, 2) == "nodes: 1 of 10001, about 6 h to go");
   CHECK(tool::progress_line("points", 50, 40, 30) == "points: 50 of 50, about 0 s to go");
 }
+
+TEST_CASE("Progress is silent for two seconds, and where the rest is short") {
+  for (const double enough : {1.0, 10.0}) {
+    CHECK_FALSE(tool::worth_saying(1, 1000, 1.9, enough));
+    CHECK(tool::worth_saying(1, 1000, 2.1, enough));
+    // 4 s a step: what is left takes a little less, or more, than enough.
+    CHECK_FALSE(tool::worth_saying(10, 10 + 0.24 * enough, 40, enough));
+    CHECK(tool::worth_saying(10, 10 + 0.26 * enough, 40, enough));
+  }
+}
