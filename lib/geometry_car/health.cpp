@@ -20,7 +20,7 @@ std::vector<Channel> sources(Parameter parameter, bool mean, const Processing& p
   using enum Channel;
   const bool curves =
       p.chain.high_pass.stages == 1;  // a constant acceleration shifts a space curve
-  const std::vector<Channel> none,
+  const std::vector<Channel> none, lean{inclinometer, yaw_rate, roll_rate},
       attitude{inclinometer, yaw_rate, roll_rate, height_left, height_right};
   const auto with = [](std::vector<Channel> list, std::initializer_list<Channel> more) {
     list.insert(list.end(), more);
@@ -39,16 +39,20 @@ std::vector<Channel> sources(Parameter parameter, bool mean, const Processing& p
       return mean ? none : attitude;
     case Parameter::profile_left:
     case Parameter::profile_right:
-      return mean ? attitude : with(attitude, {vertical_left, vertical_right});
+      return mean ? lean : with(attitude, {vertical_left, vertical_right});
     case Parameter::surface_left:
     case Parameter::surface_right:
-      return mean && !curves ? attitude : with(attitude, {vertical_left, vertical_right});
+      if (mean) return curves ? with(lean, {vertical_left, vertical_right}) : lean;
+      return with(attitude, {vertical_left, vertical_right});
     case Parameter::alignment_left:
     case Parameter::alignment_right:
-      return mean ? none : with(attitude, {lateral, gage_left, gage_right});
     case Parameter::line_left:
-    case Parameter::line_right:
-      return mean && !curves ? none : with(attitude, {lateral, gage_left, gage_right});
+    case Parameter::line_right: {
+      const bool curve = parameter == Parameter::line_left || parameter == Parameter::line_right,
+                 left = parameter == Parameter::line_left || parameter == Parameter::alignment_left;
+      if (mean) return curve && curves ? with(attitude, {lateral}) : none;
+      return with(attitude, {lateral, left ? gage_left : gage_right});
+    }
   }
   return none;
 }

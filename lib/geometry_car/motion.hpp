@@ -33,11 +33,11 @@ struct Moment {
   double time = 0;          // s
   double position = 0;      // m
   double acceleration = 0;  // along the track, of the piece that ends here, m/s^2
-  long node = -1;           // number of the grid point it is at; -1: between two
+  long node = -1;           // number of the grid point it is at, from 0; negative: none
 };
 
 // Visits the start, every crossing of a grid point (spacing `grid`, m), every turning point, every change of leg, and moments at
-// most `longest` s apart while the car stands.
+// most `longest` s apart while the car stands. Times and places to 1e-14 of the way and the time, for up to 10^6 grid points.
 void each_moment(const Motion& motion, double grid, double longest,
                  const std::function<void(const Moment&)>& visit);
 

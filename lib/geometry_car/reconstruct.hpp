@@ -92,10 +92,12 @@ struct Measurement {
 // negative, NaN or too short is rejected, a jump or a turn of the marks begins a new run, a missing value masks what depends on it;
 // crosslevel, and with it warp and alignment, begins when the roll filter has settled (4 s with the defaults) after the start or a gap.
 // Throws InputError when no run has the samples the composite filter needs (663 with the defaults: 661 short chords), and on a
-// processing that does not make sense.
+// processing that does not make sense. With ideal sensors, on tracks as the default one, at steady 7 to 40 m/s, root mean square
+// errors are below 2.5 mm of crosslevel, 3 mm of warp, 2e-5 1/m of curvature, 2.5e-6 1/m^2 of its rate, 0.1 mm of profile, 0.8 mm of
+// its space curve, rounding of gage; of alignment see levelling_error().
 Measurement reconstruct(const Record& record, const Processing& processing);
 
-// What an ideal instrument would answer at each mark: the same chords, means and filters on the true rails.
+// What an ideal instrument would answer at each mark: the same chords, means and filters on the true rails, to 1e-11 of their size.
 Measurement truth(const Track& track, const Processing& processing);
 
 // What a change of speed may cost a long chord of length L on a grade (m), for the car does not know the grade: the acceleration grade *
@@ -104,7 +106,7 @@ double braking_error(double grade, double rate, double chord, double speed);
 inline constexpr double braking_degrades = 0.2e-3, braking_spoils = 1.6e-3;  // m, ours
 
 // What an error of the crosslevel may cost a long chord of alignment (m): gravity on a false lean is taken for a curve. Largest seen over 7 to 30 m/s with
-// ideal sensors on the default track and a chord of 18.9 m, where it falls with the speed, as the crosslevel's error grows with it; 6.3 mm at 7 m/s.
+// ideal sensors on the default track and a chord of 18.9 m, where it falls with the speed, as the crosslevel's error grows with it; 6.3 mm at 7 m/s. On 30 other tracks up to 1.1 of it.
 double levelling_error(double chord, double speed);
 inline constexpr double levelling_degrades = 2e-3, levelling_spoils = 8e-3;  // m, ours
 

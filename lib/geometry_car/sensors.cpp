@@ -11,6 +11,20 @@
 namespace railbook::geometry_car {
 namespace {
 
+// 1 - exp(-x) times the first n terms of the series of exp(x), x >= 0: without a difference of near equals where x is small.
+double rest(int n, double x) {
+  double term = std::exp(-x), sum = 0;
+  if (x > 1) {
+    for (int j = 0; j < n; ++j, term *= x / j) sum += term;
+    return 1 - sum;
+  }
+  for (int j = 1; j < n + 20; ++j) {
+    term *= x / j;
+    if (j >= n) sum += term;
+  }
+  return sum;
+}
+
 // White noise of two-sided intensity S through one or two equal poles at w: the stationary covariance is
 // (wS/2) [1 1/2; 1/2 1/2], and over an interval T the states decay by a [1 0; wT 1], a = exp(-wT), while what the noise adds has the covariance
 // that keeps the stationary one.
@@ -25,9 +39,7 @@ class FilteredNoise {
 
   double next(double T) {
     const double k = w_ * std::max(T, 0.0), a = std::exp(-k);
-    const double q11 = 1 - a * a;
-    const double q12 = 0.5 - a * a * (0.5 + k);
-    const double q22 = 0.5 - a * a * (0.5 + k + k * k);
+    const double q11 = rest(1, 2 * k), q12 = 0.5 * rest(2, 2 * k), q22 = 0.5 * rest(3, 2 * k);
     const double l11 = std::sqrt(std::max(q11, 0.0)), l21 = l11 > 0 ? q12 / l11 : 0.0;
     const double l22 = std::sqrt(std::max(q22 - l21 * l21, 0.0));
     const double sigma = std::sqrt(variance_), e1 = draw(), e2 = draw();

@@ -3,7 +3,7 @@
 // Nothing here knows the digital filters. The equations of motion and of the analog filters are integrated together in
 // continuous time: over each grid step the track enters as a straight line, for which the Taylor series of the linear system is its
 // exact solution, summed to the last digit. The attitude terms of second order (cosines, centrifugal acceleration along the body's
-// vertical) are filtered likewise.
+// vertical) are filtered likewise, straight over an eighth of the car's shortest time constant at most: 4e-5 of a channel's largest, at a crawl.
 #pragma once
 
 #include "geometry_car/car.hpp"

@@ -1,6 +1,7 @@
 #include "geometry_car/track.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "spectra/shaped_noise.hpp"
@@ -47,16 +48,14 @@ std::vector<double> noise(const Roughness& r, const TrackDescription& t, double 
   return z;
 }
 
-// The integral of |sin(pi u)| from 0 to u.
-double sine_area(double u) {
-  const double whole = std::floor(u);
-  return (2 * whole + 1 - std::cos(units::pi * (u - whole))) / units::pi;
-}
-
 // The rectified sine, joints at whole rails, as a mean over the smoothing length; crests at zero.
 double joint(const TrackDescription& t, double x) {
-  const double u = x / t.rail_length + 1000, half = 0.5 * t.joint_smoothing / t.rail_length;
-  return t.dip * ((sine_area(u + half) - sine_area(u - half)) / (2 * half) - 1);
+  const auto sine = [](double turns) { return std::sin(units::pi * turns); };
+  const double u = x / t.rail_length, from_joint = std::abs(u - std::round(u)),
+               half = 0.5 * t.joint_smoothing / t.rail_length;
+  if (from_joint >= half) return t.dip * (sine(from_joint) * sine(half) / (units::pi * half) - 1);
+  const double ahead = sine(0.5 * (half + from_joint)), behind = sine(0.5 * (half - from_joint));
+  return t.dip * ((ahead * ahead + behind * behind) / (units::pi * half) - 1);
 }
 
 double vertical(const TrackDescription& t, double x) {
@@ -71,6 +70,25 @@ double share_of_curve(const TrackDescription& t, double x) {
   const double begin = t.curve_begin * t.length;
   const double end = begin + 2 * t.spiral + t.curve_length;
   return std::clamp(std::min(x - begin, end - x) / t.spiral, 0.0, 1.0);
+}
+
+// The curvature integrated twice, over what lies before the curve, spiral, curve, spiral and the rest.
+double bent(const TrackDescription& t, double x) {
+  const double rate = t.curvature / t.spiral;
+  const std::array<std::array<double, 2>, 5> parts{{{t.curve_begin * t.length, 0},
+                                                    {t.spiral, rate},
+                                                    {t.curve_length, 0},
+                                                    {t.spiral, -rate},
+                                                    {units::no_limit, 0}}};
+  double y = 0, heading = 0, curvature = 0;
+  for (const auto& [length, change] : parts) {
+    const double d = std::min(x, length);
+    y += d * (heading + d * (curvature / 2 + d * change / 6));
+    heading += d * (curvature + d * change / 2);
+    curvature += d * change;
+    if ((x -= d) <= 0) break;
+  }
+  return y;
 }
 
 }  // namespace
@@ -88,7 +106,6 @@ Track build(const TrackDescription& t) {
   const auto line = noise(t.line, t, ds, size, centre_line);
   const auto wide = noise(t.gage_variation, t, ds, size, gage);
   for (auto* v : {&track.z_left, &track.z_right, &track.y_left, &track.y_right}) v->resize(size);
-  double y = 0, heading = 0, bent = t.curvature * share_of_curve(t, 0);
   const double outer = t.curvature < 0 ? 1 : -1;  // the left rail is the outer one in a right curve
   for (std::size_t i = 0; i < size; ++i) {
     const double x = static_cast<double>(i) * ds;
@@ -97,13 +114,9 @@ Track build(const TrackDescription& t) {
     track.z_left[i] = design + lift + e[i] + joint(t, x);
     track.z_right[i] =
         design - lift - e[i] + joint(t, x + (t.staggered ? 0.5 * t.rail_length : 0.0));
-    const double half = 0.5 * (t.gage + wide[i]);
-    track.y_left[i] = y + line[i] + half;
-    track.y_right[i] = y + line[i] - half;
-    const double next = t.curvature * share_of_curve(t, x + ds);
-    y += ds * (heading + ds * (bent / 3 + next / 6));
-    heading += 0.5 * ds * (bent + next);
-    bent = next;
+    const double half = 0.5 * (t.gage + wide[i]), y = bent(t, x) + line[i];
+    track.y_left[i] = y + half;
+    track.y_right[i] = y - half;
   }
   return track;
 }

@@ -183,26 +183,6 @@ TEST_CASE("geometry car: a pulse too many is rejected and leaves no trace", "[re
   }
 }
 
-TEST_CASE("geometry car: quality follows the slowest speed of the window", "[reconstruction]") {
-  const Track track = test_track();
-  const Car car;
-  Processing p{.layout = car.layout};
-  p.steepest = 0;  // level line: braking costs nothing
-  Motion motion{.start = 80 * units::foot, .speed = 30 * mph};
-  motion.cruise(400).change_speed(10 * mph, 1).cruise(10).change_speed(30 * mph, 1).cruise(220);
-  const auto m = reconstruct(drive(track, car, motion), p);
-  const auto q = quality(m, Parameter::profile_right, p);
-  for (std::size_t i = 0; i < m.size(); ++i) {
-    if (q[i] == Quality::missing) continue;
-    double least = 1e9;
-    for (std::size_t j = i - 331; j <= std::min(m.size() - 1, i + 331); ++j)
-      if (m.speed[j] > 0) least = std::min(least, m.speed[j]);
-    CHECK((q[i] == Quality::good) == (least >= 15 * mph));
-    CHECK(q[i] != Quality::unreliable);
-  }
-  for (const Quality g : quality(m, Parameter::gage, p)) CHECK(g == Quality::good);
-}
-
 TEST_CASE("geometry car: hard braking is flagged, and nothing else is", "[reconstruction]") {
   TrackDescription hill;
   hill.length = 3000 * units::foot;

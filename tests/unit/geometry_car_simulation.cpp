@@ -1,9 +1,8 @@
-// The journey against closed forms: steady motion in a curve, a sine under the bounce mode, times of a changing speed.
+// The journey against closed forms: steady motion in a curve, a sine under the bounce mode.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <complex>
 
-#include "../support/final_position.hpp"
 #include "geometry_car/simulate.hpp"
 #include "units/constants.hpp"
 
@@ -96,34 +95,4 @@ TEST_CASE("geometry car: the bounce mode and F on a sine, by their transfer func
   }
   CHECK(worst <
         1e-4 * amplitude * std::norm(s));  // straight pieces of 1/16 ft under a wave of 20 m
-}
-
-TEST_CASE("geometry car: times at the marks of a changing speed", "[simulation]") {
-  Motion motion{.start = 30, .speed = 10};
-  motion.change_speed(20, 0.5).change_speed(0, 1).stand(7).change_speed(-5, 0.5).cruise(20);
-  std::vector<Moment> moments;
-  each_moment(motion, 0.1, 0.5, [&](const Moment& m) { moments.push_back(m); });
-  CHECK(final_position(motion) == Approx(30 + 300 + 200 - 25 - 20));
-  CHECK(moments.back().position == Approx(final_position(motion)));
-  double before = -1;
-  int standing = 0;
-  for (const Moment& m : moments) {
-    CHECK(m.time >= before);
-    before = m.time;
-    if (m.node >= 0 && m.time < 20)
-      CHECK(m.position == Approx(30 + m.time * (10 + 0.25 * m.time)).epsilon(1e-12));
-    if (m.position == Approx(530) && m.time > 40 && m.time <= 47.0001) ++standing;
-  }
-  CHECK(standing >= 14);
-}
-
-TEST_CASE("geometry car: turned about, the track is the same track", "[simulation]") {
-  TrackDescription d;
-  d.length = 600;
-  const Track track = build(d), back = turned(track), again = turned(back);
-  CHECK(again.z_left == track.z_left);
-  CHECK(again.y_right == track.y_right);
-  CHECK(back.z_left.front() == track.z_right.back());
-  CHECK(back.y_left.front() - back.y_right.front() ==
-        Approx(track.y_left.back() - track.y_right.back()));
 }
