@@ -40,7 +40,12 @@ std::vector<Run> runs_of(const Record& record, const Processing& p, std::size_t&
 
 void load(Run& run, const Record& record) {
   for (const std::size_t i : run.rows) {
-    run.T.push_back(record.elapsed[i]);
+    double T = record.elapsed[i];
+    // A rejected row took its share of the time.
+    if (!run.T.empty())
+      for (std::size_t j = i - 1; j > run.rows[run.T.size() - 1]; --j)
+        if (record.elapsed[j] > 0) T += record.elapsed[j];
+    run.T.push_back(T);
     for (std::size_t c = 0; c < channels; ++c) run.values[c].push_back(record.values[c][i]);
   }
 }
@@ -59,7 +64,10 @@ void require(const Record& record, const Processing& p) {
   units::require_positive("corner of the roll filter", p.roll_corner, "Hz");
   units::require_positive("fastest speed", p.fastest, "m/s");
   units::require_between("steepest grade", p.steepest, 0, 0.1);
-  units::require_between("samples of the curvature's mean", p.curvature_mean, 1, 1001);
+  units::require_between("samples of the curvature's mean", p.curvature_mean, 3, 1001);
+  if (p.curvature_mean % 2 == 0)
+    throw InputError{"samples of the curvature's mean are " + std::to_string(p.curvature_mean) +
+                     "; allowed: odd numbers"};
   if (record.elapsed.size() != record.size()) throw InputError{"record: a time for each mark"};
   for (const ChannelInfo& c : channel_list())
     if (record[c.channel].size() != record.size())

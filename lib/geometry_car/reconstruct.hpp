@@ -65,7 +65,7 @@ struct Processing {
   bool local = false;             // G with the last interval only, as if the speed were constant
   double roll_corner = 1.25 / 4;  // Hz: two octaves below the lateral mode
   int roll_poles = 2;             // of the inclinometer's path, besides the analog filter
-  int curvature_mean = 51;        // samples, odd
+  int curvature_mean = 51;        // samples, odd, 3 to 1001
   double fastest = 150;           // m/s: a row that would mean more is rejected
   double steepest = 0.01;         // grade of the line, for the quality of profile at changing speed
   Corrections corrections = {};
@@ -89,7 +89,7 @@ struct Measurement {
 };
 
 // Works through every run of the record in the order of time, forwards or backwards. A row whose time since the row before is zero,
-// negative, NaN or too short is rejected, a jump or a turn of the marks begins a new run, a missing value masks what depends on it;
+// negative, NaN or too short is rejected (a short one counts for the next row), a jump or a turn of the marks begins a new run, a missing value masks what depends on it;
 // crosslevel, and with it warp and alignment, begins when the roll filter has settled (4 s with the defaults) after the start or a gap.
 // Throws InputError when no run has the samples the composite filter needs (663 with the defaults: 661 short chords), and on a
 // processing that does not make sense. With ideal sensors, on tracks as the default one, at steady 7 to 40 m/s, root mean square

@@ -43,6 +43,8 @@ TEST_CASE("geometry car: a processing out of range is refused", "[input]") {
   refused([](auto& p) { p.layout.sample = 0; }, "distance between samples");
   refused([](auto& p) { p.roll_corner = 0; }, "corner of the roll filter");
   refused([](auto& p) { p.chain.high_pass.length = 150; }, "");
+  refused([](auto& p) { p.curvature_mean = 1; }, "samples of the curvature's mean is 1");
+  refused([](auto& p) { p.curvature_mean = 50; }, "mean are 50; allowed: odd numbers");
 }
 
 TEST_CASE("geometry car: track, journey and sensors out of range are refused", "[input]") {

@@ -11,6 +11,7 @@ refuses(filters "a record too short" "has 2 samples. allowed: at least 663" proc
 refuses(filters "a record of no rows" "has 0 samples. allowed: at least 663" process ${bad}/header.csv)
 refuses(filters "a chord of an odd number of samples" "chord is .* allowed: an even number" process ${bad}/short.csv --chord 61ft)
 refuses(filters "an even high-pass" "150" process ${bad}/short.csv --high-pass 150)
+refuses(filters "an even mean of the curvature" "mean are 50. allowed: odd" process ${bad}/short.csv --curvature-mean 50)
 refuses(filters "a corner of zero" "first corner is 0 .*allowed" process ${bad}/short.csv --first-corner 0Hz)
 refuses(filters "a corner without a unit" "without a unit" process ${bad}/short.csv --second-corner 1)
 refuses(filters "a key nobody knows" "wheels" process ${bad}/short.csv --config ${bad}/unknown.toml)

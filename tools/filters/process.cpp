@@ -316,7 +316,7 @@ tool::Tool process_tool() {
         o.quantity("--roll-corner", wish->processing.roll_corner, units::frequency,
                    "between inclinometer and roll gyro", tool::Range{1e-4, 100});
         o.count("--roll-poles", wish->poles, "of the inclinometer's path", 1, 8);
-        o.count("--curvature-mean", wish->curvature_mean, "samples", 1, 1001);
+        o.count("--curvature-mean", wish->curvature_mean, "samples, odd", 3, 1001);
         o.quantity("--yaw-bias", wish->yaw_bias, units::angle / units::time,
                    "of the gyro, found at rest");
         o.quantity("--roll-bias", wish->roll_bias, units::angle / units::time,
