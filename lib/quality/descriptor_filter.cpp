@@ -5,6 +5,8 @@
 #include <cmath>
 #include <complex>
 
+#include "num/fft.hpp"
+#include "num/wide.hpp"
 #include "units/constants.hpp"
 #include "units/input_error.hpp"
 
@@ -30,6 +32,31 @@ std::vector<double> gains(std::span<const double> half, num::RealFft& fft) {
   std::vector<double> result(n / 2 + 1);
   for (std::size_t k = 0; k < result.size(); ++k) result[k] = fft.spectrum()[k].real();
   return result;
+}
+
+using Complexes = std::span<std::complex<double>>;
+
+RAILBOOK_WIDE void amplify(Complexes z, const double* gain) {
+  for (std::size_t i = 0; i < z.size(); ++i) z[i] *= gain[i];
+}
+RAILBOOK_WIDE void join(const double* real, const double* imaginary, Complexes z) {
+  for (std::size_t i = 0; i < z.size(); ++i) z[i] = {real[i], imaginary[i]};
+}
+RAILBOOK_WIDE void part(Complexes z, double* real, double* imaginary) {
+  for (std::size_t i = 0; i < z.size(); ++i) real[i] = z[i].real(), imaginary[i] = z[i].imag();
+}
+
+// How many samples stand before the first gap.
+RAILBOOK_WIDE std::size_t whole(std::span<const double> z) {
+  constexpr std::size_t stretch = 256;
+  std::size_t i = 0;
+  for (; i + stretch <= z.size(); i += stretch) {
+    bool gap = false;
+    for (std::size_t j = 0; j < stretch; ++j) gap |= std::isnan(z[i + j]);
+    if (gap) break;
+  }
+  while (i < z.size() && !std::isnan(z[i])) ++i;
+  return i;
 }
 
 // Sample i of a piece, also before its begin and after its end: point-symmetric, then level.
@@ -158,23 +185,32 @@ std::vector<double> filter_direct(const FilterTaps& taps, std::span<const double
 }
 
 FilterStream::FilterStream(const FilterTaps& taps, Sink sink)
-    : sink_(std::move(sink)), reach_(taps.half.size() - 1), fft_(8 * std::bit_ceil(reach_ + 1)) {
-  gain_ = gains(taps.half, fft_);
-  for (double& g : gain_) g /= static_cast<double>(fft_.size());
-  block_.resize(fft_.size());
+    : sink_(std::move(sink)), reach_(taps.half.size() - 1), fft_(std::bit_ceil(6 * reach_)) {
+  const std::size_t size = fft_.rows() * fft_.columns();
+  num::RealFft of_taps(size);
+  const std::vector<double> gain = gains(taps.half, of_taps);
+  for (std::size_t r = 0; r < fft_.rows(); ++r)
+    for (std::size_t c = 0; c < fft_.columns(); ++c) {
+      const std::size_t k = fft_.wave_number(r, c);
+      gain_.push_back(gain[std::min(k, size - k)] / static_cast<double>(size));
+    }
+  outputs_ = size - 2 * reach_;
+  block_.resize(2 * outputs_ + 2 * reach_);
 }
 
 void FilterStream::push(std::span<const double> record) {
-  const auto gap = [](double z) { return std::isnan(z); };
   while (!record.empty()) {
-    const auto missing = std::find_if(record.begin(), record.end(), gap);
-    const auto whole = static_cast<std::size_t>(missing - record.begin());
-    push_piece(record.first(whole));
-    if (whole == record.size()) return;
+    const auto piece =
+        record.first(std::min<std::size_t>(record.size(), 2048));  // stays in the cache
+    const std::size_t known = whole(piece);
+    push_piece(piece.first(known));
+    record = record.subspan(known);
+    if (known == piece.size()) continue;
     end_piece();
-    const auto next = std::find_if_not(missing, record.end(), gap);
-    sink_(record.subspan(whole, static_cast<std::size_t>(next - missing)));
-    record = record.subspan(static_cast<std::size_t>(next - record.begin()));
+    const auto next = std::ranges::find_if_not(record, [](double z) { return std::isnan(z); });
+    const auto missing = static_cast<std::size_t>(next - record.begin());
+    sink_(record.first(missing));
+    record = record.subspan(missing);
   }
 }
 
@@ -189,7 +225,7 @@ void FilterStream::push_piece(std::span<const double> piece) {
     std::copy_n(piece.data() + i, count, block_.data() + filled_);
     filled_ += count;
     i += count;
-    if (filled_ == block_.size()) transform(block_.size() - 2 * reach_);
+    if (filled_ == block_.size()) transform(2 * outputs_);
   }
 }
 
@@ -203,19 +239,25 @@ void FilterStream::begin_piece() {
 
 void FilterStream::append(double value) {
   block_[filled_++] = value;
-  if (filled_ == block_.size()) transform(block_.size() - 2 * reach_);
+  if (filled_ == block_.size()) transform(2 * outputs_);
 }
 
-// Filters the block, hands on the values of `outputs` samples from the first with a whole reach to its left, and keeps the
-// last two reaches.
+// Filters both halves of the block, one as the real and the other as the imaginary part, hands on the values of `outputs`
+// samples from the first with a whole reach to its left, and keeps the last two reaches.
 void FilterStream::transform(std::size_t outputs) {
   std::fill(block_.begin() + static_cast<std::ptrdiff_t>(filled_), block_.end(), 0.0);
-  std::copy(block_.begin(), block_.end(), fft_.real().begin());
-  fft_.forward();
-  const auto spectrum = fft_.spectrum();
-  for (std::size_t k = 0; k < spectrum.size(); ++k) spectrum[k] *= gain_[k];
-  fft_.inverse();
-  sink_(fft_.real().subspan(reach_, outputs));
+  const std::size_t columns = fft_.columns();
+  for (std::size_t r = 0; r < fft_.rows(); ++r)
+    join(block_.data() + r * columns, block_.data() + r * columns + outputs_, fft_.row(r));
+  fft_.filter([&](std::size_t r, Complexes z) { amplify(z, gain_.data() + r * columns); });
+  for (std::size_t r = 0; r < fft_.rows(); ++r) {
+    const std::size_t from = std::max(r * columns, reach_),
+                      end = std::min((r + 1) * columns, reach_ + outputs_);
+    if (from >= end) continue;
+    double* const to = block_.data() + from - reach_;
+    part(fft_.row(r).subspan(from - r * columns, end - from), to, to + outputs_);
+  }
+  sink_(std::span<const double>(block_).first(outputs));
   std::copy(block_.end() - static_cast<std::ptrdiff_t>(2 * reach_), block_.end(), block_.begin());
   filled_ = 2 * reach_;
 }

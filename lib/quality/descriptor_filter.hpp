@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "num/fft.hpp"
+#include "num/four_step_fft.hpp"
 #include "quality/descriptor.hpp"
 
 namespace railbook::quality {
@@ -51,7 +51,7 @@ std::vector<double> filter_periodic(const Envelope& envelope, double spacing,
 // and level where that ends, too.
 std::vector<double> filter_direct(const FilterTaps& taps, std::span<const double> record);
 
-// The same by transforms of overlapping blocks (overlap-save), streamed. Memory: a block of some eight reaches.
+// The same by transforms of overlapping blocks (overlap-save), two at a time, streamed. Memory: some seventy reaches.
 class FilterStream {
  public:
   // Takes the descriptor in pieces, one value a sample in the order of the samples.
@@ -71,10 +71,11 @@ class FilterStream {
 
   Sink sink_;
   std::size_t reach_;
-  num::RealFft fft_;
-  std::vector<double> gain_;   // of the taps, over the block's size
+  std::size_t outputs_ = 0;  // of one transform
+  num::FourStepFft fft_;
+  std::vector<double> gain_;   // of the taps, over the size of the transform, in its order
   std::vector<double> first_;  // of a piece, until there is enough to continue it to the left
-  std::vector<double> block_;
+  std::vector<double> block_;  // the samples of two transforms
   std::size_t filled_ = 0;
   bool open_ = false;  // the piece has begun to fill the block
 };

@@ -6,22 +6,32 @@
 #include <cmath>
 #include <string>
 
+#include "num/wide.hpp"
 #include "units/input_error.hpp"
 
 namespace railbook::spectra {
 namespace {
 
-// 1 when x is NaN or infinite. On the bits, so that it neither traps nor branches: an exponent of all ones
+// With the sign bit where x is NaN or infinite. On the bits, so that it neither traps nor branches: an exponent of all ones
 // overflows into the sign bit when one is added to it.
 std::uint64_t not_finite(double x) {
   constexpr std::uint64_t exponent = 0x7ff0000000000000ULL, one = 0x0010000000000000ULL;
-  return ((std::bit_cast<std::uint64_t>(x) & exponent) + one) >> 63U;
+  return (std::bit_cast<std::uint64_t>(x) & exponent) + one;
+}
+bool is_gap(double x) {
+  return not_finite(x) >> 63U != 0;
 }
 
-std::size_t count_not_finite(std::span<const double> x) {
-  std::uint64_t count = 0;
-  for (const double value : x) count += not_finite(value);
-  return static_cast<std::size_t>(count);
+RAILBOOK_WIDE bool has_gap(std::span<const double> x) {
+  std::uint64_t any = 0;
+  for (const double value : x) any |= not_finite(value);
+  return any >> 63U != 0;
+}
+
+RAILBOOK_WIDE void add_power(std::span<const std::complex<double>> z, double weight,
+                             double* power) {
+  for (std::size_t i = 0; i < z.size(); ++i)
+    power[i] += weight * (z[i].real() * z[i].real() + z[i].imag() * z[i].imag());
 }
 
 struct Sums {
@@ -29,18 +39,19 @@ struct Sums {
 };
 
 // Sum of x and of (i - centre) x, in eight strands: a single one would wait for each addition to finish.
-Sums strand_sums(std::span<const double> x) {
+RAILBOOK_WIDE Sums strand_sums(std::span<const double> x) {
   constexpr std::size_t strands = 8;
   const double centre = 0.5 * (static_cast<double>(x.size()) - 1.0);
-  std::array<double, strands> sum{}, moment{}, place{};
-  for (std::size_t j = 0; j < strands; ++j) place[j] = static_cast<double>(j) - centre;
+  std::array<double, strands> sum{}, moment{};
+  double middle = 3.5 - centre;  // of the eight
   std::size_t i = 0;
-  for (; i + strands <= x.size(); i += strands)
+  for (; i + strands <= x.size(); i += strands) {
     for (std::size_t j = 0; j < strands; ++j) {
       sum[j] += x[i + j];
-      moment[j] += place[j] * x[i + j];
-      place[j] += static_cast<double>(strands);
+      moment[j] += middle * x[i + j];
     }
+    middle += static_cast<double>(strands);
+  }
   Sums total;
   for (; i < x.size(); ++i) {
     total.sum += x[i];
@@ -48,7 +59,7 @@ Sums strand_sums(std::span<const double> x) {
   }
   for (std::size_t j = 0; j < strands; ++j) {
     total.sum += sum[j];
-    total.moment += moment[j];
+    total.moment += moment[j] + (static_cast<double>(j) - 3.5) * sum[j];
   }
   return total;
 }
@@ -80,8 +91,9 @@ Welch::Welch(double spacing, const WelchOptions& options)
     : spacing_(units::require_positive("sample spacing", spacing, "m")),
       options_(checked(options)),
       hop_(options_.segment / options_.parts),
-      buffer_(hop_ + options_.segment),
-      power_(options_.segment / 2 + 1),
+      buffer_(hop_ + 4 * options_.segment),
+      begin_(hop_),
+      power_(options_.segment),
       used_(options_.parts, false),
       fft_(options_.segment) {
   const auto w = window_weights(options_.window, static_cast<Eigen::Index>(options_.segment));
@@ -94,12 +106,12 @@ void Welch::push(std::span<const double> samples) {
   while (!samples.empty()) {
     const std::size_t block_end = (blocks_.size() + 1) * hop_;
     const auto piece = samples.first(std::min(block_end - filled_, samples.size()));
-    if (count_not_finite(piece) > 0) {
+    if (has_gap(piece)) {
       samples = samples.subspan(restart(piece));
       continue;
     }
     std::copy(piece.begin(), piece.end(),
-              buffer_.begin() + static_cast<std::ptrdiff_t>(hop_ + filled_));
+              buffer_.begin() + static_cast<std::ptrdiff_t>(begin_ + filled_));
     filled_ += piece.size();
     samples = samples.subspan(piece.size());
     if (filled_ == block_end) finish_block();
@@ -110,17 +122,20 @@ void Welch::push(std::span<const double> samples) {
 // A gap: the next segment begins after it. Returns how many samples of `piece` are done with.
 std::size_t Welch::restart(std::span<const double> piece) {
   std::size_t gap = 0;
-  while (not_finite(piece[gap]) == 0) ++gap;
+  while (!is_gap(piece[gap])) ++gap;
   std::size_t end = gap;
-  while (end < piece.size() && not_finite(piece[end]) != 0) ++end;
+  while (end < piece.size() && is_gap(piece[end])) ++end;
   gap_samples_ += end - gap;
-  std::copy_n(piece.begin(), gap, buffer_.begin() + static_cast<std::ptrdiff_t>(hop_ + filled_));
+  std::copy_n(piece.begin(), gap, buffer_.begin() + static_cast<std::ptrdiff_t>(begin_ + filled_));
   filled_ += gap;
   if (used_[0] && filled_ > averaged_)
     add_last_segment();
   else
     unused_ += filled_ - averaged_;
+  if (waiting_) transform(*waiting_, *waiting_, 0.5, fft_, power_);
+  waiting_.reset();
   filled_ = averaged_ = 0;
+  begin_ = hop_;
   blocks_.clear();
   std::fill(used_.begin(), used_.end(), false);
   return end;
@@ -128,12 +143,13 @@ std::size_t Welch::restart(std::span<const double> piece) {
 
 // The last samples of a run, which the steps do not meet.
 void Welch::add_last_segment() {
-  const double* x = buffer_.data() + hop_ + filled_ - options_.segment;
+  const double* x = buffer_.data() + begin_ + filled_ - options_.segment;
   Sums sums;
   if (options_.detrend != Detrend::none) sums = strand_sums({x, options_.segment});
   const std::size_t fresh = filled_ - averaged_;
   const double weight = static_cast<double>(fresh) / static_cast<double>(hop_);
-  add_segment(x, sums.sum, sums.moment, weight);
+  const Segment last = add_segment(x, sums.sum, sums.moment, weight);
+  transform(last, last, 0.5 * weight, fft_, power_);
   for (std::size_t j = 0; j < used_.size(); ++j)
     if (used_[j]) pairs_[fresh + j * hop_] += weight;
 }
@@ -141,7 +157,7 @@ void Welch::add_last_segment() {
 void Welch::finish_block() {
   Block done;
   if (options_.detrend != Detrend::none) {
-    const Sums sums = strand_sums({buffer_.data() + filled_, hop_});
+    const Sums sums = strand_sums({buffer_.data() + begin_ + filled_ - hop_, hop_});
     done.sum = sums.sum;
     done.moment = sums.moment;
   }
@@ -159,35 +175,58 @@ void Welch::finish_segment() {
     moment += block.moment + (block_centre - centre) * block.sum;
     block_centre += hop;
   }
-  add_segment(buffer_.data() + hop_, sum, moment, 1);
+  const Segment segment = add_segment(buffer_.data() + begin_, sum, moment, 1);
+  if (waiting_) {
+    transform(*waiting_, segment, 1, fft_, power_);
+    waiting_.reset();
+  } else {
+    waiting_ = segment;
+  }
   for (std::size_t j = 1; j < options_.parts; ++j)
     if (used_[j - 1]) pairs_[j * hop_] += 1;
   for (std::size_t j = used_.size(); j-- > 1;) used_[j] = used_[j - 1];
   used_[0] = true;
-  std::copy(buffer_.begin() + static_cast<std::ptrdiff_t>(hop_), buffer_.end(), buffer_.begin());
   blocks_.erase(blocks_.begin());
   averaged_ = filled_ -= hop_;
+  begin_ += hop_;
+  if (begin_ + options_.segment <= buffer_.size()) return;
+  std::copy_n(buffer_.begin() + static_cast<std::ptrdiff_t>(begin_ - hop_), hop_ + filled_,
+              buffer_.begin());
+  begin_ = hop_;
+  if (waiting_) waiting_->x = buffer_.data();
 }
 
-void Welch::add_segment(const double* x, double sum, double moment, double weight) {
+Welch::Segment Welch::add_segment(const double* x, double sum, double moment, double weight) {
   const auto n = static_cast<double>(options_.segment);
-  const double centre = 0.5 * (n - 1.0);
   const double slope =
       options_.detrend == Detrend::linear ? 12.0 * moment / (n * (n * n - 1.0)) : 0.0;
-  const double start = sum / n - slope * centre;
-  const int size = static_cast<int>(options_.segment);
-  const double* w = window_.data();
-  double* y = fft_.real().data();
-  for (int i = 0; i < size; ++i) y[i] = w[i] * (x[i] - (start + slope * i));
-  fft_.forward();
-  const std::complex<double>* bin = fft_.spectrum().data();
-  for (double& power : power_) {
-    power += weight * (bin->real() * bin->real() + bin->imag() * bin->imag());
-    ++bin;
-  }
   ++segments_;
   weight_ += weight;
   weights_squared_ += weight * weight;
+  return {x, sum / n - slope * 0.5 * (n - 1.0), slope};
+}
+
+RAILBOOK_WIDE void Welch::weigh(const double* window, const Segment& one, const Segment& other,
+                                int from, std::span<std::complex<double>> z) {
+  const double *a = one.x + from, *b = other.x + from, *w = window + from;
+  const int count = static_cast<int>(z.size());
+  for (int i = 0; i < count; ++i) {
+    const double place = from + i;
+    z[static_cast<std::size_t>(i)] = {w[i] * (a[i] - (one.start + one.slope * place)),
+                                      w[i] * (b[i] - (other.start + other.slope * place))};
+  }
+}
+
+// Two segments, of `weight` each, as the real and the imaginary part of one transform: |Z_k|^2 + |Z_(n-k)|^2 is twice the sum of
+// their powers.
+void Welch::transform(const Segment& one, const Segment& other, double weight,
+                      num::FourStepFft& fft, std::vector<double>& power) const {
+  const std::size_t columns = fft.columns();
+  for (std::size_t r = 0; r < fft.rows(); ++r)
+    weigh(window_.data(), one, other, static_cast<int>(r * columns), fft.row(r));
+  fft.forward([&](std::size_t r, std::span<const std::complex<double>> z) {
+    add_power(z, weight, power.data() + r * columns);
+  });
 }
 
 Spectrum Welch::spectrum() const {
@@ -217,12 +256,19 @@ Spectrum Welch::spectrum() const {
   }
   result.averages = weight_ / share_of_bins;
   result.band_variance = n * sum_4 / (sum_2 * sum_2) * share_of_bands / weight_;
-  result.density.resize(static_cast<Eigen::Index>(power_.size()));
-  const double scale = spacing_ / (sum_2 * weight_);
-  for (std::size_t k = 0; k < power_.size(); ++k) {
-    const bool two_sided_bin = k == 0 || k + 1 == power_.size();  // no mirror image to fold in
-    result.density[static_cast<Eigen::Index>(k)] = (two_sided_bin ? 1.0 : 2.0) * scale * power_[k];
+  std::vector<double> power = power_;
+  if (waiting_) {
+    num::FourStepFft alone(options_.segment);
+    transform(*waiting_, *waiting_, 0.5, alone, power);
   }
+  result.density.setZero(static_cast<Eigen::Index>(options_.segment / 2 + 1));
+  const double scale = spacing_ / (sum_2 * weight_);
+  for (std::size_t r = 0; r < fft_.rows(); ++r)
+    for (std::size_t c = 0; c < fft_.columns(); ++c) {  // a bin and its mirror image
+      const std::size_t k = fft_.wave_number(r, c);
+      result.density[static_cast<Eigen::Index>(std::min(k, options_.segment - k))] +=
+          scale * power[r * fft_.columns() + c];
+    }
   return result;
 }
 

@@ -5,10 +5,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <vector>
 
-#include "num/fft.hpp"
+#include "num/four_step_fft.hpp"
 #include "spectra/window.hpp"
 
 namespace railbook::spectra {
@@ -70,17 +71,29 @@ class Welch {
   void finish_block();
   void finish_segment();
   void add_last_segment();
-  void add_segment(const double* x, double sum, double moment, double weight);
+  struct Segment {  // of which the line start + slope i is taken off
+    const double* x;
+    double start, slope;
+  };
+  Segment add_segment(const double* x, double sum, double moment, double weight);
+  static void weigh(const double* window, const Segment& one, const Segment& other, int from,
+                    std::span<std::complex<double>> z);
+  void transform(const Segment& one, const Segment& other, double weight, num::FourStepFft& fft,
+                 std::vector<double>& power) const;
 
   double spacing_;
   WelchOptions options_;
   std::size_t hop_;
-  std::vector<double> window_, buffer_, power_;  // buffer_: the step before the segment, then it
-  std::vector<Block> blocks_;                    // the finished ones of the segment in the buffer
+  std::vector<double> window_, buffer_;  // buffer_: the step before the segment, it, and some more
+  std::size_t begin_;                    // of the segment that is being filled
+  std::vector<double> power_;            // in the order of the transform
+  std::vector<Block> blocks_;            // the finished ones of the segment in the buffer
   std::map<std::size_t, double> pairs_;  // products of weights of segments so far apart, samples
   std::vector<bool> used_;               // the last segments of this run, latest first
+  std::optional<Segment>
+      waiting_;  // at the begin of the buffer, for another to be transformed with
   double weight_ = 0, weights_squared_ = 0;
-  num::RealFft fft_;
+  num::FourStepFft fft_;
   std::size_t filled_ = 0, samples_ = 0, gap_samples_ = 0, segments_ = 0;
   std::size_t averaged_ = 0;  // samples of the buffer that are in an averaged segment
   std::size_t unused_ = 0;    // samples before gaps that are in none
