@@ -10,6 +10,7 @@ answers() {
   to=$1
   shift
   "$railbook" "$subject" "$@" --no-figures --out "$to" --json >"$to.json" 2>said || fail "$*: $(cat said)"
+  sed '/"flags": {/q' "$to.json" | grep '^  "[^"]* [^"]*": ' && fail "$*: a key with a space in it"
 }
 # v FOLDER KEY: a number of the answer.
 v() { sed -n "s/^  \"$2\": \(-\?[0-9][0-9.e+-]*\),\?\$/\1/p" "$1.json" | head -1; }
@@ -35,6 +36,17 @@ hunting)
     rows > 1 && $2 > 0 && before <= 0 {near(last - before * ($1 - last) / ($2 - before), hopf, 0.01); ++roots; near($3, omega, 0.1)}
     {last = $1; before = $2} END {near(last, 80, 1e-6); near(roots, 1, 0)}' \
     hopf="$(v speed hopf_1_m_per_s)" omega="$(v speed hopf_1_rad_per_s)"
+  # The branch begins at the critical speed and has the extent that is told; what limits the creep is below it for small motions.
+  answers cycle cycle --pair cn --largest-amplitude 3mm --wheel-rail-friction 0.3
+  extent=$(sed -n 's/^  "branch_extent": "\([0-9.]*\) to \([0-9.]*\) m.s, \([0-9.]*\) to \([0-9.]*\) mm",\?$/a=\1 b=\2 c1=\3 d=\4/p' cycle.json)
+  # shellcheck disable=SC2086
+  holds "a branch of cycles" cycle/cycle.csv '
+    rows == 1 {slow = fast = $2; small = large = $3; near($2, hopf, 1); near($3, 1, 0.05)}
+    $2 < slow {slow = $2} $2 > fast {fast = $2} $3 < small {small = $3} $3 > large {large = $3}
+    {near($c["L_over_V"] > 0 && $c["creep_over_friction"] > 0 && $c["creep_over_friction"] < 1, 1, 0)
+     near(($c["stable_mm"] == "nan") + ($c["unstable_mm"] == "nan"), 1, 0); near($c["front_leading_mm"], $3, 1e-6)}
+    END {near(slow, a, 1e-4); near(fast, b, 1e-4); near(small, c1, 1e-4); near(large, d, 1e-4); near(rows, n, 0)}' \
+    $extent hopf="$(v cycle hopf_m_per_s)" n="$(v cycle branch_points)"
   ;;
 track)
   # From 5 ms before the joint; the peaks are those of the answer, and the joint is the lowest place of the surface.
@@ -117,6 +129,20 @@ quality)
     l="$(v index largest)" e="$(v index exceedances)"
   holds "the channel" index/channel.csv '$2 != "" && abs($2) > most {most = abs($2)} $2 == "" || $2 == "nan" {++none}
     END {near(most, l, 1e-5); near(rows, 12000, 0); near(none, m, 0)}' l="$(v index largest)" m="$(v index missing)"
+  # The same track measured again, half a sample on and 3 m out: no growth, and no offset but those 3 m.
+  for first in 0 0.125; do
+    awk -v first=$first 'BEGIN {print "distance_m,profile_mm"; for (i = 0; i < 12000; ++i) {x = i / 4 + first; w = 2 * 3.14159265358979 * x
+      printf "%.3f,%.5f\n", x + (first > 0 ? 3 : 0), 4 * sin(w / 10 + 3 * sin(x / 97)) + 3 * sin(w / 23 + 2 * sin(x / 61))}}' >run$first.csv
+  done
+  answers growth compare run0.csv run0.125.csv --section 200m
+  holds "growth" growth/compare.csv '$3 != "nan" && $4 != "nan" && $4 != "" {near($4 / $3, 0.998, 0.003); near($6, 3, 0.02); if (!($7 > 0.999)) wrong++; ++n}
+    END {if (n < 13) {print n " sections"; wrong++}}'
+  # The worst places in order of their size, whatever their sign.
+  "$railbook" psd synthesize track.csv --length 6km --seed 3 --roughness 2e-6m^2*cycle/m >/dev/null || fail "synthesize"
+  answers worst index track.csv --speed 100km/h
+  sed -n 's/^  "worst_[0-9]": "\([+-][0-9.]*\) at.*/\1/p' worst.json >order
+  awk '{size = $1 < 0 ? -$1 : $1; if (NR > 1 && size > last) exit 1; last = size; down += $1 < 0} END {exit NR != 5 || down < 1}' order ||
+    fail "the worst: $(cat order)"
   holds "the histogram" index/histogram.csv '{sum += $2} END {near(sum, 12000 - m, 0)}' m="$(v index missing)"
   ;;
 *) fail "no tables of $subject are known" ;;
