@@ -1,7 +1,11 @@
 // What gnuplot is given and what is made of what it says, seen through a program that stands in for it.
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -125,4 +129,37 @@ TEST_CASE(
   CHECK_THAT(long_words, Catch::EndsWith("\n  29999\n  30000"));
   StandIn cut("", "\\211PNG\\r\\n\\032\\n....IEN");
   CHECK_THROWS_WITH(plot::draw(script, {cut.data}), Contains("no complete PNG"));
+}
+
+TEST_CASE("unit: gnuplot ends with all it started, and leaves no file open") {
+  const auto open_files = [] {
+    return std::distance(std::filesystem::directory_iterator("/proc/self/fd"), {});
+  };
+  const auto before = open_files();
+  {
+    // Ends itself, while another goes on with its messages open.
+    StandIn gnuplot("", StandIn::whole_png, "sleep 600 &\necho $! > \"$HOME/child\"\nexit 0");
+    const char* home = std::getenv("HOME");
+    const std::string kept = home != nullptr ? home : "/";
+    setenv("HOME", gnuplot.at.path.c_str(), 1);
+    (void)plot::draw(gnuplot.at.write("fig.gp", ""), {gnuplot.data});
+    setenv("HOME", kept.c_str(), 1);
+    const std::string child = gnuplot.at.read("child");
+    REQUIRE(child.size() > 1);
+    const auto ended = [&] {  // gone, or a zombie
+      std::ifstream stat("/proc/" + child.substr(0, child.size() - 1) + "/stat");
+      std::string all;
+      std::getline(stat, all);
+      return !stat || all.find(") Z") != all.npos;
+    };
+    for (int k = 0; k < 500 && !ended(); ++k) usleep(10000);
+    CHECK(ended());
+  }
+  {
+    // Says nothing more and goes on: its end is waited for.
+    StandIn gnuplot("", StandIn::whole_png, "exec 2>&-\nsleep 0.2\nexit 5");
+    CHECK_THROWS_WITH(plot::draw(gnuplot.at.write("fig.gp", ""), {gnuplot.data}),
+                      Contains("exit status 5"));
+  }
+  CHECK(open_files() == before);
 }
