@@ -25,12 +25,13 @@ int run_tool(const tool::Tool& tool, std::vector<std::string> words) {
 
 TEST_CASE("input: a tool takes quantities with units, from the line or a TOML file") {
   const TemporaryFolder scratch("options");
-  double spacing = 0.5;
+  double spacing = 0.5, depth = 1;
   long cells = 9;
   std::string rail = "132RE";
   const tool::Tool solve{"solve", "help", [&](tool::Options& o) {
                            o.quantity("--tie-spacing", spacing, units::length, "spacing",
                                       tool::positive);
+                           o.quantity("--depth", depth, units::length, "depth", tool::non_negative);
                            o.count("--cells", cells, "cells", 1, 4096);
                            o.choice("--rail", rail, {"115RE", "132RE"}, "rail");
                            return [] {};
@@ -39,6 +40,9 @@ TEST_CASE("input: a tool takes quantities with units, from the line or a TOML fi
   CHECK(run({"solve", "--tie-spacing", "20in", "--cells", "15"}) == 0);
   CHECK(spacing == Approx(0.508));
   CHECK(cells == 15);
+  CHECK(run({"solve", "--depth", "0mm"}) == 0);
+  CHECK(depth == 0);
+  CHECK(run({"solve", "--depth=-1e-9mm"}) == 2);
   scratch.write("case.toml", "tie-spacing = \"24in\"\nrail = \"115RE\"\n");
   CHECK(run({"solve", "--config", (scratch.path / "case.toml").string()}) == 0);
   CHECK(spacing == Approx(0.6096));

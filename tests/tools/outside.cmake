@@ -60,6 +60,6 @@ set_tests_properties("tool: filters process without a sensor" PROPERTIES FIXTURE
 add_test(NAME "tool: track stiffness without figures" COMMAND ${CMAKE_COMMAND} -E env RAILBOOK_GNUPLOT=/none
          ${bin} track stiffness --no-figures --out ${CMAKE_BINARY_DIR}/ctest/track-plain)
 
-foreach(subject hunting track contact creep filters psd quality)
+foreach(subject hunting track contact creep filters psd quality wheelrail)
   add_test(NAME "tool: ${subject} tables say what the answers say" COMMAND ${here}/tables.sh ${subject} ${bin})
 endforeach()

@@ -36,6 +36,12 @@ hunting)
     rows > 1 && $2 > 0 && before <= 0 {near(last - before * ($1 - last) / ($2 - before), hopf, 0.01); ++roots; near($3, omega, 0.1)}
     {last = $1; before = $2} END {near(last, 80, 1e-6); near(roots, 1, 0)}' \
     hopf="$(v speed hopf_1_m_per_s)" omega="$(v speed hopf_1_rad_per_s)"
+  # Centred, both sides are alike; displaced, each wheel touches its rail where it has moved to, and the right radius grows no more than the left.
+  answers pair geometry --pair cn
+  holds "contacts" pair/contacts.csv '
+    rows == 1 {near($2, $4, 1e-6); near($3, $5, 1e-6); near($2, $3, 1e-6)}
+    $1 < 5 {near($2 + $1, $3, 0.2); near($4 - $1, $5, 0.2)} !($3 > 700 && $5 > 700) {wrong++}'
+  holds "rolling radii" pair/wheelset.csv '{near($4, $2 - $3, 1e-5); near($c["D_rad"], ($5 - $6) / 2, 1e-5)}'
   # The branch begins at the critical speed and has the extent that is told; what limits the creep is below it for small motions.
   answers cycle cycle --pair cn --largest-amplitude 3mm --wheel-rail-friction 0.3
   extent=$(sed -n 's/^  "branch_extent": "\([0-9.]*\) to \([0-9.]*\) m.s, \([0-9.]*\) to \([0-9.]*\) mm",\?$/a=\1 b=\2 c1=\3 d=\4/p' cycle.json)
@@ -144,6 +150,27 @@ quality)
   awk '{size = $1 < 0 ? -$1 : $1; if (NR > 1 && size > last) exit 1; last = size; down += $1 < 0} END {exit NR != 5 || down < 1}' order ||
     fail "the worst: $(cat order)"
   holds "the histogram" index/histogram.csv '{sum += $2} END {near(sum, 12000 - m, 0)}' m="$(v index missing)"
+  ;;
+wheelrail)
+  # In the mirror left is right; what lies across, and moments about the other axes, change their signs.
+  answers here contact --load 50kN --speed 30m/s --shift 4mm --yaw 5mrad --method strips
+  answers there contact --load 50kN --speed 30m/s --shift -4mm --yaw -5mrad --method strips
+  near "turning" "$(v here turning_rad_per_s)" "$(v there turning_rad_per_s)" 1e-6
+  near "roll" "$(v here roll_mrad)" "$(awk -v r="$(v there roll_mrad)" 'BEGIN {print -r}')" 1e-5
+  for key in x_N z_N y_N 1_x_mm 1_y_mm 1_angle_mrad 1_normal_N 1_p_max_MPa 1_creepage_x 1_creepage_y 1_spin_1_per_m 1_fx_N 1_fy_N 1_mz_N_m 1_wear_N; do
+    for side in left:right right:left; do
+      awk -v key="$key" -v a="$(v here "${side%:*}_$key")" -v b="$(v there "${side#*:}_$key")" 'BEGIN {
+        if (key ~ /y_|_y|angle|spin|mz/) b = -b
+        d = a < b ? b - a : a - b; size = a < 0 ? -a : a; exit !(a != "" && d <= 1e-4 * size + 1e-4)}' || fail "$side $key: $(v here "${side%:*}_$key"), $(v there "${side#*:}_$key")"
+    done
+  done
+  near "load" "$(v here left_z_N)" 50e3 50
+  # Left is on the left; the cells' largest pressure is the answer's, and their shear within FASTSIM's parabola, 4/3 as high.
+  awk -v l="$(v here left_1_y_mm)" -v r="$(v here right_1_y_mm)" 'BEGIN {exit !(l < -700 && r > 700)}' || fail "left and right"
+  holds "cells of the patches" here/patches.csv '
+    $c["pressure_MPa"] > most[$1] {most[$1] = $c["pressure_MPa"]} {t = sqrt($c["shear_x_MPa"] ^ 2 + $c["shear_y_MPa"] ^ 2)}
+    t > 0.3 * 4 / 3 * $c["pressure_MPa"] * 1.01 + 1 {print t " on " $c["pressure_MPa"]; wrong++}
+    END {near(most["left"] / l, 1, 0.01); near(most["right"] / r, 1, 0.01)}' l="$(v here left_1_p_max_MPa)" r="$(v here right_1_p_max_MPa)"
   ;;
 *) fail "no tables of $subject are known" ;;
 esac

@@ -34,12 +34,20 @@ std::vector<Cell> cells_of(const Side& side, std::size_t number) {
     return full ? side.stress[number].rail.below[cell] : units::nan;
   };
   std::vector<Cell> cells;
+  // FASTSIM's bound is a parabola: the strips say the pressure.
+  const auto pressure = [&](Eigen::Index i) {
+    if (full) return t.bound[i] / p.friction;
+    const auto& strips = p.strips.strips;
+    const Strip& s =
+        strips[static_cast<std::size_t>(i) * strips.size() / static_cast<std::size_t>(t.x.size())];
+    return p.strips.pressure(s, t.x[i] - s.x);
+  };
   for (Eigen::Index i = 0; i < t.x.size(); ++i) {
     const Eigen::Index cell = full ? std::lround((t.y[i] - grid.y(0)) / grid.dy) * grid.nx +
                                          std::lround((t.x[i] - grid.x(0)) / grid.dx)
                                    : 0;
-    cells.push_back({t.x[i], t.y[i], t.dx[i], t.dy[i], t.bound[i] / p.friction, t.px[i], t.py[i],
-                     t.stick[i], below(cell)});
+    cells.push_back(
+        {t.x[i], t.y[i], t.dx[i], t.dy[i], pressure(i), t.px[i], t.py[i], t.stick[i], below(cell)});
   }
   if (!cells.empty()) return cells;
   // Without friction there are no tractions.
