@@ -14,8 +14,8 @@ refuses(contact "a load that is no number" "load is .nan.. allowed: a finite num
                  solve ${bodies} --load nan)
 refuses(contact "a negative modulus" "body 1 young is -3000000000 Pa. allowed: from 1000 to 1e+18"
                  solve ${bodies} --load 3kN --body-1-young -3GPa)
-refuses(contact "a Poisson's ratio above one half" "body 2 poisson is 0.51. allowed: from 0 to 0.5"
-                 solve ${bodies} --load 3kN --body-2-poisson 0.51)
+refuses(contact "a Poisson's ratio above one half" "body 2 poisson is 0.501. allowed: from 0 to 0.5"
+                 solve ${bodies} --load 3kN --body-2-poisson 0.501)
 refuses(contact "a radius of zero" "radius of body 2 across the rail is 0 m. allowed: 1e-09 m to 1e+06 m"
                  solve ${bodies} --load 3kN --body-2-radius-across 0mm)
 refuses(contact "bodies that do not separate" "relative curvature A is 0 1/m. allowed: greater than 0, else the"

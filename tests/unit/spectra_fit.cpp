@@ -138,6 +138,15 @@ TEST_CASE("unit: dips that scatter raise A by what is said of them, nearly") {
   CHECK(A[1] / A[0] - 1 == Approx(said).margin(0.012));  // two standard errors
 }
 
+TEST_CASE(
+    "unit: a rougher track takes from the line: their errors are correlated, and not beyond one") {
+  const spectra::SyntheticTrack track{.A = 5e-7, .phi_c = 0.13, .dip = 0.011};
+  const auto fit =
+      spectra::fit_track_spectrum(spectra::welch(spectra::synthesize(track, 60000), track.spacing));
+  CHECK(fit.A_Q_covariance < 0);
+  CHECK(std::abs(fit.A_Q_covariance) < fit.A.error * fit.Q_1.error);
+}
+
 TEST_CASE("unit: what scattered dips add is counted over the band of the fit") {
   const double spacing = 0.6, nyquist = 0.5 / spacing;
   const auto spectrum =
