@@ -20,7 +20,7 @@ std::vector<Channel> sources(Parameter parameter, bool mean, const Processing& p
   using enum Channel;
   const bool curves =
       p.chain.high_pass.stages == 1;  // a constant acceleration shifts a space curve
-  const std::vector<Channel> none, lean{inclinometer, yaw_rate, roll_rate},
+  std::vector<Channel> none, lean{inclinometer, yaw_rate, roll_rate},
       attitude{inclinometer, yaw_rate, roll_rate, height_left, height_right};
   const auto with = [](std::vector<Channel> list, std::initializer_list<Channel> more) {
     list.insert(list.end(), more);

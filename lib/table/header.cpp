@@ -47,7 +47,7 @@ std::optional<std::pair<std::string, units::Unit>> unit_of(std::string_view text
 
 units::Header parse_column(std::string_view header) {
   header = trim(header);
-  const units::Header plain = units::parse_header(header);
+  units::Header plain = units::parse_header(header);
   if (!plain.unit_text.empty()) return plain;
   std::optional<std::pair<std::string, units::Unit>> unit;
   std::size_t begin = std::string_view::npos;

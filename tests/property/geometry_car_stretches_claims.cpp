@@ -85,7 +85,7 @@ TEST_CASE("claim: stretches give what the whole record gives, wherever it is cut
   Record masked = record;
   const Health health = examine(masked, {});
   const Measurement whole = reconstruct(masked, {});
-  for (const std::size_t rows : {1, 12000}) {  // 12000: before the gap
+  for (const std::size_t rows : {1UL, 12000UL}) {  // 12000: at the gap
     const Read pieces = in_stretches(record, rows);
     CHECK(pieces.most <= std::max<std::size_t>(rows, 2 * 4096) + 2 * 4096);
     CHECK(pieces.runs == whole.runs);

@@ -266,8 +266,9 @@ std::string coded(unsigned long point, std::size_t bytes) {
 bool is_drawn(unsigned long point) {
   if (point < 0x20 || (point >= 0x7f && point < 0xa0)) return false;
   if (point > 0x10ffff || (point >= 0xd800 && point < 0xe000)) return false;
-  for (const unsigned long turns : {0x61c, 0x200e, 0x200f, 0x2028, 0x2029, 0x202a, 0x202b, 0x202c,
-                                    0x202d, 0x202e, 0x2066, 0x2067, 0x2068, 0x2069})
+  for (const unsigned long turns :
+       {0x61cUL, 0x200eUL, 0x200fUL, 0x2028UL, 0x2029UL, 0x202aUL, 0x202bUL, 0x202cUL, 0x202dUL,
+        0x202eUL, 0x2066UL, 0x2067UL, 0x2068UL, 0x2069UL})
     if (point == turns) return false;
   return true;
 }
