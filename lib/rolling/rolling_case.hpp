@@ -52,6 +52,7 @@ struct CreepForces {
       not_known;  // estimate of the error of (fx, fy) over mu N, not_known if the theory has none
   double mz_error = not_known;  // and of mz over mu N sqrt(a b)
   int iterations = 0;
+  int products = 0;  // of the full theory with its influence, on the finest grid
   bool converged = false;
   std::string reason;      // why not converged, or a note on the case
   std::string_view doubt;  // the range of the theory that the case is outside of; empty within

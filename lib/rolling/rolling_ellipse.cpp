@@ -74,6 +74,7 @@ CreepForces in_units(const RollingGrid& grid, const StickSlip& s, double force, 
   out.fy = force * r.fy;
   out.mz = force * length * r.mz;
   out.iterations = s.newton;
+  out.products = s.products;
   out.converged = s.converged;
   if (!s.converged) out.reason = "the stick and slip areas did not settle";
   const double pressure = force / (length * length);

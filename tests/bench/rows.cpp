@@ -11,7 +11,6 @@
 #include <bit>
 #include <charconv>
 #include <cmath>
-#include <cstring>
 #include <fstream>
 #include <memory>
 #include <optional>
@@ -24,7 +23,9 @@
 #include "dynamics/linear_stability.hpp"
 #include "filters/geometry_chain.hpp"
 #include "filters/hybrid_filter.hpp"
+#include "num/dense_lu.hpp"
 #include "num/fft.hpp"
+#include "num/four_step_fft.hpp"
 #include "num/random_source.hpp"
 #include "quality/descriptor_filter.hpp"
 #include "rolling/force_table.hpp"
@@ -111,20 +112,20 @@ Row reading(const std::filesystem::path& folder) {
 
 Row power_spectrum() {
   const auto x = std::make_shared<std::vector<double>>(noise(1U << 23U));
-  const std::size_t segment = 4096, transforms = 2 * x->size() / segment - 1;
-  const auto fft = std::make_shared<num::RealFft>(segment);
+  const std::size_t segment = 4096, pairs = x->size() / segment;
+  const auto fft = std::make_shared<num::FourStepFft>(segment);
   return {.key = "psd",
           .what = "Welch's spectrum, segments of 4,096 that overlap by half",
           .unit = "samples",
           .work = static_cast<double>(x->size()),
           .ours = {"welch", [x] { sink = spectra::welch(*x, 1).density[7]; }},
-          .limit = {"reading the samples and FFTW's real transforms of as many segments", [=] {
-                      for (std::size_t i = 0; i < transforms; ++i) {
-                        std::memcpy(fft->real().data(), x->data() + i * segment / 2,
-                                    segment * sizeof(double));
-                        fft->forward();
+          .limit = {"reading as many segments, two as one, and transforming them", [=] {
+                      for (std::size_t i = 0; i + 1 < pairs; ++i) {
+                        const double* one = x->data() + i * segment;
+                        for (std::size_t r = 0; r < fft->rows(); ++r)
+                          for (auto& z : fft->row(r)) z = {one[0], one[segment / 2]}, ++one;
+                        fft->forward([](std::size_t, auto z) { sink = z[0].real(); });
                       }
-                      sink = fft->spectrum()[7].real();
                     }}};
 }
 
@@ -203,9 +204,9 @@ Row descriptor(bool fresh) {
       {.stroke = quality::StrokeLimit{{0.5, 0.2}, 25.4e-3}, .force = {}, .speed = 100 / 3.6});
   const auto taps =
       std::make_shared<quality::FilterTaps>(quality::design_filter(envelope, {.spacing = 0.25}));
-  const std::size_t reach = taps->half.size() - 1, size = 8 * std::bit_ceil(reach + 1);
-  const std::size_t outputs = size - 2 * reach, blocks = (x->size() + outputs - 1) / outputs;
-  const auto fft = std::make_shared<num::RealFft>(size);
+  const std::size_t reach = taps->half.size() - 1, size = std::bit_ceil(6 * reach);
+  const std::size_t outputs = 2 * (size - 2 * reach), blocks = x->size() / outputs + 1;
+  const auto fft = std::make_shared<num::FourStepFft>(size);
   const auto out = std::make_shared<std::vector<double>>(fresh ? 0 : x->size());
   return {.key = fresh ? "descriptor-new" : "descriptor",
           .what = fmt::format("Descriptor of a record, {} weights, into {}", 2 * reach + 1,
@@ -226,11 +227,13 @@ Row descriptor(bool fresh) {
                      stream.finish();
                      sink = out->back();
                    }},
-          .limit = {fmt::format("a pair of FFTW's real transforms of {} for each {} samples", size,
+          .limit = {fmt::format("a pair of complex transforms of {} for each {} samples", size,
                                 outputs),
                     [=] {
-                      for (std::size_t i = 0; i < blocks; ++i) fft->forward(), fft->inverse();
-                      sink = fft->real()[0];
+                      for (std::size_t r = 0; r < fft->rows(); ++r)
+                        std::ranges::fill(fft->row(r), 0.0);
+                      for (std::size_t i = 0; i < blocks; ++i)
+                        fft->filter([](std::size_t, auto z) { sink = z[0].real(); });
                     }},
           .plain = {"a multiplication for each two weights",
                     [=] {
@@ -271,51 +274,101 @@ Row normal_contact(Eigen::Index cells) {
 }
 
 Row rolling_contact() {
+  constexpr std::size_t side = 128;
+  const auto products = std::make_shared<int>(0);
+  const auto influence = std::make_shared<Eigen::VectorXd>();  // after ours: its memory is not ours
   return {.key = "rolling",
           .what = "Rolling contact of an ellipse with spin, 128 by 128 cells",
           .unit = "cells",
-          .work = 128.0 * 128.0,
-          .ours = {"EllipseRolling", [] {
+          .work = side * side,
+          .ours = {"EllipseRolling",
+                   [=] {
                      rolling::RollingCase c = rolling::unit_case(1.5, 0.28);
                      c = rolling::with_reduced_creepage(c, {0.6, 0.2, 0.5});
-                     const auto forces = rolling::solve_rolling(c, {.along = 128, .rows = 128});
+                     const auto forces = rolling::solve_rolling(c, {.along = side, .rows = side});
                      if (!forces.converged) throw std::runtime_error(forces.reason);
+                     *products = forces.products;
                      sink = forces.fx;
-                   }}};
+                   }},
+          .limit = {"reading the influence of the rows once for each product", [=] {
+                      if (influence->size() == 0) influence->setOnes(4 * (side + 1) * side * side);
+                      for (int i = 0; i < *products; ++i) sink = influence->sum();
+                    }}};
 }
 
 Row force_table() {
   const rolling::ForceTableAxes axes{
       .ratio_from = 1, .ratio_to = 1, .ratios = 1, .longitudinal = 5, .lateral = 5, .spin = 9};
+  constexpr double poisson = 0.28;
+  const auto products = std::make_shared<std::vector<std::pair<Eigen::Index, int>>>();
   return {.key = "table",
           .what = "Table of creep forces by the full theory, 12 cells along rolling",
           .unit = "nodes",
           .work = 5.0 * 5.0 * 9.0,
-          .ours = {"ForceTable", [axes] {
-                     const rolling::ForceTable table(axes, [](double ratio) {
-                       return rolling::shares_of(rolling::solver("full", ratio, 0.28, 12, false),
-                                                 ratio, 0.28);
+          .ours = {"ForceTable",
+                   [=] {
+                     products->clear();
+                     const rolling::ForceTable table(axes, [=](double ratio) {
+                       const auto full = rolling::solver("full", ratio, poisson, 12, false);
+                       const auto counted = [=](const rolling::RollingCase& c) {
+                         const rolling::CreepForces forces = full(c);
+                         products->emplace_back(2 * forces.tractions.x.size(), forces.products);
+                         return forces;
+                       };
+                       return rolling::shares_of(counted, ratio, poisson);
                      });
                      sink = table.node(0, 1, 1, 1).fx;
-                   }}};
+                   }},
+          .limit = {"the products of each node with a matrix of its cells", [=] {
+                      Eigen::MatrixXd matrix;
+                      for (const auto& [size, count] : *products) {
+                        matrix.setOnes(size, size);
+                        Eigen::VectorXd p = Eigen::VectorXd::Ones(size), strain(size);
+                        for (int i = 0; i < count; ++i) strain.noalias() = matrix * p;
+                        sink = strain.sum();
+                      }
+                    }}};
+}
+
+// What a branch cannot do without: in each Newton step the balance's own matrix, at each point the maps of 256 and 128 steps,
+// whose two stages move 18 columns.
+void eliminate(const dynamics::LimitCycleBranch& branch) {
+  const double steps =
+      static_cast<double>(branch.newton_steps) / static_cast<double>(branch.points.size());
+  double eliminations = 0;
+  num::DenseLu lu;
+  const Eigen::MatrixXd small = Eigen::MatrixXd::Identity(9, 9) + 0.1 * Eigen::MatrixXd::Ones(9, 9);
+  const Eigen::MatrixXd columns = Eigen::MatrixXd::Ones(9, 36);
+  for (const auto& point : branch.points) {
+    const Eigen::Index n = 2 * point.cycle.motion.size() + 2;
+    const Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(n, n) + Eigen::MatrixXd::Ones(n, n);
+    for (eliminations += steps; eliminations >= 1; --eliminations) lu.factor(matrix);
+    for (int i = 0; i < 256 + 128; ++i) sink = num::solved(small, columns)(0, 0);
+  }
 }
 
 Row limit_cycles() {
-  return {.key = "branch",
-          .what = "Branch of 60 limit cycles of the new wheel, with multipliers and located points",
-          .unit = "points",
-          .work = 60,
-          .ours = {"follow_from_hopf", [] {
-                     using namespace dynamics;
-                     const FreightCar car = assemble({}, Suspension::dampers);
-                     const auto& table = wheelrail::new_wheel_table();
-                     const Motion m = hopf_points({car, table}, 5, 100).front().motion;
-                     const auto branch =
-                         follow_from_hopf(by_speed(car, table), m.shape, m.lambda.imag(), m.speed,
-                                          {.most_points = 60});
-                     if (branch.points.size() != 60) throw std::runtime_error("not 60 points");
-                     sink = branch.points.back().largest;
-                   }}};
+  const auto branch = std::make_shared<dynamics::LimitCycleBranch>();
+  return {
+      .key = "branch",
+      .what = "Branch of 60 limit cycles of the new wheel, with multipliers and located points",
+      .unit = "points",
+      .work = 60,
+      .ours = {"follow_from_hopf",
+               [=] {
+                 using namespace dynamics;
+                 const FreightCar car = assemble({}, Suspension::dampers);
+                 const auto& table = wheelrail::new_wheel_table();
+                 const Motion m = hopf_points({car, table}, 5, 100).front().motion;
+                 *branch = follow_from_hopf(by_speed(car, table), m.shape, m.lambda.imag(), m.speed,
+                                            {.most_points = 60});
+                 if (branch->points.size() != 60) throw std::runtime_error("not 60 points");
+                 sink = branch->points.back().largest;
+               }},
+      .limit = {
+          "an elimination for each Newton step, and of 9 equations for each of the multipliers' "
+          "384 steps",
+          [=] { eliminate(*branch); }}};
 }
 
 }  // namespace
