@@ -96,6 +96,25 @@ TEST_CASE("input: several files come together or not at all") {
   CHECK(holds_only(at, 2));
 }
 
+TEST_CASE("input: files of which one was taken away leave the old ones") {
+  for (const std::size_t gone : {0U, 1U}) {
+    const TemporaryFolder at("taken");
+    at.write("one.csv", "old"), at.write("two.csv", "old");
+    {
+      std::vector<files::OutFile> all;
+      for (const char* name : {"one.csv", "two.csv"}) {
+        all.emplace_back(at.path / name);
+        all.back().write("new");
+      }
+      std::filesystem::remove(all[gone].staged());
+      CHECK_THROWS_WITH(files::commit(all), Contains("No such file"));
+    }
+    CHECK(at.read("one.csv") == "old");
+    CHECK(at.read("two.csv") == "old");
+    CHECK(holds_only(at, 2));
+  }
+}
+
 TEST_CASE(
     "input: a size limit is an error with the system's reason, and leaves nothing half-written") {
   const TemporaryFolder at("limit");

@@ -165,6 +165,17 @@ quality)
   sed -n 's/^  "worst_[0-9]": "\([+-][0-9.]*\) at.*/\1/p' worst.json >order
   awk '{size = $1 < 0 ? -$1 : $1; if (NR > 1 && size > last) exit 1; last = size; down += $1 < 0} END {exit NR != 5 || down < 1}' order ||
     fail "the worst: $(cat order)"
+  # A ramp of 0.05 mm/m in cross level is that twist; the class is that of the largest offset of a 62-ft chord (49 CFR 213.63, mm).
+  awk -F, 'NR == 1 {print $0 ",cross_mm"; next} {printf "%s,%.4f\n", $0, $1 / 20}' bumps.csv >cross.csv
+  answers measures measures cross.csv --crosslevel cross
+  holds "measures" measures/measures.csv '
+    $c["missing"] == 0 {near($c["twist_largest_mm_per_m"], 0.05, 1e-4); near($c["twist_sd_mm_per_m"], 0, 1e-4); near($c["cross_sd_mm"], 0.05 * 200 / sqrt(12), 0.01)}
+    {d = abs($c["profile_chord_largest_mm"]); class = (d <= 76.2) + (d <= 69.85) + (d <= 57.15) + (d <= 50.8) + (d <= 31.75)
+      if ($c["profile_chord_largest_mm"] != "") {near($c["fra_class"], class, 0); if (class < 5) ++rough}}
+    END {if (rough < 1 || rough > 3) {print rough " rough sections"; wrong++}}'
+  [ ! -e measures/exceptions.csv ] || fail "exceptions to a class that nobody gave"
+  # Where one limit alone counts there is no wavelength from which the other does.
+  "$railbook" quality limit --speed 100km/h --json >stroke.json && ! grep -q corner_m stroke.json || fail "a corner of one limit"
   holds "the histogram" index/histogram.csv '{sum += $2} END {near(sum, 12000 - m, 0)}' m="$(v index missing)"
   ;;
 wheelrail)

@@ -286,8 +286,9 @@ TEST_CASE("unit: large texts go to standard output in order, once") {
     out.write(std::string(100000, 'a'));
     out.write("b\n");
     out.commit();
-    return 0;
+    std::printf("after\n");
+    return std::fflush(stdout) == 0 ? 0 : 8;
   });
   CHECK(status == 0);
-  CHECK(said == "before\n" + std::string(100000, 'a') + "b\n");
+  CHECK(said == "before\n" + std::string(100000, 'a') + "b\nafter\n");
 }

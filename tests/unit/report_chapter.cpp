@@ -123,6 +123,7 @@ TEST_CASE("unit: a check says what it is about and what came of it") {
     CHECK(checks[i].contains("printed") == (checks[i]["source"] == "print"));
   }
   CHECK(checks[7]["by"] == "A. Nobody");
+  CHECK(checks[5]["allowed"] == 0);  // of a claim nothing is
   // Nothing but the paper's text stands under "printed".
   std::ifstream csv{s.scratch.path / "results/00-sample/checks.csv"};
   const std::string text{std::istreambuf_iterator<char>{csv}, {}};
@@ -296,12 +297,14 @@ TEST_CASE("unit: a row of a display table has a cell for each column") {
 TEST_CASE("unit: a value is shown to the same digits on both sides of zero") {
   const Sample s;
   s.reproduce(one([](report::Item& i) {
-    i.expect_checks(2);
+    i.expect_checks(3);
     i.print("up", "a", "m", "5.5", 123.4567);
     i.print("down", "a", "m", "-5.5", -123.4567);
+    i.at_most("none", "a", "m", units::nan, 1e-9, "rounding");
   }));
   CHECK(s.record()["checks"][0]["computed_text"] == "123.457");
   CHECK(s.record()["checks"][1]["computed_text"] == "-123.457");
+  CHECK(s.record()["checks"][2]["computed_text"] == "nan");
 }
 
 TEST_CASE("unit: stability cases and times stand in the record, and without timings no time does") {
@@ -344,6 +347,14 @@ TEST_CASE("unit: --only computes just what is asked for") {
   CHECK_FALSE(other);
   CHECK(s.record()["only"][0] == "t");
   CHECK(s.reproduce(paper, {"--only", "v"}) == 2);
+}
+
+TEST_CASE("unit: a list of the items computes none of them") {
+  const Sample s;
+  bool computed = false;
+  const report::Section paper = one([&](report::Item& item) { computed = true, item.sketch(); });
+  CHECK(run(s.scratch.path, paper, {"list"}) == 0);
+  CHECK_FALSE(computed);
 }
 
 TEST_CASE("input: a chapter without a command is refused, help is not") {

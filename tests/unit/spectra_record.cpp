@@ -139,12 +139,16 @@ TEST_CASE("unit: positions that the recorder rounds give the grid, samples lost 
       }
 }
 
-TEST_CASE("unit: positions in whole metres give the spacing of the record") {
-  Collected c{{}};
-  for (int i = 0; i < 40000; ++i) c.stream.add(std::floor(0.25 * i), 0.001 * std::sin(0.7 * i));
-  c.stream.finish();
-  CHECK(c.stream.spacing() == Approx(0.25).epsilon(1e-3));
-  CHECK(std::abs(static_cast<int>(c.stream.samples()) - 40000) < 8);
+TEST_CASE("unit: positions in whole metres, or 40 cm, give the spacing of the record") {
+  for (const auto& [spacing, quantum] : {std::pair{0.25, 1.0}, {0.1, 0.4}}) {
+    CAPTURE(spacing, quantum);
+    Collected c{{}};
+    for (int i = 0; i < 40000; ++i)
+      c.stream.add(quantum * std::floor(i * spacing / quantum + 1e-9), 0.001 * std::sin(0.7 * i));
+    c.stream.finish();
+    CHECK(c.stream.spacing() == Approx(spacing).epsilon(1e-3));
+    CHECK(std::abs(static_cast<int>(c.stream.samples()) - 40000) < 8);
+  }
 }
 
 TEST_CASE("unit: what comes of a record does not depend on the pieces it comes in") {
