@@ -131,6 +131,13 @@ bool BranchWalker::advance() {
     const int before = orientation_;
     orientation_ = orientation;
     find_special(from, t, next, point, before * orientation_ < 0);
+    if (const double part = part_to_first(point); part > 0) {
+      branch.stop = BranchStop::closed;
+      x = from + part * step_ * t;
+      if (solver.correct(x, t, t.dot(x))) point = describe(solver.place(x), next[next.size() - 1]);
+      branch.points.push_back(std::move(point));
+      return true;
+    }
     if (settle()) {
       point = describe(at_, slope(along_));
       orientation_ = 0;
@@ -244,7 +251,23 @@ void BranchWalker::find_special(const VectorXd& from, const VectorXd& t, const V
   for (SpecialCycle& event : here) branch.special.push_back(std::move(event));
 }
 
+double BranchWalker::part_to_first(const LimitCycle& next) const {
+  if (branch.points.size() < 4) return 0;
+  const LimitCycle& first = branch.points[0];
+  const auto place = [&](const LimitCycle& p) {
+    const auto n = Index(p.amplitude.size());
+    VectorXd x(2 * n + 2);
+    x << VectorXd::Map(p.amplitude.data(), n) / first.largest,
+        VectorXd::Map(p.middle.data(), n) / first.largest, std::log(p.cycle.omega),
+        p.parameter / solver.family().scale;
+    return x;
+  };
+  return passes_again(place(first), place(branch.points[1]), place(branch.points.back()),
+                      place(next));
+}
+
 void BranchWalker::stop_if_done() {
+  if (branch.stop != BranchStop::start) return;
   const LimitCycle& p = branch.points.back();
   const double first = branch.points.front().largest;
   if (p.reach > options_.largest_amplitude)

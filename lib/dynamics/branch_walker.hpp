@@ -39,6 +39,8 @@ class BranchWalker {
   void find_special(const VectorXd& from, const VectorXd& t, const VectorXd& next,
                     const LimitCycle& point, bool crossed);
 
+  // Of the step to `next` until it is at the branch's first cycle again; 0: it is not.
+  double part_to_first(const LimitCycle& next) const;
   void stop_if_done();
 
   const ContinuationOptions& options_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "dynamics/branch_walker.hpp"
+#include "dynamics/step_length.hpp"
 
 namespace railbook::dynamics {
 
@@ -57,6 +58,8 @@ const char* to_string(BranchStop stop) {
       return "stopped before its end";
     case BranchStop::start:
       return "no cycle to start from";
+    case BranchStop::closed:
+      return "back at its first cycle";
   }
   return "";
 }
@@ -151,23 +154,47 @@ LimitCycleBranch follow_secondary(const Family& family, const SpecialCycle& from
   return walker.branch;
 }
 
+namespace {
+
+// Size of all harmonics but the mean.
+double moving(const Cycle& cycle) {
+  const Index mean = cycle.orders.front() == 0 ? 1 : 0;
+  return cycle.motion.rightCols(cycle.motion.cols() - mean).norm();
+}
+
+}  // namespace
+
 std::vector<LimitCycle> cycle_near(const Family& family, const Cycle& start, double parameter,
                                    const ContinuationOptions& options) {
   BranchWalker walker{family, start.orders, options};
   const Place p{walker.solver.equations().unknowns(start.motion), start.omega, parameter};
   const VectorXd hold = unit_of_parameter(p.z.size());
-  (void)walker.begin(p, hold, hold);
+  if (!walker.begin(p, hold, hold)) return {};
+  // Rest solves the equations as well.
+  if (moving(walker.branch.points[0].cycle) < 1e-6 * moving(start)) return {};
   return walker.branch.points;
 }
 
 std::vector<LimitCycle> cycles_at(const Family& family, const LimitCycleBranch& branch,
                                   double parameter, const ContinuationOptions& options) {
+  struct Neighbour {
+    const LimitCycle* cycle;
+    bool fold;
+  };
+  std::vector<Neighbour> places;
+  auto special = branch.special.begin();
+  for (std::size_t k = 0; k < branch.points.size(); ++k) {
+    places.push_back({&branch.points[k], false});
+    for (; special != branch.special.end() && special->after == k; ++special)
+      if (special->kind == CycleEvent::fold && special->located)
+        places.push_back({&special->at, true});
+  }
   std::vector<LimitCycle> found;
-  for (std::size_t k = 0; k + 1 < branch.points.size(); ++k) {
-    const LimitCycle &low = branch.points[k], &high = branch.points[k + 1];
+  for (std::size_t k = 0; k + 1 < places.size(); ++k) {
+    const LimitCycle &low = *places[k].cycle, &high = *places[k + 1].cycle;
     const double from = low.parameter - parameter, to = high.parameter - parameter;
-    if (from * to > 0 || from == to || (to == 0 && k + 2 < branch.points.size())) continue;
-    const double part = from / (from - to);
+    if (from * to > 0 || from == to || (to == 0 && k + 2 < places.size())) continue;
+    const double part = part_of_way(from, to, places[k].fold, places[k + 1].fold);
     // The richer of both, moved towards the other.
     const bool first = low.cycle.orders.size() >= high.cycle.orders.size();
     Cycle start = first ? low.cycle : high.cycle;

@@ -80,7 +80,8 @@ struct ContinuationOptions {
   std::function<bool(const LimitCycle&)> go_on{};
 };
 
-enum class BranchStop { amplitude, parameter, small_cycle, step, points, asked, start };
+// `closed`: the branch is a ring, and its last point its first one.
+enum class BranchStop { amplitude, parameter, small_cycle, step, points, asked, start, closed };
 const char* to_string(BranchStop stop);
 
 struct LimitCycleBranch {
@@ -104,11 +105,12 @@ LimitCycleBranch follow_from(const Family& family, const Cycle& cycle, double pa
 LimitCycleBranch follow_secondary(const Family& family, const SpecialCycle& from,
                                   const ContinuationOptions& options, double size = 0.05);
 
-// All cycles of a branch at a value of the parameter, each solved from its neighbours; in order along the branch.
+// All cycles of a branch at a value of the parameter, each solved from its neighbours, located folds among them; in order along the
+// branch. Two turns within one step of the branch are not seen.
 std::vector<LimitCycle> cycles_at(const Family& family, const LimitCycleBranch& branch,
                                   double parameter, const ContinuationOptions& options);
 
-// The cycle at a value of the parameter from a start nearby; empty when Newton does not converge.
+// The cycle at a value of the parameter from a start nearby; empty when Newton does not converge, or only to rest.
 std::vector<LimitCycle> cycle_near(const Family& family, const Cycle& start, double parameter,
                                    const ContinuationOptions& options);
 

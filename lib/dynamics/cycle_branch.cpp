@@ -18,6 +18,7 @@ struct Walker {
   Unknowns at, along;
   double step = 0;
   CycleBranch branch;
+  bool closed = false;
 
   Solved correct(double length) {
     const Unknowns guess = at + length * along;
@@ -39,14 +40,32 @@ struct Walker {
       const bool turns = along[19] * direction[19] < 0 &&
                          std::min(std::abs(along[19]), std::abs(direction[19])) > no_slope;
       if (turns) add_fold(step);
+      CyclePoint point = describe_cycle(car, solved.motion);
+      if (const double part = part_to_first(point); part > 0) {
+        if (const auto last = correct(part * step); last.converged)
+          point = describe_cycle(car, last.motion);
+        closed = true;
+      }
       at = next;
       along = direction;
-      branch.points.push_back(describe_cycle(car, solved.motion));
+      branch.points.push_back(point);
       if (cosine > easy_cosine && solved.iterations <= 5)
         step = std::min(1.5 * step, options.largest_step);
       return true;
     }
     return false;
+  }
+
+  // Of the step to `next` until it is at the branch's first cycle again; 0: it is not.
+  double part_to_first(const CyclePoint& next) const {
+    if (branch.points.size() < 4) return 0;
+    const auto place = [](const CyclePoint& p) {
+      Eigen::VectorXd x(wheelsets + 2);
+      x << scaled(p.motion).tail<2>(), Eigen::Map<const Eigen::Vector4d>(p.amplitude.data()) * 80;
+      return x;
+    };
+    return passes_again(place(branch.points[0]), place(branch.points[1]),
+                        place(branch.points.back()), place(next));
   }
 
   // The speed turns round between here and a step further: V' = 0 there.
@@ -64,12 +83,14 @@ struct Walker {
     };
     if (slope(1e-9 * length) * slope(length) >= 0) return;
     (void)num::find_root(slope, 1e-9 * length, length, 1e-9, 60);
-    if (!lost && fold) branch.folds.push_back(describe_cycle(car, *fold));
+    if (!lost && fold)
+      branch.folds.push_back({describe_cycle(car, *fold), branch.points.size() - 1});
   }
 
   BranchEnd walk() {
     while (static_cast<int>(branch.points.size()) < options.most_points) {
       if (!advance()) return BranchEnd::step;
+      if (closed) return BranchEnd::closed;
       const CyclePoint& p = branch.points.back();
       if (p.largest > options.largest_amplitude) return BranchEnd::amplitude;
       if (p.motion.speed < options.lowest_speed || p.motion.speed > options.highest_speed)
@@ -82,25 +103,60 @@ struct Walker {
 
 CycleBranch trace(const QuasiLinearCar& car, const Motion& first, const Unknowns& towards,
                   const BranchOptions& options) {
-  Walker walker{car, options, scaled(first), {}, options.largest_step / 4, {}};
+  Walker walker{car, options, scaled(first), {}, options.largest_step / 4, {}, false};
   walker.along = tangent(car, walker.at, towards);
   walker.branch.points.push_back(describe_cycle(car, first));
   walker.branch.end = walker.walk();
   return walker.branch;
 }
 
-// Solves `pick` between every two neighbours whose `value` lies on either side of `wanted`.
+// The pick between two cycles, from a share of the way. Where that leads nowhere or elsewhere, the way is halved, cycle by cycle:
+// `before` tells those on the first one's side.
+template <class Before>
+Solved solve_between(const QuasiLinearCar& car, const Unknowns& a, const Unknowns& b, double share,
+                     const Pick& pick, Before&& before) {
+  const Unknowns way = b - a;
+  Unknowns guess = a + share * way;
+  double low = 0, high = 1;
+  for (int k = 0;; ++k) {
+    Solved solved = solve_cycle(car, guess, a, pick);
+    solved.converged &= (scaled(solved.motion) - guess).norm() < (high - low) * way.norm();
+    if (solved.converged || k == 30) return solved;
+    const double middle = 0.5 * (low + high);
+    guess = a + middle * way;
+    const auto there = solve_cycle(
+        car, guess, a, {.kind = Pick::hyperplane, .normal = way, .value = way.dot(guess)});
+    if (!there.converged) return there;
+    guess = scaled(there.motion);
+    (before(there.motion) ? low : high) = middle;
+  }
+}
+
+// Solves `pick` between every two neighbours, folds among them, whose `value` lies on either side of `wanted`.
 template <class Value, class Choose>
 std::vector<CyclePoint> between(const QuasiLinearCar& car, const CycleBranch& branch, double wanted,
                                 Value&& value, Choose&& choose) {
+  struct Neighbour {
+    const CyclePoint* point;
+    bool fold;
+  };
+  std::vector<Neighbour> places;
+  auto fold = branch.folds.begin();
+  for (std::size_t k = 0; k < branch.points.size(); ++k) {
+    places.push_back({&branch.points[k], false});
+    for (; fold != branch.folds.end() && fold->after == k; ++fold) places.push_back({&*fold, true});
+  }
   std::vector<CyclePoint> found;
-  for (std::size_t k = 0; k + 1 < branch.points.size(); ++k) {
-    const CyclePoint &low = branch.points[k], &high = branch.points[k + 1];
-    const double from = value(low) - wanted, to = value(high) - wanted;
-    if (from == to || from * to > 0 || (to == 0 && k + 2 < branch.points.size())) continue;
-    const Unknowns a = scaled(low.motion), b = scaled(high.motion);
-    const Unknowns guess = a + from / (from - to) * (b - a);
-    const auto solved = solve_cycle(car, guess, a, choose(from / (from - to) < 0.5 ? low : high));
+  for (std::size_t k = 0; k + 1 < places.size(); ++k) {
+    const auto [low, low_folds] = places[k];
+    const auto [high, high_folds] = places[k + 1];
+    const double from = value(*low) - wanted, to = value(*high) - wanted;
+    if (from == to || from * to > 0 || (to == 0 && k + 2 < places.size())) continue;
+    const Unknowns a = scaled(low->motion), b = scaled(high->motion);
+    const double share = part_of_way(from, to, low_folds, high_folds);
+    const auto solved = solve_between(
+        car, a, b, share, choose(share < 0.5 ? *low : *high),
+        [&](const Motion& m) { return (value(describe_cycle(car, m)) - wanted) * from > 0; });
     if (solved.converged) found.push_back(describe_cycle(car, solved.motion));
   }
   return found;
@@ -122,6 +178,8 @@ const char* to_string(BranchEnd end) {
       return "as many points as allowed";
     case BranchEnd::start:
       return "no cycle to start from";
+    case BranchEnd::closed:
+      return "back at its first cycle";
   }
   return "";
 }

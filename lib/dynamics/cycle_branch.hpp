@@ -37,13 +37,18 @@ struct BranchOptions {
   int most_points = 3000;
 };
 
-enum class BranchEnd { amplitude, speed, small_cycle, step, points, start };
+// `closed`: the branch is a ring, and its last point its first one.
+enum class BranchEnd { amplitude, speed, small_cycle, step, points, start, closed };
 const char* to_string(BranchEnd end);
+
+// Where V turns round, located: a fold of the describing functions, not of the equations.
+struct CycleFold : CyclePoint {
+  std::size_t after = 0;  // between points[after] and the next
+};
 
 struct CycleBranch {
   std::vector<CyclePoint> points;  // in order along the branch
-  std::vector<CyclePoint>
-      folds;  // where V turns round, located: folds of the describing functions, not of the equations
+  std::vector<CycleFold> folds;    // likewise
   BranchEnd end = BranchEnd::start;
   int newton_steps = 0;    // solutions of the 20 x 20 system, folds included
   int rejected_steps = 0;  // steps that were halved
@@ -57,7 +62,8 @@ CycleBranch trace_from(const QuasiLinearCar& car, const CyclePoint& cycle, doubl
                        const BranchOptions& options);
 
 // All cycles of a branch with a given largest amplitude [m] or speed [m/s], each solved by Newton from the
-// nearest points; in order along the branch. One that does not converge is left out.
+// nearest points, folds of speed among them; in order along the branch. One that does not converge is left out, and what turns twice
+// within one step of the branch is not seen.
 std::vector<CyclePoint> cycles_at_amplitude(const QuasiLinearCar& car, const CycleBranch& branch,
                                             double amplitude);
 std::vector<CyclePoint> cycles_at_speed(const QuasiLinearCar& car, const CycleBranch& branch,

@@ -116,7 +116,8 @@ Solved solve_cycle(const QuasiLinearCar& car, const Unknowns& start, const Unkno
     u -= step;
     if (!sound(u)) return result;
     if (result.update < 1e-10) {
-      result.converged = true;
+      // Rest solves the equations as well.
+      result.converged = u.head<18>().norm() > 1e-6 * start.head<18>().norm();
       break;
     }
   }

@@ -28,7 +28,7 @@ struct Solved {
 };
 
 // A limit cycle of the quasi-linear car: Z q = 0, Im <phase, q> = 0, and the pick. Full Newton with the exact
-// Jacobian, at most `most` iterations; converged when the update is below 1e-10.
+// Jacobian, at most `most` iterations; converged when the update is below 1e-10, and not to rest. Accurate to 1e-12.
 Solved solve_cycle(const QuasiLinearCar& car, const Unknowns& start, const Unknowns& phase,
                    const Pick& pick, int most = 12);
 
@@ -36,7 +36,7 @@ Solved solve_cycle(const QuasiLinearCar& car, const Unknowns& start, const Unkno
 Solved solve_linear(const QuasiLinearCar& car, const QuasiLinearCar::Gains& gains,
                     const Motion& start, int most = 20);
 
-// At a cycle: the unit tangent of its branch, along `towards`; and dV/dA [1/s], A of its largest wheelset.
+// At a cycle, exact but for rounding: the unit tangent of its branch, along `towards`; and dV/dA [1/s], A of its largest wheelset.
 Unknowns tangent(const QuasiLinearCar& car, const Unknowns& at, const Unknowns& towards);
 double speed_by_amplitude(const QuasiLinearCar& car, const Motion& cycle);
 

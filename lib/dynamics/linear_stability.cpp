@@ -72,7 +72,12 @@ std::optional<std::vector<double>> paired_speeds(const SpeedPencil& s, double lo
   const Eigen::PartialPivLU<MatrixXd> lu{pair_sums(s.at(shift))};
   const Eigen::ArrayXd pivots = lu.matrixLU().diagonal().array().abs();
   if (!(pivots.minCoeff() > least_pivot * pivots.maxCoeff())) return std::nullopt;
-  const MatrixXd pencil = lu.solve(pair_sums(s.by_slowness));
+  // Pairs of motions that no creep damps have nothing but zeros in their columns, and no speed.
+  const MatrixXd by_slowness = pair_sums(s.by_slowness);
+  std::vector<Eigen::Index> damped;
+  for (Eigen::Index k = 0; k < by_slowness.cols(); ++k)
+    if (!by_slowness.col(k).isZero(0)) damped.push_back(k);
+  const MatrixXd pencil = MatrixXd(lu.solve(by_slowness(Eigen::all, damped)))(damped, Eigen::all);
   std::vector<double> speeds;
   for (const Complex theta : num::eigenvalues(pencil)) {
     if (std::abs(theta) < 1e-12 * pencil.norm()) continue;
@@ -248,15 +253,19 @@ std::vector<HopfPoint> hopf_points(const QuasiLinearCar& car, double low, double
     std::sort(all.begin(), all.end(), [](const Motion& a, const Motion& b) {
       return std::abs(a.lambda.real()) < std::abs(b.lambda.real());
     });
-    if (all.empty()) continue;
-    const auto search = find_hopf(car, all.front());
-    const double at = search.point.motion.speed;
-    if (!search.converged || at < low || at > high || std::abs(at - speed) > 0.01 * speed) continue;
-    const bool known = std::any_of(found.begin(), found.end(), [&](const HopfPoint& other) {
-      return std::abs(other.motion.speed - at) < 1e-8 * at &&
-             std::abs(other.motion.lambda - search.point.motion.lambda) < 1e-8;
-    });
-    if (!known) found.push_back(search.point);
+    // If the nearest is known, the next: of two that cross at one speed either may be the nearer.
+    for (std::size_t k = 0; k < std::min<std::size_t>(2, all.size()); ++k) {
+      const auto search = find_hopf(car, all[k]);
+      const double at = search.point.motion.speed;
+      if (!search.converged || at < low || at > high || std::abs(at - speed) > 0.01 * speed) break;
+      const bool known = std::any_of(found.begin(), found.end(), [&](const HopfPoint& other) {
+        return std::abs(other.motion.speed - at) < 1e-8 * at &&
+               std::abs(other.motion.lambda - search.point.motion.lambda) < 1e-8;
+      });
+      if (known) continue;
+      found.push_back(search.point);
+      break;
+    }
   }
   std::sort(found.begin(), found.end(),
             [](const HopfPoint& a, const HopfPoint& b) { return a.motion.speed < b.motion.speed; });

@@ -21,14 +21,19 @@ const Eigen::Ref<const Eigen::MatrixXd>& finite(const Eigen::Ref<const Eigen::Ma
 
 }  // namespace
 
+// Eigen's shifts may go round in circles, above all next to a cluster of zeros. The same coordinates in the opposite order take
+// another way to the same eigenvalues.
 Eigen::VectorXcd eigenvalues(const Eigen::Ref<const Eigen::MatrixXd>& matrix) {
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver{finite(matrix), false};
+  Eigen::EigenSolver<Eigen::MatrixXd> solver{finite(matrix), false};
+  if (solver.info() != Eigen::Success) solver.compute(matrix.reverse(), false);
   return converged(solver).eigenvalues();
 }
 
 Eigenpairs eigenpairs(const Eigen::Ref<const Eigen::MatrixXd>& matrix) {
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver{finite(matrix)};
-  return {converged(solver).eigenvalues(), solver.eigenvectors()};
+  Eigen::EigenSolver<Eigen::MatrixXd> solver{finite(matrix)};
+  if (solver.info() == Eigen::Success) return {solver.eigenvalues(), solver.eigenvectors()};
+  solver.compute(matrix.reverse());
+  return {converged(solver).eigenvalues(), solver.eigenvectors().colwise().reverse()};
 }
 
 Eigen::VectorXd symmetric_eigenvalues(const Eigen::Ref<const Eigen::MatrixXd>& matrix) {

@@ -106,45 +106,6 @@ LimitCycleBranch circles(const Family& family) {
 
 }  // namespace
 
-TEST_CASE("Continuation: a Hopf point's branch and its turning point", "[continuation]") {
-  // q'' - (p + rho - rho^2) q' + (1 + rho/2) q = 0: circles where p = rho^2 - rho, turning at rho = 1/2, p = -1/4.
-  Family family;
-  family.oscillator =
-      seen_by(2, differentiated(4, 2, [](const Complex* s, Complex* f) {
-                const Complex rho = s[0] * s[0] + s[1] * s[1];
-                const Complex radial = s[0] * s[2] + s[1] * s[3];
-                for (int i = 0; i < 2; ++i)
-                  f[i] = (rho - rho * rho) * s[2 + i] - (0.5 * rho + 4.0 * radial) * s[i];
-              }));
-  family.set = [](Oscillator& o, double p) { o.damping(0, 0) = o.damping(1, 1) = -p; };
-  family.watch = {first_row(2)};
-  ContinuationOptions options;
-  options.lowest = -1;
-  options.highest = 1;
-  options.first_amplitude = 0.05;
-  const auto branch = follow_from_hopf(family, circle(2), 1, 0, options);
-  CHECK(branch.stop == BranchStop::parameter);
-  REQUIRE(branch.points.size() > 10);
-  for (const LimitCycle& p : branch.points) {
-    const double rho = p.largest * p.largest;
-    CHECK(p.parameter == Approx(rho * rho - rho).margin(1e-9));
-    CHECK(p.cycle.omega == Approx(std::sqrt(1 + 0.5 * rho)).epsilon(1e-9));
-    CHECK(p.multipliers.trivial_error < 1e-6);
-  }
-  const auto folds = of_kind(branch, CycleEvent::fold);
-  REQUIRE(folds.size() == 1);
-  CHECK(folds[0].located);
-  CHECK(folds[0].at.parameter == Approx(-0.25).epsilon(1e-7));
-  CHECK(folds[0].at.largest == Approx(std::sqrt(0.5)).epsilon(1e-6));
-  // Below the turning point unstable, above it stable.
-  CHECK(branch.points.front().unstable > 0);
-  CHECK(branch.points.back().stable);
-  const auto at = cycles_at(family, branch, -0.1, options);
-  REQUIRE(at.size() == 2);
-  CHECK(at[0].largest == Approx(std::sqrt(0.5 - std::sqrt(0.15))).epsilon(1e-9));
-  CHECK(at[1].largest == Approx(std::sqrt(0.5 + std::sqrt(0.15))).epsilon(1e-9));
-}
-
 TEST_CASE("Continuation: Duffing's two turning points", "[continuation]") {
   // z'' + d z' + z + b |z|^2 z = g exp(i W t) in the plane, driven by circles u'' + (|u|^2 - 1) u' + W^2 u = 0 of radius 1:
   // rho ((1 + b rho - W^2)^2 + d^2 W^2) = g^2 exactly, and one frequency.
@@ -210,24 +171,6 @@ TEST_CASE("Continuation: a torus point of known place", "[continuation]") {
     for (const Complex m : p.multipliers.map)
       nearest = std::min(nearest, std::abs(std::abs(m) - std::exp(rate * half)));
     CHECK(nearest < 1e-6);
-  }
-}
-
-TEST_CASE("Continuation: symmetry breaks, and the branch that leaves there", "[continuation]") {
-  // w'' + w' + (0.3 - rho) w + w^3 = 0 has w^2 = p - 0.3 beside w = 0.
-  const Family family = on_circles(3, [](Complex rho, const Complex* s, Complex* f) {
-    f[2] = -s[5] + (0.7 + rho) * s[2] - s[2] * s[2] * s[2];
-  });
-  const auto branch = circles(family);
-  const auto found = of_kind(branch, CycleEvent::symmetry_breaking);
-  REQUIRE(found.size() == 1);
-  CHECK(found[0].at.parameter == Approx(0.3).epsilon(1e-6));
-  const auto aside = follow_secondary(family, found[0], to_06());
-  REQUIRE(aside.points.size() > 3);
-  CHECK(aside.stop == BranchStop::parameter);
-  for (const LimitCycle& p : aside.points) {
-    CHECK(std::norm(p.cycle.motion(2, 0)) == Approx(p.parameter - 0.3).epsilon(1e-6));
-    CHECK(p.stable);
   }
 }
 

@@ -99,34 +99,6 @@ TEST_CASE("quasi-linear car: derivatives are those of the residual") {
   }
 }
 
-TEST_CASE("Hopf points: eigenvalues on the axis, and none missed") {
-  const double low = 3, high = 120;
-  for (const auto& table : {cone(), hollow(), geometry(0.42601, 11.426, 0.13878)}) {
-    const QuasiLinearCar car{assemble({}, Suspension::dampers), table};
-    const auto found = hopf_points(car, low, high);
-    REQUIRE(found.size() == 2);
-    for (const auto& hopf : found) {
-      CHECK(hopf.residual < 1e-12);
-      double nearest = 1;
-      for (const auto& mode : modes(car, car.small(), hopf.motion.speed))
-        nearest = std::min(nearest, std::abs(mode.lambda - hopf.motion.lambda));
-      CHECK(nearest < 1e-9);
-    }
-    // The number of growing pairs on a fine grid changes at these speeds and nowhere else.
-    int before = 0;
-    for (double speed = low; speed < high; speed += 0.5) {
-      int growing = 0, crossed = 0;
-      for (const auto& mode : modes(car, car.small(), speed))
-        growing += mode.lambda.real() > 0 ? 1 : 0;
-      for (const auto& hopf : found)
-        if (hopf.motion.speed > speed - 0.5 && hopf.motion.speed < speed)
-          crossed += hopf.rate_by_speed.real() > 0 ? 1 : -1;
-      CHECK(growing - before == crossed);
-      before = growing;
-    }
-  }
-}
-
 TEST_CASE("Hopf points: rate of growth against solving again") {
   const auto table = hollow();
   const QuasiLinearCar car{assemble({}, Suspension::dampers), table};

@@ -110,33 +110,6 @@ TEST_CASE("Sides: describing functions are refused, and a difference that no con
   CHECK_THROWS_WITH((QuasiLinearCar{data, flat}), Catch::Contains("no position of rest"));
 }
 
-TEST_CASE("Wheel forces: at rest the contact angle, with a yaw the creep force of the law",
-          "[sides]") {
-  const auto& table = wheelrail::cn_table();
-  const FreightCar car = assemble({}, Suspension::dampers);
-  Cycle still;
-  still.omega = 10;
-  still.inverse_speed = 0.02;
-  still.orders = {0, 1};
-  still.motion = Eigen::MatrixXcd::Zero(9, 2);
-  const CreepLimit limit{0.3, {}};
-  const double angle = table.delta_left[table.delta_left.size() / 2];
-  const CycleForces rest = cycle_forces(car, table, limit, still);
-  CHECK(rest.lateral_over_vertical[0] == Approx(std::tan(angle)));
-  CHECK(rest.creep[0] == Approx(0).margin(1e-12));
-  // Yaw of both axles of the front truck: lateral creepage alone.
-  const double yaw = 2e-3;
-  still.motion(TH_WF, 0) = yaw;
-  const CycleForces turned = cycle_forces(car, table, limit, still);
-  const double bound = 0.3 * axle_load(car.data) / 2, asked = car.data.f11 * yaw / bound;
-  const double share = asked - asked * asked / 3 + asked * asked * asked / 27;
-  CHECK(asked < 3);
-  CHECK(turned.creep[0] == Approx(share));
-  CHECK(turned.lateral_over_vertical[0] ==
-        Approx((std::tan(angle) + 0.3 * share) / (1 - 0.3 * share * std::tan(angle))));
-  CHECK(turned.creep[2] == Approx(0).margin(1e-12));
-}
-
 TEST_CASE("Limited creep: the full theory's table beside the cubic, along a branch", "[sides]") {
   const rolling::SmoothForce full(rolling::shares_of(rolling::solver("full", 1, 0.3, 8), 1, 0.3),
                                   rolling::kalker_coefficients(1, 0.3));

@@ -160,25 +160,6 @@ TEST_CASE("True branches: in a datum as in speed", "[continuation]") {
   CHECK(again[0].cycle.omega == Approx(there[0].cycle.omega).epsilon(1e-8));
 }
 
-TEST_CASE("A family in a datum takes the limit of its creep along", "[continuation]") {
-  const auto& table = wheelrail::cn_table();
-  const FreightCar car = assemble({}, Suspension::dampers);
-  const CreepLimit limit{0.3, {}};
-  const Family family = by_datum(car, &CarParameters::f11, table, 30, limit);
-  Oscillator moved = family.oscillator;
-  family.set(moved, 2 * car.data.f11);
-  CarParameters other = car.data;
-  other.f11 *= 2;
-  const FreightCar doubled = assemble(other, Suspension::dampers);
-  Oscillator expected = car_on_track(doubled, table, 30);
-  limit_creep(expected, doubled, table, limit);
-  State y, here, there;
-  for (Eigen::Index k = 0; k < y.size(); ++k) y[k] = 0.003 * std::sin(1.0 + 2.0 * double(k));
-  compile(moved).rate(y, here);
-  compile(expected).rate(y, there);
-  CHECK((here - there).norm() < 1e-12 * there.norm());
-}
-
 TEST_CASE("Limited creep: small motions are the linear car's, large ones those in time",
           "[continuation]") {
   const auto& table = wheelrail::cn_table();
