@@ -82,3 +82,17 @@ TEST_CASE("property: looking_at shows everything, with a margin, from any side")
     }
   }
 }
+
+TEST_CASE("property: a single point far away is looked at, and drawn in the middle") {
+  const Size size{240, 160};
+  const Point far{3e6, -2e6, 1e6};
+  Scene point = speck(far, 1);
+  point.meshes[0].vertices.rowwise() = far.transpose();
+  for (const bool parallel : {false, true}) {
+    const Camera camera = looking_at(point, {1, -1, 1}, size, parallel);
+    CHECK((camera.eye - camera.target).norm() > 1e-9 * far.norm());
+    const Eigen::Vector2d at = project(camera, size, far);
+    CHECK(std::abs(at.x() - 120) < 1);
+    CHECK(std::abs(at.y() - 80) < 1);
+  }
+}

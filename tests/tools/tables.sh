@@ -176,6 +176,12 @@ quality)
   [ ! -e measures/exceptions.csv ] || fail "exceptions to a class that nobody gave"
   # Where one limit alone counts there is no wavelength from which the other does.
   "$railbook" quality limit --speed 100km/h --json >stroke.json && ! grep -q corner_m stroke.json || fail "a corner of one limit"
+  # Between two places of extremes.csv the channel reaches its high and low, or zero, and not beyond.
+  awk -F, 'function settle() {if (row > 1 && (abs(high - h[row]) > 1e-5 || abs(low - l[row]) > 1e-5)) {print at[row], h[row], high, l[row], low; wrong++} high = low = 0}
+    function abs(x) {return x < 0 ? -x : x}
+    FNR == 1 {next} NR == FNR {at[++n] = $1; l[n] = $2; h[n] = $3; next}
+    {while (row < n && $1 / 1000 >= at[row + 1] - 1e-9) {settle(); ++row}} $2 == "" || $2 == "nan" {next} $2 > high {high = $2} $2 < low {low = $2}
+    END {settle(); exit wrong > 0 || n < 100}' worst/extremes.csv worst/channel.csv >said || fail "extremes: $(head -3 said)"
   holds "the histogram" index/histogram.csv '{sum += $2} END {near(sum, 12000 - m, 0)}' m="$(v index missing)"
   ;;
 wheelrail)

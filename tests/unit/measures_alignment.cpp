@@ -49,6 +49,12 @@ TEST_CASE("unit: another track is not found") {
     b[i] = height(9000 + 0.31 * static_cast<double>(i));
   }
   for (const auto& m : measures::align(a, b, 0.25, {.least = 0.6})) CHECK_FALSE(m.found);
+  const std::vector<double> still(a.size(), 0.0);  // is like nothing, and nothing like it
+  for (const auto& matches : {measures::align(a, still, 0.25), measures::align(still, b, 0.25)})
+    for (const auto& m : matches) {
+      CHECK_FALSE(m.found);
+      CHECK(m.correlation == -1);
+    }
   CHECK(measures::offset_at({}, 7) == 0);
   CHECK_THROWS_AS(measures::align(a, b, 0), InputError);
   CHECK_THROWS_AS(measures::align(a, b, 0.25, {.window = 1}), InputError);
