@@ -69,6 +69,7 @@ TEST_CASE("input: a table is asked by key or row, and column") {
   CHECK_THROWS_AS(table.at(2, "text"), std::logic_error);
   CHECK(table::csv_number(1.0 / 3) == "0.333333333333");
   CHECK(table::csv_number(std::nan("")) == "nan");
+  CHECK(table::csv_cell("in one word") == "in one word");
 }
 
 TEST_CASE("input: no message repeats a long cell or steers the terminal") {

@@ -92,11 +92,19 @@ TEST_CASE("input: columns by number, and a file without headers") {
   CHECK(reader.line() == 1);
   CHECK(reader.number(0) == 0.25);
   CHECK_THROWS_WITH(reader.number(1), Contains("with a decimal point as before"));
+  const File equal{"a,b;c\n1\n"};
+  CHECK(table::CsvReader{equal.path}.header() == std::vector<std::string>{"a", "b;c"});
+  const File commas{"a;b\n0,5;1\n1;0.25\n"};
+  table::CsvReader comma{commas.path};
+  REQUIRE(comma.next());
+  CHECK(comma.number(0) == 0.5);
+  REQUIRE(comma.next());
+  CHECK_THROWS_WITH(comma.number(1), Contains("with a decimal comma as before"));
   const File twice{"x_m,z_mm,z_mm\n1,2,3\n"};
   table::CsvReader other{twice.path};
   CHECK_THROWS_WITH(other.column("z"), Contains("twice") && Contains("number 2 and 3"));
   CHECK(other.column("3") == 2);
-  CHECK_THROWS_WITH(other.column("4"), Contains("no column \"4\""));
+  CHECK_THROWS_WITH(other.column("4"), Contains("no column \"4\"; there are: x_m, z_mm, z_mm"));
   CHECK_THROWS_WITH(table::CsvReader(twice.path, 9), Contains("no more lines"));
 }
 
