@@ -1,4 +1,4 @@
-// Welch's estimate of a power spectral density, streamed: memory of one segment, however long the record.
+// Welch's estimate of a power spectral density, streamed: memory of some ten segments, however long the record.
 #pragma once
 
 #include <Eigen/Core>
@@ -40,7 +40,7 @@ struct Spectrum {
 // made with spacing 1; spacing > 0, else InputError.
 Spectrum respaced(const Spectrum& from, double spacing);
 
-// Accumulates the spectrum of samples `spacing` apart that come in any number of pieces. The state is a few segments of
+// Accumulates the spectrum of samples `spacing` apart that come in any number of pieces. The state is some ten segments of
 // doubles; push() allocates nothing but a word a gap. A sample that is not finite marks a gap: segments begin anew after it,
 // and what is left before it, where the run holds a segment at all, is read by a last one that ends there: it counts as much
 // as its share of new samples in a step, and its larger overlap goes into `averages` and `band_variance`. Sums are float64.
