@@ -142,7 +142,7 @@ quality)
     $5 > 0 {places = places $1 ","} class == "repair" {repair = repair $1 ","} class == "unsure" {unsure = unsure $1 ","}
     class == "accept" && $9 > 0.5 || class == "watch" && !($9 > 0.5 && $9 <= 1) {wrong++}
     END {near(samples, 12000, 0); near(faulty, 20, 0); near(missing, m, 0); near(most, l, 1e-5); near(here, e, 0); near(rows, 30, 0)
-      if (places repair unsure != "1800,1900,1000,2900,") {print "faulty, repair, unsure: " places " " repair " " unsure; wrong++}}' \
+      if (places "|" repair "|" unsure != "1800,1900,|1000,|2900,") {print "faulty, repair, unsure: " places " " repair " " unsure; wrong++}}' \
     m="$(v index missing)" l="$(v index largest)" e="$(v index exceedances)"
   holds "exceedances" index/exceedances.csv '
     abs($1 - 1010) < 1 {near($2, l, 0.5); if ($c["unsure"] != "no") wrong++} $1 > 2900 && $c["unsure"] != "yes" {wrong++} END {near(rows, e, 0)}' \

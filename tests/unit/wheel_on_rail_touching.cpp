@@ -1,6 +1,7 @@
-// How near to an end of a profile a wheel may touch.
+// How near to an end of a profile a wheel may touch, and where a strip ends.
 #include <catch2/catch.hpp>
 
+#include "wheel_on_rail/strips.hpp"
 #include "wheel_on_rail/touching.hpp"
 
 using namespace railbook;
@@ -23,4 +24,13 @@ TEST_CASE("unit: within half a millimetre of any of the four ends is at the end"
     CHECK(touches_at_end(s, pair.rail.from() + inside) == expected);
     CHECK(touches_at_end(s, pair.rail.to() - inside) == expected);
   }
+}
+
+TEST_CASE("unit: a strip's pressure is a half ellipse that ends with it") {
+  Strips s;
+  s.p_max = 900, s.longest = 5;
+  const Strip strip{0, 0, 4};
+  CHECK(s.pressure(strip, 0) == Approx(720));
+  CHECK(s.pressure(strip, 2.4) == Approx(576).epsilon(1e-14));  // 3, 4, 5
+  for (const double x : {4.0, -4.0, 4.1, -6.0, 9.0}) CHECK(s.pressure(strip, x) == 0);
 }
