@@ -70,6 +70,8 @@ TEST_CASE("claim: a track without roughness, and turned about") {
   for (int k = 0; k < 100; ++k) {
     const TrackDescription d = without_noise(draw);
     const Track track = build(d), back = turned(track);
+    CHECK(track.length() <= d.length);
+    CHECK(track.length() + track.spacing > d.length * (1 - 1e-14));
     for (int n = 0; n < 20; ++n) {
       const auto i = static_cast<std::size_t>(draw(0, static_cast<double>(track.size()) - 0.5));
       const Long x = Long(i) * track.spacing, from = x - Long{d.length} / 4;

@@ -139,6 +139,15 @@ TEST_CASE("geometry car: a stop and a turn cost their windows only", "[reconstru
   CHECK(worst < 0.5 * mm);
 }
 
+TEST_CASE("geometry car: crosslevel begins when its filter has settled", "[reconstruction]") {
+  const Processing p;
+  const auto m = reconstruct(cruise(test_track(), {}, 20), p);
+  const auto& level = m[Parameter::crosslevel];
+  const auto first = std::find_if(level.begin(), level.end(), [](double x) { return x == x; });
+  const double tau = 1 / (2 * units::pi * p.roll_corner), row = units::foot / 20;
+  CHECK(row * static_cast<double>(first - level.begin() - 1) == Approx(8 * tau).margin(row));
+}
+
 TEST_CASE("geometry car: a missing value masks what depends on it", "[reconstruction]") {
   const Track track = test_track();
   const Car car;
