@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <csignal>
 #include <new>
@@ -268,6 +269,17 @@ TEST_CASE("unit: each kind of failure has its status and its words") {
   });
   CHECK(WEXITSTATUS(full) == 3);
   CHECK(message == "prog: standard output: No space left on device\n");
+  const auto [closed, silent] = apart(2, [] {
+    std::array<int, 2> ends{};
+    if (pipe(ends.data()) != 0) return 9;
+    std::signal(SIGPIPE, SIG_IGN);
+    dup2(ends[1], 1);
+    close(ends[0]), close(ends[1]);
+    std::printf("text");
+    return files::finish_process("prog", 0);  // the reader went away: nothing is said
+  });
+  CHECK(WEXITSTATUS(closed) == 3);
+  CHECK(silent.empty());
   const auto [again, nothing] = apart(2, [] {
     const int device = open("/dev/full", O_WRONLY);
     dup2(device, 1);

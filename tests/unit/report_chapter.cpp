@@ -123,6 +123,8 @@ TEST_CASE("unit: a check says what it is about and what came of it") {
     CHECK(checks[i].contains("printed") == (checks[i]["source"] == "print"));
   }
   CHECK(checks[7]["by"] == "A. Nobody");
+  CHECK(checks[5]["id"] == "t/f");
+  CHECK(checks[5]["what"] == "it converges");
   CHECK(checks[5]["allowed"] == 0);  // of a claim nothing is
   // Nothing but the paper's text stands under "printed".
   std::ifstream csv{s.scratch.path / "results/00-sample/checks.csv"};
