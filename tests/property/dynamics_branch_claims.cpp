@@ -11,7 +11,6 @@ using namespace railbook;
 using namespace railbook::dynamics;
 using namespace railbook::tests;
 using Eigen::MatrixXd, Eigen::VectorXd;
-using Complex = std::complex<double>;
 
 namespace {
 

@@ -13,7 +13,6 @@ using namespace railbook;
 using namespace railbook::dynamics;
 using namespace railbook::tests;
 using Eigen::MatrixXd, Eigen::VectorXd;
-using Complex = std::complex<double>;
 
 namespace {
 
@@ -204,7 +203,7 @@ TEST_CASE("claim: closed orbits") {
     out.error((unpadded(wide, draft.n) - start).norm());
     if (k % 5 != 0) continue;
     const Cycle c = harmonics(d.oscillator, o, 15);
-    for (const std::size_t j : {0, 1, 2, 4, 7}) {
+    for (const std::size_t j : {0U, 1U, 2U, 4U, 7U}) {
       constexpr int samples = 2048;
       Complex sum = 0;
       for (int i = 0; i < samples; ++i)
