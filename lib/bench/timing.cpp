@@ -65,6 +65,7 @@ std::vector<Timing> time_interleaved(const std::vector<std::function<void()>>& c
     for (std::size_t i = 0; i < calls.size(); ++i)
       if (round < plans[i].samples) times[i].push_back(sample(calls[i], plans[i].calls));
   std::vector<Timing> out;
+  out.reserve(times.size());
   for (std::vector<double>& t : times) out.push_back(summary(std::move(t)));
   return out;
 }

@@ -73,7 +73,7 @@ void solve_pressures(const Problem& q, CountactStep& step) {
 
   step.p.resize(cells.half_rows, cells.columns);
   for (int j = 0; j < cells.columns; ++j) {
-    step.p.col(j) = unknowns.segment(cells.half_rows * cells.fold_column(j), cells.half_rows);
+    step.p.col(j) = unknowns.segment(cells.first_of(cells.fold_column(j)), cells.half_rows);
     double line = 2 * step.p.col(j).sum();
     if (cells.rows % 2 == 1) line -= step.p(0, j);
     const double width = mesh.x_edges[j + 1] - mesh.x_edges[j];
@@ -106,7 +106,7 @@ double deepest_outside(const Problem& q, const CountactStep& step) {
   const CellNumbers& cells = q.cells;
   Eigen::VectorXd unknowns(cells.size()), row(cells.size());
   for (int u = 0; u < cells.unknown_columns; ++u)
-    unknowns.segment(cells.half_rows * u, cells.half_rows) = step.p.col(cells.first_column + u);
+    unknowns.segment(cells.first_of(u), cells.half_rows) = step.p.col(cells.first_column + u);
   double deepest = 0;
   const auto look = [&](double x, double y) {
     const double f = q.gap(x, y);

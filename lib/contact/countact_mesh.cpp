@@ -131,7 +131,7 @@ void influence_row(const ColumnMesh& mesh, const CellNumbers& cells, double x, d
   for (int j = 0; j < cells.columns; ++j) {
     const double left = mesh.x_edges[j] - x, right = mesh.x_edges[j + 1] - x;
     const double height = cell_height(mesh, cells, j);
-    double* column = row.data() + cells.half_rows * cells.fold_column(j);
+    double* column = row.data() + cells.first_of(cells.fold_column(j));
     double before = 0;
     for (int e = 0; e <= cells.rows; ++e) {
       const double edge = (e - cells.rows / 2.0) * height - y;

@@ -18,6 +18,9 @@ struct CellNumbers {
   CellNumbers(int rows, int columns, bool both_axes);
   int fold_row(int row) const;        // 0 .. rows - 1 from the bottom, to 0 .. half_rows - 1
   int fold_column(int column) const;  // 0 .. columns - 1, to 0 .. unknown_columns - 1
+  Eigen::Index first_of(int unknown_column) const {
+    return Eigen::Index{half_rows} * unknown_column;
+  }
   int size() const { return half_rows * unknown_columns; }
 };
 

@@ -72,7 +72,8 @@ struct Sixteenths {
     const double width = static_cast<double>(grid.nx) * grid.dx,
                  height = static_cast<double>(grid.ny) * grid.dy;
     for (std::size_t n = 0; n < 16; ++n) {
-      const double i = static_cast<double>(n % 4), j = static_cast<double>(n / 4);
+      const std::size_t row = n / 4;
+      const double i = static_cast<double>(n % 4), j = static_cast<double>(row);
       box[n] = {
           grid.x0 + i * width / 4 - loads.half_x, grid.x0 + (i + 1) * width / 4 + loads.half_x,
           grid.y0 + j * height / 4 - loads.half_y, grid.y0 + (j + 1) * height / 4 + loads.half_y};

@@ -113,7 +113,7 @@ Widened widened(const SpecialCycle& from) {
   w.cycle.motion = Eigen::MatrixXcd::Zero(old.motion.rows(), Index(w.cycle.orders.size()));
   for (const int k : w.cycle.orders) w.fresh.push_back(k);
   for (std::size_t k = 0; k < old.orders.size(); ++k) {
-    w.cycle.motion.col(factor * old.orders[k]) = old.motion.col(Index(k));
+    w.cycle.motion.col(Index{factor} * old.orders[k]) = old.motion.col(Index(k));
     std::erase(w.fresh, factor * old.orders[k]);
   }
   return w;

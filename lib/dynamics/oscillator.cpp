@@ -160,7 +160,7 @@ Compiled compile(const Oscillator& o) {
   }
   for (const Coupling& c : o.couplings) {
     CompiledCoupling out;
-    out.rows = Eigen::MatrixXd::Zero(c.inputs(), 2 * coordinates);
+    out.rows = Eigen::MatrixXd::Zero(c.inputs(), Eigen::Index{2} * coordinates);
     out.rows.leftCols(n) = c.of_motion;
     out.rows.middleCols(coordinates, n) = c.of_rate + o.inverse_speed * c.of_rate_by_speed;
     Eigen::MatrixXd force = Eigen::MatrixXd::Zero(coordinates, c.outputs());

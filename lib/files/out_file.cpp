@@ -112,7 +112,7 @@ void require_makeable(const fs::path& folder) {
   close(descriptor);
 }
 
-MadeFolder::MadeFolder(fs::path folder) {
+MadeFolder::MadeFolder(const fs::path& folder) {
   require_makeable(folder);
   fs::path so_far;
   for (const fs::path& part : folder) {

@@ -35,7 +35,7 @@ void require_makeable(const std::filesystem::path& folder);
 // A folder and its parents, made now; those that were made are removed again unless kept. Throws like require_makeable.
 class MadeFolder {
  public:
-  explicit MadeFolder(std::filesystem::path folder);
+  explicit MadeFolder(const std::filesystem::path& folder);
   ~MadeFolder();
   MadeFolder(const MadeFolder&) = delete;
   MadeFolder& operator=(const MadeFolder&) = delete;

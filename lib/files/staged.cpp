@@ -65,7 +65,7 @@ std::filesystem::path temporary_folder() {
 Doomed::Doomed(std::filesystem::path name) : path_(std::move(name)), slot_(take_slot(path_)) {}
 
 Doomed::Doomed(Doomed&& other) noexcept
-    : path_(other.path_), slot_(std::exchange(other.slot_, none)) {}
+    : path_(std::move(other.path_)), slot_(std::exchange(other.slot_, none)) {}
 
 Doomed::~Doomed() {
   if (slot_ == none) return;
@@ -132,7 +132,7 @@ std::filesystem::path PrivateFolder::expect(std::string_view name) {
 }
 
 std::filesystem::path PrivateFolder::write(std::string_view name, std::string_view text) {
-  const std::filesystem::path file = expect(name);
+  std::filesystem::path file = expect(name);
   const int descriptor = open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
   if (descriptor < 0) no_temporary(file, errno);
   int error = write_all(descriptor, text);
@@ -143,7 +143,7 @@ std::filesystem::path PrivateFolder::write(std::string_view name, std::string_vi
 
 std::filesystem::path PrivateFolder::link(std::string_view name,
                                           const std::filesystem::path& file) {
-  const std::filesystem::path here = expect(name);
+  std::filesystem::path here = expect(name);
   if (symlink(std::filesystem::absolute(file).c_str(), here.c_str()) != 0)
     no_temporary(here, errno);
   return here;

@@ -148,7 +148,7 @@ void mask_jumps(const Run& run, const ChannelInfo& c, double sample, Record& rec
   const auto out =
       outliers(differences(x, kind.filtered), run.T, sample / brisk,
                std::max((kind.filtered ? 3 : 1) * kind.jump, (kind.filtered ? 9 : 3) * grain));
-  auto& [moved, largest] = zero;  // since the run began
+  double &moved = zero.moved, &largest = zero.largest;  // since the run began
   const bool holds = run.rows.front() <= at && at <= run.rows.back();
   if (holds) then = zero;
   const std::size_t gap = kind.filtered ? 4 : 2;

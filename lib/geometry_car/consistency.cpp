@@ -250,6 +250,7 @@ void examine_consistency(const Record& record, const Processing& p, Health& heal
     const std::vector<Range> blocks = blocks_of(all, run.size());
     for (std::size_t i = 0; i < blocks.size(); ++i) {
       std::vector<Piece> pieces;
+      pieces.reserve(all.size());
       for (const Balance& b : all) pieces.push_back(piece_of(b, blocks[i].from, blocks[i].to));
       // Rows between two blocks share the verdict of the one behind them.
       const std::size_t from = i == 0 ? 0 : blocks[i - 1].to,

@@ -205,7 +205,7 @@ filters::Geometry long_chord(const Column& short_offsets, const Processing& p) {
 std::size_t reach_of(Parameter parameter, const Processing& p) {
   using enum Parameter;
   const auto half_chord = static_cast<std::size_t>(p.chain.half_chord);
-  const auto mean = static_cast<std::size_t>(p.curvature_mean / 2 + 1);
+  const auto mean = static_cast<std::size_t>(p.curvature_mean) / 2 + 1;
   const auto car =
       static_cast<std::size_t>(std::lround(0.5 * p.layout.truck_spacing / p.layout.sample));
   switch (parameter) {
@@ -243,10 +243,10 @@ std::array<Column, parameters> process(const Run& run, const Processing& p,
     at(Parameter::gage)[k] =
         run[Channel::gage_left][k] + run[Channel::gage_right][k] + p.layout.beam;
   at(Parameter::curvature) = curvature(run, yaw, p);
-  const auto span = static_cast<std::size_t>(p.curvature_mean);
+  const auto span = static_cast<std::size_t>(p.curvature_mean), half = span / 2;
   auto& rate = at(Parameter::curvature_rate) = change_over(at(Parameter::curvature), span);
   for (double& value : rate)
-    value *= run.direction / (2 * static_cast<double>(span / 2) * p.layout.sample);
+    value *= run.direction / (2 * static_cast<double>(half) * p.layout.sample);
   auto& level = at(Parameter::crosslevel) = att.track;
   for (double& value : level) value *= p.layout.base;
   auto& twist = at(Parameter::warp) =

@@ -32,10 +32,10 @@ Measurement truth(const Track& track, const Processing& p) {
   }
   m[Parameter::curvature] =
       mean_curvature(turn, p, std::lround(0.5 * p.layout.truck_spacing / p.layout.sample));
-  const auto stretch = static_cast<std::size_t>(p.curvature_mean);
+  const auto stretch = static_cast<std::size_t>(p.curvature_mean), half = stretch / 2;
   m[Parameter::curvature_rate] = change_over(m[Parameter::curvature], stretch);
   for (double& value : m[Parameter::curvature_rate])
-    value /= 2 * static_cast<double>(stretch / 2) * p.layout.sample;
+    value /= 2 * static_cast<double>(half) * p.layout.sample;
   m[Parameter::warp] =
       change_over(m[Parameter::crosslevel], 2 * static_cast<std::size_t>(p.chain.half_chord));
   const auto chord = [&](const Column& rail, Parameter offset, Parameter curve) {

@@ -43,8 +43,8 @@ Long at_moving_load(double theta) {
 
 std::vector<double> arguments(double low, double high) {
   bench::Draw draw{7, 0};
-  std::vector<double> result;
-  for (int i = 0; i < 20000; ++i) result.push_back(draw.decades(low, high));
+  std::vector<double> result(20000);
+  for (double& x : result) x = draw.decades(low, high);
   return result;
 }
 
