@@ -14,7 +14,7 @@ low = 0.3 * (STATS_min_x < STATS_min_y ? STATS_min_x : STATS_min_y)
 high = 3 * (STATS_max_x > STATS_max_y ? STATS_max_x : STATS_max_y)
 set xrange [low:high]
 set yrange [low:high]
-set key bottom right
+set key at graph 0.02, 0.91 left top Left reverse # above the line, where points are few
 set label 1 sprintf("%.0f of %.0f within what is stated", good, all) at graph 0.03, 0.94
 plot x with lines ls guide title "true = stated", \
      ARG1 using (column("covered") > 0 ? column("stated") : NaN):"truth" with points lt 2 title "within", \

@@ -39,6 +39,18 @@ Limit best_fit(const std::vector<Grid>& grids) {
   return best;
 }
 
+// The limits where each answer has an order of its own.
+std::vector<double> by_own_orders(const std::vector<Grid>& grids) {
+  std::vector<double> limits;
+  for (std::size_t k = 0; k < grids[0].answers.size(); ++k) {
+    std::vector<Grid> one;
+    one.reserve(grids.size());
+    for (const Grid& g : grids) one.push_back({g.size, {g.answers[k]}});
+    limits.push_back(best_fit(one).answers[0]);
+  }
+  return limits;
+}
+
 }  // namespace
 
 Limit limit_of(const std::vector<Grid>& grids) {
@@ -58,9 +70,11 @@ Limit limit_of(const std::vector<Grid>& grids) {
   }
   const auto finer = static_cast<long>(std::max<std::size_t>(4, (grids.size() + 1) / 2));
   const Limit half = best_fit({grids.end() - finer, grids.end()});
+  const std::vector<double> own = by_own_orders(grids);
   for (std::size_t k = 0; k < limit.answers.size(); ++k)
     limit.uncertainty[k] =
-        std::hypot(std::sqrt(limit.uncertainty[k]), half.answers[k] - limit.answers[k]);
+        std::hypot(std::sqrt(limit.uncertainty[k]), half.answers[k] - limit.answers[k],
+                   own[k] - limit.answers[k]);
   return limit;
 }
 

@@ -20,8 +20,9 @@ struct Limit {
 
 // From grids in order, the finest last: fits answer = limit + slope size^-order by least squares, with one order for all
 // answers: of 1 to 2.5, in steps of 0.05, the one that leaves least. The error is the root of a sum of squares: the
-// jackknife's, how the limit moves as each grid is left out, the order sought anew; and, of more than four grids, how it
-// moves as the coarser half is (four stay), for where errors are no one power of the size the others agree on a wrong limit.
+// jackknife's, how the limit moves as each grid is left out, the order sought anew; how it moves as the coarser half is (four
+// stay); and as each answer takes an order of its own: where errors are no one power of the size, or not the same, the others agree
+// on a wrong limit. Of rolling contact with spin, limits of 24 to 96 cells a side were off by .7 to 1 of this, root mean square.
 // Throws std::logic_error with fewer than four grids, or with other counts of answers.
 Limit limit_of(const std::vector<Grid>& grids);
 

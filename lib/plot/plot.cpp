@@ -212,10 +212,11 @@ std::string for_png(const std::string& script) {
       if (comma == line.npos) throw PlotError("\"" + line + "\": no width and height");
       const std::string width = line.substr(size.size(), comma - size.size());
       const std::string height = line.substr(comma + 1, end - comma - 1);
-      line = std::string{size} + "2*(" + width + "),2*(" + height + ")" + line.substr(end) +
-             " fontscale 2 linewidth 2 pointscale 2";
+      const std::string rest = line.substr(end) + " fontscale 2 linewidth 2 pointscale 2";
+      line.assign(size).append("2*(").append(width).append("),2*(").append(height).append(")");
+      line.append(rest);
     }
-    text += line + "\n";
+    text.append(line).append("\n");
   }
   return text;
 }

@@ -59,7 +59,8 @@ std::vector<std::string> audit(const std::vector<InventoryRow>& inventory, Chapt
     if (row.treated.empty() && row.symbol.empty() && row.reason.empty())
       problems.push_back(name + ": neither treated nor left out for a reason");
     for (const std::string& id : row.treated)
-      if (!place_checks(row, id, record)) problems.push_back(name + ": no check or item " + id);
+      if (!place_checks(row, id, record))
+        problems.push_back(fmt::format("{}: no check or item {}", name, id));
   }
   for (const CheckRecord& check : record.checks)
     if ((check.source == "print" || check.source == "claim") && check.place.empty())
