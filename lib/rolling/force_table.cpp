@@ -29,6 +29,7 @@ std::vector<double> creepage_nodes(double reach, int n, bool both_signs) {
 
 std::vector<double> ratio_nodes(double from, double to, int n) {
   std::vector<double> nodes;
+  nodes.reserve(static_cast<std::size_t>(n));
   for (int i = 0; i < n; ++i)
     nodes.push_back(n == 1 || i == 0 ? from
                     : i == n - 1     ? to

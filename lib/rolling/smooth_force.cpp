@@ -83,7 +83,8 @@ SmoothForce::SmoothForce(const ShareFunction& theory, const KalkerCoefficients& 
       for (int k = -n - 1; k <= n + 1; ++k) {
         const int x = std::min(std::abs(i), n), y = std::min(std::abs(j), n);
         const int z = std::clamp(j < 0 ? -k : k, -n, n);
-        const auto& c = values[std::size_t((x * nodes + y) * (2 * nodes - 1) + z + n)];
+        const int at = (x * nodes + y) * (2 * nodes - 1) + z + n;
+        const auto& c = values[std::size_t(at)];
         all.push_back({i < 0 ? -c[0] : c[0], j < 0 ? -c[1] : c[1]});
       }
   correction_ = std::make_shared<const std::vector<std::array<double, 2>>>(std::move(all));
@@ -105,8 +106,8 @@ void SmoothForce::operator()(const double* linear, double* share, double* slope)
   double c[2] = {0, 0}, dc[2][3] = {};  // the correction, and by p
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = 0; j < 4; ++j) {
-      const auto* line =
-          correction_->data() + ((first[0] + int(i)) * side + first[1] + int(j)) * side + first[2];
+      const int start = ((first[0] + int(i)) * side + first[1] + int(j)) * side + first[2];
+      const auto* line = correction_->data() + start;
       for (std::size_t m = 0; m < 2; ++m) {
         double at = 0, by = 0;
         for (std::size_t k = 0; k < 4; ++k) {

@@ -58,7 +58,7 @@ struct Transient::Parts {
     return step(mesh.dx[0] * rigid_slip(mesh, given.reduced(moving)), passed_back());
   }
   CreepForces keep(StickSlip found) {
-    const CreepForces forces = in_units(given.grid, found, force(), given.length);
+    CreepForces forces = in_units(given.grid, found, force(), given.length);
     if (found.converged) now = std::move(found);
     return forces;
   }

@@ -82,7 +82,7 @@ const SpecialCycle* first_of(const LimitCycleBranch& branch, CycleEvent kind) {
 
 }  // namespace
 
-TEST_CASE("claim: branches of limit cycles") {
+TEST_CASE("claim: branches of limit cycles", "[thorough]") {
   Claim hopf("dynamics::follow_from_hopf", 300), on("dynamics::follow_from", 200),
       at("dynamics::cycles_at", 120), near("dynamics::cycle_near", 80);
   Draw draw(1);
@@ -129,7 +129,7 @@ TEST_CASE("claim: branches of limit cycles") {
   }
 }
 
-TEST_CASE("claim: points of branches where another one leaves") {
+TEST_CASE("claim: points of branches where another one leaves", "[thorough]") {
   Claim aside("dynamics::follow_secondary", 100);
   Draw draw(2);
   for (int k = 0; k < 12; ++k) {
@@ -194,7 +194,7 @@ WheelForce wheel_force(const CarParameters& p, Long friction, Long along, Long a
 
 }  // namespace
 
-TEST_CASE("claim: families of cars, and creep that friction limits") {
+TEST_CASE("claim: families of cars, and creep that friction limits", "[thorough]") {
   Claim speeds("dynamics::by_speed"), data_claim("dynamics::by_datum"),
       limit_claim("dynamics::limit_creep"), use("dynamics::cycle_forces");
   Draw draw(3);

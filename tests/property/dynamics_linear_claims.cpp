@@ -107,7 +107,7 @@ int growing(const QuasiLinearCar& car, double speed) {
 
 }  // namespace
 
-TEST_CASE("claim: modes and critical speeds of the linear car") {
+TEST_CASE("claim: modes and critical speeds of the linear car", "[thorough]") {
   Claim matrices("dynamics::QuasiLinearCar"), shapes("dynamics::modes"),
       rounding("dynamics::growth_rounding"), all("dynamics::hopf_points", 700),
       one("dynamics::find_hopf"), linear("dynamics::solve_linear", 700);
@@ -162,7 +162,7 @@ TEST_CASE("claim: modes and critical speeds of the linear car") {
   }
 }
 
-TEST_CASE("claim: cycles of the quasi-linear car") {
+TEST_CASE("claim: cycles of the quasi-linear car", "[thorough]") {
   Claim found("dynamics::find_cycle", 300), solved("dynamics::solve_cycle", 400),
       along("dynamics::tangent", 300), slope("dynamics::speed_by_amplitude", 300),
       loop("dynamics::paper_cycle", 300);
@@ -208,7 +208,7 @@ TEST_CASE("claim: cycles of the quasi-linear car") {
   }
 }
 
-TEST_CASE("claim: branches of the quasi-linear car") {
+TEST_CASE("claim: branches of the quasi-linear car", "[thorough]") {
   Claim walk("dynamics::trace_from", 300), by_speed("dynamics::cycles_at_speed", 300),
       by_amplitude("dynamics::cycles_at_amplitude", 200);
   Draw draw(3);

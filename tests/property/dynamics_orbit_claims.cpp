@@ -169,7 +169,7 @@ double off_cycle(const Disguised& d, const VectorXd& y, double& share) {
 
 }  // namespace
 
-TEST_CASE("claim: closed orbits") {
+TEST_CASE("claim: closed orbits", "[thorough]") {
   Claim closed("dynamics::shoot"), series("dynamics::harmonics"), verdict("dynamics::stability"),
       in("dynamics::padded"), out("dynamics::unpadded");
   Draw draw(1);
@@ -217,7 +217,7 @@ TEST_CASE("claim: closed orbits") {
   }
 }
 
-TEST_CASE("claim: cycles of harmonics and their stability") {
+TEST_CASE("claim: cycles of harmonics and their stability", "[thorough]") {
   Claim balanced("dynamics::balance", 297), examined("dynamics::examine", 890),
       odd("dynamics::is_odd", 300), rates("dynamics::multipliers", 297),
       hill("dynamics::hill_exponent", 147);
