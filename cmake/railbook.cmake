@@ -71,6 +71,7 @@ function(railbook_tests name)
   add_dependencies(unit_tests test_${name})
   include(Catch)
   catch_discover_tests(test_${name} TEST_PREFIX "${name}: " TEST_SPEC "~[.]~[thorough]" PROPERTIES LABELS unit)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${sources}) # a tag that comes is seen
   foreach(source ${sources})
     file(STRINGS ${source} long REGEX "\\[thorough\\]" LIMIT_COUNT 1)
     if(long)
