@@ -48,7 +48,7 @@ reproduce: chapter-programs ## everything: build, run the chapters that have cha
 test: build       ## run all tests but those of `make thorough`
 	ctest --test-dir $(BUILD) --output-on-failure -LE thorough -j $$(($(JOBS) + 1)) # some only wait
 
-thorough:         ## after `make test`: extreme options and hostile names for each command, rates over thousands of records, the chapters with another processor's mathematics, the book in a browser
+thorough:         ## after `make test`: what takes longest, another processor's mathematics, the book in a browser
 	ctest --test-dir $(BUILD) --output-on-failure -L thorough -FA . -j $$(($(JOBS) + 1))
 
 chapter:          ## run one chapter, e.g. make chapter C=01

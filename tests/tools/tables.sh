@@ -147,7 +147,7 @@ quality)
   holds "exceedances" index/exceedances.csv '
     abs($1 - 1010) < 1 {near($2, l, 0.5); if ($c["unsure"] != "no") wrong++} $1 > 2900 && $c["unsure"] != "yes" {wrong++} END {near(rows, e, 0)}' \
     l="$(v index largest)" e="$(v index exceedances)"
-  holds "the channel" index/channel.csv '$2 != "" && abs($2) > most {most = abs($2)} $2 == "" || $2 == "nan" {++none}
+  holds "the channel" index/channel.csv '$2 != "" && $2 != "nan" && abs($2) > most {most = abs($2)} $2 == "" || $2 == "nan" {++none}
     END {near(most, l, 1e-5); near(rows, 12000, 0); near(none, m, 0)}' l="$(v index largest)" m="$(v index missing)"
   # The same track measured again, half a sample on, 3 m out and counting 1 in 2000 too much: no growth, and no offset but those.
   for first in 0 0.125; do
