@@ -99,7 +99,7 @@ std::string key_of(const fs::path& file, const std::string& stamp) {
   static const std::set<std::string> ways{"jobs", "shard",      "manifest", "record",
                                           "out",  "no-figures", "figure"};
   for (const auto& [name, value] : session().given)
-    if (ways.count(name) == 0) text += "\n" + name + "=" + value;
+    if (ways.count(name) == 0) text.append("\n").append(name).append("=").append(value);
   std::error_code none;
   const auto size = fs::file_size(file, none);
   const auto time = fs::last_write_time(file, none).time_since_epoch().count();
@@ -286,6 +286,7 @@ void work_off(std::deque<Task> tasks, std::size_t jobs, const RecordRows& work,
       tasks.pop_front();
     }
     std::vector<pollfd> polled;
+    polled.reserve(running.size());
     for (const Worker& worker : running) polled.push_back({worker.pipe, POLLIN, 0});
     if (poll(polled.data(), polled.size(), -1) < 0 && errno != EINTR)
       throw std::system_error(errno, std::generic_category(), "waiting for workers");
