@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "../support/claim.hpp"
+#include "../support/seen_by.hpp"
 #include "dynamics/continuation.hpp"
 #include "wheelrail/paper_pairs.hpp"
 
@@ -13,34 +14,6 @@ using namespace railbook::tests;
 using Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
-
-// n coordinates of unit mass and stiffness, of which a law sees all motions and all rates and pushes all; its derivatives by
-// complex steps.
-template <class F>
-Oscillator seen_by(int n, F f) {
-  const MatrixXd one = MatrixXd::Identity(n, n), none = MatrixXd::Zero(n, n);
-  Oscillator o{one, none, none, one, 1.0, {}, {}};
-  Coupling c;
-  c.of_motion = MatrixXd::Zero(2 * n, n);
-  c.of_rate = c.of_rate_by_speed = c.of_motion;
-  c.of_motion.topRows(n) = one;
-  c.of_rate.bottomRows(n) = one;
-  c.force = one;
-  c.law = [=](const double* s, double* out, double* slope) {
-    const auto inputs = static_cast<std::size_t>(2 * n), outputs = static_cast<std::size_t>(n);
-    std::vector<Complex> x(s, s + inputs), y(outputs);
-    f(x.data(), y.data());
-    for (std::size_t m = 0; m < outputs; ++m) out[m] = y[m].real();
-    for (std::size_t i = 0; slope && i < inputs; ++i) {
-      x[i] += Complex{0, 1e-20};
-      f(x.data(), y.data());
-      for (std::size_t m = 0; m < outputs; ++m) slope[m * inputs + i] = y[m].imag() / 1e-20;
-      x[i] = s[i];
-    }
-  };
-  o.couplings.push_back(std::move(c));
-  return o;
-}
 
 // Circles of radius^2 = rho where p = turn rho^2 - rho or, without a turn, p = rho; omega^2 = 1 + stiff rho. `rest` adds forces on other
 // coordinates. A term with q q', zero on circles, keeps the motion from turning back on itself.

@@ -1,7 +1,5 @@
 // What lib/table states, on seeded files: a number is the nearest double, and records are those of a reader that takes a text as a
 // whole, one character at a time.
-#include <zlib.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,6 +13,7 @@
 
 #include "../support/claim.hpp"
 #include "../support/number_text.hpp"
+#include "../support/packed.hpp"
 #include "../support/temporary_folder.hpp"
 #include "table/csv.hpp"
 
@@ -23,20 +22,6 @@ using namespace railbook::table;
 using namespace railbook::tests;
 
 namespace {
-
-std::string packed(const std::string& text) {
-  std::string out(text.size() + text.size() / 100 + 1000, '\0');
-  z_stream z{};
-  deflateInit2(&z, 6, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY);
-  z.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
-  z.avail_in = static_cast<uInt>(text.size());
-  z.next_out = reinterpret_cast<Bytef*>(out.data());
-  z.avail_out = static_cast<uInt>(out.size());
-  deflate(&z, Z_FINISH);
-  out.resize(out.size() - z.avail_out);
-  deflateEnd(&z);
-  return out;
-}
 
 // As it stands, or packed in one to three members, with or without padding.
 std::string as_kept(Draw& draw, const std::string& text) {

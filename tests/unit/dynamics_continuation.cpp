@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "../support/seen_by.hpp"
 #include "dynamics/continuation.hpp"
 #include "num/roots.hpp"
 #include "units/constants.hpp"
@@ -10,43 +11,11 @@
 
 using namespace railbook;
 using namespace railbook::dynamics;
+using tests::seen_by;
 
 namespace {
 
 using Complex = std::complex<double>;
-using Eigen::MatrixXd;
-
-// n coordinates of unit mass and stiffness, of which a law sees all motions and all rates and pushes all.
-Oscillator seen_by(int n, std::function<void(const double*, double*, double*)> law) {
-  const MatrixXd one = MatrixXd::Identity(n, n), none = MatrixXd::Zero(n, n);
-  Oscillator o{one, none, none, one, 1.0, {}, {}};
-  Coupling c;
-  c.of_motion = MatrixXd::Zero(2 * n, n);
-  c.of_rate = c.of_rate_by_speed = c.of_motion;
-  c.of_motion.topRows(n) = one;
-  c.of_rate.bottomRows(n) = one;
-  c.force = one;
-  c.law = std::move(law);
-  o.couplings.push_back(std::move(c));
-  return o;
-}
-
-// Derivatives of a law by complex steps: exact to rounding, and nothing to get wrong.
-template <class F>
-auto differentiated(int inputs, int outputs, F&& f) {
-  return [=](const double* s, double* out, double* slope) {
-    std::vector<Complex> x(s, s + inputs), y(static_cast<std::size_t>(outputs));
-    f(x.data(), y.data());
-    for (int m = 0; m < outputs; ++m) out[m] = y[std::size_t(m)].real();
-    if (!slope) return;
-    for (int i = 0; i < inputs; ++i) {
-      x[std::size_t(i)] += Complex{0, 1e-20};
-      f(x.data(), y.data());
-      for (int m = 0; m < outputs; ++m) slope[m * inputs + i] = y[std::size_t(m)].imag() / 1e-20;
-      x[std::size_t(i)] = s[i];
-    }
-  };
-}
 
 Eigen::VectorXd first_row(int n) {
   return Eigen::VectorXd::Unit(n, 0);
@@ -79,14 +48,13 @@ std::vector<SpecialCycle> of_kind(const LimitCycleBranch& branch, CycleEvent kin
 template <class Rest>
 Family on_circles(int n, Rest rest) {
   Family family;
-  family.oscillator = seen_by(n, differentiated(2 * n, n, [=](const Complex* s, Complex* f) {
-                                const Complex rho = s[0] * s[0] + s[1] * s[1];
-                                for (int i = 0; i < n; ++i) f[i] = 0;
-                                const Complex radial = s[0] * s[n] + s[1] * s[n + 1];
-                                for (int i = 0; i < 2; ++i)
-                                  f[i] = -rho * s[n + i] - (0.5 * rho + 2.0 * radial) * s[i];
-                                rest(rho, s, f);
-                              }));
+  family.oscillator = seen_by(n, [=](const Complex* s, Complex* f) {
+    const Complex rho = s[0] * s[0] + s[1] * s[1];
+    for (int i = 0; i < n; ++i) f[i] = 0;
+    const Complex radial = s[0] * s[n] + s[1] * s[n + 1];
+    for (int i = 0; i < 2; ++i) f[i] = -rho * s[n + i] - (0.5 * rho + 2.0 * radial) * s[i];
+    rest(rho, s, f);
+  });
   family.set = [](Oscillator& o, double p) { o.damping(0, 0) = o.damping(1, 1) = -p; };
   family.watch = {first_row(n)};
   return family;
@@ -111,14 +79,13 @@ TEST_CASE("Continuation: Duffing's two turning points", "[continuation]") {
   // rho ((1 + b rho - W^2)^2 + d^2 W^2) = g^2 exactly, and one frequency.
   constexpr double d = 0.1, b = 0.5, g = 0.2;
   Family family;
-  family.oscillator = seen_by(4, differentiated(8, 4, [=](const Complex* s, Complex* f) {
-                                const Complex rho = s[0] * s[0] + s[1] * s[1],
-                                              size = s[2] * s[2] + s[3] * s[3];
-                                for (int i = 0; i < 2; ++i) {
-                                  f[i] = -b * rho * s[i] + g * s[2 + i];
-                                  f[2 + i] = -(size - 1.0) * s[6 + i];
-                                }
-                              }));
+  family.oscillator = seen_by(4, [=](const Complex* s, Complex* f) {
+    const Complex rho = s[0] * s[0] + s[1] * s[1], size = s[2] * s[2] + s[3] * s[3];
+    for (int i = 0; i < 2; ++i) {
+      f[i] = -b * rho * s[i] + g * s[2 + i];
+      f[2 + i] = -(size - 1.0) * s[6 + i];
+    }
+  });
   family.set = [](Oscillator& o, double w) {
     o.damping(0, 0) = o.damping(1, 1) = d;
     o.stiffness(2, 2) = o.stiffness(3, 3) = w * w;
@@ -212,9 +179,8 @@ TEST_CASE("Continuation: the period doubles at a known place, and the branch tha
 TEST_CASE("Continuation: van der Pol's cycle from its first to its later days", "[continuation]") {
   // Rayleigh's q'' - e (q' - q'^3 / 3) + q = 0.
   Family family;
-  family.oscillator = seen_by(1, differentiated(2, 1, [](const Complex* s, Complex* f) {
-                                f[0] = -s[1] * s[1] * s[1] / 3.0;
-                              }));
+  family.oscillator =
+      seen_by(1, [](const Complex* s, Complex* f) { f[0] = -s[1] * s[1] * s[1] / 3.0; });
   // The law is weighed by its force's matrix.
   family.set = [](Oscillator& o, double e) {
     o.damping(0, 0) = -e;
@@ -261,8 +227,7 @@ TEST_CASE("Continuation: Duffing's free oscillation has the period of the ellipt
           "[continuation]") {
   // q'' + p q' + q + q^3 = 0 has cycles at p = 0 only, of any amplitude.
   Family family;
-  family.oscillator = seen_by(
-      1, differentiated(2, 1, [](const Complex* s, Complex* f) { f[0] = -s[0] * s[0] * s[0]; }));
+  family.oscillator = seen_by(1, [](const Complex* s, Complex* f) { f[0] = -s[0] * s[0] * s[0]; });
   family.set = [](Oscillator& o, double p) { o.damping(0, 0) = p; };
   family.watch = {first_row(1)};
   ContinuationOptions options;
