@@ -99,7 +99,7 @@ std::optional<SampledProfile> cornered(const SampledProfile& all) {
 
 SamplingSpread sampling_spread(const CheckedImpact& answer, const ImpactOptions& options) {
   const auto& all = std::get<SampledProfile>(answer.history.surface);
-  units::require_between("profile samples", static_cast<double>(all.knots().size()), 9, 1e8);
+  units::require_between("profile samples", static_cast<double>(all.knots().size()), 10, 1e8);
   ImpactOptions used = options;
   used.implicit = answer.implicit;
   used.tolerance = std::max(1e-8, options.tolerance);

@@ -27,7 +27,8 @@ struct CheckedImpact {
 // every second sample changes. Else (for all peaks, unless only the
 // first is not resolved) it is the largest of that, of a polygon through the samples, and of a polygon whose sharpest turn is one
 // corner between two samples. For a rectified sine sampled every 0.5 to 250 mm, the joint anywhere between samples, the error
-// of each peak is at most 1.1 of it; infinite where a run did not complete. Throws InputError for less than 9 samples.
+// of each peak is at most 1.1 of it; infinite where a run did not complete. Throws InputError for less than 10 samples, of which
+// every fourth would not make a profile.
 struct SamplingSpread {
   bool resolved = false;  // all peaks are
   double first = 0, second = 0, late = 0, mean = 0;

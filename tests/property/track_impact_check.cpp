@@ -89,7 +89,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("input: nine samples are the fewest that can be judged") {
+TEST_CASE("input: ten samples are the fewest that can be judged") {
   CheckedImpact few;
   few.history.surface = SampledProfile{{0, 1, 2, 3}, {0, 0, 0, 0}};
   CHECK_THROWS_WITH(sampling_spread(few, {}), Catch::Matchers::Contains("profile samples is 4"));

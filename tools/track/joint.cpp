@@ -120,9 +120,9 @@ void add_sampling(tool::Summary& answer, const CheckedImpact& checked,
   answer.add("profile_samples", "samples of the profile", double(samples), "",
              fmt::format("{:.4g} mm apart in the mean",
                          1e3 * (profile.last() - profile.first()) / double(samples - 1)));
-  if (samples < 9) {
+  if (samples < 10) {
     answer.flag("sampling", fmt::format("a profile of {} samples is too coarse to judge what lies "
-                                        "between them; give 9 or more",
+                                        "between them; give 10 or more",
                                         samples));
     return;
   }
