@@ -18,12 +18,17 @@ namespace {
                      ": cannot be written: " + std::generic_category().message(error));
 }
 
+int opened(const std::filesystem::path& file) {
+  require_replaceable(file);
+  const int how = O_RDWR | O_CREAT | O_APPEND | O_NOFOLLOW | O_CLOEXEC;
+  const int descriptor = open(file.c_str(), how, 0666);
+  if (descriptor < 0) fail(file, errno);
+  return descriptor;
+}
+
 }  // namespace
 
-Journal::Journal(std::filesystem::path file) : file_(std::move(file)) {
-  require_replaceable(file_);
-  descriptor_ = open(file_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_NOFOLLOW | O_CLOEXEC, 0666);
-  if (descriptor_ < 0) fail(file_, errno);
+Journal::Journal(std::filesystem::path file) : file_(std::move(file)), descriptor_(opened(file_)) {
   const off_t end = lseek(descriptor_, 0, SEEK_END);
   char last = '\n';
   if (end > 0 && pread(descriptor_, &last, 1, end - 1) != 1) fail(file_, errno);
@@ -31,14 +36,14 @@ Journal::Journal(std::filesystem::path file) : file_(std::move(file)) {
 }
 
 Journal::~Journal() {
-  if (descriptor_ >= 0) close(descriptor_);
+  close(descriptor_);
 }
 
 void Journal::append(std::string_view lines) {
   const off_t end = lseek(descriptor_, 0, SEEK_END);
   const int error = write_all(descriptor_, lines);
   if (error == 0) return;
-  if (ftruncate(descriptor_, end) != 0) fail(file_, error);
+  [[maybe_unused]] const int taken_back = ftruncate(descriptor_, end);
   fail(file_, error);
 }
 

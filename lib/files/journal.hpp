@@ -21,7 +21,7 @@ class Journal {
 
  private:
   std::filesystem::path file_;
-  int descriptor_ = -1;
+  int descriptor_;
 };
 
 }  // namespace railbook::files

@@ -97,7 +97,6 @@ void require_makeable(const fs::path& folder) {
   fs::path there;  // the innermost part that exists
   struct stat now {};
   for (const fs::path& part : folder) {
-    if (part.empty()) continue;
     const fs::path next = there / part;
     if (stat(next.c_str(), &now) != 0) {
       if (errno == ENOENT) break;
@@ -117,13 +116,14 @@ MadeFolder::MadeFolder(const fs::path& folder) {
   fs::path so_far;
   for (const fs::path& part : folder) {
     so_far /= part;
-    if (part.empty()) continue;
     const SignalsWait wait;
     if (mkdir(so_far.c_str(), 0777) == 0) {
       made_.emplace_back(so_far);
-    } else if (errno != EEXIST && !fs::is_directory(so_far)) {
-      refuse("folder", folder, errno);
+      continue;
     }
+    const int error = errno;
+    std::error_code ignored;
+    if (!fs::is_directory(so_far, ignored)) refuse("folder", folder, error);
   }
 }
 
@@ -146,10 +146,11 @@ struct OutFile::State {
     struct stat old {};
     if (lstat(destination.c_str(), &old) != 0) return;
     if (fchmod(descriptor, old.st_mode & 07777) != 0) refuse("file", destination, errno);
-    if (fchown(descriptor, old.st_uid, old.st_gid) != 0) return;  // whose it was, where we may
+    // Whose it was, where we may.
+    [[maybe_unused]] const int given = fchown(descriptor, old.st_uid, old.st_gid);
   }
   ~State() {
-    if (descriptor >= 0) close(descriptor);
+    close(descriptor);  // standard output, or what is finished, has none: the system refuses
   }
   State(const State&) = delete;
   State& operator=(const State&) = delete;
@@ -235,10 +236,6 @@ void commit(std::span<OutFile> all) {
     s.fail(error);
   }
   for (const auto& [from, to] : aside) unlink(to.c_str());
-  for (OutFile& file : all) {
-    OutFile::State& s = *file.state_;
-    if (s.part) s.part->keep();
-  }
 }
 
 void remove(const fs::path& file) {

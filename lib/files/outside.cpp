@@ -19,8 +19,8 @@ std::string shown(const std::filesystem::path& name) {
 
 void flush_standard_output() {
   errno = 0;
-  const bool failed = std::fflush(stdout) != 0 || std::ferror(stdout) != 0;
-  if (!failed) return;
+  std::fflush(stdout);
+  if (std::ferror(stdout) == 0) return;
   const int error = errno == 0 ? EIO : errno;
   std::clearerr(stdout);
   const std::string text = "standard output: " + std::generic_category().message(error);

@@ -21,20 +21,23 @@ namespace {
                      std::error_code(error, std::generic_category()).message()};
 }
 
-}  // namespace
-
-Spool::Spool() {
+int nameless_file() {
   const char* folder = std::getenv("TMPDIR");
   std::string name{folder != nullptr && *folder != 0 ? folder : "/tmp"};
   name += "/railbook-XXXXXX";
   const SignalsWait wait;  // between its name and its removal
-  descriptor_ = ::mkostemp(name.data(), O_CLOEXEC);
-  if (descriptor_ < 0) fail(errno, "made");
+  const int descriptor = ::mkostemp(name.data(), O_CLOEXEC);
+  if (descriptor < 0) fail(errno, "made");
   ::unlink(name.c_str());
+  return descriptor;
 }
 
+}  // namespace
+
+Spool::Spool() : descriptor_(nameless_file()) {}
+
 Spool::~Spool() {
-  if (descriptor_ >= 0) ::close(descriptor_);
+  ::close(descriptor_);  // none, where it was moved from: the system refuses
 }
 
 Spool::Spool(Spool&& other) noexcept
@@ -51,8 +54,7 @@ void Spool::read(std::size_t from, std::span<double> values) const {
   auto* to = reinterpret_cast<char*>(values.data());
   std::size_t left = values.size_bytes(), at = from * sizeof(double);
   while (left > 0) {
-    const ssize_t got = ::pread(descriptor_, to, left, static_cast<off_t>(at));
-    if (got < 0 && errno == EINTR) continue;
+    const ssize_t got = TEMP_FAILURE_RETRY(::pread(descriptor_, to, left, static_cast<off_t>(at)));
     if (got <= 0) fail(got < 0 ? errno : EIO, "read");
     to += got;
     at += static_cast<std::size_t>(got);

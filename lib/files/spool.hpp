@@ -21,7 +21,7 @@ class Spool {
   std::size_t size() const { return size_; }
 
  private:
-  int descriptor_ = -1;
+  int descriptor_;
   std::size_t size_ = 0;
 };
 

@@ -19,18 +19,19 @@ namespace {
 
 // All that a signal handler may touch: names in fixed places, and a process.
 constexpr std::size_t slots = 4096;
-constexpr std::size_t none = slots;
-std::array<std::atomic<char*>, slots> names{};
+constexpr std::size_t none = slots;  // the place behind them, which stays empty
+std::array<std::atomic<char*>, slots + 1> names{};
 std::atomic<pid_t> child{0};
 constexpr std::array fatal{SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXCPU};
 
 void remove_name(const char* name) {
-  if (unlink(name) != 0) rmdir(name);
+  unlink(name), rmdir(name);  // one of them is refused
 }
 
 // Async-signal-safe: only atomics, kill, unlink, rmdir, signal and raise. Later names first: files before their folders.
 extern "C" void end_by_signal(int signal) {
-  if (const pid_t running = child.exchange(0); running > 0) kill(-running, SIGKILL);
+  if (const pid_t running = child.load(); running > 1)
+    kill(-running, SIGKILL);  // -1 were everybody
   for (std::size_t i = slots; i-- > 0;)
     if (const char* name = names[i].exchange(nullptr)) remove_name(name);
   ::signal(signal, SIG_DFL);
@@ -68,14 +69,13 @@ Doomed::Doomed(Doomed&& other) noexcept
     : path_(std::move(other.path_)), slot_(std::exchange(other.slot_, none)) {}
 
 Doomed::~Doomed() {
-  if (slot_ == none) return;
   char* name = names[slot_].exchange(nullptr);
   if (name != nullptr) remove_name(name);
   std::free(name);
 }
 
 void Doomed::keep() {
-  if (slot_ != none) std::free(names[std::exchange(slot_, none)].exchange(nullptr));
+  std::free(names[std::exchange(slot_, none)].exchange(nullptr));
 }
 
 DoomedChild::DoomedChild(pid_t process) {
@@ -110,9 +110,9 @@ SignalsWait::~SignalsWait() {
 
 int write_all(int descriptor, std::string_view text) {
   while (!text.empty()) {
-    const ssize_t n = ::write(descriptor, text.data(), text.size());
-    if (n < 0 && errno != EINTR) return errno;
-    if (n > 0) text.remove_prefix(static_cast<std::size_t>(n));
+    const ssize_t n = TEMP_FAILURE_RETRY(::write(descriptor, text.data(), text.size()));
+    if (n < 0) return errno;
+    text.remove_prefix(static_cast<std::size_t>(n));
   }
   return 0;
 }
@@ -136,7 +136,7 @@ std::filesystem::path PrivateFolder::write(std::string_view name, std::string_vi
   const int descriptor = open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
   if (descriptor < 0) no_temporary(file, errno);
   int error = write_all(descriptor, text);
-  if (close(descriptor) != 0 && error == 0) error = errno;
+  if (close(descriptor) != 0) error = errno;
   if (error != 0) no_temporary(file, error);
   return file;
 }

@@ -37,10 +37,9 @@ bool contains(const std::vector<std::string>& list, const std::string& text) {
   return std::find(list.begin(), list.end(), text) != list.end();
 }
 
-std::size_t failures(const ChapterRecord& record) {
-  const auto failed = [](const ItemRecord& item) { return !item.failure.empty(); };
-  return static_cast<std::size_t>(std::count_if(record.items.begin(), record.items.end(), failed)) +
-         record.problems.size();
+bool all_good(const ChapterRecord& record) {
+  return !record.items.empty() && record.problems.empty() &&
+         std::ranges::all_of(record.items, &std::string::empty, &ItemRecord::failure);
 }
 
 // "01-contact: of the paper 12 confirmed, 3 corrected; 21 verified; stability 14/14; checks 57/57; 3.2 s"
@@ -172,7 +171,7 @@ int reproduce(const Reproduce& wish, const ChapterInfo& info,
   print_failures(record);
   fmt::print("{}\n", summary);
   if (!let) return 3;
-  return failures(record) == 0 && !record.items.empty() ? 0 : 1;
+  return all_good(record) ? 0 : 1;
 }
 
 }  // namespace

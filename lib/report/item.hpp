@@ -259,7 +259,7 @@ class Item {
   std::vector<std::unique_ptr<Data>> data_;
   std::filesystem::path script_;
   std::function<void(const std::filesystem::path&)> image_;
-  int expected_checks_ = -1;
+  int expected_checks_ = 0;
 };
 
 }  // namespace railbook::report

@@ -67,7 +67,7 @@ RunFolder::RunFolder(fs::path out, std::string chapter, bool anew)
   if (anew) {
     forget_record();
     for (const std::string& name : there) files::remove(out_ / name);
-    if (fs::exists(list())) files::remove(list());
+    files::remove(list());
     known_.clear();
   }
   made_results.keep();
@@ -75,8 +75,7 @@ RunFolder::RunFolder(fs::path out, std::string chapter, bool anew)
 }
 
 void RunFolder::forget_record() const {
-  for (const fs::path& file : {record(), summary()})
-    if (fs::exists(fs::symlink_status(file))) files::remove(file);
+  for (const fs::path& file : {record(), summary()}) files::remove(file);
 }
 
 void RunFolder::announce(const fs::path& file) {

@@ -61,14 +61,18 @@ double printed_number(std::string_view text) {
   return status == std::errc{} && end == clean.data() + clean.size() ? value : nan;
 }
 
-double half_last_digit(std::string_view text) {
+int last_decade(std::string_view text) {
   const std::string clean = without_spaces(text);
   const std::size_t e = clean.find_first_of("eE");
   const std::string mantissa = clean.substr(0, e);
   int exponent = e == std::string::npos ? 0 : std::stoi(clean.substr(e + 1));
   const std::size_t point = mantissa.find('.');
   if (point != std::string::npos) exponent -= static_cast<int>(mantissa.size() - point - 1);
-  return 0.5 * std::pow(10.0, exponent);
+  return exponent;
+}
+
+double half_last_digit(std::string_view text) {
+  return 0.5 * std::pow(10.0, last_decade(text));
 }
 
 Verdict compare(std::string_view printed, double computed, const Tolerance& t) {

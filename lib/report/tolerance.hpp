@@ -38,9 +38,8 @@ Tolerance at_least(std::string why);
 // The result of one comparison. `error` and `allowed` are in the same unit: an absolute difference for
 // last_digit, absolute and the bounds, otherwise a ratio.
 struct Verdict {
-  bool pass = false;
-  double error = 0;
-  double allowed = 0;
+  bool pass;
+  double error, allowed;
 };
 
 // Compares; NaN and infinity never pass. Throws std::logic_error when a tolerance is not finite and positive,
@@ -52,6 +51,9 @@ double bitten(std::string_view printed, double computed, const Tolerance& tolera
 
 // The number a printed text stands for, "39240", ".15935", "1.7e-7", "-5 365"; NaN when it is none.
 double printed_number(std::string_view text);
+
+// The power of ten of the last digit of a printed number: -8 for "1.7e-7", 0 for "39240".
+int last_decade(std::string_view text);
 
 // Half a unit of the last digit of a printed number: 0.05e-7 for "1.7e-7", 0.5 for "39240".
 double half_last_digit(std::string_view text);

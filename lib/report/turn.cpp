@@ -9,7 +9,7 @@
 namespace railbook::report {
 namespace {
 
-// Lock files: whoever wants `room` goes through `door` first, so that one who waits to have the room alone is not passed
+// Lock files, or none, which the system refuses to lock: whoever wants `room` goes through `door` first, so that one who waits to have the room alone is not passed
 // by those who come to share it.
 struct Locks {
   Locks() {
@@ -22,14 +22,11 @@ struct Locks {
     room = file("/room");
   }
   void enter(int how) const {
-    if (room < 0 || door < 0) return;
     flock(door, LOCK_EX);
     flock(room, how);
     flock(door, LOCK_UN);
   }
-  void leave() const {
-    if (room >= 0) flock(room, LOCK_UN);
-  }
+  void leave() const { flock(room, LOCK_UN); }
   int door = -1, room = -1;
 };
 

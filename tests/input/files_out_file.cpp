@@ -65,6 +65,8 @@ TEST_CASE("input: a name is only a name") {
     CHECK(at.read(std::string(name) + "/" + name) == "text");
   }
   CHECK(holds_only(at, 11));
+  CHECK(files::shown(std::string(1001, 'n')) ==
+        "\"" + std::string(1000, 'n') + "... (1001 bytes)\"");
   CHECK(files::shown("line\nbreak\x1b[2J") == "\"line\\x0abreak\\x1b[2J\"");
 }
 
@@ -142,5 +144,6 @@ TEST_CASE("input: a link to a folder is followed only by a name that ends in a s
   std::filesystem::create_directory(at.path / "real");
   std::filesystem::create_directory_symlink(at.path / "real", at.path / "link");
   CHECK_THROWS_WITH(files::require_no_link(at.path / "link"), Contains("symbolic link"));
-  CHECK_NOTHROW(files::require_no_link(at.path / "link" / ""));
+  for (const char* name : {"link/", "real", "none"})
+    CHECK_NOTHROW(files::require_no_link(at.path / name));
 }

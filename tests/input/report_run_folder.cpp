@@ -69,12 +69,14 @@ TEST_CASE("input: a folder of figures of somebody else stays whole") {
 TEST_CASE("input: what an earlier edition's record names is replaced") {
   const TemporaryFolder at("record");
   files::write(at.path / "figures" / chapter / "fig-01.png", "old");
+  files::write(at.path / "figures" / chapter / "fig-01.svg", "old");
   files::write(at.path / "results" / chapter / "fig-01.csv", "old");
   files::write(at.path / "results" / (chapter + ".json"),
-               "{\"chapter\": \"01-contact\", \"items\": [{\"png\": \"fig-01.png\", \"csv\": "
+               "{\"chapter\": \"01-contact\", \"items\": [{\"id\": \"fig-01\", \"png\": "
+               "\"fig-01.png\", \"csv\": "
                "[\"fig-01.csv\"]}, {\"png\": \"../../../precious\"}]}");
   run(at.path, true, "fig-02.png", true);
-  CHECK_FALSE(std::filesystem::exists(at.path / "figures" / chapter / "fig-01.png"));
+  CHECK(at.files_in(at.path / "figures" / chapter) == 1);
   CHECK_FALSE(std::filesystem::exists(at.path / "results" / chapter / "fig-01.csv"));
 }
 
@@ -89,4 +91,31 @@ TEST_CASE("input: a record of our chapter with names that are none bars nothing"
     files::write(at.path / "results" / (chapter + ".json"), text);
     CHECK_THROWS_WITH(run(at.path, true, "fig-03.png", true), Contains("no earlier run"));
   }
+}
+
+TEST_CASE("input: a link in the place of a file that a run made is somebody else's") {
+  const TemporaryFolder at("link");
+  run(at.path, true, "fig-01.png", true);
+  const auto figure = at.path / "figures" / chapter / "fig-01.png";
+  std::filesystem::remove(figure);
+  std::filesystem::create_symlink(at.write("precious", "mine"), figure);
+  CHECK_THROWS_WITH(run(at.path, true, "fig-01.png", true),
+                    Contains("fig-01.png\": no earlier run"));
+  CHECK(at.read("precious") == "mine");
+}
+
+TEST_CASE("input: the list of what runs made is of the last whole run") {
+  const TemporaryFolder at("list");
+  const auto list = [&] { return at.read("results/" + chapter + ".files"); };
+  run(at.path, true, "fig-01.png", true);
+  files::write(at.path / "results" / (chapter + ".txt"), "summary");
+  run(at.path, false, "fig-02.png", false);
+  CHECK_FALSE(std::filesystem::exists(at.path / "results" / (chapter + ".txt")));
+  CHECK(list() ==
+        "figures/01-contact/fig-01.png\nfigures/01-contact/fig-02.png\nresults/01-contact/"
+        "checks.csv\n");
+  run(at.path, true, "fig-03.png", true);
+  CHECK(list() == "figures/01-contact/fig-03.png\nresults/01-contact/checks.csv\n");
+  CHECK_THROWS_WITH(report::RunFolder("", chapter, true),
+                    "out is empty; allowed: the name of a folder");
 }

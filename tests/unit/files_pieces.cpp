@@ -1,17 +1,19 @@
-// Folders that go again, lines that are kept, a process that is ended with its child.
+// Folders that go again, lines that are kept.
 #include <fcntl.h>
+#include <sys/inotify.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
 #include <catch2/catch.hpp>
+#include <cerrno>
 #include <csignal>
-#include <new>
-#include <system_error>
+#include <functional>
 #include <utility>
+#include <vector>
 
+#include "../support/set_variable.hpp"
 #include "../support/temporary_folder.hpp"
 #include "files/journal.hpp"
 #include "files/out_file.hpp"
@@ -21,7 +23,7 @@
 #include "units/input_error.hpp"
 
 using namespace railbook;
-using Catch::Matchers::Contains;
+using namespace Catch::Matchers;
 namespace fs = std::filesystem;
 
 namespace {
@@ -30,30 +32,11 @@ bool open_still(int descriptor) {
   return fcntl(descriptor, F_GETFD) >= 0;
 }
 
-// What `work` prints on a stream (1 or 2) and how it ends, in a process of its own.
-template <class Work>
-std::pair<int, std::string> apart(int stream, const Work& work) {
-  const TemporaryFolder at("apart");
-  const fs::path said = at.path / "said";
-  std::fflush(nullptr);  // or the child says it once more
-  const pid_t child = fork();
-  if (child == 0) {
-    const int file = open(said.c_str(), O_WRONLY | O_CREAT, 0600);
-    dup2(file, stream);
-    _exit(work());
-  }
-  int status = 0;
-  waitpid(child, &status, 0);
-  return {status, at.read("said")};
-}
-
-int status_of(const std::function<void()>& fault) {
-  try {
-    fault();
-  } catch (...) {
-    return files::status_of_exception("prog");
-  }
-  return 77;
+// The next file to be opened gets it.
+int lowest_free() {
+  const int descriptor = dup(STDERR_FILENO);
+  close(descriptor);
+  return descriptor;
 }
 
 }  // namespace
@@ -84,6 +67,12 @@ TEST_CASE("unit: folders that were made go again, innermost first, unless kept")
   const fs::path file = at.write("file", "x");
   CHECK_THROWS_WITH(files::MadeFolder(file / "below"), Contains("Not a directory"));
   CHECK_THROWS_WITH(files::require_makeable(file), Contains("Not a directory"));
+  // A name that is too long, of a folder that is there, and of one that is made first and goes again.
+  const std::string endless(300, 'x');
+  CHECK_THROWS_WITH(files::require_makeable(old / endless), Contains("File name too long"));
+  CHECK_THROWS_AS(files::MadeFolder(old / "new" / endless), InputError);
+  CHECK_FALSE(fs::exists(old / "new"));
+  CHECK_THROWS_AS(files::require_makeable("/proc/none"), InputError);  // asked there, not here
   if (geteuid() != 0) {
     REQUIRE(chmod(old.c_str(), 0500) == 0);
     CHECK_THROWS_WITH(files::MadeFolder(old / "c"), Contains("Permission denied"));
@@ -101,7 +90,8 @@ TEST_CASE("unit: a journal ends a line that was cut off, and goes on after a who
   files::Journal(file).append("three\n");
   CHECK(at.read("rows") == "one\ntw\nthree\n");
   CHECK_THROWS_WITH(files::Journal(at.path), Contains("it is a folder"));
-  CHECK_THROWS_AS(files::Journal(at.path / "no" / "rows"), files::OutsideError);
+  CHECK_THROWS_WITH(files::Journal(at.path / "no" / "rows"),
+                    Contains("/no/rows\": cannot be written: No such file or directory"));
 
   struct rlimit before {};
   REQUIRE(getrlimit(RLIMIT_FSIZE, &before) == 0);
@@ -123,6 +113,7 @@ TEST_CASE("unit: a journal ends a line that was cut off, and goes on after a who
 
 TEST_CASE("unit: what is moved or ended closes its own file and no other") {
   const TemporaryFolder at("closed");
+  const int free = lowest_free();
   {
     files::Spool one;
     const files::Spool two = std::move(one);
@@ -136,17 +127,15 @@ TEST_CASE("unit: what is moved or ended closes its own file and no other") {
     CHECK(part.parent_path() == at.path);
     CHECK(at.read(part.filename().string()) == "text");
     out.commit();
+    CHECK(lowest_free() == free);  // closed already
   }
   CHECK(at.read("new") == "text");
   for (const int stream : {0, 1, 2}) CHECK(open_still(stream));
-  const int free = open("/dev/null", O_RDONLY);
-  close(free);
   { const files::OutFile dropped(at.path / "dropped"); }
   { files::Journal(at.path / "lines").append("a\n"); }
   { const files::PrivateFolder folder; }
-  const int again = open("/dev/null", O_RDONLY);
-  close(again);
-  CHECK(again == free);  // nothing was left open
+  { const files::MadeFolder made(at.path / "made"); }
+  CHECK(lowest_free() == free);  // nothing was left open
   CHECK(at.files_in(at.path) == 2);
 }
 
@@ -172,6 +161,113 @@ TEST_CASE("unit: a file is the owner's and has the modes of the old one") {
                     Contains("cannot be removed: ") && Contains("ermi"));
 }
 
+TEST_CASE("unit: what is new has the modes that the user wants of it") {
+  const TemporaryFolder at("modes");
+  const mode_t before = umask(026);
+  files::write(at.path / "folder" / "new", "text");
+  files::Journal(at.path / "rows").append("row\n");
+  umask(before);
+  CHECK(fs::status(at.path / "folder").permissions() == fs::perms(0751));
+  CHECK(fs::status(at.path / "folder" / "new").permissions() == fs::perms(0640));
+  CHECK(fs::status(at.path / "rows").permissions() == fs::perms(0640));
+}
+
+TEST_CASE("unit: what is written goes to disk by 64 KiB or more, beside its place") {
+  const TemporaryFolder at("pieces");
+  files::OutFile out(at.path / "file");
+  const auto on_disk = [&] { return fs::file_size(fs::directory_iterator(at.path)->path()); };
+  out.write(std::string(65535, 'x'));
+  CHECK(on_disk() == 0);
+  out.write("x");
+  CHECK(on_disk() == 65536);
+  out.write("y");
+  CHECK(fs::file_size(out.staged()) == 65537);
+}
+
+TEST_CASE("unit: one file is replaced in one step, several step aside for a moment") {
+  const TemporaryFolder at("step");
+  at.write("one", "old"), at.write("two", "old");
+  const int watch = inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
+  REQUIRE(inotify_add_watch(watch, at.path.c_str(), IN_MOVED_FROM) >= 0);
+  const auto moved_away =
+      [&] {  // the files that were not there for a moment; ours have names with a dot
+        alignas(inotify_event) std::array<char, 4096> bytes{};
+        std::string names;
+        const ssize_t n = read(watch, bytes.data(), bytes.size());
+        for (ssize_t i = 0; i < n;) {
+          const auto* event = reinterpret_cast<const inotify_event*>(bytes.data() + i);
+          if (event->name[0] != '.') names += event->name + std::string(" ");
+          i += static_cast<ssize_t>(sizeof(inotify_event) + event->len);
+        }
+        return names;
+      };
+  files::write(at.path / "one", "new");
+  CHECK(moved_away().empty());
+  std::vector<files::OutFile> all;
+  all.reserve(2);
+  for (const char* name : {"one", "two"}) all.emplace_back(at.path / name).write("newer");
+  files::commit(all);
+  CHECK(moved_away() == "one two ");
+  close(watch);
+  CHECK(at.read("one") + at.read("two") == "newernewer");
+  CHECK(at.files_in(at.path) == 2);
+}
+
+TEST_CASE("unit: with no descriptor left, files and folders fail as the machine does") {
+  const TemporaryFolder at("descriptors");
+  struct rlimit before {};
+  REQUIRE(getrlimit(RLIMIT_NOFILE, &before) == 0);
+  const rlimit none{static_cast<rlim_t>(lowest_free()), before.rlim_max};
+  REQUIRE(setrlimit(RLIMIT_NOFILE, &none) == 0);
+  std::string told;
+  for (const std::function<void()>& work : std::vector<std::function<void()>>{
+           [&] { files::OutFile{at.path / "file"}; }, [&] { files::require_makeable(at.path); },
+           [] { files::Spool{}; }})
+    try {
+      work();
+    } catch (const files::OutsideError& error) {
+      told += std::string(error.what()) + "\n";
+    }
+  setrlimit(RLIMIT_NOFILE, &before);
+  CHECK(told == "file " + files::shown(at.path / "file") +
+                    ": cannot be written: Too many open files\nfolder " + files::shown(at.path) +
+                    ": cannot be written: Too many open files\n"
+                    "temporary file: cannot be made: Too many open files\n");
+}
+
+TEST_CASE("unit: there may be 4096 temporary files at a time") {
+  std::vector<files::Doomed> all;
+  all.reserve(4096);
+  for (int k = 0; k < 4096; ++k) all.emplace_back("/nowhere/none");
+  CHECK_THROWS_WITH(files::Doomed("/nowhere/none"), "too many temporary files at a time");
+  all.pop_back();
+  CHECK_NOTHROW(files::Doomed("/nowhere/none"));
+}
+
+TEST_CASE("unit: temporary files are in TMPDIR, or in /tmp where it is none") {
+  const TemporaryFolder at("tmpdir");
+  const SetVariable tmpdir("TMPDIR");
+  const auto private_in = [&](const char* folder) {
+    tmpdir.to(folder);
+    return files::PrivateFolder().path().parent_path();
+  };
+  const auto spool_in = [&](const char* folder) {
+    tmpdir.to(folder);
+    const int next = lowest_free();
+    const files::Spool spool;
+    return fs::read_symlink("/proc/self/fd/" + std::to_string(next)).parent_path();
+  };
+  for (const char* none : {"", static_cast<const char*>(nullptr)}) {
+    CHECK(private_in(none) == "/tmp");
+    CHECK(spool_in(none) == "/tmp");
+  }
+  CHECK(private_in("relative") == "/tmp");
+  CHECK(private_in(at.path.c_str()) == at.path);
+  CHECK(spool_in(at.path.c_str()) == at.path);
+  CHECK_THROWS_WITH(private_in("/nowhere"), StartsWith("temporary file \"/nowhere/railbook-") &&
+                                                EndsWith("\": No such file or directory"));
+}
+
 TEST_CASE("unit: a private folder goes with all that was put there") {
   const TemporaryFolder at("private");
   const fs::path data = at.write("data", "123");
@@ -182,125 +278,14 @@ TEST_CASE("unit: a private folder goes with all that was put there") {
     CHECK((fs::status(where).permissions() & fs::perms(0077)) == fs::perms::none);
     const fs::path text = folder.write("text", "abc");
     CHECK(fs::file_size(text) == 3);
+    CHECK(fs::status(text).permissions() == fs::perms(0600));
     CHECK(fs::read_symlink(folder.link("link", data)) == data);
     CHECK_FALSE(fs::exists(folder.expect("later")));
-    CHECK_THROWS_AS(folder.write("text", "again"), files::OutsideError);
+    CHECK_THROWS_WITH(folder.write("text", "again"), Contains("/text\": File exists"));
+    CHECK_THROWS_WITH(folder.link("link", data), Contains("/link\": File exists"));
+    errno = EDOM;  // of something else before
+    CHECK_NOTHROW(folder.write("more", "abc"));
   }
   CHECK_FALSE(fs::exists(where));
   CHECK(at.read("data") == "123");
-}
-
-TEST_CASE("unit: a signal removes what is staged and ends the child, then the process") {
-  const TemporaryFolder at("signal");
-  const fs::path staged = at.path / "staged", kept = at.path / "kept", pid = at.path / "pid";
-  const auto [status, said] = apart(2, [&] {
-    files::prepare_process();
-    at.write("staged", "x"), at.write("kept", "x");
-    const files::Doomed doomed(staged);
-    files::Doomed stays(kept);
-    stays.keep();
-    const pid_t child = fork();
-    if (child == 0) {
-      setpgid(0, 0);
-      pause();
-      _exit(0);
-    }
-    setpgid(child, child);
-    const files::DoomedChild with(child);
-    at.write("pid", std::to_string(child));
-    {
-      const files::SignalsWait outer;
-      {
-        const files::SignalsWait inner;
-        kill(getpid(), SIGTERM);
-      }
-      if (!fs::exists(staged)) return 9;  // not before the outer one ends
-    }
-    pause();
-    return 8;
-  });
-  CHECK(WIFSIGNALED(status));
-  CHECK(WTERMSIG(status) == SIGTERM);
-  CHECK_FALSE(fs::exists(staged));
-  CHECK(fs::exists(kept));
-  // The child is dead, or a zombie whose parent is.
-  const int child = std::stoi(at.read("pid"));
-  bool ended = false;
-  for (int k = 0; k < 500 && !ended; ++k) {
-    std::ifstream stat("/proc/" + std::to_string(child) + "/stat");
-    std::string all;
-    std::getline(stat, all);
-    ended = !stat || all.find(") Z") != all.npos;
-    usleep(10000);
-  }
-  CHECK(ended);
-  CHECK(said.empty());
-}
-
-TEST_CASE("unit: each kind of failure has its status and its words") {
-  const auto [none, said] = apart(2, [] {
-    int wrong = 0;
-    wrong += status_of([] { throw InputError{"bad"}; }) != 2;
-    wrong += status_of([] { throw files::OutsideError{"full"}; }) != 3;
-    wrong += status_of([] { throw files::ClosedPipe{"silent"}; }) != 3;
-    wrong += status_of([] { throw std::bad_alloc{}; }) != 3;
-    wrong +=
-        status_of([] { throw std::system_error{std::make_error_code(std::errc::io_error)}; }) != 3;
-    wrong += status_of([] {
-               throw std::system_error{std::make_error_code(std::errc::broken_pipe)};
-             }) != 3;
-    wrong += status_of([] { throw std::logic_error{"ours"}; }) != 1;
-    std::fflush(stderr);
-    return wrong;
-  });
-  CHECK(none == 0);
-  CHECK(said ==
-        "prog: bad\nprog: full\nprog: not enough memory for this (a limit of the shell, ulimit -v, "
-        "or of the machine)\n"
-        "prog: Input/output error\nprog: ours\n");
-  CHECK(files::finish_process("prog", 3) == 3);
-  CHECK(files::finish_process("prog", 0) == 0);
-  CHECK(files::finish_process("prog", 1) == 1);
-  const auto [full, message] = apart(2, [] {
-    const int device = open("/dev/full", O_WRONLY);
-    dup2(device, 1);
-    std::printf("text");
-    return files::finish_process("prog", 0);
-  });
-  CHECK(WEXITSTATUS(full) == 3);
-  CHECK(message == "prog: standard output: No space left on device\n");
-  const auto [closed, silent] = apart(2, [] {
-    std::array<int, 2> ends{};
-    if (pipe(ends.data()) != 0) return 9;
-    std::signal(SIGPIPE, SIG_IGN);
-    dup2(ends[1], 1);
-    close(ends[0]), close(ends[1]);
-    std::printf("text");
-    return files::finish_process("prog", 0);  // the reader went away: nothing is said
-  });
-  CHECK(WEXITSTATUS(closed) == 3);
-  CHECK(silent.empty());
-  const auto [again, nothing] = apart(2, [] {
-    const int device = open("/dev/full", O_WRONLY);
-    dup2(device, 1);
-    std::printf("text");
-    return files::finish_process("prog", 3);  // what failed before has been said
-  });
-  CHECK(WEXITSTATUS(again) == 3);
-  CHECK(nothing.empty());
-}
-
-TEST_CASE("unit: large texts go to standard output in order, once") {
-  const auto [status, said] = apart(1, [] {
-    std::printf("before\n");
-    files::OutFile out("-");
-    if (!out.to_standard_output()) return 9;
-    out.write(std::string(100000, 'a'));
-    out.write("b\n");
-    out.commit();
-    std::printf("after\n");
-    return std::fflush(stdout) == 0 ? 0 : 8;
-  });
-  CHECK(status == 0);
-  CHECK(said == "before\n" + std::string(100000, 'a') + "b\nafter\n");
 }

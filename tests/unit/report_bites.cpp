@@ -22,6 +22,8 @@ TEST_CASE("unit: a bite is two tolerances, away from the printed value, whatever
   CHECK(bitten("5", 8, at_least("r")) == 2);
   CHECK(bitten("5000", 5000, at_most("r")) - 5000 == Approx(5e-6).epsilon(1e-3));
   CHECK(bitten("5000", 5000, at_least("r")) - 5000 == Approx(-5e-6).epsilon(1e-3));
+  CHECK(bitten("-5000", -5000, at_most("r")) + 5000 == Approx(5e-6).epsilon(1e-3));
+  CHECK(bitten("-5000", -5000, at_least("r")) + 5000 == Approx(-5e-6).epsilon(1e-3));
   CHECK(bitten("0.001", 0.001, at_most("r")) - 0.001 == Approx(1e-9).epsilon(1e-3));
   CHECK(bitten("0.001", 0.001, at_least("r")) - 0.001 == Approx(-1e-9).epsilon(1e-3));
   CHECK(std::isnan(bitten("1", 1, {ToleranceKind::exact, 0, ""})));
@@ -41,6 +43,13 @@ TEST_CASE("unit: a comparison says its error and what was allowed") {
   is(compare("2", 1.0, at_most("r")), true, 1, 2);
   is(compare("2", 2.1, at_most("r")), false, 2.1, 2);
   is(compare("2", 2.0, at_most("r")), true, 2, 2);
+  is(compare("-2", -2.0, at_most("r")), true, -2, -2);
+  is(compare("-2", -1.9, at_most("r")), false, -1.9, -2);
+  // The last bits of a value that is just allowed: a millionth of a millionth.
+  CHECK(compare("1", 1 + 5e-13, at_most("r")).pass);
+  CHECK_FALSE(compare("1", 1 + 1.005e-12, at_most("r")).pass);
+  CHECK_FALSE(compare("1", 1 - 5e-13, at_least("r")).pass);
+  is(compare("806.2", 606.2, misprint(-606.16, 3, "r")), true, 1212.36 / 606.16, 3);
   is(compare("2", 2.0, at_least("r")), true, 2, 2);
   is(compare("2", 1.9, at_least("r")), false, 1.9, 2);
   is(compare("2.50", 2.505, last_digit()), true, 0.005, 0.005);

@@ -1,70 +1,15 @@
-#include <unistd.h>
-
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <functional>
-#include <iterator>
-#include <nlohmann/json.hpp>
 
-#include "report/chapter.hpp"
+#include "../support/sample_chapter.hpp"
 
 using namespace railbook;
-namespace fs = std::filesystem;
-
-namespace {
-
-// A folder that is gone when the test ends.
-struct Scratch {
-  fs::path path = fs::temp_directory_path() / ("railbook-report-" + std::to_string(::getpid()));
-  Scratch() { fs::create_directories(path / "data"); }
-  ~Scratch() { fs::remove_all(path); }
-  void write(const std::string& name, const std::string& text) const {
-    std::ofstream{path / name} << text;
-  }
-};
-
-int run(const fs::path& sources, const report::Section& paper, std::vector<std::string> words,
-        const report::Section& study = {}) {
-  words.insert(words.begin(), "sample");
-  std::vector<char*> argv;
-  for (auto& w : words) argv.push_back(w.data());
-  return report::run(static_cast<int>(argv.size()), argv.data(),
-                     {"00-sample", "sample", "A sample", "Nobody, 1975", sources}, {paper},
-                     {study});
-}
-
-nlohmann::json record(const fs::path& out) {
-  std::ifstream stream{out / "results" / "00-sample.json"};
-  return nlohmann::json::parse(stream);
-}
-
-// `reproduce` of one table in a folder of its own.
-struct Sample {
-  Scratch scratch;
-  int reproduce(const report::Section& paper, std::vector<std::string> more = {},
-                const report::Section& study = {}) const {
-    std::vector<std::string> words{"reproduce", "--no-timings", "--out", scratch.path.string()};
-    words.insert(words.end(), more.begin(), more.end());
-    return run(scratch.path, paper, words, study);
-  }
-  nlohmann::json record() const { return ::record(scratch.path); }
-};
-
-report::Section one(report::ItemFunction f) {
-  return {report::table("t", "T", std::move(f))};
-}
-int status(const report::ItemFunction& f) {
-  return Sample{}.reproduce(one(f));
-}
-
-}  // namespace
 
 TEST_CASE("unit: a chapter checks printed rows and leaves a record") {
   const Sample s;
-  s.scratch.write("data/t.csv",
-                  "key,what,unit,printed\np0,peak pressure,psi,39 240\nm,moment,N.m,806.2\n");
+  s.at.write("data/t.csv",
+             "key,what,unit,printed\np0,peak pressure,psi,39 240\nm,moment,N.m,806.2\n");
   const report::Section paper{
       report::table("table-1", "One",
                     [](report::Item& item) {
@@ -91,7 +36,7 @@ TEST_CASE("unit: a chapter checks printed rows and leaves a record") {
   CHECK(r["items"][0]["input"] == "paper");
   CHECK(r["items"][1]["input"] == "sketch");
   CHECK(r["values"][0]["text"] == "39315 psi");
-  std::ifstream csv{s.scratch.path / "results/00-sample/fig-1.csv"};
+  std::ifstream csv{s.at.path / "results/00-sample/fig-1.csv"};
   CHECK(std::string{std::istreambuf_iterator<char>{csv}, {}} == "x_m,y\n1,\"a,b\"\n");
 }
 
@@ -127,7 +72,7 @@ TEST_CASE("unit: a check says what it is about and what came of it") {
   CHECK(checks[5]["what"] == "it converges");
   CHECK(checks[5]["allowed"] == 0);  // of a claim nothing is
   // Nothing but the paper's text stands under "printed".
-  std::ifstream csv{s.scratch.path / "results/00-sample/checks.csv"};
+  std::ifstream csv{s.at.path / "results/00-sample/checks.csv"};
   const std::string text{std::istreambuf_iterator<char>{csv}, {}};
   CHECK(text.find("t/h,,publication,verified,h,m,,2,A. Nobody,") != std::string::npos);
   CHECK(text.find("t/a,,print,confirmed,a,m,1.0,,,") != std::string::npos);
@@ -188,7 +133,10 @@ TEST_CASE("unit: a stability case fails when something else is found than expect
   CHECK(with(report::refused, units::nan, throws) == 0);
   CHECK(with(report::refused, units::nan, gives_up) == 0);
   CHECK(with(report::refused, units::nan, found(0)) == 1);
-  CHECK(with(report::holds, units::nan, found(0)) == 1);  // no bound set
+  for (const double none : {units::nan, 0.0, -1.0, std::numeric_limits<double>::infinity()})
+    CHECK(with(report::holds, none, found(0)) == 1);  // no bound set
+  CHECK(with(report::holds, 1e-3, found(-2e-3)) == 1);
+  CHECK(with(report::refused, 1, found(0)) == 1);
 }
 
 TEST_CASE("unit: an item whose arithmetic is invalid fails, and the others go on") {
@@ -209,18 +157,28 @@ TEST_CASE(
   CHECK(report::below(-7.1e-15) == "below 1e-14");
   CHECK(report::below(0) == "below 1e-16");
   CHECK(report::below(0.5) == "below 1e+00");
+  CHECK(report::below(1.001e-16) == "below 1e-15");
+  CHECK(report::below(-0.002) == "below 1e-02");
+  CHECK(report::below(INFINITY) == "inf");
   const Sample s;
   CHECK(s.reproduce(one([](report::Item& item) {
-    item.expect_checks(3);
+    item.expect_checks(6);
     item.agree("a", "a", "", 0.40084984, 0.40084, 1e-4, "another method");
+    item.agree("d", "d", "", 0.400849, 0.4008412, 3e-4, "another method");
+    item.agree("e", "e", "", 0.40321, 0.41234, 0.5, "another method");
+    item.agree("f", "f", "", 0.400849840084, 0.400849840085, 1e-11, "another method");
     item.at_most("b", "b", "", 5.8e-15, 1e-12, "rounding");
     item.at_most("c", "c", "", 2.5399999, 2.54, "the limit");
   })) == 0);
   const auto checks = s.record()["checks"];
   CHECK(checks[0]["computed_text"] == "0.40085");
   CHECK(checks[0]["reference"] == "0.40084");
-  CHECK(checks[1]["computed_text"] == "below 1e-14");
-  CHECK(checks[2]["computed_text"] == "2.54");
+  CHECK(checks[1]["computed_text"] == "0.40085");  // no whole power of ten: a digit more
+  CHECK(checks[2]["computed_text"] == "0.403");
+  CHECK(checks[2]["reference"] == "0.412");
+  CHECK(checks[3]["computed_text"] == "0.4008498401");
+  CHECK(checks[4]["computed_text"] == "below 1e-14");
+  CHECK(checks[5]["computed_text"] == "2.54");
 }
 
 TEST_CASE("unit: a check that cannot fail has failed") {
@@ -234,6 +192,8 @@ TEST_CASE("unit: a check that cannot fail has failed") {
   const Sample toothless;  // a share of nothing is nothing
   CHECK(toothless.reproduce(agree_with(0)) == 1);
   CHECK(toothless.record()["checks"][0]["outcome"] == "failed");
+  CHECK(toothless.record()["checks"][0]["kind"] ==
+        "agrees_with, which passes shifted by twice its tolerance, too");
 }
 
 TEST_CASE("unit: the inventory and the checks name each other") {
@@ -244,8 +204,7 @@ TEST_CASE("unit: the inventory and the checks name each other") {
   });
   const auto with = [&](const std::string& rows) {
     const Sample s;
-    s.scratch.write("data/inventory.csv",
-                    "place,kind,number,what,treated,symbol,test,reason\n" + rows);
+    s.at.write("data/inventory.csv", "place,kind,number,what,treated,symbol,test,reason\n" + rows);
     const int result = s.reproduce(section);
     if (result == 0) CHECK(s.record()["checks"][0]["place"] == "p. 1, Table 2");
     return result;
@@ -266,8 +225,11 @@ TEST_CASE("unit: the study is a page of its own") {
   const report::Section study{
       report::table("u", "U", [](report::Item& item) { item.added("a study"); })};
   REQUIRE(s.reproduce(one([](report::Item& item) { item.sketch(); }), {}, study) == 0);
-  CHECK(s.record()["items"][0]["page"] == "paper");
-  CHECK(s.record()["items"][1]["page"] == "study");
+  const auto items = s.record()["items"];
+  CHECK(items[0]["id"] == "t");
+  CHECK(items[0]["page"] == "paper");
+  CHECK(items[1]["id"] == "u");
+  CHECK(items[1]["page"] == "study");
 }
 
 TEST_CASE("unit: a display table writes its numbers as its headings say") {
@@ -276,11 +238,10 @@ TEST_CASE("unit: a display table writes its numbers as its headings say") {
     item.sketch();
     item.columns({"what", {"error, mm", "{:.2f}"}, "n"});
     item.add_row("a", 1.234, "7");
-    item.add_row("b", units::nan, "8");
+    item.add_row("b", units::nan, 3.14159);
   })) == 0);
-  const auto rows = s.record()["items"][0]["rows"];
-  CHECK(rows[0][1] == "1.23");
-  CHECK(rows[1][1] == "–");
+  CHECK(s.record()["items"][0]["columns"].dump() == R"(["what","error, mm","n"])");
+  CHECK(s.record()["items"][0]["rows"].dump() == R"([["a","1.23","7"],["b","–","3.142"]])");
 }
 
 TEST_CASE("unit: a row of a display table has a cell for each column") {
@@ -294,19 +255,38 @@ TEST_CASE("unit: a row of a display table has a cell for each column") {
           item.columns({"what", "n"});
           item.add_row(std::vector<std::string>{"a"});
         }) == 1);
+  const Sample s;
+  CHECK(s.reproduce(one([](report::Item& item) {
+    item.columns({"what", "n"});
+    item.add_row(1, 2, 3);
+  })) == 1);
+  CHECK(s.record()["items"][0]["failure"] == "t: 3 cells for 2 columns");
 }
 
 TEST_CASE("unit: a value is shown to the same digits on both sides of zero") {
   const Sample s;
-  s.reproduce(one([](report::Item& i) {
-    i.expect_checks(3);
-    i.print("up", "a", "m", "5.5", 123.4567);
-    i.print("down", "a", "m", "-5.5", -123.4567);
+  const std::pair<const char*, double> printed[] = {{"5.5", 123.4567},
+                                                    {"-5.5", -123.4567},
+                                                    {"0", 0},
+                                                    {"0", 0.0041237},
+                                                    {"1e5", 123456.78},
+                                                    {"10.00", 0.0012},
+                                                    {"5.5", units::nan},
+                                                    {"1.0000000000000000", 1.0 / 3}};
+  s.reproduce(one([&](report::Item& i) {
+    i.expect_checks(static_cast<int>(std::size(printed)) + 4);
+    for (const auto& [text, computed] : printed) i.print(text, "a", "m", text, computed);
     i.at_most("none", "a", "m", units::nan, 1e-9, "rounding");
+    i.at_most("below", "a", "m", -7.25, -5, "a limit");
+    i.at_most("border", "a", "m", 4e-7, 1e-6, "a limit");
+    i.at_least("least", "a", "m", 4.12349e-7, 1e-7, "a limit");
   }));
-  CHECK(s.record()["checks"][0]["computed_text"] == "123.457");
-  CHECK(s.record()["checks"][1]["computed_text"] == "-123.457");
-  CHECK(s.record()["checks"][2]["computed_text"] == "nan");
+  const char* expected[] = {"123.457",  "-123.457", "0",     "0.00412",
+                            "1.23e+05", "0.0012",   "nan",   "0.333333333333333",
+                            "nan",      "-7.25",    "4e-07", "4.123e-07"};
+  const auto checks = s.record()["checks"];
+  REQUIRE(checks.size() == std::size(expected));
+  for (std::size_t k = 0; k < checks.size(); ++k) CHECK(checks[k]["computed_text"] == expected[k]);
 }
 
 TEST_CASE("unit: stability cases and times stand in the record, and without timings no time does") {
@@ -317,52 +297,11 @@ TEST_CASE("unit: stability cases and times stand in the record, and without timi
   });
   for (const bool timed : {false, true}) {
     const Sample s;
-    std::vector<std::string> words{"reproduce", "--out", s.scratch.path.string()};
-    if (!timed) words.emplace_back("--no-timings");
-    CHECK(run(s.scratch.path, paper, words) == 0);
+    CHECK(s.reproduce(paper, timed ? Sample::Words{} : Sample::Words{"--no-timings"}) == 0);
     const auto r = s.record();
     REQUIRE(r["stability"].size() == 1);
     CHECK(r["stability"][0]["error"] == 0.5);
     for (const auto& timed_part : {r, r["items"][0], r["stability"][0]})
       CHECK((timed_part["seconds"] > 0) == timed);
   }
-}
-
-TEST_CASE("unit: a figure that is drawn by the chapter itself stands among the figures") {
-  const Sample s;
-  const report::Section paper{report::figure("fig-1", "F", [](report::Item& item) {
-    item.sketch();
-    item.image([](const fs::path& png) { std::ofstream{png} << "drawn"; });
-  })};
-  REQUIRE(s.reproduce(paper) == 0);
-  CHECK(fs::file_size(s.scratch.path / "figures/00-sample/fig-1.png") == 5);
-  CHECK(s.record()["items"][0]["png"] == "fig-1.png");
-}
-
-TEST_CASE("unit: --only computes just what is asked for") {
-  const Sample s;
-  bool other = false;
-  const report::Section paper{
-      report::table("t", "T", [](report::Item& item) { item.sketch(); }),
-      report::table("u", "U", [&](report::Item& item) { other = true, item.sketch(); })};
-  CHECK(s.reproduce(paper, {"--only", "t"}) == 0);
-  CHECK_FALSE(other);
-  CHECK(s.record()["only"][0] == "t");
-  CHECK(s.reproduce(paper, {"--only", "v"}) == 2);
-}
-
-TEST_CASE("unit: a list of the items computes none of them") {
-  const Sample s;
-  bool computed = false;
-  const report::Section paper = one([&](report::Item& item) { computed = true, item.sketch(); });
-  CHECK(run(s.scratch.path, paper, {"list"}) == 0);
-  CHECK_FALSE(computed);
-}
-
-TEST_CASE("input: a chapter without a command is refused, help is not") {
-  const Sample s;
-  const report::Section paper = one([](report::Item& item) { item.sketch(); });
-  CHECK(run(s.scratch.path, paper, {}) == 2);
-  CHECK(run(s.scratch.path, paper, {"--help"}) == 0);
-  CHECK(run(s.scratch.path, {paper[0], paper[0]}, {"list"}) == 1);  // an item named twice
 }

@@ -11,6 +11,11 @@ TEST_CASE("unit: half a unit of the last printed digit") {
   CHECK(half_last_digit(".15935") == Approx(0.000005));
   CHECK(half_last_digit("1.7e-7") == Approx(0.05e-7));
   CHECK(half_last_digit("-5 365") == 0.5);
+  CHECK(half_last_digit("+1,234.5E+3") == 50);
+  CHECK(last_decade("39240") == 0);
+  CHECK(last_decade("-1.75e-7") == -9);
+  CHECK(printed_number("+1,234.5E+3") == 1234.5e3);
+  CHECK(std::isnan(printed_number("1e999")));
   CHECK(printed_number("-5 365") == -5365);
   CHECK(printed_number(".0767") == 0.0767);
   CHECK(std::isnan(printed_number("6?.5")));
@@ -58,10 +63,15 @@ TEST_CASE("extreme: NaN and infinity never pass") {
 }
 
 TEST_CASE("input: an unsound tolerance is a programming error") {
-  CHECK_THROWS_AS(compare("1", 1, relative(0.1, "")), std::logic_error);
-  CHECK_THROWS_AS(compare("1", 1, relative(-0.1, "r")), std::logic_error);
-  CHECK_THROWS_AS(compare("1", 1, absolute(0, "r")), std::logic_error);
-  CHECK_THROWS_AS(compare("one", 1, last_digit()), std::logic_error);
+  const double inf = std::numeric_limits<double>::infinity();
+  for (const Tolerance& t : {relative(0.1, ""), absolute(0.1, ""), digitised(0.1, 1, ""),
+                             misprint(2, 0.1, ""), at_most(""), at_least("")})
+    CHECK_THROWS_WITH(compare("1", 1, t),
+                      std::string{name(t.kind)} + " tolerance without a reason");
+  for (const double none : {-0.1, 0.0, inf, std::nan("")})
+    CHECK_THROWS_WITH(compare("1", 1, relative(none, "r")),
+                      "relative tolerance is not a positive number");
+  CHECK_THROWS_WITH(compare("one", 1, last_digit()), "printed text \"one\" is not a number");
 }
 
 TEST_CASE("property: every passing check bites") {

@@ -1,5 +1,7 @@
 // Turns with the clock, between two processes that share a folder.
+#include <fcntl.h>
 #include <poll.h>
+#include <sys/file.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -8,6 +10,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "../support/set_variable.hpp"
 #include "../support/temporary_folder.hpp"
 #include "report/turn.hpp"
 
@@ -42,15 +45,61 @@ TEST_CASE("the two processes", "[.turn]") {  // hidden: run by the one below
   CHECK(status == 0);
 }
 
+TEST_CASE("turns from within", "[.turn]") {  // hidden: run by the last one
+  const TemporaryFolder folder("turns");
+  REQUIRE(setenv("RAILBOOK_TURNS", folder.path.c_str(), 1) == 0);
+  const auto free_for = [&](int how, const char* name) {
+    const int other = open((folder.path / name).c_str(), O_RDWR | O_CREAT, 0666);
+    const bool got = flock(other, how | LOCK_NB) == 0;
+    close(other);
+    return got;
+  };
+  { const report::ClockTurn without_work; }
+  CHECK(free_for(LOCK_EX, "room"));
+  {
+    const report::WorkTurn work;
+    for (int k = 0; k < 2; ++k) {
+      CHECK(free_for(LOCK_EX, "door"));
+      CHECK(free_for(LOCK_SH, "room"));
+      CHECK_FALSE(free_for(LOCK_EX, "room"));
+      const report::ClockTurn clock;
+      CHECK(free_for(LOCK_EX, "door"));
+      CHECK_FALSE(free_for(LOCK_SH, "room"));
+    }
+  }
+  CHECK(free_for(LOCK_EX, "room"));
+  { const report::ClockTurn after_work; }
+  CHECK(free_for(LOCK_EX, "room"));
+  CHECK(std::filesystem::status(folder.path / "door").permissions() ==
+        std::filesystem::perms(0644));
+}
+
+TEST_CASE("no turns", "[.turn]") {  // hidden: run by the last one
+  const SetVariable turns("RAILBOOK_TURNS");
+  turns.to(nullptr);
+  const TemporaryFolder at("none");
+  const int stream = dup(1), file = open((at.path / "f").c_str(), O_RDWR | O_CREAT, 0600);
+  dup2(file, 1);
+  const report::WorkTurn work;
+  const report::ClockTurn clock;
+  const int other = open((at.path / "f").c_str(), O_RDWR);
+  const bool taken = flock(other, LOCK_EX | LOCK_NB) != 0;  // a stream is no lock
+  dup2(stream, 1);
+  CHECK_FALSE(taken);
+}
+
 // A process opens its locks once, and a test before this one may have done so where there were none.
 TEST_CASE("who measures time waits until the others have done their item") {
-  const pid_t fresh = fork();
-  REQUIRE(fresh >= 0);
-  if (fresh == 0) {
-    execl("/proc/self/exe", "test_report", "the two processes", static_cast<char*>(nullptr));
-    _exit(127);
+  for (const char* name : {"the two processes", "turns from within", "no turns"}) {
+    const pid_t fresh = fork();
+    REQUIRE(fresh >= 0);
+    if (fresh == 0) {
+      execl("/proc/self/exe", "test_report", name, static_cast<char*>(nullptr));
+      _exit(127);
+    }
+    int status = 0;
+    REQUIRE(waitpid(fresh, &status, 0) == fresh);
+    CAPTURE(name);
+    CHECK(status == 0);
   }
-  int status = 0;
-  REQUIRE(waitpid(fresh, &status, 0) == fresh);
-  CHECK(status == 0);
 }
