@@ -3,7 +3,7 @@
 
     make mutate [FAULTS=100] [SEED=1]    or    tests/mutate/mutate.py --faults 100 --seed 1 [--only lib/contact] [--far]
 
-Each fault is run by what is nearest: the test program of its room of lib/, the ctests of its tool. Killed: a test
+Each fault is run by what is nearest: the test program of its room of lib/, the quick ctests of its tool. Killed: a test
 fails, ends by a signal, or takes four times its processor time. With --far, what survives is run by the rest that ctest
 runs and that links it: the test programs of the rooms above, the chapters (their checks and golden data), the tools.
 A fault that does not compile is replaced. The score is one of a sample, and the kinds are drawn evenly, not as people
@@ -231,7 +231,7 @@ class Tests:
     def command(self, program, pattern, made):
         out = self.tree.out / "run"
         if pattern:
-            return [["ctest", "--test-dir", str(self.tree.build), "--stop-on-failure", "-j", "2", "-R", pattern]]
+            return [["ctest", "--test-dir", str(self.tree.build), "--stop-on-failure", "-j", "2", "-LE", "thorough", "-R", pattern]]
         if "/test_" in program:
             return [[made, "--abort"]]
         chapter = chapter_folder(program)
