@@ -13,23 +13,35 @@ answers() {
   "$railbook" "$subject" "$@" --no-figures --out "$to" --json >"$to.json" 2>said || fail "$*: $(cat said)"
   sed '/"flags": {/q' "$to.json" | grep '^  "[^"]* [^"]*": ' && fail "$*: a key with a space in it"
 }
+# draws FOLDER arguments...: as answers, with a gnuplot that leaves what it is given to draw in FOLDER.drawn/1/d1.csv and so on.
+draws() {
+  to=$1
+  shift
+  mkdir "$to.drawn"
+  printf '#!/bin/sh\nto=%s/$(ls %s | wc -l | xargs expr 1 +)\nmkdir "$to" && cp ./*.csv "$to" && printf "\\211PNG\\r\\n\\032\\nIEND\\256B\\140\\202" >out.png\n' \
+    "$folder/$to.drawn" "$folder/$to.drawn" >"$to.gnuplot"
+  chmod +x "$to.gnuplot"
+  RAILBOOK_GNUPLOT=$folder/$to.gnuplot "$railbook" "$subject" "$@" --out "$to" --json >"$to.json" 2>said || fail "$*: $(cat said)"
+}
 # v FOLDER KEY: a number of the answer.
 v() { sed -n "s/^  \"$2\": \(-\?[0-9][0-9.e+-]*\),\?\$/\1/p" "$1.json" | head -1; }
 # near WHAT VALUE EXPECTED WITHIN
 near() { awk -v a="$2" -v b="$3" -v within="$4" 'BEGIN {exit !(a != "" && a - b <= within && b - a <= within)}' || fail "$1: $2 is not $3"; }
-# holds WHAT FILE PROGRAM assignments...: an awk program over a CSV, columns by name in c, that counts what is wrong in `wrong`.
+# holds WHAT FILE PROGRAM assignments...: an awk program over a CSV, columns by name in c, that counts what is wrong in `wrong`. $functions: of
+# awk, for the program.
 holds() {
   what=$1 file=$2 program=$3
   shift 3
   # shellcheck disable=SC2046 # one word each
-  awk $(for one in "$@"; do echo "-v $one"; done) -F, 'function abs(x) {return x < 0 ? -x : x}
+  awk $(for one in "$@"; do echo "-v $one"; done) -F, "$functions"'function abs(x) {return x < 0 ? -x : x}
     function near(x, y, within) {if (y == "" || !(abs(x - y) <= within)) {print x, "is not", y; wrong++}}
     NR == 1 {for (i = 1; i <= NF; ++i) c[$i] = i; next} {++rows} '"$program"' END {exit wrong > 0 || rows == 0}' "$file" >said ||
     fail "$what: $(head -5 said)"
 }
 # means FOLDER PROGRAM assignments...: an awk program over the answer's values v[key], notes[key] and units[key]. is(key, expected, within)
-# compares, relative to the expected value and to 1e-6 where nothing else is said; says(key, pattern) looks into a text or a note.
-# Every value must be named by one of them or by free(keys); flags(keys) names all the doubts. $functions: of awk, for the program.
+# compares, relative to the expected value and to 1e-6 where nothing else is said; says(key, pattern) looks into a text or a note,
+# doubts(key, pattern) into a doubt.
+# Every value must be named by one of them or by free(keys); flags(keys) names all the doubts.
 functions=
 means() {
   answer=$1.json program=$2
@@ -42,6 +54,7 @@ means() {
       if (!(key in v) || !(abs(v[key] - x) <= within * (x == 0 ? 1 : abs(x)))) bad(key " is " v[key] ", not " x)}
     function says(key, pattern) {named[key]; if ((v[key] " | " notes[key]) !~ pattern) bad(key " does not say " pattern ": " v[key] " | " notes[key])}
     function free(keys, all, n) {n = split(keys, all, " "); for (; n > 0; --n) {named[all[n]]; if (!(all[n] in v)) bad("no " all[n])}}
+    function doubts(key, pattern) {expected[key]; if (flag[key] !~ pattern) bad("doubt " key " does not say " pattern ": " flag[key])}
     function flags(keys, all, n) {n = split(keys, all, " "); for (; n > 0; --n) {expected[all[n]]; if (!(all[n] in flag)) bad("no doubt " all[n])}}
     NF == 1 {section = $1; next}
     section == "values" {v[$1] = $2; ++rows} section == "units" {units[$1] = $2} section == "notes" {notes[$1] = $2} section == "flags" {flag[$1] = $2}

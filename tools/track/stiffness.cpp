@@ -149,10 +149,6 @@ void discrete_ties(const WinklerBeam& beam, double spacing, tool::Summary& answe
 // The two-mass model of the same track for impact, eqs (15) to (19).
 void lumped(const Wish& wish, const RailSection& rail, const TieSupport& support,
             tool::Summary& answer) {
-  if (support.tie_stiffness == rigid && support.pad_stiffness == rigid) {
-    answer.add("lumped", "lumped model", "none: pad and tie are both rigid");
-    return;
-  }
   if (support.friction_angle < 1e-3) {
     answer.add("lumped", "lumped model", "none: eq. (18) needs a friction angle above zero");
     return;

@@ -50,3 +50,37 @@ awk -F, 'function settle() {if (row > 1 && (abs(high - h[row]) > 1e-5 || abs(low
   {while (row < n && $1 / 1000 >= at[row + 1] - 1e-9) {settle(); ++row}} $2 == "" || $2 == "nan" {next} $2 > high {high = $2} $2 < low {low = $2}
   END {settle(); exit wrong > 0 || n < 100}' worst/extremes.csv worst/channel.csv >said || fail "extremes: $(head -3 said)"
 holds "the histogram" index/histogram.csv '{sum += $2} END {near(sum, 12000 - m, 0)}' m="$(v index missing)"
+# The limits of a car by hand: a roll mode on a wavy track, r^2 / sqrt((1 - r^2)^2 + (2 z r)^2) of the amplitude, whose peak holds for all
+# shorter waves, since slower trains meet it there; and the force of two masses, w^2 |m_w + m_b (k + i b w) / (k - m_b w^2 + i b w)|.
+functions='function root(x) {return x ^ 0.5} function min(x, y) {return x < y ? x : y} function max(x, y) {return x > y ? x : y}
+  function gain(r) {return r ^ 2 / root((1 - r ^ 2) ^ 2 + (2 * z * r) ^ 2)}
+  function by_stroke(wave, r) {r = V / wave / f; return stroke / (r > 1 / root(1 - 2 * z ^ 2) ? 1 / (2 * z * root(1 - z ^ 2)) : gain(r))}
+  function by_force(wave, w, re, im, d) {w = 2 * 3.14159265358979 * V / wave; re = k - mb * w ^ 2; im = b * w; d = re ^ 2 + im ^ 2
+    return (F - 9.80665 * (mw + mb)) / (w ^ 2 * root((mw + mb * (k * re + im ^ 2) / d) ^ 2 + (mb * (im * re - k * im) / d) ^ 2))} '
+car="V=30 f=0.6 z=0.15 stroke=0.04 mw=900 mb=9000 F=150e3 k=$(awk 'BEGIN {printf "%.12g", 9000 * (3 * 3.14159265358979) ^ 2}') b=$(awk 'BEGIN {printf "%.12g", 1.2 * 9000 * 3 * 3.14159265358979}')"
+level=$(awk 'BEGIN {printf "%.12g", 0.04 * 2 * 0.15 * sqrt(1 - 0.15 ^ 2)}')
+stiff=$(echo "$car" | sed 's/.* k=\([0-9.]*\) b=\(.*\)/--stiffness \1N\/m --damping \2N*s\/m/')
+for how in "--stroke 4cm --bounce-frequency 1.5Hz --bounce-damping 0.6" "--level ${level}m $stiff"; do
+  # shellcheck disable=SC2086 # options
+  answers limit limit --speed 30m/s --roll-frequency 0.6Hz --roll-damping 0.15 $how --wheel-mass 900kg --body-mass 9t --wheel-force 150kN --wavelength 0.8m 3m 40m 300m
+  # shellcheck disable=SC2086 # assignments
+  means limit 'is("speed_km_per_h", 108); is("stroke_limit_cm", 100 * stroke); says("stroke_limit_cm", "0.6 Hz, damping 0.15"); is("level_cm", 100 * stroke * 2 * z * root(1 - z ^ 2))
+    is("flat_until_m", V / f * root(1 - 2 * z ^ 2), 1e-5); is("static_force_kN", 9.9 * 9.80665); is("force_margin_kN", F / 1e3 - 9.9 * 9.80665)
+    is("corner_m", v["corner_m"]); ours = by_force(v["corner_m"]) / by_stroke(v["corner_m"]); if (abs(ours - 1) > 1e-5) bad("corner " ours)
+    n = split("0.8 3 40 300", waves, " "); for (; n > 0; --n) {w = waves[n]; key = "amplitude_cm_at_" w "_m"; is(key, 100 * min(by_stroke(w), by_force(w)))
+      says(key, by_force(w) < by_stroke(w) ? "wheel force" : "stroke")}' $car
+done
+# shellcheck disable=SC2086 # assignments
+holds "the allowed amplitude" limit/limit.csv '{near($2 / min($3, $4), 1, 1e-5); near($3 / (100 * by_stroke($1)), 1, 1e-4); near($4 / (100 * by_force($1)), 1, 1e-4)}
+  rows == 1 {near($1, 0.5, 0)} {last = $1} END {near(last, 1000, 0); near(rows, 266, 0)}' $car
+functions=
+# A lightly damped body has a resonance of the force; a mode that counts alone says nothing of the other, nor of a corner.
+answers resonant limit --speed 30m/s --wheel-mass 900kg --body-mass 9t --bounce-frequency 1.5Hz --bounce-damping 0.1 --wavelength 20m --mode force
+grep -q '"force_note"' resonant.json && ! grep -q 'force_note' limit.json || fail "a resonance of the wheel force"
+[ "$(head -1 resonant/limit.csv)" = "wavelength_m,amplitude_cm,force_cm" ] || fail "columns of the force alone"
+means resonant 'for (key in v) if (key ~ /stroke|level|flat|corner/) bad(key); else free(key); says("amplitude_cm_at_20_m", "wheel force")'
+answers both limit --speed 30m/s --wheel-mass 900kg --body-mass 9t --bounce-frequency 1.5Hz --bounce-damping 0.1 --wavelength 20m --mode combined
+answers alone limit --speed 30m/s --wheel-mass 900kg --body-mass 9t --bounce-frequency 1.5Hz --bounce-damping 0.1 --wavelength 20m --mode stroke
+means alone 'is("stroke_limit_cm", v["stroke_limit_cm"]); for (key in v) if (key ~ /force|corner/) bad(key); else free(key); says("amplitude_cm_at_20_m", "stroke")'
+near "the smaller amplitude" "$(v both amplitude_cm_at_20_m)" "$(awk -v a="$(v resonant amplitude_cm_at_20_m)" -v b="$(v alone amplitude_cm_at_20_m)" 'BEGIN {print a < b ? a : b}')" 1e-4
+grep -q corner_m both.json || fail "no corner of two limits"
