@@ -84,3 +84,43 @@ answers alone limit --speed 30m/s --wheel-mass 900kg --body-mass 9t --bounce-fre
 means alone 'is("stroke_limit_cm", v["stroke_limit_cm"]); for (key in v) if (key ~ /force|corner/) bad(key); else free(key); says("amplitude_cm_at_20_m", "stroke")'
 near "the smaller amplitude" "$(v both amplitude_cm_at_20_m)" "$(awk -v a="$(v resonant amplitude_cm_at_20_m)" -v b="$(v alone amplitude_cm_at_20_m)" 'BEGIN {print a < b ? a : b}')" 1e-4
 grep -q corner_m both.json || fail "no corner of two limits"
+# The index of bumps.csv again from its channel: moments of the magnitude, what lies beyond the threshold, the histogram, the classes, the worst places.
+draws index2 index bumps.csv --speed 100km/h --segment 100m --threshold 0.95 --accept 0.4
+awk -F, 'NR == 1 || $2 == "" || $2 == "nan" {none += NR > 1; next} {p = $2 < 0 ? -$2 : $2; ++n; sum += p; squares += p * p; if (p > most) most = p; above += p > 0.95; ++bin[p < 3.99 ? int(p / 0.02) : 199]}
+  END {mean = sum / n; printf "n=%d none=%d mean=%.9g rms=%.9g dev=%.9g most=%.9g above=%.9g\n", n, none, mean, sqrt(squares / n), sqrt(squares / n - mean ^ 2), most, above / (n / 4000) >"moments"
+    for (k = 0; k < 200; ++k) printf "%.2f,%d\n", 0.02 * k + 0.01, bin[k] >"bins"}' index2/channel.csv
+tail -n +2 index2/histogram.csv | paste -d, - bins | awk -F, '$1 != $3 {exit 1} {d = $2 - $4; off += d < 0 ? -d : d} END {exit !(NR == 200 && off <= 8)}' || fail "the histogram"
+for class in accept watch repair unsure; do echo "$class=$(grep -c ",$class\$" index2/segments.csv)"; done >classes
+# The longest wave in doubt near an end is that of the resonance at the posted speed, 27.8 m/s over 0.5 Hz; a gap has two ends.
+# shellcheck disable=SC2046 # assignments
+means index2 'is("speed_km_per_h", 100); is("length_km", 3); says("length_km", "12000 samples, " none " missing, 0 bridged"); is("spacing_m", 0.25); is("missing", none); is("bridged", 0); is("faulty", 20)
+  is("mean", mean, 1e-5); is("rms", rms, 1e-5); is("deviation", dev, 1e-4); is("largest", most); is("n", (0.95 - mean) / dev, 1e-4); is("above_per_km", above, 1e-5); says("above_per_km", "threshold 0.95")
+  is("exceedances", count); says("exceedances", sprintf("%.3g per km", count / (n / 4000))); is("segments", 30); says("segments", "of 100 m"); is("segments_watch", watch); is("segments_repair", repair)
+  is("segments_unsure", unsure); says("segments_watch", "beyond 0.4"); says("segments_repair", "beyond 0.95"); is("shortest_m", 0); if (!(watch > 0 && repair > 0 && unsure > 0)) bad("classes")
+  free("unsure gain_error stroke_limit_cm flat_until_m worst_1 worst_2"); is("level_cm", 1.6); flags("codes"); for (key in v) if (key ~ /^worst/) says(key, "^[+-][0-9.]+ at [0-9.]+ m, wavelength [0-9.]+ m, stroke(, unsure)?")' \
+  $(cat moments classes) count=$(($(wc -l <index2/exceedances.csv) - 1))
+[ "$(tail -1 index2/threshold.csv)" = "0.95,0,$(($(wc -l <index2/exceedances.csv) - 1))" ] || fail "threshold.csv: $(cat index2/threshold.csv)"
+# In doubt is what lies within a resonant wavelength of an end, of the mode that counts, or within what a lightly damped mode rings on.
+awk -F, -v OFS=, 'NR == 1 || NR % 4 == 2 {if (NR > 1 && $2 == "") $2 = 0; sub(/-999.9/, 0, $2); print}' bumps.csv >sparse.csv
+for car in "--roll-damping 0.9:27.7778/0.5:0" "--roll-frequency 0.8Hz --roll-damping 0.7:27.7778/0.8:0" \
+  "--mode force --wheel-mass 900kg --body-mass 9t --bounce-frequency 1.5Hz --bounce-damping 0.6:27.7778/1.5:2.5"; do
+  # shellcheck disable=SC2086 # options
+  answers doubt index sparse.csv --speed 100km/h ${car%%:*}
+  means doubt "margin = $(echo "$car" | cut -d: -f2); shortest = ${car##*:};"' for (key in v) free(key); is("spacing_m", 1); is("shortest_m", shortest); is("unsure", 2 * int(margin) / 3000, 1e-2)'
+done
+answers ringing index sparse.csv --speed 100km/h
+awk -v u="$(v ringing unsure)" 'BEGIN {exit !(u * 1500 > 1.2 * 27.7778 / 0.5)}' || fail "a mode that rings on: $(v ringing unsure)"
+answers dense index bumps.csv --speed 100km/h --mode force --wheel-mass 900kg --body-mass 9t --bounce-frequency 1.5Hz --bounce-damping 0.6
+near "the shortest wave of a force" "$(v dense shortest_m)" 1 0
+answers asked index sparse.csv --speed 100km/h --shortest 7m
+near "the shortest wave asked for" "$(v asked shortest_m)" 7 0
+# Of many records each has the row that it has alone, and its segments.
+cp bumps.csv again.csv
+"$railbook" quality index bumps.csv again.csv --speed 100km/h --segment 100m --threshold 0.95 --accept 0.4 --out many >said || fail "$(cat said)"
+awk -F, 'NR == 1 {for (i = 1; i <= NF; ++i) c[$i] = i; next} $1 != "again.csv" {next} $c["kind"] == "record" {print $c["mean"], $c["deviation"], $c["rms"], $c["largest"], $c["above_per_km"], $c["exceedances"], $c["unsure"], $c["samples"], $c["missing"], $c["faulty"], $c["from_m"], $c["to_m"], $c["length_km"], $c["flags"], $c["column"]}' many/index-table.csv >row
+echo "$(for key in mean deviation rms largest above_per_km exceedances unsure; do v index2 $key; done) 12000 70 20 0 3000 3" | xargs >expected
+awk 'NR == FNR {n = split($0, a); next} {exit !(n == 13 && $14 == "codes" && $15 == "profile"); } END {for (i = 1; i <= 13; ++i) {d = a[i] - $i; if (d > 1e-5 * a[i] || d < -1e-5 * a[i]) exit 1}}' expected row || fail "a row of many: $(cat row expected)"
+awk -F, 'FNR == 1 {for (i = 1; i <= NF; ++i) c[FILENAME == "index2/segments.csv", $i] = i; n = split("from_m to_m samples missing faulty mean deviation rms largest above_per_km exceedances class", keys, " "); next}
+  FILENAME == "index2/segments.csv" {++rows; for (i = 1; i <= n; ++i) one[rows, i] = $c[1, keys[i]]; next} $1 != "bumps.csv" || $c[0, "kind"] != "section" {next}
+  {++at; for (i = 1; i <= n; ++i) {x = $c[0, keys[i]]; y = one[at, i]; d = x - y; if (d < 0) d = -d; if (i == n ? x != y : d > 1e-5 * (y > 1 ? y : 1)) {print keys[i], x, y; wrong++}}} END {exit wrong > 0 || at != 30}' index2/segments.csv many/index-table.csv >said ||
+  fail "the segments of many: $(head -3 said)"
