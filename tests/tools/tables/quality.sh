@@ -124,3 +124,42 @@ awk -F, 'FNR == 1 {for (i = 1; i <= NF; ++i) c[FILENAME == "index2/segments.csv"
   FILENAME == "index2/segments.csv" {++rows; for (i = 1; i <= n; ++i) one[rows, i] = $c[1, keys[i]]; next} $1 != "bumps.csv" || $c[0, "kind"] != "section" {next}
   {++at; for (i = 1; i <= n; ++i) {x = $c[0, keys[i]]; y = one[at, i]; d = x - y; if (d < 0) d = -d; if (i == n ? x != y : d > 1e-5 * (y > 1 ? y : 1)) {print keys[i], x, y; wrong++}}} END {exit wrong > 0 || at != 30}' index2/segments.csv many/index-table.csv >said ||
   fail "the segments of many: $(head -3 said)"
+# Sines of 10 m on all channels, whole waves in a section: deviations of amplitude / sqrt 2, which a band of 3 to 25 m lets pass; twist on 3 m and
+# chords by their gains; the second half of the left rail half as rough. A wave of 25 m is at the edge of the band, where two passes leave half.
+awk 'BEGIN {print "distance_m,left_mm,right_mm,aleft_mm,aright_mm,gauge_mm,cant_mm,long_mm"; for (i = 0; i < 4000; ++i) {x = i / 4; w = 2 * 3.14159265358979 * x; s = sin(w / 10)
+  printf "%.2f,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f\n", x, 2 * s * (x < 600 ? 1 : 0.5), 30 * s, s, 1.5 * s, 1435 + 0.8 * s, 2.5 * s, 4 * sin(w / 25)}}' >sines.csv
+draws sines measures sines.csv --column left,right --alignment aleft,aright --gauge gauge --crosslevel cant --chords 31ft 7m --fra-class 3 --bands D2,D1
+functions='function chord(feet) {return 2 * sin(3.14159265358979 * feet * 0.3048 / 2 / 10) ^ 2} '
+holds "measures of sines" sines/measures.csv 'BEGIN {half = 1 / 2 ^ 0.5; twist = 2 * sin(3.14159265358979 * 0.3) / 3}
+  {near($c["from_m"], 200 * (rows - 1), 1e-9); near($c["to_m"], 200 * rows, 1e-9); near($c["samples"], 800, 0); near($c["missing"], 0, 0); inner = rows > 1 && rows < 5
+    l = rows < 4 ? 2 : 1; near($c["left_sd_mm"] / (l * half), 1, 1e-3); near($c["right_sd_mm"] / (30 * half), 1, 1e-3); near($c["gauge_sd_mm"] / (0.8 * half), 1, 1e-3)
+    near($c["cant_sd_mm"] / (2.5 * half), 1, 1e-3)}
+  inner {near($c["twist_sd_mm_per_m"] / (2.5 * twist * half), 1, 2e-3); near($c["right_D1_sd_mm"] / (30 * half), 1, 5e-3); near(abs($c["twist_largest_mm_per_m"]) / (2.5 * twist), 1, 2e-3)
+    near(abs($c["right_D1_largest_mm"]) / 30, 1, 0.01); near(abs(sin(2 * 3.14159265358979 * $c["right_D1_largest_at_m"] / 10)), 1, 0.02)
+    near(abs($c["aright_chord_largest_mm"]) / (1.5 * chord(62)), 1, 0.02); near(abs($c["aright_chord_31ft_largest_mm"]) / (1.5 * chord(31)), 1, 0.02)
+    near(abs($c["aright_chord_7m_largest_mm"]) / (1.5 * chord(7 / 0.3048)), 1, 0.02); near($c["right_D2_sd_mm"] / (30 * half), 0, 0.03)}
+  rows == 2 {near($c["combined_sd_mm"], half * (16 ^ 2 + 1.25 ^ 2 + 0.8 ^ 2 + 2.5 ^ 2) ^ 0.5, 0.06); near($c["tqi_mm"], half * (2 + 30 + 1 + 1.5 + 0.8 + 2.5 + 3 * 2.5 * twist), 0.01)
+    d = 30 * chord(62); near($c["fra_class"], (d <= 76.2) + (d <= 69.85) + (d <= 57.15) + (d <= 50.8) + (d <= 31.75), 0)} END {near(rows, 5, 0)}'
+# The largest value is of its own sign, where it is.
+awk -F, 'NR == 1 {print "distance_m,left_mm"; next} {print $1 "," 7 * exp(-(($1 - 500) / 2) ^ 2) - 9 * exp(-(($1 - 300) / 2) ^ 2) + 0.01 * sin($1 ^ 2)}' sines.csv >lone.csv
+answers lone measures lone.csv --column left --section 200m
+holds "lone samples" lone/measures.csv 'rows == 2 {near($c["left_chord_largest_at_m"], 300, 1e-9); near($c["left_chord_largest_mm"] / -9, 1, 0.01); near($c["left_D1_largest_mm"] < 0, 1, 0)}
+  rows == 3 {near($c["left_chord_largest_at_m"], 500, 1e-9); near($c["left_chord_largest_mm"] / 7, 1, 0.01); near($c["left_D1_largest_mm"] > 0, 1, 0)}'
+functions=
+means sines 'half = 1 / 2 ^ 0.5; twist = 2 * sin(pi * 0.3) / 3; is("length_km", 1); is("spacing_m", 0.25); is("missing", 0); is("bridged", 0); is("faulty", 0); is("section_m", 200); is("passes", 2)
+  is("left_median_sd", 2 * half, 1e-3); is("left_worst_sd", 2 * half, 1e-3); says("left_worst_sd", "from (0|200|400) m"); is("right_median_sd", 30 * half, 1e-3); is("gauge_median_sd", 0.8 * half, 1e-3)
+  is("cant_median_sd", 2.5 * half, 1e-3); is("twist_median_sd", 2.5 * twist * half, 2e-3); is("aleft_D1_median_sd", half, 5e-3); is("aright_D1_median_sd", 1.5 * half, 5e-3); is("left_D1_median_sd", 2 * half, 5e-3)
+  is("exceptions", exceptions); for (key in v) if (key ~ /(_worst|D2_median|right_median|D1_median)_sd$|(aleft|aright)_median/) free(key); flags("unit")' exceptions=$(($(wc -l <sines/exceptions.csv) - 1))
+for passes in 1 2; do answers edge$passes measures sines.csv --column long --passes $passes; done
+near "the edge of a band in two passes" "$(v edge2 long_D1_median_sd)" 1.414 0.03
+near "the edge of a band in one" "$(v edge1 long_D1_median_sd)" 2 0.04
+near "passes" "$(v edge1 passes)" 1 0
+# Drawn are the deviations in the first band, and those of gauge and cross level as they are, each from the begin of its section to the end.
+awk -F, '/^distance/ {name = $3; gsub(/"/, "", name); ++blocks; next} NF == 3 {++rows[name]; sum[name] += $2; if ($1 > last) last = $1} END {exit !(blocks == 6 && rows["right D2"] == 10 && rows["gauge "] == 10 && rows["cant "] == 10 && last == 1 &&
+  sum["gauge "] > 5.65 && sum["gauge "] < 5.66)}' sines.drawn/1/d1.csv || fail "the picture: $(head -3 sines.drawn/1/d1.csv)"
+# Of two records each has a row with its exceptions.
+cp sines.csv sines2.csv
+"$railbook" quality measures sines.csv sines2.csv --column left,right --fra-class 3 --out measured >said || fail "$(cat said)"
+answers alone2 measures sines.csv --column left,right --fra-class 3
+awk -F, -v n="$(v alone2 exceptions)" 'NR == 1 {for (i = 1; i <= NF; ++i) c[$i] = i; next} $c["kind"] == "record" {++records; bad += $c["exceptions"] != n || $c["samples"] != 4000} $c["kind"] == "section" {++sections}
+  END {exit !(records == 2 && sections == 10 && bad == 0)}' measured/measures-table.csv || fail "measures of two: $(v alone2 exceptions) $(head -2 measured/measures-table.csv)"
