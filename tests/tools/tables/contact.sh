@@ -30,3 +30,54 @@ for end in '$1 < 10' '$1 > 4'; do
   "$railbook" contact solve --body-2-profile cut.csv --body-1-radius-along 460mm --load 80kN >said 2>&1
   [ $? = 2 ] && grep -q "profile" said || fail "a profile that is cut off: $(cat said)"
 done
+# Crossed cylinders of one radius touch in a circle: Hertz by hand, of two materials, by load and by approach, in either system of units.
+circle='e = 1 / ((1 - 0.25 ^ 2) / 200e9 + (1 - 0.35 ^ 2) / 100e9); R = 0.4; a = (0.75 * F * R / e) ^ (1 / 3); depth = a ^ 2 / R; p = 1.5 * F / (pi * a ^ 2)
+  U = shown == "inch" ? 25.4 : 1; S = shown == "inch" ? 25.4 : 1; P = shown == "inch" ? 6894.757293168 : 1e6; N = shown == "inch" ? 4.4482216152605 : 1e3
+  l = shown == "inch" ? "in" : "mm"; s = shown == "inch" ? "mil" : "um"; q = shown == "inch" ? "psi" : "MPa"; f = shown == "inch" ? "lbf" : "kN"
+  is("effective_modulus_" q, e / P); is("x_touch_" l, 0); is("approach_" s, 1e6 * depth / S, 1e-3); is("force_" f, F / N, 1e-3); is("moment_x", 0); is("moment_y", 0); is("p_max_" q, p / P, 2e-3)
+  is("x_p_max_" l, 0, 1e-6); is("y_p_max_" l, 0, 1e-6); is("x_min_" l, -1e3 * a / U, 0.02); is("x_max_" l, 1e3 * a / U, 0.02); is("y_min_" l, -1e3 * a / U, 0.02); is("y_max_" l, 1e3 * a / U, 0.02)
+  is("area_" l "2", pi * 1e6 * a ^ 2 / U ^ 2, 0.01); is("patches", 1); says("grid", "^63 x 65 cells, " cells " in contact"); free("iterations")
+  is("hertz_approach_" s, 1e6 * depth / S); is("hertz_force_" f, F / N); is("hertz_p_max_" q, p / P); is("hertz_a_" l, 1e3 * a / U); is("hertz_b_" l, 1e3 * a / U)
+  says(way == "load" ? "hertz_force_" f : "hertz_approach_" s, "as asked"); says(way == "load" ? "hertz_approach_" s : "hertz_force_" f, "the grid is off by")'
+bodies="--body-1-radius-along 400mm --body-2-radius-across 400mm --body-1-young 200GPa --body-1-poisson 0.25 --body-2-young 100GPa --body-2-poisson 0.35 --cells-x 63 --cells-y 65"
+# shellcheck disable=SC2086 # options
+draws by-load solve $bodies --load 80kN
+depth=$(awk 'BEGIN {e = 1 / (0.9375 / 200e9 + 0.8775 / 100e9); printf "%.12g", (0.75 * 80e3 * 0.4 / e) ^ (2 / 3) / 0.4}')
+# shellcheck disable=SC2086 # options
+answers by-approach solve $bodies --approach "${depth}m" --system inch
+means by-load "$circle" F=80e3 way=load shown=metric cells="$(awk -F, 'NR > 1 && $3 > 0 {++n} END {print n}' by-load/pressure.csv)"
+means by-approach "$circle" F=80e3 way=approach shown=inch cells="$(awk -F, 'NR > 1 && $3 > 0 {++n} END {print n}' by-approach/pressure.csv)"
+[ "$(tail -1 by-load.drawn/1/d3.csv)" = "mm,MPa,x across the rail,y along the rail" ] || fail "units of the drawing: $(cat by-load.drawn/1/d3.csv)"
+# All cells of the grid are in the map, the outline is the circle, and the same on both sides.
+awk -F, 'NR > 1 && NF == 3 {++n; if (!(($1) in x)) ++nx; x[$1]; if (!(($2) in y)) ++ny; y[$2]} END {exit !(n == 63 * 65 && nx == 63 && ny == 65)}' by-load/pressure.csv || fail "cells of the map"
+holds "the outline" by-load/outline.csv '{near($2, -$3, 1e-9); near(sqrt($1 ^ 2 + $3 ^ 2) / a, 1, 0.03)} $1 < least {least = $1} $1 > most {most = $1} END {near(least / a, -1, 0.06); near(most / a, 1, 0.06)}' a="$(v by-load hertz_a_mm)"
+# Turned bodies are drawn along the principal axes; half as large as a fifth of a radius they are no doubt, beyond it they are.
+draws skew solve --body-1-radius-along 200mm --body-2-radius-across 500mm --body-2-radius-along 400mm --angle 30deg --load 80kN --cells-x 31 --cells-y 31
+[ "$(tail -1 skew.drawn/1/d3.csv)" = "mm,MPa,first principal axis,second principal axis" ] || fail "axes of turned bodies"
+"$railbook" contact solve --body-1-radius-along 10mm --body-2-radius-across 10mm --load 160kN --cells-x 31 --cells-y 31 >wide || fail "a wide contact"
+awk '/DOUBTFUL: the contact reaches 0\.22 of/ {found = 1} END {exit !found}' wide || fail "a contact of a fifth of its radius: $(cat wide)"
+"$railbook" contact solve --body-1-radius-along 100mm --body-2-radius-across 100mm --load 80kN --cells-x 31 --cells-y 31 | grep -q DOUBTFUL && fail "a contact of 6 % of its radius"
+for way in "--load 200kN:give less load" "--approach 2mm:give less approach"; do
+  # shellcheck disable=SC2086 # options
+  "$railbook" contact solve --body-1-radius-across 1mm --body-2-radius-along 1mm ${way%%:*} --cells-x 31 --cells-y 31 2>&1 | grep -q "half width of the contact is .* with a radius of 0.001 m across the rail of body 1; .*${way#*:}" || fail "$way"
+done
+# Half the width is told along each radius: a body turned on a ball, or its radii exchanged, reaches as far of them.
+for body in "8mm --body-2-radius-along 300mm:0" "8mm --body-2-radius-along 300mm:30" "8mm --body-2-radius-along 300mm:90" "300mm --body-2-radius-along 8mm:0"; do
+  # shellcheck disable=SC2086 # options
+  "$railbook" contact solve --body-1-radius-along 20mm --body-1-radius-across 20mm --body-2-radius-across ${body%:*} --angle "${body#*:}deg" --load 300kN | sed -n 's/.*contact reaches \([0-9.]*\) of.*/\1/p'
+done | xargs | awk '{for (k = 2; k <= 4; ++k) if ($k > 1.05 * $1 || $k < 0.95 * $1) exit 1; exit NF != 4}' || fail "turned on a ball"
+# The radius changes where the profile is lowest: a moment, and that of the pressures; a cell begins at the edge asked for.
+awk 'BEGIN {print "x_mm,height_mm"; for (i = -400; i <= 400; ++i) {x = i / 20; printf "%.2f,%.9f\n", x + 5, -x ^ 2 / (x < 0 ? 600 : 200)}}' >two-radii.csv
+answers uneven solve --body-2-profile two-radii.csv --body-1-radius-along 460mm --load 80kN --cells-x 64 --cells-y 33 --edge 5mm
+holds "an uneven contact" uneven/pressure.csv 'NF == 3 && !(($1) in seen) {seen[$1]; if (columns++ > 0) dx = $1 - before; before = $1} NF == 3 {if ($2 != row && row != "") dy = $2 - row; row = $2; sum += $3; turn += ($1 - touch) * $3; if ($3 > most) {most = $3; at = $1}}
+  END {near(touch, 5, 0.01); near(turn * dx * dy / 1e3, m, 0.01 * abs(m)); near(m < -1, 1, 0); near(sum * dx * dy / 80e3, 1, 2e-3); near(at, peak, dx); e = (before - 5) / dx; near(e - int(e), 0.5, 1e-3)}' \
+  touch="$(v uneven x_touch_mm)" m="$(v uneven moment_y)" peak="$(v uneven x_p_max_mm)"
+near "a moment about x" "$(v uneven moment_x)" 0 0
+grep -q hertz uneven.json && fail "Hertz for a profile"
+# Three summits 20 mm apart: alike, each with its ends and a share of the whole.
+awk 'BEGIN {print "x_mm,depth_mm"; for (k = 0; k <= 240; ++k) {u = (k % 80 - 40) / 4; printf "%.2f,%.9f\n", (k - 120) / 4, u ^ 2 / 500}}' >summits.csv
+answers three solve --body-1-profile summits.csv --body-1-radius-along 0.5m --approach 20um --cells-x 200 --cells-y 30
+means three 'for (key in v) free(key); is("patches", 3); says("patches", "apart"); sum = area = 0; for (k = 1; k <= 3; ++k) {sum += v["patch_" k "_force_kN"]; area += v["patch_" k "_area_mm2"]}
+  is("force_kN", sum, 0.01); is("area_mm2", area, 0.01); for (k = 1; k <= 3; ++k) {middle = (v["patch_" k "_x_min_mm"] + v["patch_" k "_x_max_mm"]) / 2; place[k] = middle; outer += abs(middle) > 1
+    is("patch_" k "_y_min_mm", -v["patch_" k "_y_max_mm"], 1e-3); is("patch_" k "_p_max_MPa", v["p_max_MPa"], 0.1); if (abs(middle) > 1 && abs(abs(middle) - 20) > 0.2) bad("place " middle)}
+  if (outer != 2) bad("places")'
