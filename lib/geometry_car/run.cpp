@@ -170,13 +170,13 @@ Column short_chords(const Column& z) {
 
 Column mean_curvature(const Column& turn, const Processing& p, long shift) {
   const auto n = static_cast<long>(turn.size());
-  const long half = p.curvature_mean / 2, reach = half + 1;
+  const long half = p.curvature_mean / 2;
   const double per = p.curvature_mean * p.layout.sample;
   Column c(turn.size(), nan);
   // turn[k] lies between k - 1 and k: a mean centred on a sample takes half of the outermost two.
-  for (long i = reach; i + reach <= n; ++i) {
+  for (long i = half; i + half + 1 < n; ++i) {
     const long to = i - shift;
-    if (to < 0 || to >= n || i + half + 1 >= n) continue;
+    if (to < 0 || to >= n) continue;
     double sum = 0.5 * (turn[static_cast<std::size_t>(i - half)] +
                         turn[static_cast<std::size_t>(i + half + 1)]);
     for (long j = i - half + 1; j <= i + half; ++j) sum += turn[static_cast<std::size_t>(j)];

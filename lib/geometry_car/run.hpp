@@ -55,8 +55,8 @@ std::array<Column, parameters> process(const Run& run, const Processing& process
 
 // Shared with the truth. Short chord offsets z_k - (z_{k-1} + z_{k+1})/2, NaN at the ends.
 Column short_chords(const Column& z);
-// Heading of the chord between the trucks (rad) after each foot -> curvature at the middle of the car, at the place of its
-// mean; `shift` samples later than the heading's, in the order given.
+// Turn of the chord between the trucks (rad) over each foot, NaN for the first row -> curvature at the middle of the car,
+// at the place of its mean; `shift` samples later than the heading's, in the order given.
 Column mean_curvature(const Column& turn, const Processing& processing, long shift);
 // The change of a column over `span` samples, centred.
 Column change_over(const Column& column, std::size_t span);

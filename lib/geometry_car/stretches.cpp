@@ -38,12 +38,11 @@ void Stretches::finish() {
 }
 
 void Stretches::judge(std::size_t to) {
-  const std::size_t keep_from = to - std::min(to, shared_);
+  const std::size_t keep_from = to - std::min(to, shared_);  // never before what is held
   Stretch s{.first = done_, .from = done_ - base_, .to = to - base_, .m = {}, .quality = {}};
   {
     Record record = record_;  // masked by examine(): what is shared must not be
-    const Health health =
-        examine(record, processing_, carried_, keep_from < base_ ? 0 : keep_from - base_ + ends);
+    const Health health = examine(record, processing_, carried_, keep_from - base_ + ends);
     for (Finding finding : health.findings) {
       finding.first += base_;
       keep(std::move(finding));
@@ -65,7 +64,7 @@ void Stretches::judge(std::size_t to) {
   ++stretches_;
   sink_(s);
   done_ = to;
-  const auto drop = static_cast<std::ptrdiff_t>(keep_from - std::min(keep_from, base_));
+  const auto drop = static_cast<std::ptrdiff_t>(keep_from - base_);
   record_.elapsed.erase(record_.elapsed.begin(), record_.elapsed.begin() + drop);
   record_.mark.erase(record_.mark.begin(), record_.mark.begin() + drop);
   for (auto& values : record_.values) values.erase(values.begin(), values.begin() + drop);

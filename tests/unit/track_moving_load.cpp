@@ -112,3 +112,20 @@ TEST_CASE("unit: a run in time at theta = 2, extrapolated in element and step, i
   CHECK(largest_difference(fe, 2, 0.4, -15, 10) < 1e-6);
   CHECK(fe.at_load == Approx(moving_load(2, 0.4).at_load()).margin(1e-6));
 }
+
+TEST_CASE("unit: an extrapolated run has the nodes that both of its beams have") {
+  // 10.1 beyond the load are 51 elements of 0.2 and 101 of 0.1: the finer beam ends before the coarser one's last node.
+  const FeNewmarkOptions options{.element = 0.2, .step = 0.1, .neglect = 0.1, .margin = 10.1};
+  const FeShape coarse = fe_newmark(1, 0.5, options);
+  const FeShape both = fe_newmark_extrapolated(1, 0.5, options);
+  CHECK(coarse.s.back() == Approx(10.2));
+  CHECK(both.s.back() == Approx(10.0));
+  REQUIRE(both.s.size() == both.y.size());
+  REQUIRE(both.s.size() == both.slope.size());
+  for (std::size_t i = 1; i < both.s.size(); ++i) REQUIRE(both.s[i] - both.s[i - 1] == Approx(0.2));
+  const FeShape fine = fe_newmark(1, 0.5, {0.1, 0.05, 0.1, 10.1});
+  CHECK(both.s.front() >= fine.s.front() - 1e-9);
+  CHECK(both.unknowns == fine.unknowns);
+  CHECK(both.steps == coarse.steps + fine.steps);
+  CHECK(both.at_load == Approx((16 * fine.at_load - coarse.at_load) / 15).epsilon(1e-12));
+}
