@@ -108,7 +108,8 @@ Update update_boundary(CountactStep& step, const CellNumbers& cells, const Count
     step.new_half[j] = edge.at;
   }
   step.move = largest_move(step);
-  if (!std::isfinite(step.move)) return {{}, "diverged: the boundary is not finite"};
+  if (!std::isfinite(step.move) || !step.new_half.allFinite())
+    return {{}, "diverged: the boundary is not finite"};
 
   const auto part = [share](double fresh, double old) { return old + share * (fresh - old); };
   Eigen::VectorXd x(kept + 2), half = Eigen::VectorXd::Zero(kept + 2);

@@ -48,9 +48,9 @@ double interpenetration_half_width(const Gap& gap, double approach, double x);
 
 // Where the pressure falls to zero on an outward line of positions s with pressures p, p[0] > 0 (Figs 3 and 4).
 struct Zero {
-  double at = 0;
-  int positive = 0;    // leading points of positive pressure
-  bool stuck = false;  // the pressure does not fall outward: `at` is the old boundary
+  double at;
+  int positive;  // leading points of positive pressure
+  bool stuck;    // the pressure does not fall outward: `at` is the old boundary
 };
 Zero find_zero(const Eigen::VectorXd& s, const Eigen::VectorXd& p, double boundary, Fit fit,
                bool inward_only);

@@ -19,7 +19,7 @@ Dampers dampers_of(const FreightCar& car) {
 }
 
 bool same(const Dampers& a, const Dampers& b) {
-  const auto near = [](double x, double y) { return std::abs(x - y) <= 1e-12 * std::abs(y); };
+  const auto near = [](double x, double y) { return std::abs(x - y) <= 1e-12 * y; };
   return near(a.lateral, b.lateral) && near(a.vertical, b.vertical) && near(a.warp, b.warp) &&
          near(a.centre_plate, b.centre_plate);
 }

@@ -263,10 +263,11 @@ FeShape fe_newmark_extrapolated(double theta, double zeta, const FeNewmarkOption
   half.step *= 0.5;
   const FeShape coarse = fe_newmark(theta, zeta, options), fine = fe_newmark(theta, zeta, half);
   FeShape both;
-  std::size_t twin = 0;  // the node of the fine run at the same s; its beam may be a little shorter
   for (std::size_t i = 0; i < coarse.s.size(); ++i) {
-    while (twin + 1 < fine.s.size() && fine.s[twin] < coarse.s[i] - 0.25 * half.element) ++twin;
-    if (std::abs(fine.s[twin] - coarse.s[i]) > 0.25 * half.element) continue;
+    // The node of the fine run at the same s; its beam may be a little shorter.
+    const double place = std::round((coarse.s[i] - fine.s.front()) / half.element);
+    if (place < 0 || place >= static_cast<double>(fine.s.size())) continue;
+    const auto twin = static_cast<std::size_t>(place);
     both.s.push_back(coarse.s[i]);
     both.y.push_back(fine.y[twin] + (fine.y[twin] - coarse.y[i]) / 15.0);
     both.slope.push_back(fine.slope[twin] + (fine.slope[twin] - coarse.slope[i]) / 15.0);

@@ -157,7 +157,7 @@ set(passed_on "typical_sensors|line|arc|edge_offset|placed|solve_on|estimate|ext
 # ... or one case takes so long that a property test holds what is stated on fewer.
 set(few_cases "end_effect|simulate_checked|sampling_spread|Screen|RecordStream|stray_line|examine|scatter_bias|contradicting_rail")
 # Seen by the tests through others.
-set(seen_through "Screen|has_cusps|Stopwatch|describe_cycle|motion_of|scaled_to|largest_wheelset|wheelset_amplitudes|in_units|without_friction|check_given|name_of|read_records|filter_gain|require")
+set(seen_through "Stopwatch|describe_cycle|motion_of|scaled_to|largest_wheelset|wheelset_amplitudes|in_units|without_friction|check_given|name_of|read_records|filter_gain|require")
 set(called ${sources})
 list(FILTER called EXCLUDE REGEX "/lib/(report|tool|plot|scene|drawing|bench|table|files|units)/")
 set(numerics num contact rolling wheelrail wheel_on_rail dynamics spectra filters geometry_car track quality measures table units)

@@ -55,6 +55,13 @@ TEST_CASE("Van der Pol's cycle: printed period, Liouville's multiplier, Hill's e
   INFO(hill.value << " " << from_time << " " << hill.iterations);
   REQUIRE(hill.converged);
   CHECK(std::abs(hill.value - from_time) < 1e-5 * std::abs(from_time));
+  // Orders that come in pairs of both signs keep a real exponent real, however few they are.
+  REQUIRE(std::abs(from_time.imag()) < 1e-9);
+  const HillExponent few = hill_exponent(o, closed, from_time.real(), 5);
+  REQUIRE(few.converged);
+  CHECK(std::abs(few.value.imag()) < 1e-9 * std::abs(few.value));
+  CHECK(std::abs(few.value - from_time) < 0.05 * std::abs(from_time));
+  CHECK(std::abs(few.value - from_time) > 1e-6 * std::abs(from_time));
 }
 
 TEST_CASE("With even orders as well, the same cycle", "[balance]") {

@@ -2,10 +2,12 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "../support/no_fp_fault.hpp"
 #include "spectra/record.hpp"
+#include "spectra/screen.hpp"
 #include "spectra/synthetic_track.hpp"
 #include "units/constants.hpp"
 
@@ -33,6 +35,29 @@ Screened screen(const std::vector<double>& in, double spacing = 0.25) {
   s.faults = stream.faults();
   s.doubts = stream.doubts();
   return s;
+}
+
+// A Screen by itself, fed in pieces of that many samples.
+struct Direct {
+  std::vector<double> out;
+  spectra::Screen screen{
+      [this](std::span<const double> piece) { out.insert(out.end(), piece.begin(), piece.end()); }};
+  explicit Direct(const std::vector<double>& in, std::size_t piece = 1000) {
+    const NoFpFault no_fault;
+    for (std::size_t i = 0; i < in.size(); i += piece)
+      screen.push(std::span{in}.subspan(i, std::min(piece, in.size() - i)));
+    screen.finish();
+  }
+};
+
+// Steps of 1 mm, up and down.
+std::vector<double> saw(std::size_t samples) {
+  std::vector<double> z(samples);
+  for (std::size_t i = 0; i < samples; ++i) z[i] = i % 2 == 0 ? 0 : 1e-3;
+  return z;
+}
+void shift(std::vector<double>& z, std::size_t from, std::size_t to, double by) {
+  for (std::size_t i = from; i < std::min(to, z.size()); ++i) z[i] += by;
 }
 
 // A track of class 5 with joints and some noise, in metres.
@@ -194,4 +219,86 @@ TEST_CASE("unit: a record of fewer than fifty steps is not judged, one of more i
       CAPTURE(samples, at);
       CHECK(screen(z).faults.size() == (samples > 50 ? 1 : 0));
     }
+}
+
+TEST_CASE("unit: a Screen hands on every sample once, whatever the pieces it is given") {
+  for (const std::size_t piece : {1UL, 777UL, 40000UL})
+    CHECK(Direct(track(), piece).out == track());
+  CHECK(Direct({}).out.empty());
+  CHECK_FALSE(Direct({}).screen.still());
+  CHECK(Direct({0.5}).out == std::vector{0.5});
+}
+
+TEST_CASE("unit: far off is twelve median steps, and three more for each sample missing") {
+  for (const std::size_t missing :
+       {1UL, 3UL, 7UL})  // odd: the samples beside them are of one height
+    for (const double sign : {1.0, -1.0}) {
+      auto z = saw(3000);
+      const std::size_t at = 1000;
+      const double limit = 1e-3 * (12 + 3 * static_cast<double>(missing));
+      std::fill_n(z.begin() + static_cast<std::ptrdiff_t>(at - missing), missing, lost);
+      auto near = z, far = z;
+      shift(near, at, z.size(), sign * (limit - 1e-5));
+      shift(far, at, z.size(), sign * (limit + 1e-5));
+      CAPTURE(missing, sign);
+      CHECK(Direct(near).screen.faults().empty());
+      const auto found = Direct(far).screen.faults();
+      REQUIRE(found.size() == 1);
+      CHECK(found[0].fault == Fault::outlier);  // the next one may be 3 mm farther, and is near
+      CHECK(found[0].first == at);
+      CHECK(found[0].count == 1);
+      CHECK(found[0].value == Approx(sign * (limit + 1e-5)));
+    }
+}
+
+TEST_CASE("unit: no farther than four times the largest of the three steps before is not far off") {
+  for (const std::size_t since : {0UL, 1UL, 2UL, 3UL})  // usual steps after one of 5 mm
+    for (const double jump : {19.9e-3, 20.1e-3}) {
+      auto z = saw(3000);
+      shift(z, 1001, z.size(), 4e-3);  // 5 mm up
+      shift(z, 1002 + since, z.size(), (1002 + since) % 2 == 0 ? jump + 1e-3 : jump - 1e-3);
+      CAPTURE(since, jump);
+      CHECK(Direct(z).screen.faults().empty() == (since < 3 && jump < 20e-3));
+    }
+}
+
+TEST_CASE("unit: what leaves at once and is back at once is outliers, however high or long") {
+  for (const double height : {0.05, 1.0, -2.0, 50.0})
+    for (const std::size_t length : {1UL, 2UL, 8UL, 100UL, 250UL}) {
+      if (std::abs(height) < 1 && length > 8) continue;  // 3 mm more may be off each sample on
+      auto z = saw(3000);
+      shift(z, 1000, 1000 + length, height);
+      CAPTURE(height, length);
+      const Direct d(z);
+      REQUIRE(d.screen.faults().size() == 1);
+      CHECK(d.screen.faults()[0].fault == Fault::outlier);
+      CHECK(d.screen.faults()[0].first == 1000);
+      CHECK(d.screen.faults()[0].count == length);
+      CHECK(d.screen.faults()[0].value == Approx(height));
+      CHECK(static_cast<std::size_t>(std::count_if(
+                d.out.begin(), d.out.end(), [](double v) { return std::isnan(v); })) == length);
+    }
+  // For longer it is another level, and back.
+  auto z = saw(3000);
+  shift(z, 1000, 1300, 2);
+  const auto found = Direct(z).screen.faults();
+  REQUIRE(found.size() == 2);
+  CHECK(found[0].fault == Fault::step);
+  CHECK(found[1].fault == Fault::step);
+  CHECK(found[1].first == 1300);
+}
+
+TEST_CASE("unit: the longest stretch that stands still is told where it is") {
+  std::vector<double> z = track();
+  for (double& value : z) value = 1e-4 * std::round(1e4 * value);
+  CHECK_FALSE(Direct(z).screen.still());
+  z.insert(z.begin(), 16000, z.front());
+  std::size_t equal = 16000;
+  while (z[equal] == z.front()) ++equal;
+  const auto still = Direct(z).screen.still();
+  REQUIRE(still);
+  CHECK(still->fault == Fault::stuck);
+  CHECK(still->first == 0);
+  CHECK(still->count == equal);
+  CHECK(still->value == z.front());
 }

@@ -38,6 +38,13 @@ TEST_CASE("unit: a natural spline passes its samples and is exact for a straight
   }
 }
 
+TEST_CASE("unit: joints and polygons have cusps, splines have none") {
+  const std::vector<double> x{0, 1, 2, 3}, z{0, 1, 0, -1};
+  CHECK(has_cusps(RectifiedSine{0.0127, 11.9}));
+  CHECK(has_cusps(SampledProfile{x, z, Between::lines}));
+  CHECK_FALSE(has_cusps(SampledProfile{x, z, Between::spline}));
+}
+
 TEST_CASE("unit: idealized cross-level spectrum, class 6, and its variance") {
   const CrossLevelSpectrum s;
   const double unit = units::inch * units::inch * units::foot;
