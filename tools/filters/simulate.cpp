@@ -150,7 +150,7 @@ tool::Tool simulate_tool() {
                    "A of the centre line", {0, 1e-2});
         o.quantity("--gage", t.gage, units::length, "of the track", tool::positive);
         o.quantity("--curvature", t.curvature, units::angle / units::length,
-                   "of the curve, left positive, as in -4deg/100ft", {-0.02, 0.02});
+                   "of the curve, left positive, as in -0.04deg/ft", {-0.02, 0.02});
         o.quantity("--superelevation", t.superelevation, units::length, "of the outer rail",
                    {-0.3, 0.3});
         o.quantities("--speeds", order->speeds, units::speed, "to cruise at, in this order",
