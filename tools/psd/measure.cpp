@@ -114,9 +114,11 @@ std::vector<Measured> measure(const spectra::RecordFile& file, const MeasureWish
     });
   auto records = spectra::read_records(file, wish.columns, sinks);
   std::vector<Measured> results;
+  results.reserve(records.size());
   for (std::size_t i = 0; i < records.size(); ++i) {
     sections[i].finish();
-    Measured& result = results.emplace_back(Measured{std::move(records[i]), {}, 0, false});
+    Measured& result = results.emplace_back();
+    result.record = std::move(records[i]);
     const std::size_t present = result.record->samples() - result.record->missing();
     const std::size_t chosen = best(all[i], present);
     result.segment = wish.segment ? *wish.segment : segments_for(result.record->spacing())[chosen];

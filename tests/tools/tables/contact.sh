@@ -28,7 +28,7 @@ near "pressure of a profile" "$(v aside p_max_MPa)" "$(v press p_max_MPa)" 3
 for end in '$1 < 10' '$1 > 4'; do
   awk -F, "NR == 1 || $end" aside.csv >cut.csv
   "$railbook" contact solve --body-2-profile cut.csv --body-1-radius-along 460mm --load 80kN >said 2>&1
-  [ $? = 2 ] && grep -q "profile" said || fail "a profile that is cut off: $(cat said)"
+  [ $? = 2 ] && grep -q "end of the profile data, x = $(awk -F, 'NR == 2 {printf "%g m", $1 / 1e3} END {printf " to %g m", $1 / 1e3}' cut.csv);" said || fail "a profile that is cut off: $(cat said)"
 done
 # Crossed cylinders of one radius touch in a circle: Hertz by hand, of two materials, by load and by approach, in either system of units.
 circle='e = 1 / ((1 - 0.25 ^ 2) / 200e9 + (1 - 0.35 ^ 2) / 100e9); R = 0.4; a = (0.75 * F * R / e) ^ (1 / 3); depth = a ^ 2 / R; p = 1.5 * F / (pi * a ^ 2)
@@ -52,7 +52,9 @@ means by-approach "$circle" F=80e3 way=approach shown=inch cells="$(awk -F, 'NR 
 awk -F, 'NR > 1 && NF == 3 {++n; if (!(($1) in x)) ++nx; x[$1]; if (!(($2) in y)) ++ny; y[$2]} END {exit !(n == 63 * 65 && nx == 63 && ny == 65)}' by-load/pressure.csv || fail "cells of the map"
 holds "the outline" by-load/outline.csv '{near($2, -$3, 1e-9); near(sqrt($1 ^ 2 + $3 ^ 2) / a, 1, 0.03)} $1 < least {least = $1} $1 > most {most = $1} END {near(least / a, -1, 0.06); near(most / a, 1, 0.06)}' a="$(v by-load hertz_a_mm)"
 # Turned bodies are drawn along the principal axes; half as large as a fifth of a radius they are no doubt, beyond it they are.
-draws skew solve --body-1-radius-along 200mm --body-2-radius-across 500mm --body-2-radius-along 400mm --angle 30deg --load 80kN --cells-x 31 --cells-y 31
+draws skew solve --body-1-radius-along 200mm --body-2-radius-across 500mm --body-2-radius-along 400mm --angle 30deg --load 80kN --cells-x 30 --cells-y 30
+near "a peak of turned bodies" "$(v skew x_p_max_mm)" 0 0
+near "a peak of turned bodies" "$(v skew y_p_max_mm)" 0 0
 [ "$(tail -1 skew.drawn/1/d3.csv)" = "mm,MPa,first principal axis,second principal axis" ] || fail "axes of turned bodies"
 "$railbook" contact solve --body-1-radius-along 10mm --body-2-radius-across 10mm --load 160kN --cells-x 31 --cells-y 31 >wide || fail "a wide contact"
 awk '/DOUBTFUL: the contact reaches 0\.22 of/ {found = 1} END {exit !found}' wide || fail "a contact of a fifth of its radius: $(cat wide)"
@@ -81,3 +83,12 @@ means three 'for (key in v) free(key); is("patches", 3); says("patches", "apart"
   is("force_kN", sum, 0.01); is("area_mm2", area, 0.01); for (k = 1; k <= 3; ++k) {middle = (v["patch_" k "_x_min_mm"] + v["patch_" k "_x_max_mm"]) / 2; place[k] = middle; outer += abs(middle) > 1
     is("patch_" k "_y_min_mm", -v["patch_" k "_y_max_mm"], 1e-3); is("patch_" k "_p_max_MPa", v["p_max_MPa"], 0.1); if (abs(middle) > 1 && abs(abs(middle) - 20) > 0.2) bad("place " middle)}
   if (outer != 2) bad("places")'
+# What a profile's points leave open is what every second of them alone would change, the odd ones or the even ones, at one approach: twice the worst of force and
+# pressure for the pressure.
+awk 'BEGIN {print "x_mm,depth_mm"; for (k = -20; k <= 20; ++k) {u = (5 * k - 1) / 10; printf "%.1f,%.9f\n", u, u ^ 2 / (u > 0 ? 60 : 500)}}' >coarse.csv
+awk 'NR == 1 || NR % 2 == 0' coarse.csv >even.csv
+awk 'NR <= 2 || NR % 2 == 1 || NR == 42' coarse.csv >odd.csv
+for points in coarse even odd; do answers $points solve --body-1-profile $points.csv --body-1-radius-along 0.5m --approach 20um --cells-x 100 --cells-y 60; done
+awk -v F="$(v coarse force_kN)" -v F1="$(v even force_kN)" -v F2="$(v odd force_kN)" -v p="$(v coarse p_max_MPa)" -v p1="$(v even p_max_MPa)" -v p2="$(v odd p_max_MPa)" 'function abs(x) {return x < 0 ? -x : x} function max(x, y) {return x > y ? x : y}
+  BEGIN {f = max(abs(F1 / F - 1), abs(F2 / F - 1)); q = 2 * max(f, max(abs(p1 / p - 1), abs(p2 / p - 1))); printf "force by %.1e, the peak pressure by %.1e of it\n", f, q}' >open
+grep -q "$(cat open)" coarse.json || fail "not $(cat open): $(grep 'every second' coarse.json)"
