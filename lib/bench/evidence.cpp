@@ -35,8 +35,9 @@ void estimates_against_truth(report::Item& item, const std::vector<Estimate>& ru
 
 void digits_table(report::Item& item, const std::vector<Digits>& rows) {
   item.columns({"function", "range", "largest relative error", "digits lost", "against"});
+  constexpr double rounding = std::numeric_limits<double>::epsilon() / 2;
   for (const Digits& r : rows) {
-    const double lost = std::max(0.0, std::log10(std::max(r.worst, 1e-17) / 1.11e-16));
+    const double lost = std::log10(std::max(r.worst, rounding) / rounding);
     item.add_row({r.function, r.range, report::below(r.worst),
                   fmt::format("{:.0f}", std::ceil(lost)), r.against});
     item.at_most(r.id, "largest relative error of " + r.function, "", r.worst, r.allowed,

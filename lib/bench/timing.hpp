@@ -13,6 +13,9 @@ struct Timing {
   int samples = 0;
 };
 
+// Of one or more samples.
+Timing summary(std::vector<double> times);
+
 double seconds_of(const std::function<void()>& call);
 
 // Times one call: batches of at least 1 ms, up to 21 samples but at most about `budget` seconds.

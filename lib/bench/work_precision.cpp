@@ -108,7 +108,7 @@ struct Line {
 Line line_through(const Points& points, const std::string& method,
                   double report::WorkPrecision::*across) {
   double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
-  Line line{.x_low = 1e300, .x_high = -1e300};
+  Line line{.x_low = units::no_limit, .x_high = -units::no_limit};
   for (const report::WorkPrecision& p : points) {
     if (p.method != method || !known(p) || !(p.*across > 0)) continue;
     const double x = std::log(p.*across), y = std::log(p.error);
@@ -116,7 +116,7 @@ Line line_through(const Points& points, const std::string& method,
     line.x_low = std::min(line.x_low, x), line.x_high = std::max(line.x_high, x);
   }
   const double spread = n * sxx - sx * sx;
-  if (n < 2 || !(spread > 0)) return line;
+  if (spread <= 0) return line;  // fewer than two places
   line.slope = (n * sxy - sx * sy) / spread;
   line.x = sx / n, line.y = sy / n;
   return line;

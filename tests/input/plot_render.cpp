@@ -1,6 +1,8 @@
 #include <catch2/catch.hpp>
+#include <vector>
 
-#include "../support/temporary_folder.hpp"
+#include "../support/apart.hpp"
+#include "../support/set_variable.hpp"
 #include "plot/plot.hpp"
 
 using namespace railbook;
@@ -78,18 +80,23 @@ TEST_CASE("input: missing files and file counts are named before gnuplot runs") 
 }
 
 TEST_CASE("input: no name reaches gnuplot") {
-  for (const char* name : {"<touch p;echo ", "|touch p;cat ", "x';touch p;'", "$HOME", "it's mine",
-                           "line\nbreak", "-rf", "`touch p`", "Öl"}) {
+  using Names = std::vector<const char*>;
+  for (const Names& names : {Names{"<touch p;echo ", "x';touch p;'", "$HOME", "it's mine", "-rf"},
+                             Names{"|touch p;cat ", "line\nbreak", "`touch p`", "Öl"}}) {
     const TemporaryFolder at("hostile");
+    const std::string name = names.front();
     std::filesystem::create_directories(at.path / name);
-    const std::string in = std::string(name) + "/" + name;
-    const auto data = at.write(in, "x,y\n1,1\n2,3\n");
-    const auto script =
-        at.write(in + ".gp", "load \"style.gp\"\nset output ARG2\nplot ARG1 using 1:2\n");
-    const auto png = at.path / name / (std::string(name) + ".png");
-    plot::render(script, {data}, png);
+    std::string text = "load \"style.gp\"\nset output ARG2\nplot ARG1 using 1:2";
+    std::vector<std::filesystem::path> data;
+    for (const char* file : names) {
+      data.push_back(at.write(name + "/" + file, "x,y\n1,1\n2,3\n"));
+      if (data.size() > 1) text += ", ARG" + std::to_string(data.size() + 1) + " using 1:2";
+    }
+    const auto script = at.write(name + "/" + name + ".gp", text + "\n");
+    const auto png = at.path / name / (name + ".png");
+    plot::render(script, data, png);
     CHECK(TemporaryFolder::size(png) > 3000);
-    CHECK(at.files_in(at.path / name) == 3);
+    CHECK(at.files_in(at.path / name) == static_cast<long>(names.size()) + 2);
     CHECK_FALSE(std::filesystem::exists("p"));
   }
 }
@@ -102,13 +109,13 @@ TEST_CASE(
   const auto fake = at.write("gnuplot", "#!/bin/sh\necho $$ > \"" + (at.path / "pid").string() +
                                             "\"" + "\nsleep 600 &\nsleep 600\n");
   std::filesystem::permissions(fake, std::filesystem::perms(0700));
-  setenv("RAILBOOK_GNUPLOT", fake.c_str(), 1);
-  setenv("RAILBOOK_GNUPLOT_SECONDS", "1", 1);
+  const SetVariable program("RAILBOOK_GNUPLOT"), seconds("RAILBOOK_GNUPLOT_SECONDS");
+  program.to(fake.c_str());
+  seconds.to("1");
   CHECK_THROWS_WITH(plot::draw(script, {data}), Contains("was ended after 1 s"));
+  CHECK(ends(std::stoi(at.read("pid"))));
   const auto missing = at.path / "none";
-  setenv("RAILBOOK_GNUPLOT", missing.c_str(), 1);
+  program.to(missing.c_str());
   CHECK_THROWS_WITH(plot::draw(script, {data}),
                     Contains("none: No such file") && Contains("is gnuplot installed"));
-  unsetenv("RAILBOOK_GNUPLOT");
-  unsetenv("RAILBOOK_GNUPLOT_SECONDS");
 }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <string>
 
+#include "../support/sample_chapter.hpp"
+
 using namespace railbook;
 
 TEST_CASE("unit: the share of covered estimates") {
@@ -78,7 +80,89 @@ TEST_CASE("unit: a row refuses cases without an answer unless it says how many a
   REQUIRE(record.stability.size() == 4);
   CHECK(record.stability[0].found == "holds");
   CHECK(record.stability[1].found == "refused");
-  CHECK(record.stability[1].result.find("of 100 cases") != std::string::npos);
   CHECK(record.stability[2].found == "holds");
   CHECK(record.stability[3].found == "fails");
+  int below = 0;  // of the draws, those without an answer
+  for (std::uint64_t k = 0; k < 100; ++k) below += bench::Draw{5, k}(0, 1) < 0.5;
+  const std::string none = std::to_string(below);
+  CHECK(record.stability[0].result == "worst of 100: x");
+  CHECK(record.stability[1].result == none + " of 100 cases without an answer; allowed: 0");
+  CHECK(record.stability[2].result ==
+        "worst of 100: x; " + none + " said that they have no answer");
+  CHECK(record.stability[3].result == "worst of 3: nothing");
+}
+
+TEST_CASE(
+    "unit: as many cases may be without an answer as a row allows, and of equals the first is the "
+    "worst") {
+  report::Item item{"sweep", "table", "sweep", {}};
+  for (const int allowed : {1, 2}) {
+    int k = 0;
+    bench::worst_row(
+        item, {.id = "r", .what = "row", .stress = "chance", .allowed = 1}, 5, 5,
+        [&](bench::Draw&) {
+          if (++k < 3) throw report::NoAnswer{"none"};
+          return report::Found{std::to_string(k), 0.5};
+        },
+        allowed);
+  }
+  report::ChapterRecord record;
+  item.finish(record);
+  CHECK(record.stability[0].found == "refused");
+  CHECK(record.stability[1].found == "holds");
+  CHECK(record.stability[1].result == "worst of 5: 3; 2 said that they have no answer");
+}
+
+TEST_CASE("unit: estimates stand beside the truth, an exact one at the end of a logarithmic axis") {
+  const Sample s;
+  const auto with = [&](std::vector<bench::Estimate> runs, double least) {
+    return s.reproduce({report::figure("e", "E",
+                                       [&](report::Item& item) {
+                                         item.expect_checks(1);
+                                         bench::estimates_against_truth(item, runs, least);
+                                       })},
+                       {"--no-timings", "--no-figures"});
+  };
+  CHECK(with({{"a", 2e-3, 1e-3},
+              {"b", 5e-3, 1e-3},
+              {"c", 8e-3, 1e-3},
+              {"d", 1e-3, 2e-3},
+              {"e", 1e-17, 0},
+              {"f", 0, 2e-18}},
+             0.66) == 0);
+  CHECK(s.at.read("results/00-sample/e.csv") ==
+        "case,stated,truth,covered\na,0.002,0.001,1\nb,0.005,0.001,1\nc,0.008,0.001,1\nd,0.001,0."
+        "002,0\n"
+        "e,1e-17,1e-17,1\nf,1e-17,1e-17,0\n"
+        "# holds to relative 0.9, absolute 1e-12 in *: differences of nearly equal numbers\n");
+  auto r = s.record();
+  CHECK(r["values"][0]["text"] == "67 % of 6");
+  CHECK(r["values"][1]["text"] == "2");  // of 0.5, 1, 1, 2, 5, 8
+  CHECK(r["checks"][0]["computed_text"] == "0.6667");
+  CHECK(r["items"][0]["script"] == "estimates.gp");
+  CHECK(with({{"a", 2e-3, 1e-3}, {"b", 1e-3, 2e-3}}, 0.51) == 1);
+  CHECK(with({}, 0.5) == 1);  // no runs show nothing
+}
+
+TEST_CASE("unit: the digits that a function loses are counted from a double's rounding") {
+  const Sample s;
+  const double worst[] = {0, 1e-16, 1.2e-16, 1.1e-13, 1.2e-13};
+  REQUIRE(s.reproduce(one([&](report::Item& item) {
+    item.expect_checks(5);
+    std::vector<bench::Digits> rows;
+    for (const double w : worst)
+      rows.push_back(
+          {"d" + std::to_string(rows.size()), "K(m)", "0 <= m < 1", "series", 1e-12, w, 0});
+    bench::digits_table(item, rows);
+  })) == 0);
+  const auto r = s.record();
+  CHECK(r["items"][0]["columns"].dump() ==
+        R"(["function","range","largest relative error","digits lost","against"])");
+  const char* below[] = {"below 1e-16", "below 1e-16", "below 1e-15", "below 1e-12", "below 1e-12"};
+  const char* lost[] = {"0", "0", "1", "3", "4"};
+  for (std::size_t k = 0; k < 5; ++k)
+    CHECK(r["items"][0]["rows"][k] ==
+          nlohmann::json{"K(m)", "0 <= m < 1", below[k], lost[k], "series"});
+  CHECK(r["checks"][4]["what"] == "largest relative error of K(m)");
+  CHECK(r["checks"][4]["kind"] == "at_most");
 }

@@ -1,14 +1,12 @@
 // Which points a slope goes through, and the frame of a panel.
-#include <unistd.h>
-
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
+#include "../support/no_fp_fault.hpp"
 #include "../support/temporary_folder.hpp"
-#include "bench/evidence.hpp"
 #include "bench/work_precision.hpp"
 #include "report/item.hpp"
 
@@ -29,6 +27,7 @@ double slope(std::vector<report::WorkPrecision> points) {
 }  // namespace
 
 TEST_CASE("unit: a slope goes through the points that the reference can judge") {
+  const NoFpFault no_fault;
   CHECK(slope({point(1, 1), point(2, 0.25), point(4, 1.0 / 16)}) == Approx(-2));
   CHECK(std::isnan(slope({point(2, 1)})));
   CHECK(std::isnan(slope({point(2, 1), point(2, 0.5)})));  // straight up
@@ -71,7 +70,7 @@ TEST_CASE("unit: the expected slope is drawn a quarter below the points, over th
   report::Item item{"cost", "figure", "Cost", settings};
   bench::Method a{"a", {}};
   a.expects(-2);
-  const std::vector<report::WorkPrecision> points{point(1, 1), point(10, 0.1), point(100, 0.01)};
+  const std::vector<report::WorkPrecision> points{point(3, 1), point(30, 0.1), point(300, 0.01)};
   bench::show(item, points, "F", {a}, {1e-8, 1e-2, 1e-9, 1e-3});
   item.added("a test");
   report::ChapterRecord record;
@@ -89,30 +88,101 @@ TEST_CASE("unit: the expected slope is drawn a quarter below the points, over th
     for (int k = 0; k < 4 && std::getline(cells, cell, ','); ++k) x.push_back(std::stod(cell));
   }
   REQUIRE(x.size() == 4);
-  // The middle of the points is (10, 0.1); the line ends 0.3 of their range to either side.
+  // The middle of the points is (30, 0.1); the line ends 0.3 of their range to either side.
   const double half = std::pow(100, 0.3);
-  CHECK(x[0] == Approx(10 / half));
-  CHECK(x[2] == Approx(10 * half));
+  CHECK(x[0] == Approx(30 / half));
+  CHECK(x[2] == Approx(30 * half));
   CHECK(x[1] == Approx(0.025 * half * half));
   CHECK(x[3] == Approx(0.025 / half / half));
 }
 
-TEST_CASE("unit: the median margin of stated errors over true ones") {
-  const TemporaryFolder at("margin");
+TEST_CASE("unit: a panel has each point, at what its reference knows, and what failed at the top") {
+  const TemporaryFolder at("panel");
   report::RunSettings settings;
   settings.results = settings.figures = at.path;
   settings.draw = false;
-  report::Item item{"stated", "figure", "Stated", settings};
-  bench::estimates_against_truth(item, {{"a", 2e-3, 1e-3}, {"b", 5e-3, 1e-3}, {"c", 8e-3, 1e-3}},
-                                 0.9);
+  std::vector<report::WorkPrecision> points{
+      point(1, 0.5, 1e-3), point(2, 0.1, 1e-3),  point(3, 0.09, 1e-3), point(4, 5e-4, 1e-3),
+      point(5, 0),         point(6, units::nan), point(7, 0.5)};
+  points[6].converged = false;
+  for (auto& p : points) p.setting = std::to_string(static_cast<int>(p.work));
+  auto other = point(8, 0.25);
+  other.quantity = "G";
+  points.push_back(other);
+  const auto panel = [&](const char* quantity) {
+    report::Item item{"cost", "figure", "Cost", settings};
+    bench::show(item, points, quantity, {{"a", {}}}, {0, 0, 1e-3, 10}).not_compared("a test");
+    item.added("a test");
+    report::ChapterRecord record;
+    item.finish(record);
+    CHECK(record.items[0].script == "work_precision.gp");
+    return record.work_precision.size();
+  };
+  const std::string
+      header = "method,setting,error,seconds_q1_s,seconds_median_s,seconds_q3_s,work,state\n",
+      notes =
+          "# holds to relative 0.9, absolute 1e-15 in error: error control takes other steps "
+          "where a last digit differs\n"
+          "# holds to relative 0.05, absolute 0 in work: error control takes other steps "
+          "where a last digit differs\n# not compared: a test\n";
+  CHECK(panel("G") == 1);
+  CHECK(at.read("cost.csv") == header + "a,s,0.25,0,0,0,8,known\n" + notes);
+  CHECK(panel("F") == 7);
+  CHECK(at.read("cost.csv") ==
+        header +
+            "a,1,0.5,0,0,0,1,known\na,2,0.1,0,0,0,2,known\na,3,0.09,0,0,0,3,vague\n"
+            "a,4,0.001,0,0,0,4,vague\na,5,1e-16,0,0,0,5,vague\na,6,1,0,0,0,6,failed\n"
+            "a,7,1,0,0,0,7,failed\n" +
+            notes);
+  // No order is expected of the method: no line. The reference is that of the first point.
+  CHECK(
+      at.read("cost-frame.csv") ==
+      "what,x1,y1,x2,y2,text\nerror,0,0,0,0,\nseconds,0.001,10,0,0,\nreference,0.001,0.1,0,0,\n"
+      "# holds to relative 0.9, absolute 1e-12 in *: errors near rounding move the lines; work may "
+      "differ by a step\n");
+  // Across are the times where one point has any, and the slope is over them.
+  points = {point(1, 1), point(2, 0.5), point(4, 0.25)};
+  for (auto& p : points) p.seconds_q1 = p.seconds_median = p.seconds_q3 = p.work * p.work;
+  report::Item item{"cost", "figure", "Cost", settings};
+  bench::Method a{"a", {}};
+  bench::show(item, points, "F", {a.expects(-1), {"none", {}, -1}});
   item.added("a test");
   report::ChapterRecord record;
   item.finish(record);
-  bool found = false;
-  for (const auto& value : record.values) {
-    if (value.id.find("median-margin") == std::string::npos) continue;
-    found = true;
-    CHECK(value.text == "5");
+  const std::string frame = at.read("cost-frame.csv");
+  CHECK_THAT(frame, Catch::Contains("expected -1; found -0.5\"\n"));
+  CHECK_THAT(frame, Catch::Contains("error,0,0,0,0,\nseconds,0,0,0,0,\n"));
+  CHECK(frame.find("slope", frame.find("slope") + 1) == std::string::npos);
+  CHECK_THAT(at.read("cost.csv"), Catch::Contains("a,s,0.5,4,4,4,2,known\n"));
+}
+
+TEST_CASE("unit: the points of several quantities name their method, setting, work and reference") {
+  const auto run = [](int n) { return bench::Outcome{{n + 1., 4. * n}, 10. * n, true, ""}; };
+  const std::vector<bench::Method> methods{
+      bench::sweep("a", {1, 2}, run).counts("cells"),
+      {"b", {{"x", [] {
+                return bench::Outcome{{1, 1}, 3, false, "slow"};
+              }}}}};
+  const auto points = bench::measure("cost", {{"F", 4, 1e-3}, {"G", 4, 1e-2}}, methods, false);
+  REQUIRE(points.size() == 6);
+  const char* expected[] = {"F a 1 cells", "G a 1 cells", "F a 2 cells",
+                            "G a 2 cells", "F b x ",      "G b x "};
+  for (std::size_t k = 0; k < 6; ++k) {
+    const auto& p = points[k];
+    CHECK(p.id == "cost");
+    CHECK(p.quantity + " " + p.method + " " + p.setting + " " + p.work_unit == expected[k]);
+    CHECK(p.reference_uncertainty == (k % 2 == 0 ? 1e-3 : 1e-2));
+    CHECK(p.converged == (k < 4));
+    CHECK(p.reason == (k < 4 ? "" : "slow"));
+    CHECK(std::isnan(p.error) == (k >= 4));
+    CHECK(p.work == (k < 2 ? 10 : k < 4 ? 20 : 3));
   }
-  CHECK(found);
+  CHECK(points[0].error == 0.5);
+  CHECK(points[1].error == 0);
+  CHECK(points[2].error == 0.25);
+  CHECK(points[3].error == 1);
+  CHECK(bench::label(0.25) == "0.25");
+  CHECK(bench::sweep("c", std::vector<double>{1e-6}, [](double) { return bench::Outcome{}; })
+            .settings[0]
+            .label == "1e-06");
 }

@@ -99,4 +99,18 @@ TEST_CASE("unit: the answer names the cheapest method that stays below the error
         "tried.");
   CHECK(bench::cheapest(points, "F", 1e-20).method.empty());
   CHECK(bench::answer({point("a", "1", 1e-5, 0)}, "F", {1e-3}) == "To 1e-03 (not timed).");
+  CHECK(bench::answer({point("a", "", 1e-5, 1)}, "F", {1e-5}) == "To 1e-05 take a (1 s).");
+  // A hundred times the reference's uncertainty is good to just that; of equally quick ones the first is named.
+  CHECK(bench::cheapest({point("a", "1", 0, 1)}, "F", 1.01e-7).method == "a");
+  CHECK(bench::cheapest({point("a", "1", 0, 1)}, "F", 0.99e-7).method.empty());
+  CHECK(bench::cheapest({point("a", "1", 1e-5, 2), point("b", "1", 1e-5, 2)}, "F", 1e-3).method ==
+        "a");
+  // The first good setting that all later ones of the method keep, before the next method and at the end.
+  const auto best = bench::cheapest(
+      {point("a", "1", 1e-5, 1), point("a", "2", 1e-5, 4), point("b", "1", 1, 1e-3)}, "F", 1e-3);
+  CHECK(best.method + best.setting == "a1");
+  CHECK(best.seconds == 1);
+  auto failed = point("a", "2", 1e-6, 9);
+  failed.converged = false;
+  CHECK(bench::cheapest({point("a", "1", 1e-5, 1), failed}, "F", 1e-3).method.empty());
 }

@@ -9,7 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "../support/temporary_folder.hpp"
+#include "../support/apart.hpp"
+#include "../support/set_variable.hpp"
 #include "plot/plot.hpp"
 
 using namespace railbook;
@@ -30,16 +31,16 @@ struct StandIn {
                                 words + "' >&2\nfor a in \"$@\"; do case $a in out.*) printf '" +
                                 picture + "' > $a;; esac; done\n" + then + "\n");
     std::filesystem::permissions(fake, std::filesystem::perms(0700));
-    setenv("RAILBOOK_GNUPLOT", fake.c_str(), 1);
+    program.to(fake.c_str());
     data = at.write("data.csv", "x\n1\n");
     second = at.write("second.png", "picture");
   }
-  ~StandIn() { unsetenv("RAILBOOK_GNUPLOT"); }
   std::string script(const std::string& text) {
     (void)plot::draw(at.write("fig.gp", text), {data});
     return at.read("script.gp");
   }
   static constexpr const char* whole_png = "\\211PNG\\r\\n\\032\\n....IEND\\256\\102\\140\\202";
+  SetVariable program{"RAILBOOK_GNUPLOT"};
   TemporaryFolder at;
   std::filesystem::path data, second;
 };
@@ -50,13 +51,11 @@ TEST_CASE(
     "unit: gnuplot sees neutral names, its output after the first file, and no settings of the "
     "user") {
   StandIn gnuplot;
-  setenv("GNUPLOT_LIB", "mine", 1);
-  setenv("LC_NUMERIC", "de_DE", 1);
-  setenv("LANGUAGE", "de", 1);
-  setenv("RAILBOOK_TEST_KEPT", "kept", 1);
+  const SetVariable lib("GNUPLOT_LIB"), numeric("LC_NUMERIC"), language("LANGUAGE"),
+      kept("RAILBOOK_TEST_KEPT");
+  lib.to("mine"), numeric.to("de_DE"), language.to("de"), kept.to("kept");
   const auto script = gnuplot.at.write("fig.gp", "plot ARG1\n");
   (void)plot::draw(script, {gnuplot.data, gnuplot.second, gnuplot.data});
-  for (const char* name : {"GNUPLOT_LIB", "LC_NUMERIC", "LANGUAGE"}) unsetenv(name);
   CHECK(gnuplot.at.read("arguments") == "-d -c script.gp d1.csv out.png d2.png d3.csv\n");
   const std::string seen = gnuplot.at.read("environment");
   CHECK_THAT(seen, !Contains("GNUPLOT_LIB=") && !Contains("LC_NUMERIC") && !Contains("LANGUAGE"));
@@ -139,21 +138,10 @@ TEST_CASE("unit: gnuplot ends with all it started, and leaves no file open") {
   {
     // Ends itself, while another goes on with its messages open.
     StandIn gnuplot("", StandIn::whole_png, "sleep 600 &\necho $! > \"$HOME/child\"\nexit 0");
-    const char* home = std::getenv("HOME");
-    const std::string kept = home != nullptr ? home : "/";
-    setenv("HOME", gnuplot.at.path.c_str(), 1);
+    const SetVariable home("HOME");
+    home.to(gnuplot.at.path.c_str());
     (void)plot::draw(gnuplot.at.write("fig.gp", ""), {gnuplot.data});
-    setenv("HOME", kept.c_str(), 1);
-    const std::string child = gnuplot.at.read("child");
-    REQUIRE(child.size() > 1);
-    const auto ended = [&] {  // gone, or a zombie
-      std::ifstream stat("/proc/" + child.substr(0, child.size() - 1) + "/stat");
-      std::string all;
-      std::getline(stat, all);
-      return !stat || all.find(") Z") != all.npos;
-    };
-    for (int k = 0; k < 500 && !ended(); ++k) usleep(10000);
-    CHECK(ended());
+    CHECK(ends(std::stoi(gnuplot.at.read("child"))));
   }
   {
     // Says nothing more and goes on: its end is waited for.
@@ -162,4 +150,27 @@ TEST_CASE("unit: gnuplot ends with all it started, and leaves no file open") {
                       Contains("exit status 5"));
   }
   CHECK(open_files() == before);
+}
+
+TEST_CASE("unit: a group that holds something stays, and a background of the script's own") {
+  const std::string svg = "<svg >\n<g a>\n<text>t</text>\n</g>\n<g b\nc>\n</g>\n<g d>\n</svg>\n";
+  std::string printed = svg;
+  for (std::size_t at = 0; (at = printed.find('\n', at)) != svg.npos; at += 2)
+    printed.replace(at, 1, "\\n");
+  StandIn gnuplot("", printed.c_str());
+  const auto script =
+      gnuplot.at.write("fig.gp", "set terminal pngcairo background rgb \"black\"\na\n");
+  const std::string fonts = "font-family=\"DejaVu Sans, Verdana, sans-serif\" ";
+  CHECK(plot::draw_svg(script, {gnuplot.data}) == "<svg " + fonts + svg.substr(5));
+  CHECK(gnuplot.at.read("script.gp") ==
+        "set terminal svg background rgb \"black\" font \"DejaVu Sans,14\"\na\n");
+}
+
+TEST_CASE("input: a time for gnuplot that is none is the usual one") {
+  StandIn gnuplot;
+  const SetVariable seconds("RAILBOOK_GNUPLOT_SECONDS");
+  for (const char* none : {"0", "-5", "soon", "", "9223372036854775807"}) {
+    seconds.to(none);
+    CHECK_NOTHROW(plot::draw(gnuplot.at.write("fig.gp", ""), {gnuplot.data}));
+  }
 }

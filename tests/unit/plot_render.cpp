@@ -1,11 +1,14 @@
 #include <catch2/catch.hpp>
 
+#include "../support/set_variable.hpp"
 #include "../support/temporary_folder.hpp"
 #include "plot/plot.hpp"
 
 using namespace railbook;
 
 TEST_CASE("unit: a script with two data files becomes one PNG and leaves nothing else") {
+  const SetVariable program("RAILBOOK_GNUPLOT");
+  program.to("");  // names none
   const TemporaryFolder at("two files; $(touch never)");
   const auto script = at.write("fig.gp", R"(load "style.gp"
 set output ARG2
