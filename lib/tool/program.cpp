@@ -50,7 +50,7 @@ void add_entries(const CLI::App* command, Words& line, const std::string& named)
   if (at == words.end() || (*at == named && at + 1 == words.end())) return;
   const std::string file = *at == named ? *(at + 1) : at->substr(named.size() + 1);
 
-  std::vector<std::string> added;
+  std::vector<std::string> added, arguments;
   for (const TomlEntry& entry : read_toml(file)) {
     const std::string option = "--" + entry.name;
     const std::string place =
@@ -63,12 +63,14 @@ void add_entries(const CLI::App* command, Words& line, const std::string& named)
     if (std::any_of(words.begin(), words.end(), [&](const auto& w) { return is(w, option); }))
       continue;
     for (const std::string& input : entry.inputs)
-      added.push_back(known ? fmt::format("{}={}", option, input) : input);
+      known ? added.push_back(fmt::format("{}={}", option, input)) : arguments.push_back(input);
     std::string spoken = entry.name;
     std::replace(spoken.begin(), spoken.end(), '-', ' ');
     line.origins.emplace_back(spoken, place);
   }
   words.insert(words.end(), added.begin(), added.end());
+  // Arguments come first: behind an option that takes several values they would be more of them.
+  words.insert(words.begin() + 2, arguments.begin(), arguments.end());
 }
 
 const CLI::App* subcommand(const CLI::App* app, const std::string& name) {
