@@ -4,6 +4,7 @@
 
 #include "../support/temporary_folder.hpp"
 #include "tool/out_folder.hpp"
+#include "tool/session.hpp"
 #include "units/input_error.hpp"
 
 using namespace railbook;
@@ -66,4 +67,58 @@ TEST_CASE("input: a figure that fails takes the other files with it") {
     CHECK_THROWS_AS(out.add("a.csv", ""), std::logic_error);
   }
   CHECK_FALSE(std::filesystem::exists(at.path / "mine"));
+}
+
+TEST_CASE("input: the first figure alone goes where --figure says, and nothing else") {
+  const TemporaryFolder at("out-alone");
+  const auto script = at.write("a.gp", "load \"style.gp\"\nset output ARG2\nplot ARG1 using 1:2\n");
+  const auto refused = [](const tool::Destination& to) -> std::string {
+    try {
+      tool::OutFolder out(to, {"a.csv"});
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  CHECK(refused({at.path / "x", false, at.path / "a.png"}) ==
+        "figure is given with out; allowed: one of them");
+  CHECK(refused({{}, true, at.path / "a.png"}) ==
+        "figure is given with no-figures; allowed: one of them");
+  tool::session() = {};
+  tool::session().json = true;
+  CHECK(refused({{}, false, "-"}) ==
+        "figure is - with json; allowed: one answer on standard output");
+  CHECK(refused({{}, false, at.path / "a.png"}).empty());
+  CHECK_FALSE(tool::session().taken);
+  tool::session() = {};
+  CHECK(refused({{}, false, "-"}).empty());
+  CHECK(tool::session().taken);
+  tool::session() = {};
+  {
+    tool::OutFolder out({{}, false, at.path / "one.png"}, {"a.csv", "b.csv", "a.png", "b.png"});
+    CHECK(out);
+    out.add("a.csv", "x,y\n1,1\n2,3\n");
+    out.add("b.csv", "x,y\n1,1\n2,3\n3,0\n");
+    CHECK_THROWS_WITH(out.commit(), "figure is given, but there is nothing to draw");
+    out.figure(script, {"a.csv"}, "a.png");
+    out.figure(at.path / "none.gp", {"b.csv"}, "b.png");  // is not asked for
+    out.commit();
+  }
+  CHECK(at.files_in(at.path) == 2);  // the script and the picture
+  CHECK(TemporaryFolder::size(at.path / "one.png") > 3000);
+  CHECK(refused({"-"}) ==
+        "out is \"-\", standard output; allowed: the name of a folder (./- for one called -)");
+  CHECK(refused({""}) == "out is empty; allowed: the name of a folder");
+}
+
+TEST_CASE("input: a folder of results takes each file that was announced, once") {
+  const TemporaryFolder at("out-once");
+  tool::OutFolder out({at.path / "mine"}, {"a.csv", "b.csv"});
+  out.stream("a.csv").write("1\n");
+  CHECK_THROWS_WITH(out.stream("a.csv"), "file a.csv was not announced, or is there already");
+  CHECK_THROWS_WITH(out.add("c.csv", ""), "file c.csv was not announced, or is there already");
+  out.add("b.csv", "2\n");
+  out.commit();
+  CHECK(at.read("mine/a.csv") == "1\n");
+  CHECK(at.read("mine/b.csv") == "2\n");
 }

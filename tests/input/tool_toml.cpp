@@ -69,3 +69,84 @@ TEST_CASE("input: a TOML file that is none is refused with file and line") {
   CHECK_THROWS_WITH(tool::read_toml(scratch.path), Contains("Is a directory"));
   CHECK_THROWS_WITH(tool::read_toml(scratch.path / "c.toml"), Contains("No such file"));
 }
+
+TEST_CASE(
+    "input: strings of a TOML file hold what their escapes name, to the last character of "
+    "Unicode") {
+  const TemporaryFolder scratch("toml");
+  const std::pair<const char*, std::string> values[] = {
+      {"\"\"", ""},
+      {"''", ""},
+      {"\"\" # none", ""},
+      {"'a\\n'", "a\\n"},
+      {R"("\b\t\n\f\r\"\\")", "\b\t\n\f\r\"\\"},
+      {R"("\u007f\u0080")", "\x7f\xC2\x80"},
+      {R"("\u07FF\u0800")", "\xDF\xBF\xE0\xA0\x80"},
+      {R"("\ud7ff\uE000")", "\xED\x9F\xBF\xEE\x80\x80"},
+      {R"("\uffff\U00010000")", "\xEF\xBF\xBF\xF0\x90\x80\x80"},
+      {R"("\U0010FFFF")", "\xF4\x8F\xBF\xBF"},
+      {R"("\u0001")", "\x01"},
+      {"3 \t # three", "3"},
+      {"\t1e-7m^2*cycle/m", "1e-7m^2*cycle/m"}};
+  for (const auto& [text, value] : values) {
+    scratch.write("v.toml", std::string{"a = "} + text);
+    INFO(text);
+    const auto all = tool::read_toml(scratch.path / "v.toml");
+    REQUIRE(all.size() == 1);
+    CHECK(all[0].inputs == Texts{value});
+  }
+}
+
+TEST_CASE("input: what is wrong with a TOML file is said in so many words") {
+  const TemporaryFolder scratch("toml");
+  const auto refused = [&](const std::string& text) {
+    const std::string file = scratch.write("w.toml", text).string();
+    const std::string begin = "file \"" + file + "\", line ";
+    try {
+      (void)tool::read_toml(file);
+    } catch (const InputError& error) {
+      CHECK(std::string{error.what()}.starts_with(begin));
+      return std::string{error.what()}.substr(begin.size());
+    }
+    return std::string{};
+  };
+  for (const char* none : {R"(\u0000)", R"(\uD800)", R"(\udfff)", R"(\U00110000)"})
+    CHECK(refused("a = \"" + std::string{none} + "\"") == "1: an escape \\u names no character");
+  for (const char* cut : {R"(\u00g0)", R"(\u00)", R"(\U0001F68)"})
+    CHECK(refused("\n\na = \"" + std::string{cut} + "\"") ==
+          R"(3: an escape \u lacks its 4 hexadecimal digits, or \U its 8)");
+  CHECK(refused("a = \"\\") == R"(1: an unknown escape after \; allowed: \b \t \n \f \r \" )"
+                               R"(\\ \uXXXX \UXXXXXXXX)");
+  CHECK(refused("a = 1\nb\n") == "2: \"the end of the line\" where \"=\" is due");
+  CHECK(refused("a b = 1") == "1: \"b = 1\" where \"=\" is due");
+  CHECK(refused("a. = 1") == "1: a key is missing before \"=\"");
+  CHECK(refused("[a.]") == "1: a key is missing before \"]\"");
+  CHECK(refused("a = [1,\n\n 2") == "3: an array is not closed");
+  CHECK(refused("a = [1,, 2]") == "1: a value is missing");
+  CHECK(refused("a = [[1]]") == "1: an array in an array");
+  CHECK(refused("a = [1] 2") == "1: \"2\" where the line should end");
+  CHECK(refused("a = [1 # x\n 2]") == "2: an array lacks a comma or its ]");
+  CHECK(refused("a = 1\n[t]\nb = 2\n[t]\nb = 3") ==
+        "5: \"t-b\" is given again; the first is in line 3");
+  CHECK(refused(std::string("a = 1\nb = \0 2", 13)) == "2: holds a zero byte: not a text file");
+  CHECK(refused("a = '''x'''") ==
+        "1: a string over several lines; allowed: one in single quotes or \"...\"");
+  CHECK(refused("a = 1\n\xEF\xBB\xBF") == "2: a key is missing before \"=\"");
+}
+
+TEST_CASE("input: keys of a TOML file are bare, quoted or dotted, and arrays go over lines") {
+  const TemporaryFolder scratch("toml");
+  scratch.write("k.toml",
+                "A-z_09 = 1\n[t.\"u v\"]\n'x'.y = 2\n[s] # a table\nz=[ ]\n"
+                "w=[1,\"2\"\n,# c\n3 4,\n]# end\n");
+  const auto all = tool::read_toml(scratch.path / "k.toml");
+  REQUIRE(all.size() == 4);
+  const std::pair<std::string, Texts> expected[] = {
+      {"A-z_09", {"1"}}, {"t-u v-x-y", {"2"}}, {"s-z", {}}, {"s-w", {"1", "2", "3 4"}}};
+  const std::size_t lines[] = {1, 3, 5, 6};
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    CHECK(all[i].name == expected[i].first);
+    CHECK(all[i].inputs == expected[i].second);
+    CHECK(all[i].line == lines[i]);
+  }
+}

@@ -38,6 +38,47 @@ TEST_CASE("unit: the manual has each option with its kind, its default and what 
   CHECK_THAT(text, Contains("a back\\eslash") && Contains("\n\\&.a line"));
 }
 
+TEST_CASE("unit: the manual is this text, and nothing in it is a request of man but ours") {
+  CLI::App app{"it's\n'quoted\n.dotted\n-o", "railbook"};
+  app.footer("a\\b");
+  CLI::App* tool = app.add_subcommand("psd", "of roughness")->add_subcommand("fit", "fits");
+  tool->set_help_flag();
+  std::string one = "x-y", two;
+  tool->add_option("--one", one, "first")->type_name("TEXT")->capture_default_str();
+  tool->add_option("two", two, "second")->type_name("")->required();
+  tool->footer("The end.");
+  CHECK(tool::manual(app, "9") ==
+        ".TH RAILBOOK 1 \"\" \"railbook 9\" \"User Commands\"\n.SH NAME\n"
+        "it's\n\\&'quoted\n\\&.dotted\n\\-o\n.SH SYNOPSIS\n.B railbook\nSUBJECT TOOL [OPTIONS]\n"
+        ".SH DESCRIPTION\n.nf\na\\eb\n.fi\n.SH railbook psd fit\nfits\n"
+        ".TP\n.B \\-\\-one TEXT\nfirst [x\\-y]\n.TP\n.B two\nsecond (required)\n"
+        ".PP\n.nf\nThe end.\n.fi\n");
+}
+
+TEST_CASE("unit: a shell is offered what stands at its place, and no arguments of a tool") {
+  CLI::App app{"a", "railbook"};
+  CLI::App* subject = app.add_subcommand("psd", "b");
+  CLI::App* fit = subject->add_subcommand("fit", "c");
+  CLI::App* plain = subject->add_subcommand("plain", "d");
+  app.add_subcommand("track", "e");
+  std::string kind, file;
+  fit->set_help_flag();
+  plain->set_help_flag();
+  fit->add_option("--kind", kind, "")->type_name("{a,b,c}");
+  fit->add_option("file", file, "")->type_name("{d,e}");
+  plain->add_option("--file", file, "")->type_name("FILE");
+  const std::string cases =
+      "    '') offer='psd track --help --version' ;;\n    'psd') offer='fit plain --help' ;;\n"
+      "    'psd fit') offer='--kind '\n      case $before in\n"
+      "      '--kind') offer='a b c' ;;\n      esac\n      ;;\n"
+      "    'psd plain') offer='--file '\n      ;;\n    'track') offer=' --help' ;;\n  esac\n";
+  for (const char* shell : {"bash", "zsh"})
+    CHECK_THAT(tool::completion(app, shell), Contains("  case $place in\n" + cases));
+  CHECK_THAT(tool::completion(app, "bash"),
+             Contains("complete -o default -F _railbook railbook\n"));
+  CHECK_THAT(tool::completion(app, "zsh"), Contains("#compdef railbook\n"));
+}
+
 TEST_CASE("unit: shells complete subjects, tools, options and choices") {
   Command command;
   for (const char* shell : {"bash", "zsh"}) {

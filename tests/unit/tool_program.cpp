@@ -114,13 +114,13 @@ TEST_CASE("unit: a program says what it does not know, and what comes nearest") 
     CHECK_FALSE(p.ran);
   }
   // CLI11's own words, and where there is more.
-  for (const auto& [words, said] :
-       {std::pair<std::vector<std::string>, std::string>{{"sample", "other"}, "--needed is required"},
-        {{"sample"}, "subcommand"},
-        {{}, "subcommand"},
-        {{"-x"}, "subcommand"},
-        {{"sample", "-x"}, "subcommand"},
-        {{"sample", "solve", "a", "b"}, "b"}}) {
+  for (const auto& [words, said] : {std::pair<std::vector<std::string>, std::string>{
+                                        {"sample", "other"}, "--needed is required"},
+                                    {{"sample"}, "subcommand"},
+                                    {{}, "subcommand"},
+                                    {{"-x"}, "subcommand"},
+                                    {{"sample", "-x"}, "subcommand"},
+                                    {{"sample", "solve", "a", "b"}, "b"}}) {
     const Captured got = p.run(words);
     CHECK_THAT(got.err, StartsWith("prog: ") && Contains(said) &&
                             Catch::Matchers::EndsWith("\nTry `prog --help`.\n"));
@@ -181,18 +181,19 @@ TEST_CASE("unit: options are read, noted as given or assumed, and kept in the an
   CHECK(aside.out.empty());
 }
 
-TEST_CASE("unit: a file of options stands for words, the line wins, and its errors have their place") {
+TEST_CASE(
+    "unit: a file of options stands for words, the line wins, and its errors have their place") {
   const TemporaryFolder at("program");
   const std::string file =
-      at.write("a.toml", "run-speed = \"5m/s\"\nload = [\"1N\", \"2N\"]\nrecord = \"r.csv\"\n"
-                         "loud = true\n")
+      at.write("a.toml",
+               "run-speed = \"5m/s\"\nload = [\"1N\", \"2N\"]\nrecord = \"r.csv\"\n"
+               "loud = true\n")
           .string();
-  for (const std::vector<std::string>& words :
-       {std::vector<std::string>{"sample", "solve", file},
-        {"sample", "solve", "--config", file},
-        {"sample", "solve", "--config=" + file},
-        {"sample", "solve", "--car", file},
-        {"sample", "solve", "--car=" + file}}) {
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"sample", "solve", file},
+                                                {"sample", "solve", "--config", file},
+                                                {"sample", "solve", "--config=" + file},
+                                                {"sample", "solve", "--car", file},
+                                                {"sample", "solve", "--car=" + file}}) {
     Program p;
     const Captured got = p.run(words);
     CHECK(got.err == "");
