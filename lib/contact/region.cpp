@@ -79,7 +79,7 @@ double end_at(const Line& line, Index k) {
   const double edge = static_cast<double>(k);
   if (line.no_body(k - 1)) return edge;
   auto square = [&](Index n) { return n < line.count ? line.pressure(n) * line.pressure(n) : 0.0; };
-  double t = 0.5;  // of the outermost cell, inward from its centre to the zero of p^2
+  double t = -0.5;  // of the outermost cell, inward from its centre to the zero of p^2
   const double s1 = square(k + 1), s2 = square(k + 2), s3 = square(k + 3);
   if (s1 > 0 && s2 > s1 && s3 > s2) {
     // Newton's parabola through the three next cells, at a distance u outward of the first of them.
@@ -90,8 +90,6 @@ double end_at(const Line& line, Index k) {
     t = 1 - u;
   } else if (s1 > square(k)) {
     t = -square(k) / (s1 - square(k));
-  } else {
-    t = -0.5;
   }
   // A region that runs off the grid ends with it: never below 0, which would read as no pressure at all.
   return std::max(0.0, edge + 0.5 + std::clamp(t, -1.0, 0.5));
@@ -233,19 +231,18 @@ void measure(const Grid& grid, const Eigen::VectorXd& p, const Eigen::VectorXd& 
              const Labels& labels, int number, const Extent& extent, Patch& patch, bool& steep) {
   refine_peak(grid, p, extent.peak, patch);
   Edges edges;
-  std::vector<double> left, right, below, above;
-  for (Index j = 0; j < grid.ny; ++j) {
-    const bool through = j >= extent.j0 && j <= extent.j1;
-    const Line row{p, f, labels, number, j * grid.nx, 1, through ? grid.nx : 0};
-    left.push_back(end_of(row));
-    right.push_back(end_of(row.reversed()));
+  const auto rows = static_cast<std::size_t>(grid.ny), columns = static_cast<std::size_t>(grid.nx);
+  std::vector<double> left(rows, -1), right = left, below(columns, -1), above = below;
+  for (Index j = extent.j0; j <= extent.j1; ++j) {
+    const Line row{p, f, labels, number, j * grid.nx, 1, grid.nx};
+    left[static_cast<std::size_t>(j)] = end_of(row);
+    right[static_cast<std::size_t>(j)] = end_of(row.reversed());
     patch.area += grid.dx * grid.dy * length_of(row, patch.p_max, edges);
   }
-  for (Index i = 0; i < grid.nx; ++i) {
-    const bool through = i >= extent.i0 && i <= extent.i1;
-    const Line column{p, f, labels, number, i, grid.nx, through ? grid.ny : 0};
-    below.push_back(end_of(column));
-    above.push_back(end_of(column.reversed()));
+  for (Index i = extent.i0; i <= extent.i1; ++i) {
+    const Line column{p, f, labels, number, i, grid.nx, grid.ny};
+    below[static_cast<std::size_t>(i)] = end_of(column);
+    above[static_cast<std::size_t>(i)] = end_of(column.reversed());
     length_of(column, patch.p_max, edges);
   }
   steep |= edges.steep;

@@ -19,8 +19,9 @@ const Grid grid{-0.31, 0.17, 0.02, 0.03, 40, 30};
 VectorXd half_ellipse(double x, double y, double a, double b, double peak = 1, double angle = 0) {
   VectorXd p = VectorXd::Zero(grid.cells());
   for (Index n = 0; n < grid.cells(); ++n) {
+    const Index row = n / grid.nx;
     const double i = static_cast<double>(n % grid.nx) + 0.5 - x,
-                 j = static_cast<double>(n / grid.nx) + 0.5 - y;
+                 j = static_cast<double>(row) + 0.5 - y;
     const double u = (std::cos(angle) * i + std::sin(angle) * j) / a,
                  v = (std::cos(angle) * j - std::sin(angle) * i) / b;
     p[n] = peak * std::sqrt(std::max(0.0, 1 - u * u - v * v));
@@ -152,6 +153,17 @@ TEST_CASE("unit: two patches are told apart by a cell, the one that carries most
   CHECK(r.ends.x_max == r.patches[0].ends.x_max);
   CHECK(r.ends.y_min == r.patches[1].ends.y_min);
   CHECK(r.ends.y_max == r.patches[0].ends.y_max);
+  const Region other = describe(grid, half_ellipse(8, 8, 5, 4, 2) + 2 * large, no_gap());
+  CHECK(other.p_max == other.patches[0].p_max);
+  CHECK(other.x_p_max == Approx(grid.x0 + 26 * grid.dx));
+  // Each has its own peak, and of equal ones the first.
+  VectorXd equal = VectorXd::Zero(grid.cells());
+  equal[0] = equal[1] = equal[2] = 9;
+  equal.segment(10 * grid.nx + 10, 5) << 1, 5, 2, 5, 1;
+  const Region flat = describe(grid, equal, no_gap());
+  REQUIRE(flat.patches.size() == 2);
+  CHECK(flat.patches[1].p_max == Approx(5).epsilon(0.1));
+  CHECK(flat.patches[1].x_p_max == Approx(grid.x(11)).margin(0.1 * grid.dx));
   // Cells that meet at a corner hang together; with one between them they do not.
   VectorXd p = VectorXd::Zero(grid.cells());
   p[5 * grid.nx + 5] = p[6 * grid.nx + 6] = p[7 * grid.nx + 5] = 1;

@@ -9,7 +9,6 @@
 
 using namespace railbook;
 using namespace railbook::wheel_on_rail;
-using Catch::Matchers::Contains;
 
 namespace {
 
