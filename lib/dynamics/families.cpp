@@ -36,7 +36,7 @@ void put(Oscillator& o, const FreightCar& car) {
     o.channels[c++].force << w.g_r, w.g_d, w.g_phi;
   }
   for (const Joint& joint : car.joint)
-    if (car.has_friction && joint.friction > 0) {
+    if (joint.friction > 0) {
       o.channels[c].row = joint.row;
       o.channels[c].force = -joint.row;
       o.channels[c++].law = saturation(joint.friction, joint.stick);

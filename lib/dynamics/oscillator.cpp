@@ -78,11 +78,9 @@ Oscillator car_on_track(const FreightCar& car, const wheelrail::ConstraintFuncti
     force << w.g_r, w.g_d, w.g_phi;
     o.channels.push_back({w.lateral, false, std::move(force), law, table.end()});
   }
-  if (car.has_friction)
-    for (const Joint& joint : car.joint)
-      if (joint.friction > 0)
-        o.channels.push_back(
-            {joint.row, true, -joint.row, saturation(joint.friction, joint.stick)});
+  for (const Joint& joint : car.joint)
+    if (joint.friction > 0)
+      o.channels.push_back({joint.row, true, -joint.row, saturation(joint.friction, joint.stick)});
   return at_speed(std::move(o), speed);
 }
 

@@ -55,7 +55,14 @@ TEST_CASE("Measured points that are no profile are refused") {
 
 TEST_CASE("Wheels beside, inside and on top of the rails are refused") {
   const Curve wheel = cn_pair().wheel(), rail = cn_pair().rail();
-  CHECK_THROWS_WITH(WheelsetOnTrack(moved(wheel, 0.5, 0), rail), Contains("do not touch"));
+  const auto line = [](double from, double to) {
+    return chain({from, 0}, 0, {wheelrail::line(to - from)});
+  };
+  CHECK_THROWS_WITH(WheelsetOnTrack(line(-0.62, -0.5), line(-0.8, -0.7)),
+                    "wheel and rail do not touch: the wheel is 0.5 to 0.62 m from the centre, the "
+                    "rail 0.7 to 0.8 m");
+  CHECK_THROWS_WITH(WheelsetOnTrack(line(-1, -0.9), line(-0.8, -0.7)), Contains("do not touch"));
+  CHECK_NOTHROW(WheelsetOnTrack(line(-0.75, -0.65), line(-0.8, -0.7)));
   CHECK_THROWS_WITH(with_radius(moved(wheel, -0.025, 0), rail, 0.4), Contains("does not fit"));
   CHECK_THROWS_WITH(with_radius(moved(wheel, 0.14, 0), rail, 0.4), Contains("end of a profile"));
   CHECK_THROWS_AS(with_radius(wheel, rail, 0), InputError);

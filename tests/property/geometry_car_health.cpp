@@ -201,6 +201,22 @@ TEST_CASE("geometry car: each sensor's faults are found, and no good row is wron
   }
 }
 
+TEST_CASE("geometry car: a spike leaves a zero where it was, a step moves it from there on",
+          "[health]") {
+  const Journey clean = ride(60 * mph, true);
+  const auto lateral = static_cast<std::size_t>(Channel::lateral);
+  Record record = clean.record;
+  record[Channel::lateral][1200] += 0.1;
+  const Health spiked = examine(record, {});
+  CHECK(std::count(spiked.zero_doubted[lateral].begin(), spiked.zero_doubted[lateral].end(),
+                   true) == 0);
+  record = clean.record;
+  for (std::size_t i = 1600; i < record.size(); ++i) record[Channel::lateral][i] += 0.15;
+  const auto doubted = examine(record, {}).zero_doubted[lateral];
+  CHECK(std::count(doubted.begin(), doubted.begin() + 1595, true) == 0);
+  CHECK(std::count(doubted.begin() + 1605, doubted.end(), false) == 0);
+}
+
 TEST_CASE("geometry car: all sensors of a kind in the wrong unit", "[health]") {
   const Journey clean = ride(60 * mph, true);
   for (const int filter : {0, 1, 2}) {

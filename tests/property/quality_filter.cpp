@@ -160,3 +160,33 @@ TEST_CASE("Filters out of range are refused", "[quality]") {
   CHECK_THROWS_AS(design_filter(envelope, {.spacing = 1e-5}), InputError);
   CHECK_THROWS_AS(design_filter(envelope, {.spacing = 1000}), InputError);
 }
+
+TEST_CASE("The gain error is the largest, of either sign, from the reach to the shortest wave",
+          "[quality]") {
+  int above = 0, below = 0;
+  for (const double spacing : {0.2, 0.3, 0.5})
+    for (const double shortest : {0.0, 3.0})
+      for (const double reach : {60.0, 100.0, 170.0}) {
+        const Envelope envelope = combined_envelope();
+        const FilterTaps taps = design_filter(envelope, {spacing, shortest, reach});
+        const auto error = [&](double phi) {
+          double gain = taps.half[0];
+          for (std::size_t j = 1; j < taps.half.size(); ++j)
+            gain +=
+                2 * taps.half[j] * std::cos(2 * units::pi * phi * spacing * static_cast<double>(j));
+          return gain / envelope(phi) - 1;
+        };
+        CAPTURE(spacing, shortest, reach);
+        const double worst = error(1 / taps.worst_at);
+        CHECK(taps.gain_error == Approx(std::abs(worst)).epsilon(1e-6));
+        (worst > 0 ? above : below) += 1;
+        const double low = 1 / (static_cast<double>(taps.half.size()) * spacing),
+                     high = shortest > 0 ? 0.8 / shortest : 0.5 / spacing;
+        double most = 0;
+        for (int i = 0; i <= 400; ++i)
+          most = std::max(most, std::abs(error(low * std::pow(high / low, i / 400.0))));
+        CHECK(most < 1.03 * taps.gain_error);
+      }
+  CHECK(above > 0);
+  CHECK(below > 0);
+}

@@ -37,7 +37,7 @@ double distance(const CreepForces& f, const CreepForces& g) {
 // Walks the path; where a step differs most from the one before, halves towards the larger half until what is left is
 // a jump or nothing.
 void require_continuous(const Path& path) {
-  constexpr std::size_t steps = 300;
+  constexpr std::size_t steps = 200;
   const auto place = [](std::size_t i) { return static_cast<double>(i) / steps; };
   std::vector<CreepForces> walk;
   for (std::size_t i = 0; i <= steps; ++i) walk.push_back(path.at(place(i)));
@@ -48,7 +48,7 @@ void require_continuous(const Path& path) {
     return std::hypot(f.fx - 2 * g.fx + h.fx, f.fy - 2 * g.fy + h.fy, f.mz - 2 * g.mz + h.mz);
   };
   std::ranges::sort(order, std::greater{}, bend);
-  for (std::size_t k = 0; k < 10; ++k) {
+  for (std::size_t k = 0; k < 5; ++k) {
     double low = place(order[k] - 1), high = place(order[k] + 1);
     CreepForces below = walk[order[k] - 1], above = walk[order[k] + 1];
     while (high - low > 1e-10) {

@@ -13,16 +13,16 @@ TEST_CASE("claim: the estimates are above the errors of 95 % of random cases", "
   num::Draw draw(11);
   int force = 0, moment = 0, all = 0;
   double claimed = 0, made = 0;
-  for (int k = 0; k < 20; ++k) {
+  for (int k = 0; k < 12; ++k) {
     const double ratio = draw.decades(0.1, 10), poisson = draw(0, 0.5);
     const EllipseRolling best(ratio, poisson, {.along = 32, .rows = 16});
     const EllipseRolling coarse(ratio, poisson, {.along = 8, .rows = 4}),
         middle(ratio, poisson, {.along = 16, .rows = 8});
     RollingCase c{std::sqrt(ratio), 1 / std::sqrt(ratio), 1, 1, poisson, 1, {}};
-    for (int j = 0; j < 3; ++j) {
+    for (int j = 0; j < 5; ++j) {
       const double size = 4 * draw(0, 1) * draw(0, 1), angle = draw(0, 6.2832);
       c = with_reduced_creepage(c, {size * std::cos(angle), size * std::sin(angle),
-                                    j == 0 ? 0 : 5 * draw(-1, 1) * draw(0, 1)});
+                                    j < 2 ? 0 : 5 * draw(-1, 1) * draw(0, 1)});
       const CreepForces truth = best.solve(c);
       REQUIRE(truth.converged);
       for (const EllipseRolling* contact : {&coarse, &middle}) {

@@ -1,6 +1,7 @@
 // Where the pressures of one step of COUNTACT put its boundary: cases whose squares fall on a line, done by hand.
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "contact/countact_parts.hpp"
@@ -136,4 +137,19 @@ TEST_CASE("unit: a step without a boundary says why") {
   step = step_of({1, 4, 9, 4, 1});
   step.p(1, 2) = std::nan("");
   CHECK_THAT(update_boundary(step, cells, options(), 1).reason, Contains("not finite"));
+}
+
+TEST_CASE("unit: no candidate region leaves a body that ends beside the contact") {
+  // A sphere cut off at |y| = w, within where it would touch: the outward moves end there.
+  const double approach = 1e-4, w = 0.93e-2;  // a = 1 cm on a radius of 1 m
+  const Gap cut = [&](double x, double y) {
+    return std::abs(y) > w ? std::numeric_limits<double>::infinity() : (x * x + y * y) / 2;
+  };
+  CountactOptions o;
+  o.columns = uniform_columns(11);
+  const CountactResult found = countact_1(cut, approach, 1e11, o);
+  REQUIRE(found.history.size() > 2);
+  for (const CountactStep& step : found.history)
+    for (Eigen::Index j = 0; j < step.mesh.half_width.size(); ++j)
+      CHECK(step.mesh.half_width[j] <= w * (1 + 1e-9));
 }

@@ -149,6 +149,22 @@ TEST_CASE("Bump stops: refusals", "[quality]") {
   CHECK_THROWS_AS(run(body(1), {{{0.01, 0, 0}}, 0}, {}, 1), InputError);
   CHECK_THROWS_AS(run(body(1), {{{0.01, 1, 0}}, -1}, {}, 1), InputError);
   CHECK_THROWS_AS(run(body(1), track, {}, 1e9), InputError);
+  // Stops three times as stiff as the springs double the frequency of a body between them; the wave's may be faster.
+  const Suspension slow{1, 0.1};
+  const Track still{};
+  CHECK_THROWS_WITH(run({slow, gap, 3}, still, {}, 2.5e6),
+                    Catch::Contains("duration times the fastest frequency is 5000000;"));
+  CHECK_THROWS_WITH(run({slow, gap, 3}, {{{0.01, 5, 0}}, 0}, {}, 1e6),
+                    Catch::Contains("duration times the fastest frequency is 5000000;"));
+  CHECK_THROWS_AS(run(body(1), track, {2, 0, 0}, 1), InputError);
+}
+
+TEST_CASE("Bump stops: the largest stroke is of either sign, and at its time", "[quality]") {
+  for (const double x : {0.01, -0.01}) {
+    const Run r = run(body(1), {}, {3, x, 0}, 5);
+    CHECK(r.largest == 0.01);
+    CHECK(r.largest_at == 3);
+  }
 }
 
 TEST_CASE("Steady motions: data out of range are refused, not divided by", "[quality]") {

@@ -41,7 +41,7 @@ TEST_CASE("C23 for a Poisson's ratio of zero is that of Hertz's semi-ellipsoid",
 }
 
 TEST_CASE("Kalker's coefficients by grids of cells are the same", "[kalker]") {
-  for (const double poisson : {0.0, 0.25, 0.5})
+  for (const double poisson : {0.0, 0.5})
     for (const double ratio : {0.5, 1.0}) {
       const ComputedCoefficients c = kalker_coefficients(ratio, poisson);
       const GridCoefficients grid = kalker_coefficients_by_grids(ratio, poisson);

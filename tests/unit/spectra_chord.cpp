@@ -59,6 +59,7 @@ TEST_CASE("unit: the offset on the two-slope spectrum against quadrature") {
       const TrackParameters track{.A = 5e-7, .phi_c = phi_c};
       CHECK_THAT(chord_sigma(track, chord), WithinRel(quadrature_sigma(track, chord), 1e-6));
     }
+  CHECK(chord_sigma({.A = 5e-7, .phi_c = no_corner}, 19.0) == chord_sigma(5e-7, 19.0));
   // How far "the effect of phi_c can be ignored" goes.
   const auto ratio = [](double phi_c, double chord) {
     return chord_sigma({.A = 1e-7, .phi_c = phi_c}, chord) / chord_sigma(1e-7, chord);
