@@ -140,16 +140,26 @@ TEST_CASE("unit: a step without a boundary says why") {
 }
 
 TEST_CASE("unit: no candidate region leaves a body that ends beside the contact") {
-  // A sphere cut off at |y| = w, within where it would touch: the outward moves end there.
-  const double approach = 1e-4, w = 0.93e-2;  // a = 1 cm on a radius of 1 m
-  const Gap cut = [&](double x, double y) {
-    return std::abs(y) > w ? std::numeric_limits<double>::infinity() : (x * x + y * y) / 2;
-  };
+  // A sphere that would touch over 1 cm, cut off nearer than that along or across: the outward moves end there.
+  const double approach = 1e-4, radius = 1;
   CountactOptions o;
   o.columns = uniform_columns(11);
-  const CountactResult found = countact_1(cut, approach, 1e11, o);
-  REQUIRE(found.history.size() > 2);
-  for (const CountactStep& step : found.history)
-    for (Eigen::Index j = 0; j < step.mesh.half_width.size(); ++j)
-      CHECK(step.mesh.half_width[j] <= w * (1 + 1e-9));
+  const auto solve = [&](double left, double right, double side) {
+    const Gap cut = [=](double x, double y) {
+      return x < left || x > right || std::abs(y) > side ? std::numeric_limits<double>::infinity()
+                                                         : (x * x + y * y) / (2 * radius);
+    };
+    const CountactResult found = countact_1(cut, approach, 1e11, o);
+    REQUIRE(found.history.size() > 2);
+    for (const CountactStep& step : found.history) {
+      CHECK(step.mesh.half_width.maxCoeff() <= side * (1 + 1e-9));
+      CHECK(step.mesh.x_edges[0] >= left * (1 + 1e-9));
+      CHECK(step.mesh.x_edges[11] <= right * (1 + 1e-9));
+    }
+    return found.history.back().mesh;
+  };
+  CHECK(solve(-1, 1, 9.3e-3).half_width.maxCoeff() > 0.95 * 9.3e-3);
+  const ColumnMesh mesh = solve(-8e-3, 9e-3, 1);
+  CHECK(mesh.x_edges[0] < 0.95 * -8e-3);
+  CHECK(mesh.x_edges[11] > 0.95 * 9e-3);
 }
