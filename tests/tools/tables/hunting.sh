@@ -23,3 +23,58 @@ holds "a branch of cycles" cycle/cycle.csv '
    near(($c["stable_mm"] == "nan") + ($c["unstable_mm"] == "nan"), 1, 0); near($c["front_leading_mm"], $3, 1e-6)}
   END {near(slow, a, 1e-4); near(fast, b, 1e-4); near(small, c1, 1e-4); near(large, d, 1e-4); near(rows, n, 0)}' \
   $extent hopf="$(v cycle hopf_m_per_s)" n="$(v cycle branch_points)"
+# The answer is what the tables begin with; conicities are those of Klingel's wave, 2 pi sqrt(a r / c), and a wheelset that is not steered back has none.
+means pair 'a = 29.76 * 0.0254; is("contact_mm", contact, 1e-6); is("delta_rad", delta, 1e-6); is("radius_mm", 16.5 * 25.4, 1e-6); says("pair", "^cn, of the paper"); is("slope_R", a * R / dx, 1e-5); is("slope_D", a * D / dx, 1e-5); is("slope_Phi", a * phi / dx, 1e-5)
+  is("jumps", jumps); is("jump_1_mm", first, 1e-6); says("jumps", "more than 0.1 mm"); for (k = 1; k <= 19; ++k) {free("conicity_at_" k "_mm"); split(notes["conicity_at_" k "_mm"], word, /[ ,]+/)
+    wave = 2 * pi * (a * 16.5 * 0.0254 / v["conicity_at_" k "_mm"]) ^ 0.5; if (abs(word[8] - wave) > 0.006) bad("wave of " k " mm: " notes["conicity_at_" k "_mm"])}' \
+  $(awk -F, 'NR == 2 {print "contact=" $3}' pair/contacts.csv) $(awk -F, 'NR == 2 {print "delta=" $5} NR == 3 {print "dx=" $1 / 1e3 " phi=" $7 " R=" $8 " D=" $9}' pair/wheelset.csv | xargs) \
+  jumps=$(($(wc -l <pair/jumps.csv) - 1)) first="$(awk -F, 'NR == 2 {print $1}' pair/jumps.csv)"
+holds "conicities" pair/conicity.csv '{near($1, 0.1 * rows, 1e-6); near($5 / (2 * 3.14159265358979 * (29.76 * 0.0254 * 16.5 * 0.0254 / $2) ^ 0.5), 1, 1e-4); if (rows < 40) {near($3 / $2, 1, 2e-3); near($4 / $2, 1, 2e-3)}} END {near(rows, 190, 0)}'
+holds "a table of the wheelset" pair/wheelset.csv '{near($1, 0.0635 * (rows - 1), 1e-5); near($8, ($2 - $3) / 2 / (29.76 * 25.4), 2e-6 + 1e-3 * abs($8))} END {near(rows, 301, 0)}'
+for k in 1 2 3 10 19; do near "conicity at $k mm" "$(v pair conicity_at_${k}_mm)" "$(awk -F, -v k=$k 'NR > 1 && $1 - k < 1e-6 && k - $1 < 1e-6 {print $2}' pair/conicity.csv)" 1e-5; done
+holds "jumps" pair/jumps.csv '{near($2 < $3 && $4 < $5, 1, 0); near($1 > 5 && $1 < 19.05, 1, 0)}'
+# A table that ends before a step of 1 mm has the conicity at its end; kept from rolling, the axle stands.
+answers little geometry --pair cn --end 0.5mm --step 0.05mm
+near "the conicity at the end" "$(v little conicity_at_0.5_mm)" "$(awk -F, 'END {print $2}' little/conicity.csv)" 1e-6
+answers level geometry --pair cn --level --end 4mm --step 0.05mm
+holds "a level axle" level/wheelset.csv '{near($7, 0, 0)}'
+near "its slope" "$(v level slope_Phi)" 0 0
+# A paper's pair has its place, and no side of its own.
+for option in "--gauge 57in" "--gauge-depth 14mm" "--cant 0.05" "--back-to-back 1.36001m" "--datum 71mm" "--radius 420mm" "--half-spacing 750mm" "--noise 0.01mm"; do
+  # shellcheck disable=SC2086 # an option
+  "$railbook" hunting geometry $option 2>&1 | grep -q "pairs have their own place" || fail "$option with a pair of the paper"
+done
+for option in "--right-wheel w.csv" "--right-rail r.csv" "--right-radius 420mm"; do
+  # shellcheck disable=SC2086 # an option
+  "$railbook" hunting speed $option 2>&1 | grep -q "which are the left ones" || fail "$option without the left one"
+done
+# The modes at a speed are those of the table there, and its critical speeds are told in every unit; datums that are not the paper's are named, with their units.
+answers modes speed --lowest 20m/s --highest 80m/s --speed 40m/s --body-mass 40t --vertical-damper 20kN*s/m
+row=$(awk -F, '$1 == 40 {print $2, $3, $4, $5}' modes/speed.csv)
+means modes 'split(row, at, "_"); is("body-mass", 40000); says("body-mass", "not the paper"); is("mode_1_growth", at[1], 1e-5); says("mode_1_growth", sprintf("^[^|]*. %.5f rad/s; wheelsets [01]", at[2])); oscillating = 0
+  for (k = 1; ("mode_" k "_growth") in v; ++k) {key = "mode_" k "_growth"; free(key); if (k > 1 && v[key] > v["mode_" k - 1 "_growth"]) bad("order of " key); if (notes[key] ~ /rad.s; wheelsets/ && ++oscillating == 2) is(key, at[3], 1e-5)}
+  if (k < 10 || oscillating < 2) bad(k - 1 " modes"); is("critical_speeds", count = v["critical_speeds"]); says("critical_speeds", "from 20 to 80 m/s"); is("slope_R", 0.052, 0.01); is("slope_D", 0, 1e-9); is("slope_Phi", 0.052, 0.01); says("pair", "^new"); says("suspension", "dampers")
+  for (k = 1; k <= count; ++k) {h = "hopf_" k "_"; V = v[h "m_per_s"]; free(h "m_per_s " h "rad_per_s " h "wheelsets " h "body"); says(h "m_per_s", sprintf("%.4f ft.s, %.2f km.h; grows (above|below)", V / 0.3048, V * 3.6)); says(h "rad_per_s", sprintf("%.4f Hz", v[h "rad_per_s"] / (2 * pi)))
+    n = split(v[h "wheelsets"], w, ", "); most = 0; for (; n > 0; --n) if (w[n] > most) most = w[n]; if (most != 1) bad("wheelsets " v[h "wheelsets"])}
+  says("hopf_1_m_per_s", "grows above")' row="$(echo "$row" | tr ' ' _)"
+for range in "20m/s 25m/s:stable throughout:-" "60m/s 70m/s:already unstable there:+"; do
+  # shellcheck disable=SC2086 # a range
+  set -- ${range%%:*}
+  answers none speed --lowest "$1" --highest "$2"
+  said=${range#*:}
+  grep -q "\"growth_lowest\": \"${said%:*}\"" none.json || fail "no critical speed from $1 to $2"
+  [ "$(awk -F, 'NR == 2 {print $2 < 0 ? "-" : "+"}' none/speed.csv)" = "${said#*:}" ] && near "growth at $1" "$(v none growth_lowest)" "$(awk -F, 'NR == 2 {print $2}' none/speed.csv)" 1e-5
+  near "critical speeds" "$(v none critical_speeds)" 0 0
+done
+# Special points of a branch are those of its answer.
+awk -F, 'NR > 1 {printf "%s %s %s\n", $2, $3, $4}' cycle/special.csv >specials
+n=0
+while read -r speed mm kind; do
+  n=$((n + 1))
+  near "special speed $n" "$(v cycle branch_special_${n}_m_per_s)" "$speed" 1e-5
+  near "special amplitude $n" "$(v cycle branch_special_${n}_mm)" "$mm" 1e-5
+  [ -n "$kind" ] || fail "a special point of no kind"
+done <specials
+grep -q "\"branch_special_$((n + 1))_m_per_s\"" cycle.json && fail "more special points than $n"
+grep -q '"hopf_m_per_s": "[0-9.]* ft/s"' cycle.json || fail "the critical speed in feet"
+awk -v m="$(v cycle hopf_m_per_s)" -v f="$(sed -n 's/.*"hopf_m_per_s": "\([0-9.]*\) ft.s".*/\1/p' cycle.json)" 'BEGIN {d = m / 0.3048 - f; exit !(d < 1e-3 && d > -1e-3)}' || fail "the critical speed in feet"

@@ -142,7 +142,7 @@ holds "measures of sines" sines/measures.csv 'BEGIN {half = 1 / 2 ^ 0.5; twist =
     d = 30 * chord(62); near($c["fra_class"], (d <= 76.2) + (d <= 69.85) + (d <= 57.15) + (d <= 50.8) + (d <= 31.75), 0)} END {near(rows, 5, 0)}'
 # The largest value is of its own sign, where it is.
 awk -F, 'NR == 1 {print "distance_m,left_mm"; next} {print $1 "," 7 * exp(-(($1 - 500) / 2) ^ 2) - 9 * exp(-(($1 - 300) / 2) ^ 2) + 0.01 * sin($1 ^ 2)}' sines.csv >lone.csv
-answers lone measures lone.csv --column left --section 200m
+answers lone measures lone.csv --column left --section 200m --fra-class 5
 holds "lone samples" lone/measures.csv 'rows == 2 {near($c["left_chord_largest_at_m"], 300, 1e-9); near($c["left_chord_largest_mm"] / -9, 1, 0.01); near($c["left_D1_largest_mm"] < 0, 1, 0)}
   rows == 3 {near($c["left_chord_largest_at_m"], 500, 1e-9); near($c["left_chord_largest_mm"] / 7, 1, 0.01); near($c["left_D1_largest_mm"] > 0, 1, 0)}'
 functions=
