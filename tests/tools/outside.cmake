@@ -33,10 +33,11 @@ set_tests_properties("tool: psd classify takes any name (in)" PROPERTIES FIXTURE
 foreach(case "a full pipe" "a closed standard output" "a reader that goes away" "a size limit"
         "a disk that cannot be read" "an interrupt in mid-write" "an end in mid-write" "a kill in mid-write" "an end while gnuplot draws" "an interrupt while answers are written"
         "a folder that is read-only" "a folder that is not there" "another folder, language and time zone"
-        "a FIFO of options" "a disk that is full" "a gnuplot that hangs" "a gnuplot that fails" "no gnuplot" "a folder for temporary files that is not there")
+        "a FIFO of options" "a FIFO that nobody writes to" "a disk that is full" "a gnuplot that hangs" "a gnuplot that fails" "no gnuplot" "a folder for temporary files that is not there")
   add_test(NAME "tool: ${case}" COMMAND ${here}/outside.sh ${case} ${bin} ${examples}/quality/track.csv)
   set_tests_properties("tool: ${case}" PROPERTIES SKIP_RETURN_CODE 77)
 endforeach()
+set_tests_properties("tool: a FIFO that nobody writes to" PROPERTIES LABELS thorough) # it is waited for
 
 # Many records, and what is typed wrong.
 add_test(NAME "tool: many records make a table" COMMAND ${here}/batch.sh ${bin})
