@@ -97,9 +97,9 @@ bool read_some(int descriptor, std::string& text) {
   pollfd ready{descriptor, POLLIN, 0};
   if (poll(&ready, 1, 20) <= 0) return true;
   std::array<char, 4096> buffer{};
-  const ssize_t n = read(descriptor, buffer.data(), buffer.size());
+  const ssize_t n = TEMP_FAILURE_RETRY(read(descriptor, buffer.data(), buffer.size()));
   if (n > 0) text.append(buffer.data(), static_cast<std::size_t>(n));
-  return n > 0 || (n < 0 && errno == EINTR);
+  return n > 0;
 }
 
 Outcome run(std::vector<std::string> arguments, const fs::path& folder) {
@@ -120,16 +120,12 @@ Outcome run(std::vector<std::string> arguments, const fs::path& folder) {
   const Clock::time_point end = Clock::now() + time_limit();
   Outcome outcome;
   bool more = true;
-  const auto runs = [&] {
-    const pid_t ended = waitpid(child, &outcome.status, WNOHANG);
-    return ended == 0 || (ended < 0 && errno == EINTR);
-  };
-  while (runs()) {
+  while (waitpid(child, &outcome.status, WNOHANG) == 0) {
     if (more) more = read_some(reading.descriptor, outcome.message);
     if (!more) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     if (outcome.in_time && Clock::now() > end) {
       outcome.in_time = false;
-      kill(-child, SIGKILL);
+      kill(child, SIGKILL);
     }
   }
   kill(-child, SIGKILL);  // and what it may have started

@@ -63,6 +63,20 @@ TEST_CASE("input: a scene with bad numbers is refused by name") {
              Contains("background"));
   CHECK_THAT(refusal([](Scene& s, Camera&, Size&) { s.lines[0].width = 0.0; }),
              Contains("line width"));
+  // Just beyond what is allowed, and just within.
+  CHECK_THAT(refusal([](Scene& s, Camera&, Size&) { s.lines[0].width = 16.1; }),
+             Contains("line width is 16.1 pixels"));
+  CHECK_THAT(refusal([](Scene& s, Camera&, Size&) { s.lines[0].colour[1] = -0.01; }),
+             Contains("line colour"));
+  CHECK_THAT(refusal([](Scene& s, Camera&, Size&) { s.meshes[0].by = ColourBy::triangle; }),
+             Contains("1 rows, not 12"));
+  CHECK_THAT(refusal([](Scene& s, Camera&, Size&) { s.meshes[0].vertices(23, 2) = INFINITY; }),
+             Contains("mesh vertex 23"));
+  CHECK_THAT(refusal([](Scene& s, Camera&, Size&) {
+               s.lines[0].width = 16, s.background = {0, 1, 0}, s.lines[0].colour = {1, 0, 1};
+               s.meshes[0].triangles(5, 2) = 23, s.lines[0].segments(1, 0) = 0;
+             }),
+             Contains("not refused"));
 }
 
 TEST_CASE("input: a camera that sees nothing, or a picture without pixels, is refused") {

@@ -149,6 +149,19 @@ TEST_CASE("unit: gnuplot ends with all it started, and leaves no file open") {
     CHECK_THROWS_WITH(plot::draw(gnuplot.at.write("fig.gp", ""), {gnuplot.data}),
                       Contains("exit status 5"));
   }
+  {
+    // One that has left its group is not waited for, though it could say more.
+    StandIn gnuplot("", StandIn::whole_png,
+                    "setsid sh -c 'echo $$ > \"$HOME/child\"; exec sleep 600' &\n"
+                    "while ! [ -s \"$HOME/child\" ]; do :; done; exit 0");
+    const SetVariable home("HOME");
+    home.to(gnuplot.at.path.c_str());
+    CHECK_NOTHROW(plot::draw(gnuplot.at.write("fig.gp", ""), {gnuplot.data}));
+    const pid_t child = std::stoi(gnuplot.at.read("child"));
+    REQUIRE(child > 1);
+    CHECK_FALSE(has_ended(child));
+    kill(child, SIGKILL);
+  }
   CHECK(open_files() == before);
 }
 
@@ -173,4 +186,21 @@ TEST_CASE("input: a time for gnuplot that is none is the usual one") {
     seconds.to(none);
     CHECK_NOTHROW(plot::draw(gnuplot.at.write("fig.gp", ""), {gnuplot.data}));
   }
+}
+
+TEST_CASE("unit: what gnuplot said last is read after its end") {
+  // It stops the program, says more than one reading holds, ends, and has the program go on.
+  const auto [status, said] = apart(1, [] {
+    StandIn gnuplot("", StandIn::whole_png,
+                    "kill -STOP $PPID\nseq 1 3000 >&2\n(sleep 0.05; kill -CONT $PPID) &\nexit 0");
+    try {
+      (void)plot::draw(gnuplot.at.write("fig.gp", ""), {gnuplot.data});
+    } catch (const plot::PlotError& error) {
+      std::puts(error.what());
+    }
+    return std::fflush(stdout);
+  });
+  CHECK(status == 0);
+  CHECK_THAT(said,
+             Contains("gnuplot complained\n  1\n  2\n") && Catch::EndsWith("\n  2999\n  3000\n"));
 }
