@@ -31,11 +31,11 @@ Colour viridis(double value, double low, double high) {
   units::require_finite("lower end of the colours", low);
   units::require_finite("upper end of the colours", high);
   units::require_positive("span of the colours", high - low);
-  constexpr double last = table.size() - 1;
+  constexpr std::size_t last = table.size() - 1;
   const double place = last * std::clamp((value - low) / (high - low), 0.0, 1.0);
-  const double below = std::min(std::floor(place), last - 1.0);
+  const double below = std::floor(place);
   const auto i = static_cast<std::size_t>(below);
-  return entry(i) + (place - below) * (entry(i + 1) - entry(i));
+  return entry(i) + (place - below) * (entry(std::min(i + 1, last)) - entry(i));
 }
 
 Points viridis(const Eigen::VectorXd& values, double low, double high) {

@@ -24,7 +24,7 @@ Depths depths_of(const Scene& scene, const View& view) {
     high = std::max(high, depth);
   });
   if (low > high) return {1.0, 2.0};  // nothing to draw
-  const double margin = 0.01 * (high - low) + 1e-6 * std::max(std::abs(low), std::abs(high));
+  const double margin = 0.01 * (high - low) + 1e-6 * std::max(-low, high);
   Depths depths{low - margin, high + margin};
   if (!view.parallel) {
     depths.far = std::max(depths.far, margin);

@@ -20,7 +20,7 @@ report::WorkPrecision point(double work, double error, double uncertainty = 0) {
   p.work = work, p.error = error, p.reference_uncertainty = uncertainty, p.converged = true;
   return p;
 }
-double slope(std::vector<report::WorkPrecision> points) {
+double slope(const std::vector<report::WorkPrecision>& points) {
   return bench::observed_slope(points, "F", "a");
 }
 

@@ -170,7 +170,7 @@ TEST_CASE("unit: a group that holds something stays, and a background of the scr
   std::string printed = svg;
   for (std::size_t at = 0; (at = printed.find('\n', at)) != svg.npos; at += 2)
     printed.replace(at, 1, "\\n");
-  StandIn gnuplot("", printed.c_str());
+  StandIn gnuplot("", printed);
   const auto script =
       gnuplot.at.write("fig.gp", "set terminal pngcairo background rgb \"black\"\na\n");
   const std::string fonts = "font-family=\"DejaVu Sans, Verdana, sans-serif\" ";

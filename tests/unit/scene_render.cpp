@@ -100,6 +100,14 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("unit: in parallel projection what is behind the eye is seen, too, be it flat") {
+  const auto wall = [](double y) { return triangle({-1, y, -1}, {1, y, -1}, {0, y, 1}, red); };
+  Scene both = one(wall(-9));
+  both.meshes.push_back(triangle({-1, 1, -1}, {1, 1, -1}, {0, 1, 1}, blue));
+  for (const Scene& scene : {one(wall(-9)), both})
+    CHECK(render(scene, front(), size).at(100, 50) == Pixel{255, 0, 0});
+}
+
 TEST_CASE("unit: a colour per triangle and a colour per vertex land where they belong") {
   Mesh mesh;
   mesh.vertices.resize(4, 3);

@@ -158,9 +158,10 @@ TEST_CASE("unit: a surface has its heights over its grid, and their colours") {
 
 TEST_CASE(
     "unit: colours are those of the table at its ten places, and halfway between in between") {
-  const auto is = [](double value, int red, int green, int blue) {
+  const auto is = [](double value, double red, double green, double blue) {
     CHECK((scene::viridis(value, 2, 11) * 255 - scene::Colour(red, green, blue)).norm() < 1e-9);
   };
+  is(10.5, 216.5, 226.5, 40.5);  // of B4 DE 2C and FD E7 25
   is(2, 0x44, 0x01, 0x54), is(3, 0x48, 0x28, 0x78), is(10, 0xB4, 0xDE, 0x2C),
       is(11, 0xFD, 0xE7, 0x25);
   CHECK((scene::viridis(2.25, 2, 11) * 255 - scene::Colour(69, 10.75, 93)).norm() < 1e-9);
