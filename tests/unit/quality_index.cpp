@@ -63,6 +63,59 @@ TEST_CASE("Index: gaps, silence and nothing", "[quality]") {
   CHECK_THROWS_AS(IndexBuilder({.spacing = 1, .threshold = -1}), InputError);
 }
 
+TEST_CASE("Index of a few samples, all of it by hand", "[quality]") {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  // Two pieces of 1.5 m and 1 m; zeros half way from 2 to -2 and a quarter from 1 to -3.
+  const std::vector<double> p{nan, 0.5, 2, -2, -1, 1, -3, nan, 1.5, 1.01, 1};
+  IndexBuilder b{{.spacing = 0.5, .threshold = 1, .margin = 0.6}};
+  b.push(p);
+  b.finish();
+  const QualityIndex q = b.index();
+  CHECK(q.samples == 11);
+  CHECK(q.missing == 2);
+  const double mean = 13.01 / 9, square = (22.5 + 1.01 * 1.01 + 0) / 9;
+  CHECK_THAT(q.mean, WithinRel(mean, 1e-14));
+  CHECK_THAT(q.rms, WithinRel(std::sqrt(square), 1e-14));
+  CHECK_THAT(q.deviation, WithinRel(std::sqrt(square - mean * mean), 1e-13));
+  CHECK_THAT(q.margin, WithinRel((1 - mean) / q.deviation, 1e-13));
+  CHECK(q.largest == 3);
+  CHECK(q.above == 5);
+  CHECK_THAT(q.above_per_km, WithinRel(5 / 4.5e-3, 1e-14));
+  CHECK_THAT(q.exceedances_per_km, WithinRel(4 / 4.5e-3, 1e-14));
+  struct Expected {
+    double at, peak, wavelength, length;
+    bool cut;
+    double clear;
+  };
+  const std::vector<Expected> expected{{1, 2, 1.5, 0.5, true, 0.5},  // from sample 1 to 2.5
+                                       {1.5, -2, 2, 0.5, false, 1},  // to 4.5
+                                       {3, -3, 0.75, 0.5, true, 0},  // from 5.25 to 6
+                                       {4, 1.5, 2, 1, true, 0}};
+  REQUIRE(b.exceedances().size() == expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    INFO("exceedance " << i);
+    const Exceedance& e = b.exceedances()[i];
+    CHECK_THAT(e.at, WithinAbs(expected[i].at, 1e-14));
+    CHECK(e.peak == expected[i].peak);
+    CHECK_THAT(e.wavelength, WithinAbs(expected[i].wavelength, 1e-14));
+    CHECK_THAT(e.length, WithinAbs(expected[i].length, 1e-14));
+    CHECK(e.cut == expected[i].cut);
+    CHECK_THAT(e.clear, WithinAbs(expected[i].clear, 1e-14));
+  }
+  // Of the nine samples one spacing within either end of a piece; all of the shorter piece but one.
+  CHECK_THAT(b.unsure(), WithinRel((2.0 + 2) / 9, 1e-14));
+  const auto& bars = b.histogram();
+  std::size_t counted = 0;
+  for (const std::size_t bar : bars) counted += bar;
+  CHECK(counted == 9);
+  CHECK(bars[25] == 1);   // 0.5
+  CHECK(bars[100] == 2);  // 2
+  CHECK(bars[75] == 1);   // 1.5
+  IndexBuilder high{{.spacing = 0.5}};
+  high.push(std::vector{1e9});
+  CHECK(high.histogram().back() == 1);
+}
+
 TEST_CASE("Index by segment: aligned with the kilometre posts, exceedances where their peak is",
           "[quality]") {
   // Half-waves of 10 m about 1; from 130 m to 770 m, a gap of 20 m at 400 m.
