@@ -276,3 +276,66 @@ TEST_CASE("geometry car: findings name the sensor, its factor and the row", "[he
   CHECK(std::abs(static_cast<double>(jump.first) - 1500) <= 2);
   CHECK(jump.size == Approx(0.5).epsilon(0.1));
 }
+
+TEST_CASE("geometry car: a factor is named by the slip of units that it stands for", "[health]") {
+  const Journey clean = ride(60 * mph, true);
+  struct Slip {
+    Channel channel;
+    double factor;
+    std::string text;
+  };
+  for (const auto& [channel, factor, text] :
+       {Slip{Channel::vertical_left, 9.80665, ": in g under a header of m/s^2?"},
+        Slip{Channel::vertical_left, 1 / 9.80665, ": in m/s^2 under a header of g?"},
+        Slip{Channel::roll_rate, units::degree, ": in deg under a header of rad?"},
+        Slip{Channel::roll_rate, 1 / units::degree, ": in rad under a header of deg?"},
+        Slip{Channel::height_left, 1e3, ": in m under a header of mm?"},
+        Slip{Channel::height_left, 1e-3, ": in mm under a header of m?"},
+        Slip{Channel::height_left, 25.4, ": in inches under a header of mm?"},
+        Slip{Channel::height_left, 1 / 25.4, ": in mm under a header of inches?"},
+        Slip{Channel::height_left, 0.3048, ": in ft under a header of m?"},
+        Slip{Channel::height_left, 1 / 0.3048, ": in m under a header of ft?"},
+        Slip{Channel::roll_rate, -1, ": its sign is turned?"}, Slip{Channel::roll_rate, -2, ""},
+        Slip{Channel::roll_rate, 2, ""}}) {
+    Record record = clean.record;
+    for (double& v : record[channel]) v /= factor;
+    const Health health = examine(record, {});
+    const std::string name{channel_list()[static_cast<std::size_t>(channel)].name};
+    INFO(name << " over " << factor);
+    const auto found =
+        std::find_if(health.findings.begin(), health.findings.end(),
+                     [&](const Finding& f) { return f.fault == Fault::scale && f.what == name; });
+    CHECK(found != health.findings.end());
+    if (found == health.findings.end()) continue;
+    CHECK(found->size == Approx(factor).epsilon(0.05));
+    CHECK_THAT(found->text, Catch::Matchers::EndsWith(" times as much" + text));
+  }
+}
+
+TEST_CASE("geometry car: of two gages that move unlike neither is trusted", "[health]") {
+  const Journey clean = ride(60 * mph, true);
+  for (const auto& [channel, factor] : {std::pair{Channel::gage_left, 3.0},
+                                        {Channel::gage_right, 3.0},
+                                        {Channel::gage_right, 1.1}}) {
+    Record record = clean.record;
+    for (double& v : record[channel]) v *= factor;
+    const Health health = examine(record, {});
+    const auto found = std::find_if(
+        health.findings.begin(), health.findings.end(),
+        [](const Finding& f) { return f.fault == Fault::inconsistent && f.what == "gage_left"; });
+    INFO("factor " << factor);
+    REQUIRE((found != health.findings.end()) == (factor == 3));
+    for (const Channel c : {Channel::gage_left, Channel::gage_right}) {
+      const auto& doubted = health.doubted[static_cast<std::size_t>(c)];
+      CHECK(static_cast<std::size_t>(std::count(doubted.begin(), doubted.end(), true)) ==
+            (factor == 3 ? record.size() : 0));
+    }
+    if (factor != 3) continue;
+    const bool left = channel == Channel::gage_left;
+    CHECK(found->size == Approx(left ? 3 : 1 / 3.0).epsilon(0.15));
+    CHECK(found->first == 0);
+    CHECK(found->rows == record.size());
+    CHECK_THAT(found->text, Catch::Matchers::StartsWith(left ? "it moves " : "it moves 0.3"));
+    CHECK_THAT(found->text, Catch::Matchers::EndsWith(" times as much as gage_right"));
+  }
+}
