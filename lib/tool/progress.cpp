@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <utility>
 
@@ -23,7 +24,17 @@ bool worth_saying(double done, double steps, double seconds, double enough) {
 }
 
 Progress::Progress(std::string what, double steps)
-    : what_(std::move(what)), steps_(steps), terminal_(isatty(STDERR_FILENO) != 0) {}
+    : Progress(std::move(what), steps, isatty(STDERR_FILENO) != 0, [] {
+        const auto now = std::chrono::steady_clock::now().time_since_epoch();
+        return std::chrono::duration<double>(now).count();
+      }) {}
+
+Progress::Progress(std::string what, double steps, bool terminal, std::function<double()> seconds)
+    : what_(std::move(what)),
+      steps_(steps),
+      terminal_(terminal),
+      seconds_(std::move(seconds)),
+      begin_(seconds_()) {}
 
 void Progress::end() {
   if (said_ && terminal_) fmt::print(stderr, "\r\x1b[K");
@@ -32,17 +43,13 @@ void Progress::end() {
 
 void Progress::step() {
   ++done_;
-  const auto now = Clock::now();
-  const auto since = [&](Clock::time_point t) {
-    return std::chrono::duration<double>(now - t).count();
-  };
-  const double seconds = since(begin_);
-  const bool first = !said_ && worth_saying(done_, steps_, seconds, terminal_ ? 1 : 10);
-  if (!first && !(said_ && terminal_ && since(shown_) > 0.5)) return;
+  const double now = seconds_();
+  const bool first = !said_ && worth_saying(done_, steps_, now - begin_, terminal_ ? 1 : 10);
+  if (!first && !(said_ && terminal_ && now - shown_ > 0.5)) return;
   said_ = true;
   shown_ = now;
-  fmt::print(stderr, "{}{}{}", terminal_ ? "\r" : "", progress_line(what_, done_, steps_, seconds),
-             terminal_ ? "\x1b[K" : "\n");
+  const std::string line = progress_line(what_, done_, steps_, now - begin_);
+  fmt::print(stderr, "{}{}{}", terminal_ ? "\r" : "", line, terminal_ ? "\x1b[K" : "\n");
 }
 
 }  // namespace railbook::tool

@@ -1,7 +1,7 @@
 // Long work is never silent: what is done and what is still to do, on standard error, so that answers stay clean.
 #pragma once
 
-#include <chrono>
+#include <functional>
 #include <string>
 
 namespace railbook::tool {
@@ -12,6 +12,8 @@ class Progress {
  public:
   // `what`: the steps in the plural, "points".
   Progress(std::string what, double steps);
+  // With another terminal and clock than those of the process; `seconds` have passed since some begin.
+  Progress(std::string what, double steps, bool terminal, std::function<double()> seconds);
   ~Progress() { end(); }
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
@@ -21,11 +23,11 @@ class Progress {
   void end();
 
  private:
-  using Clock = std::chrono::steady_clock;
   std::string what_;
   double steps_ = 0, done_ = 0;
-  Clock::time_point begin_ = Clock::now(), shown_ = begin_;
   bool said_ = false, terminal_ = false;
+  std::function<double()> seconds_;
+  double begin_ = 0, shown_ = 0;
 };
 
 // The line: "points: 12 of 40, about 90 s to go".

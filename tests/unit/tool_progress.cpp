@@ -1,6 +1,9 @@
 #include "tool/progress.hpp"
 
 #include <catch2/catch.hpp>
+#include <string>
+
+#include "../support/captured.hpp"
 
 using namespace railbook;
 
@@ -24,4 +27,43 @@ TEST_CASE("Progress is silent for two seconds, and where the rest is short") {
     CHECK_FALSE(tool::worth_saying(10, 10 + 0.24 * enough, 40, enough));
     CHECK(tool::worth_saying(10, 10 + 0.26 * enough, 40, enough));
   }
+}
+
+TEST_CASE("Progress is one line in a file, and on a terminal a line that keeps up and goes") {
+  for (const bool terminal : {false, true}) {
+    double now = 100;
+    const Captured said = captured([&] {
+      tool::Progress progress("points", 100, terminal, [&now] { return now; });
+      for (int k = 0; k < 99; ++k) {
+        now += k < 20 ? 0.21 : 0.45;  // slower then
+        progress.step();
+      }
+      progress.end();
+      progress.end();
+      return 0;
+    });
+    CHECK(said.out.empty());
+    if (!terminal) {  // at 2.1 s, ten steps, 90 * 0.21 s to go
+      CHECK(said.err == "points: 10 of 100, about 19 s to go\n");
+      continue;
+    }
+    // Again when more than half a second has passed: each third step of 0.21 s, each second of 0.45 s.
+    const std::string begin =
+        "\rpoints: 10 of 100, about 19 s to go\x1b[K"
+        "\rpoints: 13 of 100, about 18 s to go\x1b[K"
+        "\rpoints: 16 of 100, about 18 s to go\x1b[K"
+        "\rpoints: 19 of 100, about 17 s to go\x1b[K"
+        "\rpoints: 21 of 100, about 17 s to go\x1b[K"
+        "\rpoints: 23 of 100, about";
+    CHECK(said.err.substr(0, begin.size()) == begin);
+    CHECK(said.err.ends_with("\rpoints: 99 of 100, about 0 s to go\x1b[K\r\x1b[K"));
+  }
+  // What ends soon is not worth a line, nor taken away.
+  double now = 0;
+  const Captured quick = captured([&] {
+    tool::Progress progress("points", 4, true, [&now] { return now; });
+    for (int k = 0; k < 4; ++k) now += 0.9, progress.step();
+    return 0;
+  });
+  CHECK(quick.err.empty());
 }

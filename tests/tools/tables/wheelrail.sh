@@ -40,9 +40,10 @@ for drawn in hertz full; do
   for side in left:1:-1 right:2:1; do
     name=${side%%:*} number=$(echo $side | cut -d: -f2) sign=${side##*:}
     awk -F, -v name=$name -v number="$number" -v N="$(v $drawn "${name}_1_normal_N")" -v y="$(v $drawn "${name}_1_y_mm")" -v x="$(v $drawn "${name}_1_x_mm")" -v a="$(v $drawn "${name}_1_angle_mrad")" -v p="$(v $drawn "${name}_1_p_max_MPa")" '
-      NR == FNR {if ($1 == name) {if (!n++ || $4 < low) low = $4; if (n == 1 || $4 > high) high = $4} next}
-      $1 != number {next} !m++ || $2 < left {left = $2} m == 1 || $2 > right {right = $2} {f = $6 * 4 * $4 * $5 / cos(a / 1e3); sum += f; across += f * $2; along += f * $3; if ($6 > most) most = $6; if ($4 * $5 <= 0) exit 1}
-      function near(u, w, within) {if (u - w > within || w - u > within) {print u, "is not", w; bad = 1}} END {near(sum / N, 1, 0.02); near(across / sum, y, 0.5); near(along / sum, x, 0.5); near(most / p, 1, 0.03); near(right - left, (high - low) * cos(a / 1e3), 2e-3); near(m, n, 0); exit bad}' $drawn/patches.csv $drawn.drawn/1/d3.csv >said ||
+      NR == FNR {if ($1 == name) {row[$4]; if (!n++ || $4 < low) low = $4; if (n == 1 || $4 > high) high = $4} next}
+      $1 != number {next} {half = $4} !m++ || $2 < left {left = $2} m == 1 || $2 > right {right = $2} {f = $6 * 4 * $4 * $5 / cos(a / 1e3); sum += f; across += f * $2; along += f * $3; if ($6 > most) most = $6; if ($4 * $5 <= 0) exit 1}
+      function near(u, w, within) {if (u - w > within || w - u > within) {print u, "is not", w; bad = 1}} END {near(sum / N, 1, 0.02); near(across / sum, y, 0.5); near(along / sum, x, 0.5); near(most / p, 1, 0.03); near(right - left, (high - low) * cos(a / 1e3), 2e-3); near(m, n, 0)
+        gap = high - low; for (u in row) for (w in row) if (u - w > 1e-6 && u - w < gap) gap = u - w; near(half / (gap / 2 * cos(a / 1e3)), 1, 5e-3); exit bad}' $drawn/patches.csv $drawn.drawn/1/d3.csv >said ||
       fail "cells of the $drawn $name patch: $(cat said)"
     awk -F, -v number="$number" -v sign="$sign" -v y="$(v $drawn "${name}_1_y_mm")" -v a="$(v $drawn "${name}_1_angle_mrad")" '
       $1 != number {next} {++n; near($2, y, 1e-3); near($8, a * 0.0572957795, 0.051); near($6 ^ 2 + $7 ^ 2, 1, 1e-4); near($4 * $6 + $5 * $7, 0, 1e-4 * sqrt($4 ^ 2 + $5 ^ 2)); near($4 * sign > 0, 1, 0); near(sqrt($4 ^ 2 + $5 ^ 2) > 2, 1, 0); near(sqrt($4 ^ 2 + $5 ^ 2) < 12, 1, 0)}
