@@ -215,7 +215,7 @@ double memory_of(const RollingOptions& o) {
   const double n = static_cast<double>(o.along), rows = static_cast<double>(o.rows);
   const double cells = n * rows;
   return is_stepped(o) ? 36 * n * rows * rows + 24 * n * cells + 1600 * cells
-                       : 32 * cells * cells * (o.estimate ? 17.0 / 16 : 1);
+                       : 12 * cells * cells * (o.estimate ? 17.0 / 16 : 1);
 }
 
 }  // namespace

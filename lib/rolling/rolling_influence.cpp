@@ -1,14 +1,17 @@
 #include "rolling/rolling_influence.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
 #include "num/fft.hpp"
 #include "num/quadrature.hpp"
+#include "num/wide.hpp"
 #include "rolling/cell_displacements.hpp"
 #include "rolling/stepped_rows.hpp"
 #include "units/constants.hpp"
+#include "units/input_error.hpp"
 
 namespace railbook::rolling {
 namespace {
@@ -16,8 +19,23 @@ namespace {
 // Response at the cells of row `at` from unit tractions on the cells of row `from`, as three along x along blocks.
 struct Blocks {
   explicit Blocks(Eigen::Index n) : xx(n, n), xy(n, n), yy(n, n) {}
+  void clear() { xx.setZero(), xy.setZero(), yy.setZero(); }
   Eigen::MatrixXd xx, xy, yy;
 };
+
+// What a cell and its mirror image add: t holds the even and odd parts of the tractions along, then across, `columns` those of
+// their six columns. What takes the time is reading them: each is read once.
+RAILBOOK_WIDE void add_cell(const double* columns, Eigen::Index n, const std::array<double, 4>& t,
+                            double* __restrict sums) {
+  const double *xx = columns, *xy = columns + 2 * n, *yy = columns + 4 * n;
+  const double x_even = t[0], x_odd = t[1], y_even = t[2], y_odd = t[3];
+  for (Eigen::Index i = 0; i < n; ++i) {
+    sums[i] += xx[i] * x_even + xy[n + i] * y_odd;
+    sums[n + i] += xx[n + i] * x_odd + xy[i] * y_even;
+    sums[2 * n + i] += yy[i] * y_even + xy[n + i] * x_odd;
+    sums[3 * n + i] += yy[n + i] * y_odd + xy[i] * x_even;
+  }
+}
 
 void fill(const RollingMesh& mesh, double poisson, Response response, Eigen::Index at,
           Eigen::Index from, Blocks& b) {
@@ -85,32 +103,73 @@ bool RollingMesh::stepped() const {
   return regular(*this) && ((x0 - x0.reverse()).array().abs() <= 1e-9 * dx[0]).all();
 }
 
+bool RollingMesh::mirrored() const {
+  const Eigen::ArrayXd middles = y + y.reverse();
+  return ((x0 - x0.reverse()).array().abs() <= 1e-9 * dx[0]).all() &&
+         ((dx - dx.reverse()).array().abs() <= 1e-9 * dx[0]).all() &&
+         ((dy - dy.reverse()).array().abs() <= 1e-9 * dy[0]).all() &&
+         ((middles - middles[0]).abs() <= 1e-6 * dy[0]).all();
+}
+
 struct TangentialInfluence::Parts {
   RollingMesh mesh;
   double poisson = 0;
   Response response = Response::strain;
-  Eigen::MatrixXd matrix;               // dense, or empty
+  Eigen::MatrixXd matrix;               // dense, or empty; see fill_matrix
   std::vector<Eigen::MatrixXd> blocks;  // of the rows, or the one they share
   std::unique_ptr<SteppedRows> stepped;
   std::unique_ptr<num::RealFft2d> x, y;
   std::vector<std::complex<double>> xx, xy, yy;
 
   void fill_matrix();
+  void multiply_matrix(const Eigen::VectorXd& p, Eigen::VectorXd& strain) const;
   void fill_spectra();
   void multiply(const Eigen::VectorXd& p, Eigen::VectorXd& strain);
 };
 
+// Of the lower half of the rows (the middle one with it): what a cell does with its mirror image, together and against one
+// another, even and odd parts for short. Six columns a cell: xx even, xx odd, xy even, xy odd, yy even, yy odd.
 void TangentialInfluence::Parts::fill_matrix() {
-  const Eigen::Index n = mesh.along, rows = mesh.rows(), half = mesh.cells();
-  matrix.resize(2 * half, 2 * half);
-  Blocks b(n);
-  for (Eigen::Index at = 0; at < rows; ++at)
-    for (Eigen::Index from = 0; from < rows; ++from) {
-      fill(mesh, poisson, response, at, from, b);
-      matrix.block(at * n, from * n, n, n) = b.xx;
-      matrix.block(at * n, half + from * n, n, n) = b.xy;
-      matrix.block(half + at * n, from * n, n, n) = b.xy;
-      matrix.block(half + at * n, half + from * n, n, n) = b.yy;
+  const Eigen::Index n = mesh.along, rows = mesh.rows(), half = (rows + 1) / 2;
+  matrix.resize(half * n, 6 * half * n);
+  Blocks one(n), other(n);
+  for (Eigen::Index at = 0; at < half; ++at)
+    for (Eigen::Index from = 0; from < half; ++from) {
+      const Eigen::Index mirror = rows - 1 - from;
+      fill(mesh, poisson, response, at, from, one);
+      if (mirror == from)
+        other.clear();
+      else
+        fill(mesh, poisson, response, at, mirror, other);
+      for (Eigen::Index k = 0; k < n; ++k) {
+        auto to = matrix.block(at * n, 6 * (from * n + k), n, 6);
+        to << one.xx.col(k) + other.xx.col(k), one.xx.col(k) - other.xx.col(k),
+            one.xy.col(k) + other.xy.col(k), one.xy.col(k) - other.xy.col(k),
+            one.yy.col(k) + other.yy.col(k), one.yy.col(k) - other.yy.col(k);
+      }
+    }
+}
+
+// Strain along and across from tractions along, across: mirror images have the same xx and yy, and the opposite xy.
+void TangentialInfluence::Parts::multiply_matrix(const Eigen::VectorXd& p,
+                                                 Eigen::VectorXd& strain) const {
+  const Eigen::Index n = mesh.along, rows = mesh.rows(), cells = mesh.cells(), half = matrix.rows();
+  Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(half, 4);  // along, even and odd; across
+  for (Eigen::Index k = 0; k < half; ++k) {
+    const Eigen::Index mirror = (rows - 1 - k / n) * n + k % n;
+    const double here[] = {p[k], p[cells + k]}, there[] = {p[mirror], p[cells + mirror]};
+    add_cell(matrix.col(6 * k).data(), half,
+             {(here[0] + there[0]) / 2, (here[0] - there[0]) / 2, (here[1] + there[1]) / 2,
+              (here[1] - there[1]) / 2},
+             sums.data());
+  }
+  strain.resize(2 * cells);
+  for (Eigen::Index part = 0; part < 2; ++part)
+    for (Eigen::Index k = 0; k < half; ++k) {
+      const double even = sums(k, 2 * part), odd = sums(k, 2 * part + 1);
+      const Eigen::Index mirror = (rows - 1 - k / n) * n + k % n;
+      strain[part * cells + mirror] = even - odd;
+      strain[part * cells + k] = even + odd;
     }
 }
 
@@ -180,8 +239,10 @@ TangentialInfluence::TangentialInfluence(const RollingMesh& mesh, double poisson
     parts_->fill_spectra();
   else if (stepped)
     parts_->stepped = std::make_unique<SteppedRows>(mesh, poisson);
-  else
+  else if (mesh.mirrored())
     parts_->fill_matrix();
+  else
+    throw InputError("the rows of the mesh are not their own mirror image across");
   Blocks b(mesh.along);
   const Eigen::Index kinds =
       std::min<Eigen::Index>(uniform || stepped ? 1 : mesh.rows(), mesh.rows());
@@ -197,7 +258,7 @@ TangentialInfluence& TangentialInfluence::operator=(TangentialInfluence&&) noexc
 
 void TangentialInfluence::apply(const Eigen::VectorXd& p, Eigen::VectorXd& strain) const {
   if (parts_->matrix.size())
-    strain.noalias() = parts_->matrix * p;
+    parts_->multiply_matrix(p, strain);
   else if (parts_->stepped)
     parts_->stepped->apply(p, strain);
   else

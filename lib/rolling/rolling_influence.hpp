@@ -16,8 +16,9 @@ struct RollingMesh {
   double x(Eigen::Index row, Eigen::Index i) const {
     return x0[row] + static_cast<double>(i) * dx[row];
   }
-  bool uniform() const;  // all rows alike and evenly spaced
-  bool stepped() const;  // but for where they begin, and that mirrored across: see SteppedRows
+  bool uniform() const;   // all rows alike and evenly spaced
+  bool stepped() const;   // but for where they begin, and that mirrored across: see SteppedRows
+  bool mirrored() const;  // its own mirror image across
 };
 
 // Where the ends of the contact belong on a row of cells of constant traction whose slip comes from the upstream
@@ -37,8 +38,8 @@ enum class Response { strain, displacement };
 // u_x = 1/pi integral of [(1 - nu)/r + nu X^2/r^3] px + nu X Y/r^3 py, u_y likewise.
 class TangentialInfluence {
  public:
-  // `dense` asks for a matrix (32 bytes a pair of cells), quicker up to some hundred cells; a mesh that is neither uniform
-  // nor stepped always has one.
+  // `dense` asks for a matrix (12 bytes a pair of cells), quicker up to some hundred cells; a mesh that is neither uniform
+  // nor stepped always has one. Throws InputError where a mesh that needs it is not mirrored().
   TangentialInfluence(const RollingMesh& mesh, double poisson, bool dense,
                       Response response = Response::strain);
   ~TangentialInfluence();

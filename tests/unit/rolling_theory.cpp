@@ -7,6 +7,7 @@
 #include "rolling/rolling_contact.hpp"
 #include "rolling/rolling_influence.hpp"
 #include "units/constants.hpp"
+#include "units/input_error.hpp"
 
 using namespace railbook;
 using namespace railbook::rolling;
@@ -50,19 +51,20 @@ TEST_CASE("Products by Fourier transforms are those of the matrix", "[rolling]")
 }
 
 TEST_CASE("Influence of a cell is the integral of Cerruti's kernel", "[rolling]") {
-  RollingMesh mesh;  // two rows of one cell, of different sizes
+  RollingMesh mesh;  // three rows of one cell, of different sizes
   mesh.along = 1;
-  mesh.y = Eigen::Vector2d{0, 1.1};
-  mesh.dy = Eigen::Vector2d{0.4, 0.6};
-  mesh.x0 = Eigen::Vector2d{0, 0.7};
-  mesh.dx = Eigen::Vector2d{0.5, 0.3};
+  mesh.y = Eigen::Vector3d{-1.1, 0, 1.1};
+  mesh.dy = Eigen::Vector3d{0.6, 0.4, 0.6};
+  mesh.x0 = Eigen::Vector3d{0.7, 0, 0.7};
+  mesh.dx = Eigen::Vector3d{0.3, 0.5, 0.3};
+  CHECK(mesh.mirrored());
   const double nu = 0.28;
-  Eigen::VectorXd p = Eigen::VectorXd::Zero(4), u;
-  p[0] = 1;  // px of the first cell
+  Eigen::VectorXd p = Eigen::VectorXd::Zero(6), u;
+  p[1] = 1;  // px of the middle cell
   TangentialInfluence(mesh, nu, true).apply(p, u);
   const num::GaussRule gx = num::gauss_legendre(12, -0.25, 0.25),
                        gy = num::gauss_legendre(12, -0.2, 0.2);
-  double xx = 0, xy = 0;  // displacements of the second cell's centre less those a cell ahead
+  double xx = 0, xy = 0;  // displacements of the last cell's centre less those a cell ahead
   for (Eigen::Index i = 0; i < 12; ++i)
     for (Eigen::Index j = 0; j < 12; ++j) {
       for (const double ahead : {0.0, 0.3}) {
@@ -72,8 +74,28 @@ TEST_CASE("Influence of a cell is the integral of Cerruti's kernel", "[rolling]"
         xy += weight * nu * x * y / (r * r * r);
       }
     }
-  CHECK(u[1] == Approx(xx / 0.3).epsilon(1e-11));
-  CHECK(u[3] == Approx(xy / 0.3).epsilon(1e-11));
+  CHECK(u[2] == Approx(xx / 0.3).epsilon(1e-11));
+  CHECK(u[5] == Approx(xy / 0.3).epsilon(1e-11));
+  CHECK(u[0] == u[2]);
+  CHECK(u[3] == -u[5]);
+}
+
+TEST_CASE("A matrix is made only of a mesh that is its own mirror image", "[rolling]") {
+  RollingMesh whole;
+  whole.along = 2;
+  whole.y = Eigen::Vector3d{-1, 0, 1};
+  whole.dy = Eigen::Vector3d{1, 1, 1};
+  whole.x0 = Eigen::Vector3d{0.1, 0, 0.1};
+  whole.dx = Eigen::Vector3d{1, 2, 1};
+  CHECK(whole.mirrored());
+  CHECK_NOTHROW(TangentialInfluence(whole, 0.3, false));
+  for (Eigen::VectorXd RollingMesh::*part :
+       {&RollingMesh::y, &RollingMesh::dy, &RollingMesh::x0, &RollingMesh::dx}) {
+    RollingMesh mesh = whole;
+    (mesh.*part)[2] += 1e-4;
+    CHECK_FALSE(mesh.mirrored());
+    CHECK_THROWS_AS(TangentialInfluence(mesh, 0.3, true), InputError);
+  }
 }
 
 TEST_CASE("The ends of a row belong 0.0753 cells beyond the quarters", "[rolling]") {
