@@ -23,14 +23,26 @@ TEST_CASE("unit: quantities come in as SI") {
   CHECK(parse_quantity("approach", "+4e-4in", length) == Approx(1.016e-5).epsilon(1e-15));
 }
 
-TEST_CASE("unit: a dimension is named with newtons where a force is in it") {
-  CHECK(si_name(moment / angle) == "N*m/rad");
-  CHECK(si_name(damping) == "N*s/m");
-  CHECK(si_name(force * area) == "N*m^2");
-  CHECK(si_name(subgrade_modulus) == "N/m^3");
-  CHECK(si_name(pressure) == "Pa");
-  CHECK(si_name(mass * area) == "kg*m^2");
-  CHECK(si_name(acceleration) == "m/s^2");
+TEST_CASE("unit: a dimension is named, with newtons where a force is in it") {
+  const std::pair<Dimension, const char*> named[] = {{area, "m^2"},
+                                                     {volume, "m^3"},
+                                                     {speed, "m/s"},
+                                                     {acceleration, "m/s^2"},
+                                                     {frequency, "Hz"},
+                                                     {wavenumber, "1/m"},
+                                                     {force, "N"},
+                                                     {moment, "N*m"},
+                                                     {pressure, "Pa"},
+                                                     {stiffness, "N/m"},
+                                                     {damping, "N*s/m"},
+                                                     {subgrade_modulus, "N/m^3"},
+                                                     {mass_per_length, "kg/m"},
+                                                     {density, "kg/m^3"},
+                                                     {second_moment_of_area, "m^4"},
+                                                     {moment / angle, "N*m/rad"},
+                                                     {force * area, "N*m^2"},
+                                                     {mass * area, "kg*m^2"}};
+  for (const auto& [dimension, name] : named) CHECK(si_name(dimension) == name);
 }
 
 TEST_CASE("unit: a header names its unit after the underscore") {
