@@ -1,0 +1,179 @@
+// Fields on grids: gaps sampled, pressures carried over, the box that holds a contact, and places that a grid missed.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "contact/grid.hpp"
+#include "contact/missed.hpp"
+#include "units/input_error.hpp"
+
+using namespace railbook;
+using namespace railbook::contact;
+using Catch::Matchers::Contains;
+using Eigen::VectorXd;
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+// Displacement of a place [m] by the cells of a grid: points, or rods of their length where they are long.
+double displacement(const Grid& grid, const VectorXd& p, double modulus, double x, double y) {
+  const bool along_x = grid.dx > 2 * grid.dy, along_y = grid.dy > 2 * grid.dx;
+  const double least = std::min(grid.dx, grid.dy) / 4;
+  double sum = 0;
+  for (Eigen::Index n = 0; n < grid.cells(); ++n) {
+    if (p[n] == 0) continue;
+    const Eigen::Index row = n / grid.nx;
+    const double dx = x - grid.x(n % grid.nx), dy = y - grid.y(row),
+                 force = p[n] * grid.dx * grid.dy;
+    const int parts = along_x || along_y ? 400 : 1;
+    for (int k = 0; k < parts; ++k) {
+      const double t = (k + 0.5) / parts - 0.5;
+      const double u = along_x ? dx - t * grid.dx : along_y ? dy - t * grid.dy : dx;
+      const double v = along_y ? dx : dy;
+      sum += force / parts / std::hypot(u, std::max(std::abs(v), least));
+    }
+  }
+  return sum / (pi * modulus);
+}
+
+}  // namespace
+
+TEST_CASE("unit: a gap is sampled at the centres, and refused where it is no gap") {
+  const Grid grid{1, -2, 0.5, 0.25, 3, 2};
+  const VectorXd f = sample([](double x, double y) { return x > 2 ? infinite : x + 10 * y; }, grid);
+  REQUIRE(f.size() == 6);
+  CHECK(f[0] == Approx(1.25 - 18.75));
+  CHECK(f[1] == Approx(1.75 - 18.75));
+  CHECK(std::isinf(f[2]));
+  CHECK(f[3] == Approx(1.25 - 16.25));
+  for (const double bad : {std::nan(""), -infinite})
+    CHECK_THROWS_WITH(sample([bad](double, double) { return bad; }, grid),
+                      Contains("gap at x = 1.250000 m, y = -1.875000 m is"));
+}
+
+TEST_CASE("unit: squares of pressures are carried over by two lines, and end a cell outside") {
+  const Grid from{0, 0, 1, 2, 2, 2};
+  VectorXd p(4);
+  p << 1, 3, 2, 5;
+  const auto at = [&](double x, double y) {
+    return transfer(from, p, Grid{x - 0.05, y - 0.05, 0.1, 0.1, 1, 1})[0];
+  };
+  CHECK(at(0.5, 1) == Approx(1));
+  CHECK(at(1.5, 3) == Approx(5));
+  CHECK(at(1, 1) == Approx(std::sqrt(5)));         // 1 and 9
+  CHECK(at(0.5, 2.5) == Approx(std::sqrt(3.25)));  // 1 and 4, a quarter and three
+  CHECK(at(1.25, 1.5) == Approx(std::sqrt(0.75 * 7 + 0.25 * 19.75)));
+  CHECK(at(-0.25, 1) == Approx(std::sqrt(0.25)));
+  CHECK(at(2.25, 3) == Approx(std::sqrt(25 * 0.25)));
+  CHECK(at(0.5, 4.5) == Approx(std::sqrt(4 * 0.25)));
+  CHECK(at(0.5, -0.5) == Approx(std::sqrt(0.25)));
+  for (const auto& [x, y] : {std::pair{-0.6, 1.0}, {2.6, 1.0}, {1.0, -1.2}, {1.0, 5.2}})
+    CHECK(at(x, y) == 0);
+  const Grid two{0, 0, 1, 1, 2, 3};  // in the order of the cells
+  const VectorXd all = transfer(from, p, two);
+  REQUIRE(all.size() == 6);
+  for (Eigen::Index n = 0; n < 6; ++n) {
+    const Eigen::Index row = n / 2;
+    CHECK(all[n] == Approx(at(two.x(n % 2), two.y(row))));
+  }
+}
+
+TEST_CASE("unit: the box of a contact holds it, on every side by no more than a fifth") {
+  // Ellipses about the origin and beside it, and one on slopes to either side.
+  for (const auto& [x0, y0] : {std::pair{0.0, 0.0}, {3e-3, -2e-3}, {-0.5, 0.2}}) {
+    const double a = 4e-3, b = 1e-3, approach = 2e-5;
+    const Box box = interpenetration_box(
+        [&, x0 = x0, y0 = y0](double x, double y) {
+          return approach * (std::pow((x - x0) / a, 2) + std::pow((y - y0) / b, 2));
+        },
+        approach);
+    INFO("about " << x0 << ", " << y0);
+    CHECK(box.x_min <= x0 - a);
+    CHECK(box.x_max >= x0 + a);
+    CHECK(box.y_min <= y0 - b);
+    CHECK(box.y_max >= y0 + b);
+    // Of the way from the place where it began, which lies in the contact.
+    CHECK(box.x_max - box.x_min < 1.2 * 2 * 2 * a);
+    CHECK(box.y_max - box.y_min < 1.2 * 2 * 2 * b);
+    if (x0 != 0) continue;
+    CHECK(box.x_min > -1.2 * a);
+    CHECK(box.x_max < 1.2 * a);
+    CHECK(box.y_min > -1.2 * b);
+    CHECK(box.y_max < 1.2 * b);
+  }
+  // A slender contact that leaves a box between its corners, whichever side it crosses.
+  for (const double angle : {0.7, 2.1, 0.05, 1.5}) {
+    const Box box = interpenetration_box(
+        [&](double x, double y) {
+          const double u = std::cos(angle) * x + std::sin(angle) * y,
+                       v = std::cos(angle) * y - std::sin(angle) * x;
+          return 1e-5 * (u * u / 1e-4 + v * v / 1e-10);
+        },
+        1e-5);
+    const double x = std::abs(1e-2 * std::cos(angle)), y = std::abs(1e-2 * std::sin(angle));
+    CHECK(std::min(-box.x_min, box.x_max) >= 0.999 * x);
+    CHECK(std::min(-box.y_min, box.y_max) >= 0.999 * y);
+  }
+  CHECK_THROWS_WITH(interpenetration_box([](double, double) { return 1.0; }, 0.5),
+                    Contains("nowhere found below the approach of 0.5 m: it is 1 m at the origin"));
+  CHECK_THROWS_WITH(interpenetration_box([](double x, double) { return x * x; }, 0.5),
+                    Contains("below the approach for 1 km"));
+  CHECK_THROWS_WITH(interpenetration_box([](double, double) { return std::nan(""); }, 0.5),
+                    Contains("NaN near the origin"));
+}
+
+TEST_CASE("unit: places that a grid missed are those still overlapping under its loads") {
+  constexpr double modulus = 1e11, approach = 1e-4, share = 0.05;
+  const Box box{-0.03, 0.05, -0.04, 0.02};
+  const Gap gap = [](double x, double y) {
+    return 3e-5 * (1 + std::sin(170 * x) * std::cos(230 * y + 0.3)) + 0.02 * x * x + 0.03 * y * y;
+  };
+  for (const Grid& grid :
+       {Grid{-0.01, -0.008, 0.002, 0.0015, 9, 11}, Grid{-0.012, -0.004, 0.006, 0.001, 4, 9},
+        Grid{-0.004, -0.012, 0.001, 0.006, 9, 4}})
+    for (const double pressure : {0.0, 2e10}) {
+      VectorXd p = VectorXd::Zero(grid.cells());
+      for (const Eigen::Index n : {Eigen::Index{2}, Eigen::Index{13}, grid.cells() - 3})
+        p[n] = pressure * (1 + 0.1 * static_cast<double>(n % 7));
+      std::set<std::pair<double, double>> found;
+      for (const Point& place : missed_places(gap, approach, modulus, grid, p, box, share))
+        found.emplace(place.x, place.y);
+      int missed = 0, loaded = 0;
+      const auto look = [&](double x, double y) {
+        const bool inside = x > grid.x0 && x < grid.x0 + double(grid.nx) * grid.dx && y > grid.y0 &&
+                            y < grid.y0 + double(grid.ny) * grid.dy;
+        const double overlap = approach - gap(x, y), sunk = displacement(grid, p, modulus, x, y);
+        const double spare = overlap - sunk - share * approach;
+        if (!inside && std::abs(spare) < 1e-9 + 0.02 * sunk) return;  // rods far off are points
+        const bool expected = !inside && spare > 0;
+        missed += expected, loaded += !inside && !expected && overlap > share * approach;
+        if (found.contains({x, y}) != expected) FAIL_CHECK("at " << x << ", " << y);
+      };
+      INFO("cells " << grid.dx << " by " << grid.dy << ", pressure " << pressure);
+      for (int j = 0; j <= 96; ++j)
+        for (int i = 0; i <= 96; ++i)
+          if (pressure == 0 || (i + j) % 5 == 0)
+            look(box.x_min + (box.x_max - box.x_min) * i / 96,
+                 box.y_min + (box.y_max - box.y_min) * j / 96);
+      for (int i = 0; i <= 1024; i += 9) {
+        look(box.x_min + (box.x_max - box.x_min) * i / 1024, 0);
+        look(0, box.y_min + (box.y_max - box.y_min) * i / 1024);
+      }
+      CHECK(missed > 50);
+      CHECK((loaded > 50) == (pressure > 0));
+    }
+  // An axis that the box does not hold is not looked along.
+  const Grid grid{1, 1, 0.1, 0.1, 4, 4};
+  const VectorXd none = VectorXd::Zero(16);
+  const auto count = [&](const Box& where) {
+    return missed_places([](double, double) { return 0.0; }, 1, 1, grid, none, where, 0.5).size();
+  };
+  CHECK(count({2, 3, 2, 3}) == 97 * 97);
+  CHECK(count({-3, -2, -1, 0.5}) == 97 * 97 + 1025);
+  CHECK(count({-1, 0.5, -3, -2}) == 97 * 97 + 1025);
+}
