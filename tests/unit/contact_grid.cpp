@@ -138,7 +138,7 @@ TEST_CASE("unit: places that a grid missed are those still overlapping under its
         Grid{-0.004, -0.012, 0.001, 0.006, 9, 4}})
     for (const double pressure : {0.0, 2e10}) {
       VectorXd p = VectorXd::Zero(grid.cells());
-      for (const Eigen::Index n : {Eigen::Index{2}, Eigen::Index{13}, grid.cells() - 3})
+      for (const Eigen::Index n : {Eigen::Index{0}, Eigen::Index{13}, grid.cells() - 1})
         p[n] = pressure * (1 + 0.1 * static_cast<double>(n % 7));
       std::set<std::pair<double, double>> found;
       for (const Point& place : missed_places(gap, approach, modulus, grid, p, box, share))
@@ -176,4 +176,35 @@ TEST_CASE("unit: places that a grid missed are those still overlapping under its
   CHECK(count({2, 3, 2, 3}) == 97 * 97);
   CHECK(count({-3, -2, -1, 0.5}) == 97 * 97 + 1025);
   CHECK(count({-1, 0.5, -3, -2}) == 97 * 97 + 1025);
+}
+
+TEST_CASE("unit: a long cell presses as a rod near it and as a point far from it") {
+  // On flat bodies the places missed begin where 0.95 of the approach is sunk in, on either axis.
+  constexpr double modulus = 1e11, approach = 1e-4, h = 4e-3;
+  const double unit = 0.95 * approach * pi * modulus;  // of force over distance
+  struct Case {
+    double force, along, across;
+  };
+  for (const auto& [force, along, across] :
+       {Case{unit * 2 * h / std::log(3.0), 2 * h, h / std::sinh(std::log(3.0) / 2)},
+        Case{unit * 2 * h / std::log(5.0), 1.5 * h, h / std::sinh(std::log(5.0) / 2)},
+        Case{unit * 5 * h, 5 * h, 5 * h}})
+    for (const bool turned : {false, true}) {
+      const Grid grid =
+          turned ? Grid{-h / 8, -h, h / 4, 2 * h, 1, 1} : Grid{-h, -h / 8, 2 * h, h / 4, 1, 1};
+      const VectorXd p = VectorXd::Constant(1, force / (grid.dx * grid.dy));
+      double x = infinite, y = infinite;
+      const double end = 6 * h;
+      for (const Point& place : missed_places([](double, double) { return 0.0; }, approach, modulus,
+                                              grid, p, {-end, end, -end, end}, 0.05)) {
+        if (std::abs(place.y) < 1e-12) x = std::min(x, std::abs(place.x));
+        if (std::abs(place.x) < 1e-12) y = std::min(y, std::abs(place.y));
+      }
+      INFO("force " << force << ", turned " << turned);
+      const double step = 2 * end / 1024, near = turned ? y : x, beside = turned ? x : y;
+      CHECK(near > along - 1e-9);
+      CHECK(near < along + step);
+      CHECK(beside > across - 1e-9);
+      CHECK(beside < across + step);
+    }
 }
