@@ -62,6 +62,7 @@ void OutFolder::figure(const std::filesystem::path& script, const std::vector<st
                        const std::string& png) {
   if (destination_.no_figures || (figure_ && drawn_)) return;
   std::vector<std::filesystem::path> paths;
+  paths.reserve(data.size());
   for (const std::string& name : data) paths.push_back(drawable_.at(name));
   const std::string picture = plot::draw(script, paths, plot::Missing::allowed);
   drawn_ = true;

@@ -44,6 +44,7 @@ Curve read_profile(const std::filesystem::path& file, const PairWish& wish, Prof
   const auto columns =
       table::read_columns(file, {{"inward", units::length}, {"height", units::length}});
   std::vector<Point> points;
+  points.reserve(columns[0].size());
   for (std::size_t i = 0; i < columns[0].size(); ++i)
     points.push_back({columns[0][i], columns[1][i]});
   try {
