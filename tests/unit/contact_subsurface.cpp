@@ -4,6 +4,7 @@
 
 #include "../support/half_space_loads.hpp"
 #include "units/constants.hpp"
+#include "units/input_error.hpp"
 
 using namespace railbook;
 using namespace railbook::contact;
@@ -34,6 +35,56 @@ TEST_CASE("unit: stresses on the axis below Hertz's circle") {
   CHECK(found.shear.value == Approx(0.310).margin(1e-3));
   CHECK(found.shear.depth == Approx(0.48).margin(0.01));
   CHECK(std::hypot(found.shear.x, found.shear.y) < 1e-12);
+}
+
+TEST_CASE(
+    "unit: the largest stresses are found from those at each depth, below an ellipse that lies "
+    "anyhow") {
+  const double nu = 0.28;
+  const Grid grid{0.3, -2, 0.1, 0.125, 26, 22};
+  VectorXd p(grid.cells()), qx(grid.cells());
+  for (Index n = 0; n < grid.cells(); ++n) {
+    const Index row = n / grid.nx;
+    const double x = grid.x(n % grid.nx) - 1.6, y = grid.y(row) + 0.6, u = 0.8 * x + 0.6 * y,
+                 v = 0.8 * y - 0.6 * x;  // axes 1.1 and 0.7
+    p[n] = std::sqrt(std::max(0.0, 1 - u * u / 1.21 - v * v / 0.49));
+    qx[n] = 0.2 * p[n];
+  }
+  const VectorXd none = VectorXd::Zero(grid.cells());
+  const LargestStress found = largest_stress(grid, nu, p, qx, none);
+  REQUIRE(found.depths.size() == 18);
+  CHECK(found.depths[0] == 0);
+  CHECK(found.depths[17] == Approx(2 * 0.7).epsilon(0.01));
+  for (Index k = 2; k < 18; ++k) CHECK(found.depths[k] == Approx(1.2 * found.depths[k - 1]));
+  const Subsurface body(grid, nu, p, qx, none);
+  VectorXd below = none;
+  double most = 0, most_shear = 0;
+  Index at = 0, shear_at = 0;
+  for (Index k = 0; k < 18; ++k) {
+    const Stresses all = body.at(found.depths[k]);
+    double mises = 0, shear = 0;
+    for (Index c = 0; c < grid.cells(); ++c) {
+      const Stress s = all.row(c);
+      const double here = von_mises(s), there = largest_shear(s);
+      below[c] = std::max(below[c], here);
+      mises = std::max(mises, here), shear = std::max(shear, there);
+      if (here > most) most = here, at = c;
+      if (there > most_shear) most_shear = there, shear_at = c;
+    }
+    CHECK(found.von_mises_at[k] == mises);
+    CHECK(found.shear_at[k] == shear);
+  }
+  CHECK(found.below == below);
+  const auto is_at = [&](const LargestStress::Place& place, Index cell) {
+    const Index row = cell / grid.nx;
+    return place.x == grid.x(cell % grid.nx) && place.y == grid.y(row);
+  };
+  CHECK(is_at(found.von_mises, at));
+  CHECK(is_at(found.shear, shear_at));
+  CHECK(found.von_mises.value == Approx(most).epsilon(0.01));
+  CHECK(found.von_mises.value >= most);
+  CHECK_THROWS_AS(largest_stress(grid, nu, -p, none, none), railbook::InputError);
+  CHECK(largest_stress(grid, nu, none, none, none).below == none);
 }
 
 TEST_CASE("unit: stresses below a line contact, in plane strain") {

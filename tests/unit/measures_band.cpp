@@ -92,6 +92,9 @@ TEST_CASE("input: bands and chords that the samples cannot carry are refused") {
   CHECK_THROWS_AS(measures::band_taps(measures::bands[0], 1, 0.6), InputError);
   CHECK_THROWS_AS(measures::band_taps(measures::bands[3], 1, 1e-5), InputError);
   CHECK_THROWS_AS(measures::band_taps(measures::bands[1], 1, 0), InputError);
+  // Two samples beyond the one before the chord's end, and eight at least, which a filter asks for.
+  CHECK(measures::chord_taps(20, 0.25).half.size() == 43);
+  CHECK(measures::chord_taps(1.2, 0.25).half.size() == 9);
   CHECK_THROWS_AS(measures::chord_taps(1, 0.3), InputError);
   CHECK_THROWS_AS(measures::chord_taps(20, -1), InputError);
 }

@@ -65,6 +65,8 @@ TEST_CASE("unit: transforms match a direct sum") {
 
 TEST_CASE("unit: a two-dimensional round trip returns n times the samples") {
   num::RealFft2d fft{6, 5};
+  CHECK(fft.spectrum().size() == 6 * 3);
+  CHECK(fft.real().size() == 2 * 6 * 3);
   for (std::size_t i = 0; i < 6; ++i)
     for (std::size_t j = 0; j < 5; ++j) fft.row(i)[j] = double(10 * i + j);
   fft.forward();

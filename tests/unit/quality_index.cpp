@@ -53,6 +53,7 @@ TEST_CASE("Index: gaps, silence and nothing", "[quality]") {
   CHECK(q.above == 3);
   REQUIRE(b.exceedances().size() == 2);
   CHECK(b.exceedances()[0].cut);
+  CHECK(b.exceedances()[0].at == 1);  // the first of equal ones
   CHECK(b.exceedances()[1].peak == -3);
   IndexBuilder still{{.spacing = 1}};
   still.push(std::vector<double>(10, 0.0));
