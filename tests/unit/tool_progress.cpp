@@ -29,6 +29,11 @@ TEST_CASE("Progress is silent for two seconds, and where the rest is short") {
   }
 }
 
+TEST_CASE("Progress says nothing of just two seconds, nor of just enough") {
+  CHECK_FALSE(tool::worth_saying(1, 1000, 2, 10));
+  CHECK_FALSE(tool::worth_saying(10, 20, 10, 10));
+}
+
 TEST_CASE("Progress is one line in a file, and on a terminal a line that keeps up and goes") {
   for (const bool terminal : {false, true}) {
     double now = 100;
