@@ -5,6 +5,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <csignal>
+#include <cstdint>
+#include <iomanip>
 #include <new>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -171,6 +173,35 @@ TEST_CASE("unit: shards divide the records, and a run without a shard merges wha
     batch.wish.shard = shard;
     CHECK_THROWS_WITH(batch.run(), Contains("allowed: 1/4 to 4/4"));
   }
+}
+
+TEST_CASE("unit: a shard beyond the records has nothing to do, and is good") {
+  Batch batch({"one", "two"});
+  for (const auto& [shard, count] : {std::pair{"2/3", 1}, {"3/3", 0}, {"100000/100000", 0}}) {
+    batch.wish.shard = shard;
+    CHECK_THAT(batch.run(), Contains("sum of " + std::to_string(count) + " records\n"));
+    CHECK(batch.marks() == count);
+  }
+}
+
+TEST_CASE("unit: what a record depends on is hashed alike on every machine, by FNV-1a") {
+  Batch batch({"one"});
+  tool::session() = {};
+  tool::session().version = "7";
+  tool::session().given = {{"shard", "1/1"}, {"window", "hann"}, {"out", "x"}};
+  batch.wish.stamp = "other files";
+  batch.run();
+  tool::session() = {};
+  const fs::path file = batch.wish.files[0];
+  const auto time = fs::last_write_time(file).time_since_epoch().count();
+  const std::string text =
+      "7\nother files\nwindow=hann\n" + file.string() + "\n3\n" + std::to_string(time);
+  std::uint64_t hash = 0xcbf29ce484222325U;  // of the definition, as is the prime
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
+  std::ostringstream hex;
+  hex << std::hex << std::setw(16) << std::setfill('0') << hash;
+  CHECK(batch.rows()[0]["key"] == hex.str());
+  CHECK(batch.rows()[0]["of"] == 1);
 }
 
 TEST_CASE("unit: without a folder the rows are printed, and nothing is kept") {
