@@ -79,3 +79,13 @@ near "the error of its pressure" "$(row 4 method_error_p_max)" "$(awk -v a="$(ro
 "$railbook" wheelrail table --speed 30m/s --from 3.5mm --to 3.5mm --shifts 1 --yaw-from 5mrad --yaw-to 5mrad --load 50kN --slip -0.001 --jobs 1 --cells 16 --json >middle.json || fail "the middle"
 middle() { sed -n "s/.*\"$1\":\\([^,]*\\),.*/\\1/p" middle.json | head -1; }
 near "the error of interpolation" "$(row 4 interpolation_error_of_mu_N)" "$(awk -v x="$(middle x_N)" -v y="$(middle y_N)" -v a="$(row 4 x_N)" -v b="$(row 4 y_N)" -v p="$(row 6 x_N)" -v q="$(row 6 y_N)" 'BEGIN {print sqrt((x - (a + p) / 2) ^ 2 + (y - (b + q) / 2) ^ 2) / 15e3}')" 1e-5
+# Cones of 1:20 on heads of 300 mm: where they touch is where the head has the cone's slope, and of a wheel of 300 mm the contact is nearly a circle. Where the file's heights begin does not matter.
+for zero in 0 5; do
+  awk -v zero=$zero 'BEGIN {print "inward_mm,height_mm"; for (u = -60; u <= 40; u += 0.5) printf "%.3f,%.6f\n", u, zero - 0.05 * u - (u > 31 ? (u - 31) ^ 2 / 2 : 0)}' >cone.csv
+  awk 'BEGIN {print "inward_mm,height_mm"; for (u = -36; u <= 36; u += 0.5) {a = u < 0 ? -u : u; printf "%.3f,%.6f\n", u, -u * u / 600 - (a > 33 ? 3 * (a - 33) ^ 2 : 0)}}' >head.csv
+  answers cone contact --wheel cone.csv --rail head.csv --noise 0mm --cant 0 --gauge 1435mm --gauge-depth 14mm --radius 300mm --load 40kN --speed 20m/s --method hertz --roll 0rad --slip 0 --mu 0.2
+  means cone 'u = 34; for (k = 0; k < 60; ++k) u = 33 + ((14 - u ^ 2 / 600) / 3) ^ 0.5; l = 717.5 + u - 15; d = atan2(0.05, 1); e = 207e9 / 2 / 0.91; split("left right", side, " ")
+    for (k = 1; k <= 2; ++k) {s = side[k]; p = s "_1_"; sign = k == 1 ? -1 : 1; N = v[p "normal_N"]; is(p "y_mm", sign * l, 1e-4); is(p "angle_mrad", -sign * 1e3 * d, 1e-3); is(p "p_max_MPa", (6 * N * e ^ 2 / 0.3 ^ 2) ^ (1 / 3) / pi / 1e6, 0.01)
+      is(p "approach_um", 1e6 * (0.75 * N / e) ^ (2 / 3) / 0.3 ^ (1 / 3), 0.02); is(p "creepage_x", -0.05 * (750 - l) / 300, 0.01); is(s "_z_N", 40e3, 1e-4); is(p "x_mm", 0, 1e-3)}
+    for (key in v) free(key)'
+done
