@@ -1,6 +1,7 @@
 // What the oscillators refuse.
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <string>
 
 #include "dynamics/harmonic_balance.hpp"
 #include "dynamics/history.hpp"
@@ -43,6 +44,21 @@ TEST_CASE("Integration refuses V = 0, no duration, and a start beyond the table"
   CHECK_THROWS_WITH(compile(o), Catch::Contains("positive definite"));
   o.mass.resize(3, 3);
   CHECK_THROWS_AS(compile(o), InputError);
+}
+
+TEST_CASE("A state of one to nine coordinates is padded to nine and back, others are refused",
+          "[oscillator]") {
+  for (const Eigen::Index n : {1, 4, 9}) {
+    const Eigen::VectorXd y = Eigen::VectorXd::LinSpaced(2 * n, 1, 2);
+    const State state = padded(y);
+    CHECK(unpadded(state, n) == y);
+    CHECK(state[9] == y[n]);
+    CHECK(state.sum() == Approx(y.sum()));
+  }
+  for (const Eigen::Index size : {0, 3, 17, 20})
+    CHECK_THROWS_WITH(
+        padded(Eigen::VectorXd::Zero(size)),
+        "state of " + std::to_string(size) + " numbers; allowed: an even count from 2 to 18");
 }
 
 TEST_CASE("Harmonic balance refuses a start at rest, or of another size", "[oscillator]") {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "contact/grid.hpp"
+#include "contact/grid_fit.hpp"
 #include "contact/missed.hpp"
 #include "units/input_error.hpp"
 
@@ -207,4 +208,59 @@ TEST_CASE("unit: a long cell presses as a rod near it and as a point far from it
       CHECK(beside > across - 1e-9);
       CHECK(beside < across + step);
     }
+}
+
+TEST_CASE(
+    "unit: an axis lies two empty cells beyond both ends, and with an edge on one of its own") {
+  for (const double phase : {0.2, 0.5, 0.9})
+    for (const Eigen::Index cells : {24, 41, 90})
+      for (const double edge : {-2.0, -0.7, 0.1, 1.9, 5.0}) {
+        INFO("phase " << phase << ", cells " << cells << ", edge " << edge);
+        const double low = -1, high = 2.5, least = 3.5 / (double(cells) - 6 + 2 * phase);
+        const Axis axis = fit_axis(low, high, cells, phase, edge);
+        CHECK(axis.cells == cells);
+        CHECK(axis.start + 2 * axis.step <= low);
+        CHECK(axis.start + (double(cells) - 2) * axis.step >= high);
+        const double before = (low - axis.start) / axis.step,
+                     behind = (high - axis.start) / axis.step;
+        if (edge < low || edge > high) {  // the outermost cells hold `phase` of the region
+          CHECK(axis.step == Approx(least));
+          CHECK(3 - before == Approx(phase));
+          CHECK(behind - std::floor(behind) == Approx(phase));
+          continue;
+        }
+        CHECK(axis.step >= least * (1 - 1e-12));
+        CHECK(axis.step < 1.04 * least);
+        const double at = (edge - axis.start) / axis.step;
+        CHECK(at == Approx(std::round(at)).margin(1e-9));
+        // No other step up to 4 % larger that leaves two empty cells misses the phase by less.
+        const auto missed = [&](double step) {
+          double sum = 0, needed = 4;
+          for (const double side : {edge - low, high - edge}) {
+            const double t = side / step - phase;
+            sum += (t - std::round(t)) * (t - std::round(t));
+            needed += std::ceil(side / step);
+          }
+          return needed <= double(cells) ? sum : infinite;
+        };
+        double best = infinite;
+        for (int k = 0; k < 2000; ++k) best = std::min(best, missed(least * (1 + 0.04 * k / 2000)));
+        CHECK(missed(axis.step) < best + 0.01);
+      }
+  const Axis cover = cover_axis(-1, 3, 20, 0.1);  // 5.5 of 20 cells, rounded to 6
+  CHECK(cover.start == Approx(0.1 - 6 * cover.step));
+  CHECK(cover.step == Approx(2.9 / 14));
+  CHECK(cover.cells == 20);
+  for (const double beyond : {-1.0, 3.0, 7.0}) {
+    CHECK(cover_axis(-1, 3, 20, beyond).start == -1);
+    CHECK(cover_axis(-1, 3, 20, beyond).step == Approx(0.2));
+  }
+  CHECK(cover_axis(-1, 3, 20, 0.05).step == Approx(1.05 / 5));
+  CHECK(cover_axis(0, 1, 10, 0.99).step == Approx(0.99 / 9));
+  CHECK(cover_axis(0, 1, 1, 0.5).step == 1);
+  // Of seven cells two to either side of an edge and two beyond are too many: they cover a tenth more than the region.
+  const Axis few = fit_axis(-1, 2.5, 7, 0.9, 0.3), instead = cover_axis(-1.35, 2.85, 7, 0.3);
+  CHECK(few.start == Approx(instead.start));
+  CHECK(few.step == Approx(instead.step));
+  CHECK(cover_axis(0, 1, 10, 0.01).start == Approx(0.01 - 0.99 / 9));  // one cell at least
 }
