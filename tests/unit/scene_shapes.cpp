@@ -1,7 +1,11 @@
 // Bodies away from the origin, and surfaces of sizes that do not fit.
+#include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <set>
+#include <utility>
+#include <vector>
 
 #include "scene/colour_map.hpp"
 #include "scene/shapes.hpp"
@@ -131,6 +135,15 @@ TEST_CASE("unit: a spring has its coil between straight leads of a tenth") {
     const Point beside = coil.vertices.row(row + around).transpose() - next - Point(1, 2, 0);
     CHECK(out.dot(beside) > 0.98 * 0.25 * 0.25);
   }
+  // Its skin is whole: each edge of a triangle is another's, the other way, but for the rims of the two ends.
+  std::set<std::pair<int, int>> edges;
+  for (const auto& t : coil.triangles.rowwise())
+    for (const int k : {0, 1, 2}) CHECK(edges.emplace(t[k], t[(k + 1) % 3]).second);
+  const auto alone = std::ranges::count_if(edges, [&](const auto& edge) {
+    return !edges.contains({edge.second, edge.first});
+  });
+  CHECK(alone == 2 * around);
+  CHECK(coil.triangles.rows() == 2 * (rings - 1) * around);
   for (const int wrong : {0, 1001})
     CHECK_THROWS_AS(scene::spring({0, 0, 0}, {0, 0, 1}, 1, 0.1, wrong), InputError);
   CHECK_THROWS_AS(scene::spring({0, 0, 0}, {0, 0, 1}, 0, 0.1, 1), InputError);

@@ -1,6 +1,7 @@
 // Where a camera sees a point, what it takes in, and how surfaces are lit: closed forms.
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
@@ -153,4 +154,15 @@ TEST_CASE("unit: a surface is lit from over the left shoulder, whichever way its
   // Over a ridge it is smooth: the two sides count by their areas. (2,0,0)x(1,1,1) + (-2,0,0)x(-1,.5,-.5) = (0,-3,1).
   CHECK(level({{1, 0, 0}, {0, 1, 1}, {-1, 0, 0}, {0, 0.5, -0.5}}, false, 4) ==
         Approx(returned(0, 1, 3)).margin(3));
+}
+
+TEST_CASE("unit: where two sides of a surface cancel it is not shaded") {
+  Scene scene;
+  Mesh& mesh = scene.meshes.emplace_back();
+  mesh.vertices.resize(3, 3);
+  mesh.vertices << -1, 0, -1, 1, 0, -1, 0, 0, 1;
+  mesh.triangles.resize(2, 3);
+  mesh.triangles << 0, 1, 2, 0, 2, 1;
+  mesh.colours = Eigen::RowVector3d(0.2, 0.4, 0.6);
+  CHECK(render(scene, front(1), {30, 20}).at(15, 9) == std::array<std::uint8_t, 3>{51, 102, 153});
 }
