@@ -146,6 +146,7 @@ TEST_CASE("unit: the first row of an inventory that names a check of the paper g
   ChapterRecord r;
   for (const char* source : {"print", "claim", "route", "publication"})
     r.checks.push_back(check(std::string("t/") + source, source, "confirmed"));
+  r.checks.push_back(check("t/pq", "print", "confirmed"));  // not of t/pr*
   r.items.emplace_back().id = "fig-1";
   const std::vector<InventoryRow> rows{{"p. 1", "", "(2)", "", {"t/pr*", "fig-*"}, "", "", ""},
                                        {"p. 2", "", "", "", {"t/*"}, "", "", ""}};
@@ -154,6 +155,7 @@ TEST_CASE("unit: the first row of an inventory that names a check of the paper g
   CHECK(r.checks[1].place == "p. 2");
   CHECK(r.checks[2].place.empty());
   CHECK(r.checks[3].place.empty());
+  CHECK(r.checks[4].place == "p. 2");
 }
 
 TEST_CASE("input: an inventory says which row is of no kind") {
