@@ -339,3 +339,16 @@ TEST_CASE("geometry car: of two gages that move unlike neither is trusted", "[he
     CHECK_THAT(found->text, Catch::Matchers::EndsWith(" times as much as gage_right"));
   }
 }
+
+TEST_CASE("geometry car: a time that was held before it leapt is doubted from its begin",
+          "[health]") {
+  Record record = ride(60 * mph, true).record;
+  for (std::size_t i = 1100; i < 1300; ++i) record.elapsed[i] = record.elapsed[1100];
+  const auto doubted = [](Record r) { return examine(r, {}).clock_doubted; };
+  CHECK_FALSE(doubted(record)[1200]);
+  record.elapsed[1300] *= 0.5;
+  const std::vector<bool> found = doubted(record);
+  for (std::size_t i = 1100; i <= 1300; ++i) REQUIRE(found[i]);
+  CHECK(std::count(found.begin(), found.begin() + 1095, true) == 0);
+  CHECK(std::count(found.begin() + 1400, found.end(), true) == 0);
+}

@@ -38,6 +38,13 @@ const Record& long_record() {
   return record;
 }
 
+Record beginning(std::size_t rows) {
+  Record record = long_record();
+  record.elapsed.resize(rows), record.mark.resize(rows);
+  for (auto& values : record.values) values.resize(rows);
+  return record;
+}
+
 struct Read {
   Measurement m;
   std::array<std::vector<Quality>, parameters> quality;
@@ -124,7 +131,7 @@ TEST_CASE("geometry_car: a zero that has moved and a speed that leapt are rememb
   // Cut at row 8192, and held from row 4096 on, of which stretch the first four rows are not judged.
   for (const std::size_t at : {3000UL, 4097UL}) {
     INFO("at row " << at);
-    Record moved = long_record();
+    Record moved = beginning(14000);
     const auto yaw = static_cast<std::size_t>(Channel::yaw_rate);
     for (std::size_t i = at; i < moved.size(); ++i) moved.values[yaw][i] += 2 * units::degree;
     const Read read = in_stretches(moved, 1);
@@ -140,7 +147,7 @@ TEST_CASE("geometry_car: a zero that has moved and a speed that leapt are rememb
   }
 
   for (const std::size_t at : {3000UL, 4097UL}) {
-    Record leapt = long_record();
+    Record leapt = beginning(14000);
     for (std::size_t i = at; i < leapt.size(); ++i) leapt.elapsed[i] *= 0.8;
     const Read fast = in_stretches(leapt, 1);
     const auto& profile = fast.quality[static_cast<std::size_t>(Parameter::profile_left)];

@@ -50,6 +50,7 @@ TEST_CASE("unit: the sharp punch, and the rounded one as its edge radius goes to
   CHECK(std::isinf(punch_pressure(sharp, 0.5)));
   CHECK(punch_pressure(sharp, 0.6) == 0);
   CHECK(std::isinf(punch_peak(sharp).pressure));
+  CHECK(punch_peak(sharp).r == sharp.shape.flat_radius);
   double before = 1;
   for (double edge : {1e-2, 1e-4, 1e-8, 1e-12}) {
     const double off = punch_from_approach({0.5, edge}, 1e6, 1e-3).force / sharp.force - 1;
