@@ -70,6 +70,25 @@ TEST_CASE("turns from within", "[.turn]") {  // hidden: run by the last one
   CHECK(free_for(LOCK_EX, "room"));
   { const report::ClockTurn after_work; }
   CHECK(free_for(LOCK_EX, "room"));
+  // Who waits at the door for the room alone is not passed.
+  const int door = open((folder.path / "door").c_str(), O_RDWR);
+  REQUIRE(flock(door, LOCK_EX) == 0);
+  std::array<int, 2> ends{};
+  REQUIRE(pipe(ends.data()) == 0);
+  const pid_t child = fork();
+  REQUIRE(child >= 0);
+  if (child == 0) {
+    const report::WorkTurn behind;
+    _exit(write(ends[1], "w", 1) == 1 ? 0 : 1);
+  }
+  pollfd ready{ends[0], POLLIN, 0};
+  CHECK(poll(&ready, 1, 50) == 0);
+  CHECK(flock(door, LOCK_UN) == 0);
+  char said = 0;
+  CHECK(read(ends[0], &said, 1) == 1);
+  int status = 0;
+  REQUIRE(waitpid(child, &status, 0) == child);
+  CHECK(status == 0);
   CHECK(std::filesystem::status(folder.path / "door").permissions() ==
         std::filesystem::perms(0644));
 }
