@@ -22,7 +22,7 @@ double read(const std::string& name, const std::string& text, const units::Dimen
             const Range& range) {
   const double value = units::parse_quantity(spoken(name), text, dimension);
   const std::string unit = dimension == units::number ? "" : units::si_name(dimension);
-  if (range.open_low && range.low == 0) units::require_positive(spoken(name), value, unit);
+  if (range.open_low) units::require_positive(spoken(name), value, unit);
   return units::require_between(spoken(name), value, range.low, range.high, unit);
 }
 
@@ -100,12 +100,13 @@ void Options::texts(const std::string& name, std::vector<std::string>& values,
                     const std::string& help) {
   const auto set = [&values](const std::vector<std::string>& texts) {
     values.clear();
-    for (std::string_view text : texts)
-      for (std::size_t end = 0; end != std::string_view::npos; text.remove_prefix(end + 1)) {
-        end = text.find(',');
+    for (std::string_view text : texts) {
+      for (std::size_t end = text.find(','); end != text.npos; end = text.find(',')) {
         values.emplace_back(text.substr(0, end));
-        if (end == std::string_view::npos) break;
+        text.remove_prefix(end + 1);
       }
+      values.emplace_back(text);
+    }
   };
   last_ = app_->add_option_function<std::vector<std::string>>(name, set, help)
               ->allow_extra_args(false)

@@ -25,7 +25,7 @@ class App;
 
 namespace railbook::tool {
 
-// Allowed range of an option, SI. `open_low` excludes the lower end itself.
+// Allowed range of an option, SI. `open_low`: from 0 on, without it.
 struct Range {
   double low = -units::no_limit;
   double high = units::no_limit;

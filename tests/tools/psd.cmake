@@ -7,7 +7,7 @@ refuses(psd "a roughness in metres squared" "roughness is .* in m^2" synthesize 
 refuses(psd "a negative roughness" "roughness is -1e-07 m.*allowed: from 0 to 1" synthesize ${never} --roughness -1e-7m)
 refuses(psd "a corner of zero" "corner is 0 1/m.*allowed" synthesize ${never} --corner 0cycle/m)
 refuses(psd "more gaps than track" "gaps is 0.99.*allowed" synthesize ${never} --gaps 99%)
-refuses(psd "a length below the spacing" "length over spacing is 0.003" synthesize ${never} --length 1mm)
+refuses(psd "a length below the spacing" "length over spacing is 0.003.*allowed: from 1 to 1000000000" synthesize ${never} --length 1mm)
 refuses(psd "rails shorter than two samples" "rail length is 0.3048 m.*allowed" synthesize ${never} --dip 1mm --rail 1ft)
 refuses(psd "samples nearer than a millimetre" "spacing is 7e-12 m. allowed: from 0.001" synthesize ${never} --spacing 7e-12m)
 refuses(psd "samples that divide to infinity" "spacing is 1e-300 m. allowed: from 0.001" synthesize ${never} --spacing 1e-300m)

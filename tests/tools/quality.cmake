@@ -13,6 +13,8 @@ quality_refuses("an index of such a car" "no admissible amplitude" index track.c
 quality_refuses("a damping of zero" "roll damping is 0.*allowed" limit --speed 100km/h --roll-damping 0)
 quality_refuses("level and stroke" "one of --level and --stroke" limit --speed 100km/h --car freight.toml --stroke 2cm)
 quality_refuses("a force without masses" "needs --wheel-mass and --body-mass" limit --speed 100km/h --mode force)
+quality_refuses("a force without the body" "needs --wheel-mass and --body-mass" limit --speed 100km/h --wheel-mass 800kg --bounce-frequency 2Hz --bounce-damping 0.2)
+quality_refuses("a force without the wheel" "needs --wheel-mass and --body-mass" limit --speed 100km/h --body-mass 7t --bounce-frequency 2Hz --bounce-damping 0.2)
 quality_refuses("two suspensions" "one of --stiffness and --bounce" limit --speed 100km/h --car freight.toml --stiffness 1MN/m)
 quality_refuses("a body without a damper" "one of --damping and --bounce" limit --speed 100km/h --wheel-mass 800kg --body-mass 7t --stiffness 1MN/m)
 quality_refuses("a mode nobody knows" "mode is .comfort..*allowed" limit --speed 100km/h --mode comfort)

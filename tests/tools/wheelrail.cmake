@@ -12,8 +12,9 @@ refuses(wheelrail "a negative friction" "mu is -0.1. allowed" contact ${position
 refuses(wheelrail "a method nobody knows" "method is .kalker.*allowed" contact ${position} --method kalker)
 refuses(wheelrail "four cells" "cells is 4. allowed: from 8" contact ${position} --cells 4)
 refuses(wheelrail "a file that is not there" "none.csv.: cannot be read: No such file" contact ${position} --wheel none.csv)
-refuses(wheelrail "shifts that go down" "last shift is -0.01 m. allowed" table ${position} --from 1mm --to -10mm)
-refuses(wheelrail "a table of a thousand million rows" "rows of the table is 1000000000. allowed" table ${position} --shifts 100000 --yaws 10000 --yaw-to 1mrad)
+refuses(wheelrail "shifts that go down" "last shift is -0.01 m. allowed: from 0.001 to 0.05" table ${position} --from 1mm --to -10mm)
+refuses(wheelrail "yaws that go down" "last yaw is -0.001 rad. allowed: from 0.001 to 0.1" table ${position} --yaw-from 1mrad --yaw-to -1mrad)
+refuses(wheelrail "a table of a thousand million rows" "rows of the table is 1000000000. allowed: from 1 to 20000000" table ${position} --shifts 100000 --yaws 10000 --yaw-to 1mrad)
 refuses(wheelrail "a shard of nothing" "shard is .5/4.. allowed" table ${position} --shard 5/4)
 
 # The Manchester benchmark, y = 3 mm: CONTACT says 713.2 MPa and 9774 N on the right wheel.

@@ -19,9 +19,8 @@ constexpr double enough = 0.95;             // of the record in segments, its en
 std::vector<std::size_t> segments_for(double spacing) {
   const double base = std::clamp(std::exp2(std::round(std::log2(usual_length / spacing))), 512.0,
                                  static_cast<double>(1 << 18));
-  std::vector<std::size_t> sizes;
-  for (int i = 0; i < 4; ++i) sizes.push_back(static_cast<std::size_t>(base) >> i);
-  return sizes;
+  const auto longest = static_cast<std::size_t>(base);
+  return {longest, longest / 2, longest / 4, longest / 8};
 }
 
 // The longest that leaves enough of the record, else the one that leaves the most.

@@ -77,6 +77,8 @@ answers method contact --load 50kN --speed 30m/s --shift 3mm --yaw 5mrad --cells
 near "the error of the method" "$(row 4 method_error_of_mu_N)" "$(awk -v a="$(row 4 x_N)" -v b="$(row 4 y_N)" -v x="$(v method right_x_N)" -v y="$(v method right_y_N)" 'BEGIN {print sqrt((a - x) ^ 2 + (b - y) ^ 2) / 15e3}')" 2e-4
 near "the error of its pressure" "$(row 4 method_error_p_max)" "$(awk -v a="$(row 4 p_max_MPa)" -v b="$(v method right_1_p_max_MPa)" 'BEGIN {d = a / b - 1; print d < 0 ? -d : d}')" 2e-4
 "$railbook" wheelrail table --speed 30m/s --from 3.5mm --to 3.5mm --shifts 1 --yaw-from 5mrad --yaw-to 5mrad --load 50kN --slip -0.001 --jobs 1 --cells 16 --json >middle.json || fail "the middle"
+"$railbook" wheelrail table --speed 30m/s --load 50kN --shifts 2 --method hertz --cells 8 --jobs 1 --out usual >said || fail "$(cat said)"
+[ "$(sed 's/"[^"]*"//' usual/wheelrail-table.csv | awk -F, 'NR == 1 {for (i = 1; i <= NF; ++i) c[$i] = i; next} {print $c["shift_mm"], $c["yaw_mrad"], $c["friction"], $c["slip"]}' | xargs)" = "-8 0 0.3 0 8 0 0.3 0" ] || fail "what a table is of where nothing is said"
 middle() { sed -n "s/.*\"$1\":\\([^,]*\\),.*/\\1/p" middle.json | head -1; }
 near "the error of interpolation" "$(row 4 interpolation_error_of_mu_N)" "$(awk -v x="$(middle x_N)" -v y="$(middle y_N)" -v a="$(row 4 x_N)" -v b="$(row 4 y_N)" -v p="$(row 6 x_N)" -v q="$(row 6 y_N)" 'BEGIN {print sqrt((x - (a + p) / 2) ^ 2 + (y - (b + q) / 2) ^ 2) / 15e3}')" 1e-5
 # Cones of 1:20 on heads of 300 mm: where they touch is where the head has the cone's slope, and of a wheel of 300 mm the contact is nearly a circle. Where the file's heights begin does not matter.
