@@ -120,7 +120,7 @@ TEST_CASE(
                  across = Subsurface(grid, nu, none, none, p).at(0);
   for (const Index i : {8, 14, 20, 27, 33}) {
     const double x = grid.x(i), slope = -(4 + nu) * pi / 8;
-    CHECK(along(20 * 41 + i, 0) == Approx(slope * x).margin(0.02));
+    CHECK(along(Index{20} * 41 + i, 0) == Approx(slope * x).margin(0.02));
     CHECK(across(i * 41 + 20, 1) == Approx(slope * x).margin(0.02));
   }
   const auto worst = [&](double friction) {
