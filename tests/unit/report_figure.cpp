@@ -1,6 +1,9 @@
 // The data and the pictures of an item.
 #include <sys/stat.h>
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <functional>
+#include <stdexcept>
 #include <system_error>
 
 #include "../support/sample_chapter.hpp"
@@ -150,4 +153,40 @@ TEST_CASE("unit: an item that fails says how many of what") {
   CHECK(why([](auto& i) {
           i.stability({"s", "w", "x"}, [] { return report::Found{}; });
         }) == "stability case s has no bound of its error");
+}
+
+TEST_CASE("unit: a stability case tells what came out, or why nothing did") {
+  report::Item item{"s", "table", "S", {}};
+  const auto found = [&](const std::function<report::Found()>& run) {
+    item.stability({.id = "s", .what = "w", .stress = "x", .allowed = 1}, run);
+  };
+  found([] { return report::Found{"a number", 0.5}; });
+  found([]() -> report::Found { throw InputError{"no width"}; });
+  found([]() -> report::Found { throw report::NoAnswer{"no end"}; });
+  found([]() -> report::Found { throw std::runtime_error{"no memory"}; });
+  report::ChapterRecord record;
+  item.finish(record);
+  const char* expected[] = {"holds: a number", "refused: no width", "refused: no end",
+                            "fails: no memory"};
+  for (std::size_t k = 0; k < 4; ++k) {
+    const report::Stability& s = record.stability[k];
+    CHECK(s.found + ": " + s.result == expected[k]);
+    CHECK(std::isnan(s.error) == (k > 0));
+    CHECK(s.pass == (k == 0));
+  }
+}
+
+TEST_CASE("unit: the error of a text or of a claim is none or one") {
+  report::Item item{"t", "table", "T", {}};
+  item.print_text("a", "class", "5", "5");
+  item.print_text("b", "class", "5", "6");
+  item.claim("c", "it holds", true);
+  item.claim("d", "it holds", false);
+  report::ChapterRecord record;
+  item.finish(record);
+  for (std::size_t k = 0; k < 4; ++k) {
+    CHECK(record.checks[k].error == static_cast<double>(k % 2));
+    CHECK(record.checks[k].pass == (k % 2 == 0));
+    CHECK(record.checks[k].kind == "exact");
+  }
 }
