@@ -34,7 +34,8 @@ TEST_CASE("claim: transforms against the sum itself") {
     for (double& value : x) value = draw(-1, 1);
     std::copy(x.begin(), x.end(), fft.real().begin());
     fft.forward();
-    const auto at = static_cast<std::size_t>(draw(0, static_cast<double>(n / 2 + 1)));
+    const std::size_t bins = n / 2 + 1;
+    const auto at = static_cast<std::size_t>(draw(0, static_cast<double>(bins)));
     Long re = 0, im = 0, square = 0;
     for (std::size_t j = 0; j < n; ++j) {
       const Long angle = 2 * long_pi * static_cast<Long>(j * at % n) / static_cast<Long>(n);

@@ -90,6 +90,7 @@ TEST_CASE("Second order with the remedy, first without", "[rolling]") {
 TEST_CASE("Mean error over the creep curve", "[rolling]") {
   const EllipseRolling best(1.568, 0.3, {.along = 32, .rows = 16});
   std::vector<std::pair<RollingCase, double>> curve;
+  curve.reserve(8);
   for (const double x : {.02, .06, .1, .16, .25, .35, .45, .6}) {
     const RollingCase c = with_reduced_creepage(rig(), {x, 0, 0});
     curve.emplace_back(c, best.solve(c).fx);
