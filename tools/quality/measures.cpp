@@ -184,6 +184,13 @@ Measured measure_record(const MeasuresWish& wish, const std::filesystem::path& f
   return m;
 }
 
+// "left", "left D1", "twist".
+std::string name_of(const Channel& channel, const Kept& kept, const char* between) {
+  if (kept.name.empty() || kept.name == "twist")
+    return kept.name.empty() ? channel.column().name : kept.name;
+  return fmt::format("{}{}{}", channel.column().name, between, kept.name);
+}
+
 tool::Row row_of_section(const MeasuresWish& wish, const Measured& m, std::size_t at) {
   tool::Row row;
   const ms::Section& first = m.channels.front().kept().front().sections.all()[at];
@@ -201,18 +208,19 @@ tool::Row row_of_section(const MeasuresWish& wish, const Measured& m, std::size_
       const ms::Section& s = kept.sections.all()[at];
       const bool twist = kept.name == "twist", chord = kept.name.starts_with("chord");
       const double unit = twist ? 1e-3 : mm;
-      const std::string name =
-          twist ? "twist" : channel.column().name + (kept.name.empty() ? "" : "_" + kept.name);
-      const std::string in = twist ? "_mm_per_m" : "_mm";
+      const std::string name = name_of(channel, kept, "_");
+      const auto key = [&](const char* what) {
+        return fmt::format("{}_{}_{}", name, what, twist ? "mm_per_m" : "mm");
+      };
       const auto sd = s.deviation();
-      if (!chord) row.add(name + "_sd" + in, sd ? *sd / unit : std::nan(""));
+      if (!chord) row.add(key("sd"), sd ? *sd / unit : std::nan(""));
       if (sd && kept.name.empty()) plain.add(kind, *sd);
       if (sd && twist) plain.add_twist(*sd * wish.twist_base);
       if (sd && (kept.name == "D1" || (kept.name.empty() && kind >= Kind::gauge)))
         banded.add(kind, *sd);
       if (kept.name.empty()) continue;
       const bool low = std::abs(s.lowest) > std::abs(s.highest);
-      row.add(name + "_largest" + in, sd ? (low ? s.lowest : s.highest) / unit : std::nan(""));
+      row.add(key("largest"), sd ? (low ? s.lowest : s.highest) / unit : std::nan(""));
       row.add(name + "_largest_at_m", sd ? (low ? s.lowest_at : s.highest_at) : std::nan(""));
       if (kept.name == "chord" && sd)
         fra =
@@ -291,8 +299,7 @@ tool::Summary summary_of(const MeasuresWish& wish, const Measured& m) {
       std::sort(all.begin(), all.end());
       const double unit = twist ? 1e-3 : mm;
       const char* const name_of_unit = twist ? "mm/m" : "mm";
-      const std::string name =
-          twist ? "twist" : channel.column().name + (kept.name.empty() ? "" : " " + kept.name);
+      const std::string name = name_of(channel, kept, " ");
       std::string key = name;
       std::replace(key.begin(), key.end(), ' ', '_');
       s.add(key + "_median_sd", name + ", median deviation", all[all.size() / 2].first / unit,
