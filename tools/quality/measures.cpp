@@ -186,8 +186,8 @@ Measured measure_record(const MeasuresWish& wish, const std::filesystem::path& f
 
 // "left", "left D1", "twist".
 std::string name_of(const Channel& channel, const Kept& kept, const char* between) {
-  if (kept.name.empty() || kept.name == "twist")
-    return kept.name.empty() ? channel.column().name : kept.name;
+  if (kept.name.empty()) return channel.column().name;
+  if (kept.name == "twist") return kept.name;
   return fmt::format("{}{}{}", channel.column().name, between, kept.name);
 }
 
@@ -269,7 +269,7 @@ std::string picture_of(const MeasuresWish& wish, const Measured& m) {
       if (kept.name != (filtered ? wish.bands.front() : "")) continue;
       if (!text.empty()) text += "\n\n";
       text += fmt::format("distance_km,deviation_mm,{}\n",
-                          table::csv_cell(channel.column().name + " " + kept.name));
+                          table::csv_cell(name_of(channel, kept, " ")));
       for (const ms::Section& s : kept.sections.all()) {
         const auto sd = s.deviation();
         for (const double at : {s.from, s.from + wish.section})

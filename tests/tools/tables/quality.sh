@@ -155,8 +155,8 @@ near "the edge of a band in two passes" "$(v edge2 long_D1_median_sd)" 1.414 0.0
 near "the edge of a band in one" "$(v edge1 long_D1_median_sd)" 2 0.04
 near "passes" "$(v edge1 passes)" 1 0
 # Drawn are the deviations in the first band, and those of gauge and cross level as they are, each from the begin of its section to the end.
-awk -F, '/^distance/ {name = $3; gsub(/"/, "", name); ++blocks; next} NF == 3 {++rows[name]; sum[name] += $2; if ($1 > last) last = $1} END {exit !(blocks == 6 && rows["right D2"] == 10 && rows["gauge "] == 10 && rows["cant "] == 10 && last == 1 &&
-  sum["gauge "] > 5.65 && sum["gauge "] < 5.66)}' sines.drawn/1/d1.csv || fail "the picture: $(head -3 sines.drawn/1/d1.csv)"
+awk -F, '/^distance/ {name = $3; gsub(/"/, "", name); ++blocks; next} NF == 3 {++rows[name]; sum[name] += $2; if ($1 > last) last = $1} END {exit !(blocks == 6 && rows["right D2"] == 10 && rows["gauge"] == 10 && rows["cant"] == 10 && last == 1 &&
+  sum["gauge"] > 5.65 && sum["gauge"] < 5.66)}' sines.drawn/1/d1.csv || fail "the picture: $(head -3 sines.drawn/1/d1.csv)"
 # Of two records each has a row with its exceptions.
 cp sines.csv sines2.csv
 "$railbook" quality measures sines.csv sines2.csv --column left,right --fra-class 3 --out measured >said || fail "$(cat said)"
