@@ -182,6 +182,8 @@ TEST_CASE("The gain error is the largest, of either sign, from the reach to the 
         (worst > 0 ? above : below) += 1;
         const double low = 1 / (static_cast<double>(taps.half.size()) * spacing),
                      high = shortest > 0 ? 0.8 / shortest : 0.5 / spacing;
+        CHECK(1 / taps.worst_at >= low * (1 - 1e-9));
+        CHECK(1 / taps.worst_at <= high * (1 + 1e-9));
         double most = 0;
         for (int i = 0; i <= 400; ++i)
           most = std::max(most, std::abs(error(low * std::pow(high / low, i / 400.0))));
