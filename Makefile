@@ -87,6 +87,7 @@ lint: configure     ## clang-format (check only) and clang-tidy (Debian packages
 	@cmake --preset $(PRESET) -B $(BUILD)/tidy -DRAILBOOK_PCH=OFF --log-level=WARNING > /dev/null # Clang reads no headers that GCC has compiled
 	clang-tidy -p $(BUILD)/tidy --quiet --extra-arg=-Wno-unknown-warning-option $(filter lib/%.cpp chapters/%.cpp,$(SOURCES))
 
+mutate: PRESET = developer # every source by itself
 mutate: build     ## faults of one line, a sample: how many the tests notice (FAULTS=100 SEED=1, FAR=1 asks all tests; python3)
 	@$(call wants,python3)
 	tests/mutate/mutate.py --build $(BUILD) --faults $(or $(FAULTS),100) --seed $(or $(SEED),1) $(if $(FAR),--far)

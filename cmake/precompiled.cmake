@@ -3,16 +3,21 @@
 option(RAILBOOK_PCH "Precompile the headers that most files include" ON)
 
 set(railbook_pch_lib <Eigen/Core> <algorithm> <cmath> <functional> <string> <vector>)
+set(railbook_pch_text ${railbook_pch_lib})
 set(railbook_pch_chapter ${railbook_pch_lib} <filesystem> <memory> <fmt/format.h> "${CMAKE_SOURCE_DIR}/lib/report/chapter.hpp")
 set(railbook_pch_tool ${railbook_pch_lib} <filesystem> <memory> <optional> <fmt/format.h> "${CMAKE_SOURCE_DIR}/lib/tool/summary.hpp")
 set(railbook_pch_test ${railbook_pch_lib} <catch2/catch.hpp>)
 
-# railbook_precompile(TARGET KIND [USES targets whose headers they are]): KIND is lib, chapter, tool or test.
+# railbook_precompile(TARGET KIND [targets whose headers they are]): KIND is lib, text, chapter, tool or test.
 function(railbook_precompile target kind)
-  if(RAILBOOK_SANITIZE AND NOT kind STREQUAL lib) # what is not the library takes less time to run than to optimize
+  # What computes nothing takes less time to run than to optimize. A precompiled header brings the level it was compiled
+  # with to all that use it (GCC 12), whatever their own flags say: hence a kind of its own.
+  if(RAILBOOK_SANITIZE AND NOT kind STREQUAL lib)
     set(unoptimized -O0)
-    target_compile_options(${target} PRIVATE ${unoptimized})
+  elseif(kind STREQUAL text)
+    set(unoptimized $<$<CONFIG:Release>:-O1>)
   endif()
+  target_compile_options(${target} PRIVATE ${unoptimized})
   if(NOT RAILBOOK_PCH)
     return()
   endif()

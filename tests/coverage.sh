@@ -5,7 +5,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 build=$PWD/build/coverage
-cmake --preset default -B "$build" --log-level=WARNING -DCMAKE_BUILD_TYPE=Debug -DRAILBOOK_PCH=OFF -DRAILBOOK_BOOK=OFF \
+cmake --preset default -B "$build" --log-level=WARNING -DCMAKE_BUILD_TYPE=Debug -DCMAKE_UNITY_BUILD=OFF -DRAILBOOK_PCH=OFF -DRAILBOOK_BOOK=OFF \
   -DCMAKE_CXX_FLAGS="--coverage -O0 -g1" > /dev/null
 rooms=("$@")
 (($# > 0)) || mapfile -t rooms < <(cd lib && ls -d -- */ | tr -d /)

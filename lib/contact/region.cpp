@@ -166,7 +166,8 @@ double extreme(const std::vector<double>& ends) {
     values[j + half] = ends[static_cast<std::size_t>(best + j)];
     if (values[j + half] < 0) return least;
   }
-  const Eigen::VectorXd c = (powers.transpose() * powers).ldlt().solve(powers.transpose() * values);
+  const Eigen::VectorXd c =
+      powers.transpose().lazyProduct(powers).ldlt().solve(powers.transpose() * values);
   const double noise = (powers * c - values).cwiseAbs().maxCoeff();
   if (!(c[2] > 0) || noise > 1) return least;  // a corner or a gap, not a smooth end
   return c[0] - c[1] * c[1] / (4 * c[2]);

@@ -224,7 +224,8 @@ double narrower_semi_axis(const Grid& grid, const VectorXd& p) {
   }
   mean /= p.sum(), square /= p.sum();
   square.diagonal() += Eigen::Vector2d(grid.dx * grid.dx, grid.dy * grid.dy) / 12;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> moments(square - mean * mean.transpose());
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> moments;
+  moments.computeDirect(square - mean * mean.transpose(), Eigen::EigenvaluesOnly);
   return std::sqrt(5 * moments.eigenvalues()[0]);
 }
 

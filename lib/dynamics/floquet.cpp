@@ -1,6 +1,5 @@
 #include "dynamics/floquet.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -241,7 +240,7 @@ HillExponent hill_exponent(const Oscillator& oscillator, const Cycle& cycle, Com
       const Complex p = lambda + Complex(0, (2 * i - highest) * cycle.omega);
       const Eigen::MatrixXcd dynamic = p * p * o.mass + p * damping + o.stiffness;
       const Eigen::MatrixXcd transfer =
-          (scalars.of_motion + p * scalars.of_rate) * dynamic.partialPivLu().solve(forces);
+          (scalars.of_motion + p * scalars.of_rate) * num::solved(dynamic, forces);
       for (int l = 0; l < orders; ++l) {
         const Index n = 2 * Index(std::abs(i - l));
         for (Index from = 0; from < channels; ++from) {
@@ -258,14 +257,13 @@ HillExponent hill_exponent(const Oscillator& oscillator, const Cycle& cycle, Com
   Eigen::VectorXcd v = Eigen::VectorXcd::Ones(channels * orders), w = v;
   {
     const Eigen::MatrixXcd at_start = matrix(start);
-    const Eigen::PartialPivLU<Eigen::MatrixXcd> lu{at_start}, adjoint{at_start.adjoint()};
     for (int i = 0; i < 3; ++i) {
-      v = lu.solve(v).normalized().eval();
-      w = adjoint.solve(w).normalized().eval();
+      v = num::solved(at_start, v).normalized();
+      w = num::solved(at_start.adjoint(), w).normalized();
     }
   }
   const auto f = [&](Complex lambda) {
-    const Eigen::VectorXcd x = matrix(lambda).partialPivLu().solve(v);
+    const Eigen::VectorXcd x = num::solved(matrix(lambda), v);
     return 1.0 / w.dot(x);
   };
   HillExponent result;

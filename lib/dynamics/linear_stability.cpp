@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "dynamics/cycle_solver.hpp"
+#include "num/dense_lu.hpp"
 #include "num/eigenvalues.hpp"
 #include "units/input_error.hpp"
 
@@ -29,14 +30,14 @@ struct SpeedPencil {
 };
 
 SpeedPencil speed_pencil(const QuasiLinearCar& car, const QuasiLinearCar::Gains& gains) {
-  const Eigen::PartialPivLU<Matrix9> mass{car.car().mass};
+  const Matrix9& mass = car.car().mass;
   const auto m = car.matrices(gains, 1);
   const Matrix9 creep = car.car().creep_damping;
   SpeedPencil s{MatrixXd::Zero(18, 18), MatrixXd::Zero(18, 18)};
   s.constant.topRightCorner<9, 9>() = rate_scale * Matrix9::Identity();
-  s.constant.bottomLeftCorner<9, 9>() = -mass.solve(m.stiffness) / rate_scale;
-  s.constant.bottomRightCorner<9, 9>() = -mass.solve(m.damping - creep);
-  s.by_slowness.bottomRightCorner<9, 9>() = -mass.solve(creep);
+  s.constant.bottomLeftCorner<9, 9>() = -num::solved(mass, m.stiffness) / rate_scale;
+  s.constant.bottomRightCorner<9, 9>() = -num::solved(mass, m.damping - creep);
+  s.by_slowness.bottomRightCorner<9, 9>() = -num::solved(mass, creep);
   return s;
 }
 
@@ -186,8 +187,8 @@ HopfPoint hopf_at(const QuasiLinearCar& car, const Motion& motion, int iteration
   const Motion& m = point.motion;
   // The left null vector: one step of inverse iteration, Z being singular to rounding.
   const Matrix9c z = car.dynamic_stiffness(gains, m.lambda, m.speed);
-  point.adjoint = z.adjoint().partialPivLu().solve(Vector9c::Ones());
-  point.adjoint = z.adjoint().partialPivLu().solve(point.adjoint.normalized()).normalized();
+  point.adjoint = num::solved(z.adjoint(), Vector9c::Ones());
+  point.adjoint = num::solved(z.adjoint(), point.adjoint.normalized()).normalized();
   const auto e = car.evaluate(m, gains);
   point.rate_by_speed = -point.adjoint.dot(e.by_speed) / point.adjoint.dot(e.by_lambda);
   point.residual =

@@ -25,10 +25,6 @@ int checked_size(std::size_t n, std::size_t least) {
   return static_cast<int>(n);
 }
 
-fftw_complex* complex(double* p) {
-  return reinterpret_cast<fftw_complex*>(p);
-}
-
 }  // namespace
 
 Workspace::Workspace(std::size_t complexes) : data_(fftw_alloc_real(2 * complexes)) {

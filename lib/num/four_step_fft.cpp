@@ -30,10 +30,6 @@ std::size_t rows_of(std::size_t n) {
   return rows;
 }
 
-fftw_complex* complex(double* p) {
-  return reinterpret_cast<fftw_complex*>(p);
-}
-
 // z times e or, for sense = -1, its conjugate: pairs of real and imaginary part.
 RAILBOOK_WIDE void turn(double* z, const double* e, double sense, std::size_t count) {
   for (std::size_t c = 0; c < 2 * count; c += 2) {

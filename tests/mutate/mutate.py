@@ -133,6 +133,8 @@ class Tree:
             elif re.search(r"(/test_\w+|^bin/\w+)$", rule["output"]) and " -o " in rule["command"]:
                 part = next(p for p in rule["command"].split(" && ") if f" -o {rule['output']} " in p)
                 self.link[rule["output"]] = shlex.split(part)
+        if any("/Unity/" in o for o in self.compile):
+            sys.exit("several sources are compiled as one here: make PRESET=developer build, first")
         self.includes, name = {}, None
         for line in subprocess.run([*ninja, "deps"], check=True, capture_output=True, text=True).stdout.split("\n"):
             if line.startswith("    "):
