@@ -58,6 +58,10 @@ TEST_CASE("unit: a header names its unit after the underscore") {
   CHECK(parse_header("p_lbf_per_in2").unit.si == Approx(psi).epsilon(1e-15));
   CHECK(parse_header("wavenumber_per_m").unit.dimension == wavenumber);
   CHECK(parse_header("profile").unit_text.empty());
+  for (const char* numbered : {"pitch_1", "pitch_"}) {  // of a number, or of nothing, no unit is made
+    CHECK(parse_header(numbered).name == numbered);
+    CHECK(parse_header(numbered).unit_text.empty());
+  }
 }
 
 TEST_CASE("unit: the constants agree with their textbook values") {
