@@ -2,6 +2,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -46,6 +47,7 @@ TEST_CASE("the two processes", "[.turn]") {  // hidden: run by the one below
 }
 
 TEST_CASE("turns from within", "[.turn]") {  // hidden: run by the last one
+  umask(022);
   const TemporaryFolder folder("turns");
   REQUIRE(setenv("RAILBOOK_TURNS", folder.path.c_str(), 1) == 0);
   const auto free_for = [&](int how, const char* name) {
