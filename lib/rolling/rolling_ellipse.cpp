@@ -203,7 +203,8 @@ struct Level {
         influence(grid.mesh, poisson, !stepped) {}
 };
 
-// From here on a matrix is slower than transforms, and soon too large.
+// Rows fitted to the ellipse come nearer with as many cells, but need a matrix: from here on it is much slower than
+// transforms, and soon too large.
 constexpr Index most_dense = 1024;
 
 bool is_stepped(const RollingOptions& o) {

@@ -24,7 +24,7 @@ the codes that use them do. Where closed forms exist, tests hold the solver to t
 
 {{spin-mz-answer}} Six cases: a/b = 0.5, 1.568 and 3, each with a spin that bends the tractions and one that turns them. The reference is made as that of the curve; the panels end at {{spin-fx-end}}, {{spin-fy-end}} and {{spin-mz-end}}. {{outcome:spin-fx/routes}} {{outcome:spin-fx/judges}}
 With spin the error is no one power of the cell: the spot that sticks round the pole of the spin is a few cells wide on all these grids. Leaving out one grid at a time does not see that; leaving out the coarser half, and orders of their own, do.
-Each fast theory has one error, its own; FASTSIM's cells do not buy more than that. Rows of cells of one length give the same answers by transforms as by a matrix: transforms cost more below some 20 cells along and less above.
+Each fast theory has one error, its own; FASTSIM's cells do not buy more than that. Rows of cells of one length give the same answers by transforms as by a matrix: transforms cost more below some ten cells along and less above.
 
 Case by case, the distance of the cells, nothing extrapolated, from their limit:
 
