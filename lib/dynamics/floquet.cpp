@@ -1,5 +1,6 @@
 #include "dynamics/floquet.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -257,9 +258,10 @@ HillExponent hill_exponent(const Oscillator& oscillator, const Cycle& cycle, Com
   Eigen::VectorXcd v = Eigen::VectorXcd::Ones(channels * orders), w = v;
   {
     const Eigen::MatrixXcd at_start = matrix(start);
+    const Eigen::PartialPivLU<Eigen::MatrixXcd> lu{at_start}, adjoint{at_start.adjoint()};
     for (int i = 0; i < 3; ++i) {
-      v = num::solved(at_start, v).normalized();
-      w = num::solved(at_start.adjoint(), w).normalized();
+      v = lu.solve(v).normalized().eval();
+      w = adjoint.solve(w).normalized().eval();
     }
   }
   const auto f = [&](Complex lambda) {

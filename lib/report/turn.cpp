@@ -9,8 +9,8 @@
 namespace railbook::report {
 namespace {
 
-// Lock files, or none, which the system refuses to lock: whoever wants `room` goes through `door` first, so that one who waits to have the room alone is not passed
-// by those who come to share it.
+// Lock files: whoever wants `room` goes through `door` first, so that one who waits to have the room alone is not passed
+// by those who come to share it. Without them the system refuses to lock, and nobody waits.
 struct Locks {
   Locks() {
     const char* folder = std::getenv("RAILBOOK_TURNS");

@@ -100,7 +100,7 @@ bool RollingMesh::uniform() const {
 }
 
 bool RollingMesh::stepped() const {
-  return regular(*this) && ((x0 - x0.reverse()).array().abs() <= 1e-9 * dx[0]).all();
+  return regular(*this) && mirrored();
 }
 
 bool RollingMesh::mirrored() const {
@@ -154,9 +154,10 @@ void TangentialInfluence::Parts::fill_matrix() {
 void TangentialInfluence::Parts::multiply_matrix(const Eigen::VectorXd& p,
                                                  Eigen::VectorXd& strain) const {
   const Eigen::Index n = mesh.along, rows = mesh.rows(), cells = mesh.cells(), half = matrix.rows();
+  const auto mirror_of = [&](Eigen::Index k) { return (rows - 1 - k / n) * n + k % n; };
   Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(half, 4);  // along, even and odd; across
   for (Eigen::Index k = 0; k < half; ++k) {
-    const Eigen::Index mirror = (rows - 1 - k / n) * n + k % n;
+    const Eigen::Index mirror = mirror_of(k);
     const double here[] = {p[k], p[cells + k]}, there[] = {p[mirror], p[cells + mirror]};
     add_cell(matrix.col(6 * k).data(), half,
              {(here[0] + there[0]) / 2, (here[0] - there[0]) / 2, (here[1] + there[1]) / 2,
@@ -167,7 +168,7 @@ void TangentialInfluence::Parts::multiply_matrix(const Eigen::VectorXd& p,
   for (Eigen::Index part = 0; part < 2; ++part)
     for (Eigen::Index k = 0; k < half; ++k) {
       const double even = sums(k, 2 * part), odd = sums(k, 2 * part + 1);
-      const Eigen::Index mirror = (rows - 1 - k / n) * n + k % n;
+      const Eigen::Index mirror = mirror_of(k);
       strain[part * cells + mirror] = even - odd;
       strain[part * cells + k] = even + odd;
     }

@@ -62,8 +62,12 @@ void add_entries(const CLI::App* command, Words& line, const std::string& named)
                                    units::did_you_mean(option, option_names(command)))};
     if (std::any_of(words.begin(), words.end(), [&](const auto& w) { return is(w, option); }))
       continue;
-    for (const std::string& input : entry.inputs)
-      known ? added.push_back(fmt::format("{}={}", option, input)) : arguments.push_back(input);
+    for (const std::string& input : entry.inputs) {
+      if (known)
+        added.push_back(fmt::format("{}={}", option, input));
+      else
+        arguments.push_back(input);
+    }
     std::string spoken = entry.name;
     std::replace(spoken.begin(), spoken.end(), '-', ' ');
     line.origins.emplace_back(spoken, place);
