@@ -96,3 +96,18 @@ TEST_CASE("geometry car: the bounce mode and F on a sine, by their transfer func
   CHECK(worst <
         1e-4 * amplitude * std::norm(s));  // straight pieces of 1/16 ft under a wave of 20 m
 }
+
+TEST_CASE("geometry car: a change of speed is a leg of its own, whatever its size",
+          "[simulation]") {
+  Motion motion{.start = 0, .speed = 3};
+  for (const double to : {4.0, 3.0, 1.0, -1.0, -1.5}) {
+    const double before = motion.final_speed();
+    const std::size_t legs = motion.legs.size();
+    motion.change_speed(to, 0.25);
+    CHECK(motion.final_speed() == to);
+    REQUIRE(motion.legs.size() == legs + 1);
+    CHECK(motion.legs.back().duration == std::abs(to - before) / 0.25);
+    CHECK(motion.legs.back().acceleration == (to > before ? 0.25 : -0.25));
+    CHECK(motion.change_speed(to, 0.25).legs.size() == legs + 1);
+  }
+}
