@@ -154,7 +154,7 @@ void Options::flag(const std::string& name, bool& value, const std::string& help
 }
 
 void Options::required() {
-  static_cast<CLI::Option*>(last_)->required();
+  static_cast<CLI::Option*>(last_)->required()->default_str("");  // it has none
 }
 
 void Options::help(const std::string& text) {

@@ -63,5 +63,6 @@ add_test(NAME "tool: track stiffness without figures" COMMAND ${CMAKE_COMMAND} -
 
 foreach(subject hunting track contact creep filters psd quality wheelrail)
   add_test(NAME "tool: ${subject} tables say what the answers say" COMMAND ${here}/tables.sh ${subject} ${bin})
+  add_test(NAME "tool: ${subject} does by default what its help says" COMMAND ${here}/defaults.sh ${subject} ${bin} ${here}/defaults.txt ${examples})
   add_test(NAME "tool: ${subject} says what its options allow" COMMAND ${here}/ranges.sh ${subject} ${bin} ${here}/ranges.txt)
 endforeach()
