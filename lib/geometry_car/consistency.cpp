@@ -142,7 +142,6 @@ Verdict judge(const std::vector<Piece>& pieces) {
     }
     if (open) all.insert(all.end(), s.channels.begin(), s.channels.end());
   }
-  if (all.empty()) return v;
   if (suspects.empty()) v.factor = 0;
   v.channels = suspects.empty() ? all : suspects;
   std::sort(v.channels.begin(), v.channels.end());

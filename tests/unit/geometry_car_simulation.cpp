@@ -111,3 +111,27 @@ TEST_CASE("geometry car: a change of speed is a leg of its own, whatever its siz
     CHECK(motion.change_speed(to, 0.25).legs.size() == legs + 1);
   }
 }
+
+TEST_CASE("geometry car: on a track upside down the body rides upside down, to the last digit",
+          "[simulation]") {
+  // Without a lean the ride is linear; with one it is in what has no product of two leans.
+  for (const bool leans : {false, true}) {
+    Track track = build(smooth(400)), turned = track;
+    for (std::size_t i = 0; i < track.size(); ++i) {
+      const double x = static_cast<double>(i) * track.spacing;
+      track.z_left[i] = 0.01 * std::sin(x / 3) + 0.005 * std::sin(x);
+      track.z_right[i] = leans ? -0.02 * std::sin(x / 7) : track.z_left[i];
+      turned.z_left[i] = -track.z_left[i], turned.z_right[i] = -track.z_right[i];
+    }
+    const Record up = cruise(track, {}, 20), down = cruise(turned, {}, 20);
+    using enum Channel;
+    for (const Channel c : {height_left, height_right, roll_rate, sway_rear, lateral, inclinometer,
+                            vertical_left, vertical_right}) {
+      if (leans && (c == vertical_left || c == vertical_right)) continue;
+      bool all = true;
+      for (std::size_t k = 0; k < up.size(); ++k) all = all && up[c][k] == -down[c][k];
+      INFO(channel_list()[static_cast<std::size_t>(c)].name << (leans ? " of a leaning body" : ""));
+      CHECK(all);
+    }
+  }
+}
