@@ -192,9 +192,7 @@ LogFit fit_with_noise(const LogPoints& points, const LogFit& start, double low, 
   }
   if (has_corner) fit.corner = corner_state(fit.log_corner, std::log(low), std::log(high));
   fit.converged = fit.converged && fit.noise > 1e-6 * smallest;
-  const bool settled = fit.converged;
   finish(points, fit);
-  fit.converged = settled;
   return fit;
 }
 

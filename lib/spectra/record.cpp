@@ -148,8 +148,8 @@ void RecordStream::settle_spacing() {
     spacing_ = median;  // then it is uneven, as place() says
   first_position_ = last_position_ = grid_ = first_.front().position;
   if (rounding_ > 0) fit_grid();
-  places_ = PlaceMap{spacing_, direction_ * grid_, direction_};
   const double first = direction_ * grid_;
+  places_ = PlaceMap{spacing_, first, direction_};
   places_.add(0, {&first, 1});
   const auto samples = std::exchange(first_, {});
   take({&samples.front().value, 1});
@@ -288,8 +288,7 @@ void RecordStream::compare(std::span<const double> values) {
 void RecordStream::finish() {
   if (taken_ == 0) throw InputError{"the record holds no finite sample"};
   if (positions_ && !settled_) settle_spacing();
-  if (!positions_)
-    units::require_positive("spacing (give one, or a column of positions)", spacing_, "m");
+  units::require_positive("spacing (give one, or a column of positions)", spacing_, "m");
   if (any_ && !varies_)
     throw InputError{"constant signal: all samples are " + number_text(first_value_) + " m"};
   screen_.finish();

@@ -40,3 +40,12 @@ TEST_CASE("extreme: tiny and huge approaches") {
   const PunchContact huge = punch_from_approach({1e-6, 1}, 1, 1e3);
   CHECK(huge.radius == Approx(std::sqrt(1e3)).epsilon(1e-6));
 }
+
+TEST_CASE("extreme: the peak of a sharp punch is at its edge, and without a bound") {
+  const NoFpFault no_fault;
+  for (const double flat : {1e-6, 0.5, 1e3}) {
+    const PunchPeak peak = punch_peak(punch_from_approach({flat, 0}, 1, 1e-3 * flat));
+    CHECK(peak.r == flat);
+    CHECK(std::isinf(peak.pressure));
+  }
+}

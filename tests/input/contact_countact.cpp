@@ -61,3 +61,16 @@ TEST_CASE("input: a gap without the symmetry a solver relies on is refused") {
   const Gap jump = rail_wheel_gap({18, 12.34, 10, 1.25});  // symmetric about x only
   CHECK_THROWS_AS((void)countact_2(jump, 1e-3, 1e7), InputError);
 }
+
+TEST_CASE("input: an unsymmetric gap is refused to either side, rounding is not") {
+  for (const double odd : {-1.0, -0.01, 0.01, 1.0}) {
+    const Gap about_x = [=](double x, double y) { return x * x + 3 * y * y + 1e-3 * odd * y; };
+    CHECK_THROWS_AS((void)countact_1(about_x, 1e-3, 1e7), InputError);
+    CHECK_THROWS_AS((void)countact_2(about_x, 1e-3, 1e7), InputError);
+    const Gap about_y = [=](double x, double y) { return x * x + 3 * y * y + 1e-3 * odd * x; };
+    CHECK_NOTHROW((void)countact_1(about_y, 1e-3, 1e7));
+    CHECK_THROWS_AS((void)countact_2(about_y, 1e-3, 1e7), InputError);
+    const Gap rounding = [=](double x, double y) { return x * x + 3 * y * y + 1e-9 * odd * y; };
+    CHECK_NOTHROW((void)countact_1(rounding, 1e-3, 1e7));
+  }
+}

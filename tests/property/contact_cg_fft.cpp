@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <tuple>
 
@@ -314,5 +315,25 @@ TEST_CASE("property: one, two and three threads find the same digits") {
     CHECK(more.contact.iterations == one.contact.iterations);
     CHECK(more.contact.force == one.contact.force);
     CHECK(more.contact.p == one.contact.p);
+  }
+}
+
+TEST_CASE("property: whatever pressures it starts from, the bounded problem has one solution") {
+  const Grid grid{-1.5, -1.5, 0.15, 0.15, 20, 20};
+  const Gap gap = ellipsoid(0.5, 0.8);
+  for (const bool with_ends : {false, true}) {
+    Eigen::VectorXd f = sample(gap, grid), p;
+    if (with_ends)
+      for (const Eigen::Index corner : {0, 19, 380, 399})
+        f[corner] = std::numeric_limits<double>::infinity();
+    solve_on(grid, f, 0.4, 1, p, 1e-11);
+    REQUIRE(p.maxCoeff() > 0);
+    for (const double start : {1e-3, 1.0, 30.0}) {
+      Eigen::VectorXd other = Eigen::VectorXd::Constant(grid.cells(), start);
+      Convolution a(grid, 1);
+      CHECK(solve_bounded_cg(a, grid, f, 0.4, other, {.tolerance = 1e-11}).converged);
+      CHECK((other - p).cwiseAbs().maxCoeff() < 1e-8 * p.maxCoeff());
+      CHECK(other[0] + other[19] + other[380] + other[399] == 0);
+    }
   }
 }

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <tuple>
+#include <vector>
 
 #include "contact/cg_fft.hpp"
 #include "contact/extrapolation.hpp"
@@ -139,4 +141,54 @@ TEST_CASE("unit: the intensity of the edge is that of the pressures, over Hertz'
             const auto ramp = [w](double t) { return std::clamp((1 - std::abs(t)) / w, 0.0, 1.0); };
             return ramp(x) * ramp(y);
           }) == Approx(units::pi / (4 * std::sqrt(2 * w) * (1 - w / 3))).epsilon(0.01));
+}
+
+namespace {
+
+// Two spheres beside each other; the second, of radius r, ends `lower` above the first.
+Gap two_spheres(double r, double lower) {
+  return [=](double x, double y) {
+    const double u = x - 3;
+    return std::min((x * x + y * y) / 2, (u * u + y * y) / (2 * r) + lower);
+  };
+}
+
+// What p_max_error holds of the peak's drop between cells, as a square: the rest is of the ladder, and of the edges as in force_error.
+double drop_in_error(const CgFft& result) {
+  const Region& finest = result.levels.back().region;
+  std::vector<double> h, forces, peaks;
+  for (const CgFftLevel& level : result.levels) {
+    h.push_back(std::hypot(level.grid.dx / (finest.ends.x_max - finest.ends.x_min),
+                           level.grid.dy / (finest.ends.y_max - finest.ends.y_min)));
+    forces.push_back(level.region.force), peaks.push_back(level.region.p_max);
+  }
+  const Extrapolated f = extrapolate(h, forces, 2), p = extrapolate(h, peaks, 2);
+  return result.contact.p_max_error - p.error / p.value -
+         (result.contact.force_error - f.error / f.value);
+}
+
+}  // namespace
+
+TEST_CASE("unit: a peak's error has the largest drop of the peaks higher than half the highest") {
+  // The smaller sphere's peak falls faster from cell to cell; at the second height it is 0.501 of the other.
+  for (const auto& [lower, counts] :
+       {std::pair{0.70, true}, std::pair{0.783, true}, std::pair{0.785, false}}) {
+    CgFftOptions options;
+    options.nx = 150, options.ny = 90;
+    options.search = [](double) { return Box{-1.5, 4.5, -1.5, 1.5}; };
+    const CgFft result = solve_cg_fft(two_spheres(0.3, lower), 1, 1, options);
+    const Region& finest = result.levels.back().region;
+    REQUIRE(finest.patches.size() == 2);
+    REQUIRE(std::isfinite(result.contact.p_max_error));
+    double drop = 0, highest = 0;
+    for (const Patch& patch : finest.patches) highest = std::max(highest, patch.p_max);
+    int higher = 0;
+    for (const Patch& patch : finest.patches) {
+      if (2 * patch.p_max <= highest) continue;
+      ++higher;
+      drop = std::max(drop, patch.peak_drop);
+    }
+    CHECK((higher == 2) == counts);
+    CHECK(drop_in_error(result) == Approx(4 * drop * drop).epsilon(1e-6));
+  }
 }

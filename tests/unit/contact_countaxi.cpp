@@ -1,6 +1,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <vector>
 
+#include "contact/countact_parts.hpp"
 #include "contact/countaxi.hpp"
 #include "contact/geometry.hpp"
 #include "contact/hertz.hpp"
@@ -60,4 +62,20 @@ TEST_CASE("unit: COUNTAXI on the sharp punch says that the edge is singular") {
     CHECK(c.p_max > 2 * before);
     before = c.p_max;
   }
+}
+
+TEST_CASE("unit: COUNTAXI moves the boundary to where the pressure ends, then by the secant") {
+  const Gap gap = rounded_punch_gap({0.5, 1});
+  CountaxiOptions options;
+  std::vector<double> radius, move;
+  for (options.most_iterations = 1; options.most_iterations <= 3; ++options.most_iterations) {
+    const RingContact c = countaxi(gap, approach, modulus, options);
+    CHECK(c.iterations == options.most_iterations);
+    radius.push_back(c.radius);
+    move.push_back(detail::find_zero(c.r, c.p, c.radius, options.fit, false).at - c.radius);
+  }
+  CHECK(gap(radius[0], 0) == Approx(approach));  // the interpenetration curve
+  CHECK(radius[1] == Approx(radius[0] + move[0]).epsilon(1e-14));
+  CHECK(radius[2] ==
+        Approx(radius[1] - move[1] * (radius[1] - radius[0]) / (move[1] - move[0])).epsilon(1e-13));
 }

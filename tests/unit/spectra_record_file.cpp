@@ -139,3 +139,23 @@ TEST_CASE("unit: a file without places needs a spacing, and units may not contra
   CHECK_NOTHROW(read(rows("profile_mm", none), {.unit = "mm", .spacing = 1}));
   CHECK_THROWS_WITH(read(rows("distance,profile_mm", place)), Contains("names no length"));
 }
+
+TEST_CASE("unit: a number that stands for a lost sample does so however it is written") {
+  // A height as any other: no screen would take it out.
+  const auto with = [](const std::string& cell) {
+    std::string text = "distance_m,profile_mm\n";
+    for (int i = 0; i < 40; ++i)
+      text += std::to_string(i) + "," + (i == 9 ? cell : std::to_string(1 << i % 3)) + "\n";
+    return text;
+  };
+  for (const std::string cell : {"3", "3.0", "0.3e1", "03"}) {
+    const Read r = read(with(cell), {.bridge = 0, .missing = {"3"}});
+    INFO(cell);
+    CHECK(r.stream->missing() == 1);
+    CHECK(std::isnan(r.heights[9]));
+    CHECK(r.stream->faults().empty());
+  }
+  // A text that only begins like a number is one.
+  CHECK(read(with("3x"), {.bridge = 0, .missing = {"3x"}}).stream->missing() == 1);
+  CHECK(read(with("3"), {.bridge = 0, .missing = {"3x"}}).stream->missing() == 0);
+}

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "../support/no_fp_fault.hpp"
@@ -301,4 +302,27 @@ TEST_CASE("unit: the longest stretch that stands still is told where it is") {
   CHECK(still->first == 0);
   CHECK(still->count == equal);
   CHECK(still->value == z.front());
+}
+
+TEST_CASE("unit: a first sample is judged by most of the nine that follow it") {
+  // Steps of about 1 mm; the nine lie 0.2 m off or where the first one is, after a pattern.
+  const auto first_is_out = [](const std::string& pattern) {
+    std::vector<double> z;
+    for (std::size_t i = 0; i < 400; ++i)
+      z.push_back((i % 2 == 0 ? 0.5e-3 : -0.5e-3) + 1e-6 * std::sin(double(i)));
+    z[0] += 0.2;
+    for (std::size_t i = 0; i < pattern.size(); ++i)
+      if (pattern[i] == 'n')
+        z[i + 1] += 0.2;
+      else if (pattern[i] == '-')
+        z[i + 1] = lost;
+    const auto faults = screen(z).faults;
+    return !faults.empty() && faults[0].first == 0;
+  };
+  CHECK(first_is_out("fffffffff"));
+  CHECK(first_is_out("fnfnfnfnfn"));        // five of nine are far
+  CHECK_FALSE(first_is_out("fnfnfnfnnf"));  // four of nine
+  CHECK(first_is_out("fn-f-nfnfn-fn"));     // lost ones do not count
+  CHECK_FALSE(first_is_out("fn-f-nfnfn-nf"));
+  CHECK_FALSE(first_is_out("nffffffff"));  // the next one is near
 }

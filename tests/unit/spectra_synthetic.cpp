@@ -1,8 +1,10 @@
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <utility>
 
 #include "num/random_source.hpp"
 #include "spectra/joint_dips.hpp"
+#include "spectra/shaped_noise.hpp"
 #include "spectra/synthetic_track.hpp"
 #include "units/constants.hpp"
 
@@ -102,4 +104,31 @@ TEST_CASE(
       CHECK_THAT(joint_scatter_psd(joints, phi), WithinRel(alone * sum, 1e-10));
     }
   }
+}
+
+TEST_CASE("unit: shaped noise has 70 samples to either side for each sample of its sharpest bend") {
+  // A power of two between 512 and 65536; its design asks for the density at four times as many places, and at zero.
+  for (const auto& [per_detail, half] : {std::pair{512 / 70.0, 512},
+                                         {513.5 / 70, 1024},
+                                         {1020 / 70.0, 1024},
+                                         {1024 / 70.0, 1024},
+                                         {1025 / 70.0, 2048},
+                                         {65000 / 70.0, 65536},
+                                         {65537 / 70.0, 65536},
+                                         {1e5, 65536},
+                                         {1.0, 512}})
+    for (const double spacing : {0.25, 3.0}) {
+      int asked = 0;
+      ShapedNoise({.density =
+                       [&](double) {
+                         ++asked;
+                         return 1e-6;
+                       },
+                   .spacing = spacing,
+                   .low_cut = 0.01 / spacing,
+                   .detail = 1 / (spacing * per_detail)},
+                  num::RandomSource{1, 1});
+      INFO(per_detail << " samples");
+      CHECK(asked == 4 * half + 1);
+    }
 }
