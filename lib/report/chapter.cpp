@@ -203,15 +203,14 @@ int run_command(int argc, char** argv, const ChapterInfo& info, const std::vecto
   reproduce_command->add_flag("--no-figures", wish.no_figures, "do not draw");
   reproduce_command->add_flag("--no-timings", wish.no_timings,
                               "measure no time: the same record on every run");
-  CLI::App* list_command = app.add_subcommand("list", "name the tables and figures");
+  app.add_subcommand("list", "name the tables and figures");
 
   try {
     const std::vector<PagedEntry> entries = in_order(paper, study);
     app.parse(argc, argv);
     if (*reproduce_command) return reproduce(wish, info, entries);
-    if (*list_command)
-      for (const PagedEntry& e : entries)
-        fmt::print("{:<22} {:<7} {}\n", e.entry->id, e.entry->kind, e.entry->title);
+    for (const PagedEntry& e : entries)  // list
+      fmt::print("{:<22} {:<7} {}\n", e.entry->id, e.entry->kind, e.entry->title);
     return 0;
   } catch (const CLI::Success& help) {
     return app.exit(help);

@@ -193,3 +193,23 @@ TEST_CASE("property: a row read at once is the row read cell by cell, its refusa
   }
   CHECK(refused > 500);
 }
+
+TEST_CASE("input: a row with one empty cell too many is refused, at once as cell by cell") {
+  for (const char* row : {"1,2,,\n", "1,2,3,,\n", "1,2,,,\n"}) {
+    const File file{std::string("a,b,c\n") + row + "4,5,6\n"};
+    for (const std::array<std::size_t, 2>& columns : {std::array<std::size_t, 2>{0, 1}, {0, 2}}) {
+      table::CsvReader reader{file.path};
+      std::array<double, 8> values{};
+      CHECK(reader.numbers(columns, values) == 0);
+      CHECK_THROWS_AS(reader.next(), InputError);
+    }
+  }
+}
+
+TEST_CASE("input: a comma in quotation marks is no decimal comma where commas are between cells") {
+  const File file{"a,b\n\"1,5\",2\n"};
+  table::CsvReader reader{file.path};
+  REQUIRE(reader.next());
+  CHECK_THROWS_WITH(reader.number(0), Contains("column \"a\" is \"1,5\"; allowed: a finite"));
+  CHECK(reader.number(1) == 2);
+}

@@ -21,6 +21,11 @@ TEST_CASE("unit: digits are compared in extended precision") {
       [](double x) { return std::expm1(static_cast<long double>(x)); });
   CHECK(row.at == 1e-10);
   CHECK(row.worst == Approx(8.3e-8).epsilon(0.05));
+  const auto below = bench::worst_digits(
+      {}, {-1.0, -4.0}, [](double x) { return x < -2 ? 1.01 * x : x; },
+      [](double x) { return static_cast<long double>(x); });
+  CHECK(below.at == -4);
+  CHECK(below.worst == Approx(0.01));
   const auto broken = bench::worst_digits(
       {}, {1.0}, [](double) { return std::nan(""); }, [](double) { return 1.0L; });
   CHECK(std::isnan(broken.worst));

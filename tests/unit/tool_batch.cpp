@@ -124,6 +124,14 @@ TEST_CASE("unit: whatever becomes of a record is a row, in the order of the reco
   }
 }
 
+TEST_CASE("unit: a record is named in its row as its file is, in any script") {
+  const std::string name = "Gleis 1 \u00e4\u00f6\u00fc \u8ecc\u9053.csv";
+  Batch batch({name, "last"});
+  batch.run();
+  CHECK_THAT(batch.at.read("out/sum-table.jsonl"), Contains(name));
+  CHECK_THAT(batch.at.read("out/sum-table.csv"), Contains(name));
+}
+
 TEST_CASE("unit: a rerun asks for what failed, what has changed, and for all with other options") {
   Batch batch({"one", "later", "refused"});
   tool::session().given.clear();
