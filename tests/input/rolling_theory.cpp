@@ -1,3 +1,4 @@
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -37,6 +38,10 @@ TEST_CASE("Pressures out of range are refused", "[rolling]") {
   const contact::Grid grid{0, 0, 1e-3, 1e-3, 2, 2};
   CHECK_THROWS_AS(solve_rolling(grid, Eigen::Vector3d::Ones(), c), InputError);
   CHECK_THROWS_AS(solve_rolling(grid, Eigen::Vector4d::Zero(), c), InputError);
+  for (const auto& [nx, ny, size] :
+       {std::array{0, 3, 0}, {3, 0, 0}, {0, 0, 0}, {-1, -1, 1}, {3, 2, 5}, {1, 2, 3}})
+    CHECK_THROWS_WITH(solve_rolling({0, 0, 1e-3, 1e-3, nx, ny}, Eigen::VectorXd::Ones(size), c),
+                      Catch::Matchers::Contains("one value for every cell"));
   CHECK_THROWS_AS(solve_rolling(grid, Eigen::Vector4d{1, -1, 1, 1}, c), InputError);
   CHECK_THROWS_AS(solve_rolling(grid, Eigen::Vector4d{1, std::nan(""), 1, 1}, c), InputError);
 }

@@ -1,7 +1,10 @@
 // Where a wheel comes nearest to its rail, how near to an end of a profile that may be, and where a strip ends.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "contact/hertz.hpp"
+#include "units/constants.hpp"
 #include "wheel_on_rail/strips.hpp"
 #include "wheel_on_rail/touching.hpp"
 
@@ -58,4 +61,81 @@ TEST_CASE(
     for (const double yaw : {0.9, -0.9})
       CHECK(std::isinf(Placed(pair, {.yaw = yaw}).point(0.01).gap));
   }
+}
+
+namespace {
+
+// A patch whose overlap is a parabola: `deepest` at t, falling by `across` times the square of the distance.
+Patch parabola(double t, double deepest, double across, double radius, int places = 401) {
+  Patch patch;
+  patch.radius = radius;
+  const double reach = 1.3 * std::sqrt(deepest / across);
+  for (int k = 0; k < places; ++k) {
+    const double at = t + reach * (2.0 * k / (places - 1) - 1), u = at - t;
+    patch.line.push_back({at, 1e-3, deepest - across * u * u});
+  }
+  return patch;
+}
+
+}  // namespace
+
+TEST_CASE("unit: strips of a parabola of overlap lie in Hertz's ellipse, from end to end") {
+  const double modulus = 1e11, deepest = 1e-4, radius = 0.46;
+  for (const double across : {0.3, 2.0, 20.0})
+    for (const double t : {-2e-3, 0.0, 3e-3})
+      for (const double down : {0.0, -4e-5, 3e-5}) {
+        const double depth = deepest + down;
+        const auto hertz = contact::hertz_from_approach({0.5 / radius, across}, modulus, depth);
+        for (const bool ellipse : {false, true}) {
+          const Patch patch = parabola(t, deepest, across, radius);
+          const Strips s =
+              ellipse ? hertzian(patch, modulus, down) : semi_hertzian(patch, modulus, down);
+          INFO(across << " 1/m at " << t << " lowered by " << down << (ellipse ? ", ellipse" : ""));
+          REQUIRE(s.strips.size() == 60);
+          CHECK(s.approach == Approx(depth));
+          CHECK(s.width == Approx(hertz.b / 30).epsilon(2e-3));
+          CHECK(s.strips.front().t - 0.5 * s.width == Approx(t - hertz.b).margin(2e-3 * hertz.b));
+          CHECK(s.strips.back().t + 0.5 * s.width == Approx(t + hertz.b).margin(2e-3 * hertz.b));
+          CHECK(s.ratio == Approx(hertz.a / hertz.b).epsilon(1e-3));
+          CHECK(s.longest == Approx(hertz.a).epsilon(2e-3));
+          CHECK(s.area == Approx(units::pi * hertz.a * hertz.b).epsilon(5e-3));
+          CHECK(s.p_max == Approx(hertz.p_max).epsilon(1e-2));
+          CHECK(s.load == Approx(hertz.force).epsilon(1e-2));
+          CHECK_FALSE(s.two_lobes);
+          for (const Strip& strip : s.strips) {
+            const double u = (strip.t - t) / hertz.b;
+            CHECK(strip.x == Approx(1e-3));
+            CHECK(strip.half_length ==
+                  Approx(hertz.a * std::sqrt(std::max(0.0, 1 - u * u))).margin(0.03 * hertz.a));
+          }
+        }
+      }
+}
+
+TEST_CASE("unit: nothing overlaps, no strips") {
+  const Patch patch = parabola(0, 1e-4, 2, 0.46);
+  for (const double down : {-1.0001e-4, -1.0}) {
+    CHECK(semi_hertzian(patch, 1e11, down).strips.empty());
+    CHECK(hertzian(patch, 1e11, down).strips.empty());
+  }
+  CHECK_FALSE(semi_hertzian(patch, 1e11, -0.9e-4).strips.empty());
+}
+
+TEST_CASE(
+    "unit: strips have two lobes where the overlap falls between two places and rises again") {
+  for (const double valley : {0.05, 0.3, 0.9, 1.0})
+    for (const double side : {-1.0, 1.0}) {
+      // 1 at the deepest place, the valley's share between, 0.8 beyond.
+      Patch patch;
+      patch.radius = 0.46;
+      for (int k = 0; k <= 400; ++k) {
+        const double t = 1e-2 * (k / 200.0 - 1), one = 1 - std::pow((t + 4e-3) / 5e-3, 2),
+                     other = 0.8 * (1 - std::pow((t - 5e-3) / 4e-3, 2));
+        const double between = t > -4e-3 && t < 5e-3 ? std::min(valley, 0.8) : -1;
+        patch.line.push_back({side * t, 0, 1e-4 * std::max({one, other, between})});
+      }
+      if (side < 0) std::reverse(patch.line.begin(), patch.line.end());
+      INFO("valley of " << valley);
+      CHECK(semi_hertzian(patch, 1e11).two_lobes == (valley < 0.5));
+    }
 }

@@ -1,4 +1,5 @@
 // Two-point contact: where it is, and that the whole gap is closed at both points.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -93,4 +94,25 @@ TEST_CASE("A level axle touches where each side's own gap is least") {
   CHECK(cone.left.radius - cone.right.radius ==
         Approx(2 * 0.2 * inch * std::tan(0.05)).epsilon(1e-10));
   CHECK_FALSE(cn_pair().level_contact(0.5).converged);
+}
+
+TEST_CASE("A profile through points meets them all, and has no corner") {
+  // Angles of both signs, the points given both ways.
+  for (const bool falling : {false, true}) {
+    std::vector<Point> points;
+    for (int k = 0; k <= 60; ++k) {
+      const double u = 0.04 * k / 60;
+      points.push_back({u, 2e-3 * std::sin(200 * u) - 8 * u * u});
+    }
+    if (falling) std::reverse(points.begin(), points.end());
+    const auto curve = measured_curve(points, 0).curve;
+    const auto& pieces = curve.pieces();
+    REQUIRE(pieces.size() >= 100);
+    for (std::size_t k = 1; k < pieces.size(); ++k) {
+      CHECK(pieces[k].angle_start == Approx(pieces[k - 1].angle_end).margin(2e-9));
+      CHECK(pieces[k].start.u == Approx(pieces[k - 1].end.u).margin(1e-12));
+      CHECK(pieces[k].start.z == Approx(pieces[k - 1].end.z).margin(1e-12));
+    }
+    for (const Point& p : points) CHECK(curve.height(p.u) == Approx(p.z).margin(1e-12));
+  }
 }
