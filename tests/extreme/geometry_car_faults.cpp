@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "../support/no_fp_fault.hpp"
+#include "geometry_car/health.hpp"
 #include "geometry_car/reconstruct.hpp"
 #include "geometry_car/sensors.hpp"
 #include "geometry_car/simulate.hpp"
@@ -62,6 +63,23 @@ TEST_CASE("geometry car: everything missing, everything zero, everything huge", 
     CHECK(m.size() == r.size());
     for (std::size_t q = 0; q < parameters; ++q)
       for (const double v : m.values[q]) CHECK_FALSE(std::isinf(v));
+  }
+}
+
+TEST_CASE("geometry car: whether sensors can be believed is asked without a fault", "[extreme]") {
+  const NoFpFault no_fault;
+  const Record clean = cruise(25);
+  for (const ChannelInfo& c : channel_list())
+    for (const double factor : {1.0, 0.0, missing, 1e12, 1e-12}) {
+      Record r = clean;
+      for (double& v : r[c.channel]) v *= factor;
+      CHECK(examine(r, {}).doubted[0].size() == r.size());
+    }
+  for (const double value : {missing, 0.0, 1e6}) {
+    Record r = clean;
+    for (auto& values : r.values)
+      for (double& v : values) v = value;
+    CHECK(examine(r, {}).findings.size() >= channels);
   }
 }
 

@@ -37,7 +37,10 @@ std::vector<double> noise(std::size_t n) {
 double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
   REQUIRE(a.size() == b.size());
   double worst = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) worst = std::max(worst, std::abs(a[i] - b[i]));
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double off = std::abs(a[i] - b[i]);
+    worst = std::max(worst, std::isnan(off) ? std::numeric_limits<double>::infinity() : off);
+  }
   return worst;
 }
 
@@ -120,6 +123,28 @@ TEST_CASE("Gaps split the record into pieces of their own", "[quality]") {
   CHECK(std::isnan(p[1539]));
   CHECK(largest_difference({p.begin(), p.begin() + 1500}, filter_direct(taps, left)) < 1e-10);
   CHECK(largest_difference({p.begin() + 1540, p.end()}, filter_direct(taps, right)) < 1e-10);
+}
+
+TEST_CASE("A single lost sample is a gap wherever it stands", "[quality]") {
+  const auto taps = design_filter(stroke_envelope(), {.spacing = 0.5, .shortest = 0, .reach = 100});
+  const auto z = noise(1200);
+  for (const std::size_t at :
+       {0, 1, 2, 127, 255, 256, 257, 511, 512, 600, 767, 768, 1023, 1024, 1198, 1199}) {
+    auto lost = z;
+    lost[at] = std::numeric_limits<double>::quiet_NaN();
+    const auto p = filter(taps, lost);
+    const auto middle = static_cast<std::ptrdiff_t>(at);
+    INFO("sample " << at);
+    REQUIRE(p.size() == z.size());
+    CHECK(std::isnan(p[at]));
+    const std::vector<double> left(z.begin(), z.begin() + middle),
+        right(z.begin() + middle + 1, z.end());
+    if (!left.empty())
+      CHECK(largest_difference({p.begin(), p.begin() + middle}, filter_direct(taps, left)) < 1e-10);
+    if (!right.empty())
+      CHECK(largest_difference({p.begin() + middle + 1, p.end()}, filter_direct(taps, right)) <
+            1e-10);
+  }
 }
 
 TEST_CASE("A sine is beyond the limit where its amplitude is, whatever its phase at the ends",
