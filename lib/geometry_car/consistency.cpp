@@ -224,7 +224,7 @@ void compare_gages(const Record& record, const Run& run, Health& health) {
     right += r * r;
     ++n;
   }
-  if (left + right < 1e-8 * n || std::abs(left - right) * std::sqrt(n / 20) < 5 * (left + right))
+  if (left + right <= 1e-8 * n || std::abs(left - right) * std::sqrt(n / 20) < 5 * (left + right))
     return;
   const double ratio = std::sqrt(left / std::max(right, 1e-30));
   for (const Channel c : {gage_left, gage_right})

@@ -170,3 +170,18 @@ TEST_CASE("property: a pressure over the whole grid has the area of the grid") {
   CHECK(rough.area <= 17 * 0.5 * 11 * 0.25);
   CHECK(rough.ends_steeply);
 }
+
+TEST_CASE(
+    "property: the end of a region that has its tip at its first or last line is that of the tip") {
+  // Rows that begin one cell later each: the one that begins first has neighbours on one side only.
+  const Grid grid{0, 0, 1, 1, 60, 60};
+  for (const bool last : {false, true}) {
+    VectorXd p = VectorXd::Zero(grid.cells());
+    for (Index j = 0; j < 30; ++j)
+      for (Index i = 8 + j; i < 50; ++i) p[(last ? 44 - j : 15 + j) * grid.nx + i] = 2;
+    const Region r = describe(grid, p, VectorXd::Zero(grid.cells()));
+    CHECK(r.ends.x_min == Approx(8));
+    CHECK(r.ends.x_max == Approx(50));
+    CHECK(r.area == Approx(30 * 42 - 15 * 29));
+  }
+}

@@ -81,6 +81,16 @@ TEST_CASE("geometry car: gages that change by less than 0.1 mm in ten rows prove
   }
 }
 
+TEST_CASE("geometry car: gages without a change in common prove nothing") {
+  for (const Channel c : {Channel::gage_left, Channel::gage_right}) {
+    Record r = gages(2010, 1e-4, 3e-4);
+    for (double& v : r[c]) v = missing;
+    CHECK_FALSE(unlike(r));  // one is dead
+    for (auto& values : r.values) values.assign(r.size(), missing);
+    CHECK_FALSE(unlike(r));  // both are
+  }
+}
+
 TEST_CASE("geometry car: a value that one gage misses makes the two no less alike") {
   for (const Channel c : {Channel::gage_left, Channel::gage_right}) {
     Record r = gages(2010, 1e-4, 1.1e-4);

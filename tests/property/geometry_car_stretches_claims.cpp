@@ -156,6 +156,32 @@ TEST_CASE("geometry_car: a zero that has moved and a speed that leapt are rememb
   }
 }
 
+TEST_CASE("geometry_car: a finding of several stretches is told once, as the worst of them") {
+  // The first ends at row 12288, the second begins at row 4096: one spike in the one, two in the other.
+  Record r;
+  for (long k = 0; k < 14000; ++k) r.elapsed.push_back(0.01), r.mark.push_back(k);
+  for (auto& values : r.values) values.assign(r.size(), std::nan(""));
+  for (std::size_t k = 0; k < r.size(); ++k)
+    r[Channel::lateral][k] = r[Channel::height_left][k] = k % 2 == 0 ? 1e-6 : -1e-6;
+  r[Channel::lateral][2000] += 0.5;
+  r[Channel::lateral][12500] += 0.3, r[Channel::lateral][13500] += 0.3;
+  r[Channel::height_left][12800] += 0.02;
+  Read read = in_stretches(r, 1);
+  std::erase_if(read.findings, [](const Finding& f) { return f.fault == Fault::dead; });
+  REQUIRE(read.findings.size() == 2);
+  const Finding &of_both = read.findings[0], &of_one = read.findings[1];
+  CHECK(of_both.what == "lateral");
+  CHECK(of_both.fault == Fault::jump);
+  CHECK(of_both.rows == 2);
+  CHECK(of_both.size == Approx(0.3).epsilon(1e-3));
+  CHECK(of_both.first == 1998);
+  CHECK_THAT(of_both.text, Catch::StartsWith("2 jumps"));
+  CHECK_THAT(of_both.text, Catch::EndsWith("(the worst of 2 of 2 stretches; first at row 1999)"));
+  CHECK(of_one.what == "height_left");
+  CHECK(of_one.first == 12799);
+  CHECK_THAT(of_one.text, Catch::EndsWith("(the worst of 1 of 2 stretches; first at row 12800)"));
+}
+
 TEST_CASE("geometry_car: stretches refuse what the whole record is refused for") {
   Record record = long_record();
   for (std::size_t i = 0; i < record.size(); ++i)

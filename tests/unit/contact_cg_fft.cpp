@@ -143,6 +143,23 @@ TEST_CASE("unit: the intensity of the edge is that of the pressures, over Hertz'
           }) == Approx(units::pi / (4 * std::sqrt(2 * w) * (1 - w / 3))).epsilon(0.01));
 }
 
+TEST_CASE("unit: a limit from one grid is its value, whose whole size is the error") {
+  for (const double value : {3.0, -5.0}) {
+    const Extrapolated one = extrapolate({0.1}, {value}, 2);
+    CHECK(one.value == value);
+    CHECK(one.error == std::abs(value));
+    // From two it is that of the line through both, and the error what was taken off.
+    const Extrapolated two = extrapolate({0.2, 0.1}, {value * 1.4, value * 1.1}, 2);
+    CHECK(two.value == Approx(value));
+    CHECK(two.error == Approx(0.1 * std::abs(value)));
+    // From three on that line: 0.3 of it.
+    const Extrapolated three =
+        extrapolate({0.3, 0.2, 0.1}, {value * 1.9, value * 1.4, value * 1.1}, 2);
+    CHECK(three.value == Approx(value));
+    CHECK(three.error == Approx(0.03 * std::abs(value)));
+  }
+}
+
 namespace {
 
 // Two spheres beside each other; the second, of radius r, ends `lower` above the first.

@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <complex>
+#include <string_view>
 #include <vector>
 
 #include "../support/no_fp_fault.hpp"
@@ -114,4 +115,21 @@ TEST_CASE("unit: a deviation from uniformity is an offset less the mean of nine"
         CHECK(amplitude(taps, 1 / wave) == Approx(gain).margin(5e-3));
       }
     }
+}
+
+TEST_CASE("unit: the European bands are those that two open codes have") {
+  struct Edges {
+    std::string_view name;
+    double shortest, longest;
+  };
+  std::size_t k = 0;
+  for (const auto& [name, shortest, longest] :
+       {Edges{"D0", 1, 5}, Edges{"D1", 3, 25}, Edges{"D2", 25, 70}, Edges{"D3", 70, 150}}) {
+    REQUIRE(k < measures::bands.size());
+    const Band& band = measures::bands[k++];
+    CHECK(band.name == name);
+    CHECK(band.shortest == shortest);
+    CHECK(band.longest == longest);
+  }
+  CHECK(k == measures::bands.size());
 }
