@@ -1,6 +1,8 @@
 #include "dynamics/continuation.hpp"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "dynamics/branch_walker.hpp"
 #include "dynamics/step_length.hpp"
@@ -60,6 +62,8 @@ const char* to_string(BranchStop stop) {
       return "no cycle to start from";
     case BranchStop::closed:
       return "back at its first cycle";
+    case BranchStop::joined:
+      return "back on a branch of more symmetry";
   }
   return "";
 }
@@ -119,6 +123,48 @@ Widened widened(const SpecialCycle& from) {
   return w;
 }
 
+// The harmonics that a branch has and the one that it left has not, and how large they are beside all.
+Eigen::MatrixXcd fresh_part(const Cycle& cycle, CycleEvent kind) {
+  const int parity = kind == CycleEvent::period_doubling ? 1 : 0;
+  Eigen::MatrixXcd part = cycle.motion;
+  for (std::size_t k = 0; k < cycle.orders.size(); ++k)
+    if (cycle.orders[k] % 2 != parity) part.col(Index(k)).setZero();
+  return part;
+}
+
+// Where they vanish the branch is back on the one it left, or on one like it, and goes on there, or as its own mirror image.
+bool has_joined(const LimitCycle& from, const LimitCycle& to, CycleEvent kind) {
+  const Eigen::MatrixXcd before = fresh_part(from.cycle, kind), now = fresh_part(to.cycle, kind);
+  if (now.norm() < 1e-6 * to.cycle.motion.norm()) return true;
+  const Index both = std::min(before.cols(), now.cols());
+  return before.leftCols(both).conjugate().cwiseProduct(now.leftCols(both)).sum().real() < 0;
+}
+
+// The branch from a cycle on, up to where it joins another one.
+LimitCycleBranch up_to_joining(const Family& family, const Place& p, const VectorXd& direction,
+                               const std::vector<int>& orders, CycleEvent kind,
+                               const ContinuationOptions& options) {
+  ContinuationOptions until = options;
+  std::optional<LimitCycle> last;
+  bool joined = false;
+  until.go_on = [&](const LimitCycle& c) {
+    joined = has_joined(*last, c, kind);
+    last = c;
+    return !joined && (!options.go_on || options.go_on(c));
+  };
+  BranchWalker walker{family, orders, until};
+  if (!walker.begin(p, direction, direction)) return {};
+  last = walker.branch.points.front();
+  walker.walk();
+  LimitCycleBranch branch = std::move(walker.branch);
+  if (!joined) return branch;
+  branch.points.pop_back();
+  std::erase_if(branch.special,
+                [&](const SpecialCycle& s) { return s.after + 1 >= branch.points.size(); });
+  branch.stop = BranchStop::joined;
+  return branch;
+}
+
 }  // namespace
 
 LimitCycleBranch follow_secondary(const Family& family, const SpecialCycle& from,
@@ -145,13 +191,17 @@ LimitCycleBranch follow_secondary(const Family& family, const SpecialCycle& from
     if (!v.allFinite()) return {};
     v.normalize();
   }
-  if ((block * v).norm() > 1e-2) return {};
+  if ((block * v).norm() > 1e-4 * block.norm()) return {};
   VectorXd direction = VectorXd::Zero(z.size() + 2);
   for (std::size_t i = 0; i < fresh.size(); ++i) direction[fresh[i]] = v[Index(i)];
-  BranchWalker walker{family, w.cycle.orders, options};
-  const Place p{z + size * z.norm() * direction.head(z.size()), w.cycle.omega, from.at.parameter};
-  if (walker.begin(p, direction, direction)) walker.walk();
-  return walker.branch;
+  // Kinks of the forces may be nearer than `size`.
+  for (double part = size; part > 0.01 * size; part /= 2) {
+    const Place p{z + part * z.norm() * direction.head(z.size()), w.cycle.omega, from.at.parameter};
+    LimitCycleBranch branch =
+        up_to_joining(family, p, direction, w.cycle.orders, from.kind, options);
+    if (!branch.points.empty()) return branch;
+  }
+  return {};
 }
 
 namespace {

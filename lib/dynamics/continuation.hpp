@@ -80,8 +80,18 @@ struct ContinuationOptions {
   std::function<bool(const LimitCycle&)> go_on{};
 };
 
-// `closed`: the branch is a ring, and its last point its first one.
-enum class BranchStop { amplitude, parameter, small_cycle, step, points, asked, start, closed };
+// `closed`: the branch is a ring, and its last point its first one. `joined`: one of follow_secondary() has come to another branch.
+enum class BranchStop {
+  amplitude,
+  parameter,
+  small_cycle,
+  step,
+  points,
+  asked,
+  start,
+  closed,
+  joined
+};
 const char* to_string(BranchStop stop);
 
 struct LimitCycleBranch {
@@ -101,7 +111,8 @@ LimitCycleBranch follow_from(const Family& family, const Cycle& cycle, double pa
                              Towards towards, const ContinuationOptions& options);
 
 // The branch that leaves another one at a point of symmetry breaking (asymmetric cycles, all orders) or period doubling (twice the
-// period); beginning with a change of `size` relative to the cycle. Empty with `start` for other points, or when none was found.
+// period), up to where it joins this or another branch of the kind left; beginning with a change of `size` relative to the cycle, or as
+// little as a hundredth of that where there is no such cycle. Empty with `start` for other points, or when none was found.
 LimitCycleBranch follow_secondary(const Family& family, const SpecialCycle& from,
                                   const ContinuationOptions& options, double size = 0.05);
 

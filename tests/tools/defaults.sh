@@ -4,7 +4,7 @@
 #   OPTION STATED GIVEN OTHER
 # where STATED is the default in --help ("-": its words say it), GIVEN the same in the units that it comes from ("=": as stated, "none": it cannot be given), and OTHER another
 # value ("!": that is refused, "-": of no effect here, or shown in a block before). With all the defaults given, the answer and its files are those without, but for how they were asked;
-# with another value of one they are others. Every default that --help states is in DEFAULTS.
+# with another value of one they are others. Without --out a tool leaves no file. Every default that --help states is in DEFAULTS.
 subject=$1 railbook=$2 defaults=$3 examples=$4 here=$(cd "$(dirname "$0")" && pwd)
 folder=$(mktemp -d) || exit 1
 trap 'rm -rf "$folder"' EXIT
@@ -46,6 +46,12 @@ block() {
   blocks=$((blocks + 1))
   # shellcheck disable=SC2086 # options
   answer without $tool && answer given $tool $all && { diff -r without given >differences || fail "$tool: not the defaults $all: $(head -5 differences)"; }
+  if [ -n "$files" ]; then
+    rm -rf bare && mkdir bare
+    # shellcheck disable=SC2086 # options
+    (cd bare && "$railbook" "$subject" $tool >../bare.txt 2>&1) || fail "$tool: $(cat bare.txt)"
+    [ "$(ls bare)" = "" ] || fail "$tool: leaves $(ls bare) where it was not asked to"
+  fi
   while read -r one value; do
     if [ "${value#!}" != "$value" ]; then
       # shellcheck disable=SC2046 # options

@@ -141,6 +141,47 @@ TEST_CASE("Continuation: a torus point of known place", "[continuation]") {
   }
 }
 
+TEST_CASE("Continuation: a branch that breaks symmetry ends where it comes back",
+          "[continuation]") {
+  // w'' + w' + (rho - 0.2)(rho - 0.4) w + b w^3 = 0 stands aside between the two places: b w^2 = (rho - 0.2)(0.4 - rho). No cycle
+  // is as far aside as the second size: less is tried then.
+  constexpr double b = 2;
+  for (const double size : {0.05, 0.6}) {
+    const Family family = on_circles(3, [=](Complex rho, const Complex* s, Complex* f) {
+      f[2] = -s[5] + (1.0 - (rho - 0.2) * (rho - 0.4)) * s[2] - b * s[2] * s[2] * s[2];
+    });
+    const auto branch = circles(family);
+    const auto found = of_kind(branch, CycleEvent::symmetry_breaking);
+    REQUIRE(found.size() == 2);
+    for (std::size_t k = 0; k < 2; ++k) {
+      CHECK(found[k].at.parameter == Approx(k == 0 ? 0.2 : 0.4).epsilon(1e-6));
+      const auto aside = follow_secondary(family, found[k], to_06(), size);
+      CHECK(aside.stop == BranchStop::joined);
+      REQUIRE(aside.points.size() > 3);
+      double least = 1, most = 0;
+      const double side = aside.points[0].cycle.motion(2, 0).real();
+      for (const LimitCycle& p : aside.points) {
+        const double w = p.cycle.motion(2, 0).real();
+        CHECK(w * side > 0);
+        CHECK(b * w * w ==
+              Approx((p.parameter - 0.2) * (0.4 - p.parameter)).epsilon(1e-6).margin(1e-9));
+        CHECK(p.stable);
+        least = std::min(least, p.parameter);
+        most = std::max(most, p.parameter);
+      }
+      CHECK(most - least > 0.1);
+      for (const SpecialCycle& s : aside.special) CHECK(s.after + 1 < aside.points.size());
+      // Whoever asked for the end gets it.
+      ContinuationOptions two = to_06();
+      int asked = 0;
+      two.go_on = [&](const LimitCycle&) { return ++asked < 2; };
+      const auto stopped = follow_secondary(family, found[k], two, size);
+      CHECK(stopped.stop == BranchStop::asked);
+      CHECK(stopped.points.size() == 3);
+    }
+  }
+}
+
 TEST_CASE("Continuation: the period doubles at a known place, and the branch that leaves there",
           "[continuation]") {
   // A second plane, U'' + c U' + k U + b |U|^2 U = g z conj(U), driven by the circle z: U = A exp(i omega t / 2) where

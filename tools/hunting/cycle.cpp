@@ -17,11 +17,10 @@ amplitudes on the flange are academic. Where friction limits, every point has th
 with d the contact angle and f the lateral creep force towards the outside over the static wheel load, and the largest share that the
 creep force has of friction, 0 to 1; no load moves from wheel to wheel. Right wheels and rail may have profiles and a radius of their own: the
 car then hunts off the centre, and cycles have harmonics of every order. Where symmetry breaks or the period doubles, the branch that leaves there is
-followed too. Folds and other points are those of the full equations by harmonic balance and Floquet multipliers; describing functions
+followed too, to where it comes back. Folds and other points are those of the full equations by harmonic balance and Floquet multipliers; describing functions
 have no part in it. What is not on these branches is not found: the answer says what was searched, and a speed without a cycle there may
-have one elsewhere. `--out` writes the points as `cycle.csv`, the
-special ones as `special.csv`, `cycle.json` and the figure. Stiff cars take long: after `--patience` the branch ends where it is, and the
-answer says so.
+have one elsewhere. `--out` writes the points as `cycle.csv`, the special ones as `special.csv`, `cycle.json` and the figure. Stiff cars
+take long: after `--patience` the branch ends where it is, and the answer says so.
 */
 
 #include <fmt/format.h>
@@ -173,6 +172,16 @@ void add_extent(tool::Summary& answer, const Named& named) {
                          small / millimetre, large / millimetre));
 }
 
+// Of points that branches leave at, the one where this branch has come back: it is the same branch from its other end.
+void erase_end(std::vector<SpecialCycle>& left, const LimitCycleBranch& branch) {
+  if (branch.stop != BranchStop::joined || left.empty()) return;
+  const auto apart = [&end = branch.points.back()](const SpecialCycle& s) {
+    return std::hypot(s.at.parameter / end.parameter - 1, s.at.largest / end.largest - 1);
+  };
+  const auto nearest = std::ranges::min_element(left, {}, apart);
+  if (apart(*nearest) < 0.05) left.erase(nearest);
+}
+
 // The branch itself, then those that leave it where symmetry breaks or the period doubles.
 std::vector<Named> follow_all(const Wish& wish, const Family& family, const HopfPoint& hopf,
                               const ContinuationOptions& options, const Patience& patience) {
@@ -180,12 +189,16 @@ std::vector<Named> follow_all(const Wish& wish, const Family& family, const Hopf
   const Motion& m = hopf.motion;
   all.push_back({"branch", fmt::format("branch of critical speed {}", wish.family),
                  follow_from_hopf(family, m.shape, m.lambda.imag(), m.speed, options)});
-  const auto special = all.front().branch.special;
-  for (const SpecialCycle& s : special) {
-    if (patience.over()) break;
-    if (s.kind != CycleEvent::symmetry_breaking && s.kind != CycleEvent::period_doubling) continue;
+  std::vector<SpecialCycle> left = all.front().branch.special;
+  std::erase_if(left, [](const SpecialCycle& s) {
+    return s.kind != CycleEvent::symmetry_breaking && s.kind != CycleEvent::period_doubling;
+  });
+  while (!left.empty() && !patience.over()) {
+    const SpecialCycle s = left.front();
+    left.erase(left.begin());
     LimitCycleBranch next = follow_secondary(family, s, options);
     if (next.points.empty()) continue;
+    erase_end(left, next);
     const auto number = all.size();
     all.push_back({fmt::format("secondary_{}", number),
                    fmt::format("branch {} of {}", number, to_string(s.kind)), std::move(next)});

@@ -4,6 +4,7 @@ answers press solve --body-1-radius-along 460mm --body-2-radius-across 300mm --l
 holds "pressures" press/pressure.csv '
   NF == 3 {if ($1 > x && rows > 1) dx = $1 - x; if ($2 > y && rows > 1) dy = $2 - y; x = $1; y = $2; sum += $3; if ($3 > most) most = $3}
   END {near(sum * abs(dx * dy) / 80e3, 1, 1e-3); near(most / p, 1, 2e-3)}' p="$(v press p_max_MPa)"
+awk 'NF == 0 {++breaks} END {exit !(breaks == 63 || breaks == 62)}' press/pressure.csv || fail "an empty line between the rows of a map"
 answers inches solve --body-1-radius-along 460mm --body-2-radius-across 300mm --load 80kN --cells-x 63 --cells-y 63 --system inch
 for unit in approach_mil:approach_um:25.4 force_lbf:force_kN:0.0044482216 p_max_psi:p_max_MPa:0.0068947573 area_in2:area_mm2:645.16 x_max_in:x_max_mm:25.4; do
   near "$unit" "$(awk -v i="$(v inches "${unit%%:*}")" -v u="${unit##*:}" -v m="$(v press "$(echo $unit | cut -d: -f2)")" 'BEGIN {print i * u / m}')" 1 1e-7

@@ -63,3 +63,8 @@ for cells in 4 8; do answers full$cells table --ratios 2 --longitudinal 2 --late
 grep -q '"coarse"' full4.json || fail "4 cells are not too coarse: $(v full4 theory_error_rms)"
 grep -q '"range"' full4.json && fail "a doubt of the full theory"
 awk -v l="$(v full8 theory_error_largest)" -v r="$(v full8 theory_error_rms)" -v m="$(v full8 theory_error_moment_rms)" 'BEGIN {exit !(r > 0 && r < l && m > 0)}' || fail "the theory's own error"
+# What sticks is a share, of no sign, from all at rest to nothing in sliding.
+for theory in full fastsim fastrip shen-hedrick-elkins polach vermeulen-johnson; do
+  answers share curve --a 6mm --b 4mm --load 80kN --theory $theory --points 6
+  holds "what sticks by $theory" share/curve.csv '$c["stick_share"] !~ /^[0-9]/ || $c["stick_share"] > 1 {print $c["stick_share"]; wrong++} rows == 1 {near($c["stick_share"], 1, 1e-9)} rows > 1 && $c["stick_share"] > last {wrong++} {last = $c["stick_share"]} END {near(last, 0, 0.1)}'
+done

@@ -66,16 +66,6 @@ for range in "20m/s 25m/s:stable throughout:-" "60m/s 70m/s:already unstable the
   [ "$(awk -F, 'NR == 2 {print $2 < 0 ? "-" : "+"}' none/speed.csv)" = "${said#*:}" ] && near "growth at $1" "$(v none growth_lowest)" "$(awk -F, 'NR == 2 {print $2}' none/speed.csv)" 1e-5
   near "critical speeds" "$(v none critical_speeds)" 0 0
 done
-# Special points of a branch are those of its answer.
-awk -F, 'NR > 1 {printf "%s %s %s\n", $2, $3, $4}' cycle/special.csv >specials
-n=0
-while read -r speed mm kind; do
-  n=$((n + 1))
-  near "special speed $n" "$(v cycle branch_special_${n}_m_per_s)" "$speed" 1e-5
-  near "special amplitude $n" "$(v cycle branch_special_${n}_mm)" "$mm" 1e-5
-  [ -n "$kind" ] || fail "a special point of no kind"
-done <specials
-grep -q "\"branch_special_$((n + 1))_m_per_s\"" cycle.json && fail "more special points than $n"
 grep -q '"hopf_m_per_s": "[0-9.]* ft/s"' cycle.json || fail "the critical speed in feet"
 awk -v m="$(v cycle hopf_m_per_s)" -v f="$(sed -n 's/.*"hopf_m_per_s": "\([0-9.]*\) ft.s".*/\1/p' cycle.json)" 'BEGIN {d = m / 0.3048 - f; exit !(d < 1e-3 && d > -1e-3)}' || fail "the critical speed in feet"
 # Cones of 1:20 on heads of 300 mm, by hand: they touch where the head has the cone's slope, 15 mm inside its top, which the gauge puts in place 14 mm below; R and the
@@ -126,3 +116,4 @@ for key in mm L_over_V creep; do
   sed -n "s/^  \"cycle_1_$key\": \"\([0-9.]*, [0-9.]*, [0-9.]*, [0-9.]*\)[ m;\"].*/\1/p" cycle.json | awk -F', ' -v x="$(v cycle cycle_1_$key)" '{for (k = 1; k <= 4; ++k) if ($k > most) most = $k} END {d = most - x; exit !(NR == 1 && d <= 6e-4 && d >= -6e-4)}' ||
     fail "$key of a cycle: $(grep "cycle_1_$key" cycle.json)"
 done
+. "$cases/hunting-cycles.sh"

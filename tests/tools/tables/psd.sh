@@ -85,3 +85,11 @@ awk -F, -v OFS=, 'NR > 8002 && NR <= 12002 && NR % 200 < 20 || NR > 16002 && NR 
 "$railbook" psd classify torn.csv --section 1km --no-figures --out torn >said || fail "$(cat said)"
 awk -F, 'NR == 1 {for (i = 1; i <= NF; ++i) c[$i] = i} $c["kind"] == "section" {++n; refused = refused ($c["status"] == "refused" ? n " " : ""); if ($c["status"] == "refused" && ($c["reason"] != "gaps leave no segment whole" || $c["missing"] != 397)) exit 1}
   END {exit !(n == 12 && refused == "3 ")}' torn/classify-table.csv || fail "a section of gaps: $(cut -d, -f1-12 torn/classify-table.csv)"
+# The longest segments of which the record has four: 4096 samples of 10240, half of each in the next one, but not of one sample less.
+"$railbook" psd synthesize long.csv --length 4km --spacing 25cm --roughness 5e-7m^2*cycle/m >/dev/null || fail "synthesize"
+for case in 10240:1024:4:0 10239:512:8:1023 12288:1024:5:0; do
+  head -$((${case%%:*} + 1)) long.csv >four.csv
+  answers four classify four.csv
+  awk -v m="$(v four segment_m)" -v n="$(v four segments)" -v case="$case" 'BEGIN {split(case, c, ":"); exit !(m == c[2] && n == c[3])}' || fail "segments of $case: $(grep segment four.json)"
+  grep -q "\"segments\": \"(\{0,1\}${case##*:} samples in none" four.json || fail "samples in none of $case: $(grep '"segments"' four.json)"
+done

@@ -26,6 +26,26 @@ holds "growth" growth/compare.csv '$3 != "nan" && $4 != "nan" && $4 != "" {near(
   END {if (n < 13) {print n " sections"; wrong++}}'
 near "first offset" "$(v growth offset_from_m)" 3.05 0.05
 near "last offset" "$(v growth offset_to_m)" 4.45 0.05
+holds "sections of two runs" growth/compare.csv '{near($1, 200 * (rows - 1), 1e-9); near($2 - $1, 200, 1e-9); near($3 == "nan" || $5 == "nan" || abs($5 - ($4 - $3)) < 2e-6, 1, 0)} END {near(rows, 15, 0)}'
+# Recorded the other way, either run says the same.
+for run in 0 0.125; do (head -1 run$run.csv && tail -n +2 run$run.csv | tac) >back$run.csv; done
+for pair in "run0 back0.125" "back0 run0.125" "back0 back0.125"; do
+  # shellcheck disable=SC2086 # two names
+  set -- $pair
+  answers back compare "$1.csv" "$2.csv" --section 200m
+  paste -d, growth/compare.csv back/compare.csv >both.csv
+  holds "the other way" both.csv '{for (k = 1; k <= 7; ++k) near($k == $(k + 7) || abs($k - $(k + 7)) < 1e-4, 1, 0)} END {near(rows, 15, 0)}'
+done
+# Where the second run is of another track nothing is found, nor told as growth; where that is more than a quarter of all it is a doubt.
+for share in 3:1000:1600 4:1000:1800; do
+  awk -F, -v OFS=, -v from="$(echo $share | cut -d: -f2)" -v to="${share##*:}" 'NR > 1 && $1 > from && $1 < to {$2 = sprintf("%.4f", 4 * sin($1 + 9 * sin($1 / 19)) + 3 * sin($1 * $1 / 400))} 1' run0.125.csv >other.csv
+  answers lost compare run0.csv other.csv --section 200m
+  holds "what is not found" lost/compare.csv '$1 >= from && $2 <= to {near($5 == "nan" || $5 == "", 1, 0); near($7 == "nan" || $7 == "", 1, 0)} $1 > 100 && $2 < from - 100 || $1 > to + 100 && $2 < 2900 {near($5 != "nan" && $7 > 0.9, 1, 0)}' \
+    from="$(echo $share | cut -d: -f2)" to="${share##*:}"
+  lost=$(awk -F, 'NR > 1 && ($5 == "nan" || $5 == "")' lost/compare.csv | wc -l)
+  near "sections that are found" "$(v lost compared)" $((15 - lost)) 0
+  if [ $((4 * lost)) -gt 15 ]; then grep -q "\"not-found\": \"$lost of 15 sections" lost.json; else ! grep -q '"not-found"' lost.json; fi || fail "$lost sections are not found: $(grep not-found lost.json)"
+done
 # The worst places in order of their size, whatever their sign.
 "$railbook" psd synthesize track.csv --length 6km --seed 3 --roughness 2e-6m^2*cycle/m >/dev/null || fail "synthesize"
 answers worst index track.csv --speed 100km/h
@@ -184,3 +204,10 @@ near "sections compared" "$(v growth compared)" "$n" 0
 near "sections" "$(v growth sections)" 15 0
 near "the first offset of the table" "$(v growth offset_from_m)" "$(awk -F, '{if (NR == 1 || $6 < low) low = $6} END {print low}' growths)" 1e-5
 near "the last offset of the table" "$(v growth offset_to_m)" "$(awk -F, '{if (NR == 1 || $6 > high) high = $6} END {print high}' growths)" 1e-5
+# A wave that reaches over from a neighbour is as sure as its peak, wherever the peaks behind or before are doubtful.
+for places in "398 970:4 repair,5 repair,10 unsure" "30 602:1 unsure,6 repair,7 repair" "398 970 30:1 unsure,4 repair,5 repair,10 unsure"; do
+  awk -v places="${places%%:*}" 'BEGIN {print "distance_m,profile_mm"; n = split(places, at, " "); for (x = 0; x < 1000; ++x) {z = 0.3 * sin(x * x); for (k = 1; k <= n; ++k) z += 60 * exp(-((x - at[k]) / 8) ^ 2); printf "%d,%.4f\n", x, z}}' >places.csv
+  answers places index places.csv --speed 100km/h --roll-damping 0.9 --threshold 0.7 --segment 100m
+  said=$(awk -F, 'NR > 1 && ($NF == "repair" || $NF == "unsure") {print NR - 1, $NF}' places/segments.csv | paste -sd, -)
+  [ "$said" = "${places#*:}" ] || fail "segments of ${places%%:*}: $said"
+done
