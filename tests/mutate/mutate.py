@@ -311,7 +311,9 @@ def main():
         sys.exit("faults run in a process namespace of their own, and unshare cannot make one here")
     tree = Tree(ROOT / wish.build)
     tests = Tests(tree)
-    tree.out.mkdir(exist_ok=True)
+    # In a process namespace of its own a test has the number, and names its temporary files, as that of another tree does.
+    (tree.out / "tmp").mkdir(parents=True, exist_ok=True)
+    os.environ["TMPDIR"] = str(tree.out / "tmp")
     survivors = []
     near = far = argued = still = untested = 0
     order = list(places)
