@@ -73,7 +73,7 @@ ChordOffsets mid_chord_offsets(std::span<const double> profile, double spacing, 
   const double half = 0.5 * chord / spacing;
   const auto whole = static_cast<std::size_t>(half + 1e-9);
   const double part = half - static_cast<double>(whole);
-  const bool on_sample = std::abs(part) < 1e-9;
+  const bool on_sample = part < 1e-9;  // not below -1e-9
   const std::size_t reach = on_sample ? whole : whole + 2;
   units::require_between("samples of the profile", static_cast<double>(profile.size()),
                          2.0 * static_cast<double>(reach) + 1.0, units::no_limit);

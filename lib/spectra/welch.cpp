@@ -248,7 +248,6 @@ Spectrum Welch::spectrum() const {
   result.noise_bandwidth = n * sum_2 / (sum_1 * sum_1) * result.df;
   double share_of_bins = weights_squared_ / weight_, share_of_bands = share_of_bins;
   for (const auto& [shift, products] : pairs_) {
-    if (shift >= options_.segment) continue;
     const double pairs = 2.0 * products / weight_;
     const double common = overlap_share(window_, shift, 1);
     share_of_bins += pairs * common * common;

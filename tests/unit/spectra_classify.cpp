@@ -42,6 +42,13 @@ TEST_CASE("unit: classes by hand") {
   CHECK(rough.margin == Approx(1 - rough.deviation / (1.25 * units::inch)));
   CHECK(rough.to_next == Approx(rough.deviation / (0.5 * units::inch) - 1));
   CHECK(spectra::classify(1e-4, 0).track_class == 0);
+  CHECK(spectra::classify(1e-4, 0).to_next > 0);
+  for (const double dip : {0.0, 0.1 * units::inch}) {  // nothing is better than class 6
+    const auto best = spectra::classify(1e-9, dip);
+    CHECK(best.track_class == 6);
+    CHECK(best.to_next == 0);
+    CHECK(best.margin == Approx(1 - best.deviation / (0.5 * units::inch)));
+  }
   CHECK(spectra::classify(1e-4, 0).margin < 0);
 }
 
