@@ -175,3 +175,22 @@ TEST_CASE("A second pulse in no time is passed over as if it had not come") {
     CHECK(std::isnan(roll.push(5, 1, 0)));
   }
 }
+
+TEST_CASE("A running sum is the sum of each window, however often it begins anew") {
+  std::vector<std::uint64_t> x;
+  for (std::uint64_t i = 0; i < 500; ++i) x.push_back(i * i * 7919 % 1009);
+  for (const int length : {1, 2, 31, 499, 500})
+    for (const std::size_t restart : {0, 1, 2, 7, 100, 469, 470, 471, 4096}) {
+      const auto sums = running_sum<std::uint64_t>(x, length, restart);
+      const auto n = static_cast<std::size_t>(length);
+      REQUIRE(sums.size() == x.size() - n + 1);
+      bool all = true;
+      for (std::size_t i = 0; i < sums.size(); ++i) {
+        std::uint64_t sum = 0;
+        for (std::size_t j = i; j < i + n; ++j) sum += x[j];
+        all = all && sums[i] == sum;
+      }
+      INFO("windows of " << length << ", anew after " << restart);
+      CHECK(all);
+    }
+}

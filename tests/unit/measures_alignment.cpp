@@ -48,7 +48,10 @@ TEST_CASE("unit: another track is not found") {
     a[i] = height(0.25 * static_cast<double>(i));
     b[i] = height(9000 + 0.31 * static_cast<double>(i));
   }
-  for (const auto& m : measures::align(a, b, 0.25, {.least = 0.6})) CHECK_FALSE(m.found);
+  for (const auto& m : measures::align(a, b, 0.25, {.least = 0.6})) {
+    CHECK_FALSE(m.found);
+    CHECK(m.offset / 0.25 == std::round(m.offset / 0.25));  // and not looked for between samples
+  }
   const std::vector<double> still(a.size(), 0.0);  // is like nothing, and nothing like it
   for (const auto& matches : {measures::align(a, still, 0.25), measures::align(still, b, 0.25)})
     for (const auto& m : matches) {
