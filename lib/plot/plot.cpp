@@ -34,13 +34,6 @@ struct Outcome {
 
 using Clock = std::chrono::steady_clock;
 
-// The time a figure may take; the longest takes some 3 s.
-std::chrono::seconds time_limit() {
-  const char* wanted = std::getenv("RAILBOOK_GNUPLOT_SECONDS");
-  const long seconds = wanted == nullptr ? 0 : std::strtol(wanted, nullptr, 10);
-  return std::chrono::seconds(seconds >= 1 && seconds <= 86400 ? seconds : 60);
-}
-
 std::string program() {
   if (const char* wanted = std::getenv("RAILBOOK_GNUPLOT"); wanted != nullptr && *wanted != 0)
     return wanted;
@@ -289,6 +282,12 @@ std::string drawn(const fs::path& script, const std::vector<fs::path>& data, Mis
 }
 
 }  // namespace
+
+std::chrono::seconds time_limit() {
+  const char* wanted = std::getenv("RAILBOOK_GNUPLOT_SECONDS");
+  const long seconds = wanted == nullptr ? 0 : std::strtol(wanted, nullptr, 10);
+  return std::chrono::seconds(seconds >= 1 && seconds <= 86400 ? seconds : 60);
+}
 
 fs::path shared(std::string_view name) {
   std::error_code ignored;

@@ -1,6 +1,7 @@
 // Figures by gnuplot: one script, its data files, one PNG.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -49,6 +50,9 @@ std::string draw(const std::filesystem::path& script,
 // "set terminal pngcairo ..." of the script and of style.gp is read as one for SVG.
 std::string draw_svg(const std::filesystem::path& script,
                      const std::vector<std::filesystem::path>& data);
+
+// How long gnuplot may take over a figure: 1 to 86400 s of RAILBOOK_GNUPLOT_SECONDS, else 60. The longest takes some 3 s.
+std::chrono::seconds time_limit();
 
 // A file or folder of the project, "lib/plot": that in share/railbook beside the program's folder, or beside one above it.
 // An installed program finds what was installed with it, a program of the build its tree (build/share/railbook leads there).

@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -179,11 +180,16 @@ TEST_CASE("unit: a group that holds something stays, and a background of the scr
         "set terminal svg background rgb \"black\" font \"DejaVu Sans,14\"\na\n");
 }
 
-TEST_CASE("input: a time for gnuplot that is none is the usual one") {
+TEST_CASE("input: a time for gnuplot that is none is the usual one, a minute") {
   StandIn gnuplot;
   const SetVariable seconds("RAILBOOK_GNUPLOT_SECONDS");
-  for (const char* none : {"0", "-5", "soon", "", "9223372036854775807"}) {
+  for (const int some : {1, 2, 60, 86399, 86400}) {
+    seconds.to(std::to_string(some).c_str());
+    CHECK(plot::time_limit() == std::chrono::seconds(some));
+  }
+  for (const char* none : {"0", "-5", "soon", "", "86401", "9223372036854775807"}) {
     seconds.to(none);
+    CHECK(plot::time_limit() == std::chrono::minutes(1));
     CHECK_NOTHROW(plot::draw(gnuplot.at.write("fig.gp", ""), {gnuplot.data}));
   }
 }

@@ -114,6 +114,10 @@ TEST_CASE("unit: a spring has its coil between straight leads of a tenth") {
     const Point middle = ring.colwise().mean();
     path.push_back(middle - Point(1, 2, 0));
     for (const auto& v : ring.rowwise()) CHECK((v.transpose() - middle).norm() == Approx(0.25));
+    // A wire of twelve even sides.
+    for (Eigen::Index k = 0; k < around; ++k)
+      CHECK((ring.row(k) - ring.row((k + 1) % around)).norm() ==
+            Approx(2 * 0.25 * std::sin(std::acos(-1) / 12)));
   }
   CHECK(path[0].norm() < 1e-9);
   CHECK((path[1] - Point(0, 0, 1)).norm() < 1e-9);

@@ -118,10 +118,10 @@ void add_forces(const Solved& solved, const Box& ends, const Shown& u, tool::Sum
   const auto place = [&](const char* key, const char* what, double value) {
     answer.add(fmt::format("{}_{}", key, u.length_name), what, value / u.length, u.length_name);
   };
-  const double cosine = std::cos(solved.bodies.angle), sine = std::sin(solved.bodies.angle);
+  // The peak is on the grid's x: the bodies are the same on both sides of it.
   place("x_p_max", "  at x",
-        clean(c.x_p_max * cosine - c.y_p_max * sine, width) + solved.bodies.x_touch);
-  place("y_p_max", "  at y", clean(c.x_p_max * sine + c.y_p_max * cosine, ends.y_max));
+        clean(c.x_p_max * std::cos(solved.bodies.angle), width) + solved.bodies.x_touch);
+  place("y_p_max", "  at y", clean(c.x_p_max * std::sin(solved.bodies.angle), ends.y_max));
 }
 
 // Several patches one by one; a single one is the whole contact.
