@@ -87,3 +87,15 @@ for factor in 1.05 0.95; do
   awk -v x="$(v datum cycle_1_against)" -v f=$factor 'BEGIN {x /= 76.6 * 14.59390293720636; exit !(f > 1 ? x >= 1 && x < 1.12 : x <= 1 && x > 0.88)}' || fail "a wheelset of $factor times its mass: $(v datum cycle_1_against)"
   grep -q '"cycle_1_against": "kg"' datum.json && grep -q '"cycle_1_against": "[a-z ]*; [0-9.]* mm, \(stable\|unstable, [1-9] multipliers outside\)"' datum.json || fail "a followed cycle: $(grep against datum.json)"
 done
+# Unlike sides: small cycles are about where the wheelsets rest, as the table has it.
+sides="--wheel worn-wheel.csv --rail new-rail.csv --right-wheel new-wheel.csv --noise 0.003mm --first-amplitude 0.2mm --largest-amplitude 2mm"
+# shellcheck disable=SC2086 # options
+answers unlike cycle $sides
+speed=$(awk -F, 'NR == 2 {low = high = $2} NR > 1 && $2 < low {low = $2} NR > 1 && $2 > high {high = $2} END {printf "%.6f", (low + high) / 2}' unlike/cycle.csv)
+# shellcheck disable=SC2086 # options
+answers beside cycle $sides --speed "${speed}m/s"
+awk -F, -v s="$speed" -v m="$(v beside cycle_1_middle_mm)" -v a="$(v beside cycle_1_mm)" -v w="$(v beside cycle_1_rad_per_s)" 'NR > 2 && (before - s) * ($2 - s) <= 0 {x = (s - before) / ($2 - before); near(m, middle + ($14 - middle) * x); near(a, size + ($3 - size) * x); near(w, omega + ($4 - omega) * x); ++found}
+  {before = $2; middle = $14; size = $3; omega = $4} function near(value, y, d) {d = value - y; if (d < 0) d = -d; if (!(d < 0.03 * (y < 0 ? -y : y) + 1e-3)) {print value, "is not", y; wrong++}} END {exit wrong > 0 || !found}' unlike/cycle.csv >said ||
+  fail "a cycle of unlike sides: $(cat said)"
+{ v beside cycle_1_middle_mm; sed -n 's/^  "cycle_1_middle_mm": "to the left of the centre; \(.*\) mm the others".*/\1/p' beside.json; sed -n 's/.*"rest_mm": "\(.*\) mm to the left".*/\1/p' beside.json; } | tr -d ' ' | tr '\n' , >middles
+awk -F, '{for (k = 1; k <= 4; ++k) {d = $k - $(k + 4); if (d > 0.05 || d < -0.05) exit 1; if ($(k + 4) ^ 2 > 1e-3) off = 1} exit !(off && NF == 9)}' middles || fail "the middles of cycles: $(cat middles)"
