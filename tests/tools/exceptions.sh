@@ -5,10 +5,10 @@ folder=$(mktemp -d) || exit 1
 trap 'rm -rf "$folder"' EXIT
 cd "$folder" || exit 1
 fail() { echo "$*"; cat said out/exceptions.csv; exit 1; }
-# Track every foot, 80 mm above where a missing sample may be taken for: level at the left with dips of 40 mm at 1000 and 3000 ft, some 10 ft long; a wave at the right, a step into a gap.
+# Track every foot, level at the left with dips of 40 mm at 1000 and 3000 ft, some 10 ft long, and one so near to a gap that no chord is whole; a wave at the right, a step into a gap.
 awk 'BEGIN {print "distance_m,left_mm,line_mm"
   for (i = 0; i < 5000; ++i) {
-    z = 80 + 5 * sin(i / 40) + -40 * (exp(-(i - 1000) ^ 2 / 18) + exp(-(i - 3000) ^ 2 / 18)) + 0.2 * sin(i * i)
+    z = 5 * sin(i / 40) + -40 * (exp(-(i - 1000) ^ 2 / 18) + exp(-(i - 3000) ^ 2 / 18) + exp(-(i - 1985) ^ 2 / 18)) + 0.2 * sin(i * i)
     line = 16 * sin(2 * 3.14159265 * i / 62) + 0.2 * cos(i * i)
     printf "%.4f,%s,%.4f\n", i * 0.3048, (i >= 2000 && i < 2030 || i < 2000 && i > 1997 ? "" : sprintf("%.4f", z)), line}}' >track.csv
 run() { "$railbook" quality measures track.csv --column left --alignment line --no-figures "$@" --out out >said 2>&1; }
