@@ -29,6 +29,9 @@ TEST_CASE("unit: bodies by radii give Hertz's gap") {
   CHECK(t.x_touch == 0);
   CHECK(t.gap(0.01, 0.02) == Approx(0.5 * (4 - 1 / 0.3) * 1e-4 + 0.5 / 0.46 * 4e-4).epsilon(1e-12));
   // Crossed cylinders of one radius are a sphere, in any direction.
+  CHECK(std::isinf(t.x_min));  // bodies by radii have no ends
+  CHECK(std::isinf(t.x_max));
+  CHECK(t.x_min < t.x_max);
   const TouchingBodies crossed = join_bodies({.radius_x = 1, .radius_y = inf},
                                              {.radius_x = 1, .radius_y = inf}, std::acos(0.0));
   CHECK(crossed.gap(0.01, 0.0) == Approx(0.5e-4));

@@ -159,3 +159,17 @@ TEST_CASE("unit: what scattered dips add is counted over the band of the fit") {
   CHECK(bias(10) != bias(0.94 * nyquist));
   CHECK(bias(0.2) != bias(0.94 * nyquist));
 }
+
+TEST_CASE("unit: a fit that is asked for nothing looks for 39 ft from 0.01 to 1.2 cycles a metre") {
+  const spectra::FitOptions none;
+  CHECK(none.rail_length == Approx(39 * 0.3048).epsilon(1e-15));
+  CHECK(none.low == 0.01);
+  CHECK(none.high == 1.2);
+  CHECK(none.chord == 0);
+  CHECK(none.least_gain == 0.1);
+  CHECK(none.line_half_width == 0.02);
+  CHECK(none.foreign_lengths.empty());
+  CHECK(none.slopes == spectra::Slopes::two);
+  CHECK(none.noise == spectra::NoiseModel::none);
+  CHECK(none.averaging == spectra::Averaging::bins);
+}

@@ -326,3 +326,21 @@ TEST_CASE("unit: a first sample is judged by most of the nine that follow it") {
   CHECK_FALSE(first_is_out("fn-f-nfnfn-nf"));
   CHECK_FALSE(first_is_out("nffffffff"));  // the next one is near
 }
+
+TEST_CASE("unit: what leaves and comes back little by little is outliers where it is rough") {
+  const auto taken_out = [](const std::vector<double>& excursion) {
+    std::vector<double> z;
+    for (std::size_t i = 0; i < 400; ++i)
+      z.push_back((i % 2 == 0 ? 0.5e-3 : -0.5e-3) + 1e-6 * std::sin(double(i)));
+    for (std::size_t i = 0; i < excursion.size(); ++i) z[200 + i] += excursion[i];
+    std::size_t count = 0;
+    for (const auto& f : screen(z).faults) count += f.count;
+    return count;
+  };
+  // The way there and back is more than 0.3 of the farthest for each step.
+  for (const double far : {0.2, -0.2}) {
+    const double a = 0.2 * far;
+    CHECK(taken_out({a, far, a, far, a, far, a, far, a}) == 9);
+    CHECK(taken_out({a, far, -far, far, -far, far, -far, far, a}) == 9);
+  }
+}
