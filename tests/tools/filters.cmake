@@ -6,6 +6,8 @@ refuses(filters "a record without sensors" "no sensor in it" process ${bad}/no-s
 refuses(filters "a sensor without a unit" "column .yaw_rate. names no unit" process ${bad}/no-unit.csv)
 refuses(filters "a yaw rate in millimetres" "column .yaw_rate_mm. names no unit that fits" process ${bad}/wrong-unit.csv)
 refuses(filters "distances off the marks" "line 4: distance .* is 1.50 samples" process ${bad}/uneven.csv)
+refuses(filters "a distance of more samples than there are" "line 4: distance .* is 1000000001.00 samples" process ${bad}/farther.csv)
+refuses(filters "a distance of the last sample there is for its length alone" "the longest run .* has 2 samples" process ${bad}/far.csv)
 refuses(filters "a distance far behind" "line 4: distance .* is -2000000000.00 samples" process ${bad}/far-back.csv)
 refuses(filters "a cell that is no number" "line 3: column .gage_left_mm. is .two." process ${bad}/text.csv)
 refuses(filters "a record too short" "has 2 samples. allowed: at least 663" process ${bad}/short.csv)

@@ -68,3 +68,10 @@ for theory in full fastsim fastrip shen-hedrick-elkins polach vermeulen-johnson;
   answers share curve --a 6mm --b 4mm --load 80kN --theory $theory --points 6
   holds "what sticks by $theory" share/curve.csv '$c["stick_share"] !~ /^[0-9]/ || $c["stick_share"] > 1 {print $c["stick_share"]; wrong++} rows == 1 {near($c["stick_share"], 1, 1e-9)} rows > 1 && $c["stick_share"] > last {wrong++} {last = $c["stick_share"]} END {near(last, 0, 0.1)}'
 done
+# The other way round, forces and moment change their signs, none of them is lost.
+for theory in full fastsim; do
+  answers way curve --a 6mm --b 4mm --load 80kN --theory $theory --points 5 --from -2e-3 --to 2e-3 --lateral 3e-4 --spin 0.4rad/m
+  answers other curve --a 6mm --b 4mm --load 80kN --theory $theory --points 5 --from 2e-3 --to -2e-3 --lateral -3e-4 --spin -0.4rad/m
+  paste -d, way/curve.csv other/curve.csv >both.csv
+  holds "the other way by $theory" both.csv '{n = NF / 2; for (k = 1; k <= 6; ++k) {near($k, -$(k + n), 1e-6 * abs($k)); if (rows != 3 && k != 4 && $k == 0) {print "nothing in column " k; wrong++}} sum += $4 != 0} END {near(rows, 5, 0); near(sum >= 4, 1, 0)}'
+done

@@ -211,3 +211,14 @@ for places in "398 970:4 repair,5 repair,10 unsure" "30 602:1 unsure,6 repair,7 
   said=$(awk -F, 'NR > 1 && ($NF == "repair" || $NF == "unsure") {print NR - 1, $NF}' places/segments.csv | paste -sd, -)
   [ "$said" = "${places#*:}" ] || fail "segments of ${places%%:*}: $said"
 done
+# To either side of the corner the other limit is the smaller one, and is named.
+car="--speed 100km/h --wheel-mass 900kg --body-mass 9t --bounce-frequency 2Hz --bounce-damping 0.3"
+# shellcheck disable=SC2086 # options
+answers corner limit $car
+# shellcheck disable=SC2046,SC2086 # options
+answers sides limit $car $(awk -v c="$(v corner corner_m)" 'BEGIN {printf "--wavelength %.6fm %.6fm", 0.95 * c, 1.05 * c}')
+sed -n 's/^  "amplitude_cm_at_.*": "\(.*\)",\{0,1\}$/\1/p' sides.json | grep -o 'wheel force\|stroke' >named
+for share in 0.95 1.05; do
+  awk -F, -v w="$(awk -v c="$(v corner corner_m)" -v s=$share 'BEGIN {print s * c}')" 'NR > 1 {d = $1 - w; if (d < 0) d = -d; if (NR == 2 || d < least) {least = d; name = $3 < $4 ? "stroke" : "wheel force"}} END {print name}' corner/limit.csv
+done >smaller
+cmp named smaller && [ "$(sort -u named | wc -l)" = 2 ] || fail "the limits beside the corner: $(xargs <named), $(xargs <smaller)"
