@@ -91,3 +91,12 @@ for zero in 0 5; do
       is(p "approach_um", 1e6 * (0.75 * N / e) ^ (2 / 3) / 0.3 ^ (1 / 3), 0.02); is(p "creepage_x", -0.05 * (750 - l) / 300, 0.01); is(s "_z_N", 40e3, 1e-4); is(p "x_mm", 0, 1e-3)}
     for (key in v) free(key)'
 done
+# What help says of each body is said of that one.
+for tool in contact table; do
+  "$railbook" wheelrail $tool --help | tr -s ' \n' ' ' >help
+  for of in wheel rail; do
+    for what in "young QUANTITY=[0-9.e+]* Pa Young's modulus" "poisson QUANTITY=[0-9.]* Poisson's ratio"; do
+      grep -q -e "--$of-$what of the $of " help || fail "$tool --help does not say $what of the $of"
+    done
+  done
+done
