@@ -1,5 +1,7 @@
 #include <catch2/catch.hpp>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "contact/countact.hpp"
 #include "contact/countaxi.hpp"
@@ -40,6 +42,20 @@ TEST_CASE("input: meshes that make no sense are refused") {
   refused([](CountactOptions& o) { o.rows = 2; });
   refused([](CountactOptions& o) { o.rows = 3, o.fit = Fit::three_points; });
   refused([](CountactOptions& o) { o.tolerance = 0; });
+}
+
+TEST_CASE("input: columns for two axes of symmetry must be their own mirror image") {
+  const auto columns = [](std::vector<double> whole) {
+    CountactOptions options;
+    options.columns.whole = std::move(whole);
+    return options;
+  };
+  for (const std::vector<double>& lopsided :
+       {std::vector<double>{0, 0.2, 0.5, 0.9, 1}, {0, 0.1, 0.4, 0.7, 1}, {0, 0.2, 0.49, 0.8, 1}}) {
+    CHECK_THROWS_AS((void)countact_2(gap, 4e-4, 1e7, columns(lopsided)), InputError);
+    CHECK_NOTHROW((void)countact_1(gap, 4e-4, 1e7, columns(lopsided)));
+  }
+  CHECK_NOTHROW((void)countact_2(gap, 4e-4, 1e7, columns({0, 0.2, 0.5, 0.8, 1})));
 }
 
 TEST_CASE("input: a dense matrix that does not fit is refused before it is allocated") {
