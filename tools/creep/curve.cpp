@@ -82,7 +82,8 @@ void judge_size(const Wish& wish, const HertzContact& hertz, tool::Summary& answ
   for (const auto& [radius, half] :
        {std::pair{wish.wheel_radius, hertz.a}, std::pair{wish.rail_radius, hertz.a},
         std::pair{wish.wheel_profile, hertz.b}, std::pair{wish.rail_crown, hertz.b}})
-    if (radius) largest = std::max(largest, half / std::abs(*radius));
+    if (radius)
+      largest = std::max(largest, half / *radius);  // a hollow is wider than what is in it
   if (largest >= 1)
     throw InputError(fmt::format(
         "the contact's semi-axis is {:.3g} of a radius; allowed: less than 1; give less load",
