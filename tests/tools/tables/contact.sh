@@ -105,3 +105,8 @@ for body in 1 2; do
     grep -q -F -e "--body-$body-$(echo "$what" | sed "s/@/$body/")" help || fail "--help does not say $what of body $body"
   done
 done
+# A hollow at 45 degrees to a ball's axes: it is the hollow's radius that the long axis is nearest to, that of the ball when they are along each other.
+for case in 45:25 0:20; do
+  answers hollow solve --body-1-radius-along 20mm --body-1-radius-across 20mm --body-2-radius-across=-25mm --body-2-radius-along 300mm --angle "${case%:*}deg" --load 150kN
+  near "the share of a radius" "$(sed -n 's/.*contact reaches \([0-9.]*\) of.*/\1/p' hollow.json)" "$(awk -v a="$(v hollow hertz_a_mm)" -v r="${case#*:}" 'BEGIN {print a / r}')" 0.012
+done
