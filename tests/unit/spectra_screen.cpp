@@ -344,3 +344,34 @@ TEST_CASE("unit: what leaves and comes back little by little is outliers where i
     CHECK(taken_out({a, far, -far, far, -far, far, -far, far, a}) == 9);
   }
 }
+
+TEST_CASE("unit: a coarse record stands still longer before it is stuck") {
+  // Half a step a sample: five steps take between 8 and 16 samples, and 8 times 16 equal ones are a sensor that stuck.
+  for (const std::size_t run : {60, 120, 127, 128, 140}) {
+    std::vector<double> z;
+    for (std::size_t k = 0; z.size() < 8000; ++k) {
+      const double place = std::abs(static_cast<double>(k % 1600) - 800);
+      z.push_back(1e-3 * std::floor(place / 2));
+      if (k == 3000) z.resize(z.size() + run - 2, z.back());  // which stands twice as it is
+    }
+    const auto faults = screen(z).faults;
+    INFO(run << " equal samples");
+    REQUIRE(faults.size() == (run >= 128 ? 1 : 0));
+    if (run < 128) continue;
+    CHECK(faults[0].fault == Fault::stuck);
+    CHECK(faults[0].count == run - 1);
+  }
+}
+
+TEST_CASE("unit: of an even record no unevenness is told") {
+  for (const std::size_t samples : {0, 1}) {
+    spectra::PlaceMap places{0.5, 7};
+    if (samples > 0) places.add(0, 7.0);
+    const auto u = places.unevenness();
+    CHECK(u.share == 0);
+    CHECK(u.from == 0);
+    CHECK(u.to == 0);
+    CHECK(u.spacing == 0);
+    CHECK(u.overall == 0);
+  }
+}

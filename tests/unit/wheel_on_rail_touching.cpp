@@ -139,3 +139,10 @@ TEST_CASE(
       CHECK(semi_hertzian(patch, 1e11).two_lobes == (valley < 0.5));
     }
 }
+
+TEST_CASE(
+    "unit: areas nearer than 4 mm and turned by less than 0.35 rad are one patch, if not told") {
+  const PatchOptions none;
+  CHECK(none.merge_distance == 4e-3);
+  CHECK(none.merge_angle == 0.35);
+}
