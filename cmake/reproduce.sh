@@ -1,7 +1,8 @@
 #!/bin/sh
-# reproduce.sh BUILD LEVEL JOBS CHAPTER...: runs the chapters that something has changed for, JOBS at a time (they take
-# turns with the clock: while one measures time the others wait), weaves the book, and sums up. Fails if any of them did,
-# but runs them all. What a chapter was run with and what it left stands in BUILD/results/NN-name.stamp.
+# reproduce.sh BUILD LEVEL JOBS CHAPTER...: runs the chapters that something has changed for, weaves the book, and sums up.
+# Fails if any of them did, but runs them all. All chapters are begun at once and take turns: JOBS of them work, and who
+# measures time waits until the others have no work (lib/report/turn.hpp). What a chapter was run with and what it left
+# stands in BUILD/results/NN-name.stamp.
 set -u
 # A chapter's own process: the program, what it reads, and what it writes.
 inputs() { echo "$level"; find "chapters/$1" lib -type f ! -name '*.?pp' ! -name CMakeLists.txt | LC_ALL=C sort | xargs cat "$build/bin/${1#*-}"; }
@@ -9,13 +10,12 @@ outputs() { find "$build/results/$1" "$build/results/$1.json" "$build/results/$1
 stamp() { inputs "$1" | sha256sum; outputs "$1" | sha256sum; }
 if [ "$1" = --chapter ]; then
   build=$2 level=$3 chapter=$4
-  began=$(date +%s)
   rm -f "$build/results/$chapter.stamp"
-  if "$build/bin/${chapter#*-}" reproduce --level "$level" --out "$build" > /dev/null; then
+  if "$build/bin/${chapter#*-}" reproduce --level "$level" --out "$build" --progress; then
     stamp "$chapter" > "$build/results/$chapter.stamp"
-    echo "$chapter: $(($(date +%s) - began)) s"
+    echo "chapter $chapter:$(sed 's/.*;//' "$build/results/$chapter.txt")"
   else
-    echo "$chapter: NOT good"
+    echo "chapter $chapter: NOT good"
   fi
   exit 0
 fi
@@ -23,6 +23,8 @@ fi
 build=$1 level=$2 jobs=$3
 shift 3
 mkdir -p "$build/results" "$build/turns"
+rm -f "$build"/turns/place-*
+for place in $(seq "$jobs"); do : > "$build/turns/place-$place"; done
 RAILBOOK_TURNS=$(cd "$build/turns" && pwd)
 export RAILBOOK_TURNS
 due=
@@ -30,13 +32,17 @@ for chapter in "$@"; do
   stamp "$chapter" | cmp -s - "$build/results/$chapter.stamp" || due="$due $chapter"
 done
 if [ -n "$due" ]; then
-  total=$(echo "$due" | wc -w) count=0 began=$(date +%s)
-  [ "$total" = $# ] || echo "Nothing has changed for the other chapters."
-  echo "Running$due, $jobs at a time ..."
-  echo "$due" | xargs -n 1 -P "$jobs" "$0" --chapter "$build" "$level" | while read -r line; do
-    count=$((count + 1))
-    left=$((($(date +%s) - began) * (total - count) / count))
-    echo "[$count/$total] $line$([ "$count" = "$total" ] || echo "; about $left s left")"
+  chapters=$(echo "$due" | wc -w) items=$(for chapter in $due; do "$build/bin/${chapter#*-}" list; done | wc -l)
+  [ "$chapters" = $# ] || echo "Nothing has changed for the other chapters."
+  echo "Running$due, $jobs at a time: $items tables and figures ..."
+  began=$(date +%s) said=$(date +%s) n=0 k=0
+  echo "$due" | xargs -n 1 -P "$chapters" "$0" --chapter "$build" "$level" | while read -r what rest; do
+    case $what in
+    item)
+      n=$((n + 1)) now=$(date +%s)
+      [ $((now - said)) -lt 5 ] || { said=$now && echo "$n of $items, about $(((now - began) * (items - n) / n)) s left"; } ;;
+    chapter) k=$((k + 1)) && echo "[$k/$chapters] $rest" ;;
+    esac
   done
 fi
 failed=0

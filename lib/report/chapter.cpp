@@ -31,6 +31,7 @@ struct Reproduce {
   std::string out = RAILBOOK_BUILD_DIR;
   bool no_figures = false;
   bool no_timings = false;
+  bool progress = false;
 };
 
 bool contains(const std::vector<std::string>& list, const std::string& text) {
@@ -102,6 +103,7 @@ bool compute(const PagedEntry& e, const RunSettings& settings, ChapterRecord& re
   bool let = true;
   const WorkTurn turn;
   const num::Stopwatch watch;
+  const double waited = seconds_waited();
   Item item{e.entry->id, e.entry->kind, e.entry->title, settings};
   try {
     {
@@ -120,7 +122,8 @@ bool compute(const PagedEntry& e, const RunSettings& settings, ChapterRecord& re
     item.fail(error.what(), record);
   }
   record.items.back().page = e.page;
-  record.items.back().seconds = settings.timings ? watch.seconds() : 0;
+  record.items.back().seconds =
+      settings.timings ? watch.seconds() - (seconds_waited() - waited) : 0;
   return let;
 }
 
@@ -153,9 +156,14 @@ int reproduce(const Reproduce& wish, const ChapterInfo& info,
   record.only = wish.only;
   const num::Stopwatch watch;
   bool let = true;
-  for (const PagedEntry& e : entries)
-    if (whole || contains(wish.only, e.entry->id)) let = compute(e, settings, record) && let;
-  record.seconds = wish.no_timings ? 0 : watch.seconds();
+  for (const PagedEntry& e : entries) {
+    if (!whole && !contains(wish.only, e.entry->id)) continue;
+    let = compute(e, settings, record) && let;
+    if (!wish.progress) continue;
+    fmt::print("item {}\n", e.entry->id);
+    std::fflush(stdout);
+  }
+  record.seconds = wish.no_timings ? 0 : watch.seconds() - seconds_waited();
 
   const std::filesystem::path inventory = info.sources / "data" / "inventory.csv";
   if (whole && std::filesystem::exists(inventory)) {
@@ -203,6 +211,7 @@ int run_command(int argc, char** argv, const ChapterInfo& info, const std::vecto
   reproduce_command->add_flag("--no-figures", wish.no_figures, "do not draw");
   reproduce_command->add_flag("--no-timings", wish.no_timings,
                               "measure no time: the same record on every run");
+  reproduce_command->add_flag("--progress", wish.progress, "say each item when it is done");
   app.add_subcommand("list", "name the tables and figures");
 
   try {

@@ -10,7 +10,7 @@
 //                        {method, example_1}, {cost, extremes});
 //   }
 //
-// Subcommands: reproduce (--only, --level, --out, --no-figures, --no-timings) and list.
+// Subcommands: reproduce (--only, --level, --out, --no-figures, --no-timings, --progress) and list.
 // Exit status: 0 all good, 1 a check failed, 2 bad input or usage.
 #pragma once
 

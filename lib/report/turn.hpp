@@ -1,12 +1,13 @@
-// Chapters that run side by side take turns with the clock: while one measures time, the others wait.
+// Chapters that run side by side take turns with the machine: as many work at a time as it has places, and who measures
+// time does it while nobody works.
 //
-// The processes share the folder named by $RAILBOOK_TURNS (cmake/reproduce.sh gives one); without it there is nobody to
-// wait for. A process that is killed loses its turn.
+// The processes share the folder named by $RAILBOOK_TURNS, with an empty file place-1, place-2 ... for each place
+// (cmake/reproduce.sh makes one); without it there is nobody to wait for. A process that is killed loses its turn.
 #pragma once
 
 namespace railbook::report {
 
-// Held while an item is computed: any number of processes at once.
+// Held while an item is computed: any number of processes at once, or as many as there are places.
 class WorkTurn {
  public:
   WorkTurn();
@@ -15,7 +16,8 @@ class WorkTurn {
   WorkTurn& operator=(const WorkTurn&) = delete;
 };
 
-// Held while time is measured: one process, and no other works. Inside a WorkTurn, which it suspends.
+// Held while time is measured: one process, and no other works. Inside a WorkTurn, which it suspends. It comes after work:
+// who wants it waits until the others have nothing left to do, or want it, too; no place stays empty before that.
 class ClockTurn {
  public:
   ClockTurn();
@@ -23,5 +25,8 @@ class ClockTurn {
   ClockTurn(const ClockTurn&) = delete;
   ClockTurn& operator=(const ClockTurn&) = delete;
 };
+
+// Seconds that this process has waited for its turns.
+double seconds_waited();
 
 }  // namespace railbook::report

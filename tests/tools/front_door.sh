@@ -10,12 +10,15 @@ for name in one two; do
   cat >"build/bin/$name" <<'END'
 #!/bin/sh
 name=${0##*/}
+[ "$1" = list ] && echo "a" && echo "b" && exit
 for chapter in chapters/*-"$name"; do chapter=${chapter#chapters/}; done
 echo "$name" >>ran
+[ -f "$RAILBOOK_TURNS/place-2" ] && [ ! -f "$RAILBOOK_TURNS/place-3" ] || exit 1
+echo "item a" && echo "item b" && echo "$name: checks 1/1; 1.5 s"
 rm -f "build/results/$chapter.json"
 mkdir -p "build/results/$chapter" "build/figures/$chapter"
 [ ! -f "fail-$name" ] || exit 1
-for file in "$chapter/a.csv" "$chapter.json" "$chapter.txt"; do echo "$name" >"build/results/$file"; done
+for file in "$chapter/a.csv" "$chapter.json" "$chapter.txt"; do echo "$name: checks 1/1; 1.5 s" >"build/results/$file"; done
 END
 done
 cat >bin/cmake <<'END'
@@ -36,6 +39,9 @@ runs() { # runs STATUS "what ran, in the alphabet": reproduces, and compares
   exit 1
 }
 runs 0 "book one two" "the first time"
+grep -q ' 2 at a time: 4 tables and figures' said || { echo "BAD: does not say how much there is to do" && exit 1; }
+grep -qx '\[2/2\] 0[12]-[a-z]*: 1.5 s' said || { echo "BAD: does not say what is done" && exit 1; }
+touch build/turns/place-3 # of a run with more of them
 runs 0 "" "the second time"
 echo '# more' >>chapters/01-one/fig.gp
 runs 0 "book one" "after a script of one chapter has changed"

@@ -56,43 +56,63 @@ TEST_CASE("turns from within", "[.turn]") {  // hidden: run by the last one
     close(other);
     return got;
   };
+  const auto all_free = [&] {
+    return free_for(LOCK_EX, "room") && free_for(LOCK_EX, "place-1") &&
+           free_for(LOCK_EX, "place-2");
+  };
+  for (const char* place : {"place-1", "place-2", "place-4"}) REQUIRE(free_for(LOCK_EX, place));
   { const report::ClockTurn without_work; }
-  CHECK(free_for(LOCK_EX, "room"));
+  CHECK(all_free());
   {
     const report::WorkTurn work;
     for (int k = 0; k < 2; ++k) {
-      CHECK(free_for(LOCK_EX, "door"));
+      CHECK_FALSE(free_for(LOCK_EX, "place-1"));
+      CHECK(free_for(LOCK_EX, "place-2"));
       CHECK(free_for(LOCK_SH, "room"));
       CHECK_FALSE(free_for(LOCK_EX, "room"));
       const report::ClockTurn clock;
-      CHECK(free_for(LOCK_EX, "door"));
+      CHECK(free_for(LOCK_EX, "place-1"));  // others may do nothing with it
       CHECK_FALSE(free_for(LOCK_SH, "room"));
     }
   }
-  CHECK(free_for(LOCK_EX, "room"));
+  CHECK(all_free());
   { const report::ClockTurn after_work; }
-  CHECK(free_for(LOCK_EX, "room"));
-  // Who waits at the door for the room alone is not passed.
-  const int door = open((folder.path / "door").c_str(), O_RDWR);
-  REQUIRE(flock(door, LOCK_EX) == 0);
+  CHECK(all_free());
+  CHECK(report::seconds_waited() < 1);
+  CHECK(std::filesystem::status(folder.path / "room").permissions() ==
+        std::filesystem::perms(0644));
+  // Who finds a place taken has another; who finds none waits for one, and whoever wants the clock waits for him.
+  std::array<int, 2> places{};
+  const auto take = [&](std::size_t k, const char* name) {
+    places[k] = open((folder.path / name).c_str(), O_RDWR);
+    REQUIRE(flock(places[k], LOCK_EX) == 0);
+  };
+  take(0, "place-1");
+  {
+    const report::WorkTurn beside;
+    CHECK_FALSE(free_for(LOCK_EX, "place-2"));
+    CHECK(free_for(LOCK_EX, "place-4"));  // there are two places: the numbers end there
+  }
+  take(1, "place-2");
   std::array<int, 2> ends{};
   REQUIRE(pipe(ends.data()) == 0);
   const pid_t child = fork();
   REQUIRE(child >= 0);
   if (child == 0) {
     const report::WorkTurn behind;
-    _exit(write(ends[1], "w", 1) == 1 ? 0 : 1);
+    const bool long_enough = report::seconds_waited() > 0.04;
+    _exit(write(ends[1], "w", 1) == 1 && long_enough ? 0 : 1);
   }
+  while (free_for(LOCK_EX, "room")) usleep(1000);
   pollfd ready{ends[0], POLLIN, 0};
   CHECK(poll(&ready, 1, 50) == 0);
-  CHECK(flock(door, LOCK_UN) == 0);
+  CHECK_FALSE(free_for(LOCK_EX, "room"));
+  CHECK(flock(places[1], LOCK_UN) == 0);
   char said = 0;
   CHECK(read(ends[0], &said, 1) == 1);
   int status = 0;
   REQUIRE(waitpid(child, &status, 0) == child);
   CHECK(status == 0);
-  CHECK(std::filesystem::status(folder.path / "door").permissions() ==
-        std::filesystem::perms(0644));
 }
 
 TEST_CASE("no turns", "[.turn]") {  // hidden: run by the last one
