@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cfenv>
 #include <cstddef>
 #include <exception>
 #include <system_error>
@@ -13,20 +14,29 @@ namespace railbook::num {
 
 // Calls work(begin, end, part) on up to `threads` threads, the calling one among them, for parts that together make
 // 0 .. count, and returns when all are done. Each part number < `threads` is given once. The parts depend on `threads`:
-// `work` must do each item for itself, and must not throw. Threads that the system refuses are done without.
+// `work` must do each item for itself, and must not throw. Threads that the system refuses are done without. An invalid operation
+// or a division by zero on another thread leaves its mark on the calling one, too (fp_flags.hpp).
 template <class Work>
 void in_parallel(int threads, std::size_t count, const Work& work) {
   const std::size_t parts = std::clamp<std::size_t>(static_cast<std::size_t>(std::max(threads, 1)),
                                                     1, std::max<std::size_t>(count, 1));
   const auto part = [&](std::size_t k) { work(count * k / parts, count * (k + 1) / parts, k); };
-  std::vector<std::jthread> others;  // joined where it goes out of scope
-  std::size_t k = 1;
-  try {
-    for (; k < parts; ++k) others.emplace_back(part, k);
-  } catch (const std::system_error&) {
-    for (; k < parts; ++k) part(k);
+  std::atomic<int> raised = 0;
+  {
+    std::vector<std::jthread> others;  // joined where it goes out of scope
+    std::size_t k = 1;
+    try {
+      for (; k < parts; ++k)
+        others.emplace_back([&, k] {
+          part(k);
+          raised |= std::fetestexcept(FE_INVALID | FE_DIVBYZERO);
+        });
+    } catch (const std::system_error&) {
+      for (; k < parts; ++k) part(k);
+    }
+    part(0);
   }
-  part(0);
+  std::feraiseexcept(raised);
 }
 
 // make(0) .. make(count - 1) in their order, each called on whichever of the threads is free (0: as many as run at once here):

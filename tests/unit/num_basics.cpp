@@ -12,6 +12,7 @@
 #include "../support/no_fp_fault.hpp"
 #include "num/even_filter.hpp"
 #include "num/fft.hpp"
+#include "num/fp_flags.hpp"
 #include "num/gsl.hpp"
 #include "num/parallel.hpp"
 #include "num/quadrature.hpp"
@@ -157,6 +158,23 @@ TEST_CASE("unit: what items make comes in their order, and the first failure is 
     CHECK_THROWS_WITH(num::map_in_parallel(100, failing, threads), Catch::Contains("item 7"));
     CHECK(called == 100);
   }
+}
+
+TEST_CASE("unit: what another thread raises is seen by the one that called") {
+  for (const int threads : {1, 2, 3})
+    for (const std::size_t place : {std::size_t{0}, std::size_t{99}}) {
+      const num::FpFlags flags;
+      std::vector<double> made(100, 1.0);
+      const auto divide = [&](double by) {
+        num::in_parallel(threads, made.size(), [&](std::size_t begin, std::size_t end, auto) {
+          for (std::size_t k = begin; k < end; ++k) made[k] /= k == place ? by : 2.0;
+        });
+      };
+      divide(3);
+      CHECK(flags.raised().empty());
+      divide(0);
+      CHECK(flags.raised() == "a division by zero");
+    }
 }
 
 TEST_CASE("unit: transforms may be made and used in several threads at once") {

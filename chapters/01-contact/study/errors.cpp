@@ -23,6 +23,7 @@ The closed forms against extended precision (80 bits), at {{arguments}} argument
 #include "bench/evidence.hpp"
 #include "contact/influence.hpp"
 #include "contact/punch.hpp"
+#include "num/parallel.hpp"
 #include "sections.hpp"
 
 namespace railbook::contact_chapter {
@@ -31,7 +32,6 @@ namespace {
 
 struct Runs {
   std::vector<bench::Estimate> force, peak;
-  int drawn = 0;
   // Keeps what the solver gave a number for.
   void add(const std::string& label, const NormalContact& c, double exact_force,
            double exact_peak) {
@@ -42,47 +42,58 @@ struct Runs {
   }
 };
 
-// Contacts of closed form, one of three kinds in turn.
-Runs sweep(int cases) {
-  Runs runs{{}, {}, cases};
-  for (int k = 0; k < cases; ++k) {
-    bench::Draw draw{1, static_cast<std::uint64_t>(k)};
-    CgFftOptions options;
-    options.nx = static_cast<Eigen::Index>(draw(32, 49)),
-    options.ny = static_cast<Eigen::Index>(draw(32, 49));
-    if (k % 3 == 2) {
-      const RoundedPunch shape{0.5, draw.decades(0.01, 100)};
-      const PunchContact exact = punch_from_approach(shape, 1, 1e-3);
-      runs.add(fmt::format("punch {:.3g}", shape.edge_radius),
-               solve_cg_fft(rounded_punch_gap(shape), 1e-3, 1, options).contact, exact.force,
-               punch_peak(exact).pressure);
-    } else {
-      const bool turned = k % 3 == 1;
-      const RelativeCurvature curvature{1, draw.decades(1, turned ? 1e2 : 1e8),
-                                        turned ? draw(0, units::pi) : 0};
-      const HertzContact exact = hertz_from_approach(curvature, 1, 1e-4);
-      runs.add(fmt::format("Hertz {:.3g}", curvature.b),
-               solve_cg_fft(quadratic_gap(curvature), 1e-4, 1, options).contact, exact.force,
-               exact.p_max);
-    }
+// Case k of contacts of closed form, one of three kinds in turn.
+Runs contact(std::size_t k) {
+  Runs runs;
+  bench::Draw draw{1, k};
+  CgFftOptions options;
+  options.nx = static_cast<Eigen::Index>(draw(32, 49)),
+  options.ny = static_cast<Eigen::Index>(draw(32, 49));
+  if (k % 3 == 2) {
+    const RoundedPunch shape{0.5, draw.decades(0.01, 100)};
+    const PunchContact exact = punch_from_approach(shape, 1, 1e-3);
+    runs.add(fmt::format("punch {:.3g}", shape.edge_radius),
+             solve_cg_fft(rounded_punch_gap(shape), 1e-3, 1, options).contact, exact.force,
+             punch_peak(exact).pressure);
+  } else {
+    const bool turned = k % 3 == 1;
+    const RelativeCurvature curvature{1, draw.decades(1, turned ? 1e2 : 1e8),
+                                      turned ? draw(0, units::pi) : 0};
+    const HertzContact exact = hertz_from_approach(curvature, 1, 1e-4);
+    runs.add(fmt::format("Hertz {:.3g}", curvature.b),
+             solve_cg_fft(quadratic_gap(curvature), 1e-4, 1, options).contact, exact.force,
+             exact.p_max);
   }
   return runs;
 }
 
+std::size_t drawn(const report::Item& item) {
+  return item.full() ? 20000 : 600;
+}
+
+Runs sweep(std::size_t cases) {
+  Runs all;
+  for (const Runs& one : num::map_in_parallel(cases, contact)) {
+    all.force.insert(all.force.end(), one.force.begin(), one.force.end());
+    all.peak.insert(all.peak.end(), one.peak.begin(), one.peak.end());
+  }
+  return all;
+}
+
 // 600 keep the page within its seconds; three grids of the ladder, which 32 cells have, are what an estimate needs.
 const Runs& random_contacts(const report::Item& item) {
-  static const Runs runs = sweep(item.full() ? 20000 : 600);
+  static const Runs runs = sweep(drawn(item));
   return runs;
 }
 
 void estimates(report::Item& item, const std::vector<bench::Estimate>& runs) {
   item.expect_checks(1);
   bench::estimates_against_truth(item, runs);
-  const int drawn = random_contacts(item).drawn;
-  item.value("drawn", drawn, "", "{:.0f}");
+  item.value("drawn", static_cast<double>(drawn(item)), "", "{:.0f}");
   item.value(item.id() + "-covered",
              fmt::format("{:.1f} % of {}", 100 * bench::covered(runs), runs.size()));
-  item.value(item.id() + "-unresolved", drawn - static_cast<int>(runs.size()), "", "{:.0f}");
+  item.value(item.id() + "-unresolved", static_cast<double>(drawn(item) - runs.size()), "",
+             "{:.0f}");
   double worst = 0;
   for (const bench::Estimate& run : runs) worst = std::max(worst, run.truth / run.stated);
   item.stability(

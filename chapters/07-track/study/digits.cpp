@@ -16,6 +16,7 @@ of the tolerance changes in the peaks: at order five what is left then is at mos
 #include <cmath>
 
 #include "bench/evidence.hpp"
+#include "num/parallel.hpp"
 #include "sections.hpp"
 #include "track/impact_check.hpp"
 #include "track/joint.hpp"
@@ -100,9 +101,7 @@ bench::Estimate passage(std::uint64_t k) {
 void estimates(report::Item& item) {
   item.added("random passages, seeded");
   item.expect_checks(1);
-  std::vector<bench::Estimate> runs;
-  for (std::uint64_t k = 0; k < (item.full() ? 20000U : 1000U); ++k) runs.push_back(passage(k));
-  bench::estimates_against_truth(item, runs);
+  bench::estimates_against_truth(item, num::map_in_parallel(item.full() ? 20000U : 1000U, passage));
 }
 
 }  // namespace
