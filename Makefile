@@ -98,7 +98,7 @@ coverage: packages ## lines and branches that the tests of lib/ take, by folder 
 sanitize: packages ## the tests of lib/ and the chapters under the address and undefined-behaviour sanitizers
 	tests/sanitize.sh
 
-matrix: packages  ## checks and prose the same text from GCC and Clang, -O0 and -O3, and another processor's mathematics
+matrix: packages  ## checks and prose the same text from GCC and Clang, -O0, -O2 and -O3, and another processor's mathematics
 	tests/matrix.sh $(C)
 
 fuzz: packages    ## libFuzzer on every parser, SECONDS=60 each (clang)
