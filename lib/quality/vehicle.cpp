@@ -39,25 +39,27 @@ struct Lowest {
 };
 
 Lowest lowest(const Quartic& p) {
-  const auto scaled = [&](double u) {
-    const double w = std::exp(u);
-    return value(p, w) / ((1 + w) * (1 + w));
-  };
+  const auto scaled = [&](double w) { return value(p, w) / ((1 + w) * (1 + w)); };
   constexpr double step = 0.125;
-  double best = -15;
-  for (double u = -15; u <= 60; u += step)
-    if (scaled(u) < scaled(best)) best = u;
-  double low = best - step, high = best + step;
+  static const std::vector<double> grid = [] {
+    std::vector<double> w;
+    for (double u = -15; u <= 60; u += step) w.push_back(std::exp(u));
+    return w;
+  }();
+  Lowest best{grid[0], scaled(grid[0])};
+  for (const double w : grid)
+    if (const double here = scaled(w); here < best.value) best = {w, here};
+  double low = std::log(best.w) - step, high = std::log(best.w) + step;
   constexpr double golden = 0.6180339887498949;
   for (int i = 0; i < 80; ++i) {
     const double left = high - golden * (high - low), right = low + golden * (high - low);
-    if (scaled(left) < scaled(right))
+    if (scaled(std::exp(left)) < scaled(std::exp(right)))
       high = right;
     else
       low = left;
   }
-  const double u = 0.5 * (low + high);
-  return {std::exp(u), scaled(u)};
+  const double w = std::exp(0.5 * (low + high));
+  return {w, scaled(w)};
 }
 
 }  // namespace
