@@ -75,7 +75,10 @@ void OutFolder::figure(const std::filesystem::path& script, const std::vector<st
 void OutFolder::commit() {
   if (figure_ && !drawn_) throw InputError("figure is given, but there is nothing to draw");
   if (figure_) figure_->commit();
-  if (made_) files::commit(files_), made_->keep();
+  if (made_) {
+    files::commit(files_);
+    made_->keep();
+  }
 }
 
 }  // namespace railbook::tool
