@@ -46,10 +46,10 @@ reproduce: chapter-programs ## everything: build, run the chapters that have cha
 	@cmake/reproduce.sh $(BUILD) $(LEVEL) $(JOBS) $(CHAPTERS)
 
 test: build       ## run all tests but those of `make thorough`
-	ctest --test-dir $(BUILD) --output-on-failure -LE thorough -j $$(($(JOBS) + 1)) # some only wait
+	ctest --test-dir $(BUILD) --output-on-failure -LE 'thorough|long' -j $$(($(JOBS) + 1)) # some only wait
 
 thorough:         ## after `make test`: what takes longest, another processor's mathematics, the book in a browser
-	ctest --test-dir $(BUILD) --output-on-failure -L thorough -FA . -j $$(($(JOBS) + 1))
+	ctest --test-dir $(BUILD) --output-on-failure -L 'thorough|long' -FA . -j $$(($(JOBS) + 1))
 
 chapter:          ## run one chapter, e.g. make chapter C=01
 	@$(if $(some),,$(error C names no chapter; allowed: the number of one of $(CHAPTERS)))

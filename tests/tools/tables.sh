@@ -1,6 +1,6 @@
 #!/bin/sh
-# tables.sh SUBJECT RAILBOOK: the tables that tools write say what their answers say, and keep the laws of what they are about.
-# The cases are in tables/SUBJECT.sh.
+# tables.sh SUBJECT RAILBOOK [CASES]: the tables that tools write say what their answers say, and keep the laws of what they are about.
+# The cases are in tables/CASES.sh, or tables/SUBJECT.sh.
 subject=$1 railbook=$2 cases=$(cd "$(dirname "$0")" && pwd)/tables
 folder=$(mktemp -d) || exit 1
 trap 'rm -rf "$folder"' EXIT
@@ -64,7 +64,7 @@ means() {
       exit wrong > 0 || rows == 0}' >said || fail "$answer: $(head -9 said)"
 }
 
-[ -f "$cases/$subject.sh" ] || fail "no tables of $subject are known"
+[ -f "$cases/${3:-$subject}.sh" ] || fail "no tables of ${3:-$subject} are known"
 # shellcheck source=/dev/null
-. "$cases/$subject.sh"
+. "$cases/${3:-$subject}.sh"
 exit 0

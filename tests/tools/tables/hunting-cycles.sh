@@ -1,4 +1,5 @@
-# Sourced by hunting.sh.
+# Sourced by tables.sh.
+. "$cases/hunting-profiles.sh"
 # branches WHAT FOLDER [some]: each branch by its own points. It turns round where it has a fold, which is beyond
 # the points to either side (twice more where two are within a step); between two points the number
 # of multipliers outside changes where a special point is between them, by one or, at a torus, by two; (of a branch with corners only some of these
