@@ -71,7 +71,8 @@ TEST_CASE("unit: a place may be written in kilometres and metres, or in stations
   const Read r = read(rows(feet, [&](int i) { return "12+" + two(i) + ".5,"; }));
   CHECK(r.stream->spacing() == Approx(0.3048));
   CHECK(r.stream->places().at(7) == Approx(1207.5 * 0.3048));
-  for (const std::string cell : {"12+-5", "12+", "12.5+3", "12+3x", "1e400+3", "K12", "12K345", "12M"}) {
+  for (const std::string cell :
+       {"12+-5", "12+", "12.5+3", "12+3x", "1e400+3", "K12", "12K345", "12M"}) {
     CAPTURE(cell);
     CHECK_THROWS_WITH(read(rows(ones, [&](int i) { return i == 3 ? cell + "," : two(i) + ","; })),
                       Contains(cell) && Contains("line 5"));
