@@ -98,7 +98,7 @@ answers aside solve --body-1-radius-along 200mm --body-2-radius-across 500mm --b
 awk -v x="$(v aside x_p_max_mm)" -v y="$(v aside y_p_max_mm)" -v g="$(v aside grid_angle_deg)" 'BEGIN {g /= 57.29577951308232; d = y * cos(g) - x * sin(g); exit !(x * x > 1e-6 && d * d < 1e-12 && x * x + y * y < 0.01)}' || fail "a peak of turned bodies: $(grep p_max_mm aside.json)"
 awk -F, -v x="$(v aside x_p_max_mm)" -v g="$(v aside grid_angle_deg)" 'NF == 3 && $3 > most {most = $3; at = $1} END {exit !((x / cos(g / 57.29577951308232) - at) ^ 2 < 1)}' aside/pressure.csv || fail "a peak that is not where the pressures are largest"
 # What help says of each body is said of that one.
-"$railbook" contact solve --help | tr -s ' \n' ' ' >help
+"$railbook" contact solve --help | tr -s ' \n' ' ' | sed 's/ \[\([^]]*\)\]/=\1/g' >help # as CLI11 of Debian 12 writes it
 for body in 1 2; do
   for what in "radius-across QUANTITY radius across the rail of body @, negative" "radius-along QUANTITY radius along the rail of body @; straight" "profile FILE profile across the rail of body @:" \
     "young QUANTITY=2.068e+11 Pa Young's modulus of body @ " "poisson QUANTITY=0.3 Poisson's ratio of body @ "; do

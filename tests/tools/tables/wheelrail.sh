@@ -93,7 +93,7 @@ for zero in 0 5; do
 done
 # What help says of each body is said of that one.
 for tool in contact table; do
-  "$railbook" wheelrail $tool --help | tr -s ' \n' ' ' >help
+  "$railbook" wheelrail $tool --help | tr -s ' \n' ' ' | sed 's/ \[\([^]]*\)\]/=\1/g' >help # as CLI11 of Debian 12 writes it
   for of in wheel rail; do
     for what in "young QUANTITY=[0-9.e+]* Pa Young's modulus" "poisson QUANTITY=[0-9.]* Poisson's ratio"; do
       grep -q -e "--$of-$what of the $of " help || fail "$tool --help does not say $what of the $of"
