@@ -3,8 +3,8 @@
 
     make mutate [FAULTS=100] [SEED=1]    or    tests/mutate/mutate.py --faults 100 --seed 1 [--only lib/contact] [--far]
 
-Each fault is run by what is nearest: the test program of its room of lib/, the quick ctests of its tool. Killed: a test
-fails, ends by a signal, or takes four times its processor time. With --far, what survives is run by the rest that ctest
+Each fault is run by what is nearest: the test program of its room of lib/, the ctests of its tool but the thorough ones. Killed: a
+test fails, ends by a signal, or takes four times its processor time. With --far, what survives is run by the rest that ctest
 runs and that links it: the test programs of the rooms above, the chapters (their checks and golden data), the tools.
 A fault that does not compile is replaced. The score is one of a sample, and the kinds are drawn evenly, not as people
 err.
