@@ -29,12 +29,12 @@ for compiler in g++ clang++-14; do
           pin=()
           [[ $cores == all ]] || pin=(taskset -c 0)
           record=$run/results/$chapter.json
-          if ! env "${settings[@]}" "${pin[@]}" "$here/bin/${chapter#*-}" reproduce --no-figures --no-timings --out "$run" > "$here/said" 2>&1; then
-            echo "FAILED: $chapter, $compiler $level, $maths maths, $cores: $(tail -n 1 "$here/said")" && failed=1
+          if ! env "${settings[@]}" "${pin[@]}" "$here/bin/${chapter#*-}" reproduce --no-figures --no-timings --out "$run" > "$here/run.txt" 2>&1; then
+            echo "FAILED: $chapter, $compiler $level, $maths maths, $cores: $(tail -n 1 "$here/run.txt")" && failed=1
           fi
           [[ -n $reference ]] || reference=$run
-          "$here/tests/figures/same_text" "$reference/results/$chapter.json" "$record" > "$here/said" 2>&1 ||
-            { echo "OTHER TEXT: $chapter, $compiler $level, $maths maths, $cores" && head -n 5 "$here/said" && failed=1; }
+          "$here/tests/figures/same_text" "$reference/results/$chapter.json" "$record" > "$here/run.txt" 2>&1 ||
+            { echo "OTHER TEXT: $chapter, $compiler $level, $maths maths, $cores" && head -n 5 "$here/run.txt" && failed=1; }
         done
         echo "$compiler $level, $maths maths, cores: $cores: run"
       done
