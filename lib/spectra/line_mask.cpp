@@ -68,7 +68,7 @@ std::optional<StrayLine> stray_line(const Spectrum& s, const FitOptions& o,
   for (Index k = 2 * line_bins; k < s.density.size() - 1; ++k) {
     const double phi = s.frequency(k);
     if (phi < o.low || phi > o.high) continue;
-    if (phi > 0.5 * phi_0 && std::abs(std::remainder(phi, phi_0)) <= reach) continue;
+    if (std::abs(std::remainder(phi, phi_0)) <= reach) continue;
     if (near_foreign_line(o, phi) || squared_gain(o.chord, phi) < o.least_gain) continue;
     const double gain = squared_gain(o.chord, phi);
     const double model = std::exp(fit.regression.log_density(std::log(phi)));
