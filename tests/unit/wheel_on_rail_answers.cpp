@@ -1,0 +1,240 @@
+// What a wheel's answer refuses, doubts and is made of, each limit from both sides.
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "units/input_error.hpp"
+#include "wheel_on_rail/stress.hpp"
+#include "wheel_on_rail/wheel.hpp"
+
+using namespace railbook;
+using namespace railbook::wheel_on_rail;
+
+namespace {
+
+constexpr double middle = 0.75, speed = 20;
+
+Profile::Piece arc(double low, double high, double centre, double radius, double top = 0) {
+  Profile::Piece p{middle + low, middle + high, {top + radius}};
+  p.sign = -1, p.centre = middle + centre, p.radius = radius;
+  return p;
+}
+// A cone on one crown of 0.3 m, or on two of 0.2 m that are 20 mm apart, the right one lower.
+Pair on_crown(double slope = 0) {
+  return {Profile(std::vector{Profile::Piece{-0.05, 0.05, {0, slope}}}),
+          Profile({arc(-0.05, 0.05, 0, 0.3)})};
+}
+Pair on_two(double lower) {
+  return {Profile(std::vector{Profile::Piece{-0.05, 0.05}}),
+          Profile({arc(-0.04, 0, -0.01, 0.2), arc(0, 0.04, 0.01, 0.2, lower)})};
+}
+
+WheelWish wish_of(Method method = Method::hertz, double load = 60e3) {
+  WheelWish wish;
+  wish.load = load, wish.speed = speed, wish.turning = 1.002 * speed / 0.46;
+  wish.method = method;
+  wish.along = wish.across = 16;
+  return wish;
+}
+
+bool doubted(const WheelResult& found, const std::string& text) {
+  return std::ranges::any_of(found.doubts, [&](const auto& d) { return d.find(text) != d.npos; });
+}
+
+}  // namespace
+
+TEST_CASE("unit: every quantity of a wheel's wish is refused beyond its range and not within") {
+  const Pair pair = on_crown();
+  const auto refused = [&](const Pose& pose, const WheelWish& wish) -> std::string {
+    try {
+      solve_wheel(pair, pose, wish);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return {};
+  };
+  for (const double share : {0.999, 1.001}) {
+    const bool beyond = share > 1;
+    const auto starts = [&](const std::string& text, const std::string& with) {
+      INFO(text << " | " << with);
+      CHECK(text.starts_with(with) == beyond);
+    };
+    for (const double sign : {-1.0, 1.0}) {
+      starts(refused({.y = sign * share * 0.05}, wish_of()), "shift is ");
+      starts(refused({.yaw = sign * share * 0.1}, wish_of()), "yaw is ");
+      starts(refused({.roll = sign * share * 0.1}, wish_of()), "roll is ");
+    }
+    const auto with = [&](auto&& change) {
+      WheelWish wish = wish_of();
+      change(wish);
+      return refused({}, wish);
+    };
+    starts(with([&](WheelWish& w) { w.friction.coefficient = 2 * share; }), "friction is ");
+    starts(with([&](WheelWish& w) { w.friction.left = share; }), "friction's share");
+    starts(with([&](WheelWish& w) { w.friction.left = 1 - share; }), "friction's share");
+    for (long WheelWish::*cells : {&WheelWish::along, &WheelWish::across}) {
+      starts(with([&](WheelWish& w) { w.*cells = beyond ? 7 : 8; }), "cells a");
+      starts(with([&](WheelWish& w) { w.*cells = beyond ? 513 : 512; }), "cells a");
+    }
+  }
+}
+
+TEST_CASE(
+    "unit: the verge of a second contact is half of the sinking away, or a tenth of the load") {
+  double sunk = 0;
+  {
+    const WheelResult alone = solve_wheel(on_two(1e-3), {}, wish_of());
+    REQUIRE(alone.patches.size() == 1);
+    sunk = alone.z - alone.z_touch;
+    CHECK(alone.doubts.empty());
+  }
+  for (const double lower : {1.47, 1.53}) {
+    const WheelResult found = solve_wheel(on_two(lower * sunk), {}, wish_of());
+    CHECK(found.patches.size() == 1);
+    CHECK(found.doubts.size() == (lower < 1.5 ? 1 : 0));
+    CHECK(doubted(found, "mm across the wheel only") == (lower < 1.5));
+  }
+  int light = 0;
+  for (const double lower : {0.5, 0.7, 0.72, 0.74, 0.76, 0.78, 0.8}) {
+    const WheelResult found = solve_wheel(on_two(lower * sunk), {}, wish_of());
+    REQUIRE(found.patches.size() == 2);
+    const bool little = found.patches[1].load < 0.1 * found.patches[0].load;
+    CAPTURE(lower, found.patches[1].load / found.patches[0].load);
+    CHECK(doubted(found, "a patch carries only") == little);
+    CHECK(found.force.z() == Approx(60e3).epsilon(2e-5));
+    light += little ? 1 : 0;
+  }
+  CHECK(light > 1);
+  CHECK(light < 6);
+}
+
+TEST_CASE("unit: a patch that turns by 0.35 rad, and unlike materials of 0.02, are doubted") {
+  // A hollow tread about a rail that nearly fills it.
+  Profile::Piece hollow{-0.012, 0.012, {-0.0155}}, head{0.735, 0.765, {0.015}};
+  hollow.sign = 1, hollow.radius = 0.0155;
+  head.sign = -1, head.centre = middle, head.radius = 0.015;
+  const Pair conformal{Profile({hollow}), Profile({head})};
+  int plane = 0;
+  double before = 0;
+  for (int k = 0; k < 12; ++k) {
+    const WheelResult found =
+        solve_wheel(conformal, {}, wish_of(Method::strips, 3e3 * std::pow(1.8, k)));
+    REQUIRE(found.converged);
+    const double turn = found.patches.front().patch.turn;
+    CAPTURE(turn);
+    CHECK(turn > before);
+    CHECK(doubted(found, "conformal: the rail turns by ") == (turn > 0.35));
+    before = turn;
+    plane += turn > 0.35 ? 0 : 1;
+  }
+  CHECK(plane > 0);
+  CHECK(plane < 12);
+  int alike = 0;
+  for (int k = 0; k < 12; ++k)
+    for (const bool wheel : {false, true}) {
+      WheelWish wish = wish_of();
+      (wheel ? wish.wheel : wish.rail).young = 210e9 - 5e9 * k;
+      const double unlike = rolling::join(wish.wheel, wish.rail).dissimilarity;
+      CAPTURE(unlike);
+      CHECK(doubted(solve_wheel(on_crown(), {}, wish), "unlike materials") ==
+            (std::abs(unlike) > 0.02));
+      alike += std::abs(unlike) > 0.02 ? 0 : 1;
+    }
+  CHECK(alike > 3);
+  CHECK(alike < 20);
+}
+
+TEST_CASE(
+    "unit: of the full theory too, creepages are those of its depth, and friction of its slip") {
+  for (const double yaw : {0.0, 0.01}) {
+    WheelWish wish = wish_of(Method::full);
+    wish.friction = {0.4, 0.25, 0.3};
+    const WheelResult found = solve_wheel(on_crown(0.05), {.yaw = yaw}, wish);
+    REQUIRE(found.converged);
+    REQUIRE(found.patches.size() == 1);
+    const PatchResult& p = found.patches.front();
+    const double angle = p.patch.frame.angle;
+    const Eigen::Vector3d n = p.patch.frame.normal();
+    const Eigen::Vector3d arm =
+        p.patch.frame.origin + p.approach * n - Eigen::Vector3d(0, 0, found.z - 0.46);
+    const Eigen::Vector3d axle(-std::sin(yaw), std::cos(yaw), 0);
+    const Eigen::Vector3d v = Eigen::Vector3d(speed, 0, 0) - wish.turning * axle.cross(arm);
+    const double mean = speed - 0.5 * v.x();
+    CHECK(p.creepage.longitudinal == Approx(v.x() / mean).epsilon(1e-9));
+    CHECK(p.creepage.lateral == Approx(v.dot(p.patch.frame.across()) / mean).margin(1e-11));
+    CHECK(p.creepage.spin == Approx(-wish.turning * axle.dot(n) / mean).epsilon(1e-9));
+    const double slip =
+        std::sqrt(std::pow(p.creepage.longitudinal, 2) + std::pow(p.creepage.lateral, 2) +
+                  std::pow(p.creepage.spin, 2) * p.area / 3.14159265358979 / 2);
+    CHECK(p.friction == Approx(wish.friction.at(slip * mean)).epsilon(1e-9));
+    CHECK(found.force.z() == Approx(p.load * std::cos(angle) + p.forces.fy * std::sin(angle)));
+    CHECK(found.force.z() == Approx(60e3).epsilon(1e-3));
+    CHECK(p.load == Approx(p.pressure.sum() * p.grid.dx * p.grid.dy).epsilon(1e-9));
+    CHECK(
+        p.approach ==
+        Approx((found.z - found.z_touch) * std::cos(angle))
+            .epsilon(1e-2));  // at the middle of a cell: half of one in eight off the deepest place
+    CHECK(p.p_max_error > 1.0 / 256);  // one over its cells
+    CHECK(p.p_max_error < 0.03);
+    CHECK(p.forces.error < 0.05);
+    CHECK(p.forces.mz_error < 0.05);
+    const auto& t = p.forces.tractions;
+    const Eigen::ArrayXd shear = (t.px.array().square() + t.py.array().square()).sqrt();
+    CHECK(p.largest_shear == Approx(shear.maxCoeff()));
+  }
+}
+
+TEST_CASE("unit: two crowns share the load of the full theory as Hertz's theory has it") {
+  for (const double lower : {0.0, 1e-5, 2.5e-5}) {
+    WheelWish wish = wish_of(Method::full);
+    wish.friction.coefficient = 0;
+    const WheelResult full = solve_wheel(on_two(lower), {}, wish);
+    wish.method = Method::hertz;
+    const WheelResult hertz = solve_wheel(on_two(lower), {}, wish);
+    CAPTURE(lower);
+    REQUIRE(full.converged);
+    REQUIRE(full.patches.size() == 2);
+    REQUIRE(hertz.patches.size() == 2);
+    CHECK(full.force.z() == Approx(60e3).epsilon(2e-5));
+    for (std::size_t i = 0; i < 2; ++i) {
+      CHECK(full.patches[i].load == Approx(hertz.patches[i].load).epsilon(0.01));
+      CHECK(full.patches[i].approach == Approx(hertz.patches[i].approach).epsilon(0.01));
+      CHECK(full.patches[i].p_max == Approx(hertz.patches[i].p_max).epsilon(0.01));
+    }
+    CHECK(full.z - full.z_touch == Approx(hertz.z - hertz.z_touch).epsilon(0.01));
+  }
+}
+
+TEST_CASE("unit: a free wheelset's answer is its mirror image in the mirrored pose") {
+  const Pair pair = on_crown(-0.05);
+  for (const Method method : {Method::hertz, Method::strips, Method::full})
+    for (const double friction : {0.0, 0.3}) {
+      WheelWish wish = wish_of(method);
+      wish.friction.coefficient = friction;
+      const WheelsetResult right = solve_wheelset(pair, {.y = 2e-3, .yaw = 1e-3}, wish),
+                           left = solve_wheelset(pair, {.y = -2e-3, .yaw = -1e-3}, wish);
+      CAPTURE(static_cast<int>(method), friction);
+      REQUIRE(right.converged);
+      REQUIRE(left.converged);
+      CHECK(right.reason.empty());
+      CHECK(right.pose.y == 2e-3);
+      CHECK(right.pose.roll != 0);
+      CHECK(left.pose.roll == Approx(-right.pose.roll).epsilon(1e-4));
+      CHECK(left.turning == Approx(right.turning).epsilon(1e-8));
+      CHECK(std::abs(right.left.z - right.right.z) < 2.1e-8);
+      CHECK(left.left.z == Approx(right.right.z).epsilon(1e-6).margin(1e-9));
+      CHECK(left.right.force.y() == Approx(right.left.force.y()).epsilon(1e-3));
+      if (friction == 0) {
+        CHECK(right.turning == speed / 0.46);
+        CHECK(right.left.force.x() == 0);
+      } else {
+        CHECK(std::abs(right.left.axle_moment + right.right.axle_moment) <
+              1.01e-4 * friction * wish.load * 0.46);
+        CHECK(right.turning != Approx(speed / 0.46).epsilon(1e-6));
+      }
+    }
+}
