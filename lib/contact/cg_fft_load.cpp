@@ -32,7 +32,7 @@ struct LoadSearch {
   // nearly always the last.
   CgFft refine(const CgFftOptions& options, double enough, double& miss) {
     CgFft result;
-    double best = 0, best_error = 0, last_log_force = 0, last_log_approach = 0;
+    double best = 0, best_error = 0, last_log_force = 0, last_log_approach = units::nan;
     miss = units::no_limit;
     for (int k = 0, since_best = 0; k <= 40; ++k) {
       result = {};
@@ -52,7 +52,7 @@ struct LoadSearch {
       // On a grid too coarse for the contact the force jumps, by less than its error, as the grid is fitted anew.
       if (miss <= enough || (since_best >= 8 && miss < best_error)) break;
       // Near the end the two forces differ by the solver's own noise: keep the slope.
-      if (last_log_approach != 0 && std::abs(log_approach - last_log_approach) > 1e-4)
+      if (std::isgreater(std::abs(log_approach - last_log_approach), 1e-4))
         slope =
             std::clamp((log_force - last_log_force) / (log_approach - last_log_approach), 0.5, 3.0);
       last_log_force = log_force, last_log_approach = log_approach;

@@ -123,7 +123,7 @@ RingContact countaxi(const Gap& gap, double approach, double modulus, const Coun
     if (c.converged && coarse)
       c.converged = false, c.reason = "too few rings between the largest pressure and the boundary";
     else if (!(c.p[0] > 0))
-      c.reason = "collapsed: no pressure is left at the centre";
+      c.converged = false, c.reason = "collapsed: no pressure is left at the centre";
     else if (!c.converged && search.width() < 0.1 * o.tolerance * c.radius)
       c.reason = "the pressure does not fall towards the boundary: too few rings there";
     else if (!c.converged && c.iterations >= o.most_iterations)

@@ -14,19 +14,19 @@ constexpr double nowhere = -units::no_limit;
 constexpr int most_steps = 30;
 constexpr double close = 1e-13;  // m
 
-// Along n from the plane to the rail.
+// Along n from the plane to the rail; not finite where it has no surface.
 double to_rail(const Profile& rail, const Vector3d& from, const Vector3d& n) {
   double t = 0;
   for (int k = 0; k < most_steps; ++k) {
     const double y = from.y() + n.y() * t;
-    if (!rail.covers(y)) return -nowhere;
+    if (!rail.covers(y)) return nowhere;
     const auto [depth, slope] = rail.at(y);
     const double step = (depth - from.z() - n.z() * t) / (n.z() - slope * n.y());
     t += step;
     if (std::abs(step) < close) return t;
     if (!(std::abs(t) < 0.05)) break;
   }
-  return -nowhere;
+  return nowhere;
 }
 
 // And to the wheel, from the wheel's own axes: the point `from`, the direction n.

@@ -53,3 +53,20 @@ TEST_CASE("input: COUNTAXI refuses what makes no sense") {
   };
   CHECK_THROWS_AS((void)countaxi(broken, 1e-2, 1), InputError);
 }
+
+TEST_CASE(
+    "extreme: a gap that is least on a ring leaves no pressure at the centre, and that is said") {
+  for (const double hollow : {0.02, 0.9}) {
+    const Gap ring = [=](double x, double) {
+      const double u = 4 * (x * x - 0.25);  // -1 at the centre, 0 on the ring of 0.5
+      return 1e-3 * hollow * u * u;
+    };
+    for (const int most : {1, 100}) {
+      const RingContact c = countaxi(ring, 1e-3, 1.0, {.most_iterations = most});
+      CAPTURE(hollow, most, c.iterations, c.reason);
+      CHECK(c.reason.starts_with("collapsed: no pressure is left at the centre") == (hollow > 0.5));
+      if (hollow > 0.5) CHECK_FALSE(c.converged);
+      if (hollow > 0.5) CHECK(c.p[0] <= 0);
+    }
+  }
+}

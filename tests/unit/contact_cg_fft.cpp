@@ -8,6 +8,7 @@
 #include "contact/extrapolation.hpp"
 #include "contact/geometry.hpp"
 #include "contact/grid_fit.hpp"
+#include "contact/hertz.hpp"
 #include "num/draw.hpp"
 #include "units/constants.hpp"
 
@@ -208,4 +209,73 @@ TEST_CASE("unit: a peak's error has the largest drop of the peaks higher than ha
     CHECK((higher == 2) == counts);
     CHECK(drop_in_error(result) == Approx(4 * drop * drop).epsilon(1e-6));
   }
+}
+
+TEST_CASE("unit: each grid from 16 cells on fits the next one to its region") {
+  for (const Eigen::Index n : {32, 34, 64}) {  // ladders from 16, 17 and 16 cells
+    CgFftOptions options;
+    options.nx = options.ny = n;
+    const auto levels = solve_cg_fft(quadratic_gap({0.5, 1.7, 0.3}), 1, 1, options).levels;
+    REQUIRE(levels.size() == (n == 64 ? 5 : 3));
+    CHECK(levels[0].grid.nx == (n == 34 ? 17 : 16));
+    for (std::size_t k = 1; k < levels.size(); ++k) {
+      const Box& seen = levels[k - 1].region.ends;
+      const Grid& next = levels[k].grid;
+      // Two empty cells beyond either end, and of the outermost ones nine or four tenths in contact.
+      CHECK(next.dx * (static_cast<double>(next.nx) - 6 + 1.8) == Approx(seen.x_max - seen.x_min));
+      CHECK(next.x0 + 2.1 * next.dx == Approx(seen.x_min));
+      CHECK(next.dy * (static_cast<double>(next.ny) - 6 + 0.8) == Approx(seen.y_max - seen.y_min));
+      CHECK(next.y0 + 2.6 * next.dy == Approx(seen.y_min));
+    }
+  }
+}
+
+TEST_CASE(
+    "unit: a contact between the cells of coarse grids is found by finer ones, or said to be "
+    "narrow") {
+  int missed = 0, found = 0;
+  for (const double ratio : {1e2, 1e3, 1e4, 1e5, 1e6})
+    for (const double angle : {0.5, units::pi / 4, 1.1})
+      for (const Eigen::Index n : {16, 40, 64}) {
+        const Gap gap = quadratic_gap({1, ratio, angle});
+        CgFftOptions options;
+        options.nx = options.ny = n;
+        const CgFft result = solve_cg_fft(gap, 1, 1, options);
+        const double exact = hertz_from_approach({1, ratio, 0}, 1, 1).force;
+        CAPTURE(ratio, angle, n, result.contact.force, exact, result.contact.reason);
+        for (const CgFftLevel& level : result.levels) {
+          CHECK(level.grid.dx > 0);
+          CHECK(level.grid.dy > 0);
+          missed += level.region.cells == 0 ? 1 : 0;
+        }
+        const double off = std::abs(result.contact.force / exact - 1);
+        CHECK(off <= result.contact.force_error);
+        if (std::isinf(result.contact.force_error))
+          CHECK(result.contact.reason.starts_with("under-resolved"));
+        else
+          ++found;
+      }
+  CHECK(missed > 0);
+  CHECK(found > 0);
+}
+
+TEST_CASE("unit: a load is met by a few solves, of smooth bodies and of a flat one") {
+  for (const bool flat : {false, true})
+    for (const double load : {1e-6, 1.0, 1e4}) {
+      int solves = 0;
+      CgFftOptions options;
+      options.nx = options.ny = 64;
+      const Gap gap = flat ? rounded_punch_gap({1, 0}) : rounded_punch_gap({0, 1});
+      options.search = [&](double approach) {
+        ++solves;
+        return interpenetration_box(gap, approach);
+      };
+      const NormalContact c = solve_cg_fft_load(gap, load, 1, options).contact;
+      CAPTURE(flat, load, solves);
+      CHECK(c.converged);
+      CHECK(c.force == Approx(load).epsilon(1e-7));
+      CHECK(c.approach ==
+            Approx(flat ? load / 2 : std::pow(0.75 * load, 2.0 / 3)).epsilon(flat ? 5e-3 : 1e-4));
+      CHECK(solves <= 8);
+    }
 }

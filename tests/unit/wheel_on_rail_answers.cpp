@@ -238,3 +238,21 @@ TEST_CASE("unit: a free wheelset's answer is its mirror image in the mirrored po
       }
     }
 }
+
+TEST_CASE("unit: a patch that unloads on the way to the load is left out of the answer") {
+  WheelWish wish = wish_of(Method::full);
+  wish.friction.coefficient = 0;
+  const WheelResult alone = solve_wheel(on_two(1e-3), {}, wish);
+  const double sunk = alone.z - alone.z_touch;
+  std::size_t last = 2;
+  for (double lower = 0.96; lower < 1.04; lower += 0.004) {
+    const WheelResult found = solve_wheel(on_two(lower * sunk), {}, wish);
+    CAPTURE(lower);
+    REQUIRE(found.converged);
+    CHECK(found.force.z() == Approx(60e3).epsilon(2e-5));
+    for (const PatchResult& p : found.patches) CHECK(p.load > 0);
+    CHECK(found.patches.size() <= last);
+    last = found.patches.size();
+  }
+  CHECK(last == 1);
+}
