@@ -6,7 +6,8 @@ add_library(railbook_flags INTERFACE)
 set(flags -Wall -Wextra -Wpedantic -Wconversion -Wshadow $<$<BOOL:${RAILBOOK_WERROR}>:-Werror>
     -ffp-contract=off) # no fused multiply-add behind our back: the same digits from every compiler
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  list(APPEND flags -fvect-cost-model=dynamic -fpeel-loops) # what -O3 gives here: vectors in loops of any length, short loops unrolled
+  # What -O3 gives here: vectors in loops of any length, short loops unrolled.
+  list(APPEND flags $<$<CONFIG:Release>:-fvect-cost-model=dynamic> $<$<CONFIG:Release>:-fpeel-loops>)
   list(APPEND flags -Wno-restrict -Wno-stringop-overflow -Wno-array-bounds) # false alarms in GCC 12 (bugs 105651, 105329)
 else()
   # Clang otherwise divides ahead of the test that forbids it, and the flags that we read are raised.
