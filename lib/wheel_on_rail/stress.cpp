@@ -17,7 +17,7 @@ PatchStress stresses(const PatchResult& patch, const WheelWish& wish) {
   out.grid = patch.grid;
   VectorXd p = patch.pressure, x = VectorXd::Zero(p.size()), y = x;
   const rolling::Tractions& t = patch.forces.tractions;
-  if (patch.friction > 0 && t.x.size() > 0) {
+  if (patch.friction > 0) {
     // The traction cells lie a part of a cell behind those of the pressure, and so do the pressures here.
     const contact::Grid& g = patch.grid;
     const auto column = [&](Index k) { return std::lround((t.x[k] - g.x(0)) / g.dx); };

@@ -177,15 +177,14 @@ struct Full {
       }
       const double share = vertical_force(all) / w.wish.load;
       if (std::abs(share - 1) < tolerance) return true;
-      const double depth = z0 + down - w.touch.z();
+      const double depth = std::max(z0 + down - w.touch.z(), 0.0);
       double slope = 1.5 * std::max(share, 0.05) / std::max(depth, 1e-9);
       if (k > 0 && std::abs(down - last) > 1e-12) {
         const double secant = (share - last_share) / (down - last);
         if (secant > 0.3 * slope && secant < 5 * slope) slope = secant;
       }
       last = down, last_share = share;
-      down +=
-          std::clamp((1 - share) / slope, -0.5 * std::abs(depth) - 1e-7, std::abs(depth) + 1e-7);
+      down += std::clamp((1 - share) / slope, -0.5 * depth - 1e-7, depth + 1e-7);
     }
     return false;
   }

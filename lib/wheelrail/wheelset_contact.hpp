@@ -38,7 +38,7 @@ class WheelsetOnTrack {
  public:
   // `wheel` in the axle's frame: u = 0 is the middle of the axle, z = 0 its axis; all u < 0 and z < 0. `rail` in the
   // track's frame: u = 0 is the track's centre, z = 0 its plane. Both for the left side, u towards the centre.
-  // Throws InputError when they do not overlap sideways at x = 0, or an angle of the wheel is over 85 degrees.
+  // Throws InputError when they do not overlap sideways at x = 0, or an angle of the wheel is over 84 degrees.
   WheelsetOnTrack(Curve wheel, Curve rail);
   // The left sides of two such pairs, the second on the right.
   WheelsetOnTrack(const WheelsetOnTrack& left, const WheelsetOnTrack& right);

@@ -191,6 +191,7 @@ TEST_CASE("unit: FASTSIM's tractions add up to its forces, and to its moment abo
     const auto& t = f.tractions;
     CAPTURE(creep.longitudinal, creep.lateral, creep.spin);
     REQUIRE(t.x.size() == 60 * 40);
+    CHECK(f.converged);
     const Eigen::ArrayXd area = t.dx.array() * t.dy.array(), x = t.px.array() * area,
                          y = t.py.array() * area;
     const double bound = 0.3 * strips.load;
@@ -238,4 +239,47 @@ TEST_CASE("unit: of what is not convex across Hertz's theory has no ellipse") {
     else
       CHECK_THROWS_AS(hertzian(patch, 1e11), InputError);
   }
+}
+
+TEST_CASE("unit: the bend of an overlap is that of its parabola, at an end of the line as well") {
+  const double across = 2, step = 1e-3;
+  for (const double deepest : {0.0, 0.4, 2.5, 4.7, 5.0}) {  // steps from the begin
+    Patch patch;
+    patch.radius = wheel_radius;
+    for (int k = 0; k < 6; ++k) {
+      const double off = (k - deepest) * step;
+      patch.line.push_back({k * step, 0, 1e-4 - across * off * off});
+    }
+    patch.line.shrink_to_fit();
+    const Strips s = hertzian(patch, 1e11);
+    const auto hertz = contact::hertz_from_approach({0.5 / wheel_radius, across}, 1e11, 1e-4);
+    CAPTURE(deepest);
+    CHECK(s.ratio == Approx(hertz.a / hertz.b).epsilon(1e-9));
+    CHECK(s.p_max == Approx(hertz.p_max).epsilon(1e-9));
+    CHECK(s.load == Approx(hertz.force).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("unit: the rail's head is its own mirror image, smooth from end to end") {
+  for (const Rail60 kind : {Rail60::drawing, Rail60::benchmark}) {
+    const wheelrail::Curve head = rail_60e1(kind);
+    const auto& pieces = head.pieces();
+    REQUIRE(pieces.size() == 6);
+    for (std::size_t i = 0; i < 6; ++i) {
+      const wheelrail::Piece &p = pieces[i], &q = pieces[5 - i];
+      CHECK(p.start.u == Approx(-q.end.u).margin(1e-15));
+      CHECK(p.start.z == Approx(q.end.z).margin(1e-15));
+      CHECK(p.centre.u == Approx(-q.centre.u).margin(1e-15));
+      CHECK(p.angle_start == Approx(-q.angle_end).margin(1e-15));
+      CHECK(p.radius == q.radius);
+      if (i == 0) continue;
+      CHECK(p.start.u == Approx(pieces[i - 1].end.u).margin(1e-15));
+      CHECK(p.start.z == Approx(pieces[i - 1].end.z).margin(1e-15));
+      CHECK(p.angle_start == Approx(pieces[i - 1].angle_end).margin(1e-15));
+    }
+    CHECK(std::abs(pieces[5].angle_end) == Approx(84 * units::degree).epsilon(0.01));
+  }
+  const Profile wheel = s1002();
+  CHECK(wheel.from() == Approx(-0.07));
+  CHECK(wheel.to() == Approx(0.06));
 }

@@ -146,3 +146,13 @@ TEST_CASE(
   CHECK(none.merge_distance == 4e-3);
   CHECK(none.merge_angle == 0.35);
 }
+
+TEST_CASE("unit: the wheel is looked at every 0.1 mm across, from end to end") {
+  const Pair pair = s1002_on_60e1(1.0 / 40);
+  const Touching found = touching(Placed(pair, {}));
+  REQUIRE(found.locus.size() == 1301);
+  for (std::size_t k = 0; k < found.locus.size(); ++k)
+    CHECK(found.locus[k].s == Approx(-0.07 + 1e-4 * static_cast<double>(k)).margin(1e-12));
+  CHECK(found.z() == found.least.front().gap);
+  for (const Placed::Point& p : found.locus) CHECK(p.gap >= found.z() - 1e-15);
+}
