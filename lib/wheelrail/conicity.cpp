@@ -21,8 +21,8 @@ Passage pass(double length, double outer, double inner, double energy) {
   Passage p;
   p.energy = energy + 0.5 * length * (outer + inner);
   const double slope = (outer - inner) / length;
-  if (inner > outer && outer < 0 && energy <= -0.5 * outer * outer / slope) p.energy = 0;
-  if (outer < 0 && energy <= 0) p.energy = 0;
+  // Least where a push outwards turns into a pull.
+  if (outer < 0 && inner > 0 && energy <= -0.5 * outer * outer / slope) p.energy = 0;
   if (!(p.energy > 0)) return p;
   const double before = std::sqrt(2 * energy), after = std::sqrt(2 * p.energy);
   const double rise = length * (outer + inner) / (before + after);  // after - before

@@ -5,8 +5,10 @@
 #include "wheelrail/tabulate.hpp"
 #include "wheelrail/wheelset_contact.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <random>
 
 #include "num/quadrature.hpp"
 #include "units/constants.hpp"
@@ -76,6 +78,36 @@ TEST_CASE("A cubic difference of radii has the closed forms of its three conicit
         Approx(4 / amplitude * std::sqrt(2 * 0.46 / strength) * lemniscate).epsilon(1e-6));
   CHECK(c.harmonic == Approx(0.75 * 0.75 * strength * amplitude * amplitude).epsilon(1e-6));
   CHECK(c.regression == Approx(0.6 * 0.75 * strength * amplitude * amplitude).epsilon(1e-6));
+}
+
+TEST_CASE("A wheelset comes past a stretch that drives it outwards if it has the energy") {
+  std::mt19937 random(20261123);
+  std::uniform_real_distribution<double> radii{-1e-4, 2e-4};
+  int past = 0, stopped = 0, compared = 0;
+  for (int k = 0; k < 2000; ++k) {
+    std::vector<double> values{0};
+    for (int i = 0; i < 6; ++i) values.push_back(radii(random));
+    const auto f = from_R(1e-3, values);
+    const double amplitude = 1e-3 * (3.5 + 2.5 * (k % 2));
+    // The integral of R from y to the amplitude is least at its begin or where R rises through zero, if not at a knot.
+    double energy = 0, least = f.R(amplitude) > 0 ? 1 : -1;
+    constexpr int parts = 500;
+    const double h = amplitude / parts;
+    for (int i = parts; i > 0; --i) {
+      energy += h * (f.R(h * i) + f.R(h * (i - 1))) / 2;
+      least = std::min(least, energy);
+    }
+    if (std::abs(least) < 2e-10) continue;  // in between, or nearly
+    const Conicity c = conicity(f, amplitude);
+    CAPTURE(values, amplitude, least);
+    CHECK(c.oscillates == (least > 0));
+    (least > 0 ? past : stopped) += 1;
+    const bool driven_out = *std::min_element(values.begin(), values.end()) < 0;
+    if (least < 2e-9 || !driven_out || compared >= 20) continue;
+    CHECK(0.25 * c.wavelength == Approx(quarter_by_steps(f, amplitude, 4000)).epsilon(1e-5));
+    ++compared;
+  }
+  CHECK((past > 200 && stopped > 200 && compared == 20));
 }
 
 TEST_CASE("A wheelset that is driven outwards has no wavelength") {
