@@ -26,6 +26,16 @@ VectorXd growing(const CycleEquations& equations, const VectorXd& z) {
   return grow;
 }
 
+// Size of all harmonics but the mean.
+double moving(const Cycle& cycle) {
+  const Index mean = cycle.orders.front() == 0 ? 1 : 0;
+  return cycle.motion.rightCols(cycle.motion.cols() - mean).norm();
+}
+// Rest solves the equations as well.
+bool at_rest(const LimitCycle& found, const Cycle& start) {
+  return moving(found.cycle) < 1e-6 * moving(start);
+}
+
 }  // namespace
 
 const char* to_string(CycleEvent event) {
@@ -97,7 +107,8 @@ LimitCycleBranch follow_from(const Family& family, const Cycle& cycle, double pa
     direction = growing(walker.solver.equations(), p.z);
   if (towards == Towards::smaller_cycles || towards == Towards::smaller_parameter)
     direction = -direction;
-  if (walker.begin(p, hold, direction)) walker.walk();
+  if (!walker.begin(p, hold, direction) || at_rest(walker.branch.points[0], cycle)) return {};
+  walker.walk();
   return walker.branch;
 }
 
@@ -204,24 +215,12 @@ LimitCycleBranch follow_secondary(const Family& family, const SpecialCycle& from
   return {};
 }
 
-namespace {
-
-// Size of all harmonics but the mean.
-double moving(const Cycle& cycle) {
-  const Index mean = cycle.orders.front() == 0 ? 1 : 0;
-  return cycle.motion.rightCols(cycle.motion.cols() - mean).norm();
-}
-
-}  // namespace
-
 std::vector<LimitCycle> cycle_near(const Family& family, const Cycle& start, double parameter,
                                    const ContinuationOptions& options) {
   BranchWalker walker{family, start.orders, options};
   const Place p{walker.solver.equations().unknowns(start.motion), start.omega, parameter};
   const VectorXd hold = unit_of_parameter(p.z.size());
-  if (!walker.begin(p, hold, hold)) return {};
-  // Rest solves the equations as well.
-  if (moving(walker.branch.points[0].cycle) < 1e-6 * moving(start)) return {};
+  if (!walker.begin(p, hold, hold) || at_rest(walker.branch.points[0], start)) return {};
   return walker.branch.points;
 }
 

@@ -106,7 +106,8 @@ LimitCycleBranch follow_from_hopf(const Family& family, const Eigen::VectorXcd& 
                                   double parameter, const ContinuationOptions& options);
 
 enum class Towards { larger_cycles, smaller_cycles, larger_parameter, smaller_parameter };
-// From a cycle, solved again first at the parameter. Its orders say whether it is symmetric (odd ones) or not (all from 0).
+// From a cycle, solved again first at the parameter. Its orders say whether it is symmetric (odd ones) or not (all from 0). `start`:
+// Newton does not converge there, or only to rest.
 LimitCycleBranch follow_from(const Family& family, const Cycle& cycle, double parameter,
                              Towards towards, const ContinuationOptions& options);
 
