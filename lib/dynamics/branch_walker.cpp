@@ -221,7 +221,7 @@ void BranchWalker::find_special(const VectorXd& from, const VectorXd& t, const V
     locate(
         CycleEvent::fold, [](const LimitCycle&, double s) { return s; }, t[last], next[last]);
   }
-  if (options_.multiplier_steps > 0 && !upright) {
+  if (!upright) {
     const auto neutral = staying(before, point);
     const auto first = moving(before, neutral), last_ones = moving(point, neutral);
     const std::size_t from_count = outside(first), to_count = outside(last_ones);

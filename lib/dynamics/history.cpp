@@ -93,9 +93,8 @@ class Watch {
     sides_[r].above = above;
   }
   void finish() {
-    if (step_ > 0)
-      history_.samples.conservativeResize(Eigen::NoChange,
-                                          Eigen::Index(history_.sample_times.size()));
+    history_.samples.conservativeResize(Eigen::NoChange,
+                                        Eigen::Index(history_.sample_times.size()));
   }
 
  private:

@@ -77,7 +77,8 @@ Annihilator annihilator(const SecondOrderLowPass& f, double before, double after
     return {e * (1 + r), 0, -std::expm1(-slow * after) - e * r};
   }
   const double s = f.damping * f.omega, p = f.omega * f.omega;
-  if (f.damping < 1 && std::sqrt(p - s * s) * std::max(before, after) >= units::pi)
+  const double longer = std::max(before, after);
+  if ((p - s * s) * longer * longer >= units::pi * units::pi)
     return {units::nan, units::nan, units::nan};
   const Mode first = mode_at(s, p, before), second = mode_at(s, p, after);
   const double alpha = mode_at(s, p, before + after).q / first.q;

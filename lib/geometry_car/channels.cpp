@@ -42,11 +42,10 @@ struct StillStretch {
 // its changes take.
 std::vector<StillStretch> still(const Column& x) {
   std::vector<StillStretch> all;
-  for (std::size_t k = 0; k < x.size();) {
-    std::size_t end = k + 1;
-    while (!std::isnan(x[k]) && end < x.size() && !std::isnan(x[end]) && x[end] == x[k]) ++end;
-    if (!std::isnan(x[k])) all.push_back({k, end - k});
-    k = end;
+  for (auto from = x.begin(); from != x.end();) {
+    const auto end = std::find_if(from, x.end(), [from](double v) { return v != *from; });
+    if (end != from) all.push_back({std::size_t(from - x.begin()), std::size_t(end - from)});
+    from = std::isnan(*from) ? from + 1 : end;
   }
   if (all.empty()) return all;
   std::vector<std::size_t> lengths;

@@ -76,7 +76,7 @@ quality::FilterTaps uniformity_taps(double chord, double spacing) {
   const quality::FilterTaps one = chord_taps(chord, spacing);
   const double quarter = 0.25 * chord / spacing;
   const auto reach = static_cast<std::ptrdiff_t>(one.half.size()) - 1;
-  const auto far = static_cast<std::ptrdiff_t>(std::ceil(4 * quarter)) + 2;
+  const auto far = static_cast<std::ptrdiff_t>(std::floor(4 * quarter)) + 2;
   quality::FilterTaps result{spacing,
                              std::vector<double>(static_cast<std::size_t>(reach + far + 1))};
   std::copy(one.half.begin(), one.half.end(), result.half.begin());

@@ -52,7 +52,7 @@ RAILBOOK_WIDE std::size_t whole(std::span<const double> z) {
   std::size_t i = 0;
   for (; i + stretch <= z.size(); i += stretch) {
     bool gap = false;
-    for (std::size_t j = 0; j < stretch; ++j) gap |= std::isnan(z[i + j]);
+    for (const double v : z.subspan(i, stretch)) gap |= std::isnan(v);
     if (gap) break;
   }
   while (i < z.size() && !std::isnan(z[i])) ++i;

@@ -6,6 +6,7 @@
 #include "../support/seen_by.hpp"
 #include "dynamics/continuation.hpp"
 #include "dynamics/cycle_branch.hpp"
+#include "dynamics/cycle_equations.hpp"
 #include "dynamics/cycle_solver.hpp"
 #include "dynamics/eigenvector_loop.hpp"
 #include "dynamics/step_length.hpp"
@@ -383,4 +384,48 @@ TEST_CASE("The paper's loop: a thousandth of the speed first, then by secants, a
     REQUIRE(rates.size() > 1);
     CHECK(std::abs(rates[1]) < 1e-6);
   }
+}
+
+TEST_CASE("Cycles at a parameter cost less the nearer they are to a point of the branch",
+          "[steps]") {
+  // Rayleigh's cycle up and down, harmonics added on the way and taken off: either neighbour may be the
+  // richer.
+  long calls = 0;
+  Family family;
+  family.oscillator =
+      seen_by(1, [](const Complex* s, Complex* f) { f[0] = -s[1] * s[1] * s[1] / 3.0; });
+  auto& law = family.oscillator.couplings[0].law;
+  law = [&calls, inner = law](const double* s, double* f, double* slope) {
+    ++calls;
+    inner(s, f, slope);
+  };
+  family.set = [](Oscillator& o, double e) {
+    o.damping(0, 0) = -e, o.couplings[0].force(0, 0) = e;
+  };
+  family.watch = {VectorXd::Ones(1)};
+  Oscillator start = family.oscillator;
+  family.set(start, 0.1);
+  auto options = within(0.05, 2);
+  options.tail = 1e-7;
+  const auto up = follow_from(family, first_harmonic(start, 2 * Eigen::VectorXcd::Ones(1), 1, 7),
+                              0.1, Towards::larger_parameter, options);
+  const auto down =
+      follow_from(family, up.points.back().cycle, 2, Towards::smaller_parameter, options);
+  int most = 0;
+  for (const auto* branch : {&up, &down})
+    for (std::size_t k = 0; k + 1 < branch->points.size(); ++k)
+      for (const double part : {1e-4, 1 - 1e-4}) {
+        const LimitCycle &a = branch->points[k], &b = branch->points[k + 1];
+        // With the richer one's harmonics, as they are.
+        const auto whole = [](const LimitCycle& c) { return c.cycle.orders.back(); };
+        options.least_order = options.most_order = std::max(whole(a), whole(b));
+        calls = 0;
+        const auto found =
+            cycles_at(family, *branch, a.parameter + part * (b.parameter - a.parameter), options);
+        REQUIRE(found.size() == 1);
+        // A period of samples for each evaluation: two Newton steps of two, and the cycle told.
+        const int highest = found[0].cycle.orders.back();
+        most = std::max(most, int(calls / samples_for(highest)));
+      }
+  CHECK(most == 6);
 }

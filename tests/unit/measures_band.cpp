@@ -107,6 +107,9 @@ TEST_CASE("unit: a deviation from uniformity is an offset less the mean of nine"
       double sum = taps.half[0];
       for (std::size_t j = 1; j < taps.half.size(); ++j) sum += 2 * taps.half[j];
       CHECK(std::abs(sum) < 1e-12);
+      // As long as its farthest sample, of the cubic's four, and no longer; they are one where a chord is
+      // whole steps.
+      CHECK((taps.half.back() != 0) == (spacing == 0.25));
       for (const double wave : {6.0, chord / 2, chord, 2 * chord, 5 * chord}) {
         double mean = 1;
         for (int m = 1; m <= 4; ++m) mean += 2 * std::cos(pi * m * chord / (2 * wave));

@@ -36,6 +36,9 @@ done
 tail -3 printed | paste -d' ' - - - >rows
 awk -F, 'NR > 1 {printf "%.5f %.3f ", sqrt($4 ^ 2 + $5 ^ 2) / 24e3, $7}' full/curve.csv >shares
 awk '{for (k = 1; k <= 3; ++k) printf "%s %s ", $(6 * k - 1), $(6 * k)}' rows | cmp - shares || fail "the printed table: $(cat printed)"
+# Without friction there is no share of it.
+"$railbook" creep curve --a 6mm --b 4mm --load 80kN --mu 0 --to 1e-3 --points 2 --theory fastsim >printed || fail "no friction"
+[ "$(tail -2 printed | awk '$5 == "-"' | wc -l)" = 2 ] || fail "a share of no friction: $(tail -2 printed)"
 # Contacts that follow a radius: beyond a fifth of it doubtful.
 answers wide curve --wheel-radius 0.4m --rail-crown 0.4m --load 300MN --theory linear --points 1 --mu 0 --to 1e-3
 means wide 'says("half_space", "reaches 0.23"); for (key in v) free(key)'
