@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "../support/final_position.hpp"
+#include "geometry_car/health_parts.hpp"
 #include "geometry_car/reconstruct.hpp"
 #include "geometry_car/sensors.hpp"
 #include "geometry_car/simulate.hpp"
@@ -265,4 +266,79 @@ TEST_CASE("geometry car: good alignment is good, from a crawl up", "[reconstruct
   CHECK(good > 5000);
   CHECK(worst < levelling_degrades);
   CHECK(levelling_error(18.9, 7) == Approx(7.02e-3));
+}
+
+TEST_CASE("geometry car: behind a missing value crosslevel is as if the record began there",
+          "[reconstruction]") {
+  const Processing p;
+  const Record clean = cruise(test_track(), {}, 20);
+  constexpr std::size_t at = 1000;
+  Record after;
+  after.elapsed.assign(clean.elapsed.begin() + at, clean.elapsed.end());
+  after.mark.assign(clean.mark.begin() + at, clean.mark.end());
+  for (std::size_t c = 0; c < channels; ++c)
+    after.values[c].assign(clean.values[c].begin() + at, clean.values[c].end());
+  const Column expected = reconstruct(after, p)[Parameter::crosslevel];
+  for (const Channel lost : {Channel::inclinometer, Channel::yaw_rate, Channel::roll_rate}) {
+    Record r = clean;
+    r[lost][at] = std::nan("");
+    // A rate that is missing is that of two intervals, which begin the record one row later.
+    const std::size_t later = lost == Channel::inclinometer ? 0 : 1;
+    const Column level = reconstruct(r, p)[Parameter::crosslevel];
+    INFO(channel_list()[static_cast<std::size_t>(lost)].name);
+    for (std::size_t k = at; k < at + 300; ++k) {
+      const bool known = !std::isnan(level[k + later]);
+      REQUIRE(known == !std::isnan(expected[k - at]));
+      if (later == 0 && known) REQUIRE(level[k] == Approx(expected[k - at]).margin(1e-12));
+    }
+    CHECK_FALSE(std::isnan(level[at + 300]));
+    for (std::size_t k = at - 300; k < at; ++k) REQUIRE_FALSE(std::isnan(level[k]));
+  }
+}
+
+TEST_CASE("geometry car: what sensors feel of one motion adds up to zero, once their filters know",
+          "[reconstruction]") {
+  const Car car;
+  const Processing p{.layout = car.layout};
+  const double speed = 25, T = car.layout.sample / speed;
+  Record r = cruise(test_track(), car, speed);
+  constexpr std::size_t gap = 1200;
+  for (const bool broken : {false, true}) {
+    if (broken)
+      for (const Channel c : {Channel::yaw_rate, Channel::roll_rate, Channel::height_left,
+                              Channel::sway_front_a, Channel::sway_rear})
+        r[c][gap] = std::nan("");
+    std::size_t rejected = 0;
+    std::vector<Run> runs = runs_of(r, p, rejected);
+    REQUIRE(runs.size() == 1);
+    load(runs[0], r);
+    const auto all = balances(runs[0], p);
+    REQUIRE(all.size() == 3);
+    for (std::size_t b = 0; b < 3; ++b) {
+      double squares = 0, strength = 0, n = 0;
+      for (std::size_t k = 0; k < r.size(); ++k) {
+        double sum = 0, size = 0;
+        for (const Term& t : all[b]) sum += t.values[k], size += t.values[k] * t.values[k];
+        if (std::isnan(sum)) continue;
+        squares += sum * sum, strength += size, ++n;
+      }
+      INFO("balance " << b);
+      CHECK(n > 1500);
+      CHECK(std::sqrt(squares / strength) < 0.05);
+      // Known again when what came before is forgotten: two times 1/corner later.
+      const auto wait = static_cast<std::size_t>(std::ceil(2 / car.layout.second_corner / T));
+      for (const Term& t : all[b]) {
+        const std::string name{channel_list()[static_cast<std::size_t>(t.channel)].name};
+        const bool itself = t.channel == Channel::inclinometer || t.channel == Channel::lateral ||
+                            name.starts_with("vertical");
+        if (itself || b == 2) continue;
+        INFO(name);
+        const bool lost = broken && std::isnan(r[t.channel][gap]);
+        for (std::size_t k = gap; k < gap + wait - 2; ++k) CHECK(std::isnan(t.values[k]) == lost);
+        CHECK_FALSE(std::isnan(t.values[gap + wait + 4]));
+        CHECK(std::isnan(t.values[wait - 2]));
+        CHECK_FALSE(std::isnan(t.values[wait + 4]));
+      }
+    }
+  }
 }
