@@ -155,6 +155,7 @@ int reproduce(const Reproduce& wish, const ChapterInfo& info,
   record.level = wish.level;
   record.only = wish.only;
   const num::Stopwatch watch;
+  const double waited = seconds_waited();
   bool let = true;
   for (const PagedEntry& e : entries) {
     if (!whole && !contains(wish.only, e.entry->id)) continue;
@@ -163,7 +164,7 @@ int reproduce(const Reproduce& wish, const ChapterInfo& info,
     fmt::print("item {}\n", e.entry->id);
     std::fflush(stdout);
   }
-  record.seconds = wish.no_timings ? 0 : watch.seconds() - seconds_waited();
+  record.seconds = wish.no_timings ? 0 : watch.seconds() - (seconds_waited() - waited);
 
   const std::filesystem::path inventory = info.sources / "data" / "inventory.csv";
   if (whole && std::filesystem::exists(inventory)) {
