@@ -279,3 +279,68 @@ TEST_CASE("unit: a load is met by a few solves, of smooth bodies and of a flat o
       CHECK(solves <= 8);
     }
 }
+
+TEST_CASE(
+    "unit: a contact is under-resolved below five cells, of patches with a hundredth of its "
+    "force") {
+  const auto holds = [](const Gap& gap, const CgFftOptions& options) {
+    const CgFft result = solve_cg_fft(gap, 1, 1, options);
+    const Region& finest = result.levels.back().region;
+    double narrowest = 1e9;
+    for (const Patch& patch : finest.patches)
+      if (patch.force > 0.01 * finest.force) narrowest = std::min(narrowest, patch.cells_across);
+    CAPTURE(narrowest, finest.patches.size(), finest.patches.back().force / finest.force);
+    CHECK(std::isinf(result.contact.force_error) == (narrowest < 5));
+    CHECK(std::isinf(result.contact.p_max_error) == (narrowest < 5));
+    CHECK(result.contact.reason.starts_with("under-resolved: the contact is") == (narrowest < 5));
+    return narrowest >= 5;
+  };
+  int resolved = 0, narrow = 0;
+  for (double ratio = 12; ratio < 100; ratio *= 1.08) {  // turned against the grid
+    CgFftOptions options;
+    options.nx = options.ny = 32;
+    (holds(quadratic_gap({1, ratio, units::pi / 4}), options) ? resolved : narrow) += 1;
+  }
+  CHECK(resolved > 3);
+  CHECK(narrow > 3);
+  resolved = narrow = 0;
+  for (double lower = 0.6; lower < 0.96; lower += 0.03) {  // a small sphere beside a large one
+    CgFftOptions options;
+    options.nx = 90, options.ny = 40;
+    options.search = [](double) { return Box{-1.5, 4.5, -1.5, 1.5}; };
+    (holds(two_spheres(0.05, lower), options) ? resolved : narrow) += 1;
+  }
+  CHECK(resolved > 1);
+  CHECK(narrow > 1);
+}
+
+TEST_CASE(
+    "unit: what edges add to the error falls with the cells across, to the power 2.5 or 1.7") {
+  // Without what the ladder of grids says.
+  const auto of_edges = [](const Gap& gap, Eigen::Index n, double order) {
+    CgFftOptions options;
+    options.nx = options.ny = n;
+    const CgFft result = solve_cg_fft(gap, 1, 1, options);
+    const Region& finest = result.levels.back().region;
+    std::vector<double> h, forces;
+    for (const CgFftLevel& level : result.levels) {
+      h.push_back(std::hypot(level.grid.dx / (finest.ends.x_max - finest.ends.x_min),
+                             level.grid.dy / (finest.ends.y_max - finest.ends.y_min)));
+      forces.push_back(level.region.force);
+    }
+    const Extrapolated f = extrapolate(h, forces, order);
+    const Patch& patch = finest.patches.front();
+    return std::tuple{result.contact.force_error - f.error / f.value, patch.cells_across,
+                      std::max(1.0, patch.edge_intensity)};
+  };
+  for (const bool sharp : {false, true}) {
+    const Gap gap = sharp ? rounded_punch_gap({1, 0}) : sphere();
+    const auto [coarse, few, strong] = of_edges(gap, 48, sharp ? 1 : 2);
+    const auto [fine, many, weak] = of_edges(gap, 128, sharp ? 1 : 2);
+    CHECK(many > 2 * few);
+    CHECK(coarse > 0);
+    const double intensity = sharp ? 1 : strong / weak;
+    CHECK(coarse / fine ==
+          Approx(intensity * std::pow(many / few, sharp ? 1.7 : 2.5)).epsilon(1e-6));
+  }
+}
