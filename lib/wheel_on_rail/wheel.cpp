@@ -117,20 +117,22 @@ constexpr double deepest_sinking = 2e-3;  // m: half-spaces that sink in by mill
 // over load.
 struct Depths {
   double z = 0;
-  bool converged = false;
+  bool converged = false, too_deep = false;  // too_deep: the deepest place bears less
 };
 Depths find_depth(const std::function<double(double)>& share, double zero, double guess,
                   double tolerance) {
-  double low = zero, high = units::no_limit, z = guess;
+  const double deepest = zero + deepest_sinking;
+  double low = zero, high = units::no_limit, z = std::min(guess, deepest);
   for (int k = 0; k < 60; ++k) {
     const double f = share(z);
     if (std::abs(f - 1) < tolerance) return {z, true};
+    if (f < 1 && z == deepest) return {z, false, true};
     (f < 1 ? low : high) = z;
     double next = f > 1e-3 ? zero + (z - zero) * std::pow(f, -2.0 / 3) : zero + 4 * (z - zero);
     if (k % 4 == 3 && std::isfinite(high)) next = 0.5 * (low + high);
     if (!(next > low && next < high))
       next = std::isfinite(high) ? 0.5 * (low + high) : low + 2 * (low - zero);
-    if (z - zero > deepest_sinking) break;
+    next = std::min(next, deepest);
     if (next == z || high - low < 1e-15) break;
     z = next;
   }
@@ -141,7 +143,7 @@ Depths find_depth(const std::function<double(double)>& share, double zero, doubl
 // kept, with which it does not jump.
 struct Approximate {
   double z, frames;
-  bool converged;
+  bool converged, too_deep;
 };
 Approximate approximate_depth(const Work& w, bool friction) {
   const double zero = w.touch.z();
@@ -150,10 +152,9 @@ Approximate approximate_depth(const Work& w, bool friction) {
   };
   const Depths first = find_depth([&](double z) { return share(z, z); }, zero,
                                   zero + 5e-5 * std::pow(w.wish.load / 5e4, 2.0 / 3), 1e-5);
-  if (first.converged || first.z - zero > deepest_sinking)
-    return {first.z, first.z, first.converged};
+  if (first.converged || first.too_deep) return {first.z, first.z, first.converged, first.too_deep};
   const Depths kept = find_depth([&](double z) { return share(z, first.z); }, zero, first.z, 1e-5);
-  return {kept.z, first.z, kept.converged};
+  return {kept.z, first.z, kept.converged, kept.too_deep};
 }
 
 struct Full {
@@ -356,7 +357,7 @@ WheelResult solve_wheel(const Pair& pair, const Pose& pose, const WheelWish& wis
   const bool friction = wish.friction.coefficient > 0;
   const Approximate depth = approximate_depth(w, friction);
   out.z = depth.z;
-  if (!depth.converged && depth.z - touch.z() > deepest_sinking) {
+  if (depth.too_deep) {
     out.reason = "no depth up to 2 mm bears the load";
     return out;
   }

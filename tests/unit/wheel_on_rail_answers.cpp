@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "contact/hertz.hpp"
 #include "units/input_error.hpp"
 #include "wheel_on_rail/stress.hpp"
 #include "wheel_on_rail/wheel.hpp"
@@ -255,4 +256,45 @@ TEST_CASE("unit: a patch that unloads on the way to the load is left out of the 
     last = found.patches.size();
   }
   CHECK(last == 1);
+}
+
+TEST_CASE("unit: a load is borne at a depth of up to 2 mm, or said to need more") {
+  // Hertz's load at the depth; a flat crown bears it higher up than the search begins, a sharp one deeper.
+  for (const double crown : {0.02, 0.3, 3.0})
+    for (const double depth : {1.9e-3, 1.99e-3, 2.01e-3, 2.1e-3, 5e-3}) {
+      const Pair pair{Profile(std::vector{Profile::Piece{-0.2, 0.2}}),
+                      Profile({arc(-0.019, 0.019, 0, crown)})};
+      WheelWish wish = wish_of();
+      wish.friction.coefficient = 0;
+      const double modulus = rolling::join(wish.wheel, wish.rail).effective_modulus;
+      Profile::Piece flat = arc(-0.15, 0.15, 0, crown);
+      const Pair wide = crown > 0.15 ? Pair{pair.wheel, Profile({flat})} : pair;
+      wish.load = contact::hertz_from_approach({0.5 / 0.46, 0.5 / crown}, modulus, depth).force;
+      const WheelResult found = solve_wheel(wide, {}, wish);
+      CAPTURE(crown, depth, wish.load, found.z - found.z_touch, found.reason);
+      CHECK(found.converged == (depth < 2e-3));
+      if (depth < 2e-3)
+        CHECK(found.z - found.z_touch == Approx(depth).epsilon(3e-3));
+      else
+        CHECK(found.reason == "no depth up to 2 mm bears the load");
+    }
+}
+
+TEST_CASE("unit: a wheelset that no roll within 0.05 rad levels is refused") {
+  // Steep cones: a shift lifts one side by the slope more, and a roll levels 1.5 m of track.
+  Profile::Piece head{middle - 0.045, middle + 0.045, {0.05}};
+  head.sign = -1, head.centre = middle, head.radius = 0.05;
+  const Pair steep{Profile(std::vector{Profile::Piece{-0.2, 0.2, {0, 1.2}}}), Profile({head})};
+  for (const double y : {0.01, 0.05}) {
+    std::string refused;
+    try {
+      const double roll = rigid_roll(steep, y, 0);
+      CHECK(std::abs(touching(Placed(steep, {y, 0, roll})).z() -
+                     touching(Placed(steep, mirrored({y, 0, roll}))).z()) < 1e-11);
+    } catch (const InputError& error) {
+      refused = error.what();
+    }
+    CAPTURE(y, refused);
+    CHECK(refused.starts_with("no roll within 0.05 rad") == (y > 0.03));
+  }
 }
