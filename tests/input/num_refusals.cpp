@@ -28,6 +28,8 @@ TEST_CASE("input: sizes of transforms, frames and rules") {
                     Contains("frame of the filter is 3 long; allowed: 4 to"));
   CHECK_THROWS_AS(num::EvenFilter(4, 3, 8, 2), InputError);
   CHECK_THROWS_AS(num::EvenFilter(0, 0, 0, 1), InputError);
+  CHECK_THROWS_AS(num::EvenFilter(4, 3, std::size_t{1} << 31, 4), InputError);
+  CHECK_THROWS_AS(num::EvenFilter(4, 3, 4, std::size_t{1} << 31), InputError);
   CHECK_NOTHROW(num::EvenFilter(4, 3, 4, 3));
   CHECK_THROWS_WITH(num::gauss_legendre(0), Contains("n is 0; allowed: at least 1"));
   const num::GaussRule one = num::gauss_legendre(1, 2, 6);
