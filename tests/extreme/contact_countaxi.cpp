@@ -70,3 +70,21 @@ TEST_CASE(
     }
   }
 }
+
+TEST_CASE("extreme: what has converged has three rings or more from the largest pressure on") {
+  int few = 0, enough = 0;
+  for (const double edge : {0.01, 0.1, 1.0})
+    for (const double grading : {1.0, 2.0, 3.0})
+      for (int n = 3; n < 30; ++n) {
+        const RingContact c =
+            countaxi(rounded_punch_gap({0.5, edge}), 1e-3, 1.0, {.rings = n, .grading = grading});
+        const auto beyond = (c.r.array() >= c.r_p_max).count();
+        CAPTURE(edge, grading, n, c.reason);
+        if (c.converged) CHECK(beyond >= 3);
+        if (c.converged) CHECK(c.reason.empty());
+        if (!c.converged) CHECK_FALSE(c.reason.empty());
+        ++(c.converged ? enough : few);
+      }
+  CHECK(few > 10);
+  CHECK(enough > 10);
+}

@@ -49,3 +49,15 @@ TEST_CASE("extreme: the peak of a sharp punch is at its edge, and without a boun
     CHECK(std::isinf(peak.pressure));
   }
 }
+
+TEST_CASE("extreme: a punch of any size is the same punch in its units") {
+  for (const double edge : {1e-3, 1.0, 1e3}) {
+    const PunchContact one = punch_from_approach({0.5, edge}, 1e11, 1e-6);
+    for (const double s : {1e-9, 1e-4, 1e4, 1e6}) {
+      const PunchContact c = punch_from_approach({0.5 * s, edge * s}, 1e11, 1e-6 * s);
+      CAPTURE(edge, s);
+      CHECK(c.edge_width == Approx(s * one.edge_width).epsilon(1e-9));
+      CHECK(c.force == Approx(s * s * one.force).epsilon(1e-9));
+    }
+  }
+}

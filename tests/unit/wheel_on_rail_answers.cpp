@@ -298,3 +298,91 @@ TEST_CASE("unit: a wheelset that no roll within 0.05 rad levels is refused") {
     CHECK(refused.starts_with("no roll within 0.05 rad") == (y > 0.03));
   }
 }
+
+TEST_CASE("unit: a wheel and rail of another size have the same answer, in their units") {
+  // Lengths times s, the load times s^2: the same pressures, creepages and shares.
+  const auto answer = [](double s) {
+    Profile::Piece tread{-0.05 * s, 0.05 * s, {0, 0.05}}, head{0.7 * s, 0.8 * s, {0.3 * s}};
+    head.sign = -1, head.centre = 0.75 * s, head.radius = 0.3 * s;
+    WheelWish wish = wish_of(Method::full, 60e3 * s * s);
+    wish.along = 24, wish.turning /= s;
+    return solve_wheel({Profile({tread}), Profile({head}), 0.46 * s, 0.75 * s}, {}, wish);
+  };
+  const WheelResult one = answer(1);
+  REQUIRE(one.patches.size() == 1);
+  const PatchResult& p = one.patches[0];
+  CHECK(p.grid.nx == 24);
+  CHECK(p.grid.ny == 16);
+  CHECK(std::abs(p.forces.mz) > 0);
+  for (const double s : {0.5, 2.0}) {
+    const WheelResult other = answer(s);
+    REQUIRE(other.patches.size() == 1);
+    const PatchResult& q = other.patches[0];
+    CAPTURE(s);
+    CHECK(other.z - other.z_touch == Approx(s * (one.z - one.z_touch)).epsilon(1e-3));
+    CHECK(q.p_max == Approx(p.p_max).epsilon(1e-3));
+    CHECK(q.area == Approx(s * s * p.area).epsilon(1e-3));
+    CHECK(q.forces.fx == Approx(s * s * p.forces.fx).epsilon(1e-3));
+    CHECK(q.forces.mz == Approx(s * s * s * p.forces.mz).epsilon(5e-3));
+    CHECK(q.creepage.spin == Approx(p.creepage.spin / s).epsilon(1e-3));
+    CHECK(q.forces.error == Approx(p.forces.error).epsilon(0.05));
+    CHECK(q.forces.mz_error == Approx(p.forces.mz_error).epsilon(0.05));
+    CHECK(q.p_max_error == Approx(p.p_max_error).epsilon(0.05));
+    CHECK(other.axle_moment == Approx(s * s * s * one.axle_moment).epsilon(1e-3));
+  }
+}
+
+TEST_CASE("unit: of a wheel that spins backwards friction falls with its slip as well") {
+  WheelWish wish = wish_of();
+  wish.friction = {0.4, 0.25, 30};
+  wish.turning = -3 * speed / 0.46;
+  const PatchResult p = solve_wheel(on_crown(), {}, wish).patches.front();
+  // The rim runs back at three times the speed: 80 m/s over the rail.
+  CHECK(p.friction == Approx(wish.friction.at(4 * speed)).epsilon(1e-3));
+}
+
+TEST_CASE("unit: stresses below a patch that slides lie on the cells of its tractions") {
+  const WheelWish wish = wish_of(Method::full);
+  const PatchResult p = solve_wheel(on_crown(), {}, wish).patches.front();
+  const PatchStress found = stresses(p, wish);
+  const auto& t = p.forces.tractions;
+  for (Eigen::Index k = 0; k < t.x.size(); ++k) {
+    const double column = (t.x[k] - found.grid.x(0)) / found.grid.dx,
+                 row = (t.y[k] - found.grid.y(0)) / found.grid.dy;
+    REQUIRE(column == Approx(std::round(column)).margin(1e-6));
+    REQUIRE(row == Approx(std::round(row)).margin(1e-6));
+  }
+}
+
+TEST_CASE("unit: a wheelset's wish is refused beyond its range and not within") {
+  const auto refused = [](const Pose& pose, double load, double along) -> std::string {
+    WheelWish wish = wish_of(Method::hertz, load);
+    wish.speed = along, wish.friction.coefficient = 0;
+    try {
+      solve_wheelset(on_crown(-0.05), pose, wish);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return {};
+  };
+  for (const double sign : {-1.0, 1.0})
+    for (const double share : {0.999, 1.001}) {
+      CHECK(refused({.y = sign * share * 0.05}, 1e4, 9).starts_with("shift is ") == (share > 1));
+      CHECK(refused({.yaw = sign * share * 0.1}, 1e4, 9).starts_with("yaw is ") == (share > 1));
+    }
+  for (const double none : {0.0, -1.0}) {
+    CHECK(refused({}, none, 9).starts_with("load is "));
+    CHECK(refused({}, 1e4, none).starts_with("speed is "));
+  }
+}
+
+TEST_CASE("unit: a wheel that is nearest to the rail at an end touches with that end") {
+  for (const double side : {-1.0, 1.0}) {
+    // A cone that ends above the crown, which would be nearer beyond it.
+    Profile::Piece cone{side > 0 ? -0.02 : 0, side > 0 ? 0 : 0.02, {0, side * 0.05}};
+    const Pair pair{Profile({cone}), Profile({arc(-0.05, 0.05, 0, 0.3)})};
+    const Touching found = touching(Placed(pair, {}));
+    CHECK(found.least.front().s == Approx(0).margin(2e-7));
+    CHECK(at_end(pair, found.least.front()));
+  }
+}
