@@ -94,7 +94,7 @@ class Reader {
   std::string quoted() {
     const std::string_view whole = rest_;
     const char quote = take_one();
-    if (rest_.size() > 1 && rest_[0] == quote && rest_[1] == quote)
+    if (rest_.starts_with(std::string(2, quote)))
       refuse("a string over several lines; allowed: one in single quotes or \"...\"");
     std::string text;
     while (!rest_.empty() && rest_.front() != quote) {

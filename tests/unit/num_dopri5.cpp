@@ -62,12 +62,15 @@ TEST_CASE("unit: polynomials to degree five are integrated to rounding, to degre
 }
 
 TEST_CASE("unit: a blow-up ends in a refusal, not in a number") {
-  num::Dopri5<1> solver{num::Dopri5<1>::State::Constant(1e-8), 0.01};
   using One = num::Dopri5<1>::State;
   const auto f = [](double, const One& y, One& dy) { dy[0] = y[0] * y[0]; };
-  solver.restart(f, 0, One{1.0});  // y = 1 / (1 - t)
-  bool alive = true;
-  for (int i = 0; i < 100000 && alive && solver.t() < 2; ++i) alive = solver.step(f, 2);
-  CHECK_FALSE(alive);
-  CHECK(solver.t() == Approx(1).epsilon(1e-6));
+  for (const double begin : {0.0, 3.0, -3.0}) {
+    num::Dopri5<1> solver{One::Constant(1e-8), 0.01};
+    solver.restart(f, begin, One{1.0});  // y = 1 / (begin + 1 - t)
+    bool alive = true;
+    for (int i = 0; i < 100000 && alive && solver.t() < begin + 2; ++i)
+      alive = solver.step(f, begin + 2);
+    CHECK_FALSE(alive);
+    CHECK(solver.t() == Approx(begin + 1).epsilon(1e-6));
+  }
 }

@@ -13,10 +13,11 @@ TEST_CASE("unit: a summary keeps numbers, texts, absences and doubts apart") {
   s.add("theory", "theory", "nan");
   s.absent("peak_Pa", "peak pressure", "no contact");
   s.flag("coarse", "two cells");
+  s.add("place", "place", "Zürich");
   const std::string json = s.json();
   CHECK_THAT(json, Contains("\"force_N\": 2.5") && Contains("\"theory\": \"nan\""));
   CHECK_THAT(json, Contains("\"peak_Pa\": null") && Contains("\"peak_Pa\": \"no contact\""));
-  CHECK_THAT(json, Contains("\"coarse\": \"two cells\""));
+  CHECK_THAT(json, Contains("\"coarse\": \"two cells\"") && Contains("Zürich"));
 }
 
 TEST_CASE("unit: a summary refuses a number that is none, by its name") {
