@@ -195,11 +195,12 @@ LogFit fit_random_part(const Points& points, const FitOptions& o, bool& converge
 // The width at half the peak, by straight lines between bins.
 double width_at_half(const Eigen::ArrayXd& excess, Index peak, double df) {
   const double half = 0.5 * excess[peak];
+  Eigen::ArrayXd at = Eigen::ArrayXd::Zero(excess.size() + 2);  // nothing beyond its ends
+  at.segment(1, excess.size()) = excess;
   const auto side = [&](Index step) {
-    Index i = peak;
-    while (i + step >= 0 && i + step < excess.size() && excess[i + step] > half) i += step;
-    const double next = i + step >= 0 && i + step < excess.size() ? excess[i + step] : 0.0;
-    return static_cast<double>(std::abs(i - peak)) + (excess[i] - half) / (excess[i] - next);
+    Index i = peak + 1;
+    while (at[i + step] > half) i += step;
+    return static_cast<double>(std::abs(i - peak - 1)) + (at[i] - half) / (at[i] - at[i + step]);
   };
   return (side(1) + side(-1)) * df;
 }

@@ -55,4 +55,10 @@ TEST_CASE("input: lines and chords refuse what has no meaning") {
   CHECK_THROWS_WITH(mid_chord_offsets(z, 0.3048, 62 * units::foot),
                     Contains("samples of the profile"));
   CHECK_THROWS_AS(mid_chord_offsets(z, 0.3048, 0.3), InputError);
+  // Two samples to either side, or four where a chord ends between two: and the one in the middle.
+  for (const auto& [chord, reach] : {std::pair{4.0, 2U}, {5.0, 4U}}) {
+    const std::span<const double> all{z};
+    CHECK_THROWS_WITH(mid_chord_offsets(all.first(2 * reach), 1, chord), Contains("samples of"));
+    CHECK(mid_chord_offsets(all.first(2 * reach + 1), 1, chord).offset.size() == 1);
+  }
 }

@@ -233,6 +233,17 @@ TEST_CASE(
       }
 }
 
+TEST_CASE("unit: a line as wide as what is summed is taken to end beside it") {
+  for (const int beside : {0, 1, 2}) {  // bins to either side, as high as the middle one
+    FitOptions o = one_slope();
+    o.line_half_width = (beside + 0.5) * df;
+    auto s = spectrum(1e9);
+    for (Index k = rail - beside; k <= rail + beside; ++k)
+      s.density[k] = 2 * A / std::pow(rail * df, 2) + random_psd({.A = A}, at(k));
+    CHECK(fit_track_spectrum(s, o).half_width == Approx((2 * beside + 1) * df).epsilon(1e-6));
+  }
+}
+
 TEST_CASE("unit: a line below what it stands on has no dip, no peak and no width") {
   auto s = spectrum(1000);
   for (Index k = 81; k <= 129; ++k) s.density[k] *= 0.5;

@@ -149,3 +149,17 @@ TEST_CASE("unit: what surrounds a line is the median of the 32 bins from the thi
   CHECK(ratio(1, 4, 8) == Approx(low));
   CHECK(ratio(2, 5, 8) == Approx(low));
 }
+
+TEST_CASE("unit: old rails, longer or shorter, have sidebands at their difference from the new") {
+  for (const double length : {9.5, 10.0, 14.0, 15.5}) {
+    const FitOptions o{.rail_length = 12, .foreign_lengths = {length}};
+    const double difference = std::abs(1 / length - phi_0);
+    for (const double side : {-1.0, 1.0})
+      for (const double within : {0.0, 0.0059}) {
+        CAPTURE(length, side, within);
+        CHECK(near_foreign_line(o, 2 * phi_0 + side * (difference + within)));
+        CHECK(near_foreign_line(o, 2 * phi_0 + side * (difference - within)));
+        CHECK(near_foreign_line(o, 1 / length + side * within));
+      }
+  }
+}
