@@ -145,10 +145,10 @@ Eigen::MatrixXcd fresh_part(const Cycle& cycle, CycleEvent kind) {
 
 // Where they vanish the branch is back on the one it left, or on one like it, and goes on there, or as its own mirror image.
 bool has_joined(const LimitCycle& from, const LimitCycle& to, CycleEvent kind) {
-  const Eigen::MatrixXcd before = fresh_part(from.cycle, kind), now = fresh_part(to.cycle, kind);
-  if (now.norm() < 1e-6 * to.cycle.motion.norm()) return true;
-  const Index both = std::min(before.cols(), now.cols());
-  return before.leftCols(both).conjugate().cwiseProduct(now.leftCols(both)).sum().real() < 0;
+  if (fresh_part(to.cycle, kind).norm() < 1e-6 * to.cycle.motion.norm()) return true;
+  const Cycle now = with_orders(to.cycle, from.cycle.orders.back(), true);
+  return fresh_part(from.cycle, kind).conjugate().cwiseProduct(fresh_part(now, kind)).sum().real() <
+         0;
 }
 
 // The branch from a cycle on, up to where it joins another one.

@@ -136,7 +136,6 @@ class Runner {
 
   // Not negative while the branch lasts; rounding at a touch is no end.
   double margin(const Motion& m) const {
-    if (std::isinf(body_.gap)) return 1;
     return (stop_ == 0 ? body_.gap - std::abs(m.x) : stop_ * m.x - body_.gap) + 4e-15 * body_.gap;
   }
 
@@ -190,12 +189,7 @@ class Runner {
       const double rest = body_.gap - reached * after(t).x;
       return stop_ == 0 ? rest : -rest;
     };
-    double t = from;
-    if (before(from) > 0) {
-      const auto root = num::find_root(before, from, to, 1e-15);
-      result_.complete &= root.converged || root.width < 1e-12 * to;  // rounding may end it there
-      t = root.x;
-    }
+    const double t = before(from) > 0 ? num::find_root(before, from, to, 1e-15).x : from;
     if (t > 0) keep(t, after(t), free_.at(t));
     now_.x = reached * body_.gap;
     stop_ = stop_ == 0 ? reached : 0;

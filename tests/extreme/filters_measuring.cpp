@@ -154,3 +154,23 @@ TEST_CASE("Long chords and long high-passes") {
   CHECK(std::abs(g.chord[35000]) < 1e-9);
   CHECK(g.space_curve[35000] == Approx(1e-9 * 3 * (10001.0 * 10001.0 - 1) / 12).epsilon(1e-6));
 }
+
+TEST_CASE("The stream's memory is that of its blocks") {
+  // What comes in and what goes out, the curve on the way, a copy of it for a second stage, and a row of halves
+  // for each pass; a place for each hole.
+  const std::size_t block = 400000;
+  for (const int stages : {1, 2})
+    for (const int passes : {1, 3})
+      for (const bool holes : {false, true}) {
+        GeometryChain chain{{.half_chord = 3, .high_pass = {5, passes, stages}, .block = block},
+                            [](auto, auto) {}};
+        const std::vector<double> x(block + 2 * chain.reach(), holes ? nan_value : 0);
+        chain.push(x);
+        const double doubles = double(chain.memory()) / double(sizeof(double) * block);
+        const double known = 2 + stages + passes;
+        if (holes)
+          CHECK((doubles > known + 0.99 && doubles < known + 2.01));
+        else
+          CHECK(doubles == Approx(known).epsilon(0.001));
+      }
+}

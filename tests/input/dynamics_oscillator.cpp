@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "dynamics/harmonic_balance.hpp"
 #include "dynamics/history.hpp"
@@ -44,6 +45,44 @@ TEST_CASE("Integration refuses V = 0, no duration, and a start beyond the table"
   CHECK_THROWS_WITH(compile(o), Catch::Contains("positive definite"));
   o.mass.resize(3, 3);
   CHECK_THROWS_AS(compile(o), InputError);
+}
+
+TEST_CASE("An oscillator whose parts do not fit is refused, whichever part it is", "[oscillator]") {
+  using Eigen::MatrixXd, Eigen::VectorXd;
+  const MatrixXd one = MatrixXd::Identity(3, 3);
+  Oscillator good{one, one, one, one, 1.0, {}, {}};
+  good.channels.push_back({VectorXd::Ones(3), false, MatrixXd::Ones(3, 1), saturation(1, 1)});
+  const MatrixXd rows = MatrixXd::Ones(2, 3);
+  const auto law = [](const double*, double* f, double*) { f[0] = 0; };
+  good.couplings.push_back({rows, rows, rows, MatrixXd::Ones(3, 1), law});
+  CHECK_NOTHROW(compile(good));
+  const MatrixXd wide(3, 4), high(4, 3), short_rows(1, 3), wide_rows(2, 4);
+  Oscillator nine = good;
+  nine.mass = nine.damping = nine.damping_by_speed = nine.stiffness = MatrixXd::Identity(10, 10);
+  nine.channels.clear(), nine.couplings.clear();
+  std::vector<Oscillator> bad{nine};
+  const auto add = [&](auto&& change) { change(bad.emplace_back(good)); };
+  for (const MatrixXd& m : {wide, high}) {
+    add([&](Oscillator& o) { o.mass = m; });
+    add([&](Oscillator& o) { o.damping = m; });
+    add([&](Oscillator& o) { o.damping_by_speed = m; });
+    add([&](Oscillator& o) { o.stiffness = m; });
+    add([&](Oscillator& o) { o.channels[0].force = m; });
+  }
+  add([](Oscillator& o) { o.channels[0].row = VectorXd::Ones(4); });
+  add([](Oscillator& o) { o.channels[0].force = MatrixXd::Ones(4, 1); });
+  add([](Oscillator& o) { o.channels[0].law = {}; });
+  for (const MatrixXd& m : {short_rows, wide_rows}) {
+    add([&](Oscillator& o) { o.couplings[0].of_motion = m; });
+    add([&](Oscillator& o) { o.couplings[0].of_rate = m; });
+    add([&](Oscillator& o) { o.couplings[0].of_rate_by_speed = m; });
+  }
+  add([](Oscillator& o) { o.couplings[0].force = MatrixXd::Ones(4, 1); });
+  add([](Oscillator& o) { o.couplings[0].law = nullptr; });
+  for (std::size_t k = 0; k < bad.size(); ++k) {
+    CAPTURE(k);
+    CHECK_THROWS_WITH(compile(bad[k]), Catch::Contains("do not fit"));
+  }
 }
 
 TEST_CASE("A state of one to nine coordinates is padded to nine and back, others are refused",

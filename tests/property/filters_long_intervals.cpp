@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "filters/chord_filter.hpp"
+#include "filters/complementary.hpp"
 #include "filters/geometry_chain.hpp"
 #include "filters/hybrid_filter.hpp"
 
@@ -128,6 +129,25 @@ TEST_CASE("property: faults of the encoder are passed over, or begin anew") {
   CHECK(g.push(1, 0.1).mean == 1);
   g.restart();
   CHECK(std::isnan(g.push(1, 0.1).mean));
+
+  // The complementary filter: inclination, increment, T, and what comes out. It halves what it knew in T.
+  ComplementaryFilter roll{1 / std::log(2.0)};
+  const double row[][4] = {{3, 5, 1, 3},     {5, 0, 1, 4},     {7, 1, 1, 6},       {7, 1, 0, nan},
+                           {8, 0, 1, 7},     {nan, 0, 1, nan}, {2, 9, 1, 2},       {4, 0, 1, 3},
+                           {9, 1, -1, nan},  {11, 0, 1, 10},   {6, nan, 1, nan},   {8, 0, 1, 7},
+                           {1, 0, nan, nan}, {3, 0, 1, 2},     {5, 7, infinity, 5}};
+  for (const auto& [inclination, increment, T, expected] : row) {
+    const double found = roll.push(inclination, increment, T);
+    CAPTURE(inclination, increment, T, found);
+    CHECK((std::isnan(expected) ? std::isnan(found) : found == Approx(expected)));
+  }
+  for (const auto& [T, increment, expected] :
+       {std::tuple{0.0, 1.0, 4.0}, {-1.0, 1.0, nan}, {nan, 1.0, nan}, {1.0, nan, nan}}) {
+    roll.restart();
+    const double found = roll.push(4, increment, T);
+    CHECK((std::isnan(expected) ? std::isnan(found) : found == expected));
+    CHECK(roll.push(6, 0, 1) == Approx(5));
+  }
 
   CHECK(std::isnan(short_chord({nan, 1, 1})));
   CHECK(std::isnan(short_chord({1, infinity, 1})));

@@ -153,6 +153,18 @@ TEST_CASE("Continuation: a branch that breaks symmetry ends where it comes back"
     const auto branch = circles(family);
     const auto found = of_kind(branch, CycleEvent::symmetry_breaking);
     REQUIRE(found.size() == 2);
+    // What leaves there is found from a thousandth of the way, not from a hundredth, nor at points of
+    // another kind.
+    for (const double off : {1e-3, -1e-3, 0.02, -0.02}) {
+      const auto beside = cycles_at(family, branch, 0.2 + off, to_06());
+      REQUIRE(beside.size() == 1);
+      for (const CycleEvent kind : {CycleEvent::symmetry_breaking, CycleEvent::torus}) {
+        const auto leaving = follow_secondary(family, {kind, beside[0], 0, true}, to_06(), size);
+        const bool there = std::abs(off) < 0.01 && kind == CycleEvent::symmetry_breaking;
+        CHECK(leaving.points.empty() == !there);
+        CHECK((leaving.stop == BranchStop::start) == !there);
+      }
+    }
     for (std::size_t k = 0; k < 2; ++k) {
       CHECK(found[k].at.parameter == Approx(k == 0 ? 0.2 : 0.4).epsilon(1e-6));
       const auto aside = follow_secondary(family, found[k], to_06(), size);

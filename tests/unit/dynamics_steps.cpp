@@ -207,6 +207,46 @@ TEST_CASE("The step: a quarter of the largest at first, half as much again while
   }
 }
 
+TEST_CASE("The step where the way bends: halved below a cosine of 0.9, longer above 0.985",
+          "[steps]") {
+  const Family family = ring();
+  auto options = within(-5, 5);
+  int kept = 0, halved = 0;
+  for (const double largest : {0.2, 0.45, 1.2}) {
+    options.largest_step = largest;
+    const auto branch =
+        follow_from(family, circle(family, 1.4), 0.7, Towards::larger_cycles, options);
+    CHECK(branch.stop == BranchStop::closed);
+    // The way at a point: by relative radius, ln omega and p, in the units of where the step
+    // begins.
+    const auto way = [](const LimitCycle& at, const LimitCycle& begin) {
+      const double rho = at.largest * at.largest, rise = 1 - at.parameter, run = rho - 1;
+      return Eigen::Vector3d{0.5 * rise / (at.largest * begin.largest),
+                             0.25 * rise / (1 + 0.5 * rho), run}
+          .normalized();
+    };
+    double wanted = 0.25 * largest;
+    int rejected = 0;
+    for (std::size_t k = 0; k + 2 < branch.points.size(); ++k) {
+      const LimitCycle &a = branch.points[k], &b = branch.points[k + 1];
+      const Eigen::Vector3d step{b.largest / a.largest - 1, std::log(b.cycle.omega / a.cycle.omega),
+                                 b.parameter - a.parameter};
+      const double length = std::abs(way(a, a).dot(step)), cosine = way(a, a).dot(way(b, a)),
+                   halvings = std::log2(wanted / length);
+      CAPTURE(k, length, wanted, cosine);
+      CHECK(cosine >= 0.9);
+      CHECK(halvings == Approx(std::round(halvings)).margin(1e-5));
+      rejected += int(std::round(halvings));
+      if (halvings > 0.5) ++halved;
+      if (cosine <= 0.985) ++kept;
+      wanted = cosine > 0.985 ? std::min(1.5 * length, largest) : length;
+    }
+    CHECK(branch.rejected_steps >= rejected);
+    CHECK(branch.rejected_steps <= rejected + 2);
+  }
+  CHECK((kept > 2 && halved > 2));
+}
+
 TEST_CASE("What is told of a point: middle, reach, and how much its highest harmonics are",
           "[steps]") {
   // Circles about (0.3, 0): the same law about another place, its rest.
@@ -388,7 +428,8 @@ TEST_CASE("The paper's loop: a thousandth of the speed first, then by secants, a
 
 TEST_CASE("Cycles at a parameter cost less the nearer they are to a point of the branch",
           "[steps]") {
-  // Rayleigh's cycle up and down, harmonics added on the way and taken off: either neighbour may be the
+  // Rayleigh's cycle up and down, harmonics added on the way and taken off: either neighbour may be
+  // the
   // richer.
   long calls = 0;
   Family family;

@@ -81,6 +81,21 @@ TEST_CASE("unit: damped moving load, values from a separate root-by-root solutio
   }
 }
 
+namespace {
+
+// Of the slope at the nodes, from the closed form, over the largest.
+double off_slope(const FeShape& fe, const MovingLoadShape& shape, double low, double high) {
+  double off = 0, most = 0;
+  for (std::size_t i = 0; i < fe.s.size(); ++i) {
+    if (fe.s[i] < low || fe.s[i] > high) continue;
+    off = std::max(off, std::abs(fe.slope[i] - shape.slope(fe.s[i])));
+    most = std::max(most, std::abs(shape.slope(fe.s[i])));
+  }
+  return off / most;
+}
+
+}  // namespace
+
 TEST_CASE("unit: finite-element steady state confirms the closed form within 1e-6 to theta = 2") {
   for (double theta : {0.0, 0.5, 0.95, 1.0, 1.5, 2.0})
     for (double zeta : {0.05, 0.2, 1.0}) {
@@ -89,6 +104,7 @@ TEST_CASE("unit: finite-element steady state confirms the closed form within 1e-
       CHECK(largest_difference(fe, theta, zeta, -1e9, 1e9) < 1e-6);
       const MovingLoadShape shape = moving_load(theta, zeta);
       CHECK(*std::min_element(fe.y.begin(), fe.y.end()) == Approx(shape.minimum().y).margin(2e-4));
+      CHECK(off_slope(fe, shape, -1e9, 1e9) < 1e-4);
     }
 }
 
@@ -111,6 +127,7 @@ TEST_CASE("unit: a run in time at theta = 2, extrapolated in element and step, i
   CHECK(std::ranges::count_if(fe.s, [](double s) { return s >= -15 && s <= 10; }) > 300);
   CHECK(largest_difference(fe, 2, 0.4, -15, 10) < 1e-6);
   CHECK(fe.at_load == Approx(moving_load(2, 0.4).at_load()).margin(1e-6));
+  CHECK(off_slope(fe, moving_load(2, 0.4), -15, 10) < 1e-4);
 }
 
 TEST_CASE("unit: an extrapolated run has the nodes that both of its beams have") {
