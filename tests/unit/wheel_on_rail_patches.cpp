@@ -283,3 +283,16 @@ TEST_CASE("unit: the rail's head is its own mirror image, smooth from end to end
   CHECK(wheel.from() == Approx(-0.07));
   CHECK(wheel.to() == Approx(0.06));
 }
+
+TEST_CASE("unit: strips have two lobes where some are missing between, however blunt their ends") {
+  for (const double valley : {0.0, 1.0}) {
+    Patch patch;
+    patch.radius = wheel_radius;
+    for (int k = 0; k <= 400; ++k) {
+      const double t = 1e-2 * (k / 200.0 - 1);
+      const double flat = std::abs(t) < 2e-3 ? valley : std::abs(t) < 9e-3 ? 1 : -1;
+      patch.line.push_back({t, 0, 1e-4 * flat});
+    }
+    CHECK(semi_hertzian(patch, 1e11).two_lobes == (valley == 0));
+  }
+}
