@@ -80,7 +80,7 @@ def masked(line):
 
 
 def sites(only):
-    """Every place where a fault of each kind fits: {kind: [(file, line, start, end, new text)]}."""
+    """Every place where a fault of each kind fits: {kind: [(file, line, its text, start, end, new text)]}."""
     found = {kind: [] for kind in KINDS}
     files = sorted(p for part in ("lib", "tools") for e in ("*.cpp", "*.hpp") for p in (ROOT / part).rglob(e))
     for path in files:
@@ -98,7 +98,7 @@ def sites(only):
                 for m in re.finditer(pattern, code):
                     text = new(m)
                     if text != line[m.start():m.end()]:
-                        found[kind].append((path, number, m.start(), m.end(), text))
+                        found[kind].append((path, number, line, m.start(), m.end(), text))
     return {kind: places for kind, places in found.items() if places}
 
 
@@ -323,14 +323,15 @@ def main():
         turn += 1
         if not places[kind]:
             continue
-        path, number, start, end, text = places[kind].pop()
+        path, number, before, start, end, text = places[kind].pop()
         program, pattern = nearest(path)
         if program not in tree.link:
             untested += 1
             print(f"no tests  {path.relative_to(ROOT)}:{number + 1}", flush=True)
             continue
         lines = path.read_text().split("\n")
-        before = lines[number]
+        if number >= len(lines) or lines[number] != before:  # edited since
+            continue
         lines[number] = before[:start] + text + before[end:]
         change = f"  - {before.strip()}\n  + {lines[number].strip()}".rstrip()
         shutil.rmtree(tree.out / "tree", ignore_errors=True)
