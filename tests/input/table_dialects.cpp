@@ -54,6 +54,13 @@ TEST_CASE("input: commas, semicolons and tabs; decimal commas; headers in many s
   }
 }
 
+TEST_CASE("input: where header and row agree on no separator it is the header's own") {
+  const File f{"distance [m];profile [mm];note, short\n0.25;1\n"};
+  CHECK_THROWS_WITH(table::read_columns(f.path, track), Contains("2 cells; allowed: 3"));
+  const File g{"distance [m],profile [mm],note; short\n0.25,1\n"};
+  CHECK_THROWS_WITH(table::read_columns(g.path, track), Contains("2 cells; allowed: 3"));
+}
+
 TEST_CASE("input: units in headers") {
   const auto unit = [](const char* header) { return table::parse_column(header).unit_text; };
   const auto name = [](const char* header) { return table::parse_column(header).name; };
