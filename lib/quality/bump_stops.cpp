@@ -189,7 +189,12 @@ class Runner {
       const double rest = body_.gap - reached * after(t).x;
       return stop_ == 0 ? rest : -rest;
     };
-    const double t = before(from) > 0 ? num::find_root(before, from, to, 1e-15).x : from;
+    double t = from;
+    if (before(from) > 0) {
+      const auto root = num::find_root(before, from, to, 1e-15);
+      result_.complete &= root.converged || root.width < 1e-12 * to;  // rounding may end it there
+      t = root.x;
+    }
     if (t > 0) keep(t, after(t), free_.at(t));
     now_.x = reached * body_.gap;
     stop_ = stop_ == 0 ? reached : 0;

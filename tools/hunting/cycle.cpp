@@ -93,20 +93,22 @@ class Patience {
   Patience(const Patience&) = delete;
   Patience& operator=(const Patience&) = delete;
   bool left(const LimitCycle& p) {
+    ++points_;
     if (isatty(STDERR_FILENO) != 0)
-      fmt::print(stderr, "\r{:70}\r{:.5g}, {:.4g} mm, {} harmonics ", "", p.parameter,
-                 p.largest / millimetre, p.cycle.orders.back());
+      fmt::print(stderr, "\r{:70}\rpoint {}: {:.5g}, {:.4g} mm, {} harmonics ", "", points_,
+                 p.parameter, p.largest / millimetre, p.cycle.orders.back());
     over_ = watch_.seconds() > seconds_;
     return !over_;
   }
   bool over() const { return over_; }
   void clear() const {
-    if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r{:70}\r", "");
+    if (points_ > 0 && isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r{:70}\r", "");
   }
 
  private:
   double seconds_;
   num::Stopwatch watch_;
+  int points_ = 0;
   bool over_ = false;
 };
 
