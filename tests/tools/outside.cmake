@@ -48,6 +48,7 @@ add_test(NAME "tool: memory does not grow with the record" COMMAND ${here}/memor
 set_tests_properties("tool: memory does not grow with the record" PROPERTIES SKIP_RETURN_CODE 77 LABELS thorough)
 add_test(NAME "tool: psd classify reads files as recorders write them" COMMAND ${here}/files.sh ${bin})
 add_test(NAME "tool: hostile and clumsy inputs" COMMAND ${here}/hostile.sh ${bin} ${examples})
+set_tests_properties("tool: hostile and clumsy inputs" PROPERTIES TIMEOUT 300) # for one that waits: its processors' time is limited
 
 add_test(NAME "readme: its commands on data of one's own" COMMAND ${here}/readme.sh ${CMAKE_SOURCE_DIR} ${bin})
 

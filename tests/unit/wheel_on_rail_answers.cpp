@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "../support/rail_arc.hpp"
 #include "contact/hertz.hpp"
 #include "units/input_error.hpp"
 #include "wheel_on_rail/stress.hpp"
@@ -14,16 +15,13 @@
 
 using namespace railbook;
 using namespace railbook::wheel_on_rail;
+using tests::arc;
+using tests::middle;
 
 namespace {
 
-constexpr double middle = 0.75, speed = 20;
+constexpr double speed = 20;
 
-Profile::Piece arc(double low, double high, double centre, double radius, double top = 0) {
-  Profile::Piece p{middle + low, middle + high, {top + radius}};
-  p.sign = -1, p.centre = middle + centre, p.radius = radius;
-  return p;
-}
 // A cone on one crown of 0.3 m, or on two of 0.2 m that are 20 mm apart, the right one lower.
 Pair on_crown(double slope = 0) {
   return {Profile(std::vector{Profile::Piece{-0.05, 0.05, {0, slope}}}),

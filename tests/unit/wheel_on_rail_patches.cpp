@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "../support/rail_arc.hpp"
 #include "contact/hertz.hpp"
 #include "rolling/fastsim.hpp"
 #include "rolling/kalker_table.hpp"
@@ -15,17 +16,13 @@
 
 using namespace railbook;
 using namespace railbook::wheel_on_rail;
+using tests::arc;
+using tests::middle;
 
 namespace {
 
-constexpr double middle = 0.75, wheel_radius = 0.46;
+constexpr double wheel_radius = 0.46;
 
-// The part from `low` to `high` about `centre` of an arc of a radius whose top lies at `top`.
-Profile::Piece arc(double low, double high, double centre, double radius, double top = 0) {
-  Profile::Piece p{middle + low, middle + high, {top + radius}};
-  p.sign = -1, p.centre = middle + centre, p.radius = radius;
-  return p;
-}
 Profile::Piece tread(double from, double to, double slope = 0) {
   return {from, to, {0, slope}};
 }
