@@ -62,8 +62,8 @@ CycleBranch trace_from(const QuasiLinearCar& car, const CyclePoint& cycle, doubl
                        const BranchOptions& options);
 
 // All cycles of a branch with a given largest amplitude [m] or speed [m/s], each solved by Newton from the
-// nearest points, folds of speed among them; in order along the branch. One that does not converge is left out, and what turns twice
-// within one step of the branch is not seen.
+// nearest points, folds of speed among them; in order along the branch. One that does not converge is left out, what turns twice
+// within one step of the branch is not seen, and within 1e-11 of a fold's speed rounding decides whether there are two.
 std::vector<CyclePoint> cycles_at_amplitude(const QuasiLinearCar& car, const CycleBranch& branch,
                                             double amplitude);
 std::vector<CyclePoint> cycles_at_speed(const QuasiLinearCar& car, const CycleBranch& branch,
