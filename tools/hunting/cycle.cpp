@@ -316,7 +316,7 @@ void run(const Wish& wish) {
   if (hopf.empty())
     throw InputError(
         fmt::format("speeds from {:g} to {:g} m/s: the linear car has no critical "
-                    "speed there, and no branch begins",
+                    "speed there, and no branch begins; allowed: a range that holds one",
                     wish.lowest, wish.highest));
   units::require_between("family", static_cast<double>(wish.family), 1,
                          static_cast<double>(hopf.size()));
