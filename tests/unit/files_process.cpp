@@ -80,6 +80,7 @@ TEST_CASE("unit: a signal ends a process without a child, and no other one") {
   const TemporaryFolder at("alone");
   for (const int signal : {SIGINT, SIGHUP, SIGPIPE, SIGXCPU}) {
     const int status = apart(2, [&] {
+                         std::signal(signal, SIG_DFL);  // whatever nohup said
                          files::prepare_process();
                          const pid_t spared = sleeper();
                          { const files::DoomedChild for_a_while(spared); }
