@@ -86,6 +86,28 @@ TEST_CASE("property: turning or moving the bodies changes nothing but the frame"
   CHECK(shifted.x_p_max == Approx(0.2).margin(1e-4));
 }
 
+TEST_CASE("property: the ends of a roller are found wherever it lies along its axis") {
+  const auto roller = [](double x_mid, double y_mid) {
+    return solve_cg_fft(
+               [=](double x, double y) {
+                 const bool along = std::abs(x - x_mid) < 0.9, around = std::abs(y - y_mid) < 0.9;
+                 return along && around ? 0.5 * (y - y_mid) * (y - y_mid)
+                                        : std::numeric_limits<double>::infinity();
+               },
+               0.1, 1, cells(64, 64))
+        .contact;
+  };
+  const NormalContact middle = roller(0, 0);
+  CHECK(middle.x_max == Approx(0.9).epsilon(1e-9));
+  for (const auto& [x, y] : {std::pair{1.0, 0.0}, {-0.8, 0.1}, {0.4, -0.2}}) {
+    const NormalContact off = roller(x, y);
+    CHECK(off.x_min - x == Approx(middle.x_min).epsilon(1e-9));
+    CHECK(off.x_max - x == Approx(middle.x_max).epsilon(1e-9));
+    CHECK(off.force == Approx(middle.force).epsilon(1e-3));
+    CHECK(off.p_max == Approx(middle.p_max).epsilon(1e-3));
+  }
+}
+
 TEST_CASE("property: a given load and its approach are one problem") {
   const Gap gap = rail_wheel_gap({0.46, 0.33, 0.3, 0.3});
   const double modulus = 1.1e11;
