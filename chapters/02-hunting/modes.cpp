@@ -16,11 +16,11 @@ springs, trucks held, has {{body-frequency}}, *below* the 12 rad/s of the cycle;
 
 #include <fmt/format.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "num/dense_lu.hpp"
 #include "num/eigenvalues.hpp"
 #include "vehicles.hpp"
 
@@ -51,7 +51,7 @@ Held body_alone() {
   const std::array<int, 2> body{X_C, PHI_C};
   const Eigen::Matrix2d m = car.mass(body, body), k = car.suspension_stiffness(body, body),
                         c = car.suspension_damping(body, body);
-  const Eigen::VectorXcd squares = num::eigenvalues(m.inverse() * k);
+  const Eigen::VectorXcd squares = num::eigenvalues(num::solved(m, k));
   const double omega = std::sqrt(squares.real().minCoeff());
   return {omega, c(0, 0) / (2 * omega * m(0, 0))};
 }

@@ -1,12 +1,13 @@
 #include "contact/region.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
 #include <vector>
 
+#include "num/dense_lu.hpp"
+#include "num/product.hpp"
 #include "units/constants.hpp"
 
 namespace railbook::contact {
@@ -166,8 +167,8 @@ double extreme(const std::vector<double>& ends) {
     values[j + half] = ends[static_cast<std::size_t>(best + j)];
     if (values[j + half] < 0) return least;
   }
-  const Eigen::VectorXd c =
-      powers.transpose().lazyProduct(powers).ldlt().solve(powers.transpose() * values);
+  const Eigen::MatrixXd across = powers.transpose();
+  const Eigen::VectorXd c = num::solved(num::product(across, powers), across * values);
   const double noise = (powers * c - values).cwiseAbs().maxCoeff();
   if (!(c[2] > 0) || noise > 1) return least;  // a corner or a gap, not a smooth end
   return c[0] - c[1] * c[1] / (4 * c[2]);

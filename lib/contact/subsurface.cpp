@@ -8,6 +8,7 @@
 #include <complex>
 #include <vector>
 
+#include "num/eigenvalues.hpp"
 #include "num/fft.hpp"
 #include "units/constants.hpp"
 #include "units/input_error.hpp"
@@ -224,9 +225,8 @@ double narrower_semi_axis(const Grid& grid, const VectorXd& p) {
   }
   mean /= p.sum(), square /= p.sum();
   square.diagonal() += Eigen::Vector2d(grid.dx * grid.dx, grid.dy * grid.dy) / 12;
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> moments;
-  moments.computeDirect(square - mean * mean.transpose(), Eigen::EigenvaluesOnly);
-  return std::sqrt(5 * moments.eigenvalues()[0]);
+  square -= mean * mean.transpose();
+  return std::sqrt(5 * num::symmetric_eigenvalues(square)[0]);
 }
 
 // The vertex of a parabola through the highest value and its neighbours over the logarithm of the depth.

@@ -1,8 +1,9 @@
 #include "dynamics/cycle_equations.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 
+#include "num/dense_lu.hpp"
+#include "num/product.hpp"
 #include "units/constants.hpp"
 #include "units/input_error.hpp"
 
@@ -64,6 +65,18 @@ int samples_for(int highest, int wanted) {
   int n = 8;
   while (n < least) n *= 2;
   return n;
+}
+
+Eigen::MatrixXcd scalar_harmonics(const Eigen::MatrixXd& of_motion, const Eigen::MatrixXd& of_rate,
+                                  const Eigen::MatrixXcd& motion, const std::vector<int>& orders,
+                                  double omega) {
+  Eigen::MatrixXcd s(of_motion.rows(), motion.cols());
+  for (Index k = 0; k < s.cols(); ++k) {
+    const Complex p{0, orders[std::size_t(k)] * omega};
+    const Eigen::MatrixXcd rows = of_motion + p * of_rate;
+    s.col(k) = rows * motion.col(k);
+  }
+  return s;
 }
 
 Eigen::MatrixXd in_time(const Eigen::MatrixXcd& harmonics, const std::vector<int>& orders,
@@ -248,11 +261,12 @@ void CycleEquations::add_derivatives(const Eigen::MatrixXcd& z, double omega,
                          (mean * (slopes_(pair, plus) + std::conj(step) * next_(pair, plus)));
         }
     const Complex turning = i_unit * (orders_[l] * omega);
-    const Eigen::MatrixXcd s = of_motion_.cast<Complex>() + turning * of_rate_.cast<Complex>();
-    const Eigen::MatrixXcd x = low * s, y = high * s.conjugate();
-    const Eigen::VectorXcd rate =
-        i_unit * double(orders_[l]) * (of_rate_.cast<Complex>() * z.col(Index(l)));
-    by_omega += low * rate + high * rate.conjugate();
+    const Eigen::MatrixXcd s = of_motion_ + turning * of_rate_;
+    const Eigen::MatrixXcd x = num::product(low, s), y = num::product(high, s.conjugate());
+    const Eigen::MatrixXcd turned = of_rate_ * (i_unit * double(orders_[l]));
+    const Eigen::VectorXcd rate = turned * z.col(Index(l)), conjugate = rate.conjugate();
+    by_omega += low * rate;
+    by_omega += high * conjugate;
     for (Index to = 0; to < rows; ++to)
       for (Index from = 0; from < rows; ++from) {
         const Index row = at(to, k), column = at(from, l);
@@ -283,13 +297,9 @@ CycleEquations::Condensed CycleEquations::condense(double omega, const Eigen::Ve
   const Oscillator& o = *oscillator_;
   const Complex p{0, orders_[k] * omega};
   const Eigen::MatrixXd damping = o.damping + o.inverse_speed * o.damping_by_speed;
-  const Eigen::MatrixXcd all =
-      o.mass.cast<Complex>() * (p * p) + damping.cast<Complex>() * p + o.stiffness.cast<Complex>();
+  const Eigen::MatrixXcd all = o.mass * (p * p) + damping * p + o.stiffness;
   const Eigen::MatrixXcd forces = scalars_.forces.cast<Complex>();
-  const auto rates = [&](const Eigen::VectorXcd& q) -> Eigen::VectorXcd {
-    return i_unit * double(orders_[k]) *
-           (2.0 * p * (o.mass.cast<Complex>() * q) + damping.cast<Complex>() * q);
-  };
+  const Eigen::MatrixXcd by_omega = (o.mass * (2.0 * p) + damping) * (i_unit * double(orders_[k]));
   Condensed c;
   c.motion = Eigen::VectorXcd::Zero(o.coordinates());
   c.motion(active_) = z;
@@ -301,17 +311,19 @@ CycleEquations::Condensed CycleEquations::condense(double omega, const Eigen::Ve
                                   o.stiffness.diagonal().cwiseAbs();
   const Eigen::VectorXd size = largest(active_).cwiseMax(1e-300).cwiseInverse();
   if (passive_.empty()) {
-    c.by_omega = rates(c.motion);
+    c.by_omega = by_omega * c.motion;
   } else {
-    const Eigen::PartialPivLU<Eigen::MatrixXcd> lu{all(passive_, passive_)};
+    num::ComplexLu lu;
+    lu.factor(all(passive_, passive_));
     const Eigen::MatrixXcd across = all(active_, passive_), back = all(passive_, active_);
-    const Eigen::MatrixXcd moved = lu.solve(back),
-                           pushed = lu.solve(Eigen::MatrixXcd(forces(passive_, Eigen::all)));
+    const Eigen::MatrixXcd moved = lu.solve(back), pushed = lu.solve(forces(passive_, Eigen::all));
     c.motion(passive_) = pushed * laws_.col(Index(k)) - moved * z;
-    c.stiffness -= across * moved;
-    c.transfer -= across * pushed;
-    const Eigen::VectorXcd rate = rates(c.motion);
-    c.by_omega = rate(active_) - across * lu.solve(Eigen::VectorXcd(rate(passive_)));
+    c.stiffness -= num::product(across, moved);
+    c.transfer -= num::product(across, pushed);
+    const Eigen::VectorXcd rate = by_omega * c.motion;
+    Eigen::VectorXcd passive = rate(passive_);
+    lu.solve_in_place(passive);
+    c.by_omega = rate(active_) - across * passive;
   }
   c.stiffness = size.asDiagonal() * c.stiffness;
   c.transfer = size.asDiagonal() * c.transfer;
@@ -322,11 +334,7 @@ CycleEquations::Condensed CycleEquations::condense(double omega, const Eigen::Ve
 Eigen::VectorXd CycleEquations::evaluate(const Eigen::VectorXd& unknown, double omega,
                                          Eigen::MatrixXd* jacobian) {
   const Eigen::MatrixXcd z = harmonics(unknown);
-  Eigen::MatrixXcd s(of_motion_.rows(), z.cols());
-  for (std::size_t k = 0; k < orders_.size(); ++k)
-    s.col(Index(k)) = of_motion_.cast<Complex>() * z.col(Index(k)) +
-                      i_unit * (orders_[k] * omega) * (of_rate_.cast<Complex>() * z.col(Index(k)));
-  sample(s, jacobian != nullptr);
+  sample(scalar_harmonics(of_motion_, of_rate_, z, orders_, omega), jacobian != nullptr);
   if (jacobian) jacobian->setZero(size(), size() + 1);
   motion_.resize(oscillator_->coordinates(), z.cols());
   Eigen::VectorXd result = Eigen::VectorXd::Zero(size());

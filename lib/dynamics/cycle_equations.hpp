@@ -32,6 +32,11 @@ struct Scalars {
 struct SampledLaws {
   Eigen::MatrixXd values, slopes, next;
 };
+// Harmonics of scalars (inputs x orders) whose rows (inputs x n) times the motion and its rate they are, from those of the motion
+// (n x orders), whose frequencies are orders times omega.
+Eigen::MatrixXcd scalar_harmonics(const Eigen::MatrixXd& of_motion, const Eigen::MatrixXd& of_rate,
+                                  const Eigen::MatrixXcd& motion, const std::vector<int>& orders,
+                                  double omega);
 // Samples of scalars (samples x inputs) of which one period is given by harmonics (inputs x orders).
 Eigen::MatrixXd in_time(const Eigen::MatrixXcd& harmonics, const std::vector<int>& orders,
                         num::RealFft& fft);

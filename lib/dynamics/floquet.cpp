@@ -1,6 +1,5 @@
 #include "dynamics/floquet.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -9,6 +8,7 @@
 #include "dynamics/pieces.hpp"
 #include "num/dense_lu.hpp"
 #include "num/eigenvalues.hpp"
+#include "num/product.hpp"
 #include "units/constants.hpp"
 #include "units/input_error.hpp"
 
@@ -67,7 +67,7 @@ void find_multipliers(Orbit& orbit, const Eigen::MatrixXd& map) {
   orbit.multipliers.clear();
   for (const Complex m : orbit.map_multipliers)
     orbit.multipliers.push_back(orbit.symmetric ? m * m : m);
-  orbit.monodromy = orbit.symmetric ? Eigen::MatrixXd(map * map) : map;
+  orbit.monodromy = orbit.symmetric ? num::product(map, map) : map;
 }
 
 }  // namespace
@@ -197,13 +197,10 @@ namespace {
 // Coefficients P_0, P_1 ... of the slopes of all laws along a cycle, P(t) = sum_n P_n exp(i n w t): a row an output.
 Eigen::MatrixXcd slope_spectra(const Oscillator& o, const Scalars& scalars, const Cycle& cycle,
                                int samples) {
-  Eigen::MatrixXcd s(scalars.of_motion.rows(), cycle.motion.cols());
-  for (Index k = 0; k < s.cols(); ++k)
-    s.col(k) = (scalars.of_motion +
-                Complex{0, cycle.orders[std::size_t(k)] * cycle.omega} * scalars.of_rate) *
-               cycle.motion.col(k);
   num::RealFft fft{std::size_t(samples)};
-  const Eigen::MatrixXd x = in_time(s, cycle.orders, fft);
+  const Eigen::MatrixXd x = in_time(
+      scalar_harmonics(scalars.of_motion, scalars.of_rate, cycle.motion, cycle.orders, cycle.omega),
+      cycle.orders, fft);
   Eigen::MatrixXcd result(scalars.forces.cols(), samples / 2 + 1);
   for (std::size_t c = 0; c < o.channels.size(); ++c)
     for (Index m = 0; m < scalars.laws[c].outputs; ++m) {
@@ -241,7 +238,7 @@ HillExponent hill_exponent(const Oscillator& oscillator, const Cycle& cycle, Com
       const Complex p = lambda + Complex(0, (2 * i - highest) * cycle.omega);
       const Eigen::MatrixXcd dynamic = p * p * o.mass + p * damping + o.stiffness;
       const Eigen::MatrixXcd transfer =
-          (scalars.of_motion + p * scalars.of_rate) * num::solved(dynamic, forces);
+          num::product(scalars.of_motion + p * scalars.of_rate, num::solved(dynamic, forces));
       for (int l = 0; l < orders; ++l) {
         const Index n = 2 * Index(std::abs(i - l));
         for (Index from = 0; from < channels; ++from) {
@@ -258,10 +255,14 @@ HillExponent hill_exponent(const Oscillator& oscillator, const Cycle& cycle, Com
   Eigen::VectorXcd v = Eigen::VectorXcd::Ones(channels * orders), w = v;
   {
     const Eigen::MatrixXcd at_start = matrix(start);
-    const Eigen::PartialPivLU<Eigen::MatrixXcd> lu{at_start}, adjoint{at_start.adjoint()};
+    num::ComplexLu lu, adjoint;
+    lu.factor(at_start);
+    adjoint.factor(at_start.adjoint());
     for (int i = 0; i < 3; ++i) {
-      v = lu.solve(v).normalized().eval();
-      w = adjoint.solve(w).normalized().eval();
+      lu.solve_in_place(v);
+      adjoint.solve_in_place(w);
+      v.normalize();
+      w.normalize();
     }
   }
   const auto f = [&](Complex lambda) {

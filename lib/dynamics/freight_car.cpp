@@ -1,7 +1,6 @@
 #include "dynamics/freight_car.hpp"
 
-#include <Eigen/LU>
-
+#include "num/dense_lu.hpp"
 #include "units/input_error.hpp"
 
 namespace railbook::dynamics {
@@ -148,7 +147,8 @@ FreightCar assemble(const CarParameters& data, const Dampers& dampers) {
 
 CarAtSpeed at_speed(const FreightCar& car, double speed) {
   units::require_positive("speed", speed, "m/s");
-  const Eigen::PartialPivLU<Matrix9> mass{car.mass};
+  num::DenseLu mass;
+  mass.factor(car.mass);
   CarAtSpeed result;
   result.speed = speed;
   result.half_gauge = car.data.half_gauge;

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -70,15 +69,15 @@ MatrixXd pair_sums(const MatrixXd& a) {
 // digits to the others.
 std::optional<std::vector<double>> paired_speeds(const SpeedPencil& s, double low, double high) {
   const double shift = -1 / high;  // no car runs there, and no eigenvalue is expected there
-  const Eigen::PartialPivLU<MatrixXd> lu{pair_sums(s.at(shift))};
-  const Eigen::ArrayXd pivots = lu.matrixLU().diagonal().array().abs();
-  if (!(pivots.minCoeff() > least_pivot * pivots.maxCoeff())) return std::nullopt;
+  num::DenseLu lu;
+  lu.factor(pair_sums(s.at(shift)));
+  if (!(lu.least_pivot() > least_pivot)) return std::nullopt;
   // Pairs of motions that no creep damps have nothing but zeros in their columns, and no speed.
   const MatrixXd by_slowness = pair_sums(s.by_slowness);
   std::vector<Eigen::Index> damped;
   for (Eigen::Index k = 0; k < by_slowness.cols(); ++k)
     if (!by_slowness.col(k).isZero(0)) damped.push_back(k);
-  const MatrixXd pencil = MatrixXd(lu.solve(by_slowness(Eigen::all, damped)))(damped, Eigen::all);
+  const MatrixXd pencil = lu.solve(by_slowness(Eigen::all, damped))(damped, Eigen::all);
   std::vector<double> speeds;
   for (const Complex theta : num::eigenvalues(pencil)) {
     if (std::abs(theta) < 1e-12 * pencil.norm()) continue;

@@ -25,12 +25,9 @@ class Variation {
   Variation(const Oscillator& o, const Cycle& cycle, int samples)
       : oscillator_(o), scalars_(o), period_(2 * units::pi / cycle.omega) {
     num::RealFft fft{std::size_t(samples)};
-    Eigen::MatrixXcd s(scalars_.of_motion.rows(), cycle.motion.cols());
-    for (Index k = 0; k < s.cols(); ++k)
-      s.col(k) = scalars_.of_motion.cast<Complex>() * cycle.motion.col(k) +
-                 Complex{0, cycle.orders[std::size_t(k)] * cycle.omega} *
-                     (scalars_.of_rate.cast<Complex>() * cycle.motion.col(k));
-    samples_ = in_time(s, cycle.orders, fft);
+    samples_ = in_time(scalar_harmonics(scalars_.of_motion, scalars_.of_rate, cycle.motion,
+                                        cycle.orders, cycle.omega),
+                       cycle.orders, fft);
     laws_ = sample_laws(o, scalars_, samples_, true);
     const Index n = o.coordinates(), inputs = scalars_.of_motion.rows();
     stiffness_.setZero();
@@ -50,17 +47,22 @@ class Variation {
     constexpr double gamma = 0.29289321881345247560;  // 1 - 1/sqrt(2): L-stable of order 2
     constexpr double c = (1 - 2 * gamma) / gamma;
     const double h = period_ * double(stride) / double(samples_.rows()), g = gamma * h;
-    Columns q = Columns::Zero(), v = Columns::Zero(), q1, v1;
+    Columns q = Columns::Zero(), v = Columns::Zero(), q1, v1, force;
     q.leftCols<9>().setIdentity();
     v.rightCols<9>().setIdentity();
     Matrix9 stiffness, damping;
     for (Index j = 0; j < count; ++j) {
       matrices(j * stride, stride, stiffness, damping);
-      const Eigen::PartialPivLU<Matrix9> lu{Matrix9::Identity() + g * damping + g * g * stiffness};
+      const Matrix9 implicit = Matrix9::Identity() + g * damping + g * g * stiffness;
+      const Eigen::PartialPivLU<Matrix9> lu{implicit};
       // (1 - gamma h A)^-1 of both halves.
-      v1 = lu.solve(v - g * (stiffness * q));
+      force.noalias() = stiffness * q;
+      force = v - g * force;
+      v1 = lu.solve(force);
       q1 = q + g * v1;
-      v = lu.solve(v1 - g * (stiffness * q1));
+      force.noalias() = stiffness * q1;
+      force = v1 - g * force;
+      v = lu.solve(force);
       q = q1 + g * v;
       q = (1 + c) * q - c * q1;
       v = (1 + c) * v - c * v1;

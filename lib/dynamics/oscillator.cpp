@@ -1,9 +1,10 @@
 #include "dynamics/oscillator.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <string>
 
+#include "num/dense_lu.hpp"
+#include "num/eigenvalues.hpp"
+#include "num/product.hpp"
 #include "units/input_error.hpp"
 
 namespace railbook::dynamics {
@@ -41,6 +42,19 @@ Eigen::MatrixXd padded_matrix(const Eigen::MatrixXd& m, bool unit_beyond) {
   if (unit_beyond) result.setIdentity();
   result.topLeftCorner(n, n) = m;
   return result;
+}
+
+// A law's forces at s and, row by row, their slopes.
+struct Force {
+  Eigen::VectorXd value;
+  Eigen::MatrixXd slope;
+};
+Force force_and_slope(const std::function<void(const double*, double*, double*)>& law,
+                      const Eigen::VectorXd& s, Eigen::Index outputs) {
+  Force f{Eigen::VectorXd(outputs), Eigen::MatrixXd(s.size(), outputs)};
+  law(s.data(), f.value.data(), f.slope.data());
+  f.slope.transposeInPlace();
+  return f;
 }
 
 void require_shape(const Oscillator& o) {
@@ -103,27 +117,28 @@ Eigen::VectorXd rest(const Oscillator& o) {
       if (!c.of_rate) jacobian -= c.force * c.law.slopes().col(c.law.piece(s)) * c.row.transpose();
     }
     for (const Coupling& c : o.couplings) {
-      const Eigen::VectorXd s = c.of_motion * at;
-      Eigen::VectorXd f(c.outputs());
-      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> slope(f.size(),
-                                                                                   s.size());
-      c.law(s.data(), f.data(), slope.data());
-      left += c.force * f;
-      jacobian -= c.force * slope * c.of_motion;
+      const Force f = force_and_slope(c.law, c.of_motion * at, c.outputs());
+      left += c.force * f.value;
+      jacobian -= num::product(num::product(c.force, f.slope), c.of_motion);
     }
     return left;
   };
   Eigen::VectorXd left = forces(q);
   if (left.norm() == 0) return q;
+  num::DenseLu lu;
+  const auto newton = [&lu](Eigen::VectorXd b) {
+    lu.solve_in_place(b);
+    return b;
+  };
   for (int i = 0; i < 100; ++i) {
-    const Eigen::FullPivLU<Eigen::MatrixXd> lu{jacobian};
-    Eigen::VectorXd step = lu.solve(left);
-    if (!lu.isInvertible() || !step.allFinite()) break;
+    lu.factor(jacobian);
+    const Eigen::VectorXd step = newton(left);
+    if (lu.least_pivot() < 1e-15 * double(n) || !step.allFinite()) break;
     if (step.norm() < 1e-13 * (1e-3 + q.norm())) return q + step;
     // Shorter until the same matrix has a shorter step to go: kinks are passed so.
     double part = 1;
     for (int k = 0; k < 12; ++k, part *= 0.5)
-      if (lu.solve(forces(q + part * step)).norm() < (1 - 0.25 * part) * step.norm()) break;
+      if (newton(forces(q + part * step)).norm() < (1 - 0.25 * part) * step.norm()) break;
     q += part * step;
     left = forces(q);
   }
@@ -134,12 +149,14 @@ Eigen::VectorXd rest(const Oscillator& o) {
 
 Compiled compile(const Oscillator& o) {
   require_shape(o);
-  const Eigen::LLT<Eigen::MatrixXd> mass{padded_matrix(o.mass, true)};
-  if (mass.info() != Eigen::Success) throw InputError("mass matrix: not positive definite");
+  const Eigen::MatrixXd mass = padded_matrix(o.mass, true);
+  if (!mass.allFinite() || !(num::symmetric_eigenvalues(mass)[0] > 0))
+    throw InputError("mass matrix: not positive definite");
   const Eigen::Index n = o.coordinates();
   Compiled result;
-  result.linear << -mass.solve(padded_matrix(o.stiffness, false)),
-      -mass.solve(padded_matrix(o.damping + o.inverse_speed * o.damping_by_speed, false));
+  result.linear.leftCols<9>() = -num::solved(mass, padded_matrix(o.stiffness, false));
+  result.linear.rightCols<9>() =
+      -num::solved(mass, padded_matrix(o.damping + o.inverse_speed * o.damping_by_speed, false));
   for (const Channel& c : o.channels) {
     CompiledChannel out;
     out.row.setZero();
@@ -149,9 +166,9 @@ Compiled compile(const Oscillator& o) {
     out.limit = c.limit;
     Eigen::MatrixXd force = Eigen::MatrixXd::Zero(coordinates, c.force.cols());
     force.topRows(n) = c.force;
-    const Eigen::MatrixXd response = mass.solve(force);
-    out.slope = response * c.law.slopes();
-    out.constant = response * c.law.values().leftCols(c.law.pieces());
+    const Eigen::MatrixXd response = num::solved(mass, force);
+    out.slope = num::product(response, c.law.slopes());
+    out.constant = num::product(response, c.law.values().leftCols(c.law.pieces()));
     for (Eigen::Index i = 0; i < c.law.pieces(); ++i)
       out.constant.col(i) -= c.law.knots()[i] * out.slope.col(i);
     result.channels.push_back(std::move(out));
@@ -163,7 +180,7 @@ Compiled compile(const Oscillator& o) {
     out.rows.middleCols(coordinates, n) = c.of_rate + o.inverse_speed * c.of_rate_by_speed;
     Eigen::MatrixXd force = Eigen::MatrixXd::Zero(coordinates, c.outputs());
     force.topRows(n) = c.force;
-    out.response = mass.solve(force);
+    out.response = num::solved(mass, force);
     out.law = c.law;
     result.couplings.push_back(std::move(out));
   }
@@ -194,12 +211,8 @@ void Compiled::jacobian(const State& y, StateMatrix& J) const {
     J.block<9, 9>(9, c.of_rate ? 9 : 0) +=
         c.slope.col(c.law.piece(scalar(c, y))) * c.row.transpose();
   for (const CompiledCoupling& c : couplings) {
-    const Eigen::VectorXd s = c.rows * y;
-    Eigen::VectorXd f(c.response.cols());
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> slope(f.size(),
-                                                                                 s.size());
-    c.law(s.data(), f.data(), slope.data());
-    J.bottomRows<9>() += c.response * slope * c.rows;
+    const Force f = force_and_slope(c.law, c.rows * y, c.response.cols());
+    J.bottomRows<9>() += num::product(num::product(c.response, f.slope), c.rows);
   }
 }
 

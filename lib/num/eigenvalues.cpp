@@ -1,45 +1,81 @@
 #include "num/eigenvalues.hpp"
 
-#include <Eigen/Eigenvalues>
+#include <gsl/gsl_eigen.h>
+
+#include <algorithm>
+#include <memory>
 #include <stdexcept>
+
+#include "num/gsl.hpp"
 
 namespace railbook::num {
 
 namespace {
 
-template <class Solver>
-const Solver& converged(const Solver& solver) {
-  if (solver.info() != Eigen::Success) throw std::runtime_error{"eigenvalues do not converge"};
-  return solver;
-}
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-// Eigen's iterations may not see a NaN: those of a triangular matrix end before they begin.
-const Eigen::Ref<const Eigen::MatrixXd>& finite(const Eigen::Ref<const Eigen::MatrixXd>& matrix) {
+// A copy, which GSL works in; its iterations may not see a NaN.
+RowMajor finite(const Eigen::Ref<const Eigen::MatrixXd>& matrix) {
   if (!matrix.allFinite()) throw std::runtime_error{"eigenvalues of a matrix that is not finite"};
   return matrix;
 }
 
+gsl_matrix_view view(RowMajor& a) {
+  return gsl_matrix_view_array(a.data(), std::size_t(a.rows()), std::size_t(a.cols()));
+}
+
+// GSL's complex numbers are two doubles, as ours.
+template <class Complexes>
+double* doubles(Complexes& z) {
+  return reinterpret_cast<double*>(z.data());
+}
+
+void require_converged(int status) {
+  if (status != GSL_SUCCESS) throw std::runtime_error{"eigenvalues do not converge"};
+}
+
 }  // namespace
 
-// Eigen's shifts may go round in circles, above all next to a cluster of zeros. The same coordinates in the opposite order take
-// another way to the same eigenvalues.
 Eigen::VectorXcd eigenvalues(const Eigen::Ref<const Eigen::MatrixXd>& matrix) {
-  Eigen::EigenSolver<Eigen::MatrixXd> solver{finite(matrix), false};
-  if (solver.info() != Eigen::Success) solver.compute(matrix.reverse(), false);
-  return converged(solver).eigenvalues();
+  use_gsl_status_codes();
+  RowMajor a = finite(matrix);
+  const auto n = std::size_t(a.rows());
+  const std::unique_ptr<gsl_eigen_nonsymm_workspace, decltype(&gsl_eigen_nonsymm_free)> space{
+      gsl_eigen_nonsymm_alloc(n), gsl_eigen_nonsymm_free};
+  Eigen::VectorXcd values(a.rows());
+  gsl_matrix_view in = view(a);
+  gsl_vector_complex_view out = gsl_vector_complex_view_array(doubles(values), n);
+  require_converged(gsl_eigen_nonsymm(&in.matrix, &out.vector, space.get()));
+  return values;
 }
 
 Eigenpairs eigenpairs(const Eigen::Ref<const Eigen::MatrixXd>& matrix) {
-  Eigen::EigenSolver<Eigen::MatrixXd> solver{finite(matrix)};
-  if (solver.info() == Eigen::Success) return {solver.eigenvalues(), solver.eigenvectors()};
-  solver.compute(matrix.reverse());
-  return {converged(solver).eigenvalues(), solver.eigenvectors().colwise().reverse()};
+  use_gsl_status_codes();
+  RowMajor a = finite(matrix);
+  const auto n = std::size_t(a.rows());
+  const std::unique_ptr<gsl_eigen_nonsymmv_workspace, decltype(&gsl_eigen_nonsymmv_free)> space{
+      gsl_eigen_nonsymmv_alloc(n), gsl_eigen_nonsymmv_free};
+  Eigenpairs pairs{Eigen::VectorXcd(a.rows()), Eigen::MatrixXcd(a.rows(), a.rows())};
+  gsl_matrix_view in = view(a);
+  gsl_vector_complex_view values = gsl_vector_complex_view_array(doubles(pairs.values), n);
+  gsl_matrix_complex_view rows = gsl_matrix_complex_view_array(doubles(pairs.vectors), n, n);
+  require_converged(gsl_eigen_nonsymmv(&in.matrix, &values.vector, &rows.matrix, space.get()));
+  pairs.vectors.transposeInPlace();  // GSL's matrices stand row by row
+  return pairs;
 }
 
 Eigen::VectorXd symmetric_eigenvalues(const Eigen::Ref<const Eigen::MatrixXd>& matrix) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver{finite(matrix),
-                                                              Eigen::EigenvaluesOnly};
-  return converged(solver).eigenvalues();
+  use_gsl_status_codes();
+  RowMajor a = finite(matrix);
+  const auto n = std::size_t(a.rows());
+  const std::unique_ptr<gsl_eigen_symm_workspace, decltype(&gsl_eigen_symm_free)> space{
+      gsl_eigen_symm_alloc(n), gsl_eigen_symm_free};
+  Eigen::VectorXd values(a.rows());
+  gsl_matrix_view in = view(a);
+  gsl_vector_view out = gsl_vector_view_array(values.data(), n);
+  require_converged(gsl_eigen_symm(&in.matrix, &out.vector, space.get()));
+  std::sort(values.begin(), values.end());
+  return values;
 }
 
 }  // namespace railbook::num

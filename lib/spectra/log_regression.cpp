@@ -1,6 +1,5 @@
 #include "spectra/log_regression.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -8,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "num/dense_lu.hpp"
 #include "units/input_error.hpp"
 
 namespace railbook::spectra {
@@ -172,7 +172,7 @@ LogFit fit_with_noise(const LogPoints& points, const LogFit& start, double low, 
       normal.matrix(i, i) *= 1 + damping;
       if (!(normal.matrix(i, i) > 0)) normal.matrix(i, i) = 1;
     }
-    const Eigen::Vector3d step = normal.matrix.ldlt().solve(normal.right).cwiseMax(-2).cwiseMin(2);
+    const Eigen::Vector3d step = num::solved(normal.matrix, normal.right).cwiseMax(-2).cwiseMin(2);
     LogFit next = fit;
     next.log_A += step[0];
     if (has_corner)

@@ -12,6 +12,7 @@
 #include "num/gmres.hpp"
 #include "num/log_spaced.hpp"
 #include "num/parallel.hpp"
+#include "num/product.hpp"
 #include "num/quadrature.hpp"
 #include "num/radau5.hpp"
 #include "num/random_source.hpp"
@@ -148,8 +149,8 @@ TEST_CASE("claim: roots and integrals") {
 }
 
 TEST_CASE("claim: linear systems") {
-  Claim banded("num::BandedCholesky"), lu("num::DenseLu"), krylov("num::gmres"),
-      solved("num::solved");
+  Claim banded("num::BandedCholesky"), lu("num::LuFactors"), krylov("num::gmres"),
+      solved("num::solved"), product("num::product");
   Draw draw(3), parts(31);
   for (int k = 0; k < 1000; ++k) {
     const Eigen::Index n = 2 + k % 19, m = k % std::min<Eigen::Index>(n, 5);
@@ -180,6 +181,26 @@ TEST_CASE("claim: linear systems") {
     right << b, c;
     solved.error(backward_error(twice, parts_of_z, right));
     solved.error(backward_error(full, num::solved(full, b).col(0), b));
+    num::ComplexLu complex_factors;
+    complex_factors.factor(full + i * imaginary);
+    Eigen::VectorXcd in_place = b + i * c;
+    complex_factors.solve_in_place(in_place);
+    CHECK(in_place == z);
+    CHECK(complex_factors.solve(b + i * c) == z);
+
+    const Eigen::MatrixXd other = random_matrix(parts, n, m + 1);
+    const LongMatrix exact = full.cast<Long>() * other.cast<Long>(),
+                     of_imaginary = imaginary.cast<Long>() * other.cast<Long>();
+    const LongMatrix size = full.cwiseAbs().cast<Long>() * other.cwiseAbs().cast<Long>() +
+                            imaginary.cwiseAbs().cast<Long>() * other.cwiseAbs().cast<Long>();
+    const Eigen::MatrixXcd turned = num::product(full + i * imaginary, other * i);
+    product.error(double(((num::product(full, other).cast<Long>() - exact).array() / size.array())
+                             .abs()
+                             .maxCoeff()));
+    product.error(
+        double(((turned.imag().cast<Long>() - exact).array() / size.array()).abs().maxCoeff()));
+    product.error(double(
+        ((turned.real().cast<Long>() + of_imaginary).array() / size.array()).abs().maxCoeff()));
 
     // What it says of its residual, beside the residual; scaled rows, the diagonal for a preconditioner.
     const Eigen::MatrixXd near = full + 3 * Eigen::MatrixXd::Identity(n, n);
@@ -200,11 +221,25 @@ TEST_CASE("claim: determinant's sign and a singular matrix") {
   CHECK(factors.sign() == -1);
   factors.factor(Eigen::Matrix2d{{2, 1}, {1, 1}});
   CHECK(factors.sign() == 1);
+  CHECK(factors.least_pivot() == 0.25);  // 2 and 1/2
   factors.factor(Eigen::Matrix2d{{1, 2}, {2, 4}});
   CHECK(factors.sign() == 0);
+  CHECK(factors.least_pivot() == 0);
+  factors.factor(Eigen::Matrix2d::Zero());
+  CHECK(factors.least_pivot() == 0);
   Eigen::VectorXd x = Eigen::Vector2d{1, 1};
   factors.solve_in_place(x);
   CHECK(x.hasNaN());
+
+  num::ComplexLu complex_factors;
+  const std::complex<double> i{0, 1};
+  complex_factors.factor(Eigen::Matrix2cd{{3.0 * i, 0}, {0, 4}});
+  CHECK(complex_factors.least_pivot() == 0.75);
+  complex_factors.factor(Eigen::Matrix2cd{{i, 1}, {-1, i}});
+  CHECK(complex_factors.least_pivot() == 0);
+  Eigen::VectorXcd z = Eigen::Vector2cd{1, 1};
+  complex_factors.solve_in_place(z);
+  CHECK(std::isnan(z[0].real()));
 }
 
 TEST_CASE("claim: eigenvalues of normal matrices") {

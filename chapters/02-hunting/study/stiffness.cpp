@@ -3,7 +3,7 @@
 
 Two things make the car stiff. Creep damps with $1/V$: at 0.1 ft/s its fastest motion dies in {{decay-time}}, while it hunts with a period of minutes. And dry friction, viscous below a
 sticking rate, damps with one over that rate. {{stiffness}} shows what each integrator needs to bring half a second of a slow car, and a quarter of a second of the car with friction at 90 ft/s, to
-within 1e-4 of the largest coordinate: the cost at the largest tolerance, in decades from 1e-2 down, that does. Exact pieces have no tolerance. The reference is exact pieces to 1e-13; the implicit method at 1e-10
+within 1e-4 of the largest coordinate: the cost at the largest tolerance, in decades from 1e-2 down, that does. Exact pieces have no tolerance. The reference is exact pieces to 1e-13; the implicit method at 1e-8
 is off by {{stiff-reference}} from it at 1 ft/s.
 
 {{stiffness}}
@@ -120,8 +120,8 @@ void stiff(report::Item& item) {
   item.value("speed-answer", compare(item, "", slow, "ft/s"));
   item.value("sticking-answer", compare(item, "sticking", sticking, "m/s"));
   const double apart =
-      error_of(slow[2].run(Integrator::radau5, 1e-10), slow[2].run(Integrator::pieces, 1e-13));
-  item.at_most("reference", "exact pieces against the implicit method at 1e-10, 1 ft/s", "", apart,
+      error_of(slow[2].run(Integrator::radau5, 1e-8), slow[2].run(Integrator::pieces, 1e-13));
+  item.at_most("reference", "exact pieces against the implicit method at 1e-8, 1 ft/s", "", apart,
                allowed / 100, "a hundredth of the error compared");
   StateMatrix jacobian;
   compile(slow[0].car).jacobian(State::Zero(), jacobian);
