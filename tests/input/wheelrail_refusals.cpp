@@ -1,6 +1,9 @@
 // Profiles, placements and tables that cannot be.
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 #include <limits>
+#include <string>
 
 #include "../support/sampled_curve.hpp"
 #include "units/constants.hpp"
@@ -21,6 +24,9 @@ std::vector<Point> level(int n, double step) {
   std::vector<Point> points;
   for (int i = 0; i < n; ++i) points.push_back({step * i, 0});
   return points;
+}
+std::string millimetres(const Point& p) {
+  return fmt::format("{:.6g} mm", p.u / units::millimetre);
 }
 }  // namespace
 
@@ -45,8 +51,10 @@ TEST_CASE("Measured points that are no profile are refused") {
   points[5].z = not_a_number;
   CHECK_THROWS_WITH(measured_curve(points, 0), Contains("not finite"));
   points = level(20, 0.005);
-  points[7].u = points[6].u;
-  CHECK_THROWS_WITH(measured_curve(points, 0), Contains("do not go on"));
+  points[7].u = points[6].u - 1e-3;
+  CHECK_THROWS_WITH(measured_curve(points, 0),
+                    Contains("do not go on: " + millimetres(points[6]) + " and then " +
+                             millimetres(points[7]) + " across"));
   CHECK_THROWS_AS(measured_curve(level(20, 0.005), -1e-6), InputError);
   CHECK_THROWS_AS(measured_curve(level(20, 0.005), not_a_number), InputError);
   CHECK_THROWS_WITH(measured_curve(sampled(cn_pair().wheel(), 2e-3), 1),

@@ -159,6 +159,9 @@ TEST_CASE("claim: an empty contact, and a budget of memory") {
   CHECK(none.reason == empty_contact_reason);
   CHECK(none.approach == -1e-6);
   CHECK(none.force == 0);
+  CHECK(none.p_max == 0);
+  CHECK(none.area == 0);
+  CHECK(none.p.size() == 0);
   // At least the pressures, the displacements and a padded transform, twice as many cells each way.
   CHECK(memory_needed(100, 50) > 8.0 * (2 + 4) * 100 * 50);
   CHECK(memory_needed(200, 100) > 3 * memory_needed(100, 50));

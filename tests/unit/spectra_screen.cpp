@@ -72,6 +72,16 @@ const std::vector<std::size_t> places{0, 1, 77, 8191, 8192, 16383, 20000, 39998,
 
 }  // namespace
 
+TEST_CASE(
+    "unit: a gauge that moved by a quantum and stood is not said to be stuck wherever it did") {
+  for (const std::size_t at : {5000, 8191, 8192, 8193, 16384}) {
+    std::vector<double> z(80000, 0.0);  // longer than all it looks at at once
+    z[1] = 1e-3;
+    shift(z, at, z.size(), 1e-3);
+    CHECK(Direct(z).out == z);
+  }
+}
+
 TEST_CASE("unit: a clean track passes the screen unchanged") {
   const auto s = screen(track());
   CHECK(s.faults.empty());
