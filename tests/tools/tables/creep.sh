@@ -65,6 +65,8 @@ grep -q '"nodes": "1 axis ratios x 2 x 2 x 3 spins"' one.json || fail "one ratio
 for cells in 4 8; do answers full$cells table --ratios 2 --longitudinal 2 --lateral 2 --spin 3 --points 10 --cells $cells; done
 grep -q '"coarse"' full4.json || fail "4 cells are not too coarse: $(v full4 theory_error_rms)"
 grep -q '"range"' full4.json && fail "a doubt of the full theory"
+answers coarse curve --a 6mm --b 20mm --load 80kN --points 3 --cells 4 --spin 1rad/m
+grep -q ',"the cells are too coarse: error estimate above 0.1 mu N' coarse/curve.csv || fail "rows of 4 cells are not too coarse"
 awk -v l="$(v full8 theory_error_largest)" -v r="$(v full8 theory_error_rms)" -v m="$(v full8 theory_error_moment_rms)" 'BEGIN {exit !(r > 0 && r < l && m > 0)}' || fail "the theory's own error"
 # What sticks is a share, of no sign, from all at rest to nothing in sliding.
 for theory in full fastsim fastrip shen-hedrick-elkins polach vermeulen-johnson; do
