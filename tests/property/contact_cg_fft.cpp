@@ -152,8 +152,8 @@ TEST_CASE("property: the dense matrix and the FFT solve one discrete problem") {
   CHECK(dense.x_min == Approx(fft.ends.x_min).epsilon(1e-6));
 }
 
-TEST_CASE(
-    "property: the stated errors hold for Hertz's contacts of any slenderness and direction") {
+TEST_CASE("property: the stated errors hold for Hertz's contacts of any slenderness and direction",
+          "[thorough]") {
   for (const double ratio : {1.0, 4.0, 25.0, 128.0, 289.0, 652.0, 1e4, 1e6})
     for (const double angle : {0.0, 0.3, units::pi / 4})
       for (const bool swapped : {false, true})

@@ -160,7 +160,8 @@ TEST_CASE("geometry car: an accelerometer that clips is found", "[health]") {
   }
 }
 
-TEST_CASE("geometry car: each sensor's faults are found, and no good row is wrong", "[health]") {
+TEST_CASE("geometry car: each sensor's faults are found, and no good row is wrong",
+          "[health][thorough]") {
   for (const bool typical : {true, false}) {
     const Journey clean = ride(60 * mph, typical);
     expect(clean, "clean, but for one value", "lateral",

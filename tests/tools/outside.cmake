@@ -51,6 +51,7 @@ add_test(NAME "tool: hostile and clumsy inputs" COMMAND ${here}/hostile.sh ${bin
 set_tests_properties("tool: hostile and clumsy inputs" PROPERTIES TIMEOUT 300) # for one that waits: its processors' time is limited
 
 add_test(NAME "readme: its commands on data of one's own" COMMAND ${here}/readme.sh ${CMAKE_SOURCE_DIR} ${bin})
+set_tests_properties("readme: its commands on data of one's own" PROPERTIES LABELS long)
 
 # What cannot be drawn is left out of a figure: a curve of one point, a sensor that gave nothing.
 add_test(NAME "tool: creep curve of one point" COMMAND railbook creep curve --a 6mm --b 4mm --load 80kN --points 1
