@@ -108,3 +108,12 @@ TEST_CASE("extreme: an iteration that is cut short says how far it got") {
   CHECK(c.reason.find("still moves") != std::string::npos);
   CHECK(c.force > 0);
 }
+
+TEST_CASE("extreme: of a region not found yet only what presses is listed") {
+  CountactOptions options = square(9);
+  options.most_iterations = 1;
+  const NormalContact first = countact_2(example_1, 4e-4, modulus, options).contact;
+  CHECK_FALSE(first.converged);
+  CHECK(first.p.minCoeff() > 0);
+  CHECK(first.p.size() < 81);  // the region the method starts from is too large
+}

@@ -200,7 +200,7 @@ tool::Row row_of_section(const MeasuresWish& wish, const Measured& m, std::size_
   row.add("samples", static_cast<double>(first.samples));
   row.add("missing", static_cast<double>(first.missing));
   Deviations banded, plain;
-  int fra = ms::fra_classes;
+  double fra = std::nan("");  // where no chord could be read
   for (const Channel& channel : m.channels) {
     const Kind kind = channel.column().kind;
     for (const Kept& kept : channel.kept()) {
@@ -223,14 +223,18 @@ tool::Row row_of_section(const MeasuresWish& wish, const Measured& m, std::size_
       row.add(key("largest"), sd ? (low ? s.lowest : s.highest) / unit : std::nan(""));
       row.add(name + "_largest_at_m", sd ? (low ? s.lowest_at : s.highest_at) : std::nan(""));
       if (kept.name == "chord" && sd)
-        fra =
-            std::min(fra, ms::fra_class(kind == Kind::level ? ms::fra::profile : ms::fra::alinement,
-                                        s.largest()));
+        fra = std::fmin(fra,
+                        ms::fra_class(kind == Kind::level ? ms::fra::profile : ms::fra::alinement,
+                                      s.largest()));
     }
   }
-  if (const auto combined = banded.combined()) row.add("combined_sd_mm", *combined / mm);
-  if (const auto tqi = plain.tqi()) row.add("tqi_mm", *tqi / mm);
-  row.add("fra_class", static_cast<double>(fra));
+  // The same columns in each section, also where something is missing.
+  const bool all = !wish.alignment.empty() && !wish.gauge.empty() && !wish.crosslevel.empty();
+  const double nothing = std::nan("");
+  if (all) row.add("combined_sd_mm", banded.combined().value_or(nothing) / mm);
+  if (all && wish.record.columns.size() == 2 && wish.alignment.size() == 2)
+    row.add("tqi_mm", plain.tqi().value_or(nothing) / mm);
+  row.add("fra_class", fra);
   return row;
 }
 

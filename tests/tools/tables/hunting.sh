@@ -73,6 +73,14 @@ awk -v m="$(v cycle hopf_m_per_s)" -v f="$(sed -n 's/.*"hopf_m_per_s": "\([0-9.]
 answers cone geometry $cones
 means cone 'u = 34; for (k = 0; k < 60; ++k) u = 33 + ((14 - u ^ 2 / 600) / 3) ^ 0.5; l = 717.5 + u - 15; is("contact_mm", l, 1e-5); d = 0.05; is("delta_rad", atan2(d, 1), 1e-6); is("radius_mm", 450); is("slope_R", d * (l + 300 * d) / (l - 450 * d), 1e-4)
   is("slope_Phi", 752 * d / (l - 450 * d), 1e-5); is("slope_D", 0, 1e-3); is("conicity_at_1_mm", d * (l + 300 * d) / (l - 450 * d), 1e-4); is("jumps", 0); is("wheel_rms_mm", 0); is("rail_rms_mm", 0); says("pair", "^cone.csv on head.csv")'
+# A wheel with ripples of 1 mm touches from ripple to ripple: the summary names twelve such jumps, the file all.
+awk -F, '/^[#i]/ {print; next} {printf "%.3f,%.4f\n", $1, $2 + ($1 < 10) * 0.02 * sin(6.2831853 * $1)}' new-wheel.csv >rippled.csv
+draws rippled geometry --wheel rippled.csv --rail worn-rail.csv --noise 0mm --end 8mm --step 0.05mm
+awk -F, 'NR > 1 && NR <= 13 {print $1}' rippled/jumps.csv >first
+sed -n 's/.*"jump_[0-9]*_mm": \([-0-9][-0-9.e]*\).*/\1/p' rippled.json >named
+near "all jumps of a rippled wheel" "$(v rippled jumps)" $(($(wc -l <rippled/jumps.csv) - 1)) 0
+[ "$(wc -l <rippled/jumps.csv)" -gt 14 ] && paste first named | awk '{d = $1 - $2; n += d < 1e-3 && d > -1e-3} END {exit !(NR == 12 && n == 12)}' ||
+  fail "jumps of a rippled wheel: $(paste first named)"
 # Of two unlike radii the wheelset rests where both sides roll alike, towards the smaller wheel.
 for radius in 450.1:1 449.9:-1; do
   # shellcheck disable=SC2086 # options
