@@ -32,7 +32,12 @@ void IndexSums::add(double p, double threshold) {
 QualityIndex IndexSums::index(double spacing, double threshold) const {
   QualityIndex result{.samples = samples, .missing = missing, .largest = largest, .above = above};
   const auto n = static_cast<double>(samples - missing);
-  if (n == 0) return result;
+  if (n == 0) {
+    for (double* value : {&result.mean, &result.deviation, &result.rms, &result.largest,
+                          &result.margin, &result.above_per_km, &result.exceedances_per_km})
+      *value = std::numeric_limits<double>::quiet_NaN();
+    return result;
+  }
   result.mean = magnitude / n;
   result.rms = std::sqrt(square / n);
   result.deviation = std::sqrt(std::max(0.0, square / n - result.mean * result.mean));

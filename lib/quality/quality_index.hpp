@@ -19,7 +19,7 @@ struct Exceedance {
   double clear = 0;       // m from the peak to the nearest end or gap
 };
 
-// Statistics of the magnitude |p| of the descriptor.
+// Statistics of the magnitude |p| of the descriptor; NaN where no sample is present.
 struct QualityIndex {
   std::size_t samples = 0, missing = 0;
   double mean = 0, deviation = 0;  // of |p|

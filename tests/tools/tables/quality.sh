@@ -165,6 +165,8 @@ awk -F, 'NR == 1 {print; next} {OFS = ","; if ($1 >= 400 && $1 < 600 && !($1 > 5
 answers holes measures holes.csv --column left,right --alignment aleft,aright --gauge gauge --crosslevel cant
 holds "measures with holes" holes/measures.csv '{near($c["tqi_mm"] != "nan", rows != 3 && rows != 4, 0); near($c["cant_sd_mm"] > 0, 1, 0); near($c["twist_sd_mm_per_m"] != "nan", rows != 3, 0)
   near($c["combined_sd_mm"] != "nan", rows != 4, 0); near($c["fra_class"] == "nan", rows == 4, 0); near($c["fra_class"] == 5, rows != 4, 0); near($c["gauge_sd_mm"] / (0.8 / 2 ^ 0.5), 1, 1e-3)} END {near(rows, 5, 0)}'
+answers gone index holes.csv --column left --speed 100km/h --segment 200m
+holds "an index of nothing" gone/segments.csv '{n = $c["samples"] == $c["missing"]; near($c["class"] == "missing", n, 0); for (key in c) if (key ~ /^(mean|deviation|rms|largest|above_per_km)$/) near($c[key] == "nan", n, 0)} n {++none} END {near(none, 1, 0)}'
 # The largest value is of its own sign, where it is.
 awk -F, 'NR == 1 {print "distance_m,left_mm"; next} {print $1 "," 7 * exp(-(($1 - 500) / 2) ^ 2) - 9 * exp(-(($1 - 300) / 2) ^ 2) + 0.01 * sin($1 ^ 2)}' sines.csv >lone.csv
 answers lone measures lone.csv --column left --section 200m --fra-class 5
