@@ -62,8 +62,10 @@ TEST_CASE("input: beam models that make no sense") {
   CHECK_THROWS_WITH(solve_beam(model, {}), Contains("element length"));
   model.x(2) = 2;
   CHECK_THROWS_WITH(solve_beam(model, {{3, 1.0}}), Contains("load at node 3"));
-  model.joints = {{0, hinge}};
-  CHECK_THROWS_WITH(solve_beam(model, {}), Contains("joint at node 0"));
+  for (const Eigen::Index end : {Eigen::Index{0}, model.x.size() - 1}) {
+    model.joints = {{end, hinge}};
+    CHECK_THROWS_WITH(solve_beam(model, {}), Contains("joint at node " + std::to_string(end)));
+  }
   model.joints = {};
   model.spring = Eigen::VectorXd{{1.0}};
   CHECK_THROWS_WITH(solve_beam(model, {}), Contains("springs"));
