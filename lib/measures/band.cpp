@@ -50,6 +50,11 @@ quality::FilterTaps band_taps(const Band& band, int passes, double spacing) {
   return result;
 }
 
+std::size_t band_margin(const Band& band, double spacing) {
+  return static_cast<std::size_t>(
+      std::ceil(band.longest / units::require_positive("spacing", spacing, "m")));
+}
+
 namespace {
 
 // Lagrange's weights of the four samples from one before `t`, 0 <= t < 1, on.

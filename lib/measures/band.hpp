@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string_view>
 
 #include "quality/descriptor_filter.hpp"
@@ -25,6 +26,10 @@ double band_gain(const Band& band, int passes, double phi);
 // The filter with that gain, to 1e-2 of the gain in the band, without gain at zero. Throws InputError when the shortest wavelength is
 // below two spacings, or when the band asks for more than 10^6 samples or fewer than 8.
 quality::FilterTaps band_taps(const Band& band, int passes, double spacing);
+
+// How near to an end or a gap a band is told, in samples: its longest wavelength. There the track beyond, which nobody knows, may
+// still change a wave of the band by a tenth of its amplitude in D1, a fifth in D2 and three tenths in D3. `spacing` > 0, m.
+std::size_t band_margin(const Band& band, double spacing);
 
 // The mid-chord offset as a filter, gain 1 - cos(pi chord phi); ends of the chord between samples are read by a cubic, which costs up to
 // 3/128 (2 pi phi spacing)^4. Throws InputError when the chord is shorter than four spacings or longer than 10^6.

@@ -6,6 +6,7 @@
 #include "measures/alignment.hpp"
 #include "measures/band.hpp"
 #include "measures/fra_limits.hpp"
+#include "measures/inner_filter.hpp"
 #include "units/constants.hpp"
 
 using namespace railbook;
@@ -59,6 +60,47 @@ TEST_CASE("claim: filters of chords") {
     Long mean = 1;
     for (int m = 1; m <= 4; ++m) mean += 2 * std::cos(long_pi * m * Long{chord} * phi / 2);
     uniformity.error(room(gain(uniformity_taps(chord, spacing), phi), one * (1 - mean / 9)));
+  }
+}
+
+TEST_CASE("claim: filters where they have their track") {
+  Claim margin("measures::band_margin"), inner("measures::InnerFilter");
+  Draw draw(84);
+  for (int k = 0; k < 1000; ++k) {
+    const Band band{"drawn", 1, draw.decades(1.1, 100)};
+    const double spacing = draw.decades(0.01, 0.5);
+    const auto samples = static_cast<double>(band_margin(band, spacing));
+    margin.error(samples * spacing >= band.longest && (samples - 1) * spacing < band.longest ? 0
+                                                                                             : 1);
+    const quality::FilterTaps taps = chord_taps(draw.decades(2, 20), 0.5);
+    const auto reach = static_cast<std::ptrdiff_t>(taps.half.size()) - 1;
+    const auto keep = static_cast<std::ptrdiff_t>(draw(0, 1.01) * static_cast<double>(reach));
+    const auto n = static_cast<std::ptrdiff_t>(draw(1, 400));
+    std::vector<double> record(static_cast<std::size_t>(n));
+    double chance = 0;  // of a gap to go on, or to begin
+    for (double& z : record) {
+      z = draw(0, 1) < chance ? std::nan("") : draw(-1, 1);
+      chance = std::isnan(z) ? 0.7 : 0.01;
+    }
+    std::vector<double> found;
+    InnerFilter filter(taps, static_cast<std::size_t>(keep), [&](std::span<const double> p) {
+      found.insert(found.end(), p.begin(), p.end());
+    });
+    const auto half = static_cast<std::size_t>(n / 2);
+    filter.push(std::span{record}.first(half));
+    filter.push(std::span{record}.subspan(half));
+    filter.finish();
+    const auto all = quality::filter(taps, record);
+    for (std::ptrdiff_t i = 0; i < n; ++i) {
+      bool whole = true;
+      for (std::ptrdiff_t j = i - keep; j <= i + keep; ++j)
+        whole = whole && j >= 0 && j < n && !std::isnan(record[static_cast<std::size_t>(j)]);
+      const double is = found.at(static_cast<std::size_t>(i));
+      if (whole)
+        inner.error(std::abs(is - all[static_cast<std::size_t>(i)]));
+      else
+        inner.error(std::isnan(is) ? 0 : 1);
+    }
   }
 }
 

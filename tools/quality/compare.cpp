@@ -6,7 +6,7 @@ Two runs over one line, and what has grown between them:
 
 Both runs are brought to the grid of the first and filtered to the band D1; windows of 200 m of the first are looked for within 20 m of their place in the second, by correlation, and the
 offsets found are joined by straight lines (recorders count differently). For each section of the first run there are the standard deviations of both runs, the growth from one to the other, and how well the
-runs agree. Deviations are those of the samples that both runs have; where these are less than half of a section, or no window was found, there is no growth. The filtered runs are set aside on disk (in TMPDIR, 8 bytes a sample), so that the memory does not grow with them.
+runs agree. Deviations are those of the samples that both runs have, 25 m and more from an end or a gap; where these are less than half of a section, or no window was found, there is no growth. The filtered runs are set aside on disk (in TMPDIR, 8 bytes a sample), so that the memory does not grow with them.
 */
 #include <fmt/format.h>
 
@@ -21,6 +21,7 @@ runs agree. Deviations are those of the samples that both runs have; where these
 #include "files/spool.hpp"
 #include "measures/alignment.hpp"
 #include "measures/band.hpp"
+#include "measures/inner_filter.hpp"
 #include "measures/sections.hpp"
 #include "record_options.hpp"
 #include "table/csv.hpp"
@@ -49,12 +50,14 @@ struct CompareWish {
 class Run {
  public:
   Run(const CompareWish& wish, const std::filesystem::path& file) {
-    std::optional<quality::FilterStream> filter;
+    std::optional<ms::InnerFilter> filter;
     const auto keep = [&](std::span<const double> p) { samples_.append(p); };
     record_ = spectra::read_record(
         tools::record_file(wish.record, file),
         [&](std::span<const double> piece, const spectra::RecordStream& record) {
-          if (!filter) filter.emplace(ms::band_taps(ms::bands[1], 2, record.spacing()), keep);
+          if (!filter)
+            filter.emplace(ms::band_taps(ms::bands[1], 2, record.spacing()),
+                           ms::band_margin(ms::bands[1], record.spacing()), keep);
           filter->push(piece);
         });
     filter->finish();

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <utility>
 
 #include "measures/band.hpp"
@@ -23,14 +22,10 @@ FraWatch::FraWatch(std::string column, bool alinement, int track_class,
     : column_(std::move(column)) {
   const auto place = [&record](std::size_t i) { return record.places().at(i); };
   const auto watch = [&](double chord, double limit, const quality::FilterTaps& taps) {
-    const std::size_t n = watched_.size();
-    watched_.push_back({.chord = fmt::format("{:g}", chord / units::foot),
-                        .exceptions = ms::Exceptions{limit, place},
-                        .filter = quality::FilterStream{taps,
-                                                        [this, n](std::span<const double> p) {
-                                                          judge(watched_[n], p);
-                                                        }},
-                        .reach = taps.half.size() - 1});
+    ms::Exceptions& exceptions = exceptions_.emplace_back(limit, place);
+    chords_.push_back(fmt::format("{:g}", chord / units::foot));
+    filters_.emplace_back(taps, taps.half.size() - 1,
+                          [&exceptions](std::span<const double> p) { exceptions.push(p); });
   };
   if (track_class <= ms::fra_classes) {
     const ms::FraLimit& limit = alinement ? ms::fra::alinement : ms::fra::profile;
@@ -44,36 +39,16 @@ FraWatch::FraWatch(std::string column, bool alinement, int track_class,
 }
 
 void FraWatch::push(std::span<const double> piece) {
-  for (const double value : piece) {
-    if (std::isnan(value)) {
-      if (gaps_.empty() || gaps_.back().end != samples_) gaps_.push_back({samples_, samples_});
-      ++gaps_.back().end;
-    }
-    ++samples_;
-  }
-  for (Watched& w : watched_) w.filter.push(piece);
+  for (ms::InnerFilter& filter : filters_) filter.push(piece);
 }
 
 void FraWatch::finish() {
-  gaps_.push_back({samples_, samples_ + 1});
-  for (Watched& w : watched_) w.filter.finish();
-}
-
-// An offset comes when the samples within its reach are known, and the gaps among them.
-void FraWatch::judge(Watched& w, std::span<const double> offsets) {
-  judged_.assign(offsets.begin(), offsets.end());
-  for (double& offset : judged_) {
-    const std::size_t at = w.at++;
-    while (w.gap < gaps_.size() && gaps_[w.gap].end + w.reach <= at) ++w.gap;
-    const bool cut = w.gap < gaps_.size() && gaps_[w.gap].begin <= at + w.reach;
-    if (at < w.reach || cut) offset = std::nan("");
-  }
-  w.exceptions.push(judged_);
+  for (ms::InnerFilter& filter : filters_) filter.finish();
 }
 
 std::size_t FraWatch::count() const {
   std::size_t n = 0;
-  for (const Watched& w : watched_) n += w.exceptions.all().size();
+  for (const ms::Exceptions& e : exceptions_) n += e.all().size();
   return n;
 }
 
@@ -83,12 +58,12 @@ std::string FraWatch::header() {
 
 std::string FraWatch::rows() const {
   std::string text;
-  for (const Watched& w : watched_)
-    for (const ms::Exception& e : w.exceptions.all())
-      text += fmt::format("{},{},{},{},{},{},{}\n", table::csv_cell(column_), w.chord,
+  for (std::size_t i = 0; i < exceptions_.size(); ++i)
+    for (const ms::Exception& e : exceptions_[i].all())
+      text += fmt::format("{},{},{},{},{},{},{}\n", table::csv_cell(column_), chords_[i],
                           table::csv_number(e.from), table::csv_number(e.to),
                           table::csv_number(e.largest / mm), table::csv_number(e.at),
-                          table::csv_number(w.exceptions.limit() / mm));
+                          table::csv_number(exceptions_[i].limit() / mm));
   return text;
 }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "measures/exceptions.hpp"
-#include "quality/descriptor_filter.hpp"
+#include "measures/inner_filter.hpp"
 #include "spectra/record.hpp"
 
 namespace railbook::quality_tool {
@@ -26,22 +26,10 @@ class FraWatch {
   std::string rows() const;  // of a table
 
  private:
-  struct Gap {
-    std::size_t begin = 0, end = 0;  // samples
-  };
-  struct Watched {
-    std::string chord;
-    measures::Exceptions exceptions;
-    quality::FilterStream filter;
-    std::size_t reach = 0, at = 0, gap = 0;  // at: samples judged; gap: the next that matters
-  };
-  void judge(Watched& w, std::span<const double> offsets);
-
   std::string column_;
-  std::vector<Gap> gaps_;  // the record's end too, once known
-  std::size_t samples_ = 0;
-  std::vector<double> judged_;
-  std::deque<Watched> watched_;
+  std::vector<std::string> chords_;  // each with its exceptions, and the filter that finds them
+  std::deque<measures::Exceptions> exceptions_;
+  std::deque<measures::InnerFilter> filters_;
 };
 
 }  // namespace railbook::quality_tool

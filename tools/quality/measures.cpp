@@ -6,8 +6,8 @@ The measures that networks keep of a record of track geometry, for each section 
 
 standard deviation and largest value of longitudinal level and alignment in the bands of EN 13848 (D1 and D2; `--bands` names others) with the place of the largest, the standard deviations of gauge, cross level
 and twist, the combined standard deviation (weights 1), China's index where all seven parameters are there, and what a 62-ft chord reads with the highest FRA class (1 to 5) that allows it; `--chords 31ft 124ft` adds what other chords read. `--fra-class 4` lists every place where
-profile or alinement leaves the limit of that class (exceptions.csv), except where a chord reaches over an end or a gap: classes 1 to 5 by the 62-ft chord, classes 6 to 9 alinement only, by its deviation from uniformity on chords of 31, 62
-and 124 ft. The band-pass has four poles an edge and no phase; it counts as run forward and backward (half the gain at the edges), `--passes 1` takes the root of that. Limits and class
+profile or alinement leaves the limit of that class (exceptions.csv): classes 1 to 5 by the 62-ft chord, classes 6 to 9 alinement only, by its deviation from uniformity on chords of 31, 62
+and 124 ft. Nothing is said where a chord reaches over an end of the record or a gap, nor of a band nearer to one than its longest wave. The band-pass has four poles an edge and no phase; it counts as run forward and backward (half the gain at the edges), `--passes 1` takes the root of that. Limits and class
 tables that could not be checked in two sources are left out: the classes A to E of EN 13848-6, the limits for action of EN 13848-5, the surface of FRA
 classes 6 to 9.
 */
@@ -24,6 +24,7 @@ classes 6 to 9.
 
 #include "measures/band.hpp"
 #include "measures/fra_limits.hpp"
+#include "measures/inner_filter.hpp"
 #include "measures/sections.hpp"
 #include "quality/deviations.hpp"
 #include "quality/exceptions.hpp"
@@ -83,7 +84,7 @@ std::vector<ms::Band> bands_of(const MeasuresWish& wish) {
 struct Kept {
   std::string name;  // "D1"; empty for the channel as it is
   ms::Sections sections;
-  std::optional<quality::FilterStream> filter;
+  std::unique_ptr<ms::InnerFilter> filter;
 };
 
 // A column on its way: each sample goes to all that is kept of it.
@@ -128,18 +129,24 @@ class Channel {
     const auto keep = [&](const std::string& name) -> Kept& {
       return kept_.emplace_back(Kept{name, ms::Sections{wish_.section, place}, {}});
     };
-    const auto filter = [&](const std::string& name, const quality::FilterTaps& taps) {
+    const auto filter = [&](const std::string& name, const quality::FilterTaps& taps,
+                            std::size_t margin) {
       Kept& kept = keep(name);
-      kept.filter.emplace(taps, [&kept](std::span<const double> p) { kept.sections.push(p); });
+      kept.filter = std::make_unique<ms::InnerFilter>(
+          taps, margin, [&kept](std::span<const double> p) { kept.sections.push(p); });
+    };
+    const auto chord = [&](const std::string& name, double length) {
+      const quality::FilterTaps taps = ms::chord_taps(length, record.spacing());
+      filter(name, taps, taps.half.size() - 1);
     };
     keep("");
     if (column_.kind == Kind::level || column_.kind == Kind::alignment) {
       for (const ms::Band& band : bands_of(wish_))
         filter(std::string{band.name},
-               ms::band_taps(band, static_cast<int>(wish_.passes), record.spacing()));
-      filter("chord", ms::chord_taps(ms::fra::profile.chord, record.spacing()));
-      for (const double chord : wish_.chords)
-        filter(name_of_chord(chord), ms::chord_taps(chord, record.spacing()));
+               ms::band_taps(band, static_cast<int>(wish_.passes), record.spacing()),
+               ms::band_margin(band, record.spacing()));
+      chord("chord", ms::fra::profile.chord);
+      for (const double length : wish_.chords) chord(name_of_chord(length), length);
       if (wish_.fra_class > 0)
         watch_.emplace(column_.name, column_.kind == Kind::alignment,
                        static_cast<int>(wish_.fra_class), record);
