@@ -18,35 +18,18 @@ struct Mode {
   double area = 0;
 };
 
-// For small T, by its Taylor series: the closed form of the area cancels there.
-Mode mode_series(double s, double p, double T) {
-  Mode mode;
-  double before = 0, term = T;  // of T^n, n = 0 and 1
-  for (int n = 1; n < 20; ++n) {
-    mode.q += term;
-    mode.area += p * term * T / (n + 1);
-    const double next = -(2 * s * T * n * term + p * T * T * before) / (n * (n + 1.0));
-    before = term;
-    term = next;
-  }
-  return mode;
-}
-
+// For small T the area cancels, as the output does that is divided by it.
 Mode mode_at(double s, double p, double T) {
-  if (2 * std::abs(s) * T + p * T * T < 1) return mode_series(s, p, T);
-  const double split = p - s * s;
-  if (std::abs(split) < 1e-14 * p) {
-    const double e = std::exp(-s * T);
-    return {T * e, 1 - e * (1 + s * T)};
+  const double split = p - s * s, w = std::sqrt(std::abs(split));
+  if (split < 0 && w * T > 1) {
+    const double slow = std::exp(-(s - w) * T), fast = std::exp(-(s + w) * T);
+    const double q = (slow - fast) / (2 * w);
+    return {q, 1 - (slow + fast) / 2 - s * q};
   }
-  const double w = std::sqrt(std::abs(split));
-  if (split > 0) {
-    const double e = std::exp(-s * T), sine = std::sin(w * T) / w;
-    return {e * sine, 1 - e * (std::cos(w * T) + s * sine)};
-  }
-  const double slow = std::exp(-(s - w) * T), fast = std::exp(-(s + w) * T);
-  const double q = (slow - fast) / (2 * w);
-  return {q, 1 - (slow + fast) / 2 - s * q};
+  const double e = std::exp(-s * T), turn = w * T;
+  const double sine = turn == 0 ? T : (split > 0 ? std::sin(turn) : std::sinh(turn)) / w;
+  const double cosine = split > 0 ? std::cos(turn) : std::cosh(turn);
+  return {e * sine, 1 - e * (cosine + s * sine)};
 }
 
 // y_{k+1} - alpha y_k + beta y_{k-1} takes both modes out; `area` is the weight of a constant in it.
