@@ -67,3 +67,20 @@ TEST_CASE("property: a force table refuses axes it cannot have") {
   CHECK_THROWS_AS(ForceTable({.longitudinal = 1}, she), InputError);
   CHECK_THROWS_AS(ForceTable({.longitudinal = 1000, .lateral = 1000}, she), InputError);
 }
+
+TEST_CASE("property: the interpolation error is a distance, whichever side the table is on") {
+  const auto constant = [](double moment) {
+    return ShareTheory{[moment](double) {
+      return ShareFunction{[moment](const Creepage&) { return ForceShares{0.3, -0.4, moment}; }};
+    }};
+  };
+  const ForceTable nothing({.ratios = 2, .longitudinal = 3, .lateral = 3, .spin = 3},
+                           [](double) { return [](const Creepage&) { return ForceShares{}; }; });
+  for (const double moment : {0.2, -0.2}) {
+    const InterpolationError e = nothing.error(constant(moment), 100);
+    CHECK(e.largest_force == Approx(0.5).epsilon(1e-14));
+    CHECK(e.rms_force == Approx(0.5).epsilon(1e-14));
+    CHECK(e.largest_moment == Approx(0.2).epsilon(1e-14));
+    CHECK(e.rms_moment == Approx(0.2).epsilon(1e-14));
+  }
+}
