@@ -6,5 +6,6 @@ set ylabel "standard deviation in D1, mm"
 set yrange [0:*]
 set tmargin 3.5
 set key above horizontal
-plot ARG1 using (0.5e-3*(column("from_m")+column("to_m"))):"before_mm" with steps lt 2 title "first run", \
-     ARG1 using (0.5e-3*(column("from_m")+column("to_m"))):"after_mm" with steps lt 3 title "second run"
+km(name) = 1e-3 * column(name)
+plot ARG1 using (km("from_m")):"before_mm":(km("to_m") - km("from_m")):(0) with vectors nohead lt 1 title "first run", \
+     ARG1 using (km("from_m")):"after_mm":(km("to_m") - km("from_m")):(0) with vectors nohead lt 2 title "second run"
