@@ -17,8 +17,9 @@ const ImpactModel model{
 const RectifiedSine rail{0.5 * units::inch, 39 * units::foot};
 constexpr std::array times{0.00142, 0.01, 0.03};
 
-ForcesAt run(ImpactMethod method, double tolerance, long most = 2000000) {
+ForcesAt run(ImpactMethod method, double tolerance, long most = 2000000, bool restart = true) {
   ImpactOptions options;
+  options.restart = restart;
   options.start = -0.5;
   options.tolerance = tolerance;
   options.most_steps = most;
@@ -50,6 +51,18 @@ TEST_CASE("unit: six integrators of three families agree on the forces over a jo
     for (std::size_t i = 0; i < times.size(); ++i)
       CHECK(forces.force[i] == Approx(reference.force[i]).epsilon(1e-6));
     CHECK(forces.evaluations > 100);
+  }
+}
+
+TEST_CASE("unit: without a restart the integrators step across the joint, to the same forces") {
+  for (const ImpactMethod method :
+       {ImpactMethod::rk8pd, ImpactMethod::msbdf, ImpactMethod::radau5}) {
+    INFO(static_cast<int>(method));
+    const ForcesAt anew = run(method, 1e-10), across = run(method, 1e-10, 2000000, false);
+    REQUIRE(across.complete);
+    CHECK(across.evaluations != anew.evaluations);
+    for (std::size_t i = 0; i < times.size(); ++i)
+      CHECK(across.force[i] == Approx(anew.force[i]).epsilon(1e-6));
   }
 }
 
