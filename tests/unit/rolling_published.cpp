@@ -44,20 +44,26 @@ Pixels pressed(const contact::HertzContact& h, double modulus, Eigen::Index n) {
 
 }  // namespace
 
-TEST_CASE("unit: all of Kalker's printed coefficients are within 1.25 % of the computed ones") {
-  // J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, 1990, Table E3.
+TEST_CASE("unit: Kalker's printed coefficients are within 0.8 % of the computed ones") {
+  // But for the most slender contacts. J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, 1990, Table E3. He computed as well as one could, so that
+  // his error goes smoothly along a column: an entry off by more than its neighbours is a slip of the pen, his or ours.
   int entries = 0, off = 0;
   for (const double nu : {0.0, 0.25, 0.5})
-    for (int k = 1; k <= 19; ++k) {
-      const double ratio = k <= 10 ? k / 10.0 : 10.0 / (20 - k);
-      const KalkerCoefficients printed = kalker_table(ratio, nu);
-      const ComputedCoefficients computed = kalker_coefficients(ratio, nu);
-      CHECK(computed.c32 == Approx(computed.c23).epsilon(1e-10));
-      for (const auto member : coefficients) {
+    for (const auto member : coefficients) {
+      std::vector<double> error;
+      for (int k = 1; k <= 19; ++k) {
+        const double ratio = k <= 10 ? k / 10.0 : 10.0 / (20 - k);
         INFO("a/b " << ratio << ", nu " << nu);
-        CHECK(printed.*member == Approx(computed.*member).epsilon(0.0125));
+        const ComputedCoefficients computed = kalker_coefficients(ratio, nu);
+        CHECK(computed.c32 == Approx(computed.c23).epsilon(1e-10));
+        error.push_back(kalker_table(ratio, nu).*member / (computed.*member) - 1);
+        CHECK(std::abs(error.back()) < (k == 1 || k == 19 ? 0.0125 : 0.008));
         ++entries;
-        off += std::abs(printed.*member / (computed.*member) - 1) > 0.005;
+        off += std::abs(error.back()) > 0.005;
+      }
+      for (std::size_t k = 1; k + 1 < error.size(); ++k) {
+        INFO("row " << k << ", nu " << nu);
+        CHECK(std::abs(error[k] - (error[k - 1] + error[k + 1]) / 2) < 0.007);
       }
     }
   CHECK(entries == 228);
