@@ -1,6 +1,7 @@
 // What any answer must be: Hertz's where Hertz holds, alike in the mirror, within friction, and bearing its load.
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <utility>
 
 #include "contact/hertz.hpp"
 #include "wheel_on_rail/wheel.hpp"
@@ -75,30 +76,33 @@ TEST_CASE("property: left and right are mirror images, and forces keep to fricti
 TEST_CASE(
     "property: by strips a load is borne, or said to lie in a jump that the full theory does not "
     "have") {
+  // The frames of the depth at which areas merge bear most of the loads in between.
   const Pair pair = s1002_on_60e1(1.0 / 40);
-  int jumps = 0;
-  for (int k = -160; k < 160; ++k) {
-    WheelWish wish = wish_for(Method::strips);
-    wish.load = 1e5;
-    wish.friction.coefficient = 0;
-    const Pose pose{.y = 5e-5 * k};
-    const WheelResult found = solve_wheel(pair, pose, wish);
-    INFO("y " << pose.y << ' ' << found.reason);
-    if (found.converged) {
-      CHECK(found.force.z() == Approx(wish.load).epsilon(2e-5));
-      continue;
+  for (const auto& [load, most] : {std::pair{1e5, 2}, {2e5, 3}}) {
+    int jumps = 0;
+    for (int k = -160; k < 160; ++k) {
+      WheelWish wish = wish_for(Method::strips);
+      wish.load = load;
+      wish.friction.coefficient = 0;
+      const Pose pose{.y = 5e-5 * k};
+      const WheelResult found = solve_wheel(pair, pose, wish);
+      INFO("y " << pose.y << ", load " << load << ' ' << found.reason);
+      if (found.converged) {
+        CHECK(found.force.z() == Approx(wish.load).epsilon(2e-5));
+        continue;
+      }
+      ++jumps;
+      CHECK_THAT(found.reason, Catch::Matchers::StartsWith("verge of a second contact"));
+      CHECK(found.patches.empty());
+      wish.method = Method::full;
+      wish.along = wish.across = 20;
+      const WheelResult full = solve_wheel(pair, pose, wish);
+      CHECK(full.converged);
+      CHECK(full.force.z() == Approx(wish.load).epsilon(2e-3));
     }
-    ++jumps;
-    CHECK_THAT(found.reason, Catch::Matchers::StartsWith("verge of a second contact"));
-    CHECK(found.patches.empty());
-    wish.method = Method::full;
-    wish.along = wish.across = 20;
-    const WheelResult full = solve_wheel(pair, pose, wish);
-    CHECK(full.converged);
-    CHECK(full.force.z() == Approx(wish.load).epsilon(2e-3));
+    CHECK(jumps >= 1);
+    CHECK(jumps <= most);
   }
-  CHECK(jumps >= 1);
-  CHECK(jumps <= 5);
 }
 
 TEST_CASE("property: pressures are the half-space's on any grid, and finer grids change little") {
