@@ -8,7 +8,7 @@ The descriptor of a record of your own, at the posted speed and for your car:
 The record is a CSV file with a column of positions and one of heights, units in their headers (`distance_m,profile_mm`). It is read once, in constant memory. Empty cells and `nan` are gaps: those of up to 1 m are bridged (`--bridge` says otherwise), others divide the record. Codes for lost samples, outliers, stuck sensors and steps of the datum are found, taken out
 as gaps and told above the answer as doubtful, and so are a spacing that changes (places stay true to a sample) and heights in another unit than said. The answer names each place where the magnitude of the descriptor passes `--threshold`, the paper's $T_2$, with the
 wavelength there, twice the distance of the neighbouring zeros, and the limit that counts at that wavelength. Places within a resonant wavelength of an end or of a gap are marked: there the filter had to guess.
-For the planner the record is cut at multiples of `--segment`, each piece with an index of its own and a class: *accept* below $T_1$ (`--accept`), *repair* above $T_2$, *watch* between them, and *unsure* where it passes $T_2$ only where the filter had to guess. The
+For the planner the record is cut at multiples of `--segment`, each piece with an index of its own and a class: *accept* below $T_1$ (`--accept`), *repair* above $T_2$, *watch* between them, *unsure* where it passes $T_2$ only where the filter had to guess, and *missing* where half of it and more was not measured and the rest does not pass $T_2$. The
 paper prints no thresholds; ours are 0.5 and 1. With `--out` come the channel, the list of places, the segments, the histogram, a figure, and the index as JSON.
 */
 #include <fmt/format.h>

@@ -37,7 +37,8 @@ struct Class {
   const char* name = "";
 };
 
-// accept below T_1, repair above T_2, unsure where T_2 is passed only near an end or a gap.
+// accept below T_1, repair above T_2, unsure where T_2 is passed only near an end or a gap; what has hardly been measured cannot be
+// accepted.
 std::vector<Class> classes(const IndexAnswer& a) {
   std::vector<Class> result;
   const std::vector<spectra::FaultyStretch>& faults = a.record.faults();
@@ -57,10 +58,10 @@ std::vector<Class> classes(const IndexAnswer& a) {
       sure = (place != a.found.begin() && !std::prev(place)->unsure) ||
              (place != a.found.end() && !place->unsure);
     Class c{&s};
-    c.name = s.sums.missing == s.sums.samples ? "missing"
-             : above                          ? (sure ? "repair" : "unsure")
-             : s.sums.largest > a.wish.accept ? "watch"
-                                              : "accept";
+    c.name = above                                  ? (sure ? "repair" : "unsure")
+             : 2 * s.sums.missing >= s.sums.samples ? "missing"
+             : s.sums.largest > a.wish.accept       ? "watch"
+                                                    : "accept";
     const std::size_t end = first + s.sums.samples;
     while (fault != faults.end() && fault->first + fault->count <= first) ++fault;
     for (auto f = fault; f != faults.end() && f->first < end; ++f)
@@ -84,6 +85,7 @@ void add_segments(tool::Summary& s, const IndexAnswer& a) {
   add("watch", fmt::format("beyond {:g}", a.wish.accept));
   add("repair", fmt::format("beyond {:g}", a.wish.threshold));
   add("unsure", "beyond it near an end or a gap only");
+  add("missing", "half of it and more was not measured");
 }
 
 void add_worst(tool::Summary& s, std::vector<Place> found) {
