@@ -90,8 +90,8 @@ endfunction()
 
 # railbook_chapter(NN-NAME [NEEDS libraries of lib/])
 # The chapter program NAME in build/bin; a need that is not named is a link error.
-# ctest runs it (every check must pass) and compares the figures with the golden set (tests/figures); under the label
-# "thorough", again, without pictures, with other mathematics.
+# ctest runs it (every check must pass), or takes what `make reproduce` has left, and compares the figures with the golden
+# set (tests/figures); under the label "thorough", again, without pictures, with other mathematics.
 function(railbook_chapter chapter)
   cmake_parse_arguments(arg "" "" "NEEDS;USES" ${ARGN})
   string(REGEX REPLACE "^[0-9]+-" "" name ${chapter})
@@ -114,8 +114,8 @@ function(railbook_chapter chapter)
   if(NOT RAILBOOK_TESTS)
     return()
   endif()
-  add_test(NAME "chapter: ${chapter} reproduces" COMMAND ${name} reproduce --no-timings
-           --out ${CMAKE_BINARY_DIR}/ctest/${chapter})
+  add_test(NAME "chapter: ${chapter} reproduces" COMMAND ${CMAKE_SOURCE_DIR}/tests/tools/chapter.sh ${CMAKE_BINARY_DIR} ${chapter}
+           WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
   set_tests_properties("chapter: ${chapter} reproduces" PROPERTIES FIXTURES_SETUP ${chapter})
   if(NOT EXISTS ${CMAKE_SOURCE_DIR}/figures/${chapter})
     return() # none accepted yet; tests/meta does not let a chapter stay so

@@ -3,11 +3,22 @@
 # Fails if any of them did, but runs them all. All chapters are begun at once and take turns: JOBS of them work, and who
 # measures time waits until the others have no work (lib/report/turn.hpp). What a chapter was run with and what it left
 # stands in BUILD/results/NN-name.stamp.
+#   reproduce.sh --copy BUILD LEVEL CHAPTER TO    what such a run has left, if nothing has changed since; status 1 otherwise
 set -u
 # A chapter's own process: the program, what it reads, and what it writes.
 inputs() { echo "$level"; find "chapters/$1" lib -type f ! -name '*.?pp' ! -name CMakeLists.txt | LC_ALL=C sort | xargs cat "$build/bin/${1#*-}"; }
-outputs() { find "$build/results/$1" "$build/results/$1.json" "$build/results/$1.txt" "$build/figures/$1" -printf '%p %s %T@\n' 2> /dev/null | LC_ALL=C sort; }
+files() { echo "results/$1 results/$1.json results/$1.txt results/$1.files figures/$1"; }
+outputs() { (cd "$build" && find $(files "$1") -printf '%p %s %T@\n' 2> /dev/null) | LC_ALL=C sort; }
 stamp() { inputs "$1" | sha256sum; outputs "$1" | sha256sum; }
+stands() { [ -f "$build/results/$1.stamp" ] && stamp "$1" | cmp -s - "$build/results/$1.stamp"; }
+if [ "$1" = --copy ]; then
+  build=$2 level=$3 chapter=$4 to=$5
+  stands "$chapter" || exit 1
+  for file in $(files "$chapter"); do
+    mkdir -p "$to/${file%/*}" && rm -rf "${to:?}/$file" && cp -R "$build/$file" "$to/$file" || exit
+  done
+  exit 0
+fi
 if [ "$1" = --chapter ]; then
   build=$2 level=$3 chapter=$4
   rm -f "$build/results/$chapter.stamp"
@@ -29,7 +40,7 @@ RAILBOOK_TURNS=$(cd "$build/turns" && pwd)
 export RAILBOOK_TURNS
 due=
 for chapter in "$@"; do
-  stamp "$chapter" | cmp -s - "$build/results/$chapter.stamp" || due="$due $chapter"
+  stands "$chapter" || due="$due $chapter"
 done
 if [ -n "$due" ]; then
   chapters=$(echo "$due" | wc -w) items=$(for chapter in $due; do "$build/bin/${chapter#*-}" list; done | wc -l)

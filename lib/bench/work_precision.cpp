@@ -122,6 +122,10 @@ Line line_through(const Points& points, const std::string& method,
   return line;
 }
 
+void differs_by_machine(report::Data& data, const char* column) {
+  data.holds_to(column, 0, units::no_limit, "times of this machine");
+}
+
 // The panel's frame: the axes, and a line of the expected slope a little below each method that has one.
 void frame(report::Item& item, const Points& points, const std::vector<Method>& methods,
            const Axes& axes, double report::WorkPrecision::*across) {
@@ -139,6 +143,8 @@ void frame(report::Item& item, const Points& points, const std::vector<Method>& 
              fmt::format("expected {:.2g}; found {:.2g}", m.slope, line.slope));
   }
   data.holds_to("*", 0.9, 1e-12, "errors near rounding move the lines; work may differ by a step");
+  if (across == &report::WorkPrecision::seconds_median)
+    for (const char* column : {"x1", "y1", "x2", "y2", "text"}) differs_by_machine(data, column);
 }
 
 }  // namespace
@@ -161,6 +167,9 @@ report::Data& show(report::Item& item, const Points& points, const std::string& 
   }
   const char* const why = "error control takes other steps where a last digit differs";
   data.holds_to("error", 0.9, 1e-15, why).holds_to("work", 0.05, 0, why);
+  if (timed)
+    for (const char* time : {"seconds_q1_s", "seconds_median_s", "seconds_q3_s"})
+      differs_by_machine(data, time);
   frame(item, chosen, methods, axes, across);
   item.add(chosen);
   item.script(plot::shared("lib/bench") / "work_precision.gp");

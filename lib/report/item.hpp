@@ -51,7 +51,8 @@ class Data {
 
   // The committed figures' data are compared on every machine, to 1e-6 of a value or 1e-9 of the largest in its column.
   // A column ("*": all) whose digits are determined less well holds to a relative or an absolute difference of its own, for
-  // a reason: it is cancellation, a round-off floor, a motion that forgets its start.
+  // a reason: it is cancellation, a round-off floor, a motion that forgets its start. Nothing of a column is compared where
+  // units::no_limit is allowed: a time.
   Data& holds_to(std::string_view column, double relative, double absolute, std::string_view why);
   // Data that no two runs share, such as times, and the picture drawn from them.
   Data& not_compared(std::string_view why);

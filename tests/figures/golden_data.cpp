@@ -61,7 +61,7 @@ bool is_number(const std::string& text, double& value) {
 // Whether two cells say the same; `largest` is the column's.
 bool same(const std::string& a, const std::string& b, const Tolerance& t, double largest) {
   double x = 0, y = 0;
-  if (a == b) return true;
+  if (a == b || std::isinf(t.absolute)) return true;
   if (!is_number(a, x) || !is_number(b, y)) return false;
   if (std::isnan(x) && std::isnan(y)) return true;
   if (!std::isfinite(x) || !std::isfinite(y)) return x == y;

@@ -83,6 +83,10 @@ TEST_CASE("figures: a column holds to what it states, and only it") {
   CHECK(f.faults("1,200\n", "1,202\n" + note) == 1);  // what a golden says of itself does not count
   CHECK(f.faults("1,2\n# holds to relative 1, absolute 0 in z_N: x\n", "1,2\n") == 1);
   CHECK(f.faults("1,2\n# holds to relative 1, absolute 0 in *: x\n", "1.5,1\n") == 0);
+  const std::string any = "# holds to relative 0, absolute inf in y_N: times\n";
+  CHECK(f.faults("1,2e-5\n" + any, "1,0\n") == 0);
+  CHECK(f.faults("1,slow\n" + any, "1,0\n") == 0);
+  CHECK(f.faults("1.1,2\n" + any, "1,0\n") == 1);
 }
 
 TEST_CASE("figures: the limit of pixels is 0.1 % by more than 3 levels, where they count") {

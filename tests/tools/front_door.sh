@@ -18,7 +18,7 @@ echo "item a" && echo "item b" && echo "$name: checks 1/1; 1.5 s"
 rm -f "build/results/$chapter.json"
 mkdir -p "build/results/$chapter" "build/figures/$chapter"
 [ ! -f "fail-$name" ] || exit 1
-for file in "$chapter/a.csv" "$chapter.json" "$chapter.txt"; do echo "$name: checks 1/1; 1.5 s" >"build/results/$file"; done
+for file in "$chapter/a.csv" "$chapter.json" "$chapter.txt" "$chapter.files"; do echo "$name: checks 1/1; 1.5 s" >"build/results/$file"; done
 END
 done
 cat >bin/cmake <<'END'
@@ -53,9 +53,23 @@ rm build/results/02-two/a.csv
 runs 0 "book two" "after a result is gone"
 level=full runs 0 "book one two" "at another level"
 level=full runs 0 "" "at that level again"
+copied() { # copied STATUS LEVEL: what is left of chapter 01
+  rm -rf copy
+  "$script" --copy build "$2" 01-one copy
+  [ $? = "$1" ] && { [ "$1" = 1 ] || diff -r build/results/01-one copy/results/01-one; } && return
+  echo "BAD: --copy at level $2: not status $1, or other files" && exit 1
+}
+copied 0 full
+copied 1 quick
+echo 1 >>build/results/01-one.json
+copied 1 full
+level=full runs 0 "book one" "after a record has been touched"
+copied 0 full
+[ -d copy/figures/01-one ] && [ -f copy/results/01-one.txt ] || { echo "BAD: --copy leaves something out" && exit 1; }
 touch fail-one && echo '# broken' >>build/bin/one
 level=full runs 1 "book one" "when a chapter fails"
 level=full runs 1 "one" "when it fails again"
+copied 1 full
 grep -q 'NOT all good' said || { echo "BAD: a failure is not said" && exit 1; }
 rm fail-one
 level=full runs 0 "book one" "after it is mended"

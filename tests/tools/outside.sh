@@ -119,8 +119,9 @@ case $case in
     kill -TERM $tool; wait $tool
     status=$?
     expect 143; clean
-    sleep 0.2
-    ps -e -o pgid=,stat= | grep -q "^ *$(cat "$folder/child") [^Z]" && bad "gnuplot still runs"
+    draws() { ps -e -o pgid=,stat= | grep -q "^ *$(cat "$folder/child") [^Z]"; }
+    for _ in $(seq 50); do draws || break; sleep 0.1; done
+    draws && bad "gnuplot still runs"
     true ;;
   "a FIFO of options")
     mkfifo options

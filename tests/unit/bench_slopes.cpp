@@ -153,7 +153,9 @@ TEST_CASE("unit: a panel has each point, at what its reference knows, and what f
   CHECK_THAT(frame, Catch::Contains("expected -1; found -0.5\"\n"));
   CHECK_THAT(frame, Catch::Contains("error,0,0,0,0,\nseconds,0,0,0,0,\n"));
   CHECK(frame.find("slope", frame.find("slope") + 1) == std::string::npos);
-  CHECK_THAT(at.read("cost.csv"), Catch::Contains("a,s,0.5,4,4,4,2,known\n"));
+  CHECK_THAT(frame, Catch::Contains("# holds to relative 0, absolute inf in x1: times of"));
+  CHECK_THAT(at.read("cost.csv"), Catch::Contains("a,s,0.5,4,4,4,2,known\n") &&
+                                      Catch::Contains("absolute inf in seconds_q3_s: times of"));
 }
 
 TEST_CASE("unit: the points of several quantities name their method, setting, work and reference") {

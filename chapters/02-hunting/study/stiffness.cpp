@@ -92,10 +92,11 @@ std::string compare(report::Item& item, const char* name, const std::vector<Case
            std::pow(cases[k].stiffness / cases[k - 1].stiffness, before / (before - ratio));
     before = ratio;
   }
-  if (!std::isfinite(at)) return "One method is the faster over the whole range.";
+  const char* const spent = timed ? "less time" : "fewer steps (not timed)";
+  if (!std::isfinite(at)) return fmt::format("One method takes {} over the whole range.", spent);
   for (const double end : {1e-9, 1e9}) data.add("", 0, 0, 0, timed ? end : 0, end, at);
-  return fmt::format("Below {:.1g} {} the implicit method takes less {} than the explicit one.", at,
-                     unit, timed ? "time" : "steps");
+  return fmt::format("Below {:.1g} {} the implicit method takes {} than the explicit one.", at,
+                     unit, spent);
 }
 
 void stiff(report::Item& item) {

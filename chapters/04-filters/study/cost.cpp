@@ -207,7 +207,7 @@ void cost_length(report::Item& item) {
   item.value("length-answer",
              item.timings() ? fmt::format("At {:.0e} samples a sample takes, in nanoseconds: {}.",
                                           static_cast<double>(longest), said)
-                            : "(Not timed.)");
+                            : "(They were not timed.)");
   item.value("weights-over-sums", weights_cost / sums_cost, "times", "{:.0f}");
   item.expect_checks(1);
   item.at_most("as-double", "largest error of any method over the RMS", "", worst, 1e-9,
