@@ -88,9 +88,9 @@ lint: configure     ## clang-format (check only) and clang-tidy (Debian packages
 	clang-tidy -p $(BUILD)/tidy --quiet --extra-arg=-Wno-unknown-warning-option $(filter lib/%.cpp chapters/%.cpp,$(SOURCES))
 
 mutate: PRESET = developer # every source by itself
-mutate: build     ## faults of one line, a sample: how many the tests notice (FAULTS=100 SEED=1, FAR=1 asks all tests; python3)
+mutate: build     ## faults of one line, a sample: how many the tests notice (FAULTS=100 SEED=1, NEAR=1 asks the nearest tests only; python3)
 	@$(call wants,python3)
-	tests/mutate/mutate.py --build $(BUILD) --faults $(or $(FAULTS),100) --seed $(or $(SEED),1) $(if $(FAR),--far)
+	tests/mutate/mutate.py --build $(BUILD) --faults $(or $(FAULTS),100) --seed $(or $(SEED),1) $(if $(NEAR),--near)
 
 coverage: packages ## lines and branches that the tests of lib/ take, by folder (R="num contact" for some)
 	tests/coverage.sh $(R)

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """How much would the tests notice? One-line faults, one at a time, over lib/ and tools/.
 
-    make mutate [FAULTS=100] [SEED=1]    or    tests/mutate/mutate.py --faults 100 --seed 1 [--only lib/contact] [--far]
+    make mutate [FAULTS=100] [SEED=1]    or    tests/mutate/mutate.py --faults 100 --seed 1 [--only lib/contact] [--near]
 
 Each fault is run by what is nearest: the test program of its room of lib/, the ctests of its tool but the thorough ones. Killed: a
-test fails, ends by a signal, or takes four times its processor time. With --far, what survives is run by the rest that ctest
-runs and that links it: the test programs of the rooms above, the chapters (their checks and golden data), the tools.
+test fails, ends by a signal, or takes four times its processor time. What survives is run by the rest that ctest runs and that
+links it: the test programs of the rooms above, the chapters (their checks and golden data), the tools; not with --near.
 A fault that does not compile is replaced. The score is one of a sample, and the kinds are drawn evenly, not as people
 err.
 
@@ -294,7 +294,7 @@ def main():
     a.add_argument("--seed", type=int, default=1)
     a.add_argument("--build", default="build")
     a.add_argument("--only", action="append", default=[], help="a folder or file, e.g. lib/contact")
-    a.add_argument("--far", action="store_true", help="survivors of what is nearest are run by all that links them")
+    a.add_argument("--near", action="store_true", help="run faults by what is nearest only")
     a.add_argument("--list", action="store_true", help="count the places of each kind, and stop")
     wish = a.parse_args()
     places = sites(wish.only or [""])
@@ -349,7 +349,7 @@ def main():
             verdict = "equivalent"
         else:
             verdict = "SURVIVED"
-            for program, pattern in farther(tree, path) if wish.far else []:
+            for program, pattern in [] if wish.near else farther(tree, path):
                 made = tree.made(program, path, faulty, done)
                 if made and not tests.pass_with(program, pattern, made):
                     far += 1
@@ -362,7 +362,7 @@ def main():
         (tree.out / "survivors.txt").write_text("\n".join(survivors) + "\n")
     counted = near + far + len(survivors)
     print(f"{near + far} of {counted} faults killed ({100 * (near + far) / max(counted, 1):.0f} %)"
-          f"{f', {near} of them by what is nearest' if wish.far else ''}, seed {wish.seed}; "
+          f"{f', {near} of them by what is nearest' if not wish.near else ''}, seed {wish.seed}; "
           f"{argued} argued equivalent, {still} did not compile, {untested} in folders without tests")
     print(f"survivors: {(tree.out / 'survivors.txt').relative_to(ROOT)}")
     return 0 if not survivors else 1
