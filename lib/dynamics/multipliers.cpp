@@ -156,9 +156,8 @@ Multipliers multipliers(const Oscillator& oscillator, const Cycle& cycle, int st
   map -= (map * normal).eval() * (2 * normal).transpose();
   const Eigen::VectorXcd values = num::eigenvalues(map.bottomRightCorner(2 * n - 1, 2 * n - 1));
   result.map.assign(values.data(), values.data() + values.size());
-  std::stable_sort(result.map.begin(), result.map.end(), [](Complex a, Complex b) {
-    return std::abs(a) > std::abs(b) || (std::abs(a) == std::abs(b) && a.imag() > b.imag());
-  });
+  std::stable_sort(result.map.begin(), result.map.end(),
+                   [](Complex a, Complex b) { return std::abs(a) > std::abs(b); });
   return result;
 }
 

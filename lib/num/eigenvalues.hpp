@@ -5,7 +5,8 @@
 
 namespace railbook::num {
 
-// All eigenvalues of a real square matrix, in no order; by the QR algorithm, backward stable, O(n^3).
+// All eigenvalues of a real square matrix, in no order but for pairs: the one above the real axis first. By the QR
+// algorithm, backward stable, O(n^3).
 // Those of normal matrices are within 2e-14 of the norm, others as their condition allows.
 // All three throw std::runtime_error of a matrix that is not finite, and when the iteration does not converge.
 Eigen::VectorXcd eigenvalues(const Eigen::Ref<const Eigen::MatrixXd>& matrix);

@@ -23,7 +23,6 @@ Depths depths_of(const Scene& scene, const View& view) {
     low = std::min(low, depth);
     high = std::max(high, depth);
   });
-  if (low > high) return {1.0, 2.0};  // nothing to draw
   const double margin = 0.01 * (high - low) + 1e-6 * std::max(-low, high);
   Depths depths{low - margin, high + margin};
   if (!view.parallel) {

@@ -146,6 +146,14 @@ TEST_CASE(
       CHECK(refused([&] {
               solve_rolling_unlike(block.grid, block.pressure, good, {}, sign * size);
             }) == (size > 0.5));
+  RollingCase smooth = good;
+  smooth.friction = 0;
+  for (const double k : {0.0, 0.1}) {
+    const CreepForces none = solve_rolling_unlike(block.grid, block.pressure, smooth, {}, k);
+    CHECK(none.converged);
+    CHECK(none.reason.starts_with("no friction"));
+    CHECK((none.fx == 0 && none.fy == 0 && none.mz == 0 && none.stick_share == 0));
+  }
   const double bound = good.friction * block.pressure.sum() * block.grid.dx * block.grid.dy;
   for (const double sign : {-1.0, 1.0})
     for (const double share : {0.998, 0.9995}) {

@@ -98,6 +98,17 @@ TEST_CASE("Bump stops: energy balances over ramp, sudden start and stiff stops",
     }
 }
 
+TEST_CASE("unit: the end of a ramp is a kink of the track, which the body does not follow") {
+  // Springs of next to no force: the body stays where it is, and the stroke is the track's height.
+  const StoppedBody still{{1e-6, 0.1}, 10, 0};
+  const Track track{{{0.01, 0.25, 0.3}, {0.004, 0.4, 1}}, 1.5};
+  for (const double end : {1.4, 1.6, 4.0}) {
+    const Run r = run(still, track, at_rest(track), end);
+    CHECK(r.end.x == Approx(-height(track, end)).margin(1e-6));
+    CHECK(r.end.v == Approx(-wheel_rate(track, end)).margin(1e-6));
+  }
+}
+
 TEST_CASE("Bump stops: from stop to stop within a step, and a start on a stop", "[quality]") {
   const Track track{{{0.005, 0.521, 0}, {0.1, 0.1737, 0.8}}, 0};
   const Run r =

@@ -6,6 +6,7 @@
 #include "../support/white_noise.hpp"
 #include "spectra/welch.hpp"
 #include "units/constants.hpp"
+#include "units/input_error.hpp"
 
 using namespace railbook;
 using spectra::Detrend;
@@ -120,4 +121,15 @@ TEST_CASE("unit: logarithmic bands average the bins they hold") {
   CHECK(bands.relative_error[1] == Approx(std::sqrt(0.2 / 200)));
   CHECK(bands.frequency[0] > 0.1);
   CHECK(bands.frequency[0] < 0.2);
+}
+
+TEST_CASE("unit: a run of whole segments before a gap leaves no sample unused") {
+  for (const std::size_t parts : {1U, 2U, 4U}) {
+    auto x = white_noise(96, 7);
+    x.push_back(units::nan);
+    for (const double more : white_noise(101, 8)) x.push_back(more);
+    for (const double last : {units::nan, 1.0, 2.0, 3.0}) x.push_back(last);
+    const auto got = spectra::welch(x, 0.3, {.segment = 48, .parts = parts});
+    CHECK(got.unused == 3);  // the run of 101 ends with a segment of its own
+  }
 }

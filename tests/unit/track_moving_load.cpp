@@ -153,3 +153,13 @@ TEST_CASE("unit: an extrapolated run has the nodes that both of its beams have")
   CHECK(both.steps == coarse.steps + fine.steps);
   CHECK(both.at_load == Approx((16 * fine.at_load - coarse.at_load) / 15).epsilon(1e-12));
 }
+
+TEST_CASE("unit: the moving frame reaches to where the free decay is neglected, on both sides") {
+  for (const double h : {0.05, 0.3, 0.7})
+    for (const double neglect : {1e-10, 1e-3}) {
+      const FeShape fe = fe_steady(0, 0, {h, neglect});  // at rest it decays as exp(-s)
+      CHECK(fe.s.back() == Approx(-fe.s.front()));
+      CHECK(fe.s.back() >= -std::log(neglect));
+      CHECK(fe.s.back() < -std::log(neglect) + h);
+    }
+}

@@ -5,6 +5,7 @@
 
 #include "contact/hertz.hpp"
 #include "units/constants.hpp"
+#include "units/input_error.hpp"
 #include "wheel_on_rail/strips.hpp"
 #include "wheel_on_rail/touching.hpp"
 
@@ -27,6 +28,22 @@ TEST_CASE("unit: within half a millimetre of any of the four ends is at the end"
     CHECK(touches_at_end(pair.wheel.to() - inside, y) == expected);
     CHECK(touches_at_end(s, pair.rail.from() + inside) == expected);
     CHECK(touches_at_end(s, pair.rail.to() - inside) == expected);
+  }
+}
+
+TEST_CASE(
+    "unit: a flank that is turned past the vertical has no lowest place, on either side of it") {
+  const Pair pair = s1002_on_60e1(1.0 / 40);
+  for (const double yaw : {-1.2, 1.2}) {
+    const Placed turned(pair, {.y = 0, .yaw = yaw, .roll = 0});
+    int steep = 0;
+    for (double s = pair.wheel.from(); s <= pair.wheel.to(); s += 1e-3) {
+      const auto [depth, slope] = pair.wheel.at(s);
+      if (std::abs(std::tan(yaw) * slope) < 1) continue;
+      CHECK(turned.point(s).gap == units::no_limit);
+      ++steep;
+    }
+    CHECK(steep > 3);
   }
 }
 
