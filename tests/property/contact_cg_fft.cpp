@@ -296,6 +296,29 @@ TEST_CASE("property: a load is met on a grid too coarse for the contact, and tha
   CHECK(std::isinf(c.force_error));
 }
 
+TEST_CASE("property: a small patch far from the first is found on whichever side it lies") {
+  // A summit 7.5 um lower at an approach of 8 um: its patch is a millimetre across, 30 mm away.
+  const double far = 0.03, lower = 7.5e-6, approach = 8e-6;
+  for (const bool along_y : {false, true})
+    for (const double side : {-1.0, 1.0}) {
+      INFO("along y " << along_y << ", side " << side);
+      const Gap gap = [=](double x, double y) {
+        const double along = side * (along_y ? y : x), across = along_y ? x : y;
+        const double second = along > 0.5 * far ? 1 : 0, t = along - second * far;
+        return 5 * t * t + 50 * across * across + second * lower;
+      };
+      CgFftOptions options = along_y ? cells(63, 255) : cells(255, 63);
+      options.search = [=](double d) {
+        const double half = std::sqrt(d), low = side > 0 ? -0.009 : -far - 0.009,
+                     high = side > 0 ? far + 0.009 : 0.009;
+        return along_y ? Box{-half, half, low, high} : Box{low, high, -half, half};
+      };
+      const CgFft found = solve_cg_fft(gap, approach, 1e11, options);
+      CHECK(found.levels.back().region.patches.size() == 2);
+      CHECK(found.contact.force > 1.015 * hertz_from_approach({5, 50, 0}, 1e11, approach).force);
+    }
+}
+
 TEST_CASE("property: patches that the coarse grids of the ladder miss are found all the same") {
   // Three summits 20 mm apart, the second and third lower: patches of 1 to 3 mm at each.
   for (const double lower : {1e-7, 1e-6, 2e-6})
