@@ -23,8 +23,8 @@ quality::FilterTaps band_taps(const Band& band, int passes, double spacing) {
   units::require_positive("spacing", spacing, "m");
   units::require_between("shortest wavelength of the band", band.shortest, 2 * spacing,
                          units::no_limit, "m");
-  // The slowest pole of the lower edge decays by e in some 0.42 of its wavelength, longer in a narrow band; ten such, and as
-  // much for the taper.
+  // The slowest pole of the lower edge decays by e in some 0.42 of its wavelength, longer in a narrow band; twenty such. Tapered
+  // weights are up to eight times as far off as those that just end.
   const double narrow = std::max(1.0, 1 / (band.longest / band.shortest - 1));
   const double reach = units::require_between("reach of the band over the spacing",
                                               8 * band.longest * narrow / spacing, 8, 1e6);
@@ -34,19 +34,12 @@ quality::FilterTaps band_taps(const Band& band, int passes, double spacing) {
   for (std::size_t k = 0; k < fft.spectrum().size(); ++k)
     fft.spectrum()[k] = band_gain(band, passes, static_cast<double>(k) / (n * spacing)) / n;
   fft.inverse();
-  quality::FilterTaps result{spacing, std::vector<double>(taps + 1)};
-  double sum = 0, weight = 0;
-  const auto taper = [&](std::size_t j) {
-    const double u = static_cast<double>(j) / static_cast<double>(taps + 1);
-    const double c = u <= 0.5 ? 1 : std::cos(units::pi * (u - 0.5));
-    return c * c;
-  };
-  for (std::size_t j = 0; j <= taps; ++j) {
-    result.half[j] = taper(j) * fft.real()[j];
-    sum += (j == 0 ? 1 : 2) * result.half[j];
-    weight += (j == 0 ? 1 : 2) * taper(j);
-  }
-  for (std::size_t j = 0; j <= taps; ++j) result.half[j] -= taper(j) * sum / weight;
+  quality::FilterTaps result{spacing, {}};
+  result.half.assign(fft.real().begin(),
+                     fft.real().begin() + static_cast<std::ptrdiff_t>(taps + 1));
+  double sum = -result.half[0];
+  for (const double weight : result.half) sum += 2 * weight;
+  for (double& weight : result.half) weight -= sum / static_cast<double>(2 * taps + 1);
   return result;
 }
 

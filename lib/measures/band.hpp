@@ -23,7 +23,7 @@ inline constexpr std::array<Band, 4> bands{
 // 2^-1/2 or 1/2 at the edges. Both without phase here. `passes` is 1 or 2.
 double band_gain(const Band& band, int passes, double phi);
 
-// The filter with that gain, to 1e-2 of the gain in the band, without gain at zero. Throws InputError when the shortest wavelength is
+// The filter with that gain, to 5e-3 of the gain in the band, without gain at zero. Throws InputError when the shortest wavelength is
 // below two spacings, or when the band asks for more than 10^6 samples or fewer than 8.
 quality::FilterTaps band_taps(const Band& band, int passes, double spacing);
 
