@@ -64,6 +64,8 @@ TEST_CASE("claim: lines of any length, wherever a block ends") {
       if (lines.back().empty()) lines.pop_back();
     }
     LineSource source(at.write("a", as_kept(draw, text)));
+    const std::string_view begun = source.lines_ahead();  // whole lines, maybe none
+    claim.error((begun.empty() || begun.back() == '\n') && text.starts_with(begun) ? 0 : 1);
     std::size_t i = 0;
     for (std::string_view line; source.next(line); ++i) {
       claim.error(i < lines.size() && line == lines[i] && source.line() == i + 1 ? 0 : 1);
