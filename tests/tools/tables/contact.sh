@@ -77,6 +77,10 @@ holds "an uneven contact" uneven/pressure.csv 'NF == 3 && !(($1) in seen) {seen[
   touch="$(v uneven x_touch_mm)" m="$(v uneven moment_y)" peak="$(v uneven x_p_max_mm)"
 near "a moment about x" "$(v uneven moment_x)" 0 0
 grep -q hertz uneven.json && fail "Hertz for a profile"
+# Heights are depths of the other sign.
+awk -F, 'NR == 1 {print "x_mm,depth_mm"} NR > 1 {printf "%s,%.9f\n", $1, -$2}' two-radii.csv >depths.csv
+answers down solve --body-2-profile depths.csv --body-1-radius-along 460mm --load 80kN --cells-x 64 --cells-y 33 --edge 5mm
+cmp uneven/pressure.csv down/pressure.csv || fail "depths, and heights of the other sign"
 # Three summits 20 mm apart: alike, each with its ends and a share of the whole.
 awk 'BEGIN {print "x_mm,depth_mm"; for (k = 0; k <= 240; ++k) {u = (k % 80 - 40) / 4; printf "%.2f,%.9f\n", (k - 120) / 4, u ^ 2 / 500}}' >summits.csv
 answers three solve --body-1-profile summits.csv --body-1-radius-along 0.5m --approach 20um --cells-x 200 --cells-y 30
