@@ -64,3 +64,12 @@ near "the one run" "$(v pulses runs)" 1 0
 holds "backwards" back.csv 'rows == 1 {near($1, 304.5, 0.31)} rows > 1 {near($1 - last, -0.3048, 1e-6); near($2, 0.3048 / 26.8224, 1e-9)} {last = $1}'
 "$railbook" filters simulate --out stands.csv --length 2000ft --speeds 30mph 0mph 30mph --distances 300ft 1ft 300ft --stand 25s --rate 1m/s^2 >/dev/null || fail "a stand"
 holds "a stand" stands.csv '$2 > longest {longest = $2; at = rows} {time += $2; last = $1} rows == 1 {first = $1} END {near(longest, 25.7, 0.9); v = 30 * 0.44704; near(time, 25 + 2 * 91.44 / v + 2 * v, 0.1); near(last - first, 2 * 91.44 + v ^ 2, 0.62)}'
+# A long record is drawn by every second of its rows, and is as long; a value of either sign that no sensor gives is masked.
+"$railbook" filters simulate --out long.csv --length 24000ft --speeds 60mph >/dev/null || fail "simulate"
+awk -F, -v OFS=, 'NR == 500 {$4 = -1e6} NR == 600 {$4 = 1e6} 1' long.csv >wild.csv
+draws wild process wild.csv
+grep -q '"2 values beyond what a sensor can give' wild.json || fail "values beyond what a sensor gives"
+for table in wild.drawn/*/*.csv; do
+  awk -F, 'NR == 2 {first = $1} NR > 2 && ($1 - last - 0.6096) ^ 2 > 1e-9 {bad = 1} {last = $1}
+    END {exit !(NR > 10000 && NR < 20000 && !bad && last - first > 7000)}' "$table" || fail "$table: $(wc -l <"$table") rows"
+done
