@@ -88,6 +88,9 @@ means three 'for (key in v) free(key); is("patches", 3); says("patches", "apart"
   is("force_kN", sum, 0.01); is("area_mm2", area, 0.01); for (k = 1; k <= 3; ++k) {middle = (v["patch_" k "_x_min_mm"] + v["patch_" k "_x_max_mm"]) / 2; place[k] = middle; outer += abs(middle) > 1
     is("patch_" k "_y_min_mm", -v["patch_" k "_y_max_mm"], 1e-3); is("patch_" k "_p_max_MPa", v["p_max_MPa"], 0.1); if (abs(middle) > 1 && abs(abs(middle) - 20) > 0.2) bad("place " middle)}
   if (outer != 2) bad("places")'
+# Where the grid's error is not known that of the profiles does not say it.
+answers thin solve --body-1-profile summits.csv --body-1-radius-along 0.5m --approach 2um --cells-x 40 --cells-y 4
+[ "$(grep -c "its error is not known" thin.json)" = 2 ] && grep -q '"profile"' thin.json || fail "an error that is not known"
 # What a profile's points leave open is what every second of them alone would change, the odd ones or the even ones, at one approach: twice the worst of force and
 # pressure for the pressure.
 awk 'BEGIN {print "x_mm,depth_mm"; for (k = -20; k <= 20; ++k) {u = (5 * k - 1) / 10; printf "%.1f,%.9f\n", u, u ^ 2 / (u > 0 ? 60 : 500)}}' >coarse.csv
