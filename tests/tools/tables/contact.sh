@@ -76,6 +76,8 @@ holds "an uneven contact" uneven/pressure.csv 'NF == 3 && !(($1) in seen) {seen[
   END {near(touch, 5, 0.01); near(turn * dx * dy / 1e3, m, 0.01 * abs(m)); near(m < -1, 1, 0); near(sum * dx * dy / 80e3, 1, 2e-3); near(at, peak, dx); e = (before - 5) / dx; near(e - int(e), 0.5, 1e-3)}' \
   touch="$(v uneven x_touch_mm)" m="$(v uneven moment_y)" peak="$(v uneven x_p_max_mm)"
 near "a moment about x" "$(v uneven moment_x)" 0 0
+holds "where it begins and ends" uneven/pressure.csv 'NF == 3 && $3 > 0 {if (first == "" || $1 < first) first = $1; if (last == "" || $1 > last) last = $1}
+  END {near(first, from, 0.2); near(last, to, 0.2); near(to - touch < 0.8 * (touch - from), 1, 0)}' from="$(v uneven x_min_mm)" to="$(v uneven x_max_mm)" touch="$(v uneven x_touch_mm)"
 grep -q hertz uneven.json && fail "Hertz for a profile"
 # Heights are depths of the other sign.
 awk -F, 'NR == 1 {print "x_mm,depth_mm"} NR > 1 {printf "%s,%.9f\n", $1, -$2}' two-radii.csv >depths.csv

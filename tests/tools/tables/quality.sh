@@ -27,6 +27,11 @@ holds "growth" growth/compare.csv '$3 != "nan" && $4 != "nan" && $4 != "" {near(
 near "first offset" "$(v growth offset_from_m)" 3.05 0.05
 near "last offset" "$(v growth offset_to_m)" 4.45 0.05
 holds "sections of two runs" growth/compare.csv '{near($1, 200 * (rows - 1), 1e-9); near($2 - $1, 200, 1e-9); near($3 == "nan" || $5 == "nan" || abs($5 - ($4 - $3)) < 2e-6, 1, 0); near($7 == "nan" || $7 > 0.99 && $7 < 0.99999, 1, 0)} END {near(rows, 15, 0)}'
+# A run that begins later has the offset of what both have.
+awk -F, 'NR == 1 || $1 > 1000' run0.csv >late.csv
+answers late compare run0.csv late.csv --section 200m
+near "the offset of a late run, from" "$(v late offset_from_m)" 0 0.01
+near "to" "$(v late offset_to_m)" 0 0.01
 # Recorded the other way, either run says the same.
 for run in 0 0.125; do (head -1 run$run.csv && tail -n +2 run$run.csv | tac) >back$run.csv; done
 for pair in "run0 back0.125" "back0 run0.125" "back0 back0.125"; do

@@ -79,6 +79,9 @@ near "the error of its pressure" "$(row 4 method_error_p_max)" "$(awk -v a="$(ro
 "$railbook" wheelrail table --speed 30m/s --from 3.5mm --to 3.5mm --shifts 1 --yaw-from 5mrad --yaw-to 5mrad --load 50kN --slip -0.001 --jobs 1 --cells 16 --json >middle.json || fail "the middle"
 "$railbook" wheelrail table --speed 30m/s --load 50kN --shifts 2 --method hertz --cells 8 --jobs 1 --out usual >said || fail "$(cat said)"
 [ "$(sed 's/"[^"]*"//' usual/wheelrail-table.csv | awk -F, 'NR == 1 {for (i = 1; i <= NF; ++i) c[$i] = i; next} {print $c["shift_mm"], $c["yaw_mrad"], $c["friction"], $c["slip"]}' | xargs)" = "-8 0 0.3 0 8 0 0.3 0" ] || fail "what a table is of where nothing is said"
+# Of the rows of one position the first says the errors.
+"$railbook" wheelrail table --speed 30m/s --from 3mm --to 3mm --shifts 1 --load 40kN 50kN --mu 0.2 0.3 --method hertz --cells 8 --jobs 1 --out several >said || fail "$(cat said)"
+sed 's/"[^"]*"//' several/wheelrail-table.csv | awk -F, 'NR == 1 {for (i = 1; i <= NF; ++i) c[$i] = i; next} {said = said ($c["method_error_of_mu_N"] == "" ? "-" : "+")} END {exit said != "+---"}' || fail "which rows say errors"
 middle() { sed -n "s/.*\"$1\":\\([^,]*\\),.*/\\1/p" middle.json | head -1; }
 near "the error of interpolation" "$(row 4 interpolation_error_of_mu_N)" "$(awk -v x="$(middle x_N)" -v y="$(middle y_N)" -v a="$(row 4 x_N)" -v b="$(row 4 y_N)" -v p="$(row 6 x_N)" -v q="$(row 6 y_N)" 'BEGIN {print sqrt((x - (a + p) / 2) ^ 2 + (y - (b + q) / 2) ^ 2) / 15e3}')" 1e-5
 # Cones of 1:20 on heads of 300 mm: where they touch is where the head has the cone's slope, and of a wheel of 300 mm the contact is nearly a circle. Where the file's heights begin does not matter.
