@@ -38,6 +38,7 @@ means zone 'is("length_km", 12); says("length_km", "48000 samples, 0 missing, 0 
   $(awk -F, '/^phi/ {name = $3; before = 0; next} NF == 3 {if (before >= 0.04 && $1 <= 1 / 3) sum[name] += ($1 - before) * ($2 + last) / 2; before = $1; last = $2} END {printf "fra=%.9g german=%.9g", 1e3 * sqrt(sum["fra-5"]), 1e3 * sqrt(sum["german-low"])}' zone.drawn/1/d2.csv)
 # gnuplot tells blocks by two blank lines.
 awk 'NF == 0 {++blank; next} /^phi/ && NR > 1 {if (blank != 2) exit 1; ++n} {blank = 0} END {exit n != 1}' zone.drawn/1/d2.csv || fail "one block of the references"
+[ "$(awk -F, '/^phi/ {if (NR > 1) print last; next} NF > 1 {last = $1} END {print last}' zone.drawn/1/d2.csv | xargs)" = "0.666667 1" ] || fail "where the references end"
 holds "the spectrum" zone/spectrum.csv '{near($1 * 1024, rows, 1e-4 * rows); near($4 * $1 ^ 2 / A, 1, 1e-4)} END {near(rows, 2048, 0)}' A="$(v zone A)"
 holds "the classes" zone/classes.csv 'NF < 3 {--rows; next} $1 != class {if (class != "") near(j, 200, 0); class = $1; j = 0; A = $3; if (class == 1) first = A; split("76.2 69.85 57.15 50.8 31.75 12.7", D, " "); near(A / first, (D[class] / D[1]) ^ 2, 1e-4)}
   {s = sin(pi / 400 * j++); near($3 / A, 1 - s ^ 2, 1e-4); if (j == 101) near($2 / D[class], scale == "" ? $2 / D[class] : scale, 1e-4); if (j == 101) scale = $2 / D[class]} END {near(rows, 1200, 0)}' pi=$pi
