@@ -24,7 +24,7 @@ quality::FilterTaps band_taps(const Band& band, int passes, double spacing) {
   units::require_between("shortest wavelength of the band", band.shortest, 2 * spacing,
                          units::no_limit, "m");
   // The slowest pole of the lower edge decays by e in some 0.42 of its wavelength, longer in a narrow band; twenty such. Tapered
-  // weights are up to eight times as far off as those that just end.
+  // weights are eight times as far off in the band and more; well beyond it those that just end are up to three times as far.
   const double narrow = std::max(1.0, 1 / (band.longest / band.shortest - 1));
   const double reach = units::require_between("reach of the band over the spacing",
                                               8 * band.longest * narrow / spacing, 8, 1e6);
