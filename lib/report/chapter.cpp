@@ -14,6 +14,7 @@
 #include "plot/plot.hpp"
 #include "report/inventory.hpp"
 #include "report/run_folder.hpp"
+#include "report/trial.hpp"
 #include "report/turn.hpp"
 #include "units/input_error.hpp"
 
@@ -127,6 +128,27 @@ bool compute(const PagedEntry& e, const RunSettings& settings, ChapterRecord& re
   return let;
 }
 
+// What the chapter declares to vary, refused before anything is computed if it is not of the form.
+std::vector<TrialRow> trials_of(const ChapterInfo& info, const std::vector<PagedEntry>& entries) {
+  const std::filesystem::path file = info.sources / "data" / "trials.csv";
+  if (!std::filesystem::exists(file)) return {};
+  std::vector<std::string> items;
+  for (const PagedEntry& e : entries) items.push_back(e.entry->id);
+  return read_trials(file, items);
+}
+
+// Declared trials whose check is not there, or carries no trial.
+std::vector<std::string> unused(const std::vector<TrialRow>& trials, const ChapterRecord& record) {
+  std::vector<std::string> problems;
+  for (const TrialRow& row : trials)
+    if (std::none_of(record.checks.begin(), record.checks.end(), [&](const CheckRecord& c) {
+          return c.id == row.check && !c.trial.varied.empty();
+        }))
+      problems.push_back(
+          fmt::format("data/trials.csv: no check {} varies \"{}\"", row.check, row.choice));
+  return problems;
+}
+
 int reproduce(const Reproduce& wish, const ChapterInfo& info,
               const std::vector<PagedEntry>& entries) {
   for (const std::string& id : wish.only) {
@@ -136,6 +158,7 @@ int reproduce(const Reproduce& wish, const ChapterInfo& info,
           fmt::format("only is \"{}\"; allowed: a name that `{} list` shows", id, info.name)};
   }
   const bool whole = wish.only.empty();
+  const std::vector<TrialRow> trials = trials_of(info, entries);
   RunFolder folder(wish.out, info.id, whole);
   folder.forget_record();
   RunSettings settings;
@@ -146,6 +169,7 @@ int reproduce(const Reproduce& wish, const ChapterInfo& info,
   settings.full = wish.level == "full";
   settings.draw = !wish.no_figures;
   settings.timings = !wish.no_timings;
+  settings.trials = trials;
 
   ChapterRecord record;
   record.chapter = info.id;
@@ -171,6 +195,9 @@ int reproduce(const Reproduce& wish, const ChapterInfo& info,
     record.inventory = read_inventory(inventory);
     record.problems = audit(record.inventory, record);
   }
+  if (whole)
+    for (std::string& problem : unused(trials, record))
+      record.problems.push_back(std::move(problem));
   folder.announce(settings.results / "checks.csv");
   files::write(settings.results / "checks.csv", checks_csv(record));
   const std::string summary = summary_line(record);

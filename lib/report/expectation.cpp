@@ -30,6 +30,13 @@ Expectation not_confirmed(double value, double allowed, std::string why) {
   return {Outcome::not_confirmed, misprint(value, allowed, std::move(why))};
 }
 
+Expectation corrected(double value, double allowed, std::string why, Trial trial) {
+  return {Outcome::corrected, misprint(value, allowed, std::move(why)), std::move(trial)};
+}
+Expectation not_confirmed(std::string why, Trial trial) {
+  return {Outcome::not_confirmed, not_the_print(std::move(why)), std::move(trial)};
+}
+
 std::string_view name(Source source) {
   switch (source) {
     case Source::print:

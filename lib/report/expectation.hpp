@@ -1,10 +1,12 @@
 // What a check is about and what came of it: two fields of every check, set where the check is made.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "report/tolerance.hpp"
+#include "report/trial.hpp"
 
 namespace railbook::report {
 
@@ -21,9 +23,9 @@ enum class Outcome {
   confirmed,      // to the printed digit, or the claim holds as stated
   consistent,     // within a stated tolerance whose reason is given
   fitted,         // an input was chosen to meet it
-  corrected,      // the print is wrong: the check shows what is right
+  corrected,      // the print is wrong: the check shows what is right, and carries a trial
   restored,       // our copy is damaged: the reading is derived
-  not_confirmed,  // the check states what holds instead, and fails if that changes
+  not_confirmed,  // something else holds, whatever was varied of what we chose (report/trial.hpp)
   verified,
 };
 
@@ -37,20 +39,28 @@ struct Expectation {
 
   Outcome outcome;
   Tolerance tolerance;
+  std::optional<Trial> trial;
 
  private:
   friend Expectation fitted(std::string why, Tolerance tolerance);
   friend Expectation restored(std::string why, Tolerance tolerance);
   friend Expectation corrected(double value, double allowed, std::string why);
+  friend Expectation corrected(double value, double allowed, std::string why, Trial trial);
   friend Expectation not_confirmed(double value, double allowed, std::string why);
-  Expectation(Outcome o, Tolerance t) : outcome(o), tolerance(std::move(t)) {}
+  friend Expectation not_confirmed(std::string why, Trial trial);
+  Expectation(Outcome o, Tolerance t, std::optional<Trial> tried = {})
+      : outcome(o), tolerance(std::move(t)), trial(std::move(tried)) {}
 };
 
 // row.print("frequency", f, report::fitted("the damper was chosen for it"));
 Expectation fitted(std::string why, Tolerance tolerance = last_digit());
 Expectation restored(std::string why, Tolerance tolerance = last_digit());
-// The computed value equals `value`, derived by another route than the computed one, within `allowed` (relative), and
-// does not round to the print.
+// The computed value equals `value`, derived by another route than the computed one, within
+// `allowed` (relative), and does not round to the print, whatever the trial varies.
+Expectation corrected(double value, double allowed, std::string why, Trial trial);
+// The computed value does not round to the print, whatever the trial varies.
+Expectation not_confirmed(std::string why, Trial trial);
+// Without a trial: to go.
 Expectation corrected(double value, double allowed, std::string why);
 Expectation not_confirmed(double value, double allowed, std::string why);
 

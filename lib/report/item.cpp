@@ -35,6 +35,26 @@ std::string show(std::string_view reference, double computed, const Tolerance& t
   return rounding ? below(computed) : fmt::format("{:.4g}", computed);
 }
 
+TrialRecord record_of(const Trial& trial) {
+  TrialRecord record{trial.quantity(), trial.range(), {}};
+  for (const Variation& v : trial.variations()) {
+    TrialRecord::Varied& varied = record.varied.emplace_back();
+    varied.choice = v.choice;
+    varied.settings = v.settings;
+    varied.range = trial.range_of(v);
+    for (const double r : v.results) varied.results.push_back(trial.show(r));
+  }
+  return record;
+}
+
+// A verdict that one of the tried choices reverses does not pass.
+void apply(const Trial& trial, CheckRecord& c) {
+  c.trial = record_of(trial);
+  if (trial.stands()) return;
+  c.pass = false;
+  c.kind += ", which its trial reverses: " + trial.objection();
+}
+
 }  // namespace
 
 std::string below(double error) {
@@ -139,6 +159,13 @@ void Item::compare_with(const About& about, std::string_view reference, double c
     c.pass = false;  // a check that cannot fail checks nothing
     c.kind += ", which passes shifted by twice its tolerance, too";
   }
+  if (expectation.trial) {
+    apply(*expectation.trial, c);
+    // The reader compares the print with the computation, and with what the print's rounding allows.
+    const double p = printed_number(reference), scale = p == 0 ? 1 : std::abs(p);
+    c.error = std::abs(computed - p) / scale;
+    c.allowed = half_last_digit(reference) / scale;
+  }
 }
 
 void Item::print(std::string_view id, std::string_view what, std::string_view unit,
@@ -197,14 +224,51 @@ void Item::print_text(std::string_view id, std::string_view what, std::string_vi
   c.error = c.pass ? 0 : 1;
 }
 
-void Item::judge_claim(std::string_view id, std::string_view what, bool pass, Outcome outcome,
-                       std::string measured) {
+CheckRecord& Item::judge_claim(std::string_view id, std::string_view what, bool pass,
+                               Outcome outcome, std::string measured) {
   CheckRecord& c = add_check({id, what, ""}, Source::claim, outcome);
   c.pass = pass;
   c.computed = nan;
   c.computed_text = measured.empty() ? (pass ? "it does" : "it does not") : std::move(measured);
   c.kind = name(ToleranceKind::exact);
   c.error = c.pass ? 0 : 1;
+  return c;
+}
+
+Trial Item::trial(std::string_view id, std::string quantity, std::string format,
+                  Trial::Stands stands) const {
+  const std::string check = fmt::format("{}/{}", record_.id, id);
+  std::vector<TrialRow> rows;
+  for (const TrialRow& row : settings_.trials)
+    if (row.check == check) rows.push_back(row);
+  if (rows.empty()) throw std::logic_error{"data/trials.csv has no row of the check " + check};
+  return {std::move(quantity), std::move(format), std::move(stands), std::move(rows)};
+}
+
+void Item::claim(std::string_view id, std::string_view what, const Trial& trial,
+                 std::string measured) {
+  apply(trial, judge_claim(id, what, true, Outcome::confirmed, std::move(measured)));
+}
+
+void Item::consistent(std::string_view id, std::string_view what, bool it_holds,
+                      std::string measured, std::string why) {
+  if (why.empty())
+    throw std::logic_error{fmt::format("{}: a consistent claim says why it is no more", id)};
+  judge_claim(id, what, it_holds, Outcome::consistent, std::move(measured)).why = std::move(why);
+}
+
+void Item::verify(std::string_view id, std::string_view what, bool it_holds, std::string measured,
+                  const std::string& method) {
+  CheckRecord& c = judge_claim(id, what, it_holds, Outcome::verified, std::move(measured));
+  c.source = name(Source::route);
+  c.by = method;
+}
+
+void Item::refute(std::string_view id, std::string_view what, const Trial& trial,
+                  std::string instead) {
+  if (instead.empty())
+    throw std::logic_error{fmt::format("{}: a refuted claim says what holds instead", id)};
+  apply(trial, judge_claim(id, what, true, Outcome::not_confirmed, std::move(instead)));
 }
 
 void Item::claim(std::string_view id, std::string_view what, bool it_holds, std::string measured) {

@@ -31,6 +31,7 @@
 #include "report/expectation.hpp"
 #include "report/record.hpp"
 #include "report/run_folder.hpp"
+#include "report/trial.hpp"
 #include "table/csv.hpp"
 #include "units/input_error.hpp"
 
@@ -150,13 +151,14 @@ class NoAnswer : public std::runtime_error {
 };
 
 struct RunSettings {
-  RunFolder* folder = nullptr;    // told of each file before it is written
-  std::filesystem::path sources;  // the chapter's folder: data/, scripts
-  std::filesystem::path results;  // results/<chapter>
-  std::filesystem::path figures;  // figures/<chapter>
-  bool full = false;              // --level full
-  bool draw = true;               // not --no-figures
-  bool timings = true;            // not --no-timings
+  RunFolder* folder = nullptr;        // told of each file before it is written
+  std::filesystem::path sources;      // the chapter's folder: data/, scripts
+  std::filesystem::path results;      // results/<chapter>
+  std::filesystem::path figures;      // figures/<chapter>
+  bool full = false;                  // --level full
+  bool draw = true;                   // not --no-figures
+  bool timings = true;                // not --no-timings
+  std::vector<TrialRow> trials = {};  // the chapter's data/trials.csv
 };
 
 class Item {
@@ -183,7 +185,20 @@ class Item {
                   std::string_view computed);
   // source claim: a statement of the paper in words; `measured` says what was found.
   void claim(std::string_view id, std::string_view what, bool it_holds, std::string measured = "");
-  // source claim, not confirmed: `instead` is what holds, and the check fails when it no longer does.
+  // The same, and it must hold in each variation: the claim's own condition is its trial.
+  void claim(std::string_view id, std::string_view what, const Trial& trial, std::string measured);
+  // source claim, consistent: compatible with the paper under assumptions of ours; `why` names them.
+  void consistent(std::string_view id, std::string_view what, bool it_holds, std::string measured,
+                  std::string why);
+  // source claim, not confirmed: `instead` is what holds, in each variation of the trial.
+  void refute(std::string_view id, std::string_view what, const Trial& trial, std::string instead);
+  // source route: a statement on our own program or model, none of the paper's.
+  void verify(std::string_view id, std::string_view what, bool it_holds, std::string measured,
+              const std::string& method);
+  // The trial of the check with this id: what is varied comes from data/trials.csv.
+  Trial trial(std::string_view id, std::string quantity, std::string format,
+              Trial::Stands stands) const;
+  // Without a trial: to go.
   void refute(std::string_view id, std::string_view what, bool instead_holds, std::string instead);
   // source publication: `reference` is the text of another work.
   void publication(std::string_view id, std::string_view what, std::string_view unit,
@@ -243,8 +258,8 @@ class Item {
   CheckRecord& add_check(const About& about, Source source, Outcome outcome);
   void compare_with(const About& about, std::string_view reference, double computed, Source source,
                     const Expectation& expectation, const std::string& by);
-  void judge_claim(std::string_view id, std::string_view what, bool pass, Outcome outcome,
-                   std::string measured);
+  CheckRecord& judge_claim(std::string_view id, std::string_view what, bool pass, Outcome outcome,
+                           std::string measured);
   void add_cells(std::initializer_list<Cell> cells);
   void from(std::string input, std::string why);
   void draw();

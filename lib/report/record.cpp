@@ -20,24 +20,36 @@ Json number(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
+Json json(const TrialRecord& t) {
+  Json varied = Json::array();
+  for (const TrialRecord::Varied& v : t.varied)
+    varied.push_back({{"choice", v.choice},
+                      {"settings", v.settings},
+                      {"results", v.results},
+                      {"range", v.range}});
+  return {{"quantity", t.quantity}, {"range", t.range}, {"varied", varied}};
+}
+
 Json json(const CheckRecord& c) {
-  return {{"id", c.id},
-          {"item", c.item},
-          {"what", c.what},
-          {"unit", c.unit},
-          {"source", c.source},
-          {"outcome", c.outcome},
-          {"place", c.place},
-          {"by", c.by},
-          {c.source == "print" ? "printed" : "reference", c.reference},
-          {"computed", std::isnan(c.computed) && c.kind == "exact" ? Json(c.computed_text)
-                                                                   : number(c.computed)},
-          {"computed_text", c.computed_text},
-          {"allowed", number(c.allowed)},
-          {"error", number(c.error)},
-          {"kind", c.kind},
-          {"why", c.why},
-          {"pass", c.pass}};
+  Json j{{"id", c.id},
+         {"item", c.item},
+         {"what", c.what},
+         {"unit", c.unit},
+         {"source", c.source},
+         {"outcome", c.outcome},
+         {"place", c.place},
+         {"by", c.by},
+         {c.source == "print" ? "printed" : "reference", c.reference},
+         {"computed",
+          std::isnan(c.computed) && c.kind == "exact" ? Json(c.computed_text) : number(c.computed)},
+         {"computed_text", c.computed_text},
+         {"allowed", number(c.allowed)},
+         {"error", number(c.error)},
+         {"kind", c.kind},
+         {"why", c.why},
+         {"pass", c.pass}};
+  if (!c.trial.varied.empty()) j["trial"] = json(c.trial);
+  return j;
 }
 
 Json json(const ItemRecord& i) {

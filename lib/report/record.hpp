@@ -7,6 +7,18 @@
 
 namespace railbook::report {
 
+// What was varied before a verdict against the paper, and where the result came out
+// (report/trial.hpp); all as the reader sees it.
+struct TrialRecord {
+  struct Varied {
+    std::string choice;
+    std::vector<std::string> settings, results;
+    std::string range;  // of the results of this choice
+  };
+  std::string quantity, range;
+  std::vector<Varied> varied;
+};
+
 // One comparison.
 struct CheckRecord {
   std::string id;    // "table-2/p0"
@@ -25,6 +37,7 @@ struct CheckRecord {
   std::string kind;
   std::string why;
   bool pass = false;
+  TrialRecord trial = {};  // nothing varied: none
 };
 
 // A number that prose inserts as {{id}}.

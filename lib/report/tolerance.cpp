@@ -21,7 +21,8 @@ std::string without_spaces(std::string_view text) {
 
 void require_sound(std::string_view printed, const Tolerance& t) {
   const bool strict = t.kind == ToleranceKind::last_digit || t.kind == ToleranceKind::exact;
-  const bool bound = t.kind == ToleranceKind::at_most || t.kind == ToleranceKind::at_least;
+  const bool bound = t.kind == ToleranceKind::at_most || t.kind == ToleranceKind::at_least ||
+                     t.kind == ToleranceKind::not_the_print;
   if (!strict && t.why.empty())
     throw std::logic_error{std::string{name(t.kind)} + " tolerance without a reason"};
   if (!strict && !bound && !(std::isfinite(t.allowed) && t.allowed > 0))
@@ -46,6 +47,9 @@ Tolerance digitised(double share, double axis_span, std::string why) {
 }
 Tolerance misprint(double corrected, double allowed, std::string why) {
   return {ToleranceKind::misprint, allowed, std::move(why), corrected};
+}
+Tolerance not_the_print(std::string why) {
+  return {ToleranceKind::not_the_print, 0, std::move(why)};
 }
 Tolerance at_most(std::string why) {
   return {ToleranceKind::at_most, 0, std::move(why)};
@@ -101,6 +105,11 @@ Verdict compare(std::string_view printed, double computed, const Tolerance& t) {
       v.error = std::abs(computed - t.span) / std::abs(t.span);
       v.pass = v.error <= v.allowed && difference > half_last_digit(printed);
       return v;
+    case ToleranceKind::not_the_print:
+      v.error = difference;
+      v.allowed = half_last_digit(printed);
+      v.pass = difference > v.allowed;
+      return v;
     case ToleranceKind::at_most:
       v.error = computed;
       v.allowed = p;
@@ -135,6 +144,8 @@ double bitten(std::string_view printed, double computed, const Tolerance& t) {
       return away(p, t.allowed * t.span);
     case ToleranceKind::misprint:
       return away(t.span, t.allowed * std::abs(t.span));
+    case ToleranceKind::not_the_print:
+      return p;
     // A bound has no width: move across it, twice as far as the value lies inside.
     case ToleranceKind::at_most:
       return p + std::max(p - computed, 1e-9 * std::max(std::abs(p), 1.0));
@@ -160,6 +171,8 @@ std::string_view name(ToleranceKind kind) {
       return "agrees_with";
     case ToleranceKind::misprint:
       return "misprint";
+    case ToleranceKind::not_the_print:
+      return "not_the_print";
     case ToleranceKind::at_most:
       return "at_most";
     case ToleranceKind::at_least:

@@ -13,9 +13,10 @@ enum class ToleranceKind {
   digitised,    // |computed - printed| / axis span, for values read off a figure
   agrees_with,  // |computed - reference| / |reference|, reference from an independent method of ours
   misprint,     // computed equals another value, and does not round to the printed one
-  at_most,      // computed <= the bound
-  at_least,     // computed >= the bound
-  exact,        // the same text: a class, a name, a yes or no
+  not_the_print,  // computed does not round to the printed one
+  at_most,        // computed <= the bound
+  at_least,       // computed >= the bound
+  exact,          // the same text: a class, a name, a yes or no
 };
 
 // A tolerance; `allowed` is in the unit of its kind. Every kind but last_digit and exact needs a reason.
@@ -32,6 +33,7 @@ Tolerance absolute(double allowed, std::string why);
 Tolerance digitised(double share, double axis_span, std::string why);
 // `allowed` relative to `corrected`, which is derived by another route than the computed value.
 Tolerance misprint(double corrected, double allowed, std::string why);
+Tolerance not_the_print(std::string why);
 Tolerance at_most(std::string why);
 Tolerance at_least(std::string why);
 
