@@ -10,7 +10,7 @@ local overview, benchmarks, library = require "overview", require "benchmarks", 
 local dkjson = require "dkjson"
 
 local headline_heads = {"paper", "printed numbers", "confirmed", "consistent", "fitted", "corrected", "restored",
-  "not confirmed", "unreadable", "claims: confirmed / not / not testable", "figures: paper’s data / rebuilt / lost", "verified by other routes"}
+  "not confirmed", "unreadable", "claims: confirmed / consistent / not / not testable", "figures: paper’s data / rebuilt / lost", "verified by other routes"}
 
 local function headline_row(r)
   local name = r.chapter:match("^%d+%-(.*)$")
@@ -35,6 +35,22 @@ local function headline(records, left_out)
   end
   table.sort(rows, function(a, b) return a.name < b.name end)
   return html.table("chapters headline", headline_heads, rows)
+end
+
+-- The table's two sums that a reader should know first, in one sentence.
+local function in_short(records)
+  local printed, met, drawn, figures = 0, 0, 0, 0
+  for _, r in ipairs(records) do
+    if not r.paper:match("^Addition") then
+      local cells = r.headline
+      printed, met = printed + tonumber(cells[1]), met + tonumber(cells[2]) + tonumber(cells[3])
+      local own, rebuilt, lost = cells[10]:match("^(%d+) / (%d+) / (%d+)$")
+      drawn, figures = drawn + own, figures + own + rebuilt + lost
+    end
+  end
+  return html.tag("p", nil, ("Of the %d numbers that the papers print, %d are confirmed to the last digit or consistent within a stated "
+    .. "tolerance. Of the %d figures, %d are drawn from data that the paper prints; the others are rebuilt from inputs of ours, each "
+    .. "of which its caption names."):format(printed, met, math.tointeger(figures), math.tointeger(drawn)))
 end
 
 -- The papers with what was found in each.
@@ -216,6 +232,7 @@ function Pandoc(doc)
   local records = load_records(frame.strings(doc.meta.record))
   local parts, of_library = load_parts(text "parts", chapters), nil
   local made = {
+    ["{{in-short}}"] = function() return in_short(records) end,
     ["{{headline}}"] = function() return headline(records, frame.strings(doc.meta["left-out"])) end,
     ["{{papers}}"] = function() return citations(records, parts) end, ["{{equations}}"] = function() return equations(records, parts) end,
     ["{{overviews}}"] = overviews, ["{{legend}}"] = legend, ["{{gallery}}"] = function() return gallery(records, text "figures") end,

@@ -27,10 +27,11 @@ end
 -- The difference and what is allowed of it, as they are shown.
 function items.difference(check)
   local kind, error, allowed = check.kind, check.error, check.allowed
-  if kind == "exact" then return check.pass and "none" or "differs", "the same" end
+  if kind == "exact" then return check.pass and "" or "differs", "" end
   if kind == "at_most" then return "–", "at most" end
   if kind == "at_least" then return "–", "at least" end
   if type(error) ~= "number" or type(allowed) ~= "number" then return "–", "–" end
+  if check.trial then return share(error) .. " of the print", "rounding " .. share(allowed) end
   local of = kind == "digitised" and " of axis" or ""
   if kind == "last_digit" or kind == "absolute" then
     return html.number(("%.2g"):format(error)), html.number(("%.2g"):format(allowed))
@@ -49,12 +50,42 @@ function items.said(check, of_paper)
   return check.source == "claim" and "–" or html.number((of_paper and check.printed or check.reference) or "–")
 end
 
+-- A few settings of one choice, with their common unit at the end: "0.08, 0.04, 0.02 in".
+local function settings(list)
+  local unit = list[1]:match(" [^ ]+$")
+  for _, text in ipairs(list) do
+    if not text:match("^[-+−]?[%d.]+ [^ ]+$") or text:match(" [^ ]+$") ~= unit then return table.concat(list, ", ") end
+  end
+  local numbers = {}
+  for i, text in ipairs(list) do numbers[i] = text:sub(1, -#unit - 1) end
+  return table.concat(numbers, ", ") .. unit
+end
+
+-- What was varied before the verdict, and where the result came out; empty for a check without a trial.
+function items.trial(check)
+  if not check.trial then return "" end
+  local parts = {}
+  for i, v in ipairs(check.trial.varied) do
+    parts[i] = ("%s (%s): %s"):format(v.choice, settings(v.settings), v.range)
+  end
+  local quantity = check.trial.quantity
+  return ("%s%s is %s, whatever was varied. %s."):format(quantity:sub(1, 1):upper(), quantity:sub(2), check.trial.range,
+    table.concat(parts, "; "))
+end
+
+-- The reason of a check with its trial.
+function items.proof(check)
+  local why, trial = check.why or "", items.trial(check)
+  if why == "" or trial == "" then return why .. trial end
+  return why .. (why:match("[.!?]$") and " " or ". ") .. trial
+end
+
 -- Reasons, each said once and marked a, b, c ... in the rows it belongs to.
 local function notes_of(checks)
   local marks, list = {}, {}
   for _, check in ipairs(checks) do
-    local why = check.why
-    if why and why ~= "" and not marks[why] then
+    local why = items.proof(check)
+    if why ~= "" and not marks[why] then
       local n = #list
       marks[why] = n < 26 and string.char(97 + n) or tostring(n + 1)
       list[n + 1] = html.tag("li", nil, html.tag("b", nil, marks[why]) .. " " .. html.text(why))
@@ -69,7 +100,7 @@ local function claims_table(checks)
   local marks, notes = notes_of(checks)
   local rows = {}
   for i, check in ipairs(checks) do
-    local mark = marks[check.why]
+    local mark = marks[items.proof(check)]
     rows[i] = {html.tag("span", {id = check.id}, html.text(check.what or check.id)), html.text(check.place or ""),
       items.computed(check) .. (mark and html.tag("span", {class = "mark"}, mark) or ""),
       html.badge(check.pass and check.outcome or "failed"), class = not check.pass and "failed" or nil}
@@ -86,7 +117,7 @@ local function one_table(checks, of_paper)
   local rows = {}
   for i, check in ipairs(checks) do
     local off, allowed = items.difference(check)
-    local mark = marks[check.why]
+    local mark = marks[items.proof(check)]
     local row = {
       html.tag("span", {id = check.id}, html.text(check.what or check.id)) .. items.unit(check),
       items.cell(items.said(check, of_paper), not of_paper and "number reference" or nil), items.cell(items.computed(check)), {off, class = "number"},

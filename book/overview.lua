@@ -26,7 +26,7 @@ local function findings_table(r)
   local rows = {}
   for i, entry in ipairs(found) do
     local check = entry[3]
-    local came, why = items.cell(items.computed(check)), html.text(check.why or "")
+    local came, why = items.cell(items.computed(check)), html.text(items.proof(check))
     if came.class == "words" then came, why = {"–", class = "number"}, came[1] .. (why ~= "" and "; " .. why or "") end
     rows[i] = {check_link(check, r), html.badge(check.pass and check.outcome or "failed"), html.text(check.place or ""),
       items.cell(items.said(check, true)), came, why}
@@ -47,6 +47,13 @@ function overview.findings(records, parts)
   return html.tag("div", {class = "filterable"}, join(out))
 end
 
+-- What came out, and under it the trial of a verdict against the paper.
+local function computed_and_tried(check)
+  local cell, trial = items.cell(items.computed(check)), items.trial(check)
+  if trial ~= "" then cell = {cell[1] .. html.tag("p", {class = "reason"}, html.text(trial)), class = "words"} end
+  return cell
+end
+
 -- All checks, one folded table a chapter.
 function overview.ledger(records)
   local heads = {"what", "place", {"source", filter = true}, "printed or reference", "computed", "tolerance used", {"outcome", filter = true}}
@@ -56,7 +63,7 @@ function overview.ledger(records)
     for i, check in ipairs(r.checks) do
       local used = record.used(check)
       rows[i] = {check_link(check, r), html.text(check.of_paper and check.place or check.by or ""), check.source or "–",
-        items.cell(items.said(check, check.of_paper)), items.cell(items.computed(check)),
+        items.cell(items.said(check, check.of_paper)), computed_and_tried(check),
         {used and ("%.0f %%"):format(100 * used) or "–", class = "number", sort = used},
         html.badge(check.pass and check.outcome or "failed"), class = not check.pass and "failed" or nil}
     end

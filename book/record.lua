@@ -56,9 +56,9 @@ end
 
 -- Share of the tolerance used, or nil where a check has no width (bounds, texts).
 function record.used(check)
-  local bound = check.kind == "at_most" or check.kind == "at_least" or check.kind == "exact"
+  local bound = check.kind == "at_most" or check.kind == "at_least" or check.kind == "exact" or check.kind == "not_the_print"
   local known = type(check.error) == "number" and type(check.allowed) == "number"
-  if bound or not known or check.allowed <= 0 then return nil end
+  if bound or not known or check.allowed <= 0 or check.trial then return nil end
   return check.error / check.allowed
 end
 

@@ -33,8 +33,9 @@ std::vector<std::string> headline(const ChapterRecord& record) {
   }
   cells.front() = fmt::format("{}", found);
   cells.push_back(fmt::format("{}", unreadable));
-  cells.push_back(fmt::format("{} / {} / {}", checks("claim", "confirmed"),
-                              checks("claim", "not confirmed"), left_out("not testable")));
+  cells.push_back(fmt::format("{} / {} / {} / {}", checks("claim", "confirmed"),
+                              checks("claim", "consistent"), checks("claim", "not confirmed"),
+                              left_out("not testable")));
   cells.push_back(fmt::format("{} / {} / {}", figures({"paper"}), figures({"rebuilt", "sketch"}),
                               figures({"lost"})));
   cells.push_back(

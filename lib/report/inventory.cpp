@@ -19,17 +19,32 @@ bool matches(const std::string& pattern, const std::string& id) {
   return pattern == id;
 }
 
-// Whether a check or an item has the id; checks that have it get the row's place.
-bool place_checks(const InventoryRow& row, const std::string& pattern, ChapterRecord& record) {
-  bool known = false;
-  for (CheckRecord& check : record.checks) {
-    if (!matches(pattern, check.id)) continue;
-    known = true;
-    if ((check.source == "print" || check.source == "claim") && check.place.empty())
-      check.place = row.number.empty() ? row.place : row.place + ", " + row.number;
+bool known(const std::string& pattern, const ChapterRecord& record) {
+  const auto named = [&](const auto& entry) { return matches(pattern, entry.id); };
+  return std::any_of(record.checks.begin(), record.checks.end(), named) ||
+         std::any_of(record.items.begin(), record.items.end(), named);
+}
+
+// How closely a row is about a check, the smaller the closer: a row of its kind before others, one
+// that writes the id out before one that stands for it, one that names few checks before many.
+std::array<std::size_t, 3> distance(const InventoryRow& row, const CheckRecord& check) {
+  const bool of_kind = (row.kind == "claim") == (check.source == "claim");
+  const bool written_out =
+      std::find(row.treated.begin(), row.treated.end(), check.id) != row.treated.end();
+  return {of_kind ? 0u : 1u, written_out ? 0u : 1u, row.treated.size()};
+}
+
+// The place of the row that is most closely about the check; empty if none is about it.
+std::string place_of(const CheckRecord& check, const std::vector<InventoryRow>& inventory) {
+  const InventoryRow* closest = nullptr;
+  for (const InventoryRow& row : inventory) {
+    const bool about = std::any_of(row.treated.begin(), row.treated.end(),
+                                   [&](const std::string& id) { return matches(id, check.id); });
+    if (about && (closest == nullptr || distance(row, check) < distance(*closest, check)))
+      closest = &row;
   }
-  return known || std::any_of(record.items.begin(), record.items.end(),
-                              [&](const ItemRecord& item) { return matches(pattern, item.id); });
+  if (closest == nullptr) return "";
+  return closest->number.empty() ? closest->place : closest->place + ", " + closest->number;
 }
 
 }  // namespace
@@ -59,12 +74,14 @@ std::vector<std::string> audit(const std::vector<InventoryRow>& inventory, Chapt
     if (row.treated.empty() && row.symbol.empty() && row.reason.empty())
       problems.push_back(name + ": neither treated nor left out for a reason");
     for (const std::string& id : row.treated)
-      if (!place_checks(row, id, record))
-        problems.push_back(fmt::format("{}: no check or item {}", name, id));
+      if (!known(id, record)) problems.push_back(fmt::format("{}: no check or item {}", name, id));
   }
-  for (const CheckRecord& check : record.checks)
-    if ((check.source == "print" || check.source == "claim") && check.place.empty())
+  for (CheckRecord& check : record.checks) {
+    if (check.source != "print" && check.source != "claim") continue;
+    check.place = place_of(check, inventory);
+    if (check.place.empty())
       problems.push_back(check.id + ": a check of the paper that no row names");
+  }
   return problems;
 }
 

@@ -23,7 +23,8 @@ namespace railbook::report {
 // Throws InputError when the file is not of this form.
 std::vector<InventoryRow> read_inventory(const std::filesystem::path& file);
 
-// Gives each check of the record its place in the paper, and returns what is wrong: ids that do not exist, rows without
+// Gives each check of print or claim its place in the paper, that of the row which is most closely about it (its own kind,
+// its id written out, few other checks), and returns what is wrong: ids that do not exist, rows without
 // id, symbol and reason, checks of print or claim that no row names.
 std::vector<std::string> audit(const std::vector<InventoryRow>& inventory, ChapterRecord& record);
 

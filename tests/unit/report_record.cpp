@@ -125,7 +125,7 @@ TEST_CASE("unit: a headline counts each outcome of the print, of claims, figures
   };
   add(1, "print", "confirmed"), add(2, "print", "consistent"), add(3, "print", "fitted");
   add(4, "print", "corrected"), add(5, "print", "restored"), add(6, "print", "not confirmed");
-  add(7, "claim", "confirmed"), add(8, "claim", "not confirmed");
+  add(7, "claim", "confirmed"), add(8, "claim", "not confirmed"), add(3, "claim", "consistent");
   add(9, "route", "verified"), add(20, "publication", "verified"), add(1, "route", "failed");
   for (const char* reason : {"unreadable: a fold", "unreadable", "not testable: gone", "left out"})
     r.inventory.emplace_back().reason = reason;
@@ -139,17 +139,37 @@ TEST_CASE("unit: a headline counts each outcome of the print, of claims, figures
   figures(3, "figure", "paper", "sketch"), figures(4, "figure", "paper", "lost");
   figures(9, "table", "paper", "paper"), figures(9, "figure", "study", "paper");
   CHECK(headline(r) == std::vector<std::string>{"23", "1", "2", "3", "4", "5", "6", "2",
-                                                "7 / 8 / 1", "1 / 5 / 4", "29"});
+                                                "7 / 3 / 8 / 1", "1 / 5 / 4", "29"});
 }
 
-TEST_CASE("unit: the first row of an inventory that names a check of the paper gives its place") {
+TEST_CASE("unit: the inventory's row that is most closely about a check gives its place") {
+  ChapterRecord r;
+  for (const char* source : {"print", "claim"})
+    r.checks.push_back(check(std::string("t/") + source, source, "confirmed"));
+  const auto place = [&](const std::vector<InventoryRow>& rows, std::size_t i) {
+    audit(rows, r);
+    return r.checks[i].place;
+  };
+  const InventoryRow wild{"p. 1", "number", "", "", {"t/*"}, "", "", ""};
+  const InventoryRow many{"p. 2", "number", "", "", {"t/print", "t/claim"}, "", "", ""};
+  const InventoryRow few{"p. 3", "number", "", "", {"t/print"}, "", "", ""};
+  const InventoryRow claim{"p. 4", "claim", "", "", {"t/*"}, "", "", ""};
+  CHECK(place({wild, many, few, claim}, 0) == "p. 3");
+  CHECK(place({wild, many, claim}, 0) == "p. 2");
+  CHECK(place({claim, wild}, 0) == "p. 1");  // its own kind, although it comes second
+  CHECK(place({many, wild, claim}, 1) == "p. 4");
+  CHECK(place({wild, {"p. 5", "number", "", "", {"t/*"}, "", "", ""}}, 0) == "p. 1");
+}
+
+TEST_CASE("unit: the first of equal rows of an inventory gives a check its place") {
   ChapterRecord r;
   for (const char* source : {"print", "claim", "route", "publication"})
     r.checks.push_back(check(std::string("t/") + source, source, "confirmed"));
   r.checks.push_back(check("t/pq", "print", "confirmed"));  // not of t/pr*
   r.items.emplace_back().id = "fig-1";
-  const std::vector<InventoryRow> rows{{"p. 1", "", "(2)", "", {"t/pr*", "fig-*"}, "", "", ""},
-                                       {"p. 2", "", "", "", {"t/*"}, "", "", ""}};
+  const std::vector<InventoryRow> rows{{"p. 1", "", "(2)", "", {"t/pr*"}, "", "", ""},
+                                       {"p. 2", "", "", "", {"t/*"}, "", "", ""},
+                                       {"p. 3", "", "", "", {"t/pr*", "fig-*"}, "", "", ""}};
   CHECK(audit(rows, r).empty());
   CHECK(r.checks[0].place == "p. 1, (2)");
   CHECK(r.checks[1].place == "p. 2");
