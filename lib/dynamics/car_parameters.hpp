@@ -45,7 +45,7 @@ struct CarParameters {
   // Creep coefficients of one wheel: N, N m, N m^2, N
   double f11 = 1.15e6 * units::lbf;
   double f12 = 6750 * units::foot * units::lbf;
-  double f22 = 82.1 * units::foot * units::foot * units::lbf;
+  double f22 = 42.1 * units::foot * units::foot * units::lbf;
   double f33 = 1.262e6 * units::lbf;
   // Lengths [m]
   double half_gauge = 2.48 * units::foot;              // a

@@ -163,7 +163,7 @@ TEST_CASE("claim: modes and critical speeds of the linear car", "[thorough]") {
 }
 
 TEST_CASE("claim: cycles of the quasi-linear car", "[thorough]") {
-  Claim found("dynamics::find_cycle", 300), solved("dynamics::solve_cycle", 400),
+  Claim found("dynamics::find_cycle", 300), solved("dynamics::solve_cycle", 390),
       along("dynamics::tangent", 300), slope("dynamics::speed_by_amplitude", 300),
       loop("dynamics::paper_cycle", 300);
   Draw draw(2);
