@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string>
 
 #include "bench/timing.hpp"
 #include "plot/plot.hpp"
@@ -201,7 +203,7 @@ Cheapest cheapest(const Points& points, const std::string& quantity, double erro
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     const report::WorkPrecision& p = chosen[i];
     if (i == 0 || p.method != chosen[i - 1].method) candidate.method.clear();
-    const bool good = p.converged && std::max(p.error, tighter * p.reference_uncertainty) <= error;
+    const bool good = p.converged && p.error + p.reference_uncertainty <= error;
     if (!good)
       candidate.method.clear();
     else if (candidate.method.empty())
@@ -212,18 +214,33 @@ Cheapest cheapest(const Points& points, const std::string& quantity, double erro
   return best;
 }
 
+namespace {
+
+// "0.1 %", "10⁻⁶", "5·10⁻⁴".
+std::string size_of(double error) {
+  if (error > 0.9995e-3) return fmt::format("{:g} %", 100 * error);
+  const std::string text = fmt::format("{:.0e}", error);  // "5e-04"
+  const std::size_t e = text.find('e');
+  std::string power = "10⁻";
+  for (const char digit : std::to_string(-std::stoi(text.substr(e + 1))))
+    power += std::array{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"}[std::size_t(digit - '0')];
+  return text.substr(0, e) == "1" ? power : text.substr(0, e) + "·" + power;
+}
+
+}  // namespace
+
 std::string answer(const Points& points, const std::string& quantity,
                    std::initializer_list<double> errors) {
   std::string text;
   for (const double error : errors) {
     const Cheapest best = cheapest(points, quantity, error);
-    text += fmt::format("{} {:.0e} ", text.empty() ? "To" : "; to", error);
+    text += fmt::format("{} {} ", text.empty() ? "For an error of" : "; of", size_of(error));
     const bool timed = !best.method.empty() && best.seconds > 0;
     if (best.method.empty())
-      text += "nothing that was tried";
+      text += "none of the settings tried";
     else
       text += timed
-                  ? fmt::format("take {}{}{} ({})", best.method, best.setting.empty() ? "" : " at ",
+                  ? fmt::format("use {}{}{} ({})", best.method, best.setting.empty() ? "" : " at ",
                                 best.setting, duration(best.seconds))
                   : "(not timed)";
   }

@@ -53,8 +53,8 @@ plot for [i = 1:n] ARG1 using (drawn(method[i]) ? across("median") : NaN):"error
      for [i = 1:n] ARG1 using (known(method[i]) && timed > 0 ? across("median") : NaN):"error":(across("q1")):(across("q3")) \
          with xerrorbars lt i ps 0 dt solid lw 1.2, \
      for [i = 1:n] ARG1 using (vague(method[i]) ? across("median") : NaN):"error" with points lt i lc rgb "#B0B0B0", \
-     for [i = 1:n] ARG1 using (failed(method[i]) ? across("median") : NaN):(top) with points pt 2 ps 1.6 lw 2.4 \
-         lc rgb red title (failures > 0 && i == 1 ? "failed" : ""), \
+     for [i = 1:n] ARG1 using (failed(method[i]) ? across("median") : NaN):(top) with points lt i pt 2 ps 1.6 lw 2.4, \
+     NaN with points pt 2 ps 1.6 lw 2.4 lc rgb "#606060" title (failures > 0 ? "failed" : ""), \
      ARG3 using (strcol("what") eq "slope" ? column("x1") : NaN):"y1":(column("x2") - column("x1")):(column("y2") - column("y1")) \
          with vectors nohead lc rgb "#606060" lw 1.4, \
      ARG3 using (strcol("what") eq "slope" ? column("x2") : NaN):"y2":(strcol("text")) \

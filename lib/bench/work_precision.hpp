@@ -112,7 +112,7 @@ double observed_slope(const std::vector<report::WorkPrecision>& points, const st
                       const std::string& method);
 
 // The method and setting that takes least time to an error that each later setting of the method keeps, too; empty when
-// none does. Points below 100 times the reference's uncertainty count as good to that.
+// none does. The reference's uncertainty is added to each error.
 struct Cheapest {
   std::string method, setting;
   double seconds = 0;
@@ -120,7 +120,7 @@ struct Cheapest {
 Cheapest cheapest(const std::vector<report::WorkPrecision>& points, const std::string& quantity,
                   double error);
 
-// "To 1e-3 take CG-FFT at 48 (1.2 ms); to 1e-8 nothing that was tried." Without timings "(not timed)".
+// "For an error of 0.1 % use CG-FFT at 48 (1.2 ms); of 10⁻⁸ none of the settings tried." Without timings "(not timed)".
 std::string answer(const std::vector<report::WorkPrecision>& points, const std::string& quantity,
                    std::initializer_list<double> errors);
 

@@ -95,14 +95,20 @@ TEST_CASE("unit: the answer names the cheapest method that stays below the error
       point("a", "1", 1e-5, 1e-6), point("a", "2", 1e-2, 2e-6), point("a", "3", 5e-4, 3e-3),
       point("b", "1", 9e-4, 2.5e-3), point("b", "2", 1e-12, 4e-2)};
   CHECK(bench::answer(points, "F", {1e-3, 1e-6, 1e-8}) ==
-        "To 1e-03 take b at 1 (2.5 ms); to 1e-06 take b at 2 (40 ms); to 1e-08 nothing that was "
-        "tried.");
+        "For an error of 0.1 % use b at 1 (2.5 ms); of 10⁻⁶ use b at 2 (40 ms); of 10⁻⁸ use b at 2 "
+        "(40 ms).");
   CHECK(bench::cheapest(points, "F", 1e-20).method.empty());
-  CHECK(bench::answer({point("a", "1", 1e-5, 0)}, "F", {1e-3}) == "To 1e-03 (not timed).");
-  CHECK(bench::answer({point("a", "", 1e-5, 1)}, "F", {1e-5}) == "To 1e-05 take a (1 s).");
-  // A hundred times the reference's uncertainty is good to just that; of equally quick ones the first is named.
-  CHECK(bench::cheapest({point("a", "1", 0, 1)}, "F", 1.01e-7).method == "a");
-  CHECK(bench::cheapest({point("a", "1", 0, 1)}, "F", 0.99e-7).method.empty());
+  CHECK(bench::answer({point("a", "1", 1e-5, 0)}, "F", {1e-3}) ==
+        "For an error of 0.1 % (not timed).");
+  CHECK(bench::answer({point("a", "", 1e-5, 1)}, "F", {1e-4}) ==
+        "For an error of 10⁻⁴ use a (1 s).");
+  CHECK(bench::answer({point("a", "1", 1, 1)}, "F", {0.05}) ==
+        "For an error of 5 % none of the settings tried.");
+  CHECK(bench::answer({point("a", "1", 1, 1)}, "F", {2e-5}) ==
+        "For an error of 2·10⁻⁵ none of the settings tried.");
+  // An error is known to the reference's uncertainty; of equally quick ones the first is named.
+  CHECK(bench::cheapest({point("a", "1", 1e-8, 1)}, "F", 1.11e-8).method == "a");
+  CHECK(bench::cheapest({point("a", "1", 1e-8, 1)}, "F", 1.09e-8).method.empty());
   CHECK(bench::cheapest({point("a", "1", 1e-5, 2), point("b", "1", 1e-5, 2)}, "F", 1e-3).method ==
         "a");
   // The first good setting that all later ones of the method keep, before the next method and at the end.
