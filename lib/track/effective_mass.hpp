@@ -13,9 +13,10 @@ namespace railbook::track {
 // M_r = 3 rho / 2 beta, eqs (15), (16), (19), kg. rho is mass per length (kg/m) of one rail's
 // share.
 //
-// The paper has it "from the first natural frequency". It is not that: it is the mass whose kinetic
-// energy equals the beam's when the whole static shape moves, since the integral of a^2 over the
-// line is 3 / 2 beta. sqrt(K_r / M_r) is sqrt(4/3) times the beam's lowest frequency sqrt(K / rho).
+// The paper has it "from the first natural frequency": it is K_r over the square of Rayleigh's
+// estimate with the static shape, and the mass whose kinetic energy equals the beam's when that shape
+// moves (the integral of a^2 over the line is 3 / 2 beta). The estimate, sqrt(K_r / M_r), is
+// sqrt(4/3) times the beam's lowest frequency sqrt(K / rho).
 double effective_mass(double mass_per_length, double beta);
 
 // The mass that does give the lowest (cut-on) frequency: K_r rho / K = 2 rho / beta, kg.

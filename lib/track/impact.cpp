@@ -116,8 +116,8 @@ class Runner {
     const double speed = history_.speed;
     const double begin = options_.start / speed, end = options_.end_time;
     std::vector<double> stops = breakpoints(history_.surface, options_.start, speed * end);
-    const bool cusps = has_cusps(history_.surface) && options_.restart;
-    if (has_cusps(history_.surface) && !options_.restart) {
+    const bool cusps = has_cusps(history_.surface) && options_.restart_at_cusps;
+    if (has_cusps(history_.surface) && !options_.restart_at_cusps) {
       stops.clear();
       system_.follow = true;
     }
@@ -164,7 +164,7 @@ class Runner {
         return false;
       }
       history_.steps.push_back(solver_.dense());
-      if (options_.restart) locate_event();
+      if (options_.locate_losses) locate_event();
     }
     return true;
   }

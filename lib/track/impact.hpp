@@ -38,9 +38,11 @@ struct ImpactOptions {
   double tolerance = 1e-8;  // local error over the static approach and its speed scale
   // Distance of the first instant [m]: the wheel starts in static equilibrium, moving along the slope there.
   double start = 0;
-  double end_time = 0.06;  // [s] after the joint
-  // Begin anew at cusps and where contact is lost or regained; false steps across them and records no losses.
-  bool restart = true;
+  double end_time = 0.06;        // [s] after the joint
+  bool restart_at_cusps = true;  // end a step on each joint and begin anew; false steps across
+  // End a step where contact is lost or regained and begin anew; false looks for no such place and
+  // records no losses.
+  bool locate_losses = true;
   long most_steps = 400000;  // each kept, about 300 bytes
   // Radau IIA instead of the explicit pair: for stiff data (a rail of grams, hard dampers), whose fast motions it damps out
   // where the tolerance does not see them.

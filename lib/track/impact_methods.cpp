@@ -99,7 +99,7 @@ class Comparison {
   ForcesAt run(const Surface& whole, ImpactMethod method, std::span<const double> times) {
     const double speed = system_.speed, begin = options_.start / speed;
     const std::vector<Stop> stops = stops_of(whole, speed, options_, times);
-    const bool cusps = has_cusps(whole) && options_.restart;
+    const bool cusps = has_cusps(whole) && options_.restart_at_cusps;
     ForcesAt result;
     Stepper stepper;
     double from = begin;

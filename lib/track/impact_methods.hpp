@@ -23,8 +23,9 @@ struct ForcesAt {
 };
 
 // Wheel/rail forces at `times` [s], ascending, within the run, the last after the joint; every method steps exactly onto
-// them and begins anew at cusps (unless options.restart is false). None but dopri5 locates lost contact. The tolerance means
-// the same to all: local error over the static approach. Throws InputError as simulate() does.
+// them and begins anew at cusps (unless options.restart_at_cusps is false). None but dopri5 locates lost contact (unless
+// options.locate_losses is false). The tolerance means the same to all: local error over the static approach. Throws
+// InputError as simulate() does.
 [[nodiscard]] ForcesAt forces_at(const ImpactModel& model, const Surface& surface, double speed,
                                  const ImpactOptions& options, ImpactMethod method,
                                  std::span<const double> times);

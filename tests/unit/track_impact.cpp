@@ -164,11 +164,16 @@ TEST_CASE("unit: stepping across joint and touch-down converges to the same forc
   options.start = -1;
   options.tolerance = 1e-11;
   const ImpactHistory located = simulate(model, rail, 100 * units::mph, options);
-  options.restart = false;
-  const ImpactHistory across = simulate(model, rail, 100 * units::mph, options);
-  CHECK(across.losses.empty());
-  for (double t = 0; t < 0.06; t += 1e-3)
-    CHECK(across.force(t) == Approx(located.force(t)).epsilon(1e-6).margin(1e-3));
+  REQUIRE_FALSE(located.losses.empty());
+  for (const auto& [cusps, losses] : {std::pair{false, true}, {true, false}, {false, false}}) {
+    INFO("begins anew at cusps " << cusps << ", locates losses " << losses);
+    options.restart_at_cusps = cusps;
+    options.locate_losses = losses;
+    const ImpactHistory across = simulate(model, rail, 100 * units::mph, options);
+    CHECK(across.losses.size() == (losses ? located.losses.size() : 0));
+    for (double t = 0; t < 0.06; t += 1e-3)
+      CHECK(across.force(t) == Approx(located.force(t)).epsilon(1e-6).margin(1e-3));
+  }
 }
 
 TEST_CASE("unit: contact is first lost for a moment, however long the steps are") {

@@ -19,7 +19,7 @@ constexpr std::array times{0.00142, 0.01, 0.03};
 
 ForcesAt run(ImpactMethod method, double tolerance, long most = 2000000, bool restart = true) {
   ImpactOptions options;
-  options.restart = restart;
+  options.restart_at_cusps = restart;
   options.start = -0.5;
   options.tolerance = tolerance;
   options.most_steps = most;
