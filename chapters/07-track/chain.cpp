@@ -15,8 +15,9 @@ alone, and Winkler's separate springs cannot know that.
 
 {{fig-02}}
 
-The scene is drawn from the numbers of the typical track, to scale, in inches: the tie, the pyramid below each rail
-seat with the base area that (7) multiplies by the soil modulus, and beside it the chain of springs it becomes.
+The scene is drawn from the numbers of the typical track, to scale: the tie, the pyramid below each rail seat with the
+base area that (7) multiplies by the soil modulus, and beside it the chain of springs it becomes, with half the stiffness
+of ballast and subgrade as in (4).
 
 The ballast carries in a pyramid only, evenly loaded at every depth, its sides at the friction angle $\alpha$
 (20° in the paper) to the vertical; the subgrade is a bed of springs $K_0$ below the pyramid's base:
@@ -25,8 +26,8 @@ $$k_b=\frac{C(l-w)E_b}{\ln\dfrac{l\,(w+Ch)}{w\,(l+Ch)}},\qquad C=2\tan\alpha, \t
 
 $$k_s=K_0(l+Ch)(w+Ch), \tag{7}$$
 
-for a loaded area $l\times w$ and a ballast depth $h$. (6) divides nothing by nothing for a square area ($l=w$) and for vertical sides
-($\alpha=0$), neither of which is special physically. The program evaluates the compliance instead,
+for a loaded area $l\times w$ and a ballast depth $h$. For a square area ($l=w$) and for vertical sides ($\alpha=0$) the printed form (6) is
+0/0, although neither is special physically. The program evaluates the compliance instead,
 
 $$\frac1{k_b}=\frac{h}{E_b\,w\,(l+Ch)}\cdot\frac{\ln(1+x)}{x},\qquad x=\frac{Ch\,(l-w)}{w\,(l+Ch)},$$
 
@@ -38,10 +39,10 @@ which is (6) rearranged and has no such holes.
 
 Every length and modulus of this typical track but the 20° is assumed: ordinary values, chosen so that zero deflection is at ten feet.
 
-Two things stand out. The subgrade decides: $k_s$ is {{soil-softer}} times softer than the ballast. And deeper
-ballast makes *stiffer* track although it adds a spring in series, because the pyramid spreads the load over
-more soil: 14 in of it instead of 12 give {{deeper}} more $K_r$. The model overdoes this once the pyramids of neighbouring ties meet, here below {{overlap}} of
-ballast: from there on it counts the same stone twice, and only the fixed factor 2 pays for it.
+Two things stand out. The subgrade decides: the ballast is {{soil-softer}} times as stiff. And deeper ballast makes *stiffer* track although
+it adds a spring in series, because the pyramid spreads the load over more soil: 14 in of it instead of 12 give {{deeper}} more $K_r$.
+Once the pyramids of neighbouring ties meet, here at {{overlap}} of ballast, the model counts the stone and the soil of their overlap twice. The
+fixed factor 2 of (4) is the paper's allowance for that, whatever the depth.
 */
 #include <cmath>
 
@@ -103,7 +104,7 @@ void add_chain_of_springs(scene::Scene& s, double x, std::vector<drawing::Label>
   const auto plate = [&](double z, double half, const scene::Colour& colour) {
     s.meshes.push_back(scene::box({x - half, -half, z - 0.7}, {x + half, half, z}, colour));
   };
-  const char* names[] = {"subgrade  k_s", "ballast  k_b", "tie  k_{tie}", "pad  k_{pad}"};
+  const char* names[] = {"subgrade  k_s/2", "ballast  k_b/2", "tie  k_{tie}", "pad  k_{pad}"};
   const scene::Colour colours[] = {scene::soil, scene::stone, scene::wood, scene::steel};
   double z = -25;
   plate(z, 11, scene::soil);

@@ -10,4 +10,5 @@ plot ARG3 using 1:2 with lines lt 1 title "no damping: 1/√(1−θ^2)", \
      ARG1 using 1:3 with lines lt 3 title "ζ = 0.2", \
      ARG1 using 1:4 with lines lt 4 title "ζ = 0.4", \
      ARG1 using 1:5 with lines lt 5 title "ζ = 1", \
-     ARG4 using 1:2 with points ls printed title "150 and 250 mph at V_c = 1100 mph"
+     ARG4 using 1:2 with points ls printed title "150 and 250 mph if V_c = 1100 mph", \
+     ARG5 using 1:2 with points ls other title "150 and 250 mph on the typical track"

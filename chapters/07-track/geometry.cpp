@@ -11,6 +11,8 @@ in bounce. That is exact, since a shift by $L/2$ changes the sign of odd harmoni
 
 {{harmonics}}
 */
+#include <fmt/format.h>
+
 #include <array>
 #include <cmath>
 
@@ -59,21 +61,43 @@ void harmonics(report::Item& item) {
 }
 
 /***
-The second kind of input is random. Figure 6 of the paper shows an idealized cross-level spectrum, in
-double logarithmic axes, over the range of measured data. Its curves and its bands are not in the text. What stands
-here is the family that the Federal Railroad Administration's classes were given later in the literature (quoted by Frýba),
+A measured profile is the paper's Figure 7, which is lost. "This type of profile has been modeled quite adequately by the rectified sinewave", says the paper,
+and without the profile that cannot be told. {{fig-07}} shows the rectified sine instead, on two rails with staggered joints, and what a car feels of them.
+
+{{fig-07}}
+
+The second kind of input is random. By its legends, which are in the copy while its curves are not, the paper's Figure 6 shows a spectrum of cross level for an idealized
+track of class 6, and the ranges of data measured on a high-speed demonstration track and on British Rail. What stands here is the family of curves
+that the Federal Railroad Administration's classes were given later in the literature (quoted by Frýba),
 
 $$S(\phi)=\frac{A\,\phi_2^2}{(\phi^2+\phi_1^2)(\phi^2+\phi_2^2)},$$
 
-with its constants for class 6 and class 3, and the lines at which half-staggered 39-foot rails add power of their own. The level is doubtful: other
-published lists of the same family have amplitudes about {{feet-squared}}, that is $(1/0.3048)^2$, times as large, as if feet had been converted once too often. That is an
-inference from two such lists; the original was not at hand. The shape of the curves does not depend on it.
+with $\phi$ in cycles per length, its roughness $A$ and break frequencies $\phi_1$, $\phi_2$ for class 6 and class 3, and the frequencies at which half-staggered 39-foot rails
+add power of their own. The level is doubtful. Other published lists of the same family have roughness constants $A$ about {{feet-squared}}, that is $(1/0.3048)^2$,
+times as large, as if feet had been converted once too often; amplitudes would be {{feet}} times as large. That is an inference from two such lists; the original was
+not at hand. The shape of the curves does not depend on it.
 
 {{fig-06}}
 
-The rms from 2 to 100 m is {{rms-6}} for class 6 and {{rms-3}} for class 3. Figure 7 of the paper, a measured profile, is lost; whether the rectified sine models it
-"quite adequately" cannot be told.
+The cross level's root mean square over wavelengths of 2 to 100 m is {{rms-6}} for class 6 and {{rms-3}} for class 3 with these constants, {{rms-6-high}} and {{rms-3-high}}
+with the larger ones. The paper finds the effect of staggered (North American) and coincident (British) joints on such spectra interesting: staggered joints put
+their odd harmonics into the cross level, coincident ones, being the same on both rails, nothing.
 */
+
+// Half-staggered rails with joints half an inch deep, and what a car feels of them.
+void profile(report::Item& item) {
+  item.lost(
+      "the measured profile is not in the copy: the rectified sine that the paper puts for it");
+  auto& curves = item.data({"distance_ft", "left_in", "right_in", "bounce_in", "roll_in"});
+  const RectifiedSine rail = joint_dip(0.5);
+  for (double x = 0; x <= 117.001; x += 0.25) {
+    const auto height = [&](double at) {
+      return surface_at(rail, at * units::foot).z / units::inch;
+    };
+    const auto both = half_staggered(rail, x * units::foot);
+    curves.add(x, height(x), height(x - 19.5), both.bounce / units::inch, both.roll / units::inch);
+  }
+}
 
 constexpr double per_foot = units::inch * units::inch * units::foot;  // in^2/(cycle/ft) in m^3
 
@@ -83,19 +107,25 @@ void cross_level(report::Item& item) {
   for (double f = 0.002; f <= 0.5; f *= 1.05)
     curve.add(f, class_6.density(f / units::foot) / per_foot,
               class_3.density(f / units::foot) / per_foot);
-  auto& lines = item.data("joints", {"cycles_per_ft", "low", "high"});
-  for (int n = 1; n <= 7; n += 2)
-    lines.add(n / 39.0, 1e-6, class_3.density(n / 39.0 / units::foot) / per_foot);
+  auto& joints = item.data("joints", {"cycles_per_ft", "harmonic"});
+  for (int n = 1; n <= 7; n += 2) joints.add(n / 39.0, n);
   item.lost("the paper's curve and measured bands are not in the text: a later published family");
-  item.value("feet-squared", 1 / (units::foot * units::foot), "", "{:.2f}");
-  for (const auto& [id, spectrum] : {std::pair{"rms-6", class_6}, {"rms-3", class_3}})
-    item.value(id, 1e3 * std::sqrt(spectrum.variance(0.01, 0.5)), "mm", "{:.3f}");
+  const double feet = 1 / units::foot;
+  item.value("feet-squared", feet * feet, "", "{:.1f}");
+  item.value("feet", feet, "", "{:.1f}");
+  for (const auto& [id, spectrum] : {std::pair{"rms-6", class_6}, {"rms-3", class_3}}) {
+    const double rms = 1e3 * std::sqrt(spectrum.variance(0.01, 0.5));
+    item.value(id, rms, "mm", "{:.1f}");
+    item.value(fmt::format("{}-high", id), rms * feet, "mm", "{:.1f}");
+  }
 }
 
 }  // namespace
 
 const report::Section geometry{
     report::table("harmonics", "Half-staggered joints in bounce and roll", harmonics),
+    report::figure("fig-07", "Rails with half-staggered joints (in place of the paper's Fig. 7)",
+                   profile),
     report::figure("fig-06", "Cross-level spectrum (in place of the paper's Fig. 6)", cross_level)};
 
 }  // namespace railbook::track_chapter

@@ -2,7 +2,8 @@
 ## The lumped track, on car and at trackside
 
 Below $V_c$ the rail's dent travels with the wheel almost unchanged, and so may a lumped model: one mass or two on springs and dampers, moved along below each wheel.
-{{fig-04}} is that model as rebuilt here; the paper's drawing has no numbers, and its text breaks off after (10).
+The paper's Figure 4 represents one rail and half of the unsprung mass of a four-wheel truck, that is two wheels, and "Deflections of the rail under
+each wheel are influenced by loads at the adjacent wheels". {{fig-04}} is drawn after these words; {{two-wheels}} tests what two wheels do to each other.
 
 {{fig-04}}
 
@@ -11,7 +12,7 @@ A fixed point beside the track sees something else: wheels that come and go. The
 $$Y(s)=\frac{P(s)}{K_r+C_rs+M_rs^2}, \tag{10}$$
 
 puts the wheel/rail forces on its rail mass, and scales each by the beam's deflection at that distance. Equations (11) to (14) are not in the text that is
-available. Its words are read as
+available, and nothing in it says what Figure 5 shows. Its words are read as
 
 $$P(t)=\sum_iP_i(t)\,a\bigl(\beta(Vt-x_i)\bigr),$$
 
@@ -31,8 +32,8 @@ At 60 mph the two-layer track answers a truck almost statically. At 250 mph the 
 ### What the lumped mass gets wrong
 
 For one mass the response depends on three numbers, the speed ratio $\theta$, the damping $\zeta$ and the mass ratio $\mu=M\beta^2V_c^2/K_r$, which is 3/4 for the mass
-of (15). Its peak grows as $1+2\mu\theta^2$, the true beam's as $1+\theta^2/2$. So the mass that is right for kinetic energy makes inertia at a fixed point three
-times too important; $M=\rho/2\beta$, $\mu=1/4$, would be right in the limit of low speed.
+of (15). Its peak grows as $1+2\mu\theta^2$, that of the beam under a moving load as $1+\theta^2/2$. As (10) is read here, the mass (15) therefore makes the effect
+of inertia at a fixed point three times too large; $M=\rho/2\beta$, $\mu=1/4$, would be right in the limit of low speed.
 
 {{trackside-peak}}
 */
@@ -41,6 +42,7 @@ times too important; $M=\rho/2\beta$, $\mu=1/4$, would be right in the limit of 
 #include <array>
 #include <cmath>
 
+#include "num/quadrature.hpp"
 #include "sections.hpp"
 #include "track/lumped.hpp"
 #include "track/moving_load.hpp"
@@ -54,10 +56,10 @@ namespace {
 
 // The rail's running surface with a joint; the rest of the scheme is drawn by its script.
 void scheme(report::Item& item) {
-  item.sketch("scheme of the lumped model as rebuilt here");
+  item.sketch("drawn after the paper's words; its drawing is not in the copy");
   auto& surface = item.data({"x", "y"});
-  for (double x = 1.2; x <= 4.7; x += 0.05)
-    surface.add(x, 3.9 - 0.35 * (1 - std::abs(std::sin(units::pi * (x - 2.95) / 2.9))));
+  for (double x = 0.9; x <= 3.6; x += 0.05)
+    surface.add(x, 4.5 - 0.3 * (1 - std::abs(std::sin(units::pi * (x - 2.25) / 2.9))));
 }
 
 void modulation(report::Item& item) {
@@ -82,7 +84,9 @@ void modulation(report::Item& item) {
       still += wheel.force / stiffness * winkler_shapes(beta * std::abs(x - wheel.x)).a;
     data.add(x, 1e3 * still, 1e3 * runs[0][std::size_t(k)], 1e3 * runs[1][std::size_t(k)]);
   }
-  item.rebuilt("the figure's caption and (11)-(14) are lost: typical track, two trucks assumed");
+  item.lost(
+      "nothing in the copy says what Fig. 5 shows, and (11) to (14) are not in it: two trucks "
+      "on the typical track");
 }
 
 void trackside_peaks(report::Item& item) {
@@ -114,10 +118,11 @@ For a lumped model the track needs a mass beside its spring. The paper's is
 
 $$M_r=\frac{3\rho}{2\beta}, \tag{15}$$
 
-$\rho$ being the mass per length of rail, half the ties, and ballast, "derived from the first natural frequency of a beam on an elastic foundation". It is the mass
-whose kinetic energy equals the beam's when the whole static shape moves up and down with its peak: $\rho\int a^2dX=3\rho/2\beta$, since
-$\int a^2\,d(\beta X)=\frac32$ over the line. The first natural frequency of the infinite beam, where waves begin to travel, is $\sqrt{K/\rho}$ and belongs to
-$2\rho/\beta$; with (15) one finds $\sqrt{4/3}$ of it, {{too-high}} too high. As an upper bound of Rayleigh's kind that is in order.
+where $\rho$ is the mass per length of rail, half the ties, and ballast. It has been "derived from the first natural frequency of a beam", says the paper, and that is
+right in the usual sense. Let the whole static shape $a$ move up and down; the beam's energies then give Rayleigh's estimate $\omega_R$ of the first natural
+frequency, and $K_r/\omega_R^2=\rho\int a^2dX=3\rho/2\beta$, since $\int a^2\,d(\beta X)=\frac32$ over the line. Rayleigh's estimate is an upper bound. The first
+natural frequency itself, where waves begin to travel, is $\sqrt{K/\rho}$; the estimate is $\sqrt{4/3}$ of it, {{too-high}} too high, and the mass that would give
+the frequency exactly is $2\rho/\beta$.
 
 {{masses}}
 
@@ -131,17 +136,17 @@ For the ballast that moves with a tie the paper has two rules of thumb. The firs
 
 $$\rho_b=\frac{d_b\,w\,A_t\,C_m}{N\,l_t\,g\tan\alpha}, \tag{18}$$
 
-where the integer $N$ cannot be read in our copy: 6 is what a pyramid of depth $w/2\tan\alpha$ needs, 4 a wedge. The other, which carries the same number, uses the
-speed of shear waves, $\rho_b=0.28\,k_bA_t/(l_tV^2)$; $k_b$, the "effective" stiffness under half a tie, is read as $k_{bs}/2$. Half a tie and its ballast are
+with the specific weight $d_b$ of the ballast, the tamped area $A_t$ of half a tie and an empirical $C_m$ of one or slightly more. The integer $N$ cannot be read in our
+copy: 6 is what a pyramid of depth $w/2\tan\alpha$ needs, 4 a wedge. The other rule, which carries the same number, uses the speed $V$ of shear waves, $\rho_b=0.28\,k_bA_t/(l_tV^2)$; $k_b$, the "effective" stiffness under half a tie, is read as $k_{bs}/2$. Half a tie and its ballast are
 
 $$m_t=\frac3{2\beta}\left(\frac{W_{tie}}{2gl_t}+\rho_b\right). \tag{19}$$
 
-The rules differ by {{mass-spread}} in $m_t$, and nothing in the paper says which is nearer.
+The first rule with $N=4$ gives {{mass-spread}} more $m_t$ than the second, and nothing in the paper says which is nearer.
 
 {{code: track/effective_mass.cpp ballast_mass_per_length}}
 
-Damping is taken as viscous, $C=2\zeta\sqrt{K_rM}$, with $\zeta$ of 0.15 to 0.25 from tests on clean ballast or 0.40 to 1.00 from radiation into the half-space: a
-factor of seven, which {{fig-amplification}} makes visible.
+Damping is taken as viscous, $C=2\zeta\sqrt{K_rM}$. The paper quotes $\zeta$ of 0.15 to 0.25 from tests on clean ballast and 0.40 to 1.00 from the theory of radiation into
+the half-space: a factor of seven, which {{fig-amplification}} makes visible.
 */
 std::string both_units(double kilogram) {
   return fmt::format("{:.1f} lb ({:.1f} kg)", kilogram / units::pound, kilogram);
@@ -177,6 +182,18 @@ double longest_standing_wave(const WinklerBeam& beam, double rho) {
   return std::sqrt((beam.bending_stiffness * std::pow(wave, 4) + beam.foundation_modulus) / rho);
 }
 
+// Rayleigh's estimate of the first natural frequency [rad/s], with the static shape: what bends and presses over what moves.
+double rayleigh_frequency(const WinklerBeam& beam, double rho) {
+  const auto integral = [](double (*shape)(double)) {
+    return 2 *
+           num::integrate([&](double xi) { return std::pow(shape(xi), 2); }, 0, 40, 1e-12).value;
+  };
+  const double deflected = integral([](double xi) { return winkler_shapes(xi).a; });
+  const double bent = integral([](double xi) { return 2 * winkler_shapes(xi).c; });  // a''
+  const double bending = beam.bending_stiffness * std::pow(beam.beta(), 4) * bent;
+  return std::sqrt((bending + beam.foundation_modulus * deflected) / (rho * deflected));
+}
+
 void masses_table(report::Item& item) {
   item.rebuilt("the paper gives the formulas; the data and N in (18) are assumed");
   const auto m = typical_masses();
@@ -196,11 +213,14 @@ void masses_table(report::Item& item) {
   const auto beam = typical_beam();
   const double rho = typical_rail().mass_per_length;
   const double first = longest_standing_wave(beam, rho);
-  const double too_high = std::sqrt(beam.point_stiffness() / m.rail_only) / first - 1;
-  item.refute("natural-frequency", "(15) follows from the first natural frequency of the beam",
-              std::abs(1 + too_high - std::sqrt(4 / 3.0)) < 1e-6,
-              fmt::format("the frequency it implies is the root of 4/3 times that: {:.1f} % higher",
-                          100 * too_high));
+  const double estimate = rayleigh_frequency(beam, rho), too_high = estimate / first - 1;
+  item.consistent(
+      "natural-frequency", "(15) is derived from the first natural frequency of the beam",
+      std::abs(beam.point_stiffness() / (estimate * estimate) / m.rail_only - 1) < 1e-9,
+      fmt::format("(15) is K_r over the square of Rayleigh's estimate with the static shape, which "
+                  "is {:.1f} % above the frequency",
+                  100 * too_high),
+      "the paper does not say by which route");
   item.value("too-high", 100 * too_high, "%", "{:.1f}");
   item.value("mass-spread", 100 * (m.bed_wedge / m.bed_seismic - 1), "%", "{:.0f}");
 }
@@ -208,8 +228,10 @@ void masses_table(report::Item& item) {
 }  // namespace
 
 const report::Section lumped{
-    report::figure("fig-04", "Lumped track below a wheel (the paper's Fig. 4)", scheme),
-    report::figure("fig-05", "Trackside deflection under two trucks (the paper's Fig. 5)",
+    report::figure("fig-04",
+                   "Lumped track below the wheels of a truck, one rail (after the words on Fig. 4)",
+                   scheme),
+    report::figure("fig-05", "Trackside deflection under two trucks (in place of Fig. 5)",
                    modulation),
     report::table("trackside-peak", "Peak at a fixed point over the static deflection",
                   trackside_peaks),

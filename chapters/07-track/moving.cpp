@@ -6,14 +6,19 @@ The beam on its bed also carries waves, and a load that runs as fast as the slow
 $$V_c=\left(\frac{4EIK}{\rho^2}\right)^{1/4}, \tag{9}$$
 
 the smallest phase speed $\omega/k$ of $EIk^4+K=\rho\omega^2$. The paper puts it at about 1100 mph "using parameters for the rail-tie-ballast type structure" and
-concludes that at 250 mph the whole phenomenon is worth less than 3 percent, so that a lumped track may travel below each wheel at 150 mph or less. It does not give
-$K$ and $\rho$, and the answer hangs on what moves with the rail:
+concludes that less than 3 percent are ignored at 250 mph, so that a lumped track may travel below each wheel at 150 mph or less. It gives neither $K$ nor $\rho$,
+and the answer depends on what moves with the rail:
 
 {{critical-speed}}
 
-With the rail's mass alone the typical track has {{v-rail}}, near the printed figure. But $\rho$ is the "track mass per unit length", and below (15) that "of tie,
-ballast and rail". With half a tie the speed is {{v-tie}}; with the ballast of (18), {{v-ballast}}. Then {{error-at-250-ballast}} and not 3 percent are
-ignored at 250 mph. At 150 mph it is still only {{error-at-150-ballast}}: the paper's conclusion stands, its number does not.
+With the rail's mass alone the typical track has {{v-rail}}, near the printed figure. But $\rho$ is the "track mass per unit length", and below (15) the mass "of tie,
+ballast and rail". With half a tie the speed is {{v-tie}}; with the ballast of (18) as well, {{v-ballast}}. That number rests on the modulus, the rail, the tie, the
+reading of (18) and the rule for the ballast, all of which we chose; as each is varied, the speed goes from {{v-range}}. At 250 mph {{error-range}} of the deflection is
+then ignored, and not less than 3 percent. On the typical track 1100 mph takes $K$ = {{k-for-1100-tie}} with half a tie and {{k-for-1100-ballast}} with ballast, or
+rail without tie and ballast.
+
+At 150 mph {{error-at-150-ballast}} of the deflection is ignored on the typical track ({{error-150-range}} as the same is varied). The paper does not say how much it would accept,
+but errors of this size are small beside what is not known of any track, and its conclusion stands without its number.
 
 ### The shape under the load
 
@@ -21,8 +26,8 @@ Seen from the load, in $s=\beta(X-Vt)$ and in units of $P\beta/2K$, the rail's s
 
 $$y''''+4\theta^2y''-8\zeta\theta y'+4y=8\,\delta(s),\qquad \theta=V/V_c,$$
 
-with a damping $2\zeta\sqrt{K\rho}$ of the bed. Without damping the deflection under the load is $1/\sqrt{1-\theta^2}$. With damping the textbook takes the four roots
-of $p^4+4\theta^2p^2-8\zeta\theta p+4=0$ and solves for four amplitudes; both steps lose digits where two roots meet, as they do at $V_c$. The roots are not needed: the
+where $y$ is the deflection, $\delta$ a unit load at $s=0$ and $2\zeta\sqrt{K\rho}$ the damping of the bed per length. Without damping the deflection under the load is $1/\sqrt{1-\theta^2}$. With damping the textbook takes the four roots
+of $p^4+4\theta^2p^2-8\zeta\theta p+4=0$ and solves for four amplitudes. Both steps lose digits where two roots meet, as they do at $V_c$. The roots are not needed: the
 quartic splits into two real quadratics, $(p^2+ap+b)(p^2-ap+c)$, one ahead of the load and one behind, and $u=a^2$ is the one positive root of a convex cubic,
 
 $$u^3+8\theta^2u^2+16(\theta^4-1)u-64\zeta^2\theta^2=0.$$
@@ -36,8 +41,9 @@ elements in the moving frame, which share nothing with the closed form but the d
 
 {{fig-amplification}}
 
-At a quarter of $V_c$ the rail goes {{quarter}} deeper. The paper's 15 to 25 percent of material damping leave a factor of {{most-015}} to {{most-025}} at the worst
-speed; of its range for radiation, 40 percent leave {{most-040}}, and with 100 the rail is deepest at rest.
+At a quarter of $V_c$ the rail goes {{quarter}} deeper. With the paper's 15 to 25 percent of material damping the deflection at the worst speed is {{most-015}} to
+{{most-025}} times the static one; with 40 percent, the low end of its range for radiation, {{most-040}} times; with 100 percent it is largest at rest. The marks show
+where 150 and 250 mph lie on this scale if $V_c$ is the paper's 1100 mph, and if it is that of the typical track.
 */
 #include "track/moving_load.hpp"
 
@@ -45,6 +51,7 @@ speed; of its range for radiation, 40 percent leave {{most-040}}, and with 100 t
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "sections.hpp"
 #include "track/fe_moving_load.hpp"
@@ -55,16 +62,64 @@ using namespace track;
 
 namespace {
 
-// Mass per length that moves with the rail: nothing else, half of each tie, or that and the ballast of (18).
-struct MovingMass {
-  double rail, and_tie, and_ballast;
+// A track, and its mass per length: rail alone, with half of each tie, and with the ballast of (18) as well.
+struct MovingTrack {
+  RailSection rail = typical_rail();
+  TieSupport support = typical_support();
+  double tie = typical_tie_mass;
+  BallastMass ballast = typical_ballast;
+  double wave_speed = 0;  // of shear in the ballast, for the second rule (18); 0: the first
+
+  double modulus() const { return stiffness_chain(support).foundation_modulus; }
+  double with_tie() const { return rail.mass_per_length + 0.5 * tie / support.tie_spacing; }
+  double with_ballast() const {
+    if (wave_speed > 0)
+      return with_tie() + seismic_mass_per_length(stiffness_chain(support).bed / 2,
+                                                  ballast.tamped_area, support.tie_spacing,
+                                                  wave_speed);
+    return with_tie() + ballast_mass_per_length(ballast, support);
+  }
+  double critical() const {
+    return critical_speed(rail.bending_stiffness(), modulus(), with_ballast());
+  }
 };
 
-MovingMass typical_mass() {
-  const auto support = typical_support();
-  const double rail = typical_rail().mass_per_length;
-  const double tie = 0.5 * typical_tie_mass / support.tie_spacing;
-  return {rail, rail + tie, rail + tie + ballast_mass_per_length(typical_ballast, support)};
+// Varies all that the critical speed [m/s] with rail, tie and ballast rests on; `result` is made of it.
+void vary_track(report::Trial& trial, const std::function<double(double)>& result) {
+  using report::Setting;
+  const auto vary = [&](const char* choice, const auto& change) {
+    trial.vary(choice, [&](const Setting& setting) {
+      MovingTrack track;
+      change(track, setting);
+      return result(track.critical());
+    });
+  };
+  constexpr double soil_unit = units::psi / units::inch;
+  trial.vary("foundation modulus K", [&](const Setting& k) {
+    const MovingTrack track;
+    return result(critical_speed(track.rail.bending_stiffness(), k.number * units::psi,
+                                 track.with_ballast()));
+  });
+  vary("rail pad (1e12: none)", [](MovingTrack& track, const Setting& pad) {
+    track.support.pad_stiffness = pad.number * lb_per_in;
+  });
+  vary("rail",
+       [](MovingTrack& track, const Setting& rail) { track.rail = rail_section(rail.text); });
+  vary("mass of a tie",
+       [](MovingTrack& track, const Setting& tie) { track.tie = tie.number * units::pound; });
+  vary("unreadable integer N of (18)",
+       [](MovingTrack& track, const Setting& divisor) { track.ballast.divisor = divisor.number; });
+  vary("coefficient C_m of (18)", [](MovingTrack& track, const Setting& cohesion) {
+    track.ballast.cohesion = cohesion.number;
+  });
+  vary("the other rule (18), speed of shear waves", [](MovingTrack& track, const Setting& speed) {
+    track.wave_speed = speed.number * units::foot;
+  });
+  vary("the other rule (18) at 1000 ft/s, soil modulus",
+       [](MovingTrack& track, const Setting& soil) {
+         track.wave_speed = 1000 * units::foot;
+         track.support.soil_modulus = soil.number * soil_unit;
+       });
 }
 
 // The slowest free wave, by scanning the dispersion relation EI k^4 + K = rho omega^2.
@@ -89,50 +144,66 @@ void critical_speeds(report::Item& item) {
                 {"ignored at 250 mph, %: rail only", "{:.2f}"},
                 {"and half a tie", "{:.2f}"},
                 {"and ballast", "{:.2f}"}});
-  const double ei = typical_rail().bending_stiffness(), mph = units::mph;
-  const double typical = typical_beam().foundation_modulus;
-  const MovingMass mass = typical_mass();
+  const double mph = units::mph;
+  const MovingTrack track;
+  const double ei = track.rail.bending_stiffness(), typical = track.modulus();
+  const double rail_alone = track.rail.mass_per_length, with_tie = track.with_tie(),
+               with_ballast = track.with_ballast();
   const auto speed = [&](double modulus, double rho) { return critical_speed(ei, modulus, rho); };
-  for (const double k :
-       {1000 * units::psi, 1500 * units::psi, typical, 2000 * units::psi, 3000 * units::psi}) {
-    const double rail = speed(k, mass.rail), tie = speed(k, mass.and_tie),
-                 all = speed(k, mass.and_ballast);
+  for (const double k : {1000 * units::psi, 1500 * units::psi, typical, 2000 * units::psi,
+                         3000 * units::psi, 5000 * units::psi}) {
+    const double rail = speed(k, rail_alone), tie = speed(k, with_tie),
+                 all = speed(k, with_ballast);
     item.add_row(k / units::psi, rail / mph, tie / mph, all / mph, ignored(250 * mph, rail),
                  ignored(250 * mph, tie), ignored(250 * mph, all));
   }
   item.expect_checks(5);
   const table::CsvTable printed = item.printed("numbers.csv");
-  const double own = speed(typical, mass.and_ballast),
-               wave = slowest_wave(ei, typical, mass.and_ballast);
+  const double own = track.critical(), wave = slowest_wave(ei, typical, with_ballast);
   item.claim("free-wave", "the critical velocity is the lowest at which a free wave will propagate",
              std::abs(wave / own - 1) < 1e-6,
              fmt::format("(9) {:.4f} mph, the slowest wave of the dispersion relation {:.4f} mph",
                          own / mph, wave / mph));
+  report::Trial trial =
+      item.trial("critical-speed-printed", "critical speed with rail, tie and ballast",
+                 "{:.0f} mph", [](double v) { return v < 1050; });  // "about 1100"
+  vary_track(trial, [&](double v) { return v / mph; });
   item.row(printed, "critical-speed")
-      .print(
-          "printed", own / mph,
-          report::not_confirmed(wave / mph, 1e-6,
-                                "with the mass of rail, tie and ballast; the value is the slowest "
-                                "free wave of the dispersion relation"));
+      .print("printed", own / mph,
+             report::not_confirmed("with the mass of rail, tie and ballast", trial));
   item.row(printed, "error-at-250")
       .print("printed", ignored(250 * mph, 1100 * mph),
              report::at_most("from the paper's own 1100 mph"));
+  report::Trial loss = item.trial("own-mass", "ignored at 250 mph", "{:.1f} %",
+                                  [](double percent) { return percent > 3; });
+  vary_track(loss, [&](double v) { return ignored(250 * mph, v); });
   item.refute("own-mass", "less than 3 percent at 250 mph, with the mass of rail, tie and ballast",
-              ignored(250 * mph, own) > 3, fmt::format("{:.1f} %", ignored(250 * mph, own)));
-  item.claim("conclusion",
-             "a lumped track may move below each wheel at 150 mph or less: under the 3 percent "
-             "allowed at 250 mph",
-             ignored(150 * mph, own) < 3, fmt::format("{:.1f} %", ignored(150 * mph, own)));
-  item.value("v-rail", speed(typical, mass.rail) / mph, "mph", "{:.0f}");
-  item.value("v-tie", speed(typical, mass.and_tie) / mph, "mph", "{:.0f}");
+              loss, fmt::format("{:.1f} %", ignored(250 * mph, own)));
+  double slow = own, fast = own;
+  for (const auto& varied : trial.variations())
+    for (const double v : varied.results)
+      slow = std::min(slow, v * mph), fast = std::max(fast, v * mph);
+  const std::string at_150 =
+      fmt::format("{:.1f} to {:.1f} %", ignored(150 * mph, fast), ignored(150 * mph, slow));
+  item.consistent("conclusion", "a lumped track may move below each wheel at 150 mph or less",
+                  ignored(150 * mph, slow) < 5,
+                  fmt::format("{:.1f} % of the deflection is ignored, {} as the track is varied",
+                              ignored(150 * mph, own), at_150),
+                  "the paper does not say how much may be ignored; 5 % is our limit");
+  item.value("v-range", trial.range());
+  item.value("error-range", loss.range());
+  item.value("error-150-range", at_150);
+  item.value("v-rail", speed(typical, rail_alone) / mph, "mph", "{:.0f}");
+  item.value("v-tie", speed(typical, with_tie) / mph, "mph", "{:.0f}");
   item.value("v-ballast", own / mph, "mph", "{:.0f}");
   item.value("error-at-250-ballast", ignored(250 * mph, own), "%", "{:.1f}");
   item.value("error-at-150-ballast", ignored(150 * mph, own), "%", "{:.1f}");
-  const double claimed = 1100 * mph;
-  item.value("k-for-1100", std::pow(claimed, 4) * mass.rail * mass.rail / (4 * ei) / units::psi,
-             "psi", "{:.0f}");
-  item.value("rho-for-1100", 2 * std::sqrt(ei * typical) / (claimed * claimed) / mass.rail, "times",
-             "{:.2f}");
+  const auto modulus_for_1100 = [&](double rho) {
+    return std::pow(1100 * mph, 4) * rho * rho / (4 * ei) / units::psi;
+  };
+  item.value("k-for-1100", modulus_for_1100(rail_alone), "psi", "{:.0f}");
+  item.value("k-for-1100-tie", modulus_for_1100(with_tie), "psi", "{:.0f}");
+  item.value("k-for-1100-ballast", modulus_for_1100(with_ballast), "psi", "{:.0f}");
 }
 
 void shapes(report::Item& item) {
@@ -163,7 +234,12 @@ void amplification(report::Item& item) {
   for (double theta = 0; theta < 0.985; theta += 0.005)
     undamped.add(theta, undamped_amplification(theta));
   auto& marks = item.data("speeds", {"theta", "amplification"});
-  for (const double mph : {150.0, 250.0}) marks.add(mph / 1100, undamped_amplification(mph / 1100));
+  auto& own = item.data("own-speeds", {"theta", "amplification"});
+  const double critical = MovingTrack{}.critical() / units::mph;
+  for (const double mph : {150.0, 250.0}) {
+    marks.add(mph / 1100, undamped_amplification(mph / 1100));
+    own.add(mph / critical, undamped_amplification(mph / critical));
+  }
   for (const auto& [id, zeta] :
        {std::pair{"most-015", 0.15}, {"most-025", 0.25}, {"most-040", 0.4}}) {
     double most = 0;

@@ -28,8 +28,9 @@ extern const report::Section joint;      // stiffness near a joint: Fig. 3
 extern const report::Section moving;     // critical speed and moving load
 extern const report::Section
     lumped;  // on car and at trackside: Figs 4 and 5; effective masses and damping
-extern const report::Section geometry;  // joints, spectra, profiles: Figs 6 and 7
-extern const report::Section impact;    // what the model does with a joint
+extern const report::Section geometry;            // joints, spectra, profiles: Figs 6 and 7
+extern const report::Section impact;              // what the model does with a joint
+extern const report::Section two_wheels_section;  // what the wheels of a truck do to each other
 
 extern const report::Section cost, passages, digits;  // study/
 

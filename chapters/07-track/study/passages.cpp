@@ -148,7 +148,7 @@ class Joint {
   }
   Run adaptive(ImpactMethod method, double tolerance, bool restart = true) const {
     return judged(forces_at(model_, rail_, speed_,
-                            {.tolerance = tolerance, .start = start_, .restart = restart}, method,
+                            {.tolerance = tolerance, .start = start_, .restart_at_cusps = restart}, method,
                             times_));
   }
   Run fixed(Rule rule, double step) const {
