@@ -209,6 +209,13 @@ CountactResult solve(const Gap& gap, double approach, double modulus, const Coun
   }
   ColumnMesh mesh = first_mesh(q);
   require_symmetry(q, mesh);
+  if (!(mesh.half_width.minCoeff() > 0)) {
+    c = empty_contact(approach);
+    c.converged = false;
+    c.reason =
+        "the bodies overlap in several pieces along the axis, and a column lies between them";
+    return result;
+  }
   const double size = mesh.x_edges.cwiseAbs().maxCoeff(), width = mesh.half_width.maxCoeff();
   Eigen::VectorXd moves_before;
   double share = 1, move_before = std::numeric_limits<double>::infinity();

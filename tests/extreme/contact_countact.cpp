@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <string>
 
 #include "../support/no_fp_fault.hpp"
 #include "contact/countact.hpp"
@@ -116,4 +117,16 @@ TEST_CASE("extreme: of a region not found yet only what presses is listed") {
   CHECK_FALSE(first.converged);
   CHECK(first.p.minCoeff() > 0);
   CHECK(first.p.size() < 81);  // the region the method starts from is too large
+}
+
+TEST_CASE("extreme: two pieces of overlap with a column between them are refused") {
+  const NoFpFault no_fault;
+  const Gap two_summits = [](double x, double y) {
+    const double t = x < 0.0015 ? x : x - 0.003;
+    return (t * t + y * y) / 2;
+  };
+  const NormalContact c = countact_1(two_summits, 1e-6, modulus, square(15)).contact;
+  CHECK_FALSE(c.converged);
+  CHECK(c.reason.find("several pieces") != std::string::npos);
+  CHECK(c.p.size() == 0);
 }
