@@ -1,22 +1,26 @@
 /*** ## Example 3: a crowned roller
 
-A long cylinder lies on another with a parallel axis. Were its ends cut off square, the pressure would be infinite along the edges. So the ends are crowned: beyond a flat
-middle part the generator bends away with a radius so large, 85 in, that a drawing cannot show it. The question is what that buys.
+A long cylinder lies on another with a parallel axis. Were its ends cut off square, the pressure would be infinite along
+the edges. So the ends are crowned: beyond a flat middle part the generator bends away with a large radius, 85 in. How much
+does the crown help?
 
 {{fig-11}}
 
-The text gives the crown radius and the approach, $\delta=.00065$ in. The other dimensions stood in a drawing that cannot be read any more. Rebuilt, they are two
-cylinders of 1 in radius, that is $R=.5$ in relative to each other, with a flat part of $2L=1$ in:
+The text gives the crown radius $R_c$ and the approach, $\delta=.00065$ in. The other dimensions stand in a drawing that we
+do not have. We take two cylinders of 1 in radius, that is a relative radius of $R=.5$ in, and a flat part of $2L=1$ in:
 
 $$f(x,y)=\frac{y^2}{2R}+\frac{\max(|x|-L,\,0)^2}{2R_c}.$$
 
-So the numbers of this example are not the paper's, and its claims are what can be tested. The patch is {{slenderness}} times as long as it is wide, with cells as slender. The
-method "can handle problems with extremely large radii": force and peak agree with the grid's within {{worst-off}}.
+So the numbers of this example are not the paper's, and only its claims can be tested. The patch is {{slenderness}} times as
+long as it is wide, with cells as slender. The paper says that the method "can handle problems with extremely large radii";
+here COUNTACT's force and peak agree with those of the grid within {{worst-off}}.
 */
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "sections.hpp"
 
@@ -25,7 +29,7 @@ namespace railbook::contact_chapter {
 namespace {
 
 constexpr const char* roller_rebuilt =
-    "only the crown radius and the approach can be read; the other dimensions are rebuilt";
+    "our text has the crown radius and the approach; the other dimensions are ours";
 
 CgFft roller_on_grid(double crown,
                      Eigen::Index cells) {  // odd: the middle row of cells is on the axis
@@ -65,49 +69,71 @@ void fig_11(report::Item& item) {
 /***
 {{fig-12}}
 
-The pressure is nearly even over the flat part, rises to {{peak-ratio}} times its value at the centre just beyond the end of the flat, at $|x|$ = {{peak-place}}, and falls to zero as on
-any smooth body. Whether {{peak-percent}} is what the paper calls negligible cannot be tested: its rollers'
-dimensions are lost, and the word has no number. The slope of the gap is continuous at the end of the flat, but its curvature jumps from zero to
-$1/R_c$, and under a jump of curvature the slope of the pressure is logarithmically infinite: the peak is a rounded shoulder with a steep inner flank.
+The pressure is nearly even over the flat part. Just beyond its end, at $|x|$ = {{peak-place}}, it rises to {{peak-ratio}}
+times its value at the centre, and then it falls to zero as on any smooth body. Whether {{peak-percent}} is what the paper
+calls negligible cannot be tested: the dimensions of its rollers are missing, and the word has no number. The slope of the
+gap is continuous at the end of the flat, but its curvature jumps from zero to $1/R_c$. Under a jump of curvature the slope
+of the pressure is logarithmically infinite: the peak is a rounded shoulder with a steep inner flank.
 
-With square ends the peak has no value: on finer grids the pressure of the last cell rises as $h^{-n}$ with $n$ = {{sharp-rate}}; an infinite pressure at a square edge has $n=1/2$, a finite
-one 0. The force is smaller than with the crown, because the patch is shorter.
+With square ends the peak has no value. If the pressure of the last cell rises as $h^{-n}$ with the cell size $h$, an infinite
+pressure at a square edge has $n=1/2$ and a finite one $n=0$. From grid to grid, each twice as fine along the axis, we find
+$n$ = {{sharp-rates}}. The force is smaller than with the crown, because the patch is shorter.
 
 {{fig-13}}
 
 The mesh is the last of COUNTACT, its height magnified; the line around it is the edge found on the grid.
 */
 
+// The exponents n of the pressure h^-n at a square end, each from two grids of which one is twice as fine along the axis.
+std::vector<double> square_end_rates() {
+  std::vector<double> rates;
+  double pressure = 0, width = 0;
+  for (const Eigen::Index cells : {101, 201, 401, 801, 1601}) {
+    const NormalContact c = solve_cg_fft(roller(0), delta_3, modulus, {cells, 51}).contact;
+    if (pressure > 0) rates.push_back(std::log(c.p_max / pressure) / std::log(width / c.dx[0]));
+    pressure = c.p_max;
+    width = c.dx[0];
+  }
+  return rates;
+}
+
+// "0.39, 0.44".
+std::string list_of(const std::vector<double>& numbers) {
+  std::string text;
+  for (const double number : numbers)
+    text += fmt::format("{}{:.2f}", text.empty() ? "" : ", ", number);
+  return text;
+}
+
 void fig_12(report::Item& item) {
   const NormalContact &smooth = crowned().contact, &columns = roller_by_columns();
-  const NormalContact sharp = roller_on_grid(0, 201).contact,
-                      coarse = roller_on_grid(0, 101).contact;
+  const NormalContact sharp = roller_on_grid(0, 201).contact;
   draw::axis(item.data({"x_in", "p_1e5psi"}), smooth);
   draw::axis(item.data("countact", {"x_in", "p_1e5psi"}), columns);
   draw::axis(item.data("square", {"x_in", "p_1e5psi"}), sharp);
   draw::axis(item.data("crown-10", {"x_in", "p_1e5psi"}), roller_on_grid(10 * inch, 201).contact);
   const double ratio = smooth.p_max / pressure_at_centre(smooth);
-  const double rate = std::log(sharp.p_max / coarse.p_max) / std::log(coarse.dx[0] / sharp.dx[0]);
+  const std::vector<double> rates = square_end_rates();
   const double off = std::max(std::abs(columns.force / smooth.force - 1),
                               std::abs(columns.p_max / smooth.p_max - 1));
   const double shown = report::printed_number(item.printed("table-2.csv").at("p0", "error"));
   item.expect_checks(2);
-  item.claim("radii", "the method can handle problems with extremely large radii",
-             off < shown / 100,
-             fmt::format("{:.2f} % off the grid in force and peak, less than the {} % of the peak "
-                         "that Table 2 prints for Example 1",
-                         100 * off, shown));
+  item.consistent("radii", "the method can handle problems with extremely large radii",
+                  off < shown / 100,
+                  fmt::format("{:.2f} % off the grid in force and peak, less than the {} % of the "
+                              "peak that Table 2 prints for Example 1",
+                              100 * off, shown),
+                  "the dimensions of the rollers are ours");
   item.claim("infinite", "sharp edges would produce infinite contact pressure",
-             std::abs(rate - 0.5) < 0.25,
-             fmt::format("grows as h^-{:.2f} with the cells: nearer to the 1/2 of an infinite "
-                         "pressure at a square edge than to the 0 of a finite one",
-                         rate));
+             std::is_sorted(rates.begin(), rates.end()) && std::abs(rates.back() - 0.5) < 0.02,
+             "the pressure of the last cell grows as h^-n, with n = " + list_of(rates) +
+                 " on finer and finer grids, towards the 1/2 of a square edge");
   item.value("slenderness", smooth.x_max / smooth.y_max, "", "{:.0f}");
   item.value("worst-off", 100 * off, "%", "{:.2f}");
   item.value("peak-ratio", ratio, "", "{:.3f}");
   item.value("peak-percent", 100 * (ratio - 1), "%", "{:.1f}");
   item.value("peak-place", std::abs(smooth.x_p_max) / inch, "in", "{:.3f}");
-  item.value("sharp-rate", rate, "", "{:.2f}");
+  item.value("sharp-rates", list_of(rates));
   item.rebuilt(roller_rebuilt);
 }
 

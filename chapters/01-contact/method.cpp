@@ -1,18 +1,23 @@
 /*** ## The problem
 
-Two bodies touch at a point O. With $x$ along the wheel's axis, $y$ along the rail and $z_1$, $z_2$ into the bodies, the gap between them is
+Two bodies touch at a point O. Let $x$ run along the wheel's axis, $y$ along the rail, and $z_1$, $z_2$ into the
+two bodies. The gap between the undeformed surfaces is
 
 $$f(x,y)=z_1(x,y)+z_2(x,y) \tag{1}$$
 
-A load moves them together by the *approach* $\delta$; where they would overlap they deform by $w_1$, $w_2$, and what is left between them,
-$s=w_1+w_2+f-\delta$ (2), must vanish in the contact $\Omega$ (3) and be positive outside (4). As long as the contact is small against the radii
-(*counterformal*), each body is an elastic half space, and the pressure sinks its surface by Boussinesq's solution (5), with $p\ge0$ (6). So
+A load moves the bodies together by the *approach* $\delta$. Where they would overlap, their surfaces sink by $w_1$ and
+$w_2$. The gap that is left, $s=w_1+w_2+f-\delta$ (2), must vanish in the contact $\Omega$ (3) and be positive outside
+it (4). As long as the contact is small against the radii (*counterformal*), each body may be taken as an elastic half
+space, with Young's modulus $E_i$ and Poisson's ratio $\nu_i$. A pressure $p\ge0$ (6) then sinks its surface by
+Boussinesq's solution (5), and together they say that
 
 $$k\int_\Omega\frac{p\,dA}{r}=\delta-f\ \text{ in }\Omega \tag{8}$$
 
 $$k=\frac{1-\nu_1^2}{\pi E_1}+\frac{1-\nu_2^2}{\pi E_2}=\frac{1}{\pi E^*} \tag{9}$$
 
-All is known except $p$ and the region $\Omega$, and the region is the trouble. Force and moments follow:
+Here $r$ is the distance from the element of area $dA$ to the point at which the equation stands, and $E^*$ is the
+effective modulus of the two bodies. All is known except the pressure $p$ and the region $\Omega$, and the region is
+the trouble. Force and moments follow:
 
 $$F_z=\int_\Omega p\,dA,\qquad M_x=-\int_\Omega yp\,dA,\qquad M_y=\int_\Omega xp\,dA \tag{7}$$
 
@@ -22,18 +27,23 @@ The first idea is where to begin. Move the bodies through each other by $\delta$
 
 $$f(x,y)=\delta \tag{10}$$
 
-Pressure only pushes the surfaces apart, so the true contact lies inside this curve:
+The true contact lies inside this curve, and equation (8) proves it in one line. Wherever the bodies touch,
+
+$$f=\delta-k\int_\Omega\frac{p\,dA}{r}<\delta,$$
+
+because the pressure is nowhere negative and somewhere positive.
 
 {{fig-01}}
 
-In Example 1 the overlap is {{overlap}} as long as the contact. In all four examples every cell of the contact lies inside; the nearest to the curve
-has $f$ = {{nearest}} of $\delta$. Earlier authors let $\delta$ float while they fixed the curve, and found contacts that crossed it: the method then
-has one condition too few.
+In Example 1 the curve reaches {{overlap}} as far as the contact. In all four examples every cell of the contact lies
+inside; the gap of the cell nearest to the curve is {{nearest}} of $\delta$. Earlier authors fixed their curve at an
+arbitrary depth and left $\delta$ free, and some of their contacts crossed it. The paper holds that this left the
+problem undetermined.
 
 ### Cells that follow the region
 
-The second idea is the mesh. The $x$ diameter of the candidate region is cut into $m_x$ columns, each column into $m_y$ cells of constant
-pressure, and (8) is asked for at the centre of each cell:
+The second idea is the mesh. The $x$ diameter of the candidate region is cut into $m_x$ columns, and each column into
+$m_y$ cells of constant pressure. We require (8) at the centre of each cell:
 
 $$\sum_j b_{ij}p_j=d_i \tag{14}$$
 
@@ -49,8 +59,10 @@ Is (14) well posed? The paper blames the instability of earlier programs on thei
 
 {{conditioning}}
 
-It grows with the power {{condition-power}} of the number of cells across; the equation is of the first kind, so it must grow, and does so slowly because $1/r$ is singular and smooths
-little. Even the six hexadecimal digits of a short number of the paper's computer, $16^{-5}$, lose no more than {{short-loss}} on its own mesh: no regularization is needed.
+It grows with the power {{condition-power}} of the number of cells across. The equation is of the first kind, so the
+condition number must grow; it does so slowly, because $1/r$ is singular and the integral smooths only weakly. In the
+paper's single precision, whose relative spacing is $16^{-5}$, rounding costs at most {{short-loss}} on nine columns: no
+regularization is needed.
 
 ### How the boundary moves
 
@@ -66,20 +78,24 @@ The triangles are the new boundary on the old columns, the circles the same boun
 
 {{fig-03}}
 
-A cell that pulls, says the paper, lies outside the true contact. So it is on all meshes of this run: the nearest of {{pulling}} such cells is at {{pulling-nearest}} of the way from the origin to
-Hertz's ellipse.
+A cell that pulls, says the paper, lies outside the true contact. This is true on every mesh of Example 1 that we tried:
+the closest of {{pulling}} such cells on nine columns lies {{pulling-nearest}} outside Hertz's ellipse, and the closest
+on finer meshes {{pulling-finer}}.
 
 {{fig-04}}
 
 The pressure of a smooth contact falls like the root of the distance from its edge, so the parabola lies on its side: $y=c_0+c_2p^2$ through two points,
-$y=c_0+c_1p+c_2p^2$ through three. The paper asks that the fit make $p$ a one-valued function of $y$, and takes the details to a report that is not at
-hand. This half sentence carries the method. Without it, on 13 by 13 cells of Example 1, the three-point parabola throws the boundary about and diverges; with
-it, each fit that three points offer there is refused, and what remains is the two-point parabola, to the digit. Two points are used from here on.
+$y=c_0+c_1p+c_2p^2$ through three.
+The paper asks that the fit make $p$ a one-valued function of $y$, and leaves the details to a report that we do not
+have; the parabolas are ours. This half sentence carries the method. On {{fit-meshes}} columns of Example 1 the iteration
+diverges with three points and without the condition. With it the iteration converges, to the force that two points
+give. Two points are used from here on.
 
 {{code: contact/countact_boundary.cpp find_zero}}
 
-Added here: moves are shortened once the boundary begins to swing, a boundary that rests is tested, outside for overlap and inside for whether enough
-cells saw the pressure fall, and whatever fails is reported with its reason, never as a number.
+Three things are added here. Moves are shortened once the boundary begins to swing. A boundary that has come to rest is
+tested: outside it for overlap, inside it for whether enough cells saw the pressure fall. What fails is reported with its
+reason, never as a number.
 
 {{fig-05}}
 
@@ -144,7 +160,7 @@ void fig_01(report::Item& item) {
              nearest > 0 && nearest < 1, fmt::format("f is at most {:.2f} delta in it", nearest));
   item.value("overlap", reach / c.x_max, "times", "{:.2f}");
   item.value("nearest", nearest, "", "{:.2f}");
-  item.rebuilt("computed for Example 1; the paper's figure is a sketch");
+  item.rebuilt("computed for Example 1; of the paper's figure our text has the lettering");
 }
 
 void conditioning(report::Item& item) {
@@ -194,7 +210,8 @@ void fig_02(report::Item& item) {
     fresh.add(draw::centre(next, j) / inch, next.half_width[j] / inch);
   }
   found.add(step.new_x_max / inch, 0.0);
-  item.rebuilt("drawn from Example 1's first two steps; the paper's figure has no scale");
+  item.rebuilt(
+      "drawn from Example 1's first two steps; of the paper's figure our text has the lettering");
 }
 
 // The pressures of the column under the origin, and the new boundary found on it.
@@ -207,32 +224,52 @@ void draw_column(report::Item& item, const CountactStep& step) {
       .add(step.new_half[middle] / inch, 0.0, step.mesh.half_width[middle] / inch);
 }
 
-void fig_03(report::Item& item) {
-  draw_column(item, nine_by_nine().history.front());
-  int pulling = 0;
-  double nearest = units::no_limit;
-  for (const CountactStep& step : nine_by_nine().history)
+// Example 1 on n by n cells.
+CountactResult on_cells(int n, Fit fit = Fit::two_points, bool damped = true) {
+  CountactOptions options{uniform_columns(n), n, fit};
+  options.damped = damped;
+  return countact_2(on_the_crown(), delta_1, modulus, options);
+}
+
+struct Pulling {
+  int cells = 0;
+  double nearest = units::no_limit;  // of them, as a fraction of Hertz's ellipse
+};
+
+// The cells of negative pressure in all steps of a run.
+Pulling pulling_cells(const CountactResult& run) {
+  Pulling found;
+  for (const CountactStep& step : run.history)
     for (Eigen::Index j = 0; j < step.p.cols(); ++j)
       for (Eigen::Index k = 0; k < step.p.rows(); ++k)
         if (step.p(k, j) < 0) {
-          ++pulling;
-          nearest = std::min(nearest, std::hypot(draw::centre(step.mesh, j) / hertz_1().a,
-                                                 ordinate(step, j, k) / hertz_1().b));
+          ++found.cells;
+          const double x = draw::centre(step.mesh, j) / hertz_1().a;
+          found.nearest =
+              std::min(found.nearest, std::hypot(x, ordinate(step, j, k) / hertz_1().b));
         }
-  item.expect_checks(1);
-  item.claim("pulling", "a field point whose pressure is negative lies outside the true contact",
-             pulling > 0 && nearest > 1,
-             fmt::format("the nearest at {:.3f} of the ellipse", nearest));
-  item.value("pulling", pulling, "", "{:.0f}");
-  item.value("pulling-nearest", nearest, "", "{:.2f}");
-  item.rebuilt("drawn from Example 1's first step; the paper's figure has no scale");
+  return found;
 }
 
-// Example 1 on 13 by 13 cells with full moves.
-CountactResult with_fit(Fit fit) {
-  CountactOptions options{uniform_columns(13), 13, fit};
-  options.damped = false;
-  return countact_2(on_the_crown(), delta_1, modulus, options);
+void fig_03(report::Item& item) {
+  draw_column(item, nine_by_nine().history.front());
+  const Pulling own = pulling_cells(nine_by_nine());
+  report::Trial trial = item.trial("pulling", "the closest cell, in units of the ellipse", "{:.3f}",
+                                   [](double nearest) { return nearest > 1; });
+  double finer = units::no_limit;
+  trial.vary("columns and rows", [&](const report::Setting& s) {
+    const Pulling found = pulling_cells(on_cells(static_cast<int>(s.number)));
+    if (s.number > 9) finer = std::min(finer, found.nearest);
+    return found.cells > 0 ? found.nearest : units::nan;
+  });
+  item.expect_checks(1);
+  item.claim("pulling", "a field point whose pressure is negative lies outside the true contact",
+             trial, "the closest lies at " + trial.range() + " of the way to Hertz's ellipse");
+  item.value("pulling", own.cells, "", "{:.0f}");
+  item.value("pulling-nearest", 100 * (own.nearest - 1), "%", "{:.0f}");
+  item.value("pulling-finer", 100 * (finer - 1), "%", "{:.0f}");
+  item.rebuilt(
+      "drawn from Example 1's first step; of the paper's figure our text has the lettering");
 }
 
 void fig_04(report::Item& item) {
@@ -254,14 +291,25 @@ void fig_04(report::Item& item) {
     }
     three.add(lagrange / inch, q / (1e4 * psi));
   }
-  const NormalContact plain = with_fit(Fit::three_points).contact;
-  const NormalContact guarded = with_fit(Fit::three_points_guarded).contact;
+  // How far the guarded fit is from the force of two points; NaN unless only the other diverges.
+  report::Trial trial = item.trial("three-points", "the force against that of two points", "{:.0e}",
+                                   [](double off) { return off < 1e-4; });
+  std::string meshes;
+  trial.vary("columns and rows", [&](const report::Setting& s) {
+    const auto with = [&](Fit fit) {
+      return on_cells(static_cast<int>(s.number), fit, false).contact;
+    };
+    const NormalContact guarded = with(Fit::three_points_guarded);
+    meshes += (meshes.empty() ? "" : ", ") + s.text;
+    if (with(Fit::three_points).converged || !guarded.converged) return units::nan;
+    return std::abs(guarded.force / with(Fit::two_points).force - 1);
+  });
   item.expect_checks(1);
-  item.claim("three-points", "the parabola through three points must make p one-valued in y",
-             !plain.converged && guarded.converged &&
-                 guarded.force == with_fit(Fit::two_points).contact.force,
-             "without the condition the iteration diverges; with it two points remain");
-  item.rebuilt("drawn from Example 1's last step; the paper's figure has no scale");
+  item.claim("three-points", "the parabola through three points must make p one-valued in y", trial,
+             "without the condition the iteration diverges; with it, it converges");
+  item.value("fit-meshes", meshes);
+  item.rebuilt(
+      "drawn from Example 1's last step; of the paper's figure our text has the lettering");
 }
 
 void fig_05(report::Item& item) {

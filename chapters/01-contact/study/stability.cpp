@@ -128,6 +128,46 @@ Found nine_columns() {
   return Found{fmt::format("F = {:.0f} lbf", c.force / lbf)};
 }
 
+// A tread that hugs the crown: what is left of their curvatures is a 10⁻⁹ of either.
+Found hollow_tread(double excess) {
+  const Gap gap = on_the_crown((1 + excess) * crown_radius);
+  const double left = excess / (1 + excess) / crown_radius;
+  return against(by_grid(gap, delta_1, 127, 127).contact.force,
+                 hertz_from_approach({left / 2, 1 / (2 * wheel_radius), 0}, modulus, delta_1).force,
+                 "127 x 127 cells");
+}
+
+Gap sharp_corner() {
+  return rail_wheel_gap({wheel_radius, tread_radius, crown_radius, 0.1 * inch});
+}
+
+Found sharp_corner_peak() {
+  CgFftOptions options{255, 255};
+  options.edge_x = 0;
+  return stated(solve_cg_fft(sharp_corner(), delta_2, modulus, options).contact,
+                &NormalContact::p_max_error);
+}
+
+Found by_countact(const NormalContact& c) {
+  if (!c.converged) throw NoAnswer(c.reason);
+  return Found{fmt::format("F = {:.0f} lbf", c.force / lbf)};
+}
+
+// Tread and flange: two summits, of which COUNTACT starts from the one at the origin.
+NormalContact two_by_countact(double apart) {
+  const Gap gap = [apart](double x, double y) {
+    const double t = x < apart / 2 ? x : x - apart;
+    return (t * t + y * y) / 2;
+  };
+  return countact_1(gap, 1e-6, modulus, {uniform_columns(15), 9}).contact;
+}
+
+Found one_of_two() {
+  return against(two_by_countact(0.1).force,
+                 2 * hertz_from_approach({0.5, 0.5, 0}, modulus, 1e-6).force,
+                 "one of two patches, and no warning");
+}
+
 void extremes(report::Item& item) {
   item.columns({{"b/a", "{:g}"},
                 "cells",
@@ -179,7 +219,36 @@ void extremes(report::Item& item) {
        oblong},
       {{"nine-columns", "Example 2 with nine uniform columns, full moves",
         "too few columns on the narrow side of the jump", refused},
-       nine_columns}};
+       nine_columns},
+      {{"hollow", "a tread 1e-9 larger than the crown of the rail",
+        "two curvatures cancel; the patch is 80 000 times as long as wide", holds, 2e-5,
+        "Hertz, from the difference of the radii"},
+       [] { return hollow_tread(1e-9); }},
+      {{"hollow-equal", "a tread 1e-12 larger than the crown",
+        "the bodies conform: the gap does not reach the approach", refused},
+       [] { return hollow_tread(1e-12); }},
+      {{"sharp-corner", "Example 2 with a corner of .1 in instead of 1.25, 255 x 255 cells",
+        "the peak is in a strip of a few cells", refused},
+       sharp_corner_peak},
+      {{"sharp-corner-columns", "the same by COUNTACT-1 on 30 graded columns", "the same", refused},
+       [] {
+         return by_countact(
+             countact_1(sharp_corner(), delta_2, modulus, {graded_columns(18, 12), 29}).contact);
+       }},
+      {{"punch-columns", "Example 4 by COUNTACT-2 on 31 columns",
+        "a round edge, and the pressure falls within the last column", refused},
+       [] {
+         return by_countact(
+             countact_2(rounded_punch_gap(stamp), delta_4, modulus, {uniform_columns(31), 31})
+                 .contact);
+       }},
+      {{"two-near", "two summits three radii of their patches apart, by COUNTACT-1",
+        "two patches on one axis", refused},
+       [] { return by_countact(two_by_countact(0.003)); }},
+      {{"two-far", "two summits a hundred radii apart, by COUNTACT-1",
+        "the other patch is far outside the first region", degrades, 0.51,
+        "twice Hertz's force: COUNTACT finds the patch at the origin only"},
+       one_of_two}};
   for (const auto& [what, run] : cases) item.stability(what, run);
   item.added("a study of methods");
 }
