@@ -33,7 +33,7 @@ void draw::profiles(report::Item& item, double right_radius, double from, double
   auto& labels = item.data("labels", {"x_in", "z_in", "label"});
   labels.add(-1.4, -0.2, fmt::format("rail: crown {:g} in", crown_radius / inch));
   labels.add(-1.4, 0.1,
-             fmt::format("wheel: tread {:g} in, rolling radius {:g} in", tread_radius / inch,
+             fmt::format("wheel: tread {:g} in and rolling radius {:g} in", tread_radius / inch,
                          wheel_radius / inch));
   if (right_radius != crown_radius)
     labels.add(0.03, -0.2, fmt::format("corner {:g} in", right_radius / inch));
@@ -94,7 +94,7 @@ void draw::in_space(report::Item& item, const NormalContact& c, const Gap& gap) 
   drawing::labelled(item, "pressure.gp", drawing, camera, size,
                     {{{-0.62 * inch, -0.36 * inch, 0}, "interpenetration curve"},
                      {{-0.30 * inch, -0.12 * inch, 0}, "last mesh"},
-                     {{c.x_p_max - 0.2 * inch, 0, 1.02 * height}, "peak on the sharp side"}});
+                     {{c.x_p_max - 0.28 * inch, 0, 1.04 * height}, "peak on the sharp side"}});
 }
 
 }  // namespace railbook::contact_chapter

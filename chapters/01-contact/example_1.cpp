@@ -65,7 +65,7 @@ Shape shape_of(double a, double b, double delta) {
 /***
 The load of Hertz's column is not quite that of its own ellipse: $\tfrac23\pi ab\,p_0$ of the same column is
 {{printed-load}}, with the rounding of its factors {{printed-load-range}}. A table of Hertz's coefficients with three
-digits would explain the difference of {{printed-load-off}}. So would a single misread digit of our text: {{misread}}.
+digits may explain the difference of {{printed-load-off}}. So would a single misread digit of our text: {{misread}}.
 {{outcome:table-2/own-load}}
 
 ### Which tread did the program have?
@@ -81,8 +81,7 @@ The numbers do not agree on one tread. The force of Example 2 asks for {{force-t
 {{fitted-tread}}, the moment of Example 2 for {{moment-tread}}, and COUNTACT's column for about {{column-tread}}. The mesh of
 the paper's program may explain a part of this: on ten graded columns the force comes out {{coarse-force}} too high, and
 then the printed one asks for {{coarse-tread}}. All lie within {{treads-off}} of the drawn 12.34 in, which is used from here
-on. Of the treads in the table it is among the worst for the three numbers without a mesh; 12.28 in would meet them
-better. This uncertainty of the tread is why forces agree to 1 % and no better.
+on; 12.28 in would meet the three numbers without a mesh better. This uncertainty of the tread is why forces agree to 1 % and no better.
 */
 
 constexpr std::array<const char*, 4> keys{"F", "p0", "a", "b"};
@@ -460,9 +459,9 @@ void moves(report::Item& item) {
                 {"largest outward move, %", "{:.1f}"},
                 {"from, in units of Hertz's ellipse", "{:.3f}"},
                 {"a too short, free moves, %", "{:.2f}"},
-                {"inward moves, %", "{:.2f}"},
+                {"a too short, inward moves, %", "{:.2f}"},
                 {"F too large, free moves, %", "{:.2f}"},
-                {"inward moves, %", "{:.2f}"}});
+                {"F too large, inward moves, %", "{:.2f}"}});
   bool rule = true;
   double force_change = 0;
   std::array<std::pair<double, double>, 6> ranges;

@@ -85,10 +85,10 @@ void force_and_moment(report::Item& item) {
   const char* tread = "the tread, a damaged number, is known to 0.8 %, which is worth this";
   item.expect_checks(7);
   item.columns({"",
-                {"COUNTACT-1", "{:.1f}"},
-                {"CG-FFT", "{:.1f}"},
+                {"COUNTACT-1", "{:.0f}"},
+                {"CG-FFT", "{:.0f}"},
                 {"print", "{:.0f}"},
-                {"a cone", "{:.1f}"}});
+                {"a cone, CG-FFT", "{:.0f}"}});
   item.add_row("F, lbf", c.force / lbf, grid.force / lbf, force / lbf, cone.force / lbf);
   item.add_row("M, in·lbf", c.moment_y / inch_lbf, grid.moment_y / inch_lbf, moment / inch_lbf,
                cone.moment_y / inch_lbf);

@@ -24,8 +24,8 @@ Sixty rings, finer towards the edge, give the load and the peak:
 
 {{example-4}}
 
-The peak is {{ratio}} times the pressure in the middle and lies {{beyond}} outside the flat, within a contact that reaches only {{reach}} beyond it: the rings must be where
-the gradient is.
+The peak is {{ratio}} times the pressure in the middle. It lies {{beyond}} outside the flat, in a contact that reaches only
+{{reach}} beyond it, so the rings must be narrow there.
 */
 #include <fmt/format.h>
 

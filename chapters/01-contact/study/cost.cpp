@@ -12,7 +12,7 @@ approach the same force, but less closely. CG-FFT on 255 x 255 cells is {{other-
 
 {{cost-jump-force}}
 
-{{cost-jump-force-answer}} Equal columns fail, which is what the paper's footnote on two widths is about; with two widths COUNTACT-1 is as good as with graded columns for the force. Raw sums of the grid are held up by their pixelised
+{{cost-jump-force-answer}} Equal columns fail, which is what the paper's footnote on two widths is about; with two widths the force of COUNTACT-1 is a little better than with graded columns. Raw sums of the grid are held up by their pixelised
 edge; the fit over three grids removes what is regular in it.
 
 {{cost-jump-peak}}
