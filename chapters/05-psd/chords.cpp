@@ -16,8 +16,8 @@ safe side, and up to {{equation-8-short}} for the 9.5-m chord.
 
 {{equation-8}}
 
-The paper's two probabilities for three sigma, 0.99 for a normal offset (exactly {{normal-share}}) and 0.8 for the worst distribution
-(Chebyshev, {{chebyshev-share}}), are both cut after the last printed digit, not rounded.
+The paper's two probabilities for three sigma are truncated, not rounded: 0.99 for a normal offset (exactly {{normal-share}}) and 0.8 for the worst
+distribution (Chebyshev, {{chebyshev-share}}).
 */
 #include "spectra/chord.hpp"
 
@@ -84,14 +84,13 @@ void equation_8(report::Item& item) {
                          "class of {} zones; up to {:.0f} % for the 9.5-m chord",
                          least, most, changed, short_most));
   const table::CsvTable printed = item.printed("equations.csv");
-  const auto share = [&](const char* key, double exact, double by_library, const char* why) {
-    item.row(printed, key).print("printed", exact, report::corrected(by_library, 1e-12, why));
+  const auto share = [&](const char* key, double exact) {
+    const report::Row row = item.row(printed, key);
+    row.print("printed", exact, truncated(row.printed("printed")));
     item.value(fmt::format("{}-share", key), exact, "", "{:.4f}");
   };
-  share("normal", std::erf(3 / std::sqrt(2.0)), 1 - spectra::normal_exceedance(3),
-        "cut after the second digit, not rounded");
-  share("chebyshev", 1 - 1 / 9.0, 1 - spectra::chebyshev_exceedance(3),
-        "cut after the first digit, not rounded");
+  share("normal", 1 - spectra::normal_exceedance(3));
+  share("chebyshev", 1 - spectra::chebyshev_exceedance(3));
 }
 
 /*** ### Of the joints
@@ -105,7 +104,7 @@ it. Everywhere else it reads less, as the brute-force column of Table 2 confirms
 
 Ten of the twelve entries come out to the printed digits. They are computed in feet; the rounded metres of the table's headings
 fail in the row of the 19-m chord, where the sine is steep. **Two entries are misprints**: 0.99 for the 10.4-m chord on 39-ft and on 30-ft
-rail, where it reads {{table-2-39}} and {{table-2-30}}.
+rail, where it reads {{table-2-39}} and {{table-2-30}}. The rounding of the chord and of the rail to 0.1 m does not bring them to 0.99.
 */
 // The largest offset over all positions of the chord, by trying them.
 double largest_offset(double chord, double length) {
@@ -141,10 +140,25 @@ void table_2(report::Item& item) {
                  brute_force);
     const report::Row row = item.row(printed, printed.at(i, "key"));
     if (printed.at(i, "note") == "misprint") {
+      const double chord_m = number("chord_m"), rail_m = number("rail_m");
+      report::Trial trial =
+          item.trial(printed.at(i, "key") + "-printed", "largest offset over the dip", "{:.3f}",
+                     report::misses(row.printed("printed")));
+      trial.vary("lengths", [&](const report::Setting& s) {
+        return s.text == "feet" ? computed : spectra::rail_chord_sensitivity(chord_m, rail_m);
+      });
+      trial.vary("chord of 10.4 m", [&](const report::Setting& s) {
+        return spectra::rail_chord_sensitivity(s.number, rail_m);
+      });
+      trial.vary(fmt::format("rail of {} m", printed.at(i, "rail_m")),
+                 [&](const report::Setting& s) {
+                   return spectra::rail_chord_sensitivity(chord_m, s.number);
+                 });
       row.print("printed", computed,
                 report::corrected(brute_force, 1e-9,
                                   "the corrected value is the largest offset found by trying 20000 "
-                                  "positions"));
+                                  "positions",
+                                  trial));
       item.value("table-2-" + printed.at(i, "rail_ft"), computed, "", "{:.3f}");
     } else {
       row.print("printed", computed);

@@ -8,28 +8,35 @@ $$Q_1 = \beta\, C_1 \tag{6}$$
 
 $$B = 3\pi\sqrt{\tfrac12\beta C_1}. \tag{7}$$
 
-The six measured spectra are not printed as numbers. Ours are of synthetic track with the printed $A$, $\varphi_c$ and peak of the same zones. A peak
-wider than the analysis can show comes from joints of random depth, with depth and correlation chosen so that its height and width are the
-printed $C_1$ and $\beta$; a narrow one from equal joints.
+The paper shows six measured spectra as pictures, which our copy does not have. Ours are of synthetic track with the printed $A$,
+$\varphi_c$ and peak of the same zones. A peak wider than the analysis can show comes from joints of random depth, with depth and correlation chosen
+so that its height and width are the printed $C_1$ and $\beta$; a narrow one from equal joints.
 
 {{fig-08}}
 
+Panels (c) and (d) do not show what they are examples of. Table 1 calls zone 11 of (d) an "Example of ballast memory", and its remarks beside
+zones 1 to 3 say the same of one of the three; the digit reads 3, but (c) is zone 2. Our track has no line at 1/(33 ft) and no
+sidebands, only a broad peak of the printed width, {{beta-2}} and {{beta-11}} cycle/m. The old rail's line is {{epsilon-off}} cycle/m from
+$\varphi_0$ and so lies inside such a peak; how high it is, the print does not say.
+
 The program fits the two lines by regression and sums the area of the peak instead of using a ruler.
 
-The power is the area under the peak, and height times half width that of a rectangle. A peak of the shape of a resonance curve has {{lorentz}}
-times that: $B$ by (6) and (7) is then {{lorentz-B}} too small. And with $\beta$ wide, the
-joints' randomness lifts the spectrum between the peaks; the regression takes it for roughness, and $A$ comes out high.
+The power is the area under the peak. Equation (6) takes that of a rectangle, as high as the peak and as wide as the peak is at half its
+height. A peak of the shape of a resonance curve has {{lorentz}} times this area, and $B$ by (6) and (7) is then {{lorentz-B}} too small. Where
+$\beta$ is wide, the random depths of the joints also lift the spectrum between the peaks. The regression takes this for roughness, and
+$A$ comes out high.
 
 {{fig-09}}
 
 ### The narrow peaks are as wide as the window
 
-Five zones have $\beta$ = 0.010 cycle/m. A line of no width at all, seen through a Hann window on 512 samples of one foot, shows this:
+Five zones have $\beta$ = 0.010 cycle/m. This is what a line of no width at all looks like through a Hann window on segments of three lengths:
 
 {{resolution}}
 
-So 0.010 is most likely the resolution of the analysis, and $C_1$ of these zones says as much about the window as
-about the track. Their product is immune: the power is the same in every row.
+With segments of 512 ft the line is {{beta-512}} cycle/m wide at half its height, which is the paper's definition of $\beta$. So 0.010 is most
+likely the resolution of the paper's analysis, and $C_1$ of these zones says as much about the window as about the track. The product of
+$C_1$ and $\beta$ does not depend on the window: it is the power of the line, the same in every row.
 */
 #include <fmt/format.h>
 
@@ -61,7 +68,7 @@ spectra::SyntheticTrack reconstructed_track(const Zone& zone) {
   if (broad(zone)) {
     const double p = 2 - std::cos(units::pi * zone.beta * track.rail_length);
     track.dip_correlation = p - std::sqrt(p * p - 1);
-    track.dip_scatter = 10;
+    track.dip_scatter = 10;  // times the mean: of the sharp line 1/100 of the power is left
     const spectra::JointDips unit{.rail_length = track.rail_length,
                                   .dip = 1,
                                   .scatter = track.dip_scatter,
@@ -113,7 +120,11 @@ void fig_08(report::Item& item) {
               random(r.zone.track.phi_c));
   }
   item.rebuilt(
-      "the paper's spectra are drawn, not tabled: synthetic track with the printed parameters");
+      "the paper's spectra are not in our copy: synthetic track with the printed parameters; (c) "
+      "and (d) show no ballast memory, of which the paper's are examples");
+  item.value("beta-2", zones(item).at(1).beta, "", "{:.3f}");
+  item.value("beta-11", zones(item).at(10).beta, "", "{:.3f}");
+  item.value("epsilon-off", eps, "", "{:.3f}");
 }
 
 // Equal joints, no roughness.
@@ -124,8 +135,8 @@ void table_resolution(report::Item& item) {
   item.expect_checks(2);
   item.columns({{"segment, ft", "{:.0f}"},
                 {"bin, cycle/m", "{:.5f}"},
-                {"width at half height", "{:.4f}"},
-                {"Q₁/C₁", "{:.4f}"},
+                {"width at half height, cycle/m", "{:.4f}"},
+                {"Q₁/C₁, cycle/m", "{:.4f}"},
                 {"C₁ of zone 7", "{:.2e}"}});
   for (const std::size_t segment : {256U, 512U, 4096U}) {
     spectra::SyntheticTrack joints = synthetic(zone.track, 1);
@@ -134,9 +145,11 @@ void table_resolution(report::Item& item) {
     const auto fit = spectra::fit_track_spectrum(spectrum);
     item.add_row(double(segment), spectrum.df, fit.half_width, fit.beta, fit.C_1);
     if (segment != paper_segment) continue;
-    item.print("beta", "width of a pure line, 512 ft", "cycle/m", "0.010", fit.beta,
+    item.print("beta", "width of a line at half its height, 512 ft", "cycle/m", "0.010",
+               fit.half_width,
                report::fitted("the segment length was chosen for it",
-                              report::relative(0.12, "512 is the power of two that fits")));
+                              report::relative(0.12, "of the powers of two 512 comes closest")));
+    item.value("beta-512", fit.half_width, "", "{:.4f}");
     item.agree("Q1", "power under the peak", "m²", fit.Q_1.value, Q_1, 0.01, "equation (2)");
   }
 }
@@ -148,7 +161,10 @@ void fig_09(report::Item& item) {
   const double Q_1 = spectra::line_power(1, zone.track.B, LineConvention::printed);
   const double df = 1 / (static_cast<double>(paper_segment) * units::foot);
   const double top = zone.track.phi_0, under = spectra::random_psd(zone.track, top);
-  const double C_1 = Q_1 * hann_line(0, df), beta = Q_1 / C_1;
+  const double C_1 = Q_1 * hann_line(0, df);
+  double half = 0;  // of the width at half the height
+  while (hann_line(half, df) > hann_line(0, df) / 2) half += 1e-4 * df;
+  const double beta = 2 * half;
   auto& curve = item.data({"phi_cycle_per_m", "S_random", "S_total"});
   for (double phi = 0.055; phi < 0.1151; phi += 0.0002) {
     const double random = spectra::random_psd(zone.track, phi);
@@ -162,7 +178,7 @@ void fig_09(report::Item& item) {
   }
   auto& marks = item.data("marks", {"phi_0", "S_under", "S_peak"});
   marks.add(top, under, under + C_1);
-  item.rebuilt("the paper draws the peak without numbers: zone 7, from its formula");
+  item.rebuilt("the paper's drawing is not in our copy: zone 7, from its formula");
 }
 
 }  // namespace

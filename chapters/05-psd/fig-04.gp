@@ -14,7 +14,7 @@ set key top right samplen 2
 set label 1 "φ_0" at first 0.08413, graph 1.05 center
 set title "(a) broadening by uneven joints" offset 0,0.7
 plot ARG1 using "phi_cycle_per_m":"random" with lines lt 1 title "random dips", \
-     ARG1 using "phi_cycle_per_m":"grouped" with lines lt 2 title "groups of five"
+     ARG1 using "phi_cycle_per_m":"grouped" with lines lt 2 title "grouped dips"
 unset key
 unset ylabel
 set title "(b) linear ballast memory" offset 0,0.7

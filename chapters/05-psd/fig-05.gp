@@ -10,7 +10,7 @@ set ytics 10
 set ylabel "height, mm"
 set title "(a) dips random from joint to joint"
 plot ARG1 using "x_m":"random_mm" with lines lc rgb black lw 1.8
-set title "(b) the same spread of dips, in groups of five joints"
+set title "(b) the same spread, correlated: runs of deep joints are five long on the average"
 set xlabel "distance, m"
 plot ARG1 using "x_m":"grouped_mm" with lines lc rgb black lw 1.8
 unset multiplot

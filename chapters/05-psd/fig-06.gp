@@ -2,10 +2,7 @@ load "style.gp"
 set terminal pngcairo size 1000,840
 set output ARG2
 unset key
-set multiplot layout 5,1
-set lmargin 9
-set bmargin 0.8
-set tmargin 2.3
+set multiplot layout 5,1 margins 0.08,0.98,0.09,0.96 spacing 0,0.052
 set format x ""
 set xrange [0:130.8]
 set yrange [-21:6]
@@ -21,7 +18,6 @@ set title "(d) linear interaction: the sum"
 plot ARG1 using "x_m":"linear_mm" with lines lt 1
 set title "(e) nonlinear interaction: the product, and its envelope"
 set xlabel "distance, m"
-set bmargin 3.4
 set format x "%g"
 plot ARG1 using "x_m":"nonlinear_mm" with lines lt 1, \
      ARG1 using "x_m":"envelope_mm" with lines lt 3

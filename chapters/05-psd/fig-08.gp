@@ -18,7 +18,7 @@ do for [z = 1:6] {
   plot ARG1 using (is(strcol("zone")) ? column("phi_cycle_per_m") : NaN):"S_m2_per_cycle_per_m" with lines lc rgb blue lw 1.6 title (z == 1 ? "synthetic track" : ""), \
        ARG3 using (is(strcol("zone")) ? column("phi_cycle_per_m") : NaN):"S_printed" with lines lc rgb red lw 2.2 dt (14,5) title (z == 1 ? "printed A, φ_c" : ""), \
        ARG3 using (is(strcol("zone")) ? column("phi_cycle_per_m") : NaN):"S_fitted" with lines lc rgb black lw 1.4 title (z == 1 ? "fitted" : ""), \
-       ARG4 using (is(strcol("zone")) ? column("phi_cycle_per_m") : NaN):"S_peak" with points ls printed title (z == 1 ? "printed C_1" : ""), \
+       ARG4 using (is(strcol("zone")) ? column("phi_cycle_per_m") : NaN):"S_peak" with points ls printed title (z == 1 ? "printed C_1 above them" : ""), \
        ARG4 using (is(strcol("zone")) ? column("phi_c") : NaN):"S_corner" with points pt 2 ps 1.6 lw 2.4 lc rgb red title (z == 1 ? "printed φ_c" : "")
   set key off
 }

@@ -6,7 +6,8 @@ stats ARG4 using "S_peak" name "H" nooutput
 stats ARG3 using "phi_cycle_per_m" name "B" nooutput
 set xrange [0.055:0.115]
 set yrange [0:5e-4]
-set format y "%.1e"
+set format y "%.1t·10^{%T}"
+set ytics add ("0" 0)
 set xlabel "wavenumber, cycle/m"
 set ylabel "S, m^2/(cycle/m)" offset -1
 set lmargin 13

@@ -8,7 +8,7 @@ set xlabel "joint dip B (printed convention), mm"
 set ylabel "roughness A, m^2 cycle/m"
 set key at screen 0.53, screen 0.99 center top horizontal maxrows 2 nobox
 set tmargin 4.5
-set label "class" at 0.53, 1.2e-5 tc rgb blue font ",12"
+set label "limit of class" at 0.53, 1.2e-5 tc rgb blue font ",12"
 set label "random part decides" at 0.62, 6e-7 tc rgb "#606060"
 set label "joints decide" at 7, 1.8e-8 tc rgb "#606060"
 plot ARG1 using "B_mm":"A_m2_cycle_per_m" with lines lt 2 dt solid lw 2 title "limits of the classes, (10)", \

@@ -6,7 +6,7 @@ set logscale x
 set xrange [2:25]
 set xtics (2.5, 5, 10, 20)
 unset key
-ways = "'regression' '512 ft' 'straightforward'"
+ways = "'regression' '512 ft' 'ruler'"
 quantities = "A corner B"
 titles = "'roughness A' 'corner φ_c' 'dip B'"
 shift(i) = 1 + 0.04 * (i - 2)  # so that the bars stand side by side

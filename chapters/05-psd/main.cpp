@@ -1,9 +1,9 @@
 /*** # Classifying track by power spectral density
 
 ::: findings
-1. A line of the spectrum has the power $Q_n=\frac12B_n^2$. Result: that is a quarter of the power in the one-sided density used everywhere else; the $B$ of Table 1 is twice the physical dip. {{outcome:lines/Q1-exact}} {{outcome:lines/Q2-printed}}
-2. Rule (10) gives the classes of Table 3. Result: twelve of thirteen, with the coefficient derived; zone 12 lies {{zone-12-margin}} inside class 3, printed is 2. {{outcome:table-3/zone-12}}
-3. "The PSD cannot distinguish" random dips from grouped ones. Result: it can; on five miles of each their densities at $\varphi_0$ are {{distinguish-errors}} standard errors apart. {{outcome:fig-05/distinguish}}
+1. How deep are the joints behind a peak of the spectrum? The paper takes $Q_n=\frac12B_n^2$ of a strength $B_n$ that is two-sided. Result: if its densities are one-sided, as its (8) requires, the peak has four times this power, and the $B$ of Table 1 is twice the physical dip. {{outcome:lines/Q1-exact}}
+2. Does rule (10) give the classes of Table 3? Result: yes for {{table-3-steady}} of 13 zones, within all roundings; the numbers of zone 12 allow the printed class 2 as well as 3. The coefficient in (10), unreadable in our copy, does not follow from it: any from {{k-most-low}} to {{k-most-high}} gives twelve or more. {{outcome:table-3/zone-12}}
+3. Can a spectrum tell joints that are deep at random from joints that are deep in groups? The paper says that "the PSD cannot distinguish" them. Result: on five miles of its jointed zones it hardly can. If depths scatter by half of their mean, the two densities differ by at most {{apart-line}} standard errors at $\varphi_0$, where the line of the mean dip hides both, and by {{apart-least}} to {{apart-most}} two bins away. The more miles, the plainer the difference. {{outcome:five-miles/distinguish}}
 :::
 
 A geometry car leaves kilometres of numbers; a track engineer wants one: which speed class can this stretch be held to? The
@@ -11,7 +11,7 @@ paper finds the same pattern in every spectrum of the profile, from new welded r
 rail length. Three parameters carry it, the roughness $A$, the corner wavenumber $\varphi_c$ and the joint dip $B$, and two of them, through the 62-ft
 mid-chord offset that the US track safety standards limit, give the class.
 
-The measured spectra of the paper are not to be had. Synthetic track whose spectrum is known stands for them. For records of your own there is
+The paper shows its spectra only as pictures, and we do not have them. Synthetic track whose spectrum is known stands for them. For records of your own there is
 `railbook psd classify`.
 
 {{include: processes.cpp}}
@@ -28,23 +28,27 @@ The measured spectra of the paper are not to be had. Synthetic track whose spect
 
 ## Deviations
 
-* **Line power, (1), (2) and (7).** A factor two in amplitude and four in power between the printed lines and a one-sided density ({{outcome:lines/Q1-exact}}). $B$
-  of Table 1 is twice the physical dip.
-* **Below (2).** $Q_2$ is {{Q2}}$\,B^2$ in the paper's convention, which does not round to 9.00 ({{outcome:lines/Q2-printed}}).
-* **Table 1.** Rows 1, 3, 6, 7, 8, 11 and 13 do not fit (7) within their rounding ({{outcome:table-1/1-B}}): values read off graphs, in zone 13 illegible exponents.
-  Zone 12 is said to be 10-m rail, but its $\varphi_0$ is that of {{zone-12-rail}} ({{outcome:table-1/ten-metres}}).
-* **"Quite satisfactory for wavelengths longer than 6 m"** is said of (3), but most corners of Table 1 lie at longer ones
-  ({{outcome:table-1/six-metres}}).
+* **Line power, (1), (2) and (7).** A factor four in power between the printed lines and those of a one-sided density ({{outcome:lines/Q1-exact}}). $B$
+  of Table 1 is twice the physical dip if the measured densities were one-sided; if they were two-sided, $\sqrt2$ times, and (8) is then wrong.
+* **Truncated numbers.** $Q_2$ below (2) and the two probabilities of three sigma are truncated, not rounded ({{outcome:lines/Q2-printed}}).
+* **Table 1.** In rows 1, 3, 6 and 8 $C_1$, $\beta$ and $B$ do not fit (7) within their rounding ({{outcome:table-1/1-B}}). Rows 7 and 11 fit
+  it with $B$ rounded to half a millimetre ({{outcome:table-1/7-B}}); in row 13 the exponents are hardly legible.
+* **Zone 12** is said to be 10-m rail, but its $\varphi_0$ is that of {{zone-12-rail}}. It rests on one glyph, and cannot be tested.
+* **"Quite satisfactory for wavelengths longer than 6 m"** is said of (3). {{corner-long}} of 13 corners lie at longer waves, and at 6 m (3) is
+  {{six-metres-median}} times too high in the median ({{outcome:table-1/six-metres}}).
 * **Table 2.** 0.99 for the 10.4-m chord on 11.9-m and on 9.1-m rail should read 0.98 ({{outcome:table-2/34-39-printed}}). The 19-m row holds for 62 ft only.
-* **Three sigma.** 0.99 and 0.8 are cut, not rounded ({{outcome:equation-8/normal-printed}}).
-* **Table 3.** Zone 12 comes out as class 3; printed is 2 ({{outcome:table-3/zone-12}}). The coefficient $k$ of (10) cannot be read; with
-  {{k-low}} < $k$ ≤ {{k-high}} all thirteen classes would be as printed, (8) gives {{k-19}} ({{outcome:table-k/k-19}}). Text and table name different zones as rebuilt after the survey.
-* **(6).** Height times half width is the area of the peak only for the shape of a good window ({{outcome:resolution/Q1}}). For a peak broadened by the track
+* **Table 3.** Zone 12 comes out as class 3 with its $A$ and $B$, and as class 2 or 3 with its $C_1$ and $\beta$; printed is 2
+  ({{outcome:table-3/zone-12}}). Text and table name different zones as rebuilt after the survey.
+* **The coefficient $k$ of (10)** cannot be read. (8) gives {{k-19}} ({{outcome:table-k/k-19}}), and the printed classes allow any from
+  {{k-most-low}} to {{k-most-high}}.
+* **(6).** Height times width at half height is the area of the peak only for the shape of a good window ({{outcome:resolution/Q1}}). For a peak broadened by the track
   itself it is too small.
-* **"The PSD cannot distinguish"** random from grouped dips. With the same mean and spread it can ({{outcome:fig-05/distinguish}}).
+* **"The PSD cannot distinguish"** random from grouped dips: not at a glance, and not on a few miles; their spectra differ all the same
+  ({{outcome:five-miles/distinguish}}).
 * **"Symmetrical sidebands"** need a smooth envelope ({{outcome:fig-04/symmetric}}). Dips that scale joint by joint give {{staircase-ratio}} to 1.
 
-Damage of our copy: the square root's ½ in (8), confirmed by derivation; a digit of (5); the coefficient of (10); the plot symbols of Figure 11.
+Damage of our copy, which is machine-read text without the drawings: the square root's ½ in (8), confirmed by derivation; a digit of (5); the coefficient
+of (10); exponents of zone 13; the plot symbols of Figure 11.
 
 ## Limits
 
@@ -53,7 +57,7 @@ Damage of our copy: the square root's ½ in (8), confirmed by derivation; a digi
 * The model has two straight slopes and one set of lines. White sensor noise needs its own term.
 * Rule (10) does not ask which rail length the dips belong to. The 62-ft chord sees {{sees-39}} of a dip on 39-ft rail and {{sees-30}} on
   30-ft rail; the rule counts both with $\gamma=2$ and is far on the safe side for the latter.
-* The dips are Gaussian: from a scatter of about 0.4 on, some joints stand up. Corners below 0.002 cycle/m would need longer filters than the generator
+* The dips are Gaussian: from a scatter of about 0.4 on, some joints are humps instead of dips. Corners below 0.002 cycle/m would need longer filters than the generator
   allows.
 
 ## Try next
@@ -68,13 +72,14 @@ Damage of our copy: the square root's ½ in (8), confirmed by derivation; a digi
 The copy at hand names no author, venue or year. These are from the Transportation Research Board's catalogue (TRID 00128608): J. C. Corbin and W. M.
 Kaufman, in *Mechanics of Transportation Systems*, AMD-Vol. 15, presented at the Winter Annual Meeting of ASME, Houston, Texas, 30 November to 5 December
 1975. No DOI was found. The paper cites its sources by number, and its list of references is not in the copy. Not the paper's: the limits of the classes,
-49 CFR 213.63 (class 6 as of the 1970s; not looked up again).
+49 CFR 213.63 (class 6 as of the 1970s; not looked up again), and their speeds, 49 CFR 213.9 and, for class 6, 213.307.
 
 ## Coverage
 
 {{coverage}}
 */
 #include <algorithm>
+#include <cmath>
 
 #include "num/random_source.hpp"
 #include "sections.hpp"
@@ -82,10 +87,11 @@ Kaufman, in *Mechanics of Transportation Systems*, AMD-Vol. 15, presented at the
 namespace railbook::psd_chapter {
 
 spectra::SyntheticTrack synthetic(const spectra::TrackParameters& track, std::uint64_t seed) {
+  const bool of_39_feet = track.phi_0 == 0 || std::abs(track.phi_0 - phi_0) < 0.0005;  // 0.084
   return {.seed = seed,
           .A = track.A,
           .phi_c = track.phi_c,
-          .rail_length = rail,
+          .rail_length = of_39_feet ? rail : 1 / track.phi_0,
           .dip = spectra::convert_dip(track.B, LineConvention::printed,
                                       LineConvention::exact_one_sided)};
 }

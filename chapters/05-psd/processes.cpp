@@ -2,31 +2,39 @@
 
 ### Periodic: the rectified sine
 
-Rails of length $l$ sag at their joints. The paper draws the profile as a rectified sine, $z=B\,|\sin(\pi x/l)|$: crests at mid rail,
+Rails of length $l$ sag at their joints. The paper describes the profile as a rectified sine, $z=B\,|\sin(\pi x/l)|$: crests at mid rail,
 joints a depth $B$ below them (figure {{fig-01}}), with dips of up to 7.6 cm reported.
+
+Our copy of the paper is machine-read text without its drawings. Each figure of this chapter is drawn from what the text and the
+captions say of it.
 
 {{fig-01}}
 
-Its spectrum is a row of lines at $n\varphi_0$, $\varphi_0=1/l$. Equations (1) and (2) of the paper are
+The power spectral density tells how the variance of the profile is spread over the wavenumber $\varphi$, the number of cycles a metre;
+its unit is m²/(cycle/m). The density of the rectified sine is a row of lines at $n\varphi_0$, $\varphi_0=1/l$. Equations (1) and (2) of the
+paper are
 
 $$B_n=\frac{2B}{(4n^2-1)\pi} \tag{1}$$
 
 $$Q_n=\tfrac12B_n^2 . \tag{2}$$
 
 **Two conventions.** In the Fourier series $B|\sin\pi\varphi_0x|=\frac{2B}{\pi}-\sum_n\frac{4B}{\pi(4n^2-1)}\cos2\pi n\varphi_0x$ the amplitude
-of a cosine is twice the printed $B_n$, which is the modulus of the complex coefficient; (2) halves its square as if it were the amplitude. So a line
-of a one-sided density has four times the printed power, and (7) reads a measured line as a dip twice as deep as it is. A two-sided density would not
-help: it would spoil (8). The sum over all lines decides. It must be the variance $B^2(\frac12-\frac4{\pi^2})$ = {{line-variance}} $B^2$; the exact
-powers give {{line-sum-exact}}, the printed ones {{line-sum-printed}}.
+of a cosine is twice the printed $B_n$, which is the modulus of the complex coefficient. Equation (2) halves its square as if it were the
+amplitude. In a one-sided density, which has all its power at positive wavenumbers, a line therefore has four times the printed power.
+The sum over all lines shows it: it must be the variance $B^2(\frac12-\frac4{\pi^2})$ = {{line-variance}} $B^2$; the exact powers give
+{{line-sum-exact}}, the printed ones {{line-sum-printed}}.
 
-Both are kept. *Printed* $B$ belongs to (7), (10) and the tables; the *physical dip* is half of it. Classes do not depend on the choice: the same line
-power enters (10) with the printed $B$ and $\gamma=2$, or with the physical dip and $\gamma=4$.
+What this makes of the dips depends on how the paper measured its densities, which it does not say. If they were one-sided, as (8)
+requires, (7) reads a line as a dip twice as deep as it is. If they were two-sided, $B$ would be $\sqrt2$ times the physical dip, and (8)
+would be too small by $\sqrt2$. We take them as one-sided and keep both numbers: the *printed* $B$ belongs to (7), (10) and the tables, the
+*physical dip* is half of it. Classes do not depend on the choice, because the same power of the line enters (10) with the printed $B$ and
+$\gamma=2$, or with the physical dip and $\gamma=4$.
 
 {{code: spectra/rail_line.cpp line_power}}
 
 {{lines}}
 
-The printed $Q_2$ is the rounded $Q_1$ divided by 25, which loses its last digit.
+The further digits of $Q_2$ are dropped in the print: it is truncated, not rounded.
 */
 #include <fmt/format.h>
 
@@ -47,10 +55,15 @@ double line_power_by_transform(std::size_t n) {
   return 2.0 * std::norm(fft.spectrum()[n]) / (samples * samples);
 }
 
+report::Expectation truncated(const std::string& printed) {
+  return report::absolute(2 * report::half_last_digit(printed),
+                          "one unit of the last digit: truncated, not rounded");
+}
+
 namespace {
 
 void fig_01(report::Item& item) {
-  item.rebuilt("the paper's drawing has no scale: the formula with 39-ft rails");
+  item.rebuilt("the paper's drawing is not in our copy: the formula with 39-ft rails");
   report::Data& curve = item.data({"x_m", "z_over_B"});
   for (int i = 0; i <= 1000; ++i) {
     const double x = 4 * rail * i / 1000.0;
@@ -74,12 +87,8 @@ void lines(report::Item& item) {
     item.add_row(double(n), rail / n, as_printed(n), exact(n), 100 * exact(n) / variance);
   const table::CsvTable printed = item.printed("equations.csv");
   item.row(printed, "Q1").print("printed", as_printed(1));
-  item.row(printed, "Q2")
-      .print("printed", as_printed(2),
-             report::corrected(
-                 line_power_by_transform(2) / 4, 1e-5,
-                 "the paper divided its rounded Q₁ by 25; a quarter of the line's power by "
-                 "transform"));
+  const report::Row row = item.row(printed, "Q2");
+  row.print("printed", as_printed(2), truncated(row.printed("printed")));
   item.agree("Q1-exact", "exact line 1", "B²", exact(1), line_power_by_transform(1), 1e-6,
              "a transform of the sampled profile");
   double sum_printed = 0, sum_exact = 0;
@@ -116,28 +125,40 @@ double lines_seen(const std::vector<spectra::Line>& lines, double phi, double df
 
 namespace {
 
+// The area under the first line of equal dips of 10 mm, in the estimate from segments of so many feet.
+double area_of_first_line(std::size_t segment) {
+  const auto estimate = record_spectrum({.dip = 10 * mm}, 20 * km, {.segment = segment});
+  double area = 0;
+  for (Eigen::Index k = 0; k < estimate.density.size(); ++k)
+    if (std::abs(estimate.frequency(k) / phi_0 - 1) < 0.5)
+      area += estimate.density[k] * estimate.df;
+  return area;
+}
+
 void fig_02(report::Item& item) {
   item.expect_checks(1);
-  item.rebuilt("the paper's drawing has no scale: dips of 10 mm, 39-ft rails, Hann window");
+  item.rebuilt("the paper's drawing is not in our copy: dips of 10 mm, 39-ft rails, Hann window");
   const auto lines = spectra::modulated_lines(phi_0, 10 * mm, 0, 0, 8.5 * phi_0);
   const double fine = 1.0 / (1024 * units::foot), broad = 1.0 / (256 * units::foot);
   report::Data& convolved = item.data({"phi_cycle_per_m", "S_fine", "S_broad"});
   report::Data& window = item.data("window", {"phi_cycle_per_m", "W_fine", "W_broad"});
   report::Data& line = item.data("lines", {"phi_cycle_per_m", "Q_mm2"});
-  double area[2]{};  // about the first line
   for (int i = 1; i <= 1500; ++i) {
     const double phi = 0.0002 * i, S_fine = lines_seen(lines, phi, fine),
                  S_broad = lines_seen(lines, phi, broad);
     convolved.add(phi, S_fine, S_broad);
-    if (std::abs(phi / phi_0 - 1) < 0.5) area[0] += 0.0002 * S_fine, area[1] += 0.0002 * S_broad;
   }
   for (int i = -300; i <= 300; ++i)
     window.add(0.0002 * i, hann_line(0.0002 * i, fine), hann_line(0.0002 * i, broad));
   for (std::size_t n = 0; n < 3; ++n) line.add(lines[n].phi, lines[n].power / (mm * mm));
+  const double power = spectra::line_power(1, 10 * mm, LineConvention::exact_one_sided);
+  const double broad_area = area_of_first_line(256) / power,
+               fine_area = area_of_first_line(1024) / power;
   item.claim("area", "the area under a line is a constant, whatever the resolution",
-             std::abs(area[1] / area[0] - 1) < 5e-3,
-             fmt::format("{:.4f} and {:.4f} of the line's power; the rest are tails and neighbours",
-                         area[0] / lines[0].power, area[1] / lines[0].power));
+             std::abs(broad_area / fine_area - 1) < 5e-3,
+             fmt::format("{:.4f} and {:.4f} of the line's power, estimated from segments of 256 "
+                         "and 1024 ft; the rest are tails and neighbours",
+                         broad_area, fine_area));
 }
 
 /*** ### Random: two slopes
@@ -148,8 +169,8 @@ $$S_z(\varphi)=A/\varphi^2 \tag{3}$$
 
 $$S_z(\varphi)=\begin{cases}A/\varphi^2,&\varphi<\varphi_c\\ A\varphi_c^2/\varphi^4,&\varphi>\varphi_c\end{cases} \tag{4}$$
 
-The paper reads it as a random walk: survey accuracy falls with distance, which makes the $-2$; the stiffness of the rail holds
-the short waves, which makes the $-4$ beyond the corner. Waves above about 100 m belong to the design of the line.
+The paper reads it as a random walk. Survey accuracy falls with distance, which makes the $-2$; the stiffness of the rail limits
+the short waves, which makes the $-4$ beyond the corner. Waves longer than about 100 m are hills and curves that were built on purpose.
 
 A single estimated ordinate scatters by as much as itself. Only averages over segments, that is over miles, and over neighbouring wavenumbers make a
 spectrum readable. Figure {{fig-03}} shows both on five miles of synthetic track. Over many such records the ordinates of one segment have a standard
@@ -180,7 +201,7 @@ double scatter(std::size_t samples, int records) {
 
 void fig_03(report::Item& item) {
   item.expect_checks(2);
-  item.rebuilt("the paper draws a smooth curve without numbers: zone 4 of Table 1, synthetic");
+  item.rebuilt("the paper's drawing is not in our copy: zone 4 of Table 1, synthetic");
   const auto five_miles = static_cast<std::size_t>(5 * units::mile / units::foot);
   const std::vector<double> z = spectra::synthesize(synthetic(fair_track, 1), five_miles);
   const spectra::Spectrum one = spectra::welch(std::span{z}.first(4096), units::foot);

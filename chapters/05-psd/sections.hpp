@@ -17,7 +17,7 @@ namespace railbook::psd_chapter {
 using spectra::LineConvention;
 
 inline constexpr double mm = units::millimetre, km = units::kilometre;
-// The rails of all zones (the 9.2 m of zone 12 are in doubt), those of before 1939, and equation (5).
+// The rails of all zones but zone 12, those of before 1939, and equation (5).
 inline constexpr double rail = 39 * units::foot, phi_0 = 1 / rail;
 inline constexpr double old_rail = 33 * units::foot, eps = 1 / old_rail - phi_0;
 
@@ -25,10 +25,19 @@ inline constexpr double old_rail = 33 * units::foot, eps = 1 / old_rail - phi_0;
 struct Zone {
   std::string name;  // "1" ... "13"
   spectra::TrackParameters track;
-  double C_1 = 0;   // peak of the line, m^2/(cycle/m)
-  double beta = 0;  // its width at half of it, cycle/m
+  double C_1 = 0;                                              // peak of the line, m^2/(cycle/m)
+  double beta = 0;                                             // its width at half of it, cycle/m
+  double C_1_half = 0, beta_half = 0, A_half = 0, B_half = 0;  // half a unit of the last digit
+  bool peak_legible = true;                                    // the exponent of C_1 can be read
 };
 std::vector<Zone> zones(const report::Item& item);
+
+// B of equation (7) from the printed C_1 and beta, with both as printed or at an end of their rounding.
+enum class Rounding { down, none, up };
+double dip_by_7(const Zone& zone, Rounding rounding = Rounding::none);
+
+// A number whose further digits the paper dropped: within one unit of the last digit.
+report::Expectation truncated(const std::string& printed);
 
 // The power of line n of a rectified sine of dip 1, sampled and transformed: no formula in it.
 double line_power_by_transform(std::size_t n);

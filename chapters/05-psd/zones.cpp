@@ -1,17 +1,25 @@
 /*** ## Table 1: thirteen zones
 
-Every zone is condensed to a roughness $A$, a corner $\varphi_c$ and a dip $B$, read off graphs. The paper prints $C_1$, $\beta$ and $B$, so its own
-equation (7) can be put to the test. Both factors have two printed digits; the range in the table carries their rounding through (7). Where the printed
-$B$ lies outside, the row contradicts itself, and print alone cannot tell which of the three is off.
+By what the table calls graphical analysis, every zone is condensed to a roughness $A$, a corner $\varphi_c$ and a dip $B$. The paper also
+prints $C_1$ and $\beta$, so its own equation (7) can be put to the test. Both have two printed digits, and the range in the table carries
+their rounding through (7). The other columns are read and used; nothing in the paper tests them.
 
 {{table-1}}
 
-Seven zones do not close. In six of them $B$ is {{table-1-least}} to {{table-1-most}} above what $C_1$ and $\beta$ give, and never
-below, as when the peak is read low or narrow off a steep graph. In zone 13
-the exponent of $C_1$ is hardly legible. With $10^{-8}$ the peak would be {{table-1-zone-13-share}} of the random part under it and
-could not have been seen; the printed $B$ asks for $C_1$ = {{table-1-zone-13-C1}}. From here on $B$ is used as printed. The
-corner lies between $\varphi_0$ and $2\varphi_0$ in {{corner-between}} of the thirteen, "usually" as the paper says. But in {{corner-long}} of them
-it lies at wavelengths above 6 m, down to which the paper calls (3) "quite satisfactory"; at 6 m (3) is then up to {{six-metres}} too high.
+{{ends-half}} of the 13 printed $B$ end in .0 or .5 mm. By chance this happens once in {{ends-half-chance}} tables, so $B$ was often
+rounded to half a millimetre, and so rounded the dips of zones 7 and 11 fit (7). Four zones do not fit it: in zones 1, 3, 6 and 8 the printed $B$ is
+{{table-1-least}} to {{table-1-most}} above what $C_1$ and $\beta$ give. The print cannot tell which of the three numbers is off. The last
+column but one says what $C_1$ would have to be. Zone 13 is not tested, because the exponent of its $C_1$ can hardly be read. With $10^{-8}$ the peak would be
+{{table-1-zone-13-share}} of the random part under it and could not have been seen; the printed $B$ asks for $C_1$ =
+{{table-1-zone-13-C1}}. From here on $B$ is used as printed.
+
+The corner lies between $\varphi_0$ and $2\varphi_0$ in {{corner-between}} of the thirteen zones, "usually" as the paper says. The paper calls (3)
+"quite satisfactory for wavelengths longer than 6 m" and goes on: "Somewhere in this range, there is a transition to a faster rate of roll-off". In
+{{corner-long}} zones the corner lies at waves longer than 6 m. At 6 m (3) is then too high, by a factor of {{six-metres-median}} in the
+median of the zones and of {{six-metres}} at the most.
+
+Zone 12 is a section "constructed from 10-m rail", says the text. The table has $\varphi_0$ = 0.109 cycle/m, which belongs to
+{{zone-12-rail}}. Which of the two is right cannot be told, for it rests on one glyph of our copy: 0.100 would be 10 m.
 */
 #include <fmt/format.h>
 
@@ -29,93 +37,129 @@ std::vector<Zone> zones(const report::Item& item) {
     const auto number = [&](const char* column) {
       return report::printed_number(table_1.at(i, column));
     };
-    result.push_back({table_1.at(i, "zone"),
-                      {.A = number("A"),
-                       .phi_c = number("phi_c"),
-                       .phi_0 = number("phi_0"),
-                       .B = number("B") * mm},
-                      number("C_1"),
-                      number("beta")});
+    const auto half_digit = [&](const char* column) {
+      return report::half_last_digit(table_1.at(i, column));
+    };
+    result.push_back({.name = table_1.at(i, "zone"),
+                      .track = {.A = number("A"),
+                                .phi_c = number("phi_c"),
+                                .phi_0 = number("phi_0"),
+                                .B = number("B") * mm},
+                      .C_1 = number("C_1"),
+                      .beta = number("beta"),
+                      .C_1_half = half_digit("C_1"),
+                      .beta_half = half_digit("beta"),
+                      .A_half = half_digit("A"),
+                      .B_half = half_digit("B") * mm,
+                      .peak_legible = table_1.at(i, "zone") != "13"});
   }
   return result;
 }
 
+double dip_by_7(const Zone& zone, Rounding rounding) {
+  const double way = rounding == Rounding::up ? 1 : rounding == Rounding::down ? -1 : 0;
+  return spectra::dip_from_line_power(
+      spectra::broadened_line_power(zone.C_1 + way * zone.C_1_half,
+                                    zone.beta + way * zone.beta_half),
+      LineConvention::printed);
+}
+
 namespace {
 
-// The dip a second way: a rectified sine is sampled and transformed, and scaled until its first line, a quarter of its power as in
-// (2), is `line_power`.
-double dip_by_transform(double line_power) {
-  return std::sqrt(4 * line_power / line_power_by_transform(1));
+bool ends_in_half(const std::string& number) {
+  return number.ends_with(".0") || number.ends_with(".5");
 }
 
-double dip_from_peak(double C_1, double beta) {
-  return spectra::dip_from_line_power(spectra::broadened_line_power(C_1, beta),
-                                      LineConvention::printed);
+// The print can come of (7): the ranges of both sides meet, when B is rounded to within `half`.
+bool closes(const Zone& zone, double half) {
+  return dip_by_7(zone, Rounding::down) <= zone.track.B + half &&
+         dip_by_7(zone, Rounding::up) >= zone.track.B - half;
 }
 
-/*** Where the ranges of both sides meet, the printed $B$ must come out within them. Where they do not, the computed $B$ must agree with
-a rectified sine that was sampled, transformed and scaled to the power $\beta C_1$, and the printed one must not.
+/*** Where the ranges of both sides meet, $B$ by (7) must come out within them. Where they do not, the gap between them is what is tried: it must
+stay open for either rounding of $C_1$ and $\beta$, and for a coarser rounding of $B$.
 */
-struct Closure {
-  double B = 0;              // by (7), m
-  double low = 0, high = 0;  // its range from the rounding of C_1 and beta
-  bool doubted = false;      // the printed B lies outside
-};
-
-Closure check_row(report::Item& item, const table::CsvTable& printed, const Zone& zone) {
-  const report::Row row = item.row(printed, zone.name);
-  const auto half_digit = [&](const char* column) {
-    return report::half_last_digit(row.printed(column));
-  };
-  Closure c{.B = dip_from_peak(zone.C_1, zone.beta),
-            .low = dip_from_peak(zone.C_1 - half_digit("C_1"), zone.beta - half_digit("beta")),
-            .high = dip_from_peak(zone.C_1 + half_digit("C_1"), zone.beta + half_digit("beta")),
-            .doubted = false};
-  const double rounding = half_digit("B") * mm;
-  c.doubted = c.low > zone.track.B + rounding || c.high < zone.track.B - rounding;
-  if (c.doubted) {
-    row.print("B", c.B / mm,
-              report::not_confirmed(
-                  dip_by_transform(zone.beta * zone.C_1) / mm, (c.high - c.low) / (2 * c.B),
-                  "C₁, β and B of the row do not fit (7) within their rounding: "
-                  "graph readings; the value is what C₁ and β give by transform"));
-  } else {
-    row.print("B", c.B / mm,
-              report::absolute((std::max(c.high - c.B, c.B - c.low) + rounding) / mm,
+void check_row(report::Item& item, const report::Row& row, const Zone& zone) {
+  const double computed = dip_by_7(zone);
+  const double spread =
+      std::max(dip_by_7(zone, Rounding::up) - computed, computed - dip_by_7(zone, Rounding::down));
+  if (closes(zone, zone.B_half)) {
+    row.print("B", computed / mm,
+              report::absolute((spread + zone.B_half) / mm,
                                "rounding of C₁ and β, two digits each, carried through (7)"));
+  } else if (ends_in_half(row.printed("B")) && closes(zone, 0.25 * mm)) {
+    row.print("B", computed / mm,
+              report::absolute((spread + 0.25 * mm) / mm,
+                               "rounding of C₁ and β carried through (7), and of B to half a "
+                               "millimetre: the print ends in .0 or .5"));
+  } else {
+    report::Trial trial = item.trial(zone.name + "-B", "gap between the printed B and (7)",
+                                     "{:.2f} mm", [](double gap) { return gap > 0; });
+    trial.vary("rounding of C₁ and β", [&](const report::Setting& s) {
+      const auto rounding = s.text == "down" ? Rounding::down
+                            : s.text == "up" ? Rounding::up
+                                             : Rounding::none;
+      return (zone.track.B - zone.B_half - dip_by_7(zone, rounding)) / mm;
+    });
+    trial.vary("rounding of B, with C₁ and β rounded up", [&](const report::Setting& s) {
+      return (zone.track.B - dip_by_7(zone, Rounding::up)) / mm - s.number / 2;
+    });
+    row.print("B", computed / mm,
+              report::not_confirmed("C₁, β and B of the row do not fit (7) within their rounding",
+                                    trial));
   }
-  item.add_row({zone.name, row.printed("A"), row.printed("phi_c"), row.printed("C_1"),
-                row.printed("beta"), row.printed("B"), fmt::format("{:.2f}", c.B / mm),
-                fmt::format("{:.2f} to {:.2f}", c.low / mm, c.high / mm),
-                fmt::format("{:.2f}", zone.track.B / 2 / mm), row.printed("doubt")});
-  return c;
+}
+
+// The chance that at least `least` of `n` happen, each with the chance p.
+double chance_of_at_least(int least, int n, double p) {
+  double sum = 0;
+  for (int k = least; k <= n; ++k)
+    sum += std::exp(std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0)) *
+           std::pow(p, k) * std::pow(1 - p, n - k);
+  return sum;
 }
 
 void table_1(report::Item& item) {
   const table::CsvTable printed = item.printed("table-1.csv");
   const auto all = zones(item);
-  item.expect_checks(static_cast<int>(all.size()) + 4);
+  item.expect_checks(static_cast<int>(all.size()) - 1 + 3);
   item.columns({"zone", "A", "φ<sub>c</sub>", "C₁", "β", "B printed, mm", "B by (7), mm",
-                "range of rounding, mm", "physical dip, mm", "doubt"});
-  std::vector<double> excess;
-  int corner_between = 0, corner_long = 0;
-  double lowest_corner = units::no_limit;
+                "range of rounding, mm", "physical dip, mm", "C₁ for the printed B", "doubt"});
+  std::vector<double> excess, at_six_metres;
+  int corner_between = 0, corner_long = 0, ends_half = 0;
   for (const Zone& zone : all) {
-    const Closure c = check_row(item, printed, zone);
-    if (c.doubted && zone.name != "13") excess.push_back(zone.track.B / c.B - 1.0);
+    const report::Row row = item.row(printed, zone.name);
+    if (zone.peak_legible) {
+      check_row(item, row, zone);
+      if (!closes(zone, zone.B_half) &&
+          !(ends_in_half(row.printed("B")) && closes(zone, 0.25 * mm)))
+        excess.push_back(zone.track.B / dip_by_7(zone) - 1.0);
+    }
+    ends_half += ends_in_half(row.printed("B"));
+    item.add_row(
+        {zone.name, row.printed("A"), row.printed("phi_c"), row.printed("C_1"), row.printed("beta"),
+         row.printed("B"), fmt::format("{:.2f}", dip_by_7(zone) / mm),
+         fmt::format("{:.2f} to {:.2f}", dip_by_7(zone, Rounding::down) / mm,
+                     dip_by_7(zone, Rounding::up) / mm),
+         fmt::format("{:.2f}", zone.track.B / 2 / mm),
+         fmt::format("{:.1e}",
+                     spectra::line_power(1, zone.track.B, LineConvention::printed) / zone.beta),
+         row.printed("doubt")});
     corner_between +=
         zone.track.phi_c > zone.track.phi_0 && zone.track.phi_c < 2 * zone.track.phi_0;
     corner_long += zone.track.phi_c < 1 / 6.0;
-    lowest_corner = std::min(lowest_corner, zone.track.phi_c);
+    at_six_metres.push_back(spectra::random_psd({.A = zone.track.A}, 1 / 6.0) /
+                            spectra::random_psd(zone.track, 1 / 6.0));
   }
   const auto [least, most] = std::minmax_element(excess.begin(), excess.end());
-  item.value("table-1-least", 100 * *least, "%", "{:.0f}");
+  item.value("table-1-least", 100 * *least, "", "{:.0f}");
   item.value("table-1-most", 100 * *most, "%", "{:.0f}");
   item.value("corner-between", corner_between, "", "{:.0f}");
+  item.value("ends-half", ends_half, "", "{:.0f}");
+  item.value("ends-half-chance", 1 / chance_of_at_least(ends_half, 13, 0.2), "", "{:.0f}");
   const double rail_12 = 1 / all.at(11).track.phi_0;
-  item.refute("ten-metres", "the section of very rough track is made of 10-m rail", rail_12 < 9.5,
-              fmt::format("its φ₀ of Table 1 is that of {:.1f}-m rail", rail_12));
-  item.value("zone-12-rail", rail_12, "m", "{:.1f}");
+  item.value("zone-12-rail",
+             fmt::format("{:.0f}-ft rail ({:.1f} m)", rail_12 / units::foot, rail_12));
   const Zone& last = all.back();
   item.value("table-1-zone-13-share",
              100 * last.C_1 / spectra::random_psd(last.track, last.track.phi_0), "%", "{:.0f}");
@@ -130,15 +174,16 @@ void table_1(report::Item& item) {
   item.claim("corner", "φ_c usually lies between φ₀ and 2φ₀",
              2 * corner_between > static_cast<int>(all.size()),
              fmt::format("in {} of {} zones", corner_between, all.size()));
-  const double too_high = std::pow(lowest_corner * 6, -2);  // (3) over (4) at 6 m
-  item.refute(
-      "six-metres", "(3) is quite satisfactory for wavelengths longer than 6 m",
-      2 * corner_long > static_cast<int>(all.size()),
-      fmt::format("{} of {} corners of Table 1 lie at longer ones; at 6 m (3) is up to {:.1f} "
-                  "times (4)",
-                  corner_long, all.size(), too_high));
+  std::sort(at_six_metres.begin(), at_six_metres.end());
+  const double median = at_six_metres[at_six_metres.size() / 2];
+  item.consistent(
+      "six-metres", "(3) is quite satisfactory for wavelengths longer than 6 m", median < 2,
+      fmt::format("at 6 m (3) is {:.1f} times (4) in the median of the zones, {:.1f} times at most",
+                  median, at_six_metres.back()),
+      "quite satisfactory has no measure in the paper: a factor two in the median is ours");
   item.value("corner-long", corner_long, "", "{:.0f}");
-  item.value("six-metres", too_high, "times", "{:.1f}");
+  item.value("six-metres-median", median, "", "{:.1f}");
+  item.value("six-metres", at_six_metres.back(), "", "{:.1f}");
 }
 
 }  // namespace

@@ -3,10 +3,10 @@ Real records have gaps, grades, noise, old rail under new, faults of measuring, 
 of zone 7 ({{stability-length}}, a sample a foot) and lets the estimator judge itself. A row *holds* when $A$ and $B$ come out within
 {{stability-errors}} of their own standard errors, which one of all rows exceeds by chance once in a hundred times, and the 1 % that the fit states. It
 *degrades* when they do not, but the reading says so by itself (corner at its bound, residuals 1.25 times larger than chance, a line nobody named, a
-fault in the record); the loss is that of $A$. A wrong number without a word would fail.
+fault in the record). Its error is then the relative loss of $A$ or of $B$, whichever is larger. A wrong number without a word would fail.
 
-Where the spectrum of a disturbance is known, the loss allowed is that of the same fit on this spectrum, free of chance, and the same errors on top.
-The other bounds were set before.
+Where the spectrum of a disturbance is known, the loss allowed is that of the same fit on this spectrum, free of chance, with the same
+errors on top. The other bounds were set before.
 
 {{stability}}
 */
@@ -42,7 +42,7 @@ struct Case {
   std::function<void(Record&)> spoil = {};  // what is done to the samples
   std::optional<spectra::RecordOptions> read =
       {};           // as the tool reads them: screened, gaps bridged
-  double loss = 0;  // known to be lost: the bound of the relative error of A
+  double loss = 0;  // known to be lost: the bound of the relative error of A and B
   // Known to be lost: the density that the disturbance makes of the undisturbed one.
   std::function<double(double phi, double undisturbed)> known = {};
   bool lossy() const { return loss > 0 || known; }
@@ -186,8 +186,18 @@ Result run(const Case& c) {
   return {fit, doubts};
 }
 
-// By how much A is wrong in the known spectrum of a disturbance, all chance left out.
-double known_loss(const Case& c) {
+struct Loss {
+  double A = 0, B = 0;  // relative
+  double larger() const { return std::max(A, B); }
+};
+
+Loss loss_of(const Case& c, const spectra::SpectrumFit& fit) {
+  return {std::abs(fit.A.value / c.track.A - 1),
+          std::abs(fit.B_printed.value / (2 * c.track.dip) - 1)};
+}
+
+// By how much A and B are wrong in the known spectrum of a disturbance, all chance left out.
+Loss known_loss(const Case& c) {
   spectra::Spectrum ideal = spectra::welch(Record(8192), units::foot);
   ideal.averages = 1e9;
   const auto lines = spectra::modulated_lines(phi_0, c.track.dip, 0, 0, 1.7);
@@ -197,25 +207,30 @@ double known_loss(const Case& c) {
         c.known(phi, spectra::random_psd({.A = c.track.A, .phi_c = c.track.phi_c}, phi) +
                          lines_seen(lines, phi, ideal.df));
   }
-  return std::abs(spectra::fit_track_spectrum(ideal, c.fit).A.value / c.track.A - 1);
+  return loss_of(c, spectra::fit_track_spectrum(ideal, c.fit));
 }
 
 // `errors` standard errors and 1 % is what a row may be off by and still hold; a degraded one must say so by itself.
 Found judged(const Case& c, double errors) {
   const auto [fit, doubts] = run(c);
-  const double B = 2 * c.track.dip, off_A = std::abs(fit.A.value - c.track.A);
-  const double allowed_A = errors * fit.A.error + 0.01 * c.track.A;
-  const double share_B =
-      std::abs(fit.B_printed.value - B) / (errors * fit.B_printed.error + 0.01 * B);
-  const double off = std::max(off_A / allowed_A, share_B);
-  const auto text = fmt::format("A = {:.3g} ± {:.1g}, B = {:.2f} ± {:.2f} mm", fit.A.value,
-                                fit.A.error, fit.B_printed.value / mm, fit.B_printed.error / mm) +
-                    doubts;
+  const double B = 2 * c.track.dip;
+  const Loss lost = loss_of(c, fit), chance{errors * fit.A.error / c.track.A + 0.01,
+                                            errors * fit.B_printed.error / B + 0.01};
+  const double off = std::max(lost.A / chance.A, lost.B / chance.B);
+  const auto text =
+      fmt::format("A = {:.3g} ± {:.1g} for {:.3g}, B = {:.2f} ± {:.2f} mm for {:.2f} mm",
+                  fit.A.value, fit.A.error, c.track.A, fit.B_printed.value / mm,
+                  fit.B_printed.error / mm, B / mm) +
+      doubts;
   if (!c.lossy()) return {text, off};
   if (off <= 1) return {text + "; it holds after all", units::nan};
   if (doubts.empty()) return {text + "; wrong, without a word", units::nan};
-  // Beside a known loss there is chance; a bound set before is one of both.
-  return {text, (c.known ? std::max(off_A - allowed_A, 0.0) : off_A) / c.track.A};
+  if (!c.known) return {text, lost.larger()};
+  // Beside a known loss there is chance.
+  const Loss known = known_loss(c);
+  if (lost.A > known.A + chance.A || lost.B > known.B + chance.B)
+    return {text + "; more is lost than the known spectrum loses", units::nan};
+  return {text, std::max(lost.A - chance.A, lost.B - chance.B)};
 }
 
 void table_stability(report::Item& item) {
@@ -230,12 +245,14 @@ void table_stability(report::Item& item) {
          .what = c.what,
          .stress = c.stress,
          .expect = c.lossy() ? report::degrades : report::holds,
-         .allowed = c.known     ? known_loss(c)
+         .allowed = c.known     ? known_loss(c).larger()
                     : c.lossy() ? c.loss
                                 : 1,
-         .reference = c.known     ? "A put in: the loss, allowed is that of the known spectrum"
-                      : c.lossy() ? "A put in: the loss"
-                                  : "A and B put in, in units of those errors and 1 %"},
+         .reference =
+             c.known
+                 ? "A and B put in: the loss beyond chance, allowed is that of the known spectrum"
+             : c.lossy() ? "A and B put in: the loss"
+                         : "A and B put in, in units of those errors and 1 %"},
         [&] { return judged(c, errors); });
   item.value("stability-length", length / km, "km", "{:.0f}");
   item.value("stability-errors", errors, "", "{:.1f}");
