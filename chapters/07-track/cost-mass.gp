@@ -1,6 +1,6 @@
 load "style.gp"
 set output ARG2
-methods = "'explicit order 5' 'Radau IIA' 'BDF (GSL)' 'Runge-Kutta 4 fixed' 'Newmark fixed'"
+methods = "'order 5: no search' 'Radau IIA' 'BDF (GSL)' 'Runge-Kutta 4 fixed' 'Newmark fixed'"
 of(m, c) = strcol("method") eq word(methods, m) ? column(c) : NaN
 timed = 0
 set yrange [0:2]

@@ -1,11 +1,11 @@
 load "style.gp"
-set terminal pngcairo size 1000,640
+set terminal pngcairo size 840,640
 set output ARG2
 unset border
 unset tics
 unset grid
 unset key
-set xrange [-2.3:7.5]
+set xrange [-2.3:5.9]
 set yrange [0.2:6.45]
 set size ratio -1
 set margins 0,0,0,0

@@ -1,7 +1,10 @@
 load "style.gp"
+set terminal pngcairo size 1300,560
 set output ARG2
 set xlabel "speed over critical speed, θ = V / V_c"
 set ylabel "largest deflection / static deflection"
+set rmargin 46
+set key outside right top
 set xrange [0:2.5]
 set yrange [0:5]
 set arrow from 1,0 to 1,5 nohead ls guide
