@@ -1,23 +1,26 @@
 /*** ## What a chord sees
 
-The US track safety standards limit the mid-chord offset: the height of the rail above the middle of a 62-ft (19-m) chord stretched
-on it. For a sine of wavenumber $\varphi$ a chord $L$ reads $1-\cos\pi L\varphi$ times the amplitude.
+The US track safety standards limit the mid-chord offset: the height of the rail above the middle of
+a 62-ft (19-m) chord stretched on it. For a sine of wavenumber $\varphi$ a chord $L$ reads
+$1-\cos\pi L\varphi$ times the amplitude.
 
 ### Of the random part
 
-On $A/\varphi^2$ the variance of the offset is $A\int_0^\infty(1-\cos\pi L\varphi)^2\varphi^{-2}d\varphi$. The integral is $\frac12\pi^2L$, and so
+On $A/\varphi^2$ the variance of the offset is
+$A\int_0^\infty(1-\cos\pi L\varphi)^2\varphi^{-2}d\varphi$. The integral is $\frac12\pi^2L$, and so
 
 $$\sigma(L)=\pi\sqrt{\tfrac12AL}, \tag{8}$$
 
-the paper's (8), with the damaged glyph under the root confirmed. It holds for a one-sided density; a two-sided $A$ would lose the
-$\frac12$. The paper leaves the corner out of it, since long chords respond most below $\varphi_c$. With the corner the integral has
-a closed form in sine integrals: for the corners of Table 1, (8) is {{equation-8-least}} to {{equation-8-most}} above it for the 19-m chord, on the
-safe side, and up to {{equation-8-short}} for the 9.5-m chord.
+the paper's (8), with the damaged glyph under the root confirmed. It holds for a one-sided density;
+a two-sided $A$ would lose the $\frac12$. The paper leaves the corner out of it, since long chords
+respond most below $\varphi_c$. With the corner the integral has a closed form in sine integrals:
+for the corners of Table 1, (8) is {{equation-8-least}} to {{equation-8-most}} above it for the 19-m
+chord, on the safe side, and up to {{equation-8-short}} for the 9.5-m chord.
 
 {{equation-8}}
 
-The paper's two probabilities for three sigma are truncated, not rounded: 0.99 for a normal offset (exactly {{normal-share}}) and 0.8 for the worst
-distribution (Chebyshev, {{chebyshev-share}}).
+The paper's two probabilities for three sigma are truncated, not rounded: 0.99 for a normal offset
+(exactly {{normal-share}}) and 0.8 for the worst distribution (Chebyshev, {{chebyshev-share}}).
 */
 #include "spectra/chord.hpp"
 
@@ -95,16 +98,19 @@ void equation_8(report::Item& item) {
 
 /*** ### Of the joints
 
-With its middle on a joint, a chord reads the dip as $|\sin(\pi L/2l)|\,B$; figure {{fig-10}} shows why the 62-ft chord loses so much of
-it. Everywhere else it reads less, as the brute-force column of Table 2 confirms: the largest offset over all positions.
+With its middle on a joint, a chord reads the dip as $|\sin(\pi L/2l)|\,B$; figure {{fig-10}} shows
+why the 62-ft chord loses so much of it. Everywhere else it reads less, as the brute-force column of
+Table 2 confirms: the largest offset over all positions.
 
 {{fig-10}}
 
 {{table-2}}
 
-Ten of the twelve entries come out to the printed digits. They are computed in feet; the rounded metres of the table's headings
-fail in the row of the 19-m chord, where the sine is steep. **Two entries are misprints**: 0.99 for the 10.4-m chord on 39-ft and on 30-ft
-rail, where it reads {{table-2-39}} and {{table-2-30}}. The rounding of the chord and of the rail to 0.1 m does not bring them to 0.99.
+Ten of the twelve entries come out to the printed digits. They are computed in feet; the rounded
+metres of the table's headings fail in the row of the 19-m chord, where the sine is steep. **Two
+entries are misprints**: 0.99 for the 10.4-m chord on 39-ft and on 30-ft rail, where it reads
+{{table-2-39}} and {{table-2-30}}. The rounding of the chord and of the rail to 0.1 m does not bring
+them to 0.99.
 */
 // The largest offset over all positions of the chord, by trying them.
 double largest_offset(double chord, double length) {

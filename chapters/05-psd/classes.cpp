@@ -1,37 +1,45 @@
 /*** ## Classes
 
-A class is a speed limit: freight trains may run at 10, 25, 40, 60, 80 and 110 mph on track of classes 1 to 6; the speeds that the paper
-prints are those of passenger trains. The federal standards limit what a 62-ft chord may read in each class. The paper asks the
-random part to stay within three standard deviations and the joints within twice their dip, and adds the two as squares; with (8) that is
+A class is a speed limit: freight trains may run at 10, 25, 40, 60, 80 and 110 mph on track of
+classes 1 to 6; the speeds that the paper prints are those of passenger trains. The federal
+standards limit what a 62-ft chord may read in each class. The paper asks the random part to stay
+within three standard deviations and the joints within twice their dip, and adds the two as squares;
+with (8) that is
 
 $$(\alpha\sigma)^2+(\gamma B)^2\le D_m(L)^2, \qquad \alpha=3,\ \gamma=2, \tag{9}$$
 
 $$d^2 = kA + 4B^2 \le D_m(19)^2, \qquad k = \tfrac92\pi^2 L. \tag{10}$$
 
-The factor $\gamma$ "includes the effect of chord sensitivity" and of joints that are not equally low. The class of a zone is the highest $m$
-whose limit $D_m$ its $d$ keeps. The limits are not printed in the paper; they are 3, 2¾, 2¼, 2, 1¼ and ½ in for classes 1 to 6.
-The number in front of $A$ cannot be read in our copy. Derived from (8) it is $k$ = {{k-19}} for a chord of 19 m and {{k-62}} for 62 ft.
+The factor $\gamma$ "includes the effect of chord sensitivity" and of joints that are not equally
+low. The class of a zone is the highest $m$ whose limit $D_m$ its $d$ keeps. The limits are not
+printed in the paper; they are 3, 2¾, 2¼, 2, 1¼ and ½ in for classes 1 to 6. The number in front of
+$A$ cannot be read in our copy. Derived from (8) it is $k$ = {{k-19}} for a chord of 19 m and
+{{k-62}} for 62 ft.
 
 ### Table 3
 
-The table gives $d$ from the printed $A$ and $B$, and the range in which it lies when $A$ and $B$ are varied within their rounding and $B$ is also
-taken from $C_1$ and $\beta$ by (7), within theirs (but for zone 13, whose $C_1$ cannot be read).
+The table gives $d$ from the printed $A$ and $B$, and the range in which it lies when $A$ and $B$
+are varied within their rounding and $B$ is also taken from $C_1$ and $\beta$ by (7), within theirs
+(but for zone 13, whose $C_1$ cannot be read).
 
 {{table-3}}
 
-Over these ranges {{table-3-steady}} zones have one class, the printed one. Zone 12 has two. With the printed $A$ and $B$ its $d$ is
-{{zone-12-d}} ({{zone-12-low}} to {{zone-12-high}} for half a unit in their last digits), inside the limit of class 3, {{zone-12-limit}}.
-With $B$ from the printed $C_1$ and $\beta$ it is {{zone-12-low-7}} to {{zone-12-high-7}}, on both sides of it. The printed class, 2, is compatible
-with the row.
+Over these ranges {{table-3-steady}} zones have one class, the printed one. Zone 12 has two. With
+the printed $A$ and $B$ its $d$ is {{zone-12-d}} ({{zone-12-low}} to {{zone-12-high}} for half a
+unit in their last digits), inside the limit of class 3, {{zone-12-limit}}. With $B$ from the
+printed $C_1$ and $\beta$ it is {{zone-12-low-7}} to {{zone-12-high-7}}, on both sides of it. The
+printed class, 2, is compatible with the row.
 
-The plus and minus signs were put by eye. A minus stands at zones 7 and 8, which lie in the lower half of their class as the paper says, a
-plus at a zone that is close to the next class (6) or far inside the last (13). But zone 10, closer to class 5 than zone 6 is to class 6,
-has no sign. The text says that zones 3 and 4 were rebuilt after the survey; the table marks 3 and 5.
+The plus and minus signs were put by eye. A minus stands at zones 7 and 8, which lie in the lower
+half of their class as the paper says, a plus at a zone that is close to the next class (6) or far
+inside the last (13). But zone 10, closer to class 5 than zone 6 is to class 6, has no sign. The
+text says that zones 3 and 4 were rebuilt after the survey; the table marks 3 and 5.
 
 ### Which coefficient did the paper use?
 
-The classes do not tell. Twelve or thirteen of them come out as printed for any $k$ from {{k-most-low}} to {{k-most-high}}, and all thirteen,
-with the printed $A$ and $B$, for {{k-low}} < $k$ ≤ {{k-high}}. These are the readings that we tried:
+The classes do not tell. Twelve or thirteen of them come out as printed for any $k$ from
+{{k-most-low}} to {{k-most-high}}, and all thirteen, with the printed $A$ and $B$, for {{k-low}} <
+$k$ ≤ {{k-high}}. These are the readings that we tried:
 
 {{table-k}}
 
@@ -39,14 +47,18 @@ with the printed $A$ and $B$, for {{k-low}} < $k$ ≤ {{k-high}}. These are the 
 
 {{fig-11}}
 
-Below {{fig-11}} a track can be chosen by its roughness $A$ and its dip $B$: the class that rule (10) gives it, and how much of the deviation each part has.
+Below {{fig-11}} a track can be chosen by its roughness $A$ and its dip $B$: the class that rule
+(10) gives it, and how much of the deviation each part has.
 
-Up to the rounded corner of a limit the class is set by $A$ alone, right of it by $B$ alone. On the dashed line both parts weigh the same.
-"All points tended to cluster near the line", says the paper: the ratio of the two parts, $2B/3\sigma$, lies between {{cluster-low}} and
-{{cluster-high}} for all zones, while $d$ itself spans a factor of {{cluster-span}}. A rougher random part goes with deeper joints: the
-correlation of $\ln A$ and $\ln B$ is {{correlation}}, or {{correlation-range}} with zone 12, zone 13 or all welded zones left out. The six welded
-main lines alone, whose $A$ hardly differ, show none ({{correlation-welded}}). On the average, as the paper says, jointed track has more of
-$B$ and welded track more of $A$; single zones make exceptions, for {{jointed-right}} of 6 jointed and {{welded-left}} of 7 welded ones lie on their side of the line.
+Up to the rounded corner of a limit the class is set by $A$ alone, right of it by $B$ alone. On the
+dashed line both parts weigh the same. "All points tended to cluster near the line", says the paper:
+the ratio of the two parts, $2B/3\sigma$, lies between {{cluster-low}} and {{cluster-high}} for all
+zones, while $d$ itself spans a factor of {{cluster-span}}. A rougher random part goes with deeper
+joints: the correlation of $\ln A$ and $\ln B$ is {{correlation}}, or {{correlation-range}} with
+zone 12, zone 13 or all welded zones left out. The six welded main lines alone, whose $A$ hardly
+differ, show none ({{correlation-welded}}). On the average, as the paper says, jointed track has
+more of $B$ and welded track more of $A$; single zones make exceptions, for {{jointed-right}} of 6
+jointed and {{welded-left}} of 7 welded ones lie on their side of the line.
 */
 #include "spectra/classify.hpp"
 

@@ -1,42 +1,47 @@
 /*** ## Reading the parameters off a spectrum
 
-The paper lays two straight lines on each measured spectrum, of slope −2 at the long waves and −4 at the short ones: the
-first gives $A$, where they meet gives $\varphi_c$. Then it takes the peak $C_1$ of the first line above them and its width $\beta$ at half
-that height,
+The paper lays two straight lines on each measured spectrum, of slope −2 at the long waves and −4 at
+the short ones: the first gives $A$, where they meet gives $\varphi_c$. Then it takes the peak $C_1$
+of the first line above them and its width $\beta$ at half that height,
 
 $$Q_1 = \beta\, C_1 \tag{6}$$
 
 $$B = 3\pi\sqrt{\tfrac12\beta C_1}. \tag{7}$$
 
-The paper shows six measured spectra as pictures, which our copy does not have. Ours are of synthetic track with the printed $A$,
-$\varphi_c$ and peak of the same zones. A peak wider than the analysis can show comes from joints of random depth, with depth and correlation chosen
-so that its height and width are the printed $C_1$ and $\beta$; a narrow one from equal joints.
+The paper shows six measured spectra as pictures, which our copy does not have. Ours are of
+synthetic track with the printed $A$, $\varphi_c$ and peak of the same zones. A peak wider than the
+analysis can show comes from joints of random depth, with depth and correlation chosen so that its
+height and width are the printed $C_1$ and $\beta$; a narrow one from equal joints.
 
 {{fig-08}}
 
-Panels (c) and (d) do not show what they are examples of. Table 1 calls zone 11 of (d) an "Example of ballast memory", and its remarks beside
-zones 1 to 3 say the same of one of the three; the digit reads 3, but (c) is zone 2. Our track has no line at 1/(33 ft) and no
-sidebands, only a broad peak of the printed width, {{beta-2}} and {{beta-11}} cycle/m. The old rail's line is {{epsilon-off}} cycle/m from
-$\varphi_0$ and so lies inside such a peak; how high it is, the print does not say.
+Panels (c) and (d) do not show what they are examples of. Table 1 calls zone 11 of (d) an "Example
+of ballast memory", and its remarks beside zones 1 to 3 say the same of one of the three; the digit
+reads 3, but (c) is zone 2. Our track has no line at 1/(33 ft) and no sidebands, only a broad peak
+of the printed width, {{beta-2}} and {{beta-11}} cycle/m. The old rail's line is {{epsilon-off}}
+cycle/m from $\varphi_0$ and so lies inside such a peak; how high it is, the print does not say.
 
 The program fits the two lines by regression and sums the area of the peak instead of using a ruler.
 
-The power is the area under the peak. Equation (6) takes that of a rectangle, as high as the peak and as wide as the peak is at half its
-height. A peak of the shape of a resonance curve has {{lorentz}} times this area, and $B$ by (6) and (7) is then {{lorentz-B}} too small. Where
-$\beta$ is wide, the random depths of the joints also lift the spectrum between the peaks. The regression takes this for roughness, and
-$A$ comes out high.
+The power is the area under the peak. Equation (6) takes that of a rectangle, as high as the peak
+and as wide as the peak is at half its height. A peak of the shape of a resonance curve has
+{{lorentz}} times this area, and $B$ by (6) and (7) is then {{lorentz-B}} too small. Where $\beta$
+is wide, the random depths of the joints also lift the spectrum between the peaks. The regression
+takes this for roughness, and $A$ comes out high.
 
 {{fig-09}}
 
 ### The narrow peaks are as wide as the window
 
-Five zones have $\beta$ = 0.010 cycle/m. This is what a line of no width at all looks like through a Hann window on segments of three lengths:
+Five zones have $\beta$ = 0.010 cycle/m. This is what a line of no width at all looks like through a
+Hann window on segments of three lengths:
 
 {{resolution}}
 
-With segments of 512 ft the line is {{beta-512}} cycle/m wide at half its height, which is the paper's definition of $\beta$. So 0.010 is most
-likely the resolution of the paper's analysis, and $C_1$ of these zones says as much about the window as about the track. The product of
-$C_1$ and $\beta$ does not depend on the window: it is the power of the line, the same in every row.
+With segments of 512 ft the line is {{beta-512}} cycle/m wide at half its height, which is the
+paper's definition of $\beta$. So 0.010 is most likely the resolution of the paper's analysis, and
+$C_1$ of these zones says as much about the window as about the track. The product of $C_1$ and
+$\beta$ does not depend on the window: it is the power of the line, the same in every row.
 */
 #include <fmt/format.h>
 
@@ -57,10 +62,11 @@ bool broad(const Zone& zone) {
   return zone.beta > 0.015;
 }
 
-/*** Depths $B_j$ of a correlation $\rho$ from joint to joint spread the line into a resonance curve whose half width follows from
-$\rho$ alone; with $c = \cos\pi\beta l$ it is the root of $\rho^2-(4-2c)\rho+1 = 0$. The peak's height then fixes the scatter of the
-depths. Their mean is made small, so that hardly any sharp line is left in the middle. (The shape of a dip, falling off with
-$\varphi$, skews the peak a little.)
+/*** Depths $B_j$ of a correlation $\rho$ from joint to joint spread the line into a resonance curve
+whose half width follows from $\rho$ alone; with $c = \cos\pi\beta l$ it is the root of
+$\rho^2-(4-2c)\rho+1 = 0$. The peak's height then fixes the scatter of the depths. Their mean is
+made small, so that hardly any sharp line is left in the middle. (The shape of a dip, falling off
+with $\varphi$, skews the peak a little.)
 */
 spectra::SyntheticTrack reconstructed_track(const Zone& zone) {
   spectra::SyntheticTrack track = synthetic(zone.track, 80 + std::stoul(zone.name));

@@ -1,31 +1,39 @@
 /*** ### Modulated: uneven joints
 
-Real joints are not equally low. The paper names two extremes, its Figure 5: dips that vary at random from joint to
-joint, and dips that come and go in groups, over a soft spot or a bridge. Here joint $j$ has the dip $B_j=B(1+m\,g_j)$ with $g_j$ normal
-and the correlation $\varrho$ between neighbours. For the random dips $\varrho=0$. For the grouped ones $\varrho=\cos(\pi/5)$, with which
-a run of joints deeper than the mean is five joints long on the average, the paper's number. Mean and spread are the same.
+Real joints are not equally low. The paper names two extremes, its Figure 5: dips that vary at
+random from joint to joint, and dips that come and go in groups, over a soft spot or a bridge. Here
+joint $j$ has the dip $B_j=B(1+m\,g_j)$ with $g_j$ normal and the correlation $\varrho$ between
+neighbours. For the random dips $\varrho=0$. For the grouped ones $\varrho=\cos(\pi/5)$, with which
+a run of joints deeper than the mean is five joints long on the average, the paper's number. Mean
+and spread are the same.
 
 {{fig-05}}
 
-For this model the spectrum has a closed form. The mean dip keeps its lines; the scatter adds a continuum,
+For this model the spectrum has a closed form. The mean dip keeps its lines; the scatter adds a
+continuum,
 
 $$S(\varphi)=2m^2B^2l\,|D(\varphi l)|^2\,\frac{1-\varrho^2}{1-2\varrho\cos2\pi\varphi l+\varrho^2},$$
 
-with $D$ the transform of one dip. Grouped dips pile their power up around the lines: at $\varphi_0$ their continuum is
-{{grouped-ratio}} times that of random ones, midway between two lines as many times less.
+with $D$ the transform of one dip. Grouped dips pile their power up around the lines: at $\varphi_0$
+their continuum is {{grouped-ratio}} times that of random ones, midway between two lines as many
+times less.
 
-Can one see this in a spectrum? The paper says that "the PSD cannot distinguish between these two extreme cases". The table takes the mean
-spectra of both, as seen through a Hann window on segments of 4096 ft, and gives their difference in standard errors of the difference for
-five miles of each, the paper's "several miles". At $\varphi_0$ itself the line of the mean dip is so much stronger than either continuum
-that the two agree within {{apart-line}} standard errors, even without any roughness. They differ most two bins away.
+Can one see this in a spectrum? The paper says that "the PSD cannot distinguish between these two
+extreme cases". The table takes the mean spectra of both, as seen through a Hann window on segments
+of 4096 ft, and gives their difference in standard errors of the difference for five miles of each,
+the paper's "several miles". At $\varphi_0$ itself the line of the mean dip is so much stronger than
+either continuum that the two agree within {{apart-line}} standard errors, even without any
+roughness. They differ most two bins away.
 
 {{five-miles}}
 
-With the printed $A$, $\varphi_c$ and $B$ of the six jointed zones, and with depths that scatter by a half of their mean, an ordinate two bins away
-differs by {{apart-least}} to {{apart-most}} standard errors. This is compatible with the paper's sentence: one cannot tell the two cases
-apart by looking at the peak. The information is in the spectrum all the same. An observer who knew the shapes to look for, and took
-the ordinates two to eight bins away on both sides together, would find {{together-least}} to {{together-most}} standard errors, and
-$n$ times the track gives $\sqrt n$ times as many.
+With the printed $A$, $\varphi_c$ and $B$ of the six jointed zones, and with depths that scatter by
+a half of their mean, an ordinate two bins away differs by {{apart-least}} to {{apart-most}}
+standard errors. This is compatible with the paper's sentence: one cannot tell the two cases apart
+by looking at the peak. The information is in the spectrum all the same. An observer who knew the
+shapes to look for, and took the ordinates two to eight bins away on both sides together, would find
+{{together-least}} to {{together-most}} standard errors, and $n$ times the track gives $\sqrt n$
+times as many.
 */
 #include <fmt/format.h>
 
@@ -73,10 +81,12 @@ void fig_05(report::Item& item) {
   item.value("grouped-ratio", scattered(in_groups, phi_0) / scattered(0, phi_0), "", "{:.1f}");
 }
 
-/*** The difference of the two, in standard errors. Far from a line the average of $n$ segments that overlap by half has the variance $N^2/K$, with
-$N$ the density of the continuum as the window shows it and $K$ the number of independent averages, a little less than $n$. Near a line of density
-$L$ the two interfere, which adds $2LN/n$, a third more for the overlap. And the depths of the joints vary in phase with the line, not at random
-phase: on the line itself the scatter's part of both terms counts twice, and within a bin or two still a little more than once.
+/*** The difference of the two, in standard errors. Far from a line the average of $n$ segments that
+overlap by half has the variance $N^2/K$, with $N$ the density of the continuum as the window shows
+it and $K$ the number of independent averages, a little less than $n$. Near a line of density $L$
+the two interfere, which adds $2LN/n$, a third more for the overlap. And the depths of the joints
+vary in phase with the line, not at random phase: on the line itself the scatter's part of both
+terms counts twice, and within a bin or two still a little more than once.
 */
 constexpr int bins = 9;  // from the line on
 using PerBin = std::array<double, bins>;
@@ -270,22 +280,27 @@ void fig_04(report::Item& item) {
 
 /*** ### Ballast memory
 
-Before 1939 US rails were 33 ft long. Under newer rail of 39 ft the old wavelength is still found: the old joints have worked their
-way into ballast and subgrade. Figure {{fig-06}} follows the letters of the paper's captions (the text counts them one earlier).
-Under welded rail the fundamental that reworking leaves (b) simply adds (d): one extra line at 1/(33 ft). When the joints of the new
-rail have loosened, each dips most where an old low spot lies (e): a modulation, whose wavenumber (5) is the difference of both,
+Before 1939 US rails were 33 ft long. Under newer rail of 39 ft the old wavelength is still found:
+the old joints have worked their way into ballast and subgrade. Figure {{fig-06}} follows the
+letters of the paper's captions (the text counts them one earlier). Under welded rail the
+fundamental that reworking leaves (b) simply adds (d): one extra line at 1/(33 ft). When the joints
+of the new rail have loosened, each dips most where an old low spot lies (e): a modulation, whose
+wavenumber (5) is the difference of both,
 
 $$\varepsilon=\frac1{10.0}-\frac1{11.9}=\frac1{6?.5}, \tag{5}$$
 
-with a digit of the result not legible in the copy at hand. Exact feet give {{epsilon-feet}}, printed metres {{epsilon-metres}}; with $\varphi_0$
-rounded to 0.084 as in Table 1 it is one over {{epsilon-rounded}}, which fits the legible characters.
+with a digit of the result not legible in the copy at hand. Exact feet give {{epsilon-feet}},
+printed metres {{epsilon-metres}}; with $\varphi_0$ rounded to 0.084 as in Table 1 it is one over
+{{epsilon-rounded}}, which fits the legible characters.
 
 {{fig-06}}
 
-A joint feels the old pattern only at the place where it lies. At the joints $x=jl$ the waves $\cos2\pi x/l_{old}$ and $\cos2\pi\varepsilon x$ have
-the same values, so the depth of the joints varies with the wavenumber $\varepsilon$, and this makes the sidebands. The paper's pair is symmetric
-because its envelope is smooth. If each dip is deeper or shallower as a whole, the envelope is a staircase: the line at
-$\varphi_0\mp\varepsilon$ then has the amplitude $mB\,D(1\mp\varepsilon l)$, and the lower one has {{staircase-ratio}} times the power of the upper.
+A joint feels the old pattern only at the place where it lies. At the joints $x=jl$ the waves
+$\cos2\pi x/l_{old}$ and $\cos2\pi\varepsilon x$ have the same values, so the depth of the joints
+varies with the wavenumber $\varepsilon$, and this makes the sidebands. The paper's pair is
+symmetric because its envelope is smooth. If each dip is deeper or shallower as a whole, the
+envelope is a staircase: the line at $\varphi_0\mp\varepsilon$ then has the amplitude
+$mB\,D(1\mp\varepsilon l)$, and the lower one has {{staircase-ratio}} times the power of the upper.
 */
 constexpr double modulation = 0.5;
 
@@ -317,9 +332,10 @@ void fig_06(report::Item& item) {
 
 /*** ### All together
 
-Independent processes add their spectra. Figure {{fig-07}} is the paper's composite, here of zone 10: on linear axes, where the peak is
-plain and the continuum cannot be judged, and on logarithmic ones, where both slopes are straight and the peak looks small. The points
-are the spectrum estimated from {{fig-07-length}} of synthetic track.
+Independent processes add their spectra. Figure {{fig-07}} is the paper's composite, here of zone
+10: on linear axes, where the peak is plain and the continuum cannot be judged, and on logarithmic
+ones, where both slopes are straight and the peak looks small. The points are the spectrum estimated
+from {{fig-07-length}} of synthetic track.
 
 {{fig-07}}
 */

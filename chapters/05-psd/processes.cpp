@@ -2,33 +2,38 @@
 
 ### Periodic: the rectified sine
 
-Rails of length $l$ sag at their joints. The paper describes the profile as a rectified sine, $z=B\,|\sin(\pi x/l)|$: crests at mid rail,
-joints a depth $B$ below them (figure {{fig-01}}), with dips of up to 7.6 cm reported.
+Rails of length $l$ sag at their joints. The paper describes the profile as a rectified sine,
+$z=B\,|\sin(\pi x/l)|$: crests at mid rail, joints a depth $B$ below them (figure {{fig-01}}), with
+dips of up to 7.6 cm reported.
 
-Our copy of the paper is machine-read text without its drawings. Each figure of this chapter is drawn from what the text and the
-captions say of it.
+Our copy of the paper is machine-read text without its drawings. Each figure of this chapter is
+drawn from what the text and the captions say of it.
 
 {{fig-01}}
 
-The power spectral density tells how the variance of the profile is spread over the wavenumber $\varphi$, the number of cycles a metre;
-its unit is m²/(cycle/m). The density of the rectified sine is a row of lines at $n\varphi_0$, $\varphi_0=1/l$. Equations (1) and (2) of the
-paper are
+The power spectral density tells how the variance of the profile is spread over the wavenumber
+$\varphi$, the number of cycles a metre; its unit is m²/(cycle/m). The density of the rectified sine
+is a row of lines at $n\varphi_0$, $\varphi_0=1/l$. Equations (1) and (2) of the paper are
 
 $$B_n=\frac{2B}{(4n^2-1)\pi} \tag{1}$$
 
 $$Q_n=\tfrac12B_n^2 . \tag{2}$$
 
-**Two conventions.** In the Fourier series $B|\sin\pi\varphi_0x|=\frac{2B}{\pi}-\sum_n\frac{4B}{\pi(4n^2-1)}\cos2\pi n\varphi_0x$ the amplitude
-of a cosine is twice the printed $B_n$, which is the modulus of the complex coefficient. Equation (2) halves its square as if it were the
-amplitude. In a one-sided density, which has all its power at positive wavenumbers, a line therefore has four times the printed power.
-The sum over all lines shows it: it must be the variance $B^2(\frac12-\frac4{\pi^2})$ = {{line-variance}} $B^2$; the exact powers give
-{{line-sum-exact}}, the printed ones {{line-sum-printed}}.
+**Two conventions.** In the Fourier series
+$B|\sin\pi\varphi_0x|=\frac{2B}{\pi}-\sum_n\frac{4B}{\pi(4n^2-1)}\cos2\pi n\varphi_0x$ the amplitude
+of a cosine is twice the printed $B_n$, which is the modulus of the complex coefficient. Equation
+(2) halves its square as if it were the amplitude. In a one-sided density, which has all its power
+at positive wavenumbers, a line therefore has four times the printed power. The sum over all lines
+shows it: it must be the variance $B^2(\frac12-\frac4{\pi^2})$ = {{line-variance}} $B^2$; the exact
+powers give {{line-sum-exact}}, the printed ones {{line-sum-printed}}.
 
-What this makes of the dips depends on how the paper measured its densities, which it does not say. If they were one-sided, as (8)
-requires, (7) reads a line as a dip twice as deep as it is. If they were two-sided, $B$ would be $\sqrt2$ times the physical dip, and (8)
-would be too small by $\sqrt2$. We take them as one-sided and keep both numbers: the *printed* $B$ belongs to (7), (10) and the tables, the
-*physical dip* is half of it. Classes do not depend on the choice, because the same power of the line enters (10) with the printed $B$ and
-$\gamma=2$, or with the physical dip and $\gamma=4$.
+What this makes of the dips depends on how the paper measured its densities, which it does not say.
+If they were one-sided, as (8) requires, (7) reads a line as a dip twice as deep as it is. If they
+were two-sided, $B$ would be $\sqrt2$ times the physical dip, and (8) would be too small by
+$\sqrt2$. We take them as one-sided and keep both numbers: the *printed* $B$ belongs to (7), (10)
+and the tables, the *physical dip* is half of it. Classes do not depend on the choice, because the
+same power of the line enters (10) with the printed $B$ and $\gamma=2$, or with the physical dip and
+$\gamma=4$.
 
 {{code: spectra/rail_line.cpp line_power}}
 
@@ -103,8 +108,9 @@ void lines(report::Item& item) {
 
 /*** ### Resolution
 
-A spectrum from segments of length $T$ cannot show a line narrower than about $1/T$. Each line takes the shape of the window's own
-spectrum and keeps its area; peak and width are then properties of the analysis.
+A spectrum from segments of length $T$ cannot show a line narrower than about $1/T$. Each line takes
+the shape of the window's own spectrum and keeps its area; peak and width are then properties of the
+analysis.
 
 {{fig-02}}
 */
@@ -169,17 +175,19 @@ $$S_z(\varphi)=A/\varphi^2 \tag{3}$$
 
 $$S_z(\varphi)=\begin{cases}A/\varphi^2,&\varphi<\varphi_c\\ A\varphi_c^2/\varphi^4,&\varphi>\varphi_c\end{cases} \tag{4}$$
 
-The paper reads it as a random walk. Survey accuracy falls with distance, which makes the $-2$; the stiffness of the rail limits
-the short waves, which makes the $-4$ beyond the corner. Waves longer than about 100 m are hills and curves that were built on purpose.
+The paper reads it as a random walk. Survey accuracy falls with distance, which makes the $-2$; the
+stiffness of the rail limits the short waves, which makes the $-4$ beyond the corner. Waves longer
+than about 100 m are hills and curves that were built on purpose.
 
-A single estimated ordinate scatters by as much as itself. Only averages over segments, that is over miles, and over neighbouring wavenumbers make a
-spectrum readable. Figure {{fig-03}} shows both on five miles of synthetic track. Over many such records the ordinates of one segment have a standard
+A single estimated ordinate scatters by as much as itself. Only averages over segments, that is over
+miles, and over neighbouring wavenumbers make a spectrum readable. Figure {{fig-03}} shows both on
+five miles of synthetic track. Over many such records the ordinates of one segment have a standard
 error of {{raw-scatter}}, those of the five-mile average {{mean-scatter}}.
 
 {{fig-03}}
 
-The track comes from a generator whose spectrum is (4) by construction: white noise, a symmetric filter that shapes the *slope*, and a leaky sum
-that makes the profile of it.
+The track comes from a generator whose spectrum is (4) by construction: white noise, a symmetric
+filter that shapes the *slope*, and a leaky sum that makes the profile of it.
 */
 constexpr spectra::TrackParameters fair_track{.A = 2.0e-7, .phi_c = 0.12};  // zone 4 of Table 1
 

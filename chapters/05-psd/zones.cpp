@@ -1,25 +1,30 @@
 /*** ## Table 1: thirteen zones
 
-By what the table calls graphical analysis, every zone is condensed to a roughness $A$, a corner $\varphi_c$ and a dip $B$. The paper also
-prints $C_1$ and $\beta$, so its own equation (7) can be put to the test. Both have two printed digits, and the range in the table carries
-their rounding through (7). The other columns are read and used; nothing in the paper tests them.
+By what the table calls graphical analysis, every zone is condensed to a roughness $A$, a corner
+$\varphi_c$ and a dip $B$. The paper also prints $C_1$ and $\beta$, so its own equation (7) can be
+put to the test. Both have two printed digits, and the range in the table carries their rounding
+through (7). The other columns are read and used; nothing in the paper tests them.
 
 {{table-1}}
 
-{{ends-half}} of the 13 printed $B$ end in .0 or .5 mm. By chance this happens once in {{ends-half-chance}} tables, so $B$ was often
-rounded to half a millimetre, and so rounded the dips of zones 7 and 11 fit (7). Four zones do not fit it: in zones 1, 3, 6 and 8 the printed $B$ is
-{{table-1-least}} to {{table-1-most}} above what $C_1$ and $\beta$ give. The print cannot tell which of the three numbers is off. The last
-column but one says what $C_1$ would have to be. Zone 13 is not tested, because the exponent of its $C_1$ can hardly be read. With $10^{-8}$ the peak would be
-{{table-1-zone-13-share}} of the random part under it and could not have been seen; the printed $B$ asks for $C_1$ =
-{{table-1-zone-13-C1}}. From here on $B$ is used as printed.
+{{ends-half}} of the 13 printed $B$ end in .0 or .5 mm. By chance this happens once in
+{{ends-half-chance}} tables, so $B$ was often rounded to half a millimetre, and so rounded the dips
+of zones 7 and 11 fit (7). Four zones do not fit it: in zones 1, 3, 6 and 8 the printed $B$ is
+{{table-1-least}} to {{table-1-most}} above what $C_1$ and $\beta$ give. The print cannot tell which
+of the three numbers is off. The last column but one says what $C_1$ would have to be. Zone 13 is
+not tested, because the exponent of its $C_1$ can hardly be read. With $10^{-8}$ the peak would be
+{{table-1-zone-13-share}} of the random part under it and could not have been seen; the printed $B$
+asks for $C_1$ = {{table-1-zone-13-C1}}. From here on $B$ is used as printed.
 
-The corner lies between $\varphi_0$ and $2\varphi_0$ in {{corner-between}} of the thirteen zones, "usually" as the paper says. The paper calls (3)
-"quite satisfactory for wavelengths longer than 6 m" and goes on: "Somewhere in this range, there is a transition to a faster rate of roll-off". In
-{{corner-long}} zones the corner lies at waves longer than 6 m. At 6 m (3) is then too high, by a factor of {{six-metres-median}} in the
-median of the zones and of {{six-metres}} at the most.
+The corner lies between $\varphi_0$ and $2\varphi_0$ in {{corner-between}} of the thirteen zones,
+"usually" as the paper says. The paper calls (3) "quite satisfactory for wavelengths longer than 6
+m" and goes on: "Somewhere in this range, there is a transition to a faster rate of roll-off". In
+{{corner-long}} zones the corner lies at waves longer than 6 m. At 6 m (3) is then too high, by a
+factor of {{six-metres-median}} in the median of the zones and of {{six-metres}} at the most.
 
-Zone 12 is a section "constructed from 10-m rail", says the text. The table has $\varphi_0$ = 0.109 cycle/m, which belongs to
-{{zone-12-rail}}. Which of the two is right cannot be told, for it rests on one glyph of our copy: 0.100 would be 10 m.
+Zone 12 is a section "constructed from 10-m rail", says the text. The table has $\varphi_0$ = 0.109
+cycle/m, which belongs to {{zone-12-rail}}. Which of the two is right cannot be told, for it rests
+on one glyph of our copy: 0.100 would be 10 m.
 */
 #include <fmt/format.h>
 
@@ -76,8 +81,9 @@ bool closes(const Zone& zone, double half) {
          dip_by_7(zone, Rounding::up) >= zone.track.B - half;
 }
 
-/*** Where the ranges of both sides meet, $B$ by (7) must come out within them. Where they do not, the gap between them is what is tried: it must
-stay open for either rounding of $C_1$ and $\beta$, and for a coarser rounding of $B$.
+/*** Where the ranges of both sides meet, $B$ by (7) must come out within them. Where they do not,
+the gap between them is what is tried: it must stay open for either rounding of $C_1$ and $\beta$,
+and for a coarser rounding of $B$.
 */
 void check_row(report::Item& item, const report::Row& row, const Zone& zone) {
   const double computed = dip_by_7(zone);

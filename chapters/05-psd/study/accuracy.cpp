@@ -1,17 +1,21 @@
-/*** How much track does it take? {{length-records}} records of zone 12 are synthesised from its printed $A$, $\varphi_0$, $\varphi_c$ and $B$, on rail of
-{{length-rail}}. The zone is the hardest of the thirteen to classify: its deviation is {{length-margin}} inside the limit of class 3. Each
-record is read at {{length-lengths}} of its length in three ways. *Regression* is this library: Welch's method with 4096 samples a segment and a
-regression free of the logarithm's bias. *512 ft* is the same with segments of 512 ft, the paper's likely analysis. *Ruler*
-does on segments of 512 ft what the paper does by hand: a line of slope −2 through the bins below $\varphi_0$ and one of slope −4 through
-those above $3\varphi_0$, without the bins near $\varphi_0$, $2\varphi_0$, $3\varphi_0$ and so on; then the height of the peak above them times its
-width at half that height, as in (6), both taken from a smooth curve through its three highest points.
+/*** How much track does it take? {{length-records}} records of zone 12 are synthesised from its
+printed $A$, $\varphi_0$, $\varphi_c$ and $B$, on rail of {{length-rail}}. The zone is the hardest
+of the thirteen to classify: its deviation is {{length-margin}} inside the limit of class 3. Each
+record is read at {{length-lengths}} of its length in three ways. *Regression* is this library:
+Welch's method with 4096 samples a segment and a regression free of the logarithm's bias. *512 ft*
+is the same with segments of 512 ft, the paper's likely analysis. *Ruler* does on segments of 512 ft
+what the paper does by hand: a line of slope −2 through the bins below $\varphi_0$ and one of slope
+−4 through those above $3\varphi_0$, without the bins near $\varphi_0$, $2\varphi_0$, $3\varphi_0$
+and so on; then the height of the peak above them times its width at half that height, as in (6),
+both taken from a smooth curve through its three highest points.
 
 {{fig-length}}
 
-Upper row: the bias, with its standard error. Lower row: the scatter, with its standard error, what the library states (line) and the square root
-of the length (dashed). {{length-answer}} At the longest length the library's class is right in {{length-right}} of the records, and it gives
-that class a probability of {{length-stated}} on average. The ruler's class is right in {{length-ruler}}, for its $B$ is low and moves the zone away from
-the limit.
+Upper row: the bias, with its standard error. Lower row: the scatter, with its standard error, what
+the library states (line) and the square root of the length (dashed). {{length-answer}} At the
+longest length the library's class is right in {{length-right}} of the records, and it gives that
+class a probability of {{length-stated}} on average. The ruler's class is right in {{length-ruler}},
+for its $B$ is low and moves the zone away from the limit.
 */
 #include <fmt/format.h>
 
@@ -217,12 +221,15 @@ void fig_length(report::Item& item) {
   item.value("length-ruler", 100 * ruler.right, "%", "{:.0f}");
 }
 
-/*** The same readings against their cost. The time is that of one record, Welch's method and reading; the error is the root mean square error
-of $A$ over all records of that length, from the panel above. The true $A$ is known but for {{cost-doubt}}, by which the generator's own density misses the model.
+/*** The same readings against their cost. The time is that of one record, Welch's method and
+reading; the error is the root mean square error of $A$ over all records of that length, from the
+panel above. The true $A$ is known but for {{cost-doubt}}, by which the generator's own density
+misses the model.
 
 {{fig-cost}}
 
-{{cost-answer}} That counts the computer's time only. A kilometre of track costs more than a microsecond, so take the regression.
+{{cost-answer}} That counts the computer's time only. A kilometre of track costs more than a
+microsecond, so take the regression.
 
 {{work-precision: fig-cost}}
 */

@@ -1,12 +1,14 @@
-/***
-{{sweep-records}} records of 5 km at random, from the whole of the paper's range: $A$ from $10^{-8}$ to $10^{-6}$,
-corner 0.08 to 0.3 cycle/m, $B$ up to 25 mm. What was put in should lie within {{sweep-interval}} stated standard errors to each side in 95 % of them, as
-for a normal error; of the dip it is the power of the line, which may come out negative, that is stated. A share counted on so many records
-is itself uncertain: below {{sweep-least}} it would be less than 95 %, with one chance in a hundred of a false alarm among the three.
+/*** {{sweep-records}} records of 5 km at random, from the whole of the paper's range: $A$ from
+$10^{-8}$ to $10^{-6}$, corner 0.08 to 0.3 cycle/m, $B$ up to 25 mm. What was put in should lie
+within {{sweep-interval}} stated standard errors to each side in 95 % of them, as for a normal
+error; of the dip it is the power of the line, which may come out negative, that is stated. A share
+counted on so many records is itself uncertain: below {{sweep-least}} it would be less than 95 %,
+with one chance in a hundred of a false alarm among the three.
 
 {{sweep}}
 
-A class is given with a probability: on average {{sweep-probability}} for the class pronounced, which was right in {{sweep-right}} of the records.
+A class is given with a probability: on average {{sweep-probability}} for the class pronounced,
+which was right in {{sweep-right}} of the records.
 */
 #include <fmt/format.h>
 

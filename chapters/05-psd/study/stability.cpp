@@ -1,12 +1,14 @@
-/***
-Real records have gaps, grades, noise, old rail under new, faults of measuring, and chords instead of profiles. Each row changes one thing of a record
-of zone 7 ({{stability-length}}, a sample a foot) and lets the estimator judge itself. A row *holds* when $A$ and $B$ come out within
-{{stability-errors}} of their own standard errors, which one of all rows exceeds by chance once in a hundred times, and the 1 % that the fit states. It
-*degrades* when they do not, but the reading says so by itself (corner at its bound, residuals 1.25 times larger than chance, a line nobody named, a
-fault in the record). Its error is then the relative loss of $A$ or of $B$, whichever is larger. A wrong number without a word would fail.
+/*** Real records have gaps, grades, noise, old rail under new, faults of measuring, and chords
+instead of profiles. Each row changes one thing of a record of zone 7 ({{stability-length}}, a
+sample a foot) and lets the estimator judge itself. A row *holds* when $A$ and $B$ come out within
+{{stability-errors}} of their own standard errors, which one of all rows exceeds by chance once in a
+hundred times, and the 1 % that the fit states. It *degrades* when they do not, but the reading says
+so by itself (corner at its bound, residuals 1.25 times larger than chance, a line nobody named, a
+fault in the record). Its error is then the relative loss of $A$ or of $B$, whichever is larger. A
+wrong number without a word would fail.
 
-Where the spectrum of a disturbance is known, the loss allowed is that of the same fit on this spectrum, free of chance, with the same
-errors on top. The other bounds were set before.
+Where the spectrum of a disturbance is known, the loss allowed is that of the same fit on this
+spectrum, free of chance, with the same errors on top. The other bounds were set before.
 
 {{stability}}
 */
@@ -48,7 +50,8 @@ struct Case {
   bool lossy() const { return loss > 0 || known; }
 };
 
-/*** The records: shapes of spectrum that the model has or has not, disturbances of the track, and faults of measuring. */
+/*** The records: shapes of spectrum that the model has or has not, disturbances of the track, and
+faults of measuring. */
 struct Cases {
   spectra::SyntheticTrack base;
   std::vector<Case> list = {};
