@@ -61,7 +61,7 @@ Section section(const Body& body) {
   }
   const Profile& p = *body.profile;
   num::use_gsl_status_codes();
-  const std::shared_ptr<gsl_spline> spline(
+  const std::shared_ptr<gsl_spline> spline = num::gsl_owned(
       gsl_spline_alloc(gsl_interp_cspline, static_cast<std::size_t>(p.x.size())), gsl_spline_free);
   num::check_gsl(gsl_spline_init(spline.get(), p.x.data(), p.depth.data(),
                                  static_cast<std::size_t>(p.x.size())),

@@ -1,10 +1,15 @@
 #include "files/out_file.hpp"
 
 #include <fcntl.h>
+#include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
+#include <charconv>
+#include <chrono>
+#include <cstdint>
 #include <cstdio>
 #include <string>
 #include <system_error>
@@ -19,13 +24,6 @@ namespace fs = std::filesystem;
 
 std::string reason(int error) {
   return std::generic_category().message(error);
-}
-
-// Errors of the machine rather than of the name that was given.
-bool is_of_machine(int error) {
-  for (const int e : {ENOSPC, EDQUOT, EIO, EFBIG, EMFILE, ENFILE, ENOMEM})
-    if (error == e) return true;
-  return false;
 }
 
 [[noreturn]] void refuse(const char* what, const fs::path& file, const std::string& why) {
@@ -44,14 +42,55 @@ fs::path folder_of(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
+constexpr std::string_view temporary_start = ".railbook-", temporary_end = ".part";
+
+// A hidden name beside `file`. At random: the numbers of processes are the same in two containers that share a folder.
 fs::path temporary_beside(const fs::path& file) {
-  static unsigned count = 0;
-  return folder_of(file) /
-         (".railbook-" + std::to_string(getpid()) + "-" + std::to_string(++count) + ".part");
+  std::uint64_t number = 0;
+  if (getrandom(&number, sizeof number, 0) != sizeof number)
+    throw OutsideError("no random name for a temporary file: " + reason(errno));
+  std::array<char, 16> digits{};
+  const auto [end, status] = std::to_chars(digits.begin(), digits.end(), number, 16);
+  std::string name{temporary_start};
+  name.append(digits.begin(), end).append(temporary_end);
+  return folder_of(file) / name;
 }
 
-int open_new(const fs::path& file) {
-  return open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+// A file that was made now, under a name that was nobody's: only then it may be removed.
+struct Temporary {
+  int descriptor = -1;  // -1: the system refused, errno says why
+  std::optional<Doomed> name;
+};
+
+Temporary make_beside(const fs::path& file) {
+  Temporary made;
+  const SignalsWait wait;  // between the file and its owner
+  do {
+    const fs::path name = temporary_beside(file);
+    made.descriptor =
+        open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (made.descriptor < 0) continue;
+    try {
+      made.name.emplace(name);
+    } catch (...) {  // nobody else would remove it
+      close(made.descriptor);
+      unlink(name.c_str());
+      throw;
+    }
+  } while (made.descriptor < 0 && errno == EEXIST);
+  return made;
+}
+
+// Removes what programs that were killed have left in a folder: temporary files that nobody has written to for a day.
+void sweep(const fs::path& folder) {
+  const auto yesterday = fs::file_time_type::clock::now() - std::chrono::hours{24};
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with(temporary_start) || !name.ends_with(temporary_end)) continue;
+    if (entry.is_symlink(ignored) || !entry.is_regular_file(ignored)) continue;
+    if (entry.last_write_time(ignored) < yesterday && !ignored) unlink(entry.path().c_str());
+  }
 }
 
 }  // namespace
@@ -105,10 +144,10 @@ void require_makeable(const fs::path& folder) {
     if (!S_ISDIR(now.st_mode)) refuse("folder", folder, ENOTDIR);
     there = next;
   }
-  const Doomed trial(temporary_beside(there / "trial"));
-  const int descriptor = open_new(trial.path());
-  if (descriptor < 0) refuse("folder", folder, errno);
-  close(descriptor);
+  const Temporary trial = make_beside(there / "trial");
+  if (trial.descriptor < 0) refuse("folder", folder, errno);
+  close(trial.descriptor);
+  sweep(there.empty() ? "." : there);
 }
 
 MadeFolder::MadeFolder(const fs::path& folder) {
@@ -140,9 +179,10 @@ struct OutFile::State {
       : destination(std::move(file)), standard(is_standard_output(destination)) {
     if (standard) return;
     require_replaceable(destination);
-    part.emplace(temporary_beside(destination));
-    descriptor = open_new(part->path());
-    if (descriptor < 0) refuse("file", destination, errno);
+    Temporary made = make_beside(destination);
+    if (made.descriptor < 0) refuse("file", destination, errno);
+    descriptor = made.descriptor;
+    part.emplace(std::move(*made.name));
     struct stat old {};
     if (lstat(destination.c_str(), &old) != 0) return;
     if (fchmod(descriptor, old.st_mode & 07777) != 0) refuse("file", destination, errno);
@@ -214,28 +254,38 @@ void commit(std::span<OutFile> all) {
   for (OutFile& file : all) file.state_->finish();
   for (const OutFile& file : all)
     if (!file.state_->standard) require_replaceable(file.state_->destination);
-  const SignalsWait wait;
-  // The old files step aside until all the new ones are in place (for one file, a rename does both at once).
-  std::vector<std::pair<fs::path, fs::path>> aside, placed;
-  const auto move = [](const fs::path& from, const fs::path& to, auto& done) {
-    if (rename(from.c_str(), to.c_str()) != 0) return false;
-    done.emplace_back(from, to);
-    return true;
+  // The old files step aside until all the new ones are in place (for one file, a rename does both at once). What needs
+  // memory is done before the first is moved.
+  struct Move {
+    OutFile::State* file;
+    fs::path aside;  // empty: no old file
+    bool stepped = false, placed = false;
   };
+  std::vector<Move> moves;
   for (OutFile& file : all) {
-    OutFile::State& s = *file.state_;
-    if (s.standard) continue;
+    if (file.state_->standard) continue;
     std::error_code ignored;
-    const bool old = all.size() > 1 && fs::exists(s.destination, ignored);
-    if ((!old || move(s.destination, temporary_beside(s.destination), aside)) &&
-        move(s.part->path(), s.destination, placed))
-      continue;
-    const int error = errno;
-    for (const auto& [from, to] : placed) rename(to.c_str(), from.c_str());
-    for (const auto& [from, to] : aside) rename(to.c_str(), from.c_str());
-    s.fail(error);
+    const bool old = all.size() > 1 && fs::exists(file.state_->destination, ignored);
+    moves.push_back(
+        {file.state_.get(), old ? temporary_beside(file.state_->destination) : fs::path{}});
   }
-  for (const auto& [from, to] : aside) unlink(to.c_str());
+  const auto moved = [](const fs::path& from, const fs::path& to) {
+    return rename(from.c_str(), to.c_str()) == 0;
+  };
+  const SignalsWait wait;
+  for (Move& m : moves) {
+    m.stepped = !m.aside.empty() && moved(m.file->destination, m.aside);
+    m.placed = m.stepped == !m.aside.empty() && moved(m.file->part->path(), m.file->destination);
+    if (m.placed) continue;
+    const int error = errno;
+    for (const Move& done : moves)
+      if (done.placed) moved(done.file->destination, done.file->part->path());
+    for (const Move& done : moves)
+      if (done.stepped) moved(done.aside, done.file->destination);
+    m.file->fail(error);
+  }
+  for (const Move& m : moves)
+    if (m.stepped) unlink(m.aside.c_str());
 }
 
 void remove(const fs::path& file) {

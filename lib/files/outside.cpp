@@ -17,6 +17,12 @@ std::string shown(const std::filesystem::path& name) {
   return "\"" + units::printable(name.string(), 1000) + "\"";
 }
 
+bool is_of_machine(int error) {
+  for (const int e : {ENOSPC, EDQUOT, EIO, EFBIG, EMFILE, ENFILE, ENOMEM, EROFS, ESTALE})
+    if (error == e) return true;
+  return false;
+}
+
 void flush_standard_output() {
   errno = 0;
   std::fflush(stdout);

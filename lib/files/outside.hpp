@@ -15,6 +15,10 @@ class OutsideError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// Whether an error of the system is one of the machine (a full disk, no memory, no descriptors) rather than of the
+// name that was given.
+bool is_of_machine(int error);
+
 // The reader of standard output went away; programs end with status 3 and say nothing.
 class ClosedPipe : public OutsideError {
  public:

@@ -9,6 +9,8 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <exception>
+#include <new>
 #include <system_error>
 #include <utility>
 
@@ -28,14 +30,37 @@ void remove_name(const char* name) {
   unlink(name), rmdir(name);  // one of them is refused
 }
 
-// Async-signal-safe: only atomics, kill, unlink, rmdir, signal and raise. Later names first: files before their folders.
+void remove_names() {  // later ones first: files before their folders
+  for (std::size_t i = slots; i-- > 0;)
+    if (const char* name = names[i].exchange(nullptr)) remove_name(name);
+}
+
+// Async-signal-safe: only atomics, kill, unlink, rmdir, signal and raise.
 extern "C" void end_by_signal(int signal) {
   if (const pid_t running = child.load(); running > 1)
     kill(-running, SIGKILL);  // -1 were everybody
-  for (std::size_t i = slots; i-- > 0;)
-    if (const char* name = names[i].exchange(nullptr)) remove_name(name);
+  remove_names();
   ::signal(signal, SIG_DFL);
   raise(signal);
+}
+
+// An exception that nobody catches: before main begins, or in a thread. Without memory there is nothing to debug.
+[[noreturn]] void end_by_exception() {
+  try {
+    if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
+  } catch (const std::bad_alloc&) {
+    remove_names();
+    constexpr std::string_view text = "not enough memory\n";
+    [[maybe_unused]] const ssize_t said = ::write(STDERR_FILENO, text.data(), text.size());
+    _exit(3);
+  } catch (...) {
+  }
+  std::abort();
+}
+
+// Before the constructors of global objects, which may find no memory either.
+[[gnu::constructor(101)]] void set_terminate_early() {
+  std::set_terminate(end_by_exception);
 }
 
 // Slots are handed out upwards, so that what was made later is removed first.
@@ -43,7 +68,9 @@ std::size_t take_slot(const std::filesystem::path& path) {
   std::size_t last = slots;
   while (last > 0 && names[last - 1].load() == nullptr) --last;
   if (last == slots) throw OutsideError("too many temporary files at a time");
-  names[last].store(strdup(path.c_str()));
+  char* const name = strdup(path.c_str());
+  if (name == nullptr) throw std::bad_alloc();
+  names[last].store(name);
   return last;
 }
 

@@ -2,11 +2,14 @@
 
 #include <Eigen/LU>
 #include <limits>
+#include <utility>
 
 namespace railbook::num {
 
 template <class Scalar>
 struct LuFactors<Scalar>::Factors {
+  Factors() = default;
+  explicit Factors(Eigen::PartialPivLU<Matrix> of_size) : lu(std::move(of_size)) {}
   Eigen::PartialPivLU<Matrix> lu;
 
   bool singular() const { return (lu.matrixLU().diagonal().array() == Scalar{}).any(); }
@@ -23,6 +26,9 @@ LuFactors<Scalar>& LuFactors<Scalar>::operator=(LuFactors&&) noexcept = default;
 
 template <class Scalar>
 void LuFactors<Scalar>::factor(const Eigen::Ref<const Matrix>& matrix) {
+  // Factors of another size are made anew: where memory ends in the middle of Eigen's resize, it frees them twice.
+  if (factors_->lu.rows() != matrix.rows())
+    factors_ = std::make_unique<Factors>(Eigen::PartialPivLU<Matrix>(matrix.rows()));
   factors_->lu.compute(matrix);
 }
 

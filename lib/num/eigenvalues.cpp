@@ -3,7 +3,6 @@
 #include <gsl/gsl_eigen.h>
 
 #include <algorithm>
-#include <memory>
 #include <stdexcept>
 
 #include "num/gsl.hpp"
@@ -40,8 +39,7 @@ Eigen::VectorXcd eigenvalues(const Eigen::Ref<const Eigen::MatrixXd>& matrix) {
   use_gsl_status_codes();
   RowMajor a = finite(matrix);
   const auto n = std::size_t(a.rows());
-  const std::unique_ptr<gsl_eigen_nonsymm_workspace, decltype(&gsl_eigen_nonsymm_free)> space{
-      gsl_eigen_nonsymm_alloc(n), gsl_eigen_nonsymm_free};
+  const auto space = gsl_owned(gsl_eigen_nonsymm_alloc(n), gsl_eigen_nonsymm_free);
   Eigen::VectorXcd values(a.rows());
   gsl_matrix_view in = view(a);
   gsl_vector_complex_view out = gsl_vector_complex_view_array(doubles(values), n);
@@ -53,8 +51,7 @@ Eigenpairs eigenpairs(const Eigen::Ref<const Eigen::MatrixXd>& matrix) {
   use_gsl_status_codes();
   RowMajor a = finite(matrix);
   const auto n = std::size_t(a.rows());
-  const std::unique_ptr<gsl_eigen_nonsymmv_workspace, decltype(&gsl_eigen_nonsymmv_free)> space{
-      gsl_eigen_nonsymmv_alloc(n), gsl_eigen_nonsymmv_free};
+  const auto space = gsl_owned(gsl_eigen_nonsymmv_alloc(n), gsl_eigen_nonsymmv_free);
   Eigenpairs pairs{Eigen::VectorXcd(a.rows()), Eigen::MatrixXcd(a.rows(), a.rows())};
   gsl_matrix_view in = view(a);
   gsl_vector_complex_view values = gsl_vector_complex_view_array(doubles(pairs.values), n);
@@ -68,8 +65,7 @@ Eigen::VectorXd symmetric_eigenvalues(const Eigen::Ref<const Eigen::MatrixXd>& m
   use_gsl_status_codes();
   RowMajor a = finite(matrix);
   const auto n = std::size_t(a.rows());
-  const std::unique_ptr<gsl_eigen_symm_workspace, decltype(&gsl_eigen_symm_free)> space{
-      gsl_eigen_symm_alloc(n), gsl_eigen_symm_free};
+  const auto space = gsl_owned(gsl_eigen_symm_alloc(n), gsl_eigen_symm_free);
   Eigen::VectorXd values(a.rows());
   gsl_matrix_view in = view(a);
   gsl_vector_view out = gsl_vector_view_array(values.data(), n);

@@ -1,6 +1,8 @@
 // GSL's status codes as exceptions. By default GSL aborts the program on an error.
 #pragma once
 
+#include <memory>
+#include <new>
 #include <stdexcept>
 #include <string_view>
 
@@ -19,5 +21,13 @@ void use_gsl_status_codes();
 // Throws NumericalError naming `what` and GSL's own text unless `status` is GSL_SUCCESS. Underflow to
 // zero is accepted as the right answer.
 void check_gsl(int status, std::string_view what);
+
+// Owns a workspace of GSL, which returns none when there is no memory: throws std::bad_alloc then.
+template <class Workspace>
+std::unique_ptr<Workspace, void (*)(Workspace*)> gsl_owned(Workspace* workspace,
+                                                           void (*free)(Workspace*)) {
+  if (workspace == nullptr) throw std::bad_alloc{};
+  return {workspace, free};
+}
 
 }  // namespace railbook::num

@@ -17,8 +17,8 @@ Integral integrate(const std::function<double(double)>& f, double a, double b, d
                    double absolute) {
   use_gsl_status_codes();
   constexpr std::size_t limit = 2000;
-  const std::unique_ptr<gsl_integration_workspace, decltype(&gsl_integration_workspace_free)> space{
-      gsl_integration_workspace_alloc(limit), gsl_integration_workspace_free};
+  const auto space =
+      gsl_owned(gsl_integration_workspace_alloc(limit), gsl_integration_workspace_free);
   Counted counted{f};
   gsl_function function{evaluate_counted, &counted};
   Integral result;

@@ -28,8 +28,8 @@ Root find_root(const std::function<double(double)>& f, double low, double high, 
                      std::to_string(high)};
   }
 
-  const std::unique_ptr<gsl_root_fsolver, decltype(&gsl_root_fsolver_free)> solver{
-      gsl_root_fsolver_alloc(gsl_root_fsolver_brent), gsl_root_fsolver_free};
+  const auto solver =
+      gsl_owned(gsl_root_fsolver_alloc(gsl_root_fsolver_brent), gsl_root_fsolver_free);
   gsl_function function{evaluate_counted, &counted};
   check_gsl(gsl_root_fsolver_set(solver.get(), &function, low, high), "find_root");
 

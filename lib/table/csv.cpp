@@ -22,6 +22,7 @@ namespace railbook::table {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t most_columns = 65536;
 
 bool is_skipped(std::string_view line) {
   return line.starts_with('#') || line.find_first_not_of(" \t\r") == std::string_view::npos;
@@ -175,6 +176,11 @@ void CsvReader::refuse(const std::string& why) const {
   throw InputError{fmt::format("{}, line {}: {}", said(file()), line_, why)};
 }
 
+void CsvReader::require_column(std::size_t before) const {
+  if (before >= most_columns)
+    refuse(fmt::format("more than {} columns; allowed: up to as many", most_columns));
+}
+
 bool CsvReader::raw_line(std::string_view& text) {
   if (!source_.next(text)) return false;
   if (source_.line() == 1 && text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
@@ -210,6 +216,7 @@ bool CsvReader::split(std::string_view text) {
   const char* const end = begin + text.size();
   for (const char* at = begin;; ++at) {
     if (at == end || *at == separator_) {
+      require_column(cells_.size());
       cells_.push_back(trim({begin, static_cast<std::size_t>(at - begin)}));
       if (at == end) return true;
       begin = at + 1;
@@ -245,6 +252,7 @@ bool CsvReader::split_quoted(std::string text) {
         cell = trim(std::string_view{text}.substr(i, end - i));
         i = end;
       }
+      require_column(quoted_.size());
       quoted_.push_back(std::move(cell));
       if (i >= text.size()) return Found::all;
       ++i;

@@ -67,6 +67,7 @@ class CsvReader {
   void read_header();
   double with_comma(std::size_t column) const;
   [[noreturn]] void refuse(const std::string& why) const;
+  void require_column(std::size_t before) const;
 
   LineSource source_;
   std::size_t line_ = 0;

@@ -66,6 +66,11 @@ LineSource::LineSource(const std::filesystem::path& file, std::chrono::milliseco
   const auto refuse = [&](const std::string& why) {
     throw InputError{said(file) + ": cannot be read: " + why};
   };
+  const auto refuse_error = [&](int error) {
+    if (files::is_of_machine(error))
+      throw files::OutsideError{said(file) + ": cannot be read: " + reason(error)};
+    refuse(reason(error));
+  };
   do {
     input_ = std::make_unique<Input>(file == "-"
                                          ? ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3)
@@ -73,7 +78,7 @@ LineSource::LineSource(const std::filesystem::path& file, std::chrono::milliseco
   } while (input_->descriptor < 0 && errno == EINTR);
   const int fd = input_->descriptor;
   struct stat status {};
-  if (fd < 0 || ::fstat(fd, &status) != 0) refuse(reason(errno));
+  if (fd < 0 || ::fstat(fd, &status) != 0) refuse_error(errno);
   if (S_ISDIR(status.st_mode)) refuse(reason(EISDIR));
   if (S_ISREG(status.st_mode)) input_->size = static_cast<double>(status.st_size);
   if (S_ISFIFO(status.st_mode) && file != "-") {

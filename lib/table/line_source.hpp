@@ -18,7 +18,8 @@ std::string said(const std::filesystem::path& file);
 // A file packed by gzip is unpacked as it is read.
 class LineSource {
  public:
-  // Throws InputError with the system's reason when `file` cannot be opened, or is a folder; also for a FIFO that nobody has
+  // Throws InputError with the system's reason when `file` cannot be opened, or is a folder (OutsideError when the machine is at
+  // its end: no descriptors, no memory); also for a FIFO that nobody has
   // opened to write to within `patience`. A writer that is there is waited for.
   explicit LineSource(const std::filesystem::path& file,
                       std::chrono::milliseconds patience = std::chrono::seconds{10});

@@ -1,15 +1,16 @@
-// One question to many records: a table with a row for each, made by several processes, taken up again where it was left.
+// One question to many records, one after the other: a table with a row or more for each.
 //
-//   o.records(wish.batch);                               // "record ...", --manifest, --jobs, --shard
+//   o.records(wish.batch);                               // "record ..." and --manifest
 //   ...
 //   if (wish.batch.many()) return tool::run_batch(wish.batch, wish.out, "classify", [&](const auto& file) { return rows; });
+//
+// To use several processors or machines, run the command several times (xargs -P, GNU parallel, a job array) and join what
+// --json prints.
 #pragma once
 
 #include <filesystem>
 #include <functional>
-#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "tool/options.hpp"
@@ -21,7 +22,7 @@ class Row {
  public:
   void add(std::string key, double value);  // NaN: nothing
   void add(std::string key, std::string text);
-  // Doubts, as Summary's flags: in the column "flags", joined by semicolons.
+  // Warnings, as Summary's: in the column "flags", joined by semicolons.
   void flag(const std::string& key);
 
   struct Cell {
@@ -37,12 +38,11 @@ class Row {
 
 using RecordRows = std::function<std::vector<Row>(const std::filesystem::path& record)>;
 
-// Answers all records, or the shard asked for, with `jobs` processes, and prints what came of it. With --out DIR:
-//   DIR/NAME-table.csv and .jsonl  one row an answer: record, status (ok, refused, failed), reason, then the rows' own columns
-//   DIR/NAME-2-of-4.jsonl          what the shard 2/4 did; the table is made of all of them by a run without --shard
-// A record that is refused, or whose process fails, is a row with the reason. What DIR holds of an earlier run, of the same
-// files with the same options, is not done again, so that an interrupted run goes on. Throws InputError when no record could be
-// answered, files::OutsideError when the files cannot be written.
+// Answers all records and prints what came of them; with --json, a line for each row as soon as its record is answered. With
+// --out DIR: DIR/NAME-table.csv and .jsonl, one row an answer: record, status (ok, refused, failed), reason, then the rows' own
+// columns. A record that is refused or that fails is a row with its reason, and the others are answered. Then throws
+// files::OutsideError when a record failed, else InputError when one was refused: not all of them are answered, and the exit
+// status says so.
 void run_batch(const BatchWish& wish, const Destination& out, const std::string& name,
                const RecordRows& rows);
 

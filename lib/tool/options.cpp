@@ -1,7 +1,6 @@
 #include "tool/options.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -128,17 +127,6 @@ void Options::records(BatchWish& wish) {
           "--manifest", [&wish](const std::string& text) { wish.manifest = text; },
           "text file that lists records, one a line, relative to its own folder")
       ->type_name("FILE");
-  workers(wish);
-}
-
-void Options::workers(BatchWish& wish) {
-  wish.jobs = std::clamp(sysconf(_SC_NPROCESSORS_ONLN), 1L, 256L);
-  count("--jobs", wish.jobs, "processes for many records", 1, 256);
-  app_->add_option(
-          "--shard", wish.shard,
-          "2/4: of many records, only every fourth from the second; the same command without "
-          "it merges the shards in the folder of --out")
-      ->type_name("TEXT");
 }
 
 void Options::file(const std::string& name, std::filesystem::path& value, const std::string& help) {

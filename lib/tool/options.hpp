@@ -46,10 +46,6 @@ struct Destination {
 struct BatchWish {
   std::vector<std::filesystem::path> files;
   std::optional<std::filesystem::path> manifest;
-  long jobs = 1;
-  std::string shard;  // "2/4"
-  std::string
-      stamp;  // what answers depend on besides the options and the records: contents of other files
   bool many() const;
   // The one record. Throws InputError when there is none.
   const std::filesystem::path& only() const;
@@ -73,10 +69,8 @@ class Options {
               const std::string& help);
   // "--column a,b" and "--column a --column b".
   void texts(const std::string& name, std::vector<std::string>& values, const std::string& help);
-  // "record ...", --manifest, --jobs and --shard.
+  // "record ..." and --manifest.
   void records(BatchWish& wish);
-  // --jobs and --shard alone, for a tool that makes its records itself.
-  void workers(BatchWish& wish);
   void file(const std::string& name, std::filesystem::path& value, const std::string& help);
   // A further file of options, after --config: "--car freight.toml".
   void toml(const std::string& name, const std::string& help);

@@ -194,14 +194,14 @@ std::function<void()> add_tool(CLI::App& group, const Tool& tool) {
   };
 }
 
-int run_command(int argc, char** argv, const Program& program,
-                const std::vector<Subject>& subjects) {
-  CLI::App app{program.about, program.name};
+// Reads the words and does what they say.
+int run_words(CLI::App& app, const std::vector<std::string>& words, const Program& program,
+              const std::vector<Subject>& subjects) {
+  std::string shell;
+  bool manual_wanted = false;
   app.require_subcommand(1);
   app.footer(program.help);
   app.set_version_flag("--version", [&] { return version_text(program); });
-  std::string shell;
-  bool manual_wanted = false;
   app.add_option("--completion", shell, "print the completion of a shell, bash or zsh")->group("");
   app.add_flag("--manual", manual_wanted, "print the manual page")->group("");
   std::vector<std::function<void()>> actions;
@@ -210,13 +210,7 @@ int run_command(int argc, char** argv, const Program& program,
     group->require_subcommand(1);
     for (const Tool& tool : subject.tools) actions.push_back(add_tool(*group, tool));
   }
-  Session& asked = session();
-  asked.program = program.name;
-  asked.version = program.version;
-  asked.command = {argv, argv + argc};
-  if (argc > 0) asked.command[0] = program.name;
   try {
-    const std::vector<std::string> words{argv + 1, argv + argc};
     if (!words.empty() && (words[0] == "--manual" || words[0].starts_with("--completion")))
       app.require_subcommand(0);
     require_known(app, words);
@@ -231,6 +225,20 @@ int run_command(int argc, char** argv, const Program& program,
     fmt::print(stderr, "{}: {}\nTry `{} --help`.\n", program.name,
                units::printable(error.what(), 2000), program.name);
     return 2;
+  }
+}
+
+// The options, which are many, are built within the try: memory may end there.
+int run_command(int argc, char** argv, const Program& program,
+                const std::vector<Subject>& subjects) {
+  try {
+    Session& asked = session();
+    asked.program = program.name;
+    asked.version = program.version;
+    asked.command = {argv, argv + argc};
+    if (argc > 0) asked.command[0] = program.name;
+    CLI::App app{program.about, program.name};
+    return run_words(app, {argv + 1, argv + argc}, program, subjects);
   } catch (...) {
     return files::status_of_exception(program.name);
   }

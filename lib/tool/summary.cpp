@@ -43,7 +43,7 @@ void Summary::print() const {
   if (session().json) return fmt::print(to, "{}", json());
   std::size_t wide = 0;
   for (const Line& line : lines_) wide = std::max(wide, line.what.size());
-  fmt::print(to, "{}\n", title_);
+  fmt::print(to, "{}\n", units::printable(title_, 1000));
   for (const auto& [key, text] : flags_)
     fmt::print(to, "  DOUBTFUL: {}\n", units::printable(text, 1000));
   for (const Line& line : lines_) {

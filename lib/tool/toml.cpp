@@ -34,6 +34,9 @@ class Reader {
  private:
   void entry() {
     TomlEntry entry{table_ + key('='), {}, source_.line()};
+    constexpr std::size_t most_keys = 1000;  // each is compared with those before it
+    if (entries_.size() >= most_keys)
+      refuse(fmt::format("more than {} keys; allowed: up to as many", most_keys));
     for (const TomlEntry& before : entries_)
       if (before.name == entry.name)
         refuse(fmt::format("\"{}\" is given again; the first is in line {}",

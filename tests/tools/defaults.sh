@@ -11,7 +11,7 @@ trap 'rm -rf "$folder"' EXIT
 cd "$folder" || exit 1
 failed=0 n=0 blocks=0
 "$railbook" --manual | sed 's/\\-/-/g' | awk -v of="$subject" '/^\.SH railbook / {tool = $3 == of ? $4 : ""} /^\.B --/ {option = $2} /^[^.].* \[[^]]*\]$/ && option && tool {
-  sub(/.* \[/, ""); gsub(/[] ]/, ""); print tool, option, $0} !/^\.B/ {option = ""}' | grep -v -e ' --jobs ' >stated
+  sub(/.* \[/, ""); gsub(/[] ]/, ""); print tool, option, $0} !/^\.B/ {option = ""}' >stated
 fail() { echo "$*"; failed=1; }
 case $subject in
   psd | quality)

@@ -43,9 +43,7 @@ roughness A  *4.83|cut -d, -f2 track.csv | railbook psd classify - --spacing 25c
 roughness A  *5.[5-9]|railbook psd classify rails.csv --column 4
 rows of the table  *2|railbook psd classify rails.csv --column left,right --out columns --no-figures
 rows of the table  *2|railbook psd classify --manifest list.txt --out listed --no-figures
-done in an earlier run  *2|railbook psd classify --manifest list.txt --out listed --no-figures
 rows of the table  *26|railbook psd classify track.csv later.csv --section 1km --out sections --no-figures
-records  *1|railbook psd classify --manifest list.txt --shard 2/2 --out shards --no-figures
 PNG|railbook psd classify track.csv --figure - | head -c 8
 D1, median deviation|railbook quality measures track.csv
 D0, median deviation|railbook quality measures track.csv --bands D0,D1

@@ -89,7 +89,7 @@ try refuse psd classify longline.csv
 for option in "--column" "--column=" "--column 0" "--column 99" "--column -1" "--column #" "--unit" "--unit=" "--unit kg" "--unit m/s" "--unit 1" "--distance nowhere" \
   "--distance +" "--distance a+b" "--distance-unit kg" "--spacing" "--spacing 0m" "--spacing -1m" "--spacing 1kg" "--spacing 1" "--spacing 1e-9m" "--spacing 1e9m" "--spacing nan" \
   "--bridge -1" "--bridge 1e9" "--bridge 2.5" "--skip -1" "--skip 1e9" "--skip 99999999999999999999" "--skip x" "--section 0m" "--section 1mm" "--section -1km" "--section 1kg" \
-  "--jobs 0" "--jobs -3" "--jobs 1e6" "--jobs two" "--shard 0/3" "--shard 4/3" "--shard 1/0" "--shard /" "--shard 1" "--shard 1/3" "--manifest" "--manifest none.txt" "--manifest ." \
+  "--manifest" "--manifest none.txt" "--manifest ." \
   "--out" "--out=" "--out good.csv" "--figure" "--figure=" "--figure ." "--figure /dev/null" "--figure x/y/z.png" "--figure a.png --out b" "--config" "--config none.toml" "--config ." \
   "--no-such" "-x" "--json --figure -"; do
   try refuse psd classify good.csv $option

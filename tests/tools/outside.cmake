@@ -40,7 +40,7 @@ endforeach()
 set_tests_properties("tool: a FIFO that nobody writes to" PROPERTIES LABELS thorough) # it is waited for
 
 # Many records, and what is typed wrong.
-add_test(NAME "tool: many records make a table" COMMAND ${here}/batch.sh ${bin})
+add_test(NAME "tool: many records make a table" COMMAND ${here}/batch.sh ${bin} ${CMAKE_SOURCE_DIR}/tools/examples)
 add_test(NAME "tool: a person's habits" COMMAND ${here}/habits.sh ${bin})
 add_test(NAME "tool: forty examples" COMMAND ${here}/examples.sh ${bin} ${examples})
 add_test(NAME "tool: quality measures find exceptions to FRA classes where they are" COMMAND ${here}/exceptions.sh ${bin})

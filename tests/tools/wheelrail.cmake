@@ -1,4 +1,4 @@
-# The tools of wheel on rail: what they refuse, answers with known digits, and a table in shards.
+# The tools of wheel on rail: what they refuse, answers with known digits, and a table in parts.
 set(out --out ${CMAKE_BINARY_DIR}/ctest/wheelrail-refused)
 set(position ${out} --load 50kN --speed 30m/s)
 refuses(wheelrail "no load" "load is required" contact ${out} --speed 30m/s)
@@ -15,7 +15,6 @@ refuses(wheelrail "a file that is not there" "none.csv.: cannot be read: No such
 refuses(wheelrail "shifts that go down" "last shift is -0.01 m. allowed: from 0.001 to 0.05" table ${position} --from 1mm --to -10mm)
 refuses(wheelrail "yaws that go down" "last yaw is -0.001 rad. allowed: from 0.001 to 0.1" table ${position} --yaw-from 1mrad --yaw-to -1mrad)
 refuses(wheelrail "a table of a thousand million rows" "rows of the table is 1000000000. allowed: from 1 to 20000000" table ${position} --shifts 100000 --yaws 10000 --yaw-to 1mrad)
-refuses(wheelrail "a shard of nothing" "shard is .5/4.. allowed" table ${position} --shard 5/4)
 
 # The Manchester benchmark, y = 3 mm: CONTACT says 713.2 MPa and 9774 N on the right wheel.
 add_test(NAME "tool: wheelrail contact answers the benchmark"
@@ -28,4 +27,4 @@ add_test(NAME "tool: wheelrail contact takes files" WORKING_DIRECTORY ${CMAKE_SO
          --radius 16.5in --load 15000lbf --speed 60mph --method strips --mu 0 --out ${CMAKE_BINARY_DIR}/ctest/wheelrail-files)
 set_tests_properties("tool: wheelrail contact takes files" PROPERTIES PASS_REGULAR_EXPRESSION "right patch 1"
                      FAIL_REGULAR_EXPRESSION "gnuplot")
-add_test(NAME "tool: wheelrail table in shards" COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/wheelrail.sh ${bin})
+add_test(NAME "tool: wheelrail table in parts" COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/wheelrail.sh ${bin})

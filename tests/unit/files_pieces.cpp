@@ -15,7 +15,6 @@
 
 #include "../support/set_variable.hpp"
 #include "../support/temporary_folder.hpp"
-#include "files/journal.hpp"
 #include "files/out_file.hpp"
 #include "files/outside.hpp"
 #include "files/spool.hpp"
@@ -80,35 +79,22 @@ TEST_CASE("unit: folders that were made go again, innermost first, unless kept")
   }
 }
 
-TEST_CASE("unit: a journal ends a line that was cut off, and goes on after a whole one") {
-  const TemporaryFolder at("journal");
-  const fs::path file = at.path / "rows";
-  files::Journal(file).append("one\n");
-  files::Journal(file).append("two\n");
-  CHECK(at.read("rows") == "one\ntwo\n");
-  at.write("rows", "one\ntw");
-  files::Journal(file).append("three\n");
-  CHECK(at.read("rows") == "one\ntw\nthree\n");
-  CHECK_THROWS_WITH(files::Journal(at.path), Contains("it is a folder"));
-  CHECK_THROWS_WITH(files::Journal(at.path / "no" / "rows"),
-                    Contains("/no/rows\": cannot be written: No such file or directory"));
-
-  struct rlimit before {};
-  REQUIRE(getrlimit(RLIMIT_FSIZE, &before) == 0);
-  const rlimit small{100, before.rlim_max};
-  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-  files::Journal full(file);
-  REQUIRE(setrlimit(RLIMIT_FSIZE, &small) == 0);
-  std::string message;
-  try {
-    full.append(std::string(200, 'x') + "\n");
-  } catch (const files::OutsideError& error) {
-    message = error.what();
-  }
-  setrlimit(RLIMIT_FSIZE, &before);
-  std::signal(SIGXFSZ, handler);
-  CHECK_THAT(message, Contains("rows") && Contains("File too large"));
-  CHECK(at.read("rows") == "one\ntw\nthree\n");  // what was written is taken back
+TEST_CASE("unit: a temporary name is nobody else's, and what a killed program left is swept") {
+  const TemporaryFolder at("sweep");
+  at.write(".railbook-1-1.part", "of a program that was killed");
+  at.write(".railbook-2.part", "of one that is running");
+  at.write("mine.part", "not ours");
+  const auto days_ago = [&](const char* name, int days) {
+    fs::last_write_time(at.path / name,
+                        fs::file_time_type::clock::now() - std::chrono::hours{24 * days + 1});
+  };
+  days_ago(".railbook-1-1.part", 1), days_ago("mine.part", 2);
+  files::require_makeable(at.path);
+  CHECK_FALSE(fs::exists(at.path / ".railbook-1-1.part"));
+  CHECK(fs::exists(at.path / ".railbook-2.part"));
+  CHECK(fs::exists(at.path / "mine.part"));
+  files::OutFile one(at.path / "file"), two(at.path / "file");
+  CHECK(one.staged() != two.staged());
 }
 
 TEST_CASE("unit: what is moved or ended closes its own file and no other") {
@@ -132,11 +118,10 @@ TEST_CASE("unit: what is moved or ended closes its own file and no other") {
   CHECK(at.read("new") == "text");
   for (const int stream : {0, 1, 2}) CHECK(open_still(stream));
   { const files::OutFile dropped(at.path / "dropped"); }
-  { files::Journal(at.path / "lines").append("a\n"); }
   { const files::PrivateFolder folder; }
   { const files::MadeFolder made(at.path / "made"); }
   CHECK(lowest_free() == free);  // nothing was left open
-  CHECK(at.files_in(at.path) == 2);
+  CHECK(at.files_in(at.path) == 1);
 }
 
 TEST_CASE("unit: a file is the owner's and has the modes of the old one") {
@@ -165,11 +150,9 @@ TEST_CASE("unit: what is new has the modes that the user wants of it") {
   const TemporaryFolder at("modes");
   const mode_t before = umask(026);
   files::write(at.path / "folder" / "new", "text");
-  files::Journal(at.path / "rows").append("row\n");
   umask(before);
   CHECK(fs::status(at.path / "folder").permissions() == fs::perms(0751));
   CHECK(fs::status(at.path / "folder" / "new").permissions() == fs::perms(0640));
-  CHECK(fs::status(at.path / "rows").permissions() == fs::perms(0640));
 }
 
 TEST_CASE("unit: what is written goes to disk by 64 KiB or more, beside its place") {

@@ -11,7 +11,6 @@
 #include <system_error>
 
 #include "../support/apart.hpp"
-#include "files/journal.hpp"
 #include "files/out_file.hpp"
 #include "files/outside.hpp"
 #include "files/spool.hpp"
@@ -248,7 +247,7 @@ TEST_CASE("unit: a file may have the number of a standard input that is closed")
   const int status = apart(2, [&] {
                        close(0);
                        const auto is_free = [] { return fcntl(0, F_GETFD) < 0; };
-                       files::Journal(at.path / "rows").append("row\n");
+                       files::write(at.path / "rows", "row\n");
                        files::write(at.path / "new" / "file", "text");
                        files::PrivateFolder().write("text", "abc");
                        const files::Spool spool;

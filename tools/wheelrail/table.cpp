@@ -1,9 +1,8 @@
 /*
 ### `wheelrail table`
 
-A table of one wheel's contact over shift, yaw, load, friction and slip, which a vehicle code can interpolate. A line of it,
-one shift and one yaw, is a task of its own: lines are shared out over processes (`--jobs`) and machines (`--shard 2/8`), and
-a run that was ended goes on where it was.
+A table of one wheel's contact over shift, yaw, load, friction and slip, which a vehicle code can interpolate. Several
+processors or machines share a large table by yaw: run the command once for each (`--yaw-from`, `--yaw-to`, `--yaws`).
 
     wheelrail table --speed 30m/s --shifts 41 --yaws 5 --load 40kN 50kN --mu 0.3 --slip -0.002 0 0.002 --out mine
 
@@ -42,6 +41,7 @@ struct Wish : PairWish {
   tool::Destination out;
 };
 
+// The positions of one shift and one yaw.
 struct Line {
   double shift, yaw, step;
   bool measured;  // says its errors
@@ -165,15 +165,6 @@ double step_of(double from, double to, long count) {
   return count > 1 ? (to - from) / static_cast<double>(count - 1) : 0;
 }
 
-std::string stamp_of(const std::filesystem::path& file) {
-  std::error_code none;
-  const auto size = std::filesystem::file_size(file, none);
-  return none
-             ? ""
-             : fmt::format("{} {}", size,
-                           std::filesystem::last_write_time(file, none).time_since_epoch().count());
-}
-
 void run(Wish wish) {
   units::require_between("last shift", wish.to, wish.from, 0.05, "m");
   units::require_between("last yaw", wish.yaw_to, wish.yaw_from, 0.1, "rad");
@@ -193,7 +184,6 @@ void run(Wish wish) {
           fmt::format("shift {:.9g} mm, yaw {:.9g} mrad", line.shift / millimetre, 1e3 * line.yaw);
       if (lines.emplace(name, line).second) wish.batch.files.emplace_back(name);
     }
-  wish.batch.stamp = stamp_of(wish.wheel) + " " + stamp_of(wish.rail);
   tool::run_batch(wish.batch, wish.out, "wheelrail",
                   [&](const auto& name) { return rows_of(wish, pair, lines.at(name)); });
 }
@@ -217,7 +207,6 @@ std::function<void()> declare(tool::Options& options) {
   options.quantities("--slip", wish->slips, units::number,
                      "the wheelset turns by this share faster than speed over radius",
                      Range{-1, 10});
-  options.workers(wish->batch);
   options.out(wish->out);
   options.help(
       "With --out DIR: DIR/wheelrail-table.csv and .jsonl, a row a position. Columns are those of "

@@ -61,7 +61,7 @@ means full 'for (key in v) free(key); for (k = 1; k <= 2; ++k) {s = k == 1 ? "le
 holds "cells of the full theory" full/patches.csv '$c["shear_x_MPa"] != 0 || $c["shear_y_MPa"] != 0 {wrong++} $1 == "right" {y = $c["across_mm"]; if (y > most) most = y; if (y < least) least = y; if ($c["rail_von_mises_MPa"] > mises) mises = $c["rail_von_mises_MPa"]}
   END {near(most > 1 && least < -1, 1, 0); near(mises / m, 1, 0.01)}' m="$(v full right_1_rail_von_mises_MPa)"
 # A row of a table is the right wheel of that position; its errors are the distance of the next rows' middle, and of the full theory.
-"$railbook" wheelrail table --speed 30m/s --from 2mm --to 4mm --shifts 3 --yaw-from 3mrad --yaw-to 5mrad --yaws 2 --load 50kN --slip -0.001 --mu 0.3 --cells 16 --jobs 1 --out rows >said || fail "$(cat said)"
+"$railbook" wheelrail table --speed 30m/s --from 2mm --to 4mm --shifts 3 --yaw-from 3mrad --yaw-to 5mrad --yaws 2 --load 50kN --slip -0.001 --mu 0.3 --cells 16 --out rows >said || fail "$(cat said)"
 awk -F, 'NR == 1 {for (i = 1; i <= NF; ++i) c[$i] = i} {print $0}' rows/wheelrail-table.csv | tr -d '"' | sed 's/shift \([0-9.]*\) mm, yaw/shift \1 mm yaw/' >rows.csv
 holds "places of a table" rows.csv '{near($c["shift_mm"], 2 + int((rows - 1) / 2), 1e-9); near($c["yaw_mrad"], rows % 2 ? 3 : 5, 1e-9); near($c["load_kN"], 50, 0); near($c["friction"], 0.3, 0); near($c["slip"], -0.001, 0); near(($c["interpolation_error_of_mu_N"] == ""), rows > 4, 0)
   near($c["z_N"] / 50e3, 1, 1e-4); near($c["method_error_of_mu_N"] > 0 && $c["method_error_p_max"] > 0, 1, 0)} END {near(rows, 6, 0)}'
@@ -76,11 +76,11 @@ near "the moment on the axle" "$(row 4 axle_moment_N_m)" "$(awk -v x="$(row 4 x_
 answers method contact --load 50kN --speed 30m/s --shift 3mm --yaw 5mrad --cells 16 --roll "$(row 4 roll_mrad)mrad" --slip -0.001
 near "the error of the method" "$(row 4 method_error_of_mu_N)" "$(awk -v a="$(row 4 x_N)" -v b="$(row 4 y_N)" -v x="$(v method right_x_N)" -v y="$(v method right_y_N)" 'BEGIN {print sqrt((a - x) ^ 2 + (b - y) ^ 2) / 15e3}')" 2e-4
 near "the error of its pressure" "$(row 4 method_error_p_max)" "$(awk -v a="$(row 4 p_max_MPa)" -v b="$(v method right_1_p_max_MPa)" 'BEGIN {d = a / b - 1; print d < 0 ? -d : d}')" 2e-4
-"$railbook" wheelrail table --speed 30m/s --from 3.5mm --to 3.5mm --shifts 1 --yaw-from 5mrad --yaw-to 5mrad --load 50kN --slip -0.001 --jobs 1 --cells 16 --json >middle.json || fail "the middle"
-"$railbook" wheelrail table --speed 30m/s --load 50kN --shifts 2 --method hertz --cells 8 --jobs 1 --out usual >said || fail "$(cat said)"
+"$railbook" wheelrail table --speed 30m/s --from 3.5mm --to 3.5mm --shifts 1 --yaw-from 5mrad --yaw-to 5mrad --load 50kN --slip -0.001 --cells 16 --json >middle.json || fail "the middle"
+"$railbook" wheelrail table --speed 30m/s --load 50kN --shifts 2 --method hertz --cells 8 --out usual >said || fail "$(cat said)"
 [ "$(sed 's/"[^"]*"//' usual/wheelrail-table.csv | awk -F, 'NR == 1 {for (i = 1; i <= NF; ++i) c[$i] = i; next} {print $c["shift_mm"], $c["yaw_mrad"], $c["friction"], $c["slip"]}' | xargs)" = "-8 0 0.3 0 8 0 0.3 0" ] || fail "what a table is of where nothing is said"
 # Of the rows of one position the first says the errors.
-"$railbook" wheelrail table --speed 30m/s --from 3mm --to 3mm --shifts 1 --load 40kN 50kN --mu 0.2 0.3 --method hertz --cells 8 --jobs 1 --out several >said || fail "$(cat said)"
+"$railbook" wheelrail table --speed 30m/s --from 3mm --to 3mm --shifts 1 --load 40kN 50kN --mu 0.2 0.3 --method hertz --cells 8 --out several >said || fail "$(cat said)"
 sed 's/"[^"]*"//' several/wheelrail-table.csv | awk -F, 'NR == 1 {for (i = 1; i <= NF; ++i) c[$i] = i; next} {said = said ($c["method_error_of_mu_N"] == "" ? "-" : "+")} END {exit said != "+---"}' || fail "which rows say errors"
 middle() { sed -n "s/.*\"$1\":\\([^,]*\\),.*/\\1/p" middle.json | head -1; }
 near "the error of interpolation" "$(row 4 interpolation_error_of_mu_N)" "$(awk -v x="$(middle x_N)" -v y="$(middle y_N)" -v a="$(row 4 x_N)" -v b="$(row 4 y_N)" -v p="$(row 6 x_N)" -v q="$(row 6 y_N)" 'BEGIN {print sqrt((x - (a + p) / 2) ^ 2 + (y - (b + q) / 2) ^ 2) / 15e3}')" 1e-5
