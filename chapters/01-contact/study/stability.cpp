@@ -149,6 +149,7 @@ Found sharp_corner_peak() {
 }
 
 Found by_countact(const NormalContact& c) {
+  if (c.reason.starts_with("the boundary still moves")) throw NoAnswer("the boundary still moves");
   if (!c.converged) throw NoAnswer(c.reason);
   return Found{fmt::format("F = {:.0f} lbf", c.force / lbf)};
 }
