@@ -49,16 +49,30 @@ double profile_radius(bool major_along_rolling);
 contact::HertzContact rig_contact(double load, double profile);
 
 // G a b/N by Hertz's area at `load`: X = this times creep/mu_c.
-double hertz_group(double load);
+double hertz_group(double load, bool major_along_rolling = true);
 
 // The ellipse and the load of the rig by the rolling solver, mu = 0.3, without creepage.
 rolling::RollingCase rig_case();
 
-// Kalker's curve for the rig's ellipse by the full theory, mu/mu_c over X = G a b xi/(mu_c N) from 0 to 2, as a table that is
-// linear between its nodes.
-rolling::ForceTable curve_table(int nodes, const rolling::RollingOptions& options);
+// Kalker's curve for the rig's ellipse by the full theory, mu/mu_c over X = G a b xi/(mu_c N) from
+// 0 to 2, as a table that is linear between its nodes.
+rolling::ForceTable curve_table(int nodes, const rolling::RollingOptions& options,
+                                double ratio = axis_ratio);
 
 // From such a table, to about 2e-4; odd in X, and beyond X = 2 the value there.
-double master_curve(double x);
+double master_curve(double x, bool major_along_rolling = true);
+
+// What the errors of Appendix A make of the creep, at their worst and if they are independent.
+struct CreepError {
+  double worst = 0, independent = 0;
+};
+CreepError appendix_a_error();
+
+// Relative standard deviation, in a synthetic test at 1000 lbf, of the area factor that is fitted to
+// the points, and of the measured area.
+struct ReductionError {
+  double fitted = 0, measured = 0;
+};
+ReductionError reduction_error();
 
 }  // namespace railbook::creep_chapter
