@@ -126,15 +126,17 @@ bool possible_interval(double T) {
 FirstOrderHybrid::FirstOrderHybrid(double corner, Decay how)
     : corner_(units::require_positive("corner of the filter", corner, "rad/s")), how_(how) {}
 
-double FirstOrderHybrid::push_any(double y, double T) {
-  if (!possible_interval(T)) {
-    if (T == 0 && known_) return units::nan;
-    known_ = false;
-  }
+// u_k = (y_k - a y_{k-1})/(1 - a), written in the difference of the samples: a constant passes
+// unchanged whatever the rounding.
+double FirstOrderHybrid::push(double y, double T) {
+  if (T == 0 && known_) return units::nan;    // a second pulse at the same place
+  if (!possible_interval(T)) known_ = false;  // as if it were the first sample
   double u = units::nan;
   if (known_ && std::isfinite(y)) {
-    if (!(T == interval_)) gain_ = gain(corner_ * T, how_);
-    interval_ = std::isfinite(gain_) ? T : units::nan;
+    if (T != interval_) {  // the speed has changed
+      interval_ = T;
+      gain_ = gain(corner_ * T, how_);  // a/(1 - a), a = exp(-corner T)
+    }
     if (std::isfinite(gain_)) u = y + gain_ * (y - last_);
   }
   known_ = std::isfinite(y);

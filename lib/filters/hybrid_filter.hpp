@@ -8,7 +8,6 @@
 //   const double rate = c.push(voltage, T);      // mean of the input over the last interval T (s)
 #pragma once
 
-#include <cmath>
 #include <complex>
 #include <limits>
 
@@ -44,20 +43,13 @@ class FirstOrderHybrid {
 
   // `y`: output of the analog filter now; `T`: seconds since the previous sample. Returns the mean of the analog
   // filter's input over the interval, with the weight exp(corner (t - now)); NaN where there is none.
-  double push(double y, double T) {
-    if (!(T == interval_ && known_ && std::isfinite(y))) return push_any(y, T);
-    const double u = y + gain_ * (y - last_);
-    last_ = y;
-    return u;
-  }
+  double push(double y, double T);
   void restart() { known_ = false; }
 
  private:
-  double push_any(double y, double T);
-
   double corner_, last_ = 0;
   Decay how_;
-  // The last interval and its gain a/(1 - a), where both are numbers to go on with; otherwise the interval is NaN.
+  // The last interval and its gain a/(1 - a).
   double interval_ = std::numeric_limits<double>::quiet_NaN(), gain_ = 0;
   bool known_ = false;
 };
