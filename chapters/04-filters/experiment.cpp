@@ -1,9 +1,13 @@
 /***
 ### What the experiments share
 
-The standard track is 8192 ft of main line: two-slope random surface and line on each rail, joints of 39-ft rail as a rectified sine with 5.5 mm of
-dip, a vertical curve between grades, and a curve of 4 degrees with spirals and 4 in of superelevation. *Truth* is always the same chord and the same
-high-pass on the true rail, so an error is an error of the car and not of the filter's band.
+The standard track is 8192 ft of main line. Surface and line of each rail are random processes whose spectrum has two slopes; joints of 39-ft rail are a
+rectified sine with 5.5 mm of dip; there is a vertical curve between two grades, and a curve of 4 degrees with spirals and 4 in of superelevation. *Truth*
+is always the same chord and the same high-pass on the true rail, so an error is an error of the car and not of the filter's band.
+
+The *typical sensors* are ours as well, for the paper gives no sensor data. Accelerometers and inclinometer have a bias of 1 mg, noise of 20 µg/√Hz and a
+converter of 12 bits over ±1 g. Both gyros have a bias of 0.005 deg/s and noise of 0.005 deg/s/√Hz. Each displacement sensor reads in steps of 0.1 mm. Before
+each run the car stands for a minute and the yaw gyro is debiased, which leaves {{residual-bias}} of its bias.
 */
 #include "experiment.hpp"
 
@@ -14,8 +18,10 @@ namespace railbook::filters_chapter {
 using namespace geometry_car;
 
 Line line_of(const TrackDescription& description, const Car& car) {
-  const Track track = build(description);
-  return {track, car, truth(track, {.layout = car.layout})};
+  TrackDescription placed = description;
+  placed.sample = sample_distance;
+  const Track track = build(placed);
+  return {track, car, truth(track, chosen_processing())};
 }
 
 const Line& main_line() {
@@ -28,6 +34,21 @@ Record cruise(const Line& line, double speed) {
   Motion motion{.start = speed > 0 ? first : last, .speed = speed};
   motion.cruise(last - first);
   return drive(line.track, line.car, motion);
+}
+
+double residual_bias(const SensorError& gyro, double standing) {
+  return gyro.density / std::sqrt(2 * standing);
+}
+
+Sensors debiased_sensors() {
+  Sensors sensors = typical_sensors();
+  SensorError& gyro = sensors[Channel::yaw_rate];
+  gyro.bias = residual_bias(gyro, 60);
+  return sensors;
+}
+
+Record with_errors(const Record& clean, const Sensors& sensors, std::uint64_t seed) {
+  return measured(clean, chosen_car().layout, sensors, seed);
 }
 
 double rms(const std::vector<double>& values) {

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "configuration.hpp"
 #include "geometry_car/reconstruct.hpp"
 #include "geometry_car/sensors.hpp"
 #include "geometry_car/simulate.hpp"
@@ -20,13 +21,23 @@ struct Line {
   geometry_car::Car car;
   geometry_car::Measurement truth;
 };
-Line line_of(const geometry_car::TrackDescription& track, const geometry_car::Car& car = {});
+Line line_of(const geometry_car::TrackDescription& track,
+             const geometry_car::Car& car = chosen_car());
 
 // 8192 ft of main line with everything; built once.
 const Line& main_line();
 
 // From 80 ft to the end of the track, or back from there, at one speed (m/s).
 geometry_car::Record cruise(const Line& line, double speed);
+
+// What a mean over `standing` seconds at rest leaves of a gyro's bias: that time's noise, rad/s.
+double residual_bias(const geometry_car::SensorError& gyro, double standing);
+// The typical sensors of the library after a minute at rest, in which the yaw gyro was debiased.
+geometry_car::Sensors debiased_sensors();
+
+// A clean record as these sensors write it.
+geometry_car::Record with_errors(const geometry_car::Record& clean,
+                                 const geometry_car::Sensors& sensors, std::uint64_t seed);
 
 // Of the values that are known.
 double rms(const std::vector<double>& values);

@@ -11,7 +11,7 @@ set yrange [0.008:1000]
 set format y "10^{%T}"
 set key top right
 on(which, y) = (strcol("sensors") eq which && y > 1e-9 ? y : NaN)
-set title "line: typical sensors; points: perfect sensors (synthetic track)" font ",12" offset 0,-0.6
+set title "line: typical sensors; points: perfect sensors (of gage: no error)" font ",12" offset 0,-0.6
 plot ARG1 using 1:(on("typical", column("alignment_mm"))) with lines lt 1 title "alignment", \
      ARG1 using 1:(on("typical", column("profile_mm"))) with lines lt 2 title "profile", \
      ARG1 using 1:(on("typical", column("crosslevel_mm"))) with lines lt 3 title "crosslevel", \
@@ -23,7 +23,7 @@ set ylabel "RMS error, deg per 100 ft"
 set yrange [0.01:1]
 set ytics (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1)
 set format y "%g"
-unset title
+set title "line: typical sensors, gyro debiased; points: perfect sensors" font ",12" offset 0,-0.6
 plot ARG1 using 1:(on("typical", column("curvature_deg_per_100ft"))) with lines lt 5 title "curvature", \
      ARG1 using 1:(on("ideal", column("curvature_deg_per_100ft"))) with points lt 5
 unset multiplot

@@ -1,4 +1,8 @@
-/*** # Filters of a geometry car: what they cost and where they hold
+/*** # Filters of a geometry car: what spoils them, what they cost and where they hold
+
+## What spoils the measurement
+
+{{include: mismatch.cpp}}
 
 ## Error against run time
 
