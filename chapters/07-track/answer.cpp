@@ -1,6 +1,6 @@
 /***
-Move the speed and the dip below {{fig-joint}}: the same passage, computed for each. What P1 adds to the static load is nearly in proportion to
-the product of the two.
+Move the speed and the dip below {{fig-joint}}: the same passage, computed for each. What P1 adds to
+the static load is nearly in proportion to the product of the two.
 */
 #include "report/answer.hpp"
 #include "sections.hpp"

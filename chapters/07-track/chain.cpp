@@ -1,8 +1,9 @@
 /***
 ## From stone to springs
 
-Nobody can look up a foundation modulus. The paper builds it from parts that can be known (Figure 2): under each
-rail seat lie a pad (if any), the tie, the ballast and the subgrade, springs in series,
+Nobody can look up a foundation modulus. The paper builds it from parts that can be known (Figure
+2): under each rail seat lie a pad (if any), the tie, the ballast and the subgrade, springs in
+series,
 
 $$K=\frac{k}{l_t}, \tag{3}$$
 
@@ -15,19 +16,21 @@ alone, and Winkler's separate springs cannot know that.
 
 {{fig-02}}
 
-The scene is drawn from the numbers of the typical track, to scale: the tie, the pyramid below each rail seat with the
-base area that (7) multiplies by the soil modulus, and beside it the chain of springs it becomes, with half the stiffness
-of ballast and subgrade as in (4).
+The scene is drawn from the numbers of the typical track, to scale: the tie, the pyramid below each
+rail seat with the base area that (7) multiplies by the soil modulus, and beside it the chain of
+springs it becomes, with half the stiffness of ballast and subgrade as in (4).
 
-The ballast carries in a pyramid only, evenly loaded at every depth, its sides at the friction angle $\alpha$
-(20° in the paper) to the vertical; the subgrade is a bed of springs $K_0$ below the pyramid's base:
+The ballast carries in a pyramid only, evenly loaded at every depth, its sides at the friction angle
+$\alpha$ (20° in the paper) to the vertical; the subgrade is a bed of springs $K_0$ below the
+pyramid's base:
 
 $$k_b=\frac{C(l-w)E_b}{\ln\dfrac{l\,(w+Ch)}{w\,(l+Ch)}},\qquad C=2\tan\alpha, \tag{6}$$
 
 $$k_s=K_0(l+Ch)(w+Ch), \tag{7}$$
 
-for a loaded area $l\times w$ and a ballast depth $h$. For a square area ($l=w$) and for vertical sides ($\alpha=0$) the printed form (6) is
-0/0, although neither is special physically. The program evaluates the compliance instead,
+for a loaded area $l\times w$ and a ballast depth $h$. For a square area ($l=w$) and for vertical
+sides ($\alpha=0$) the printed form (6) is 0/0, although neither is special physically. The program
+evaluates the compliance instead,
 
 $$\frac1{k_b}=\frac{h}{E_b\,w\,(l+Ch)}\cdot\frac{\ln(1+x)}{x},\qquad x=\frac{Ch\,(l-w)}{w\,(l+Ch)},$$
 
@@ -37,12 +40,15 @@ which is (6) rearranged and has no such holes.
 
 {{chain}}
 
-Every length and modulus of this typical track but the 20° is assumed: ordinary values, chosen so that zero deflection is at ten feet.
+Every length and modulus of this typical track but the 20° is assumed: ordinary values, chosen so
+that zero deflection is at ten feet.
 
-Two things stand out. The subgrade decides: the ballast is {{soil-softer}} times as stiff. And deeper ballast makes *stiffer* track although
-it adds a spring in series, because the pyramid spreads the load over more soil: 14 in of it instead of 12 give {{deeper}} more $K_r$.
-Once the pyramids of neighbouring ties meet, here at {{overlap}} of ballast, the model counts the stone and the soil of their overlap twice. The
-fixed factor 2 of (4) is the paper's allowance for that, whatever the depth.
+Two things stand out. The subgrade decides: the ballast is {{soil-softer}} times as stiff. And
+deeper ballast makes *stiffer* track although it adds a spring in series, because the pyramid
+spreads the load over more soil: 14 in of it instead of 12 give {{deeper}} more $K_r$. Once the
+pyramids of neighbouring ties meet, here at {{overlap}} of ballast, the model counts the stone and
+the soil of their overlap twice. The fixed factor 2 of (4) is the paper's allowance for that,
+whatever the depth.
 */
 #include <cmath>
 
@@ -121,7 +127,8 @@ void add_chain_of_springs(scene::Scene& s, double x, std::vector<drawing::Label>
 }
 
 void draw_steps(report::Item& item) {
-  item.sketch("drawn to scale from the assumed typical track; the paper's figure is a scheme");
+  item.sketch(
+      "drawn to scale from the assumed typical track; the paper's drawing is not in the copy");
   std::vector<drawing::Label> labels{{{9, -3, 40}, "wheel P"},
                                      {{-31, -3, 4.5}, "rail EI"},
                                      {{-21.5, -25, -3.5}, "tie"},

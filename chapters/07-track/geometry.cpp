@@ -1,13 +1,15 @@
 /***
 ## Track geometry as input
 
-Track that was laid with joints sags at the joints, and each rail becomes an arc: the *rectified sine*
-$z=A\,(1-|\sin(\pi x/L)|)$ for rails of length $L$. Its series is
+Track that was laid with joints sags at the joints, and each rail becomes an arc: the *rectified
+sine* $z=A\,(1-|\sin(\pi x/L)|)$ for rails of length $L$. Its series is
 
 $$|\sin(\pi x/L)|=\frac2\pi-\frac4\pi\sum_{n\ge1}\frac{\cos(2\pi nx/L)}{4n^2-1}.$$
 
-North American practice staggers the joints by half a rail. The paper says what follows: the odd harmonics of the rail length excite a car in roll, the even ones
-in bounce. That is exact, since a shift by $L/2$ changes the sign of odd harmonics only; the table shows it on sampled surfaces by a Fourier transform.
+North American practice staggers the joints by half a rail. The paper says what follows: the odd
+harmonics of the rail length excite a car in roll, the even ones in bounce. That is exact, since a
+shift by $L/2$ changes the sign of odd harmonics only; the table shows it on sampled surfaces by a
+Fourier transform.
 
 {{harmonics}}
 */
@@ -61,27 +63,35 @@ void harmonics(report::Item& item) {
 }
 
 /***
-A measured profile is the paper's Figure 7, which is lost. "This type of profile has been modeled quite adequately by the rectified sinewave", says the paper,
-and without the profile that cannot be told. {{fig-07}} shows the rectified sine instead, on two rails with staggered joints, and what a car feels of them.
+A measured profile is the paper's Figure 7, which is lost. "This type of profile has been modeled
+quite adequately by the rectified sinewave", says the paper, and without the profile that cannot be
+told. {{fig-07}} shows the rectified sine instead, on two rails with staggered joints, and what a
+car feels of them.
 
 {{fig-07}}
 
-The second kind of input is random. By its legends, which are in the copy while its curves are not, the paper's Figure 6 shows a spectrum of cross level for an idealized
-track of class 6, and the ranges of data measured on a high-speed demonstration track and on British Rail. What stands here is the family of curves
-that the Federal Railroad Administration's classes were given later in the literature (quoted by Frýba),
+The second kind of input is random. By its legends, which are in the copy while its curves are not,
+the paper's Figure 6 shows a spectrum of cross level for an idealized track of class 6, and the
+ranges of data measured on a high-speed demonstration track and on British Rail. What stands here is
+the family of curves that the Federal Railroad Administration's classes were given later in the
+literature (quoted by Frýba),
 
 $$S(\phi)=\frac{A\,\phi_2^2}{(\phi^2+\phi_1^2)(\phi^2+\phi_2^2)},$$
 
-with $\phi$ in cycles per length, its roughness $A$ and break frequencies $\phi_1$, $\phi_2$ for class 6 and class 3, and the frequencies at which half-staggered 39-foot rails
-add power of their own. The level is doubtful. Other published lists of the same family have roughness constants $A$ about {{feet-squared}}, that is $(1/0.3048)^2$,
-times as large, as if feet had been converted once too often; amplitudes would be {{feet}} times as large. That is an inference from two such lists; the original was
-not at hand. The shape of the curves does not depend on it.
+with $\phi$ in cycles per length, its roughness $A$ and break frequencies $\phi_1$, $\phi_2$ for
+class 6 and class 3, and the frequencies at which half-staggered 39-foot rails add power of their
+own. The level is doubtful. Other published lists of the same family have roughness constants $A$
+about {{feet-squared}}, that is $(1/0.3048)^2$, times as large, as if feet had been converted once
+too often; amplitudes would be {{feet}} times as large. That is an inference from two such lists;
+the original was not at hand. The shape of the curves does not depend on it.
 
 {{fig-06}}
 
-The cross level's root mean square over wavelengths of 2 to 100 m is {{rms-6}} for class 6 and {{rms-3}} for class 3 with these constants, {{rms-6-high}} and {{rms-3-high}}
-with the larger ones. The paper finds the effect of staggered (North American) and coincident (British) joints on such spectra interesting: staggered joints put
-their odd harmonics into the cross level, coincident ones, being the same on both rails, nothing.
+The cross level's root mean square over wavelengths of 2 to 100 m is {{rms-6}} for class 6 and
+{{rms-3}} for class 3 with these constants, {{rms-6-high}} and {{rms-3-high}} with the larger ones.
+The paper finds the effect of staggered (North American) and coincident (British) joints on such
+spectra interesting: staggered joints put their odd harmonics into the cross level, coincident ones,
+being the same on both rails, nothing.
 */
 
 // Half-staggered rails with joints half an inch deep, and what a car feels of them.

@@ -1,37 +1,43 @@
 /***
 ## A wheel meets a joint
 
-Now the input of {{fig-04}} is a joint. A wheel of mass $m_w$ carries the constant load $P_0$; its contact with the rail is Hertz's, $F=C_Hx_+^{3/2}$, for an 18-inch
-wheel on a 10-inch crown; below it are rail mass and bed mass, split as in (16) to (19), and a stiffness split that keeps $K_r$:
+Now the input of {{fig-04}} is a joint. A wheel of mass $m_w$ carries the constant load $P_0$; its
+contact with the rail is Hertz's, $F=C_Hx_+^{3/2}$, for an 18-inch wheel on a 10-inch crown; below
+it are rail mass and bed mass, split as in (16) to (19), and a stiffness split that keeps $K_r$:
 
 $$K_1=2\left(4EI\,(k_{pt}/l_t)^3\right)^{1/4},\qquad \frac1{K_g}=\frac1{K_r}-\frac1{K_1}.$$
 
 {{code: track/wheel_on_track.cpp rail_on_bed}}
 
-Wheel load, unsprung mass and damping ratios ($\zeta$ = 0.05 in the upper layer, 0.2 in the bed) are assumed; the paper's own results for this model are lost. The
-model has three natural frequencies, {{f-1}} (wheel and track on the ground), {{f-2}} (rail on its ties) and {{f-3}} (rail against wheel in the contact).
+Wheel load, unsprung mass and damping ratios ($\zeta$ = 0.05 in the upper layer, 0.2 in the bed) are
+assumed; the paper's own results for this model are lost. The model has three natural frequencies,
+{{f-1}} (wheel and track on the ground), {{f-2}} (rail on its ties) and {{f-3}} (rail against wheel
+in the contact).
 
 {{fig-joint}}
 
 {{include: answer.cpp}}
 
-British practice knows two peaks: P1 while the rail alone is hit, P2 when the wheel has pushed the whole track down. The history shows that these words need
-definitions. A ripple of the contact runs on top of the slower motion of the rail on its ties, so that the largest force, at {{second-at}}, is neither. Every peak
-here says what it measures:
+British practice knows two peaks: P1 while the rail alone is hit, P2 when the wheel has pushed the
+whole track down. The history shows that these words need definitions. A ripple of the contact runs
+on top of the slower motion of the rail on its ties, so that the largest force, at {{second-at}}, is
+neither. Every peak here says what it measures:
 
 * **P1**: the first local maximum after the joint;
 * **second**: the largest force before 2.5 ms;
 * **late**: the largest force after 4 ms;
-* **P2**: the largest running mean over one period of the middle natural frequency, {{mean-window}}. This mean is the wheel's change of momentum over that time, so it
-  needs no integral of the force.
+* **P2**: the largest running mean over one period of the middle natural frequency, {{mean-window}}.
+  This mean is the wheel's change of momentum over that time, so it needs no integral of the force.
 
 {{joint-peaks}}
 
-The formulas of British practice, $P_1=P_0+2\alpha V\sqrt{k_Hm_e/(1+m_e/m_u)}$ and its companion for P2, come within {{p1-formula}} and {{p2-formula}} of these P1 and
-P2; $2\alpha$ is the angle of the dip, $k_H$ the contact stiffness, $m_e$ and $m_u$ the masses of rail and wheel.
+The formulas of British practice, $P_1=P_0+2\alpha V\sqrt{k_Hm_e/(1+m_e/m_u)}$ and its companion for
+P2, come within {{p1-formula}} and {{p2-formula}} of these P1 and P2; $2\alpha$ is the angle of the
+dip, $k_H$ the contact stiffness, $m_e$ and $m_u$ the masses of rail and wheel.
 
-With all of the track in one mass, that of (15) with tie and ballast, P1 would be {{single-p1}}. With two masses the mass of tie and ballast, which the two rules (18)
-leave uncertain, hardly matters: half or twice of it changes P1 by {{bed-p1}}. That is the paper's reason for two masses.
+With all of the track in one mass, that of (15) with tie and ballast, P1 would be {{single-p1}}.
+With two masses the mass of tie and ballast, which the two rules (18) leave uncertain, hardly
+matters: half or twice of it changes P1 by {{bed-p1}}. That is the paper's reason for two masses.
 */
 #include "track/impact.hpp"
 

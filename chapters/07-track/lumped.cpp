@@ -1,18 +1,22 @@
 /***
 ## The lumped track, on car and at trackside
 
-Below $V_c$ the rail's dent travels with the wheel almost unchanged, and so may a lumped model: one mass or two on springs and dampers, moved along below each wheel.
-The paper's Figure 4 represents one rail and half of the unsprung mass of a four-wheel truck, that is two wheels, and "Deflections of the rail under
-each wheel are influenced by loads at the adjacent wheels". {{fig-04}} is drawn after these words; {{two-wheels}} tests what two wheels do to each other.
+Below $V_c$ the rail's dent travels with the wheel almost unchanged, and so may a lumped model: one
+mass or two on springs and dampers, moved along below each wheel. The paper's Figure 4 represents
+one rail and half of the unsprung mass of a four-wheel truck, that is two wheels, and "Deflections
+of the rail under each wheel are influenced by loads at the adjacent wheels". {{fig-04}} is drawn
+after these words; {{two-wheels}} tests what two wheels do to each other.
 
 {{fig-04}}
 
-A fixed point beside the track sees something else: wheels that come and go. The paper takes the same lumped model,
+A fixed point beside the track sees something else: wheels that come and go. The paper takes the
+same lumped model,
 
 $$Y(s)=\frac{P(s)}{K_r+C_rs+M_rs^2}, \tag{10}$$
 
-puts the wheel/rail forces on its rail mass, and scales each by the beam's deflection at that distance. Equations (11) to (14) are not in the text that is
-available, and nothing in it says what Figure 5 shows. Its words are read as
+puts the wheel/rail forces on its rail mass, and scales each by the beam's deflection at that
+distance. Equations (11) to (14) are not in the text that is available, and nothing in it says what
+Figure 5 shows. The words of the paper are read as
 
 $$P(t)=\sum_iP_i(t)\,a\bigl(\beta(Vt-x_i)\bigr),$$
 
@@ -20,20 +24,24 @@ $$M_{rail}\ddot y_r+C_1(\dot y_r-\dot y_t)+K_1(y_r-y_t)=P(t),$$
 
 $$m_t\ddot y_t+C_g\dot y_t+K_gy_t=C_1(\dot y_r-\dot y_t)+K_1(y_r-y_t).$$
 
-$a$ is a sum of damped exponentials, so for constant loads the response is one too, and needs no time stepping: before a wheel passes only the forced part exists, after
-it the system is carried on by a matrix exponential, with the modulation itself as two more states.
+$a$ is a sum of damped exponentials, so for constant loads the response is one too, and needs no
+time stepping: before a wheel passes only the forced part exists, after it the system is carried on
+by a matrix exponential, with the modulation itself as two more states.
 
 {{code: track/lumped.cpp state}}
 
 {{fig-05}}
 
-At 60 mph the two-layer track answers a truck almost statically. At 250 mph the inertia shows: the bed is still moving after the last wheel.
+At 60 mph the two-layer track answers a truck almost statically. At 250 mph the inertia shows: the
+bed is still moving after the last wheel.
 
 ### What the lumped mass gets wrong
 
-For one mass the response depends on three numbers, the speed ratio $\theta$, the damping $\zeta$ and the mass ratio $\mu=M\beta^2V_c^2/K_r$, which is 3/4 for the mass
-of (15). Its peak grows as $1+2\mu\theta^2$, that of the beam under a moving load as $1+\theta^2/2$. As (10) is read here, the mass (15) therefore makes the effect
-of inertia at a fixed point three times too large; $M=\rho/2\beta$, $\mu=1/4$, would be right in the limit of low speed.
+For one mass the response depends on three numbers, the speed ratio $\theta$, the damping $\zeta$
+and the mass ratio $\mu=M\beta^2V_c^2/K_r$, which is 3/4 for the mass of (15). Its peak grows as
+$1+2\mu\theta^2$, that of the beam under a moving load as $1+\theta^2/2$. As (10) is read here, the
+mass (15) therefore makes the effect of inertia at a fixed point three times too large;
+$M=\rho/2\beta$, $\mu=1/4$, would be right in the limit of low speed.
 
 {{trackside-peak}}
 */
@@ -118,35 +126,45 @@ For a lumped model the track needs a mass beside its spring. The paper's is
 
 $$M_r=\frac{3\rho}{2\beta}, \tag{15}$$
 
-where $\rho$ is the mass per length of rail, half the ties, and ballast. It has been "derived from the first natural frequency of a beam", says the paper, and that is
-right in the usual sense. Let the whole static shape $a$ move up and down; the beam's energies then give Rayleigh's estimate $\omega_R$ of the first natural
-frequency, and $K_r/\omega_R^2=\rho\int a^2dX=3\rho/2\beta$, since $\int a^2\,d(\beta X)=\frac32$ over the line. Rayleigh's estimate is an upper bound. The first
-natural frequency itself, where waves begin to travel, is $\sqrt{K/\rho}$; the estimate is $\sqrt{4/3}$ of it, {{too-high}} too high, and the mass that would give
-the frequency exactly is $2\rho/\beta$.
+where $\rho$ is the mass per length of rail, half the ties, and ballast. It has been "derived from
+the first natural frequency of a beam", says the paper, and that is right in the usual sense. Let
+the whole static shape $a$ move up and down; the beam's energies then give Rayleigh's estimate
+$\omega_R$ of the first natural frequency, and $K_r/\omega_R^2=\rho\int a^2dX=3\rho/2\beta$, since
+$\int a^2\,d(\beta X)=\frac32$ over the line. Rayleigh's estimate is an upper bound. The first
+natural frequency itself, where waves begin to travel, is $\sqrt{K/\rho}$; the estimate is
+$\sqrt{4/3}$ of it, {{too-high}} too high, and the mass that would give the frequency exactly is
+$2\rho/\beta$.
 
 {{masses}}
 
-Impact needs two masses, since ties and ballast cannot follow a wheel that hits a joint. The rail alone is (15) on the stiffness of pads and ties:
+Impact needs two masses, since ties and ballast cannot follow a wheel that hits a joint. The rail
+alone is (15) on the stiffness of pads and ties:
 
 $$M_{rail}=\frac{3\rho_r}{2\beta_o}, \tag{16}$$
 
 $$\beta_o=\left[\frac{k_{pad}k_{tie}}{l_t(k_{pad}+k_{tie})\,4EI}\right]^{1/4}. \tag{17}$$
 
-For the ballast that moves with a tie the paper has two rules of thumb. The first weighs a body of stone below the tie,
+For the ballast that moves with a tie the paper has two rules of thumb. The first weighs a body of
+stone below the tie,
 
 $$\rho_b=\frac{d_b\,w\,A_t\,C_m}{N\,l_t\,g\tan\alpha}, \tag{18}$$
 
-with the specific weight $d_b$ of the ballast, the tamped area $A_t$ of half a tie and an empirical $C_m$ of one or slightly more. The integer $N$ cannot be read in our
-copy: 6 is what a pyramid of depth $w/2\tan\alpha$ needs, 4 a wedge. The other rule, which carries the same number, uses the speed $V$ of shear waves, $\rho_b=0.28\,k_bA_t/(l_tV^2)$; $k_b$, the "effective" stiffness under half a tie, is read as $k_{bs}/2$. Half a tie and its ballast are
+with the specific weight $d_b$ of the ballast, the tamped area $A_t$ of half a tie and an empirical
+$C_m$ of one or slightly more. The integer $N$ cannot be read in our copy: 6 is what a pyramid of
+depth $w/2\tan\alpha$ needs, 4 a wedge. The other rule, which carries the same number, uses the
+speed $V$ of shear waves, $\rho_b=0.28\,k_bA_t/(l_tV^2)$; $k_b$, the "effective" stiffness under
+half a tie, is read as $k_{bs}/2$. Half a tie and its ballast are
 
 $$m_t=\frac3{2\beta}\left(\frac{W_{tie}}{2gl_t}+\rho_b\right). \tag{19}$$
 
-The first rule with $N=4$ gives {{mass-spread}} more $m_t$ than the second, and nothing in the paper says which is nearer.
+The first rule with $N=4$ gives {{mass-spread}} more $m_t$ than the second, and nothing in the paper
+says which is nearer.
 
 {{code: track/effective_mass.cpp ballast_mass_per_length}}
 
-Damping is taken as viscous, $C=2\zeta\sqrt{K_rM}$. The paper quotes $\zeta$ of 0.15 to 0.25 from tests on clean ballast and 0.40 to 1.00 from the theory of radiation into
-the half-space: a factor of seven, which {{fig-amplification}} makes visible.
+Damping is taken as viscous, $C=2\zeta\sqrt{K_rM}$. The paper quotes $\zeta$ of 0.15 to 0.25 from
+tests on clean ballast and 0.40 to 1.00 from the theory of radiation into the half-space: a factor
+of seven, which {{fig-amplification}} makes visible.
 */
 std::string both_units(double kilogram) {
   return fmt::format("{:.1f} lb ({:.1f} kg)", kilogram / units::pound, kilogram);

@@ -2,25 +2,35 @@
 # Analytical models of railroad track dynamics
 
 ::: findings
-1. How fast may a train run before the track's own waves matter? The paper puts the critical velocity of "the rail-tie-ballast type structure" at about 1100 mph, and
-   the error of ignoring it at less than 3 percent at 250 mph. With the mass of rail, tie and ballast we find {{v-ballast}} on our typical track, {{v-range}} as modulus,
-   rail, pad, tie and ballast are varied, and {{error-range}} at 250 mph; 1100 mph belongs to the rail alone. {{outcome:critical-speed/critical-speed-printed}}
-   At the 150 mph the paper was after it is {{error-150-range}}: a lumped track will do. {{outcome:critical-speed/conclusion}}
-2. How much stiffness does a joint cost? The paper says that as little as 25 percent is left, and so it is at a free joint. {{outcome:joint/free-joint-printed}} Its
-   formula (8) follows the free joint's curve within {{free-error-size}} of the full stiffness {{outcome:joint/eq8-free}}, but not that of a pinned joint too: with every
-   reading of the damaged line that we tried, it errs by {{eq8-range}} on one of the two. {{outcome:joint/eq8-pinned}}
-3. How much of the track moves with the wheel? The paper takes the mass (15) from the first natural frequency of a beam on a foundation. It follows from Rayleigh's
-   estimate of that frequency, which is {{too-high}} too high. {{outcome:masses/natural-frequency}}
+1. How fast may a train run before the track's own waves matter? The paper puts the critical
+   velocity of "the rail-tie-ballast type structure" at about 1100 mph, and what is lost by ignoring
+   it at less than 3 percent at 250 mph. With the mass of rail, tie and ballast we find
+   {{v-ballast}} on our typical track, and {{v-range}} as modulus, rail, pad, tie and ballast are
+   varied; at 250 mph {{error-range}} is lost. Near 1100 mph is what the rail alone gives.
+   {{outcome:critical-speed/critical-speed-printed}} At 150 mph, for which the paper wants to know
+   it, the loss is {{error-150-range}}, and a lumped track will do.
+   {{outcome:critical-speed/conclusion}}
+2. How much stiffness does a joint cost? The paper says that as little as 25 percent is left, and so
+   it is at a free joint. {{outcome:joint/free-joint-printed}} Its formula (8) follows the free
+   joint's curve within {{free-error-size}} of the full stiffness {{outcome:joint/eq8-free}}, but
+   not that of a pinned joint too: with every reading of the damaged line that we tried, it errs by
+   {{eq8-range}} of it on one of the two. {{outcome:joint/eq8-pinned}}
+3. How much of the track moves with the wheel? The paper takes the mass (15) from the first natural
+   frequency of a beam on a foundation. It follows from Rayleigh's estimate of that frequency, which
+   is {{too-high}} too high. {{outcome:masses/natural-frequency}}
 :::
 
-D. R. Ahlbeck, H. C. Meacham and R. H. Prause put a railroad track, a beam on a bed of stone, into a computer as a few springs, masses and
-dampers: how stiff it is under a wheel, what a joint does to that, how fast a wave can run along it, how much of it moves, and what a wheel
-does when it meets a low joint.
+D. R. Ahlbeck, H. C. Meacham and R. H. Prause put a railroad track, a beam on a bed of stone, into a
+computer as a few springs, masses and dampers: how stiff it is under a wheel, what a joint does to
+that, how fast a wave can run along it, how much of it moves, and what a wheel does when it meets a
+low joint.
 
-The paper prints few numbers, and the text that is available ends before its results. It gives formulas, ranges and claims. This chapter
-computes every claim that can be computed and says for what data it is true. Where data had to be chosen, the item says that it is rebuilt.
+The paper prints few numbers, and the text that is available ends before its results. It gives
+formulas, ranges and claims. This chapter computes every claim that can be computed and says for
+what data it is true. Where data had to be chosen, the item says that it is rebuilt.
 
-We have the paper as machine-read text (OCR), without its drawings. Where a figure here stands for one of the paper's, it was made from the words.
+We have the paper as machine-read text (OCR), without its drawings. Where a figure here stands for
+one of the paper's, it was made from the words.
 
 {{include: stiffness.cpp}}
 
@@ -40,41 +50,56 @@ We have the paper as machine-read text (OCR), without its drawings. Where a figu
 
 ## Deviations
 
-* **A critical velocity of about 1100 mph** {{outcome:critical-speed/critical-speed-printed}}: with the mass of rail, tie and ballast it is {{v-ballast}} on the typical
-  track and {{v-range}} as the track is varied. The rail alone has 1100 mph with $K$ = {{k-for-1100}}.
-* **Less than 3 percent at 250 mph** follows from 1100 mph {{outcome:critical-speed/error-at-250-printed}}, not from the mass of rail, tie and ballast
+* **A critical velocity of about 1100 mph** {{outcome:critical-speed/critical-speed-printed}}: with
+  the mass of rail, tie and ballast it is {{v-ballast}} on the typical track and {{v-range}} as the
+  track is varied. The rail alone has 1100 mph with $K$ = {{k-for-1100}}.
+* **Less than 3 percent at 250 mph** follows from 1100 mph
+  {{outcome:critical-speed/error-at-250-printed}}, not from the mass of rail, tie and ballast
   {{outcome:critical-speed/own-mass}}.
-* **Equation (8) for a pinned joint** {{outcome:joint/eq8-pinned}}: it misses the curve by up to {{hinge-error-size}} of $K_r$. That curve is not monotone, and every
-  formula of this form is.
+* **Equation (8) for a pinned joint** {{outcome:joint/eq8-pinned}}: it misses the curve by up to
+  {{hinge-error-size}} of $K_r$. That curve is not monotone, and every formula of this form is.
 
-Restored where our copy is damaged: $|X|$ for $X$ and the signs of (1), the brackets of (6) and (8), and the tie spacing in the second equation (18), where
-the copy has a broken letter just where $l_t$ must stand. Not recoverable from it: the integer $N$ in (18), the data behind "average" track and
-behind 1100 mph, equations (11) to (14), the axes of Figure 3, what Figure 5 shows, the curves of Figures 6 and 7, and all results after the section on geometry.
+Restored where our copy is damaged: $|X|$ for $X$ and the signs of (1), the brackets of (6) and (8),
+and the tie spacing in the second equation (18), where the copy has a broken letter just where $l_t$
+must stand. Not recoverable from it: the integer $N$ in (18), the data behind "average" track and
+behind 1100 mph, equations (11) to (14), the axes of Figure 3, what Figure 5 shows, the curves of
+Figures 6 and 7, and all results after the section on geometry.
 
 ## Limits
 
-The static model is a linear beam on linear springs that also pull. Under a wheel of 27.5 kip on the typical track the bed would have to pull with
-{{uplift-pull}} at most, while rail and half a tie weigh {{uplift-weight}}: ties lift a little. Shear of the rail is left out, and so is the coupling of the two rails
-through the tie. The pyramid of (6) is valid while those of neighbouring ties do not meet. The data of any real track are known to a few percent at best.
+The static model is a linear beam on linear springs that also pull. Under a wheel of 27.5 kip on the
+typical track the bed would have to pull with {{uplift-pull}} at most, while rail and half a tie
+weigh {{uplift-weight}}: ties lift a little. Shear of the rail is left out, and so is the coupling
+of the two rails through the tie. The pyramid of (6) is valid while those of neighbouring ties do
+not meet. The data of any real track are known to a few percent at best.
 
-In motion, the track below each wheel of {{fig-04}} has three degrees of freedom with the wheel. It has no resonance of the rail between ties (near 1 kHz, about the
-contact's own frequency) and no bending of ties; forces above some 500 Hz are those of the model and not of a track. Damping is viscous, while the paper itself calls
-the ballast's hysteretic. The paper's lateral model has no numbers and no equation, and is not treated.
+In motion, the track below each wheel of {{fig-04}} has three degrees of freedom with the wheel. It
+has no resonance of the rail between ties (near 1 kHz, about the contact's own frequency) and no
+bending of ties; forces above some 500 Hz are those of the model and not of a track. Damping is
+viscous, while the paper itself calls the ballast's hysteretic. The paper's lateral model has no
+numbers and no equation, and is not treated.
 
 ## Try next
 
-* `railbook track stiffness` with your own ties: how much softer must the soil get before a 136RE rail is worth less than 115RE?
-* Replace the Winkler bed by one with shear between the springs (Pasternak); the factor 2 of (4) then becomes a result.
+* `railbook track stiffness` with your own ties: how much softer must the soil get before a 136RE
+  rail is worth less than 115RE?
+* Replace the Winkler bed by one with shear between the springs (Pasternak); the factor 2 of (4)
+  then becomes a result.
 * Give {{fig-03}} a slack joint: a rotational spring that engages only after some degrees.
-* `railbook track joint` with half the bed's damping, or with `--rail-damping "70 kN*s/m"`: which of the four peaks notices?
-* Let the stiffness below the wheel follow equation (8) past the joint, the paper's other disturbance, in `ImpactSystem`.
+* `railbook track joint` with half the bed's damping, or with `--rail-damping "70 kN*s/m"`: which of
+  the four peaks notices?
+* Let the stiffness below the wheel follow equation (8) past the joint, the paper's other
+  disturbance, in `ImpactSystem`.
 
 ## Citations
 
-The copy names the authors at the head of one page, and neither title, book nor year; these are those by which later works cite it, and no catalogue entry or DOI was found. The list of references is not in
-the copy either. Not the paper's: H. H. Jenkins, J. E. Stephenson, G. A. Clayton, G. W. Morland and D. Lyon, *The effect of track and vehicle parameters on
-wheel/rail vertical dynamic forces*, *Railway Engineering Journal*, January 1974, pp. 2-16 (TRID 00054692), for the formulas of P1 and P2; M. Hetényi, *Beams on
-Elastic Foundation*, 1946, which the paper cites, and L. Frýba, *Dynamics of Railway Bridges*, 1996, for the spectrum of {{fig-06}} (both not looked up).
+The copy names the authors at the head of one page, and neither title, book nor year; these are
+those by which later works cite it, and no catalogue entry or DOI was found. The list of references
+is not in the copy either. Not the paper's: H. H. Jenkins, J. E. Stephenson, G. A. Clayton, G. W.
+Morland and D. Lyon, *The effect of track and vehicle parameters on wheel/rail vertical dynamic
+forces*, *Railway Engineering Journal*, January 1974, pp. 2-16 (TRID 00054692), for the formulas of
+P1 and P2; M. Hetényi, *Beams on Elastic Foundation*, 1946, which the paper cites, and L. Frýba,
+*Dynamics of Railway Bridges*, 1996, for the spectrum of {{fig-06}} (both not looked up).
 
 ## Coverage
 

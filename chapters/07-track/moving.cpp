@@ -1,24 +1,31 @@
 /***
 ## A load that runs along the rail
 
-The beam on its bed also carries waves, and a load that runs as fast as the slowest of them would outrun its own deflection. That speed is
+The beam on its bed also carries waves, and a load that runs as fast as the slowest of them would
+outrun its own deflection. That speed is
 
 $$V_c=\left(\frac{4EIK}{\rho^2}\right)^{1/4}, \tag{9}$$
 
-the smallest phase speed $\omega/k$ of $EIk^4+K=\rho\omega^2$. The paper puts it at about 1100 mph "using parameters for the rail-tie-ballast type structure" and
-concludes that less than 3 percent are ignored at 250 mph, so that a lumped track may travel below each wheel at 150 mph or less. It gives neither $K$ nor $\rho$,
-and the answer depends on what moves with the rail:
+the smallest phase speed $\omega/k$ of $EIk^4+K=\rho\omega^2$. The paper puts it at about 1100 mph
+"using parameters for the rail-tie-ballast type structure" and concludes that less than 3 percent
+are ignored at 250 mph, so that a lumped track may travel below each wheel at 150 mph or less. It
+gives neither $K$ nor $\rho$, and the answer depends on what moves with the rail:
 
 {{critical-speed}}
 
-With the rail's mass alone the typical track has {{v-rail}}, near the printed figure. But $\rho$ is the "track mass per unit length", and below (15) the mass "of tie,
-ballast and rail". With half a tie the speed is {{v-tie}}; with the ballast of (18) as well, {{v-ballast}}. That number rests on the modulus, the rail, the tie, the
-reading of (18) and the rule for the ballast, all of which we chose; as each is varied, the speed goes from {{v-range}}. At 250 mph {{error-range}} of the deflection is
-then ignored, and not less than 3 percent. On the typical track 1100 mph takes $K$ = {{k-for-1100-tie}} with half a tie and {{k-for-1100-ballast}} with ballast, or
-rail without tie and ballast.
+With the rail's mass alone the typical track has {{v-rail}}, near the printed figure. But $\rho$ is
+the "track mass per unit length", and below (15) the mass "of tie, ballast and rail". With half a
+tie the speed is {{v-tie}}; with the ballast of (18) as well, {{v-ballast}}. That number rests on
+the modulus, the rail, the tie, the reading of (18) and the rule for the ballast, all of which we
+chose; as each is varied, the speed goes from {{v-range}}. At 250 mph {{error-range}} of the
+deflection is then ignored, and not less than 3 percent. With half a tie 1100 mph takes $K$ =
+{{k-for-1100-tie}}, with the ballast as well {{k-for-1100-ballast}}, with the rail alone
+{{k-for-1100}}; maintained main lines have 1500 to 3000 psi.
 
-At 150 mph {{error-at-150-ballast}} of the deflection is ignored on the typical track ({{error-150-range}} as the same is varied). The paper does not say how much it would accept,
-but errors of this size are small beside what is not known of any track, and its conclusion stands without its number.
+At 150 mph {{error-at-150-ballast}} of the deflection is ignored on the typical track
+({{error-150-range}} as the same is varied). The paper does not say how much it would accept, but
+errors of this size are small beside what is not known of any track, and its conclusion stands
+without its number.
 
 ### The shape under the load
 
@@ -26,9 +33,12 @@ Seen from the load, in $s=\beta(X-Vt)$ and in units of $P\beta/2K$, the rail's s
 
 $$y''''+4\theta^2y''-8\zeta\theta y'+4y=8\,\delta(s),\qquad \theta=V/V_c,$$
 
-where $y$ is the deflection, $\delta$ a unit load at $s=0$ and $2\zeta\sqrt{K\rho}$ the damping of the bed per length. Without damping the deflection under the load is $1/\sqrt{1-\theta^2}$. With damping the textbook takes the four roots
-of $p^4+4\theta^2p^2-8\zeta\theta p+4=0$ and solves for four amplitudes. Both steps lose digits where two roots meet, as they do at $V_c$. The roots are not needed: the
-quartic splits into two real quadratics, $(p^2+ap+b)(p^2-ap+c)$, one ahead of the load and one behind, and $u=a^2$ is the one positive root of a convex cubic,
+where $y$ is the deflection, $\delta$ a unit load at $s=0$ and $2\zeta\sqrt{K\rho}$ the damping of
+the bed per length. Without damping the deflection under the load is $1/\sqrt{1-\theta^2}$. With
+damping the textbook takes the four roots of $p^4+4\theta^2p^2-8\zeta\theta p+4=0$ and solves for
+four amplitudes. Both steps lose digits where two roots meet, as they do at $V_c$. The roots are not
+needed: the quartic splits into two real quadratics, $(p^2+ap+b)(p^2-ap+c)$, one ahead of the load
+and one behind, and $u=a^2$ is the one positive root of a convex cubic,
 
 $$u^3+8\theta^2u^2+16(\theta^4-1)u-64\zeta^2\theta^2=0.$$
 
@@ -36,14 +46,17 @@ $$u^3+8\theta^2u^2+16(\theta^4-1)u-64\zeta^2\theta^2=0.$$
 
 {{fig-moving}}
 
-Below $V_c$ the dent is symmetric without damping and leans back with it. Above $V_c$ it falls behind, and short waves run ahead, long ones behind. Steady finite
-elements in the moving frame, which share nothing with the closed form but the differential equation, are drawn as points.
+Below $V_c$ the dent is symmetric without damping and leans back with it. Above $V_c$ it falls
+behind, and short waves run ahead, long ones behind. Steady finite elements in the moving frame,
+which share nothing with the closed form but the differential equation, are drawn as points.
 
 {{fig-amplification}}
 
-At a quarter of $V_c$ the rail goes {{quarter}} deeper. With the paper's 15 to 25 percent of material damping the deflection at the worst speed is {{most-015}} to
-{{most-025}} times the static one; with 40 percent, the low end of its range for radiation, {{most-040}} times; with 100 percent it is largest at rest. The marks show
-where 150 and 250 mph lie on this scale if $V_c$ is the paper's 1100 mph, and if it is that of the typical track.
+At a quarter of $V_c$ the rail goes {{quarter}} deeper. With the paper's 15 to 25 percent of
+material damping the deflection at the worst speed is {{most-015}} to {{most-025}} times the static
+one; with 40 percent, the low end of its range for radiation, {{most-040}} times; with 100 percent
+it is largest at rest. The marks show where 150 and 250 mph lie on this scale if $V_c$ is the
+paper's 1100 mph, and if it is that of the typical track.
 */
 #include "track/moving_load.hpp"
 

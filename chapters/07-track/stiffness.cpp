@@ -1,20 +1,23 @@
 /***
 ## A rail is a beam on a bed of springs
 
-The rail is an infinite beam of bending stiffness $EI$, and the ties below it are smeared into a bed of springs of stiffness $K$ per length,
-the *foundation modulus* of one rail. Under a wheel load $P$ the deflection is
+The rail is an infinite beam of bending stiffness $EI$, and the ties below it are smeared into a bed
+of springs of stiffness $K$ per length, the *foundation modulus* of one rail. Under a wheel load $P$
+the deflection is
 
 $$y(X)=\frac{P\beta}{2K}\,a(X),\qquad a(X)=e^{-\beta|X|}(\cos\beta X+\sin\beta|X|),\qquad
   \beta=\left(\frac{K}{4EI}\right)^{1/4}. \tag{1}$$
 
-One length, $1/\beta$, governs everything: how far a wheel is felt, how much two wheels of a truck share, how far a joint reaches.
+One length, $1/\beta$, governs everything: how far a wheel is felt, how much two wheels of a truck
+share, how far a joint reaches.
 
 {{code: track/beam_on_foundation.cpp winkler_shapes}}
 
 {{fig-01}}
 
-The squares are the Fourier integral $\frac{P}{\pi}\int_0^\infty\frac{\cos kX}{EIk^4+K}\,dk$, which shares no formula with (1). The rail lifts
-between $\beta X=3\pi/4$ and $7\pi/4$, most at $\beta X=\pi$, by {{uplift}} of the deflection under the load.
+The squares are the Fourier integral $\frac{P}{\pi}\int_0^\infty\frac{\cos kX}{EIk^4+K}\,dk$, which
+shares no formula with (1). The rail lifts between $\beta X=3\pi/4$ and $7\pi/4$, most at
+$\beta X=\pi$, by {{uplift}} of the deflection under the load.
 
 The stiffness that a wheel feels is
 
@@ -24,15 +27,18 @@ It goes with $K^{3/4}$ and only with $EI^{1/4}$: the ground matters far more tha
 
 {{continuous}}
 
-For an "average" main line the text puts the point of zero deflection "roughly ten feet" from the wheel. With 132RE rail it is ten
-feet for $K$ = {{k-ten-feet}}, and the typical track of this chapter was chosen to meet that. The text later lets the effect of a
-joint disappear beyond $\beta X=2$, "or roughly 10 feet for average track", which is {{reach-ratio}} of the distance to zero
-deflection. Both are "roughly" ten feet on one track: with $K$ = {{k-both}} they are {{reach-both}} and {{zero-both}}.
+For an "average" main line the text puts the point of zero deflection "roughly ten feet" from the
+wheel. With 132RE rail it is ten feet for $K$ = {{k-ten-feet}}, and the typical track of this
+chapter was chosen to meet that. The text later lets the effect of a joint disappear beyond
+$\beta X=2$, "or roughly 10 feet for average track", which is {{reach-ratio}} of the distance to
+zero deflection. Both are "roughly" ten feet on one track: with $K$ = {{k-both}} they are
+{{reach-both}} and {{zero-both}}.
 
-The deflection is linear in the loads. A second wheel at a distance $l$ with the same load therefore adds the fraction $a(l)$ to the
-deflection under the first, whose stiffness falls to $K_r/(1+a(l))$: {{share-66}} of $K_r$ in a truck of 66 inches, {{share-108}} in one of
-108 inches. Discrete ties change $K_r$ by {{worst-tie}} at most on the four rails and the tie spacings of 19.5 to 24 inches that were in
-use, so they are not why theory and experiment agree only "more or less".
+The deflection is linear in the loads. A second wheel at a distance $l$ with the same load therefore
+adds the fraction $a(l)$ to the deflection under the first, whose stiffness falls to $K_r/(1+a(l))$:
+{{share-66}} of $K_r$ in a truck of 66 inches, {{share-108}} in one of 108 inches. Discrete ties
+change $K_r$ by {{worst-tie}} at most on the four rails and the tie spacings of 19.5 to 24 inches
+that were in use, so they are not why theory and experiment agree only "more or less".
 */
 #include <fmt/format.h>
 

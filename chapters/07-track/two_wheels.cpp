@@ -1,16 +1,20 @@
 /***
 ### Two wheels of a truck
 
-A wheel on the same rail adds to the rail's deflection, and it does so while everything moves. On the beam of (1) with a mass $\rho$ per length and a damping $c$ of its
-bed, a load at the circular frequency $\omega$ moves the rail at a distance $l$ by a fraction of what it does at the load. That fraction is the modulus of $a(l)$, with
-$\beta$ made of $K-\rho\omega^2+ic\omega$ in place of $K$. This beam has neither wheels nor lumps, and it shows that the paper's coupling is there, in motion more
-than at rest:
+A wheel on the same rail adds to the rail's deflection, and it does so while everything moves. On
+the beam of (1) with a mass $\rho$ per length and a damping $c$ of its bed, a load at the circular
+frequency $\omega$ moves the rail at a distance $l$ by a fraction of what it does at the load. That
+fraction is the modulus of $a(l)$, with $\beta$ made of $K-\rho\omega^2+ic\omega$ in place of $K$.
+This beam has neither wheels nor lumps, and it shows that the paper's coupling is there, in motion
+more than at rest:
 
 {{two-wheels}}
 
-In the lumped model the coupling is that at rest: the force of each wheel acts on its own rail mass, and $a(l)$ of it on that of the other. In a truck of 70 inches
-at 60 mph over a dip of 0.5 in, the blow to the leading wheel then moves the rail below the trailing wheel by up to {{neighbour-rail}}. The trailing wheel hardly acts
-back: P1 and P2 of the leading wheel, defined above, change by {{neighbour-p1}} and {{neighbour-p2}}. For these two peaks one wheel is enough.
+In the lumped model the coupling is that at rest: the force of each wheel acts on its own rail mass,
+and $a(l)$ of it on that of the other. In a truck of 70 inches at 60 mph over a dip of 0.5 in, the
+blow to the leading wheel then moves the rail below the trailing wheel by up to {{neighbour-rail}}.
+The trailing wheel hardly acts back: P1 and P2 of the leading wheel, defined above, change by
+{{neighbour-p1}} and {{neighbour-p2}}. For these two peaks one wheel is enough.
 */
 #include <fmt/format.h>
 

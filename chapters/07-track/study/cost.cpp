@@ -1,9 +1,13 @@
 /***
-**Which method gives the deflection under a moving load?** At $\theta$ = 0.5, $\zeta$ = 0.2. {{moving-answer}} The quadratic factors of the first page are the library's answer; at $V_c$ the
-four roots and residues of the textbook lose half of their digits (*critical*, below). The steady finite elements converge with the fourth power of the element; the
-condition of their system grows as fast, so it is solved with twice a double's digits. A run in time must wait for its transient and step along the whole way; Richardson's
-extrapolation in step and element takes both errors down. The lumped model keeps its modelling error, {{lumped-error}}. The reference is the Fourier integral
-$\frac8\pi\,\mathrm{Re}\int_0^\infty\frac{dk}{k^4-4\theta^2k^2-8i\zeta\theta k+4}$ in 80-bit arithmetic, which shares nothing with any of them but the differential equation.
+**Which method gives the deflection under a moving load?** At $\theta$ = 0.5, $\zeta$ = 0.2.
+{{moving-answer}} The quadratic factors of the first page are the library's answer; at $V_c$ the
+four roots and residues of the textbook lose half of their digits (*critical*, below). The steady
+finite elements converge with the fourth power of the element; the condition of their system grows
+as fast, so it is solved with twice a double's digits. A run in time must wait for its transient and
+step along the whole way; Richardson's extrapolation in step and element takes both errors down. The
+lumped model keeps its modelling error, {{lumped-error}}. The reference is the Fourier integral
+$\frac8\pi\,\mathrm{Re}\int_0^\infty\frac{dk}{k^4-4\theta^2k^2-8i\zeta\theta k+4}$ in 80-bit
+arithmetic, which shares nothing with any of them but the differential equation.
 
 {{cost-moving}}
 

@@ -3,10 +3,13 @@
 
 {{digits}}
 
-**Is the error that a passage states the true one?** Passages at random: speed 20 to 150 mph, dip 0.05 to 1 in, masses and stiffnesses within a factor of three of the typical
-ones, the rail's mass down to a hundredth, damping 0.02 to 0.5 of critical, tolerance 10⁻⁷ to 10⁻³. Stated is 1.1 times the largest change of a peak when the tolerance is a hundredth;
-that second run makes the answer cost {{check-cost}} as many evaluations as the first alone. True is the error of P1 and P2 against GSL's integrator of order 8 at a thousandth of the
-tolerance, with the peaks located on its own motion; it shares the right-hand side with the library's. {{covered}} lie within the statement.
+**Is the error that a passage states the true one?** Passages at random: speed 20 to 150 mph, dip
+0.05 to 1 in, masses and stiffnesses within a factor of three of the typical ones, the rail's mass
+down to a hundredth, damping 0.02 to 0.5 of critical, tolerance 10⁻⁷ to 10⁻³. Stated is 1.1 times
+the largest change of a peak when the tolerance is a hundredth; that second run makes the answer
+cost {{check-cost}} as many evaluations as the first alone. True is the error of P1 and P2 against
+GSL's integrator of order 8 at a thousandth of the tolerance, with the peaks located on its own
+motion; it shares the right-hand side with the library's. {{covered}} lie within the statement.
 
 {{estimates}}
 */

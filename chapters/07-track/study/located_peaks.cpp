@@ -1,3 +1,8 @@
+/***
+The reference is another of GSL's integrators, the extrapolation method of Bader and Deuflhard, at
+its tightest, with both peaks located on its own motion. With the methods it judges it shares the
+right-hand side of the equations and, roughly, when the peaks are.
+*/
 #include "located_peaks.hpp"
 
 #include <array>
