@@ -1,35 +1,38 @@
 /*** ## Example 1: a contact that Hertz can check
 
-Wheel and rail meet where all four radii are uniform, so the exact answer is an ellipse. Across the rail, the concave tread of the wheel embraces the
-crown; along the rail the wheel rolls:
+Wheel and rail meet where all four radii are uniform, so the exact answer is an ellipse. Across the
+rail, the concave tread of the wheel embraces the crown; along the rail the wheel rolls:
 
 $$f(x,y)=\frac{x^2}{2}\left(\frac{1}{R_r}-\frac{1}{R_t}\right)+\frac{y^2}{2R_w}.$$
 
 {{fig-06}}
 
-The paper gives the approach, $\delta=.0004$ in, and the radii in a drawing only. Its lettering reads "R*18" in our
-text, the wheel's radius $R_w$ of 18 in, and "R=J2.34", the radius $R_t$ of the hollow tread, which we read as 12.34 in.
-The radius of the rail's crown, $R_r=10$ in, stands in the text of Example 2.
+The paper gives the approach, $\delta=.0004$ in, and the radii in a drawing only. Its lettering
+reads "R*18" in our text, the wheel's radius $R_w$ of 18 in, and "R=J2.34", the radius $R_t$ of the
+hollow tread, which we read as 12.34 in. The radius of the rail's crown, $R_r=10$ in, stands in the
+text of Example 2.
 
-The paper's Table 2 has four quantities: the force $F$, the peak pressure $p_0$, and the semi-axes of the contact, $a$
-across the rail and $b$ along it. It gives each by Hertz and by COUNTACT-2, with the error in per cent. The column of
-COUNTACT depends on its mesh; here it has nine columns, as in the paper's Figure 2, and nine rows.
+The paper's Table 2 has four quantities: the force $F$, the peak pressure $p_0$, and the semi-axes
+of the contact, $a$ across the rail and $b$ along it. It gives each by Hertz and by COUNTACT-2, with
+the error in per cent. The column of COUNTACT depends on its mesh; here it has nine columns, as in
+the paper's Figure 2, and nine rows.
 
 {{table-2}}
 
 {{code: contact/hertz.cpp unit_contact}}
 
-The paper says that patch and pressure are ellipsoidal, without a number. Here each cell's pressure is within
-{{off-ellipsoid}} of the peak of Hertz's.
+The paper says that patch and pressure are ellipsoidal, without a number. Here each cell's pressure
+is within {{off-ellipsoid}} of the peak of Hertz's.
 
 ### What the printed ellipse says about the geometry
 
-Hertz's semi-axes and the approach are tied by $a^2=\delta D/(KA)$ and $b^2=\delta B_e/(KB)$. Here $A$ and $B$ are the
-two factors of $x^2$ and $y^2$ in the gap, and the complete elliptic integral $K$ and its two parts, $K=B_e+D$, depend on
-$b/a$ alone. So the printed $a$, $b$ and $\delta$ give both curvatures back, without the load or the elastic constants.
-The wheel comes out at {{fitted-wheel}}, next to the drawn 18. The tread comes out at {{fitted-tread}}. It is the sensitive
-number, because its curvature nearly cancels that of the crown: {{tread-per-percent}} more of it moves $a$ by a whole per
-cent.
+Hertz's semi-axes and the approach are tied by $a^2=\delta D/(KA)$ and $b^2=\delta B_e/(KB)$. Here
+$A$ and $B$ are the two factors of $x^2$ and $y^2$ in the gap, and the complete elliptic integral
+$K$ and its two parts, $K=B_e+D$, depend on $b/a$ alone. So the printed $a$, $b$ and $\delta$ give
+both curvatures back, without the load or the elastic constants. The wheel comes out at
+{{fitted-wheel}}, next to the drawn 18. The tread comes out at {{fitted-tread}}. It is the sensitive
+number, because its curvature nearly cancels that of the crown: {{tread-per-percent}} more of it
+moves $a$ by a whole per cent.
 */
 #include <fmt/format.h>
 
@@ -63,25 +66,27 @@ Shape shape_of(double a, double b, double delta) {
 }
 
 /***
-The load of Hertz's column is not quite that of its own ellipse: $\tfrac23\pi ab\,p_0$ of the same column is
-{{printed-load}}, with the rounding of its factors {{printed-load-range}}. A table of Hertz's coefficients with three
-digits may explain the difference of {{printed-load-off}}. So would a single misread digit of our text: {{misread}}.
-{{outcome:table-2/own-load}}
+The load of Hertz's column is not quite that of its own ellipse: $\tfrac23\pi ab\,p_0$ of the same
+column is {{printed-load}}, with the rounding of its factors {{printed-load-range}}. A table of
+Hertz's coefficients with three digits may explain the difference of {{printed-load-off}}. So would
+a single misread digit of our text: {{misread}}. {{outcome:table-2/own-load}}
 
 ### Which tread did the program have?
 
-Each printed number that depends on the tread asks for one of its own. The force and the moment of Example 2 are computed
-without a mesh of columns. COUNTACT's column of Table 2 depends on rows and moves of the boundary that the paper does not
-print, so eight meshes of 7 to 11 columns and 7 to 17 rows compete, once with free and once with inward moves only, and
-the closest is shown:
+Each printed number that depends on the tread asks for one of its own. The force and the moment of
+Example 2 are computed without a mesh of columns. COUNTACT's column of Table 2 depends on rows and
+moves of the boundary that the paper does not print, so eight meshes of 7 to 11 columns and 7 to 17
+rows compete, once with free and once with inward moves only, and the closest is shown:
 
 {{treads}}
 
-The numbers do not agree on one tread. The force of Example 2 asks for {{force-tread}}, Hertz's column for
-{{fitted-tread}}, the moment of Example 2 for {{moment-tread}}, and COUNTACT's column for about {{column-tread}}. The mesh of
-the paper's program may explain a part of this: on ten graded columns the force comes out {{coarse-force}} too high, and
-then the printed one asks for {{coarse-tread}}. All lie within {{treads-off}} of the drawn 12.34 in, which is used from here
-on; 12.28 in would meet the three numbers without a mesh better. This uncertainty of the tread is why forces agree to 1 % and no better.
+The numbers do not agree on one tread. The force of Example 2 asks for {{force-tread}}, Hertz's
+column for {{fitted-tread}}, the moment of Example 2 for {{moment-tread}}, and COUNTACT's column for
+about {{column-tread}}. The mesh of the paper's program may explain a part of this: on ten graded
+columns the force comes out {{coarse-force}} too high, and then the printed one asks for
+{{coarse-tread}}. All lie within {{treads-off}} of the drawn 12.34 in, which is used from here on;
+12.28 in would meet the three numbers without a mesh better. This uncertainty of the tread is why
+forces agree to 1 % and no better.
 */
 
 constexpr std::array<const char*, 4> keys{"F", "p0", "a", "b"};
@@ -128,7 +133,8 @@ double coarse_force(double tread) {
   return countact_1(on_the_jump(tread), delta_2, modulus, {graded_columns(6, 4), 9}).contact.force;
 }
 
-// The largest difference between the cells' pressures and Hertz's ellipsoid, as a share of its peak.
+// The largest difference between the cells' pressures and Hertz's ellipsoid, as a share of its
+// peak.
 double off_ellipsoid(const NormalContact& c, const HertzContact& h) {
   double worst = 0;
   for (Eigen::Index i = 0; i < c.x.size(); ++i)
@@ -166,7 +172,8 @@ std::vector<std::string> misread(const std::string& text) {
   return all;
 }
 
-// The readings of a, b or p0 of Hertz's column that differ in one digit, follow the printed % error, and make the
+// The readings of a, b or p0 of Hertz's column that differ in one digit, follow the printed %
+// error, and make the
 // column one contact.
 std::vector<std::string> readings(const table::CsvTable& printed) {
   const auto text = [&](const char* key, const char* column) { return printed.at(key, column); };
@@ -357,22 +364,23 @@ void treads(report::Item& item) {
 /***
 ### How the region is found
 
-The paper's Figure 7 is to show the mesh shrinking from the interpenetration curve to the contact, with "rapid convergence
-of the solution". Here each step more than halves the error of the force; after four steps it is below the error that the
-mesh leaves.
+The paper's Figure 7 is to show the mesh shrinking from the interpenetration curve to the contact,
+with "rapid convergence of the solution". Here each step more than halves the error of the force;
+after four steps it is below the error that the mesh leaves.
 
 {{fig-07}}
 
-"The new candidate contact boundary will be inside the old one", says the paper. As long as the candidate region encloses
-the contact, this is what happens on every mesh. But the mesh locates the edge to about a per cent, so the boundary can
-come to lie inside the true one; if the moves are free, outward ones of up to {{outward}} of the half width then bring it
-back. All of them start at {{outward-from}} of Hertz's ellipse.
+"The new candidate contact boundary will be inside the old one", says the paper. As long as the
+candidate region encloses the contact, this is what happens on every mesh. But the mesh locates the
+edge to about a per cent, so the boundary can come to lie inside the true one; if the moves are
+free, outward ones of up to {{outward}} of the half width then bring it back. All of them start at
+{{outward-from}} of Hertz's ellipse.
 
 {{moves}}
 
-As a rule of the program, the sentence costs little. If the boundary may only move inward, the iteration converges as well,
-to a contact {{inward-short}} shorter than Hertz's, against {{free-short}} with free moves; the force is the same to
-{{inward-force}}.
+As a rule of the program, the sentence costs little. If the boundary may only move inward, the
+iteration converges as well, to a contact {{inward-short}} shorter than Hertz's, against
+{{free-short}} with free moves; the force is the same to {{inward-force}}.
 
 The paper's run took 5.7 s on an IBM 370/168 and cost $2.83 with compilation.
 */

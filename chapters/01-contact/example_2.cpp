@@ -1,29 +1,33 @@
 /*** ## Example 2: where the rail's radius jumps
 
-Now the wheel stands where the crown of 10 in meets the corner of 1¼ in. The gap is quadratic on either side of $x=0$, with another curvature, and there is no closed form:
+Now the wheel stands where the crown of 10 in meets the corner of 1¼ in. The gap is quadratic on
+either side of $x=0$, with another curvature, and there is no closed form:
 
 $$f(x,y)=\frac{y^2}{2R_w}+\frac{x^2}{2}\left(\frac{1}{R_r(x)}-\frac{1}{R_t}\right),\qquad R_r=10\text{ in for }x<0,\quad 1.25\text{ in for }x>0.$$
 
 {{fig-08}}
 
-The contact is long on the flat side and short on the sharp one: {{x-left}} against {{x-right}}. Equal columns over the
-whole diameter put one or two of nine on the short side, where the pressure is highest. The iteration then cannot find the
-end, and says so. The paper's footnote has the remedy: two column widths on each side of the origin, the finer near the
-edges. An edge of the mesh then lies on the jump itself, where the slope of the pressure is infinite. Here the width
-shrinks smoothly, towards the jump as well: with two widths and ten columns a wide column meets a narrow one right at the
-jump, and the peak comes out {{two-widths-peak}} too high.
+The contact is long on the flat side and short on the sharp one: {{x-left}} against {{x-right}}.
+Equal columns over the whole diameter put one or two of nine on the short side, where the pressure
+is highest. The iteration then cannot find the end, and says so. The paper's footnote has the
+remedy: two column widths on each side of the origin, the finer near the edges. An edge of the mesh
+then lies on the jump itself, where the slope of the pressure is infinite. Here the width shrinks
+smoothly, towards the jump as well: with two widths and ten columns a wide column meets a narrow one
+right at the jump, and the peak comes out {{two-widths-peak}} too high.
 
 ### Force and moment
 
-The paper prints the force $F$ and the moment $M=\int xp\,dA$. The moment is negative: the load sits on the flat side
-though the peak is on the sharp one. The last column of the table has a coned wheel, whose tread is straight.
+The paper prints the force $F$ and the moment $M=\int xp\,dA$. The moment is negative: the load sits
+on the flat side though the peak is on the sharp one. The last column of the table has a coned
+wheel, whose tread is straight.
 
 {{example-2}}
 
-COUNTACT-1 and conjugate gradients on {{grid-2}} cells agree to {{methods-agree}}, and the second method states an error of
-{{grid-error}} in $F$. The difference to print is larger: {{off-f}} in $F$ and {{off-m}} in $M$ with a tread of 12.34 in. It
-belongs to the tread, a damaged number, and to the paper's mesh: a tread of {{force-tread}} gives the printed force, one of
-{{moment-tread}} the printed moment. Our text does not say that the tread is hollow. A coned wheel would be the natural
+COUNTACT-1 and conjugate gradients on {{grid-2}} cells agree to {{methods-agree}}, and the second
+method states an error of {{grid-error}} in $F$. The difference to print is larger: {{off-f}} in $F$
+and {{off-m}} in $M$ with a tread of 12.34 in. It belongs to the tread, a damaged number, and to the
+paper's mesh: a tread of {{force-tread}} gives the printed force, one of {{moment-tread}} the
+printed moment. Our text does not say that the tread is hollow. A coned wheel would be the natural
 guess, but its force is {{cone-off}} too low.
 
 {{code: contact/bounded_cg.cpp solve_bounded_cg}}
@@ -49,7 +53,8 @@ const NormalContact& jump_by_columns() {
   return result;
 }
 
-// The independent method: a uniform grid, extrapolated over three. An odd number of cells puts a row on the axis.
+// The independent method: a uniform grid, extrapolated over three. An odd number of cells puts a
+// row on the axis.
 constexpr int grid_cells = 401;
 constexpr const char* grid_method = "CG-FFT, 401 x 401";
 
@@ -129,14 +134,16 @@ void force_and_moment(report::Item& item) {
 
 {{fig-09}}
 
-Below {{fig-09}} the wheel can be moved across the rail at the same approach: from the crown, where the contact is an ellipse, over the jump of the radius into the corner.
+Below {{fig-09}} the wheel can be moved across the rail at the same approach: from the crown, where
+the contact is an ellipse, over the jump of the radius into the corner.
 
-The figure shows the pressure along the axis of symmetry. Without the corner it would be Hertz's ellipse on the flat side.
-The corner falls away from the wheel and carries less, so the pressure beside it rises steeply, to {{peak}} at $x$ =
-{{x-peak}}, and falls to zero within {{fall}}. At the jump the pressure is continuous, but its slope is infinite, like that
-of $x\ln x$; there the column of COUNTACT-1 next to the jump differs from the grid. {{fig-10}} shows the patch with the last
-mesh. {{scene}} shows the same result in space: columns as high as the pressure on one half, their mesh on the other, and
-the interpenetration curve around.
+The figure shows the pressure along the axis of symmetry. Without the corner it would be Hertz's
+ellipse on the flat side. The corner falls away from the wheel and carries less, so the pressure
+beside it rises steeply, to {{peak}} at $x$ = {{x-peak}}, and falls to zero within {{fall}}. At the
+jump the pressure is continuous, but its slope is infinite, like that of $x\ln x$; there the column
+of COUNTACT-1 next to the jump differs from the grid. {{fig-10}} shows the patch with the last mesh.
+{{scene}} shows the same result in space: columns as high as the pressure on one half, their mesh on
+the other, and the interpenetration curve around.
 
 {{fig-10}}
 

@@ -1,19 +1,21 @@
 /*** ## Example 3: a crowned roller
 
-A long cylinder lies on another with a parallel axis. Were its ends cut off square, the pressure would be infinite along
-the edges. So the ends are crowned: beyond a flat middle part the generator bends away with a large radius, 85 in. How much
-does the crown help?
+A long cylinder lies on another with a parallel axis. Were its ends cut off square, the pressure
+would be infinite along the edges. So the ends are crowned: beyond a flat middle part the generator
+bends away with a large radius, 85 in. How much does the crown help?
 
 {{fig-11}}
 
-The text gives the crown radius $R_c$ and the approach, $\delta=.00065$ in. The other dimensions stand in a drawing that we
-do not have. We take two cylinders of 1 in radius, that is a relative radius of $R=.5$ in, and a flat part of $2L=1$ in:
+The text gives the crown radius $R_c$ and the approach, $\delta=.00065$ in. The other dimensions
+stand in a drawing that we do not have. We take two cylinders of 1 in radius, that is a relative
+radius of $R=.5$ in, and a flat part of $2L=1$ in:
 
 $$f(x,y)=\frac{y^2}{2R}+\frac{\max(|x|-L,\,0)^2}{2R_c}.$$
 
-So the numbers of this example are not the paper's, and only its claims can be tested. The patch is {{slenderness}} times as
-long as it is wide, with cells as slender. The paper says that the method "can handle problems with extremely large radii";
-here COUNTACT's force and peak agree with those of the grid within {{worst-off}}.
+So the numbers of this example are not the paper's, and only its claims can be tested. The patch is
+{{slenderness}} times as long as it is wide, with cells as slender. The paper says that the method
+"can handle problems with extremely large radii"; here COUNTACT's force and peak agree with those of
+the grid within {{worst-off}}.
 */
 #include <fmt/format.h>
 
@@ -69,22 +71,27 @@ void fig_11(report::Item& item) {
 /***
 {{fig-12}}
 
-The pressure is nearly even over the flat part. Just beyond its end, at $|x|$ = {{peak-place}}, it rises to {{peak-ratio}}
-times its value at the centre, and then it falls to zero as on any smooth body. Whether {{peak-percent}} is what the paper
-calls negligible cannot be tested: the dimensions of its rollers are missing, and the word has no number. The slope of the
-gap is continuous at the end of the flat, but its curvature jumps from zero to $1/R_c$. Under a jump of curvature the slope
-of the pressure is logarithmically infinite: the peak is a rounded shoulder with a steep inner flank.
+The pressure is nearly even over the flat part. Just beyond its end, at $|x|$ = {{peak-place}}, it
+rises to {{peak-ratio}} times its value at the centre, and then it falls to zero as on any smooth
+body. Whether {{peak-percent}} is what the paper calls negligible cannot be tested: the dimensions
+of its rollers are missing, and the word has no number. The slope of the gap is continuous at the
+end of the flat, but its curvature jumps from zero to $1/R_c$. Under a jump of curvature the slope
+of the pressure is logarithmically infinite: the peak is a rounded shoulder with a steep inner
+flank.
 
-With square ends the peak has no value. If the pressure of the last cell rises as $h^{-n}$ with the cell size $h$, an infinite
-pressure at a square edge has $n=1/2$ and a finite one $n=0$. From grid to grid, each twice as fine along the axis, we find
-$n$ = {{sharp-rates}}. The force is smaller than with the crown, because the patch is shorter.
+With square ends the peak has no value. If the pressure of the last cell rises as $h^{-n}$ with the
+cell size $h$, an infinite pressure at a square edge has $n=1/2$ and a finite one $n=0$. From grid
+to grid, each twice as fine along the axis, we find $n$ = {{sharp-rates}}. The force is smaller than
+with the crown, because the patch is shorter.
 
 {{fig-13}}
 
-The mesh is the last of COUNTACT, its height magnified; the line around it is the edge found on the grid.
+The mesh is the last of COUNTACT, its height magnified; the line around it is the edge found on the
+grid.
 */
 
-// The exponents n of the pressure h^-n at a square end, each from two grids of which one is twice as fine along the axis.
+// The exponents n of the pressure h^-n at a square end, each from two grids of which one is twice
+// as fine along the axis.
 std::vector<double> square_end_rates() {
   std::vector<double> rates;
   double pressure = 0, width = 0;

@@ -1,18 +1,21 @@
 /*** ## Example 4: a flat punch with a rounded edge
 
-The last example is to show the "great resolving power" of the method: a circular stamp, flat in the middle and rounded at the edge, whose pressure climbs eightfold within a
-hundredth of an inch. The program COUNTAXI cuts the disc of contact into rings. The coefficient of a ring is the difference of two discs, and a disc of uniform pressure has
-complete elliptic integrals in its displacement, inside and outside:
+The last example is to show the "great resolving power" of the method: a circular stamp, flat in the
+middle and rounded at the edge, whose pressure climbs eightfold within a hundredth of an inch. The
+program COUNTAXI cuts the disc of contact into rings. The coefficient of a ring is the difference of
+two discs, and a disc of uniform pressure has complete elliptic integrals in its displacement,
+inside and outside:
 
 $$\int_{r'<c}\frac{dA'}{|r-r'|}=4cE\!\left(\frac rc\right)\ (r<c),\qquad 4r\left[E\!\left(\frac cr\right)-\left(1-\frac{c^2}{r^2}\right)K\!\left(\frac cr\right)\right]\ (r>c).$$
 
 {{code: contact/influence.cpp disc_influence}}
 
-Our text has the approach, $\delta=.001$ in, and not the drawing with the dimensions. We take a flat of radius $b=.5$ in and
-an edge of radius $R=1$ in. This example can be checked better than any other: the pressure under any axisymmetric profile
-is an integral of Abel's type (Sneddon 1965). Let $a$ be the radius of the contact, $s^2=a^2-b^2$ and
-$L=s-b\arctan(s/b)$. In the following form all terms are positive, so that no digits cancel, from the sphere ($b=0$) to the
-nearly sharp punch ($R\to0$):
+Our text has the approach, $\delta=.001$ in, and not the drawing with the dimensions. We take a flat
+of radius $b=.5$ in and an edge of radius $R=1$ in. This example can be checked better than any
+other: the pressure under any axisymmetric profile is an integral of Abel's type (Sneddon 1965). Let
+$a$ be the radius of the contact, $s^2=a^2-b^2$ and $L=s-b\arctan(s/b)$. In the following form all
+terms are positive, so that no digits cancel, from the sphere ($b=0$) to the nearly sharp punch
+($R\to0$):
 
 $$\delta=\frac{aL}{R},\qquad F=E^*\left(a\delta+\frac{s^3}{3R}\right),\qquad p(r)=\frac{E^*}{\pi R}\int_{\max(r,b)}^{a}\frac{s_t+L_t}{\sqrt{t^2-r^2}}\,dt,$$
 
@@ -24,8 +27,8 @@ Sixty rings, finer towards the edge, give the load and the peak:
 
 {{example-4}}
 
-The peak is {{ratio}} times the pressure in the middle. It lies {{beyond}} outside the flat, in a contact that reaches only
-{{reach}} beyond it, so the rings must be narrow there.
+The peak is {{ratio}} times the pressure in the middle. It lies {{beyond}} outside the flat, in a
+contact that reaches only {{reach}} beyond it, so the rings must be narrow there.
 */
 #include <fmt/format.h>
 

@@ -1,33 +1,36 @@
 /*** ## The problem
 
-Two bodies touch at a point O. Let $x$ run along the wheel's axis, $y$ along the rail, and $z_1$, $z_2$ into the
-two bodies. The gap between the undeformed surfaces is
+Two bodies touch at a point O. Let $x$ run along the wheel's axis, $y$ along the rail, and $z_1$,
+$z_2$ into the two bodies. The gap between the undeformed surfaces is
 
 $$f(x,y)=z_1(x,y)+z_2(x,y) \tag{1}$$
 
-A load moves the bodies together by the *approach* $\delta$. Where they would overlap, their surfaces sink by $w_1$ and
-$w_2$. The gap that is left, $s=w_1+w_2+f-\delta$ (2), must vanish in the contact $\Omega$ (3) and be positive outside
-it (4). As long as the contact is small against the radii (*counterformal*), each body may be taken as an elastic half
-space, with Young's modulus $E_i$ and Poisson's ratio $\nu_i$. A pressure $p\ge0$ (6) then sinks its surface by
-Boussinesq's solution (5), and together they say that
+A load moves the bodies together by the *approach* $\delta$. Where they would overlap, their
+surfaces sink by $w_1$ and $w_2$. The gap that is left, $s=w_1+w_2+f-\delta$ (2), must vanish in the
+contact $\Omega$ (3) and be positive outside it (4). As long as the contact is small against the
+radii (*counterformal*), each body may be taken as an elastic half space, with Young's modulus $E_i$
+and Poisson's ratio $\nu_i$. A pressure $p\ge0$ (6) then sinks its surface by Boussinesq's solution
+(5), and together they say that
 
 $$k\int_\Omega\frac{p\,dA}{r}=\delta-f\ \text{ in }\Omega \tag{8}$$
 
 $$k=\frac{1-\nu_1^2}{\pi E_1}+\frac{1-\nu_2^2}{\pi E_2}=\frac{1}{\pi E^*} \tag{9}$$
 
-Here $r$ is the distance from the element of area $dA$ to the point at which the equation stands, and $E^*$ is the
-effective modulus of the two bodies. All is known except the pressure $p$ and the region $\Omega$, and the region is
-the trouble. Force and moments follow:
+Here $r$ is the distance from the element of area $dA$ to the point at which the equation stands,
+and $E^*$ is the effective modulus of the two bodies. All is known except the pressure $p$ and the
+region $\Omega$, and the region is the trouble. Force and moments follow:
 
 $$F_z=\int_\Omega p\,dA,\qquad M_x=-\int_\Omega yp\,dA,\qquad M_y=\int_\Omega xp\,dA \tag{7}$$
 
 ### The interpenetration curve encloses the contact
 
-The first idea is where to begin. Move the bodies through each other by $\delta$, undeformed, and see where they overlap:
+The first idea is where to begin. Move the bodies through each other by $\delta$, undeformed, and
+see where they overlap:
 
 $$f(x,y)=\delta \tag{10}$$
 
-The true contact lies inside this curve, and equation (8) proves it in one line. Wherever the bodies touch,
+The true contact lies inside this curve, and equation (8) proves it in one line. Wherever the bodies
+touch,
 
 $$f=\delta-k\int_\Omega\frac{p\,dA}{r}<\delta,$$
 
@@ -35,15 +38,15 @@ because the pressure is nowhere negative and somewhere positive.
 
 {{fig-01}}
 
-In Example 1 the curve reaches {{overlap}} as far as the contact. In all four examples every cell of the contact lies
-inside; the gap of the cell nearest to the curve is {{nearest}} of $\delta$. Earlier authors fixed their curve at an
-arbitrary depth and left $\delta$ free, and some of their contacts crossed it. The paper holds that this left the
-problem undetermined.
+In Example 1 the curve reaches {{overlap}} as far as the contact. In all four examples every cell of
+the contact lies inside; the gap of the cell nearest to the curve is {{nearest}} of $\delta$.
+Earlier authors fixed their curve at an arbitrary depth and left $\delta$ free, and some of their
+contacts crossed it. The paper holds that this left the problem undetermined.
 
 ### Cells that follow the region
 
-The second idea is the mesh. The $x$ diameter of the candidate region is cut into $m_x$ columns, and each column into
-$m_y$ cells of constant pressure. We require (8) at the centre of each cell:
+The second idea is the mesh. The $x$ diameter of the candidate region is cut into $m_x$ columns, and
+each column into $m_y$ cells of constant pressure. We require (8) at the centre of each cell:
 
 $$\sum_j b_{ij}p_j=d_i \tag{14}$$
 
@@ -51,55 +54,62 @@ $$b_{ij}=\int_{\Omega_j}\frac{dA'}{r_i} \tag{15}$$
 
 $$d_i=\frac{\delta-f(x_i,y_i)}{k} \tag{16}$$
 
-The paper finds "certain approximations" for $b_{ij}$ convenient; here it is the exact integral, a sum over the four corners of a cell:
+The paper finds "certain approximations" for $b_{ij}$ convenient; here it is the exact integral, a
+sum over the four corners of a cell:
 
 {{code: contact/influence.cpp corner_function}}
 
-Is (14) well posed? The paper blames the instability of earlier programs on their formulation. The condition number of the matrix on the last mesh of Example 1:
+Is (14) well posed? The paper blames the instability of earlier programs on their formulation. The
+condition number of the matrix on the last mesh of Example 1:
 
 {{conditioning}}
 
-It grows with the power {{condition-power}} of the number of cells across. The equation is of the first kind, so the
-condition number must grow; it does so slowly, because $1/r$ is singular and the integral smooths only weakly. Even in the
-single precision of the paper's computer, whose relative spacing is $16^{-5}$, rounding would cost at most {{short-loss}} on
-nine columns: no regularization is needed.
+It grows with the power {{condition-power}} of the number of cells across. The equation is of the
+first kind, so the condition number must grow; it does so slowly, because $1/r$ is singular and the
+integral smooths only weakly. Even in the single precision of the paper's computer, whose relative
+spacing is $16^{-5}$, rounding would cost at most {{short-loss}} on nine columns: no regularization
+is needed.
 
 ### How the boundary moves
 
-Along each column, outward, the new boundary is where the pressure vanishes. Where a cell pulls ($p<0$) the zero is interpolated ({{fig-03}}); where all
-cells push, a parabola through the last two or three pressures is continued to zero ({{fig-04}}). The same along the axis gives the new ends A and B.
-New columns are laid between these, and their heights interpolated from the points just found:
+Along each column, outward, the new boundary is where the pressure vanishes. Where a cell pulls
+($p<0$) the zero is interpolated ({{fig-03}}); where all cells push, a parabola through the last two
+or three pressures is continued to zero ({{fig-04}}). The same along the axis gives the new ends A
+and B. New columns are laid between these, and their heights interpolated from the points just
+found:
 
 $$y_C=y_D+(y_E-y_D)\frac{x_C-x_D}{x_E-x_D} \tag{17}$$
 
 {{fig-02}}
 
-The triangles are the new boundary on the old columns, the circles the same boundary on the new ones: Example 1's first iteration, on nine columns as in the paper's figure.
+The triangles are the new boundary on the old columns, the circles the same boundary on the new
+ones: Example 1's first iteration, on nine columns as in the paper's figure.
 
 {{fig-03}}
 
-A cell that pulls, says the paper, lies outside the true contact. This is true on every mesh of Example 1 that we tried:
-the closest of {{pulling}} such cells on nine columns lies {{pulling-nearest}} outside Hertz's ellipse, and the closest
-on finer meshes {{pulling-finer}}.
+A cell that pulls, says the paper, lies outside the true contact. This is true on every mesh of
+Example 1 that we tried: the closest of {{pulling}} such cells on nine columns lies
+{{pulling-nearest}} outside Hertz's ellipse, and the closest on finer meshes {{pulling-finer}}.
 
 {{fig-04}}
 
-The pressure of a smooth contact falls like the root of the distance from its edge, so the parabola lies on its side: $y=c_0+c_2p^2$ through two points,
-$y=c_0+c_1p+c_2p^2$ through three.
-The paper asks that the fit make $p$ a one-valued function of $y$, and leaves the details to a report that we do not
-have; the parabolas are ours. This half sentence carries the method. On {{fit-meshes}} columns of Example 1 the iteration
-diverges with three points and without the condition. With it the iteration converges, to the force that two points
-give. Two points are used from here on.
+The pressure of a smooth contact falls like the root of the distance from its edge, so the parabola
+lies on its side: $y=c_0+c_2p^2$ through two points, $y=c_0+c_1p+c_2p^2$ through three. The paper
+asks that the fit make $p$ a one-valued function of $y$, and leaves the details to a report that we
+do not have; the parabolas are ours. This half sentence carries the method. On {{fit-meshes}}
+columns of Example 1 the iteration diverges with three points and without the condition. With it the
+iteration converges, to the force that two points give. Two points are used from here on.
 
 {{code: contact/countact_boundary.cpp find_zero}}
 
-Three things are added here. Moves are shortened once the boundary begins to swing. A boundary that has come to rest is
-tested: outside it for overlap, inside it for whether enough cells saw the pressure fall. What fails is reported with its
-reason, never as a number.
+Three things are added here. Moves are shortened once the boundary begins to swing. A boundary that
+has come to rest is tested: outside it for overlap, inside it for whether enough cells saw the
+pressure fall. What fails is reported with its reason, never as a number.
 
 {{fig-05}}
 
-All four examples take steel of 30·10⁶ psi and Poisson's ratio .3. Numbers are printed in two systems of units, which agree:
+All four examples take steel of 30·10⁶ psi and Poisson's ratio .3. Numbers are printed in two
+systems of units, which agree:
 
 {{units}}
 */
@@ -116,7 +126,8 @@ namespace railbook::contact_chapter {
 
 namespace {
 
-// The largest gap in the contact, as a share of the approach: less than 1 inside the interpenetration curve.
+// The largest gap in the contact, as a share of the approach: less than 1 inside the
+// interpenetration curve.
 double nearest_to_curve(const Gap& gap, double approach, std::optional<double> edge = {}) {
   CgFftOptions options;
   options.edge_x = edge;
@@ -168,7 +179,8 @@ void conditioning(report::Item& item) {
   double own = 0, last = 0;
   for (const int n : {5, 9, 13, 25, 35}) {
     const CountactResult c = countact_2(on_the_crown(), delta_1, modulus, {uniform_columns(n), n});
-    // Ratio of the extreme singular values, from the eigenvalues of A^T A: squaring costs no digit that is shown here.
+    // Ratio of the extreme singular values, from the eigenvalues of A^T A: squaring costs no digit
+    // that is shown here.
     const Eigen::MatrixXd matrix = countact_matrix(c.history.back().mesh, n, true);
     const Eigen::VectorXd squares = num::symmetric_eigenvalues(matrix.transpose() * matrix);
     last = std::sqrt(squares[squares.size() - 1] / squares[0]);

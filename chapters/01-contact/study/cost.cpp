@@ -1,30 +1,43 @@
-/*** All panels have the same axes: the error of one number against the time of the whole solution, grids of the ladder and refits included, on one core. Crosses at the top are runs that the method refused, in its colour.
-What a user would take without this library is among the methods: equal cells over the overlap of the bodies and a dense matrix. COUNTACT is tried with the columns that the paper uses, equal ones and two widths on each side of the
-origin, and with columns whose width falls smoothly.
+/*** All panels have the same axes: the error of one number against the time of the whole solution, grids
+of the ladder and refits included, on one core. Crosses at the top are runs that the method refused,
+in its colour. What a user would take without this library is among the methods: equal cells over
+the overlap of the bodies and a dense matrix. COUNTACT is tried with the columns that the paper
+uses, equal ones and two widths on each side of the origin, and with columns whose width falls
+smoothly.
 
 ### Example 2: the rail's radius jumps
 
-No closed form exists. The reference puts pressures at the points of {{lattices}} square lattices. It takes the sum $\sum h^2p/r$ over all points but one, and for that one the constant, $-4\zeta(\frac12)\beta(\frac12)\,h\,p$, that makes the
-sum exact to third order where $p$ is smooth. A line in $h^2$ is fitted to the results, and twice the standard error of its end is the uncertainty: {{uncertainty}} of the force. What is not 100 times larger is grey.
+No closed form exists. The reference puts pressures at the points of {{lattices}} square lattices.
+It takes the sum $\sum h^2p/r$ over all points but one, and for that one the constant,
+$-4\zeta(\frac12)\beta(\frac12)\,h\,p$, that makes the sum exact to third order where $p$ is smooth.
+A line in $h^2$ is fitted to the results, and twice the standard error of its end is the
+uncertainty: {{uncertainty}} of the force. What is not 100 times larger is grey.
 
-The reference has another kernel and other meshes than CG-FFT, but the same program finds its pressures (the convolution and the bounded conjugate gradients), and the gap is the same. COUNTACT and the dense matrix share the gap only; they
-approach the same force, but less closely. CG-FFT on 255 x 255 cells is {{other-route}} from the reference.
+The reference has another kernel and other meshes than CG-FFT, but the same program finds its
+pressures (the convolution and the bounded conjugate gradients), and the gap is the same. COUNTACT
+and the dense matrix share the gap only; they approach the same force, but less closely. CG-FFT on
+255 x 255 cells is {{other-route}} from the reference.
 
 {{cost-jump-force}}
 
-{{cost-jump-force-answer}} Equal columns fail, which is what the paper's footnote on two widths is about; with two widths the force of COUNTACT-1 is a little better than with graded columns. Raw sums of the grid are held up by their pixelised
-edge; the fit over three grids removes what is regular in it.
+{{cost-jump-force-answer}} Equal columns fail, which is what the paper's footnote on two widths is
+about; with two widths the force of COUNTACT-1 is a little better than with graded columns. Raw sums
+of the grid are held up by their pixelised edge; the fit over three grids removes what is regular in
+it.
 
 {{cost-jump-peak}}
 
-{{cost-jump-peak-answer}} The peak is close to the jump, so it needs narrow cells there: COUNTACT-1 with two widths, whose columns are narrow at the ends only, is far behind the graded columns.
+{{cost-jump-peak-answer}} The peak is close to the jump, so it needs narrow cells there: COUNTACT-1
+with two widths, whose columns are narrow at the ends only, is far behind the graded columns.
 
 {{work-precision: cost-jump-force}}
 
 ### Example 4: the rounded edge
 
-The closed form is the reference; it shares nothing with the methods but the shape of the stamp. Its pressures, added up, bear its force to {{punch-force-known}}, and another quadrature gives its peak to {{punch-peak-known}}. Symmetry is worth a
-great deal, and so is the place of the rings: the peak sits in a strip of a fortieth of the radius.
+The closed form is the reference; it shares nothing with the methods but the shape of the stamp. Its
+pressures, added up, bear its force to {{punch-force-known}}, and another quadrature gives its peak
+to {{punch-peak-known}}. Symmetry is worth a great deal, and so is the place of the rings: the peak
+sits in a strip of a fortieth of the radius.
 
 {{cost-punch-force}}
 
@@ -32,8 +45,9 @@ great deal, and so is the place of the rings: the peak sits in a strip of a fort
 
 {{cost-punch-peak}}
 
-{{cost-punch-peak-answer}} The error of the peak does not fall evenly, because it depends on where a ring lies beside the peak: it is {{peak-80}} on 80 graded rings and {{peak-160}} on 160. Equal rings are refused as long as too few of them lie
-between the peak and the boundary to find it.
+{{cost-punch-peak-answer}} The error of the peak does not fall evenly, because it depends on where a
+ring lies beside the peak: it is {{peak-80}} on 80 graded rings and {{peak-160}} on 160. Equal rings
+are refused as long as too few of them lie between the peak and the boundary to find it.
 
 {{work-precision: cost-punch-force}}
 */
@@ -93,7 +107,8 @@ struct Study {
   std::vector<report::WorkPrecision> points = {};
 };
 
-// What the sum of 1/r over the points of a lattice, from -n to n both ways, lacks of the integral, for a spacing of 1.
+// What the sum of 1/r over the points of a lattice, from -n to n both ways, lacks of the integral,
+// for a spacing of 1.
 double lacking(int n) {
   double sum = 0;
   for (int j = -n; j <= n; ++j)
@@ -136,7 +151,8 @@ Region on_lattice(int across) {
 
 constexpr int coarsest = 100, finest = 250, every = 8;  // lattices of the reference
 
-// The least-squares line in h^2 through the lattices, of which each is off by about h^2.5 in its own way.
+// The least-squares line in h^2 through the lattices, of which each is off by about h^2.5 in its
+// own way.
 std::vector<bench::Reference> fitted_lattices() {
   std::vector<bench::Reference> references{{"F"}, {"p_max"}};
   std::vector<double> squares, weights, found[2];
@@ -162,7 +178,8 @@ const std::vector<bench::Reference>& jump_references() {
   return found;
 }
 
-// What the closed form of Example 4 is known to: its pressures bear its force, and its peak is that of another quadrature,
+// What the closed form of Example 4 is known to: its pressures bear its force, and its peak is that
+// of another quadrature,
 // t = r cosh u in the integral of the page.
 std::vector<bench::Reference> punch_references(const PunchContact& c) {
   const double b = c.shape.flat_radius;

@@ -1,8 +1,10 @@
 /*** ## Estimates against the truth
 
-CG-FFT states an error of its force and of its peak. {{drawn}} contacts were drawn at random, of closed form all: Hertz's of any slenderness, along the axes and turned, and
-punches with rounded edges, on 32 to 48 cells a side. Of these the solver called {{estimates-force-unresolved}} under-resolved, without a number for the force, and {{estimates-peak-unresolved}} for the
-peak. The others:
+CG-FFT states an error of its force and of its peak. {{drawn}} contacts were drawn at random, of
+closed form all: Hertz's of any slenderness, along the axes and turned, and punches with rounded
+edges, on 32 to 48 cells a side. Of these the solver called {{estimates-force-unresolved}}
+under-resolved, without a number for the force, and {{estimates-peak-unresolved}} for the peak. The
+others:
 
 {{estimates-force}}
 
@@ -80,7 +82,8 @@ Runs sweep(std::size_t cases) {
   return all;
 }
 
-// 600 keep the page within its seconds; three grids of the ladder, which 32 cells have, are what an estimate needs.
+// 600 keep the page within its seconds; three grids of the ladder, which 32 cells have, are what an
+// estimate needs.
 const Runs& random_contacts(const report::Item& item) {
   static const Runs runs = sweep(drawn(item));
   return runs;
@@ -126,7 +129,8 @@ Integrals extended(long double log_m1) {
   return {k, k - k * sum, k * sum};
 }
 
-// Hertz's force for curvatures 1 and the ratio of an ellipse with ln (b/a)^2 = t, at approach and modulus 1.
+// Hertz's force for curvatures 1 and the ratio of an ellipse with ln (b/a)^2 = t, at approach and
+// modulus 1.
 long double hertz_force(long double t) {
   const Integrals i = extended(t);
   return 8 * std::atan(1.0L) / 3 * std::sqrt(i.d / i.k) / i.k;

@@ -1,9 +1,12 @@
 /*** ### Slender contacts
 
-Long patches are the classic danger: near line contact the elliptic integrals lose all digits if they are asked for $1-(b/a)^2$, a logarithm with $y+r$ loses them for slender cells, and
-an iteration may need as many steps as the patch is long. Here the integrals take $(b/a)^2$ itself, the cells have the form with asinh and the shape of the patch, and the conjugate
-gradients have a preconditioner: the matrix acts like a convolution with $1/r$, whose transform is $1/|k|$, so multiplying by $|k|$ on the grid nearly inverts it. The iterations for
-$10^{-8}$ on the finest grid, started from the next coarser one:
+Long patches are the classic danger: near line contact the elliptic integrals lose all digits if
+they are asked for $1-(b/a)^2$, a logarithm with $y+r$ loses them for slender cells, and an
+iteration may need as many steps as the patch is long. Here the integrals take $(b/a)^2$ itself, the
+cells have the form with asinh and the shape of the patch, and the conjugate gradients have a
+preconditioner: the matrix acts like a convolution with $1/r$, whose transform is $1/|k|$, so
+multiplying by $|k|$ on the grid nearly inverts it. The iterations for $10^{-8}$ on the finest grid,
+started from the next coarser one:
 
 {{extremes}}
 */
