@@ -21,8 +21,8 @@ A geometry car leaves kilometres of numbers; a track engineer wants one: which s
 stretch be held to? The paper finds the same pattern in every spectrum of the profile, from new
 welded rail to a rough branch line: a smooth random part and the lines of the rail length. Three
 parameters carry it, the roughness $A$, the corner wavenumber $\varphi_c$ and the joint dip $B$, and
-two of them, through the 62-ft mid-chord offset that the US track safety standards limit, give the
-class.
+two of them, through the 62-ft mid-chord offset that the US track safety standards limit (the height
+of the rail above the middle of a 62-ft chord), give the class.
 
 The paper shows its spectra only as pictures, and we do not have them. Synthetic track whose
 spectrum is known stands for them. For records of your own there is `railbook psd classify`.

@@ -78,6 +78,8 @@ struct Cases {
 void disturbed_track(Cases& cases) {
   cases.add("corner-0.02", "corner at 0.02 cycle/m", "corner at its lower bound",
             [](Case& c) { c.track.phi_c = 0.02, c.loss = 1; });
+  cases.add("corner-line", "corner at the rail's own wavenumber", "the corner lies under the line",
+            [](Case& c) { c.track.phi_c = phi_0; });
   cases.add("wave", "50 m high, 20 km long wave", "trend",
             [](Case& c) { c.track.wave_amplitude = 50; });
   cases.add("wave-boxcar", "the same, no window", "trend and leakage", [](Case& c) {
