@@ -173,8 +173,7 @@ std::vector<std::string> misread(const std::string& text) {
 }
 
 // The readings of a, b or p0 of Hertz's column that differ in one digit, follow the printed %
-// error, and make the
-// column one contact.
+// error, and make the column one contact.
 std::vector<std::string> readings(const table::CsvTable& printed) {
   const auto text = [&](const char* key, const char* column) { return printed.at(key, column); };
   std::vector<std::string> found;

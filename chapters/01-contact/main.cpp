@@ -43,8 +43,8 @@ numbers, some of them misread, and of the drawings only scraps of their letterin
 ## Deviations
 
 * **The tread** is a damaged number, "J2.34". The numbers that depend on it ask for {{force-tread}}
-  to 12.34 in ({{treads}}); 12.34 in is used, as drawn. A conical tread is {{cone-off}} short of the
-  force of Example 2. {{outcome:example-2/cone}}
+  to 12.34 in ({{treads}}); 12.34 in is used, as the lettering reads. A conical tread is
+  {{cone-off}} short of the force of Example 2. {{outcome:example-2/cone}}
 * **Table 2, Hertz column.** Its load is {{printed-load-off}} more than follows from its own axes
   and pressure; one misread digit would explain it. It is COUNTACT's load to five digits.
   {{outcome:table-2/own-load}}
@@ -69,7 +69,7 @@ Fig. 1 and is in Fig. 2. There $m_y$ is 8, where the text asks for an odd number
 * **Half space.** The contact must be small against the radii. Beyond the jump of Example 2 it
   reaches {{patch-corner}} of the corner's radius, and there the half space is a good approximation.
   But the whole patch is {{patch-across}} times that radius across, and {{patch-along}} times on
-  each side along the rail, so the paper's case is at the border of the method. A worn wheel in the
+  each side along the rail, and what this costs is not tested here. A worn wheel in the
   gauge corner (conformal contact) is beyond it.
 * **Elastic.** The peak of Example 2, {{peak}}, is far above what rail steel bears elastically. A
   real corner yields and wears to a larger radius.

@@ -179,8 +179,7 @@ const std::vector<bench::Reference>& jump_references() {
 }
 
 // What the closed form of Example 4 is known to: its pressures bear its force, and its peak is that
-// of another quadrature,
-// t = r cosh u in the integral of the page.
+// of another quadrature, t = r cosh u in the integral of the page.
 std::vector<bench::Reference> punch_references(const PunchContact& c) {
   const double b = c.shape.flat_radius;
   const auto borne = [&](double t) {  // by the ring at r = a sin t
