@@ -20,8 +20,8 @@ plot ARG1 using 1:(on("typical", column("alignment_mm"))) with lines lt 1 title 
      ARG1 using 1:(on("ideal", column("profile_mm"))) with points lt 2, \
      ARG1 using 1:(on("ideal", column("crosslevel_mm"))) with points lt 3
 set ylabel "RMS error, deg per 100 ft"
-set yrange [0.01:1]
-set ytics (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1)
+set yrange [0.01:0.2]
+set ytics (0.01, 0.02, 0.05, 0.1, 0.2)
 set format y "%g"
 set title "line: typical sensors, gyro debiased; points: perfect sensors" font ",12" offset 0,-0.6
 plot ARG1 using 1:(on("typical", column("curvature_deg_per_100ft"))) with lines lt 5 title "curvature", \

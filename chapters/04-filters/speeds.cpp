@@ -26,8 +26,8 @@ Gage has no time in it, so nothing in our simulation can make it depend on speed
 would hide a growth. The evidence is the run with perfect sensors, where the error falls from {{crosslevel-fast}} at 120 mph to {{crosslevel-slow}} at 0.5 mph: without speed there is no sway and no
 centrifugal acceleration, and the inclinometer alone is right ({{outcome:table-claims/crosslevel}}).
 
-The other three grow towards 0 mph; at 0.5 mph they are at least {{slow-growth}} what they are from 15 mph on ({{outcome:table-claims/only-two}}). Curvature is the best of them. At 2 mph its error is {{curvature-growth}}
-that at 15 mph, {{curvature-2-debiased}}, which supports the paper's "accurate down to approximately 2 mph" ({{outcome:table-claims/curvature}}); without debiasing it would be {{curvature-growth-biased}}. Alignment is
+The other three grow towards 0 mph; at 0.5 mph they are at least {{slow-growth}} what they are from 15 mph on ({{outcome:table-claims/only-two}}). Curvature is the best of them. At 2 mph its error is {{curvature-growth}} that at 15 mph:
+{{curvature-2-debiased}}, of which {{curvature-2-perfect}} are there with perfect sensors too, where the track's curve has 4 degrees. This supports the paper's "accurate down to approximately 2 mph" ({{outcome:table-claims/curvature}}). Without debiasing the factor would be {{curvature-growth-biased}}. Alignment is
 the hard one: its accelerometer feels gravity as soon as the beam rolls, which makes an error of {{alignment-15}} at 15 mph and {{alignment-5}} at 5 mph, of a signal of {{alignment-true}}. That profile and alignment "are not
 to be relied upon below 5 mph" is taken at its plainest: at 2 mph, the next lower speed tried, the error of each is larger than what it measures ({{outcome:table-claims/unreliable}}).
 */
@@ -195,11 +195,6 @@ void table_claims(report::Item& item) {
                               std::floor(least_growth)),
                   model);
   const double at_2 = s.at(2, Parameter::curvature), at_15 = s.at(15, Parameter::curvature);
-  item.consistent("curvature", "curvature is accurate down to approximately 2 mph",
-                  at_2 < 2 * at_15 && s.at(0.5, Parameter::curvature) > 2 * at_2,
-                  fmt::format("at 2 mph {:.1f} times the error at 15 mph, at 0.5 mph {:.1f} times",
-                              at_2 / at_15, s.at(0.5, Parameter::curvature) / at_15),
-                  model);
   const char* const grows = "its error grows from 15 to 9, 5, 2, 1 and 0.5 mph";
   item.consistent("profile", "profile is degraded below 15 mph", rises(profile_left), grows, model);
   item.consistent("alignment", "so is alignment", rises(alignment_left), grows, model);
@@ -208,11 +203,20 @@ void table_claims(report::Item& item) {
                   s.at(2, profile_left) > signal(profile_left) &&
                       s.at(2, alignment_left) > signal(alignment_left),
                   "at 2 mph the errors exceed what is measured", model);
+  // Taken as plainly: of curvature the error is small beside what is measured.
+  const double bends = signal(Parameter::curvature);
+  item.consistent(
+      "curvature", "curvature is accurate down to approximately 2 mph", at_2 < 0.1 * bends,
+      fmt::format("at 2 mph the error is {:.0f} % of what is measured, {:.1f} times that "
+                  "at 15 mph",
+                  100 * at_2 / bends, at_2 / at_15),
+      model);
   item.value("crosslevel-slow", level_slow / mm, "mm", "{:.2f}");
   item.value("crosslevel-fast", level_fast / mm, "mm", "{:.1f}");
   item.value("curvature-growth", at_2 / at_15, "times", "{:.1f}");
-  item.value("curvature-growth-biased", s.biased.at(s.index(2)) / s.biased.at(s.index(15)), "times",
+  item.value("curvature-growth-biased", s.biased.at(s.index(2)) / s.biased.at(s.index(15)), "",
              "{:.0f}");
+  item.value("curvature-2-perfect", s.ideal_at(2, Parameter::curvature) / per_100ft, "", "{:.2f}");
   item.value("curvature-2-debiased", at_2 / per_100ft, "deg per 100 ft", "{:.2f}");
   item.value("alignment-15", s.at(15, alignment_left) / mm, "mm", "{:.1f}");
   item.value("alignment-5", s.at(5, alignment_left) / mm, "mm", "{:.0f}");

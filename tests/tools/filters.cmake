@@ -80,3 +80,24 @@ refuses(filters "trucks of one axle" "truck spacing is 0.6 m. allowed: from 0.60
 refuses(filters "a journey of years" "time of the journey is .* s. allowed: from 0 to 100000" simulate --out ${never} --speeds 0.01mm/s)
 refuses(filters "a dip of a kilometre" "dip is" simulate --out ${never} --dip 1km)
 refuses(filters "a record without a place for it" "out is required" simulate)
+
+# "Try next" of chapter 04, on the copies of its sources that it takes: the corners in configuration.hpp at a tenth.
+set(from ${CMAKE_SOURCE_DIR}/chapters/04-filters)
+set(to ${CMAKE_CURRENT_BINARY_DIR}/corners-at-a-tenth)
+foreach(source experiment.hpp experiment.cpp sections.hpp speeds.cpp)
+  configure_file(${from}/${source} ${to}/${source} COPYONLY)
+endforeach()
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${from}/configuration.hpp)
+file(READ ${from}/configuration.hpp text)
+string(REPLACE "corner = 2 * units::pi * 1.0;" "corner = 2 * units::pi * 0.1;" tenth "${text}")
+if(tenth STREQUAL text)
+  message(FATAL_ERROR "chapters/04-filters/configuration.hpp has no corners of 1.0 Hz")
+endif()
+file(CONFIGURE OUTPUT ${to}/configuration.hpp CONTENT "${tenth}" @ONLY)
+add_executable(corners_at_a_tenth filters/corners_at_a_tenth.cpp ${to}/experiment.cpp ${to}/speeds.cpp)
+target_include_directories(corners_at_a_tenth PRIVATE ${to})
+target_compile_definitions(corners_at_a_tenth PRIVATE RAILBOOK_CHAPTER_DIR="${from}")
+target_link_libraries(corners_at_a_tenth PRIVATE railbook_flags railbook_geometry_car railbook_filters railbook_num
+                      railbook_report railbook_plot)
+add_test(NAME "chapter: 04-filters follows its corners" COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/filters/corners_at_a_tenth.sh
+         $<TARGET_FILE:corners_at_a_tenth> ${CMAKE_BINARY_DIR}/ctest/corners-at-a-tenth ${CMAKE_SOURCE_DIR}/figures/04-filters)
