@@ -149,11 +149,12 @@ Test make_test(double load, double area_factor, std::uint64_t stream) {
 // mu_c by least squares for a given area: linear but for mu_c in X, which a few passes settle.
 Average with_area(const Test& test, double area_factor) {
   Average mean{test.points.back().mu, area_factor};
+  const double group = area_factor * hertz_group(test.load);
   for (double before = 0; std::abs(mean.friction - before) > 1e-9;) {
     before = mean.friction;
     double num = 0, den = 0;
     for (const Point& p : test.points) {
-      const double f = mean.mu(test.load, p.creep) / mean.friction;
+      const double f = master_curve(group * p.creep / mean.friction);
       num += f * p.mu, den += f * f;
     }
     mean.friction = num / den;
@@ -164,9 +165,11 @@ Average with_area(const Test& test, double area_factor) {
 // Golden section on the area factor: the sum of squares has one valley.
 Average fitted(const Test& test) {
   const auto squares = [&](double area_factor) {
-    const Average mean = with_area(test, area_factor);
+    const double friction = with_area(test, area_factor).friction;
+    const double group = area_factor * hertz_group(test.load);
     double sum = 0;
-    for (const Point& p : test.points) sum += std::pow(p.mu - mean.mu(test.load, p.creep), 2);
+    for (const Point& p : test.points)
+      sum += std::pow(p.mu - friction * master_curve(group * p.creep / friction), 2);
     return sum;
   };
   double low = 0.5, high = 4;
@@ -191,7 +194,7 @@ const std::vector<Test>& tests() {
 }
 
 // Relative standard deviation of the area factor that the fit finds, over repetitions of a test.
-double fitted_scatter(std::size_t which) {
+double scatter_of(std::size_t which) {
   const Test& test = tests()[which];
   double sum = 0, squares = 0;
   for (std::uint64_t k = 0; k < repetitions; ++k) {
@@ -202,6 +205,11 @@ double fitted_scatter(std::size_t which) {
   }
   const double mean = sum / repetitions;
   return std::sqrt((squares / repetitions - mean * mean) * repetitions / (repetitions - 1));
+}
+
+const std::vector<double>& fitted_scatters() {
+  static const std::vector<double> all{scatter_of(0), scatter_of(1), scatter_of(2), scatter_of(3)};
+  return all;
 }
 
 // Root mean square distance of a test's points from its average curve, over mu_c.
@@ -392,7 +400,7 @@ void four_tests(report::Item& item) {
     by_measured.push_back(mean.area_factor / test.area_measured);
     off.push_back(std::abs(mean.area_factor / test.area_factor - 1));
     dispersions.push_back(dispersion(test));
-    scatters.push_back(100 * fitted_scatter(scatters.size()));
+    scatters.push_back(100 * fitted_scatters()[scatters.size()]);
     const std::string number = fmt::format("{}", off.size());
     item.add_row(number, test.load / units::lbf, test.area_factor, test.area_measured,
                  mean.area_factor, scatters.back(), test.friction, mean.friction,
@@ -424,8 +432,7 @@ void four_tests(report::Item& item) {
 }  // namespace
 
 creep_chapter::ReductionError creep_chapter::reduction_error() {
-  static const ReductionError error{fitted_scatter(1), area_error};
-  return error;
+  return {fitted_scatters()[1], area_error};
 }
 
 const report::Section creep_chapter::experiment{

@@ -26,8 +26,7 @@ fits a wheel of 8 in better than one of {{profile-across-inch}}.
 
 No modulus is printed; used here are $E$ = 207 GPa and $\nu$ = 0.3. The paper wants the contact stresses to be
 "similar to those of the locomotive and rail". The same locomotive wheel under 30 000 lb has a largest pressure
-of {{locomotive-peak}}, which is the "approximately 200,000 psi" of the publisher's summary (our copy lacks
-that page). The rig's largest pressure at the 4449.72 N of Appendix B is {{peak-along}} with the
+of {{locomotive-peak}}, and the publisher's summary, which our copy lacks, has stresses up to about 200 ksi. The rig's largest pressure at the 4449.72 N of Appendix B is {{peak-along}} with the
 major axis along rolling and {{peak-across}} with it across, which is similar either way
 {{outcome:table-ellipse/stresses}}. On the rig a largest pressure of 200 000 psi takes
 {{load-200-along}} along and {{load-200-across}} across.
