@@ -11,10 +11,11 @@ through (7). The other columns are read and used; nothing in the paper tests the
 {{ends-half-chance}} tables, so $B$ was often rounded to half a millimetre, and so rounded the dips
 of zones 7 and 11 fit (7). Four zones do not fit it: in zones 1, 3, 6 and 8 the printed $B$ is
 {{table-1-least}} to {{table-1-most}} above what $C_1$ and $\beta$ give. The print cannot tell which
-of the three numbers is off. The last column but one says what $C_1$ would have to be. Zone 13 is
-not tested, because the exponent of its $C_1$ can hardly be read. With $10^{-8}$ the peak would be
-{{table-1-zone-13-share}} of the random part under it and could not have been seen; the printed $B$
-asks for $C_1$ = {{table-1-zone-13-C1}}. From here on $B$ is used as printed.
+of the three numbers is off, and the verdict rests on the digits as our copy has them. The last
+column but one says what $C_1$ would have to be. Zone 13 is not tested, because the exponent of its
+$C_1$ can hardly be read. With $10^{-8}$ the peak would be {{table-1-zone-13-share}} of the random
+part under it and could not have been seen; the printed $B$ asks for $C_1$ = {{table-1-zone-13-C1}}.
+From here on $B$ is used as printed.
 
 The corner lies between $\varphi_0$ and $2\varphi_0$ in {{corner-between}} of the thirteen zones,
 "usually" as the paper says. The paper calls (3) "quite satisfactory for wavelengths longer than 6
