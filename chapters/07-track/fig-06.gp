@@ -13,6 +13,6 @@ set x2tics ("100" 0.003048, "50" 0.006096, "20" 0.01524, "10" 0.03048, "5" 0.060
 set tmargin 4
 set border 7
 set key bottom left
-plot ARG3 using 1:(5) with points pt 11 ps 1.6 lc rgb red title "odd harmonics of 39-ft rails, no power given", \
+plot ARG3 using 1:(5) with points pt 11 ps 1.6 lc rgb red title "odd harmonics of 39-ft rails", \
      ARG1 using 1:3 with lines lt 2 title "class 3", \
      ARG1 using 1:2 with lines lt 1 title "class 6, later constants"

@@ -78,12 +78,13 @@ literature (quoted by Frýba),
 
 $$S(\phi)=\frac{A\,\phi_2^2}{(\phi^2+\phi_1^2)(\phi^2+\phi_2^2)},$$
 
-with $\phi$ in cycles per length, its roughness $A$ and break frequencies $\phi_1$, $\phi_2$ for
-class 6 and class 3, and the frequencies at which half-staggered 39-foot rails add power of their
-own. The level is doubtful. Other published lists of the same family have roughness constants $A$
-about {{feet-squared}}, that is $(1/0.3048)^2$, times as large, as if feet had been converted once
-too often; amplitudes would be {{feet}} times as large. That is an inference from two such lists;
-the original was not at hand. The shape of the curves does not depend on it.
+with $\phi$ in cycles per length, and its roughness $A$ and break frequencies $\phi_1$, $\phi_2$ for
+class 6 and class 3. The marks at the top show at which frequencies half-staggered 39-foot rails add
+power of their own, not how much. The level is doubtful. Other published lists of the same family
+have roughness constants $A$ about {{feet-squared}}, that is $(1/0.3048)^2$, times as large, as if
+feet had been converted once too often; amplitudes would be {{feet}} times as large. That is an
+inference from two such lists; the original was not at hand. The shape of the curves does not depend
+on it.
 
 {{fig-06}}
 
