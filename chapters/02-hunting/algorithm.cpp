@@ -10,7 +10,7 @@ cases" the least damped eigenvector does not reproduce itself, and that the next
 {{fig-loop}} runs it on new wheels, in steps of 0.01 in of amplitude, each started from the last result. At {{loop-lost}} it stops converging: trucks have
 modes in nearly equal pairs, and the least damped takes turns between the front truck, the rear truck and both together. From {{loop-found}} on it converges
 again, now on the *other* family: {{loop-front}} at the front, {{loop-rear}} at the rear. That may be how the paper came to its fishtailing mode and its abrupt
-change of shape; its own curves are lost, so this is an inference.
+change of shape; its own curves are lost, so this is an inference. Started on the cycles of the first family themselves, the loop holds them with one of the two choices of mode at {{loop-held}} amplitudes between 0.41 and 0.74 in: what it finds depends on its start.
 
 {{fig-loop}}
 
@@ -56,13 +56,30 @@ const std::array<Sweep, 2>& sweeps() {
   return all;
 }
 
+// At how many amplitudes on the flange the loop stays on the first family when it is started there.
+std::pair<int, int> held_on_first() {
+  const Vehicle& v = vehicle("new");
+  int held = 0, tried = 0;
+  for (const double inches : {0.41, 0.42, 0.43, 0.45, 0.5, 0.55, 0.6, 0.65, 0.7, 0.74}) {
+    const Motion start = cycles_at_amplitude(v.car, v.main_branch(), inches * inch).at(0).motion;
+    bool found = false;
+    for (const ModeChoice choice : {ModeChoice::least_damped, ModeChoice::next_least_damped}) {
+      const LoopResult r = paper_cycle(v.car, start, inches * inch, choice);
+      found = found || (r.end == LoopEnd::converged && overlap(r.cycle.shape, start.shape) > 0.99);
+    }
+    held += found ? 1 : 0;
+    ++tried;
+  }
+  return {held, tried};
+}
+
 void fig_loop(report::Item& item) {
   item.added("the paper has the algorithm's flow chart (Fig. 10) and no results of its loops");
   for (const Sweep& s : sweeps()) {
     auto& data = item.data(&s == &sweeps()[0] ? "" : "next", {"A_in", "V_ft_per_s", "failed"});
     for (const Step& step : s)
       data.add(step.inches, step.good() ? step.result.cycle.speed / foot : nan,
-               step.good() ? nan : step.inches);
+               step.good() ? nan : 1);
   }
   for (std::size_t k = 0; k < 2; ++k) {
     auto& data = item.data(k == 0 ? "first" : "second", {"A_in", "V_ft_per_s"});
@@ -79,14 +96,18 @@ void loop_claims(report::Item& item) {
   const auto lost = std::find_if(s.begin(), s.end(), [](const Step& t) { return !t.good(); });
   const auto again = std::find_if(lost, s.end(), [](const Step& t) { return t.good(); });
   const auto good = std::ranges::count_if(s, &Step::good);
-  claim(item, "converges", double(good) > 0.75 * amplitudes,
-        fmt::format("at {} of {}", good, amplitudes));
+  consistent(item, "converges", double(good) > 0.75 * amplitudes,
+             fmt::format("at {} of {}", good, amplitudes));
   const auto size = wheelset_amplitudes(vehicle("new").car.car(), again->result.cycle.shape);
-  refute(item, "all-cycles", std::min(size[0], size[2]) < words::small * std::max(size[0], size[2]),
-         fmt::format("from {:.2f} in on it is on the second family and misses the first",
-                     again->inches));
-  claim(item, "needs-development", lost < again,
-        fmt::format("lost from {:.2f} to {:.2f} in", lost->inches, again->inches));
+  const auto [held, tried] = held_on_first();
+  consistent(item, "all-cycles", held == tried,
+             fmt::format("a sweep is on the second family from {:.2f} in on; started on the first, "
+                         "the loop holds it at {} of {} amplitudes with one of the two choices",
+                         again->inches, held, tried),
+             "a sweep from the critical speed misses the first family; other starts are ours");
+  consistent(item, "needs-development", lost < again,
+             fmt::format("lost from {:.2f} to {:.2f} in", lost->inches, again->inches));
+  item.value("loop-held", fmt::format("{} of {}", held, tried));
   item.value("loop-lost", lost->inches, "in", "{:.2f}");
   item.value("loop-found", again->inches, "in", "{:.2f}");
   item.value("loop-front", size[0] / inch, "in", "{:.3f}");

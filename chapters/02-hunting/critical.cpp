@@ -3,27 +3,32 @@
 
 For small motions the gains are constants and the car is linear. At the *critical speed* a pair of
 eigenvalues crosses the imaginary axis (a Hopf point): $Z(i\omega,V)q=0$. In $1/V$ the state matrix is linear, and so is the matrix of all *sums of two
-eigenvalues* (the bialternate sum, 153 by 153), which is singular exactly where two eigenvalues are opposite. The eigenvalues of its pencil
-are thus all critical speeds of a range at once, with no scan that could step over one.
+eigenvalues* (the bialternate sum, 153 by 153), which is singular exactly where two eigenvalues are opposite. Its own eigenvalue problem in $1/V$
+therefore gives all critical speeds of a range at once, with no scan that could step over one.
 
 {{code: dynamics/linear_stability.cpp pair_sums}}
 
 {{critical-speeds}}
 
-With new wheels the body rolls and sways on its springs; with worn wheels the
-frequency is beyond that and it hardly moves. Each car has a second critical speed, of the other
-body mode; with new wheels it lies only {{hopf-gap}} above the first.
+The car has two kinds of motion, and each has a critical speed. In one the trucks go **together**, and the body sways with them. In the other they
+**oppose** each other, and the body yaws about its middle. With new wheels the trucks go together at the first critical speed and oppose each other at the second, only {{hopf-gap}} above. With worn wheels it is
+the other way round: at the first critical speed the trucks oppose each other. The middle of the body is then nearly at rest, but its ends move with the trucks ({{end-cn}} of the truck's motion with CN wheels, {{end-heumann}} with Heumann wheels).
 
-**The dampers are fitted.** The paper linearizes friction at "constant amplitudes and frequency" and does not say which. The dampers $4F_0/\pi\omega A$ hang on two numbers,
-$\omega A$ of the translations and $\omega\theta$ of the rotations. Any pair on a curve gives 145 ft/s with new wheels ({{dampers}}); used here are 20 rad/s with 0.5 in and 0.003 rad. Along that curve
-the frequency with new wheels stays within {{fit-new}}, and that with CN wheels within {{fit-cn}}: the printed 12 and 21 rad/s do not depend
-on the choice. Nor does it that CN wheels lower the critical speed by a tenth only, where the paper says "much lower".
+**The dampers are fitted.** The paper linearizes friction at "constant amplitudes and frequency" and does not say which. The dampers $4F_0/\pi\omega A$ depend on two numbers,
+$\omega A$ of the translations and $\omega\theta$ of the rotations. Pairs that give 145 ft/s with new wheels lie on two stretches of a curve, {{dampers}}. On one the frequency is {{upper-omega}}, on the other {{lower-omega}}; the printed
+12 rad/s therefore choose the first, from $\omega\theta$ = {{fit-low}} on. There the frequency with CN wheels is {{fit-cn}}, and the paper prints 21. Used here are 20 rad/s with 0.5 in and 0.003 rad.
+
+**Do CN wheels lower the critical speed?** The paper says that it is "much lower". With all dampers that give 145 ft/s and 12 rad/s the speed with CN wheels is {{cn-speeds}}, {{cn-ratio}} times that with new wheels: a tenth lower at one end, as
+high or higher at the other. Only dampers that put the frequency with new wheels at {{lower-omega}} make it much lower. The printed frequencies speak against it as well: a truck that is held square moves at $\omega\propto V\sqrt\lambda$, and 21 rad/s with three
+times the conicity of 12 rad/s need about the same speed.
 
 {{dampers}}
 
-A check on the printed pair itself: a rigid truck with the kinematic wavelength of wheelsets that cannot yaw alone,
+**The exponent of the warp stiffness.** It is illegible. With $10^5$, $10^7$ or $10^8$ there are dampers that give 145 ft/s as well, but at {{warp-others}}. Only $10^6$ gives 145 ft/s and 12 rad/s together.
+
+The printed pair can be checked by itself. A rigid truck with the kinematic wavelength of wheelsets that cannot yaw alone,
 $\omega=V\sqrt{\lambda/ar_0}\,/\sqrt{1+(L_T/a)^2}$, needs a conicity of {{implied-conicity}} for 12 rad/s at 145 ft/s: the 1 in 20 cone, and a truck
-that its warp stiffness holds square. Without the last factor it would take {{free-conicity}}, which no wheel has.
+that its warp stiffness holds square. Without the last factor the conicity would be {{free-conicity}}, a 1 in 40 cone, and the new wheel of 1976 had 1 in 20.
 */
 
 #include <fmt/format.h>
@@ -31,39 +36,41 @@ that its warp stiffness holds square. Without the last factor it would take {{fr
 #include <array>
 #include <cmath>
 
-#include "num/roots.hpp"
 #include "vehicles.hpp"
 
 namespace railbook::hunting_chapter {
 
 namespace {
 
-// The car whose dampers are linearized at other translations and rotations.
-CarParameters with_travel(double translation, double rotation) {
-  CarParameters data;
-  data.damper_travel *= translation;
-  data.damper_angle *= rotation;
-  return data;
+// The two stretches of dampers that give 145 ft/s with new wheels, by omega theta [rad/s]; 0.06 is ours.
+// On the first the frequency rounds to 12 rad/s from the fourth on.
+constexpr std::array upper{0.008, 0.010, 0.011, 0.0116, 0.014, 0.018, 0.024, 0.06, 0.15, 3.0};
+constexpr std::array lower{0.00001, 0.00003, 0.0001, 0.0002};
+
+bool rounds_to_12(const Critical& c) {
+  return std::abs(c.omega - 12) <= 0.5;
 }
 
-// The translation, for a rotation, at which the first critical speed with new wheels is 145 ft/s.
-double translation_for(double rotation) {
-  const auto off = [&](double translation) {
-    return first_critical(with_travel(translation, rotation), vehicle("new")).speed - 145;
-  };
-  return num::find_root(off, 0.6, 1.8, 1e-6).x;
+// Body yaw at the trucks' places over the motion of the truck that swings more.
+double body_end(const Vehicle& v) {
+  const Vector9c& q = v.hopf[0].motion.shape;
+  return CarParameters{}.half_truck_distance * std::abs(q[TH_C]) /
+         std::max(std::abs(q[X_TF]), std::abs(q[X_TR]));
 }
 
 void critical_speeds(report::Item& item) {
   item.rebuilt(rebuilt_reason);
   item.expect_checks(4);
-  item.columns(headings("{:#.4g}", {"wheel", "V, ft/s", "V, m/s", "ω, rad/s", "dσ/dV, 1/ft",
-                                    "body X_C over the largest wheelset"}));
-  for (std::size_t k = 0; k < with_dampers; ++k)
-    for (const HopfPoint& hopf : vehicles()[k].hopf)
+  item.columns(
+      headings("{:#.4g}", {"wheel", "V, ft/s", "V, m/s", "ω, rad/s", "dσ/dV, 1/ft",
+                           "phase between the trucks, °", "body X_C over the largest wheelset"}));
+  for (std::size_t k = 0; k < damped_cars; ++k)
+    for (const HopfPoint& hopf : vehicles()[k].hopf) {
+      const Vector9c& q = hopf.motion.shape;
       item.add_row(vehicles()[k].name, hopf.motion.speed / foot, hopf.motion.speed,
                    hopf.motion.lambda.imag(), hopf.rate_by_speed.real() * foot,
-                   std::abs(hopf.motion.shape[X_C]));
+                   std::abs(std::arg(q[X_TF] / q[X_TR])) / units::degree, std::abs(q[X_C]));
+    }
   const Vehicle &fresh = vehicle("new"), &heumann = vehicle("heumann");
   const double first = fresh.hopf[0].motion.speed;
   item.print("speed-new", "critical speed with new wheels", "ft/s", "145", first / foot,
@@ -72,17 +79,26 @@ void critical_speeds(report::Item& item) {
   item.print("frequency-heumann", "frequency before flange contact, modified Heumann", "rad/s",
              "26", heumann.hopf[0].motion.lambda.imag(),
              report::fitted("the hollow's radius was chosen; the text says \"much steeper\" only"));
-  const auto with_warp_exponent = [&](double exponent) {
-    CarParameters data;
-    data.warp_stiffness *= std::pow(10, exponent - 6);
-    return first_critical(data, fresh).speed;
-  };
-  item.print("warp-stiffness", "critical speed, new wheels, with a warp stiffness of 3.81 10⁶",
-             "ft/s", "145", with_warp_exponent(6),
-             report::restored(fmt::format("the exponent is illegible: 5 and 7 give {:.0f} and "
-                                          "{:.0f} ft/s with the same dampers",
-                                          with_warp_exponent(5), with_warp_exponent(7))));
-  item.value("hopf-gap", (fresh.hopf[1].motion.speed - first) / foot, "ft/s", "{:.1f}");
+  // With other exponents, and dampers that give 145 ft/s again: all that there are, by omega theta.
+  Range omega;
+  for (const double factor : {0.1, 10.0, 100.0})
+    for (double rotation = 1e-5; rotation < 10; rotation *= 10) {
+      CarParameters data;
+      data.warp_stiffness *= factor;
+      const double translation = translation_for(rotation, data);
+      if (std::isfinite(translation))
+        omega.add(first_critical(with_dampers(translation, rotation, data), fresh).omega);
+    }
+  const std::string others = fmt::format("{:.0f} to {:.0f} rad/s", omega.low, omega.high);
+  item.print("warp-stiffness",
+             "frequency, new wheels, with a warp stiffness of 3.81 10⁶ and dampers for 145 ft/s",
+             "rad/s", "12", first_critical(with_dampers(translation_for(0.06), 0.06), fresh).omega,
+             report::restored("the exponent is illegible: 5, 7 and 8 give " + others +
+                              " with dampers that give 145 ft/s"));
+  item.value("warp-others", others);
+  item.value("end-cn", 100 * body_end(vehicle("cn")), "%", "{:.0f}");
+  item.value("end-heumann", 100 * body_end(heumann), "%", "{:.0f}");
+  item.value("hopf-gap", (fresh.hopf[1].motion.speed - first) / foot, "ft/s", "{:.0f}");
   const CarParameters p;
   const double rigid = 12.0 * 12.0 / std::pow(145 * foot, 2) * p.half_gauge * p.wheel_radius;
   item.value("implied-conicity", rigid * (1 + std::pow(p.half_wheelbase / p.half_gauge, 2)), "",
@@ -90,44 +106,133 @@ void critical_speeds(report::Item& item) {
   item.value("free-conicity", rigid, "", "{:.3f}");
 }
 
+// The critical speed with CN wheels over that with new ones.
+double cn_ratio(const CarParameters& data) {
+  const Critical fresh = first_critical(data, vehicle("new"));
+  return rounds_to_12(fresh) ? first_critical(data, vehicle("cn")).speed / fresh.speed : nan;
+}
+
+// The same for one of four dampers changed, and all of them scaled until new wheels have 145 ft/s.
+double cn_ratio_changed(std::size_t which) {
+  struct Change {
+    double CarParameters::*friction;
+    double factor;
+  };
+  constexpr std::array changes{Change{&CarParameters::lateral_friction, 0.25},
+                               Change{&CarParameters::lateral_friction, 4},
+                               Change{&CarParameters::vertical_friction, 0.25},
+                               Change{&CarParameters::vertical_friction, 4},
+                               Change{&CarParameters::warp_friction, 0.25},
+                               Change{&CarParameters::warp_friction, 4},
+                               Change{&CarParameters::centre_plate_friction, 0.25},
+                               Change{&CarParameters::centre_plate_friction, 2}};
+  CarParameters data;
+  data.*changes.at(which).friction *= changes.at(which).factor;
+  return cn_ratio(with_dampers(translation_for(0.06, data), 0.06, data));
+}
+
+// The same with the conicity of the CN wheels `slope` times that of the new ones.
+double cn_ratio_with_slope(double slope) {
+  wheelrail::ConstraintFunctions table = *vehicle("cn").table;
+  const double now = table.R.slope(0) / vehicle("new").table->R.slope(0);
+  std::vector<double> values = table.R.values();
+  for (double& value : values) value *= slope / now;
+  table.R = wheelrail::OddTable(table.R.step(), std::move(values));
+  const auto found = hopf_points({assemble({}, Suspension::dampers), table}, 20 * foot, 400 * foot);
+  return found.at(0).motion.speed / vehicle("new").hopf[0].motion.speed;
+}
+
+// And from the printed frequencies alone, by the rigid truck.
+double cn_ratio_printed(double omega_cn, double omega_new, double slope) {
+  return omega_cn / omega_new / std::sqrt(slope);
+}
+
+void much_lower(report::Item& item) {
+  report::Trial trial = item.trial("much-lower-cn", "critical speed, CN A over new wheels",
+                                   "{:.2f}", [](double r) { return r > 1 / words::much; });
+  trial.vary("dampers that give 145 ft/s and 12 rad/s, by the rate of rotation",
+             [](const report::Setting& s) {
+               return cn_ratio(with_dampers(translation_for(s.number), s.number));
+             });
+  trial.vary("one of the four dampers changed, all scaled until 145 ft/s",
+             [](const report::Setting& s) { return cn_ratio_changed(s.index); });
+  trial.vary("slope of R, CN A over the new wheel's, printed as about three",
+             [](const report::Setting& s) { return cn_ratio_with_slope(s.number); });
+  trial.vary("printed frequencies and slopes alone, by a rigid truck",
+             [](const report::Setting& s) {
+               constexpr std::array<std::array<double, 3>, 3> cases{
+                   {{20.5, 12.5, 3.5}, {21, 12, 3}, {21.5, 11.5, 2.5}}};
+               const auto& c = cases.at(s.index);
+               return cn_ratio_printed(c[0], c[1], c[2]);
+             });
+  item.value("cn-ratio-tried", trial.range() + " times");
+  refute(item, "much-lower-cn", trial, "it is " + trial.range() + " times that with new wheels");
+}
+
 void dampers(report::Item& item) {
   item.rebuilt(rebuilt_reason);
   item.expect_checks(7);
   item.columns(headings("{:#.4g}", {"ωA, in/s", "ωθ, rad/s", "new: V, ft/s", "ω, rad/s", "CN A: V",
                                     "ω", "Heumann: V", "ω"}));
-  std::array<Range, with_dampers> speed, omega;
-  for (int k = -2; k <= 2; ++k) {
-    const double rotation = std::pow(2.5, k / 2.0);
-    const CarParameters data = with_travel(translation_for(rotation), rotation);
-    std::array<Critical, with_dampers> at{};
-    for (std::size_t w = 0; w < with_dampers; ++w) {
-      at[w] = first_critical(data, vehicles()[w]);
-      speed[w].add(at[w].speed), omega[w].add(at[w].omega);
+  Range low_omega, high_omega, cn_speed, cn_omega, ratio;
+  double fit_low = 0;
+  const auto add = [&](double rotation, Range& omega) {
+    const double translation = translation_for(rotation);
+    const CarParameters data = with_dampers(translation, rotation);
+    std::array<Critical, damped_cars> at{};
+    for (std::size_t w = 0; w < at.size(); ++w) at[w] = first_critical(data, vehicles()[w]);
+    omega.add(at[0].omega);
+    if (rounds_to_12(at[0])) {
+      cn_speed.add(at[1].speed), cn_omega.add(at[1].omega), ratio.add(at[1].speed / 145);
+      if (fit_low == 0) fit_low = rotation;
     }
-    item.add_row(data.damper_frequency * data.damper_travel / inch,
-                 data.damper_frequency * data.damper_angle, at[0].speed, at[0].omega, at[1].speed,
-                 at[1].omega, at[2].speed, at[2].omega);
-  }
-  const double half = 0.5 * omega[1].width();
-  item.print("frequency-new-low", "lowest frequency, new wheels, of all dampers that give 145 ft/s",
-             "rad/s", "12", omega[0].low);
-  item.print("frequency-new-high", "highest of them", "rad/s", "12", omega[0].high);
-  item.print("frequency-cn", "frequency, CN A, middle of those with the same dampers", "rad/s",
-             "21", omega[1].low + half,
+    item.add_row(translation / inch, rotation, at[0].speed, at[0].omega, at[1].speed, at[1].omega,
+                 at[2].speed, at[2].omega);
+  };
+  for (const double rotation : lower) add(rotation, low_omega);
+  for (const double rotation : upper) add(rotation, high_omega);
+  int others = 0;
+  for (const double rotation : {0.0005, 0.001, 0.002, 0.004})
+    others += std::isfinite(translation_for(rotation)) ? 1 : 0;
+  item.verify("gap", "no dampers between the two stretches give 145 ft/s", others == 0,
+              fmt::format("{} of four rotations tried", others),
+              "the first critical speed over translations of 1 to 1000 in/s");
+  item.print("frequency-new", "frequency with new wheels", "rad/s", "12",
+             vehicle("new").hopf[0].motion.lambda.imag(),
+             report::fitted("the stretch of dampers was chosen for it"));
+  const double half = 0.5 * cn_omega.width();
+  item.print("frequency-cn", "frequency, CN A, middle of those with dampers for 145 and 12",
+             "rad/s", "21", cn_omega.low + half,
              report::absolute(half + 0.5, "half of what these dampers leave open, half a digit"));
-  claim(item, "frequencies-rise",
-        omega[0].high * words::much < std::min(omega[1].low, omega[2].low),
-        fmt::format("by {:.1f} or more with all dampers of the table",
-                    std::min(omega[1].low, omega[2].low) / omega[0].high));
-  claim(item, "lower-speeds", std::max(speed[1].high, speed[2].high) < speed[0].low,
-        "with all dampers of the table");
-  refute(item, "much-lower-cn", speed[1].low > 145 / words::much,
-         fmt::format("{:.0f} to {:.0f} ft/s, {:.1f} to {:.1f} % lower", speed[1].low, speed[1].high,
-                     100 * (1 - speed[1].high / 145), 100 * (1 - speed[1].low / 145)));
-  claim(item, "much-lower-heumann", speed[2].high < 145 / words::much,
-        fmt::format("{:.0f} to {:.0f} ft/s", speed[2].low, speed[2].high));
-  item.value("fit-new", fmt::format("{:.1f} to {:.1f} rad/s", omega[0].low, omega[0].high));
-  item.value("fit-cn", fmt::format("{:.1f} to {:.1f} rad/s", omega[1].low, omega[1].high));
+  report::Trial rise = item.trial("frequencies-rise", "frequency, CN A over new wheels", "{:.2f}",
+                                  [](double r) { return r > words::much; });
+  rise.vary("dampers that give 145 ft/s and 12 rad/s, by the rate of rotation",
+            [](const report::Setting& s) {
+              const CarParameters data = with_dampers(translation_for(s.number), s.number);
+              return first_critical(data, vehicle("cn")).omega /
+                     first_critical(data, vehicle("new")).omega;
+            });
+  claim(item, "frequencies-rise", rise, rise.range() + " times with CN A wheels");
+  const auto speed = [](const char* key) { return vehicle(key).hopf[0].motion.speed / foot; };
+  consistent(item, "lower-speeds", std::max(speed("cn"), speed("heumann")) < speed("new"),
+             fmt::format("CN A {:.0f}, Heumann {:.0f} ft/s with our dampers", speed("cn"),
+                         speed("heumann")),
+             fmt::format("other dampers that give 145 ft/s and 12 rad/s give up to {:.0f} ft/s "
+                         "with CN A wheels",
+                         cn_speed.high));
+  much_lower(item);
+  consistent(item, "much-lower-heumann", speed("heumann") < speed("new") / words::much,
+             fmt::format("{:.0f} ft/s", speed("heumann")),
+             "the profile was chosen for the printed 26 rad/s; the dampers are ours");
+  const auto rate = [](const Range& r, const char* unit) {
+    return fmt::format("{:.0f} to {:.0f} {}", r.low, r.high, unit);
+  };
+  item.value("lower-omega", rate(low_omega, "rad/s"));
+  item.value("upper-omega", rate(high_omega, "rad/s"));
+  item.value("fit-low", fit_low, "rad/s", "{:.3f}");
+  item.value("fit-cn", rate(cn_omega, "rad/s"));
+  item.value("cn-speeds", rate(cn_speed, "ft/s"));
+  item.value("cn-ratio", fmt::format("{:.2f} to {:.2f}", ratio.low, ratio.high));
 }
 
 }  // namespace

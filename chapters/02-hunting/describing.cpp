@@ -12,13 +12,16 @@ No quadrature is needed, and the derivative $dN/dA$ for Newton's method comes al
 
 {{code: dynamics/describing_function.cpp evaluate}}
 
-The paper's Figures 7 to 9; it calls the first *conicity*. Which of the other two came first is not legible:
+These are the paper's Figures 7 to 9, with our profiles. The paper calls the first one *conicity*; which of the other two is its Figure 8 is not legible.
 
 {{fig-07}}
 
 {{fig-08}}
 
 {{fig-09}}
+
+The paper says that the functions decrease once the contact has passed the steepest part of the flange. With our flanges $N_D$ does so, and $N_R$ and $N_\Phi$ go on rising with the radius. Which way the paper's went
+depends on the height and the tip of its flanges, which are lost, so this is not tested.
 
 {{describing-claims}}
 
@@ -94,12 +97,12 @@ void curves(report::Item& item, Function f) {
 
 void describing_claims(report::Item& item) {
   item.rebuilt("the paper's profiles are lost");
-  item.expect_checks(6);
+  item.expect_checks(5);
   item.columns(headings("{:.4f}", {"wheel", "N_R at 0.05 in", "N_D", "N_Φ", "N_D is largest at, in",
                                    "D is largest at, in"}));
   const Vehicle &fresh = vehicle("new"), &heumann = vehicle("heumann");
   const double tiny = 0.01, small = 0.05, calm = 0.1, large = 0.75;
-  Range ratio, others;
+  Range ratio;
   bool falls = true, constant = true;
   double least_rise = 1e9;
   for (const Vehicle* v : {&fresh, &vehicle("cn"), &heumann}) {
@@ -111,32 +114,28 @@ void describing_claims(report::Item& item) {
       for (double a = tiny; a <= calm; a += tiny)
         constant = constant && std::abs(gain(*v, f, a) - first) <= words::nearly * first + 1e-9;
       least_rise = std::min(least_rise, steepest_rise(*v, f));
-      if (f != D) others.add(largest_at(*v, f) / at.function_at);
     }
     item.add_row(v->name, gain(*v, R, small), gain(*v, D, small), gain(*v, Phi, small), at.gain_at,
                  at.function_at);
   }
-  claim(
+  consistent(
       item, "df-tread", constant && least_rise > words::much,
       fmt::format("all nine up to {} in; past it {:.1f} times or more within a tenth of amplitude",
                   calm, least_rise));
-  claim(item, "df-maximum", ratio.low > 1 - words::nearly && ratio.high < 1 + words::nearly,
-        fmt::format("N_D is largest at {:.2f} to {:.2f} of the displacement where D is", ratio.low,
-                    ratio.high));
-  refute(item, "df-maximum-rest", others.low > 1 + words::nearly,
-         fmt::format("N_R and N_Φ are largest at {:.2f} to {:.2f} of it, or at the table's end",
-                     others.low, others.high));
-  claim(item, "df-beyond", falls, "at the table's end all three N_D are past their largest");
+  consistent(item, "df-maximum", ratio.low > 1 - words::nearly && ratio.high < 1 + words::nearly,
+             fmt::format("N_D is largest at {:.2f} to {:.2f} of the displacement where D is",
+                         ratio.low, ratio.high));
+  consistent(item, "df-beyond", falls, "at the table's end all three N_D are past their largest");
   const auto apart = [&](double at) { return gain(heumann, R, at) / gain(fresh, R, at); };
-  claim(item, "df-differences", apart(small) > words::much * apart(large),
-        fmt::format("N_R, Heumann over new: {:.1f} at 0.05 in, {:.1f} at 0.75 in", apart(small),
-                    apart(large)));
+  consistent(item, "df-differences", apart(small) > words::much * apart(large),
+             fmt::format("N_R, Heumann over new: {:.1f} at 0.05 in, {:.1f} at 0.75 in",
+                         apart(small), apart(large)));
   double dip = 10, dip_at = 0;
   for (double at = 0.05; at < heumann.flange / inch; at += 0.001)
     if (const double n = gain(heumann, R, at); n < dip) dip = n, dip_at = at;
   const double part = dip / gain(heumann, R, 0.17);
-  claim(item, "conicity-dip", part < 1,
-        fmt::format("to {:.3f} of its value at 0.17 in, at {:.2f} in", part, dip_at));
+  consistent(item, "conicity-dip", part < 1,
+             fmt::format("to {:.3f} of its value at 0.17 in, at {:.2f} in", part, dip_at));
   item.value("friction-difference",
              100 * (1 - regularized_friction(1, 0.1, 1).value / ideal_friction(1, 1).value), "%",
              "{:.2f}");

@@ -34,4 +34,4 @@ plot for [k = 1:4] file[k] using 1:3 with lines lw 1.2 dt solid lc rgb colour[k]
      NaN with lines lw 1.2 dt (6,5) lc rgb grey title "unstable ", \
      ARG7 using 1:2 with points pt 6 ps 1.3 lw 1.8 lc rgb purple title "fold", \
      ARG7 using 1:3 with points pt 4 ps 1.3 lw 1.8 lc rgb purple title "torus", \
-     ARG7 using 1:4 with points pt 8 ps 1.3 lw 1.8 lc rgb purple title "branch point"
+     ARG7 using 1:4 with points pt 8 ps 1.3 lw 1.8 lc rgb purple notitle

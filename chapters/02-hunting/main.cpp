@@ -2,9 +2,9 @@
 # Hunting of a freight car: limit cycles and the shape of wheel and rail
 
 ::: findings
-1. The paper claims that the car hunts on new wheels above 145 ft/s, at 12 rad/s, and at 21 rad/s on CN wheels. Result: the speed is fitted by dampers that the paper does not give, but the frequencies follow from it, {{fit-new}} and {{fit-cn}}. {{outcome:dampers/frequency-new-low}}
-2. The paper claims that with new wheels a stable limit cycle on the flange extends to a high velocity. Result: by describing functions it does; by the full equations it is stable to {{torus-speed}} only. {{outcome:true-branches/stable-to-high-speed}}
-3. The paper claims that its creep coefficients are Kalker's full values. Result: Hertz's ellipse and Kalker's table give them to a few percent, which restores two exponents and a digit that our copy lost. {{outcome:creep-coefficients/f12}}
+1. **From which speed does an empty freight car hunt?** The paper says from 145 ft/s on new wheels, at 12 rad/s, and that worn CN wheels, at 21 rad/s, hunt at a "much lower" speed. The paper does not give the dampers that this depends on. With all that we tried and that meet 145 ft/s and 12 rad/s the car on CN wheels moves at {{fit-cn}}, as printed, and hunts from {{cn-speeds}} on, which is not much lower ({{outcome:dampers/much-lower-cn}}). Its profile is ours, of the printed conicity.
+2. **How far does hunting on the flange go?** The paper says that with new wheels a stable limit cycle "extends to a high velocity". By its own describing functions it does. In the full equations with the paper's linear creep it loses its stability between {{torus-range}}, depending on dampers and on the smoothing of the profiles. When friction limits the creep forces (coefficients of 0.2 to 0.4), stable hunting begins at {{creep-begins}} already, below the speed at which small motions grow. Profiles, dampers and friction are ours.
+3. **Are the creep coefficients Kalker's full values, as the paper says?** The printed values are {{creep-range}} of the computed ones ({{outcome:creep-coefficients/full-kalker}}), for an assumed rail crown of 8 to 14 in. That restores two exponents and a digit which our text of the paper has lost.
 :::
 
 Above some speed a railway car does not run straight: its wheelsets weave from flange to flange, a *limit cycle* that nothing outside
@@ -12,8 +12,8 @@ drives. R. Hull and N. K. Cooperrider asked in 1976 at which speeds an empty Nor
 what the profiles of wheel and rail have to do with it. They used describing functions: replace every nonlinear function by the gain
 that a sine of the amplitude in question would feel, and look for the speed at which that amplitude neither grows nor dies.
 
-The paper's figures, its profiles of wheel and rail and part of its table of data are lost or illegible in the copy that is available. This
-chapter rebuilds profiles that fit what the text says of them and marks what rests on them.
+We have the paper as machine-read text (OCR) and not its drawings. Its figures, its profiles of wheel and rail and part of its table of data are lost or illegible. This
+chapter rebuilds profiles that fit what the text says of them. What is shown with these profiles and with dampers of our own counts as *consistent* with the paper at most, and not as confirmed.
 
 {{include: geometry.cpp}}
 
@@ -41,29 +41,30 @@ chapter rebuilds profiles that fit what the text says of them and marks what res
 
 ## Deviations
 
-* *Stable limit cycles extend to a high velocity with new wheels.* By the paper's rule they do; a torus bifurcation ends them at {{torus-speed}}: {{outcome:true-branches/stable-to-high-speed}}.
-* *Two regions of stable cycles with flange contact for CN wheels*: {{outcome:claims/cn-regions}}; *the lower one with the rear truck alone*: {{outcome:claims/cn-rear}}, with these profiles it is the front truck.
-* *The describing functions have their maximum near the steepest portion of the flange*: that of the contact angle has ({{outcome:describing-claims/df-maximum}}), the other two rise on past it: {{outcome:describing-claims/df-maximum-rest}}.
-* *Two mode shapes with flange contact, one the mirror of the other*: there is a third, with the trucks together: {{outcome:mode-claims/two-shapes}}.
-* *Much lower speeds with CN wheels*: {{outcome:dampers/much-lower-cn}}, a tenth lower with all dampers that fit 145 ft/s.
-* *One high frequency with flange contact, 30.5 rad/s*: by describing functions {{outcome:flange-frequency/flange-single}}, by the full equations {{outcome:flange-frequency/flange-true}}.
-* *The body moves much with new wheels because the frequency is below its lateral resonance*: {{outcome:mode-claims/below-resonance}}.
-* *The algorithm provides all possible limit cycles*: {{outcome:loop-claims/all-cycles}}.
-* *All slopes with CN wheels are about three times those with new ones*: for the roll angle {{outcome:geometry-claims/cn-roll-slope}}, as the paper itself says later.
+* *Much lower speeds with CN wheels*: {{outcome:dampers/much-lower-cn}}. The speed is {{cn-ratio-tried}} that with new wheels, for all dampers that were tried and meet the printed 145 ft/s and 12 rad/s, slopes of 2.5 to 3.5 times the new wheel's, and from the printed frequencies alone.
+* *Worn wheels: the body moves little, "as would be expected at high frequencies"*: {{outcome:mode-claims/high-frequencies}}. It moves little because the trucks oppose each other.
+
+These follow from our reconstruction and say nothing against the paper, which may have had other profiles:
+
+* With linear creep the full equations lose the stable cycles of new wheels on the flange between {{torus-range}}, long before the describing functions do.
+* The stable cycles of CN wheels with both trucks on the flange exist with other dampers than ours only.
+* Three frequencies approach 30.5 rad/s on the flange by describing functions, and less closely by the full equations.
+* A sweep of the paper's algorithm from the critical speed goes over from one family of cycles to another; it finds the first one only when it is started there.
 
 ## Limits
 
 **Geometry.** Wheelset and rails are rigid and both sides are alike; yaw of the wheelset is left out, as in the paper. The contact is the
 point of the least *vertical* gap of two curves in one plane; how tread and flange share the load needs an elastic model.
 
-**Limit cycles.** Creep is linear, as in the paper: on the flange the creep forces asked for are many times what friction could
-carry, so that amplitudes above flange contact are academic. Friction is regularized,
-and results at hundredths of an inch depend on how. Only odd cycles are searched for, and only along branches from critical speeds.
+The flanges of our wheels rise {{flange-height}} above the tread's height at the rolling circle, where those of North American wheels rise about 1 in. Amplitudes beyond some 0.6 in stand on their upper part.
+
+**Limit cycles.** Creep is linear, as in the paper, except in {{creep-limited}}. The friction of the suspension is regularized,
+and results at hundredths of an inch depend on how. Only odd cycles are searched for, along branches from critical speeds and from cycles with front and rear exchanged.
 
 ## Try next
 
 * Continue the cycles in another datum than speed (`dynamics::by_datum`); the centre plates' friction would be the first to try.
-* `railbook hunting geometry` with another `--gauge`: a worn wheel's conicity hangs on half an inch of it.
+* `railbook hunting geometry` with another `--gauge`: a worn wheel's conicity depends on half an inch of it.
 * `railbook hunting cycle --pair cn --suspension friction`: that is the first family; the one of {{fig-11}} comes with `--family 2`.
 */
 

@@ -17,15 +17,19 @@ speed and in amplitude. It does both. Newton's Jacobian is exact:
 There are four vehicles, as in the paper: new, CN and Heumann wheels with linear dampers, and CN wheels with dry friction. A branch
 begins at each critical speed of the linear car. With friction there is none, because sticking joints make $N=4F_0/\pi A$ infinite. The
 friction is therefore viscous below a small rate (0.005 ft/s in translation, 0.0005 rad/s in rotation); the critical
-speeds of that car mean nothing and serve as a start.
+speeds of that car depend on those rates alone and serve as a start. They begin two families, one of the rear truck alone and one of both trucks; the figures have the second, because the
+paper says that without flange contact both trucks have about the same amplitude.
 */
 
 #include "vehicles.hpp"
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <map>
 #include <stdexcept>
+
+#include "num/roots.hpp"
 
 namespace railbook::hunting_chapter {
 
@@ -38,6 +42,7 @@ Vehicle trace(std::string key, std::string name, const wheelrail::NamedPair& pai
             .name = std::move(name),
             .table = &table,
             .flange = flange_begins(pair.pair()),
+            .jump = flange_jump(pair.pair()),
             .car = {assemble({}, suspension), table},
             .hopf = {},
             .branches = {}};
@@ -86,12 +91,11 @@ const LimitCycleBranch& true_branch(std::string_view key) {
   return known.emplace(key, std::move(branch)).first->second;
 }
 
-Range stable_on_flange(const Vehicle& v) {
-  const LimitCycleBranch& branch = true_branch(v.key);
+Range stable_on_flange(const LimitCycleBranch& branch, double flange) {
   Range range;
   for (std::size_t k = 0; k < branch.points.size(); ++k) {
     const LimitCycle& p = branch.points[k];
-    if (!p.stable || p.largest < v.flange) {
+    if (!p.stable || p.largest < flange) {
       if (range.high > 0) break;
       continue;
     }
@@ -102,19 +106,75 @@ Range stable_on_flange(const Vehicle& v) {
   return range;
 }
 
+Range stable_on_flange(const Vehicle& v) {
+  return stable_on_flange(true_branch(v.key), v.flange);
+}
+
 Critical first_critical(const CarParameters& data, const Vehicle& v) {
   const auto found =
       hopf_points({assemble(data, Suspension::dampers), *v.table}, 20 * foot, 400 * foot);
-  if (found.empty()) return {nan, nan};
-  return {found[0].motion.speed / foot, found[0].motion.lambda.imag()};
+  if (found.empty()) return {nan, nan, nan};
+  const Motion& m = found[0].motion;
+  return {m.speed / foot, m.lambda.imag(),
+          std::abs(std::arg(m.shape[X_TF] / m.shape[X_TR])) / units::degree};
+}
+
+CarParameters with_dampers(double translation, double rotation, CarParameters data) {
+  data.damper_travel = translation / data.damper_frequency;
+  data.damper_angle = rotation / data.damper_frequency;
+  return data;
+}
+
+double translation_for(double rotation, CarParameters data) {
+  const auto off = [&](double translation) {
+    return first_critical(with_dampers(translation, rotation, data), vehicle("new")).speed - 145;
+  };
+  // Upwards in steps: beyond the crossing another mode comes first, and the speed jumps.
+  constexpr double step = 1.2;
+  double below = 1 * inch, before = off(below);
+  for (double above = below * step; above < 1000 * inch; below = above, above *= step) {
+    const double now = off(above);
+    if (std::isfinite(before) && std::isfinite(now) && (before < 0) != (now < 0)) {
+      const double found = num::find_root(off, below, above, 1e-6 * inch).x;
+      if (std::abs(off(found)) < 0.01) return found;
+    }
+    before = now;
+  }
+  return nan;
+}
+
+FreightCar car_for(double rotation) {
+  return assemble(with_dampers(translation_for(rotation), rotation), Suspension::dampers);
 }
 
 void claim(report::Item& item, std::string_view key, bool holds, std::string measured) {
   item.claim(key, words_of(item, key), holds, std::move(measured));
 }
 
-void refute(report::Item& item, std::string_view key, bool instead_holds, std::string instead) {
-  item.refute(key, words_of(item, key), instead_holds, std::move(instead));
+void claim(report::Item& item, std::string_view key, const report::Trial& trial,
+           std::string measured) {
+  item.claim(key, words_of(item, key), trial, std::move(measured));
+}
+
+void consistent(report::Item& item, std::string_view key, bool holds, std::string measured,
+                std::string why) {
+  item.consistent(key, words_of(item, key), holds, std::move(measured), std::move(why));
+}
+
+void refute(report::Item& item, std::string_view key, const report::Trial& trial,
+            std::string instead) {
+  item.refute(key, words_of(item, key), trial, std::move(instead));
+}
+
+void verify(report::Item& item, std::string_view key, bool holds, std::string measured,
+            const std::string& method) {
+  item.verify(key, words_of(item, key), holds, std::move(measured), method);
+}
+
+Motion exchanged(Motion motion) {
+  for (const int k : {X_TF, TH_TF, TH_WF}) std::swap(motion.shape[k], motion.shape[k + 1]);
+  motion.shape[TH_C] *= -1;
+  return motion;
 }
 
 CycleCase cycle_case(std::string_view key, double speed, std::size_t which) {

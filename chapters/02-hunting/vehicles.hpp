@@ -18,6 +18,8 @@ namespace railbook::hunting_chapter {
 using namespace dynamics;
 using units::foot, units::inch, units::nan;
 
+inline constexpr double table_mean = 0.02 * inch;  // width of the tables' running mean
+
 struct Range {
   double low = 1e9, high = 0;
   double width() const { return high - low; }
@@ -31,7 +33,7 @@ struct Vehicle {
   std::string key;   // "new", "cn", "heumann", "friction"
   std::string name;  // for tables
   const wheelrail::ConstraintFunctions* table;
-  double flange;  // displacement up to which the tables are those of the tread [m]
+  double flange, jump;  // displacements at which flange contact begins and jumps to the flange [m]
   QuasiLinearCar car;
   std::vector<HopfPoint> hopf;        // of the linear car, up to 400 ft/s
   std::vector<CycleBranch> branches;  // one a Hopf point
@@ -44,26 +46,48 @@ const std::vector<Vehicle>& vehicles();
 const Vehicle& vehicle(std::string_view key);
 // The branch of the full equations from the same critical speed; computed once, when it is asked for.
 const LimitCycleBranch& true_branch(std::string_view key);
-// Where the full equations' branch is stable with flange contact [ft/s]: its first stretch, to the located point that ends it.
+// Where a branch of the full equations is stable with flange contact [ft/s]: its first stretch, to the
+// located point that ends it.
+Range stable_on_flange(const LimitCycleBranch& branch, double flange);
 Range stable_on_flange(const Vehicle& v);
 // "new", "cn" and "heumann": the three with dampers.
-inline constexpr int with_dampers = 3;
+inline constexpr std::size_t damped_cars = 3;
 
-// The displacement up to which the left wheel stands on its tread, not on the throat, curved by less than 2 in; less
-// half the width of the tables' running mean [m].
-double flange_begins(const wheelrail::WheelsetOnTrack& pair);
-// The first critical speed [ft/s] of other data on a vehicle's wheels, and its frequency; NaN if there is none.
+// Where flange contact begins: the last displacement at which the left wheel stands on its tread and
+// not on the arc between tread and flange, less half the width of the tables' running mean [m].
+double flange_begins(const wheelrail::WheelsetOnTrack& pair, double running_mean = table_mean);
+// The first displacement at which two points touch, and contact jumps to the flange [m].
+double flange_jump(const wheelrail::WheelsetOnTrack& pair);
+// The first critical speed [ft/s] of other data on a vehicle's wheels, its frequency [rad/s] and the
+// phase between front and rear truck [degrees]; NaN if there is none.
 struct Critical {
-  double speed, omega;
+  double speed, omega, phase;
 };
 Critical first_critical(const CarParameters& data, const Vehicle& v);
+
+// The paper's friction as dampers by two numbers: omega A of the translations [m/s] and omega theta of
+// the rotations [rad/s].
+CarParameters with_dampers(double translation, double rotation, CarParameters data = {});
+// The translation at which the first critical speed with new wheels is 145 ft/s, for a rotation.
+double translation_for(double rotation, CarParameters data = {});
+// A car with such dampers.
+FreightCar car_for(double rotation);
 
 // Why an item is rebuilt.
 inline constexpr const char* rebuilt_reason =
     "profiles, equivalent dampers and the sticking of friction are ours, as stated";
-// A statement of the paper, in the words of data/claims.csv, holds; or it does not, and something else does.
+// A statement of the paper, in the words of data/claims.csv, holds whatever we chose; or with what we
+// chose; or it does not, and something else does.
 void claim(report::Item& item, std::string_view key, bool holds, std::string measured);
-void refute(report::Item& item, std::string_view key, bool instead_holds, std::string instead);
+void claim(report::Item& item, std::string_view key, const report::Trial& trial,
+           std::string measured);
+void consistent(report::Item& item, std::string_view key, bool holds, std::string measured,
+                std::string why = rebuilt_reason);
+void refute(report::Item& item, std::string_view key, const report::Trial& trial,
+            std::string instead);
+// A statement of ours on our model, in the words of data/claims.csv.
+void verify(report::Item& item, std::string_view key, bool holds, std::string measured,
+            const std::string& method);
 // Columns of one format.
 inline std::vector<report::Heading> headings(const char* format,
                                              std::initializer_list<const char*> titles) {
@@ -71,6 +95,9 @@ inline std::vector<report::Heading> headings(const char* format,
   for (const char* title : titles) all.emplace_back(title, format);
   return all;
 }
+
+// Front and rear exchanged.
+Motion exchanged(Motion motion);
 
 struct CycleCase {
   std::string name;  // "new wheel, 150 ft/s"

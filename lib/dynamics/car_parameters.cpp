@@ -20,7 +20,7 @@ constexpr double slug_ft2 = slug * foot * foot;
 
 constexpr std::array data{
     CarDatum{"body-mass", "m_C", "car body", &P::body_mass, units::mass, "slug", slug, true,
-             restored, "the scan shows \"noi.\""},
+             restored, "our text shows \"noi.\""},
     CarDatum{"bolster-mass", "m_B", "bolster", &P::bolster_mass, units::mass, "slug", slug, false,
              printed, ""},
     CarDatum{"sideframe-mass", "m_F", "side frame", &P::sideframe_mass, units::mass, "slug", slug,
