@@ -69,9 +69,10 @@ Figures 6 and 7, and all results after the section on geometry.
 
 The static model is a linear beam on linear springs that also pull. Under a wheel of 27.5 kip on the
 typical track the bed would have to pull with {{uplift-pull}} at most, while rail and half a tie
-weigh {{uplift-weight}}: ties lift a little. Shear of the rail is left out, and so is the coupling
-of the two rails through the tie. The pyramid of (6) is valid while those of neighbouring ties do
-not meet. The data of any real track are known to a few percent at best.
+weigh {{uplift-weight}}: ties lift a little, which hardly changes the deflection under the wheel
+(*lifting-ties* on the study page). Shear of the rail is left out, and so is the coupling of the two
+rails through the tie. The pyramid of (6) is valid while those of neighbouring ties do not meet. The
+data of any real track are known to a few percent at best.
 
 In motion, the track below each wheel of {{fig-04}} has three degrees of freedom with the wheel. It
 has no resonance of the rail between ties (near 1 kHz, about the contact's own frequency) and no

@@ -60,6 +60,48 @@ Found double_root() {
                              -1e9, 1e9)};
 }
 
+// Deflection [m] under a wheel on the middle of 121 ties, beyond that under the weight of rail and half ties alone. A tie
+// hangs on the rail; its bed only pushes where `lifts`, and is missing below the wheel where `hangs`.
+double on_ties(bool lifts, bool hangs) {
+  constexpr Eigen::Index count = 121, middle = count / 2;
+  const TieSupport support = typical_support();
+  const double seat = stiffness_chain(support).seat;
+  const double weight =
+      units::standard_gravity *
+      (typical_rail().mass_per_length * support.tie_spacing + 0.5 * typical_tie_mass);
+  BeamModel rail{.bending_stiffness = typical_rail().bending_stiffness(),
+                 .x = Eigen::VectorXd::LinSpaced(count, 0, (count - 1) * support.tie_spacing),
+                 .element = Element::cubic};
+  const auto deflection = [&](double wheel) {
+    std::vector<NodeLoad> loads;
+    for (Eigen::Index i = 0; i < count; ++i) loads.push_back({i, weight});
+    loads[middle].force += wheel;
+    rail.spring = Eigen::VectorXd::Constant(count, seat);
+    if (hangs) rail.spring[middle] = 0;
+    for (int i = 0; i < 50; ++i) {
+      const Eigen::VectorXd y = solve_beam(rail, loads).deflection;
+      const Eigen::VectorXd before = rail.spring;
+      for (Eigen::Index k = 0; lifts && k < count; ++k)
+        rail.spring[k] = y[k] > 0 && !(hangs && k == middle) ? seat : 0;
+      if (rail.spring == before) return y[middle];
+    }
+    throw report::NoAnswer("which ties lift did not settle");
+  };
+  return deflection(typical_wheel_load) - deflection(0);
+}
+
+Found lifting_ties() {
+  const double pulled = on_ties(false, false), lifted = on_ties(true, false);
+  return {fmt::format("the wheel sinks {:.3f} mm instead of {:.3f} mm", 1e3 * lifted, 1e3 * pulled),
+          off(pulled, lifted)};
+}
+
+Found hanging_tie() {
+  const double sound = on_ties(true, false), hanging = on_ties(true, true);
+  return {fmt::format("the wheel sinks {:.2f} mm instead of {:.2f} mm", 1e3 * hanging, 1e3 * sound),
+          off(sound, hanging)};
+}
+
 const RectifiedSine half_inch = joint_dip(0.5);
 
 // Forces of a passage at 60 mph by the explicit and by the implicit integrator, as their largest relative difference.
@@ -163,6 +205,12 @@ void extremes(report::Item& item) {
       {{"wide-ties", "ties at beta l_t = 2", "too far apart for equation (2)", degrades, 0.3,
         "the exact discrete track"},
        wide_ties},
+      {{"lifting-ties", "ties that lift, under 27.5 kip", "the springs of the model also pull",
+        degrades, 0.01, "the rail on ties that only push, with their weight"},
+       lifting_ties},
+      {{"hanging-tie", "the tie under the wheel without a bed", "the model has no voids", degrades,
+        0.5, "the rail on ties that only push, one of them hanging"},
+       hanging_tie},
       {{"critical", "theta = 1, zeta from 0.4 to 4e-13", "roots pair off as damping goes to zero",
         holds, 1e-14, "the manufactured solution"},
        critical},
