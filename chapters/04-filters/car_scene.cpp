@@ -1,6 +1,6 @@
 /***
 The scene is Figures 4, 10, 11 and 14 in one: the sensors of gage, crosslevel, profile and alignment where they sit. Sizes are chosen, the
-sensors enlarged.
+sensors enlarged. The car travels towards the beam; the third sway sensor, at the rear truck, is outside the picture.
 */
 #include <vector>
 
@@ -19,8 +19,7 @@ const Colour accelerometer{0.84, 0.37, 0.0}, gyro{0.0, 0.45, 0.70}, displacement
     gage_sensor{0.80, 0.47, 0.65}, frame{0.45, 0.47, 0.50};
 
 void fig_layout(report::Item& item) {
-  item.sketch(
-      "where the sensors sit, after the text; the paper's drawings are not legible in our copy");
+  item.sketch("where the sensors sit, after the text; the paper's drawings are lost in our copy");
   const geometry_car::Layout l;
   scene::Scene s;
   const auto box = [&](const Point& low, const Point& high, const Colour& colour) {

@@ -1,7 +1,7 @@
 /*** ## Curvature
 
 The change of heading over a foot is the yaw rate times the time of the foot, so a division by the speed is a multiplication by $T$. With the heading $\psi$
-(the paper's $\phi_c$), the distance $z$ and the time $\tau$,
+(the paper's $\phi_c$), the distance $z$ (as in the paper; further down $z_k$ is a height) and the time $\tau$,
 
 $$\frac{\Delta\psi}{\Delta z}=\frac{\Delta\psi/\Delta\tau}{\Delta z/\Delta\tau},\qquad\Delta\tau=T.$$
 

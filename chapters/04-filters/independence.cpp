@@ -14,8 +14,8 @@ speed and direction of travel". The last two columns compare it with the analog 
 The two directions come {{offset-9}} apart at 9 mph instead of {{alone-9}}, and {{offset-80}} at 80 mph instead of {{alone-80}}, both far less than the foot between
 two samples ({{outcome:small-kappa/direction}}). The {{offset-9}} are not the paper's: they belong to the corner of {{corner}} that we chose, and to the shortest $C$. With a tenth of the corner they
 are {{offset-low}}. They can also be taken out, since $\kappa$ is measured: with $\varepsilon=\frac12-\left(\frac1\kappa-\frac a{1-a}\right)$, a factor
-$1-\frac\varepsilon2(z-z^{-1})$ leaves the gain of long waves and {{offset-left}} at a wave of 20 ft. At 1 mph the gain is off by up to {{off-1}}, and the two directions lie {{offset-1}} apart. The paper
-itself says *nearly* of profile and alignment.
+$1-\frac\varepsilon2(z-z^{-1})$ keeps the gain of long waves and leaves {{offset-left}} at a wave of 20 ft. At 1 mph, below all speeds for which the paper relies on the filter, the gain is off by up to {{off-1}}, and the two
+directions lie {{offset-1}} apart, no less than with $B$ alone. The paper itself says *nearly* of profile and alignment.
 
 **"An extremely close approximation"** of $C$ is said to be coded, for "efficient numerical calculations". The paper does not say which. With an approximate $\hat a$, the fraction
 $(a-\hat a)/(1-\hat a)$ of the older input leaks through. At 9 mph that is {{tail-linear}} with $\hat a=1-\kappa$ and {{tail-reciprocal}} with $1/(1+\kappa)$, which a record
@@ -66,7 +66,7 @@ void small_kappa(report::Item& item) {
                 {"largest deviation of |BC|", "{:.5f}"},
                 {"delay / T", "{:.5f}"},
                 {"forward and reverse apart, mm", "{:.3g}"},
-                {"with B alone, mm", "{:.3g}"}});
+                {"with B alone, m", "{:.2f}"}});
   bool removed = true;  // nine tenths of what B alone does, and the rest below half a sample
   for (const double mph : {1.0, 5.0, 9.0, 15.0, 30.0, 80.0, 120.0}) {
     const double kappa = kappa_at(mph * units::mph);
@@ -75,7 +75,7 @@ void small_kappa(report::Item& item) {
     const double alone = 2 * mph * units::mph / gyro_corner;
     if (mph >= 5)
       removed = removed && directions_apart(kappa) < std::min(0.1 * alone, 0.5 * sample_distance);
-    item.add_row(mph, kappa, off, filters::centroid_delay(kappa), apart, alone / units::millimetre);
+    item.add_row(mph, kappa, off, filters::centroid_delay(kappa), apart, alone);
     item.value(fmt::format("alone-{:g}", mph), alone, "m", mph > 9 ? "{:.1f}" : "{:.2f}");
     if (mph == 1) item.value("off-1", off, "", "{:.2f}");
     item.value(fmt::format("offset-{:g}", mph), apart, "mm", mph > 9 ? "{:.1f}" : "{:.0f}");

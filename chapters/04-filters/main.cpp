@@ -6,7 +6,7 @@
    apart ({{outcome:fig-09/magnitude}}).
 2. The paper claims that only gage and crosslevel remain accurate down to 0 mph. On our model they do; the errors of curvature, profile and alignment at 0.5 mph are at least
    {{slow-growth}} those from 15 mph on, with sensors of our choice and the yaw gyro debiased at rest ({{outcome:table-claims/only-two}}).
-3. The paper claims that chords of any length can be had from the short ones that the accelerometers give. This is exact: the 62-ft offset is a sum of {{chord-taps}} short offsets with whole numbers as
+3. The paper claims that chords of any length can be had easily from the inertial measurements, which give short ones. This is exact: the 62-ft offset is a sum of {{chord-taps}} short offsets with whole numbers as
    weights ({{outcome:chords/any}}).
 :::
 

@@ -1,7 +1,7 @@
 /*** ## Profile and alignment
 
 $F\cdot G$ makes of each acceleration a short mid-chord offset, the height above the middle of a chord of two samples,
-$m_k=z_k-\frac12(z_{k-1}+z_{k+1})$. The Federal Track Safety Standards want a chord of 62 ft. A chord of $2N$ samples reads $1-\cos N\theta$ of a sine of $\theta$ radians a sample, and
+$m_k=z_k-\frac12(z_{k-1}+z_{k+1})$. The Federal Track Safety Standards want a chord of 62 ft. The gain of a chord of $2N$ samples for a sine of $\theta$ radians a sample is $1-\cos N\theta$, and
 
 $$\frac{1-\cos N\theta}{1-\cos\theta}=\left(\frac{\sin N\theta/2}{\sin\theta/2}\right)^2$$
 

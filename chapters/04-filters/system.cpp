@@ -10,8 +10,7 @@ is right to half a foot, the 6 in of the paper.
 
 {{include: car_scene.cpp}}
 
-Which parameter needs which sensor is the paper's Figure 3. We have the paper as machine-read text, in which the drawings are lost, so this figure is rebuilt from the
-words around it. Our processing follows the same words; the table shows what it really uses. Each sensor of a recorded journey is disturbed in turn, and a parameter
+Which parameter needs which sensor is the paper's Figure 3, a drawing that is lost in our copy. It is rebuilt here from the words around it. Our processing follows the same words; the table shows what it really uses. Each sensor of a recorded journey is disturbed in turn, and a parameter
 that changes depends on it.
 
 {{table-sensors}}
@@ -93,7 +92,7 @@ Names needed(const Record& record, const std::vector<Parameter>& made_of) {
 }
 
 void table_sensors(report::Item& item) {
-  item.rebuilt("from the text; the paper's Figure 3 is not legible in our copy");
+  item.rebuilt("from the text; the paper's Figure 3 is lost in our copy");
   item.expect_checks(5);
   const Record record = cruise(line_of({.length = 1500 * foot}), 60 * mph);
   std::vector<report::Heading> headings{"parameter"};

@@ -1,6 +1,7 @@
 /***
 The 62-ft chord with the high-pass, from short offsets. The input is synthetic track, rounded to whole units of $2^{-34}$ m, so that the exact answer is known in integers: the reference has
-no error but one rounding. The error is the largest difference over the RMS of the answer. All methods get the same array and return another; making weights and plans is counted.
+no error but one rounding. It has its weights from the same function of the library as the first method; the other three do not use it. The error is the largest difference over the RMS of the
+answer. All methods get the same array and return another; making weights and plans is counted.
 
 * **weights**: all 661, vectorised.
 * **transforms**: of overlapping blocks of 8192, what a signal library takes for a filter of this length.
@@ -9,16 +10,17 @@ no error but one rounding. The error is the largest difference over the RMS of t
 
 {{cost-length}}
 
-{{length-answer}} The direct weights take {{weights-over-sums}} the operations of the sums and are vectorised. The worst error found is {{rounding-found}} ({{outcome:cost-length/as-double}}): every method is
-accurate enough for any track, so cost is what decides, and what the stream can do besides.
+{{length-answer}} The direct weights take {{weights-over-sums}} the operations of the sums, although they are vectorised. The worst error found is {{rounding-found}} ({{outcome:cost-length/as-double}}): every
+method is accurate enough for any track, so take the stream, which can do more than the others, unless another is much cheaper on your machine.
 
-**How long may a filter run?** Sums that are never started anew keep every rounding. The same samples over and over, with the exact answer known, for a filter in floating point that never restarts; at level `full` up to
-$10^9$ samples:
+**How long may a filter run?** Sums that are never started anew keep every rounding. Here the same samples come over and over, with the exact answer known, through a filter in floating point that never restarts; at level
+`full` up to $10^9$ samples:
 
 {{cost-drift}}
 
 {{drift-answer}} The input is in whole units, so a double adds it without error until a sum
-passes $2^{53}$ of them; where the integrators do, their curve leaves that of the sums. In 64-bit integers there is no error at any length ({{outcome:cost-drift/integers}}). This is why the library starts its sums anew, and why nothing in it integrates along the track.
+passes $2^{53}$ of them; where the integrators do, their curve leaves that of the sums. In 64-bit integers there is no error at any length ({{outcome:cost-drift/integers}}). So start running sums anew, and never
+integrate along the track in floating point; the library does the first and not the second.
 
 The same filter in several ways; the number type is a parameter where it matters:
 */
@@ -149,6 +151,16 @@ Values by_stream(const Values& x) {
   return {chord.begin() + reach, chord.end() - reach};
 }
 
+// 30000000 -> "30 000 000", with thin spaces.
+std::string thousands(std::size_t n) {
+  std::string digits = std::to_string(n), out;
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    if (i > 0 && (digits.size() - i) % 3 == 0) out += "\u2009";
+    out += digits[i];
+  }
+  return out;
+}
+
 // One record, and what the filter must make of it.
 struct Sample {
   Values x, exact;
@@ -193,7 +205,7 @@ void cost_length(report::Item& item) {
   auto& data = item.data({"samples", "method", "operations", "ns", "q1_ns", "q3_ns", "error"});
   data.not_compared("times, and rounding");
   const int longest = samples.rbegin()->first;
-  std::string said;
+  std::string times;
   double worst = 0;
   for (const report::WorkPrecision& p : points) {
     const double n = std::stod(p.setting), ns = 1e9 / n;
@@ -201,13 +213,14 @@ void cost_length(report::Item& item) {
              p.error);
     worst = std::max(worst, p.error);
     if (std::stoi(p.setting) != longest) continue;
-    said += fmt::format("{}{} {:.1f}", said.empty() ? "" : ", ", p.method, ns * p.seconds_median);
+    times += fmt::format("{}{} {:.1f}", times.empty() ? "" : ", ", p.method, ns * p.seconds_median);
   }
   item.add(points);
   item.value("length-answer",
-             item.timings() ? fmt::format("At {:.0e} samples a sample takes, in nanoseconds: {}.",
-                                          static_cast<double>(longest), said)
-                            : "(They were not timed.)");
+             item.timings()
+                 ? fmt::format("In a record of {} samples each takes, in nanoseconds: {}.",
+                               thousands(static_cast<std::size_t>(longest)), times)
+                 : "(They were not timed.)");
   item.value("weights-over-sums", weights_cost / sums_cost, "times", "{:.0f}");
   item.expect_checks(1);
   item.at_most("as-double", "largest error of any method over the RMS", "", worst, 1e-9,
@@ -292,7 +305,7 @@ void cost_drift(report::Item& item) {
       if (count <= most) counts.push_back(count);
   auto& data = item.data({"samples", "method", "error"});
   data.holds_to("error", 0.5, 0, "drift of rounding errors");
-  std::string said;
+  std::string kept_by, lost_by;
   const auto run = [&](const char* name, const Values& errors) {
     for (std::size_t i = 0; i < counts.size(); ++i)
       data.add(static_cast<double>(counts[i]), name, errors[i] / scale);
@@ -300,15 +313,18 @@ void cost_drift(report::Item& item) {
     const auto lost = std::ranges::find_if(errors, [&](double e) { return !(e < 1e-3 * scale); });
     const bool kept = lost == errors.end();
     const auto at = kept ? counts.size() - 1 : static_cast<std::size_t>(lost - errors.begin());
-    said += fmt::format("{}by {} {}within {:.0e} samples",
-                        said.empty() ? "A thousandth of the RMS is lost " : ", ", name,
-                        kept ? "not " : "", static_cast<double>(counts[at]));
+    (kept ? kept_by : lost_by) +=
+        fmt::format("{}{}{}", (kept ? kept_by : lost_by).empty() ? "" : " and ", name,
+                    kept ? "" : fmt::format(" within {} samples", thousands(counts[at])));
   };
   run("sums in single precision", drift<float>(Endless::sums, period, counts));
   run("sums in double precision", drift<double>(Endless::sums, period, counts));
   run("integrators in single precision", drift<float>(Endless::integrators, period, counts));
   run("integrators in double precision", drift<double>(Endless::integrators, period, counts));
-  item.value("drift-answer", said + ".");
+  item.value("drift-answer",
+             fmt::format("An error of a thousandth of the RMS is reached by {}; {} do not reach it "
+                         "in {} samples.",
+                         lost_by, kept_by, thousands(counts.back())));
   const auto integers = drift<Word>(Endless::integrators, period, counts);
   item.expect_checks(1);
   item.at_most("integers", "error of integrators in 64-bit integers", "m",

@@ -1,6 +1,6 @@
 /***
 The digital filter removes the memory of an analog filter whose corner it is told. Resistors and capacitors drift, so the true corner is another. In the table the corners of $B$ and $F$ are
-both off by a fraction $\varepsilon$, and the processing does not know it: first what it does to the gain of $BC$ of {{fig-09}}, then the error of the car at 60 mph over the main line with perfect sensors.
+both off by a fraction $\varepsilon$, and the processing does not know it: first what it does to the gain of $BC$, which is Figure 9 on the first page, then the error of the car at 60 mph over the main line with perfect sensors.
 
 {{corner-off}}
 

@@ -117,8 +117,9 @@ report::Found judged(Record record, Parameter parameter = Parameter::profile_lef
   if (good == 0)
     throw report::NoAnswer{
         fmt::format("{} findings; no row of {} is good", health.findings.size(), m.size())};
-  return {fmt::format("{} findings; {} of {} rows good, off by {:.1g} mm at most",
-                      health.findings.size(), good, m.size(), largest / mm),
+  return {fmt::format("{} finding{}; {} of {} rows good, off by {:.1g} mm at most",
+                      health.findings.size(), health.findings.size() == 1 ? "" : "s", good,
+                      m.size(), largest / mm),
           largest};
 }
 
@@ -162,8 +163,8 @@ void car(report::Item& item) {
   const auto from_a_crawl = [](Motion& m) { m.cruise(5).change_speed(28, 2).cruise(600); };
   driven("car-crawl", "car: alignment from a crawl of 0.3 m/s up", "gravity on a false lean", 0.3,
          from_a_crawl, levelling_degrades, Parameter::alignment_left);
-  driven("car-level", "car: crosslevel from a crawl of 0.3 m/s up",
-         "an hour a mile: only the inclinometer", 0.3, from_a_crawl, 7 * mm, Parameter::crosslevel);
+  driven("car-level", "car: crosslevel from a crawl of 0.3 m/s up", "only the inclinometer knows",
+         0.3, from_a_crawl, 7 * mm, Parameter::crosslevel);
   const Record clean = cruise(line(), v);
   const auto spoilt = [&](const char* id, const char* what, const char* stress,
                           const std::function<void(Record&, std::vector<double>&)>& spoil) {
