@@ -308,13 +308,13 @@ void cost_mass(report::Item& item) {
   item.value("contact-stiffness", contact_stiffness(typical) / 1e9, "GN/m", "{:.1f}");
   item.value("bed-stiffness", typical.track.bed_stiffness / 1e6, "MN/m", "{:.0f}");
   const Entry light = quickest(entries);
+  const char* unit = item.timings() ? "ms" : "evaluations";
   item.value(
       "mass-answer",
       fmt::format("Use an explicit method down to {:g} kg of rail and an implicit one below: "
                   "{} is the quickest at 100 kg, {} at 1 g, where it takes {:.2g} {} and "
-                  "order 5 {:.3g}.",
-                  lightest, heavy.name, light.name, light.cost,
-                  item.timings() ? "ms" : "evaluations", entries.front().cost));
+                  "order 5 takes {:.3g} {}.",
+                  lightest, heavy.name, light.name, light.cost, unit, entries.front().cost, unit));
 }
 
 }  // namespace
