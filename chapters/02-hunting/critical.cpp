@@ -19,7 +19,7 @@ $\omega A$ of the translations and $\omega\theta$ of the rotations. Pairs that g
 12 rad/s therefore choose the first, from $\omega\theta$ = {{fit-low}} on. There the frequency with CN wheels is {{fit-cn}}, and the paper prints 21. Used here are 20 rad/s with 0.5 in and 0.003 rad.
 
 **Do CN wheels lower the critical speed?** The paper says that it is "much lower". With all dampers that give 145 ft/s and 12 rad/s the speed with CN wheels is {{cn-speeds}}, {{cn-ratio}} times that with new wheels: a tenth lower at one end, as
-high or higher at the other. Only dampers that put the frequency with new wheels at {{lower-omega}} make it much lower. The printed frequencies speak against it as well: a truck that is held square moves at $\omega\propto V\sqrt\lambda$, and 21 rad/s with three
+high or higher at the other. It is much lower only with dampers that put the frequency with new wheels at {{lower-omega}}. The printed frequencies speak against it as well: a truck that is held square moves at $\omega\propto V\sqrt\lambda$, and 21 rad/s with three
 times the conicity of 12 rad/s need about the same speed.
 
 {{dampers}}

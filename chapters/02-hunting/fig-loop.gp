@@ -4,10 +4,12 @@ set terminal pngcairo size 900,430 font "DejaVu Sans,14" enhanced background rgb
 set output ARG2
 set multiplot
 set yrange [0:0.8]
-set lmargin at screen 0.09
+set tmargin at screen 0.96
+set bmargin at screen 0.19
+set lmargin at screen 0.12
 set rmargin at screen 0.84
 set xlabel "speed V, ft/s"
-set ylabel "largest wheelset amplitude A, in"
+set ylabel "largest wheelset amplitude A, in" offset 0.5
 set xrange [90:250]
 set key at graph 0.98,0.4 right top font ",12" samplen 2
 plot ARG4 using 2:1 with lines lt 8 dt solid title "first family, by continuation", \
@@ -15,14 +17,15 @@ plot ARG4 using 2:1 with lines lt 8 dt solid title "first family, by continuatio
      ARG1 using 2:1 with points pt 7 ps 1.1 lc rgb black title "least damped mode (the paper's)", \
      ARG3 using 2:1 with points pt 4 ps 1.3 lc rgb blue title "next least damped (its footnote)"
 set lmargin at screen 0.86
-set rmargin at screen 0.98
+set rmargin at screen 0.985
+set ytics scale 0
 unset key
 unset ylabel
 set format y ""
 unset xlabel
 set xrange [0:3]
 unset xtics
-set label 1 "no\nconvergence" at graph 0.5,-0.06 center tc rgb grey
+set label 1 "did not\nconverge" at graph 0.5,-0.1 center tc rgb grey
 plot ARG1 using ($3 == 1 ? 1 : NaN):1 with points pt 2 ps 0.9 lc rgb black, \
      ARG3 using ($3 == 1 ? 2 : NaN):1 with points pt 2 ps 0.9 lc rgb blue
 unset multiplot

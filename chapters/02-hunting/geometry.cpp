@@ -150,7 +150,6 @@ void geometry_claims(report::Item& item) {
   for (double t = 0; t <= 1; t += 0.001)
     lowest = std::min(lowest, wheel.height(std::lerp(wheel.start().u, wheel.end().u, t)));
   item.value("flange-height", (circle - lowest) / inch, "in", "{:.2f}");
-  item.value("roll-ratio", c.Phi.slope(0) / n.Phi.slope(0), "times", "{:.2f}");
   item.value("gauge", paper_track.gauge / inch, "in", "{:.1f}");
   item.value("half-gauge", 0.5 * paper_track.gauge / inch, "in", "{:.2f}");
   item.value("half-spacing", a / inch, "in", "{:.2f}");

@@ -196,7 +196,7 @@ void stability_range(report::Item& item) {
       return p.stable || !was_stable;
     });
     const Range stable = stable_on_flange(branch, flange);
-    const bool any = stable.high > stable.low + 0.1;
+    const bool any = stable.high > stable.low + 0.01;
     if (any) ends.add(stable.high);
     nowhere += any ? 0 : 1;
     item.add_row(choice, setting, hopf.at(1).motion.speed / foot, any ? stable.low : nan,

@@ -45,7 +45,7 @@ constexpr std::array data{
              units::stiffness, "lb/ft", lbf / foot, false, printed, ""},
     CarDatum{"warp-stiffness", "K_{\\theta W}", "warp, a truck", &P::warp_stiffness,
              stiffness_of_angle, "ft lb/rad", foot* lbf, false, restored,
-             "the exponent is illegible; 6 is the only one near the printed speeds"},
+             "the exponent is illegible; only 6 gives 145 ft/s and 12 rad/s together"},
     CarDatum{"lateral-friction", "F_{0x}", "lateral friction, a side frame", &P::lateral_friction,
              units::force, "lb", lbf, false, printed, ""},
     CarDatum{"vertical-friction", "F_{0y}", "vertical friction, a side frame",

@@ -17,12 +17,12 @@ set multiplot layout 1,2
 set ylabel timed > 0 ? "run time, s" : "steps"
 set yrange [timed > 0 ? 1e-5 : 5:timed > 0 ? 10 : 1e6]
 set xlabel "speed V, ft/s"
-set xrange [0.2:150]
+set xrange [*<0.7:150]
 set key top right
 plot for [i = 1:3] ARG1 using (strcol("method") eq method[i] ? $2 : NaN):cost with linespoints lt i title method[i], \
      ARG1 using 7:cost with impulses ls guide title "crossover"
 set xlabel "sticking rate, m/s"
-set xrange [5e-7:2e-2]
+set xrange [*<5e-6:2e-2]
 plot for [i = 1:3] ARG3 using (strcol("method") eq method[i] ? $2 : NaN):cost with linespoints lt i title method[i], \
      ARG3 using 7:cost with impulses ls guide title "crossover"
 unset multiplot
