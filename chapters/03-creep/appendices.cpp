@@ -5,53 +5,59 @@ Creep is a small difference of two large numbers,
 
 $$\xi=1-\frac{N_SR_S}{N_BR_B}, \tag{1}$$
 
-so a relative error of a speed or a radius is an absolute error of the creep. With $u=R_S/R_B$, Appendix A adds up three terms,
+so a relative error of a speed or a radius is an absolute error of the creep. With $u=R_S/R_B$,
+Appendix A adds up three terms,
 
 $$d\xi=-\frac{N_S}{N_B}\,du+u\frac{N_S}{N_B^2}\,dN_B-\frac{u}{N_B}\,dN_S,\qquad
   du=-\frac{R_S}{R_B^2}\,dR_B+\frac{1}{R_B}\,dR_S, \tag{i}$$
 
-and finds 0.0005. We have the paper as machine-read text, without its drawings; where it is damaged, the
-notes say what was read. Row by row:
+and finds 0.0005. We have the paper as machine-read text, without its drawings; where it is damaged,
+the notes say what was read. Row by row:
 
 {{table-appendix-a}}
 
-* The terms are added **with their signs**, those of the two radii as well, and cancel in part. So the sum
-  is not an upper bound. If all four errors of the appendix act in the same direction they make {{xi-worst}}, and with
-  all that is rounded or could be read otherwise {{worst-range}}. The printed sum itself, 0.000520, exceeds 0.0005.
-  {{outcome:table-appendix-a/upper-bound}}
-* As independent errors (root of the sum of squares) they make {{xi-rss}}, so the creep can be called
-  accurate to 0.0005 in that sense. {{outcome:table-appendix-a/accurate}}
-* Before each test the longitudinal force was brought to zero with the small motor. A creep counted from
-  that reading would be free of the errors of the radii, but it would have those of the speeds twice:
-  {{zero-worst}} at worst, {{zero-rss}} if independent. The paper computes its creep by (1), from the radii.
-* The third term uses $u$ = 0.2238, close to the value of Appendix B, where the first two use 0.2256.
-  {{outcome:table-appendix-a/term-3}} With 0.2256 it would be {{third-term}}.
-* The text of the appendix has the radii to 0.00254 mm; its numbers are those of 0.00254 **cm**, which is the
-  0.0254 mm of the body of the paper. {{outcome:table-appendix-a/radius-unit}}
-* One tooth in a minute, 1/144 rpm, is taken for the big wheel, and 0.2 rpm, 29 teeth, for the small one.
-* Our copy is damaged in four places: it reads "10.1" for 10.16 cm (4 in), "118" for 116 rpm, "0.009" for
-  0.0069 and "22238" for 0.2238; the results that follow need the latter.
-* With the radii of Appendix A the creep at 518 and 116 rpm would be {{xi-wrong-sign}}: a braked wheel would run
-  *ahead*. With those of Appendix B it is {{xi-right-sign}}.
+* The terms are added **with their signs**, those of the two radii as well, and cancel in part. So
+  the sum is not an upper bound. If all four errors of the appendix act in the same direction they
+  make {{xi-worst}}, and with all that is rounded or could be read otherwise {{worst-range}}. The
+  printed sum itself, 0.000520, exceeds 0.0005. {{outcome:table-appendix-a/upper-bound}}
+* As independent errors (root of the sum of squares) they make {{xi-rss}}, so the creep can be
+  called accurate to 0.0005 in that sense. {{outcome:table-appendix-a/accurate}}
+* Before each test the longitudinal force was brought to zero with the small motor. A creep counted
+  from that reading would be free of the errors of the radii, but it would have those of the speeds
+  twice: {{zero-worst}} at worst, {{zero-rss}} if independent. The paper computes its creep by (1),
+  from the radii.
+* The third term uses $u$ = 0.2238, close to the value of Appendix B, where the first two use
+  0.2256. {{outcome:table-appendix-a/term-3}} With 0.2256 it would be {{third-term}}.
+* The text of the appendix has the radii to 0.00254 mm; its numbers are those of 0.00254 **cm**,
+  which is the 0.0254 mm of the body of the paper. {{outcome:table-appendix-a/radius-unit}}
+* One tooth in a minute, 1/144 rpm, is taken for the big wheel, and 0.2 rpm, 29 teeth, for the small
+  one.
+* Our copy is damaged in four places: it reads "10.1" for 10.16 cm (4 in), "118" for 116 rpm,
+  "0.009" for 0.0069 and "22238" for 0.2238; the results that follow need the latter.
+* With the radii of Appendix A the creep at 518 and 116 rpm would be {{xi-wrong-sign}}: a braked
+  wheel would run *ahead*. With those of Appendix B it is {{xi-right-sign}}.
 
-The worst case is checked without any derivative, by evaluating (1) at all sixteen corners of the errors.
+The worst case is checked without any derivative, by evaluating (1) at all sixteen corners of the
+errors.
 
-Appendix B asks what wear does to the reading: after five hours at $\mu$ = 0.3 the small wheel has lost 0.00152 cm of
-diameter, and the big one is assumed to have lost as much. The speeds are exact here, so only the first term of (i) stays.
+Appendix B asks what wear does to the reading: after five hours at $\mu$ = 0.3 the small wheel has
+lost 0.00152 cm of diameter, and the big one is assumed to have lost as much. The speeds are exact
+here, so only the first term of (i) stays.
 
 {{table-appendix-b}}
 
 The appendix prints 0.0000588, the body of the paper 0.00005, the same number cut to one digit.
 {{outcome:table-appendix-b/text}}
 
-The main text has three more numbers. "4449.72 N" is 1000 lb taken as 0.45359 kg each at 9.81 m/s² (1000 lbf
-are {{load-exact}}), and the force error of 22.249 N is 5 lb in the same way. The third is the speed of 8.224 km/h for
-"near 50 rpm"; at exactly 50 rpm the rim of the big wheel runs at {{speed-50}}, and 8.224 km/h is {{rpm-needed}}.
-The nomenclature gives the speeds of the wheels in rpm, but 116 and 99.2 rpm, those of the two appendices, are
-{{speed-at-116}} and {{speed-at-99}}, twice as fast. If they are counts of the gear's 144 teeth **in a second**, Appendix A's 116
-are {{rpm-by-teeth}}, which is near 50, and {{speed-by-teeth}}, close to the print; Appendix B's 99.2 are then {{rpm-99-by-teeth}}.
-The paper does not decide it, and its creep does not depend on it, since only the ratio of the speeds enters.
-{{outcome:table-text/speed}}
+The main text has three more numbers. "4449.72 N" is 1000 lb taken as 0.45359 kg each at 9.81 m/s²
+(1000 lbf are {{load-exact}}), and the force error of 22.249 N is 5 lb in the same way. The third is
+the speed of 8.224 km/h for "near 50 rpm"; at exactly 50 rpm the rim of the big wheel runs at
+{{speed-50}}, and 8.224 km/h is {{rpm-needed}}. The nomenclature gives the speeds of the wheels in
+rpm, but 116 and 99.2 rpm, those of the two appendices, are {{speed-at-116}} and {{speed-at-99}},
+twice as fast. If they are counts of the gear's 144 teeth **in a second**, Appendix A's 116 are
+{{rpm-by-teeth}}, which is near 50, and {{speed-by-teeth}}, close to the print; Appendix B's 99.2
+are then {{rpm-99-by-teeth}}. The paper does not decide it, and its creep does not depend on it,
+since only the ratio of the speeds enters. {{outcome:table-text/speed}}
 
 {{table-text}}
 */

@@ -1,35 +1,40 @@
 /***
 ## Creep times area is constant
 
-If $\mu/\mu_c$ depends on $X=G\,ab\,\xi/\mu_cN$ only, then at the same load, friction and traction the product
-of creep and area is constant: a worn wheel with a larger contact creeps less. The paper states this for tests
-whose wear was "kept to a level preserving the elliptical contact with a preestablished ratio of the major to the minor axis".
+If $\mu/\mu_c$ depends on $X=G\,ab\,\xi/\mu_cN$ only, then at the same load, friction and traction
+the product of creep and area is constant: a worn wheel with a larger contact creeps less. The paper
+states this for tests whose wear was "kept to a level preserving the elliptical contact with a
+preestablished ratio of the major to the minor axis".
 
-**With that ratio kept** the law is exact in Kalker's theory, which for one ratio of axes, Poisson's ratio and
-friction law has no other variable than $X$. It does not depend on how much the area grows, on the fraction of the friction that
-is used, or on the direction of the major axis {{outcome:table-law/constant}} {{outcome:table-law/scale}}. In Carter's plane theory
-$\xi a=4\mu P\,(1-\sqrt{1-Q/\mu P})/\pi E^*$, for a load $P$ and a traction $Q$ per width on a contact $2a$ long, contains
-no radius at all {{outcome:table-law/carter}}.
+**With that ratio kept** the law is exact in Kalker's theory, which for one ratio of axes, Poisson's
+ratio and friction law has no other variable than $X$. It does not depend on how much the area
+grows, on the fraction of the friction that is used, or on the direction of the major axis
+{{outcome:table-law/constant}} {{outcome:table-law/scale}}. In Carter's plane theory
+$\xi a=4\mu P\,(1-\sqrt{1-Q/\mu P})/\pi E^*$, for a load $P$ and a traction $Q$ per width on a
+contact $2a$ long, contains no radius at all {{outcome:table-law/carter}}.
 
-**When the ratio changes** the law does not hold. Suppose that wear flattens only the profile of the small wheel and leaves
-its rolling radius. Then the contact grows across, the ellipse becomes rounder and then wide, and Kalker's
-coefficient $C_{11}$ falls with $a/b$.
+**When the ratio changes** the law does not hold. Suppose that wear flattens only the profile of the
+small wheel and leaves its rolling radius. Then the contact grows across, the ellipse becomes
+rounder and then wide, and Kalker's coefficient $C_{11}$ falls with $a/b$.
 
 {{table-law}}
 
 {{fig-law}}
 
-With a profile {{flatter}} times as flat the area grows by {{area-moderate}} and the product rises by {{rise-moderate}}; with one
-three times as flat it rises by {{rise-worst}}, and the public program CONTACT agrees {{outcome:table-law/contact}}. Most of the
-rise is the initial slope: the ratio of the computed coefficients $C_{11}$ alone gives {{rise-slope}}.
+With a profile {{flatter}} times as flat the area grows by {{area-moderate}} and the product rises
+by {{rise-moderate}}; with one three times as flat it rises by {{rise-worst}}, and the public
+program CONTACT agrees {{outcome:table-law/contact}}. Most of the rise is the initial slope: the
+ratio of the computed coefficients $C_{11}$ alone gives {{rise-slope}}.
 
-Could the rig have seen it? At the creep that Appendix B prints, {{rise-worst}} is {{rise-seen}}, less than the 0.0005 to which a
-reading is accurate. At 80 % of a largest friction of 0.5 the creep is {{creep-80}}, and the rise is {{rise-80}}, or {{rise-80-grown}} on the
-grown area; both are more than 0.0005. And a test has many readings: by the reduction of the section before, with the stated errors,
-the product of one test has a standard deviation of {{product-scatter}}, so that a pair of tests, new and worn, shows {{rise-worst}}
-at {{sigmas-worst}} standard deviations and {{rise-moderate}} at {{sigmas-moderate}}. The larger rise could have been seen in a few pairs of
-tests, the smaller not {{outcome:table-law/visible}}. The paper changed its wheels when the ellipse lost its ratio of axes, and so kept to the domain in
-which its law is exact.
+Could the rig have seen it? At the creep that Appendix B prints, {{rise-worst}} is {{rise-seen}},
+less than the 0.0005 to which a reading is accurate. At 80 % of a largest friction of 0.5 the creep
+is {{creep-80}}, and the rise is {{rise-80}}, or {{rise-80-grown}} on the grown area; both are more
+than 0.0005. And a test has many readings: by the reduction of the section before, with the stated
+errors, the product of one test has a standard deviation of {{product-scatter}}, so that a pair of
+tests, new and worn, shows {{rise-worst}} at {{sigmas-worst}} standard deviations and
+{{rise-moderate}} at {{sigmas-moderate}}. The larger rise could have been seen in a few pairs of
+tests, the smaller not {{outcome:table-law/visible}}. The paper changed its wheels when the ellipse
+lost its ratio of axes, and so kept to the domain in which its law is exact.
 */
 
 #include <fmt/format.h>

@@ -1,27 +1,30 @@
 /***
 ## A synthetic experiment
 
-The measured points stand in the paper's figures only, which are lost to us. So the theory is taken for the
-truth, the errors the paper states are added, and the points reduced as the paper does. **Every point below
-is synthetic**, and the figures say so. What is assumed:
+The measured points stand in the paper's figures only, which are lost to us. So the theory is taken
+for the truth, the errors the paper states are added, and the points reduced as the paper does.
+**Every point below is synthetic**, and the figures say so. What is assumed:
 
 * four loads of 500, 1000, 1500 and 2500 lbf; the paper prints one, 4449.72 N or 1000 lb;
 * the major axis of the ellipse along rolling;
 * a largest friction of 0.5 at 1000 lbf, falling with the load to the power −{{exponent}};
 * contact areas 1.1 to 1.9 times Hertz's, by wear, and measured with an error of 3 %;
-* errors of 0.0005 in the creep (Appendix A) and 22.249 N in the force, both taken as two standard deviations.
+* errors of 0.0005 in the creep (Appendix A) and 22.249 N in the force, both taken as two standard
+  deviations.
 
-The line through the points stands for the paper's average curve: the theory's, fitted with the largest
-friction and the area free. In the paper the two loads are the independent variables and the creep is the dependent
-one; the fit here takes the creep as given and minimises the distances in the friction.
+The line through the points stands for the paper's average curve: the theory's, fitted with the
+largest friction and the area free. In the paper the two loads are the independent variables and the
+creep is the dependent one; the fit here takes the creep as given and minimises the distances in the
+friction.
 
-Two statements of the paper on its own points do not fit these. It says "The dispersion of values is very
-large"; here the stated errors alone scatter the points about their curves by {{dispersion}} of $\mu_c$ (root mean
-square). Whatever else scattered the paper's points is missing here, so what the reduction achieves below
-is a best case. And it says that the curves of Figure 8 are "almost parallel, indicating a common decreasing
-trend"; the four areas assumed here, 1.1 to 1.9 times Hertz's in no order, break that trend: at a creep of 0.004 the friction is
-{{mu-1500}} at 1500 lbf and {{mu-2500}} at 2500 lbf, so these two curves cross. The paper's four areas must have been
-closer together, or have followed the load.
+Two statements of the paper on its own points do not fit these. It says "The dispersion of values is
+very large"; here the stated errors alone scatter the points about their curves by {{dispersion}} of
+$\mu_c$ (root mean square). Whatever else scattered the paper's points is missing here, so what the
+reduction achieves below is a best case. And it says that the curves of Figure 8 are "almost
+parallel, indicating a common decreasing trend"; the four areas assumed here, 1.1 to 1.9 times
+Hertz's in no order, break that trend: at a creep of 0.004 the friction is {{mu-1500}} at 1500 lbf
+and {{mu-2500}} at 2500 lbf, so these two curves cross. The paper's four areas must have been closer
+together, or have followed the load.
 
 {{fig-03}}
 
@@ -35,32 +38,35 @@ closer together, or have followed the load.
 
 ### Friction and area against the load
 
-At constant creep the friction falls with the load, and the paper says of it: "This trend is predicted by the
-theoretical analysis of Vermeulen and Johnson … and Kalker". It is, even where the largest friction $\mu_c$ is the same at
-all loads. Hertz's area goes with $N^{2/3}$, so $X\propto\xi N^{-1/3}$: at the same creep a larger load has a smaller
-$X$. In the linear part this gives $\mu\propto N^{-1/3}$; the closer to full slip, the weaker the trend. At the
-creeps of the figure, from {{creep-first}} to {{creep-last}}, the exponent of $N$ runs from {{exponent-first}} to {{exponent-last}} for
-$\mu_c$ = 0.5 and an area 1.5 times Hertz's. {{outcome:fig-08/trend}}
+At constant creep the friction falls with the load, and the paper says of it: "This trend is
+predicted by the theoretical analysis of Vermeulen and Johnson … and Kalker". It is, even where the
+largest friction $\mu_c$ is the same at all loads. Hertz's area goes with $N^{2/3}$, so
+$X\propto\xi N^{-1/3}$: at the same creep a larger load has a smaller $X$. In the linear part this
+gives $\mu\propto N^{-1/3}$; the closer to full slip, the weaker the trend. At the creeps of the
+figure, from {{creep-first}} to {{creep-last}}, the exponent of $N$ runs from {{exponent-first}} to
+{{exponent-last}} for $\mu_c$ = 0.5 and an area 1.5 times Hertz's. {{outcome:fig-08/trend}}
 
-How parallel are the lines? In these theories $d\mu/d\ln N$ at 1000 lbf is {{slopes}} at the four creeps, so the
-lines from 0.001 on are almost parallel, as the paper says of its own. If $\mu_c$ itself depends on the load, as the paper finds,
-that is an input of the theories.
+How parallel are the lines? In these theories $d\mu/d\ln N$ at 1000 lbf is {{slopes}} at the four
+creeps, so the lines from a creep of 0.001 on are almost parallel, as the paper says of its own. If
+$\mu_c$ itself depends on the load, as the paper finds, that is an input of the theories.
 
 {{fig-08}}
 
-The next figure shows Hertz's area for both directions of the major axis, since the text does not say which
-the rig had: across, the area is {{across-larger}} larger than along.
+The next figure shows Hertz's area for both directions of the major axis, since the text does not
+say which the rig had: across, the area is {{across-larger}} larger than along.
 
 {{fig-09}}
 
-For worn wheels the paper finds a considerable difference from Hertz's area; the synthetic areas stand for it.
+For worn wheels the paper finds a considerable difference from Hertz's area; the synthetic areas
+stand for it.
 
 {{fig-10}}
 
 ## One curve for all
 
-The paper's claim: with the actual area of contact all tests fall on one curve. Each synthetic point has a load, a force and a creep; the largest friction is that of its average
-curve. Reduced with **Hertz's** area the four tests stay apart, each shifted by its own wear:
+The paper's claim: with the actual area of contact all tests fall on one curve. Each synthetic point
+has a load, a force and a creep; the largest friction is that of its average curve. Reduced with
+**Hertz's** area the four tests stay apart, each shifted by its own wear:
 
 {{fig-11-hertz}}
 
@@ -70,14 +76,17 @@ Reduced with the **measured** area they fall on one line, and it is the theory's
 
 {{table-collapse}}
 
-In numbers: the factor that brings each test onto the curve spreads by {{spread-hertz}} with Hertz's area and by
-{{spread-true}} with the measured one; the points scatter about the curve by {{rms-hertz}} against {{rms-true}} (root mean
-square of $\mu/\mu_c$), and the second is what the errors of force, creep and area make by
-themselves. The fit finds the contact area of a test from its creep curve alone, without the replica tape:
-in these four tests to {{factor-error}}, and in {{draws}} repetitions of each with other random errors with a standard
-deviation of {{factor-scatter}}. This shows what the reduction can do at best, not that the paper's own points did so.
+In numbers: the factor that brings each test onto the curve spreads by {{spread-hertz}} with Hertz's
+area and by {{spread-true}} with the measured one; the points scatter about the curve by
+{{rms-hertz}} against {{rms-true}} (root mean square of $\mu/\mu_c$), and the second is what the
+errors of force, creep and area make by themselves. The fit finds the contact area of a test from
+its creep curve alone, without the replica tape: in these four tests to {{factor-error}}, and in
+{{draws}} repetitions of each with other random errors with a standard deviation of
+{{factor-scatter}}. This shows what the reduction can do at best, not that the paper's own points
+did so.
 
-The figure has two scales: the paper's $a$ and $b$ are **full axes** by its nomenclature and its equation (4), Kalker's are semi-axes.
+The figure has two scales: the paper's $a$ and $b$ are **full axes** by its nomenclature and its
+equation (4), Kalker's are semi-axes.
 */
 
 #include <fmt/format.h>
@@ -304,13 +313,13 @@ void constant_creep(report::Item& item) {
   const report::Variation& by_creep = trial.variations().front();
   item.value("creep-first", by_creep.settings.front());
   item.value("creep-last", by_creep.settings.back());
-  item.value("exponent-first", trial.show(by_creep.results.front()));
-  item.value("exponent-last", trial.show(by_creep.results.back()));
+  item.value("exponent-first", by_creep.results.front(), "", "{:.2f}");
+  item.value("exponent-last", by_creep.results.back(), "", "{:.2f}");
   std::string slopes;
   for (const double creep : {0.0005, 0.001, 0.002, 0.004}) {
     const ConstantCreep here{.creep = creep};
-    slopes +=
-        fmt::format("{}{:.3f}", slopes.empty() ? "" : ", ", here.exponent() * here.mu(paper_load));
+    slopes += fmt::format("{}−{:.3f}", slopes.empty() ? "" : ", ",
+                          -here.exponent() * here.mu(paper_load));
   }
   item.value("slopes", slopes);
   for (const std::size_t k : {2, 3})

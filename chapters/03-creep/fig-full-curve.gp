@@ -8,7 +8,7 @@ set xrange [0:0.8]
 set yrange [0:1.05]
 set key bottom right
 plot ARG1 using "X":"f" with lines lt 1 title "full theory, this chapter", \
-     ARG3 using "X":"f" with points ls other title "independent program with the theory of CONTACT"
+     ARG3 using "X":"f" with points ls other title "independent program"
 set xlabel "cells along rolling (half as many rows)"
 set ylabel "mean error of f over the curve"
 set logscale xy

@@ -1,41 +1,49 @@
 /***
 ## The curve that the full theory gives
 
-Two half-spaces of equal stiffness touch over an ellipse with Hertz's pressure $p_n$ (equal stiffness leaves the pressure untouched
-by friction). Rolling by one metre slides them over each other by the creepages; the surfaces yield by $u(x)$, and since the
-material streams through the contact from $+x$ to $-x$, the slip per metre is
+Two half-spaces of equal stiffness touch over an ellipse with Hertz's pressure $p_n$ (equal
+stiffness leaves the pressure untouched by friction). Rolling by one metre slides them over each
+other by the creepages, $\xi$ along and $\eta$ across, and turns them by the spin $\varphi$; the
+surfaces yield by $u(x)$, and since the material streams through the contact from $+x$ to $-x$, the
+slip per metre is
 
 $$s=\begin{pmatrix}\xi-\varphi y\\ \eta+\varphi x\end{pmatrix}-\left(-\frac{\partial u}{\partial x}\right),\qquad
   |p|\le\mu p_n,\quad s=0\ \text{or}\ p=\mu p_n\frac{s}{|s|}.$$
 
-The displacements follow from the tractions $p$ by Cerruti's formula, integrated in closed form over cells of constant traction.
-The slope is taken as $[u(x)-u(x+h)]/h$ with $h$ the length of a cell: upstream, since a central
-difference does not see an oscillation from cell to cell. Four things make the answer good on few cells:
+The displacements follow from the tractions $p$ by Cerruti's formula, integrated in closed form over
+cells of constant traction. The slope is taken as $[u(x)-u(x+h)]/h$ with $h$ the length of a cell:
+upstream, since a central difference does not see an oscillation from cell to cell. Four things make
+the answer good on few cells:
 
-* **Rows that end on the ellipse.** Every row has its own cells, so there is no staircase along the rim. Its half length is the
-  root of the mean square over the row: then each row bears exactly its share of the load.
-* **Ends at the right place.** Cells that just fill a row make an error of first order, since the slope belongs half a
-  cell ahead of the traction. The ends belong {{end-behind}} of a cell behind the first centre and {{end-ahead}} ahead of the last
-  (Wiener and Hopf), and a sliding cell follows the slip in its middle. On grids of up to some 60 cells
-  the error then falls about as $h^2$; on finer ones more slowly, as the
-  [second page](03-creep-study.html) measures.
-* **Newton's method on stick and slip**: in sticking cells both tractions are unknown, in sliding ones the angle. It settles in a few steps, each solved by GMRES with the rows as preconditioner.
-* **Half the grid first**: it gives the start, an error estimate and, from 16 cells along, an extrapolation.
+* **Rows that end on the ellipse.** Every row has its own cells, so there is no staircase along the
+  rim. Its half length is the root of the mean square over the row: then each row bears exactly its
+  share of the load.
+* **Ends at the right place.** Cells that just fill a row make an error of first order, since the
+  slope belongs half a cell ahead of the traction. The ends belong {{end-behind}} of a cell behind
+  the first centre and {{end-ahead}} ahead of the last (Wiener and Hopf), and a sliding cell follows
+  the slip in its middle. On grids of up to some 60 cells the error then falls about as $h^2$; on
+  finer ones more slowly, as the [second page](03-creep-study.html) measures.
+* **Newton's method on stick and slip**: in sticking cells both tractions are unknown, in sliding
+  ones the angle. It settles in a few steps, each solved by GMRES with the rows as preconditioner.
+* **Half the grid first**: it gives the start, an error estimate and, from 16 cells along, an
+  extrapolation.
 
 {{fig-full-curve}}
 
-On 24 x 12 cells that fill the ellipse the mean error over the curve is {{error-filled}}; placed, the same cells have {{error-placed}}.
+On 24 x 12 cells that fill the ellipse the mean error over the curve is {{error-filled}}; placed,
+the same cells have {{error-placed}}.
 
-Below {{fig-full-curve}} creep and spin can be moved, for the rig's ellipse at the printed load and friction: the cells that stick and those that slide, and the tractions along the middle.
-The contact rolls to the right; what slides begins at the trailing edge, and spin moves it to one side.
+Below {{fig-full-curve}} creep and spin can be moved, for the rig's ellipse at the printed load and
+friction: the cells that stick and those that slide, and the tractions along the middle. The contact
+rolls to the right; what slides begins at the trailing edge, and spin moves it to one side.
 
 {{table-full-curve}}
 
 Cells of one length in all rows, multiplied by Fourier transforms, differ nowhere by more than
-{{grids-apart}}. An independent program with the theory of CONTACT, on square grids and extrapolated, states an
-accuracy of 0.0005 and prints four digits; it differs by {{program-apart}} at most, just more than it states.
-In full slip $f$ stays a little below 1: the lateral strain turns the slip out of the rolling direction, by
-an angle that falls as $1/X$.
+{{grids-apart}}. An independent program with the theory of CONTACT, on square grids and
+extrapolated, states an accuracy of 0.0005 and prints four digits; it differs by {{program-apart}}
+at most, just more than it states. In full slip $f$ stays a little below 1: the lateral strain turns
+the slip out of the rolling direction, by an angle that falls as $1/X$.
 
 Vermeulen and Johnson's curve, $1-(1-CX/3)^3$, has a slope $C$ {{vj-excess}} above Kalker's for this
 ellipse; with the scatter of {{fig-11}} no such experiment could tell the two apart.

@@ -1,8 +1,9 @@
 /***
 ### The true area, from a replica
 
-A worn wheel is neither smooth nor of Hertz's shape, so the paper measures the contact. A replicating tape is pressed between the wheels; its
-impression has the axes $a_R$, $b_R$, the contact $a_T$, $b_T$, and with
+A worn wheel is neither smooth nor of Hertz's shape, so the paper measures the contact. A
+replicating tape is pressed between the wheels; its impression has the axes $a_R$, $b_R$, the
+contact $a_T$, $b_T$, and with
 
 $$A_R=\tfrac\pi4a_Rb_R, \tag{3}$$
 
@@ -14,23 +15,25 @@ $$\frac{a_T}{a_R}=\frac{b_T}{b_R}=C, \tag{6}$$
 
 $$A_T=C^2A_R \tag{7}$$
 
-the width of the track that rolling leaves gives $C$. No tape thickness and no $C$ is printed. What would smooth wheels give? Outside the contact the
-surfaces are apart by
+the width of the track that rolling leaves gives $C$. No tape thickness and no $C$ is printed. What
+would smooth wheels give? Outside the contact the surfaces are apart by
 
 $$g=Ax^2+By^2-\delta+\frac{p_0ab}{2E^*}\int_\lambda^\infty\left[1-\frac{x^2}{a^2+s}-\frac{y^2}{b^2+s}\right]\frac{ds}{\sqrt{(a^2+s)(b^2+s)s}},$$
 
-$\lambda$ the positive root at which the bracket vanishes. Here $A$ and $B$ are half the curvatures of the gap along and
-across, $\delta$ is Hertz's approach, $p_0$ his largest pressure and $E^*$ the modulus of steel on steel. The impression is taken as
-the region where $g$ is smaller than the thickness of the tape, which offers no resistance.
+$\lambda$ the positive root at which the bracket vanishes. Here $A$ and $B$ are half the curvatures
+of the gap along and across, $\delta$ is Hertz's approach, $p_0$ his largest pressure and $E^*$ the
+modulus of steel on steel. The impression is taken as the region where $g$ is smaller than the
+thickness of the tape, which offers no resistance.
 
 {{table-replica}}
 
-The impression of such a tape is larger than the contact, as the paper says {{outcome:table-replica/larger}}, but not similar to
-it: its ratio of axes falls towards $\sqrt{B/A}$ = {{ratio-gap}} of the undeformed gap. So equation (7) would lose
-{{loss-10}} of the area with a tape of 10 µm, and a straight line through 10 and 20 µm, extrapolated to zero
-thickness, would end {{line-excess}} above the true area, since the area grows with a fractional power of the thickness.
-The paper found agreement in both. Its tape is not described, and one that is squeezed flat acts thinner than
-it is; so this is a fact about the tape assumed here, not about the paper's.
+The impression of such a tape is larger than the contact, as the paper says
+{{outcome:table-replica/larger}}, but not similar to it: its ratio of axes falls towards
+$\sqrt{B/A}$ = {{ratio-gap}} of the undeformed gap. So equation (7) would lose {{loss-10}} of the
+area with a tape of 10 µm, and a straight line through 10 and 20 µm, extrapolated to zero thickness,
+would end {{line-excess}} above the true area, since the area grows with a fractional power of the
+thickness. The paper found agreement in both. Its tape is not described, and one that is squeezed
+flat acts thinner than it is; so this is a fact about the tape assumed here, not about the paper's.
 */
 
 #include <fmt/format.h>

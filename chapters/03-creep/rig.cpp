@@ -3,33 +3,35 @@
 
 {{fig-01}}
 
-The small wheel is pressed onto the big one, which drives it, and is braked by its own motor; a gear of 144 teeth on each axle counts the turns. Forces are measured along
-three axes, which a misaligned small wheel, turned by the angle of attack, would mix:
+The small wheel is pressed onto the big one, which drives it, and is braked by its own motor; a gear
+of 144 teeth on each axle counts the turns. Forces are measured along three axes, which a misaligned
+small wheel, turned by the angle of attack, would mix:
 
 {{fig-02}}
 
 ## The contact ellipse
 
-The text gives the ratio of the ellipse's axes, 1.568, "typical of the U.S.A. locomotives", and the wheels,
-but not the profile radius of the small wheel that makes the ellipse so. Hertz's theory gives it back. Along
-rolling both wheels are round, $1/R_x=1/R_S+1/R_B$; across, only the small wheel is, the big one being a
-cylinder. The ratio of the axes fixes the ratio of the two radii of curvature through elliptic integrals; for
-1.568 it is {{curvature-ratio}}. So the profile radius is {{profile-along}} if the major axis lies along
-rolling, {{profile-across}} if it lies across.
+The text gives the ratio of the ellipse's axes, 1.568, "typical of the U.S.A. locomotives", and the
+wheels, but not the profile radius of the small wheel that makes the ellipse so. Hertz's theory
+gives it back. Along rolling both wheels are round, $1/R_x=1/R_S+1/R_B$; across, only the small
+wheel is, the big one being a cylinder. The ratio of the axes fixes the ratio of the two radii of
+curvature through elliptic integrals; for 1.568 it is {{curvature-ratio}}. So the profile radius is
+{{profile-along}} if the major axis lies along rolling, {{profile-across}} if it lies across.
 
 {{table-ellipse}}
 
-The text does not say which, so every result below that depends on it is given for both. Where one had to be
-taken, the major axis lies along rolling. There are two reasons: a locomotive wheel of 40 in on a rail
-with a 10-in crown has its major axis there, with a ratio of {{locomotive-ratio}}; and a profile of {{profile-along-inch}}
-fits a wheel of 8 in better than one of {{profile-across-inch}}.
+The text does not say which, so each verdict below that depends on it is given for both. Where one
+had to be taken, the major axis lies along rolling. There are two reasons: a locomotive wheel of 40
+in on a rail with a 10-in crown has its major axis there, with a ratio of {{locomotive-ratio}}; and
+a profile of {{profile-along-inch}} fits a wheel of 8 in better than one of {{profile-across-inch}}.
 
-No modulus is printed; used here are $E$ = 207 GPa and $\nu$ = 0.3. The paper wants the contact stresses to be
-"similar to those of the locomotive and rail". The same locomotive wheel under 30 000 lb has a largest pressure
-of {{locomotive-peak}}, and the publisher's summary, which our copy lacks, has stresses up to about 200 ksi. The rig's largest pressure at the 4449.72 N of Appendix B is {{peak-along}} with the
-major axis along rolling and {{peak-across}} with it across, which is similar either way
-{{outcome:table-ellipse/stresses}}. On the rig a largest pressure of 200 000 psi takes
-{{load-200-along}} along and {{load-200-across}} across.
+No modulus is printed; used here are $E$ = 207 GPa and $\nu$ = 0.3. The paper wants the contact
+stresses to be "similar to those of the locomotive and rail". The same locomotive wheel under 30 000
+lb has a largest pressure of {{locomotive-peak}}, and the publisher's summary, which our copy lacks,
+has stresses up to about 200 ksi. The rig's largest pressure at the 4449.72 N of Appendix B is
+{{peak-along}} with the major axis along rolling and {{peak-across}} with it across, which is
+similar either way {{outcome:table-ellipse/stresses}}. On the rig a largest pressure of 200 000 psi
+takes {{load-200-along}} along and {{load-200-across}} across.
 */
 
 #include <fmt/format.h>

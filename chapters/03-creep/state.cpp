@@ -1,28 +1,29 @@
 /***
 ### The one state that is printed
 
-Appendix B gives a complete reading: 4449.72 N, $\mu$ = 0.3 for five hours, 442.6 and 99.2 rpm, and both
-radii. With the major axis along rolling and the speeds as printed, the creep is {{creep}} and
-$G\,ab\,\xi/N$ = {{group}} by Hertz's area. Even the linear theory, which no friction law can exceed, then
-allows only $\mu\le C_{11}G\,ab\,\xi/N$ = {{mu-most}} **for any** $\mu_c$, less than the measured 0.3; here
-$C_{11}$ is Kalker's coefficient, the slope of $\mu/\mu_c$ over $X$ at small creep. So this reading would
-need an area larger than Hertz's. Is it evidence for the paper's claim?
+Appendix B gives a complete reading: 4449.72 N, $\mu$ = 0.3 for five hours, 442.6 and 99.2 rpm, and
+both radii. With the major axis along rolling and the speeds as printed, the creep is {{creep}} and
+$G\,ab\,\xi/N$ = {{group}} by Hertz's area. Even the linear theory, which no friction law can
+exceed, then allows only $\mu\le C_{11}G\,ab\,\xi/N$ = {{mu-most}} **for any** $\mu_c$, less than
+the measured 0.3; here $C_{11}$ is Kalker's coefficient, the slope of $\mu/\mu_c$ over $X$ at small
+creep. So this reading would need an area larger than Hertz's. Is it evidence for the paper's claim?
 
 {{table-state}}
 
-It is not. The two speeds are printed to 0.1 rpm, and within that rounding the creep is {{creep-range}}: its
-second digit is unknown. The area that is needed at the least, for a very large $\mu_c$, is then
-{{least-along}} times Hertz's with the major axis along rolling and {{least-across}} times with it across.
-With the errors of Appendix A it is {{least-independent}} along if they are independent, and {{least-worst}} at
-worst. So Hertz's area explains the reading as well as a worn one
-does, if $\mu_c$ is large; for $\mu_c$ = 0.5 the factor as printed is {{half-along}} along and {{half-across}}
-across. The reading is compatible with the paper's claim and no evidence for it.
-{{outcome:table-state/true-area}}
+It is not. The two speeds are printed to 0.1 rpm, and within that rounding the creep is
+{{creep-range}}: its second digit is unknown. The area that is needed at the least, for a very large
+$\mu_c$, is then {{least-along}} times Hertz's with the major axis along rolling and
+{{least-across}} times with it across. With the errors of Appendix A it is {{least-independent}}
+along if they are independent, and {{least-worst}} at worst. So Hertz's area explains the reading as
+well as a worn one does, if $\mu_c$ is large; for $\mu_c$ = 0.5 the factor as printed is
+{{half-along}} along and {{half-across}} across. The reading is compatible with the paper's claim
+and no evidence for it. {{outcome:table-state/true-area}}
 
 {{fig-state}}
 
-One more doubt remains: if the abscissa was computed with full axes and compared with Kalker's curve for
-semi-axes, the reading fits Hertz's area along rolling at $\mu_c$ = {{mu-full-axes}} without any wear.
+One more doubt remains: if the abscissa was computed with full axes and compared with Kalker's curve
+for semi-axes, the reading fits Hertz's area along rolling at $\mu_c$ = {{mu-full-axes}} without any
+wear.
 */
 
 #include <fmt/format.h>
@@ -69,11 +70,11 @@ void needed_area(report::Item& item) {
   item.columns({"creep",
                 {"ξ", "{:.5f}"},
                 {"along: µ at most", "{:.3f}"},
-                {"area at least", "{:.2f}"},
-                {"at µ_c = 0.5", "{:.2f}"},
+                {"along: area at least", "{:.2f}"},
+                {"along: area for µ_c = 0.5", "{:.2f}"},
                 {"across: µ at most", "{:.3f}"},
-                {"area at least", "{:.2f}"},
-                {"at µ_c = 0.5", "{:.2f}"}});
+                {"across: area at least", "{:.2f}"},
+                {"across: area for µ_c = 0.5", "{:.2f}"}});
   item.rebuilt(
       "areas are over Hertz's; from the printed speeds, radii, load and friction; the "
       "material and the direction of the major axis are not printed");

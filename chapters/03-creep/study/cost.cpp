@@ -1,35 +1,39 @@
 /***
-The questions are: which theory gives a force to one per cent, or to a tenth of that, in the least time, and what does it cost
-to set up? For an ellipse that sticks and slides there is no closed form, only the limit of ever finer
-grids. Points that the reference does not know 100 times better are drawn grey. All panels of the chapter
-have the same axes. Times are those of the whole set of cases, with what the method must set up;
-only tables are made beforehand, as the codes that use them do, and what that costs is said below each panel.
+The questions are: which theory gives a force to one per cent, or to a tenth of that, in the least
+time, and what does it cost to set up? For an ellipse that sticks and slides there is no closed
+form, only the limit of ever finer grids. Points that the reference does not know 100 times better
+are drawn grey. All panels of the chapter have the same axes. Times are those of the whole set of
+cases, with what the method must set up; only tables are made beforehand, as the codes that use them
+do, and what that costs is said below each panel.
 
-**What the reference shares with what it judges.** It is made by this library: the same formula for the
-displacements and the same law of slip, on other meshes, by another solver and without the extrapolation of the full theory. What it is
-known to is therefore how well our grids agree with each other. Outside evidence ends earlier: an
-independent program with the theory of CONTACT, good to 0.0005 by its own account, differs from the reference
-by {{outside-apart}} at most. Where closed forms exist, tests hold the solver to them: Carter's line contact, Kalker's
-coefficients, full slip.
+**What the reference shares with what it judges.** It is made by this library: the same formula for
+the displacements and the same law of slip, on other meshes, by another solver and without the
+extrapolation of the full theory. What it is known to is therefore how well our grids agree with
+each other. Outside evidence ends earlier: an independent program with the theory of CONTACT, good
+to 0.0005 by its own account, differs from the reference by {{outside-apart}} at most. Where closed
+forms exist, tests hold the solver to them: Carter's line contact, Kalker's coefficients, full slip.
 
 ### The paper's curve
 
 {{curve-time}}
 
-{{curve-time-answer}} Making the table of 33 nodes took {{curve-making}}, so it pays after a few dozen forces. Laws in closed form that
-have Kalker's slope are one to three per cent off, for a thousandth of the time of the full theory or less.
-Vermeulen and Johnson's law has a slope of its own, and the linear theory no limit of friction.
+{{curve-time-answer}} Making the table of 33 nodes, which is for one ratio of axes, took
+{{curve-making}}; it pays from about as many forces on. Laws in closed form that have Kalker's slope
+are one to three per cent off, for a thousandth of the time of the full theory or less. Vermeulen
+and Johnson's law has a slope of its own, and the linear theory no limit of friction.
 
-The reference is what grids of 96 to 224 cells a side, solved by transforms, tend to, with the order that fits
-best; that takes a quarter of an hour and was done once (`tests/reference/rolling_limits.cpp`). The limit moves by
-{{curve-uncertainty}} when a grid or the coarser half of them is left out, or each force takes an order of its own. Grids of
-{{limit-grids}} cells, and fitted rows solved with a matrix, are extrapolated here each time and tend to the same.
+The reference is what grids of 96 to 224 cells a side, solved by transforms, tend to, with the order
+that fits best; that takes a quarter of an hour and was done once
+(`tests/reference/rolling_limits.cpp`). The limit moves by {{curve-uncertainty}} when a grid or the
+coarser half of them is left out, or each force takes an order of its own. Grids of {{limit-grids}}
+cells, and fitted rows solved with a matrix, are extrapolated here each time and tend to the same.
 {{outcome:curve-time/routes}} {{outcome:curve-time/judges}}
 
 ### With spin, round and slender
 
-Six cases: a/b = 0.5, 1.568 and 3, each with a spin that bends the tractions and one that turns them. The
-reference is made as that of the curve. {{outcome:spin-fx/routes}} {{outcome:spin-fx/judges}}
+Six cases: a/b = 0.5, 1.568 and 3, each with a spin that bends the tractions and one that turns
+them. The reference is made as that of the curve. {{outcome:spin-fx/routes}}
+{{outcome:spin-fx/judges}}
 
 {{spin-fx}}
 
@@ -43,23 +47,25 @@ reference is made as that of the curve. {{outcome:spin-fx/routes}} {{outcome:spi
 
 {{spin-mz-answer}}
 
-Making the table of 900 nodes took {{spin-making}}. FASTRIP has no spin and is not shown. Vermeulen and Johnson's law leaves spin
-out, and the linear theory has no limit of friction; both are shown because the tool offers them, and the tool warns.
-**More than 10 x 10 cells do not make FASTSIM better.** From 5 x 5 to 40 x 40 cells its error of fx falls from {{fastsim-fx-5}}
-to {{fastsim-fx-40}}, but that of fy grows from {{fastsim-fy-5}} to {{fastsim-fy-40}}: coarse cells cancel a part of the error
-of the theory itself. Rows of cells of one length give the same
-answers by transforms as by a matrix: transforms cost more below some ten cells along and less above.
+Making the table of 900 nodes took {{spin-making}}. FASTRIP has no spin and is not shown. Vermeulen
+and Johnson's law leaves spin out, and the linear theory has no limit of friction; both are shown
+because the tool offers them, and the tool warns. **More than 10 x 10 cells do not make FASTSIM
+better.** From 5 x 5 to 40 x 40 cells its error of fx falls from {{fastsim-fx-5}} to
+{{fastsim-fx-40}}, but that of fy grows from {{fastsim-fy-5}} to {{fastsim-fy-40}}: coarse cells
+cancel a part of the error of the theory itself. Rows of cells of one length give the same answers
+by transforms as by a matrix: transforms cost more below some ten cells along and less above.
 
 Case by case, the distance of the cells, nothing extrapolated, from their limit:
 
 {{spin-cells}}
 
-**The order is not 2 in the end.** The order that fits best to grids of {{limit-grids}} cells is {{curve-order}} without spin, but
-on the grids of the reference, 96 to 224 cells, it is {{curve-order-fine}}; with spin the two are {{spin-order}} and
-{{spin-order-fine}}. A fit of the order 2 to coarse grids must not be used to extrapolate fine ones, and each limit here takes
-the order of its own grids. With spin the error is no one power of the cell: the spot that sticks round the pole of the spin is a
-few cells wide on all these grids. Leaving out one grid at a time does not see that; leaving out the
-coarser half, and orders of their own, do. {{spin-worst}}
+**The order is not 2 in the end.** The order that fits best to grids of {{limit-grids}} cells is
+{{curve-order}} without spin, but on the grids of the reference, 96 to 224 cells, it is
+{{curve-order-fine}}; with spin the two are {{spin-order}} and {{spin-order-fine}}. A fit of the
+order 2 to coarse grids must not be used to extrapolate fine ones, and each limit here takes the
+order of its own grids. With spin the error is no one power of the cell: the spot that sticks round
+the pole of the spin is a few cells wide on all these grids. Leaving out one grid at a time does not
+see that; leaving out the coarser half, and orders of their own, do. {{spin-worst}}
 
 {{work-precision: curve-time}}
 
