@@ -16,6 +16,8 @@ size, and pays for each with a factorization.
 
 #include <array>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "bench/timing.hpp"
 #include "num/eigenvalues.hpp"
@@ -83,14 +85,15 @@ std::string compare(report::Item& item, const char* name, const std::vector<Case
   data.not_compared("times, and steps that hang on last digits");
   double at = nan, before = 0;
   const bool timed = item.timings();
+  std::array<std::vector<std::pair<double, Cost>>, methods.size()> costs;  // lines join a method's
   for (std::size_t k = 0; k < cases.size(); ++k) {
     const History reference = cases[k].run(Integrator::pieces, 1e-13);
     double ratio = 0;  // logarithm of implicit over explicit
-    for (const auto& [method, integrator] : methods) {
+    for (std::size_t m = 0; m < methods.size(); ++m) {
+      const Integrator integrator = methods[m].second;
       const Cost cost = cost_at_error(cases[k], reference, integrator, timed);
       if (cost.steps == 0) continue;
-      data.add(method, cases[k].stiffness, cost.tolerance, cost.error, cost.seconds, cost.steps,
-               nan);
+      costs[m].emplace_back(cases[k].stiffness, cost);
       const double spent = std::log(timed ? cost.seconds : cost.steps);
       if (integrator == Integrator::dopri5) ratio -= spent;
       if (integrator == Integrator::radau5) ratio += spent;
@@ -100,6 +103,10 @@ std::string compare(report::Item& item, const char* name, const std::vector<Case
            std::pow(cases[k].stiffness / cases[k - 1].stiffness, before / (before - ratio));
     before = ratio;
   }
+  for (std::size_t m = 0; m < methods.size(); ++m)
+    for (const auto& [stiffness, cost] : costs[m])
+      data.add(methods[m].first, stiffness, cost.tolerance, cost.error, cost.seconds, cost.steps,
+               nan);
   const char* const spent = timed ? "less time" : "fewer steps (not timed)";
   if (!std::isfinite(at)) return fmt::format("One method takes {} over the whole range.", spent);
   for (const double end : {1e-9, 1e9}) data.add("", 0, 0, 0, timed ? end : 0, end, at);
