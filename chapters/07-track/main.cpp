@@ -3,12 +3,12 @@
 
 ::: findings
 1. How fast may a train run before the track's own waves matter? The paper puts the critical
-   velocity of "the rail-tie-ballast type structure" at about 1100 mph, and what is lost by ignoring
-   it at less than 3 percent at 250 mph. With the mass of rail, tie and ballast we find
+   velocity of "the rail-tie-ballast type structure" at about 1100 mph, and the error of ignoring
+   such waves at less than 3 percent at 250 mph. With the mass of rail, tie and ballast we find
    {{v-ballast}} on our typical track, and {{v-range}} as modulus, rail, pad, tie and ballast are
-   varied; at 250 mph {{error-range}} is lost. Near 1100 mph is what the rail alone gives.
-   {{outcome:critical-speed/critical-speed-printed}} At 150 mph, for which the paper wants to know
-   it, the loss is {{error-150-range}}, and a lumped track will do.
+   varied; the error at 250 mph is then {{error-range}}. About 1100 mph is what the rail alone gives.
+   {{outcome:critical-speed/critical-speed-printed}} At 150 mph, the speed the paper has in mind, the
+   error is {{error-150-range}}, and its simpler track model will do.
    {{outcome:critical-speed/conclusion}}
 2. How much stiffness does a joint cost? The paper says that as little as 25 percent is left, and so
    it is at a free joint. {{outcome:joint/free-joint-printed}} Its formula (8) follows the free

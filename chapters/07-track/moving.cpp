@@ -113,7 +113,7 @@ void vary_track(report::Trial& trial, const std::function<double(double)>& resul
     return result(critical_speed(track.rail.bending_stiffness(), k.number * units::psi,
                                  track.with_ballast()));
   });
-  vary("rail pad (1e12: none)", [](MovingTrack& track, const Setting& pad) {
+  vary("rail pad, 1e12 as none", [](MovingTrack& track, const Setting& pad) {
     track.support.pad_stiffness = pad.number * lb_per_in;
   });
   vary("rail",
