@@ -21,10 +21,12 @@ double mean_stiffness(const StoppedBody& body, double a) {
   return 1 + body.kappa * (1 - 2 / units::pi * (std::asin(u) + u * std::sqrt((1 - u) * (1 + u))));
 }
 
-PeriodicMotion periodic_motion(const StoppedBody& body, const Wave& wave, const Motion& guess) {
+PeriodicMotion periodic_motion(const StoppedBody& body, const Wave& wave, const Motion& guess,
+                               int order) {
   units::require_positive("frequency of a wave", wave.frequency, "Hz");
+  units::require_between("order of a motion", order, 1, 1000);
   const Track track{{wave}, 0};
-  const double period = 1 / wave.frequency;
+  const double period = order / wave.frequency;
   PeriodicMotion result{.start = {0, guess.x, guess.v}};
   for (; result.iterations < 40; ++result.iterations) {
     const Run once = run(body, track, result.start, period);

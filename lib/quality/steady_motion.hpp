@@ -5,7 +5,9 @@
 
 namespace railbook::quality {
 
-// A steady motion with the period of one wave, stable or not, by Newton's method on the exact map over a period.
+// A steady motion whose period is that of `order` waves, stable or not, by Newton's method on the
+// exact map over that period. An order above 1 is a subharmonic; a motion of a lower order that
+// divides it is found, too.
 struct PeriodicMotion {
   Motion start;        // at t = 0 for the wave's own phase
   double largest = 0;  // max |x|
@@ -13,7 +15,8 @@ struct PeriodicMotion {
   int iterations = 0;
   bool converged = false;
 };
-PeriodicMotion periodic_motion(const StoppedBody& body, const Wave& wave, const Motion& guess);
+PeriodicMotion periodic_motion(const StoppedBody& body, const Wave& wave, const Motion& guess,
+                               int order = 1);
 
 // The stiffness, in units of the spring's, that a stroke x = a sin feels on average over a period (first harmonic).
 double mean_stiffness(const StoppedBody& body, double a);

@@ -142,6 +142,22 @@ TEST_CASE("Bump stops: two stable motions and an unstable one between them at 1 
   CHECK(high.growth < 1);
 }
 
+TEST_CASE("Bump stops: a stable subharmonic of order 3, which a start at rest does not find",
+          "[quality]") {
+  const StoppedBody b = body(10);
+  const Wave wave{0.004225, 2.8, 0};
+  const Run settled = run(b, {{wave}, 0}, {0, 0.00975, 0.062}, 180, {.watch_from = 120});
+  CHECK_THAT(100 * settled.largest, WithinAbs(2.635, 1e-3));
+  CHECK(100 * run(b, {{wave}, 0}, {}, 180, {.watch_from = 120}).largest < 0.5);
+  const auto p = periodic_motion(b, wave, settled.end, 3);
+  REQUIRE(p.converged);
+  CHECK(p.growth < 1);
+  CHECK_THAT(p.largest, WithinRel(settled.largest, 1e-9));
+  const Motion one = run(b, {{wave}, 0}, p.start, 1 / wave.frequency).end;
+  CHECK(std::abs(one.x - p.start.x) > 0.005);
+  CHECK_THROWS_AS(periodic_motion(b, wave, p.start, 0), InputError);
+}
+
 TEST_CASE("Bump stops: a motion that just touches them, to rounding", "[quality]") {
   const double stroke = amplitude * stroke_gain(roll, frequency);
   for (const double miss : {-1e-13, -1e-15, 0.0, 1e-15, 1e-13}) {
