@@ -76,25 +76,11 @@ ForceTable creep_chapter::curve_table(int nodes, const RollingOptions& options, 
   return {{shape, shape, 1, 2, 1, nodes, 2, 3}, theory};
 }
 
-namespace {
-
-// The curve at X = 0, 1/2000, ... 2: a look-up in it takes nanoseconds.
-std::vector<double> sampled_curve(double shape) {
-  const ForceTable table = curve_table(97, {.along = 24, .rows = 12}, shape);
-  std::vector<double> f;
-  for (int i = 0; i <= 4000; ++i) f.push_back(table.at(shape, {i / 2000.0, 0, 0}).fx);
-  return f;
-}
-
-}  // namespace
-
 double creep_chapter::master_curve(double x, bool major_along_rolling) {
-  static const std::vector<double> along = sampled_curve(axis_ratio);
-  static const std::vector<double> across = sampled_curve(1 / axis_ratio);
-  const std::vector<double>& f = major_along_rolling ? along : across;
-  const double at = std::min(std::abs(x) * 2000, 3999.999);
-  const auto i = static_cast<std::size_t>(at);
-  return std::copysign(std::lerp(f[i], f[i + 1], at - static_cast<double>(i)), x);
+  static const ForceTable along = curve_table(97, {.along = 24, .rows = 12});
+  if (major_along_rolling) return along.at(axis_ratio, {x, 0, 0}).fx;
+  static const ForceTable across = curve_table(97, {.along = 24, .rows = 12}, 1 / axis_ratio);
+  return across.at(1 / axis_ratio, {x, 0, 0}).fx;
 }
 
 RollingCase creep_chapter::rig_case() {
