@@ -4,8 +4,8 @@
 1. The paper claims that the analog and the digital filter together respond independently of speed and direction. Our filters, derived from its words, do so as long as the analog corner is low: with the
    {{corner}} that we chose, the gains at 9 and 80 mph differ by at most {{spread}}, and a run forwards and a run backwards lie {{offset-9}} apart at 9 mph, where the analog filter alone sets them {{alone-9}}
    apart ({{outcome:fig-09/magnitude}}).
-2. The paper claims that only gage and crosslevel remain accurate down to 0 mph. On our model they do; the errors of curvature, profile and alignment at 0.5 mph are at least
-   {{slow-growth}} those from 15 mph on, with sensors of our choice and the yaw gyro debiased at rest ({{outcome:table-claims/only-two}}).
+2. The paper claims that only gage and crosslevel remain accurate down to 0 mph. On our model they do; the errors of curvature, profile and alignment at 0.5 mph are about
+   {{slow-growth}} those from 15 mph on, or more, with sensors of our choice and the yaw gyro debiased at rest ({{outcome:table-claims/only-two}}).
 3. The paper claims that chords of any length can be had easily from the inertial measurements, which give short ones. This is exact: the 62-ft offset is a sum of {{chord-taps}} short offsets with whole numbers as
    weights ({{outcome:chords/any}}).
 :::
@@ -45,8 +45,8 @@ Nothing in the paper is contradicted. Our reconstruction differs from it, or may
   {{offset-9}} at 9 mph and {{offset-80}} at 80 mph, is in proportion to the corner that we chose ({{outcome:small-kappa/direction}}).
 * **Sensors of the profile**: ours does without the sway sensors, which the paper seems to use ({{outcome:table-sensors/profile}}).
 * **Crosslevel**: only the yaw gyro is said to be debiased, so the bias of the roll gyro stays in ours.
-* **Chosen here**: the corners of $B$ and $F$, the poles of the roll filter and the mean of curvature, all in `configuration.hpp`; the shape of the high-pass, track, ride and sensors, which are the defaults of
-  the library and options of `railbook filters simulate` and `railbook filters process`. The paper's limits of 2, 5 and 15 mph depend on sensors and on an accuracy that it does not state.
+* **Chosen here**: the corners of $B$ and $F$, the poles of the roll filter and the mean of curvature, all in `configuration.hpp`; the high-pass and the track,
+  which are options of `railbook filters process` and `railbook filters simulate`; ride and sensors, which are defaults of the library. The paper's limits of 2, 5 and 15 mph depend on sensors and on an accuracy that it does not state.
 
 ## Limits
 
