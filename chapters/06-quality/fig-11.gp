@@ -10,7 +10,7 @@ set yrange [0:0.6]
 plot ARG1 using "tonnage":"s_A" with lines lt 1 title "A: ties renewed", \
      ARG1 using "tonnage":"s_B" with lines lt 3 title "B: surfaced only"
 set key top right notitle
-set ylabel "n = (T_2 − mean)/s"
+set ylabel "n = T_2/s"
 set xlabel "tonnage, arbitrary units"
 set yrange [0:6]
 set arrow from 0,3 to 10,3 nohead ls guide

@@ -17,7 +17,7 @@ A versine bump of the height of the flat level, at 100 km/h:
 {{fig-bumps}}
 
 A short bump of 10 m reads {{bump-10}} while no speed uses up more than {{stroke-10}} of the stroke: a single bump has no time to excite the resonance on which the filter counts.
-Over-estimates are the rule, up to {{over-most}} times at {{over-at}}; the worst under-estimate is {{under-most}}, at {{under-at}}.
+Most bumps are over-estimated, by {{over-most}} times at {{over-at}}, the shortest drawn, and by up to {{over-limit}} times for still shorter ones; the worst under-estimate is {{under-most}}, at {{under-at}}.
 */
 #include <fmt/format.h>
 
@@ -85,6 +85,8 @@ void fig_bumps(report::Item& item) {
   }
   item.value("over-most", over, "", "{:.1f}");
   item.value("over-at", over_at, "m", "{:.0f}");
+  // A bump of no length reads its height over the level, and uses up a stroke of its height.
+  item.value("over-limit", level_limit().stroke / flat_level, "", "{:.2f}");
   item.value("under-most", 100 * under, "%", "{:.0f}");
   item.value("under-at", under_at, "m", "{:.0f}");
   const auto taps = quality::design_filter(stroke_envelope(), {.spacing = spacing});

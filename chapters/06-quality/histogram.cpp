@@ -1,18 +1,20 @@
 /*** ## From the channel to an index
 
-A geometry car gives over 5000 values a kilometre; the filter gives as many. The foreman needs each one above $T_2$, the threshold for immediate repair. The planner needs the histogram. The paper proposes to say
-both at once: write the threshold as $T_2=\bar x+ns$ with mean and standard deviation of the channel; $n$ falls as the track gets worse, and tells when spot repair has to give way to
-production work.
+A geometry car gives over 5000 values a kilometre; the filter gives as many. The foreman needs each one beyond $T_2$, the threshold for immediate repair. The planner needs the histogram. The paper
+first weighs the two kinds of index in use. Averages such as the rms value suppress the single bad places, and counts of exceptions need thresholds, which so far "have been set arbitrarily". With a descriptor
+that is tied to the vehicle there is a reason for a threshold, so the paper proposes to say both at once: write it as $T_2=\bar x+ns$ with the mean $\bar x$ and the standard deviation $s$ of the channel. The number $n$
+falls as the track gets worse, and tells when spot repair has to give way to production work.
 
 {{fig-09}}
 
-The paper's figure has no numbers; those here are assumptions. With a normal histogram and a normal strength of the vehicle (it fails at a descriptor $p$ with probability
-$\Phi((p-p_{50})/\sigma)$), the probability that a value fails is
+The paper's figure has no numbers; those here are ours. The filter takes the constant out, so the descriptor has mean 0, and it passes a threshold on either side. Its histogram is taken to be normal with $s$ = {{s}}.
+Two things make derailment uncertain, says the paper: springs and other data spread about their nominal values, and a given force does not always derail. Both are put into a strength that is normal
+about 1 with a standard deviation $\sigma$ of {{sigma}}. A value $p$ then leads to derailment with the probability $\Phi((|p|-1)/\sigma)$, where $\Phi$ is the normal distribution function, and a value of the histogram with
 
-$$P=\Phi\!\left(\frac{\mu-p_{50}}{\sqrt{s^2+\sigma^2}}\right),$$
+$$P=2\,\Phi\!\left(\frac{-1}{\sqrt{s^2+\sigma^2}}\right),$$
 
-here {{risk}}; $n$ = {{n}}, and {{per-km}} values a kilometre lie above $T_2$. The risk is twice that share ({{risk-ratio}}): half of it comes from values *below* the
-threshold, where vehicles weaker than the median fail. A threshold at the median strength is not a safe one.
+here {{risk}}. The paper sets $T_2$ by the acceptable risk of derailment. With {{acceptable}} it is {{T2}}, so $n$ = {{n}}, and {{per-km}} values a kilometre lie beyond it. Repairing all of them removes
+{{removed}} of the risk. The command `railbook quality index` takes the mean and deviation of the magnitude $|p|$, which for the same histogram gives $n$ = {{n-magnitude}}.
 
 */
 #include <fmt/format.h>
@@ -21,6 +23,7 @@ threshold, where vehicles weaker than the median fail. A threshold at the median
 #include <cmath>
 #include <vector>
 
+#include "num/roots.hpp"
 #include "quality/quality_index.hpp"
 #include "sections.hpp"
 
@@ -28,28 +31,64 @@ namespace railbook::quality_chapter {
 
 namespace {
 
-constexpr double level_mean = 0.2, level_sd = 0.25, sustained = 1.0, sustained_sd = 0.1;
-constexpr double T_1 = 0.6, T_2 = 1.0;
+constexpr double level_sd = 0.25, sustained = 1.0, sustained_sd = 0.1, acceptable_risk = 0.01;
+constexpr double T_1 = 0.5;
 constexpr int per_km = 5000;
 
 double normal_density(double u) {
   return std::exp(-0.5 * u * u) / std::sqrt(2 * units::pi);
 }
 
+double risk_of(double p) {
+  return quality::share_above(sustained, sustained_sd, 0) -
+         quality::share_above(sustained, sustained_sd, std::abs(p));
+}
+
+// The risk that comes from values beyond the threshold, on both sides.
+double risk_beyond(double threshold) {
+  constexpr double step = 1e-4;
+  double sum = 0;
+  for (double p = threshold + step / 2; p < 3; p += step)
+    sum += 2 * step * normal_density(p / level_sd) / level_sd * risk_of(p);
+  return sum;
+}
+
+}  // namespace
+
+double repair_threshold() {
+  return num::find_root([](double p) { return risk_of(p) - acceptable_risk; }, 0, sustained).x;
+}
+
+namespace {
+
 void fig_09(report::Item& item) {
   auto& data = item.data({"p", "histogram", "risk"});
   auto& lines = item.data("thresholds", {"p", "height", "name"});
-  for (int i = -60; i <= 150; ++i)
-    data.add(0.01 * i, normal_density((0.01 * i - level_mean) / level_sd) / level_sd,
-             normal_density((0.01 * i - sustained) / sustained_sd) / sustained_sd);
-  lines.add(T_1, 4.2, "T_1");
-  lines.add(T_2, 4.2, "T_2");
-  const double risk = quality::failure_probability(level_mean, level_sd, sustained, sustained_sd);
-  const double above = quality::share_above(level_mean, level_sd, T_2);
-  item.value("risk", risk, "", "{:.3g}");
-  item.value("risk-ratio", risk / above, "times", "{:.1f}");
-  item.value("n", (T_2 - level_mean) / level_sd, "", "{:.1f}");
-  item.value("per-km", above * per_km, "", "{:.2f}");
+  for (int i = -150; i <= 150; ++i) {
+    const double p = 0.01 * i;
+    data.add(p, normal_density(p / level_sd) / level_sd,
+             normal_density((std::abs(p) - sustained) / sustained_sd) / sustained_sd);
+  }
+  const double T_2 = repair_threshold();
+  for (const double side : {-1.0, 1.0}) {
+    lines.add(side * T_1, 4.2, "T_1");
+    lines.add(side * T_2, 4.2, "T_2");
+  }
+  const double risk = 2 * quality::failure_probability(0, level_sd, sustained, sustained_sd);
+  const double mean = level_sd * std::sqrt(2 / units::pi);  // of the magnitude
+  item.expect_checks(1);
+  item.agree("risk", "risk of a value, both tails", "", risk, risk_beyond(0), 1e-6,
+             "the sum over the histogram");
+  item.value("s", level_sd);
+  item.value("sigma", sustained_sd);
+  item.value("acceptable", 100 * acceptable_risk, "%", "{:g}");
+  item.value("risk", risk, "", "{:.1g}");
+  item.value("T2", T_2, "", "{:.2f}");
+  item.value("n", T_2 / level_sd, "", "{:.1f}");
+  item.value("n-magnitude", (T_2 - mean) / std::sqrt(level_sd * level_sd - mean * mean), "",
+             "{:.1f}");
+  item.value("per-km", 2 * quality::share_above(0, level_sd, T_2) * per_km, "", "{:.0f}");
+  item.value("removed", 100 * risk_beyond(T_2) / risk, "%", "{:.0f}");
   item.rebuilt(
       "the paper's figure is a sketch without numbers; densities and thresholds are chosen");
 }

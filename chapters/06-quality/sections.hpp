@@ -35,6 +35,14 @@ inline constexpr double flat_level = 1.6 * cm;
 inline constexpr double wheel_force_limit = 143 * kN;
 quality::StrokeLimit level_limit();  // the stroke behind Figure 5
 
+// The threshold of immediate repair in Figures 9 and 11, in units of the descriptor: where a value
+// leads to derailment with the probability that is taken to be acceptable.
+double repair_threshold();
+
+// The amplitude (m) that a search over speeds up to `speed` allows, in steps of a five-hundredth: no
+// closed form of the envelope is used. Either limit may be absent.
+double allowed_by_search(const quality::Descriptor& descriptor, double wavelength);
+
 // Rebuilt: data/cars.csv and data/speeds.csv.
 quality::ForceLimit car(const report::Item& item, const std::string& key);
 std::vector<double> speeds(const report::Item& item);  // m/s

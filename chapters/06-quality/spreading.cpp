@@ -1,18 +1,20 @@
 /*** ## Deterioration: how the histogram spreads
 
-The paper likens the histogram of a deteriorating track to a viscous blob on a table. Taken at its word the blob obeys $h_t=\frac13(h^3h_x)_x$; the plain alternative is diffusion, which
-keeps a normal histogram normal. Both have exact solutions, drawn here; a solver for other starts is held against them on the second page.
+The paper likens the histogram of a deteriorating track to "a viscous blob resting on a horizontal surface". A thin layer of viscous liquid of height $h$ spreads by $h_t=\frac13(h^3h_x)_x$ in scaled units. The plain
+alternative is diffusion, which keeps a normal histogram normal. Both have exact solutions, drawn here from the same standard deviation at $t=1$; a solver for other starts is held against them on the second page.
 
 {{fig-10}}
 
-The difference is in the tails, which is where the thresholds are. Diffusion reaches any threshold at once, and $s$ grows with $t^{1/2}$. The blob has an edge that moves as
-$x_N\propto t^{1/5}$, here {{blob-front}} at $t=1$: beyond it nothing is ever exceeded. Its standard deviation is $\sqrt{3/11}$ of $x_N$. As a model of exceedances the literal blob is not on the safe side.
+The difference is in the tails, which is where the thresholds are. Diffusion puts some values beyond any threshold at once. The blob has an edge that moves as
+$x_N\propto t^{1/5}$, here {{blob-front}} at $t=1$, and no value lies beyond it. Its standard deviation is $\sqrt{3/11}$ of $x_N$. Taken literally, the blob says that there are no exceedances until its edge arrives.
 
 {{fig-11}}
 
-Figure 11 in the paper is two curves without numbers: segments A (ties renewed) and B (only surfaced) start alike and part. Here they spread by diffusion, B four times as fast. The index $n$ of B falls to 3, taken as the
-end of basic maintenance, after {{basic-B}} units of tonnage, that of A after {{basic-A}}. The histogram after surfacing tells nothing about which is which, as the paper says: the
-rate is not in it. Its hypothesis that poor track degrades faster than good track fits neither law: in both the spreading slows down.
+The paper describes two segments that start alike and part: A, where the ties were renewed, and B, which was only surfaced. Its curves have no numbers. Here both spread by diffusion, B four times as fast. The index $n$ of
+B falls to 3, taken as the end of basic maintenance, after {{basic-B}} units of tonnage, that of A after {{basic-A}}. The histogram after surfacing does not tell which is which, as the paper says.
+
+The paper therefore asks for a function $d\mathrm{TQI}=f(S,U,P,M)$ beside the index TQI: its change depends on structure $S$, use $U$, the present track quality $P$, and anything else, $M$, such as unusual rainfall.
+$P$ is there because of the hypothesis that poor track degrades faster than good track. Neither law drawn here does that; in both the spreading slows down.
 */
 #include <cmath>
 
@@ -28,10 +30,11 @@ double gaussian(double x, double s) {
   return std::exp(-0.5 * x * x / (s * s)) / (s * std::sqrt(2 * units::pi));
 }
 
-constexpr double diffusivity = 0.01, initial = 0.25;
+constexpr double diffusivity = 0.01;
 
 void fig_10(report::Item& item) {
   auto& data = item.data({"t", "x", "diffusion", "blob"});
+  const double initial = std::sqrt(3.0 / 11) * quality::blob_front(1);
   for (const double t : {1.0, 8.0, 64.0}) {
     const double sd = quality::diffused_deviation(initial, diffusivity, t - 1);
     for (int i = -400; i <= 400; ++i)
@@ -42,11 +45,11 @@ void fig_10(report::Item& item) {
   item.rebuilt("the paper's figure is a sketch; both laws and all numbers are chosen");
 }
 
-/*** The two segments: $\bar x$ = 0.2, $s_0$ = 0.15 and $T_2$ = 1, tonnage in units in which $2D$ = 0.005 for A. */
-constexpr double centre = 0.2, threshold = 1.0, start_deviation = 0.15;
+/*** The two segments: mean 0, $s_0$ = 0.15 and $T_2$ as in {{fig-09}}; tonnage in units in which $2D$ = 0.005 for A. */
+constexpr double start_deviation = 0.15;
 
 double margin(double D, double tonnage) {
-  return (threshold - centre) / quality::diffused_deviation(start_deviation, D, tonnage);
+  return repair_threshold() / quality::diffused_deviation(start_deviation, D, tonnage);
 }
 
 void fig_11(report::Item& item) {
@@ -58,15 +61,15 @@ void fig_11(report::Item& item) {
              quality::diffused_deviation(start_deviation, D_B, t), margin(D_A, t), margin(D_B, t));
   }
   const auto until = [](double D) {
-    const double s = (threshold - centre) / 3;
+    const double s = repair_threshold() / 3;
     return (s * s - start_deviation * start_deviation) / (2 * D);
   };
   item.expect_checks(1);
   item.claim("n", "n decreases as the track deteriorates",
              margin(D_A, 10) < margin(D_A, 5) && margin(D_A, 5) < margin(D_A, 0),
              "when the histogram spreads about its mean");
-  item.value("basic-A", until(D_A), "", "{:.2f}");
-  item.value("basic-B", until(D_B), "", "{:.2f}");
+  item.value("basic-A", until(D_A), "", "{:.1f}");
+  item.value("basic-B", until(D_B), "", "{:.1f}");
   item.rebuilt("two curves without numbers in the paper; law and rates are chosen");
 }
 

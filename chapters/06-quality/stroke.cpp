@@ -2,7 +2,8 @@
 
 {{fig-01}}
 
-The wheel follows the track $z$, the body above it moves by $y$, the suspension by $x=y-z$. The body's balance and the force on the wheel set are
+A wheel of mass $m$ follows the track, whose height is $z$. Above it a body of mass $M$ hangs on a spring of stiffness $k$ and a damper of constant $b$ and moves by $y$. The *stroke* of the
+suspension is $x=y-z$. The balance of the body and the dynamic force $g$ on the wheel set are
 
 $$M\ddot y+b\dot x+kx=0 \tag{1}$$
 
@@ -12,8 +13,8 @@ and (1) in terms of the stroke is
 
 $$M\ddot x+b\dot x+kx=-M\ddot z . \tag{3}$$
 
-The scan of (3) shows no minus; (1) requires it, and no magnitude depends on it. For a sine of the track, taken at speed $v$, only the ratio
-of its frequency to the body's own counts, $\eta=v\varphi/f'$ with $\varphi=1/\lambda$:
+Our copy of (3) shows no minus; (1) requires it, and no magnitude depends on it. The body's own frequency is $f'=\sqrt{k/M}/2\pi$ and its damping, as a fraction of the critical one, $\rho=b/2\sqrt{kM}$.
+For a sine of the track of wavelength $\lambda$, taken at speed $v$, only the ratio of the two frequencies counts, $\eta=v\varphi/f'$ with $\varphi=1/\lambda$. The stroke for one metre of track is
 
 $$\left|\frac XZ\right|=T(\eta)=\frac{\eta^2}{\sqrt{(1-\eta^2)^2+4\rho^2\eta^2}} . \tag{4}$$
 
@@ -22,15 +23,15 @@ $$\left|\frac XZ\right|=T(\eta)=\frac{\eta^2}{\sqrt{(1-\eta^2)^2+4\rho^2\eta^2}}
 {{fig-02}}
 
 The damped peak lies at {{peak-wavelength}}, the undamped resonance at $v/f'$ = {{resonance-wavelength}}. The paper's 55 m lies between the two and is
-neither, rounded. "Unit gain" is an asymptote: {{gain-20}} at 20 m. Turned upside down, with the stroke limited to 2.54 cm:
+neither, rounded. The unit gain at short waves is an asymptote: {{gain-20}} at 20 m. Turned upside down, with the stroke limited to $x_0$ = 2.54 cm, the curve says how much track is allowed:
 
 {{fig-03}}
 
 ## Every speed up to the limit
 
-A train may run slower than posted, and at half the speed the resonance sits at half the wavelength. The amplitude allowed is therefore the
-least over all speeds. That needs no search. Slower trains visit all frequencies below $v\varphi$, so the envelope is the curve at full speed up to the
-peak and the peak's value from there on:
+A train may run slower than posted, and at half the speed the resonance sits at half the wavelength. The amplitude $A$ allowed is therefore the
+least over all speeds. For the linear vehicle that needs no search. Slower trains meet the wave at all frequencies below $v\varphi$, so the envelope is the curve at full speed as long as
+the peak is not reached, and the value at the peak from there on:
 
 $$A(\lambda)=\frac{x_0}{T(v/\lambda f')}\quad(\lambda>\lambda_p),\qquad A=2\rho\sqrt{1-\rho^2}\,x_0\quad(\lambda\le\lambda_p),\qquad
 \lambda_p=\frac v{f'}\sqrt{1-2\rho^2}.$$
@@ -42,7 +43,7 @@ The curves cross, as the paper says: a slower train may be worse off ({{outcome:
 {{fig-05}}
 
 Figure 5 is the same for several track speeds, with the flat level at the 1.6 cm that freight-car tests asked for; that takes a stroke of
-{{level-stroke}}. Its three features follow from the formula: the level is constant below the resonance at top speed, the amplitude grows with the
+{{level-stroke}}. Its three features follow from the formula, and a search over {{search-speeds}} speeds finds the same level: it is constant below the resonance at top speed, the amplitude grows with the
 square of the wavelength in the end, and the damping governs how fast the rise begins, by
 $A/x_0=(\lambda/\lambda_0)^2-(1-2\rho^2)+\dots$ with $\lambda_0=v/f'$.
 */
@@ -60,10 +61,27 @@ using quality::allowed_amplitude;
 
 namespace {
 
+constexpr int search_speeds = 4000;  // each a five-hundredth below the last
+
+}  // namespace
+
+double allowed_by_search(const quality::Descriptor& descriptor, double wavelength) {
+  double most = 0, speed = descriptor.speed;
+  for (int i = 0; i < search_speeds; ++i, speed /= 1.002) {
+    if (descriptor.stroke)
+      most = std::max(most, severity_at(*descriptor.stroke, speed, 1 / wavelength));
+    if (descriptor.force)
+      most = std::max(most, severity_at(*descriptor.force, speed, 1 / wavelength));
+  }
+  return allowed_amplitude(most);
+}
+
+namespace {
+
 void fig_01(report::Item& item) {
   auto& wave = item.data({"x", "z"});
   for (int i = 0; i <= 200; ++i)
-    wave.add(-4 + 0.04 * i, 0.25 * std::sin(2 * units::pi * (-4 + 0.04 * i) / 5));
+    wave.add(-4 + 0.04 * i, 0.25 * (std::cos(2 * units::pi * (-4 + 0.04 * i) / 5) - 1));
   auto& spring = item.data("spring", {"x", "z"});
   spring.add(-0.5, 1.55);
   for (int i = 0; i <= 9; ++i)
@@ -157,17 +175,22 @@ void fig_05(report::Item& item) {
     for (const double w : num::log_spaced(1, 1000, 60)) {
       const double amplitude = allowed_amplitude(severity(limit, v, 1 / w));
       data.add(v / kmh, w, amplitude / cm);
-      if (w < quality::flat_until(limit, v))
-        flattest = std::max(flattest, std::abs(amplitude / flat_level - 1));
+      if (w < quality::flat_until(limit, v)) {
+        const double searched = allowed_by_search({limit, {}, v}, w);
+        flattest = std::max(flattest, std::abs(searched / flat_level - 1));
+      }
     }
     data.gap();
   }
   // The next term of the series above makes it 2 + 2 (1 - 2 rho^2)/(lambda/lambda_0)^2, 6e-4 more at 3 km.
   const double power = power_of_wavelength(
       [&](double w) { return allowed_amplitude(severity(limit, track_speed, 1 / w)); }, 3000);
-  item.claim("level",
-             "a constant level from the resonance at maximum speed to arbitrarily short waves",
-             flattest < 1e-12, "constant to rounding, at every speed");
+  item.claim(
+      "level", "a constant level from the resonance at maximum speed to arbitrarily short waves",
+      flattest < 1e-4,
+      fmt::format("a search over speeds finds it constant within {:.1g} of itself, for every "
+                  "track speed",
+                  flattest));
   item.claim("tail", "the amplitude ultimately grows with the square of the wavelength",
              std::abs(power - 2) < 0.002, fmt::format("power {:.3f} at 3 km", power));
   item.claim(
@@ -176,7 +199,8 @@ void fig_05(report::Item& item) {
       fmt::format("20 % above the corner the amplitude has risen {:.2f}, {:.2f}, {:.2f} times "
                   "for ρ = .1, .2, .4",
                   early_rise(0.1), early_rise(0.2), early_rise(0.4)));
-  item.value("level-stroke", limit.stroke / cm, "cm", "{:.4f}");
+  item.value("level-stroke", limit.stroke / cm, "cm", "{:.2f}");
+  item.value("search-speeds", search_speeds, "", "{:.0f}");
   item.rebuilt("the speeds of the curves; the paper's labels are not legible");
 }
 
