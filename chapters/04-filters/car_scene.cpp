@@ -1,6 +1,7 @@
 /***
-The scene is Figures 4, 10, 11 and 14 in one: the sensors of gage, crosslevel, profile and alignment where they sit. Sizes are chosen, the
-sensors enlarged. The car travels towards the beam; the third sway sensor, at the rear truck, is outside the picture.
+The scene is Figures 4, 10, 11 and 14 in one: the sensors of gage, crosslevel, profile and alignment
+where they sit. Sizes are chosen, the sensors enlarged. The car travels towards the beam; the third
+sway sensor, at the rear truck, is outside the picture.
 */
 #include <vector>
 

@@ -1,5 +1,5 @@
-// What the paper does not print and this chapter had to choose. Change a value here and build again:
-// the responses (Figures 7 to 9), the car and what is made of its records follow.
+// What the paper does not print and this chapter had to choose. Change a value here and build
+// again: the responses (Figures 7 to 9), the car and what is made of its records follow.
 #pragma once
 
 #include "filters/hybrid_filter.hpp"
@@ -32,7 +32,8 @@ inline geometry_car::Processing chosen_processing() {
   return processing;
 }
 
-// omega_1 T at a speed (m/s), and by how much forward and reverse runs then differ after the shift of half a sample, m.
+// omega_1 T at a speed (m/s), and by how much forward and reverse runs then differ after the shift
+// of half a sample, m.
 inline double kappa_at(double speed) {
   return gyro_corner * sample_distance / speed;
 }

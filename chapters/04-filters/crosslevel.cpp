@@ -1,28 +1,38 @@
 /*** ## Crosslevel
 
-Crosslevel needs the roll of the car against gravity. The inclinometer is right in the long run, but takes every lateral acceleration for
-a roll. The roll gyro is right for fast changes, but the integral of its bias grows without bound. The complementary filter adds a low-pass of the one to a
-high-pass of the other, with gains that sum to one at every frequency. With the roll $\vartheta_k$ at sample $k$, its change $\Delta\vartheta_k$ by the gyro and its value
-$\vartheta^{incl}_k$ by the inclinometer,
+Crosslevel needs the roll of the car against gravity. The inclinometer is right in the long run, but
+takes every lateral acceleration for a roll. The roll gyro is right for fast changes, but the
+integral of its bias grows without bound. The complementary filter adds a low-pass of the one to a
+high-pass of the other, with gains that sum to one at every frequency. With the roll $\vartheta_k$
+at sample $k$, its change $\Delta\vartheta_k$ by the gyro and its value $\vartheta^{incl}_k$ by the
+inclinometer,
 
 $$\vartheta_k=a_k\left(\vartheta_{k-1}+\Delta\vartheta_k\right)+(1-a_k)\,\vartheta^{incl}_k,\qquad a_k=e^{-T_k/\tau}.$$
 
 {{code: filters/complementary.cpp push}}
 
-Its corner is the one frequency that the paper gives: about two octaves below the lateral mode of the body, typically 1.25 Hz. This makes {{roll-corner}} and a time constant
-$\tau$ of {{roll-tau}}. When the car stands, $T\to\infty$ and $a\to0$: the inclinometer alone has the answer.
+Its corner is the one frequency that the paper gives: about two octaves below the lateral mode of
+the body, typically 1.25 Hz. This makes {{roll-corner}} and a time constant $\tau$ of {{roll-tau}}.
+When the car stands, $T\to\infty$ and $a\to0$: the inclinometer alone has the answer.
 
-The paper speaks of stages of first and of second order. With $n$ equal poles the inclinometer passes $L^n$, where $L=1/(1+s\tau)$, and the gyro the rest, $1-L^n$. The table
-says how much of a sway at the body's own mode is left, and the price of more poles: the gyro's gain exceeds one at the corner, and a gyro bias $b$ costs $n\tau b$. Two poles are our choice.
+The paper speaks of stages of first and of second order. With $n$ equal poles the inclinometer
+passes $L^n$, where $L=1/(1+s\tau)$, and the gyro the rest, $1-L^n$. The table says how much of a
+sway at the body's own mode is left, and the price of more poles: the gyro's gain exceeds one at the
+corner, and a gyro bias $b$ costs $n\tau b$. Two poles are our choice.
 
 {{roll}}
 
-First, the other accelerations that the inclinometer feels are subtracted: the centrifugal $V\dot\psi$ of the car's speed and yaw rate; $\ell\ddot\psi$, because it sits a distance $\ell$ before the middle of the
-car; and $h\ddot\vartheta$, because it sits a height $h$ above the rails, about which the simulated body rolls. The height sensors then give the track's roll against the body's.
+First, the other accelerations that the inclinometer feels are subtracted: the centrifugal
+$V\dot\psi$ of the car's speed and yaw rate; $\ell\ddot\psi$, because it sits a distance $\ell$
+before the middle of the car; and $h\ddot\vartheta$, because it sits a height $h$ above the rails,
+about which the simulated body rolls. The height sensors then give the track's roll against the
+body's.
 
 {{code: geometry_car/run.cpp attitude}}
 
-The next table says what each correction of the paper is worth on our model, in crosslevel, profile and alignment. The car runs at 60 mph over the whole line with perfect sensors, and one correction is left out at a time.
+The next table says what each correction of the paper is worth on our model, in crosslevel, profile
+and alignment. The car runs at 60 mph over the whole line with perfect sensors, and one correction
+is left out at a time.
 
 {{table-corrections}}
 */

@@ -1,25 +1,31 @@
 /*** ## Curvature
 
-The change of heading over a foot is the yaw rate times the time of the foot, so a division by the speed is a multiplication by $T$. With the heading $\psi$
-(the paper's $\phi_c$), the distance $z$ (as in the paper; further down $z_k$ is a height) and the time $\tau$,
+The change of heading over a foot is the yaw rate times the time of the foot, so a division by the
+speed is a multiplication by $T$. With the heading $\psi$ (the paper's $\phi_c$), the distance $z$
+(as in the paper; further down $z_k$ is a height) and the time $\tau$,
 
 $$\frac{\Delta\psi}{\Delta z}=\frac{\Delta\psi/\Delta\tau}{\Delta z/\Delta\tau},\qquad\Delta\tau=T.$$
 
-The heading is that of the body. What the body turned over its trucks, by the three sway sensors, is subtracted. A mean over {{curvature-mean}} (our choice) then gives the curvature of the
-track. The paper finds tangents, spirals and curves from it and from its rate of change. It does not describe how, and we did not build that.
+The heading is that of the body. What the body turned over its trucks, by the three sway sensors, is
+subtracted. A mean over {{curvature-mean}} (our choice) then gives the curvature of the track. The
+paper finds tangents, spirals and curves from it and from its rate of change. It does not describe
+how, and we did not build that.
 
 {{code: geometry_car/run.cpp curvature}}
 
 {{fig-curve}}
 
-The figure shows a curve of 4 degrees with spirals of 300 ft and 4 in of superelevation, at 9 and at 80 mph with typical sensors. Curvature is a mean over the 60 ft between
-the trucks and {{curvature-mean}} more, for the truth as for the measured; both speeds give it at the same place.
+The figure shows a curve of 4 degrees with spirals of 300 ft and 4 in of superelevation, at 9 and at
+80 mph with typical sensors. Curvature is a mean over the 60 ft between the trucks and
+{{curvature-mean}} more, for the truth as for the measured; both speeds give it at the same place.
 
 {{table-curvature}}
 
-Without the correction for the trucks the error is larger, with perfect sensors ({{outcome:table-curvature/trucks}}). A gyro's bias $b$ adds $b/V$ to the curvature, $V$ being the speed. At 2 mph a bias
-of 0.005 deg/s, little more than the earth's own rotation, and as much noise make {{curvature-2}}. This is why the operator debiases the gyro while the car stands. After a minute of it the
-noise is larger than what is left of the bias ({{outcome:table-curvature/debias}}).
+Without the correction for the trucks the error is larger, with perfect sensors
+({{outcome:table-curvature/trucks}}). A gyro's bias $b$ adds $b/V$ to the curvature, $V$ being the
+speed. At 2 mph a bias of 0.005 deg/s, little more than the earth's own rotation, and as much noise
+make {{curvature-2}}. This is why the operator debiases the gyro while the car stands. After a
+minute of it the noise is larger than what is left of the bias ({{outcome:table-curvature/debias}}).
 */
 #include <fmt/format.h>
 

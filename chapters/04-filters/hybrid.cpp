@@ -1,7 +1,9 @@
 /*** ## The hybrid filter
 
-The yaw-rate gyro goes through an analog low-pass of first order, $B(s)=\omega_1/(s+\omega_1)$, ahead of the converter; $\omega_1$ is its corner in rad/s. Call $x(t)$ what goes into the
-filter and $y_k$ what comes out at sample $k$, at the time $t_k$. If $T_k$ seconds have passed since the last sample,
+The yaw-rate gyro goes through an analog low-pass of first order, $B(s)=\omega_1/(s+\omega_1)$,
+ahead of the converter; $\omega_1$ is its corner in rad/s. Call $x(t)$ what goes into the filter and
+$y_k$ what comes out at sample $k$, at the time $t_k$. If $T_k$ seconds have passed since the last
+sample,
 
 $$y_k=e^{-\omega_1T_k}y_{k-1}+\int_{t_{k-1}}^{t_k}\omega_1e^{-\omega_1(t_k-t)}x(t)\,dt,$$
 
@@ -9,15 +11,19 @@ whatever the speed did before. So
 
 $$u_k=\frac{y_k-a_ky_{k-1}}{1-a_k},\qquad a_k=e^{-\omega_1T_k},$$
 
-is a weighted mean of the input over one sample interval and nothing else. This is the digital filter $C$. It takes two samples and one measured
-time. It has no memory beyond them, and so no transient when the speed changes. The smaller $\kappa=\omega_1T$, the flatter is the weight; in the limit $u_kT_k$ is the plain
-integral over a foot, the change of heading per foot that the paper wants.
+is a weighted mean of the input over one sample interval and nothing else. This is the digital
+filter $C$. It takes two samples and one measured time. It has no memory beyond them, and so no
+transient when the speed changes. The smaller $\kappa=\omega_1T$, the flatter is the weight; in the
+limit $u_kT_k$ is the plain integral over a foot, the change of heading per foot that the paper
+wants.
 
-The code below is the formula, with $a/(1-a)$ kept while the speed stays the same. Its first two lines deal with pulses of the encoder that cannot be.
+The code below is the formula, with $a/(1-a)$ kept while the speed stays the same. Its first two
+lines deal with pulses of the encoder that cannot be.
 
 {{code: filters/hybrid_filter.cpp push}}
 
-Take a constant speed and a wave of $\varphi$ cycles a metre. With the distance $d$ between two samples (1 ft) it turns by $\theta=2\pi\varphi d$ radians from sample to sample, and
+Take a constant speed and a wave of $\varphi$ cycles a metre. With the distance $d$ between two
+samples (1 ft) it turns by $\theta=2\pi\varphi d$ radians from sample to sample, and
 
 $$|B|=\frac1{\sqrt{1+\theta^2/\kappa^2}},\quad|C|^2=1+\frac{\sin^2\theta/2}{\sinh^2\kappa/2},\quad|BC|\to\left|\frac{\sin\theta/2}{\theta/2}\right|\quad(\kappa\to0).$$
 
@@ -27,27 +33,38 @@ $$|B|=\frac1{\sqrt{1+\theta^2/\kappa^2}},\quad|C|^2=1+\frac{\sin^2\theta/2}{\sin
 
 {{fig-09}}
 
-Below {{fig-09}} the car's speed can be moved. The analog filters run over the track's waves as it goes faster, the hybrid ones stay; what is left of the speed is how
-far a run forwards and a run backwards lie apart.
+Below {{fig-09}} the car's speed can be moved. The analog filters run over the track's waves as it
+goes faster, the hybrid ones stay; what is left of the speed is how far a run forwards and a run
+backwards lie apart.
 
-The paper's three figures are lost in our copy, and it prints no corner; {{corner}} is our choice. At 9 mph the corner lies at {{corner-9}}, at 80 mph at
-{{corner-80}}. It is fixed in time and moves along the track, by the ratio of the speeds, for any corner ({{outcome:fig-07/moves}}). In Figure 9 the gain at 9 mph
-differs from that at 80 mph by at most {{spread}} (of 1), at the shortest wave ({{outcome:fig-09/magnitude}}).
+The paper's three figures are lost in our copy, and it prints no corner; {{corner}} is our choice.
+At 9 mph the corner lies at {{corner-9}}, at 80 mph at {{corner-80}}. It is fixed in time and moves
+along the track, by the ratio of the speeds, for any corner ({{outcome:fig-07/moves}}). In Figure 9
+the gain at 9 mph differs from that at 80 mph by at most {{spread}} (of 1), at the shortest wave
+({{outcome:fig-09/magnitude}}).
 
-After the hybrid filter, says the paper, the yaw rate has "a high-frequency cutoff which is constant" in spatial frequency. Ours has: $|BC|$ falls to 0.707 at {{cutoff-9}}
-at 9 mph and at {{cutoff-80}} at 80 mph ({{outcome:fig-09/cutoff}}).
+After the hybrid filter, says the paper, the yaw rate has "a high-frequency cutoff which is
+constant" in spatial frequency. Ours has: $|BC|$ falls to 0.707 at {{cutoff-9}} at 9 mph and at
+{{cutoff-80}} at 80 mph ({{outcome:fig-09/cutoff}}).
 
-The paper also calls $C$ a bandpass. The minimal filter that undoes $B$, ours, rises all the way to the shortest wave. A fixed low-pass behind it makes a band of it, whose lower edge moves with
-the speed while the cutoff stays, and leaves the product as independent of speed as it was; the dashed lines of {{fig-08}} show the simplest, a mean over three samples with the weights ¼, ½ and ¼
-({{outcome:fig-08/bandpass}}). Whether the paper's $C$ is of this kind cannot be told, for the figure that shows it is lost.
+The paper also calls $C$ a bandpass. The minimal filter that undoes $B$, ours, rises all the way to
+the shortest wave. A fixed low-pass behind it makes a band of it, whose lower edge moves with the
+speed while the cutoff stays, and leaves the product as independent of speed as it was; the dashed
+lines of {{fig-08}} show the simplest, a mean over three samples with the weights ¼, ½ and ¼
+({{outcome:fig-08/bandpass}}). Whether the paper's $C$ is of this kind cannot be told, for the
+figure that shows it is lost.
 
-**Second order.** For accelerations the paper has $F(s)$ and $G(z)$ of second order. Let $\omega_2$ be the corner of $F$, $\zeta$ its damping, $\sigma=\zeta\omega_2$, and $q(t)$ its impulse response.
-Then one combination of three samples contains neither mode of $F$, for any two poles and any two intervals:
+**Second order.** For accelerations the paper has $F(s)$ and $G(z)$ of second order. Let $\omega_2$
+be the corner of $F$, $\zeta$ its damping, $\sigma=\zeta\omega_2$, and $q(t)$ its impulse response.
+Then one combination of three samples contains neither mode of $F$, for any two poles and any two
+intervals:
 
 $$g=y_{k+1}-\frac{q(T_k+T_{k+1})}{q(T_k)}y_k+e^{-2\sigma T_k}\frac{q(T_{k+1})}{q(T_k)}y_{k-1}.$$
 
-Scaled so that a constant passes unchanged, $g$ is a weighted mean of the input over two intervals. For a low corner the weight is a triangle, and the mean is the second difference of what
-was differentiated twice: the paper's short mid-chord offset, the height of the middle of a chord of two samples. For a double real pole at constant speed, $|FG|=|BC|^2$.
+Scaled so that a constant passes unchanged, $g$ is a weighted mean of the input over two intervals.
+For a low corner the weight is a triangle, and the mean is the second difference of what was
+differentiated twice: the paper's short mid-chord offset, the height of the middle of a chord of two
+samples. For a double real pole at constant speed, $|FG|=|BC|^2$.
 */
 #include <fmt/format.h>
 
@@ -67,12 +84,14 @@ namespace {
 constexpr double slow = 9 * units::mph, fast = 80 * units::mph;
 constexpr double line_width = 0.01;  // of a drawn curve, on an axis of length 1
 
-// A low-pass fixed in space that could stand behind C: a mean over three samples with the weights 1/4, 1/2, 1/4.
+// A low-pass fixed in space that could stand behind C: a mean over three samples with the weights
+// 1/4, 1/2, 1/4.
 double low_pass(double theta) {
   return std::pow(std::cos(0.5 * theta), 2);
 }
 
-// Gains at a speed (m/s) and a wavenumber (cycle/m): of B, of C, of both, and of C with the low-pass.
+// Gains at a speed (m/s) and a wavenumber (cycle/m): of B, of C, of both, and of C with the
+// low-pass.
 struct Gains {
   double analog, digital, hybrid, band;
 };

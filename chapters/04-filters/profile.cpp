@@ -1,33 +1,41 @@
 /*** ## Profile and alignment
 
-$F\cdot G$ makes of each acceleration a short mid-chord offset, the height above the middle of a chord of two samples,
-$m_k=z_k-\frac12(z_{k-1}+z_{k+1})$. The Federal Track Safety Standards want a chord of 62 ft. The gain of a chord of $2N$ samples for a sine of $\theta$ radians a sample is $1-\cos N\theta$, and
+$F\cdot G$ makes of each acceleration a short mid-chord offset, the height above the middle of a
+chord of two samples, $m_k=z_k-\frac12(z_{k-1}+z_{k+1})$. The Federal Track Safety Standards want a
+chord of 62 ft. The gain of a chord of $2N$ samples for a sine of $\theta$ radians a sample is
+$1-\cos N\theta$, and
 
 $$\frac{1-\cos N\theta}{1-\cos\theta}=\left(\frac{\sin N\theta/2}{\sin\theta/2}\right)^2$$
 
-is a polynomial: $N$ equal weights, twice. So the long offset is exactly the sum of the short ones around it with the integer weights
-$N-|j|$, where $j$ counts samples from the middle. That makes {{chord-taps}} weights for 62 ft, or two running sums, and any other chord as easily ({{outcome:chords/any}}).
+is a polynomial: $N$ equal weights, twice. So the long offset is exactly the sum of the short ones
+around it with the integer weights $N-|j|$, where $j$ counts samples from the middle. That makes
+{{chord-taps}} weights for 62 ft, or two running sums, and any other chord as easily
+({{outcome:chords/any}}).
 
 {{chords}}
 
-**Long waves.** Hills are no defects, and the integral of an accelerometer's bias is a hill. One composite filter turns short offsets into long ones and
-removes long waves. Its high-pass part, Figure 13, is lost in our copy. Our choice is
+**Long waves.** Hills are no defects, and the integral of an accelerometer's bias is a hill. One
+composite filter turns short offsets into long ones and removes long waves. Its high-pass part,
+Figure 13, is lost in our copy. Our choice is
 
 $$H=1-b_M^{\,p},\qquad b_M(\theta)=\frac{\sin M\theta/2}{M\sin\theta/2},$$
 
-one minus the centred mean over $M$ = 151 samples, applied $p$ = 4 times: of zero phase, so that it reads the same in both directions. The paper says which waves
-count: up to 150 ft at speeds to 90 mph, up to 200 ft at 120 mph. Both are the same frequency in the car, {{limit-hertz}}
+one minus the centred mean over $M$ = 151 samples, applied $p$ = 4 times: of zero phase, so that it
+reads the same in both directions. The paper says which waves count: up to 150 ft at speeds to 90
+mph, up to 200 ft at 120 mph. Both are the same frequency in the car, {{limit-hertz}}
 ({{outcome:fig-13/limits}}). The choice passes {{hp-150}} of 150 ft and {{hp-200}} of 200 ft.
 
 {{fig-13}}
 
 {{code: filters/geometry_chain.cpp geometry}}
 
-In a chord, the double zero of $H$ at long waves removes a constant acceleration altogether. The *pseudo space curve* is the short offset times
-$H/(1-\cos\theta)$, again a polynomial. The division uses up the double zero, so a constant bias gives an offset. The response of the curve is then $H$ itself, as the
-paper says ({{outcome:fig-13/true-response}}).
+In a chord, the double zero of $H$ at long waves removes a constant acceleration altogether. The
+*pseudo space curve* is the short offset times $H/(1-\cos\theta)$, again a polynomial. The division
+uses up the double zero, so a constant bias gives an offset. The response of the curve is then $H$
+itself, as the paper says ({{outcome:fig-13/true-response}}).
 
-**Alignment** goes the same way with the accelerometer on the beam, gravity on the rolling beam taken off, and the short chord of each gage sensor added.
+**Alignment** goes the same way with the accelerometer on the beam, gravity on the rolling beam
+taken off, and the short chord of each gage sensor added.
 */
 #include <fmt/format.h>
 

@@ -1,27 +1,35 @@
 /*** ## The car and its sensors
 
-A car body rides on two trucks; under the front one runs the measuring axle. Above it, in the body, sit two vertical accelerometers, an
-inclinometer, the roll gyro and the yaw gyro, and a height sensor on each side measures the body over the axle. Three more displacement sensors measure how far the
-body has swayed over the trucks. On the truck, a beam carries a lateral accelerometer and the two gage sensors. The gage is the sum of their two readings and the distance
-between them. An encoder on an axle calls for a sample each foot, and a clock says how long the foot took. A location detector that is read at the nearest foot
-is right to half a foot, the 6 in of the paper.
+A car body rides on two trucks; under the front one runs the measuring axle. Above it, in the body,
+sit two vertical accelerometers, an inclinometer, the roll gyro and the yaw gyro, and a height
+sensor on each side measures the body over the axle. Three more displacement sensors measure how far
+the body has swayed over the trucks. On the truck, a beam carries a lateral accelerometer and the
+two gage sensors. The gage is the sum of their two readings and the distance between them. An
+encoder on an axle calls for a sample each foot, and a clock says how long the foot took. A location
+detector that is read at the nearest foot is right to half a foot, the 6 in of the paper.
 
 {{fig-layout}}
 
 {{include: car_scene.cpp}}
 
-Which parameter needs which sensor is the paper's Figure 3, a drawing that is lost in our copy. It is rebuilt here from the words around it. Our processing follows the same words; the table shows what it really uses. Each sensor of a recorded journey is disturbed in turn, and a parameter
-that changes depends on it.
+Which parameter needs which sensor is the paper's Figure 3, a drawing that is lost in our copy. It
+is rebuilt here from the words around it. Our processing follows the same words; the table shows
+what it really uses. Each sensor of a recorded journey is disturbed in turn, and a parameter that
+changes depends on it.
 
 {{table-sensors}}
 
-Gage, curvature, crosslevel and alignment use exactly the sensors that the paper names. For profile the paper names two accelerometers "in addition to the transducers used in
-the crosslevel and curvature systems". Ours needs no other, and does without the sway sensors ({{outcome:table-sensors/profile}}). That is a property of our correction: it reads
-the lateral force on the leaning body from the inclinometer. A correction by speed times the yaw rate of the track would need the sway sensors, and the paper's may be of this kind.
+Gage, curvature, crosslevel and alignment use exactly the sensors that the paper names. For profile
+the paper names two accelerometers "in addition to the transducers used in the crosslevel and
+curvature systems". Ours needs no other, and does without the sway sensors
+({{outcome:table-sensors/profile}}). That is a property of our correction: it reads the lateral
+force on the leaning body from the inclinometer. A correction by speed times the yaw rate of the
+track would need the sway sensors, and the paper's may be of this kind.
 
-The car is simulated. Body, trucks and analog filters are integrated together in continuous time. The track is piecewise linear, with 16 points a foot, so each step is
-integrated exactly. The processing gets what the converters read each foot and nothing else; the simulation knows nothing of the digital filters. The paper's statements about
-the system as a whole, tried on this model:
+The car is simulated. Body, trucks and analog filters are integrated together in continuous time.
+The track is piecewise linear, with 16 points a foot, so each step is integrated exactly. The
+processing gets what the converters read each foot and nothing else; the simulation knows nothing of
+the digital filters. The paper's statements about the system as a whole, tried on this model:
 
 {{table-system}}
 

@@ -1,26 +1,35 @@
 /***
-The 62-ft chord with the high-pass, from short offsets. The input is synthetic track, rounded to whole units of $2^{-34}$ m, so that the exact answer is known in integers: the reference has
-no error but one rounding. It has its weights from the same function of the library as the first method; the other three do not use it. The error is the largest difference over the RMS of the
+The 62-ft chord with the high-pass, from short offsets. The input is synthetic track, rounded to
+whole units of $2^{-34}$ m, so that the exact answer is known in integers: the reference has no
+error but one rounding. It has its weights from the same function of the library as the first
+method; the other three do not use it. The error is the largest difference over the RMS of the
 answer. All methods get the same array and return another; making weights and plans is counted.
 
 * **weights**: all 661, vectorised.
-* **transforms**: of overlapping blocks of 8192, what a signal library takes for a filter of this length.
-* **sums**: two running sums of 31 samples and four of 151, one after the other, started anew every 4096 samples.
-* **stream**: the class of the library, which gives the space curve besides, and masks what is missing.
+* **transforms**: of overlapping blocks of 8192, what a signal library takes for a filter of this
+  length.
+* **sums**: two running sums of 31 samples and four of 151, one after the other, started anew every
+  4096 samples.
+* **stream**: the class of the library, which gives the space curve besides, and masks what is
+  missing.
 
 {{cost-length}}
 
-{{length-answer}} The direct weights take {{weights-over-sums}} the operations of the sums, although they are vectorised. The worst error found is {{rounding-found}} ({{outcome:cost-length/as-double}}): every
-method is accurate enough for any track, so take the stream, which can do more than the others, unless another is much cheaper on your machine.
+{{length-answer}} The direct weights take {{weights-over-sums}} the operations of the sums, although
+they are vectorised. The worst error found is {{rounding-found}}
+({{outcome:cost-length/as-double}}): every method is accurate enough for any track, so take the
+stream, which can do more than the others, unless another is much cheaper on your machine.
 
-**How long may a filter run?** Sums that are never started anew keep every rounding. Here the same samples come over and over, with the exact answer known, through a filter in floating point that never restarts; at level
-`full` up to $10^9$ samples:
+**How long may a filter run?** Sums that are never started anew keep every rounding. Here the same
+samples come over and over, with the exact answer known, through a filter in floating point that
+never restarts; at level `full` up to $10^9$ samples:
 
 {{cost-drift}}
 
-{{drift-answer}} The input is in whole units, so a double adds it without error until a sum
-passes $2^{53}$ of them; where the integrators do, their curve leaves that of the sums. In 64-bit integers there is no error at any length ({{outcome:cost-drift/integers}}). So start running sums anew, and never
-integrate along the track in floating point; the library does the first and not the second.
+{{drift-answer}} The input is in whole units, so a double adds it without error until a sum passes
+$2^{53}$ of them; where the integrators do, their curve leaves that of the sums. In 64-bit integers
+there is no error at any length ({{outcome:cost-drift/integers}}). So start running sums anew, and
+never integrate along the track in floating point; the library does the first and not the second.
 
 The same filter in several ways; the number type is a parameter where it matters:
 */

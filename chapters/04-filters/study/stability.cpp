@@ -1,8 +1,11 @@
-/*** A filter that keeps no memory beyond two samples has little to go wrong: after a stop of an hour it is right at the second sample. What remains at
-the lower end is rounding, amplified by $1/\kappa$ in $C$ and $1/\kappa^2$ in $G$.
+/*** A filter that keeps no memory beyond two samples has little to go wrong: after a stop of an
+hour it is right at the second sample. What remains at the lower end is rounding, amplified by
+$1/\kappa$ in $C$ and $1/\kappa^2$ in $G$.
 
-In the car's rows the error is the largest of the rows called *good*, and their number is given. Profile is not good where a foot within the 661 samples that it depends on was slower than 15 mph or lost in a
-reversal, or where the change of speed on an unknown grade may cost too much. So a stop in the middle of 3400 ft, with its braking and its start, leaves few rows.
+In the car's rows the error is the largest of the rows called *good*, and their number is given.
+Profile is not good where a foot within the 661 samples that it depends on was slower than 15 mph or
+lost in a reversal, or where the change of speed on an unknown grade may cost too much. So a stop in
+the middle of 3400 ft, with its braking and its start, leaves few rows.
 */
 #include <fmt/format.h>
 

@@ -12,8 +12,9 @@
 
 ## Stability
 
-What a car does to its filters: it stops, it reverses, its encoder counts twice, a sensor stands still. Each row puts one of these into a filter, or into the simulated car,
-and compares with the undisturbed answer or the true rail; what may be lost is stated before.
+What a car does to its filters: it stops, it reverses, its encoder counts twice, a sensor stands
+still. Each row puts one of these into a filter, or into the simulated car, and compares with the
+undisturbed answer or the true rail; what may be lost is stated before.
 
 {{stability}}
 
