@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 
+#include "table/csv.hpp"
 #include "tool/progress.hpp"
 #include "units/constants.hpp"
 #include "units/input_error.hpp"
@@ -19,9 +20,20 @@ void add_record_options(tool::Options& o, RecordWish& w) {
       "one pass, and make a table: --column left,right");
   o.text("--unit", w.record.unit, "unit of the columns, if their headers name none");
   o.text("--distance", w.record.distance,
-         "column of positions along the track, or two that add up: km+m");
-  o.text("--distance-unit", w.record.distance_unit, "its unit, if its header names none");
+         "column of positions along the track, or two that add up: km+m; none, with --spacing, "
+         "counts samples");
+  o.text("--distance-unit", w.record.distance_unit,
+         "its unit, if its header names none; mi+ft, mi+yd or km+m for cells such as 87+0500");
   o.texts("--missing", w.record.missing, "values that stand for lost samples, as -9999");
+  o.texts("--where", w.record.where,
+          "rows to read, of a table of several rails or runs, as rail=left");
+  o.texts(
+      "--screen", w.screen,
+      "what is taken out: codes (and values that no track can have), outliers, stuck, steps; or "
+      "none, or all");
+  o.choice("--resync", w.resync, {"refuse", "cut", "count"},
+           "where positions turn back, repeat or leave their grid: cut the record there, or count "
+           "on in steps of the spacing");
   o.count("--skip", w.skip, "lines before the headers", 0, 10000);
   o.quantity("--spacing", w.record.spacing, units::length,
              "distance between samples, where there are no positions", {1e-4, 1e3});
@@ -37,13 +49,46 @@ const char* const record_help =
     "and may be\n"
     "written 12+345.6 (km and m); without a column of them, give --spacing. Empty cells, nan, NA "
     "and --missing\n"
-    "are lost samples; other codes, outliers, stuck sensors and steps are found and told.";
+    "are lost samples. Codes and values that no track can have are taken out; outliers, stuck "
+    "sensors and steps\n"
+    "are kept, unless --screen names them, and told: they may be defects. Each place is a row of "
+    "warnings.csv\n"
+    "(with --out): its column, the kind, from_m and to_m, samples, size_mm (the value; of steps "
+    "and "
+    "jumps, by how much), taken_out (yes or no), "
+    "and the option\n"
+    "that changes that. Positions count as in the file; heights keep their sign: up is positive "
+    "where it is so in the file.";
+
+namespace {
+
+spectra::Screening screening_of(const std::vector<std::string>& wanted) {
+  spectra::Screening screening{false, false, false, false};
+  for (const std::string& name : wanted) {
+    const bool all = name == "all";
+    if (!all && name != "codes" && name != "outliers" && name != "stuck" && name != "steps" &&
+        (name != "none" || wanted.size() > 1))
+      throw InputError{fmt::format(
+          "screen is \"{}\"; allowed: codes, outliers, stuck, steps; or all, or none alone", name)};
+    screening.outliers = screening.outliers || all || name == "outliers";
+    screening.stuck = screening.stuck || all || name == "stuck";
+    screening.steps = screening.steps || all || name == "steps";
+  }
+  screening.codes = wanted != std::vector<std::string>{"none"};  // what none asks for
+  return screening;
+}
+
+}  // namespace
 
 spectra::RecordFile record_file(const RecordWish& wish, const std::filesystem::path& name) {
   spectra::RecordFile file = wish.record;
   file.file = name;
   file.column = wish.columns.front();
   file.skip = static_cast<std::size_t>(wish.skip);
+  file.screening = screening_of(wish.screen);
+  file.resync = wish.resync == "cut"     ? spectra::Resync::cut
+                : wish.resync == "count" ? spectra::Resync::count
+                                         : spectra::Resync::refuse;
   if (!wish.batch.many())
     file.progress = [bar = std::make_shared<tool::Progress>("per cent of the record", 100.0),
                      told = 0](double share) mutable {
@@ -56,8 +101,12 @@ spectra::RecordFile record_file(const RecordWish& wish, const std::filesystem::p
   return file;
 }
 
+std::string key_of(const std::string& column, const std::string& doubt, bool several) {
+  return several ? column + "_" + doubt : doubt;
+}
+
 void add_record(tool::Summary& s, const spectra::RecordStream& r) {
-  for (const spectra::Doubt& doubt : r.doubts()) s.flag(doubt.key, doubt.text);
+  add_doubts(s, r, "", false);
   s.add("length_km", "length", static_cast<double>(r.samples()) * r.spacing() / units::kilometre,
         "km",
         fmt::format("{} samples, {} missing, {} bridged", r.samples(), r.missing(), r.bridged()));
@@ -65,6 +114,12 @@ void add_record(tool::Summary& s, const spectra::RecordStream& r) {
   s.add("missing", "samples missing", static_cast<double>(r.missing()), "");
   s.add("bridged", "samples bridged", static_cast<double>(r.bridged()), "");
   s.add("faulty", "samples taken out", static_cast<double>(r.faulty()), "");
+}
+
+void add_doubts(tool::Summary& s, const spectra::RecordStream& r, const std::string& column,
+                bool several) {
+  for (const spectra::Doubt& doubt : r.doubts())
+    s.flag(key_of(column, doubt.key, several), several ? column + ": " + doubt.text : doubt.text);
 }
 
 void add_record(tool::Row& row, const spectra::RecordStream& r) {
@@ -77,6 +132,81 @@ void add_record(tool::Row& row, const spectra::RecordStream& r) {
   row.add("bridged", static_cast<double>(r.bridged()));
   row.add("faulty", static_cast<double>(r.faulty()));
   for (const spectra::Doubt& doubt : r.doubts()) row.flag(doubt.key);
+}
+
+namespace {
+
+struct Losses {
+  double missing = 0, bridged = 0, faulty = 0;
+};
+
+Losses losses_of(const Records& records) {
+  Losses sum;
+  for (const auto& r : records) {
+    sum.missing += static_cast<double>(r->missing());
+    sum.bridged += static_cast<double>(r->bridged());
+    sum.faulty += static_cast<double>(r->faulty());
+  }
+  return sum;
+}
+
+}  // namespace
+
+void add_records(tool::Summary& s, const std::vector<std::string>& columns,
+                 const Records& records) {
+  if (records.size() == 1) return add_record(s, *records.front());
+  for (std::size_t i = 0; i < records.size(); ++i) add_doubts(s, *records[i], columns[i], true);
+  const spectra::RecordStream& r = *records.front();
+  s.add("length_km", "length", static_cast<double>(r.samples()) * r.spacing() / units::kilometre,
+        "km", fmt::format("{} samples of {} columns", r.samples(), records.size()));
+  s.add("spacing_m", "spacing", r.spacing(), "m");
+  const Losses sum = losses_of(records);
+  const auto each = [&](std::size_t (spectra::RecordStream::*count)() const) {
+    std::string text;
+    for (std::size_t i = 0; i < records.size(); ++i)
+      if (const std::size_t n = ((*records[i]).*count)(); n > 0)
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", columns[i], n);
+    return text;
+  };
+  s.add("missing", "samples missing", sum.missing, "", each(&spectra::RecordStream::missing));
+  s.add("bridged", "samples bridged", sum.bridged, "", each(&spectra::RecordStream::bridged));
+  s.add("faulty", "samples taken out", sum.faulty, "", each(&spectra::RecordStream::faulty));
+}
+
+void add_records(tool::Row& row, const std::vector<std::string>& columns, const Records& records) {
+  if (records.size() == 1) return add_record(row, *records.front());
+  const spectra::RecordStream& r = *records.front();
+  row.add("from_m", r.places().at(0));
+  row.add("to_m", r.places().at(r.samples()));
+  row.add("length_km", static_cast<double>(r.samples()) * r.spacing() / units::kilometre);
+  row.add("spacing_m", r.spacing());
+  row.add("samples", static_cast<double>(r.samples()));
+  const Losses sum = losses_of(records);
+  row.add("missing", sum.missing);
+  row.add("bridged", sum.bridged);
+  row.add("faulty", sum.faulty);
+  for (std::size_t i = 0; i < records.size(); ++i)
+    for (const spectra::Doubt& doubt : records[i]->doubts())
+      row.flag(key_of(columns[i], doubt.key, true));
+}
+
+std::string warnings_of(const std::vector<std::string>& columns, const Records& records) {
+  std::string text = warnings_header;
+  for (std::size_t i = 0; i < records.size(); ++i) text += warning_rows(columns[i], *records[i]);
+  return text;
+}
+
+const char* const warnings_header = "column,warning,from_m,to_m,samples,size_mm,taken_out,option\n";
+
+std::string warning_rows(const std::string& column, const spectra::RecordStream& record,
+                         const std::string& before) {
+  std::string text;
+  for (const spectra::Warning& w : record.warnings())
+    text += before + fmt::format("{},{},{},{},{},{},{},{}\n", table::csv_cell(column), w.key,
+                                 table::csv_number(w.from), table::csv_number(w.to), w.samples,
+                                 table::csv_number(w.size / units::millimetre),
+                                 w.taken_out ? "yes" : "no", w.option);
+  return text;
 }
 
 }  // namespace railbook::tools

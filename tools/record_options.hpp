@@ -1,7 +1,10 @@
 // The options of a record of track, shared by the tools that read one.
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "spectra/record_file.hpp"
 #include "tool/batch.hpp"
@@ -14,7 +17,8 @@ namespace railbook::tools {
 struct RecordWish {
   tool::BatchWish batch;
   spectra::RecordFile record;
-  std::vector<std::string> columns{"profile"};
+  std::vector<std::string> columns{"profile"}, screen{"codes"};
+  std::string resync = "refuse";
   std::optional<double> bridge, section;  // samples, m
   long skip = 0;
 };
@@ -31,5 +35,22 @@ extern const char* const record_help;
 // Length, spacing and samples of the record as lines of the answer, and its doubts as flags.
 void add_record(tool::Summary& answer, const spectra::RecordStream& record);
 void add_record(tool::Row& row, const spectra::RecordStream& record);
+
+// The doubts of one of several columns, with its name before them; of a single one, without.
+void add_doubts(tool::Summary& answer, const spectra::RecordStream& record,
+                const std::string& column, bool several);
+std::string key_of(const std::string& column, const std::string& doubt, bool several);
+
+// warnings.csv: a row for each place that is suspected or was taken out.
+extern const char* const warnings_header;
+std::string warning_rows(const std::string& column, const spectra::RecordStream& record,
+                         const std::string& before = "");
+
+// The same of several columns of one file: losses are those of all.
+using Records = std::vector<std::unique_ptr<const spectra::RecordStream>>;
+void add_records(tool::Summary& answer, const std::vector<std::string>& columns,
+                 const Records& records);
+void add_records(tool::Row& row, const std::vector<std::string>& columns, const Records& records);
+std::string warnings_of(const std::vector<std::string>& columns, const Records& records);
 
 }  // namespace railbook::tools

@@ -34,6 +34,14 @@ void PlaceMap::add(std::size_t sample, std::span<const double> positions) {
   high_ = high;
 }
 
+void PlaceMap::jump(std::size_t sample, double position) {
+  if (last_.sample > nodes_.back().sample) nodes_.push_back(last_);
+  nodes_.push_back({static_cast<double>(sample), direction_ * position, true});
+  last_ = nodes_.back();
+  low_ = -std::numeric_limits<double>::infinity();
+  high_ = -low_;
+}
+
 std::vector<PlaceMap::Node> PlaceMap::all_nodes() const {
   std::vector<Node> nodes = nodes_;
   if (!nodes.empty() && last_.sample > nodes.back().sample) nodes.push_back(last_);
@@ -62,11 +70,17 @@ PlaceMap::Unevenness PlaceMap::unevenness() const {
   const std::vector<Node> nodes = all_nodes();
   Unevenness worst;
   if (nodes.size() < 2) return worst;
-  worst.overall = (nodes.back().position - nodes.front().position) /
-                  (nodes.back().sample - nodes.front().sample);
+  double length = 0, steps = 0;
   for (std::size_t i = 1; i < nodes.size(); ++i) {
+    if (nodes[i].jump) continue;
+    length += std::abs(nodes[i].position - nodes[i - 1].position);
+    steps += nodes[i].sample - nodes[i - 1].sample;
+  }
+  worst.overall = steps > 0 ? length / steps : spacing_;
+  for (std::size_t i = 1; i < nodes.size(); ++i) {
+    if (nodes[i].jump) continue;
     const double count = nodes[i].sample - nodes[i - 1].sample;
-    const double spacing = (nodes[i].position - nodes[i - 1].position) / count;
+    const double spacing = std::abs(nodes[i].position - nodes[i - 1].position) / count;
     const double share =
         std::abs(spacing / worst.overall - 1) - 1 / count;  // nodes are rounded, too
     if (share > worst.share)

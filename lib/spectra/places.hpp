@@ -20,6 +20,8 @@ class PlaceMap {
   // The positions (m) of a sample and those that follow it, given in the record's order.
   void add(std::size_t sample, std::span<const double> positions);
   void add(std::size_t sample, double position) { add(sample, {&position, 1}); }
+  // The same for a sample that does not follow evenly from the one before.
+  void jump(std::size_t sample, double position);
 
   // The position (m) of any sample, true to half a spacing; beyond the last one given, on at the spacing.
   double at(std::size_t sample) const;
@@ -36,6 +38,7 @@ class PlaceMap {
  private:
   struct Node {
     double sample, position;
+    bool jump = false;  // from the node before
   };
   std::vector<Node> all_nodes() const;
 

@@ -69,10 +69,11 @@ RecordStream::RecordStream(const RecordOptions& options,
                            std::function<void(std::span<const double>)> sink)
     : options_(options),
       sink_(std::move(sink)),
-      screen_([this](std::span<const double> values) { join(values); }) {
+      screen_([this](std::span<const double> values) { join(values); }, options_.screening) {
   if (options_.spacing) {
     spacing_ = units::require_positive("spacing", *options_.spacing, "m");
     places_ = PlaceMap{spacing_};
+    screen_.set_scale(spacing_, options_.unit);
   }
   ready_.reserve(piece);
 }
@@ -91,8 +92,11 @@ void RecordStream::add(std::span<const double> positions, std::span<const double
     i += even;
     if (i == positions.size()) return;
     ++taken_;
-    if (!std::isfinite(positions[i]))
-      units::require_finite("position of sample " + std::to_string(taken_), positions[i], "m");
+    if (std::isnan(positions[i])) {
+      unplaced_ += std::isnan(values[i]) ? 0 : 1;
+      continue;
+    }
+    units::require_finite("position of sample " + std::to_string(taken_), positions[i], "m");
     if (settled_) {
       place({direction_ * positions[i], values[i]});
     } else {
@@ -114,6 +118,7 @@ std::size_t RecordStream::go_on(std::span<const double> positions) {
     last = position;
   }
   if (n > 0) places_.add(steps_ + 1, positions.first(n));
+  fresh_ = fresh_ && n == 0;
   steps_ += n;
   last_position_ = last;
   return n;
@@ -126,20 +131,34 @@ void RecordStream::settle_spacing() {
   if (first_.size() < 2)
     throw InputError{"the record has " + std::to_string(first_.size()) +
                      " samples; a spacing needs two"};
-  if (first_.back().position < first_.front().position) direction_ = -1;
+  std::ptrdiff_t forward = 0;
+  for (std::size_t i = 1; i < first_.size(); ++i)
+    forward += first_[i].position > first_[i - 1].position   ? 1
+               : first_[i].position < first_[i - 1].position ? -1
+                                                             : 0;
+  if (forward < 0) direction_ = -1;
   for (Sample& sample : first_) sample.position *= direction_;
   std::vector<double> steps;
   for (std::size_t i = 1; i < first_.size(); ++i)
     steps.push_back(first_[i].position - first_[i - 1].position);
-  const double whole = first_.back().position - first_.front().position;
+  if (options_.resync != Resync::refuse) std::erase_if(steps, [](double step) { return step < 0; });
+  double whole = std::accumulate(steps.begin(), steps.end(), 0.0);
   const double mean = whole / static_cast<double>(steps.size());
   rounding_ = rounding_of(steps);
+  refuse_several_records(steps);
+  if (steps.empty()) throw InputError{"positions do not ascend or descend"};
   const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
   std::nth_element(steps.begin(), middle, steps.end());
   const double median = *middle;
   if (!(median > 0) && rounding_ == 0)
     throw InputError{"positions do not ascend or descend: the median step is " +
                      number_text(direction_ * median) + " m"};
+  if (options_.resync != Resync::refuse && rounding_ == 0)
+    std::erase_if(steps, [&](double step) {
+      const double n = step / median;
+      return n < 0.5 || n > 20 || std::abs(n - std::round(n)) > off_grid;
+    });
+  whole = std::accumulate(steps.begin(), steps.end(), 0.0);
   double count = 0;
   for (const double step : steps) count += median > 0 ? std::round(step / median) : 1;
   spacing_ = count > 0 ? whole / count : mean;
@@ -148,6 +167,7 @@ void RecordStream::settle_spacing() {
     spacing_ = median;  // then it is uneven, as place() says
   first_position_ = last_position_ = grid_ = first_.front().position;
   if (rounding_ > 0) fit_grid();
+  screen_.set_scale(spacing_, options_.unit);
   const double first = direction_ * grid_;
   places_ = PlaceMap{spacing_, first, direction_};
   places_.add(0, {&first, 1});
@@ -175,29 +195,92 @@ void RecordStream::fit_grid() {
   grid_ = height - spacing_ * mean;
 }
 
+// Rows of several rails or runs at each place, or the same row several times, look like positions that are rounded. They are told from them
+// by their heights: the rows of one place are alike, or each is more like one of the next place than like its neighbour.
+void RecordStream::refuse_several_records(const std::vector<double>& steps) const {
+  const auto repeats = std::count(steps.begin(), steps.end(), 0.0);
+  if (options_.spacing || 10 * repeats < 3 * std::ssize(steps)) return;
+  const auto period = static_cast<std::size_t>(std::lround(
+      static_cast<double>(steps.size()) / static_cast<double>(std::ssize(steps) - repeats)));
+  double here = 0, next = 0, like = 0, heres = 0, nexts = 0, likes = 0;
+  for (std::size_t i = 1; i < first_.size(); ++i) {
+    const double move = std::abs(first_[i].value - first_[i - 1].value);
+    const bool same = first_[i].position == first_[i - 1].position;
+    if (!std::isnan(move)) (same ? here : next) += move, (same ? heres : nexts) += 1;
+    if (i < period) continue;
+    const double other = std::abs(first_[i].value - first_[i - period].value);
+    if (!std::isnan(other)) like += other, likes += 1;
+  }
+  if (heres < 8 || nexts < 8 || likes < 8) return;
+  here /= heres, next /= nexts, like /= likes;
+  if (here >= 0.5 * next && like >= 0.7 * here) return;
+  throw InputError{"each position stands " + std::to_string(period) +
+                   " times, with heights that are not of one record; allowed: one row a place "
+                   "(--where COLUMN=VALUE for one rail or run of several; --spacing if the "
+                   "positions are only rounded)"};
+}
+
 // A rounded position is met by the grid of those before it, not by the last of them.
-void RecordStream::place(const Sample& sample) {
+void RecordStream::place(const Sample& given) {
+  Sample sample = given;
+  if (std::exchange(fresh_, false) && sample.position < last_position_) {
+    direction_ = -direction_;
+    first_position_ = last_position_ = -last_position_;
+    grid_ = -grid_;
+    sample.position = -sample.position;
+  }
   const double last = rounding_ > 0 ? grid_ : last_position_;
   const double step = (sample.position - last) / spacing_;
   const double slack = off_grid + 0.5 * rounding_ / spacing_;
   const double whole = std::abs(step - 1) <= slack ? 1 : std::round(step);
-  const auto refuse = [&](const std::string& why) {
-    throw InputError{why + ": " + number_text(direction_ * last_position_) + " m is followed by " +
-                     number_text(direction_ * sample.position) + " m; the spacing is " +
-                     number_text(spacing_) + " m"};
-  };
   if (rounding_ == 0 ? !(step > 0) : sample.position < last_position_)
-    refuse(direction_ > 0 ? "positions do not ascend" : "positions do not descend");
-  if (whole < 1 || std::abs(step - whole) > slack) refuse("positions are not evenly spaced");
+    return resync(sample, direction_ > 0 ? "positions do not ascend" : "positions do not descend");
+  if (whole < 1 || std::abs(step - whole) > slack)
+    return resync(sample, "positions are not evenly spaced");
   if (static_cast<double>(steps_) + whole >
       free_slots + slots_a_sample * static_cast<double>(taken_))
-    refuse("positions jump too far for a record of " + std::to_string(taken_) + " samples");
+    return resync(sample,
+                  "positions jump too far for a record of " + std::to_string(taken_) + " samples");
+  const double thousands = sample.position / units::kilometre;
+  if (whole > 1 && std::abs(thousands - std::round(thousands)) < 1e-7) {
+    if (options_.resync == Resync::count) return resync(sample, "");
+    whole_kilometre_ = whole_kilometre_.value_or(direction_ * sample.position);
+  }
   for (double missing = 1; missing < whole; ++missing) screen_.push({&lost, 1});
   steps_ += static_cast<std::size_t>(whole);
   last_position_ = sample.position;
   grid_ = last + spacing_ * (whole + (rounding_ > 0.5 * spacing_ ? 0.0625 : 0.25) * (step - whole));
   const double here = direction_ * (rounding_ > 0 ? grid_ : sample.position);
   places_.add(steps_, {&here, 1});
+  take({&sample.value, 1});
+}
+
+// The sample is not where the one before says.
+void RecordStream::resync(const Sample& sample, const std::string& why) {
+  const double jump = direction_ * (sample.position - last_position_);
+  if (options_.resync == Resync::refuse)
+    throw InputError{why + ": " + number_text(direction_ * last_position_) + " m is followed by " +
+                     number_text(direction_ * sample.position) + " m (sample " +
+                     std::to_string(placed_ + 1) + "); the spacing is " + number_text(spacing_) +
+                     " m; allowed: --resync cut, which parts the record there, --resync count, "
+                     "which counts on in steps of the spacing, or --distance none --spacing"};
+  length_ += last_position_ - first_position_;
+  lengths_ += steps_ - first_step_;
+  const bool cut = options_.resync == Resync::cut;
+  if (cut) {
+    screen_.cut(jump);
+    const double here = direction_ * (last_position_ + spacing_);
+    places_.add(++steps_, {&here, 1});
+    ++cuts_;
+    fresh_ = true;
+  } else {
+    counts_.push_back({"counted", direction_ * last_position_, direction_ * sample.position, 1,
+                       jump, false, "--resync"});
+    ++counted_;
+  }
+  first_step_ = ++steps_;
+  first_position_ = last_position_ = grid_ = sample.position;
+  places_.jump(steps_, direction_ * sample.position);
   take({&sample.value, 1});
 }
 
@@ -223,7 +306,7 @@ void RecordStream::join(std::span<const double> values) {
     for (; at != good; ++at, ++joined_, ++gap_) {
       while (fault_ < faults().size() && faults()[fault_].first < joined_) ++fault_;
       cut_ = cut_ || (fault_ < faults().size() && faults()[fault_].first == joined_ &&
-                      faults()[fault_].fault == Fault::step);
+                      faults()[fault_].fault >= Fault::step);
     }
     at = std::find_if(good, values.end(), is_lost);
     if (at == good) return;
@@ -241,6 +324,7 @@ void RecordStream::close_gap(double value) {
                      static_cast<std::size_t>(std::min(1e6, options_.bridge_length / spacing_)))
           : options_.bridge;
   const bool bridge = begun_ && gap_ <= most && !cut_;
+  if (gap_ > 0) unread_.push_back({samples_, gap_});
   for (std::size_t i = 1; i <= gap_; ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(gap_ + 1);
     put(bridge ? last_value_ + share * (value - last_value_) : lost);
@@ -285,6 +369,20 @@ void RecordStream::compare(std::span<const double> values) {
   moves_ = moves;
 }
 
+std::size_t RecordStream::unread(std::size_t first, std::size_t count, std::size_t reach) const {
+  auto at = std::partition_point(unread_.begin(), unread_.end(), [&](const Stretch& s) {
+    return s.first + s.count + reach <= first;
+  });
+  std::size_t n = 0, done = first;
+  for (; at != unread_.end() && at->first < first + count + reach; ++at) {
+    const std::size_t from = std::max(done, at->first - std::min(at->first, reach));
+    const std::size_t to = std::min(first + count, at->first + at->count + reach);
+    n += to > from ? to - from : 0;
+    done = std::max(done, to);
+  }
+  return n;
+}
+
 void RecordStream::finish() {
   if (taken_ == 0) throw InputError{"the record holds no finite sample"};
   if (positions_ && !settled_) settle_spacing();
@@ -293,12 +391,14 @@ void RecordStream::finish() {
     throw InputError{"constant signal: all samples are " + number_text(first_value_) + " m"};
   screen_.finish();
   missing_ += gap_;
+  if (gap_ > 0) unread_.push_back({samples_, gap_});
   for (; gap_ > 0; --gap_) put(lost);
   if (!ready_.empty()) sink_(ready_);
   ready_.clear();
-  for (const FaultyStretch& f : faults()) faulty_ += f.count;
-  if (positions_ && steps_ > 0)
-    spacing_ = (last_position_ - first_position_) / static_cast<double>(steps_);
+  for (const FaultyStretch& f : faults()) faulty_ += f.taken_out ? f.count : 0;
+  length_ += last_position_ - first_position_;
+  lengths_ += steps_ - first_step_;
+  if (positions_ && lengths_ > 0) spacing_ = length_ / static_cast<double>(lengths_);
   if (options_.spacing && std::abs(spacing_ / *options_.spacing - 1) > spacing_mismatch)
     throw InputError{"spacing is given as " + number_text(*options_.spacing) +
                      " m, but the positions are " + number_text(spacing_) + " m apart"};

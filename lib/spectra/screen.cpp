@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <string>
 
 namespace railbook::spectra {
 namespace {
@@ -11,6 +13,9 @@ constexpr std::size_t longest_excursion = 256;
 constexpr std::size_t fewest_steps = 50;  // that a median step means something
 constexpr std::size_t stuck_at_least = 20, stuck_lags = 8;
 constexpr double moved = 5;  // quanta
+constexpr double largest_jump = 0.1,
+                 steepest = 0.3;       // m, m/m: from one sample to the next, on any track
+constexpr double returns_within = 20;  // m: a level that does is a defect
 
 // The upper median, 0 of nothing; x is used up. As std::nth_element, but without branches that nobody can foretell: each round
 // parts what is left into what is below the pivot, to the front of the other array, and what is above it, to its end.
@@ -61,6 +66,11 @@ void Screen::push(std::span<const double> values) {
     v_.insert(v_.end(), next.begin(), next.end());
     if (v_.size() == 2 * block) judge(block);
   }
+}
+
+void Screen::cut(double jump) {
+  cuts_.emplace_back(base_ + v_.size(), jump);
+  push({&lost, 1});
 }
 
 void Screen::finish() {
@@ -122,19 +132,41 @@ std::size_t Screen::equal_until(std::size_t i, bool over_gaps) const {
   return j;
 }
 
-std::size_t Screen::take_out(std::size_t from, std::size_t to, Fault fault, double value) {
+// Notes the samples that are there, and takes them out where that is wanted.
+std::size_t Screen::report(std::size_t from, std::size_t to, Fault fault, double value,
+                           bool taken_out) {
   for (std::size_t i = from; i < to; ++i) {
     if (std::isnan(v_[i])) continue;
     const std::size_t at = base_ + i;
     const bool on = !faults_.empty() && fault != Fault::step && faults_.back().fault == fault &&
+                    faults_.back().taken_out == taken_out &&
                     faults_.back().first + faults_.back().count == at;
     if (on)
       ++faults_.back().count;
     else
-      faults_.push_back({fault, at, 1, value});
-    v_[i] = lost;
+      faults_.push_back({fault, at, 1, value, taken_out});
+    if (taken_out) v_[i] = lost;
   }
   return to;
+}
+
+// A step from one sample to another, `slots` samples on, that no track makes.
+bool Screen::impossible(double jump, std::size_t slots) const {
+  return jump > largest_jump &&
+         jump > steepest * spacing_ * static_cast<double>(std::max<std::size_t>(1, slots));
+}
+
+// Written as three nines and more, or the largest of two bytes: what a recorder writes for nothing.
+bool Screen::is_code(double value) const {
+  char text[32];
+  const double written = std::abs(value) / unit_;
+  std::snprintf(text, sizeof text, "%.6g", written);
+  std::string digits{text};
+  std::erase(digits, '.');
+  const bool nines = digits.size() >= 3 && digits.find_first_not_of('9') == std::string::npos;
+  const double whole = std::round(written);
+  return nines || (std::abs(written - whole) < 1e-6 * written &&
+                   (whole == 32767 || whole == 32768 || whole == 65535));
 }
 
 std::size_t Screen::accept(std::size_t i) {
@@ -150,7 +182,7 @@ std::size_t Screen::accept(std::size_t i) {
   const std::size_t end = equal_until(i, false);
   if (end - i < stuck_from_) return i + 1;
   if (end == v_.size() && !last_) constant_ = v_[i];
-  return take_out(i + 1, end, Fault::stuck, v_[i]);
+  return report(i + 1, end, Fault::stuck, v_[i], screening_.stuck);
 }
 
 void Screen::step(double size) {
@@ -180,9 +212,18 @@ std::size_t Screen::pass(std::size_t i, std::size_t upto) {
 }
 
 std::size_t Screen::judge_at(std::size_t i) {
-  if (std::isnan(v_[i])) return i + 1;
+  if (std::isnan(v_[i])) {
+    if (cuts_.empty() || cuts_.front().first != base_ + i) return i + 1;
+    faults_.push_back({Fault::cut, base_ + i, 1, cuts_.front().second, false});
+    cuts_.erase(cuts_.begin());
+    good_.reset();
+    constant_.reset();
+    return i + 1;
+  }
   if (constant_) {
-    if (v_[i] == *constant_) return take_out(i, i + 1, faults_.back().fault, v_[i]);
+    const double value = v_[i];
+    if (value == *constant_)
+      return report(i, i + 1, faults_.back().fault, value, faults_.back().taken_out);
     constant_.reset();
   }
   if (!good_) return judge_first(i);
@@ -203,7 +244,9 @@ std::size_t Screen::judge_first(std::size_t i) {
     far += std::abs(v_[j] - v_[i]) > limit(j) ? 1 : 0;
   }
   if (seen < 2 || 2 * far <= seen || std::abs(v_[end] - v_[i]) <= limit(end)) return accept(i);
-  return take_out(i, end, end - i > 1 ? Fault::code : Fault::outlier, v_[i]);
+  const bool never = screening_.codes && impossible(std::abs(v_[end] - v_[i]), end - i);
+  return report(i, end, end - i > 1 ? Fault::code : Fault::outlier, v_[i],
+                never || screening_.outliers);
 }
 
 std::size_t Screen::judge_far(std::size_t i) {
@@ -216,7 +259,9 @@ std::size_t Screen::judge_far(std::size_t i) {
   const bool open = end == v_.size();
   if (equal >= 2 && (open || equal >= stuck_at_least || std::abs(v_[end] - *good_) <= limit(end))) {
     if (open && !last_) constant_ = v_[i];
-    return take_out(i, end, Fault::code, v_[i]);
+    const auto slots = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) - good_at_);
+    const bool code = is_code(v_[i]) || impossible(std::abs(v_[i] - *good_), slots);
+    return report(i, end, Fault::code, v_[i], screening_.outliers || (screening_.codes && code));
   }
   return judge_excursion(i);
 }
@@ -237,14 +282,29 @@ std::size_t Screen::judge_excursion(std::size_t i) {
     before = v_[j];
     ++away;
   }
+  const auto slots = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) - good_at_);
+  const bool never = screening_.codes && impossible(entry, slots);
   if (!back)
-    return j == v_.size() && away == 1 ? take_out(i, j, Fault::outlier, v_[i]) : judge_level(i);
+    return j == v_.size() && away == 1
+               ? report(i, j, Fault::outlier, v_[i], never || screening_.outliers)
+               : judge_level(i);
   const double exit = std::abs(v_[j] - before);
   const bool abrupt = entry >= 0.5 * farthest && exit >= 0.5 * farthest;
   const bool rough = path >= 0.3 * farthest * static_cast<double>(away + 1);
   if (!abrupt && !rough) return judge_level(i);
   const std::size_t same = equal_until(i, true);
-  return take_out(i, j, same >= j && away > 1 ? Fault::code : Fault::outlier, v_[i]);
+  return report(i, j, same >= j && away > 1 ? Fault::code : Fault::outlier, v_[i],
+                screening_.outliers || (never && impossible(exit, 1)));
+}
+
+// Where the level that is left at i is met again, within 20 m; i where it is not.
+std::size_t Screen::end_of_jump(std::size_t i) const {
+  const double entry = v_[i] - *good_;
+  const auto most = static_cast<std::size_t>(
+      spacing_ > 0 ? std::clamp(returns_within / spacing_, 2.0, 1e5) : 40.0);
+  for (std::size_t j = i + 1; j < std::min(v_.size(), i + most); ++j)
+    if (std::islessequal((v_[j] - *good_) / entry, 0.3)) return j;
+  return i;
 }
 
 // Off for good: a step, if the record goes on from there in its usual steps.
@@ -260,9 +320,23 @@ std::size_t Screen::judge_level(std::size_t i) {
   }
   const bool at_once = std::abs(entry) >= 0.5 * median_of(off);
   if (!at_once || median_of(steps) > 0.25 * std::abs(entry)) return accept(i);
+  const std::size_t end = end_of_jump(i);
+  if (end > i) {
+    double largest = entry;
+    for (std::size_t j = i; j < end; ++j)
+      if (std::abs(v_[j] - *good_) > std::abs(largest)) largest = v_[j] - *good_;
+    // The way back, or a step of the same slope.
+    const bool on = !faults_.empty() && faults_.back().fault == Fault::jump &&
+                    faults_.back().first + faults_.back().count >= base_ + i;
+    if (!on)
+      faults_.push_back({Fault::jump, base_ + i, end - i, largest, false});
+    else
+      faults_.back().count = std::max(faults_.back().count, base_ + end - faults_.back().first);
+    return accept(i);
+  }
   good_ = v_[i];
   good_at_ = static_cast<std::ptrdiff_t>(i);
-  return take_out(i, i + 1, Fault::step, entry);
+  return report(i, i + 1, Fault::step, entry, screening_.steps);
 }
 
 }  // namespace railbook::spectra

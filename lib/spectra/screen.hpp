@@ -1,5 +1,5 @@
-// What no track does: codes for lost samples, outliers, stuck sensors and steps of the datum, found in a stream of
-// heights and taken out of it.
+// What a track seldom does: codes for lost samples, outliers, stuck sensors and steps of the datum, found in a stream of
+// heights. What no track can do is taken out of it; the rest only where it is asked for, since it may be a defect.
 #pragma once
 
 #include <array>
@@ -20,17 +20,26 @@ enum class Fault {
   outlier,  // samples far off that come back
   code,     // the same value far off, two times or more: -9999 for a lost sample
   stuck,    // equal values in a row, more than rounding explains
-  step      // the level changes for good: one sample is taken out, so that the record is cut there
+  step,  // the level changes for good; taken out, it is one sample, so that the record is cut there
+  jump,  // the level changes and comes back within 20 m: never taken out
+  cut    // the record goes on at another place; see cut()
 };
 
-// A stretch of samples taken out.
+// A stretch of samples that are suspected, or taken out.
 struct FaultyStretch {
   Fault fault = Fault::outlier;
   std::size_t first = 0, count = 0;  // samples
-  double value = 0;                  // m: the first sample, or the height of the step
+  double value = 0;  // m: the first sample, the height of the step, the largest of the jump
+  bool taken_out = true;
 };
 
-// Hands on the samples it is given, faulty ones as NaN, some thousand samples later.
+// What is taken out. `codes`: values as far off as no track can be (by over 0.1 m from one sample to the next, at a slope of over 0.3), and
+// values that come twice in a row, far off, and are written 999, 99.9, 32767 and so on.
+struct Screening {
+  bool codes = true, outliers = true, stuck = true, steps = true;
+};
+
+// Hands on the samples it is given, those taken out as NaN, some thousand samples later.
 //
 // Sizes are judged by the median step from sample to sample (where it is not zero), of the block of 16384 samples around or of the record so far,
 // whichever is larger: far off is 12 median steps and four times the steps just before, 3 more for each sample
@@ -40,10 +49,15 @@ struct FaultyStretch {
 // number of samples on in which the record usually moves by five of its smallest steps.
 class Screen {
  public:
-  explicit Screen(std::function<void(std::span<const double>)> sink) : sink_(std::move(sink)) {
+  explicit Screen(std::function<void(std::span<const double>)> sink, Screening screening = {})
+      : sink_(std::move(sink)), screening_(screening) {
     v_.reserve(2 * block);
   }
+  // m, before the first sample: between samples, and of one in the file's numbers. Without, any slope is possible.
+  void set_scale(double spacing, double unit) { spacing_ = spacing, unit_ = unit; }
   void push(std::span<const double> values);  // m; NaN for a missing sample
+  // A missing sample behind which the record goes on elsewhere: what is there is not compared with what was before.
+  void cut(double jump);
   void finish();
 
   const std::vector<FaultyStretch>& faults() const { return faults_; }
@@ -60,18 +74,24 @@ class Screen {
   std::size_t judge_far(std::size_t i);
   std::size_t judge_excursion(std::size_t i);
   std::size_t judge_level(std::size_t i);
+  std::size_t end_of_jump(std::size_t i) const;
+  bool impossible(double jump, std::size_t slots) const;
+  bool is_code(double value) const;
   std::size_t accept(std::size_t i);
   void step(double size);
-  std::size_t take_out(std::size_t from, std::size_t to, Fault fault, double value);
+  std::size_t report(std::size_t from, std::size_t to, Fault fault, double value, bool taken_out);
   double limit(std::size_t i) const;
   std::size_t equal_until(std::size_t i, bool over_gaps) const;
 
   std::function<void(std::span<const double>)> sink_;
-  std::vector<double> v_;  // not handed on
-  std::size_t base_ = 0;   // the first of them
-  std::size_t next_ = 0;   // the first of them not judged
-  std::size_t seen_ = 0;   // the first whose step to the next is new
-  bool last_ = false;      // no more will come
+  Screening screening_;
+  double spacing_ = 0, unit_ = 1;                     // m
+  std::vector<std::pair<std::size_t, double>> cuts_;  // samples and jumps still to come, in order
+  std::vector<double> v_;                             // not handed on
+  std::size_t base_ = 0;                              // the first of them
+  std::size_t next_ = 0;                              // the first of them not judged
+  std::size_t seen_ = 0;                              // the first whose step to the next is new
+  bool last_ = false;                                 // no more will come
   std::vector<FaultyStretch> faults_;
 
   static constexpr std::size_t lags = 11;

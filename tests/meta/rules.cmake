@@ -65,7 +65,7 @@ if(NOT cited STREQUAL "version: ${version}" OR NOT newest STREQUAL "## ${version
   broken("CMakeLists.txt says ${version}, CITATION.cff \"${cited}\", CHANGELOG.md \"${newest}\"")
 endif()
 
-# No two tools write files of one name: their answers may share a folder.
+# No two tools write files of one name: their answers may share a folder. But for the warnings, which are of the last.
 set(written "")
 file(GLOB tools ${root}/tools/*/*.cpp)
 foreach(file ${tools})
@@ -73,7 +73,7 @@ foreach(file ${tools})
   string(REGEX MATCH "OutFolder [a-z]+\\(wish\\.out, {([^}]*)}" found "${text}")
   string(REGEX MATCHALL "[a-z-]+\\.[a-z]+" names "${CMAKE_MATCH_1}")
   foreach(name ${names})
-    if(name IN_LIST written)
+    if(name IN_LIST written AND NOT name STREQUAL "warnings.csv")
       broken("${file}: writes ${name}, as another tool does")
     endif()
     list(APPEND written ${name})

@@ -53,7 +53,7 @@ printf 'PK\x03\x04zipzip\n1,2\n' | file zip refuse
 { printf 'distance_m,profile_mm\n'; rows | sed '50s/,.*/,0x12/'; } | file hex refuse
 { printf 'distance_m,profile_mm\n'; rows | sed '50s/,.*/,1.2.3/'; } | file dots refuse
 { printf 'distance_m,profile_mm\n'; rows | sed '50s/,.*/,1 2/'; } | file blankin refuse
-{ printf 'distance_m,profile_mm\n'; rows | sed '50s/^[^,]*/nan/'; } | file nowhere refuse
+{ printf 'distance_m,profile_mm\n'; rows | sed '50s/^[^,]*/nan/'; } | file nowhere doubt
 { printf 'distance_m,profile_mm\n'; rows | sed '50s/^[^,]*/1e300/'; } | file far refuse
 { printf 'distance_m,profile_mm\n'; rows | sed '50s/^[^,]*/-5/'; } | file back refuse
 { printf 'distance_m,profile_mm\n'; rows | shuf --random-source=good.csv; } | file shuffled refuse

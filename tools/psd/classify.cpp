@@ -13,8 +13,8 @@ Empty cells and `nan` are gaps; those of up to 1 m are bridged by a straight lin
 one before a gap ends at it; they are made shorter until 95 % of the samples are in one. A segment is about 1250 m long unless `--segment` says how many samples.
 
 Positions that do not ascend evenly, a missing column or unit, a constant signal, a record shorter than a segment, a chord longer than an eighth of
-one and a chord that is blind to the rail are refused. What no track does is taken out of the record and said above the answer as doubtful: codes for lost samples, outliers, a
-sensor that stuck, a step of the datum; so are a spacing that changes, heights that are in another unit than said, a line of another rail length (used instead of the default
+one and a chord that is blind to the rail are refused. Codes for lost samples and heights that no track can have are taken out. Outliers, a
+sensor that stuck and a step of the datum may be defects: they are kept unless `--screen` names them, and said above the answer as doubtful; so are a spacing that changes, heights that are in another unit than said, a line of another rail length (used instead of the default
 39 ft; one given with `--rail` is kept), and residuals beyond chance. From twice the residuals of chance on no class is pronounced: the record is filtered, or of another shape than the model's.
 */
 #include <fmt/format.h>
@@ -325,6 +325,8 @@ void write_files(tool::OutFolder& out, const Wish& wish, const Measured& m,
                                    fit.B_printed.value / mm, fit.B_printed.error / mm, fit.A.value,
                                    fit.A.error));
   out.add("classify.json", summary.json());
+  out.add("warnings.csv",
+          tools::warnings_header + tools::warning_rows(wish.record.columns.front(), *m.record));
   std::vector<std::string> drawn{"spectrum.csv"};
   if (!wish.references.empty()) {
     out.scratch("references.csv", reference_table(wish.references, m.spectrum.frequency(1), 2));
@@ -340,8 +342,8 @@ void classify_track(const Wish& wish) {
   if (wish.record.batch.many() || wish.record.columns.size() > 1 || wish.record.section)
     return tool::run_batch(wish.record.batch, wish.out, "classify",
                            [&](const auto& file) { return rows_of(wish, file); });
-  tool::OutFolder out(wish.out, {"spectrum.csv", "classes.csv", "point.csv", "classify.json",
-                                 "spectrum.png", "class.png"});
+  tool::OutFolder out(wish.out, {"spectrum.csv", "classes.csv", "point.csv", "warnings.csv",
+                                 "classify.json", "spectrum.png", "class.png"});
   const auto file = tools::record_file(wish.record, wish.record.batch.only());
   const Measured measured = std::move(measure(file, measure_wish(wish)).front());
   const Fitted fitted = fit_track(wish, measured.spectrum);

@@ -5,10 +5,10 @@ The descriptor of a record of your own, at the posted speed and for your car:
     quality index track.csv --speed 100km/h --car chapters/06-quality/examples/freight.toml --out mine
     quality index chapters/06-quality/examples/track.csv --speed 64km/h --column crosslevel
 
-The record is a CSV file with a column of positions and one of heights, units in their headers (`distance_m,profile_mm`). It is read once, in constant memory. Empty cells and `nan` are gaps: those of up to 1 m are bridged (`--bridge` says otherwise), others divide the record. Codes for lost samples, outliers, stuck sensors and steps of the datum are found, taken out
-as gaps and told above the answer as doubtful, and so are a spacing that changes (places stay true to a sample) and heights in another unit than said. The answer names each place where the magnitude of the descriptor passes `--threshold`, the paper's $T_2$, with the
+The record is a CSV file with a column of positions and one of heights, units in their headers (`distance_m,profile_mm`). It is read once, in constant memory. Empty cells and `nan` are gaps: those of up to 1 m are bridged (`--bridge` says otherwise), others divide the record. Codes for lost samples and heights that no track can have are taken out as gaps; outliers, stuck sensors and steps of the datum may be defects, are kept unless `--screen` names them,
+and are told above the answer as doubtful, and so are a spacing that changes (places stay true to a sample) and heights in another unit than said. The answer names each place where the magnitude of the descriptor passes `--threshold`, the paper's $T_2$, with the
 wavelength there, twice the distance of the neighbouring zeros, and the limit that counts at that wavelength. Places within a resonant wavelength of an end or of a gap are marked: there the filter had to guess.
-For the planner the record is cut at multiples of `--segment`, each piece with an index of its own and a class: *accept* below $T_1$ (`--accept`), *repair* above $T_2$, *watch* between them, *unsure* where it passes $T_2$ only where the filter had to guess, and *missing* where half of it and more was not measured and the rest does not pass $T_2$. The
+For the planner the record is cut at multiples of `--segment`, each piece with an index of its own and a class: *accept* below $T_1$ (`--accept`), *repair* above $T_2$, *watch* between them, *unsure* where it passes $T_2$ only where the filter had to guess, *missing* where half of it and more was not measured and the rest does not pass $T_2$, and *incomplete*, without an index, where anything else in it is missing, bridged or taken out. The
 paper prints no thresholds; ours are 0.5 and 1. With `--out` come the channel, the list of places, the segments, the histogram, a figure, and the index as JSON.
 */
 #include <fmt/format.h>
@@ -153,8 +153,9 @@ void index_track(const IndexWish& wish) {
   if (wish.record.batch.many() || wish.record.columns.size() > 1)
     return tool::run_batch(wish.record.batch, wish.out, "index",
                            [&](const auto& file) { return rows_of(wish, d, file); });
-  tool::OutFolder out(wish.out, {"channel.csv", "exceedances.csv", "histogram.csv", "segments.csv",
-                                 "threshold.csv", "extremes.csv", "index.json", "index.png"});
+  tool::OutFolder out(
+      wish.out, {"channel.csv", "exceedances.csv", "histogram.csv", "segments.csv", "threshold.csv",
+                 "extremes.csv", "warnings.csv", "index.json", "index.png"});
   Channel channel{&out};
   const Run run = run_record(wish, d, wish.record.batch.only(), channel);
   const spectra::RecordStream& record = *run.record;
@@ -165,6 +166,8 @@ void index_track(const IndexWish& wish) {
   if (out) {
     write_lists(out, answer);
     out.add("extremes.csv", channel.extremes());
+    out.add("warnings.csv",
+            tools::warnings_header + tools::warning_rows(wish.record.columns.front(), record));
     out.add("index.json", summary.json());
     out.figure(tools::scripts("quality") / "index.gp",
                {"extremes.csv", "exceedances.csv", "histogram.csv", "threshold.csv"}, "index.png");
@@ -191,10 +194,19 @@ tool::Tool index_tool() {
                    "length of the pieces that have an index of their own", {1, 1e6});
         o.quantity("--section", wish->segment, units::length, "the same", {1, 1e6});
         o.out(wish->out);
-        o.help(std::string{tools::record_help} +
-               "\n\nExample: railbook quality index track.csv --speed 100km/h --column profile "
-               "--out mine\n         railbook quality index runs/*.csv --speed 100km/h --section "
-               "200m --out mine");
+        o.help(
+            std::string{tools::record_help} +
+            "\n\nThe descriptor is 1 where the car reaches its limit (suspension stroke or wheel "
+            "force) on such a wave. In\n"
+            "channel.csv and exceedances.csv it has the sign of the filtered column: positive "
+            "over what is higher than\n"
+            "around it, where up is positive in the file. mean, deviation, rms and largest are "
+            "of its magnitude (rms of the\n"
+            "value); above_per_km counts samples above the threshold. segments.csv has a row a "
+            "segment with its class.\n"
+            "\nExample: railbook quality index track.csv --speed 100km/h --column profile "
+            "--out mine\n         railbook quality index runs/*.csv --speed 100km/h --section "
+            "200m --out mine");
         return [wish] { index_track(*wish); };
       }};
 }

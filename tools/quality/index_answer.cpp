@@ -34,11 +34,12 @@ namespace {
 struct Class {
   const quality::Segment* segment;
   std::size_t faulty = 0;  // samples taken out
+  bool whole = true;       // none is missing, bridged or taken out
   const char* name = "";
 };
 
-// accept below T_1, repair above T_2, unsure where T_2 is passed only near an end or a gap; what has hardly been measured cannot be
-// accepted.
+// accept below T_1, repair above T_2, unsure where T_2 is passed only near an end or a gap; what has not been measured whole cannot be
+// accepted or watched.
 std::vector<Class> classes(const IndexAnswer& a) {
   std::vector<Class> result;
   const std::vector<spectra::FaultyStretch>& faults = a.record.faults();
@@ -58,14 +59,16 @@ std::vector<Class> classes(const IndexAnswer& a) {
       sure = (place != a.found.begin() && !std::prev(place)->unsure) ||
              (place != a.found.end() && !place->unsure);
     Class c{&s};
+    c.whole = a.record.unread(first, s.sums.samples) == 0;
     c.name = above                                  ? (sure ? "repair" : "unsure")
              : 2 * s.sums.missing >= s.sums.samples ? "missing"
+             : !c.whole                             ? "incomplete"
              : s.sums.largest > a.wish.accept       ? "watch"
                                                     : "accept";
     const std::size_t end = first + s.sums.samples;
     while (fault != faults.end() && fault->first + fault->count <= first) ++fault;
     for (auto f = fault; f != faults.end() && f->first < end; ++f)
-      c.faulty += std::min(end, f->first + f->count) - std::max(first, f->first);
+      if (f->taken_out) c.faulty += std::min(end, f->first + f->count) - std::max(first, f->first);
     first = end;
     result.push_back(c);
   }
@@ -86,6 +89,7 @@ void add_segments(tool::Summary& s, const IndexAnswer& a) {
   add("repair", fmt::format("beyond {:g}", a.wish.threshold));
   add("unsure", "beyond it near an end or a gap only");
   add("missing", "half of it and more was not measured");
+  add("incomplete", "something in it is missing, bridged or taken out, and the rest is not beyond");
 }
 
 void add_worst(tool::Summary& s, std::vector<Place> found) {
@@ -96,6 +100,12 @@ void add_worst(tool::Summary& s, std::vector<Place> found) {
         fmt::format("worst_{}", i + 1), i == 0 ? "worst" : "",
         fmt::format("{:+.3f} at {:.1f} m, wavelength {:.1f} m, {}{}", found[i].e.peak, found[i].at,
                     found[i].e.wavelength, found[i].limit, found[i].unsure ? ", unsure" : ""));
+}
+
+// No index is stated for a segment that was not read whole; its largest value is what was seen.
+quality::QualityIndex index_of(const Class& c, quality::QualityIndex q) {
+  if (!c.whole) q.mean = q.deviation = q.rms = q.above_per_km = std::nan("");
+  return q;
 }
 
 }  // namespace
@@ -158,7 +168,7 @@ void add_rows(std::vector<tool::Row>& rows, const IndexAnswer& a, const std::str
     row.add("samples", static_cast<double>(q.samples));
     row.add("missing", static_cast<double>(q.missing));
     row.add("faulty", static_cast<double>(c.faulty));
-    add_index(row, q, c.segment->sums.exceedances);
+    add_index(row, index_of(c, q), c.segment->sums.exceedances);
     row.add("class", c.name);
   }
 }
@@ -170,7 +180,8 @@ void write_segments(tool::OutFolder& out, const IndexAnswer& a) {
       "from_m,to_m,samples,missing,faulty,mean,deviation,rms,largest,above_per_km,exceedances,"
       "class\n";
   for (const Class& c : classes(a)) {
-    const quality::QualityIndex q = c.segment->sums.index(a.record.spacing(), a.wish.threshold);
+    const quality::QualityIndex q =
+        index_of(c, c.segment->sums.index(a.record.spacing(), a.wish.threshold));
     text += fmt::format("{},{},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{},{}\n",
                         table::csv_number(c.segment->from),
                         table::csv_number(c.segment->from + a.wish.segment), q.samples, q.missing,
