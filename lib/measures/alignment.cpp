@@ -28,6 +28,24 @@ double correlation(std::span<const double> a, std::span<const double> b) {
   return (sab - sa * sb / n) / std::sqrt(va * vb);
 }
 
+// The largest correlation that belongs to another offset than `at`: a peak, with a valley before it; `at` where none is.
+std::size_t other_peak(const std::vector<double>& r, std::size_t at) {
+  std::size_t best = at;
+  const auto walk = [&](std::ptrdiff_t step) {
+    bool valley = false;
+    const auto size = std::ssize(r);
+    for (auto i = static_cast<std::ptrdiff_t>(at) + step; i > 0 && i + 1 < size; i += step) {
+      const auto k = static_cast<std::size_t>(i);
+      valley = valley || r[k] < 0.8 * r[at];
+      const bool peak = valley && r[k] >= r[k - 1] && r[k] >= r[k + 1];
+      if (peak && (best == at || r[k] > r[best])) best = k;
+    }
+  };
+  walk(-1);
+  walk(1);
+  return best;
+}
+
 // What is far from its neighbours is a chance likeness.
 void drop_strays(std::vector<Match>& all) {
   std::vector<bool> stray(all.size());
@@ -61,14 +79,27 @@ std::vector<Match> align(std::size_t samples, const Heights& first, const Height
     second(from - static_cast<std::ptrdiff_t>(reach), b);
     for (std::size_t lag = 0; lag < r.size(); ++lag)
       r[lag] = correlation(a, std::span{b}.subspan(lag, window));
-    const auto at = static_cast<std::size_t>(std::max_element(r.begin(), r.end()) - r.begin());
-    Match match{
-        .centre = begin + window / 2, .correlation = r[at], .found = r[at] >= options.least};
-    match.offset = (static_cast<double>(at) - static_cast<double>(reach)) * spacing;
-    if (at == 0 || at + 1 == r.size()) match.found = false;  // it may lie beyond
+    auto at = static_cast<std::size_t>(std::max_element(r.begin(), r.end()) - r.begin());
+    const double highest = r[at];
+    const auto offset_of = [&](std::size_t lag) {
+      return (static_cast<double>(lag) - static_cast<double>(reach)) * spacing;
+    };
+    for (std::size_t lag = 1; lag + 1 < r.size(); ++lag)
+      if (r[lag] >= 0.995 * highest && r[lag] >= r[lag - 1] && r[lag] >= r[lag + 1] &&
+          std::abs(offset_of(lag)) < std::abs(offset_of(at)) && highest >= options.least)
+        at = lag;
+    // Its top by a parabola.
+    const auto top = [&](std::size_t lag) {
+      const double bend = r[lag - 1] - 2 * r[lag] + r[lag + 1];
+      return offset_of(lag) + (bend < 0 ? 0.5 * spacing * (r[lag - 1] - r[lag + 1]) / bend : 0);
+    };
+    Match match{.centre = begin + window / 2, .offset = offset_of(at), .correlation = r[at]};
+    match.found = r[at] >= options.least && at > 0 && at + 1 < r.size();  // else it may lie beyond
     if (match.found) {
-      const double bend = r[at - 1] - 2 * r[at] + r[at + 1];
-      if (bend < 0) match.offset += 0.5 * spacing * (r[at - 1] - r[at + 1]) / bend;
+      match.offset = top(at);
+      const std::size_t other = other_peak(r, at);
+      if (other != at && r[other] >= 0.95 * r[at] && r[other] >= options.least)
+        match.other = top(other);
     }
     all.push_back(match);
   }

@@ -1,4 +1,4 @@
-// Limits of the United States' track safety standards (49 CFR 213) on mid-chord offsets and cross level, classes 1 to 5, and on alinement, classes 6 to 9.
+// Limits of the United States' track safety standards (49 CFR 213) on mid-chord offsets, gauge and cross level, classes 1 to 5, and on alinement, classes 6 to 9.
 #pragma once
 
 #include <array>
@@ -32,6 +32,11 @@ inline constexpr FraLimit crosslevel{"deviation from zero cross level on tangent
 inline constexpr FraLimit warp{"difference in cross level within 62 ft",
                                0,
                                {3 * inch, 2.25 * inch, 2 * inch, 1.75 * inch, 1.5 * inch}};
+
+// Gauge (213.53): at least 4 ft 8 in, at most this.
+inline constexpr double least_gauge = 56 * inch, nominal_gauge = 56.5 * inch;
+inline constexpr FraLimit gauge{
+    "gauge", 0, {58 * inch, 57.75 * inch, 57.75 * inch, 57.5 * inch, 57.5 * inch}};
 
 // Alinement on tangent of classes 6 to 9 (213.327, in casetext's copy and another of the same year): the mid-chord offset less the
 // mean of nine, a quarter of the chord apart, about it.

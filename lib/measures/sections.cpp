@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -56,6 +57,25 @@ double Twist::push(double crosslevel) {
   const double before = std::exchange(past_[at_], crosslevel);
   at_ = (at_ + 1) % past_.size();
   return (crosslevel - before) / base_;
+}
+
+Warp::Warp(double length, double spacing)
+    : window_(
+          static_cast<std::size_t>(std::ceil(
+              units::require_between("base over the spacing", length / spacing, 1, 1e6) - 1e-6)) -
+          1) {}
+
+double Warp::push(double crosslevel) {
+  const std::size_t sample = at_++;
+  if (std::isnan(crosslevel)) return crosslevel;
+  const auto keep = [&](auto& queue, const auto& beyond) {
+    while (!queue.empty() && queue.front().first + window_ < sample) queue.pop_front();
+    while (!queue.empty() && !beyond(queue.back().second, crosslevel)) queue.pop_back();
+    queue.emplace_back(sample, crosslevel);
+    return crosslevel - queue.front().second;
+  };
+  const double up = keep(low_, std::less<>{}), down = keep(high_, std::greater<>{});
+  return up >= -down ? up : down;
 }
 
 double combined_deviation(std::span<const double> deviations, std::span<const double> weights) {

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <deque>
 #include <functional>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace railbook::measures {
@@ -48,6 +50,19 @@ class Twist {
   std::vector<double> past_;
   std::size_t at_ = 0;
   double base_;
+};
+
+// Warp: the difference of cross level from the sample within a length (m) behind that differs most, with its sign: positive where it has grown. NaN where the sample
+// is missing; missing ones behind it do not count.
+class Warp {
+ public:
+  Warp(double length, double spacing);
+  double push(double crosslevel);
+
+ private:
+  std::size_t window_, at_ = 0;
+  std::deque<std::pair<std::size_t, double>> low_,
+      high_;  // samples and values, ascending and descending
 };
 
 // The square root of the weighted mean square of standard deviations: sqrt(sum w s^2), as EN 13848-6 forms its combined standard

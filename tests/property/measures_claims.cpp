@@ -15,7 +15,8 @@ using namespace railbook::tests;
 
 TEST_CASE("claim: sections, twist, exceptions and indices") {
   Claim sections("measures::Sections"), twist("measures::Twist"), beyond("measures::Exceptions"),
-      combined("measures::combined_deviation"), index("measures::track_quality_index");
+      warped("measures::Warp"), combined("measures::combined_deviation"),
+      index("measures::track_quality_index");
   Draw draw(71);
   for (int k = 0; k < 1000; ++k) {
     // 40 samples of one section about a mean that may be far larger than they scatter; some missing.
@@ -57,6 +58,21 @@ TEST_CASE("claim: sections, twist, exceptions and indices") {
       const Long run = Long(lag) * spacing;
       twist.error(
           static_cast<double>(std::abs(found - (Long{x[i]} - x[i - lag]) / run) * run / size));
+    }
+
+    // Nearer than a base that no sample is exactly away.
+    const double reach = spacing * (std::floor(draw(1, 10)) + draw(0.1, 0.9));
+    Warp warp(reach, spacing);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      double most = 0;
+      for (std::size_t j = 0; j <= i; ++j)
+        if (spacing * static_cast<double>(i - j) < reach && !std::isnan(x[j]) &&
+            std::abs(x[i] - x[j]) > std::abs(most))
+          most = x[i] - x[j];
+      const double found = warp.push(x[i]);
+      warped.error(std::isnan(x[i])                    ? (std::isnan(found) ? 0 : 1)
+                   : std::abs(found) == std::abs(most) ? 0
+                                                       : 1);
     }
 
     const double limit = middle + draw(-0.5, 1.5) * scatter;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "measures/band.hpp"
@@ -17,29 +19,76 @@ constexpr double mm = units::millimetre;
 
 }  // namespace
 
-FraWatch::FraWatch(std::string column, bool alinement, int track_class,
+std::optional<double> gauge_datum(std::span<const double> piece) {
+  std::vector<double> there;
+  for (const double value : piece)
+    if (!std::isnan(value)) there.push_back(value);
+  if (there.empty()) return 0.0;
+  const auto middle = there.begin() + static_cast<std::ptrdiff_t>(there.size() / 2);
+  std::nth_element(there.begin(), middle, there.end());
+  if (std::abs(*middle - ms::fra::nominal_gauge) < 0.05) return 0.0;
+  if (std::abs(*middle) < 0.05) return ms::fra::nominal_gauge;
+  return std::nullopt;
+}
+
+FraWatch::FraWatch(std::string column, Kind kind, int track_class,
                    const spectra::RecordStream& record)
-    : column_(std::move(column)) {
-  const auto place = [&record](std::size_t i) { return record.places().at(i); };
-  const auto watch = [&](double chord, double limit, const quality::FilterTaps& taps) {
-    ms::Exceptions& exceptions = exceptions_.emplace_back(limit, place);
-    chords_.push_back(fmt::format("{:g}", chord / units::foot));
-    filters_.emplace_back(taps, taps.half.size() - 1,
-                          [&exceptions](std::span<const double> p) { exceptions.push(p); });
+    : column_(std::move(column)),
+      kind_(kind),
+      class_(track_class),
+      spacing_(record.spacing()),
+      place_([&record](std::size_t i) { return record.places().at(i); }) {
+  const auto limit = [&](const ms::FraLimit& of) {
+    return of.limit[static_cast<std::size_t>(track_class - 1)];
   };
-  if (track_class <= ms::fra_classes) {
-    const ms::FraLimit& limit = alinement ? ms::fra::alinement : ms::fra::profile;
-    watch(limit.chord, limit.limit[static_cast<std::size_t>(track_class - 1)],
-          ms::chord_taps(limit.chord, record.spacing()));
-  } else if (alinement) {
+  const auto chord = [&](const char* what, double length, double most,
+                         const quality::FilterTaps& taps) {
+    Watched& w = watch(what, length, -most, most, 0.5 * length);
+    filters_.emplace_back(taps, taps.half.size() - 1,
+                          [&w](std::span<const double> p) { w.exceptions.push(p); });
+  };
+  const bool low_speed = track_class <= ms::fra_classes;
+  if (kind == Kind::level && low_speed)
+    chord("profile", ms::fra::profile.chord, limit(ms::fra::profile),
+          ms::chord_taps(ms::fra::profile.chord, spacing_));
+  if (kind == Kind::alignment && low_speed)
+    chord("alinement", ms::fra::alinement.chord, limit(ms::fra::alinement),
+          ms::chord_taps(ms::fra::alinement.chord, spacing_));
+  if (kind == Kind::alignment && !low_speed)
     for (const ms::fra::Uniformity& u : ms::fra::uniformity)
-      watch(u.chord, u.limit[static_cast<std::size_t>(track_class - ms::fra_classes - 1)],
-            ms::uniformity_taps(u.chord, record.spacing()));
+      chord("alinement", u.chord,
+            u.limit[static_cast<std::size_t>(track_class - ms::fra_classes - 1)],
+            ms::uniformity_taps(u.chord, spacing_));
+  if (kind == Kind::crosslevel && low_speed) {
+    const double level = limit(ms::fra::crosslevel), warp = limit(ms::fra::warp);
+    watch("crosslevel", 0, -level, level, 0);
+    watch("warp", 62 * units::foot, -warp, warp, 62 * units::foot);
+    warp_.emplace(62 * units::foot, spacing_);
   }
 }
 
+FraWatch::Watched& FraWatch::watch(const char* what, double chord, double low, double high,
+                                   double reach) {
+  return watched_.emplace_back(Watched{
+      what, chord > 0 ? fmt::format("{:g}", chord / units::foot) : "",
+      ms::Exceptions{low, high, place_}, static_cast<std::size_t>(std::ceil(reach / spacing_))});
+}
+
 void FraWatch::push(std::span<const double> piece) {
+  if (kind_ == Kind::gauge && !begun_ && class_ <= ms::fra_classes) {
+    const auto datum = gauge_datum(piece);
+    known_ = datum.has_value();
+    const double high = ms::fra::gauge.limit[static_cast<std::size_t>(class_ - 1)];
+    if (known_) watch("gauge", 0, ms::fra::least_gauge - *datum, high - *datum, 0);
+  }
+  begun_ = true;
   for (ms::InnerFilter& filter : filters_) filter.push(piece);
+  if (kind_ == Kind::gauge && !watched_.empty()) watched_[0].exceptions.push(piece);
+  if (!warp_) return;
+  watched_[0].exceptions.push(piece);
+  std::vector<double> warp;
+  for (const double value : piece) warp.push_back(warp_->push(value));
+  watched_[1].exceptions.push(warp);
 }
 
 void FraWatch::finish() {
@@ -48,22 +97,28 @@ void FraWatch::finish() {
 
 std::size_t FraWatch::count() const {
   std::size_t n = 0;
-  for (const ms::Exceptions& e : exceptions_) n += e.all().size();
+  for (const Watched& w : watched_) n += w.exceptions.all().size();
   return n;
 }
 
-std::string FraWatch::header() {
-  return "column,chord_ft,from_m,to_m,largest_mm,largest_at_m,limit_mm\n";
+std::size_t FraWatch::not_evaluated(const spectra::RecordStream& record) const {
+  std::size_t most = 0;
+  for (const Watched& w : watched_)
+    most = std::max(most, record.unread(0, record.samples(), w.reach));
+  return most;
 }
+
+const char* const FraWatch::header =
+    "column,measure,chord_ft,from_m,to_m,largest_mm,largest_at_m,limit_mm\n";
 
 std::string FraWatch::rows() const {
   std::string text;
-  for (std::size_t i = 0; i < exceptions_.size(); ++i)
-    for (const ms::Exception& e : exceptions_[i].all())
-      text += fmt::format("{},{},{},{},{},{},{}\n", table::csv_cell(column_), chords_[i],
+  for (const Watched& w : watched_)
+    for (const ms::Exception& e : w.exceptions.all())
+      text += fmt::format("{},{},{},{},{},{},{},{}\n", table::csv_cell(column_), w.what, w.chord,
                           table::csv_number(e.from), table::csv_number(e.to),
                           table::csv_number(e.largest / mm), table::csv_number(e.at),
-                          table::csv_number(exceptions_[i].limit() / mm));
+                          table::csv_number(w.exceptions.limit(e) / mm));
   return text;
 }
 

@@ -1,35 +1,56 @@
-// The limits of an FRA class, watched over a column of profile or alinement where its chords are whole: not where they reach over an
+// The limits of an FRA class, watched over a column where they can be judged: chords not where they reach over an
 // end of the record or a gap.
 #pragma once
 
 #include <deque>
+#include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "measures/exceptions.hpp"
 #include "measures/inner_filter.hpp"
+#include "measures/sections.hpp"
+#include "quality/deviations.hpp"
 #include "spectra/record.hpp"
 
 namespace railbook::quality_tool {
 
+// Gauge as a column gives it: whole, or as a deviation from 56.5 in; nothing where it is of neither kind, whose limits are not known.
+std::optional<double> gauge_datum(std::span<const double> piece);
+
 class FraWatch {
  public:
   // Class 1 to 9; of classes 6 to 9 only alinement is watched.
-  FraWatch(std::string column, bool alinement, int track_class,
-           const spectra::RecordStream& record);
+  FraWatch(std::string column, Kind kind, int track_class, const spectra::RecordStream& record);
   void push(std::span<const double> piece);
   void finish();
 
   std::size_t count() const;
-  static std::string header();
+  static const char* const header;
   std::string rows() const;  // of a table
+  // Samples of the record that could not be judged for what is missing, bridged or taken out.
+  std::size_t not_evaluated(const spectra::RecordStream& record) const;
+  bool judged() const { return watched_.empty() ? false : known_; }
 
  private:
+  struct Watched {
+    std::string what, chord;
+    measures::Exceptions exceptions;
+    std::size_t reach = 0;  // samples
+  };
+  Watched& watch(const char* what, double chord, double low, double high, double reach);
+
   std::string column_;
-  std::vector<std::string> chords_;  // each with its exceptions, and the filter that finds them
-  std::deque<measures::Exceptions> exceptions_;
+  Kind kind_;
+  int class_;
+  double spacing_;
+  std::function<double(std::size_t)> place_;
+  std::deque<Watched> watched_;
   std::deque<measures::InnerFilter> filters_;
+  std::optional<measures::Warp> warp_;
+  bool begun_ = false, known_ = true;
 };
 
 }  // namespace railbook::quality_tool

@@ -5,9 +5,9 @@ The measures that networks keep of a record of track geometry, for each section 
     railbook quality measures track.csv --column left,right --alignment aleft,aright --gauge gauge --crosslevel cant --out mine
 
 standard deviation and largest value of longitudinal level and alignment in the bands of EN 13848 (D1 and D2; `--bands` names others) with the place of the largest, the standard deviations of gauge, cross level
-and twist, the combined standard deviation (weights 1), China's index where all seven parameters are there, and what a 62-ft chord reads with the highest FRA class (1 to 5) that allows it; `--chords 31ft 124ft` adds what other chords read. `--fra-class 4` lists every place where
-profile or alinement leaves the limit of that class (exceptions.csv): classes 1 to 5 by the 62-ft chord, classes 6 to 9 alinement only, by its deviation from uniformity on chords of 31, 62
-and 124 ft. Nothing is said where a chord reaches over an end of the record or a gap, nor of a band nearer to one than its longest wave. The band-pass has four poles an edge and no phase; it counts as run forward and backward (half the gain at the edges), `--passes 1` takes the root of that. Limits and class
+and twist, the combined standard deviation (weights 1), China's index where all seven parameters are there, and the highest FRA class (1 to 5) that the columns given allow on tangent track: profile and alinement by the 62-ft chord, gauge, cross level, and warp, the difference of cross level within 62 ft; `--chords 31ft 124ft` adds what other chords read. `--fra-class 4` lists every place where
+one of them leaves the limit of that class (exceptions.csv); of classes 6 to 9 alinement only, by its deviation from uniformity on chords of 31, 62
+and 124 ft. A class or an index is not stated for a section of which something was missing, bridged or taken out within the reach of the chord; how much of it is in `not_evaluated_m`. Nothing is said where a chord reaches over an end of the record or a gap, nor of a band nearer to one than its longest wave. The band-pass has four poles an edge and no phase; it counts as run forward and backward (half the gain at the edges), `--passes 1` takes the root of that. Limits and class
 tables that could not be checked in two sources are left out: the classes A to E of EN 13848-6, the limits for action of EN 13848-5, the surface of FRA
 classes 6 to 9.
 */
@@ -61,10 +61,12 @@ struct Column {
 
 std::vector<Column> columns_of(const MeasuresWish& wish) {
   std::vector<Column> columns;
-  for (const std::string& name : wish.record.columns) columns.push_back({name, Kind::level});
+  for (const std::string& name : wish.record.columns)
+    if (name != "none") columns.push_back({name, Kind::level});
   for (const std::string& name : wish.alignment) columns.push_back({name, Kind::alignment});
   if (!wish.gauge.empty()) columns.push_back({wish.gauge, Kind::gauge});
   if (!wish.crosslevel.empty()) columns.push_back({wish.crosslevel, Kind::crosslevel});
+  if (columns.empty()) throw InputError{"column is none; allowed: none beside other columns"};
   return columns;
 }
 
@@ -100,6 +102,8 @@ class Channel {
 
   void push(std::span<const double> piece, const spectra::RecordStream& record) {
     if (kept_.empty()) begin(record);
+    if (column_.kind == Kind::gauge && !begun_) datum_ = gauge_datum(piece);
+    begun_ = true;
     if (watch_) watch_->push(piece);
     for (Kept& kept : kept_) {
       if (kept.filter)
@@ -108,9 +112,13 @@ class Channel {
         kept.sections.push(piece);
     }
     if (!twist_) return;
-    std::vector<double> twist;
-    for (const double value : piece) twist.push_back(twist_->push(value));
-    kept_.back().sections.push(twist);
+    std::vector<double> twist, warp;
+    for (const double value : piece) {
+      twist.push_back(twist_->push(value));
+      warp.push_back(warp_->push(value));
+    }
+    kept_[kept_.size() - 2].sections.push(twist);
+    kept_.back().sections.push(warp);
   }
 
   void finish() {
@@ -122,6 +130,34 @@ class Channel {
   const Column& column() const { return column_; }
   const std::deque<Kept>& kept() const { return kept_; }
   const std::optional<FraWatch>& watch() const { return watch_; }
+
+  // How far from a sample the FRA's measure of it reaches, m.
+  double reach() const {
+    return column_.kind == Kind::gauge        ? 0
+           : column_.kind == Kind::crosslevel ? ms::fra::profile.chord
+                                              : 0.5 * ms::fra::profile.chord;
+  }
+
+  // The highest FRA class that what is kept of a section allows; NaN where it holds nothing that can be judged.
+  double fra_class(std::size_t at) const {
+    double fra = std::nan("");
+    for (const Kept& kept : kept_) {
+      const ms::Section& s = kept.sections.all()[at];
+      if (s.samples == s.missing) continue;
+      const auto judge = [&](const ms::FraLimit& limit) {
+        fra = std::fmin(fra, ms::fra_class(limit, s.largest()));
+      };
+      if (kept.name == "chord")
+        judge(column_.kind == Kind::level ? ms::fra::profile : ms::fra::alinement);
+      if (kept.name == "warp") judge(ms::fra::warp);
+      if (kept.name.empty() && column_.kind == Kind::crosslevel) judge(ms::fra::crosslevel);
+      if (kept.name.empty() && column_.kind == Kind::gauge && datum_)
+        fra = s.lowest + *datum_ < ms::fra::least_gauge
+                  ? 0
+                  : ms::fra_class(ms::fra::gauge, s.highest + *datum_);
+    }
+    return fra;
+  }
 
  private:
   void begin(const spectra::RecordStream& record) {
@@ -140,6 +176,8 @@ class Channel {
       filter(name, taps, taps.half.size() - 1);
     };
     keep("");
+    if (wish_.fra_class > 0)
+      watch_.emplace(column_.name, column_.kind, static_cast<int>(wish_.fra_class), record);
     if (column_.kind == Kind::level || column_.kind == Kind::alignment) {
       for (const ms::Band& band : bands_of(wish_))
         filter(std::string{band.name},
@@ -147,13 +185,12 @@ class Channel {
                ms::band_margin(band, record.spacing()));
       chord("chord", ms::fra::profile.chord);
       for (const double length : wish_.chords) chord(name_of_chord(length), length);
-      if (wish_.fra_class > 0)
-        watch_.emplace(column_.name, column_.kind == Kind::alignment,
-                       static_cast<int>(wish_.fra_class), record);
     }
     if (column_.kind == Kind::crosslevel) {
       twist_.emplace(wish_.twist_base, record.spacing());
       keep("twist");
+      warp_.emplace(62 * units::foot, record.spacing());
+      keep("warp");
     }
   }
 
@@ -161,12 +198,21 @@ class Channel {
   Column column_;
   std::deque<Kept> kept_;  // references to them are kept
   std::optional<ms::Twist> twist_;
+  std::optional<ms::Warp> warp_;
+  std::optional<double> datum_;  // of gauge
+  bool begun_ = false;
   std::optional<FraWatch> watch_;
 };
 
 struct Measured {
   std::vector<std::unique_ptr<const spectra::RecordStream>> records;
   std::deque<Channel> channels;
+
+  std::vector<std::string> names() const {
+    std::vector<std::string> all;
+    for (const Channel& channel : channels) all.push_back(channel.column().name);
+    return all;
+  }
 
   double exceptions() const {
     std::size_t n = 0;
@@ -194,64 +240,98 @@ Measured measure_record(const MeasuresWish& wish, const std::filesystem::path& f
 // "left", "left D1", "twist".
 std::string name_of(const Channel& channel, const Kept& kept, const char* between) {
   if (kept.name.empty()) return channel.column().name;
-  if (kept.name == "twist") return kept.name;
+  if (kept.name == "twist" || kept.name == "warp") return kept.name;
   return fmt::format("{}{}{}", channel.column().name, between, kept.name);
 }
 
-tool::Row row_of_section(const MeasuresWish& wish, const Measured& m, std::size_t at) {
+tool::Row row_of_section(const MeasuresWish& wish, const Measured& m, std::size_t at,
+                         std::size_t begin) {
   tool::Row row;
   const ms::Section& first = m.channels.front().kept().front().sections.all()[at];
   row.add("kind", "section");
   row.add("from_m", first.from);
   row.add("to_m", first.from + wish.section);
   row.add("samples", static_cast<double>(first.samples));
-  row.add("missing", static_cast<double>(first.missing));
+  std::size_t missing = 0, unread = 0, not_evaluated = 0;  // of all columns; near the section too
+  double fra = std::nan("");                               // where nothing could be judged
+  for (std::size_t i = 0; i < m.channels.size(); ++i) {
+    const spectra::RecordStream& record = *m.records[i];
+    missing += m.channels[i].kept().front().sections.all()[at].missing;
+    unread += record.unread(begin, first.samples);
+    const auto reach =
+        static_cast<std::size_t>(std::ceil(m.channels[i].reach() / record.spacing()));
+    not_evaluated = std::max(not_evaluated, record.unread(begin, first.samples, reach));
+    fra = std::fmin(fra, m.channels[i].fra_class(at));
+  }
+  row.add("missing", static_cast<double>(missing));
+  row.add("unread", static_cast<double>(unread));
   Deviations banded, plain;
-  double fra = std::nan("");  // where no chord could be read
   for (const Channel& channel : m.channels) {
     const Kind kind = channel.column().kind;
     for (const Kept& kept : channel.kept()) {
-      if (at >= kept.sections.all().size()) continue;
       const ms::Section& s = kept.sections.all()[at];
-      const bool twist = kept.name == "twist", chord = kept.name.starts_with("chord");
+      const bool twist = kept.name == "twist", warp = kept.name == "warp";
       const double unit = twist ? 1e-3 : mm;
       const std::string name = name_of(channel, kept, "_");
       const auto key = [&](const char* what) {
         return fmt::format("{}_{}_{}", name, what, twist ? "mm_per_m" : "mm");
       };
       const auto sd = s.deviation();
-      if (!chord) row.add(key("sd"), sd ? *sd / unit : std::nan(""));
+      if (!kept.name.starts_with("chord") && !warp)
+        row.add(key("sd"), sd ? *sd / unit : std::nan(""));
       if (sd && kept.name.empty()) plain.add(kind, *sd);
       if (sd && twist) plain.add_twist(*sd * wish.twist_base);
       if (sd && (kept.name == "D1" || (kept.name.empty() && kind >= Kind::gauge)))
         banded.add(kind, *sd);
-      if (kept.name.empty()) continue;
+      if (kept.name.empty() && kind != Kind::crosslevel) {
+        if (kind != Kind::gauge) continue;
+        row.add(key("lowest"), sd ? s.lowest / unit : std::nan(""));
+        row.add(name + "_lowest_at_m", sd ? s.lowest_at : std::nan(""));
+        row.add(key("highest"), sd ? s.highest / unit : std::nan(""));
+        row.add(name + "_highest_at_m", sd ? s.highest_at : std::nan(""));
+        continue;
+      }
       const bool low = std::abs(s.lowest) > std::abs(s.highest);
       row.add(key("largest"), sd ? (low ? s.lowest : s.highest) / unit : std::nan(""));
       row.add(name + "_largest_at_m", sd ? (low ? s.lowest_at : s.highest_at) : std::nan(""));
-      if (kept.name == "chord" && sd)
-        fra = std::fmin(fra,
-                        ms::fra_class(kind == Kind::level ? ms::fra::profile : ms::fra::alinement,
-                                      s.largest()));
     }
   }
-  // The same columns in each section, also where something is missing.
+  // The same columns in each section, also where something is missing; no index and no class there.
   const bool all = !wish.alignment.empty() && !wish.gauge.empty() && !wish.crosslevel.empty();
   const double nothing = std::nan("");
-  if (all) row.add("combined_sd_mm", banded.combined().value_or(nothing) / mm);
+  if (all)
+    row.add("combined_sd_mm", unread > 0 ? nothing : banded.combined().value_or(nothing) / mm);
   if (all && wish.record.columns.size() == 2 && wish.alignment.size() == 2)
-    row.add("tqi_mm", plain.tqi().value_or(nothing) / mm);
-  row.add("fra_class", fra);
+    row.add("tqi_mm", unread > 0 ? nothing : plain.tqi().value_or(nothing) / mm);
+  row.add("fra_class", not_evaluated > 0 ? nothing : fra);
+  row.add("not_evaluated_m", static_cast<double>(not_evaluated) * m.records.front()->spacing());
   return row;
+}
+
+// The length of which some limit of the class could not be judged, m.
+double not_evaluated(const Measured& m) {
+  std::size_t most = 0;
+  for (std::size_t i = 0; i < m.channels.size(); ++i)
+    if (const auto& watch = m.channels[i].watch())
+      most = std::max(most, watch->not_evaluated(*m.records[i]));
+  return static_cast<double>(most) * m.records.front()->spacing();
 }
 
 std::vector<tool::Row> rows_of(const MeasuresWish& wish, const Measured& m) {
   std::vector<tool::Row> rows(1);
   rows[0].add("kind", "record");
-  tools::add_record(rows[0], *m.records.front());
-  if (wish.fra_class > 0) rows[0].add("exceptions", m.exceptions());
-  const std::size_t sections = m.channels.front().kept().front().sections.all().size();
-  for (std::size_t i = 0; i < sections; ++i) rows.push_back(row_of_section(wish, m, i));
+  tools::add_records(rows[0], m.names(), m.records);
+  if (wish.fra_class > 0) {
+    const double n = m.exceptions(), lost = not_evaluated(m);
+    rows[0].add("exceptions", n > 0 || lost == 0 ? n : std::nan(""));
+    rows[0].add("not_evaluated_m", lost);
+  }
+  std::size_t begin = 0;
+  const auto& sections = m.channels.front().kept().front().sections.all();
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    rows.push_back(row_of_section(wish, m, i, begin));
+    begin += sections[i].samples;
+  }
   return rows;
 }
 
@@ -291,17 +371,49 @@ std::string picture_of(const MeasuresWish& wish, const Measured& m) {
   return text + "\n";
 }
 
+// What is judged, and how often it leaves the limits; no zero where something could not be judged.
+void add_exceptions(tool::Summary& s, const MeasuresWish& wish, const Measured& m) {
+  std::vector<std::string> judged, not_judged;
+  const auto sort = [&](const char* what, Kind kind) {
+    bool any = false;
+    for (const Channel& channel : m.channels)
+      any = any || (channel.column().kind == kind && channel.watch() && channel.watch()->judged());
+    (any ? judged : not_judged).emplace_back(what);
+  };
+  sort("profile", Kind::level);
+  sort("alinement", Kind::alignment);
+  sort("gauge", Kind::gauge);
+  sort("cross level and warp", Kind::crosslevel);
+  const std::string what = fmt::format("exceptions to FRA class {}", wish.fra_class);
+  const double n = m.exceptions(), lost = not_evaluated(m);
+  if (judged.empty())
+    s.absent("exceptions", what, "none of the columns can be judged");
+  else if (n == 0 && lost > 0)
+    s.absent("exceptions", what, fmt::format("none found, but {:.4g} m were not evaluated", lost));
+  else
+    s.add("exceptions", what, n, "", lost > 0 ? "in what could be evaluated" : "");
+  s.add("judged", "  judged",
+        judged.empty() ? "nothing" : fmt::format("{}", fmt::join(judged, ", ")));
+  if (!not_judged.empty())
+    s.add("not_judged", "  not judged", fmt::format("{}", fmt::join(not_judged, ", ")));
+  for (const Channel& channel : m.channels)
+    if (channel.column().kind == Kind::gauge && wish.fra_class <= ms::fra_classes &&
+        !channel.watch()->judged())
+      s.flag("gauge", "column " + channel.column().name +
+                          " is neither a gauge near 1435 mm nor a deviation from it: not judged");
+  s.add("not_evaluated_m", "  not evaluated", lost, "m",
+        "missing, bridged or taken out, or a chord over it");
+}
+
 tool::Summary summary_of(const MeasuresWish& wish, const Measured& m) {
   tool::Summary s{"measures of " + wish.record.batch.only().string()};
-  tools::add_record(s, *m.records.front());
+  tools::add_records(s, m.names(), m.records);
   s.add("section_m", "length of a section", wish.section, "m");
-  if (wish.fra_class > 0)
-    s.add("exceptions", fmt::format("exceptions to FRA class {}", wish.fra_class), m.exceptions(),
-          "", wish.fra_class > ms::fra_classes ? "of alinement; surface is not watched" : "");
+  if (wish.fra_class > 0) add_exceptions(s, wish, m);
   s.add("passes", "band-pass, passes", static_cast<double>(wish.passes), "");
   for (const Channel& channel : m.channels)
     for (const Kept& kept : channel.kept()) {
-      if (kept.name.starts_with("chord")) continue;
+      if (kept.name.starts_with("chord") || kept.name == "warp") continue;
       const bool twist = kept.name == "twist";
       std::vector<std::pair<double, double>> all;  // deviation, from
       for (const ms::Section& section : kept.sections.all())
@@ -332,8 +444,8 @@ void measure_track(const MeasuresWish& wish) {
     return tool::run_batch(wish.record.batch, wish.out, "measures", [&](const auto& file) {
       return rows_of(wish, measure_record(wish, file));
     });
-  tool::OutFolder out(wish.out,
-                      {"measures.csv", "measures.json", "exceptions.csv", "measures.png"});
+  tool::OutFolder out(wish.out, {"measures.csv", "measures.json", "exceptions.csv", "warnings.csv",
+                                 "measures.png"});
   const Measured m = measure_record(wish, wish.record.batch.only());
   const tool::Summary summary = summary_of(wish, m);
   summary.print();
@@ -342,11 +454,12 @@ void measure_track(const MeasuresWish& wish) {
     out.add("measures.csv", table_of({rows.begin() + 1, rows.end()}));
     out.add("measures.json", summary.json());
     if (wish.fra_class > 0) {
-      std::string text = FraWatch::header();
+      std::string text = FraWatch::header;
       for (const Channel& channel : m.channels)
         if (channel.watch()) text += channel.watch()->rows();
       out.add("exceptions.csv", text);
     }
+    out.add("warnings.csv", tools::warnings_of(m.names(), m.records));
     out.scratch("picture.csv", picture_of(wish, m));
     out.figure(tools::scripts("quality") / "measures.gp", {"picture.csv"}, "measures.png");
   }
@@ -362,7 +475,7 @@ tool::Tool measures_tool() {
         auto wish = std::make_shared<MeasuresWish>();
         tools::add_record_options(o, wish->record);
         o.texts("--alignment", wish->alignment, "columns of alignment");
-        o.text("--gauge", wish->gauge, "column of gauge");
+        o.text("--gauge", wish->gauge, "column of gauge, or of its deviation from 56.5 in");
         o.text("--crosslevel", wish->crosslevel, "column of cross level, a height");
         o.texts("--bands", wish->bands,
                 "bands of EN 13848 for level and alignment, of D0, D1, D2, D3");
@@ -370,15 +483,38 @@ tool::Tool measures_tool() {
                 1, 2);
         o.quantities("--chords", wish->chords, units::length, "more chords, besides 62 ft",
                      {0.5, 1e3});
-        o.count("--fra-class", wish->fra_class, "list where this class's limits are left", 1, 9);
+        o.count("--fra-class", wish->fra_class,
+                "list where this class's limits are left: profile, alinement, gauge, cross level "
+                "and warp on tangent track; of classes 6 to 9, alinement",
+                1, 9);
         o.quantity("--twist-base", wish->twist_base, units::length, "base of twist", {0.5, 30});
         o.quantity("--section", wish->section, units::length, "length of a section", {1, 1e6});
         o.out(wish->out);
-        o.help(std::string{tools::record_help} +
-               "\n\nExample: railbook quality measures track.csv --column left,right --gauge gauge "
-               "--crosslevel cant --out mine\n"
-               "         railbook quality measures track.csv --chords 31ft 124ft --fra-class 4 "
-               "--out mine");
+        o.help(
+            std::string{tools::record_help} +
+            "\n\nmeasures.csv has a row a section. NAME_sd is a standard deviation about the "
+            "mean; NAME_largest the value\n"
+            "farthest from zero, with its sign, and NAME_largest_at_m its place. NAME_D1 is the "
+            "column in that band and\n"
+            "has the column's sign. NAME_chord is the column at the middle of a 62-ft chord less "
+            "the mean of its ends: a\n"
+            "hollow is negative where up is positive. twist (mm/m) is the cross level less that "
+            "a twist base before, over\n"
+            "the base; warp the cross level less the one within 62 ft before that differs most. "
+            "Both are positive where\n"
+            "cross level grows in the order of the rows. Gauge is whole or as given. missing "
+            "counts samples of all\n"
+            "columns that are not there; unread those missing, bridged or taken out. "
+            "combined_sd, tqi and fra_class are\n"
+            "empty where any is: for fra_class also within the reach of its chord "
+            "(not_evaluated_m). fra_class is the\n"
+            "highest of classes 1 to 5 that all columns given keep on tangent track, 0 where "
+            "they keep none. In\n"
+            "exceptions.csv, largest_mm is the value farthest beyond the limit.\n"
+            "\nExample: railbook quality measures track.csv --column left,right --gauge gauge "
+            "--crosslevel cant --out mine\n"
+            "         railbook quality measures track.csv --chords 31ft 124ft --fra-class 4 "
+            "--out mine");
         return [wish] { measure_track(*wish); };
       }};
 }
