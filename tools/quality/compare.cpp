@@ -6,12 +6,14 @@ Two runs over one line, and what has grown between them:
 
 Both runs are brought to the grid of the first and filtered to the band D1; windows of 200 m of the first are looked for within 20 m of their place in the second, by correlation, and the
 offsets found are joined by straight lines (recorders count differently). For each section of the first run there are the standard deviations of both runs, the growth from one to the other, and how well the
-runs agree. Deviations are those of the samples that both runs have, 25 m and more from an end or a gap; where these are less than half of a section, or no window was found, there is no growth. The filtered runs are set aside on disk (in TMPDIR, 8 bytes a sample), so that the memory does not grow with them.
+runs agree. Deviations are those of the samples that both runs have, 25 m and more from an end or a gap; where these are less than half of a section, no window was found (tamped track is not like what it was), or the offset jumps by over 2 m, there is no growth: such sections are named. Several columns are compared one after the other. Where a window
+fits as well at another offset, as on a wave, the smallest offset is taken and the answer says so. Runs with `--resync` count their positions from the first on. The filtered runs are set aside on disk (in TMPDIR, 8 bytes a sample), so that the memory does not grow with them.
 */
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -38,6 +40,8 @@ namespace {
 namespace ms = railbook::measures;
 constexpr double mm = units::millimetre;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double inf = std::numeric_limits<double>::infinity();
+constexpr double offset_jumps = 2;  // m
 
 struct CompareWish {
   tools::RecordWish record;
@@ -49,12 +53,13 @@ struct CompareWish {
 // A run in the band D1, by ascending positions; on disk but for the block last read.
 class Run {
  public:
-  Run(const CompareWish& wish, const std::filesystem::path& file) {
+  Run(const CompareWish& wish, const std::filesystem::path& file, const std::string& column) {
     std::optional<ms::InnerFilter> filter;
     const auto keep = [&](std::span<const double> p) { samples_.append(p); };
+    spectra::RecordFile read = tools::record_file(wish.record, file);
+    read.column = column;
     record_ = spectra::read_record(
-        tools::record_file(wish.record, file),
-        [&](std::span<const double> piece, const spectra::RecordStream& record) {
+        read, [&](std::span<const double> piece, const spectra::RecordStream& record) {
           if (!filter)
             filter.emplace(ms::band_taps(ms::bands[1], 2, record.spacing()),
                            ms::band_margin(ms::bands[1], record.spacing()), keep);
@@ -103,7 +108,13 @@ class Run {
     return sum;
   }
 
-  double place(std::size_t k) const { return record_->places().at(k); }
+  // Positions that jump are counted on instead.
+  double place(std::size_t k) const {
+    const spectra::PlaceMap& places = record_->places();
+    if (!record_->resynced()) return places.at(k);
+    const double way = places.at(1) < places.at(0) ? -1 : 1;
+    return places.at(0) + way * record_->spacing() * static_cast<double>(k);
+  }
   std::size_t own(std::size_t i) const { return turned_ ? size() - 1 - i : i; }
 
   std::unique_ptr<const spectra::RecordStream> record_;
@@ -114,8 +125,12 @@ class Run {
 };
 
 struct Compared {
+  std::string column;
   std::vector<ms::Section> first, second;
   std::vector<double> correlation, offset;  // of a section; NaN where no window was found
+  std::vector<double> jump;                 // m: how much the offset changes near a section
+  std::size_t windows = 0, ambiguous = 0;
+  double other = 0;  // m: what an offset may be off by
 };
 
 Compared compare(const CompareWish& wish, Run& a, Run& b) {
@@ -141,6 +156,13 @@ Compared compare(const CompareWish& wish, Run& a, Run& b) {
                     "two runs over one "
                     "line (--reach for larger offsets)",
                     wish.alignment.reach)};
+  // Windows that fit elsewhere as well.
+  Compared result;
+  for (const ms::Match& m : matches) {
+    result.windows += m.found ? 1 : 0;
+    if (!m.found || m.other == 0) continue;
+    if (result.ambiguous++ == 0) result.other = std::abs(m.other - m.offset);
+  }
   const auto place = [&](std::size_t i) { return a.at(i); };
   ms::Sections first{wish.section, place}, second{wish.section, place};
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -150,16 +172,32 @@ Compared compare(const CompareWish& wish, Run& a, Run& b) {
     first.push({both ? &here : &nan, 1});
     second.push({both ? &there : &nan, 1});
   }
-  Compared result{first.all(), second.all(), {}, {}};
+  result.first = first.all();
+  result.second = second.all();
   auto match = matches.begin();
   for (const ms::Section& section : result.first) {
-    double worst = 1, sum = 0, n = 0;
+    double worst = 1, sum = 0, n = 0, low = inf, high = -inf;
+    const auto see = [&](const ms::Match& m) {
+      low = std::min(low, m.offset);
+      high = std::max(high, m.offset);
+    };
+    for (auto before = match; before != matches.begin();)
+      if ((--before)->found) {
+        see(*before);
+        break;
+      }
     for (; match != matches.end() && a.at(match->centre) < section.from + wish.section; ++match) {
       if (!match->found || a.at(match->centre) < section.from) continue;
       worst = std::min(worst, match->correlation);
       sum += match->offset;
       ++n;
+      see(*match);
     }
+    if (const auto after =
+            std::find_if(match, matches.end(), [](const auto& m) { return m.found; });
+        after != matches.end())
+      see(*after);
+    result.jump.push_back(std::max(0.0, high - low));
     result.correlation.push_back(n > 0 ? worst : nan);
     result.offset.push_back(n > 0 ? sum / n : nan);
   }
@@ -168,6 +206,7 @@ Compared compare(const CompareWish& wish, Run& a, Run& b) {
 
 struct Growth {
   double from = 0, before = nan, after = nan, growth = nan;  // m
+  const char* reason = "";                                   // why there is none
 };
 
 std::vector<Growth> growths(const Compared& c) {
@@ -176,31 +215,58 @@ std::vector<Growth> growths(const Compared& c) {
     Growth g{.from = c.first[i].from};
     if (const auto sd = c.first[i].deviation()) g.before = *sd;
     if (const auto sd = c.second[i].deviation()) g.after = *sd;
-    if (!std::isnan(c.correlation[i]) && 2 * c.first[i].missing <= c.first[i].samples)
-      g.growth = g.after - g.before;
+    g.reason = 2 * c.first[i].missing > c.first[i].samples ? "too little is in both runs"
+               : std::isnan(c.correlation[i])              ? "not like the first run"
+               : c.jump[i] > offset_jumps                  ? "the offset jumps"
+                                                           : "";
+    if (*g.reason == 0) g.growth = g.after - g.before;
     all.push_back(g);
   }
   return all;
 }
 
-tool::Summary summary_of(const CompareWish& wish, const Run& a, const Run& b, const Compared& c) {
-  const auto& files = wish.record.batch.files;
-  tool::Summary s{fmt::format("growth from {} to {}", files[0].string(), files[1].string())};
-  tools::add_record(s, a.record());
-  for (const spectra::Doubt& doubt : b.record().doubts())
-    s.flag("second-" + doubt.key, "the second run: " + doubt.text);
-  s.add("second_missing", "samples missing in the second run",
-        static_cast<double>(b.record().missing()), "");
-  s.add("sections", "sections", static_cast<double>(c.first.size()), "",
-        fmt::format("of {:g} m", wish.section));
+// The sections without a growth: how many for each reason, and the first of them.
+void flag_not_judged(tool::Summary& s, const std::vector<Growth>& all, const std::string& before,
+                     const std::string& key) {
+  std::string text;
+  std::size_t lost = 0;
+  for (const Growth& g : all) {
+    if (*g.reason == 0) continue;
+    if (++lost > 5) continue;
+    text += fmt::format("{}from {:g} m ({}{})", lost > 1 ? ", " : "", g.from, g.reason,
+                        std::isnan(g.before) || std::isnan(g.after)
+                            ? ""
+                            : fmt::format(", {:.2f} and {:.2f} mm", g.before / mm, g.after / mm));
+  }
+  if (lost > 0)
+    s.flag(key, fmt::format("{}{} of {} sections could not be judged: {}{}; tamped track is not "
+                            "like what it was",
+                            before, lost, all.size(), text, lost > 5 ? " ..." : ""));
+}
+
+struct Pair {
+  Run first, second;
+  Compared compared;
+};
+
+void add_column(tool::Summary& s, const CompareWish& wish, const Pair& pair, bool several) {
+  const Compared& c = pair.compared;
+  const std::string before = several ? c.column + ": " : "";
+  const auto key = [&](const std::string& text) { return tools::key_of(c.column, text, several); };
   std::vector<Growth> all = growths(c);
+  flag_not_judged(s, all, before, key("not-found"));
+  if (c.ambiguous > 0)
+    s.flag(
+        key("ambiguous"),
+        fmt::format("{}{} of {} windows fit as well {:.4g} m further: the record repeats itself, "
+                    "and the offset may be another",
+                    before, c.ambiguous, c.windows, c.other));
+  s.add(key("second_missing"), before + "samples missing in the second run",
+        static_cast<double>(pair.second.record().missing()), "");
+  s.add(key("sections"), "sections", static_cast<double>(c.first.size()), "",
+        fmt::format("of {:g} m", wish.section));
   std::erase_if(all, [](const Growth& g) { return std::isnan(g.growth); });
-  const std::size_t lost = c.first.size() - all.size();
-  if (4 * lost > c.first.size())
-    s.flag("not-found",
-           fmt::format("{} of {} sections were not found in the second run, or too little of them",
-                       lost, c.first.size()));
-  s.add("compared", "  found in both runs", static_cast<double>(all.size()), "");
+  s.add(key("compared"), "  found in both runs", static_cast<double>(all.size()), "");
   double low = 0, high = 0;
   bool any = false;
   for (const double offset : c.offset)
@@ -209,48 +275,97 @@ tool::Summary summary_of(const CompareWish& wish, const Run& a, const Run& b, co
       high = any ? std::max(high, offset) : offset;
       any = true;
     }
-  s.add("offset_from_m", "offset of the second run, from", low, "m");
-  s.add("offset_to_m", "  to", high, "m");
-  if (all.empty()) return s;
+  s.add(key("offset_from_m"), "offset of the second run, from", low, "m");
+  s.add(key("offset_to_m"), "  to", high, "m");
+  if (all.empty()) return;
   std::sort(all.begin(), all.end(),
             [](const Growth& x, const Growth& y) { return x.growth > y.growth; });
-  s.add("median_growth_mm", "median growth of the deviation in D1", all[all.size() / 2].growth / mm,
-        "mm");
+  s.add(key("median_growth_mm"), before + "median growth of the deviation in D1",
+        all[all.size() / 2].growth / mm, "mm");
   for (std::size_t i = 0; i < std::min<std::size_t>(5, all.size()); ++i)
-    s.add(fmt::format("largest_{}_mm", i + 1), i == 0 ? "largest growth" : "", all[i].growth / mm,
-          "mm",
+    s.add(key(fmt::format("largest_{}_mm", i + 1)), i == 0 ? before + "largest growth" : "",
+          all[i].growth / mm, "mm",
           fmt::format("from {:g} m: {:.3f} to {:.3f} mm", all[i].from, all[i].before / mm,
                       all[i].after / mm));
+}
+
+tool::Summary summary_of(const CompareWish& wish, const std::deque<Pair>& pairs) {
+  const auto& files = wish.record.batch.files;
+  tool::Summary s{fmt::format("growth from {} to {}", files[0].string(), files[1].string())};
+  const bool several = pairs.size() > 1;
+  tools::add_record(s, pairs.front().first.record());
+  for (const Pair& pair : pairs) {
+    if (&pair != &pairs.front())
+      tools::add_doubts(s, pair.first.record(), pair.compared.column, several);
+    for (const spectra::Doubt& doubt : pair.second.record().doubts())
+      s.flag(tools::key_of(pair.compared.column, "second-" + doubt.key, several),
+             "the second run: " + (several ? pair.compared.column + ": " : "") + doubt.text);
+  }
+  for (const Pair& pair : pairs) add_column(s, wish, pair, several);
   return s;
 }
 
-std::string table_of(const CompareWish& wish, const Compared& c) {
-  std::string text = "from_m,to_m,before_mm,after_mm,growth_mm,offset_m,correlation,missing\n";
-  const auto all = growths(c);
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const Growth& g = all[i];
-    text += fmt::format("{},{},{},{},{},{},{},{}\n", table::csv_number(g.from),
-                        table::csv_number(g.from + wish.section), table::csv_number(g.before / mm),
-                        table::csv_number(g.after / mm), table::csv_number(g.growth / mm),
-                        table::csv_number(c.offset[i]), table::csv_number(c.correlation[i]),
-                        c.first[i].missing);
+std::string table_of(const CompareWish& wish, const std::deque<Pair>& pairs) {
+  std::string text =
+      "from_m,to_m,before_mm,after_mm,growth_mm,offset_m,correlation,missing,column,not_judged\n";
+  for (const Pair& pair : pairs) {
+    const Compared& c = pair.compared;
+    const auto all = growths(c);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const Growth& g = all[i];
+      text +=
+          fmt::format("{},{},{},{},{},{},{},{},{},{}\n", table::csv_number(g.from),
+                      table::csv_number(g.from + wish.section), table::csv_number(g.before / mm),
+                      table::csv_number(g.after / mm), table::csv_number(g.growth / mm),
+                      table::csv_number(c.offset[i]), table::csv_number(c.correlation[i]),
+                      c.first[i].missing, table::csv_cell(c.column), g.reason);
+    }
   }
   return text;
 }
 
+// Both runs of each column, section by section.
+std::string picture_of(const CompareWish& wish, const std::deque<Pair>& pairs) {
+  std::string text;
+  for (const Pair& pair : pairs)
+    for (const bool second : {false, true}) {
+      if (!text.empty()) text += "\n\n";
+      text += fmt::format(
+          "distance_km,deviation_mm,{}\n",
+          table::csv_cell(pair.compared.column + (second ? ", second run" : ", first run")));
+      for (const Growth& g : growths(pair.compared))
+        for (const double at : {g.from, g.from + wish.section})
+          text += fmt::format("{:.8g},{},\n", at / units::kilometre,
+                              table::csv_number((second ? g.after : g.before) / mm));
+    }
+  return text + "\n";
+}
+
 void compare_runs(const CompareWish& wish) {
-  if (wish.record.batch.files.size() != 2)
-    throw InputError{fmt::format("{} records are given; allowed: 2, the earlier run first",
-                                 wish.record.batch.files.size())};
-  tool::OutFolder out(wish.out, {"compare.csv", "compare.json", "compare.png"});
-  Run a{wish, wish.record.batch.files[0]}, b{wish, wish.record.batch.files[1]};
-  const Compared c = compare(wish, a, b);
-  const tool::Summary summary = summary_of(wish, a, b, c);
+  const auto& files = wish.record.batch.files;
+  if (files.size() != 2)
+    throw InputError{
+        fmt::format("{} records are given; allowed: 2, the earlier run first", files.size())};
+  tool::OutFolder out(wish.out, {"compare.csv", "warnings.csv", "compare.json", "compare.png"});
+  std::deque<Pair> pairs;
+  for (const std::string& column : wish.record.columns) {
+    pairs.push_back({{wish, files[0], column}, {wish, files[1], column}, {}});
+    pairs.back().compared = compare(wish, pairs.back().first, pairs.back().second);
+    pairs.back().compared.column = column;
+  }
+  const tool::Summary summary = summary_of(wish, pairs);
   summary.print();
   if (out) {
-    out.add("compare.csv", table_of(wish, c));
+    std::string warnings = std::string{"run,"} + tools::warnings_header;
+    for (const Pair& pair : pairs) {
+      warnings += tools::warning_rows(pair.compared.column, pair.first.record(), "1,");
+      warnings += tools::warning_rows(pair.compared.column, pair.second.record(), "2,");
+    }
+    out.add("warnings.csv", warnings);
+    out.add("compare.csv", table_of(wish, pairs));
     out.add("compare.json", summary.json());
-    out.figure(tools::scripts("quality") / "compare.gp", {"compare.csv"}, "compare.png");
+    out.scratch("picture.csv", picture_of(wish, pairs));
+    out.figure(tools::scripts("quality") / "measures.gp", {"picture.csv"}, "compare.png");
   }
   out.commit();
 }
@@ -258,21 +373,29 @@ void compare_runs(const CompareWish& wish) {
 }  // namespace
 
 tool::Tool compare_tool() {
-  return {"compare", "two runs over one line: offsets, and growth of each section",
-          [](tool::Options& o) {
-            auto wish = std::make_shared<CompareWish>();
-            tools::add_record_options(o, wish->record);
-            o.quantity("--section", wish->section, units::length, "length of a section", {1, 1e6});
-            o.quantity("--window", wish->alignment.window, units::length,
-                       "of the first run that is looked for in the second", {10, 1e4});
-            o.quantity("--reach", wish->alignment.reach, units::length,
-                       "to either side of its place", {1, 1e3});
-            o.out(wish->out);
-            o.help(std::string{tools::record_help} +
-                   "\n\nExample: railbook quality compare spring.csv autumn.csv --column profile "
-                   "--out mine");
-            return [wish] { compare_runs(*wish); };
-          }};
+  return {
+      "compare", "two runs over one line: offsets, and growth of each section",
+      [](tool::Options& o) {
+        auto wish = std::make_shared<CompareWish>();
+        tools::add_record_options(o, wish->record);
+        o.quantity("--section", wish->section, units::length, "length of a section", {1, 1e6});
+        o.quantity("--window", wish->alignment.window, units::length,
+                   "of the first run that is looked for in the second", {10, 1e4});
+        o.quantity("--reach", wish->alignment.reach, units::length, "to either side of its place",
+                   {1, 1e3});
+        o.out(wish->out);
+        o.help(std::string{tools::record_help} +
+               "\n\ncompare.csv has a row a section of the first run: before_mm and after_mm are "
+               "its standard deviations in D1 (3 to 25 m)\n"
+               "in the first and the second run, growth_mm the second less the first. offset_m "
+               "is positive where the second run\n"
+               "gives the same track a larger position. correlation is that of the worst window "
+               "(1: alike); missing counts samples\n"
+               "that one of the runs lacks; not_judged says why there is no growth."
+               "\n\nExample: railbook quality compare spring.csv autumn.csv --column profile "
+               "--out mine");
+        return [wish] { compare_runs(*wish); };
+      }};
 }
 
 }  // namespace railbook::quality_tool

@@ -39,7 +39,7 @@ for pair in "run0 back0.125" "back0 run0.125" "back0 back0.125"; do
   set -- $pair
   answers back compare "$1.csv" "$2.csv" --section 200m
   paste -d, growth/compare.csv back/compare.csv >both.csv
-  holds "the other way" both.csv '{for (k = 1; k <= 8; ++k) near($k == $(k + 8) || abs($k - $(k + 8)) < 1e-4, 1, 0)} END {near(rows, 15, 0)}'
+  holds "the other way" both.csv '{for (k = 1; k <= 8; ++k) near($k == $(k + 10) || abs($k - $(k + 10)) < 1e-4, 1, 0)} END {near(rows, 15, 0)}'
 done
 # Holes in the second run, and 25 m on either side, are no growth: only what both have is compared, and nothing where that is less than half of a section.
 awk -F, -v OFS=, 'NR > 1 && ($1 > 1103 && $1 < 1120 || $1 > 1443 && $1 < 1543) {$2 = ""} 1' run0.125.csv >holes.csv
@@ -47,7 +47,7 @@ answers holes compare run0.csv holes.csv --section 200m
 holds "growth beside holes" holes/compare.csv 'n = $1 == 1000 ? 17 + 2 * 25 : $1 == 1400 ? 100 + 2 * 25 : 0; {near($5 == "nan", $1 == 1400, 0); if ($1 > 0 && $2 < 3000) near($c["missing"] / 4, n, n > 0 ? 2 : 0)} $1 == 1000 {near($4 / $3, 1, 5e-3)}'
 near "what the second run lacks" "$(v holes second_missing)" "$(grep -c ',$' holes.csv)" 0
 near "what the first lacks" "$(v holes missing)" 0 0
-# Where the second run is of another track nothing is found, nor told as growth; where that is more than a quarter of all it is a doubt.
+# Where the second run is of another track nothing is found, nor told as growth; how often, and where, is a doubt.
 for share in 3:1000:1600 4:1000:1800; do
   awk -F, -v OFS=, -v from="$(echo $share | cut -d: -f2)" -v to="${share##*:}" 'NR > 1 && $1 > from && $1 < to {$2 = sprintf("%.4f", 4 * sin($1 + 9 * sin($1 / 19)) + 3 * sin($1 * $1 / 400))} 1' run0.125.csv >other.csv
   answers lost compare run0.csv other.csv --section 200m
@@ -55,7 +55,7 @@ for share in 3:1000:1600 4:1000:1800; do
     from="$(echo $share | cut -d: -f2)" to="${share##*:}"
   lost=$(awk -F, 'NR > 1 && ($5 == "nan" || $5 == "")' lost/compare.csv | wc -l)
   near "sections that are found" "$(v lost compared)" $((15 - lost)) 0
-  if [ $((4 * lost)) -gt 15 ]; then grep -q "\"not-found\": \"$lost of 15 sections" lost.json; else ! grep -q '"not-found"' lost.json; fi || fail "$lost sections are not found: $(grep not-found lost.json)"
+  grep -q "\"not-found\": \"$lost of 15 sections could not be judged: from 1[02]00 m (not like the first run" lost.json || fail "$lost sections are not found: $(grep not-found lost.json)"
 done
 # The worst places in order of their size, whatever their sign.
 "$railbook" psd synthesize track.csv --length 6km --seed 3 --roughness 2e-6m^2*cycle/m >/dev/null || fail "synthesize"
@@ -63,13 +63,16 @@ answers worst index track.csv --speed 100km/h
 sed -n 's/^  "worst_[0-9]": "\([+-][0-9.]*\) at.*/\1/p' worst.json >order
 awk '{size = $1 < 0 ? -$1 : $1; if (NR > 1 && size > last) exit 1; last = size; down += $1 < 0} END {exit NR != 5 || down < 1}' order ||
   fail "the worst: $(cat order)"
-# A ramp of 0.05 mm/m in cross level is that twist; the class is that of the largest offset of a 62-ft chord (49 CFR 213.63, mm).
+# A ramp of 0.05 mm/m in cross level is that twist; the class is that of the largest offset of a 62-ft chord and of the largest cross level (49 CFR 213.63, mm); none where something is missing.
 awk -F, 'NR == 1 {print $0 ",cross_mm"; next} {printf "%s,%.4f\n", $0, $1 / 20}' bumps.csv >cross.csv
 answers measures measures cross.csv --crosslevel cross
 holds "measures" measures/measures.csv '
   $c["missing"] == 0 {near($c["twist_largest_mm_per_m"], 0.05, 1e-4); near($c["twist_sd_mm_per_m"], 0, 1e-4); near($c["cross_sd_mm"], 0.05 * 200 / sqrt(12), 0.01)}
   {d = abs($c["profile_chord_largest_mm"]); class = (d <= 76.2) + (d <= 69.85) + (d <= 57.15) + (d <= 50.8) + (d <= 31.75)
-    if ($c["profile_chord_largest_mm"] != "") {near($c["fra_class"], class, 0); if (class < 5) ++rough}}
+    d = abs($c["cross_largest_mm"]); level = (d <= 76.2) + (d <= 50.8) + (d <= 44.45) + (d <= 31.75) + (d <= 25.4)
+    if ($1 == 400 || $1 == 1800) near($c["fra_class"] == "nan" && $c["not_evaluated_m"] > 20, 1, 0)
+    else {near($c["fra_class"], class < level ? class : level, 0); near($c["not_evaluated_m"], 0, 0)
+      if (class < 5) ++rough}}
   END {if (rough < 1 || rough > 3) {print rough " rough sections"; wrong++}}'
 [ ! -e measures/exceptions.csv ] || fail "exceptions to a class that nobody gave"
 # Where one limit alone counts there is no wavelength from which the other does.
@@ -121,13 +124,13 @@ awk -F, 'NR == 1 || $2 == "" || $2 == "nan" {none += NR > 1; next} {p = $2 < 0 ?
   END {mean = sum / n; printf "n=%d none=%d mean=%.9g rms=%.9g dev=%.9g most=%.9g above=%.9g\n", n, none, mean, sqrt(squares / n), sqrt(squares / n - mean ^ 2), most, above / (n / 4000) >"moments"
     for (k = 0; k < 200; ++k) printf "%.2f,%d\n", 0.02 * k + 0.01, bin[k] >"bins"}' index2/channel.csv
 tail -n +2 index2/histogram.csv | paste -d, - bins | awk -F, '$1 != $3 {exit 1} {d = $2 - $4; off += d < 0 ? -d : d} END {exit !(NR == 200 && off <= 8)}' || fail "the histogram"
-for class in accept watch repair unsure missing; do echo "$class=$(grep -c ",$class\$" index2/segments.csv)"; done >classes
+for class in accept watch repair unsure missing incomplete; do echo "$class=$(grep -c ",$class\$" index2/segments.csv)"; done >classes
 # The longest wave in doubt near an end is that of the resonance at the posted speed, 27.8 m/s over 0.5 Hz; a gap has two ends.
 # shellcheck disable=SC2046 # assignments
 means index2 'is("speed_km_per_h", 100); is("length_km", 3); says("length_km", "12000 samples, " none " missing, 0 bridged"); is("spacing_m", 0.25); is("missing", none); is("bridged", 0); is("faulty", 20)
   is("mean", mean, 1e-5); is("rms", rms, 1e-5); is("deviation", dev, 1e-4); is("largest", most); is("n", (0.95 - mean) / dev, 1e-4); is("above_per_km", above, 1e-5); says("above_per_km", "threshold 0.95")
   is("exceedances", count); says("exceedances", sprintf("%.3g per km", count / (n / 4000))); is("segments", 30); says("segments", "of 100 m"); is("segments_watch", watch); is("segments_repair", repair)
-  is("segments_unsure", unsure); is("segments_missing", missing); says("segments_watch", "beyond 0.4"); says("segments_repair", "beyond 0.95"); is("shortest_m", 0); if (!(watch > 0 && repair > 0 && unsure > 0)) bad("classes")
+  is("segments_unsure", unsure); is("segments_missing", missing); is("segments_incomplete", incomplete); says("segments_watch", "beyond 0.4"); says("segments_repair", "beyond 0.95"); is("shortest_m", 0); if (!(watch > 0 && repair > 0 && unsure > 0)) bad("classes")
   free("unsure gain_error stroke_limit_cm flat_until_m worst_1 worst_2"); is("level_cm", 1.6); flags("codes"); for (key in v) if (key ~ /^worst/) says(key, "^[+-][0-9.]+ at [0-9.]+ m, wavelength [0-9.]+ m, stroke(, unsure)?")' \
   $(cat moments classes) count=$(($(wc -l <index2/exceedances.csv) - 1))
 [ "$(tail -1 index2/threshold.csv)" = "0.95,0,$(($(wc -l <index2/exceedances.csv) - 1))" ] || fail "threshold.csv: $(cat index2/threshold.csv)"
@@ -174,12 +177,12 @@ holds "measures of sines" sines/measures.csv 'BEGIN {half = 1 / 2 ^ 0.5; twist =
 # Two metres of cross level in a section show how it varies, but no twist on three: no index of seven parameters there. Where the rails are missing, no class.
 awk -F, 'NR == 1 {print; next} {OFS = ","; if ($1 >= 400 && $1 < 600 && !($1 > 500 && $1 < 502)) $7 = ""; if ($1 >= 580 && $1 < 820) $2 = $3 = $4 = $5 = ""; print}' sines.csv >holes.csv
 answers holes measures holes.csv --column left,right --alignment aleft,aright --gauge gauge --crosslevel cant
-holds "measures with holes" holes/measures.csv '{near($c["tqi_mm"] != "nan", rows != 3 && rows != 4, 0); near($c["cant_sd_mm"] > 0, 1, 0); near($c["twist_sd_mm_per_m"] != "nan", rows != 3, 0)
-  near($c["combined_sd_mm"] != "nan", rows != 4, 0); near($c["fra_class"] == "nan", rows == 4, 0); near($c["fra_class"] == 5, rows != 4, 0); near($c["gauge_sd_mm"] / (0.8 / 2 ^ 0.5), 1, 1e-3)}
+holds "measures with holes" holes/measures.csv '{near($c["tqi_mm"] != "nan", rows < 3, 0); near($c["cant_sd_mm"] > 0, 1, 0); near($c["twist_sd_mm_per_m"] != "nan", rows != 3, 0)
+  near($c["combined_sd_mm"] != "nan", rows < 3, 0); near($c["fra_class"] == "nan", rows > 1, 0); near($c["fra_class"] == 5, rows == 1, 0); near($c["gauge_sd_mm"] / (0.8 / 2 ^ 0.5), 1, 1e-3)}
   rows != 4 {near($c["right_D1_sd_mm"] * 2 ^ 0.5 / 30, 1, 2e-3); near($c["right_D2_sd_mm"], 0, 0.3); near(abs($c["right_chord_largest_mm"]) / (30 * chord(62)), 1, 0.01)} END {near(rows, 5, 0)}'
 awk -F, -v OFS=, '$1 >= 580 && $1 < 920 {$2 = ""} 1' sines.csv >long.csv
 answers gone index long.csv --column left --speed 100km/h --segment 200m
-holds "an index of nothing" gone/segments.csv '{n = $c["samples"] == $c["missing"]; near($c["class"] == "missing", 2 * $c["missing"] >= $c["samples"], 0); for (key in c) if (key ~ /^(mean|deviation|rms|largest|above_per_km)$/) near($c[key] == "nan", n, 0)} n {++none} $c["class"] == "missing" {++missing} END {near(none, 1, 0); near(missing, 2, 0)}'
+holds "an index of nothing" gone/segments.csv '{n = $c["samples"] == $c["missing"]; near($c["class"] == "missing", 2 * $c["missing"] >= $c["samples"], 0); for (key in c) if (key ~ /^(mean|deviation|rms|above_per_km)$/) near($c[key] == "nan", $c["missing"] > 0, 0); near($c["largest"] == "nan", n, 0)} $c["class"] == "incomplete" {++incomplete} n {++none} $c["class"] == "missing" {++missing} END {near(none, 1, 0); near(missing, 2, 0); near(incomplete, 1, 0)}'
 # The largest value is of its own sign, where it is.
 awk -F, 'NR == 1 {print "distance_m,left_mm"; next} {print $1 "," 7 * exp(-(($1 - 500) / 2) ^ 2) - 9 * exp(-(($1 - 300) / 2) ^ 2) + 0.01 * sin($1 ^ 2)}' sines.csv >lone.csv
 answers lone measures lone.csv --column left --section 200m --fra-class 5
@@ -189,7 +192,7 @@ functions=
 means sines 'half = 1 / 2 ^ 0.5; twist = 2 * sin(pi * 0.3) / 3; is("length_km", 1); is("spacing_m", 0.25); is("missing", 0); is("bridged", 0); is("faulty", 0); is("section_m", 200); is("passes", 2)
   is("left_median_sd", 2 * half, 1e-3); is("left_worst_sd", 2 * half, 1e-3); says("left_worst_sd", "from (0|200|400) m"); is("right_median_sd", 30 * half, 1e-3); is("gauge_median_sd", 0.8 * half, 1e-3)
   is("cant_median_sd", 2.5 * half, 1e-3); is("twist_median_sd", 2.5 * twist * half, 2e-3); is("aleft_D1_median_sd", half, 5e-3); is("aright_D1_median_sd", 1.5 * half, 5e-3); is("left_D1_median_sd", 2 * half, 5e-3)
-  is("exceptions", exceptions); for (key in v) if (key ~ /(_worst|D2_median|right_median|D1_median)_sd$|(aleft|aright)_median/) free(key); flags("unit")' exceptions=$(($(wc -l <sines/exceptions.csv) - 1))
+  is("exceptions", exceptions); is("not_evaluated_m", 0); says("judged", "profile, alinement, gauge, cross level and warp"); for (key in v) if (key ~ /(_worst|D2_median|right_median|D1_median)_sd$|(aleft|aright)_median/) free(key); flags("left_unit")' exceptions=$(($(wc -l <sines/exceptions.csv) - 1))
 for passes in 1 2; do answers edge$passes measures sines.csv --column long --passes $passes; done
 near "the edge of a band in two passes" "$(v edge2 long_D1_median_sd)" 1.414 0.03
 near "the edge of a band in one" "$(v edge1 long_D1_median_sd)" 2 0.04
