@@ -107,7 +107,7 @@ bench::Estimate passage(std::uint64_t k) {
 void estimates(report::Item& item) {
   item.added("random passages, seeded");
   item.expect_checks(1);
-  bench::estimates_against_truth(item, num::map_in_parallel(item.full() ? 5000U : 250U, passage));
+  bench::estimates_against_truth(item, num::map_in_parallel(item.full() ? 2000U : 250U, passage));
   const RectifiedSine rail = joint_dip(0.5);
   const auto evaluations = [&](double tolerance) {
     return double(simulate(typical_impact(), rail, 60 * units::mph,
