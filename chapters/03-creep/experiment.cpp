@@ -48,7 +48,8 @@ figure, from {{creep-first}} to {{creep-last}}, the exponent of $N$ runs from {{
 
 How parallel are the lines? In these theories $d\mu/d\ln N$ at 1000 lbf is {{slopes}} at the four
 creeps, so the lines from a creep of 0.001 on are almost parallel, as the paper says of its own. If
-$\mu_c$ itself depends on the load, as the paper finds, that is an input of the theories.
+$\mu_c$ itself depends on the load, as the paper finds, that is an input of the theories; the lines
+of the figure have the falling $\mu_c$ assumed above.
 
 {{fig-08}}
 
