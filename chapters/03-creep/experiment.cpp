@@ -47,9 +47,9 @@ figure, from {{creep-first}} to {{creep-last}}, the exponent of $N$ runs from {{
 {{exponent-last}} for $\mu_c$ = 0.5 and an area 1.5 times Hertz's. {{outcome:fig-08/trend}}
 
 How parallel are the lines? In these theories $d\mu/d\ln N$ at 1000 lbf is {{slopes}} at the four
-creeps, so the lines from a creep of 0.001 on are almost parallel, as the paper says of its own. If
-$\mu_c$ itself depends on the load, as the paper finds, that is an input of the theories; the lines
-of the figure have the falling $\mu_c$ assumed above.
+creeps. From a creep of 0.001 on the slopes differ by a factor of {{slope-ratio}}; the paper calls
+its own lines "almost parallel". If $\mu_c$ itself depends on the load, as the paper finds, that is
+an input of the theories; the lines of the figure have the falling $\mu_c$ assumed above.
 
 {{fig-08}}
 
@@ -317,11 +317,14 @@ void constant_creep(report::Item& item) {
   item.value("exponent-first", by_creep.results.front(), "", "{:.2f}");
   item.value("exponent-last", by_creep.results.back(), "", "{:.2f}");
   std::string slopes;
+  double least = units::no_limit, most = 0;  // of those from a creep of 0.001 on
   for (const double creep : {0.0005, 0.001, 0.002, 0.004}) {
     const ConstantCreep here{.creep = creep};
-    slopes += fmt::format("{}−{:.3f}", slopes.empty() ? "" : ", ",
-                          -here.exponent() * here.mu(paper_load));
+    const double fall = -here.exponent() * here.mu(paper_load);
+    slopes += fmt::format("{}−{:.3f}", slopes.empty() ? "" : ", ", fall);
+    if (creep >= 0.001) least = std::min(least, fall), most = std::max(most, fall);
   }
+  item.value("slope-ratio", most / least, "", "{:.1f}");
   item.value("slopes", slopes);
   for (const std::size_t k : {2, 3})
     item.value(fmt::format("mu-{:.0f}", tests()[k].load / units::lbf),
