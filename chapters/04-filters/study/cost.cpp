@@ -1,8 +1,8 @@
 /***
 The 62-ft chord with the high-pass, from short offsets. The input is synthetic track, rounded to
 whole units of $2^{-34}$ m, so that the exact answer is known in integers: the reference has no
-error but one rounding. It has its weights from the same function of the library as the first
-method; the other three do not use it. The error is the largest difference over the RMS of the
+error but one rounding. It has its weights from the same function of the library as the first two
+methods; sums and stream do not use it. The error is the largest difference over the RMS of the
 answer. All methods get the same array and return another; making weights and plans is counted.
 
 * **weights**: all 661, vectorised.
