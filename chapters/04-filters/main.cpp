@@ -69,7 +69,7 @@ Nothing in the paper is contradicted. Our reconstruction differs from it, or may
 * $C$ and $G$ amplify everything behind the analog filter, noise and steps of the converter, by
   $1/\kappa$ and $1/\kappa^2$. The lower the corner, the more independent of speed, and the noisier.
 * The method lives by a digital filter that matches the analog one. A corner that is 1 % off its
-  nominal value makes an error of {{off-1-percent}} in profile at 60 mph (see the study).
+  nominal value makes an error of up to {{off-1-percent}} in profile at 60 mph (see the study).
 * Waves shorter than two samples are folded: the hybrid filter lets {{nyquist-gain}} of a wave of 2
   ft through, and is no anti-aliasing filter.
 * A worn wheel stretches the chord and the wavelengths by its wear, and none of this notices.

@@ -74,12 +74,12 @@ void corner_off(report::Item& item) {
     const Errors e = errors_of(cruise(line, 60 * mph));
     item.add_row(percent, spread(off), e.profile / mm, e.alignment / mm, e.crosslevel / mm);
     if (percent == 0) nominal = e.profile;
-    if (percent == 1) one_percent = e.profile;
+    if (std::abs(percent) == 1) one_percent = std::max(one_percent, e.profile);
   }
   item.value("off-1-percent", one_percent / mm, "mm", "{:.2f}");
   item.value(
       "corner-answer",
-      fmt::format("A corner that is 1 % off makes the error of the profile {:.2f} mm instead "
+      fmt::format("A corner that is 1 % off makes the error of the profile up to {:.2f} mm instead "
                   "of {:.2f}. To keep it below 0.1 mm, measure the corner to {:.1g} % and "
                   "tell it to the digital filter, which works with any.",
                   one_percent / mm, nominal / mm, 0.1 * mm / one_percent));
