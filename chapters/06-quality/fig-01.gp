@@ -3,7 +3,7 @@ set terminal pngcairo size 1000,580
 set output ARG2
 unset border; unset tics; unset grid; unset key
 set xrange [-4.2:4.2]
-set yrange [-0.7:4.6]
+set yrange [-1.0:4.6]
 set size ratio -1
 set object 1 rectangle from -1.4,2.85 to 1.4,3.75 fc rgb light fs solid border lc rgb black lw 2
 set label "body M" at 0,3.3 center font ",18"
@@ -26,8 +26,8 @@ set arrow from 2.2,1.55 to 2.2,2.75 heads filled size 0.12,20 lw 2 lc rgb red
 set label "x = y − z  stroke" at 2.35,2.15 textcolor rgb red
 set arrow from 2.2,0.3 to 2.2,1.1 filled size 0.12,20 lw 2 lc rgb green
 set label "z  track under the wheel" at 2.35,0.75 textcolor rgb green
-set arrow from -0.0,-0.62 to -0.0,-0.06 filled size 0.12,20 lw 2.4 lc rgb purple
-set label "g  wheel force, dynamic part" at 0.15,-0.5 textcolor rgb purple
+set arrow from 0,-0.95 to 0,-0.06 filled size 0.12,20 lw 2.4 lc rgb purple
+set label "g  wheel force, dynamic part" at 0.15,-0.8 textcolor rgb purple
 set arrow from -3.9,0.95 to -2.6,0.95 filled size 0.12,20 lw 2
 set label "speed v" at -3.8,1.2
 plot ARG1 using "x":"z" with lines lt 1 lw 3, ARG3 using "x":"z" with lines lt 1 lw 2.4

@@ -10,5 +10,5 @@ set ylabel "allowed amplitude, cm"
 plot for [i=1:4] ARG1 using (column("kappa") == word("0 1 10 100",i) ? column("wavelength_m") : NaN):"amplitude_cm" \
      with lines lt i title i == 1 ? "linear, as Figure 4" : "κ = ".word("0 1 10 100",i), \
      for [i=2:4] ARG3 using (column("kappa") == word("0 1 10 100",i) ? column("wavelength_m") : NaN):"amplitude_cm" \
-     with lines lt i lw 0.7 dt 3 notitle, \
-     NaN with lines lc "black" lw 0.7 dt 3 title "harmonic balance"
+     with lines lt i lw 1.2 dt 3 notitle, \
+     NaN with lines lc "black" lw 1.2 dt 3 title "harmonic balance"

@@ -17,16 +17,16 @@ One feature needs no test. A train that may run at any speed up to $v$ meets a w
 vehicle the allowed amplitude cannot grow towards short waves. The question is whether it ends in one level or goes on falling.
 
 Between two switches of the stops the equation is linear, so that its motions are known exactly. At each frequency the search lets a grid of starts run until they have settled, and looks for a motion with a stroke of
-{{limit}} or more. One that repeats after $n$ waves is a *subharmonic* of order $n$. Newton's method on the map over $n$ waves follows it down to the least track amplitude at which it exists:
+{{limit}} or more. One that repeats after $n$ waves is a *subharmonic* of order $n$. Newton's method on the map over $n$ waves follows it down to the least track amplitude at which it exists.
 
-{{code: 06-quality/large_motions.cpp least_amplitude}}
+{{include: large_motions.cpp}}
 
 {{fig-level}}
 
 With stops as stiff as the spring ($\kappa$ = 1) there is one level, {{level-1}}. With $\kappa$ = 10 there are two. The first, {{one-wave-10}}, reaches from {{flat-10}} down to {{second-10}} at 100 km/h; on it the body
 makes one swing a wave. For all shorter waves it is {{level-10}}, {{share-10}} of the first: there the body makes one swing in three waves, and every third wave keeps it going. With $\kappa$ = 100 the levels are
 {{one-wave-100}} and, below {{second-100}}, {{level-100}}. A vehicle at rest does not find these motions. On waves of {{example}} at {{example-f}}, below the first level, a start at rest settles at a stroke of
-{{example-rest}} and another one at {{example-large}}. On the side of the long waves stiff stops allow more than the linear car has, because they hold the body back; some of the motions there are chaotic, and the curves rough.
+{{example-rest}} and another one at {{example-large}}, above the limit. On the side of the long waves stiff stops allow more than the linear car has, because they hold the body back; some of the motions there are chaotic, and the curves rough.
 
 An energy balance explains the second level. Without damper and track the body can swing freely at the stroke limit. Because the stops are hard, its swing contains the third multiple of its frequency, and a track wave
 of that frequency can feed it. At $\kappa$ = 10 an amplitude of {{energy-10}} feeds as much as the damper takes, at $\kappa$ = 100 one of {{energy-100}}, and at $\kappa$ = 1 it would take {{energy-1}}, more than the first level.
@@ -226,7 +226,7 @@ void fig_level(report::Item& item) {
     item.value(name("one-wave"), e.one_wave().wave.amplitude / cm, "cm", "{:.2f}");
     item.value(name("level"), e.last().wave.amplitude / cm, "cm", "{:.2f}");
     item.value(name("flat"), track_speed / e.one_wave().wave.frequency, "m", "{:.0f}");
-    item.value(name("second"), track_speed / e.last().wave.frequency, "m", "{:.1f}");
+    item.value(name("second"), track_speed / e.last().wave.frequency, "m", "{:.2g}");
     item.value(name("energy"), energy_balance(e.body, inch_limit.stroke, 3).amplitude / cm, "cm",
                "{:.2f}");
     item.value(name("levels"), fmt::format("{}", e.levels()));
@@ -236,7 +236,7 @@ void fig_level(report::Item& item) {
   const Envelope& ten = found[1];
   const LargeMotion example = example_below(ten);
   const auto rest = quality::run(ten.body, {{example.wave}, 0}, {}, 180, {.watch_from = 120});
-  item.expect_checks(4);
+  item.expect_checks(5);
   item.consistent(
       "shape",
       "the amplitude relaxes beyond a wavelength that the speed sets, for nonlinear vehicles too",
@@ -254,6 +254,11 @@ void fig_level(report::Item& item) {
       fmt::format("stroke of {:.2f} cm at {:.2f} Hz and {:.2f} cm, κ = 10", example.largest / cm,
                   example.wave.frequency, example.wave.amplitude / cm),
       "order 5 with adapted steps over sixty waves");
+  item.verify(
+      "levels", "one level with κ = 1 and two with κ = 10 and 100",
+      found[0].levels() == 1 && found[1].levels() == 2 && found[2].levels() == 2,
+      fmt::format("{}, {} and {} levels", found[0].levels(), found[1].levels(), found[2].levels()),
+      "the search over starts and frequencies");
   item.agree("one-wave", "level of one swing a wave, κ = 10", "cm",
              ten.one_wave().wave.amplitude / cm, balanced_amplitude(10, 10) / cm, 0.02,
              "harmonic balance, one harmonic");
@@ -393,7 +398,7 @@ void table_pairs(report::Item& item) {
   item.at_least("harder", "least of the pairs, with stops", "cm", least / cm, single / cm,
                 "the single sine of the same vehicle");
   item.value("single", single / cm, "cm", "{:.3f}");
-  item.rebuilt("the paper announces the test; stops, shares and start are chosen");
+  item.rebuilt("the paper announces the test; stops, fractions and start are chosen");
 }
 
 }  // namespace
