@@ -94,10 +94,11 @@ LimitCycle BranchWalker::describe(const Place& p, double slope) {
   LimitCycle c;
   c.parameter = p.parameter;
   c.cycle = solver.cycle(p);
+  const bool odd = is_odd(c.cycle);
   for (const VectorXd& row : solver.family().watch) {
     const auto [low, high] = extremes(c.cycle, row);
     c.amplitude.push_back(0.5 * (high - low));
-    c.middle.push_back(0.5 * (high + low));
+    c.middle.push_back(odd ? 0 : 0.5 * (high + low));
     c.largest = std::max(c.largest, c.amplitude.back());
     c.reach = std::max({c.reach, high, -low});
   }
