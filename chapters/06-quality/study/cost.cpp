@@ -12,7 +12,7 @@ for designing nothing: the weights are ready. Work counts multiplications for th
 ### A body with stops
 
 The stroke at 20 s after a sudden start at 1 Hz, $\kappa$ = 10, some {{switch-count}} switches. The library's solver follows the exact solution from switch to switch. The reference is an integrator
-of order 5 that locates each switch itself and starts again there, at a tolerance of 10⁻¹⁴; it shares nothing with the solver that it judges. Its uncertainty is the change from a tolerance of 10⁻¹³, and not less than 10⁻¹¹.
+of order 5 that locates each switch itself and starts again there, at a tolerance of 10⁻¹⁴; it shares only the root finder with the solver that it judges. Its uncertainty is the change from a tolerance of 10⁻¹³, and not less than 10⁻¹¹.
 
 {{fig-stops-time}}
 
