@@ -81,7 +81,7 @@ void fig_07(report::Item& item) {
              off_power < 0.02, "within 1 % of the power 2 at 2 cm");
   item.claim(
       "level", "at intermediate wavelengths the level of control is constant", off_level < 1e-4,
-      fmt::format("a search over speeds finds it constant within {:.1g} of itself", off_level));
+      fmt::format("a search over speeds finds it constant within {:.1g} %", 100 * off_level));
   item.value("corner-B", quality::lower_corner({level_limit(), car(item, "B"), track_speed}), "m",
              "{:.1f}");
   item.rebuilt("car A and the speeds; the paper prints neither");

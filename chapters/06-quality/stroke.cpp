@@ -185,12 +185,12 @@ void fig_05(report::Item& item) {
   // The next term of the series above makes it 2 + 2 (1 - 2 rho^2)/(lambda/lambda_0)^2, 6e-4 more at 3 km.
   const double power = power_of_wavelength(
       [&](double w) { return allowed_amplitude(severity(limit, track_speed, 1 / w)); }, 3000);
-  item.claim(
-      "level", "a constant level from the resonance at maximum speed to arbitrarily short waves",
-      flattest < 1e-4,
-      fmt::format("a search over speeds finds it constant within {:.1g} of itself, for every "
-                  "track speed",
-                  flattest));
+  item.claim("level",
+             "a constant level from the resonance at maximum speed to arbitrarily short waves",
+             flattest < 1e-4,
+             fmt::format("a search over speeds finds it constant within {:.1g} %, for every "
+                         "track speed",
+                         100 * flattest));
   item.claim("tail", "the amplitude ultimately grows with the square of the wavelength",
              std::abs(power - 2) < 0.002, fmt::format("power {:.3f} at 3 km", power));
   item.claim(
