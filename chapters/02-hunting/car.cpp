@@ -9,13 +9,15 @@ body. The creepages of its wheels are, in the paper's (1) to (5),
 
 $$\xi_x=\frac{\dot x_w}V-\psi, \tag{1}$$
 
+where $V$ is the speed, and
+
 $$\xi_{zR,L}=1\pm\frac aV\dot\psi-\frac{r_{R,L}}{r_0},\qquad \xi_{\theta R,L}=\pm\frac{\delta_{R,L}}{r_0}+\frac{\dot\psi}V, \tag{2}$$
 
-and gravity pushes sideways with
+with half the distance $a$ of the two contact points and the rolling radius $r_0$ of the centred wheels. Gravity pushes sideways with
 
 $$N_{xR}+N_{xL}=-W\Big(\frac{\delta_L-\delta_R}2+\phi_w\Big). \tag{6}$$
 
-Table 1 of the paper, the equations of motion, is lost. They follow from these words and linear creep forces: one wheelset feels
+where $W$ is the axle load. Table 1 of the paper, the equations of motion, is lost. They follow from these words and linear creep forces with the coefficients $f_{11}$ (lateral), $f_{33}$ (longitudinal), $f_{12}$ and $f_{22}$ (spin): one wheelset feels the force and the moment
 
 $$F=-2f_{11}\Big(\frac{\dot x_w}V-\psi\Big)-\frac{2f_{12}}V\dot\psi+\Big(\frac{2f_{12}}{r_0}-W\Big)D-W\Phi,$$
 $$M=-\frac{2(a^2f_{33}+f_{22})}V\dot\psi-\frac{2a^2f_{33}}{r_0}R+2f_{12}\Big(\frac{\dot x_w}V-\psi\Big)

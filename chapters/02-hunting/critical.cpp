@@ -2,7 +2,7 @@
 ## Critical speeds of the linear car
 
 For small motions the gains are constants and the car is linear. At the *critical speed* a pair of
-eigenvalues crosses the imaginary axis (a Hopf point): $Z(i\omega,V)q=0$. In $1/V$ the state matrix is linear, and so is the matrix of all *sums of two
+eigenvalues $\sigma\pm i\omega$ crosses the imaginary axis, from decay to growth (a Hopf point): $Z(i\omega,V)q=0$. In $1/V$ the state matrix is linear, and so is the matrix of all *sums of two
 eigenvalues* (the bialternate sum, 153 by 153), which is singular exactly where two eigenvalues are opposite. Its own eigenvalue problem in $1/V$
 therefore gives all critical speeds of a range at once, with no scan that could step over one.
 

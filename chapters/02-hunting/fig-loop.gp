@@ -11,7 +11,7 @@ set rmargin at screen 0.84
 set xlabel "speed V, ft/s"
 set ylabel "largest wheelset amplitude A, in" offset 0.5
 set xrange [90:250]
-set key at graph 0.98,0.4 right top font ",12" samplen 2
+set key at graph 0.995,0.4 right top font ",11" samplen 1.5
 plot ARG4 using 2:1 with lines lt 8 dt solid title "first family, by continuation", \
      ARG5 using 2:1 with lines lt 8 dt (6,4) title "second family, by continuation", \
      ARG1 using 2:1 with points pt 7 ps 1.1 lc rgb black title "least damped mode (the paper's)", \

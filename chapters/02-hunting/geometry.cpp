@@ -1,7 +1,7 @@
 /***
 ## Geometry of wheel and rail
 
-A wheelset on rails has no freedom to roll or to rise of its own: where it stands across the track decides how it
+A wheelset on rails cannot roll about the track's axis or rise by itself: its place across the track decides how it
 lies. Five *constraint functions* of the lateral displacement $x_w$ say all that the dynamics needs: the rolling
 radii $r_L$, $r_R$, the angles $\delta_L$, $\delta_R$ of the contact planes to the axle, and the roll angle $\phi_w$.
 In the equations of motion they come as three odd functions,
@@ -14,7 +14,7 @@ the first steers, the other two push the wheelset back to the middle.
 Heumann wheel on the worn rail, at a gauge of {{gauge}}, and gives none of them. Here each is a chain of circular arcs and straight lines without corners. Rails have a 10 in crown, 1¼ in shoulders and 3/8
 in corners when new, are flatter and then sharper when worn, and lean inwards by 1:40. The new wheel is a 1:20
 cone with an 11/16 in throat; CN profile A has a hollow of {{cn-radius}} and the Heumann wheel one of
-{{heumann-radius}}; all have a 70° flange. The free lengths were chosen to have what the text states, which these profiles therefore cannot test; a test of the library holds them to it. The half spacing $a$ is {{half-spacing}}, the half
+{{heumann-radius}}; all have a 70° flange. The remaining lengths were chosen so that the profiles have the properties that the text states. These profiles can therefore not test those statements; a test of the library makes sure that they have them. The half spacing $a$ is {{half-spacing}}, the half
 distance of the rails' *heads*; the paper calls it half the gauge, which would be {{half-gauge}}.
 
 **Contact.** Roll the wheelset by $\phi$ and look at the vertical gap between wheel and rail on one side. Its

@@ -7,10 +7,10 @@ ones,
 $$\begin{aligned}N(A,\omega)\,x=0:\quad\Big[K_s+K_c&-\sum_i(g^R_iN_R+g^D_iN_D+g^\Phi_iN_\Phi)\,b_i\\
   &+i\omega\Big(C_s+\frac{C_c}V+\sum_jd_j^TN_jd_j\Big)-\omega^2M\Big]q=0,\end{aligned} \tag{10}$$
 
-with gains that depend on the four wheelsets' amplitudes $A_i=|b_iq|$ and, with dry friction, on the seven joints'
+with the matrices of mass $M$, of the suspension's stiffness and damping $K_s$, $C_s$ and of the linear creep forces $K_c$, $C_c$; the row $b_i$ that gives wheelset $i$'s displacement, the forces $g_i$ that unit values of $R$, $D$ and $\Phi$ exert at it, and the rows $d_j$ that give the motion across joint $j$. The gains $N$ depend on the four wheelsets' amplitudes $A_i=|b_iq|$ and, with dry friction, on the seven joints'
 rates. The unknowns are $q$, $\omega$ and $V$: twenty real ones for eighteen equations. One more fixes the phase, and
 the last picks the point on the branch by a step of given length along its tangent (pseudo-arclength), so that the branch may turn round in
-speed and in amplitude. It does both. Newton's Jacobian is exact:
+speed and in amplitude, as it does. Newton's Jacobian is exact:
 
 {{code: dynamics/cycle_solver.cpp solve_cycle}}
 
@@ -30,6 +30,7 @@ paper says that without flange contact both trucks have about the same amplitude
 #include <stdexcept>
 
 #include "num/roots.hpp"
+#include "wheelrail/tabulate.hpp"
 
 namespace railbook::hunting_chapter {
 
@@ -89,6 +90,28 @@ const LimitCycleBranch& true_branch(std::string_view key) {
   auto branch = follow_from_hopf(by_speed(v.car.car(), *v.table), hopf.shape, hopf.lambda.imag(),
                                  hopf.speed, options);
   return known.emplace(key, std::move(branch)).first->second;
+}
+
+wheelrail::ConstraintFunctions new_wheel_table(double running_mean, double knot) {
+  return wheelrail::tabulate(wheelrail::new_wheel_pair(),
+                             {.half_spacing = wheelrail::paper_track.half_spacing,
+                              .end = 0.75 * inch,
+                              .step = knot,
+                              .average = running_mean});
+}
+
+LimitCycleBranch branch_with(const FreightCar& car, const wheelrail::ConstraintFunctions& table,
+                             const std::optional<CreepLimit>& creep,
+                             const std::function<bool(const LimitCycle&)>& go_on) {
+  const Motion hopf = hopf_points({car, table}, 20 * foot, 400 * foot).at(0).motion;
+  ContinuationOptions options;
+  options.lowest = 1 * foot;
+  options.highest = 250 * foot;
+  options.first_amplitude = 0.036 * inch;
+  options.largest_amplitude = 0.44 * inch;
+  options.go_on = go_on;
+  return follow_from_hopf(by_speed(car, table, creep), hopf.shape, hopf.lambda.imag(), hopf.speed,
+                          options);
 }
 
 Range stable_on_flange(const LimitCycleBranch& branch, double flange) {

@@ -1,6 +1,8 @@
 // The four vehicles of the paper's Figure 11 with their branches, and single cycles of the full equations: computed once.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -46,6 +48,12 @@ const std::vector<Vehicle>& vehicles();
 const Vehicle& vehicle(std::string_view key);
 // The branch of the full equations from the same critical speed; computed once, when it is asked for.
 const LimitCycleBranch& true_branch(std::string_view key);
+// The table of new wheels with another running mean or another distance of knots [m].
+wheelrail::ConstraintFunctions new_wheel_table(double running_mean, double knot = 0.0025 * inch);
+// The branch of the full equations from the first critical speed of any car, as far as `go_on` says.
+LimitCycleBranch branch_with(const FreightCar& car, const wheelrail::ConstraintFunctions& table,
+                             const std::optional<CreepLimit>& creep = {},
+                             const std::function<bool(const LimitCycle&)>& go_on = {});
 // Where a branch of the full equations is stable with flange contact [ft/s]: its first stretch, to the
 // located point that ends it.
 Range stable_on_flange(const LimitCycleBranch& branch, double flange);

@@ -84,13 +84,51 @@ CarParameters with_friction(double part) {
   return data;
 }
 
+double torus_speed(const LimitCycleBranch& branch) {
+  for (const SpecialCycle& s : branch.special)
+    if (s.kind == CycleEvent::torus) return s.at.parameter;
+  throw report::NoAnswer("no torus");
+}
+Found knots() {
+  const auto fine = new_wheel_table(table_mean, 0.00125 * inch);
+  const double half = torus_speed(branch_with(vehicle("new").car.car(), fine)),
+               whole = torus_speed(true_branch("new"));
+  return {fmt::format("torus at {:.2f} and {:.2f} ft/s", whole / foot, half / foot),
+          std::abs(half / whole - 1)};
+}
+
+// The branch from the critical speed into creep that saturates on the flange.
+Found saturated() {
+  const Vehicle& v = vehicle("new");
+  const auto branch = branch_with(v.car.car(), *v.table, CreepLimit{0.5, {}});
+  if (branch.stop != BranchStop::amplitude) throw report::NoAnswer(to_string(branch.stop));
+  return {"a branch", 1};
+}
+
+// Dampers at which the two critical speeds of new wheels are close: the growth rates there.
+Found nearly_double() {
+  const QuasiLinearCar car{car_for(0.018), *vehicle("new").table};
+  const auto hopf = hopf_points(car, 20 * foot, 400 * foot);
+  double worst = 0;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Motion& m = hopf.at(k).motion;
+    double nearest = 1;
+    for (const Motion& mode : modes(car, car.small(), m.speed))
+      nearest = std::min(nearest, std::abs(mode.lambda - m.lambda));
+    worst = std::max(worst, nearest);
+  }
+  return {fmt::format("{:.2f} and {:.2f} ft/s", hopf[0].motion.speed / foot,
+                      hopf[1].motion.speed / foot),
+          worst};
+}
+
 }  // namespace
 
 void extremes(report::Item& item) {
   using report::degrades, report::holds, report::refused;
   item.stability({"slow", "V = 1 ft/s",
-                  "creep decays in microseconds, the car weaves with a period of a minute", holds,
-                  1e-5, "exact pieces, in"},
+                  "creep decays in tens of microseconds, the car weaves with a period of a minute",
+                  holds, 1e-5, "exact pieces, in"},
                  slow);
   item.stability({"stick", "CN with friction, 90 ft/s, sticking rate 1/4 and 1/16",
                   "the sign function is approached; a half would be an order of 1/2", degrades, 0.5,
@@ -111,6 +149,17 @@ void extremes(report::Item& item) {
   item.stability({"no-damping", "no friction in any joint", "modes of the body hardly damped",
                   holds, 1e-4, "a millionth of the friction"},
                  [] { return limit(with_friction(0), with_friction(1e-6)); });
+  item.stability({"knots", "new wheel, knots half as far apart", "the end of stability", holds,
+                  1e-3, "knots of 0.0025 in"},
+                 knots);
+  item.stability({"saturated", "new wheel, friction of 0.5 between wheel and rail",
+                  "creep saturates where the flange is met: the branch is not followed, and "
+                  "integration in time has to find its cycles",
+                  refused},
+                 saturated);
+  item.stability({"nearly-double", "dampers with two critical speeds close together",
+                  "two modes cross the axis almost at once", holds, 1e-6, "eigenvalues there, 1/s"},
+                 nearly_double);
 }
 
 }  // namespace railbook::hunting_chapter
