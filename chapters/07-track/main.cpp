@@ -6,15 +6,17 @@
    velocity of "the rail-tie-ballast type structure" at about 1100 mph, and the error of ignoring
    such waves at less than 3 percent at 250 mph. With the mass of rail, tie and ballast we find
    {{v-ballast}} on our typical track, and {{v-range}} as modulus, rail, pad, tie and ballast are
-   varied; the error at 250 mph is then {{error-range}}. About 1100 mph is what the rail alone gives.
+   varied; the error at 250 mph is then {{error-range}}. The paper prints none of these data. Without
+   tie and ballast, our track has {{v-rail}}.
    {{outcome:critical-speed/critical-speed-printed}} At 150 mph, the speed the paper has in mind, the
    error is {{error-150-range}}, and its simpler track model will do.
    {{outcome:critical-speed/conclusion}}
 2. How much stiffness does a joint cost? The paper says that as little as 25 percent is left, and so
-   it is at a free joint. {{outcome:joint/free-joint-printed}} Its formula (8) follows the free
-   joint's curve within {{free-error-size}} of the full stiffness {{outcome:joint/eq8-free}}, but
-   not that of a pinned joint too: with every reading of the damaged line that we tried, it errs by
-   {{eq8-range}} of it on one of the two. {{outcome:joint/eq8-pinned}}
+   it is at a free joint, on a continuous bed. {{outcome:joint/free-joint-printed}} Its formula (8)
+   for the stiffness near a joint is "a good approximation", it says. Of the full stiffness, (8)
+   errs by up to {{free-error-size}} at a free joint {{outcome:joint/eq8-free}} and by up to
+   {{hinge-error-size}} at a pinned one {{outcome:joint/eq8-pinned}}; the paper does not say how
+   near is good.
 3. How much of the track moves with the wheel? The paper takes the mass (15) from the first natural
    frequency of a beam on a foundation. It follows from Rayleigh's estimate of that frequency, which
    is {{too-high}} too high. {{outcome:masses/natural-frequency}}
@@ -56,8 +58,8 @@ one of the paper's, it was made from the words.
 * **Less than 3 percent at 250 mph** follows from 1100 mph
   {{outcome:critical-speed/error-at-250-printed}}, not from the mass of rail, tie and ballast
   {{outcome:critical-speed/own-mass}}.
-* **Equation (8) for a pinned joint** {{outcome:joint/eq8-pinned}}: it misses the curve by up to
-  {{hinge-error-size}} of $K_r$. That curve is not monotone, and every formula of this form is.
+* **Equation (8)** misses the curve of a pinned joint by up to {{hinge-error-size}} of $K_r$
+  {{outcome:joint/eq8-pinned}}. That curve is not monotone, and every formula of this form is.
 
 Restored where our copy is damaged: $|X|$ for $X$ and the signs of (1), the brackets of (6) and (8),
 and the tie spacing in the second equation (18), where the copy has a broken letter just where $l_t$

@@ -13,13 +13,13 @@ random passages of {{estimates}}.
 For the typical track order 8 at its tightest agrees with it within {{cost-p1-reference}} for P1 and
 {{cost-p2-reference}} for P2.
 
-For P1: {{cost-p1-answer}}
+P1: {{cost-p1-answer}}
 
 {{cost-p1}}
 
 {{work-precision: cost-p1}}
 
-For P2: {{cost-p2-answer}}
+P2: {{cost-p2-answer}}
 
 {{cost-p2}}
 
