@@ -1,17 +1,18 @@
 /*** # Classifying track by power spectral density
 
 ::: findings
-1. How deep are the joints behind a peak of the spectrum? The paper takes $Q_n=\frac12B_n^2$ of a
-   strength $B_n$ that is two-sided. Result: if its densities are one-sided, as its (8) requires,
-   the peak has four times this power, and the $B$ of Table 1 is twice the physical dip.
-   {{outcome:lines/Q1-exact}}
-2. Does rule (10) give the classes of Table 3? Result: yes for {{table-3-steady}} of 13 zones,
-   within all roundings; the numbers of zone 12 allow the printed class 2 as well as 3. The
-   coefficient in (10), unreadable in our copy, does not follow from it: any from {{k-most-low}} to
+1. How deep are the joints behind a peak of the spectrum? The paper finds the dip $B$ from the power
+   $Q_n=\frac12B_n^2$ of a line, where $B_n$ is the amplitude of a two-sided spectrum. If its
+   densities are one-sided, as its (8) requires, we find four times this power, and the $B$ of
+   Table 1 is twice the physical dip. {{outcome:lines/Q1-exact}}
+2. Does rule (10) give the classes of Table 3? With the coefficient that (8) and (9) give and the
+   limits of the federal standards it does for {{table-3-steady}} of 13 zones, within all roundings;
+   the numbers of zone 12 allow the printed class 2 as well as 3. The coefficient itself is
+   unreadable in our copy, and the classes do not tell it: any from {{k-most-low}} to
    {{k-most-high}} gives twelve or more. {{outcome:table-3/zone-12}}
 3. Can a spectrum tell joints that are deep at random from joints that are deep in groups? The paper
-   says that "the PSD cannot distinguish" them. Result: on five miles of its jointed zones it hardly
-   can. If depths scatter by half of their mean, the two densities differ by at most {{apart-line}}
+   says that "the PSD cannot distinguish" them. On five miles of its jointed zones it hardly can. If
+   depths scatter by half of their mean, the two densities differ by at most {{apart-line}}
    standard errors at $\varphi_0$, where the line of the mean dip hides both, and by {{apart-least}}
    to {{apart-most}} two bins away. The more miles, the plainer the difference.
    {{outcome:five-miles/distinguish}}

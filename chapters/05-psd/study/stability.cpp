@@ -4,11 +4,12 @@ sample a foot) and lets the estimator judge itself. A row *holds* when $A$ and $
 {{stability-errors}} of their own standard errors, which one of all rows exceeds by chance once in a
 hundred times, and the 1 % that the fit states. It *degrades* when they do not, but the reading says
 so by itself (corner at its bound, residuals 1.25 times larger than chance, a line nobody named, a
-fault in the record). Its error is then the relative loss of $A$ or of $B$, whichever is larger. A
-wrong number without a word would fail.
+fault in the record). A wrong number without a word would fail.
 
-Where the spectrum of a disturbance is known, the loss allowed is that of the same fit on this
-spectrum, free of chance, with the same errors on top. The other bounds were set before.
+The error of a row that holds is the fraction of this allowance that it uses up. That of a row that
+degrades is the relative loss of $A$ or of $B$, whichever is larger. Where the spectrum of the
+disturbance is known, the same allowance for chance is taken off the loss, and what is left must not
+exceed the loss of the same fit on this spectrum. The other bounds were set before.
 
 {{stability}}
 */
