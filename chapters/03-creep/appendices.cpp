@@ -28,8 +28,10 @@ the notes say what was read. Row by row:
   from the radii.
 * The third term uses $u$ = 0.2238, close to the value of Appendix B, where the first two use
   0.2256. {{outcome:table-appendix-a/term-3}} With 0.2256 it would be {{third-term}}.
-* The text of the appendix has the radii to 0.00254 mm; its numbers are those of 0.00254 **cm**,
-  which is the 0.0254 mm of the body of the paper. {{outcome:table-appendix-a/radius-unit}}
+* The text of the appendix, as we have it, says 0.00254 mm for the error of a radius; its numbers
+  are those of 0.00254 **cm**, which is the 0.0254 mm of the body of the paper.
+  {{outcome:table-appendix-a/radius-unit}} With 0.00254 mm the four errors would make {{worst-by-mm}}
+  at worst, and 0.0005 would bound them.
 * One tooth in a minute, 1/144 rpm, is taken for the big wheel, and 0.2 rpm, 29 teeth, for the small
   one.
 * Our copy is damaged in four places: it reads "10.1" for 10.16 cm (4 in), "118" for 116 rpm,
@@ -228,6 +230,8 @@ void rows(report::Item& item) {
 
   item.value("xi-worst", t.worst, "", "{:.5f}");
   item.value("worst-range", trial.range());
+  const Reading in_mm{error.small / 10, error.big / 10, error.small_speed, error.big_speed};
+  item.value("worst-by-mm", terms(nominal, in_mm).worst, "", "{:.5f}");
   item.value("xi-rss", t.rms, "", "{:.5f}");
   item.value("third-term", t.small_speed, "", "{:.6f}");
   item.value("zero-worst", 2 * t.speeds_worst, "", "{:.5f}");

@@ -7,19 +7,20 @@
    reading that is printed is compatible with it and is no evidence for it: within the rounding of
    the printed speeds it needs at least {{least-along}} times Hertz's area if the ellipse's major
    axis lies along rolling, and {{least-across}} times if it lies across; the paper does not say
-   which. The errors of its Appendix A leave it as open ({{least-independent}} along if they are
+   which, and the steel is ours. The errors of its Appendix A leave it as open ({{least-independent}} along if they are
    independent, {{least-worst}} at worst). {{outcome:table-state/true-area}}
 2. **Is creep times contact area constant?** The paper, for tests in which the ellipse keeps its
    ratio of axes: "the product of the creep and the area of contact must be a constant". Confirmed
    as stated: in Kalker's theory it is exact while that ratio is kept. If the profile alone wears
    flat the ratio changes, and the product rises: by {{rise-moderate}} while the area grows by
-   {{area-moderate}}, and by {{rise-worst}} at three times the profile radius. The larger rise could
-   have been seen on the rig in a few pairs of tests. {{outcome:table-law/constant}}
-   {{outcome:table-law/visible}}
+   {{area-moderate}}, and by {{rise-worst}} at three times the profile radius. With the errors that
+   the paper states, the larger rise could have been seen on the rig in a few pairs of tests.
+   {{outcome:table-law/constant}} {{outcome:table-law/visible}}
 3. **How accurate is a measured creep?** The paper: "accurate to 0.0005", which it calls an upper
    bound. The errors that its Appendix A lists make {{xi-rss}} if they are independent, so the
-   figure is fair; it is not an upper bound, since at worst they make {{worst-range}} (whatever is
-   rounded or read otherwise); the printed sum lets them cancel.
+   figure is fair. It is not an upper bound: at worst they make {{worst-range}}, with radii measured
+   to 0.0254 mm as the paper says and whatever else is rounded or read otherwise. The printed sum
+   lets them cancel.
    {{outcome:table-appendix-a/accurate}} {{outcome:table-appendix-a/upper-bound}}
 :::
 
@@ -102,7 +103,7 @@ wheel into one number. Real friction falls at large creep, with speed and heat; 
 
 The paper: *Journal of Engineering for Industry* 101(3), August 1979,
 [doi:10.1115/1.3439508](https://doi.org/10.1115/1.3439508). It names Kalker [13], Vermeulen and
-Johnson [18], Carter [19] and Poritsky [20]; our scan ends before the list. The theory computed is
+Johnson [18], Carter [19] and Poritsky [20]; our text ends before the list. The theory computed is
 that of Kalker's *Three-Dimensional Elastic Bodies in Rolling Contact*, Kluwer 1990. What was looked
 up, and what was not found, is in `data/SOURCES.md`.
 

@@ -19,7 +19,7 @@ forms exist, tests hold the solver to them: Carter's line contact, Kalker's coef
 
 {{curve-time-answer}} Making the table of 33 nodes, which is for one ratio of axes, took
 {{curve-making}}; it pays from about as many forces on. Laws in closed form that have Kalker's slope
-are one to three per cent off, for a thousandth of the time of the full theory or less. Vermeulen
+are one to three per cent off, for less than a hundredth of the time of the full theory. Vermeulen
 and Johnson's law has a slope of its own, and the linear theory no limit of friction.
 
 The reference is what grids of 96 to 224 cells a side, solved by transforms, tend to, with the order
@@ -387,7 +387,7 @@ void spin_cells(report::Item& item) {
   item.value("spin-order", s.order, "", "{:.2f}");
   item.value("spin-order-fine", s.limit.order, "", "{:.2f}");
   item.value("spin-worst",
-             fmt::format("On 16 x 16 cells the worst of the 18 is {:.1e}, at {}.", worst, where));
+             fmt::format("On 16 x 16 cells the worst of the 18 is {:.3f}, at {}.", worst, where));
 }
 
 }  // namespace
