@@ -80,9 +80,9 @@ void corner_off(report::Item& item) {
   item.value(
       "corner-answer",
       fmt::format("A corner that is 1 % off makes the error of the profile up to {:.2f} mm instead "
-                  "of {:.2f}. To keep it below 0.1 mm, measure the corner to {:.1g} % and "
+                  "of {:.2f}. To keep it below 0.1 mm, measure the corner to {:.1f} % and "
                   "tell it to the digital filter, which works with any.",
-                  one_percent / mm, nominal / mm, 0.1 * mm / one_percent));
+                  one_percent / mm, nominal / mm, std::floor(10 * 0.1 * mm / one_percent) / 10));
 }
 
 void clock_step(report::Item& item) {
