@@ -369,11 +369,11 @@ after four steps it is below the error that the mesh leaves.
 
 {{fig-07}}
 
-"The new candidate contact boundary will be inside the old one", says the paper. As long as the
-candidate region encloses the contact, this is what happens on every mesh. But the mesh locates the
-edge to about a per cent, so the boundary can come to lie inside the true one; if the moves are
-free, outward ones of up to {{outward}} of the half width then bring it back. All of them start at
-{{outward-from}} of Hertz's ellipse.
+"The new candidate contact boundary will be inside the old one", says the paper. Until the candidate
+comes within {{outward-margin}} of the true boundary, this is what happens on every mesh. But the
+mesh locates the edge to about a per cent, so the boundary can come to lie inside the true one; if
+the moves are free, outward ones of up to {{outward}} of the half width then bring it back. On each
+mesh the outermost of these starts at {{outward-from}} of Hertz's ellipse.
 
 {{moves}}
 
@@ -495,6 +495,7 @@ void moves(report::Item& item) {
       "free moves also undo an undershoot; on the paper's mesh and fit, which we do not "
       "have, there may be none");
   item.value("outward", 100 * ranges[0].second, "%", "{:.1f}");
+  item.value("outward-margin", 100 * (ranges[1].second - 1), "%", "{:.1f}");
   item.value("outward-from", fmt::format("{:.3f} to {:.3f}", ranges[1].first, ranges[1].second));
   item.value("free-short", percents(ranges[2]));
   item.value("inward-short", percents(ranges[3]));

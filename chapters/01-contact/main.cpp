@@ -11,10 +11,10 @@
    printed numbers themselves ask for {{force-tread}} and {{moment-tread}}.
    {{outcome:example-2/F-printed}} {{outcome:example-2/M-printed}}
 3. Does the contact region only shrink while it is sought? "The new candidate contact boundary will
-   be inside the old one", says the paper. This holds on every mesh that we tried as long as the
-   candidate encloses the contact. As a rule of the program it leaves the contact {{inward-short}}
-   too short, against {{free-short}} if the boundary may also move back. The fit of the boundary is
-   ours. {{outcome:moves/inside}}
+   be inside the old one", says the paper. This holds on every mesh that we tried until the
+   candidate comes within {{outward-margin}} of the contact. As a rule of the program it leaves the
+   contact {{inward-short}} too short, against {{free-short}} if the boundary may also move back. The
+   fit of the boundary is ours. {{outcome:moves/inside}}
 :::
 
 B. Paul and J. Hashemi ask for the pressure where a steel wheel stands on a steel rail. When both
@@ -50,8 +50,8 @@ numbers, some of them misread, and of the drawings only scraps of their letterin
   {{outcome:table-2/own-load}}
 * **Example 2.** On a fine grid the force is {{off-f}} from the print and the moment {{off-m}}.
   {{outcome:example-2/F-printed}} {{outcome:example-2/M-printed}}
-* **Moves of the boundary** are all inward as long as the candidate region encloses the contact;
-  free moves also undo an undershoot. {{outcome:moves/inside}}
+* **Moves of the boundary** are all inward until the candidate comes within {{outward-margin}} of
+  the contact; free moves also undo an undershoot. {{outcome:moves/inside}}
 * **The three-point parabola** needs the half sentence that $p$ be one-valued in $y$; without it the
   iteration diverges. {{outcome:fig-04/three-points}}
 * **Examples 3 and 4** have no dimensions in our text. We chose some, and only the paper's claims

@@ -41,7 +41,7 @@ because the pressure is nowhere negative and somewhere positive.
 In Example 1 the curve reaches {{overlap}} as far as the contact. In all four examples every cell of
 the contact lies inside; the gap of the cell nearest to the curve is {{nearest}} of $\delta$.
 Earlier authors fixed their curve at an arbitrary depth and left $\delta$ free, and some of their
-contacts crossed it. The paper holds that this left the problem undetermined.
+contacts crossed it. The paper holds that this could leave the problem undetermined.
 
 ### Cells that follow the region
 
