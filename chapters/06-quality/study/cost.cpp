@@ -23,7 +23,7 @@ the error falls with order {{rk4-order}} only. All this is about one motion. Nei
 
 ### A histogram handed on from run to run
 
-The literal blob of {{fig-10}} from $t$ = 1 to 64, over {{visits}} runs of the geometry car: what one run leaves is what the next starts from, so that errors add up. Asked is the standard deviation
+The literal blob of the first page from $t$ = 1 to 64, over {{visits}} runs of the geometry car: what one run leaves is what the next starts from, so that errors add up. Asked is the standard deviation
 after the last run; the similarity solution is the reference.
 
 {{fig-spreading-time}}
