@@ -50,11 +50,16 @@ bool near_foreign_line(const FitOptions& o, double phi) {
   });
 }
 
+double line_half_width(const FitOptions& o) {
+  return std::min(o.line_half_width, 0.25 / o.rail_length);
+}
+
 bool masked(const FitOptions& o, double phi) {
   const double phi_0 = 1 / o.rail_length;
-  if (std::abs(phi - phi_0) <= o.line_half_width) return true;
+  if (std::abs(phi - phi_0) <= line_half_width(o)) return true;
+  const double half_width = std::min(harmonic_half_width, 0.25 * phi_0);
   const bool harmonic =
-      std::round(phi / phi_0) > 1 && std::abs(std::remainder(phi, phi_0)) <= harmonic_half_width;
+      std::round(phi / phi_0) > 1 && std::abs(std::remainder(phi, phi_0)) <= half_width;
   return harmonic || squared_gain(o.chord, phi) < o.least_gain || near_foreign_line(o, phi);
 }
 

@@ -14,6 +14,10 @@ double squared_gain(double chord, double phi);
 // wavenumber, or of a sideband of the new rail's lines (see modulated_lines)?
 bool near_foreign_line(const FitOptions& options, double phi);
 
+// Half the stretch (cycle/m) that belongs to the first line: as the options say, but at most a quarter of its wavenumber, so that long rails
+// leave the random part half of its bins.
+double line_half_width(const FitOptions& options);
+
 // Is phi left out of the regression: near phi_0, a harmonic or a foreign line, or where the chord sees nothing?
 bool masked(const FitOptions& options, double phi);
 

@@ -209,8 +209,8 @@ double width_at_half(const Eigen::ArrayXd& excess, Index peak, double df) {
 // of the random part itself, the error of the fitted model, and the beat of the line with the random part.
 void measure_line(const Spectrum& s, const FitOptions& o, const Eigen::Matrix3d& covariance,
                   SpectrumFit& fit) {
-  const auto first = static_cast<Index>(std::ceil((fit.phi_0 - o.line_half_width) / s.df));
-  const auto last = static_cast<Index>(std::floor((fit.phi_0 + o.line_half_width) / s.df));
+  const auto first = static_cast<Index>(std::ceil((fit.phi_0 - line_half_width(o)) / s.df));
+  const auto last = static_cast<Index>(std::floor((fit.phi_0 + line_half_width(o)) / s.df));
   const Index low = std::max<Index>(1, first), n = std::min(last, s.density.size() - 1) - low + 1;
   Eigen::ArrayXd excess = Eigen::ArrayXd::Zero(n), model = excess;
   Eigen::Vector3d gradient = Eigen::Vector3d::Zero();

@@ -22,9 +22,10 @@ struct FitOptions {
   Slopes slopes = Slopes::two;
   NoiseModel noise = NoiseModel::none;
   Averaging averaging = Averaging::bins;
-  double chord = 0;               // m; not 0 if the record is a mid-chord offset, not a profile
-  double least_gain = 0.1;        // with a chord, bins of smaller squared gain are left out
-  double line_half_width = 0.02;  // the line's power is summed over phi_0 +- this, cycle/m
+  double chord = 0;         // m; not 0 if the record is a mid-chord offset, not a profile
+  double least_gain = 0.1;  // with a chord, bins of smaller squared gain are left out
+  double line_half_width =
+      0.02;  // the line's power is summed over phi_0 +- this, cycle/m; at most phi_0/4
 };
 
 struct Estimate {
@@ -63,7 +64,7 @@ struct SpectrumFit {
 //
 // Fits the random part by regression of the logarithms, free of their bias (ln K - psi(K) for K averages),
 // over the band without the neighbourhoods of the rail-length harmonics (0.020 cycle/m around the first, 0.008
-// around the others) and of foreign lines (0.006); then takes the line's power as what remains above it.
+// around the others, at most a quarter of the first's wavenumber) and of foreign lines (0.006); then takes the line's power as what remains above it.
 // Standard errors hold for a stationary record that follows the model.
 //
 // Throws InputError for a band, rail or chord out of range (a chord above an eighth of a segment: its gain
@@ -77,9 +78,14 @@ double scatter_bias(const Spectrum& spectrum, const FitOptions& options, const S
                     double scatter);
 
 // The rail length that the spectrum shows, if it contradicts the one of `options`: a line that nobody named, or half or a third of its
-// wavenumber, between 8 and 40 m, with over twice the power that stands at the rail named. Among 1000 records with no joints, or with joints
+// wavenumber if that has a line of its own, between 8 and 40 m, with over twice the power that stands at the rail named, or with a line that was counted as that rail's and leaves none unnamed; or, where the rail named has no line, half or a third of its length that has. Among 1000 records with no joints, or with joints
 // where they were looked for, fewer than one contradicts.
 std::optional<double> contradicting_rail(const Spectrum& spectrum, const FitOptions& options,
                                          const SpectrumFit& fit);
+
+// The wavenumber (cycle/m) below which the spectrum falls to less than half of what the fit expects there, by over six standard errors, where that is in
+// the band of the fit or near it: a record without its long waves. Judged in the lowest bins that detrending leaves, up to twice the lower end of the band.
+std::optional<double> high_pass(const Spectrum& spectrum, const FitOptions& options,
+                                const SpectrumFit& fit);
 
 }  // namespace railbook::spectra

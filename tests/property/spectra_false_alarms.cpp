@@ -86,12 +86,14 @@ Count doubted_spectra(std::uint64_t first_seed, std::size_t records) {
       const auto fit = spectra::fit_track_spectrum(s, options);
       const bool misfit = fit.misfit >= 1.25,
                  stray = spectra::stray_line(s, options, fit).has_value(),
-                 rail = spectra::contradicting_rail(s, options, fit).has_value();
+                 rail = spectra::contradicting_rail(s, options, fit).has_value(),
+                 filtered = spectra::high_pass(s, options, fit).has_value();
       ++count.records;
-      count.doubted += misfit || stray || rail;
-      if (misfit || stray || rail)
+      count.doubted += misfit || stray || rail || filtered;
+      if (misfit || stray || rail || filtered)
         UNSCOPED_INFO("seed " << t.seed << " record " << r << ": misfit " << fit.misfit
-                              << ", stray " << stray << ", rail " << rail);
+                              << ", stray " << stray << ", rail " << rail << ", filtered "
+                              << filtered);
     }
   }
   return count;

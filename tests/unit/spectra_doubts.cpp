@@ -1,7 +1,9 @@
 // A rail that nobody named: found by its line, or by the second or third of its lines.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "spectra/spectrum_fit.hpp"
@@ -46,4 +48,55 @@ TEST_CASE("unit: a rail of another length than the one named shows by its lines"
   CHECK_FALSE(rail_seen({{9, weak}, {2.25, strong}}));
   // A line of neither.
   CHECK_FALSE(rail_seen({{6.5, strong}}));
+}
+
+TEST_CASE("unit: rails of half or twice the length named are not taken for each other") {
+  for (const double length : {12.5, 18.0, 25.0, 36.0}) {
+    const spectra::SyntheticTrack t{.spacing = 0.25,
+                                    .seed = 5,
+                                    .A = 2e-7,
+                                    .phi_c = 0.13,
+                                    .rail_length = length,
+                                    .dip = 6e-3 * std::sqrt(length / 18)};
+    std::vector<double> z(40000);
+    spectra::TrackGenerator{t}.fill(z);
+    const auto s = spectra::welch(z, t.spacing, {.segment = 4096});
+    const auto fit_of = [&](double rail) {
+      return spectra::fit_track_spectrum(s, {.rail_length = rail});
+    };
+    for (const double named : {11.8872, length / 2, 2 * length}) {
+      if (named < 8 || named > 40) continue;
+      CAPTURE(length, named);
+      const spectra::FitOptions options{.rail_length = named};
+      CHECK(spectra::contradicting_rail(s, options, fit_of(named)).value_or(0) ==
+            Approx(length).epsilon(0.01));
+    }
+    CHECK_FALSE(spectra::contradicting_rail(s, {.rail_length = length}, fit_of(length)));
+    CHECK(fit_of(length).A.value == Approx(2e-7).epsilon(0.15));
+  }
+}
+
+TEST_CASE("unit: a record without its long waves is told, others are not") {
+  const spectra::SyntheticTrack t{.spacing = 0.25, .seed = 9, .A = 5e-7, .phi_c = 0.13};
+  std::vector<double> z(48000);
+  spectra::TrackGenerator{t}.fill(z);
+  const auto told = [&](const std::vector<double>& record) {
+    const auto s = spectra::welch(record, t.spacing, {.segment = 4096});
+    return spectra::high_pass(s, {}, spectra::fit_track_spectrum(s)).has_value();
+  };
+  CHECK_FALSE(told(z));
+  for (const double length : {50.0, 70.0, 100.0}) {  // two real poles, forward and backward
+    auto passed = z;
+    for (int pass = 0; pass < 4; ++pass) {
+      const double keep = std::exp(-2 * units::pi * t.spacing / length);
+      double before = passed[0], out = 0;
+      for (double& height : passed) {
+        out = keep * (out + height - before);
+        before = std::exchange(height, out);
+      }
+      if (pass % 2 == 1) std::reverse(passed.begin(), passed.end());
+    }
+    CAPTURE(length);
+    CHECK(told(passed));
+  }
 }

@@ -139,6 +139,11 @@ void add_flags(tool::Summary& s, const Wish& wish, const Measured& m, const Fitt
                        "(--noise), a record that is filtered or an offset (--chord), or another "
                        "shape of spectrum{}",
                        fit.misfit, fit.misfit > misfit_refused ? "; no class is pronounced" : ""));
+  if (const auto phi = spectra::high_pass(m.spectrum, options, fit))
+    s.flag("high_pass",
+           fmt::format("waves longer than {:.3g} m are missing: the record is high-passed, and A "
+                       "comes out too low; fit what is above with --low {:.2g}cycle/m",
+                       1 / *phi, 2 * *phi));
   if (m.spectrum.segments < 4)
     s.flag("short", fmt::format("only {} segment(s) averaged: a longer record is needed",
                                 m.spectrum.segments));
