@@ -1,16 +1,22 @@
 /***
 ### The paper's algorithm, and where it fails
 
-The paper's flow chart has two loops. Inside: take the gains for the present shape and frequency, take the car's least damped eigenvector as the next shape, scale it to
-the amplitude wanted, and repeat until it reproduces itself. Outside: extrapolate the growth rate linearly in speed to zero. A footnote admits that "in a few
-cases" the least damped eigenvector does not reproduce itself, and that the next one is used then.
+The paper's flow chart has two loops. Inside: take the gains for the present shape and frequency,
+take the car's least damped eigenvector as the next shape, scale it to the amplitude wanted, and
+repeat until it reproduces itself. Outside: extrapolate the growth rate linearly in speed to zero. A
+footnote admits that "in a few cases" the least damped eigenvector does not reproduce itself, and
+that the next one is used then.
 
 {{code: dynamics/eigenvector_loop.cpp Loop}}
 
-{{fig-loop}} runs it on new wheels, in steps of 0.01 in of amplitude, each started from the last result. At {{loop-lost}} it stops converging: trucks have
-modes in nearly equal pairs, and the least damped takes turns between the front truck, the rear truck and both together. From {{loop-found}} on it converges
-again, now on the *other* family: {{loop-front}} at the front, {{loop-rear}} at the rear. That may be how the paper came to its fishtailing mode and its abrupt
-change of shape; its own curves are lost, so this is an inference. Started on the cycles of the first family themselves, the loop holds them with one of the two choices of mode at {{loop-held}} amplitudes between 0.41 and 0.74 in: what it finds depends on its start.
+{{fig-loop}} runs it on new wheels, in steps of 0.01 in of amplitude, each started from the last
+result. At {{loop-lost}} it stops converging: trucks have modes in nearly equal pairs, and the least
+damped takes turns between the front truck, the rear truck and both together. From {{loop-found}} on
+it converges again, now on the *other* family: {{loop-front}} at the front, {{loop-rear}} at the
+rear. That may be how the paper came to its fishtailing mode and its abrupt change of shape; its own
+curves are lost, so this is an inference. Started on the cycles of the first family themselves, the
+loop holds them with one of the two choices of mode at {{loop-held}} amplitudes between 0.41 and
+0.74 in: what it finds depends on its start.
 
 {{fig-loop}}
 

@@ -1,11 +1,13 @@
 /***
 ## The car
 
-Two trucks of three pieces each under a rigid body: nine degrees of freedom, $q=(X_{TF},X_{TR},\theta_{TF},\theta_{TR},\theta_{WF},
-\theta_{WR},X_C,\theta_C,\phi_C)$: each truck's lateral position, the yaw $\theta_T$ of its side frames and its *warp* $\theta_W$, the angle by which
-the parallelogram of side frames and axles is out of square; then the body's lateral position, yaw and roll. A wheelset stands at
-$x_w=X_T\pm L_T\theta_T$ with the yaw $\psi=\theta_T+\theta_W$; the bolster stays parallel to the axles and moves with the
-body. The creepages of its wheels are, in the paper's (1) to (5),
+Two trucks of three pieces each under a rigid body: nine degrees of freedom,
+$q=(X_{TF},X_{TR},\theta_{TF},\theta_{TR},\theta_{WF}, \theta_{WR},X_C,\theta_C,\phi_C)$: each
+truck's lateral position, the yaw $\theta_T$ of its side frames and its *warp* $\theta_W$, the angle
+by which the parallelogram of side frames and axles is out of square; then the body's lateral
+position, yaw and roll. A wheelset stands at $x_w=X_T\pm L_T\theta_T$ with the yaw
+$\psi=\theta_T+\theta_W$; the bolster stays parallel to the axles and moves with the body. The
+creepages of its wheels are, in the paper's (1) to (5),
 
 $$\xi_x=\frac{\dot x_w}V-\psi, \tag{1}$$
 
@@ -13,23 +15,26 @@ where $V$ is the speed, and
 
 $$\xi_{zR,L}=1\pm\frac aV\dot\psi-\frac{r_{R,L}}{r_0},\qquad \xi_{\theta R,L}=\pm\frac{\delta_{R,L}}{r_0}+\frac{\dot\psi}V, \tag{2}$$
 
-with half the distance $a$ of the two contact points and the rolling radius $r_0$ of the centred wheels. Gravity pushes sideways with
+with half the distance $a$ of the two contact points and the rolling radius $r_0$ of the centred
+wheels. Gravity pushes sideways with
 
 $$N_{xR}+N_{xL}=-W\Big(\frac{\delta_L-\delta_R}2+\phi_w\Big). \tag{6}$$
 
-where $W$ is the axle load. Table 1 of the paper, the equations of motion, is lost. They follow from these words and linear creep forces with the coefficients $f_{11}$ (lateral), $f_{33}$ (longitudinal), $f_{12}$ and $f_{22}$ (spin): one wheelset feels the force and the moment
+where $W$ is the axle load. Table 1 of the paper, the equations of motion, is lost. They follow from
+these words and linear creep forces with the coefficients $f_{11}$ (lateral), $f_{33}$
+(longitudinal), $f_{12}$ and $f_{22}$ (spin): one wheelset feels the force and the moment
 
 $$F=-2f_{11}\Big(\frac{\dot x_w}V-\psi\Big)-\frac{2f_{12}}V\dot\psi+\Big(\frac{2f_{12}}{r_0}-W\Big)D-W\Phi,$$
 $$M=-\frac{2(a^2f_{33}+f_{22})}V\dot\psi-\frac{2a^2f_{33}}{r_0}R+2f_{12}\Big(\frac{\dot x_w}V-\psi\Big)
   +\frac{2f_{22}}{r_0}D.$$
 
-Spin creep cancels {{spin-share}} of the force that gravity exerts through the contact angle: $2f_{12}/r_0$ = {{spin-force}} against an axle load of
-{{axle-load}}.
+Spin creep cancels {{spin-share}} of the force that gravity exerts through the contact angle:
+$2f_{12}/r_0$ = {{spin-force}} against an axle load of {{axle-load}}.
 
 {{code: dynamics/freight_car.cpp add_creep}}
 
-The suspension is springs in parallel with dry friction, whose describing function is (12) below; for the joints, with the amplitudes
-$A_1\ldots A_7$ of their rates,
+The suspension is springs in parallel with dry friction, whose describing function is (12) below;
+for the joints, with the amplitudes $A_1\ldots A_7$ of their rates,
 
 $$F_{xs}=K_xu+\frac{4F_{0x}}{\pi A}\dot u, \tag{13}$$
 
@@ -39,15 +44,19 @@ and (14) to (19) likewise for the rear, the vertical springs, warp and the centr
 
 {{parameters}}
 
-**The creep coefficients can be recomputed**, because the paper names the
-theory, Kalker's, and calls them full values: Hertz's ellipse of a 33-in wheel on a rail head of 10 in under half the axle load, steel of 29·10⁶ psi
-and Poisson's ratio 0.3 (radius and steel are assumptions), times Kalker's table.
+**The creep coefficients can be recomputed**, because the paper names the theory, Kalker's, and
+calls them full values: Hertz's ellipse of a 33-in wheel on a rail head of 10 in under half the axle
+load, steel of 29·10⁶ psi and Poisson's ratio 0.3 (radius and steel are assumptions), times Kalker's
+table.
 
 {{creep-coefficients}}
 
-Three agree with the print, which settles two exponents and that the values are full ones. The text that we have of the paper prints $f_{22}$ as 2.1, twenty times less than Kalker's theory gives, and we read 42.1. The
-ellipse gives {{f22}}; and the printed $f_{11}$ and $f_{12}$ give {{f22-print}} without crown, load and modulus, because $f_{22}f_{11}/f_{12}^2=C_{33}C_{22}/C_{23}^2$ depends on the
-ellipse's shape alone. All computations use 42.1. The literal 2.1 would change the critical speed with new wheels by {{f22-effect}}.
+Three agree with the print, which settles two exponents and that the values are full ones. The text
+that we have of the paper prints $f_{22}$ as 2.1, twenty times less than Kalker's theory gives, and
+we read 42.1. The ellipse gives {{f22}}; and the printed $f_{11}$ and $f_{12}$ give {{f22-print}}
+without crown, load and modulus, because $f_{22}f_{11}/f_{12}^2=C_{33}C_{22}/C_{23}^2$ depends on
+the ellipse's shape alone. All computations use 42.1. The literal 2.1 would change the critical
+speed with new wheels by {{f22-effect}}.
 */
 
 #include <fmt/format.h>

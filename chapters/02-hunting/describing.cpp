@@ -1,18 +1,20 @@
 /***
 ## Describing functions
 
-A sine of amplitude $A$ through a nonlinear function $f$ comes out distorted. Its describing function is the gain that
-loses least in the mean square (the paper's (7)),
+A sine of amplitude $A$ through a nonlinear function $f$ comes out distorted. Its describing
+function is the gain that loses least in the mean square (the paper's (7)),
 
 $$N(A)=\frac2{\pi A}\int_0^\pi f(A\sin\psi)\sin\psi\,d\psi . \tag{8}$$
 
-The constraint functions are tables, linear between points, and for these the integral is known: each change of
-slope $\Delta m_k$ at $b_k$ adds $\Delta m_k\,[1-\frac2\pi(\arcsin\beta+\beta\sqrt{1-\beta^2})]$, $\beta=b_k/A$, once $A$ exceeds $b_k$.
-No quadrature is needed, and the derivative $dN/dA$ for Newton's method comes along.
+The constraint functions are tables, linear between points, and for these the integral is known:
+each change of slope $\Delta m_k$ at $b_k$ adds $\Delta
+m_k\,[1-\frac2\pi(\arcsin\beta+\beta\sqrt{1-\beta^2})]$, $\beta=b_k/A$, once $A$ exceeds $b_k$. No
+quadrature is needed, and the derivative $dN/dA$ for Newton's method comes along.
 
 {{code: dynamics/describing_function.cpp evaluate}}
 
-These are the paper's Figures 7 to 9, with our profiles. The paper calls the first one *conicity*; which of the other two is its Figure 8 is not legible.
+These are the paper's Figures 7 to 9, with our profiles. The paper calls the first one *conicity*;
+which of the other two is its Figure 8 is not legible.
 
 {{fig-07}}
 
@@ -20,8 +22,10 @@ These are the paper's Figures 7 to 9, with our profiles. The paper calls the fir
 
 {{fig-09}}
 
-The paper says that the functions decrease once the contact has passed the steepest part of the flange. With our flanges $N_D$ does so, and $N_R$ and $N_\Phi$ go on rising with the radius. Which way the paper's went
-depends on the height and the tip of its flanges, which are lost, so this is not tested.
+The paper says that the functions decrease once the contact has passed the steepest part of the
+flange. With our flanges $N_D$ does so, and $N_R$ and $N_\Phi$ go on rising with the radius. Which
+way the paper's went depends on the height and the tip of its flanges, which are lost, so this is
+not tested.
 
 {{describing-claims}}
 
@@ -31,7 +35,8 @@ $$F=F_0\,\mathrm{sign}\,\dot X, \tag{11}$$
 
 $$N=\frac{4F_0}{\pi A}, \tag{12}$$
 
-where $A$ is the amplitude of the *rate*. With a viscous core of width $\varepsilon$ the gain is $F_0/\varepsilon$ up to $A=\varepsilon$; at $A=10\,\varepsilon$ the two differ by
+where $A$ is the amplitude of the *rate*. With a viscous core of width $\varepsilon$ the gain is
+$F_0/\varepsilon$ up to $A=\varepsilon$; at $A=10\,\varepsilon$ the two differ by
 {{friction-difference}}.
 
 {{code: dynamics/describing_function.cpp regularized_friction}}

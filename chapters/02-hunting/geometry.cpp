@@ -1,30 +1,36 @@
 /***
 ## Geometry of wheel and rail
 
-A wheelset on rails cannot roll about the track's axis or rise by itself: its place across the track decides how it
-lies. Five *constraint functions* of the lateral displacement $x_w$ say all that the dynamics needs: the rolling
-radii $r_L$, $r_R$, the angles $\delta_L$, $\delta_R$ of the contact planes to the axle, and the roll angle $\phi_w$.
-In the equations of motion they come as three odd functions,
+A wheelset on rails cannot roll about the track's axis or rise by itself: its place across the track
+decides how it lies. Five *constraint functions* of the lateral displacement $x_w$ say all that the
+dynamics needs: the rolling radii $r_L$, $r_R$, the angles $\delta_L$, $\delta_R$ of the contact
+planes to the axle, and the roll angle $\phi_w$. In the equations of motion they come as three odd
+functions,
 
 $$R=\frac{r_L-r_R}{2a},\qquad D=\frac{\delta_L-\delta_R}2,\qquad\Phi=\phi_w;$$
 
 the first steers, the other two push the wheelset back to the middle.
 
-**Profiles.** The paper takes a new wheel on a worn rail, the Canadian National's worn-wheel profile A on a new rail, and a modified
-Heumann wheel on the worn rail, at a gauge of {{gauge}}, and gives none of them. Here each is a chain of circular arcs and straight lines without corners. Rails have a 10 in crown, 1¼ in shoulders and 3/8
-in corners when new, are flatter and then sharper when worn, and lean inwards by 1:40. The new wheel is a 1:20
-cone with an 11/16 in throat; CN profile A has a hollow of {{cn-radius}} and the Heumann wheel one of
-{{heumann-radius}}; all have a 70° flange. The remaining lengths were chosen so that the profiles have the properties that the text states. These profiles can therefore not test those statements; a test of the library makes sure that they have them. The half spacing $a$ is {{half-spacing}}, the half
-distance of the rails' *heads*; the paper calls it half the gauge, which would be {{half-gauge}}.
+**Profiles.** The paper takes a new wheel on a worn rail, the Canadian National's worn-wheel profile
+A on a new rail, and a modified Heumann wheel on the worn rail, at a gauge of {{gauge}}, and gives
+none of them. Here each is a chain of circular arcs and straight lines without corners. Rails have a
+10 in crown, 1¼ in shoulders and 3/8 in corners when new, are flatter and then sharper when worn,
+and lean inwards by 1:40. The new wheel is a 1:20 cone with an 11/16 in throat; CN profile A has a
+hollow of {{cn-radius}} and the Heumann wheel one of {{heumann-radius}}; all have a 70° flange. The
+remaining lengths were chosen so that the profiles have the properties that the text states. These
+profiles can therefore not test those statements; a test of the library makes sure that they have
+them. The half spacing $a$ is {{half-spacing}}, the half distance of the rails' *heads*; the paper
+calls it half the gauge, which would be {{half-gauge}}.
 
-**Contact.** Roll the wheelset by $\phi$ and look at the vertical gap between wheel and rail on one side. Its
-least value must be the same on both sides, $h(x,\phi)=h(-x,-\phi)$: that fixes $\phi$. With arcs $u=u_c+\rho\sin\theta$, $z=z_c+\rho\cos\theta$ the gap of
-wheel and rail is stationary where both have the same angle,
+**Contact.** Roll the wheelset by $\phi$ and look at the vertical gap between wheel and rail on one
+side. Its least value must be the same on both sides, $h(x,\phi)=h(-x,-\phi)$: that fixes $\phi$.
+With arcs $u=u_c+\rho\sin\theta$, $z=z_c+\rho\cos\theta$ the gap of wheel and rail is stationary
+where both have the same angle,
 
 $$\sin\theta=\frac{u_c^{rail}-u_c^{wheel}}{\rho_{wheel}-\rho_{rail}},$$
 
-and where that falls outside the stretch the two arcs share, it is least at an end of the stretch. One walk along
-both chains finds the least gap to rounding, two-point contact included:
+and where that falls outside the stretch the two arcs share, it is least at an end of the stretch.
+One walk along both chains finds the least gap to rounding, two-point contact included:
 
 {{code: wheelrail/wheelset_contact.cpp parallel}}
 
@@ -36,18 +42,25 @@ both chains finds the least gap to rounding, two-point contact included:
 
 {{fig-05}}
 
-The last part of each figure shows the left wheel lifted off its rail; lines join the points that touch
-while the wheelset moves from {{far}} right to {{far}} left. The orange pair is a **two-point contact**, where
-the functions jump. The equations of motion take them as tables with a knot every
-0.0025 in and a running mean over {{mean}}, which makes a jump a ramp. What this width does to the results is shown where it matters, in {{stability-range}}.
+The last part of each figure shows the left wheel lifted off its rail; lines join the points that
+touch while the wheelset moves from {{far}} right to {{far}} left. The orange pair is a **two-point
+contact**, where the functions jump. The equations of motion take them as tables with a knot every
+0.0025 in and a running mean over {{mean}}, which makes a jump a ramp. What this width does to the
+results is shown where it matters, in {{stability-range}}.
 
-**Flange contact** is a word that the paper does not define. Here it begins where the left wheel leaves its tread for the arc between tread and flange, less half the width of the running mean: at {{flange-new}}
-with new wheels, {{flange-cn}} with CN and {{flange-heumann}} with Heumann wheels. For the new wheel this is the jump to the flange, at {{jump-new}}. The two worn profiles have a fillet first: a CN wheel comes to its fillet at a
-contact angle of {{fillet-cn}} only, and jumps to the flange at {{jump-cn}} ({{jump-heumann}} with Heumann wheels). Where a statement needs the jump, its row says so.
+**Flange contact** is a word that the paper does not define. Here it begins where the left wheel
+leaves its tread for the arc between tread and flange, less half the width of the running mean: at
+{{flange-new}} with new wheels, {{flange-cn}} with CN and {{flange-heumann}} with Heumann wheels.
+For the new wheel this is the jump to the flange, at {{jump-new}}. The two worn profiles have a
+fillet first: a CN wheel comes to its fillet at a contact angle of {{fillet-cn}} only, and jumps to
+the flange at {{jump-cn}} ({{jump-heumann}} with Heumann wheels). Where a statement needs the jump,
+its row says so.
 
-**Words as numbers.** Each word of the paper is read alike in the whole chapter, by one rule. It was written down when first results were known, so it is no prediction:
-*constant*, *vertical*, *the same*: within 1 %, the width of a printed line; *nearly*, *about*, *insignificant*: a tenth; *small*, *low*: below half;
-*much*, *large*, *drastically*, *abruptly*: by $\sqrt2$ or more, nearer to twice than to the same; *slightly*: by less; *several*: twice or more.
+**Words as numbers.** Each word of the paper is read alike in the whole chapter, by one rule. It was
+written down when first results were known, so it is no prediction: *constant*, *vertical*, *the
+same*: within 1 %, the width of a printed line; *nearly*, *about*, *insignificant*: a tenth;
+*small*, *low*: below half; *much*, *large*, *drastically*, *abruptly*: by $\sqrt2$ or more, nearer
+to twice than to the same; *slightly*: by less; *several*: twice or more.
 
 {{geometry-claims}}
 */

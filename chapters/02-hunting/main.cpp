@@ -7,13 +7,17 @@
 3. **Are the creep coefficients Kalker's full values, as the paper says?** The printed values are {{creep-range}} the computed ones ({{outcome:creep-coefficients/full-kalker}}), for an assumed rail crown of 8 to 14 in. That restores two exponents and a digit which our text of the paper has lost.
 :::
 
-Above some speed a railway car does not run straight: its wheelsets weave from flange to flange, a *limit cycle* that nothing outside
-drives. R. Hull and N. K. Cooperrider asked in 1976 at which speeds an empty North American freight car does so, how far it swings, and
-what the profiles of wheel and rail have to do with it. They used describing functions: replace every nonlinear function by the gain
-that a sine of the amplitude in question would feel, and look for the speed at which that amplitude neither grows nor dies.
+Above some speed a railway car does not run straight: its wheelsets weave from flange to flange, a
+*limit cycle* that nothing outside drives. R. Hull and N. K. Cooperrider asked in 1976 at which
+speeds an empty North American freight car does so, how far it swings, and what the profiles of
+wheel and rail have to do with it. They used describing functions: replace every nonlinear function
+by the gain that a sine of the amplitude in question would feel, and look for the speed at which
+that amplitude neither grows nor dies.
 
-We have the paper as machine-read text (OCR) and not its drawings. Its figures, its profiles of wheel and rail and part of its table of data are lost or illegible. This
-chapter rebuilds profiles that fit what the text says of them. What is shown with these profiles and with dampers of our own counts as *consistent* with the paper at most, and not as confirmed.
+We have the paper as machine-read text (OCR) and not its drawings. Its figures, its profiles of
+wheel and rail and part of its table of data are lost or illegible. This chapter rebuilds profiles
+that fit what the text says of them. What is shown with these profiles and with dampers of our own
+counts as *consistent* with the paper at most, and not as confirmed.
 
 {{include: geometry.cpp}}
 
@@ -41,31 +45,47 @@ chapter rebuilds profiles that fit what the text says of them. What is shown wit
 
 ## Deviations
 
-* *Much lower speeds with CN wheels*: {{outcome:dampers/much-lower-cn}}. The speed is {{cn-ratio-tried}} that with new wheels, for all dampers that were tried and meet the printed 145 ft/s and 12 rad/s, slopes of 2.5 to 3.5 times the new wheel's, and from the printed frequencies alone.
-* *Worn wheels: the body moves little, "as would be expected at high frequencies"*: {{outcome:mode-claims/high-frequencies}}. It moves little because the trucks oppose each other.
+* *Much lower speeds with CN wheels*: {{outcome:dampers/much-lower-cn}}. The speed is
+  {{cn-ratio-tried}} that with new wheels, for all dampers that were tried and meet the printed 145
+  ft/s and 12 rad/s, slopes of 2.5 to 3.5 times the new wheel's, and from the printed frequencies
+  alone.
+* *Worn wheels: the body moves little, "as would be expected at high frequencies"*:
+  {{outcome:mode-claims/high-frequencies}}. It moves little because the trucks oppose each other.
 
-These follow from our reconstruction and say nothing against the paper, which may have had other profiles:
+These follow from our reconstruction and say nothing against the paper, which may have had other
+profiles:
 
-* With linear creep the full equations lose the stable cycles of new wheels on the flange between {{torus-range}}, long before the describing functions do.
-* The stable cycles of CN wheels with both trucks on the flange exist with other dampers than ours only.
-* Three frequencies approach 30.5 rad/s on the flange by describing functions, and less closely by the full equations.
-* A sweep of the paper's algorithm from the critical speed goes over from one family of cycles to another; it finds the first one only when it is started there.
+* With linear creep the full equations lose the stable cycles of new wheels on the flange between
+  {{torus-range}}, long before the describing functions do.
+* The stable cycles of CN wheels with both trucks on the flange exist with other dampers than ours
+  only.
+* Three frequencies approach 30.5 rad/s on the flange by describing functions, and less closely by
+  the full equations.
+* A sweep of the paper's algorithm from the critical speed goes over from one family of cycles to
+  another; it finds the first one only when it is started there.
 
 ## Limits
 
-**Geometry.** Wheelset and rails are rigid and both sides are alike; yaw of the wheelset is left out, as in the paper. The contact is the
-point of the least *vertical* gap of two curves in one plane; how tread and flange share the load needs an elastic model.
+**Geometry.** Wheelset and rails are rigid and both sides are alike; yaw of the wheelset is left
+out, as in the paper. The contact is the point of the least *vertical* gap of two curves in one
+plane; how tread and flange share the load needs an elastic model.
 
-The flanges of our wheels rise {{flange-height}} above the tread's height at the rolling circle, where those of North American wheels rise about 1 in. Amplitudes beyond some 0.6 in stand on their upper part.
+The flanges of our wheels rise {{flange-height}} above the tread's height at the rolling circle,
+where those of North American wheels rise about 1 in. Amplitudes beyond some 0.6 in stand on their
+upper part.
 
-**Limit cycles.** Creep is linear, as in the paper, except in {{creep-limited}}. The friction of the suspension is regularized,
-and results at hundredths of an inch depend on how. Only odd cycles are searched for, along branches from critical speeds and from cycles with front and rear exchanged.
+**Limit cycles.** Creep is linear, as in the paper, except in {{creep-limited}}. The friction of the
+suspension is regularized, and results at hundredths of an inch depend on how. Only odd cycles are
+searched for, along branches from critical speeds and from cycles with front and rear exchanged.
 
 ## Try next
 
-* Continue the cycles in another datum than speed (`dynamics::by_datum`); the centre plates' friction would be the first to try.
-* `railbook hunting geometry` with another `--gauge`: a worn wheel's conicity depends on half an inch of it.
-* `railbook hunting cycle --pair cn --suspension friction`: that is the first family; the one of {{fig-11}} comes with `--family 2`.
+* Continue the cycles in another datum than speed (`dynamics::by_datum`); the centre plates'
+  friction would be the first to try.
+* `railbook hunting geometry` with another `--gauge`: a worn wheel's conicity depends on half an
+  inch of it.
+* `railbook hunting cycle --pair cn --suspension friction`: that is the first family; the one of
+  {{fig-11}} comes with `--family 2`.
 */
 
 #include "sections.hpp"

@@ -3,8 +3,9 @@
 
 {{scene-hunting}}
 
-The cycle of the new wheel at 150 ft/s at the moment when the rear leading wheelset is farthest out. Lateral motion, yaw and roll
-are enlarged {{scene-factor}} times, the car is not; the body goes along with the trucks.
+The cycle of the new wheel at 150 ft/s at the moment when the rear leading wheelset is farthest out.
+Lateral motion, yaw and roll are enlarged {{scene-factor}} times, the car is not; the body goes
+along with the trucks.
 */
 
 #include <Eigen/Geometry>

@@ -1,31 +1,48 @@
 /***
 ## Are the cycles stable? The full equations
 
-The paper asks for "validation of the quasi-linear results by comparison with numerical integration". The branches of the full equations in {{fig-11}} are followed by harmonic balance, with as many
-harmonics as each cycle needs. After one period of a cycle a small disturbance has grown by factors that are called the Floquet multipliers $\mu$. The cycle is
-stable if all of them, but for the 1 of a shift along the cycle, lie inside the unit circle; where one leaves it the point is located.
+The paper asks for "validation of the quasi-linear results by comparison with numerical
+integration". The branches of the full equations in {{fig-11}} are followed by harmonic balance,
+with as many harmonics as each cycle needs. After one period of a cycle a small disturbance has
+grown by factors that are called the Floquet multipliers $\mu$. The cycle is stable if all of them,
+but for the 1 of a shift along the cycle, lie inside the unit circle; where one leaves it the point
+is located.
 
 {{code: dynamics/continuation.cpp follow_from_hopf}}
 
 {{true-branches}}
 
-**What the describing functions get right** is everything up to the flange, and the beginning of flange contact: where the branch leaves the critical speed, how far the car swings there, and that this cycle is
-stable. Their amplitude is right within {{df-error-new}} for the new wheel at 150 ft/s, {{df-error-cn}} for CN at 131.5 and {{df-error-friction}} with friction at 100 ft/s. **What they cannot say** is how far
-that goes. With new wheels the paper's rule calls the cycles stable to {{fold-quasi-new}}; the equations' branch turns at {{fold-new}}, and from {{torus-speed}} on
-its cycles are unstable: a *torus* bifurcation, at which a second frequency begins to grow on the cycle. What grows is the motion in which the trucks oppose each other, the one of the second critical speed: the front and the rear truck then take turns. That the
-two speeds are near each other is chance; with other dampers they part. With CN wheels the two folds are near one another,
+**What the describing functions get right** is everything up to the flange, and the beginning of
+flange contact: where the branch leaves the critical speed, how far the car swings there, and that
+this cycle is stable. Their amplitude is right within {{df-error-new}} for the new wheel at 150
+ft/s, {{df-error-cn}} for CN at 131.5 and {{df-error-friction}} with friction at 100 ft/s. **What
+they cannot say** is how far that goes. With new wheels the paper's rule calls the cycles stable to
+{{fold-quasi-new}}; the equations' branch turns at {{fold-new}}, and from {{torus-speed}} on its
+cycles are unstable: a *torus* bifurcation, at which a second frequency begins to grow on the cycle.
+What grows is the motion in which the trucks oppose each other, the one of the second critical
+speed: the front and the rear truck then take turns. That the two speeds are near each other is
+chance; with other dampers they part. With CN wheels the two folds are near one another,
 {{fold-quasi-cn}} and {{fold-cn}}, and stability ends at {{cn-end}}.
 
-**What the speed at which stability ends depends on.** With new wheels the whole branch from the critical speed to its fold swings between {{ramp-low}} and {{ramp-high}}, and the jump to the flange at {{jump-new}} has been made a ramp by the running mean over {{mean}}.
-The narrower the mean, the earlier stability ends, and with a narrow one it is symmetry that is lost; without a mean there is no stable cycle with flange contact at all. It also depends on the dampers, and with some that give 145 ft/s and 12 rad/s as well there is none either. All that is known is a range: where there are stable cycles,
-stability ends between {{torus-range}}, with linear creep.
+**What the speed at which stability ends depends on.** With new wheels the whole branch from the
+critical speed to its fold swings between {{ramp-low}} and {{ramp-high}}, and the jump to the flange
+at {{jump-new}} has been made a ramp by the running mean over {{mean}}. The narrower the mean, the
+earlier stability ends, and with a narrow one it is symmetry that is lost; without a mean there is
+no stable cycle with flange contact at all. It also depends on the dampers, and with some that give
+145 ft/s and 12 rad/s as well there is none either. All that is known is a range: where there are
+stable cycles, stability ends between {{torus-range}}, with linear creep.
 
 {{stability-range}}
 
-**Friction between wheel and rail.** Linear creep is the paper's, and on the flange the creep forces that it asks for are many times what friction can carry. The paper names wheel slip as future work. With creep forces that
-friction limits (Shen, Hedrick and Elkins's cubic, as in `railbook hunting cycle --wheel-rail-friction`) the branch leaves the same critical speed *backwards*: motions near the flange grow at lower speeds than small ones. With friction coefficients
-of 0.2 to 0.4 there are stable cycles on the flange from {{creep-begins}} on. At 130 ft/s a car that is displaced by 0.05 in comes to rest, and one displaced by 0.43 in goes on hunting. At 160 ft/s, where the car with
-linear creep leaves the end of its tables beyond the flange's top, it may still hunt on the flange ({{creep-limited}}).
+**Friction between wheel and rail.** Linear creep is the paper's, and on the flange the creep forces
+that it asks for are many times what friction can carry. The paper names wheel slip as future work.
+With creep forces that friction limits (Shen, Hedrick and Elkins's cubic, as in `railbook hunting
+cycle --wheel-rail-friction`) the branch leaves the same critical speed *backwards*: motions near
+the flange grow at lower speeds than small ones. With friction coefficients of 0.2 to 0.4 there are
+stable cycles on the flange from {{creep-begins}} on. At 130 ft/s a car that is displaced by 0.05 in
+comes to rest, and one displaced by 0.43 in goes on hunting. At 160 ft/s, where the car with linear
+creep leaves the end of its tables beyond the flange's top, it may still hunt on the flange
+({{creep-limited}}).
 
 {{creep-limited}}
 

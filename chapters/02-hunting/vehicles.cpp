@@ -1,24 +1,30 @@
 /***
 ## Limit cycles by describing functions
 
-Replace every nonlinear function by its describing function. For a motion $q\,e^{i\omega t}$ the car's equations, (9), become nine complex
-ones,
+Replace every nonlinear function by its describing function. For a motion $q\,e^{i\omega t}$ the
+car's equations, (9), become nine complex ones,
 
 $$\begin{aligned}N(A,\omega)\,x=0:\quad\Big[K_s+K_c&-\sum_i(g^R_iN_R+g^D_iN_D+g^\Phi_iN_\Phi)\,b_i\\
   &+i\omega\Big(C_s+\frac{C_c}V+\sum_jd_j^TN_jd_j\Big)-\omega^2M\Big]q=0,\end{aligned} \tag{10}$$
 
-with the matrices of mass $M$, of the suspension's stiffness and damping $K_s$, $C_s$ and of the linear creep forces $K_c$, $C_c$; the row $b_i$ that gives wheelset $i$'s displacement, the forces $g_i$ that unit values of $R$, $D$ and $\Phi$ exert at it, and the rows $d_j$ that give the motion across joint $j$. The gains $N$ depend on the four wheelsets' amplitudes $A_i=|b_iq|$ and, with dry friction, on the seven joints'
-rates. The unknowns are $q$, $\omega$ and $V$: twenty real ones for eighteen equations. One more fixes the phase, and
-the last picks the point on the branch by a step of given length along its tangent (pseudo-arclength), so that the branch may turn round in
-speed and in amplitude, as it does. Newton's Jacobian is exact:
+with the matrices of mass $M$, of the suspension's stiffness and damping $K_s$, $C_s$ and of the
+linear creep forces $K_c$, $C_c$; the row $b_i$ that gives wheelset $i$'s displacement, the forces
+$g_i$ that unit values of $R$, $D$ and $\Phi$ exert at it, and the rows $d_j$ that give the motion
+across joint $j$. The gains $N$ depend on the four wheelsets' amplitudes $A_i=|b_iq|$ and, with dry
+friction, on the seven joints' rates. The unknowns are $q$, $\omega$ and $V$: twenty real ones for
+eighteen equations. One more fixes the phase, and the last picks the point on the branch by a step
+of given length along its tangent (pseudo-arclength), so that the branch may turn round in speed and
+in amplitude, as it does. Newton's Jacobian is exact:
 
 {{code: dynamics/cycle_solver.cpp solve_cycle}}
 
-There are four vehicles, as in the paper: new, CN and Heumann wheels with linear dampers, and CN wheels with dry friction. A branch
-begins at each critical speed of the linear car. With friction there is none, because sticking joints make $N=4F_0/\pi A$ infinite. The
-friction is therefore viscous below a small rate (0.005 ft/s in translation, 0.0005 rad/s in rotation); the critical
-speeds of that car depend on those rates alone and serve as a start. They begin two families, one of the rear truck alone and one of both trucks; the figures have the second, because the
-paper says that without flange contact both trucks have about the same amplitude.
+There are four vehicles, as in the paper: new, CN and Heumann wheels with linear dampers, and CN
+wheels with dry friction. A branch begins at each critical speed of the linear car. With friction
+there is none, because sticking joints make $N=4F_0/\pi A$ infinite. The friction is therefore
+viscous below a small rate (0.005 ft/s in translation, 0.0005 rad/s in rotation); the critical
+speeds of that car depend on those rates alone and serve as a start. They begin two families, one of
+the rear truck alone and one of both trucks; the figures have the second, because the paper says
+that without flange contact both trucks have about the same amplitude.
 */
 
 #include "vehicles.hpp"
@@ -100,17 +106,17 @@ wheelrail::ConstraintFunctions new_wheel_table(double running_mean, double knot)
                               .average = running_mean});
 }
 
-LimitCycleBranch branch_with(const FreightCar& car, const wheelrail::ConstraintFunctions& table,
+LimitCycleBranch branch_with(const FreightCar& moved, const wheelrail::ConstraintFunctions& table,
                              const std::optional<CreepLimit>& creep,
                              const std::function<bool(const LimitCycle&)>& go_on) {
-  const Motion hopf = hopf_points({car, table}, 20 * foot, 400 * foot).at(0).motion;
+  const Motion hopf = hopf_points({moved, table}, 20 * foot, 400 * foot).at(0).motion;
   ContinuationOptions options;
   options.lowest = 1 * foot;
   options.highest = 250 * foot;
   options.first_amplitude = 0.036 * inch;
   options.largest_amplitude = 0.44 * inch;
   options.go_on = go_on;
-  return follow_from_hopf(by_speed(car, table, creep), hopf.shape, hopf.lambda.imag(), hopf.speed,
+  return follow_from_hopf(by_speed(moved, table, creep), hopf.shape, hopf.lambda.imag(), hopf.speed,
                           options);
 }
 

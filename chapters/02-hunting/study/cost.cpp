@@ -1,32 +1,42 @@
 /***
 ### One cycle of the full equations
 
-The amplitude of the new wheel's cycle at 150 ft/s. Balance begins at the describing function's cycle, shooting at nine harmonics, and integration, what a user would otherwise take, at the describing
-function's cycle for 20 s, until its transient has died out. The reference is shooting in exact pieces to a closing error of 1e-13, which shares the method, and not the tolerance, with the shooting that is judged; its uncertainty is how far the explicit integration at 1e-12, which shares nothing with it, is from it.
+The amplitude of the new wheel's cycle at 150 ft/s. Balance begins at the describing function's
+cycle, shooting at nine harmonics, and integration, what a user would otherwise take, at the
+describing function's cycle for 20 s, until its transient has died out. The reference is shooting in
+exact pieces to a closing error of 1e-13, which shares the method, and not the tolerance, with the
+shooting that is judged; its uncertainty is how far the explicit integration at 1e-12, which shares
+nothing with it, is from it.
 
 {{cycle-time}}
 
 {{work-precision: cycle-time}}
 
-The tables have kinks, and the jump of two-point contact is a ramp 0.02 in wide, so that the error of harmonic balance falls with a power of the number of harmonics and not
-exponentially. {{cycle-answer}} Integration finds stable cycles only; the others need shooting or balance.
+The tables have kinks, and the jump of two-point contact is a ramp 0.02 in wide, so that the error
+of harmonic balance falls with a power of the number of harmonics and not exponentially.
+{{cycle-answer}} Integration finds stable cycles only; the others need shooting or balance.
 
 ### Its multipliers
 
-The largest pair of the half-period map's multipliers. Hill's determinant in the cycle's harmonics needs no integration. The variational equation along the balanced cycle, in equal steps with the laws
-averaged over each, is what the branches of the first page use. The reference is the derivative carried along exact pieces; its uncertainty is what the pieces' tolerance does to it.
+The largest pair of the half-period map's multipliers. Hill's determinant in the cycle's harmonics
+needs no integration. The variational equation along the balanced cycle, in equal steps with the
+laws averaged over each, is what the branches of the first page use. The reference is the derivative
+carried along exact pieces; its uncertainty is what the pieces' tolerance does to it.
 
 {{multiplier-time}}
 
 {{work-precision: multiplier-time}}
 
-{{multiplier-answer}} Each harmonic more brings Hill's determinant little, for the slope of a law has jumps where the law has kinks. The variational equation is of second order in its step, but from 1024 steps on its error is that of the cycle, which is cut at 95
-harmonics, and no longer that of the steps.
+{{multiplier-answer}} Each harmonic more brings Hill's determinant little, for the slope of a law
+has jumps where the law has kinks. The variational equation is of second order in its step, but from
+1024 steps on its error is that of the cycle, which is cut at 95 harmonics, and no longer that of
+the steps.
 
 ### One describing-function cycle: the paper's loop against Newton
 
-Heumann wheels at 0.2 in, from the linear car's mode: by the paper's two loops, stopped at growth rates of $10^{-1}$ to $10^{-7}$ 1/s, and by Newton with its exact Jacobian,
-stopped after one to three steps (the fourth is at rounding). The reference is the same cycle reached by continuation.
+Heumann wheels at 0.2 in, from the linear car's mode: by the paper's two loops, stopped at growth
+rates of $10^{-1}$ to $10^{-7}$ 1/s, and by Newton with its exact Jacobian, stopped after one to
+three steps (the fourth is at rounding). The reference is the same cycle reached by continuation.
 
 {{df-time}}
 

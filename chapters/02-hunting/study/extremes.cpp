@@ -1,5 +1,6 @@
 /***
-The rows strain the search for cycles and critical speeds, friction's sticking rate and the end of the tables. Random cars, wheels without a cone and a speed of zero are tests of the library.
+The rows strain the search for cycles and critical speeds, friction's sticking rate and the end of
+the tables. Random cars, wheels without a cone and a speed of zero are tests of the library.
 */
 
 #include <fmt/format.h>

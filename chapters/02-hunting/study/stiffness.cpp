@@ -1,14 +1,20 @@
 /***
 ### Time at a fixed error against stiffness
 
-Two things make the car stiff. Creep damps with $1/V$: at 1 ft/s its fastest motion dies in {{decay-time}}, while it hunts with a period of {{period}}. And dry friction, viscous below a
-sticking rate, damps with one over that rate. {{stiffness}} shows what each integrator needs to bring a slow car through a tenth of its period of hunting, and the car with friction at 90 ft/s through a quarter of a second, to
-within 1e-4 of the largest coordinate. For each method it is the cost at the largest tolerance, in decades from 1e-2 down, that does. Exact pieces always work at 1e-12 or less, whatever is asked, so that they have one cost. The reference is exact pieces at 1e-13, which shares its method with them; its difference from the implicit method at 1e-8, which shares nothing with it,
-is {{stiff-reference}} at 1 ft/s.
+Two things make the car stiff. Creep damps with $1/V$: at 1 ft/s its fastest motion dies in
+{{decay-time}}, while it hunts with a period of {{period}}. And dry friction, viscous below a
+sticking rate, damps with one over that rate. {{stiffness}} shows what each integrator needs to
+bring a slow car through a tenth of its period of hunting, and the car with friction at 90 ft/s
+through a quarter of a second, to within 1e-4 of the largest coordinate. For each method it is the
+cost at the largest tolerance, in decades from 1e-2 down, that does. Exact pieces always work at
+1e-12 or less, whatever is asked, so that they have one cost. The reference is exact pieces at
+1e-13, which shares its method with them; its difference from the implicit method at 1e-8, which
+shares nothing with it, is {{stiff-reference}} at 1 ft/s.
 
 {{stiffness}}
 
-{{speed-answer}} {{sticking-answer}} The explicit method and the pieces' Taylor series must follow the fastest decay whatever it does to the motion; the implicit one takes steps of the motion's own
+{{speed-answer}} {{sticking-answer}} The explicit method and the pieces' Taylor series must follow
+the fastest decay whatever it does to the motion; the implicit one takes steps of the motion's own
 size, and pays for each with a factorization.
 */
 
