@@ -4,8 +4,8 @@
 The paper's flow chart has two loops. Inside: take the gains for the present shape and frequency,
 take the car's least damped eigenvector as the next shape, scale it to the amplitude wanted, and
 repeat until it reproduces itself. Outside: extrapolate the growth rate linearly in speed to zero. A
-footnote admits that "in a few cases" the least damped eigenvector does not reproduce itself, and
-that the next one is used then.
+footnote says that the least damped eigenvector sometimes does not reproduce itself, and that the
+next one is used then.
 
 {{code: dynamics/eigenvector_loop.cpp Loop}}
 
