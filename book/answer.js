@@ -18,7 +18,8 @@ function cells(line) {
   return [...line.matchAll(/("([^"]|"")*"|[^,]*)(,|$)/g)].map((m) => m[1].replace(/^"|"$/g, "").replaceAll('""', '"')).slice(0, -1);
 }
 
-const colours = ["var(--text)", "#2b8cd0", "#e0702a", "#0fa87c", "#c76aa5", "#b8860b"];
+const colours = ["var(--text)", "var(--curve-1)", "var(--curve-2)", "var(--curve-3)", "var(--curve-4)", "var(--curve-5)"];
+let panelCount = 0;
 const svgns = "http://www.w3.org/2000/svg";
 const draw = (name, attributes, text) => {
   const element = document.createElementNS(svgns, name);
@@ -54,14 +55,21 @@ class Panel {
     this.names = [];
     if (kind === "says") {
       this.root = make("dl", {className: "says"});
+      this.root.setAttribute("aria-live", "polite");
       return;
     }
-    this.root = draw("svg", {viewBox: "0 0 470 290", role: "img", "aria-label": name});
+    this.drawing = draw("svg", {viewBox: "0 0 470 290", role: "img", "aria-label": name + ": " + yLabel + " against " + xLabel});
+    this.keys = make("p", {className: "keys"});
+    this.root = make("div", {}, this.drawing, this.keys);
     this.axes();
-    if (kind === "plane") this.root.append(draw("ellipse", {cx: this.x(0), cy: this.y(0), rx: this.x(1) - this.x(0), ry: this.y(0) - this.y(1),
+    const clip = "panel-" + ++panelCount; // what leaves the axes is cut off there
+    const frame = draw("clipPath", {id: clip});
+    frame.append(draw("rect", {x: 50, y: 26, width: 402, height: 222}));
+    this.drawing.append(frame);
+    if (kind === "plane") this.drawing.append(draw("ellipse", {cx: this.x(0), cy: this.y(0), rx: this.x(1) - this.x(0), ry: this.y(0) - this.y(1),
       fill: "none", stroke: colours[1], "stroke-width": 1.5}));
-    this.curves = draw("g", {});
-    this.root.append(this.curves);
+    this.curves = draw("g", {"clip-path": "url(#" + clip + ")"});
+    this.drawing.append(this.curves);
   }
 
   x(v) { return 52 + 398 * (this.xLog ? Math.log(v / this.x0) / Math.log(this.x1 / this.x0) : (v - this.x0) / (this.x1 - this.x0)); }
@@ -69,12 +77,12 @@ class Panel {
 
   axes() {
     for (const v of ticks(this.x0, this.x1, this.xLog))
-      this.root.append(draw("line", {class: "grid", x1: this.x(v), x2: this.x(v), y1: 28, y2: 246}),
+      this.drawing.append(draw("line", {class: "grid", x1: this.x(v), x2: this.x(v), y1: 28, y2: 246}),
         draw("text", {x: this.x(v), y: 260, "text-anchor": "middle"}, short(v)));
     for (const v of ticks(this.y0, this.y1, this.yLog))
-      this.root.append(draw("line", {class: "grid", x1: 52, x2: 450, y1: this.y(v), y2: this.y(v)}),
+      this.drawing.append(draw("line", {class: "grid", x1: 52, x2: 450, y1: this.y(v), y2: this.y(v)}),
         draw("text", {x: 47, y: this.y(v) + 4, "text-anchor": "end"}, short(v)));
-    this.root.append(draw("text", {x: 251, y: 280, "text-anchor": "middle"}, this.xLabel),
+    this.drawing.append(draw("text", {x: 251, y: 280, "text-anchor": "middle"}, this.xLabel),
       draw("text", {transform: "translate(11 137) rotate(-90)", "text-anchor": "middle"}, this.yLabel),
       draw("text", {x: 251, y: 14, "text-anchor": "middle", class: "name"}, this.name));
   }
@@ -82,6 +90,13 @@ class Panel {
   colour(curve) {
     if (!this.names.includes(curve)) this.names.push(curve);
     return colours[this.names.indexOf(curve) % colours.length];
+  }
+
+  key(curve, colour, dashes, dots) {
+    const sample = draw("svg", {viewBox: "0 0 22 8", width: 22, height: 8, "aria-hidden": "true"});
+    sample.append(!dots ? draw("line", {x1: 0, x2: 22, y1: 4, y2: 4, stroke: colour, "stroke-width": 2, "stroke-dasharray": dashes})
+      : draw("circle", {cx: 11, cy: 4, r: 3.5, fill: colour}));
+    return make("span", {className: "key"}, sample, " " + curve);
   }
 
   show(rows) {
@@ -96,18 +111,19 @@ class Panel {
       return;
     }
     this.curves.replaceChildren();
+    this.keys.replaceChildren();
     let at = 0;
     for (const [curve, points] of curves) {
       const colour = this.colour(curve);
-      const inside = points.map(([x, y]) => [Number(x), Number(y)]).map(([x, y]) => [this.x(x),
-        Math.min(260, Math.max(20, this.y(this.yLog ? Math.max(y, this.y0 / 10) : y)))]);
-      if (this.kind !== "lines" || inside.length === 1) {
+      const inside = points.map(([x, y]) => [Number(x), Number(y)]).map(([x, y]) => [this.x(x), this.y(this.yLog ? Math.max(y, this.y0 / 10) : y)]);
+      const dots = this.kind !== "lines" || inside.length === 1;
+      if (dots) {
         for (const [x, y] of inside) this.curves.append(draw("circle", {cx: x, cy: y, r: this.kind === "cells" ? 3 : 5, fill: colour}));
       } else {
         this.curves.append(draw("polyline", {points: inside.map((p) => p.map((v) => v.toFixed(1)).join()).join(" "), fill: "none",
           stroke: colour, "stroke-width": 2, "stroke-dasharray": at % 2 ? "6 3" : ""}));
       }
-      if (curve) this.curves.append(draw("text", {x: 60, y: 42 + 15 * at++, style: "fill:" + colour}, curve));
+      if (curve) this.keys.append(this.key(curve, colour, at++ % 2 ? "6 3" : "", dots), " ");
     }
   }
 }

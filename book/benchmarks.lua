@@ -93,6 +93,19 @@ local function group(list, key)
   return groups, order
 end
 
+-- The figure of the k-th quantity of a study, and whether it draws that quantity: a chapter may draw one for each, "spin-fx", "spin-fy".
+local function drawn_in(r, id, names, k)
+  if #names == 1 then return r.item[id], true end
+  local stem, same = id:match("^(.+)%-[^-]*$") or id, {}
+  local named = r.item[stem .. "-" .. names[k]]
+  if named then return named, true end
+  for _, item in ipairs(r.items) do
+    if item.png and item.page == "study" and item.id:match("^(.+)%-[^-]*$") == stem then same[#same + 1] = item end
+  end
+  if #same == #names then return same[k], true end
+  return r.item[id], false
+end
+
 -- One panel for each study and quantity, the chapters one after the other.
 function benchmarks.all(records)
   local out = {}
@@ -101,12 +114,12 @@ function benchmarks.all(records)
     local studies, ids = group(r.work_precision, "id")
     for _, id in ipairs(ids) do
       local quantities, names = group(studies[id], "quantity")
-      for _, name in ipairs(names) do
-        local item = r.item[id]
-        local title = (item and item.title or id) .. (name ~= "" and #names > 1 and ": " .. name or "")
+      for k, name in ipairs(names) do
+        local item, own = drawn_in(r, id, names, k)
+        local title = (item and item.title or id):gsub(" and work$", "") .. (own and "" or ": " .. name)
         local drawing, keys = panel(quantities[name], title)
         local page = r.has_study and r.chapter .. "-study" or r.chapter
-        local link = html.tag("a", {href = page .. ".html" .. (item and "#" .. id or "")}, html.text(title))
+        local link = html.tag("a", {href = page .. ".html" .. (item and "#" .. item.id or "")}, html.text(title))
         tiles[#tiles + 1] = html.tag("li", nil, html.tag("p", nil, html.tag("b", nil, link)) .. (drawing
           and drawing .. html.tag("p", {class = "keys"}, keys) or html.tag("p", nil, "Not timed in this run.")))
       end

@@ -1,5 +1,7 @@
 -- Small pieces of HTML: escaping, numbers, badges, tables.
 
+local mathml = require "mathml"
+
 local html = {}
 
 function html.escape(text)
@@ -52,16 +54,22 @@ end
 
 local formulas = {}
 
-local function formula(tex, kind)
-  if formulas[tex] then return formulas[tex] end
+-- A formula as MathML, or nil when its TeX is not understood. `kind` is InlineMath or DisplayMath.
+function html.formula(tex, kind)
+  local key = kind .. tex
+  if formulas[key] then return formulas[key] end
   local doc = pandoc.Pandoc({pandoc.Plain({pandoc.Math(kind, tex)})})
   local out = pandoc.write(doc, "html", {html_math_method = "mathml"}):gsub("%s+$", "")
-  if not out:find("<math", 1, true) then
-    io.stderr:write("book: the formula $", tex, "$ of a record cannot be set\n")
-    os.exit(1)
-  end
-  formulas[tex] = out
-  return out
+  if not out:find("<math", 1, true) then return nil end
+  formulas[key] = mathml.mend(out)
+  return formulas[key]
+end
+
+local function formula_of_record(tex)
+  local out = html.formula(tex, "InlineMath")
+  if out then return out end
+  io.stderr:write("book: the formula $", tex, "$ of a record cannot be set\n")
+  os.exit(1)
 end
 
 -- Plain text: powers of ten, <sub> and <sup> as such, all else escaped.
@@ -80,7 +88,7 @@ function html.text(text)
     if not close then break end
     out[#out + 1] = plain(text:sub(at, open - 1))
     local inner = text:sub(open + 1, close - 1)
-    out[#out + 1] = mark == "$" and formula(inner, "InlineMath") or html.tag("code", nil, html.escape(inner))
+    out[#out + 1] = mark == "$" and formula_of_record(inner) or html.tag("code", nil, html.escape(inner))
     at = close + 1
   end
   return table.concat(out) .. plain(text:sub(at))
@@ -111,9 +119,10 @@ function html.badge(status)
 end
 
 -- Heads are texts, or {text, filter = true} where a reader may choose among the values of the column; rows are lists of
--- cells, each HTML or {html, class = ..., sort = number}. The first cell of a row heads it.
+-- cells, each HTML or {html, class = ..., sort = number}. The first cell of a row heads it. On a phone a row of a class with the
+-- word cards becomes a card, on which each cell says the head of its column, and a cell of class outcome comes first.
 function html.table(class, heads, rows, caption)
-  local out = {html.tag("table", {class = class .. (#heads > 8 and " many" or "")})}
+  local out, cards = {html.tag("table", {class = class .. (#heads > 8 and " many" or "")})}, class:find "%f[%w]cards%f[^%w]"
   if caption then out[#out + 1] = html.tag("caption", nil, caption) end
   local cells = {}
   for i, head in ipairs(heads) do
@@ -129,7 +138,8 @@ function html.table(class, heads, rows, caption)
       local content = type(cell) == "table" and cell[1] or cell
       local attributes = {class = type(cell) == "table" and cell.class or nil}
       if type(cell) == "table" and type(cell.sort) == "number" then attributes["data-sort"] = ("%.6g"):format(cell.sort) end
-      if i == 1 then attributes.scope = "row" end
+      local head = type(heads[i]) == "table" and heads[i][1] or heads[i]
+      if i == 1 then attributes.scope = "row" elseif cards then attributes["data-head"] = head end
       cells[i] = html.tag(i == 1 and "th" or "td", attributes, content)
     end
     out[#out + 1] = html.tag("tr", {class = row.class, id = row.id}, table.concat(cells))

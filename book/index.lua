@@ -91,10 +91,11 @@ local function equations(records, parts)
     local rows = {}
     for _, row in ipairs(r.inventory) do
       if row.kind == "equation" then
-        local treated, number = {}, row.number:match("^%(?([%w.-]+)%)?$")
-        for j, id in ipairs(row.treated) do
-          local item = r.item[id] or r.check[id] and r.item[r.check[id].item]
-          treated[j] = item and html.tag("a", {href = items.href(item, r, "index")}, html.escape(id)) or html.escape(id)
+        local treated, number, named = {}, row.number:match("^%(?([%w.-]+)%)?$"), {}
+        for _, id in ipairs(row.treated) do
+          local item = items.home(id, r)
+          if not (item and named[item.id]) then treated[#treated + 1] = item and items.link(item, r, "index") or html.escape(id) end
+          if item then named[item.id] = true end
         end
         for path, name in row.symbol:gmatch("(%S+)%s+([%w_]+)") do require_named(r, "lib/" .. path, name) end
         for path in row.test:gmatch("%S+") do require_named(r, path) end
@@ -103,12 +104,12 @@ local function equations(records, parts)
         rows[#rows + 1] = {html.tag("a", {href = anchor}, html.text(row.number ~= "" and row.number or "unnumbered")), html.text(row.place), html.text(row.what),
           row.symbol ~= "" and html.tag("code", nil, html.escape(row.symbol)) or "–",
           row.test ~= "" and html.tag("code", nil, html.escape(row.test)) or "–",
-          #treated > 0 and table.concat(treated, ", ") or html.text(row.reason)}
+          #treated > 0 and table.concat(treated, ", ") or items.named(row.reason, r, "index")}
       end
     end
     if #rows > 0 then
       out[#out + 1] = html.tag("h2", {id = r.chapter}, r.number .. " " .. html.text(r.title))
-      out[#out + 1] = html.table("equations", {"equation", "place", "what", "function", "test", "checked in"}, rows)
+      out[#out + 1] = html.table("equations cards", {"equation", "place", "what", "function", "test", "checked in"}, rows)
     end
   end
   return table.concat(out, "\n")
@@ -193,13 +194,18 @@ local function load_records(paths)
   return records
 end
 
--- What the chapters' pages left for these: their findings, and what a search finds on them.
-local function load_parts(folder, chapters)
+-- What the chapters' pages left for these: their findings, what a search finds on them, and the numbers of their figures and tables.
+local function load_parts(folder, chapters, records)
   local parts = {}
   for _, c in ipairs(chapters) do
     for _, page in ipairs({c.id, c.id .. "-study"}) do
       local text = read_file(folder .. "/" .. page .. ".json")
       if text then parts[page] = dkjson.decode(text) end
+    end
+  end
+  for _, r in ipairs(records) do
+    for _, page in ipairs({r.chapter, r.chapter .. "-study"}) do
+      for id, number in pairs(parts[page] and parts[page].numbers or {}) do r.item[id].number = number end
     end
   end
   return parts
@@ -230,7 +236,7 @@ function Pandoc(doc)
   local text = function(key) return pandoc.utils.stringify(doc.meta[key]) end
   local chapters, book = frame.chapters(frame.strings(doc.meta.chapters)), text "book"
   local records = load_records(frame.strings(doc.meta.record))
-  local parts, of_library = load_parts(text "parts", chapters), nil
+  local parts, of_library = load_parts(text "parts", chapters, records), nil
   local made = {
     ["{{in-short}}"] = function() return in_short(records) end,
     ["{{headline}}"] = function() return headline(records, frame.strings(doc.meta["left-out"])) end,

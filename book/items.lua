@@ -68,9 +68,8 @@ function items.trial(check)
   for i, v in ipairs(check.trial.varied) do
     parts[i] = ("%s (%s): %s"):format(v.choice, settings(v.settings), v.range)
   end
-  local quantity = check.trial.quantity
-  return ("%s%s is %s, whatever was varied. %s."):format(quantity:sub(1, 1):upper(), quantity:sub(2), check.trial.range,
-    table.concat(parts, "; "))
+  local function sentence(text) return text:sub(1, 1):upper() .. text:sub(2) end
+  return ("%s is %s in every variation. %s."):format(sentence(check.trial.quantity), check.trial.range, sentence(table.concat(parts, "; ")))
 end
 
 -- The reason of a check with its trial.
@@ -95,24 +94,34 @@ local function notes_of(checks)
   return marks, notes
 end
 
--- Claims alone: words, without columns of numbers that they have none of.
-local function claims_table(checks)
+-- What came of a check, as a cell.
+function items.outcome(check) return {html.badge(check.pass and check.outcome or "failed"), class = "outcome"} end
+
+-- Whether a check is a statement that is true or not, without a number that it is held against.
+local function in_words(check)
+  return check.source == "claim" or not check.of_paper and check.kind == "exact" and (check.reference or "") == ""
+end
+
+-- Statements alone, without the columns of numbers that they have none of.
+local function statements_table(checks, of_paper)
   local marks, notes = notes_of(checks)
   local rows = {}
   for i, check in ipairs(checks) do
     local mark = marks[items.proof(check)]
-    rows[i] = {html.tag("span", {id = check.id}, html.text(check.what or check.id)), html.text(check.place or ""),
+    rows[i] = {html.tag("span", {id = check.id}, html.text(check.what or check.id)), html.text((of_paper and check.place or check.by) or ""),
       items.computed(check) .. (mark and html.tag("span", {class = "mark"}, mark) or ""),
-      html.badge(check.pass and check.outcome or "failed"), class = not check.pass and "failed" or nil}
+      items.outcome(check), class = not check.pass and "failed" or nil}
   end
-  return html.table("checks claims", {"claim", "place", "found", "outcome"}, rows) .. notes
+  local heads = of_paper and {"claim", "place", "found", "outcome"} or {"statement", "how it was tried", "found", "outcome"}
+  return html.table("checks claims cards", heads, rows) .. notes
 end
 
 -- `of_paper`: the reference is what the paper prints or says; otherwise that of another work or method, which is named.
 local function one_table(checks, of_paper)
-  local claims = of_paper
-  for _, check in ipairs(checks) do claims = claims and check.source == "claim" end
-  if claims then return claims_table(checks) end
+  local words, numbers = {}, {}
+  for _, check in ipairs(checks) do table.insert(in_words(check) and words or numbers, check) end
+  if #numbers == 0 then return statements_table(words, of_paper) end
+  if #words > 0 then return one_table(numbers, of_paper) .. statements_table(words, of_paper) end
   local marks, notes = notes_of(checks)
   local rows = {}
   for i, check in ipairs(checks) do
@@ -122,14 +131,14 @@ local function one_table(checks, of_paper)
       html.tag("span", {id = check.id}, html.text(check.what or check.id)) .. items.unit(check),
       items.cell(items.said(check, of_paper), not of_paper and "number reference" or nil), items.cell(items.computed(check)), {off, class = "number"},
       {allowed .. (mark and html.tag("span", {class = "mark"}, mark) or ""), class = "number"},
-      html.badge(check.pass and check.outcome or "failed"), class = not check.pass and "failed" or nil}
+      items.outcome(check), class = not check.pass and "failed" or nil}
     local place = check.place or ""
     if of_paper then table.insert(row, 2, {html.text(place), class = #place <= 18 and "short" or nil}) end
     rows[i] = row
   end
   local heads = of_paper and {"what", "place", "printed", "computed", "difference", "allowed", "outcome"}
     or {"what", "reference", "computed", "difference", "allowed", "outcome"}
-  return html.table("checks", heads, rows) .. notes
+  return html.table("checks cards", heads, rows) .. notes
 end
 
 -- One line on many checks.
@@ -352,9 +361,9 @@ function items.stability(list)
     local error, bound = number(s.error), number(s.allowed)
     rows[i] = {
       html.tag("span", {id = "stability/" .. s.id}, html.text(s.case)), html.text(s.stress), html.text(s.result),
-      {error, class = "number"}, {bound, class = "number"}, html.badge(s.pass and s.found or "failed")}
+      {error, class = "number"}, {bound, class = "number"}, {html.badge(s.pass and s.found or "failed"), class = "outcome"}}
   end
-  return html.folded_table("stability", {"case", "what is stressed", "result", "error", "allowed", "found"}, rows, most_rows, "cases")
+  return html.folded_table("stability cards", {"case", "what is stressed", "result", "error", "allowed", "found"}, rows, most_rows, "cases")
 end
 
 -- Where a reader finds an item: on this page or on the chapter's other one.
@@ -363,34 +372,58 @@ function items.href(item, r, page)
   return (item.page == page and "" or file) .. "#" .. item.id
 end
 
+-- "Figure 1.3", as a link.
+function items.link(item, r, page)
+  return html.tag("a", {href = items.href(item, r, page)}, html.escape(items.label(item, r)))
+end
+
+-- The item of an id, of the id of a check, or of "table-2/31-*", several checks of one item.
+function items.home(id, r)
+  local check = r.check[id]
+  return r.item[id] or check and r.item[check.item] or r.item[id:match("^(.-)/") or ""]
+end
+
+-- Text that names items and stability cases of the chapter by their ids, as HTML that names them as the page does.
+function items.named(text, r, page)
+  local text = html.text(text):gsub("%f[%w%-/_][%w%-/_]+%-[%w%-_]*%w", function(id)
+    local item = r.item[id]
+    if item then return items.link(item, r, page) end
+    for _, s in ipairs(r.stability) do
+      if s.id == id then
+        local file = page == (r.has_study and "study" or "paper") and "" or r.chapter .. (r.has_study and "-study" or "") .. ".html"
+        return "“" .. html.tag("a", {href = file .. "#stability/" .. id}, html.text(s.case)) .. "”"
+      end
+    end
+  end)
+  return text
+end
+
 -- The paper, row by row, and what treats it.
 function items.coverage(r, page)
   local rows = {}
   local function link(id)
-    local check, item = r.check[id], r.item[id]
-    local home = item or check and r.item[check.item]
+    local check, home = r.check[id], items.home(id, r)
     if not home then return html.tag("code", nil, html.escape(id)) end
-    local href = items.href(home, r, page)
-    if check then href = href:gsub("#.*$", "") .. "#" .. check.id end
-    local text = check and html.badge(check.pass and check.outcome or "failed") or html.text(items.label(item, r))
-    return html.tag("a", {href = href}, text)
+    if not check then return items.link(home, r, page) end
+    local href = items.href(home, r, page):gsub("#.*$", "") .. "#" .. check.id
+    return html.tag("a", {href = href}, html.badge(check.pass and check.outcome or "failed"))
   end
   for i, row in ipairs(r.inventory) do
     local treated = {}
     for j, id in ipairs(row.treated) do treated[j] = link(id) end
     if row.symbol ~= "" then treated[#treated + 1] = html.tag("code", nil, html.escape(row.symbol)) end
     rows[i] = {html.text(row.place), html.text(row.number ~= "" and row.number or row.kind), html.text(row.what),
-      table.concat(treated, " ") .. html.text(#treated > 0 and row.reason ~= "" and "; " .. row.reason or row.reason)}
+      table.concat(treated, " ") .. (#treated > 0 and row.reason ~= "" and "; " or "") .. items.named(row.reason, r, page)}
   end
-  return html.folded_table("coverage", {"place", "number", "what the paper has", "here"}, rows, most_rows)
+  return html.folded_table("coverage cards", {"place", "number", "what the paper has", "here"}, rows, most_rows)
 end
 
-function items.verdicts(r)
+function items.verdicts(r, page)
   local rows = {}
   for i, item in ipairs(r.items) do
     local passed, total = record.tally(item.checks)
     rows[i] = {
-      html.tag("a", {href = items.href(item, r, "paper")}, html.escape(item.id)), items.title(item),
+      items.link(item, r, page), items.title(item),
       {total > 0 and ("%d of %d"):format(passed, total) or "–", class = "number"},
       html.badge(item.failure and "failed" or item.input), html.text(item.failure or item.reason)}
   end

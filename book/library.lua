@@ -22,6 +22,7 @@ local function declaration_end(lines, i)
 end
 
 local function name_of(text)
+  if text:find("^using%s+[%w_:]+;") then return nil end -- a name of another's
   text = text:gsub("^template%s*%b<>%s*", ""):gsub("%[%[[^%]]*%]%]%s*", "")
   local kind, name = text:match("^(%a+)%s+([%w_]+)%s*[:{;]?")
   if text:find("^enum%s+class%s") then return text:match("^enum%s+class%s+([%w_]+)"), "type" end
@@ -110,6 +111,22 @@ local function prose(text)
   return table.concat(out, "\n")
 end
 
+local abbreviations = {eq = true, eqs = true, Fig = true, Figs = true, p = true, pp = true, cf = true, vs = true, al = true, No = true, sec = true}
+
+-- The first sentence of a comment, which may run over several lines.
+local function headline(comment)
+  local paragraph = (comment .. "\n\n"):match("^%s*(.-)\n%s*\n"):gsub("\n  .*$", ""):gsub("%s+", " ")
+  local at = 1
+  while true do
+    local stop = paragraph:find("%.%f[%s\0]", at)
+    if not stop then return (paragraph:gsub("[:,]%s*$", "")) end
+    local word = paragraph:sub(1, stop - 1):match("(%a+)$") or ""
+    local letter = #word == 1 -- e.g., i.e.
+    if not letter and not abbreviations[word] then return paragraph:sub(1, stop) end
+    at = stop + 1
+  end
+end
+
 local function anchor(room, name) return room .. "-" .. name:gsub("[^%w_]+", "-") end
 
 local function section(room, file, header, seen)
@@ -124,8 +141,7 @@ local function section(room, file, header, seen)
     out[#out + 1] = html.tag("div", {class = "declaration"}, (entry.anchors or "")
       .. html.tag("pre", nil, html.tag("code", nil, html.escape(entry.text))) .. prose(entry.comment))
   end
-  local first = (header.comment or ""):match("^(.-%.)%s") or (header.comment or ""):match("^[^\n]*") or ""
-  local summary = html.tag("b", nil, html.escape(file)) .. " " .. html.escape(first)
+  local summary = html.tag("b", nil, html.escape(file)) .. " " .. html.escape(headline(header.comment or ""))
     .. html.tag("span", {class = "where"}, table.concat(names, " "))
   return html.tag("details", {class = "more header", id = room .. "-" .. file:match("([^/]+)%.hpp$") .. "-header"},
     html.tag("summary", nil, summary) .. table.concat(out, "\n"))

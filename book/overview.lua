@@ -28,11 +28,11 @@ local function findings_table(r)
     local check = entry[3]
     local came, why = items.cell(items.computed(check)), html.text(items.proof(check))
     if came.class == "words" then came, why = {"–", class = "number"}, came[1] .. (why ~= "" and "; " .. why or "") end
-    rows[i] = {check_link(check, r), html.badge(check.pass and check.outcome or "failed"), html.text(check.place or ""),
+    rows[i] = {check_link(check, r), items.outcome(check), html.text(check.place or ""),
       items.cell(items.said(check, true)), came, why}
   end
   local heads = {"what", {"outcome", filter = true}, "place in the paper", "printed", "computed", "proof or reason"}
-  return #rows > 0 and html.table("sortable findings-table", heads, rows) or ""
+  return #rows > 0 and html.table("sortable findings-table cards", heads, rows) or ""
 end
 
 -- The three findings of each chapter, and every number or claim that did not come out as the paper has it.
@@ -65,7 +65,7 @@ function overview.ledger(records)
       rows[i] = {check_link(check, r), html.text(check.of_paper and check.place or check.by or ""), check.source or "–",
         items.cell(items.said(check, check.of_paper)), computed_and_tried(check),
         {used and ("%.0f %%"):format(100 * used) or "–", class = "number", sort = used},
-        html.badge(check.pass and check.outcome or "failed"), class = not check.pass and "failed" or nil}
+        items.outcome(check), class = not check.pass and "failed" or nil}
     end
     local counts = {}
     for j, pair in ipairs(record.count(r.checks)) do
@@ -73,7 +73,7 @@ function overview.ledger(records)
     end
     local summary = html.tag("b", nil, r.number .. " " .. html.text(r.title)) .. " " .. join(counts)
     out[#out + 1] = html.tag("details", {class = "more", id = r.chapter},
-      html.tag("summary", nil, summary) .. html.table("sortable ledger", heads, rows))
+      html.tag("summary", nil, summary) .. html.table("sortable ledger cards", heads, rows))
   end
   return html.tag("div", {class = "filterable"}, join(out))
 end
@@ -90,7 +90,7 @@ function overview.stability(records)
       local found = s.pass and s.found or "failed"
       counts[found] = (counts[found] or 0) + 1
       rows[i] = {html.tag("a", {href = page .. ".html#stability/" .. s.id}, html.text(s.case)), html.text(s.stress),
-        html.text(s.result), number(s.error), number(s.allowed), html.text(s.expect or ""), html.badge(found),
+        html.text(s.result), number(s.error), number(s.allowed), html.text(s.expect or ""), {html.badge(found), class = "outcome"},
         class = not s.pass and "failed" or nil}
     end
     if #rows > 0 then
@@ -99,7 +99,7 @@ function overview.stability(records)
         if counts[found] then said[#said + 1] = counts[found] .. " " .. html.badge(found) end
       end
       out[#out + 1] = heading(r) .. html.tag("p", {class = "tally"}, table.concat(said, " "))
-        .. html.folded_table("sortable stability", heads, rows, 12, "cases")
+        .. html.folded_table("sortable stability cards", heads, rows, 12, "cases")
     end
   end
   return html.tag("div", {class = "filterable"}, join(out))
@@ -136,7 +136,7 @@ function overview.verification(records)
   local heads = {"computed", "held against", {"kind", filter = true}, "passed", "difference nearest its bound", "allowed"}
   for _, r in ipairs(records) do
     local rows = second_routes(r)
-    if #rows > 0 then out[#out + 1] = heading(r) .. html.folded_table("sortable routes", heads, rows, 14) end
+    if #rows > 0 then out[#out + 1] = heading(r) .. html.folded_table("sortable routes cards", heads, rows, 14) end
   end
   return html.tag("div", {class = "filterable"}, join(out))
 end

@@ -10,6 +10,7 @@
 
 package.path = PANDOC_SCRIPT_FILE:match("^(.*)/[^/]*$") .. "/?.lua;" .. package.path
 local html, items, record, frame = require "html", require "items", require "record", require "frame"
+local mathml = require "mathml"
 local dkjson = require "dkjson"
 
 local r, figures, data, page
@@ -103,7 +104,7 @@ end
 local function block_for(name, argument, token)
   local list
   if name == "coverage" then list = items.coverage(r, page) end
-  if name == "verdicts" then list = items.verdicts(r) end
+  if name == "verdicts" then list = items.verdicts(r, page) end
   if name == "checks" then list = items.checks(r) end
   if name == "stability" then list = stability(token) end
   if name == "work-precision" then list = work_precision(argument, token) end
@@ -128,6 +129,8 @@ local function numbered(para)
   return #after > 0 and {block, pandoc.Para(after)} or block
 end
 
+local function only_items(text) return text:find("^%s*{{.*}}%s*$") and not text:gsub("{{[^{}]*}}", ""):find("%S") end
+
 -- A paragraph of nothing but {{...}}; one that is a mere value stays a paragraph.
 local function Para(para)
   if #para.content > 0 and para.content[1].t == "Math" then
@@ -135,7 +138,7 @@ local function Para(para)
     if block then return block end
   end
   local text = pandoc.utils.stringify(para)
-  if not text:find("^{{.*}}%s*$") or text:gsub("{{[^{}]*}}", ""):find("%S") then return nil end
+  if not only_items(text) then return nil end
   local out = pandoc.List()
   for inner in text:gmatch("{{([^{}]*)}}") do
     local name, argument = inner:match("^%s*([%w][%w%-_./]*)%s*:?%s*(%S*)%s*$")
@@ -157,7 +160,8 @@ local function equation_reference(str)
   while true do
     local open, close, number = str.text:find("%((%w[%w.-]*)%)", at)
     if not open then break end
-    if tags[number] then
+    local beside = str.text:sub(open - 1, open - 1):find("%w") -- the number of an issue: 112(1)
+    if tags[number] and not beside then
       if open > at then out:insert(pandoc.Str(str.text:sub(at, open - 1))) end
       out:insert(pandoc.Link({pandoc.Str("(" .. number .. ")")}, "#eq-" .. number, "", {class = "equation-reference"}))
     else
@@ -219,6 +223,14 @@ local function say_once(inlines, i)
   end
 end
 
+-- Words before "(6)" that count something else than equations.
+local counted = {class = true, classes = true, zone = true, zones = true, case = true, step = true, page = true, note = true}
+
+local function is_counted(inlines, i)
+  local word = inlines[i - 2]
+  return word and word.t == "Str" and inlines[i - 1].t == "Space" and counted[word.text:lower()]
+end
+
 -- Browsers break lines beside a formula, even before a comma: what touches it stays with it.
 local function Inlines(inlines)
   local out, run, formula = pandoc.List(), pandoc.List(), false
@@ -228,6 +240,7 @@ local function Inlines(inlines)
   end
   for i, inline in ipairs(inlines) do
     if inline.t == "Link" and inline.classes:includes("ref") then say_once(inlines, i) end
+    if inline.t == "Link" and inline.classes:includes("equation-reference") and is_counted(inlines, i) then inline = inline.content[1] end
     local is_formula = inline.t == "Math" and inline.mathtype == "InlineMath"
     if is_formula or inline.t == "Str" or inline.t == "Note" then
       run:insert(inline)
@@ -263,22 +276,46 @@ local function take_title(doc)
   end})
 end
 
+-- The paragraphs of {{...}} alone in a file of the chapter and in those that it includes.
+local function paragraphs_of(path, out)
+  local file = io.open(path)
+  if not file then return out end
+  local paragraph = {}
+  for line in file:lines() do
+    local included = line:match("^%s*{{%s*include:%s*(%S+)%s*}}%s*$")
+    if included then paragraphs_of(path:gsub("[^/]*$", "") .. included, out) end
+    if line:find("%S") and not line:find("^/%*%*%*") and not line:find("^%*/") then
+      paragraph[#paragraph + 1] = line
+    else
+      local text = table.concat(paragraph, " ")
+      if only_items(text) then out[#out + 1] = text end
+      paragraph = {}
+    end
+  end
+  file:close()
+  return out
+end
+
+-- Numbers the figures and tables of this page in its order, and those of the chapter's other page in its own.
 local function number_items(doc)
-  local counts = {figure = 0, table = 0}
-  local function number(token)
-    for inner in token:gmatch("{{([%w][%w%-_./]*)}}") do
+  local counts = {}
+  local function number(text)
+    for inner in text:gmatch("{{([%w][%w%-_./]*)}}") do
       local item = r.item[inner]
       if item and not item.number then
-        local kind = item.kind == "figure" and "figure" or "table"
-        counts[kind] = counts[kind] + 1
+        local kind = item.page .. (item.kind == "figure" and "figure" or "table")
+        counts[kind] = (counts[kind] or 0) + 1
         item.number = counts[kind]
       end
     end
   end
   doc:walk({Para = function(para)
     local text = pandoc.utils.stringify(para)
-    if text:find("^{{.*}}%s*$") and not text:gsub("{{[^{}]*}}", ""):find("%S") then number(text) end
+    if only_items(text) then number(text) end
   end})
+  local main = PANDOC_STATE.input_files[1]
+  local other = page == "study" and main:gsub("[^/]*/[^/]*$", "main.cpp") or main:gsub("[^/]*$", "study/study.cpp")
+  for _, text in ipairs(paragraphs_of(other, {})) do number(text) end
   for _, item in ipairs(r.items) do
     if not item.number and item.page == page then
       local message = "%s: item '%s' of %s is not shown: give it a paragraph {{%s}}"
@@ -306,6 +343,25 @@ local function clipped(text, length)
   return (text:sub(1, length):gsub("[\192-\255]?[\128-\191]*$", ""))
 end
 
+local raised = {["−"] = "⁻"}
+for i = 0, 9 do raised[tostring(i)] = utf8.char(({[0] = 0x2070, 0xb9, 0xb2, 0xb3})[i] or 0x2070 + i) end
+
+-- The text of a block as a reader sees it: with the numbers that were inserted, and with its lists and tables in words.
+local function words_of(block)
+  local function text_of(raw)
+    local entities = {["&lt;"] = "<", ["&gt;"] = ">", ["&amp;"] = "&", ["&quot;"] = '"', ["&#8239;"] = "\u{202f}"}
+    raw = raw:gsub("<sup>([−%d]+)</sup>", function(power) return (power:gsub(utf8.charpattern, raised)) end)
+    return pandoc.Str((raw:gsub("<annotation.-</annotation>", ""):gsub("<[^>]*>", ""):gsub("&[#%w]+;", entities)))
+  end
+  block = pandoc.Pandoc({block}):walk({
+    RawInline = function(raw) return text_of(raw.text) end,
+    Math = function(math) return text_of(html.formula(math.text, math.mathtype) or "") end,
+    Note = function() return {} end})
+  return (pandoc.write(block, "plain", {wrap_text = "none"}):gsub("%-%-%-+", " "):gsub("^%s+", ""):gsub("%s+", " "))
+end
+
+local most_words = 4000 -- bytes of a section that a search looks into
+
 -- What a search finds: the sections with the beginning of their text, and the figures and tables with what they check.
 local function search_entries(doc)
   local out, entry = {}, {pandoc.utils.stringify(doc.meta.title), "", ""}
@@ -314,8 +370,8 @@ local function search_entries(doc)
     if block.t == "Header" then
       entry = {pandoc.utils.stringify(block), block.identifier, ""}
       out[#out + 1] = entry
-    elseif block.t ~= "CodeBlock" and block.t ~= "RawBlock" and block.t ~= "Plain" and #entry[3] < 900 then
-      entry[3] = clipped(entry[3] .. " " .. pandoc.utils.stringify(block), 900)
+    elseif block.t ~= "CodeBlock" and block.t ~= "RawBlock" and block.t ~= "Plain" and #entry[3] < most_words then
+      entry[3] = clipped(entry[3] .. words_of(block), most_words)
     end
   end
   for _, item in ipairs(r.items) do
@@ -334,8 +390,17 @@ local function findings(doc)
   for _, block in ipairs(doc.blocks) do
     if block.t == "Div" and block.classes:includes("findings") and not out then
       out = pandoc.write(pandoc.Pandoc(block.content), "html", {html_math_method = "mathml"})
-      out = out:gsub('href="#', ('href="%s.html#'):format(r.chapter))
+      out = mathml.mend(out):gsub('href="#', ('href="%s.html#'):format(r.chapter))
     end
+  end
+  return out
+end
+
+-- The numbers of this page's figures and tables.
+local function numbers()
+  local out = {}
+  for _, item in ipairs(r.items) do
+    if item.page == page then out[item.id] = item.number end
   end
   return out
 end
@@ -343,7 +408,7 @@ end
 local function leave_parts(doc, folder)
   local name = page == "study" and r.chapter .. "-study" or r.chapter
   local file = assert(io.open(folder .. "/" .. name .. ".json", "w"))
-  file:write(dkjson.encode({findings = findings(doc), search = search_entries(doc), tags = tags}))
+  file:write(dkjson.encode({findings = findings(doc), search = search_entries(doc), tags = tags, numbers = numbers()}))
   file:close()
 end
 
@@ -380,5 +445,8 @@ function Pandoc(doc)
   doc.meta.machine = raw(record.describe(r.machine))
   doc.meta.level = pandoc.MetaString(tostring(r.level or ""))
   doc.meta.seconds = raw(html.seconds(r.seconds))
-  return doc
+  return doc:walk({Math = function(math) -- one that cannot be set stays, for pandoc to name it
+    local set = html.formula(math.text, math.mathtype)
+    return set and pandoc.RawInline("html", set) or nil
+  end})
 end

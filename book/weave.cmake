@@ -24,7 +24,7 @@ set(here ${CMAKE_CURRENT_LIST_DIR})
 set(new ${BOOK}.unfinished)
 file(REMOVE_RECURSE ${new})
 file(MAKE_DIRECTORY ${new}/data ${new}/figures)
-file(COPY ${here}/book.css ${here}/book.js ${here}/answer.js DESTINATION ${new})
+file(COPY ${here}/book.css ${here}/book.js ${here}/answer.js ${here}/icon.svg DESTINATION ${new})
 file(GLOB shared_scripts ${root}/lib/*/*.gp) # the look of all figures, and scripts that several chapters use
 file(COPY ${shared_scripts} DESTINATION ${new}/data)
 set(page_options --template=${here}/template.html --to=html5 --mathml --fail-if-warnings --standalone --wrap=none --no-highlight
@@ -139,7 +139,7 @@ execute_process(
   COMMAND ${CMAKE_COMMAND} -E env RAILBOOK_ROOT=${ROOT}
           ${PANDOC} --from=markdown-citations --lua-filter=${here}/index.lua ${page_options} ${records} ${left_out}
           ${chapter_list} ${headers} -M parts=${parts} -M book=${new} -M figures=${FIGURES} -M page=index -M version=${VERSION}
-          -M "title=railbook: papers on wheel, rail and track, recomputed" -M "pagetitle=Contents"
+          -M "title=railbook: papers on wheel, rail and track, recomputed" -M "pagetitle=railbook: papers on wheel, rail and track, recomputed" -M front=yes
           --output=${new}/index.html ${here}/index.md
   TIMEOUT ${time_limit} RESULT_VARIABLE status ERROR_VARIABLE said)
 if(NOT status EQUAL 0)

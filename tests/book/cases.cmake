@@ -104,9 +104,9 @@ book_case("values go into text, tables and formulas" values)
 
 function(tables)
   expect_page("<section class=\"item\" id=\"table-1\">" "Hertz &amp; co (the paper’s Table 2)" "<td class=\"number\">1.661</td>"
-    "<td class=\"number\">0.19 %</td><td class=\"number\">0.6 %<span class=\"mark\">a</span></td>"
+    "<td class=\"number\" data-head=\"difference\">0.19 %</td><td class=\"number\" data-head=\"allowed\">0.6 %<span class=\"mark\">a</span></td>"
     "<b>a</b> cells of constant pressure, a &lt; b" "<tr class=\"failed\"><th scope=\"row\"><span id=\"fig-1/bad\">a failing one</span>, in</th>"
-    "<td class=\"number\">not a number</td>" "href=\"data/01-sample/table-1.csv\"" "2 % of axis"
+    "<td class=\"number\" data-head=\"computed\">not a number</td>" "href=\"data/01-sample/table-1.csv\"" "2 % of axis"
     "failed: singular" "near line contact" "href=\"data/01-sample/printed/table-1.csv\"" "3 of 4 checks passed" "1 of 2")
   foreach(file data/01-sample/table-1.csv data/01-sample/fig-1.gp data/01-sample.json figures/01-sample/fig-1.png book.css
       index.html gallery.html)
@@ -123,7 +123,7 @@ endfunction()
 book_case("tables, figures and their checks" tables)
 
 function(paper)
-  expect_page("<span id=\"table-1/p0\">peak pressure</span>" "<td class=\"short\">p. 5</td>" "href=\"#table-1/p0\"" "id=\"eq-7\"" "(7)" "not testable: the machine is gone"
+  expect_page("<span id=\"table-1/p0\">peak pressure</span>" "<td class=\"short\" data-head=\"place\">p. 5</td>" "href=\"#table-1/p0\"" "id=\"eq-7\"" "(7)" "not testable: the machine is gone"
     "lib/sample/add.hpp:3" "badge failed")
   file(READ ${dir}/book/equations.html equations)
   has("the page of equations" "${equations}" "01-sample.html#eq-7" "sample/add.hpp add")
@@ -154,9 +154,9 @@ function(second_page)
   edit(${main} "{{work-precision}}" "")
   edit(${main} "{{stability}}" "")
   edit(${json} "\"title\": \"Table 2. Hertz & co\", \"page\": \"paper\"" "\"title\": \"Table 2. Hertz & co\", \"page\": \"study\"")
-  expect_page("href=\"01-sample-study.html\"" "href=\"01-sample-study.html#table-1\"")
+  expect_page("href=\"01-sample-study.html\"" "href=\"01-sample-study.html#table-1\" class=\"ref\">S1.1</a>")
   file(READ ${dir}/book/01-sample-study.html page)
-  has("the second page" "${page}" "The sample at its limits" "href=\"01-sample.html#fig-1\"" "Table S1.1" "near line contact")
+  has("the second page" "${page}" "The sample at its limits" "href=\"01-sample.html#fig-1\" class=\"ref\">Figure 1.1</a>" "Table S1.1" "near line contact")
 endfunction()
 book_case("a chapter has a second page for its study" second_page)
 
@@ -382,6 +382,75 @@ function(broken_pandoc)
   endif()
 endfunction()
 book_case("a pandoc that fails, hangs or is gone leaves the book of before" broken_pandoc)
+
+function(formulas)
+  edit(${main} "a + b \\tag{7}" "M\\ddot y=-W\\Big(\\frac{\\dot x}V\\Big)\\mathrm{sign}\\,x,\\pm1 \\tag{7}")
+  expect_page("<mo accent=\"true\" stretchy=\"false\">¨</mo>" "<mo accent=\"true\" stretchy=\"false\">˙</mo>" "<mo form=\"prefix\">−</mo>"
+    "<mo form=\"prefix\">±</mo>" "<mi>sign</mi>" "stretchy=\"true\" minsize=\"1.8em\" maxsize=\"1.8em\"")
+  edit(${main} "M\\ddot y=" "\\begin{aligned}A&-b\\\\c&=d\\end{aligned}")
+  expect_page("<mtable class=\"aligned\" displaystyle=\"true\">" "<mspace width=\"0.222em\"></mspace><mo form=\"infix\">−</mo>")
+endfunction()
+book_case("accents, large brackets, signs and names of functions in formulas" formulas)
+
+function(no_equations)
+  edit(${main} "It follows by (7);" "It follows by (7), J. Eng. 112(7), is in class (7);")
+  expect_page("by <a href=\"#eq-7\" class=\"equation-reference\">(7)</a>" "J. Eng. 112(7), is in class (7);")
+endfunction()
+book_case("the number of an issue or of a class is no equation" no_equations)
+
+function(named)
+  edit(${json} "not testable: the machine is gone" "not testable: see fig-1, as does slender-case")
+  edit(${json} "\"id\": \"slender\"" "\"id\": \"slender-case\"")
+  edit(${json} "\"treated\": [], \"symbol\": \"sample" "\"treated\": [\"table-1/p0\", \"table-1/m*\"], \"symbol\": \"sample")
+  expect_page("see <a href=\"#fig-1\">Figure 1.1</a>, as does “<a href=\"#stability/slender-case\">b/a = 1×10<sup>−6</sup></a>”"
+    "<a href=\"#table-1\">Table 1.1</a></th>")
+  file(READ ${dir}/book/equations.html equations)
+  has("the page of equations" "${equations}" "<a href=\"01-sample.html#table-1\">Table 1.1</a></td>")
+endfunction()
+book_case("a reader sees the numbers of figures and tables, not their ids" named)
+
+function(statements)
+  edit(${json} "\"kind\": \"last_digit\", \"why\": \"\", \"pass\": false}" "\"kind\": \"last_digit\", \"why\": \"\", \"pass\": false},
+    {\"id\": \"fig-1/only\", \"item\": \"fig-1\", \"what\": \"no other sensor\", \"source\": \"route\", \"outcome\": \"verified\", \"by\": \"each disturbed\", \"reference\": \"\",
+     \"computed\": \"none\", \"kind\": \"exact\", \"allowed\": 0, \"error\": 0, \"why\": \"\", \"pass\": true},
+    {\"id\": \"fig-1/tried\", \"item\": \"fig-1\", \"what\": \"it is fast\", \"source\": \"claim\", \"outcome\": \"not confirmed\", \"computed\": \"slow\", \"kind\": \"exact\",
+     \"allowed\": 0, \"error\": 0, \"why\": \"\", \"pass\": true, \"trial\": {\"quantity\": \"the speed\", \"range\": \"5 to 9 mph\", \"varied\":
+     [{\"choice\": \"dampers\", \"settings\": [\"1 N\", \"2 N\"], \"range\": \"5 to 9 mph\"}]}}")
+  expect_page("<table class=\"checks claims cards\">" ">how it was tried</th>" "<td data-head=\"how it was tried\">each disturbed</td>"
+    "<td class=\"outcome\" data-head=\"outcome\"><span class=\"badge verified\">"
+    "The speed is 5 to 9 mph in every variation. Dampers (1, 2 N): 5 to 9 mph.")
+  string(FIND "${page}" "data-head=\"reference\"></td>" at)
+  if(at GREATER_EQUAL 0)
+    message(FATAL_ERROR "a statement has an empty cell for a number")
+  endif()
+endfunction()
+book_case("statements have no columns of numbers, and their trials are sentences" statements)
+
+function(titles)
+  edit(${json} "{\"id\": \"cost\", \"method\": \"cg-fft\"" "{\"id\": \"cost-F\", \"quantity\": \"F\", \"method\": \"cg-fft\"")
+  edit(${json} "{\"id\": \"cost\", \"method\": \"dense\"" "{\"id\": \"cost-F\", \"quantity\": \"p\", \"method\": \"cg-fft\", \"setting\": \"9\", \"error\": 1e-3, \"seconds_min\": 1, \"seconds_median\": 1, \"work\": 1, \"converged\": true},
+    {\"id\": \"cost-F\", \"quantity\": \"F\", \"method\": \"dense\"")
+  edit(${json} "{\"id\": \"fig-1\", \"kind\"" "{\"id\": \"cost-F\", \"kind\": \"table\", \"title\": \"Error of F and work\"},
+    {\"id\": \"cost-p\", \"kind\": \"table\", \"title\": \"Error of p\"}, {\"id\": \"fig-1\", \"kind\"")
+  edit(${main} "{{work-precision}}" "{{cost-F}}\n\n{{cost-p}}\n\n{{work-precision}}")
+  file(WRITE ${dir}/lib/sample/add.hpp "// Gaps of shapes, eq. (1), over\n// two lines. More.\n#pragma once\nusing Eigen::VectorXd;\n\n// The sum.\ninline int add(int a, int b) {\n  return a + b;\n}\n")
+  expect_page("<link rel=\"icon\" href=\"icon.svg\">")
+  foreach(pair "benchmarks|01-sample.html#cost-F\">Error of F</a>" "benchmarks|01-sample.html#cost-p\">Error of p</a>"
+      "library|Gaps of shapes, eq. (1), over two lines.<span" "index|<title>railbook: papers on" "search|\"The load is 999.34 lbf, small ones are −1.5×10⁻⁶ in²")
+    string(REGEX MATCH "^([^|]*)\\|(.*)$" _ "${pair}")
+    set(file ${CMAKE_MATCH_1}.html)
+    if(file STREQUAL "search.html")
+      set(file search.js)
+    endif()
+    file(READ ${dir}/book/${file} text)
+    has(${file} "${text}" "${CMAKE_MATCH_2}")
+  endforeach()
+  file(READ ${dir}/book/library.html text)
+  if(text MATCHES "sample-Eigen")
+    message(FATAL_ERROR "library.html lists a name of Eigen's")
+  endif()
+endfunction()
+book_case("titles of panels, headers and pages are whole" titles)
 
 if(NOT found)
   message(FATAL_ERROR "no case '${CASE}'")
