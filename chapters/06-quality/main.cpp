@@ -2,7 +2,13 @@
 
 ::: findings
 1. How smooth must track be at long waves? The paper finds that the same amplitude may be left at all waves shorter than the one that excites the vehicle at top speed, and that longer waves may grow with the square of their length. For its linear vehicle both follow exactly from its formula. {{outcome:fig-05/level}} {{outcome:fig-05/tail}}
-2. Is that so for "all vehicle models regardless of how complex or nonlinear they may be"? That the allowance cannot grow towards short waves is so for any vehicle. With our bump stops, met at 0.6 of the stroke limit, and the paper's damping of 0.2, the single level remains if the stops are as stiff as the spring. With stops ten times as stiff the allowance falls from {{one-wave-10}} to at most {{level-10}} for waves below {{second-10}}, because every third wave can keep the body swinging. {{outcome:fig-level/shape}}
+2. Is that so for "all vehicle models regardless of how complex or nonlinear they may be", as the
+   paper supposes? That the allowance cannot grow towards short waves is so for any vehicle. With our
+   bump stops, met at 0.6 of the stroke limit, and the paper's damping of 0.2, it grows with the
+   square of the wavelength beyond one that the speed sets. {{outcome:fig-level/shape}} The single
+   level remains if the stops are as stiff as the spring. With stops ten times as stiff the allowance
+   falls from {{one-wave-10}} to at most {{level-10}} for waves below {{second-10}}, because every
+   third wave can keep the body swinging. {{outcome:fig-level/subharmonic}}
 3. Do the curves for the wheel force "not interpenetrate each other as speed is changed"? This is not testable, because the paper prints neither masses nor dampers. It needs a damping of {{least-damping}} of the critical one or more if the body has at least twice the mass of the wheel.
 :::
 
