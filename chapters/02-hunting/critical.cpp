@@ -148,13 +148,17 @@ double cn_ratio_changed(std::size_t which) {
   return cn_ratio(with_dampers(translation_for(0.06, data), 0.06, data));
 }
 
-// The same with the conicity of the CN wheels `slope` times that of the new ones.
-double cn_ratio_with_slope(double slope) {
+wheelrail::OddTable scaled(const wheelrail::OddTable& function, double factor) {
+  std::vector<double> values = function.values();
+  for (double& value : values) value *= factor;
+  return wheelrail::OddTable(function.step(), std::move(values));
+}
+
+// The same with other CN wheels: R, of the rolling radii, and D, of the contact angles, times these factors.
+double cn_ratio_with(double of_R, double of_D) {
   wheelrail::ConstraintFunctions table = *vehicle("cn").table;
-  const double now = table.R.slope(0) / vehicle("new").table->R.slope(0);
-  std::vector<double> values = table.R.values();
-  for (double& value : values) value *= slope / now;
-  table.R = wheelrail::OddTable(table.R.step(), std::move(values));
+  table.R = scaled(table.R, of_R);
+  table.D = scaled(table.D, of_D);
   const auto found = hopf_points({assemble({}, Suspension::dampers), table}, 20 * foot, 400 * foot);
   return found.at(0).motion.speed / vehicle("new").hopf[0].motion.speed;
 }
@@ -174,7 +178,13 @@ void much_lower(report::Item& item) {
   trial.vary("one of the four dampers changed, all scaled until 145 ft/s",
              [](const report::Setting& s) { return cn_ratio_changed(s.index); });
   trial.vary("slope of R, CN A over the new wheel's, printed as about three",
-             [](const report::Setting& s) { return cn_ratio_with_slope(s.number); });
+             [](const report::Setting& s) {
+               const double now =
+                   vehicle("cn").table->R.slope(0) / vehicle("new").table->R.slope(0);
+               return cn_ratio_with(s.number / now, 1);
+             });
+  trial.vary("slope of D, of the contact angles, times ours",
+             [](const report::Setting& s) { return cn_ratio_with(1, s.number); });
   trial.vary("printed frequencies and slopes alone, by a rigid truck",
              [](const report::Setting& s) {
                constexpr std::array<std::array<double, 3>, 3> cases{

@@ -17,7 +17,8 @@ that amplitude neither grows nor dies.
 We have the paper as machine-read text (OCR) and not its drawings. Its figures, its profiles of
 wheel and rail and part of its table of data are lost or illegible. This chapter rebuilds profiles
 that fit what the text says of them. What is shown with these profiles and with dampers of our own
-counts as *consistent* with the paper at most, and not as confirmed.
+counts as *consistent* with the paper at most; *confirmed* is only what any straight cone entails, or
+the printed conicity with all dampers that fit.
 
 {{include: geometry.cpp}}
 
@@ -47,10 +48,8 @@ counts as *consistent* with the paper at most, and not as confirmed.
 
 * *Much lower speeds with CN wheels*: {{outcome:dampers/much-lower-cn}}. The speed is
   {{cn-ratio-tried}} that with new wheels, for all dampers that were tried and meet the printed 145
-  ft/s and 12 rad/s, slopes of 2.5 to 3.5 times the new wheel's, and from the printed frequencies
-  alone.
-* *Worn wheels: the body moves little, "as would be expected at high frequencies"*:
-  {{outcome:mode-claims/high-frequencies}}. It moves little because the trucks oppose each other.
+  ft/s and 12 rad/s, slopes of 2.5 to 3.5 times the new wheel's, contact angles from none to twice
+  ours, and from the printed frequencies alone.
 
 These follow from our reconstruction and say nothing against the paper, which may have had other
 profiles:
