@@ -6,16 +6,17 @@
    velocity of "the rail-tie-ballast type structure" at about 1100 mph, and the error of ignoring
    such waves at less than 3 percent at 250 mph. With the mass of rail, tie and ballast we find
    {{v-ballast}} on our typical track, and {{v-range}} as modulus, rail, pad, tie and ballast are
-   varied; the error at 250 mph is then {{error-range}}. The paper prints none of these data. Without
-   tie and ballast, our track has {{v-rail}}.
+   varied; the error at 250 mph is then {{error-range}}. With all of them at the most favourable end
+   at once it is {{v-best}} and {{error-best}}. The paper prints none of these data. Without tie and
+   ballast, our track has {{v-rail}}.
    {{outcome:critical-speed/critical-speed-printed}} At 150 mph, the speed the paper has in mind, the
    error is {{error-150-range}}, and its simpler track model will do.
    {{outcome:critical-speed/conclusion}}
 2. How much stiffness does a joint cost? The paper says that as little as 25 percent is left, and so
    it is at a free joint, on a continuous bed. {{outcome:joint/free-joint-printed}} Its formula (8)
-   for the stiffness near a joint is "a good approximation", it says. Of the full stiffness, (8)
-   errs by up to {{free-error-size}} at a free joint {{outcome:joint/eq8-free}} and by up to
-   {{hinge-error-size}} at a pinned one {{outcome:joint/eq8-pinned}}; the paper does not say how
+   for the stiffness near a joint is "a good approximation", it says. It errs by up to
+   {{free-error-size}} of the full stiffness near a free joint {{outcome:joint/eq8-free}} and by up
+   to {{hinge-error-size}} near a pinned one {{outcome:joint/eq8-pinned}}; the paper does not say how
    near is good.
 3. How much of the track moves with the wheel? The paper takes the mass (15) from the first natural
    frequency of a beam on a foundation. It follows from Rayleigh's estimate of that frequency, which
