@@ -99,6 +99,23 @@ Touching touching(const Placed& wheel) {
   return t;
 }
 
+void require_fit(const Pair& pair) {
+  constexpr double thickest = 0.05, step = 1e-4;  // m, of a flange
+  // From the tip outwards to where the flange is steepest; depths grow downwards, s outwards.
+  double tip = pair.wheel.from(), lowest = -units::no_limit;
+  for (double s = pair.wheel.from(); s <= pair.wheel.to(); s += step)
+    if (const double depth = pair.wheel.at(s).depth; depth > lowest) lowest = depth, tip = s;
+  double face = pair.wheel.from(), steepest = 1;  // 45 degrees
+  for (double s = tip; s <= std::min(tip + thickest, pair.wheel.to()); s += step)
+    if (const double slope = -pair.wheel.at(s).slope; slope > steepest) steepest = slope, face = s;
+  const Placed::Point first = touching(Placed(pair, {})).least.front();
+  if (first.s < face || std::abs(first.angle) > 45 * units::degree)
+    throw InputError(fmt::format(
+        "the wheelset does not fit between the rails: centred, it stands on a flange, {:.4g} mm "
+        "inwards of its running circle, at {:.0f} degrees; check gauge, back-to-back and origin",
+        -first.s / units::millimetre, std::abs(first.angle) / units::degree));
+}
+
 bool at_end(const Pair& pair, const Placed::Point& p) {
   constexpr double margin = 5e-4;
   return p.s < pair.wheel.from() + margin || p.s > pair.wheel.to() - margin ||

@@ -58,6 +58,10 @@ struct Touching {
 };
 Touching touching(const Placed& wheel);
 
+// Throws InputError when the wheelset does not fit between the rails: centred, it stands on its flanges, beyond their steepest
+// place or at an angle of more than 45 degrees.
+void require_fit(const Pair& pair);
+
 // Whether a point is within 0.5 mm of an end of either profile: more of it would be needed.
 bool at_end(const Pair& pair, const Placed::Point& point);
 

@@ -230,7 +230,7 @@ Curve placed_rail(const Curve& rail, double gauge, double gauge_depth, double ca
   if (above(leaning.end().u) > 0)
     throw InputError(
         fmt::format("the rail's profile ends {:.6g} m below its top on the gauge side; allowed: "
-                    "at least the depth of the gauge point, {:.6g} m",
+                    "at least the depth of the gauge point (--gauge-depth), {:.6g} m",
                     top.z - leaning.end().z, gauge_depth));
   const auto at = num::find_root(above, top.u, leaning.end().u);
   return moved(leaning, -0.5 * gauge - at.x, -top.z);
@@ -238,12 +238,18 @@ Curve placed_rail(const Curve& rail, double gauge, double gauge_depth, double ca
 
 namespace {
 
-// Where the wheel's profile is steepest; its end when it has no flange.
+// Where the flange is steepest; the profile's end when it has none. A flange is less than 50 mm thick: what is steep farther out
+// is the edge of a rim.
 double flange_face(const Curve& wheel) {
-  const auto steepest = std::ranges::max_element(
-      wheel.pieces(), {}, [](const Piece& p) { return std::max(p.angle_start, p.angle_end); });
-  const bool flange = std::max(steepest->angle_start, steepest->angle_end) > steepest_centred;
-  return flange ? steepest->end.u : wheel.end().u;
+  constexpr double thickest = 0.05;
+  const auto steepness = [](const Piece& p) { return std::max(p.angle_start, p.angle_end); };
+  const auto& pieces = wheel.pieces();
+  const double tip =
+      std::ranges::min_element(pieces, {}, [](const Piece& p) { return p.end.z; })->end.u;
+  const auto begin =
+      std::ranges::find_if(pieces, [&](const Piece& p) { return p.end.u > tip - thickest; });
+  const auto steepest = std::ranges::max_element(begin, pieces.end(), {}, steepness);
+  return steepness(*steepest) > steepest_centred ? steepest->end.u : wheel.end().u;
 }
 
 }  // namespace

@@ -101,6 +101,7 @@ void flag_smoothing(tool::Summary& answer, const CarWish& wish, const CarCase& c
 
 void describe_case(tool::Summary& answer, const CarWish& wish, const CarCase& c) {
   describe_pair(answer, wish.pair, c.fits);
+  flag_points(answer, c.fits, [](const auto&, const auto&) { return std::string{}; });
   const double a = c.table.half_spacing;
   answer.add("slope_R", "slope of R at the centre, per x/a", a * c.table.R.slope(0), "");
   answer.add("slope_D", "slope of D", a * c.table.D.slope(0), "rad");

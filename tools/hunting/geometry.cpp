@@ -20,6 +20,7 @@ against amplitude to `conicity.csv`, the places of two-point contact to `jumps.c
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <string_view>
 
 #include "hunting/profile_file.hpp"
 #include "table/csv.hpp"
@@ -42,12 +43,21 @@ struct Wish : PairWish {
 
 constexpr double smallest_jump = 1e-4;  // m, along the wheel
 
-// Whole steps up to the table's end; the end itself where that is less than a step.
+// Whole steps up to where the table ends on one side; the end itself where that is less than a step.
 std::vector<double> amplitudes(const ConstraintFunctions& f, double step) {
+  double end = f.end();
+  if (!f.symmetric()) {
+    const double centre = conicity(f, 0.01 * f.end()).centre;
+    if (!std::isnan(centre)) end -= std::abs(centre);
+  }
   std::vector<double> all;
-  for (double A = step; A < f.end() * (1 + 1e-9); A += step) all.push_back(std::min(A, f.end()));
-  if (all.empty()) all.push_back(f.end());
+  for (double A = step; A < end * (1 + 1e-9); A += step) all.push_back(std::min(A, end));
+  if (all.empty()) all.push_back(end);
   return all;
+}
+
+std::string cell(double value) {  // none: empty
+  return std::isnan(value) ? "" : fmt::format("{:.6g}", value);
 }
 
 void write_files(tool::OutFolder& out, const Wish& wish, const WheelsetOnTrack& pair,
@@ -55,19 +65,23 @@ void write_files(tool::OutFolder& out, const Wish& wish, const WheelsetOnTrack& 
                  const tool::Summary& answer) {
   std::string text = "x_mm,r_L_mm,r_R_mm,difference_mm,delta_L_rad,delta_R_rad,phi_rad,R,D_rad\n";
   const std::size_t middle = f.r_left.size() / 2;
-  for (std::size_t k = 0; k < f.R.values().size(); ++k)
+  // Of a symmetric wheelset to one side only.
+  for (std::size_t k = f.symmetric() ? middle : 0; k < f.r_left.size(); ++k) {
+    const double x = f.R.step() * (double(k) - double(middle));
+    const double r_right = f.symmetric() ? f.r_left[2 * middle - k] : f.r_right[k];
+    const double delta_right = f.symmetric() ? f.delta_left[2 * middle - k] : f.delta_right[k];
+    const ConstraintValues at = f.at(x);
     text += fmt::format("{:.6g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}\n",
-                        f.R.step() * double(k) / millimetre, f.r_left[middle + k] / millimetre,
-                        f.r_left[middle - k] / millimetre,
-                        (f.r_left[middle + k] - f.r_left[middle - k]) / millimetre,
-                        f.delta_left[middle + k], f.delta_left[middle - k], f.Phi.values()[k],
-                        f.R.values()[k], f.D.values()[k]);
+                        x / millimetre, f.r_left[k] / millimetre, r_right / millimetre,
+                        (f.r_left[k] - r_right) / millimetre, f.delta_left[k], delta_right, at.Phi,
+                        at.R, at.D);
+  }
   out.add("wheelset.csv", text);
   text = "amplitude_mm,conicity,first_harmonic,fitted_line,wavelength_m\n";
   for (const double A : amplitudes(f, 0.1 * millimetre)) {
     const Conicity c = conicity(f, A);
-    text += fmt::format("{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}\n", A / millimetre, c.kinematic,
-                        c.harmonic, c.regression, c.wavelength);
+    text += fmt::format("{:.6g},{:.6g},{},{},{:.6g}\n", A / millimetre, c.kinematic,
+                        cell(c.harmonic), cell(c.regression), c.wavelength);
   }
   out.add("conicity.csv", text);
   text = "x_mm,delta_before_rad,delta_after_rad,r_before_mm,r_after_mm\n";
@@ -91,6 +105,32 @@ void write_files(tool::OutFolder& out, const Wish& wish, const WheelsetOnTrack& 
   out.figure(tools::scripts("hunting") / "geometry.gp", {"wheelset.csv"}, "wheelset.png");
 }
 
+// At which shifts of the table the wheelset stands on a doubtful place of a profile, in the file's own coordinates. A rail is turned
+// by its cant when it is put in its place, which moves a point across by less than the margin.
+std::string stands_on(const Wish& wish, const WheelsetOnTrack& pair, const ProfileFit& fit,
+                      const PointsWarning& warning) {
+  constexpr double margin = millimetre;
+  const bool right = std::string_view{fit.what}.starts_with("right");
+  const bool wheel = std::string_view{fit.what}.ends_with("wheel");
+  const Curve& placed = wheel ? pair.wheel() : pair.rail();
+  // Where the file's inner end came to lie.
+  const double moved = fit.inner_end - placed.end().u;
+  double least = units::no_limit, most = -units::no_limit;
+  for (double x = -wish.end; x <= wish.end * (1 + 1e-9); x += 0.02 * wish.end) {
+    const WheelsetContact at = wish.level ? pair.level_contact(x) : pair.contact(x);
+    if (!at.converged) continue;
+    for (const SideContact* side : {&at.left, &at.right}) {
+      const bool of_both = !sides_differ(wish);
+      if (!of_both && (side == &at.right) != right) continue;
+      const double u = (wheel ? side->on_wheel.u : side->on_rail.u) + moved;
+      if (u < warning.from - margin || u > warning.to + margin) continue;
+      least = std::min(least, std::abs(x)), most = std::max(most, std::abs(x));
+    }
+  }
+  if (most < 0) return "";
+  return fmt::format("at shifts of {:.1f} to {:.1f} mm", least / millimetre, most / millimetre);
+}
+
 void flag_geometry(tool::Summary& answer, const Wish& wish, const std::vector<ProfileFit>& fits) {
   std::vector<Smoothed> numbers{{"slope_R", "slope of R at the centre", "", 0.1, 0.01}};
   for (const double A : {1.0, 3.0})
@@ -106,6 +146,30 @@ void flag_geometry(tool::Summary& answer, const Wish& wish, const std::vector<Pr
   });
 }
 
+// By Klingel's wavelength; EN 15302 keeps the axle level while it moves, a free one rolls.
+void add_conicity(tool::Summary& answer, const Wish& wish, const ConstraintFunctions& f) {
+  const char* axle = wish.level ? "level axle" : "rolling axle";
+  bool first = true;
+  for (const double A : amplitudes(f, millimetre)) {
+    const Conicity c = conicity(f, A);
+    const std::string at = fmt::format("{:.4g}", A / millimetre);
+    if (first && !f.symmetric() && !std::isnan(c.centre))
+      answer.add("runs_about_mm", "the wheelset runs about", c.centre / millimetre, "mm",
+                 "to the left; amplitudes are about it");
+    first = false;
+    const std::string key = "conicity_at_" + at + "_mm",
+                      what = fmt::format("equivalent conicity at {} mm, {}", at, axle);
+    std::string note = fmt::format("wavelength {:.2f} m", c.wavelength);
+    if (f.symmetric())
+      note = fmt::format("first harmonic {:.4f}, fitted line {:.4f}, {}", c.harmonic, c.regression,
+                         note);
+    if (c.oscillates)
+      answer.add(key, what, c.kinematic, "", note);
+    else
+      answer.add(key, what, "none: the wheelset is not steered back");
+  }
+}
+
 void run(const Wish& wish) {
   tool::OutFolder out(wish.out, {"wheelset.csv", "conicity.csv", "jumps.csv", "contacts.csv",
                                  "wheelset.json", "wheelset.png"});
@@ -113,6 +177,9 @@ void run(const Wish& wish) {
   const ConstraintFunctions f = table_of(pair, wish);
   tool::Summary answer("Wheelset on rails");
   describe_pair(answer, wish, fits);
+  flag_points(answer, fits, [&](const ProfileFit& fit, const PointsWarning& warning) {
+    return stands_on(wish, pair, fit, warning);
+  });
   flag_geometry(answer, wish, fits);
   const auto centred = pair.contact(0);
   answer.add("contact_mm", "centred contact, from the middle", -centred.left.on_rail.u / millimetre,
@@ -123,18 +190,7 @@ void run(const Wish& wish) {
              "over the table's first step");
   answer.add("slope_D", "slope of D", f.half_spacing * f.D.slope(0), "rad");
   answer.add("slope_Phi", "slope of the roll angle", f.half_spacing * f.Phi.slope(0), "rad");
-  for (const double A : amplitudes(f, millimetre)) {
-    const Conicity c = conicity(f, A);
-    const std::string at = fmt::format("{:.4g}", A / millimetre);
-    if (c.oscillates)
-      answer.add("conicity_at_" + at + "_mm", "equivalent conicity at " + at + " mm", c.kinematic,
-                 "",
-                 fmt::format("first harmonic {:.4f}, fitted line {:.4f}, wavelength {:.2f} m",
-                             c.harmonic, c.regression, c.wavelength));
-    else
-      answer.add("conicity_at_" + at + "_mm", "equivalent conicity at " + at + " mm",
-                 "none: the wheelset is not steered back");
-  }
+  add_conicity(answer, wish, f);
   const auto jumps = contact_jumps(pair, -wish.end, wish.end, smallest_jump);
   answer.add(
       "jumps", "two-point contacts", double(jumps.size()), "",
@@ -152,6 +208,7 @@ std::function<void()> declare(tool::Options& options) {
   const auto wish = std::make_shared<Wish>();
   wish->average = 0;
   add_pair_options(options, *wish);
+  add_right_options(options, *wish);
   options.flag("--level", wish->level,
                "keep the axle from rolling, as EN 15302 does for the conicity");
   options.out(wish->out);

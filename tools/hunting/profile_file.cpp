@@ -7,6 +7,11 @@ and puts its gauge face in place. Points are met by a spline that stays `--noise
 through all of them; each span of it becomes two arcs, so that the same exact search serves measured and drawn
 profiles.
 
+The points are looked at first. Those that stand off the others by far more than their scatter, and holes between them, are
+flagged with their place, and with the shifts at which the wheelset stands there; nothing is moved. Points that others hide
+(doubled ones, fold-backs) and upright sides at the ends cannot be touched: they are left out, and listed. A wheel that is
+turned, mirrored or upside down is refused.
+
 Contact is far more sensitive than a drawing: on a worn tread the relative curvature of wheel and rail is small, and a
 ripple that no eye sees makes the contact hop. The example files hold points 0.5 mm apart, rounded to a micrometre;
 through all of them the worn wheel's contact jumps dozens of times, and with `--noise 0.001mm` hardly ever. Without
@@ -22,7 +27,9 @@ distances, and flags a conicity or critical speed that changes when the profiles
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
+#include "files/outside.hpp"
 #include "table/csv.hpp"
 #include "units/input_error.hpp"
 #include "wheelrail/measured_curve.hpp"
@@ -35,19 +42,27 @@ using namespace wheelrail;
 namespace {
 
 constexpr double times_scatter = 3;
+constexpr double tape = 0.070;  // m from the back of the flange, where wheels are measured
 constexpr double no_scatter =
     1e-9;  // m: rounding of the numbers in a file, met by a spline through all points
 
 }  // namespace
 
-Curve read_profile(const std::filesystem::path& file, const PairWish& wish, ProfileFit& fit) {
+Curve read_profile(const std::filesystem::path& file, Body body, const PairWish& wish,
+                   ProfileFit& fit) {
   const auto columns =
       table::read_columns(file, {{"inward", units::length}, {"height", units::length}});
   std::vector<Point> points;
   points.reserve(columns[0].size());
   for (std::size_t i = 0; i < columns[0].size(); ++i)
     points.push_back({columns[0][i], columns[1][i]});
+  fit.file = file;
   try {
+    CheckedPoints checked = check_points(std::move(points), body);
+    fit.warnings = std::move(checked.warnings);
+    fit.left_out = std::move(checked.left_out);
+    points = std::move(checked.points);
+    fit.inner_end = points.back().u;
     fit.scatter = scatter(points);
     if (fit.scatter < no_scatter) fit.scatter = 0;
     fit.smoothing = wish.smoothing * wish.noise.value_or(times_scatter * fit.scatter);
@@ -58,15 +73,6 @@ Curve read_profile(const std::filesystem::path& file, const PairWish& wish, Prof
   } catch (const InputError& error) {
     throw InputError(fmt::format("file \"{}\": {}", file.string(), error.what()));
   }
-}
-
-// The flange is the lowest part of a wheel, and on its inner side.
-void require_flange(const Curve& wheel, const std::filesystem::path& file) {
-  if (wheel.end().z < wheel.start().z) return;
-  throw InputError(fmt::format(
-      "file \"{}\": the wheel is lowest at its outer end; allowed: inward grows towards the "
-      "flange, height upwards",
-      file.string()));
 }
 
 namespace {
@@ -108,22 +114,25 @@ ReadPair read_pair(const PairWish& wish) {
   std::vector<ProfileFit> fits;
   const auto read = [&](const char* what, const std::filesystem::path& file) {
     fits.push_back({what});
-    return read_profile(file, wish, fits.back());
+    const Body body = std::string_view{what}.ends_with("wheel") ? Body::wheel : Body::rail;
+    return read_profile(file, body, wish, fits.back());
   };
   const auto side = [&](const Curve& wheel, const Curve& rail, double radius) {
     return with_radius(placed_wheel(wheel, 0.5 * wish.back_to_back + wish.datum),
                        placed_rail(rail, wish.gauge, wish.gauge_depth, wish.cant), radius);
   };
   const Curve wheel = read("wheel", wish.wheel), rail = read("rail", wish.rail);
-  require_flange(wheel, wish.wheel);
   WheelsetOnTrack left = side(wheel, rail, wish.radius);
   if (!sides_differ(wish)) return {std::move(left), std::move(fits)};
   const Curve other = wish.right_wheel.empty() ? wheel : read("right wheel", wish.right_wheel);
-  require_flange(other, wish.right_wheel.empty() ? wish.wheel : wish.right_wheel);
-  const WheelsetOnTrack right =
-      side(other, wish.right_rail.empty() ? rail : read("right rail", wish.right_rail),
-           wish.right_radius.value_or(wish.radius));
-  return {WheelsetOnTrack(left, right), std::move(fits)};
+  const WheelsetOnTrack right = side(
+      other, wish.right_rail.empty() ? rail : read("right rail", wish.right_rail), wish.radius);
+  // Wheels of unlike profiles have the same radius at the tape, or differ there by what is given.
+  const double at_tape = -0.5 * wish.back_to_back - tape;
+  const double radius_left = -left.wheel().height(at_tape),
+               radius_right = radius_left + wish.right_radius.value_or(wish.radius) - wish.radius;
+  const double raised = -radius_right - right.wheel().height(at_tape);
+  return {WheelsetOnTrack(left, {moved(right.wheel(), 0, raised), right.rail()}), std::move(fits)};
 }
 
 namespace {
@@ -157,6 +166,31 @@ void describe_pair(tool::Summary& answer, const PairWish& wish,
         fmt::format("largest {:.3g} mm; scatter of the points {:.2g} mm{}",
                     fit.largest / units::millimetre, fit.scatter / units::millimetre,
                     wish.noise ? "" : fmt::format(", smoothed by {:g} times that", times_scatter)));
+}
+
+void flag_points(tool::Summary& answer, const std::vector<ProfileFit>& fits,
+                 const StandsOn& stands) {
+  constexpr int most = 6;  // of one kind on one profile
+  for (const ProfileFit& fit : fits) {
+    std::string left_out;
+    for (const PointsWarning& w : fit.left_out) left_out += (left_out.empty() ? "" : "; ") + w.text;
+    if (!left_out.empty())
+      answer.add(key_of(fit) + "_left_out", fmt::format("{}, left out", fit.what), left_out);
+    std::map<std::string, int> count;
+    for (const PointsWarning& w : fit.warnings) {
+      const int k = ++count[w.key];
+      if (k > most) continue;
+      const std::string where = stands(fit, w);
+      answer.flag(fmt::format("{}_{}_{}", key_of(fit), w.key, k),
+                  fmt::format("{} {}: {}{}", fit.what, files::shown(fit.file), w.text,
+                              where.empty() ? "" : "; the wheel stands there " + where));
+    }
+    for (const auto& [key, k] : count)
+      if (k > most)
+        answer.flag(
+            fmt::format("{}_{}s", key_of(fit), key),
+            fmt::format("{} {}: {} more such places", fit.what, files::shown(fit.file), k - most));
+  }
 }
 
 namespace {
@@ -210,7 +244,7 @@ void flag_smoothing(tool::Summary& answer, const PairWish& wish,
   for (std::size_t i = 0; i < numbers.size(); ++i)
     if (!others[i].empty())
       answer.flag(numbers[i].key,
-                  fmt::format("{} hangs on the smoothing of the profiles: {}{}", numbers[i].what,
+                  fmt::format("{} depends on the smoothing of the profiles: {}{}", numbers[i].what,
                               text_of(numbers[i], used[i]), others[i]));
 }
 
@@ -231,7 +265,9 @@ void add_right_options(tool::Options& options, PairWish& wish) {
   options.file("--right-rail", wish.right_rail,
                "profile of the right rail; without it as the left, --rail");
   options.quantity("--right-radius", wish.right_radius, units::length,
-                   "rolling radius of the right wheel, centred; without it as --radius",
+                   "radius of the right wheel, 70 mm from the back of its flange, where --radius "
+                   "is the left one's; "
+                   "without it they are the same there",
                    tool::Range{0.05, 5});
 }
 

@@ -17,6 +17,7 @@
 #include "tool/options.hpp"
 #include "tool/summary.hpp"
 #include "units/constants.hpp"
+#include "wheelrail/profile_points.hpp"
 #include "wheelrail/tabulate.hpp"
 
 namespace railbook::hunting_tool {
@@ -58,12 +59,19 @@ struct ProfileFit {
   double scatter = 0;    // of the points (wheelrail::scatter)
   double smoothing = 0;  // asked for
   double rms = 0, largest = 0;
+  double inner_end = 0;  // of the points that were kept
+  std::filesystem::path file = {};
+  std::vector<wheelrail::PointsWarning> warnings = {}, left_out = {};  // in the file's coordinates
 };
-// One profile from its file, and how it was met; of the wish only the smoothing is used.
-wheelrail::Curve read_profile(const std::filesystem::path& file, const PairWish& wish,
-                              ProfileFit& fit);
-// Throws InputError unless the wheel's flange is on its inner side.
-void require_flange(const wheelrail::Curve& wheel, const std::filesystem::path& file);
+// One profile from its file, and how it was met; of the wish only the smoothing is used. Throws InputError naming the file.
+wheelrail::Curve read_profile(const std::filesystem::path& file, wheelrail::Body body,
+                              const PairWish& wish, ProfileFit& fit);
+// Lists the points that were left out, and flags what looks wrong with the others. `stands` says where the contact stands on a doubtful place, if it
+// does: "at shifts of 1 to 3 mm", or nothing.
+using StandsOn =
+    std::function<std::string(const ProfileFit& fit, const wheelrail::PointsWarning& warning)>;
+void flag_points(tool::Summary& answer, const std::vector<ProfileFit>& fits,
+                 const StandsOn& stands);
 
 struct ReadPair {
   wheelrail::WheelsetOnTrack pair;

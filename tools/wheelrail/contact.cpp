@@ -20,6 +20,7 @@ touches at the end of a profile is refused.
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <tuple>
 
 #include "tool/out_folder.hpp"
 #include "tool/summary.hpp"
@@ -62,6 +63,17 @@ WheelsetResult solve(const Wish& wish, const Pair& pair) {
   r.converged = r.left.converged && r.right.converged;
   r.reason = r.left.converged ? r.right.reason : r.left.reason;
   return r;
+}
+
+// On which wheels a patch lies on a doubtful place of the wheel's profile.
+std::string sides_on(const Wish& wish, const WheelsetResult& r, const hunting_tool::ProfileFit& fit,
+                     const wheelrail::PointsWarning& warning) {
+  std::string sides;
+  for (const auto& [name, wheel, shift] :
+       {std::tuple{"left", &r.left, -wish.shift}, {"right", &r.right, wish.shift}})
+    if (stands_on(wish, *wheel, shift, fit, warning))
+      sides += fmt::format("{}on the {}", sides.empty() ? "" : " and ", name);
+  return sides;
 }
 
 void add_wheel(tool::Summary& answer, const Side& shown) {
@@ -122,11 +134,14 @@ void add_wheel(tool::Summary& answer, const Side& shown) {
 
 void run(const Wish& wish) {
   tool::OutFolder out(wish.out, {"patches.csv", "wheelset-contact.json", "wheelset-contact.png"});
-  const Pair pair = read_pair(wish);
+  const auto [pair, fits] = read_pair(wish);
   const WheelsetResult r = solve(wish, pair);
   if (!r.converged) throw std::runtime_error(fmt::format("no answer: {}", r.reason));
   tool::Summary answer("Wheelset on its rails");
   describe_pair(answer, wish);
+  hunting_tool::flag_points(answer, fits, [&](const auto& fit, const auto& warning) {
+    return sides_on(wish, r, fit, warning);
+  });
   answer.add("roll_mrad", "roll, right wheel down", 1e3 * r.pose.roll, "mrad");
   answer.add("turning_rad_per_s", "turning", r.turning, "rad/s");
   answer.add("lowered_mm", "axle below its height on the running circles", r.right.z / millimetre,

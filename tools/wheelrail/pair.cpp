@@ -1,6 +1,8 @@
 #include "wheelrail/pair.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "hunting/profile_file.hpp"
 #include "units/constants.hpp"
@@ -13,32 +15,49 @@ using tool::Range;
 
 namespace {
 
-Profile wheel_profile(const PairWish& wish) {
-  if (wish.wheel.empty()) return s1002();
+wheelrail::Curve read(const char* what, const std::filesystem::path& file, wheelrail::Body body,
+                      const PairWish& wish, std::vector<hunting_tool::ProfileFit>& fits) {
   hunting_tool::PairWish smoothing;
   smoothing.noise = wish.noise;
-  hunting_tool::ProfileFit fit{"wheel"};
-  const wheelrail::Curve curve = hunting_tool::read_profile(wish.wheel, smoothing, fit);
-  hunting_tool::require_flange(curve, wish.wheel);
+  fits.push_back({what});
+  return hunting_tool::read_profile(file, body, smoothing, fits.back());
+}
+
+Profile wheel_profile(const PairWish& wish, std::vector<hunting_tool::ProfileFit>& fits) {
+  if (wish.wheel.empty()) return s1002();
+  const wheelrail::Curve curve = read("wheel", wish.wheel, wheelrail::Body::wheel, wish, fits);
   return Profile(wheelrail::moved(curve, 0, -curve.height(0)));
 }
 
-wheelrail::Curve rail_curve(const PairWish& wish) {
+wheelrail::Curve rail_curve(const PairWish& wish, std::vector<hunting_tool::ProfileFit>& fits) {
   if (wish.rail.empty())
     return rail_60e1(wish.head == "60E1" ? Rail60::drawing : Rail60::benchmark);
-  hunting_tool::PairWish smoothing;
-  smoothing.noise = wish.noise;
-  hunting_tool::ProfileFit fit{"rail"};
-  return hunting_tool::read_profile(wish.rail, smoothing, fit);
+  return read("rail", wish.rail, wheelrail::Body::rail, wish, fits);
 }
 
 }  // namespace
 
-Pair read_pair(const PairWish& wish) {
-  return {wheel_profile(wish),
-          Profile(wheelrail::placed_rail(rail_curve(wish), wish.gauge, wish.gauge_depth,
-                                         std::atan(wish.cant))),
-          wish.radius, 0.5 * wish.back_to_back + wish.datum};
+ReadPair read_pair(const PairWish& wish) {
+  std::vector<hunting_tool::ProfileFit> fits;
+  Profile wheel = wheel_profile(wish, fits);
+  Profile rail(wheelrail::placed_rail(rail_curve(wish, fits), wish.gauge, wish.gauge_depth,
+                                      std::atan(wish.cant)));
+  ReadPair read{
+      {std::move(wheel), std::move(rail), wish.radius, 0.5 * wish.back_to_back + wish.datum},
+      std::move(fits)};
+  require_fit(read.pair);
+  return read;
+}
+
+bool stands_on(const PairWish& wish, const WheelResult& wheel, double shift,
+               const hunting_tool::ProfileFit& fit, const wheelrail::PointsWarning& warning) {
+  constexpr double reach = 4 * units::millimetre;  // half a long patch
+  if (std::string_view{fit.what} != "wheel") return false;
+  const double running_circle = 0.5 * wish.back_to_back + wish.datum;
+  return std::ranges::any_of(wheel.patches, [&](const PatchResult& p) {
+    const double inward = running_circle + shift - p.patch.frame.origin.y();
+    return inward > warning.from - reach && inward < warning.to + reach;
+  });
 }
 
 void describe_pair(tool::Summary& answer, const PairWish& wish) {

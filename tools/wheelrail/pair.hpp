@@ -4,7 +4,9 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "hunting/profile_file.hpp"
 #include "tool/options.hpp"
 #include "tool/summary.hpp"
 #include "wheel_on_rail/wheel.hpp"
@@ -24,8 +26,16 @@ struct PairWish {
 };
 
 void add_pair_options(tool::Options& options, PairWish& wish);
-// Throws InputError naming a file and what is wrong with it.
-wheel_on_rail::Pair read_pair(const PairWish& wish);
+struct ReadPair {
+  wheel_on_rail::Pair pair;
+  std::vector<hunting_tool::ProfileFit> fits;  // of the profiles that came from files
+};
+// Throws InputError naming a file and what is wrong with it, and when the wheelset does not fit between the rails.
+ReadPair read_pair(const PairWish& wish);
+// Whether a patch of a wheel, shifted outwards, lies on a doubtful place of the wheel's profile or next to it. (A rail's place in the
+// track is not told in its file's coordinates.)
+bool stands_on(const PairWish& wish, const wheel_on_rail::WheelResult& wheel, double shift,
+               const hunting_tool::ProfileFit& fit, const wheelrail::PointsWarning& warning);
 void describe_pair(tool::Summary& answer, const PairWish& wish);
 wheel_on_rail::WheelWish wheel_wish(const PairWish& wish);
 wheel_on_rail::Method method_of(const std::string& name);

@@ -140,7 +140,17 @@ void add_answer(tool::Row& row, const Pose& pose, const WheelResult& r) {
   for (const std::string& doubt : r.doubts) row.flag(doubt.substr(0, doubt.find(':')));
 }
 
-std::vector<tool::Row> rows_of(const Wish& wish, const Pair& pair, const Line& line) {
+// Warnings of the profile's points where this row's wheel stands.
+void add_point_flags(tool::Row& row, const Wish& wish, const Line& line, const WheelResult& r,
+                     const std::vector<hunting_tool::ProfileFit>& fits) {
+  for (const hunting_tool::ProfileFit& fit : fits)
+    for (const wheelrail::PointsWarning& warning : fit.warnings)
+      if (stands_on(wish, r, line.shift, fit, warning))
+        row.flag(fmt::format("{}-{}", fit.what, warning.key));
+}
+
+std::vector<tool::Row> rows_of(const Wish& wish, const ReadPair& read, const Line& line) {
+  const Pair& pair = read.pair;
   const Pose pose = pose_of(pair, line.shift, line.yaw);
   std::vector<tool::Row> rows;
   for (const double load : wish.loads)
@@ -151,6 +161,7 @@ std::vector<tool::Row> rows_of(const Wish& wish, const Pair& pair, const Line& l
         try {
           const WheelResult r = solve(wish, pair, pose, place, method_of(wish.method));
           add_answer(row, pose, r);
+          add_point_flags(row, wish, line, r, read.fits);
           if (rows.empty() && line.measured) add_errors(row, wish, pair, line, place, r);
         } catch (const std::exception& error) {
           row.add("refused", std::string(error.what()));
@@ -171,7 +182,7 @@ void run(Wish wish) {
   const double rows = double(wish.shifts) * double(wish.yaws) * double(wish.loads.size()) *
                       double(wish.frictions.size()) * double(wish.slips.size());
   units::require_between("rows of the table", rows, 1, 2e7);
-  const Pair pair = read_pair(wish);
+  const ReadPair read = read_pair(wish);
   const double step = step_of(wish.from, wish.to, wish.shifts),
                turn = step_of(wish.yaw_from, wish.yaw_to, wish.yaws);
   std::map<std::filesystem::path, Line> lines;
@@ -185,7 +196,7 @@ void run(Wish wish) {
       if (lines.emplace(name, line).second) wish.batch.files.emplace_back(name);
     }
   tool::run_batch(wish.batch, wish.out, "wheelrail",
-                  [&](const auto& name) { return rows_of(wish, pair, lines.at(name)); });
+                  [&](const auto& name) { return rows_of(wish, read, lines.at(name)); });
 }
 
 std::function<void()> declare(tool::Options& options) {
