@@ -86,6 +86,7 @@ function frame.set(meta, chapters, current)
   local pages = frame.pages(chapters)
   for i, page in ipairs(pages) do
     if page[1] == current then
+      meta.running = raw((page[2]:gsub('[\\"<&]', function(c) return ("\\%x "):format(c:byte()) end))) -- a string of CSS, for the head of a printed page
       local previous, following = pages[i - 1], pages[i + 1]
       if previous then meta.prev, meta["prev-title"] = pandoc.MetaString(previous[1]), raw(html.text(previous[2])) end
       if following then meta.next, meta["next-title"] = pandoc.MetaString(following[1]), raw(html.text(following[2])) end

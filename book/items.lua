@@ -235,14 +235,44 @@ function items.png_size(path)
   return string.unpack(">I4I4", bytes, 17)
 end
 
+local entities = {["&lt;"] = "<", ["&gt;"] = ">", ["&amp;"] = "&", ["&quot;"] = '"', ["&apos;"] = "'", ["&#39;"] = "'"}
+
+-- What a drawing of gnuplot shows, for who cannot see it: what is drawn against what, and the curves by name. Nil for another.
+function items.described(svg)
+  if not svg:find(">Gnuplot<", 1, true) then return nil end
+  local across, up, curves, seen = {}, {}, {}, {}
+  local function add(list, text)
+    text = text:gsub("<[^>]*>", ""):gsub("&[#%w]+;", entities):gsub("%s+", " "):gsub("^ ", ""):gsub(" $", "")
+    if text:find("%a") and not seen[text] then
+      seen[text] = true
+      list[#list + 1] = text
+    end
+  end
+  for name in svg:gmatch('<g id="gnuplot_plot_%w+" ><title>([^<]*)</title>') do
+    if not name:find("^gnuplot_plot_") then add(curves, name) end
+  end
+  for attributes, body in svg:gmatch("<g transform=\"translate([^>]*)>%s*(<text.-</g>)") do
+    local turned, middle = attributes:find("rotate(", 1, true), attributes:find('text-anchor="middle"', 1, true)
+    local text = body:gsub("<[^>]*>", "")
+    if text:find("%a%a") and middle then add(turned and up or across, body) end
+  end
+  local what = #up > 0 and "Graph of " .. table.concat(up, "; ") or "Drawing"
+  if #across > 0 then what = what .. (#up > 0 and " against " or ": ") .. table.concat(across, "; ") end
+  if #curves > 0 then what = what .. ". Curves: " .. table.concat(curves, "; ") end
+  return what .. "."
+end
+
 -- The picture of a figure, whose PNG has twice the pixels it is shown with: its SVG, which a dark page may turn, where there is one. `folder` holds the chapter's pictures.
 function items.image(item, r, folder, lazy)
   local width, height = items.png_size(folder .. "/" .. item.png)
   local svg = item.png:gsub("%.png$", ".svg")
-  local drawing = io.open(folder .. "/" .. svg)
-  if drawing then drawing:close() end
+  local drawing, seen = io.open(folder .. "/" .. svg), nil
+  if drawing then
+    seen = items.described(drawing:read("a"))
+    drawing:close()
+  end
   local href = ("figures/%s/%s"):format(r.chapter, drawing and svg or item.png)
-  local image = html.tag("img", {src = href, alt = item.alt or item.title, width = width // 2, height = height // 2,
+  local image = html.tag("img", {src = href, alt = item.alt or seen or "Picture: " .. item.title, width = width // 2, height = height // 2,
     class = drawing and "drawing" or nil, loading = lazy and "lazy" or nil})
   return image, href
 end

@@ -24,11 +24,29 @@ set(here ${CMAKE_CURRENT_LIST_DIR})
 set(new ${BOOK}.unfinished)
 file(REMOVE_RECURSE ${new})
 file(MAKE_DIRECTORY ${new}/data ${new}/figures)
-file(COPY ${here}/book.css ${here}/book.js ${here}/answer.js ${here}/icon.svg DESTINATION ${new})
+file(COPY ${here}/book.css ${here}/book.js ${here}/answer.js ${here}/icon.svg ${here}/fonts DESTINATION ${new})
 file(GLOB shared_scripts ${root}/lib/*/*.gp) # the look of all figures, and scripts that several chapters use
 file(COPY ${shared_scripts} DESTINATION ${new}/data)
 set(page_options --template=${here}/template.html --to=html5 --mathml --fail-if-warnings --standalone --wrap=none --no-highlight
     -V version=${VERSION})
+
+# Words in the colour of a thin line are hard to read on white: in the drawings of a folder they get a darker one of the same hue,
+# with a contrast of 4.5 or more.
+function(darken_words folder)
+  file(GLOB drawings ${folder}/*.svg)
+  foreach(drawing ${drawings})
+    file(READ ${drawing} svg)
+    set(dark "${svg}")
+    foreach(pair "86,180,233>58,121,156" "230,159,0>154,107,0" "204,121,167>159,94,130" "0,158,115>0,131,95" "213,94,0>190,84,0"
+            "127,127,127>112,112,112" "128,128,128>112,112,112")
+      string(REGEX MATCH "^(.*)>(.*)$" _ "${pair}")
+      string(REPLACE "fill=\"rgb(${CMAKE_MATCH_1})\" font-size" "fill=\"rgb(${CMAKE_MATCH_2})\" font-size" dark "${dark}")
+    endforeach()
+    if(NOT dark STREQUAL svg)
+      file(WRITE ${drawing} "${dark}")
+    endif()
+  endforeach()
+endfunction()
 
 file(GLOB folders RELATIVE ${CHAPTERS} ${CHAPTERS}/[0-9][0-9]-*)
 list(SORT folders)
@@ -75,6 +93,7 @@ foreach(chapter ${chapters})
   list(FILTER data EXCLUDE REGEX "-answer\\.csv$") # they are scripts, below
   file(COPY ${data} DESTINATION ${new}/data/${chapter})
   file(COPY ${pictures} DESTINATION ${new}/figures/${chapter})
+  darken_words(${new}/figures/${chapter})
   file(COPY ${RESULTS}/${chapter}.json DESTINATION ${new}/data)
   set(answers) # figures that answer: their tables as a script, which a page from disk can load
   file(GLOB tables ${RESULTS}/${chapter}/*-answer.csv)

@@ -54,7 +54,23 @@ const overflow = `(() => {
   return wide + " px too wide: " + (worst ? worst.tagName + "." + worst.getAttribute("class") + " " + worst.textContent.slice(0, 60) : "?");
 })()`;
 
+// On a phone a row of checks is a card with the outcome on top, and no accent hangs beside its letter.
+const cards = `[...document.querySelectorAll("table.cards tbody tr")].filter((r) => r.checkVisibility()).map((row) => {
+  const outcome = row.querySelector("td.outcome")?.getBoundingClientRect(), head = row.cells[0].getBoundingClientRect();
+  if (head.width < 150) return "a card of " + head.width + " px";
+  return outcome && outcome.top >= head.top ? "no outcome on top of " + row.cells[0].textContent : null; }).find((text) => text) ?? null`;
+const accents = `[...document.querySelectorAll("mover")].filter((m) => m.checkVisibility() && m.lastElementChild.getAttribute("accent") === "true").map((m) => {
+  if (/[\\u0300-\\u036f]/.test(m.lastElementChild.textContent)) return "a combining accent, which browsers hang beside its letter";
+  const [base, mark] = [...m.children].map((e) => e.getBoundingClientRect());
+  const off = (mark.left + mark.right) / 2 - (base.left + base.right) / 2;
+  return Math.abs(off) > base.width / 2 ? "an accent " + off.toFixed(1) + " px beside its letter" : null; }).find((text) => text) ?? null`;
+
 async function layout(browser, page) {
+  await browser.width(390);
+  for (const expression of [cards, accents]) {
+    const seen = await browser.run(expression);
+    if (seen) fault(page, seen);
+  }
   for (const width of widths) {
     await browser.width(width);
     const wide = await browser.run(overflow);
@@ -126,6 +142,17 @@ async function answers(browser, page) {
       input.value = Number(input.value) === 0 ? 1 : 0;
       input.oninput();
       if (holder.querySelector(".panes").innerHTML === before) return "does not follow its slider";
+      const bare = [...holder.querySelectorAll("polyline, .panes circle")].find((e) => !e.closest("[clip-path], .key"));
+      if (bare) return "draws outside its axes";
+      const lum = (c) => c.map((v) => v / 255).map((v) => v <= 0.03928 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4).reduce((s, v, i) => s + v * [0.2126, 0.7152, 0.0722][i], 0);
+      for (const theme of ["light", "dark"]) {
+        document.documentElement.dataset.theme = theme;
+        const rgb = (text) => text.match(/[0-9.]+/g).slice(0, 3).map(Number), paper = lum(rgb(getComputedStyle(document.body).backgroundColor));
+        for (const line of holder.querySelectorAll("polyline, .curve")) {
+          const ink = lum(rgb(getComputedStyle(line).stroke)), ratio = (Math.max(ink, paper) + 0.05) / (Math.min(ink, paper) + 0.05);
+          if (ratio < 4.5) return "has a curve of contrast " + ratio.toFixed(1) + " in the " + theme;
+        }
+      }
       if (/NaN|undefined|Infinity/.test(holder.innerHTML)) return "draws what is no number";
       if (!location.hash.startsWith("#${id}=")) return "does not keep its state in the address";
       return null; })()`);

@@ -109,7 +109,7 @@ function(tables)
     "<td class=\"number\" data-head=\"computed\">not a number</td>" "href=\"data/01-sample/table-1.csv\"" "2 % of axis"
     "failed: singular" "near line contact" "href=\"data/01-sample/printed/table-1.csv\"" "3 of 4 checks passed" "1 of 2")
   foreach(file data/01-sample/table-1.csv data/01-sample/fig-1.gp data/01-sample.json figures/01-sample/fig-1.png book.css
-      index.html gallery.html)
+      index.html gallery.html fonts/OFL.txt fonts/stix-two-text-latin-400-normal.woff2 icon.svg)
     if(NOT EXISTS ${dir}/book/${file})
       message(FATAL_ERROR "the book has no ${file}")
     endif()
@@ -286,8 +286,13 @@ endfunction()
 book_case("a missing or empty figure fails" missing_png)
 
 function(drawing)
-  file(WRITE ${dir}/figures/01-sample/fig-1.svg "<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'></svg>")
-  expect_page("class=\"drawing\"" "src=\"figures/01-sample/fig-1.svg\"")
+  set(words "stroke=\"none\" fill=\"rgb(86,180,233)\" font-size=\"14\" text-anchor=\"middle\">\n<text><tspan>")
+  file(WRITE ${dir}/figures/01-sample/fig-1.svg "<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'><title>Gnuplot</title>
+    <g transform=\"translate(9,9) rotate(270)\" ${words}pressure, psi</tspan></text>\n</g><g transform=\"translate(9,9)\" ${words}x &lt; 1, in</tspan></text>\n</g>
+    <g id=\"gnuplot_plot_1\" ><title>Hertz</title></g><g id=\"gnuplot_plot_2\" ><title>gnuplot_plot_2</title></g></svg>")
+  expect_page("class=\"drawing\"" "src=\"figures/01-sample/fig-1.svg\"" "alt=\"Graph of pressure, psi against x &lt; 1, in. Curves: Hertz.\"")
+  file(READ ${dir}/book/figures/01-sample/fig-1.svg svg)
+  has("the drawing" "${svg}" "fill=\"rgb(58,121,156)\" font-size")
   expect_links(01-sample gallery)
   if(EXISTS ${dir}/book/figures/01-sample/fig-1.png)
     message(FATAL_ERROR "the book has the figure twice")
@@ -434,7 +439,7 @@ function(titles)
     {\"id\": \"cost-p\", \"kind\": \"table\", \"title\": \"Error of p\"}, {\"id\": \"fig-1\", \"kind\"")
   edit(${main} "{{work-precision}}" "{{cost-F}}\n\n{{cost-p}}\n\n{{work-precision}}")
   file(WRITE ${dir}/lib/sample/add.hpp "// Gaps of shapes, eq. (1), over\n// two lines. More.\n#pragma once\nusing Eigen::VectorXd;\n\n// The sum.\ninline int add(int a, int b) {\n  return a + b;\n}\n")
-  expect_page("<link rel=\"icon\" href=\"icon.svg\">")
+  expect_page("<link rel=\"icon\" href=\"icon.svg\">" "@page { @top-left { content: \"1 A sample\";" "01-sample.html\"; font")
   foreach(pair "benchmarks|01-sample.html#cost-F\">Error of F</a>" "benchmarks|01-sample.html#cost-p\">Error of p</a>"
       "library|Gaps of shapes, eq. (1), over two lines.<span" "index|<title>railbook: papers on" "search|\"The load is 999.34 lbf, small ones are −1.5×10⁻⁶ in²")
     string(REGEX MATCH "^([^|]*)\\|(.*)$" _ "${pair}")
