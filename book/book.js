@@ -132,7 +132,11 @@ function sortable(table) {
     head.tabIndex = 0;
     head.title = "sort";
     head.onclick = () => sortTable(table, head);
-    head.onkeydown = (event) => { if (event.key === "Enter") sortTable(table, head); };
+    head.onkeydown = (event) => {
+      if (event.key !== "Enter" && event.key !== " ") return;
+      event.preventDefault();
+      sortTable(table, head);
+    };
   }
 }
 
