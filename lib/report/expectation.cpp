@@ -23,13 +23,6 @@ Expectation fitted(std::string why, Tolerance tolerance) {
 Expectation restored(std::string why, Tolerance tolerance) {
   return {Outcome::restored, with_reason(std::move(tolerance), std::move(why))};
 }
-Expectation corrected(double value, double allowed, std::string why) {
-  return {Outcome::corrected, misprint(value, allowed, std::move(why))};
-}
-Expectation not_confirmed(double value, double allowed, std::string why) {
-  return {Outcome::not_confirmed, misprint(value, allowed, std::move(why))};
-}
-
 Expectation corrected(double value, double allowed, std::string why, Trial trial) {
   return {Outcome::corrected, misprint(value, allowed, std::move(why)), std::move(trial)};
 }

@@ -44,9 +44,7 @@ struct Expectation {
  private:
   friend Expectation fitted(std::string why, Tolerance tolerance);
   friend Expectation restored(std::string why, Tolerance tolerance);
-  friend Expectation corrected(double value, double allowed, std::string why);
   friend Expectation corrected(double value, double allowed, std::string why, Trial trial);
-  friend Expectation not_confirmed(double value, double allowed, std::string why);
   friend Expectation not_confirmed(std::string why, Trial trial);
   Expectation(Outcome o, Tolerance t, std::optional<Trial> tried = {})
       : outcome(o), tolerance(std::move(t)), trial(std::move(tried)) {}
@@ -60,8 +58,5 @@ Expectation restored(std::string why, Tolerance tolerance = last_digit());
 Expectation corrected(double value, double allowed, std::string why, Trial trial);
 // The computed value does not round to the print, whatever the trial varies.
 Expectation not_confirmed(std::string why, Trial trial);
-// Without a trial: to go.
-Expectation corrected(double value, double allowed, std::string why);
-Expectation not_confirmed(double value, double allowed, std::string why);
 
 }  // namespace railbook::report

@@ -257,6 +257,12 @@ void Item::consistent(std::string_view id, std::string_view what, bool it_holds,
   judge_claim(id, what, it_holds, Outcome::consistent, std::move(measured)).why = std::move(why);
 }
 
+void Item::consistent(std::string_view id, std::string_view what, const Trial& trial,
+                      std::string measured, std::string why) {
+  consistent(id, what, true, std::move(measured), std::move(why));
+  apply(trial, checks_.back());
+}
+
 void Item::verify(std::string_view id, std::string_view what, bool it_holds, std::string measured,
                   const std::string& method) {
   CheckRecord& c = judge_claim(id, what, it_holds, Outcome::verified, std::move(measured));
@@ -273,13 +279,6 @@ void Item::refute(std::string_view id, std::string_view what, const Trial& trial
 
 void Item::claim(std::string_view id, std::string_view what, bool it_holds, std::string measured) {
   judge_claim(id, what, it_holds, Outcome::confirmed, std::move(measured));
-}
-
-void Item::refute(std::string_view id, std::string_view what, bool instead_holds,
-                  std::string instead) {
-  if (instead.empty())
-    throw std::logic_error{fmt::format("{}: a refuted claim says what holds instead", id)};
-  judge_claim(id, what, instead_holds, Outcome::not_confirmed, std::move(instead));
 }
 
 void Item::value(std::string_view id, double number, std::string_view unit,

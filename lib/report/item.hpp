@@ -190,6 +190,9 @@ class Item {
   // source claim, consistent: compatible with the paper under assumptions of ours; `why` names them.
   void consistent(std::string_view id, std::string_view what, bool it_holds, std::string measured,
                   std::string why);
+  // The same, and it must hold in each variation.
+  void consistent(std::string_view id, std::string_view what, const Trial& trial,
+                  std::string measured, std::string why);
   // source claim, not confirmed: `instead` is what holds, in each variation of the trial.
   void refute(std::string_view id, std::string_view what, const Trial& trial, std::string instead);
   // source route: a statement on our own program or model, none of the paper's.
@@ -198,8 +201,6 @@ class Item {
   // The trial of the check with this id: what is varied comes from data/trials.csv.
   Trial trial(std::string_view id, std::string quantity, std::string format,
               Trial::Stands stands) const;
-  // Without a trial: to go.
-  void refute(std::string_view id, std::string_view what, bool instead_holds, std::string instead);
   // source publication: `reference` is the text of another work.
   void publication(std::string_view id, std::string_view what, std::string_view unit,
                    std::string_view reference, double computed, const Tolerance& tolerance,

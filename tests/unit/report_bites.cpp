@@ -65,9 +65,11 @@ TEST_CASE("unit: an outcome has its reason, and the tolerance's behind it") {
   CHECK(fitted("chosen", relative(0.1, "rough")).tolerance.why == "chosen; rough");
   CHECK(restored("torn", relative(0.1, "rough")).tolerance.why == "torn; rough");
   CHECK(restored("torn").outcome == Outcome::restored);
-  CHECK(corrected(3, 0.1, "sign").outcome == Outcome::corrected);
-  CHECK(corrected(3, 0.1, "sign").tolerance.span == 3);
-  CHECK(not_confirmed(3, 0.1, "no").outcome == Outcome::not_confirmed);
+  const Trial trial("speed", "{}", misses("1"), {{"t/a", "mesh", "mm", {"4", "2"}}});
+  CHECK(corrected(3, 0.1, "sign", trial).outcome == Outcome::corrected);
+  CHECK(corrected(3, 0.1, "sign", trial).tolerance.span == 3);
+  CHECK(not_confirmed("no", trial).outcome == Outcome::not_confirmed);
+  CHECK_THROWS_AS(Trial("speed", "{}", misses("1"), {}), std::logic_error);
   CHECK_THROWS_AS(fitted(""), std::logic_error);
   CHECK_THROWS_AS(restored("", relative(0.1, "r")), std::logic_error);
 }

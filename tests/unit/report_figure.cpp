@@ -147,8 +147,6 @@ TEST_CASE("unit: an item that fails says how many of what") {
           i.expect_checks(2), i.claim("a", "a", true), i.claim("b", "b", false);
         }) == "1 of 2 checks failed");
   CHECK(why([](auto&) {}) == "no check, and not declared rebuilt, added, a sketch or lost");
-  CHECK(why([](auto& i) { i.expect_checks(1), i.refute("a", "it is linear", true, ""); }) ==
-        "a: a refuted claim says what holds instead");
   CHECK(why([](auto& i) { i.lost(""); }) == "t: lost without a reason");
   CHECK(why([](auto& i) {
           i.stability({"s", "w", "x"}, [] { return report::Found{}; });

@@ -141,11 +141,11 @@ TEST_CASE(
 
 TEST_CASE("unit: an installed chapter finds its sources among what was installed") {
   Sample s;
-  s.info.id = "01-contact";
+  s.info.id = "08-wheel-on-rail";
   s.info.sources = "/nowhere";
   CHECK(s.reproduce(one([](report::Item& item) {
                       item.sketch();
-                      CHECK(item.sources().filename() == "01-contact");
+                      CHECK(item.sources().filename() == "08-wheel-on-rail");
                       CHECK(std::filesystem::exists(item.sources() / "data"));
                     }),
                     {"--only", "t"}) == 0);
