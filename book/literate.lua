@@ -146,7 +146,8 @@ end
 local Weaver = {}
 Weaver.__index = Weaver
 
-function Weaver:code(piece, file)
+-- `last`: no prose of the page comes after it, so it would stand below a heading that is not its own.
+function Weaver:code(piece, file, last)
   local code, dropped = trim_lines(piece.text)
   if code == "" then return end
   local line = piece.line + dropped
@@ -160,7 +161,7 @@ function Weaver:code(piece, file)
     code = body
   end
   for _, run in ipairs(runs(code)) do
-    self:emit(fenced(run.text, file, line + run.before, run.glue and "glue" or "code"))
+    self:emit(fenced(run.text, file, line + run.before, (run.glue or last) and "glue" or "code"))
     self.blocks = self.blocks + 1
   end
 end
@@ -196,8 +197,12 @@ function Weaver:file(name, from)
     fail(from .. ": '" .. name .. "' is included twice (first at " .. self.seen[name] .. ")")
   end
   self.seen[name] = from
-  for _, piece in ipairs(cut(source)) do
-    if piece.prose then self:prose(piece, name) else self:code(piece, name) end
+  local pieces, last_prose = cut(source), 0
+  for i, piece in ipairs(pieces) do
+    if piece.prose then last_prose = i end
+  end
+  for i, piece in ipairs(pieces) do
+    if piece.prose then self:prose(piece, name) else self:code(piece, name, name == self.main and i > last_prose) end
   end
 end
 
@@ -276,6 +281,7 @@ function Reader(inputs)
     main = main or name
     weaver.sources[name] = {name = name, text = source.text}
   end
+  weaver.main = main
   weaver:file(main, "the command line")
   for _, source in ipairs(inputs) do
     local name = source.name:match("[^/]+$")

@@ -161,10 +161,16 @@ endfunction()
 book_case("a chapter has a second page for its study" second_page)
 
 function(code)
+  edit(${main} "int main() {}" "int orphan() { return 1; }\n\nint main() {}")
   expect_page("<summary>" "The rest of the program" "main.cpp:24" "more.cpp:6" "Counts to sixty, slowly." "63 lines" "<code>Pair, first</code>")
   string(REGEX REPLACE "<[^>]*>" "" text "${page}")
   has("the code on the page" "${text}" "bool less(const std::vector&lt;T&gt;&amp; a, T b) { return a.size() &lt; 1&#39;000 &amp;&amp; a[0] &lt; b; }"
       "int braces[1][1] = {{1}};" "&quot;/*** not prose */&quot;;" "/*** nor this: {{unknown}} */\n)x&quot;;" "int main() {}")
+  string(FIND "${text}" "The rest of the program\n" rest REVERSE)
+  string(FIND "${text}" "int orphan()" orphan)
+  if(orphan LESS rest)
+    message(FATAL_ERROR "code behind the last prose stands under a heading that is not its own")
+  endif()
 endfunction()
 book_case("code is escaped and otherwise left alone" code)
 
