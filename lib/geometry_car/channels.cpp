@@ -102,6 +102,37 @@ std::vector<bool> outliers(const Column& e, const Column& T, double T_brisk, dou
   return out;
 }
 
+// A change of slope from one row to the next, which differences show as one peak; a spike or a step has two of either sign or more.
+bool is_kink(const Column& e, std::size_t first, std::size_t last) {
+  double sum = 0, size = 0;
+  for (std::size_t k = first - std::min<std::size_t>(first, 1); k < std::min(e.size(), last + 2);
+       ++k) {
+    if (std::isnan(e[k])) continue;
+    sum += e[k];
+    size += std::abs(e[k]);
+  }
+  return std::abs(sum) >= 0.6 * size;
+}
+
+// Rows near a kink of either height: joints, which the accelerometers feel too.
+std::vector<bool> near_kinks(const Run& run) {
+  constexpr double least = 1e-3, times = 6;  // m; median differences
+  constexpr std::size_t reach = 8;           // rows: of a kink through the analog filters
+  std::vector<bool> near(run.size(), false);
+  for (const Channel c : {Channel::height_left, Channel::height_right}) {
+    const Column e = differences(run[c], false);
+    Column sizes;
+    for (const double value : e)
+      if (!std::isnan(value)) sizes.push_back(std::abs(value));
+    const double limit = std::max(least, times * 1.4826 * median(sizes));
+    for (std::size_t k = 0; k < e.size(); ++k)
+      if (std::isgreater(std::abs(e[k]), limit) && is_kink(e, k, k))
+        for (std::size_t j = k - std::min(k, reach / 2); j < std::min(e.size(), k + reach + 1); ++j)
+          near[j] = true;
+  }
+  return near;
+}
+
 // By how much the level differs behind [first, last], a parabola through both sides taken off: the part of a unit step that no
 // parabola explains, and as much of it as is in x.
 double level_change(const Column& x, std::size_t first, std::size_t last, std::size_t side) {
@@ -138,14 +169,16 @@ struct Zero {
 };
 
 // `zero` is that of the run so far; `then` becomes that at the row `at` of the record, where the run holds it.
-void mask_jumps(const Run& run, const ChannelInfo& c, double sample, Record& record, Health& health,
-                Jumps& found, Zero zero, std::size_t at, Zero& then) {
+void mask_jumps(const Run& run, const ChannelInfo& c, const Processing& p,
+                const std::vector<bool>& joints, Record& record, Health& health, Jumps& found,
+                Zero zero, std::size_t at, Zero& then) {
   const auto channel = static_cast<std::size_t>(c.channel);
   const Kind kind = kind_of(c);
   const Column& x = run.values[channel];
   const double grain = coarseness(x);
+  const Column e = differences(x, kind.filtered);
   const auto out =
-      outliers(differences(x, kind.filtered), run.T, sample / brisk,
+      outliers(e, run.T, p.layout.sample / brisk,
                std::max((kind.filtered ? 3 : 1) * kind.jump, (kind.filtered ? 9 : 3) * grain));
   double &moved = zero.moved, &largest = zero.largest;  // since the run began
   const bool holds = run.rows.front() <= at && at <= run.rows.back();
@@ -163,9 +196,17 @@ void mask_jumps(const Run& run, const ChannelInfo& c, double sample, Record& rec
     double peak = 0;
     for (std::size_t j = k; j < std::min(x.size(), last + gap + 1); ++j)
       if (out[j]) last = j;
+    const bool joint = kind.filtered ? joints[k] : c.filter == 0 && is_kink(e, k, last);
+    if (joint) {
+      k = last;
+      continue;
+    }
     for (std::size_t j = k; j <= last; ++j) {
       if (j > 0) peak = std::max(peak, std::abs(x[j] - x[j - 1]));
-      record.values[channel][run.rows[j]] = nan;
+      if (p.mask_jumps)
+        record.values[channel][run.rows[j]] = nan;
+      else
+        health.doubted[channel][run.rows[j]] = true;
     }
     const double change = level_change(x, k, last, kind.side);
     doubt_to(k);
@@ -185,7 +226,20 @@ void mask_jumps(const Run& run, const ChannelInfo& c, double sample, Record& rec
   doubt_to(x.size());
 }
 
-void examine_still(const ChannelInfo& c, Record& record, Health& health) {
+// A channel whose changes are of one step, nine times in ten: it is coarse, and standing still is its habit.
+bool is_coarse(const Column& x) {
+  const double step = coarseness(x);
+  std::size_t changes = 0, single = 0;
+  for (std::size_t k = 1; k < x.size(); ++k) {
+    const double d = std::abs(x[k] - x[k - 1]);
+    if (std::isnan(d) || d == 0) continue;
+    ++changes;
+    single += d < 1.5 * step ? 1 : 0;
+  }
+  return changes > 0 && 10 * single >= 9 * changes;
+}
+
+void examine_still(const ChannelInfo& c, const Processing& p, Record& record, Health& health) {
   Column& x = record[c.channel];
   if (std::all_of(x.begin(), x.end(), [](double v) { return std::isnan(v); })) {
     health.findings.push_back(
@@ -193,14 +247,24 @@ void examine_still(const ChannelInfo& c, Record& record, Health& health) {
     return;
   }
   const auto stretches = still(x);
+  if (stretches.empty()) return;
+  const bool coarse = is_coarse(x);
   std::size_t rows = 0;
   for (const StillStretch& s : stretches) {
     rows += s.rows;
-    std::fill_n(x.begin() + static_cast<std::ptrdiff_t>(s.first), s.rows, nan);
+    const auto first = static_cast<std::ptrdiff_t>(s.first);
+    if (!coarse && p.mask_still)
+      std::fill_n(x.begin() + first, s.rows, nan);
+    else if (!coarse)
+      std::fill_n(health.doubted[static_cast<std::size_t>(c.channel)].begin() + first, s.rows,
+                  true);
   }
-  if (rows > 0)
-    health.findings.push_back({Fault::still, std::string{c.name}, stretches[0].first, rows, 0,
-                               fmt::format("{} rows without a change, masked", rows)});
+  health.findings.push_back(
+      {Fault::still, std::string{c.name}, stretches[0].first, rows, 0,
+       fmt::format("{} rows without a change, {}", rows,
+                   coarse         ? "which its coarse steps explain: kept"
+                   : p.mask_still ? "masked"
+                                  : "kept, and not trusted (--screen still masks them)")});
 }
 
 // A converter at both of its ends: its largest and its smallest value each come ten times and more, and ten times as often as
@@ -269,12 +333,80 @@ void examine_level(const Record& record, const Processing& p, Health& health) {
                      (expected + wide) * 1e3)});
 }
 
+// Zeros that the whole record tells: no track leans further and further, nor is it nowhere straight, nor does it fall without end.
+void examine_zeros(const Record& record, const Processing& p, Health& health) {
+  using enum Channel;
+  constexpr double most_lean = 0.15;                  // rad, from one end to the other
+  constexpr double least_yaw = 0.14 * units::degree;  // rad/s: 10 mm of crosslevel at 60 mph
+  constexpr double least_vertical = 0.047;            // m/s^2: 20 mm of a space curve
+  const auto report = [&](Channel c, double size, std::string text) {
+    const auto i = static_cast<std::size_t>(c);
+    health.zero_doubted[i].assign(record.size(), true);
+    health.findings.push_back({Fault::level, std::string{channel_list()[i].name}, 0, record.size(),
+                               size, std::move(text)});
+  };
+  double turned = 0, time = 0;
+  constexpr std::size_t smooth = 100;  // rows: sway and line are shorter
+  Column yaw;
+  double sum = 0;
+  std::size_t rows = 0;
+  for (std::size_t k = 1; k < record.size(); ++k) {
+    const double T = record.elapsed[k];
+    if (!filters::possible_interval(T) || T * 1.0 > p.layout.sample) continue;  // at a crawl
+    if (!std::isnan(record[roll_rate][k])) turned += T * record[roll_rate][k], time += T;
+    if (std::isnan(record[yaw_rate][k])) continue;
+    sum += record[yaw_rate][k];
+    if (++rows % smooth > 0) continue;
+    yaw.push_back(sum / smooth);
+    sum = 0;
+  }
+  if (std::abs(turned) > most_lean)
+    report(
+        roll_rate, turned / time,
+        fmt::format("its mean over {:.3g} s is {:.2g} deg/s, which turns the car by {:.2g} rad: a "
+                    "bias? Crosslevel rests on it; see --roll-bias",
+                    time, turned / time / units::degree, turned));
+  // The shortest interval with three tenths of all rows, where next to none is straight.
+  std::sort(yaw.begin(), yaw.end());
+  if (const std::size_t part = 3 * yaw.size() / 10; part > 5) {
+    std::size_t best = 0;
+    for (std::size_t i = 0; i + part < yaw.size(); ++i)
+      if (yaw[i + part] - yaw[i] < yaw[best + part] - yaw[best]) best = i;
+    const double usual = yaw[best + part / 2];
+    const auto straight = std::count_if(yaw.begin(), yaw.end(), [&](double rate) {
+      return std::abs(rate) < 0.5 * std::abs(usual);
+    });
+    if (std::abs(usual) > least_yaw && 20 * static_cast<std::size_t>(straight) < yaw.size())
+      report(
+          yaw_rate, usual,
+          fmt::format("it is {:.2g} deg/s most of the time and hardly ever near zero: a bias, or "
+                      "a record without straight track? Curvature and crosslevel rest on it; see "
+                      "--yaw-bias",
+                      usual / units::degree));
+  }
+  if (p.chain.high_pass.stages > 1) return;
+  // Both feel the same hills; what roll adds to one and takes from the other has no mean.
+  double apart = 0, known = 0;
+  for (std::size_t k = 0; k < record.size(); ++k) {
+    const double difference = record[vertical_left][k] - record[vertical_right][k];
+    if (!std::isnan(difference)) apart += difference, known += 1;
+  }
+  apart /= std::max(known, 1.0);
+  if (!(std::abs(apart) > least_vertical && std::abs(apart) < 1)) return;
+  health.zero_doubted[static_cast<std::size_t>(vertical_right)].assign(record.size(), true);
+  report(
+      vertical_left, apart,
+      fmt::format("its mean is {:.2g} m/s^2 above that of vertical_right: a bias of one of them? "
+                  "The surfaces rest on it; --stages 2 frees them",
+                  apart));
+}
+
 }  // namespace
 
 void examine_channels(Record& record, const Processing& p, Health& health, Carried& carried,
                       std::size_t at) {
   for (const ChannelInfo& c : channel_list()) {
-    examine_still(c, record, health);
+    examine_still(c, p, record, health);
     examine_clipping(c, record, health);
   }
   std::array<Jumps, channels> found;
@@ -282,9 +414,10 @@ void examine_channels(Record& record, const Processing& p, Health& health, Carri
   const Carried before = std::exchange(carried, {.leapt = carried.leapt});
   for (Run& run : runs_of(record, p, rejected)) {
     load(run, record);
+    const std::vector<bool> joints = near_kinks(run);
     for (std::size_t i = 0; i < channels; ++i) {
       Zero then{carried.moved[i], carried.largest[i]};
-      mask_jumps(run, channel_list()[i], p.layout.sample, record, health, found[i],
+      mask_jumps(run, channel_list()[i], p, joints, record, health, found[i],
                  run.rows.front() == 0 ? Zero{before.moved[i], before.largest[i]} : Zero{}, at,
                  then);
       carried.moved[i] = then.moved;
@@ -297,14 +430,17 @@ void examine_channels(Record& record, const Processing& p, Health& health, Carri
     if (j.count > 0)
       health.findings.push_back(
           {Fault::jump, std::string{c.name}, j.first, j.count, j.largest,
-           fmt::format("{} jump{} of up to {:.2g} {}, masked", j.count, j.count > 1 ? "s" : "",
-                       j.largest / kind.si, kind.unit)});
+           fmt::format(
+               "{} jump{} of up to {:.2g} {}, {}", j.count, j.count > 1 ? "s" : "",
+               j.largest / kind.si, kind.unit,
+               p.mask_jumps ? "masked" : "kept, and not trusted (--screen jumps masks them)")});
     if (j.steps > 0)
       health.findings.push_back(
           {Fault::step, std::string{c.name}, j.first_step, j.steps, j.largest_step,
            fmt::format("its zero moved, by up to {:.2g} {}", j.largest_step / kind.si, kind.unit)});
   }
   examine_level(record, p, health);
+  examine_zeros(record, p, health);
 }
 
 }  // namespace railbook::geometry_car

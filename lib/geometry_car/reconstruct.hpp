@@ -69,6 +69,8 @@ struct Processing {
   double fastest = 150;           // m/s: a row that would mean more is rejected
   double steepest = 0.01;         // grade of the line, for the quality of profile at changing speed
   Corrections corrections = {};
+  // What examine() takes out; without, it is kept and doubted.
+  bool mask_jumps = true, mask_still = true;
   std::vector<double> grade =
       {};  // slope of the rails ahead of each mark from 0 on: only for the size of what its lack costs
 };

@@ -136,6 +136,18 @@ Tally tally(const std::vector<Answer>& answers, std::string_view status) {
   return t;
 }
 
+// "class 5, A_m2_cycle_per_m 2e-07": the numbers of a row but for those that say where it is and how much of it was read.
+std::string numbers_of(const Json& row) {
+  static const std::set<std::string> aside{"from_m",  "to_m",    "spacing_m", "samples",
+                                           "missing", "bridged", "faulty"};
+  std::string text;
+  for (const auto& item : row.items())
+    if (item.value().is_number() && !aside.contains(item.key()))
+      text += fmt::format("{}{} {:.4g}", text.empty() ? "" : ", ", item.key(),
+                          item.value().get<double>());
+  return text;
+}
+
 void print(const std::vector<Answer>& answers, const std::string& name) {
   Summary summary{fmt::format("{} of {} records", name, answers.size())};
   std::size_t rows = 0;
@@ -147,11 +159,30 @@ void print(const std::vector<Answer>& answers, const std::string& name) {
     if (const Tally t = tally(answers, status); t.count > 0)
       summary.flag(status, fmt::format("{} of {} records {}; their rows say why", t.count,
                                        answers.size(), status));
+  std::size_t doubted = 0;
+  std::set<std::string> doubts;
+  for (const Answer& a : answers)
+    for (const Json& row : a.rows)
+      if (const std::string flags = row.value("flags", ""); !flags.empty())
+        ++doubted, doubts.insert(flags);
+  if (doubted > 0)
+    summary.flag("doubtful", fmt::format("{} of {} rows are doubtful ({}): see their flags",
+                                         doubted, rows, fmt::join(doubts, "; ")));
   add("records", answers.size(), "records");
   add("answered", tally(answers, "ok").count, "  answered");
   add("refused", tally(answers, "refused").count, "  refused");
   add("failed", tally(answers, "failed").count, "  failed");
   add("rows", rows, "rows of the table");
+  constexpr std::size_t most = 20;
+  std::size_t shown = 0;
+  for (const Answer& a : answers)
+    for (const Json& row : a.rows)
+      if (a.status == "ok" && row.value("kind", "record") == "record" && ++shown <= most)
+        summary.add(fmt::format("row_{}", shown),
+                    files::shown(a.record) +
+                        (row.contains("column") ? ", " + row.value("column", "") : std::string{}),
+                    numbers_of(row));
+  if (shown > most) summary.add("more", "  and more", fmt::format("{} rows", shown - most));
   summary.print();
 }
 

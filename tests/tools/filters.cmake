@@ -67,8 +67,12 @@ doubts(spike "NR==2000{\$3+=1}" "DOUBTFUL: vertical_left: 1 jump of up to 1 m")
 doubts(dead-sensor "NR>1{\$6=\"nan\"}" "DOUBTFUL: inclinometer: no value at all")
 doubts(turned-sign "NR>1{\$8=-\$8}" "DOUBTFUL: roll_rate: .* its sign is turned")
 doubts(wrong-unit "NR>1{\$5/=9.80665}" "DOUBTFUL: lateral: .* in g under a header of m/s.2")
+# Biases that the record itself contradicts; with them, what rests on them is not good.
+doubts(yaw-bias "NR>1{\$7+=0.5}" "DOUBTFUL: yaw_rate: .*--yaw-bias.*crosslevel, mean where good +nowhere good")
+doubts(roll-bias "NR>1{\$8+=0.5}" "DOUBTFUL: roll_rate: .*--roll-bias.*crosslevel, mean where good +nowhere good")
+doubts(vertical-bias "NR>1{\$3+=0.06}" "DOUBTFUL: vertical_left: .* above that of vertical_right.*--stages 2")
 add_test(NAME "tool: filters refuses sensors that all stand still"
-         COMMAND sh -c "awk -F, -v OFS=, 'NR==2{split(\$0,a,FS)} NR>2{for(i=3;i<=NF;i++)\$i=a[i]} 1' $1 > $2.csv && exec $3 'nothing can be measured' $0 filters process $2.csv"
+         COMMAND sh -c "awk -F, -v OFS=, 'NR==2{split(\$0,a,FS)} NR>2{for(i=3;i<=NF;i++)\$i=a[i]} 1' $1 > $2.csv && exec $3 'nothing can be measured' $0 filters process $2.csv --screen still"
                  $<TARGET_FILE:railbook> ${folder}/filters-sensors.csv ${folder}/filters-still ${CMAKE_CURRENT_SOURCE_DIR}/refuses.sh)
 set_tests_properties("tool: filters refuses sensors that all stand still" PROPERTIES FIXTURES_REQUIRED filters-record)
 foreach(length 2km 777m 1000m 1234.5m 1mi)
@@ -101,3 +105,14 @@ target_link_libraries(corners_at_a_tenth PRIVATE railbook_flags railbook_geometr
                       railbook_report railbook_plot)
 add_test(NAME "chapter: 04-filters follows its corners" COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/filters/corners_at_a_tenth.sh
          $<TARGET_FILE:corners_at_a_tenth> ${CMAKE_BINARY_DIR}/ctest/corners-at-a-tenth ${CMAKE_SOURCE_DIR}/figures/04-filters)
+# Joints of rails and a coarse gyro are no faults of sensors: a profile is good where it was, and nothing is doubted.
+add_test(NAME "tool: filters process keeps joints"
+         COMMAND sh -c "$0 filters simulate --out $1-dip.csv --length 2000m --speeds 60mph --dip 30mm && $0 filters process $1-dip.csv"
+                 $<TARGET_FILE:railbook> ${folder}/filters)
+set_tests_properties("tool: filters process keeps joints" PROPERTIES PASS_REGULAR_EXPRESSION "profile_left, mean where good .*good (8[5-9]|9[0-9])"
+                     FAIL_REGULAR_EXPRESSION "DOUBTFUL|profile_left, mean where good +nowhere")
+add_test(NAME "tool: filters process keeps a coarse gyro on straight track"
+         COMMAND sh -c "$0 filters simulate --out $1-straight.csv --length 2000m --speeds 60mph --superelevation 0m --curvature 0rad/m --line-roughness 1e-9m^2*cycle/m --dip 0m && awk -F, -v OFS=, 'NR>1{q=\$7/0.05;\$7=0.05*int(q+(q<0?-.5:.5))} 1' $1-straight.csv >$1-coarse.csv && $0 filters process $1-coarse.csv"
+                 $<TARGET_FILE:railbook> ${folder}/filters)
+set_tests_properties("tool: filters process keeps a coarse gyro on straight track" PROPERTIES
+                     PASS_REGULAR_EXPRESSION "curvature, mean where good .*good 9[0-9]" FAIL_REGULAR_EXPRESSION "masked")

@@ -15,6 +15,8 @@ values beyond a sensor's range (`--acceleration-range` and so on) and single spi
 window they fall in; columns it has no use for are named. Without a single run long enough for the composite
 filter, or without a parameter that can be measured at all, there is nothing to answer, and the record is refused.
 
+Jumps and stretches without a change are kept and not trusted; `--screen jumps still` masks them. A kink, as the joints of rails make, is no jump.
+
 Then the sensors are tried against themselves and against each other. A channel that stands still, jumps or loses its zero, a gage that no track has, a clock or
 a distance that stops or leaps; a gain, a unit or a sign that the other sensors contradict: each is a doubt printed above the answer and kept under `flags` in
 the JSON, what is certainly wrong is masked, and no row that rests on a doubt is *good*. A record of more than 32768 rows (10 km) is judged in stretches of that
@@ -60,6 +62,7 @@ struct Wish {
   Processing processing;
   Plausible plausible;
   double chord = 62 * foot, yaw_bias = 0, roll_bias = 0;
+  std::vector<std::string> screen{"codes"};
   long high_pass = 151, passes = 4, stages = 1, poles = 2, curvature_mean = 51;
   tool::Destination out;
 };
@@ -231,8 +234,15 @@ void refuse_nothing(const Wish& wish, const Answer& a, const Stretches& record) 
 }
 
 void process_record(Wish wish) {
-  tool::OutFolder out(wish.out, {"geometry.csv", "geometry.json", "geometry.png"});
+  tool::OutFolder out(wish.out, {"geometry.csv", "geometry.json", "warnings.csv", "geometry.png"});
   Processing& p = wish.processing;
+  p.mask_jumps = p.mask_still = false;
+  for (const std::string& name : wish.screen) {
+    if (name != "codes" && name != "jumps" && name != "still")
+      throw InputError{fmt::format("screen is \"{}\"; allowed: codes, jumps, still", name)};
+    p.mask_jumps = p.mask_jumps || name == "jumps";
+    p.mask_still = p.mask_still || name == "still";
+  }
   const double half = 0.5 * wish.chord / p.layout.sample;
   if (std::abs(half - std::round(half)) > 1e-6 || half < 0.5)
     throw InputError{fmt::format(
@@ -274,6 +284,11 @@ void process_record(Wish wish) {
   s.print();
   if (out) {
     out.add("geometry.json", s.json());
+    std::string warnings = "sensor,warning,first_row,rows,text\n";
+    for (const Finding& f : record.findings())
+      warnings += fmt::format("{},{},{},{},{}\n", f.what, name_of(f.fault), f.first + 1, f.rows,
+                              table::csv_cell(f.text));
+    out.add("warnings.csv", warnings);
     out.scratch("thin.csv", thin.table());
     out.figure(tools::scripts("filters") / "process.gp", {"thin.csv"}, "geometry.png");
   }
@@ -310,6 +325,9 @@ tool::Tool process_tool() {
         add_layout(o, wish->processing.layout);
         o.quantity("--chord", wish->chord, units::length, "of profile, alignment and warp",
                    tool::positive);
+        o.texts("--screen", wish->screen,
+                "what is masked: codes (values beyond a sensor's range, and spikes), and as well "
+                "jumps and still, stretches without a change; else these are kept and not trusted");
         o.count("--high-pass", wish->high_pass, "samples of the high-pass's mean, odd", 3, 10001);
         o.count("--passes", wish->passes, "of that mean", 1, 8);
         o.count("--stages", wish->stages, "of the high-pass; 2 frees space curves from bias", 1, 2);
@@ -334,6 +352,24 @@ tool::Tool process_tool() {
         o.quantity("--steepest-grade", wish->processing.steepest, units::number,
                    "of the line, for what braking may cost the profile", tool::Range{0, 0.1});
         o.out(wish->out);
+        o.help(
+            "geometry.csv has a row a mark: distance_m, speed_mph (negative where marks count "
+            "down), "
+            "and for each parameter its\n"
+            "value and, in NAME_is, how far it can be trusted: good, degraded, unreliable or "
+            "missing. Along the track towards\n"
+            "growing marks, left is positive: curvature (rad/km) in a left-hand curve, crosslevel "
+            "(mm) with the left rail\n"
+            "higher, alignment and line (mm) to the left; profile and surface (mm) are positive "
+            "upwards. profile and alignment\n"
+            "are the rail at the middle of the chord less the mean of its ends, so that a dip is "
+            "negative; surface and line are\n"
+            "space curves without their long waves. curvature_rate (rad/km2) and warp (mm) are the "
+            "change of curvature and of\n"
+            "crosslevel ahead less behind, warp over the length of the chord. gage (mm) is whole. "
+            "warnings.csv lists what\n"
+            "is doubted: sensor, warning, first_row, rows, text.\n"
+            "\nExample: railbook filters process sensors.csv --config car.toml --out mine");
         return [wish] { process_record(*wish); };
       }};
 }
