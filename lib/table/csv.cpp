@@ -286,11 +286,17 @@ bool CsvReader::split_quoted(std::string text) {
   return true;
 }
 
+const std::vector<std::string>& CsvReader::names() const {
+  for (std::size_t i = names_.size(); i < header_.size(); ++i)
+    names_.push_back(parse_column(header_[i]).name);
+  return names_;
+}
+
 std::optional<std::size_t> CsvReader::find(std::string_view name) const {
   std::vector<std::size_t> found;
   const auto collect = [&](const auto& fits) {
     for (std::size_t i = 0; i < header_.size() && found.size() < 2; ++i)
-      if (fits(header_[i])) found.push_back(i);
+      if (fits(i)) found.push_back(i);
     if (found.size() > 1)
       throw InputError{fmt::format(
           "{}: column \"{}\" is there twice, as number {} and {}; allowed: the number of one",
@@ -298,10 +304,10 @@ std::optional<std::size_t> CsvReader::find(std::string_view name) const {
     return !found.empty();
   };
   const std::string fold = folded(name);
-  if (collect([&](const std::string& h) { return h == name; }) ||
-      collect([&](const std::string& h) { return parse_column(h).name == name; }) ||
-      (!fold.empty() && collect([&](const std::string& h) {
-        return folded(h) == fold || folded(parse_column(h).name) == fold;
+  if (collect([&](std::size_t i) { return header_[i] == name; }) ||
+      collect([&](std::size_t i) { return names()[i] == name; }) ||
+      (!fold.empty() && collect([&](std::size_t i) {
+        return folded(header_[i]) == fold || folded(names()[i]) == fold;
       })))
     return found[0];
   std::size_t number = 0;
@@ -316,14 +322,10 @@ std::optional<std::size_t> CsvReader::find(std::string_view name) const {
 std::size_t CsvReader::column(std::string_view name) const {
   if (const auto found = find(name)) return *found;
   std::string there;
-  std::vector<std::string> names;
-  for (const auto& h : header_) {
-    there += (there.empty() ? "" : ", ") + h;
-    names.push_back(parse_column(h).name);
-  }
+  for (const auto& h : header_) there += (there.empty() ? "" : ", ") + h;
   throw InputError{fmt::format("{}: no column \"{}\"; there are: {}{}", said(file()),
                                units::printable(name), units::printable(there, 1000),
-                               units::did_you_mean(name, names))};
+                               units::did_you_mean(name, names()))};
 }
 
 bool CsvReader::next() {
