@@ -54,15 +54,26 @@ foreach(file ${scripts})
   endif()
 endforeach()
 
-# The version stands in CMakeLists.txt; what cannot ask CMake says the same.
+# CITATION.cff names the last release, which is the newest of CHANGELOG.md. A release has that version and no suffix; between
+# releases the version is a later one with the suffix -dev.
 file(STRINGS ${root}/CMakeLists.txt line REGEX "^project")
 string(REGEX MATCH "VERSION ([0-9.]+)" _ "${line}")
 set(version ${CMAKE_MATCH_1})
+file(STRINGS ${root}/CMakeLists.txt line REGEX "^set.RAILBOOK_SUFFIX")
+string(REGEX MATCH "\"(.*)\"" _ "${line}")
+set(suffix "${CMAKE_MATCH_1}")
 file(STRINGS ${root}/CITATION.cff cited REGEX "^version: ")
-file(STRINGS ${root}/CHANGELOG.md changes REGEX "^## [0-9]")
+string(REPLACE "version: " "" cited "${cited}")
+file(STRINGS ${root}/CHANGELOG.md changes REGEX "^## [0-9U]")
 list(GET changes 0 newest)
-if(NOT cited STREQUAL "version: ${version}" OR NOT newest STREQUAL "## ${version}")
-  broken("CMakeLists.txt says ${version}, CITATION.cff \"${cited}\", CHANGELOG.md \"${newest}\"")
+list(FILTER changes EXCLUDE REGEX "Unreleased")
+list(GET changes 0 released)
+if(NOT released STREQUAL "## ${cited}")
+  broken("CITATION.cff says ${cited}, the newest release of CHANGELOG.md is \"${released}\"")
+endif()
+if(NOT (suffix STREQUAL "" AND version VERSION_EQUAL cited AND newest STREQUAL released)
+   AND NOT (suffix STREQUAL "-dev" AND version VERSION_GREATER cited AND newest STREQUAL "## Unreleased"))
+  broken("CMakeLists.txt says ${version}${suffix}, CITATION.cff ${cited}, CHANGELOG.md begins with \"${newest}\"")
 endif()
 
 # No two tools write files of one name: their answers may share a folder. But for the warnings, which are of the last.
