@@ -40,7 +40,12 @@ install(DIRECTORY tools/ DESTINATION ${CMAKE_INSTALL_DATADIR}/railbook/tools FIL
         PATTERN examples EXCLUDE)
 install(FILES lib/plot/style.gp lib/plot/scene.gp DESTINATION ${CMAKE_INSTALL_DATADIR}/railbook/lib/plot)
 install(DIRECTORY tools/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/railbook)
-install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
+
+# Licences: ours, the notices of what is compiled into the programs, and the list of all of it.
+configure_file(cmake/install/spdx.cmake.in ${CMAKE_BINARY_DIR}/spdx.cmake @ONLY)
+install(SCRIPT cmake/install/source_date.cmake)
+install(SCRIPT ${CMAKE_BINARY_DIR}/spdx.cmake)
+install(FILES LICENSE SECURITY.md cmake/install/copyright ${CMAKE_BINARY_DIR}/railbook.spdx DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 # The manual page and the completions are what the command says of itself.
 set(said ${CMAKE_BINARY_DIR}/said)
@@ -55,10 +60,14 @@ install(FILES ${said}/railbook.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES ${said}/railbook DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
 install(FILES ${said}/_railbook DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
 
-# `cpack` in the build folder makes a Debian package of all of it.
+# `cpack` in the build folder makes a Debian package of all of it, the same bits for each who builds the same commit with the same
+# compiler and libraries. Who publishes it gives an address: cpack -D CPACK_PACKAGE_CONTACT="Name <address>".
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME railbook)
-set(CPACK_PACKAGE_CONTACT "railbook developers <railbook@localhost>")
+string(REPLACE - ~ CPACK_PACKAGE_VERSION ${RAILBOOK_VERSION}) # to Debian 0.2.0-dev is later than 0.2.0, 0.2.0~dev earlier
+set(CPACK_PACKAGE_CONTACT "The railbook maintainers")
+set(CPACK_PROJECT_CONFIG_FILE ${CMAKE_SOURCE_DIR}/cmake/install/source_date.cmake)
+set(CPACK_POST_BUILD_SCRIPTS ${CMAKE_SOURCE_DIR}/cmake/install/repack.cmake)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
