@@ -20,13 +20,23 @@ std::string short_number(double value) {
   return text;
 }
 
+// All text is made in functions of its own: what passes the checks pays for no room for it.
 [[noreturn]] void refuse(std::string_view quantity, double value, std::string_view unit,
-                         const std::string& allowed) {
+                         std::string_view allowed) {
   std::string text{quantity};
   text += " is " + short_number(value);
   if (!unit.empty()) text += " " + std::string{unit};
-  text += "; allowed: " + allowed;
+  text += "; allowed: ";
+  text += allowed;
   throw InputError{text};
+}
+
+[[noreturn]] void refuse_outside(std::string_view quantity, double value, double low, double high,
+                                 std::string_view unit) {
+  std::string range = "from " + short_number(low) + " to " + short_number(high);
+  if (!std::isfinite(high)) range = "at least " + short_number(low);
+  if (!std::isfinite(low)) range = "at most " + short_number(high);
+  refuse(quantity, value, unit, range);
 }
 
 }  // namespace
@@ -39,10 +49,7 @@ double require_finite(std::string_view quantity, double value, std::string_view 
 double require_between(std::string_view quantity, double value, double low, double high,
                        std::string_view unit) {
   if (std::isfinite(value) && value >= low && value <= high) return value;
-  std::string range = "from " + short_number(low) + " to " + short_number(high);
-  if (!std::isfinite(high)) range = "at least " + short_number(low);
-  if (!std::isfinite(low)) range = "at most " + short_number(high);
-  refuse(quantity, value, unit, range);
+  refuse_outside(quantity, value, low, high, unit);
 }
 
 double require_positive(std::string_view quantity, double value, std::string_view unit) {
