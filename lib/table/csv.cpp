@@ -286,9 +286,11 @@ bool CsvReader::split_quoted(std::string text) {
   return true;
 }
 
-const std::vector<std::string>& CsvReader::names() const {
-  for (std::size_t i = names_.size(); i < header_.size(); ++i)
-    names_.push_back(parse_column(header_[i]).name);
+const std::vector<CsvReader::Name>& CsvReader::names() const {
+  for (std::size_t i = names_.size(); i < header_.size(); ++i) {
+    const std::string name = parse_column(header_[i]).name;
+    names_.push_back({name, folded(name), folded(header_[i])});
+  }
   return names_;
 }
 
@@ -305,9 +307,9 @@ std::optional<std::size_t> CsvReader::find(std::string_view name) const {
   };
   const std::string fold = folded(name);
   if (collect([&](std::size_t i) { return header_[i] == name; }) ||
-      collect([&](std::size_t i) { return names()[i] == name; }) ||
+      collect([&](std::size_t i) { return names()[i].name == name; }) ||
       (!fold.empty() && collect([&](std::size_t i) {
-        return folded(header_[i]) == fold || folded(names()[i]) == fold;
+        return names()[i].folded_header == fold || names()[i].folded_name == fold;
       })))
     return found[0];
   std::size_t number = 0;
@@ -323,9 +325,11 @@ std::size_t CsvReader::column(std::string_view name) const {
   if (const auto found = find(name)) return *found;
   std::string there;
   for (const auto& h : header_) there += (there.empty() ? "" : ", ") + h;
+  std::vector<std::string> known;
+  for (const auto& n : names()) known.push_back(n.name);
   throw InputError{fmt::format("{}: no column \"{}\"; there are: {}{}", said(file()),
                                units::printable(name), units::printable(there, 1000),
-                               units::did_you_mean(name, names()))};
+                               units::did_you_mean(name, known))};
 }
 
 bool CsvReader::next() {

@@ -65,7 +65,10 @@ class CsvReader {
   bool split(std::string_view text);
   bool split_quoted(std::string text);
   void read_header();
-  const std::vector<std::string>& names() const;
+  struct Name {
+    std::string name, folded_name, folded_header;
+  };
+  const std::vector<Name>& names() const;
   double with_comma(std::size_t column) const;
   [[noreturn]] void refuse(const std::string& why) const;
   void require_column(std::size_t before) const;
@@ -78,9 +81,9 @@ class CsvReader {
   std::size_t first_ahead_ = 0;     // number of the next of them
   std::string kept_;                // one of them, in use
   std::vector<std::string_view> cells_;
-  std::vector<std::string> quoted_;         // cells that are not as in the file
-  mutable char decimal_ = 0;                // point or comma, once seen
-  mutable std::vector<std::string> names_;  // of the columns without units, once asked for
+  std::vector<std::string> quoted_;  // cells that are not as in the file
+  mutable char decimal_ = 0;         // point or comma, once seen
+  mutable std::vector<Name> names_;  // of the columns without units, once asked for
 };
 
 // A small table held as text: the paper's printed values.
