@@ -30,11 +30,24 @@ fi
 "$railbook" quality index "$there/share/railbook/examples/quality/track.csv" --speed 100km/h --column crosslevel --out mine >/dev/null || fail "an example"
 if grep -q "$source/" "$railbook"; then fail "the program knows where it was built: $(grep -ao "$source/[^[:space:]]*" "$railbook" | head -3)"; fi
 
-# The Debian package names what it needs, and its command runs where it is unpacked.
+# The notices of what is compiled in, and hardening of releases.
+for work in Eigen CLI11 nlohmann-json fmt; do
+  grep -q "^$work$" "$there/share/doc/railbook/copyright" || fail "no notice of $work"
+  grep -q "^PackageName: $work$" "$there/share/doc/railbook/railbook.spdx" || fail "$work is not in railbook.spdx"
+done
+if grep -q '^CMAKE_BUILD_TYPE:.*=Release$' "$build/CMakeCache.txt" && command -v readelf >/dev/null; then
+  readelf -d "$railbook" | grep -q BIND_NOW || fail "the command is linked without BIND_NOW"
+  readelf -W --dyn-syms "$railbook" | grep -q __stack_chk_fail || fail "the command has no stack protector"
+  readelf -W --dyn-syms "$railbook" | grep -q __memcpy_chk || fail "the command is compiled without _FORTIFY_SOURCE"
+fi
+
+# The Debian package names what it needs, is the same whoever packs it, and its command runs where it is unpacked.
 if command -v dpkg-shlibdeps >/dev/null; then
   cpack --config "$build/CPackConfig.cmake" -B "$folder/package" >said 2>&1 || fail "$(tail -5 said)"
   package=$(echo "$folder"/package/railbook_*.deb)
   dpkg-deb -f "$package" Depends | grep -q libfftw3 || fail "the package forgets FFTW"
+  (umask 077 && cpack --config "$build/CPackConfig.cmake" -B "$folder/elsewhere" >said 2>&1) || fail "$(tail -5 said)"
+  cmp "$package" "$folder"/elsewhere/railbook_*.deb || fail "a second package differs"
   dpkg-deb -x "$package" unpacked
   ./unpacked/usr/bin/railbook --version | grep -q '^railbook [0-9]' || fail "the package's command does not run"
   [ -s unpacked/usr/share/railbook/lib/plot/style.gp ] || fail "the package lacks the figures' style"
