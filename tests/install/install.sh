@@ -55,6 +55,7 @@ fi
 
 if find "$there" -name '*.a' | xargs -d '\n' grep -q "$source/"; then fail "the library knows where it was built"; fi
 if grep -rq "$source" "$there/lib"*/cmake "$there/lib"*/*/cmake 2>/dev/null; then fail "the package knows where it was built"; fi
-cmake -S "$source/tests/install/outside" -B outside -DCMAKE_CXX_COMPILER="$compiler" "-DCMAKE_PREFIX_PATH=$there" >said 2>&1 || fail "$(tail -20 said)"
+version=$(sed -n 's/^CMAKE_PROJECT_VERSION:.*=//p' "$build/CMakeCache.txt")
+cmake -S "$source/tests/install/outside" -B outside -DCMAKE_CXX_COMPILER="$compiler" "-DCMAKE_PREFIX_PATH=$there" "-DVERSION=$version" >said 2>&1 || fail "$(tail -20 said)"
 cmake --build outside >said 2>&1 || fail "$(tail -20 said)"
 ./outside/outside
