@@ -32,11 +32,11 @@ function html.unit(text)
   end))
 end
 
--- A number as text, 1.2e-05 or "-3.4 psi", the way it is printed: 1.2×10⁻⁵, −3.4 psi. Other text: escaped.
+-- A number as text, 1.2e-05 or "-3.4 psi", the way it is printed: 1.2×10⁻⁵, −3.4 psi. Other text: escaped, with its powers of ten.
 function html.number(text)
   text = html.escape(text):gsub("^([+-]?[%d.]+)[eE](%d+)$", "%1e+%2")
-  if text:find("^[+-]?%.?%d") then text = html.unit(power_of_ten((text:gsub("^-", "−")))) end
-  return text
+  if text:find("^[+-]?%.?%d") then return html.unit(power_of_ten((text:gsub("^-", "−")))) end
+  return power_of_ten(text)
 end
 
 -- The same for a formula.
@@ -140,6 +140,7 @@ function html.table(class, heads, rows, caption)
       if type(cell) == "table" and type(cell.sort) == "number" then attributes["data-sort"] = ("%.6g"):format(cell.sort) end
       local head = type(heads[i]) == "table" and heads[i][1] or heads[i]
       if i == 1 then attributes.scope = "row" elseif cards then attributes["data-head"] = head end
+      if cards and content == "–" then attributes["data-none"] = "" end
       cells[i] = html.tag(i == 1 and "th" or "td", attributes, content)
     end
     out[#out + 1] = html.tag("tr", {class = row.class, id = row.id}, table.concat(cells))

@@ -424,11 +424,11 @@ function(statements)
   edit(${json} "\"kind\": \"last_digit\", \"why\": \"\", \"pass\": false}" "\"kind\": \"last_digit\", \"why\": \"\", \"pass\": false},
     {\"id\": \"fig-1/only\", \"item\": \"fig-1\", \"what\": \"no other sensor\", \"source\": \"route\", \"outcome\": \"verified\", \"by\": \"each disturbed\", \"reference\": \"\",
      \"computed\": \"none\", \"kind\": \"exact\", \"allowed\": 0, \"error\": 0, \"why\": \"\", \"pass\": true},
-    {\"id\": \"fig-1/tried\", \"item\": \"fig-1\", \"what\": \"it is fast\", \"source\": \"claim\", \"outcome\": \"not confirmed\", \"computed\": \"slow\", \"kind\": \"exact\",
+    {\"id\": \"fig-1/tried\", \"item\": \"fig-1\", \"what\": \"it is fast\", \"source\": \"claim\", \"outcome\": \"not confirmed\", \"computed\": \"slow by 3e-05\", \"kind\": \"exact\",
      \"allowed\": 0, \"error\": 0, \"why\": \"\", \"pass\": true, \"trial\": {\"quantity\": \"the speed\", \"range\": \"5 to 9 mph\", \"varied\":
      [{\"choice\": \"dampers\", \"settings\": [\"1 N\", \"2 N\"], \"range\": \"5 to 9 mph\"}]}}")
   expect_page("<table class=\"checks claims cards\">" ">how it was tried</th>" "<td data-head=\"how it was tried\">each disturbed</td>"
-    "<td class=\"outcome\" data-head=\"outcome\"><span class=\"badge verified\">"
+    "<td class=\"outcome\" data-head=\"outcome\"><span class=\"badge verified\">" "slow by 3×10<sup>−5</sup>"
     "The speed is 5 to 9 mph in every variation. Dampers (1, 2 N): 5 to 9 mph.")
   string(FIND "${page}" "data-head=\"reference\"></td>" at)
   if(at GREATER_EQUAL 0)
