@@ -48,9 +48,9 @@ local function in_short(records)
       drawn, figures = drawn + own, figures + own + rebuilt + lost
     end
   end
-  return html.tag("p", nil, ("Of the %d numbers that the papers print, %d are confirmed to the last digit or consistent within a stated "
-    .. "tolerance. Of the %d figures, %d are drawn from data that the paper prints; the others are rebuilt from inputs of ours, each "
-    .. "of which its caption names."):format(printed, met, math.tointeger(figures), math.tointeger(drawn)))
+  return html.tag("p", nil, ("Of the %d printed numbers (without those that nothing can test) %d are confirmed to the last digit or consistent within a stated "
+    .. "tolerance. Of the %d figures, %d are drawn from data that the paper prints; the others are rebuilt from inputs of ours, "
+    .. "which their captions name, or lost."):format(printed, met, math.tointeger(figures), math.tointeger(drawn)))
 end
 
 -- The papers with what was found in each.
