@@ -87,7 +87,29 @@ void BranchWalker::walk() {
     else
       stop_if_done();
   }
+  erase_false_folds();
   branch.newton_steps = solver.all_iterations();
+}
+
+// Where harmonics are added the branch moves a little, and next to a fold it may seem to turn twice more: two folds that follow one
+// another with nothing but small steps between them, nearer than the balance is good, are none.
+void BranchWalker::erase_false_folds() {
+  auto& all = branch.special;
+  const auto near = [](const SpecialCycle& a, const SpecialCycle& b) {
+    const double good = 10 * std::max(a.at.tail, b.at.tail);
+    return a.kind == CycleEvent::fold && b.kind == CycleEvent::fold && b.after - a.after < 8 &&
+           std::abs(a.at.parameter / b.at.parameter - 1) < good &&
+           std::abs(a.at.largest / b.at.largest - 1) < good &&
+           std::abs(a.at.cycle.omega / b.at.cycle.omega - 1) < good;
+  };
+  for (std::size_t k = 0; k + 1 < all.size();) {
+    if (near(all[k], all[k + 1])) {
+      all.erase(all.begin() + std::ptrdiff_t(k), all.begin() + std::ptrdiff_t(k) + 2);
+      k = k > 0 ? k - 1 : 0;
+    } else {
+      ++k;
+    }
+  }
 }
 
 LimitCycle BranchWalker::describe(const Place& p, double slope) {

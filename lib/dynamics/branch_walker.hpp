@@ -42,6 +42,7 @@ class BranchWalker {
   // Of the step to `next` until it is at the branch's first cycle again; 0: it is not.
   double part_to_first(const LimitCycle& next) const;
   void stop_if_done();
+  void erase_false_folds();
 
   const ContinuationOptions& options_;
   Place at_;

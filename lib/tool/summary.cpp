@@ -12,6 +12,34 @@
 
 namespace railbook::tool {
 
+namespace {
+
+// With the last digit in the place of the error's first one, at least one digit and at most seven.
+std::string to_digits_of(double value, double error) {
+  if (!(error > 0)) return fmt::format("{:.7g}", value);
+  if (std::isinf(error)) return fmt::format("{:.4g}", value);
+  const double place = std::floor(std::log10(error));
+  const double size = value == 0 ? place : std::floor(std::log10(std::abs(value)));
+  const int digits = static_cast<int>(std::clamp(size - place + 1, 1.0, 7.0));
+  const double unit = std::pow(10, size - digits + 1);
+  if (size < -4 || size > 6) return fmt::format("{:.{}e}", value, digits - 1);
+  return fmt::format("{:.{}f}", unit > 1 ? std::round(value / unit) * unit : value,
+                     std::max(0, digits - 1 - static_cast<int>(size)));
+}
+
+}  // namespace
+
+void Summary::add(std::string key, std::string what, const Estimate& estimate, std::string unit,
+                  std::string note) {
+  const std::string error = std::isinf(estimate.error)
+                                ? "error not known"
+                                : fmt::format("error about {:.1g}", estimate.error);
+  add(std::move(key), std::move(what), estimate.value, std::move(unit),
+      note.empty() ? error : fmt::format("{}; {}", error, note));
+  lines_.back().text = to_digits_of(estimate.value, estimate.error);
+  lines_.back().error = estimate.error;
+}
+
 void Summary::add(std::string key, std::string what, double value, std::string unit,
                   std::string note) {
   if (!std::isfinite(value)) {
@@ -56,12 +84,17 @@ void Summary::print() const {
 
 std::string Summary::json() const {
   nlohmann::ordered_json values = nlohmann::ordered_json::object();
+  nlohmann::ordered_json errors = nlohmann::ordered_json::object();
   nlohmann::ordered_json units = nlohmann::ordered_json::object();
   nlohmann::ordered_json notes = nlohmann::ordered_json::object();
   for (const Line& line : lines_) {
     if (line.kind == Line::Kind::number) values[line.key] = line.value;
     if (line.kind == Line::Kind::text) values[line.key] = line.text;
     if (line.kind == Line::Kind::absent) values[line.key] = nullptr;
+    if (line.error) {
+      auto& error = errors[line.key] = nullptr;
+      if (std::isfinite(*line.error)) error = *line.error;
+    }
     if (!line.unit.empty()) units[line.key] = line.unit;
     const std::string& note = line.kind == Line::Kind::absent ? line.text : line.note;
     if (!note.empty()) notes[line.key] = note;
@@ -74,6 +107,7 @@ std::string Summary::json() const {
   const Session& asked = session();
   const nlohmann::ordered_json all{{"title", title_},
                                    {"values", values},
+                                   {"errors", errors},
                                    {"units", units},
                                    {"notes", notes},
                                    {"flags", object(flags_)},

@@ -2,11 +2,17 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace railbook::tool {
+
+// A value and its error, absolute and in the value's unit; infinite: not known.
+struct Estimate {
+  double value = 0, error = 0;
+};
 
 class Summary {
  public:
@@ -15,6 +21,10 @@ class Summary {
   // A number in the unit it is shown in. `key` is its JSON name ("force_N" style names carry the unit). Throws InputError
   // naming it when it is not finite: what has no value is said to be absent.
   void add(std::string key, std::string what, double value, std::string unit,
+           std::string note = "");
+  // A number with its error: printed with the digits that the error leaves, and the error beside it; under "errors" in the
+  // JSON, null when not known.
+  void add(std::string key, std::string what, const Estimate& estimate, std::string unit,
            std::string note = "");
   void add(std::string key, std::string what, std::string text);
   // A quantity that has no value here, and why ("none", "beyond the largest force"): null in the JSON, with the reason
@@ -30,7 +40,7 @@ class Summary {
   // The table on standard output: what, value, unit, note; with --json, json(). On standard error where standard output is
   // a file's.
   void print() const;
-  // {"title": ..., "values": {key: value, ...}, "units": {key: unit, ...}, "notes": ..., "flags": {key: text}, "program": ...,
+  // {"title": ..., "values": {key: value, ...}, "errors": ..., "units": {key: unit, ...}, "notes": ..., "flags": {key: text}, "program": ...,
   // "version": ..., "command": [...], "given": {option: text}, "assumed": {option: text}}; what is absent is null.
   std::string json() const;
 
@@ -40,6 +50,7 @@ class Summary {
     Kind kind;
     std::string key, what, text, unit, note;
     double value;
+    std::optional<double> error{};
   };
   std::string title_;
   std::vector<Line> lines_;

@@ -106,6 +106,23 @@ says("cycle with limited creep" "limited by a friction of 0\\.3.*points +[0-9]" 
      --largest-amplitude 6mm)
 says("cycle with friction that sticks hard" "points +[0-9]" cycle --suspension friction --stick-speed 1.6e-7m/s --stick-rate
      6e-8rad/s)
+# Stable cycles off the branches of the critical speeds, by integrations in time of another program: 13.779, 16.147, 13.498 and
+# 16.128 mm, 21.7391 rad/s; 13.14, 12.59, 13.10, 12.39 mm, 20.993 rad/s; 12.37, 12.77, 12.25, 12.79 mm, 19.956 rad/s; and
+# 11.46, 11.74, 11.36, 11.78 mm, 18.916 rad/s.
+foreach(case "45 cn 0.3 13\\.7[78].* 16\\.14.* 13\\.50.* 16\\.12.*21\\.7[34]"
+        "41 cn 0.3 13\\.14.* 12\\.59.* 13\\.10.* 12\\.39.*2(0\\.99|1\\.00)"
+        "45 cn 0.15 12\\.3[67].* 12\\.77.* 12\\.25.* 12\\.79.*19\\.9[56]"
+        "50 new 0.15 11\\.4[67].* 11\\.73.* 11\\.3[67].* 11\\.78.*18\\.91")
+  string(REGEX MATCH "^([0-9]+) ([a-z]+) ([0-9.]+) (.*)$" _ "${case}")
+  says("cycle finds a stable one in time: ${CMAKE_MATCH_2}, ${CMAKE_MATCH_3}, ${CMAKE_MATCH_1} m/s"
+       "straight run at ${CMAKE_MATCH_1} m/s +unstable.*found in time.*${CMAKE_MATCH_4}.*; stable" cycle --pair ${CMAKE_MATCH_2}
+       --wheel-rail-friction ${CMAKE_MATCH_3} --speed ${CMAKE_MATCH_1}m/s --patience 2)
+endforeach()
+says("cycle says where nothing stable was found" "DOUBTFUL: at 44 m/s the straight run and every cycle found are unstable.*derailed"
+     cycle --pair cn --speed 44m/s)
+says("cycle says at which speeds nothing stable was found" "DOUBTFUL: from 42\\.[0-9]* to 45\\.[0-9]* m/s the straight run" cycle --pair cn)
+# The torus by a finer tail and finer multipliers: 42.307 m/s.
+says("cycle says how well a torus is known" "torus +42\\.3[01] m/s +.error about 0\\.0[1-4]" cycle --pair cn --largest-amplitude 12mm)
 refuses(hunting "cycle: a datum without a speed" "give --speed" cycle --against warp-stiffness)
 refuses(hunting "cycle: a datum that no car has" "against" cycle --speed 40m/s --against bogie-mass)
 # Profiles: rounded inches, noise of 20 micrometres, over-smoothing.

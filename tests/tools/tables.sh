@@ -47,7 +47,7 @@ means() {
   answer=$1.json program=$2
   shift 2
   # shellcheck disable=SC2046 # one word each
-  sed -n 's/^ "\(values\|units\|notes\|flags\)": {.*/\1/p; s/,$//; s/^  "\([^"]*\)": "\{0,1\}\(.*[^"]\)"\{0,1\}$/\1\t\2/p; /^ "program"/q' "$answer" |
+  sed -n 's/^ "\(values\|errors\|units\|notes\|flags\)": {.*/\1/p; s/,$//; s/^  "\([^"]*\)": "\{0,1\}\(.*[^"]\)"\{0,1\}$/\1\t\2/p; /^ "program"/q' "$answer" |
     awk $(for one in "$@"; do echo "-v $one"; done) -F'\t' "$functions"'function abs(x) {return x < 0 ? -x : x}
     function bad(text) {print text; wrong++}
     function is(key, x, within) {named[key]; if (within == "") within = 1e-6

@@ -18,8 +18,11 @@ with d the contact angle and f the lateral creep force towards the outside over 
 creep force has of friction, 0 to 1; no load moves from wheel to wheel. Right wheels and rail may have profiles and a radius of their own: the
 car then hunts off the centre, and cycles have harmonics of every order. Where symmetry breaks or the period doubles, the branch that leaves there is
 followed too, to where it comes back. Folds and other points are those of the full equations by harmonic balance and Floquet multipliers; describing functions
-have no part in it. What is not on these branches is not found: the answer says what was searched, and a speed without a cycle there may
-have one elsewhere. `--out` writes the points as `cycle.csv`, the special ones as `special.csv`, `cycle.json` and the figure. Stiff cars
+have no part in it. Where none of the cycles found at `--speed` is stable, motions are followed in time, from beside the unstable cycles
+and from swaying of several sizes; a stable cycle to which they come is solved and followed as a branch of its own, and the answer says where
+the others went. Without `--speed` the same is done in the middle of the first two ranges of speed at which branches have
+unstable cycles alone and the straight run is unstable too. What neither finds may be there all the same: the answer says what was searched. Errors are
+those of the solution, from solving again with a tenth of the tail of harmonics and finer multipliers; `--tail` makes them smaller. `--out` writes the points as `cycle.csv`, the special ones as `special.csv`, `cycle.json` and the figure. Stiff cars
 take long: after `--patience` the branch ends where it is, and the answer says so.
 */
 
@@ -30,9 +33,9 @@ take long: after `--patience` the branch ends where it is, and the answer says s
 #include <cmath>
 #include <memory>
 
-#include "dynamics/continuation.hpp"
+#include "dynamics/cycle_error.hpp"
 #include "dynamics/linear_stability.hpp"
-#include "hunting/car_options.hpp"
+#include "hunting/search.hpp"
 #include "num/stopwatch.hpp"
 #include "rolling/kalker_coefficients.hpp"
 #include "rolling/smooth_force.hpp"
@@ -55,7 +58,7 @@ struct Wish : CarWish {
   double first = 1 * units::millimetre;
   std::optional<double> largest, speed, wheel_rail_friction;
   std::string against, creep_law = "cubic";
-  double factor = 2;
+  double factor = 2, tail = 3e-4;
   long family = 1, patience = 10;
   tool::Destination out;
 };
@@ -118,11 +121,15 @@ std::string stability_text(const LimitCycle& c) {
 }
 
 void add_cycle(tool::Summary& answer, const std::string& id, const LimitCycle& c,
-               const CarCase& car, const std::optional<CreepLimit>& creep) {
-  answer.add(id + "_mm", "  largest amplitude", c.largest / millimetre, "mm",
-             fmt::format("{:.4f}, {:.4f}, {:.4f}, {:.4f} mm", c.amplitude[0] / millimetre,
-                         c.amplitude[1] / millimetre, c.amplitude[2] / millimetre,
-                         c.amplitude[3] / millimetre));
+               const CycleError& error, const CarCase& car,
+               const std::optional<CreepLimit>& creep) {
+  answer.add(id + "_mm", "  largest amplitude",
+             tool::Estimate{c.largest / millimetre, error.amplitude / millimetre}, "mm");
+  static constexpr std::array names{"front leading", "front trailing", "rear leading",
+                                    "rear trailing"};
+  for (std::size_t k = 0; k < wheelsets; ++k)
+    answer.add(fmt::format("{}_wheelset_{}_mm", id, k + 1), fmt::format("    {}", names[k]),
+               tool::Estimate{c.amplitude[k] / millimetre, error.amplitude / millimetre}, "mm");
   if (!car.table.symmetric())
     answer.add(
         id + "_middle_mm", "  about", c.middle[0] / millimetre, "mm",
@@ -139,20 +146,31 @@ void add_cycle(tool::Summary& answer, const std::string& id, const LimitCycle& c
                fmt::format("{:.3f}, {:.3f}, {:.3f}, {:.3f}", f.creep[0], f.creep[1], f.creep[2],
                            f.creep[3]));
   }
-  answer.add(id + "_rad_per_s", "  frequency", c.cycle.omega, "rad/s");
-  answer.add(id + "_multiplier", "  largest Floquet multiplier", c.leading, "", stability_text(c));
+  answer.add(id + "_rad_per_s", "  frequency", tool::Estimate{c.cycle.omega, error.omega}, "rad/s");
+  answer.add(id + "_multiplier", "  largest Floquet multiplier",
+             tool::Estimate{c.leading, error.leading}, "", stability_text(c));
+  if (!c.neutral && std::abs(c.leading - 1) < error.leading)
+    answer.flag(id + "_stability",
+                fmt::format("{}: its largest Floquet multiplier is 1 within its error, and whether "
+                            "it is stable is not certain (a smaller --tail may tell)",
+                            id));
 }
 
-void add_special(tool::Summary& answer, const Named& named) {
+void add_special(tool::Summary& answer, const Family& family, const Named& named,
+                 const ContinuationOptions& options) {
   for (std::size_t k = 0; k < named.branch.special.size(); ++k) {
     const SpecialCycle& s = named.branch.special[k];
     const std::string id = fmt::format("{}_special_{}", named.key, k + 1);
+    const SpecialError error =
+        s.located ? special_error(family, named.branch, s, options) : SpecialError{};
     answer.add(id + "_m_per_s", fmt::format("{}: {}", named.name, to_string(s.kind)),
-               s.at.parameter, "m/s",
-               fmt::format("{:.4f} ft/s{}", s.at.parameter / units::foot,
+               tool::Estimate{s.at.parameter, error.parameter}, "m/s",
+               fmt::format("{:.2f} ft/s{}", s.at.parameter / units::foot,
                            s.located ? "" : ", not located closely"));
-    answer.add(id + "_mm", "  largest amplitude", s.at.largest / millimetre, "mm",
-               fmt::format("at {:.5f} rad/s", s.at.cycle.omega));
+    answer.add(id + "_mm", "  largest amplitude",
+               tool::Estimate{s.at.largest / millimetre, error.largest / millimetre}, "mm");
+    answer.add(id + "_rad_per_s", "  frequency", tool::Estimate{s.at.cycle.omega, error.omega},
+               "rad/s");
   }
 }
 
@@ -237,20 +255,135 @@ void follow_datum(tool::Summary& answer, const Wish& wish, const CarCase& c, con
                fmt::format("{:.4f} mm", branch.special[k].at.largest / millimetre));
 }
 
-void add_cycles_at(tool::Summary& answer, const Wish& wish, const CarCase& c, const Family& family,
-                   const std::optional<CreepLimit>& creep, const std::vector<Named>& all,
-                   const ContinuationOptions& options) {
-  std::size_t count = 0;
-  for (const Named& named : all)
-    for (const LimitCycle& p : cycles_at(family, named.branch, *wish.speed, options)) {
-      const std::string id = fmt::format("cycle_{}", ++count);
-      answer.add(id, fmt::format("cycle {} at {:g} m/s", count, *wish.speed),
-                 "on the " + named.name);
-      add_cycle(answer, id, p, c, creep);
-      if (!wish.against.empty()) follow_datum(answer, wish, c, p, creep, id, options);
+// What the answer is about.
+struct Work {
+  const Wish& wish;
+  const CarCase& car;
+  const Family& family;
+  const std::optional<CreepLimit>& creep;
+  const ContinuationOptions& options;
+  std::vector<Named> all;
+};
+
+struct Found {
+  std::string branch;
+  LimitCycle cycle;
+};
+std::vector<Found> cycles_of(const Work& w, double speed) {
+  std::vector<Found> found;
+  for (const Named& named : w.all)
+    for (LimitCycle& c : cycles_at(w.family, named.branch, speed, w.options))
+      found.push_back({named.name, std::move(c)});
+  return found;
+}
+bool any_stable(const std::vector<Found>& found) {
+  return std::ranges::any_of(found, [](const Found& f) { return f.cycle.stable; });
+}
+
+// Where no cycle found at a speed is stable: from motions in time. Branches through what they come to join the others.
+Search search_at(Work& w, double speed, const std::vector<Found>& found) {
+  std::vector<LimitCycle> known;
+  for (const Found& f : found) known.push_back(f.cycle);
+  Search search = search_in_time(w.family, w.car, speed, known, w.options);
+  for (const LimitCycle& c : search.cycles) {
+    LimitCycleBranch branch = follow_both_ways(w.family, c, w.options);
+    if (branch.points.empty()) {
+      branch.points = {c, c};
+      branch.stop = BranchStop::asked;
     }
-  answer.add("cycles", fmt::format("cycles at {:g} m/s", *wish.speed), static_cast<double>(count),
-             "", count == 0 ? "none on what was searched; other branches may have some" : "");
+    const auto number = w.all.size();
+    w.all.push_back({fmt::format("in_time_{}", number),
+                     fmt::format("branch {}, found in time at {:.4g} m/s", number, speed),
+                     std::move(branch)});
+  }
+  return search;
+}
+
+void add_search(tool::Summary& answer, const Search& search, double speed) {
+  std::string ends;
+  const auto add = [&ends](int count, const std::string& where) {
+    if (count > 0) ends += fmt::format("{}{} {}", ends.empty() ? "" : "; ", count, where);
+  };
+  add(search.to_cycle, "to a stable cycle");
+  add(search.to_rest, "to the straight run");
+  add(search.left_table, "beyond the end of the profiles' table: derailed");
+  add(search.unrepeating,
+      fmt::format("to no motion that repeats, amplitudes from {:.3g} to {:.3g} mm",
+                  search.smallest / millimetre, search.largest / millimetre));
+  answer.add(fmt::format("in_time_at_{:.4g}", speed),
+             fmt::format("motions followed in time at {:.4g} m/s", speed), search.starts, "", ends);
+}
+
+// Speeds at which branches have cycles, all unstable as the straight run is: low and high.
+std::vector<std::pair<double, double>> unstable_speeds(const Work& w) {
+  const auto covered = [&w](double speed, bool stable) {
+    for (const Named& named : w.all)
+      for (std::size_t k = 1; k < named.branch.points.size(); ++k) {
+        const LimitCycle &a = named.branch.points[k - 1], &b = named.branch.points[k];
+        if ((a.parameter - speed) * (b.parameter - speed) <= 0 &&
+            (!stable || a.stable || b.stable || a.neutral || b.neutral))
+          return true;
+      }
+    return false;
+  };
+  std::vector<std::pair<double, double>> ranges;
+  bool open = false;
+  for (double speed = w.wish.lowest; speed <= w.wish.highest; speed *= 1.005) {
+    const bool bare =
+        covered(speed, false) && !covered(speed, true) && !straight_run_stable(w.car, speed);
+    if (bare && !open) ranges.emplace_back(speed, speed);
+    if (bare) ranges.back().second = speed;
+    open = bare;
+  }
+  std::erase_if(ranges, [](const auto& r) { return r.second < 1.01 * r.first; });
+  return ranges;
+}
+
+void add_unstable_speeds(tool::Summary& answer, Work& w, const Patience& patience) {
+  constexpr std::size_t most = 2;
+  auto ranges = unstable_speeds(w);
+  for (std::size_t k = 0; k < std::min(most, ranges.size()) && !patience.over(); ++k) {
+    const double speed = 0.5 * (ranges[k].first + ranges[k].second);
+    add_search(answer, search_at(w, speed, cycles_of(w, speed)), speed);
+  }
+  ranges = unstable_speeds(w);
+  for (std::size_t k = 0; k < ranges.size(); ++k)
+    answer.flag(fmt::format("unstable_speeds_{}", k + 1),
+                fmt::format("from {:.4g} to {:.4g} m/s the straight run and every cycle found are "
+                            "unstable: the car does something else there; --speed looks for it in "
+                            "time at one speed",
+                            ranges[k].first, ranges[k].second));
+}
+
+// What the car does at --speed where no cycle found is stable.
+void look_in_time(tool::Summary& answer, Work& w) {
+  const double speed = *w.wish.speed;
+  const bool straight = straight_run_stable(w.car, speed);
+  answer.add("straight_run", fmt::format("straight run at {:g} m/s", speed),
+             straight ? "stable" : "unstable");
+  const auto found = cycles_of(w, speed);
+  if (any_stable(found)) return;
+  add_search(answer, search_at(w, speed, found), speed);
+  if (!straight && !found.empty() && !any_stable(cycles_of(w, speed)))
+    answer.flag("unstable",
+                fmt::format("at {:g} m/s the straight run and every cycle found are unstable, and "
+                            "no motion followed in time came to a stable one: the car does "
+                            "something else there",
+                            speed));
+}
+
+void add_cycles_at(tool::Summary& answer, const Work& w) {
+  const double speed = *w.wish.speed;
+  const auto found = cycles_of(w, speed);
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const std::string id = fmt::format("cycle_{}", k + 1);
+    const LimitCycle& c = found[k].cycle;
+    answer.add(id, fmt::format("cycle {} at {:g} m/s", k + 1, speed), "on the " + found[k].branch);
+    add_cycle(answer, id, c, cycle_error(w.family, c, w.options), w.car, w.creep);
+    if (!w.wish.against.empty()) follow_datum(answer, w.wish, w.car, c, w.creep, id, w.options);
+  }
+  answer.add("cycles", fmt::format("cycles at {:g} m/s", speed), static_cast<double>(found.size()),
+             "", found.empty() ? "none on what was searched; other branches may have some" : "");
 }
 
 void write_files(tool::OutFolder& out, const CarCase& c, const std::optional<CreepLimit>& creep,
@@ -290,6 +423,9 @@ ContinuationOptions options_of(const Wish& wish, Patience& patience) {
   ContinuationOptions options;
   options.first_amplitude = wish.suspension == "friction" ? 0.03 * wish.first : wish.first;
   options.largest_amplitude = wish.largest.value_or(wish.pair.end);
+  options.tail = wish.tail;
+  options.multiplier_steps =
+      static_cast<int>(256 * std::clamp(std::sqrt(3e-4 / wish.tail), 0.5, 16.0));
   options.lowest = wish.lowest;
   options.highest = wish.highest;
   options.go_on = [&patience](const LimitCycle& p) { return patience.left(p); };
@@ -325,8 +461,8 @@ void run(const Wish& wish) {
   const Family family = by_speed(c.car.car(), c.table, creep);
   Patience patience(static_cast<double>(wish.patience));
   const ContinuationOptions options = options_of(wish, patience);
-  const auto all = follow_all(wish, family, begin, options, patience);
-  if (all.front().branch.points.empty())
+  Work w{wish, c, family, creep, options, follow_all(wish, family, begin, options, patience)};
+  if (w.all.front().branch.points.empty())
     throw InputError(
         fmt::format("no limit cycle of {:g} m was found at the critical speed; try "
                     "another --first-amplitude",
@@ -342,24 +478,28 @@ void run(const Wish& wish) {
   answer.add("hopf_m_per_s", fmt::format("critical speed {} of {}", wish.family, hopf.size()),
              begin.motion.speed, "m/s",
              fmt::format("{:.4f} ft/s", begin.motion.speed / units::foot));
-  for (const Named& named : all) {
+  if (wish.speed)
+    look_in_time(answer, w);
+  else
+    add_unstable_speeds(answer, w, patience);
+  for (const Named& named : w.all) {
     add_extent(answer, named);
-    add_special(answer, named);
+    add_special(answer, family, named, options);
   }
-  if (wish.speed) add_cycles_at(answer, wish, c, family, creep, all, options);
+  if (wish.speed) add_cycles_at(answer, w);
   patience.clear();
   if (patience.over())
     answer.flag("patience", fmt::format("the search was stopped after {} s: branches end early "
                                         "(--patience gives it longer)",
                                         wish.patience));
-  for (const Named& named : all)
+  for (const Named& named : w.all)
     if (named.branch.stop == BranchStop::step)
       answer.flag(named.key, fmt::format("the {} could not be followed farther than {:.4f} m/s, "
                                          "{:.4f} mm: it may go on",
                                          named.name, named.branch.points.back().parameter,
                                          named.branch.points.back().largest / millimetre));
   answer.print();
-  if (out) write_files(out, c, creep, all, answer);
+  if (out) write_files(out, c, creep, w.all, answer);
   out.commit();
 }
 
@@ -384,6 +524,10 @@ std::function<void()> declare(tool::Options& options) {
   options.choice("--against", wish->against, keys, "follows the cycles of --speed in this datum");
   options.quantity("--factor", wish->factor, units::number, "how far, as a factor",
                    tool::Range{1e-4, 1e4});
+  options.quantity("--tail", wish->tail, units::number,
+                   "of a cycle, the share in its highest harmonics up to which more are added: "
+                   "smaller is more accurate, and slower",
+                   tool::Range{1e-6, 1e-2});
   options.count("--patience", wish->patience, "seconds after which a branch ends where it is", 1,
                 86400);
   options.out(wish->out);
