@@ -147,3 +147,17 @@ TEST_CASE("property: unlike materials are said, and drive a wheel that would rol
   CHECK(found.doubts.front().starts_with("unlike materials (K = 0.1"));
   CHECK(found.force.x() > alike + 0.02 * 0.3 * wish.load);
 }
+
+TEST_CASE("property: the stated error of the forces covers a grid of 256 cells") {
+  // Friction and load are settled in two passes here, the second of which changes little.
+  const Pair pair = s1002_on_60e1(1.0 / 40, Rail60::benchmark);
+  const Pose pose{-4.73697e-3, 2.79041e-3, 8.38816e-4};
+  WheelWish wish = wish_for(Method::full);
+  wish.load = 73860.2, wish.speed = 2, wish.friction.coefficient = 0.489817;
+  wish.wheel.young = wish.rail.young = 209.92e9;
+  wish.turning = wish.speed / pair.radius * (1 - 2.12416e-3);
+  const PatchResult p = solve_wheel(pair, pose, wish).patches.front();
+  const double fine_x = 21014.8, fine_y = -20636.1, bound = p.friction * p.load;
+  CHECK(std::hypot(p.forces.fx - fine_x, p.forces.fy - fine_y) < p.forces.error * bound);
+  CHECK(p.forces.error < 0.02);
+}

@@ -122,7 +122,7 @@ says("cycle says where nothing stable was found" "DOUBTFUL: at 44 m/s the straig
      cycle --pair cn --speed 44m/s)
 says("cycle says at which speeds nothing stable was found" "DOUBTFUL: from 42\\.[0-9]* to 45\\.[0-9]* m/s the straight run" cycle --pair cn)
 # The torus by a finer tail and finer multipliers: 42.307 m/s.
-says("cycle says how well a torus is known" "torus +42\\.3[01] m/s +.error about 0\\.0[1-4]" cycle --pair cn --largest-amplitude 12mm)
+says("cycle says how well a torus is known" "torus +42\\.3[01] m/s +.error about 0\\.0[1-6]" cycle --pair cn --largest-amplitude 12mm)
 refuses(hunting "cycle: a datum without a speed" "give --speed" cycle --against warp-stiffness)
 refuses(hunting "cycle: a datum that no car has" "against" cycle --speed 40m/s --against bogie-mass)
 # Profiles: rounded inches, noise of 20 micrometres, over-smoothing.

@@ -292,7 +292,7 @@ Search search_at(Work& w, double speed, const std::vector<Found>& found) {
       branch.stop = BranchStop::asked;
     }
     const auto number = w.all.size();
-    w.all.push_back({fmt::format("in_time_{}", number),
+    w.all.push_back({fmt::format("secondary_{}", number),
                      fmt::format("branch {}, found in time at {:.4g} m/s", number, speed),
                      std::move(branch)});
   }
