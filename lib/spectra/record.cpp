@@ -353,19 +353,24 @@ void RecordStream::compare(std::span<const double> values) {
   if (past_.empty())
     past_.assign(2 * static_cast<std::size_t>(std::clamp(lag / spacing_, 1.0, 1e5)), lost);
   const std::size_t size = past_.size();
+  const std::size_t inner = std::max<std::size_t>(1, static_cast<std::size_t>(0.29 * double(size)));
   std::size_t at = oldest_, middle = (at + size / 2) % size, moves = moves_;
-  double moved = moved_;
+  double moved = moved_, moved_inner = moved_inner_;
   for (const double value : values) {
     const double offset = past_[middle] - 0.5 * (value + past_[at]);
+    const double within = past_[middle] - 0.5 * (past_[(middle + size - inner) % size] +
+                                                 past_[(middle + inner) % size]);
     past_[at] = value;
     if (++at == size) at = 0;
     if (++middle == size) middle = 0;
     if (std::isnan(offset)) continue;
     moved += offset * offset;
+    if (!std::isnan(within)) moved_inner += within * within;
     ++moves;
   }
   oldest_ = at;
   moved_ = moved;
+  moved_inner_ = moved_inner;
   moves_ = moves;
 }
 

@@ -145,6 +145,7 @@ class RecordStream {
   std::vector<double> past_;  // 20 m of samples, in turn
   std::size_t oldest_ = 0;    // of them
   double moved_ = 0;          // sum of squared offsets of their middle
+  double moved_inner_ = 0;    // the same of a chord of 11.6 m: a wave may vanish in one of them
   std::size_t moves_ = 0;
 };
 

@@ -160,7 +160,9 @@ std::vector<Doubt> RecordStream::doubts() const {
                                      number_text(u.from) + " m to " + number_text(u.to) + " m, " +
                                      short_text(u.overall) + " m in the whole record"});
   const double A = roughness();
-  if (A > 0 && !(A >= smoothest && A <= roughest))
+  const double inner = A * (moved_ > 0 ? moved_inner_ / moved_ / 0.58 : 0);
+  const bool periodic = A < smoothest && inner >= smoothest;
+  if (A > 0 && !(A >= smoothest && A <= roughest) && !periodic)
     result.push_back(
         {"unit",
          "heights leave the chord of " + short_text(static_cast<double>(past_.size()) * spacing_) +

@@ -48,11 +48,14 @@ units::Header header_of(const std::string& text) {
   return index ? header : units::Header{text, "", {}};
 }
 
-// A cell of units in the first row: "mm", "[mm]"; nothing where it is no unit.
+// A cell of units in the first row, a length: "mm", "[mm]"; empty where it is none.
 std::string unit_of_cell(std::string_view cell) {
-  if (cell.empty() || cell.size() > 40) return "";
-  if (cell.front() == '[' || cell.front() == '(') cell = cell.substr(1, cell.size() - 2);
-  return table::parse_column("x (" + std::string{cell} + ")").unit_text;
+  if (cell.size() > 2 && (cell.front() == '[' || cell.front() == '('))
+    cell = cell.substr(1, cell.size() - 2);
+  if (cell.empty() || cell.size() > 40 || std::isdigit(static_cast<unsigned char>(cell.front())))
+    return "";
+  const units::Header header = table::parse_column("x (" + std::string{cell} + ")");
+  return header.unit.dimension == units::length ? header.unit_text : "";
 }
 
 // What one cell of a column is in metres: by its header or the row of units under it, or else by what the option named says.

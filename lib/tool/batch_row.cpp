@@ -16,6 +16,7 @@ void Row::add(std::string key, std::string text) {
 void Row::flag(const std::string& key) {
   for (Cell& cell : cells_)
     if (cell.key == "flags") {
+      if ((";" + cell.text + ";").find(";" + key + ";") != std::string::npos) return;
       cell.text += (cell.text.empty() ? "" : ";") + key;
       return;
     }

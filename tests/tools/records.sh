@@ -95,6 +95,8 @@ for header in level_left_in_mm versine_10_m_mm "Top 35 m [mm]" rail_1_mm; do
 done
 awk "$wave"' BEGIN {print "Distance,Profile"; print "m,mm"; for (i = 0; i < 4000; ++i) printf "%.2f,%s\n", i / 4, wave(i / 4)}' >units.csv
 reads "a row of units" units.csv
+printf '11\n12\n15\n13\n14\n12\n' >bare.csv
+measures bare.csv --column 1 --unit um --spacing 1m --bands D1 || grep -q "shortest\|samples" said || fail "a first row of numbers is no row of units"
 awk "$wave"' BEGIN {print "distance_m,profile_mm,note"; for (i = 0; i < 4000; ++i) printf "%s,%s,\n", i == 777 ? "" : sprintf("%.2f", i / 4), wave(i / 4); print ",,"; print ",,"}' >tail.csv
 reads "empty rows" tail.csv
 [ "$(value bridged)" = 1.0 ] && grep -q '"unplaced"' out/measures.json || fail "a lost position is not told"

@@ -78,10 +78,20 @@ void add_options(tool::Options& o, Wish& w) {
   o.quantity("--section", w.record.section, units::length,
              "a row for each such stretch as well, as 1km", {1, 1e6});
   o.out(w.out);
-  o.help(std::string{tools::record_help} +
-         "\n\nExample: railbook psd classify track.csv --column profile --out mine\n"
-         "         railbook psd classify runs/*.csv --column left,right --section 1km "
-         "--out mine");
+  o.help(
+      std::string{tools::record_help} +
+      "\n\nspectrum.csv holds the one-sided density of the heights over wavenumber in cycles per "
+      "metre (of a chord's record,\n"
+      "of the profile behind it), the fit, and its line A/phi^2. classes.csv has, for each class, "
+      "the dips B and roughness A\n"
+      "at which its limit of the 62-ft chord is reached; point.csv the record's own with standard "
+      "errors. B is positive: the\n"
+      "depth of a joint below the middle of the rail. odds are probabilities, 0 to 1. A table of "
+      "several columns or records\n"
+      "has a row for each, and for each --section; its last column lists what is doubted."
+      "\n\nExample: railbook psd classify track.csv --column profile --out mine\n"
+      "         railbook psd classify runs/*.csv --column left,right --section 1km "
+      "--out mine");
 }
 
 spectra::FitOptions fit_options(const Wish& wish) {
