@@ -53,11 +53,11 @@ const char* const record_help =
     "sensors and steps\n"
     "are kept, unless --screen names them, and told: they may be defects. Each place is a row of "
     "warnings.csv\n"
-    "(with --out): its column, the kind, from_m and to_m, samples, size_mm (the value; of steps "
-    "and "
-    "jumps, by how much), taken_out (yes or no), "
-    "and the option\n"
-    "that changes that. Positions count as in the file; heights keep their sign: up is positive "
+    "(with --out): its column, the kind, from_m and to_m, samples, size_mm (how far off, or by how "
+    "much a level or a\n"
+    "position jumps; of codes and stuck values the value), taken_out (yes or no), and the option "
+    "that changes that. Positions count as in the file;\n"
+    "heights keep their sign: up is positive "
     "where it is so in the file.";
 
 namespace {

@@ -32,8 +32,9 @@ Found find(const std::vector<FaultyStretch>& faults, Fault fault, bool taken_out
     if (f.fault != fault || f.taken_out != taken_out) continue;
     found.samples += f.count;
     const bool by_value = fault == Fault::outlier || fault >= Fault::step;
-    const bool larger = by_value ? std::abs(f.value) > std::abs(found.longest.value)
-                                 : f.count > found.longest.count;
+    const double size = f.fault == Fault::outlier ? f.off : f.value,
+                 most = f.fault == Fault::outlier ? found.longest.off : found.longest.value;
+    const bool larger = by_value ? std::abs(size) > std::abs(most) : f.count > found.longest.count;
     if (larger || found.stretches == 0) found.longest = f;
     ++found.stretches;
   }
@@ -106,7 +107,7 @@ std::vector<Doubt> RecordStream::doubts() const {
     });
     add(Fault::outlier, out, [&](const Found& f, const std::string& at) {
       return samples_text(f.samples) + " in " + places_text(f.stretches) +
-             " far off, the largest " + short_text(f.longest.value) + " m at " + at +
+             " far off, the largest by " + short_text(f.longest.off) + " m at " + at +
              ": a defect, or a fault of the recorder? " +
              (out ? "Taken out (--screen none keeps them)"
                   : "They are kept (--screen outliers takes them out)");
@@ -176,7 +177,8 @@ std::vector<Warning> RecordStream::warnings() const {
   std::vector<Warning> result;
   for (const FaultyStretch& f : faults())
     result.push_back({key_of(f.fault), places_.at(f.first), places_.at(f.first + f.count - 1),
-                      f.count, f.value, f.taken_out, option_of(f)});
+                      f.count, f.fault == Fault::outlier ? f.off : f.value, f.taken_out,
+                      option_of(f)});
   result.insert(result.end(), counts_.begin(), counts_.end());
   for (const Doubt& doubt : doubts()) {
     const bool listed = std::any_of(result.begin(), result.end(), [&](const Warning& w) {

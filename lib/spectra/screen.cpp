@@ -134,7 +134,7 @@ std::size_t Screen::equal_until(std::size_t i, bool over_gaps) const {
 
 // Notes the samples that are there, and takes them out where that is wanted.
 std::size_t Screen::report(std::size_t from, std::size_t to, Fault fault, double value,
-                           bool taken_out) {
+                           bool taken_out, double off) {
   for (std::size_t i = from; i < to; ++i) {
     if (std::isnan(v_[i])) continue;
     const std::size_t at = base_ + i;
@@ -144,7 +144,7 @@ std::size_t Screen::report(std::size_t from, std::size_t to, Fault fault, double
     if (on)
       ++faults_.back().count;
     else
-      faults_.push_back({fault, at, 1, value, taken_out});
+      faults_.push_back({fault, at, 1, value, taken_out, off});
     if (taken_out) v_[i] = lost;
   }
   return to;
@@ -246,7 +246,7 @@ std::size_t Screen::judge_first(std::size_t i) {
   if (seen < 2 || 2 * far <= seen || std::abs(v_[end] - v_[i]) <= limit(end)) return accept(i);
   const bool never = screening_.codes && impossible(std::abs(v_[end] - v_[i]), end - i);
   return report(i, end, end - i > 1 ? Fault::code : Fault::outlier, v_[i],
-                never || screening_.outliers);
+                never || screening_.outliers, v_[i] - v_[end]);
 }
 
 std::size_t Screen::judge_far(std::size_t i) {
@@ -269,7 +269,7 @@ std::size_t Screen::judge_far(std::size_t i) {
 // Off and back again: outliers, unless the way there is as smooth as a wave's.
 std::size_t Screen::judge_excursion(std::size_t i) {
   const double entry = std::abs(v_[i] - *good_);
-  double farthest = 0, path = entry, before = v_[i];
+  double farthest = 0, signed_off = 0, path = entry, before = v_[i];
   std::size_t away = 0, j = i;
   bool back = false;
   for (; j < v_.size() && away < longest_excursion; ++j) {
@@ -279,6 +279,7 @@ std::size_t Screen::judge_excursion(std::size_t i) {
     back = off <= limit(j);
     if (back) break;
     farthest = std::max(farthest, off);
+    if (off == farthest) signed_off = v_[j] - *good_;
     before = v_[j];
     ++away;
   }
@@ -286,7 +287,7 @@ std::size_t Screen::judge_excursion(std::size_t i) {
   const bool never = screening_.codes && impossible(entry, slots);
   if (!back)
     return j == v_.size() && away == 1
-               ? report(i, j, Fault::outlier, v_[i], never || screening_.outliers)
+               ? report(i, j, Fault::outlier, v_[i], never || screening_.outliers, v_[i] - *good_)
                : judge_level(i);
   const double exit = std::abs(v_[j] - before);
   const bool abrupt = entry >= 0.5 * farthest && exit >= 0.5 * farthest;
@@ -294,7 +295,7 @@ std::size_t Screen::judge_excursion(std::size_t i) {
   if (!abrupt && !rough) return judge_level(i);
   const std::size_t same = equal_until(i, true);
   return report(i, j, same >= j && away > 1 ? Fault::code : Fault::outlier, v_[i],
-                screening_.outliers || (never && impossible(exit, 1)));
+                screening_.outliers || (never && impossible(exit, 1)), signed_off);
 }
 
 // Where the level that is left at i is met again, within 20 m; i where it is not.

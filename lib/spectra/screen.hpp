@@ -31,6 +31,7 @@ struct FaultyStretch {
   std::size_t first = 0, count = 0;  // samples
   double value = 0;  // m: the first sample, the height of the step, the largest of the jump
   bool taken_out = true;
+  double off = 0;  // m: of outliers, the farthest from the good value before
 };
 
 // What is taken out. `codes`: values as far off as no track can be (by over 0.1 m from one sample to the next, at a slope of over 0.3), and
@@ -79,7 +80,8 @@ class Screen {
   bool is_code(double value) const;
   std::size_t accept(std::size_t i);
   void step(double size);
-  std::size_t report(std::size_t from, std::size_t to, Fault fault, double value, bool taken_out);
+  std::size_t report(std::size_t from, std::size_t to, Fault fault, double value, bool taken_out,
+                     double off = 0);
   double limit(std::size_t i) const;
   std::size_t equal_until(std::size_t i, bool over_gaps) const;
 

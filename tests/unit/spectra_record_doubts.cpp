@@ -104,7 +104,7 @@ TEST_CASE("unit: each kind of fault is told once, with all its samples and its w
   CHECK_THAT(all.of("codes"),
              Catch::StartsWith("17 samples far off with one value, such as -9.999 m at 750 m"));
   CHECK_THAT(all.of("outliers"),
-             Catch::StartsWith("3 samples in 3 places far off, the largest -0.9"));
+             Catch::StartsWith("3 samples in 3 places far off, the largest by -0.89"));
   CHECK_THAT(all.of("outliers"), Contains(" m at 1000 m: a defect, or"));
   CHECK_THAT(
       all.of("stuck"),
