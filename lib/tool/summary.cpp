@@ -33,7 +33,7 @@ void Summary::add(std::string key, std::string what, const Estimate& estimate, s
                   std::string note) {
   const std::string error = std::isinf(estimate.error)
                                 ? "error not known"
-                                : fmt::format("error about {:.1g}", estimate.error);
+                                : "error about " + to_digits_of(estimate.error, estimate.error);
   add(std::move(key), std::move(what), estimate.value, std::move(unit),
       note.empty() ? error : fmt::format("{}; {}", error, note));
   lines_.back().text = to_digits_of(estimate.value, estimate.error);

@@ -115,12 +115,12 @@ Profile s1002() {
   });
 }
 
-wheelrail::Curve rail_60e1(Rail60 kind) {
+wheelrail::Curve rail_60e1(Rail60 kind, bool upright) {
   const bool drawing = kind == Rail60::drawing;
   const double crown = drawing ? 10.228 : 10.5, shoulder = drawing ? 26.0265 : 25.98804;
   const double a1 = std::asin(crown / 300);
   const double a2 = std::asin((shoulder - (crown - 80 * crown / 300)) / 80),
-               corner = std::atan(20.0) - 0.06;
+               corner = std::atan(20.0) - (upright ? 0.0105 : 0.06);
   // One half from the top down; the other is its mirror image.
   const wheelrail::Curve half =
       wheelrail::chain({0, 0}, 0,

@@ -49,8 +49,9 @@ Profile s1002();
 
 // Head of a rail: crown radius 300, shoulders 80 and corners 13 mm, upright, u towards the gauge face, top at 0. It ends at 84
 // degrees, short of the flank, which a cant of 1:20 makes upright. `drawing` has the joints of 60E1 (EN 13674-1: 20.456,
-// 52.053 and 72 mm apart), `benchmark` those of the file of the Manchester benchmark, up to 0.039 mm different.
+// 52.053 and 72 mm apart), `benchmark` those of the file of the Manchester benchmark, up to 0.039 mm different. `upright`: it goes on to 86.5 degrees, down to where
+// the gauge of a rail that does not lean is measured.
 enum class Rail60 { drawing, benchmark };
-wheelrail::Curve rail_60e1(Rail60 kind);
+wheelrail::Curve rail_60e1(Rail60 kind, bool upright = false);
 
 }  // namespace railbook::wheel_on_rail

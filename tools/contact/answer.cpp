@@ -51,6 +51,13 @@ void judge_half_space(const Wish& wish, const Solved& solved, tool::Summary& ans
 void judge_errors(const Solved& solved, tool::Summary& answer) {
   if (!solved.result.contact.reason.empty())
     answer.flag("resolution", solved.result.contact.reason);
+  const NormalContact& c = solved.result.contact;
+  if (c.reason.empty() && !(c.force_error < 0.5 && c.p_max_error < 0.5))
+    answer.flag("cells", "too few cells for an error: give more with --cells-x and --cells-y");
+  else if (c.reason.empty() && !(c.force_error < 0.05 && c.p_max_error < 0.05))
+    answer.flag("cells", fmt::format("the error may be {:.0f} % of the force and {:.0f} % of the "
+                                     "peak pressure: give more cells",
+                                     100 * c.force_error, 100 * c.p_max_error));
   if (solved.profile_force_error > 3e-4 || solved.profile_p_max_error > 0.01)
     answer.flag(
         "profile",
@@ -63,7 +70,7 @@ void judge_errors(const Solved& solved, tool::Summary& answer) {
 }
 
 std::string stated(double grid, double profile) {
-  if (std::isinf(grid) || std::isinf(profile)) return "of this grid; its error is not known";
+  if (!(grid < 0.5) || std::isinf(profile)) return "of this grid; its error is not known";
   if (profile == 0) return fmt::format("relative error about {:.0e}", grid);
   return fmt::format("relative error about {:.0e}, {:.0e} of it from the profiles", grid + profile,
                      profile);

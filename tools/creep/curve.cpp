@@ -253,8 +253,11 @@ void run(const Wish& wish) {
   answer.add("shear_modulus_GPa", "shear modulus G", c.shear_modulus / units::gigapascal, "GPa");
   answer.add("poisson", "Poisson's ratio", c.poisson, "");
   if (std::abs(pair.dissimilarity) > 0.02)
-    answer.add("similarity", "two materials",
-               fmt::format("not elastically similar (K = {:.3f}); left out", pair.dissimilarity));
+    answer.flag(
+        "similarity",
+        fmt::format(
+            "unlike materials (K = {:.3f}): their coupling of pressure and traction is left out",
+            pair.dissimilarity));
   answer.add("lateral", "lateral creepage", wish.lateral, "");
   answer.add("spin_1_per_m", "spin creepage", wish.spin, "1/m");
   tool::Progress progress("points", double(wish.points) + (wish.force ? 12 : 0));
@@ -327,6 +330,12 @@ std::function<void()> declare(tool::Options& options) {
       "fast theories: Kalker's coefficients from his table (a/b 0.1 to 10), or computed");
   options.count("--cells", wish->cells, "full theory: cells along rolling", 4, 256);
   options.out(wish->out);
+  options.help(
+      "Axes: x forward, y to the right, z down. Creepages are the wheel's speed over the rail's "
+      "divided by the speed of rolling, spin its turning about z "
+      "(positive from x to y). Forces and the moment about z are those of the wheel on the rail: a "
+      "positive "
+      "creepage gives a positive force.");
   return [wish] {
     wish->spin = spin_of(wish->spin_text);
     run(*wish);

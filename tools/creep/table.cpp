@@ -174,6 +174,14 @@ std::function<void()> declare(tool::Options& options) {
                 10000000);
   options.count("--cells", wish->cells, "full theory: cells along rolling", 4, 128);
   options.out(wish->out);
+  options.help(
+      "Axes: x forward, y to the right, z down. Creepages are the wheel's speed over the rail's "
+      "divided by the speed of rolling, spin its turning about z "
+      "(positive from x to y). Forces and the moment about z are those of the wheel on the rail: a "
+      "positive "
+      "creepage gives a positive force. A negative longitudinal creepage turns Fx; a negative "
+      "lateral one turns "
+      "Fy, Mz and the spin to look up.");
   return [wish] { run(*wish); };
 }
 

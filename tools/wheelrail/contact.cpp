@@ -76,7 +76,32 @@ std::string sides_on(const Wish& wish, const WheelsetResult& r, const hunting_to
   return sides;
 }
 
-void add_wheel(tool::Summary& answer, const Side& shown) {
+// How far the pressures and forces of a wheel's patches stand on the smoothing of its profiles.
+struct ProfileError {
+  double p_max = 0, force = 0;  // [Pa], [N]
+};
+std::vector<ProfileError> profile_errors(const Wish& wish, const Pair& half,
+                                         const WheelsetResult& r, const WheelResult& wheel,
+                                         bool left) {
+  WheelWish w = wish_of(wish);
+  w.turning = r.turning;
+  std::vector<ProfileError> errors(wheel.patches.size(), {units::no_limit, units::no_limit});
+  try {
+    const WheelResult other = solve_wheel(half, left ? mirrored(r.pose) : r.pose, w);
+    if (!other.converged || other.patches.size() != errors.size()) return errors;
+    for (std::size_t k = 0; k < errors.size(); ++k) {
+      const PatchResult &a = wheel.patches[k], &b = other.patches[k];
+      errors[k] = {2 * std::abs(a.p_max - b.p_max),
+                   2 * std::hypot(a.forces.fx - b.forces.fx, a.forces.fy - b.forces.fy)};
+    }
+  } catch (const InputError&) {
+    // Not known: the closer profile has no contact there.
+  }
+  return errors;
+}
+
+void add_wheel(tool::Summary& answer, const Side& shown,
+               const std::vector<ProfileError>& profiles) {
   const std::string s = shown.name;
   const WheelResult& wheel = shown.wheel;
   const double sign = shown.sign;
@@ -98,19 +123,44 @@ void add_wheel(tool::Summary& answer, const Side& shown) {
     add("y_mm", "  to the right", sign * at.y() / millimetre, "mm");
     add("angle_mrad", "  contact angle", 1e3 * sign * p.patch.frame.angle, "mrad");
     add("normal_N", "  normal force", p.load, "N");
-    add("p_max_MPa", "  largest pressure", p.p_max / units::megapascal, "MPa",
-        std::isfinite(p.p_max_error) ? fmt::format("error about {:.1g} %", 100 * p.p_max_error)
-                                     : "error not known to this method");
+    const ProfileError profile =
+        profiles.empty() ? ProfileError{} : profiles[static_cast<std::size_t>(k - 1)];
+    const auto estimate = [&](const char* name, const char* what, double value, double grid,
+                              double of_profile, const char* unit) {
+      answer.add(key + name, what, tool::Estimate{value, grid + of_profile}, unit,
+                 of_profile > 0 && std::isfinite(of_profile)
+                     ? fmt::format("{:.0f} % of it from the smoothing of the profiles",
+                                   100 * of_profile / (grid + of_profile))
+                     : "");
+    };
+    estimate("p_max_MPa", "  largest pressure", p.p_max / units::megapascal,
+             p.p_max_error * p.p_max / units::megapascal, profile.p_max / units::megapascal, "MPa");
+    if (std::isfinite(profile.p_max) && profile.p_max > 0.05 * p.p_max)
+      answer.flag(
+          key + "profile",
+          fmt::format("{} patch {}: with profiles half as smooth the largest pressure would "
+                      "change by {:.0f} %: see --noise",
+                      s, k, 50 * profile.p_max / p.p_max));
+    if (std::isinf(profile.p_max))
+      answer.flag(
+          key + "profile",
+          fmt::format("{} wheel: with profiles half as smooth it touches in another way: see "
+                      "--noise",
+                      s));
     add("area_mm2", "  area", p.area / (millimetre * millimetre), "mm^2");
     add("approach_um", "  approach", p.approach / units::micrometre, "um");
     add("creepage_x", "  creepage along", p.creepage.longitudinal, "");
     add("creepage_y", "  across", sign * p.creepage.lateral, "");
     add("spin_1_per_m", "  spin", sign * p.creepage.spin, "1/m");
-    add("fx_N", "  force along", p.forces.fx, "N",
-        std::isfinite(p.forces.error) ? fmt::format("error about {:.1g} of mu N", p.forces.error)
-                                      : "");
-    add("fy_N", "  across, in the patch", sign * p.forces.fy, "N");
-    add("mz_N_m", "  moment about its normal", sign * p.forces.mz, "N m");
+    const double bound = p.friction * p.load,
+                 force_error = p.friction > 0 ? p.forces.error * bound : 0;
+    estimate("fx_N", "  force along", p.forces.fx, force_error, profile.force, "N");
+    estimate("fy_N", "  across, in the patch", sign * p.forces.fy, force_error, profile.force, "N");
+    answer.add(key + "mz_N_m", "  moment about its normal",
+               tool::Estimate{
+                   sign * p.forces.mz,
+                   p.friction > 0 ? p.forces.mz_error * bound * std::sqrt(p.area / units::pi) : 0},
+               "N m");
     add("friction", "  friction", p.friction, "");
     add("stick_share", "  share that sticks", p.forces.stick_share, "");
     add("shear_MPa", "  largest shear traction", p.largest_shear / units::megapascal, "MPa");
@@ -138,7 +188,7 @@ void run(const Wish& wish) {
   const WheelsetResult r = solve(wish, pair);
   if (!r.converged) throw std::runtime_error(fmt::format("no answer: {}", r.reason));
   tool::Summary answer("Wheelset on its rails");
-  describe_pair(answer, wish);
+  describe_pair(answer, wish, fits);
   hunting_tool::flag_points(answer, fits, [&](const auto& fit, const auto& warning) {
     return sides_on(wish, r, fit, warning);
   });
@@ -148,7 +198,13 @@ void run(const Wish& wish) {
              "mm", wish.roll ? fmt::format("left wheel {:.6g} mm", r.left.z / millimetre) : "");
   const std::array<Side, 2> sides{Side("left", -1, r.left, wish_of(wish)),
                                   Side("right", 1, r.right, wish_of(wish))};
-  for (const Side& side : sides) add_wheel(answer, side);
+  std::array<std::vector<ProfileError>, 2> errors;
+  if (!fits.empty()) {
+    const Pair half = half_as_smooth(wish, fits);
+    errors = {profile_errors(wish, half, r, r.left, true),
+              profile_errors(wish, half, r, r.right, false)};
+  }
+  for (std::size_t k = 0; k < sides.size(); ++k) add_wheel(answer, sides[k], errors[k]);
   answer.print();
   if (out) {
     out.add("patches.csv", cells_csv(sides));

@@ -1,5 +1,7 @@
 #include "wheelrail/pair.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string_view>
@@ -16,37 +18,52 @@ using tool::Range;
 namespace {
 
 wheelrail::Curve read(const char* what, const std::filesystem::path& file, wheelrail::Body body,
-                      const PairWish& wish, std::vector<hunting_tool::ProfileFit>& fits) {
+                      const std::optional<double>& noise,
+                      std::vector<hunting_tool::ProfileFit>& fits) {
   hunting_tool::PairWish smoothing;
-  smoothing.noise = wish.noise;
+  smoothing.noise = noise;
   fits.push_back({what});
   return hunting_tool::read_profile(file, body, smoothing, fits.back());
 }
 
-Profile wheel_profile(const PairWish& wish, std::vector<hunting_tool::ProfileFit>& fits) {
+using Noise = std::optional<double>;
+
+Profile wheel_profile(const PairWish& wish, const Noise& noise,
+                      std::vector<hunting_tool::ProfileFit>& fits) {
   if (wish.wheel.empty()) return s1002();
-  const wheelrail::Curve curve = read("wheel", wish.wheel, wheelrail::Body::wheel, wish, fits);
+  const wheelrail::Curve curve = read("wheel", wish.wheel, wheelrail::Body::wheel, noise, fits);
   return Profile(wheelrail::moved(curve, 0, -curve.height(0)));
 }
 
-wheelrail::Curve rail_curve(const PairWish& wish, std::vector<hunting_tool::ProfileFit>& fits) {
+wheelrail::Curve rail_curve(const PairWish& wish, const Noise& noise,
+                            std::vector<hunting_tool::ProfileFit>& fits) {
   if (wish.rail.empty())
-    return rail_60e1(wish.head == "60E1" ? Rail60::drawing : Rail60::benchmark);
-  return read("rail", wish.rail, wheelrail::Body::rail, wish, fits);
+    return rail_60e1(wish.head == "60E1" ? Rail60::drawing : Rail60::benchmark, wish.cant < 0.02);
+  return read("rail", wish.rail, wheelrail::Body::rail, noise, fits);
+}
+
+ReadPair read_pair(const PairWish& wish, const Noise& of_wheel, const Noise& of_rail) {
+  std::vector<hunting_tool::ProfileFit> fits;
+  Profile wheel = wheel_profile(wish, of_wheel, fits);
+  Profile rail(wheelrail::placed_rail(rail_curve(wish, of_rail, fits), wish.gauge, wish.gauge_depth,
+                                      std::atan(wish.cant)));
+  return {{std::move(wheel), std::move(rail), wish.radius, 0.5 * wish.back_to_back + wish.datum},
+          std::move(fits)};
 }
 
 }  // namespace
 
 ReadPair read_pair(const PairWish& wish) {
-  std::vector<hunting_tool::ProfileFit> fits;
-  Profile wheel = wheel_profile(wish, fits);
-  Profile rail(wheelrail::placed_rail(rail_curve(wish, fits), wish.gauge, wish.gauge_depth,
-                                      std::atan(wish.cant)));
-  ReadPair read{
-      {std::move(wheel), std::move(rail), wish.radius, 0.5 * wish.back_to_back + wish.datum},
-      std::move(fits)};
+  ReadPair read = read_pair(wish, wish.noise, wish.noise);
   require_fit(read.pair);
   return read;
+}
+
+Pair half_as_smooth(const PairWish& wish, const std::vector<hunting_tool::ProfileFit>& fits) {
+  Noise of_wheel, of_rail;
+  for (const hunting_tool::ProfileFit& fit : fits)
+    (std::string_view{fit.what} == "wheel" ? of_wheel : of_rail) = 0.5 * fit.smoothing;
+  return read_pair(wish, of_wheel, of_rail).pair;
 }
 
 bool stands_on(const PairWish& wish, const WheelResult& wheel, double shift,
@@ -60,10 +77,19 @@ bool stands_on(const PairWish& wish, const WheelResult& wheel, double shift,
   });
 }
 
-void describe_pair(tool::Summary& answer, const PairWish& wish) {
+void describe_pair(tool::Summary& answer, const PairWish& wish,
+                   const std::vector<hunting_tool::ProfileFit>& fits) {
   answer.add("wheel", "wheel", wish.wheel.empty() ? "S1002" : wish.wheel.string());
   answer.add("rail", "rail", wish.rail.empty() ? wish.head : wish.rail.string());
   answer.add("cant", "cant of the rails", wish.cant, "");
+  for (const hunting_tool::ProfileFit& fit : fits)
+    answer.add(
+        fmt::format("{}_rms_mm", fit.what),
+        fmt::format("{}: points to smoothed profile, rms", fit.what), fit.rms / units::millimetre,
+        "mm",
+        fmt::format("largest {:.2g} mm; scatter of the points {:.2g} mm, smoothed by {:.2g} mm",
+                    fit.largest / units::millimetre, fit.scatter / units::millimetre,
+                    fit.smoothing / units::millimetre));
 }
 
 Method method_of(const std::string& name) {

@@ -32,11 +32,16 @@ struct ReadPair {
 };
 // Throws InputError naming a file and what is wrong with it, and when the wheelset does not fit between the rails.
 ReadPair read_pair(const PairWish& wish);
+// The same with each profile from a file met twice as closely: how far an answer stands on the smoothing.
+wheel_on_rail::Pair half_as_smooth(const PairWish& wish,
+                                   const std::vector<hunting_tool::ProfileFit>& fits);
 // Whether a patch of a wheel, shifted outwards, lies on a doubtful place of the wheel's profile or next to it. (A rail's place in the
 // track is not told in its file's coordinates.)
 bool stands_on(const PairWish& wish, const wheel_on_rail::WheelResult& wheel, double shift,
                const hunting_tool::ProfileFit& fit, const wheelrail::PointsWarning& warning);
-void describe_pair(tool::Summary& answer, const PairWish& wish);
+// With the scatter, the smoothing and the distance of the points of profiles from files.
+void describe_pair(tool::Summary& answer, const PairWish& wish,
+                   const std::vector<hunting_tool::ProfileFit>& fits);
 wheel_on_rail::WheelWish wheel_wish(const PairWish& wish);
 wheel_on_rail::Method method_of(const std::string& name);
 
