@@ -362,7 +362,7 @@ void doubt(const Work& w, WheelResult& out) {
     const double width = (box.y_max - box.y_min) / std::sqrt(2.0),
                  length = (box.x_max - box.x_min) / std::sqrt(2.0);
     const double head = w.wheel.pair->rail.to() - w.wheel.pair->rail.from();
-    if (width > 0.4 * head || length > 0.4 * p.patch.radius)
+    if (width > 0.3 * head || length > 0.4 * p.patch.radius)
       say(
           fmt::format("half-space: the contact is {:.0f} mm wide and {:.0f} mm long, the rail's "
                       "profile {:.0f} mm "

@@ -71,9 +71,9 @@ Search search_in_time(const Family& family, const CarCase& c, double speed,
         break;
       case SettledMotion::Kind::cycle: {
         ++result.to_cycle;
-        const auto same = [&m](const LimitCycle& c) {
-          return std::abs(c.largest / m.cycle.largest - 1) < 1e-3 &&
-                 std::abs(c.cycle.omega / m.cycle.cycle.omega - 1) < 5e-4;
+        const auto same = [&m](const LimitCycle& other) {
+          return std::abs(other.largest / m.cycle.largest - 1) < 1e-3 &&
+                 std::abs(other.cycle.omega / m.cycle.cycle.omega - 1) < 5e-4;
         };
         if (std::none_of(result.cycles.begin(), result.cycles.end(), same) &&
             std::none_of(known.begin(), known.end(), same))
