@@ -91,6 +91,9 @@ local function notes_of(checks)
     end
   end
   local notes = #list > 0 and html.tag("ul", {class = "notes"}, table.concat(list, "\n")) or ""
+  if #list > 3 then
+    notes = html.tag("details", {class = "checks"}, html.tag("summary", nil, ("The %d reasons"):format(#list)) .. notes)
+  end
   return marks, notes
 end
 

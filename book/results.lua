@@ -360,7 +360,7 @@ local function words_of(block)
   return (pandoc.write(block, "plain", {wrap_text = "none"}):gsub("%-%-%-+", " "):gsub("^%s+", ""):gsub("%s+", " "))
 end
 
-local most_words = 4000 -- bytes of a section that a search looks into
+local most_words = 2500 -- bytes of a section that a search looks into
 
 -- What a search finds: the sections with the beginning of their text, and the figures and tables with what they check.
 local function search_entries(doc)

@@ -30,9 +30,9 @@ file(COPY ${shared_scripts} DESTINATION ${new}/data)
 set(page_options --template=${here}/template.html --to=html5 --mathml --fail-if-warnings --standalone --wrap=none --no-highlight
     -V version=${VERSION})
 
-# Words in the colour of a thin line are hard to read on white: in the drawings of a folder they get a darker one of the same hue,
-# with a contrast of 4.5 or more.
-function(darken_words folder)
+# The drawings of a folder, prepared for the book: words in the colour of a thin line, which are hard to read on white, get a darker
+# one of the same hue, with a contrast of 4.5 or more; coordinates keep a tenth of a dot, and blanks that mean nothing go.
+function(prepare_drawings folder)
   file(GLOB drawings ${folder}/*.svg)
   foreach(drawing ${drawings})
     file(READ ${drawing} svg)
@@ -42,9 +42,9 @@ function(darken_words folder)
       string(REGEX MATCH "^(.*)>(.*)$" _ "${pair}")
       string(REPLACE "fill=\"rgb(${CMAKE_MATCH_1})\" font-size" "fill=\"rgb(${CMAKE_MATCH_2})\" font-size" dark "${dark}")
     endforeach()
-    if(NOT dark STREQUAL svg)
-      file(WRITE ${drawing} "${dark}")
-    endif()
+    string(REGEX REPLACE "([0-9]\\.[0-9])[0-9]([ ,'\"])" "\\1\\2" dark "${dark}")
+    string(REGEX REPLACE "\n[ \t\n]+" "\n" dark "${dark}")
+    file(WRITE ${drawing} "${dark}")
   endforeach()
 endfunction()
 
@@ -93,8 +93,10 @@ foreach(chapter ${chapters})
   list(FILTER data EXCLUDE REGEX "-answer\\.csv$") # they are scripts, below
   file(COPY ${data} DESTINATION ${new}/data/${chapter})
   file(COPY ${pictures} DESTINATION ${new}/figures/${chapter})
-  darken_words(${new}/figures/${chapter})
-  file(COPY ${RESULTS}/${chapter}.json DESTINATION ${new}/data)
+  prepare_drawings(${new}/figures/${chapter})
+  file(READ ${RESULTS}/${chapter}.json json)
+  string(REGEX REPLACE "\n *" "" json "${json}") # a text in it has no line end of its own
+  file(WRITE ${new}/data/${chapter}.json "${json}")
   set(answers) # figures that answer: their tables as a script, which a page from disk can load
   file(GLOB tables ${RESULTS}/${chapter}/*-answer.csv)
   foreach(table ${tables})
