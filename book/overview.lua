@@ -27,7 +27,7 @@ local function findings_table(r)
   for i, entry in ipairs(found) do
     local check = entry[3]
     local came, why = items.cell(items.computed(check)), html.text(items.proof(check))
-    if came.class == "words" then came, why = {"–", class = "number"}, came[1] .. (why ~= "" and "; " .. why or "") end
+    if came.class == "words" then came, why = {"–", class = "number"}, came[1] .. (why ~= "" and (check.trial and (check.why or "") == "" and ". " or "; ") .. why or "") end
     rows[i] = {check_link(check, r), items.outcome(check), html.text(check.place or ""),
       items.cell(items.said(check, true)), came, why}
   end
