@@ -28,6 +28,7 @@ distances, and flags a conicity or critical speed that changes when the profiles
 #include <cmath>
 #include <limits>
 #include <map>
+#include <string_view>
 
 #include "files/outside.hpp"
 #include "table/csv.hpp"
@@ -50,8 +51,19 @@ constexpr double no_scatter =
 
 Curve read_profile(const std::filesystem::path& file, Body body, const PairWish& wish,
                    ProfileFit& fit) {
-  const auto columns =
-      table::read_columns(file, {{"inward", units::length}, {"height", units::length}});
+  const auto columns = [&] {
+    try {
+      return table::read_columns(file, {{"inward", units::length}, {"height", units::length}});
+    } catch (const InputError& error) {
+      if (std::string_view{error.what()}.find("no column") == std::string_view::npos) throw;
+      throw InputError(fmt::format(
+          "{}; a profile is a table with the headers inward_mm,height_mm or other units, inward "
+          "towards the middle of the track and height upwards. Of a profilometer that counts a "
+          "wheel outward from the back of its flange and the flange upward: inward = 70 mm - X, "
+          "height = -Y",
+          error.what()));
+    }
+  }();
   std::vector<Point> points;
   points.reserve(columns[0].size());
   for (std::size_t i = 0; i < columns[0].size(); ++i)
