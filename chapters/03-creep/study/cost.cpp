@@ -288,7 +288,7 @@ struct Study : Known {
 std::string making_of(const report::Item& item, int solutions, const num::Stopwatch& watch) {
   const double seconds = watch.seconds();
   return fmt::format("{} solutions of the full theory{}", solutions,
-                     item.timings() ? fmt::format(", {:.2f} s", seconds) : "");
+                     item.timings() ? fmt::format(", {:.2f} s", seconds) : " (not timed)");
 }
 
 void curve_time(report::Item& item) {

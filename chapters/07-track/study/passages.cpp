@@ -308,7 +308,7 @@ void cost_mass(report::Item& item) {
   item.value("contact-stiffness", contact_stiffness(typical) / 1e9, "GN/m", "{:.1f}");
   item.value("bed-stiffness", typical.track.bed_stiffness / 1e6, "MN/m", "{:.0f}");
   const Entry light = quickest(entries);
-  const char* unit = item.timings() ? "ms" : "evaluations";
+  const char* unit = item.timings() ? "ms" : "evaluations (not timed)";
   item.value(
       "mass-answer",
       fmt::format("Use an explicit method down to {:g} kg of rail and an implicit one below: "
