@@ -9,6 +9,7 @@ right-hand side of the equations and, roughly, when the peaks are.
 #include <cmath>
 
 #include "track/impact_system.hpp"
+#include "units/constants.hpp"
 
 namespace railbook::track_chapter {
 
