@@ -13,19 +13,19 @@ TEST_CASE("unit: a chapter checks printed rows and leaves a record") {
   s.at.write("data/trials.csv",
              "check,choice,unit,settings\ntable-1/m-printed,rounding,,606.1; 606.3\n");
   const report::Section paper{
-      report::table("table-1", "One",
-                    [](report::Item& item) {
-                      const auto t = item.printed("t.csv");
-                      item.expect_checks(2);
-                      item.row(t, "p0").print("printed", 39315.4,
-                                              report::relative(0.006, "coarse cells"));
-                      report::Trial trial =
-                          item.trial("m-printed", "moment", "{:.1f} N.m", report::misses("806.2"));
-                      trial.vary("rounding", [](const report::Setting& s) { return s.number; });
-                      item.row(t, "m").print("printed", 606.2,
-                                             report::corrected(606.16, 1e-3, "5365 in.lbf", trial));
-                      item.value("p0", 39315.4, "psi", "{:.0f}");
-                    }),
+      report::table(
+          "table-1", "One",
+          [](report::Item& item) {
+            const auto t = item.printed("t.csv");
+            item.expect_checks(2);
+            item.row(t, "p0").print("printed", 39315.4, report::relative(0.006, "coarse cells"));
+            report::Trial trial =
+                item.trial("m-printed", "moment", "{:.1f} N.m", report::misses("806.2"));
+            trial.vary("rounding", [](const report::Setting& setting) { return setting.number; });
+            item.row(t, "m").print("printed", 606.2,
+                                   report::corrected(606.16, 1e-3, "5365 in.lbf", trial));
+            item.value("p0", 39315.4, "psi", "{:.0f}");
+          }),
       report::figure("fig-1", "Two", [](report::Item& item) {
         item.data({"x_m", "y"}).add(1.0, "a,b");
         item.sketch();
