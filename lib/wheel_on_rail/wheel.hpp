@@ -57,7 +57,7 @@ struct PatchResult {
   double largest_shear = 0;  // traction [Pa]
   double wear_number = 0;    // T gamma: power of friction over speed [N]
   // Of p_max, as a share: the change from a grid of half the cells along and across, and what cells of this size leave at least; infinite
-  // for the approximate methods. forces.error is the like of (fx, fy) over mu N. They cover 95 of 100 contacts.
+  // for the approximate methods. forces.error is the like of (fx, fy) over mu N. Not yet counted on fresh contacts.
   double p_max_error = std::numeric_limits<double>::infinity();
   contact::Grid grid;        // of Method::full ...
   Eigen::VectorXd pressure;  // ... and the pressure [Pa]
