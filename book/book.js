@@ -243,6 +243,52 @@ function previews() {
   }
 }
 
+// ---- what a symbol of a formula means: under the pointer for a symbol, on focus for all symbols of a displayed formula
+function symbolMeanings() {
+  if (!document.getElementById("meanings")) return;
+  const box = make("div", {className: "preview meaning", id: "meaning", hidden: true});
+  box.setAttribute("role", "tooltip");
+  document.body.append(box);
+  let shown = null, closing = 0;
+  const close = () => {
+    shown?.removeAttribute("aria-describedby");
+    shown = null;
+    box.hidden = true;
+  };
+  const later = () => { closing = setTimeout(close, 250); };
+  const open = (element, numbers) => {
+    clearTimeout(closing);
+    if (shown === element) return;
+    close();
+    shown = element;
+    box.replaceChildren(...numbers.map((n) => make("p", {}, ...document.getElementById("meaning-" + n).cloneNode(true).childNodes)));
+    box.hidden = false;
+    const at = element.getBoundingClientRect();
+    box.style.left = Math.max(8, Math.min(at.left, innerWidth - box.offsetWidth - 16)) + scrollX + "px";
+    const below = at.bottom + box.offsetHeight + 8 < innerHeight;
+    box.style.top = (below ? at.bottom + 4 : at.top - box.offsetHeight - 4) + scrollY + "px";
+  };
+  for (const symbol of all(".symbol")) {
+    symbol.addEventListener("pointerenter", () => open(symbol, [symbol.dataset.symbol]));
+    symbol.addEventListener("pointerleave", later);
+  }
+  for (const formula of all("main math[display=block]")) {
+    const numbers = [...new Set(all(".symbol", formula).map((symbol) => symbol.dataset.symbol))];
+    if (numbers.length === 0) continue;
+    formula.tabIndex = 0;
+    formula.addEventListener("focus", () => {
+      if (!formula.matches(":focus-visible")) return;
+      open(formula, numbers);
+      formula.setAttribute("aria-describedby", box.id);
+    });
+    formula.addEventListener("blur", close);
+  }
+  box.addEventListener("pointerenter", () => clearTimeout(closing));
+  box.addEventListener("pointerleave", later);
+  document.addEventListener("keydown", (event) => { if (event.key === "Escape") close(); });
+  document.addEventListener("pointerdown", (event) => { if (!box.contains(event.target) && !event.target.closest(".symbol")) close(); });
+}
+
 // ---- the section that is read, in the contents at the side
 function markSection() {
   const links = new Map(all(".toc a").map((a) => [decodeURIComponent(a.hash.slice(1)), a]));
@@ -278,6 +324,7 @@ all(".filterable").forEach(filterable);
 all("pre").forEach(copyButton);
 all(".wide, pre, math[display=block], .equation > span").forEach((e) => { if (e.scrollWidth > e.clientWidth) e.tabIndex = 0; });
 previews();
+symbolMeanings();
 markSection();
 unfold();
 addEventListener("hashchange", unfold);

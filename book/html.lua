@@ -52,7 +52,10 @@ function html.tex(text)
   return unit == "" and number or ("%s\\;\\text{%s}"):format(number, unit)
 end
 
-local formulas = {}
+local formulas, finish = {}, nil
+
+-- From now on each formula is what `change` makes of its MathML and its TeX.
+function html.finish_formulas(change) formulas, finish = {}, change end
 
 -- A formula as MathML, or nil when its TeX is not understood. `kind` is InlineMath or DisplayMath.
 function html.formula(tex, kind)
@@ -61,7 +64,8 @@ function html.formula(tex, kind)
   local doc = pandoc.Pandoc({pandoc.Plain({pandoc.Math(kind, tex)})})
   local out = pandoc.write(doc, "html", {html_math_method = "mathml"}):gsub("%s+$", "")
   if not out:find("<math", 1, true) then return nil end
-  formulas[key] = mathml.mend(out)
+  out = mathml.mend(out)
+  formulas[key] = finish and finish(out, tex) or out
   return formulas[key]
 end
 

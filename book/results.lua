@@ -4,17 +4,19 @@
 --   {{outcome:id}}      what came of a check, as a link to it
 --   {{coverage}} alone  the inventory of the paper
 --   {{work-precision}}, {{work-precision: id}}, {{stability}}, {{verdicts}}, {{checks}} alone
+--   {{symbols}} alone   the symbols of data/symbols.csv; with that file, a formula has no other ones (see symbols.lua)
 -- Metadata: part (paper or study), record (JSON file), figures (folder of its PNGs), data (folder of its CSVs and scripts),
 -- chapters (see frame.lua), parts (folder for what the overview pages take from this one).
 -- An unknown id, a missing file, or an item of the record that the page does not show exactly once is an error.
 
 package.path = PANDOC_SCRIPT_FILE:match("^(.*)/[^/]*$") .. "/?.lua;" .. package.path
 local html, items, record, frame = require "html", require "items", require "record", require "frame"
-local mathml = require "mathml"
+local mathml, symbols = require "mathml", require "symbols"
 local dkjson = require "dkjson"
 
 local r, figures, data, page
 local problems, shown, reported, anchors = {}, {}, {}, {}
+local symbol_list -- of the chapter, or nil
 local tags = {} -- the numbers of the page's display formulas
 
 -- Where the sources say {{text}}: "main.cpp:12".
@@ -52,6 +54,34 @@ local function require_data(token, name)
   end
 end
 
+-- The value of a symbol, which may be a number of the record, {{id}}.
+local function symbol_value(text)
+  local out = text:gsub("{{([%w][%w%-_./]*)}}", function(id)
+    if not r.value[id] then problem(nil, ("%s: unknown id '%s' (not in %s)"):format(symbol_list.path, id, r.path)) end
+    return r.value[id] and r.value[id].text or ""
+  end)
+  return out:find("[$`]") and html.text(out) or html.number(out)
+end
+
+-- The list of the chapter's symbols; from here on formulas are held to it.
+local function use_symbols()
+  local path = data .. "/printed/symbols.csv"
+  local good, list = pcall(symbols.load, path)
+  if not good then problem(nil, r.chapter .. ": " .. list:gsub("^.*/printed/", "data/")) end
+  if not good or not list then return end
+  symbol_list = list
+  list.path = r.chapter .. "/data/symbols.csv"
+  local name = page == "study" and r.chapter .. "-study" or r.chapter
+  html.finish_formulas(function(set, tex)
+    return symbols.mark(list, set, function(symbol)
+      if reported[symbol] then return end
+      reported[symbol] = true
+      local message = "page %s: the formula $%s$ has the symbol %s, which %s does not list"
+      problem(tex:match("^%s*([^\n]-)%s*\n") or tex:match("^%s*(.-)%s*$"), message:format(name, tex:gsub("%s+", " "):gsub("^ ", ""):gsub(" $", ""), symbol, list.path))
+    end)
+  end)
+end
+
 local function item_block(item, token, more)
   for _, name in ipairs(item.csv) do require_data(token, items.file_of(name)) end
   if item.script then
@@ -68,6 +98,13 @@ end
 local function mark(key, token)
   if shown[key] then problem(token, ("%s: '%s' is shown twice"):format(r.chapter, key)) end
   shown[key] = true
+end
+
+local function symbols_block(token)
+  mark("the symbols", token)
+  if symbol_list then return symbols.table(symbol_list, symbol_value) end
+  problem(token, r.chapter .. " has no data/symbols.csv")
+  return ""
 end
 
 -- {{outcome:table-2/p0-hertz}}: what came of a check, as a link to it.
@@ -103,6 +140,7 @@ end
 -- An item may have the name of a list, stability say; then it shows the list as well.
 local function block_for(name, argument, token)
   local list
+  if name == "symbols" then list = symbols_block(token) end
   if name == "coverage" then list = items.coverage(r, page) end
   if name == "verdicts" then list = items.verdicts(r, page) end
   if name == "checks" then list = items.checks(r) end
@@ -412,6 +450,12 @@ local function leave_parts(doc, folder)
   file:close()
 end
 
+local function stop_on_problems()
+  if #problems == 0 then return end
+  for _, message in ipairs(problems) do io.stderr:write("book: ", message, "\n") end
+  os.exit(1)
+end
+
 function Pandoc(doc)
   local text = function(key) return doc.meta[key] and pandoc.utils.stringify(doc.meta[key]) end
   local good, result = pcall(record.load, text "record")
@@ -421,6 +465,7 @@ function Pandoc(doc)
   end
   r, figures, data, page = result, text "figures", text "data", text "part" or "paper"
   doc = take_title(doc)
+  use_symbols()
   number_items(doc)
   doc:walk({Math = function(math)
     local number = math.mathtype == "DisplayMath" and math.text:match("\\tag{([^{}]*)}")
@@ -428,10 +473,8 @@ function Pandoc(doc)
   end})
   doc = doc:walk({Para = Para}):walk({Str = Str, Math = Math}):walk({Inlines = Inlines})
   check_all_shown()
-  if #problems > 0 then
-    for _, message in ipairs(problems) do io.stderr:write("book: ", message, "\n") end
-    os.exit(1)
-  end
+  doc:walk({Math = function(math) html.formula(math.text, math.mathtype) end}) -- so that all problems are named at once
+  stop_on_problems()
   frame.set(doc.meta, frame.chapters(frame.strings(doc.meta.chapters)), page == "study" and r.chapter .. "-study" or r.chapter)
   leave_parts(doc, text "parts")
   local raw = function(content) return pandoc.MetaInlines({pandoc.RawInline("html", content)}) end
@@ -445,8 +488,11 @@ function Pandoc(doc)
   doc.meta.machine = raw(record.describe(r.machine))
   doc.meta.level = pandoc.MetaString(tostring(r.level or ""))
   doc.meta.seconds = raw(html.seconds(r.seconds))
-  return doc:walk({Math = function(math) -- one that cannot be set stays, for pandoc to name it
+  doc = doc:walk({Math = function(math) -- one that cannot be set stays, for pandoc to name it
     local set = html.formula(math.text, math.mathtype)
     return set and pandoc.RawInline("html", set) or nil
   end})
+  if symbol_list then doc.blocks:insert(pandoc.RawBlock("html", symbols.meanings(symbol_list, symbol_value))) end
+  stop_on_problems()
+  return doc
 end

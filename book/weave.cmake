@@ -110,7 +110,9 @@ foreach(chapter ${chapters})
   file(GLOB printed RELATIVE ${CHAPTERS}/${chapter}/data ${CHAPTERS}/${chapter}/data/*)
   foreach(name ${printed})
     file(COPY ${CHAPTERS}/${chapter}/data/${name} DESTINATION ${new}/data/${chapter}/printed)
-    list(APPEND around -M printed=${name})
+    if(NOT name STREQUAL symbols.csv) # the list on the page
+      list(APPEND around -M printed=${name})
+    endif()
   endforeach()
   # The chapter's first page, and its second, the files of study/ with study.cpp first; both at the same time.
   set(commands)

@@ -463,6 +463,33 @@ function(titles)
 endfunction()
 book_case("titles of panels, headers and pages are whole" titles)
 
+function(symbols)
+  edit(${main} "$$ a + b \\tag{7} $$" "$$ \\int_0^a \\ddot x_1\\,dx = \\sum_{k=1}^3 p_k \\sin \\Delta t + \\frac{dx}{dt} + E^*\\bar x, \\qquad e^{i\\pi x^2} \\tag{7} $$")
+  edit(${main} "{{checks}}" "{{checks}}\n\n{{symbols}}")
+  set(list "symbol,meaning,unit,value\na,\"half-width, along the rail\",in,\nx,place,in,\np_i,pressure in a cell,lbf/in^2,{{F-hertz}}\n\\Delta t,a step,s,\nt,time,s,\n")
+  string(APPEND list "E^*,\"modulus, $\\pi/a$\",1,30e6\n\\bar x,mean place,in,\nx_i,place of a cell,in,\nm,ratio of semi-axes,,\n")
+  set(symbols ${dir}/chapters/01-sample/data/symbols.csv)
+  file(WRITE ${symbols} "${list}")
+  expect_page("<table class=\"symbols\">" "<tr id=\"symbol-3\">" "half-width, along the rail" "lbf/in<sup>2</sup>" "999.34 lbf</td>"
+    "<msub class=\"symbol\" data-symbol=\"8\"><mover><mi>x</mi>" "<msub class=\"symbol\" data-symbol=\"3\"><mi>p</mi><mi>k</mi></msub>"
+    "<mrow class=\"symbol\" data-symbol=\"4\"><mi>Δ</mi><mi>t</mi></mrow>" "<msup class=\"symbol\" data-symbol=\"6\"><mi>E</mi><mo>*</mo></msup>"
+    "<mover class=\"symbol\" data-symbol=\"7\"><mi>x</mi>" "<msup><mi class=\"symbol\" data-symbol=\"2\">x</mi><mn>2</mn></msup>"
+    "<mi>d</mi><mi class=\"symbol\" data-symbol=\"5\">t</mi>" "<mi>e</mi>" "<ul id=\"meanings\" hidden>" "30×10<sup>6</sup>")
+  edit(${main} "p_0 = " "p_9 = ")
+  edit(${main} "$$ \\int" "The height is $\\beta_w+h$.\n\n$$ \\int")
+  expect_failure("main.cpp:15" "page 01-sample: the formula $\\beta_w+h$ has the symbol \\beta_w, which 01-sample/data/symbols.csv does not list"
+    "has the symbol h, which")
+  foreach(wrong "x,again,in,\n|the symbol x is listed twice" "q,,in,\n|q has no meaning" "q,what\n|the line of q has 2 fields, not 4"
+      "\\frobnicate,what,in,\n|is not TeX that can be set" "h,what,m,{{F-herz}}\n|unknown id 'F-herz'")
+    string(REGEX MATCH "^([^|]*)\\|(.*)$" _ "${wrong}")
+    file(WRITE ${symbols} "${list}${CMAKE_MATCH_1}")
+    expect_failure("${CMAKE_MATCH_2}")
+  endforeach()
+  file(REMOVE ${symbols})
+  expect_failure("01-sample has no data/symbols.csv")
+endfunction()
+book_case("symbols are listed and marked, and a formula has no other ones" symbols)
+
 if(NOT found)
   message(FATAL_ERROR "no case '${CASE}'")
 endif()
