@@ -1,7 +1,8 @@
 -- Pandoc reader of literate C++: `pandoc -f literate.lua main.cpp section.cpp ...`.
 -- A comment that opens with `/***` at the beginning of a line is prose in Markdown; everything else is code.
 -- A prose line `{{code: contact/hertz.hpp hertz_from_approach}}` shows that function or type of lib/. Functions that compute
--- are shown; what registers, formats and checks (a function that takes a report::Item, a report::Section, main) is folded.
+-- are shown, where the paragraph before them names one of them in backquotes, and else folded; what registers, formats and checks
+-- (a function that takes a report::Item, a report::Section, main) is folded at the end.
 -- The first file is the page; a prose line `{{include: section.cpp}}` continues with another one. Every .cpp
 -- named on the command line must be included exactly once; a header may be.
 
@@ -143,8 +144,47 @@ local function library_code(path, name, from)
   fail(from .. ": lib/" .. path .. " defines no " .. name)
 end
 
+-- The functions and types that code at the beginning of a line defines.
+local function definitions(code)
+  local names = {}
+  for line in code:gmatch("[^\n]+") do
+    local name = line:match("^struct%s+([%w_]+)") or line:match("^class%s+([%w_]+)")
+      or line:match("^enum class%s+([%w_]+)")
+    if not name and not line:find(";%s*$") and not line:find("^template") then
+      name = line:match("^[%a_].-[%s&*:]([%w_]+)%(")
+    end
+    if name and names[#names] ~= name then names[#names + 1] = name end
+  end
+  return names
+end
+
+local unnamed = {} -- code of the library that the text before it does not speak of
+
+-- Whether text has the name in backquotes: `hertz`, `hertz(k)` or `contact::hertz`.
+local function speaks_of(text, name)
+  for code in text:gmatch("`([^`]+)`") do
+    if code:find("%f[%w_]" .. name .. "%f[^%w_]") then return true end
+  end
+  return false
+end
+
 local Weaver = {}
 Weaver.__index = Weaver
+
+-- Keeps the paragraph that the reader has before the next block of code: formulas, figures and headings alone are none.
+function Weaver:read(text)
+  for paragraph in (text .. "\n\n"):gmatch("(.-)\n%s*\n") do
+    local alone = not paragraph:gsub("{{[^{}]*}}", ""):gsub("%$%$.-%$%$", ""):find("%w") or paragraph:find("^%s*#+ [^\n]*$")
+    if not alone then self.paragraph = paragraph end
+  end
+end
+
+function Weaver:names(names)
+  for _, name in ipairs(names) do
+    if speaks_of(self.paragraph or "", name) then return true end
+  end
+  return false
+end
 
 -- `last`: no prose of the page comes after it, so it would stand below a heading that is not its own.
 function Weaver:code(piece, file, last)
@@ -161,7 +201,9 @@ function Weaver:code(piece, file, last)
     code = body
   end
   for _, run in ipairs(runs(code)) do
-    self:emit(fenced(run.text, file, line + run.before, (run.glue or last) and "glue" or "code"))
+    local names = definitions(run.text)
+    local role = (run.glue or last) and "glue" or #names > 0 and not self:names(names) and "helper" or "code"
+    self:emit(fenced(run.text, file, line + run.before, role))
     self.blocks = self.blocks + 1
   end
 end
@@ -171,22 +213,34 @@ function Weaver:emit(text) self.out[#self.out + 1] = text .. "\n" end
 function Weaver:prose(piece, file)
   local line = piece.line
   local body = piece.text:gsub("^[ \t]+", "")
+  local paragraph = {}
+  local function read()
+    self:read(table.concat(paragraph, "\n"))
+    paragraph = {}
+  end
   for text in (body .. "\n"):gmatch("(.-)\n") do
     local included = text:match("^%s*{{%s*include:%s*(%S+)%s*}}%s*$")
     local path, name = text:match("^%s*{{%s*code:%s*(%S+)%s+([%w_]+)%s*}}%s*$")
     if included then
+      read()
       self:emit("")
       self:file(included, file .. ":" .. line)
     elseif path then
       local code, first = library_code(path, name, file .. ":" .. line)
+      read()
+      if not self:names({name}) then
+        unnamed[#unnamed + 1] = ("%s:%d: the paragraph before {{code: %s %s}} does not name `%s`"):format(file, line, path, name, name)
+      end
       self:emit("")
       self:emit(fenced(code, "lib/" .. path, first, "code"))
       self.blocks = self.blocks + 1
     else
       self.out[#self.out + 1] = text
+      paragraph[#paragraph + 1] = text
     end
     line = line + 1
   end
+  read()
   self:emit("")
 end
 
@@ -204,20 +258,6 @@ function Weaver:file(name, from)
   for i, piece in ipairs(pieces) do
     if piece.prose then self:prose(piece, name) else self:code(piece, name, name == self.main and i > last_prose) end
   end
-end
-
--- The functions and types that code at the beginning of a line defines.
-local function definitions(code)
-  local names = {}
-  for line in code:gmatch("[^\n]+") do
-    local name = line:match("^struct%s+([%w_]+)") or line:match("^class%s+([%w_]+)")
-      or line:match("^enum class%s+([%w_]+)")
-    if not name and not line:find(";%s*$") and not line:find("^template") then
-      name = line:match("^[%a_].-[%s&*:]([%w_]+)%(")
-    end
-    if name and names[#names] ~= name then names[#names + 1] = name end
-  end
-  return names
 end
 
 -- What a folded block says: what it defines, if that is several things; else its first comment or line.
@@ -241,14 +281,14 @@ end
 
 local function where(text) return pandoc.Span({pandoc.Str(text)}, {class = "where"}) end
 
--- Code that computes stands where it is told, folded when it is long. The rest is left for the end of the page, by file.
+-- Code that computes stands where it is told, folded when it is long or when the paragraph before it does not name it. The rest is left for the end of the page, by file.
 local function present(block, rest)
   local file, line, role = block.attributes.file, block.attributes.line, block.attributes.role
   if not role then return nil end
   local lines = count_lines(block.text)
   local place = ("%s:%s"):format(file, line)
   local shown = pandoc.RawBlock("html", highlight.cpp(block.text))
-  if role ~= "code" then
+  if role ~= "code" and role ~= "helper" then
     if not rest[file] then
       rest[file] = {lines = 0, blocks = pandoc.List()}
       rest[#rest + 1] = file
@@ -257,7 +297,7 @@ local function present(block, rest)
     rest[file].blocks:extend({pandoc.Plain({where(place)}), shown})
     return {}
   end
-  if lines <= longest_open_block then return details("code shown", {where(place)}, {shown}, " open") end
+  if role == "code" and lines <= longest_open_block then return details("code shown", {where(place)}, {shown}, " open") end
   return details("code", {pandoc.Span(summary_of(block.text)), pandoc.Space(), where(("%s, %d lines"):format(place, lines))}, {shown})
 end
 
@@ -288,6 +328,13 @@ function Reader(inputs)
     if name:find("%.cpp$") and not weaver.seen[name] then
       fail(source.name .. " is not included in the page: add a line {{include: " .. name .. "}} to the prose")
     end
+  end
+
+  local list = os.getenv("RAILBOOK_UNNAMED_CODE") and io.open(os.getenv("RAILBOOK_UNNAMED_CODE"), "a")
+  if list then
+    local folder = inputs[1].name:match("([^/]*/[^/]*)/[^/]*$") or ""
+    for _, message in ipairs(unnamed) do list:write(folder, "/", message, "\n") end
+    list:close()
   end
 
   local dialect = "markdown-citations-example_lists-blank_before_header+autolink_bare_uris"
