@@ -18,25 +18,77 @@ function html.tag(name, attributes, content)
   return content and opening .. content .. "</" .. name .. ">" or opening
 end
 
+-- ---- numbers: one way of writing them for texts, tables, captions and values
+
+local thin = "\u{202f}"
+
+-- 12345.678 as 12 345.678; four digits stay together.
+local function grouped(digits)
+  if #digits < 5 then return digits end
+  return (digits:reverse():gsub("%d%d%d", "%0 "):reverse():gsub("^ ", ""):gsub(" ", thin))
+end
+
+-- Plain text with its numbers as the book writes them: 0.005, 33 817.5, −3, 5 µs. Words of a paper, in quotation marks, stay as they are;
+-- so do names, file names and other numbers that touch letters.
+function html.tidy(text)
+  local quotes, out, at = {["“"] = "”", ['"'] = '"'}, {}, 1
+  local function tidy(part)
+    part = (" " .. part):gsub("([%s(%[±≈<>=,;:/×+-])%.(%d)", "%10.%2"):gsub("−%.(%d)", "−0.%1")
+    part = part:gsub("([%s(%[=<>,;:])%-(%d)", "%1−%2")
+    part = part:gsub("()%f[%w_./–-](%d%d%d%d%d+)%f[^%w_]()", function(open, digits, close)
+      local before, after = part:sub(open - 1, open - 1), part:sub(close, close + 1)
+      if before:find("[%w_./#:-]") or after:find("^[/-]") or after:find("^%.%a") then return nil end
+      return grouped(digits)
+    end)
+    part = part:gsub("(%d) ?u([sm])%f[%W]", "%1 µ%2")
+    return part:sub(2)
+  end
+  while at <= #text do
+    local open, close
+    for mark, ending in pairs(quotes) do
+      local from = text:find(mark, at, true)
+      local to = from and text:find(ending, from + #mark, true)
+      if to and (not open or from < open) then open, close = from, to + #ending - 1 end
+    end
+    if not open then break end
+    out[#out + 1] = tidy(text:sub(at, open - 1)) .. text:sub(open, close)
+    at = close + 1
+  end
+  return table.concat(out) .. tidy(text:sub(at))
+end
+
 -- 1.2e-05 inside a text as 1.2×10⁻⁵; a bare 1e5 may be a name.
 local function power_of_ten(text)
+  text = text:gsub("%f[%w.]1[eE]([+-])0*(%d+)%f[%W]", function(sign, exponent)
+    return "10<sup>" .. (sign == "-" and "−" or "") .. exponent .. "</sup>"
+  end)
   return (text:gsub("(%d)[eE]([+-])0*(%d+)", function(digit, sign, exponent)
     return digit .. "×10<sup>" .. (sign == "-" and "−" or "") .. exponent .. "</sup>"
   end))
 end
 
--- Powers as they are written: in^2, lb-s^-1. The text is escaped already.
+html.power_of_ten = power_of_ten
+
+-- Units as they are written: in^2, lb-s^-1, N·m, µm. The text is escaped already.
 function html.unit(text)
+  text = text:gsub("%*", "·"):gsub("(%a)%.(%a)", "%1·%2"):gsub("%f[%w]u([mNs])%f[%W]", "µ%1"):gsub("%f[%w]N m%f[%W]", "N·m")
+  text = text:gsub("%f[%w]([%a]+)(%d)%f[%W]", function(name, power) -- N·m2
+    return ({m = true, mm = true, cm = true, ft = true, ["in"] = true, s = true, rad = true})[name] and name .. "^" .. power
+  end)
   return (text:gsub("%^(-?)(%d+)", function(sign, power)
     return "<sup>" .. (sign == "-" and "−" or "") .. power .. "</sup>"
   end))
 end
 
--- A number as text, 1.2e-05 or "-3.4 psi", the way it is printed: 1.2×10⁻⁵, −3.4 psi. Other text: escaped, with its powers of ten.
+-- A number as text, 1.2e-05 or "-3.4 psi", the way it is printed: 1.2×10⁻⁵, −3.4 psi. Other text: tidied, with its powers of ten.
 function html.number(text)
-  text = html.escape(text):gsub("^([+-]?[%d.]+)[eE](%d+)$", "%1e+%2")
-  if text:find("^[+-]?%.?%d") then return html.unit(power_of_ten((text:gsub("^-", "−")))) end
-  return power_of_ten(text)
+  text = tostring(text):gsub("^([+-]?[%d.]+)[eE](%d+)$", "%1e+%2")
+  local number, rest = text:match("^([+-]?%.?%d[%d.,eE+-]*)(.*)$")
+  if not number then return power_of_ten(html.escape(html.tidy(text))) end
+  number = html.tidy((number:gsub("^-", "−"):gsub("^%+", "+")))
+  local is_unit = #rest < 24 and not rest:find("%f[%w]%a%a%a%a%a%a+") and not rest:find("[%(%)\"]") and not rest:find("%s[+−-]?%.?%d")
+  if is_unit then return power_of_ten(html.escape(number)) .. html.unit(html.escape(rest)) end
+  return html.unit(power_of_ten(html.escape(html.tidy(number .. rest))))
 end
 
 -- The same for a formula.
@@ -78,7 +130,7 @@ end
 
 -- Plain text: powers of ten, <sub> and <sup> as such, all else escaped.
 local function plain(text)
-  return (power_of_ten(html.escape(text)):gsub("&lt;(/?su[bp])&gt;", "<%1>"))
+  return (power_of_ten(html.escape(html.tidy(text))):gsub("&lt;(/?su[bp])&gt;", "<%1>"))
 end
 
 -- Text of a record: plain, with $...$ as MathML and `...` as code.
@@ -111,8 +163,7 @@ end
 function html.count(count)
   if type(count) ~= "number" then return "–" end
   if count ~= math.floor(count) or math.abs(count) >= 1e15 then return html.number(("%.6g"):format(count)) end
-  local text = ("%.0f"):format(count)
-  return #text < 5 and text or (text:reverse():gsub("%d%d%d", "%0 "):reverse():gsub("^ ", ""):gsub(" ", "&#8239;"))
+  return grouped(("%.0f"):format(count))
 end
 
 local labels = {paper = "the paper’s data"}

@@ -5,8 +5,9 @@ local record = require "record"
 
 local items = {}
 
-local most_checks = 4 -- of more than these only the telling ones are open
-local most_rows = 10 -- of a longer table these are open
+local most_claims = 6 -- of more than these only the telling ones are open
+local most_rows = 10 -- of a longer list these are open
+local whole = 40 -- a table of at most so many rows is open as a whole
 
 local function share(ratio) return html.number(("%.3g"):format(ratio * 100)) .. " %" end
 
@@ -37,6 +38,23 @@ function items.difference(check)
     return html.number(("%.2g"):format(error)), html.number(("%.2g"):format(allowed))
   end
   return share(error), share(allowed) .. of
+end
+
+-- A printed text as a number, or nil: "34 072", ".3", "2.25e-2".
+local function printed_number(text)
+  return tonumber((tostring(text):gsub("\u{202f}", ""):gsub("[%s,]", ""):gsub("−", "-")))
+end
+
+-- What the computation differs by, in per cent of the print, with its sign.
+local function difference_from_print(check)
+  local printed, computed = printed_number(check.printed), check.computed
+  if type(computed) ~= "number" or not printed then return check.kind == "exact" and (check.pass and "same" or "differs") or items.difference(check) end
+  if computed == printed then return "0 %" end
+  if check.kind == "digitised" or printed == 0 then return (items.difference(check)) .. (check.kind == "digitised" and " of axis" or "") end
+  local off = 100 * (computed - printed) / math.abs(printed)
+  local size = math.abs(off)
+  local text = size >= 9.95 and ("%.0f"):format(size) or size >= 0.095 and ("%.1f"):format(size) or ("%.1g"):format(size)
+  return html.number((off < 0 and "-" or "+") .. text) .. " %"
 end
 
 -- ", psi", or nothing.
@@ -105,43 +123,61 @@ local function in_words(check)
   return check.source == "claim" or not check.of_paper and check.kind == "exact" and (check.reference or "") == ""
 end
 
+-- Where in the paper a check belongs, unless the title of its table says so.
+local function place_of(check, title)
+  local place = check.place or ""
+  local own = place:match("^%a+%.? %w+")
+  if place == "" or own and title:find(own, 1, true) then return "" end
+  return html.tag("span", {class = "place"}, html.text(place))
+end
+
 -- Statements alone, without the columns of numbers that they have none of.
-local function statements_table(checks, of_paper)
+local function statements_table(checks, of_paper, title)
   local marks, notes = notes_of(checks)
   local rows = {}
   for i, check in ipairs(checks) do
     local mark = marks[items.proof(check)]
-    rows[i] = {html.tag("span", {id = check.id}, html.text(check.what or check.id)), html.text((of_paper and check.place or check.by) or ""),
+    rows[i] = {html.tag("span", {id = check.id}, html.text(check.what or check.id)) .. (of_paper and place_of(check, title) or ""),
       items.computed(check) .. (mark and html.tag("span", {class = "mark"}, mark) or ""),
       items.outcome(check), class = not check.pass and "failed" or nil}
+    if not of_paper then table.insert(rows[i], 2, html.text(check.by or "")) end
   end
-  local heads = of_paper and {"claim", "place", "found", "outcome"} or {"statement", "how it was tried", "found", "outcome"}
+  local heads = of_paper and {"claim", "found", "outcome"} or {"statement", "how it was tried", "found", "outcome"}
   return html.table("checks claims cards", heads, rows) .. notes
 end
 
--- `of_paper`: the reference is what the paper prints or says; otherwise that of another work or method, which is named.
-local function one_table(checks, of_paper)
+-- Printed numbers, all of them: what the paper has, what comes out, and the difference in per cent of the print.
+local function printed_table(checks, title)
+  local marks, notes = notes_of(checks)
+  local rows = {}
+  for i, check in ipairs(checks) do
+    local mark = marks[items.proof(check)]
+    rows[i] = {html.tag("span", {id = check.id}, html.text(check.what or check.id)) .. items.unit(check) .. place_of(check, title),
+      items.cell(items.said(check, true)), items.cell(items.computed(check)),
+      {difference_from_print(check) .. (mark and html.tag("span", {class = "mark"}, mark) or ""), class = "number"},
+      items.outcome(check), class = not check.pass and "failed" or nil}
+  end
+  return html.table("checks cards", {"what", "printed", "computed", "difference", "outcome"}, rows) .. notes
+end
+
+-- Numbers and statements that another work or method has, which is named.
+local function other_table(checks)
   local words, numbers = {}, {}
   for _, check in ipairs(checks) do table.insert(in_words(check) and words or numbers, check) end
-  if #numbers == 0 then return statements_table(words, of_paper) end
-  if #words > 0 then return one_table(numbers, of_paper) .. statements_table(words, of_paper) end
+  if #numbers == 0 then return statements_table(words, false) end
+  if #words > 0 then return other_table(numbers) .. statements_table(words, false) end
   local marks, notes = notes_of(checks)
   local rows = {}
   for i, check in ipairs(checks) do
     local off, allowed = items.difference(check)
     local mark = marks[items.proof(check)]
-    local row = {
+    rows[i] = {
       html.tag("span", {id = check.id}, html.text(check.what or check.id)) .. items.unit(check),
-      items.cell(items.said(check, of_paper), not of_paper and "number reference" or nil), items.cell(items.computed(check)), {off, class = "number"},
+      items.cell(items.said(check, false), "number reference"), items.cell(items.computed(check)), {off, class = "number"},
       {allowed .. (mark and html.tag("span", {class = "mark"}, mark) or ""), class = "number"},
       items.outcome(check), class = not check.pass and "failed" or nil}
-    local place = check.place or ""
-    if of_paper then table.insert(row, 2, {html.text(place), class = #place <= 18 and "short" or nil}) end
-    rows[i] = row
   end
-  local heads = of_paper and {"what", "place", "printed", "computed", "difference", "allowed", "outcome"}
-    or {"what", "reference", "computed", "difference", "allowed", "outcome"}
-  return html.table("checks cards", heads, rows) .. notes
+  return html.table("checks cards", {"what", "reference", "computed", "difference", "allowed", "outcome"}, rows) .. notes
 end
 
 -- One line on many checks.
@@ -158,35 +194,42 @@ local function summary(checks)
   return text
 end
 
-local function folded(checks, of_paper, more)
-  return html.tag("details", {class = "checks"}, html.tag("summary", nil, more .. summary(checks)) .. one_table(checks, of_paper))
+local function folded(content, checks, more)
+  return html.tag("details", {class = "checks"}, html.tag("summary", nil, more .. summary(checks)) .. content)
 end
 
 local telling = {["corrected"] = true, ["not confirmed"] = true, ["restored"] = true, ["fitted"] = true}
 
--- Checks of the paper: all of a few, of many those that came out otherwise than confirmed and the closest.
-local function paper_checks(checks)
-  if #checks <= most_checks then return #checks > 0 and one_table(checks, true) or "" end
+-- Claims of the paper: all of a few, of many those that came out otherwise than confirmed.
+local function claims_table(checks, title)
+  if #checks == 0 then return "" end
   local open, rest = {}, {}
-  local _, _, closest = record.tally(checks)
   for _, check in ipairs(checks) do
-    table.insert((not check.pass or telling[check.outcome] or check == closest) and open or rest, check)
+    table.insert((#checks <= most_claims or not check.pass or telling[check.outcome]) and open or rest, check)
   end
-  return (#open > 0 and one_table(open, true) or "") .. (#rest > 0 and folded(rest, true, #open > 0 and "More: " or "") or "")
+  return (#open > 0 and statements_table(open, true, title) or "")
+    .. (#rest > 0 and folded(statements_table(rest, true, title), rest, #open > 0 and "More: " or "") or "")
+end
+
+-- Checks of the paper: its numbers as a whole table, then its claims in words.
+local function paper_checks(checks, title)
+  local numbers, claims = {}, {}
+  for _, check in ipairs(checks) do table.insert(check.source == "claim" and claims or numbers, check) end
+  return (#numbers > 0 and printed_table(numbers, title) or "") .. claims_table(claims, title)
 end
 
 -- Checks against other works and methods: folded, when there are more than three and none fails.
 local function other_checks(checks)
   if #checks == 0 then return "" end
   local passed = record.tally(checks)
-  if #checks <= 3 or passed < #checks then return one_table(checks, false) end
-  return folded(checks, false, "Against other works and methods: ")
+  if #checks <= 3 or passed < #checks then return other_table(checks) end
+  return folded(other_table(checks), checks, "Against other works and methods: ")
 end
 
 local function checks_of(item)
   local paper, others = {}, {}
   for _, check in ipairs(item.checks) do table.insert(check.of_paper and paper or others, check) end
-  return paper_checks(paper) .. other_checks(others)
+  return paper_checks(paper, item.title) .. other_checks(others)
 end
 
 -- The file of the book that holds a CSV of the results: of a figure that answers, a script.
@@ -208,17 +251,47 @@ function items.label(item, r)
   return item.number and ("%s %s%d.%d"):format(kind, series, r.number, item.number) or kind .. " " .. item.id
 end
 
--- A title "Figure 4. New boundary" is the paper's own number: "New boundary (the paper's Figure 4)".
+local abbreviations = {Fig = true, Figs = true, eq = true, eqs = true, Eq = true, p = true, pp = true, ref = true, cf = true, vs = true, No = true, Ref = true}
+
+-- A caption as its first sentence and what follows; one without a full stop inside is nothing but its first sentence.
+local function sentences(text)
+  local at = 1
+  while true do
+    local open, close, word = text:find("([%w%)%%°%$]*)[.!?] +%f[%u%$\"“]", at)
+    if not open then return text, "" end
+    if not abbreviations[word] and not (#word == 1 and word:find("%u")) then
+      return text:sub(1, close):gsub(" +$", ""), text:sub(close + 1)
+    end
+    at = close + 1
+  end
+end
+
+-- A title "Figure 4. New boundary" has the paper's own number: what remains of it, and "Figure 4" or nil.
+local function own_number(title)
+  local kind, number, rest = title:match("^(%a+)%s+([%w-]+)[.:]%s+(.+)$")
+  if kind ~= "Figure" and kind ~= "Table" then return title, nil end
+  return rest, kind .. " " .. number
+end
+
+-- What an item shows, in a few words: the first sentence of its caption.
 function items.title(item)
-  local kind, number, rest = item.title:match("^(%a+)%s+([%w-]+)[.:]%s+(.+)$")
-  if kind ~= "Figure" and kind ~= "Table" then return html.text(item.title) end
-  return html.text(("%s (the paper’s %s %s)"):format(rest, kind, number))
+  local title, number = own_number(item.title)
+  local first = sentences(title):gsub("%.$", "")
+  return html.text(first .. (number and (" (the paper’s %s)"):format(number) or ""))
+end
+
+-- The whole caption: what to see, in bold, then how to read it.
+function items.caption(item)
+  local title, number = own_number(item.title)
+  local first, rest = sentences(title)
+  if rest == "" then return items.title(item) end
+  return html.tag("b", {class = "says"}, html.text(first)) .. " " .. html.text(rest) .. (number and html.text((" The paper’s %s."):format(number)) or "")
 end
 
 local function heading(item, r)
   local label = html.tag("a", {class = "self", href = "#" .. item.id}, html.tag("b", nil, items.label(item, r) .. "."))
   local input = item.failure and "failed" or item.input ~= "paper" and item.input or nil
-  return label .. " " .. items.title(item) .. (input and " " .. html.badge(input) or "") .. links(item, r)
+  return label .. " " .. items.caption(item) .. (input and " " .. html.badge(input) or "") .. links(item, r)
 end
 
 local function reason(item)
@@ -316,7 +389,7 @@ function items.table(item, r, more)
         cells[i][j] = {numeric and html.number(text) or html.text(text), class = class}
       end
     end
-    display = html.folded_table("display", item.columns or {}, cells, most_rows)
+    display = html.folded_table("display", item.columns or {}, cells, whole)
   end
   return html.tag("section", {class = "item", id = item.id}, table.concat({
     html.tag("p", {class = "caption"}, heading(item, r)), reason(item), display, more or "",

@@ -212,8 +212,24 @@ local function equation_reference(str)
   return out
 end
 
+-- A word of prose with its number as the book writes it.
+local function tidied(str)
+  local text = html.tidy(str.text)
+  local raised = html.power_of_ten(html.escape(text))
+  if raised:find("<sup>", 1, true) then return pandoc.RawInline("html", raised) end
+  return text ~= str.text and pandoc.Str(text) or nil
+end
+
+-- Words in quotation marks are the paper's, letter by letter.
+local function Quoted(quoted)
+  quoted.content = quoted.content:walk({Str = function(str)
+    return html.tidy(str.text) ~= str.text and not str.text:find("{{", 1, true) and pandoc.RawInline("html", html.escape(str.text)) or nil
+  end})
+  return quoted
+end
+
 local function Str(str)
-  if not str.text:find("{{", 1, true) then return equation_reference(str) end
+  if not str.text:find("{{", 1, true) then return equation_reference(str) or tidied(str) end
   local out, at, text = pandoc.List(), 1, str.text
   while true do
     local open, close, id = text:find("{{([%w][%w%-_./:]*)}}", at)
@@ -305,6 +321,12 @@ local function take_title(doc)
   if first then
     if page == "study" then doc.meta.title = pandoc.MetaInlines(doc.blocks[first].content) end
     doc.blocks:remove(first)
+  end
+  for i, block in ipairs(doc.blocks) do -- the findings stand under a heading of their own
+    if block.t == "Div" and block.classes:includes("findings") then
+      doc.blocks:insert(i, pandoc.Header(2, {pandoc.Str("In"), pandoc.Space(), pandoc.Str("short")}, {id = "in-short"}))
+      break
+    end
   end
   if more then doc = doc:walk({Header = function(h) h.level = h.level + 1 return h end}) end
   return doc:walk({Header = function(h)
@@ -471,7 +493,7 @@ function Pandoc(doc)
     local number = math.mathtype == "DisplayMath" and math.text:match("\\tag{([^{}]*)}")
     if number then tags[number] = true end
   end})
-  doc = doc:walk({Para = Para}):walk({Str = Str, Math = Math}):walk({Inlines = Inlines})
+  doc = doc:walk({Para = Para, Quoted = Quoted}):walk({Str = Str, Math = Math}):walk({Inlines = Inlines})
   check_all_shown()
   doc:walk({Math = function(math) html.formula(math.text, math.mathtype) end}) -- so that all problems are named at once
   stop_on_problems()

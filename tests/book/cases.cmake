@@ -104,7 +104,8 @@ book_case("values go into text, tables and formulas" values)
 
 function(tables)
   expect_page("<section class=\"item\" id=\"table-1\">" "Hertz &amp; co (the paper’s Table 2)" "<td class=\"number\">1.661</td>"
-    "<td class=\"number\" data-head=\"difference\">0.19 %</td><td class=\"number\" data-head=\"allowed\">0.6 %<span class=\"mark\">a</span></td>"
+    "<td class=\"number\" data-head=\"printed\">39 240</td><td class=\"number\" data-head=\"computed\">39 315.4</td>"
+    "<td class=\"number\" data-head=\"difference\">+0.2 %<span class=\"mark\">a</span></td>"
     "<b>a</b> cells of constant pressure, a &lt; b" "<tr class=\"failed\"><th scope=\"row\"><span id=\"fig-1/bad\">a failing one</span>, in</th>"
     "<td class=\"number\" data-head=\"computed\">not a number</td>" "href=\"data/01-sample/table-1.csv\"" "2 % of axis"
     "failed: singular" "near line contact" "href=\"data/01-sample/printed/table-1.csv\"" "3 of 4 checks passed" "1 of 2")
@@ -123,7 +124,7 @@ endfunction()
 book_case("tables, figures and their checks" tables)
 
 function(paper)
-  expect_page("<span id=\"table-1/p0\">peak pressure</span>" "<td class=\"short\" data-head=\"place\">p. 5</td>" "href=\"#table-1/p0\"" "id=\"eq-7\"" "(7)" "not testable: the machine is gone"
+  expect_page("<span id=\"table-1/p0\">peak pressure</span>, psi<span class=\"place\">p. 5</span>" "href=\"#table-1/p0\"" "id=\"eq-7\"" "(7)" "not testable: the machine is gone"
     "lib/sample/add.hpp:3" "badge failed")
   file(READ ${dir}/book/equations.html equations)
   has("the page of equations" "${equations}" "01-sample.html#eq-7" "sample/add.hpp add")
@@ -214,11 +215,11 @@ book_case("the overview pages and the search are made of the records" overviews)
 
 function(many_rows)
   set(rows "")
-  foreach(i RANGE 20)
+  foreach(i RANGE 50)
     string(APPEND rows "[\"row ${i}\", \"1\"], ")
   endforeach()
   edit(${json} "[\"1\", \"1.661\"]" "${rows} [\"1\", \"1.661\"]")
-  expect_page("<summary>13 more rows</summary>" "row 9" "row 10")
+  expect_page("<summary>13 more rows</summary>" "row 39" "row 40")
 endfunction()
 book_case("of a long table the first rows are open" many_rows)
 
@@ -424,7 +425,7 @@ function(named)
   edit(${json} "not testable: the machine is gone" "not testable: see fig-1, as does slender-case")
   edit(${json} "\"id\": \"slender\"" "\"id\": \"slender-case\"")
   edit(${json} "\"treated\": [], \"symbol\": \"sample" "\"treated\": [\"table-1/p0\", \"table-1/m*\"], \"symbol\": \"sample")
-  expect_page("see <a href=\"#fig-1\">Figure 1.1</a>, as does “<a href=\"#stability/slender-case\">b/a = 1×10<sup>−6</sup></a>”"
+  expect_page("see <a href=\"#fig-1\">Figure 1.1</a>, as does “<a href=\"#stability/slender-case\">b/a = 10<sup>−6</sup></a>”"
     "<a href=\"#table-1\">Table 1.1</a></th>")
   file(READ ${dir}/book/equations.html equations)
   has("the page of equations" "${equations}" "<a href=\"01-sample.html#table-1\">Table 1.1</a></td>")
@@ -500,6 +501,24 @@ function(symbols)
   expect_failure("01-sample has no data/symbols.csv")
 endfunction()
 book_case("symbols are listed and marked, and a formula has no other ones" symbols)
+
+function(numbers)
+  edit(${main} "See {{fig-1}}," "It is .005 in or -.3 at 70875 cells, 1e-02, and \"by .3 in\". See {{fig-1}},")
+  edit(${json} "\"computed\": 1.66077" "\"computed_text\": \".25 to -3e-07 N*m2\", \"computed\": 1.66077")
+  edit(${json} "peak pressure" "peak at 299232 psi, .5 in, DOI 10.1115/1.3427210")
+  expect_page("It is 0.005 in or −0.3 at 70 875 cells, 10<sup>−2</sup>, and “by .3 in”." "299 232 psi, 0.5 in, DOI 10.1115/1.3427210"
+    "0.25 to −3×10<sup>−7</sup> N")
+endfunction()
+book_case("numbers are written in one way, and the words of a paper as they are" numbers)
+
+function(captions)
+  edit(${json} "\"title\": \"Table 2. Hertz & co\"" "\"title\": \"Table 2. Hertz holds at 0.5 in. See Fig. 3 of it. Ours.\"")
+  edit(${main} "::: findings" "The findings.\n\n::: findings")
+  expect_page("<b class=\"says\">Hertz holds at 0.5 in.</b> See Fig. 3 of it. Ours. The paper’s Table 2." "<h2 id=\"in-short\">In short" "<a href=\"#in-short\">In short<")
+  file(READ ${dir}/book/verification.html text)
+  has(verification.html "${text}" ">Hertz holds at 0.5 in (the paper’s Table 2)</a>")
+endfunction()
+book_case("a caption begins with what to see, and a list names only that" captions)
 
 if(NOT found)
   message(FATAL_ERROR "no case '${CASE}'")
