@@ -1,6 +1,7 @@
 -- Pandoc reader of literate C++: `pandoc -f literate.lua main.cpp section.cpp ...`.
 -- A comment that opens with `/***` at the beginning of a line is prose in Markdown; everything else is code.
--- A prose line `{{code: contact/hertz.hpp hertz_from_approach}}` shows that function or type of lib/. Functions that compute
+-- A prose line `{{code: contact/hertz.hpp hertz_from_approach}}` shows that function or type of lib/, `{{code: method.cpp search}}`
+-- one of the chapter's own; behind `{{fold}}` alone, the code of the file is folded at the end. Functions that compute
 -- are shown, where the paragraph before them names one of them in backquotes, and else folded; what registers, formats and checks
 -- (a function that takes a report::Item, a report::Section, main) is folded at the end.
 -- The first file is the page; a prose line `{{include: section.cpp}}` continues with another one. Every .cpp
@@ -119,14 +120,24 @@ local function runs(code)
   return out
 end
 
--- The text of a function or type of the library with the comment above it, and its first line.
-local function library_code(path, name, from)
+local function split_lines(text)
+  local lines = {}
+  for line in (text:gsub("\n$", "") .. "\n"):gmatch("(.-)\n") do lines[#lines + 1] = line end
+  return lines
+end
+
+local function read_library(path, from)
   local root = os.getenv("RAILBOOK_LIB") or "lib"
   local file = io.open(root .. "/" .. path)
   if not file then fail(from .. ": no file lib/" .. path) end
-  local lines = {}
-  for line in file:lines() do lines[#lines + 1] = line end
+  local text = file:read("a")
   file:close()
+  return text
+end
+
+-- The text of a function or type of a file with the comment above it, and its first line. `path` names the file for a reader.
+local function code_of(text, path, name, from)
+  local lines = split_lines(text)
   for i, line in ipairs(lines) do
     local defines = not line:find("^[%s/#]") and line:find("%f[%w_]" .. name .. "%f[^%w_]")
     local declared = line:find("^struct%s+" .. name) or line:find("^class%s+" .. name)
@@ -141,7 +152,7 @@ local function library_code(path, name, from)
       if body:find("{", 1, true) then return body, first end
     end
   end
-  fail(from .. ": lib/" .. path .. " defines no " .. name)
+  fail(from .. ": " .. path .. " defines no " .. name)
 end
 
 -- The functions and types that code at the beginning of a line defines.
@@ -186,8 +197,9 @@ function Weaver:names(names)
   return false
 end
 
--- `last`: no prose of the page comes after it, so it would stand below a heading that is not its own.
-function Weaver:code(piece, file, last)
+-- `aside`: it is folded at the end, since the prose says so, or no prose comes after it and it would stand below a heading
+-- that is not its own.
+function Weaver:code(piece, file, aside)
   local code, dropped = trim_lines(piece.text)
   if code == "" then return end
   local line = piece.line + dropped
@@ -202,7 +214,7 @@ function Weaver:code(piece, file, last)
   end
   for _, run in ipairs(runs(code)) do
     local names = definitions(run.text)
-    local role = (run.glue or last) and "glue" or #names > 0 and not self:names(names) and "helper" or "code"
+    local role = (run.glue or aside) and "glue" or #names > 0 and not self:names(names) and "helper" or "code"
     self:emit(fenced(run.text, file, line + run.before, role))
     self.blocks = self.blocks + 1
   end
@@ -210,8 +222,9 @@ end
 
 function Weaver:emit(text) self.out[#self.out + 1] = text .. "\n" end
 
+-- Whether the code behind it is to be folded.
 function Weaver:prose(piece, file)
-  local line = piece.line
+  local line, folded = piece.line, false
   local body = piece.text:gsub("^[ \t]+", "")
   local paragraph = {}
   local function read()
@@ -225,14 +238,18 @@ function Weaver:prose(piece, file)
       read()
       self:emit("")
       self:file(included, file .. ":" .. line)
+    elseif text:find("^%s*{{%s*fold%s*}}%s*$") then
+      folded = true
     elseif path then
-      local code, first = library_code(path, name, file .. ":" .. line)
+      local from, own = file .. ":" .. line, self.sources[path]
+      local code_path = own and path or "lib/" .. path
+      local code, first = code_of(own and own.text or read_library(path, from), code_path, name, from)
       read()
       if not self:names({name}) then
         unnamed[#unnamed + 1] = ("%s:%d: the paragraph before {{code: %s %s}} does not name `%s`"):format(file, line, path, name, name)
       end
       self:emit("")
-      self:emit(fenced(code, "lib/" .. path, first, "code"))
+      self:emit(fenced(code, code_path, first, "code"))
       self.blocks = self.blocks + 1
     else
       self.out[#self.out + 1] = text
@@ -242,6 +259,7 @@ function Weaver:prose(piece, file)
   end
   read()
   self:emit("")
+  return folded
 end
 
 function Weaver:file(name, from)
@@ -251,12 +269,16 @@ function Weaver:file(name, from)
     fail(from .. ": '" .. name .. "' is included twice (first at " .. self.seen[name] .. ")")
   end
   self.seen[name] = from
-  local pieces, last_prose = cut(source), 0
+  local pieces, last_prose, folded = cut(source), 0, false
   for i, piece in ipairs(pieces) do
     if piece.prose then last_prose = i end
   end
   for i, piece in ipairs(pieces) do
-    if piece.prose then self:prose(piece, name) else self:code(piece, name, name == self.main and i > last_prose) end
+    if piece.prose then
+      folded = self:prose(piece, name)
+    else
+      self:code(piece, name, folded or name == self.main and i > last_prose)
+    end
   end
 end
 
@@ -306,7 +328,7 @@ local function rest_of(rest)
   local out = pandoc.List()
   if #rest == 0 then return out end
   out:insert(pandoc.Header(2, {pandoc.Str("The rest of the program")}, {id = "the-rest-of-the-program"}))
-  out:insert(pandoc.Para({pandoc.Str("What only includes, registers, formats and checks, file by file.")}))
+  out:insert(pandoc.Para({pandoc.Str("What only includes, registers, draws, formats and checks, file by file.")}))
   for _, file in ipairs(rest) do
     out:extend(details("code", {pandoc.Code(file), pandoc.Space(), where(rest[file].lines .. " lines")}, rest[file].blocks))
   end

@@ -82,11 +82,21 @@ local function use_symbols()
   end)
 end
 
+-- What a picture shows, for who cannot see it, as its script says in lines "# alt: ...".
+local function alt_of(path)
+  local file, out = io.open(path), {}
+  if not file then return nil end
+  for line in file:lines() do out[#out + 1] = line:match("^# alt: (.*%S)") end
+  file:close()
+  return #out > 0 and table.concat(out, " ") or nil
+end
+
 local function item_block(item, token, more)
   for _, name in ipairs(item.csv) do require_data(token, items.file_of(name)) end
   if item.script then
     item.script_shared = exists(data .. "/../" .. item.script)
     if not item.script_shared then require_data(token, item.script) end
+    item.alt = item.alt or alt_of(data .. (item.script_shared and "/../" or "/") .. item.script)
   end
   if item.kind ~= "figure" then return items.table(item, r, more) end
   local good, result = pcall(items.figure, item, r, figures, more)
