@@ -14,6 +14,8 @@ frame.overviews = {
   {"equations", "Equations", "every equation of the papers, its function, its test"},
   {"library", "Library", "every public function and type, room by room"},
   {"gallery", "Gallery", "every figure"},
+  {"tools", "Tools", "the command for data of your own: examples, answers, file formats"},
+  {"reading", "How to read a page", "what stands where, and what the words mean"},
 }
 
 -- The texts of metadata given once or several times on pandoc's command line.

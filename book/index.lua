@@ -6,7 +6,7 @@
 
 package.path = PANDOC_SCRIPT_FILE:match("^(.*)/[^/]*$") .. "/?.lua;" .. package.path
 local html, items, record, frame = require "html", require "items", require "record", require "frame"
-local overview, benchmarks, library = require "overview", require "benchmarks", require "library"
+local overview, benchmarks, library, front = require "overview", require "benchmarks", require "library", require "front"
 local dkjson = require "dkjson"
 
 local headline_heads = {"paper", "printed numbers", "confirmed", "consistent", "fitted", "corrected", "restored",
@@ -39,39 +39,18 @@ end
 
 -- The table's two sums that a reader should know first, in one sentence.
 local function in_short(records)
-  local printed, met, drawn, figures = 0, 0, 0, 0
+  local printed, met, drawn, figures = 0, 0, 0, 0 -- printed: without the unreadable ones
   for _, r in ipairs(records) do
     if not r.paper:match("^Addition") then
       local cells = r.headline
-      printed, met = printed + tonumber(cells[1]), met + tonumber(cells[2]) + tonumber(cells[3])
+      printed, met = printed + tonumber(cells[1]) - tonumber(cells[8]), met + tonumber(cells[2]) + tonumber(cells[3])
       local own, rebuilt, lost = cells[10]:match("^(%d+) / (%d+) / (%d+)$")
       drawn, figures = drawn + own, figures + own + rebuilt + lost
     end
   end
-  return html.tag("p", nil, ("Of the %d printed numbers (without those that nothing can test) %d are confirmed to the last digit or consistent within a stated "
+  return html.tag("p", nil, ("Of the %d printed numbers that can be read, %d are confirmed to the last digit or consistent within a stated "
     .. "tolerance. Of the %d figures, %d are drawn from data that the paper prints; the others are rebuilt from inputs of ours, "
     .. "which their captions name, or lost."):format(printed, met, math.tointeger(figures), math.tointeger(drawn)))
-end
-
--- The papers with what was found in each.
-local function citations(records, parts)
-  local out = {}
-  for i, r in ipairs(records) do
-    local pages = html.tag("a", {href = r.chapter .. ".html"}, html.text(r.title))
-    if r.has_study then pages = pages .. " · " .. html.tag("a", {href = r.chapter .. "-study.html"}, "cost and stability") end
-    local found = parts[r.chapter] and parts[r.chapter].findings
-    out[i] = html.tag("section", {class = "paper"}, html.tag("h3", {id = r.chapter}, html.tag("span", {class = "chapter-number"}, r.number)
-      .. pages) .. html.tag("p", {class = "paper"}, html.text(r.paper)) .. (found or ""))
-  end
-  return table.concat(out, "\n")
-end
-
-local function overviews()
-  local out = {}
-  for i, page in ipairs(frame.overviews) do
-    out[i] = html.tag("li", nil, html.tag("a", {href = page[1] .. ".html"}, page[2]) .. ": " .. page[3])
-  end
-  return html.tag("ul", {class = "overviews"}, table.concat(out, "\n"))
 end
 
 -- Stops the build when a file of the tree does not name what the inventory says it holds.
@@ -231,6 +210,16 @@ local function filled(doc, made)
   end})
 end
 
+-- The cards of the front page, of the chapters that have a record.
+local function with_cards(doc, records)
+  return doc:walk({Div = function(div)
+    if not div.classes:includes "cards" then return nil end
+    local cards = {}
+    for _, card in ipairs(div.content) do cards[#cards + 1] = front.card(card, records) end
+    return pandoc.RawBlock("html", html.tag("ul", {class = "cards"}, table.concat(cards, "\n")))
+  end})
+end
+
 -- The contents, with the other overview pages and the search written beside it, in the folder `book`.
 function Pandoc(doc)
   local text = function(key) return pandoc.utils.stringify(doc.meta[key]) end
@@ -240,8 +229,9 @@ function Pandoc(doc)
   local made = {
     ["{{in-short}}"] = function() return in_short(records) end,
     ["{{headline}}"] = function() return headline(records, frame.strings(doc.meta["left-out"])) end,
-    ["{{papers}}"] = function() return citations(records, parts) end, ["{{equations}}"] = function() return equations(records, parts) end,
-    ["{{overviews}}"] = overviews, ["{{legend}}"] = legend, ["{{gallery}}"] = function() return gallery(records, text "figures") end,
+    ["{{hunting}}"] = function() return front.hunting(records) end, ["{{numbers}}"] = function() return front.numbers(records) end,
+    ["{{read}}"] = function() return front.read(chapters, frame.strings(doc.meta["left-out"])) end, ["{{equations}}"] = function() return equations(records, parts) end,
+    ["{{legend}}"] = legend, ["{{gallery}}"] = function() return gallery(records, text "figures") end,
     ["{{heroes}}"] = function() return best(records, text "figures") end,
     ["{{findings}}"] = function() return overview.findings(records, parts) end,
     ["{{ledger}}"] = function() return overview.ledger(records) end,
@@ -272,5 +262,5 @@ function Pandoc(doc)
   write_search(book .. "/search.js", frame.pages(chapters), parts, of_library or {})
   frame.set(doc.meta, chapters, "index")
   doc.meta.machine = machine and pandoc.MetaInlines({pandoc.RawInline("html", record.describe(machine))}) or nil
-  return filled(doc, made)
+  return filled(with_cards(doc, records), made)
 end

@@ -124,7 +124,7 @@ endfunction()
 book_case("tables, figures and their checks" tables)
 
 function(paper)
-  expect_page("<span id=\"table-1/p0\">peak pressure</span>, psi<span class=\"place\">p. 5</span>" "href=\"#table-1/p0\"" "id=\"eq-7\"" "(7)" "not testable: the machine is gone"
+  expect_page("Nobody, &quot;Nothing &amp; more&quot;, 1976" "<span id=\"table-1/p0\">peak pressure</span>, psi<span class=\"place\">p. 5</span>" "href=\"#table-1/p0\"" "id=\"eq-7\"" "(7)" "not testable: the machine is gone"
     "lib/sample/add.hpp:3" "badge failed")
   file(READ ${dir}/book/equations.html equations)
   has("the page of equations" "${equations}" "01-sample.html#eq-7" "sample/add.hpp add")
@@ -191,9 +191,23 @@ function(contents)
   file(WRITE ${dir}/chapters/02-unrun/main.cpp "int main() {}\n")
   expect_page("railbook")
   file(READ ${dir}/book/index.html index)
-  has("the contents" "${index}" "1 sample</a>" "A sample</a></h3>" "Nothing &amp; more" "02-unrun" "has not been run" "gallery.html" "eigen")
+  has("the contents" "${index}" "1 A sample</a>" "02-unrun" "has not been run" "gallery.html" "eigen")
+  file(READ ${dir}/book/reading.html reading)
+  has("the table in numbers" "${reading}" "1 sample</a>" "02-unrun" "badge confirmed")
 endfunction()
 book_case("contents list every chapter, run or not" contents)
+
+# Every number of a paper is a mark on the front page: a drawn one that leads to its check, or a cross where our copy shows none.
+function(front_page)
+  edit(${json} "\"printed\": \"39240\"" "\"printed\": \".4e5\"")
+  expect_page("railbook")
+  file(READ ${dir}/book/index.html index)
+  has("the front page" "${index}" "href=\"01-sample.html#table-1/p0\"" "All 3 printed numbers" "difference −1.7 %" "begin with the first")
+  if(NOT index MATCHES "<ul class=\"cards\"></ul>")
+    message(FATAL_ERROR "the front page has a card of a chapter that is not there")
+  endif()
+endfunction()
+book_case("the front page shows every printed number" front_page)
 
 function(overviews)
   edit(${json} "\"outcome\": \"confirmed\"" "\"outcome\": \"corrected\"")
