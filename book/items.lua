@@ -7,6 +7,7 @@ local items = {}
 
 local most_claims = 6 -- of more than these only the telling ones are open
 local most_rows = 10 -- of a longer list these are open
+local widest = 1100 -- a picture of so many pixels has its caption below it, and the width of the page
 local whole = 40 -- a table of at most so many rows is open as a whole
 
 local function share(ratio) return html.number(("%.3g"):format(ratio * 100)) .. " %" end
@@ -348,8 +349,9 @@ function items.image(item, r, folder, lazy)
     drawing:close()
   end
   local href = ("figures/%s/%s"):format(r.chapter, drawing and svg or item.png)
+  local class = (drawing and "drawing" or "") .. (width // 2 >= widest and " wide" or "")
   local image = html.tag("img", {src = href, alt = item.alt or seen or "Picture: " .. item.title, width = width // 2, height = height // 2,
-    class = drawing and "drawing" or nil, loading = lazy and "lazy" or nil})
+    class = class ~= "" and class or nil, loading = lazy and "lazy" or nil})
   return image, href
 end
 
@@ -374,6 +376,15 @@ function items.figure(item, r, folder, more)
     checks_of(item)}, "\n"))
 end
 
+-- Whether a table is one that the paper prints: it says so, or holds printed numbers.
+local function of_paper(item)
+  if select(2, own_number(item.title)) or item.title:find("Table %d") then return true end
+  for _, check in ipairs(item.checks) do
+    if check.source == "print" then return true end
+  end
+  return false
+end
+
 -- A table: the display table if there is one, `more` of the same item, then the checks.
 function items.table(item, r, more)
   local display = ""
@@ -389,7 +400,7 @@ function items.table(item, r, more)
         cells[i][j] = {numeric and html.number(text) or html.text(text), class = class}
       end
     end
-    display = html.folded_table("display", item.columns or {}, cells, whole)
+    display = html.folded_table("display", item.columns or {}, cells, of_paper(item) and whole or most_rows)
   end
   return html.tag("section", {class = "item", id = item.id}, table.concat({
     html.tag("p", {class = "caption"}, heading(item, r)), reason(item), display, more or "",
@@ -521,7 +532,9 @@ function items.coverage(r, page)
     rows[i] = {html.text(row.place), html.text(row.number ~= "" and row.number or row.kind), html.text(row.what),
       table.concat(treated, " ") .. (#treated > 0 and row.reason ~= "" and "; " or "") .. items.named(row.reason, r, page)}
   end
-  return html.folded_table("coverage cards", {"place", "number", "what the paper has", "here"}, rows, most_rows)
+  local content = html.table("coverage cards", {"place", "number", "what the paper has", "here"}, rows)
+  return html.tag("details", {class = "more", id = "paper-row-by-row"},
+    html.tag("summary", nil, ("The paper row by row: %d equations, numbers, figures and claims, with what treats each"):format(#rows)) .. content)
 end
 
 function items.verdicts(r, page)

@@ -31,7 +31,9 @@ set(page_options --template=${here}/template.html --to=html5 --mathml --fail-if-
     -V version=${VERSION})
 
 # The drawings of a folder, prepared for the book: words in the colour of a thin line, which are hard to read on white, get a darker
-# one of the same hue, with a contrast of 4.5 or more; coordinates keep a tenth of a dot, and blanks that mean nothing go.
+# one of the same hue, with a contrast of 4.5 or more; exponents and indices are at least 9 px high at the width at which a page shows
+# the drawing (book.css: 992 px of a canvas from 1100 px on, else 736 px); coordinates keep a tenth of a dot, and blanks that mean
+# nothing go.
 function(prepare_drawings folder)
   file(GLOB drawings ${folder}/*.svg)
   foreach(drawing ${drawings})
@@ -42,6 +44,24 @@ function(prepare_drawings folder)
       string(REGEX MATCH "^(.*)>(.*)$" _ "${pair}")
       string(REPLACE "fill=\"rgb(${CMAKE_MATCH_1})\" font-size" "fill=\"rgb(${CMAKE_MATCH_2})\" font-size" dark "${dark}")
     endforeach()
+    if(svg MATCHES "viewBox=\"0 0 ([0-9]+)")
+      set(canvas ${CMAKE_MATCH_1})
+      set(shown 736)
+      if(canvas GREATER_EQUAL 1100)
+        set(shown 992)
+      endif()
+      math(EXPR least "(90 * ${canvas} + ${shown} - 1) / ${shown}") # tenths of a dot
+      string(REGEX MATCHALL "<tspan +font-size=\"[0-9]+\\.?[0-9]?" sizes "${svg}")
+      list(REMOVE_DUPLICATES sizes)
+      foreach(size IN LISTS sizes)
+        string(REGEX MATCH "([0-9]+)\\.?([0-9]?)$" digits "${size}")
+        math(EXPR tenths "${CMAKE_MATCH_1} * 10 + 0${CMAKE_MATCH_2}")
+        if(tenths LESS least)
+          string(REGEX REPLACE "^(.*)(.)$" "\\1.\\2" larger ${least})
+          string(REPLACE "${size}\"" "<tspan font-size=\"${larger}\"" dark "${dark}")
+        endif()
+      endforeach()
+    endif()
     string(REGEX REPLACE "([0-9]\\.[0-9])[0-9]([ ,'\"\n])" "\\1\\2" dark "${dark}")
     string(REPLACE " stroke-linecap=\"butt\" stroke-linejoin=\"miter\"" "" dark "${dark}") # as without
     string(REGEX REPLACE "\n[ \t\n]+" "\n" dark "${dark}")
