@@ -1,7 +1,7 @@
 -- Pandoc reader of literate C++: `pandoc -f literate.lua main.cpp section.cpp ...`.
 -- A comment that opens with `/***` at the beginning of a line is prose in Markdown; everything else is code.
 -- A prose line `{{code: contact/hertz.hpp hertz_from_approach}}` shows that function or type of lib/, `{{code: method.cpp search}}`
--- one of the chapter's own; behind `{{fold}}` alone, the code of the file is folded at the end. Functions that compute
+-- or `{{code: method/loop.cpp search}}` one of the chapter's own; behind `{{fold}}` alone, the code of the file is folded at the end. Functions that compute
 -- are shown, where the paragraph before them names one of them in backquotes, and else folded; what registers, formats and checks
 -- (a function that takes a report::Item, a report::Section, main) is folded at the end.
 -- The first file is the page; a prose line `{{include: section.cpp}}` continues with another one. Every .cpp
@@ -126,13 +126,15 @@ local function split_lines(text)
   return lines
 end
 
-local function read_library(path, from)
+-- The text of a file in a folder of the chapter, or else of the library, and its path for a reader.
+local function read_file(folder, path, from)
   local root = os.getenv("RAILBOOK_LIB") or "lib"
-  local file = io.open(root .. "/" .. path)
-  if not file then fail(from .. ": no file lib/" .. path) end
+  local file, name = io.open(folder .. path), path
+  if not file then file, name = io.open(root .. "/" .. path), "lib/" .. path end
+  if not file then fail(from .. ": no file " .. path .. " of the chapter and no file " .. name) end
   local text = file:read("a")
   file:close()
-  return text
+  return text, name
 end
 
 -- The text of a function or type of a file with the comment above it, and its first line. `path` names the file for a reader.
@@ -242,8 +244,13 @@ function Weaver:prose(piece, file)
       folded = true
     elseif path then
       local from, own = file .. ":" .. line, self.sources[path]
-      local code_path = own and path or "lib/" .. path
-      local code, first = code_of(own and own.text or read_library(path, from), code_path, name, from)
+      local text_of, code_path
+      if own then
+        text_of, code_path = own.text, path
+      else
+        text_of, code_path = read_file(self.folder, path, from)
+      end
+      local code, first = code_of(text_of, code_path, name, from)
       read()
       if not self:names({name}) then
         unnamed[#unnamed + 1] = ("%s:%d: the paragraph before {{code: %s %s}} does not name `%s`"):format(file, line, path, name, name)
@@ -344,6 +351,7 @@ function Reader(inputs)
     weaver.sources[name] = {name = name, text = source.text}
   end
   weaver.main = main
+  weaver.folder = inputs[1].name:match("^.*/") or ""
   weaver:file(main, "the command line")
   for _, source in ipairs(inputs) do
     local name = source.name:match("[^/]+$")

@@ -62,7 +62,8 @@ function(prepare_drawings folder)
         endif()
       endforeach()
     endif()
-    string(REGEX REPLACE "([0-9]\\.[0-9])[0-9]([ ,'\"\n])" "\\1\\2" dark "${dark}")
+    # not in a label: a coordinate is followed by another one, by a command of a path, or by the end of its attribute
+    string(REGEX REPLACE "([0-9]\\.[0-9])[0-9](,[-0-9]| [-0-9]| [LM][-0-9]| Z|['\"\n])" "\\1\\2" dark "${dark}")
     string(REPLACE " stroke-linecap=\"butt\" stroke-linejoin=\"miter\"" "" dark "${dark}") # as without
     string(REGEX REPLACE "\n[ \t\n]+" "\n" dark "${dark}")
     file(WRITE ${drawing} "${dark}")
