@@ -6,15 +6,18 @@ local frame = {}
 
 -- The pages made of all records, in reading order: file, name, and what they are for.
 frame.overviews = {
-  {"findings", "Findings", "what was found in each paper, and where it is shown"},
+  {"findings", "Findings", "what did not come out as the papers have it, and what opens each chapter"},
   {"ledger", "Ledger", "every check: what is printed, what came out, how much of its tolerance is used"},
-  {"benchmarks", "Benchmarks", "error against run time of every method, on common axes"},
+  {"benchmarks", "Benchmarks", "error against run time of every method"},
   {"stability", "Stability", "every stiff and extreme case, and what became of it"},
   {"verification", "Verification", "what the library is held against"},
   {"equations", "Equations", "every equation of the papers, its function, its test"},
   {"library", "Library", "every public function and type, room by room"},
-  {"gallery", "Gallery", "every figure"},
+  {"gallery", "Gallery", "two dozen figures"},
   {"tools", "Tools", "the command for data of your own: examples, answers, file formats"},
+  {"symbols", "Symbols and units", "what the letters of the formulas mean"},
+  {"cite", "How to cite", "the project and the papers"},
+  {"changes", "Changes", "what is new in each version"},
   {"reading", "How to read a page", "what stands where, and what the words mean"},
 }
 

@@ -62,6 +62,7 @@ local function power_of_ten(text)
   text = text:gsub("%f[%w.]1[eE]([+-])0*(%d+)%f[%W]", function(sign, exponent)
     return "10<sup>" .. (sign == "-" and "−" or "") .. exponent .. "</sup>"
   end)
+  text = text:gsub("%f[%w.]1e(%d%d%d?)%f[^%w]", "10<sup>%1</sup>")
   return (text:gsub("(%d)[eE]([+-])0*(%d+)", function(digit, sign, exponent)
     return digit .. "×10<sup>" .. (sign == "-" and "−" or "") .. exponent .. "</sup>"
   end))
@@ -88,7 +89,9 @@ function html.number(text)
   number = html.tidy((number:gsub("^-", "−"):gsub("^%+", "+")))
   local is_unit = #rest < 24 and not rest:find("%f[%w]%a%a%a%a%a%a+") and not rest:find("[%(%)\"]") and not rest:find("%s[+−-]?%.?%d")
   if is_unit then return power_of_ten(html.escape(number)) .. html.unit(html.escape(rest)) end
-  return html.unit(power_of_ten(html.escape(html.tidy(number .. rest))))
+  return (power_of_ten(html.escape(html.tidy(number .. rest))):gsub("%^(-?)(%d+)", function(sign, power)
+    return "<sup>" .. (sign == "-" and "−" or "") .. power .. "</sup>"
+  end))
 end
 
 -- The same for a formula.

@@ -7,6 +7,7 @@
 package.path = PANDOC_SCRIPT_FILE:match("^(.*)/[^/]*$") .. "/?.lua;" .. package.path
 local html, items, record, frame = require "html", require "items", require "record", require "frame"
 local overview, benchmarks, library, front = require "overview", require "benchmarks", require "library", require "front"
+local equations, appendix = require "equations", require "appendix"
 local dkjson = require "dkjson"
 
 local headline_heads = {"paper", "printed numbers", "confirmed", "consistent", "fitted", "corrected", "restored",
@@ -53,47 +54,6 @@ local function in_short(records)
     .. "which their captions name, or lost."):format(printed, met, math.tointeger(figures), math.tointeger(drawn)))
 end
 
--- Stops the build when a file of the tree does not name what the inventory says it holds.
-local function require_named(r, path, name)
-  local file = io.open((os.getenv("RAILBOOK_ROOT") or ".") .. "/" .. path)
-  local text = file and file:read("a")
-  if file then file:close() end
-  if text and (not name or text:find("%f[%w_]" .. name .. "%f[^%w_]")) then return end
-  io.stderr:write(("book: the inventory of %s names %s%s, which is not there\n"):format(r.chapter, path, name and " " .. name or ""))
-  os.exit(1)
-end
-
--- Equation -> function -> test -> place on the page, for all papers.
-local function equations(records, parts)
-  local out = {}
-  for _, r in ipairs(records) do
-    local rows = {}
-    for _, row in ipairs(r.inventory) do
-      if row.kind == "equation" then
-        local treated, number, named = {}, row.number:match("^%(?([%w.-]+)%)?$"), {}
-        for _, id in ipairs(row.treated) do
-          local item = items.home(id, r)
-          if not (item and named[item.id]) then treated[#treated + 1] = item and items.link(item, r, "index") or html.escape(id) end
-          if item then named[item.id] = true end
-        end
-        for path, name in row.symbol:gmatch("(%S+)%s+([%w_]+)") do require_named(r, "lib/" .. path, name) end
-        for path in row.test:gmatch("%S+") do require_named(r, path) end
-        local tagged = number and parts[r.chapter] and parts[r.chapter].tags[number]
-        local anchor = r.chapter .. ".html" .. (tagged and "#eq-" .. number or "")
-        rows[#rows + 1] = {html.tag("a", {href = anchor}, html.text(row.number ~= "" and row.number or "unnumbered")), html.text(row.place), html.text(row.what),
-          row.symbol ~= "" and html.tag("code", nil, html.escape(row.symbol)) or "–",
-          row.test ~= "" and html.tag("code", nil, html.escape(row.test)) or "–",
-          #treated > 0 and table.concat(treated, ", ") or items.named(row.reason, r, "index")}
-      end
-    end
-    if #rows > 0 then
-      out[#out + 1] = html.tag("h2", {id = r.chapter}, r.number .. " " .. html.text(r.title))
-      out[#out + 1] = html.table("equations cards", {"equation", "place", "what", "function", "test", "checked in"}, rows)
-    end
-  end
-  return table.concat(out, "\n")
-end
-
 local meanings = {
   {"confirmed", "rounds to the printed digits, or the claim holds as stated"},
   {"consistent", "within a stated tolerance, whose reason is given"},
@@ -118,38 +78,35 @@ end
 local function tile(item, r, figures)
   local image = items.image(item, r, figures .. "/" .. r.chapter, true)
   return html.tag("li", nil, html.tag("a", {href = items.href(item, r, "index")}, image)
-    .. html.tag("p", nil, items.title(item) .. " " .. html.badge(item.failure and "failed" or item.input)))
+    .. html.tag("p", nil, html.tag("b", nil, items.link(item, r, "index")) .. " " .. items.title(item)))
 end
 
--- The figures to look at first; one that a run did not draw is left out.
-local heroes = {"01-contact/scene", "01-contact/fig-12", "01-contact/fig-14", "02-hunting/fig-04", "02-hunting/fig-11",
-  "03-creep/fig-full-curve", "03-creep/fig-law", "04-filters/fig-directions", "05-psd/fig-03", "05-psd/fig-11",
-  "06-quality/fig-level", "07-track/fig-joint"}
-
-local function best(records, figures)
-  local tiles = {}
-  for _, name in ipairs(heroes) do
-    for _, r in ipairs(records) do
-      local item = r.item[name:match("/(.*)$")]
-      if r.chapter == name:match("^[^/]*") and item and item.png then tiles[#tiles + 1] = tile(item, r, figures) end
-    end
-  end
-  return html.tag("ul", {class = "gallery"}, table.concat(tiles, "\n"))
-end
+-- The figures to look at first, and how many each chapter has in all; one that a run did not draw is replaced by the chapter's next.
+local heroes = {"01-contact/scene", "01-contact/fig-12", "01-contact/fig-14", "02-hunting/fig-04", "02-hunting/fig-11", "02-hunting/fig-03",
+  "03-creep/fig-full-curve", "03-creep/fig-law", "03-creep/fig-11", "04-filters/fig-directions", "04-filters/fig-curve", "04-filters/fig-13",
+  "05-psd/fig-03", "05-psd/fig-11", "05-psd/fig-06", "06-quality/fig-level", "06-quality/fig-01", "06-quality/fig-11", "07-track/fig-joint", "07-track/fig-02", "07-track/fig-moving",
+  "08-wheel-on-rail/scene", "08-wheel-on-rail/fig-patches", "08-wheel-on-rail/fig-force"}
+local of_each = 3
 
 local function gallery(records, figures)
-  local out = {}
+  local tiles = {}
   for _, r in ipairs(records) do
-    local tiles = {}
+    local chosen, seen = {}, {}
+    local function choose(item)
+      if item and item.png and not seen[item] and #chosen < of_each then
+        seen[item] = true
+        chosen[#chosen + 1] = item
+      end
+    end
+    for _, name in ipairs(heroes) do
+      if name:match("^[^/]*") == r.chapter then choose(r.item[name:match("/(.*)$")]) end
+    end
     for _, item in ipairs(r.items) do
-      if item.png then tiles[#tiles + 1] = tile(item, r, figures) end
+      if item.page == "paper" then choose(item) end
     end
-    if #tiles > 0 then
-      out[#out + 1] = html.tag("h2", {id = r.chapter}, r.number .. " " .. html.text(r.title))
-      out[#out + 1] = html.tag("ul", {class = "gallery"}, table.concat(tiles, "\n"))
-    end
+    for _, item in ipairs(chosen) do tiles[#tiles + 1] = tile(item, r, figures) end
   end
-  return table.concat(out, "\n")
+  return html.tag("ul", {class = "gallery"}, table.concat(tiles, "\n"))
 end
 
 local function read_file(path)
@@ -225,25 +182,24 @@ function Pandoc(doc)
   local text = function(key) return pandoc.utils.stringify(doc.meta[key]) end
   local chapters, book = frame.chapters(frame.strings(doc.meta.chapters)), text "book"
   local records = load_records(frame.strings(doc.meta.record))
-  local parts, of_library = load_parts(text "parts", chapters, records), nil
+  local parts, anchors = load_parts(text "parts", chapters, records), {}
+  local library_page, of_library = library.all(frame.strings(doc.meta.header))
+  for _, entry in ipairs(of_library) do anchors[entry[2]] = true end
   local made = {
     ["{{in-short}}"] = function() return in_short(records) end,
     ["{{headline}}"] = function() return headline(records, frame.strings(doc.meta["left-out"])) end,
     ["{{hunting}}"] = function() return front.hunting(records) end, ["{{numbers}}"] = function() return front.numbers(records) end,
-    ["{{read}}"] = function() return front.read(chapters, frame.strings(doc.meta["left-out"])) end, ["{{equations}}"] = function() return equations(records, parts) end,
+    ["{{read}}"] = function() return front.read(chapters, frame.strings(doc.meta["left-out"])) end, ["{{equations}}"] = function() return equations.all(records, parts, anchors) end,
+    ["{{symbols}}"] = function() return appendix.symbols(records, parts) end, ["{{units}}"] = appendix.units,
+    ["{{cite}}"] = function() return appendix.cite(records) end, ["{{changes}}"] = appendix.changes,
     ["{{legend}}"] = legend, ["{{gallery}}"] = function() return gallery(records, text "figures") end,
-    ["{{heroes}}"] = function() return best(records, text "figures") end,
     ["{{findings}}"] = function() return overview.findings(records, parts) end,
     ["{{ledger}}"] = function() return overview.ledger(records) end,
     ["{{stability}}"] = function() return overview.stability(records) end,
     ["{{verification}}"] = function() return overview.verification(records) end,
     ["{{claims}}"] = function() return overview.claims(PANDOC_SCRIPT_FILE:match("^(.*)/[^/]*$") .. "/../tests/claims.csv") end,
     ["{{benchmarks}}"] = function() return benchmarks.all(records) end,
-    ["{{library}}"] = function()
-      local page
-      page, of_library = library.all(frame.strings(doc.meta.header))
-      return page
-    end,
+    ["{{library}}"] = function() return library_page end,
   }
   local here = PANDOC_SCRIPT_FILE:match("^(.*)/[^/]*$")
   local template = pandoc.template.compile(read_file(here .. "/template.html"))
@@ -259,7 +215,7 @@ function Pandoc(doc)
     file:write(pandoc.write(other, "html5", {template = template, html_math_method = "mathml", wrap_text = "none"}))
     file:close()
   end
-  write_search(book .. "/search.js", frame.pages(chapters), parts, of_library or {})
+  write_search(book .. "/search.js", frame.pages(chapters), parts, of_library)
   frame.set(doc.meta, chapters, "index")
   doc.meta.machine = machine and pandoc.MetaInlines({pandoc.RawInline("html", record.describe(machine))}) or nil
   return filled(with_cards(doc, records), made)

@@ -274,12 +274,14 @@ local function own_number(title)
   return rest, kind .. " " .. number
 end
 
--- What an item shows, in a few words: the first sentence of its caption.
-function items.title(item)
+-- What an item shows, in a few words: the first sentence of its caption, as plain text and as HTML.
+function items.plain_title(item)
   local title, number = own_number(item.title)
   local first = sentences(title):gsub("%.$", "")
-  return html.text(first .. (number and (" (the paper’s %s)"):format(number) or ""))
+  return first .. (number and (" (the paper’s %s)"):format(number) or "")
 end
+
+function items.title(item) return html.text(items.plain_title(item)) end
 
 -- The whole caption: what to see, in bold, then how to read it.
 function items.caption(item)

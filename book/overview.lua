@@ -14,37 +14,103 @@ local function check_link(check, r)
   return html.tag("a", {href = href}, html.text(check.what or check.id)) .. items.unit(check)
 end
 
-local outcomes_found = {["corrected"] = 1, ["not confirmed"] = 2, ["restored"] = 3, ["fitted"] = 4, ["failed"] = 0}
+-- What became of a statement of a paper that did not come out as it is printed: {rank, kind}.
+local kinds = {
+  ["failed"] = {0, "a check fails"}, ["not confirmed"] = {1, "the paper differs"}, ["corrected"] = {2, "the paper differs"},
+  ["restored"] = {3, "our copy is damaged"}, ["unreadable"] = {4, "our copy is damaged"}, ["fitted"] = {5, "an input was chosen"},
+  ["not testable"] = {6, "could not be tested"}}
 
-local function findings_table(r)
-  local found = {}
-  for i, check in ipairs(r.checks) do
-    local rank = check.of_paper and outcomes_found[check.pass and check.outcome or "failed"]
-    if rank then found[#found + 1] = {rank, i, check} end
-  end
-  table.sort(found, function(a, b) return a[1] < b[1] or a[1] == b[1] and a[2] < b[2] end)
-  local rows = {}
-  for i, entry in ipairs(found) do
-    local check = entry[3]
-    local came, why = items.cell(items.computed(check)), html.text(items.proof(check))
-    if came.class == "words" then came, why = {"–", class = "number"}, came[1] .. (why ~= "" and (check.trial and (check.why or "") == "" and ". " or "; ") .. why or "") end
-    rows[i] = {check_link(check, r), items.outcome(check), html.text(check.place or ""),
-      items.cell(items.said(check, true)), came, why}
-  end
-  local heads = {"what", {"outcome", filter = true}, "place in the paper", "printed", "computed", "proof or reason"}
-  return #rows > 0 and html.table("sortable findings-table cards", heads, rows) or ""
+-- The checks that the findings of a chapter name.
+local function named_in(box)
+  local out = {}
+  for id in (box or ""):gmatch('#([^"]+)"') do out[id] = true end
+  return out
 end
 
--- The three findings of each chapter, and every number or claim that did not come out as the paper has it.
-function overview.findings(records, parts)
+-- "zone 1, B" and "zone 3, B" of one table are one finding.
+local function alike(check) return table.concat({check.item, check.outcome, check.source, (check.what or check.id):gsub("%d+", "#")}, "\n") end
+
+local function list_of(checks, field)
   local out = {}
-  for _, r in ipairs(records) do
-    out[#out + 1] = heading(r)
-    local box = parts[r.chapter] and parts[r.chapter].findings
-    if box then out[#out + 1] = html.tag("div", {class = "findings"}, box) end
-    out[#out + 1] = findings_table(r)
+  for i, check in ipairs(checks) do out[i] = field(check) end
+  return table.concat(out, "; ")
+end
+
+local function finding_row(checks, kind, r)
+  local check = checks[1]
+  local more = #checks > 1 and html.text((" and %d more of %s"):format(#checks - 1, items.label(r.item[check.item], r))) or ""
+  local why, trial = html.text(check.why or ""), items.trial(check)
+  local came = items.cell(list_of(checks, items.computed))
+  if check.source == "claim" then
+    why = came[1] .. (why ~= "" and "; " .. why or "")
+    came = {"–", class = "number"}
   end
-  return html.tag("div", {class = "filterable"}, join(out))
+  if trial ~= "" then
+    why = why .. html.tag("details", {class = "trial"}, html.tag("summary", nil, "What was varied") .. html.tag("p", nil, html.text(trial)))
+  end
+  return {check_link(check, r) .. more, {tostring(r.number), class = "number", sort = r.number}, kind, items.outcome(check),
+    items.cell(list_of(checks, function(c) return items.said(c, true) end)), came, why}
+end
+
+-- What came out otherwise than printed, first what the paper has otherwise and a chapter's own findings name.
+local function findings_table(records, parts)
+  local found, counts = {}, {}
+  local function add(rank, named, r, kind, row)
+    found[#found + 1] = {rank = rank * 2 + (named and 0 or 1), chapter = r.number, order = #found, kind = kind, row = row}
+    counts[kind] = (counts[kind] or 0) + 1
+  end
+  for _, r in ipairs(records) do
+    local named, groups, order = named_in(parts[r.chapter] and parts[r.chapter].findings), {}, {}
+    for _, check in ipairs(r.checks) do
+      local outcome = check.pass and check.outcome or "failed"
+      if kinds[outcome] and (check.of_paper or outcome == "failed") then
+        local key = alike(check)
+        if not groups[key] then
+          groups[key] = {outcome = outcome}
+          order[#order + 1] = groups[key]
+        end
+        table.insert(groups[key], check)
+        groups[key].named = groups[key].named or named[check.id]
+      end
+    end
+    for _, group in ipairs(order) do
+      local kind = kinds[group.outcome]
+      add(kind[1], group.named, r, kind[2], finding_row(group, kind[2], r))
+    end
+    for _, line in ipairs(r.inventory) do
+      local outcome = line.reason:match("^(not testable)") or line.reason:match("^(unreadable)")
+      if outcome and #line.treated == 0 then
+        local kind = kinds[outcome]
+        local why = line.reason:gsub("^%a[%a ]+: ?", "")
+        add(kind[1], false, r, kind[2], {html.tag("a", {href = r.chapter .. ".html#paper-row-by-row"}, html.text(line.what)),
+          {tostring(r.number), class = "number", sort = r.number}, kind[2], {html.badge(outcome), class = "outcome"}, "–", "–",
+          items.named(why, r, "index")})
+      end
+    end
+  end
+  table.sort(found, function(a, b) return a.rank < b.rank or a.rank == b.rank and a.order < b.order end)
+  local rows, open = {}, 0
+  for i, entry in ipairs(found) do
+    rows[i] = entry.row
+    if entry.kind ~= "could not be tested" then open = i end
+  end
+  local said = {}
+  for _, kind in ipairs({"a check fails", "the paper differs", "our copy is damaged", "an input was chosen", "could not be tested"}) do
+    if counts[kind] then said[#said + 1] = html.tag("b", nil, counts[kind]) .. ": " .. kind end
+  end
+  local heads = {"what the paper has", {"chapter", filter = true}, {"kind", filter = true}, {"outcome", filter = true}, "printed", "computed", "what was found, and why"}
+  return html.tag("p", {class = "tally"}, table.concat(said, " · "))
+    .. html.folded_table("sortable findings-table cards", heads, rows, open, "that could not be tested")
+end
+
+-- Every number and claim that did not come out as the paper has it, by importance; then the findings that open the chapters.
+function overview.findings(records, parts)
+  local out = {html.tag("div", {class = "filterable"}, findings_table(records, parts))}
+  for _, r in ipairs(records) do
+    local box = parts[r.chapter] and parts[r.chapter].findings
+    if box then out[#out + 1] = heading(r) .. html.tag("div", {class = "findings"}, box) end
+  end
+  return join(out)
 end
 
 -- What came out, and under it the trial of a verdict against the paper.
@@ -54,7 +120,41 @@ local function computed_and_tried(check)
   return cell
 end
 
--- All checks, one folded table a chapter.
+-- How many checks of each outcome each chapter has, with their sums.
+local function totals(records)
+  local heads, sums, rows = {"chapter"}, {}, {}
+  for _, outcome in ipairs(record.outcomes) do
+    for _, r in ipairs(records) do
+      for _, check in ipairs(r.checks) do
+        if (check.pass and check.outcome or "failed") == outcome then sums[outcome] = (sums[outcome] or 0) + 1 end
+      end
+    end
+    if sums[outcome] then heads[#heads + 1] = outcome end
+  end
+  heads[#heads + 1] = "all"
+  local function row(first, counts)
+    local out, all = {first}, 0
+    for i = 2, #heads - 1 do
+      local count = counts[heads[i]] or 0
+      out[i], all = {count > 0 and tostring(count) or "–", class = "number"}, all + count
+    end
+    out[#heads] = {tostring(all), class = "number"}
+    return out
+  end
+  for i, r in ipairs(records) do
+    local counts = {}
+    for _, check in ipairs(r.checks) do
+      local outcome = check.pass and check.outcome or "failed"
+      counts[outcome] = (counts[outcome] or 0) + 1
+    end
+    rows[i] = row(html.tag("a", {href = "#" .. r.chapter}, r.number .. " " .. html.text(r.title)), counts)
+  end
+  rows[#rows + 1] = row("all chapters", sums)
+  rows[#rows].class = "sum"
+  return html.table("totals", heads, rows)
+end
+
+-- All checks, one folded table a chapter, of which the first is open.
 function overview.ledger(records)
   local heads = {"what", "place", {"source", filter = true}, "printed or reference", "computed", "tolerance used", {"outcome", filter = true}}
   local out = {}
@@ -72,16 +172,16 @@ function overview.ledger(records)
       counts[j] = html.tag("span", {class = "count"}, pair[2] .. " " .. html.badge(pair[1]))
     end
     local summary = html.tag("b", nil, r.number .. " " .. html.text(r.title)) .. " " .. join(counts)
-    out[#out + 1] = html.tag("details", {class = "more", id = r.chapter},
+    out[#out + 1] = html.tag("details", {class = "more", id = r.chapter, open = #out == 0 and "" or nil},
       html.tag("summary", nil, summary) .. html.table("sortable ledger cards", heads, rows))
   end
-  return html.tag("div", {class = "filterable"}, join(out))
+  return totals(records) .. html.tag("div", {class = "filterable"}, join(out))
 end
 
 -- All stiff and extreme cases.
 function overview.stability(records)
   local out = {}
-  local heads = {"case", "what is stressed", "result", "error", "allowed", {"expected", filter = true}, {"found", filter = true}}
+  local heads = {"case", "what is stressed", "result", "relative error", "allowed", {"found, as expected", filter = true}}
   local number = function(x) return {type(x) == "number" and html.number(("%.2g"):format(x)) or "–", class = "number", sort = x} end
   for _, r in ipairs(records) do
     local rows, counts = {}, {}
@@ -90,7 +190,7 @@ function overview.stability(records)
       local found = s.pass and s.found or "failed"
       counts[found] = (counts[found] or 0) + 1
       rows[i] = {html.tag("a", {href = page .. ".html#stability/" .. s.id}, html.text(s.case)), html.text(s.stress),
-        html.text(s.result), number(s.error), number(s.allowed), html.text(s.expect or ""), {html.badge(found), class = "outcome"},
+        html.text(s.result), number(s.error), number(s.allowed), {html.badge(found), class = "outcome"},
         class = not s.pass and "failed" or nil}
     end
     if #rows > 0 then
@@ -124,21 +224,44 @@ local function second_routes(r)
     local passed, total, closest = record.tally(group.checks)
     local item = r.item[group.item]
     rows[i] = {html.tag("a", {href = items.href(item, r, "index")}, items.title(item)), html.text(group.by),
-      html.text(group.source), {passed .. " of " .. total, class = "number"},
+      {passed .. " of " .. total, class = "number"},
       {closest and items.difference(closest) or "–", class = "number"},
       {closest and select(2, items.difference(closest)) or "–", class = "number"}, class = passed < total and "failed" or nil}
   end
   return rows
 end
 
+-- Folded by chapter: what a reader looks up.
 function overview.verification(records)
   local out = {}
-  local heads = {"computed", "held against", {"kind", filter = true}, "passed", "difference nearest its bound", "allowed"}
+  local heads = {"computed", "held against", "passed", "difference nearest its bound", "allowed"}
   for _, r in ipairs(records) do
-    local rows = second_routes(r)
-    if #rows > 0 then out[#out + 1] = heading(r) .. html.folded_table("sortable routes cards", heads, rows, 14) end
+    local rows, passed, all = second_routes(r), 0, 0
+    for _, check in ipairs(r.checks) do
+      if not check.of_paper then
+        all = all + 1
+        if check.pass then passed = passed + 1 end
+      end
+    end
+    if #rows > 0 then
+      out[#out + 1] = html.tag("details", {class = "more", id = r.chapter},
+        html.tag("summary", nil, html.tag("b", nil, r.number .. " " .. html.text(r.title)) .. (" %d of %d checks passed"):format(passed, all))
+        .. html.table("sortable routes cards", heads, rows))
+    end
   end
   return html.tag("div", {class = "filterable"}, join(out))
+end
+
+-- How many of the 16 digits of a double the worst error found leaves, as a bar; the claim leaves those of the darker part.
+local function digits_bar(claimed, worst)
+  local function digits(text)
+    local error = tonumber(text)
+    return error and math.max(0, math.min(16, error == 0 and 16 or -math.log(error, 10)))
+  end
+  local claim, found = digits(claimed), digits(worst)
+  if not claim or not found then return {"", class = "bar"} end
+  return {('<svg class="digits" width="96" height="10" role="img" aria-label="%.0f digits claimed, %.0f found"><rect class="found" width="%.1f" height="10"/><rect class="claimed" width="%.1f" height="10"/></svg>')
+    :format(claim, found, 6 * found, 6 * math.min(claim, found)), class = "bar", sort = found}
 end
 
 -- tests/claims.csv, whose rows the tests hold: a table for each room of lib/, in the order of the file.
@@ -148,12 +271,16 @@ function overview.claims(path)
   local headings = file:read() == "function,kind,bound,worst,inputs,route"
   assert(headings, path .. ": other columns than were expected")
   for line in file:lines() do
-    local row = {}
-    for cell in (line .. ","):gmatch("([^,]*),") do row[#row + 1] = html.text(cell) end
+    local row, cells = {}, {}
+    for cell in (line .. ","):gmatch("([^,]*),") do
+      cells[#cells + 1] = cell
+      row[#row + 1] = html.number(cell)
+    end
     assert(#row == 6, path .. ": a row without six cells: " .. line)
     local room, name = row[1]:match("^([%w_]+)::([%w_]+)$")
     assert(room, path .. ": no room::function: " .. line)
     row[1] = "<code>" .. name .. "</code>"
+    table.insert(row, 5, row[2]:find("^relative") and digits_bar(cells[3], cells[4]) or {"", class = "bar"})
     for _, i in ipairs({3, 4}) do row[i] = {row[i], class = "number"} end
     if not rooms[room] then rooms[room], order[#order + 1] = {}, room end
     table.insert(rooms[room], row)
@@ -162,7 +289,7 @@ function overview.claims(path)
   local out = {}
   for i, room in ipairs(order) do
     out[i] = "<h3><code>" .. room .. "</code></h3>" .. html.folded_table("sortable claims",
-      {"function", "error", "claimed below", "worst found", "inputs", "held against"}, rooms[room], 14)
+      {"function", "error", "claimed below", "worst found", "digits left", "inputs", "held against"}, rooms[room], 14)
   end
   return join(out)
 end

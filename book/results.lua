@@ -478,7 +478,8 @@ end
 local function leave_parts(doc, folder)
   local name = page == "study" and r.chapter .. "-study" or r.chapter
   local file = assert(io.open(folder .. "/" .. name .. ".json", "w"))
-  file:write(dkjson.encode({findings = findings(doc), search = search_entries(doc), tags = tags, numbers = numbers()}))
+  file:write(dkjson.encode({findings = findings(doc), search = search_entries(doc), tags = tags, numbers = numbers(),
+    symbols = symbol_list and symbols.table(symbol_list, symbol_value, true) or nil}))
   file:close()
 end
 
@@ -501,7 +502,7 @@ function Pandoc(doc)
   number_items(doc)
   doc:walk({Math = function(math)
     local number = math.mathtype == "DisplayMath" and math.text:match("\\tag{([^{}]*)}")
-    if number then tags[number] = true end
+    if number then tags[number] = math.text:gsub("\\tag{[^{}]*}", "") end
   end})
   doc = doc:walk({Para = Para, Quoted = Quoted}):walk({Str = Str, Math = Math}):walk({Inlines = Inlines})
   check_all_shown()

@@ -314,14 +314,14 @@ end
 
 local function unit_of(entry) return entry.unit ~= "" and entry.unit ~= "1" and html.unit(html.escape(entry.unit)) or "–" end
 
--- The list as a table. `value` makes HTML of the text of a value.
-function symbols.table(list, value)
+-- The list as a table. `value` makes HTML of the text of a value; without anchors, where another page shows it.
+function symbols.table(list, value, no_anchors)
   local rows, values = {}, false
   for _, entry in ipairs(list) do values = values or entry.value ~= "" end
   for i, entry in ipairs(list) do
     rows[i] = {entry.math, html.text(entry.meaning), {unit_of(entry), class = "short"}}
     if values then table.insert(rows[i], {entry.value ~= "" and value(entry.value) or "–", class = "short"}) end
-    rows[i].id = "symbol-" .. entry.number
+    rows[i].id = not no_anchors and "symbol-" .. entry.number or nil
   end
   local heads = {"symbol", "meaning", "unit"}
   if values then heads[4] = "value" end
