@@ -54,6 +54,19 @@ set_tests_properties("tool: hostile and clumsy inputs" PROPERTIES TIMEOUT 300) #
 add_test(NAME "readme: its commands on data of one's own" COMMAND ${here}/readme.sh ${CMAKE_SOURCE_DIR} ${bin})
 set_tests_properties("readme: its commands on data of one's own" PROPERTIES LABELS long)
 
+# A page of a chapter that shows commands has their real answers.
+file(GLOB mains CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/chapters/*/main.cpp)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${mains})
+foreach(main ${mains})
+  file(STRINGS ${main} commands REGEX "^```console$")
+  if(commands)
+    get_filename_component(chapter ${main} DIRECTORY)
+    get_filename_component(chapter ${chapter} NAME)
+    add_test(NAME "page: the commands of ${chapter}" COMMAND ${here}/page.sh ${CMAKE_SOURCE_DIR} ${chapter} ${bin}
+             ${CMAKE_BINARY_DIR}/ctest/page-${chapter})
+  endif()
+endforeach()
+
 # What cannot be drawn is left out of a figure: a curve of one point, a sensor that gave nothing.
 add_test(NAME "tool: creep curve of one point" COMMAND railbook creep curve --a 6mm --b 4mm --load 80kN --points 1
          --out ${CMAKE_BINARY_DIR}/ctest/creep-point)
