@@ -8,8 +8,14 @@
 const answers = new Map();
 globalThis.railbookAnswer = (id, panels, rows) => answers.set(id, {panels: table(panels), rows: table(rows)});
 
+// "=3,..." stands for the first three cells of the line before.
 function table(text) {
-  const [head, ...lines] = text.trim().split("\n").filter((line) => line && !line.startsWith("#")).map(cells);
+  let before = [];
+  const whole = (line) => {
+    const [, count, rest] = line.match(/^=(\d+),(.*)$/) ?? [];
+    return before = count ? [...before.slice(0, count), ...cells(rest)] : cells(line);
+  };
+  const [head, ...lines] = text.trim().split("\n").filter((line) => line && !line.startsWith("#")).map(whole);
   return {head, lines};
 }
 

@@ -1,4 +1,4 @@
--- C++ as HTML: comments, strings, keywords, types and numbers in spans; and the tokens that this needs.
+-- C++ as HTML: comments, strings, keywords, types and numbers in elements of their own; and the tokens that this needs.
 
 local html = require "html"
 
@@ -34,6 +34,9 @@ function highlight.skip_token(text, at)
   return i
 end
 
+-- Short names take a quarter of a page less than spans with classes.
+local element = {co = "i", kw = "b", cf = "b", dt = "var", st = "samp", dv = "kbd", pp = "u"}
+
 local classes = {}
 local function words(class, list)
   for word in list:gmatch("%S+") do classes[word] = class end
@@ -68,7 +71,7 @@ function highlight.cpp(code)
     end
     if class then
       if plain < at then out[#out + 1] = escape(code:sub(plain, at - 1)) end
-      out[#out + 1] = ('<span class="%s">%s</span>'):format(class, escape(token))
+      out[#out + 1] = ("<%s>%s</%s>"):format(element[class], escape(token), element[class])
       plain = stop
     end
     at = stop

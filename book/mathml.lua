@@ -47,10 +47,11 @@ local function one(text)
     end)
     return '<mtable class="aligned" displaystyle="true">' .. rows .. "</mtable>"
   end)
-  return signs(formula) .. (annotation or "")
+  local bare = signs(formula):gsub(' xmlns="http://www.w3.org/1998/Math/MathML"', ""):gsub("^(<math[^>]*>)<semantics>", "%1")
+  return bare .. (annotation and "</math>" or "")
 end
 
--- HTML with its formulas mended.
+-- HTML with its formulas mended, without their TeX.
 function mathml.mend(text) return (text:gsub("<math.-</math>", one)) end
 
 return mathml

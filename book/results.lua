@@ -12,6 +12,7 @@
 package.path = PANDOC_SCRIPT_FILE:match("^(.*)/[^/]*$") .. "/?.lua;" .. package.path
 local html, items, record, frame = require "html", require "items", require "record", require "frame"
 local mathml, symbols = require "mathml", require "symbols"
+local drawings = require "drawings"
 local dkjson = require "dkjson"
 
 local r, figures, data, page
@@ -510,6 +511,14 @@ function Pandoc(doc)
   stop_on_problems()
   frame.set(doc.meta, frame.chapters(frame.strings(doc.meta.chapters)), page == "study" and r.chapter .. "-study" or r.chapter)
   leave_parts(doc, text "parts")
+  if page == "paper" then -- those of both pages
+    for _, item in ipairs(r.items) do
+      for _, name in ipairs(item.csv) do
+        if name == item.id .. "-answer.csv" then drawings.shorten(data .. "/" .. items.file_of(name)) end
+      end
+      if item.png then drawings.prepare(("%s/../../figures/%s/%s"):format(data, r.chapter, item.png:gsub("%.png$", ".svg"))) end
+    end
+  end
   local raw = function(content) return pandoc.MetaInlines({pandoc.RawInline("html", content)}) end
   doc.meta.pagetitle = pandoc.MetaString(pandoc.utils.stringify(doc.meta.title))
   doc.meta["checks-csv"] = exists(data .. "/checks.csv")

@@ -30,46 +30,6 @@ file(COPY ${shared_scripts} DESTINATION ${new}/data)
 set(page_options --template=${here}/template.html --to=html5 --mathml --fail-if-warnings --standalone --wrap=none --no-highlight
     -V version=${VERSION})
 
-# The drawings of a folder, prepared for the book: words in the colour of a thin line, which are hard to read on white, get a darker
-# one of the same hue, with a contrast of 4.5 or more; exponents and indices are at least 9 px high at the width at which a page shows
-# the drawing (book.css: 992 px of a canvas from 1100 px on, else 736 px); coordinates keep a tenth of a dot, and blanks that mean
-# nothing go.
-function(prepare_drawings folder)
-  file(GLOB drawings ${folder}/*.svg)
-  foreach(drawing ${drawings})
-    file(READ ${drawing} svg)
-    set(dark "${svg}")
-    foreach(pair "86,180,233>58,121,156" "230,159,0>154,107,0" "204,121,167>159,94,130" "0,158,115>0,131,95" "213,94,0>190,84,0"
-            "127,127,127>112,112,112" "128,128,128>112,112,112")
-      string(REGEX MATCH "^(.*)>(.*)$" _ "${pair}")
-      string(REPLACE "fill=\"rgb(${CMAKE_MATCH_1})\" font-size" "fill=\"rgb(${CMAKE_MATCH_2})\" font-size" dark "${dark}")
-    endforeach()
-    if(svg MATCHES "viewBox=\"0 0 ([0-9]+)")
-      set(canvas ${CMAKE_MATCH_1})
-      set(shown 736)
-      if(canvas GREATER_EQUAL 1100)
-        set(shown 992)
-      endif()
-      math(EXPR least "(90 * ${canvas} + ${shown} - 1) / ${shown}") # tenths of a dot
-      string(REGEX MATCHALL "<tspan +font-size=\"[0-9]+\\.?[0-9]?" sizes "${svg}")
-      list(REMOVE_DUPLICATES sizes)
-      foreach(size IN LISTS sizes)
-        string(REGEX MATCH "([0-9]+)\\.?([0-9]?)$" digits "${size}")
-        math(EXPR tenths "${CMAKE_MATCH_1} * 10 + 0${CMAKE_MATCH_2}")
-        if(tenths LESS least)
-          string(REGEX REPLACE "^(.*)(.)$" "\\1.\\2" larger ${least})
-          string(REPLACE "${size}\"" "<tspan font-size=\"${larger}\"" dark "${dark}")
-        endif()
-      endforeach()
-    endif()
-    # not in a label: a coordinate is followed by another one, by a command of a path, or by the end of its attribute
-    string(REGEX REPLACE "([0-9]\\.[0-9])[0-9](,[-0-9]| [-0-9]| [LM][-0-9]| Z|['\"\n])" "\\1\\2" dark "${dark}")
-    string(REPLACE " stroke-linecap=\"butt\" stroke-linejoin=\"miter\"" "" dark "${dark}") # as without
-    string(REGEX REPLACE "\n[ \t\n]+" "\n" dark "${dark}")
-    file(WRITE ${drawing} "${dark}")
-  endforeach()
-endfunction()
-
 file(GLOB folders RELATIVE ${CHAPTERS} ${CHAPTERS}/[0-9][0-9]-*)
 list(SORT folders)
 set(chapters)
@@ -115,7 +75,6 @@ foreach(chapter ${chapters})
   list(FILTER data EXCLUDE REGEX "-answer\\.csv$") # they are scripts, below
   file(COPY ${data} DESTINATION ${new}/data/${chapter})
   file(COPY ${pictures} DESTINATION ${new}/figures/${chapter})
-  prepare_drawings(${new}/figures/${chapter})
   file(READ ${RESULTS}/${chapter}.json json)
   string(REGEX REPLACE "\n *" "" json "${json}") # a text in it has no line end of its own
   file(WRITE ${new}/data/${chapter}.json "${json}")

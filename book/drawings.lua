@@ -1,0 +1,153 @@
+-- gnuplot's drawings as the book has them: words in the colour of a thin line, which are hard to read on white, get a darker one of
+-- the same hue, with a contrast of 4.5 or more; exponents and indices are at least 9 px high at the width at which a page shows the
+-- drawing (book.css: 992 px of a canvas from 1100 px on, else 736 px); and what is drawn takes few bytes.
+
+local drawings = {}
+
+local darker = {["86,180,233"] = "58,121,156", ["230,159,0"] = "154,107,0", ["204,121,167"] = "159,94,130", ["0,158,115"] = "0,131,95",
+  ["213,94,0"] = "190,84,0", ["127,127,127"] = "112,112,112", ["128,128,128"] = "112,112,112"}
+
+local function tenths(x) return math.floor(10 * x + 0.5) end
+
+-- A number of tenths, without what can be left out.
+local function number(n)
+  local text = n % 10 == 0 and ("%d"):format(n // 10) or ("%.1f"):format(n / 10)
+  return (text:gsub("^(-?)0%.", "%1."))
+end
+
+local function pair(x, y)
+  local second = number(y)
+  return number(x) .. (second:find("^-") and "" or ",") .. second
+end
+
+-- A path of gnuplot's, of absolute M, L and Z, to a tenth of a dot and relative.
+local function path(d)
+  if d:find("[^MLZ%d%s.,-]") then return d end
+  local out, x, y, command, drawn = {}, 0, 0, nil, true
+  for letter, first, second in (d .. " "):gmatch("([MLZ]?)%s*(%-?[%d.]*),?(%-?[%d.]*)%s") do
+    if letter == "Z" then
+      out[#out + 1], command = "z", nil
+    elseif first ~= "" then
+      local to_x, to_y = tenths(tonumber(first)), tenths(tonumber(second))
+      if letter == "M" then
+        out[#out + 1] = "M" .. pair(to_x, to_y)
+        command, drawn = nil, false
+      elseif to_x ~= x or to_y ~= y or not drawn then
+        local step = pair(to_x - x, to_y - y)
+        out[#out + 1] = (command == "l" and (step:find("^-") and "" or " ") or "l") .. step
+        command, drawn = "l", true
+      end
+      x, y = to_x, to_y
+    end
+  end
+  return table.concat(out)
+end
+
+local function colour(r, g, b) return ("#%02x%02x%02x"):format(tonumber(r), tonumber(g), tonumber(b)) end
+
+-- The definitions of marks that are drawn, with those that these are made of.
+local function used_marks(svg)
+  local head, defs, body = svg:match("^(.-<defs>)(.-)(</defs>.*)$")
+  if not head then return svg end
+  local kept, wanted = {}, {}
+  for id in body:gmatch("#(gpPt%d+)") do wanted[id] = true end
+  for id in body:gmatch("#(gpDot)") do wanted[id] = true end
+  local marks = {}
+  for mark in defs:gmatch("<[%a]+ [^<>]*/>") do
+    local id = mark:match("id='(%w+)'")
+    if id then marks[#marks + 1] = {id = id, of = mark:match("href='#(%w+)'"), text = mark} end
+  end
+  for i = #marks, 1, -1 do
+    if wanted[marks[i].id] and marks[i].of then wanted[marks[i].of] = true end
+  end
+  for _, mark in ipairs(marks) do
+    if wanted[mark.id] then kept[#kept + 1] = mark.text end
+  end
+  for filter, id in defs:gmatch("(<filter id='(%w+)'.-</filter>)") do
+    if body:find("url(#" .. id, 1, true) then kept[#kept + 1] = filter end
+  end
+  return head .. table.concat(kept) .. body
+end
+
+-- Groups of the same attributes, as classes.
+local function classes(svg)
+  local count, order = {}, {}
+  local pattern = '<g fill="none" color="([%w#]+)" stroke="currentColor" stroke%-width="([%d.]+)">'
+  for name, width in svg:gmatch(pattern) do
+    local key = name .. " " .. width
+    if not count[key] then order[#order + 1] = key end
+    count[key] = (count[key] or 0) + 1
+  end
+  local class, rules = {}, {}
+  for i, key in ipairs(order) do
+    if count[key] > 2 and i <= 26 then
+      class[key] = string.char(96 + i)
+      rules[#rules + 1] = (".%s{fill:none;stroke:currentColor;color:%s;stroke-width:%s}"):format(class[key], key:match("^(%S+) (%S+)$"))
+    end
+  end
+  if #rules == 0 then return svg end
+  svg = svg:gsub(pattern, function(name, width)
+    local c = class[name .. " " .. width]
+    return c and ('<g class="%s">'):format(c)
+  end)
+  return (svg:gsub("<defs>", "<style>" .. table.concat(rules) .. "</style><defs>", 1))
+end
+
+-- The text of an SVG file prepared; that of another program than gnuplot gets its exponents and colours only.
+function drawings.prepared(svg)
+  for from, to in pairs(darker) do
+    svg = svg:gsub('fill="rgb%(' .. from .. '%)" font%-size', 'fill="rgb(' .. to .. ')" font-size')
+  end
+  local canvas = tonumber(svg:match('viewBox="0 0 (%d+)'))
+  if canvas then
+    local least = math.ceil(90 * canvas / (canvas >= 1100 and 992 or 736)) / 10
+    svg = svg:gsub('<tspan +font%-size="([%d.]+)"', function(size)
+      return ('<tspan font-size="%.1f"'):format(math.max(tonumber(size), least))
+    end)
+  end
+  if not svg:find("<title>Gnuplot</title>", 1, true) then return svg end
+  svg = svg:gsub(" d='([^']*)'", function(d) return " d='" .. path(d) .. "'" end)
+  svg = svg:gsub("translate%((%-?[%d.]+),(%-?[%d.]+)%)", function(x, y) return "translate(" .. pair(tenths(x), tenths(y)) .. ")" end)
+  svg = svg:gsub("(['\"])rgb%( *(%d+), *(%d+), *(%d+)%)", function(quote, r, g, b) return quote .. colour(r, g, b) end)
+  svg = svg:gsub(' stroke%-linecap="butt" stroke%-linejoin="miter"', ""):gsub(' class="gridline"', "") -- as without
+  svg = svg:gsub('<tspan font%-size="[%d.]+" dy="[%d.-]+"></tspan></text>', "</text>"):gsub("<tspan >", "<tspan>")
+  svg = svg:gsub("<title>gnuplot_plot_%w+</title>", ""):gsub(">%s*\n%s*<", "><"):gsub("%s+>", ">")
+  return classes(used_marks(svg))
+end
+
+-- A script of rows for a figure that answers: cells that begin a row as they begin the row before are counted, "=3,", and not said.
+function drawings.shortened(script)
+  local out, before = {}, ""
+  for line in script:gmatch("([^\n]*)\n") do
+    local text = line
+    if line:find(",", 1, true) and not line:find("[`(]") and not line:find("^#") then
+      local quoted, same, count = false, 0, 0
+      for i = 1, #line do
+        local c = line:sub(i, i)
+        if c ~= before:sub(i, i) then break end
+        if c == '"' then quoted = not quoted end
+        if c == "," and not quoted then same, count = i, count + 1 end
+      end
+      if same > 3 then text = ("=%d,%s"):format(count, line:sub(same + 1)) end
+      before = line
+    end
+    out[#out + 1] = text
+  end
+  return table.concat(out, "\n") .. "\n"
+end
+
+-- Changes a file in its place, where it is.
+local function change(path_of_file, by)
+  local file = io.open(path_of_file, "rb")
+  if not file then return end
+  local text = file:read("a")
+  file:close()
+  file = assert(io.open(path_of_file, "wb"))
+  file:write(by(text))
+  file:close()
+end
+
+function drawings.prepare(path_of_file) change(path_of_file, drawings.prepared) end
+function drawings.shorten(path_of_file) change(path_of_file, drawings.shortened) end
+
+return drawings
