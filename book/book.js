@@ -42,31 +42,13 @@ function codeButton() {
 let pages = null;
 globalThis.railbookSearch = (found) => { pages = found; };
 
-function loadSearch() {
-  if (pages) return Promise.resolve();
-  return new Promise((done, failed) => document.head.append(make("script", {src: "search.js", onload: done, onerror: failed})));
-}
-
-function found(words) {
-  const hits = [];
-  for (const [file, page, entries] of pages) {
-    for (const [title, anchor, text] of [[page, "", ""], ...entries]) {
-      const head = title.toLowerCase(), body = text.toLowerCase();
-      let score = 0;
-      for (const word of words) {
-        const here = (head.includes(word) ? 10 : 0) + (head.startsWith(word) ? 5 : 0) + (body.includes(word) ? 2 : 0);
-        if (!here) { score = 0; break; }
-        score += here;
-      }
-      if (score) hits.push({score, href: file + (anchor ? "#" + anchor : ""), page, title, text});
-    }
-  }
-  return hits.sort((a, b) => b.score - a.score).slice(0, 30);
-}
+const load = (src) => new Promise((done, failed) => document.head.append(make("script", {src, onload: done, onerror: failed})));
+const loadSearch = () => pages ? Promise.resolve() : Promise.all([load("search.js"), load("find.js")]);
 
 // The text around the first of the words.
 function excerpt(text, words) {
-  const at = Math.max(0, Math.min(...words.map((w) => text.toLowerCase().indexOf(w)).filter((i) => i >= 0), text.length) - 40);
+  const places = words.map((w) => text.toLowerCase().indexOf(w)).filter((i) => i >= 0);
+  const at = places.length > 0 ? Math.max(0, Math.min(...places) - 40) : 0;
   return (at > 0 ? "… " : "") + text.slice(at, at + 130);
 }
 
@@ -75,11 +57,10 @@ function searchBox() {
   input.setAttribute("aria-label", "search all pages");
   const list = make("ul", {className: "results", hidden: true});
   const show = async () => {
-    const words = input.value.toLowerCase().split(/\s+/).filter((w) => w);
-    list.hidden = words.length === 0;
+    list.hidden = input.value.trim() === "";
     if (list.hidden) return;
     await loadSearch();
-    const hits = found(words);
+    const hits = railbookFind.find(pages, input.value), words = railbookFind.words(input.value);
     list.replaceChildren(...hits.map((hit) => make("li", {}, make("a", {href: hit.href},
       make("b", {textContent: hit.title}), make("small", {textContent: hit.page + " · " + excerpt(hit.text, words)})))));
     if (hits.length === 0) list.append(make("li", {textContent: "Nothing found."}));

@@ -8,7 +8,7 @@ package.path = PANDOC_SCRIPT_FILE:match("^(.*)/[^/]*$") .. "/?.lua;" .. package.
 local html, items, record, frame = require "html", require "items", require "record", require "frame"
 local overview, benchmarks, library, front = require "overview", require "benchmarks", require "library", require "front"
 local equations, appendix = require "equations", require "appendix"
-local dkjson = require "dkjson"
+local csv, dkjson = require "csv", require "dkjson"
 
 local headline_heads = {"paper", "printed numbers", "confirmed", "consistent", "fitted", "corrected", "restored",
   "not confirmed", "unreadable", "claims: confirmed / consistent / not / not testable", "figures: paper’s data / rebuilt / lost", "verified by other routes"}
@@ -147,15 +147,44 @@ local function load_parts(folder, chapters, records)
   return parts
 end
 
--- search.js: {page, title of the page, {{title, anchor, text}, ...}} for each page.
-local function write_search(path, pages, parts, of_library)
+local entities = {["&lt;"] = "<", ["&gt;"] = ">", ["&amp;"] = "&", ["&quot;"] = '"', ["&#39;"] = "'"}
+
+local function plain(text)
+  text = text:gsub("<style.-</style>", " "):gsub("<[^>]*>", " "):gsub("&#?%w+;", entities)
+  return (text:gsub("%s+", " "):gsub("^ ", ""):gsub(" $", ""))
+end
+
+-- The sections of a page of HTML as a search finds them: {title, anchor, text}, what stands before the first heading first.
+local function sections_of(page)
+  local main = page:match("<main.->(.*)</main>") or page
+  local out, at, entry = {}, 1, {"", "", ""}
+  for open, id, title, close in main:gmatch('()<h[23] [^>]*id="([^"]*)"[^>]*>(.-)</h[23]>()') do
+    entry[3] = plain(main:sub(at, open - 1))
+    out[#out + 1] = entry
+    entry, at = {plain(title), id, ""}, close
+  end
+  entry[3] = plain(main:sub(at))
+  out[#out + 1] = entry
+  out[1][1] = out[1][1] ~= "" and out[1][1] or plain(main:match("<h1.->(.-)</h1>") or "")
+  return out
+end
+
+-- Overview pages that a search looks into; the others repeat the chapters.
+local looked_into = {tools = true, reading = true, cite = true, verification = false}
+
+-- search.js: {file, title of the page, kind, words that are meant by it too, {{title, anchor, text}, ...}} for each page (see find.js).
+local function write_search(book, pages, parts, of_library, keywords)
   local all = {}
   for _, page in ipairs(pages) do
-    local entries = parts[page[1]] and parts[page[1]].search or {}
-    if page[1] == "library" then entries = of_library end
-    all[#all + 1] = {page[1] .. ".html", page[2], entries}
+    local name, kind = page[1], "overview"
+    local entries = parts[name] and parts[name].search or {}
+    if name:find("^%d%d%-") then kind = name:find("%-study$") and "study" or "chapter" end
+    if name == "library" then kind, entries = "library", of_library end
+    if name == "tools" then kind = "tools" end
+    if looked_into[name] then entries = sections_of(read_file(book .. "/" .. name .. ".html")) end
+    all[#all + 1] = {name .. ".html", page[2], kind, keywords[name] or "", entries}
   end
-  local file = assert(io.open(path, "w"))
+  local file = assert(io.open(book .. "/search.js", "w"))
   file:write("railbookSearch(", dkjson.encode(all), ")\n")
   file:close()
 end
@@ -215,7 +244,9 @@ function Pandoc(doc)
     file:write(pandoc.write(other, "html5", {template = template, html_math_method = "mathml", wrap_text = "none"}))
     file:close()
   end
-  write_search(book .. "/search.js", frame.pages(chapters), parts, of_library)
+  local keywords = {}
+  for _, row in ipairs(assert(csv.read(here .. "/keywords.csv"))) do keywords[row.page] = row.words end
+  write_search(book, frame.pages(chapters), parts, of_library, keywords)
   frame.set(doc.meta, chapters, "index")
   doc.meta.machine = machine and pandoc.MetaInlines({pandoc.RawInline("html", record.describe(machine))}) or nil
   return filled(with_cards(doc, records), made)

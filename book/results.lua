@@ -409,11 +409,6 @@ local function check_all_shown()
   end
 end
 
-local function clipped(text, length)
-  if #text <= length then return text end
-  return (text:sub(1, length):gsub("[\192-\255]?[\128-\191]*$", ""))
-end
-
 local raised = {["−"] = "⁻"}
 for i = 0, 9 do raised[tostring(i)] = utf8.char(({[0] = 0x2070, 0xb9, 0xb2, 0xb3})[i] or 0x2070 + i) end
 
@@ -431,9 +426,7 @@ local function words_of(block)
   return (pandoc.write(block, "plain", {wrap_text = "none"}):gsub("%-%-%-+", " "):gsub("^%s+", ""):gsub("%s+", " "))
 end
 
-local most_words = 2500 -- bytes of a section that a search looks into
-
--- What a search finds: the sections with the beginning of their text, and the figures and tables with what they check.
+-- What a search finds: the sections with their text, and the figures and tables with what they show and check.
 local function search_entries(doc)
   local out, entry = {}, {pandoc.utils.stringify(doc.meta.title), "", ""}
   out[1] = entry
@@ -441,15 +434,15 @@ local function search_entries(doc)
     if block.t == "Header" then
       entry = {pandoc.utils.stringify(block), block.identifier, ""}
       out[#out + 1] = entry
-    elseif block.t ~= "CodeBlock" and block.t ~= "RawBlock" and block.t ~= "Plain" and #entry[3] < most_words then
-      entry[3] = clipped(entry[3] .. words_of(block), most_words)
+    elseif block.t ~= "CodeBlock" and block.t ~= "RawBlock" and block.t ~= "Plain" then
+      entry[3] = entry[3] .. (entry[3] ~= "" and " " or "") .. words_of(block)
     end
   end
   for _, item in ipairs(r.items) do
     if item.page == page then
-      local whats = {}
-      for i, check in ipairs(item.checks) do whats[i] = check.what or check.id end
-      out[#out + 1] = {items.label(item, r) .. ". " .. item.title, item.id, clipped(table.concat(whats, "; "), 600)}
+      local whats = {item.title}
+      for _, check in ipairs(item.checks) do whats[#whats + 1] = check.what or check.id end
+      out[#out + 1] = {items.label(item, r) .. ". " .. items.plain_title(item), item.id, words_of(pandoc.Plain({pandoc.RawInline("html", html.text(table.concat(whats, "; ")))}))}
     end
   end
   return out
