@@ -1,6 +1,6 @@
 -- What stands around every page: the contents at the side, the page before and the page after.
 
-local html = require "html"
+local html, tools = require "html", require "tools"
 
 local frame = {}
 
@@ -87,6 +87,9 @@ local function raw(text) return pandoc.MetaInlines({pandoc.RawInline("html", tex
 -- Sets what the template needs of the book around the page `current`.
 function frame.set(meta, chapters, current)
   local before, after = contents(chapters, current)
+  for subject, id in pairs(tools.chapters) do -- the command for a reader's own data, under the chapter's title
+    if id == current then meta.command = pandoc.MetaString(subject) end
+  end
   meta["contents-before"], meta["contents-after"], meta.file = raw(before), raw(after), pandoc.MetaString(current)
   local pages = frame.pages(chapters)
   for i, page in ipairs(pages) do

@@ -8,7 +8,7 @@ package.path = PANDOC_SCRIPT_FILE:match("^(.*)/[^/]*$") .. "/?.lua;" .. package.
 local html, items, record, frame = require "html", require "items", require "record", require "frame"
 local overview, benchmarks, library, front = require "overview", require "benchmarks", require "library", require "front"
 local equations, appendix = require "equations", require "appendix"
-local csv, dkjson = require "csv", require "dkjson"
+local tools, csv, dkjson = require "tools", require "csv", require "dkjson"
 
 local headline_heads = {"paper", "printed numbers", "confirmed", "consistent", "fitted", "corrected", "restored",
   "not confirmed", "unreadable", "claims: confirmed / consistent / not / not testable", "figures: paper’s data / rebuilt / lost", "verified by other routes"}
@@ -217,6 +217,7 @@ function Pandoc(doc)
   local made = {
     ["{{in-short}}"] = function() return in_short(records) end,
     ["{{headline}}"] = function() return headline(records, frame.strings(doc.meta["left-out"])) end,
+    ["{{tools}}"] = function() return tools.page(PANDOC_SCRIPT_FILE:match("^(.*)/[^/]*$") .. "/../docs", book, chapters) end,
     ["{{hunting}}"] = function() return front.hunting(records) end, ["{{numbers}}"] = function() return front.numbers(records) end,
     ["{{read}}"] = function() return front.read(chapters, frame.strings(doc.meta["left-out"])) end, ["{{equations}}"] = function() return equations.all(records, parts, anchors) end,
     ["{{symbols}}"] = function() return appendix.symbols(records, parts) end, ["{{units}}"] = appendix.units,

@@ -1,4 +1,4 @@
--- A chapter's record, build/results/NN-name.json, read and indexed. See the README for its keys.
+-- A chapter's record, build/results/NN-name.json, read and indexed.
 
 local dkjson = require "dkjson"
 local html = require "html"

@@ -30,6 +30,9 @@ file(COPY ${shared_scripts} DESTINATION ${new}/data)
 set(page_options --template=${here}/template.html --to=html5 --mathml --fail-if-warnings --standalone --wrap=none --no-highlight
     -V version=${VERSION})
 
+file(GLOB drawings ${root}/docs/pictures/*.svg) # of the page Tools
+file(COPY ${drawings} DESTINATION ${new}/figures/tools)
+
 file(GLOB folders RELATIVE ${CHAPTERS} ${CHAPTERS}/[0-9][0-9]-*)
 list(SORT folders)
 set(chapters)

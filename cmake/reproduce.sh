@@ -60,7 +60,7 @@ failed=0
 for chapter in "$@"; do [ -f "$build/results/$chapter.stamp" ] || failed=1; done
 
 # The book is woven of all of this.
-sources() { find chapters lib book README.md CMakeLists.txt "$build/results" "$build/figures" -type f ! -name book.stamp -printf '%p %s %T@\n' | LC_ALL=C sort | sha256sum; }
+sources() { find chapters lib book docs README.md CMakeLists.txt "$build/results" "$build/figures" -type f ! -name book.stamp -printf '%p %s %T@\n' | LC_ALL=C sort | sha256sum; }
 if [ ! -f "$build/book/index.html" ] || ! sources | cmp -s - "$build/results/book.stamp"; then
   echo "[book]"
   if cmake --build "$build" --target book; then sources > "$build/results/book.stamp"; else failed=1; fi

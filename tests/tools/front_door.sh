@@ -4,7 +4,7 @@ script=$1
 folder=$(mktemp -d) || exit 77
 trap 'rm -rf "$folder"' EXIT
 cd "$folder" || exit 77
-mkdir -p build/bin lib chapters/01-one chapters/02-two book bin
+mkdir -p build/bin lib chapters/01-one chapters/02-two book docs bin
 echo '# prose' | tee README.md CMakeLists.txt chapters/01-one/fig.gp chapters/02-two/fig.gp >book/page.lua
 for name in one two; do
   cat >"build/bin/$name" <<'END'
