@@ -1,6 +1,6 @@
 -- The reference of lib/, from its headers alone: the comment above a declaration is its contract.
 
-local html = require "html"
+local html, highlight = require "html", require "highlight"
 
 local library = {}
 
@@ -147,6 +147,43 @@ local function section(room, file, header, seen)
     html.tag("summary", nil, summary) .. table.concat(out, "\n"))
 end
 
+-- The example of a room: the lines between "// example: ROOM" and "// end" of the test that runs it.
+function library.example(room)
+  local file = io.open((os.getenv("RAILBOOK_ROOT") or ".") .. "/tests/unit/library_examples.cpp")
+  if not file then return "" end
+  local text = file:read("a")
+  file:close()
+  local body = text:match("\n *// example: " .. room .. "\n(.-)\n *// end")
+  if not body then return "" end
+  local indent = body:match("^ *")
+  body = (body .. "\n"):gsub("(.-)\n", function(line) return (line:gsub("^" .. indent, "")) .. "\n" end)
+  return html.tag("div", {class = "code"}, highlight.cpp((body:gsub("%s+$", ""))))
+end
+
+-- The rooms by what a reader wants, with what each is for. A room that no line names stands in the last group.
+local groups = {
+  {"Physics", "Wheel, rail, vehicle and track.", {
+    {"contact", "normal contact of elastic bodies: Hertz, conjugate gradients with FFT, stresses below the surface"},
+    {"rolling", "creep forces of rolling contact: full theory, FASTSIM, creep laws, tables"},
+    {"profiles", "curves of wheel and rail: built-in, measured, from files"},
+    {"wheelset", "two rigid profiles that touch: contact points, constraint functions, conicity"}, {"wheelrail", "wheel and rail profiles that touch, and conicity"},
+    {"wheel_contact", "from profiles and a pose to patches, pressures, creepages and forces"}, {"wheel_on_rail", "from two profiles and a pose to patches, pressures, creepages and forces"},
+    {"vehicle", "the freight car: parameters and linear stability"}, {"dynamics", "the freight car, its stability and limit cycles"},
+    {"cycles", "limit cycles of any oscillator: harmonic balance, continuation, Floquet multipliers, tori"},
+    {"track", "beams, ties, joints, moving loads and impact"}}},
+  {"Measured track", "From a record to numbers about its track.", {
+    {"records", "a record of measured track: positions, units, missing samples, screening, warnings"},
+    {"spectra", "power spectral densities: estimates, models, joints, classes"}, {"filters", "filters of a geometry car, and what they do to a record"},
+    {"geometry_car", "a track-geometry car: sensors, motion, reconstruction of the geometry"},
+    {"measures", "bands, chords, sections and indices of track geometry"}, {"quality", "track quality: descriptor, exceedances, sections, indices and limits"}}},
+  {"Numerics", "What the physics computes with.", {
+    {"num", "roots, quadrature, FFT, linear algebra, ODE solvers, random numbers"}, {"units", "constants of units, quantities with units, input errors"},
+    {"table", "CSV"}}},
+  {"The making of the book and of the commands", "What draws, reports and reads options.", {
+    {"report", "chapters, checks, verdicts, records"}, {"bench", "error against run time"}, {"plot", "figures by gnuplot"}, {"scene", "pictures by OSMesa"},
+    {"drawing", "labels over a picture"}, {"tool", "options with units, configuration files, answers"}, {"files", "results written safely"}}},
+}
+
 -- The page, and what a search finds on it: {{title, anchor, text}}.
 function library.all(paths)
   local rooms, order, found, seen = {}, {}, {}, {}
@@ -161,12 +198,30 @@ function library.all(paths)
       found[#found + 1] = {entry.name, anchor(room, entry.name), room .. "/" .. file .. " " .. entry.comment:sub(1, 240)}
     end
   end
-  local out, index = {}, {}
-  for i, room in ipairs(order) do
-    index[i] = html.tag("a", {href = "#room-" .. room}, room)
-    out[i] = html.tag("h2", {id = "room-" .. room}, html.tag("code", nil, "lib/" .. room)) .. table.concat(rooms[room], "\n")
+  local placed = {}
+  for _, group in ipairs(groups) do
+    for _, room in ipairs(group[3]) do placed[room[1]] = true end
   end
-  return html.tag("p", nil, table.concat(index, " · ")) .. html.tag("div", {class = "filterable"}, table.concat(out, "\n")), found
+  for _, room in ipairs(order) do
+    if not placed[room] then table.insert(groups[#groups][3], {room, ""}) end
+  end
+  local out = {}
+  for _, group in ipairs(groups) do
+    local list, parts = {}, {}
+    for _, entry in ipairs(group[3]) do
+      local room, what = entry[1], entry[2]
+      if rooms[room] then
+        list[#list + 1] = html.tag("li", nil, html.tag("a", {href = "#room-" .. room}, html.tag("code", nil, room)) .. (what ~= "" and ": " .. html.text(what) or ""))
+        parts[#parts + 1] = html.tag("h3", {id = "room-" .. room}, html.tag("code", nil, "lib/" .. room)) .. html.tag("p", nil, html.text(what:sub(1, 1):upper() .. what:sub(2)) .. ".")
+          .. library.example(room) .. table.concat(rooms[room], "\n")
+      end
+    end
+    if #list > 0 then
+      local id = group[1]:lower():gsub("%W+", "-")
+      out[#out + 1] = html.tag("h2", {id = id}, group[1]) .. html.tag("p", nil, group[2]) .. html.tag("ul", nil, table.concat(list, "\n")) .. table.concat(parts, "\n")
+    end
+  end
+  return html.tag("div", {class = "filterable"}, table.concat(out, "\n")), found
 end
 
 return library

@@ -147,7 +147,7 @@ local function totals(records)
       local outcome = check.pass and check.outcome or "failed"
       counts[outcome] = (counts[outcome] or 0) + 1
     end
-    rows[i] = row(html.tag("a", {href = "#" .. r.chapter}, r.number .. " " .. html.text(r.title)), counts)
+    rows[i] = row(html.tag("a", {href = "#" .. r.chapter, title = r.title}, r.number .. " " .. html.text((r.chapter:gsub("^%d+%-", ""):gsub("%-", " ")))), counts)
   end
   rows[#rows + 1] = row("all chapters", sums)
   rows[#rows].class = "sum"
