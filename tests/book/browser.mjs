@@ -160,6 +160,23 @@ async function answers(browser, page) {
   }
 }
 
+// The picture of the front page moves, is held by its box, and stands still for who asks for less motion.
+async function motion(browser) {
+  const url = pathToFileURL(join(book, "index.html")).href;
+  const height = `document.querySelector(".moving .front")?.getBoundingClientRect().top`;
+  const later = `new Promise((done) => setTimeout(() => done(${height}), 400))`;
+  await browser.go(url);
+  if (await browser.run(height) === undefined) return;
+  if (await browser.run(height) === await browser.run(later)) fault("index.html", "its picture does not move");
+  await browser.run(`document.getElementById("still").click()`);
+  await browser.run(later);
+  if (await browser.run(height) !== await browser.run(later)) fault("index.html", "its picture is not held");
+  await browser.send("Emulation.setEmulatedMedia", {features: [{name: "prefers-reduced-motion", value: "reduce"}]});
+  await browser.go(url);
+  if (await browser.run("document.getAnimations().length") > 0) fault("index.html", "its picture moves for who asks for less motion");
+  await browser.send("Emulation.setEmulatedMedia", {features: []});
+}
+
 const browser = new Browser(path);
 try {
   await browser.open();
@@ -179,6 +196,7 @@ try {
     console.log(page.padEnd(26), String(height).padStart(6) + " px", String(Math.round(paint)).padStart(5) + " ms");
   }
   if (process.argv.length <= 3) await functions(browser);
+  if (pages.includes("index.html")) await motion(browser);
 } finally {
   await browser.close();
 }
