@@ -20,26 +20,62 @@ local function pair(x, y)
   return number(x) .. (second:find("^-") and "" or ",") .. second
 end
 
+local nearest = 0.7 -- tenths of a dot that a curve may move when points are left out
+local most_left_out = 80
+
+-- The points {x, y} of a polyline, in tenths, without those that lie on the straight line of their neighbours.
+local function thinned(points)
+  local out, kept = {points[1]}, 1
+  local function straight(last)
+    local from, to = points[kept], points[last]
+    local dx, dy = to[1] - from[1], to[2] - from[2]
+    local length = math.sqrt(dx * dx + dy * dy)
+    for i = kept + 1, last - 1 do
+      local x, y = points[i][1] - from[1], points[i][2] - from[2]
+      local along = x * dx + y * dy
+      if length == 0 or along < 0 or along > length * length or math.abs(x * dy - y * dx) > nearest * length then return false end
+    end
+    return true
+  end
+  for i = 3, #points do
+    if i - kept > most_left_out or not straight(i) then
+      kept = i - 1
+      out[#out + 1] = points[kept]
+    end
+  end
+  if #points > 1 then out[#out + 1] = points[#points] end
+  return out
+end
+
 -- A path of gnuplot's, of absolute M, L and Z, to a tenth of a dot and relative.
 local function path(d)
   if d:find("[^MLZ%d%s.,-]") then return d end
-  local out, x, y, command, drawn = {}, 0, 0, nil, true
+  local out, points = {}, {}
+  local function close()
+    for i, point in ipairs(#points > 0 and thinned(points) or {}) do
+      if i == 1 then
+        out[#out + 1] = "M" .. pair(point[1], point[2])
+      else
+        local before = points.last
+        local step = pair(point[1] - before[1], point[2] - before[2])
+        out[#out + 1] = (i > 2 and (step:find("^-") and "" or " ") or "l") .. step
+      end
+      points.last = point
+    end
+    points = {}
+  end
   for letter, first, second in (d .. " "):gmatch("([MLZ]?)%s*(%-?[%d.]*),?(%-?[%d.]*)%s") do
     if letter == "Z" then
-      out[#out + 1], command = "z", nil
+      close()
+      out[#out + 1] = "z"
     elseif first ~= "" then
-      local to_x, to_y = tenths(tonumber(first)), tenths(tonumber(second))
-      if letter == "M" then
-        out[#out + 1] = "M" .. pair(to_x, to_y)
-        command, drawn = nil, false
-      elseif to_x ~= x or to_y ~= y or not drawn then
-        local step = pair(to_x - x, to_y - y)
-        out[#out + 1] = (command == "l" and (step:find("^-") and "" or " ") or "l") .. step
-        command, drawn = "l", true
-      end
-      x, y = to_x, to_y
+      if letter == "M" then close() end
+      local point, before = {tenths(tonumber(first)), tenths(tonumber(second))}, points[#points]
+      local same = before and before[1] == point[1] and before[2] == point[2] and #points > 1
+      if not same then points[#points + 1] = point end
     end
   end
+  close()
   return table.concat(out)
 end
 
@@ -69,27 +105,35 @@ local function used_marks(svg)
   return head .. table.concat(kept) .. body
 end
 
--- Groups of the same attributes, as classes.
+-- Groups of the same attributes, of which there are more than two, as classes. Each kind: a pattern of attributes, and its rule.
+local kinds = {
+  {'fill="none" color="([%w#]+)" stroke="currentColor" stroke%-width="([%d.]+)"', "fill:none;stroke:currentColor;color:%s;stroke-width:%s"},
+  {'stroke="none" fill="([%w#]+)" font%-size="([%d.]+)" +text%-anchor="(%w+)"', "stroke:none;fill:%s;font-size:%spx;text-anchor:%s"},
+}
+
 local function classes(svg)
-  local count, order = {}, {}
-  local pattern = '<g fill="none" color="([%w#]+)" stroke="currentColor" stroke%-width="([%d.]+)">'
-  for name, width in svg:gmatch(pattern) do
-    local key = name .. " " .. width
-    if not count[key] then order[#order + 1] = key end
-    count[key] = (count[key] or 0) + 1
-  end
-  local class, rules = {}, {}
-  for i, key in ipairs(order) do
-    if count[key] > 2 and i <= 26 then
-      class[key] = string.char(96 + i)
-      rules[#rules + 1] = (".%s{fill:none;stroke:currentColor;color:%s;stroke-width:%s}"):format(class[key], key:match("^(%S+) (%S+)$"))
+  local rules = {}
+  for _, kind in ipairs(kinds) do
+    local count, order, class = {}, {}, {}
+    for attributes in svg:gmatch("<g [^>]*>") do
+      local found = attributes:match("(" .. kind[1] .. ")")
+      if found then
+        if not count[found] then order[#order + 1] = found end
+        count[found] = (count[found] or 0) + 1
+      end
     end
+    for _, found in ipairs(order) do
+      if count[found] > 2 and #rules < 52 then
+        local n = #rules
+        class[found] = string.char((n < 26 and 97 or 39) + n) -- a to z, then A to Z
+        rules[n + 1] = "." .. class[found] .. "{" .. kind[2]:format(found:match(kind[1])) .. "}"
+      end
+    end
+    svg = svg:gsub("<g [^>]*>", function(group)
+      return (group:gsub("(" .. kind[1] .. ")", function(found) return class[found] and ('class="%s"'):format(class[found]) end, 1))
+    end)
   end
   if #rules == 0 then return svg end
-  svg = svg:gsub(pattern, function(name, width)
-    local c = class[name .. " " .. width]
-    return c and ('<g class="%s">'):format(c)
-  end)
   return (svg:gsub("<defs>", "<style>" .. table.concat(rules) .. "</style><defs>", 1))
 end
 
@@ -111,7 +155,7 @@ function drawings.prepared(svg)
   svg = svg:gsub("(['\"])rgb%( *(%d+), *(%d+), *(%d+)%)", function(quote, r, g, b) return quote .. colour(r, g, b) end)
   svg = svg:gsub(' stroke%-linecap="butt" stroke%-linejoin="miter"', ""):gsub(' class="gridline"', "") -- as without
   svg = svg:gsub('<tspan font%-size="[%d.]+" dy="[%d.-]+"></tspan></text>', "</text>"):gsub("<tspan >", "<tspan>")
-  svg = svg:gsub("<title>gnuplot_plot_%w+</title>", ""):gsub(">%s*\n%s*<", "><"):gsub("%s+>", ">")
+  svg = svg:gsub("^<%?xml.-%?>%s*", ""):gsub("<desc>.-</desc>%s*", ""):gsub("<title>gnuplot_plot_%w+</title>", ""):gsub(">%s*\n%s*<", "><"):gsub("%s+>", ">")
   return classes(used_marks(svg))
 end
 
