@@ -5,7 +5,7 @@ include(CMakePackageConfigHelpers)
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME command)
 
 # The libraries of physics, and what they need.
-set(physics contact rolling wheelrail wheel_on_rail dynamics spectra filters geometry_car track quality measures)
+set(physics contact rolling profiles wheelset wheel_contact cycles vehicle records spectra filters geometry_car track quality)
 set(installed "")
 set(todo ${physics})
 while(todo)
@@ -24,7 +24,7 @@ foreach(name ${installed})
   set_target_properties(railbook_${name} PROPERTIES EXPORT_NAME ${name})
   list(APPEND targets railbook_${name})
   install(DIRECTORY lib/${name} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/railbook COMPONENT development
-          FILES_MATCHING PATTERN *.hpp)
+          FILES_MATCHING PATTERN *.hpp PATTERN detail EXCLUDE)
 endforeach()
 install(TARGETS ${targets} EXPORT railbook ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
 install(EXPORT railbook NAMESPACE railbook:: FILE railbook-targets.cmake DESTINATION ${package} COMPONENT development)

@@ -23,8 +23,11 @@ target_compile_features(railbook_flags INTERFACE cxx_std_20)
 target_compile_options(railbook_flags INTERFACE
   "$<BUILD_INTERFACE:$<$<CONFIG:Release>:-U_FORTIFY_SOURCE;-D_FORTIFY_SOURCE=2;-fstack-protector-strong>>")
 target_link_options(railbook_flags INTERFACE "$<BUILD_INTERFACE:$<$<CONFIG:Release>:-Wl,-z,relro,-z,now>>")
-target_include_directories(railbook_flags INTERFACE $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/lib>
-                           $<INSTALL_INTERFACE:include/railbook>)
+# Headers are <railbook/ROOM/FILE.hpp>, in the tree as where they are installed.
+file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/include)
+file(CREATE_LINK ${PROJECT_SOURCE_DIR}/lib ${PROJECT_BINARY_DIR}/include/railbook SYMBOLIC)
+target_include_directories(railbook_flags INTERFACE $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>
+                           $<INSTALL_INTERFACE:include>)
 if(RAILBOOK_SANITIZE)
   # A null pointer ends under the address sanitizer too; these three checks are half of the compilation time.
   target_compile_options(railbook_flags INTERFACE
@@ -64,19 +67,17 @@ function(railbook_library name)
 endfunction()
 
 # railbook_tests(NAME [NEEDS ...] [USES ...])
-# The program test_NAME from tests/{unit,property,extreme,input}/NAME_*.cpp; each TEST_CASE is a ctest, of `make thorough`
-# if it has that tag.
+# The program test_NAME from tests/lib/NAME/*.cpp; each TEST_CASE is a ctest, of `make thorough` if it has that tag.
 function(railbook_tests name)
   cmake_parse_arguments(arg "" "" "NEEDS;USES" ${ARGN})
-  set(t ${CMAKE_SOURCE_DIR}/tests)
-  file(GLOB sources CONFIGURE_DEPENDS ${t}/unit/${name}_*.cpp ${t}/property/${name}_*.cpp
-       ${t}/extreme/${name}_*.cpp ${t}/input/${name}_*.cpp)
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/lib/${name}/*.cpp)
   if(NOT sources OR NOT RAILBOOK_TESTS)
     return()
   endif()
   list(TRANSFORM arg_NEEDS PREPEND railbook_)
   add_executable(test_${name} ${sources})
   set_target_properties(test_${name} PROPERTIES UNITY_BUILD OFF) # each file has its own cases of the same names
+  target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_link_libraries(test_${name} PRIVATE railbook_flags railbook_${name} ${arg_NEEDS}
                         ${arg_USES} catch_main)
   railbook_precompile(test_${name} test catch_main)
@@ -104,25 +105,25 @@ function(railbook_chapter chapter)
   list(TRANSFORM arg_NEEDS PREPEND railbook_)
   add_executable(${name} ${sources})
   target_include_directories(${name} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
-  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
   target_compile_definitions(${name} PRIVATE
     RAILBOOK_CHAPTER="${chapter}" RAILBOOK_CHAPTER_DIR="${CMAKE_CURRENT_SOURCE_DIR}")
   target_link_libraries(${name} PRIVATE railbook_flags ${arg_NEEDS} ${arg_USES})
   railbook_precompile(${name} chapter fmt::fmt)
-  if(EXISTS ${CMAKE_SOURCE_DIR}/chapters/${chapter}) # not the new one that a test makes
+  if(EXISTS ${PROJECT_SOURCE_DIR}/chapters/${chapter}) # not the new one that a test makes
     add_dependencies(chapter_programs ${name})
   endif()
   set_property(GLOBAL APPEND PROPERTY RAILBOOK_CHAPTERS ${name})
-  if(EXISTS ${CMAKE_SOURCE_DIR}/figures/${chapter})
+  if(EXISTS ${PROJECT_SOURCE_DIR}/figures/${chapter})
     set_property(GLOBAL APPEND PROPERTY RAILBOOK_CHAPTER_FOLDERS ${chapter})
   endif()
   if(NOT RAILBOOK_TESTS)
     return()
   endif()
-  add_test(NAME "chapter: ${chapter} reproduces" COMMAND ${CMAKE_SOURCE_DIR}/tests/tools/chapter.sh ${CMAKE_BINARY_DIR} ${chapter}
-           WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
+  add_test(NAME "chapter: ${chapter} reproduces" COMMAND ${PROJECT_SOURCE_DIR}/tests/tools/chapter.sh ${PROJECT_BINARY_DIR} ${chapter}
+           WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
   set_tests_properties("chapter: ${chapter} reproduces" PROPERTIES FIXTURES_SETUP ${chapter})
-  if(NOT EXISTS ${CMAKE_SOURCE_DIR}/figures/${chapter})
+  if(NOT EXISTS ${PROJECT_SOURCE_DIR}/figures/${chapter})
     return() # none accepted yet; tests/meta does not let a chapter stay so
   endif()
   railbook_golden_test(${chapter} ${chapter} compare "")
@@ -130,13 +131,13 @@ function(railbook_chapter chapter)
   set(maths ${chapter}-maths)
   add_test(NAME "chapter: ${chapter} reproduces with other maths" COMMAND ${CMAKE_COMMAND} -E env
            GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-AVX2,-AVX512F,-FMA4 $<TARGET_FILE:${name}> reproduce --no-timings
-           --no-figures --out ${CMAKE_BINARY_DIR}/ctest/${maths})
+           --no-figures --out ${PROJECT_BINARY_DIR}/ctest/${maths})
   set_tests_properties("chapter: ${chapter} reproduces with other maths" PROPERTIES FIXTURES_SETUP ${maths} LABELS thorough)
   railbook_golden_test(${chapter} ${maths} data " with other maths")
   set_property(TEST "figures: ${chapter} golden set with other maths" PROPERTY LABELS thorough)
   add_test(NAME "chapter: ${chapter} says the same with other maths" COMMAND same_text
-           ${CMAKE_BINARY_DIR}/ctest/${chapter}/results/${chapter}.json
-           ${CMAKE_BINARY_DIR}/ctest/${maths}/results/${chapter}.json)
+           ${PROJECT_BINARY_DIR}/ctest/${chapter}/results/${chapter}.json
+           ${PROJECT_BINARY_DIR}/ctest/${maths}/results/${chapter}.json)
   set_tests_properties("chapter: ${chapter} says the same with other maths" PROPERTIES
                        FIXTURES_REQUIRED "${chapter};${maths}" LABELS thorough)
 endfunction()
@@ -144,7 +145,7 @@ endfunction()
 # The golden test of the run in the folder `run` of build/ctest: compare, or data (without the pictures).
 function(railbook_golden_test chapter run verb label)
   add_test(NAME "figures: ${chapter} golden set${label}" COMMAND figure_diff ${verb}
-           ${CMAKE_BINARY_DIR}/ctest/${run} ${CMAKE_SOURCE_DIR}/figures/${chapter}
-           ${CMAKE_SOURCE_DIR}/figures/environment.txt ${CMAKE_BINARY_DIR}/environment.txt)
+           ${PROJECT_BINARY_DIR}/ctest/${run} ${PROJECT_SOURCE_DIR}/figures/${chapter}
+           ${PROJECT_SOURCE_DIR}/figures/environment.txt ${PROJECT_BINARY_DIR}/environment.txt)
   set_tests_properties("figures: ${chapter} golden set${label}" PROPERTIES FIXTURES_REQUIRED ${run})
 endfunction()

@@ -38,7 +38,7 @@ cat -- *.gcov | awk -v list="$build/branches.txt" '
     for (k in lines) { split(lines[k], p, "/"); room = p[1] "/" p[2]; all[room]++; if (k in ran) good[room]++ }
     for (k in seen) { split(seen[k], p, "/"); room = p[1] "/" p[2]; branches[room]++
       if (k in took) taken[room]++
-      else if (room ~ /^lib\/(num|contact|rolling|wheelrail|dynamics|spectra|filters|geometry_car|track|quality|measures)$/) {
+      else if (room ~ /^lib\/(num|contact|rolling|profiles|wheelset|wheel_contact|vehicle|cycles|records|spectra|filters|geometry_car|track|quality)$/) {
         at = k; sub(/:[0-9]+$/, "", at); print at ": " text[at] | "sort -u -t: -k1,1 -k2,2n > " list } }
     printf "%-22s %16s %20s\n", "folder", "lines run", "branches taken"
     for (room in all) printf "%-22s %6d of %6d %8d of %6d (%2.0f %%)\n", room, good[room], all[room], taken[room], branches[room],

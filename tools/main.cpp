@@ -5,8 +5,9 @@
 
 #include <Eigen/Core>
 
-#include "plot/plot.hpp"
-#include "tool/program.hpp"
+#include <railbook/plot/plot.hpp>
+#include <railbook/tool/program.hpp>
+
 #include "tools.hpp"
 
 using namespace railbook;

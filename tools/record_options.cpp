@@ -1,14 +1,14 @@
-#include "record_options.hpp"
-
 #include <fmt/format.h>
 
 #include <cmath>
 #include <memory>
 
-#include "table/csv.hpp"
-#include "tool/progress.hpp"
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
+#include <railbook/table/csv.hpp>
+#include <railbook/tool/progress.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
+
+#include "record_options.hpp"
 
 namespace railbook::tools {
 
@@ -62,8 +62,8 @@ const char* const record_help =
 
 namespace {
 
-spectra::Screening screening_of(const std::vector<std::string>& wanted) {
-  spectra::Screening screening{false, false, false, false};
+records::Screening screening_of(const std::vector<std::string>& wanted) {
+  records::Screening screening{false, false, false, false};
   for (const std::string& name : wanted) {
     const bool all = name == "all";
     if (!all && name != "codes" && name != "outliers" && name != "stuck" && name != "steps" &&
@@ -80,15 +80,15 @@ spectra::Screening screening_of(const std::vector<std::string>& wanted) {
 
 }  // namespace
 
-spectra::RecordFile record_file(const RecordWish& wish, const std::filesystem::path& name) {
-  spectra::RecordFile file = wish.record;
+records::RecordFile record_file(const RecordWish& wish, const std::filesystem::path& name) {
+  records::RecordFile file = wish.record;
   file.file = name;
   file.column = wish.columns.front();
   file.skip = static_cast<std::size_t>(wish.skip);
   file.screening = screening_of(wish.screen);
-  file.resync = wish.resync == "cut"     ? spectra::Resync::cut
-                : wish.resync == "count" ? spectra::Resync::count
-                                         : spectra::Resync::refuse;
+  file.resync = wish.resync == "cut"     ? records::Resync::cut
+                : wish.resync == "count" ? records::Resync::count
+                                         : records::Resync::refuse;
   if (!wish.batch.many())
     file.progress = [bar = std::make_shared<tool::Progress>("per cent of the record", 100.0),
                      told = 0](double share) mutable {
@@ -105,7 +105,7 @@ std::string key_of(const std::string& column, const std::string& doubt, bool sev
   return several ? column + "_" + doubt : doubt;
 }
 
-void add_record(tool::Summary& s, const spectra::RecordStream& r) {
+void add_record(tool::Summary& s, const records::RecordStream& r) {
   add_doubts(s, r, "", false);
   s.add("length_km", "length", static_cast<double>(r.samples()) * r.spacing() / units::kilometre,
         "km",
@@ -116,13 +116,13 @@ void add_record(tool::Summary& s, const spectra::RecordStream& r) {
   s.add("faulty", "samples taken out", static_cast<double>(r.faulty()), "");
 }
 
-void add_doubts(tool::Summary& s, const spectra::RecordStream& r, const std::string& column,
+void add_doubts(tool::Summary& s, const records::RecordStream& r, const std::string& column,
                 bool several) {
-  for (const spectra::Doubt& doubt : r.doubts())
+  for (const records::Doubt& doubt : r.doubts())
     s.flag(key_of(column, doubt.key, several), several ? column + ": " + doubt.text : doubt.text);
 }
 
-void add_record(tool::Row& row, const spectra::RecordStream& r) {
+void add_record(tool::Row& row, const records::RecordStream& r) {
   row.add("from_m", r.places().at(0));
   row.add("to_m", r.places().at(r.samples()));
   row.add("length_km", static_cast<double>(r.samples()) * r.spacing() / units::kilometre);
@@ -131,7 +131,7 @@ void add_record(tool::Row& row, const spectra::RecordStream& r) {
   row.add("missing", static_cast<double>(r.missing()));
   row.add("bridged", static_cast<double>(r.bridged()));
   row.add("faulty", static_cast<double>(r.faulty()));
-  for (const spectra::Doubt& doubt : r.doubts()) row.flag(doubt.key);
+  for (const records::Doubt& doubt : r.doubts()) row.flag(doubt.key);
 }
 
 namespace {
@@ -156,26 +156,26 @@ void add_records(tool::Summary& s, const std::vector<std::string>& columns,
                  const Records& records) {
   if (records.size() == 1) return add_record(s, *records.front());
   for (std::size_t i = 0; i < records.size(); ++i) add_doubts(s, *records[i], columns[i], true);
-  const spectra::RecordStream& r = *records.front();
+  const records::RecordStream& r = *records.front();
   s.add("length_km", "length", static_cast<double>(r.samples()) * r.spacing() / units::kilometre,
         "km", fmt::format("{} samples of {} columns", r.samples(), records.size()));
   s.add("spacing_m", "spacing", r.spacing(), "m");
   const Losses sum = losses_of(records);
-  const auto each = [&](std::size_t (spectra::RecordStream::*count)() const) {
+  const auto each = [&](std::size_t (records::RecordStream::*count)() const) {
     std::string text;
     for (std::size_t i = 0; i < records.size(); ++i)
       if (const std::size_t n = ((*records[i]).*count)(); n > 0)
         text += fmt::format("{}{} {}", text.empty() ? "" : ", ", columns[i], n);
     return text;
   };
-  s.add("missing", "samples missing", sum.missing, "", each(&spectra::RecordStream::missing));
-  s.add("bridged", "samples bridged", sum.bridged, "", each(&spectra::RecordStream::bridged));
-  s.add("faulty", "samples taken out", sum.faulty, "", each(&spectra::RecordStream::faulty));
+  s.add("missing", "samples missing", sum.missing, "", each(&records::RecordStream::missing));
+  s.add("bridged", "samples bridged", sum.bridged, "", each(&records::RecordStream::bridged));
+  s.add("faulty", "samples taken out", sum.faulty, "", each(&records::RecordStream::faulty));
 }
 
 void add_records(tool::Row& row, const std::vector<std::string>& columns, const Records& records) {
   if (records.size() == 1) return add_record(row, *records.front());
-  const spectra::RecordStream& r = *records.front();
+  const records::RecordStream& r = *records.front();
   row.add("from_m", r.places().at(0));
   row.add("to_m", r.places().at(r.samples()));
   row.add("length_km", static_cast<double>(r.samples()) * r.spacing() / units::kilometre);
@@ -186,7 +186,7 @@ void add_records(tool::Row& row, const std::vector<std::string>& columns, const 
   row.add("bridged", sum.bridged);
   row.add("faulty", sum.faulty);
   for (std::size_t i = 0; i < records.size(); ++i)
-    for (const spectra::Doubt& doubt : records[i]->doubts())
+    for (const records::Doubt& doubt : records[i]->doubts())
       row.flag(key_of(columns[i], doubt.key, true));
 }
 
@@ -198,10 +198,10 @@ std::string warnings_of(const std::vector<std::string>& columns, const Records& 
 
 const char* const warnings_header = "column,warning,from_m,to_m,samples,size_mm,taken_out,option\n";
 
-std::string warning_rows(const std::string& column, const spectra::RecordStream& record,
+std::string warning_rows(const std::string& column, const records::RecordStream& record,
                          const std::string& before) {
   std::string text;
-  for (const spectra::Warning& w : record.warnings())
+  for (const records::Warning& w : record.warnings())
     text += before + fmt::format("{},{},{},{},{},{},{},{}\n", table::csv_cell(column), w.key,
                                  table::csv_number(w.from), table::csv_number(w.to), w.samples,
                                  table::csv_number(w.size / units::millimetre),

@@ -6,17 +6,17 @@
 #include <string>
 #include <vector>
 
-#include "spectra/record_file.hpp"
-#include "tool/batch.hpp"
-#include "tool/options.hpp"
-#include "tool/summary.hpp"
+#include <railbook/records/record_file.hpp>
+#include <railbook/tool/batch.hpp>
+#include <railbook/tool/options.hpp>
+#include <railbook/tool/summary.hpp>
 
 namespace railbook::tools {
 
 // The option --bridge is kept apart until record_file(): a file has a number of samples or none.
 struct RecordWish {
   tool::BatchWish batch;
-  spectra::RecordFile record;
+  records::RecordFile record;
   std::vector<std::string> columns{"profile"}, screen{"codes"};
   std::string resync = "refuse";
   std::optional<double> bridge, section;  // samples, m
@@ -27,27 +27,27 @@ void add_record_options(tool::Options& options, RecordWish& wish);
 
 // What was asked for of one file; what is read of it is told as progress. Throws InputError when the gap to bridge is no
 // whole number.
-spectra::RecordFile record_file(const RecordWish& wish, const std::filesystem::path& file);
+records::RecordFile record_file(const RecordWish& wish, const std::filesystem::path& file);
 
 // What --help says of the files.
 extern const char* const record_help;
 
 // Length, spacing and samples of the record as lines of the answer, and its doubts as flags.
-void add_record(tool::Summary& answer, const spectra::RecordStream& record);
-void add_record(tool::Row& row, const spectra::RecordStream& record);
+void add_record(tool::Summary& answer, const records::RecordStream& record);
+void add_record(tool::Row& row, const records::RecordStream& record);
 
 // The doubts of one of several columns, with its name before them; of a single one, without.
-void add_doubts(tool::Summary& answer, const spectra::RecordStream& record,
+void add_doubts(tool::Summary& answer, const records::RecordStream& record,
                 const std::string& column, bool several);
 std::string key_of(const std::string& column, const std::string& doubt, bool several);
 
 // warnings.csv: a row for each place that is suspected or was taken out.
 extern const char* const warnings_header;
-std::string warning_rows(const std::string& column, const spectra::RecordStream& record,
+std::string warning_rows(const std::string& column, const records::RecordStream& record,
                          const std::string& before = "");
 
 // The same of several columns of one file: losses are those of all.
-using Records = std::vector<std::unique_ptr<const spectra::RecordStream>>;
+using Records = std::vector<std::unique_ptr<const records::RecordStream>>;
 void add_records(tool::Summary& answer, const std::vector<std::string>& columns,
                  const Records& records);
 void add_records(tool::Row& row, const std::vector<std::string>& columns, const Records& records);

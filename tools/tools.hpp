@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string_view>
 
-#include "tool/options.hpp"
+#include <railbook/tool/options.hpp>
 
 namespace railbook::tools {
 

@@ -11,9 +11,10 @@ pressure.
 #include <utility>
 #include <vector>
 
-#include "drawing/labelled.hpp"
-#include "scene/colour_map.hpp"
-#include "scene/shapes.hpp"
+#include <railbook/scene/colour_map.hpp>
+#include <railbook/scene/labelled.hpp>
+#include <railbook/scene/shapes.hpp>
+
 #include "sections.hpp"
 
 namespace railbook::contact_chapter {
@@ -92,10 +93,10 @@ void draw::in_space(report::Item& item, const NormalContact& c, const Gap& gap) 
   drawing.lines = {scene::rectangle_edges(before, 0), curve};
   const scene::Size size{860, 560};
   const auto camera = scene::looking_at(drawing, {0.25, -1.0, 0.75}, size, true);
-  drawing::labelled(item, "pressure.gp", drawing, camera, size,
-                    {{{-0.62 * inch, -0.36 * inch, 0}, "interpenetration curve"},
-                     {{-0.30 * inch, -0.12 * inch, 0}, "last mesh"},
-                     {{c.x_p_max - 0.28 * inch, 0, 1.04 * height}, "peak on the sharp side"}});
+  scene::labelled(item, "pressure.gp", drawing, camera, size,
+                  {{{-0.62 * inch, -0.36 * inch, 0}, "interpenetration curve"},
+                   {{-0.30 * inch, -0.12 * inch, 0}, "last mesh"},
+                   {{c.x_p_max - 0.28 * inch, 0, 1.04 * height}, "peak on the sharp side"}});
 }
 
 }  // namespace railbook::contact_chapter

@@ -40,7 +40,8 @@ guess, but its force is {{cone-off}} too low.
 #include <string>
 #include <utility>
 
-#include "report/answer.hpp"
+#include <railbook/report/answer.hpp>
+
 #include "sections.hpp"
 
 namespace railbook::contact_chapter {

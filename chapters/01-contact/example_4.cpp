@@ -34,8 +34,9 @@ contact that reaches only {{reach}} beyond it, so the rings must be narrow there
 
 #include <cmath>
 
-#include "contact/countaxi.hpp"
-#include "contact/punch.hpp"
+#include <railbook/contact/countaxi.hpp>
+#include <railbook/contact/punch.hpp>
+
 #include "sections.hpp"
 
 namespace railbook::contact_chapter {

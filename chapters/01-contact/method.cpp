@@ -118,8 +118,9 @@ systems of units, which agree:
 #include <algorithm>
 #include <cmath>
 
-#include "contact/influence.hpp"
-#include "num/eigenvalues.hpp"
+#include <railbook/contact/influence.hpp>
+#include <railbook/num/eigenvalues.hpp>
+
 #include "sections.hpp"
 
 namespace railbook::contact_chapter {

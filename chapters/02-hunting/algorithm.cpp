@@ -7,7 +7,7 @@ repeat until it reproduces itself. Outside: extrapolate the growth rate linearly
 footnote says that the least damped eigenvector sometimes does not reproduce itself, and that the
 next one is used then.
 
-{{code: dynamics/eigenvector_loop.cpp Loop}}
+{{code: vehicle/eigenvector_loop.cpp Loop}}
 
 {{fig-loop}} runs it on new wheels, in steps of 0.01 in of amplitude, each started from the last
 result. At {{loop-lost}} it stops converging: trucks have modes in nearly equal pairs, and the least
@@ -23,12 +23,12 @@ loop holds them with one of the two choices of mode at {{loop-held}} amplitudes 
 {{loop-claims}}
 */
 
-#include "dynamics/eigenvector_loop.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+
+#include <railbook/vehicle/eigenvector_loop.hpp>
 
 #include "vehicles.hpp"
 

@@ -8,13 +8,16 @@ those over half a period, because the second half of the cycle mirrors the first
 #include <cmath>
 #include <utility>
 
-#include "report/answer.hpp"
+#include <railbook/report/answer.hpp>
+#include <railbook/vehicle/car_families.hpp>
+
 #include "sections.hpp"
 #include "vehicles.hpp"
 
 namespace railbook::hunting_chapter {
 
-using namespace dynamics;
+using namespace cycles;
+using namespace vehicle;
 using units::foot;
 using units::inch;
 

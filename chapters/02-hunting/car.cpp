@@ -31,7 +31,7 @@ $$M=-\frac{2(a^2f_{33}+f_{22})}V\dot\psi-\frac{2a^2f_{33}}{r_0}R+2f_{12}\Big(\fr
 Spin creep cancels {{spin-share}} of the force that gravity exerts through the contact angle:
 $2f_{12}/r_0$ = {{spin-force}} against an axle load of {{axle-load}}.
 
-{{code: dynamics/freight_car.cpp add_creep}}
+{{code: vehicle/freight_car.cpp add_creep}}
 
 The suspension is springs in parallel with dry friction, whose describing function is (12) below;
 for the joints, with the amplitudes $A_1\ldots A_7$ of their rates,
@@ -40,7 +40,7 @@ $$F_{xs}=K_xu+\frac{4F_{0x}}{\pi A}\dot u, \tag{13}$$
 
 and (14) to (19) likewise for the rear, the vertical springs, warp and the centre plates:
 
-{{code: dynamics/freight_car.cpp joint_list}}
+{{code: vehicle/freight_car.cpp joint_list}}
 
 {{parameters}}
 
@@ -64,8 +64,9 @@ speed with new wheels by {{f22-effect}}.
 #include <algorithm>
 #include <cmath>
 
-#include "contact/hertz.hpp"
-#include "rolling/kalker_table.hpp"
+#include <railbook/contact/hertz.hpp>
+#include <railbook/rolling/kalker_table.hpp>
+
 #include "vehicles.hpp"
 
 namespace railbook::hunting_chapter {

@@ -8,7 +8,7 @@ eigenvalues* (the bialternate sum, 153 by 153), which is singular exactly where 
 opposite. Its own eigenvalue problem in $1/V$ therefore gives all critical speeds of a range at
 once, with no scan that could step over one.
 
-{{code: dynamics/linear_stability.cpp pair_sums}}
+{{code: vehicle/linear_stability.cpp pair_sums}}
 
 {{critical-speeds}}
 
@@ -148,15 +148,15 @@ double cn_ratio_changed(std::size_t which) {
   return cn_ratio(with_dampers(translation_for(0.06, data), 0.06, data));
 }
 
-wheelrail::OddTable scaled(const wheelrail::OddTable& function, double factor) {
+wheelset::OddTable scaled(const wheelset::OddTable& function, double factor) {
   std::vector<double> values = function.values();
   for (double& value : values) value *= factor;
-  return wheelrail::OddTable(function.step(), std::move(values));
+  return wheelset::OddTable(function.step(), std::move(values));
 }
 
 // The same with other CN wheels: R, of the rolling radii, and D, of the contact angles, times these factors.
 double cn_ratio_with(double of_R, double of_D) {
-  wheelrail::ConstraintFunctions table = *vehicle("cn").table;
+  wheelset::ConstraintFunctions table = *vehicle("cn").table;
   table.R = scaled(table.R, of_R);
   table.D = scaled(table.D, of_D);
   const auto found = hopf_points({assemble({}, Suspension::dampers), table}, 20 * foot, 400 * foot);

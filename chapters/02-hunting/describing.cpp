@@ -11,7 +11,7 @@ each change of slope $\Delta m_k$ at $b_k$ adds $\Delta
 m_k\,[1-\frac2\pi(\arcsin\beta+\beta\sqrt{1-\beta^2})]$, $\beta=b_k/A$, once $A$ exceeds $b_k$. No
 quadrature is needed, and the derivative $dN/dA$ for Newton's method comes along.
 
-{{code: dynamics/describing_function.cpp evaluate}}
+{{code: vehicle/describing_function.cpp evaluate}}
 
 These are the paper's Figures 7 to 9, with our profiles. The paper calls the first one *conicity*;
 which of the other two is its Figure 8 is not legible.
@@ -39,15 +39,15 @@ where $A$ is the amplitude of the *rate*. With a viscous core of width $\varepsi
 $F_0/\varepsilon$ up to $A=\varepsilon$; at $A=10\,\varepsilon$ the two differ by
 {{friction-difference}}.
 
-{{code: dynamics/describing_function.cpp regularized_friction}}
+{{code: vehicle/describing_function.cpp regularized_friction}}
 */
-
-#include "dynamics/describing_function.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+
+#include <railbook/vehicle/describing_function.hpp>
 
 #include "vehicles.hpp"
 

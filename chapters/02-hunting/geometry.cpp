@@ -32,9 +32,9 @@ $$\sin\theta=\frac{u_c^{rail}-u_c^{wheel}}{\rho_{wheel}-\rho_{rail}},$$
 and where that falls outside the stretch the two arcs share, it is least at an end of the stretch.
 One walk along both chains finds the least gap to rounding, two-point contact included:
 
-{{code: wheelrail/wheelset_contact.cpp parallel}}
+{{code: wheelset/wheelset_contact.cpp parallel}}
 
-{{code: wheelrail/wheelset_contact.cpp least_gap}}
+{{code: wheelset/wheelset_contact.cpp least_gap}}
 
 {{fig-03}}
 
@@ -74,7 +74,8 @@ to twice than to the same; *slightly*: by less; *several*: twice or more.
 
 namespace railbook::hunting_chapter {
 
-using namespace wheelrail;
+using namespace profiles;
+using namespace wheelset;
 
 constexpr double far = 0.75 * inch;  // the tables' end
 

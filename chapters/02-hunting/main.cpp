@@ -79,7 +79,7 @@ searched for, along branches from critical speeds and from cycles with front and
 
 ## Try next
 
-* Continue the cycles in another datum than speed (`dynamics::by_datum`); the centre plates'
+* Continue the cycles in another datum than speed (`vehicle::by_datum`); the centre plates'
   friction would be the first to try.
 * `railbook hunting geometry` with another `--gauge`: a worn wheel's conicity depends on half an
   inch of it.

@@ -35,8 +35,9 @@ its middle is then a node, and it yaws.
 #include <array>
 #include <cmath>
 
-#include "num/dense_lu.hpp"
-#include "num/eigenvalues.hpp"
+#include <railbook/num/dense_lu.hpp>
+#include <railbook/num/eigenvalues.hpp>
+
 #include "vehicles.hpp"
 
 namespace railbook::hunting_chapter {

@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-#include "report/chapter.hpp"
+#include <railbook/report/chapter.hpp>
 
 namespace railbook::hunting_chapter {
 

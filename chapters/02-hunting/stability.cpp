@@ -8,7 +8,7 @@ grown by factors that are called the Floquet multipliers $\mu$. The cycle is sta
 but for the 1 of a shift along the cycle, lie inside the unit circle; where one leaves it the point
 is located.
 
-{{code: dynamics/continuation.cpp follow_from_hopf}}
+{{code: cycles/continuation.cpp follow_from_hopf}}
 
 {{true-branches}}
 
@@ -53,6 +53,8 @@ creep leaves the end of its tables beyond the flange's top, it may still hunt on
 
 #include <algorithm>
 #include <cmath>
+
+#include <railbook/vehicle/car_families.hpp>
 
 #include "vehicles.hpp"
 
@@ -181,13 +183,13 @@ void stability_range(report::Item& item) {
                 {"stable on the flange from", "{:.1f}"},
                 {"to, ft/s", "{:.1f}"},
                 "lost by"});
-  const wheelrail::WheelsetOnTrack& pair = wheelrail::new_wheel_pair();
+  const wheelset::WheelsetOnTrack& pair = wheelset::new_wheel_pair();
   Range ends;
   double last = 1e9;
   bool falls = true;
   int nowhere = 0;
   const auto add = [&](const char* choice, const std::string& setting, const FreightCar& car,
-                       const wheelrail::ConstraintFunctions& table, double flange) {
+                       const wheelset::ConstraintFunctions& table, double flange) {
     const auto hopf = hopf_points({car, table}, 20 * foot, 400 * foot);
     // Two points beyond the end of stability, so that it is located.
     int stable_points = 0, beyond = 0;

@@ -16,7 +16,7 @@ eighteen equations. One more fixes the phase, and the last picks the point on th
 of given length along its tangent (pseudo-arclength), so that the branch may turn round in speed and
 in amplitude, as it does. Newton's Jacobian is exact:
 
-{{code: dynamics/cycle_solver.cpp solve_cycle}}
+{{code: vehicle/cycle_solver.cpp solve_cycle}}
 
 There are four vehicles, as in the paper: new, CN and Heumann wheels with linear dampers, and CN
 wheels with dry friction. A branch begins at each critical speed of the linear car. With friction
@@ -27,22 +27,25 @@ the rear truck alone and one of both trucks; the figures have the second, becaus
 that without flange contact both trucks have about the same amplitude.
 */
 
-#include "vehicles.hpp"
-
 #include <fmt/format.h>
 
 #include <cmath>
 #include <map>
 #include <stdexcept>
 
-#include "num/roots.hpp"
-#include "wheelrail/tabulate.hpp"
+#include <railbook/num/roots.hpp>
+#include <railbook/vehicle/car_families.hpp>
+#include <railbook/vehicle/car_on_track.hpp>
+#include <railbook/vehicle/creep_limit.hpp>
+#include <railbook/wheelset/tabulate.hpp>
+
+#include "vehicles.hpp"
 
 namespace railbook::hunting_chapter {
 
 namespace {
 
-Vehicle trace(std::string key, std::string name, const wheelrail::NamedPair& pair,
+Vehicle trace(std::string key, std::string name, const wheelset::NamedPair& pair,
               Suspension suspension) {
   const auto& table = pair.table();
   Vehicle v{.key = std::move(key),
@@ -68,7 +71,7 @@ std::string words_of(const report::Item& item, std::string_view key) {
 }  // namespace
 
 const std::vector<Vehicle>& vehicles() {
-  using wheelrail::paper_pairs;
+  using wheelset::paper_pairs;
   static const std::vector<Vehicle> all{
       trace("new", "new wheel", paper_pairs[0], Suspension::dampers),
       trace("cn", "CN A", paper_pairs[1], Suspension::dampers),
@@ -98,15 +101,15 @@ const LimitCycleBranch& true_branch(std::string_view key) {
   return known.emplace(key, std::move(branch)).first->second;
 }
 
-wheelrail::ConstraintFunctions new_wheel_table(double running_mean, double knot) {
-  return wheelrail::tabulate(wheelrail::new_wheel_pair(),
-                             {.half_spacing = wheelrail::paper_track.half_spacing,
-                              .end = 0.75 * inch,
-                              .step = knot,
-                              .average = running_mean});
+wheelset::ConstraintFunctions new_wheel_table(double running_mean, double knot) {
+  return wheelset::tabulate(wheelset::new_wheel_pair(),
+                            {.half_spacing = wheelset::paper_track.half_spacing,
+                             .end = 0.75 * inch,
+                             .step = knot,
+                             .average = running_mean});
 }
 
-LimitCycleBranch branch_with(const FreightCar& moved, const wheelrail::ConstraintFunctions& table,
+LimitCycleBranch branch_with(const FreightCar& moved, const wheelset::ConstraintFunctions& table,
                              const std::optional<CreepLimit>& creep,
                              const std::function<bool(const LimitCycle&)>& go_on) {
   const Motion hopf = hopf_points({moved, table}, 20 * foot, 400 * foot).at(0).motion;

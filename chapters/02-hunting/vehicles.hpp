@@ -7,17 +7,20 @@
 #include <string_view>
 #include <vector>
 
-#include "dynamics/continuation.hpp"
-#include "dynamics/cycle_branch.hpp"
-#include "dynamics/examine.hpp"
-#include "dynamics/history.hpp"
-#include "report/item.hpp"
+#include <railbook/cycles/continuation.hpp>
+#include <railbook/cycles/history.hpp>
+#include <railbook/report/item.hpp>
+#include <railbook/vehicle/creep_limit.hpp>
+#include <railbook/vehicle/cycle_branch.hpp>
+#include <railbook/vehicle/refine_cycle.hpp>
+#include <railbook/wheelset/paper_pairs.hpp>
+
 #include "sections.hpp"
-#include "wheelrail/paper_pairs.hpp"
 
 namespace railbook::hunting_chapter {
 
-using namespace dynamics;
+using namespace cycles;
+using namespace vehicle;
 using units::foot, units::inch, units::nan;
 
 inline constexpr double table_mean = 0.02 * inch;  // width of the tables' running mean
@@ -34,7 +37,7 @@ struct Range {
 struct Vehicle {
   std::string key;   // "new", "cn", "heumann", "friction"
   std::string name;  // for tables
-  const wheelrail::ConstraintFunctions* table;
+  const wheelset::ConstraintFunctions* table;
   double flange, jump;  // displacements at which flange contact begins and jumps to the flange [m]
   QuasiLinearCar car;
   std::vector<HopfPoint> hopf;        // of the linear car, up to 400 ft/s
@@ -49,9 +52,9 @@ const Vehicle& vehicle(std::string_view key);
 // The branch of the full equations from the same critical speed; computed once, when it is asked for.
 const LimitCycleBranch& true_branch(std::string_view key);
 // The table of new wheels with another running mean or another distance of knots [m].
-wheelrail::ConstraintFunctions new_wheel_table(double running_mean, double knot = 0.0025 * inch);
+wheelset::ConstraintFunctions new_wheel_table(double running_mean, double knot = 0.0025 * inch);
 // The branch of the full equations from the first critical speed of any car, as far as `go_on` says.
-LimitCycleBranch branch_with(const FreightCar& car, const wheelrail::ConstraintFunctions& table,
+LimitCycleBranch branch_with(const FreightCar& car, const wheelset::ConstraintFunctions& table,
                              const std::optional<CreepLimit>& creep = {},
                              const std::function<bool(const LimitCycle&)>& go_on = {});
 // Where a branch of the full equations is stable with flange contact [ft/s]: its first stretch, to the
@@ -63,9 +66,9 @@ inline constexpr std::size_t damped_cars = 3;
 
 // Where flange contact begins: the last displacement at which the left wheel stands on its tread and
 // not on the arc between tread and flange, less half the width of the tables' running mean [m].
-double flange_begins(const wheelrail::WheelsetOnTrack& pair, double running_mean = table_mean);
+double flange_begins(const wheelset::WheelsetOnTrack& pair, double running_mean = table_mean);
 // The first displacement at which two points touch, and contact jumps to the flange [m].
-double flange_jump(const wheelrail::WheelsetOnTrack& pair);
+double flange_jump(const wheelset::WheelsetOnTrack& pair);
 // The first critical speed [ft/s] of other data on a vehicle's wheels, its frequency [rad/s] and the
 // phase between front and rear truck [degrees]; NaN if there is none.
 struct Critical {

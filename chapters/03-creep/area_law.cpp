@@ -43,10 +43,11 @@ lost its ratio of axes, and so kept to the domain in which its law is exact.
 #include <array>
 #include <cmath>
 
-#include "num/roots.hpp"
+#include <railbook/num/roots.hpp>
+#include <railbook/rolling/contact.hpp>
+#include <railbook/rolling/kalker_coefficients.hpp>
+
 #include "rig.hpp"
-#include "rolling/kalker_coefficients.hpp"
-#include "rolling/rolling_contact.hpp"
 
 using namespace railbook;
 using namespace railbook::rolling;

@@ -96,10 +96,11 @@ equation (4), Kalker's are semi-axes.
 #include <cmath>
 #include <vector>
 
-#include "num/random_source.hpp"
+#include <railbook/num/random_source.hpp>
+#include <railbook/rolling/contact.hpp>
+#include <railbook/rolling/creep_laws.hpp>
+
 #include "rig.hpp"
-#include "rolling/creep_laws.hpp"
-#include "rolling/rolling_contact.hpp"
 
 using namespace railbook;
 using namespace railbook::rolling;

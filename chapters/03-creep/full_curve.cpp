@@ -54,11 +54,12 @@ ellipse; with the scatter of {{fig-11}} no such experiment could tell the two ap
 #include <algorithm>
 #include <cmath>
 
-#include "report/answer.hpp"
+#include <railbook/report/answer.hpp>
+#include <railbook/rolling/creep_laws.hpp>
+#include <railbook/rolling/influence.hpp>
+#include <railbook/rolling/kalker_coefficients.hpp>
+
 #include "rig.hpp"
-#include "rolling/creep_laws.hpp"
-#include "rolling/kalker_coefficients.hpp"
-#include "rolling/rolling_influence.hpp"
 
 using namespace railbook;
 using namespace railbook::rolling;

@@ -42,8 +42,9 @@ flat acts thinner than it is; so this is a fact about the tape assumed here, not
 #include <cmath>
 #include <limits>
 
-#include "num/quadrature.hpp"
-#include "num/roots.hpp"
+#include <railbook/num/quadrature.hpp>
+#include <railbook/num/roots.hpp>
+
 #include "rig.hpp"
 
 using namespace railbook;

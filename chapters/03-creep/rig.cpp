@@ -38,9 +38,10 @@ takes {{load-200-along}} along and {{load-200-across}} across.
 
 #include <cmath>
 
-#include "drawing/labelled.hpp"
+#include <railbook/scene/labelled.hpp>
+#include <railbook/scene/shapes.hpp>
+
 #include "rig.hpp"
-#include "scene/shapes.hpp"
 
 using namespace railbook;
 using namespace railbook::creep_chapter;
@@ -104,12 +105,12 @@ void both_wheels(report::Item& item) {
   s.meshes.push_back(scene::cylinder({0, -14.5, top}, {0, -13, top}, 5, scene::wood));
   const scene::Size size{1000, 470};
   const auto camera = scene::looking_at(s, {1.0, -1.5, 0.5}, size, true);
-  drawing::labelled(item, "wheels.gp", s, camera, size,
-                    {{{17, 0, top + 2}, "small wheel (braked): the locomotive's"},
-                     {{-52, 0, top + 4}, "gear of 144 teeth"},
-                     {{17, 0, big_r + 3}, "contact"},
-                     {{44, 0, 30}, "big wheel (drives): the rail"},
-                     {{-24, -20, -16}, "gear of 144 teeth"}});
+  scene::labelled(item, "wheels.gp", s, camera, size,
+                  {{{17, 0, top + 2}, "small wheel (braked): the locomotive's"},
+                   {{-52, 0, top + 4}, "gear of 144 teeth"},
+                   {{17, 0, big_r + 3}, "contact"},
+                   {{44, 0, 30}, "big wheel (drives): the rail"},
+                   {{-24, -20, -16}, "gear of 144 teeth"}});
 }
 
 void axes(report::Item& item) {
@@ -123,11 +124,11 @@ void axes(report::Item& item) {
              arrow(contact, {0, -26, 0}, blue), arrow(contact + crown, {0, 0, 12}, black)};
   const scene::Size size{1000, 470};
   const auto camera = scene::looking_at(s, {1.0, -1.3, 1.3}, size, true);
-  drawing::labelled(item, "wheels.gp", s, camera, size,
-                    {{contact + scene::Point{34, -4, 0}, "z: longitudinal"},
-                     {contact + 36 * along, "z' of a misaligned wheel"},
-                     {contact + scene::Point{-10, -27, 0}, "y: axial"},
-                     {contact + crown + scene::Point{2, 0, 12}, "x: transversal (the load N)"}});
+  scene::labelled(item, "wheels.gp", s, camera, size,
+                  {{contact + scene::Point{34, -4, 0}, "z: longitudinal"},
+                   {contact + 36 * along, "z' of a misaligned wheel"},
+                   {contact + scene::Point{-10, -27, 0}, "y: axial"},
+                   {contact + crown + scene::Point{2, 0, 12}, "x: transversal (the load N)"}});
 }
 
 void ellipse(report::Item& item) {

@@ -2,11 +2,11 @@
 // y, and Kalker's curve for it.
 #pragma once
 
-#include "contact/hertz.hpp"
-#include "report/chapter.hpp"
-#include "rolling/force_table.hpp"
-#include "rolling/rolling_contact.hpp"
-#include "units/constants.hpp"
+#include <railbook/contact/hertz.hpp>
+#include <railbook/report/chapter.hpp>
+#include <railbook/rolling/contact.hpp>
+#include <railbook/rolling/force_table.hpp>
+#include <railbook/units/constants.hpp>
 
 namespace railbook::creep_chapter {
 

@@ -31,9 +31,10 @@ wear.
 #include <algorithm>
 #include <cmath>
 
-#include "num/roots.hpp"
+#include <railbook/num/roots.hpp>
+#include <railbook/rolling/kalker_coefficients.hpp>
+
 #include "rig.hpp"
-#include "rolling/kalker_coefficients.hpp"
 
 using namespace railbook;
 using namespace railbook::rolling;

@@ -5,9 +5,10 @@ sway sensor, at the rear truck, is outside the picture.
 */
 #include <vector>
 
-#include "drawing/labelled.hpp"
+#include <railbook/scene/labelled.hpp>
+#include <railbook/scene/shapes.hpp>
+
 #include "experiment.hpp"
-#include "scene/shapes.hpp"
 #include "sections.hpp"
 
 namespace railbook::filters_chapter {
@@ -79,16 +80,16 @@ void fig_layout(report::Item& item) {
 
   const scene::Size size{1200, 760};
   const auto camera = scene::looking_at(s, {0.9, -1.25, 0.75}, size, true);
-  drawing::labelled(item, "fig-layout.gp", s, camera, size,
-                    {{{beam_x, 0.05, beam_z + 0.2}, "lateral accelerometer"},
-                     {{beam_x, -0.6, -0.10}, "gage sensors"},
-                     {{0, -side, z + 0.2}, "vertical accelerometers"},
-                     {{0, 0, z + 0.2}, "inclinometer"},
-                     {{-0.7, 0.35, z + 0.25}, "yaw gyro"},
-                     {{-0.75, -0.35, z + 0.22}, "roll gyro"},
-                     {{0.0, -side, 0.75}, "height sensors"},
-                     {{-1.35, -0.95, 0.92}, "sway sensors"},
-                     {{-1.9, -1.3, 0.46}, "encoder"}});
+  scene::labelled(item, "fig-layout.gp", s, camera, size,
+                  {{{beam_x, 0.05, beam_z + 0.2}, "lateral accelerometer"},
+                   {{beam_x, -0.6, -0.10}, "gage sensors"},
+                   {{0, -side, z + 0.2}, "vertical accelerometers"},
+                   {{0, 0, z + 0.2}, "inclinometer"},
+                   {{-0.7, 0.35, z + 0.25}, "yaw gyro"},
+                   {{-0.75, -0.35, z + 0.22}, "roll gyro"},
+                   {{0.0, -side, 0.75}, "height sensors"},
+                   {{-1.35, -0.95, 0.92}, "sway sensors"},
+                   {{-1.9, -1.3, 0.46}, "encoder"}});
 }
 
 }  // namespace

@@ -2,9 +2,9 @@
 // again: the responses (Figures 7 to 9), the car and what is made of its records follow.
 #pragma once
 
-#include "filters/hybrid_filter.hpp"
-#include "geometry_car/reconstruct.hpp"
-#include "units/constants.hpp"
+#include <railbook/filters/hybrid_filter.hpp>
+#include <railbook/geometry_car/reconstruct.hpp>
+#include <railbook/units/constants.hpp>
 
 namespace railbook::filters_chapter {
 

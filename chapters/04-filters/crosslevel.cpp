@@ -42,9 +42,10 @@ is left out at a time.
 #include <complex>
 #include <string>
 
+#include <railbook/filters/complementary.hpp>
+
 #include "configuration.hpp"
 #include "experiment.hpp"
-#include "filters/complementary.hpp"
 #include "sections.hpp"
 
 namespace railbook::filters_chapter {

@@ -13,9 +13,9 @@ gyros have a bias of 0.005 deg/s and noise of 0.005 deg/s/√Hz. Each displaceme
 steps of 0.1 mm. Before each run the car stands for a minute and the yaw gyro is debiased, which
 leaves {{residual-bias}} of its bias.
 */
-#include "experiment.hpp"
-
 #include <cmath>
+
+#include "experiment.hpp"
 
 namespace railbook::filters_chapter {
 

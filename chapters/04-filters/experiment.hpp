@@ -3,11 +3,12 @@
 
 #include <vector>
 
+#include <railbook/geometry_car/reconstruct.hpp>
+#include <railbook/geometry_car/sensors.hpp>
+#include <railbook/geometry_car/simulate.hpp>
+#include <railbook/units/constants.hpp>
+
 #include "configuration.hpp"
-#include "geometry_car/reconstruct.hpp"
-#include "geometry_car/sensors.hpp"
-#include "geometry_car/simulate.hpp"
-#include "units/constants.hpp"
 
 namespace railbook::filters_chapter {
 

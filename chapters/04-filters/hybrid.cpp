@@ -72,10 +72,11 @@ samples. For a double real pole at constant speed, $|FG|=|BC|^2$.
 #include <cmath>
 #include <complex>
 
+#include <railbook/filters/hybrid_filter.hpp>
+#include <railbook/num/roots.hpp>
+#include <railbook/report/answer.hpp>
+
 #include "configuration.hpp"
-#include "filters/hybrid_filter.hpp"
-#include "num/roots.hpp"
-#include "report/answer.hpp"
 #include "sections.hpp"
 
 namespace railbook::filters_chapter {

@@ -41,8 +41,9 @@ enough for the words down to walking pace.
 #include <complex>
 #include <tuple>
 
+#include <railbook/filters/hybrid_filter.hpp>
+
 #include "configuration.hpp"
-#include "filters/hybrid_filter.hpp"
 #include "sections.hpp"
 
 namespace railbook::filters_chapter {

@@ -44,10 +44,11 @@ taken off, and the short chord of each gage sensor added.
 #include <string>
 #include <vector>
 
+#include <railbook/filters/chord_filter.hpp>
+#include <railbook/filters/geometry_chain.hpp>
+
 #include "configuration.hpp"
 #include "experiment.hpp"
-#include "filters/chord_filter.hpp"
-#include "filters/geometry_chain.hpp"
 #include "sections.hpp"
 
 namespace railbook::filters_chapter {

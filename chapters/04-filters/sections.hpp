@@ -1,7 +1,7 @@
 // The sections of the chapter: of the paper, and of the study.
 #pragma once
 
-#include "report/chapter.hpp"
+#include <railbook/report/chapter.hpp>
 
 namespace railbook::filters_chapter {
 

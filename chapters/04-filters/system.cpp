@@ -41,8 +41,9 @@ the digital filters. The paper's statements about the system as a whole, tried o
 #include <utility>
 #include <vector>
 
+#include <railbook/geometry_car/health.hpp>
+
 #include "experiment.hpp"
-#include "geometry_car/health.hpp"
 #include "sections.hpp"
 
 namespace railbook::filters_chapter {

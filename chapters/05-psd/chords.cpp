@@ -22,17 +22,17 @@ chord, on the safe side, and up to {{equation-8-short}} for the 9.5-m chord.
 The paper's two probabilities for three sigma are truncated, not rounded: 0.99 for a normal offset
 (exactly {{normal-share}}) and 0.8 for the worst distribution (Chebyshev, {{chebyshev-share}}).
 */
-#include "spectra/chord.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "num/quadrature.hpp"
+#include <railbook/num/quadrature.hpp>
+#include <railbook/spectra/chord.hpp>
+#include <railbook/spectra/classify.hpp>
+
 #include "sections.hpp"
-#include "spectra/classify.hpp"
 
 namespace railbook::psd_chapter {
 

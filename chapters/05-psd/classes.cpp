@@ -61,14 +61,14 @@ more of $B$: {{jointed-right}} of 6 zones lie on that side of the line. That wel
 of $A$ is true of the mean of $2B/3\sigma$, {{welded-mean}}, but not of the median,
 {{welded-median}}, for only {{welded-left}} of 7 zones lie on their side.
 */
-#include "spectra/classify.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "report/answer.hpp"
+#include <railbook/report/answer.hpp>
+#include <railbook/spectra/classify.hpp>
+
 #include "sections.hpp"
 
 namespace railbook::psd_chapter {

@@ -47,9 +47,10 @@ $\beta$ does not depend on the window: it is the power of the line, the same in 
 
 #include <cmath>
 
+#include <railbook/spectra/joint_dips.hpp>
+#include <railbook/spectra/spectrum_fit.hpp>
+
 #include "sections.hpp"
-#include "spectra/joint_dips.hpp"
-#include "spectra/spectrum_fit.hpp"
 
 namespace railbook::psd_chapter {
 

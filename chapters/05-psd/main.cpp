@@ -110,7 +110,8 @@ December
 #include <algorithm>
 #include <cmath>
 
-#include "num/random_source.hpp"
+#include <railbook/num/random_source.hpp>
+
 #include "sections.hpp"
 
 namespace railbook::psd_chapter {

@@ -42,9 +42,10 @@ times as many.
 #include <cmath>
 #include <complex>
 
-#include "num/parallel.hpp"
+#include <railbook/num/parallel.hpp>
+#include <railbook/spectra/joint_dips.hpp>
+
 #include "sections.hpp"
-#include "spectra/joint_dips.hpp"
 
 namespace railbook::psd_chapter {
 namespace {

@@ -46,7 +46,8 @@ The further digits of $Q_2$ are dropped in the print: it is truncated, not round
 #include <algorithm>
 #include <cmath>
 
-#include "num/fft.hpp"
+#include <railbook/num/fft.hpp>
+
 #include "sections.hpp"
 
 namespace railbook::psd_chapter {

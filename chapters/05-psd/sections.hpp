@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "report/chapter.hpp"
-#include "spectra/rail_line.hpp"
-#include "spectra/synthetic_track.hpp"
-#include "spectra/track_spectrum.hpp"
-#include "spectra/welch.hpp"
-#include "units/constants.hpp"
+#include <railbook/report/chapter.hpp>
+#include <railbook/spectra/rail_line.hpp>
+#include <railbook/spectra/synthetic_track.hpp>
+#include <railbook/spectra/track_spectrum.hpp>
+#include <railbook/spectra/welch.hpp>
+#include <railbook/units/constants.hpp>
 
 namespace railbook::psd_chapter {
 

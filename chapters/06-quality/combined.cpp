@@ -19,9 +19,10 @@ With car A the level ends below at {{corner-40}}, {{corner-64}}, {{corner-100}},
 #include <algorithm>
 #include <cmath>
 
-#include "num/log_spaced.hpp"
-#include "num/roots.hpp"
-#include "report/answer.hpp"
+#include <railbook/num/log_spaced.hpp>
+#include <railbook/num/roots.hpp>
+#include <railbook/report/answer.hpp>
+
 #include "sections.hpp"
 
 namespace railbook::quality_chapter {

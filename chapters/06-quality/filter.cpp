@@ -24,8 +24,9 @@ Most bumps are over-estimated, by {{over-most}} times at {{over-at}}, the shorte
 #include <algorithm>
 #include <cmath>
 
-#include "quality/bump_stops.hpp"
-#include "quality/descriptor_filter.hpp"
+#include <railbook/quality/bump_stops.hpp>
+#include <railbook/quality/descriptor_filter.hpp>
+
 #include "sections.hpp"
 
 namespace railbook::quality_chapter {

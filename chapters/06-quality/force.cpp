@@ -36,10 +36,11 @@ loaded 100-ton car C has nothing left: its static {{static-C}} exceed the limit,
 #include <algorithm>
 #include <cmath>
 
-#include "num/dopri5.hpp"
-#include "num/log_spaced.hpp"
+#include <railbook/num/dopri5.hpp>
+#include <railbook/num/log_spaced.hpp>
+#include <railbook/units/input_error.hpp>
+
 #include "sections.hpp"
-#include "units/input_error.hpp"
 
 namespace railbook::quality_chapter {
 

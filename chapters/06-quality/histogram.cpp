@@ -23,8 +23,9 @@ here {{risk}}. The paper sets $T_2$ by the acceptable risk of derailment. With {
 #include <cmath>
 #include <vector>
 
-#include "num/roots.hpp"
-#include "quality/quality_index.hpp"
+#include <railbook/num/roots.hpp>
+#include <railbook/quality/quality_index.hpp>
+
 #include "sections.hpp"
 
 namespace railbook::quality_chapter {

@@ -1,11 +1,11 @@
 /*** Two helpers come first: when a start has settled between the stops, where it can be forgotten, and Newton's method with what a large motion has to satisfy. */
-#include "large_motions.hpp"
-
 #include <algorithm>
 #include <cmath>
 
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
+
+#include "large_motions.hpp"
 
 namespace railbook::quality_chapter {
 

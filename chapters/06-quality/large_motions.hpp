@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "quality/steady_motion.hpp"
+#include <railbook/quality/steady_motion.hpp>
 
 namespace railbook::quality_chapter {
 

@@ -64,12 +64,13 @@ proposes. The ratio 3:1 is left out: that motion never settles, and what it reac
 #include <utility>
 #include <vector>
 
+#include <railbook/num/dopri5.hpp>
+#include <railbook/num/log_spaced.hpp>
+#include <railbook/num/parallel.hpp>
+#include <railbook/quality/bump_stops.hpp>
+#include <railbook/quality/steady_motion.hpp>
+
 #include "large_motions.hpp"
-#include "num/dopri5.hpp"
-#include "num/log_spaced.hpp"
-#include "num/parallel.hpp"
-#include "quality/bump_stops.hpp"
-#include "quality/steady_motion.hpp"
 #include "sections.hpp"
 
 namespace railbook::quality_chapter {

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "quality/descriptor.hpp"
-#include "quality/spreading.hpp"
-#include "report/chapter.hpp"
-#include "units/constants.hpp"
+#include <railbook/quality/descriptor.hpp>
+#include <railbook/quality/spreading.hpp>
+#include <railbook/report/chapter.hpp>
+#include <railbook/units/constants.hpp>
 
 namespace railbook::quality_chapter {
 

@@ -18,9 +18,10 @@ with $\varphi^{-2}$; beyond it the descriptor rises with the fourth power of the
 #include <cmath>
 #include <utility>
 
-#include "num/log_spaced.hpp"
+#include <railbook/num/log_spaced.hpp>
+#include <railbook/spectra/track_spectrum.hpp>
+
 #include "sections.hpp"
-#include "spectra/track_spectrum.hpp"
 
 namespace railbook::quality_chapter {
 

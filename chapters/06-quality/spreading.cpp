@@ -18,8 +18,9 @@ $P$ is there because of the hypothesis that poor track degrades faster than good
 */
 #include <cmath>
 
-#include "quality/quality_index.hpp"
-#include "quality/spreading.hpp"
+#include <railbook/quality/quality_index.hpp>
+#include <railbook/quality/spreading.hpp>
+
 #include "sections.hpp"
 
 namespace railbook::quality_chapter {

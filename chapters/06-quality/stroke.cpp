@@ -52,7 +52,8 @@ $A/x_0=(\lambda/\lambda_0)^2-(1-2\rho^2)+\dots$ with $\lambda_0=v/f'$.
 #include <algorithm>
 #include <cmath>
 
-#include "num/log_spaced.hpp"
+#include <railbook/num/log_spaced.hpp>
+
 #include "sections.hpp"
 
 namespace railbook::quality_chapter {

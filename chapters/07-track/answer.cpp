@@ -2,11 +2,12 @@
 Move the speed and the dip below {{fig-joint}}: the same passage, computed for each. What P1 adds to
 the static load is nearly in proportion to the product of the two.
 */
-#include "report/answer.hpp"
+#include <railbook/report/answer.hpp>
+#include <railbook/track/impact.hpp>
+#include <railbook/track/impact_peaks.hpp>
+#include <railbook/track/wheel_on_track.hpp>
+
 #include "sections.hpp"
-#include "track/impact.hpp"
-#include "track/impact_peaks.hpp"
-#include "track/wheel_on_track.hpp"
 
 namespace railbook::track_chapter {
 

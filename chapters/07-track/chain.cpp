@@ -52,11 +52,12 @@ whatever the depth.
 */
 #include <cmath>
 
-#include "drawing/labelled.hpp"
-#include "num/quadrature.hpp"
-#include "scene/shapes.hpp"
+#include <railbook/num/quadrature.hpp>
+#include <railbook/scene/labelled.hpp>
+#include <railbook/scene/shapes.hpp>
+#include <railbook/track/typical_track.hpp>
+
 #include "sections.hpp"
-#include "track/typical_track.hpp"
 
 namespace railbook::track_chapter {
 
@@ -106,7 +107,7 @@ scene::Scene track_scene(const TieSupport& support) {
 }
 
 // The chain beside it, one spring a part, stacked on the level of the subgrade.
-void add_chain_of_springs(scene::Scene& s, double x, std::vector<drawing::Label>& labels) {
+void add_chain_of_springs(scene::Scene& s, double x, std::vector<scene::Label>& labels) {
   const auto plate = [&](double z, double half, const scene::Colour& colour) {
     s.meshes.push_back(scene::box({x - half, -half, z - 0.7}, {x + half, half, z}, colour));
   };
@@ -129,16 +130,16 @@ void add_chain_of_springs(scene::Scene& s, double x, std::vector<drawing::Label>
 void draw_steps(report::Item& item) {
   item.sketch(
       "drawn to scale from the assumed typical track; the paper's drawing is not in the copy");
-  std::vector<drawing::Label> labels{{{9, -3, 40}, "wheel P"},
-                                     {{-31, -3, 4.5}, "rail EI"},
-                                     {{-21.5, -25, -3.5}, "tie"},
-                                     {{-8, -22, -14.5}, "ballast pyramid"},
-                                     {{-31, -27, -22}, "subgrade K_0"}};
+  std::vector<scene::Label> labels{{{9, -3, 40}, "wheel P"},
+                                   {{-31, -3, 4.5}, "rail EI"},
+                                   {{-21.5, -25, -3.5}, "tie"},
+                                   {{-8, -22, -14.5}, "ballast pyramid"},
+                                   {{-31, -27, -22}, "subgrade K_0"}};
   auto drawing = track_scene(typical_support());
   add_chain_of_springs(drawing, 66, labels);
   const scene::Size size{1000, 650};
   const auto camera = scene::looking_at(drawing, {0.35, -2.0, 0.55}, size, true);
-  drawing::labelled(item, "fig-02.gp", drawing, camera, size, labels);
+  scene::labelled(item, "fig-02.gp", drawing, camera, size, labels);
 }
 
 void chain_table(report::Item& item) {

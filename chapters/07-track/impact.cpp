@@ -39,17 +39,17 @@ With all of the track in one mass, that of (15) with tie and ballast, P1 would b
 With two masses the mass of tie and ballast, which the two rules (18) leave uncertain, hardly
 matters: half or twice of it changes P1 by {{bed-p1}}. That is the paper's reason for two masses.
 */
-#include "track/impact.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include <railbook/track/impact.hpp>
+#include <railbook/track/impact_peaks.hpp>
+#include <railbook/track/wheel_on_track.hpp>
+
 #include "sections.hpp"
-#include "track/impact_peaks.hpp"
-#include "track/wheel_on_track.hpp"
 
 namespace railbook::track_chapter {
 

@@ -50,8 +50,9 @@ shear, its rotational spring is then between $\beta EI$ and $\frac23\beta EI$, o
 #include <algorithm>
 #include <cmath>
 
+#include <railbook/track/beam_elements.hpp>
+
 #include "sections.hpp"
-#include "track/beam_elements.hpp"
 
 namespace railbook::track_chapter {
 

@@ -50,11 +50,12 @@ $M=\rho/2\beta$, $\mu=1/4$, would be right in the limit of low speed.
 #include <array>
 #include <cmath>
 
-#include "num/quadrature.hpp"
+#include <railbook/num/quadrature.hpp>
+#include <railbook/track/lumped.hpp>
+#include <railbook/track/moving_load.hpp>
+#include <railbook/track/wheel_on_track.hpp>
+
 #include "sections.hpp"
-#include "track/lumped.hpp"
-#include "track/moving_load.hpp"
-#include "track/wheel_on_track.hpp"
 
 namespace railbook::track_chapter {
 

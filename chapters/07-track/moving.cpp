@@ -60,16 +60,16 @@ one; with 40 percent, the low end of its range for radiation, {{most-040}} times
 it is largest at rest. The marks show where 150 and 250 mph lie on this scale if $V_c$ is the
 paper's 1100 mph, and if it is that of the typical track.
 */
-#include "track/moving_load.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 
+#include <railbook/track/fe_moving_load.hpp>
+#include <railbook/track/moving_load.hpp>
+
 #include "sections.hpp"
-#include "track/fe_moving_load.hpp"
 
 namespace railbook::track_chapter {
 

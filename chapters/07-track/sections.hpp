@@ -1,9 +1,9 @@
 // The sections of this chapter, in the paper's order, and of its study.
 #pragma once
 
-#include "report/chapter.hpp"
-#include "track/impact.hpp"
-#include "track/typical_track.hpp"
+#include <railbook/report/chapter.hpp>
+#include <railbook/track/impact.hpp>
+#include <railbook/track/typical_track.hpp>
 
 namespace railbook::track_chapter {
 

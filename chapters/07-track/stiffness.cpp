@@ -45,8 +45,9 @@ that were in use, so they are not why theory and experiment agree only "more or 
 #include <algorithm>
 #include <cmath>
 
+#include <railbook/track/beam_elements.hpp>
+
 #include "sections.hpp"
-#include "track/beam_elements.hpp"
 
 namespace railbook::track_chapter {
 

@@ -23,10 +23,11 @@ The trailing wheel hardly acts back: P1 and P2 of the leading wheel, defined abo
 #include <complex>
 #include <vector>
 
-#include "num/dopri5.hpp"
+#include <railbook/num/dopri5.hpp>
+#include <railbook/track/impact_peaks.hpp>
+#include <railbook/track/wheel_on_track.hpp>
+
 #include "sections.hpp"
-#include "track/impact_peaks.hpp"
-#include "track/wheel_on_track.hpp"
 
 namespace railbook::track_chapter {
 

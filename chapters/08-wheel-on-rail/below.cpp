@@ -11,12 +11,14 @@ Without friction the von Mises stress of a round patch is largest, 0.62 of the l
 right wheel at 3 mm. At 8 mm the flange's patch is slender and slides across itself: the largest stress, {{flange-stress}}, is then at the surface, where a line contact has $\sqrt{(1-2\nu)^2+3\mu^2}=0.68$, and a second one
 lies {{flange-second}} below it; both of a pressure almost four times as high. Stresses are those of the tractions alone, on a half-space that stays elastic.
 */
+#include <railbook/wheel_contact/stress.hpp>
+
 #include "case_a.hpp"
 #include "sections.hpp"
-#include "wheel_on_rail/stress.hpp"
 
 using namespace railbook;
-using namespace railbook::wheel_on_rail;
+using namespace railbook::profiles;
+using namespace railbook::wheel_contact;
 using namespace railbook::wheel_on_rail_chapter;
 
 namespace {

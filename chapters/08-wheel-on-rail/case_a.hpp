@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "table/csv.hpp"
-#include "units/constants.hpp"
-#include "wheel_on_rail/wheel.hpp"
+#include <railbook/table/csv.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/wheel_contact/wheel.hpp>
 
 namespace railbook::wheel_on_rail_chapter {
 
@@ -47,14 +47,14 @@ inline std::vector<Wheel> wheels(const table::CsvTable& t) {
   return all;
 }
 
-inline const wheel_on_rail::Pair& pair() {
-  static const auto p = wheel_on_rail::s1002_on_60e1(1.0 / 40, wheel_on_rail::Rail60::benchmark);
+inline const wheel_contact::Pair& pair() {
+  static const auto p = wheel_contact::s1002_on_60e1(1.0 / 40, profiles::Rail60::benchmark);
   return p;
 }
 
-inline wheel_on_rail::WheelWish wish_of(const Wheel& wheel, wheel_on_rail::Method method,
+inline wheel_contact::WheelWish wish_of(const Wheel& wheel, wheel_contact::Method method,
                                         long cells = 40) {
-  wheel_on_rail::WheelWish wish;
+  wheel_contact::WheelWish wish;
   wish.load = 10 * units::kilonewton, wish.speed = 2, wish.turning = wheel.turning;
   wish.wheel = wish.rail = {2 * 82e9 * 1.28, 0.28};
   wish.method = method, wish.along = wish.across = cells;
@@ -62,19 +62,19 @@ inline wheel_on_rail::WheelWish wish_of(const Wheel& wheel, wheel_on_rail::Metho
 }
 
 // Of the right wheel, or of the left one in the mirror.
-inline wheel_on_rail::Pose pose_of(const Wheel& wheel) {
-  const wheel_on_rail::Pose pose{wheel.y, 2.4 * wheel.y, wheel.roll};
-  return wheel.side < 0 ? wheel_on_rail::mirrored(pose) : pose;
+inline wheel_contact::Pose pose_of(const Wheel& wheel) {
+  const wheel_contact::Pose pose{wheel.y, 2.4 * wheel.y, wheel.roll};
+  return wheel.side < 0 ? wheel_contact::mirrored(pose) : pose;
 }
 
-inline wheel_on_rail::WheelResult solve(const Wheel& wheel, wheel_on_rail::Method method,
+inline wheel_contact::WheelResult solve(const Wheel& wheel, wheel_contact::Method method,
                                         long cells = 40) {
-  return wheel_on_rail::solve_wheel(pair(), pose_of(wheel), wish_of(wheel, method, cells));
+  return wheel_contact::solve_wheel(pair(), pose_of(wheel), wish_of(wheel, method, cells));
 }
 
 // The same, once for all items.
-inline const wheel_on_rail::WheelResult& solved(const Wheel& wheel, wheel_on_rail::Method method) {
-  static std::map<std::pair<std::string, wheel_on_rail::Method>, wheel_on_rail::WheelResult> all;
+inline const wheel_contact::WheelResult& solved(const Wheel& wheel, wheel_contact::Method method) {
+  static std::map<std::pair<std::string, wheel_contact::Method>, wheel_contact::WheelResult> all;
   const auto key = std::pair{wheel.key, method};
   const auto known = all.find(key);
   return known != all.end() ? known->second : all.emplace(key, solve(wheel, method)).first->second;

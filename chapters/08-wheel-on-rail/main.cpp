@@ -28,7 +28,7 @@ The wheel sinks until the vertical parts of all patches' forces, friction's incl
 Creepages are the rigid velocity of the wheel over the rail at the patch, spin its turning about the patch's normal. On the cells that carry
 pressure, Kalker's full theory finds where they stick and slide: on the patch as it is, not on an ellipse.
 
-{{code: wheel_on_rail/wheel.cpp motion_of}}
+{{code: wheel_contact/wheel.cpp motion_of}}
 
 {{fig-pressure}}
 
@@ -80,13 +80,15 @@ Carter*). A wheel's patch is passed in some milliseconds, so this page stays wit
 #include <cmath>
 #include <map>
 
+#include <railbook/report/chapter.hpp>
+#include <railbook/units/constants.hpp>
+
 #include "case_a.hpp"
-#include "report/chapter.hpp"
 #include "sections.hpp"
-#include "units/constants.hpp"
 
 using namespace railbook;
-using namespace railbook::wheel_on_rail;
+using namespace railbook::profiles;
+using namespace railbook::wheel_contact;
 using namespace railbook::wheel_on_rail_chapter;
 
 namespace {

@@ -7,14 +7,16 @@
 #include <cmath>
 #include <numeric>
 
+#include <railbook/scene/colour_map.hpp>
+#include <railbook/scene/labelled.hpp>
+#include <railbook/scene/shapes.hpp>
+
 #include "case_a.hpp"
-#include "drawing/labelled.hpp"
-#include "scene/colour_map.hpp"
-#include "scene/shapes.hpp"
 #include "sections.hpp"
 
 using namespace railbook;
-using namespace railbook::wheel_on_rail;
+using namespace railbook::profiles;
+using namespace railbook::wheel_contact;
 using namespace railbook::wheel_on_rail_chapter;
 using Eigen::Index;
 using Eigen::Vector3d;
@@ -128,10 +130,10 @@ void draw_scene(report::Item& item) {
     const double depth = pair().wheel.at(across).depth;
     return place({along, fifth.y + pair().half_spacing + across, wheel.z + depth});
   };
-  drawing::labelled(item, "labels.gp", s, camera, size,
-                    {{beside(-0.041, 0.002), "to the flange"},
-                     {beside(-0.0105, 0.001), "to the field side"},
-                     {beside(-0.024, 0.011), "rolling"}});
+  scene::labelled(item, "labels.gp", s, camera, size,
+                  {{beside(-0.041, 0.002), "to the flange"},
+                   {beside(-0.0105, 0.001), "to the field side"},
+                   {beside(-0.024, 0.011), "rolling"}});
 }
 
 }  // namespace

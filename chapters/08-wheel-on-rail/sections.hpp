@@ -1,7 +1,7 @@
 // The sections of the chapter, in reading order.
 #pragma once
 
-#include "report/chapter.hpp"
+#include <railbook/report/chapter.hpp>
 
 extern const railbook::report::Section below;  // below.cpp
 extern const railbook::report::Section drawn;  // patches.cpp

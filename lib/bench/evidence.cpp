@@ -1,11 +1,11 @@
-#include "bench/evidence.hpp"
+#include <railbook/bench/evidence.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
 
-#include "plot/plot.hpp"
+#include <railbook/plot/plot.hpp>
 
 namespace railbook::bench {
 

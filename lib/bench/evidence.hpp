@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "num/draw.hpp"
-#include "report/item.hpp"
+#include <railbook/num/draw.hpp>
+#include <railbook/report/item.hpp>
 
 namespace railbook::bench {
 

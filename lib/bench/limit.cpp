@@ -1,4 +1,4 @@
-#include "bench/limit.hpp"
+#include <railbook/bench/limit.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,12 @@
-#include "bench/timing.hpp"
+#include <railbook/bench/timing.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "num/stopwatch.hpp"
-#include "report/turn.hpp"
+#include <railbook/num/stopwatch.hpp>
+#include <railbook/report/turn.hpp>
 
 namespace railbook::bench {
 namespace {

@@ -1,4 +1,4 @@
-#include "bench/work_precision.hpp"
+#include <railbook/bench/work_precision.hpp>
 
 #include <fmt/format.h>
 
@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "bench/timing.hpp"
-#include "plot/plot.hpp"
+#include <railbook/bench/timing.hpp>
+#include <railbook/plot/plot.hpp>
 
 namespace railbook::bench {
 namespace {

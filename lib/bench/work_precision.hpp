@@ -17,8 +17,8 @@
 #include <string>
 #include <vector>
 
-#include "report/item.hpp"
-#include "report/record.hpp"
+#include <railbook/report/item.hpp>
+#include <railbook/report/record.hpp>
 
 namespace railbook::bench {
 

@@ -1,4 +1,4 @@
-#include "contact/bodies.hpp"
+#include <railbook/contact/bodies.hpp>
 
 #include <fmt/format.h>
 #include <gsl/gsl_spline.h>
@@ -8,10 +8,10 @@
 #include <memory>
 #include <utility>
 
-#include "contact/geometry.hpp"
-#include "num/gsl.hpp"
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
+#include <railbook/contact/geometry.hpp>
+#include <railbook/num/gsl.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::contact {
 namespace {

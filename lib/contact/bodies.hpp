@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "contact/grid.hpp"
-#include "contact/normal_contact.hpp"
+#include <railbook/contact/grid.hpp>
+#include <railbook/contact/normal_contact.hpp>
 
 namespace railbook::contact {
 

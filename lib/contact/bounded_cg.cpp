@@ -1,10 +1,10 @@
-#include "contact/bounded_cg.hpp"
+#include <railbook/contact/bounded_cg.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "num/parallel.hpp"
+#include <railbook/num/parallel.hpp>
 
 namespace railbook::contact {
 namespace {

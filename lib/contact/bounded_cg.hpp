@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "contact/convolution.hpp"
+#include <railbook/contact/convolution.hpp>
 
 namespace railbook::contact {
 

@@ -1,14 +1,14 @@
-#include "contact/cg_fft.hpp"
+#include <railbook/contact/cg_fft.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "contact/extrapolation.hpp"
-#include "contact/grid_fit.hpp"
-#include "contact/missed.hpp"
-#include "units/input_error.hpp"
+#include <railbook/contact/detail/extrapolation.hpp>
+#include <railbook/contact/detail/grid_fit.hpp>
+#include <railbook/contact/detail/missed.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::contact {
 namespace {

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "contact/bounded_cg.hpp"
-#include "contact/grid.hpp"
-#include "contact/normal_contact.hpp"
-#include "contact/region.hpp"
+#include <railbook/contact/bounded_cg.hpp>
+#include <railbook/contact/grid.hpp>
+#include <railbook/contact/normal_contact.hpp>
+#include <railbook/contact/region.hpp>
 
 namespace railbook::contact {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/cg_fft.hpp"
-#include "units/input_error.hpp"
+#include <railbook/contact/cg_fft.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::contact {
 namespace {

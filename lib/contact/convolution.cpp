@@ -1,13 +1,13 @@
-#include "contact/convolution.hpp"
+#include <railbook/contact/convolution.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "contact/influence.hpp"
-#include "num/fft.hpp"
-#include "num/parallel.hpp"
-#include "units/constants.hpp"
+#include <railbook/contact/influence.hpp>
+#include <railbook/num/fft.hpp>
+#include <railbook/num/parallel.hpp>
+#include <railbook/units/constants.hpp>
 
 namespace railbook::contact {
 namespace {

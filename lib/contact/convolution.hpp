@@ -4,8 +4,8 @@
 #include <Eigen/Core>
 #include <functional>
 
-#include "contact/grid.hpp"
-#include "num/even_filter.hpp"
+#include <railbook/contact/grid.hpp>
+#include <railbook/num/even_filter.hpp>
 
 namespace railbook::contact {
 

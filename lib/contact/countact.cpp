@@ -1,14 +1,14 @@
-#include "contact/countact.hpp"
+#include <railbook/contact/countact.hpp>
 
 #include <Eigen/LU>
 #include <cmath>
 #include <limits>
 #include <string>
 
-#include "contact/countact_parts.hpp"
-#include "contact/geometry.hpp"
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
+#include <railbook/contact/detail/countact_parts.hpp>
+#include <railbook/contact/geometry.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::contact {
 namespace {

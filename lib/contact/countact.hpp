@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "contact/normal_contact.hpp"
+#include <railbook/contact/normal_contact.hpp>
 
 namespace railbook::contact {
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/countact_parts.hpp"
+#include <railbook/contact/detail/countact_parts.hpp>
 
 namespace railbook::contact::detail {
 namespace {

@@ -1,14 +1,14 @@
-#include "contact/countaxi.hpp"
+#include <railbook/contact/countaxi.hpp>
 
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
-#include "contact/countact_parts.hpp"
-#include "contact/geometry.hpp"
-#include "contact/influence.hpp"
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
+#include <railbook/contact/detail/countact_parts.hpp>
+#include <railbook/contact/geometry.hpp>
+#include <railbook/contact/influence.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::contact {
 namespace {

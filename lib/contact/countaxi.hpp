@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <string>
 
-#include "contact/countact.hpp"
+#include <railbook/contact/countact.hpp>
 
 namespace railbook::contact {
 

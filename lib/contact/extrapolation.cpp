@@ -1,4 +1,4 @@
-#include "contact/extrapolation.hpp"
+#include <railbook/contact/detail/extrapolation.hpp>
 
 #include <algorithm>
 #include <cmath>

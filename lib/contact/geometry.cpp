@@ -1,12 +1,12 @@
-#include "contact/geometry.hpp"
+#include <railbook/contact/geometry.hpp>
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <limits>
 
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::contact {
 namespace {

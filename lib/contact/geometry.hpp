@@ -4,7 +4,7 @@
 // origin, the point of first touch. A radius may be infinity, which is a straight line.
 #pragma once
 
-#include "contact/normal_contact.hpp"
+#include <railbook/contact/normal_contact.hpp>
 
 namespace railbook::contact {
 

@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "contact/normal_contact.hpp"
+#include <railbook/contact/normal_contact.hpp>
 
 namespace railbook::contact {
 

@@ -1,4 +1,4 @@
-#include "contact/grid_fit.hpp"
+#include <railbook/contact/detail/grid_fit.hpp>
 
 #include <algorithm>
 #include <cmath>

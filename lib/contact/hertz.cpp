@@ -1,12 +1,12 @@
-#include "contact/hertz.hpp"
+#include <railbook/contact/hertz.hpp>
 
 #include <algorithm>
 #include <cmath>
 
-#include "num/gsl.hpp"
-#include "num/roots.hpp"
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
+#include <railbook/num/gsl.hpp>
+#include <railbook/num/roots.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::contact {
 namespace {

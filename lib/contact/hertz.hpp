@@ -1,7 +1,7 @@
 // Hertz's contact of two quadratic bodies, in closed form down to the neighbourhood of line contact.
 #pragma once
 
-#include "contact/geometry.hpp"
+#include <railbook/contact/geometry.hpp>
 
 namespace railbook::contact {
 

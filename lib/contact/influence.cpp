@@ -1,8 +1,8 @@
-#include "contact/influence.hpp"
+#include <railbook/contact/influence.hpp>
 
 #include <cmath>
 
-#include "contact/hertz.hpp"
+#include <railbook/contact/hertz.hpp>
 
 namespace railbook::contact {
 namespace {

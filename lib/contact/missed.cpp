@@ -1,11 +1,11 @@
-#include "contact/missed.hpp"
+#include <railbook/contact/detail/missed.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
-#include "units/constants.hpp"
+#include <railbook/units/constants.hpp>
 
 namespace railbook::contact {
 namespace {

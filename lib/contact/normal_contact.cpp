@@ -1,6 +1,6 @@
-#include "contact/normal_contact.hpp"
+#include <railbook/contact/normal_contact.hpp>
 
-#include "units/input_error.hpp"
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::contact {
 

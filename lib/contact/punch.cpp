@@ -1,14 +1,14 @@
-#include "contact/punch.hpp"
+#include <railbook/contact/punch.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "num/gsl.hpp"
-#include "num/quadrature.hpp"
-#include "num/roots.hpp"
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
+#include <railbook/num/gsl.hpp>
+#include <railbook/num/quadrature.hpp>
+#include <railbook/num/roots.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::contact {
 namespace {

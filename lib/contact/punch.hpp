@@ -4,7 +4,7 @@
 // positive, so nothing cancels from the sharp punch (R -> 0, s -> 0) to the sphere (b -> 0, s = a).
 #pragma once
 
-#include "contact/geometry.hpp"
+#include <railbook/contact/geometry.hpp>
 
 namespace railbook::contact {
 

@@ -1,4 +1,4 @@
-#include "contact/region.hpp"
+#include <railbook/contact/region.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -6,9 +6,9 @@
 #include <numeric>
 #include <vector>
 
-#include "num/dense_lu.hpp"
-#include "num/product.hpp"
-#include "units/constants.hpp"
+#include <railbook/num/dense_lu.hpp>
+#include <railbook/num/product.hpp>
+#include <railbook/units/constants.hpp>
 
 namespace railbook::contact {
 namespace {

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "contact/grid.hpp"
+#include <railbook/contact/grid.hpp>
 
 namespace railbook::contact {
 

@@ -1,4 +1,4 @@
-#include "contact/subsurface.hpp"
+#include <railbook/contact/subsurface.hpp>
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -8,10 +8,10 @@
 #include <complex>
 #include <vector>
 
-#include "num/eigenvalues.hpp"
-#include "num/fft.hpp"
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
+#include <railbook/num/eigenvalues.hpp>
+#include <railbook/num/fft.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::contact {
 namespace {

@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 #include <memory>
 
-#include "contact/grid.hpp"
+#include <railbook/contact/grid.hpp>
 
 namespace railbook::contact {
 

@@ -1,4 +1,4 @@
-#include "contact/uniform_dense.hpp"
+#include <railbook/contact/uniform_dense.hpp>
 
 #include <fmt/format.h>
 
@@ -7,10 +7,10 @@
 #include <limits>
 #include <vector>
 
-#include "contact/influence.hpp"
-#include "contact/region.hpp"
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
+#include <railbook/contact/influence.hpp>
+#include <railbook/contact/region.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::contact {
 namespace {

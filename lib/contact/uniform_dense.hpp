@@ -3,8 +3,8 @@
 
 #include <cstddef>
 
-#include "contact/grid.hpp"
-#include "contact/normal_contact.hpp"
+#include <railbook/contact/grid.hpp>
+#include <railbook/contact/normal_contact.hpp>
 
 namespace railbook::contact {
 

@@ -1,4 +1,4 @@
-#include "files/out_file.hpp"
+#include <railbook/files/out_file.hpp>
 
 #include <fcntl.h>
 #include <sys/random.h>
@@ -15,7 +15,7 @@
 #include <system_error>
 #include <utility>
 
-#include "units/input_error.hpp"
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::files {
 namespace {

@@ -14,8 +14,8 @@
 #include <string_view>
 #include <vector>
 
-#include "files/outside.hpp"
-#include "files/staged.hpp"
+#include <railbook/files/outside.hpp>
+#include <railbook/files/staged.hpp>
 
 namespace railbook::files {
 

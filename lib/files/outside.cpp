@@ -1,4 +1,4 @@
-#include "files/outside.hpp"
+#include <railbook/files/outside.hpp>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -8,8 +8,8 @@
 #include <new>
 #include <system_error>
 
-#include "units/input_error.hpp"
-#include "units/printable.hpp"
+#include <railbook/units/input_error.hpp>
+#include <railbook/units/printable.hpp>
 
 namespace railbook::files {
 

@@ -1,4 +1,4 @@
-#include "files/spool.hpp"
+#include <railbook/files/spool.hpp>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -10,8 +10,8 @@
 #include <system_error>
 #include <utility>
 
-#include "files/outside.hpp"
-#include "files/staged.hpp"
+#include <railbook/files/outside.hpp>
+#include <railbook/files/staged.hpp>
 
 namespace railbook::files {
 namespace {

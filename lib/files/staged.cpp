@@ -1,4 +1,4 @@
-#include "files/staged.hpp"
+#include <railbook/files/staged.hpp>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -14,7 +14,7 @@
 #include <system_error>
 #include <utility>
 
-#include "files/outside.hpp"
+#include <railbook/files/outside.hpp>
 
 namespace railbook::files {
 namespace {

@@ -1,10 +1,10 @@
-#include "filters/chord_filter.hpp"
+#include <railbook/filters/chord_filter.hpp>
 
 #include <algorithm>
 #include <cmath>
 
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::filters {
 namespace {

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "spectra/chord.hpp"
+#include <railbook/spectra/chord.hpp>
 
 namespace railbook::filters {
 

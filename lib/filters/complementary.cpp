@@ -1,10 +1,10 @@
-#include "filters/complementary.hpp"
+#include <railbook/filters/complementary.hpp>
 
 #include <cmath>
 
-#include "filters/hybrid_filter.hpp"
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
+#include <railbook/filters/hybrid_filter.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::filters {
 ComplementaryFilter::ComplementaryFilter(double tau, int poles)

@@ -1,4 +1,4 @@
-#include "filters/geometry_chain.hpp"
+#include <railbook/filters/geometry_chain.hpp>
 
 #include <algorithm>
 #include <array>
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::filters {
 namespace {

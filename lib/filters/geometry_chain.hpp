@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "filters/high_pass.hpp"
+#include <railbook/filters/high_pass.hpp>
 
 namespace railbook::filters {
 

@@ -1,10 +1,10 @@
-#include "filters/high_pass.hpp"
+#include <railbook/filters/high_pass.hpp>
 
 #include <cmath>
 
-#include "filters/chord_filter.hpp"
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
+#include <railbook/filters/chord_filter.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::filters {
 namespace {

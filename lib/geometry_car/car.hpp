@@ -3,7 +3,7 @@
 // The paper gives no dimension and no corner frequency except the car body's lateral 1.25 Hz: all of this is ours.
 #pragma once
 
-#include "units/constants.hpp"
+#include <railbook/units/constants.hpp>
 
 namespace railbook::geometry_car {
 

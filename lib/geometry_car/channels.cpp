@@ -6,10 +6,10 @@
 #include <numeric>
 #include <utility>
 
-#include "filters/hybrid_filter.hpp"
-#include "geometry_car/health_parts.hpp"
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
+#include <railbook/filters/hybrid_filter.hpp>
+#include <railbook/geometry_car/detail/health_parts.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::geometry_car {
 namespace {

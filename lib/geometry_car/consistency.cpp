@@ -7,8 +7,8 @@
 #include <limits>
 #include <map>
 
-#include "geometry_car/health_parts.hpp"
-#include "units/constants.hpp"
+#include <railbook/geometry_car/detail/health_parts.hpp>
+#include <railbook/units/constants.hpp>
 
 namespace railbook::geometry_car {
 namespace {

@@ -1,4 +1,4 @@
-#include "geometry_car/health.hpp"
+#include <railbook/geometry_car/health.hpp>
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <utility>
 
-#include "geometry_car/health_parts.hpp"
-#include "units/constants.hpp"
+#include <railbook/geometry_car/detail/health_parts.hpp>
+#include <railbook/units/constants.hpp>
 
 namespace railbook::geometry_car {
 namespace {

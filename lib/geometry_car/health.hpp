@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "geometry_car/reconstruct.hpp"
-#include "geometry_car/record.hpp"
+#include <railbook/geometry_car/reconstruct.hpp>
+#include <railbook/geometry_car/record.hpp>
 
 namespace railbook::geometry_car {
 

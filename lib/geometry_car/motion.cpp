@@ -1,9 +1,9 @@
-#include "geometry_car/motion.hpp"
+#include <railbook/geometry_car/motion.hpp>
 
 #include <algorithm>
 #include <cmath>
 
-#include "units/input_error.hpp"
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::geometry_car {
 namespace {

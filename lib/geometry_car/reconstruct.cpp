@@ -1,13 +1,13 @@
-#include "geometry_car/reconstruct.hpp"
+#include <railbook/geometry_car/reconstruct.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
 
-#include "geometry_car/run.hpp"
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
+#include <railbook/geometry_car/detail/run.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::geometry_car {
 namespace {

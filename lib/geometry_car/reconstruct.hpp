@@ -9,11 +9,11 @@
 #include <string_view>
 #include <vector>
 
-#include "filters/geometry_chain.hpp"
-#include "filters/hybrid_filter.hpp"
-#include "geometry_car/car.hpp"
-#include "geometry_car/record.hpp"
-#include "geometry_car/track.hpp"
+#include <railbook/filters/geometry_chain.hpp>
+#include <railbook/filters/hybrid_filter.hpp>
+#include <railbook/geometry_car/car.hpp>
+#include <railbook/geometry_car/record.hpp>
+#include <railbook/geometry_car/track.hpp>
 
 namespace railbook::geometry_car {
 

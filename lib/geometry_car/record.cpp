@@ -1,6 +1,6 @@
-#include "geometry_car/record.hpp"
+#include <railbook/geometry_car/record.hpp>
 
-#include "units/constants.hpp"
+#include <railbook/units/constants.hpp>
 
 namespace railbook::geometry_car {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "units/quantity.hpp"
+#include <railbook/units/quantity.hpp>
 
 namespace railbook::geometry_car {
 

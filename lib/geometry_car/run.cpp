@@ -1,11 +1,11 @@
-#include "geometry_car/run.hpp"
+#include <railbook/geometry_car/detail/run.hpp>
 
 #include <algorithm>
 #include <cmath>
 
-#include "filters/complementary.hpp"
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
+#include <railbook/filters/complementary.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::geometry_car {
 namespace {

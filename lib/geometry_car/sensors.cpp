@@ -1,12 +1,12 @@
-#include "geometry_car/sensors.hpp"
+#include <railbook/geometry_car/sensors.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "num/random_source.hpp"
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
+#include <railbook/num/random_source.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::geometry_car {
 namespace {

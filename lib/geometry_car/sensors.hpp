@@ -4,8 +4,8 @@
 #include <array>
 #include <cstdint>
 
-#include "geometry_car/car.hpp"
-#include "geometry_car/record.hpp"
+#include <railbook/geometry_car/car.hpp>
+#include <railbook/geometry_car/record.hpp>
 
 namespace railbook::geometry_car {
 

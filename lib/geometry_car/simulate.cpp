@@ -1,10 +1,10 @@
-#include "geometry_car/simulate.hpp"
+#include <railbook/geometry_car/simulate.hpp>
 
 #include <algorithm>
 #include <cmath>
 
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::geometry_car {
 namespace {

@@ -6,10 +6,10 @@
 // vertical) are filtered likewise, straight over an eighth of the car's shortest time constant at most: 4e-5 of a channel's largest, at a crawl.
 #pragma once
 
-#include "geometry_car/car.hpp"
-#include "geometry_car/motion.hpp"
-#include "geometry_car/record.hpp"
-#include "geometry_car/track.hpp"
+#include <railbook/geometry_car/car.hpp>
+#include <railbook/geometry_car/motion.hpp>
+#include <railbook/geometry_car/record.hpp>
+#include <railbook/geometry_car/track.hpp>
 
 namespace railbook::geometry_car {
 

@@ -1,11 +1,11 @@
-#include "geometry_car/stretches.hpp"
+#include <railbook/geometry_car/stretches.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
 
-#include "geometry_car/run.hpp"
+#include <railbook/geometry_car/detail/run.hpp>
 
 namespace railbook::geometry_car {
 namespace {

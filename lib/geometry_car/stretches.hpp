@@ -10,9 +10,9 @@
 #include <functional>
 #include <vector>
 
-#include "geometry_car/health.hpp"
-#include "geometry_car/reconstruct.hpp"
-#include "geometry_car/record.hpp"
+#include <railbook/geometry_car/health.hpp>
+#include <railbook/geometry_car/reconstruct.hpp>
+#include <railbook/geometry_car/record.hpp>
 
 namespace railbook::geometry_car {
 

@@ -1,12 +1,12 @@
-#include "geometry_car/track.hpp"
+#include <railbook/geometry_car/track.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "spectra/shaped_noise.hpp"
-#include "spectra/track_spectrum.hpp"
-#include "units/input_error.hpp"
+#include <railbook/spectra/shaped_noise.hpp>
+#include <railbook/spectra/track_spectrum.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::geometry_car {
 namespace {

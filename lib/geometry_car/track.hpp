@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "units/constants.hpp"
+#include <railbook/units/constants.hpp>
 
 namespace railbook::geometry_car {
 

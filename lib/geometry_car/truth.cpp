@@ -1,7 +1,7 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry_car/run.hpp"
+#include <railbook/geometry_car/detail/run.hpp>
 
 namespace railbook::geometry_car {
 

@@ -1,9 +1,9 @@
-#include "num/banded.hpp"
+#include <railbook/num/banded.hpp>
 
 #include <algorithm>
 #include <limits>
 
-#include "num/gsl.hpp"
+#include <railbook/num/gsl.hpp>
 
 namespace railbook::num {
 namespace {

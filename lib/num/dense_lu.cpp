@@ -1,4 +1,4 @@
-#include "num/dense_lu.hpp"
+#include <railbook/num/dense_lu.hpp>
 
 #include <Eigen/LU>
 #include <limits>

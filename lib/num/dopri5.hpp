@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "num/dense_step.hpp"
+#include <railbook/num/dense_step.hpp>
 
 namespace railbook::num {
 

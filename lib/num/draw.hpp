@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "num/random_source.hpp"
+#include <railbook/num/random_source.hpp>
 
 namespace railbook::num {
 

@@ -1,11 +1,11 @@
-#include "num/eigenvalues.hpp"
+#include <railbook/num/eigenvalues.hpp>
 
 #include <gsl/gsl_eigen.h>
 
 #include <algorithm>
 #include <stdexcept>
 
-#include "num/gsl.hpp"
+#include <railbook/num/gsl.hpp>
 
 namespace railbook::num {
 

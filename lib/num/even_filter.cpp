@@ -1,4 +1,4 @@
-#include "num/even_filter.hpp"
+#include <railbook/num/even_filter.hpp>
 
 #include <fftw3.h>
 
@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "num/fftw_plan.hpp"
-#include "num/parallel.hpp"
-#include "units/input_error.hpp"
+#include <railbook/num/detail/fftw_plan.hpp>
+#include <railbook/num/parallel.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::num {
 namespace {

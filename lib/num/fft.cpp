@@ -1,4 +1,4 @@
-#include "num/fft.hpp"
+#include <railbook/num/fft.hpp>
 
 #include <fftw3.h>
 
@@ -8,9 +8,9 @@
 #include <string>
 #include <string_view>
 
-#include "num/fftw_plan.hpp"
-#include "num/gsl.hpp"
-#include "units/input_error.hpp"
+#include <railbook/num/detail/fftw_plan.hpp>
+#include <railbook/num/gsl.hpp>
+#include <railbook/units/input_error.hpp>
 
 // FFTW ends the program where it finds no memory, by this function of its own: ours takes its place, and what comes of it is
 // what comes of any lack of memory.

@@ -1,4 +1,4 @@
-#include "num/four_step_fft.hpp"
+#include <railbook/num/four_step_fft.hpp>
 
 #include <fftw3.h>
 
@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "num/even_filter.hpp"
-#include "num/fftw_plan.hpp"
-#include "num/wide.hpp"
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
+#include <railbook/num/detail/fftw_plan.hpp>
+#include <railbook/num/even_filter.hpp>
+#include <railbook/num/wide.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::num {
 namespace {

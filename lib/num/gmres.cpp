@@ -1,4 +1,4 @@
-#include "num/gmres.hpp"
+#include <railbook/num/gmres.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "num/gsl.hpp"
+#include <railbook/num/gsl.hpp>
 
 #include <gsl/gsl_errno.h>
 

@@ -1,4 +1,4 @@
-#include "num/product.hpp"
+#include <railbook/num/product.hpp>
 
 namespace railbook::num {
 

@@ -1,4 +1,4 @@
-#include "num/quadrature.hpp"
+#include <railbook/num/quadrature.hpp>
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
@@ -6,10 +6,10 @@
 #include <cmath>
 #include <memory>
 
-#include "num/counted.hpp"
-#include "num/gsl.hpp"
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
+#include <railbook/num/detail/counted.hpp>
+#include <railbook/num/gsl.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::num {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "num/dense_lu.hpp"
-#include "num/dense_step.hpp"
+#include <railbook/num/dense_lu.hpp>
+#include <railbook/num/dense_step.hpp>
 
 namespace railbook::num {
 

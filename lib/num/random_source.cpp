@@ -1,4 +1,4 @@
-#include "num/random_source.hpp"
+#include <railbook/num/random_source.hpp>
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "num/roots.hpp"
+#include <railbook/num/roots.hpp>
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_roots.h>
@@ -7,9 +7,9 @@
 #include <memory>
 #include <string>
 
-#include "num/counted.hpp"
-#include "num/gsl.hpp"
-#include "units/input_error.hpp"
+#include <railbook/num/detail/counted.hpp>
+#include <railbook/num/gsl.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::num {
 

@@ -1,11 +1,11 @@
-#include "num/special.hpp"
+#include <railbook/num/special.hpp>
 
 #include <gsl/gsl_sf_expint.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "num/gsl.hpp"
+#include <railbook/num/gsl.hpp>
 
 namespace railbook::num {
 

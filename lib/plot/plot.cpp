@@ -1,4 +1,4 @@
-#include "plot/plot.hpp"
+#include <railbook/plot/plot.hpp>
 
 #include <fcntl.h>
 #include <poll.h>
@@ -18,8 +18,8 @@
 #include <system_error>
 #include <thread>
 
-#include "files/out_file.hpp"
-#include "files/staged.hpp"
+#include <railbook/files/out_file.hpp>
+#include <railbook/files/staged.hpp>
 
 namespace railbook::plot {
 namespace {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "files/outside.hpp"
+#include <railbook/files/outside.hpp>
 
 namespace railbook::plot {
 

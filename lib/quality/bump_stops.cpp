@@ -1,14 +1,14 @@
-#include "quality/bump_stops.hpp"
+#include <railbook/quality/bump_stops.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>
 
-#include "num/quadrature.hpp"
-#include "num/roots.hpp"
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
+#include <railbook/num/quadrature.hpp>
+#include <railbook/num/roots.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::quality {
 namespace {

@@ -9,7 +9,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "quality/vehicle.hpp"
+#include <railbook/quality/vehicle.hpp>
 
 namespace railbook::quality {
 

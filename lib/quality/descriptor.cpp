@@ -1,4 +1,4 @@
-#include "quality/descriptor.hpp"
+#include <railbook/quality/descriptor.hpp>
 
 #include <fmt/format.h>
 
@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
-#include "num/roots.hpp"
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
+#include <railbook/num/roots.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::quality {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <optional>
 
-#include "quality/vehicle.hpp"
+#include <railbook/quality/vehicle.hpp>
 
 namespace railbook::quality {
 

@@ -1,11 +1,11 @@
-#include "quality/quality_index.hpp"
+#include <railbook/quality/quality_index.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::quality {
 namespace {

@@ -1,9 +1,9 @@
-#include "quality/spreading.hpp"
+#include <railbook/quality/spreading.hpp>
 
 #include <algorithm>
 #include <cmath>
 
-#include "units/input_error.hpp"
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::quality {
 namespace {

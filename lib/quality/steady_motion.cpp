@@ -1,10 +1,10 @@
-#include "quality/steady_motion.hpp"
+#include <railbook/quality/steady_motion.hpp>
 
 #include <cmath>
 #include <complex>
 
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::quality {
 namespace {

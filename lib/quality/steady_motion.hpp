@@ -1,7 +1,7 @@
 // The steady motions of a body with bump stops on one sine: exact ones, stable or not, and harmonic balance.
 #pragma once
 
-#include "quality/bump_stops.hpp"
+#include <railbook/quality/bump_stops.hpp>
 
 namespace railbook::quality {
 

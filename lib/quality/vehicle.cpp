@@ -1,4 +1,4 @@
-#include "quality/vehicle.hpp"
+#include <railbook/quality/vehicle.hpp>
 
 #include <algorithm>
 #include <array>
@@ -6,9 +6,9 @@
 #include <limits>
 #include <vector>
 
-#include "num/roots.hpp"
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
+#include <railbook/num/roots.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::quality {
 namespace {

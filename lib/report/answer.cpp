@@ -1,4 +1,4 @@
-#include "report/answer.hpp"
+#include <railbook/report/answer.hpp>
 
 #include <cmath>
 #include <stdexcept>

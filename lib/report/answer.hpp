@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "report/item.hpp"
+#include <railbook/report/item.hpp>
 
 namespace railbook::report {
 

@@ -1,4 +1,4 @@
-#include "report/chapter.hpp"
+#include <railbook/report/chapter.hpp>
 
 #include <fmt/format.h>
 
@@ -8,15 +8,15 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "files/out_file.hpp"
-#include "num/fp_flags.hpp"
-#include "num/stopwatch.hpp"
-#include "plot/plot.hpp"
-#include "report/inventory.hpp"
-#include "report/run_folder.hpp"
-#include "report/trial.hpp"
-#include "report/turn.hpp"
-#include "units/input_error.hpp"
+#include <railbook/files/out_file.hpp>
+#include <railbook/num/fp_flags.hpp>
+#include <railbook/num/stopwatch.hpp>
+#include <railbook/plot/plot.hpp>
+#include <railbook/report/detail/inventory.hpp>
+#include <railbook/report/run_folder.hpp>
+#include <railbook/report/trial.hpp>
+#include <railbook/report/turn.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::report {
 namespace {

@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-#include "report/item.hpp"
+#include <railbook/report/item.hpp>
 
 namespace railbook::report {
 

@@ -1,4 +1,4 @@
-#include "report/expectation.hpp"
+#include <railbook/report/expectation.hpp>
 
 #include <stdexcept>
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "report/tolerance.hpp"
-#include "report/trial.hpp"
+#include <railbook/report/tolerance.hpp>
+#include <railbook/report/trial.hpp>
 
 namespace railbook::report {
 

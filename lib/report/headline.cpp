@@ -1,4 +1,4 @@
-#include "report/headline.hpp"
+#include <railbook/report/detail/headline.hpp>
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "report/inventory.hpp"
+#include <railbook/report/detail/inventory.hpp>
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <array>
 #include <sstream>
 
-#include "table/csv.hpp"
-#include "units/input_error.hpp"
+#include <railbook/table/csv.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::report {
 namespace {

@@ -1,4 +1,4 @@
-#include "report/item.hpp"
+#include <railbook/report/item.hpp>
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "files/out_file.hpp"
-#include "num/stopwatch.hpp"
-#include "plot/plot.hpp"
+#include <railbook/files/out_file.hpp>
+#include <railbook/num/stopwatch.hpp>
+#include <railbook/plot/plot.hpp>
 
 namespace railbook::report {
 namespace {

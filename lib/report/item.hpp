@@ -28,12 +28,12 @@
 #include <string_view>
 #include <vector>
 
-#include "report/expectation.hpp"
-#include "report/record.hpp"
-#include "report/run_folder.hpp"
-#include "report/trial.hpp"
-#include "table/csv.hpp"
-#include "units/input_error.hpp"
+#include <railbook/report/expectation.hpp>
+#include <railbook/report/record.hpp>
+#include <railbook/report/run_folder.hpp>
+#include <railbook/report/trial.hpp>
+#include <railbook/table/csv.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::report {
 

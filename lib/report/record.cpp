@@ -1,4 +1,4 @@
-#include "report/record.hpp"
+#include <railbook/report/record.hpp>
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "files/out_file.hpp"
-#include "report/headline.hpp"
-#include "table/csv.hpp"
+#include <railbook/files/out_file.hpp>
+#include <railbook/report/detail/headline.hpp>
+#include <railbook/table/csv.hpp>
 
 namespace railbook::report {
 namespace {

@@ -99,7 +99,7 @@ struct ItemRecord {
   double seconds = 0;
 };
 
-// A row of the chapter's inventory (report/inventory.hpp).
+// A row of the chapter's inventory (report/detail/inventory.hpp).
 struct InventoryRow {
   std::string place, kind, number, what;
   std::vector<std::string> treated;

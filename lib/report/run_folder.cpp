@@ -1,4 +1,4 @@
-#include "report/run_folder.hpp"
+#include <railbook/report/run_folder.hpp>
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "files/out_file.hpp"
-#include "units/input_error.hpp"
+#include <railbook/files/out_file.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::report {
 namespace {

@@ -1,11 +1,11 @@
-#include "report/tolerance.hpp"
+#include <railbook/report/tolerance.hpp>
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <stdexcept>
 
-#include "units/input_error.hpp"
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::report {
 namespace {

@@ -1,4 +1,4 @@
-#include "report/trial.hpp"
+#include <railbook/report/trial.hpp>
 
 #include <fmt/format.h>
 
@@ -6,9 +6,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "report/tolerance.hpp"
-#include "table/csv.hpp"
-#include "units/input_error.hpp"
+#include <railbook/report/tolerance.hpp>
+#include <railbook/table/csv.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::report {
 namespace {

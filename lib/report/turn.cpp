@@ -1,4 +1,4 @@
-#include "report/turn.hpp"
+#include <railbook/report/turn.hpp>
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "num/stopwatch.hpp"
+#include <railbook/num/stopwatch.hpp>
 
 namespace railbook::report {
 namespace {

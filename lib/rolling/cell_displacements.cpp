@@ -1,4 +1,4 @@
-#include "rolling/cell_displacements.hpp"
+#include <railbook/rolling/detail/cell_displacements.hpp>
 
 #include <cmath>
 

@@ -1,15 +1,15 @@
-#include "rolling/creep_laws.hpp"
+#include <railbook/rolling/creep_laws.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-#include "contact/hertz.hpp"
-#include "rolling/fastsim.hpp"
-#include "rolling/linear_force.hpp"
-#include "rolling/strip_theory.hpp"
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
+#include <railbook/contact/hertz.hpp>
+#include <railbook/rolling/detail/linear_force.hpp>
+#include <railbook/rolling/fastsim.hpp>
+#include <railbook/rolling/strip_theory.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::rolling {
 namespace {

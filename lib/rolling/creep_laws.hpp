@@ -10,8 +10,8 @@
 
 #include <string_view>
 
-#include "rolling/kalker_table.hpp"
-#include "rolling/rolling_case.hpp"
+#include <railbook/rolling/case.hpp>
+#include <railbook/rolling/kalker_table.hpp>
 
 namespace railbook::rolling {
 

@@ -4,9 +4,9 @@
 #include <complex>
 #include <vector>
 
-#include "num/fft.hpp"
-#include "rolling/rolling_parts.hpp"
-#include "units/constants.hpp"
+#include <railbook/num/fft.hpp>
+#include <railbook/rolling/parts.hpp>
+#include <railbook/units/constants.hpp>
 
 namespace railbook::rolling {
 namespace {

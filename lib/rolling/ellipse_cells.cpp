@@ -1,10 +1,10 @@
-#include "rolling/ellipse_cells.hpp"
+#include <railbook/rolling/detail/ellipse_cells.hpp>
 
 #include <algorithm>
 #include <cmath>
 
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::rolling {
 namespace {

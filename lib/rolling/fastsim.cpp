@@ -1,13 +1,13 @@
-#include "rolling/fastsim.hpp"
+#include <railbook/rolling/fastsim.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "rolling/ellipse_cells.hpp"
-#include "rolling/linear_force.hpp"
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
+#include <railbook/rolling/detail/ellipse_cells.hpp>
+#include <railbook/rolling/detail/linear_force.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::rolling {
 namespace {

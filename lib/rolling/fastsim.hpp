@@ -2,8 +2,8 @@
 // leading edge in proportion to the slip until they meet the bound.
 #pragma once
 
-#include "rolling/kalker_table.hpp"
-#include "rolling/rolling_case.hpp"
+#include <railbook/rolling/case.hpp>
+#include <railbook/rolling/kalker_table.hpp>
 
 namespace railbook::rolling {
 

@@ -1,4 +1,4 @@
-#include "rolling/force_table.hpp"
+#include <railbook/rolling/force_table.hpp>
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "units/input_error.hpp"
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::rolling {
 namespace {

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "rolling/rolling_case.hpp"
+#include <railbook/rolling/case.hpp>
 
 namespace railbook::rolling {
 

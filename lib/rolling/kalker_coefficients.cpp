@@ -1,14 +1,14 @@
-#include "rolling/kalker_coefficients.hpp"
+#include <railbook/rolling/kalker_coefficients.hpp>
 
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "num/dense_lu.hpp"
-#include "num/quadrature.hpp"
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
+#include <railbook/num/dense_lu.hpp>
+#include <railbook/num/quadrature.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 // Lengths over sqrt(a b), tractions over G; X = x/a = r cos(t), Y = y/b. For n = 0, 1, ... and harmonics m = n, n - 2, ...
 //   f = Y_nm(X, Y, Z) / Z,  Z = sqrt(1 - X^2 - Y^2),  Y_nm the spherical harmonic scaled to cos(mt) or sin(mt) at r = 1,

@@ -1,7 +1,7 @@
 // Kalker's creep coefficients by computation: the linear theory, in which every particle sticks.
 #pragma once
 
-#include "rolling/kalker_table.hpp"
+#include <railbook/rolling/kalker_table.hpp>
 
 namespace railbook::rolling {
 

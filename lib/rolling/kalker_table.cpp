@@ -1,10 +1,10 @@
-#include "rolling/kalker_table.hpp"
+#include <railbook/rolling/kalker_table.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "units/input_error.hpp"
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::rolling {
 namespace {

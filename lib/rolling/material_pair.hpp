@@ -1,7 +1,7 @@
 // Two bodies' materials as one, for rolling contact.
 #pragma once
 
-#include "contact/normal_contact.hpp"
+#include <railbook/contact/normal_contact.hpp>
 
 namespace railbook::rolling {
 

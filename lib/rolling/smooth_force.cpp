@@ -1,9 +1,9 @@
-#include "rolling/smooth_force.hpp"
+#include <railbook/rolling/smooth_force.hpp>
 
 #include <algorithm>
 #include <cmath>
 
-#include "units/input_error.hpp"
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::rolling {
 

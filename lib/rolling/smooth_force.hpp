@@ -14,8 +14,8 @@
 #include <memory>
 #include <vector>
 
-#include "rolling/force_table.hpp"
-#include "rolling/kalker_table.hpp"
+#include <railbook/rolling/force_table.hpp>
+#include <railbook/rolling/kalker_table.hpp>
 
 namespace railbook::rolling {
 

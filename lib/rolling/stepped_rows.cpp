@@ -1,14 +1,14 @@
-#include "rolling/stepped_rows.hpp"
+#include <railbook/rolling/detail/stepped_rows.hpp>
 
 #include <algorithm>
 #include <array>
 #include <complex>
 #include <vector>
 
-#include "num/fft.hpp"
-#include "num/wide.hpp"
-#include "rolling/cell_displacements.hpp"
-#include "units/constants.hpp"
+#include <railbook/num/fft.hpp>
+#include <railbook/num/wide.hpp>
+#include <railbook/rolling/detail/cell_displacements.hpp>
+#include <railbook/units/constants.hpp>
 
 namespace railbook::rolling {
 

@@ -1,10 +1,10 @@
-#include "rolling/stick_slip.hpp"
+#include <railbook/rolling/stick_slip.hpp>
 
 #include <algorithm>
 #include <cmath>
 
-#include "num/dense_lu.hpp"
-#include "num/gmres.hpp"
+#include <railbook/num/dense_lu.hpp>
+#include <railbook/num/gmres.hpp>
 
 namespace railbook::rolling {
 namespace {

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "rolling/rolling_influence.hpp"
+#include <railbook/rolling/influence.hpp>
 
 namespace railbook::rolling {
 

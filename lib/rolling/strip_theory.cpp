@@ -1,12 +1,12 @@
-#include "rolling/strip_theory.hpp"
+#include <railbook/rolling/strip_theory.hpp>
 
 #include <algorithm>
 #include <cmath>
 
-#include "rolling/ellipse_cells.hpp"
-#include "rolling/linear_force.hpp"
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
+#include <railbook/rolling/detail/ellipse_cells.hpp>
+#include <railbook/rolling/detail/linear_force.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::rolling {
 namespace {

@@ -2,8 +2,8 @@
 // ellipse along rolling is a line contact with Carter's tractions, and Kalker's coefficients set the initial slope.
 #pragma once
 
-#include "rolling/kalker_table.hpp"
-#include "rolling/rolling_case.hpp"
+#include <railbook/rolling/case.hpp>
+#include <railbook/rolling/kalker_table.hpp>
 
 namespace railbook::rolling {
 

@@ -1,12 +1,12 @@
-#include "rolling/theory.hpp"
+#include <railbook/rolling/theory.hpp>
 
 #include <array>
 #include <memory>
 #include <stdexcept>
 
-#include "rolling/creep_laws.hpp"
-#include "rolling/kalker_coefficients.hpp"
-#include "rolling/rolling_contact.hpp"
+#include <railbook/rolling/contact.hpp>
+#include <railbook/rolling/creep_laws.hpp>
+#include <railbook/rolling/kalker_coefficients.hpp>
 
 namespace railbook::rolling {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "rolling/rolling_case.hpp"
+#include <railbook/rolling/case.hpp>
 
 namespace railbook::rolling {
 

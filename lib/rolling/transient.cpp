@@ -1,11 +1,11 @@
-#include "rolling/transient.hpp"
+#include <railbook/rolling/transient.hpp>
 
 #include <cmath>
 #include <functional>
 
-#include "rolling/rolling_parts.hpp"
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
+#include <railbook/rolling/parts.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::rolling {
 

@@ -7,8 +7,8 @@
 
 #include <memory>
 
-#include "contact/grid.hpp"
-#include "rolling/rolling_case.hpp"
+#include <railbook/contact/grid.hpp>
+#include <railbook/rolling/case.hpp>
 
 namespace railbook::rolling {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "scene/shapes.hpp"
-#include "units/input_error.hpp"
+#include <railbook/scene/shapes.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::scene {
 namespace {

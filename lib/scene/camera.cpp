@@ -4,8 +4,8 @@
 #include <numbers>
 #include <string>
 
-#include "scene/view.hpp"
-#include "units/input_error.hpp"
+#include <railbook/scene/detail/view.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::scene {
 

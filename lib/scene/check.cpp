@@ -1,7 +1,7 @@
 #include <string>
 
-#include "scene/view.hpp"
-#include "units/input_error.hpp"
+#include <railbook/scene/detail/view.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::scene {
 namespace {

@@ -1,10 +1,10 @@
-#include "scene/colour_map.hpp"
+#include <railbook/scene/colour_map.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "units/input_error.hpp"
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::scene {
 namespace {

@@ -1,7 +1,7 @@
 // Numbers as colours.
 #pragma once
 
-#include "scene/scene.hpp"
+#include <railbook/scene/scene.hpp>
 
 namespace railbook::scene {
 

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "scene/context.hpp"
+#include <railbook/scene/detail/context.hpp>
 
 namespace railbook::scene {
 

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "scene/context.hpp"
+#include <railbook/scene/detail/context.hpp>
 
 #ifdef __SANITIZE_ADDRESS__
 // Mesa 22.3 itself loses a few dozen bytes a context; ours are still looked for.

@@ -1,4 +1,4 @@
-#include "scene/image.hpp"
+#include <railbook/scene/image.hpp>
 
 #include <png.h>
 
@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "files/out_file.hpp"
-#include "units/input_error.hpp"
+#include <railbook/files/out_file.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::scene {
 namespace {

@@ -1,7 +1,7 @@
 // Where the build has found no off-screen OpenGL.
 #include <system_error>
 
-#include "scene/raster.hpp"
+#include <railbook/scene/detail/raster.hpp>
 
 namespace railbook::scene {
 

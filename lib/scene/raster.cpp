@@ -1,4 +1,4 @@
-#include "scene/raster.hpp"
+#include <railbook/scene/detail/raster.hpp>
 
 #include <GL/gl.h>
 
@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "num/fp_flags.hpp"
-#include "scene/context.hpp"
+#include <railbook/num/fp_flags.hpp>
+#include <railbook/scene/detail/context.hpp>
 
 namespace railbook::scene {
 namespace {

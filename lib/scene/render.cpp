@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/raster.hpp"
-#include "scene/view.hpp"
-#include "units/input_error.hpp"
+#include <railbook/scene/detail/raster.hpp>
+#include <railbook/scene/detail/view.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::scene {
 namespace {

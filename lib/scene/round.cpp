@@ -4,9 +4,9 @@
 #include <numbers>
 #include <vector>
 
-#include "scene/colour_map.hpp"
-#include "scene/shapes.hpp"
-#include "units/input_error.hpp"
+#include <railbook/scene/colour_map.hpp>
+#include <railbook/scene/shapes.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::scene {
 namespace {

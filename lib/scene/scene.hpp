@@ -16,7 +16,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "scene/image.hpp"
+#include <railbook/scene/image.hpp>
 
 namespace railbook::scene {
 

@@ -3,7 +3,7 @@
 // Lengths in the scene's unit. All throw InputError for a size that is not positive and finite.
 #pragma once
 
-#include "scene/scene.hpp"
+#include <railbook/scene/scene.hpp>
 
 namespace railbook::scene {
 

@@ -1,11 +1,11 @@
-#include "spectra/chord.hpp"
+#include <railbook/spectra/chord.hpp>
 
 #include <array>
 #include <cmath>
 
-#include "num/special.hpp"
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
+#include <railbook/num/special.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::spectra {
 namespace {

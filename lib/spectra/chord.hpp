@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "spectra/track_spectrum.hpp"
+#include <railbook/spectra/track_spectrum.hpp>
 
 namespace railbook::spectra {
 

@@ -1,10 +1,10 @@
-#include "spectra/classify.hpp"
+#include <railbook/spectra/classify.hpp>
 
 #include <algorithm>
 #include <cmath>
 
-#include "spectra/chord.hpp"
-#include "units/input_error.hpp"
+#include <railbook/spectra/chord.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::spectra {
 namespace {

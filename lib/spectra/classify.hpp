@@ -4,8 +4,8 @@
 
 #include <array>
 
-#include "spectra/spectrum_fit.hpp"
-#include "units/constants.hpp"
+#include <railbook/spectra/spectrum_fit.hpp>
+#include <railbook/units/constants.hpp>
 
 namespace railbook::spectra {
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <vector>
 
-#include "spectra/joint_dips.hpp"
-#include "spectra/line_mask.hpp"
-#include "spectra/spectrum_fit.hpp"
+#include <railbook/spectra/joint_dips.hpp>
+#include <railbook/spectra/line_mask.hpp>
+#include <railbook/spectra/spectrum_fit.hpp>
 
 namespace railbook::spectra {
 namespace {

@@ -1,9 +1,9 @@
-#include "spectra/joint_dips.hpp"
+#include <railbook/spectra/joint_dips.hpp>
 
 #include <cmath>
 
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::spectra {
 namespace {

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <span>
 
-#include "num/random_source.hpp"
+#include <railbook/num/random_source.hpp>
 
 namespace railbook::spectra {
 

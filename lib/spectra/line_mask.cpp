@@ -1,4 +1,4 @@
-#include "spectra/line_mask.hpp"
+#include <railbook/spectra/line_mask.hpp>
 
 #include <gsl/gsl_cdf.h>
 
@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "num/gsl.hpp"
-#include "spectra/chord.hpp"
+#include <railbook/num/gsl.hpp>
+#include <railbook/spectra/chord.hpp>
 
 namespace railbook::spectra {
 namespace {

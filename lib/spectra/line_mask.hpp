@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "spectra/spectrum_fit.hpp"
+#include <railbook/spectra/spectrum_fit.hpp>
 
 namespace railbook::spectra {
 

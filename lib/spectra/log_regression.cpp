@@ -1,4 +1,4 @@
-#include "spectra/log_regression.hpp"
+#include <railbook/spectra/log_regression.hpp>
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "num/dense_lu.hpp"
-#include "units/input_error.hpp"
+#include <railbook/num/dense_lu.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::spectra {
 namespace {

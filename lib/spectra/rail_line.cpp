@@ -1,11 +1,11 @@
-#include "spectra/rail_line.hpp"
+#include <railbook/spectra/rail_line.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::spectra {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "spectra/track_spectrum.hpp"
+#include <railbook/spectra/track_spectrum.hpp>
 
 namespace railbook::spectra {
 

@@ -1,11 +1,11 @@
-#include "spectra/shaped_noise.hpp"
+#include <railbook/spectra/shaped_noise.hpp>
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::spectra {
 namespace {

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "num/fft.hpp"
-#include "num/random_source.hpp"
+#include <railbook/num/fft.hpp>
+#include <railbook/num/random_source.hpp>
 
 namespace railbook::spectra {
 

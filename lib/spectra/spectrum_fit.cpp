@@ -1,4 +1,4 @@
-#include "spectra/spectrum_fit.hpp"
+#include <railbook/spectra/spectrum_fit.hpp>
 
 #include <gsl/gsl_sf_psi.h>
 
@@ -6,10 +6,10 @@
 #include <cmath>
 #include <string>
 
-#include "num/gsl.hpp"
-#include "spectra/line_mask.hpp"
-#include "spectra/number_text.hpp"
-#include "units/input_error.hpp"
+#include <railbook/num/gsl.hpp>
+#include <railbook/spectra/line_mask.hpp>
+#include <railbook/units/input_error.hpp>
+#include <railbook/units/number_text.hpp>
 
 namespace railbook::spectra {
 namespace {
@@ -31,26 +31,27 @@ Range checked_band(const Spectrum& spectrum, const FitOptions& o) {
   const double nyquist = spectrum.frequency(spectrum.density.size() - 1);
   Range band{std::max(o.low, 4 * spectrum.df), std::min(o.high, 0.95 * nyquist)};
   if (!(band.low < band.high))
-    throw InputError{"the band " + number_text(o.low) + " to " + number_text(o.high) +
-                     " cycle/m holds no usable bins of this spectrum (" + number_text(spectrum.df) +
-                     " to " + number_text(nyquist) + ")"};
+    throw InputError{"the band " + units::number_text(o.low) + " to " + units::number_text(o.high) +
+                     " cycle/m holds no usable bins of this spectrum (" +
+                     units::number_text(spectrum.df) + " to " + units::number_text(nyquist) + ")"};
   const double phi_0 = 1 / o.rail_length;
   units::require_between("rail wavenumber", phi_0, band.low + spectrum.df, band.high - spectrum.df,
                          "cycle/m");
   for (const double length : o.foreign_lengths) {
     units::require_positive("foreign rail length", length, "m");
     if (near_foreign_line({.rail_length = o.rail_length, .foreign_lengths = {length}}, phi_0))
-      throw InputError{"foreign rails of " + number_text(length) +
-                       " m have a line on that of the rail of " + number_text(o.rail_length) +
+      throw InputError{"foreign rails of " + units::number_text(length) +
+                       " m have a line on that of the rail of " +
+                       units::number_text(o.rail_length) +
                        " m; allowed: multiples of 1/length 0.006 cycle/m or more away from it"};
   }
   units::require_between("chord (up to an eighth of a segment)", o.chord, 0,
                          longest_chord / spectrum.df, "m");
   if (squared_gain(o.chord, phi_0) < o.least_gain)
-    throw InputError{"a chord of " + number_text(o.chord) + " m does not see a rail of " +
-                     number_text(o.rail_length) + " m: squared gain " +
-                     number_text(squared_gain(o.chord, phi_0)) + "; allowed: at least " +
-                     number_text(o.least_gain)};
+    throw InputError{"a chord of " + units::number_text(o.chord) + " m does not see a rail of " +
+                     units::number_text(o.rail_length) + " m: squared gain " +
+                     units::number_text(squared_gain(o.chord, phi_0)) + "; allowed: at least " +
+                     units::number_text(o.least_gain)};
   return band;
 }
 

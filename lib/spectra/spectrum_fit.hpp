@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
-#include "spectra/log_regression.hpp"
-#include "spectra/track_spectrum.hpp"
-#include "spectra/welch.hpp"
-#include "units/constants.hpp"
+#include <railbook/spectra/log_regression.hpp>
+#include <railbook/spectra/track_spectrum.hpp>
+#include <railbook/spectra/welch.hpp>
+#include <railbook/units/constants.hpp>
 
 namespace railbook::spectra {
 

@@ -1,10 +1,10 @@
-#include "spectra/synthetic_track.hpp"
+#include <railbook/spectra/synthetic_track.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "units/input_error.hpp"
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::spectra {
 namespace {

@@ -7,10 +7,10 @@
 #include <span>
 #include <vector>
 
-#include "spectra/joint_dips.hpp"
-#include "spectra/shaped_noise.hpp"
-#include "spectra/track_spectrum.hpp"
-#include "units/constants.hpp"
+#include <railbook/spectra/joint_dips.hpp>
+#include <railbook/spectra/shaped_noise.hpp>
+#include <railbook/spectra/track_spectrum.hpp>
+#include <railbook/units/constants.hpp>
 
 namespace railbook::spectra {
 

@@ -1,9 +1,9 @@
-#include "spectra/track_spectrum.hpp"
+#include <railbook/spectra/track_spectrum.hpp>
 
 #include <algorithm>
 #include <cmath>
 
-#include "units/input_error.hpp"
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::spectra {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <limits>
 
-#include "units/constants.hpp"
+#include <railbook/units/constants.hpp>
 
 namespace railbook::spectra {
 

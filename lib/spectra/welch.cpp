@@ -1,4 +1,4 @@
-#include "spectra/welch.hpp"
+#include <railbook/spectra/welch.hpp>
 
 #include <algorithm>
 #include <array>
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <string>
 
-#include "num/wide.hpp"
-#include "units/input_error.hpp"
+#include <railbook/num/wide.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::spectra {
 namespace {

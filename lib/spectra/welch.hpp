@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
-#include "num/four_step_fft.hpp"
-#include "spectra/window.hpp"
+#include <railbook/num/four_step_fft.hpp>
+#include <railbook/spectra/window.hpp>
 
 namespace railbook::spectra {
 

@@ -1,11 +1,11 @@
-#include "spectra/window.hpp"
+#include <railbook/spectra/window.hpp>
 
 #include <array>
 #include <cmath>
 #include <string>
 
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::spectra {
 namespace {

@@ -1,4 +1,4 @@
-#include "table/csv.hpp"
+#include <railbook/table/csv.hpp>
 
 #include <fmt/format.h>
 
@@ -13,10 +13,10 @@
 #include <stdexcept>
 #include <utility>
 
-#include "table/trim.hpp"
-#include "units/input_error.hpp"
-#include "units/nearest.hpp"
-#include "units/printable.hpp"
+#include <railbook/table/detail/trim.hpp>
+#include <railbook/units/input_error.hpp>
+#include <railbook/units/nearest.hpp>
+#include <railbook/units/printable.hpp>
 
 namespace railbook::table {
 namespace {

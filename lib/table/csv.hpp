@@ -15,8 +15,8 @@
 #include <string_view>
 #include <vector>
 
-#include "table/line_source.hpp"
-#include "units/quantity.hpp"
+#include <railbook/table/line_source.hpp>
+#include <railbook/units/quantity.hpp>
 
 namespace railbook::table {
 

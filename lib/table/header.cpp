@@ -5,9 +5,9 @@
 #include <optional>
 #include <utility>
 
-#include "table/csv.hpp"
-#include "table/trim.hpp"
-#include "units/input_error.hpp"
+#include <railbook/table/csv.hpp>
+#include <railbook/table/detail/trim.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::table {
 namespace {

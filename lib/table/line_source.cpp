@@ -1,4 +1,4 @@
-#include "table/line_source.hpp"
+#include <railbook/table/line_source.hpp>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -14,9 +14,9 @@
 #include <new>
 #include <system_error>
 
-#include "files/outside.hpp"
-#include "units/input_error.hpp"
-#include "units/printable.hpp"
+#include <railbook/files/outside.hpp>
+#include <railbook/units/input_error.hpp>
+#include <railbook/units/printable.hpp>
 
 namespace railbook::table {
 namespace {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "table/csv.hpp"
-#include "units/input_error.hpp"
-#include "units/printable.hpp"
+#include <railbook/table/csv.hpp>
+#include <railbook/units/input_error.hpp>
+#include <railbook/units/printable.hpp>
 
 namespace railbook::table {
 

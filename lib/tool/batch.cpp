@@ -1,4 +1,4 @@
-#include "tool/batch.hpp"
+#include <railbook/tool/batch.hpp>
 
 #include <fmt/format.h>
 
@@ -7,14 +7,14 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "files/outside.hpp"
-#include "table/csv.hpp"
-#include "tool/out_folder.hpp"
-#include "tool/progress.hpp"
-#include "tool/session.hpp"
-#include "tool/summary.hpp"
-#include "units/input_error.hpp"
-#include "units/printable.hpp"
+#include <railbook/files/outside.hpp>
+#include <railbook/table/csv.hpp>
+#include <railbook/tool/out_folder.hpp>
+#include <railbook/tool/progress.hpp>
+#include <railbook/tool/session.hpp>
+#include <railbook/tool/summary.hpp>
+#include <railbook/units/input_error.hpp>
+#include <railbook/units/printable.hpp>
 
 namespace railbook::tool {
 namespace {

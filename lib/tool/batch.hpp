@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "tool/options.hpp"
+#include <railbook/tool/options.hpp>
 
 namespace railbook::tool {
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "tool/batch.hpp"
+#include <railbook/tool/batch.hpp>
 
 namespace railbook::tool {
 

@@ -1,11 +1,11 @@
-#include "tool/manual.hpp"
+#include <railbook/tool/detail/manual.hpp>
 
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <vector>
 
-#include "units/input_error.hpp"
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::tool {
 namespace {

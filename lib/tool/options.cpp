@@ -1,11 +1,11 @@
-#include "tool/options.hpp"
+#include <railbook/tool/options.hpp>
 
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "units/nearest.hpp"
+#include <railbook/units/nearest.hpp>
 
 namespace railbook::tool {
 namespace {

@@ -16,8 +16,8 @@
 #include <string>
 #include <vector>
 
-#include "units/input_error.hpp"
-#include "units/quantity.hpp"
+#include <railbook/units/input_error.hpp>
+#include <railbook/units/quantity.hpp>
 
 namespace CLI {
 class App;

@@ -1,12 +1,12 @@
-#include "tool/out_folder.hpp"
+#include <railbook/tool/out_folder.hpp>
 
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
 
-#include "plot/plot.hpp"
-#include "tool/session.hpp"
-#include "units/input_error.hpp"
+#include <railbook/plot/plot.hpp>
+#include <railbook/tool/session.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::tool {
 

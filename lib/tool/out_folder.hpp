@@ -18,8 +18,8 @@
 #include <string_view>
 #include <vector>
 
-#include "files/out_file.hpp"
-#include "tool/options.hpp"
+#include <railbook/files/out_file.hpp>
+#include <railbook/tool/options.hpp>
 
 namespace railbook::tool {
 

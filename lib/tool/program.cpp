@@ -1,4 +1,4 @@
-#include "tool/program.hpp"
+#include <railbook/tool/program.hpp>
 
 #include <fmt/format.h>
 
@@ -7,19 +7,18 @@
 #include <cstdio>
 #include <exception>
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
-#include <nlohmann/json.hpp>
-
-#include "files/outside.hpp"
-#include "tool/manual.hpp"
-#include "tool/session.hpp"
-#include "tool/toml.hpp"
-#include "units/input_error.hpp"
-#include "units/nearest.hpp"
-#include "units/printable.hpp"
+#include <railbook/files/outside.hpp>
+#include <railbook/tool/detail/manual.hpp>
+#include <railbook/tool/detail/toml.hpp>
+#include <railbook/tool/session.hpp>
+#include <railbook/units/input_error.hpp>
+#include <railbook/units/nearest.hpp>
+#include <railbook/units/printable.hpp>
 
 namespace railbook::tool {
 namespace {

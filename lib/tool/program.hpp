@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "tool/options.hpp"
+#include <railbook/tool/options.hpp>
 
 namespace railbook::tool {
 

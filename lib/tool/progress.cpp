@@ -1,4 +1,4 @@
-#include "tool/progress.hpp"
+#include <railbook/tool/progress.hpp>
 
 #include <fmt/format.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-#include "tool/session.hpp"
+#include <railbook/tool/session.hpp>
 
 namespace railbook::tool {
 

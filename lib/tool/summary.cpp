@@ -1,4 +1,4 @@
-#include "tool/summary.hpp"
+#include <railbook/tool/summary.hpp>
 
 #include <fmt/format.h>
 
@@ -6,9 +6,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "tool/session.hpp"
-#include "units/input_error.hpp"
-#include "units/printable.hpp"
+#include <railbook/tool/session.hpp>
+#include <railbook/units/input_error.hpp>
+#include <railbook/units/printable.hpp>
 
 namespace railbook::tool {
 

@@ -1,13 +1,13 @@
-#include "tool/toml.hpp"
+#include <railbook/tool/detail/toml.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <string_view>
 
-#include "table/line_source.hpp"
-#include "units/input_error.hpp"
-#include "units/printable.hpp"
+#include <railbook/table/line_source.hpp>
+#include <railbook/units/input_error.hpp>
+#include <railbook/units/printable.hpp>
 
 namespace railbook::tool {
 namespace {

@@ -1,12 +1,12 @@
-#include "track/beam_elements.hpp"
+#include <railbook/track/beam_elements.hpp>
 
 #include <array>
 #include <cmath>
 #include <string>
 
-#include "num/banded.hpp"
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
+#include <railbook/num/banded.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::track {
 namespace {

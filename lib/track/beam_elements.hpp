@@ -9,7 +9,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "track/joint.hpp"
+#include <railbook/track/joint.hpp>
 
 namespace railbook::track {
 

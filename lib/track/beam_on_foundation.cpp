@@ -1,10 +1,10 @@
-#include "track/beam_on_foundation.hpp"
+#include <railbook/track/beam_on_foundation.hpp>
 
 #include <cmath>
 #include <string>
 
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::track {
 

@@ -7,7 +7,7 @@
 
 #include <span>
 
-#include "num/quadrature.hpp"
+#include <railbook/num/quadrature.hpp>
 
 namespace railbook::track {
 

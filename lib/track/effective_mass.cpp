@@ -1,9 +1,9 @@
-#include "track/effective_mass.hpp"
+#include <railbook/track/effective_mass.hpp>
 
 #include <cmath>
 
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::track {
 

@@ -5,8 +5,8 @@
 // damping.
 #pragma once
 
-#include "track/beam_on_foundation.hpp"
-#include "track/stiffness_chain.hpp"
+#include <railbook/track/beam_on_foundation.hpp>
+#include <railbook/track/stiffness_chain.hpp>
 
 namespace railbook::track {
 

@@ -1,15 +1,15 @@
-#include "track/fe_moving_load.hpp"
+#include <railbook/track/fe_moving_load.hpp>
 
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "num/banded.hpp"
-#include "num/double_double.hpp"
-#include "track/moving_load.hpp"
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
+#include <railbook/num/banded.hpp>
+#include <railbook/num/double_double.hpp>
+#include <railbook/track/moving_load.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::track {
 

@@ -1,15 +1,15 @@
-#include "track/impact.hpp"
+#include <railbook/track/impact.hpp>
 
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
-#include "num/dopri5.hpp"
-#include "num/eigenvalues.hpp"
-#include "num/radau5.hpp"
-#include "track/impact_system.hpp"
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
+#include <railbook/num/dopri5.hpp>
+#include <railbook/num/eigenvalues.hpp>
+#include <railbook/num/radau5.hpp>
+#include <railbook/track/impact_system.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::track {
 

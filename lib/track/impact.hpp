@@ -10,9 +10,9 @@
 #include <string_view>
 #include <vector>
 
-#include "num/dense_step.hpp"
-#include "track/lumped.hpp"
-#include "track/track_geometry.hpp"
+#include <railbook/num/dense_step.hpp>
+#include <railbook/track/lumped.hpp>
+#include <railbook/track/track_geometry.hpp>
 
 namespace railbook::track {
 

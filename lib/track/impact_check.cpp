@@ -1,4 +1,4 @@
-#include "track/impact_check.hpp"
+#include <railbook/track/impact_check.hpp>
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <limits>
 #include <optional>
 
-#include "units/input_error.hpp"
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::track {
 namespace {

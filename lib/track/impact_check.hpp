@@ -1,7 +1,7 @@
 // A passage that knows how far its own answer can be trusted: against tolerance, energy, and the samples of the surface.
 #pragma once
 
-#include "track/impact_peaks.hpp"
+#include <railbook/track/impact_peaks.hpp>
 
 namespace railbook::track {
 

@@ -1,4 +1,4 @@
-#include "track/impact_methods.hpp"
+#include <railbook/track/impact_methods.hpp>
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
@@ -8,12 +8,12 @@
 #include <functional>
 #include <memory>
 
-#include "num/fp_flags.hpp"
-#include "num/gsl.hpp"
-#include "num/radau5.hpp"
-#include "track/impact_system.hpp"
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
+#include <railbook/num/fp_flags.hpp>
+#include <railbook/num/gsl.hpp>
+#include <railbook/num/radau5.hpp>
+#include <railbook/track/impact_system.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::track {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "track/impact.hpp"
+#include <railbook/track/impact.hpp>
 
 namespace railbook::track {
 

@@ -1,12 +1,12 @@
-#include "track/impact_peaks.hpp"
+#include <railbook/track/impact_peaks.hpp>
 
 #include <algorithm>
 #include <cmath>
 
-#include "num/quadrature.hpp"
-#include "track/impact_system.hpp"
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
+#include <railbook/num/quadrature.hpp>
+#include <railbook/track/impact_system.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::track {
 

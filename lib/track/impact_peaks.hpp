@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "track/impact.hpp"
+#include <railbook/track/impact.hpp>
 
 namespace railbook::track {
 

@@ -1,11 +1,11 @@
-#include "track/joint.hpp"
+#include <railbook/track/joint.hpp>
 
 #include <algorithm>
 #include <cmath>
 
-#include "num/roots.hpp"
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
+#include <railbook/num/roots.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::track {
 namespace {

@@ -6,8 +6,8 @@
 // (8).
 #pragma once
 
-#include "track/beam_on_foundation.hpp"
-#include "track/stiffness_chain.hpp"  // rigid
+#include <railbook/track/beam_on_foundation.hpp>
+#include <railbook/track/stiffness_chain.hpp>  // rigid
 
 namespace railbook::track {
 

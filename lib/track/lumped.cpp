@@ -1,12 +1,12 @@
-#include "track/lumped.hpp"
+#include <railbook/track/lumped.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <unsupported/Eigen/MatrixFunctions>
 
-#include "num/dense_lu.hpp"
-#include "units/input_error.hpp"
+#include <railbook/num/dense_lu.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::track {
 

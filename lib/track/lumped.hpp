@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "track/beam_on_foundation.hpp"
+#include <railbook/track/beam_on_foundation.hpp>
 
 namespace railbook::track {
 

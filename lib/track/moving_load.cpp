@@ -1,12 +1,12 @@
-#include "track/moving_load.hpp"
+#include <railbook/track/moving_load.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
 
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::track {
 

@@ -1,11 +1,11 @@
-#include "track/rail_section.hpp"
+#include <railbook/track/rail_section.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <string>
 
-#include "units/input_error.hpp"
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::track {
 namespace {

@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-#include "units/constants.hpp"
+#include <railbook/units/constants.hpp>
 
 namespace railbook::track {
 

@@ -1,10 +1,10 @@
-#include "track/stiffness_chain.hpp"
+#include <railbook/track/stiffness_chain.hpp>
 
 #include <algorithm>
 #include <cmath>
 
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::track {
 namespace {

@@ -1,13 +1,13 @@
-#include "track/track_geometry.hpp"
+#include <railbook/track/track_geometry.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
-#include "num/fft.hpp"
-#include "num/quadrature.hpp"
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
+#include <railbook/num/fft.hpp>
+#include <railbook/num/quadrature.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::track {
 

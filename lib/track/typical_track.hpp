@@ -4,9 +4,9 @@
 // reconstruction and no more.
 #pragma once
 
-#include "track/effective_mass.hpp"
-#include "track/rail_section.hpp"
-#include "track/stiffness_chain.hpp"
+#include <railbook/track/effective_mass.hpp>
+#include <railbook/track/rail_section.hpp>
+#include <railbook/track/stiffness_chain.hpp>
 
 namespace railbook::track {
 

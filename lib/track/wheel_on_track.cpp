@@ -1,9 +1,9 @@
-#include "track/wheel_on_track.hpp"
+#include <railbook/track/wheel_on_track.hpp>
 
 #include <cmath>
 
-#include "contact/hertz.hpp"
-#include "units/input_error.hpp"
+#include <railbook/contact/hertz.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::track {
 

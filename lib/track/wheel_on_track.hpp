@@ -2,8 +2,8 @@
 // mass, and the Hertz constant.
 #pragma once
 
-#include "track/impact.hpp"
-#include "track/typical_track.hpp"
+#include <railbook/track/impact.hpp>
+#include <railbook/track/typical_track.hpp>
 
 namespace railbook::track {
 

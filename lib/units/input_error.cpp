@@ -1,9 +1,9 @@
-#include "units/input_error.hpp"
+#include <railbook/units/input_error.hpp>
 
 #include <cmath>
 #include <cstdio>
 
-#include "units/printable.hpp"
+#include <railbook/units/printable.hpp>
 
 namespace railbook {
 

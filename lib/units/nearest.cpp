@@ -1,8 +1,8 @@
-#include "units/nearest.hpp"
+#include <railbook/units/nearest.hpp>
 
 #include <algorithm>
 
-#include "units/printable.hpp"
+#include <railbook/units/printable.hpp>
 
 namespace railbook::units {
 namespace {

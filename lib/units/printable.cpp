@@ -1,4 +1,4 @@
-#include "units/printable.hpp"
+#include <railbook/units/printable.hpp>
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "units/quantity.hpp"
+#include <railbook/units/quantity.hpp>
 
 #include <algorithm>
 #include <array>
@@ -8,9 +8,9 @@
 #include <optional>
 #include <utility>
 
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
-#include "units/printable.hpp"
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
+#include <railbook/units/printable.hpp>
 
 namespace railbook::units {
 namespace {

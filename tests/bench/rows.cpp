@@ -1,6 +1,4 @@
 // The rows of `make bench`.
-#include "rows.hpp"
-
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/mman.h>
@@ -17,24 +15,28 @@
 #include <stdexcept>
 #include <thread>
 
-#include "contact/cg_fft.hpp"
-#include "contact/geometry.hpp"
-#include "dynamics/continuation.hpp"
-#include "dynamics/linear_stability.hpp"
-#include "filters/geometry_chain.hpp"
-#include "filters/hybrid_filter.hpp"
-#include "num/dense_lu.hpp"
-#include "num/fft.hpp"
-#include "num/four_step_fft.hpp"
-#include "num/random_source.hpp"
-#include "quality/descriptor_filter.hpp"
-#include "rolling/force_table.hpp"
-#include "rolling/rolling_contact.hpp"
-#include "rolling/theory.hpp"
-#include "spectra/record_file.hpp"
-#include "spectra/welch.hpp"
-#include "units/constants.hpp"
-#include "wheelrail/paper_pairs.hpp"
+#include <railbook/contact/cg_fft.hpp>
+#include <railbook/contact/geometry.hpp>
+#include <railbook/cycles/continuation.hpp>
+#include <railbook/filters/fir_filter.hpp>
+#include <railbook/filters/geometry_chain.hpp>
+#include <railbook/filters/hybrid_filter.hpp>
+#include <railbook/num/dense_lu.hpp>
+#include <railbook/num/fft.hpp>
+#include <railbook/num/four_step_fft.hpp>
+#include <railbook/num/random_source.hpp>
+#include <railbook/quality/descriptor_filter.hpp>
+#include <railbook/records/record_file.hpp>
+#include <railbook/rolling/contact.hpp>
+#include <railbook/rolling/force_table.hpp>
+#include <railbook/rolling/theory.hpp>
+#include <railbook/spectra/welch.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/vehicle/car_families.hpp>
+#include <railbook/vehicle/linear_stability.hpp>
+#include <railbook/wheelset/paper_pairs.hpp>
+
+#include "rows.hpp"
 
 using namespace railbook;
 
@@ -100,8 +102,8 @@ Row reading(const std::filesystem::path& folder) {
           .ours = {"read_record",
                    [file] {
                      double sum = 0;
-                     spectra::read_record({.file = file}, [&](std::span<const double> piece,
-                                                              const spectra::RecordStream&) {
+                     records::read_record({.file = file}, [&](std::span<const double> piece,
+                                                              const records::RecordStream&) {
                        for (const double value : piece) sum += value;
                      });
                      sink = sum;
@@ -203,7 +205,7 @@ Row descriptor(bool fresh) {
   const quality::Envelope envelope(
       {.stroke = quality::StrokeLimit{{0.5, 0.2}, 25.4e-3}, .force = {}, .speed = 100 / 3.6});
   const auto taps =
-      std::make_shared<quality::FilterTaps>(quality::design_filter(envelope, {.spacing = 0.25}));
+      std::make_shared<filters::FilterTaps>(quality::design_filter(envelope, {.spacing = 0.25}));
   const std::size_t reach = taps->half.size() - 1, size = std::bit_ceil(6 * reach);
   const std::size_t outputs = 2 * (size - 2 * reach), blocks = x->size() / outputs + 1;
   const auto fft = std::make_shared<num::FourStepFft>(size);
@@ -216,11 +218,11 @@ Row descriptor(bool fresh) {
           .ours = {"FilterStream",
                    [=] {
                      if (fresh) {
-                       sink = quality::filter(*taps, *x).back();
+                       sink = filters::filter(*taps, *x).back();
                        return;
                      }
                      double* to = out->data();
-                     quality::FilterStream stream(*taps, [&](auto piece) {
+                     filters::FilterStream stream(*taps, [&](auto piece) {
                        to = std::copy(piece.begin(), piece.end(), to);
                      });
                      stream.push(*x);
@@ -238,7 +240,7 @@ Row descriptor(bool fresh) {
           .plain = {"a multiplication for each two weights",
                     [=] {
                       const std::span part{x->data(), x->size() / 50};
-                      sink = quality::filter_direct(*taps, part).back();
+                      sink = filters::filter_direct(*taps, part).back();
                     }},
           .share = 0.02};
 }
@@ -332,7 +334,7 @@ Row force_table() {
 
 // What a branch cannot do without: in each Newton step the balance's own matrix, at each point the maps of 256 and 128 steps,
 // whose two stages move 18 columns.
-void eliminate(const dynamics::LimitCycleBranch& branch) {
+void eliminate(const cycles::LimitCycleBranch& branch) {
   const double steps =
       static_cast<double>(branch.newton_steps) / static_cast<double>(branch.points.size());
   double eliminations = 0;
@@ -348,7 +350,7 @@ void eliminate(const dynamics::LimitCycleBranch& branch) {
 }
 
 Row limit_cycles() {
-  const auto branch = std::make_shared<dynamics::LimitCycleBranch>();
+  const auto branch = std::make_shared<cycles::LimitCycleBranch>();
   return {
       .key = "branch",
       .what = "Branch of 60 limit cycles of the new wheel, with multipliers and located points",
@@ -356,9 +358,10 @@ Row limit_cycles() {
       .work = 60,
       .ours = {"follow_from_hopf",
                [=] {
-                 using namespace dynamics;
+                 using namespace cycles;
+                 using namespace vehicle;
                  const FreightCar car = assemble({}, Suspension::dampers);
-                 const auto& table = wheelrail::new_wheel_table();
+                 const auto& table = wheelset::new_wheel_table();
                  const Motion m = hopf_points({car, table}, 5, 100).front().motion;
                  *branch = follow_from_hopf(by_speed(car, table), m.shape, m.lambda.imag(), m.speed,
                                             {.most_points = 60});

@@ -19,9 +19,10 @@
 #include <string>
 #include <vector>
 
-#include "bench/timing.hpp"
-#include "files/out_file.hpp"
-#include "files/staged.hpp"
+#include <railbook/bench/timing.hpp>
+#include <railbook/files/out_file.hpp>
+#include <railbook/files/staged.hpp>
+
 #include "rows.hpp"
 
 using namespace railbook;

@@ -1,5 +1,3 @@
-#include "golden.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,8 +6,10 @@
 #include <set>
 #include <stdexcept>
 
-#include "files/out_file.hpp"
-#include "scene/image.hpp"
+#include <railbook/files/out_file.hpp>
+#include <railbook/scene/image.hpp>
+
+#include "golden.hpp"
 
 namespace railbook::figures {
 namespace {

@@ -9,8 +9,9 @@
 #include <sstream>
 #include <stdexcept>
 
+#include <railbook/table/csv.hpp>
+
 #include "golden.hpp"
-#include "table/csv.hpp"
 
 namespace railbook::figures {
 namespace {

@@ -1,8 +1,9 @@
 #include <catch2/catch.hpp>
 
+#include <railbook/scene/image.hpp>
+
 #include "../support/temporary_folder.hpp"
 #include "golden.hpp"
-#include "scene/image.hpp"
 
 using namespace railbook;
 using Catch::Matchers::Contains;

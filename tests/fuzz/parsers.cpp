@@ -10,11 +10,11 @@
 #include <string>
 #include <string_view>
 
-#include "files/outside.hpp"
-#include "table/csv.hpp"
-#include "tool/toml.hpp"
-#include "units/input_error.hpp"
-#include "units/quantity.hpp"
+#include <railbook/files/outside.hpp>
+#include <railbook/table/csv.hpp>
+#include <railbook/tool/detail/toml.hpp>
+#include <railbook/units/input_error.hpp>
+#include <railbook/units/quantity.hpp>
 
 using namespace railbook;
 

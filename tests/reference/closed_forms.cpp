@@ -72,7 +72,7 @@ void hertz() {
     const Quad m1 = expq(log_m1);
     const Elliptic e = elliptic(m1);
     const Quad a = sqrtq(e.d / e.k), b = a * sqrtq(m1);
-    std::printf("tests/unit/contact_hertz.cpp: %s, %s, %s, %s}\n", digits(a, "%.24Qf").c_str(),
+    std::printf("tests/lib/contact/hertz.cpp: %s, %s, %s, %s}\n", digits(a, "%.24Qf").c_str(),
                 digits(b * sqrtq(q), "%.24Qf").c_str(),
                 digits(2 * pi * a / (3 * e.k), "%.24Qf").c_str(),
                 digits(1 / (b * e.k * sqrtq(q)), "%.24Qf").c_str());
@@ -108,13 +108,13 @@ void punch() {
       const Quad x = low + (high - low) * 0.382Q, y = low + (high - low) * 0.618Q;
       (pressure(x) < pressure(y) ? low : high) = pressure(x) < pressure(y) ? x : y;
     }
-    std::printf("tests/unit/contact_punch.cpp: Case{%s, %s, %s, %s, %s, %s}\n", name,
+    std::printf("tests/lib/contact/punch.cpp: Case{%s, %s, %s, %s, %s, %s}\n", name,
                 digits(a, "%.14Qg").c_str(), digits(force, "%.14Qg").c_str(),
                 digits(pressure(0), "%.12Qg").c_str(), digits(pressure(low), "%.11Qg").c_str(),
                 digits(low, "%.6Qf").c_str());
   }
   const Quad z = bisect([](Quad x) { return x * tanhq(x) - 1; }, 1, 2);
-  std::printf("tests/unit/contact_punch.cpp: z = %s;\n", digits(z, "%.17Qg").c_str());
+  std::printf("tests/lib/contact/punch.cpp: z = %s;\n", digits(z, "%.17Qg").c_str());
 }
 
 // -1/(4 pi) integral of ln R / sin^2(t/2), R = 4 sin^2(t/2) sum of (-1)^m sign(t + 2 pi m)/(t + 2 pi m)^2.
@@ -135,7 +135,7 @@ void edge_offset() {
     const Quad s = sinq(t / 2);
     return t < 1e-8Q ? -1 / 3.0Q : logq(4 * s * s * lattice(t)) / (s * s);
   };
-  std::printf("tests/unit/rolling_theory.cpp: edge_offset() == Approx(%s)\n",
+  std::printf("tests/lib/rolling/theory.cpp: edge_offset() == Approx(%s)\n",
               digits(-integral(f, 0, pi) / (4 * pi), "%.10Qf").c_str());
 }
 
@@ -149,7 +149,7 @@ Quad sine_integral(Quad x) {
 }
 
 void spectra() {
-  const char* file = "tests/unit/spectra_chord.cpp";
+  const char* file = "tests/lib/spectra/chord.cpp";
   std::printf("%s: sine_integral(1.0), WithinRel(%s,\n", file,
               digits(sine_integral(1), "%.15Qf").c_str());
   std::printf("%s: sine_integral(-10.0), WithinRel(%s,\n", file,
@@ -157,15 +157,15 @@ void spectra() {
   std::printf("%s: chord_sigma(1.0, 1.0), WithinRel(%s,\n", file,
               digits(pi / sqrtq(2), "%.15Qf").c_str());
   const Quad z = bisect([](Quad x) { return 0.025Q - erfcq(x / sqrtq(2)) / 2; }, 1, 3);
-  std::printf("tests/unit/spectra_synthetic.cpp: normal_quantile(0.975), WithinRel(%s,\n",
+  std::printf("tests/lib/spectra/synthetic.cpp: normal_quantile(0.975), WithinRel(%s,\n",
               digits(z, "%.15Qf").c_str());
   // Q_1 = (2 B/(3 pi))^2/2.
-  std::printf("tests/unit/spectra_spectrum.cpp: Approx(%s)\n",
+  std::printf("tests/lib/spectra/spectrum.cpp: Approx(%s)\n",
               digits(3 * pi / sqrtq(2), "%.9Qf").c_str());
 }
 
 void quality() {
-  const char* file = "tests/unit/quality_index.cpp";
+  const char* file = "tests/lib/quality/index.cpp";
   const auto normal = [](Quad x) { return expq(-x * x / 2) / sqrtq(2 * pi); };
   const auto over = [](Quad x) { return erfcq(-x / sqrtq(2)) / 2; };  // Phi
   const auto risk = [&](Quad x, Quad, Quad) {
@@ -190,10 +190,10 @@ void others() {
     const Quad next = (a + g) / 2;
     g = sqrtq(a * g), a = next;
   }
-  std::printf("tests/unit/wheelrail_conicity.cpp: lemniscate = %s;\n",
+  std::printf("tests/lib/wheelset/conicity.cpp: lemniscate = %s;\n",
               digits(pi / (2 * a), "%.16Qf").c_str());
   const Quad x = bisect([](Quad y) { return y - cosq(y); }, 0, 1);
-  std::printf("tests/unit/num_basics.cpp: Approx(%s)\n", digits(x, "%.16Qf").c_str());
+  std::printf("tests/lib/num/basics.cpp: Approx(%s)\n", digits(x, "%.16Qf").c_str());
 }
 
 }  // namespace

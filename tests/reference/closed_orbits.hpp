@@ -9,15 +9,16 @@
 #include <cstdlib>
 #include <vector>
 
+#include <railbook/units/constants.hpp>
+#include <railbook/wheelset/paper_pairs.hpp>
+
 #include "../support/body_by_body.hpp"
-#include "units/constants.hpp"
-#include "wheelrail/paper_pairs.hpp"
 
 namespace railbook::reference {
 
-using namespace railbook::dynamics;
+using namespace railbook::vehicle;
 using units::inch;
-using Table = wheelrail::ConstraintFunctions;
+using Table = wheelset::ConstraintFunctions;
 using Point = Eigen::Matrix<double, 18, 1>;  // q, q'
 
 // M q'' = -C q' - K q + sum over wheelsets of G_i (R, D, Phi)(x_i) [- friction].

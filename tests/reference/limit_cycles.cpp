@@ -187,14 +187,14 @@ void cycles(const Table& table, bool friction, const std::vector<Wanted>& wanted
     const Car car(equations(friction, w.speed * foot), table);
     const Found near = describe(table, friction, w.size, {w.speed, w.omega});
     const Closed c = settle(car, near, friction ? 20 : 40, friction ? 6000 : 4000);
-    std::printf("tests/unit/dynamics_cycles_reference.cpp: {%s, %s, %s,\n", w.written,
+    std::printf("tests/lib/vehicle/cycles_reference.cpp: {%s, %s, %s,\n", w.written,
                 digits(amplitude(car, c), w.of_amplitude).c_str(),
                 digits(two_pi / c.period, w.of_omega).c_str());
   }
 }
 
 void multipliers() {
-  const Table& table = wheelrail::new_wheel_table();
+  const Table& table = wheelset::new_wheel_table();
   const Car first(equations(false, 150 * foot), table);
   Closed c = settle(first, describe(table, false, 0.404, {150, 13.1}), 60, 4000);
   for (const auto& [speed, written] :
@@ -202,7 +202,7 @@ void multipliers() {
     const Car car(equations(false, speed * foot), table);
     c = close(car, c.start, c.period, 8000);
     if (*written)
-      std::printf("tests/unit/dynamics_cycles_reference.cpp: {%s, %s}\n", written,
+      std::printf("tests/lib/vehicle/cycles_reference.cpp: {%s, %s}\n", written,
                   digits(largest_multiplier(c), 2).c_str());
   }
 }
@@ -217,7 +217,7 @@ void describing(const Table& table, bool friction, double amplitude, Found near,
       amplitude = std::min(amplitude + 0.01, goal);
       at = describe(table, friction, amplitude, at);
     }
-    std::printf("tests/unit/dynamics_paper_branches.cpp: {%s, %s, %s,\n", text,
+    std::printf("tests/lib/vehicle/paper_branches.cpp: {%s, %s, %s,\n", text,
                 digits(at.speed, 2).c_str(), digits(at.omega, 2).c_str());
   }
 }
@@ -225,8 +225,8 @@ void describing(const Table& table, bool friction, double amplitude, Found near,
 }  // namespace
 
 int main() {
-  const Table &fresh = wheelrail::new_wheel_table(), &cn = wheelrail::cn_table(),
-              &heumann = wheelrail::heumann_table();
+  const Table &fresh = wheelset::new_wheel_table(), &cn = wheelset::cn_table(),
+              &heumann = wheelset::heumann_table();
   cycles(fresh, false, {{146, "146", 0.401, 12.3, 5, 3}, {150, "150", 0.405, 13.1, 6, 4}});
   cycles(heumann, false, {{87, "87", 0.21, 26.1, 4, 3}, {87.4, "87.4", 0.22, 26.1, 4, 3}});
   cycles(cn, false, {{130.8, "130.8", 0.405, 21.5, 4, 3}, {131.5, "131.5", 0.413, 21.6, 4, 3}});

@@ -16,7 +16,7 @@ namespace {
 
 const Real pi = std::acos(-1.0L), foot = 0.3048L, mph = 0.44704L;
 
-const char* filters = "tests/unit/filters_reference.cpp";
+const char* filters = "tests/lib/filters/reference.cpp";
 
 std::string text(const char* format, Real x) {
   char out[64];
@@ -157,7 +157,7 @@ Real peak(Real damping) {
 }
 
 void vehicle() {
-  const char* file = "tests/unit/quality_descriptor.cpp";
+  const char* file = "tests/lib/quality/descriptor.cpp";
   for (const auto& [rho, format] :
        {std::pair{"0.2", "%.6Lf"}, {"0.01", "%.4Lf"}, {"0.5", "%.6Lf"}, {"0.7", "%.6Lf"}})
     say(file, (std::string("stroke_peak(") + rho + ").gain, WithinAbs(").c_str(),
@@ -202,7 +202,7 @@ Real settled(Real kappa, Real f, Real ramp, int h = 1000) {
 }
 
 void bump_stops() {
-  const char* file = "tests/unit/quality_bump_stops.cpp";
+  const char* file = "tests/lib/quality/bump_stops.cpp";
   std::vector<std::string> strokes;
   for (const int kappa : {0, 1, 10, 100, 1000}) {
     std::string stroke = text("%.5Lf", settled(kappa, 0.5212860L, 0, kappa > 100 ? 4000 : 1000));

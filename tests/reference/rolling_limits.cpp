@@ -18,10 +18,10 @@
 #include <string>
 #include <vector>
 
-#include "bench/limit.hpp"
-#include "num/parallel.hpp"
-#include "rolling/rolling_parts.hpp"
-#include "table/csv.hpp"
+#include <railbook/bench/limit.hpp>
+#include <railbook/num/parallel.hpp>
+#include <railbook/rolling/parts.hpp>
+#include <railbook/table/csv.hpp>
 
 namespace {
 

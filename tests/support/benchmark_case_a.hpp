@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "wheel_on_rail/wheel.hpp"
+#include <railbook/wheel_contact/wheel.hpp>
 
 namespace railbook::tests {
 
@@ -79,16 +79,16 @@ inline constexpr std::array<BenchmarkWheel, 11> benchmark_right{{
 
 inline constexpr double benchmark_rail_origin = 760.5326;  // mm from the middle of the track
 
-inline const wheel_on_rail::Pair& benchmark_pair() {
-  static const auto pair = wheel_on_rail::s1002_on_60e1(1.0 / 40, wheel_on_rail::Rail60::benchmark);
+inline const wheel_contact::Pair& benchmark_pair() {
+  static const auto pair = wheel_contact::s1002_on_60e1(1.0 / 40, profiles::Rail60::benchmark);
   return pair;
 }
-inline wheel_on_rail::Pose benchmark_pose(std::size_t i) {
+inline wheel_contact::Pose benchmark_pose(std::size_t i) {
   const double y = static_cast<double>(i);
   return {1e-3 * y, 2.4e-3 * y, 1e-6 * benchmark_poses[i].roll_urad};
 }
-inline wheel_on_rail::WheelWish benchmark_wish(std::size_t i) {
-  wheel_on_rail::WheelWish wish;
+inline wheel_contact::WheelWish benchmark_wish(std::size_t i) {
+  wheel_contact::WheelWish wish;
   wish.load = 10e3, wish.speed = 2, wish.turning = benchmark_poses[i].turning;
   wish.wheel = wish.rail = {2 * 82e9 * 1.28, 0.28};
   return wish;

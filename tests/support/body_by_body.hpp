@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <functional>
 
-#include "dynamics/freight_car.hpp"
-#include "units/input_error.hpp"
+#include <railbook/units/input_error.hpp>
+#include <railbook/vehicle/freight_car.hpp>
 
-namespace railbook::dynamics {
+namespace railbook::vehicle {
 
 // Rolling radii [m] and contact angles to the axle [rad] of both wheels and the wheelset's roll, at x_w [m].
 struct WheelContacts {
@@ -123,4 +123,4 @@ inline double force_power(const CarParameters& p, bool friction, double speed,
   return power;
 }
 
-}  // namespace railbook::dynamics
+}  // namespace railbook::vehicle

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rolling/rolling_parts.hpp"
-#include "units/constants.hpp"
+#include <railbook/rolling/parts.hpp>
+#include <railbook/units/constants.hpp>
 
 namespace railbook::tests {
 

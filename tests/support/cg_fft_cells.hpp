@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-#include "contact/cg_fft.hpp"
+#include <railbook/contact/cg_fft.hpp>
 
 // One grid, as it is: p solves the bounded problem for the gap f at its cell centres.
 inline railbook::contact::Region solve_on(const railbook::contact::Grid& grid,

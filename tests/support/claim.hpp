@@ -11,7 +11,7 @@
 #include <sstream>
 #include <string>
 
-#include "num/draw.hpp"
+#include <railbook/num/draw.hpp>
 
 namespace railbook::tests {
 

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "filters/high_pass.hpp"
+#include <railbook/filters/high_pass.hpp>
 
 // N - |j|: from short offsets to those of the chord of 2N samples.
 inline std::vector<double> chord_taps(int half) {

@@ -1,7 +1,7 @@
 // Where a journey ends.
 #pragma once
 
-#include "geometry_car/motion.hpp"
+#include <railbook/geometry_car/motion.hpp>
 
 inline double final_position(const railbook::geometry_car::Motion& motion) {
   double v = motion.speed, s = motion.start;

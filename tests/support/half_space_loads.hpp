@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "contact/subsurface.hpp"
+#include <railbook/contact/subsurface.hpp>
 
 namespace railbook::tests {
 

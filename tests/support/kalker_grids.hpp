@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include "rolling/kalker_coefficients.hpp"
-#include "rolling/rolling_parts.hpp"
+#include <railbook/rolling/kalker_coefficients.hpp>
+#include <railbook/rolling/parts.hpp>
 
 namespace railbook::tests {
 

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <string>
 
-#include "num/fp_flags.hpp"
+#include <railbook/num/fp_flags.hpp>
 
 struct NoFpFault {
   NoFpFault() = default;

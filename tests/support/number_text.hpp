@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <string>
 
-#include "num/draw.hpp"
-#include "units/input_error.hpp"
+#include <railbook/num/draw.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::tests {
 

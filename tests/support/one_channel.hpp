@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "geometry_car/health.hpp"
-#include "units/constants.hpp"
+#include <railbook/geometry_car/health.hpp>
+#include <railbook/units/constants.hpp>
 
 namespace railbook::geometry_car::one_channel {
 

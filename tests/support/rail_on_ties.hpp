@@ -1,7 +1,7 @@
 // A rail of finite length on discrete ties, its load in the middle.
 #pragma once
 
-#include "track/beam_elements.hpp"
+#include <railbook/track/beam_elements.hpp>
 
 namespace railbook::support {
 

@@ -1,7 +1,7 @@
 // The creep rig's contact at about 1000 lbf, for tests of rolling contact.
 #pragma once
 
-#include "rolling/rolling_case.hpp"
+#include <railbook/rolling/case.hpp>
 
 namespace railbook {
 

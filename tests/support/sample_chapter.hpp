@@ -7,7 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "report/chapter.hpp"
+#include <railbook/report/chapter.hpp>
+
 #include "temporary_folder.hpp"
 
 struct Sample {

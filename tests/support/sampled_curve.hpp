@@ -4,9 +4,9 @@
 #include <cmath>
 #include <vector>
 
-#include "wheelrail/curve.hpp"
+#include <railbook/profiles/curve.hpp>
 
-namespace railbook::wheelrail {
+namespace railbook::profiles {
 
 // Points `step` apart along the curve, from its start.
 inline std::vector<Point> sampled(const Curve& curve, double step) {
@@ -30,4 +30,4 @@ inline std::vector<Point> sampled(const Curve& curve, double step) {
   return points;
 }
 
-}  // namespace railbook::wheelrail
+}  // namespace railbook::profiles

@@ -6,7 +6,7 @@
 #include <unsupported/Eigen/MatrixFunctions>
 #include <vector>
 
-#include "track/lumped.hpp"
+#include <railbook/track/lumped.hpp>
 
 // Rail deflection under any force history: `force` [N] sampled every `step` [s] and taken as linear in
 // between, exact for that; from rest in equilibrium with force[0].

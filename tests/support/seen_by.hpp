@@ -6,17 +6,17 @@
 #include <utility>
 #include <vector>
 
-#include "dynamics/oscillator.hpp"
+#include <railbook/cycles/oscillator.hpp>
 
 namespace railbook::tests {
 
 // n coordinates of unit mass and stiffness, of which a law sees all motions and all rates and pushes all; its derivatives by
 // complex steps.
 template <class F>
-dynamics::Oscillator seen_by(int n, F f) {
+cycles::Oscillator seen_by(int n, F f) {
   const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(n, n), none = Eigen::MatrixXd::Zero(n, n);
-  dynamics::Oscillator o{one, none, none, one, 1.0, {}, {}};
-  dynamics::Coupling c;
+  cycles::Oscillator o{one, none, none, one, 1.0, {}, {}};
+  cycles::Coupling c;
   c.of_motion = Eigen::MatrixXd::Zero(2 * n, n);
   c.of_rate = c.of_rate_by_speed = c.of_motion;
   c.of_motion.topRows(n) = one;

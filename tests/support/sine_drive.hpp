@@ -7,8 +7,8 @@
 #include <complex>
 #include <stdexcept>
 
-#include "filters/hybrid_filter.hpp"
-#include "num/dopri5.hpp"
+#include <railbook/filters/hybrid_filter.hpp>
+#include <railbook/num/dopri5.hpp>
 
 namespace railbook::tests {
 

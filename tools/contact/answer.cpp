@@ -1,13 +1,13 @@
-#include "contact/answer.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <tuple>
 
-#include "contact/hertz.hpp"
-#include "units/input_error.hpp"
+#include <railbook/contact/hertz.hpp>
+#include <railbook/units/input_error.hpp>
+
+#include "contact/answer.hpp"
 
 namespace railbook::contact_tool {
 

@@ -6,11 +6,11 @@
 #include <optional>
 #include <string>
 
-#include "contact/bodies.hpp"
-#include "contact/cg_fft.hpp"
-#include "tool/out_folder.hpp"
-#include "tool/summary.hpp"
-#include "units/constants.hpp"
+#include <railbook/contact/bodies.hpp>
+#include <railbook/contact/cg_fft.hpp>
+#include <railbook/tool/out_folder.hpp>
+#include <railbook/tool/summary.hpp>
+#include <railbook/units/constants.hpp>
 
 namespace railbook::contact_tool {
 

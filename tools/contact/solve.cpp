@@ -7,12 +7,13 @@
 #include <thread>
 #include <vector>
 
+#include <railbook/table/csv.hpp>
+#include <railbook/tool/out_folder.hpp>
+#include <railbook/tool/summary.hpp>
+#include <railbook/units/constants.hpp>
+
 #include "contact/answer.hpp"
-#include "table/csv.hpp"
-#include "tool/out_folder.hpp"
-#include "tool/summary.hpp"
 #include "tools.hpp"
-#include "units/constants.hpp"
 
 namespace railbook::contact_tool {
 

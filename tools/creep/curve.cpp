@@ -20,18 +20,19 @@ read. Positive creepage gives positive force, that of the wheel on the rail; `sp
 #include <optional>
 #include <utility>
 
-#include "contact/hertz.hpp"
-#include "num/roots.hpp"
-#include "rolling/creep_laws.hpp"
-#include "rolling/material_pair.hpp"
-#include "rolling/theory.hpp"
-#include "table/csv.hpp"
-#include "tool/out_folder.hpp"
-#include "tool/progress.hpp"
-#include "tool/session.hpp"
-#include "tool/summary.hpp"
+#include <railbook/contact/hertz.hpp>
+#include <railbook/num/roots.hpp>
+#include <railbook/rolling/creep_laws.hpp>
+#include <railbook/rolling/material_pair.hpp>
+#include <railbook/rolling/theory.hpp>
+#include <railbook/table/csv.hpp>
+#include <railbook/tool/out_folder.hpp>
+#include <railbook/tool/progress.hpp>
+#include <railbook/tool/session.hpp>
+#include <railbook/tool/summary.hpp>
+#include <railbook/units/constants.hpp>
+
 #include "tools.hpp"
-#include "units/constants.hpp"
 
 namespace railbook::creep_tool {
 

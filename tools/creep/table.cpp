@@ -17,15 +17,16 @@ answer and in the file.
 #include <cmath>
 #include <optional>
 
-#include "rolling/force_table.hpp"
-#include "rolling/theory.hpp"
-#include "table/csv.hpp"
-#include "tool/out_folder.hpp"
-#include "tool/progress.hpp"
-#include "tool/summary.hpp"
+#include <railbook/rolling/force_table.hpp>
+#include <railbook/rolling/theory.hpp>
+#include <railbook/table/csv.hpp>
+#include <railbook/tool/out_folder.hpp>
+#include <railbook/tool/progress.hpp>
+#include <railbook/tool/summary.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
+
 #include "tools.hpp"
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
 
 namespace railbook::creep_tool {
 

@@ -1,8 +1,8 @@
 // Options that the tools of the car share.
 #pragma once
 
-#include "geometry_car/car.hpp"
-#include "tool/options.hpp"
+#include <railbook/geometry_car/car.hpp>
+#include <railbook/tool/options.hpp>
 
 namespace railbook::filters_tool {
 

@@ -37,15 +37,16 @@ the stretches where that shows; a zero that has moved, and a speed that leapt, a
 #include <utility>
 #include <vector>
 
+#include <railbook/geometry_car/stretches.hpp>
+#include <railbook/table/csv.hpp>
+#include <railbook/tool/out_folder.hpp>
+#include <railbook/tool/progress.hpp>
+#include <railbook/tool/summary.hpp>
+#include <railbook/units/constants.hpp>
+
 #include "filters/car_options.hpp"
 #include "filters/sensor_file.hpp"
-#include "geometry_car/stretches.hpp"
-#include "table/csv.hpp"
-#include "tool/out_folder.hpp"
-#include "tool/progress.hpp"
-#include "tool/summary.hpp"
 #include "tools.hpp"
-#include "units/constants.hpp"
 
 namespace railbook::filters_tool {
 

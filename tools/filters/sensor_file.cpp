@@ -2,9 +2,6 @@
 A header names its unit after the last underscores; a column that is there without one, or with one of another dimension, is refused rather than guessed.
 Distances may be off the marks by a quarter of a sample.
 */
-#include "filters/sensor_file.hpp"
-#include "units/constants.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,9 +10,12 @@ Distances may be off the marks by a quarter of a sample.
 #include <optional>
 #include <string_view>
 
-#include "filters/hybrid_filter.hpp"
-#include "table/csv.hpp"
-#include "units/input_error.hpp"
+#include <railbook/filters/hybrid_filter.hpp>
+#include <railbook/table/csv.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
+
+#include "filters/sensor_file.hpp"
 
 namespace railbook::filters_tool {
 

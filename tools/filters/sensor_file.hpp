@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "geometry_car/stretches.hpp"
-#include "table/csv.hpp"
+#include <railbook/geometry_car/stretches.hpp>
+#include <railbook/table/csv.hpp>
 
 namespace railbook::filters_tool {
 

@@ -17,16 +17,17 @@ distance, changes speed at a constant rate between them, stands at a speed of ze
 #include <string>
 #include <vector>
 
-#include "files/out_file.hpp"
+#include <railbook/files/out_file.hpp>
+#include <railbook/geometry_car/reconstruct.hpp>
+#include <railbook/geometry_car/sensors.hpp>
+#include <railbook/geometry_car/simulate.hpp>
+#include <railbook/table/csv.hpp>
+#include <railbook/tool/session.hpp>
+#include <railbook/tool/summary.hpp>
+#include <railbook/units/constants.hpp>
+
 #include "filters/car_options.hpp"
-#include "geometry_car/reconstruct.hpp"
-#include "geometry_car/sensors.hpp"
-#include "geometry_car/simulate.hpp"
-#include "table/csv.hpp"
-#include "tool/session.hpp"
-#include "tool/summary.hpp"
 #include "tools.hpp"
-#include "units/constants.hpp"
 
 namespace railbook::filters_tool {
 

@@ -4,9 +4,6 @@ Both tools below take a car as options, on the command line or in a TOML file (`
 friction levels and the motion at which they are linearized, unless given themselves; with `--suspension friction` the frictions act.
 */
 
-#include "hunting/car_options.hpp"
-#include "units/constants.hpp"
-
 #include <fmt/format.h>
 
 #include <array>
@@ -14,12 +11,15 @@ friction levels and the motion at which they are linearized, unless given themse
 #include <limits>
 #include <string>
 
-#include "dynamics/linear_stability.hpp"
+#include <railbook/units/constants.hpp>
+#include <railbook/vehicle/linear_stability.hpp>
+
+#include "hunting/car_options.hpp"
 #include "tools.hpp"
 
 namespace railbook::hunting_tool {
 
-using namespace dynamics;
+using namespace vehicle;
 
 namespace {
 

@@ -8,15 +8,16 @@
 #include <optional>
 #include <string>
 
-#include "dynamics/quasi_linear.hpp"
+#include <railbook/tool/summary.hpp>
+#include <railbook/vehicle/quasi_linear.hpp>
+
 #include "hunting/profile_file.hpp"
-#include "tool/summary.hpp"
 
 namespace railbook::hunting_tool {
 
 struct CarWish {
   PairWish pair;
-  dynamics::CarParameters data;
+  vehicle::CarParameters data;
   std::string suspension = "dampers";
   std::optional<double> lateral_damper, vertical_damper, warp_damper, centre_plate_damper;
 };
@@ -24,8 +25,8 @@ struct CarWish {
 void add_car_options(tool::Options& options, CarWish& wish);
 
 struct CarCase {
-  wheelrail::ConstraintFunctions table;
-  dynamics::QuasiLinearCar car;
+  wheelset::ConstraintFunctions table;
+  vehicle::QuasiLinearCar car;
   std::vector<ProfileFit> fits;
 };
 // Throws InputError for data that no car has, profiles that do not fit, or a damper given beside friction.

@@ -33,21 +33,25 @@ take long: after `--patience` the branch ends where it is, and the answer says s
 #include <cmath>
 #include <memory>
 
-#include "dynamics/cycle_error.hpp"
-#include "dynamics/linear_stability.hpp"
+#include <railbook/cycles/cycle_error.hpp>
+#include <railbook/num/stopwatch.hpp>
+#include <railbook/rolling/kalker_coefficients.hpp>
+#include <railbook/rolling/smooth_force.hpp>
+#include <railbook/rolling/theory.hpp>
+#include <railbook/table/csv.hpp>
+#include <railbook/tool/out_folder.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/vehicle/car_families.hpp>
+#include <railbook/vehicle/creep_limit.hpp>
+#include <railbook/vehicle/linear_stability.hpp>
+
 #include "hunting/search.hpp"
-#include "num/stopwatch.hpp"
-#include "rolling/kalker_coefficients.hpp"
-#include "rolling/smooth_force.hpp"
-#include "rolling/theory.hpp"
-#include "table/csv.hpp"
-#include "tool/out_folder.hpp"
 #include "tools.hpp"
-#include "units/constants.hpp"
 
 namespace railbook::hunting_tool {
 
-using namespace dynamics;
+using namespace cycles;
+using namespace vehicle;
 
 namespace {
 

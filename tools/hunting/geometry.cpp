@@ -22,17 +22,19 @@ against amplitude to `conicity.csv`, the places of two-point contact to `jumps.c
 #include <optional>
 #include <string_view>
 
+#include <railbook/table/csv.hpp>
+#include <railbook/tool/out_folder.hpp>
+#include <railbook/tool/summary.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/wheelset/conicity.hpp>
+
 #include "hunting/profile_file.hpp"
-#include "table/csv.hpp"
-#include "tool/out_folder.hpp"
-#include "tool/summary.hpp"
 #include "tools.hpp"
-#include "units/constants.hpp"
-#include "wheelrail/conicity.hpp"
 
 namespace railbook::hunting_tool {
 
-using namespace wheelrail;
+using namespace profiles;
+using namespace wheelset;
 using units::millimetre;
 
 namespace {

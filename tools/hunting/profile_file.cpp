@@ -19,9 +19,6 @@ through all of them the worn wheel's contact jumps dozens of times, and with `--
 distances, and flags a conicity or critical speed that changes when the profiles are smoothed by half or by twice as much.
 */
 
-#include "hunting/profile_file.hpp"
-#include "units/constants.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -30,15 +27,19 @@ distances, and flags a conicity or critical speed that changes when the profiles
 #include <map>
 #include <string_view>
 
-#include "files/outside.hpp"
-#include "table/csv.hpp"
-#include "units/input_error.hpp"
-#include "wheelrail/measured_curve.hpp"
-#include "wheelrail/paper_pairs.hpp"
+#include <railbook/files/outside.hpp>
+#include <railbook/profiles/measured_curve.hpp>
+#include <railbook/table/csv.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
+#include <railbook/wheelset/paper_pairs.hpp>
+
+#include "hunting/profile_file.hpp"
 
 namespace railbook::hunting_tool {
 
-using namespace wheelrail;
+using namespace profiles;
+using namespace wheelset;
 
 namespace {
 

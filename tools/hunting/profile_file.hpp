@@ -14,11 +14,11 @@
 #include <string>
 #include <vector>
 
-#include "tool/options.hpp"
-#include "tool/summary.hpp"
-#include "units/constants.hpp"
-#include "wheelrail/profile_points.hpp"
-#include "wheelrail/tabulate.hpp"
+#include <railbook/profiles/profile_points.hpp>
+#include <railbook/tool/options.hpp>
+#include <railbook/tool/summary.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/wheelset/tabulate.hpp>
 
 namespace railbook::hunting_tool {
 
@@ -56,32 +56,31 @@ bool from_files(const PairWish& wish);
 // How a measured profile was met, all [m].
 struct ProfileFit {
   const char* what;      // "wheel"
-  double scatter = 0;    // of the points (wheelrail::scatter)
+  double scatter = 0;    // of the points (profiles::scatter)
   double smoothing = 0;  // asked for
   double rms = 0, largest = 0;
   double inner_end = 0;  // of the points that were kept
   std::filesystem::path file = {};
-  std::vector<wheelrail::PointsWarning> warnings = {}, left_out = {};  // in the file's coordinates
+  std::vector<profiles::PointsWarning> warnings = {}, left_out = {};  // in the file's coordinates
 };
 // One profile from its file, and how it was met; of the wish only the smoothing is used. Throws InputError naming the file.
-wheelrail::Curve read_profile(const std::filesystem::path& file, wheelrail::Body body,
-                              const PairWish& wish, ProfileFit& fit);
+profiles::Curve read_profile(const std::filesystem::path& file, profiles::Body body,
+                             const PairWish& wish, ProfileFit& fit);
 // Lists the points that were left out, and flags what looks wrong with the others. `stands` says where the contact stands on a doubtful place, if it
 // does: "at shifts of 1 to 3 mm", or nothing.
 using StandsOn =
-    std::function<std::string(const ProfileFit& fit, const wheelrail::PointsWarning& warning)>;
+    std::function<std::string(const ProfileFit& fit, const profiles::PointsWarning& warning)>;
 void flag_points(tool::Summary& answer, const std::vector<ProfileFit>& fits,
                  const StandsOn& stands);
 
 struct ReadPair {
-  wheelrail::WheelsetOnTrack pair;
+  wheelset::WheelsetOnTrack pair;
   std::vector<ProfileFit> fits;  // none for the paper's pairs
 };
 
 // Throw InputError naming the file and what is wrong with it, or with the place of the wheelset on the rails.
 ReadPair read_pair(const PairWish& wish);
-wheelrail::ConstraintFunctions table_of(const wheelrail::WheelsetOnTrack& pair,
-                                        const PairWish& wish);
+wheelset::ConstraintFunctions table_of(const wheelset::WheelsetOnTrack& pair, const PairWish& wish);
 
 // Where the profiles come from, and how well they were met.
 void describe_pair(tool::Summary& answer, const PairWish& wish,

@@ -1,13 +1,14 @@
-#include "hunting/search.hpp"
-
 #include <algorithm>
 #include <cmath>
 
-#include "dynamics/linear_stability.hpp"
+#include <railbook/vehicle/linear_stability.hpp>
+
+#include "hunting/search.hpp"
 
 namespace railbook::hunting_tool {
 
-using namespace dynamics;
+using namespace cycles;
+using namespace vehicle;
 
 namespace {
 

@@ -3,13 +3,14 @@
 
 #include <vector>
 
-#include "dynamics/settled_motion.hpp"
+#include <railbook/cycles/settled_motion.hpp>
+
 #include "hunting/car_options.hpp"
 
 namespace railbook::hunting_tool {
 
 struct Search {
-  std::vector<dynamics::LimitCycle> cycles;  // stable ones, each once, mirror images as one
+  std::vector<cycles::LimitCycle> cycles;  // stable ones, each once, mirror images as one
   int starts = 0, to_cycle = 0, to_rest = 0, left_table = 0, unrepeating = 0;
   double smallest = 0,
          largest = 0;  // swings of the motions that do not repeat, half of peak to peak [m]
@@ -17,9 +18,9 @@ struct Search {
 
 // From each unstable one of the cycles known at the speed, a little larger and a little smaller, and from the two least damped modes of the
 // linear car at three sizes each.
-Search search_in_time(const dynamics::Family& family, const CarCase& car, double speed,
-                      const std::vector<dynamics::LimitCycle>& known,
-                      const dynamics::ContinuationOptions& options);
+Search search_in_time(const cycles::Family& family, const CarCase& car, double speed,
+                      const std::vector<cycles::LimitCycle>& known,
+                      const cycles::ContinuationOptions& options);
 
 // Whether the straight run decays at a speed.
 bool straight_run_stable(const CarCase& car, double speed);

@@ -18,16 +18,17 @@ regularization makes them, and its critical speeds mean little.
 #include <cmath>
 #include <memory>
 
-#include "dynamics/linear_stability.hpp"
+#include <railbook/table/csv.hpp>
+#include <railbook/tool/out_folder.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/vehicle/linear_stability.hpp>
+
 #include "hunting/car_options.hpp"
-#include "table/csv.hpp"
-#include "tool/out_folder.hpp"
 #include "tools.hpp"
-#include "units/constants.hpp"
 
 namespace railbook::hunting_tool {
 
-using namespace dynamics;
+using namespace vehicle;
 
 namespace {
 

@@ -26,18 +26,19 @@ sensor that stuck and a step of the datum may be defects: they are kept unless `
 #include <string>
 #include <vector>
 
-#include "measures/reference.hpp"
+#include <railbook/spectra/classify.hpp>
+#include <railbook/spectra/line_mask.hpp>
+#include <railbook/spectra/reference_spectra.hpp>
+#include <railbook/table/csv.hpp>
+#include <railbook/tool/batch.hpp>
+#include <railbook/tool/out_folder.hpp>
+#include <railbook/tool/summary.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
+
 #include "psd/measure.hpp"
 #include "psd/references.hpp"
-#include "spectra/classify.hpp"
-#include "spectra/line_mask.hpp"
-#include "table/csv.hpp"
-#include "tool/batch.hpp"
-#include "tool/out_folder.hpp"
-#include "tool/summary.hpp"
 #include "tools.hpp"
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
 
 namespace railbook::psd_tool {
 
@@ -259,7 +260,7 @@ void add_fit(tool::Row& row, const Fitted& f) {
   row.add("odds", 1e-4 * std::round(1e4 * odds[static_cast<std::size_t>(result.track_class)]));
 }
 
-tool::Row row_of_section(const Wish& wish, const spectra::RecordStream& record, const Section& s,
+tool::Row row_of_section(const Wish& wish, const records::RecordStream& record, const Section& s,
                          double rail, const std::string& column) {
   tool::Row row;
   row.add("kind", "section");
@@ -353,7 +354,7 @@ void write_files(tool::OutFolder& out, const Wish& wish, const Measured& m,
 }
 
 void classify_track(const Wish& wish) {
-  for (const std::string& name : wish.references) (void)measures::reference(name);
+  for (const std::string& name : wish.references) (void)spectra::reference(name);
   if (wish.record.batch.many() || wish.record.columns.size() > 1 || wish.record.section)
     return tool::run_batch(wish.record.batch, wish.out, "classify",
                            [&](const auto& file) { return rows_of(wish, file); });

@@ -1,5 +1,3 @@
-#include "psd/measure.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,7 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "units/input_error.hpp"
+#include <railbook/units/input_error.hpp>
+
+#include "psd/measure.hpp"
 
 namespace railbook::psd_tool {
 namespace {
@@ -94,15 +94,15 @@ class Sections {
 
 }  // namespace
 
-std::vector<Measured> measure(const spectra::RecordFile& file, const MeasureWish& wish,
+std::vector<Measured> measure(const records::RecordFile& file, const MeasureWish& wish,
                               const SectionSink& sink) {
   // At unit spacing while the record streams by; its true spacing is known at the end.
   std::vector<std::vector<spectra::Welch>> all(wish.columns.size());
   std::vector<Sections> sections;
-  std::vector<spectra::RecordSink> sinks;
+  std::vector<records::RecordSink> sinks;
   for (std::size_t i = 0; i < wish.columns.size(); ++i) sections.emplace_back(wish, i, sink);
   for (std::size_t i = 0; i < wish.columns.size(); ++i)
-    sinks.push_back([&, i](std::span<const double> piece, const spectra::RecordStream& record) {
+    sinks.push_back([&, i](std::span<const double> piece, const records::RecordStream& record) {
       const double spacing = record.spacing();
       if (all[i].empty())
         for (const std::size_t size :
@@ -111,7 +111,7 @@ std::vector<Measured> measure(const spectra::RecordFile& file, const MeasureWish
       for (spectra::Welch& welch : all[i]) welch.push(piece);
       sections[i].push(piece, spacing);
     });
-  auto records = spectra::read_records(file, wish.columns, sinks);
+  auto records = records::read_records(file, wish.columns, sinks);
   std::vector<Measured> results;
   results.reserve(records.size());
   for (std::size_t i = 0; i < records.size(); ++i) {

@@ -8,10 +8,11 @@
 #include <string>
 #include <vector>
 
+#include <railbook/records/record_file.hpp>
+#include <railbook/spectra/spectrum_fit.hpp>
+#include <railbook/spectra/welch.hpp>
+
 #include "record_options.hpp"
-#include "spectra/record_file.hpp"
-#include "spectra/spectrum_fit.hpp"
-#include "spectra/welch.hpp"
 
 namespace railbook::psd_tool {
 
@@ -24,7 +25,7 @@ struct Section {
 using SectionSink = std::function<void(std::size_t column, const Section& section)>;
 
 struct Measured {
-  std::unique_ptr<const spectra::RecordStream> record;
+  std::unique_ptr<const records::RecordStream> record;
   spectra::Spectrum spectrum;
   std::size_t segment = 0;  // samples
   bool shortened = false;   // than the one that a record without gaps would have
@@ -39,7 +40,7 @@ struct MeasureWish {
   spectra::Window window = spectra::Window::hann;
   std::optional<double> section = {};  // m
 };
-std::vector<Measured> measure(const spectra::RecordFile& file, const MeasureWish& wish,
+std::vector<Measured> measure(const records::RecordFile& file, const MeasureWish& wish,
                               const SectionSink& sink = {});
 
 }  // namespace railbook::psd_tool

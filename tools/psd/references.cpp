@@ -1,13 +1,13 @@
-#include "psd/references.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "measures/reference.hpp"
-#include "spectra/line_mask.hpp"
-#include "units/constants.hpp"
+#include <railbook/spectra/line_mask.hpp>
+#include <railbook/spectra/reference_spectra.hpp>
+#include <railbook/units/constants.hpp>
+
+#include "psd/references.hpp"
 
 namespace railbook::psd_tool {
 namespace {
@@ -27,7 +27,7 @@ void add_references(tool::Summary& s, const std::vector<std::string>& references
     if (phi < 1.0 / 25 || phi > 1.0 / 3 || gain < options.least_gain) continue;
     measured += own.density[k] / gain * own.df;
     for (std::size_t i = 0; i < sums.size(); ++i)
-      sums[i] += measures::reference(references[i]).density(phi) * own.df;
+      sums[i] += spectra::reference(references[i]).density(phi) * own.df;
   }
   if (!(measured > 0)) return;
   s.add("rms_3_25_mm", "rms of waves of 3 to 25 m", std::sqrt(measured) / mm, "mm");
@@ -35,14 +35,14 @@ void add_references(tool::Summary& s, const std::vector<std::string>& references
     const std::string& name = references[i];
     s.add("rms_" + name + "_mm", "  of " + name, std::sqrt(sums[i]) / mm, "mm",
           fmt::format("the record is {}; {}", measured < sums[i] ? "better" : "worse",
-                      measures::reference(name).source));
+                      spectra::reference(name).source));
   }
 }
 
 std::string reference_table(const std::vector<std::string>& references, double low, double high) {
   std::string text;
   for (const std::string& name : references) {
-    const measures::Reference& r = measures::reference(name);
+    const spectra::Reference& r = spectra::reference(name);
     if (!text.empty()) text += "\n\n";
     text += fmt::format("phi_cycle_per_m,S_m2_per_cycle_per_m,{}\n", name);
     const double from = std::max(low, r.low), to = std::min(high, r.high);

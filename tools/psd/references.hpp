@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "spectra/spectrum_fit.hpp"
-#include "spectra/welch.hpp"
-#include "tool/summary.hpp"
+#include <railbook/spectra/spectrum_fit.hpp>
+#include <railbook/spectra/welch.hpp>
+#include <railbook/tool/summary.hpp>
 
 namespace railbook::psd_tool {
 

@@ -17,13 +17,14 @@ the compiler. Records of any length stream through the memory of one filter bloc
 #include <string>
 #include <vector>
 
-#include "files/out_file.hpp"
-#include "spectra/synthetic_track.hpp"
-#include "table/csv.hpp"
-#include "tool/session.hpp"
-#include "tool/summary.hpp"
+#include <railbook/files/out_file.hpp>
+#include <railbook/spectra/synthetic_track.hpp>
+#include <railbook/table/csv.hpp>
+#include <railbook/tool/session.hpp>
+#include <railbook/tool/summary.hpp>
+#include <railbook/units/constants.hpp>
+
 #include "tools.hpp"
-#include "units/constants.hpp"
 
 namespace railbook::psd_tool {
 

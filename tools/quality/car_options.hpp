@@ -4,10 +4,10 @@
 #include <optional>
 #include <string>
 
-#include "quality/descriptor.hpp"
-#include "tool/options.hpp"
-#include "tool/summary.hpp"
-#include "units/constants.hpp"
+#include <railbook/quality/descriptor.hpp>
+#include <railbook/tool/options.hpp>
+#include <railbook/tool/summary.hpp>
+#include <railbook/units/constants.hpp>
 
 namespace railbook::quality_tool {
 

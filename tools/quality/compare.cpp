@@ -20,24 +20,24 @@ fits as well at another offset, as on a wave, the smallest offset is taken and t
 #include <string>
 #include <vector>
 
-#include "files/spool.hpp"
-#include "measures/alignment.hpp"
-#include "measures/band.hpp"
-#include "measures/inner_filter.hpp"
-#include "measures/sections.hpp"
+#include <railbook/files/spool.hpp>
+#include <railbook/filters/inner_filter.hpp>
+#include <railbook/filters/wavelength_band.hpp>
+#include <railbook/quality/alignment.hpp>
+#include <railbook/quality/sections.hpp>
+#include <railbook/table/csv.hpp>
+#include <railbook/tool/out_folder.hpp>
+#include <railbook/tool/summary.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
+
 #include "record_options.hpp"
-#include "table/csv.hpp"
-#include "tool/out_folder.hpp"
-#include "tool/summary.hpp"
 #include "tools.hpp"
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
 
 namespace railbook::quality_tool {
 
 namespace {
 
-namespace ms = railbook::measures;
 constexpr double mm = units::millimetre;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double inf = std::numeric_limits<double>::infinity();
@@ -45,7 +45,7 @@ constexpr double offset_jumps = 2;  // m
 
 struct CompareWish {
   tools::RecordWish record;
-  ms::AlignmentOptions alignment;
+  quality::AlignmentOptions alignment;
   double section = 200;
   tool::Destination out;
 };
@@ -54,22 +54,22 @@ struct CompareWish {
 class Run {
  public:
   Run(const CompareWish& wish, const std::filesystem::path& file, const std::string& column) {
-    std::optional<ms::InnerFilter> filter;
+    std::optional<filters::InnerFilter> filter;
     const auto keep = [&](std::span<const double> p) { samples_.append(p); };
-    spectra::RecordFile read = tools::record_file(wish.record, file);
+    records::RecordFile read = tools::record_file(wish.record, file);
     read.column = column;
-    record_ = spectra::read_record(
-        read, [&](std::span<const double> piece, const spectra::RecordStream& record) {
+    record_ = records::read_record(
+        read, [&](std::span<const double> piece, const records::RecordStream& record) {
           if (!filter)
-            filter.emplace(ms::band_taps(ms::bands[1], 2, record.spacing()),
-                           ms::band_margin(ms::bands[1], record.spacing()), keep);
+            filter.emplace(filters::band_taps(filters::bands[1], 2, record.spacing()),
+                           filters::band_margin(filters::bands[1], record.spacing()), keep);
           filter->push(piece);
         });
     filter->finish();
     turned_ = size() > 1 && place(size() - 1) < place(0);
   }
 
-  const spectra::RecordStream& record() const { return *record_; }
+  const records::RecordStream& record() const { return *record_; }
   std::size_t size() const { return samples_.size(); }
   double at(std::size_t i) const { return place(own(i)); }  // m
 
@@ -110,14 +110,14 @@ class Run {
 
   // Positions that jump are counted on instead.
   double place(std::size_t k) const {
-    const spectra::PlaceMap& places = record_->places();
+    const records::PlaceMap& places = record_->places();
     if (!record_->resynced()) return places.at(k);
     const double way = places.at(1) < places.at(0) ? -1 : 1;
     return places.at(0) + way * record_->spacing() * static_cast<double>(k);
   }
   std::size_t own(std::size_t i) const { return turned_ ? size() - 1 - i : i; }
 
-  std::unique_ptr<const spectra::RecordStream> record_;
+  std::unique_ptr<const records::RecordStream> record_;
   files::Spool samples_;
   bool turned_ = false;
   std::vector<double> block_ = std::vector<double>(1 << 15);
@@ -126,7 +126,7 @@ class Run {
 
 struct Compared {
   std::string column;
-  std::vector<ms::Section> first, second;
+  std::vector<quality::Section> first, second;
   std::vector<double> correlation, offset;  // of a section; NaN where no window was found
   std::vector<double> jump;                 // m: how much the offset changes near a section
   std::size_t windows = 0, ambiguous = 0;
@@ -141,7 +141,7 @@ Compared compare(const CompareWish& wish, Run& a, Run& b) {
       ++from;
     }
   };
-  const auto matches = ms::align(
+  const auto matches = quality::align(
       a.size(),
       [&](std::ptrdiff_t from, std::span<double> to) {
         each(from, to, [&](std::size_t i) { return a[i]; });
@@ -150,7 +150,7 @@ Compared compare(const CompareWish& wish, Run& a, Run& b) {
         each(from, to, [&](std::size_t i) { return b.at_place(a.at(i)); });
       },
       a.record().spacing(), wish.alignment);
-  if (std::none_of(matches.begin(), matches.end(), [](const ms::Match& m) { return m.found; }))
+  if (std::none_of(matches.begin(), matches.end(), [](const quality::Match& m) { return m.found; }))
     throw InputError{
         fmt::format("the second run is nowhere like the first within {:g} m of its place; allowed: "
                     "two runs over one "
@@ -158,16 +158,16 @@ Compared compare(const CompareWish& wish, Run& a, Run& b) {
                     wish.alignment.reach)};
   // Windows that fit elsewhere as well.
   Compared result;
-  for (const ms::Match& m : matches) {
+  for (const quality::Match& m : matches) {
     result.windows += m.found ? 1 : 0;
     if (!m.found || m.other == 0) continue;
     if (result.ambiguous++ == 0) result.other = std::abs(m.other - m.offset);
   }
   const auto place = [&](std::size_t i) { return a.at(i); };
-  ms::Sections first{wish.section, place}, second{wish.section, place};
+  quality::Sections first{wish.section, place}, second{wish.section, place};
   for (std::size_t i = 0; i < a.size(); ++i) {
     const double here = a[i];
-    const double there = b.at_place(a.at(i) + ms::offset_at(matches, static_cast<double>(i)));
+    const double there = b.at_place(a.at(i) + quality::offset_at(matches, static_cast<double>(i)));
     const bool both = std::isfinite(here) && std::isfinite(there);
     first.push({both ? &here : &nan, 1});
     second.push({both ? &there : &nan, 1});
@@ -175,9 +175,9 @@ Compared compare(const CompareWish& wish, Run& a, Run& b) {
   result.first = first.all();
   result.second = second.all();
   auto match = matches.begin();
-  for (const ms::Section& section : result.first) {
+  for (const quality::Section& section : result.first) {
     double worst = 1, sum = 0, n = 0, low = inf, high = -inf;
-    const auto see = [&](const ms::Match& m) {
+    const auto see = [&](const quality::Match& m) {
       low = std::min(low, m.offset);
       high = std::max(high, m.offset);
     };
@@ -297,7 +297,7 @@ tool::Summary summary_of(const CompareWish& wish, const std::deque<Pair>& pairs)
   for (const Pair& pair : pairs) {
     if (&pair != &pairs.front())
       tools::add_doubts(s, pair.first.record(), pair.compared.column, several);
-    for (const spectra::Doubt& doubt : pair.second.record().doubts())
+    for (const records::Doubt& doubt : pair.second.record().doubts())
       s.flag(tools::key_of(pair.compared.column, "second-" + doubt.key, several),
              "the second run: " + (several ? pair.compared.column + ": " : "") + doubt.text);
   }

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "measures/sections.hpp"
+#include <railbook/quality/sections.hpp>
 
 namespace railbook::quality_tool {
 
@@ -31,7 +31,7 @@ class Deviations {
       for (const double deviation : one) sum += deviation;
       all.push_back(sum / static_cast<double>(one.size()));
     }
-    return measures::combined_deviation(all);
+    return quality::combined_deviation(all);
   }
 
   std::optional<double> tqi() const {
@@ -40,7 +40,7 @@ class Deviations {
     if (twist_) all.push_back(*twist_);
     if (all.size() != 7 || of(Kind::level).size() != 2 || of(Kind::alignment).size() != 2)
       return std::nullopt;
-    return measures::track_quality_index(std::span<const double, 7>{all.data(), 7});
+    return quality::track_quality_index(std::span<const double, 7>{all.data(), 7});
   }
 
  private:

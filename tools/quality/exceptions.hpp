@@ -9,11 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "measures/exceptions.hpp"
-#include "measures/inner_filter.hpp"
-#include "measures/sections.hpp"
+#include <railbook/filters/inner_filter.hpp>
+#include <railbook/quality/exceptions.hpp>
+#include <railbook/quality/sections.hpp>
+#include <railbook/records/record.hpp>
+
 #include "quality/deviations.hpp"
-#include "spectra/record.hpp"
 
 namespace railbook::quality_tool {
 
@@ -23,7 +24,7 @@ std::optional<double> gauge_datum(std::span<const double> piece);
 class FraWatch {
  public:
   // Class 1 to 9; of classes 6 to 9 only alinement is watched.
-  FraWatch(std::string column, Kind kind, int track_class, const spectra::RecordStream& record);
+  FraWatch(std::string column, Kind kind, int track_class, const records::RecordStream& record);
   void push(std::span<const double> piece);
   void finish();
 
@@ -31,13 +32,13 @@ class FraWatch {
   static const char* const header;
   std::string rows() const;  // of a table
   // Samples of the record that could not be judged for what is missing, bridged or taken out.
-  std::size_t not_evaluated(const spectra::RecordStream& record) const;
+  std::size_t not_evaluated(const records::RecordStream& record) const;
   bool judged() const { return watched_.empty() ? false : known_; }
 
  private:
   struct Watched {
     std::string what, chord;
-    measures::Exceptions exceptions;
+    quality::Exceptions exceptions;
     std::size_t reach = 0;  // samples
   };
   Watched& watch(const char* what, double chord, double low, double high, double reach);
@@ -48,8 +49,8 @@ class FraWatch {
   double spacing_;
   std::function<double(std::size_t)> place_;
   std::deque<Watched> watched_;
-  std::deque<measures::InnerFilter> filters_;
-  std::optional<measures::Warp> warp_;
+  std::deque<filters::InnerFilter> filters_;
+  std::optional<quality::Warp> warp_;
   bool begun_ = false, known_ = true;
 };
 

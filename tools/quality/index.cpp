@@ -21,13 +21,15 @@ paper prints no thresholds; ours are 0.5 and 1. With `--out` come the channel, t
 #include <string>
 #include <vector>
 
+#include <railbook/filters/fir_filter.hpp>
+#include <railbook/table/csv.hpp>
+#include <railbook/tool/batch.hpp>
+#include <railbook/tool/out_folder.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
+
 #include "quality/index_parts.hpp"
-#include "table/csv.hpp"
-#include "tool/batch.hpp"
-#include "tool/out_folder.hpp"
 #include "tools.hpp"
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
 
 namespace railbook::quality_tool {
 
@@ -42,7 +44,7 @@ class Channel {
     file_->write("distance_m,descriptor\n");
   }
 
-  void push(std::span<const double> p, const spectra::PlaceMap& places) {
+  void push(std::span<const double> p, const records::PlaceMap& places) {
     if (file_ == nullptr) return;
     for (const double value : p) {
       if (at_ % per_piece_ == 0) pieces_.push_back({places.at(at_), 0, 0});
@@ -90,17 +92,17 @@ double shortest_wave(const IndexWish& wish, const quality::Descriptor& d, double
 
 // All that is made of one record as it streams by, at the spacing that its first positions show.
 struct Run {
-  std::unique_ptr<const spectra::RecordStream> record;
+  std::unique_ptr<const records::RecordStream> record;
   double spacing = 0, shortest = 0, margin = 0;
-  quality::FilterTaps taps;
+  filters::FilterTaps taps;
   std::optional<quality::IndexBuilder> builder;
 };
 
 Run run_record(const IndexWish& wish, const quality::Descriptor& d,
                const std::filesystem::path& file, Channel& channel) {
   Run run;
-  const spectra::RecordStream* known = nullptr;
-  std::optional<quality::FilterStream> stream;
+  const records::RecordStream* known = nullptr;
+  std::optional<filters::FilterStream> stream;
   const auto begin = [&] {
     run.spacing = known->spacing();
     run.shortest = shortest_wave(wish, d, run.spacing);
@@ -119,8 +121,8 @@ Run run_record(const IndexWish& wish, const quality::Descriptor& d,
     });
   };
   run.record =
-      spectra::read_record(tools::record_file(wish.record, file),
-                           [&](std::span<const double> piece, const spectra::RecordStream& record) {
+      records::read_record(tools::record_file(wish.record, file),
+                           [&](std::span<const double> piece, const records::RecordStream& record) {
                              known = &record;
                              if (!stream) begin();
                              stream->push(piece);
@@ -158,7 +160,7 @@ void index_track(const IndexWish& wish) {
                  "extremes.csv", "warnings.csv", "index.json", "index.png"});
   Channel channel{&out};
   const Run run = run_record(wish, d, wish.record.batch.only(), channel);
-  const spectra::RecordStream& record = *run.record;
+  const records::RecordStream& record = *run.record;
   const auto found = places(*run.builder, record, d, run.spacing, run.margin);
   const IndexAnswer answer{wish, d, record, run.taps, run.shortest, *run.builder, found};
   const tool::Summary summary = summary_of(answer);

@@ -5,18 +5,20 @@
 #include <cmath>
 #include <iterator>
 
+#include <railbook/filters/fir_filter.hpp>
+#include <railbook/table/csv.hpp>
+#include <railbook/units/constants.hpp>
+
 #include "quality/index_parts.hpp"
-#include "table/csv.hpp"
-#include "units/constants.hpp"
 
 namespace railbook::quality_tool {
 
-double unsure_margin(const quality::Descriptor& d, const quality::FilterTaps& taps) {
+double unsure_margin(const quality::Descriptor& d, const filters::FilterTaps& taps) {
   const auto& own = d.stroke ? d.stroke->suspension : suspension(d.force->car);
   return std::max(d.speed / own.frequency, quality::end_effect(taps, quality::Envelope{d}));
 }
 
-std::vector<Place> places(const quality::IndexBuilder& builder, const spectra::RecordStream& record,
+std::vector<Place> places(const quality::IndexBuilder& builder, const records::RecordStream& record,
                           const quality::Descriptor& d, double spacing, double margin) {
   std::vector<Place> result;
   for (const quality::Exceedance& e : builder.exceedances()) {
@@ -42,7 +44,7 @@ struct Class {
 // accepted or watched.
 std::vector<Class> classes(const IndexAnswer& a) {
   std::vector<Class> result;
-  const std::vector<spectra::FaultyStretch>& faults = a.record.faults();
+  const std::vector<records::FaultyStretch>& faults = a.record.faults();
   auto fault = faults.begin();
   auto place = a.found.begin();
   std::size_t first = 0;

@@ -7,12 +7,14 @@
 #include <string>
 #include <vector>
 
+#include <railbook/filters/fir_filter.hpp>
+#include <railbook/quality/descriptor_filter.hpp>
+#include <railbook/quality/quality_index.hpp>
+#include <railbook/tool/batch.hpp>
+#include <railbook/tool/out_folder.hpp>
+
 #include "quality/car_options.hpp"
-#include "quality/descriptor_filter.hpp"
-#include "quality/quality_index.hpp"
 #include "record_options.hpp"
-#include "tool/batch.hpp"
-#include "tool/out_folder.hpp"
 
 namespace railbook::quality_tool {
 
@@ -35,18 +37,18 @@ struct Place {
 // Beyond this distance (m) from an end or a gap a wave within the limit is not taken for one beyond it: the wavelength of the
 // resonance at posted speed, or more.
 double unsure_margin(const railbook::quality::Descriptor& d,
-                     const railbook::quality::FilterTaps& taps);
+                     const railbook::filters::FilterTaps& taps);
 
 // `spacing` and `margin`: the builder's.
 std::vector<Place> places(const railbook::quality::IndexBuilder& builder,
-                          const spectra::RecordStream& record,
+                          const records::RecordStream& record,
                           const railbook::quality::Descriptor& d, double spacing, double margin);
 
 struct IndexAnswer {
   const IndexWish& wish;
   const railbook::quality::Descriptor& descriptor;
-  const spectra::RecordStream& record;
-  const railbook::quality::FilterTaps& taps;
+  const records::RecordStream& record;
+  const railbook::filters::FilterTaps& taps;
   double shortest;  // wavelength, m
   const railbook::quality::IndexBuilder& builder;
   const std::vector<Place>& found;

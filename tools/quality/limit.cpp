@@ -19,13 +19,14 @@ third line is a car whose static load exceeds the limit: it is refused, *no admi
 #include <memory>
 #include <vector>
 
-#include "num/log_spaced.hpp"
+#include <railbook/num/log_spaced.hpp>
+#include <railbook/table/csv.hpp>
+#include <railbook/tool/out_folder.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
+
 #include "quality/car_options.hpp"
-#include "table/csv.hpp"
-#include "tool/out_folder.hpp"
 #include "tools.hpp"
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
 
 namespace railbook::quality_tool {
 

@@ -22,27 +22,28 @@ classes 6 to 9.
 #include <string>
 #include <vector>
 
-#include "measures/band.hpp"
-#include "measures/fra_limits.hpp"
-#include "measures/inner_filter.hpp"
-#include "measures/sections.hpp"
+#include <railbook/filters/fir_filter.hpp>
+#include <railbook/filters/inner_filter.hpp>
+#include <railbook/filters/wavelength_band.hpp>
+#include <railbook/quality/fra_limits.hpp>
+#include <railbook/quality/sections.hpp>
+#include <railbook/table/csv.hpp>
+#include <railbook/tool/batch.hpp>
+#include <railbook/tool/out_folder.hpp>
+#include <railbook/tool/summary.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
+
 #include "quality/deviations.hpp"
 #include "quality/exceptions.hpp"
 #include "record_options.hpp"
-#include "table/csv.hpp"
-#include "tool/batch.hpp"
-#include "tool/out_folder.hpp"
-#include "tool/summary.hpp"
 #include "tools.hpp"
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
 
 namespace railbook::quality_tool {
 
 namespace {
 
 constexpr double mm = units::millimetre;
-namespace ms = railbook::measures;
 
 struct MeasuresWish {
   tools::RecordWish record;
@@ -70,12 +71,12 @@ std::vector<Column> columns_of(const MeasuresWish& wish) {
   return columns;
 }
 
-std::vector<ms::Band> bands_of(const MeasuresWish& wish) {
-  std::vector<ms::Band> chosen;
+std::vector<filters::Band> bands_of(const MeasuresWish& wish) {
+  std::vector<filters::Band> chosen;
   for (const std::string& name : wish.bands) {
-    const auto at = std::find_if(ms::bands.begin(), ms::bands.end(),
-                                 [&](const ms::Band& b) { return b.name == name; });
-    if (at == ms::bands.end())
+    const auto at = std::find_if(filters::bands.begin(), filters::bands.end(),
+                                 [&](const filters::Band& b) { return b.name == name; });
+    if (at == filters::bands.end())
       throw InputError{fmt::format("bands: \"{}\"; allowed: D0, D1, D2, D3", name)};
     chosen.push_back(*at);
   }
@@ -85,8 +86,8 @@ std::vector<ms::Band> bands_of(const MeasuresWish& wish) {
 // What is kept of a column: the channel itself or a filtered one, section by section.
 struct Kept {
   std::string name;  // "D1"; empty for the channel as it is
-  ms::Sections sections;
-  std::unique_ptr<ms::InnerFilter> filter;
+  quality::Sections sections;
+  std::unique_ptr<filters::InnerFilter> filter;
 };
 
 // A column on its way: each sample goes to all that is kept of it.
@@ -100,7 +101,7 @@ class Channel {
  public:
   Channel(const MeasuresWish& wish, const Column& column) : wish_(wish), column_(column) {}
 
-  void push(std::span<const double> piece, const spectra::RecordStream& record) {
+  void push(std::span<const double> piece, const records::RecordStream& record) {
     if (kept_.empty()) begin(record);
     if (column_.kind == Kind::gauge && !begun_) datum_ = gauge_datum(piece);
     begun_ = true;
@@ -134,56 +135,56 @@ class Channel {
   // How far from a sample the FRA's measure of it reaches, m.
   double reach() const {
     return column_.kind == Kind::gauge        ? 0
-           : column_.kind == Kind::crosslevel ? ms::fra::profile.chord
-                                              : 0.5 * ms::fra::profile.chord;
+           : column_.kind == Kind::crosslevel ? quality::fra::profile.chord
+                                              : 0.5 * quality::fra::profile.chord;
   }
 
   // The highest FRA class that what is kept of a section allows; NaN where it holds nothing that can be judged.
   double fra_class(std::size_t at) const {
     double fra = std::nan("");
     for (const Kept& kept : kept_) {
-      const ms::Section& s = kept.sections.all()[at];
+      const quality::Section& s = kept.sections.all()[at];
       if (s.samples == s.missing) continue;
-      const auto judge = [&](const ms::FraLimit& limit) {
-        fra = std::fmin(fra, ms::fra_class(limit, s.largest()));
+      const auto judge = [&](const quality::FraLimit& limit) {
+        fra = std::fmin(fra, quality::fra_class(limit, s.largest()));
       };
       if (kept.name == "chord")
-        judge(column_.kind == Kind::level ? ms::fra::profile : ms::fra::alinement);
-      if (kept.name == "warp") judge(ms::fra::warp);
-      if (kept.name.empty() && column_.kind == Kind::crosslevel) judge(ms::fra::crosslevel);
+        judge(column_.kind == Kind::level ? quality::fra::profile : quality::fra::alinement);
+      if (kept.name == "warp") judge(quality::fra::warp);
+      if (kept.name.empty() && column_.kind == Kind::crosslevel) judge(quality::fra::crosslevel);
       if (kept.name.empty() && column_.kind == Kind::gauge && datum_)
-        fra = s.lowest + *datum_ < ms::fra::least_gauge
+        fra = s.lowest + *datum_ < quality::fra::least_gauge
                   ? 0
-                  : ms::fra_class(ms::fra::gauge, s.highest + *datum_);
+                  : quality::fra_class(quality::fra::gauge, s.highest + *datum_);
     }
     return fra;
   }
 
  private:
-  void begin(const spectra::RecordStream& record) {
+  void begin(const records::RecordStream& record) {
     const auto place = [&record](std::size_t i) { return record.places().at(i); };
     const auto keep = [&](const std::string& name) -> Kept& {
-      return kept_.emplace_back(Kept{name, ms::Sections{wish_.section, place}, {}});
+      return kept_.emplace_back(Kept{name, quality::Sections{wish_.section, place}, {}});
     };
-    const auto filter = [&](const std::string& name, const quality::FilterTaps& taps,
+    const auto filter = [&](const std::string& name, const filters::FilterTaps& taps,
                             std::size_t margin) {
       Kept& kept = keep(name);
-      kept.filter = std::make_unique<ms::InnerFilter>(
+      kept.filter = std::make_unique<filters::InnerFilter>(
           taps, margin, [&kept](std::span<const double> p) { kept.sections.push(p); });
     };
     const auto chord = [&](const std::string& name, double length) {
-      const quality::FilterTaps taps = ms::chord_taps(length, record.spacing());
+      const filters::FilterTaps taps = filters::chord_taps(length, record.spacing());
       filter(name, taps, taps.half.size() - 1);
     };
     keep("");
     if (wish_.fra_class > 0)
       watch_.emplace(column_.name, column_.kind, static_cast<int>(wish_.fra_class), record);
     if (column_.kind == Kind::level || column_.kind == Kind::alignment) {
-      for (const ms::Band& band : bands_of(wish_))
+      for (const filters::Band& band : bands_of(wish_))
         filter(std::string{band.name},
-               ms::band_taps(band, static_cast<int>(wish_.passes), record.spacing()),
-               ms::band_margin(band, record.spacing()));
-      chord("chord", ms::fra::profile.chord);
+               filters::band_taps(band, static_cast<int>(wish_.passes), record.spacing()),
+               filters::band_margin(band, record.spacing()));
+      chord("chord", quality::fra::profile.chord);
       for (const double length : wish_.chords) chord(name_of_chord(length), length);
     }
     if (column_.kind == Kind::crosslevel) {
@@ -197,15 +198,15 @@ class Channel {
   const MeasuresWish& wish_;
   Column column_;
   std::deque<Kept> kept_;  // references to them are kept
-  std::optional<ms::Twist> twist_;
-  std::optional<ms::Warp> warp_;
+  std::optional<quality::Twist> twist_;
+  std::optional<quality::Warp> warp_;
   std::optional<double> datum_;  // of gauge
   bool begun_ = false;
   std::optional<FraWatch> watch_;
 };
 
 struct Measured {
-  std::vector<std::unique_ptr<const spectra::RecordStream>> records;
+  std::vector<std::unique_ptr<const records::RecordStream>> records;
   std::deque<Channel> channels;
 
   std::vector<std::string> names() const {
@@ -224,15 +225,15 @@ struct Measured {
 Measured measure_record(const MeasuresWish& wish, const std::filesystem::path& file) {
   Measured m;
   std::vector<std::string> names;
-  std::vector<spectra::RecordSink> sinks;
+  std::vector<records::RecordSink> sinks;
   for (const Column& column : columns_of(wish)) {
     names.push_back(column.name);
     Channel& channel = m.channels.emplace_back(wish, column);
-    sinks.emplace_back([&channel](std::span<const double> piece, const spectra::RecordStream& r) {
+    sinks.emplace_back([&channel](std::span<const double> piece, const records::RecordStream& r) {
       channel.push(piece, r);
     });
   }
-  m.records = spectra::read_records(tools::record_file(wish.record, file), names, sinks);
+  m.records = records::read_records(tools::record_file(wish.record, file), names, sinks);
   for (Channel& channel : m.channels) channel.finish();
   return m;
 }
@@ -247,7 +248,7 @@ std::string name_of(const Channel& channel, const Kept& kept, const char* betwee
 tool::Row row_of_section(const MeasuresWish& wish, const Measured& m, std::size_t at,
                          std::size_t begin) {
   tool::Row row;
-  const ms::Section& first = m.channels.front().kept().front().sections.all()[at];
+  const quality::Section& first = m.channels.front().kept().front().sections.all()[at];
   row.add("kind", "section");
   row.add("from_m", first.from);
   row.add("to_m", first.from + wish.section);
@@ -255,7 +256,7 @@ tool::Row row_of_section(const MeasuresWish& wish, const Measured& m, std::size_
   std::size_t missing = 0, unread = 0, not_evaluated = 0;  // of all columns; near the section too
   double fra = std::nan("");                               // where nothing could be judged
   for (std::size_t i = 0; i < m.channels.size(); ++i) {
-    const spectra::RecordStream& record = *m.records[i];
+    const records::RecordStream& record = *m.records[i];
     missing += m.channels[i].kept().front().sections.all()[at].missing;
     unread += record.unread(begin, first.samples);
     const auto reach =
@@ -269,7 +270,7 @@ tool::Row row_of_section(const MeasuresWish& wish, const Measured& m, std::size_
   for (const Channel& channel : m.channels) {
     const Kind kind = channel.column().kind;
     for (const Kept& kept : channel.kept()) {
-      const ms::Section& s = kept.sections.all()[at];
+      const quality::Section& s = kept.sections.all()[at];
       const bool twist = kept.name == "twist", warp = kept.name == "warp";
       const double unit = twist ? 1e-3 : mm;
       const std::string name = name_of(channel, kept, "_");
@@ -361,7 +362,7 @@ std::string picture_of(const MeasuresWish& wish, const Measured& m) {
       if (!text.empty()) text += "\n\n";
       text += fmt::format("distance_km,deviation_mm,{}\n",
                           table::csv_cell(name_of(channel, kept, " ")));
-      for (const ms::Section& s : kept.sections.all()) {
+      for (const quality::Section& s : kept.sections.all()) {
         const auto sd = s.deviation();
         for (const double at : {s.from, s.from + wish.section})
           text += fmt::format("{:.8g},{},\n", at / units::kilometre,
@@ -397,7 +398,7 @@ void add_exceptions(tool::Summary& s, const MeasuresWish& wish, const Measured& 
   if (!not_judged.empty())
     s.add("not_judged", "  not judged", fmt::format("{}", fmt::join(not_judged, ", ")));
   for (const Channel& channel : m.channels)
-    if (channel.column().kind == Kind::gauge && wish.fra_class <= ms::fra_classes &&
+    if (channel.column().kind == Kind::gauge && wish.fra_class <= quality::fra_classes &&
         !channel.watch()->judged())
       s.flag("gauge", "column " + channel.column().name +
                           " is neither a gauge near 1435 mm nor a deviation from it: not judged");
@@ -416,7 +417,7 @@ tool::Summary summary_of(const MeasuresWish& wish, const Measured& m) {
       if (kept.name.starts_with("chord") || kept.name == "warp") continue;
       const bool twist = kept.name == "twist";
       std::vector<std::pair<double, double>> all;  // deviation, from
-      for (const ms::Section& section : kept.sections.all())
+      for (const quality::Section& section : kept.sections.all())
         if (const auto sd = section.deviation()) all.emplace_back(*sd, section.from);
       if (all.empty()) continue;
       std::sort(all.begin(), all.end());
@@ -435,7 +436,7 @@ tool::Summary summary_of(const MeasuresWish& wish, const Measured& m) {
 
 void measure_track(const MeasuresWish& wish) {
   (void)bands_of(wish);
-  if (wish.fra_class > ms::fra_classes && wish.alignment.empty())
+  if (wish.fra_class > quality::fra_classes && wish.alignment.empty())
     throw InputError{
         fmt::format("fra class is {}, whose limits are known for alinement only; allowed: 1 to 5, "
                     "or --alignment",

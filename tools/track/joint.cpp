@@ -17,14 +17,15 @@ distance zero; a raised joint is a profile too. Data that are not given are thos
 #include <cmath>
 #include <optional>
 
-#include "table/csv.hpp"
-#include "tool/out_folder.hpp"
-#include "tool/summary.hpp"
+#include <railbook/table/csv.hpp>
+#include <railbook/tool/out_folder.hpp>
+#include <railbook/tool/summary.hpp>
+#include <railbook/track/impact_check.hpp>
+#include <railbook/track/wheel_on_track.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
+
 #include "tools.hpp"
-#include "track/impact_check.hpp"
-#include "track/wheel_on_track.hpp"
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
 
 namespace railbook::track_tool {
 

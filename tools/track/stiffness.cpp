@@ -17,16 +17,17 @@ assumed in the answer. Quantities carry their unit; a TOML file (`--config`) may
 #include <cmath>
 #include <optional>
 
-#include "table/csv.hpp"
-#include "tool/out_folder.hpp"
-#include "tool/summary.hpp"
+#include <railbook/table/csv.hpp>
+#include <railbook/tool/out_folder.hpp>
+#include <railbook/tool/summary.hpp>
+#include <railbook/track/beam_elements.hpp>
+#include <railbook/track/joint.hpp>
+#include <railbook/track/typical_track.hpp>
+#include <railbook/track/wheel_on_track.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
+
 #include "tools.hpp"
-#include "track/beam_elements.hpp"
-#include "track/joint.hpp"
-#include "track/typical_track.hpp"
-#include "track/wheel_on_track.hpp"
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
 
 namespace railbook::track_tool {
 

@@ -22,17 +22,19 @@ touches at the end of a profile is refused.
 #include <optional>
 #include <tuple>
 
-#include "tool/out_folder.hpp"
-#include "tool/summary.hpp"
+#include <railbook/tool/out_folder.hpp>
+#include <railbook/tool/summary.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
+
 #include "tools.hpp"
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
 #include "wheelrail/contact_drawing.hpp"
 #include "wheelrail/pair.hpp"
 
 namespace railbook::wheelrail_tool {
 
-using namespace wheel_on_rail;
+using namespace profiles;
+using namespace wheel_contact;
 using units::millimetre;
 
 namespace {
@@ -67,7 +69,7 @@ WheelsetResult solve(const Wish& wish, const Pair& pair) {
 
 // On which wheels a patch lies on a doubtful place of the wheel's profile.
 std::string sides_on(const Wish& wish, const WheelsetResult& r, const hunting_tool::ProfileFit& fit,
-                     const wheelrail::PointsWarning& warning) {
+                     const profiles::PointsWarning& warning) {
   std::string sides;
   for (const auto& [name, wheel, shift] :
        {std::tuple{"left", &r.left, -wish.shift}, {"right", &r.right, wish.shift}})

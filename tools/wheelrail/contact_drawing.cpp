@@ -1,15 +1,16 @@
-#include "wheelrail/contact_drawing.hpp"
-
 #include <fmt/format.h>
 
 #include <cmath>
 
+#include <railbook/units/constants.hpp>
+
 #include "tools.hpp"
-#include "units/constants.hpp"
+#include "wheelrail/contact_drawing.hpp"
 
 namespace railbook::wheelrail_tool {
 
-using namespace wheel_on_rail;
+using namespace profiles;
+using namespace wheel_contact;
 using units::megapascal;
 using units::millimetre;
 

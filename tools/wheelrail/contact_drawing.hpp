@@ -5,25 +5,25 @@
 #include <string>
 #include <vector>
 
-#include "tool/out_folder.hpp"
-#include "wheel_on_rail/stress.hpp"
+#include <railbook/tool/out_folder.hpp>
+#include <railbook/wheel_contact/stress.hpp>
 
 namespace railbook::wheelrail_tool {
 
 struct Side {
   std::string name;
   double sign;  // 1 right, -1 left, whose wheel is solved in the mirror
-  const wheel_on_rail::WheelResult& wheel;
-  std::vector<wheel_on_rail::PatchStress> stress;  // of every patch of the full theory
-  Side(const char* name, double sign, const wheel_on_rail::WheelResult& wheel,
-       const wheel_on_rail::WheelWish& wish);
+  const wheel_contact::WheelResult& wheel;
+  std::vector<wheel_contact::PatchStress> stress;  // of every patch of the full theory
+  Side(const char* name, double sign, const wheel_contact::WheelResult& wheel,
+       const wheel_contact::WheelWish& wish);
 };
 
 // One cell a row; in the patch's frame, across > 0 to the right.
 std::string cells_csv(const std::array<Side, 2>& sides);
 
 // wheelset-contact.png: both sections with their patches, and the pressures from above.
-void draw(const wheel_on_rail::Pair& pair, const wheel_on_rail::Pose& pose,
+void draw(const wheel_contact::Pair& pair, const wheel_contact::Pose& pose,
           const std::array<Side, 2>& sides, tool::OutFolder& out);
 
 }  // namespace railbook::wheelrail_tool

@@ -1,25 +1,26 @@
-#include "wheelrail/pair.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <string_view>
 
+#include <railbook/units/constants.hpp>
+#include <railbook/wheelset/wheelset_contact.hpp>
+
 #include "hunting/profile_file.hpp"
-#include "units/constants.hpp"
-#include "wheelrail/wheelset_contact.hpp"
+#include "wheelrail/pair.hpp"
 
 namespace railbook::wheelrail_tool {
 
-using namespace wheel_on_rail;
+using namespace profiles;
+using namespace wheel_contact;
 using tool::Range;
 
 namespace {
 
-wheelrail::Curve read(const char* what, const std::filesystem::path& file, wheelrail::Body body,
-                      const std::optional<double>& noise,
-                      std::vector<hunting_tool::ProfileFit>& fits) {
+profiles::Curve read(const char* what, const std::filesystem::path& file, profiles::Body body,
+                     const std::optional<double>& noise,
+                     std::vector<hunting_tool::ProfileFit>& fits) {
   hunting_tool::PairWish smoothing;
   smoothing.noise = noise;
   fits.push_back({what});
@@ -31,22 +32,22 @@ using Noise = std::optional<double>;
 Profile wheel_profile(const PairWish& wish, const Noise& noise,
                       std::vector<hunting_tool::ProfileFit>& fits) {
   if (wish.wheel.empty()) return s1002();
-  const wheelrail::Curve curve = read("wheel", wish.wheel, wheelrail::Body::wheel, noise, fits);
-  return Profile(wheelrail::moved(curve, 0, -curve.height(0)));
+  const profiles::Curve curve = read("wheel", wish.wheel, profiles::Body::wheel, noise, fits);
+  return Profile(profiles::moved(curve, 0, -curve.height(0)));
 }
 
-wheelrail::Curve rail_curve(const PairWish& wish, const Noise& noise,
-                            std::vector<hunting_tool::ProfileFit>& fits) {
+profiles::Curve rail_curve(const PairWish& wish, const Noise& noise,
+                           std::vector<hunting_tool::ProfileFit>& fits) {
   if (wish.rail.empty())
     return rail_60e1(wish.head == "60E1" ? Rail60::drawing : Rail60::benchmark, wish.cant < 0.02);
-  return read("rail", wish.rail, wheelrail::Body::rail, noise, fits);
+  return read("rail", wish.rail, profiles::Body::rail, noise, fits);
 }
 
 ReadPair read_pair(const PairWish& wish, const Noise& of_wheel, const Noise& of_rail) {
   std::vector<hunting_tool::ProfileFit> fits;
   Profile wheel = wheel_profile(wish, of_wheel, fits);
-  Profile rail(wheelrail::placed_rail(rail_curve(wish, of_rail, fits), wish.gauge, wish.gauge_depth,
-                                      std::atan(wish.cant)));
+  Profile rail(wheelset::placed_rail(rail_curve(wish, of_rail, fits), wish.gauge, wish.gauge_depth,
+                                     std::atan(wish.cant)));
   return {{std::move(wheel), std::move(rail), wish.radius, 0.5 * wish.back_to_back + wish.datum},
           std::move(fits)};
 }
@@ -67,7 +68,7 @@ Pair half_as_smooth(const PairWish& wish, const std::vector<hunting_tool::Profil
 }
 
 bool stands_on(const PairWish& wish, const WheelResult& wheel, double shift,
-               const hunting_tool::ProfileFit& fit, const wheelrail::PointsWarning& warning) {
+               const hunting_tool::ProfileFit& fit, const profiles::PointsWarning& warning) {
   constexpr double reach = 4 * units::millimetre;  // half a long patch
   if (std::string_view{fit.what} != "wheel") return false;
   const double running_circle = 0.5 * wish.back_to_back + wish.datum;

@@ -6,10 +6,11 @@
 #include <string>
 #include <vector>
 
+#include <railbook/tool/options.hpp>
+#include <railbook/tool/summary.hpp>
+#include <railbook/wheel_contact/wheel.hpp>
+
 #include "hunting/profile_file.hpp"
-#include "tool/options.hpp"
-#include "tool/summary.hpp"
-#include "wheel_on_rail/wheel.hpp"
 
 namespace railbook::wheelrail_tool {
 
@@ -22,27 +23,27 @@ struct PairWish {
   double speed = 0;
   std::string method = "full";
   long cells = 40;
-  wheel_on_rail::WheelWish wheel_wish;
+  wheel_contact::WheelWish wheel_wish;
 };
 
 void add_pair_options(tool::Options& options, PairWish& wish);
 struct ReadPair {
-  wheel_on_rail::Pair pair;
+  wheel_contact::Pair pair;
   std::vector<hunting_tool::ProfileFit> fits;  // of the profiles that came from files
 };
 // Throws InputError naming a file and what is wrong with it, and when the wheelset does not fit between the rails.
 ReadPair read_pair(const PairWish& wish);
 // The same with each profile from a file met twice as closely: how far an answer stands on the smoothing.
-wheel_on_rail::Pair half_as_smooth(const PairWish& wish,
+wheel_contact::Pair half_as_smooth(const PairWish& wish,
                                    const std::vector<hunting_tool::ProfileFit>& fits);
 // Whether a patch of a wheel, shifted outwards, lies on a doubtful place of the wheel's profile or next to it. (A rail's place in the
 // track is not told in its file's coordinates.)
-bool stands_on(const PairWish& wish, const wheel_on_rail::WheelResult& wheel, double shift,
-               const hunting_tool::ProfileFit& fit, const wheelrail::PointsWarning& warning);
+bool stands_on(const PairWish& wish, const wheel_contact::WheelResult& wheel, double shift,
+               const hunting_tool::ProfileFit& fit, const profiles::PointsWarning& warning);
 // With the scatter, the smoothing and the distance of the points of profiles from files.
 void describe_pair(tool::Summary& answer, const PairWish& wish,
                    const std::vector<hunting_tool::ProfileFit>& fits);
-wheel_on_rail::WheelWish wheel_wish(const PairWish& wish);
-wheel_on_rail::Method method_of(const std::string& name);
+wheel_contact::WheelWish wheel_wish(const PairWish& wish);
+wheel_contact::Method method_of(const std::string& name);
 
 }  // namespace railbook::wheelrail_tool

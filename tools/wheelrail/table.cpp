@@ -19,16 +19,18 @@ some hundred lines, lines evenly spread do, since the full theory costs more tha
 #include <map>
 #include <memory>
 
-#include "tool/batch.hpp"
-#include "tool/summary.hpp"
+#include <railbook/tool/batch.hpp>
+#include <railbook/tool/summary.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
+
 #include "tools.hpp"
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
 #include "wheelrail/pair.hpp"
 
 namespace railbook::wheelrail_tool {
 
-using namespace wheel_on_rail;
+using namespace profiles;
+using namespace wheel_contact;
 using units::millimetre;
 
 namespace {
@@ -144,7 +146,7 @@ void add_answer(tool::Row& row, const Pose& pose, const WheelResult& r) {
 void add_point_flags(tool::Row& row, const Wish& wish, const Line& line, const WheelResult& r,
                      const std::vector<hunting_tool::ProfileFit>& fits) {
   for (const hunting_tool::ProfileFit& fit : fits)
-    for (const wheelrail::PointsWarning& warning : fit.warnings)
+    for (const profiles::PointsWarning& warning : fit.warnings)
       if (stands_on(wish, r, line.shift, fit, warning))
         row.flag(fmt::format("{}-{}", fit.what, warning.key));
 }

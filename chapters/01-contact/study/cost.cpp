@@ -58,11 +58,12 @@ are refused as long as too few of them lie between the peak and the boundary to 
 #include <cmath>
 #include <stdexcept>
 
-#include "bench/work_precision.hpp"
-#include "contact/countaxi.hpp"
-#include "contact/punch.hpp"
-#include "contact/uniform_dense.hpp"
-#include "num/quadrature.hpp"
+#include <railbook/bench/work_precision.hpp>
+#include <railbook/contact/countaxi.hpp>
+#include <railbook/contact/punch.hpp>
+#include <railbook/contact/uniform_dense.hpp>
+#include <railbook/num/quadrature.hpp>
+
 #include "sections.hpp"
 
 namespace railbook::contact_chapter {

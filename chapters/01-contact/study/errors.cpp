@@ -22,10 +22,11 @@ The closed forms against extended precision (80 bits), at {{arguments}} argument
 
 #include <cmath>
 
-#include "bench/evidence.hpp"
-#include "contact/influence.hpp"
-#include "contact/punch.hpp"
-#include "num/parallel.hpp"
+#include <railbook/bench/evidence.hpp>
+#include <railbook/contact/influence.hpp>
+#include <railbook/contact/punch.hpp>
+#include <railbook/num/parallel.hpp>
+
 #include "sections.hpp"
 
 namespace railbook::contact_chapter {

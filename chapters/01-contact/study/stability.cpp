@@ -16,8 +16,9 @@ started from the next coarser one:
 #include <functional>
 #include <utility>
 
-#include "contact/bodies.hpp"
-#include "contact/punch.hpp"
+#include <railbook/contact/bodies.hpp>
+#include <railbook/contact/punch.hpp>
+
 #include "sections.hpp"
 
 namespace railbook::contact_chapter {

@@ -48,9 +48,10 @@ three steps (the fourth is at rounding). The reference is the same cycle reached
 #include <algorithm>
 #include <cmath>
 
-#include "bench/work_precision.hpp"
-#include "dynamics/cycle_solver.hpp"
-#include "dynamics/eigenvector_loop.hpp"
+#include <railbook/bench/work_precision.hpp>
+#include <railbook/vehicle/cycle_solver.hpp>
+#include <railbook/vehicle/eigenvector_loop.hpp>
+
 #include "vehicles.hpp"
 
 namespace railbook::hunting_chapter {

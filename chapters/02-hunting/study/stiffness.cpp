@@ -25,8 +25,10 @@ size, and pays for each with a factorization.
 #include <utility>
 #include <vector>
 
-#include "bench/timing.hpp"
-#include "num/eigenvalues.hpp"
+#include <railbook/bench/timing.hpp>
+#include <railbook/num/eigenvalues.hpp>
+#include <railbook/vehicle/car_on_track.hpp>
+
 #include "vehicles.hpp"
 
 namespace railbook::hunting_chapter {

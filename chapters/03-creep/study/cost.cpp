@@ -78,13 +78,14 @@ see that; leaving out the coarser half, and orders of their own, do. {{spin-wors
 #include <cmath>
 #include <list>
 
+#include <railbook/bench/limit.hpp>
+#include <railbook/bench/work_precision.hpp>
+#include <railbook/num/stopwatch.hpp>
+#include <railbook/rolling/creep_laws.hpp>
+#include <railbook/rolling/fastsim.hpp>
+#include <railbook/rolling/parts.hpp>
+
 #include "../rig.hpp"
-#include "bench/limit.hpp"
-#include "bench/work_precision.hpp"
-#include "num/stopwatch.hpp"
-#include "rolling/creep_laws.hpp"
-#include "rolling/fastsim.hpp"
-#include "rolling/rolling_parts.hpp"
 
 using namespace railbook;
 using namespace railbook::rolling;

@@ -23,10 +23,11 @@ middle of them.
 #include <algorithm>
 #include <cmath>
 
+#include <railbook/bench/evidence.hpp>
+#include <railbook/rolling/contact.hpp>
+#include <railbook/rolling/kalker_coefficients.hpp>
+
 #include "../rig.hpp"
-#include "bench/evidence.hpp"
-#include "rolling/kalker_coefficients.hpp"
-#include "rolling/rolling_contact.hpp"
 
 using namespace railbook;
 using namespace railbook::rolling;

@@ -44,13 +44,14 @@ The same filter in several ways; the number type is a parameter where it matters
 #include <utility>
 #include <vector>
 
-#include "bench/work_precision.hpp"
+#include <railbook/bench/work_precision.hpp>
+#include <railbook/filters/chord_filter.hpp>
+#include <railbook/filters/geometry_chain.hpp>
+#include <railbook/num/fft.hpp>
+#include <railbook/spectra/synthetic_track.hpp>
+
 #include "experiment.hpp"
-#include "filters/chord_filter.hpp"
-#include "filters/geometry_chain.hpp"
-#include "num/fft.hpp"
 #include "sections.hpp"
-#include "spectra/synthetic_track.hpp"
 
 namespace railbook::filters_chapter {
 namespace {

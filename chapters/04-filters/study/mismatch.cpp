@@ -24,8 +24,9 @@ is rounded to the next step:
 #include <cmath>
 #include <complex>
 
+#include <railbook/filters/hybrid_filter.hpp>
+
 #include "experiment.hpp"
-#include "filters/hybrid_filter.hpp"
 #include "sections.hpp"
 
 namespace railbook::filters_chapter {

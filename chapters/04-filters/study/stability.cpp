@@ -15,11 +15,12 @@ the middle of 3400 ft, with its braking and its start, leaves few rows.
 #include <functional>
 #include <vector>
 
-#include "bench/evidence.hpp"
+#include <railbook/bench/evidence.hpp>
+#include <railbook/filters/hybrid_filter.hpp>
+#include <railbook/geometry_car/health.hpp>
+
 #include "configuration.hpp"
 #include "experiment.hpp"
-#include "filters/hybrid_filter.hpp"
-#include "geometry_car/health.hpp"
 #include "sections.hpp"
 
 namespace railbook::filters_chapter {

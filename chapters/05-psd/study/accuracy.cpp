@@ -22,11 +22,12 @@ for its $B$ is low and moves the zone away from the limit.
 #include <algorithm>
 #include <cmath>
 
-#include "bench/work_precision.hpp"
-#include "num/parallel.hpp"
+#include <railbook/bench/work_precision.hpp>
+#include <railbook/num/parallel.hpp>
+#include <railbook/spectra/classify.hpp>
+#include <railbook/spectra/spectrum_fit.hpp>
+
 #include "sections.hpp"
-#include "spectra/classify.hpp"
-#include "spectra/spectrum_fit.hpp"
 
 namespace railbook::psd_chapter {
 

@@ -15,12 +15,13 @@ which was right in {{sweep-right}} of the records.
 #include <algorithm>
 #include <cmath>
 
-#include "bench/evidence.hpp"
-#include "num/parallel.hpp"
-#include "num/random_source.hpp"
+#include <railbook/bench/evidence.hpp>
+#include <railbook/num/parallel.hpp>
+#include <railbook/num/random_source.hpp>
+#include <railbook/spectra/classify.hpp>
+#include <railbook/spectra/spectrum_fit.hpp>
+
 #include "sections.hpp"
-#include "spectra/classify.hpp"
-#include "spectra/spectrum_fit.hpp"
 
 namespace railbook::psd_chapter {
 

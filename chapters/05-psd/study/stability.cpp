@@ -21,12 +21,13 @@ exceed the loss of the same fit on this spectrum. The other bounds were set befo
 #include <optional>
 #include <utility>
 
+#include <railbook/records/record.hpp>
+#include <railbook/spectra/chord.hpp>
+#include <railbook/spectra/joint_dips.hpp>
+#include <railbook/spectra/line_mask.hpp>
+#include <railbook/spectra/spectrum_fit.hpp>
+
 #include "sections.hpp"
-#include "spectra/chord.hpp"
-#include "spectra/joint_dips.hpp"
-#include "spectra/line_mask.hpp"
-#include "spectra/record.hpp"
-#include "spectra/spectrum_fit.hpp"
 
 namespace railbook::psd_chapter {
 
@@ -43,7 +44,7 @@ struct Case {
   spectra::WelchOptions welch = {};
   spectra::FitOptions fit = {};
   std::function<void(Record&)> spoil = {};  // what is done to the samples
-  std::optional<spectra::RecordOptions> read =
+  std::optional<records::RecordOptions> read =
       {};           // as the tool reads them: screened, gaps bridged
   double loss = 0;  // known to be lost: the bound of the relative error of A and B
   // Known to be lost: the density that the disturbance makes of the undisturbed one.
@@ -174,7 +175,7 @@ Result run(const Case& c) {
   spectra::Welch welch{c.track.spacing, c.welch};
   std::string doubts;
   if (c.read) {
-    spectra::RecordStream stream{*c.read,
+    records::RecordStream stream{*c.read,
                                  [&](std::span<const double> piece) { welch.push(piece); }};
     for (const double height : z) stream.add(height);
     stream.finish();

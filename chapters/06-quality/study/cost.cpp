@@ -40,11 +40,13 @@ eighth of the cells in each run. What is left is the cells' error at the edge of
 #include <cmath>
 #include <utility>
 
-#include "bench/work_precision.hpp"
-#include "num/dopri5.hpp"
-#include "num/roots.hpp"
-#include "quality/bump_stops.hpp"
-#include "quality/descriptor_filter.hpp"
+#include <railbook/bench/work_precision.hpp>
+#include <railbook/filters/fir_filter.hpp>
+#include <railbook/num/dopri5.hpp>
+#include <railbook/num/roots.hpp>
+#include <railbook/quality/bump_stops.hpp>
+#include <railbook/quality/descriptor_filter.hpp>
+
 #include "sections.hpp"
 
 namespace railbook::quality_chapter {
@@ -54,7 +56,7 @@ namespace {
 constexpr double wave_length = 32, wave_amplitude = 1 * cm, step = 0.5;
 constexpr std::size_t samples = 24000, crest = 12032;  // 12 km: 375 waves
 
-quality::FilterTaps taps_of(double wavelengths) {
+filters::FilterTaps taps_of(double wavelengths) {
   return quality::design_filter(
       quality::Envelope{{level_limit(), {}, track_speed}},
       {.spacing = step, .shortest = 0, .reach = wavelengths * track_speed / roll.frequency});
@@ -71,10 +73,10 @@ void fig_filter_time(report::Item& item) {
   for (std::size_t i = 0; i < samples; ++i)
     z[i] = wave_amplitude * std::cos(2 * units::pi * step * static_cast<double>(i) / wave_length);
   const std::vector<double> reaches{3, 5, 10, 20, 40};
-  std::vector<quality::FilterTaps> taps;
+  std::vector<filters::FilterTaps> taps;
   taps.reserve(reaches.size());
   for (const double reach : reaches) taps.push_back(taps_of(reach));
-  const auto weights = [&](double reach) -> const quality::FilterTaps& {
+  const auto weights = [&](double reach) -> const filters::FilterTaps& {
     return taps[static_cast<std::size_t>(std::find(reaches.begin(), reaches.end(), reach) -
                                          reaches.begin())];
   };
@@ -86,12 +88,12 @@ void fig_filter_time(report::Item& item) {
            "blocks by FFT", reaches,
            [&](double reach) -> bench::Outcome {
              const auto& t = weights(reach);
-             return {{quality::filter(t, z)[crest]}, transformed_points(t.half.size()), true, ""};
+             return {{filters::filter(t, z)[crest]}, transformed_points(t.half.size()), true, ""};
            }),
        bench::sweep("direct", reaches,
                     [&](double reach) -> bench::Outcome {
                       const auto& t = weights(reach);
-                      return {{quality::filter_direct(t, z)[crest]},
+                      return {{filters::filter_direct(t, z)[crest]},
                               static_cast<double>(samples * t.half.size()),
                               true,
                               ""};

@@ -5,10 +5,11 @@
 #include <functional>
 #include <utility>
 
-#include "bench/evidence.hpp"
-#include "quality/bump_stops.hpp"
-#include "quality/descriptor_filter.hpp"
-#include "quality/spreading.hpp"
+#include <railbook/bench/evidence.hpp>
+#include <railbook/quality/bump_stops.hpp>
+#include <railbook/quality/descriptor_filter.hpp>
+#include <railbook/quality/spreading.hpp>
+
 #include "sections.hpp"
 
 namespace railbook::quality_chapter {
@@ -60,7 +61,7 @@ Found long_hill() {
   for (std::size_t i = 0; i < z.size(); ++i)
     z[i] = 5 * std::sin(2 * units::pi * 0.2 * static_cast<double>(i) / 2000);
   const quality::Envelope envelope{{level_limit(), {}, track_speed}};
-  const auto p = quality::filter(quality::design_filter(envelope, {.spacing = 0.2}), z);
+  const auto p = filters::filter(quality::design_filter(envelope, {.spacing = 0.2}), z);
   double most = 0;
   for (std::size_t i = 10000; i < 20000; ++i) most = std::max(most, std::abs(p[i]));
   const double wanted = 5 * envelope(1.0 / 2000);

@@ -20,12 +20,13 @@ arithmetic, which shares nothing with any of them but the differential equation.
 #include <complex>
 #include <numbers>
 
-#include "bench/work_precision.hpp"
-#include "num/eigenvalues.hpp"
+#include <railbook/bench/work_precision.hpp>
+#include <railbook/num/eigenvalues.hpp>
+#include <railbook/track/fe_moving_load.hpp>
+#include <railbook/track/lumped.hpp>
+#include <railbook/track/moving_load.hpp>
+
 #include "sections.hpp"
-#include "track/fe_moving_load.hpp"
-#include "track/lumped.hpp"
-#include "track/moving_load.hpp"
 
 namespace railbook::track_chapter {
 

@@ -18,14 +18,15 @@ motion; it shares the right-hand side with the library's. {{covered}} lie within
 #include <algorithm>
 #include <cmath>
 
-#include "bench/evidence.hpp"
+#include <railbook/bench/evidence.hpp>
+#include <railbook/num/parallel.hpp>
+#include <railbook/track/impact_check.hpp>
+#include <railbook/track/joint.hpp>
+#include <railbook/track/moving_load.hpp>
+#include <railbook/track/wheel_on_track.hpp>
+
 #include "located_peaks.hpp"
-#include "num/parallel.hpp"
 #include "sections.hpp"
-#include "track/impact_check.hpp"
-#include "track/joint.hpp"
-#include "track/moving_load.hpp"
-#include "track/wheel_on_track.hpp"
 
 namespace railbook::track_chapter {
 

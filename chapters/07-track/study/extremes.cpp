@@ -9,14 +9,15 @@ known answer, $y(0)=16\sqrt u/(3u^2+16u)$, for each of five dampings.
 #include <array>
 #include <cmath>
 
+#include <railbook/track/beam_elements.hpp>
+#include <railbook/track/fe_moving_load.hpp>
+#include <railbook/track/impact_check.hpp>
+#include <railbook/track/impact_methods.hpp>
+#include <railbook/track/moving_load.hpp>
+#include <railbook/track/wheel_on_track.hpp>
+
 #include "located_peaks.hpp"
 #include "sections.hpp"
-#include "track/beam_elements.hpp"
-#include "track/fe_moving_load.hpp"
-#include "track/impact_check.hpp"
-#include "track/impact_methods.hpp"
-#include "track/moving_load.hpp"
-#include "track/wheel_on_track.hpp"
 
 namespace railbook::track_chapter {
 

@@ -3,13 +3,13 @@ The reference is another of GSL's integrators, the extrapolation method of Bader
 its tightest, with both peaks located on its own motion. With the methods it judges it shares the
 right-hand side of the equations and, roughly, when the peaks are.
 */
-#include "located_peaks.hpp"
-
 #include <array>
 #include <cmath>
 
-#include "track/impact_system.hpp"
-#include "units/constants.hpp"
+#include <railbook/track/impact_system.hpp>
+#include <railbook/units/constants.hpp>
+
+#include "located_peaks.hpp"
 
 namespace railbook::track_chapter {
 

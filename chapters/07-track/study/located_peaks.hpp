@@ -3,8 +3,8 @@
 // instants the peaks are looked for.
 #pragma once
 
-#include "track/impact_methods.hpp"
-#include "track/impact_peaks.hpp"
+#include <railbook/track/impact_methods.hpp>
+#include <railbook/track/impact_peaks.hpp>
 
 namespace railbook::track_chapter {
 

@@ -40,14 +40,15 @@ against the same reference. {{mass-answer}}
 #include <cmath>
 #include <stdexcept>
 
-#include "bench/timing.hpp"
-#include "bench/work_precision.hpp"
+#include <railbook/bench/timing.hpp>
+#include <railbook/bench/work_precision.hpp>
+#include <railbook/track/impact_methods.hpp>
+#include <railbook/track/impact_peaks.hpp>
+#include <railbook/track/impact_system.hpp>
+#include <railbook/track/wheel_on_track.hpp>
+
 #include "located_peaks.hpp"
 #include "sections.hpp"
-#include "track/impact_methods.hpp"
-#include "track/impact_peaks.hpp"
-#include "track/impact_system.hpp"
-#include "track/wheel_on_track.hpp"
 
 namespace railbook::track_chapter {
 

@@ -26,13 +26,15 @@ a result says of its own pressures stands beside it.
 #include <cmath>
 #include <stdexcept>
 
+#include <railbook/bench/work_precision.hpp>
+#include <railbook/contact/cg_fft.hpp>
+#include <railbook/report/chapter.hpp>
+
 #include "../case_a.hpp"
-#include "bench/work_precision.hpp"
-#include "contact/cg_fft.hpp"
-#include "report/chapter.hpp"
 
 using namespace railbook;
-using namespace railbook::wheel_on_rail;
+using namespace railbook::profiles;
+using namespace railbook::wheel_contact;
 using namespace railbook::wheel_on_rail_chapter;
 
 namespace {

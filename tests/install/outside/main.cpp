@@ -1,7 +1,7 @@
 #include <cstdio>
 
-#include "contact/hertz.hpp"
-#include "spectra/classify.hpp"
+#include <railbook/contact/hertz.hpp>
+#include <railbook/spectra/classify.hpp>
 
 int main() {
   const auto c = railbook::spectra::classify(5e-7, 0.011);

@@ -1,0 +1,189 @@
+#include <railbook/filters/fir_filter.hpp>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <complex>
+
+#include <railbook/num/wide.hpp>
+
+namespace railbook::filters {
+namespace {
+
+using Complexes = std::span<std::complex<double>>;
+
+RAILBOOK_WIDE void amplify(Complexes z, const double* gain) {
+  for (std::size_t i = 0; i < z.size(); ++i) z[i] *= gain[i];
+}
+RAILBOOK_WIDE void join(const double* real, const double* imaginary, Complexes z) {
+  for (std::size_t i = 0; i < z.size(); ++i) z[i] = {real[i], imaginary[i]};
+}
+RAILBOOK_WIDE void part(Complexes z, double* real, double* imaginary) {
+  for (std::size_t i = 0; i < z.size(); ++i) real[i] = z[i].real(), imaginary[i] = z[i].imag();
+}
+
+// How many samples stand before the first gap.
+RAILBOOK_WIDE std::size_t whole(std::span<const double> z) {
+  constexpr std::size_t stretch = 256;
+  std::size_t i = 0;
+  for (; i + stretch <= z.size(); i += stretch) {
+    bool gap = false;
+    for (const double v : z.subspan(i, stretch)) gap |= std::isnan(v);
+    if (gap) break;
+  }
+  while (i < z.size() && !std::isnan(z[i])) ++i;
+  return i;
+}
+
+// Sample i of a piece, also before its begin and after its end: point-symmetric, then level.
+double continued(std::span<const double> z, std::ptrdiff_t i) {
+  const auto last = static_cast<std::ptrdiff_t>(z.size()) - 1;
+  if (i < 0) return 2 * z.front() - z[static_cast<std::size_t>(std::min(-i, last))];
+  if (i > last)
+    return 2 * z.back() - z[static_cast<std::size_t>(std::max(2 * last - i, std::ptrdiff_t{0}))];
+  return z[static_cast<std::size_t>(i)];
+}
+
+}  // namespace
+
+std::vector<double> symmetric_gains(std::span<const double> half, num::RealFft& fft) {
+  const std::size_t n = fft.size();
+  const auto x = fft.real();
+  std::fill(x.begin(), x.end(), 0.0);
+  x[0] = half[0];
+  for (std::size_t j = 1; j < half.size(); ++j) x[j] = x[n - j] = half[j];
+  fft.forward();
+  std::vector<double> result(n / 2 + 1);
+  for (std::size_t k = 0; k < result.size(); ++k) result[k] = fft.spectrum()[k].real();
+  return result;
+}
+
+std::vector<double> filter_direct(const FilterTaps& taps, std::span<const double> record) {
+  const auto n = static_cast<std::ptrdiff_t>(record.size());
+  const auto reach = static_cast<std::ptrdiff_t>(taps.half.size()) - 1;
+  std::vector<double> z(static_cast<std::size_t>(n + 2 * reach)), out(record.size(), 0.0);
+  for (std::ptrdiff_t i = 0; i < n + 2 * reach; ++i)
+    z[static_cast<std::size_t>(i)] = continued(record, i - reach);
+  constexpr std::ptrdiff_t block = 1024;  // stays in the first cache, and its loop is vectorised
+  for (std::ptrdiff_t from = 0; from < n; from += block) {
+    const std::ptrdiff_t count = std::min(block, n - from);
+    double* const y = out.data() + from;
+    const double* const centre = z.data() + reach + from;
+    for (std::ptrdiff_t i = 0; i < count; ++i) y[i] = taps.half[0] * centre[i];
+    for (std::ptrdiff_t j = 1; j <= reach; ++j) {
+      const double h = taps.half[static_cast<std::size_t>(j)];
+      const double *left = centre - j, *right = centre + j;
+      for (std::ptrdiff_t i = 0; i < count; ++i) y[i] += h * (left[i] + right[i]);
+    }
+  }
+  return out;
+}
+
+FilterStream::FilterStream(const FilterTaps& taps, Sink sink)
+    : sink_(std::move(sink)), reach_(taps.half.size() - 1), fft_(std::bit_ceil(6 * reach_)) {
+  const std::size_t size = fft_.rows() * fft_.columns();
+  num::RealFft of_taps(size);
+  const std::vector<double> gain = symmetric_gains(taps.half, of_taps);
+  for (std::size_t r = 0; r < fft_.rows(); ++r)
+    for (std::size_t c = 0; c < fft_.columns(); ++c) {
+      const std::size_t k = fft_.wave_number(r, c);
+      gain_.push_back(gain[std::min(k, size - k)] / static_cast<double>(size));
+    }
+  outputs_ = size - 2 * reach_;
+  block_.resize(2 * outputs_ + 2 * reach_);
+}
+
+void FilterStream::push(std::span<const double> record) {
+  while (!record.empty()) {
+    const auto piece =
+        record.first(std::min<std::size_t>(record.size(), 2048));  // stays in the cache
+    const std::size_t known = whole(piece);
+    push_piece(piece.first(known));
+    record = record.subspan(known);
+    if (known == piece.size()) continue;
+    end_piece();
+    const auto next = std::ranges::find_if_not(record, [](double z) { return std::isnan(z); });
+    const auto missing = static_cast<std::size_t>(next - record.begin());
+    sink_(record.first(missing));
+    record = record.subspan(missing);
+  }
+}
+
+void FilterStream::push_piece(std::span<const double> piece) {
+  for (std::size_t i = 0; i < piece.size();) {
+    if (!open_) {
+      first_.push_back(piece[i++]);
+      if (first_.size() > reach_) begin_piece();
+      continue;
+    }
+    const std::size_t count = std::min(piece.size() - i, block_.size() - filled_);
+    std::copy_n(piece.data() + i, count, block_.data() + filled_);
+    filled_ += count;
+    i += count;
+    if (filled_ == block_.size()) transform(2 * outputs_);
+  }
+}
+
+void FilterStream::begin_piece() {
+  open_ = true;
+  for (std::size_t i = reach_; i > 0; --i)
+    append(continued(first_, -static_cast<std::ptrdiff_t>(i)));
+  for (const double z : first_) append(z);
+  first_.clear();
+}
+
+void FilterStream::append(double value) {
+  block_[filled_++] = value;
+  if (filled_ == block_.size()) transform(2 * outputs_);
+}
+
+// Filters both halves of the block, one as the real and the other as the imaginary part, hands on the values of `outputs`
+// samples from the first with a whole reach to its left, and keeps the last two reaches.
+void FilterStream::transform(std::size_t outputs) {
+  std::fill(block_.begin() + static_cast<std::ptrdiff_t>(filled_), block_.end(), 0.0);
+  const std::size_t columns = fft_.columns();
+  for (std::size_t r = 0; r < fft_.rows(); ++r)
+    join(block_.data() + r * columns, block_.data() + r * columns + outputs_, fft_.row(r));
+  fft_.filter([&](std::size_t r, Complexes z) { amplify(z, gain_.data() + r * columns); });
+  for (std::size_t r = 0; r < fft_.rows(); ++r) {
+    const std::size_t from = std::max(r * columns, reach_),
+                      end = std::min((r + 1) * columns, reach_ + outputs_);
+    if (from >= end) continue;
+    double* const to = block_.data() + from - reach_;
+    part(fft_.row(r).subspan(from - r * columns, end - from), to, to + outputs_);
+  }
+  sink_(std::span<const double>(block_).first(outputs));
+  std::copy(block_.end() - static_cast<std::ptrdiff_t>(2 * reach_), block_.end(), block_.begin());
+  filled_ = 2 * reach_;
+}
+
+void FilterStream::end_piece() {
+  if (!open_ && first_.empty()) return;
+  std::vector<double> known = first_;  // the piece, or its last part, longer than the reach
+  if (open_)
+    known.assign(block_.begin(), block_.begin() + static_cast<std::ptrdiff_t>(filled_));
+  else
+    begin_piece();
+  for (std::size_t i = 0; i < reach_; ++i)
+    append(continued(known, static_cast<std::ptrdiff_t>(known.size() + i)));
+  if (filled_ > 2 * reach_) transform(filled_ - 2 * reach_);
+  filled_ = 0;
+  open_ = false;
+}
+
+void FilterStream::finish() {
+  end_piece();
+}
+
+std::vector<double> filter(const FilterTaps& taps, std::span<const double> record) {
+  std::vector<double> out;
+  out.reserve(record.size());
+  FilterStream stream{taps, [&](std::span<const double> piece) {
+                        out.insert(out.end(), piece.begin(), piece.end());
+                      }};
+  stream.push(record);
+  stream.finish();
+  return out;
+}
+
+}  // namespace railbook::filters

@@ -1,0 +1,96 @@
+#include <railbook/filters/wavelength_band.hpp>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <vector>
+
+#include <railbook/num/fft.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
+
+namespace railbook::filters {
+
+double band_gain(const Band& band, int passes, double phi) {
+  if (!(phi > 0)) return 0;
+  const double low = 1 / band.longest, high = 1 / band.shortest;
+  const double x = (phi * phi - low * high) / (phi * (high - low));
+  const double squared = 1 / (1 + std::pow(x, 8));
+  return passes == 2 ? squared : std::sqrt(squared);
+}
+
+filters::FilterTaps band_taps(const Band& band, int passes, double spacing) {
+  units::require_positive("spacing", spacing, "m");
+  units::require_between("shortest wavelength of the band", band.shortest, 2 * spacing,
+                         units::no_limit, "m");
+  // The slowest pole of the lower edge decays by e in some 0.42 of its wavelength, longer in a narrow band; twenty such. Tapered
+  // weights are eight times as far off in the band and more; well beyond it those that just end are up to three times as far.
+  const double narrow = std::max(1.0, 1 / (band.longest / band.shortest - 1));
+  const double reach = units::require_between("reach of the band over the spacing",
+                                              8 * band.longest * narrow / spacing, 8, 1e6);
+  const auto taps = static_cast<std::size_t>(reach);
+  num::RealFft fft{16 * std::bit_ceil(taps)};
+  const auto n = static_cast<double>(fft.size());
+  for (std::size_t k = 0; k < fft.spectrum().size(); ++k)
+    fft.spectrum()[k] = band_gain(band, passes, static_cast<double>(k) / (n * spacing)) / n;
+  fft.inverse();
+  filters::FilterTaps result{spacing, {}};
+  result.half.assign(fft.real().begin(),
+                     fft.real().begin() + static_cast<std::ptrdiff_t>(taps + 1));
+  double sum = -result.half[0];
+  for (const double weight : result.half) sum += 2 * weight;
+  for (double& weight : result.half) weight -= sum / static_cast<double>(2 * taps + 1);
+  return result;
+}
+
+std::size_t band_margin(const Band& band, double spacing) {
+  return static_cast<std::size_t>(
+      std::ceil(band.longest / units::require_positive("spacing", spacing, "m")));
+}
+
+namespace {
+
+// Lagrange's weights of the four samples from one before `t`, 0 <= t < 1, on.
+std::array<double, 4> cubic(double t) {
+  return {-t * (t - 1) * (t - 2) / 6, (t + 1) * (t - 1) * (t - 2) / 2, -(t + 1) * t * (t - 2) / 2,
+          (t + 1) * t * (t - 1) / 6};
+}
+
+}  // namespace
+
+filters::FilterTaps chord_taps(double chord, double spacing) {
+  units::require_positive("spacing", spacing, "m");
+  const double half =
+      units::require_between("chord over twice the spacing", 0.5 * chord / spacing, 2, 1e6);
+  const auto at = static_cast<std::size_t>(std::floor(half));
+  filters::FilterTaps result{spacing, std::vector<double>(std::max<std::size_t>(at + 3, 9))};
+  const auto end = cubic(half - std::floor(half));
+  for (std::size_t j = 0; j < end.size(); ++j) result.half[at - 1 + j] -= 0.5 * end[j];
+  result.half[0] += 1;
+  return result;
+}
+
+filters::FilterTaps uniformity_taps(double chord, double spacing) {
+  const filters::FilterTaps one = chord_taps(chord, spacing);
+  const double quarter = 0.25 * chord / spacing;
+  const auto reach = static_cast<std::ptrdiff_t>(one.half.size()) - 1;
+  const auto far = static_cast<std::ptrdiff_t>(std::floor(4 * quarter)) + 2;
+  filters::FilterTaps result{spacing,
+                             std::vector<double>(static_cast<std::size_t>(reach + far + 1))};
+  std::copy(one.half.begin(), one.half.end(), result.half.begin());
+  for (int m = -4; m <= 4; ++m) {
+    const double place = m * quarter, whole = std::floor(place);
+    const auto weights = cubic(place - whole);
+    for (std::ptrdiff_t i = -reach; i <= reach; ++i)
+      for (std::size_t j = 0; j < weights.size(); ++j) {
+        const std::ptrdiff_t to =
+            i + static_cast<std::ptrdiff_t>(whole) - 1 + static_cast<std::ptrdiff_t>(j);
+        if (to >= 0)
+          result.half[static_cast<std::size_t>(to)] -=
+              weights[j] * one.half[static_cast<std::size_t>(std::abs(i))] / 9;
+      }
+  }
+  return result;
+}
+
+}  // namespace railbook::filters

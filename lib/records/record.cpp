@@ -1,0 +1,420 @@
+#include <railbook/records/record.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <string>
+#include <utility>
+
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
+#include <railbook/units/number_text.hpp>
+
+namespace railbook::records {
+namespace {
+
+constexpr std::size_t settling = 1000;                   // positions that decide on the spacing
+constexpr std::size_t piece = 4096;                      // samples handed on at once
+constexpr double free_slots = 1e6, slots_a_sample = 20;  // longest record for its samples
+constexpr double off_grid = 0.25;                        // of a spacing
+constexpr double spacing_mismatch = 0.005, spacing_refused = 0.02;
+constexpr double highest_height = 1e6;  // m: its square still has all digits to spare
+constexpr double lag = 10;              // m
+constexpr double coarse = 0.05;         // of a spacing: rounding of positions that matters
+
+// The largest length of which all steps are multiples, to a tolerance; 0 where it is smaller than that.
+double common_divisor(const std::vector<double>& steps, double tolerance) {
+  double divisor = 0;
+  for (const double step : steps) {
+    double a = std::abs(step), b = divisor;
+    while (b > tolerance) {
+      double rest = std::fmod(a, b);
+      if (b - rest < tolerance) rest = 0;
+      a = std::exchange(b, rest);
+    }
+    divisor = a;
+    if (!(divisor > tolerance) && std::abs(step) > tolerance) return 0;
+  }
+  return divisor > tolerance ? divisor : 0;
+}
+
+// What positions are rounded to, where that is more than a twentieth of their spacing; 0 for positions on an even grid, with
+// samples lost or without.
+double rounding_of(const std::vector<double>& steps) {
+  constexpr std::size_t fewest = 16;
+  std::vector<double> positive;
+  for (const double step : steps) {
+    if (step < 0) return 0;
+    if (step > 0) positive.push_back(step);
+  }
+  if (positive.empty() || steps.size() < fewest) return 0;
+  const auto middle = positive.begin() + static_cast<std::ptrdiff_t>(positive.size() / 2);
+  std::nth_element(positive.begin(), middle, positive.end());
+  const double tolerance = 1e-3 * *middle, unit = common_divisor(positive, tolerance);
+  const auto share = [&](double of) {
+    const auto n = std::count_if(steps.begin(), steps.end(),
+                                 [&](double step) { return std::abs(step - of) < tolerance; });
+    return static_cast<double>(n) / static_cast<double>(steps.size());
+  };
+  const bool grid = share(unit) >= 0.6 && share(0) < 0.02;
+  const double mean =
+      std::accumulate(steps.begin(), steps.end(), 0.0) / static_cast<double>(steps.size());
+  return grid || unit < coarse * mean ? 0 : unit;
+}
+
+}  // namespace
+
+RecordStream::RecordStream(const RecordOptions& options,
+                           std::function<void(std::span<const double>)> sink)
+    : options_(options),
+      sink_(std::move(sink)),
+      screen_([this](std::span<const double> values) { join(values); }, options_.screening) {
+  if (options_.spacing) {
+    spacing_ = units::require_positive("spacing", *options_.spacing, "m");
+    places_ = PlaceMap{spacing_};
+    screen_.set_scale(spacing_, options_.unit);
+  }
+  ready_.reserve(piece);
+}
+
+void RecordStream::add(std::span<const double> values) {
+  taken_ += values.size();
+  take(values);
+}
+
+void RecordStream::add(std::span<const double> positions, std::span<const double> values) {
+  positions_ = true;
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const std::size_t even = go_on(positions.subspan(i));
+    taken_ += even;
+    take(values.subspan(i, even));
+    i += even;
+    if (i == positions.size()) return;
+    ++taken_;
+    if (std::isnan(positions[i])) {
+      unplaced_ += std::isnan(values[i]) ? 0 : 1;
+      continue;
+    }
+    units::require_finite("position of sample " + std::to_string(taken_), positions[i], "m");
+    if (settled_) {
+      place({direction_ * positions[i], values[i]});
+    } else {
+      first_.push_back({positions[i], values[i]});
+      if (first_.size() == settling) settle_spacing();
+    }
+  }
+}
+
+// Places samples as long as each is about a spacing behind the one before; how many.
+std::size_t RecordStream::go_on(std::span<const double> positions) {
+  if (!settled_ || rounding_ > 0) return 0;
+  const double slack = off_grid * spacing_;
+  double last = last_position_;
+  std::size_t n = 0;
+  for (; n < positions.size(); ++n) {
+    const double position = direction_ * positions[n];
+    if (!std::islessequal(std::abs(position - last - spacing_), slack)) break;
+    last = position;
+  }
+  if (n > 0) places_.add(steps_ + 1, positions.first(n));
+  fresh_ = fresh_ && n == 0;
+  steps_ += n;
+  last_position_ = last;
+  return n;
+}
+
+// The median step is the spacing but for rounding of the positions; the whole stretch in such steps refines it. Where the
+// rounding is not small, all steps are multiples of it, and only the stretch as a whole knows the spacing.
+void RecordStream::settle_spacing() {
+  settled_ = true;
+  if (first_.size() < 2)
+    throw InputError{"the record has " + std::to_string(first_.size()) +
+                     " samples; a spacing needs two"};
+  std::ptrdiff_t forward = 0;
+  for (std::size_t i = 1; i < first_.size(); ++i)
+    forward += first_[i].position > first_[i - 1].position   ? 1
+               : first_[i].position < first_[i - 1].position ? -1
+                                                             : 0;
+  if (forward < 0) direction_ = -1;
+  for (Sample& sample : first_) sample.position *= direction_;
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < first_.size(); ++i)
+    steps.push_back(first_[i].position - first_[i - 1].position);
+  if (options_.resync != Resync::refuse) std::erase_if(steps, [](double step) { return step < 0; });
+  double whole = std::accumulate(steps.begin(), steps.end(), 0.0);
+  const double mean = whole / static_cast<double>(steps.size());
+  rounding_ = rounding_of(steps);
+  refuse_several_records(steps);
+  if (steps.empty()) throw InputError{"positions do not ascend or descend"};
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  const double median = *middle;
+  if (!(median > 0) && rounding_ == 0)
+    throw InputError{"positions do not ascend or descend: the median step is " +
+                     units::number_text(direction_ * median) + " m"};
+  if (options_.resync != Resync::refuse && rounding_ == 0)
+    std::erase_if(steps, [&](double step) {
+      const double n = step / median;
+      return n < 0.5 || n > 20 || std::abs(n - std::round(n)) > off_grid;
+    });
+  whole = std::accumulate(steps.begin(), steps.end(), 0.0);
+  double count = 0;
+  for (const double step : steps) count += median > 0 ? std::round(step / median) : 1;
+  spacing_ = count > 0 ? whole / count : mean;
+  if (rounding_ > 0.45 * mean) spacing_ = mean;
+  if (rounding_ == 0 && !(std::abs(spacing_ / median - 1) < 0.05))
+    spacing_ = median;  // then it is uneven, as place() says
+  first_position_ = last_position_ = grid_ = first_.front().position;
+  if (rounding_ > 0) fit_grid();
+  screen_.set_scale(spacing_, options_.unit);
+  const double first = direction_ * grid_;
+  places_ = PlaceMap{spacing_, first, direction_};
+  places_.add(0, {&first, 1});
+  const auto samples = std::exchange(first_, {});
+  take({&samples.front().value, 1});
+  for (std::size_t i = 1; i < samples.size(); ++i) place(samples[i]);
+}
+
+// The straight line through the first positions, by least squares: rounding up or down is its beginning.
+void RecordStream::fit_grid() {
+  double place = 0, n = 0, mean = 0, height = 0, square = 0, product = 0;
+  for (std::size_t i = 0; i < first_.size(); ++i) {
+    if (i > 0) {
+      const double step = (first_[i].position - first_[i - 1].position) / spacing_;
+      place += rounding_ > 0.45 * spacing_ ? 1 : std::max(1.0, std::round(step));
+    }
+    n += 1;
+    const double along = place - mean, up = first_[i].position - height;
+    mean += along / n;
+    height += up / n;
+    square += along * (place - mean);
+    product += along * (first_[i].position - height);
+  }
+  spacing_ = product / square;
+  grid_ = height - spacing_ * mean;
+}
+
+// Rows of several rails or runs at each place, or the same row several times, look like positions that are rounded. They are told from them
+// by their heights: the rows of one place are alike, or each is more like one of the next place than like its neighbour.
+void RecordStream::refuse_several_records(const std::vector<double>& steps) const {
+  const auto repeats = std::count(steps.begin(), steps.end(), 0.0);
+  if (options_.spacing || 10 * repeats < 3 * std::ssize(steps)) return;
+  const auto period = static_cast<std::size_t>(std::lround(
+      static_cast<double>(steps.size()) / static_cast<double>(std::ssize(steps) - repeats)));
+  double here = 0, next = 0, like = 0, heres = 0, nexts = 0, likes = 0;
+  for (std::size_t i = 1; i < first_.size(); ++i) {
+    const double move = std::abs(first_[i].value - first_[i - 1].value);
+    const bool same = first_[i].position == first_[i - 1].position;
+    if (!std::isnan(move)) (same ? here : next) += move, (same ? heres : nexts) += 1;
+    if (i < period) continue;
+    const double other = std::abs(first_[i].value - first_[i - period].value);
+    if (!std::isnan(other)) like += other, likes += 1;
+  }
+  if (heres < 8 || nexts < 8 || likes < 8) return;
+  here /= heres, next /= nexts, like /= likes;
+  if (here >= 0.5 * next && like >= 0.7 * here) return;
+  throw InputError{"each position stands " + std::to_string(period) +
+                   " times, with heights that are not of one record; allowed: one row a place "
+                   "(--where COLUMN=VALUE for one rail or run of several; --spacing if the "
+                   "positions are only rounded)"};
+}
+
+// A rounded position is met by the grid of those before it, not by the last of them.
+void RecordStream::place(const Sample& given) {
+  Sample sample = given;
+  if (std::exchange(fresh_, false) && sample.position < last_position_) {
+    direction_ = -direction_;
+    first_position_ = last_position_ = -last_position_;
+    grid_ = -grid_;
+    sample.position = -sample.position;
+  }
+  const double last = rounding_ > 0 ? grid_ : last_position_;
+  const double step = (sample.position - last) / spacing_;
+  const double slack = off_grid + 0.5 * rounding_ / spacing_;
+  const double whole = std::abs(step - 1) <= slack ? 1 : std::round(step);
+  if (rounding_ == 0 ? !(step > 0) : sample.position < last_position_)
+    return resync(sample, direction_ > 0 ? "positions do not ascend" : "positions do not descend");
+  if (whole < 1 || std::abs(step - whole) > slack)
+    return resync(sample, "positions are not evenly spaced");
+  if (static_cast<double>(steps_) + whole >
+      free_slots + slots_a_sample * static_cast<double>(taken_))
+    return resync(sample,
+                  "positions jump too far for a record of " + std::to_string(taken_) + " samples");
+  const double thousands = sample.position / units::kilometre;
+  if (whole > 1 && std::abs(thousands - std::round(thousands)) < 1e-7) {
+    if (options_.resync == Resync::count) return resync(sample, "");
+    whole_kilometre_ = whole_kilometre_.value_or(direction_ * sample.position);
+  }
+  for (double missing = 1; missing < whole; ++missing) screen_.push({&lost, 1});
+  steps_ += static_cast<std::size_t>(whole);
+  last_position_ = sample.position;
+  grid_ = last + spacing_ * (whole + (rounding_ > 0.5 * spacing_ ? 0.0625 : 0.25) * (step - whole));
+  const double here = direction_ * (rounding_ > 0 ? grid_ : sample.position);
+  places_.add(steps_, {&here, 1});
+  take({&sample.value, 1});
+}
+
+// The sample is not where the one before says.
+void RecordStream::resync(const Sample& sample, const std::string& why) {
+  const double jump = direction_ * (sample.position - last_position_);
+  if (options_.resync == Resync::refuse)
+    throw InputError{why + ": " + units::number_text(direction_ * last_position_) +
+                     " m is followed by " + units::number_text(direction_ * sample.position) +
+                     " m (sample " + std::to_string(placed_ + 1) + "); the spacing is " +
+                     units::number_text(spacing_) +
+                     " m; allowed: --resync cut, which parts the record there, --resync count, "
+                     "which counts on in steps of the spacing, or --distance none --spacing"};
+  length_ += last_position_ - first_position_;
+  lengths_ += steps_ - first_step_;
+  const bool cut = options_.resync == Resync::cut;
+  if (cut) {
+    screen_.cut(jump);
+    const double here = direction_ * (last_position_ + spacing_);
+    places_.add(++steps_, {&here, 1});
+    ++cuts_;
+    fresh_ = true;
+  } else {
+    counts_.push_back({"counted", direction_ * last_position_, direction_ * sample.position, 1,
+                       jump, false, "--resync"});
+    ++counted_;
+  }
+  first_step_ = ++steps_;
+  first_position_ = last_position_ = grid_ = sample.position;
+  places_.jump(steps_, direction_ * sample.position);
+  take({&sample.value, 1});
+}
+
+void RecordStream::take(std::span<const double> values) {
+  for (const double value : values) {
+    ++placed_;
+    if (!std::islessequal(std::abs(value), highest_height) && !std::isnan(value))
+      units::require_between("sample " + std::to_string(placed_), value, -highest_height,
+                             highest_height, "m");
+    if (varies_ || std::isnan(value)) continue;
+    varies_ = any_ && value != first_value_;
+    first_value_ = value;
+    any_ = true;
+  }
+  screen_.push(values);
+}
+
+// The samples come back from the screen; gaps are closed with the first good sample after them.
+void RecordStream::join(std::span<const double> values) {
+  const auto is_lost = [](double value) { return std::isnan(value); };
+  for (auto at = values.begin(); at != values.end();) {
+    const auto good = std::find_if_not(at, values.end(), is_lost);
+    for (; at != good; ++at, ++joined_, ++gap_) {
+      while (fault_ < faults().size() && faults()[fault_].first < joined_) ++fault_;
+      cut_ = cut_ || (fault_ < faults().size() && faults()[fault_].first == joined_ &&
+                      faults()[fault_].fault >= Fault::step);
+    }
+    at = std::find_if(good, values.end(), is_lost);
+    if (at == good) return;
+    close_gap(*good);
+    put({good, at});
+    joined_ += static_cast<std::size_t>(at - good);
+    last_value_ = *(at - 1);
+  }
+}
+
+void RecordStream::close_gap(double value) {
+  const std::size_t most =
+      spacing_ > 0
+          ? std::max(options_.bridge,
+                     static_cast<std::size_t>(std::min(1e6, options_.bridge_length / spacing_)))
+          : options_.bridge;
+  const bool bridge = begun_ && gap_ <= most && !cut_;
+  if (gap_ > 0) unread_.push_back({samples_, gap_});
+  for (std::size_t i = 1; i <= gap_; ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(gap_ + 1);
+    put(bridge ? last_value_ + share * (value - last_value_) : lost);
+  }
+  (bridge ? bridged_ : missing_) += gap_;
+  gap_ = 0;
+  cut_ = false;
+  begun_ = true;
+}
+
+void RecordStream::put(std::span<const double> values) {
+  while (!values.empty()) {
+    const auto next = values.first(std::min(values.size(), piece - ready_.size()));
+    values = values.subspan(next.size());
+    samples_ += next.size();
+    if (spacing_ > 0) compare(next);
+    ready_.insert(ready_.end(), next.begin(), next.end());
+    if (ready_.size() < piece) continue;
+    sink_(ready_);
+    ready_.clear();
+  }
+}
+
+// The height against the mean of those 10 m before and behind: a grade does not show.
+void RecordStream::compare(std::span<const double> values) {
+  if (past_.empty())
+    past_.assign(2 * static_cast<std::size_t>(std::clamp(lag / spacing_, 1.0, 1e5)), lost);
+  const std::size_t size = past_.size();
+  const std::size_t inner = std::max<std::size_t>(1, static_cast<std::size_t>(0.29 * double(size)));
+  std::size_t at = oldest_, middle = (at + size / 2) % size, moves = moves_;
+  double moved = moved_, moved_inner = moved_inner_;
+  for (const double value : values) {
+    const double offset = past_[middle] - 0.5 * (value + past_[at]);
+    const double within = past_[middle] - 0.5 * (past_[(middle + size - inner) % size] +
+                                                 past_[(middle + inner) % size]);
+    past_[at] = value;
+    if (++at == size) at = 0;
+    if (++middle == size) middle = 0;
+    if (std::isnan(offset)) continue;
+    moved += offset * offset;
+    if (!std::isnan(within)) moved_inner += within * within;
+    ++moves;
+  }
+  oldest_ = at;
+  moved_ = moved;
+  moved_inner_ = moved_inner;
+  moves_ = moves;
+}
+
+std::size_t RecordStream::unread(std::size_t first, std::size_t count, std::size_t reach) const {
+  auto at = std::partition_point(unread_.begin(), unread_.end(), [&](const Stretch& s) {
+    return s.first + s.count + reach <= first;
+  });
+  std::size_t n = 0, done = first;
+  for (; at != unread_.end() && at->first < first + count + reach; ++at) {
+    const std::size_t from = std::max(done, at->first - std::min(at->first, reach));
+    const std::size_t to = std::min(first + count, at->first + at->count + reach);
+    n += to > from ? to - from : 0;
+    done = std::max(done, to);
+  }
+  return n;
+}
+
+void RecordStream::finish() {
+  if (taken_ == 0) throw InputError{"the record holds no finite sample"};
+  if (positions_ && !settled_) settle_spacing();
+  units::require_positive("spacing (give one, or a column of positions)", spacing_, "m");
+  if (any_ && !varies_)
+    throw InputError{"constant signal: all samples are " + units::number_text(first_value_) + " m"};
+  screen_.finish();
+  missing_ += gap_;
+  if (gap_ > 0) unread_.push_back({samples_, gap_});
+  for (; gap_ > 0; --gap_) put(lost);
+  if (!ready_.empty()) sink_(ready_);
+  ready_.clear();
+  for (const FaultyStretch& f : faults()) faulty_ += f.taken_out ? f.count : 0;
+  length_ += last_position_ - first_position_;
+  lengths_ += steps_ - first_step_;
+  if (positions_ && lengths_ > 0) spacing_ = length_ / static_cast<double>(lengths_);
+  if (options_.spacing && std::abs(spacing_ / *options_.spacing - 1) > spacing_mismatch)
+    throw InputError{"spacing is given as " + units::number_text(*options_.spacing) +
+                     " m, but the positions are " + units::number_text(spacing_) + " m apart"};
+  if (!begun_) throw InputError{"the record holds no finite sample"};
+  const PlaceMap::Unevenness uneven = places_.unevenness();
+  if (uneven.share > spacing_refused)
+    throw InputError{"positions are not evenly spaced: from " + units::number_text(uneven.from) +
+                     " m to " + units::number_text(uneven.to) + " m they are " +
+                     units::number_text(uneven.spacing) + " m apart, in the whole record " +
+                     units::number_text(uneven.overall) + " m; allowed: changes of up to 2 %"};
+}
+
+}  // namespace railbook::records

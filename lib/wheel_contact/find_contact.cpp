@@ -1,0 +1,145 @@
+#include <railbook/wheel_contact/find_contact.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <railbook/num/roots.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
+#include <railbook/wheelset/wheelset_contact.hpp>
+
+namespace railbook::wheel_contact {
+
+Pair s1002_on_60e1(double cant, profiles::Rail60 kind) {
+  return {profiles::s1002(), profiles::Profile(wheelset::placed_rail(
+                                 profiles::rail_60e1(kind), 1.435, 0.014, std::atan(cant)))};
+}
+
+Pose mirrored(const Pose& pose) {
+  return {-pose.y, -pose.yaw, -pose.roll};
+}
+
+Placed::Placed(const Pair& of, const Pose& in) : pair(&of), pose(in) {
+  const double c = std::cos(in.yaw), s = std::sin(in.yaw);
+  const double k = std::cos(in.roll), t = std::sin(in.roll);
+  turn << c, -s, 0, k * s, k * c, -t, t * s, t * c, k;
+}
+
+Placed::Point Placed::point(double s) const {
+  const auto [depth, slope] = pair->wheel.at(s);
+  Point p;
+  p.s = s;
+  p.radius = pair->radius + depth;
+  const double sine = -std::tan(pose.yaw) * slope;
+  if (!(std::abs(sine) < 1)) {
+    p.gap = units::no_limit;
+    return p;
+  }
+  const Eigen::Vector3d own(p.radius * sine, pair->half_spacing + s,
+                            p.radius * std::sqrt(1 - sine * sine));
+  p.at = turn * own;
+  p.at.y() += pose.y;
+  p.at.z() -= pair->radius;
+  if (!pair->rail.covers(p.at.y())) {
+    p.gap = units::no_limit;
+    return p;
+  }
+  const auto [rail, rise] = pair->rail.at(p.at.y());
+  p.gap = rail - p.at.z();
+  p.angle = std::atan(rise);
+  return p;
+}
+
+namespace {
+
+constexpr double step = 1e-4;  // m
+
+// The least gap between two places, by golden sections.
+Placed::Point least_between(const Placed& wheel, double low, double high) {
+  constexpr double golden = 0.6180339887498949;
+  Placed::Point a = wheel.point(high - golden * (high - low)),
+                b = wheel.point(low + golden * (high - low));
+  for (int k = 0; k < 34; ++k) {
+    if (a.gap < b.gap) {
+      high = b.s, b = a;
+      a = wheel.point(high - golden * (high - low));
+    } else {
+      low = a.s, a = b;
+      b = wheel.point(low + golden * (high - low));
+    }
+  }
+  return a.gap < b.gap ? a : b;
+}
+
+}  // namespace
+
+Touching touching(const Placed& wheel) {
+  Touching t;
+  const profiles::Profile& profile = wheel.pair->wheel;
+  const auto count = static_cast<std::size_t>((profile.to() - profile.from()) / step);
+  const double h = (profile.to() - profile.from()) / static_cast<double>(count);
+  for (std::size_t i = 0; i <= count; ++i)
+    t.locus.push_back(
+        wheel.point(std::min(profile.from() + h * static_cast<double>(i), profile.to())));
+  for (std::size_t i = 0; i < t.locus.size(); ++i) {
+    const std::size_t before = i > 0 ? i - 1 : i, after = std::min(i + 1, t.locus.size() - 1);
+    const double gap = t.locus[i].gap;
+    if (!std::isfinite(gap) || gap > t.locus[before].gap || gap > t.locus[after].gap ||
+        (i > 0 && gap == t.locus[before].gap))
+      continue;
+    t.least.push_back(least_between(wheel, t.locus[before].s, t.locus[after].s));
+  }
+  if (t.least.empty())
+    throw InputError{fmt::format(
+        "the wheel is nowhere above its rail at a shift of {:.6g} m, yaw {:.6g} rad, roll {:.6g} "
+        "rad; allowed: poses in which it is",
+        wheel.pose.y, wheel.pose.yaw, wheel.pose.roll)};
+  std::ranges::stable_sort(t.least, {}, [](const Placed::Point& p) { return p.gap; });
+  return t;
+}
+
+void require_fit(const Pair& pair) {
+  constexpr double thickest = 0.05, step = 1e-4;  // m, of a flange
+  // From the tip outwards to where the flange is steepest; depths grow downwards, s outwards.
+  double tip = pair.wheel.from(), lowest = -units::no_limit;
+  for (double s = pair.wheel.from(); s <= pair.wheel.to(); s += step)
+    if (const double depth = pair.wheel.at(s).depth; depth > lowest) lowest = depth, tip = s;
+  double face = pair.wheel.from(), steepest = 1;  // 45 degrees
+  for (double s = tip; s <= std::min(tip + thickest, pair.wheel.to()); s += step)
+    if (const double slope = -pair.wheel.at(s).slope; slope > steepest) steepest = slope, face = s;
+  const Placed::Point first = touching(Placed(pair, {})).least.front();
+  if (first.s < face || std::abs(first.angle) > 45 * units::degree)
+    throw InputError(fmt::format(
+        "the wheelset does not fit between the rails: centred, it stands on a flange, {:.4g} mm "
+        "inwards of its running circle, at {:.0f} degrees; check gauge, back-to-back and origin",
+        -first.s / units::millimetre, std::abs(first.angle) / units::degree));
+}
+
+bool at_end(const Pair& pair, const Placed::Point& p) {
+  constexpr double margin = 5e-4;
+  return p.s < pair.wheel.from() + margin || p.s > pair.wheel.to() - margin ||
+         p.at.y() < pair.rail.from() + margin || p.at.y() > pair.rail.to() - margin;
+}
+
+double rigid_roll(const Pair& pair, double y, double yaw) {
+  const auto difference = [&](double roll) {
+    const Pose pose{y, yaw, roll};
+    return touching(Placed(pair, pose)).z() - touching(Placed(pair, mirrored(pose))).z();
+  };
+  // A wheel climbs by half the spacing times the roll: the first guess is nearly a Newton step.
+  double low = 0, high = 0, at = difference(0);
+  if (at == 0) return 0;
+  for (double reach = 1e-4; reach < 0.05; reach *= 2) {
+    (at > 0 ? high : low) = at > 0 ? reach : -reach;
+    if ((difference(at > 0 ? high : low) > 0) != (at > 0))
+      return num::find_root(difference, low, high, 1e-10).x;
+    (at > 0 ? low : high) = at > 0 ? high : low;
+  }
+  throw InputError{fmt::format(
+      "no roll within 0.05 rad lets both wheels touch at a shift of {:.6g} m and yaw {:.6g} rad", y,
+      yaw)};
+}
+
+}  // namespace railbook::wheel_contact

@@ -1,0 +1,98 @@
+// One wheel on its rail under a vertical load: patches, pressures, creepages and forces.
+//
+//   const Pair pair = s1002_on_60e1(1.0 / 40);
+//   const WheelResult right = solve_wheel(pair, {.y = 3e-3}, {.load = 80e3, .speed = 30, .turning = 30 / 0.46});
+//
+// For the right wheel; a left one is solved in its mirrored() pose, and its forces across and moments about x and z change
+// their signs.
+#pragma once
+
+#include <Eigen/Core>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <railbook/rolling/case.hpp>
+#include <railbook/rolling/material_pair.hpp>
+#include <railbook/wheel_contact/patch.hpp>
+#include <railbook/wheel_contact/strips.hpp>
+
+namespace railbook::wheel_contact {
+
+// mu(v) = mu0 (a + (1 - a) exp(-v/v0)), the law of Ohyama and Polach. v is the mean rigid slip speed of the patch, not the slip of each
+// particle: with that a rolling contact has several solutions, with this one. a = 1: constant.
+struct Friction {
+  double coefficient = 0.3;  // mu0, 0 to 2
+  double left = 1;           // a: the share left at high speed, 0 to 1
+  double speed = 1;          // v0 [m/s], > 0
+  double at(double slip_speed) const;
+};
+
+enum class Method {
+  hertz,   // an ellipse, and FASTSIM on it
+  strips,  // semi-Hertzian strips, and FASTSIM on them
+  full     // the half-space's own pressure, and Kalker's full theory on it
+};
+
+struct WheelWish {
+  double load = 0;     // vertical, of the wheel on the rail [N], > 0
+  double speed = 0;    // of the wheelset along the track [m/s], > 0
+  double turning = 0;  // of the wheelset about its axle [rad/s], > 0 forwards
+  Friction friction = {};
+  rolling::Steel wheel = {210e9, 0.28}, rail = {210e9, 0.28};
+  Method method = Method::full;
+  PatchOptions patches = {};
+  long along = 40, across = 32;  // cells of the finer of two grids, of Method::full; 8 to 512
+};
+
+struct PatchResult {
+  Patch patch;
+  double load = 0;              // normal [N]
+  double approach = 0;          // greatest overlap [m]
+  double p_max = 0;             // [Pa]
+  double area = 0;              // [m^2]
+  rolling::CreepForces forces;  // on the rail, in the frame: fx along, fy across, mz about n
+  rolling::Creepage creepage;   // wheel over rail, in the frame at its origin
+  double friction = 0;
+  double largest_shear = 0;  // traction [Pa]
+  double wear_number = 0;    // T gamma: power of friction over speed [N]
+  // Of p_max, as a share: the change from a grid of half the cells along and across, and what cells of this size leave at least; infinite
+  // for the approximate methods. forces.error is the like of (fx, fy) over mu N. Not yet counted on fresh contacts.
+  double p_max_error = std::numeric_limits<double>::infinity();
+  contact::Grid grid;        // of Method::full ...
+  Eigen::VectorXd pressure;  // ... and the pressure [Pa]
+  Strips strips;             // of the other methods
+};
+
+struct WheelResult {
+  double z =
+      0;  // depth of the axle's middle below its height at the running circles on the rails' top [m]
+  double z_touch = 0;                               // at first touch
+  std::vector<PatchResult> patches;                 // the one that carries most first
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();  // on the rail, in the track's axes [N]
+  double axle_moment =
+      0;  // of the forces on the wheel about the axle [N m]; > 0 speeds a forward turn down
+  bool converged = false;
+  std::string reason;               // why not
+  std::vector<std::string> doubts;  // verge of a second contact, conformal, merged, beyond a range
+};
+
+// Load to 1e-5 (full: with the share that friction bears to 1e-3). Throws InputError naming what is out of range, or when
+// the wheel touches within 0.5 mm of an end of a profile; not converged when no depth bears the load.
+// Accuracy of the full method, against CONTACT in the benchmark: see tests/lib/wheel_contact/benchmark.cpp.
+WheelResult solve_wheel(const Pair& pair, const Pose& pose, const WheelWish& wish);
+
+struct WheelsetResult {
+  Pose pose;
+  double turning = 0;
+  WheelResult left, right;  // the left as seen in the mirror
+  bool converged = false;
+  std::string reason;
+};
+
+// A wheelset with the same load on both wheels, free to roll and to turn: its roll has both wheels at one height, and its
+// turning lets the moments about the axle cancel. Of the wish, `turning` is not used; of the pose, roll is not.
+// Throws as solve_wheel, and when no roll near the rigid wheelset's does. Some twenty solutions of a wheel.
+WheelsetResult solve_wheelset(const Pair& pair, const Pose& pose, const WheelWish& wish);
+
+}  // namespace railbook::wheel_contact

@@ -1,0 +1,359 @@
+// How branches are walked: the rules of the step, each end that a branch may have, and what is told
+// of its points.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include <railbook/cycles/continuation.hpp>
+#include <railbook/cycles/detail/cycle_equations.hpp>
+#include <railbook/cycles/step_length.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
+
+#include "support/seen_by.hpp"
+
+using namespace railbook;
+using namespace railbook::cycles;
+using Eigen::VectorXd;
+using tests::seen_by;
+
+TEST_CASE("A part of a step: straight, or a parabola where it turns", "[steps]") {
+  for (const double root : {0.02, 0.3, 0.5, 0.9, 1.0}) {
+    CHECK(part_of_way(-root, 1 - root, false, false) == Approx(root));
+    CHECK(part_of_way(-root * root, 1 - root * root, true, false) == Approx(root));
+    const double left = (1 - root) * (1 - root);
+    CHECK(part_of_way(1 - left, -left, false, true) == Approx(root));
+    CHECK(part_of_way(-root, 1 - root, true, true) == Approx(root));
+  }
+  // A ring closes where it passes its first point, near, and on the way to its second.
+  const Eigen::Vector2d from{1, 1}, way{2, 1}, aside{-1, 2};
+  const auto part = [&](double along, double off, double ahead) {
+    const Eigen::Vector2d first = from + along * way + off * aside;
+    return passes_again(first, first + ahead * way, from, from + way);
+  };
+  for (const double along : {0.01, 0.4, 0.99}) {
+    CHECK(part(along, 0, 1) == Approx(along));
+    CHECK(part(along, 0.099, 1) == Approx(along));
+    CHECK(part(along, -0.099, 0.01) == Approx(along));
+    CHECK(part(along, 0.101, 1) == 0);
+    CHECK(part(along, 0, -1) == 0);
+  }
+  CHECK(passes_again(from + way, from + 2 * way, from, from + way) == 1);
+  for (const double along : {-0.01, 1.01}) CHECK(part(along, 0, 1) == 0);
+  CHECK(passes_again(from, from + way, from, from + way) == 0);
+}
+
+namespace {
+
+// Circles of radius^2 = rho where p = place(rho), given what pushes them out: push(rho) - drag(p) =
+// 0; omega^2 = 1 + rho/2.
+template <class Push, class Drag>
+Family circles(Push push, Drag drag) {
+  Family family;
+  family.oscillator = seen_by(2, [=](const Complex* s, Complex* f) {
+    const Complex rho = s[0] * s[0] + s[1] * s[1], radial = s[0] * s[2] + s[1] * s[3];
+    for (int i = 0; i < 2; ++i) f[i] = push(rho) * s[2 + i] - (0.5 * rho + 4.0 * radial) * s[i];
+  });
+  family.set = [=](Oscillator& o, double p) { o.damping(0, 0) = o.damping(1, 1) = drag(p); };
+  family.watch = {VectorXd::Unit(2, 0)};
+  return family;
+}
+Family straight() {
+  return circles([](Complex rho) { return -rho; }, [](double p) { return -p; });
+}
+// (p - 1)^2 + (rho - 1)^2 = 1/4.
+Family ring() {
+  return circles([](Complex rho) { return 0.25 - (rho - 1.0) * (rho - 1.0); },
+                 [](double p) { return (p - 1) * (p - 1); });
+}
+Cycle circle(const Family& family, double rho) {
+  Eigen::VectorXcd shape(2);
+  shape << std::sqrt(rho), Complex{0, -std::sqrt(rho)};
+  return first_harmonic(family.oscillator, shape, std::sqrt(1 + 0.5 * rho), 7);
+}
+ContinuationOptions within(double lowest, double highest) {
+  ContinuationOptions options;
+  options.lowest = lowest, options.highest = highest;
+  options.multiplier_steps = 0;
+  return options;
+}
+
+}  // namespace
+
+TEST_CASE("A ring is walked once round, whichever way", "[steps]") {
+  const Family family = ring();
+  for (const Towards way : {Towards::larger_parameter, Towards::smaller_parameter,
+                            Towards::larger_cycles, Towards::smaller_cycles}) {
+    const double begin = 1 - 0.3, side = way == Towards::larger_cycles ? 0.4 : -0.4;
+    const auto branch = follow_from(family, circle(family, 1 + side), begin, way, within(-5, 5));
+    CHECK(branch.stop == BranchStop::closed);
+    REQUIRE(branch.points.size() > 8);
+    const LimitCycle &first = branch.points.front(), &last = branch.points.back();
+    CHECK(first.parameter == Approx(begin).epsilon(1e-12));
+    CHECK(last.parameter == Approx(begin).margin(2e-3));
+    CHECK(last.largest == Approx(first.largest).epsilon(2e-3));
+    // The angle about the middle grows by a whole turn; towards larger circles on the left of it
+    // clockwise.
+    double turned = 0;
+    for (std::size_t k = 1; k < branch.points.size(); ++k) {
+      const auto at = [&](std::size_t i) {
+        const LimitCycle& c = branch.points[i];
+        return Complex{c.parameter - 1, c.largest * c.largest - 1};
+      };
+      CHECK(std::abs(at(k)) == Approx(0.5).epsilon(1e-6));
+      turned += std::arg(at(k) / at(k - 1));
+    }
+    CHECK(std::abs(turned) == Approx(2 * units::pi).epsilon(5e-3));
+    const bool larger = way == Towards::larger_cycles, up = way == Towards::larger_parameter;
+    if (larger || way == Towards::smaller_cycles)
+      CHECK((branch.points[1].largest > first.largest) == larger);
+    else
+      CHECK((branch.points[1].parameter > begin) == up);
+    std::vector<double> folds;
+    for (const SpecialCycle& s : branch.special) {
+      CHECK((s.kind == CycleEvent::fold && s.located));
+      folds.push_back(s.at.parameter);
+      CHECK(s.at.largest == Approx(1).epsilon(1e-6));
+    }
+    std::sort(folds.begin(), folds.end());
+    REQUIRE(folds.size() == 2);
+    CHECK(folds[0] == Approx(0.5).epsilon(1e-7));
+    CHECK(folds[1] == Approx(1.5).epsilon(1e-7));
+    // Twice across each parameter within.
+    for (const double p : {0.6, 1.0, 1.4}) {
+      const auto found = cycles_at(family, branch, p, within(-5, 5));
+      REQUIRE(found.size() == 2);
+      for (const LimitCycle& c : found)
+        CHECK(std::abs(c.largest * c.largest - 1) ==
+              Approx(std::sqrt(0.25 - (p - 1) * (p - 1))).epsilon(1e-8));
+    }
+    for (const double p : {0.49, 1.51}) CHECK(cycles_at(family, branch, p, within(-5, 5)).empty());
+  }
+}
+
+TEST_CASE("Each end of a branch, where it is asked for", "[steps]") {
+  const Family family = straight();
+  const auto walked = [&](const ContinuationOptions& options,
+                          Towards way = Towards::larger_cycles) {
+    return follow_from(family, circle(family, 0.25), 0.25, way, options);
+  };
+  const auto up = within(0.01, 2);
+  const auto check_end = [](const LimitCycleBranch& branch, BranchStop stop, double last,
+                            double beyond) {
+    CAPTURE(to_string(branch.stop), branch.points.size());
+    CHECK(branch.stop == stop);
+    REQUIRE(branch.points.size() > 2);
+    const double before = branch.points[branch.points.size() - 2].parameter,
+                 end = branch.points.back().parameter;
+    CHECK((before - last) * beyond <= 0);
+    CHECK((end - last) * beyond > 0);
+  };
+  check_end(walked(up), BranchStop::parameter, 2, 1);
+  check_end(walked(within(0.01, 0.5)), BranchStop::parameter, 0.5, 1);
+  auto options = up;
+  options.first_amplitude = 1;
+  check_end(walked(within(0.1, 2), Towards::smaller_cycles), BranchStop::parameter, 0.1, -1);
+  // Half of the first cycle, or of the first amplitude where that is less.
+  check_end(walked(options, Towards::smaller_cycles), BranchStop::small_cycle, 0.0625, -1);
+  options.first_amplitude = 0.4;
+  check_end(walked(options, Towards::smaller_parameter), BranchStop::small_cycle, 0.04, -1);
+  options = up;
+  options.largest_amplitude = 0.8;
+  check_end(walked(options), BranchStop::amplitude, 0.64, 1);
+  options.most_points = 4;
+  CHECK(walked(options).stop == BranchStop::points);
+  CHECK(walked(options).points.size() == 4);
+  options.smallest_step = 1;
+  CHECK(walked(options).stop == BranchStop::step);
+  CHECK(walked(options).points.size() == 1);
+  options = up;
+  std::size_t seen = 1;
+  options.go_on = [&](const LimitCycle& c) { return ++seen, c.parameter < 1; };
+  const auto asked = walked(options);
+  check_end(asked, BranchStop::asked, 1, 1);
+  CHECK(seen == asked.points.size());
+  for (int stop = 0; stop < 9; ++stop)
+    for (int other = 0; other < stop; ++other)
+      CHECK(std::string(to_string(BranchStop(stop))) != to_string(BranchStop(other)));
+  // No circle has a radius whose square is negative.
+  const auto none =
+      follow_from(family, circle(family, 0.25), -0.5, Towards::larger_cycles, within(-1, 1));
+  CHECK(none.stop == BranchStop::start);
+  CHECK(none.points.empty());
+}
+
+TEST_CASE("The step: a quarter of the largest at first, half as much again while the way is easy",
+          "[steps]") {
+  const Family family = straight();
+  auto options = within(0, 30);
+  for (const double largest : {0.04, 0.15}) {
+    options.largest_step = largest;
+    options.most_points = 14;
+    const auto branch =
+        follow_from(family, circle(family, 1), 1, Towards::larger_parameter, options);
+    double expected = 0.25 * largest;
+    REQUIRE(branch.points.size() > 12);
+    for (std::size_t k = 1; k < 12; ++k) {
+      // Along the tangent, by relative radius, ln omega, and p over its scale.
+      const double p = branch.points[k - 1].parameter, q = branch.points[k].parameter;
+      const Eigen::Vector3d rise{0.5 / p, 0.25 / (1 + 0.5 * p), 1},
+          way{std::sqrt(q / p) - 1, 0.5 * std::log((1 + 0.5 * q) / (1 + 0.5 * p)), q - p};
+      CHECK(rise.normalized().dot(way) == Approx(expected).epsilon(1e-6));
+      expected = std::min(1.5 * expected, largest);
+    }
+    CHECK(branch.rejected_steps == 0);
+  }
+}
+
+TEST_CASE("The step where the way bends: halved below a cosine of 0.9, longer above 0.985",
+          "[steps]") {
+  const Family family = ring();
+  auto options = within(-5, 5);
+  int kept = 0, halved = 0;
+  for (const double largest : {0.2, 0.45, 1.2}) {
+    options.largest_step = largest;
+    const auto branch =
+        follow_from(family, circle(family, 1.4), 0.7, Towards::larger_cycles, options);
+    CHECK(branch.stop == BranchStop::closed);
+    // The way at a point: by relative radius, ln omega and p, in the units of where the step
+    // begins.
+    const auto way = [](const LimitCycle& at, const LimitCycle& begin) {
+      const double rho = at.largest * at.largest, rise = 1 - at.parameter, run = rho - 1;
+      return Eigen::Vector3d{0.5 * rise / (at.largest * begin.largest),
+                             0.25 * rise / (1 + 0.5 * rho), run}
+          .normalized();
+    };
+    double wanted = 0.25 * largest;
+    int rejected = 0;
+    for (std::size_t k = 0; k + 2 < branch.points.size(); ++k) {
+      const LimitCycle &a = branch.points[k], &b = branch.points[k + 1];
+      const Eigen::Vector3d step{b.largest / a.largest - 1, std::log(b.cycle.omega / a.cycle.omega),
+                                 b.parameter - a.parameter};
+      const double length = std::abs(way(a, a).dot(step)), cosine = way(a, a).dot(way(b, a)),
+                   halvings = std::log2(wanted / length);
+      CAPTURE(k, length, wanted, cosine);
+      CHECK(cosine >= 0.9);
+      CHECK(halvings == Approx(std::round(halvings)).margin(1e-5));
+      rejected += int(std::round(halvings));
+      if (halvings > 0.5) ++halved;
+      if (cosine <= 0.985) ++kept;
+      wanted = cosine > 0.985 ? std::min(1.5 * length, largest) : length;
+    }
+    CHECK(branch.rejected_steps >= rejected);
+    CHECK(branch.rejected_steps <= rejected + 2);
+  }
+  CHECK((kept > 2 && halved > 2));
+}
+
+TEST_CASE("What is told of a point: middle, reach, and how much its highest harmonics are",
+          "[steps]") {
+  // Circles about (0.3, 0): the same law about another place, its rest.
+  Family family = straight();
+  const auto inner = family.oscillator.couplings[0].law;
+  family.oscillator.couplings[0].law = [inner](const double* s, double* f, double* slope) {
+    const double moved[4] = {s[0] - 0.3, s[1], s[2], s[3]};
+    inner(moved, f, slope);
+    f[0] += 0.3;  // of the linear spring
+  };
+  family.rest = Eigen::Vector2d{0.3, 0};
+  family.watch = {VectorXd::Unit(2, 0), -VectorXd::Unit(2, 0), VectorXd::Unit(2, 1)};
+  auto options = within(-1, 0.6);
+  options.first_amplitude = 0.1;
+  options.multiplier_steps = 64;
+  Eigen::VectorXcd shape(2);
+  shape << 2, Complex{0, -2};
+  const auto branch = follow_from_hopf(family, shape, 1, 0, options);
+  CHECK(branch.points.front().largest == Approx(0.1).epsilon(1e-6));
+  CHECK(branch.stop == BranchStop::parameter);
+  for (const LimitCycle& c : branch.points) {
+    const double radius = std::sqrt(c.parameter);
+    const double middles[] = {0.3, -0.3, 0};
+    for (std::size_t k = 0; k < 3; ++k) {
+      CHECK(c.amplitude[k] == Approx(radius).epsilon(1e-6));
+      CHECK(c.middle[k] == Approx(middles[k]).margin(1e-9));
+    }
+    CHECK(c.largest == *std::max_element(c.amplitude.begin(), c.amplitude.end()));
+    CHECK(c.reach == Approx(0.3 + radius).epsilon(1e-6));
+    CHECK(c.stable);
+    CHECK(c.cycle.orders.front() == 0);
+  }
+  CHECK_THROWS_AS(follow_from_hopf(family, Eigen::VectorXcd::Zero(2), 1, 0, options), InputError);
+  options.first_amplitude = 0;
+  CHECK_THROWS_AS(follow_from_hopf(family, shape, 1, 0, options), InputError);
+  // Rayleigh's cycle as it becomes less round: of the orders above two thirds of the highest.
+  Family rayleigh;
+  rayleigh.oscillator =
+      seen_by(1, [](const Complex* s, Complex* f) { f[0] = -s[1] * s[1] * s[1] / 3.0; });
+  rayleigh.set = [](Oscillator& o, double e) {
+    o.damping(0, 0) = -e, o.couplings[0].force(0, 0) = e;
+  };
+  rayleigh.watch = {VectorXd::Ones(1)};
+  Oscillator start = rayleigh.oscillator;
+  rayleigh.set(start, 0.1);
+  const Cycle begin = first_harmonic(start, 2 * Eigen::VectorXcd::Ones(1), 1, 7);
+  options = within(0.01, 3);
+  for (const int most : {95, 15}) {
+    options.most_order = most;
+    options.tail = 1e-5;
+    const auto walk = follow_from(rayleigh, begin, 0.1, Towards::larger_parameter, options);
+    CHECK(walk.stop == BranchStop::parameter);
+    bool whole = true;
+    for (const LimitCycle& c : walk.points) {
+      double high = 0, all = 0;
+      for (std::size_t k = 0; k < c.cycle.orders.size(); ++k) {
+        const double square = std::norm(c.cycle.motion(0, Eigen::Index(k)));
+        all += square;
+        if (c.cycle.orders[k] > 2.0 / 3 * c.cycle.orders.back()) high += square;
+      }
+      CHECK(c.tail == Approx(std::sqrt(high / all)));
+      CHECK((c.tail <= options.tail || c.cycle.orders.back() == most));
+      CHECK(c.cycle.orders.back() <= most);
+      CHECK(c.cycle.orders.back() >= options.least_order);
+      whole &= c.tail <= options.tail;
+    }
+    CHECK(whole == (most == 95));
+    CHECK(walk.points.front().cycle.orders.back() < walk.points.back().cycle.orders.back());
+  }
+}
+
+TEST_CASE("Cycles at a parameter cost less the nearer they are to a point of the branch",
+          "[steps]") {
+  // Rayleigh's cycle up and down, harmonics added on the way and taken off: either neighbour may be the richer.
+  long calls = 0;
+  Family family;
+  family.oscillator =
+      seen_by(1, [](const Complex* s, Complex* f) { f[0] = -s[1] * s[1] * s[1] / 3.0; });
+  auto& law = family.oscillator.couplings[0].law;
+  law = [&calls, inner = law](const double* s, double* f, double* slope) {
+    ++calls;
+    inner(s, f, slope);
+  };
+  family.set = [](Oscillator& o, double e) {
+    o.damping(0, 0) = -e, o.couplings[0].force(0, 0) = e;
+  };
+  family.watch = {VectorXd::Ones(1)};
+  Oscillator start = family.oscillator;
+  family.set(start, 0.1);
+  auto options = within(0.05, 2);
+  options.tail = 1e-7;
+  const auto up = follow_from(family, first_harmonic(start, 2 * Eigen::VectorXcd::Ones(1), 1, 7),
+                              0.1, Towards::larger_parameter, options);
+  const auto down =
+      follow_from(family, up.points.back().cycle, 2, Towards::smaller_parameter, options);
+  int most = 0;
+  for (const auto* branch : {&up, &down})
+    for (std::size_t k = 0; k + 1 < branch->points.size(); ++k)
+      for (const double part : {1e-4, 1 - 1e-4}) {
+        const LimitCycle &a = branch->points[k], &b = branch->points[k + 1];
+        // With the richer one's harmonics, as they are.
+        const auto whole = [](const LimitCycle& c) { return c.cycle.orders.back(); };
+        options.least_order = options.most_order = std::max(whole(a), whole(b));
+        calls = 0;
+        const auto found =
+            cycles_at(family, *branch, a.parameter + part * (b.parameter - a.parameter), options);
+        REQUIRE(found.size() == 1);
+        // A period of samples for each evaluation: two Newton steps of two, and the cycle told.
+        const int highest = found[0].cycle.orders.back();
+        most = std::max(most, int(calls / samples_for(highest)));
+      }
+  CHECK(most <= 6);
+}

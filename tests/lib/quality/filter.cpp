@@ -1,0 +1,220 @@
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <railbook/filters/fir_filter.hpp>
+#include <railbook/num/random_source.hpp>
+#include <railbook/quality/descriptor_filter.hpp>
+#include <railbook/quality/quality_index.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
+
+using namespace railbook;
+using namespace railbook::quality;
+using Catch::Matchers::WithinAbs;
+
+namespace {
+
+constexpr double speed = 100 / 3.6;
+
+Envelope stroke_envelope() {
+  return Envelope{{stroke_limit_of_level({0.5, 0.2}, 0.016), {}, speed}};
+}
+
+Envelope combined_envelope() {
+  return Envelope{{stroke_limit_of_level({0.5, 0.2}, 0.016),
+                   ForceLimit{make_car(800, 7000, {2, 0.5}), 143e3}, speed}};
+}
+
+std::vector<double> noise(std::size_t n) {
+  const num::RandomSource source{7, 1};
+  std::vector<double> z(n);
+  for (std::size_t i = 0; i < n; ++i) z[i] = 0.01 * source.normal(i);
+  return z;
+}
+
+double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
+  REQUIRE(a.size() == b.size());
+  double worst = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double off = std::abs(a[i] - b[i]);
+    worst = std::max(worst, std::isnan(off) ? std::numeric_limits<double>::infinity() : off);
+  }
+  return worst;
+}
+
+}  // namespace
+
+TEST_CASE("Impulse response of the stroke mode: values by quadrature elsewhere", "[quality]") {
+  const auto h = impulse_response(stroke_envelope(), 0.2, 0, 65536);
+  const auto smooth = [&](double x) {
+    return h[static_cast<std::size_t>(std::lround(5 * x))] / 0.2 / 100;
+  };
+  CHECK_THAT(smooth(0) - 1 / (1.6 * 0.2), WithinAbs(-0.01670791, 5e-9));
+  CHECK_THAT(smooth(10), WithinAbs(-0.01447990, 5e-9));
+  CHECK_THAT(smooth(20), WithinAbs(-0.00896164, 5e-9));
+  CHECK_THAT(smooth(30), WithinAbs(-0.00288607, 5e-9));
+  CHECK_THAT(smooth(40), WithinAbs(0.00117423, 5e-9));
+  CHECK_THAT(smooth(80), WithinAbs(-0.00091182, 5e-9));
+}
+
+TEST_CASE("A sine on the envelope comes out with amplitude one", "[quality]") {
+  const Envelope envelope = stroke_envelope();
+  constexpr std::size_t n = 20000;
+  for (const int waves : {10, 60, 75, 200, 3000}) {
+    std::vector<double> z(n);
+    const double phi = waves / (0.2 * n), amplitude = allowed_amplitude(envelope(phi));
+    for (std::size_t i = 0; i < n; ++i)
+      z[i] = amplitude * std::sin(2 * units::pi * waves * static_cast<double>(i) / n);
+    const auto p = filter_periodic(envelope, 0.2, z);
+    double worst = 0;
+    for (std::size_t i = 0; i < n; ++i) worst = std::max(worst, std::abs(p[i] - z[i] / amplitude));
+    CHECK(worst < 1e-11);
+  }
+}
+
+TEST_CASE("Streamed blocks equal direct convolution, whatever the pieces", "[quality]") {
+  for (const Envelope& envelope : {stroke_envelope(), combined_envelope()}) {
+    const auto taps = design_filter(envelope, {.spacing = 0.5, .shortest = 1.5, .reach = 200});
+    for (const std::size_t n : {1U, 2U, 100U, 400U, 401U, 402U, 803U, 5000U, 20000U}) {
+      const auto z = noise(n);
+      const auto direct = filter_direct(taps, z);
+      CHECK(largest_difference(filter(taps, z), direct) < 1e-10);
+      std::vector<double> out;
+      filters::FilterStream stream{taps, [&](std::span<const double> piece) {
+                                     out.insert(out.end(), piece.begin(), piece.end());
+                                   }};
+      for (std::size_t i = 0; i < n;) {
+        const std::size_t count = std::min<std::size_t>(1 + i % 777, n - i);
+        stream.push(std::span{z}.subspan(i, count));
+        i += count;
+      }
+      stream.finish();
+      CHECK(largest_difference(out, direct) < 1e-10);
+    }
+  }
+}
+
+TEST_CASE("Level and graded track give nothing, reversed track the reverse", "[quality]") {
+  const auto taps =
+      design_filter(combined_envelope(), {.spacing = 0.5, .shortest = 1.5, .reach = 0});
+  std::vector<double> level(3000, 2.5), grade(3000);
+  for (std::size_t i = 0; i < grade.size(); ++i) grade[i] = 0.005 * static_cast<double>(i);
+  for (const double p : filter(taps, level)) CHECK(std::abs(p) < 1e-9);
+  for (const double p : filter(taps, grade)) CHECK(std::abs(p) < 1e-8);
+  auto z = noise(6000);
+  auto p = filter(taps, z);
+  std::reverse(z.begin(), z.end());
+  std::reverse(p.begin(), p.end());
+  CHECK(largest_difference(filter(taps, z), p) < 1e-10);
+}
+
+TEST_CASE("Gaps split the record into pieces of their own", "[quality]") {
+  const auto taps = design_filter(stroke_envelope(), {.spacing = 0.5, .shortest = 0, .reach = 300});
+  const auto left = noise(1500);
+  const std::vector<double> right(left.rbegin() + 700, left.rend());
+  std::vector<double> z = left;
+  z.insert(z.end(), 40, std::numeric_limits<double>::quiet_NaN());
+  z.insert(z.end(), right.begin(), right.end());
+  const auto p = filter(taps, z);
+  REQUIRE(p.size() == z.size());
+  CHECK(std::isnan(p[1500]));
+  CHECK(std::isnan(p[1539]));
+  CHECK(largest_difference({p.begin(), p.begin() + 1500}, filter_direct(taps, left)) < 1e-10);
+  CHECK(largest_difference({p.begin() + 1540, p.end()}, filter_direct(taps, right)) < 1e-10);
+}
+
+TEST_CASE("A single lost sample is a gap wherever it stands", "[quality]") {
+  const auto taps = design_filter(stroke_envelope(), {.spacing = 0.5, .shortest = 0, .reach = 100});
+  const auto z = noise(1200);
+  for (const std::size_t at :
+       {600, 0, 1, 2, 127, 255, 256, 257, 511, 512, 767, 768, 1023, 1024, 1198, 1199}) {
+    auto lost = z;
+    lost[at] = std::numeric_limits<double>::quiet_NaN();
+    const auto p = filter(taps, lost);
+    const auto middle = static_cast<std::ptrdiff_t>(at);
+    INFO("sample " << at);
+    REQUIRE(p.size() == z.size());
+    CHECK(std::isnan(p[at]));
+    const std::vector<double> left(z.begin(), z.begin() + middle),
+        right(z.begin() + middle + 1, z.end());
+    if (!left.empty())
+      CHECK(largest_difference({p.begin(), p.begin() + middle}, filter_direct(taps, left)) < 1e-10);
+    if (!right.empty())
+      CHECK(largest_difference({p.begin() + middle + 1, p.end()}, filter_direct(taps, right)) <
+            1e-10);
+  }
+}
+
+TEST_CASE("A sine is beyond the limit where its amplitude is, whatever its phase at the ends",
+          "[quality]") {
+  const num::RandomSource draw{22, 3};
+  for (const double damping : {0.1, 0.2, 0.4}) {
+    const Envelope envelope{{stroke_limit_of_level({0.5, damping}, 0.016), {}, speed}};
+    const auto taps = design_filter(envelope, {.spacing = 0.5, .reach = 1112});
+    const double margin = end_effect(taps, envelope);
+    CHECK(margin > 40);
+    CHECK(margin < 400);
+    for (std::uint64_t k = 0; k < 100; ++k) {
+      const double wave = k == 0 ? 2.2 : 2 * std::pow(25.0, draw.uniform(2 * k));
+      const double phase = 2 * units::pi * draw.uniform(2 * k + 1), phi = 1 / wave;
+      for (const double share : {0.97, 1.03}) {
+        std::vector<double> z(3000);
+        for (std::size_t i = 0; i < z.size(); ++i)
+          z[i] = share * allowed_amplitude(envelope(phi)) *
+                 std::sin(2 * units::pi * phi * 0.5 * static_cast<double>(i) + phase);
+        IndexBuilder builder{{.spacing = 0.5, .margin = margin}};
+        builder.push(filter(taps, z));
+        builder.finish();
+        const auto& found = builder.exceedances();
+        const bool sure = std::any_of(found.begin(), found.end(), [&](const Exceedance& e) {
+          return !e.cut && e.clear >= margin;
+        });
+        CAPTURE(damping, wave, phase, share);
+        CHECK(sure == (share > 1));
+      }
+    }
+  }
+}
+
+TEST_CASE("Filters out of range are refused", "[quality]") {
+  const Envelope envelope = stroke_envelope();
+  CHECK_THROWS_AS(design_filter(envelope, {.spacing = 0}), InputError);
+  CHECK_THROWS_AS(design_filter(envelope, {.spacing = 0.5, .shortest = 0.9}), InputError);
+  CHECK_THROWS_AS(design_filter(envelope, {.spacing = 1e-5}), InputError);
+  CHECK_THROWS_AS(design_filter(envelope, {.spacing = 1000}), InputError);
+}
+
+TEST_CASE("The gain error is the largest, of either sign, from the reach to the shortest wave",
+          "[quality]") {
+  int above = 0, below = 0;
+  for (const double spacing : {0.2, 0.3, 0.5})
+    for (const double shortest : {0.0, 3.0})
+      for (const double reach : {60.0, 100.0, 170.0}) {
+        const Envelope envelope = combined_envelope();
+        const filters::FilterTaps taps = design_filter(envelope, {spacing, shortest, reach});
+        const auto error = [&](double phi) {
+          double gain = taps.half[0];
+          for (std::size_t j = 1; j < taps.half.size(); ++j)
+            gain +=
+                2 * taps.half[j] * std::cos(2 * units::pi * phi * spacing * static_cast<double>(j));
+          return gain / envelope(phi) - 1;
+        };
+        CAPTURE(spacing, shortest, reach);
+        const double worst = error(1 / taps.worst_at);
+        CHECK(taps.gain_error == Approx(std::abs(worst)).epsilon(1e-6));
+        (worst > 0 ? above : below) += 1;
+        const double low = 1 / (static_cast<double>(taps.half.size()) * spacing),
+                     high = shortest > 0 ? 0.8 / shortest : 0.5 / spacing;
+        CHECK(1 / taps.worst_at >= low * (1 - 1e-9));
+        CHECK(1 / taps.worst_at <= high * (1 + 1e-9));
+        double most = 0;
+        for (int i = 0; i <= 400; ++i)
+          most = std::max(most, std::abs(error(low * std::pow(high / low, i / 400.0))));
+        CHECK(most < 1.03 * taps.gain_error);
+      }
+  CHECK(above > 0);
+  CHECK(below > 0);
+}

@@ -1,0 +1,164 @@
+// A record read from a file: its columns, its units, what stands for a place and for a lost sample.
+#include <railbook/records/record_file.hpp>
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <railbook/units/input_error.hpp>
+
+#include "support/temporary_folder.hpp"
+
+using namespace railbook;
+using Catch::Matchers::Contains;
+
+namespace {
+
+struct Read {
+  std::vector<double> heights;
+  std::unique_ptr<const records::RecordStream> stream;
+};
+
+Read read(const std::string& text, records::RecordFile wish = {}) {
+  const TemporaryFolder folder("record file");
+  wish.file = folder.write("record.csv", text);
+  Read result;
+  result.stream =
+      records::read_record(wish, [&](std::span<const double> piece, const records::RecordStream&) {
+        result.heights.insert(result.heights.end(), piece.begin(), piece.end());
+      });
+  return result;
+}
+
+// Heights of 1, 2, 4, 1, 2, 4 ... mm, each row after what `place` makes of its number.
+template <class Place>
+std::string rows(const std::string& header, Place&& place, int n = 40) {
+  std::string text = header + "\n";
+  for (int i = 0; i < n; ++i) text += place(i) + std::to_string(1 << i % 3) + "\n";
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("unit: heights and places come in metres, whatever the file's units") {
+  const auto place = [](int i) { return std::to_string(100 + 2 * i) + ","; };
+  for (const auto& [header, unit, distance_unit, height, metre] :
+       {std::tuple{"distance_m,profile_mm", "", "", 1e-3, 1.0},
+        {"distance (ft),profile (in)", "", "", 0.0254, 0.3048},
+        {"distance,profile", "in", "ft", 0.0254, 0.3048},
+        {"km,profile_mm", "", "", 1e-3, 1000.0}}) {
+    CAPTURE(header);
+    const Read r = read(rows(header, place), {.unit = unit, .distance_unit = distance_unit});
+    REQUIRE(r.heights.size() == 40);
+    for (std::size_t i = 0; i < 40; ++i)
+      CHECK(r.heights[i] == Approx((1 << i % 3) * height).epsilon(1e-14));
+    CHECK(r.stream->spacing() == Approx(2 * metre));
+    CHECK(r.stream->places().at(0) == Approx(100 * metre));
+  }
+}
+
+TEST_CASE("unit: a place may be written in kilometres and metres, or in stations of 100 ft") {
+  const auto two = [](int i) { return std::string(i < 10 ? "0" : "") + std::to_string(i); };
+  const std::string ones = "distance_m,profile_mm", feet = "distance_ft,profile_mm";
+  for (const std::string& text :
+       {rows(ones, [&](int i) { return "12+3" + two(i) + ".5,"; }),
+        rows(ones, [&](int i) { return "12K3" + two(i) + ".5M,"; }),
+        rows(ones, [&](int i) { return "12k3" + two(i) + ".5m,"; }),
+        rows("km,m,profile_mm", [&](int i) { return "12,3" + two(i) + ".5,"; })}) {
+    const Read r = read(text, {.distance = text.starts_with("km") ? "km+m" : "distance"});
+    CHECK(r.stream->spacing() == Approx(1));
+    CHECK(r.stream->places().at(7) == Approx(12307.5));
+  }
+  const Read r = read(rows(feet, [&](int i) { return "12+" + two(i) + ".5,"; }));
+  CHECK(r.stream->spacing() == Approx(0.3048));
+  CHECK(r.stream->places().at(7) == Approx(1207.5 * 0.3048));
+  for (const std::string cell :
+       {"12+-5", "12+", "12.5+3", "12+3x", "1e400+3", "K12", "12K345", "12M"}) {
+    CAPTURE(cell);
+    CHECK_THROWS_WITH(read(rows(ones, [&](int i) { return i == 3 ? cell + "," : two(i) + ","; })),
+                      Contains(cell) && Contains("line 5"));
+  }
+}
+
+TEST_CASE("unit: cells that stand for lost samples, by their number or by their text") {
+  std::string text = "distance_m,profile_mm\n";
+  for (int i = 0; i < 60; ++i)
+    text += std::to_string(i) + "," +
+            (i == 9    ? "-9999.0"
+             : i == 19 ? "off"
+                       : std::to_string(1 << i % 3)) +
+            "\n";
+  const Read r = read(text, {.bridge = 0, .missing = {"-9999", "off"}});
+  CHECK(r.stream->missing() == 2);
+  for (std::size_t i = 0; i < 60; ++i) CHECK(std::isnan(r.heights[i]) == (i == 9 || i == 19));
+  CHECK_THROWS_WITH(read(text, {.missing = {"-9999"}}), Contains("off"));
+  // Without a wish, gaps of up to a metre are bridged.
+  CHECK(read(text, {.missing = {"-9999", "off"}}).stream->bridged() == 2);
+}
+
+TEST_CASE("unit: the columns of one pass are those of a pass each") {
+  const std::string text = rows("distance_m,left_mm,right_mm", [](int i) {
+    return std::to_string(i) + "," + std::to_string(i % 7) + ",";
+  });
+  const TemporaryFolder folder("record file");
+  records::RecordFile wish{.file = folder.write("record.csv", text)};
+  std::vector<double> left, right;
+  const auto into = [](std::vector<double>& all) {
+    return [&all](std::span<const double> piece, const records::RecordStream&) {
+      all.insert(all.end(), piece.begin(), piece.end());
+    };
+  };
+  const auto both = records::read_records(wish, {"right", "left"}, {into(right), into(left)});
+  CHECK(both.size() == 2);
+  CHECK(right == read(text, {.column = "right"}).heights);
+  CHECK(left == read(text, {.column = "left"}).heights);
+  CHECK(left != right);
+}
+
+TEST_CASE("unit: how much is read is told on the way, where that is known") {
+  std::vector<double> shares;
+  read(rows(
+           "profile_mm", [](int) { return ""; }, 50000),
+       {.spacing = 0.5, .progress = [&](double share) { shares.push_back(share); }});
+  CHECK(shares.size() >= 2);
+  CHECK(std::is_sorted(shares.begin(), shares.end()));
+  CHECK(shares.front() > 0.2);
+  CHECK(shares.back() <= 1);
+}
+
+TEST_CASE("unit: a file without places needs a spacing, and units may not contradict each other") {
+  const auto none = [](int) { return ""; };
+  const auto place = [](int i) { return std::to_string(i) + ","; };
+  CHECK_THROWS_WITH(read(rows("profile_mm", none)),
+                    Contains("no column \"distance\"") && Contains("profile_mm"));
+  CHECK(read(rows("profile_mm", none), {.spacing = 0.25}).stream->spacing() == 0.25);
+  // A column called km is a place only where nothing else says where the samples are.
+  CHECK(read(rows("km,profile_mm", place), {.spacing = 0.25}).stream->spacing() == 0.25);
+  CHECK_THROWS_WITH(read(rows("profile", none), {.spacing = 1}), Contains("names no unit"));
+  CHECK_THROWS_WITH(read(rows("profile_s", none), {.spacing = 1}), Contains("a length"));
+  CHECK_THROWS_WITH(read(rows("profile_mm", none), {.unit = "in", .spacing = 1}),
+                    Contains("in mm by its header, in in by --unit"));
+  CHECK_NOTHROW(read(rows("profile_mm", none), {.unit = "mm", .spacing = 1}));
+  CHECK_THROWS_WITH(read(rows("distance,profile_mm", place)), Contains("names no length"));
+}
+
+TEST_CASE("unit: a number that stands for a lost sample does so however it is written") {
+  // A height as any other: no screen would take it out.
+  const auto with = [](const std::string& cell) {
+    std::string text = "distance_m,profile_mm\n";
+    for (int i = 0; i < 40; ++i)
+      text += std::to_string(i) + "," + (i == 9 ? cell : std::to_string(1 << i % 3)) + "\n";
+    return text;
+  };
+  for (const std::string cell : {"3", "3.0", "0.3e1", "03"}) {
+    const Read r = read(with(cell), {.bridge = 0, .missing = {"3"}});
+    INFO(cell);
+    CHECK(r.stream->missing() == 1);
+    CHECK(std::isnan(r.heights[9]));
+    CHECK(r.stream->faults().empty());
+  }
+  // A text that only begins like a number is one.
+  CHECK(read(with("3x"), {.bridge = 0, .missing = {"3x"}}).stream->missing() == 1);
+  CHECK(read(with("3"), {.bridge = 0, .missing = {"3x"}}).stream->missing() == 0);
+}

@@ -1,0 +1,43 @@
+// How a summary is laid out for people, and what kind a cell of a row is.
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <cstdio>
+
+#include <railbook/tool/summary.hpp>
+
+#include "support/temporary_folder.hpp"
+
+using namespace railbook;
+
+namespace {
+
+std::string printed(const tool::Summary& summary) {
+  const TemporaryFolder at("printed");
+  std::fflush(stdout);
+  const int kept = dup(1), file = open((at.path / "out").c_str(), O_WRONLY | O_CREAT, 0600);
+  dup2(file, 1);
+  summary.print();
+  std::fflush(stdout);
+  dup2(kept, 1);
+  close(kept);
+  close(file);
+  return at.read("out");
+}
+
+}  // namespace
+
+TEST_CASE("unit: a summary's values stand in a column, units and notes behind them") {
+  tool::Summary s("an answer");
+  s.add("a_N", "force", 2.5, "N", "about");
+  s.add("b_m", "length of all", 0.123456789, "m");
+  s.add("c", "n", "text\x1b");
+  s.flag("coarse", "two cells");
+  CHECK(printed(s) ==
+        "an answer\n"
+        "  DOUBTFUL: two cells\n"
+        "  force          2.5 N   (about)\n"
+        "  length of all  0.1234568 m\n"
+        "  n              text\\x1b\n");
+}

@@ -1,0 +1,166 @@
+#include <railbook/track/moving_load.hpp>
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include <railbook/track/fe_moving_load.hpp>
+#include <railbook/units/constants.hpp>
+
+using namespace railbook;
+using namespace railbook::track;
+
+TEST_CASE("unit: critical speed of 132RE rail alone at three moduli") {
+  const double EI = 30e6 * units::psi * 87.9 * std::pow(units::inch, 4);
+  const double rho = 131.7 * units::pound / units::yard;
+  CHECK(critical_speed(EI, 1500 * units::psi, rho) / units::mph == Approx(1164.1).epsilon(1e-4));
+  CHECK(critical_speed(EI, 2000 * units::psi, rho) / units::mph == Approx(1250.9).epsilon(1e-4));
+  CHECK(critical_speed(EI, 3000 * units::psi, rho) / units::mph == Approx(1384.4).epsilon(1e-4));
+}
+
+TEST_CASE("unit: critical speed with half a tie, and with 150 lb of ballast a tie") {
+  const double EI = 30e6 * units::psi * 87.9 * std::pow(units::inch, 4);
+  const double rail = 131.7 * units::pound / units::yard, spacing = 19.5 * units::inch;
+  const double moduli[] = {1500, 2000, 3000};
+  const double tie[] = {751.2, 807.2, 893.3}, ballast[] = {548.5, 589.4, 652.3};
+  for (int i = 0; i < 3; ++i) {
+    const double K = moduli[i] * units::psi;
+    CHECK(critical_speed(EI, K, rail + 100 * units::pound / spacing) / units::mph ==
+          Approx(tie[i]).epsilon(1e-4));
+    CHECK(critical_speed(EI, K, rail + 250 * units::pound / spacing) / units::mph ==
+          Approx(ballast[i]).epsilon(1e-4));
+  }
+}
+
+TEST_CASE("unit: critical speed is the least phase speed of the dispersion relation") {
+  const double EI = 7.5e6, K = 1.2e7, rho = 65.0;
+  double least = 1e9;
+  for (double k = 0.5; k < 3; k += 1e-4)
+    least = std::min(least, std::sqrt((EI * std::pow(k, 4) + K) / rho) / k);
+  CHECK(critical_speed(EI, K, rho) == Approx(least).epsilon(1e-7));
+}
+
+TEST_CASE("unit: undamped moving load, closed form in cosine and sine") {
+  for (double theta : {0.0, 0.3, 0.8, 0.99}) {
+    const MovingLoadShape shape = moving_load(theta, 0);
+    const double a = std::sqrt(1 - theta * theta), g = std::sqrt(1 + theta * theta);
+    CHECK(undamped_amplification(theta) == Approx(1 / a).epsilon(1e-14));
+    for (double s : {-7.0, -1.0, 0.0, 0.5, 3.0}) {
+      const double x = std::abs(s);
+      CHECK(shape.deflection(s) ==
+            Approx(std::exp(-a * x) * (std::cos(g * x) / a + std::sin(g * x) / g)).margin(1e-14));
+    }
+  }
+  CHECK(moving_load(0, 0).minimum().y == Approx(-std::exp(-units::pi)).epsilon(1e-14));
+  CHECK(std::abs(moving_load(0, 0).minimum().s) == Approx(units::pi).epsilon(1e-14));
+}
+
+namespace {
+struct Row {
+  double theta, zeta, at_load, maximum, s_maximum, minimum;
+};
+}  // namespace
+
+TEST_CASE("unit: damped moving load, values from a separate root-by-root solution") {
+  // theta = 2 minima from the finite-element steady state below; the trough lies 9 to 10 behind the load.
+  for (const Row& r : {Row{0.5, 0.05, 1.153260, 1.153583, -0.0169, -0.106824},
+                       Row{0.5, 0.2, 1.132314, 1.137415, -0.0695, -0.120894},
+                       Row{0.5, 1, 0.823026, 0.891444, -0.3231, -0.132152},
+                       Row{0.8, 0.4, 1.093271, 1.226055, -0.3803, -0.322346},
+                       Row{1, 0.05, 2.602315, 3.782206, -0.6284, -2.478045},
+                       Row{1, 0.2, 1.225952, 1.823394, -0.6950, -0.858452},
+                       Row{1, 1, 0.434574, 0.668392, -0.8104, -0.186867},
+                       Row{2, 0.05, 0.003440, 0.947651, -3.0124, -0.806619},
+                       Row{2, 0.4, 0.026069, 0.609317, -2.4627, -0.149978},
+                       Row{2, 1, 0.051294, 0.366438, -1.9368, -0.089319}}) {
+    const MovingLoadShape shape = moving_load(r.theta, r.zeta);
+    INFO("theta " << r.theta << " zeta " << r.zeta);
+    CHECK(shape.at_load() == Approx(r.at_load).margin(6e-7));
+    CHECK(shape.maximum().y == Approx(r.maximum).margin(6e-7));
+    CHECK(shape.maximum().s == Approx(r.s_maximum).margin(6e-5));
+    CHECK(shape.minimum().y == Approx(r.minimum).margin(6e-7));
+  }
+}
+
+namespace {
+
+// Of the slope at the nodes, from the closed form, over the largest.
+double off_slope(const FeShape& fe, const MovingLoadShape& shape, double low, double high) {
+  double off = 0, most = 0;
+  for (std::size_t i = 0; i < fe.s.size(); ++i) {
+    if (fe.s[i] < low || fe.s[i] > high) continue;
+    off = std::max(off, std::abs(fe.slope[i] - shape.slope(fe.s[i])));
+    most = std::max(most, std::abs(shape.slope(fe.s[i])));
+  }
+  return off / most;
+}
+
+}  // namespace
+
+TEST_CASE("unit: finite-element steady state confirms the closed form within 1e-6 to theta = 2") {
+  for (double theta : {0.0, 0.5, 0.95, 1.0, 1.5, 2.0})
+    for (double zeta : {0.05, 0.2, 1.0}) {
+      const FeShape fe = fe_steady(theta, zeta, {0.025, 1e-9});
+      INFO("theta " << theta << " zeta " << zeta);
+      CHECK(largest_difference(fe, theta, zeta, -1e9, 1e9) < 1e-6);
+      const MovingLoadShape shape = moving_load(theta, zeta);
+      CHECK(*std::min_element(fe.y.begin(), fe.y.end()) == Approx(shape.minimum().y).margin(2e-4));
+      CHECK(off_slope(fe, shape, -1e9, 1e9) < 1e-4);
+    }
+}
+
+TEST_CASE("unit: the load run over the beam in time approaches the same steady state") {
+  FeNewmarkOptions coarse, fine;
+  coarse.element = 0.2, coarse.step = 0.05;
+  fine.element = 0.1, fine.step = 0.025;
+  for (auto [theta, zeta] : {std::pair{0.5, 0.4}, {1.0, 0.4}, {2.0, 0.4}}) {
+    const double first = largest_difference(fe_newmark(theta, zeta, coarse), theta, zeta, -15, 10);
+    const double second = largest_difference(fe_newmark(theta, zeta, fine), theta, zeta, -15, 10);
+    INFO("theta " << theta << ": " << first << " then " << second);
+    CHECK(second < 5e-5);
+    CHECK(first / second > 8);  // order 4 in element and, by extrapolation, in step
+  }
+}
+
+TEST_CASE("unit: a run in time at theta = 2, extrapolated in element and step, is within 1e-6") {
+  // Nothing of the closed form goes into this run.
+  const FeShape fe = fe_newmark_extrapolated(2, 0.4, {.element = 0.08, .step = 0.08 / 3});
+  CHECK(std::ranges::count_if(fe.s, [](double s) { return s >= -15 && s <= 10; }) > 300);
+  CHECK(largest_difference(fe, 2, 0.4, -15, 10) < 1e-6);
+  CHECK(fe.at_load == Approx(moving_load(2, 0.4).at_load()).margin(1e-6));
+  CHECK(off_slope(fe, moving_load(2, 0.4), -15, 10) < 1e-4);
+}
+
+TEST_CASE("unit: an extrapolated run has the nodes that both of its beams have") {
+  // 10.1 beyond the load are 51 elements of 0.2 and 101 of 0.1: the finer beam ends before the coarser one's last node.
+  const FeNewmarkOptions options{.element = 0.2, .step = 0.1, .neglect = 0.1, .margin = 10.1};
+  const FeShape coarse = fe_newmark(1, 0.5, options);
+  const FeShape both = fe_newmark_extrapolated(1, 0.5, options);
+  CHECK(coarse.s.back() == Approx(10.2));
+  CHECK(both.s.back() == Approx(10.0));
+  const FeShape fine = fe_newmark(1, 0.5, {0.1, 0.05, 0.1, 10.1});
+  CHECK(both.s.front() ==
+        Approx(coarse.s.front() < fine.s.front() - 0.05 ? coarse.s[1] : coarse.s[0]));
+  REQUIRE(both.y.size() == both.s.size());
+  REQUIRE(both.slope.size() == both.s.size());
+  for (std::size_t i = 0; i < both.s.size(); ++i) {
+    if (i > 0) REQUIRE(both.s[i] - both.s[i - 1] == Approx(0.2));
+    const auto k = static_cast<std::size_t>(std::lround((both.s[i] - coarse.s[0]) / 0.2));
+    const auto n = static_cast<std::size_t>(std::lround((both.s[i] - fine.s[0]) / 0.1));
+    REQUIRE(both.y[i] == Approx((16 * fine.y[n] - coarse.y[k]) / 15).margin(1e-15));
+    REQUIRE(both.slope[i] == Approx((16 * fine.slope[n] - coarse.slope[k]) / 15).margin(1e-15));
+  }
+  CHECK(both.unknowns == fine.unknowns);
+  CHECK(both.steps == coarse.steps + fine.steps);
+  CHECK(both.at_load == Approx((16 * fine.at_load - coarse.at_load) / 15).epsilon(1e-12));
+}
+
+TEST_CASE("unit: the moving frame reaches to where the free decay is neglected, on both sides") {
+  for (const double h : {0.05, 0.3, 0.7})
+    for (const double neglect : {1e-10, 1e-3}) {
+      const FeShape fe = fe_steady(0, 0, {h, neglect});  // at rest it decays as exp(-s)
+      CHECK(fe.s.back() == Approx(-fe.s.front()));
+      CHECK(fe.s.back() >= -std::log(neglect));
+      CHECK(fe.s.back() < -std::log(neglect) + h);
+    }
+}

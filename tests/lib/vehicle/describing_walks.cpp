@@ -1,0 +1,120 @@
+// How cycles of describing functions are walked: the ends of a branch, its steps, and the paper's loop.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <railbook/vehicle/cycle_branch.hpp>
+#include <railbook/vehicle/cycle_solver.hpp>
+#include <railbook/vehicle/eigenvector_loop.hpp>
+#include <railbook/wheelset/paper_pairs.hpp>
+
+using namespace railbook;
+using namespace railbook::vehicle;
+using units::inch;
+
+TEST_CASE("Each end of a branch of describing functions") {
+  const QuasiLinearCar car{assemble({}, Suspension::dampers), wheelset::cn_table()};
+  const auto hopf = hopf_points(car, 5, 100);
+  REQUIRE_FALSE(hopf.empty());
+  const auto walked = [&](const BranchOptions& options) {
+    return trace_from(car, hopf[0], options);
+  };
+  const CycleBranch all = walked({});
+  CHECK(all.end == BranchEnd::amplitude);
+  const auto& last = all.points.back();
+  CHECK(last.largest > 0.75 * inch);
+  CHECK(all.points[all.points.size() - 2].largest <= 0.75 * inch);
+  const double first = all.points.front().motion.speed;
+  double low = first, high = first;
+  for (const CyclePoint& p : all.points)
+    low = std::min(low, p.motion.speed), high = std::max(high, p.motion.speed);
+  BranchOptions options;
+  REQUIRE(low < 0.99 * first);
+  options.lowest_speed = 0.5 * (low + first);
+  const auto slow = walked(options);
+  CHECK(slow.end == BranchEnd::speed);
+  CHECK(slow.points.back().motion.speed < options.lowest_speed);
+  CHECK(slow.points[slow.points.size() - 2].motion.speed >= options.lowest_speed);
+  options = {};
+  options.highest_speed = 0.5 * (high + first);
+  REQUIRE(high > 1.01 * first);
+  const auto fast = walked(options);
+  CHECK(fast.end == BranchEnd::speed);
+  CHECK(fast.points.back().motion.speed > options.highest_speed);
+  CHECK(fast.points[fast.points.size() - 2].motion.speed <= options.highest_speed);
+  options = {};
+  options.smallest_step = 1;
+  CHECK(walked(options).end == BranchEnd::step);
+  CHECK(walked(options).points.size() == 1);
+  // Back from a cycle half way: towards smaller ones, down to half the first amplitude.
+  const CyclePoint& middle = all.points[all.points.size() / 2];
+  const auto back = trace_from(car, middle, -1, {});
+  CHECK(back.end == BranchEnd::small_cycle);
+  CHECK(back.points[1].largest < middle.largest);
+  CHECK(back.points.back().largest < 0.018 * inch);
+  CHECK(back.points[back.points.size() - 2].largest >= 0.018 * inch);
+  CHECK(trace_from(car, middle, 1, {}).points[1].largest > middle.largest);
+  for (int stop = 0; stop < 7; ++stop)
+    for (int other = 0; other < stop; ++other)
+      CHECK(std::string(to_string(BranchEnd(stop))) != to_string(BranchEnd(other)));
+  // The first step is a quarter of the largest, in the scaled unknowns, and none is longer than
+  // that.
+  Unknowns before = scaled(all.points[0].motion);
+  for (std::size_t k = 1; k < all.points.size(); ++k) {
+    const Unknowns now = scaled(all.points[k].motion);
+    const double length = (now - before).norm();
+    if (k == 1) CHECK(length == Approx(0.25 * 0.03).epsilon(0.02));
+    if (k == 2) CHECK(length == Approx(1.5 * 0.25 * 0.03).epsilon(0.02));
+    CHECK(length < 1.06 * 0.03);
+    before = now;
+  }
+}
+
+TEST_CASE("The paper's loop: a thousandth of the speed first, then by secants, a tenth at most") {
+  const QuasiLinearCar car{assemble({}, Suspension::dampers), wheelset::heumann_table()};
+  const auto hopf = hopf_points(car, 5, 100);
+  REQUIRE_FALSE(hopf.empty());
+  for (const double off : {0.97, 1.02, 1.6}) {
+    Motion guess = hopf[0].motion;
+    guess.speed *= off;
+    std::vector<double> speed{guess.speed}, growth;
+    LoopResult found;
+    for (int outer = 1; outer <= 12; ++outer) {
+      LoopLimits limits;
+      limits.outer = outer;
+      found = paper_cycle(car, guess, 0.05 * inch, ModeChoice::least_damped, limits);
+      if (found.end != LoopEnd::no_speed) break;
+      growth.push_back(found.cycle.lambda.real());
+      speed.push_back(found.cycle.speed);
+      CHECK(found.inner >= outer);
+    }
+    REQUIRE(found.end == LoopEnd::converged);
+    CHECK(found.outer == int(speed.size()));
+    CHECK(found.cycle.lambda.real() == 0);
+    CHECK(find_cycle(car, found.cycle, 0.05 * inch).cycle.motion.speed ==
+          Approx(found.cycle.speed).epsilon(1e-6));
+    CHECK(speed[1] == Approx(speed[0] * (growth[0] > 0 ? 0.999 : 1.001)).epsilon(1e-12));
+    for (std::size_t k = 1; k < growth.size(); ++k) {
+      const double slope = (growth[k] - growth[k - 1]) / (speed[k] - speed[k - 1]),
+                   change = std::clamp(-growth[k] / slope, -0.1 * speed[k], 0.1 * speed[k]);
+      CHECK(speed[k + 1] == Approx(speed[k] + change).epsilon(1e-9));
+    }
+  }
+  LoopLimits hasty;
+  hasty.inner = 1;
+  const auto slow = paper_cycle(car, hopf[0].motion, 0.3 * inch, ModeChoice::least_damped, hasty);
+  CHECK(slow.end == LoopEnd::inner_loop_slow);
+  CHECK(slow.inner == 1);
+  // The next least damped is the other mode: with one family's critical speed the other's growth is
+  // found.
+  const auto next = paper_cycle(car, hopf[0].motion, 1e-4 * inch, ModeChoice::next_least_damped);
+  REQUIRE(next.end == LoopEnd::converged);
+  const auto at = modes(car, car.small(), next.cycle.speed);
+  std::vector<double> rates;
+  for (const Motion& m : at)
+    if (m.lambda.imag() > 0) rates.push_back(m.lambda.real());
+  REQUIRE(rates.size() > 1);
+  CHECK(std::abs(rates[1]) < 1e-6);
+}

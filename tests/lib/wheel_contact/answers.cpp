@@ -1,0 +1,389 @@
+// What a wheel's answer refuses, doubts and is made of, each limit from both sides.
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <railbook/contact/hertz.hpp>
+#include <railbook/units/input_error.hpp>
+#include <railbook/wheel_contact/stress.hpp>
+#include <railbook/wheel_contact/wheel.hpp>
+
+#include "support/rail_arc.hpp"
+
+using namespace railbook;
+using namespace railbook::profiles;
+using namespace railbook::wheel_contact;
+using tests::arc;
+using tests::middle;
+
+namespace {
+
+constexpr double speed = 20;
+
+// A cone on one crown of 0.3 m, or on two of 0.2 m that are 20 mm apart, the right one lower.
+Pair on_crown(double slope = 0) {
+  return {Profile(std::vector{Profile::Piece{-0.05, 0.05, {0, slope}}}),
+          Profile({arc(-0.05, 0.05, 0, 0.3)})};
+}
+Pair on_two(double lower) {
+  return {Profile(std::vector{Profile::Piece{-0.05, 0.05}}),
+          Profile({arc(-0.04, 0, -0.01, 0.2), arc(0, 0.04, 0.01, 0.2, lower)})};
+}
+
+WheelWish wish_of(Method method = Method::hertz, double load = 60e3) {
+  WheelWish wish;
+  wish.load = load, wish.speed = speed, wish.turning = 1.002 * speed / 0.46;
+  wish.method = method;
+  wish.along = wish.across = 16;
+  return wish;
+}
+
+bool doubted(const WheelResult& found, const std::string& text) {
+  return std::ranges::any_of(found.doubts, [&](const auto& d) { return d.find(text) != d.npos; });
+}
+
+}  // namespace
+
+TEST_CASE("unit: every quantity of a wheel's wish is refused beyond its range and not within") {
+  const Pair pair = on_crown();
+  const auto refused = [&](const Pose& pose, const WheelWish& wish) -> std::string {
+    try {
+      solve_wheel(pair, pose, wish);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return {};
+  };
+  for (const double share : {0.999, 1.001}) {
+    const bool beyond = share > 1;
+    const auto starts = [&](const std::string& text, const std::string& with) {
+      INFO(text << " | " << with);
+      CHECK(text.starts_with(with) == beyond);
+    };
+    for (const double sign : {-1.0, 1.0}) {
+      starts(refused({.y = sign * share * 0.05}, wish_of()), "shift is ");
+      starts(refused({.yaw = sign * share * 0.1}, wish_of()), "yaw is ");
+      starts(refused({.roll = sign * share * 0.1}, wish_of()), "roll is ");
+    }
+    const auto with = [&](auto&& change) {
+      WheelWish wish = wish_of();
+      change(wish);
+      return refused({}, wish);
+    };
+    starts(with([&](WheelWish& w) { w.friction.coefficient = 2 * share; }), "friction is ");
+    starts(with([&](WheelWish& w) { w.friction.left = share; }), "friction's share");
+    starts(with([&](WheelWish& w) { w.friction.left = 1 - share; }), "friction's share");
+    for (long WheelWish::*cells : {&WheelWish::along, &WheelWish::across}) {
+      starts(with([&](WheelWish& w) { w.*cells = beyond ? 7 : 8; }), "cells a");
+      starts(with([&](WheelWish& w) { w.*cells = beyond ? 513 : 512; }), "cells a");
+    }
+  }
+}
+
+TEST_CASE(
+    "unit: the verge of a second contact is half of the sinking away, or a tenth of the load") {
+  double sunk = 0;
+  {
+    const WheelResult alone = solve_wheel(on_two(1e-3), {}, wish_of());
+    REQUIRE(alone.patches.size() == 1);
+    sunk = alone.z - alone.z_touch;
+    CHECK(alone.doubts.empty());
+  }
+  for (const double lower : {1.47, 1.53}) {
+    const WheelResult found = solve_wheel(on_two(lower * sunk), {}, wish_of());
+    CHECK(found.patches.size() == 1);
+    CHECK(found.doubts.size() == (lower < 1.5 ? 1 : 0));
+    CHECK(doubted(found, "mm across the wheel only") == (lower < 1.5));
+  }
+  int light = 0;
+  for (const double lower : {0.5, 0.7, 0.72, 0.74, 0.76, 0.78, 0.8}) {
+    const WheelResult found = solve_wheel(on_two(lower * sunk), {}, wish_of());
+    REQUIRE(found.patches.size() == 2);
+    const bool little = found.patches[1].load < 0.1 * found.patches[0].load;
+    CAPTURE(lower, found.patches[1].load / found.patches[0].load);
+    CHECK(doubted(found, "a patch carries only") == little);
+    CHECK(found.force.z() == Approx(60e3).epsilon(2e-5));
+    light += little ? 1 : 0;
+  }
+  CHECK(light > 1);
+  CHECK(light < 6);
+}
+
+TEST_CASE("unit: a patch that turns by 0.35 rad, and unlike materials of 0.02, are doubted") {
+  // A hollow tread about a rail that nearly fills it.
+  Profile::Piece hollow{-0.012, 0.012, {-0.0155}}, head{0.735, 0.765, {0.015}};
+  hollow.sign = 1, hollow.radius = 0.0155;
+  head.sign = -1, head.centre = middle, head.radius = 0.015;
+  const Pair conformal{Profile({hollow}), Profile({head})};
+  int plane = 0;
+  double before = 0;
+  for (int k = 0; k < 12; ++k) {
+    const WheelResult found =
+        solve_wheel(conformal, {}, wish_of(Method::strips, 3e3 * std::pow(1.8, k)));
+    REQUIRE(found.converged);
+    const double turn = found.patches.front().patch.turn;
+    CAPTURE(turn);
+    CHECK(turn > before);
+    CHECK(doubted(found, "conformal: the rail turns by ") == (turn > 0.35));
+    before = turn;
+    plane += turn > 0.35 ? 0 : 1;
+  }
+  CHECK(plane > 0);
+  CHECK(plane < 12);
+  int alike = 0;
+  for (int k = 0; k < 12; ++k)
+    for (const bool wheel : {false, true}) {
+      WheelWish wish = wish_of();
+      (wheel ? wish.wheel : wish.rail).young = 210e9 - 5e9 * k;
+      const double unlike = rolling::join(wish.wheel, wish.rail).dissimilarity;
+      CAPTURE(unlike);
+      CHECK(doubted(solve_wheel(on_crown(), {}, wish), "unlike materials") ==
+            (std::abs(unlike) > 0.02));
+      alike += std::abs(unlike) > 0.02 ? 0 : 1;
+    }
+  CHECK(alike > 3);
+  CHECK(alike < 20);
+}
+
+TEST_CASE(
+    "unit: of the full theory too, creepages are those of its depth, and friction of its slip") {
+  for (const double yaw : {0.0, 0.01}) {
+    WheelWish wish = wish_of(Method::full);
+    wish.friction = {0.4, 0.25, 0.3};
+    const WheelResult found = solve_wheel(on_crown(0.05), {.yaw = yaw}, wish);
+    REQUIRE(found.converged);
+    REQUIRE(found.patches.size() == 1);
+    const PatchResult& p = found.patches.front();
+    const double angle = p.patch.frame.angle;
+    const Eigen::Vector3d n = p.patch.frame.normal();
+    const Eigen::Vector3d arm =
+        p.patch.frame.origin + p.approach * n - Eigen::Vector3d(0, 0, found.z - 0.46);
+    const Eigen::Vector3d axle(-std::sin(yaw), std::cos(yaw), 0);
+    const Eigen::Vector3d v = Eigen::Vector3d(speed, 0, 0) - wish.turning * axle.cross(arm);
+    const double mean = speed - 0.5 * v.x();
+    CHECK(p.creepage.longitudinal == Approx(v.x() / mean).epsilon(1e-9));
+    CHECK(p.creepage.lateral == Approx(v.dot(p.patch.frame.across()) / mean).margin(1e-11));
+    CHECK(p.creepage.spin == Approx(-wish.turning * axle.dot(n) / mean).epsilon(1e-9));
+    const double slip =
+        std::sqrt(std::pow(p.creepage.longitudinal, 2) + std::pow(p.creepage.lateral, 2) +
+                  std::pow(p.creepage.spin, 2) * p.area / 3.14159265358979 / 2);
+    CHECK(p.friction == Approx(wish.friction.at(slip * mean)).epsilon(1e-9));
+    CHECK(found.force.z() == Approx(p.load * std::cos(angle) + p.forces.fy * std::sin(angle)));
+    CHECK(found.force.z() == Approx(60e3).epsilon(1e-3));
+    CHECK(p.load == Approx(p.pressure.sum() * p.grid.dx * p.grid.dy).epsilon(1e-9));
+    CHECK(
+        p.approach ==
+        Approx((found.z - found.z_touch) * std::cos(angle))
+            .epsilon(1e-2));  // at the middle of a cell: half of one in eight off the deepest place
+    CHECK(p.p_max_error > 1.0 / 256);  // one over its cells
+    CHECK(p.p_max_error < 0.03);
+    CHECK(p.forces.error < 0.05);
+    CHECK(p.forces.mz_error < 0.05);
+    const auto& t = p.forces.tractions;
+    const Eigen::ArrayXd shear = (t.px.array().square() + t.py.array().square()).sqrt();
+    CHECK(p.largest_shear == Approx(shear.maxCoeff()));
+  }
+}
+
+TEST_CASE("unit: two crowns share the load of the full theory as Hertz's theory has it") {
+  for (const double lower : {0.0, 1e-5, 2.5e-5}) {
+    WheelWish wish = wish_of(Method::full);
+    wish.friction.coefficient = 0;
+    const WheelResult full = solve_wheel(on_two(lower), {}, wish);
+    wish.method = Method::hertz;
+    const WheelResult hertz = solve_wheel(on_two(lower), {}, wish);
+    CAPTURE(lower);
+    REQUIRE(full.converged);
+    REQUIRE(full.patches.size() == 2);
+    REQUIRE(hertz.patches.size() == 2);
+    CHECK(full.force.z() == Approx(60e3).epsilon(2e-5));
+    for (std::size_t i = 0; i < 2; ++i) {
+      CHECK(full.patches[i].load == Approx(hertz.patches[i].load).epsilon(0.01));
+      CHECK(full.patches[i].approach == Approx(hertz.patches[i].approach).epsilon(0.01));
+      CHECK(full.patches[i].p_max == Approx(hertz.patches[i].p_max).epsilon(0.01));
+    }
+    CHECK(full.z - full.z_touch == Approx(hertz.z - hertz.z_touch).epsilon(0.01));
+  }
+}
+
+TEST_CASE("unit: a free wheelset's answer is its mirror image in the mirrored pose") {
+  const Pair pair = on_crown(-0.05);
+  for (const Method method : {Method::hertz, Method::strips, Method::full})
+    for (const double friction : {0.0, 0.3}) {
+      WheelWish wish = wish_of(method);
+      wish.friction.coefficient = friction;
+      const WheelsetResult right = solve_wheelset(pair, {.y = 2e-3, .yaw = 1e-3}, wish),
+                           left = solve_wheelset(pair, {.y = -2e-3, .yaw = -1e-3}, wish);
+      CAPTURE(static_cast<int>(method), friction);
+      REQUIRE(right.converged);
+      REQUIRE(left.converged);
+      CHECK(right.reason.empty());
+      CHECK(right.pose.y == 2e-3);
+      CHECK(right.pose.roll != 0);
+      CHECK(left.pose.roll == Approx(-right.pose.roll).epsilon(1e-4));
+      CHECK(left.turning == Approx(right.turning).epsilon(1e-8));
+      CHECK(std::abs(right.left.z - right.right.z) < 2.1e-8);
+      CHECK(left.left.z == Approx(right.right.z).epsilon(1e-6).margin(1e-9));
+      CHECK(left.right.force.y() == Approx(right.left.force.y()).epsilon(1e-3));
+      if (friction == 0) {
+        CHECK(right.turning == speed / 0.46);
+        CHECK(right.left.force.x() == 0);
+      } else {
+        CHECK(std::abs(right.left.axle_moment + right.right.axle_moment) <
+              1.01e-4 * friction * wish.load * 0.46);
+        CHECK(right.turning != Approx(speed / 0.46).epsilon(1e-6));
+      }
+    }
+}
+
+TEST_CASE("unit: a patch that unloads on the way to the load is left out of the answer") {
+  WheelWish wish = wish_of(Method::full);
+  wish.friction.coefficient = 0;
+  const WheelResult alone = solve_wheel(on_two(1e-3), {}, wish);
+  const double sunk = alone.z - alone.z_touch;
+  std::size_t last = 2;
+  for (double lower = 0.96; lower < 1.04; lower += 0.004) {
+    const WheelResult found = solve_wheel(on_two(lower * sunk), {}, wish);
+    CAPTURE(lower);
+    REQUIRE(found.converged);
+    CHECK(found.force.z() == Approx(60e3).epsilon(2e-5));
+    for (const PatchResult& p : found.patches) CHECK(p.load > 0);
+    CHECK(found.patches.size() <= last);
+    last = found.patches.size();
+  }
+  CHECK(last == 1);
+}
+
+TEST_CASE("unit: a load is borne at a depth of up to 2 mm, or said to need more") {
+  // Hertz's load at the depth; a flat crown bears it higher up than the search begins, a sharp one deeper.
+  for (const double crown : {0.02, 0.3, 3.0})
+    for (const double depth : {1.9e-3, 1.99e-3, 2.01e-3, 2.1e-3, 5e-3}) {
+      const Pair pair{Profile(std::vector{Profile::Piece{-0.2, 0.2}}),
+                      Profile({arc(-0.019, 0.019, 0, crown)})};
+      WheelWish wish = wish_of();
+      wish.friction.coefficient = 0;
+      const double modulus = rolling::join(wish.wheel, wish.rail).effective_modulus;
+      Profile::Piece flat = arc(-0.15, 0.15, 0, crown);
+      const Pair wide = crown > 0.15 ? Pair{pair.wheel, Profile({flat})} : pair;
+      wish.load = contact::hertz_from_approach({0.5 / 0.46, 0.5 / crown}, modulus, depth).force;
+      const WheelResult found = solve_wheel(wide, {}, wish);
+      CAPTURE(crown, depth, wish.load, found.z - found.z_touch, found.reason);
+      CHECK(found.converged == (depth < 2e-3));
+      if (depth < 2e-3)
+        CHECK(found.z - found.z_touch == Approx(depth).epsilon(3e-3));
+      else
+        CHECK(found.reason == "no depth up to 2 mm bears the load");
+    }
+}
+
+TEST_CASE("unit: a wheelset that no roll within 0.05 rad levels is refused") {
+  // Steep cones: a shift lifts one side by the slope more, and a roll levels 1.5 m of track.
+  Profile::Piece head{middle - 0.045, middle + 0.045, {0.05}};
+  head.sign = -1, head.centre = middle, head.radius = 0.05;
+  const Pair steep{Profile(std::vector{Profile::Piece{-0.2, 0.2, {0, 1.2}}}), Profile({head})};
+  for (const double y : {0.01, 0.05}) {
+    std::string refused;
+    try {
+      const double roll = rigid_roll(steep, y, 0);
+      CHECK(std::abs(touching(Placed(steep, {y, 0, roll})).z() -
+                     touching(Placed(steep, mirrored({y, 0, roll}))).z()) < 1e-11);
+    } catch (const InputError& error) {
+      refused = error.what();
+    }
+    CAPTURE(y, refused);
+    CHECK(refused.starts_with("no roll within 0.05 rad") == (y > 0.03));
+  }
+}
+
+TEST_CASE("unit: a wheel and rail of another size have the same answer, in their units") {
+  // Lengths times s, the load times s^2: the same pressures, creepages and shares.
+  const auto answer = [](double s) {
+    Profile::Piece tread{-0.05 * s, 0.05 * s, {0, 0.05}}, head{0.7 * s, 0.8 * s, {0.3 * s}};
+    head.sign = -1, head.centre = 0.75 * s, head.radius = 0.3 * s;
+    WheelWish wish = wish_of(Method::full, 60e3 * s * s);
+    wish.along = 24, wish.turning /= s;
+    return solve_wheel({Profile({tread}), Profile({head}), 0.46 * s, 0.75 * s}, {}, wish);
+  };
+  const WheelResult one = answer(1);
+  REQUIRE(one.patches.size() == 1);
+  const PatchResult& p = one.patches[0];
+  CHECK(p.grid.nx == 24);
+  CHECK(p.grid.ny == 16);
+  const double moment = p.friction * p.load * std::sqrt(p.area / 3.14159265358979);
+  CHECK(p.forces.mz_error < 0.5 * std::abs(p.forces.mz) / moment);  // of a change, not of the whole
+  for (const double s : {0.5, 2.0}) {
+    const WheelResult other = answer(s);
+    REQUIRE(other.patches.size() == 1);
+    const PatchResult& q = other.patches[0];
+    CAPTURE(s);
+    CHECK(other.z - other.z_touch == Approx(s * (one.z - one.z_touch)).epsilon(1e-3));
+    CHECK(q.p_max == Approx(p.p_max).epsilon(1e-3));
+    CHECK(q.area == Approx(s * s * p.area).epsilon(1e-3));
+    CHECK(q.forces.fx == Approx(s * s * p.forces.fx).epsilon(1e-3));
+    CHECK(q.forces.mz == Approx(s * s * s * p.forces.mz).epsilon(5e-3));
+    CHECK(q.creepage.spin == Approx(p.creepage.spin / s).epsilon(1e-3));
+    CHECK(q.forces.error == Approx(p.forces.error).epsilon(0.05));
+    CHECK(q.forces.mz_error == Approx(p.forces.mz_error).epsilon(0.05));
+    CHECK(q.p_max_error == Approx(p.p_max_error).epsilon(0.05));
+    CHECK(other.axle_moment == Approx(s * s * s * one.axle_moment).epsilon(1e-3));
+  }
+}
+
+TEST_CASE("unit: of a wheel that spins backwards friction falls with its slip as well") {
+  WheelWish wish = wish_of();
+  wish.friction = {0.4, 0.25, 30};
+  wish.turning = -3 * speed / 0.46;
+  const PatchResult p = solve_wheel(on_crown(), {}, wish).patches.front();
+  // The rim runs back at three times the speed: 80 m/s over the rail.
+  CHECK(p.friction == Approx(wish.friction.at(4 * speed)).epsilon(1e-3));
+}
+
+TEST_CASE("unit: stresses below a patch that slides lie on the cells of its tractions") {
+  const WheelWish wish = wish_of(Method::full);
+  const PatchResult p = solve_wheel(on_crown(), {}, wish).patches.front();
+  const PatchStress found = stresses(p, wish);
+  const auto& t = p.forces.tractions;
+  for (Eigen::Index k = 0; k < t.x.size(); ++k) {
+    const double column = (t.x[k] - found.grid.x(0)) / found.grid.dx,
+                 row = (t.y[k] - found.grid.y(0)) / found.grid.dy;
+    REQUIRE(column == Approx(std::round(column)).margin(1e-6));
+    REQUIRE(row == Approx(std::round(row)).margin(1e-6));
+  }
+}
+
+TEST_CASE("unit: a wheelset's wish is refused beyond its range and not within") {
+  const auto refused = [](const Pose& pose, double load, double along) -> std::string {
+    WheelWish wish = wish_of(Method::hertz, load);
+    wish.speed = along, wish.friction.coefficient = 0;
+    try {
+      solve_wheelset(on_crown(-0.05), pose, wish);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return {};
+  };
+  for (const double sign : {-1.0, 1.0})
+    for (const double share : {0.999, 1.001}) {
+      CHECK(refused({.y = sign * share * 0.05}, 1e4, 9).starts_with("shift is ") == (share > 1));
+      CHECK(refused({.yaw = sign * share * 0.1}, 1e4, 9).starts_with("yaw is ") == (share > 1));
+    }
+  for (const double none : {0.0, -1.0}) {
+    CHECK(refused({}, none, 9).starts_with("load is "));
+    CHECK(refused({}, 1e4, none).starts_with("speed is "));
+  }
+}
+
+TEST_CASE("unit: a wheel that is nearest to the rail at an end touches with that end") {
+  for (const double side : {-1.0, 1.0}) {
+    // A cone that ends above the crown, which would be nearer beyond it.
+    Profile::Piece cone{side > 0 ? -0.02 : 0, side > 0 ? 0 : 0.02, {0, side * 0.05}};
+    const Pair pair{Profile({cone}), Profile({arc(-0.05, 0.05, 0, 0.3)})};
+    const Touching found = touching(Placed(pair, {}));
+    CHECK(found.least.front().s == Approx(0).margin(2e-7));
+    CHECK(at_end(pair, found.least.front()));
+  }
+}

@@ -1,0 +1,101 @@
+// Loads, poses and profiles at the ends: an answer within reason, or a reason.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include <railbook/units/input_error.hpp>
+#include <railbook/wheel_contact/wheel.hpp>
+
+using namespace railbook;
+using namespace railbook::profiles;
+using namespace railbook::wheel_contact;
+
+namespace {
+WheelWish wish_of(double load) {
+  WheelWish wish;
+  wish.load = load, wish.speed = 10, wish.turning = 10 / 0.46;
+  wish.along = wish.across = 16;
+  return wish;
+}
+}  // namespace
+
+TEST_CASE("extreme: loads from a newton to a meganewton") {
+  const Pair pair = s1002_on_60e1(1.0 / 40);
+  for (const Method method : {Method::strips, Method::full})
+    for (const double load : {1.0, 1e3, 1e6}) {
+      INFO("load " << load << ", method " << static_cast<int>(method));
+      WheelWish wish = wish_of(load);
+      wish.method = method;
+      const WheelResult found = solve_wheel(pair, {.y = 2e-3}, wish);
+      REQUIRE(found.converged);
+      CHECK(found.force.z() == Approx(load).epsilon(2e-3));
+    }
+  const WheelResult heavy = solve_wheel(pair, {.y = 2e-3}, wish_of(1e12));
+  CHECK_FALSE(heavy.converged);
+  CHECK_FALSE(heavy.reason.empty());
+}
+
+TEST_CASE("extreme: from field side to flange, every position answers or says why not") {
+  const Pair pair = s1002_on_60e1(1.0 / 40);
+  int answered = 0, refused = 0;
+  for (double y = -30e-3; y <= 12e-3; y += 1.5e-3) {
+    INFO("y " << y);
+    WheelWish wish = wish_of(50e3);
+    wish.method = Method::strips;
+    try {
+      const WheelResult found = solve_wheel(pair, {.y = y}, wish);
+      if (found.converged) {
+        ++answered;
+        CHECK(found.force.z() == Approx(50e3).epsilon(2e-3));
+        CHECK(std::isfinite(found.force.x() + found.force.y() + found.axle_moment));
+      } else {
+        ++refused;
+        CHECK_FALSE(found.reason.empty());
+      }
+    } catch (const InputError&) {
+      ++refused;
+    }
+  }
+  CHECK(answered > 20);
+}
+
+TEST_CASE(
+    "extreme: where a second patch takes over, the share goes over without a jump of the height") {
+  const Pair pair = s1002_on_60e1(1.0 / 40);
+  WheelWish wish = wish_of(50e3);
+  double last = 0;
+  int share = 0;
+  for (int k = 0; k <= 12; ++k) {
+    const double y = (4.7 + 0.05 * k) * 1e-3;
+    INFO("y " << y);
+    const WheelResult found = solve_wheel(pair, {.y = y, .roll = -3.5e-4}, wish);
+    REQUIRE(found.converged);
+    CHECK(found.force.z() == Approx(50e3).epsilon(2e-3));
+    if (k > 0) CHECK(std::abs(found.z - last) < 2e-5);
+    last = found.z;
+    for (const std::string& doubt : found.doubts)
+      CHECK(doubt.find("take the full theory") == std::string::npos);
+    // The strips give up here, or say that they are rough.
+    WheelWish quick = wish;
+    quick.method = Method::strips;
+    const WheelResult rough = solve_wheel(pair, {.y = y, .roll = -3.5e-4}, quick);
+    share += rough.converged ? !rough.doubts.empty() : !rough.reason.empty();
+  }
+  CHECK(share >= 11);  // at the last place one area is all but gone
+}
+
+TEST_CASE("extreme: no friction, and wheels that lock or spin") {
+  const Pair pair = s1002_on_60e1(1.0 / 40);
+  WheelWish wish = wish_of(50e3);
+  wish.friction.coefficient = 0;
+  const WheelResult smooth = solve_wheel(pair, {.y = 1e-3}, wish);
+  REQUIRE(smooth.converged);
+  CHECK(smooth.force.x() == 0);
+  wish.friction.coefficient = 0.3;
+  for (const double turning : {0.0, 200.0}) {
+    wish.turning = turning;
+    const WheelResult slides = solve_wheel(pair, {.y = 1e-3}, wish);
+    REQUIRE(slides.converged);
+    CHECK(std::abs(slides.force.x()) == Approx(0.3 * slides.patches.front().load).epsilon(1e-2));
+    CHECK((slides.force.x() > 0) == (turning == 0));  // a locked wheel drags the rail forwards
+  }
+}
