@@ -58,15 +58,15 @@ local meanings = {
   {"confirmed", "rounds to the printed digits, or the claim holds as stated"},
   {"consistent", "within a stated tolerance, whose reason is given"},
   {"fitted", "met because an input that the paper does not give was chosen to meet it"},
-  {"corrected", "the print is wrong: the check shows what is right"},
+  {"corrected", "the print is wrong; the check shows what is right, and a trial varies what we chose"},
   {"restored", "our copy of the paper is damaged there; the reading is derived"},
-  {"not confirmed", "something else was found; the check states it, and fails if that changes"},
-  {"verified", "not of the paper: agrees with another publication, or with an independent method"},
-  {"failed", "a check does not pass"},
-  {"rebuilt", "a figure or table whose input the paper does not give: ours, documented"},
+  {"not confirmed", "we found something else; the check guards our result, and a trial varies what we chose"},
+  {"verified", "not a statement of the paper: it agrees with another publication, or with an independent method"},
+  {"failed", "the check does not pass"},
+  {"rebuilt", "a figure or table whose input the paper does not give; ours is documented"},
   {"added", "not in the paper"},
-  {"sketch", "the paper draws the idea only"},
-  {"lost", "the paper’s own is not to be had"},
+  {"sketch", "the paper draws only the idea"},
+  {"lost", "the original is lost"},
 }
 
 local function legend()
