@@ -308,8 +308,8 @@ std::string draw(const fs::path& script, const std::vector<fs::path>& data, Miss
   return bytes;
 }
 
-std::string draw_svg(const fs::path& script, const std::vector<fs::path>& data) {
-  const std::string text = drawn(script, data, Missing::refused, Format::svg);
+std::string draw_svg(const fs::path& script, const std::vector<fs::path>& data, Missing missing) {
+  const std::string text = drawn(script, data, missing, Format::svg);
   if (text.find("<svg") == text.npos || text.find("</svg>") == text.npos)
     throw PlotError(script.string() + ": gnuplot left no complete SVG");
   return with_fonts(without_empty_groups(text));

@@ -49,7 +49,8 @@ std::string draw(const std::filesystem::path& script,
 // The same figure as the text of an SVG, for a page: its lines and letters stay sharp at any size. Every line
 // "set terminal pngcairo ..." of the script and of style.gp is read as one for SVG.
 std::string draw_svg(const std::filesystem::path& script,
-                     const std::vector<std::filesystem::path>& data);
+                     const std::vector<std::filesystem::path>& data,
+                     Missing missing = Missing::refused);
 
 // How long gnuplot may take over a figure: 1 to 86400 s of RAILBOOK_GNUPLOT_SECONDS, else 60. The longest takes some 3 s.
 std::chrono::seconds time_limit();

@@ -157,7 +157,8 @@ void Options::out(Destination& destination) {
               ->type_name("DIR");
   app_->add_option_function<std::string>(
           "--figure", [&destination](const std::string& text) { destination.figure = text; },
-          "PNG file for the figure, without the other files; - is standard output")
+          "file for the figure, without the other files: PNG, or SVG if its name ends in .svg; "
+          "- is standard output")
       ->type_name("FILE");
 }
 

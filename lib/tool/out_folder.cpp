@@ -64,7 +64,9 @@ void OutFolder::figure(const std::filesystem::path& script, const std::vector<st
   std::vector<std::filesystem::path> paths;
   paths.reserve(data.size());
   for (const std::string& name : data) paths.push_back(drawable_.at(name));
-  const std::string picture = plot::draw(script, paths, plot::Missing::allowed);
+  const bool svg = figure_ && destination_.figure->extension() == ".svg";
+  const std::string picture = svg ? plot::draw_svg(script, paths, plot::Missing::allowed)
+                                  : plot::draw(script, paths, plot::Missing::allowed);
   drawn_ = true;
   if (figure_)
     figure_->write(picture);

@@ -144,6 +144,14 @@ foreach(png ${pngs})
   endif()
 endforeach()
 
+# The README is read in a minute: at most 100 lines.
+file(READ ${root}/README.md readme)
+string(REGEX MATCHALL "\n" ends "${readme}")
+list(LENGTH ends lines)
+if(lines GREATER 100)
+  broken("README.md has ${lines} lines, at most 100 wanted: the manual is in docs/, the inside in CONTRIBUTING.md")
+endif()
+
 # Each command that the README tells to run is a target of the Makefile.
 file(STRINGS ${root}/README.md commands REGEX "^ *make [a-z-]+")
 file(READ ${root}/Makefile makefile)

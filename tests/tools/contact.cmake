@@ -51,9 +51,9 @@ refuses(contact "a profile with a height and a depth" "has both a height and a d
                  solve --body-1-profile ${CMAKE_CURRENT_BINARY_DIR}/two-columns.csv --body-2-radius-along 1m --load 3kN)
 foreach(example radii profiles)
   add_test(NAME "tool: contact solves ${example}.toml"
-           COMMAND railbook contact solve --config tools/examples/contact/${example}.toml
+           COMMAND railbook contact solve --config examples/contact/${example}.toml
                    --out ${CMAKE_BINARY_DIR}/ctest/contact-${example}
-           WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
+           WORKING_DIRECTORY ${CMAKE_SOURCE_DIR}/tools)
 endforeach()
 # What the answer says: answers(WHAT PATTERN arguments...).
 function(contact_answers what pattern)

@@ -53,6 +53,8 @@ set_tests_properties("tool: hostile and clumsy inputs" PROPERTIES TIMEOUT 300) #
 
 add_test(NAME "readme: its commands on data of one's own" COMMAND ${here}/readme.sh ${CMAKE_SOURCE_DIR} ${bin})
 set_tests_properties("readme: its commands on data of one's own" PROPERTIES LABELS long)
+add_test(NAME "docs: the commands answer as docs/commands.md shows" COMMAND ${here}/commands.sh ${CMAKE_SOURCE_DIR} ${bin})
+set_tests_properties("docs: the commands answer as docs/commands.md shows" PROPERTIES LABELS long)
 
 # A page of a chapter that shows commands has their real answers.
 file(GLOB mains CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/chapters/*/main.cpp)

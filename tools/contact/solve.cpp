@@ -25,8 +25,8 @@ using namespace contact;
 `contact solve` answers for two bodies of your own: each by two radii, or by a measured profile and the radius along
 the rail. The same options go on the command line or into a file, and a quantity without its unit is refused:
 
-    contact solve --config tools/examples/contact/radii.toml
-    contact solve --config tools/examples/contact/profiles.toml --load 100kN --out build/mine
+    contact solve --config examples/contact/radii.toml
+    contact solve --config examples/contact/profiles.toml --load 100kN --out mine
 
 It prints force, moments, peak pressure, patch and the estimate of its own error; `--out` adds the pressures and the outline as
 CSV, the summary as JSON, and a figure. A profile is a CSV file with the columns `x` and `depth` (into the body) or `height`

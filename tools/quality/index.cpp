@@ -2,8 +2,8 @@
 
 The descriptor of a record of your own, at the posted speed and for your car:
 
-    quality index track.csv --speed 100km/h --car chapters/06-quality/examples/freight.toml --out mine
-    quality index chapters/06-quality/examples/track.csv --speed 64km/h --column crosslevel
+    quality index track.csv --speed 100km/h --car examples/quality/freight.toml --out mine
+    quality index examples/quality/track.csv --speed 64km/h --column crosslevel
 
 The record is a CSV file with a column of positions and one of heights, units in their headers (`distance_m,profile_mm`). It is read once, in constant memory. Empty cells and `nan` are gaps: those of up to 1 m are bridged (`--bridge` says otherwise), others divide the record. Codes for lost samples and heights that no track can have are taken out as gaps; outliers, stuck sensors and steps of the datum may be defects, are kept unless `--screen` names them,
 and are told above the answer as doubtful, and so are a spacing that changes (places stay true to a sample) and heights in another unit than said. The answer names each place where the magnitude of the descriptor passes `--threshold`, the paper's $T_2$, with the

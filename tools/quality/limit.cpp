@@ -4,9 +4,9 @@
 
 The allowed amplitude against wavelength for a car of your own:
 
-    quality limit --speed 100km/h --car chapters/06-quality/examples/freight.toml
+    quality limit --speed 100km/h --car examples/quality/freight.toml
     quality limit --speed 80mph --roll-frequency 0.6Hz --roll-damping 0.15 --stroke 1.5in --wavelength 39ft 78ft
-    quality limit --speed 100km/h --car chapters/06-quality/examples/freight.toml --body-mass 15t
+    quality limit --speed 100km/h --car examples/quality/freight.toml --body-mass 15t
 
 The car may stand in a file of its own (`--car`); what the command line says wins. The stroke limit is given directly (`--stroke`) or by the flat level it
 leaves (`--level`). The suspension under the wheel-force mode is given by stiffness and damping or by bounce frequency and its share of critical damping. Without masses only the stroke mode counts. The
