@@ -1,22 +1,41 @@
 /***
-### The paper's algorithm, and where it fails
+### The paper's search
 
-The paper's flow chart has two loops. Inside: take the gains for the present shape and frequency,
-take the car's least damped eigenvector as the next shape, scale it to the amplitude wanted, and
-repeat until it reproduces itself. Outside: extrapolate the growth rate linearly in speed to zero. A
-footnote says that the least damped eigenvector sometimes does not reproduce itself, and that the
-next one is used then.
+The paper finds a cycle of a given amplitude by two loops, drawn in its flow chart (Fig. 10). The
+struct `Loop` is this search. Its inner loop, `settle`, takes the gains for the present shape and
+frequency, takes the least damped eigenvector of the car with these gains as the next shape, scales
+it to the amplitude, and repeats until the shape reproduces itself. The outer loop, `run`, changes
+the speed until the growth rate is zero, by a straight line through the last two. A footnote of the
+paper says that the least damped eigenvector does not always reproduce itself, and that the next one
+is used then (`ModeChoice`).
 
 {{code: vehicle/eigenvector_loop.cpp Loop}}
 
-{{fig-loop}} runs it on new wheels, in steps of 0.01 in of amplitude, each started from the last
-result. At {{loop-lost}} it stops converging: trucks have modes in nearly equal pairs, and the least
-damped takes turns between the front truck, the rear truck and both together. From {{loop-found}} on
-it converges again, now on the *other* family: {{loop-front}} at the front, {{loop-rear}} at the
-rear. That may be how the paper came to its fishtailing mode and its abrupt change of shape; its own
+### Newton's method along the branch
+
+The unknowns of (10) are $q$, $\omega$ and $V$: twenty real numbers for eighteen real equations. Two
+more conditions make the problem square. One fixes the phase of the motion. The other says where on
+the branch the cycle is wanted: at a speed, at an amplitude, or at a step of given length along the
+branch's tangent. The last (*pseudo-arclength*) lets the branch turn round in speed and in
+amplitude, as it does.
+
+The function `solve_cycle` does this by Newton's method. Its first eighteen rows are (10) and its
+exact derivative, row 18 is the phase, and row 19 is the condition that was picked.
+
+{{code: dynamics/cycle_solver.cpp solve_cycle}}
+
+### Where the paper's search fails
+
+{{fig-loop}} runs the paper's search on new wheels, in steps of 0.01 in of amplitude, each started
+from the last result. At {{loop-lost}} it stops converging. The trucks have modes in nearly equal
+pairs, and the least damped one is in turn that of the front truck, of the rear truck and of both.
+From {{loop-found}} on it converges again, but on the *other* family: {{loop-front}} at the front,
+{{loop-rear}} at the rear.
+
+That may be how the paper came to its "fishtailing" mode and its abrupt change of shape; its own
 curves are lost, so this is an inference. Started on the cycles of the first family themselves, the
-loop holds them with one of the two choices of mode at {{loop-held}} amplitudes between 0.41 and
-0.74 in: what it finds depends on its start.
+search holds them with one of the two choices of mode at {{loop-held}} amplitudes between 0.41 and
+0.74 in. What it finds depends on where it starts.
 
 {{fig-loop}}
 

@@ -1,8 +1,9 @@
 /***
-Below {{fig-11}} the speed can be moved along the full equations' branch for new wheels, from the
-critical speed to near the fold. Up to {{torus-speed}} all multipliers lie in the unit circle, from
-there on a pair has left it, and the cycle itself shows nothing of that. The multipliers drawn are
-those over half a period, because the second half of the cycle mirrors the first.
+Below {{fig-11}} the speed can be moved along the branch of the full equations for new wheels, from
+the critical speed to near the fold. Up to {{torus-speed}} all multipliers (the factors by which
+small disturbances grow, see below) lie in the unit circle. From there on a pair has left it, and
+the cycle itself shows nothing of that. The multipliers drawn are those over half a period, because
+the second half of the cycle mirrors the first.
 */
 #include <array>
 #include <cmath>

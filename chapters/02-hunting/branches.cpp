@@ -1,49 +1,54 @@
 /***
-### Amplitude against speed
+## Amplitude against speed
 
 {{fig-11}} is the paper's central figure, recomputed twice: the largest amplitude of any wheelset on
-each limit cycle against speed. The thin lines are the describing functions', solid where the
-*paper's rule* calls the cycle stable: a little more amplitude at the same speed makes the mode
-decay, that is, $V$ rises with $A$. On the cone's tread every amplitude is a cycle at the one
-critical speed, neither stable nor unstable; the paper counts that vertical line as unstable.
+each limit cycle against speed. One line of each colour is from the describing functions. It is
+solid where the *paper's rule* calls the cycle stable: a little more amplitude at the same speed
+makes the mode decay, which is the case where $V$ rises with $A$. On the tread of a cone every
+amplitude is a cycle at the one critical speed, neither stable nor unstable. The paper counts that
+vertical line as unstable.
 
-The rule looks at one mode only, the cycle's own. The thick lines are the branches of the full
-equations, solid where *every* small deviation dies out ({{true-branches}}).
+The rule looks at one mode only, the cycle's own. The other line is the branch of the full
+equations, solid where *every* small disturbance dies out; how it is found comes below
+({{true-branches}}).
 
 {{fig-11}}
 
 {{include: answer.cpp}}
 
-With new wheels the describing functions' branch runs far to the right once the flange is met, at
-{{flange-new}}; {{stability-range}} shows how much of it is stable by the full equations, and on
+With new wheels the branch of the describing functions runs far to the right once the flange is met,
+at {{flange-new}}. {{stability-range}} shows how much of it is stable by the full equations, and on
 what that depends. The Heumann wheel has a small stable cycle without flange contact, in the paper's
 "limited range of speeds".
 
 **CN wheels.** On the branch from the critical speed the front truck is the one that meets the
-flange. Front and rear can be exchanged in the equations but for the coupling through the centre
-plates, and the exchanged cycle exists too, as in the paper: a closed branch on which the *rear*
-truck goes up the flange, to {{cn-rear-at}}, and the front one to {{cn-front-at}}, just past the
-first point of the fillet. The full equations have stable cycles of this kind from
-{{cn-rear-stable}}. So "two distinct modes of hunting are possible here", of either truck. Cycles
-with both trucks on the flange follow on the falling part of the branch. With the dampers that we
-use they are unstable, by the paper's rule and by the full equations. With dampers from the other
-end of the curve ({{dampers}}, 0.012 rad/s) the paper's rule calls them stable up to
+flange. Front and rear can be exchanged in the equations, except for the coupling through the centre
+plates. The exchanged cycle exists too, as in the paper: a closed branch on which the *rear* truck
+goes up the flange, to {{cn-rear-at}}, and the front one to {{cn-front-at}}, just past the first
+point of the fillet. The full equations have stable cycles of this kind from {{cn-rear-stable}}. So
+"two distinct modes of hunting are possible here", of either truck.
+
+Cycles with both trucks on the flange follow on the falling part of the branch. With the dampers
+that we use they are unstable, by the paper's rule and by the full equations. With dampers from the
+other end of the curve ({{dampers}}, 0.012 rad/s) the paper's rule calls them stable up to
 {{cn-both-stable}}. What the paper shows here depends on the root of a flange that is lost.
 
-**Friction.** The cycles come down to {{friction-fold}}, a minimum that depends on the sticking
-rate. There is a stable cycle with flange contact, of the rear truck, but over {{friction-window}}
-only by the full equations. At 0.02 in the joints are near their sticking rates and the car moves as
-one body; from 0.05 in on warp and centre plates slide, and the car is a system of separate
-elements. The lateral friction is not overcome there: to carry the body along at 0.4 in and
-{{slip-omega}} takes some {{slip-needed}}, and the four side frames hold {{slip-held}}.
+**Friction.** The cycles come down to {{friction-fold}}, a minimum that depends on the rate
+$\varepsilon$ below which joints stick. There is a stable cycle with flange contact, of the rear
+truck, but by the full equations over {{friction-window}} only. At 0.02 in the joints are near their
+sticking rates and the car moves as one body. From 0.05 in on warp and centre plates slide, and the
+car is a system of separate elements.
+
+The lateral friction is not overcome there. To carry the body along at 0.4 in and {{slip-omega}}
+takes about {{slip-needed}}, and the four side frames hold {{slip-held}}.
 
 {{claims}}
 
 **The frequency on the flange.** "For all three wheel profiles, frequencies for limit cycles with
 flange contact approach a single high value in the neighborhood of 30.5 rad/s." The paper does not
 say at which amplitude. At 0.6 in, well up the flange, the describing functions have about one
-frequency; the full equations have lower ones, farther apart, because a wheelset thrown from flange
-to flange does not move as a sine.
+frequency. The full equations have lower ones, farther apart, because a wheelset that is thrown from
+flange to flange does not move as a sine.
 
 {{flange-frequency}}
 */

@@ -1,62 +1,93 @@
 /***
-## The car
+## The car and the forces on it
 
-Two trucks of three pieces each under a rigid body: nine degrees of freedom,
-$q=(X_{TF},X_{TR},\theta_{TF},\theta_{TR},\theta_{WF}, \theta_{WR},X_C,\theta_C,\phi_C)$: each
-truck's lateral position, the yaw $\theta_T$ of its side frames and its *warp* $\theta_W$, the angle
-by which the parallelogram of side frames and axles is out of square; then the body's lateral
-position, yaw and roll. A wheelset stands at $x_w=X_T\pm L_T\theta_T$ with the yaw
-$\psi=\theta_T+\theta_W$; the bolster stays parallel to the axles and moves with the body. The
-creepages of its wheels are, in the paper's (1) to (5),
+**Nine coordinates.** The car is a rigid body on two *trucks* (bogies). A truck has three pieces:
+two side frames, which carry the two wheelsets at their ends, and a *bolster* across the middle, on
+which the body turns at the *centre plate*. The axles are held in the side frames as if by ball
+joints, so a truck can be pushed out of square like a parallelogram; the paper calls this angle
+*warp*. The drawing at the head of the page shows the coordinates,
 
-$$\xi_x=\frac{\dot x_w}V-\psi, \tag{1}$$
+$$q=(X_{TF},X_{TR},\theta_{TF},\theta_{TR},\theta_{WF},\theta_{WR},X_C,\theta_C,\phi_C).$$
 
-where $V$ is the speed, and
+They are the lateral displacement $X_T$ (positive to the left) of the front (F) and rear (R) truck,
+the yaw $\theta_T$ of its side frames and its warp $\theta_W$ (positive to the left, in radians),
+and the lateral displacement, yaw and roll of the body. The front wheelset of a truck stands at
+$x_w=X_T+L_T\theta_T$ and the rear one at $x_w=X_T-L_T\theta_T$, with half the wheelbase $L_T$. Both
+yaw by $\psi=\theta_T+\theta_W$. The bolster stays parallel to the axles and moves sideways with the
+body.
 
-$$\xi_{zR,L}=1\pm\frac aV\dot\psi-\frac{r_{R,L}}{r_0},\qquad \xi_{\theta R,L}=\pm\frac{\delta_{R,L}}{r_0}+\frac{\dot\psi}V, \tag{2}$$
+**Creep forces.** Where a loaded wheel touches the rail the steel is strained, and the wheel does
+not roll exactly as geometry says. The *creepage* is the sliding speed over the speed $V$ of the
+car. A wheelset that moves sideways at the rate $\dot x_w$ while it points to $\psi$ has the lateral
+creepage
 
-with half the distance $a$ of the two contact points and the rolling radius $r_0$ of the centred
-wheels. Gravity pushes sideways with
+$$\xi_x=\frac{\dot x_w}V-\psi. \tag{1}$$
 
-$$N_{xR}+N_{xL}=-W\Big(\frac{\delta_L-\delta_R}2+\phi_w\Big). \tag{6}$$
+Its right and left wheels want to run different distances, which is the longitudinal creepage, with
+the radius $r_0$ of the wheels in the middle of the track:
 
-where $W$ is the axle load. Table 1 of the paper, the equations of motion, is lost. They follow from
-these words and linear creep forces with the coefficients $f_{11}$ (lateral), $f_{33}$
-(longitudinal), $f_{12}$ and $f_{22}$ (spin): one wheelset feels the force and the moment
+$$\xi_{zR}=1+\frac aV\dot\psi-\frac{r_R}{r_0}, \tag{2}$$
+$$\xi_{zL}=1-\frac aV\dot\psi-\frac{r_L}{r_0}. \tag{3}$$
 
-$$F=-2f_{11}\Big(\frac{\dot x_w}V-\psi\Big)-\frac{2f_{12}}V\dot\psi+\Big(\frac{2f_{12}}{r_0}-W\Big)D-W\Phi,$$
-$$M=-\frac{2(a^2f_{33}+f_{22})}V\dot\psi-\frac{2a^2f_{33}}{r_0}R+2f_{12}\Big(\frac{\dot x_w}V-\psi\Big)
+A wheel that stands on a slope also turns on the spot. This is the spin creepage, in radians a
+length,
+
+$$\xi_{\theta R}=\frac{\delta_R}{r_0}+\frac{\dot\psi}V, \tag{4}$$
+$$\xi_{\theta L}=-\frac{\delta_L}{r_0}+\frac{\dot\psi}V. \tag{5}$$
+
+For small creepages the forces are proportional to them. The factors are the creep coefficients
+$f_{11}$ (lateral), $f_{33}$ (longitudinal), $f_{12}$ and $f_{22}$ (spin).
+
+**Gravity.** The rails' forces are normal to the contact planes. Their lateral parts $N_{xR}$ and
+$N_{xL}$ push the wheelset back with
+
+$$N_{xR}+N_{xL}=-W\Big(\frac{\delta_L-\delta_R}2+\phi_w\Big), \tag{6}$$
+
+where $W$ is the load on the axle.
+
+**Equations of motion.** Table 1 of the paper, which has them, is lost. They follow from what has
+been said. With (1) to (6) one wheelset feels the lateral force $F_w$ and the yawing moment $M_w$,
+
+$$F_w=-2f_{11}\Big(\frac{\dot x_w}V-\psi\Big)-\frac{2f_{12}}V\dot\psi+\Big(\frac{2f_{12}}{r_0}-W\Big)D-W\Phi,$$
+$$M_w=-\frac{2(a^2f_{33}+f_{22})}V\dot\psi-\frac{2a^2f_{33}}{r_0}R+2f_{12}\Big(\frac{\dot x_w}V-\psi\Big)
   +\frac{2f_{22}}{r_0}D.$$
 
-Spin creep cancels {{spin-share}} of the force that gravity exerts through the contact angle:
-$2f_{12}/r_0$ = {{spin-force}} against an axle load of {{axle-load}}.
+Spin cancels {{spin-share}} of the force that gravity exerts through the contact angles:
+$2f_{12}/r_0$ is {{spin-force}} and the axle load {{axle-load}}.
+
+The function `add_creep` writes these two lines into the matrices of the car. The row `b` takes a
+wheelset's displacement out of the nine coordinates, and `t` its yaw. What multiplies a rate goes
+into `creep_damping`, which is divided by $V$ later; what multiplies the yaw itself goes into
+`creep_stiffness`. The forces that unit values of $R$, $D$ and $\Phi$ exert become the columns
+`g_r`, `g_d` and `g_phi`.
 
 {{code: vehicle/freight_car.cpp add_creep}}
 
-The suspension is springs in parallel with dry friction, whose describing function is (12) below;
-for the joints, with the amplitudes $A_1\ldots A_7$ of their rates,
+**Suspension.** Each joint is a spring in parallel with dry friction. The friction is replaced by
+its describing function, (12) below. For the lateral springs of a side frame, with the stroke $s$,
+the stiffness $K_x$, the friction $F_{0x}$ and the amplitude $A$ of the rate $\dot s$, the force is
 
-$$F_{xs}=K_xu+\frac{4F_{0x}}{\pi A}\dot u, \tag{13}$$
+$$F_{xs}=K_xs+\frac{4F_{0x}}{\pi A}\dot s. \tag{13}$$
 
-and (14) to (19) likewise for the rear, the vertical springs, warp and the centre plates:
-
-{{code: vehicle/freight_car.cpp joint_list}}
+The paper's (14) to (19) are the same for the rear truck, the vertical springs, the warp and the
+centre plates.
 
 {{parameters}}
 
 **The creep coefficients can be recomputed**, because the paper names the theory, Kalker's, and
-calls them full values: Hertz's ellipse of a 33-in wheel on a rail head of 10 in under half the axle
-load, steel of 29·10⁶ psi and Poisson's ratio 0.3 (radius and steel are assumptions), times Kalker's
-table.
+calls them full values. Hertz's theory gives the ellipse in which a wheel of 33 in diameter touches
+a rail head of 10 in radius under half the axle load; steel has a modulus of 29·10⁶ psi and Poisson's
+ratio is 0.3. The rail's radius and the steel are assumptions. Kalker's table gives the coefficients
+for that ellipse.
 
 {{creep-coefficients}}
 
-Three agree with the print, which settles two exponents and that the values are full ones. The text
-that we have of the paper prints $f_{22}$ as 2.1, twenty times less than Kalker's theory gives, and
-we read 42.1. The ellipse gives {{f22}}; and the printed $f_{11}$ and $f_{12}$ give {{f22-print}}
-without crown, load and modulus, because $f_{22}f_{11}/f_{12}^2=C_{33}C_{22}/C_{23}^2$ depends on
-the ellipse's shape alone. All computations use 42.1. The literal 2.1 would change the critical
-speed with new wheels by {{f22-effect}}.
+Three coefficients agree with the print. This settles two exponents, and that the values are full
+ones. For $f_{22}$ our text has 2.1, twenty times less than Kalker's theory gives, and we read 42.1.
+The ellipse gives {{f22}}. The printed $f_{11}$ and $f_{12}$ give {{f22-print}} without crown, load
+and modulus, because $f_{22}f_{11}/f_{12}^2=C_{33}C_{22}/C_{23}^2$, with Kalker's coefficients
+$C_{22}$, $C_{23}$ and $C_{33}$, depends on the shape of the ellipse alone. All computations use
+42.1; the literal 2.1 would change the critical speed with new wheels by {{f22-effect}}.
 */
 
 #include <fmt/format.h>

@@ -1,51 +1,61 @@
 /***
-## Critical speeds of the linear car
+## The critical speed of small motions
 
-For small motions the gains are constants and the car is linear. At the *critical speed* a pair of
-eigenvalues $\sigma\pm i\omega$ crosses the imaginary axis, from decay to growth (a Hopf point):
-$Z(i\omega,V)q=0$. In $1/V$ the state matrix is linear, and so is the matrix of all *sums of two
-eigenvalues* (the bialternate sum, 153 by 153), which is singular exactly where two eigenvalues are
-opposite. Its own eigenvalue problem in $1/V$ therefore gives all critical speeds of a range at
-once, with no scan that could step over one.
+For small motions the gains are constants and the car is linear. A motion $q\,e^{(\sigma+i\omega)t}$
+grows if $\sigma$ is positive. At the *critical speed* $\sigma$ of one of the car's motions passes
+through zero, and the motion $q\,e^{i\omega t}$ neither grows nor dies: $Z(i\omega,V)\,q=0$, where
+$Z$ is the matrix that gives the forces for a motion of this frequency and speed. Such a place is
+called a Hopf point.
+
+One could look for it by scanning the speeds, and step over it. There is a safer way. The creep
+forces contain $1/V$ only, so the matrix of the linear car is a fixed part plus $1/V$ times another.
+The same holds for the *bialternate sum*, a matrix of 153 rows whose eigenvalues are all sums of two
+eigenvalues of the car. It is singular exactly where two eigenvalues are opposite, as $i\omega$ and
+$-i\omega$ are, so that its own eigenvalue problem in $1/V$ gives all critical speeds at once.
+`pair_sums` forms it: each pair of coordinates `r` and `s` is a column, and the matrix `a` acts on
+one of the two at a time.
 
 {{code: vehicle/linear_stability.cpp pair_sums}}
 
 {{critical-speeds}}
 
-The car has two kinds of motion, and each has a critical speed. In one the trucks go **together**,
-and the body sways with them. In the other they **oppose** each other, and the body yaws about its
-middle. With new wheels the trucks go together at the first critical speed and oppose each other at
-the second, only {{hopf-gap}} above. With worn wheels it is the other way round: at the first
-critical speed the trucks oppose each other. The middle of the body is then nearly at rest, but its
-ends move with the trucks ({{end-cn}} of the truck's motion with CN wheels, {{end-heumann}} with
-Heumann wheels).
+**Two kinds of hunting.** The car has two kinds of motion, and each has a critical speed. In one the
+trucks go **together**, and the body sways with them. In the other they **oppose** each other, and
+the body yaws about its middle. With new wheels the trucks go together at the first critical speed
+and oppose each other at the second, only {{hopf-gap}} above. With worn wheels it is the other way
+round. The middle of the body is then nearly at rest, but its ends move with the trucks ({{end-cn}}
+of the truck's motion with CN wheels, {{end-heumann}} with Heumann wheels).
 
-**The dampers are fitted.** The paper linearizes friction at "constant amplitudes and frequency" and
-does not say which. The dampers $4F_0/\pi\omega A$ depend on two numbers, $\omega A$ of the
-translations and $\omega\theta$ of the rotations. Pairs that give 145 ft/s with new wheels lie on
-two stretches of a curve, {{dampers}}. On one the frequency is {{upper-omega}}, on the other
-{{lower-omega}}; the printed 12 rad/s therefore choose the first, from $\omega\theta$ = {{fit-low}}
-on. There the frequency with CN wheels is {{fit-cn}}, and the paper prints 21. Used here are 20
-rad/s with 0.5 in and 0.003 rad.
+**The dampers are fitted.** For this part the paper replaces friction by dampers, "assuming constant
+amplitudes and frequency" that it does not give. Ours are (12) for a travel $A_c$ or an angle
+$\theta_c$ at the frequency $\omega_c$, so they depend on two numbers: the rate $\omega_cA_c$ of the
+translations and the rate $\omega_c\theta_c$ of the rotations. Pairs that give
+145 ft/s with new wheels lie on two stretches of a curve. On one the frequency is {{upper-omega}},
+on the other {{lower-omega}}. The printed 12 rad/s therefore choose the first, from
+$\omega_c\theta_c$ = {{fit-low}} on. There the frequency with CN wheels is {{fit-cn}}, and the paper
+prints 21. All other results use 20 rad/s with 0.5 in and 0.003 rad.
 
 **Do CN wheels lower the critical speed?** The paper says that it is "much lower". With the dampers
-on the curve that give 145 ft/s and 12 rad/s the speed with CN wheels is {{cn-speeds}}, {{cn-ratio}}
-times that with new wheels: a tenth lower at one end, as high or higher at the other. It is much
-lower only with dampers that put the frequency with new wheels at {{lower-omega}}. The printed
-frequencies speak against it as well: a truck that is held square moves at $\omega\propto
-V\sqrt\lambda$, and 21 rad/s with three times the conicity of 12 rad/s need about the same speed.
+of that stretch the speed with CN wheels is {{cn-speeds}}, {{cn-ratio}} times that with new wheels:
+a tenth lower at one end, as high or higher at the other. It is much lower only with dampers that
+put the frequency with new wheels at {{lower-omega}}. The printed frequencies speak against it as
+well. A truck that is held square moves at $\omega\propto V\sqrt\lambda$; with three times the
+conicity, 21 instead of 12 rad/s need about the same speed.
 
 {{dampers}}
 
-**The exponent of the warp stiffness.** It is illegible. With $10^5$, $10^7$ or $10^8$ there are
-dampers that give 145 ft/s as well, but at {{warp-others}}. Only $10^6$ gives 145 ft/s and 12 rad/s
+**The exponent of the warp stiffness** is illegible. With $10^5$, $10^7$ or $10^8$ there are dampers
+that give 145 ft/s as well, but at {{warp-others}}. Only $10^6$ gives 145 ft/s and 12 rad/s
 together.
 
-The printed pair can be checked by itself. A rigid truck with the kinematic wavelength of wheelsets
-that cannot yaw alone, $\omega=V\sqrt{\lambda/ar_0}\,/\sqrt{1+(L_T/a)^2}$, needs a conicity of
-{{implied-conicity}} for 12 rad/s at 145 ft/s: the 1 in 20 cone, and a truck that its warp stiffness
-holds square. Without the last factor the conicity would be {{free-conicity}}, a 1 in 40 cone, and
-the new wheel of 1976 had 1 in 20.
+The printed pair can be checked by itself. If a truck is rigid, its wheelsets cannot yaw alone, and
+its wave is longer than that of a single wheelset:
+
+$$\omega=V\sqrt{\frac\lambda{ar_0}}\,\Big/\sqrt{1+\Big(\frac{L_T}a\Big)^2}.$$
+
+For 12 rad/s at 145 ft/s this needs a conicity of {{implied-conicity}}, the cone of 1:20, and a
+truck that its warp stiffness holds square. Without the last factor the conicity would be
+{{free-conicity}}, a cone of 1:40, and the new wheel of 1976 had 1:20.
 */
 
 #include <fmt/format.h>

@@ -1,20 +1,28 @@
 /***
-## Describing functions
+## One sine instead of a curve: describing functions
 
-A sine of amplitude $A$ through a nonlinear function $f$ comes out distorted. Its describing
-function is the gain that loses least in the mean square (the paper's (7)),
+The constraint functions bend sharply at the flange, and no linear equation can contain that. But a
+limit cycle is nearly a sine. A sine of amplitude $A$ that passes through a nonlinear function $f$
+comes out distorted; its *describing function* $N(A)$ is the factor that comes closest to it in the
+mean square (the paper's (7)). For an odd function it is
 
-$$N(A)=\frac2{\pi A}\int_0^\pi f(A\sin\psi)\sin\psi\,d\psi . \tag{8}$$
+$$N(A)=\frac2{\pi A}\int_0^\pi f(A\sin\tau)\sin\tau\,d\tau , \tag{8}$$
 
-The constraint functions are tables, linear between points, and for these the integral is known:
-each change of slope $\Delta m_k$ at $b_k$ adds $\Delta
-m_k\,[1-\frac2\pi(\arcsin\beta+\beta\sqrt{1-\beta^2})]$, $\beta=b_k/A$, once $A$ exceeds $b_k$. No
-quadrature is needed, and the derivative $dN/dA$ for Newton's method comes along.
+with the phase $\tau$ of the sine. Our functions are tables that are linear between their points,
+and for these the integral is known. Where the slope of $f$ changes by $\Delta m_k$ at the
+displacement $x_k$, the gain changes by
+
+$$\Delta m_k\Big[1-\frac2\pi\big(\arcsin\beta+\beta\sqrt{1-\beta^2}\big)\Big],\qquad
+  \beta=\frac{x_k}A,$$
+
+as soon as $A$ exceeds $x_k$. The function `evaluate` adds these terms up for $R$, $D$ and $\Phi$ at
+once. It begins with the slope in the middle, stops at the first bend that the sine does not reach,
+and collects the derivative $dN/dA$ as well, which Newton's method needs.
 
 {{code: vehicle/describing_function.cpp evaluate}}
 
-These are the paper's Figures 7 to 9, with our profiles. The paper calls the first one *conicity*;
-which of the other two is its Figure 8 is not legible.
+The next three figures are the paper's Figures 7 to 9 with our profiles. The paper calls the first
+one *conicity*; which of the other two is its Figure 8 is not legible.
 
 {{fig-07}}
 
@@ -29,17 +37,16 @@ not tested.
 
 {{describing-claims}}
 
-Dry friction and its describing function are
+**Dry friction** opposes the rate $\dot s$ of a joint with a constant force $F_0$, and its gain falls
+with the amplitude $A$ of that *rate*:
 
-$$F=F_0\,\mathrm{sign}\,\dot X, \tag{11}$$
+$$F_s=F_0\,\mathrm{sign}\,\dot s, \tag{11}$$
 
-$$N=\frac{4F_0}{\pi A}, \tag{12}$$
+$$N=\frac{4F_0}{\pi A}. \tag{12}$$
 
-where $A$ is the amplitude of the *rate*. With a viscous core of width $\varepsilon$ the gain is
-$F_0/\varepsilon$ up to $A=\varepsilon$; at $A=10\,\varepsilon$ the two differ by
-{{friction-difference}}.
-
-{{code: vehicle/describing_function.cpp regularized_friction}}
+At small amplitudes this is infinite: the joint sticks. We make the force viscous below a small rate
+$\varepsilon$, so that the gain is $F_0/\varepsilon$ up to $A=\varepsilon$. At $A=10\,\varepsilon$
+the two gains differ by {{friction-difference}}.
 */
 
 #include <fmt/format.h>

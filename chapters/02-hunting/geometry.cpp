@@ -1,38 +1,60 @@
 /***
-## Geometry of wheel and rail
+## Why a wheelset steers
 
-A wheelset on rails cannot roll about the track's axis or rise by itself: its place across the track
-decides how it lies. Five *constraint functions* of the lateral displacement $x_w$ say all that the
-dynamics needs: the rolling radii $r_L$, $r_R$, the angles $\delta_L$, $\delta_R$ of the contact
-planes to the axle, and the roll angle $\phi_w$. In the equations of motion they come as three odd
-functions,
+A *wheelset* is two wheels on one axle that turn together. The running surface of a wheel, its
+*tread*, is a cone or a hollow worn into it; a *flange* at its inner edge keeps it on the rail. When
+the wheelset stands a distance $x_w$ left of the middle of the track, its left wheel rolls on a
+radius $r_L$ that is larger than the right one, $r_R$. The left side then runs ahead, the wheelset
+turns to the right, rolls back across the middle, and the same happens on the other side.
 
-$$R=\frac{r_L-r_R}{2a},\qquad D=\frac{\delta_L-\delta_R}2,\qquad\Phi=\phi_w;$$
+The *conicity* $\lambda$ measures this: $r_L-r_R=2\lambda x_w$ for small $x_w$. The wave that
+follows has a fixed length and does not depend on speed. Whether it grows or dies away does, because
+the masses and the springs of the car have frequencies of their own.
 
-the first steers, the other two push the wheelset back to the middle.
+**Constraint functions.** A wheelset on two rails cannot rise or roll about the track's axis by
+itself: its place across the track decides how it lies. Five functions of the lateral displacement
+$x_w$ therefore say all that the dynamics needs: the rolling radii $r_L$ and $r_R$, the angles
+$\delta_L$ and $\delta_R$ between the axle and the planes in which wheel and rail touch, and the
+roll angle $\phi_w$, positive when the left side rises. The equations of motion contain them as
+three odd functions without a unit,
+
+$$R=\frac{r_L-r_R}{2a},\qquad D=\frac{\delta_L-\delta_R}2,\qquad\Phi=\phi_w,$$
+
+where $a$ is half the distance between the two contact points. $R$ steers; $D$ and $\Phi$ push the
+wheelset back to the middle, because the rails' forces lean inwards where the contact planes do.
 
 **Profiles.** The paper takes a new wheel on a worn rail, the Canadian National's worn-wheel profile
-A on a new rail, and a modified Heumann wheel on the worn rail, at a gauge of {{gauge}}, and gives
-none of them. Here each is a chain of circular arcs and straight lines without corners. Rails have a
-10 in crown, 1¼ in shoulders and 3/8 in corners when new, are flatter and then sharper when worn,
-and lean inwards by 1:40. The new wheel is a 1:20 cone with an 11/16 in throat; CN profile A has a
-hollow of {{cn-radius}} and the Heumann wheel one of {{heumann-radius}}; all have a 70° flange. The
-remaining lengths were chosen so that the profiles have the properties that the text states. These
-profiles can therefore not test those statements; a test of the library makes sure that they have
-them. The half spacing $a$ is {{half-spacing}}, the half distance of the rails' *heads*; the paper
-calls it half the gauge, which would be {{half-gauge}}.
+A (CN) on a new rail, and a modified Heumann wheel, made to touch the worn rail in one point only.
+The *gauge*, the distance between the rails' inner faces, is {{gauge}}. The profiles themselves are
+lost. Ours are chains of circular arcs and straight lines without corners:
 
-**Contact.** Roll the wheelset by $\phi$ and look at the vertical gap between wheel and rail on one
-side. Its least value must be the same on both sides, $h(x,\phi)=h(-x,-\phi)$: that fixes $\phi$.
-With arcs $u=u_c+\rho\sin\theta$, $z=z_c+\rho\cos\theta$ the gap of wheel and rail is stationary
-where both have the same angle,
+* Rails have a crown of 10 in radius, shoulders of 1¼ in and corners of 3/8 in when new, are flatter
+  and then sharper when worn, and lean inwards by 1:40.
+* The new wheel is a cone of 1:20, and an arc of 11/16 in radius (the *throat*) leads to the flange.
+  CN profile A has a hollow of {{cn-radius}} radius and the Heumann wheel one of
+  {{heumann-radius}}. All flanges stand at 70°.
 
-$$\sin\theta=\frac{u_c^{rail}-u_c^{wheel}}{\rho_{wheel}-\rho_{rail}},$$
+The remaining lengths were chosen so that the profiles have the properties that the text states.
+They can therefore not test those statements; a test of the library makes sure that they have them.
+The paper calls $a$ half the gauge, which would be {{half-gauge}}; its value is {{half-spacing}},
+half the distance of the rails' *heads*.
 
-and where that falls outside the stretch the two arcs share, it is least at an end of the stretch.
-One walk along both chains finds the least gap to rounding, two-point contact included:
+**Contact.** Let $h(x_w,\phi_w)$ be the least vertical gap between the left wheel and its rail when
+the wheelset is moved by $x_w$ and rolled by $\phi_w$ at a given height. Both sides must touch at
+once, and the right side is the mirror image of the left one, so
 
-{{code: wheelset/wheelset_contact.cpp parallel}}
+$$h(x_w,\phi_w)=h(-x_w,-\phi_w),$$
+
+which fixes $\phi_w$. The gap between an arc of the wheel (centre $u_w$ across the track, radius
+$\rho_w$) and one of the rail ($u_r$, $\rho_r$) is stationary where both have the same slope angle
+$\alpha$,
+
+$$\sin\alpha=\frac{u_r-u_w}{\rho_w-\rho_r}.$$
+
+Where that place is not on both arcs, the gap is least at an end of the stretch that they share. The
+function `least_gap` walks along both chains at once. On each stretch that an arc of the wheel and
+one of the rail share it offers three candidates: the place where the arcs are parallel, if there is
+one, and the two ends. The least of all is the contact, exact to rounding.
 
 {{code: wheelset/wheelset_contact.cpp least_gap}}
 
@@ -43,24 +65,26 @@ One walk along both chains finds the least gap to rounding, two-point contact in
 {{fig-05}}
 
 The last part of each figure shows the left wheel lifted off its rail; lines join the points that
-touch while the wheelset moves from {{far}} right to {{far}} left. The orange pair is a **two-point
-contact**, where the functions jump. The equations of motion take them as tables with a knot every
-0.0025 in and a running mean over {{mean}}, which makes a jump a ramp. What this width does to the
-results is shown where it matters, in {{stability-range}}.
+touch while the wheelset moves from {{far}} right to {{far}} left. Where the contact jumps from one
+place to another, two points touch at once (*two-point contact*, the thick pair of lines), and the
+functions jump. The equations of motion take them as tables with a knot every 0.0025 in and a
+running mean over {{mean}}, which makes a jump a ramp. What this width does to the results is shown
+in {{stability-range}}.
 
 **Flange contact** is a word that the paper does not define. Here it begins where the left wheel
 leaves its tread for the arc between tread and flange, less half the width of the running mean: at
 {{flange-new}} with new wheels, {{flange-cn}} with CN and {{flange-heumann}} with Heumann wheels.
 For the new wheel this is the jump to the flange, at {{jump-new}}. The two worn profiles have a
-fillet first: a CN wheel comes to its fillet at a contact angle of {{fillet-cn}} only, and jumps to
-the flange at {{jump-cn}} ({{jump-heumann}} with Heumann wheels). Where a statement needs the jump,
-its row says so.
+rounding (*fillet*) first. A CN wheel comes to its fillet at a contact angle of only {{fillet-cn}},
+and jumps to the flange at {{jump-cn}} ({{jump-heumann}} with Heumann wheels). Where a statement
+needs the jump, its row says so.
 
-**Words as numbers.** Each word of the paper is read alike in the whole chapter, by one rule. It was
-written down when first results were known, so it is no prediction: *constant*, *vertical*, *the
-same*: within 1 %, the width of a printed line; *nearly*, *about*, *insignificant*: a tenth;
-*small*, *low*: below half; *much*, *large*, *drastically*, *abruptly*: by $\sqrt2$ or more, nearer
-to twice than to the same; *slightly*: by less; *several*: twice or more.
+**Words as numbers.** Each word of the paper is read alike in the whole chapter, by one rule. The
+rule was written down when first results were known, so it is no prediction. *Constant*,
+*vertical*, *the same* mean within 1 %, the width of a printed line. *Nearly*, *about*,
+*insignificant* mean a tenth; *small* and *low* mean below half. *Much*, *large*, *drastically*,
+*abruptly* mean by $\sqrt2$ or more, nearer to twice than to the same; *slightly* means by less, and
+*several* twice or more.
 
 {{geometry-claims}}
 */

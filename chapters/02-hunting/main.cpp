@@ -1,24 +1,50 @@
 /***
-# Hunting of a freight car: limit cycles and the shape of wheel and rail
+# From which speed does a freight car hunt, and how far does it swing?
+
+Above some speed a freight car no longer runs straight: its wheels weave between the rails and
+strike them with their flanges although the track is perfect, which wears wheel and rail and can
+derail the car. Linear theory gives the speed at which small motions begin to grow. R. Hull and N.
+K. Cooperrider asked in 1976 how far such a motion, called *hunting*, then goes, and how both
+depend on the shapes of wheel and rail.
+
+{{drawing}}
+
+## In short
 
 ::: findings
-1. **From which speed does an empty freight car hunt?** The paper says from 145 ft/s on new wheels, at 12 rad/s, and that worn CN wheels, at 21 rad/s, hunt at a "much lower" speed. The paper does not give the dampers that this depends on. With all that we tried and that meet 145 ft/s and 12 rad/s the car on CN wheels moves at {{fit-cn}}, as printed, and hunts from {{cn-speeds-tried}} on, which is not much lower ({{outcome:dampers/much-lower-cn}}). The CN profile is ours, with three times the conicity of the new wheel, as printed.
-2. **How far does hunting on the flange go?** The paper says that with new wheels a stable limit cycle "extends to a high velocity". By its own describing functions it does. In the full equations with the paper's linear creep it loses its stability between {{torus-range}}, depending on dampers and on the smoothing of the profiles (without the smoothing, and with some dampers, it is not stable at all). When friction limits the creep forces (coefficients of 0.2 to 0.4), stable hunting begins at {{creep-begins}} already, below the speed at which small motions grow. Profiles, dampers and friction are ours.
-3. **Are the creep coefficients Kalker's full values, as the paper says?** The printed values are {{creep-range}} the computed ones ({{outcome:creep-coefficients/full-kalker}}), for all rail crowns and moduli that were tried. That restores two exponents and a digit which our text of the paper has lost.
+1. **From which speed does an empty freight car hunt?** The paper says from 145 ft/s with new
+   wheels, at 12 rad/s, and that with worn wheels of the Canadian National's profile A (CN), at 21
+   rad/s, it hunts at a "much lower" speed. The text does not give the dampers on which this
+   depends. With all dampers that we tried and that give 145 ft/s and 12 rad/s, the car on CN wheels
+   hunts at {{fit-cn}}, as printed, and from {{cn-speeds-tried}} on, which is not much lower
+   ({{outcome:dampers/much-lower-cn}}). The CN profile is lost; ours steers three times as strongly
+   as the new wheel, as printed.
+2. **How far does hunting on the flange go?** The paper says that with new wheels a stable limit
+   cycle, a periodic motion to which others settle, "extends to a high velocity". By its own method
+   of describing functions it does. By the full equations with the paper's linear law of contact
+   forces it becomes unstable between {{torus-range}}, depending on the dampers and on the smoothing
+   of the profiles; without the smoothing, and with some dampers, it is not stable at all. When
+   friction limits the contact forces (coefficients of 0.2 to 0.4), stable hunting begins at
+   {{creep-begins}} already, below the speed at which small motions grow. Profiles, dampers and
+   friction are ours.
+3. **Are the creep coefficients Kalker's full values, as the paper says?** These coefficients give
+   the contact forces of a wheel that slips a little. The printed ones are {{creep-range}} those
+   computed by Kalker's theory ({{outcome:creep-coefficients/full-kalker}}), for all shapes and
+   stiffnesses of the rail that were tried. This restores two exponents and a digit that our text of
+   the paper has lost.
 :::
 
-Above some speed a railway car does not run straight: its wheelsets weave from flange to flange, a
-*limit cycle* that nothing outside drives. R. Hull and N. K. Cooperrider asked in 1976 at which
-speeds an empty North American freight car does so, how far it swings, and what the profiles of
-wheel and rail have to do with it. They used describing functions: replace every nonlinear function
-by the gain that a sine of the amplitude in question would feel, and look for the speed at which
-that amplitude neither grows nor dies.
+The paper's idea is to replace every nonlinear function by a number: the gain that a sine of a given
+amplitude feels. With these numbers the car is linear again, and one looks for the speed at which a
+motion of that amplitude neither grows nor dies. This page follows the paper: wheel and rail, the
+car, the gains, the search for limit cycles, their amplitudes and shapes. At the end it asks of the
+full equations whether the cycles that were found exist and are stable.
 
 We have the paper as machine-read text (OCR) and not its drawings. Its figures, its profiles of
-wheel and rail and part of its table of data are lost or illegible. This chapter rebuilds profiles
-that fit what the text says of them. What is shown with these profiles and with dampers of our own
-counts as *consistent* with the paper at most; *confirmed* is only what any straight cone entails, or
-the printed conicity with all dampers that fit.
+wheel and rail and part of its table of data are lost or illegible. We rebuilt profiles that fit
+what the text says of them. What is shown with these profiles and with dampers of our own counts as
+*consistent* with the paper at most; *confirmed* is only what any straight cone entails, or the
+printed conicity with all dampers that fit.
 
 {{include: geometry.cpp}}
 
@@ -30,19 +56,17 @@ the printed conicity with all dampers that fit.
 
 {{include: vehicles.cpp}}
 
+{{include: algorithm.cpp}}
+
 {{include: branches.cpp}}
 
 {{include: modes.cpp}}
-
-{{include: algorithm.cpp}}
 
 {{include: stability.cpp}}
 
 {{include: scene.cpp}}
 
-## Coverage
-
-{{coverage}}
+{{include: drawing.cpp}}
 
 ## Deviations
 
@@ -51,31 +75,40 @@ the printed conicity with all dampers that fit.
   ft/s and 12 rad/s, slopes of 2.5 to 3.5 times the new wheel's, contact angles from none to twice
   ours, and from the printed frequencies alone.
 
-These follow from our reconstruction and say nothing against the paper, which may have had other
+The following are facts about our reconstruction and not against the paper, which may have had other
 profiles:
 
 * With linear creep the full equations lose the stable cycles of new wheels on the flange between
   {{torus-range}}, long before the describing functions do.
-* The stable cycles of CN wheels with both trucks on the flange exist with other dampers than ours
-  only.
+* The stable cycles of CN wheels with both trucks on the flange exist only with other dampers than
+  ours.
 * Three frequencies approach 30.5 rad/s on the flange by describing functions, and less closely by
   the full equations.
 * A sweep of the paper's algorithm from the critical speed goes over from one family of cycles to
-  another; it finds the first one only when it is started there.
+  the other. It finds the first one again only when it is started there.
 
 ## Limits
 
-**Geometry.** Wheelset and rails are rigid and both sides are alike; yaw of the wheelset is left
-out, as in the paper. The contact is the point of the least *vertical* gap of two curves in one
-plane; how tread and flange share the load needs an elastic model.
+**Geometry.** Wheelset and rails are rigid and both sides are alike; the yaw of the wheelset does
+not change its contact, as in the paper. The contact is the point of the least *vertical* gap of two
+curves in one plane. How tread and flange share the load needs an elastic model.
 
 The flanges of our wheels rise {{flange-height}} above the tread's height at the rolling circle,
 where those of North American wheels rise about 1 in. Amplitudes beyond some 0.6 in stand on their
 upper part.
 
 **Limit cycles.** Creep is linear, as in the paper, except in {{creep-limited}}. The friction of the
-suspension is regularized, and results at hundredths of an inch depend on how. Only odd cycles are
-searched for, along branches from critical speeds and from cycles with front and rear exchanged.
+suspension is regularized, and results at hundredths of an inch depend on how. Only cycles whose
+second half mirrors the first are searched for, along branches from critical speeds and from cycles
+with front and rear exchanged.
+
+## Use it
+
+For a car and profiles of your own, `railbook hunting speed` gives the critical speeds and
+`railbook hunting cycle` the limit cycles at a speed; `railbook hunting geometry` makes the
+constraint functions of measured profiles. The paper's car on CN wheels:
+
+    railbook hunting speed --pair cn
 
 ## Try next
 
@@ -83,8 +116,16 @@ searched for, along branches from critical speeds and from cycles with front and
   friction would be the first to try.
 * `railbook hunting geometry` with another `--gauge`: a worn wheel's conicity depends on half an
   inch of it.
-* `railbook hunting cycle --pair cn --suspension friction`: that is the first family; the one of
+* `railbook hunting cycle --pair cn --suspension friction` follows the first family; the one of
   {{fig-11}} comes with `--family 2`.
+
+## Symbols
+
+{{symbols}}
+
+## Coverage
+
+{{coverage}}
 */
 
 #include "sections.hpp"
@@ -101,7 +142,7 @@ int main(int argc, char** argv) {
                 "on Stability of Rail Vehicles, ASME Journal of Engineering for Industry, "
                 "February 1977 (paper 76-WA/RT-2)",
        .sources = RAILBOOK_CHAPTER_DIR},
-      {geometry, car, describing, critical, branches, mode_shapes, algorithm, full_equations,
-       scenes},
+      {drawings, geometry, car, describing, critical, branches, mode_shapes, algorithm,
+       full_equations, scenes},
       {cost, stiffness});
 }

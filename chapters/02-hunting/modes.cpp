@@ -1,30 +1,36 @@
 /***
-### Mode shapes
+## The shape of the motion
 
-{{fig-12}} shows, for new wheels, each motion over that of the rear truck, and the frequency. On the
-tread nothing changes, as the cone is straight; when the flange is met the shape changes abruptly.
-The paper's "limiting mode with flange contact" is fishtailing: the rear truck swings, the front
-truck and the body hardly move. It is not on the branch that begins at the first critical speed,
-whose trucks stay together all the way. It is on the **second** family, which begins with trucks
-that oppose each other. Its mirror image exists too: exchanging front and rear changes nothing in
-the equations but the coupling through the centre plates. The paper reports these two shapes; the
-first family, on which both trucks are on the flange (at 0.45 in the front one swings
-{{third-ratio}} as far as the rear one), is a third one. Ratios of amplitudes do not show whether
-trucks go together or oppose each other; {{critical-speeds}} has the phase.
+{{fig-12}} shows, for new wheels, the amplitude of each motion over that of the rear truck, and the
+frequency. On the tread nothing changes, as the cone is straight. When the flange is met the shape
+changes abruptly.
+
+The paper's "limiting mode with flange contact" is *fishtailing*: the rear truck swings, and front
+truck and body hardly move. It is not on the branch that begins at the first critical speed, whose
+trucks stay together all the way. It is on the **second** family, which begins with trucks that
+oppose each other. Its mirror image exists too, because exchanging front and rear changes nothing in
+the equations but the coupling through the centre plates.
+
+The paper reports these two shapes. The first family, on which both trucks are on the flange (at
+0.45 in the front one swings {{third-ratio}} as far as the rear one), is a third one. Ratios of
+amplitudes do not show whether trucks go together or oppose each other; {{critical-speeds}} has the
+phase.
 
 {{fig-12}}
 
 **Why the body moves with new wheels and not with worn ones.** The paper says that with new wheels
 this "may be because the frequency of the limit cycle is below the resonant frequency for car-body
 lateral motion", and that with worn wheels the body moves little, "as would be expected at high
-frequencies". On its springs, trucks held, the body has two natural motions in which it moves
-sideways and rolls, at {{body-frequency}} (damped at {{body-damping}} the critical value) and at
-{{upper-frequency}}. The cycle of 12 rad/s lies between the two, so the first remark depends on
-which resonance is meant. The second depends on the dampers. Moved by both trucks together at 21 and
-26 rad/s, the body would still move {{forced-21}} and {{forced-26}} times as far as they do with the
-dampers used here, and {{undamped-21}} and {{undamped-26}} times without any; so it cannot be tested.
-In our car the body moves little for another reason: with worn wheels the trucks oppose each other,
-its middle is then a node, and it yaws.
+frequencies". On its springs, with the trucks held, the body has two natural motions in which it
+moves sideways and rolls, at {{body-frequency}} (damped at {{body-damping}} the critical value) and
+at {{upper-frequency}}. The cycle of 12 rad/s lies between the two, so the first remark depends on
+which resonance is meant.
+
+The second remark depends on the dampers. If both trucks together moved the body at 21 and 26 rad/s,
+it would still move {{forced-21}} and {{forced-26}} times as far as they do with the dampers used
+here, and {{undamped-21}} and {{undamped-26}} times without any; so the remark cannot be tested. In
+our car the body moves little for another reason. With worn wheels the trucks oppose each other, so
+the middle of the body stays at rest while its ends move.
 
 {{mode-claims}}
 */

@@ -1,11 +1,11 @@
 /***
-### The motion in space
+## The motion in space
+
+{{scene-hunting}} shows the cycle of the new wheel at 150 ft/s at the moment when the leading
+wheelset of the rear truck is farthest out. Lateral motion, yaw and roll are enlarged
+{{scene-factor}} times, the car is not; the body goes along with the trucks.
 
 {{scene-hunting}}
-
-The cycle of the new wheel at 150 ft/s at the moment when the rear leading wheelset is farthest out.
-Lateral motion, yaw and roll are enlarged {{scene-factor}} times, the car is not; the body goes
-along with the trucks.
 */
 
 #include <Eigen/Geometry>

@@ -1,48 +1,69 @@
 /***
-## Are the cycles stable? The full equations
+## Do the cycles exist, and are they stable? The full equations
 
-The paper asks for "validation of the quasi-linear results by comparison with numerical
-integration". The branches of the full equations in {{fig-11}} are followed by harmonic balance,
-with as many harmonics as each cycle needs. After one period of a cycle a small disturbance has
-grown by factors that are called the Floquet multipliers $\mu$. The cycle is stable if all of them,
-but for the 1 of a shift along the cycle, lie inside the unit circle; where one leaves it the point
-is located.
+The describing functions assume sines and look at one mode. The paper therefore asks for "validation
+of the quasi-linear results by comparison with numerical integration". We do three things: solve the
+full equations for their limit cycles, follow them along the speed, and ask of each whether small
+disturbances die out.
 
-{{code: cycles/continuation.cpp follow_from_hopf}}
+**Harmonic balance** is the describing functions' idea carried on: the motion is a sum of sines at
+$\omega$, $3\omega$, $5\omega$ and so on, as many as the cycle needs. The function `evaluate` gives
+the misfit of the equations for such a sum. `sample` takes the motion through one period, evaluates
+the tables at each instant, and returns to harmonics by the fast Fourier transform. For each
+harmonic, `condense` eliminates the coordinates on which no nonlinear force depends. What remains,
+stiffness times motion less the nonlinear forces, must vanish.
+
+{{code: dynamics/cycle_equations.cpp evaluate}}
+
+**A step along the branch.** `advance` goes a step along the tangent, and lets Newton's method
+correct it across the tangent. If that fails, or if the branch turns by too much, the step is
+halved. Otherwise the point is described, places where stability changes are looked for within the
+step (`find_special`), and harmonics are added where the sum has been cut too early (`settle`).
+
+{{code: dynamics/branch_walker.cpp advance}}
+
+**Stability.** After one period of a cycle a small disturbance has grown by factors that are called
+the *Floquet multipliers* $\mu$. The cycle is stable if all of them lie inside the unit circle, but
+for the one that is 1 and belongs to a shift along the cycle. Where one leaves the circle the point
+is located. At a *fold* the branch turns round in speed. At a *torus* bifurcation a pair of complex
+multipliers leaves the circle, and a second frequency begins to grow on the cycle.
 
 {{true-branches}}
 
 **What the describing functions get right** is everything up to the flange, and the beginning of
 flange contact: where the branch leaves the critical speed, how far the car swings there, and that
 this cycle is stable. Their amplitude is right within {{df-error-new}} for the new wheel at 150
-ft/s, {{df-error-cn}} for CN at 131.5 and {{df-error-friction}} with friction at 100 ft/s. **What
-they cannot say** is how far that goes. With new wheels the paper's rule calls the cycles stable to
-{{fold-quasi-new}}; the equations' branch turns at {{fold-new}}, and from {{torus-speed}} on its
-cycles are unstable: a *torus* bifurcation, at which a second frequency begins to grow on the cycle.
-What grows is the motion in which the trucks oppose each other, the one of the second critical
-speed: the front and the rear truck then take turns. That the two speeds are near each other is
-chance; with other dampers they part. With CN wheels the two folds are near one another,
-{{fold-quasi-cn}} and {{fold-cn}}, and stability ends at {{cn-end}}.
+ft/s, {{df-error-cn}} for CN at 131.5 and {{df-error-friction}} with friction at 100 ft/s.
+
+**What they cannot say** is how far that goes. With new wheels the paper's rule calls the cycles
+stable to {{fold-quasi-new}}. The equations' branch turns at {{fold-new}}, and from {{torus-speed}}
+on its cycles are unstable by a torus. What grows is the motion in which the trucks oppose each
+other, the one of the second critical speed: front and rear truck then take turns. That the two
+speeds are near each other is chance; with other dampers they part. With CN wheels the two folds are
+near one another, {{fold-quasi-cn}} and {{fold-cn}}, and stability ends at {{cn-end}}.
 
 **What the speed at which stability ends depends on.** With new wheels the whole branch from the
 critical speed to its fold swings between {{ramp-low}} and {{ramp-high}}, and the jump to the flange
 at {{jump-new}} has been made a ramp by the running mean over {{mean}}. The narrower the mean, the
-earlier stability ends, and with a narrow one it is symmetry that is lost; without a mean there is
-no stable cycle with flange contact at all. It also depends on the dampers, and with some that give
-145 ft/s and 12 rad/s as well there is none either. All that is known is a range: where there are
-stable cycles, stability ends between {{torus-range}}, with linear creep.
+earlier stability ends, and with a narrow one it is symmetry that is lost. Without a mean there is
+no stable cycle with flange contact at all.
+
+It also depends on the dampers, and with some that give 145 ft/s and 12 rad/s as well there is none
+either. All that is known is a range: where there are stable cycles, stability ends between
+{{torus-range}}, with linear creep.
 
 {{stability-range}}
 
-**Friction between wheel and rail.** Linear creep is the paper's, and on the flange the creep forces
-that it asks for are many times what friction can carry. The paper names wheel slip as future work.
-With creep forces that friction limits (Shen, Hedrick and Elkins's cubic, as in `railbook hunting
-cycle --wheel-rail-friction`) the branch leaves the same critical speed *backwards*: motions near
-the flange grow at lower speeds than small ones. With friction coefficients of 0.2 to 0.4 there are
-stable cycles on the flange from {{creep-begins}} on. At 130 ft/s a car that is displaced by 0.05 in
-comes to rest, and one displaced by 0.43 in goes on hunting. At 160 ft/s, where the car with linear
-creep leaves the end of its tables beyond the flange's top, it may still hunt on the flange
-({{creep-limited}}).
+**Friction between wheel and rail.** The paper's creep is linear, and on the flange the forces that
+it asks for are many times what friction can carry. The paper names wheel slip as future work. With
+creep forces that friction limits (the cubic law of Shen, Hedrick and Elkins, as in `railbook
+hunting cycle --wheel-rail-friction`) the branch leaves the same critical speed *backwards*: motions
+near the flange grow at lower speeds than small ones. With friction coefficients of 0.2 to 0.4 there
+are stable cycles on the flange from {{creep-begins}} on.
+
+At 130 ft/s a car that is displaced by 0.05 in comes to rest, and one displaced by 0.43 in goes on
+hunting. At 160 ft/s, where the car with linear creep leaves the end of its tables beyond the
+flange's top, it may still hunt on the flange ({{creep-limited}}).
 
 {{creep-limited}}
 

@@ -1,30 +1,30 @@
 /***
 ## Limit cycles by describing functions
 
-Replace every nonlinear function by its describing function. For a motion $q\,e^{i\omega t}$ the
-car's equations, (9), become nine complex ones,
+Replace every nonlinear function of the car by its describing function. The equations of motion,
+$\dot x=f(x)$ for the state $x$ of coordinates and rates (the paper's (9)), become
+$\dot x=N(A,\omega)\,x$: linear equations whose coefficients depend on the amplitudes. For a motion
+$q\,e^{i\omega t}$ these are nine complex equations,
 
-$$\begin{aligned}N(A,\omega)\,x=0:\quad\Big[K_s+K_c&-\sum_i(g^R_iN_R+g^D_iN_D+g^\Phi_iN_\Phi)\,b_i\\
-  &+i\omega\Big(C_s+\frac{C_c}V+\sum_jd_j^TN_jd_j\Big)-\omega^2M\Big]q=0,\end{aligned} \tag{10}$$
+$$\begin{aligned}\Big[K_s+K_c&-\sum_i(g^R_iN_R+g^D_iN_D+g^\Phi_iN_\Phi)\,b_i\\
+  &+i\omega\Big(C_s+\frac{C_c}V+\sum_js_j^TN_js_j\Big)-\omega^2M\Big]q=0.\end{aligned} \tag{10}$$
 
-with the matrices of mass $M$, of the suspension's stiffness and damping $K_s$, $C_s$ and of the
-linear creep forces $K_c$, $C_c$; the row $b_i$ that gives wheelset $i$'s displacement, the forces
-$g_i$ that unit values of $R$, $D$ and $\Phi$ exert at it, and the rows $d_j$ that give the motion
-across joint $j$. The gains $N$ depend on the four wheelsets' amplitudes $A_i=|b_iq|$ and, with dry
-friction, on the seven joints' rates. The unknowns are $q$, $\omega$ and $V$: twenty real ones for
-eighteen equations. One more fixes the phase, and the last picks the point on the branch by a step
-of given length along its tangent (pseudo-arclength), so that the branch may turn round in speed and
-in amplitude, as it does. Newton's Jacobian is exact:
+Here $M$ is the matrix of masses, $K_s$ and $C_s$ are stiffness and damping of the suspension, and
+$K_c$ and $C_c$ come from linear creep. The row $b_i$ gives the displacement of wheelset $i$, and
+$g_i$ the forces that unit values of $R$, $D$ and $\Phi$ exert there. The row $s_j$ gives the stroke
+of joint $j$, whose friction has the gain $N_j$. The gains depend on the amplitudes $A_i=|b_iq|$ of
+the four wheelsets and, with friction, on the rates of the seven joints.
 
-{{code: vehicle/cycle_solver.cpp solve_cycle}}
+A solution of (10) is a limit cycle of the quasi-linear car: a motion with which the amplitudes that
+make the gains, and the gains that make the motion, agree.
 
-There are four vehicles, as in the paper: new, CN and Heumann wheels with linear dampers, and CN
-wheels with dry friction. A branch begins at each critical speed of the linear car. With friction
-there is none, because sticking joints make $N=4F_0/\pi A$ infinite. The friction is therefore
-viscous below a small rate (0.005 ft/s in translation, 0.0005 rad/s in rotation); the critical
-speeds of that car depend on those rates alone and serve as a start. They begin two families, one of
-the rear truck alone and one of both trucks; the figures have the second, because the paper says
-that without flange contact both trucks have about the same amplitude.
+**Four cars.** As in the paper there are new, CN and Heumann wheels with linear dampers, and CN
+wheels with dry friction. A branch of limit cycles begins at each critical speed. With ideal
+friction there is none, because joints that stick make (12) infinite; the friction below the rates
+$\varepsilon$ (0.005 ft/s in translation, 0.0005 rad/s in rotation) is viscous, and the critical
+speeds of that car, which depend on these rates alone, serve as a start. They begin two families,
+one of the rear truck alone and one of both trucks. The figures have the second, because the paper
+says that without flange contact both trucks have about the same amplitude.
 */
 
 #include <fmt/format.h>
