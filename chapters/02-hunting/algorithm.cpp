@@ -142,8 +142,14 @@ void loop_claims(report::Item& item) {
 }  // namespace
 
 const report::Section algorithm{
-    report::figure("fig-loop", "The paper's algorithm on new wheels against continuation",
-                   fig_loop),
-    report::table("loop-claims", "The paper's algorithm: how it ends", loop_claims)};
+    report::figure(
+        "fig-loop",
+        "The paper's search loses the first family where the flange is met. Points are the cycles "
+        "that it finds on new wheels; lines are the branches followed by continuation",
+        fig_loop),
+    report::table("loop-claims",
+                  "The search converges at most amplitudes, and not always to the cycle wanted. "
+                  "What the text says of it, tried on new wheels",
+                  loop_claims)};
 
 }  // namespace railbook::hunting_chapter

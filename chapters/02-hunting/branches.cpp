@@ -2,13 +2,13 @@
 ## Amplitude against speed
 
 {{fig-11}} is the paper's central figure, recomputed twice: the largest amplitude of any wheelset on
-each limit cycle against speed. One line of each colour is from the describing functions. It is
-solid where the *paper's rule* calls the cycle stable: a little more amplitude at the same speed
-makes the mode decay, which is the case where $V$ rises with $A$. On the tread of a cone every
-amplitude is a cycle at the one critical speed, neither stable nor unstable. The paper counts that
-vertical line as unstable.
+each limit cycle against speed. The thin orange line is from the describing functions. It is solid
+where the *paper's rule* calls the cycle stable: a little more amplitude at the same speed makes the
+mode decay, which is the case where $V$ rises with $A$. On the tread of a cone every amplitude is a
+cycle at the one critical speed, neither stable nor unstable. The paper counts that vertical line as
+unstable.
 
-The rule looks at one mode only, the cycle's own. The other line is the branch of the full
+The rule looks at one mode only, the cycle's own. The thick blue line is the branch of the full
 equations, solid where *every* small disturbance dies out; how it is found comes below
 ({{true-branches}}).
 
@@ -122,14 +122,14 @@ void fig_11(report::Item& item) {
     draw_branch(v.key == "new" ? item.data(columns) : item.data(v.key, columns),
                 v.main_branch().points);
   auto& exact = item.data("true", columns);
-  auto& marks = item.data("special", {"V_ft_per_s", "fold_in", "torus_in", "other_in"});
+  auto& marks = item.data("special", {"car", "V_ft_per_s", "fold_in", "torus_in", "other_in"});
   for (const auto& v : vehicles()) {
     draw_branch(exact, true_branch(v.key).points);
     exact.gap();
     for (const SpecialCycle& s : true_branch(v.key).special) {
       const auto in = [&](bool is) { return is ? s.at.largest / inch : nan; };
       const bool fold = s.kind == CycleEvent::fold, torus = s.kind == CycleEvent::torus;
-      marks.add(speed_of(s.at), in(fold), in(torus), in(!fold && !torus));
+      marks.add(v.key, speed_of(s.at), in(fold), in(torus), in(!fold && !torus));
     }
   }
   speed_answer(item);
@@ -326,8 +326,18 @@ void flange_frequency(report::Item& item) {
 }  // namespace
 
 const report::Section branches{
-    report::figure("fig-11", "Amplitude of limit cycles against speed (Fig. 11)", fig_11),
-    report::table("claims", "What the text says of amplitudes and speeds", claims),
-    report::table("flange-frequency", "Frequencies with flange contact, 0.6 in", flange_frequency)};
+    report::figure("fig-11",
+                   "Stable hunting with flange contact covers a short stretch of speeds. Largest "
+                   "amplitude of any wheelset on each limit cycle against speed, a panel a car; "
+                   "the paper's Figure 11 with profiles and dampers of ours",
+                   fig_11),
+    report::table("claims",
+                  "Amplitudes and speeds behave as the text says. Each statement as it was tried, "
+                  "with our profiles, dampers and friction",
+                  claims),
+    report::table("flange-frequency",
+                  "On the flange the frequencies come near one another. Cycles of 0.6 in by "
+                  "describing functions and by the full equations",
+                  flange_frequency)};
 
 }  // namespace railbook::hunting_chapter

@@ -215,8 +215,13 @@ void creep_coefficients(report::Item& item) {
 }  // namespace
 
 const report::Section car{
-    report::table("parameters", "The car's data (Table 2)", parameters),
-    report::table("creep-coefficients", "Creep coefficients by Hertz and Kalker",
+    report::table("parameters",
+                  "Most data of the car are printed, some are restored or ours. The paper's Table "
+                  "2 with what it does not give",
+                  parameters),
+    report::table("creep-coefficients",
+                  "Kalker's theory gives the printed creep coefficients. From Hertz's ellipse and "
+                  "Kalker's table, against the text that we have",
                   creep_coefficients)};
 
 }  // namespace railbook::hunting_chapter

@@ -1,52 +1,65 @@
 # ARG1: constraint functions; ARG3, ARG4: wheel and rail; ARG5: lines that join points that touch; ARG6: two-point contact.
 load "style.gp"
-set terminal pngcairo size 1000,550 font "DejaVu Sans,14" enhanced background rgb "white"
+set terminal pngcairo size 740,520 font "DejaVu Sans,12" enhanced background rgb "white"
 set output ARG2
+W = 740.0; H = 520.0
+stats ARG1 using "r_L_in" name "L" nooutput
 set multiplot
+unset key
 set xrange [0:0.025]
-set xtics 0.005
-set xlabel "x_w / a" offset 0,0.5
-set key left top reverse Left
-
-set lmargin at screen 0.105
-set rmargin at screen 0.475
-set tmargin at screen 0.97
-set bmargin at screen 0.61
-set ylabel "rolling radius, in" offset 0.5
-plot ARG1 using "x_over_a":"r_L_in" with lines lt 1 title "r_L", \
-     ARG1 using "x_over_a":"r_R_in" with lines lt 2 title "r_R"
-
-set lmargin at screen 0.595
-set rmargin at screen 0.965
-set ylabel "contact angle, rad" offset 0.5
-plot ARG1 using "x_over_a":"delta_L_rad" with lines lt 1 title "δ_L", \
-     ARG1 using "x_over_a":"delta_R_rad" with lines lt 2 title "δ_R", \
-     ARG1 using "x_over_a":"D_rad" with lines lt 3 title "D"
-
-set lmargin at screen 0.105
-set rmargin at screen 0.40
-set tmargin at screen 0.47
-set bmargin at screen 0.13
 set xtics 0.01
-set ytics 0.01
-set ylabel "R; φ_w, rad" offset 0.5
-set yrange [0:*]
-plot ARG1 using "x_over_a":"R" with lines lt 1 title "R", \
-     ARG1 using "x_over_a":"phi_rad" with lines lt 2 title "φ_w"
+set xlabel "x_w / a" offset 0,0.7
 
-set lmargin at screen 0.50
-set rmargin at screen 0.965
+set tmargin at screen (H - 30)/H
+set bmargin at screen (H - 215)/H
+set lmargin at screen 52/W
+set rmargin at screen 232/W
+set ytics 0.4
+set label 1 "rolling radius, in" at graph 0,1.08 left
+set label 2 "r_L" at 0.0245,L_max right offset 0,-1.2
+set label 3 "r_R" at 0.0245,16.5 right offset 0,0.8 tc rgb blue
+plot ARG1 using "x_over_a":"r_L_in" with lines lt 1, \
+     ARG1 using "x_over_a":"r_R_in" with lines lt 2
+
+set lmargin at screen 290/W
+set rmargin at screen 470/W
+set ytics 0.4
+set yrange [0:1.3]
+set label 1 "contact angle, rad"
+set label 2 "δ_L" at 0.009,0.8 right
+set label 3 "δ_R" at 0.007,0.16 right tc rgb blue
+set label 4 "D" at 0.0245,0.11 right tc rgb red
+plot ARG1 using "x_over_a":"delta_L_rad" with lines lt 1, \
+     ARG1 using "x_over_a":"delta_R_rad" with lines lt 2, \
+     ARG1 using "x_over_a":"D_rad" with lines lt 3
+unset label
+
+set lmargin at screen 530/W
+set rmargin at screen 710/W
+set ytics 0.01
+set yrange [0:*]
+set label 1 "steering and roll, rad" at graph 0,1.08 left
+set label 2 "R" at 0.0245,0.0155 right
+set label 3 "φ_w" at 0.0245,0.0105 right tc rgb blue
+plot ARG1 using "x_over_a":"R" with lines lt 1, \
+     ARG1 using "x_over_a":"phi_rad" with lines lt 2
+unset label
+
+# To scale.
+set lmargin at screen 52/W
+set rmargin at screen 710/W
+set tmargin at screen (H - 262)/H
+set bmargin at screen 50/H
 set xrange [-2.2:3.3]
-set yrange [-1.1:1.2]
+set yrange [-0.78:1.15]
 set xtics 1
 set ytics 0.5
-set xlabel "inwards from the middle of the rail's head, in"
-set ylabel "height, in" offset 1
-unset key
-set label 1 "wheel, lifted" at -2.1,1.08
-set label 2 "rail" at -0.5,-0.2 tc rgb blue
-set label 3 "two-point contact" at -0.5,-0.5 tc rgb red
-set label 4 "points that touch" at -0.5,-0.8 tc rgb sky
+set xlabel "inches inwards from the middle of the rail's head"
+set label 2 "left wheel, lifted" at -2.1,1.05
+set label 3 "rail" at -1.2,-0.25 tc rgb blue
+set label 4 "lines join the points that touch" at -0.9,-0.42 tc rgb sky
+set label 5 "thick: two points touch at once" at -0.9,-0.6 tc rgb red
+set label 6 "flange" at 2.75,-0.62 center
 plot ARG5 using 1:2 with lines lc rgb sky lw 1, \
      ARG6 using 1:2 with lines lc rgb red lw 2.4 dt solid, \
      ARG3 using 1:2 with lines lt 1, \

@@ -280,8 +280,13 @@ void dampers(report::Item& item) {
 }  // namespace
 
 const report::Section critical{
-    report::table("critical-speeds", "All critical speeds of the linear car up to 400 ft/s",
+    report::table("critical-speeds",
+                  "New wheels begin to hunt with their trucks together, worn ones with their "
+                  "trucks opposed. All critical speeds of the linear car up to 400 ft/s",
                   critical_speeds),
-    report::table("dampers", "Dampers that give 145 ft/s with new wheels", dampers)};
+    report::table("dampers",
+                  "Dampers that give 145 ft/s with new wheels leave the speed with CN wheels open. "
+                  "A row a pair of dampers, along the two stretches of the curve",
+                  dampers)};
 
 }  // namespace railbook::hunting_chapter

@@ -156,13 +156,22 @@ void describing_claims(report::Item& item) {
 }  // namespace
 
 const report::Section describing{
-    report::figure("fig-07", "N_R, of the difference of rolling radii (Fig. 7)",
+    report::figure("fig-07",
+                   "The gain of R, the conicity, is small and constant until the flange is met. "
+                   "$N_R$ against amplitude; the paper's Figure 7 with profiles of ours",
                    [](report::Item& item) { curves(item, R); }),
-    report::figure("fig-08", "N_D, of the difference of contact angles (Fig. 8)",
+    report::figure("fig-08",
+                   "The gain of the contact angles is largest on the flange and falls beyond. "
+                   "$N_D$ against amplitude; the paper's Figure 8 with profiles of ours",
                    [](report::Item& item) { curves(item, D); }),
-    report::figure("fig-09", "N_Φ, of the wheelset's roll (Fig. 9)",
-                   [](report::Item& item) { curves(item, Phi); }),
-    report::table("describing-claims", "What the text says of the describing functions",
+    report::figure(
+        "fig-09",
+        "The gain of the roll is about the same for new and CN wheels before the flange. $N_\\Phi$ "
+        "against amplitude; the paper's Figure 9 with profiles of ours",
+        [](report::Item& item) { curves(item, Phi); }),
+    report::table("describing-claims",
+                  "The describing functions do what the text says of them. Values at a small "
+                  "amplitude, and where the largest are",
                   describing_claims)};
 
 }  // namespace railbook::hunting_chapter

@@ -1,37 +1,43 @@
 # ARG1, ARG3 to ARG5: describing functions of the four cars; ARG6: branches of the equations, a block a car; ARG7: their special points.
 load "style.gp"
-set terminal pngcairo size 900,610 font "DejaVu Sans,14" enhanced background rgb "white"
+set terminal pngcairo size 740,650 font "DejaVu Sans,12" enhanced background rgb "white"
 set output ARG2
-set xlabel "speed V, ft/s"
-set ylabel "largest wheelset amplitude A, in"
-set xrange [0:250]
-set yrange [0:0.75]
-set x2range [0:250*0.3048]
-set y2range [0:0.75*25.4]
-set x2tics 10
-set y2tics 2
-set x2label "m/s"
-set y2label "mm" offset -1
-set border 15
-set tmargin 4
-set rmargin 8
-set key at graph 0.985,0.42 right top font ",12" samplen 2 width 0
-array colour[4] = [black, blue, red, green]
+W = 740.0; H = 650.0
 array file[4] = [ARG1, ARG3, ARG4, ARG5]
-set label 1 "new wheel" at 147,0.03 tc rgb black
-set label 2 "CN A" at 128,0.10 right tc rgb blue
-set label 3 "Heumann" at 84,0.16 right tc rgb red
-set label 4 "CN A,\nfriction" at 60,0.055 right tc rgb green
-plot for [k = 1:4] file[k] using 1:3 with lines lw 1.2 dt solid lc rgb colour[k], \
-     for [k = 1:4] file[k] using 1:4 with lines lw 1.2 dt (6,5) lc rgb colour[k], \
-     for [k = 1:4] file[k] using 1:5 with lines lw 1.2 dt (2,3) lc rgb colour[k], \
-     for [k = 1:4] ARG6 every :::k-1::k-1 using 1:4 with lines lw 3 dt (3,2) lc rgb colour[k], \
-     for [k = 1:4] ARG6 every :::k-1::k-1 using 1:5 with lines lw 3 dt (1,1.5) lc rgb colour[k], \
-     for [k = 1:4] ARG6 every :::k-1::k-1 using 1:3 with lines lw 4 dt solid lc rgb colour[k], \
-     NaN with lines lw 4 dt solid lc rgb grey title "equations: stable", \
-     NaN with lines lw 3 dt (3,2) lc rgb grey title "unstable", \
-     NaN with lines lw 1.2 dt solid lc rgb grey title "paper's rule: stable", \
-     NaN with lines lw 1.2 dt (6,5) lc rgb grey title "unstable ", \
-     ARG7 using 1:2 with points pt 6 ps 1.3 lw 1.8 lc rgb purple title "fold", \
-     ARG7 using 1:3 with points pt 4 ps 1.3 lw 1.8 lc rgb purple title "torus", \
-     ARG7 using 1:4 with points pt 8 ps 1.3 lw 1.8 lc rgb purple notitle
+array key[4] = ["new", "cn", "heumann", "friction"]
+array name[4] = ["new wheels", "CN wheels", "Heumann wheels", "CN wheels, dry friction"]
+set multiplot
+set xrange [50:245]
+set yrange [0:0.75]
+set xtics 50
+set ytics 0.2
+unset key
+mark(k, column) = strcol("car") eq key[k] ? column : NaN
+do for [k = 1:4] {
+  c = (k - 1) % 2; r = (k - 1)/2
+  set lmargin at screen (60 + 358*c)/W
+  set rmargin at screen (60 + 358*c + 312)/W
+  set tmargin at screen (H - 62 - 280*r)/H
+  set bmargin at screen (H - 62 - 280*r - 234)/H
+  set xlabel (r == 1 ? "speed V, ft/s (100 ft/s = 30.5 m/s)" : "")
+  set ylabel (c == 0 ? "largest amplitude A, in" : "") offset 1
+  unset label
+  unset arrow
+  set label 1 name[k] at graph 0.97,0.93 right font ",13"
+  if (k == 1) {
+    set label "full equations" at 172,0.36 tc rgb blue
+    set label "describing\nfunctions" at 186,0.535 tc rgb red
+    set label "thick: full equations;  thin: describing functions;  solid: stable, dotted: unstable" at screen 60/W, screen (H - 18)/H left
+    set label "circle: the branch turns (fold);  square: a second frequency sets in (torus)" at screen 60/W, screen (H - 38)/H left
+  }
+  plot file[k] using 1:3 with lines lw 1.6 dt solid lc rgb red, \
+       file[k] using 1:4 with lines lw 1.6 dt (5,4) lc rgb red, \
+       file[k] using 1:5 with lines lw 1.6 dt (5,4) lc rgb red, \
+       ARG6 every :::k-1::k-1 using 1:4 with lines lw 3 dt (2,1.6) lc rgb blue, \
+       ARG6 every :::k-1::k-1 using 1:5 with lines lw 3 dt (2,1.6) lc rgb blue, \
+       ARG6 every :::k-1::k-1 using 1:3 with lines lw 4.5 dt solid lc rgb blue, \
+       ARG7 using (mark(k, $2)):3 with points pt 6 ps 1.1 lw 1.6 lc rgb black, \
+       ARG7 using (mark(k, $2)):4 with points pt 4 ps 1.2 lw 1.6 lc rgb black, \
+       ARG7 using (mark(k, $2)):5 with points pt 8 ps 1.2 lw 1.6 lc rgb black
+}
+unset multiplot

@@ -1,39 +1,55 @@
+# Mode shapes with new wheels. ARG1: the first family, ARG3: the second.
 load "style.gp"
-set terminal pngcairo size 900,640 font "DejaVu Sans,14" enhanced background rgb "white"
+set terminal pngcairo size 740,560 font "DejaVu Sans,12" enhanced background rgb "white"
 set output ARG2
-set multiplot layout 3,1
-set tmargin 1.6
-set bmargin 3.2
+W = 740.0; H = 560.0
+array file[2] = [ARG1, ARG3]
+array name[2] = ["first family: together", "second: opposed, then fishtailing"]
+set multiplot
 set xrange [0:0.75]
-set lmargin 10
-set rmargin 4
-set key horizontal nobox reverse Left
-set ylabel "over X_{TR}"
-set yrange [0:1.6]
-set ytics 0.4
-set label 1 "thick: first family   thin: second family (fishtailing)" at graph 0.98,1.08 right tc rgb grey
-set key at graph 0.98,0.55 right top
-plot ARG1 using "A_in":"X_TF" with lines lt 1 title "X_{TF}", \
-     ARG1 using "A_in":"X_C" with lines lt 2 title "X_C", \
-     ARG3 using "A_in":"X_TF" with lines lt 1 lw 1, \
-     ARG3 using "A_in":"X_C" with lines lt 2 lw 1
-unset label 1
-set key at graph 0.02,0.97 left top maxcols 2
-set ylabel "rad/ft of X_{TR}"
-set yrange [0:0.5]
-set ytics 0.1
-plot ARG1 using "A_in":"TH_TR" with lines lt 1 title "θ_{TR}", \
-     ARG1 using "A_in":"TH_WR" with lines lt 2 title "θ_{WR}", \
-     ARG1 using "A_in":"TH_C" with lines lt 3 title "θ_C", \
-     ARG1 using "A_in":"PHI_C" with lines lt 4 title "φ_C", \
-     ARG3 using "A_in":"TH_TR" with lines lt 1 lw 1, \
-     ARG3 using "A_in":"TH_WR" with lines lt 2 lw 1, \
-     ARG3 using "A_in":"TH_C" with lines lt 3 lw 1, \
-     ARG3 using "A_in":"PHI_C" with lines lt 4 lw 1
-set ylabel "ω, rad/s"
-set xlabel "largest wheelset amplitude A, in" offset 0,0.4
-set yrange [0:40]
-set ytics 10
-plot ARG1 using "A_in":"omega" with lines lt 1, \
-     ARG3 using "A_in":"omega" with lines lt 1 lw 1
+set xtics 0.2
+unset key
+do for [k = 1:2] {
+  set lmargin at screen (78 + 355*(k - 1))/W
+  set rmargin at screen (78 + 355*(k - 1) + 280)/W
+  unset xlabel
+  unset label
+  set format x ""
+  # lateral motions
+  set tmargin at screen (H - 28)/H
+  set bmargin at screen (H - 185)/H
+  set yrange [0:1.25]
+  set ytics 0.5
+  set ylabel (k == 1 ? "over X_{TR}" : "") offset 1
+  set label 1 name[k] at graph 0,1.09 left font ",13"
+  set label 2 "X_{TF}" at 0.6,(k == 1 ? 1.13 : 0.10) tc rgb black
+  set label 3 "X_C" at (k == 1 ? 0.46 : 0.6),(k == 1 ? 0.14 : 0.28) tc rgb blue
+  plot file[k] using "A_in":"X_TF" with lines lt 1, \
+       file[k] using "A_in":"X_C" with lines lt 2
+  unset label
+  # angles
+  set tmargin at screen (H - 205)/H
+  set bmargin at screen (H - 362)/H
+  set yrange [0:0.45]
+  set ytics 0.2
+  set ylabel (k == 1 ? "rad/ft of X_{TR}" : "") offset 1
+  set label 1 "θ_{WR}" at 0.65,0.33 tc rgb blue
+  set label 2 "θ_{TR}" at 0.66,0.16 tc rgb black
+  set label 3 "θ_C" at 0.69,(k == 1 ? 0.08 : 0.05) tc rgb red
+  set label 4 "φ_C" at (k == 1 ? 0.36 : 0.5),(k == 1 ? 0.18 : 0.055) tc rgb green
+  plot file[k] using "A_in":"TH_TR" with lines lt 1, \
+       file[k] using "A_in":"TH_WR" with lines lt 2, \
+       file[k] using "A_in":"TH_C" with lines lt 3, \
+       file[k] using "A_in":"PHI_C" with lines lt 4
+  unset label
+  # frequency
+  set tmargin at screen (H - 382)/H
+  set bmargin at screen (H - 500)/H
+  set yrange [0:40]
+  set ytics 20
+  set format x "%g"
+  set ylabel (k == 1 ? "ω, rad/s" : "") offset 1
+  set xlabel "largest amplitude A, in" offset 0,0.3
+  plot file[k] using "A_in":"omega" with lines lt 1
+}
 unset multiplot

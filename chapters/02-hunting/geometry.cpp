@@ -199,14 +199,25 @@ void geometry_claims(report::Item& item) {
 }  // namespace
 
 const report::Section geometry{
-    report::figure("fig-03", "Constraint functions: new wheel, worn rail (Fig. 3)",
+    report::figure("fig-03",
+                   "A new wheel changes its rolling radius at once where the flange is met. Top: "
+                   "rolling radii, contact angles, R and roll against displacement over a; bottom: "
+                   "wheel and rail to scale. The paper's Figure 3 with profiles of ours",
                    [](report::Item& item) { constraints(item, fresh); }),
-    report::figure("fig-04", "Constraint functions: CN profile A, new rail (Fig. 4)",
-                   [](report::Item& item) { constraints(item, cn); }),
-    report::figure("fig-05", "Constraint functions: modified Heumann, worn rail (Fig. 5)",
-                   [](report::Item& item) { constraints(item, heumann); }),
-    report::table("geometry-claims",
-                  "Where flange contact begins, and what the text says of the pairs",
-                  geometry_claims)};
+    report::figure(
+        "fig-04",
+        "A hollow CN wheel steers three times as strongly and comes to its flange in two steps. "
+        "Drawn as the figure before, on a new rail; the paper's Figure 4 with profiles of ours",
+        [](report::Item& item) { constraints(item, cn); }),
+    report::figure(
+        "fig-05",
+        "A modified Heumann wheel steers most strongly and meets its flange first. Drawn as the "
+        "figures before, on a worn rail; the paper's Figure 5 with profiles of ours",
+        [](report::Item& item) { constraints(item, heumann); }),
+    report::table(
+        "geometry-claims",
+        "Worn wheels meet a fillet before they jump to the flange. Displacements at which the left "
+        "wheel leaves its tread and at which contact jumps, and two printed numbers",
+        geometry_claims)};
 
 }  // namespace railbook::hunting_chapter

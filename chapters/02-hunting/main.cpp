@@ -137,7 +137,7 @@ int main(int argc, char** argv) {
       argc, argv,
       {.id = RAILBOOK_CHAPTER,
        .name = "hunting",
-       .title = "Limit cycles of a freight car with nonlinear wheel/rail geometry",
+       .title = "From which speed does a freight car hunt, and how far does it swing?",
        .paper = "R. Hull and N. K. Cooperrider, Influence of Nonlinear Wheel/Rail Contact Geometry "
                 "on Stability of Rail Vehicles, ASME Journal of Engineering for Industry, "
                 "February 1977 (paper 76-WA/RT-2)",

@@ -232,7 +232,14 @@ void mode_claims(report::Item& item) {
 }  // namespace
 
 const report::Section mode_shapes{
-    report::figure("fig-12", "Mode shapes with new wheels against amplitude (Fig. 12)", fig_12),
-    report::table("mode-claims", "What the text says of mode shapes", mode_claims)};
+    report::figure("fig-12",
+                   "The shape of the motion is constant on the tread and changes where the flange "
+                   "is met. Amplitudes over that of the rear truck, and frequency, for new wheels "
+                   "by describing functions; the paper's Figure 12 with profiles of ours",
+                   fig_12),
+    report::table("mode-claims",
+                  "The shapes of the motion are those that the text describes. Each statement as "
+                  "it was tried, with our profiles and dampers",
+                  mode_claims)};
 
 }  // namespace railbook::hunting_chapter

@@ -21,7 +21,8 @@ namespace railbook::hunting_chapter {
 namespace {
 
 constexpr double enlarged = 40;
-const scene::Colour orange{0.84, 0.37, 0.0}, blue{0.0, 0.45, 0.70}, grey{0.45, 0.48, 0.53};
+const scene::Colour orange{0.84, 0.37, 0.0}, blue{0.0, 0.45, 0.70}, grey{0.45, 0.48, 0.53},
+    red{0.75, 0.1, 0.1};
 
 // Where a body is: x ahead, y to the left, z up [m], turned by yaw about z and by roll about x (left side up).
 struct Place {
@@ -87,6 +88,11 @@ void scene_hunting(report::Item& item) {
   const scene::Outline rail = scene::rail_section(0.172, 0.074, 0.045, 0.017, 0.150, 0.025);
   for (const double side : {-1.0, 1.0})
     add(drawing, scene::extrusion(rail, -l - 2.4, l + 2.4), {0, side * car.half_gauge, -0.172});
+  // The middle of the track, between the rails.
+  scene::Lines middle{scene::Points(2, 3), scene::Segments(1, 2), red, 2};
+  middle.vertices << -l - 2.4, 0, 0, l + 2.4, 0, 0;
+  middle.segments << 0, 1;
+  drawing.lines.push_back(std::move(middle));
   for (const int t : {0, 1}) {
     const double end = t == 0 ? 1 : -1, d = car.half_sideframe_spacing + 0.1;
     add_truck(drawing, car, end * l, q[X_TF + t], q[TH_TF + t], q[TH_WF + t]);
@@ -98,17 +104,21 @@ void scene_hunting(report::Item& item) {
   add_body(drawing, l + 1.6, {0, q[X_C], h, q[TH_C], q[PHI_C]});
   const scene::Size size{1000, 560};
   const auto camera = scene::looking_at(drawing, {1.0, -0.9, 0.8}, size, true);
-  scene::labelled(item, "scene-hunting.gp", drawing, camera, size,
-                  {{{l + 2.2, -car.half_gauge, 0.1}, "rail"},
-                   {{l, q[X_TF] - 2.2, 0.3}, "front truck"},
-                   {{-l, q[X_TR] - 2.4, 0.3}, "rear truck"},
-                   {{0, q[X_C], h + 0.2}, "car body"}});
+  drawing::labelled(item, "scene-hunting.gp", drawing, camera, size,
+                    {{{l + 2.2, -car.half_gauge, 0.1}, "rail"},
+                     {{0, -0.7, 0}, "middle of the track"},
+                     {{l, q[X_TF] - 2.2, 0.3}, "front truck"},
+                     {{-l, q[X_TR] - 2.4, 0.3}, "rear truck"},
+                     {{0, q[X_C], h + 0.2}, "car body"}});
   item.value("scene-factor", enlarged, "", "{:.0f}");
 }
 
 }  // namespace
 
 const report::Section scenes{
-    report::figure("scene-hunting", "The car on its limit cycle", scene_hunting)};
+    report::figure("scene-hunting",
+                   "Both trucks and the body swing to the same side. The car with new wheels on "
+                   "its limit cycle at 150 ft/s, its motions enlarged",
+                   scene_hunting)};
 
 }  // namespace railbook::hunting_chapter

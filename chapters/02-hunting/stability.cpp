@@ -364,13 +364,20 @@ void time_claims(report::Item& item) {
 
 const report::Section full_equations{
     report::table("true-branches",
-                  "Branches of the full equations up to 0.6 in, with friction 0.5 in",
+                  "With new wheels the full equations turn back and lose stability long before the "
+                  "describing functions do. Branches up to 0.6 in, with friction to 0.5 in",
                   true_branches),
-    report::table("stability-range", "New wheels: where stability on the flange ends",
+    report::table("stability-range",
+                  "Where stability on the flange ends depends on smoothing and dampers. New wheels "
+                  "and linear creep, a row a choice",
                   stability_range),
-    report::table("creep-limited", "New wheels with creep forces that friction limits",
+    report::table("creep-limited",
+                  "With creep forces that friction limits, the car hunts below its critical speed. "
+                  "New wheels, at three coefficients of friction",
                   creep_limited),
-    report::table("time-claims", "Cycles of the full equations, and what the text says of them",
+    report::table("time-claims",
+                  "The describing functions come close to the cycles and misjudge the stability of "
+                  "some. Six cycles by both, and what the text says of them",
                   time_claims)};
 
 }  // namespace railbook::hunting_chapter
