@@ -40,6 +40,8 @@ search holds them with one of the two choices of mode at {{loop-held}} amplitude
 {{fig-loop}}
 
 {{loop-claims}}
+
+{{fold}}
 */
 
 #include <fmt/format.h>

@@ -4,6 +4,8 @@ the critical speed to near the fold. Up to {{torus-speed}} all multipliers (the 
 small disturbances grow, see below) lie in the unit circle. From there on a pair has left it, and
 the cycle itself shows nothing of that. The multipliers drawn are those over half a period, because
 the second half of the cycle mirrors the first.
+
+{{fold}}
 */
 #include <array>
 #include <cmath>

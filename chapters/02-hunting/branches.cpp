@@ -51,6 +51,8 @@ frequency. The full equations have lower ones, farther apart, because a wheelset
 flange to flange does not move as a sine.
 
 {{flange-frequency}}
+
+{{fold}}
 */
 
 #include <fmt/format.h>

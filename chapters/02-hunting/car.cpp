@@ -88,6 +88,8 @@ The ellipse gives {{f22}}. The printed $f_{11}$ and $f_{12}$ give {{f22-print}} 
 and modulus, because $f_{22}f_{11}/f_{12}^2=C_{33}C_{22}/C_{23}^2$, with Kalker's coefficients
 $C_{22}$, $C_{23}$ and $C_{33}$, depends on the shape of the ellipse alone. All computations use
 42.1; the literal 2.1 would change the critical speed with new wheels by {{f22-effect}}.
+
+{{fold}}
 */
 
 #include <fmt/format.h>

@@ -1,4 +1,6 @@
 # ARG1: constraint functions; ARG3, ARG4: wheel and rail; ARG5: lines that join points that touch; ARG6: two-point contact.
+# alt: Three graphs of rolling radii, contact angles, and R and roll against displacement, nearly straight and then bending up where
+# alt: the flange is met; below them the outlines of a wheel and its rail, joined by lines between the points that touch.
 load "style.gp"
 set terminal pngcairo size 740,520 font "DejaVu Sans,12" enhanced background rgb "white"
 set output ARG2

@@ -56,6 +56,8 @@ $$\omega=V\sqrt{\frac\lambda{ar_0}}\,\Big/\sqrt{1+\Big(\frac{L_T}a\Big)^2}.$$
 For 12 rad/s at 145 ft/s this needs a conicity of {{implied-conicity}}, the cone of 1:20, and a
 truck that its warp stiffness holds square. Without the last factor the conicity would be
 {{free-conicity}}, a cone of 1:40, and the new wheel of 1976 had 1:20.
+
+{{fold}}
 */
 
 #include <fmt/format.h>

@@ -47,6 +47,8 @@ $$N=\frac{4F_0}{\pi A}. \tag{12}$$
 At small amplitudes this is infinite: the joint sticks. We make the force viscous below a small rate
 $\varepsilon$, so that the gain is $F_0/\varepsilon$ up to $A=\varepsilon$. At $A=10\,\varepsilon$
 the two gains differ by {{friction-difference}}.
+
+{{fold}}
 */
 
 #include <fmt/format.h>

@@ -2,6 +2,8 @@
 The drawing at the head of the page is to scale but for the motions. The two small cars below are
 the modes of the linear car with new wheels at its two critical speeds, at the moment when the front
 truck is farthest to the left.
+
+{{fold}}
 */
 
 #include <fmt/format.h>

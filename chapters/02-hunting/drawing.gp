@@ -1,5 +1,8 @@
 # The drawing at the head of the page. ARG1: the car displaced; ARG3, ARG4: its trucks together and opposed. Each has
 # part, x, y in feet, seen from above, forward to the right. The wheelset from behind and its way are sketches.
+# alt: A wheelset from behind, displaced to the left, so that its left wheel rolls on a larger radius than the right one;
+# alt: its wave along the track from above; the car from above with its nine coordinates; below, the car with both trucks to the
+# alt: same side and the body beside them, the car with trucks to opposite sides and the body turned, and the body rolled.
 load "style.gp"
 set terminal pngcairo size 740,640 font "DejaVu Sans,12" enhanced background rgb "white"
 set output ARG2

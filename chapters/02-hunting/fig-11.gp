@@ -1,4 +1,6 @@
 # ARG1, ARG3 to ARG5: describing functions of the four cars; ARG6: branches of the equations, a block a car; ARG7: their special points.
+# alt: Four panels, one a car, of amplitude against speed. Each branch rises straight up at its critical speed and bends to the right
+# alt: where the flange is met: far with new wheels, little with CN and Heumann wheels. With friction the branch comes down to 60 ft/s.
 load "style.gp"
 set terminal pngcairo size 740,650 font "DejaVu Sans,12" enhanced background rgb "white"
 set output ARG2

@@ -1,4 +1,6 @@
 # Mode shapes with new wheels. ARG1: the first family, ARG3: the second.
+# alt: Amplitudes of the motions and the frequency against amplitude, for two families. All lines are level up to 0.4 in and then jump:
+# alt: the body comes to rest in the first family, front truck and body in the second; warp and frequency grow.
 load "style.gp"
 set terminal pngcairo size 740,560 font "DejaVu Sans,12" enhanced background rgb "white"
 set output ARG2

@@ -1,4 +1,6 @@
 # ARG1, ARG3: the two sweeps; ARG4, ARG5: branches. What did not converge has no speed: a strip of its own at the right.
+# alt: Amplitude against speed. Dots of the paper's search stand on the vertical line up to 0.39 in, and above 0.48 in on the dashed
+# alt: second family; between, and for the next mode above, crosses in a strip at the right show that it did not converge.
 load "style.gp"
 set terminal pngcairo size 740,400 font "DejaVu Sans,12" enhanced background rgb "white"
 set output ARG2

@@ -1,4 +1,5 @@
 # ARG1: a describing function of the three wheels.
+# alt: A gain against amplitude for three wheels: level up to 0.2 to 0.4 in, then rising steeply; the Heumann wheel first and highest.
 load "style.gp"
 set terminal pngcairo size 740,270 font "DejaVu Sans,12" enhanced background rgb "white"
 set output ARG2

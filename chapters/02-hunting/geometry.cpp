@@ -87,6 +87,8 @@ rule was written down when first results were known, so it is no prediction. *Co
 *several* twice or more.
 
 {{geometry-claims}}
+
+{{fold}}
 */
 
 #include <fmt/format.h>

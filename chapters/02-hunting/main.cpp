@@ -9,8 +9,6 @@ depend on the shapes of wheel and rail.
 
 {{drawing}}
 
-## In short
-
 ::: findings
 1. **From which speed does an empty freight car hunt?** The paper says from 145 ft/s with new
    wheels, at 12 rad/s, and that with worn wheels of the Canadian National's profile A (CN), at 21

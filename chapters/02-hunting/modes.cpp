@@ -33,6 +33,8 @@ our car the body moves little for another reason. With worn wheels the trucks op
 the middle of the body stays at rest while its ends move.
 
 {{mode-claims}}
+
+{{fold}}
 */
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+# alt: A freight car in space on two rails: two trucks with orange side frames and blue bolsters, displaced to the same side of the red
+# alt: middle line of the track, and the edges of the body above them.
 load "style.gp"
 set output ARG2
 W = 1000; H = 560

@@ -6,6 +6,8 @@ wheelset of the rear truck is farthest out. Lateral motion, yaw and roll are enl
 {{scene-factor}} times, the car is not; the body goes along with the trucks.
 
 {{scene-hunting}}
+
+{{fold}}
 */
 
 #include <Eigen/Geometry>

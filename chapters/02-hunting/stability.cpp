@@ -68,6 +68,8 @@ flange's top, it may still hunt on the flange ({{creep-limited}}).
 {{creep-limited}}
 
 {{time-claims}}
+
+{{fold}}
 */
 
 #include <fmt/format.h>

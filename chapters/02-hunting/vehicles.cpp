@@ -25,6 +25,8 @@ $\varepsilon$ (0.005 ft/s in translation, 0.0005 rad/s in rotation) is viscous, 
 speeds of that car, which depend on these rates alone, serve as a start. They begin two families,
 one of the rear truck alone and one of both trucks. The figures have the second, because the paper
 says that without flange contact both trucks have about the same amplitude.
+
+{{fold}}
 */
 
 #include <fmt/format.h>

@@ -1,48 +1,55 @@
 /***
-### One cycle of the full equations
+### How do I compute one limit cycle?
 
-The amplitude of the new wheel's cycle at 150 ft/s. Balance begins at the describing function's
-cycle, shooting at nine harmonics, and integration, what a user would otherwise take, at the
-describing function's cycle for 20 s, until its transient has died out. The reference is shooting in
-exact pieces to a closing error of 1e-13, which shares the method, and not the tolerance, with the
-shooting that is judged; its uncertainty is how far the explicit integration at 1e-12, which shares
-nothing with it, is from it.
+The case is the cycle of the new wheel at 150 ft/s, with linear creep. *Harmonic balance* solves for
+the coefficients of a sum of sines; it begins at the cycle of the describing functions. *Shooting*
+looks for a state that comes back to itself, and begins at the balance with nine harmonics. The two
+integrators are what one would otherwise take: they run from the cycle of the describing functions
+for 20 s, until the transient has died out.
+
+The reference is shooting in exact pieces to a closing error of 1e-13. It shares its method, and not
+its tolerance, with the shooting that is judged. Its uncertainty is its distance from the explicit
+integration at 1e-12, which shares nothing with it.
 
 {{cycle-time}}
 
 {{work-precision: cycle-time}}
 
-The tables have kinks, and the jump of two-point contact is a ramp 0.02 in wide, so that the error
-of harmonic balance falls with a power of the number of harmonics and not exponentially.
-{{cycle-answer}} Integration finds stable cycles only; the others need shooting or balance.
+{{cycle-answer}} Integration finds stable cycles only; the others need shooting or balance. The
+error of harmonic balance falls with a power of the number of harmonics and not exponentially,
+because the tables have kinks, and the jump of two-point contact is a ramp only 0.02 in wide.
 
-### Its multipliers
+### How do I find out whether a cycle is stable?
 
-The largest pair of the half-period map's multipliers. Hill's determinant in the cycle's harmonics
-needs no integration. The variational equation along the balanced cycle, in equal steps with the
-laws averaged over each, is what the branches of the first page use. The reference is the derivative
-carried along exact pieces; its uncertainty is what the pieces' tolerance does to it.
+The panel shows the error of the largest pair of multipliers over half a period. *Hill's
+determinant* works in the harmonics of the cycle and needs no integration. The *variational
+equation* is integrated along the balanced cycle in equal steps, with the laws averaged over each
+step; the branches of the first page use it. The reference is the derivative carried along exact
+pieces, and its uncertainty is what the tolerance of the pieces does to it.
 
 {{multiplier-time}}
 
 {{work-precision: multiplier-time}}
 
-{{multiplier-answer}} Each harmonic more brings Hill's determinant little, for the slope of a law
-has jumps where the law has kinks. The variational equation is of second order in its step, but from
-1024 steps on its error is that of the cycle, which is cut at 95 harmonics, and no longer that of
-the steps.
+{{multiplier-answer}} More harmonics help Hill's determinant little, because the slope of a law
+jumps where the law has a kink. The variational equation is of second order in its step. From 1024
+steps on its error is that of the cycle, which is cut at 95 harmonics, and no longer that of the
+steps.
 
-### One describing-function cycle: the paper's loop against Newton
+### How do I solve the equations of the describing functions?
 
-Heumann wheels at 0.2 in, from the linear car's mode: by the paper's two loops, stopped at growth
-rates of $10^{-1}$ to $10^{-7}$ 1/s, and by Newton with its exact Jacobian, stopped after one to
-three steps (the fourth is at rounding). The reference is the same cycle reached by continuation.
+The case is Heumann wheels at 0.2 in, from the mode of the linear car. The paper's two loops are
+stopped at growth rates of $10^{-1}$ to $10^{-7}$ 1/s, and Newton's method with its exact derivative
+after one to three steps (the fourth is at rounding). The reference is the same cycle reached by
+continuation.
 
 {{df-time}}
 
 {{work-precision: df-time}}
 
 {{df-answer}}
+
+{{fold}}
 */
 
 #include <algorithm>
@@ -215,11 +222,18 @@ void df_time(report::Item& item) {
 }  // namespace
 
 const report::Section cost{
-    report::figure("cycle-time", "New wheel, 150 ft/s: error of the amplitude against run time",
+    report::figure("cycle-time",
+                   "A stable cycle is found fastest by integrating in time. Error of the amplitude "
+                   "of the new wheel's cycle at 150 ft/s against run time",
                    cycle_time),
-    report::figure("multiplier-time",
-                   "New wheel, 150 ft/s: error of the largest pair of multipliers",
-                   multiplier_time),
-    report::figure("df-time", "One describing-function cycle: error against run time", df_time)};
+    report::figure(
+        "multiplier-time",
+        "The variational equation gives more digits of the multipliers than Hill's determinant. "
+        "Error of the largest pair, new wheel at 150 ft/s, against run time",
+        multiplier_time),
+    report::figure("df-time",
+                   "Newton's method is far cheaper than the paper's loops. Error of the speed of "
+                   "one cycle of the describing functions against run time",
+                   df_time)};
 
 }  // namespace railbook::hunting_chapter

@@ -1,6 +1,9 @@
 /***
-The rows strain the search for cycles and critical speeds, friction's sticking rate and the end of
+The cases strain the search for cycles and critical speeds, the sticking rate of friction, the width
+of the running mean, creep that saturates, two critical speeds that nearly coincide, and the end of
 the tables. Random cars, wheels without a cone and a speed of zero are tests of the library.
+
+{{fold}}
 */
 
 #include <fmt/format.h>

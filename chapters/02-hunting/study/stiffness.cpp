@@ -1,21 +1,24 @@
 /***
-### Time at a fixed error against stiffness
+### Which integrator for a slow car, or for one that sticks?
 
-Two things make the car stiff. Creep damps with $1/V$: at 1 ft/s its fastest motion dies in
-{{decay-time}}, while it hunts with a period of {{period}}. And dry friction, viscous below a
-sticking rate, damps with one over that rate. {{stiffness}} shows what each integrator needs to
-bring a slow car through a tenth of its period of hunting, and the car with friction at 90 ft/s
-through a quarter of a second, to within 1e-4 of the largest coordinate. For each method it is the
-cost at the largest tolerance, in decades from 1e-2 down, that does. Exact pieces always work at
-1e-12 or less, whatever is asked, so that they have one cost. The reference is exact pieces at
-1e-13, which shares its method with them; its difference from the implicit method at 1e-8, which
-shares nothing with it, is {{stiff-reference}} at 1 ft/s.
+Two things make the car *stiff*, that is, give it decays that are much faster than its motion. Creep
+damps with $1/V$: at 1 ft/s its fastest motion dies in {{decay-time}}, while the car hunts with a
+period of {{period}}. Dry friction, viscous below a sticking rate, damps with one over that rate.
+
+{{stiffness}} shows what each integrator needs for a slow car over a tenth of its period of hunting,
+and for the car with friction at 90 ft/s over a quarter of a second, with an error below 1e-4 of the
+largest coordinate. Each cost is that of the largest tolerance, in decades from 1e-2 down, that
+reaches this error. Exact pieces always work at 1e-12 or less, whatever is asked, so they have one
+cost. The reference is exact pieces at 1e-13, which shares its method with them. It differs by
+{{stiff-reference}} at 1 ft/s from the implicit method at 1e-8, which shares nothing with it.
 
 {{stiffness}}
 
-{{speed-answer}} {{sticking-answer}} The explicit method and the pieces' Taylor series must follow
-the fastest decay whatever it does to the motion; the implicit one takes steps of the motion's own
-size, and pays for each with a factorization.
+{{speed-answer}} {{sticking-answer}} The explicit method and the Taylor series of the pieces must
+follow the fastest decay, whatever it does to the motion. The implicit method takes steps of the
+motion's own size, and pays for each with a factorization.
+
+{{fold}}
 */
 
 #include <fmt/format.h>
@@ -160,6 +163,9 @@ void stiff(report::Item& item) {
 }  // namespace
 
 const report::Section stiffness{report::figure(
-    "stiffness", "Cost at an error of 1e-4 against what makes the car stiff", stiff)};
+    "stiffness",
+    "A slow car, or one that sticks, needs the implicit method. Cost at an error of 1e-4 against "
+    "speed, with linear creep, and against the rate below which friction sticks",
+    stiff)};
 
 }  // namespace railbook::hunting_chapter

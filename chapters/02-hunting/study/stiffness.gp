@@ -1,4 +1,6 @@
 # Cost at a fixed error against what makes the car stiff: method, stiffness, tolerance, error, seconds, steps, crossover. ARG1: speed, ARG3: sticking.
+# alt: Run time against speed and against sticking rate on logarithmic axes: the implicit method is level, the explicit one and exact
+# alt: pieces rise steeply where the car is stiff.
 load "style.gp"
 set output ARG2
 set terminal pngcairo size 740,330 font "DejaVu Sans,12" enhanced background rgb "white"

@@ -1,5 +1,8 @@
 /***
-# Hunting: what it costs and where it holds
+# Hunting: which method for which question, and where each stops working
+
+Each panel answers one question. It draws the error of each method against its run time; the
+sentence below it names the fastest one for a wanted error.
 
 ## Error against run time
 
@@ -7,7 +10,7 @@
 
 {{include: stiffness.cpp}}
 
-## Stability
+## Where the solvers stop working
 
 {{stability}}
 
