@@ -27,12 +27,14 @@ Its right and left wheels want to run different distances, which is the longitud
 the radius $r_0$ of the wheels in the middle of the track:
 
 $$\xi_{zR}=1+\frac aV\dot\psi-\frac{r_R}{r_0}, \tag{2}$$
+
 $$\xi_{zL}=1-\frac aV\dot\psi-\frac{r_L}{r_0}. \tag{3}$$
 
 A wheel that stands on a slope also turns on the spot. This is the spin creepage, in radians a
 length,
 
 $$\xi_{\theta R}=\frac{\delta_R}{r_0}+\frac{\dot\psi}V, \tag{4}$$
+
 $$\xi_{\theta L}=-\frac{\delta_L}{r_0}+\frac{\dot\psi}V. \tag{5}$$
 
 For small creepages the forces are proportional to them. The factors are the creep coefficients
@@ -49,6 +51,7 @@ where $W$ is the load on the axle.
 been said. With (1) to (6) one wheelset feels the lateral force $F_w$ and the yawing moment $M_w$,
 
 $$F_w=-2f_{11}\Big(\frac{\dot x_w}V-\psi\Big)-\frac{2f_{12}}V\dot\psi+\Big(\frac{2f_{12}}{r_0}-W\Big)D-W\Phi,$$
+
 $$M_w=-\frac{2(a^2f_{33}+f_{22})}V\dot\psi-\frac{2a^2f_{33}}{r_0}R+2f_{12}\Big(\frac{\dot x_w}V-\psi\Big)
   +\frac{2f_{22}}{r_0}D.$$
 
