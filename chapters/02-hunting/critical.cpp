@@ -90,9 +90,13 @@ double body_end(const Vehicle& v) {
 void critical_speeds(report::Item& item) {
   item.rebuilt(rebuilt_reason);
   item.expect_checks(4);
-  item.columns(
-      headings("{:#.4g}", {"wheel", "V, ft/s", "V, m/s", "ω, rad/s", "dσ/dV, 1/ft",
-                           "phase between the trucks, °", "body X_C over the largest wheelset"}));
+  item.columns({"wheel",
+                {"V, ft/s", "{:.1f}"},
+                {"V, m/s", "{:.1f}"},
+                {"ω, rad/s", "{:.2f}"},
+                {"dσ/dV, 1/ft", "{:.3f}"},
+                {"phase between the trucks, °", "{:.0f}"},
+                {"body X_C over the largest wheelset", "{:.2f}"}});
   for (std::size_t k = 0; k < damped_cars; ++k)
     for (const HopfPoint& hopf : vehicles()[k].hopf) {
       const Vector9c& q = hopf.motion.shape;
@@ -216,8 +220,14 @@ void much_lower(report::Item& item) {
 void dampers(report::Item& item) {
   item.rebuilt(rebuilt_reason);
   item.expect_checks(7);
-  item.columns(headings("{:#.4g}", {"ωA, in/s", "ωθ, rad/s", "new: V, ft/s", "ω, rad/s", "CN A: V",
-                                    "ω", "Heumann: V", "ω"}));
+  item.columns({{"ωA, in/s", "{:.3g}"},
+                {"ωθ, rad/s", "{:.3g}"},
+                {"new: V, ft/s", "{:.1f}"},
+                {"ω, rad/s", "{:.1f}"},
+                {"CN A: V", "{:.1f}"},
+                {"ω", "{:.1f}"},
+                {"Heumann: V", "{:.1f}"},
+                {"ω", "{:.1f}"}});
   Range low_omega, high_omega, cn_speed, cn_omega, ratio;
   double fit_low = 0;
   const auto add = [&](double rotation, Range& omega) {

@@ -102,20 +102,57 @@ with front and rear exchanged.
 
 ## Use it
 
-For a car and profiles of your own, `railbook hunting speed` gives the critical speeds and
-`railbook hunting cycle` the limit cycles at a speed; `railbook hunting geometry` makes the
-constraint functions of measured profiles. The paper's car on CN wheels:
+For a car of your own, `railbook hunting speed` gives the critical speeds. The file `car.toml` holds
+what differs from the paper's car, here twice the body and a stiffer truck:
 
-    railbook hunting speed --pair cn
+```console
+$ railbook hunting speed car.toml --pair cn
+...
+  critical speeds                    2   (from 1 to 120 m/s)
+  critical speed 1                   44.81 m/s   (147.0 ft/s, 161.3 km/h; grows above)
+    frequency                        19.55 rad/s   (3.11 Hz)
+...
+```
+
+`railbook hunting geometry` computes conicity and constraint functions of measured profiles, and
+warns where the measurement does not carry the answer:
+
+```console
+$ railbook hunting geometry --wheel new-wheel.csv --rail worn-rail.csv
+...
+  slope of R at the centre, per x/a           0.0506   (over the table's first step)
+...
+  two-point contacts                          2   (the left wheel's, jumps of more than 0.1 mm)
+...
+```
+
+`railbook hunting cycle` follows the limit cycles and lists those at a speed, with their Floquet
+multipliers.
 
 ## Try next
 
-* Continue the cycles in another datum than speed (`vehicle::by_datum`); the centre plates'
-  friction would be the first to try.
-* `railbook hunting geometry` with another `--gauge`: a worn wheel's conicity depends on half an
-  inch of it.
-* `railbook hunting cycle --pair cn --suspension friction` follows the first family; the one of
-  {{fig-11}} comes with `--family 2`.
+* Let friction limit the creep forces: `railbook hunting cycle --pair new --speed 130ft/s
+  --wheel-rail-friction 0.3` finds, below the critical speed, a smaller unstable cycle and a larger
+  stable one. A car that is disturbed by less than the unstable one runs straight again; beyond it,
+  the car hunts.
+* Half an inch of gauge takes almost all conicity from a worn wheel, because it then stands on the
+  flat part of its tread:
+
+```console
+$ railbook hunting geometry --wheel worn-wheel.csv --rail new-rail.csv --gauge 56.5in
+...
+  equivalent conicity at 4 mm, rolling axle   0.158   (first harmonic 0.158, fitted line 0.157, wavelength 8.90 m)
+...
+$ railbook hunting geometry --wheel worn-wheel.csv --rail new-rail.csv --gauge 57in
+...
+  equivalent conicity at 4 mm, rolling axle   0.0086   (first harmonic 0.0094, fitted line 0.0069, wavelength 38.05 m)
+...
+```
+
+* `railbook hunting cycle --pair cn --suspension friction` follows the first family of the car with
+  friction; the one of {{fig-11}} comes with `--family 2`.
+* Continue the cycles in another datum than speed (`vehicle::by_datum`). The friction of the centre
+  plates would be the first to try, as it alone tells front from rear.
 
 ## Symbols
 
