@@ -30,8 +30,8 @@ $$\xi_{zR}=1+\frac aV\dot\psi-\frac{r_R}{r_0}, \tag{2}$$
 
 $$\xi_{zL}=1-\frac aV\dot\psi-\frac{r_L}{r_0}. \tag{3}$$
 
-A wheel that stands on a slope also turns on the spot. This is the spin creepage, in radians a
-length,
+A wheel whose contact plane is inclined also turns on the spot. This is the spin creepage, in
+radians a length,
 
 $$\xi_{\theta R}=\frac{\delta_R}{r_0}+\frac{\dot\psi}V, \tag{4}$$
 

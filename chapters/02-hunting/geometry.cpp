@@ -8,8 +8,8 @@ radius $r_L$ that is larger than the right one, $r_R$. The left side then runs a
 turns to the right, rolls back across the middle, and the same happens on the other side.
 
 The *conicity* $\lambda$ measures this: $r_L-r_R=2\lambda x_w$ for small $x_w$. The wave that
-follows has a fixed length and does not depend on speed. Whether it grows or dies away does, because
-the masses and the springs of the car have frequencies of their own.
+follows has a fixed length. The faster the car, the faster it runs through the wave, and the larger
+are the forces of inertia; above some speed they make the wave grow.
 
 **Constraint functions.** A wheelset on two rails cannot rise or roll about the track's axis by
 itself: its place across the track decides how it lies. Five functions of the lateral displacement
@@ -67,9 +67,9 @@ one, and the two ends. The least of all is the contact, exact to rounding.
 The last part of each figure shows the left wheel lifted off its rail; lines join the points that
 touch while the wheelset moves from {{far}} right to {{far}} left. Where the contact jumps from one
 place to another, two points touch at once (*two-point contact*, the thick pair of lines), and the
-functions jump. The equations of motion take them as tables with a knot every 0.0025 in and a
-running mean over {{mean}}, which makes a jump a ramp. What this width does to the results is shown
-in {{stability-range}}.
+functions jump. The equations of motion take them as tables with a value every 0.0025 in, smoothed
+by a running mean over {{mean}}, which makes a jump a ramp. What this width does to the results is
+shown in {{stability-range}}.
 
 **Flange contact** is a word that the paper does not define. Here it begins where the left wheel
 leaves its tread for the arc between tread and flange, less half the width of the running mean: at
