@@ -22,7 +22,7 @@ amplitude, as it does.
 The function `solve_cycle` does this by Newton's method. Its first eighteen rows are (10) and its
 exact derivative, row 18 is the phase, and row 19 is the condition that was picked.
 
-{{code: dynamics/cycle_solver.cpp solve_cycle}}
+{{code: vehicle/cycle_solver.cpp solve_cycle}}
 
 ### Where the paper's search fails
 

@@ -13,14 +13,14 @@ the tables at each instant, and returns to harmonics by the fast Fourier transfo
 harmonic, `condense` eliminates the coordinates on which no nonlinear force depends. What remains,
 stiffness times motion less the nonlinear forces, must vanish.
 
-{{code: dynamics/cycle_equations.cpp evaluate}}
+{{code: cycles/cycle_equations.cpp evaluate}}
 
 **A step along the branch.** `advance` goes a step along the tangent, and lets Newton's method
 correct it across the tangent. If that fails, or if the branch turns by too much, the step is
 halved. Otherwise the point is described, places where stability changes are looked for within the
 step (`find_special`), and harmonics are added where the sum has been cut too early (`settle`).
 
-{{code: dynamics/branch_walker.cpp advance}}
+{{code: cycles/branch_walker.cpp advance}}
 
 **Stability.** After one period of a cycle a small disturbance has grown by factors that are called
 the *Floquet multipliers* $\mu$. The cycle is stable if all of them lie inside the unit circle, but
