@@ -106,12 +106,12 @@ void scene_hunting(report::Item& item) {
   add_body(drawing, l + 1.6, {0, q[X_C], h, q[TH_C], q[PHI_C]});
   const scene::Size size{1000, 560};
   const auto camera = scene::looking_at(drawing, {1.0, -0.9, 0.8}, size, true);
-  drawing::labelled(item, "scene-hunting.gp", drawing, camera, size,
-                    {{{l + 2.2, -car.half_gauge, 0.1}, "rail"},
-                     {{0, -0.7, 0}, "middle of the track"},
-                     {{l, q[X_TF] - 2.2, 0.3}, "front truck"},
-                     {{-l, q[X_TR] - 2.4, 0.3}, "rear truck"},
-                     {{0, q[X_C], h + 0.2}, "car body"}});
+  scene::labelled(item, "scene-hunting.gp", drawing, camera, size,
+                  {{{l + 2.2, -car.half_gauge, 0.1}, "rail"},
+                   {{0, -0.7, 0}, "middle of the track"},
+                   {{l, q[X_TF] - 2.2, 0.3}, "front truck"},
+                   {{-l, q[X_TR] - 2.4, 0.3}, "rear truck"},
+                   {{0, q[X_C], h + 0.2}, "car body"}});
   item.value("scene-factor", enlarged, "", "{:.0f}");
 }
 
