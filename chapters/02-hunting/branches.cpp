@@ -60,6 +60,8 @@ flange to flange does not move as a sine.
 #include <algorithm>
 #include <cmath>
 
+#include <railbook/vehicle/car_families.hpp>
+
 #include "vehicles.hpp"
 
 namespace railbook::hunting_chapter {
