@@ -1,20 +1,22 @@
 /*** ## What a chord sees
 
-The US track safety standards limit the mid-chord offset: the height of the rail above the middle of
-a 62-ft (19-m) chord stretched on it. For a sine of wavenumber $\varphi$ a chord $L$ reads
-$1-\cos\pi L\varphi$ times the amplitude.
+The class depends on the mid-chord offset, the height of the rail above the middle of a chord of the
+length $L$ = 62 ft (19 m) stretched along it. To go from the spectrum to the class one must know
+what the chord reads. For a sine of wavenumber $\varphi$ it reads $1-\cos\pi L\varphi$ times the
+amplitude.
 
 ### Of the random part
 
-On $A/\varphi^2$ the variance of the offset is
+On the random part $A/\varphi^2$ the variance of the offset is
 $A\int_0^\infty(1-\cos\pi L\varphi)^2\varphi^{-2}d\varphi$. The integral is $\frac12\pi^2L$, and so
+its standard deviation is
 
 $$\sigma(L)=\pi\sqrt{\tfrac12AL}, \tag{8}$$
 
-the paper's (8), with the damaged glyph under the root confirmed. It holds for a one-sided density;
-a two-sided $A$ would lose the $\frac12$. The paper leaves the corner out of it, since long chords
-respond most below $\varphi_c$. With the corner the integral has a closed form in sine integrals:
-for the corners of Table 1, (8) is {{equation-8-least}} to {{equation-8-most}} above it for the 19-m
+which is the paper's (8); the ½ under the root is damaged in our copy, and the integral confirms it.
+It holds for a one-sided density; a two-sided $A$ would lose the $\frac12$. The paper leaves the
+corner out of it, since long chords respond most below $\varphi_c$. With the corner the integral has
+a closed form in sine integrals. For the corners of Table 1, (8) is {{equation-8-least}} to {{equation-8-most}} above it for the 19-m
 chord, on the safe side, and up to {{equation-8-short}} for the 9.5-m chord.
 
 {{equation-8}}
@@ -98,9 +100,9 @@ void equation_8(report::Item& item) {
 
 /*** ### Of the joints
 
-With its middle on a joint, a chord reads the dip as $|\sin(\pi L/2l)|\,B$; figure {{fig-10}} shows
-why the 62-ft chord loses so much of it. Everywhere else it reads less, as the brute-force column of
-Table 2 confirms: the largest offset over all positions.
+With its middle on a joint, a chord reads the dip as $|\sin(\pi L/2l)|\,B$. {{fig-10}} shows why the
+62-ft chord loses so much of it: its ends lie in the next dips. Everywhere else it reads less.
+`largest_offset` tries all positions, and its column in {{table-2}} confirms this.
 
 {{fig-10}}
 
@@ -212,9 +214,17 @@ void fig_10(report::Item& item) {
 
 const report::Section chords{
     report::table("equation-8",
-                  "Offset of a chord on the random part: what leaving the corner out costs",
+                  "Leaving the corner out costs a few per cent on the 19-m chord. Standard "
+                  "deviation of the offset with the corner over that by (8).",
                   equation_8),
-    report::figure("fig-10", "Rectified sine under 9.5-m and 19-m chords (Fig. 10)", fig_10),
-    report::table("table-2", "Chord sensitivity to a rectified sine (Table 2)", table_2)};
+    report::figure("fig-10",
+                   "The long chord has its ends in the next dips and reads less. A rectified sine "
+                   "of 39-ft rails under chords of 31 ft (9.5 m) and 62 ft (19 m) with their "
+                   "middle on a joint (Fig. 10).",
+                   fig_10),
+    report::table("table-2",
+                  "Ten of the twelve printed sensitivities come out; two are misprints. What a "
+                  "chord reads of a joint's dip, as a fraction (Table 2).",
+                  table_2)};
 
 }  // namespace railbook::psd_chapter

@@ -1,25 +1,29 @@
 /*** ## Classes
 
-A class is a speed limit: freight trains may run at 10, 25, 40, 60, 80 and 110 mph on track of
+A class is a speed limit. Freight trains may run at 10, 25, 40, 60, 80 and 110 mph on track of
 classes 1 to 6; the speeds that the paper prints are those of passenger trains. The federal
-standards limit what a 62-ft chord may read in each class. The paper asks the random part to stay
-within three standard deviations and the joints within twice their dip, and adds the two as squares;
-with (8) that is
+standards limit what a 62-ft chord may read on track of class $m$ to $D_m$: 3, 2¾, 2¼, 2, 1¼ and
+½ in for classes 1 to 6 (the paper refers to them without printing them).
+
+A spectrum gives a standard deviation and a dip, but a limit is for the largest value. The paper
+takes $\alpha=3$ standard deviations for the random part and $\gamma=2$ times the dip for the joints,
+and adds the two as squares; with (8) that is a *design deviation* $d$, the offset to expect:
 
 $$(\alpha\sigma)^2+(\gamma B)^2\le D_m(L)^2, \qquad \alpha=3,\ \gamma=2, \tag{9}$$
 
 $$d^2 = kA + 4B^2 \le D_m(19)^2, \qquad k = \tfrac92\pi^2 L. \tag{10}$$
 
 The factor $\gamma$ "includes the effect of chord sensitivity" and of joints that are not equally
-low. The class of a zone is the highest $m$ whose limit $D_m$ its $d$ keeps. The limits are not
-printed in the paper; they are 3, 2¾, 2¼, 2, 1¼ and ½ in for classes 1 to 6. The number in front of
-$A$ cannot be read in our copy. Derived from (8) it is $k$ = {{k-19}} for a chord of 19 m and
-{{k-62}} for 62 ft.
+low. The number $k$ in front of $A$ cannot be read in our copy. Derived from (8) it is {{k-19}} for
+a chord of 19 m and {{k-62}} for 62 ft. The class of a zone is the highest $m$ whose limit $D_m$ its
+$d$ keeps, and `highest_class` says just that.
+
+{{code: method.cpp highest_class}}
 
 ### Table 3
 
-The table gives $d$ from the printed $A$ and $B$, and the range in which it lies when $A$ and $B$
-are varied within their rounding and $B$ is also taken from $C_1$ and $\beta$ by (7), within theirs
+Does the rule give the classes of the paper's Table 3? {{table-3}} has $d$ from the printed $A$ and
+$B$, and the range in which it lies when $A$ and $B$ are varied within their rounding and $B$ is also taken from $C_1$ and $\beta$ by (7), within theirs
 (but for zone 13, whose $C_1$ cannot be read).
 
 {{table-3}}
@@ -433,9 +437,19 @@ void fig_11(report::Item& item) {
 }  // namespace
 
 const report::Section classes{
-    report::table("table-3", "Classes of the thirteen zones (Table 3)", table_3),
-    report::table("table-k", "Readings of the coefficient of A in rule (10)", table_k),
+    report::table(
+        "table-3",
+        "Twelve of thirteen printed classes come out within all roundings. Parts of the design "
+        "deviation, its range within the rounding of the printed numbers, and the class (Table 3).",
+        table_3),
+    report::table("table-k",
+                  "The classes do not tell the coefficient k. Readings of the damaged number in "
+                  "(10), and how many printed classes each gives.",
+                  table_k),
     report::figure(
-        "fig-11", "Roughness against joint dip, with the limits of the classes (Fig. 11)", fig_11)};
+        "fig-11",
+        "Rough track has deep joints. Each zone by its dip B and roughness A, with the limits of "
+        "the classes by (10); on the dashed line both parts weigh the same (Fig. 11).",
+        fig_11)};
 
 }  // namespace railbook::psd_chapter

@@ -1,17 +1,32 @@
 /*** ## Reading the parameters off a spectrum
 
 The paper lays two straight lines on each measured spectrum, of slope −2 at the long waves and −4 at
-the short ones: the first gives $A$, where they meet gives $\varphi_c$. Then it takes the peak $C_1$
-of the first line above them and its width $\beta$ at half that height,
+the short ones. The height of the first gives $A$, and where they meet is $\varphi_c$. The function
+`lay_two_lines` does this by least squares instead of by eye. For every corner in a fine row it
+divides the spectrum by (4) with $A=1$; the mean of the logarithms is then $\ln A$ for this corner,
+and the corner with the smallest scatter is taken. Bins near the joints' lines are left out. The
+logarithm of an average scatters to one side, and half the reciprocal of the number of averages
+corrects for that.
+
+{{code: method.cpp lay_two_lines}}
+
+Then the paper takes the height $C_1$ (m²/(cycle/m)) of the first peak above the lines and its width
+$\beta$ (cycle/m) at half that height. Their product is the power $Q_1$ of the line, and (1) and (2)
+with $n=1$ give the dip:
 
 $$Q_1 = \beta\, C_1 \tag{6}$$
 
 $$B = 3\pi\sqrt{\tfrac12\beta C_1}. \tag{7}$$
 
-The paper shows six measured spectra as pictures, which our copy does not have. Ours are of
+The function `read_peak` sums what stands above the lines within 0.02 cycle/m of $\varphi_0$, which
+is $Q_1$ itself, and takes the highest value for $C_1$.
+
+{{code: method.cpp read_peak}}
+
+The paper shows six measured spectra as pictures, which our copy does not have. {{fig-08}} has
 synthetic track with the printed $A$, $\varphi_c$ and peak of the same zones. A peak wider than the
 analysis can show comes from joints of random depth, with depth and correlation chosen so that its
-height and width are the printed $C_1$ and $\beta$; a narrow one from equal joints.
+height and width are the printed $C_1$ and $\beta$; a narrow one comes from equal joints.
 
 {{fig-08}}
 
@@ -21,20 +36,18 @@ reads 3, but (c) is zone 2. Our track has no line at 1/(33 ft) and no sidebands,
 of the printed width, {{beta-2}} and {{beta-11}} cycle/m. The old rail's line is {{epsilon-off}}
 cycle/m from $\varphi_0$ and so lies inside such a peak; how high it is, the print does not say.
 
-The program fits the two lines by regression and sums the area of the peak instead of using a ruler.
-
 The power is the area under the peak. Equation (6) takes that of a rectangle, as high as the peak
-and as wide as the peak is at half its height. A peak of the shape of a resonance curve has
-{{lorentz}} times this area, and $B$ by (6) and (7) is then {{lorentz-B}} too small. Where $\beta$
-is wide, the random depths of the joints also lift the spectrum between the peaks. The regression
-takes this for roughness, and $A$ comes out high.
+and as wide as the peak is at half its height ({{fig-09}}). A peak of the shape of a resonance curve
+has {{lorentz}} times this area, and $B$ by (6) and (7) is then {{lorentz-B}} too small. Where
+$\beta$ is wide, the random depths of the joints also lift the spectrum between the peaks. The
+regression takes this for roughness, and $A$ comes out high.
 
 {{fig-09}}
 
 ### The narrow peaks are as wide as the window
 
-Five zones have $\beta$ = 0.010 cycle/m. This is what a line of no width at all looks like through a
-Hann window on segments of three lengths:
+Five zones have $\beta$ = 0.010 cycle/m. {{resolution}} shows what a line of no width at all looks
+like through a Hann window on segments of three lengths.
 
 {{resolution}}
 
@@ -63,11 +76,11 @@ bool broad(const Zone& zone) {
   return zone.beta > 0.015;
 }
 
-/*** Depths $B_j$ of a correlation $\rho$ from joint to joint spread the line into a resonance curve
-whose half width follows from $\rho$ alone; with $c = \cos\pi\beta l$ it is the root of
-$\rho^2-(4-2c)\rho+1 = 0$. The peak's height then fixes the scatter of the depths. Their mean is
-made small, so that hardly any sharp line is left in the middle. (The shape of a dip, falling off
-with $\varphi$, skews the peak a little.)
+/*** How a broad peak is made (`reconstructed_track`): depths $B_j$ of a correlation $\varrho$ from
+joint to joint spread the line into a resonance curve whose width follows from $\varrho$ alone, the
+root of $\varrho^2-(4-2\cos\pi\beta l)\varrho+1 = 0$. The peak's height then fixes the scatter of the
+depths. Their mean is made small, so that hardly any sharp line is left in the middle. (The shape of
+a dip, falling off with $\varphi$, skews the peak a little.)
 */
 spectra::SyntheticTrack reconstructed_track(const Zone& zone) {
   spectra::SyntheticTrack track = synthetic(zone.track, 80 + std::stoul(zone.name));
@@ -191,9 +204,18 @@ void fig_09(report::Item& item) {
 }  // namespace
 
 const report::Section extraction{
-    report::figure("fig-08", "Spectra of six zones, with the lines of the model (Fig. 8)", fig_08),
-    report::figure("fig-09", "A broadened peak: C₁ and β (Fig. 9)", fig_09),
-    report::table("resolution", "Width of a line of no width, Hann window, 1-ft samples",
+    report::figure("fig-08",
+                   "Two lines and a peak describe each spectrum. Six zones over wavenumber: "
+                   "synthetic spectrum, the printed model, and the lines fitted to it (Fig. 8; our "
+                   "panels (c) and (d) have no ballast memory).",
+                   fig_08),
+    report::figure("fig-09",
+                   "Height times width at half height replaces the area of the peak. Zone 7 near "
+                   "its line; the box has the area β C₁ (Fig. 9).",
+                   fig_09),
+    report::table("resolution",
+                  "Height and width of a peak depend on the segment, its area does not. A line "
+                  "without width seen through a Hann window, samples of 1 ft.",
                   table_resolution)};
 
 }  // namespace railbook::psd_chapter

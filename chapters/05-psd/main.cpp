@@ -1,32 +1,47 @@
-/*** # Classifying track by power spectral density
+/*** # Track spectra: which speed may this stretch of track carry?
+
+A measuring car (a *geometry car*) brings home kilometres of heights, and the railroad wants one
+answer from them: which speed class can each stretch of track be held to? Without a way from the
+record to the class it looks for single defects, and does not see whether a whole stretch is rough,
+or where its joints have sunk.
+
+{{overview}}
+
+## In short
 
 ::: findings
 1. How deep are the joints behind a peak of the spectrum? The paper finds the dip $B$ from the power
-   $Q_n=\frac12B_n^2$ of a line, where $B_n$ is the amplitude of a two-sided spectrum. If its
-   densities are one-sided, as its (8) requires, we find four times this power, and the $B$ of
-   Table 1 is twice the physical dip. {{outcome:lines/Q1-exact}}
-2. Does rule (10) give the classes of Table 3? With the coefficient that (8) and (9) give and the
-   limits of the federal standards it does for {{table-3-steady}} of 13 zones, within all roundings;
-   the numbers of zone 12 allow the printed class 2 as well as 3. The coefficient itself is
-   unreadable in our copy, and the classes do not tell it: any from {{k-most-low}} to
-   {{k-most-high}} gives twelve or more. {{outcome:table-3/zone-12}}
+   of the peak by $Q_n=\frac12B_n^2$, where $Q_n$ is the power of line $n$ and $B_n$ its amplitude in
+   a two-sided spectrum. If the paper's spectra are one-sided, as its (8) requires, a dip makes four
+   times this power, and every $B$ in Table 1 is twice the physical dip. {{outcome:lines/Q1-exact}}
+2. Does the paper's rule (10) give the classes of its Table 3? With the coefficient $k$ that follows
+   from (8) and (9) and the limits of the federal standards it does so for {{table-3-steady}} of 13
+   zones, within all roundings; the numbers of zone 12 allow the printed class 2 as well as 3. The
+   coefficient itself cannot be read in our copy, and the classes do not tell it: any from
+   {{k-most-low}} to {{k-most-high}} gives twelve or more. {{outcome:table-3/zone-12}}
 3. Can a spectrum tell joints that are deep at random from joints that are deep in groups? The paper
    says that "the PSD cannot distinguish" them. On five miles of its jointed zones it hardly can. If
-   depths scatter by half of their mean, the two densities differ by at most {{apart-line}}
-   standard errors at $\varphi_0$, where the line of the mean dip hides both, and by {{apart-least}}
-   to {{apart-most}} two bins away. The more miles, the plainer the difference.
-   {{outcome:five-miles/distinguish}}
+   depths scatter by half of their mean, the two spectra differ by at most {{apart-line}} standard
+   errors at $\varphi_0$, where the line of the mean dip hides both, and by {{apart-least}} to
+   {{apart-most}} two bins away. With more miles the difference shows. {{outcome:five-miles/distinguish}}
 :::
 
-A geometry car leaves kilometres of numbers; a track engineer wants one: which speed class can this
-stretch be held to? The paper finds the same pattern in every spectrum of the profile, from new
-welded rail to a rough branch line: a smooth random part and the lines of the rail length. Three
-parameters carry it, the roughness $A$, the corner wavenumber $\varphi_c$ and the joint dip $B$, and
-two of them, through the 62-ft mid-chord offset that the US track safety standards limit (the height
-of the rail above the middle of a 62-ft chord), give the class.
+## The paper
 
-The paper shows its spectra only as pictures, and we do not have them. Synthetic track whose
-spectrum is known stands for them. For records of your own there is `railbook psd classify`.
+J. C. Corbin and W. M. Kaufman measured the height of the rail on thirteen stretches (*zones*) of
+American track, from new welded rail to a rough branch line. In every spectrum they found the same
+pattern: a smooth random part, and a row of peaks from the joints between the rails. Three numbers
+describe it. The *roughness* $A$ (m²·cycle/m) says how high the random part lies, the *corner*
+$\varphi_c$ (cycle/m) where it starts to fall more steeply, and the *dip* $B$ (m) how deep the
+joints are. Inspectors stretch a chord of 62 ft along the rail and measure the rail's height above
+its middle, the *mid-chord offset*; the US track safety standards limit it for each speed class. The
+paper computes from $A$ and $B$ which offset to expect, and so the class.
+
+This page follows the paper: first the three parts of a spectrum, then how the three numbers are
+read from it, what a chord makes of them, and the class. We have the paper as machine-read text,
+without its drawings and without its measured spectra. Synthetic track, made with the printed
+numbers, stands for the measured track, and each figure is drawn from what the text and the captions
+say of it.
 
 {{include: processes.cpp}}
 
@@ -39,6 +54,8 @@ spectrum is known stands for them. For records of your own there is `railbook ps
 {{include: chords.cpp}}
 
 {{include: classes.cpp}}
+
+{{include: method.cpp}}
 
 ## Deviations
 
@@ -75,23 +92,69 @@ symbols of Figure 11.
 
 ## Limits
 
-* One rail, one surface, stationary over the record: no crosslevel, no alignment, no curve. A
-  spectrum has no phase and finds no single defect.
-* The model has two straight slopes and one set of lines. White sensor noise needs its own term.
-* Rule (10) does not ask which rail length the dips belong to. The 62-ft chord sees {{sees-39}} of a
-  dip on 39-ft rail and {{sees-30}} on 30-ft rail; the rule counts both with $\gamma=2$ and is far
-  on the safe side for the latter.
-* The dips are Gaussian: from a scatter of about 0.4 on, some joints are humps instead of dips.
-  Corners below 0.002 cycle/m would need longer filters than the generator allows.
+* **One rail, one surface.** The spectrum is of the rail's height. It says nothing of the difference
+  between both rails (crosslevel), of the line of the track or of its curvature, and it assumes that
+  the stretch is of one kind from end to end. It has no phase, so it finds no single defect and
+  cannot say where a joint is broken.
+* **Two slopes, one set of lines.** White noise of the sensor needs a term of its own, and old rails
+  under the new ones a second set of lines.
+* **Rule (10) does not ask for the rail length.** The 62-ft chord sees {{sees-39}} of a dip on 39-ft
+  rail and {{sees-30}} on 30-ft rail; the rule counts both with $\gamma=2$ and is far on the safe
+  side for the latter.
+* **The synthetic dips are Gaussian.** From a scatter of about 0.4 of their mean on, some joints are
+  humps instead of dips. Corners below 0.002 cycle/m would need longer filters than the generator
+  has.
+
+## Use it
+
+The command `railbook psd classify` reads a table with a column of positions and one of heights and
+does all steps of this page, with standard errors and the odds of each class. Here it reads 20 km of
+synthetic track with the numbers of zone 7:
+
+    railbook psd synthesize track.csv --length 20km --roughness "5e-7m^2*cycle/m" --corner 0.13cycle/m --dip 11mm
+    railbook psd classify track.csv --column profile
+
+      roughness A                            5.102885e-07 m^2 cycle/m
+        its standard error                   1.348093e-08 m^2 cycle/m
+      corner phi_c                           0.1286471 cycle/m
+      rail length                            11.8872 m
+      joint dip B, printed convention        10.7026 mm   (as in Table 1)
+        its standard error                   0.4152623 mm
+      deviation d expected of a 62-ft chord  29.77364 mm   (random 20.7, joints 21.4)
+      class                                  5   (margin 6.2 %)
+        odds of class 5                      0.9999
+
+With `--out FOLDER` it writes the spectrum, the parameters and a picture, with `--section 1km` a row
+for each kilometre.
 
 ## Try next
 
-* Fit the closed form of scattered dips to the neighbourhood of $\varphi_0$: it gives the spread of
-  the dips and how far along the track they are alike, and would answer the paper's question about
-  rock and roll.
-* Classify by the 31-ft chord, whose sensitivity to joints hardly depends on the rail.
-* Make zone 12 of 30-ft rail, `railbook psd synthesize --rail 30ft`, and see what the chord of the
-  standard and the rule make of it.
+* Make zone 12 of 30-ft rail, the length that its printed $\varphi_0$ belongs to. The paper prints
+  class 2. The answer is class 3 with a margin of 2.7 %, and leaves a small chance to class 2:
+
+      railbook psd synthesize zone-12.csv --length 20km --roughness "8e-7m^2*cycle/m" --corner 0.18cycle/m --dip 25mm --rail 30ft
+      railbook psd classify zone-12.csv --column profile --rail 30ft
+
+* Let the depths of the joints scatter by half of their mean. Between the peaks the spectrum rises,
+  the fit takes this for roughness, and $A$ comes out too high; `note` in the answer says how much
+  a scatter of 20 % would add:
+
+      railbook psd synthesize uneven.csv --length 20km --roughness "5e-7m^2*cycle/m" --corner 0.13cycle/m --dip 11mm --scatter 0.5
+      railbook psd classify uneven.csv --column profile
+
+* Which rail has the track? Synthesise 33-ft rail and leave `--rail` out: the command finds the
+  length in the spectrum, and says so.
+
+      railbook psd synthesize old.csv --length 20km --roughness "5e-7m^2*cycle/m" --corner 0.13cycle/m --dip 11mm --rail 33ft
+      railbook psd classify old.csv --column profile
+
+## Symbols
+
+{{symbols}}
+
+## Coverage
+
+{{coverage}}
 
 ## Citations
 
@@ -102,10 +165,6 @@ December
 1975. No DOI was found. The paper cites its sources by number, and its list of references is not in
       the copy. Not the paper's: the limits of the classes, 49 CFR 213.63 (class 6 as of the 1970s;
       not looked up again), and their speeds, 49 CFR 213.9 and, for class 6, 213.307.
-
-## Coverage
-
-{{coverage}}
 */
 #include <algorithm>
 #include <cmath>
@@ -159,6 +218,6 @@ int main(int argc, char** argv) {
                 "from TRID "
                 "00128608)",
        .sources = RAILBOOK_CHAPTER_DIR},
-      {processes, modulated, extraction, table_of_zones, chords, classes},
+      {method, processes, modulated, extraction, table_of_zones, chords, classes},
       {accuracy, estimates, extremes});
 }

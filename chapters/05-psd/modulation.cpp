@@ -1,27 +1,28 @@
 /*** ### Modulated: uneven joints
 
-Real joints are not equally low. The paper names two extremes, its Figure 5: dips that vary at
-random from joint to joint, and dips that come and go in groups, over a soft spot or a bridge. Here
-joint $j$ has the dip $B_j=B(1+m\,g_j)$ with $g_j$ normal and the correlation $\varrho$ between
-neighbours. For the random dips $\varrho=0$. For the grouped ones $\varrho=\cos(\pi/5)$, with which
-a run of joints deeper than the mean is five joints long on the average, the paper's number. Mean
-and spread are the same.
+Real joints are not equally low. The paper names two extremes ({{fig-05}}): dips that vary at random
+from joint to joint, and dips that come and go in groups, over a soft spot or a bridge. Does the
+spectrum tell them apart? To answer this, joint $j$ is given the dip $B_j=B(1+\mu\,g_j)$, where $\mu$
+is the scatter of the dips over their mean and $g_j$ a normal random number with the correlation
+$\varrho$ between neighbours. For the random dips $\varrho=0$. For the grouped ones
+$\varrho=\cos(\pi/5)$, with which a run of joints deeper than the mean is five joints long on the
+average, the paper's number. Mean and spread are the same.
 
 {{fig-05}}
 
 For this model the spectrum has a closed form. The mean dip keeps its lines; the scatter adds a
 continuum,
 
-$$S(\varphi)=2m^2B^2l\,|D(\varphi l)|^2\,\frac{1-\varrho^2}{1-2\varrho\cos2\pi\varphi l+\varrho^2},$$
+$$S(\varphi)=2\mu^2B^2l\,|D(\varphi l)|^2\,\frac{1-\varrho^2}{1-2\varrho\cos2\pi\varphi l+\varrho^2},$$
 
-with $D$ the transform of one dip. Grouped dips pile their power up around the lines: at $\varphi_0$
+where $D$ is the Fourier transform of one dip. Grouped dips pile their power up around the lines: at $\varphi_0$
 their continuum is {{grouped-ratio}} times that of random ones, midway between two lines as many
 times less.
 
 Can one see this in a spectrum? The paper says that "the PSD cannot distinguish between these two
-extreme cases". The table takes the mean spectra of both, as seen through a Hann window on segments
-of 4096 ft, and gives their difference in standard errors of the difference for five miles of each,
-the paper's "several miles". At $\varphi_0$ itself the line of the mean dip is so much stronger than
+extreme cases". {{five-miles}} takes the mean spectra of both, seen through a Hann window on
+segments of 4096 ft, for five miles of each, the paper's "several miles", and gives their difference
+in standard errors of the difference. At $\varphi_0$ itself the line of the mean dip is so much stronger than
 either continuum that the two agree within {{apart-line}} standard errors, even without any
 roughness. They differ most two bins away.
 
@@ -32,8 +33,7 @@ a half of their mean, an ordinate two bins away differs by {{apart-least}} to {{
 standard errors. This is compatible with the paper's sentence: one cannot tell the two cases apart
 by looking at the peak. The information is in the spectrum all the same. An observer who knew the
 shapes to look for, and took the ordinates two to eight bins away on both sides together, would find
-{{together-least}} to {{together-most}} standard errors, and $n$ times the track gives $\sqrt n$
-times as many.
+{{together-least}} to {{together-most}} standard errors, and four times the track gives twice as many.
 */
 #include <fmt/format.h>
 
@@ -82,10 +82,10 @@ void fig_05(report::Item& item) {
   item.value("grouped-ratio", scattered(in_groups, phi_0) / scattered(0, phi_0), "", "{:.1f}");
 }
 
-/*** The difference of the two, in standard errors. Far from a line the average of $n$ segments that
+/*** How `apart` counts the standard errors: far from a line the average of $M$ segments that
 overlap by half has the variance $N^2/K$, with $N$ the density of the continuum as the window shows
-it and $K$ the number of independent averages, a little less than $n$. Near a line of density $L$
-the two interfere, which adds $2LN/n$, a third more for the overlap. And the depths of the joints
+it and $K$ the number of independent averages, a little less than $M$. Near a line of density $P$
+the two interfere, which adds $2PN/M$, a third more for the overlap. And the depths of the joints
 vary in phase with the line, not at random phase: on the line itself the scatter's part of both
 terms counts twice, and within a bin or two still a little more than once.
 */
@@ -238,7 +238,8 @@ void table_five_miles(report::Item& item) {
   item.value("together-most", most_all, "", "{:.1f}");
 }
 
-/*** Figure {{fig-04}} puts the three signatures of the paper side by side.
+/*** {{fig-04}} puts the three signatures of the paper side by side: a peak that uneven joints broaden,
+and the one or two extra peaks of old rail, which come next.
 
 {{fig-04}}
 */
@@ -253,7 +254,9 @@ double direct_power(const spectra::SyntheticTrack& track, std::size_t samples, d
 
 void fig_04(report::Item& item) {
   item.expect_checks(1);
-  item.rebuilt("the paper's drawings are not in our copy: dips of 10 mm, m = 0.5");
+  item.rebuilt(
+      "the paper's drawings are not in our copy: dips of 10 mm, scatter and modulation of half of "
+      "them");
   spectra::SyntheticTrack linear = uneven(0.0);
   linear.dip_scatter = 0.0;
   auto nonlinear = linear;
@@ -281,12 +284,13 @@ void fig_04(report::Item& item) {
 
 /*** ### Ballast memory
 
-Before 1939 US rails were 33 ft long. Under newer rail of 39 ft the old wavelength is still found:
-the old joints have worked their way into ballast and subgrade. Figure {{fig-06}} follows the
-letters of the paper's captions (the text counts them one earlier). Under welded rail the
-fundamental that reworking leaves (b) simply adds (d): one extra line at 1/(33 ft). When the joints
-of the new rail have loosened, each dips most where an old low spot lies (e): a modulation, whose
-wavenumber (5) is the difference of both,
+Before 1939 US rails were 33 ft long. Under newer rail of 39 ft the old wavelength is still found,
+for the old joints have worked their way into the ballast (the bed of stone) and the ground below
+it. The paper calls this *ballast memory*. {{fig-06}} follows the letters of the paper's captions
+(the text counts them one earlier). Where the new rail is welded or its joints are tight, the wave
+that maintenance has left of the old dips (b) simply adds (d), which makes one extra line at
+1/(33 ft). When the joints of the new rail have loosened, each dips most where an old low spot lies
+(e). That is a modulation, and its wavenumber $\varepsilon$ is the difference of both,
 
 $$\varepsilon=\frac1{10.0}-\frac1{11.9}=\frac1{6?.5}, \tag{5}$$
 
@@ -296,12 +300,12 @@ printed metres {{epsilon-metres}}; with $\varphi_0$ rounded to 0.084 as in Table
 
 {{fig-06}}
 
-A joint feels the old pattern only at the place where it lies. At the joints $x=jl$ the waves
+A joint feels the old pattern, whose rails are $l_{old}$ long, only at the place where it lies. At the joints $x=jl$ the waves
 $\cos2\pi x/l_{old}$ and $\cos2\pi\varepsilon x$ have the same values, so the depth of the joints
 varies with the wavenumber $\varepsilon$, and this makes the sidebands. The paper's pair is
 symmetric because its envelope is smooth. If each dip is deeper or shallower as a whole, the
 envelope is a staircase: the line at $\varphi_0\mp\varepsilon$ then has the amplitude
-$mB\,D(1\mp\varepsilon l)$, and the lower one has {{staircase-ratio}} times the power of the upper.
+$\mu B\,D(1\mp\varepsilon l)$, and the lower one has {{staircase-ratio}} times the power of the upper.
 */
 constexpr double modulation = 0.5;
 
@@ -319,7 +323,8 @@ void fig_06_curves(report::Data& curve) {
 }
 
 void fig_06(report::Item& item) {
-  item.rebuilt("the paper's drawings are not in our copy: dips of 10 mm, m = 0.5");
+  item.rebuilt(
+      "the paper's drawings are not in our copy: dips of 10 mm, modulated by half of them");
   fig_06_curves(item.data(
       {"x_m", "old_mm", "fundamental_mm", "new_mm", "linear_mm", "nonlinear_mm", "envelope_mm"}));
   item.value(
@@ -333,7 +338,7 @@ void fig_06(report::Item& item) {
 
 /*** ### All together
 
-Independent processes add their spectra. Figure {{fig-07}} is the paper's composite, here of zone
+Independent processes add their spectra. {{fig-07}} is the paper's composite, here of zone
 10: on linear axes, where the peak is plain and the continuum cannot be judged, and on logarithmic
 ones, where both slopes are straight and the peak looks small. The points are the spectrum estimated
 from {{fig-07-length}} of synthetic track.
@@ -391,11 +396,29 @@ void fig_07(report::Item& item) {
 }  // namespace
 
 const report::Section modulated{
-    report::figure("fig-05", "Random and grouped dips (Fig. 5)", fig_05),
-    report::table("five-miles", "Random and grouped dips: how far apart their spectra are",
+    report::figure("fig-05",
+                   "Two tracks with the same mean and spread of dips. Depths at random from joint "
+                   "to joint, and in groups of deep and flat joints (Fig. 5; synthetic).",
+                   fig_05),
+    report::table("five-miles",
+                  "No single ordinate tells random from grouped dips on five miles. Difference of "
+                  "their spectra in standard errors, by the distance from the line; the first two "
+                  "columns check the formula against counted records.",
                   table_five_miles),
-    report::figure("fig-04", "Broadening, one sideband, two sidebands (Fig. 4)", fig_04),
-    report::figure("fig-06", "Ballast memory: 33-ft rails under 39-ft rails (Fig. 6)", fig_06),
-    report::figure("fig-07", "Composite spectrum, linear and logarithmic (Fig. 7)", fig_07)};
+    report::figure("fig-04",
+                   "Uneven joints broaden a line, old rail adds one or two. Spectra near the "
+                   "rail's line, on segments of 4096 ft (Fig. 4; dips of 10 mm).",
+                   fig_04),
+    report::figure(
+        "fig-06",
+        "Old rails under new ones, added or as a modulation. Letters as in the paper's captions: "
+        "(a) old rail of 33 ft, (b) what is left of it, (c) new rail of 39 ft, (d) their sum, (e) "
+        "new joints deepest over old ones (Fig. 6; dips of 10 mm).",
+        fig_06),
+    report::figure(
+        "fig-07",
+        "The peak is plain on linear axes, the slopes on logarithmic ones. Spectrum of zone 10: "
+        "random part, lines, their sum, and an estimate from synthetic track (Fig. 7).",
+        fig_07)};
 
 }  // namespace railbook::psd_chapter

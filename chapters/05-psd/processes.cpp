@@ -1,19 +1,36 @@
-/*** ## Three processes
+/*** ## From a record to its spectrum
+
+The *power spectral density* (PSD, here also *spectrum*) $S_z$ of a record of heights $z$ tells how
+the variance of $z$ is spread over the *wavenumber* $\varphi$, the number of waves a metre. Its unit
+is m² per cycle/m, and its area between two wavenumbers is the variance of that part of the record.
+A *one-sided* density has all of it at positive wavenumbers; a *two-sided* one has half of it at
+negative ones, and so half the height.
+
+One transform of one record gives an ordinate that scatters by as much as itself. Welch's method
+averages over many pieces. The function `average_spectrum` cuts the record into segments of `n`
+samples that overlap by half, takes the best straight line off each, weighs it with a Hann window
+(a bell that is zero at both ends, so that the ends do not make waves of their own), transforms it,
+and averages the squares. The factor 2 makes the density one-sided, and the sum of the squared
+weights makes its area the variance.
+
+{{code: method.cpp average_spectrum}}
+
+## Three processes
+
+The paper takes the profile of a rail as a sum of processes: one that repeats with the rail length,
+one that is random, and one that modulates the first. Each leaves its own mark in the spectrum.
 
 ### Periodic: the rectified sine
 
-Rails of length $l$ sag at their joints. The paper describes the profile as a rectified sine,
-$z=B\,|\sin(\pi x/l)|$: crests at mid rail, joints a depth $B$ below them (figure {{fig-01}}), with
-dips of up to 7.6 cm reported.
-
-Our copy of the paper is machine-read text without its drawings. Each figure of this chapter is
-drawn from what the text and the captions say of it.
+Rails of length $l$ sag at their joints. The paper describes the profile along the distance $x$ as a
+rectified sine, $z=B\,|\sin(\pi x/l)|$: crests at mid rail, joints a depth $B$ below them
+({{fig-01}}), with dips of up to 7.6 cm reported.
 
 {{fig-01}}
 
-The power spectral density tells how the variance of the profile is spread over the wavenumber
-$\varphi$, the number of cycles a metre; its unit is m²/(cycle/m). The density of the rectified sine
-is a row of lines at $n\varphi_0$, $\varphi_0=1/l$. Equations (1) and (2) of the paper are
+What repeats with the length $l$ has power only at $\varphi_0=1/l$ and its multiples $n\varphi_0$:
+the spectrum of the rectified sine is a row of *lines*. With $B_n$ for the amplitude of line $n$ and
+$Q_n$ for its power (m²), equations (1) and (2) of the paper are
 
 $$B_n=\frac{2B}{(4n^2-1)\pi} \tag{1}$$
 
@@ -21,19 +38,22 @@ $$Q_n=\tfrac12B_n^2 . \tag{2}$$
 
 **Two conventions.** In the Fourier series
 $B|\sin\pi\varphi_0x|=\frac{2B}{\pi}-\sum_n\frac{4B}{\pi(4n^2-1)}\cos2\pi n\varphi_0x$ the amplitude
-of a cosine is twice the printed $B_n$, which is the modulus of the complex coefficient. Equation
-(2) halves its square as if it were the amplitude. In a one-sided density, which has all its power
-at positive wavenumbers, a line therefore has four times the printed power. The sum over all lines
-shows it: it must be the variance $B^2(\frac12-\frac4{\pi^2})$ = {{line-variance}} $B^2$; the exact
-powers give {{line-sum-exact}}, the printed ones {{line-sum-printed}}.
+of a cosine is twice the printed $B_n$. The printed one is the modulus of the complex coefficient,
+which belongs to a two-sided spectrum, but (2) halves its square as if it were the amplitude of the
+cosine. In a one-sided density a line therefore has four times the printed power. The sum over all
+lines shows it. It must be the variance of the profile, $B^2(\frac12-\frac4{\pi^2})$ =
+{{line-variance}} $B^2$; the exact powers give {{line-sum-exact}}, the printed ones
+{{line-sum-printed}}.
 
-What this makes of the dips depends on how the paper measured its densities, which it does not say.
-If they were one-sided, as (8) requires, (7) reads a line as a dip twice as deep as it is. If they
-were two-sided, $B$ would be $\sqrt2$ times the physical dip, and (8) would be too small by
-$\sqrt2$. We take them as one-sided and keep both numbers: the *printed* $B$ belongs to (7), (10)
-and the tables, the *physical dip* is half of it. Classes do not depend on the choice, because the
-same power of the line enters (10) with the printed $B$ and $\gamma=2$, or with the physical dip and
-$\gamma=4$.
+What this makes of the dips depends on how the paper measured its spectra, which it does not say. If
+they were one-sided, as (8) requires, (7) reads a line as a dip twice as deep as it is. If they were
+two-sided, $B$ would be $\sqrt2$ times the physical dip, and (8) would be too small by $\sqrt2$. We
+take them as one-sided and keep both numbers: the *printed* $B$ belongs to (7), (10) and the tables,
+the *physical dip* is half of it. Classes do not depend on the choice, because the same power of the
+line enters (10) either way.
+
+The function `line_power` of the library has both conventions. {{lines}} gives the first three lines
+in each.
 
 {{code: spectra/rail_line.cpp line_power}}
 
@@ -109,9 +129,10 @@ void lines(report::Item& item) {
 
 /*** ### Resolution
 
-A spectrum from segments of length $T$ cannot show a line narrower than about $1/T$. Each line takes
-the shape of the window's own spectrum and keeps its area; peak and width are then properties of the
-analysis.
+A line has no width, but a spectrum from segments of length $T$ cannot show it narrower than about
+$1/T$. It takes the shape of the window's own spectrum ({{fig-02}}) and keeps its area, the power
+$Q_n$. Its height and its width are then properties of the analysis and not of the track, which is
+why the paper goes by the area.
 
 {{fig-02}}
 */
@@ -170,25 +191,29 @@ void fig_02(report::Item& item) {
 
 /*** ### Random: two slopes
 
-Under the lines lies a continuum, first (3), with a corner (4),
+Under the lines lies a continuum. The paper gives it one slope first, and then a second one beyond a
+corner at the wavenumber $\varphi_c$, where the roughness $A$ is the same in both:
 
 $$S_z(\varphi)=A/\varphi^2 \tag{3}$$
 
 $$S_z(\varphi)=\begin{cases}A/\varphi^2,&\varphi<\varphi_c\\ A\varphi_c^2/\varphi^4,&\varphi>\varphi_c\end{cases} \tag{4}$$
 
-The paper reads it as a random walk. Survey accuracy falls with distance, which makes the $-2$; the
-stiffness of the rail limits the short waves, which makes the $-4$ beyond the corner. Waves longer
-than about 100 m are hills and curves that were built on purpose.
+The paper explains (3) by a random walk: levelling a track is the less accurate the longer the
+distance, which makes the slope $-2$ on logarithmic axes. The rail is stiff and limits the short
+waves, which makes the slope $-4$ beyond the corner. Waves longer than about 100 m are hills that
+were built on purpose.
 
-A single estimated ordinate scatters by as much as itself. Only averages over segments, that is over
-miles, and over neighbouring wavenumbers make a spectrum readable. Figure {{fig-03}} shows both on
-five miles of synthetic track. Over many such records the ordinates of one segment have a standard
-error of {{raw-scatter}}, those of the five-mile average {{mean-scatter}}.
+Only averages over segments, that is over miles, and over neighbouring wavenumbers make a spectrum
+readable. {{fig-03}} shows both on five miles of synthetic track. Over many such records the
+ordinates of one segment have a standard error of {{raw-scatter}}, those of the five-mile average
+{{mean-scatter}}.
 
 {{fig-03}}
 
-The track comes from a generator whose spectrum is (4) by construction: white noise, a symmetric
-filter that shapes the *slope*, and a leaky sum that makes the profile of it.
+The track comes from a generator whose spectrum is (4) by construction. White noise passes a filter
+that shapes the *slope* of the track, and a running sum makes the profile of it.
+
+{{fold}}
 */
 constexpr spectra::TrackParameters fair_track{.A = 2.0e-7, .phi_c = 0.12};  // zone 4 of Table 1
 
@@ -238,10 +263,22 @@ void fig_03(report::Item& item) {
 }  // namespace
 
 const report::Section processes{
-    report::figure("fig-01", "Rectified sine of 39-ft rails (Fig. 1)", fig_01),
-    report::table("lines", "Line powers of the rectified sine, equations (1) and (2)", lines),
-    report::figure("fig-02", "Lines, resolution, and lines seen through it (Fig. 2)", fig_02),
-    report::figure("fig-03", "Random part: one segment, five miles, bands, model (Fig. 3)",
+    report::figure("fig-01",
+                   "Rails sag at their joints. The paper's rectified sine for rails of 39 ft, in "
+                   "units of the dip B (Fig. 1; drawn from the formula).",
+                   fig_01),
+    report::table("lines",
+                  "The printed powers of the lines are a quarter of the exact ones. Lines 1 to 3 "
+                  "of the rectified sine by (1) and (2), and in a one-sided spectrum.",
+                  lines),
+    report::figure("fig-02",
+                   "The analysis gives a line its height and width. Left to right: lines without "
+                   "width, the window's spectrum for two lengths of segment, and the lines seen "
+                   "through it (Fig. 2; dips of 10 mm).",
+                   fig_02),
+    report::figure("fig-03",
+                   "One segment scatters by as much as itself, five miles do not. Spectra of "
+                   "synthetic track of zone 4, against the model (4) (Fig. 3).",
                    fig_03)};
 
 }  // namespace railbook::psd_chapter

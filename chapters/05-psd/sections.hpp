@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,22 @@ double lines_seen(const std::vector<spectra::Line>& lines, double phi, double df
 // The variance that a chord (m) reads on S = 1/phi^2, without the closed form of (8).
 double variance_by_quadrature(double chord);
 
+// Welch's estimate: the mean power of segments of n samples that overlap by half, each without its straight line and under a
+// Hann window. One-sided, at the wavenumbers k/(n spacing).
+std::vector<double> average_spectrum(std::span<const double> z, double spacing, std::size_t n);
+// The lines of slope -2 and -4 that fit best, in logarithms, to what lies off the lines of a rail 1/phi_1 long, between 0.01 and
+// 1.2 cycle/m.
+spectra::TrackParameters lay_two_lines(const std::vector<double>& density, double df, double phi_1,
+                                       double averages);
+// What stands above the random part within 0.02 cycle/m of the rail's first line; B by (7).
+struct Peak {
+  double C_1 = 0, beta = 0, Q_1 = 0, B = 0;
+};
+Peak read_peak(const std::vector<double>& density, double df,
+               const spectra::TrackParameters& track);
+// By (10), with the chord of 19 m; 0 where not even the limit of class 1 is kept.
+int highest_class(double A, double B);
+
 // How many standard errors one of `rows` normal numbers exceeds, to either side, by chance once in a hundred times: 1 % shared out
 // among the rows (Bonferroni).
 double by_chance(int rows);
@@ -57,9 +74,10 @@ spectra::SyntheticTrack synthetic(const spectra::TrackParameters& track, std::ui
 spectra::Spectrum record_spectrum(const spectra::SyntheticTrack& track, double length,
                                   const spectra::WelchOptions& options);
 
-extern const report::Section processes;       // Figures 1 to 3, equations (1) to (4)
-extern const report::Section modulated;       // Figures 4 to 7, equation (5)
-extern const report::Section extraction;      // Figures 8 and 9, equation (6)
+extern const report::Section method;      // from a record to a class, by the page's own functions
+extern const report::Section processes;   // Figures 1 to 3, equations (1) to (4)
+extern const report::Section modulated;   // Figures 4 to 7, equation (5)
+extern const report::Section extraction;  // Figures 8 and 9, equation (6)
 extern const report::Section table_of_zones;  // Table 1, equation (7)
 extern const report::Section chords;          // equation (8), Table 2, Figure 10
 extern const report::Section classes;         // Table 3, Figure 11, equations (9) and (10)

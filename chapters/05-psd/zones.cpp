@@ -1,9 +1,10 @@
 /*** ## Table 1: thirteen zones
 
-By what the table calls graphical analysis, every zone is condensed to a roughness $A$, a corner
-$\varphi_c$ and a dip $B$. The paper also prints $C_1$ and $\beta$, so its own equation (7) can be
-put to the test. Both have two printed digits, and the range in the table carries their rounding
-through (7). The other columns are read and used; nothing in the paper tests them.
+By what the table calls graphical analysis, the paper condenses every zone to a roughness $A$, a
+corner $\varphi_c$ and a dip $B$. It also prints $C_1$ and $\beta$, so that its own equation (7) can
+be put to the test: does $B$ follow from them? Both have two printed digits, and the range in
+{{table-1}} carries their rounding through (7). The other columns are read and used; nothing in the
+paper tests them.
 
 {{table-1}}
 
@@ -82,7 +83,7 @@ bool closes(const Zone& zone, double half) {
          dip_by_7(zone, Rounding::up) >= zone.track.B - half;
 }
 
-/*** Where the ranges of both sides meet, $B$ by (7) must come out within them. Where they do not,
+/*** How `check_row` judges a row: where the ranges of both sides meet, $B$ by (7) must come out within them. Where they do not,
 the gap between them is what is tried: it must stay open for either rounding of $C_1$ and $\beta$,
 and for a coarser rounding of $B$.
 */
@@ -196,6 +197,10 @@ void table_1(report::Item& item) {
 }  // namespace
 
 const report::Section table_of_zones{
-    report::table("table-1", "Thirteen zones: does B follow from C₁ and β? (Table 1)", table_1)};
+    report::table("table-1",
+                  "In four of twelve zones the printed dip does not follow from the printed peak. "
+                  "Table 1 as printed, with B by (7), its range within the rounding of C₁ and β, "
+                  "and the physical dip, which is half of B.",
+                  table_1)};
 
 }  // namespace railbook::psd_chapter
