@@ -27,8 +27,8 @@ void joint_answer(report::Item& item) {
           simulate(model, rail, mph * units::mph, {.start = default_start(rail), .end_time = 0.03});
       const ImpactPeaks p = impact_peaks(h);
       answer.at({mph, inches});
-      for (int i = 0; i <= 80; ++i) {
-        const double t = 1e-3 * (-2 + 18 * i / 80.0);
+      for (int i = 0; i <= 400; ++i) {
+        const double t = 1e-3 * (-2 + 18 * i / 400.0);
         answer.point("wheel on rail", "", 1e3 * t, h.force(t) / kN);
       }
       answer.point("wheel on rail", "P1", 1e3 * p.first.time, p.first.force / kN);

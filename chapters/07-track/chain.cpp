@@ -1,9 +1,10 @@
 /***
 ## From stone to springs
 
-Nobody can look up a foundation modulus. The paper builds it from parts that can be known (Figure
-2): under each rail seat lie a pad (if any), the tie, the ballast and the subgrade, springs in
-series,
+Nobody can look up a foundation modulus. The paper builds it from parts that can be known
+({{fig-02}}). Under each rail seat, where the rail rests on a tie, lie a pad (if any), the tie, the
+ballast (a bed of stone) and the subgrade (the ground), as springs in series. With ties a distance
+$l_t$ apart and a stiffness $k$ of the rail seat,
 
 $$K=\frac{k}{l_t}, \tag{3}$$
 
@@ -11,7 +12,8 @@ $$\frac1k=\frac1{k_{pad}}+\frac1{k_{tie}}+\frac2{k_{bs}}, \tag{4}$$
 
 $$\frac1{k_{bs}}=\frac1{k_b}+\frac1{k_s}. \tag{5}$$
 
-The 2 halves the bed: with its neighbours loaded too, a tie sinks about twice as far as
+where $k_{pad}$ and $k_{tie}$ are the stiffnesses of pad and tie and $k_{bs}$ that of the bed, of
+ballast $k_b$ and subgrade $k_s$ in series (all in lbf/in). The 2 halves the bed: with its neighbours loaded too, a tie sinks about twice as far as
 alone, and Winkler's separate springs cannot know that.
 
 {{fig-02}}
@@ -28,11 +30,12 @@ $$k_b=\frac{C(l-w)E_b}{\ln\dfrac{l\,(w+Ch)}{w\,(l+Ch)}},\qquad C=2\tan\alpha, \t
 
 $$k_s=K_0(l+Ch)(w+Ch), \tag{7}$$
 
-for a loaded area $l\times w$ and a ballast depth $h$. For a square area ($l=w$) and for vertical
-sides ($\alpha=0$) the printed form (6) is 0/0, although neither is special physically. The program
-evaluates the compliance instead,
+for a loaded area $l\times w$ below the rail seat, a depth $h$ of the ballast and its Young's modulus
+$E_b$; $K_0$ is the pressure on the subgrade for each inch that it yields. For a square area ($l=w$) and for vertical
+sides ($\alpha=0$) the printed form (6) is 0/0, although neither is special physically. The function
+`stiffness_chain` evaluates the compliance instead,
 
-$$\frac1{k_b}=\frac{h}{E_b\,w\,(l+Ch)}\cdot\frac{\ln(1+x)}{x},\qquad x=\frac{Ch\,(l-w)}{w\,(l+Ch)},$$
+$$\frac1{k_b}=\frac{h}{E_b\,w\,(l+Ch)}\cdot\frac{\ln(1+\chi)}{\chi},\qquad \chi=\frac{Ch\,(l-w)}{w\,(l+Ch)},$$
 
 which is (6) rearranged and has no such holes.
 
@@ -40,8 +43,8 @@ which is (6) rearranged and has no such holes.
 
 {{chain}}
 
-Every length and modulus of this typical track but the 20° is assumed: ordinary values, chosen so
-that zero deflection is at ten feet.
+{{chain}} is our *typical track*. Every length and modulus in it but the 20° is assumed: ordinary
+values, chosen so that zero deflection is at ten feet.
 
 Two things stand out. The subgrade decides: the ballast is {{soil-softer}} times as stiff. And
 deeper ballast makes *stiffer* track although it adds a spring in series, because the pyramid
@@ -177,8 +180,13 @@ void chain_table(report::Item& item) {
 
 const report::Section chain{
     report::figure("fig-02",
-                   "Steps to the model: a wheel on ties and ballast pyramids, and the springs",
+                   "Under each rail seat stands a chain of springs. A wheel on a rail, its ties "
+                   "and the pyramids of ballast that carry them, and the springs that they become, "
+                   "to scale (in place of the paper's Fig. 2).",
                    draw_steps),
-    report::table("chain", "The stiffness chain of the typical track", chain_table)};
+    report::table("chain",
+                  "The subgrade is the softest spring. The stiffness chain of the typical track, "
+                  "from tie to wheel.",
+                  chain_table)};
 
 }  // namespace railbook::track_chapter

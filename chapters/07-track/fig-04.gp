@@ -59,7 +59,7 @@ set label "track, relative to the wheels, at V" at 2.25,5.7 center tc rgb blue
 set label "rail surface z, dip at a joint" at 2.25,4.75 center
 set arrow from 0.6,3.4 to 3.9,3.4 heads lw 2 lc rgb red
 set label "each load also moves the rail" at 2.25,3.65 center tc rgb red
-set label "under the other wheel, by a(l)" at 2.25,3.12 center tc rgb red
+set label "under the other wheel, by a(b)" at 2.25,3.12 center tc rgb red
 set label "pads and ties" at 2.25,2.7 center
 set label "ballast and subgrade" at 2.25,1.2 center
 set label "Hertz contact" at -1.35,4.1 center

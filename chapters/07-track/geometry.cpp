@@ -1,8 +1,9 @@
 /***
 ## Track geometry as input
 
-Track that was laid with joints sags at the joints, and each rail becomes an arc: the *rectified
-sine* $z=A\,(1-|\sin(\pi x/L)|)$ for rails of length $L$. Its series is
+What makes wheel and track move? Track that was laid with joints sags at the joints, and each rail
+becomes an arc: the *rectified sine* $z=D\,(1-|\sin(\pi x/L)|)$ for rails of length $L$ with dips of
+the depth $D$, at the distance $x$ along the rail. Its series is
 
 $$|\sin(\pi x/L)|=\frac2\pi-\frac4\pi\sum_{n\ge1}\frac{\cos(2\pi nx/L)}{4n^2-1}.$$
 
@@ -70,7 +71,7 @@ car feels of them.
 
 {{fig-07}}
 
-The second kind of input is random. By its legends, which are in the copy while its curves are not,
+The second kind of input is random. Cross level is the difference in height of the two rails. By its legends, which are in the copy while its curves are not,
 the paper's Figure 6 shows a spectrum of cross level for an idealized track of class 6, and the
 ranges of data measured on a high-speed demonstration track and on British Rail. What stands here is
 the family of curves that the Federal Railroad Administration's classes were given later in the
@@ -78,7 +79,7 @@ literature (quoted by Frýba),
 
 $$S(\phi)=\frac{A\,\phi_2^2}{(\phi^2+\phi_1^2)(\phi^2+\phi_2^2)},$$
 
-with $\phi$ in cycles per length, and its roughness $A$ and break frequencies $\phi_1$, $\phi_2$ for
+with the wavenumber $\phi$ in cycles per length, and its roughness $A$ and break frequencies $\phi_1$, $\phi_2$ for
 class 6 and class 3. The marks at the top show at which frequencies half-staggered 39-foot rails add
 power of their own, not how much. The level is doubtful. Other published lists of the same family
 have roughness constants $A$ about {{feet-squared}}, that is $(1/0.3048)^2$, times as large, as if
@@ -134,9 +135,19 @@ void cross_level(report::Item& item) {
 }  // namespace
 
 const report::Section geometry{
-    report::table("harmonics", "Half-staggered joints in bounce and roll", harmonics),
-    report::figure("fig-07", "Rails with half-staggered joints (in place of the paper's Fig. 7)",
+    report::table(
+        "harmonics",
+        "Staggered joints roll a car with odd harmonics and bounce it with even ones. Amplitudes "
+        "of the harmonics of 39-ft rails whose joints are half a rail apart on left and right.",
+        harmonics),
+    report::figure("fig-07",
+                   "Left and right rail dip in turn. Rails with half-staggered joints, and what a "
+                   "car feels of them (in place of the paper's Fig. 7, which is lost).",
                    profile),
-    report::figure("fig-06", "Cross-level spectrum (in place of the paper's Fig. 6)", cross_level)};
+    report::figure("fig-06",
+                   "Better track is smoother at all wavelengths. Spectra of cross level for two "
+                   "classes of track by a later family of curves; the marks show where staggered "
+                   "joints add power (in place of the paper's Fig. 6, which is lost).",
+                   cross_level)};
 
 }  // namespace railbook::track_chapter

@@ -1,11 +1,21 @@
 /***
 ## A wheel meets a joint
 
-Now the input of {{fig-04}} is a joint. A wheel of mass $m_w$ carries the constant load $P_0$; its
-contact with the rail is Hertz's, $F=C_Hx_+^{3/2}$, for an 18-inch wheel on a 10-inch crown; below
-it are rail mass and bed mass, split as in (16) to (19), and a stiffness split that keeps $K_r$:
+Now the input is a joint. A wheel of the mass $m_w$ (with half of the axle and what else is not on
+springs) carries the constant load $P_0$. Wheel and rail touch by Hertz's law with the constant
+$C_H$: the force $F$ grows with the power 3/2 of their approach $x_+$, which is zero when they part.
+With the sinking $y_w$ of the wheel and the approach $x_0$ at rest,
+
+$$m_w\ddot y_w=P_0-F,\qquad F=C_Hx_+^{3/2},\qquad x_+=\max(x_0+y_w-y_r-z,\,0),$$
+
+where $z$ is the surface of the rail, counted downwards. The wheel has a radius of 18 in and the
+rail's crown one of 10 in. Below the contact are the masses of (16) and (19) with the equations of
+motion above, on which $F-P_0$ acts. The stiffness is split so that both springs together keep $K_r$;
+with $k_{pt}$ for pad and tie in series,
 
 $$K_1=2\left(4EI\,(k_{pt}/l_t)^3\right)^{1/4},\qquad \frac1{K_g}=\frac1{K_r}-\frac1{K_1}.$$
+
+The function `rail_on_bed` makes masses, springs and dampers of the data of a track.
 
 {{code: track/wheel_on_track.cpp rail_on_bed}}
 
@@ -31,9 +41,9 @@ neither. Every peak here says what it measures:
 
 {{joint-peaks}}
 
-The formulas of British practice, $P_1=P_0+2\alpha V\sqrt{k_Hm_e/(1+m_e/m_u)}$ and its companion for
-P2, come within {{p1-formula}} and {{p2-formula}} of these P1 and P2; $2\alpha$ is the angle of the
-dip, $k_H$ the contact stiffness, $m_e$ and $m_u$ the masses of rail and wheel.
+The formulas of British practice, $P_1=P_0+2\psi V\sqrt{k_HM_{rail}/(1+M_{rail}/m_w)}$ and its
+companion for P2, come within {{p1-formula}} and {{p2-formula}} of these P1 and P2; $2\psi$ is the
+angle of the dip and $k_H$ the contact stiffness.
 
 With all of the track in one mass, that of (15) with tie and ballast, P1 would be {{single-p1}}.
 With two masses the mass of tie and ballast, which the two rules (18) leave uncertain, hardly
@@ -61,6 +71,22 @@ ImpactHistory passage(const ImpactModel& model, double mph, double dip_in) {
   const RectifiedSine rail = joint_dip(dip_in);
   return simulate(model, rail, mph * units::mph,
                   {.tolerance = 1e-10, .start = default_start(rail)});
+}
+
+// The page's drawing: the track, the model, and the force over a joint with P1 and P2.
+void overview(report::Item& item) {
+  item.sketch("the force is that of the typical track at 60 mph over a dip of 0.5 in");
+  const ImpactModel model = typical_impact();
+  const ImpactHistory h = passage(model, 60, 0.5);
+  const ImpactPeaks p = impact_peaks(h);
+  constexpr double kN = units::kilonewton;
+  auto& curve = item.data({"time_ms", "force_kN", "mean_kN"});
+  for (double t = -0.002; t < 0.01601; t += 2e-5)
+    curve.add(1e3 * t, h.force(t) / kN,
+              t > 0.5 * p.mean_window ? running_mean(h, t, p.mean_window) / kN : units::nan);
+  item.data("peaks", {"time_ms", "first_kN", "mean_time_ms", "mean_kN", "static_kN"})
+      .add(1e3 * p.first.time, p.first.force / kN, 1e3 * p.mean.time, p.mean.force / kN,
+           model.static_load / kN);
 }
 
 // The whole track as one mass on K_r: the upper layer carries it, the lower one is as good as the ground.
@@ -174,8 +200,23 @@ void joint_peaks(report::Item& item) {
 
 }  // namespace
 
+const report::Section drawing{report::figure(
+    "overview",
+    "Wheel, rail, pad, tie and bed become four springs and dampers and three masses. Left: a wheel "
+    "comes to a joint. Middle: the model, with the names of its parts. Right: the force between "
+    "wheel and rail at 60 mph over a dip of 0.5 in, with the first peak P1 and the highest running "
+    "mean P2; the dotted line is the static load.",
+    overview)};
+
 const report::Section impact{
-    report::figure("fig-joint", "Wheel/rail force over a joint, 60 mph, dip of 0.5 in", fig_joint),
-    report::table("joint-peaks", "Peaks over a joint, by their definitions", joint_peaks)};
+    report::figure("fig-joint",
+                   "A low joint is struck twice: a sharp P1, and a slow P2 under a ripple. Force "
+                   "between wheel and rail at 60 mph over a dip of 0.5 in, for two dampings, with "
+                   "its running mean (typical track).",
+                   fig_joint),
+    report::table("joint-peaks",
+                  "P1 and P2 grow with speed times dip, and simple formulas come close. Peaks of "
+                  "the force by their definitions, and the formulas of British practice.",
+                  joint_peaks)};
 
 }  // namespace railbook::track_chapter

@@ -1,39 +1,45 @@
 /***
 ## The joint
 
-Figure 3 of the paper shows the stiffness $K_j$ under a wheel near a joint for two kinds of joint: a
-*pinned* one, which carries shear but no bending, and a *free* one, which carries nothing. Both are
-cases of two semi-infinite rails linked by a shear spring $k_v$ and a rotational spring $k_\theta$.
-Take the unjointed rail and open the kink and the step that the missing moment and shear cause.
-Moment and shear at the joint are the influence lines $c(\xi)=e^{-\xi}(\cos\xi-\sin\xi)$ and
-$d(\xi)=e^{-\xi}\cos\xi$ of the wheel's distance $\xi=\beta X$; reciprocity brings them in a second
-time:
+Where two rails meet, bars bolted to both carry a part of the bending, or none when they are loose.
+How much stiffness is left? Figure 3 of the paper shows the stiffness $K_j$ under a wheel near a
+joint for two kinds of joint: a *pinned* one, which carries shear but no bending, and a *free* one,
+which carries nothing. Both are cases of two semi-infinite rails linked by a shear spring $k_v$
+(N/m) and a rotational spring $k_\theta$ (N·m/rad).
+
+Take the unjointed rail and open the kink and the step that the missing moment and shear cause. With
+the wheel at the distance $\xi=\beta X$ from the joint, the moment and the shear at the joint go with
+$c(\xi)=e^{-\xi}(\cos\xi-\sin\xi)$ and $d(\xi)=e^{-\xi}\cos\xi$. By reciprocity the kink and the step
+deflect the rail below the wheel by the same two functions, and so these enter as squares:
 
 $$\frac{K_j}{K_r}=\frac1{1+\kappa_m\,c^2(\xi)+2\kappa_v\,d^2(\xi)},\qquad
   \kappa_m=\frac1{1+2k_\theta/\beta EI},\qquad\kappa_v=\frac1{1+k_v/\beta^3EI}.$$
 
-The pinned joint has $\kappa_m=1$, $\kappa_v=0$; the free joint has both 1.
+The number $\kappa_m$ says how much of the moment is missing, $\kappa_v$ how much of the shear. The
+pinned joint has $\kappa_m=1$, $\kappa_v=0$; the free joint has both 1. The function
+`jointed_deflection` adds kink and step to the beam, for any load and place.
 
 {{code: track/joint.cpp jointed_deflection}}
 
-The squares in the figure are exact beam elements.
+The squares in {{fig-03}} are exact beam elements.
 
 {{fig-03}}
 
 {{joint}}
 
-A free end is left with exactly a quarter of $K_r$: the paper's "as little as 25 percent". A pinned
+At a free end exactly a quarter of $K_r$ is left: the paper's "as little as 25 percent". A pinned
 joint keeps a half, and then its curve is **not monotone**: at $\xi=\pi/4$ the pin stands where the
 rail has no bending moment and the wheel does not notice it ($K_j=K_r$), after which the stiffness
 dips once more, to {{hinge-dip}} of $K_r$ at $\xi=\pi/2$. Beyond $\xi=2$, where the paper lets the
 joint's effect disappear without saying how small that is, up to {{free-left}} (free) and
 {{hinge-left}} (pinned) of $K_r$ are missing.
 
-"A good approximation of the curve", says the paper of the curves of Figure 3, is one formula:
+Is there one formula for all joints? The paper offers one for the curves of Figure 3 and calls it "a
+good approximation of the curve":
 
-$$\frac{K_j}{K_r}=1-(1-\delta)(1-\sin\theta)^2,\qquad\theta=0.65\,\beta X\le\frac\pi2, \tag{8}$$
+$$\frac{K_j}{K_r}=1-(1-\delta)(1-\sin\vartheta)^2,\qquad\vartheta=0.65\,\beta X\le\frac\pi2, \tag{8}$$
 
-with $\delta$ the ratio at the joint. The paper does not say what "good" means, nor how the error is
+with $\delta$ the ratio $K_j/K_r$ at the joint. The paper does not say what "good" means, nor how the error is
 to be counted. For the free joint (8) errs by {{free-error-size}} of $K_r$ at most and by
 {{free-rms}} in the root mean square up to $\xi=2$, and no factor in place of 0.65 does much better.
 For the pinned joint it errs by {{hinge-error-size}} at most and by {{hinge-rms}} in the root mean
@@ -175,9 +181,14 @@ void joint_table(report::Item& item) {
 }  // namespace
 
 const report::Section joint{
-    report::figure("fig-03",
-                   "Stiffness near a joint over that of unjointed rail (the paper's Fig. 3)",
-                   fig_03),
-    report::table("joint", "What the text claims about joints", joint_table)};
+    report::figure(
+        "fig-03",
+        "A joint takes stiffness away over some ten feet. Stiffness under a wheel near a joint "
+        "over that of unjointed rail, exact and by formula (8) (the paper's Fig. 3).",
+        fig_03),
+    report::table("joint",
+                  "A free joint leaves a quarter of the stiffness, a pinned one a half. What the "
+                  "paper says of joints, and the errors of (8).",
+                  joint_table)};
 
 }  // namespace railbook::track_chapter

@@ -15,8 +15,11 @@ same lumped model,
 $$Y(s)=\frac{P(s)}{K_r+C_rs+M_rs^2}, \tag{10}$$
 
 puts the wheel/rail forces on its rail mass, and scales each by the beam's deflection at that
-distance. Equations (11) to (14) are not in the text that is available, and nothing in it says what
-Figure 5 shows. The words of the paper are read as
+distance. ($Y$ and $P$ are the Laplace transforms of deflection and force, $s$ is the transform's
+variable, and $M_r$ and $C_r$ are mass and damping of the track.) Equations (11) to (14) are not in the text that is available, and nothing in it says what
+Figure 5 shows. We read the paper's words as follows. Wheel $i$ at the place $x_i$ gives the force
+$P_i$; the rail mass $M_{rail}$ sinks by $y_r$ and the mass $m_t$ of tie and ballast by $y_t$; $K_1$
+and $C_1$ are spring and damper between them, $K_g$ and $C_g$ those to the ground:
 
 $$P(t)=\sum_iP_i(t)\,a\bigl(\beta(Vt-x_i)\bigr),$$
 
@@ -26,7 +29,8 @@ $$m_t\ddot y_t+C_g\dot y_t+K_gy_t=C_1(\dot y_r-\dot y_t)+K_1(y_r-y_t).$$
 
 $a$ is a sum of damped exponentials, so for constant loads the response is one too, and needs no
 time stepping: before a wheel passes only the forced part exists, after it the system is carried on
-by a matrix exponential, with the modulation itself as two more states.
+by a matrix exponential, with the modulation itself as two more states. The function `state` does
+this.
 
 {{code: track/lumped.cpp state}}
 
@@ -38,10 +42,10 @@ bed is still moving after the last wheel.
 ### What the lumped mass gets wrong
 
 For one mass the response depends on three numbers, the speed ratio $\theta$, the damping $\zeta$
-and the mass ratio $\mu=M\beta^2V_c^2/K_r$, which is 3/4 for the mass of (15). Its peak grows as
+and the mass ratio $\mu=M_r\beta^2V_c^2/K_r$, which is 3/4 for the mass of (15). Its peak grows as
 $1+2\mu\theta^2$, that of the beam under a moving load as $1+\theta^2/2$. As (10) is read here, the
 mass (15) therefore makes the effect of inertia at a fixed point three times too large;
-$M=\rho/2\beta$, $\mu=1/4$, would be right in the limit of low speed.
+$M_r=\rho/2\beta$, $\mu=1/4$, would be right in the limit of low speed.
 
 {{trackside-peak}}
 */
@@ -127,7 +131,7 @@ For a lumped model the track needs a mass beside its spring. The paper's is
 
 $$M_r=\frac{3\rho}{2\beta}, \tag{15}$$
 
-where $\rho$ is the mass per length of rail, half the ties, and ballast. It has been "derived from
+with the mass $\rho$ per length of rail, half the ties, and ballast. It has been "derived from
 the first natural frequency of a beam", says the paper, and that is right in the usual sense. Let
 the whole static shape $a$ move up and down; the beam's energies then give Rayleigh's estimate
 $\omega_R$ of the first natural frequency, and $K_r/\omega_R^2=\rho\int a^2dX=3\rho/2\beta$, since
@@ -139,7 +143,7 @@ $2\rho/\beta$.
 {{masses}}
 
 Impact needs two masses, since ties and ballast cannot follow a wheel that hits a joint. The rail
-alone is (15) on the stiffness of pads and ties:
+alone, with the mass $\rho_r$ per length, is (15) on the stiffness of pads and ties:
 
 $$M_{rail}=\frac{3\rho_r}{2\beta_o}, \tag{16}$$
 
@@ -150,20 +154,20 @@ stone below the tie,
 
 $$\rho_b=\frac{d_b\,w\,A_t\,C_m}{N\,l_t\,g\tan\alpha}, \tag{18}$$
 
-with the specific weight $d_b$ of the ballast, the tamped area $A_t$ of half a tie and an empirical
-$C_m$ of one or slightly more. The integer $N$ cannot be read in our copy: 6 is what a pyramid of
+with the specific weight $d_b$ of the ballast, the tamped area $A_t$ of half a tie (where ballast is
+packed below it), gravity $g$ and an empirical $C_m$ of one or slightly more. The integer $N$ cannot be read in our copy: 6 is what a pyramid of
 depth $w/2\tan\alpha$ needs, 4 a wedge. The other rule, which carries the same number, uses the
 speed $V$ of shear waves, $\rho_b=0.28\,k_bA_t/(l_tV^2)$; $k_b$, the "effective" stiffness under
-half a tie, is read as $k_{bs}/2$. Half a tie and its ballast are
+half a tie, is read as $k_{bs}/2$. Half a tie of the weight $W_{tie}$ and its ballast are
 
 $$m_t=\frac3{2\beta}\left(\frac{W_{tie}}{2gl_t}+\rho_b\right). \tag{19}$$
 
 The first rule with $N=4$ gives {{mass-spread}} more $m_t$ than the second, and nothing in the paper
-says which is nearer.
+says which is nearer. The function `ballast_mass_per_length` is the first rule.
 
 {{code: track/effective_mass.cpp ballast_mass_per_length}}
 
-Damping is taken as viscous, $C=2\zeta\sqrt{K_rM}$. The paper quotes $\zeta$ of 0.15 to 0.25 from
+Damping is taken as viscous, $C_r=2\zeta\sqrt{K_rM_r}$. The paper quotes $\zeta$ of 0.15 to 0.25 from
 tests on clean ballast and 0.40 to 1.00 from the theory of radiation into the half-space: a factor
 of seven, which {{fig-amplification}} makes visible.
 */
@@ -248,12 +252,21 @@ void masses_table(report::Item& item) {
 
 const report::Section lumped{
     report::figure("fig-04",
-                   "Lumped track below the wheels of a truck, one rail (after the words on Fig. 4)",
+                   "Two wheels on one rail, each with its own track below it. The lumped model, "
+                   "drawn after the paper's words on its Fig. 4.",
                    scheme),
-    report::figure("fig-05", "Trackside deflection under two trucks (in place of Fig. 5)",
-                   modulation),
-    report::table("trackside-peak", "Peak at a fixed point over the static deflection",
+    report::figure(
+        "fig-05",
+        "At 250 mph the bed still moves after the last wheel. Deflection at a fixed point beside "
+        "the track as two trucks pass, at rest and at two speeds (in place of the paper's Fig. 5).",
+        modulation),
+    report::table("trackside-peak",
+                  "The lumped mass makes the effect of inertia three times too large. Peak "
+                  "deflection at a fixed point over the static one.",
                   trackside_peaks),
-    report::table("masses", "Effective masses of the typical track, one rail", masses_table)};
+    report::table("masses",
+                  "Little moves with the rail alone, far more with tie and ballast. Effective "
+                  "masses of the typical track, one rail.",
+                  masses_table)};
 
 }  // namespace railbook::track_chapter

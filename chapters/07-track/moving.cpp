@@ -6,10 +6,12 @@ outrun its own deflection. That speed is
 
 $$V_c=\left(\frac{4EIK}{\rho^2}\right)^{1/4}, \tag{9}$$
 
-the smallest phase speed $\omega/k$ of $EIk^4+K=\rho\omega^2$. The paper puts it at about 1100 mph
-"using parameters for the rail-tie-ballast type structure" and concludes that less than 3 percent
-are ignored at 250 mph, so that a lumped track may travel below each wheel at 150 mph or less. It
-gives neither $K$ nor $\rho$, and the answer depends on what moves with the rail:
+where $\rho$ is the mass that moves per length of rail. It is the smallest phase speed $\omega/\nu$ of
+free waves of the circular frequency $\omega$ and the wavenumber $\nu$, for which
+$EI\nu^4+K=\rho\omega^2$. The paper puts it at about 1100 mph "using parameters for the
+rail-tie-ballast type structure". It concludes that the error of ignoring the waves is less than 3
+percent at 250 mph, and that a lumped track may travel below each wheel at 150 mph or less. It gives
+neither $K$ nor $\rho$, and the answer depends on what moves with the rail:
 
 {{critical-speed}}
 
@@ -17,32 +19,37 @@ With the rail's mass alone the typical track has {{v-rail}}, near the printed fi
 the "track mass per unit length", and below (15) the mass "of tie, ballast and rail". With half a
 tie the speed is {{v-tie}}; with the ballast of (18) as well, {{v-ballast}}. That number rests on
 the modulus, the rail, the tie, the reading of (18) and the rule for the ballast, all of which we
-chose; as they are varied, the speed goes from {{v-range}}, and {{error-range}} of the deflection is
-ignored at 250 mph. The upper end takes everything at its most favourable at once: a heavy rail,
+chose; as they are varied, the speed is {{v-range}}, and the error at 250 mph {{error-range}} of the
+deflection. The upper end takes everything at its most favourable at once: a heavy rail,
 light ties, the second rule (18), fast shear waves and a bed of $K$ = {{k-best}}. Since the paper
 prints neither $K$ nor $\rho$, its number and the 3 percent cannot be tested. With half a tie
 1100 mph takes $K$ = {{k-for-1100-tie}}, with the ballast as well {{k-for-1100-ballast}}, with the
 rail alone {{k-for-1100}}; maintained main lines have 1500 to 3000 psi.
 
-At 150 mph {{error-at-150-ballast}} of the deflection is ignored on the typical track
+At 150 mph the error is {{error-at-150-ballast}} of the deflection on the typical track
 ({{error-150-range}} as the same is varied). The paper does not say how much it would accept, but
 errors of this size are small beside what is not known of any track, and its conclusion stands
 without its number.
 
 ### The shape under the load
 
-Seen from the load, in $s=\beta(X-Vt)$ and in units of $P\beta/2K$, the rail's shape satisfies
+What does the dent look like when the load runs at the speed $V$? Seen from the load, in
+$\eta=\beta(X-Vt)$ with the time $t$, and in units of $P\beta/2K$, the rail's shape $\bar y$ satisfies
 
-$$y''''+4\theta^2y''-8\zeta\theta y'+4y=8\,\delta(s),\qquad \theta=V/V_c,$$
+$$\bar y''''+4\theta^2\bar y''-8\zeta\theta\bar y'+4\bar y=8\,\hat\delta(\eta),\qquad \theta=V/V_c,$$
 
-where $y$ is the deflection, $\delta$ a unit load at $s=0$ and $2\zeta\sqrt{K\rho}$ the damping of
-the bed per length. Without damping the deflection under the load is $1/\sqrt{1-\theta^2}$. With
+where $\hat\delta$ is a unit load at $\eta=0$ and $2\zeta\sqrt{K\rho}$ the damping of the bed per
+length; $\zeta=1$ is critical damping. Without damping the deflection under the load is $1/\sqrt{1-\theta^2}$. With
 damping the textbook takes the four roots of $p^4+4\theta^2p^2-8\zeta\theta p+4=0$ and solves for
 four amplitudes. Both steps lose digits where two roots meet, as they do at $V_c$. The roots are not
-needed: the quartic splits into two real quadratics, $(p^2+ap+b)(p^2-ap+c)$, one ahead of the load
-and one behind, and $u=a^2$ is the one positive root of a convex cubic,
+needed: the quartic splits into two real quadratics, $(p^2+qp+r_1)(p^2-qp+r_2)$, one ahead of the load
+and one behind, and $u=q^2$ is the one positive root of a convex cubic,
 
 $$u^3+8\theta^2u^2+16(\theta^4-1)u-64\zeta^2\theta^2=0.$$
+
+Newton's method finds this root without a choice to make. The function `moving_load` takes the
+factors ($q$, $r_1$ and $r_2$ are its `a`, `b` and `c`) and joins the two sides at the load, where
+deflection, slope and curvature are equal and the shear jumps by the load.
 
 {{code: track/moving_load.cpp moving_load}}
 
@@ -273,8 +280,20 @@ void amplification(report::Item& item) {
 }  // namespace
 
 const report::Section moving{
-    report::table("critical-speed", "Critical speed, and what 250 mph ignores", critical_speeds),
-    report::figure("fig-moving", "Rail shape under a moving load", shapes),
-    report::figure("fig-amplification", "Largest deflection against speed", amplification)};
+    report::table(
+        "critical-speed",
+        "With tie and ballast the critical speed is far below 1100 mph. Critical speed of 132RE "
+        "rail by (9), and the error of ignoring the waves at 250 mph, by what moves with the rail.",
+        critical_speeds),
+    report::figure(
+        "fig-moving",
+        "Damping lets the dent lean back; above the critical speed it falls behind the load. Shape "
+        "of the rail seen from the load, which runs to the right; points are finite elements.",
+        shapes),
+    report::figure("fig-amplification",
+                   "Up to half of the critical speed hardly anything happens. Largest deflection "
+                   "over the static one; the marks are 150 and 250 mph, for the paper's 1100 mph "
+                   "and for our typical track.",
+                   amplification)};
 
 }  // namespace railbook::track_chapter

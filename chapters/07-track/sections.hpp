@@ -22,6 +22,7 @@ inline track::RectifiedSine joint_dip(double inches) {
   return {inches * units::inch, 39 * units::foot};
 }
 
+extern const report::Section drawing;    // of the page's subject and symbols
 extern const report::Section stiffness;  // rail on its foundation: Fig. 1
 extern const report::Section chain;      // from pad to subgrade: Fig. 2
 extern const report::Section joint;      // stiffness near a joint: Fig. 3

@@ -1,22 +1,27 @@
 /***
 ## A rail is a beam on a bed of springs
 
-The rail is an infinite beam of bending stiffness $EI$, and the ties below it are smeared into a bed
-of springs of stiffness $K$ per length, the *foundation modulus* of one rail. Under a wheel load $P$
-the deflection is
+How far does a rail sink under a wheel, and how far away is this felt? The paper takes the rail as an
+infinite beam of bending stiffness $EI$ (Young's modulus $E$ times the second moment $I$ of its
+section). The ties below it are smeared into a bed of springs of stiffness $K$ per length (psi, that
+is lbf/in for each inch of rail), the *foundation modulus* of one rail. At a distance $X$ from a
+wheel load $P$ the deflection $y$ is
 
 $$y(X)=\frac{P\beta}{2K}\,a(X),\qquad a(X)=e^{-\beta|X|}(\cos\beta X+\sin\beta|X|),\qquad
   \beta=\left(\frac{K}{4EI}\right)^{1/4}. \tag{1}$$
 
-One length, $1/\beta$, governs everything: how far a wheel is felt, how much two wheels of a truck
-share, how far a joint reaches.
+where $a$ is its shape, 1 under the load. One length, $1/\beta$, governs everything: how far a wheel
+is felt, how much two wheels of a truck (the frame under an end of the car) share, how far a joint
+reaches. The function `winkler_shapes` gives $a$ and what its derivatives are made of; it has its
+name from Winkler, who introduced the bed of springs.
 
 {{code: track/beam_on_foundation.cpp winkler_shapes}}
 
 {{fig-01}}
 
-The squares are the Fourier integral $\frac{P}{\pi}\int_0^\infty\frac{\cos kX}{EIk^4+K}\,dk$, which
-shares no formula with (1). The rail lifts between $\beta X=3\pi/4$ and $7\pi/4$, most at
+The squares in {{fig-01}} are the Fourier integral
+$\frac{P}{\pi}\int_0^\infty\frac{\cos\nu X}{EI\nu^4+K}\,d\nu$ over the wavenumber $\nu$, which shares
+no formula with (1). The rail lifts between $\beta X=3\pi/4$ and $7\pi/4$, most at
 $\beta X=\pi$, by {{uplift}} of the deflection under the load.
 
 The stiffness that a wheel feels is
@@ -24,6 +29,7 @@ The stiffness that a wheel feels is
 $$K_r=\frac{P}{y(0)}=2\,(4EIK^3)^{1/4}. \tag{2}$$
 
 It goes with $K^{3/4}$ and only with $EI^{1/4}$: the ground matters far more than the rail.
+{{continuous}} has numbers for a common rail, 132RE (132 pounds a yard).
 
 {{continuous}}
 
@@ -34,8 +40,8 @@ $\beta X=2$, "or roughly 10 feet for average track", which is {{reach-ratio}} of
 zero deflection. Both are "roughly" ten feet on one track: with $K$ = {{k-both}} they are
 {{reach-both}} and {{zero-both}}.
 
-The deflection is linear in the loads. A second wheel at a distance $l$ with the same load therefore
-adds the fraction $a(l)$ to the deflection under the first, whose stiffness falls to $K_r/(1+a(l))$:
+The deflection is linear in the loads. A second wheel at a distance $b$ with the same load therefore
+adds the fraction $a(b)$ to the deflection under the first, whose stiffness falls to $K_r/(1+a(b))$:
 {{share-66}} of $K_r$ in a truck of 66 inches, {{share-108}} in one of 108 inches. Discrete ties
 change $K_r$ by {{worst-tie}} at most on the four rails and the tie spacings of 19.5 to 24 inches
 that were in use, so they are not why theory and experiment agree only "more or less".
@@ -159,7 +165,13 @@ void continuous(report::Item& item) {
 }  // namespace
 
 const report::Section stiffness{
-    report::figure("fig-01", "Rail deflection under a point load (the paper's Fig. 1)", fig_01),
-    report::table("continuous", "132RE rail on a continuous foundation", continuous)};
+    report::figure("fig-01",
+                   "A wheel is felt over some ten feet to each side. Shape of the rail under a "
+                   "point load by (1), against the Fourier integral (the paper's Fig. 1).",
+                   fig_01),
+    report::table("continuous",
+                  "The stiffness under a wheel goes with the ground to the power 3/4. 132RE rail "
+                  "on foundations from soft to stiff.",
+                  continuous)};
 
 }  // namespace railbook::track_chapter

@@ -1,17 +1,18 @@
 /***
 ### Two wheels of a truck
 
-A wheel on the same rail adds to the rail's deflection, and it does so while everything moves. On
-the beam of (1) with a mass $\rho$ per length and a damping $c$ of its bed, a load at the circular
-frequency $\omega$ moves the rail at a distance $l$ by a fraction of what it does at the load. That
-fraction is the modulus of $a(l)$, with $\beta$ made of $K-\rho\omega^2+ic\omega$ in place of $K$.
+Does it matter that a truck has two wheels? A wheel on the same rail adds to the rail's deflection,
+and it does so while everything moves. On the beam of (1) with a mass $\rho$ per length and a bed
+with the damping $\zeta$, a load at the circular frequency $\omega$ moves the rail at a distance $b$
+by a fraction of what it does at the load. That fraction is the modulus of $a(b)$, with $\beta$ made
+of $K-\rho\omega^2+2i\zeta\omega\sqrt{K\rho}$ in place of $K$ (`share_at`).
 This beam has neither wheels nor lumps, and it shows that the paper's coupling is there, in motion
 more than at rest:
 
 {{two-wheels}}
 
 In the lumped model the coupling is that at rest: the force of each wheel acts on its own rail mass,
-and $a(l)$ of it on that of the other. In a truck of 70 inches at 60 mph over a dip of 0.5 in, the
+and $a(b)$ of it on that of the other. In a truck of 70 inches at 60 mph over a dip of 0.5 in, the
 blow to the leading wheel then moves the rail below the trailing wheel by up to {{neighbour-rail}}.
 The trailing wheel hardly acts back: P1 and P2 of the leading wheel, defined above, change by
 {{neighbour-p1}} and {{neighbour-p2}}. For these two peaks one wheel is enough.
@@ -156,11 +157,11 @@ void two_wheels(report::Item& item) {
   for (const double frequency : {0.0, 10.0, modes[0], 60.0, 100.0, modes[1]})
     item.add_row(frequency, share(frequency, 66), share(frequency, 70), share(frequency, 108));
   item.expect_checks(3);
-  // At rest the paper's a(l), from two loads on exact elements.
+  // At rest the paper's a(b), from two loads on exact elements.
   const double base = 70 * units::inch;
   const WheelLoad pair[] = {{0, typical_wheel_load}, {base, typical_wheel_load}};
   item.agree("at-rest",
-             "1 + a(l), the deflection under a wheel of a 70-in truck over that of one alone", "",
+             "1 + a(b), the deflection under a wheel of a 70-in truck over that of one alone", "",
              beam.point_stiffness() / stiffness_under_wheel(beam, pair, 0), 1 + share(0, 70), 1e-12,
              "the oscillating load at 0 Hz");
   report::Trial trial =
@@ -207,6 +208,9 @@ void two_wheels(report::Item& item) {
 }  // namespace
 
 const report::Section two_wheels_section{report::table(
-    "two-wheels", "What an oscillating load adds under a wheel of the same truck", two_wheels)};
+    "two-wheels",
+    "A neighbour is felt more in motion than at rest. Amplitude of the rail under a wheel from an "
+    "oscillating load under the other wheel of a truck, over that under the load.",
+    two_wheels)};
 
 }  // namespace railbook::track_chapter

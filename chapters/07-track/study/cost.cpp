@@ -6,7 +6,7 @@ finite elements converge with the fourth power of the element; the condition of 
 as fast, so it is solved with twice a double's digits. A run in time must wait for its transient and
 step along the whole way; Richardson's extrapolation in step and element takes both errors down. The
 lumped model keeps its modelling error, {{lumped-error}}. The reference is the Fourier integral
-$\frac8\pi\,\mathrm{Re}\int_0^\infty\frac{dk}{k^4-4\theta^2k^2-8i\zeta\theta k+4}$ in 80-bit
+$\frac8\pi\,\mathrm{Re}\int_0^\infty\frac{d\nu}{\nu^4-4\theta^2\nu^2-8i\zeta\theta\nu+4}$ in 80-bit
 arithmetic, which shares nothing with any of them but the differential equation.
 
 {{cost-moving}}

@@ -1,7 +1,7 @@
 /***
 At $V_c$ itself the roots of the quartic pair off as damping goes to zero, and a formula in terms of
 roots must lose half of its digits. Choosing $u$ and computing $\zeta$ from it gives a case with a
-known answer, $y(0)=16\sqrt u/(3u^2+16u)$, for each of five dampings.
+known answer, $\bar y(0)=16\sqrt u/(3u^2+16u)$, for each of five dampings.
 */
 #include <fmt/format.h>
 
