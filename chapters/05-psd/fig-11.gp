@@ -8,7 +8,7 @@ set xlabel "joint dip B (printed convention), mm"
 set ylabel "roughness A, m^2 cycle/m"
 set key at screen 0.53, screen 0.99 center top horizontal maxrows 2 nobox
 set tmargin 4.5
-set label "limit of class" at 0.53, 1.2e-5 tc rgb blue font ",12"
+set label "limit of class" at 0.53, 1.2e-5 tc rgb blue font ",13"
 set label "random part decides" at 0.62, 6e-7 tc rgb "#606060"
 set label "joints decide" at 7, 1.8e-8 tc rgb "#606060"
 plot ARG1 using "B_mm":"A_m2_cycle_per_m" with lines lt 2 dt solid lw 2 title "limits of the classes, (10)", \
@@ -16,5 +16,5 @@ plot ARG1 using "B_mm":"A_m2_cycle_per_m" with lines lt 2 dt solid lw 2 title "l
      ARG3 using (column("jointed") == 1 ? column("B_mm") : NaN):"A_m2_cycle_per_m" with points lt 3 title "zones, jointed", \
      ARG3 using (column("jointed") == 0 ? column("B_mm") : NaN):"A_m2_cycle_per_m" with points pt 6 ps 1.5 lw 2.2 lc rgb green title "zones, welded", \
      for [n = 1:13] ARG3 using (strcol("zone") eq sprintf("%d", n) ? column("B_mm") : NaN):"A_m2_cycle_per_m":"zone" \
-       with labels offset (n == 2 ? -1.1 : n == 1 ? 0 : 1.1),(n == 1 ? -0.9 : 0.6) font ",11" notitle, \
-     ARG5 using "B_mm":"A_m2_cycle_per_m":"class" with labels offset 0,0.55 tc rgb blue font ",12" notitle
+       with labels offset (n == 2 ? -1.1 : n == 1 ? 0 : 1.1),(n == 1 ? -0.9 : 0.6) font ",13" notitle, \
+     ARG5 using "B_mm":"A_m2_cycle_per_m":"class" with labels offset 0,0.55 tc rgb blue font ",13" notitle

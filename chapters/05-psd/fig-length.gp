@@ -1,5 +1,5 @@
 load "style.gp"
-set terminal pngcairo size 1500,850
+set terminal pngcairo size 1100,720 font "DejaVu Sans,11.5" enhanced background rgb "white"
 set output ARG2
 set multiplot layout 2,4
 set logscale x
@@ -20,7 +20,7 @@ do for [q = 1:3] {
 }
 set title "class"
 set ylabel "share of records with the right class, %"
-set key at graph 1.0, graph -0.35 right top samplen 2 font ",13"
+set key at graph 1.0, graph -0.35 right top samplen 2
 set yrange [-3:100]
 unset arrow 1
 plot for [w = 1:3] ARG3 using (strcol("method") eq word(ways, w) ? column("length_km") * shift(w) : NaN):"right_percent":"error" \

@@ -111,42 +111,75 @@ The command `railbook psd classify` reads a table with a column of positions and
 does all steps of this page, with standard errors and the odds of each class. Here it reads 20 km of
 synthetic track with the numbers of zone 7:
 
-    railbook psd synthesize track.csv --length 20km --roughness "5e-7m^2*cycle/m" --corner 0.13cycle/m --dip 11mm
-    railbook psd classify track.csv --column profile
-
-      roughness A                            5.102885e-07 m^2 cycle/m
-        its standard error                   1.348093e-08 m^2 cycle/m
-      corner phi_c                           0.1286471 cycle/m
-      rail length                            11.8872 m
-      joint dip B, printed convention        10.7026 mm   (as in Table 1)
-        its standard error                   0.4152623 mm
-      deviation d expected of a 62-ft chord  29.77364 mm   (random 20.7, joints 21.4)
-      class                                  5   (margin 6.2 %)
-        odds of class 5                      0.9999
+```console
+$ railbook psd synthesize track.csv --length 20km --roughness "5e-7m^2*cycle/m" --corner 0.13cycle/m --dip 11mm
+synthetic track in track.csv
+...
+$ railbook psd classify track.csv --column profile
+...
+  roughness A                            5.10e-07 m^2 cycle/m
+    its standard error                   1.3e-08 m^2 cycle/m
+  corner phi_c                           0.129 cycle/m
+...
+  rail length                            11.887 m
+  joint dip B, printed convention        10.7 mm   (as in Table 1)
+    its standard error                   0.42 mm
+...
+  deviation d expected of a 62-ft chord  29.8 mm   (random 20.7, joints 21.4)
+  class                                  5   (margin 6.2 %)
+...
+    odds of class 5                      0.9999
+...
+```
 
 With `--out FOLDER` it writes the spectrum, the parameters and a picture, with `--section 1km` a row
 for each kilometre.
 
 ## Try next
 
-* Make zone 12 of 30-ft rail, the length that its printed $\varphi_0$ belongs to. The paper prints
-  class 2. The answer is class 3 with a margin of 2.7 %, and leaves a small chance to class 2:
+**Which class is zone 12?** Make it of 30-ft rail, the length that its printed $\varphi_0$ belongs to.
+The paper prints class 2. The answer is class 3 with a margin of 2.7 %, and leaves a small chance to
+class 2:
 
-      railbook psd synthesize zone-12.csv --length 20km --roughness "8e-7m^2*cycle/m" --corner 0.18cycle/m --dip 25mm --rail 30ft
-      railbook psd classify zone-12.csv --column profile --rail 30ft
+```console
+$ railbook psd synthesize zone-12.csv --length 20km --roughness "8e-7m^2*cycle/m" --corner 0.18cycle/m --dip 25mm --rail 30ft
+synthetic track in zone-12.csv
+...
+$ railbook psd classify zone-12.csv --column profile --rail 30ft
+...
+  class                                  3   (margin 2.7 %)
+...
+    odds of class 2                      0.002
+...
+    odds of class 3                      0.998
+...
+```
 
-* Let the depths of the joints scatter by half of their mean. Between the peaks the spectrum rises,
-  the fit takes this for roughness, and $A$ comes out too high; `note` in the answer says how much
-  a scatter of 20 % would add:
+**What do uneven joints do?** Let their depths scatter by half of their mean. Between the peaks the spectrum rises,
+the fit takes this for roughness, and $A$ comes out 8 % too high; the note at the end of the answer says what a scatter of 20 % would add:
 
-      railbook psd synthesize uneven.csv --length 20km --roughness "5e-7m^2*cycle/m" --corner 0.13cycle/m --dip 11mm --scatter 0.5
-      railbook psd classify uneven.csv --column profile
+```console
+$ railbook psd synthesize uneven.csv --length 20km --roughness "5e-7m^2*cycle/m" --corner 0.13cycle/m --dip 11mm --scatter 0.5
+synthetic track in uneven.csv
+...
+$ railbook psd classify uneven.csv --column profile
+...
+  roughness A                            5.4e-07 m^2 cycle/m
+...
+```
 
-* Which rail has the track? Synthesise 33-ft rail and leave `--rail` out: the command finds the
-  length in the spectrum, and says so.
+**Which rail has the track?** Synthesise 33-ft rail and leave `--rail` out: the command finds the
+length in the spectrum, and says so.
 
-      railbook psd synthesize old.csv --length 20km --roughness "5e-7m^2*cycle/m" --corner 0.13cycle/m --dip 11mm --rail 33ft
-      railbook psd classify old.csv --column profile
+```console
+$ railbook psd synthesize old.csv --length 20km --roughness "5e-7m^2*cycle/m" --corner 0.13cycle/m --dip 11mm --rail 33ft
+synthetic track in old.csv
+...
+$ railbook psd classify old.csv --column profile
+...
+  rail length                            10.06 m
+...
+```
 
 ## Symbols
 

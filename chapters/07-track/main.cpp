@@ -93,54 +93,85 @@ numbers and no equation, and is not treated.
 ## Use it
 
 `railbook track stiffness` makes the chain of springs of the data of a track and answers all that
-the first half of this page computes; what is not given is taken from the typical track, and the
-answer says so.
+the first half of this page computes. What is not given is taken from the typical track, and the
+answer says so:
 
-    railbook track stiffness --rail 136RE --tie-spacing 19.5in --ballast-depth 14in
-
-      rail seat k                            33381.57 lbf/in   (eq. (4))
-      foundation modulus K                   1711.875 psi   (eq. (3))
-      stiffness under one wheel K_r          173878.5 lbf/in   (eq. (2))
-      zero deflection at                     9.971804 ft
-      lumped: rail mass                      66.35466 kg   (eqs (16), (17))
-      lumped: rail to tie                    231.8441 MN/m
-      lumped: tie to ground                  35.05497 MN/m
+```console
+$ railbook track stiffness --rail 136RE --tie-spacing 19.5in --ballast-depth 14in
+...
+  ballast k_b                            986718 lbf/in   (eq. (6))
+  subgrade k_s                           77132 lbf/in   (eq. (7))
+...
+  foundation modulus K                   1712 psi   (eq. (3))
+...
+  stiffness under one wheel K_r          173879 lbf/in   (eq. (2))
+...
+  zero deflection at                     9.97 ft
+...
+  lumped: rail mass                      66.4 kg   (eqs (16), (17))
+...
+```
 
 `railbook track joint` runs a wheel over a joint, given by its dip or its angle, or over a measured
 surface (`--profile`):
 
-    railbook track joint --speed 60mph --dip 0.5in
-
-      natural frequencies, Hz                        27.16, 162.83, 860.99
-      P1, first local maximum                        178.1827 kN   (at 0.309 ms)
-      largest before 2.5 ms                          195.9037 kN   (at 1.423 ms)
-      P2, largest mean over 6.14 ms                  135.72 kN   (at 8.882 ms)
-      contact lost for                               0 ms   (0 times)
+```console
+$ railbook track joint --speed 60mph --dip 0.5in
+...
+  P1, first local maximum                        178.2 kN   (at 0.309 ms)
+  largest before 2.5 ms                          195.9 kN   (at 1.423 ms)
+  largest after 4 ms                             173.2 kN   (at 7.19 ms)
+  P2, largest mean over 6.14 ms                  135.7 kN   (at 8.88 ms)
+...
+```
 
 With `--out FOLDER` it also writes the forces in time and a picture.
 
 ## Try next
 
-* How much softer must the soil get before a heavy rail is worth less than a light one? Compare the
-  stiffness under one wheel, $K_r$. On 80 lbf/in³ the heavy rail has lost already:
+**How much softer must the soil get before a heavy rail is worth less than a light one?** Compare
+the stiffness $K_r$ under one wheel. On soil of 80 instead of 100 lbf/in³ the heavy rail has lost
+already:
 
-      railbook track stiffness --rail 136RE --soil-modulus "80lbf/in^3"
-      railbook track stiffness --rail 115RE --soil-modulus "100lbf/in^3"
+```console
+$ railbook track stiffness --rail 136RE --soil-modulus "80lbf/in^3"
+...
+  stiffness under one wheel K_r          139368 lbf/in   (eq. (2))
+...
+$ railbook track stiffness --rail 115RE --soil-modulus "100lbf/in^3"
+...
+  stiffness under one wheel K_r          147538 lbf/in   (eq. (2))
+...
+```
 
-* Damp the rail on its ties six times as much. P1 stays, and the largest forces after it fall by 8
-  and 18 %. Halve the damping of the bed instead, and only the late peak notices:
+**Which of the four peaks does damping change?** Damp the rail on its ties six times as much. P1
+stays, and the forces after it fall. Halve the damping of the bed instead, and only the late peak
+notices:
 
-      railbook track joint --speed 60mph --dip 0.5in --rail-damping "72kN*s/m"
-      railbook track joint --speed 60mph --dip 0.5in --bed-damping "19kN*s/m"
+```console
+$ railbook track joint --speed 60mph --dip 0.5in --rail-damping "72kN*s/m"
+...
+  P1, first local maximum                        180 kN   (at 0.33 ms)
+...
+  largest after 4 ms                             143 kN   (at 7.3 ms)
+...
+$ railbook track joint --speed 60mph --dip 0.5in --bed-damping "19kN*s/m"
+...
+  largest after 4 ms                             177 kN   (at 7.2 ms)
+...
+```
 
-* Halve the mass of the wheel. What P2 adds to the static load falls by more than half, P1 hardly
-  changes: during the first blow the wheel stands still, and only the rail moves.
+**What does the mass of the wheel do?** Halve it. What P2 adds to the static load falls by more than
+half, and P1 hardly changes: during the first blow the wheel stands still, and only the rail moves:
 
-      railbook track joint --speed 60mph --dip 0.5in --wheel-mass 325kg
-
-* Make the bed a hundred times stiffer. P1 does not notice what lies so far below; P2 does:
-
-      railbook track joint --speed 60mph --dip 0.5in --bed-stiffness "3200MN/m"
+```console
+$ railbook track joint --speed 60mph --dip 0.5in --wheel-mass 325kg
+...
+  P1, first local maximum                        176 kN   (at 0.30 ms)
+...
+  P2, largest mean over 5.53 ms                  128 kN   (at 2.8 ms)
+...
+```
 
 ## Symbols
 
