@@ -1,6 +1,7 @@
 load "style.gp"
 set terminal pngcairo size 1300,600
 set output ARG2
+set minussign
 set multiplot layout 1,2
 set yrange [*:*] reverse
 set xzeroaxis ls guide
@@ -19,7 +20,7 @@ unset ylabel
 set xrange [-15:5]
 set key bottom left
 plot ARG3 using "s":"theta_05" with lines lt 2 title "θ = 0.5", \
-     ARG3 using "s":"theta_1" with lines lt 3 title "θ = 1", \
+     ARG3 using "s":"theta_1" with lines lt 6 title "θ = 1", \
      ARG3 using "s":"theta_2" with lines lt 5 title "θ = 2", \
      ARG4 using "s":"y" with points ls other ps 0.8 title "finite elements"
 unset multiplot
