@@ -2,7 +2,7 @@ load "style.gp"
 set terminal pngcairo size 1000,840
 set output ARG2
 unset key
-set multiplot layout 5,1 margins 0.08,0.98,0.09,0.96 spacing 0,0.052
+set multiplot layout 5,1 margins 0.08,0.98,0.09,0.95 spacing 0,0.06
 set format x ""
 set xrange [0:130.8]
 set yrange [-21:6]

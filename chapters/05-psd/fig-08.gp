@@ -1,25 +1,27 @@
+# alt: Six panels, one a zone: the spectrum of synthetic track over the printed random part, against wavenumber. Each is near one but for a peak at the rail's wavenumber, which is narrow in zones 7 and 13 and broad in zones 10, 2, 11 and 12; circles mark the printed height.
 load "style.gp"
-set terminal pngcairo size 1300,900
+set terminal pngcairo size 1100,640 font "DejaVu Sans,12" enhanced background rgb "white"
 set output ARG2
 set logscale xy
-set format y "10^{%T}"
+set format y "%g"
 set xrange [0.01:1.2]
-set yrange [1e-10:2e-2]
-set ytics 1e-10, 100, 1
+set yrange [0.6:8]
+set ytics (0.7, 1, 2, 5)
 set xtics (0.01, 0.03, 0.1, 0.3, 1)
 names = "7 10 2 11 12 13"
-set key bottom left font ",12" samplen 2.5 nobox noopaque Left reverse
-set multiplot layout 2,3 margins 0.09,0.98,0.09,0.95 spacing 0.07,0.12
+set key top right samplen 2.5 nobox noopaque Left reverse
+set key off
+set multiplot layout 2,3 margins 0.07,0.985,0.1,0.95 spacing 0.05,0.13
 do for [z = 1:6] {
   set title sprintf("(%s) zone %s", substr("abcdef", z, z), word(names, z)) offset 0,-0.7
-  if (z > 3) { set xlabel "wavenumber, cycle/m" }
-  if (z % 3 == 1) { set ylabel "S, m^2/(cycle/m)" offset 1 } else { unset ylabel }
+  if (z > 3) { set xlabel "wavenumber φ, cycle/m" }
+  if (z % 3 == 1) { set ylabel "S / printed random part" offset 1 } else { unset ylabel }
   is(name) = name eq word(names, z)
-  plot ARG1 using (is(strcol("zone")) ? column("phi_cycle_per_m") : NaN):"S_m2_per_cycle_per_m" with lines lc rgb blue lw 1.6 title (z == 1 ? "synthetic track" : ""), \
-       ARG3 using (is(strcol("zone")) ? column("phi_cycle_per_m") : NaN):"S_printed" with lines lc rgb red lw 2.2 dt (14,5) title (z == 1 ? "printed A, φ_c" : ""), \
-       ARG3 using (is(strcol("zone")) ? column("phi_cycle_per_m") : NaN):"S_fitted" with lines lc rgb black lw 1.4 title (z == 1 ? "fitted" : ""), \
-       ARG4 using (is(strcol("zone")) ? column("phi_cycle_per_m") : NaN):"S_peak" with points ls printed title (z == 1 ? "printed C_1 above them" : ""), \
-       ARG4 using (is(strcol("zone")) ? column("phi_c") : NaN):"S_corner" with points pt 2 ps 1.6 lw 2.4 lc rgb red title (z == 1 ? "printed φ_c" : "")
-  set key off
+  plot 1 with lines ls guide, \
+       ARG1 using (is(strcol("zone")) ? column("phi_cycle_per_m") : NaN):"S_over_printed" with lines lc rgb blue lw 1.6 dt solid title (z == 6 ? "synthetic track" : ""), \
+       ARG3 using (is(strcol("zone")) ? column("phi_cycle_per_m") : NaN):"fitted_over_printed" with lines lc rgb black lw 1.8 dt (12,4) title (z == 6 ? "two lines fitted" : ""), \
+       ARG4 using (is(strcol("zone")) ? column("phi_c") : NaN):(0.6):(0):(0.15) with vectors filled lc rgb red lw 2 dt solid title (z == 6 ? "printed φ_c" : ""), \
+       ARG4 using (is(strcol("zone")) ? column("phi_cycle_per_m") : NaN):"peak_over_printed" with points ls printed title (z == 6 ? "printed C_1" : "")
+  if (z == 5) { set key on } else { set key off }
 }
 unset multiplot
