@@ -106,6 +106,22 @@ void disturbed_track(Cases& cases) {
       return S + lines_seen(lines, phi, df) - lines_seen(plain, phi, df);
     };
   });
+  cases.add("two-tracks", "half of the record is four times as rough as the other",
+            "a record of two tracks; what is put in is their mean", [](Case& c) {
+              auto smooth = c.track, rough = c.track;
+              smooth.A *= 0.4;
+              rough.A *= 1.6;
+              rough.seed += 1;
+              c.spoil = [smooth, rough](Record& z) {
+                const std::size_t half = z.size() / 2;
+                const Record first = spectra::synthesize(smooth, half),
+                             second = spectra::synthesize(rough, z.size() - half);
+                for (std::size_t i = 0; i < z.size(); ++i)
+                  z[i] = i < half ? first[i] : first.back() + second[i - half] - second[0];
+              };
+            });
+  cases.add("unknown-rail", "30-ft rail, read as 39-ft rail", "the line is looked for elsewhere",
+            [](Case& c) { c.track.rail_length = 30 * units::foot, c.loss = 1.05; });
   cases.add("scatter-1", "joint depths vary by 100 %", "continuous spectrum of the joints",
             [](Case& c) {
               c.track.dip_scatter = 1;
@@ -187,6 +203,8 @@ Result run(const Case& c) {
   const auto fit = spectra::fit_track_spectrum(spectrum, c.fit);
   if (const auto stray = spectra::stray_line(spectrum, c.fit, fit))
     doubts += fmt::format(", stray line at {:.4f}", stray->phi);
+  if (const auto other = spectra::contradicting_rail(spectrum, c.fit, fit))
+    doubts += fmt::format(", rails of {:.2f} m", *other);
   if (fit.corner == spectra::CornerState::at_low_bound) doubts += ", corner at its lower bound";
   if (fit.misfit > 1.25) doubts += fmt::format(", misfit {:.2f}", fit.misfit);
   if (!fit.converged) doubts += ", not converged";
@@ -268,6 +286,9 @@ void table_stability(report::Item& item) {
 }  // namespace
 
 const report::Section extremes{
-    report::table("stability", "What the estimator makes of difficult records", table_stability)};
+    report::table("stability",
+                  "A difficult record is read right, or the answer says that it is not. Each row "
+                  "changes one thing of a record of zone 7.",
+                  table_stability)};
 
 }  // namespace railbook::psd_chapter

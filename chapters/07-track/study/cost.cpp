@@ -105,6 +105,9 @@ void cost_moving(report::Item& item) {
 }  // namespace
 
 const report::Section cost{
-    report::figure("cost-moving", "Error against cost: the moving load", cost_moving)};
+    report::figure("cost-moving",
+                   "The closed form needs no time and has all digits. Error of the deflection "
+                   "under a moving load against run time, by method.",
+                   cost_moving)};
 
 }  // namespace railbook::track_chapter

@@ -121,8 +121,13 @@ void estimates(report::Item& item) {
 }  // namespace
 
 const report::Section digits{
-    report::table("digits", "Digits of the closed forms", digits_table),
-    report::figure("estimates", "Random passages: true error of the peaks against the stated one",
+    report::table("digits",
+                  "The closed forms have all digits that a double can carry. Largest relative "
+                  "errors over random inputs.",
+                  digits_table),
+    report::figure("estimates",
+                   "The true error of a passage stays below the stated one. Random passages; "
+                   "points below the diagonal are within what is stated.",
                    estimates)};
 
 }  // namespace railbook::track_chapter
