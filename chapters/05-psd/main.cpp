@@ -7,8 +7,6 @@ or where its joints have sunk.
 
 {{overview}}
 
-## In short
-
 ::: findings
 1. How deep are the joints behind a peak of the spectrum? The paper finds the dip $B$ from the power
    of the peak by $Q_n=\frac12B_n^2$, where $Q_n$ is the power of line $n$ and $B_n$ its amplitude in
@@ -245,7 +243,7 @@ int main(int argc, char** argv) {
       argc, argv,
       {.id = RAILBOOK_CHAPTER,
        .name = "psd",
-       .title = "Classifying track by power spectral density",
+       .title = "Track spectra: which speed may this stretch of track carry?",
        .paper = "J. C. Corbin and W. M. Kaufman, Classifying Track by Power Spectral Density, "
                 "Mechanics of Transportation Systems, ASME AMD-Vol. 15, 1975 (authors and venue "
                 "from TRID "

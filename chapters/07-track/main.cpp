@@ -7,8 +7,6 @@ become a few springs, masses and dampers; if one of these is wrong, so is the bl
 
 {{overview}}
 
-## In short
-
 ::: findings
 1. How fast may a train run before the track's own waves matter? The paper puts the critical
    velocity of "the rail-tie-ballast type structure", at which waves run away from the load, at
@@ -201,7 +199,7 @@ int main(int argc, char** argv) {
       argc, argv,
       {.id = RAILBOOK_CHAPTER,
        .name = "track",
-       .title = "Analytical models of railroad track dynamics",
+       .title = "Track dynamics: what does a wheel feel of the track below it?",
        .paper = "D. R. Ahlbeck, H. C. Meacham and R. H. Prause, The Development of Analytical "
                 "Models for Railroad Track Dynamics, in Railroad Track Mechanics and Technology "
                 "(A. D. Kerr, ed.), Pergamon, 1978, pp. 239 ff. (title and venue are not in the "
