@@ -1,5 +1,5 @@
 load "style.gp"
-set terminal pngcairo size 1000,420
+set terminal pngcairo size 1000,330
 set output ARG2
 unset key
 set xlabel "distance along the rail, m"

@@ -1,10 +1,11 @@
 load "style.gp"
-set terminal pngcairo size 1000,520
+set terminal pngcairo size 1000,460
 set output ARG2
 set logscale xy
 set xrange [0.006:1.6]
 set yrange [1e-10:1e-1]
 set format y "10^{%L}"
+set key bottom left Left reverse
 set xlabel "wavenumber φ, cycle/m"
 set ylabel "S_z, m²/(cycle/m)"
 set label "corner φ_c" at 0.1,1.6e-4

@@ -1,5 +1,5 @@
 load "style.gp"
-set terminal pngcairo size 1000,500
+set terminal pngcairo size 1000,430
 set output ARG2
 unset key
 set multiplot layout 2,1

@@ -1,22 +1,22 @@
 load "style.gp"
-set terminal pngcairo size 1000,840
+set terminal pngcairo size 1000,720
 set output ARG2
 unset key
-set multiplot layout 5,1 margins 0.08,0.98,0.09,0.95 spacing 0,0.06
+set multiplot layout 5,1 margins 0.08,0.98,0.1,0.98 spacing 0,0.03
 set format x ""
 set xrange [0:130.8]
 set yrange [-21:6]
 set ytics 10
-set ylabel "mm"
-set title "(a) old joints, 33-ft rails"
+set ylabel "mm" offset 1.5
+set label 1 "(a) old joints, 33-ft rails" at graph 0.012,0.13 left
 plot ARG1 using "x_m":"old_mm" with lines lt 1
-set title "(b) what the reworked ballast keeps: the fundamental"
+set label 1 "(b) what the reworked ballast keeps: the fundamental" at graph 0.012,0.13 left
 plot ARG1 using "x_m":"fundamental_mm" with lines lt 1
-set title "(c) new joints, 39-ft rails"
+set label 1 "(c) new joints, 39-ft rails" at graph 0.012,0.13 left
 plot ARG1 using "x_m":"new_mm" with lines lt 1
-set title "(d) linear interaction: the sum"
+set label 1 "(d) linear interaction: the sum" at graph 0.012,0.13 left
 plot ARG1 using "x_m":"linear_mm" with lines lt 1
-set title "(e) nonlinear interaction: the product, and its envelope"
+set label 1 "(e) nonlinear interaction: the product, and its envelope" at graph 0.2,0.13 left
 set xlabel "distance, m"
 set format x "%g"
 plot ARG1 using "x_m":"nonlinear_mm" with lines lt 1, \

@@ -1,4 +1,5 @@
 load "style.gp"
+set terminal pngcairo size 1000,460
 set output ARG2
 stats ARG4 using "phi_0" name "P" nooutput
 stats ARG4 using "S_under" name "L" nooutput

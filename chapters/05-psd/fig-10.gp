@@ -1,5 +1,5 @@
 load "style.gp"
-set terminal pngcairo size 1000,520
+set terminal pngcairo size 1000,430
 set output ARG2
 set datafile missing "nan"
 set xlabel "distance from the joint, m"

@@ -1,4 +1,5 @@
 load "style.gp"
+set terminal pngcairo size 1000,460
 set output ARG2
 set xlabel "normalised distance from the load, βX"
 set ylabel "a(X) = y / y(0)"

@@ -1,7 +1,8 @@
 load "style.gp"
+set terminal pngcairo size 1000,460
 set output ARG2
 set xlabel "distance travelled since the first wheel passed the point, m"
-set ylabel "rail deflection at the point, mm (down)"
+set ylabel "deflection, mm (down)"
 set yrange [9.5:-1]
 set xrange [-5:27]
 set xzeroaxis ls guide

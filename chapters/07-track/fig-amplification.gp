@@ -1,5 +1,5 @@
 load "style.gp"
-set terminal pngcairo size 1000,520
+set terminal pngcairo size 1000,470
 set output ARG2
 set xlabel "speed over critical speed, θ = V / V_c"
 set ylabel "largest deflection / static deflection"
@@ -9,8 +9,8 @@ set key at 2.48,4.85 top right Left reverse width -2
 set arrow from 1,0 to 1,5 nohead ls guide
 set label "no damping:\n1/√(1−θ^2)" at 0.88,3.9 right
 set label "ζ = 0.05" at 1.1,3.1 tc rgb blue
-set label "ζ = 0.2" at 1.02,1.53 tc rgb red
-set label "ζ = 0.4" at 1.02,0.94 tc rgb green
+set label "ζ = 0.2" at 1.02,1.46 tc rgb red
+set label "ζ = 0.4" at 1.02,0.92 tc rgb green
 set label "ζ = 1" at 1.02,0.42 tc rgb purple
 plot ARG3 using 1:2 with lines lt 1, \
      ARG1 using 1:2 with lines lt 2, \

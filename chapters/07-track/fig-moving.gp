@@ -1,5 +1,5 @@
 load "style.gp"
-set terminal pngcairo size 1300,600
+set terminal pngcairo size 1300,540
 set output ARG2
 set minussign
 set multiplot layout 1,2
