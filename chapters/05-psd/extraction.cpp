@@ -76,12 +76,10 @@ bool broad(const Zone& zone) {
   return zone.beta > 0.015;
 }
 
-/*** How a broad peak is made (`reconstructed_track`): depths $B_j$ of a correlation $\varrho$ from
-joint to joint spread the line into a resonance curve whose width follows from $\varrho$ alone, the
-root of $\varrho^2-(4-2\cos\pi\beta l)\varrho+1 = 0$. The peak's height then fixes the scatter of the
-depths. Their mean is made small, so that hardly any sharp line is left in the middle. (The shape of
-a dip, falling off with $\varphi$, skews the peak a little.)
-*/
+// How a broad peak is made (`reconstructed_track`): depths B_j of a correlation rho from joint to joint spread the
+// line into a resonance curve whose width follows from rho alone, the root of rho^2 - (4 - 2 cos(pi beta l)) rho + 1 = 0. The
+// peak's height then fixes the scatter of the depths. Their mean is made small, so that hardly any sharp line is left
+// in the middle. (The shape of a dip, falling off with phi, skews the peak a little.)
 spectra::SyntheticTrack reconstructed_track(const Zone& zone) {
   spectra::SyntheticTrack track = synthetic(zone.track, 80 + std::stoul(zone.name));
   track.rail_length = 1 / zone.track.phi_0;

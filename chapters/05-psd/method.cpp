@@ -1,6 +1,6 @@
 /*** ### One zone, from its peak to its class
 
-{{worked}} takes zone 7, a jointed main line, through all five steps twice: once with the numbers of
+{{worked}} takes zone 7, a jointed main line, through all steps twice: once with the numbers of
 the paper's Table 1, and once from a record, {{worked-length}} of synthetic track with the zone's
 $A$, $\varphi_c$ and $B$, by the functions of this page. The peak of the record is of another height
 and width than the printed one, because neither belongs to the track alone; its power, and so the

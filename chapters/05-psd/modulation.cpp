@@ -82,13 +82,11 @@ void fig_05(report::Item& item) {
   item.value("grouped-ratio", scattered(in_groups, phi_0) / scattered(0, phi_0), "", "{:.1f}");
 }
 
-/*** How `apart` counts the standard errors: far from a line the average of $M$ segments that
-overlap by half has the variance $N^2/K$, with $N$ the density of the continuum as the window shows
-it and $K$ the number of independent averages, a little less than $M$. Near a line of density $P$
-the two interfere, which adds $2PN/M$, a third more for the overlap. And the depths of the joints
-vary in phase with the line, not at random phase: on the line itself the scatter's part of both
-terms counts twice, and within a bin or two still a little more than once.
-*/
+// How `apart` counts the standard errors: far from a line the average of M segments that overlap by half has the
+// variance N^2/K, with N the density of the continuum as the window shows it and K the number of independent
+// averages, a little less than M. Near a line of density P the two interfere, which adds 2PN/M, a third more for the
+// overlap. And the depths of the joints vary in phase with the line, not at random phase: on the line itself the
+// scatter's part of both terms counts twice, and within a bin or two still a little more than once.
 constexpr int bins = 9;  // from the line on
 using PerBin = std::array<double, bins>;
 

@@ -83,10 +83,9 @@ bool closes(const Zone& zone, double half) {
          dip_by_7(zone, Rounding::up) >= zone.track.B - half;
 }
 
-/*** How `check_row` judges a row: where the ranges of both sides meet, $B$ by (7) must come out within them. Where they do not,
-the gap between them is what is tried: it must stay open for either rounding of $C_1$ and $\beta$,
-and for a coarser rounding of $B$.
-*/
+// How `check_row` judges a row: where the ranges of both sides meet, B by (7) must come out within them. Where they
+// do not, the gap between them is what is tried: it must stay open for either rounding of C_1 and beta, and for a
+// coarser rounding of B.
 void check_row(report::Item& item, const report::Row& row, const Zone& zone) {
   const double computed = dip_by_7(zone);
   const double spread =

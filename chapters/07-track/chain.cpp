@@ -10,7 +10,7 @@ $$K=\frac{k}{l_t}, \tag{3}$$
 
 $$\frac1k=\frac1{k_{pad}}+\frac1{k_{tie}}+\frac2{k_{bs}}, \tag{4}$$
 
-$$\frac1{k_{bs}}=\frac1{k_b}+\frac1{k_s}. \tag{5}$$
+$$\frac1{k_{bs}}=\frac1{k_b}+\frac1{k_s}, \tag{5}$$
 
 where $k_{pad}$ and $k_{tie}$ are the stiffnesses of pad and tie and $k_{bs}$ that of the bed, of
 ballast $k_b$ and subgrade $k_s$ in series (all in lbf/in). The 2 halves the bed: with its neighbours loaded too, a tie sinks about twice as far as

@@ -29,7 +29,7 @@ $$m_t\ddot y_t+C_g\dot y_t+K_gy_t=C_1(\dot y_r-\dot y_t)+K_1(y_r-y_t).$$
 
 $a$ is a sum of damped exponentials, so for constant loads the response is one too, and needs no
 time stepping: before a wheel passes only the forced part exists, after it the system is carried on
-by a matrix exponential, with the modulation itself as two more states. The function `state` does
+by a matrix exponential, with the shape $a$ itself as two more states. The function `state` does
 this.
 
 {{code: track/lumped.cpp state}}
@@ -157,7 +157,7 @@ $$\rho_b=\frac{d_b\,w\,A_t\,C_m}{N\,l_t\,g\tan\alpha}, \tag{18}$$
 with the specific weight $d_b$ of the ballast, the tamped area $A_t$ of half a tie (where ballast is
 packed below it), gravity $g$ and an empirical $C_m$ of one or slightly more. The integer $N$ cannot be read in our copy: 6 is what a pyramid of
 depth $w/2\tan\alpha$ needs, 4 a wedge. The other rule, which carries the same number, uses the
-speed $V$ of shear waves, $\rho_b=0.28\,k_bA_t/(l_tV^2)$; $k_b$, the "effective" stiffness under
+speed $V_s$ of shear waves, $\rho_b=0.28\,k_bA_t/(l_tV_s^2)$; $k_b$, the "effective" stiffness under
 half a tie, is read as $k_{bs}/2$. Half a tie of the weight $W_{tie}$ and its ballast are
 
 $$m_t=\frac3{2\beta}\left(\frac{W_{tie}}{2gl_t}+\rho_b\right). \tag{19}$$

@@ -9,8 +9,8 @@ become a few springs, masses and dampers; if one of these is wrong, so is the bl
 
 ::: findings
 1. How fast may a train run before the track's own waves matter? The paper puts the critical
-   velocity of "the rail-tie-ballast type structure", at which waves run away from the load, at
-   about 1100 mph, and the error of ignoring such waves at less than 3 percent at 250 mph. With the
+   velocity of "the rail-tie-ballast type structure", at which free waves of the track keep up with
+   the load, at about 1100 mph, and the error of ignoring such waves at less than 3 percent at 250 mph. With the
    mass of rail, tie and ballast we find {{v-ballast}} on our typical track, and {{v-range}} as
    modulus, rail, pad, tie and ballast are varied; the error at 250 mph is then {{error-range}}. The
    paper prints none of these data, so its two numbers cannot be tested. At 150 mph, the speed the

@@ -8,7 +8,7 @@ is lbf/in for each inch of rail), the *foundation modulus* of one rail. At a dis
 wheel load $P$ the deflection $y$ is
 
 $$y(X)=\frac{P\beta}{2K}\,a(X),\qquad a(X)=e^{-\beta|X|}(\cos\beta X+\sin\beta|X|),\qquad
-  \beta=\left(\frac{K}{4EI}\right)^{1/4}. \tag{1}$$
+  \beta=\left(\frac{K}{4EI}\right)^{1/4}, \tag{1}$$
 
 where $a$ is its shape, 1 under the load. One length, $1/\beta$, governs everything: how far a wheel
 is felt, how much two wheels of a truck (the frame under an end of the car) share, how far a joint
