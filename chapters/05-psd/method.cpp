@@ -169,11 +169,11 @@ void worked(report::Item& item) {
              1e7 * fit.A.value, 2e-3, "the library's regression; the page tries corners in steps");
   item.agree("B", "dip by the page's peak", "mm", peak.B / mm, fit.B_printed.value / mm, 5e-3,
              "the library's fit");
-  const std::string paper = item.printed("table-3.csv").at(zone.name, "class");
-  item.print_text("class-print", "class of zone 7, from C₁, β and A", paper.substr(0, 1),
-                  std::to_string(class_by_print));
-  item.print_text("class-record", "class of zone 7, from the synthetic record", paper.substr(0, 1),
-                  std::to_string(class_by_record));
+  item.agree("class-print", "class of zone 7 by the page's rule, from C₁, β and A", "",
+             class_by_print, by_print.track_class, 1e-12, "the library's rule");
+  item.agree("class-record", "class of zone 7 by the page's rule, from the record", "",
+             class_by_record, spectra::classify(fit.A.value, fit.B_printed.value, rule).track_class,
+             1e-12, "the library's fit and rule");
   item.value("worked-length", length / km, "km", "{:.0f}");
 }
 
