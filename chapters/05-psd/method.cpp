@@ -17,10 +17,11 @@ other.
 #include <algorithm>
 #include <cmath>
 
-#include "num/fft.hpp"
+#include <railbook/num/fft.hpp>
+#include <railbook/spectra/classify.hpp>
+#include <railbook/spectra/spectrum_fit.hpp>
+
 #include "sections.hpp"
-#include "spectra/classify.hpp"
-#include "spectra/spectrum_fit.hpp"
 
 namespace railbook::psd_chapter {
 
