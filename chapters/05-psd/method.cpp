@@ -211,9 +211,9 @@ void overview(report::Item& item) {
 const report::Section method{
     report::figure("overview",
                    "Three numbers hold a stretch of track. Top left: rails that sag at their "
-                   "joints, with the chord that inspectors stretch. Bottom left: a record of such "
-                   "a rail. Right: the spectrum of the record, with the roughness A, the corner "
-                   "φ_c and the peak of the joints. Drawn with the numbers of zone 7.",
+                   "joints, and the chord that inspectors stretch. Bottom left: a record of such a "
+                   "rail, in which the joints hardly show. Right: its spectrum, in which they "
+                   "stand out as peaks above two lines. Drawn with the numbers of zone 7.",
                    overview),
     report::table("worked",
                   "Zone 7 is class 5, from the print and from a record. Each row is a step from "

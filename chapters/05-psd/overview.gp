@@ -53,6 +53,7 @@ set border 3 lw 1.2 lc rgb "#404040"
 set xtics nomirror out 20 scale 0.75
 set ytics nomirror out scale 0.75 autofreq
 set xrange [0:8*l]
+set offsets 0,0,9,0
 set yrange [*:*]
 set xlabel "distance {/:Italic x} along the rail, m" offset 0,0.3
 set ylabel "height {/:Italic z}, mm" offset 0
@@ -63,6 +64,7 @@ unset label
 unset arrow
 
 # The spectrum.
+set offsets 0,0,0,0
 set lmargin at screen 0.615
 set rmargin at screen 0.985
 set tmargin at screen 0.93

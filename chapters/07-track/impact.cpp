@@ -202,10 +202,10 @@ void joint_peaks(report::Item& item) {
 
 const report::Section drawing{report::figure(
     "overview",
-    "Wheel, rail, pad, tie and bed become four springs and dampers and three masses. Left: a wheel "
-    "comes to a joint. Middle: the model, with the names of its parts. Right: the force between "
-    "wheel and rail at 60 mph over a dip of 0.5 in, with the first peak P1 and the highest running "
-    "mean P2; the dotted line is the static load.",
+    "Wheel and track become three masses, three springs and two dampers. Left: a wheel comes to a "
+    "joint. Middle: the model, with the names of its parts. Right: the force between wheel and "
+    "rail at 60 mph over a dip of 0.5 in, with the first peak P1 and the highest running mean P2; "
+    "the dotted line is the static load.",
     overview)};
 
 const report::Section impact{
