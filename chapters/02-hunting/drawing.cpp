@@ -140,8 +140,9 @@ void drawing(report::Item& item) {
     Plan(item.data(names.at(k), {"part", "x_ft", "y_ft"}), car)
         .draw(turned.real() * (0.52 / largest));
   }
-  Marks marks(item.data("marks", {"kind", "x_ft", "y_ft", "dx_ft", "dy_ft", "text"}),
-              item.data("arcs", {"x_ft", "y_ft"}));
+  report::Data& lines = item.data("marks", {"kind", "x_ft", "y_ft", "dx_ft", "dy_ft", "text"});
+  report::Data& arcs = item.data("arcs", {"x_ft", "y_ft"});
+  Marks marks(lines, arcs);
   for (const int t : {0, 1}) name_truck(marks, car, t, q[X_TF + t], q[TH_TF + t], q[TH_WF + t]);
   marks.line("arrow", {0, 0}, {0, q[X_C]});
   marks.name("X_C", {-0.58, 0.6 * q[X_C]});
