@@ -147,13 +147,13 @@ local function section(room, file, header, seen)
     html.tag("summary", nil, summary) .. table.concat(out, "\n"))
 end
 
--- The example of a room: the lines between "// example: ROOM" and "// end" of the test that runs it.
+-- The example of a room: the lines between "// example" and "// end" of the test that runs it.
 function library.example(room)
-  local file = io.open((os.getenv("RAILBOOK_ROOT") or ".") .. "/tests/unit/library_examples.cpp")
+  local file = io.open((os.getenv("RAILBOOK_ROOT") or ".") .. "/tests/lib/" .. room .. "/example.cpp")
   if not file then return "" end
   local text = file:read("a")
   file:close()
-  local body = text:match("\n *// example: " .. room .. "\n(.-)\n *// end")
+  local body = text:match("\n *// example\n(.-)\n *// end")
   if not body then return "" end
   local indent = body:match("^ *")
   body = (body .. "\n"):gsub("(.-)\n", function(line) return (line:gsub("^" .. indent, "")) .. "\n" end)
@@ -166,22 +166,22 @@ local groups = {
     {"contact", "normal contact of elastic bodies: Hertz, conjugate gradients with FFT, stresses below the surface"},
     {"rolling", "creep forces of rolling contact: full theory, FASTSIM, creep laws, tables"},
     {"profiles", "curves of wheel and rail: built-in, measured, from files"},
-    {"wheelset", "two rigid profiles that touch: contact points, constraint functions, conicity"}, {"wheelrail", "wheel and rail profiles that touch, and conicity"},
-    {"wheel_contact", "from profiles and a pose to patches, pressures, creepages and forces"}, {"wheel_on_rail", "from two profiles and a pose to patches, pressures, creepages and forces"},
-    {"vehicle", "the freight car: parameters and linear stability"}, {"dynamics", "the freight car, its stability and limit cycles"},
+    {"wheelset", "two rigid profiles that touch: contact points, constraint functions, conicity"},
+    {"wheel_contact", "from profiles and a pose to patches, pressures, creepages and forces"},
+    {"vehicle", "the freight car: parameters and linear stability"},
     {"cycles", "limit cycles of any oscillator: harmonic balance, continuation, Floquet multipliers, tori"},
     {"track", "beams, ties, joints, moving loads and impact"}}},
   {"Measured track", "From a record to numbers about its track.", {
     {"records", "a record of measured track: positions, units, missing samples, screening, warnings"},
     {"spectra", "power spectral densities: estimates, models, joints, classes"}, {"filters", "filters of a geometry car, and what they do to a record"},
     {"geometry_car", "a track-geometry car: sensors, motion, reconstruction of the geometry"},
-    {"measures", "bands, chords, sections and indices of track geometry"}, {"quality", "track quality: descriptor, exceedances, sections, indices and limits"}}},
+    {"quality", "track quality: descriptor, exceedances, sections, indices and limits"}}},
   {"Numerics", "What the physics computes with.", {
     {"num", "roots, quadrature, FFT, linear algebra, ODE solvers, random numbers"}, {"units", "constants of units, quantities with units, input errors"},
     {"table", "CSV"}}},
   {"The making of the book and of the commands", "What draws, reports and reads options.", {
     {"report", "chapters, checks, verdicts, records"}, {"bench", "error against run time"}, {"plot", "figures by gnuplot"}, {"scene", "pictures by OSMesa"},
-    {"drawing", "labels over a picture"}, {"tool", "options with units, configuration files, answers"}, {"files", "results written safely"}}},
+    {"tool", "options with units, configuration files, answers"}, {"files", "results written safely"}}},
 }
 
 -- The page, and what a search finds on it: {{title, anchor, text}}.
