@@ -12,7 +12,7 @@
 package.path = PANDOC_SCRIPT_FILE:match("^(.*)/[^/]*$") .. "/?.lua;" .. package.path
 local html, items, record, frame = require "html", require "items", require "record", require "frame"
 local mathml, symbols = require "mathml", require "symbols"
-local drawings = require "drawings"
+local drawings, tools = require "drawings", require "tools"
 local dkjson = require "dkjson"
 
 local r, figures, data, page
@@ -499,6 +499,7 @@ function Pandoc(doc)
     if number then tags[number] = math.text:gsub("\\tag{[^{}]*}", "") end
   end})
   doc = doc:walk({Para = Para, Quoted = Quoted}):walk({Str = Str, Math = Math}):walk({Inlines = Inlines})
+  doc = tools.linked(doc, PANDOC_SCRIPT_FILE:match("^(.*)/[^/]*$") .. "/../docs")
   check_all_shown()
   doc:walk({Math = function(math) html.formula(math.text, math.mathtype) end}) -- so that all problems are named at once
   stop_on_problems()

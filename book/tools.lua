@@ -79,6 +79,17 @@ local function document(folder, book, name, chapters)
   return pandoc.write(pandoc.Pandoc(blocks), "html5", {wrap_text = "none"}), doc
 end
 
+-- A page's `railbook SUBJECT VERB ...` in a sentence as links to the command's example, of those that docs/commands.txt in the folder lists.
+function tools.linked(doc, folder)
+  local names = {}
+  for line in io.lines(folder .. "/commands.txt") do names[line:match("^(%l+ %l+) |") or ""] = true end
+  return doc:walk({Code = function(code)
+    local subject, verb = code.text:match("^railbook (%l+) (%l+)")
+    if not subject or not names[subject .. " " .. verb] then return nil end
+    return pandoc.Link({code}, ("tools.html#railbook-%s-%s"):format(subject, verb))
+  end})
+end
+
 -- Each command with its question, as links to its example.
 local function index(doc)
   local rows, last = {}, nil
