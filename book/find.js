@@ -3,7 +3,7 @@
 "use strict";
 
 const railbookFind = (() => {
-  const weight = {chapter: 1, tools: 0.75, overview: 0.7, study: 0.6, library: 0.35};
+  const weight = {chapter: 1, tools: 0.75, overview: 0.85, study: 0.6, library: 0.35};
   const idle = new Set("a an and are at by do for from how i in is it my of on or the this to what where which with your".split(" "));
   const plain = (text) => text.toLowerCase().normalize("NFD").replace(/[\u0300-\u036f]/g, "").replace(/[\u2010-\u2015]/g, "-");
 
@@ -30,7 +30,7 @@ const railbookFind = (() => {
     for (const word of list) {
       const inTitle = count(title, word), inKeywords = count(keywords, word), inText = Math.min(count(text, word), 4);
       if (inTitle + inKeywords + inText === 0) return 0;
-      sum += (inTitle ? 12 : 0) + (inKeywords ? 10 : 0) + inText;
+      sum += (inTitle ? 12 : 0) + (inKeywords ? 16 : 0) + inText;
     }
     const phrase = list.length > 1 ? list.join(" ") : null;
     if (phrase && keywords.includes(phrase)) sum += 12;

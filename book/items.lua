@@ -5,7 +5,7 @@ local record = require "record"
 
 local items = {}
 
-local most_claims = 6 -- of more than these only the telling ones are open
+local most_claims = 4 -- of more than these only the telling ones are open
 local most_rows = 10 -- of a longer list these are open
 local widest = 1100 -- a picture of so many pixels has its caption below it, and the width of the page
 local whole = 40 -- a table of at most so many rows is open as a whole

@@ -113,7 +113,7 @@ end
 
 local function symbols_block(token)
   mark("the symbols", token)
-  if symbol_list then return symbols.table(symbol_list, symbol_value) end
+  if symbol_list then return symbols.list(symbol_list, symbol_value) end
   problem(token, r.chapter .. " has no data/symbols.csv")
   return ""
 end
@@ -473,7 +473,7 @@ local function leave_parts(doc, folder)
   local name = page == "study" and r.chapter .. "-study" or r.chapter
   local file = assert(io.open(folder .. "/" .. name .. ".json", "w"))
   file:write(dkjson.encode({findings = findings(doc), search = search_entries(doc), tags = tags, numbers = numbers(),
-    symbols = symbol_list and symbols.table(symbol_list, symbol_value, true) or nil}))
+    symbols = symbol_list and symbols.list(symbol_list, symbol_value, true) or nil}))
   file:close()
 end
 

@@ -312,29 +312,32 @@ end
 
 -- ---- how the list looks
 
-local function unit_of(entry) return entry.unit ~= "" and entry.unit ~= "1" and html.unit(html.escape(entry.unit)) or "–" end
+local function unit_of(entry) return html.unit(html.escape(entry.unit)) end
 
--- The list as a table. `value` makes HTML of the text of a value; without anchors, where another page shows it.
-function symbols.table(list, value, no_anchors)
-  local rows, values = {}, false
-  for _, entry in ipairs(list) do values = values or entry.value ~= "" end
+-- ", in" or, where a value is known, ", 0.5 in".
+local function worth(entry, value)
+  local unit = entry.unit ~= "" and entry.unit ~= "1" and unit_of(entry) or ""
+  if entry.value == "" then return unit ~= "" and ", " .. unit or "" end
+  local text = value(entry.value)
+  return ", " .. text .. (unit ~= "" and not text:gsub("<[^>]*>", ""):find("%a") and " " .. unit or "")
+end
+
+-- The list, in as many columns as there is room for. `value` makes HTML of the text of a value; without anchors, where another page
+-- shows it.
+function symbols.list(list, value, no_anchors)
+  local out = {}
   for i, entry in ipairs(list) do
-    rows[i] = {entry.math, html.text(entry.meaning), {unit_of(entry), class = "short"}}
-    if values then table.insert(rows[i], {entry.value ~= "" and value(entry.value) or "–", class = "short"}) end
-    rows[i].id = not no_anchors and "symbol-" .. entry.number or nil
+    out[i] = html.tag("li", {id = not no_anchors and "symbol-" .. entry.number or nil}, entry.math .. " " .. html.text(entry.meaning)
+      .. html.tag("span", {class = "unit"}, worth(entry, value)))
   end
-  local heads = {"symbol", "meaning", "unit"}
-  if values then heads[4] = "value" end
-  return html.table("symbols", heads, rows)
+  return html.tag("ul", {class = "symbols"}, table.concat(out, "\n"))
 end
 
 -- What a reader's page takes the meanings from.
 function symbols.meanings(list, value)
   local out = {}
   for i, entry in ipairs(list) do
-    local unit = entry.unit ~= "" and entry.unit ~= "1" and ", in " .. unit_of(entry) or ""
-    local worth = entry.value ~= "" and "; here " .. value(entry.value) or ""
-    out[i] = ('<li id="meaning-%d">%s: %s</li>'):format(entry.number, entry.math, html.text(entry.meaning) .. unit .. worth)
+    out[i] = ('<li id="meaning-%d">%s: %s</li>'):format(entry.number, entry.math, html.text(entry.meaning) .. worth(entry, value))
   end
   return '<ul id="meanings" hidden>\n' .. table.concat(out, "\n") .. "\n</ul>"
 end
