@@ -536,7 +536,7 @@ function(symbols)
   string(APPEND list "E^*,\"modulus, $\\pi/a$\",1,30e6\n\\bar x,mean place,in,\nx_i,place of a cell,in,\nm,ratio of semi-axes,,\n")
   set(symbols ${dir}/chapters/01-sample/data/symbols.csv)
   file(WRITE ${symbols} "${list}")
-  expect_page("<ul class=\"symbols\">" "<li id=\"symbol-3\">" "half-width, along the rail" "lbf/in<sup>2</sup>" ", 999.34 lbf</span></li>"
+  expect_page("<ul class=\"symbols\">" "<li id=\"symbol-3\">" "half-width, along the rail" ", 999.34 lbf</span></li>" "<span class=\"unit\">, in</span>"
     "<msub class=\"symbol\" data-symbol=\"8\"><mover><mi>x</mi>" "<msub class=\"symbol\" data-symbol=\"3\"><mi>p</mi><mi>k</mi></msub>"
     "<mrow class=\"symbol\" data-symbol=\"4\"><mi>Δ</mi><mi>t</mi></mrow>" "<msup class=\"symbol\" data-symbol=\"6\"><mi>E</mi><mo>*</mo></msup>"
     "<mover class=\"symbol\" data-symbol=\"7\"><mi>x</mi>" "<msup><mi class=\"symbol\" data-symbol=\"2\">x</mi><mn>2</mn></msup>"
