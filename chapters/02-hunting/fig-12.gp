@@ -24,8 +24,8 @@ do for [k = 1:2] {
   set ytics 0.5
   set ylabel (k == 1 ? "over X_{TR}" : "") offset 1
   set label 1 name[k] at graph 0,1.09 left font ",13"
-  set label 2 "X_{TF}" at 0.6,(k == 1 ? 1.13 : 0.10) tc rgb black
-  set label 3 "X_C" at (k == 1 ? 0.46 : 0.6),(k == 1 ? 0.14 : 0.28) tc rgb blue
+  set label 2 "X_{TF}" at (k == 1 ? 0.6 : 0.1),(k == 1 ? 1.13 : 0.68) tc rgb black
+  set label 3 "X_C" at (k == 1 ? 0.46 : 0.1),(k == 1 ? 0.14 : 0.32) tc rgb blue
   plot file[k] using "A_in":"X_TF" with lines lt 1, \
        file[k] using "A_in":"X_C" with lines lt 2
   unset label
@@ -37,7 +37,7 @@ do for [k = 1:2] {
   set ylabel (k == 1 ? "rad/ft of X_{TR}" : "") offset 1
   set label 1 "θ_{WR}" at 0.65,0.33 tc rgb blue
   set label 2 "θ_{TR}" at 0.66,0.16 tc rgb black
-  set label 3 "θ_C" at 0.69,(k == 1 ? 0.08 : 0.05) tc rgb red
+  set label 3 "θ_C" at 0.69,(k == 1 ? 0.08 : 0.053) tc rgb red
   set label 4 "φ_C" at (k == 1 ? 0.36 : 0.5),(k == 1 ? 0.18 : 0.055) tc rgb green
   plot file[k] using "A_in":"TH_TR" with lines lt 1, \
        file[k] using "A_in":"TH_WR" with lines lt 2, \

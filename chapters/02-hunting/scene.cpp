@@ -91,7 +91,7 @@ void scene_hunting(report::Item& item) {
   for (const double side : {-1.0, 1.0})
     add(drawing, scene::extrusion(rail, -l - 2.4, l + 2.4), {0, side * car.half_gauge, -0.172});
   // The middle of the track, between the rails.
-  scene::Lines middle{scene::Points(2, 3), scene::Segments(1, 2), red, 2};
+  scene::Lines middle{scene::Points(2, 3), scene::Segments(1, 2), red, 3};
   middle.vertices << -l - 2.4, 0, 0, l + 2.4, 0, 0;
   middle.segments << 0, 1;
   drawing.lines.push_back(std::move(middle));
@@ -105,10 +105,10 @@ void scene_hunting(report::Item& item) {
   }
   add_body(drawing, l + 1.6, {0, q[X_C], h, q[TH_C], q[PHI_C]});
   const scene::Size size{1000, 560};
-  const auto camera = scene::looking_at(drawing, {1.0, -0.9, 0.8}, size, true);
+  const auto camera = scene::looking_at(drawing, {1.0, -0.42, 0.62}, size, true);
   scene::labelled(item, "scene-hunting.gp", drawing, camera, size,
                   {{{l + 2.2, -car.half_gauge, 0.1}, "rail"},
-                   {{0, -0.7, 0}, "middle of the track"},
+                   {{l + 2.6, 0, 0}, "middle of the track"},
                    {{l, q[X_TF] - 2.2, 0.3}, "front truck"},
                    {{-l, q[X_TR] - 2.4, 0.3}, "rear truck"},
                    {{0, q[X_C], h + 0.2}, "car body"}});

@@ -45,8 +45,8 @@ near one another, {{fold-quasi-cn}} and {{fold-cn}}, and stability ends at {{cn-
 **What the speed at which stability ends depends on.** With new wheels the whole branch from the
 critical speed to its fold swings between {{ramp-low}} and {{ramp-high}}, and the jump to the flange
 at {{jump-new}} has been made a ramp by the running mean over {{mean}}. The narrower the mean, the
-earlier stability ends, and with a narrow one it is symmetry that is lost. Without a mean there is
-no stable cycle with flange contact at all.
+earlier stability ends, and with a narrow one it is symmetry that is lost. Without a mean no
+cycle of this branch with flange contact is stable.
 
 It also depends on the dampers, and with some that give 145 ft/s and 12 rad/s as well there is none
 either. All that is known is a range: where there are stable cycles, stability ends between

@@ -113,7 +113,8 @@ wheelset::ConstraintFunctions new_wheel_table(double running_mean, double knot) 
 
 LimitCycleBranch branch_with(const FreightCar& moved, const wheelset::ConstraintFunctions& table,
                              const std::optional<CreepLimit>& creep,
-                             const std::function<bool(const LimitCycle&)>& go_on) {
+                             const std::function<bool(const LimitCycle&)>& go_on,
+                             double smallest_step) {
   const Motion hopf = hopf_points({moved, table}, 20 * foot, 400 * foot).at(0).motion;
   ContinuationOptions options;
   options.lowest = 1 * foot;
@@ -121,6 +122,7 @@ LimitCycleBranch branch_with(const FreightCar& moved, const wheelset::Constraint
   options.first_amplitude = 0.036 * inch;
   options.largest_amplitude = 0.44 * inch;
   options.go_on = go_on;
+  options.smallest_step = smallest_step;
   return follow_from_hopf(by_speed(moved, table, creep), hopf.shape, hopf.lambda.imag(), hopf.speed,
                           options);
 }

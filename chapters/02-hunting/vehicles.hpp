@@ -53,10 +53,12 @@ const Vehicle& vehicle(std::string_view key);
 const LimitCycleBranch& true_branch(std::string_view key);
 // The table of new wheels with another running mean or another distance of knots [m].
 wheelset::ConstraintFunctions new_wheel_table(double running_mean, double knot = 0.0025 * inch);
-// The branch of the full equations from the first critical speed of any car, as far as `go_on` says.
+// The branch of the full equations from the first critical speed of any car, as far as `go_on` says. Where
+// two-point contact is a jump of the tables, steps of 1e-6, the usual floor, are too long.
 LimitCycleBranch branch_with(const FreightCar& car, const wheelset::ConstraintFunctions& table,
                              const std::optional<CreepLimit>& creep = {},
-                             const std::function<bool(const LimitCycle&)>& go_on = {});
+                             const std::function<bool(const LimitCycle&)>& go_on = {},
+                             double smallest_step = 1e-10);
 // Where a branch of the full equations is stable with flange contact [ft/s]: its first stretch, to the
 // located point that ends it.
 Range stable_on_flange(const LimitCycleBranch& branch, double flange);

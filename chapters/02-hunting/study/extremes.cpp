@@ -8,7 +8,10 @@ the tables. Random cars, wheels without a cone and a speed of zero are tests of 
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+
+#include <railbook/vehicle/car_families.hpp>
 
 #include "vehicles.hpp"
 
@@ -101,12 +104,31 @@ Found knots() {
           std::abs(half / whole - 1)};
 }
 
-// The branch from the critical speed into creep that saturates on the flange.
-Found saturated() {
-  const Vehicle& v = vehicle("new");
-  const auto branch = branch_with(v.car.car(), *v.table, CreepLimit{0.5, {}});
+// Without a running mean two-point contact is a jump from one knot to the next.
+Found no_mean() {
+  constexpr double usual_floor = 1e-6;
+  const auto branch =
+      branch_with(vehicle("new").car.car(), new_wheel_table(0), {}, {}, usual_floor);
   if (branch.stop != BranchStop::amplitude) throw report::NoAnswer(to_string(branch.stop));
   return {"a branch", 1};
+}
+
+// The stable cycle that the branch has at a speed, in creep that saturates on the flange, against where a motion ends.
+Found saturated() {
+  const Vehicle& v = vehicle("new");
+  const CreepLimit creep{0.5, {}};
+  const Family family = by_speed(v.car.car(), *v.table, creep);
+  const double speed = 135 * foot;
+  const auto cycles =
+      cycles_at(family, branch_with(v.car.car(), *v.table, creep), speed, ContinuationOptions{});
+  const auto stable = std::ranges::find_if(cycles, &LimitCycle::stable);
+  if (stable == cycles.end()) throw report::NoAnswer("no stable cycle on the branch");
+  Oscillator car = family.oscillator;
+  family.set(car, speed);
+  const Swing swing = largest_swing(run(car, aside(0.43), 60, Integrator::dopri5, 1e-8), 5);
+  return {fmt::format("{:.4f} in on the branch, {:.4f} in by integration", stable->largest / inch,
+                      swing.amplitude / inch),
+          std::abs(stable->largest / swing.amplitude - 1)};
 }
 
 // Dampers at which the two critical speeds of new wheels are close: the growth rates there.
@@ -156,10 +178,15 @@ void extremes(report::Item& item) {
   item.stability({"knots", "new wheel, knots half as far apart", "the end of stability", holds,
                   1e-3, "knots of 0.0025 in"},
                  knots);
-  item.stability({"saturated", "new wheel, friction of 0.5 between wheel and rail",
-                  "creep saturates where the flange is met: the branch is not followed, and "
-                  "integration in time has to find its cycles",
-                  refused},
+  item.stability(
+      {"no-mean", "new wheel, tables without a running mean, the usual shortest step",
+       "the branch turns within a millionth of its scale at the jump to the flange; with "
+       "a floor of 1e-10 it goes on",
+       refused},
+      no_mean);
+  item.stability({"saturated", "new wheel, friction of 0.5 between wheel and rail, 135 ft/s",
+                  "creep saturates where the flange is met, and the branch turns sharply", holds,
+                  1e-3, "integration in time, amplitude"},
                  saturated);
   item.stability({"nearly-double", "dampers with two critical speeds close together",
                   "two modes cross the axis almost at once", holds, 1e-6, "eigenvalues there, 1/s"},
