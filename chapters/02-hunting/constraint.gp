@@ -39,10 +39,10 @@ unset label
 set lmargin at screen 530/W
 set rmargin at screen 710/W
 set ytics 0.01
-set yrange [0:*]
+set yrange [0:0.024]
 set label 1 "steering and roll, rad" at graph 0,1.08 left
-set label 2 "R" at 0.0245,0.0155 right
-set label 3 "φ_w" at 0.0245,0.0105 right tc rgb blue
+set label 2 "R" at 0.0245,0.0222 right
+set label 3 "φ_w" at 0.0245,0.011 right tc rgb blue
 plot ARG1 using "x_over_a":"R" with lines lt 1, \
      ARG1 using "x_over_a":"phi_rad" with lines lt 2
 unset label

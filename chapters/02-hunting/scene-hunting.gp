@@ -5,6 +5,6 @@ set output ARG2
 W = 1000; H = 560
 load "scene.gp"
 set style textbox opaque noborder margins 0.6,0.3
-set label 99 "new wheels, 150 ft/s; motions 40 times enlarged (reconstructed profiles)" at 20, 24 front
+set label 99 "new wheels, 150 ft/s; motions\n40 times enlarged; our profiles" at 20, 516 front
 plot ARG1 @picture, \
      ARG3 using "x_px":"y_px":"label" with labels left boxed font ",14"
