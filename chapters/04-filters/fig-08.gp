@@ -1,12 +1,19 @@
+# alt: Two solid curves that are 1 for long waves and rise towards short ones, to 4 at 9 mph and to 37 at 80 mph. Two dashed ones rise with them, turn at a fifth of a cycle per foot and fall.
 load "style.gp"
+set terminal pngcairo size 740,380 font "DejaVu Sans,11"
 set output ARG2
+unset key
 set logscale xy
 set xrange [0.001:0.5]
-set yrange [0.5:100]
+set yrange [0.5:60]
+set format y "%g"
 set xlabel "wavenumber, cycle/ft"
 set ylabel "gain of the digital filter C"
-set key top left title "chosen: corner 1 Hz" left
-plot ARG1 using "phi_cycle_per_ft":"slow" with lines lt 2 title "9 mph", \
-     ARG1 using "phi_cycle_per_ft":"fast" with lines lt 3 title "80 mph", \
-     ARG1 using "phi_cycle_per_ft":"slow_band" with lines lt 2 lw 1 dt 2 title "9 mph, and a mean over three samples", \
-     ARG1 using "phi_cycle_per_ft":"fast_band" with lines lt 3 lw 1 dt 2 title "80 mph, and the same mean"
+set label "9 mph" at 0.09,1.05 font ",11" textcolor rgb blue
+set label "80 mph" at 0.024,4.6 right font ",11" textcolor rgb "#A84300"
+set label "dashed: followed by a mean\nover three samples" at 0.0012,30 font ",10"
+set rmargin 2
+plot ARG1 using "phi_cycle_per_ft":"slow" with lines lt 2 dt 1, \
+     ARG1 using "phi_cycle_per_ft":"fast" with lines lt 3 dt 1, \
+     ARG1 using "phi_cycle_per_ft":"slow_band" with lines lt 2 lw 1.6 dt 2, \
+     ARG1 using "phi_cycle_per_ft":"fast_band" with lines lt 3 lw 1.6 dt 2

@@ -1,21 +1,47 @@
+# alt: Curvature falls from 0 along a spiral to minus 4 degrees per hundred feet, stays there and returns. Crosslevel rises to 100 mm and returns. At 9 and at 80 mph both lie on the true values, as two panels of errors show.
 load "style.gp"
+set terminal pngcairo size 740,640 font "DejaVu Sans,11"
 set output ARG2
-set terminal pngcairo size 1100,800
-set multiplot layout 2,1
-set lmargin 10
-set xrange [3700:5900]
-set key outside top center horizontal nobox
-on(v, y) = (column("mph") == v ? y : NaN)
-set ylabel "curvature, deg per 100 ft"
-set yrange [-5:0.6]
-plot ARG1 using "x_ft":(on(80, column("curvature_true"))) with lines lc rgb light dt solid lw 8 title "truth", \
-     ARG1 using "x_ft":(on(80, column("curvature_deg_per_100ft"))) with lines lt 1 lw 1.8 title "80 mph", \
-     ARG1 using "x_ft":(on(9, column("curvature_deg_per_100ft"))) with lines lt 2 lw 1.8 title "9 mph"
-set ylabel "crosslevel, mm (left above right)"
-set yrange [-30:140]
 unset key
-set xlabel "distance, ft (synthetic track, typical sensors, corners of 1 Hz)"
-plot ARG1 using "x_ft":(on(80, column("crosslevel_true"))) with lines lc rgb light dt solid lw 8 title "truth", \
-     ARG1 using "x_ft":(on(80, column("crosslevel_mm"))) with lines lt 1 lw 1.8 title "80 mph", \
-     ARG1 using "x_ft":(on(9, column("crosslevel_mm"))) with lines lt 2 lw 1.8 title "9 mph"
+set multiplot
+set xrange [3700:5900]
+set lmargin 10
+set rmargin 12
+on(v, y) = (column("mph") == v ? y : NaN)
+panel(i) = sprintf("set tmargin at screen %g; set bmargin at screen %g", 0.985 - 0.228 * i, 0.985 - 0.228 * i - 0.195)
+eval panel(0)
+set format x ""
+set ylabel "curvature,\ndeg per 100 ft"
+set yrange [-5:0.8]
+set ytics 2
+set label 1 "true" at graph 1.01,0.86 font ",11" textcolor rgb grey
+plot ARG1 using "x_ft":(on(80, column("curvature_true"))) with lines lc rgb light dt solid lw 6, \
+     ARG1 using "x_ft":(on(80, column("curvature_deg_per_100ft"))) with lines lt 3 lw 1.6, \
+     ARG1 using "x_ft":(on(9, column("curvature_deg_per_100ft"))) with lines lt 2 lw 1.6
+eval panel(1)
+unset label 1
+set ylabel "its error,\ndeg per 100 ft"
+set yrange [-0.2:0.2]
+set ytics 0.1
+set label 2 "9 mph" at graph 1.01,0.75 font ",11" textcolor rgb blue
+set label 3 "80 mph" at graph 1.01,0.50 font ",11" textcolor rgb "#A84300"
+plot ARG1 using "x_ft":(on(9, column("curvature_deg_per_100ft") - column("curvature_true"))) with lines lt 2 lw 1.4 dt 1, \
+     ARG1 using "x_ft":(on(80, column("curvature_deg_per_100ft") - column("curvature_true"))) with lines lt 3 lw 1.8 dt 1
+eval panel(2)
+unset label 2
+unset label 3
+set ylabel "crosslevel, mm"
+set yrange [-30:130]
+set ytics 50
+plot ARG1 using "x_ft":(on(80, column("crosslevel_true"))) with lines lc rgb light dt solid lw 6, \
+     ARG1 using "x_ft":(on(80, column("crosslevel_mm"))) with lines lt 3 lw 1.6, \
+     ARG1 using "x_ft":(on(9, column("crosslevel_mm"))) with lines lt 2 lw 1.6
+eval panel(3)
+set format x "%g"
+set ylabel "its error, mm"
+set yrange [-8:8]
+set ytics 4
+set xlabel "distance, ft"
+plot ARG1 using "x_ft":(on(9, column("crosslevel_mm") - column("crosslevel_true"))) with lines lt 2 lw 1.4 dt 1, \
+     ARG1 using "x_ft":(on(80, column("crosslevel_mm") - column("crosslevel_true"))) with lines lt 3 lw 1.8 dt 1
 unset multiplot
