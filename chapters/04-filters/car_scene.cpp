@@ -1,7 +1,8 @@
 /***
-The scene is Figures 4, 10, 11 and 14 in one: the sensors of gage, crosslevel, profile and alignment
-where they sit. Sizes are chosen, the sensors enlarged. The car travels towards the beam; the third
-sway sensor, at the rear truck, is outside the picture.
+The scene unites the paper's Figures 4, 10, 11 and 14, which are lost in our copy: it shows the
+sensors of gage, crosslevel, profile and alignment where the words put them.
+
+{{fold}}
 */
 #include <vector>
 
@@ -94,7 +95,11 @@ void fig_layout(report::Item& item) {
 
 }  // namespace
 
-const report::Section scene_of_car{
-    report::figure("fig-layout", "Figures 4, 10, 11 and 14: the sensors of the car", fig_layout)};
+const report::Section scene_of_car{report::figure(
+    "fig-layout",
+    "Where the sensors sit. The car travels towards the beam, at the right; the third "
+    "sway sensor, at the rear truck, is outside the picture. Sizes are chosen and the "
+    "sensors enlarged; the paper's Figures 4, 10, 11 and 14 in one.",
+    fig_layout)};
 
 }  // namespace railbook::filters_chapter

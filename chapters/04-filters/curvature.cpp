@@ -1,32 +1,38 @@
 /*** ## Curvature
 
-The change of heading over a foot is the yaw rate times the time of the foot, so a division by the
-speed is a multiplication by $T$. With the heading $\psi$ (the paper's $\phi_c$), the distance $z$
-(as in the paper; further down $z_k$ is a height) and the time $\tau$,
+The gyro says how fast the car turns in time, and wanted is how fast the track turns along its
+length. With the change of heading $\Delta\psi$ over a foot,
 
-$$\frac{\Delta\psi}{\Delta z}=\frac{\Delta\psi/\Delta\tau}{\Delta z/\Delta\tau},\qquad\Delta\tau=T.$$
+$$\frac{\Delta\psi}{d}=\frac{\Delta\psi/T}{d/T},$$
 
-The heading is that of the body. What the body turned over its trucks, by the three sway sensors, is
-subtracted. A mean over {{curvature-mean}} (our choice) then gives the curvature of the track. The
-paper finds tangents, spirals and curves from it and from its rate of change. It does not describe
-how, and we did not build that.
+so that a division by the speed $d/T$ is a multiplication by the time of the foot: $u_kT_k$ is
+$\Delta\psi$. (The paper writes φ_c for the heading and Δτ for the time of a foot.)
+
+The heading is that of the body. In `curvature`, what the body has turned over its trucks since the
+last sample, by the three sway sensors, is subtracted from each $u_kT_k$. A mean over
+{{curvature-mean}} (our choice) then gives the curvature of the track. The paper finds tangents,
+spirals and curves from it and from its rate of change. It does not describe how, and we did not build
+that.
 
 {{code: geometry_car/run.cpp curvature}}
 
 {{fig-curve}}
 
-The figure shows a curve of 4 degrees with spirals of 300 ft and 4 in of superelevation, at 9 and at
-80 mph with typical sensors. Curvature is a mean over the 60 ft between the trucks and
-{{curvature-mean}} more, for the truth as for the measured; both speeds give it at the same place.
+Curvature is a mean over the 60 ft between the trucks and {{curvature-mean}} more, for the truth as
+for the measured. Both speeds show the curve at the same place.
 
 {{table-curvature}}
 
-The line of this track is smooth, so that the sensors' errors show. On the main line, which is not,
-the error at 60 mph with perfect sensors is larger, and larger still without the correction for the
-trucks ({{outcome:table-curvature/trucks}}). A gyro's bias $b$ adds $b/V$ to the curvature, $V$ being the
-speed. At 2 mph a bias of 0.005 deg/s, little more than the earth's own rotation, and as much noise
-make {{curvature-2}}. This is why the operator debiases the gyro while the car stands. After a
-minute of it the noise is larger than what is left of the bias ({{outcome:table-curvature/debias}}).
+The line of the track of this table is smooth, so that the sensors' errors show. On the main line,
+which is not smooth, the error at 60 mph with perfect sensors is larger, and larger still without the
+correction for the trucks ({{outcome:table-curvature/trucks}}).
+
+A bias $\beta$ of the gyro adds $\beta/V$ to the curvature, and so counts most at low speed. At 2 mph a
+bias of 0.005 deg/s, little more than the earth's own rotation, and as much noise make
+{{curvature-2}}. This is why the operator debiases the gyro while the car stands. After a minute of it
+the noise is larger than what is left of the bias ({{outcome:table-curvature/debias}}).
+
+{{fold}}
 */
 #include <fmt/format.h>
 
@@ -128,8 +134,16 @@ void table_curvature(report::Item& item) {
 }  // namespace
 
 const report::Section curvature{
-    report::figure("fig-curve", "Curvature and crosslevel through a curve", fig_curve),
-    report::table("table-curvature", "Curvature by speed: perfect gyro, biased gyro, debiased gyro",
-                  table_curvature)};
+    report::figure("fig-curve",
+                   "A curve is seen alike at 9 and at 80 mph. Curvature and crosslevel through a "
+                   "curve of 4 degrees with spirals of 300 ft and 4 in of superelevation, grey the "
+                   "truth, and below each the errors. Typical sensors on our track.",
+                   fig_curve),
+    report::table(
+        "table-curvature",
+        "A bias of the gyro counts at low speed only, and debiasing removes it. RMS error "
+        "of the curvature in degrees per 100 ft, with a perfect gyro, and what bias and "
+        "noise of a typical one add before and after debiasing. The sensors are ours.",
+        table_curvature)};
 
 }  // namespace railbook::filters_chapter

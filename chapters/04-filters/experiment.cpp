@@ -1,17 +1,19 @@
 /***
-### What the experiments share
+### The track and the sensors of all experiments
 
-The standard track is 8192 ft of main line. Surface and line of each rail are random processes whose
-spectrum has two slopes; joints of 39-ft rail are a rectified sine with 5.5 mm of dip; there is a
-vertical curve between two grades, and a curve of 4 degrees with spirals and 4 in of superelevation.
-*Truth* is always the same chord and the same high-pass on the true rail, so an error is an error of
-the car and not of the filter's band.
+The standard track is 8192 ft of main line. Height and line of each rail are random processes whose
+spectrum has two slopes. Added to the height are joints every 39 ft with 5.5 mm of dip and a
+vertical curve between two grades, and to the line a curve of 4 degrees with 4 in of superelevation,
+into which spirals lead. *Truth* is always the same chord and the same high-pass filter on the true
+rail, so that an error is an error of the car and not of the filter's range of wavelengths.
 
 The *typical sensors* are ours as well, for the paper gives no sensor data. Accelerometers and
 inclinometer have a bias of 1 mg, noise of 20 µg/√Hz and a converter of 12 bits over ±1 g. Both
 gyros have a bias of 0.005 deg/s and noise of 0.005 deg/s/√Hz. Each displacement sensor reads in
-steps of 0.1 mm. Before each run the car stands for a minute and the yaw gyro is debiased, which
-leaves {{residual-bias}} of its bias.
+steps of 0.1 mm. Before each run the car stands for a minute and the yaw gyro is *debiased*: what it
+reads at rest is subtracted from then on. That leaves {{residual-bias}} of its bias.
+
+{{fold}}
 */
 #include <cmath>
 

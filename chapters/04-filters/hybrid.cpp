@@ -1,70 +1,94 @@
 /*** ## The hybrid filter
 
-The yaw-rate gyro goes through an analog low-pass of first order, $B(s)=\omega_1/(s+\omega_1)$,
-ahead of the converter; $\omega_1$ is its corner in rad/s. Call $x(t)$ what goes into the filter and
-$y_k$ what comes out at sample $k$, at the time $t_k$. If $T_k$ seconds have passed since the last
-sample,
+The yaw-rate gyro shows the way, for it needs one filter only. Ahead of the converter stands an
+analog low-pass of first order,
 
-$$y_k=e^{-\omega_1T_k}y_{k-1}+\int_{t_{k-1}}^{t_k}\omega_1e^{-\omega_1(t_k-t)}x(t)\,dt,$$
+$$B(s)=\frac{\omega_1}{s+\omega_1},$$
 
-whatever the speed did before. So
+where $s$ is the variable of the Laplace transform and $\omega_1$ the corner in rad/s. Let $x(t)$ be
+what goes into the filter, $y(t)$ what comes out of it, and $y_k$ what the converter reads at sample
+$k$, at the time $t_k$. The foot before it took $T_k=t_k-t_{k-1}$ seconds.
 
-$$u_k=\frac{y_k-a_ky_{k-1}}{1-a_k},\qquad a_k=e^{-\omega_1T_k},$$
+**The proof in one line.** A filter of first order holds one number, its output. Whatever the speed
+did before, that number decays by the factor $e^{-\omega_1T_k}$ until the next sample, and what is
+added comes from the last foot alone:
 
-is a weighted mean of the input over one sample interval and nothing else. This is the digital
-filter $C$. It takes two samples and one measured time. It has no memory beyond them, and so no
-transient when the speed changes. The smaller $\kappa=\omega_1T$, the flatter is the weight; in the
-limit $u_kT_k$ is the plain integral over a foot, the change of heading per foot that the paper
-wants.
+$$y_k=e^{-\omega_1T_k}y_{k-1}+\int_{t_{k-1}}^{t_k}\omega_1e^{-\omega_1(t_k-t)}x(t)\,dt .$$
 
-The code below is the formula, with $a/(1-a)$ kept while the speed stays the same. Its first two
-lines deal with pulses of the encoder that cannot be.
+So the memory can be subtracted. With $a_k=e^{-\omega_1T_k}$,
+
+$$u_k=\frac{y_k-a_ky_{k-1}}{1-a_k}$$
+
+is a weighted mean of $x$ over the last foot and nothing else, for any history of speeds, since the
+weights $\omega_1e^{-\omega_1(t_k-t)}$ of the integral add up to $1-a_k$. This is the digital filter
+$C$. It takes two samples and one measured time. It has no memory beyond them, and so no transient
+when the speed changes.
+
+In the code, `push` takes the new output $y_k$ and the time of the foot. It computes $u_k$ in the
+form $y_k+\frac{a_k}{1-a_k}(y_k-y_{k-1})$, which passes a constant unchanged whatever the rounding,
+and keeps $a_k/(1-a_k)$ while the speed stays the same. Its first two lines deal with pulses of the
+encoder that cannot be.
 
 {{code: filters/hybrid_filter.cpp push}}
 
-Take a constant speed and a wave of $\varphi$ cycles a metre. With the distance $d$ between two
-samples (1 ft) it turns by $\theta=2\pi\varphi d$ radians from sample to sample, and
+The smaller $\kappa=\omega_1T$ is, with $T$ the time of a foot at constant speed, the flatter is the
+weight. In the limit $u_kT_k$ is the plain integral over the foot: of a yaw rate, the change of
+heading per foot, which is the curvature that the paper wants.
 
-$$|B|=\frac1{\sqrt{1+\theta^2/\kappa^2}},\quad|C|^2=1+\frac{\sin^2\theta/2}{\sinh^2\kappa/2},\quad|BC|\to\left|\frac{\sin\theta/2}{\theta/2}\right|\quad(\kappa\to0).$$
+{{include: flow.cpp}}
+
+### Gains at 9 and at 80 mph
+
+The paper shows what this does to waves in three figures, for 9 and for 80 mph. They are lost in our
+copy, and it prints no corner; {{corner}} is our choice. Take a constant speed and a wave of
+$\varphi$ cycles a metre, its *wavenumber*. With the distance $d$ of two samples, 1 ft, it turns by
+$\theta=2\pi\varphi d$ radians from sample to sample. With $a=e^{-\kappa}$ the gains of the filters
+at that wave are
+
+$$|B|=\frac1{\sqrt{1+\theta^2/\kappa^2}},\qquad|C|=\left|\frac{1-ae^{-i\theta}}{1-a}\right|=\sqrt{1+\frac{\sin^2(\theta/2)}{\sinh^2(\kappa/2)}},$$
+
+$$|BC|\to\left|\frac{\sin(\theta/2)}{\theta/2}\right|\quad(\kappa\to0),$$
+
+and the last is the gain of a plain mean over one foot.
 
 {{fig-07}}
 
+At 9 mph the corner lies at {{corner-9}}, at 80 mph at {{corner-80}}. It is fixed in time and so
+moves along the track by the ratio of the speeds, whatever it is ({{outcome:fig-07/moves}}).
+
 {{fig-08}}
+
+The digital filter makes up for it. Short waves that the analog filter has suppressed more at 80 mph
+are amplified more. The paper calls its $C$ a bandpass, a filter that passes neither long nor short
+waves as well as those between; ours, the shortest that undoes $B$, rises all the way to the
+shortest wave. A low-pass fixed in space behind it makes a band of it and leaves the product as
+independent of speed as it was ({{outcome:fig-08/bandpass}}).
 
 {{fig-09}}
 
-Below {{fig-09}} the car's speed can be moved. The analog filters run over the track's waves as it
-goes faster, the hybrid ones stay; what is left of the speed is how far a run forwards and a run
-backwards lie apart.
+In the product the gain at 9 mph differs from that at 80 mph by at most {{spread}} (of 1), at the
+shortest wave ({{outcome:fig-09/magnitude}}). After the hybrid filter, says the paper, the yaw rate
+has "a high-frequency cutoff which is constant" in spatial frequency. Ours has: the gain falls to
+0.707 at {{cutoff-9}} at 9 mph and at {{cutoff-80}} at 80 mph ({{outcome:fig-09/cutoff}}). Below the
+figure the speed can be moved. The analog filters move over the waves of the track as the car goes
+faster, and the hybrid ones stay.
 
-The paper's three figures are lost in our copy, and it prints no corner; {{corner}} is our choice.
-At 9 mph the corner lies at {{corner-9}}, at 80 mph at {{corner-80}}. It is fixed in time and moves
-along the track, by the ratio of the speeds, for any corner ({{outcome:fig-07/moves}}). In Figure 9
-the gain at 9 mph differs from that at 80 mph by at most {{spread}} (of 1), at the shortest wave
-({{outcome:fig-09/magnitude}}).
+### Two poles, for accelerometers
 
-After the hybrid filter, says the paper, the yaw rate has "a high-frequency cutoff which is
-constant" in spatial frequency. Ours has: $|BC|$ falls to 0.707 at {{cutoff-9}} at 9 mph and at
-{{cutoff-80}} at 80 mph ({{outcome:fig-09/cutoff}}).
+Profile and alignment start from accelerations, which have to be integrated twice. For these the
+paper has an analog filter $F$ and a digital one $G$ of second order. Let $\omega_2$ be the corner
+of $F$ in rad/s, $\zeta$ its damping as a fraction of the critical one, $\sigma=\zeta\omega_2$ the
+rate at which it forgets, and $q(t)$ its response to an impulse. Such a filter holds two numbers, so
+that three samples are needed to remove its memory. For any two poles and any two intervals
 
-The paper also calls $C$ a bandpass. The minimal filter that undoes $B$, ours, rises all the way to
-the shortest wave. A fixed low-pass behind it makes a band of it, whose lower edge moves with the
-speed while the cutoff stays, and leaves the product as independent of speed as it was; the dashed
-lines of {{fig-08}} show the simplest, a mean over three samples with the weights ¼, ½ and ¼
-({{outcome:fig-08/bandpass}}). Whether the paper's $C$ is of this kind cannot be told, for the
-figure that shows it is lost.
+$$w_k=y_{k+1}-\frac{q(T_k+T_{k+1})}{q(T_k)}y_k+e^{-2\sigma T_k}\frac{q(T_{k+1})}{q(T_k)}y_{k-1}$$
 
-**Second order.** For accelerations the paper has $F(s)$ and $G(z)$ of second order. Let $\omega_2$
-be the corner of $F$, $\zeta$ its damping, $\sigma=\zeta\omega_2$, and $q(t)$ its impulse response.
-Then one combination of three samples contains neither mode of $F$, for any two poles and any two
-intervals:
+contains nothing older than two feet. Divided by the weight of a constant in it, it is a weighted
+mean of the input over two intervals. For a low corner the weight is a triangle, and the triangle's
+mean of an acceleration is the second difference of the path: the offset from the middle of a chord
+of two samples. For two equal real poles at constant speed, $|FG|=|BC|^2$.
 
-$$g=y_{k+1}-\frac{q(T_k+T_{k+1})}{q(T_k)}y_k+e^{-2\sigma T_k}\frac{q(T_{k+1})}{q(T_k)}y_{k-1}.$$
-
-Scaled so that a constant passes unchanged, $g$ is a weighted mean of the input over two intervals.
-For a low corner the weight is a triangle, and the mean is the second difference of what was
-differentiated twice: the paper's short mid-chord offset, the height of the middle of a chord of two
-samples. For a double real pole at constant speed, $|FG|=|BC|^2$.
+{{fold}}
 */
 #include <fmt/format.h>
 
@@ -132,6 +156,8 @@ void fig_07(report::Item& item) {
   const double at_9 = cutoff(slow, &Gains::analog), at_80 = cutoff(fast, &Gains::analog);
   item.claim("moves", "a corner fixed in time moves along the track with the speed",
              std::abs(at_9 / at_80 - fast / slow) < 1e-6, "by the ratio of the speeds");
+  auto& corners = item.data("corners", {"phi_cycle_per_ft", "gain"});
+  for (const double at : {at_9, at_80}) corners.add(at * units::foot, std::sqrt(0.5));
   item.value("corner", gyro_corner / (2 * units::pi), "Hz", "{:g}");
   item.value("corner-9", at_9 * units::foot, "cycle/ft", "{:.4f}");
   item.value("corner-80", at_80 * units::foot, "cycle/ft", "{:.5f}");
@@ -226,8 +252,20 @@ void fig_09(report::Item& item) {
 }  // namespace
 
 const report::Section hybrid{
-    report::figure("fig-07", "Figure 7. The analog filter at 9 and 80 mph", fig_07),
-    report::figure("fig-08", "Figure 8. The digital filter at 9 and 80 mph", fig_08),
-    report::figure("fig-09", "Figure 9. Both together", fig_09)};
+    report::figure("fig-07",
+                   "Figure 7. The corner of the analog filter moves along the track with the "
+                   "speed. Gain of B against wavenumber; the dots are the corner of 1 Hz, where "
+                   "the gain is 0.707. The corner is ours.",
+                   fig_07),
+    report::figure("fig-08",
+                   "Figure 8. The digital filter amplifies what the analog one suppressed. Gain of "
+                   "C against wavenumber; dashed, followed by a mean over three samples with the "
+                   "weights ¼, ½ and ¼, which makes a band of it. The corner is ours.",
+                   fig_08),
+    report::figure("fig-09",
+                   "Figure 9. Both filters together give one curve at 9 and at 80 mph. Left, the "
+                   "gain of BC; right, what is left of the speed, in thousandths. The corner is "
+                   "ours.",
+                   fig_09)};
 
 }  // namespace railbook::filters_chapter

@@ -1,38 +1,45 @@
-/*** ## What "independent of the vehicle speed and direction" is worth
+/*** ## How independent of speed and direction?
 
-The weight of $BC$ over its one sample interval is $e^{\omega_1(t-t_k)}$, flat only in the limit
-$\kappa=\omega_1T\to0$. So the analog corner must be low compared with $V/d$, the number of samples
-a second at the speed $V$. Then the gain is off by a term of second order in $\kappa$ and the phase
-by one of first order. The centroid of the weight lies
+The weight of the hybrid filter, seen from sample $k$, is $e^{\omega_1(t-t_k)}$ over the last foot.
+It is flat only in the limit of a low corner, $\kappa=\omega_1T\to0$, that is, for a corner far below
+$V/d$, the number of samples a second at the speed $V$. Otherwise the end of the foot counts more
+than its beginning, as the drawing at the top shows for 9 mph. The gain is then off by a term of
+second order in $\kappa$, and the place to which the mean belongs by one of first order: the centroid
+of the weight lies
 
 $$T\left(\frac1\kappa-\frac a{1-a}\right)=T\left(\frac12-\frac\kappa{12}+\dots\right)$$
 
 before the sample. Half a sample is the same for both directions and can be shifted away. The rest
-changes its sign with the direction of travel, and forward and reverse runs end up $\kappa d/6$
-apart. The paper claims that the hybrid filter removes the distortion "normally introduced by
-variations in vehicle speed and direction of travel". The last two columns compare it with the
-analog filter alone, which delays every long wave by $1/\omega_1$ and so sets the two directions
-$2V/\omega_1$ apart.
+changes its sign with the direction of travel, so that forward and reverse runs end up $\kappa d/6$
+apart.
+
+The paper claims that the hybrid filter removes the distortion "normally introduced by variations in
+vehicle speed and direction of travel". The measure of this is the analog filter alone. It delays
+every long wave by $1/\omega_1$ seconds, and so sets the two directions $2V/\omega_1$ apart.
 
 {{small-kappa}}
 
 The two directions come {{offset-9}} apart at 9 mph instead of {{alone-9}}, and {{offset-80}} at 80
-mph instead of {{alone-80}}, both far less than the foot between two samples
+mph instead of {{alone-80}}. Both are far less than the foot between two samples
 ({{outcome:small-kappa/direction}}). The {{offset-9}} are not the paper's: they belong to the corner
 of {{corner}} that we chose, and to the shortest $C$. With a tenth of the corner they are
-{{offset-low}}. They can also be taken out, since $\kappa$ is measured: with
-$\varepsilon=\frac12-\left(\frac1\kappa-\frac a{1-a}\right)$, a factor
-$1-\frac\varepsilon2(z-z^{-1})$ keeps the gain of long waves and leaves {{offset-left}} at a wave of
-20 ft. At 1 mph, below all speeds for which the paper relies on the filter, the gain is off by up to
-{{off-1}}, and the two directions lie {{offset-1}} apart, no less than with $B$ alone. The paper
+{{offset-low}}.
+
+They can also be taken out, since $\kappa$ is measured. With
+$\varepsilon=\frac12-\left(\frac1\kappa-\frac a{1-a}\right)$, the corrected
+$u_k-\frac\varepsilon2(u_{k+1}-u_{k-1})$ keeps the gain of long waves and leaves {{offset-left}} at a
+wave of 20 ft. At 1 mph, below all speeds for which the paper relies on the filter, the gain is off by
+up to {{off-1}}, and the two directions lie {{offset-1}} apart, no less than with $B$ alone. The paper
 itself says *nearly* of profile and alignment.
 
 **"An extremely close approximation"** of $C$ is said to be coded, for "efficient numerical
-calculations". The paper does not say which. With an approximate $\hat a$, the fraction $(a-\hat
-a)/(1-\hat a)$ of the older input leaks through. At 9 mph that is {{tail-linear}} with $\hat
-a=1-\kappa$ and {{tail-reciprocal}} with $1/(1+\kappa)$, which a record would show, and
-{{tail-pade11}} with Padé's (1,1). Only Padé's (2,2), with {{tail-pade22}} even at 5 mph, is close
-enough for the words down to walking pace.
+calculations". The paper does not say which. With an approximate $\hat a$ in place of $a$, the
+fraction $(a-\hat a)/(1-\hat a)$ of the older input leaks through. At 9 mph that is {{tail-linear}}
+with $\hat a=1-\kappa$ and {{tail-reciprocal}} with $1/(1+\kappa)$, which a record would show, and
+{{tail-pade11}} with Padé's (1,1), a quotient of two polynomials of first degree. Padé's (2,2), with
+{{tail-pade22}} even at 5 mph, is close enough for the words down to walking pace.
+
+{{fold}}
 */
 #include <fmt/format.h>
 
@@ -127,6 +134,11 @@ void small_kappa(report::Item& item) {
 }  // namespace
 
 const report::Section independence{
-    report::table("small-kappa", "The hybrid filter against its limit", small_kappa)};
+    report::table("small-kappa",
+                  "The slower the car, the less flat the weight, and the further apart the two "
+                  "directions. Deviation of the gain from its limit, delay of the centroid, and "
+                  "distance of forward and reverse runs, for a corner of 1 Hz; last, the distance "
+                  "with the analog filter alone.",
+                  small_kappa)};
 
 }  // namespace railbook::filters_chapter

@@ -1,33 +1,54 @@
-/*** # Filters of an inertial track-geometry car
+/*** # How can a moving car measure track at any speed?
+
+A track-geometry car records the shape of the rails every foot, at up to 120 mph, but the electrical
+filters ahead of its converter know only seconds. Without a remedy one and the same rail gives one
+record at 9 mph, another at 80 mph, and a third when the car comes back the other way.
+
+{{fig-flow}}
 
 ::: findings
-1. The paper claims that the analog and the digital filter together respond independently of speed
-   and direction. Our filters, derived from its words, do so as long as the analog corner is low:
-   with the {{corner}} that we chose, the gains at 9 and 80 mph differ by at most {{spread}}, and a
-   run forwards and a run backwards lie {{offset-9}} apart at 9 mph, where the analog filter alone
-   sets them {{alone-9}} apart ({{outcome:fig-09/magnitude}}).
-2. The paper claims that only gage and crosslevel remain accurate down to 0 mph. On our model they
-   do; the errors of curvature, profile and alignment at 0.5 mph are about {{slow-growth}} those
-   from 15 mph on, or more, with sensors of our choice and the yaw gyro debiased at rest
-   ({{outcome:table-claims/only-two}}).
-3. The paper claims that chords of any length can be had easily from the inertial measurements,
-   which give short ones. This is exact: the 62-ft offset is a sum of {{chord-taps}} short offsets
-   with whole numbers as weights ({{outcome:chords/any}}).
+1. Are speed and direction really gone from the record, as the paper claims? Nearly. If the analog
+   filter has a low corner ({{corner}}, our choice, for the paper prints none), the gain at 9 mph
+   differs from that at 80 mph by at most {{spread}} of 1. Runs forwards and backwards at 9 mph then
+   lie {{offset-9}} apart, where the analog filter alone would set them {{alone-9}} apart
+   ({{outcome:fig-09/magnitude}}).
+2. What can still be measured when the car crawls? The paper claims that only gage and crosslevel
+   remain accurate down to 0 mph. On our model this is so: at 0.5 mph the errors of curvature,
+   profile and alignment are {{slow-growth}} those from 15 mph on, or more. Track, car and sensors
+   are ours, and the yaw gyro is debiased at rest ({{outcome:table-claims/only-two}}).
+3. Can the legal 62-ft chord be had from accelerometers, and chords of any other length? Yes, and
+   exactly: the accelerometers give offsets from a chord of 2 ft, and the offset from one of 62 ft
+   is a sum of {{chord-taps}} of them with whole numbers as weights ({{outcome:chords/any}}).
 :::
 
-A geometry car measures track at any speed up to 120 mph with sensors that know nothing of distance:
-accelerometers, gyros, an inclinometer. Each goes through an analog low-pass ahead of the converter,
-whose corner is fixed in hertz, and so moves along the track with the speed of the car. The paper is
-an overview of the car T-10 that ENSCO built for the Federal Railroad Administration. It says how
-the speed is taken out again: sample by distance, a foot at a time, and let a digital filter undo
-what the analog one did. Together they are the *hybrid filter*.
+## The idea
 
-The paper prints no filter formula and only one corner frequency. We have it as machine-read text:
-its figures of responses and its drawings are lost in our copy. What it says in words is enough to
+In 1981 ENSCO described the car T-10, which it had built for the Federal Railroad Administration.
+The paper is an overview. It says in words how the car measures the five things that track safety
+standards ask for:
+
+* *gage*, the distance between the two rails;
+* *curvature*, how fast the track turns, in degrees per 100 ft of length;
+* *crosslevel*, how much higher one rail is than the other;
+* *profile*, how far each rail lies above or below the middle of a chord of 62 ft that is laid on
+  it, the *mid-chord offset*;
+* *alignment*, the same sideways.
+
+Gage needs no memory. The other four are made from gyros, which measure rates of turning, and from
+accelerometers. Their signals must pass an analog low-pass filter before they are sampled, since a
+wave shorter than two samples would be mistaken for a longer one. Its *corner*, above which it
+suppresses, is fixed in hertz: at 80 mph it erases waves that it passes at 9 mph.
+
+The remedy is in two parts. The car takes a sample whenever an axle has turned through a foot of
+track, and measures the time that the foot took. A digital filter then undoes what the analog filter
+did in that time, and for each foot keeps the mean over that foot alone. Both together are the
+*hybrid filter*.
+
+We have the paper as machine-read text. Its pictures of responses and its drawings are lost in our
+copy; it prints no formula for a filter, and only one corner frequency. The words are enough to
 derive the filters, once one asks for a digital filter that is exact for any history of speeds. This
-chapter derives them, asks what the paper's claims are worth, simulates the whole car, runs it over
-synthetic track, and measures. Most of these claims can only be shown to be consistent with our
-model, for corners, track and sensors are ours.
+page derives them, simulates the whole car on synthetic track, and measures. Since corners, track
+and sensors are ours, most of the paper's claims can only be shown to be consistent with our model.
 
 {{include: system.cpp}}
 
@@ -43,8 +64,8 @@ model, for corners, track and sensors are ours.
 
 {{include: speeds.cpp}}
 
-What the filters cost against other ways to write them, and what a wrong corner, stops, reversals
-and faults do to them, is on the second page.
+What the filters cost against other ways to write them, and what a wrong corner, a coarse or
+unsteady clock, stops, reversals and faults do to them, is on the second page.
 
 ## Deviations
 
@@ -63,34 +84,76 @@ Nothing in the paper is contradicted. Our reconstruction differs from it, or may
   filters process` and `railbook filters simulate`; ride and sensors, which are defaults of the
   library. The paper's limits of 2, 5 and 15 mph depend on sensors and on an accuracy that it does
   not state.
+* **Damaged in our copy**: a fraction in the passage on curvature and a few signs of formulas, which
+  the words around them restore; Figures 2, 3, 7, 8, 9 and 13, which are pictures.
 
 ## Limits
 
-* $C$ and $G$ amplify everything behind the analog filter, noise and steps of the converter, by
-  $1/\kappa$ and $1/\kappa^2$. The lower the corner, the more independent of speed, and the noisier.
-* The method lives by a digital filter that matches the analog one. A corner that is 1 % off its
-  nominal value makes an error of up to {{off-1-percent}} in profile at 60 mph (see the study).
-* Waves shorter than two samples are folded: the hybrid filter lets {{nyquist-gain}} of a wave of 2
-  ft through, and is no anti-aliasing filter.
-* A worn wheel stretches the chord and the wavelengths by its wear, and none of this notices.
+* $C$ and its counterpart for accelerations amplify everything behind the analog filter, the noise
+  and the steps of the converter, by $1/\kappa$ and $1/\kappa^2$. The lower the corner, the more
+  independent of speed the record is, and the noisier.
+* The method depends on a digital filter that matches the analog one. A corner that is 1 % off its
+  nominal value makes an error of up to {{off-1-percent}} in profile at 60 mph (see the second
+  page).
+* Waves shorter than two samples are folded onto longer ones: the hybrid filter passes
+  {{nyquist-gain}} of a wave of 2 ft, and does not prevent this.
+* A worn wheel of the encoder stretches the chord and the wavelengths by its wear, and no sensor
+  notices.
 * The long chord with its high-pass needs 330 samples on each side, and on each side of a missing
   one.
-* The simulated car is linear but for its attitude: five modes, no flange, no hunting, no bending of
-  body or beam; track moves under no load, and the encoder neither slips nor wears. Errors of a real
-  car are larger.
-* Curvature is that of the trucks' path. Where they weave about the rails it is off, and no sensor
-  of the system tells.
+* The simulated car is linear but for its attitude. It has five modes, no flange, no hunting and no
+  bending of body or beam. The track does not yield under load, and the encoder neither slips nor
+  wears. Errors of a real car are larger.
+* Curvature is that of the path of the trucks. Where they weave between the rails it is wrong, and
+  no sensor of the system shows this.
 * `railbook filters process` doubts the clock of a record whose median speed is below 0.5 m/s, since
   a wrong unit of time looks like this, and then calls nothing in it good but the gage.
+
+## Use it
+
+A record of your own car has a row a foot and a column a sensor. Without one, `railbook filters
+simulate` makes one, here 1500 m of track at 30 mph with typical sensors:
+
+```console
+$ railbook filters simulate --out sensors.csv --length 1500m --speeds 30mph --sensors typical
+sensors in sensors.csv
+  rows  4842
+```
+
+`railbook filters process` makes track geometry of it, and says of each value how far it can be
+trusted. At 30 mph profile is good, and alignment is called degraded, because the roll of the beam
+is not known well enough:
+
+```console
+$ railbook filters process sensors.csv --out mine
+...
+  slowest foot                      30 mph
+...
+  crosslevel, mean where good       25.74421 mm   (good 96.3 %, degraded 0.0, unreliable 0.0, missing 3.7)
+...
+  profile_left, mean where good     -0.03851254 mm   (good 86.3 %, degraded 0.0, unreliable 0.0, missing 13.7)
+    standard deviation              6.394321 mm
+...
+  alignment_left, mean where good   nowhere good
+    note                            good 0.0 %, degraded 82.6, unreliable 0.0, missing 17.4
+```
+
+The folder `mine` then holds the geometry, a row a foot, the list of what is doubted, and a picture.
+The corners of your analog filters are the options `--first-corner` and `--second-corner`.
 
 ## Try next
 
 * Set `gyro_corner` and `acceleration_corner` in `configuration.hpp` to a tenth, and build and run
-  the chapter: the directions meet, and the error of a coarse converter grows. A test does it.
-* Take the slope for the term of changing speed from the space curve itself, and iterate: the long
-  waves it lacks matter least.
-* Compute the filter for three poles: $q$ becomes the response of a third-order filter, and four
-  samples are combined.
+  the chapter: the two directions meet, and the error of a coarse converter grows.
+* Tell `railbook filters process` that the corner is 1.01 Hz, with `--first-corner 1.01Hz
+  --second-corner 1.01Hz`, when it was 1 Hz: how much does the profile change? A record made with
+  `--sensors ideal` shows it best.
+* Drive over the same track at 9 and at 80 mph, `--speeds 9mph` and `--speeds 80mph`, and compare
+  the two files of geometry.
+
+## Symbols
+
+{{symbols}}
 
 ## Citation
 
@@ -113,12 +176,12 @@ int main(int argc, char** argv) {
       argc, argv,
       {.id = RAILBOOK_CHAPTER,
        .name = "filters",
-       .title = "Filters of an inertial track-geometry car",
+       .title = "How can a moving car measure track at any speed?",
        .paper = "Inertial and Inductive Measurement Techniques for Track Geometry (ENSCO, for the "
                 "Federal Railroad Administration), ASME Winter Annual Meeting, Washington, "
                 "November 1981",
        .sources = RAILBOOK_CHAPTER_DIR},
-      {scene_of_car, filters_chapter::system, hybrid, independence, curvature, crosslevel, profile,
-       speeds},
+      {flow, scene_of_car, filters_chapter::system, hybrid, independence, curvature, crosslevel,
+       profile, speeds},
       {mismatch, cost, stability});
 }

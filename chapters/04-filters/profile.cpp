@@ -1,41 +1,57 @@
 /*** ## Profile and alignment
 
-$F\cdot G$ makes of each acceleration a short mid-chord offset, the height above the middle of a
-chord of two samples, $m_k=z_k-\frac12(z_{k-1}+z_{k+1})$. The Federal Track Safety Standards want a
-chord of 62 ft. The gain of a chord of $2N$ samples for a sine of $\theta$ radians a sample is
-$1-\cos N\theta$, and
+The filters $F$ and $G$ make of each acceleration a *short offset*, how far the path of the
+accelerometer lies above the middle of a chord of two samples,
 
-$$\frac{1-\cos N\theta}{1-\cos\theta}=\left(\frac{\sin N\theta/2}{\sin\theta/2}\right)^2$$
+$$m_k=z_k-\tfrac12(z_{k-1}+z_{k+1}),$$
 
-is a polynomial: $N$ equal weights, twice. So the long offset is exactly the sum of the short ones
-around it with the integer weights $N-|j|$, where $j$ counts samples from the middle. That makes
-{{chord-taps}} weights for 62 ft, or two running sums, and any other chord as easily
+where $z_k$ is the height at sample $k$. The same offset of the height sensor's reading, subtracted,
+leaves that of the rail. The Federal Track Safety Standards want a chord of 62 ft.
+
+For a sine of $\theta$ radians a sample, a chord of $2N$ samples has the gain $1-\cos N\theta$. The
+ratio of a long chord to a short one,
+
+$$\frac{1-\cos N\theta}{1-\cos\theta}=\left(\frac{\sin(N\theta/2)}{\sin(\theta/2)}\right)^2,$$
+
+is the square of the gain of a sum over $N$ samples. So the long offset is exactly the short ones
+summed over $N$ samples, twice. Written out, this is their sum with the integer weights $N-|j|$, where
+$j$ counts samples from the middle: {{chord-taps}} weights for 62 ft, and any other chord as easily
 ({{outcome:chords/any}}).
+
+In `to_chord` the two running sums are the last lines. What stands before and after them sees to it
+that a missing sample spoils only the offsets in which it has a weight.
+
+{{code: filters/chord_filter.cpp to_chord}}
 
 {{chords}}
 
-**Long waves.** Hills are no defects, and the integral of an accelerometer's bias is a hill. One
-composite filter turns short offsets into long ones and removes long waves. Its high-pass part,
+### Long waves are taken out
+
+Hills are no defects, and the double integral of an accelerometer's bias is a hill. So one composite
+filter turns short offsets into long ones and removes long waves. Its high-pass part, the paper's
 Figure 13, is lost in our copy. Our choice is
 
-$$H=1-b_M^{\,p},\qquad b_M(\theta)=\frac{\sin M\theta/2}{M\sin\theta/2},$$
+$$H=1-R^{\,p},\qquad R=\frac{\sin(M\theta/2)}{M\sin(\theta/2)},$$
 
-one minus the centred mean over $M$ = 151 samples, applied $p$ = 4 times: of zero phase, so that it
-reads the same in both directions. The paper says which waves count: up to 150 ft at speeds to 90
-mph, up to 200 ft at 120 mph. Both are the same frequency in the car, {{limit-hertz}}
-({{outcome:fig-13/limits}}). The choice passes {{hp-150}} of 150 ft and {{hp-200}} of 200 ft.
+one minus the mean over $M$ = 151 samples about the middle one, applied $p$ = 4 times. It is of zero
+phase, so that it reads the same in both directions.
+
+The paper says which waves count: up to 150 ft at speeds to 90 mph, and up to 200 ft at 120 mph. Both
+are the same frequency in the car, {{limit-hertz}} ({{outcome:fig-13/limits}}). Our filter passes
+{{hp-150}} of a wave of 150 ft and {{hp-200}} of one of 200 ft.
 
 {{fig-13}}
 
-{{code: filters/geometry_chain.cpp geometry}}
-
 In a chord, the double zero of $H$ at long waves removes a constant acceleration altogether. The
-*pseudo space curve* is the short offset times $H/(1-\cos\theta)$, again a polynomial. The division
-uses up the double zero, so a constant bias gives an offset. The response of the curve is then $H$
-itself, as the paper says ({{outcome:fig-13/true-response}}).
+*pseudo space curve*, the path of the rail without its long waves, is the short offset times
+$H/(1-\cos\theta)$, which is a finite sum as well. The division uses up the double zero, so that a
+constant bias gives a constant offset. The response of the curve is then $H$ itself, as the paper says
+({{outcome:fig-13/true-response}}).
 
-**Alignment** goes the same way with the accelerometer on the beam, gravity on the rolling beam
-taken off, and the short chord of each gage sensor added.
+**Alignment** goes the same way with the accelerometer on the beam. Gravity on the rolling beam is
+taken off first, and the short offset of each gage sensor is added.
+
+{{fold}}
 */
 #include <fmt/format.h>
 
@@ -136,7 +152,16 @@ void fig_13(report::Item& item) {
 }  // namespace
 
 const report::Section profile{
-    report::table("chords", "Gains of chords made of short ones", chords),
-    report::figure("fig-13", "Figure 13. High-pass part of the composite filter", fig_13)};
+    report::table(
+        "chords",
+        "Long chords made of short ones have the gains of long chords. Gain of each chord "
+        "against wavelength; the paper prints none.",
+        chords),
+    report::figure(
+        "fig-13",
+        "Figure 13. The high-pass keeps the waves that count and removes hills. Gain "
+        "against wavelength; upright lines are the longest waves that count, as the paper "
+        "has them. The filter is our choice.",
+        fig_13)};
 
 }  // namespace railbook::filters_chapter

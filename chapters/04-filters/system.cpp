@@ -1,20 +1,25 @@
 /*** ## The car and its sensors
 
-A car body rides on two trucks; under the front one runs the measuring axle. Above it, in the body,
-sit two vertical accelerometers, an inclinometer, the roll gyro and the yaw gyro, and a height
-sensor on each side measures the body over the axle. Three more displacement sensors measure how far
-the body has swayed over the trucks. On the truck, a beam carries a lateral accelerometer and the
-two gage sensors. The gage is the sum of their two readings and the distance between them. An
-encoder on an axle calls for a sample each foot, and a clock says how long the foot took. A location
-detector that is read at the nearest foot is right to half a foot, the 6 in of the paper.
+A car body rides on two trucks, frames with two axles each. Under the front truck runs the measuring
+axle. Above it, in the body, sit two vertical accelerometers, an inclinometer (a pendulum that shows
+where down is), a gyro for the rate of roll and one for the rate of yaw, the turning about a
+vertical axis. On each side a height sensor measures how far the body is above the axle.
+
+Three more displacement sensors measure how far the body has swayed sideways over its trucks. From
+the front truck a beam reaches down between the rails. It carries a lateral accelerometer and two
+gage sensors, which measure the distance to each rail without touching it. The gage is the sum of
+their two readings and the distance between them.
+
+An encoder on an axle calls for a sample each foot, and a clock says how long the foot took. The
+place of a sample is known to half a foot, the 6 in of the paper.
 
 {{fig-layout}}
 
 {{include: car_scene.cpp}}
 
-Which parameter needs which sensor is the paper's Figure 3, a drawing that is lost in our copy. It
-is rebuilt here from the words around it. Our processing follows the same words; the table shows
-what it really uses. Each sensor of a recorded journey is disturbed in turn, and a parameter that
+Which measurement needs which sensor is the paper's Figure 3, a drawing that is lost in our copy. We
+rebuilt it from the words around it. Our processing follows the same words, and the table shows what
+it really uses: each sensor of a recorded journey is disturbed in turn, and a measurement that
 changes depends on it.
 
 {{table-sensors}}
@@ -22,18 +27,21 @@ changes depends on it.
 Gage, curvature, crosslevel and alignment use exactly the sensors that the paper names. For profile
 the paper names two accelerometers "in addition to the transducers used in the crosslevel and
 curvature systems". Ours needs no other, and does without the sway sensors
-({{outcome:table-sensors/profile}}). That is a property of our correction: it reads the lateral
-force on the leaning body from the inclinometer. A correction by speed times the yaw rate of the
+({{outcome:table-sensors/profile}}). That is a property of our correction, which reads the lateral
+force on the leaning body from the inclinometer. A correction by the speed times the yaw rate of the
 track would need the sway sensors, and the paper's may be of this kind.
 
 The car is simulated. Body, trucks and analog filters are integrated together in continuous time.
-The track is piecewise linear, with 16 points a foot, so each step is integrated exactly. The
-processing gets what the converters read each foot and nothing else; the simulation knows nothing of
-the digital filters. The paper's statements about the system as a whole, tried on this model:
+The track is piecewise linear, with 16 points a foot, so that each step is integrated exactly. The
+processing gets what the converters read each foot and nothing else, and the simulation knows
+nothing of the digital filters. Two statements of the paper about the system as a whole, tried on
+this model:
 
 {{table-system}}
 
 {{include: experiment.cpp}}
+
+{{fold}}
 */
 #include <algorithm>
 #include <cmath>
@@ -199,8 +207,15 @@ void table_system(report::Item& item) {
 }  // namespace
 
 const report::Section system{
-    report::table("table-sensors", "Figures 2 and 3: what each parameter is made of",
-                  table_sensors),
-    report::table("table-system", "The system as a whole", table_system)};
+    report::table(
+        "table-sensors",
+        "What each measurement is made of. A dot: disturbing this sensor alone changes "
+        "the measurement. This stands for the paper's Figures 2 and 3, of which the words "
+        "remain.",
+        table_sensors),
+    report::table("table-system",
+                  "All measurements stand at one place, and dead sensors are found. Two statements "
+                  "of the paper about the system, tried on our model.",
+                  table_system)};
 
 }  // namespace railbook::filters_chapter

@@ -1,14 +1,14 @@
 /***
 The digital filter removes the memory of an analog filter whose corner it is told. Resistors and
 capacitors drift, so the true corner is another. In the table the corners of $B$ and $F$ are both
-off by a fraction $\varepsilon$, and the processing does not know it: first what it does to the gain
+off by a fraction $\delta$, and the processing does not know it: first what it does to the gain
 of $BC$, which is Figure 9 on the first page, then the error of the car at 60 mph over the main line
 with perfect sensors.
 
 {{corner-off}}
 
 {{corner-answer}} A wave that is faster than the corner comes through the analog filter of the
-profile with the factor $(1+\varepsilon)^2$ and is amplified by the digital one as if it had not;
+profile with the factor $(1+\delta)^2$ and is amplified by the digital one as if it had not;
 the height sensors do not share this factor, so the motion of the body no longer cancels.
 
 The interval $T$ enters the profile squared. With a clock that counts in steps, each time of passing
