@@ -1,18 +1,22 @@
 /*** ## Both together
 
-The vehicle needs both limits kept, so at each wavelength the smaller amplitude counts. The stroke of the roll mode is driven by cross level and the
-wheel force by profile; the paper puts both on one chart.
-
-{{code: quality/descriptor.cpp lower_corner}}
+The vehicle needs both limits kept, so that at each wavelength the smaller amplitude counts. The stroke
+is that of the roll mode, driven by crosslevel, the height of one rail over the other; the wheel force is
+driven by profile, the height of each rail. The paper puts both on one chart.
 
 {{fig-07}}
 
-Below {{fig-07}} the speed of the track can be moved: the level stays, its two ends move, and for the heavier car B the short end moves sooner.
+Below the figure the speed of the track can be moved. The level stays and its two ends move, and for the
+heavier car B the short end moves sooner.
 
-The shape is the paper's: a rise with the square of the wavelength at both ends and a constant level between. Its two numbers depend on the vehicle, which is not printed.
-With car A the level ends below at {{corner-40}}, {{corner-64}}, {{corner-100}}, {{corner-130}} and
-{{corner-177}} for the five speeds, where the paper says "<7 m"; with the loaded car B at {{corner-B}} at 100 km/h. Above, the amplitude has doubled at {{double-64}} for 64 km/h, {{double-100}} for 100 and
-{{double-177}} for 177 km/h, where the paper says ">100 m".
+The shape is the paper's: a rise with the square of the wavelength at both ends, and a constant level
+between. Its two numbers depend on the vehicle, which is not printed. With car A the level ends below at
+{{corner-40}}, {{corner-64}}, {{corner-100}}, {{corner-130}} and {{corner-177}} for the five speeds, where
+the paper says "<7 m"; with the loaded car B at {{corner-B}} at 100 km/h. Above, the amplitude has doubled
+at {{double-64}} for 64 km/h, {{double-100}} for 100 and {{double-177}} for 177 km/h, where the paper says
+">100 m".
+
+{{fold}}
 */
 #include <fmt/format.h>
 
@@ -91,6 +95,10 @@ void fig_07(report::Item& item) {
 }  // namespace
 
 const report::Section combined{
-    report::figure("fig-07", "Both limits kept, by track speed (Fig. 7)", fig_07)};
+    report::figure("fig-07",
+                   "Figure 7. The allowance is level between two rises with the square of the "
+                   "wavelength. Allowed amplitude by track speed in km/h, the smaller of both "
+                   "limits; car A and the speeds are ours.",
+                   fig_07)};
 
 }  // namespace railbook::quality_chapter

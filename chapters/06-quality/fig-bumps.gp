@@ -1,11 +1,16 @@
+# alt: Against the length of a bump, the peak of the descriptor is near 0.95 at 3 m and falls to 0.1 at 200 m; the largest stroke rises from 0.4 at 3 m, and the two meet beyond 20 m.
 load "style.gp"
+set terminal pngcairo size 740,360 font "DejaVu Sans,11"
 set output ARG2
+unset key
 set logscale x
 set xrange [3:200]
 set yrange [0:1.1]
 set xtics (3,5,10,20,50,100,200)
-set key top right
-set xlabel "length of the versine bump, 1.6 cm high, m"
-set ylabel "share of the limit"
-plot ARG1 using "length_m":"descriptor" with linespoints lt 2 title "descriptor, peak", \
-     ARG1 using "length_m":"stroke" with linespoints lt 1 title "stroke, worst speed 5 to 100 km/h"
+set rmargin 2
+set xlabel "length of the bump, 1.6 cm high, m"
+set ylabel "fraction of the limit"
+set label "descriptor, its peak" at 9,0.95 font ",11" textcolor rgb blue
+set label "stroke at the worst speed\nfrom 5 to 100 km/h" at 3.4,0.30 font ",11"
+plot ARG1 using "length_m":"descriptor" with linespoints lt 2 dt 1, \
+     ARG1 using "length_m":"stroke" with linespoints lt 1

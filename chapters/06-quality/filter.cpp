@@ -1,23 +1,43 @@
-/*** ## The descriptor: a filter
+/*** ## The descriptor: a filter for the record
 
-Severity, the inverse of the allowed amplitude, is a gain. Given no phase, it makes a filter with a symmetric impulse response, as it should be for track that is run in both
-directions, and its output, the *descriptor*, is 1 where a sine is on the envelope. For the stroke mode, whose gain tends to $1/A_0$ for short waves,
+The curve says what is allowed of a sine, and a record of track is no sine. The paper's step is to read
+the severity $H(\varphi)$, the inverse of the allowed amplitude, as the gain of a filter. Since the
+track is run in both directions, the filter gets no phase: its weights are the same before and behind.
+Its output is the descriptor $p$, which reaches 1 on a sine whose amplitude is the allowed one.
 
-$$h(X)=\frac{\delta(X)}{A_0}+2\int_0^{1/\lambda_p}\left(H(\varphi)-\frac1{A_0}\right)\cos 2\pi\varphi X\,d\varphi .$$
+For the stroke, whose severity tends to $1/A_0$ for short waves, the weight at a distance $\xi$ along the
+track is
 
-The gain's curvature jumps at $\lambda_p$, so the response fades only as $X^{-3}$. It is cut at twenty resonant wavelengths,
-tapered over the outer half, and what remains of a constant is taken off; the gain is
-then wrong by at most {{gain-error}}, at {{gain-error-at}}. The wheel-force mode grows with $\varphi^2$ and needs a shortest wavelength.
+$$w(\xi)=\frac{\delta(\xi)}{A_0}+2\int_0^{1/\lambda_p}\left(H(\varphi)-\frac1{A_0}\right)\cos 2\pi\varphi\xi\,d\varphi ,$$
+
+where $\delta$ is the unit impulse. The curvature of the gain jumps at $\lambda_p$, so that the weights
+fade only as $\xi^{-3}$. The function `design_filter` computes them by a Fourier transform of the
+severity. It cuts them at twenty resonant wavelengths, tapers the outer half to zero, and takes off what
+remains of a constant, so that a level track gives 0.
+
+{{code: quality/descriptor_filter.cpp design_filter}}
+
+The gain of these weights differs from the severity by at most {{gain-error}}, at {{gain-error-at}}. The
+severity of the wheel force grows with $\varphi^2$ and needs a shortest wavelength. The descriptor of a
+record is then a sum at each sample, as `filter_direct` computes it: the record is continued beyond its
+ends, and each pair of samples at the same distance before and behind has one weight.
+
+{{code: quality/descriptor_filter.cpp filter_direct}}
 
 ### Not a bound for single bumps
 
-A sine has no beginning. For a single bump the filter is a rule of thumb, and the truth is at hand: drive the vehicle over it at every speed.
-A versine bump of the height of the flat level, at 100 km/h:
+A sine has no beginning. For a single bump the filter is a rule of thumb, and the truth can be computed:
+drive the vehicle over the bump at every speed. The bump is one wave of a raised cosine, as high as the
+flat level.
 
 {{fig-bumps}}
 
-A short bump of 10 m reads {{bump-10}} while no speed uses up more than {{stroke-10}} of the stroke: a single bump has no time to excite the resonance on which the filter counts.
-Most bumps are over-estimated, by {{over-most}} times at {{over-at}}, the shortest drawn, and by up to {{over-limit}} times for still shorter ones; the worst under-estimate is {{under-most}}, at {{under-at}}.
+A short bump of 10 m reads {{bump-10}} while no speed uses up more than {{stroke-10}} of the stroke. A
+single bump has no time to excite the resonance on which the filter counts. Most bumps are over-estimated,
+by {{over-most}} times at {{over-at}}, the shortest drawn, and by up to {{over-limit}} times for still
+shorter ones. The worst under-estimate is {{under-most}}, at {{under-at}}.
+
+{{fold}}
 */
 #include <fmt/format.h>
 
@@ -99,6 +119,10 @@ void fig_bumps(report::Item& item) {
 }  // namespace
 
 const report::Section filter{
-    report::figure("fig-bumps", "Single bumps: descriptor and vehicle", fig_bumps)};
+    report::figure("fig-bumps",
+                   "The descriptor over-estimates short bumps. Peak of the descriptor, and largest "
+                   "stroke of the vehicle over all speeds, for a bump as high as the level, "
+                   "against its length. Not in the paper.",
+                   fig_bumps)};
 
 }  // namespace railbook::quality_chapter

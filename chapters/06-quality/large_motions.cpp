@@ -1,4 +1,8 @@
-/*** Two helpers come first: when a start has settled between the stops, where it can be forgotten, and Newton's method with what a large motion has to satisfy. */
+/***
+{{fold}}
+*/
+#include "large_motions.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -46,7 +50,8 @@ LargeMotion settled_on(const StoppedBody& body, double limit, const Wave& wave, 
 
 }  // namespace
 
-/*** The search runs each start in blocks of ten waves until it is forgotten or 30 s have passed; the free motion of the paper's vehicle has then decayed by a factor of $e^{-19}$. */
+// Each start runs in blocks of ten waves until it is forgotten or 30 s have passed; the free motion of
+// the paper's vehicle has then decayed by a factor of e^-19.
 std::vector<LargeMotion> find_large_motions(const StoppedBody& body, double limit, const Wave& wave,
                                             int side) {
   const double over = limit - body.gap;
@@ -80,7 +85,6 @@ std::vector<LargeMotion> find_large_motions(const StoppedBody& body, double limi
   return found;
 }
 
-/*** Each motion that is found is followed down in track amplitude, by smaller and smaller steps. */
 LargeMotion least_amplitude(const StoppedBody& body, double limit, LargeMotion motion) {
   for (double step = 0.02; step > 1e-4;) {
     Wave lower = motion.wave;
@@ -94,7 +98,6 @@ LargeMotion least_amplitude(const StoppedBody& body, double limit, LargeMotion m
   return motion;
 }
 
-/*** Its neighbours in frequency, the envelope over all speeds and the energy balance that explains it follow. */
 std::vector<LargeMotion> least_amplitudes(const StoppedBody& body, double limit,
                                           const LargeMotion& motion, const Range& range) {
   const LargeMotion first = least_amplitude(body, limit, motion);

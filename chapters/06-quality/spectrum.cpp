@@ -1,17 +1,30 @@
 /*** ## Does existing track look like that?
 
-The paper squares the allowed amplitude at 64 km/h, lays it over a power spectral density of a 64-km/h track and says that the power content of the one resembles the other. This cannot be
-tested: the measured spectrum is lost in our copy, the caption breaks off at "vertical scale", so that the height of the curve was free, and an amplitude squared is not a density. It becomes one
-when a sine of the allowed amplitude $A$ stands for all waves of a band. The bands may be equally wide, which gives the shape of $A^2$, or in equal ratios, which gives $A^2/\varphi$. To show what would
-be compared, the random part of a slow line of the same first author is drawn, zone 12 of chapter 05, a rough branch line for 48 km/h. Its density is $S=C/\varphi^2$ up to a corner $\varphi_c$ and
-$C\varphi_c^2/\varphi^4$ beyond.
+The paper squares the allowed amplitude at 64 km/h, lays it over a *power spectral density* of a 64-km/h
+track, the power of its roughness by spatial frequency, and says that the power content of the one
+resembles the other. This cannot be tested. The measured spectrum is lost in our copy; the caption breaks
+off at "vertical scale", so that the height of the curve was free; and an amplitude squared is not a
+density.
+
+It becomes one when a sine of the allowed amplitude $A$ stands for all waves of a band. The bands may be
+equally wide, which gives the shape of $A^2$, or in equal ratios, which gives $A^2/\varphi$. To show what
+would be compared, the random part of a slow line of the same first author is drawn, zone 12 of chapter
+05, a rough branch line for 48 km/h. Its density is $S=C/\varphi^2$ up to a corner $\varphi_c$ and
+$C\varphi_c^2/\varphi^4$ beyond, with a constant $C$.
 
 {{fig-08}}
 
-At the short end both fall with $\varphi^{-4}$ ($\varphi^{-5}$ for bands in equal ratios). From there to the resonance the descriptor is flat, or falls with $\varphi^{-1}$, while the spectrum falls
-with $\varphi^{-2}$; beyond it the descriptor rises with the fourth power of the wavelength and this spectrum with the second. From 2 to 100 m the shapes differ by {{mismatch-squared}} decades
-(rms, the height fitted) for equally wide bands and by {{mismatch-relative}} for bands in equal ratios. The line is far from what the vehicle allows: a sine with the power of a third octave has
-{{margin-20}} times less than the allowed amplitude at 20 m, {{margin-5}} times less at 5 m and {{margin-100}} times less at 100 m.
+At the short end both fall with $\varphi^{-4}$ ($\varphi^{-5}$ for bands in equal ratios). From there to
+the resonance the allowed power is flat, or falls with $\varphi^{-1}$, while the spectrum falls with
+$\varphi^{-2}$. Beyond it the allowed power rises with the fourth power of the wavelength and this
+spectrum with the second. From 2 to 100 m the shapes differ by {{mismatch-squared}} decades (rms, the
+height fitted) for equally wide bands and by {{mismatch-relative}} for bands in equal ratios.
+
+The line is far smoother than the vehicle needs. A sine with the power of a third of an octave is
+{{margin-20}} times smaller than the allowed amplitude at 20 m, {{margin-5}} times at 5 m and
+{{margin-100}} times at 100 m.
+
+{{fold}}
 */
 #include <fmt/format.h>
 
@@ -73,7 +86,11 @@ void fig_08(report::Item& item) {
 
 }  // namespace
 
-const report::Section spectrum{report::figure(
-    "fig-08", "Allowed amplitude, squared, over the spectrum of a slow line (Fig. 8)", fig_08)};
+const report::Section spectrum{
+    report::figure("fig-08",
+                   "Figure 8. Squared, the allowed amplitude is only roughly like a spectrum of "
+                   "track. Spectrum of another slow line, and the squared amplitude in two "
+                   "readings, with fitted heights. The paper's curves are lost.",
+                   fig_08)};
 
 }  // namespace railbook::quality_chapter

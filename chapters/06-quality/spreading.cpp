@@ -1,20 +1,36 @@
-/*** ## Deterioration: how the histogram spreads
+/*** ## How the histogram spreads
 
-The paper likens the histogram of a deteriorating track to "a viscous blob resting on a horizontal surface". A thin layer of viscous liquid of height $h$ spreads by $h_t=\frac13(h^3h_x)_x$ in scaled units. The plain
-alternative is diffusion, which keeps a normal histogram normal. Both have exact solutions, drawn here from the same standard deviation at $t=1$; a solver for other starts is held against them on the second page.
+The paper likens the histogram of a deteriorating track to "a viscous blob resting on a horizontal
+surface". A thin layer of viscous liquid, whose height $h$ stands for the density of the histogram, spreads
+along the axis of $p$ by
+
+$$\frac{\partial h}{\partial t}=\frac13\frac{\partial}{\partial p}\left(h^3\frac{\partial h}{\partial p}\right)$$
+
+in scaled units of time $t$. The plain alternative is diffusion, which keeps a normal histogram normal.
+Both have exact solutions, drawn here from the same standard deviation at $t=1$. A solver for other starts
+is compared with them on the second page.
 
 {{fig-10}}
 
-The difference is in the tails, which is where the thresholds are. Diffusion puts some values beyond any threshold at once. The blob has an edge that moves as
-$x_N\propto t^{1/5}$, here {{blob-front}} at $t=1$, and no value lies beyond it. Its standard deviation is $\sqrt{3/11}$ of $x_N$. Taken literally, the blob says that there are no exceedances until its edge arrives.
+The difference is in the tails, which is where the thresholds are. Diffusion puts some values beyond any
+threshold at once. The blob has an edge that moves as $p_N\propto t^{1/5}$, here {{blob-front}} at $t=1$,
+and no value lies beyond it. Its standard deviation is $\sqrt{3/11}$ of $p_N$. Taken literally, the blob
+says that no value exceeds a threshold until its edge arrives there.
 
 {{fig-11}}
 
-The paper describes two segments that start alike and part: A, where the ties were renewed, and B, which was only surfaced. Its curves have no numbers. Here both spread by diffusion, B four times as fast. The index $n$ of
-B falls to 3, taken as the end of basic maintenance, after {{basic-B}} units of tonnage, that of A after {{basic-A}}. The histogram after surfacing does not tell which is which, as the paper says.
+The paper describes two segments that start alike and part: A, where the ties were renewed, and B, which
+was only surfaced. Its curves have no numbers. Here both spread by diffusion from $s$ = 0.15, B four times
+as fast. The index $n$ of B falls to 3, taken as the end of basic maintenance, after {{basic-B}} units of
+tonnage, that of A after {{basic-A}}. The histogram after surfacing does not tell which is which, as the
+paper says.
 
-The paper therefore asks for a function $d\mathrm{TQI}=f(S,U,P,M)$ beside the index TQI: its change depends on structure $S$, use $U$, the present track quality $P$, and anything else, $M$, such as unusual rainfall.
-$P$ is there because of the hypothesis that poor track degrades faster than good track. Neither law drawn here does that; in both the spreading slows down.
+The paper therefore asks for a function, dTQI = f(S, U, P, M), beside the *track-quality index* (TQI): the
+change of the index depends on the structure S, the use U, the present track quality P, and anything else,
+M, such as unusual rainfall. P is there because of the hypothesis that poor track degrades faster than good
+track. Neither law drawn here does that; in both the spreading slows down.
+
+{{fold}}
 */
 #include <cmath>
 
@@ -46,7 +62,7 @@ void fig_10(report::Item& item) {
   item.rebuilt("the paper's figure is a sketch; both laws and all numbers are chosen");
 }
 
-/*** The two segments: mean 0, $s_0$ = 0.15 and $T_2$ as in {{fig-09}}; tonnage in units in which $2D$ = 0.005 for A. */
+// The two segments: mean 0 and T_2 as in Figure 9; tonnage in units in which 2 D = 0.005 for A.
 constexpr double start_deviation = 0.15;
 
 double margin(double D, double tonnage) {
@@ -79,8 +95,14 @@ void fig_11(report::Item& item) {
 
 const report::Section spreading{
     report::figure("fig-10",
-                   "Three histograms in succession, by diffusion and as a viscous blob (Fig. 10)",
+                   "Figure 10. Diffusion fills the tails at once; the blob has an edge. Histograms "
+                   "at three times on logarithmic axes, from the same standard deviation. Both "
+                   "laws are ours.",
                    fig_10),
-    report::figure("fig-11", "Two segments that start alike (Fig. 11)", fig_11)};
+    report::figure("fig-11",
+                   "Figure 11. Two segments that are alike today need not be alike later. Standard "
+                   "deviation of the descriptor and the number n against tonnage, for ties renewed "
+                   "(A) and surfaced only (B). Law and rates are ours.",
+                   fig_11)};
 
 }  // namespace railbook::quality_chapter

@@ -1,9 +1,8 @@
 /*** ## Long waves: the stroke of the suspension
 
-{{fig-01}}
-
-A wheel of mass $m$ follows the track, whose height is $z$. Above it a body of mass $M$ hangs on a spring of stiffness $k$ and a damper of constant $b$ and moves by $y$. The *stroke* of the
-suspension is $x=y-z$. The balance of the body and the dynamic force $g$ on the wheel set are
+A wheel of mass $m$ follows the track, whose height is $z$. Above it a body of mass $M$ rests on a
+spring of stiffness $k$ and a damper of constant $b$, and moves by $y$. The *stroke* of the suspension
+is $x=y-z$. The balance of the body, and the dynamic force $g$ on the wheel, are
 
 $$M\ddot y+b\dot x+kx=0 \tag{1}$$
 
@@ -13,47 +12,73 @@ and (1) in terms of the stroke is
 
 $$M\ddot x+b\dot x+kx=-M\ddot z . \tag{3}$$
 
-Our copy of (3) shows no minus; (1) requires it, and no magnitude depends on it. The body's own frequency is $f'=\sqrt{k/M}/2\pi$ and its damping, as a fraction of the critical one, $\rho=b/2\sqrt{kM}$.
-For a sine of the track of wavelength $\lambda$, taken at speed $v$, only the ratio of the two frequencies counts, $\eta=v\varphi/f'$ with $\varphi=1/\lambda$. The stroke for one metre of track is
+Our copy of (3) shows no minus; (1) requires it, and no magnitude depends on it.
 
-$$\left|\frac XZ\right|=T(\eta)=\frac{\eta^2}{\sqrt{(1-\eta^2)^2+4\rho^2\eta^2}} . \tag{4}$$
+Two numbers describe the suspension. Its own frequency is $f'=\sqrt{k/M}/2\pi$ in hertz, and its
+damping, as a fraction of the critical one, $\rho=b/2\sqrt{kM}$. A sine of the track of wavelength
+$\lambda$, taken at speed $v$, shakes it with the frequency $v\varphi$, where $\varphi=1/\lambda$ is
+the *spatial frequency*. Only the ratio of the two frequencies counts, $\eta=v\varphi/f'$. With $Z$
+and $X$ the amplitudes of track and stroke,
+
+$$\left|\frac XZ\right|=\Gamma(\eta)=\frac{\eta^2}{\sqrt{(1-\eta^2)^2+4\rho^2\eta^2}} . \tag{4}$$
+
+The code of `stroke_gain` is this formula with $(1-\eta)(1+\eta)$ for $1-\eta^2$, which loses no digits at
+resonance; beyond it, numerator and denominator are divided by $\eta^2$, so that nothing overflows.
 
 {{code: quality/vehicle.cpp stroke_gain}}
 
 {{fig-02}}
 
-The damped peak lies at {{peak-wavelength}}, the undamped resonance at $v/f'$ = {{resonance-wavelength}}. The paper's 55 m lies between the two and is
-neither, rounded. The unit gain at short waves is an asymptote: {{gain-20}} at 20 m. Turned upside down, with the stroke limited to $x_0$ = 2.54 cm, the curve says how much track is allowed:
+The damped peak lies at {{peak-wavelength}}, the undamped resonance at $v/f'$ =
+{{resonance-wavelength}}. The paper's 55 m lies between the two, and neither of them rounds to it. The
+unit gain at short waves is a limit; at 20 m the gain is {{gain-20}}. Turned upside down, with the
+stroke limited to $x_0$ = 2.54 cm, the curve says how much track is allowed:
 
 {{fig-03}}
 
 ## Every speed up to the limit
 
-A train may run slower than posted, and at half the speed the resonance sits at half the wavelength. The amplitude $A$ allowed is therefore the
-least over all speeds. For the linear vehicle that needs no search. Slower trains meet the wave at all frequencies below $v\varphi$, so the envelope is the curve at full speed as long as
-the peak is not reached, and the value at the peak from there on:
-
-$$A(\lambda)=\frac{x_0}{T(v/\lambda f')}\quad(\lambda>\lambda_p),\qquad A=2\rho\sqrt{1-\rho^2}\,x_0\quad(\lambda\le\lambda_p),\qquad
-\lambda_p=\frac v{f'}\sqrt{1-2\rho^2}.$$
+A train may run slower than posted. At half the speed the resonance sits at half the wavelength, so
+that another wave is the worst one. The amplitude $A$ that is allowed is therefore the least over all
+speeds.
 
 {{fig-04}}
 
 The curves cross, as the paper says: a slower train may be worse off ({{outcome:fig-04/cross}}).
 
+For the linear vehicle the least needs no search. Slower trains meet a wave at all frequencies below
+$v\varphi$. As long as these stay below the peak, full speed is the worst, and the *envelope*, the
+curve of the least amplitudes, is the curve at full speed. Once the peak is among them, the worst
+speed is the one that meets it:
+
+$$A(\lambda)=\frac{x_0}{\Gamma(v/\lambda f')}\quad(\lambda>\lambda_p),\qquad A_0=2\rho\sqrt{1-\rho^2}\,x_0\quad(\lambda\le\lambda_p),\qquad
+\lambda_p=\frac v{f'}\sqrt{1-2\rho^2}.$$
+
+The library computes with the *severity*, the inverse of the allowed amplitude. In `operator()` the
+severity at full speed is found for each limit. The function `beyond` replaces it by the peak when the
+frequency has passed it and the peak is higher, and the larger of the two limits counts.
+
+{{code: quality/descriptor.cpp beyond}}
+
+{{code: quality/descriptor.cpp operator}}
+
 {{fig-05}}
 
-Figure 5 is the same for several track speeds, with the flat level at the 1.6 cm that freight-car tests asked for; that takes a stroke of
-{{level-stroke}}. Its three features follow from the formula, and a search over {{search-speeds}} speeds finds the same level: it is constant below the resonance at top speed, the amplitude grows with the
-square of the wavelength in the end, and the damping governs how fast the rise begins, by
-$A/x_0=(\lambda/\lambda_0)^2-(1-2\rho^2)+\dots$ with $\lambda_0=v/f'$.
+The flat level is the 1.6 cm that freight-car tests asked for; it takes a stroke of {{level-stroke}}.
+The paper names three features of these curves, and all follow from the formula. The level is constant
+below the resonance at top speed; a search over {{search-speeds}} speeds finds the same. The amplitude
+grows with the square of the wavelength in the end. And the damping governs how fast the rise begins,
+by $A/x_0=(\lambda/\lambda_0)^2-(1-2\rho^2)+\dots$ with $\lambda_0=v/f'$.
+
+{{fold}}
 */
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include <railbook/num/log_spaced.hpp>
-
+#include "num/log_spaced.hpp"
+#include "quality/descriptor_filter.hpp"
 #include "sections.hpp"
 
 namespace railbook::quality_chapter {
@@ -79,16 +104,37 @@ double allowed_by_search(const quality::Descriptor& descriptor, double wavelengt
 
 namespace {
 
+// A hill of 300 m, a bump of 10 m and three waves of 50 m on level track, and the descriptor of it.
+void add_record(report::Data& data) {
+  constexpr double spacing = 0.5, margin = 600, length = 850;  // m
+  const auto height = [](double x) {
+    if (x > 100 && x < 400) return 0.060 * std::pow(std::sin(units::pi * (x - 100) / 300), 2);
+    if (x > 495 && x < 505) return flat_level * std::pow(std::sin(units::pi * (x - 495) / 10), 2);
+    return x > 600 && x < 750 ? 0.012 * std::sin(2 * units::pi * (x - 600) / 50) : 0.0;
+  };
+  const auto before = static_cast<std::size_t>(margin / spacing);
+  std::vector<double> z(2 * before + static_cast<std::size_t>(length / spacing) + 1);
+  const auto place = [&](std::size_t i) { return static_cast<double>(i) * spacing - margin; };
+  for (std::size_t i = 0; i < z.size(); ++i) z[i] = height(place(i));
+  const quality::Envelope envelope{{level_limit(), {}, track_speed}};
+  const auto p = quality::filter_periodic(envelope, spacing, z);
+  for (std::size_t i = before; i < z.size() - before; ++i)
+    data.add(place(i), z[i] / units::millimetre, p[i]);
+}
+
 void fig_01(report::Item& item) {
   auto& wave = item.data({"x", "z"});
-  for (int i = 0; i <= 200; ++i)
-    wave.add(-4 + 0.04 * i, 0.25 * (std::cos(2 * units::pi * (-4 + 0.04 * i) / 5) - 1));
+  for (int i = 0; i <= 320; ++i) {
+    const double x = -5 + 0.05 * i;
+    wave.add(x, 0.25 * (std::cos(2 * units::pi * x / 5) - 1));
+  }
   auto& spring = item.data("spring", {"x", "z"});
-  spring.add(-0.5, 1.55);
+  spring.add(-0.75, 1.9);
   for (int i = 0; i <= 9; ++i)
-    spring.add(-0.5 + (i == 0 || i == 9 ? 0 : i % 2 == 0 ? 0.18 : -0.18), 1.75 + 0.1 * i);
-  spring.add(-0.5, 2.85);
-  item.sketch();
+    spring.add(-0.75 + (i == 0 || i == 9 ? 0 : i % 2 == 0 ? 0.16 : -0.16), 2.2 + 0.115 * i);
+  spring.add(-0.75, 3.55);
+  add_record(item.data("record", {"x_m", "z_mm", "descriptor"}));
+  item.sketch("drawn after the words; the descriptor of a record of ours is computed");
 }
 
 double gain_at_100(double wavelength) {
@@ -208,10 +254,30 @@ void fig_05(report::Item& item) {
 }  // namespace
 
 const report::Section stroke{
-    report::figure("fig-01", "The vehicle (Fig. 1)", fig_01),
-    report::figure("fig-02", "Stroke for a centimetre of track, 100 km/h (Fig. 2)", fig_02),
-    report::figure("fig-03", "Amplitude that uses up 2.54 cm of stroke, 100 km/h (Fig. 3)", fig_03),
-    report::figure("fig-04", "The least over all speeds up to 100 km/h (Fig. 4)", fig_04),
-    report::figure("fig-05", "Allowed amplitude by track speed, stroke mode (Fig. 5)", fig_05)};
+    report::figure("fig-01",
+                   "Figure 1. What a vehicle minds is not what looks rough. Above, the vehicle: "
+                   "one wheel, one body, a spring, a damper and a bump stop, on a wave of the "
+                   "track. Below, a record of track and its descriptor at 100 km/h, which is 1 "
+                   "where a wave uses up the stroke. The paper's drawing is lost in our copy; the "
+                   "stop and the record are ours.",
+                   fig_01),
+    report::figure("fig-02",
+                   "Figure 2. At 100 km/h waves of about 55 m shake the body most. Amplitude of "
+                   "the stroke over that of the track against wavelength, for the paper's 0.5 Hz "
+                   "and damping 0.2.",
+                   fig_02),
+    report::figure("fig-03",
+                   "Figure 3. At one speed the least track is allowed at resonance. Amplitude that "
+                   "uses up the paper's 2.54 cm of stroke at 100 km/h.",
+                   fig_03),
+    report::figure("fig-04",
+                   "Figure 4. Over all speeds the allowance is level up to the resonance at top "
+                   "speed, and then rises. Thin, the allowed amplitude at five speeds; thick, the "
+                   "least over all speeds up to 100 km/h.",
+                   fig_04),
+    report::figure("fig-05",
+                   "Figure 5. A faster line must be level to longer waves. Envelopes for five "
+                   "track speeds in km/h, with the paper's level of 1.6 cm; the speeds are ours.",
+                   fig_05)};
 
 }  // namespace railbook::quality_chapter
