@@ -1,6 +1,7 @@
+# alt: Left, nanoseconds a sample against the length of the record for four methods; weights take most, sums and stream least. Right, their errors, all between 1e-16 and 1e-12 of the RMS.
 load "style.gp"
+set terminal pngcairo size 740,400 font "DejaVu Sans,11"
 set output ARG2
-set terminal pngcairo size 1200,480
 stats ARG1 using "ns" nooutput
 timed = STATS_max > 0
 names = "weights transforms sums stream"
@@ -9,7 +10,9 @@ set format x "10^{%T}"
 set xlabel "samples of the record"
 set xrange [500:*]
 set multiplot layout 1,2
-set key outside top center horizontal nobox
+set key outside top center horizontal nobox font ",10" samplen 2
+set lmargin 9
+set rmargin 1.5
 set ylabel timed ? "ns a sample" : "operations a sample"
 set yrange [1:*]
 of(m) = strcol("method") eq m

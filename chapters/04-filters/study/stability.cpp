@@ -6,6 +6,8 @@ In the car's rows the error is the largest of the rows called *good*, and their 
 Profile is not good where a foot within the 661 samples that it depends on was slower than 15 mph or
 lost in a reversal, or where the change of speed on an unknown grade may cost too much. So a stop in
 the middle of 3400 ft, with its braking and its start, leaves few rows.
+
+{{fold}}
 */
 #include <fmt/format.h>
 

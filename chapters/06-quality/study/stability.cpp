@@ -1,3 +1,34 @@
+/*** ## Can a motion be missed?
+
+Stiff stops have motions that repeat after three or more waves, *subharmonics*, below the amplitude at which
+one swing a wave reaches the limit. A start at rest does not end on them. The table takes a wave at 0.85 of
+that amplitude and at the frequency at which an energy balance expects one swing in three waves, tries starts
+on grids of strokes and rates, and says which motions beyond the stroke limit they find.
+
+{{table-subharmonics}}
+
+{{subharmonics-answer}} Each motion that was found is then followed for 300 more waves by the exact solver; the
+rows of subharmonics under *stability* say how far it is from its own start.
+
+## Does the wheel stay on the rail?
+
+The formulas let a wheel pull at the rail. A wheel lifts when the dynamic force takes away the whole static
+one, which happens at an amplitude smaller than the allowed one if the static force is less than half the
+limit:
+
+{{table-lift}}
+
+{{lift-answer}}
+
+## Stiff and extreme cases
+
+A case *holds* when its error stays within the bound set for it, *degrades* when it loses accuracy in the way
+stated, and is *refused* when the program says why it has no number.
+
+{{stability}}
+
+{{fold}}
+*/
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -5,11 +36,11 @@
 #include <functional>
 #include <utility>
 
-#include <railbook/bench/evidence.hpp>
-#include <railbook/quality/bump_stops.hpp>
-#include <railbook/quality/descriptor_filter.hpp>
-#include <railbook/quality/spreading.hpp>
-
+#include "bench/evidence.hpp"
+#include "large_motions.hpp"
+#include "quality/bump_stops.hpp"
+#include "quality/descriptor_filter.hpp"
+#include "quality/spreading.hpp"
 #include "sections.hpp"
 
 namespace railbook::quality_chapter {
@@ -76,6 +107,87 @@ Found spike(int steps) {
   if (!s.converged) throw report::NoAnswer{"not converged: heights below zero"};
   return {fmt::format("top at t = 1: {:.5f}", s.profile.height[200]),
           std::abs(s.profile.height[200] / quality::blob_height(0, 1) - 1)};
+}
+
+// Stops at 0.6 of the stroke limit, and a wave at `fraction` of the amplitude at which one swing a
+// wave reaches it, where an energy balance expects one swing in three.
+struct Subharmonic {
+  quality::StoppedBody body;
+  quality::Wave wave;
+};
+Subharmonic subharmonic(double kappa, double fraction) {
+  const quality::StoppedBody body{roll, 0.6 * inch_limit.stroke, kappa};
+  const double one = energy_balance(body, inch_limit.stroke, 1).amplitude;
+  return {body, {fraction * one, 1.02 * energy_balance(body, inch_limit.stroke, 3).frequency, 0}};
+}
+
+// The motion of order 3 with the largest stroke, or order 0.
+LargeMotion found_by(const Subharmonic& s, int side) {
+  LargeMotion best;
+  for (const LargeMotion& m : find_large_motions(s.body, inch_limit.stroke, s.wave, side))
+    if (m.order == 3 && m.largest > best.largest) best = m;
+  return best;
+}
+
+// How far the motion is from its start after 300 waves, of the stroke limit.
+Found after_many_waves(double kappa) {
+  const Subharmonic s = subharmonic(kappa, 0.85);
+  const LargeMotion m = found_by(s, 15);
+  if (m.order == 0) throw report::NoAnswer{"no motion of order 3 was found"};
+  const auto r = quality::run(s.body, {{s.wave}, 0}, m.start, 300 / s.wave.frequency);
+  return {fmt::format("stroke {:.3f} cm, one swing in three waves", m.largest / cm),
+          r.complete ? std::abs(r.end.x - m.start.x) / inch_limit.stroke : units::nan};
+}
+
+void table_subharmonics(report::Item& item) {
+  item.added("not in the paper: the stops are ours");
+  item.columns({{"κ", "{:g}"},
+                {"wave, Hz", "{:.2f}"},
+                {"its amplitude, cm", "{:.3f}"},
+                {"stroke from rest, cm", "{:.3f}"},
+                "5 × 5 starts",
+                "9 × 9 starts",
+                "15 × 15 starts"});
+  int least = 0;
+  for (const double kappa : {1.0, 10.0, 100.0}) {
+    const Subharmonic s = subharmonic(kappa, 0.85);
+    const auto rest = quality::run(s.body, {{s.wave}, 0}, {}, 180, {.watch_from = 120});
+    std::vector<std::string> cells;
+    for (const int side : {5, 9, 15}) {
+      const LargeMotion m = found_by(s, side);
+      cells.push_back(m.order == 0 ? "none" : fmt::format("{:.3f} cm in 3 waves", m.largest / cm));
+      if (kappa == 10 && m.order != 0 && least == 0) least = side;
+    }
+    item.add_row(kappa, s.wave.frequency, s.wave.amplitude / cm, rest.largest / cm, cells[0],
+                 cells[1], cells[2]);
+  }
+  item.value("subharmonics-answer",
+             least == 0 ? std::string{"No grid finds a motion of order 3 with κ = 10."}
+                        : fmt::format("To find them, search with a grid of {} × {} starts or more; "
+                                      "a start at rest alone misses them.",
+                                      least, least));
+}
+
+void table_lift(report::Item& item) {
+  item.added("not in the paper");
+  item.columns({"car",
+                {"static force, kN", "{:.1f}"},
+                {"left for the track, kN", "{:.1f}"},
+                {"the wheel lifts at, of the allowed amplitude", "{:.2f}"}});
+  for (const char* key : {"A", "B"}) {
+    const quality::ForceLimit limit = car(item, key);
+    item.add_row(fmt::format("car {}", key), static_force(limit.car) / kN, force_margin(limit) / kN,
+                 static_force(limit.car) / force_margin(limit));
+  }
+  const quality::ForceLimit empty{quality::make_car(800, 2000, {2, 0.5}), wheel_force_limit};
+  const double lifts = static_force(empty.car) / force_margin(empty);
+  item.add_row("an empty car, body of 2000 kg", static_force(empty.car) / kN,
+               force_margin(empty) / kN, lifts);
+  item.value("lift-answer",
+             fmt::format("For such a car use twice the static force as the limit, with "
+                         "--wheel-force: beyond {:.2f} of the allowed amplitude the wheel leaves "
+                         "the rail, and the linear vehicle says nothing of its landing.",
+                         lifts));
 }
 
 // Bodies of every kind on one sine from rest: by how much energy does not balance.
@@ -155,6 +267,11 @@ void table_stability(report::Item& item) {
       {{"heavy", "damping 20 of critical", "exp and cosh of hundreds", holds, 1e-9,
         "energy balance"},
        heavy_damping},
+      {{"subharmonic-10", "subharmonic over 300 waves, κ = 10",
+        "a motion that a start at rest does not find", holds, 1e-9, "its own start"},
+       [] { return after_many_waves(10); }},
+      {{"subharmonic-100", "the same, κ = 100", "the same", holds, 1e-9, "its own start"},
+       [] { return after_many_waves(100); }},
       {{"hill", "waves of 2 km and 5 m", "longer than the filter's reach", degrades, 0.25,
         "the envelope"},
        long_hill},
@@ -171,6 +288,19 @@ void table_stability(report::Item& item) {
 }  // namespace
 
 const report::Section extremes{
-    report::table("stability", "Stiff and extreme cases", table_stability)};
+    report::table("table-subharmonics",
+                  "Starts at rest miss what a grid of starts finds. Settled stroke of a start at "
+                  "rest, and motions beyond the stroke limit that grids of starts find, on a wave "
+                  "below the level of one swing a wave.",
+                  table_subharmonics),
+    report::table(
+        "table-lift",
+        "A wheel with little static load lifts before the limit is reached. Static force, "
+        "the rest of the 143 kN, and their ratio.",
+        table_lift),
+    report::table("stability",
+                  "All cases hold within the bounds set for them, or say why not. Error of each "
+                  "case against its reference.",
+                  table_stability)};
 
 }  // namespace railbook::quality_chapter

@@ -1,14 +1,6 @@
-/*** # Track quality: what it costs, and where it holds
-
-## Error against run time
+/*** # What track quality costs to compute, and where it holds
 
 {{include: cost.cpp}}
-
-## Stability
-
-A case *holds* when its error stays within the bound set for it, *degrades* when it loses accuracy in the way stated, and is *refused* when the program says why it has no number.
-
-{{stability}}
 
 {{include: stability.cpp}}
 */
