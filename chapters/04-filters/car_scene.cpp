@@ -79,7 +79,7 @@ void fig_layout(report::Item& item) {
   for (const double x : {-0.55, -1.35}) rod({x, -0.95, 0.92}, {x, -0.3, 0.92}, 0.03, displacement);
   rod({-1.9, -1.05, radius}, {-1.9, -1.22, radius}, 0.12, Colour{0.2, 0.2, 0.2});
 
-  const scene::Size size{1200, 760};
+  const scene::Size size{1000, 634};
   const auto camera = scene::looking_at(s, {0.9, -1.25, 0.75}, size, true);
   scene::labelled(item, "fig-layout.gp", s, camera, size,
                   {{{beam_x, 0.05, beam_z + 0.2}, "lateral accelerometer"},

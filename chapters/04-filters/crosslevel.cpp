@@ -11,10 +11,7 @@ foot by the gyro, and $\gamma_k$ its value by the inclinometer. Then
 
 $$\vartheta_k=c_k\left(\vartheta_{k-1}+\Delta\vartheta_k\right)+(1-c_k)\,\gamma_k,\qquad c_k=e^{-T_k/\tau},$$
 
-where the time constant $\tau$ says how long the gyro is trusted. In `push` this is the loop at the
-end; with several poles the result of one stage is the inclination of the next.
-
-{{code: filters/complementary.cpp push}}
+where the time constant $\tau$ says how long the gyro is trusted.
 
 The corner is the one frequency that the paper gives: about two octaves below the lateral mode of the
 body, typically 1.25 Hz. This makes {{roll-corner}} and a time constant of {{roll-tau}}. When the car

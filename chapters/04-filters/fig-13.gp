@@ -1,7 +1,7 @@
 # alt: The gain of three high-pass filters against wavelength. All are 1 for short waves. The chosen one stays at 1 to about 200 feet and falls to 0.14 at 1000 feet.
 # alt: Two upright lines mark 150 and 200 feet, the longest waves that count at 90 and at 120 mph.
 load "style.gp"
-set terminal pngcairo size 740,380 font "DejaVu Sans,11"
+set terminal pngcairo size 740,330 font "DejaVu Sans,11"
 set output ARG2
 unset key
 set logscale x

@@ -1,6 +1,6 @@
 # alt: Curvature falls from 0 along a spiral to minus 4 degrees per hundred feet, stays there and returns. Crosslevel rises to 100 mm and returns. At 9 and at 80 mph both lie on the true values, as two panels of errors show.
 load "style.gp"
-set terminal pngcairo size 740,640 font "DejaVu Sans,11"
+set terminal pngcairo size 740,580 font "DejaVu Sans,11"
 set output ARG2
 unset key
 set multiplot

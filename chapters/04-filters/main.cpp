@@ -153,7 +153,14 @@ The corners of your analog filters are the options `--first-corner` and `--secon
 
 ## Symbols
 
+Under the pointer, each symbol of a formula says what it is.
+
+<details>
+<summary>All symbols of this chapter</summary>
+
 {{symbols}}
+
+</details>
 
 ## Citation
 

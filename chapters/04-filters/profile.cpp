@@ -18,11 +18,6 @@ summed over $N$ samples, twice. Written out, this is their sum with the integer 
 $j$ counts samples from the middle: {{chord-taps}} weights for 62 ft, and any other chord as easily
 ({{outcome:chords/any}}).
 
-In `to_chord` the two running sums are the last lines. What stands before and after them sees to it
-that a missing sample spoils only the offsets in which it has a weight.
-
-{{code: filters/chord_filter.cpp to_chord}}
-
 {{chords}}
 
 ### Long waves are taken out

@@ -1,6 +1,6 @@
 # alt: The gain of the stroke against wavelength on logarithmic axes. It is 1 for waves of a few metres, peaks at 2.6 near 55 m and falls with the square of the wavelength beyond.
 load "style.gp"
-set terminal pngcairo size 740,400 font "DejaVu Sans,11"
+set terminal pngcairo size 740,350 font "DejaVu Sans,11"
 set output ARG2
 unset key
 set logscale xy

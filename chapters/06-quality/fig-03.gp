@@ -1,6 +1,6 @@
 # alt: The allowed amplitude against wavelength is 2.5 cm for short waves, dips to 1 cm near 55 m and rises with the square of the wavelength beyond.
 load "style.gp"
-set terminal pngcairo size 740,360 font "DejaVu Sans,11"
+set terminal pngcairo size 740,310 font "DejaVu Sans,11"
 set output ARG2
 unset key
 set logscale xy

@@ -1,6 +1,6 @@
 # alt: Five curves like the one before, for 20 to 100 km/h, dip to the same 1 cm at five wavelengths between 11 and 53 m. A thick line runs along their lowest parts: level up to 53 m, then rising.
 load "style.gp"
-set terminal pngcairo size 740,380 font "DejaVu Sans,11"
+set terminal pngcairo size 740,330 font "DejaVu Sans,11"
 set output ARG2
 unset key
 set logscale xy

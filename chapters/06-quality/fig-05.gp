@@ -1,6 +1,6 @@
 # alt: Five curves that are level at 1.6 cm for short waves and rise with the square of the wavelength beyond 21 m at 40 km/h and 94 m at 177 km/h.
 load "style.gp"
-set terminal pngcairo size 740,380 font "DejaVu Sans,11"
+set terminal pngcairo size 740,330 font "DejaVu Sans,11"
 set output ARG2
 unset key
 set logscale xy

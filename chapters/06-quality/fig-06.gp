@@ -1,6 +1,6 @@
 # alt: Five parallel curves on logarithmic axes rise with the square of the wavelength, the one for 40 km/h highest and the one for 177 km/h lowest. They do not cross.
 load "style.gp"
-set terminal pngcairo size 740,380 font "DejaVu Sans,11"
+set terminal pngcairo size 740,330 font "DejaVu Sans,11"
 set output ARG2
 unset key
 set logscale xy

@@ -1,6 +1,6 @@
 # alt: The spectrum of a slow line falls with the square of the spatial frequency and then with its fourth power. The squared allowed amplitude, at a height that is fitted, falls with the fourth power, is level, and falls again.
 load "style.gp"
-set terminal pngcairo size 740,420 font "DejaVu Sans,11"
+set terminal pngcairo size 740,370 font "DejaVu Sans,11"
 set output ARG2
 unset key
 set logscale xy

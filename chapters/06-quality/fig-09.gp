@@ -1,6 +1,6 @@
 # alt: Above, a bell curve of the descriptor about 0 with thresholds T1 at plus and minus 0.5 and T2 beyond 0.7, and two narrow bell curves of the strength about plus and minus 1. Below, the product of the histogram and the risk: two small humps near plus and minus 0.9.
 load "style.gp"
-set terminal pngcairo size 740,480 font "DejaVu Sans,11"
+set terminal pngcairo size 740,420 font "DejaVu Sans,11"
 set output ARG2
 unset key
 set multiplot

@@ -19,10 +19,8 @@ remains of a constant, so that a level track gives 0.
 
 The gain of these weights differs from the severity by at most {{gain-error}}, at {{gain-error-at}}. The
 severity of the wheel force grows with $\varphi^2$ and needs a shortest wavelength. The descriptor of a
-record is then a sum at each sample, as `filter_direct` computes it: the record is continued beyond its
-ends, and each pair of samples at the same distance before and behind has one weight.
-
-{{code: quality/descriptor_filter.cpp filter_direct}}
+record is then the sum of the samples about each place with these weights, one for each pair at the same
+distance before and behind.
 
 ### Not a bound for single bumps
 

@@ -13,11 +13,9 @@ Here $z^{(3)}$ and $z^{(4)}$ are the third and fourth derivative in time, and $r
 $q^2=(1+r)\rho^2$ and $f''^2=(1+r)f'^2$ belong to the body and the wheel together. The first factor of
 (6) cannot be read in our copy; this is the one that (5) gives.
 
-In `force_gain` we compute the same in another way: the force is the two masses times their
-accelerations, $G=-(2\pi f)^2(mZ+MY)$, where $f=v\varphi$ is the frequency and $Y$ the amplitude of the
-body. This also holds for a wheel without mass.
-
-{{code: quality/vehicle.cpp force_gain}}
+We compute the same in another way. The force is the two masses times their accelerations,
+$G=-(2\pi f)^2(mZ+MY)$, where $f=v\varphi$ is the frequency and $Y$ the amplitude of the body. This also
+holds for a wheel without mass.
 
 The table compares both equations with (1) and (2) integrated in time:
 

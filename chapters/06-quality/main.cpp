@@ -141,7 +141,14 @@ each 200 m, and a picture.
 
 ## Symbols
 
+Under the pointer, each symbol of a formula says what it is.
+
+<details>
+<summary>All symbols of this chapter</summary>
+
 {{symbols}}
+
+</details>
 
 ## Citation
 
