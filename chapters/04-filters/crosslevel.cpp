@@ -1,10 +1,10 @@
 /*** ## Crosslevel
 
-Crosslevel needs the roll of the car against gravity, and two sensors measure it, each of them badly.
-The inclinometer is right in the long run, but takes every lateral acceleration for a roll. The roll
-gyro is right for fast changes, but the integral of its bias grows without bound. The *complementary
-filter* adds a low-pass of the one to a high-pass of the other, with gains that sum to one at every
-frequency.
+Crosslevel needs the roll of the car against gravity, and two sensors measure it, each of them
+badly. The inclinometer is right in the long run, but takes every lateral acceleration for a roll.
+The roll gyro is right for fast changes, but the integral of its bias grows without bound. The
+*complementary filter* adds a low-pass of the one to a high-pass of the other, with gains that sum
+to one at every frequency.
 
 Let $\vartheta_k$ be the roll at sample $k$ in radians, $\Delta\vartheta_k$ its change over the last
 foot by the gyro, and $\gamma_k$ its value by the inclinometer. Then
@@ -13,22 +13,22 @@ $$\vartheta_k=c_k\left(\vartheta_{k-1}+\Delta\vartheta_k\right)+(1-c_k)\,\gamma_
 
 where the time constant $\tau$ says how long the gyro is trusted.
 
-The corner is the one frequency that the paper gives: about two octaves below the lateral mode of the
-body, typically 1.25 Hz. This makes {{roll-corner}} and a time constant of {{roll-tau}}. When the car
-stands, $T_k\to\infty$ and $c_k\to0$: the inclinometer alone has the answer.
+The corner is the one frequency that the paper gives: about two octaves below the lateral mode of
+the body, typically 1.25 Hz. This makes {{roll-corner}} and a time constant of {{roll-tau}}. When
+the car stands, $T_k\to\infty$ and $c_k\to0$: the inclinometer alone has the answer.
 
-The paper speaks of stages of first and of second order. With $n$ equal poles the inclinometer passes
-$L^n$, where $L=1/(1+s\tau)$, and the gyro the rest, $1-L^n$. The table says how much of a sway at the
-body's own mode is left, and the price of more poles: the gain of the gyro exceeds one at the corner,
-and a gyro bias $\beta$ costs $n\tau\beta$. Two poles are our choice.
+The paper speaks of stages of first and of second order. With $n$ equal poles the inclinometer
+passes $L^n$, where $L=1/(1+s\tau)$, and the gyro the rest, $1-L^n$. The table says how much of a
+sway at the body's own mode is left, and the price of more poles: the gain of the gyro exceeds one
+at the corner, and a gyro bias $\beta$ costs $n\tau\beta$. Two poles are our choice.
 
 {{roll}}
 
 Before the inclinometer is used, the other accelerations that it feels are subtracted. These are the
 centrifugal $V\dot\psi$ of the car's speed and yaw rate; $\ell\ddot\psi$, because it sits a distance
 $\ell$ before the middle of the car; and $h\ddot\vartheta$, because it sits a height $h$ above the
-rails, about which the simulated body rolls. The height sensors then give the track's roll against the
-body's, and the track's roll times the distance of the rails is the crosslevel.
+rails, about which the simulated body rolls. The height sensors then give the track's roll against
+the body's, and the track's roll times the distance of the rails is the crosslevel.
 
 How much is each correction of the paper worth? The car runs at 60 mph over the whole line with
 perfect sensors, and one correction is left out at a time.

@@ -11,8 +11,8 @@ $\Delta\psi$. (The paper writes φ_c for the heading and Δτ for the time of a 
 The heading is that of the body. In `curvature`, what the body has turned over its trucks since the
 last sample, by the three sway sensors, is subtracted from each $u_kT_k$. A mean over
 {{curvature-mean}} (our choice) then gives the curvature of the track. The paper finds tangents,
-spirals and curves from it and from its rate of change. It does not describe how, and we did not build
-that.
+spirals and curves from it and from its rate of change. It does not describe how, and we did not
+build that.
 
 {{code: geometry_car/run.cpp curvature}}
 
@@ -24,13 +24,13 @@ for the measured. Both speeds show the curve at the same place.
 {{table-curvature}}
 
 The line of the track of this table is smooth, so that the sensors' errors show. On the main line,
-which is not smooth, the error at 60 mph with perfect sensors is larger, and larger still without the
-correction for the trucks ({{outcome:table-curvature/trucks}}).
+which is not smooth, the error at 60 mph with perfect sensors is larger, and larger still without
+the correction for the trucks ({{outcome:table-curvature/trucks}}).
 
-A bias $\beta$ of the gyro adds $\beta/V$ to the curvature, and so counts most at low speed. At 2 mph a
-bias of 0.005 deg/s, little more than the earth's own rotation, and as much noise make
-{{curvature-2}}. This is why the operator debiases the gyro while the car stands. After a minute of it
-the noise is larger than what is left of the bias ({{outcome:table-curvature/debias}}).
+A bias $\beta$ of the gyro adds $\beta/V$ to the curvature, and so counts most at low speed. At 2
+mph a bias of 0.005 deg/s, little more than the earth's own rotation, and as much noise make
+{{curvature-2}}. This is why the operator debiases the gyro while the car stands. After a minute of
+it the noise is larger than what is left of the bias ({{outcome:table-curvature/debias}}).
 
 {{fold}}
 */

@@ -3,15 +3,17 @@
 
 The standard track is 8192 ft of main line. Height and line of each rail are random processes whose
 spectrum has two slopes. Added to the height are joints every 39 ft with 5.5 mm of dip and a
-vertical curve between two grades, and to the line a curve of 4 degrees with 4 in of superelevation,
-into which spirals lead. *Truth* is always the same chord and the same high-pass filter on the true
+vertical curve between two grades, and to the line a curve of 4 degrees a 100 ft. In it the outer
+rail lies 4 in higher, its *superelevation*, and *spirals*, stretches of growing curvature, lead
+into it and out of it. *Truth* is always the same chord and the same high-pass filter on the true
 rail, so that an error is an error of the car and not of the filter's range of wavelengths.
 
 The *typical sensors* are ours as well, for the paper gives no sensor data. Accelerometers and
-inclinometer have a bias of 1 mg, noise of 20 µg/√Hz and a converter of 12 bits over ±1 g. Both
-gyros have a bias of 0.005 deg/s and noise of 0.005 deg/s/√Hz. Each displacement sensor reads in
-steps of 0.1 mm. Before each run the car stands for a minute and the yaw gyro is *debiased*: what it
-reads at rest is subtracted from then on. That leaves {{residual-bias}} of its bias.
+inclinometer have a *bias*, a constant error, of 1 mg (a thousandth of gravity), noise of 20 µg/√Hz
+and a converter of 12 bits over ±1 g. Both gyros have a bias of 0.005 deg/s and noise of 0.005
+deg/s/√Hz. Each displacement sensor reads in steps of 0.1 mm. Before each run the car stands for a
+minute and the yaw gyro is *debiased*: what it reads at rest is subtracted from then on. That leaves
+{{residual-bias}} of its bias.
 
 {{fold}}
 */

@@ -14,7 +14,7 @@ set bmargin at screen 0.66
 set format x ""
 plot ARG1 using "x_ft":(run(9, column("truth_mm"))) with lines lc rgb grey lw 2.4 dt solid
 set tmargin at screen 0.60
-set bmargin at screen 0.12
+set bmargin at screen 0.15
 set format x "%g"
 set ylabel "error of the run, mm"
 set xlabel "distance, ft"

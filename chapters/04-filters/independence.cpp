@@ -1,11 +1,11 @@
 /*** ## How independent of speed and direction?
 
 The weight of the hybrid filter, seen from sample $k$, is $e^{\omega_1(t-t_k)}$ over the last foot.
-It is flat only in the limit of a low corner, $\kappa=\omega_1T\to0$, that is, for a corner far below
-$V/d$, the number of samples a second at the speed $V$. Otherwise the end of the foot counts more
-than its beginning, as the drawing at the top shows for 9 mph. The gain is then off by a term of
-second order in $\kappa$, and the place to which the mean belongs by one of first order: the centroid
-of the weight lies
+It is flat only in the limit of a low corner, $\kappa=\omega_1T\to0$, that is, for a corner far
+below $V/d$, the number of samples a second at the speed $V$. Otherwise the end of the foot counts
+more than its beginning, as the drawing at the top shows for 9 mph. The gain is then off by a term
+of second order in $\kappa$, and the place to which the mean belongs by one of first order: the
+centroid of the weight lies
 
 $$T\left(\frac1\kappa-\frac a{1-a}\right)=T\left(\frac12-\frac\kappa{12}+\dots\right)$$
 
@@ -27,10 +27,10 @@ of {{corner}} that we chose, and to the shortest $C$. With a tenth of the corner
 
 They can also be taken out, since $\kappa$ is measured. With
 $\varepsilon=\frac12-\left(\frac1\kappa-\frac a{1-a}\right)$, the corrected
-$u_k-\frac\varepsilon2(u_{k+1}-u_{k-1})$ keeps the gain of long waves and leaves {{offset-left}} at a
-wave of 20 ft. At 1 mph, below all speeds for which the paper relies on the filter, the gain is off by
-up to {{off-1}}, and the two directions lie {{offset-1}} apart, no less than with $B$ alone. The paper
-itself says *nearly* of profile and alignment.
+$u_k-\frac\varepsilon2(u_{k+1}-u_{k-1})$ keeps the gain of long waves and leaves {{offset-left}} at
+a wave of 20 ft. At 1 mph, below all speeds for which the paper relies on the filter, the gain is
+off by up to {{off-1}}, and the two directions lie {{offset-1}} apart, no less than with $B$ alone.
+The paper itself says *nearly* of profile and alignment.
 
 **"An extremely close approximation"** of $C$ is said to be coded, for "efficient numerical
 calculations". The paper does not say which. With an approximate $\hat a$ in place of $a$, the

@@ -1,54 +1,58 @@
 /*** ## Down to which speed?
 
 **Both directions.** What is left of speed and direction in an ideal profile is a matter of phase.
-The centroid of the weight of $F$ and $G$ together is $\kappa d/6$ off. So the path of the body is read
-that much ahead, while the height sensors read it where they are, and the error is this shift times the
-slope of the body's path, of one sign forwards and of the other backwards.
+The centroid of the weight of $F$ and $G$ together is $\kappa d/6$ off. So the path of the body is
+read that much ahead, while the height sensors read it where they are, and the error is this shift
+times the slope of the body's path, of one sign forwards and of the other backwards.
 
-With our corner, from 5 mph on, the two directions lie at most {{apart-5}} apart, less than the 6 in to
-which the paper knows a place. That fits its "nearly independent" ({{outcome:fig-directions/nearly}}).
+With our corner, from 5 mph on, the two directions lie at most {{apart-5}} apart, less than the 6 in
+to which the paper knows a place. That fits its "nearly independent"
+({{outcome:fig-directions/nearly}}).
 
 {{fig-directions}}
 
-**Changing speed.** $G$ knows each $T_k$, and takes out both numbers that $F$ remembers for any history
-of speeds. When the speed changes, though, the second difference is not the offset from a chord. With
-$r=T_{k+1}/T_k$ the mean of $G$ gives, in the limit of a low corner, $D_k$, and the offset is
+**Changing speed.** $G$ knows each $T_k$, and takes out both numbers that $F$ remembers for any
+history of speeds. When the speed changes, though, the second difference is not the offset from a
+chord. With $r=T_{k+1}/T_k$ the mean of $G$ gives, in the limit of a low corner, $D_k$, and the
+offset is
 
 $$D_k=z_{k+1}-(1+r)z_k+rz_{k-1},\qquad m_k=-\tfrac12\left[D_k+(r-1)(z_k-z_{k-1})\right].$$
 
-The second term is geometry. On a grade, a car that brakes has a vertical acceleration, and the offset
-of a chord has not. It adds half the grade times $\dot V d^2/V^2$ to each short offset. The car cannot
-correct it, because it does not measure the grade; the second page shows what it leaves.
+The second term is geometry. On a grade, a car that brakes has a vertical acceleration, and the
+offset of a chord has not. It adds half the grade times $\dot V d^2/V^2$ to each short offset. The
+car cannot correct it, because it does not measure the grade; the second page shows what it leaves.
 
-**Low speeds.** The paper closes with four limits: profile and alignment degraded below 15 mph and not
-to be relied upon below 5, curvature accurate down to about 2 mph, gage and crosslevel to 0. It does not
-say how accurate, and gives no sensor data. So only the order can be tested, and only on our model: the
-whole main line with our typical sensors, the yaw gyro debiased for a minute at rest.
+**Low speeds.** The paper closes with four limits: profile and alignment degraded below 15 mph and
+not to be relied upon below 5, curvature accurate down to about 2 mph, gage and crosslevel to 0. It
+does not say how accurate, and gives no sensor data. So only the order can be tested, and only on
+our model: the whole main line with our typical sensors, the yaw gyro debiased for a minute at rest.
 
 {{fig-parameters}}
 
 {{table-claims}}
 
 Gage has no time in it, so nothing in our simulation can make it depend on speed. Crosslevel is no
-worse at low speed. Its typical error is nearly all the constant bias of the inclinometer, which would
-hide a growth, and so the evidence is the run with perfect sensors. There the error falls from
-{{crosslevel-fast}} at 120 mph to {{crosslevel-slow}} at 0.5 mph: without speed there is no sway and no
-centrifugal acceleration, and the inclinometer alone is right ({{outcome:table-claims/crosslevel}}).
+worse at low speed. Its typical error is nearly all the constant bias of the inclinometer, which
+would hide a growth, and so the evidence is the run with perfect sensors. There the error falls from
+{{crosslevel-fast}} at 120 mph to {{crosslevel-slow}} at 0.5 mph: without speed there is no sway and
+no centrifugal acceleration, and the inclinometer alone is right
+({{outcome:table-claims/crosslevel}}).
 
-The other three grow towards 0 mph. At 0.5 mph they are {{slow-growth}} what they are from 15 mph on, or
-more, with four different noises and with or without the rest of the bias
-({{outcome:table-claims/only-two}}). The acceleration that a given rail causes falls with the square of
-the speed, while bias and noise of the accelerometer stay.
+The other three grow towards 0 mph. At 0.5 mph they are {{slow-growth}} what they are from 15 mph
+on, or more, with four different noises and with or without the rest of the bias
+({{outcome:table-claims/only-two}}). The acceleration that a given rail causes falls with the square
+of the speed, while bias and noise of the accelerometer stay.
 
 Curvature is the best of the three. At 2 mph its error is {{curvature-growth}} that at 15 mph:
-{{curvature-2-debiased}}, of which {{curvature-2-perfect}} are there with perfect sensors too, where the
-track's curve has 4 degrees. This supports the paper's "accurate down to approximately 2 mph"
-({{outcome:table-claims/curvature}}). Without debiasing the factor would be {{curvature-growth-biased}}.
+{{curvature-2-debiased}}, of which {{curvature-2-perfect}} are there with perfect sensors too, where
+the track's curve has 4 degrees. This supports the paper's "accurate down to approximately 2 mph"
+({{outcome:table-claims/curvature}}). Without debiasing the factor would be
+{{curvature-growth-biased}}.
 
-Alignment is the hardest. Its accelerometer feels gravity as soon as the beam rolls, which makes an error
-of {{alignment-15}} at 15 mph and {{alignment-5}} at 5 mph, of a signal of {{alignment-true}}. That
-profile and alignment "are not to be relied upon below 5 mph" is taken at its plainest: at 2 mph, the
-next lower speed tried, the error of each is larger than what it measures
+Alignment is the hardest. Its accelerometer feels gravity as soon as the beam rolls, which makes an
+error of {{alignment-15}} at 15 mph and {{alignment-5}} at 5 mph, of a signal of {{alignment-true}}.
+That profile and alignment "are not to be relied upon below 5 mph" is taken at its plainest: at 2
+mph, the next lower speed tried, the error of each is larger than what it measures
 ({{outcome:table-claims/unreliable}}).
 
 {{fold}}

@@ -1,20 +1,20 @@
 /*** ## Both together
 
-The vehicle needs both limits kept, so that at each wavelength the smaller amplitude counts. The stroke
-is that of the roll mode, driven by crosslevel, the height of one rail over the other; the wheel force is
-driven by profile, the height of each rail. The paper puts both on one chart.
+The vehicle needs both limits kept, so that at each wavelength the smaller amplitude counts. The
+stroke is that of the roll mode, driven by crosslevel, the height of one rail over the other; the
+wheel force is driven by profile, the height of each rail. The paper puts both on one chart.
 
 {{fig-07}}
 
-Below the figure the speed of the track can be moved. The level stays and its two ends move, and for the
-heavier car B the short end moves sooner.
+Below the figure the speed of the track can be moved. The level stays and its two ends move, and for
+the heavier car B the short end moves sooner.
 
-The shape is the paper's: a rise with the square of the wavelength at both ends, and a constant level
-between. Its two numbers depend on the vehicle, which is not printed. With car A the level ends below at
-{{corner-40}}, {{corner-64}}, {{corner-100}}, {{corner-130}} and {{corner-177}} for the five speeds, where
-the paper says "<7 m"; with the loaded car B at {{corner-B}} at 100 km/h. Above, the amplitude has doubled
-at {{double-64}} for 64 km/h, {{double-100}} for 100 and {{double-177}} for 177 km/h, where the paper says
-">100 m".
+The shape is the paper's: a rise with the square of the wavelength at both ends, and a constant
+level between. Its two numbers depend on the vehicle, which is not printed. With car A the level
+ends below at {{corner-40}}, {{corner-64}}, {{corner-100}}, {{corner-130}} and {{corner-177}} for
+the five speeds, where the paper says "<7 m"; with the loaded car B at {{corner-B}} at 100 km/h.
+Above, the amplitude has doubled at {{double-64}} for 64 km/h, {{double-100}} for 100 and
+{{double-177}} for 177 km/h, where the paper says ">100 m".
 
 {{fold}}
 */

@@ -13,7 +13,7 @@ set xlabel "spatial frequency φ, cycle/m"
 set ylabel "density, m²/(cycle/m); heights of A² fitted"
 set label "a 48-km/h\nbranch line" at 0.17,6e-6 right font ",11"
 set label "allowed A²,\nbands of equal width" at 0.05,1.2e-5 right font ",11" textcolor rgb blue
-set label "A²/φ,\nbands in equal ratios" at 0.0165,2.2e-2 font ",11" textcolor rgb "#A84300"
+set label "A²/φ,\nbands in equal ratios" at 0.0185,2.2e-2 font ",11" textcolor rgb "#A84300"
 plot ARG1 using "phi_cycle_per_m":"psd" with lines lt 1, \
      ARG1 using "phi_cycle_per_m":"squared" with lines lt 2, \
      ARG1 using "phi_cycle_per_m":"relative" with lines lt 3

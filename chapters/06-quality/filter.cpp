@@ -1,39 +1,41 @@
 /*** ## The descriptor: a filter for the record
 
-The curve says what is allowed of a sine, and a record of track is no sine. The paper's step is to read
-the severity $H(\varphi)$, the inverse of the allowed amplitude, as the gain of a filter. Since the
-track is run in both directions, the filter gets no phase: its weights are the same before and behind.
-Its output is the descriptor $p$, which reaches 1 on a sine whose amplitude is the allowed one.
+The curve says what is allowed of a sine, and a record of track is no sine. The paper's step is to
+read the severity $H(\varphi)$, the inverse of the allowed amplitude, as the gain of a filter. Since
+the track is run in both directions, the filter gets no phase: its weights are the same before and
+behind. Its output is the descriptor $p$, which reaches 1 on a sine whose amplitude is the allowed
+one.
 
-For the stroke, whose severity tends to $1/A_0$ for short waves, the weight at a distance $\xi$ along the
-track is
+For the stroke, whose severity tends to $1/A_0$ for short waves, the weight at a distance $\xi$
+along the track is
 
 $$w(\xi)=\frac{\delta(\xi)}{A_0}+2\int_0^{1/\lambda_p}\left(H(\varphi)-\frac1{A_0}\right)\cos 2\pi\varphi\xi\,d\varphi ,$$
 
-where $\delta$ is the unit impulse. The curvature of the gain jumps at $\lambda_p$, so that the weights
-fade only as $\xi^{-3}$. The function `design_filter` computes them by a Fourier transform of the
-severity. It cuts them at twenty resonant wavelengths, tapers the outer half to zero, and takes off what
-remains of a constant, so that a level track gives 0.
+where $\delta$ is the unit impulse. The curvature of the gain jumps at $\lambda_p$, so that the
+weights fade only as $\xi^{-3}$. The function `design_filter` computes them by a Fourier transform
+of the severity. It cuts them at twenty resonant wavelengths, tapers the outer half to zero, and
+takes off what remains of a constant, so that a level track gives 0.
 
 {{code: quality/descriptor_filter.cpp design_filter}}
 
-The gain of these weights differs from the severity by at most {{gain-error}}, at {{gain-error-at}}. The
-severity of the wheel force grows with $\varphi^2$ and needs a shortest wavelength. The descriptor of a
-record is then the sum of the samples about each place with these weights, one for each pair at the same
-distance before and behind.
+The gain of these weights differs from the severity by at most {{gain-error}}, at {{gain-error-at}}.
+The severity of the wheel force grows with $\varphi^2$ and needs a shortest wavelength. The
+descriptor of a record is then the sum of the samples about each place with these weights, one for
+each pair at the same distance before and behind.
 
 ### Not a bound for single bumps
 
-A sine has no beginning. For a single bump the filter is a rule of thumb, and the truth can be computed:
-drive the vehicle over the bump at every speed. The bump is one wave of a raised cosine, as high as the
-flat level.
+A sine has no beginning. For a single bump the filter is a rule of thumb, and the truth can be
+computed: drive the vehicle over the bump at every speed. The bump is one wave of a raised cosine,
+as high as the flat level.
 
 {{fig-bumps}}
 
-A short bump of 10 m reads {{bump-10}} while no speed uses up more than {{stroke-10}} of the stroke. A
-single bump has no time to excite the resonance on which the filter counts. Most bumps are over-estimated,
-by {{over-most}} times at {{over-at}}, the shortest drawn, and by up to {{over-limit}} times for still
-shorter ones. The worst under-estimate is {{under-most}}, at {{under-at}}.
+A short bump of 10 m reads {{bump-10}} while no speed uses up more than {{stroke-10}} of the stroke.
+A single bump has no time to excite the resonance on which the filter counts. Most bumps are
+over-estimated, by {{over-most}} times at {{over-at}}, the shortest drawn, and by up to
+{{over-limit}} times for still shorter ones. The worst under-estimate is {{under-most}}, at
+{{under-at}}.
 
 {{fold}}
 */

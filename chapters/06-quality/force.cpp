@@ -1,8 +1,8 @@
 /*** ## Short waves: the wheel force
 
-A level of 1.6 cm down to any wavelength would pass a step of 1.6 cm every half metre. What such waves
-do is load the contact of wheel and rail. Eliminating $x$ from (1) and (2) gives an equation for the
-dynamic force $g$ alone, and with $G$ its amplitude
+A level of 1.6 cm down to any wavelength would pass a step of 1.6 cm every half metre. What such
+waves do is load the contact of wheel and rail. Eliminating $x$ from (1) and (2) gives an equation
+for the dynamic force $g$ alone, and with $G$ its amplitude
 
 $$M\ddot g+b\dot g+kg=Mm\,z^{(4)}+(M+m)b\,z^{(3)}+(M+m)k\,\ddot z , \tag{5}$$
 
@@ -10,12 +10,12 @@ $$\left|\frac GZ\right|^2=(2\pi)^4m^2v^4\varphi^4\,\frac{v^4\varphi^4+2(2q^2-1)v
 {v^4\varphi^4+2(2\rho^2-1)v^2f'^2\varphi^2+f'^4}. \tag{6}$$
 
 Here $z^{(3)}$ and $z^{(4)}$ are the third and fourth derivative in time, and $r=M/m$,
-$q^2=(1+r)\rho^2$ and $f''^2=(1+r)f'^2$ belong to the body and the wheel together. The first factor of
-(6) cannot be read in our copy; this is the one that (5) gives.
+$q^2=(1+r)\rho^2$ and $f''^2=(1+r)f'^2$ belong to the body and the wheel together. The first factor
+of (6) cannot be read in our copy; this is the one that (5) gives.
 
-We compute the same in another way. The force is the two masses times their accelerations,
-$G=-(2\pi f)^2(mZ+MY)$, where $f=v\varphi$ is the frequency and $Y$ the amplitude of the body. This also
-holds for a wheel without mass.
+We compute the same in another way. The force is the two masses times their accelerations, $G=-(2\pi
+f)^2(mZ+MY)$, where $f=v\varphi$ is the frequency and $Y$ the amplitude of the body. This also holds
+for a wheel without mass.
 
 The table compares both equations with (1) and (2) integrated in time:
 
@@ -26,23 +26,23 @@ Together with the static load the force shall stay below 143 kN.
 {{fig-06}}
 
 The paper prints no masses, springs or dampers. We take one wheel's share of three cars from
-`data/cars.csv`, all with a wheel of 800 kg, a bounce of 2 Hz and half the critical damping: car A with
-a body of 7000 kg, car B, a loaded 70-ton car, with 11 700 kg, and car C, a loaded 100-ton car, with
-14 090 kg. The figure is car A's.
+`data/cars.csv`, all with a wheel of 800 kg, a bounce of 2 Hz and half the critical damping: car A
+with a body of 7000 kg, car B, a loaded 70-ton car, with 11 700 kg, and car C, a loaded 100-ton car,
+with 14 090 kg. The figure is car A's.
 
-Its curves do not cross. Curves cross when the gain $|G/Z|$ falls with frequency somewhere, for then a
-slower train needs smoother track. The least damping that prevents it depends on $r$ alone:
+Its curves do not cross. Curves cross when the gain $|G/Z|$ falls with frequency somewhere, for then
+a slower train needs smoother track. The least damping that prevents it depends on $r$ alone:
 
 {{table-damping}}
 
 With the damping of the roll example, 0.2, the curves of all these cars would cross. The paper says
 that in this mode it uses "spring and damping constants appropriate for vehicle response" to profile
-and alignment, and does not print them, so its statement cannot be tested. Cars with a body of less than
-twice the wheel's mass need less damping: {{damping-light}} at $r$ = 0.5.
+and alignment, and does not print them, so its statement cannot be tested. Cars with a body of less
+than twice the wheel's mass need less damping: {{damping-light}} at $r$ = 0.5.
 
-The force left for the track is 143 kN less the static load, {{margin-A}} for car A and {{margin-B}} for
-car B. Car C has nothing left. Its static {{static-C}} exceed the limit, and the library's answer is
-*{{refusal-C}}*.
+The force left for the track is 143 kN less the static load, {{margin-A}} for car A and {{margin-B}}
+for car B. Car C has nothing left. Its static {{static-C}} exceed the limit, and the library's
+answer is *{{refusal-C}}*.
 
 {{fold}}
 */

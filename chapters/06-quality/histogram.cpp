@@ -1,39 +1,39 @@
 /*** ## From the descriptor to an index
 
-A geometry car gives over 5000 values a kilometre, and the filter gives as many. The foreman needs each
-one beyond $T_2$, the threshold for immediate repair. The planner needs the *histogram*, how often each
-value occurs.
+A geometry car gives over 5000 values a kilometre, and the filter gives as many. The foreman needs
+each one beyond $T_2$, the threshold for immediate repair. The planner needs the *histogram*, how
+often each value occurs.
 
-The paper first weighs the two kinds of index in use. Averages such as the rms value suppress the single
-bad places, and counts of exceptions need thresholds, which so far "have been set arbitrarily". With a
-descriptor that is tied to the vehicle there is a reason for a threshold. So the paper proposes to say both
-at once, and writes
+The paper first weighs the two kinds of index in use. Averages such as the rms value suppress the
+single bad places, and counts of exceptions need thresholds, which so far "have been set
+arbitrarily". With a descriptor that is tied to the vehicle there is a reason for a threshold. So
+the paper proposes to say both at once, and writes
 
 $$T_2=\bar p+ns$$
 
-with the mean $\bar p$ and the standard deviation $s$ of the descriptor. The number $n$ falls as the track
-gets worse, and tells when spot repair has to give way to production work.
+with the mean $\bar p$ and the standard deviation $s$ of the descriptor. The number $n$ falls as the
+track gets worse, and tells when spot repair has to give way to production work.
 
 {{fig-09}}
 
-The paper's figure has no numbers; those here are ours. The filter takes the constant out, so that the
-descriptor has mean 0, and it passes a threshold on either side. Its histogram is taken to be normal with
-$s$ = {{s}}.
+The paper's figure has no numbers; those here are ours. The filter takes the constant out, so that
+the descriptor has mean 0, and it passes a threshold on either side. Its histogram is taken to be
+normal with $s$ = {{s}}.
 
-Two things make derailment uncertain, says the paper: springs and other data spread about their nominal
-values, and a given force does not always derail. Both are put into a strength that is normal about 1 with
-a standard deviation $\sigma$ of {{sigma}}. A value $p$ then leads to derailment with the probability
-$\Phi((|p|-1)/\sigma)$, where $\Phi$ is the normal distribution function, and a value of the histogram with
-the probability
+Two things make derailment uncertain, says the paper: springs and other data spread about their
+nominal values, and a given force does not always derail. Both are put into a strength that is
+normal about 1 with a standard deviation $\sigma$ of {{sigma}}. A value $p$ then leads to derailment
+with the probability $\Phi((|p|-1)/\sigma)$, where $\Phi$ is the normal distribution function, and a
+value of the histogram with the probability
 
 $$P=2\,\Phi\!\left(\frac{-1}{\sqrt{s^2+\sigma^2}}\right),$$
 
 here {{risk}}.
 
-The paper sets $T_2$ by the acceptable risk of derailment. With {{acceptable}} it is {{T2}}, so that $n$ =
-{{n}}, and {{per-km}} values a kilometre lie beyond it. Repairing all of them removes {{removed}} of the
-risk. The command `railbook quality index` takes the mean and deviation of the magnitude $|p|$, which for
-the same histogram gives $n$ = {{n-magnitude}}.
+The paper sets $T_2$ by the acceptable risk of derailment. With {{acceptable}} it is {{T2}}, so that
+$n$ = {{n}}, and {{per-km}} values a kilometre lie beyond it. Repairing all of them removes
+{{removed}} of the risk. The command `railbook quality index` takes the mean and deviation of the
+magnitude $|p|$, which for the same histogram gives $n$ = {{n-magnitude}}.
 
 {{fold}}
 */

@@ -9,19 +9,19 @@ is spent where no vehicle notices and is missing where one does.
 ::: findings
 1. How smooth must a track be at long waves? The paper finds that the same amplitude may be left at
    all waves shorter than the one that excites the vehicle at top speed, and that longer waves may
-   grow with the square of their length. For its linear vehicle both follow exactly from its formula.
-   {{outcome:fig-05/level}} {{outcome:fig-05/tail}}
+   grow with the square of their length. For its linear vehicle both follow exactly from its
+   formula. {{outcome:fig-05/level}} {{outcome:fig-05/tail}}
 2. Is that so for "all vehicle models regardless of how complex or nonlinear they may be", as the
    paper supposes? That shorter waves are never allowed more is so for any vehicle. With the paper's
    damping and with bump stops of ours, met at 0.6 of the stroke limit, longer waves may grow with
-   the square of their length as well. {{outcome:fig-level/shape}} One level remains if the stops are
-   as stiff as the spring. If they are ten times as stiff, the allowance falls from {{one-wave-10}}
-   to at most {{level-10}} for waves below {{second-10}} at 100 km/h, because every third wave can
-   keep the body swinging. {{outcome:fig-level/subharmonic}}
-3. Short waves load the wheel. Do the curves of that limit "not interpenetrate each other as speed is
-   changed"? This is not testable, because the paper prints neither masses nor dampers. It is true if
-   the damping is at least {{least-damping}} of the critical one and the body has at least twice the
-   mass of the wheel.
+   the square of their length as well. {{outcome:fig-level/shape}} One level remains if the stops
+   are as stiff as the spring. If they are ten times as stiff, the allowance falls from
+   {{one-wave-10}} to at most {{level-10}} for waves below {{second-10}} at 100 km/h, because every
+   third wave can keep the body swinging. {{outcome:fig-level/subharmonic}}
+3. Short waves load the wheel. Do the curves of that limit "not interpenetrate each other as speed
+   is changed"? This is not testable, because the paper prints neither masses nor dampers. It is
+   true if the damping is at least {{least-damping}} of the critical one and the body has at least
+   twice the mass of the wheel.
 :::
 
 ## The idea
@@ -29,22 +29,22 @@ is spent where no vehicle notices and is missing where one does.
 J. C. Corbin and A. E. Fazio turn the question around. They drive a vehicle over a sine wave of the
 track and see how much of what it can bear one metre of amplitude uses up: of the *stroke* of its
 suspension, by which the spring can yield until it meets a stop, or of the force that a wheel may
-press on the rail. The inverse is the amplitude that may be left in the track at that wavelength. The
-least of it over all speeds up to the posted one is what has to be maintained.
+press on the rail. The inverse is the amplitude that may be left in the track at that wavelength.
+The least of it over all speeds up to the posted one is what has to be maintained.
 
 The curve of these amplitudes becomes a filter. Run over a record of the track, it gives the
 *descriptor*, which reaches 1 where the track uses up what the vehicle can bear. In the drawing, a
-hill of 60 mm uses up almost nothing, a short bump of 16 mm nearly all, and three waves of 12 mm three
-quarters.
+hill of 60 mm uses up almost nothing, a short bump of 16 mm nearly all, and three waves of 12 mm
+three quarters.
 
 The thesis of the paper is that a measure of the present quality of track should "be made up only of
 data that represent loaded-track geometry", the shape of the rails under a train, because these
 determine how a given vehicle behaves.
 
-We have the paper as machine-read text, and none of its drawings. It prints few numbers and no masses
-or springs. So each formula is compared with an integration in time, each claim is tested and its
-range stated, and the paper's supposition about nonlinear vehicles is tried on a vehicle with the bump
-stops that it mentions.
+We have the paper as machine-read text, and none of its drawings. It prints few numbers and no
+masses or springs. So each formula is compared with an integration in time, each claim is tested and
+its range stated, and the paper's supposition about nonlinear vehicles is tried on a vehicle with
+the bump stops that it mentions.
 
 {{include: stroke.cpp}}
 
@@ -68,18 +68,18 @@ stops that it mentions.
   {{resonance-wavelength}}, and neither of the two rounds to it. {{outcome:fig-02/peak-printed}}
 * **The unit gain at waves shorter than resonance** is a limit; at 20 m the gain is {{gain-20}}.
   {{outcome:fig-02/unit-gain}}
-* **Curves of the wheel force that do not cross** need a damping of {{damping-A}} of critical for car
-  A. With the 0.2 of the roll mode they would cross. The damping of this mode is not printed.
+* **Curves of the wheel force that do not cross** need a damping of {{damping-A}} of critical for
+  car A. With the 0.2 of the roll mode they would cross. The damping of this mode is not printed.
 * **"<7 m" and ">100 m"**, the ends of the constant level, depend on a vehicle that is not printed;
   {{fig-07}} says what car A gives. {{outcome:fig-07/short}} {{outcome:fig-07/long}}
-* **That the allowed power "resembles that of existing track"** is not testable: spectrum and vertical
-  scale are lost. {{fig-08}} shows how far the spectrum of another line is from it.
+* **That the allowed power "resembles that of existing track"** is not testable: spectrum and
+  vertical scale are lost. {{fig-08}} shows how far the spectrum of another line is from it.
 * **One level for every vehicle**: our stops give one, two or three levels, by their stiffness, gap
   and damping; {{table-levels}} says which. {{outcome:fig-level/shape}}
   {{outcome:fig-level/subharmonic}}
 * **Damaged in our copy**: the minus of (3) and the first factor of (6), both restored
-  ({{outcome:table-equations/six}}); (7) is read from fragments. Spatial frequency is in cycles/km in
-  the paper's list of symbols and in cycles/m on the axis of its Figure 2; cycles/m is used.
+  ({{outcome:table-equations/six}}); (7) is read from fragments. Spatial frequency is in cycles/km
+  in the paper's list of symbols and in cycles/m on the axis of its Figure 2; cycles/m is used.
 * **Chosen here**, because the paper does not print it: masses, springs and dampers, the speeds of
   {{fig-05}}, {{fig-06}} and {{fig-07}}, the vertical scale of {{fig-08}}, all numbers of the
   histograms, and the stops, starts and fractions of the nonlinear test, which the paper only
@@ -87,22 +87,25 @@ stops that it mentions.
 
 ## Limits
 
-* The vehicle is one wheel on one rail. Two axles filter wavelengths of the wheelbase, a second truck
-  adds phases at each end of the car, and roll and bounce are driven by different measurements.
+* The vehicle is one wheel on one rail. Two axles filter wavelengths of the wheelbase, a second
+  truck adds phases at each end of the car, and roll and bounce are driven by different
+  measurements.
 * The wheel never lifts, and the rail does not yield. Above some 20 Hz the track's own stiffness and
   the contact govern the force; chapter 07 has them.
-* The descriptor is a bound for a lasting sine of a linear vehicle, not for a bump ({{fig-bumps}}). Of
-  two sines on the envelope it reads up to 2. The paper says that an actual descriptor needs "detailed
-  analysis of combinatorial geometry inputs", several frequencies and several kinds of geometry at
-  once; that is not done here, except for the pairs of {{table-pairs}}.
-* The stops are elastic and symmetric, and the damper is linear. Freight-car damping is dry friction,
-  of which chapter 02 makes more. The levels of {{fig-level}} are the lowest that a search found.
+* The descriptor is a bound for a lasting sine of a linear vehicle, not for a bump ({{fig-bumps}}).
+  Of two sines on the envelope it reads up to 2. The paper says that an actual descriptor needs
+  "detailed analysis of combinatorial geometry inputs", several frequencies and several kinds of
+  geometry at once; that is not done here, except for the pairs of {{table-pairs}}.
+* The stops are elastic and symmetric, and the damper is linear. Freight-car damping is dry
+  friction, of which chapter 02 makes more. The levels of {{fig-level}} are the lowest that a search
+  found.
 * The stochastic part assumes independent, normal values; neighbouring values of a descriptor are
   nearly the same value.
 
 ## Use it
 
-The curve for a car of your own, here that of the file `freight.toml` in the examples, which is car A:
+The curve for a car of your own, here that of the file `freight.toml` in the examples, which is car
+A:
 
 ```console
 $ railbook quality limit --speed 100km/h --car freight.toml --wavelength 5m 20m 100m
@@ -127,15 +130,15 @@ $ railbook quality index track.csv --speed 100km/h --column crosslevel --out min
                                        +1.141 at 11209.8 m, wavelength 39.8 m, stroke
 ```
 
-The folder `mine` then holds the descriptor sample by sample, the places beyond the limit, a class for
-each 200 m, and a picture.
+The folder `mine` then holds the descriptor sample by sample, the places beyond the limit, a class
+for each 200 m, and a picture.
 
 ## Try next
 
 * `railbook quality limit --speed 100km/h` with `--roll-damping` 0.1 and 0.3: how much track does a
   shock absorber buy? With `--stroke 2.54cm` the stroke limit stays the same.
-* `railbook quality index` on the record above at `--speed 60km/h`: which of the three places remains
-  beyond the limit?
+* `railbook quality index` on the record above at `--speed 60km/h`: which of the three places
+  remains beyond the limit?
 * Make a rough track with `railbook psd synthesize`, run `railbook quality index` on it at three
   speeds, and compare the order of its worst places.
 
@@ -156,9 +159,9 @@ J. C. Corbin and A. E. Fazio, *Performance-Based Track-Quality Measures and Thei
 Maintenance-of-Way Planning*, Transportation Research Record 802, from page 19 or 20 on. Authors,
 title and record stand in our copy. The year, 1981, does not, and is not confirmed: one later paper
 (*Track Quality Index for High Speed Track*, Journal of Transportation Engineering 112(1), 1986,
-reference 4) cites authors and record with 1980 and another title. A DOI was looked up and not found.
-From outside the copy: the speeds of {{fig-05}}, those of the US track classes 2 to 6, and the spectrum
-of {{fig-08}}, from the paper of chapter 05.
+reference 4) cites authors and record with 1980 and another title. A DOI was looked up and not
+found. From outside the copy: the speeds of {{fig-05}}, those of the US track classes 2 to 6, and
+the spectrum of {{fig-08}}, from the paper of chapter 05.
 
 ## Coverage
 

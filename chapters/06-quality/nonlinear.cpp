@@ -1,17 +1,17 @@
 /*** ## Any vehicle, however nonlinear?
 
-The paper supposes that the features of its curves are common to "all vehicle models regardless of how
-complex or nonlinear they may be": a constant level up to a wavelength set by the speed, and a rise beyond
-it. The "effective threshold and resonances" are to be determined vehicle by vehicle, with single sines
-that comply with the descriptor. Then come pairs of sines whose frequencies $f_1$, $f_2$ are nearly
-rational multiples of each other, with integers $n_1$ and $n_2$,
+The paper supposes that the features of its curves are common to "all vehicle models regardless of
+how complex or nonlinear they may be": a constant level up to a wavelength set by the speed, and a
+rise beyond it. The "effective threshold and resonances" are to be determined vehicle by vehicle,
+with single sines that comply with the descriptor. Then come pairs of sines whose frequencies $f_1$,
+$f_2$ are nearly rational multiples of each other, with integers $n_1$ and $n_2$,
 
 $$|n_1f_1-n_2f_2|<\rho f' . \tag{7}$$
 
 The paper announces that test, and here it is done with bump stops. In the paper a large stroke "may
-indicate that bump stops are engaged", so that reaching the limit *is* reaching the stop. Our stops are
-elastic. They are met earlier, at a stroke $d$ of 0.6 of the limit, and have $\kappa$ times the stiffness
-of the spring; both numbers are ours. With $\omega_0=2\pi f'$ the stroke obeys
+indicate that bump stops are engaged", so that reaching the limit *is* reaching the stop. Our stops
+are elastic. They are met earlier, at a stroke $d$ of 0.6 of the limit, and have $\kappa$ times the
+stiffness of the spring; both numbers are ours. With $\omega_0=2\pi f'$ the stroke obeys
 
 $$\ddot x+2\rho\omega_0\dot x+\omega_0^2\left[x+\kappa\,(|x|-d)_+\,\mathrm{sgn}\,x\right]=-\ddot z ,$$
 
@@ -19,15 +19,15 @@ where $(|x|-d)_+$ is how far a stop is pressed, and 0 while it is not met.
 
 ### How many levels there are
 
-One feature needs no test. A train that may run at any speed up to $v$ meets a wave of length $\lambda$ at
-every frequency up to $v/\lambda$. Shorter waves are met at more frequencies, so that for *any* vehicle the
-allowed amplitude cannot grow towards short waves. The question is whether it ends in one level or goes on
-falling.
+One feature needs no test. A train that may run at any speed up to $v$ meets a wave of length
+$\lambda$ at every frequency up to $v/\lambda$. Shorter waves are met at more frequencies, so that
+for *any* vehicle the allowed amplitude cannot grow towards short waves. The question is whether it
+ends in one level or goes on falling.
 
 Between two moments at which a stop is met or left, the equation is linear and its motion is known
-exactly. At each frequency of the wave, the search starts from a grid of strokes and rates, lets the motion
-settle, and looks for one that reaches the stroke limit of {{limit}}. A motion that repeats only after two
-or more waves is a *subharmonic* of that order.
+exactly. At each frequency of the wave, the search starts from a grid of strokes and rates, lets the
+motion settle, and looks for one that reaches the stroke limit of {{limit}}. A motion that repeats
+only after two or more waves is a *subharmonic* of that order.
 
 Each motion that is found is then followed down to the least track amplitude at which it exists. In
 `least_amplitude` the amplitude is lowered by a step and Newton's method, in `settled_on`, finds the
@@ -39,57 +39,61 @@ repeating motion there; where it finds none, the step is halved.
 
 {{fig-level}}
 
-With stops as stiff as the spring ($\kappa$ = 1) there is one level, {{level-1}}. With $\kappa$ = 10 there
-are two. The first, {{one-wave-10}}, reaches from {{flat-10}} down to {{second-10}} at 100 km/h; on it the
-body makes one swing a wave. For all shorter waves the level is {{level-10}}, {{share-10}} of the first:
-there the body makes one swing in three waves, and every third wave keeps it going.
+With stops as stiff as the spring ($\kappa$ = 1) there is one level, {{level-1}}. With $\kappa$ = 10
+there are two. The first, {{one-wave-10}}, reaches from {{flat-10}} down to {{second-10}} at 100
+km/h; on it the body makes one swing a wave. For all shorter waves the level is {{level-10}},
+{{share-10}} of the first: there the body makes one swing in three waves, and every third wave keeps
+it going.
 
-With $\kappa$ = 100 the levels are {{one-wave-100}} and, below {{second-100}}, {{level-100}}. For waves
-longer than the first level the search ends soon. There stiff stops allow more than the linear car has,
-because they hold the body back (dotted).
+With $\kappa$ = 100 the levels are {{one-wave-100}} and, below {{second-100}}, {{level-100}}. For
+waves longer than the first level the search ends soon. There stiff stops allow more than the linear
+car has, because they hold the body back (dotted).
 
-A vehicle that starts at rest does not find these motions. On waves of {{example}} at {{example-f}}, below
-the first level, a start at rest settles at a stroke of {{example-rest}} and another one at
+A vehicle that starts at rest does not find these motions. On waves of {{example}} at {{example-f}},
+below the first level, a start at rest settles at a stroke of {{example-rest}} and another one at
 {{example-large}}, above the limit.
 
-An energy balance explains the second level. Without damper and track the body can swing freely at the
-stroke limit. Because the stops are hard, its swing contains the third multiple of its frequency, and a
-track wave of that frequency can feed it. At $\kappa$ = 10 an amplitude of {{energy-10}} feeds as much as
-the damper takes, at $\kappa$ = 100 one of {{energy-100}}, and at $\kappa$ = 1 it would take
-{{energy-1}}, more than the first level. *Harmonic balance*, the approximation by one sine as long as the
-wave (dotted), leaves the third multiple out and gives the first level only.
+An energy balance explains the second level. Without damper and track the body can swing freely at
+the stroke limit. Because the stops are hard, its swing contains the third multiple of its
+frequency, and a track wave of that frequency can feed it. At $\kappa$ = 10 an amplitude of
+{{energy-10}} feeds as much as the damper takes, at $\kappa$ = 100 one of {{energy-100}}, and at
+$\kappa$ = 1 it would take {{energy-1}}, more than the first level. *Harmonic balance*, the
+approximation by one sine as long as the wave (dotted), leaves the third multiple out and gives the
+first level only.
 
 The number of levels depends on the stops, and not on their stiffness alone:
 
 {{table-levels}}
 
-So the shape that the paper supposes holds for one of these vehicles and not for another. In each case the
-amplitude relaxes beyond a wavelength that the speed sets. Where stiff stops are met late and the damping
-is small, the level has further steps. The levels are the lowest that were found: {{starts}} starts were
-tried at each of {{frequencies}} frequencies, at 0.97 of the level found so far, and a motion that none of
-them reaches would lower the level again.
+So the shape that the paper supposes holds for one of these vehicles and not for another. In each
+case the amplitude relaxes beyond a wavelength that the speed sets. Where stiff stops are met late
+and the damping is small, the level has further steps. The levels are the lowest that were found:
+{{starts}} starts were tried at each of {{frequencies}} frequencies, at 0.97 of the level found so
+far, and a motion that none of them reaches would lower the level again.
 
 ### A sudden start and a slow one
 
-The level of the linear vehicle, {{level-linear}}, is no substitute for that search. On it, the stops bend
-the resonance to shorter waves, and what happens depends on how the sine begins ($\kappa$ = 10):
+The level of the linear vehicle, {{level-linear}}, is no substitute for that search. On it, the
+stops bend the resonance to shorter waves, and what happens depends on how the sine begins ($\kappa$
+= 10):
 
 {{table-starts}}
 
-Two steady motions coexist. On the upper one the stroke is {{high-1}} at 1 Hz and {{high-12}} at 1.2 Hz,
-where the linear vehicle stays below {{limit}}. A slowly growing sine ends on the lower one. A sudden one
-ends on the upper one if the stroke is at rest when it starts.
+Two steady motions coexist. On the upper one the stroke is {{high-1}} at 1 Hz and {{high-12}} at 1.2
+Hz, where the linear vehicle stays below {{limit}}. A slowly growing sine ends on the lower one. A
+sudden one ends on the upper one if the stroke is at rest when it starts.
 
 ### Pairs of sines
 
-Two sines that fulfil (7) act together, each with half of its own allowed amplitude, begun at once; the
-worst of 32 relative phases counts:
+Two sines that fulfil (7) act together, each with half of its own allowed amplitude, begun at once;
+the worst of 32 relative phases counts:
 
 {{table-pairs}}
 
-In the linear vehicle two fractions that add to 1 cannot exceed the limit. With stops all three pairs reach
-more than the {{single}} of the single sine, which speaks for testing pairs as well, as the paper proposes.
-The ratio 3:1 is left out: that motion never settles, and what it reaches in a minute is only a sample.
+In the linear vehicle two fractions that add to 1 cannot exceed the limit. With stops all three
+pairs reach more than the {{single}} of the single sine, which speaks for testing pairs as well, as
+the paper proposes. The ratio 3:1 is left out: that motion never settles, and what it reaches in a
+minute is only a sample.
 
 {{fold}}
 */

@@ -1,24 +1,25 @@
 /*** ## Does existing track look like that?
 
-The paper squares the allowed amplitude at 64 km/h, lays it over a *power spectral density* of a 64-km/h
-track, the power of its roughness by spatial frequency, and says that the power content of the one
-resembles the other. This cannot be tested. The measured spectrum is lost in our copy; the caption breaks
-off at "vertical scale", so that the height of the curve was free; and an amplitude squared is not a
-density.
+The paper squares the allowed amplitude at 64 km/h, lays it over a *power spectral density* of a
+64-km/h track, the power of its roughness by spatial frequency, and says that the power content of
+the one resembles the other. This cannot be tested. The measured spectrum is lost in our copy; the
+caption breaks off at "vertical scale", so that the height of the curve was free; and an amplitude
+squared is not a density.
 
-It becomes one when a sine of the allowed amplitude $A$ stands for all waves of a band. The bands may be
-equally wide, which gives the shape of $A^2$, or in equal ratios, which gives $A^2/\varphi$. To show what
-would be compared, the random part of a slow line of the same first author is drawn, zone 12 of chapter
-05, a rough branch line for 48 km/h. Its density is $S=C/\varphi^2$ up to a corner $\varphi_c$ and
-$C\varphi_c^2/\varphi^4$ beyond, with a constant $C$.
+It becomes one when a sine of the allowed amplitude $A$ stands for all waves of a band. The bands
+may be equally wide, which gives the shape of $A^2$, or in equal ratios, which gives $A^2/\varphi$.
+To show what would be compared, the random part of a slow line of the same first author is drawn,
+zone 12 of chapter 05, a rough branch line for 48 km/h. Its density is $S=C/\varphi^2$ up to a
+corner $\varphi_c$ and $C\varphi_c^2/\varphi^4$ beyond, with a constant $C$.
 
 {{fig-08}}
 
-At the short end both fall with $\varphi^{-4}$ ($\varphi^{-5}$ for bands in equal ratios). From there to
-the resonance the allowed power is flat, or falls with $\varphi^{-1}$, while the spectrum falls with
-$\varphi^{-2}$. Beyond it the allowed power rises with the fourth power of the wavelength and this
-spectrum with the second. From 2 to 100 m the shapes differ by {{mismatch-squared}} decades (rms, the
-height fitted) for equally wide bands and by {{mismatch-relative}} for bands in equal ratios.
+At the short end both fall with $\varphi^{-4}$ ($\varphi^{-5}$ for bands in equal ratios). From
+there to the resonance the allowed power is flat, or falls with $\varphi^{-1}$, while the spectrum
+falls with $\varphi^{-2}$. Beyond it the allowed power rises with the fourth power of the wavelength
+and this spectrum with the second. From 2 to 100 m the shapes differ by {{mismatch-squared}} decades
+(rms, the height fitted) for equally wide bands and by {{mismatch-relative}} for bands in equal
+ratios.
 
 The line is far smoother than the vehicle needs. A sine with the power of a third of an octave is
 {{margin-20}} times smaller than the allowed amplitude at 20 m, {{margin-5}} times at 5 m and

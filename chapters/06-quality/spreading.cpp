@@ -1,34 +1,34 @@
 /*** ## How the histogram spreads
 
 The paper likens the histogram of a deteriorating track to "a viscous blob resting on a horizontal
-surface". A thin layer of viscous liquid, whose height $h$ stands for the density of the histogram, spreads
-along the axis of $p$ by
+surface". A thin layer of viscous liquid, whose height $h$ stands for the density of the histogram,
+spreads along the axis of $p$ by
 
 $$\frac{\partial h}{\partial t}=\frac13\frac{\partial}{\partial p}\left(h^3\frac{\partial h}{\partial p}\right)$$
 
-in scaled units of time $t$. The plain alternative is diffusion, which keeps a normal histogram normal.
-Both have exact solutions, drawn here from the same standard deviation at $t=1$. A solver for other starts
-is compared with them on the second page.
+in scaled units of time $t$. The plain alternative is diffusion, which keeps a normal histogram
+normal. Both have exact solutions, drawn here from the same standard deviation at $t=1$. A solver
+for other starts is compared with them on the second page.
 
 {{fig-10}}
 
-The difference is in the tails, which is where the thresholds are. Diffusion puts some values beyond any
-threshold at once. The blob has an edge that moves as $p_N\propto t^{1/5}$, here {{blob-front}} at $t=1$,
-and no value lies beyond it. Its standard deviation is $\sqrt{3/11}$ of $p_N$. Taken literally, the blob
-says that no value exceeds a threshold until its edge arrives there.
+The difference is in the tails, which is where the thresholds are. Diffusion puts some values beyond
+any threshold at once. The blob has an edge that moves as $p_N\propto t^{1/5}$, here {{blob-front}}
+at $t=1$, and no value lies beyond it. Its standard deviation is $\sqrt{3/11}$ of $p_N$. Taken
+literally, the blob says that no value exceeds a threshold until its edge arrives there.
 
 {{fig-11}}
 
-The paper describes two segments that start alike and part: A, where the ties were renewed, and B, which
-was only surfaced. Its curves have no numbers. Here both spread by diffusion from $s$ = 0.15, B four times
-as fast. The index $n$ of B falls to 3, taken as the end of basic maintenance, after {{basic-B}} units of
-tonnage, that of A after {{basic-A}}. The histogram after surfacing does not tell which is which, as the
-paper says.
+The paper describes two segments that start alike and part: A, where the ties were renewed, and B,
+which was only surfaced. Its curves have no numbers. Here both spread by diffusion from $s$ = 0.15,
+B four times as fast. The index $n$ of B falls to 3, taken as the end of basic maintenance, after
+{{basic-B}} units of tonnage, that of A after {{basic-A}}. The histogram after surfacing does not
+tell which is which, as the paper says.
 
-The paper therefore asks for a function, dTQI = f(S, U, P, M), beside the *track-quality index* (TQI): the
-change of the index depends on the structure S, the use U, the present track quality P, and anything else,
-M, such as unusual rainfall. P is there because of the hypothesis that poor track degrades faster than good
-track. Neither law drawn here does that; in both the spreading slows down.
+The paper therefore asks for a function, dTQI = f(S, U, P, M), beside the *track-quality index*
+(TQI): the change of the index depends on the structure S, the use U, the present track quality P,
+and anything else, M, such as unusual rainfall. P is there because of the hypothesis that poor track
+degrades faster than good track. Neither law drawn here does that; in both the spreading slows down.
 
 {{fold}}
 */

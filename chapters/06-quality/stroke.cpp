@@ -1,8 +1,8 @@
 /*** ## Long waves: the stroke of the suspension
 
 A wheel of mass $m$ follows the track, whose height is $z$. Above it a body of mass $M$ rests on a
-spring of stiffness $k$ and a damper of constant $b$, and moves by $y$. The *stroke* of the suspension
-is $x=y-z$. The balance of the body, and the dynamic force $g$ on the wheel, are
+spring of stiffness $k$ and a damper of constant $b$, and moves by $y$. The *stroke* of the
+suspension is $x=y-z$. The balance of the body, and the dynamic force $g$ on the wheel, are
 
 $$M\ddot y+b\dot x+kx=0 \tag{1}$$
 
@@ -22,25 +22,26 @@ and $X$ the amplitudes of track and stroke,
 
 $$\left|\frac XZ\right|=\Gamma(\eta)=\frac{\eta^2}{\sqrt{(1-\eta^2)^2+4\rho^2\eta^2}} . \tag{4}$$
 
-The code of `stroke_gain` is this formula with $(1-\eta)(1+\eta)$ for $1-\eta^2$, which loses no digits at
-resonance; beyond it, numerator and denominator are divided by $\eta^2$, so that nothing overflows.
+The code of `stroke_gain` is this formula with $(1-\eta)(1+\eta)$ for $1-\eta^2$, which loses no
+digits at resonance; beyond it, numerator and denominator are divided by $\eta^2$, so that nothing
+overflows.
 
 {{code: quality/vehicle.cpp stroke_gain}}
 
 {{fig-02}}
 
 The damped peak lies at {{peak-wavelength}}, the undamped resonance at $v/f'$ =
-{{resonance-wavelength}}. The paper's 55 m lies between the two, and neither of them rounds to it. The
-unit gain at short waves is a limit; at 20 m the gain is {{gain-20}}. Turned upside down, with the
-stroke limited to $x_0$ = 2.54 cm, the curve says how much track is allowed:
+{{resonance-wavelength}}. The paper's 55 m lies between the two, and neither of them rounds to it.
+The unit gain at short waves is a limit; at 20 m the gain is {{gain-20}}. Turned upside down, with
+the stroke limited to $x_0$ = 2.54 cm, the curve says how much track is allowed:
 
 {{fig-03}}
 
 ## Every speed up to the limit
 
 A train may run slower than posted. At half the speed the resonance sits at half the wavelength, so
-that another wave is the worst one. The amplitude $A$ that is allowed is therefore the least over all
-speeds.
+that another wave is the worst one. The amplitude $A$ that is allowed is therefore the least over
+all speeds.
 
 {{fig-04}}
 
@@ -55,8 +56,8 @@ $$A(\lambda)=\frac{x_0}{\Gamma(v/\lambda f')}\quad(\lambda>\lambda_p),\qquad A_0
 \lambda_p=\frac v{f'}\sqrt{1-2\rho^2}.$$
 
 The library computes with the *severity*, the inverse of the allowed amplitude. In `operator()` the
-severity at full speed is found for each limit. The function `beyond` replaces it by the peak when the
-frequency has passed it and the peak is higher, and the larger of the two limits counts.
+severity at full speed is found for each limit. The function `beyond` replaces it by the peak when
+the frequency has passed it and the peak is higher, and the larger of the two limits counts.
 
 {{code: quality/descriptor.cpp beyond}}
 
@@ -64,11 +65,11 @@ frequency has passed it and the peak is higher, and the larger of the two limits
 
 {{fig-05}}
 
-The flat level is the 1.6 cm that freight-car tests asked for; it takes a stroke of {{level-stroke}}.
-The paper names three features of these curves, and all follow from the formula. The level is constant
-below the resonance at top speed; a search over {{search-speeds}} speeds finds the same. The amplitude
-grows with the square of the wavelength in the end. And the damping governs how fast the rise begins,
-by $A/x_0=(\lambda/\lambda_0)^2-(1-2\rho^2)+\dots$ with $\lambda_0=v/f'$.
+The flat level is the 1.6 cm that freight-car tests asked for; it takes a stroke of
+{{level-stroke}}. The paper names three features of these curves, and all follow from the formula.
+The level is constant below the resonance at top speed; a search over {{search-speeds}} speeds finds
+the same. The amplitude grows with the square of the wavelength in the end. And the damping governs
+how fast the rise begins, by $A/x_0=(\lambda/\lambda_0)^2-(1-2\rho^2)+\dots$ with $\lambda_0=v/f'$.
 
 {{fold}}
 */

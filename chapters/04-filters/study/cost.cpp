@@ -1,9 +1,9 @@
 /*** ## Which way of making the long chord should I take?
 
 The task is the 62-ft chord with the high-pass, from short offsets. The input is synthetic track,
-rounded to whole units of $2^{-34}$ m, so that the exact answer is known in integers: the reference has
-no error but one rounding. It has its weights from the same function of the library as the first two
-methods; sums and stream do not use it. The error is the largest difference over the RMS of the
+rounded to whole units of $2^{-34}$ m, so that the exact answer is known in integers: the reference
+has no error but one rounding. It has its weights from the same function of the library as the first
+two methods; sums and stream do not use it. The error is the largest difference over the RMS of the
 answer. All methods get the same array and return another; making weights and plans is counted.
 
 * **weights**: all 661, vectorised.
@@ -17,22 +17,23 @@ answer. All methods get the same array and return another; making weights and pl
 {{cost-length}}
 
 {{length-answer}} The direct weights take {{weights-over-sums}} the operations of the sums, although
-they are vectorised. The worst error found is {{rounding-found}} ({{outcome:cost-length/as-double}}),
-so that every method is accurate enough for any track. Take the **stream**, which can do more than the
-others, unless another is much cheaper on your machine.
+they are vectorised. The worst error found is {{rounding-found}}
+({{outcome:cost-length/as-double}}), so that every method is accurate enough for any track. Take the
+**stream**, which can do more than the others, unless another is much cheaper on your machine.
 
 ## How long may a running sum run?
 
-Sums that are never started anew keep every rounding. Here the same samples come over and over, with the
-exact answer known, through a filter in floating point that never restarts; at level `full` up to $10^9$
-samples:
+Sums that are never started anew keep every rounding. Here the same samples come over and over, with
+the exact answer known, through a filter in floating point that never restarts; at level `full` up
+to $10^9$ samples:
 
 {{cost-drift}}
 
-{{drift-answer}} The input is in whole units, so that a double adds it without error until a sum passes
-$2^{53}$ of them; where the integrators do, their curve leaves that of the sums. In 64-bit integers
-there is no error at any length ({{outcome:cost-drift/integers}}). So start running sums anew, and
-never integrate along the track in floating point. The library does the first and not the second.
+{{drift-answer}} The input is in whole units, so that a double adds it without error until a sum
+passes $2^{53}$ of them; where the integrators do, their curve leaves that of the sums. In 64-bit
+integers there is no error at any length ({{outcome:cost-drift/integers}}). So start running sums
+anew, and never integrate along the track in floating point. The library does the first and not the
+second.
 
 {{fold}}
 */

@@ -1,31 +1,32 @@
 /*** ## How well must the analog corner be known?
 
 The digital filter removes the memory of an analog filter whose corner it is given. Resistors and
-capacitors drift, so that the true corner is another. In the table the corners of $B$ and $F$ are both
-off by a fraction $\delta$, and the processing does not know it. The second column is what this does to
-the gain of $BC$, the third figure of gains on the first page; the others are the errors of the car at 60
-mph over the main line with perfect sensors.
+capacitors drift, so that the true corner is another. In the table the corners of $B$ and $F$ are
+both off by a fraction $\delta$, and the processing does not know it. The second column is what this
+does to the gain of $BC$, the third figure of gains on the first page; the others are the errors of
+the car at 60 mph over the main line with perfect sensors.
 
 {{corner-off}}
 
 {{corner-answer}}
 
 The reason is the motion of the body. A wave that is faster than the corner comes through the analog
-filter of the accelerometers with the factor $(1+\delta)^2$ and is amplified by the digital one as if it
-had not. The height sensors do not share this factor, so that the motion of the body no longer cancels.
+filter of the accelerometers with the factor $(1+\delta)^2$ and is amplified by the digital one as
+if it had not. The height sensors do not share this factor, so that the motion of the body no longer
+cancels.
 
 ## How fine and how steady must the clock be?
 
-The interval $T$ enters the profile squared. A clock that counts in steps rounds each time of passing to
-the next step:
+The interval $T$ enters the profile squared. A clock that counts in steps rounds each time of
+passing to the next step:
 
 {{clock-step}}
 
 {{clock-answer}}
 
-A pulse of the encoder may also come a little early or late, because a disc is not quite regular or a
-threshold is crossed in noise. Then the sample is taken at that moment and its time is right, but its place
-is not. Each time of passing is off by an independent error of mean 0:
+A pulse of the encoder may also come a little early or late, because a disc is not quite regular or
+a threshold is crossed in noise. Then the sample is taken at that moment and its time is right, but
+its place is not. Each time of passing is off by an independent error of mean 0:
 
 {{clock-jitter}}
 

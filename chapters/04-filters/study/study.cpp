@@ -8,9 +8,9 @@
 
 ## What do stops, reversals and faults do?
 
-A car stops, it reverses, its encoder counts twice, a sensor stands still. Each row puts one of these
-into a filter, or into the simulated car, and compares with the undisturbed answer or the true rail.
-What may be lost is set beforehand.
+A car stops, it reverses, its encoder counts twice, a sensor stands still. Each row puts one of
+these into a filter, or into the simulated car, and compares with the undisturbed answer or the true
+rail. What may be lost is set beforehand.
 
 {{stability}}
 

@@ -1,8 +1,9 @@
 /*** ## How should a record be filtered?
 
-The descriptor of waves of 32 m and 1 cm is $A/A_{env}$ in closed form, their amplitude over the allowed
-one. Both ways of filtering cut the weights at 3 to 40 resonant wavelengths, and neither is charged for
-their design. Work counts multiplications for the direct sum and points transformed for the blocks.
+The descriptor of waves of 32 m and 1 cm is $A/A_{env}$ in closed form, their amplitude over the
+allowed one. Both ways of filtering cut the weights at 3 to 40 resonant wavelengths, and neither is
+charged for their design. Work counts multiplications for the direct sum and points transformed for
+the blocks.
 
 {{fig-filter-time}}
 
@@ -15,32 +16,32 @@ their design. Work counts multiplications for the direct sum and points transfor
 
 Asked is the stroke at 20 s after a sudden start at 1 Hz with $\kappa$ = 10, some {{switch-count}}
 switches. The library's solver follows the exact solution from switch to switch. The reference is an
-integrator of order 5 that locates each switch itself and starts again there, at a tolerance of 10⁻¹⁴; it
-shares only the root finder with the solver that it judges. Its uncertainty is the change from a tolerance
-of 10⁻¹³, and not less than 10⁻¹¹.
+integrator of order 5 that locates each switch itself and starts again there, at a tolerance of
+10⁻¹⁴; it shares only the root finder with the solver that it judges. Its uncertainty is the change
+from a tolerance of 10⁻¹³, and not less than 10⁻¹¹.
 
 {{fig-stops-time}}
 
-{{stops-answer}} The exact solver has no setting: it is as good as the reference can tell. An integrator
-that does not see the switches has to make small steps around each kink, and with fixed steps of order 4
-the error falls with order {{rk4-order}} only. All this is about one motion. Neither a reference nor an
-energy balance shows that another start would end on another motion; for that the chapter searches many
-starts, and the section on subharmonics below says what they find.
+{{stops-answer}} The exact solver has no setting: it is as good as the reference can tell. An
+integrator that does not see the switches has to make small steps around each kink, and with fixed
+steps of order 4 the error falls with order {{rk4-order}} only. All this is about one motion.
+Neither a reference nor an energy balance shows that another start would end on another motion; for
+that the chapter searches many starts, and the section on subharmonics below says what they find.
 
 {{work-precision: fig-stops-time}}
 
 ## How should a histogram be carried on from run to run?
 
-The blob of the first page spreads from $t$ = 1 to 64, over {{visits}} runs of the geometry car. What one
-run leaves is what the next starts from, so that errors add up. Asked is the standard deviation after the
-last run; the similarity solution is the reference.
+The blob of the first page spreads from $t$ = 1 to 64, over {{visits}} runs of the geometry car.
+What one run leaves is what the next starts from, so that errors add up. Asked is the standard
+deviation after the last run; the similarity solution is the reference.
 
 {{fig-spreading-time}}
 
-{{spreading-answer}} The explicit steps are what one would write in an afternoon. Their number grows with
-the square of the number of cells, while the implicit ones choose theirs: here as many as an eighth of the
-cells in each run. What is left is the cells' error at the edge of the blob, where its slope is infinite,
-and both have it.
+{{spreading-answer}} The explicit steps are what one would write in an afternoon. Their number grows
+with the square of the number of cells, while the implicit ones choose theirs: here as many as an
+eighth of the cells in each run. What is left is the cells' error at the edge of the blob, where its
+slope is infinite, and both have it.
 
 {{work-precision: fig-spreading-time}}
 

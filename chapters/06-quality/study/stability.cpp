@@ -1,20 +1,21 @@
 /*** ## Can a motion be missed?
 
-Stiff stops have motions that repeat after three or more waves, *subharmonics*, below the amplitude at which
-one swing a wave reaches the limit. A start at rest does not end on them. The table takes a wave at 0.85 of
-that amplitude and at the frequency at which an energy balance expects one swing in three waves, tries starts
-on grids of strokes and rates, and says which motions beyond the stroke limit they find.
+Stiff stops have motions that repeat after three or more waves, *subharmonics*, below the amplitude
+at which one swing a wave reaches the limit. A start at rest does not end on them. The table takes a
+wave at 0.85 of that amplitude and at the frequency at which an energy balance expects one swing in
+three waves, tries starts on grids of strokes and rates, and says which motions beyond the stroke
+limit they find.
 
 {{table-subharmonics}}
 
-{{subharmonics-answer}} Each motion that was found is then followed for 300 more waves by the exact solver; the
-rows of subharmonics under *stability* say how far it is from its own start.
+{{subharmonics-answer}} Each motion that was found is then followed for 300 more waves by the exact
+solver; the rows of subharmonics under *stability* say how far it is from its own start.
 
 ## Does the wheel stay on the rail?
 
-The formulas let a wheel pull at the rail. A wheel lifts when the dynamic force takes away the whole static
-one, which happens at an amplitude smaller than the allowed one if the static force is less than half the
-limit:
+The formulas let a wheel pull at the rail. A wheel lifts when the dynamic force takes away the whole
+static one, which happens at an amplitude smaller than the allowed one if the static force is less
+than half the limit:
 
 {{table-lift}}
 
@@ -22,8 +23,8 @@ limit:
 
 ## Stiff and extreme cases
 
-A case *holds* when its error stays within the bound set for it, *degrades* when it loses accuracy in the way
-stated, and is *refused* when the program says why it has no number.
+A case *holds* when its error stays within the bound set for it, *degrades* when it loses accuracy
+in the way stated, and is *refused* when the program says why it has no number.
 
 {{stability}}
 
