@@ -145,11 +145,22 @@ The corners of your analog filters are the options `--first-corner` and `--secon
 
 * Set `gyro_corner` and `acceleration_corner` in `configuration.hpp` to a tenth, and build and run
   the chapter: the two directions meet, and the error of a coarse converter grows.
-* Tell `railbook filters process` that the corner is 1.01 Hz, with `--first-corner 1.01Hz
-  --second-corner 1.01Hz`, when it was 1 Hz: how much does the profile change? A record made with
-  `--sensors ideal` shows it best.
-* Drive over the same track at 9 and at 80 mph, `--speeds 9mph` and `--speeds 80mph`, and compare
-  the two files of geometry.
+* Tell `railbook filters process` that the corner is 1.01 Hz when it was 1 Hz: how much does the
+  profile change? A record made with `--sensors ideal` shows it best.
+* Drive over the same track at 9 and at 80 mph, and compare the two files of geometry. At 9 mph the
+  profile is called degraded.
+
+```console
+$ railbook filters process sensors.csv --first-corner 1.01Hz --second-corner 1.01Hz
+geometry of sensors.csv
+...
+$ railbook filters simulate --out slow.csv --length 1500m --speeds 9mph
+...
+$ railbook filters process slow.csv --out slow
+...
+  profile_left, mean where good     nowhere good
+...
+```
 
 ## Symbols
 

@@ -135,12 +135,26 @@ for each 200 m, and a picture.
 
 ## Try next
 
-* `railbook quality limit --speed 100km/h` with `--roll-damping` 0.1 and 0.3: how much track does a
-  shock absorber buy? With `--stroke 2.54cm` the stroke limit stays the same.
-* `railbook quality index` on the record above at `--speed 60km/h`: which of the three places
-  remains beyond the limit?
-* Make a rough track with `railbook psd synthesize`, run `railbook quality index` on it at three
-  speeds, and compare the order of its worst places.
+* How much track does a shock absorber buy? Compare a damping of 0.1 with 0.2 and 0.3, at the same
+  stroke limit.
+* Which of the three places above remains beyond the limit at 60 km/h?
+* Make a rough track, run `railbook quality index` on it at three speeds, and compare the order of its
+  worst places.
+
+```console
+$ railbook quality limit --speed 100km/h --roll-damping 0.1 --stroke 2.54cm
+...
+  amplitude allowed for short waves  0.5054536 cm
+...
+$ railbook quality index track.csv --speed 60km/h --column crosslevel
+...
+  exceedances                          1   (0.502 per km)
+...
+$ railbook psd synthesize rough.csv --length 3km --roughness '1e-6m^2*cycle/m' --dip 10mm
+...
+$ railbook quality index rough.csv --speed 64km/h
+track quality of rough.csv
+```
 
 ## Symbols
 
