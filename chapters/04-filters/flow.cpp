@@ -19,8 +19,9 @@ Behind the digital filter the weight of every place further back than one foot i
 #include <numeric>
 #include <vector>
 
+#include <railbook/filters/hybrid_filter.hpp>
+
 #include "configuration.hpp"
-#include "filters/hybrid_filter.hpp"
 #include "sections.hpp"
 
 namespace railbook::filters_chapter {

@@ -1,8 +1,6 @@
 /***
 {{fold}}
 */
-#include "large_motions.hpp"
-
 #include <algorithm>
 #include <cmath>
 

@@ -78,8 +78,9 @@ how fast the rise begins, by $A/x_0=(\lambda/\lambda_0)^2-(1-2\rho^2)+\dots$ wit
 #include <algorithm>
 #include <cmath>
 
-#include "num/log_spaced.hpp"
-#include "quality/descriptor_filter.hpp"
+#include <railbook/num/log_spaced.hpp>
+#include <railbook/quality/descriptor_filter.hpp>
+
 #include "sections.hpp"
 
 namespace railbook::quality_chapter {

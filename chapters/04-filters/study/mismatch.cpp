@@ -41,10 +41,9 @@ its place is not. Each time of passing is off by an independent error of mean 0:
 #include <complex>
 
 #include <railbook/filters/hybrid_filter.hpp>
+#include <railbook/num/random_source.hpp>
 
 #include "experiment.hpp"
-#include "filters/hybrid_filter.hpp"
-#include "num/random_source.hpp"
 #include "sections.hpp"
 
 namespace railbook::filters_chapter {

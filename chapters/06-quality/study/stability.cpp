@@ -37,11 +37,12 @@ in the way stated, and is *refused* when the program says why it has no number.
 #include <functional>
 #include <utility>
 
-#include "bench/evidence.hpp"
+#include <railbook/bench/evidence.hpp>
+#include <railbook/quality/bump_stops.hpp>
+#include <railbook/quality/descriptor_filter.hpp>
+#include <railbook/quality/spreading.hpp>
+
 #include "large_motions.hpp"
-#include "quality/bump_stops.hpp"
-#include "quality/descriptor_filter.hpp"
-#include "quality/spreading.hpp"
 #include "sections.hpp"
 
 namespace railbook::quality_chapter {
