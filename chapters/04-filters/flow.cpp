@@ -1,10 +1,10 @@
 /***
-The drawing at the top of the page tries this proof on the filter itself. In the function `weights`
+The drawing at the top of the page tries this proof on the filter itself. In the function `impulse_weights`
 an impulse goes through the analog filter while the car passes one place of the track. What the
 analog filter holds of it at each sample is handed to the digital filter, and its last answer is the
 weight that this place has in the last sample.
 
-{{code: flow.cpp weights}}
+{{code: flow.cpp impulse_weights}}
 
 The analog filter alone remembers the foot before the last, and at 80 mph twenty feet and more.
 Behind the digital filter the weight of every place further back than one foot is zero to rounding
@@ -32,7 +32,7 @@ struct Weights {  // of an impulse of the input, in the last sample: 1/s
 };
 
 // An impulse that came `age` seconds before the last sample; `times` of the feet in s, the last first.
-Weights weights(double age, const std::vector<double>& times) {
+Weights impulse_weights(double age, const std::vector<double>& times) {
   filters::FirstOrderHybrid digital{gyro_corner};
   Weights w;
   double sample_age = std::accumulate(times.begin(), times.end(), 0.0);
@@ -57,7 +57,8 @@ void fig_flow(report::Item& item) {
   const double slow = 9 * units::mph, fast = 80 * units::mph;
   for (int i = 0; i <= 800; ++i) {
     const double back = (0.01 * i + 1e-6) * units::foot;
-    const Weights a = weights(back / slow, steady(slow)), b = weights(back / fast, steady(fast));
+    const Weights a = impulse_weights(back / slow, steady(slow)),
+                  b = impulse_weights(back / fast, steady(fast));
     const double a_foot = units::foot / slow, b_foot = units::foot / fast;  // s
     data.add(0.01 * i, a.analog * a_foot, b.analog * b_foot, a.hybrid * a_foot, b.hybrid * b_foot);
   }
@@ -68,9 +69,10 @@ void fig_flow(report::Item& item) {
   for (const auto& times : {steady(slow), steady(fast), changing})
     for (int i = 0; i < 200; ++i) {
       const double part = (i % 100 + 0.5) / 100;
-      if (i < 100) within = std::min(within, std::abs(weights(part * times[0], times).hybrid));
+      if (i < 100)
+        within = std::min(within, std::abs(impulse_weights(part * times[0], times).hybrid));
       const double age = times[0] * (1 + 1e-9) + 0.05 * i * times[1];
-      beyond = std::max(beyond, std::abs(weights(age, times).hybrid));
+      beyond = std::max(beyond, std::abs(impulse_weights(age, times).hybrid));
     }
   item.verify("memory", "the hybrid filter has no memory of more than the last foot",
               beyond < 1e-12 * within,
