@@ -172,19 +172,19 @@ std::vector<LargeMotion> lowest_motions(const StoppedBody& body, double limit,
   return result;
 }
 
-EnergyBalance energy_balance(const StoppedBody& body, double stroke, int order) {
+EnergyBalance energy_balance(const StoppedBody& body, double swing, int order) {
   // A quarter of the free motion: from the turning point to the stop, and from there to the middle.
   const double soft = own_rate(body), hard = soft * std::sqrt(1 + body.kappa);
   const double centre = body.kappa * body.gap / (1 + body.kappa);
-  const double on = std::acos((body.gap - centre) / (stroke - centre)) / hard;
-  const double rate = (stroke - centre) * hard * std::sin(hard * on);  // when the stop is left
+  const double on = std::acos((body.gap - centre) / (swing - centre)) / hard;
+  const double rate = (swing - centre) * hard * std::sin(hard * on);  // when the stop is left
   const double between = std::atan2(body.gap * soft, rate) / soft;
   const double period = 4 * (on + between), w = order * 2 * units::pi / period;
   constexpr int parts = 1000;
   double square = 0, wave_part = 0;  // means of v^2 and of v sin(w t)
   for (int i = 0; i < parts; ++i) {
     const double t = (i + 0.5) / parts * period / 4, rest = on + between - t;
-    const double v = t < on ? (stroke - centre) * hard * std::sin(hard * t)
+    const double v = t < on ? (swing - centre) * hard * std::sin(hard * t)
                             : std::hypot(body.gap * soft, rate) * std::cos(soft * rest);
     square += v * v / parts;
     wave_part += v * std::sin(w * t) / parts;

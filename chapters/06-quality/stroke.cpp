@@ -108,18 +108,18 @@ namespace {
 
 // A hill of 300 m, a bump of 10 m and three waves of 50 m on level track, and the descriptor of it.
 void add_record(report::Data& data) {
-  constexpr double spacing = 0.5, margin = 600, length = 850;  // m
+  constexpr double step = 0.5, margin = 600, length = 850;  // m
   const auto height = [](double x) {
     if (x > 100 && x < 400) return 0.060 * std::pow(std::sin(units::pi * (x - 100) / 300), 2);
     if (x > 495 && x < 505) return flat_level * std::pow(std::sin(units::pi * (x - 495) / 10), 2);
     return x > 600 && x < 750 ? 0.012 * std::sin(2 * units::pi * (x - 600) / 50) : 0.0;
   };
-  const auto before = static_cast<std::size_t>(margin / spacing);
-  std::vector<double> z(2 * before + static_cast<std::size_t>(length / spacing) + 1);
-  const auto place = [&](std::size_t i) { return static_cast<double>(i) * spacing - margin; };
+  const auto before = static_cast<std::size_t>(margin / step);
+  std::vector<double> z(2 * before + static_cast<std::size_t>(length / step) + 1);
+  const auto place = [&](std::size_t i) { return static_cast<double>(i) * step - margin; };
   for (std::size_t i = 0; i < z.size(); ++i) z[i] = height(place(i));
   const quality::Envelope envelope{{level_limit(), {}, track_speed}};
-  const auto p = quality::filter_periodic(envelope, spacing, z);
+  const auto p = quality::filter_periodic(envelope, step, z);
   for (std::size_t i = before; i < z.size() - before; ++i)
     data.add(place(i), z[i] / units::millimetre, p[i]);
 }

@@ -24,9 +24,8 @@ passing to the next step:
 
 {{clock-answer}}
 
-A pulse of the encoder may also come a little early or late, because a disc is not quite regular or
-a threshold is crossed in noise. Then the sample is taken at that moment and its time is right, but
-its place is not. Each time of passing is off by an independent error of mean 0:
+A reading of the clock may also be off by chance. Here each is off by an independent error of mean
+0, which the processing takes for the time:
 
 {{clock-jitter}}
 
@@ -143,7 +142,7 @@ void clock_jitter(report::Item& item) {
   const Record clean = cruise(main_line(), 60 * mph);
   const num::RandomSource errors{1, 1};
   double largest = 0;  // that leaves the profile below 0.1 mm
-  for (const double deviation : {1e-7, 1e-6, 1e-5, 1e-4}) {
+  for (const double deviation : {1e-5, 1e-4, 3e-4, 1e-3}) {
     Record r = clean;
     for (std::size_t k = 1; k < r.elapsed.size(); ++k)
       r.elapsed[k] += deviation * (errors.normal(k) - errors.normal(k - 1));
@@ -172,7 +171,7 @@ const report::Section mismatch{
         "a clock that counts in steps.",
         clock_step),
     report::table("clock-jitter",
-                  "Independent errors of the clock are worse than its steps. RMS errors of the car "
+                  "An unsteady clock does what a coarse one does. RMS errors of the car "
                   "at 60 mph when each reading of the clock is off by a random time.",
                   clock_jitter)};
 
