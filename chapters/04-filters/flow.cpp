@@ -55,12 +55,15 @@ void fig_flow(report::Item& item) {
   auto& data = item.data({"back_ft", "analog_9", "analog_80", "hybrid_9", "hybrid_80"});
   data.holds_to("*", 1e-6, 1e-9, "what cancels beyond the last foot is rounding");
   const double slow = 9 * units::mph, fast = 80 * units::mph;
-  for (int i = 0; i <= 800; ++i) {
-    const double back = (0.01 * i + 1e-6) * units::foot;
-    const Weights a = impulse_weights(back / slow, steady(slow)),
-                  b = impulse_weights(back / fast, steady(fast));
+  const auto add = [&](double feet) {
     const double a_foot = units::foot / slow, b_foot = units::foot / fast;  // s
-    data.add(0.01 * i, a.analog * a_foot, b.analog * b_foot, a.hybrid * a_foot, b.hybrid * b_foot);
+    const Weights a = impulse_weights(feet * a_foot, steady(slow)),
+                  b = impulse_weights(feet * b_foot, steady(fast));
+    data.add(feet, a.analog * a_foot, b.analog * b_foot, a.hybrid * a_foot, b.hybrid * b_foot);
+  };
+  for (int i = 0; i <= 80; ++i) {
+    if (i == 10) add(0.99999);  // both sides of the edge
+    add(0.1 * i + 1e-6);
   }
   std::vector<double> changing;  // speeds from 5 to 80 mph, another one each foot
   for (int k = 0; k < 40; ++k)

@@ -310,8 +310,8 @@ const report::Section cost{
                    "the descriptor of a sine against run time, for both ways of filtering.",
                    fig_filter_time),
     report::figure("fig-stops-time",
-                   "Use the exact solver: none of the integrators is as fast at any accuracy. "
-                   "Relative error of the stroke after 20 s between stops against run time.",
+                   "For small errors take the exact solver, which has no setting. Relative error "
+                   "of the stroke after 20 s between stops against run time.",
                    fig_stops_time),
     report::figure("fig-spreading-time",
                    "Use the implicit steps for many cells. Relative error of the standard "
