@@ -7,18 +7,20 @@ record at 9 mph, another at 80 mph, and a third when the car comes back the othe
 {{fig-flow}}
 
 ::: findings
-1. Are speed and direction really gone from the record, as the paper claims? Nearly. If the analog
-   filter has a low corner ({{corner}}, our choice, for the paper prints none), the gain at 9 mph
-   differs from that at 80 mph by at most {{spread}} of 1. Runs forwards and backwards at 9 mph then
+1. Are speed and direction really gone from the record, as the paper claims? Nearly. With an analog
+   filter that suppresses what is faster than {{corner}} (our choice, for the paper prints none), waves
+   of the track are recorded at 9 and at 80 mph with factors that differ by at most {{spread}} of 1. Runs forwards and backwards at 9 mph then
    lie {{offset-9}} apart, where the analog filter alone would set them {{alone-9}} apart
    ({{outcome:fig-09/magnitude}}).
-2. What can still be measured when the car crawls? The paper claims that only gage and crosslevel
-   remain accurate down to 0 mph. On our model this is so: at 0.5 mph the errors of curvature,
-   profile and alignment are {{slow-growth}} those from 15 mph on, or more. Track, car and sensors
-   are ours, and the yaw gyro is debiased at rest ({{outcome:table-claims/only-two}}).
-3. Can the legal 62-ft chord be had from accelerometers, and chords of any other length? Yes, and
-   exactly: the accelerometers give offsets from a chord of 2 ft, and the offset from one of 62 ft
-   is a sum of {{chord-taps}} of them with whole numbers as weights ({{outcome:chords/any}}).
+2. What can still be measured when the car crawls? The paper claims that only gage, the distance of
+   the rails, and crosslevel, the height of one over the other, remain accurate down to 0 mph. On our
+   model this is so: at 0.5 mph the errors of all other measurements are {{slow-growth}} those from 15
+   mph on, or more. Track, car and sensors are ours, and the constant error of the gyro for yaw is
+   measured at rest and taken off ({{outcome:table-claims/only-two}}).
+3. Track is judged by how far it lies from the middle of a chord of 62 ft. Can that be had from
+   accelerometers, and for chords of any other length? Yes, and exactly: they give offsets from a chord
+   of 2 ft, and the offset from one of 62 ft is a sum of {{chord-taps}} of them with whole numbers as
+   weights ({{outcome:chords/any}}).
 :::
 
 ## The idea
