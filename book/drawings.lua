@@ -155,6 +155,7 @@ function drawings.prepared(svg)
   svg = svg:gsub("(['\"])rgb%( *(%d+), *(%d+), *(%d+)%)", function(quote, r, g, b) return quote .. colour(r, g, b) end)
   svg = svg:gsub(' stroke%-linecap="butt" stroke%-linejoin="miter"', ""):gsub(' class="gridline"', "") -- as without
   svg = svg:gsub('<tspan font%-size="[%d.]+" dy="[%d.-]+"></tspan></text>', "</text>"):gsub("<tspan >", "<tspan>")
+  svg = svg:gsub("(<tspan[^>]*>%s*)%-(%.?%d[%d.]*%s*</tspan>)", "%1−%2") -- a minus, as in the text
   svg = svg:gsub("^<%?xml.-%?>%s*", ""):gsub("<desc>.-</desc>%s*", ""):gsub("<title>gnuplot_plot_%w+</title>", ""):gsub(">%s*\n%s*<", "><"):gsub("%s+>", ">")
   return classes(used_marks(svg))
 end

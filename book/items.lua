@@ -551,12 +551,22 @@ function items.verdicts(r, page)
   return html.folded_table("verdicts", {"item", "what", "checks passed", "input", "reason"}, rows, most_rows)
 end
 
+-- What became of all checks, in a line.
 function items.checks(r)
-  local parts = {}
-  for _, pair in ipairs(record.count(r.checks)) do
-    parts[#parts + 1] = html.tag("span", {class = "count"}, pair[2] .. " " .. html.badge(pair[1]))
+  local passed, total = record.tally(r.checks)
+  local paper, others = {}, {}
+  for _, check in ipairs(r.checks) do table.insert(check.of_paper and paper or others, check) end
+  local function counts(checks)
+    local parts = {}
+    for _, pair in ipairs(record.count(checks)) do
+      parts[#parts + 1] = html.tag("span", {class = "count"}, pair[2] .. " " .. html.badge(pair[1]))
+    end
+    return table.concat(parts, " ")
   end
-  return html.tag("p", {class = "tally"}, summary(r.checks) .. ". " .. table.concat(parts, " "))
+  local out = {passed == total and ("All %d automatic checks pass."):format(total) or ("%d of %d checks passed."):format(passed, total)}
+  if #paper > 0 then out[#out + 1] = "Of the paper’s numbers and claims " .. counts(paper) .. (#others > 0 and ";" or ".") end
+  if #others > 0 then out[#out + 1] = (#paper > 0 and "against" or "Against") .. " other works and methods " .. counts(others) .. "." end
+  return html.tag("p", {class = "tally"}, table.concat(out, " "))
 end
 
 return items
