@@ -1,8 +1,7 @@
-/*** ## Where the points of the figures come from
+/*** ## How the figures are drawn
 
-The figures are drawn from the solvers' own results; what several of them share stands here, folded.
-{{scene}} is drawn from the cells of COUNTACT-1 as they are: a column over each, as high as its
-pressure.
+The figures show the solvers' own results. {{scene}} is drawn from the cells of COUNTACT-1 as they
+are: a column over each, as high as its pressure.
 */
 #include <fmt/format.h>
 

@@ -1,34 +1,43 @@
 /*** ## Example 2: where the rail's radius jumps
 
 Now the wheel stands where the crown of 10 in meets the corner of 1¼ in. The gap is quadratic on
-either side of $x=0$, with another curvature, and there is no closed form:
+either side of $x=0$, with another curvature on each, and there is no closed form:
 
-$$f(x,y)=\frac{y^2}{2R_w}+\frac{x^2}{2}\left(\frac{1}{R_r(x)}-\frac{1}{R_t}\right),\qquad R_r=10\text{ in for }x<0,\quad 1.25\text{ in for }x>0.$$
+$$f(x,y)=\frac{x^2}{2}\left(\frac{1}{R_r(x)}-\frac{1}{R_t}\right)+\frac{y^2}{2R_w},\qquad R_r=10\text{ in for }x<0,\quad 1.25\text{ in for }x>0.$$
 
 {{fig-08}}
 
 The contact is long on the flat side and short on the sharp one: {{x-left}} against {{x-right}}.
 Equal columns over the whole diameter put one or two of nine on the short side, where the pressure
-is highest. The iteration then cannot find the end, and says so. The paper's footnote has the
-remedy: two column widths on each side of the origin, the finer near the edges. An edge of the mesh
-then lies on the jump itself, where the slope of the pressure is infinite. Here the width shrinks
-smoothly, towards the jump as well: with two widths and ten columns a wide column meets a narrow one
-right at the jump, and the peak comes out {{two-widths-peak}} too high.
+is highest. The iteration then cannot find the end, and says so.
+
+The paper's footnote has the remedy: two column widths on each side of the origin, the finer near
+the edges. An edge of the mesh then lies on the jump itself, where the slope of the pressure is
+infinite. Our columns shrink smoothly, towards the jump as well: with two widths and ten columns a
+wide column meets a narrow one right at the jump, and the peak comes out {{two-widths-peak}} too
+high.
 
 ### Force and moment
 
-The paper prints the force $F$ and the moment $M=\int xp\,dA$. The moment is negative: the load sits
-on the flat side though the peak is on the sharp one. The last column of the table has a coned
-wheel, whose tread is straight.
+The paper prints the force $F$ and the moment $M_y$ about the jump. The moment is negative: the load
+sits on the flat side although the peak is on the sharp one. We solve the example twice, by
+COUNTACT-1, the variant of the program for one axis of symmetry, and on a uniform grid. The last
+column of the table has a coned wheel, whose tread is straight.
 
 {{example-2}}
 
-COUNTACT-1 and conjugate gradients on {{grid-2}} cells agree to {{methods-agree}}, and the second
-method states an error of {{grid-error}} in $F$. The difference to print is larger: {{off-f}} in $F$
-and {{off-m}} in $M$ with a tread of 12.34 in. It belongs to the tread, a damaged number, and to the
-paper's mesh: a tread of {{force-tread}} gives the printed force, one of {{moment-tread}} the
-printed moment. Our text does not say that the tread is hollow. A coned wheel would be the natural
-guess, but its force is {{cone-off}} too low.
+COUNTACT-1 and the grid of {{grid-2}} cells agree to {{methods-agree}}, and the grid states an error
+of {{grid-error}} in $F$. The difference to print is larger: {{off-f}} in $F$ and {{off-m}} in $M_y$
+with a tread of 12.34 in. It belongs to the tread, a damaged number, and to the paper's mesh: a
+tread of {{force-tread}} gives the printed force, one of {{moment-tread}} the printed moment. Our
+text does not say that the tread is hollow. A coned wheel would be the natural guess, but its force
+is {{cone-off}} too low.
+
+The second method is today's: conjugate gradients on a uniform grid, called CG-FFT here because the
+matrix is applied by the fast Fourier transform. It needs no mesh that follows the region.
+`solve_bounded_cg` holds the unknown region as the set of cells with pressure. It iterates inside
+that set and drops cells that pull. When the iteration is done it takes in the cells outside that
+still overlap, and it ends when there are none.
 
 {{code: contact/bounded_cg.cpp solve_bounded_cg}}
 */
@@ -135,14 +144,15 @@ void force_and_moment(report::Item& item) {
 
 {{fig-09}}
 
-Below {{fig-09}} the wheel can be moved across the rail at the same approach: from the crown, where
-the contact is an ellipse, over the jump of the radius into the corner.
-
 The figure shows the pressure along the axis of symmetry. Without the corner it would be Hertz's
 ellipse on the flat side. The corner falls away from the wheel and carries less, so the pressure
 beside it rises steeply, to {{peak}} at $x$ = {{x-peak}}, and falls to zero within {{fall}}. At the
 jump the pressure is continuous, but its slope is infinite, like that of $x\ln x$; there the column
-of COUNTACT-1 next to the jump differs from the grid. {{fig-10}} shows the patch with the last mesh.
+of COUNTACT-1 next to the jump differs from the grid. With the slider below the figure the wheel
+moves across the rail at the same approach, from the crown, where the contact is an ellipse, over
+the jump into the corner.
+
+{{fig-10}} shows the patch with the last mesh.
 {{scene}} shows the same result in space: columns as high as the pressure on one half, their mesh on
 the other, and the interpenetration curve around.
 

@@ -1,14 +1,14 @@
 /*** ## Example 3: a crowned roller
 
 A long cylinder lies on another with a parallel axis. Were its ends cut off square, the pressure
-would be infinite along the edges. So the ends are crowned: beyond a flat middle part the generator
+would be infinite along the edges. So the ends are crowned: beyond a straight middle part the profile
 bends away with a large radius, 85 in. How much does the crown help?
 
 {{fig-11}}
 
-The text gives the crown radius $R_c$ and the approach, $\delta=.00065$ in. The other dimensions
-stand in a drawing that we do not have. We take two cylinders of 1 in radius, that is a relative
-radius of $R=.5$ in, and a flat part of $2L=1$ in:
+The text gives the crown radius $R_c=85$ in and the approach, $\delta=0.00065$ in. The other
+dimensions stand in a drawing that we do not have. We take two cylinders of 1 in radius, which act
+like one of the relative radius $R=0.5$ in on a plane, and a straight part of the length $2L=1$ in:
 
 $$f(x,y)=\frac{y^2}{2R}+\frac{\max(|x|-L,\,0)^2}{2R_c}.$$
 
@@ -80,14 +80,12 @@ of the pressure is logarithmically infinite: the peak is a rounded shoulder with
 flank.
 
 With square ends the peak has no value. If the pressure of the last cell rises as $h^{-n}$ with the
-cell size $h$, an infinite pressure at a square edge has $n=1/2$ and a finite one $n=0$. From grid
+width $h$ of a cell, an infinite pressure at a square edge has $n=1/2$ and a finite one $n=0$. From grid
 to grid, each twice as fine along the axis, we find $n$ = {{sharp-rates}}. The force is smaller than
 with the crown, because the patch is shorter.
 
 {{fig-13}}
 
-The mesh is the last of COUNTACT, its height magnified; the line around it is the edge found on the
-grid.
 */
 
 // The exponents n of the pressure h^-n at a square end, each from two grids of which one is twice

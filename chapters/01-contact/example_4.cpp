@@ -1,25 +1,33 @@
 /*** ## Example 4: a flat punch with a rounded edge
 
 The last example is to show the "great resolving power" of the method: a circular stamp, flat in the
-middle and rounded at the edge, whose pressure climbs eightfold within a hundredth of an inch. The
-program COUNTAXI cuts the disc of contact into rings. The coefficient of a ring is the difference of
-two discs, and a disc of uniform pressure has complete elliptic integrals in its displacement,
-inside and outside:
+middle and rounded at the edge, whose pressure climbs eightfold within a hundredth of an inch. Stamp
+and contact are round, so everything depends on the distance $\rho$ from the axis alone, and the
+variant COUNTAXI of the program cuts the contact into rings.
 
-$$\int_{r'<c}\frac{dA'}{|r-r'|}=4cE\!\left(\frac rc\right)\ (r<c),\qquad 4r\left[E\!\left(\frac cr\right)-\left(1-\frac{c^2}{r^2}\right)K\!\left(\frac cr\right)\right]\ (r>c).$$
+The coefficient of a ring is the difference of two discs. A disc of radius $c$ under a uniform
+pressure has the complete elliptic integrals $\mathrm{K}$ and $\mathrm{E}$ in its displacement:
+
+$$\int_{\text{disc}}\frac{dA}{r}=4c\,\mathrm{E}\!\left(\frac{\rho}{c}\right)\ (\rho<c),\qquad 4\rho\left[\mathrm{E}\!\left(\frac{c}{\rho}\right)-\left(1-\frac{c^2}{\rho^2}\right)\mathrm{K}\!\left(\frac{c}{\rho}\right)\right]\ (\rho>c).$$
+
+This is the function `disc_influence`, whose `r` is our $\rho$. It takes the two integrals apart into
+parts that are all positive, so that no digits cancel at the edge of the disc.
 
 {{code: contact/influence.cpp disc_influence}}
 
-Our text has the approach, $\delta=.001$ in, and not the drawing with the dimensions. We take a flat
-of radius $b=.5$ in and an edge of radius $R=1$ in. This example can be checked better than any
-other: the pressure under any axisymmetric profile is an integral of Abel's type (Sneddon 1965). Let
-$a$ be the radius of the contact, $s^2=a^2-b^2$ and $L=s-b\arctan(s/b)$. In the following form all
-terms are positive, so that no digits cancel, from the sphere ($b=0$) to the nearly sharp punch
-($R\to0$):
+Our text has the approach, $\delta=0.001$ in, and not the drawing with the dimensions. We take a
+flat of radius $\rho_0=0.5$ in and an edge of radius $R_e=1$ in. This example can be checked better
+than any other: the pressure under any axisymmetric profile is a single integral (Sneddon 1965).
+With the lengths
 
-$$\delta=\frac{aL}{R},\qquad F=E^*\left(a\delta+\frac{s^3}{3R}\right),\qquad p(r)=\frac{E^*}{\pi R}\int_{\max(r,b)}^{a}\frac{s_t+L_t}{\sqrt{t^2-r^2}}\,dt,$$
+$$S(t)=\sqrt{t^2-\rho_0^2},\qquad T(t)=S(t)-\rho_0\arctan\frac{S(t)}{\rho_0}$$
 
-where $s_t$ and $L_t$ are $s$ and $L$ with $t$ for $a$.
+and the radius $\rho_c$ of the contact, approach, force and pressure are
+
+$$\delta=\frac{\rho_cT(\rho_c)}{R_e},\qquad F=E^*\left(\rho_c\delta+\frac{S(\rho_c)^3}{3R_e}\right),\qquad p(\rho)=\frac{E^*}{\pi R_e}\int_{\max(\rho,\rho_0)}^{\rho_c}\frac{S(t)+T(t)}{\sqrt{t^2-\rho^2}}\,dt.$$
+
+All terms are positive, so no digits cancel between the sphere ($\rho_0=0$) and the nearly sharp
+punch ($R_e\to0$).
 
 {{fig-14}}
 

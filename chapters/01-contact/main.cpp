@@ -1,32 +1,44 @@
-/*** # Contact stress between wheel and rail
+/*** # Contact stress: how hard does a wheel press where the rail's radius jumps?
+
+A loaded wheel stands on a patch of steel the size of a coin, and the pressure in that patch decides
+whether the rail yields, wears or cracks. Hertz gave it in 1882 for surfaces that are quadratic over
+the patch, but the radius of a rail head jumps from 10 in on the crown to 1¼ in at the corner, and
+a wheel often stands on the jump: there Hertz's formulas miss the peak.
+
+{{bodies}}
+
+## In short
 
 ::: findings
-1. Where does the contact lie? "The true contact region lies entirely inside the interpenetration
-   curve", says the paper, the curve along which the undeformed bodies would meet. It does, by the
-   integral equation itself and in all four examples; in the first, the curve reaches {{overlap}} as
-   far as the contact. {{outcome:fig-01/inside}}
-2. What does a wheel carry that stands where the rail's radius jumps? The paper prints 34 072 lbf
-   and −5365 in·lbf at an approach of 0.005 in. We find {{grid-force}} ({{off-f}}) and
-   {{grid-moment}} ({{off-m}}) if the tread, "J2.34" in our text, is a hollow of 12.34 in; the
-   printed numbers themselves ask for {{force-tread}} and {{moment-tread}}.
+1. Where does the contact lie? The paper searches from the *interpenetration curve*, where the
+   undeformed bodies would cut each other if they were moved together by the approach. It says that
+   "The true contact region lies entirely inside the interpenetration curve". We prove it in one
+   line, and it is true in all four examples; in the first, the curve reaches {{overlap}} as far as
+   the contact. {{outcome:fig-01/inside}}
+2. What does a wheel carry on the jump of the radius? For an approach of 0.005 in the paper prints a
+   force of 34 072 lbf and a moment of −5365 in·lbf. We find {{grid-force}} ({{off-f}}) and
+   {{grid-moment}} ({{off-m}}) if the radius of the wheel's tread, "J2.34" in our text of the paper,
+   is 12.34 in; the printed numbers themselves ask for {{force-tread}} and {{moment-tread}}.
    {{outcome:example-2/F-printed}} {{outcome:example-2/M-printed}}
-3. Does the contact region only shrink while it is sought? "The new candidate contact boundary will
-   be inside the old one", says the paper. This holds on every mesh that we tried until the
-   candidate comes within {{outward-margin}} of the contact. As a rule of the program it leaves the
-   contact {{inward-short}} too short, against {{free-short}} if the boundary may also move back. The
-   fit of the boundary is ours. {{outcome:moves/inside}}
+3. Does the region only shrink while it is sought? "The new candidate contact boundary will be
+   inside the old one", says the paper. This is true on every mesh that we tried until the region
+   comes within {{outward-margin}} of the contact. A program that forbids outward moves ends with a
+   contact that is {{inward-short}} too short, against {{free-short}} without the rule, if the
+   boundary is fitted in our way. {{outcome:moves/inside}}
 :::
 
-B. Paul and J. Hashemi ask for the pressure where a steel wheel stands on a steel rail. When both
-bodies are quadratic over the contact, Hertz answered in 1882. A rail head is not quadratic: its
-radius jumps from 10 inches on the crown to 1¼ at the corner, and a wheel often stands on the jump.
-The paper's program COUNTACT (*coun*terformal con*tact*) solves that case with a dense matrix on a
-mesh that follows the contact.
+## The paper
 
-This chapter rebuilds the program, recomputes the table and the figures, and compares them with
-Hertz, with a closed form for the rounded punch, and with conjugate gradients and the fast Fourier
-transform on a uniform grid. We have the paper as machine-read text. It has the words and the
-numbers, some of them misread, and of the drawings only scraps of their lettering.
+B. Paul and J. Hashemi call two bodies *counterformal* when they touch at a point and curve away
+from each other, as a wheel and a rail do. Their program COUNTACT (for *coun*terformal con*tact*)
+finds the contact region and its pressure for such bodies of any shape. Earlier programs of this kind
+were unstable; the authors made theirs stable by where it starts and by a mesh that follows the
+region.
+
+This page rebuilds the program, recomputes the paper's table and figures, and compares them with
+Hertz, with a closed form for a punch with a rounded edge, and with a second method on a uniform
+grid. We have the paper as machine-read text: its words and numbers, some of them misread, and of
+the drawings only scraps of their lettering.
 
 {{include: method.cpp}}
 
@@ -38,57 +50,97 @@ numbers, some of them misread, and of the drawings only scraps of their letterin
 
 {{include: example_4.cpp}}
 
-{{include: drawings.cpp}}
-
 ## Deviations
 
 * **The tread** is a damaged number, "J2.34". The numbers that depend on it ask for {{force-tread}}
-  to 12.34 in ({{treads}}); 12.34 in is used, as the lettering reads. A conical tread is
-  {{cone-off}} short of the force of Example 2. {{outcome:example-2/cone}}
-* **Table 2, Hertz column.** Its load is {{printed-load-off}} more than follows from its own axes
-  and pressure; one misread digit would explain it. It is COUNTACT's load to five digits.
-  {{outcome:table-2/own-load}}
+  to 12.34 in ({{treads}}); we use 12.34 in, as the lettering reads. With a conical tread the force
+  of Example 2 is {{cone-off}} too low. {{outcome:example-2/cone}}
+* **Hertz's column of Table 2.** Its force is {{printed-load-off}} more than follows from its own
+  axes and pressure; one misread digit would explain this. It is the force of COUNTACT's column to
+  five digits. {{outcome:table-2/own-load}}
 * **Example 2.** On a fine grid the force is {{off-f}} from the print and the moment {{off-m}}.
   {{outcome:example-2/F-printed}} {{outcome:example-2/M-printed}}
-* **Moves of the boundary** are all inward until the candidate comes within {{outward-margin}} of
-  the contact; free moves also undo an undershoot. {{outcome:moves/inside}}
-* **The three-point parabola** needs the half sentence that $p$ be one-valued in $y$; without it the
-  iteration diverges. {{outcome:fig-04/three-points}}
-* **Examples 3 and 4** have no dimensions in our text. We chose some, and only the paper's claims
-  about them are tested. That the crown's stress concentration is "negligible" ({{peak-percent}} on
-  these rollers) is left open. {{outcome:fig-12/infinite}} {{outcome:example-4/resolving}}
+* **Moves of the boundary** are all inward until the region comes within {{outward-margin}} of the
+  contact; free moves also undo an undershoot. {{outcome:moves/inside}}
+* **The three-point parabola** needs the paper's half sentence that $p$ be one-valued in $y$;
+  without it the iteration diverges. {{outcome:fig-04/three-points}}
+* **Examples 3 and 4** have no dimensions in our text. We chose some, and test only what the paper
+  claims about them. Whether the crown's stress concentration is "negligible" ({{peak-percent}} on
+  our rollers) is left open. {{outcome:fig-12/infinite}} {{outcome:example-4/resolving}}
 
-Some of the text is damaged, or the paper has slips. The moment of Example 2 in newton metres reads
-806.2 and is restored to 606.2 ({{outcome:example-2/M-Nm-printed}}). The sign of $M_x$ in (7) is a
-guess. INSEP is said to evaluate "Eq. (7)", which must be (1). The mesh with $m_x=9$ is placed in
-Fig. 1 and is in Fig. 2. There $m_y$ is 8, where the text asks for an odd number. There is a Table
-2, and no Table 1.
+{{include: tread.cpp}}
+
+### Damaged or slipped
+
+The moment of Example 2 in newton metres reads 806.2 in our text; we restore it to 606.2
+({{outcome:example-2/M-Nm-printed}}). The sign of $M_x$ in (7) is a guess. The paper says that its
+routine INSEP evaluates "Eq. (7)", which must be (1). It places the mesh of nine columns in Fig. 1,
+which is in Fig. 2, and gives that mesh eight rows where the text asks for an odd number. There is a
+Table 2, and no Table 1. Numbers that the paper prints in two systems of units agree:
+
+{{units}}
 
 ## Limits
 
 * **Half space.** The contact must be small against the radii. Beyond the jump of Example 2 it
   reaches {{patch-corner}} of the corner's radius, and there the half space is a good approximation.
   But the whole patch is {{patch-across}} times that radius across, and {{patch-along}} times on
-  each side along the rail, and what this costs is not tested here. A worn wheel in the
+  each side along the rail, and what this costs is not tested here. A worn wheel that fits into the
   gauge corner (conformal contact) is beyond it.
 * **Elastic.** The peak of Example 2, {{peak}}, is far above what rail steel bears elastically. A
   real corner yields and wears to a larger radius.
-* **One piece.** A column is one interval around the axis, so COUNTACT cannot see two patches, tread
-  and flange; the grid can. Yaw breaks the symmetry that COUNTACT-1 needs.
+* **One piece.** COUNTACT takes a column as one interval around the axis, so it cannot see two
+  patches, on tread and flange; the grid can. Yaw, the turn of a wheelset about the vertical, breaks
+  the symmetry that COUNTACT-1 needs.
 * **Frictionless and smooth.** With equal elastic constants friction would not change the normal
   pressure; roughness would.
-* **The boundary** is first order in every method here: trust $F$, $M$ and the peak to more digits
-  than $a$ and $b$.
+* **The boundary** is first order in every method here: trust the force, the moment and the peak to
+  more digits than the ends of the contact.
+
+## Use it
+
+The command `railbook contact solve` finds the contact of two bodies of your own by conjugate
+gradients. They are given by radii, or by a table of the profile across the rail. Example 1 is one
+of the files that come with it:
+
+    railbook contact solve --config tools/examples/contact/radii.toml
+
+      approach                       0.4 mil
+      force F                        999.3457 lbf   (relative error about 2e-05)
+      peak pressure                  39315.36 psi   (relative error about 2e-05)
+      Hertz: force at this approach  999.3417 lbf   (the grid is off by 4.0e-06)
+
+For a wheel and a rail head measured as points, give the load and ask for the approach:
+
+    railbook contact solve --config tools/examples/contact/profiles.toml
+
+      approach                     108.3824 um
+      force F                      80 kN   (relative error about 9e-05, 7e-05 of it from the profiles)
+      peak pressure                1879.991 MPa   (relative error about 2e-03, 2e-03 of it from the profiles)
+
+With `--out FOLDER` it also writes the cells, their pressures and a picture.
 
 ## Try next
 
-* Move the point of contact from the crown into the corner, an eighth of an inch at a time, and plot
-  the peak against it.
-* Give the corner a radius that grows linearly instead of jumping. How long must the transition be
-  to halve the slope at O?
-* Find the edge radius of the stamp for which the peak is twice the pressure in the middle; the
-  closed form needs one root.
-* Solve two bodies of your own with `railbook contact solve`.
+* Ask for the approach. The load of Example 1, 4.445 kN, gives back its 0.4 mil (0.0004 in):
+
+      railbook contact solve --body-1-radius-along 18in --body-1-radius-across -12.34in --body-2-radius-across 10in --load 4.445kN --system inch
+
+* Let the tread come close to the crown. At 10.1 in the contact is 0.78 in long on each side,
+  against 0.16 in at 12.34 in. At which tread does it outgrow the crown of your rail?
+
+      railbook contact solve --body-1-radius-along 18in --body-1-radius-across -10.1in --body-2-radius-across 10in --approach 0.0004in --system inch
+
+* Turn the wheel about the common normal, as in a curve. How large must the angle be to move the
+  force by one per cent?
+
+      railbook contact solve --body-1-radius-along 18in --body-1-radius-across -12.34in --body-2-radius-across 10in --approach 0.0004in --angle 2deg --system inch
+
+{{include: drawings.cpp}}
+
+## Symbols
+
+{{symbols}}
 
 ## Coverage
 
@@ -106,10 +158,10 @@ int main(int argc, char** argv) {
       argc, argv,
       {.id = RAILBOOK_CHAPTER,
        .name = "contact",
-       .title = "Contact stress between wheel and rail",
+       .title = "Contact stress: how hard does a wheel press where the rail's radius jumps?",
        .paper = "B. Paul and J. Hashemi, An Improved Numerical Method and Computer Program for "
                 "Counterformal Contact Stress Problems, in Computational Techniques for Interface "
                 "Problems, ASME AMD-30, 1978, p. 165.",
        .sources = RAILBOOK_CHAPTER_DIR},
-      {method, example_1, example_2, example_3, example_4}, {cost, errors, stability});
+      {drawing, method, example_1, example_2, tread, example_3, example_4}, {cost, errors, stability});
 }

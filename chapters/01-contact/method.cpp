@@ -1,31 +1,45 @@
 /*** ## The problem
 
-Two bodies touch at a point O. Let $x$ run along the wheel's axis, $y$ along the rail, and $z_1$,
-$z_2$ into the two bodies. The gap between the undeformed surfaces is
+The drawing at the head of this page shows the axes. The two bodies touch at the point O; $x$ runs
+across the rail, along the axis of the wheel, $y$ runs along the rail, and $z_1$, $z_2$ run from O
+into the two bodies. The gap $f$ between the undeformed surfaces is the sum of what they fall away
+from the plane $xy$:
 
 $$f(x,y)=z_1(x,y)+z_2(x,y) \tag{1}$$
 
-A load moves the bodies together by the *approach* $\delta$. Where they would overlap, their
-surfaces sink by $w_1$ and $w_2$. The gap that is left, $s=w_1+w_2+f-\delta$ (2), must vanish in the
-contact $\Omega$ (3) and be positive outside it (4). As long as the contact is small against the
-radii (*counterformal*), each body may be taken as an elastic half space, with Young's modulus $E_i$
-and Poisson's ratio $\nu_i$. A pressure $p\ge0$ (6) then sinks its surface by Boussinesq's solution
-(5), and together they say that
+A load moves the bodies together by a length $\delta$, the *approach*. Where they would overlap, the
+two surfaces sink by $w_1$ and $w_2$. The gap that is left is then
 
-$$k\int_\Omega\frac{p\,dA}{r}=\delta-f\ \text{ in }\Omega \tag{8}$$
+$$s=w_1+w_2+f-\delta. \tag{2}$$
 
-$$k=\frac{1-\nu_1^2}{\pi E_1}+\frac{1-\nu_2^2}{\pi E_2}=\frac{1}{\pi E^*} \tag{9}$$
+It must vanish in the contact region $\Omega$, so $s=0$ there (3), and be positive outside it, so
+$s>0$ (4). As long as the region is small against the radii, each body may be taken as an elastic
+half space. The sinking at a point is then the sum over all elements of area $dA$ that carry a
+pressure $p$, each at the distance $r$ from the point (Boussinesq):
 
-Here $r$ is the distance from the element of area $dA$ to the point at which the equation stands,
-and $E^*$ is the effective modulus of the two bodies. All is known except the pressure $p$ and the
-region $\Omega$, and the region is the trouble. Force and moments follow:
+$$w_i=\frac{1-\nu_i^2}{\pi E_i}\int_\Omega\frac{p\,dA}{r} \tag{5}$$
 
-$$F_z=\int_\Omega p\,dA,\qquad M_x=-\int_\Omega yp\,dA,\qquad M_y=\int_\Omega xp\,dA \tag{7}$$
+$E_i$ is Young's modulus of body $i$ and $\nu_i$ its Poisson's ratio. Bodies do not pull, so
+$p\ge0$ (6). Inside the region, (2), (3) and (5) together say that
 
-### The interpenetration curve encloses the contact
+$$k\int_\Omega\frac{p\,dA}{r}=\delta-f, \tag{8}$$
 
-The first idea is where to begin. Move the bodies through each other by $\delta$, undeformed, and
-see where they overlap:
+$$k=\frac{1-\nu_1^2}{\pi E_1}+\frac{1-\nu_2^2}{\pi E_2}=\frac{1}{\pi E^*}. \tag{9}$$
+
+The number $k$ is the compliance of the pair, and $E^*$ its effective modulus. All is known in (8)
+except the pressure $p$ and the region $\Omega$, and the region is the trouble: the equation is
+linear only once the region is known. The force $F$ and the moments $M_x$ and $M_y$ about the two
+axes follow from the pressure:
+
+$$F=\int_\Omega p\,dA,\qquad M_x=-\int_\Omega yp\,dA,\qquad M_y=\int_\Omega xp\,dA \tag{7}$$
+
+All four examples of the paper take steel with a Young's modulus of 30·10⁶ psi and a Poisson's ratio
+of 0.3 on both sides.
+
+## Where to start: the interpenetration curve
+
+A search for the region needs a first candidate. The paper's first idea is to move the bodies
+through each other by $\delta$, undeformed, and to take the curve along which their surfaces cut:
 
 $$f(x,y)=\delta \tag{10}$$
 
@@ -39,51 +53,74 @@ because the pressure is nowhere negative and somewhere positive.
 {{fig-01}}
 
 In Example 1 the curve reaches {{overlap}} as far as the contact. In all four examples every cell of
-the contact lies inside; the gap of the cell nearest to the curve is {{nearest}} of $\delta$.
-Earlier authors fixed their curve at an arbitrary depth and left $\delta$ free, and some of their
+the contact lies inside the curve; the gap of the cell nearest to it is {{nearest}} of $\delta$.
+Earlier authors fixed the curve at an arbitrary depth and left $\delta$ free, and some of their
 contacts crossed it. The paper holds that this could leave the problem undetermined.
 
-### Cells that follow the region
+## The loop
 
-The second idea is the mesh. The $x$ diameter of the candidate region is cut into $m_x$ columns, and
-each column into $m_y$ cells of constant pressure. We require (8) at the centre of each cell:
+The region and its pressure are found in turn:
+
+1. Take the inside of the interpenetration curve as the candidate region.
+2. Cut the region into columns, and each column into cells of constant pressure.
+3. Solve linear equations for the pressures that close the gap at the centre of each cell.
+4. Along each column, move the boundary to the place where the pressure falls to zero.
+5. Lay new columns in the new region, and go back to step 3 until the boundary rests.
+
+In the program these steps are the function `iterate`. It starts from `first_mesh` (steps 1 and 2).
+In each pass `solve_pressures` does step 3, and `update_boundary` does step 4 and returns the mesh
+of step 5. The loop ends when no point of the boundary moves by more than a thousandth of the
+region's size, or with a reason why it cannot go on.
+
+{{code: method/countact.cpp iterate}}
+
+Three things in it are ours. `Damping` shortens the moves once the boundary begins to swing. A
+region that grows tenfold is called diverged. A boundary that has come to rest is tested afterwards:
+outside it the bodies must not overlap, and inside it enough cells must have seen the pressure fall.
+
+### Step 3: the pressures on one mesh
+
+The second idea of the paper is a mesh that follows the region, so that its edge is always the edge
+of cells. The diameter along $x$, from A to B in the drawing, is cut into $m_x$ columns, and each
+column into $m_y$ cells. Cell $j$, of area $\Omega_j$, has the pressure $p_j$. Equation (8) is
+required at the centre $(x_i,y_i)$ of each cell $i$, at the distance $r_i$ from the element $dA$:
 
 $$\sum_j b_{ij}p_j=d_i \tag{14}$$
 
-$$b_{ij}=\int_{\Omega_j}\frac{dA'}{r_i} \tag{15}$$
+$$b_{ij}=\int_{\Omega_j}\frac{dA}{r_i} \tag{15}$$
 
 $$d_i=\frac{\delta-f(x_i,y_i)}{k} \tag{16}$$
 
-The paper finds "certain approximations" for $b_{ij}$ convenient; here it is the exact integral, a
-sum over the four corners of a cell:
+The coefficient $b_{ij}$, a length, is what the cell $j$ contributes at the centre $i$, and $d_i$ is
+what all cells together must contribute there. The function `solve_pressures` fills the right side
+$d_i$, has the matrix made, and solves by elimination. Then it adds up the force and the moment,
+column by column; where the bodies are symmetric, only one half or one quarter of the cells is
+unknown.
+
+{{code: method/countact.cpp solve_pressures}}
+
+For $b_{ij}$ the paper finds "certain approximations" convenient. Here it is the exact integral over
+a rectangle: the sum, with alternating signs, of `corner_function` at its four corners. With the
+inverse hyperbolic sine no digits are lost for slender cells.
 
 {{code: contact/influence.cpp corner_function}}
 
-Is (14) well posed? The paper blames the instability of earlier programs on their formulation. The
-condition number of the matrix on the last mesh of Example 1:
+Earlier programs of this kind were unstable, and the paper blames their formulation, which left the
+approach free. Is (14) well posed? The condition number tells by how much errors of the equations
+can grow in the pressures. For Example 1 it is small:
 
 {{conditioning}}
 
-It grows with the power {{condition-power}} of the number of cells across. The equation is of the
-first kind, so the condition number must grow; it does so slowly, because $1/r$ is singular and the
-integral smooths only weakly. Even in the single precision of the paper's computer, whose relative
-spacing is $16^{-5}$, rounding would cost at most {{short-loss}} on nine columns: no regularization
-is needed.
+It grows with the power {{condition-power}} of the number of cells across. It must grow with finer
+cells, because the pressure stands under an integral; it does so slowly, because $1/r$ is singular
+and the integral smooths only weakly. In the single precision of the paper's computer, whose
+relative spacing is $16^{-5}$, rounding costs at most {{short-loss}} on nine columns. No
+regularization (smoothing that is added to tame an unstable equation) is needed.
 
-### How the boundary moves
+### Step 4: where the pressure falls to zero
 
-Along each column, outward, the new boundary is where the pressure vanishes. Where a cell pulls
-($p<0$) the zero is interpolated ({{fig-03}}); where all cells push, a parabola through the last two
-or three pressures is continued to zero ({{fig-04}}). The same along the axis gives the new ends A
-and B. New columns are laid between these, and their heights interpolated from the points just
-found:
-
-$$y_C=y_D+(y_E-y_D)\frac{x_C-x_D}{x_E-x_D} \tag{17}$$
-
-{{fig-02}}
-
-The triangles are the new boundary on the old columns, the circles the same boundary on the new
-ones: Example 1's first iteration, on nine columns as in the paper's figure.
+The candidate region is too large, so near its edge the equations give cells that pull, with $p<0$.
+There the true pressure ends, and the zero is interpolated:
 
 {{fig-03}}
 
@@ -91,27 +128,39 @@ A cell that pulls, says the paper, lies outside the true contact. This is true o
 Example 1 that we tried: the closest of {{pulling}} such cells on nine columns lies
 {{pulling-nearest}} outside Hertz's ellipse, and the closest on finer meshes {{pulling-finer}}.
 
+When all cells of a column push, the pressure is continued outward to its zero. The pressure of a
+smooth contact falls like the root of the distance from its edge, so the parabola lies on its side:
+$y=q_0+q_2p^2$ through the last two points, or $y=q_0+q_1p+q_2p^2$ through the last three, with
+constants $q_0$, $q_1$, $q_2$ that the points fix.
+
 {{fig-04}}
 
-The pressure of a smooth contact falls like the root of the distance from its edge, so the parabola
-lies on its side: $y=c_0+c_2p^2$ through two points, $y=c_0+c_1p+c_2p^2$ through three. The paper
-asks that the fit make $p$ a one-valued function of $y$, and leaves the details to a report that we
-do not have; the parabolas are ours. This half sentence carries the method. On {{fit-meshes}}
-columns of Example 1 the iteration diverges with three points and without the condition. With it the
-iteration converges, to the force that two points give. Two points are used from here on.
+The paper asks that the fit make $p$ a one-valued function of $y$, and leaves the details to a
+report that we do not have; the parabolas are ours. This half sentence carries the method. On
+{{fit-meshes}} columns of Example 1 the iteration diverges with three points and without the
+condition. With it the iteration converges, to the force that two points give. Two points are used
+from here on.
 
-{{code: contact/countact_boundary.cpp find_zero}}
+The function `find_zero` takes the positions of the cells along a column, outward from the axis,
+and their pressures. It counts the leading cells that push. If a cell that pulls follows, the zero
+is interpolated; if none does, it is extrapolated; and if the pressure does not fall outward, the
+column is marked as stuck.
 
-Three things are added here. Moves are shortened once the boundary begins to swing. A boundary that
-has come to rest is tested: outside it for overlap, inside it for whether enough cells saw the
-pressure fall. What fails is reported with its reason, never as a number.
+{{code: method/boundary.cpp find_zero}}
+
+### Step 5: the next mesh
+
+The same search along the axis $x$ gives the new ends A and B, and new columns are laid between
+them. The boundary is known at the centres of the old columns, so the half height $y_C$ of a new
+column at $x_C$ is interpolated between the two neighbouring points $(x_D,y_D)$ and $(x_E,y_E)$:
+
+$$y_C=y_D+(y_E-y_D)\frac{x_C-x_D}{x_E-x_D} \tag{17}$$
+
+{{fig-02}}
+
+The paper's Fig. 5 shows which routine of COUNTACT calls which. Its routines and ours:
 
 {{fig-05}}
-
-All four examples take steel of 30·10⁶ psi and Poisson's ratio .3. Numbers are printed in two
-systems of units, which agree:
-
-{{units}}
 */
 #include <fmt/format.h>
 

@@ -1,16 +1,18 @@
 // The sections of the chapter, and what they share: the paper's inputs, a result, points of figures.
 #pragma once
 
-#include <railbook/contact/cg_fft.hpp>
-#include <railbook/contact/countact.hpp>
-#include <railbook/contact/geometry.hpp>
-#include <railbook/contact/hertz.hpp>
-#include <railbook/report/chapter.hpp>
-#include <railbook/units/constants.hpp>
+#include <array>
+
+#include "contact/cg_fft.hpp"
+#include "contact/countact.hpp"
+#include "contact/geometry.hpp"
+#include "contact/hertz.hpp"
+#include "report/chapter.hpp"
+#include "units/constants.hpp"
 
 namespace railbook::contact_chapter {
 
-extern const report::Section method, example_1, example_2, example_3, example_4;
+extern const report::Section drawing, method, example_1, example_2, tread, example_3, example_4;
 extern const report::Section cost, errors, stability;  // study/
 
 using namespace contact;
@@ -52,6 +54,17 @@ inline HertzContact hertz_1(double tread = tread_radius, double approach = delta
 }
 // Example 1 by COUNTACT-2 on the nine columns of Fig. 2, and nine rows; solved once.
 const CountactResult& nine_by_nine();
+// The four quantities of Table 2: the keys of its rows, and the values in the units of the print.
+inline constexpr std::array<const char*, 4> table_2_keys{"F", "p0", "a", "b"};
+std::array<double, 4> in_print_units(const HertzContact&);
+std::array<double, 4> in_print_units(const NormalContact&);
+// The bodies whose Hertz contact has these semi-axes at this approach, all in m.
+struct Shape {
+  double along = 0;  // relative radius along the rail [m]
+  double tread = 0;  // the tread that makes the other one, on the 10 in crown [m]
+};
+
+Shape shape_of(double a, double b, double delta);
 // The force of Example 2 by sums over lattices (study); computed once.
 double force_by_lattices();
 
