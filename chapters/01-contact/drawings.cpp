@@ -2,6 +2,8 @@
 
 The figures show the solvers' own results. {{scene}} is drawn from the cells of COUNTACT-1 as they
 are: a column over each, as high as its pressure.
+
+{{fold}}
 */
 #include <fmt/format.h>
 
@@ -22,15 +24,18 @@ double draw::centre(const ColumnMesh& mesh, Eigen::Index j) {
   return (mesh.x_edges[j] + mesh.x_edges[j + 1]) / 2;
 }
 
-void draw::profiles(report::Item& item, double right_radius, double from, double to) {
-  item.script("profiles.gp");
+void draw::section(report::Data& curve, double right_radius, double from, double to) {
   const Gap gap = rail_wheel_gap({wheel_radius, tread_radius, crown_radius, right_radius});
-  auto& curve = item.data({"x_in", "rail_in", "wheel_in"});
   for (int i = 0; i <= 90; ++i) {
     const double x = from + (to - from) * i / 90;
     const double rail = -x * x / (2 * (x < 0 ? crown_radius : right_radius));
     curve.add(x / inch, rail / inch, (rail + gap(x, 0)) / inch);
   }
+}
+
+void draw::profiles(report::Item& item, double right_radius, double from, double to) {
+  item.script("profiles.gp");
+  section(item.data({"x_in", "rail_in", "wheel_in"}), right_radius, from, to);
   auto& labels = item.data("labels", {"x_in", "z_in", "label"});
   labels.add(-1.4, -0.2, fmt::format("rail: crown {:g} in", crown_radius / inch));
   labels.add(-1.4, 0.1,
@@ -47,6 +52,13 @@ void draw::axis(report::Data& data, const NormalContact& c) {
     if (std::abs(c.y[i]) <= nearest) line.emplace_back(c.x[i], c.p[i]);
   std::sort(line.begin(), line.end());
   for (const auto& [x, p] : line) data.add(x / inch, p / (1e5 * psi));
+}
+
+void draw::overlap(report::Data& curve, const Gap& gap, double approach) {
+  for (int i = 0; i <= 360; ++i) {
+    const double t = i * units::degree, r = interpenetration_distance(gap, approach, t);
+    curve.add(r * std::cos(t) / inch, r * std::sin(t) / inch);
+  }
 }
 
 void draw::cells(report::Data& data, const NormalContact& c, double from_y) {
@@ -97,5 +109,31 @@ void draw::in_space(report::Item& item, const NormalContact& c, const Gap& gap) 
                    {{-0.30 * inch, -0.12 * inch, 0}, "last mesh"},
                    {{c.x_p_max - 0.28 * inch, 0, 1.04 * height}, "peak on the sharp side"}});
 }
+
+namespace {
+
+// The page's first drawing: Example 2, with the axes and the symbols.
+void bodies(report::Item& item) {
+  const NormalContact& c = jump_by_columns();
+  draw::section(item.data({"x_in", "rail_in", "wheel_in"}), corner_radius, -1.5 * inch,
+                1.05 * inch);
+  draw::cells(item.data("mesh", {"x_in", "y_in", "dx_in", "dy_in"}), c);
+  draw::overlap(item.data("overlap", {"x_in", "y_in"}), on_the_jump(), delta_2);
+  draw::axis(item.data("pressure", {"x_in", "p_1e5_psi"}), jump_by_grid());
+  item.data("force", {"x_in"}).add(c.moment_y / c.force / inch);
+  item.added("drawn from the result of Example 2");
+}
+
+}  // namespace
+
+const report::Section drawing{
+    report::figure("bodies",
+                   "A wheel presses on the jump of a rail's radius, and the pressure peaks beyond "
+                   "it. Top: wheel and rail touch at O; the bodies bend away from each other by "
+                   "the gap f. Bottom left: moved together by the approach δ, undeformed bodies "
+                   "would overlap inside the dash-dotted curve; elastic ones touch in the grey "
+                   "region, which the method cuts into columns of cells. Bottom right: the "
+                   "pressure along x, and where the force acts. This is Example 2, computed.",
+                   bodies)};
 
 }  // namespace railbook::contact_chapter

@@ -40,6 +40,28 @@ that set and drops cells that pull. When the iteration is done it takes in the c
 still overlap, and it ends when there are none.
 
 {{code: contact/bounded_cg.cpp solve_bounded_cg}}
+
+### The pressure
+
+{{fig-09}}
+
+The figure shows the pressure along the axis of symmetry. Without the corner it would be Hertz's
+ellipse on the flat side. The corner falls away from the wheel and carries less, so the pressure
+beside it rises steeply, to {{peak}} at $x$ = {{x-peak}}, and falls to zero within {{fall}}. At the
+jump the pressure is continuous, but its slope is infinite, like that of $x\ln x$; there the column
+of COUNTACT-1 next to the jump differs from the grid. With the slider below the figure the wheel
+moves across the rail at the same approach, from the crown, where the contact is an ellipse, over
+the jump into the corner.
+
+{{fig-10}} shows the patch with the last mesh.
+{{scene}} shows the same result in space: columns as high as the pressure on one half, their mesh on
+the other, and the interpenetration curve around.
+
+{{fig-10}}
+
+{{scene}}
+
+{{fold}}
 */
 #include <fmt/format.h>
 
@@ -55,8 +77,6 @@ still overlap, and it ends when there are none.
 
 namespace railbook::contact_chapter {
 
-namespace {
-
 const NormalContact& jump_by_columns() {
   static const NormalContact result =
       countact_1(on_the_jump(), delta_2, modulus, {graded_columns(18, 12), 17}).contact;
@@ -68,10 +88,12 @@ const NormalContact& jump_by_columns() {
 constexpr int grid_cells = 401;
 constexpr const char* grid_method = "CG-FFT, 401 x 401";
 
-const NormalContact& by_grid() {
+const NormalContact& jump_by_grid() {
   static const NormalContact result = jump_on_grid(grid_cells);
   return result;
 }
+
+namespace {
 
 const NormalContact& with_cone() {
   static const NormalContact result = jump_on_grid(grid_cells, units::no_limit);
@@ -93,7 +115,7 @@ std::string signed_percent(double ratio) {
 
 void force_and_moment(report::Item& item) {
   const table::CsvTable printed = item.printed("example-2.csv");
-  const NormalContact &c = jump_by_columns(), &grid = by_grid(), &cone = with_cone();
+  const NormalContact &c = jump_by_columns(), &grid = jump_by_grid(), &cone = with_cone();
   const double inch_lbf = inch * lbf;
   const double force = report::printed_number(printed.at("F", "printed")) * lbf;
   const double moment = report::printed_number(printed.at("M", "printed")) * inch_lbf;
@@ -138,28 +160,6 @@ void force_and_moment(report::Item& item) {
   item.value("off-m", signed_percent(grid.moment_y / moment - 1));
   item.value("cone-off", 100 * (1 - cone.force / force), "%", "{:.0f}");
 }
-
-/***
-### The pressure
-
-{{fig-09}}
-
-The figure shows the pressure along the axis of symmetry. Without the corner it would be Hertz's
-ellipse on the flat side. The corner falls away from the wheel and carries less, so the pressure
-beside it rises steeply, to {{peak}} at $x$ = {{x-peak}}, and falls to zero within {{fall}}. At the
-jump the pressure is continuous, but its slope is infinite, like that of $x\ln x$; there the column
-of COUNTACT-1 next to the jump differs from the grid. With the slider below the figure the wheel
-moves across the rail at the same approach, from the crown, where the contact is an ellipse, over
-the jump into the corner.
-
-{{fig-10}} shows the patch with the last mesh.
-{{scene}} shows the same result in space: columns as high as the pressure on one half, their mesh on
-the other, and the interpenetration curve around.
-
-{{fig-10}}
-
-{{scene}}
-*/
 
 // The bodies of Example 2 touching `at` (m) to the right of the jump; x counts from there.
 Gap gap_at(double at) {
@@ -216,7 +216,7 @@ void place_answer(report::Item& item) {
 }
 
 void fig_09(report::Item& item) {
-  const NormalContact &c = jump_by_columns(), &grid = by_grid();
+  const NormalContact &c = jump_by_columns(), &grid = jump_by_grid();
   draw::axis(item.data({"x_in", "p_1e5_psi"}), c);
   draw::axis(item.data("grid", {"x_in", "p_1e5_psi"}), grid);
   draw::axis(item.data("cone", {"x_in", "p_1e5_psi"}), with_cone());
@@ -232,11 +232,7 @@ void fig_09(report::Item& item) {
 void fig_10(report::Item& item) {
   const NormalContact& c = jump_by_columns();
   draw::cells(item.data({"x_in", "y_in", "dx_in", "dy_in"}), c);
-  auto& curve = item.data("interpenetration", {"x_in", "y_in"});
-  for (int i = 0; i <= 360; ++i) {
-    const double t = i * units::degree, r = interpenetration_distance(on_the_jump(), delta_2, t);
-    curve.add(r * std::cos(t) / inch, r * std::sin(t) / inch);
-  }
+  draw::overlap(item.data("interpenetration", {"x_in", "y_in"}), on_the_jump(), delta_2);
   item.value("patch-across", (c.x_max - c.x_min) / corner_radius, "", "{:.1f}");
   item.value("patch-along", (c.y_max - c.y_min) / (2 * corner_radius), "", "{:.2f}");
   item.value("patch-corner", 100 * c.x_max / corner_radius, "%", "{:.0f}");
@@ -256,12 +252,33 @@ void in_space(report::Item& item) {
 }  // namespace
 
 const report::Section example_2{
-    report::figure("fig-08", "Contact is non-Hertzian: the jump in rail curvature at O (Fig. 8)",
+    report::figure("fig-08",
+                   "The wheel stands on the jump of the rail's radius. Section across the rail, "
+                   "heights enlarged. The "
+                   "bodies of Example 2, in the place of Fig. 8 of the paper.",
                    fig_08),
-    report::table("example-2", "Example 2 at an approach of .005 in", force_and_moment),
-    report::figure("fig-09", "Pressure along the axis of symmetry, Example 2 (Fig. 9)", fig_09),
-    report::figure("fig-10", "Contact patch and last mesh, Example 2 (Fig. 10)", fig_10),
-    report::figure("scene", "Example 2 in space: pressure over the contact patch and its mesh",
+    report::table("example-2",
+                  "Two methods agree on force, moment and peak. Example 2 at an approach of 0.005 "
+                  "in, with the "
+                  "printed numbers, and with a cone for a tread.",
+                  force_and_moment),
+    report::figure(
+        "fig-09",
+        "The pressure peaks just beyond the jump. Pressure along x: line, uniform grid; triangles, "
+        "COUNTACT-1; dashed, a coned wheel, which the printed force excludes. Example 2, in the "
+        "place of "
+        "Fig. 9 of the paper.",
+        fig_09),
+    report::figure("fig-10",
+                   "The contact is cut off at the jump. Boxes are the last mesh of COUNTACT-1, the "
+                   "line around it is "
+                   "the interpenetration curve, where it began. Example 2, in the place of Fig. 10 "
+                   "of the paper.",
+                   fig_10),
+    report::figure("scene",
+                   "The pressure stands like a wave against the jump. Columns as high as the "
+                   "pressure over one half "
+                   "of the contact, its mesh on the other half. Example 2, computed.",
                    in_space)};
 
 }  // namespace railbook::contact_chapter

@@ -16,6 +16,25 @@ So the numbers of this example are not the paper's, and only its claims can be t
 {{slenderness}} times as long as it is wide, with cells as slender. The paper says that the method
 "can handle problems with extremely large radii"; here COUNTACT's force and peak agree with those of
 the grid within {{worst-off}}.
+
+{{fig-12}}
+
+The pressure is nearly even over the flat part. Just beyond its end, at $|x|$ = {{peak-place}}, it
+rises to {{peak-ratio}} times its value at the centre, and then it falls to zero as on any smooth
+body. Whether {{peak-percent}} is what the paper calls negligible cannot be tested: the dimensions
+of its rollers are missing, and the word has no number. The slope of the gap is continuous at the
+end of the flat, but its curvature jumps from zero to $1/R_c$. Under a jump of curvature the slope
+of the pressure is logarithmically infinite: the peak is a rounded shoulder with a steep inner
+flank.
+
+With square ends the peak has no value. If the pressure of the last cell rises as $h^{-n}$ with the
+width $h$ of a cell, an infinite pressure at a square edge has $n=1/2$ and a finite one $n=0$. From grid
+to grid, each twice as fine along the axis, we find $n$ = {{sharp-rates}}. The force is smaller than
+with the crown, because the patch is shorter.
+
+{{fig-13}}
+
+{{fold}}
 */
 #include <fmt/format.h>
 
@@ -67,26 +86,6 @@ void fig_11(report::Item& item) {
   }
   item.sketch("the profile is rebuilt, with the height magnified");
 }
-
-/***
-{{fig-12}}
-
-The pressure is nearly even over the flat part. Just beyond its end, at $|x|$ = {{peak-place}}, it
-rises to {{peak-ratio}} times its value at the centre, and then it falls to zero as on any smooth
-body. Whether {{peak-percent}} is what the paper calls negligible cannot be tested: the dimensions
-of its rollers are missing, and the word has no number. The slope of the gap is continuous at the
-end of the flat, but its curvature jumps from zero to $1/R_c$. Under a jump of curvature the slope
-of the pressure is logarithmically infinite: the peak is a rounded shoulder with a steep inner
-flank.
-
-With square ends the peak has no value. If the pressure of the last cell rises as $h^{-n}$ with the
-width $h$ of a cell, an infinite pressure at a square edge has $n=1/2$ and a finite one $n=0$. From grid
-to grid, each twice as fine along the axis, we find $n$ = {{sharp-rates}}. The force is smaller than
-with the crown, because the patch is shorter.
-
-{{fig-13}}
-
-*/
 
 // The exponents n of the pressure h^-n at a square end, each from two grids of which one is twice
 // as fine along the axis.
@@ -155,8 +154,23 @@ void fig_13(report::Item& item) {
 }  // namespace
 
 const report::Section example_3{
-    report::figure("fig-11", "Crowned roller on a parallel cylinder (Fig. 11)", fig_11),
-    report::figure("fig-12", "Pressure along the axis of the roller (Fig. 12)", fig_12),
-    report::figure("fig-13", "Contact patch of the roller and the final mesh (Fig. 13)", fig_13)};
+    report::figure("fig-11",
+                   "The ends of the roller bend away by less than a thousandth of an inch. Profile "
+                   "along the axis, "
+                   "height enlarged; dimensions ours, in the place of Fig. 11 of the paper.",
+                   fig_11),
+    report::figure("fig-12",
+                   "A crown turns the infinite pressure of a square end into a shoulder. Pressure "
+                   "along the axis of "
+                   "the roller for the paper's crown of 85 in by two methods, for a sharper crown "
+                   "and for square ends; "
+                   "dimensions ours, in the place of Fig. 12 of the paper.",
+                   fig_12),
+    report::figure("fig-13",
+                   "The contact is a needle. Contact of the roller with the last mesh of COUNTACT, "
+                   "its width along y "
+                   "enlarged; the line is the edge found on a uniform grid. In the place of Fig. "
+                   "13 of the paper.",
+                   fig_13)};
 
 }  // namespace railbook::contact_chapter

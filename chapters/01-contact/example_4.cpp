@@ -37,6 +37,8 @@ Sixty rings, finer towards the edge, give the load and the peak:
 
 The peak is {{ratio}} times the pressure in the middle. It lies {{beyond}} outside the flat, in a
 contact that reaches only {{reach}} beyond it, so the rings must be narrow there.
+
+{{fold}}
 */
 #include <fmt/format.h>
 
@@ -117,10 +119,17 @@ void fig_14(report::Item& item) {
 }  // namespace
 
 const report::Section example_4{
-    report::figure("fig-14",
-                   "Flat axisymmetric punch with rounded edges: shape and pressure (Fig. 14)",
-                   fig_14),
-    report::table("example-4", "Example 4: COUNTAXI on 60 rings against the closed form",
+    report::figure(
+        "fig-14",
+        "The rounded edge keeps the pressure finite. Gap under the stamp, and pressure against the "
+        "distance from the axis: closed form, 60 rings of COUNTAXI, and a punch with a sharp edge; "
+        "right, "
+        "the edge enlarged. Dimensions ours, in the place of Fig. 14 of the paper.",
+        fig_14),
+    report::table("example-4",
+                  "Sixty rings find the force and the peak of the stamp. COUNTAXI against the "
+                  "closed form, Example "
+                  "4.",
                   by_rings)};
 
 }  // namespace railbook::contact_chapter

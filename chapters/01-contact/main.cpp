@@ -7,8 +7,6 @@ a wheel often stands on the jump: there Hertz's formulas miss the peak.
 
 {{bodies}}
 
-## In short
-
 ::: findings
 1. Where does the contact lie? The paper searches from the *interpenetration curve*, where the
    undeformed bodies would cut each other if they were moved together by the approach. It says that
@@ -163,5 +161,6 @@ int main(int argc, char** argv) {
                 "Counterformal Contact Stress Problems, in Computational Techniques for Interface "
                 "Problems, ASME AMD-30, 1978, p. 165.",
        .sources = RAILBOOK_CHAPTER_DIR},
-      {drawing, method, example_1, example_2, tread, example_3, example_4}, {cost, errors, stability});
+      {drawing, method, example_1, example_2, tread, example_3, example_4},
+      {cost, errors, stability});
 }

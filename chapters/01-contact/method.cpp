@@ -161,6 +161,8 @@ $$y_C=y_D+(y_E-y_D)\frac{x_C-x_D}{x_E-x_D} \tag{17}$$
 The paper's Fig. 5 shows which routine of COUNTACT calls which. Its routines and ours:
 
 {{fig-05}}
+
+{{fold}}
 */
 #include <fmt/format.h>
 
@@ -414,14 +416,44 @@ void two_units(report::Item& item) {
 }  // namespace
 
 const report::Section method{
-    report::figure("fig-01",
-                   "The interpenetration curve surrounds the true contact (Fig. 1 of the paper)",
-                   fig_01),
-    report::table("conditioning", "Condition number of the matrix (14)", conditioning),
-    report::figure("fig-02", "First candidate region and the next (Fig. 2)", fig_02),
-    report::figure("fig-03", "New boundary when the pressure changes sign (Fig. 3)", fig_03),
-    report::figure("fig-04", "New boundary when all pressures are positive (Fig. 4)", fig_04),
-    report::table("fig-05", "Organisation of the program COUNTACT (Fig. 5)", fig_05),
-    report::table("units", "Numbers printed in two systems of units", two_units)};
+    report::figure(
+        "fig-01",
+        "The contact, from P to Q, lies inside the interpenetration curve, from P' to Q'. Gap "
+        "between "
+        "the bodies along x after a move of δ = 0.0004 in: dashed for undeformed bodies, "
+        "which overlap where it is negative; solid for elastic ones, where it is zero in "
+        "the contact. Example 1, after Fig. 1 of the paper.",
+        fig_01),
+    report::table(
+        "conditioning",
+        "The equations (14) are well posed. Condition number of the matrix on the last mesh of "
+        "Example 1, for finer and finer meshes.",
+        conditioning),
+    report::figure(
+        "fig-02",
+        "The region shrinks in one step of the loop. Boxes are the cells of the first candidate "
+        "region, triangles the zeros of pressure found on its columns and on the axis (A and "
+        "B), circles the heights of the next columns. First step of Example 1, after Fig. 2 "
+        "of the paper.",
+        fig_02),
+    report::figure(
+        "fig-03",
+        "Where cells pull, the new boundary is the zero between the last cell that pushes and the "
+        "first that pulls. Pressure against the distance from the axis, in the middle column of "
+        "the first step of Example 1; after Fig. 3 of the paper.",
+        fig_03),
+    report::figure(
+        "fig-04",
+        "Where all cells push, a parabola on its side continues the pressure to zero. Pressure "
+        "against the distance from the axis, in the middle column of the last step of Example "
+        "1, with both parabolas; after Fig. 4 of the paper.",
+        fig_04),
+    report::table(
+        "fig-05",
+        "The routines of COUNTACT and the functions that do their work here. After Fig. 5 of the "
+        "paper.",
+        fig_05),
+    report::table("units", "The numbers that the paper prints in two systems of units agree.",
+                  two_units)};
 
 }  // namespace railbook::contact_chapter

@@ -65,13 +65,18 @@ struct Shape {
 };
 
 Shape shape_of(double a, double b, double delta);
+// Example 2 by COUNTACT-1 on 30 graded columns, and by CG-FFT on the finest grid; each solved once.
+const NormalContact& jump_by_columns();
+const NormalContact& jump_by_grid();
 // The force of Example 2 by sums over lattices (study); computed once.
 double force_by_lattices();
 
 namespace draw {
 double centre(const ColumnMesh&, Eigen::Index column);                      // its x [m]
+void section(report::Data&, double right_radius, double from, double to);   // rail and wheel across
 void profiles(report::Item&, double right_radius, double from, double to);  // Figs 6, 8
-void axis(report::Data&, const NormalContact&);  // p(x, 0) from end to end
+void overlap(report::Data&, const Gap&, double approach);  // the interpenetration curve
+void axis(report::Data&, const NormalContact&);            // p(x, 0) from end to end
 void cells(report::Data&, const NormalContact&, double from_y = -units::no_limit);
 void in_space(report::Item&, const NormalContact&, const Gap&);
 }  // namespace draw

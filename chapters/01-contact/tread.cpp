@@ -11,27 +11,8 @@ constants. The function `shape_of` does this. The wheel comes out at {{fitted-wh
 drawn 18. The tread comes out at {{fitted-tread}}. It is the sensitive number, because its curvature
 nearly cancels that of the crown: {{tread-per-percent}} more of it moves $a$ by a whole per cent.
 
-*/
-#include <fmt/format.h>
+{{code: tread.cpp shape_of}}
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <utility>
-#include <vector>
-
-#include "sections.hpp"
-
-namespace railbook::contact_chapter {
-
-Shape shape_of(double a, double b, double delta) {
-  const EllipticIntegrals i = elliptic_integrals(2 * std::log(b / a));
-  const double curvature_a = delta * i.d / (i.k * a * a), curvature_b = delta * i.b / (i.k * b * b);
-  return {1 / (2 * curvature_b), 1 / (1 / crown_radius - 2 * curvature_a)};
-}
-
-
-/***
 Each printed number that depends on the tread asks for one of its own. The force and the moment of
 Example 2 are computed without a mesh of columns. COUNTACT's column of Table 2 depends on rows and
 moves of the boundary that the paper does not print. So eight meshes of 7 to 11 columns and 7 to 17
@@ -53,7 +34,26 @@ The force of Hertz's column is not quite that of its own ellipse: $\tfrac23\pi a
 column is {{printed-load}}, with the rounding of its factors {{printed-load-range}}. A table of
 Hertz's coefficients with three digits may explain the difference of {{printed-load-off}}. So would
 a single misread digit of our text: {{misread}}. {{outcome:table-2/own-load}}
+
+{{fold}}
 */
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "sections.hpp"
+
+namespace railbook::contact_chapter {
+
+Shape shape_of(double a, double b, double delta) {
+  const EllipticIntegrals i = elliptic_integrals(2 * std::log(b / a));
+  const double curvature_a = delta * i.d / (i.k * a * a), curvature_b = delta * i.b / (i.k * b * b);
+  return {1 / (2 * curvature_b), 1 / (1 / crown_radius - 2 * curvature_a)};
+}
 
 std::array<double, 4> in_print_units(const HertzContact& h) {
   return {h.force / lbf, h.p_max / psi, h.a / inch, h.b / inch};
@@ -70,8 +70,9 @@ double worst_off(const table::CsvTable& printed, const char* column,
                  const std::array<double, 4>& values) {
   double worst = 0;
   for (std::size_t k = 0; k < 4; ++k)
-    worst = std::max(worst,
-                     std::abs(values[k] / report::printed_number(printed.at(table_2_keys[k], column)) - 1));
+    worst = std::max(
+        worst,
+        std::abs(values[k] / report::printed_number(printed.at(table_2_keys[k], column)) - 1));
   return worst;
 }
 
@@ -167,10 +168,13 @@ void treads(report::Item& item) {
   item.value("treads-off", 100 * off, "%", "{:.1f}");
 }
 
-
 }  // namespace
 
-const report::Section tread{
-    report::table("treads", "Treads against the printed numbers that depend on them", treads)};
+const report::Section tread{report::table(
+    "treads",
+    "The printed numbers ask for treads between 12.25 in and 12.34 in. Difference of each printed "
+    "number from the computed one, for a tread each; the last row is the tread that each asks "
+    "for.",
+    treads)};
 
 }  // namespace railbook::contact_chapter
