@@ -1,12 +1,14 @@
+# alt: A half disc of boxes, nine columns of cells. Triangles mark a smaller arch inside it, circles the same arch at nine new columns between A and B.
 load "style.gp"
+set terminal pngcairo size 740,420 font "DejaVu Sans,12" enhanced background rgb "white"
 set output ARG2
 set xlabel "x across the rail, in"
 set ylabel "y along the rail, in"
-set xrange [-0.22:0.22]
+set xrange [-0.21:0.21]
 set yrange [0:0.15]
-set key top center horizontal maxcols 2
-set label "A" at -0.18,0.006 right
-set label "B" at 0.18,0.006 left
+set key top center horizontal maxcols 3 samplen 1.5
+set label "A" at -0.182,0.006 right
+set label "B" at 0.182,0.006 left
 plot ARG1 using "x_in":"y_in":(0.5*column("dx_in")):(0.5*column("dy_in")) with boxxyerror fs empty lc rgb grey lw 1 title "cells of the first region", \
-     ARG3 using "x_in":"y_in" with linespoints lt 1 lw 1.4 pt 9 ps 1.5 title "zero pressure found on them", \
-     ARG4 using "x_in":"y_in" with points pt 6 ps 1.8 lw 2 lc rgb red title "heights of the new columns"
+     ARG3 using "x_in":"y_in" with linespoints lt 1 lw 1.4 pt 9 ps 1.5 title "zeros of pressure on them", \
+     ARG4 using "x_in":"y_in" with points pt 6 ps 1.6 lw 2 lc rgb red title "heights of the new columns"

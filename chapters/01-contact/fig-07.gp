@@ -1,14 +1,20 @@
+# alt: Four nested arches, the outermost the interpenetration curve, shrinking in three steps to Hertz's ellipse; the last mesh lies under it.
 load "style.gp"
+set terminal pngcairo size 740,420 font "DejaVu Sans,12" enhanced background rgb "white"
 set output ARG2
+unset key
 set xlabel "x across the rail, in"
 set ylabel "y along the rail, in"
-set xrange [-0.22:0.22]
-set yrange [0:0.18]
-set key top center horizontal maxcols 3
+set xrange [-0.21:0.21]
+set yrange [0:0.14]
 of(k) = column("iteration") == k ? column("x_in") : NaN
-plot ARG3 using "x_in":"y_in":(0.5*column("dx_in")):(0.5*column("dy_in")) with boxxyerror fs empty lc rgb grey lw 0.8 title "last mesh", \
-     ARG1 using (of(0)):"y_in" with lines lt 2 title "1: interpenetration curve", \
-     "" using (of(1)):"y_in" with lines lt 3 title "2", \
-     "" using (of(2)):"y_in" with lines lt 4 title "3", \
-     "" using (of(3)):"y_in" with lines lt 1 title "4", \
-     ARG4 using "x_in":"y_in" with lines lt 6 title "Hertz"
+set label "first region" at 0.1,0.113 left textcolor rgb blue
+set label "2nd" at 0,0.098 center textcolor rgb "#BE5400"
+set label "3rd" at 0,0.0855 center textcolor rgb "#00835F"
+set label "4th, and Hertz's\nellipse (thick)" at 0,0.047 center
+plot ARG3 using "x_in":"y_in":(0.5*column("dx_in")):(0.5*column("dy_in")) with boxxyerror fs empty lc rgb grey lw 0.8, \
+     ARG4 using "x_in":"y_in" with lines lt 6, \
+     ARG1 using (of(0)):"y_in" with lines lt 2, \
+     "" using (of(1)):"y_in" with lines lt 3, \
+     "" using (of(2)):"y_in" with lines lt 4, \
+     "" using (of(3)):"y_in" with lines lt 1

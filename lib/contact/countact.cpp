@@ -1,6 +1,7 @@
 #include <railbook/contact/countact.hpp>
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -193,6 +194,55 @@ void describe(const Problem& q, const std::vector<CountactStep>& history, Normal
   list_cells(q.cells, step, c);
 }
 
+// How much of each move is made: all of it, and less once the boundary swings without coming to rest.
+class Damping {
+ public:
+  double share() const { return share_; }
+  void note(const CountactStep& step) {
+    const Eigen::VectorXd moves = step.new_half - step.mesh.half_width;
+    const bool swings = moves_before_.size() > 0 && moves.dot(moves_before_) < 0;
+    if (swings && step.move > 0.5 * move_before_) share_ = std::max(0.3, 0.7 * share_);
+    move_before_ = step.move;
+    moves_before_ = moves;
+  }
+
+ private:
+  double share_ = 1, move_before_ = 0;
+  Eigen::VectorXd moves_before_;
+};
+
+// Why the iteration cannot go on; empty when it can.
+std::string reason_to_stop(const Problem& q, const CountactStep& step, const ColumnMesh& first,
+                           const ColumnMesh& next, std::size_t steps) {
+  const auto grew = [](const Eigen::VectorXd& now, const Eigen::VectorXd& then) {
+    return now.cwiseAbs().maxCoeff() > 10 * then.cwiseAbs().maxCoeff();
+  };
+  if (grew(next.x_edges, first.x_edges) || grew(next.half_width, first.half_width))
+    return "diverged: the region grows far outside the interpenetration curve";
+  if (step.move >= q.options.tolerance && static_cast<int>(steps) >= q.options.most_iterations)
+    return "the boundary still moves by " + std::to_string(step.move) + " of its size";
+  return "";
+}
+
+// The loop: pressures on the mesh, the boundary where they vanish, a new mesh; until the boundary rests.
+std::string iterate(const Problem& q, std::vector<CountactStep>& history) {
+  ColumnMesh mesh = first_mesh(q);
+  const ColumnMesh first = mesh;
+  Damping damping;
+  while (true) {
+    CountactStep& step = history.emplace_back();
+    step.mesh = std::move(mesh);
+    solve_pressures(q, step);
+    Update update = update_boundary(step, q.cells, q.options, damping.share());
+    if (!update.reason.empty()) return update.reason;
+    mesh = std::move(update.mesh);
+    keep_on_the_bodies(q, mesh);
+    const std::string reason = reason_to_stop(q, step, first, mesh, history.size());
+    if (!reason.empty() || step.move < q.options.tolerance) return reason;
+    if (q.options.damped) damping.note(step);
+  }
+}
+
 CountactResult solve(const Gap& gap, double approach, double modulus, const CountactOptions& o,
                      bool both_axes) {
   const Problem q{gap,
@@ -203,42 +253,18 @@ CountactResult solve(const Gap& gap, double approach, double modulus, const Coun
                   number_cells(o, both_axes)};
   CountactResult result;
   NormalContact& c = result.contact;
-  if (approach <= 0) {
-    c = empty_contact(approach);
-    return result;
-  }
-  ColumnMesh mesh = first_mesh(q);
+  c = empty_contact(approach);
+  if (approach <= 0) return result;
+  const ColumnMesh mesh = first_mesh(q);
   require_symmetry(q, mesh);
   if (!(mesh.half_width.minCoeff() > 0)) {
-    c = empty_contact(approach);
     c.converged = false;
     c.reason =
         "the bodies overlap in several pieces along the axis, and a column lies between them";
     return result;
   }
-  const double size = mesh.x_edges.cwiseAbs().maxCoeff(), width = mesh.half_width.maxCoeff();
-  Eigen::VectorXd moves_before;
-  double share = 1, move_before = std::numeric_limits<double>::infinity();
-  while (!c.converged && c.reason.empty()) {
-    CountactStep& step = result.history.emplace_back();
-    step.mesh = std::move(mesh);
-    solve_pressures(q, step);
-    Update update = update_boundary(step, q.cells, o, share);
-    mesh = std::move(update.mesh);
-    c.reason = std::move(update.reason);
-    if (!c.reason.empty()) break;
-    keep_on_the_bodies(q, mesh);
-    c.converged = step.move < o.tolerance;
-    if (mesh.x_edges.cwiseAbs().maxCoeff() > 10 * size || mesh.half_width.maxCoeff() > 10 * width)
-      c.reason = "diverged: the region grows far outside the interpenetration curve";
-    else if (!c.converged && static_cast<int>(result.history.size()) >= o.most_iterations)
-      c.reason = "the boundary still moves by " + std::to_string(step.move) + " of its size";
-    const Eigen::VectorXd moves = step.new_half - step.mesh.half_width;
-    const bool swings = moves_before.size() > 0 && moves.dot(moves_before) < 0;
-    if (o.damped && swings && step.move > 0.5 * move_before) share = std::max(0.3, 0.7 * share);
-    move_before = step.move;
-    moves_before = moves;
-  }
+  c.reason = iterate(q, result.history);
+  c.converged = c.reason.empty();
   describe(q, result.history, c);
   if (c.converged) judge(q, result.history.back(), c);
   return result;
