@@ -8,8 +8,8 @@ smoothly.
 ### Example 2: the rail's radius jumps
 
 No closed form exists. The reference puts pressures at the points of {{lattices}} square lattices.
-It takes the sum $\sum h^2p/r$ over all points but one, and for that one the constant,
-$-4\zeta(\frac12)\beta(\frac12)\,h\,p$, that makes the sum exact to third order where $p$ is smooth.
+It takes the sum $\sum h^2p/r$ over all points but one, where $h$ is the spacing, and for that one
+$3.9003\,hp$; this constant makes the sum exact to third order where $p$ is smooth.
 A line in $h^2$ is fitted to the results, and twice the standard error of its end is the
 uncertainty: {{uncertainty}} of the force. What is not 100 times larger is grey.
 
