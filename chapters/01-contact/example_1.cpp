@@ -151,20 +151,19 @@ double worst_quantity(int cells, double tread) {
 // All of Table 2, as it is printed and as it is computed.
 void show_table_2(report::Item& item, const table::CsvTable& printed,
                   const std::array<double, 4>& hertz, const std::array<double, 4>& countact) {
-  item.columns({"", "printed", "computed", {"difference, % of the print", "{:+.2f}"}});
+  item.columns({"", "Hertz, printed", "computed", "COUNTACT-2, printed", "computed",
+                "error in %, printed", "computed"});
   const std::array<const char*, 4> names{"F, lbf", "p0, psi", "a, in", "b, in"};
   const std::array<int, 4> decimals{1, 0, 5, 5};
-  const auto row = [&](std::size_t k, const char* column, const char* by, double value) {
-    const std::string& text = printed.at(table_2_keys[k], column);
-    const double print = report::printed_number(text);
-    item.add_row(fmt::format("{}, {}", names[k], by), k == 1 ? fmt::format("{:.0f}", print) : text,
-                 fmt::format("{:.{}f}", value, decimals[k]), 100 * (value / print - 1));
-  };
   for (std::size_t k = 0; k < 4; ++k) {
-    row(k, "hertz", "Hertz", hertz[k]);
-    row(k, "countact", "COUNTACT-2", countact[k]);
-    item.add_row(fmt::format("{}, error in %", names[k]), printed.at(table_2_keys[k], "error"),
-                 fmt::format("{:.2f}", 100 * std::abs(countact[k] / hertz[k] - 1)), units::nan);
+    const auto text = [&](const char* column) {
+      const std::string& print = printed.at(table_2_keys[k], column);
+      return k == 1 ? fmt::format("{:.0f}", report::printed_number(print)) : print;
+    };
+    const auto value = [&](double x) { return fmt::format("{:.{}f}", x, decimals[k]); };
+    item.add_row(names[k], text("hertz"), value(hertz[k]), text("countact"), value(countact[k]),
+                 printed.at(table_2_keys[k], "error"),
+                 fmt::format("{:.2f}", 100 * std::abs(countact[k] / hertz[k] - 1)));
   }
 }
 
@@ -179,8 +178,6 @@ void table_2(report::Item& item) {
   const auto countact = in_print_units(nine_by_nine().contact);
   const double load = 2 * units::pi / 3 * a * b * in_print("p0", "hertz") * psi / lbf;
   show_table_2(item, printed, hertz, countact);
-  item.add_row("F, lbf, from Hertz's printed a, b and p0", printed.at("F", "hertz"),
-               fmt::format("{:.1f}", load), 100 * (load / in_print("F", "hertz") - 1));
   const std::array<double, 4> allowed{0.01, 0.006, 0.015, 0.01};
   item.expect_checks(13);
   for (std::size_t k = 0; k < 4; ++k) {

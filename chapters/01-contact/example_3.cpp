@@ -19,11 +19,11 @@ the grid within {{worst-off}}.
 
 {{fig-12}}
 
-The pressure is nearly even over the flat part. Just beyond its end, at $|x|$ = {{peak-place}}, it
+The pressure is nearly even over the straight part. Just beyond its end, at $|x|$ = {{peak-place}}, it
 rises to {{peak-ratio}} times its value at the centre, and then it falls to zero as on any smooth
 body. Whether {{peak-percent}} is what the paper calls negligible cannot be tested: the dimensions
 of its rollers are missing, and the word has no number. The slope of the gap is continuous at the
-end of the flat, but its curvature jumps from zero to $1/R_c$. Under a jump of curvature the slope
+end of the straight part, but its curvature jumps from zero to $1/R_c$. Under a jump of curvature the slope
 of the pressure is logarithmically infinite: the peak is a rounded shoulder with a steep inner
 flank.
 

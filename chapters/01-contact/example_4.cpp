@@ -54,7 +54,7 @@ namespace railbook::contact_chapter {
 namespace {
 
 constexpr const char* stamp_rebuilt =
-    "our text has no dimensions of the stamp; b = .5 in and R = 1 in are ours";
+    "our text has no dimensions of the stamp; a flat of 0.5 in and an edge of 1 in are ours";
 
 const PunchContact& exact_stamp() {
   static const PunchContact contact = punch_from_approach(stamp, modulus, delta_4);

@@ -220,7 +220,8 @@ void fig_01(report::Item& item) {
                                    nearest_to_curve(rounded_punch_gap(stamp), delta_4)});
   item.expect_checks(1);
   item.claim("inside", "the true contact region lies entirely inside the interpenetration curve",
-             nearest > 0 && nearest < 1, fmt::format("f is at most {:.2f} delta in it", nearest));
+             nearest > 0 && nearest < 1,
+             fmt::format("the gap in the contact is at most {:.2f} of the approach", nearest));
   item.value("overlap", reach / c.x_max, "times", "{:.2f}");
   item.value("nearest", nearest, "", "{:.2f}");
   item.rebuilt("computed for Example 1; of the paper's figure our text has the lettering");
@@ -244,7 +245,7 @@ void conditioning(report::Item& item) {
   item.expect_checks(1);
   item.claim("well-posed", "with the approach given, no regularization is needed",
              loss < least / 100,
-             fmt::format("short numbers lose {:.1g} on nine columns, less than the least error "
+             fmt::format("single precision loses {:.1g} on nine columns, less than the least error "
                          "that Table 2 prints, {} %",
                          loss, least));
   item.value("condition-power", std::log(last / own) / std::log(35.0 / 9), "", "{:.1f}");
@@ -328,7 +329,8 @@ void fig_03(report::Item& item) {
   });
   item.expect_checks(1);
   item.claim("pulling", "a field point whose pressure is negative lies outside the true contact",
-             trial, "the closest lies at " + trial.range() + " of the way to Hertz's ellipse");
+             trial,
+             "the closest lies at " + trial.range() + " times the distance of Hertz's ellipse");
   item.value("pulling", own.cells, "", "{:.0f}");
   item.value("pulling-nearest", 100 * (own.nearest - 1), "%", "{:.0f}");
   item.value("pulling-finer", 100 * (finer - 1), "%", "{:.0f}");
