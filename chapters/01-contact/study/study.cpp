@@ -1,16 +1,16 @@
-/*** # Contact stress: what it costs, and where it holds
+/*** # Contact stress: which method, and where does it hold?
 
-## Error against run time
+## Which method?
 
 {{include: cost.cpp}}
 
 {{include: errors.cpp}}
 
-## Stability
+## Where does it stop?
 
 A case *holds* when its error stays within the bound set for it, *degrades* when it loses accuracy
 in the way stated, and is *refused* when the program says why it has no number. Bodies that never
-separate, NaN in the gap and grids beyond memory are refused as input (`tests/input`).
+separate, NaN in the gap and grids beyond memory are refused as input.
 
 {{stability}}
 
