@@ -126,7 +126,7 @@ void bodies(report::Item& item) {
 
 }  // namespace
 
-const report::Section drawing{
+const report::Section first_drawing{
     report::figure("bodies",
                    "A wheel presses on the jump of a rail's radius, and the pressure peaks beyond "
                    "it. Top: wheel and rail touch at O; the bodies bend away from each other by "

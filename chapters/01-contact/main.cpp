@@ -161,6 +161,6 @@ int main(int argc, char** argv) {
                 "Counterformal Contact Stress Problems, in Computational Techniques for Interface "
                 "Problems, ASME AMD-30, 1978, p. 165.",
        .sources = RAILBOOK_CHAPTER_DIR},
-      {drawing, method, example_1, example_2, tread, example_3, example_4},
+      {first_drawing, method, example_1, example_2, which_tread, example_3, example_4},
       {cost, errors, stability});
 }

@@ -12,7 +12,8 @@
 
 namespace railbook::contact_chapter {
 
-extern const report::Section drawing, method, example_1, example_2, tread, example_3, example_4;
+extern const report::Section first_drawing, method, example_1, example_2, which_tread, example_3,
+    example_4;
 extern const report::Section cost, errors, stability;  // study/
 
 using namespace contact;

@@ -170,7 +170,7 @@ void treads(report::Item& item) {
 
 }  // namespace
 
-const report::Section tread{report::table(
+const report::Section which_tread{report::table(
     "treads",
     "The printed numbers ask for treads between 12.25 in and 12.34 in. Difference of each printed "
     "number from the computed one, for a tread each; the last row is the tread that each asks "
