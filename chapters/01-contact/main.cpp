@@ -97,42 +97,68 @@ Table 2, and no Table 1. Numbers that the paper prints in two systems of units a
 
 ## Use it
 
-The command `railbook contact solve` finds the contact of two bodies of your own by conjugate
-gradients. They are given by radii, or by a table of the profile across the rail. Example 1 is one
-of the files that come with it:
+The command `railbook contact solve` finds the contact of two bodies of your own by CG-FFT. They are
+given by radii, or by a table of the profile across the rail. Example 1 is one of the files that
+come with it, in `tools/examples/contact`:
 
-    railbook contact solve --config tools/examples/contact/radii.toml
-
-      approach                       0.4 mil
-      force F                        999.3457 lbf   (relative error about 2e-05)
-      peak pressure                  39315.36 psi   (relative error about 2e-05)
-      Hertz: force at this approach  999.3417 lbf   (the grid is off by 4.0e-06)
+```console
+$ railbook contact solve --config radii.toml
+...
+  approach                       0.4 mil
+  force F                        999.3457 lbf   (relative error about 2e-05)
+...
+  peak pressure                  39315.36 psi   (relative error about 2e-05)
+...
+  Hertz: force at this approach  999.3417 lbf   (the grid is off by 4.0e-06)
+...
+```
 
 For a wheel and a rail head measured as points, give the load and ask for the approach:
 
-    railbook contact solve --config tools/examples/contact/profiles.toml
-
-      approach                     108.3824 um
-      force F                      80 kN   (relative error about 9e-05, 7e-05 of it from the profiles)
-      peak pressure                1879.991 MPa   (relative error about 2e-03, 2e-03 of it from the profiles)
+```console
+$ railbook contact solve --body-1-profile rail.csv --body-2-profile wheel.csv --body-2-radius-along 460mm --load 80kN
+...
+  approach                     108.3824 um
+  force F                      80 kN   (relative error about 9e-05, 7e-05 of it from the profiles)
+...
+  peak pressure                1879.991 MPa   (relative error about 2e-03, 2e-03 of it from the profiles)
+...
+```
 
 With `--out FOLDER` it also writes the cells, their pressures and a picture.
 
 ## Try next
 
-* Ask for the approach. The load of Example 1, 4.445 kN, gives back its 0.4 mil (0.0004 in):
+Three variations of Example 1 with the same command; the lines shown are its answers.
 
-      railbook contact solve --body-1-radius-along 18in --body-1-radius-across -12.34in --body-2-radius-across 10in --load 4.445kN --system inch
+* Give the load and ask for the approach. How does the approach grow with the load?
 
-* Let the tread come close to the crown. At 10.1 in the contact is 0.78 in long on each side,
-  against 0.16 in at 12.34 in. At which tread does it outgrow the crown of your rail?
+```console
+$ railbook contact solve --body-1-radius-along 18in --body-1-radius-across -12.34in --body-2-radius-across 10in --load 4.445kN --system inch
+...
+  approach                      0.4000364 mil
+...
+```
 
-      railbook contact solve --body-1-radius-along 18in --body-1-radius-across -10.1in --body-2-radius-across 10in --approach 0.0004in --system inch
+* Let the tread come close to the crown. The contact is 0.78 in long on each side, against 0.16 in
+  with the tread of 12.34 in. At which tread does it outgrow the crown of your rail?
 
-* Turn the wheel about the common normal, as in a curve. How large must the angle be to move the
-  force by one per cent?
+```console
+$ railbook contact solve --body-1-radius-along 18in --body-1-radius-across -10.1in --body-2-radius-across 10in --approach 0.0004in --system inch
+...
+  contact      to x              0.7781282 in
+...
+```
 
-      railbook contact solve --body-1-radius-along 18in --body-1-radius-across -12.34in --body-2-radius-across 10in --approach 0.0004in --angle 2deg --system inch
+* Turn the wheel about the common normal, as in a curve. By which angle does the force change by one
+  per cent?
+
+```console
+$ railbook contact solve --body-1-radius-along 18in --body-1-radius-across -12.34in --body-2-radius-across 10in --approach 0.0004in --angle 2deg --system inch
+...
+  force F                        1004.539 lbf   (relative error about 2e-05)
+...
+```
 
 {{include: drawings.cpp}}
 
