@@ -1,12 +1,12 @@
 /*** # Contact stress: which method, and where does it hold?
 
-## Which method?
+## Error against run time: which method?
 
 {{include: cost.cpp}}
 
 {{include: errors.cpp}}
 
-## Where does it stop?
+## Stability: where does it stop?
 
 A case *holds* when its error stays within the bound set for it, *degrades* when it loses accuracy
 in the way stated, and is *refused* when the program says why it has no number. Bodies that never
