@@ -15,15 +15,20 @@ The paper gives the approach, $\delta=0.0004$ in, and the radii in a drawing onl
 reads "R*18" in our text, the wheel's radius of 18 in, and "R=J2.34", the radius of the tread, which
 we read as 12.34 in. The crown's radius, 10 in, stands in the text of Example 2.
 
-Hertz's answer is in closed form. `unit_contact` takes the logarithm of $(b/a)^2$, the ratio of the
-semi-axes $a$ across the rail and $b$ along it, and returns the contact at a unit of approach and of
-modulus; all other contacts follow by scaling. What looks like detail is what keeps the digits of
-slender contacts: the integrals are asked for $(b/a)^2$ and never for $1-(b/a)^2$.
+Hertz's answer is in closed form. Let $a$ and $b$ be the semi-axes of the contact, across the rail
+and along it, and $p_0$ its peak pressure. With the complete elliptic integral $\mathrm{K}$ and its
+two parts, $\mathrm{K}=\mathrm{B}+\mathrm{D}$, which depend on $b/a$ alone,
+
+$$a^2=\frac{\delta\,\mathrm{D}}{\alpha\,\mathrm{K}},\qquad b^2=\frac{\delta\,\mathrm{B}}{\beta\,\mathrm{K}},\qquad p_0=\frac{E^*\delta}{b\,\mathrm{K}},\qquad F=\tfrac23\pi ab\,p_0.$$
+
+The function `unit_contact` evaluates these formulas for an approach and a modulus of one; all other
+contacts follow by scaling. Its `flat` and `sharp` are the smaller and the larger of $\alpha$ and
+$\beta$. It first finds the shape for which the first two formulas have the given ratio of curvatures,
+as $\ln(b/a)^2$: a slender contact would lose its digits in $1-(b/a)^2$.
 
 {{code: contact/hertz.cpp unit_contact}}
 
-The paper's Table 2 has four quantities: the force $F$, the peak pressure $p_0$, and the semi-axes
-$a$ and $b$. It gives each by Hertz and by COUNTACT-2, the variant of the program for two axes of
+The paper's Table 2 has these four quantities, $F$, $p_0$, $a$ and $b$. It gives each by Hertz and by COUNTACT-2, the variant of the program for two axes of
 symmetry, with the error in per cent. The column of COUNTACT depends on its mesh; ours has nine
 columns, as in the paper's Figure 2, and nine rows.
 

@@ -3,7 +3,7 @@
 A loaded wheel stands on a patch of steel the size of a coin, and the pressure in that patch decides
 whether the rail yields, wears or cracks. Hertz gave it in 1882 for surfaces that are quadratic over
 the patch, but the radius of a rail head jumps from 10 in on the crown to 1¼ in at the corner, and
-a wheel often stands on the jump: there Hertz's formulas miss the peak.
+a wheel often stands on the jump, where Hertz's formulas do not hold.
 
 {{bodies}}
 

@@ -1,13 +1,7 @@
 /*** ### Which tread did the program have?
 
-Hertz's semi-axes and the approach are tied by two formulas with the complete elliptic integral
-$\mathrm{K}$ of the contact's shape and its two parts, $\mathrm{K}=\mathrm{B}+\mathrm{D}$, which
-depend on $b/a$ alone:
-
-$$a^2=\frac{\delta\,\mathrm{D}}{\alpha\,\mathrm{K}},\qquad b^2=\frac{\delta\,\mathrm{B}}{\beta\,\mathrm{K}}.$$
-
-So the printed $a$, $b$ and $\delta$ give both curvatures back, without the force or the elastic
-constants. The function `shape_of` does this. The wheel comes out at {{fitted-wheel}}, next to the
+The first two of Hertz's formulas in Example 1 give both curvatures back from the printed $a$, $b$
+and $\delta$, without the force or the elastic constants. The function `shape_of` does this. The wheel comes out at {{fitted-wheel}}, next to the
 drawn 18. The tread comes out at {{fitted-tread}}. It is the sensitive number, because its curvature
 nearly cancels that of the crown: {{tread-per-percent}} more of it moves $a$ by a whole per cent.
 
