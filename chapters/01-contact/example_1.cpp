@@ -23,14 +23,15 @@ $$a^2=\frac{\delta\,\mathrm{D}}{\alpha\,\mathrm{K}},\qquad b^2=\frac{\delta\,\ma
 
 The function `unit_contact` evaluates these formulas for an approach and a modulus of one; all other
 contacts follow by scaling. Its `flat` and `sharp` are the smaller and the larger of $\alpha$ and
-$\beta$. It first finds the shape for which the first two formulas have the given ratio of curvatures,
-as $\ln(b/a)^2$: a slender contact would lose its digits in $1-(b/a)^2$.
+$\beta$. It first finds the shape for which the first two formulas have the given ratio of
+curvatures, as $\ln(b/a)^2$: a slender contact would lose its digits in $1-(b/a)^2$.
 
 {{code: contact/hertz.cpp unit_contact}}
 
-The paper's Table 2 has these four quantities, $F$, $p_0$, $a$ and $b$. It gives each by Hertz and by COUNTACT-2, the variant of the program for two axes of
-symmetry, with the error in per cent. The column of COUNTACT depends on its mesh; ours has nine
-columns, as in the paper's Figure 2, and nine rows.
+The paper's Table 2 has these four quantities, $F$, $p_0$, $a$ and $b$. It gives each by Hertz and
+by COUNTACT-2, the variant of the program for two axes of symmetry, with the error in per cent. The
+column of COUNTACT depends on its mesh; ours has nine columns, as in the paper's Figure 2, and nine
+rows.
 
 {{table-2}}
 

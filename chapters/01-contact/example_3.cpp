@@ -1,8 +1,8 @@
 /*** ## Example 3: a crowned roller
 
 A long cylinder lies on another with a parallel axis. Were its ends cut off square, the pressure
-would be infinite along the edges. So the ends are crowned: beyond a straight middle part the profile
-bends away with a large radius, 85 in. How much does the crown help?
+would be infinite along the edges. So the ends are crowned: beyond a straight middle part the
+profile bends away with a large radius, 85 in. How much does the crown help?
 
 {{fig-11}}
 
@@ -19,18 +19,18 @@ the grid within {{worst-off}}.
 
 {{fig-12}}
 
-The pressure is nearly even over the straight part. Just beyond its end, at $|x|$ = {{peak-place}}, it
-rises to {{peak-ratio}} times its value at the centre, and then it falls to zero as on any smooth
+The pressure is nearly even over the straight part. Just beyond its end, at $|x|$ = {{peak-place}},
+it rises to {{peak-ratio}} times its value at the centre, and then it falls to zero as on any smooth
 body. Whether {{peak-percent}} is what the paper calls negligible cannot be tested: the dimensions
 of its rollers are missing, and the word has no number. The slope of the gap is continuous at the
-end of the straight part, but its curvature jumps from zero to $1/R_c$. Under a jump of curvature the slope
-of the pressure is logarithmically infinite: the peak is a rounded shoulder with a steep inner
-flank.
+end of the straight part, but its curvature jumps from zero to $1/R_c$. Under a jump of curvature
+the slope of the pressure is logarithmically infinite: the peak is a rounded shoulder with a steep
+inner flank.
 
 With square ends the peak has no value. If the pressure of the last cell rises as $h^{-n}$ with the
-width $h$ of a cell, an infinite pressure at a square edge has $n=1/2$ and a finite one $n=0$. From grid
-to grid, each twice as fine along the axis, we find $n$ = {{sharp-rates}}. The force is smaller than
-with the crown, because the patch is shorter.
+width $h$ of a cell, an infinite pressure at a square edge has $n=1/2$ and a finite one $n=0$. From
+grid to grid, each twice as fine along the axis, we find $n$ = {{sharp-rates}}. The force is smaller
+than with the crown, because the patch is shorter.
 
 {{fig-13}}
 

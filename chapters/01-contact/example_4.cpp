@@ -10,8 +10,8 @@ pressure has the complete elliptic integrals $\mathrm{K}$ and $\mathrm{E}$ in it
 
 $$\int_{\text{disc}}\frac{dA}{r}=4c\,\mathrm{E}\!\left(\frac{\rho}{c}\right)\ (\rho<c),\qquad 4\rho\left[\mathrm{E}\!\left(\frac{c}{\rho}\right)-\left(1-\frac{c^2}{\rho^2}\right)\mathrm{K}\!\left(\frac{c}{\rho}\right)\right]\ (\rho>c).$$
 
-This is the function `disc_influence`, whose `r` is our $\rho$. It takes the two integrals apart into
-parts that are all positive, so that no digits cancel at the edge of the disc.
+This is the function `disc_influence`, whose `r` is our $\rho$. It takes the two integrals apart
+into parts that are all positive, so that no digits cancel at the edge of the disc.
 
 {{code: contact/influence.cpp disc_influence}}
 

@@ -29,8 +29,8 @@ a wheel often stands on the jump, where Hertz's formulas do not hold.
 
 B. Paul and J. Hashemi call two bodies *counterformal* when they touch at a point and curve away
 from each other, as a wheel and a rail do. Their program COUNTACT (for *coun*terformal con*tact*)
-finds the contact region and its pressure for such bodies of any shape. Earlier programs of this kind
-were unstable; the authors made theirs stable by where it starts and by a mesh that follows the
+finds the contact region and its pressure for such bodies of any shape. Earlier programs of this
+kind were unstable; the authors made theirs stable by where it starts and by a mesh that follows the
 region.
 
 This page rebuilds the program, recomputes the paper's table and figures, and compares them with

@@ -14,8 +14,9 @@ $$s=w_1+w_2+f-\delta. \tag{2}$$
 
 It must vanish in the contact region $\Omega$, so $s=0$ there (3), and be positive outside it, so
 $s>0$ (4). As long as the region is small against the radii, each body may be taken as an elastic
-half space, that is as if it filled all space behind the plane $xy$. The sinking at a point is then the sum over all elements of area $dA$ that carry a
-pressure $p$, each at the distance $r$ from the point (Boussinesq):
+half space, that is as if it filled all space behind the plane $xy$. The sinking at a point is then
+the sum over all elements of area $dA$ that carry a pressure $p$, each at the distance $r$ from the
+point (Boussinesq):
 
 $$w_i=\frac{1-\nu_i^2}{\pi E_i}\int_\Omega\frac{p\,dA}{r} \tag{5}$$
 

@@ -1,9 +1,10 @@
 /*** ### Which tread did the program have?
 
 The first two of Hertz's formulas in Example 1 give both curvatures back from the printed $a$, $b$
-and $\delta$, without the force or the elastic constants. The function `shape_of` does this. The wheel comes out at {{fitted-wheel}}, next to the
-drawn 18. The tread comes out at {{fitted-tread}}. It is the sensitive number, because its curvature
-nearly cancels that of the crown: {{tread-per-percent}} more of it moves $a$ by a whole per cent.
+and $\delta$, without the force or the elastic constants. The function `shape_of` does this. The
+wheel comes out at {{fitted-wheel}}, next to the drawn 18. The tread comes out at {{fitted-tread}}.
+It is the sensitive number, because its curvature nearly cancels that of the crown:
+{{tread-per-percent}} more of it moves $a$ by a whole per cent.
 
 {{code: tread.cpp shape_of}}
 

@@ -2,9 +2,9 @@
 
 Yes, in {{estimates-force-covered}} forces and {{estimates-peak-covered}} peaks. CG-FFT states an
 error of both. {{drawn}} contacts of closed form were drawn at random: Hertz's of any slenderness,
-along the axes and turned, and punches with rounded edges, on 32 to 48 cells a side. Of these the solver called {{estimates-force-unresolved}}
-under-resolved, without a number for the force, and {{estimates-peak-unresolved}} for the peak. The
-others:
+along the axes and turned, and punches with rounded edges, on 32 to 48 cells a side. Of these the
+solver called {{estimates-force-unresolved}} under-resolved, without a number for the force, and
+{{estimates-peak-unresolved}} for the peak. The others:
 
 {{estimates-force}}
 

@@ -8,8 +8,8 @@ patch is long.
 Here the integrals take $(b/a)^2$ itself, the cells have the inverse hyperbolic sine and the shape
 of the patch, and the conjugate gradients have a preconditioner: the matrix acts like a convolution
 with $1/r$, whose transform is one over the wave number, so multiplying by the wave number on the
-grid nearly inverts it. The iterations to $10^{-8}$ on the finest grid, started from the next coarser
-one:
+grid nearly inverts it. The iterations to $10^{-8}$ on the finest grid, started from the next
+coarser one:
 
 {{extremes}}
 
@@ -24,9 +24,9 @@ radii; the two methods are given the radii.
 
 ### How sharp may the corner be?
 
-The force changes by {{force-change}} between no jump at all and a corner of 0.1 in, and both methods
-find it on all of these. The peak grows without bound, into a strip of a few cells; take a number for
-it only where an error is stated.
+The force changes by {{force-change}} between no jump at all and a corner of 0.1 in, and both
+methods find it on all of these. The peak grows without bound, into a strip of a few cells; take a
+number for it only where an error is stated.
 
 {{corners}}
 
