@@ -1,3 +1,4 @@
+# alt: Columns as high as the pressure stand over the rear half of the contact and rise from the left to a ridge at the right end, where they fall off; the front half shows the mesh, and a closed line around both is the interpenetration curve.
 load "style.gp"
 set output ARG2
 H = 560
