@@ -3,12 +3,12 @@
 
 #include <array>
 
-#include "contact/cg_fft.hpp"
-#include "contact/countact.hpp"
-#include "contact/geometry.hpp"
-#include "contact/hertz.hpp"
-#include "report/chapter.hpp"
-#include "units/constants.hpp"
+#include <railbook/contact/cg_fft.hpp>
+#include <railbook/contact/countact.hpp>
+#include <railbook/contact/geometry.hpp>
+#include <railbook/contact/hertz.hpp>
+#include <railbook/report/chapter.hpp>
+#include <railbook/units/constants.hpp>
 
 namespace railbook::contact_chapter {
 

@@ -64,10 +64,11 @@ are refused as long as too few of them lie between the peak and the boundary to 
 #include <cmath>
 #include <stdexcept>
 
-#include "bench/work_precision.hpp"
-#include "contact/countaxi.hpp"
-#include "contact/punch.hpp"
-#include "num/quadrature.hpp"
+#include <railbook/bench/work_precision.hpp>
+#include <railbook/contact/countaxi.hpp>
+#include <railbook/contact/punch.hpp>
+#include <railbook/num/quadrature.hpp>
+
 #include "sections.hpp"
 
 namespace railbook::contact_chapter {
