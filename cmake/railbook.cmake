@@ -66,11 +66,28 @@ function(railbook_library name)
   endif()
 endfunction()
 
-# railbook_tests(NAME [NEEDS ...] [USES ...])
-# The program test_NAME from tests/lib/NAME/*.cpp; each TEST_CASE is a ctest, of `make thorough` if it has that tag.
-function(railbook_tests name)
+# railbook_method(NAME NN-NAME [NEEDS libraries of lib/] [USES third-party targets])
+# The solver that only one chapter has, from its folder method/: the target railbook_NAME, and the program test_NAME from
+# tests/chapters/NN-NAME. It is not installed.
+function(railbook_method name chapter)
   cmake_parse_arguments(arg "" "" "NEEDS;USES" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/lib/${name}/*.cpp)
+  list(TRANSFORM arg_NEEDS PREPEND railbook_)
+  file(GLOB sources CONFIGURE_DEPENDS method/*.cpp)
+  add_library(railbook_${name} STATIC ${sources})
+  target_include_directories(railbook_${name} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
+  target_link_libraries(railbook_${name} PUBLIC railbook_flags ${arg_NEEDS} ${arg_USES})
+  railbook_precompile(railbook_${name} lib)
+  railbook_tests(${name} FOLDER chapters/${chapter})
+endfunction()
+
+# railbook_tests(NAME [FOLDER folder of tests/] [NEEDS ...] [USES ...])
+# The program test_NAME from the folder, lib/NAME; each TEST_CASE is a ctest, of `make thorough` if it has that tag.
+function(railbook_tests name)
+  cmake_parse_arguments(arg "" "FOLDER" "NEEDS;USES" ${ARGN})
+  if(NOT arg_FOLDER)
+    set(arg_FOLDER lib/${name})
+  endif()
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${arg_FOLDER}/*.cpp)
   if(NOT sources OR NOT RAILBOOK_TESTS)
     return()
   endif()

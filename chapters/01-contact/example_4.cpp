@@ -44,9 +44,8 @@ contact that reaches only {{reach}} beyond it, so the rings must be narrow there
 
 #include <cmath>
 
-#include <railbook/contact/countaxi.hpp>
-#include <railbook/contact/punch.hpp>
-
+#include "method/countaxi.hpp"
+#include "method/punch.hpp"
 #include "sections.hpp"
 
 namespace railbook::contact_chapter {

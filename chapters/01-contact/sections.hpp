@@ -4,11 +4,12 @@
 #include <array>
 
 #include <railbook/contact/cg_fft.hpp>
-#include <railbook/contact/countact.hpp>
 #include <railbook/contact/geometry.hpp>
 #include <railbook/contact/hertz.hpp>
 #include <railbook/report/chapter.hpp>
 #include <railbook/units/constants.hpp>
+
+#include "method/countact.hpp"
 
 namespace railbook::contact_chapter {
 

@@ -56,7 +56,7 @@ struct NormalContact {
 };
 
 // The answer of every solver to an approach <= 0, at which the bodies do not overlap anywhere: no cells, force 0,
-// area 0, converged, and a reason that says so. (The closed forms of hertz.hpp and punch.hpp have no empty
+// area 0, converged, and a reason that says so. (The closed forms of hertz.hpp have no empty
 // contact to describe and refuse it.)
 NormalContact empty_contact(double approach);
 

@@ -108,13 +108,13 @@ void punch() {
       const Quad x = low + (high - low) * 0.382Q, y = low + (high - low) * 0.618Q;
       (pressure(x) < pressure(y) ? low : high) = pressure(x) < pressure(y) ? x : y;
     }
-    std::printf("tests/lib/contact/punch.cpp: Case{%s, %s, %s, %s, %s, %s}\n", name,
+    std::printf("tests/chapters/01-contact/punch.cpp: Case{%s, %s, %s, %s, %s, %s}\n", name,
                 digits(a, "%.14Qg").c_str(), digits(force, "%.14Qg").c_str(),
                 digits(pressure(0), "%.12Qg").c_str(), digits(pressure(low), "%.11Qg").c_str(),
                 digits(low, "%.6Qf").c_str());
   }
   const Quad z = bisect([](Quad x) { return x * tanhq(x) - 1; }, 1, 2);
-  std::printf("tests/lib/contact/punch.cpp: z = %s;\n", digits(z, "%.17Qg").c_str());
+  std::printf("tests/chapters/01-contact/punch.cpp: z = %s;\n", digits(z, "%.17Qg").c_str());
 }
 
 // -1/(4 pi) integral of ln R / sin^2(t/2), R = 4 sin^2(t/2) sum of (-1)^m sign(t + 2 pi m)/(t + 2 pi m)^2.

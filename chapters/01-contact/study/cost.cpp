@@ -65,10 +65,10 @@ are refused as long as too few of them lie between the peak and the boundary to 
 #include <stdexcept>
 
 #include <railbook/bench/work_precision.hpp>
-#include <railbook/contact/countaxi.hpp>
-#include <railbook/contact/punch.hpp>
 #include <railbook/num/quadrature.hpp>
 
+#include "method/countaxi.hpp"
+#include "method/punch.hpp"
 #include "sections.hpp"
 
 namespace railbook::contact_chapter {

@@ -24,9 +24,9 @@ The closed forms against extended precision (80 bits), at {{arguments}} argument
 
 #include <railbook/bench/evidence.hpp>
 #include <railbook/contact/influence.hpp>
-#include <railbook/contact/punch.hpp>
 #include <railbook/num/parallel.hpp>
 
+#include "method/punch.hpp"
 #include "sections.hpp"
 
 namespace railbook::contact_chapter {

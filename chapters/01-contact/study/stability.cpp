@@ -39,8 +39,8 @@ number for it only where an error is stated.
 #include <utility>
 
 #include <railbook/contact/bodies.hpp>
-#include <railbook/contact/punch.hpp>
 
+#include "method/punch.hpp"
 #include "sections.hpp"
 
 namespace railbook::contact_chapter {

@@ -2,7 +2,6 @@
 #include <limits>
 
 #include <railbook/contact/cg_fft.hpp>
-#include <railbook/contact/uniform_dense.hpp>
 #include <railbook/units/input_error.hpp>
 
 using namespace railbook;
@@ -47,15 +46,4 @@ TEST_CASE("input: too few iterations are reported") {
   const NormalContact contact = solve_cg_fft(bowl, 1, 1, options).contact;
   CHECK_FALSE(contact.converged);
   CHECK(contact.reason.find("conjugate gradients") != std::string::npos);
-}
-
-TEST_CASE("input: the dense solver refuses what it cannot hold or read") {
-  const Grid grid{-1, -1, 0.02, 0.02, 100, 100};
-  const Eigen::VectorXd flat = Eigen::VectorXd::Zero(grid.cells());
-  UniformDenseOptions small;
-  small.most_bytes = 1 << 20;
-  CHECK_THROWS_WITH(solve_uniform_dense(grid, flat, 1, 1, small), Catch::Contains("GB"));
-  CHECK_THROWS_AS(solve_uniform_dense(grid, flat.head(5), 1, 1), InputError);
-  CHECK_THROWS_AS(solve_uniform_dense(grid, flat, 1, -1), InputError);
-  CHECK(solve_uniform_dense(grid, flat, -1, 1).converged);
 }

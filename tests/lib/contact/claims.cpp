@@ -1,12 +1,11 @@
-// The accuracy that lib/contact states, on seeded inputs over its range; exact values in 80-bit arithmetic, by Gauss's mean,
-// bisection and quadrature of their own.
+// The accuracy that lib/contact states, on seeded inputs over its range; exact values in 80-bit arithmetic, by Gauss's mean and
+// bisection.
 #include <cmath>
 
 #include <railbook/contact/convolution.hpp>
 #include <railbook/contact/geometry.hpp>
 #include <railbook/contact/hertz.hpp>
 #include <railbook/contact/influence.hpp>
-#include <railbook/contact/punch.hpp>
 
 #include "support/claim.hpp"
 
@@ -55,31 +54,6 @@ Long disc(Long c, Long r) {
 Long corner(Long x, Long y) {
   if (x == 0 || y == 0) return 0;
   return x * std::asinh(y / std::abs(x)) + y * std::asinh(x / std::abs(y));
-}
-
-// s - b arctan(s/b).
-Long lift(Long s, Long b) {
-  const Long x = s / b;
-  if (x > 0.3L) return s - b * std::atan(x);
-  Long sum = 0, power = x * x;
-  for (int k = 3; k < 80; k += 2) sum += power / k, power *= -x * x;
-  return s * sum;
-}
-
-// Abel's integral of the punch's pressure over E*/(pi R), by the tanh-sinh rule; nothing cancels at its ends.
-Long abel(Long r, Long b, Long a) {
-  const Long first = std::max(r, b), half = (a - first) / 2;
-  Long sum = 0;
-  for (int k = -60; k <= 60; ++k) {
-    const Long t = k / Long{16}, s = long_pi / 2 * std::sinh(t), e = std::exp(-2 * std::abs(s));
-    const Long near = 2 * half * e / (1 + e), above = t < 0 ? near : 2 * half - near;
-    const Long weight = half * long_pi / 2 * std::cosh(t) * 4 * e / ((1 + e) * (1 + e)) / 16;
-    if (above == 0 || weight == 0) continue;
-    const Long root = std::sqrt((first - b + above) * (first + b + above));
-    const Long arc = b > 0 ? b * std::atan(root / b) : 0;
-    sum += weight * (2 * root - arc) / std::sqrt((first - r + above) * (first + r + above));
-  }
-  return sum;
 }
 
 }  // namespace
@@ -200,35 +174,6 @@ TEST_CASE("claim: disc, ring and rectangle") {
     rectangles.error(
         std::abs(static_cast<double>(rectangle_influence(x1, x2, y1, y2) / whole - 1)) * area /
         (d * d));
-  }
-}
-
-TEST_CASE("claim: the rounded punch and its pressure") {
-  Claim closed("contact::punch_from_approach"), pressure("contact::punch_pressure");
-  Draw draw(5);
-  for (int k = 0; k < 1000; ++k) {
-    const double b = draw.decades(1e-4, 1),
-                 edge = k % 2 == 0 ? b * draw.decades(1e-3, 1e2) : b * draw.decades(1e-12, 1e6),
-                 delta = b * draw.decades(1e-9, 1e-2);
-    Long low = std::log(Long{b}) - 40, high = std::log(Long{b} + delta + edge) + 40;
-    for (int n = 0; n < 80; ++n) {
-      const Long s = std::exp((low + high) / 2);
-      (std::hypot(s, Long{b}) * lift(s, b) < Long{delta} * edge ? low : high) = (low + high) / 2;
-    }
-    const Long s = std::exp((low + high) / 2), a = std::hypot(s, Long{b});
-    const PunchContact c = punch_from_approach({b, edge}, 1e11, delta);
-    closed.relative(c.radius, a);
-    closed.relative(c.s, s);
-    closed.relative(c.force, 1e11L * (a * delta + s * s * s / (3 * Long{edge})));
-    if (k % 2 == 0) {
-      // Also next to the edge, where the pressure falls to nothing.
-      for (const double r : {draw(0, 1) * c.radius, b + draw(0, 1) * c.edge_width,
-                             c.radius - c.edge_width * draw.decades(1e-6, 1)})
-        if (r < c.radius)
-          pressure.error(static_cast<double>(
-              std::abs(punch_pressure(c, r) / (1e11L / (long_pi * edge) * abel(r, b, a)) - 1) /
-              (1 + 1e-5L * a / (a - r))));
-    }
   }
 }
 

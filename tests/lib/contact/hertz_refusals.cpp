@@ -2,7 +2,6 @@
 #include <limits>
 
 #include <railbook/contact/hertz.hpp>
-#include <railbook/contact/punch.hpp>
 #include <railbook/units/input_error.hpp>
 
 using namespace railbook;
@@ -17,12 +16,4 @@ TEST_CASE("input: Hertz refuses an empty contact and bodies that do not touch fi
     CHECK_THROWS_AS(hertz_from_approach({1, 2, 0}, bad, 1e-5), InputError);
   }
   CHECK_THROWS_AS(elliptic_integrals(0.1), InputError);
-}
-
-TEST_CASE("input: the punch refuses an empty contact and a shape that is no punch") {
-  CHECK_THROWS_AS(punch_from_approach({0.5, 1}, 1e11, 0), InputError);
-  CHECK_THROWS_AS(punch_from_approach({0.5, 1}, -1, 1e-5), InputError);
-  CHECK_THROWS_AS(punch_from_approach({0, 0}, 1e11, 1e-5), InputError);
-  CHECK_THROWS_AS(punch_from_approach({-0.5, 1}, 1e11, 1e-5), InputError);
-  CHECK_THROWS_AS(punch_pressure(punch_from_approach({0.5, 1}, 1e11, 1e-5), -0.1), InputError);
 }

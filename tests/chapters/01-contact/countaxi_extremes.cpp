@@ -2,15 +2,16 @@
 #include <cmath>
 #include <limits>
 
-#include <railbook/contact/countaxi.hpp>
 #include <railbook/contact/geometry.hpp>
-#include <railbook/contact/punch.hpp>
 #include <railbook/units/input_error.hpp>
 
+#include "method/countaxi.hpp"
+#include "method/punch.hpp"
 #include "support/no_fp_fault.hpp"
 
 using namespace railbook;
 using namespace railbook::contact;
+using namespace railbook::contact_chapter;
 
 TEST_CASE("extreme: too few rings for a sharp gradient are reported, not used") {
   const NoFpFault no_fault;

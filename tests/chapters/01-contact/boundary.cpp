@@ -4,10 +4,11 @@
 #include <limits>
 #include <vector>
 
-#include <railbook/contact/detail/countact_parts.hpp>
+#include "method/parts.hpp"
 
 using namespace railbook::contact;
-using namespace railbook::contact::detail;
+using namespace railbook::contact_chapter;
+using namespace railbook::contact_chapter::detail;
 using Catch::Matchers::Contains;
 
 namespace {

@@ -2,14 +2,16 @@
 #include <cmath>
 #include <string>
 
-#include <railbook/contact/countact.hpp>
 #include <railbook/contact/geometry.hpp>
 #include <railbook/contact/hertz.hpp>
 
+#include "method/countact.hpp"
+#include "method/countaxi.hpp"
 #include "support/no_fp_fault.hpp"
 
 using namespace railbook;
 using namespace railbook::contact;
+using namespace railbook::contact_chapter;
 
 namespace {
 
@@ -130,4 +132,23 @@ TEST_CASE("extreme: two pieces of overlap with a column between them are refused
   CHECK_FALSE(c.converged);
   CHECK(c.reason.find("several pieces") != std::string::npos);
   CHECK(c.p.size() == 0);
+}
+
+TEST_CASE("extreme: no approach, no contact") {
+  const Gap gap = [](double x, double y) { return x * x + y * y; };
+  for (const double approach : {0.0, -1.0}) {
+    for (const NormalContact& contact :
+         {countact_1(gap, approach, 1).contact, countact_2(gap, approach, 1).contact}) {
+      CHECK(contact.converged);
+      CHECK(contact.approach == approach);
+      CHECK(contact.force == 0);
+      CHECK(contact.p.size() == 0);
+      CHECK(contact.area == 0);
+      CHECK(contact.reason == empty_contact_reason);
+    }
+    const RingContact rings = countaxi(gap, approach, 1);
+    CHECK(rings.converged);
+    CHECK(rings.force == 0);
+    CHECK(rings.reason == empty_contact_reason);
+  }
 }

@@ -1,4 +1,4 @@
-#include <railbook/contact/countact.hpp>
+#include "method/countact.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -6,12 +6,16 @@
 #include <limits>
 #include <string>
 
-#include <railbook/contact/detail/countact_parts.hpp>
 #include <railbook/contact/geometry.hpp>
 #include <railbook/units/constants.hpp>
 #include <railbook/units/input_error.hpp>
 
-namespace railbook::contact {
+#include "method/parts.hpp"
+
+namespace railbook::contact_chapter {
+
+using namespace contact;
+
 namespace {
 
 using namespace detail;
@@ -282,4 +286,4 @@ CountactResult countact_2(const Gap& gap, double approach, double modulus,
   return solve(gap, approach, modulus, options, true);
 }
 
-}  // namespace railbook::contact
+}  // namespace railbook::contact_chapter

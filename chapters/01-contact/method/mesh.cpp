@@ -2,12 +2,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include <railbook/contact/detail/countact_parts.hpp>
 #include <railbook/contact/influence.hpp>
 #include <railbook/units/constants.hpp>
 #include <railbook/units/input_error.hpp>
 
-namespace railbook::contact {
+#include "method/parts.hpp"
+
+namespace railbook::contact_chapter {
+
+using namespace contact;
+
 namespace {
 
 std::vector<double> side_edges(const Side& side) {
@@ -180,4 +184,4 @@ double interpenetration_half_width(const Gap& gap, double approach, double x) {
 }
 
 }  // namespace detail
-}  // namespace railbook::contact
+}  // namespace railbook::contact_chapter

@@ -4,9 +4,9 @@
 #include <Eigen/Core>
 #include <string>
 
-#include <railbook/contact/countact.hpp>
+#include "method/countact.hpp"
 
-namespace railbook::contact {
+namespace railbook::contact_chapter {
 
 struct CountaxiOptions {
   int rings = 60;      // >= 3
@@ -39,4 +39,4 @@ struct RingContact {
 [[nodiscard]] RingContact countaxi(const Gap& gap, double approach, double effective_modulus,
                                    const CountaxiOptions& options = {});
 
-}  // namespace railbook::contact
+}  // namespace railbook::contact_chapter

@@ -1,11 +1,13 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include <railbook/contact/countact.hpp>
 #include <railbook/contact/geometry.hpp>
+
+#include "method/countact.hpp"
 
 using namespace railbook;
 using namespace railbook::contact;
+using namespace railbook::contact_chapter;
 
 namespace {
 

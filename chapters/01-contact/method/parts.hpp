@@ -1,11 +1,11 @@
-// The parts of COUNTACT that do not iterate: mesh, coefficients, boundary. Not for use outside this folder.
+// The parts of COUNTACT that do not iterate: mesh, coefficients, boundary. Not for use outside this folder, but for its tests.
 #pragma once
 
 #include <string>
 
-#include <railbook/contact/countact.hpp>
+#include "method/countact.hpp"
 
-namespace railbook::contact::detail {
+namespace railbook::contact_chapter::detail {
 
 // Cell numbering: `half_rows` cells from the axis outward in each of `unknown_columns` columns.
 struct CellNumbers {
@@ -64,4 +64,4 @@ struct Update {
 Update update_boundary(CountactStep& step, const CellNumbers& cells, const CountactOptions& options,
                        double share);
 
-}  // namespace railbook::contact::detail
+}  // namespace railbook::contact_chapter::detail

@@ -6,7 +6,9 @@
 
 #include <railbook/contact/geometry.hpp>
 
-namespace railbook::contact {
+namespace railbook::contact_chapter {
+
+using contact::RoundedPunch;
 
 struct PunchContact {
   RoundedPunch shape;
@@ -38,4 +40,4 @@ struct PunchPeak {
 };
 PunchPeak punch_peak(const PunchContact& contact);
 
-}  // namespace railbook::contact
+}  // namespace railbook::contact_chapter

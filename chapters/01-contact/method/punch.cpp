@@ -1,4 +1,4 @@
-#include <railbook/contact/punch.hpp>
+#include "method/punch.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,10 @@
 #include <railbook/units/constants.hpp>
 #include <railbook/units/input_error.hpp>
 
-namespace railbook::contact {
+namespace railbook::contact_chapter {
+
+using namespace contact;
+
 namespace {
 
 // s - b arctan(s/b): by its series where the difference cancels.
@@ -125,4 +128,4 @@ PunchPeak punch_peak(const PunchContact& c) {
   return {b + x, at(x)};
 }
 
-}  // namespace railbook::contact
+}  // namespace railbook::contact_chapter

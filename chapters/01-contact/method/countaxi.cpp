@@ -1,16 +1,20 @@
-#include <railbook/contact/countaxi.hpp>
+#include "method/countaxi.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
-#include <railbook/contact/detail/countact_parts.hpp>
 #include <railbook/contact/geometry.hpp>
 #include <railbook/contact/influence.hpp>
 #include <railbook/units/constants.hpp>
 #include <railbook/units/input_error.hpp>
 
-namespace railbook::contact {
+#include "method/parts.hpp"
+
+namespace railbook::contact_chapter {
+
+using namespace contact;
+
 namespace {
 
 void check(const CountaxiOptions& o) {
@@ -133,4 +137,4 @@ RingContact countaxi(const Gap& gap, double approach, double modulus, const Coun
   return c;
 }
 
-}  // namespace railbook::contact
+}  // namespace railbook::contact_chapter

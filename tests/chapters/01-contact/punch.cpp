@@ -1,4 +1,4 @@
-#include <railbook/contact/punch.hpp>
+#include "method/punch.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -10,6 +10,7 @@
 
 using namespace railbook;
 using namespace railbook::contact;
+using namespace railbook::contact_chapter;
 
 namespace {
 

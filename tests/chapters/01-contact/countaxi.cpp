@@ -1,16 +1,18 @@
-#include <railbook/contact/countaxi.hpp>
+#include "method/countaxi.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <vector>
 
-#include <railbook/contact/detail/countact_parts.hpp>
 #include <railbook/contact/geometry.hpp>
 #include <railbook/contact/hertz.hpp>
-#include <railbook/contact/punch.hpp>
+
+#include "method/parts.hpp"
+#include "method/punch.hpp"
 
 using namespace railbook;
 using namespace railbook::contact;
+using namespace railbook::contact_chapter;
 
 namespace {
 

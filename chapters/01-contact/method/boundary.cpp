@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include <railbook/contact/detail/countact_parts.hpp>
+#include "method/parts.hpp"
 
-namespace railbook::contact::detail {
+namespace railbook::contact_chapter::detail {
 namespace {
 
 // Fig. 4: the zero of the side-lying parabola through the last two or three points, p falling outward.
@@ -127,4 +127,4 @@ Update update_boundary(CountactStep& step, const CellNumbers& cells, const Count
   return update;
 }
 
-}  // namespace railbook::contact::detail
+}  // namespace railbook::contact_chapter::detail

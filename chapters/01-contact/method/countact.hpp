@@ -10,7 +10,9 @@
 
 #include <railbook/contact/normal_contact.hpp>
 
-namespace railbook::contact {
+namespace railbook::contact_chapter {
+
+using contact::Gap, contact::NormalContact;
 
 // How the x diameter is cut: column edges as fractions. Either `whole` alone, from 0 (x_min) to 1 (x_max),
 // or `left` and `right`, from 0 (the origin) to 1 (that end): then an edge stays on x = 0.
@@ -93,4 +95,4 @@ struct CountactResult {
 // outward in each column, columns from left to right (both_axes: from the axis to the right).
 Eigen::MatrixXd countact_matrix(const ColumnMesh& mesh, int rows, bool both_axes);
 
-}  // namespace railbook::contact
+}  // namespace railbook::contact_chapter

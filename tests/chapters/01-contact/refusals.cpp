@@ -3,13 +3,16 @@
 #include <utility>
 #include <vector>
 
-#include <railbook/contact/countact.hpp>
-#include <railbook/contact/countaxi.hpp>
 #include <railbook/contact/geometry.hpp>
 #include <railbook/units/input_error.hpp>
 
+#include "method/countact.hpp"
+#include "method/countaxi.hpp"
+#include "method/punch.hpp"
+
 using namespace railbook;
 using namespace railbook::contact;
+using namespace railbook::contact_chapter;
 
 namespace {
 
@@ -89,4 +92,12 @@ TEST_CASE("input: an unsymmetric gap is refused to either side, rounding is not"
     const Gap rounding = [=](double x, double y) { return x * x + 3 * y * y + 1e-9 * odd * y; };
     CHECK_NOTHROW((void)countact_1(rounding, 1e-3, 1e7));
   }
+}
+
+TEST_CASE("input: the punch refuses an empty contact and a shape that is no punch") {
+  CHECK_THROWS_AS(punch_from_approach({0.5, 1}, 1e11, 0), InputError);
+  CHECK_THROWS_AS(punch_from_approach({0.5, 1}, -1, 1e-5), InputError);
+  CHECK_THROWS_AS(punch_from_approach({0, 0}, 1e11, 1e-5), InputError);
+  CHECK_THROWS_AS(punch_from_approach({-0.5, 1}, 1e11, 1e-5), InputError);
+  CHECK_THROWS_AS(punch_pressure(punch_from_approach({0.5, 1}, 1e11, 1e-5), -0.1), InputError);
 }

@@ -1,4 +1,4 @@
-#include <railbook/contact/countact.hpp>
+#include "method/countact.hpp"
 
 #include <gsl/gsl_linalg.h>
 
@@ -11,6 +11,7 @@
 
 using namespace railbook;
 using namespace railbook::contact;
+using namespace railbook::contact_chapter;
 
 namespace {
 

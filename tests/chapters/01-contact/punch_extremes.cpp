@@ -1,13 +1,14 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include <railbook/contact/punch.hpp>
 #include <railbook/units/constants.hpp>
 
+#include "method/punch.hpp"
 #include "support/no_fp_fault.hpp"
 
 using namespace railbook;
 using namespace railbook::contact;
+using namespace railbook::contact_chapter;
 
 // As a -> b the width of the rounded contact is governed by s^3 = 3 b delta R (1 + ...): nothing may cancel.
 TEST_CASE("extreme: a hardly rounded punch keeps its digits") {
