@@ -107,7 +107,7 @@ void draw::in_space(report::Item& item, const NormalContact& c, const Gap& gap) 
   scene::labelled(item, "pressure.gp", drawing, camera, size,
                   {{{-0.62 * inch, -0.36 * inch, 0}, "interpenetration curve"},
                    {{-0.30 * inch, -0.12 * inch, 0}, "last mesh"},
-                   {{c.x_p_max - 0.2 * inch, 0, 0.98 * height}, "peak beyond the jump"}});
+                   {{c.x_p_max - 0.25 * inch, 0, 0.98 * height}, "peak beyond the jump"}});
 }
 
 namespace {

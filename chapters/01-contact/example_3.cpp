@@ -130,7 +130,7 @@ void fig_12(report::Item& item) {
                   "the dimensions of the rollers are ours");
   item.claim("infinite", "sharp edges would produce infinite contact pressure",
              std::is_sorted(rates.begin(), rates.end()) && std::abs(rates.back() - 0.5) < 0.02,
-             "the pressure of the last cell grows as h^-n, with n = " + list_of(rates) +
+             "the pressure of the last cell grows as $h^{-n}$, with $n$ = " + list_of(rates) +
                  " on finer and finer grids, towards the 1/2 of a square edge");
   item.value("slenderness", smooth.x_max / smooth.y_max, "", "{:.0f}");
   item.value("worst-off", 100 * off, "%", "{:.2f}");
