@@ -1,6 +1,6 @@
 # alt: Two curves of the gap across the rail. The undeformed gap is a parabola that is negative between P' and Q'; the deformed gap is zero between P and Q, closer to the middle, and positive outside.
 load "style.gp"
-set terminal pngcairo size 740,420 font "DejaVu Sans,12" enhanced background rgb "white"
+set terminal pngcairo size 740,330 font "DejaVu Sans,12" enhanced background rgb "white"
 set output ARG2
 unset key
 set xlabel "x across the rail, in"

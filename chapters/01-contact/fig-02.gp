@@ -1,11 +1,11 @@
 # alt: A half disc of boxes, nine columns of cells. Triangles mark a smaller arch inside it, circles the same arch at nine new columns between A and B.
 load "style.gp"
-set terminal pngcairo size 740,420 font "DejaVu Sans,12" enhanced background rgb "white"
+set terminal pngcairo size 740,370 font "DejaVu Sans,12" enhanced background rgb "white"
 set output ARG2
 set xlabel "x across the rail, in"
 set ylabel "y along the rail, in"
 set xrange [-0.21:0.21]
-set yrange [0:0.15]
+set yrange [0:0.17]
 set key top center horizontal maxcols 3 samplen 1.5
 set label "A" at -0.182,0.006 right
 set label "B" at 0.182,0.006 left

@@ -1,6 +1,6 @@
 # alt: Pressures of the last three cells of a column and two parabolas on their sides through them, which reach zero at nearly the same place, outside the last cell.
 load "style.gp"
-set terminal pngcairo size 740,420 font "DejaVu Sans,12" enhanced background rgb "white"
+set terminal pngcairo size 740,330 font "DejaVu Sans,12" enhanced background rgb "white"
 set output ARG2
 set xlabel "y along the rail, in"
 set ylabel "p, 10^4 psi"

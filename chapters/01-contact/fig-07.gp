@@ -1,6 +1,6 @@
 # alt: Four nested arches, the outermost the interpenetration curve, shrinking in three steps to Hertz's ellipse; the last mesh lies under it.
 load "style.gp"
-set terminal pngcairo size 740,420 font "DejaVu Sans,12" enhanced background rgb "white"
+set terminal pngcairo size 740,400 font "DejaVu Sans,12" enhanced background rgb "white"
 set output ARG2
 unset key
 set xlabel "x across the rail, in"

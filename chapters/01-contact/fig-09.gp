@@ -1,6 +1,6 @@
 # alt: Pressure along x. It rises slowly from -0.57 in over the crown, steeply near the jump at 0 to a peak of three hundred thousand psi, and falls to zero within 0.06 in over the corner. A coned wheel has a shorter contact with a higher peak.
 load "style.gp"
-set terminal pngcairo size 740,420 font "DejaVu Sans,12" enhanced background rgb "white"
+set terminal pngcairo size 740,330 font "DejaVu Sans,12" enhanced background rgb "white"
 set output ARG2
 set xlabel "x across the rail, in"
 set ylabel "p(x, 0), 10^5 psi"

@@ -1,6 +1,6 @@
 # alt: Profile along the axis of the roller, flat in the middle half and bending down by up to a thousandth of an inch at the ends; a dashed copy raised by the approach overlaps the straight body above.
 load "style.gp"
-set terminal pngcairo size 740,420 font "DejaVu Sans,12" enhanced background rgb "white"
+set terminal pngcairo size 740,330 font "DejaVu Sans,12" enhanced background rgb "white"
 set output ARG2
 unset key
 set xlabel "x along the axis, in"

@@ -1,6 +1,6 @@
 # alt: Pressure along the axis of the roller: nearly even in the middle, a low shoulder beyond the end of the straight part for the crown of 85 in, a higher one for 10 in, and a spike at the square end.
 load "style.gp"
-set terminal pngcairo size 740,420 font "DejaVu Sans,12" enhanced background rgb "white"
+set terminal pngcairo size 740,330 font "DejaVu Sans,12" enhanced background rgb "white"
 set output ARG2
 set xlabel "x along the axis, in"
 set ylabel "pressure on the axis, 10^5 psi"

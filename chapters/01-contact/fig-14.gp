@@ -1,6 +1,6 @@
 # alt: Above, the gap under the stamp, zero to 0.5 in and rising beyond. Below, the pressure: ten thousand psi in the middle, rising to eighty thousand just outside the flat and falling to zero, while that of a sharp punch grows without bound. Right, the edge enlarged with the points of the rings.
 load "style.gp"
-set terminal pngcairo size 740,520 font "DejaVu Sans,12" enhanced background rgb "white"
+set terminal pngcairo size 740,420 font "DejaVu Sans,12" enhanced background rgb "white"
 set output ARG2
 set multiplot
 unset key

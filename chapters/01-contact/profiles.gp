@@ -1,11 +1,11 @@
 # alt: Section across the rail. The hollow tread of the wheel lies on the head of the rail and touches it at O; the gap opens to both sides, faster where the rail's radius is smaller.
 load "style.gp"
-set terminal pngcairo size 740,420 font "DejaVu Sans,12" enhanced background rgb "white"
+set terminal pngcairo size 740,330 font "DejaVu Sans,12" enhanced background rgb "white"
 set output ARG2
 set xlabel "x across the rail, in"
 set ylabel "height, in"
 set autoscale xfix
-set key bottom left
+unset key
 set yrange [-0.35:0.18]
 set arrow from 0, graph 0 to 0, graph 1 nohead ls guide front
 set label "O" at 0.02,0.02 front
