@@ -1,19 +1,21 @@
-/*** How much track does it take? {{length-records}} records of zone 12 are synthesised from its
-printed $A$, $\varphi_0$, $\varphi_c$ and $B$, on rail of {{length-rail}}. The zone is the hardest
-of the thirteen to classify: its deviation is {{length-margin}} inside the limit of class 3. Each
-record is read at {{length-lengths}} of its length in three ways. *Regression* is this library:
-Welch's method with 4096 samples a segment and a regression free of the logarithm's bias. *512 ft*
-is the same with segments of 512 ft, the paper's likely analysis. *Ruler* does on segments of 512 ft
-what the paper does by hand: a line of slope −2 through the bins below $\varphi_0$ and one of slope
-−4 through those above $3\varphi_0$, without the bins near $\varphi_0$, $2\varphi_0$, $3\varphi_0$
-and so on; then the height of the peak above them times its width at half that height, as in (6),
-both taken from a smooth curve through its three highest points.
+/*** **How much track does it take to know $A$, $\varphi_c$, $B$ and the class?** {{length-answer}}
+
+This was counted on {{length-records}} records of zone 12, synthesised from its printed $A$,
+$\varphi_0$, $\varphi_c$ and $B$, on rail of {{length-rail}}. The zone is the hardest of the thirteen
+to classify: its deviation is {{length-margin}} inside the limit of class 3. Each record is read at
+{{length-lengths}} of its length in three ways. *Regression* is this library: Welch's method with
+4096 samples a segment and a regression free of the logarithm's bias. *512 ft* is the same with
+segments of 512 ft, the paper's likely analysis. *Ruler* does on segments of 512 ft what the paper
+does by hand. It lays a line of slope −2 through the bins below $\varphi_0$ and one of slope −4
+through those above $3\varphi_0$, without the bins near $\varphi_0$, $2\varphi_0$, $3\varphi_0$ and
+so on. Then it takes the height of the peak above them times its width at half that height, as in
+(6), both from a smooth curve through the three highest points.
 
 {{fig-length}}
 
-Upper row: the bias, with its standard error. Lower row: the scatter, with its standard error, what
-the library states (line) and the square root of the length (dashed). {{length-answer}} At the
-longest length the library's class is right in {{length-right}} of the records, and it gives that
+The upper row has the bias, with its standard error. The lower row has the scatter, with its
+standard error; the line is what the library states, and the dashed one falls with the square root
+of the length. At the longest length the library's class is right in {{length-right}} of the records, and it gives that
 class a probability of {{length-stated}} on average. The ruler's class is right in {{length-ruler}},
 for its $B$ is low and moves the zone away from the limit.
 */
@@ -52,7 +54,7 @@ ReadTrack by_library(const spectra::Spectrum& spectrum, double rail_length, int 
           spectra::class_probabilities(fit)[static_cast<std::size_t>(true_class)]};
 }
 
-/*** What the paper does with a ruler: */
+/*** The function `by_ruler` does what the paper does by hand. */
 ReadTrack by_ruler(const spectra::Spectrum& s, double rail_length, int) {
   const double phi_1 = 1 / rail_length;
   double flat = 0, steep = 0;
@@ -223,15 +225,14 @@ void fig_length(report::Item& item) {
   item.value("length-ruler", 100 * ruler.right, "%", "{:.0f}");
 }
 
-/*** The same readings against their cost. The time is that of one record, Welch's method and
-reading; the error is the root mean square error of $A$ over all records of that length, from the
-panel above. The true $A$ is known but for {{cost-doubt}}, by which the generator's own density
-misses the model.
+/*** **Which reading gives the most for its time?** {{cost-answer}} That counts the computer's time
+only. A kilometre of track costs more than a microsecond, so take {{cost-choice}}.
+
+The time is that of one record, Welch's method and reading. The error is the root mean square error
+of $A$ over all records of that length, from {{fig-length}}. The true $A$ is known but for
+{{cost-doubt}}, by which the generator's own density misses the model.
 
 {{fig-cost}}
-
-{{cost-answer}} That counts the computer's time only. A kilometre of track costs more than a
-microsecond, so take {{cost-choice}}.
 
 {{work-precision: fig-cost}}
 */
@@ -272,7 +273,7 @@ void fig_cost(report::Item& item) {
       study.track, static_cast<std::size_t>(study.lengths.back() / study.track.spacing));
   std::vector<bench::Method> methods;
   for (std::size_t w = 0; w < std::size(ways); ++w) {
-    methods.push_back({ways[w].name, {}, -0.5, "points transformed"});
+    methods.push_back({ways[w].name, {}, 0, "points transformed"});
     for (std::size_t i = 0; i < study.lengths.size(); ++i) {
       const double rms = study.found[w][i].rms()[0];
       const auto n = static_cast<std::size_t>(study.lengths[i] / study.track.spacing);

@@ -1,4 +1,4 @@
-/*** Real records have gaps, grades, noise, old rail under new, faults of measuring, and chords
+/*** **Which records break the method, and does it say so?** Real records have gaps, grades, noise, old rail under new, faults of measuring, and chords
 instead of profiles. Each row changes one thing of a record of zone 7 ({{stability-length}}, a
 sample a foot) and lets the estimator judge itself. A row *holds* when $A$ and $B$ come out within
 {{stability-errors}} of their own standard errors, which one of all rows exceeds by chance once in a
@@ -52,8 +52,8 @@ struct Case {
   bool lossy() const { return loss > 0 || known; }
 };
 
-/*** The records: shapes of spectrum that the model has or has not, disturbances of the track, and
-faults of measuring. */
+// The records: shapes of spectrum that the model has or has not, disturbances of the track, and
+// faults of measuring.
 struct Cases {
   spectra::SyntheticTrack base;
   std::vector<Case> list = {};
@@ -179,7 +179,7 @@ void measured_badly(Cases& cases) {
             });
 }
 
-/*** What comes of one: */
+// What comes of one.
 struct Result {
   spectra::SpectrumFit fit;
   std::string doubts;

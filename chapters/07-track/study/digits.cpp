@@ -1,5 +1,6 @@
 /***
-**Digits.** The closed forms against the same quantity in extended precision, each over its range:
+**How many digits do the closed forms have?** Each is held against the same quantity in extended
+precision, over its range.
 
 {{digits}}
 

@@ -13,23 +13,23 @@ random passages of {{estimates}}.
 For the typical track order 8 at its tightest agrees with it within {{cost-p1-reference}} for P1 and
 {{cost-p2-reference}} for P2.
 
-P1: {{cost-p1-answer}}
+**For P1:** {{cost-p1-answer}}
 
 {{cost-p1}}
 
 {{work-precision: cost-p1}}
 
-P2: {{cost-p2-answer}}
+**For P2:** {{cost-p2-answer}}
 
 {{cost-p2}}
 
 {{work-precision: cost-p2}}
 
-**Light rails.** The problem looks stiff, a contact of {{contact-stiffness}} on a bed of
-{{bed-stiffness}}, and is not: the fastest motion, in the contact, is also the one whose amplitude
-is wanted. It becomes stiff when the rail's mass goes to nothing and its damper does not. The figure
-shows what P1 and P2 with an error of 10⁻⁴ take by each method at its coarsest sufficient setting,
-against the same reference. {{mass-answer}}
+**When does the problem become stiff?** {{mass-answer}} It looks stiff as it is, a contact of
+{{contact-stiffness}} on a bed of {{bed-stiffness}}, and is not: the fastest motion, in the contact,
+is also the one whose amplitude is wanted. It becomes stiff when the rail's mass goes to nothing and
+its damper does not. The figure shows what P1 and P2 with an error of 10⁻⁴ take by each method at
+its coarsest sufficient setting, against the same reference.
 
 {{cost-mass}}
 */
