@@ -57,7 +57,10 @@ end
 
 local function escape(text) return (html.escape(text):gsub("'", "&#39;")) end
 
--- The code as <pre><code>.
+-- The code as <pre><code>, without colours: what a reader looks up, not reads.
+function highlight.plain(code) return '<pre class="cpp"><code>' .. escape(code) .. "</code></pre>" end
+
+-- The same with colours.
 function highlight.cpp(code)
   local out, plain, at = {}, 1, 1
   while at <= #code do

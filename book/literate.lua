@@ -316,16 +316,17 @@ local function present(block, rest)
   if not role then return nil end
   local lines = count_lines(block.text)
   local place = ("%s:%s"):format(file, line)
-  local shown = pandoc.RawBlock("html", highlight.cpp(block.text))
   if role ~= "code" and role ~= "helper" then
+    local plain = pandoc.RawBlock("html", highlight.plain(block.text))
     if not rest[file] then
       rest[file] = {lines = 0, blocks = pandoc.List()}
       rest[#rest + 1] = file
     end
     rest[file].lines = rest[file].lines + lines
-    rest[file].blocks:extend({pandoc.Plain({where(place)}), shown})
+    rest[file].blocks:extend({pandoc.Plain({where(place)}), plain})
     return {}
   end
+  local shown = pandoc.RawBlock("html", highlight.cpp(block.text))
   if role == "code" and lines <= longest_open_block then return details("code shown", {where(place)}, {shown}, " open") end
   return details("code", {pandoc.Span(summary_of(block.text)), pandoc.Space(), where(("%s, %d lines"):format(place, lines))}, {shown})
 end
