@@ -1,7 +1,7 @@
 # alt: Four drawings. From the side, a wheel of radius R_w on a rail, with y along the rail and z_1, z_2 into wheel and rail from the point O. Across the rail, the hollow tread on the crown of the rail and beside it the sharper corner, with the gap f between them. From above, the closed curve f = δ around the contact Ω, which is cut into columns of cells, with the ends A and B on the x axis. The pressure along x, with its peak just beyond the jump and the force to the left of it.
 # Example 2 as a drawing of the page's axes and symbols: profile (ARG1), cells (ARG3), interpenetration curve (ARG4), pressure (ARG5).
 load "style.gp"
-set terminal pngcairo size 740,600 font "DejaVu Sans,12" enhanced background rgb "white"
+set terminal pngcairo size 740,640 font "DejaVu Sans,12" enhanced background rgb "white"
 set output ARG2
 stats ARG6 using "x_in" name "load" nooutput
 set multiplot
