@@ -8,8 +8,9 @@ set xrange [3700:5900]
 set lmargin 10
 set rmargin 12
 on(v, y) = (column("mph") == v ? y : NaN)
-panel(i) = sprintf("set tmargin at screen %g; set bmargin at screen %g", 0.985 - 0.228 * i, 0.985 - 0.228 * i - 0.195)
-eval panel(0)
+top(i) = 0.985 - 0.228 * i
+set tmargin at screen top(0)
+set bmargin at screen top(0) - 0.195
 set format x ""
 set ylabel "curvature,\ndeg per 100 ft"
 set yrange [-5:0.8]
@@ -18,7 +19,8 @@ set label 1 "true" at graph 1.01,0.86 font ",11" textcolor rgb grey
 plot ARG1 using "x_ft":(on(80, column("curvature_true"))) with lines lc rgb light dt solid lw 6, \
      ARG1 using "x_ft":(on(80, column("curvature_deg_per_100ft"))) with lines lt 3 lw 1.6, \
      ARG1 using "x_ft":(on(9, column("curvature_deg_per_100ft"))) with lines lt 2 lw 1.6
-eval panel(1)
+set tmargin at screen top(1)
+set bmargin at screen top(1) - 0.195
 unset label 1
 set ylabel "its error,\ndeg per 100 ft"
 set yrange [-0.2:0.2]
@@ -27,7 +29,8 @@ set label 2 "9 mph" at graph 1.01,0.75 font ",11" textcolor rgb blue
 set label 3 "80 mph" at graph 1.01,0.50 font ",11" textcolor rgb "#A84300"
 plot ARG1 using "x_ft":(on(9, column("curvature_deg_per_100ft") - column("curvature_true"))) with lines lt 2 lw 1.4 dt 1, \
      ARG1 using "x_ft":(on(80, column("curvature_deg_per_100ft") - column("curvature_true"))) with lines lt 3 lw 1.8 dt 1
-eval panel(2)
+set tmargin at screen top(2)
+set bmargin at screen top(2) - 0.195
 unset label 2
 unset label 3
 set ylabel "crosslevel, mm"
@@ -36,7 +39,8 @@ set ytics 50
 plot ARG1 using "x_ft":(on(80, column("crosslevel_true"))) with lines lc rgb light dt solid lw 6, \
      ARG1 using "x_ft":(on(80, column("crosslevel_mm"))) with lines lt 3 lw 1.6, \
      ARG1 using "x_ft":(on(9, column("crosslevel_mm"))) with lines lt 2 lw 1.6
-eval panel(3)
+set tmargin at screen top(3)
+set bmargin at screen top(3) - 0.195
 set format x "%g"
 set ylabel "its error, mm"
 set yrange [-8:8]

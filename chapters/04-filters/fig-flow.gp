@@ -17,10 +17,11 @@ unset border
 unset tics
 unset grid
 unset key
-box(n, x, w, y) = sprintf("set object %d rectangle from %g,%g to %g,%g fc rgb '#EEF3F8' fs solid border lc rgb '#404040' lw 1.4", n, x, y, x + w, y + 56)
 array X[6] = [4, 130, 228, 362, 476, 634]
 array W[6] = [98, 70, 102, 82, 126, 102]
-do for [i=1:6] { eval box(i, X[i], W[i], 420) }
+do for [i=1:6] {
+  set object i rectangle from X[i],420 to X[i]+W[i],476 fc rgb "#EEF3F8" fs solid border lc rgb "#404040" lw 1.4
+}
 set label 1 "track under\na moving car" at 53,457 center font ",10"
 set label 2 "sensor" at 165,449 center font ",10"
 set label 3 "analog filter\nB, corner ω_1" at 279,457 center font ",10"

@@ -1,4 +1,5 @@
-/*** ## Which way of making the long chord should I take?
+/***
+### Which way of making the long chord should I take?
 
 The task is the 62-ft chord with the high-pass, from short offsets. The input is synthetic track,
 rounded to whole units of $2^{-34}$ m, so that the exact answer is known in integers: the reference
@@ -21,7 +22,7 @@ they are vectorised. The worst error found is {{rounding-found}}
 ({{outcome:cost-length/as-double}}), so that every method is accurate enough for any track. Take the
 **stream**, which can do more than the others, unless another is much cheaper on your machine.
 
-## How long may a running sum run?
+### How long may a running sum run?
 
 Sums that are never started anew keep every rounding. Here the same samples come over and over, with
 the exact answer known, through a filter in floating point that never restarts; at level `full` up

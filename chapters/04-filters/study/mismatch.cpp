@@ -1,4 +1,7 @@
-/*** ## How well must the analog corner be known?
+/***
+## What spoils the measurement
+
+### How well must the analog corner be known?
 
 The digital filter removes the memory of an analog filter whose corner it is given. Resistors and
 capacitors drift, so that the true corner is another. In the table the corners of $B$ and $F$ are
@@ -15,7 +18,7 @@ filter of the accelerometers with the factor $(1+\delta)^2$ and is amplified by 
 if it had not. The height sensors do not share this factor, so that the motion of the body no longer
 cancels.
 
-## How fine and how steady must the clock be?
+### How fine and how steady must the clock be?
 
 The interval $T$ enters the profile squared. A clock that counts in steps rounds each time of
 passing to the next step:

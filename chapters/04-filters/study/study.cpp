@@ -2,15 +2,19 @@
 
 {{include: mismatch.cpp}}
 
+## Error against run time
+
+Two questions on the arithmetic of the long chord, whichever sensors it is made from.
+
 {{include: cost.cpp}}
 
 {{work-precision: cost-length}}
 
-## What do stops, reversals and faults do?
+## Stability
 
-A car stops, it reverses, its encoder counts twice, a sensor stands still. Each row puts one of
-these into a filter, or into the simulated car, and compares with the undisturbed answer or the true
-rail. What may be lost is set beforehand.
+What do stops, reversals and faults do? A car stops, it reverses, its encoder counts twice, a sensor
+stands still. Each row puts one of these into a filter, or into the simulated car, and compares with
+the undisturbed answer or the true rail. What may be lost is set beforehand.
 
 {{stability}}
 

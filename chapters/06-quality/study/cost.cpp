@@ -1,4 +1,5 @@
-/*** ## How should a record be filtered?
+/***
+### How should a record be filtered?
 
 The descriptor of waves of 32 m and 1 cm is $A/A_{env}$ in closed form, their amplitude over the
 allowed one. Both ways of filtering cut the weights at 3 to 40 resonant wavelengths, and neither is
@@ -12,7 +13,7 @@ the blocks.
 
 {{work-precision: fig-filter-time}}
 
-## How should a body with stops be integrated?
+### How should a body with stops be integrated?
 
 Asked is the stroke at 20 s after a sudden start at 1 Hz with $\kappa$ = 10, some {{switch-count}}
 switches. The library's solver follows the exact solution from switch to switch. The reference is an
@@ -30,7 +31,7 @@ that the chapter searches many starts, and the section on subharmonics below say
 
 {{work-precision: fig-stops-time}}
 
-## How should a histogram be carried on from run to run?
+### How should a histogram be carried on from run to run?
 
 The blob of the first page spreads from $t$ = 1 to 64, over {{visits}} runs of the geometry car.
 What one run leaves is what the next starts from, so that errors add up. Asked is the standard

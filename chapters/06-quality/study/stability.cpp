@@ -1,4 +1,5 @@
-/*** ## Can a motion be missed?
+/***
+### Can a motion be missed?
 
 Stiff stops have motions that repeat after three or more waves, *subharmonics*, below the amplitude
 at which one swing a wave reaches the stroke limit. A start at rest does not end on them. The table
@@ -12,7 +13,7 @@ and counts the frequencies at which these find a motion of order three beyond th
 each stiffness is followed for 300 waves by the exact solver; the rows on subharmonics in the last
 table say how far it then is from its own start.
 
-## Does the wheel stay on the rail?
+### Does the wheel stay on the rail?
 
 The formulas let a wheel pull at the rail. A wheel lifts when the dynamic force takes away the whole
 static one, which happens at an amplitude smaller than the allowed one if the static force is less
@@ -22,7 +23,7 @@ than half the limit:
 
 {{lift-answer}}
 
-## Stiff and extreme cases
+### Which stiff and extreme cases hold?
 
 A case *holds* when its error stays within the bound set for it, *degrades* when it loses accuracy
 in the way stated, and is *refused* when the program says why it has no number.
