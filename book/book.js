@@ -249,12 +249,12 @@ function symbolMeanings() {
     const below = at.bottom + box.offsetHeight + 8 < innerHeight;
     box.style.top = (below ? at.bottom + 4 : at.top - box.offsetHeight - 4) + scrollY + "px";
   };
-  for (const symbol of all(".symbol")) {
-    symbol.addEventListener("pointerenter", () => open(symbol, [symbol.dataset.symbol]));
+  for (const symbol of all("[data-s]")) {
+    symbol.addEventListener("pointerenter", () => open(symbol, [symbol.dataset.s]));
     symbol.addEventListener("pointerleave", later);
   }
   for (const formula of all("main math[display=block]")) {
-    const numbers = [...new Set(all(".symbol", formula).map((symbol) => symbol.dataset.symbol))];
+    const numbers = [...new Set(all("[data-s]", formula).map((symbol) => symbol.dataset.s))];
     if (numbers.length === 0) continue;
     formula.tabIndex = 0;
     formula.addEventListener("focus", () => {
@@ -267,7 +267,7 @@ function symbolMeanings() {
   box.addEventListener("pointerenter", () => clearTimeout(closing));
   box.addEventListener("pointerleave", later);
   document.addEventListener("keydown", (event) => { if (event.key === "Escape") close(); });
-  document.addEventListener("pointerdown", (event) => { if (!box.contains(event.target) && !event.target.closest(".symbol")) close(); });
+  document.addEventListener("pointerdown", (event) => { if (!box.contains(event.target) && !event.target.closest("[data-s]")) close(); });
 }
 
 // ---- the section that is read, in the contents at the side

@@ -119,7 +119,7 @@ function html.formula(tex, kind)
   local doc = pandoc.Pandoc({pandoc.Plain({pandoc.Math(kind, tex)})})
   local out = pandoc.write(doc, "html", {html_math_method = "mathml"}):gsub("%s+$", "")
   if not out:find("<math", 1, true) then return nil end
-  out = mathml.mend(out)
+  out = mathml.mend(out):gsub(' display="inline"', "", 1)
   formulas[key] = finish and finish(out, tex) or out
   return formulas[key]
 end
@@ -178,9 +178,14 @@ end
 
 -- Heads are texts, or {text, filter = true} where a reader may choose among the values of the column; rows are lists of
 -- cells, each HTML or {html, class = ..., sort = number}. The first cell of a row heads it. On a phone a row of a class with the
--- word cards becomes a card, on which each cell says the head of its column, and a cell of class outcome comes first.
+-- word cards becomes a card, on which each cell says the head of its column (--h2 and so on), and a cell of class outcome comes first.
 function html.table(class, heads, rows, caption)
-  local out, cards = {html.tag("table", {class = class .. (#heads > 8 and " many" or "")})}, class:find "%f[%w]cards%f[^%w]"
+  local cards, names = class:find "%f[%w]cards%f[^%w]", {}
+  for i = 2, cards and #heads or 0 do
+    local head = type(heads[i]) == "table" and heads[i][1] or heads[i]
+    names[#names + 1] = ("--h%d:'%s: '"):format(i, (head:gsub("['\\\\]", "’")))
+  end
+  local out = {html.tag("table", {class = class .. (#heads > 8 and " many" or ""), style = #names > 0 and table.concat(names, ";") or nil})}
   if caption then out[#out + 1] = html.tag("caption", nil, caption) end
   local cells = {}
   for i, head in ipairs(heads) do
@@ -196,8 +201,7 @@ function html.table(class, heads, rows, caption)
       local content = type(cell) == "table" and cell[1] or cell
       local attributes = {class = type(cell) == "table" and cell.class or nil}
       if type(cell) == "table" and type(cell.sort) == "number" then attributes["data-sort"] = ("%.6g"):format(cell.sort) end
-      local head = type(heads[i]) == "table" and heads[i][1] or heads[i]
-      if i == 1 then attributes.scope = "row" elseif cards then attributes["data-head"] = head end
+      if i == 1 then attributes.scope = "row" end
       if cards and content == "–" then attributes["data-none"] = "" end
       cells[i] = html.tag(i == 1 and "th" or "td", attributes, content)
     end

@@ -57,7 +57,7 @@ local function parse(text)
 end
 
 local function write(node, out)
-  if node.tag ~= "" then out[#out + 1] = "<" .. node.tag .. (node.symbol and (' class="symbol" data-symbol="%d"'):format(node.symbol) or "") .. node.attributes .. ">" end
+  if node.tag ~= "" then out[#out + 1] = "<" .. node.tag .. (node.symbol and (' data-s="%d"'):format(node.symbol) or "") .. node.attributes .. ">" end
   if node.text then out[#out + 1] = node.text end
   for _, child in ipairs(node.children) do write(child, out) end
   if node.tag ~= "" then out[#out + 1] = "</" .. node.tag .. ">" end
