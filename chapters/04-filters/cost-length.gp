@@ -11,7 +11,7 @@ set xlabel "samples of the record"
 set xrange [500:*]
 set multiplot layout 1,2
 set key outside top center horizontal nobox font ",10" samplen 2
-set lmargin 9
+set lmargin 11
 set rmargin 1.5
 set ylabel timed ? "ns a sample" : "operations a sample"
 set yrange [1:*]

@@ -6,7 +6,8 @@ spectrum has two slopes. Added to the height are joints every 39 ft with 5.5 mm 
 vertical curve between two grades, and to the line a curve of 4 degrees a 100 ft. In it the outer
 rail lies 4 in higher, its *superelevation*, and *spirals*, stretches of growing curvature, lead
 into it and out of it. *Truth* is always the same chord and the same high-pass filter on the true
-rail, so that an error is an error of the car and not of the filter's range of wavelengths.
+rail, so that an error is an error of the car and not of the filter's range of wavelengths. Errors
+are given as the root of their mean square (RMS).
 
 The *typical sensors* are ours as well, for the paper gives no sensor data. Accelerometers and
 inclinometer have a *bias*, a constant error, of 1 mg (a thousandth of gravity), noise of 20 µg/√Hz

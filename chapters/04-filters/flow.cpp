@@ -1,8 +1,8 @@
 /***
-The drawing at the top of the page tries this proof on the filter itself. In the function `impulse_weights`
-an impulse goes through the analog filter while the car passes one place of the track. What the
-analog filter holds of it at each sample is handed to the digital filter, and its last answer is the
-weight that this place has in the last sample.
+The drawing at the top of the page tries this proof on the filter itself. In the function
+`impulse_weights` an impulse goes through the analog filter while the car passes one place of the
+track. What the analog filter holds of it at each sample is handed to the digital filter, and its
+last answer is the weight that this place has in the last sample.
 
 {{code: flow.cpp impulse_weights}}
 

@@ -54,7 +54,7 @@ and the last is the gain of a plain mean over one foot.
 {{fig-07}}
 
 At 9 mph the corner lies at {{corner-9}}, at 80 mph at {{corner-80}}. It is fixed in time and so
-moves along the track by the ratio of the speeds, whatever it is ({{outcome:fig-07/moves}}).
+moves along the track by the ratio of the speeds, whatever it is. {{outcome:fig-07/moves}}
 
 {{fig-08}}
 
@@ -62,14 +62,14 @@ The digital filter makes up for it. Short waves that the analog filter has suppr
 are amplified more. The paper calls its $C$ a bandpass, a filter that passes neither long nor short
 waves as well as those between; ours, the shortest that undoes $B$, rises all the way to the
 shortest wave. A low-pass fixed in space behind it makes a band of it and leaves the product as
-independent of speed as it was ({{outcome:fig-08/bandpass}}).
+independent of speed as it was. {{outcome:fig-08/bandpass}}
 
 {{fig-09}}
 
 In the product the gain at 9 mph differs from that at 80 mph by at most {{spread}} (of 1), at the
-shortest wave ({{outcome:fig-09/magnitude}}). After the hybrid filter, says the paper, the yaw rate
+shortest wave. {{outcome:fig-09/magnitude}} After the hybrid filter, says the paper, the yaw rate
 has "a high-frequency cutoff which is constant" in spatial frequency. Ours has: the gain falls to
-0.707 at {{cutoff-9}} at 9 mph and at {{cutoff-80}} at 80 mph ({{outcome:fig-09/cutoff}}). Below the
+0.707 at {{cutoff-9}} at 9 mph and at {{cutoff-80}} at 80 mph. {{outcome:fig-09/cutoff}} Below the
 figure the speed can be moved. The analog filters move over the waves of the track as the car goes
 faster, and the hybrid ones stay.
 

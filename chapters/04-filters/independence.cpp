@@ -20,9 +20,9 @@ every long wave by $1/\omega_1$ seconds, and so sets the two directions $2V/\ome
 {{small-kappa}}
 
 The two directions come {{offset-9}} apart at 9 mph instead of {{alone-9}}, and {{offset-80}} at 80
-mph instead of {{alone-80}}. Both are far less than the foot between two samples
-({{outcome:small-kappa/direction}}). The {{offset-9}} are not the paper's: they belong to the corner
-of {{corner}} that we chose, and to the shortest $C$. With a tenth of the corner they are
+mph instead of {{alone-80}}. Both are far less than the foot between two samples.
+{{outcome:small-kappa/direction}} The {{offset-9}} are not the paper's: they belong to the corner of
+{{corner}} that we chose, and to the shortest $C$. With a tenth of the corner they are
 {{offset-low}}.
 
 They can also be taken out, since $\kappa$ is measured. With

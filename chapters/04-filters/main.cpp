@@ -8,19 +8,19 @@ record at 9 mph, another at 80 mph, and a third when the car comes back the othe
 
 ::: findings
 1. Are speed and direction really gone from the record, as the paper claims? Nearly. With an analog
-   filter that suppresses what is faster than {{corner}} (our choice, for the paper prints none), waves
-   of the track are recorded at 9 and at 80 mph with factors that differ by at most {{spread}} of 1. Runs forwards and backwards at 9 mph then
-   lie {{offset-9}} apart, where the analog filter alone would set them {{alone-9}} apart
-   ({{outcome:fig-09/magnitude}}).
+   filter that suppresses what is faster than {{corner}} (our choice, for the paper prints none),
+   waves of the track are recorded at 9 and at 80 mph with factors that differ by at most {{spread}}
+   of 1. Runs forwards and backwards at 9 mph then lie {{offset-9}} apart, where the analog filter
+   alone would set them {{alone-9}} apart . {{outcome:fig-09/magnitude}}
 2. What can still be measured when the car crawls? The paper claims that only gage, the distance of
-   the rails, and crosslevel, the height of one over the other, remain accurate down to 0 mph. On our
-   model this is so: at 0.5 mph the errors of all other measurements are {{slow-growth}} those from 15
-   mph on, or more. Track, car and sensors are ours, and the constant error of the gyro for yaw is
-   measured at rest and taken off ({{outcome:table-claims/only-two}}).
+   the rails, and crosslevel, the height of one over the other, remain accurate down to 0 mph. On
+   our model this is so: at 0.5 mph the errors of all other measurements are {{slow-growth}} those
+   from 15 mph on, or more. Track, car and sensors are ours, and the constant error of the gyro for
+   yaw is measured at rest and taken off. {{outcome:table-claims/only-two}}
 3. Track is judged by how far it lies from the middle of a chord of 62 ft. Can that be had from
-   accelerometers, and for chords of any other length? Yes, and exactly: they give offsets from a chord
-   of 2 ft, and the offset from one of 62 ft is a sum of {{chord-taps}} of them with whole numbers as
-   weights ({{outcome:chords/any}}).
+   accelerometers, and for chords of any other length? Yes, and exactly: they give offsets from a
+   chord of 2 ft, and the offset from one of 62 ft is a sum of {{chord-taps}} of them with whole
+   numbers as weights. {{outcome:chords/any}}
 :::
 
 ## The idea
@@ -74,11 +74,11 @@ unsteady clock, stops, reversals and faults do to them, is on the second page.
 Nothing in the paper is contradicted. Our reconstruction differs from it, or may, in these points:
 
 * **The digital filter $C$** is the shortest one that undoes $B$. The paper's is a bandpass and may
-  contain a fixed low-pass ({{outcome:fig-08/bandpass}}). What is left of the direction in ours,
+  contain a fixed low-pass. {{outcome:fig-08/bandpass}} What is left of the direction in ours,
   {{offset-9}} at 9 mph and {{offset-80}} at 80 mph, is in proportion to the corner that we chose
-  ({{outcome:small-kappa/direction}}).
+ . {{outcome:small-kappa/direction}}
 * **Sensors of the profile**: ours does without the sway sensors, which the paper seems to use
-  ({{outcome:table-sensors/profile}}).
+ . {{outcome:table-sensors/profile}}
 * **Crosslevel**: only the yaw gyro is said to be debiased, so the bias of the roll gyro stays in
   ours.
 * **Chosen here**: the corners of $B$ and $F$, the poles of the roll filter and the mean of

@@ -16,7 +16,7 @@ $$\frac{1-\cos N\theta}{1-\cos\theta}=\left(\frac{\sin(N\theta/2)}{\sin(\theta/2
 is the square of the gain of a sum over $N$ samples. So the long offset is exactly the short ones
 summed over $N$ samples, twice. Written out, this is their sum with the integer weights $N-|j|$,
 where $j$ counts samples from the middle: {{chord-taps}} weights for 62 ft, and any other chord as
-easily ({{outcome:chords/any}}).
+easily. {{outcome:chords/any}}
 
 {{chords}}
 
@@ -32,7 +32,7 @@ one minus the mean over $M$ = 151 samples about the middle one, applied $p$ = 4 
 phase, so that it reads the same in both directions.
 
 The paper says which waves count: up to 150 ft at speeds to 90 mph, and up to 200 ft at 120 mph.
-Both are the same frequency in the car, {{limit-hertz}} ({{outcome:fig-13/limits}}). Our filter
+Both are the same frequency in the car, {{limit-hertz}}. {{outcome:fig-13/limits}} Our filter
 passes {{hp-150}} of a wave of 150 ft and {{hp-200}} of one of 200 ft.
 
 {{fig-13}}
@@ -41,7 +41,7 @@ In a chord, the double zero of $H$ at long waves removes a constant acceleration
 *pseudo space curve*, the path of the rail without its long waves, is the short offset times
 $H/(1-\cos\theta)$, which is a finite sum as well. The division uses up the double zero, so that a
 constant bias gives a constant offset. The response of the curve is then $H$ itself, as the paper
-says ({{outcome:fig-13/true-response}}).
+says. {{outcome:fig-13/true-response}}
 
 **Alignment** goes the same way with the accelerometer on the beam. Gravity on the rolling beam is
 taken off first, and the short offset of each gage sensor is added.

@@ -6,8 +6,8 @@ read that much ahead, while the height sensors read it where they are, and the e
 times the slope of the body's path, of one sign forwards and of the other backwards.
 
 With our corner, from 5 mph on, the two directions lie at most {{apart-5}} apart, less than the 6 in
-to which the paper knows a place. That fits its "nearly independent"
-({{outcome:fig-directions/nearly}}).
+to which the paper knows a place. That fits its "nearly independent".
+{{outcome:fig-directions/nearly}}
 
 {{fig-directions}}
 
@@ -35,25 +35,25 @@ Gage has no time in it, so nothing in our simulation can make it depend on speed
 worse at low speed. Its typical error is nearly all the constant bias of the inclinometer, which
 would hide a growth, and so the evidence is the run with perfect sensors. There the error falls from
 {{crosslevel-fast}} at 120 mph to {{crosslevel-slow}} at 0.5 mph: without speed there is no sway and
-no centrifugal acceleration, and the inclinometer alone is right
-({{outcome:table-claims/crosslevel}}).
+no centrifugal acceleration, and the inclinometer alone is right.
+{{outcome:table-claims/crosslevel}}
 
 The other three grow towards 0 mph. At 0.5 mph they are {{slow-growth}} what they are from 15 mph
-on, or more, with four different noises and with or without the rest of the bias
-({{outcome:table-claims/only-two}}). The acceleration that a given rail causes falls with the square
-of the speed, while bias and noise of the accelerometer stay.
+on, or more, with four different noises and with or without the rest of the bias.
+{{outcome:table-claims/only-two}} The acceleration that a given rail causes falls with the square of
+the speed, while bias and noise of the accelerometer stay.
 
 Curvature is the best of the three. At 2 mph its error is {{curvature-growth}} that at 15 mph:
 {{curvature-2-debiased}}, of which {{curvature-2-perfect}} are there with perfect sensors too, where
-the track's curve has 4 degrees. This supports the paper's "accurate down to approximately 2 mph"
-({{outcome:table-claims/curvature}}). Without debiasing the factor would be
+the track's curve has 4 degrees. This supports the paper's "accurate down to approximately 2 mph".
+{{outcome:table-claims/curvature}} Without debiasing the factor would be
 {{curvature-growth-biased}}.
 
 Alignment is the hardest. Its accelerometer feels gravity as soon as the beam rolls, which makes an
 error of {{alignment-15}} at 15 mph and {{alignment-5}} at 5 mph, of a signal of {{alignment-true}}.
 That profile and alignment "are not to be relied upon below 5 mph" is taken at its plainest: at 2
-mph, the next lower speed tried, the error of each is larger than what it measures
-({{outcome:table-claims/unreliable}}).
+mph, the next lower speed tried, the error of each is larger than what it measures.
+{{outcome:table-claims/unreliable}}
 
 {{fold}}
 */

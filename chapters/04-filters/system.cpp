@@ -26,8 +26,8 @@ changes depends on it.
 
 Gage, curvature, crosslevel and alignment use exactly the sensors that the paper names. For profile
 the paper names two accelerometers "in addition to the transducers used in the crosslevel and
-curvature systems". Ours needs no other, and does without the sway sensors
-({{outcome:table-sensors/profile}}). That is a property of our correction, which reads the lateral
+curvature systems". Ours needs no other, and does without the sway sensors.
+{{outcome:table-sensors/profile}} That is a property of our correction, which reads the lateral
 force on the leaning body from the inclinometer. A correction by the speed times the yaw rate of the
 track would need the sway sensors, and the paper's may be of this kind.
 

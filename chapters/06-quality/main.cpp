@@ -138,8 +138,8 @@ for each 200 m, and a picture.
 * How much track does a shock absorber buy? Compare a damping of 0.1 with 0.2 and 0.3, at the same
   stroke limit.
 * Which of the three places above remains beyond the limit at 60 km/h?
-* Make a rough track, run `railbook quality index` on it at three speeds, and compare the order of its
-  worst places.
+* Make a rough track, run `railbook quality index` on it at three speeds, and compare the order of
+  its worst places.
 
 ```console
 $ railbook quality limit --speed 100km/h --roll-damping 0.1 --stroke 2.54cm

@@ -45,9 +45,9 @@ km/h; on it the body makes one swing a wave. For all shorter waves the level is 
 {{share-10}} of the first: there the body makes one swing in three waves, and every third wave keeps
 it going.
 
-With $\kappa$ = 100 the levels are {{one-wave-100}} and, below {{second-100}}, {{level-100}}. For
-waves longer than the first level the search ends soon. There stiff stops allow more than the linear
-car has, because they hold the body back (dotted).
+With $\kappa$ = 100 the levels are {{one-wave-100}} and, below {{second-100}}, {{level-100}}. The
+search stops a little beyond the end of the first level. For longer waves stiff stops allow more
+than the linear car, because they hold the body back (dotted).
 
 A vehicle that starts at rest does not find these motions. On waves of {{example}} at {{example-f}},
 below the first level, a start at rest settles at a stroke of {{example-rest}} and another one at

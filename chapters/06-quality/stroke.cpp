@@ -45,7 +45,7 @@ all speeds.
 
 {{fig-04}}
 
-The curves cross, as the paper says: a slower train may be worse off ({{outcome:fig-04/cross}}).
+The curves cross, as the paper says: a slower train may be worse off. {{outcome:fig-04/cross}}
 
 For the linear vehicle the least needs no search. Slower trains meet a wave at all frequencies below
 $v\varphi$. As long as these stay below the peak, full speed is the worst, and the *envelope*, the

@@ -32,7 +32,7 @@ to $10^9$ samples:
 
 {{drift-answer}} The input is in whole units, so that a double adds it without error until a sum
 passes $2^{53}$ of them; where the integrators do, their curve leaves that of the sums. In 64-bit
-integers there is no error at any length ({{outcome:cost-drift/integers}}). So start running sums
+integers there is no error at any length. {{outcome:cost-drift/integers}} So start running sums
 anew, and never integrate along the track in floating point. The library does the first and not the
 second.
 

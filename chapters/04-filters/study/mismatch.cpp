@@ -170,7 +170,7 @@ const report::Section mismatch{
                   corner_off),
     report::table(
         "clock-step",
-        "The profile is sensitive to a coarse clock. RMS errors of the car at 60 mph with "
+        "A coarse clock is first seen in the profile. RMS errors of the car at 60 mph with "
         "a clock that counts in steps.",
         clock_step),
     report::table("clock-jitter",
