@@ -188,7 +188,8 @@ Weaver.__index = Weaver
 function Weaver:read(text)
   for paragraph in (text .. "\n\n"):gmatch("(.-)\n%s*\n") do
     local alone = not paragraph:gsub("{{[^{}]*}}", ""):gsub("%$%$.-%$%$", ""):find("%w") or paragraph:find("^%s*#+ [^\n]*$")
-    if not alone then self.paragraph = paragraph end
+    local goes_on = self.paragraph and paragraph:find("^%s*%l") -- behind a formula in the middle of a sentence
+    if not alone then self.paragraph = goes_on and self.paragraph .. "\n" .. paragraph or paragraph end
   end
 end
 
