@@ -1,6 +1,6 @@
 # alt: Two curves that are 1 for long waves and fall towards short ones. The one for 80 mph falls from 0.0085 cycles per foot on, the one for 9 mph from 0.076 on.
 load "style.gp"
-set terminal pngcairo size 740,320 font "DejaVu Sans,11"
+set terminal pngcairo size 740,300 font "DejaVu Sans,11"
 set output ARG2
 unset key
 set logscale xy

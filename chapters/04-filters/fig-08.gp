@@ -1,6 +1,6 @@
 # alt: Two solid curves that are 1 for long waves and rise towards short ones, to 4 at 9 mph and to 37 at 80 mph. Two dashed ones rise with them, turn at a fifth of a cycle per foot and fall.
 load "style.gp"
-set terminal pngcairo size 740,330 font "DejaVu Sans,11"
+set terminal pngcairo size 740,310 font "DejaVu Sans,11"
 set output ARG2
 unset key
 set logscale xy

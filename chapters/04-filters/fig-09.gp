@@ -1,7 +1,7 @@
 # alt: Left, the gain of both filters falls from 1 for long waves to 0.64 at half a cycle per foot; the curves for 9 and 80 mph and their limit lie on each other.
 # alt: Right, the difference from the limit in thousandths: it grows towards short waves, to 4.7 at 9 mph, and stays below 0.1 at 80 mph.
 load "style.gp"
-set terminal pngcairo size 740,320 font "DejaVu Sans,11"
+set terminal pngcairo size 740,300 font "DejaVu Sans,11"
 set output ARG2
 unset key
 set multiplot layout 1,2

@@ -1,6 +1,6 @@
 # alt: Above, the true profile of 400 feet of rail between minus 20 and 15 mm. Below, the error of four runs: within 0.02 mm at 80 mph, and at 9 mph up to some 0.2 mm, of opposite sign forwards and backwards.
 load "style.gp"
-set terminal pngcairo size 740,420 font "DejaVu Sans,11"
+set terminal pngcairo size 740,390 font "DejaVu Sans,11"
 set output ARG2
 unset key
 set multiplot
@@ -14,7 +14,7 @@ set bmargin at screen 0.66
 set format x ""
 plot ARG1 using "x_ft":(run(9, column("truth_mm"))) with lines lc rgb grey lw 2.4 dt solid
 set tmargin at screen 0.60
-set bmargin at screen 0.15
+set bmargin at screen 0.16
 set format x "%g"
 set ylabel "error of the run, mm"
 set xlabel "distance, ft"

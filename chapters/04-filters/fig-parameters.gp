@@ -1,7 +1,7 @@
 # alt: Error against speed on logarithmic axes. With typical sensors, alignment and profile fall from some hundreds of millimetres at 0.5 mph to below 1 mm at 120 mph; crosslevel stays near 1.6 mm and gage at 0.05 mm.
 # alt: Curvature falls from 0.14 degrees per hundred feet at 0.5 mph to 0.025 above 15 mph. With perfect sensors the errors are smaller and those of crosslevel fall towards low speed.
 load "style.gp"
-set terminal pngcairo size 740,390 font "DejaVu Sans,11"
+set terminal pngcairo size 740,370 font "DejaVu Sans,11"
 set output ARG2
 unset key
 set multiplot layout 1,2

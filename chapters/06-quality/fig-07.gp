@@ -1,6 +1,6 @@
 # alt: Five curves rise with the square of the wavelength up to a few metres, are level at 1.6 cm between, and rise again with the square beyond. Upright lines mark the 7 and 100 m that the paper prints.
 load "style.gp"
-set terminal pngcairo size 740,350 font "DejaVu Sans,11"
+set terminal pngcairo size 740,330 font "DejaVu Sans,11"
 set output ARG2
 unset key
 set logscale xy

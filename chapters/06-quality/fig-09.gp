@@ -1,6 +1,6 @@
 # alt: Above, a bell curve of the descriptor about 0 with thresholds T1 at plus and minus 0.5 and T2 beyond 0.7, and two narrow bell curves of the strength about plus and minus 1. Below, the product of the histogram and the risk: two small humps near plus and minus 0.9.
 load "style.gp"
-set terminal pngcairo size 740,420 font "DejaVu Sans,11"
+set terminal pngcairo size 740,390 font "DejaVu Sans,11"
 set output ARG2
 unset key
 set multiplot
@@ -22,7 +22,7 @@ plot ARG1 using "p":"histogram" with lines lt 1, \
 unset label 1; unset label 2
 set format x "%g"
 set tmargin at screen 0.42
-set bmargin at screen 0.13
+set bmargin at screen 0.165
 set yrange [0:*]
 set xlabel "descriptor p"
 set ylabel "risk, ×10⁻³"

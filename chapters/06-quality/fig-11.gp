@@ -1,6 +1,6 @@
 # alt: Two pairs of curves against tonnage. The standard deviation of segment B grows faster than that of A; the number n falls below 3 for B at 1.9 units of tonnage and for A at four times as many.
 load "style.gp"
-set terminal pngcairo size 740,400 font "DejaVu Sans,11"
+set terminal pngcairo size 740,370 font "DejaVu Sans,11"
 set output ARG2
 unset key
 set multiplot
@@ -16,7 +16,7 @@ set label 1 "B: surfaced only" at graph 1.01,0.78 font ",10" textcolor rgb "#A84
 set label 2 "A: ties renewed" at graph 1.01,0.45 font ",10"
 plot ARG1 using "tonnage":"s_A" with lines lt 1, ARG1 using "tonnage":"s_B" with lines lt 3 dt 1
 set tmargin at screen 0.50
-set bmargin at screen 0.13
+set bmargin at screen 0.165
 set format x "%g"
 set ylabel "n = T_2/s"
 set xlabel "tonnage, arbitrary units"

@@ -1,6 +1,6 @@
 # alt: Allowed amplitude against wavelength at 100 km/h. Without stops it is level at 1 cm. With stops as stiff as the spring it is level a little lower. With stops ten and a hundred times as stiff it has two levels, the lower one for waves below some 10 and 3.5 m.
 load "style.gp"
-set terminal pngcairo size 740,370 font "DejaVu Sans,11"
+set terminal pngcairo size 740,350 font "DejaVu Sans,11"
 set output ARG2
 unset key
 set logscale xy
