@@ -17,7 +17,7 @@ function items.computed(check)
   local text = check.computed_text or check.computed
   if type(text) == "number" then text = ("%.7g"):format(text) end
   if text == nil or text == "nan" then text = "not a number" end
-  return html.number(text)
+  return text:find("[$`]") and html.text(text) or html.number(text)
 end
 
 -- A cell of a number or of words.
@@ -288,7 +288,7 @@ function items.caption(item)
   local title, number = own_number(item.title)
   local first, rest = sentences(title)
   if rest == "" then return items.title(item) end
-  return html.tag("b", {class = "says"}, html.text(first)) .. " " .. html.text(rest) .. (number and html.text((" The paper’s %s."):format(number)) or "")
+  return html.tag("b", {class = "see"}, html.text(first)) .. " " .. html.text(rest) .. (number and html.text((" The paper’s %s."):format(number)) or "")
 end
 
 local function heading(item, r)
@@ -354,7 +354,7 @@ function items.image(item, r, folder, lazy)
   local class = (drawing and "drawing" or "") .. (width // 2 >= widest and " wide" or "")
   local image = html.tag("img", {src = href, alt = item.alt or seen or "Picture: " .. item.title, width = width // 2, height = height // 2,
     class = class ~= "" and class or nil, loading = lazy and "lazy" or nil})
-  return image, href
+  return image, href, width // 2, height // 2
 end
 
 -- The place where a reader's sliders go, when the program left data for them: <id>-answer.csv (see answer.js).
@@ -368,12 +368,20 @@ local function answer(item, r)
   return ""
 end
 
--- A figure with its caption, `more` of the same item, and its checks.
+-- How high the caption of a figure is in the column beside it, in px: some 32 letters a line.
+local function caption_height(item)
+  local text, files = item.failure or item.not_drawn or item.reason or "", item.script or ""
+  for _, name in ipairs(item.csv) do files = files .. name .. "   " end
+  return 20 * (math.ceil((utf8.len(item.title) + 14) / 31) + math.ceil(#files / 34)) + 18 * math.ceil((utf8.len(text) or 0) / 36) + 20
+end
+
+-- A figure with its caption, beside it where there is room, `more` of the same item, and its checks.
 function items.figure(item, r, folder, more)
   if not item.png and (item.failure or item.not_drawn) then return items.table(item, r, more) end
   if not item.png then error("the figure " .. item.id .. " was not drawn (--no-figures?)", 0) end
-  local image, href = items.image(item, r, folder, true)
-  return html.tag("figure", {class = "item", id = item.id}, table.concat({
+  local image, href, width, height = items.image(item, r, folder, true)
+  local below = caption_height(item) > height * math.min(1, 736 / width)
+  return html.tag("figure", {class = below and "item below" or "item", id = item.id}, table.concat({
     html.tag("a", {href = href}, image), answer(item, r), html.tag("figcaption", nil, heading(item, r)), reason(item), more or "",
     checks_of(item)}, "\n"))
 end

@@ -568,7 +568,7 @@ book_case("numbers are written in one way, and the words of a paper as they are"
 function(captions)
   edit(${json} "\"title\": \"Table 2. Hertz & co\"" "\"title\": \"Table 2. Hertz holds at 0.5 in. See Fig. 3 of it. Ours.\"")
   edit(${main} "::: findings" "The findings.\n\n::: findings")
-  expect_page("<b class=\"says\">Hertz holds at 0.5 in.</b> See Fig. 3 of it. Ours. The paper’s Table 2." "<h2 id=\"in-short\">In short" "<a href=\"#in-short\">In short<")
+  expect_page("<b class=\"see\">Hertz holds at 0.5 in.</b> See Fig. 3 of it. Ours. The paper’s Table 2." "<h2 id=\"in-short\">In short" "<a href=\"#in-short\">In short<")
   has("the verdicts" "${page}" "<td>Hertz holds at 0.5 in (the paper’s Table 2)<")
 endfunction()
 book_case("a caption begins with what to see, and a list names only that" captions)
