@@ -214,7 +214,7 @@ void table_2(report::Item& item) {
   item.consistent(
       "own-load", "F, p0, a and b of Hertz's column belong to one contact",
       overlap(loads, rounded(printed.at("F", "hertz"))) || !others.empty(),
-      fmt::format("2/3 pi a b p0 is {:.1f} lbf, {:.1f} to {:.1f} with its rounding", load,
+      fmt::format("$\\frac23\\pi ab\\,p_0$ is {:.1f} lbf, {:.1f} to {:.1f} with its rounding", load,
                   loads.low, loads.high),
       fmt::format("one misread digit of our text would explain it: {}", fmt::join(others, " or ")));
   report::Trial trial = item.trial("accuracy", "the largest error of F, p0, a and b against Hertz",

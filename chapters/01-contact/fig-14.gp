@@ -16,7 +16,7 @@ set ytics 2
 set format x ""
 plot ARG4 using "r_in":"gap_1e-3_in" with lines lt 1
 set format x "%g"
-set bmargin at screen 0.12
+set bmargin at screen 0.16
 set tmargin at screen 0.69
 set xlabel "ρ, in"
 set ylabel "p, 10^4 psi"

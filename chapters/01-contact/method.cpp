@@ -395,7 +395,6 @@ void fig_05(report::Item& item) {
 void two_units(report::Item& item) {
   const table::CsvTable printed = item.printed("units.csv");
   item.expect_checks(9);
-  item.columns({"number", "in the other unit", {"printed", "{}"}});
   const std::pair<const char*, double> numbers[] = {{"E", steel.young_1 / units::megapascal},
                                                     {"delta-1", delta_1 / units::micrometre},
                                                     {"delta-2", delta_2 / units::micrometre},
@@ -411,8 +410,6 @@ void two_units(report::Item& item) {
       row.print("printed", value, report::relative(0.002, "half-way between two last digits"));
     else
       row.print("printed", value);
-    item.add_row(printed.at(key, "what"), fmt::format("{:.6g} {}", value, printed.at(key, "unit")),
-                 row.printed("printed"));
   }
 }
 
