@@ -1,67 +1,75 @@
 /***
 ## How accurate is a measured creep?
 
-Creep is a small difference of two large numbers,
-
-$$\xi=1-\frac{N_SR_S}{N_BR_B}, \tag{1}$$
-
-so a relative error of a speed or a radius is an absolute error of the creep. With $u=R_S/R_B$,
-Appendix A adds up three terms,
+Creep is a small difference of two large numbers, so a relative error of a speed or a radius is an
+absolute error of the creep. The paper's Appendix A puts numbers on it. With the ratio of the radii,
+$u=R_S/R_B$, the differential of (1) has three terms,
 
 $$d\xi=-\frac{N_S}{N_B}\,du+u\frac{N_S}{N_B^2}\,dN_B-\frac{u}{N_B}\,dN_S,\qquad
-  du=-\frac{R_S}{R_B^2}\,dR_B+\frac{1}{R_B}\,dR_S, \tag{i}$$
+  du=-\frac{R_S}{R_B^2}\,dR_B+\frac{1}{R_B}\,dR_S. \tag{i}$$
 
-and finds 0.0005. We have the paper as machine-read text, without its drawings; where it is damaged,
-the notes say what was read. Row by row:
+The appendix adds them up and finds 0.0005. Row by row, the print and its recomputation:
 
 {{table-appendix-a}}
 
-* The terms are added **with their signs**, those of the two radii as well, and cancel in part. So
-  the sum is not an upper bound. If all four errors of the appendix act in the same direction they
-  make {{xi-worst}}, and with all that is rounded or could be read otherwise {{worst-range}}. The
-  printed sum itself, 0.000520, exceeds 0.0005. {{outcome:table-appendix-a/upper-bound}}
-* As independent errors (root of the sum of squares) they make {{xi-rss}}, so the creep can be
-  called accurate to 0.0005 in that sense. {{outcome:table-appendix-a/accurate}}
-* Before each test the longitudinal force was brought to zero with the small motor. A creep counted
-  from that reading would be free of the errors of the radii, but it would have those of the speeds
-  twice: {{zero-worst}} at worst, {{zero-rss}} if independent. The paper computes its creep by (1),
-  from the radii.
-* The third term uses $u$ = 0.2238, close to the value of Appendix B, where the first two use
-  0.2256. {{outcome:table-appendix-a/term-3}} With 0.2256 it would be {{third-term}}.
-* The text of the appendix, as we have it, says 0.00254 mm for the error of a radius; its numbers
+**Is the sum an upper bound?** The paper calls it one. But the terms are added with their signs,
+those of the two radii as well, and so they cancel in part. If all four errors act in the same
+direction they make {{xi-worst}}, and with all that is rounded or could be read otherwise
+{{worst-range}}. The printed sum itself, 0.000520, exceeds 0.0005.
+{{outcome:table-appendix-a/upper-bound}} As independent errors (root of the sum of squares) they make
+{{xi-rss}}, so the creep can be called accurate to 0.0005 in that sense.
+{{outcome:table-appendix-a/accurate}}
+
+The worst case is checked without any derivative. `largest_by_corners` evaluates (1) at all sixteen
+corners of the box of errors, each of which is either added or subtracted, and takes the largest
+distance from the creep in the middle:
+
+{{code: appendices.cpp largest_by_corners}}
+
+**What is damaged, and what slipped.**
+
+* The text of the appendix, as we have it, says 0.00254 mm for the error of a radius. Its numbers
   are those of 0.00254 **cm**, which is the 0.0254 mm of the body of the paper.
   {{outcome:table-appendix-a/radius-unit}} With 0.00254 mm the four errors would make {{worst-by-mm}}
   at worst, and 0.0005 would bound them.
-* One tooth in a minute, 1/144 rpm, is taken for the big wheel, and 0.2 rpm, 29 teeth, for the small
-  one.
+* The third term uses $u$ = 0.2238, close to the value of Appendix B, where the first two use
+  0.2256. {{outcome:table-appendix-a/term-3}} With 0.2256 it would be {{third-term}}.
 * Our copy is damaged in four places: it reads "10.1" for 10.16 cm (4 in), "118" for 116 rpm,
-  "0.009" for 0.0069 and "22238" for 0.2238; the results that follow need the latter.
+  "0.009" for 0.0069 and "22238" for 0.2238. The results that follow need the latter.
+* One tooth in a minute, 1/144 rpm, is taken for the big wheel, and 0.2 rpm, 29 teeth, for the small
+  one. The paper does not explain the difference.
 * With the radii of Appendix A the creep at 518 and 116 rpm would be {{xi-wrong-sign}}: a braked
   wheel would run *ahead*. With those of Appendix B it is {{xi-right-sign}}.
 
-The worst case is checked without any derivative, by evaluating (1) at all sixteen corners of the
-errors.
+**Could the radii be left out?** Before each test the longitudinal force was brought to zero with the
+small motor. A creep counted from that reading would be free of the errors of the radii, but it would
+have those of the speeds twice: {{zero-worst}} at worst, {{zero-rss}} if independent. The paper
+computes its creep by (1), from the radii.
 
-Appendix B asks what wear does to the reading: after five hours at $\mu$ = 0.3 the small wheel has
-lost 0.00152 cm of diameter, and the big one is assumed to have lost as much. The speeds are exact
-here, so only the first term of (i) stays.
+**Wear during a test.** Appendix B asks what wear does to a reading. After five hours at $\mu$ = 0.3
+the small wheel has lost 0.00152 cm of diameter, and the big one is assumed to have lost as much. The
+speeds are exact here, so only the first term of (i) stays.
 
 {{table-appendix-b}}
 
-The appendix prints 0.0000588, the body of the paper 0.00005, the same number cut to one digit.
-{{outcome:table-appendix-b/text}}
+The appendix prints 0.0000588, the body of the paper 0.00005, which is the same number cut to one
+digit. {{outcome:table-appendix-b/text}}
 
-The main text has three more numbers. "4449.72 N" is 1000 lb taken as 0.45359 kg each at 9.81 m/s²
-(1000 lbf are {{load-exact}}), and the force error of 22.249 N is 5 lb in the same way. The third is
-the speed of 8.224 km/h for "near 50 rpm"; at exactly 50 rpm the rim of the big wheel runs at
-{{speed-50}}, and 8.224 km/h is {{rpm-needed}}. The nomenclature gives the speeds of the wheels in
-rpm, but 116 and 99.2 rpm, those of the two appendices, are {{speed-at-116}} and {{speed-at-99}},
-twice as fast. If they are counts of the gear's 144 teeth **in a second**, Appendix A's 116 are
-{{rpm-by-teeth}}, which is near 50, and {{speed-by-teeth}}, close to the print; Appendix B's 99.2
-are then {{rpm-99-by-teeth}}. The paper does not decide it, and its creep does not depend on it,
-since only the ratio of the speeds enters. {{outcome:table-text/speed}}
+**Load and speed.** "4449.72 N" is 1000 lb taken as 0.45359 kg each at 9.81 m/s² (1000 lbf are
+{{load-exact}}), and the force error of 22.249 N is 5 lb in the same way. The third number is the
+speed of 8.224 km/h for "near 50 rpm". At exactly 50 rpm the rim of the big wheel runs at
+{{speed-50}}, and 8.224 km/h is {{rpm-needed}}.
 
 {{table-text}}
+
+The nomenclature gives the speeds of the wheels in rpm. But 116 and 99.2 rpm, those of the two
+appendices, are {{speed-at-116}} and {{speed-at-99}}, twice as fast. If they are counts of the gear's
+144 teeth in a *second*, Appendix A's 116 are {{rpm-by-teeth}}, which is near 50, and
+{{speed-by-teeth}}, close to the print; Appendix B's 99.2 are then {{rpm-99-by-teeth}}. The paper
+does not decide it, and its creep does not depend on it, since only the ratio of the speeds enters.
+{{outcome:table-text/speed}}
+
+{{fold}}
 */
 
 #include <fmt/format.h>
@@ -76,15 +84,14 @@ using namespace railbook::creep_chapter;
 
 namespace {
 
-// A row of an item's table with a printed value, checked.
+// The printed values of a table, each checked once.
 struct PrintedRows {
   report::Item& item;
   table::CsvTable table;
-  void operator()(const char* key, double computed, const char* note,
+  void operator()(const char* key, double computed,
                   const report::Expectation& expectation = report::last_digit()) const {
-    const std::string &what = table.at(key, "what"), &text = table.at(key, "printed");
-    item.add_row(what, text, computed, note);
-    item.print(key, what, table.at(key, "unit"), text, computed, expectation);
+    item.print(key, table.at(key, "what"), table.at(key, "unit"), table.at(key, "printed"),
+               computed, expectation);
   }
 };
 
@@ -192,32 +199,27 @@ report::Trial radius_unit(const report::Item& item, const std::string& printed,
 }
 
 void rows(report::Item& item) {
-  item.columns({"row", "printed", {"recomputed", "{:.5g}"}, "note"});
   item.expect_checks(14);
   const PrintedRows row{item, item.printed("appendix-a.csv")};
   const Terms t = terms(nominal, error);
   const double u = nominal.small / nominal.big;
-  row("u", u, "copy reads 10.1, then 0.16",
-      report::restored("10.16 cm = 4 in; our copy has lost a digit"));
-  row("big-inch", nominal.big / 2.54, "45.03 cm");
+  row("u", u, report::restored("10.16 cm = 4 in; our copy has lost a digit"));
+  row("big-inch", nominal.big / 2.54);
   row("radius-unit", report::printed_number(row.table.at("du-small", "printed")) * nominal.big * 10,
-      "from dR_S/R_B as printed",
       report::corrected(0.0254, 1e-3, "the body of the paper measures to 0.0254 mm",
                         radius_unit(item, row.table.at("radius-unit", "printed"), row.table)));
-  row("du-big", -nominal.small / (nominal.big * nominal.big) * error.big, "");
-  row("du-small", error.small / nominal.big, "");
-  row("du", d_ratio(nominal, error), "");
-  row("tooth", error.big_speed, "cut after the fourth decimal",
+  row("du-big", -nominal.small / (nominal.big * nominal.big) * error.big);
+  row("du-small", error.small / nominal.big);
+  row("du", d_ratio(nominal, error));
+  row("tooth", error.big_speed,
       report::absolute(5e-5, "1/144 = 0.00694... is cut after the fourth decimal"));
-  row("term-1", t.ratio, "");
-  row("term-2", t.big_speed, "copy reads 118 in one denominator",
-      report::restored("116 rpm, as in the rest; 118 would give 0.0000583"));
+  row("term-1", t.ratio);
+  row("term-2", t.big_speed, report::restored("116 rpm, as in the rest; 118 would give 0.0000583"));
   const double third = -third_ratio / nominal.big_speed * error.small_speed;
-  row("term-3", third, "with the u = 0.2238 of its own line, last digit cut",
+  row("term-3", third,
       report::restored("the line has u = 0.2238, in our copy \"22238\"",
                        report::absolute(1e-7, "cut after the seventh decimal")));
-  row("sum", t.ratio + t.big_speed + third, "of the terms above, last digit cut",
-      report::absolute(1e-6, "cut after the sixth decimal"));
+  row("sum", t.ratio + t.big_speed + third, report::absolute(1e-6, "cut after the sixth decimal"));
   item.consistent("accurate", "values of creep can be considered accurate to 0.0005",
                   t.rms <= 0.0005, fmt::format("{:.5f}", t.rms),
                   "if the four errors are independent and added as squares");
@@ -242,15 +244,12 @@ void rows(report::Item& item) {
              "{:+.5f}");
 }
 
-constexpr double centimetre = 0.01;
-
 // Rim speed [km/h] of a wheel of `radius` [m].
 double rim_speed(double radius, double rpm) {
   return 2 * units::pi * radius * rpm / 60 / units::kilometre_per_hour;
 }
 
 void wear_rows(report::Item& item) {
-  item.columns({"row", "printed", {"recomputed", "{:.6g}"}, "note"});
   item.expect_checks(11);
   const PrintedRows row{item, item.printed("appendix-b.csv")};
   const double change = 0.00152 / 2;  // cm, both wheels
@@ -263,17 +262,15 @@ void wear_rows(report::Item& item) {
   const auto cut = [](double allowed) {
     return report::absolute(allowed, "the printed value is cut, not rounded");
   };
-  row("small", s, "half of 20.1097, last digit cut", cut(1e-4));
-  row("big", b, "half of 89.8957, last digit cut", cut(1e-4));
-  row("radius-change", change, "half of 0.00152");
-  row("radius-change-mm", change * 10, "the same in mm");
-  row("du-big", from_big, "one digit less than the next", cut(1e-7));
-  row("du-small", from_small, "");
-  row("du", du, "sum of the two rounded terms",
-      report::absolute(1e-7, "the printed terms are rounded before they are added"));
-  row("dxi", -dxi, "sign dropped", report::relative(0.01, "carries the rounding of du"));
-  row("text", -dxi, "cut to one digit; rounded it is 0.00006",
-      report::absolute(1e-5, "0.0000588 cut to one digit"));
+  row("small", s, cut(1e-4));
+  row("big", b, cut(1e-4));
+  row("radius-change", change);
+  row("radius-change-mm", change * 10);
+  row("du-big", from_big, cut(1e-7));
+  row("du-small", from_small);
+  row("du", du, report::absolute(1e-7, "the printed terms are rounded before they are added"));
+  row("dxi", -dxi, report::relative(0.01, "carries the rounding of du"));
+  row("text", -dxi, report::absolute(1e-5, "0.0000588 cut to one digit"));
   item.claim("small-error", "not taking the wear into account is a very small error", -dxi < 0.0001,
              "less than one in the last digit of the 0.0005 of Appendix A");
   item.agree("creep-change", "change of creep", "", creep_change, -dxi, 1e-3,
@@ -281,17 +278,14 @@ void wear_rows(report::Item& item) {
 }
 
 void text(report::Item& item) {
-  item.columns({"number of the text", "printed", {"recomputed", "{:.6g}"}, "note"});
   item.expect_checks(3);
   const PrintedRows row{item, item.printed("text.csv")};
-  row("load", paper_load, "1000 × 0.45359 kg × 9.81 m/s²",
-      report::fitted("the factors are chosen to meet it"));
-  row("force-error", 5 * paper_pound_force, "5 lb with the same factors",
-      report::fitted("5 lb is chosen to meet it"));
+  row("load", paper_load, report::fitted("the factors are chosen to meet it"));
+  row("force-error", 5 * paper_pound_force, report::fitted("5 lb is chosen to meet it"));
   const double big = nominal.big * centimetre;
   const auto rpm_by_teeth = [](double counts) { return counts * 60 / 144; };
   const double by_teeth = rim_speed(big, rpm_by_teeth(nominal.big_speed));
-  row("speed", by_teeth, "116 counts of 144 teeth in a second",
+  row("speed", by_teeth,
       report::relative(0.005, "\"near 50 rpm\" is read as Appendix A's 116, in counts a second"));
   item.value("load-exact", 1000 * units::lbf, "N", "{:.3f}");
   item.value("speed-50", rim_speed(big, 50), "km/h", "{:.2f}");
@@ -313,6 +307,15 @@ creep_chapter::CreepError creep_chapter::appendix_a_error() {
 }
 
 const report::Section creep_chapter::appendices{
-    report::table("table-appendix-a", "Appendix A, row by row", rows),
-    report::table("table-appendix-b", "Appendix B, row by row", wear_rows),
-    report::table("table-text", "Numbers of the main text", text)};
+    report::table("table-appendix-a",
+                  "The terms of Appendix A follow from its inputs, and cancel in part. From the ratio "
+                  "of the radii to the sum of the three terms, in the order of the print",
+                  rows),
+    report::table("table-appendix-b",
+                  "Five hours of wear change the creep by a tenth of its error. The numbers of "
+                  "Appendix B, in the order of the print",
+                  wear_rows),
+    report::table("table-text",
+                  "The load, the error of the force and the speed follow from rounder numbers. The "
+                  "paper's main text",
+                  text)};

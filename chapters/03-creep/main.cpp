@@ -1,55 +1,96 @@
-/*** # Creep on a rig of two wheels
+/*** # Creep: one curve of friction for every load and every worn wheel?
+
+A locomotive pulls and brakes through patches of steel that a fingertip would cover, and the force
+that such a patch passes on depends on how much the rim of the wheel is faster or slower than pure
+rolling. Measured curves of this force differ from load to load and from wheel to wheel. Unless some
+law brings them together, a test on a small wheel in a laboratory says nothing about a locomotive.
+
+{{fig-01}}
 
 ::: findings
-1. **Must the curves be drawn with the actual contact area?** The paper: "in order to obtain a
-   single curve it is necessary to utilize the actual nominal area of contact rather than the
-   theoretical area of contact". Its points are lost to us, so this cannot be tested. The one
-   reading that is printed is compatible with it and is no evidence for it: within the rounding of
-   the printed speeds it needs at least {{least-along}} times Hertz's area if the ellipse's major
-   axis lies along rolling, and {{least-across}} times if it lies across; the paper does not say
-   which, and the steel is ours. The errors of its Appendix A leave it as open ({{least-independent}} along if they are
-   independent, {{least-worst}} at worst). {{outcome:table-state/true-area}}
-2. **Is creep times contact area constant?** The paper, for tests in which the ellipse keeps its
-   ratio of axes: "the product of the creep and the area of contact must be a constant". Confirmed
-   as stated: in Kalker's theory it is exact while that ratio is kept. If the profile alone wears
-   flat the ratio changes, and the product rises: by {{rise-moderate}} while the area grows by
+1. **Must the area of contact be measured?** The paper says so: "in order to obtain a single curve
+   it is necessary to utilize the actual nominal area of contact rather than the theoretical area of
+   contact". Its measured points are lost to us, so we cannot test this. The one reading that it
+   prints agrees with the statement but is no evidence for it. Within the rounding of its speeds it
+   needs at least {{least-along}} times the area of smooth new wheels if the longer axis of the
+   contact ellipse lies along rolling, and {{least-across}} times if it lies across. The paper does
+   not say which, and the errors of its Appendix A leave as much open: {{least-independent}} (longer
+   axis along, errors independent) or {{least-worst}} (errors at worst).
+   {{outcome:table-state/true-area}}
+2. **Does a larger contact creep less, in proportion?** The paper, for tests in which the ellipse
+   keeps its ratio of axes: "the product of the creep and the area of contact must be a constant".
+   In Kalker's theory this is exact while the ratio is kept. If wear flattens only the profile of
+   the wheel, the ratio changes and the product rises: by {{rise-moderate}} while the area grows by
    {{area-moderate}}, and by {{rise-worst}} at three times the profile radius. With the errors that
-   the paper states, the larger rise could have been seen on the rig in a few pairs of tests.
+   the paper states, the larger rise would have shown on the rig in a few pairs of tests.
    {{outcome:table-law/constant}} {{outcome:table-law/visible}}
-3. **How accurate is a measured creep?** The paper: "accurate to 0.0005", which it calls an upper
-   bound. The errors that its Appendix A lists make {{xi-rss}} if they are independent, so the
-   figure is fair. It is not an upper bound: at worst they make {{worst-range}}, with radii measured
-   to 0.0254 mm as the paper says and whatever else is rounded or read otherwise. The printed sum
-   lets them cancel.
+3. **How accurate is a measured creep?** "Accurate to 0.0005", says the paper, and calls this an
+   upper bound. The errors that its Appendix A lists make {{xi-rss}} if they are independent, so
+   the figure is fair. It is not an upper bound: at worst they make {{worst-range}}, with radii
+   measured to 0.0254 mm as the paper says and whatever else is rounded or read otherwise. The
+   printed sum lets the errors cancel.
    {{outcome:table-appendix-a/accurate}} {{outcome:table-appendix-a/upper-bound}}
 :::
 
-A driven wheel turns slightly faster, and a braked one slightly slower, than free rolling would
-need. The difference, divided by the speed, is the *creep* $\xi$; it is a few parts in a thousand.
-It sets the force that a wheel passes to the rail, as long as the force is below the limit of
-friction. The paper measures it: a wheel of 8 in diameter runs on one of 36 in, is braked, and the
-friction coefficient
+## The paper
 
-$$\mu=\frac TN \tag{2}$$
+C. A. Sciammarella, S. Kumar, L. Nailescu and B. B. Seth built a rig of two wheels: a small one, for
+the wheel of a locomotive, runs on a big one, for the rail, and is braked. They measured friction
+against creep at four loads, and brought all curves onto one with the help of Kalker's theory of
+rolling contact. This page recomputes the theory, the printed numbers and the error analysis. We
+have the paper as machine-read text, without its drawings. The measured points stand in the
+drawings, so our figures with points are rebuilt from the theory and say so.
 
-is read against the creep at several loads. The curves differ from load to load and from wheel
-to wheel, and the paper brings them together: plotted as $\mu/\mu_c$ over
+## The idea
 
-$$X=\frac{G\,a\,b\,\xi}{\mu_cN},$$
+**Creep.** A driven wheel turns slightly faster, and a braked one slightly slower, than free rolling
+would need. The difference of the two rim speeds over the speed of rolling is the creep, or
+longitudinal creepage, $\xi$. On the rig it follows from the radii $R_S$ and $R_B$ of the small and
+the big wheel and from their speeds of rotation $N_S$ and $N_B$:
 
-with the largest coefficient $\mu_c$, the shear modulus $G$ and the axes $a$, $b$ of the contact
-ellipse *as it really is*, enlarged by wear, they fall on one curve, the one that Kalker's theory
-predicts. For small creep that theory gives the force $T=C_{11}G\,ab\,\xi$, with a coefficient
-$C_{11}$ that depends on the ratio of the axes; divided by the limit $\mu_cN$ it is $C_{11}X$, so
-$X$ says how close the linear force is to the limit. We have the paper as machine-read text, without
-its drawings. The measured points stand in the drawings; our figures with points are rebuilt, and
-say so.
+$$\xi=1-\frac{N_SR_S}{N_BR_B}. \tag{1}$$
+
+It is a few parts in a thousand. The wheels press on each other with the load $N$ and pass on the
+friction force $T$; their ratio is the friction coefficient
+
+$$\mu=\frac TN. \tag{2}$$
+
+**Why creep makes a force.** {{fig-01}} shows it on the right. Material enters the contact unstrained
+at the leading edge. Creep drags the two surfaces apart while they travel through the contact
+together, so the tangential stress between them, the traction, grows. Where it would exceed the limit
+of friction, $\mu_c$ times the pressure, the surfaces slide. The more creep, the closer to the
+leading edge the sliding begins. When all of the contact slides, the force is $\mu_cN$ and cannot
+grow: $\mu_c$ is the *largest friction coefficient*.
+
+**Why one curve.** Let the contact be an ellipse with the semi-axes $a$ along rolling and $b$
+across. Measure lengths by $\sqrt{ab}$, tractions by $\mu_cN/ab$, and the elastic displacement $w$
+of the surfaces by what such a traction does to a body of shear modulus $G$:
+
+$$x=\sqrt{ab}\,\hat x,\qquad p=\frac{\mu_cN}{ab}\,\hat p,\qquad w=\frac{\mu_cN}{G\sqrt{ab}}\,\hat w.$$
+
+Here $x$ is the place along rolling, $p$ the traction, and a hat marks the quantity without its unit.
+Creep and strain together make the sliding, so the slip $s$ per metre of rolling becomes
+
+$$s=\xi+\frac{\partial w}{\partial x}=\frac{\mu_cN}{G\,ab}\Big(X+\frac{\partial\hat w}{\partial\hat x}\Big),
+  \qquad X=\frac{G\,ab\,\xi}{\mu_cN}.$$
+
+Load, friction, size and stiffness are gone; only $X$ is left, with the ratio $a/b$ and Poisson's
+ratio $\nu$. So the fraction of the friction limit that is used, $f=\mu/\mu_c$, depends on $X$
+alone for one shape of ellipse. This is the paper's similitude. The function `reduced_creepage` is
+these three lines in code, for creep, lateral creepage and spin:
+
+{{code: rolling/case.cpp reduced_creepage}}
+
+For small creep nothing slides, and the theory gives $f=C_{11}X$ with Kalker's coefficient $C_{11}$.
+So $X$ says how close the force would come to the limit if nothing slid. The paper's point is in the
+product $ab$: wear and plastic flow enlarge the contact, and "the theoretical area of contact" of
+smooth new wheels, which is Hertz's, puts a test at the wrong $X$.
 
 {{include: rig.cpp}}
 
-{{include: replica.cpp}}
-
 {{include: appendices.cpp}}
+
+{{include: replica.cpp}}
 
 {{include: full_curve.cpp}}
 
@@ -61,43 +102,104 @@ say so.
 
 ## Deviations
 
-* **The upper bound of Appendix A** is not an upper bound: its terms cancel in part.
+* **The upper bound of Appendix A** is not an upper bound, because its terms cancel in part.
   {{outcome:table-appendix-a/upper-bound}}
 * **0.00254 mm** in Appendix A stands for 0.00254 cm. {{outcome:table-appendix-a/radius-unit}}
-* **The third term of Appendix A** takes another ratio of radii than the first two; its effect is
-  less than 1 % of the sum. {{outcome:table-appendix-a/term-3}}
+* **The third term of Appendix A** takes another ratio of radii than the first two. This changes the
+  sum by less than 1 %. {{outcome:table-appendix-a/term-3}}
 * **8.224 km/h near 50 rpm** fits Appendix A's 116 if that is a count of teeth in a second.
   {{outcome:table-text/speed}}
 * **Replica and contact** would not be similar if the wheels were smooth and the tape gave way
-  freely: (7) would lose {{loss-10}} at 10 µm. The paper found them similar; its tape is not
-  described. {{outcome:table-replica/similitude}}
+  freely: (7) would lose {{loss-10}} of the area at 10 µm. The paper found them similar, and does not
+  describe its tape. {{outcome:table-replica/similitude}}
 
-Not decided: the direction of the ellipse's major axis. The nomenclature calls $a$ and $b$ axes,
-which makes the abscissa of Figure 11 four times that of the theory it is compared with; one of the
-two must have been converted, and the paper does not say which. Finishes of "20 µm" and "15 µm"
-after polishing with 400 grit are likely microinches.
+*Not decided* is the direction of the ellipse's longer axis. Also, the nomenclature calls $a$ and $b$
+axes, which makes the abscissa of the paper's Figure 11 four times that of the theory with which it
+is compared; one of the two must have been converted, and the paper does not say which. Finishes of
+"20 µm" and "15 µm" after polishing with 400 grit are likely microinches.
 
-Lost: the measured points and average curves of Figures 3 to 8 and 11, the areas of Figures 9 and
-10, three of the four loads, the tracks' widths and the factors $C$, $\mu_c$, and the shear modulus
-used.
+*Lost* are the measured points and average curves of Figures 3 to 8 and 11, the areas of Figures 9
+and 10, three of the four loads, the widths of the tracks, the factors $C$ and $\mu_c$, and the shear
+modulus.
+
+*Chosen by us* are the steel, the longer axis along rolling where one direction had to be taken, and
+everything that is listed above the synthetic experiment.
 
 ## Limits
+
+* **Half-spaces.** The theory is that of two elastic half-spaces of one material. The rig's contact
+  is {{contact-share}} of the small wheel's profile radius wide, which is narrow enough.
+* **Elastic.** A pressure of {{peak-along}} with 0.3 of it as traction is more than most wheel steels
+  bear elastically.
+* **One friction coefficient, in steady state.** Real friction falls at large creep, with speed and
+  heat. No curve on this page does; the [second page](03-creep-study.html) shows what a falling
+  friction does to the solver.
+* **The "actual area"** puts shape and roughness of a worn wheel into one number.
 
 What each theory costs and where the solver stops is on the [second page](03-creep-study.html).
 {{curve-time-answer}} Of random cases {{covered}} are within the error that the full theory states.
 
-The full theory is that of two elastic half-spaces of one material, with Coulomb's friction at one
-coefficient, in steady state. The rig's contact is {{contact-share}} of the small wheel's profile
-radius wide, narrow enough for half-spaces; a pressure of {{peak-along}} with 0.3 of it as traction
-is more than most wheel steels bear elastically. The "true area" puts shape and roughness of a worn
-wheel into one number. Real friction falls at large creep, with speed and heat; no curve here does.
+## Use it
+
+`railbook creep curve` gives the creep curve of a contact of your own, from radii and load or from the
+semi-axes. This is the rig at the load of Appendix B, with the longer axis along rolling:
+
+```console
+$ railbook creep curve --wheel-radius 100.5mm --wheel-profile 41.8mm --rail-radius 449.5mm --load 4449.72N --to 0.004 --points 5
+Creep curve
+  theory                               full
+  largest pressure                     1499.03 MPa
+  semi-axis a, along rolling           1.490441 mm   (Hertz, from the radii)
+  semi-axis b, across                  0.9509309 mm   (Hertz, from the radii)
+...
+    creepage        fx, N        fy, N      mz, N m F/(mu N)   stick
+           0            0            0            0  0.00000   1.000
+       0.001      481.104            0            0  0.36040   0.801
+       0.002      838.328            0            0  0.62800   0.590
+       0.003      1085.45            0            0  0.81313   0.410
+       0.004      1237.17            0            0  0.92678   0.235
+```
+
+The last two columns are the fraction of the friction limit that is used and the fraction of the area
+that sticks. With `--out FOLDER` the command also writes the table and a picture, and
+`railbook creep table` makes a table for a vehicle code.
 
 ## Try next
 
-* `railbook creep curve` with `--theory fastsim` and `--theory full` for your own wheel: where do
-  they differ most?
-* The rig with the other direction of the major axis: `railbook creep curve --wheel-radius 100.5mm
-  --wheel-profile 162mm --rail-radius 449.5mm --load 4449.72N` against `--wheel-profile 41.8mm`.
+* Where do FASTSIM and the full theory differ most? Change `--theory`, and compare with the block
+  above:
+
+```console
+$ railbook creep curve --wheel-radius 100.5mm --wheel-profile 41.8mm --rail-radius 449.5mm --load 4449.72N --to 0.004 --points 5 --theory fastsim
+...
+       0.001      473.916            0            0  0.35502   0.846
+       0.002       815.68            0            0  0.61103   0.695
+       0.003      1048.88            0            0  0.78572   0.549
+       0.004       1196.36            0            0  0.89620   0.409
+```
+
+* Turn the ellipse of the rig, so that its longer axis lies across: the same creep uses up more of the
+  friction. Which profile radius would double the force at a creep of 0.001?
+
+```console
+$ railbook creep curve --wheel-radius 100.5mm --wheel-profile 162mm --rail-radius 449.5mm --load 4449.72N --to 0.004 --points 5
+...
+       0.001      596.186            0            0  0.44661   0.735
+       0.002      997.379            0            0  0.74715   0.465
+       0.003      1228.91            0            0  0.92059   0.235
+       0.004      1322.24            0            0  0.99050   0.051
+```
+
+* Take a real wheel on a real rail. At which creep does it use up three quarters of its friction?
+
+```console
+$ railbook creep curve --wheel-radius 500mm --rail-crown 300mm --load 80kN --to 0.004 --points 5
+...
+       0.001      10857.3            0            0  0.45239   0.738
+       0.002      18043.1            0            0  0.75180   0.478
+       0.003      22107.2            0            0  0.92114   0.244
+       0.004      23757.1            0            0  0.98988   0.060
+```
 
 ## Works named
 
@@ -106,6 +208,10 @@ The paper: *Journal of Engineering for Industry* 101(3), August 1979,
 Johnson [18], Carter [19] and Poritsky [20]; our text ends before the list. The theory computed is
 that of Kalker's *Three-Dimensional Elastic Bodies in Rolling Contact*, Kluwer 1990. What was looked
 up, and what was not found, is in `data/SOURCES.md`.
+
+## Symbols
+
+{{symbols}}
 
 ## Coverage
 

@@ -1,39 +1,57 @@
 /***
-### The true area, from a replica
+## The actual area, from a replica
 
-A worn wheel is neither smooth nor of Hertz's shape, so the paper measures the contact. A
-replicating tape is pressed between the wheels; its impression has the axes $a_R$, $b_R$, the
-contact $a_T$, $b_T$, and with
+The area enters $X$, so it must be known. A worn wheel is neither smooth nor of Hertz's shape, and
+the paper measures its contact: a replicating tape is pressed between the wheels and keeps the
+impression. With the full axes $a_R$, $b_R$ of the impression and $a_T$, $b_T$ of the contact, their
+areas and the ratio of these are
 
 $$A_R=\tfrac\pi4a_Rb_R, \tag{3}$$
 
 $$A_T=\tfrac\pi4a_Tb_T, \tag{4}$$
 
-$$\frac{A_T}{A_R}=\frac{a_Tb_T}{a_Rb_R}, \tag{5}$$
+$$\frac{A_T}{A_R}=\frac{a_Tb_T}{a_Rb_R}. \tag{5}$$
+
+The impression is larger than the contact. The paper takes the two to be similar, with one factor $C$
+for both axes,
 
 $$\frac{a_T}{a_R}=\frac{b_T}{b_R}=C, \tag{6}$$
 
-$$A_T=C^2A_R \tag{7}$$
+$$A_T=C^2A_R, \tag{7}$$
 
-the width of the track that rolling leaves gives $C$. No tape thickness and no $C$ is printed. What
-would smooth wheels give? Outside the contact the surfaces are apart by
+and finds $C$ from the width of the track that rolling leaves. No thickness of the tape and no $C$ is
+printed, so we ask what smooth wheels would give. Outside the contact their surfaces are apart by the
+gap
 
-$$g=Ax^2+By^2-\delta+\frac{p_0ab}{2E^*}\int_\lambda^\infty\left[1-\frac{x^2}{a^2+s}-\frac{y^2}{b^2+s}\right]\frac{ds}{\sqrt{(a^2+s)(b^2+s)s}},$$
+$$g=\frac{x^2}{2R_x}+\frac{y^2}{2R_y}-\delta
+   +\frac{p_0ab}{2E^*}\int_\lambda^\infty\left[1-\frac{x^2}{a^2+t}-\frac{y^2}{b^2+t}\right]\frac{dt}{\sqrt{(a^2+t)(b^2+t)\,t}}.$$
 
-$\lambda$ the positive root at which the bracket vanishes. Here $A$ and $B$ are half the curvatures
-of the gap along and across, $\delta$ is Hertz's approach, $p_0$ his largest pressure and $E^*$ the
-modulus of steel on steel. The impression is taken as the region where $g$ is smaller than the
-thickness of the tape, which offers no resistance.
+Here $y$ is the place across, $\delta$ is Hertz's approach, $p_0$ his largest pressure and $E^*$ the
+modulus of steel on steel; $\lambda$ is the positive root $t$ at which the bracket vanishes. The first
+two terms are the gap of the undeformed wheels, the integral is what the pressure adds. The function
+`surface` computes it with the substitution $t=\lambda+a^2v^2$, which takes the root out of the
+denominator:
+
+{{code: replica.cpp surface}}
+
+The impression is taken as the region where $g$ is smaller than the thickness of the tape, which
+offers no resistance. `impression` seeks its end along one axis:
+
+{{code: replica.cpp impression}}
 
 {{table-replica}}
 
 The impression of such a tape is larger than the contact, as the paper says
-{{outcome:table-replica/larger}}, but not similar to it: its ratio of axes falls towards
-$\sqrt{B/A}$ = {{ratio-gap}} of the undeformed gap. So equation (7) would lose {{loss-10}} of the
-area with a tape of 10 µm, and a straight line through 10 and 20 µm, extrapolated to zero thickness,
-would end {{line-excess}} above the true area, since the area grows with a fractional power of the
-thickness. The paper found agreement in both. Its tape is not described, and one that is squeezed
-flat acts thinner than it is; so this is a fact about the tape assumed here, not about the paper's.
+{{outcome:table-replica/larger}}, but not similar to it. The thicker the tape, the closer its ratio of
+axes comes to {{ratio-gap}}, that of the undeformed gap, $\sqrt{R_x/R_y}$. So equation (7) would lose
+{{loss-10}} of the area with a tape of 10 µm. The paper also extrapolates the area to a tape of no
+thickness. A straight line through 10 and 20 µm would end {{line-excess}} above the true area, since
+the area grows with a fractional power of the thickness.
+
+The paper found agreement in both. Its tape is not described, and one that is squeezed flat acts
+thinner than it is; so this is a fact about the tape assumed here, not about the paper's.
+
+{{fold}}
 */
 
 #include <fmt/format.h>
@@ -52,13 +70,13 @@ using namespace railbook::creep_chapter;
 
 namespace {
 
-// The integral above from lambda = x^2 - a^2 or y^2 - b^2 on, whichever is positive.
+// The displacement in the gap above, from t = lambda = x^2 - a^2 or y^2 - b^2 on, whichever is positive.
 double surface(const contact::HertzContact& c, double x, double y) {
   const double lambda = std::max({0.0, x * x - c.a * c.a, y * y - c.b * c.b});
   const double unit = c.a * c.a;
-  const auto integrand = [&](double v) {  // s = lambda + a^2 v^2
-    const double s = lambda + unit * v * v, p = c.a * c.a + s, q = c.b * c.b + s;
-    return (1 - x * x / p - y * y / q) / std::sqrt(p * q) * (s > 0 ? v / std::sqrt(s) : 1 / c.a);
+  const auto integrand = [&](double v) {  // t = lambda + a^2 v^2
+    const double t = lambda + unit * v * v, p = c.a * c.a + t, q = c.b * c.b + t;
+    return (1 - x * x / p - y * y / q) / std::sqrt(p * q) * (t > 0 ? v / std::sqrt(t) : 1 / c.a);
   };
   const double whole =
       num::integrate(integrand, 0, std::numeric_limits<double>::infinity(), 1e-10).value;
@@ -119,5 +137,9 @@ void tape(report::Item& item) {
 
 }  // namespace
 
-const report::Section creep_chapter::replica{
-    report::table("table-replica", "What a tape between smooth wheels shows", tape)};
+const report::Section creep_chapter::replica{report::table(
+    "table-replica",
+    "A tape that gives way freely shows a larger and rounder contact. Axes and area of "
+    "the impression between smooth wheels, over those of the contact; for the rig at "
+    "4449.72 N, by Hertz",
+    tape)};

@@ -1,45 +1,47 @@
 /***
 ## The rig
 
-{{fig-01}}
-
-The small wheel is pressed onto the big one, which drives it, and is braked by its own motor; a gear
-of 144 teeth on each axle counts the turns. Forces are measured along three axes, which a misaligned
-small wheel, turned by the angle of attack, would mix:
+The small wheel is pressed onto the big one, which drives it, and is braked by its own motor. A gear
+of 144 teeth on each axle counts the turns. Forces are measured along three axes. A small wheel that
+is turned by an *angle of attack* would mix them, and put a part of the friction force into the axial
+direction:
 
 {{fig-02}}
 
-## The contact ellipse
+**The contact ellipse.** The text gives the ratio of the ellipse's axes, 1.568, "typical of the
+U.S.A. locomotives". It gives the wheels, but not the profile radius of the small wheel that makes
+the ellipse so. Hertz's theory gives it back. Along rolling both wheels are round, so the two
+curvatures add up: $1/R_x=1/R_S+1/R_B$. Across, only the small wheel is round, with its profile
+radius $R_y$, and the big one is a cylinder. The ratio of the axes fixes the ratio $R_x/R_y$ through
+two elliptic integrals; for 1.568 it is {{curvature-ratio}}. The function `profile_radius` does this
+for both directions of the longer axis:
 
-The text gives the ratio of the ellipse's axes, 1.568, "typical of the U.S.A. locomotives", and the
-wheels, but not the profile radius of the small wheel that makes the ellipse so. Hertz's theory
-gives it back. Along rolling both wheels are round, $1/R_x=1/R_S+1/R_B$; across, only the small
-wheel is, the big one being a cylinder. The ratio of the axes fixes the ratio of the two radii of
-curvature through elliptic integrals; for 1.568 it is {{curvature-ratio}}. So the profile radius is
-{{profile-along}} if the major axis lies along rolling, {{profile-across}} if it lies across.
+{{code: rig.cpp profile_radius}}
+
+So the profile radius is {{profile-along}} if the longer axis lies along rolling, and
+{{profile-across}} if it lies across. The text does not say which, and each verdict below that
+depends on it is given for both. Where one direction had to be taken, the longer axis lies along
+rolling. A locomotive wheel of 40 in on a rail with a 10-in crown has it there, with a ratio of
+{{locomotive-ratio}}; and a profile of {{profile-along-inch}} fits a wheel of 8 in better than one of
+{{profile-across-inch}}.
 
 {{table-ellipse}}
 
-The text does not say which, so each verdict below that depends on it is given for both. Where one
-had to be taken, the major axis lies along rolling. There are two reasons: a locomotive wheel of 40
-in on a rail with a 10-in crown has its major axis there, with a ratio of {{locomotive-ratio}}; and
-a profile of {{profile-along-inch}} fits a wheel of 8 in better than one of {{profile-across-inch}}.
+**Pressures.** No modulus is printed; used here are Young's modulus 207 GPa and $\nu$ = 0.3. The
+paper wants the contact stresses to be "similar to those of the locomotive and rail". The same
+locomotive wheel under 30 000 lb has a largest pressure of {{locomotive-peak}}, and the publisher's
+summary, which our copy lacks, has stresses up to about 200 ksi. The rig's largest pressure at the
+4449.72 N of Appendix B is {{peak-along}} with the longer axis along rolling and {{peak-across}} with
+it across, which is similar either way {{outcome:table-ellipse/stresses}}. On the rig a largest
+pressure of 200 ksi takes {{load-200-along}} along and {{load-200-across}} across.
 
-No modulus is printed; used here are $E$ = 207 GPa and $\nu$ = 0.3. The paper wants the contact
-stresses to be "similar to those of the locomotive and rail". The same locomotive wheel under 30 000
-lb has a largest pressure of {{locomotive-peak}}, and the publisher's summary, which our copy lacks,
-has stresses up to about 200 ksi. The rig's largest pressure at the 4449.72 N of Appendix B is
-{{peak-along}} with the major axis along rolling and {{peak-across}} with it across, which is
-similar either way {{outcome:table-ellipse/stresses}}. On the rig a largest pressure of 200 000 psi
-takes {{load-200-along}} along and {{load-200-across}} across.
+{{fold}}
 */
 
 #include <fmt/format.h>
 
 #include <cmath>
-
-#include <railbook/scene/labelled.hpp>
-#include <railbook/scene/shapes.hpp>
+#include <stdexcept>
 
 #include "rig.hpp"
 
@@ -65,75 +67,40 @@ double creep_chapter::hertz_group(double load, bool major_along_rolling) {
 
 namespace {
 
-constexpr double in_cm = 100;  // a metre in the picture's unit
+constexpr double drawn_attack = 12;  // degrees, far too large, to be seen
 
-constexpr double small_r = small_radius * in_cm, big_r = big_radius * in_cm, top = small_r + big_r;
-
-// The big cylinder and the small wheel on it with its crowned rim.
-scene::Scene wheels(const scene::Point& axle) {
-  constexpr int n = 24;
-  constexpr double half = 2.2;
-  const double crown = profile_radius(true) * in_cm;
-  scene::Outline outline(n + 3, 2);
-  outline.row(0) << 0, 0;
-  for (int i = 0; i <= n; ++i) {
-    const double y = half * (2.0 * i / n - 1);
-    outline.row(i + 1) << y + half, small_r - crown + std::sqrt(crown * crown - y * y);
+// The wheels, and the contact at a creep that uses up most of the friction.
+void scheme(report::Item& item) {
+  item.sketch("rig to scale, gears not; contact by the full theory, largest friction 0.3 assumed");
+  const rolling::RollingCase c = rolling::with_reduced_creepage(rig_case(), {0.2, 0, 0});
+  const rolling::CreepForces forces = rolling::solve_rolling(c, {.along = 24, .rows = 13});
+  if (!forces.converged) throw std::runtime_error(forces.reason);
+  const rolling::Tractions& t = forces.tractions;
+  report::Data& cells = item.data({"x_mm", "y_mm", "dx_mm", "dy_mm", "sticks", "tx_MPa", "ty_MPa"});
+  report::Data& middle = item.data("middle", {"x_mm", "traction_MPa", "limit_MPa"});
+  middle.add(-c.a / units::millimetre, 0, 0);
+  for (Eigen::Index i = 0; i < t.x.size(); ++i) {
+    const double x = t.x[i] / units::millimetre, y = t.y[i] / units::millimetre;
+    cells.add(x, y, t.dx[i] / units::millimetre, t.dy[i] / units::millimetre, t.stick[i],
+              -t.px[i] / units::megapascal, -t.py[i] / units::megapascal);
+    if (std::abs(y) < 1e-9)
+      middle.add(x, t.px[i] / units::megapascal, t.bound[i] / units::megapascal);
   }
-  outline.row(n + 2) << 2 * half, 0;
-  scene::Scene s;
-  s.meshes.push_back(scene::cylinder({0, -4, 0}, {0, 4, 0}, big_r, scene::steel));
-  s.meshes.push_back(scene::revolution(scene::Point{0, 0, top} - half * axle, axle, outline));
-  return s;
-}
-
-scene::Lines arrow(const scene::Point& from, const scene::Point& along,
-                   const scene::Colour& colour) {
-  scene::Lines lines{scene::Points(2, 3), scene::Segments(1, 2), colour, 3.0};
-  lines.vertices << from.transpose(), (from + along).transpose();
-  lines.segments << 0, 1;
-  return lines;
-}
-
-void both_wheels(report::Item& item) {
-  item.sketch(
-      "the wheels to scale, profile radius and widths rebuilt; the paper's figure is a scheme");
-  scene::Scene s = wheels({0, 1, 0});
-  s.meshes.push_back(scene::cylinder({0, -16, 0}, {0, 16, 0}, 4, scene::stone));
-  s.meshes.push_back(scene::cylinder({0, -16, top}, {0, 16, top}, 1.6, scene::stone));
-  s.meshes.push_back(scene::cylinder({0, -14.5, 0}, {0, -13, 0}, 9, scene::wood));
-  s.meshes.push_back(scene::cylinder({0, -14.5, top}, {0, -13, top}, 5, scene::wood));
-  const scene::Size size{1000, 470};
-  const auto camera = scene::looking_at(s, {1.0, -1.5, 0.5}, size, true);
-  scene::labelled(item, "wheels.gp", s, camera, size,
-                  {{{17, 0, top + 2}, "small wheel (braked): the locomotive's"},
-                   {{-52, 0, top + 4}, "gear of 144 teeth"},
-                   {{17, 0, big_r + 3}, "contact"},
-                   {{44, 0, 30}, "big wheel (drives): the rail"},
-                   {{-24, -20, -16}, "gear of 144 teeth"}});
+  middle.add(c.a / units::millimetre, 0, 0);
+  item.data("wheels", {"small_cm", "big_cm"})
+      .add(small_radius / centimetre, big_radius / centimetre);
+  item.value("drawn-creep", c.creepage.longitudinal, "", "{:.4f}");
+  item.value("drawn-share", 100 * forces.fx / (c.friction * c.load), "%", "{:.0f}");
 }
 
 void axes(report::Item& item) {
   item.sketch("axes as the text names them; the angle of attack is drawn far too large");
-  const double attack = 12 * units::degree;
-  scene::Scene s = wheels({-std::sin(attack), std::cos(attack), 0});
-  const scene::Colour red{0.84, 0.37, 0.0}, blue{0.0, 0.45, 0.70}, black{0, 0, 0};
-  const scene::Point along{std::cos(attack), std::sin(attack), 0}, contact{0, 0, big_r},
-      crown{0, 0, 2 * small_r};
-  s.lines = {arrow(contact, {34, 0, 0}, red), arrow(contact, 34 * along, red),
-             arrow(contact, {0, -26, 0}, blue), arrow(contact + crown, {0, 0, 12}, black)};
-  const scene::Size size{1000, 470};
-  const auto camera = scene::looking_at(s, {1.0, -1.3, 1.3}, size, true);
-  scene::labelled(item, "wheels.gp", s, camera, size,
-                  {{contact + scene::Point{34, -4, 0}, "z: longitudinal"},
-                   {contact + 36 * along, "z' of a misaligned wheel"},
-                   {contact + scene::Point{-10, -27, 0}, "y: axial"},
-                   {contact + crown + scene::Point{2, 0, 12}, "x: transversal (the load N)"}});
+  item.data({"attack_degree"}).add(drawn_attack);
 }
 
 void ellipse(report::Item& item) {
   item.columns({{"load, N", "{:.2f}"},
-                "major axis",
+                "longer axis",
                 {"a (along), mm", "{:.4f}"},
                 {"b (across), mm", "{:.4f}"},
                 {"area π a b, mm²", "{:.4f}"},
@@ -191,6 +158,25 @@ void ellipse(report::Item& item) {
 }  // namespace
 
 const report::Section creep_chapter::rig{
-    report::figure("fig-01", "The two wheels of the rig", both_wheels),
-    report::figure("fig-02", "Axes of the forces, and the angle of attack", axes),
-    report::table("table-ellipse", "The contact ellipse of the rig by Hertz", ellipse)};
+    report::figure(
+        "fig-01",
+        "A braked wheel's contact sticks at its leading edge and slides at its trailing edge. "
+        "Left: "
+        "the small wheel under the load N on the big one, which drives it; the friction force T "
+        "acts at the contact. Right: that contact from above, with its semi-axes a and b, and "
+        "below "
+        "it the traction along its middle, which grows from the edge where material enters until "
+        "it meets the limit. By the full theory of this page; the paper's Figure 1 shows the rig",
+        scheme),
+    report::figure(
+        "fig-02",
+        "A turned wheel puts a part of the friction force into the axial direction. The small "
+        "wheel "
+        "from above, on the rim of the big one. The axes are those that the paper names; its "
+        "Figure 2 is lost",
+        axes),
+    report::table(
+        "table-ellipse",
+        "The direction of the longer axis changes the area by half. The contact of smooth "
+        "new wheels at three loads, by Hertz, for both directions of the ellipse",
+        ellipse)};

@@ -13,6 +13,8 @@ namespace railbook::creep_chapter {
 extern const report::Section rig, replica, appendices, full_theory, experiment, state, area_law;
 extern const report::Section cost, extremes;  // study/
 
+inline constexpr double centimetre = 0.01;  // m
+
 // Radii after five hours of running (Appendix B, diameters halved), the ellipse of the text, and the largest
 // coefficient of friction of the state that is printed.
 inline constexpr double small_radius = 0.201097 / 2;
