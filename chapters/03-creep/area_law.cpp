@@ -1,17 +1,21 @@
 /***
 ## Creep times area is constant
 
-If $\mu/\mu_c$ depends on $X=G\,ab\,\xi/\mu_cN$ only, then at the same load, friction and traction
-the product of creep and area is constant: a worn wheel with a larger contact creeps less. The paper
+If $f=\mu/\mu_c$ depends on $X=G\,ab\,\xi/\mu_cN$ only, then at the same load, friction and force the
+product of creep and area is constant: a worn wheel with a larger contact creeps less. The paper
 states this for tests whose wear was "kept to a level preserving the elliptical contact with a
-preestablished ratio of the major to the minor axis".
+preestablished ratio of the major to the minor axis". The function `products` seeks, on any ellipse,
+the $X$ at which a given fraction of the friction is used, and turns it into creep times area:
+
+{{code: area_law.cpp products}}
 
 **With that ratio kept** the law is exact in Kalker's theory, which for one ratio of axes, Poisson's
 ratio and friction law has no other variable than $X$. It does not depend on how much the area
-grows, on the fraction of the friction that is used, or on the direction of the major axis
-{{outcome:table-law/constant}} {{outcome:table-law/scale}}. In Carter's plane theory
-$\xi a=4\mu P\,(1-\sqrt{1-Q/\mu P})/\pi E^*$, for a load $P$ and a traction $Q$ per width on a
-contact $2a$ long, contains no radius at all {{outcome:table-law/carter}}.
+grows, on the fraction of the friction that is used, or on the direction of the longer axis
+{{outcome:table-law/constant}} {{outcome:table-law/scale}}. Carter's plane theory says the same of a
+contact that is $2a$ long: for a load $P$ and a traction $Q$ per width,
+$\xi a=4\mu_cP\,(1-\sqrt{1-Q/\mu_cP})/\pi E^*$ contains no radius at all
+{{outcome:table-law/carter}}.
 
 **When the ratio changes** the law does not hold. Suppose that wear flattens only the profile of the
 small wheel and leaves its rolling radius. Then the contact grows across, the ellipse becomes
@@ -26,15 +30,19 @@ by {{rise-moderate}}; with one three times as flat it rises by {{rise-worst}}, a
 program CONTACT agrees {{outcome:table-law/contact}}. Most of the rise is the initial slope: the
 ratio of the computed coefficients $C_{11}$ alone gives {{rise-slope}}.
 
-Could the rig have seen it? At the creep that Appendix B prints, {{rise-worst}} is {{rise-seen}},
+**Could the rig have seen it?** At the creep that Appendix B prints, {{rise-worst}} is {{rise-seen}},
 less than the 0.0005 to which a reading is accurate. At 80 % of a largest friction of 0.5 the creep
 is {{creep-80}}, and the rise is {{rise-80}}, or {{rise-80-grown}} on the grown area; both are more
-than 0.0005. And a test has many readings: by the reduction of the section before, with the stated
-errors, the product of one test has a standard deviation of {{product-scatter}}, so that a pair of
-tests, new and worn, shows {{rise-worst}} at {{sigmas-worst}} standard deviations and
-{{rise-moderate}} at {{sigmas-moderate}}. The larger rise could have been seen in a few pairs of
-tests, the smaller not {{outcome:table-law/visible}}. The paper changed its wheels when the ellipse
-lost its ratio of axes, and so kept to the domain in which its law is exact.
+than 0.0005. And a test has many readings. By the reduction of the section before, with the stated
+errors, the product of one test has a standard deviation of {{product-scatter}}. So a pair of tests,
+new and worn, shows {{rise-worst}} at {{sigmas-worst}} standard deviations and {{rise-moderate}} at
+{{sigmas-moderate}}.
+
+The larger rise could have been seen in a few pairs of tests, the smaller not
+{{outcome:table-law/visible}}. The paper changed its wheels when the ellipse lost its ratio of axes,
+and so kept to the domain in which its law is exact.
+
+{{fold}}
 */
 
 #include <fmt/format.h>
@@ -170,7 +178,7 @@ void law(report::Item& item) {
       {.a = 0.25 / rolling_radius, .b = 0.25 / profile_radius(true)}, modulus(), paper_load);
   item.agree("scale", "creep times area for half of the friction, both radii doubled", "m^2",
              products(doubled, 24)[1], base[1], 1e-7, "the rig itself");
-  // Carter: a^2 = 4 P R/(pi E*) for a load P per width; xi = X mu a/R, and X = 1 - sqrt(1 - Q/mu P).
+  // Carter: a^2 = 4 P R/(pi E*) for a load P per width; xi = (1 - sqrt(1 - Q/mu P)) mu a/R.
   const auto carter_product = [](double radius) {
     const double load = 1e5, a = std::sqrt(4 * load * radius / (units::pi * modulus()));
     return (1 - std::sqrt(1 - 0.64)) * 0.3 * a / radius * a;
@@ -197,5 +205,15 @@ void law_figure(report::Item& item) {
 }  // namespace
 
 const report::Section creep_chapter::area_law{
-    report::table("table-law", "Creep times area while the small wheel's profile wears flat", law),
-    report::figure("fig-law", "Creep against area at constant load and friction used", law_figure)};
+    report::table("table-law",
+                  "Creep times area rises when only the profile wears flat. Rise of the product on "
+                  "the rig against the new wheel, for three fractions of the friction, by the full "
+                  "theory; last by the initial slope alone",
+                  law),
+    report::figure(
+        "fig-law",
+        "A contact that grows across only creeps more than the law says. Creep over that "
+        "of the new wheel, at constant load and force, against the area over that of the "
+        "new wheel; grey is the paper's law. The paper refers to another report for its "
+        "check",
+        law_figure)};

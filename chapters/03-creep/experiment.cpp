@@ -1,12 +1,13 @@
 /***
-## A synthetic experiment
+## The measurements, made anew
 
-The measured points stand in the paper's figures only, which are lost to us. So the theory is taken
-for the truth, the errors the paper states are added, and the points reduced as the paper does.
-**Every point below is synthetic**, and the figures say so. What is assumed:
+The measured points stand in the paper's figures only, which are lost to us. To see what the paper's
+reduction can do, we take the theory for the truth, add the errors that the paper states, and reduce
+the points as the paper does. **Every point below is synthetic**, and the figures say so. What is
+assumed:
 
 * four loads of 500, 1000, 1500 and 2500 lbf; the paper prints one, 4449.72 N or 1000 lb;
-* the major axis of the ellipse along rolling;
+* the longer axis of the ellipse along rolling;
 * a largest friction of 0.5 at 1000 lbf, falling with the load to the power −{{exponent}};
 * contact areas 1.1 to 1.9 times Hertz's, by wear, and measured with an error of 3 %;
 * errors of 0.0005 in the creep (Appendix A) and 22.249 N in the force, both taken as two standard
@@ -17,24 +18,18 @@ largest friction and the area free. In the paper the two loads are the independe
 creep is the dependent one; the fit here takes the creep as given and minimises the distances in the
 friction.
 
+{{fig-03}}
+
+{{fig-07}}
+
 Two statements of the paper on its own points do not fit these. It says "The dispersion of values is
 very large"; here the stated errors alone scatter the points about their curves by {{dispersion}} of
 $\mu_c$ (root mean square). Whatever else scattered the paper's points is missing here, so what the
-reduction achieves below is a best case. And it says that the curves of Figure 8 are "almost
-parallel, indicating a common decreasing trend"; the four areas assumed here, 1.1 to 1.9 times
-Hertz's in no order, break that trend: at a creep of 0.004 the friction is {{mu-1500}} at 1500 lbf
-and {{mu-2500}} at 2500 lbf, so these two curves cross. The paper's four areas must have been closer
-together, or have followed the load.
-
-{{fig-03}}
-
-{{fig-04}}
-
-{{fig-05}}
-
-{{fig-06}}
-
-{{fig-07}}
+reduction achieves below is a best case. And it says that the curves of its Figure 8 are "almost
+parallel, indicating a common decreasing trend". The four areas assumed here, in no order, break that
+trend: at a creep of 0.004 the friction is {{mu-1500}} at 1500 lbf and {{mu-2500}} at 2500 lbf, so
+these two curves cross. The paper's four areas must have been closer together, or have followed the
+load.
 
 ### Friction and area against the load
 
@@ -42,18 +37,18 @@ At constant creep the friction falls with the load, and the paper says of it: "T
 predicted by the theoretical analysis of Vermeulen and Johnson … and Kalker". It is, even where the
 largest friction $\mu_c$ is the same at all loads. Hertz's area goes with $N^{2/3}$, so
 $X\propto\xi N^{-1/3}$: at the same creep a larger load has a smaller $X$. In the linear part this
-gives $\mu\propto N^{-1/3}$; the closer to full slip, the weaker the trend. At the creeps of the
+gives $\mu\propto N^{-1/3}$, and closer to full slip the trend is weaker. At the creeps of the
 figure, from {{creep-first}} to {{creep-last}}, the exponent of $N$ runs from {{exponent-first}} to
 {{exponent-last}} for $\mu_c$ = 0.5 and an area 1.5 times Hertz's. {{outcome:fig-08/trend}}
+
+{{fig-08}}
 
 How parallel are the lines? In these theories $d\mu/d\ln N$ at 1000 lbf is {{slopes}} at the four
 creeps. From a creep of 0.001 on the slopes differ by a factor of {{slope-ratio}}; the paper calls
 its own lines "almost parallel". If $\mu_c$ itself depends on the load, as the paper finds, that is
 an input of the theories; the lines of the figure have the falling $\mu_c$ assumed above.
 
-{{fig-08}}
-
-The next figure shows Hertz's area for both directions of the major axis, since the text does not
+The next figure shows Hertz's area for both directions of the longer axis, since the text does not
 say which the rig had: across, the area is {{across-larger}} larger than along.
 
 {{fig-09}}
@@ -65,29 +60,37 @@ stand for it.
 
 ## One curve for all
 
-The paper's claim: with the actual area of contact all tests fall on one curve. Each synthetic point
-has a load, a force and a creep; the largest friction is that of its average curve. Reduced with
-**Hertz's** area the four tests stay apart, each shifted by its own wear:
+The paper's claim is that with the actual area of contact all tests fall on one curve. The reduction
+takes few lines. `each_reduced` goes through the points of a test; each has a load, a force and a
+creep, and the largest friction is that of the test's average curve. The product of the two gives $X$
+from the creep; the area is Hertz's, or Hertz's times a measured factor:
+
+{{code: experiment.cpp each_reduced}}
+
+With **Hertz's** area the four tests stay apart, each shifted by its own wear. With the **measured**
+area they fall on one line, and it is the theory's:
 
 {{fig-11-hertz}}
 
-Reduced with the **measured** area they fall on one line, and it is the theory's:
-
 {{fig-11}}
+
+The two scales of the figures are the paper's and Kalker's: the paper's $a$ and $b$ are full axes by
+its nomenclature and its equation (4), Kalker's are semi-axes.
 
 {{table-collapse}}
 
 In numbers: the factor that brings each test onto the curve spreads by {{spread-hertz}} with Hertz's
-area and by {{spread-true}} with the measured one; the points scatter about the curve by
+area and by {{spread-true}} with the measured one. The points scatter about the curve by
 {{rms-hertz}} against {{rms-true}} (root mean square of $\mu/\mu_c$), and the second is what the
-errors of force, creep and area make by themselves. The fit finds the contact area of a test from
-its creep curve alone, without the replica tape: in these four tests to {{factor-error}}, and in
-{{draws}} repetitions of each with other random errors with a standard deviation of
-{{factor-scatter}}. This shows what the reduction can do at best, not that the paper's own points
-did so.
+errors of force, creep and area make by themselves. With this scatter no such experiment could tell
+the full theory from Vermeulen and Johnson's curve.
 
-The figure has two scales: the paper's $a$ and $b$ are **full axes** by its nomenclature and its
-equation (4), Kalker's are semi-axes.
+The fit also finds the contact area of a test from its creep curve alone, without the replica tape: in
+these four tests to {{factor-error}}, and in {{draws}} repetitions of each with other random errors
+with a standard deviation of {{factor-scatter}}. This shows what the reduction can do at best, not
+that the paper's own points did so.
+
+{{fold}}
 */
 
 #include <fmt/format.h>
@@ -231,14 +234,17 @@ double dispersion(const Test& test) {
   return std::sqrt(sum / static_cast<double>(test.points.size()));
 }
 
-template <std::size_t which>
-void one_load(report::Item& item) {
-  const Test& test = tests()[which];
-  auto& curve = item.data({"creep", "mu"});
-  auto& points = item.data("points", {"creep", "mu"});
-  for (int i = 0; i <= 200; ++i) curve.add(1e-4 * i, test.average.mu(test.load, 1e-4 * i));
-  for (const Point& p : test.points) points.add(p.creep, p.mu);
-  item.script("load.gp");
+void each_load(report::Item& item) {
+  auto& curve = item.data({"creep", "mu_500", "mu_1000", "mu_1500", "mu_2500"});
+  auto& points = item.data("points", {"load_lbf", "creep", "mu", "creep_error", "mu_error"});
+  for (int i = 0; i <= 200; ++i) {
+    const auto mu = [&](std::size_t k) { return tests()[k].average.mu(tests()[k].load, 1e-4 * i); };
+    curve.add(1e-4 * i, mu(0), mu(1), mu(2), mu(3));
+  }
+  for (const Test& test : tests())
+    for (const Point& p : test.points)
+      points.add(std::round(test.load / units::lbf), p.creep, p.mu, creep_error,
+                 force_error / test.load);
   item.rebuilt(synthetic);
 }
 
@@ -372,13 +378,12 @@ void each_reduced(bool measured_area, const Use& use) {
 
 template <bool measured_area>
 void dimensionless(report::Item& item) {
-  auto& curves = item.data({"x", "full", "fastsim", "vermeulen_johnson"});
+  auto& curves = item.data({"x", "full", "vermeulen_johnson"});
   auto& points = item.data("points", {"x", "f", "test"});
   for (int i = 0; i <= 250; ++i) {
     const double x = 1.25 * i / 250;
     const auto c = with_reduced_creepage(rolling::unit_case(axis_ratio, poisson), {x, 0, 0});
-    curves.add(x, master_curve(x), creep_forces(Theory::fastsim, c).fx,
-               creep_forces(Theory::vermeulen_johnson, c).fx);
+    curves.add(x, master_curve(x), creep_forces(Theory::vermeulen_johnson, c).fx);
   }
   each_reduced(measured_area, [&](double x, double share, const Test& test) {
     points.add(x, share, std::round(test.load / units::lbf));
@@ -450,17 +455,47 @@ creep_chapter::ReductionError creep_chapter::reduction_error() {
 }
 
 const report::Section creep_chapter::experiment{
-    report::figure("fig-03", "Friction against creep at 500 lbf (synthetic)", one_load<0>),
-    report::figure("fig-04", "Friction against creep at 1000 lbf (synthetic)", one_load<1>),
-    report::figure("fig-05", "Friction against creep at 1500 lbf (synthetic)", one_load<2>),
-    report::figure("fig-06", "Friction against creep at 2500 lbf (synthetic)", one_load<3>),
-    report::figure("fig-07", "All average curves (synthetic)", all_loads),
-    report::figure("fig-08", "Friction at constant creep against the load", constant_creep),
-    report::figure("fig-09", "Hertz's area of smooth new wheels, for both directions of the axis",
-                   smooth_areas),
-    report::figure("fig-10", "Contact area in four tests", worn_areas),
-    report::figure("fig-11-hertz", "The dimensionless curve with Hertz's area (synthetic)",
+    report::figure(
+        "fig-03",
+        "At each load the friction rises with the creep and levels off. Synthetic points at four "
+        "loads, with one standard deviation of their errors, and the average curves that are "
+        "fitted "
+        "to them. They stand for the paper's Figures 3 to 6, one for each load, whose points are "
+        "lost",
+        each_load),
+    report::figure(
+        "fig-07",
+        "Neither load nor wear is the same, so the four average curves differ. They are "
+        "fitted to the synthetic points, with the loads written beside them. In place of "
+        "the paper's Figure 7",
+        all_loads),
+    report::figure(
+        "fig-08",
+        "At constant creep the friction falls with the load. Lines: the theory at one "
+        "wear, an area 1.5 times Hertz's; points: the four synthetic tests, each with a "
+        "wear of its own; topmost the largest friction. In place of the paper's Figure 8",
+        constant_creep),
+    report::figure(
+        "fig-09",
+        "The direction of the longer axis changes the contact by more than half. Hertz's "
+        "area of smooth new wheels against the load, for both directions of the longer "
+        "axis. The paper's Figure 9 had measured points",
+        smooth_areas),
+    report::figure(
+        "fig-10",
+        "Worn wheels have larger contacts than Hertz says. Synthetic areas of four tests, "
+        "with their ratio to Hertz's, against the load. In place of the paper's Figure 10",
+        worn_areas),
+    report::figure("fig-11-hertz",
+                   "With Hertz's area the four tests stay apart. Fraction of the friction limit "
+                   "against X, synthetic points at four loads; lines by the full theory and by "
+                   "Vermeulen and Johnson. Not in the paper",
                    dimensionless<false>),
-    report::figure("fig-11", "The dimensionless curve with the measured area (synthetic)",
+    report::figure("fig-11",
+                   "With the measured area they fall on one curve. The same points as before, each "
+                   "test with its measured area. In place of the paper's Figure 11",
                    dimensionless<true>),
-    report::table("table-collapse", "Four tests on one curve", four_tests)};
+    report::table("table-collapse",
+                  "A test's creep curve gives its contact area to a few per cent. Area and largest "
+                  "friction of the four synthetic tests: put in, measured and found from the curve",
+                  four_tests)};

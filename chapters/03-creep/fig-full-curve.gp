@@ -9,18 +9,17 @@ set xlabel "X = G a b ξ / µ_c N"
 set ylabel "f = µ / µ_c"
 set xrange [0:0.8]
 set yrange [0:1.05]
-set label 1 "full theory" at 0.47,0.87 left
-set arrow 1 from 0.46,0.88 to 0.335,0.915 nohead lw 1
-set label 2 "○ independent program" at 0.47,0.77 left tc rgb "#007A5A"
-set label 3 "Vermeulen-Johnson" at 0.06,0.68 right tc rgb "#606060" offset 0,0
-set label 3 "Vermeulen-\nJohnson" at 0.145,0.85 right tc rgb "#606060"
-set arrow 3 from 0.15,0.82 to 0.19,0.745 nohead lw 1 lc rgb "#606060"
+set label 1 "full theory" at 0.42,0.87 left
+set arrow 1 from 0.41,0.88 to 0.335,0.915 nohead lw 1
+set label 2 "○ independent program" at 0.42,0.77 left tc rgb "#007A5A"
+set label 3 "Vermeulen-\nJohnson" at 0.015,0.97 left tc rgb "#606060"
+set arrow 3 from 0.13,0.88 to 0.19,0.745 nohead lw 1 lc rgb "#606060"
 set label 4 "FASTSIM" at 0.30,0.66 left tc rgb "#3A799C"
 set arrow 4 from 0.295,0.67 to 0.235,0.745 nohead lw 1 lc rgb "#3A799C"
-plot ARG4 using "X":"vermeulen_johnson" with lines lt 8 lw 2, \
-     ARG4 using "X":"fastsim" with lines lt 7 lw 2, \
+plot ARG3 using "X":"vermeulen_johnson" with lines lt 8 lw 2, \
+     ARG3 using "X":"fastsim" with lines lt 7 lw 2, \
      ARG1 using "X":"f" smooth unique with lines lt 1, \
-     ARG3 using "X":"f" with points ls other pt 6
+     ARG4 using "X":"f" with points ls other pt 6
 unset for [i=1:4] label i
 unset for [i=1:4] arrow i
 set xlabel "cells along rolling (half as many rows)"
@@ -32,8 +31,8 @@ set format y "10^{%T}"
 set xtics (4,6,8,12,16,24)
 set label 1 "cells fill the rows" at 9,0.028 left tc rgb blue
 set label 2 "ends placed" at 7.3,0.0022 left tc rgb "#BE5400"
-set label 3 "slope −1" at 14,0.0042 left tc rgb "#606060"
-set label 4 "slope −2" at 13.5,0.0001900 right tc rgb "#606060"
+set label 3 "slope −1" at 10.5,0.0048 left tc rgb "#606060"
+set label 4 "slope −2" at 10,0.00018 right tc rgb "#606060"
 plot ARG5 using "cells":"filled" with linespoints lt 2, \
      ARG5 using "cells":"placed" with linespoints lt 3, \
      0.075/x with lines ls guide, 0.028/x**2 with lines ls guide

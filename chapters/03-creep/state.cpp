@@ -1,29 +1,36 @@
 /***
-### The one state that is printed
+## The one reading that is printed
 
 Appendix B gives a complete reading: 4449.72 N, $\mu$ = 0.3 for five hours, 442.6 and 99.2 rpm, and
-both radii. With the major axis along rolling and the speeds as printed, the creep is {{creep}} and
-$G\,ab\,\xi/N$ = {{group}} by Hertz's area. Even the linear theory, which no friction law can
-exceed, then allows only $\mu\le C_{11}G\,ab\,\xi/N$ = {{mu-most}} **for any** $\mu_c$, less than
-the measured 0.3; here $C_{11}$ is Kalker's coefficient, the slope of $\mu/\mu_c$ over $X$ at small
-creep. So this reading would need an area larger than Hertz's. Is it evidence for the paper's claim?
+both radii. With the speeds as printed the creep is {{creep}}, and with the longer axis along rolling
+$G\,ab\,\xi/N$ = {{group}} by Hertz's area. Is this evidence for the paper's claim?
+
+No friction law can exceed the linear theory, $f\le C_{11}X$. With Hertz's area that allows only
+$\mu\le C_{11}\,G\,ab\,\xi/N$ = {{mu-most}} for *any* $\mu_c$, less than the measured 0.3. So the
+reading would need a larger area. The function `least_factor` divides the one by the other, and
+`factor` asks the full curve for the area at a given $\mu_c$:
+
+{{code: state.cpp factor}}
+
+{{code: state.cpp least_factor}}
 
 {{table-state}}
 
-It is not. The two speeds are printed to 0.1 rpm, and within that rounding the creep is
+It is no evidence. The two speeds are printed to 0.1 rpm, and within that rounding the creep is
 {{creep-range}}: its second digit is unknown. The area that is needed at the least, for a very large
-$\mu_c$, is then {{least-along}} times Hertz's with the major axis along rolling and
-{{least-across}} times with it across. With the errors of Appendix A it is {{least-independent}}
-along if they are independent, and {{least-worst}} at worst. So Hertz's area explains the reading as
-well as a worn one does, if $\mu_c$ is large; for $\mu_c$ = 0.5 the factor as printed is
-{{half-along}} along and {{half-across}} across. The reading is compatible with the paper's claim
-and no evidence for it. {{outcome:table-state/true-area}}
+$\mu_c$, is then {{least-along}} times Hertz's with the longer axis along rolling and {{least-across}}
+times with it across. With the errors of Appendix A it is {{least-independent}} along if they are
+independent, and {{least-worst}} at worst. So Hertz's area explains the reading as well as a worn one
+does, if $\mu_c$ is large; for $\mu_c$ = 0.5 the factor as printed is {{half-along}} along and
+{{half-across}} across. {{outcome:table-state/true-area}}
 
 {{fig-state}}
 
-One more doubt remains: if the abscissa was computed with full axes and compared with Kalker's curve
+One more doubt remains. If the abscissa was computed with full axes and compared with Kalker's curve
 for semi-axes, the reading fits Hertz's area along rolling at $\mu_c$ = {{mu-full-axes}} without any
 wear.
+
+{{fold}}
 */
 
 #include <fmt/format.h>
@@ -143,5 +150,15 @@ void reading(report::Item& item) {
 }  // namespace
 
 const report::Section creep_chapter::state{
-    report::table("table-state", "What the printed reading asks of the area", needed_area),
-    report::figure("fig-state", "The area that the printed reading needs", reading)};
+    report::table("table-state",
+                  "Within the rounding of its speeds the reading needs a larger area, or does not. "
+                  "The area over Hertz's that gives the printed friction: at the least, and for a "
+                  "largest friction of 0.5; with the longer axis along rolling or across",
+                  needed_area),
+    report::figure(
+        "fig-state",
+        "Hertz's area lies within the rounding of the printed reading. The area that the "
+        "reading needs, over Hertz's, against the largest friction that is assumed; lines "
+        "as printed, bands for the rounding of the two speeds. From the numbers of "
+        "Appendix B",
+        reading)};
