@@ -1,4 +1,4 @@
-# alt: Two bands that fall with the assumed largest friction. The band for the longer axis across lies lower, and both reach down to one, Hertz's area, at large friction.
+# alt: Two bands that fall with the assumed largest friction. The band for the longer axis across lies lower and includes one, Hertz's area, from a largest friction of about one half on; the other comes close to one at large friction.
 load "style.gp"
 set output ARG2
 set terminal pngcairo size 740,350 font "DejaVu Sans,12" enhanced background rgb "white"

@@ -157,8 +157,8 @@ const report::Section creep_chapter::state{
                   needed_area),
     report::figure(
         "fig-state",
-        "Hertz's area lies within the rounding of the printed reading. The area that the "
-        "reading needs, over Hertz's, against the largest friction that is assumed; lines "
-        "as printed, bands for the rounding of the two speeds. From the numbers of "
-        "Appendix B",
-        reading)};
+                   "The printed reading does not decide between Hertz's area and a larger one. The "
+                   "area that it needs, over Hertz's, against the largest friction that is assumed; "
+                   "lines as printed, bands for the rounding of the two speeds. From the numbers of "
+                   "Appendix B",
+                   reading)};

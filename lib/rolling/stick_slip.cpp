@@ -18,28 +18,7 @@ class Newton {
          const VectorXd& w, const StickSlipOptions& options)
       : influence_(influence), mesh_(mesh), g_(bound), w_(w), options_(options), n_(mesh.cells()) {}
 
-  StickSlip run(const StickSlip* start) {
-    result_.p = start ? start->p : VectorXd::Zero(2 * n_);
-    result_.slides = start ? start->slides : std::vector<bool>(static_cast<std::size_t>(n_), false);
-    for (Index c = 0; c < n_; ++c) put_on_bound(c);
-    const double scale = w_.size() ? w_.cwiseAbs().maxCoeff() : 0;
-    if (scale == 0 || !(g_.array() > 0).any()) return at_rest();
-    long changes = update_slip(scale);
-    double tight = 1e-3;
-    for (; result_.newton < options_.most_newton; ++result_.newton) {
-      result_.residual = residual() / scale;
-      result_.converged = changes == 0 && result_.residual <= options_.tolerance;
-      if (result_.converged) break;
-      step(std::max(tight, 0.1 * options_.tolerance / std::max(result_.residual, 1e-300)));
-      changes = update_slip(scale);
-      // Beside what the next change of states or the turning of the tractions undoes, more is wasted.
-      tight = changes > n_ / 50 ? 1e-2
-              : changes > 0     ? 1e-4
-                                : std::clamp(residual() / scale, 1e-10, 1e-4);
-    }
-    result_.slip = slip_;
-    return std::move(result_);
-  }
+  StickSlip run(const StickSlip* start);
 
  private:
   bool slides(Index c) const { return result_.slides[static_cast<std::size_t>(c)]; }
@@ -53,38 +32,8 @@ class Newton {
     return std::move(result_);
   }
 
-  // A traction outside its bound, or of a sliding cell, goes back to it; true if a sticking cell began to slide.
-  bool put_on_bound(Index c) {
-    const double p = norm_p(c), g = g_[c];
-    const bool begins = !slides(c) && p > g * (1 + 1e-13);
-    if (!(p > 0) || g <= 0) {
-      result_.p[c] = result_.p[c + n_] = 0;
-      result_.slides[static_cast<std::size_t>(c)] = false;
-      return false;
-    }
-    if (begins || slides(c)) {
-      result_.slides[static_cast<std::size_t>(c)] = true;
-      result_.p[c] *= g / p;
-      result_.p[c + n_] *= g / p;
-    }
-    return begins;
-  }
-
-  // The slip, and the cells that change state; how many do.
-  long update_slip(double scale) {
-    long changes = 0;
-    for (Index c = 0; c < n_; ++c) changes += put_on_bound(c);
-    influence_.apply(result_.p, slip_);
-    ++result_.products;
-    slip_ = w_ - slip_;
-    for (Index c = 0; c < n_; ++c) {
-      if (!slides(c)) continue;
-      if (along(c) / g_[c] >= -0.1 * options_.tolerance * scale) continue;
-      result_.slides[static_cast<std::size_t>(c)] = false;
-      ++changes;
-    }
-    return changes;
-  }
+  bool put_on_bound(Index c);
+  long update_slip(double scale);
   double along(Index c) const {
     return slip_[c] * result_.p[c] + slip_[c + n_] * result_.p[c + n_];
   }
@@ -226,6 +175,62 @@ class Newton {
   std::vector<num::DenseLu> lu_;
   std::vector<Index> first_;  // of the unknowns, per row
 };
+
+StickSlip Newton::run(const StickSlip* start) {
+  result_.p = start ? start->p : VectorXd::Zero(2 * n_);
+  result_.slides = start ? start->slides : std::vector<bool>(static_cast<std::size_t>(n_), false);
+  for (Index c = 0; c < n_; ++c) put_on_bound(c);
+  const double scale = w_.size() ? w_.cwiseAbs().maxCoeff() : 0;
+  if (scale == 0 || !(g_.array() > 0).any()) return at_rest();
+  long changes = update_slip(scale);
+  double tight = 1e-3;
+  for (; result_.newton < options_.most_newton; ++result_.newton) {
+    result_.residual = residual() / scale;
+    result_.converged = changes == 0 && result_.residual <= options_.tolerance;
+    if (result_.converged) break;
+    step(std::max(tight, 0.1 * options_.tolerance / std::max(result_.residual, 1e-300)));
+    changes = update_slip(scale);
+    // Beside what the next change of states or the turning of the tractions undoes, more is wasted.
+    tight = changes > n_ / 50 ? 1e-2
+            : changes > 0     ? 1e-4
+                              : std::clamp(residual() / scale, 1e-10, 1e-4);
+  }
+  result_.slip = slip_;
+  return std::move(result_);
+}
+
+// A traction outside its bound, or of a sliding cell, goes back to it; true if a sticking cell began to slide.
+bool Newton::put_on_bound(Index c) {
+  const double p = norm_p(c), g = g_[c];
+  const bool begins = !slides(c) && p > g * (1 + 1e-13);
+  if (!(p > 0) || g <= 0) {
+    result_.p[c] = result_.p[c + n_] = 0;
+    result_.slides[static_cast<std::size_t>(c)] = false;
+    return false;
+  }
+  if (begins || slides(c)) {
+    result_.slides[static_cast<std::size_t>(c)] = true;
+    result_.p[c] *= g / p;
+    result_.p[c + n_] *= g / p;
+  }
+  return begins;
+}
+
+// The slip, and the cells that change state; how many do.
+long Newton::update_slip(double scale) {
+  long changes = 0;
+  for (Index c = 0; c < n_; ++c) changes += put_on_bound(c);
+  influence_.apply(result_.p, slip_);
+  ++result_.products;
+  slip_ = w_ - slip_;
+  for (Index c = 0; c < n_; ++c) {
+    if (!slides(c)) continue;
+    if (along(c) / g_[c] >= -0.1 * options_.tolerance * scale) continue;
+    result_.slides[static_cast<std::size_t>(c)] = false;
+    ++changes;
+  }
+  return changes;
+}
 
 }  // namespace
 
