@@ -1,15 +1,25 @@
 /*** ## Below the surface
 
-Steel yields, and cracks begin, where the stress is largest, which is rarely where the tractions are. Each cell of constant pressure and traction has stresses in closed form
-(Love's and Cerruti's rectangle); layer by layer they are convolved with the cells by Fourier transforms:
+Steel yields, and cracks begin, where the stress is largest, which is rarely where the tractions are. Each
+cell of constant pressure and traction has stresses in closed form (Love's and Cerruti's rectangle). Layer
+by layer they are convolved with the cells by Fourier transforms, by `from_pressure` for the pressures and
+in the same way for the tractions:
 
 {{code: contact/subsurface.cpp from_pressure}}
 
 {{fig-stress}}
 
-Without friction the von Mises stress of a round patch is largest, 0.62 of the largest pressure, at 0.48 of its radius. Sliding with a friction of 0.3 lifts it and brings it up, to {{third-stress}} and {{third-depth}} below the
-right wheel at 3 mm. At 8 mm the flange's patch is slender and slides across itself: the largest stress, {{flange-stress}}, is then at the surface, where a line contact has $\sqrt{(1-2\nu)^2+3\mu^2}=0.68$, and a second one
-lies {{flange-second}} below it; both of a pressure almost four times as high. Stresses are those of the tractions alone, on a half-space that stays elastic.
+The measure of yielding is von Mises's equivalent stress. Without friction that of a round patch is
+largest, 0.62 of the largest pressure, at 0.48 of its radius. Sliding with a friction of 0.3 lifts it and
+brings it up, to {{third-stress}} of the largest pressure and {{third-depth}} below the right wheel at
+3 mm.
+
+At 8 mm the flange's patch is slender and slides across itself. Its largest stress, {{flange-stress}}, is
+at the surface, where a line contact has $\sqrt{(1-2\nu)^2+3\mu^2}=0.68$ with Poisson's ratio $\nu$ of
+0.28. A second one lies {{flange-second}} below it. Both are fractions of a pressure almost four times as
+high. Stresses are those of the tractions alone, on a half-space that stays elastic.
+
+{{fold}}
 */
 #include <railbook/wheel_contact/stress.hpp>
 
@@ -50,5 +60,10 @@ void fig_stress(report::Item& item) {
 }  // namespace
 
 const report::Section below{report::figure(
-    "fig-stress", "Largest von Mises stress in the rail at each depth, right wheel at 3 and 8 mm",
+    "fig-stress",
+    "Sliding brings the largest stress up to the surface. Largest von Mises stress in the rail at "
+    "each "
+    "depth over the largest pressure, right wheel at 3 mm on the tread and at 8 mm on the flange; "
+    "dashed "
+    "the same pressure without friction. By this program; the benchmark has no stresses",
     fig_stress)};

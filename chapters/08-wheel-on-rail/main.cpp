@@ -1,40 +1,109 @@
-/*** # Wheel on rail, end to end
+/*** # Which forces act where a measured wheel meets a measured rail?
+
+A program that simulates a vehicle asks for these forces thousands of times a second, at each wheel
+and for each position. The textbook's answer is one elliptical contact, but a real wheel on a real
+rail touches on the tread, at the corner or on the flange, and often at two places at once. Wear, noise
+and derailment are decided by what happens in these patches of half a square centimetre.
+
+{{pair}}
 
 ::: findings
-1. From two profiles to creep forces: on {{wheels}} of 22 wheels of the Manchester benchmark the largest pressure is within {{worst-pressure}} of what CONTACT says, and the creep force within {{worst-force}} of the friction's bound.
-2. Semi-Hertzian strips with FASTSIM, for tables of thousands of positions, are off on the same wheels by up to {{strips-pressure}} in the pressure and {{strips-force}} of the bound in the force.
-3. Where a second place is about to touch, methods part: at 5 mm CONTACT has one patch, and this program two.
+1. **How good are the forces that this program finds?** On {{wheels}} of 22 wheels of a published
+   benchmark the largest pressure is within {{worst-pressure}} of what the program CONTACT finds, and
+   the creep force, the friction force that rolling with a little slip makes, is within
+   {{worst-force}} of the friction limit $\mu N$. This holds for patches small enough to be taken as flat.
+2. **What does a fast method cost in accuracy?** Semi-Hertzian strips with FASTSIM, made for tables of
+   thousands of positions, are off on the same wheels by up to {{strips-pressure}} in the largest
+   pressure and {{strips-force}} of the friction limit in the force.
+3. **Where do methods part?** Where a second place is about to touch. At a shift of 5 mm CONTACT finds
+   one patch that joins both places, and this program finds two. Neither is proved right, so this wheel
+   is shown and not compared.
 :::
 
-This chapter is an **addition beyond the papers**: no paper of the book takes profiles to patches to forces. It joins the profiles of
-*hunting*, the pressures of *contact* and the rolling theory of *creep* into the job for which engineers start such programs.
-The measure is case A of the Manchester benchmark: a wheelset with the wheel S1002 on rails UIC 60 at 1:40, 20 kN, friction 0.3,
-shifted by 0 to 10 mm and yawed by 2.4 mrad a millimetre.
+This chapter is an **addition beyond the papers**: no paper of the book takes profiles to patches to
+forces. It joins the profiles of the chapter *hunting*, the pressures of *contact* and the rolling
+theory of *creep*.
 
-## From the profiles to a patch
+## The benchmark
 
-A point of the wheel at $s$ across and $\theta$ round the axle can touch a straight rail only where its normal has no part along the track,
+The measure is case A of the Manchester contact benchmark (Shackleton and Iwnicki 2008), as the
+open-source version of CONTACT answers it. A wheelset with the European wheel profile S1002 stands on
+rails UIC 60 that lean inwards by 1:40. It carries 20 kN, the friction coefficient $\mu$ is 0.3, and it
+rolls at 2 m/s. It is shifted sideways by 0 to 10 mm and turned about the vertical, *yawed*, by 2.4
+mrad for each millimetre of shift. That makes eleven positions and 22 wheels.
 
-$$ \cos\psi\,\sin\theta+\sin\psi\,r'(s)=0, $$
+{{fig-patches}}
 
-with the yaw $\psi$ and the radius $r(s)$: one line on the wheel. Where the gap below that line is least, the rigid wheel touches; a
-wheel pressed further overlaps the rail around there. Each area of overlap is a patch with a frame of its own: its origin and angle are the
-means over the overlap, weighted by the depth to the power 5/2, and the gap is measured in it along its normal between the exact surfaces, the wheel one of revolution.
-Areas less than 4 mm apart that look nearly the same way share a frame.
+## From profiles to patches
+
+Directions are $x$ forward along the track, $y$ to the right and $z$ down. On the wheel, $s$ is the
+place across, from the circle on which it nominally rolls, and $\theta$ the angle round the axle; its
+radius there is $r(s)$. The wheelset is yawed by $\psi$.
+
+**Where can it touch?** A straight rail has the same profile all along the track. So a point of the wheel
+can touch it only where the wheel's normal has no part along the track,
+
+$$ \cos\psi\,\sin\theta+\sin\psi\,r'(s)=0. $$
+
+This gives one angle for each $s$: one line on the wheel. The search for contact is thereby a search
+along a line. The function `point` of `Placed` finds the place for one $s$ and the gap down to the
+rail:
+
+{{code: wheel_on_rail/touching.cpp point}}
+
+Where the gap is least, the rigid wheel touches first. `touching` walks along the line, keeps each local
+minimum, and refines it:
+
+{{code: wheel_on_rail/touching.cpp touching}}
+
+**Which patches form?** A loaded wheel sinks deeper than first touch and, if it stayed rigid, would
+overlap the rail around each minimum. Each area of overlap becomes a patch with a plane of its own.
+The origin and the slope of the plane are means over the overlap, weighted by its depth to the power 5/2
+(`mean_of`). The distance between the exact surfaces, measured along the normal of that plane, is the
+gap of the contact problem. Areas less than 4 mm apart whose normals nearly agree share one plane.
+
+{{code: wheel_on_rail/patch.cpp mean_of}}
+
+Why the power 5/2? A circular contact of half-width $b$ lies, by Hertz, in an overlap of half-width
+$\sqrt2\,b$ whose depth is a parabola. Weighted with the depth to the power $m$, a place $t$ across has
+the mean square
+
+$$ \overline{t^2}=\frac{2b^2}{2m+3}, $$
+
+and over the area in contact itself it is $b^2/4$. The two agree for $m=5/2$. So the plane stands in the
+middle of the area, as nearly as the overlap tells it. On the wheels compared, the middle of the
+pressures found is within {{frame-off}} of the patch's width from it. The power was first chosen because
+the planes then met CONTACT's; this reason came later.
 
 ## Load, creepage and force
 
-The wheel sinks until the vertical parts of all patches' forces, friction's included, add up to its load; that is how tread and flange share it.
-Creepages are the rigid velocity of the wheel over the rail at the patch, spin its turning about the patch's normal. On the cells that carry
-pressure, Kalker's full theory finds where they stick and slide: on the patch as it is, not on an ellipse.
+**How do the patches share the load?** The wheel sinks until the vertical parts of all patches' forces,
+friction's included, add up to its load. `solve_full` is the whole sequence: a coarse grid finds the
+depth and places the planes (`balance`, `lower_frames`), a fine one repeats it, and pressure and friction
+are solved in turns (`roll`) until the load is met:
+
+{{code: wheel_on_rail/wheel.cpp solve_full}}
+
+The pressures are those of elastic half-spaces, by the conjugate gradients of the chapter *contact*.
+
+**How does the wheel slide?** The creepages are the velocity of the rigid wheel over the rail at the
+patch, along and across, divided by the speed of rolling; spin is its rate of turning about the normal
+of the patch, divided by the same speed. A yawed wheel creeps across, and a wheel on a steep part of the
+flange spins. `motion_of` is plain kinematics:
 
 {{code: wheel_contact/wheel.cpp motion_of}}
 
+**Which friction follows?** On the cells that carry pressure, Kalker's full theory finds where they stick
+and slide, as in the chapter *creep*. Here it works on the patch as it is, not on an ellipse.
+
+## How close it comes
+
 {{fig-pressure}}
 
-At this load the largest pressures of all three methods nearly agree: those of strips and of Hertz are within {{strips-pressure}} and
-{{hertz-pressure}} of CONTACT's. What the approximate methods lack is the patch's own outline and the full theory's tractions: the force
-along the track, a small part of what friction bears, shows it.
+At this load the largest pressures of all three methods nearly agree: those of strips and of Hertz's
+ellipse are within {{strips-pressure}} and {{hertz-pressure}} of CONTACT's. What the approximate methods
+lack is the patch's own outline and the full theory's tractions. The force along the track, a small part
+of the friction limit, shows it.
 
 {{fig-force}}
 
@@ -46,34 +115,42 @@ along the track, a small part of what friction bears, shows it.
 
 ## Deviations
 
-CONTACT's table was made with cells of 0.2 mm, four across a flange patch: its pressures there are 1 to 2 % above those on finer cells, and above those here.
-At 5 mm its right wheel has one patch of two areas 10 mm apart, with one frame between; here they are two half-spaces. That wheel is shown and not compared.
-
-The power 5/2 of the depth was first chosen because the frames then met CONTACT's. It also follows without them. A circular Hertzian contact of half-width
-$b$ lies in an overlap of half-width $\sqrt2\,b$ whose depth is a parabola; weighted with the depth to the power $m$, a place across has the mean square
-
-$$ \overline{t^2}=\frac{2b^2}{2m+3}, $$
-
-and the contact's area has $b^2/4$: $m=5/2$. The frame stands at the middle of the area, as nearly as the overlap tells it: on the wheels compared the middle of the
-pressures found is within {{frame-off}} of the patch's width from it, the one of 15 mm at no shift included.
-
-That a wheelset whose roll is free balances with friction's part of the forces is plain statics, but it was put so after CONTACT's numbers were seen and confirms
-nothing. In the table above roll and turning are the benchmark's.
+* **CONTACT's pressures on the flange** are 1 to 2 % above those here. Its table was made with cells of
+  0.2 mm, four across a patch of the flange; on finer cells its pressures are lower.
+* **At 5 mm** its right wheel has one patch of two areas 10 mm apart, with one plane between; here they
+  are two half-spaces. That wheel is shown and not compared.
+* **Roll and turning.** That a wheelset whose roll is free balances with friction's part of the forces is
+  plain statics, but it was put so after CONTACT's numbers were seen and confirms nothing. In the table
+  above, the roll of the wheelset and the rate at which it turns are the benchmark's.
 
 ## Limits
 
-Half-spaces, also on the gauge corner, where a patch that turns by more than 0.35 rad is flagged as conformal; plane frames; steady rolling. Friction falls with the mean rigid slip of a patch, not with the slip of each particle.
+* *Half-spaces*, also on the gauge corner, where a patch whose normal turns by more than 0.35 rad is
+  reported as conformal. Plane patches; steady rolling.
+* *Falling friction.* Friction falls with the mean rigid slip of a patch, not with the slip of each
+  particle; with that a rolling contact has several solutions.
+* *Unlike materials.* Pressures drive the surfaces of unlike bodies apart along themselves, so that a
+  roller of aluminium on one of steel creeps even when it rolls freely. The full theory takes that into
+  the slip and meets Bentall and Johnson's rollers within 1 % of the creepage that CONTACT prints (a
+  test: *rollers of aluminium and steel*). What the tractions do to the pressure in return is left out.
+  That is half a per cent there, but a third where friction stiffens an aluminium ball pressed on steel
+  (Spence 1975). Wheel and rail are both of steel.
+* *Starting from rest.* The library can do it: under a constant force Cattaneo's shift goes over into
+  Carter's rolling step by step, in Kalker's case within 0.2 % of the creepages that CONTACT prints on
+  the way (a test: *from Cattaneo to Carter*). A wheel's patch is passed in some milliseconds, so this
+  page stays with the steady end.
 
-*Unlike materials.* Pressures drive the surfaces of unlike bodies apart along themselves, so that a roller of aluminium on one of steel creeps even when it rolls freely. The full theory takes that into the slip and meets Bentall and Johnson's rollers within 1 %
-of the creepage that CONTACT prints (a test: *rollers of aluminium and steel*). What the tractions do to the pressure in return is left out, half a per cent there; where friction stiffens an aluminium ball pressed on steel (Spence 1975) it is a third,
-which would need both problems solved in turns under a history of loads. Wheel and rail are both of steel.
+## Use it
 
-*Steady rolling.* The library can start from rest: under a constant force Cattaneo's shift goes over into Carter's rolling step by step, in Kalker's case within 0.2 % of the creepages that CONTACT prints on the way (a test: *from Cattaneo to
-Carter*). A wheel's patch is passed in some milliseconds, so this page stays with the steady end.
+USEIT
 
-## Try next
+## Symbols
 
-`railbook wheelrail contact` answers for profiles of your own, `railbook wheelrail table` makes the table a vehicle code looks up.
+{{symbols}}
+
+## Coverage
+
+{{coverage}}
 */
 #include <fmt/format.h>
 
@@ -207,12 +284,21 @@ void fig_force(report::Item& item) {
 }
 
 const report::Section benchmark{
-    report::table("case-a", "Case A2.2 of the Manchester benchmark", case_a),
+    report::table("case-a",
+                  "Forces and pressures of the full theory lie within two per cent of CONTACT's. "
+                  "Case A2.2 of the Manchester benchmark, a row for each wheel, named by side and "
+                  "shift in millimetres; of two patches the one that carries most",
+                  case_a),
     report::figure(
         "fig-pressure",
-        "Largest pressure over the shift: left wheel at negative shifts, right at positive",
+        "The largest pressure grows fivefold when the flange takes over. Largest pressure "
+        "against the shift, the left wheel at negative shifts and the right at positive "
+        "ones: points by CONTACT, lines by this program's three methods",
         fig_pressure),
-    report::figure("fig-force", "Force along the track over the shift", fig_force)};
+    report::figure("fig-force",
+                   "Approximate methods miss the force along the track where the tread carries. "
+                   "Force along the track against the shift, as in the figure before",
+                   fig_force)};
 
 }  // namespace
 
@@ -220,9 +306,9 @@ int main(int argc, char** argv) {
   return report::run(argc, argv,
                      {.id = RAILBOOK_CHAPTER,
                       .name = "wheel-on-rail",
-                      .title = "Wheel on rail, end to end",
+                      .title = "Which forces act where a measured wheel meets a measured rail?",
                       .paper = "Addition beyond the papers: the Manchester contact benchmark, case "
                                "A, with CONTACT's answers.",
                       .sources = RAILBOOK_CHAPTER_DIR},
-                     {benchmark, below, drawn}, {study});
+                     {opening, benchmark, below, drawn}, {study});
 }

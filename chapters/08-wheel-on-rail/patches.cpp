@@ -1,8 +1,12 @@
-/*** ## The patches
-
-{{fig-patches}}
+/*** ## The patches on the wheel
 
 {{scene}}
+
+The slender patch lies on the slope that leads to the flange, where the radius of the wheel changes
+quickly. There the wheel would have to turn faster and slower at once to roll, and the tractions point
+across.
+
+{{fold}}
 */
 #include <cmath>
 #include <numeric>
@@ -23,31 +27,77 @@ using Eigen::Vector3d;
 
 namespace {
 
+constexpr double mm = units::millimetre;
+
+const Wheel& fifth_wheel(const report::Item& item) {
+  static const Wheel fifth = wheel_of(item.printed("case-a.csv"), "right", 5);
+  return fifth;
+}
+
+// Wheel and rail in section, what lies between them, and the patches below.
+void draw_pair(report::Item& item) {
+  item.added("the right wheel of the benchmark at a shift of 5 mm, by this program");
+  const Wheel& fifth = fifth_wheel(item);
+  const WheelResult& found = solved(fifth, Method::full);
+  const Placed placed(pair(), pose_of(fifth));
+  const auto across = [](double y) { return (y - rail_origin) / mm; };
+  report::Data& section = item.data({"across_mm", "up_mm"});
+  report::Data& rail = item.data("rail", {"across_mm", "up_mm"});
+  report::Data& gap = item.data("gap", {"across_mm", "gap_um"});
+  for (const Placed::Point& p : touching(placed).locus) {
+    section.add(across(p.at.y()), -(p.at.z() + found.z) / mm);
+    const double left = (p.gap - found.z) / units::micrometre;
+    if (std::abs(left) < 500) gap.add(across(p.at.y()), left);
+  }
+  gap.holds_to("gap_um", 1e-3, 0.02, "the depth is found to a hundred thousandth of the load");
+  const Profile& head = pair().rail;
+  for (int k = 0; k <= 300; ++k) {
+    const double y = head.from() + (head.to() - head.from()) * k / 300;
+    rail.add(across(y), -head.at(y).depth / mm);
+  }
+  report::Data& patches = item.data("patches", {"across_mm", "up_mm", "angle_rad", "load_N"});
+  report::Data& cells = item.data("cells", {"across_mm", "along_mm", "dy_mm", "dx_mm", "p_MPa"});
+  for (const PatchResult& p : found.patches) {
+    const Frame& f = p.patch.frame;
+    patches.add(across(f.origin.y()), -f.origin.z() / mm, f.angle, p.load);
+    for (Index k = 0; k < p.pressure.size(); ++k)
+      if (p.pressure[k] > 0)
+        cells.add(across(f.origin.y()) + p.grid.y(k / p.grid.nx) / mm * std::cos(f.angle),
+                  (f.origin.x() + p.grid.x(k % p.grid.nx)) / mm, p.grid.dy / mm * std::cos(f.angle),
+                  p.grid.dx / mm, p.pressure[k] / units::megapascal);
+  }
+  patches.holds_to("load_N", 1e-3, 1, "the depth is found to a hundred thousandth of the load");
+  cells.holds_to("p_MPa", 1e-3, 1, "pressures beside the edge of the contact end within a cell");
+}
+
+// Each in its own plane, with the outline that Hertz's ellipse would have.
 void fig_patches(report::Item& item) {
   item.added("the benchmark is no paper of the book");
-  static const table::CsvTable table = item.printed("case-a.csv");
-  report::Data& data = item.data({"across_mm", "along_mm", "p_MPa"});
-  for (const Wheel& wheel : wheels(table)) {
-    if (wheel.key != "right-0" && wheel.key != "right-2" && wheel.key != "right-4" &&
-        wheel.key != "right-6" && wheel.key != "right-8")
-      continue;
-    const PatchResult p = solved(wheel, Method::full).patches.front();
-    for (Eigen::Index k = 0; k < p.pressure.size(); ++k)
+  const table::CsvTable table = item.printed("case-a.csv");
+  report::Data& cells = item.data({"shift_mm", "across_mm", "along_mm", "dy_mm", "dx_mm", "p_MPa"});
+  report::Data& ellipse = item.data("hertz", {"shift_mm", "across_mm", "along_mm"});
+  for (const int shift : {0, 2, 4, 6, 8}) {
+    const Wheel wheel = wheel_of(table, "right", shift);
+    const PatchResult& p = solved(wheel, Method::full).patches.front();
+    for (Index k = 0; k < p.pressure.size(); ++k)
       if (p.pressure[k] > 0)
-        data.add((p.patch.frame.origin.y() - rail_origin) / units::millimetre +
-                     p.grid.y(k / p.grid.nx) / units::millimetre * std::cos(p.patch.frame.angle),
-                 (p.patch.frame.origin.x() + p.grid.x(k % p.grid.nx)) / units::millimetre,
-                 p.pressure[k] / units::megapascal);
-    data.gap();
+        cells.add(shift, p.grid.y(k / p.grid.nx) / mm, p.grid.x(k % p.grid.nx) / mm, p.grid.dy / mm,
+                  p.grid.dx / mm, p.pressure[k] / units::megapascal);
+    const auto& strips = solved(wheel, Method::hertz).patches.front().strips.strips;
+    for (const Strip& s : strips) ellipse.add(shift, s.t / mm, (s.x + s.half_length) / mm);
+    for (auto s = strips.rbegin(); s != strips.rend(); ++s)
+      ellipse.add(shift, s->t / mm, (s->x - s->half_length) / mm);
+    ellipse.add(shift, strips.front().t / mm, (strips.front().x + strips.front().half_length) / mm);
+    ellipse.gap();
   }
-  data.holds_to("p_MPa", 1e-3, 1, "pressures beside the edge of the contact end within a cell");
+  cells.holds_to("p_MPa", 1e-3, 1, "pressures beside the edge of the contact end within a cell");
 }
 
 // In the picture: along, to the left, up [mm], from the middle of the first patch.
 struct Drawing {
   Vector3d middle;
   scene::Point operator()(const Vector3d& track) const {
-    const Vector3d d = (track - middle) / units::millimetre;
+    const Vector3d d = (track - middle) / mm;
     return {d.x(), -d.y(), -d.z()};
   }
 };
@@ -76,8 +126,8 @@ scene::Mesh wheel_surface(const Pose& pose, const WheelResult& wheel, const Draw
                                     Eigen::MatrixXd::Zero(across, along), 0, 1);
   for (Index i = 0; i < across; ++i)
     for (Index j = 0; j < along; ++j) {
-      const double s = -0.042 + 0.032 * static_cast<double>(i) / (across - 1);
-      const double turn = 0.022 * (2 * static_cast<double>(j) / (along - 1) - 1);
+      const double s = -0.039 + 0.029 * static_cast<double>(i) / (across - 1);
+      const double turn = 0.026 * (2 * static_cast<double>(j) / (along - 1) - 1);
       const double r = pair().radius + pair().wheel.at(s).depth;
       const Vector3d at =
           centre +
@@ -93,7 +143,7 @@ scene::Mesh wheel_surface(const Pose& pose, const WheelResult& wheel, const Draw
 // Tractions on the wheel at every sixth cell, a little in front of it.
 scene::Lines tractions(const WheelResult& wheel, const Drawing& place) {
   scene::Lines arrows{scene::Points(0, 3), scene::Segments(0, 2), {0.84, 0.37, 0.0}, 2};
-  const double longest = 3 * units::millimetre / wheel.patches.front().largest_shear;
+  const double longest = 3 * mm / wheel.patches.front().largest_shear;
   for (const PatchResult& p : wheel.patches) {
     const auto& t = p.forces.tractions;
     for (Index k = 0; k < t.x.size(); ++k) {
@@ -101,8 +151,8 @@ scene::Lines tractions(const WheelResult& wheel, const Drawing& place) {
           std::lround((t.y[k] - p.grid.y0) / p.grid.dy) % 6 != 0)
         continue;
       const Frame& f = p.patch.frame;
-      const Vector3d from = f.origin + t.x[k] * Vector3d::UnitX() + t.y[k] * f.across() +
-                            0.2 * units::millimetre * f.normal();
+      const Vector3d from =
+          f.origin + t.x[k] * Vector3d::UnitX() + t.y[k] * f.across() + 0.2 * mm * f.normal();
       const Vector3d pull = -longest * (t.px[k] * Vector3d::UnitX() + t.py[k] * f.across());
       const auto n = arrows.vertices.rows();
       arrows.vertices.conservativeResize(n + 2, 3);
@@ -116,32 +166,55 @@ scene::Lines tractions(const WheelResult& wheel, const Drawing& place) {
 }
 
 void draw_scene(report::Item& item) {
-  item.added("a picture of the fifth wheel's patches");
-  static const table::CsvTable table = item.printed("case-a.csv");
-  const Wheel fifth = wheel_of(table, "right", 5);
+  item.added("the same wheel as in the drawing at the head of the page");
+  const Wheel& fifth = fifth_wheel(item);
   const WheelResult& wheel = solved(fifth, Method::full);
   const Drawing place{wheel.patches.front().patch.frame.origin};
-  scene::Scene s;
-  s.meshes.push_back(wheel_surface(pose_of(fifth), wheel, place));
-  s.lines.push_back(tractions(wheel, place));
-  const scene::Size size{1000, 650};
-  const auto camera = scene::looking_at(s, {0.5, -0.75, -0.8}, size, true);
-  const auto beside = [&](double across, double along) {
+  const auto on_tread = [&](double across, double along) {
     const double depth = pair().wheel.at(across).depth;
     return place({along, fifth.y + pair().half_spacing + across, wheel.z + depth});
   };
-  scene::labelled(item, "labels.gp", s, camera, size,
-                  {{beside(-0.041, 0.002), "to the flange"},
-                   {beside(-0.0105, 0.001), "to the field side"},
-                   {beside(-0.024, 0.011), "rolling"}});
+  scene::Scene s;
+  s.meshes.push_back(wheel_surface(pose_of(fifth), wheel, place));
+  s.lines.push_back(tractions(wheel, place));
+  scene::Lines rolling{scene::Points(4, 3), scene::Segments(3, 2), {0, 0, 0}, 3};
+  rolling.vertices.row(0) = on_tread(-0.0125, -0.004).transpose();
+  rolling.vertices.row(1) = on_tread(-0.0125, 0.003).transpose();
+  rolling.vertices.row(2) = on_tread(-0.0119, 0.002).transpose();
+  rolling.vertices.row(3) = on_tread(-0.0131, 0.002).transpose();
+  rolling.segments << 0, 1, 1, 2, 1, 3;
+  s.lines.push_back(rolling);
+  const scene::Size size{860, 560};
+  const auto camera = scene::looking_at(s, {0.5, -0.75, -0.8}, size, true);
+  scene::labelled(item, "scene.gp", s, camera, size,
+                  {{on_tread(-0.0385, 0.004), "to the flange"},
+                   {on_tread(-0.0105, -0.011), "tread"},
+                   {on_tread(-0.0150, 0.004), "rolling"}});
+  item.data("scale", {"p_max_MPa"}).add(wheel.patches.front().p_max / units::megapascal);
 }
 
 }  // namespace
 
-const report::Section drawn{
+const report::Section opening{
+    report::figure("pair",
+                   "A wheel can touch its rail at two places at once. Top: the right wheel on its "
+                   "rail in section, "
+                   "shifted by 5 mm towards its flange, with the normal load of each patch. "
+                   "Middle: the gap that "
+                   "undeformed wheel and rail would have at that load; where it is negative they "
+                   "overlap, and a "
+                   "patch forms. Bottom: the patches from above with their pressures",
+                   draw_pair),
     report::figure("fig-patches",
-                   "Patches of the right wheel at shifts of 0, 2, 4, 6 and 8 mm, seen from above",
-                   fig_patches),
-    report::figure("scene",
-                   "The right wheel at 5 mm from below: pressures on its surface, and tractions",
-                   draw_scene)};
+                   "A patch shrinks and stretches as the wheel moves towards its flange. Pressures "
+                   "in the patch of "
+                   "the right wheel at five shifts, each in its own plane and colour scale; dashed "
+                   "the ellipse "
+                   "that Hertz's formulas give. By this program",
+                   fig_patches)};
+
+const report::Section drawn{report::figure(
+    "scene",
+    "Two patches share the wheel at a shift of 5 mm. The wheel's surface from below, coloured by "
+    "pressure, and the tractions on it as lines. By this program; the wheel of the first drawing",
+    draw_scene)};

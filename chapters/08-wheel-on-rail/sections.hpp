@@ -3,6 +3,7 @@
 
 #include <railbook/report/chapter.hpp>
 
+extern const railbook::report::Section opening;  // patches.cpp
 extern const railbook::report::Section below;  // below.cpp
 extern const railbook::report::Section drawn;  // patches.cpp
 extern const railbook::report::Section study;  // study/study.cpp
