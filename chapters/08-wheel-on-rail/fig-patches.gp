@@ -14,6 +14,8 @@ do for [k=0:4] {
   set rmargin at screen left+0.16
   set bmargin at screen 0.3
   set tmargin at screen 0.9
+  set xrange [*:*]
+  set yrange [*:*]
   stats ARG1 using (column("shift_mm") == shift ? column("p_MPa") : NaN) name "p" nooutput
   set cbrange [0:p_max]
   set xrange [-9:9]

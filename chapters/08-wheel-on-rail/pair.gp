@@ -24,16 +24,15 @@ set bmargin at screen 0.635
 unset border
 unset tics
 set yrange [-14:8.1]
-set label 1 "wheel" at -16,5.5 center
-set label 2 "flange" at -44,3 center
-set label 3 "rail" at -16,-7 center
-set label 4 "crown" at -3,-2 center tc rgb "#606060"
-set label 5 "gauge corner" at -33,-9 left tc rgb "#606060"
-set label 6 "z" at 1.6,-10.6 center font "DejaVu Sans:Italic,12"
-set label 7 "y" at -2.7,-6.4 center font "DejaVu Sans:Italic,12"
+set label 1 "wheel" at -16,5.5 center front
+set label 2 "flange" at -44,3 center front
+set label 3 "rail" at -16,-7 center front
+set label 4 "crown" at -3,-2 center tc rgb "#606060" front
+set label 5 "gauge corner" at -33,-9 left tc rgb "#606060" front
+set label 7 "{/:Italic y}" at -2.6,-6 center front
 set arrow 1 from -6,-6 to -3.4,-6 lw 1.8 lc rgb black size 0.7,20 filled front
 set arrow 2 from -6,-6 to -6,-9 lw 1.8 lc rgb black size 0.7,20 filled front
-set label 6 "z" at -6,-9.9
+set label 6 "{/:Italic z}" at -6,-9.9 center front
 do for [k=1:2] {
   len = 3+5*L[k]/load_max
   set arrow 2+k from Y[k]+len*sin(T[k]),Z[k]+len*cos(T[k]) to Y[k],Z[k] lw 2.6 lc rgb red size 0.9,20 filled front
@@ -53,8 +52,8 @@ set xtics nomirror 5 format ""
 set ytics nomirror 50
 set yrange [-40:120]
 set ylabel "gap, µm"
-set label 1 "gap" at -9,60 left
-set label 2 "overlap" at -30,-25 left tc rgb "#BE5400"
+set label 1 "gap" at -9,60 left front
+set label 2 "overlap" at -30,-25 left tc rgb "#BE5400" front
 set arrow 1 from graph 0, first 0 to graph 1, first 0 nohead ls guide
 plot ARG4 using "across_mm":(column("gap_um") < 0 ? column("gap_um") : 0) with filledcurves y1=0 fc rgb "#F6D3BF", \
      ARG4 using "across_mm":"gap_um" with lines lt 1 lw 2
@@ -70,8 +69,9 @@ set ylabel "along the track, mm"
 set ytics nomirror 5
 set yrange [-17.5:4.3]
 set cblabel "pressure, MPa" offset 1.5,0
+set cbtics
 set colorbox user origin 0.89,0.1 size 0.02,0.32
-set label 1 "{/:Italic x}, rolling" at -43.2,-1 left
+set label 1 "{/:Italic x}, rolling" at -43.2,-1 left front
 set arrow 1 from -44,-4 to -44,1 lw 1.8 lc rgb black size 0.7,20 filled front
 plot ARG6 using "across_mm":"along_mm":(0.5*column("dy_mm")):(0.5*column("dx_mm")):"p_MPa" with boxxyerror fs solid 1 noborder fc palette
 unset multiplot

@@ -1,19 +1,19 @@
 /***
-The questions are: which theory gives a force to one per cent, or to a tenth of that, in the least
-time, and what does it cost to set up? For an ellipse that sticks and slides there is no closed
-form, only the limit of ever finer grids. Points that the reference does not know 100 times better
-are drawn grey. All panels of the chapter have the same axes. Times are those of the whole set of
-cases, with what the method must set up; only tables are made beforehand, as the codes that use them
-do, and what that costs is said below each panel.
+Which theory gives a creep force to one per cent, or to a tenth of that, in the least time, and what does
+it cost to set up? For an ellipse that sticks and slides there is no closed form, only the limit of ever
+finer grids. Points that the reference does not know 100 times better are drawn grey. All panels of the
+chapter have the same axes. Times are those of the whole set of cases, with what the method must set up.
+Only tables are made beforehand, as the codes that use them do, and what that costs is given below each
+panel.
 
 **What the reference shares with what it judges.** It is made by this library: the same formula for
 the displacements and the same law of slip, on other meshes, by another solver and without the
-extrapolation of the full theory. What it is known to is therefore how well our grids agree with
+extrapolation of the full theory. Its stated accuracy is therefore how well our grids agree with
 each other. Outside evidence ends earlier: an independent program with the theory of CONTACT, good
 to 0.0005 by its own account, differs from the reference by {{outside-apart}} at most. Where closed
 forms exist, tests hold the solver to them: Carter's line contact, Kalker's coefficients, full slip.
 
-### The paper's curve
+### Which theory for creep along the track alone?
 
 {{curve-time}}
 
@@ -29,10 +29,10 @@ coarser half of them is left out, or each force takes an order of its own. Grids
 cells, and fitted rows solved with a matrix, are extrapolated here each time and tend to the same.
 {{outcome:curve-time/routes}} {{outcome:curve-time/judges}}
 
-### With spin, round and slender
+### Which theory when the wheel also spins?
 
-Six cases: a/b = 0.5, 1.568 and 3, each with a spin that bends the tractions and one that turns
-them. The reference is made as that of the curve. {{outcome:spin-fx/routes}}
+There are six cases: a/b = 0.5, 1.568 and 3, each with a spin that bends the tractions and one that
+turns them. The reference is made as that of the curve. {{outcome:spin-fx/routes}}
 {{outcome:spin-fx/judges}}
 
 {{spin-fx}}
@@ -50,12 +50,12 @@ them. The reference is made as that of the curve. {{outcome:spin-fx/routes}}
 Making the table of 900 nodes took {{spin-making}}. FASTRIP has no spin and is not shown. Vermeulen
 and Johnson's law leaves spin out, and the linear theory has no limit of friction; both are shown
 because the tool offers them, and the tool warns. **More than 10 x 10 cells do not make FASTSIM
-better.** From 5 x 5 to 40 x 40 cells its error of fx falls from {{fastsim-fx-5}} to
-{{fastsim-fx-40}}, but that of fy grows from {{fastsim-fy-5}} to {{fastsim-fy-40}}: coarse cells
-cancel a part of the error of the theory itself. Rows of cells of one length give the same answers
-by transforms as by a matrix: transforms cost more below some ten cells along and less above.
+better.** From 5 x 5 to 40 x 40 cells its error of the longitudinal force falls from {{fastsim-fx-5}}
+to {{fastsim-fx-40}}, but that of the lateral force grows from {{fastsim-fy-5}} to {{fastsim-fy-40}}:
+coarse cells cancel a part of the error of the theory itself. Rows of cells of one length give the same
+answers by transforms as by a matrix: transforms cost more below some ten cells along and less above.
 
-Case by case, the distance of the cells, nothing extrapolated, from their limit:
+### How fast does the full theory converge, and where is it slow?
 
 {{spin-cells}}
 
@@ -394,9 +394,30 @@ void spin_cells(report::Item& item) {
 }  // namespace
 
 const report::Section creep_chapter::cost{
-    report::figure("curve-time", "Mean error of f over the curve against run time", curve_time),
-    report::figure("spin-fx", "Mean error of fx with spin against run time", spin<0>),
-    report::figure("spin-fy", "Mean error of fy with spin against run time", spin<1>),
-    report::figure("spin-mz", "Mean error of mz with spin against run time", spin<2>),
-    report::figure("spin-cells", "Error of the full theory over the cells, by shape and spin",
-                   spin_cells)};
+    report::figure(
+        "curve-time",
+        "The full theory gives the curve to a thousandth in milliseconds. Mean error of the "
+        "fraction of the friction limit over six creeps against run time, by all theories "
+        "that the tool offers",
+        curve_time),
+    report::figure(
+        "spin-fx",
+        "With spin, FASTSIM is two to three per cent off in the longitudinal force. Mean "
+        "error over six cases against run time",
+        spin<0>),
+    report::figure(
+        "spin-fy",
+        "Spin makes a lateral force that laws without it miss. Mean error of the lateral "
+        "force over six cases against run time",
+        spin<1>),
+    report::figure(
+        "spin-mz",
+        "The moment about the normal is the hardest to get. Mean error of the moment over "
+        "six cases against run time",
+        spin<2>),
+    report::figure(
+        "spin-cells",
+        "Large spin on a slender contact converges last. Distance of the full theory's "
+        "forces from their limits on grids of cells, nothing extrapolated, case by case; "
+        "grey points are not known well enough to be judged",
+        spin_cells)};

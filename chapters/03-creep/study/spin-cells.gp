@@ -1,6 +1,7 @@
+# alt: Three panels of errors against cells on double logarithmic axes, for the two forces and the moment; the six cases fall with about the square of the cells along.
 load "style.gp"
 set output ARG2
-set terminal pngcairo size 1300,520
+set terminal pngcairo size 1100,440 font "DejaVu Sans,13" enhanced background rgb "white"
 set datafile missing NaN
 array name[6]
 keep(k, text) = (k >= 1 && k <= 6 ? (name[k] = text) : 0, 1)
@@ -8,17 +9,17 @@ set yrange [0:2]
 set table $unused
 plot ARG1 using (keep(int(column("case")), strcol("shape_and_spin")))
 unset table
-set multiplot layout 1,3
+set multiplot layout 1,3 margins 0.08,0.985,0.15,0.84 spacing 0.085
 set logscale xy
-set xrange [5:110]
-set yrange [1e-8:0.2]
+set xrange [5:75]
+set yrange [1e-5:0.1]
 set format y "10^{%T}"
-set xtics (6,12,24,48,96)
+set xtics (6,12,24,48)
 set xlabel "cells along, and rows"
 # Columns 4 to 6 are the distances, 7 to 9 what the limits are known to; what they do not know 100 times better is grey.
 do for [q = 1:3] {
   set ylabel "distance of " . word("fx fy mz", q) . " from its limit"
-  if (q == 1) { set key bottom left font ",10" } else { unset key }
+  if (q == 1) { set key at screen 0.5, screen 0.99 center top horizontal maxrows 2 nobox font ",12" samplen 2 } else { unset key }
   plot for [k = 1:6] ARG1 using "cells":(column("case") == k ? column(3 + q) : NaN) with linespoints lt k lw 1 title name[k], \
        ARG1 using "cells":(column(3 + q) < 100 * column(6 + q) ? column(3 + q) : NaN) with points pt 7 ps 1.3 lc rgb light, \
        2 / x**2 with lines ls guide title "slope -2"
