@@ -49,12 +49,12 @@ This gives one angle for each $s$: one line on the wheel. The search for contact
 along a line. The function `point` of `Placed` finds the place for one $s$ and the gap down to the
 rail:
 
-{{code: wheel_on_rail/touching.cpp point}}
+{{code: wheel_contact/find_contact.cpp point}}
 
 Where the gap is least, the rigid wheel touches first. `touching` walks along the line, keeps each local
 minimum, and refines it:
 
-{{code: wheel_on_rail/touching.cpp touching}}
+{{code: wheel_contact/find_contact.cpp touching}}
 
 **Which patches form?** A loaded wheel sinks deeper than first touch and, if it stayed rigid, would
 overlap the rail around each minimum. Each area of overlap becomes a patch with a plane of its own.
@@ -62,7 +62,7 @@ The origin and the slope of the plane are means over the overlap, weighted by it
 (`mean_of`). The distance between the exact surfaces, measured along the normal of that plane, is the
 gap of the contact problem. Areas less than 4 mm apart whose normals nearly agree share one plane.
 
-{{code: wheel_on_rail/patch.cpp mean_of}}
+{{code: wheel_contact/patch.cpp mean_of}}
 
 Why the power 5/2? A circular contact of half-width $b$ lies, by Hertz, in an overlap of half-width
 $\sqrt2\,b$ whose depth is a parabola. Weighted with the depth to the power $m$, a place $t$ across has
@@ -82,7 +82,7 @@ friction's included, add up to its load. `solve_full` is the whole sequence: a c
 depth and places the planes (`balance`, `lower_frames`), a fine one repeats it, and pressure and friction
 are solved in turns (`roll`) until the load is met:
 
-{{code: wheel_on_rail/wheel.cpp solve_full}}
+{{code: wheel_contact/wheel.cpp solve_full}}
 
 The pressures are those of elastic half-spaces, by the conjugate gradients of the chapter *contact*.
 

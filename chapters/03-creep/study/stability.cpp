@@ -41,18 +41,18 @@ middle of them.
 #include <cmath>
 
 #include <railbook/bench/evidence.hpp>
+#include <railbook/bench/evidence.hpp>
+#include <railbook/num/roots.hpp>
+#include <railbook/rolling/contact.hpp>
 #include <railbook/rolling/contact.hpp>
 #include <railbook/rolling/kalker_coefficients.hpp>
+#include <railbook/rolling/kalker_coefficients.hpp>
+#include <railbook/rolling/material_pair.hpp>
+#include <railbook/rolling/parts.hpp>
+#include <railbook/rolling/unlike_materials.hpp>
+#include <railbook/units/constants.hpp>
 
 #include "../rig.hpp"
-#include "bench/evidence.hpp"
-#include "num/roots.hpp"
-#include "rolling/kalker_coefficients.hpp"
-#include "rolling/material_pair.hpp"
-#include "rolling/rolling_contact.hpp"
-#include "rolling/rolling_parts.hpp"
-#include "rolling/rolling_unlike.hpp"
-#include "units/constants.hpp"
 
 using namespace railbook;
 using namespace railbook::rolling;
