@@ -39,7 +39,7 @@ set label 4 "{/:Italic R}_B" at 17,-17 left textcolor rgb blue
 set object 8 circle at 0,R+r size r+2.5 arc [130:195] nowedge fs empty border lc rgb "#404040" lw 2 front
 set arrow 5 from (r+2.5)*cos(132*pi/180),R+r+(r+2.5)*sin(132*pi/180) to (r+2.5)*cos(126*pi/180),R+r+(r+2.5)*sin(126*pi/180) lw 2 lc rgb "#404040" size 1.8,20 filled front
 set label 5 "small wheel, braked,\nat speed {/:Italic N}_S" at -(r+5),R+r+4 right
-set object 9 circle at 0,0 size R+2.5 arc [125:160] nowedge fs empty border lc rgb "#404040" lw 2 front
+do for [k=1:10] { set arrow 20+k from (R+2.5)*cos((121.5+3.5*k)*pi/180),(R+2.5)*sin((121.5+3.5*k)*pi/180) to (R+2.5)*cos((125+3.5*k)*pi/180),(R+2.5)*sin((125+3.5*k)*pi/180) nohead lw 2 lc rgb "#404040" }
 set arrow 6 from (R+2.5)*cos(159.5*pi/180),(R+2.5)*sin(159.5*pi/180) to (R+2.5)*cos(161*pi/180),(R+2.5)*sin(161*pi/180) lw 2 lc rgb "#404040" size 1.8,20 filled front
 set label 6 "big wheel, drives,\nat speed {/:Italic N}_B" at -33,17 left
 set label 7 "dashed: gears of\n144 teeth, which\ncount the turns" at 12,6 left textcolor rgb "#404040"
@@ -48,6 +48,7 @@ set arrow 7 from 15,R+1.6 to 2,R+0.2 nohead lw 1 lc rgb red front
 plot NaN with points
 do for [i=1:9] { unset label i; unset object i }
 do for [i=1:7] { unset arrow i }
+do for [i=21:30] { unset arrow i }
 
 # The contact from above: tractions on the small wheel.
 set lmargin at screen 0.565
@@ -82,7 +83,7 @@ set yrange [0:500]
 set xlabel "along rolling, mm" offset 0,0.4
 set ylabel "traction, MPa" offset 0.5,0
 set label 2 "limit: pressure × {/:Italic µ}_c" at 0.55,472 left textcolor rgb "#606060"
-set label 3 "traction" at 0.62,200 right textcolor rgb black
+set label 3 "traction" at 0.35,110 right textcolor rgb black
 plot ARG3 using "x_mm":"limit_MPa" with lines ls guide lc rgb "#606060" lw 2, \
      ARG3 using "x_mm":"traction_MPa" with lines lt 1
 unset multiplot

@@ -227,11 +227,11 @@ int main(int argc, char** argv) {
       argc, argv,
       {.id = RAILBOOK_CHAPTER,
        .name = "creep",
-       .title = "Wheel and rail creep on a two-wheel rig",
+       .title = "Creep: one curve of friction for every load and every worn wheel?",
        .paper =
            "C. A. Sciammarella, S. Kumar, L. Nailescu and B. B. Seth, Similitude Law for the "
            "Creep-Adhesion Function in Dry Contact, Journal of Engineering for Industry (ASME) "
            "101(3), 1979, pp. 278-284",
        .sources = RAILBOOK_CHAPTER_DIR},
-      {rig, replica, appendices, full_theory, experiment, state, area_law}, {cost, extremes});
+      {rig, appendices, replica, full_theory, experiment, state, area_law}, {cost, extremes});
 }

@@ -25,7 +25,7 @@ unset border
 unset tics
 set yrange [-14:8.1]
 set label 1 "wheel" at -16,5.5 center front
-set label 2 "flange" at -44,3 center front
+set label 2 "flange" at -45.5,3 left front
 set label 3 "rail" at -16,-7 center front
 set label 4 "crown" at -3,-2 center tc rgb "#606060" front
 set label 5 "gauge corner" at -33,-9 left tc rgb "#606060" front
@@ -53,7 +53,7 @@ set ytics nomirror 50
 set yrange [-40:120]
 set ylabel "gap, µm"
 set label 1 "gap" at -9,60 left front
-set label 2 "overlap" at -30,-25 left tc rgb "#BE5400" front
+set label 2 "overlap" at -31.6,-22 left tc rgb "#BE5400" front
 set arrow 1 from graph 0, first 0 to graph 1, first 0 nohead ls guide
 plot ARG4 using "across_mm":(column("gap_um") < 0 ? column("gap_um") : 0) with filledcurves y1=0 fc rgb "#F6D3BF", \
      ARG4 using "across_mm":"gap_um" with lines lt 1 lw 2
@@ -68,7 +68,7 @@ set xlabel "across the track, from the middle of the rail, mm"
 set ylabel "along the track, mm"
 set ytics nomirror 5
 set yrange [-17.5:4.3]
-set cblabel "pressure, MPa" offset 1.5,0
+set label 2 "pressure, MPa" at screen 0.87,0.455 left
 set cbtics
 set colorbox user origin 0.89,0.1 size 0.02,0.32
 set label 1 "{/:Italic x}, rolling" at -43.2,-1 left front

@@ -28,6 +28,7 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr double mm = units::millimetre;
+constexpr double scale_end = 1600 * units::megapascal;  // of the colours, as in scene.gp
 
 const Wheel& fifth_wheel(const report::Item& item) {
   static const Wheel fifth = wheel_of(item.printed("case-a.csv"), "right", 5);
@@ -119,15 +120,14 @@ double pressure_at(const WheelResult& wheel, const Vector3d& at) {
 scene::Mesh wheel_surface(const Pose& pose, const WheelResult& wheel, const Drawing& place) {
   const Placed placed(pair(), pose);
   const Vector3d centre(0, pose.y, wheel.z - pair().radius);
-  const double high = wheel.patches.front().p_max;
   const Index across = 400, along = 160;
   scene::Mesh mesh = scene::surface(Eigen::VectorXd::LinSpaced(across, 0, 1),
                                     Eigen::VectorXd::LinSpaced(along, 0, 1),
                                     Eigen::MatrixXd::Zero(across, along), 0, 1);
   for (Index i = 0; i < across; ++i)
     for (Index j = 0; j < along; ++j) {
-      const double s = -0.039 + 0.029 * static_cast<double>(i) / (across - 1);
-      const double turn = 0.026 * (2 * static_cast<double>(j) / (along - 1) - 1);
+      const double s = -0.0345 + 0.0215 * static_cast<double>(i) / (across - 1);
+      const double turn = 0.003 + 0.021 * (2 * static_cast<double>(j) / (along - 1) - 1);
       const double r = pair().radius + pair().wheel.at(s).depth;
       const Vector3d at =
           centre +
@@ -135,7 +135,7 @@ scene::Mesh wheel_surface(const Pose& pose, const WheelResult& wheel, const Draw
       const double p = pressure_at(wheel, at);
       mesh.vertices.row(i * along + j) = place(at).transpose();
       mesh.colours.row(i * along + j) =
-          (p > 0 ? scene::viridis(p, 0.0, high) : scene::steel).transpose();
+          (p > 0 ? scene::viridis(p, 0.0, scale_end) : scene::steel).transpose();
     }
   return mesh;
 }
@@ -178,19 +178,19 @@ void draw_scene(report::Item& item) {
   s.meshes.push_back(wheel_surface(pose_of(fifth), wheel, place));
   s.lines.push_back(tractions(wheel, place));
   scene::Lines rolling{scene::Points(4, 3), scene::Segments(3, 2), {0, 0, 0}, 3};
-  rolling.vertices.row(0) = on_tread(-0.0125, -0.004).transpose();
-  rolling.vertices.row(1) = on_tread(-0.0125, 0.003).transpose();
-  rolling.vertices.row(2) = on_tread(-0.0119, 0.002).transpose();
-  rolling.vertices.row(3) = on_tread(-0.0131, 0.002).transpose();
+  rolling.vertices.row(0) = on_tread(-0.0145, -0.013).transpose();
+  rolling.vertices.row(1) = on_tread(-0.0145, -0.006).transpose();
+  rolling.vertices.row(2) = on_tread(-0.0140, -0.007).transpose();
+  rolling.vertices.row(3) = on_tread(-0.0150, -0.007).transpose();
   rolling.segments << 0, 1, 1, 2, 1, 3;
   s.lines.push_back(rolling);
   const scene::Size size{860, 560};
-  const auto camera = scene::looking_at(s, {0.5, -0.75, -0.8}, size, true);
+  const auto camera = scene::looking_at(s, {0.35, -0.75, -0.9}, size, true);
   scene::labelled(item, "scene.gp", s, camera, size,
-                  {{on_tread(-0.0385, 0.004), "to the flange"},
-                   {on_tread(-0.0105, -0.011), "tread"},
-                   {on_tread(-0.0150, 0.004), "rolling"}});
-  item.data("scale", {"p_max_MPa"}).add(wheel.patches.front().p_max / units::megapascal);
+                  {{on_tread(-0.0340, 0.0030), "to the flange"},
+                   {on_tread(-0.0145, -0.005), "rolling"},
+                   {on_tread(-0.0182, -0.0055), "1.5 kN"},
+                   {on_tread(-0.0290, -0.0015), "8.2 kN"}});
 }
 
 }  // namespace
