@@ -142,7 +142,55 @@ of the friction limit, shows it.
 
 ## Use it
 
-USEIT
+`railbook wheelrail contact` does this for a wheelset of your own. Give the profiles as tables with
+`--wheel` and `--rail`; without them it takes S1002 on 60E1. The wheelset's roll and its rate of turning
+are found so that it is in balance:
+
+```console
+$ railbook wheelrail contact --shift 4mm --yaw 5mrad --load 50kN --speed 30m/s
+...
+  right rail: force along                       -3606.336 N
+    to the right                                -8926.173 N
+...
+    normal force                                48775.19 N
+    largest pressure                            1155 MPa   (error about 3)
+    area                                        64.06197 mm^2
+...
+    creepage along                              -0.001363925
+    across                                      -0.005031598
+    spin                                        -0.2291198 1/m
+...
+```
+
+`railbook wheelrail table` makes the table that a vehicle program looks up.
+
+## Try next
+
+* Push the wheelset to where a second place touches. The right wheel then has two patches, and the
+  command warns how much each would press on the other:
+
+```console
+$ railbook wheelrail contact --shift 5mm --yaw 12mrad --load 10kN --speed 2m/s --head 60E1-benchmark
+...
+  right patch 1: place along                    -6.947204 mm
+...
+    largest pressure                            1571 MPa   (error about 3)
+...
+  right patch 2: place along                    -8.043102 mm
+...
+    largest pressure                            297.9 MPa   (error about 0.4)
+...
+```
+
+* Use the fast method on the first example. How far is its force along the track from the full
+  theory's?
+
+```console
+$ railbook wheelrail contact --shift 4mm --yaw 5mrad --load 50kN --speed 30m/s --method strips
+...
+  right rail: force along                       -3765.714 N
+...
+```
 
 ## Symbols
 
