@@ -14,7 +14,7 @@ friction coefficient falls with the slip speed $v_s$ as $0.18+0.12\cdot2^{-v_s/v
 solver of this chapter has one limit a cell, so friction and slip are solved in turns by
 `falling_friction`:
 
-{{code: study/stability.cpp falling_friction}}
+{{code: stability.cpp falling_friction}}
 
 Where friction falls slowly the turns settle on CONTACT's answer. Where it falls a hundred times as fast
 they settle on two answers: cells near the place where sliding begins may stick at the high friction or
