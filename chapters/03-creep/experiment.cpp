@@ -20,8 +20,6 @@ friction.
 
 {{fig-03}}
 
-{{fig-07}}
-
 Two statements of the paper on its own points do not fit these. It says "The dispersion of values is
 very large"; here the stated errors alone scatter the points about their curves by {{dispersion}} of
 $\mu_c$ (root mean square). Whatever else scattered the paper's points is missing here, so what the
@@ -49,14 +47,10 @@ its own lines "almost parallel". If $\mu_c$ itself depends on the load, as the p
 an input of the theories; the lines of the figure have the falling $\mu_c$ assumed above.
 
 The next figure shows Hertz's area for both directions of the longer axis, since the text does not
-say which the rig had: across, the area is {{across-larger}} larger than along.
+say which the rig had: across, the area is {{across-larger}} larger than along. For worn wheels the
+paper finds a considerable difference from Hertz's area; the synthetic areas stand for it.
 
 {{fig-09}}
-
-For worn wheels the paper finds a considerable difference from Hertz's area; the synthetic areas
-stand for it.
-
-{{fig-10}}
 
 ## One curve for all
 
@@ -70,11 +64,9 @@ from the creep; the area is Hertz's, or Hertz's times a measured factor:
 With **Hertz's** area the four tests stay apart, each shifted by its own wear. With the **measured**
 area they fall on one line, and it is the theory's:
 
-{{fig-11-hertz}}
-
 {{fig-11}}
 
-The two scales of the figures are the paper's and Kalker's: the paper's $a$ and $b$ are full axes by
+The two scales of the figure are the paper's and Kalker's: the paper's $a$ and $b$ are full axes by
 its nomenclature and its equation (4), Kalker's are semi-axes.
 
 {{table-collapse}}
@@ -246,15 +238,6 @@ void each_load(report::Item& item) {
       points.add(std::round(test.load / units::lbf), p.creep, p.mu, creep_error,
                  force_error / test.load);
   item.rebuilt(synthetic);
-}
-
-void all_loads(report::Item& item) {
-  auto& curves = item.data({"creep", "mu_500", "mu_1000", "mu_1500", "mu_2500"});
-  for (int i = 0; i <= 200; ++i) {
-    const auto mu = [&](std::size_t k) { return tests()[k].average.mu(tests()[k].load, 1e-4 * i); };
-    curves.add(1e-4 * i, mu(0), mu(1), mu(2), mu(3));
-  }
-  item.rebuilt(synthetic);
   item.value("exponent", friction_exponent, "", "{:.2f}");
 }
 
@@ -345,25 +328,21 @@ double hertz_area(double load, bool major_along_rolling) {
   return units::pi * c.a * c.b / 1e-6;
 }
 
-void smooth_areas(report::Item& item) {
+void areas(report::Item& item) {
   auto& line = item.data({"load_lbf", "area_mm2", "across_mm2"});
+  auto& points = item.data("points", {"load_lbf", "area_mm2", "test"});
   for (double load = 0; load <= 3000; load += 25)
     line.add(load, hertz_area(load, true), hertz_area(load, false));
-  item.rebuilt("Hertz's lines for the material and radii used; the paper's points are lost");
-  item.value("across-larger", 100 * (hertz_area(1000, false) / hertz_area(1000, true) - 1), "%",
-             "{:.0f}");
-}
-
-void worn_areas(report::Item& item) {
-  auto& line = item.data({"load_lbf", "area_mm2"});
-  auto& points = item.data("points", {"load_lbf", "area_mm2", "test"});
-  for (double load = 0; load <= 3000; load += 25) line.add(load, hertz_area(load, true));
   int number = 0;
   for (const Test& test : tests())
     points.add(test.load / units::lbf,
                hertz_area(test.load / units::lbf, true) * test.area_measured,
                fmt::format("test {}: {:.2f}", ++number, test.area_measured));
-  item.rebuilt("Hertz's line is exact for the material and radii used; the points are synthetic");
+  item.rebuilt(
+      "Hertz's lines for the material and radii used; the paper's points are lost, those shown are "
+      "synthetic");
+  item.value("across-larger", 100 * (hertz_area(1000, false) / hertz_area(1000, true) - 1), "%",
+             "{:.0f}");
 }
 
 // Calls `use` with X and mu/mu_c of every point, by Hertz's area or the measured one.
@@ -376,19 +355,17 @@ void each_reduced(bool measured_area, const Use& use) {
   }
 }
 
-template <bool measured_area>
 void dimensionless(report::Item& item) {
   auto& curves = item.data({"x", "full", "vermeulen_johnson"});
-  auto& points = item.data("points", {"x", "f", "test"});
+  auto& points = item.data("points", {"x_hertz", "x_measured", "f", "test"});
   for (int i = 0; i <= 250; ++i) {
     const double x = 1.25 * i / 250;
     const auto c = with_reduced_creepage(rolling::unit_case(axis_ratio, poisson), {x, 0, 0});
     curves.add(x, master_curve(x), creep_forces(Theory::vermeulen_johnson, c).fx);
   }
-  each_reduced(measured_area, [&](double x, double share, const Test& test) {
-    points.add(x, share, std::round(test.load / units::lbf));
+  each_reduced(false, [&](double x, double share, const Test& test) {
+    points.add(x, test.area_measured * x, share, std::round(test.load / units::lbf));
   });
-  item.script("dimensionless.gp");
   item.rebuilt(synthetic);
 }
 
@@ -455,46 +432,33 @@ creep_chapter::ReductionError creep_chapter::reduction_error() {
 }
 
 const report::Section creep_chapter::experiment{
-    report::figure(
-        "fig-03",
-        "At each load the friction rises with the creep and levels off. Synthetic points at four "
-        "loads, with one standard deviation of their errors, and the average curves that are "
-        "fitted "
-        "to them. They stand for the paper's Figures 3 to 6, one for each load, whose points are "
-        "lost",
-        each_load),
-    report::figure(
-        "fig-07",
-        "Neither load nor wear is the same, so the four average curves differ. They are "
-        "fitted to the synthetic points, with the loads written beside them. In place of "
-        "the paper's Figure 7",
-        all_loads),
-    report::figure(
-        "fig-08",
-        "At constant creep the friction falls with the load. Lines: the theory at one "
-        "wear, an area 1.5 times Hertz's; points: the four synthetic tests, each with a "
-        "wear of its own; topmost the largest friction. In place of the paper's Figure 8",
-        constant_creep),
+    report::figure("fig-03",
+                   "At each load the friction rises with the creep and levels off, but the curves "
+                   "differ. Four "
+                   "panels: synthetic points with one standard deviation of their errors, and the "
+                   "average curves "
+                   "fitted to them; last: these curves together. In place of the paper's Figures 3 "
+                   "to 7, whose "
+                   "points are lost",
+                   each_load),
+    report::figure("fig-08",
+                   "At constant creep the friction falls with the load. Lines: the theory at one "
+                   "wear; points: the synthetic tests, each with its own. In place of the paper's "
+                   "Figure 8",
+                   constant_creep),
     report::figure(
         "fig-09",
-        "The direction of the longer axis changes the contact by more than half. Hertz's "
-        "area of smooth new wheels against the load, for both directions of the longer "
-        "axis. The paper's Figure 9 had measured points",
-        smooth_areas),
+        "Worn wheels have larger contacts than Hertz says. Left: Hertz's area of smooth new "
+        "wheels against the load, for both directions of the longer axis. Right: synthetic "
+        "areas of four tests, with their ratio to Hertz's. In place of the paper's Figures "
+        "9 and 10",
+        areas),
     report::figure(
-        "fig-10",
-        "Worn wheels have larger contacts than Hertz says. Synthetic areas of four tests, "
-        "with their ratio to Hertz's, against the load. In place of the paper's Figure 10",
-        worn_areas),
-    report::figure("fig-11-hertz",
-                   "With Hertz's area the four tests stay apart. Fraction of the friction limit "
-                   "against X, synthetic points at four loads; lines by the full theory and by "
-                   "Vermeulen and Johnson. Not in the paper",
-                   dimensionless<false>),
-    report::figure("fig-11",
-                   "With the measured area they fall on one curve. The same points as before, each "
-                   "test with its measured area. In place of the paper's Figure 11",
-                   dimensionless<true>),
+        "fig-11",
+        "With the measured area the four tests fall on one curve, with Hertz's they do not. "
+        "Fraction of the friction limit against X, synthetic points at four loads; lines by "
+        "the full theory and by Vermeulen and Johnson. In place of the paper's Figure 11",
+        dimensionless),
     report::table("table-collapse",
                   "A test's creep curve gives its contact area to a few per cent. Area and largest "
                   "friction of the four synthetic tests: put in, measured and found from the curve",

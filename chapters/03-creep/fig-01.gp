@@ -2,7 +2,7 @@
 # The rig, radii in ARG4; the contact, cells in ARG1 and the middle row in ARG3.
 load "style.gp"
 set output ARG2
-set terminal pngcairo size 1100,500 font "DejaVu Sans,13" enhanced background rgb "white"
+set terminal pngcairo size 1100,460 font "DejaVu Sans,13" enhanced background rgb "white"
 stats ARG4 using "small_cm" name "s" nooutput
 stats ARG4 using "big_cm" name "l" nooutput
 r = s_max

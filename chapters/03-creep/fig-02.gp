@@ -1,7 +1,7 @@
 # alt: The small wheel seen from above on the rim of the big one, turned by the angle of attack. The friction force along the turned wheel has a longitudinal part and an axial part.
 load "style.gp"
 set output ARG2
-set terminal pngcairo size 740,300 font "DejaVu Sans,12" enhanced background rgb "white"
+set terminal pngcairo size 740,240 font "DejaVu Sans,12" enhanced background rgb "white"
 stats ARG1 using "attack_degree" name "t" nooutput
 t = t_max*pi/180
 unset grid
@@ -13,7 +13,7 @@ set rmargin 0
 set tmargin 0
 set bmargin 0
 set size ratio -1
-set xrange [-11:26]
+set xrange [-13:34]
 set yrange [-7.5:7.5]
 set style fill solid 0.5 noborder
 c = cos(t); s = sin(t)

@@ -1,7 +1,7 @@
 # alt: Friction against normal load at four creeps and in full slip. All five lines fall with the load; the points of the four tests scatter about them, because each test has its own wear.
 load "style.gp"
 set output ARG2
-set terminal pngcairo size 740,370 font "DejaVu Sans,12" enhanced background rgb "white"
+set terminal pngcairo size 740,290 font "DejaVu Sans,12" enhanced background rgb "white"
 set xlabel "normal load, lbf"
 set ylabel "friction coefficient µ"
 set xrange [400:2700]

@@ -1,7 +1,7 @@
 # alt: Left: the fraction of the friction limit rises with X, straight at first and then levelling off at one near 0.5; the independent program's points lie on the curve, Vermeulen and Johnson's curve runs above it and FASTSIM's below. Right: mean errors on double logarithmic axes; the error with filled rows falls with slope minus one, that with placed ends is ten times smaller and falls faster.
 load "style.gp"
 set output ARG2
-set terminal pngcairo size 1100,430 font "DejaVu Sans,13" enhanced background rgb "white"
+set terminal pngcairo size 1100,360 font "DejaVu Sans,13" enhanced background rgb "white"
 set multiplot layout 1,2
 unset key
 set rmargin 2

@@ -1,7 +1,7 @@
 # alt: Creep against contact area, both over those of the new wheel. The law falls as one over the area; the three curves of a profile that wears flat lie close together and fall less, so that their product with the area has risen by a fifth where the area has grown by half.
 load "style.gp"
 set output ARG2
-set terminal pngcairo size 1100,390 font "DejaVu Sans,13" enhanced background rgb "white"
+set terminal pngcairo size 1100,310 font "DejaVu Sans,13" enhanced background rgb "white"
 set multiplot layout 1,2
 unset key
 set xlabel "contact area over that of the new wheel"

@@ -1,7 +1,7 @@
 # alt: Two bands that fall with the assumed largest friction. The band for the longer axis across lies lower and includes one, Hertz's area, from a largest friction of about one half on; the other comes close to one at large friction.
 load "style.gp"
 set output ARG2
-set terminal pngcairo size 740,350 font "DejaVu Sans,12" enhanced background rgb "white"
+set terminal pngcairo size 740,270 font "DejaVu Sans,12" enhanced background rgb "white"
 set xlabel "largest friction coefficient µ_c, assumed"
 set ylabel "area needed, over Hertz's"
 set xrange [0.3:1]

@@ -32,16 +32,13 @@ law brings them together, a test on a small wheel in a laboratory says nothing a
    {{outcome:table-appendix-a/accurate}} {{outcome:table-appendix-a/upper-bound}}
 :::
 
-## The paper
-
-C. A. Sciammarella, S. Kumar, L. Nailescu and B. B. Seth built a rig of two wheels: a small one, for
-the wheel of a locomotive, runs on a big one, for the rail, and is braked. They measured friction
-against creep at four loads, and brought all curves onto one with the help of Kalker's theory of
-rolling contact. This page recomputes the theory, the printed numbers and the error analysis. We
-have the paper as machine-read text, without its drawings. The measured points stand in the
-drawings, so our figures with points are rebuilt from the theory and say so.
-
 ## The idea
+
+C. A. Sciammarella, S. Kumar, L. Nailescu and B. B. Seth let a small wheel, for the locomotive's, run on
+a big one, for the rail, and brake it. They measured friction against creep at four loads, and brought
+all curves onto one with the help of Kalker's theory of rolling contact. We have the paper as
+machine-read text, without its drawings. The measured points stand in the drawings, so our figures with
+points are rebuilt from the theory and say so.
 
 **Creep.** A driven wheel turns slightly faster, and a braked one slightly slower, than free rolling
 would need. The difference of the two rim speeds over the speed of rolling is the creep, or
@@ -176,18 +173,6 @@ $ railbook creep curve --wheel-radius 100.5mm --wheel-profile 41.8mm --rail-radi
        0.002       815.68            0            0  0.61103   0.695
        0.003      1048.88            0            0  0.78572   0.549
        0.004       1196.36            0            0  0.89620   0.409
-```
-
-* Turn the ellipse of the rig, so that its longer axis lies across: the same creep uses up more of the
-  friction. Which profile radius would double the force at a creep of 0.001?
-
-```console
-$ railbook creep curve --wheel-radius 100.5mm --wheel-profile 162mm --rail-radius 449.5mm --load 4449.72N --to 0.004 --points 5
-...
-       0.001      596.186            0            0  0.44661   0.735
-       0.002      997.379            0            0  0.74715   0.465
-       0.003      1228.91            0            0  0.92059   0.235
-       0.004      1322.24            0            0  0.99050   0.051
 ```
 
 * Take a real wheel on a real rail. At which creep does it use up three quarters of its friction?

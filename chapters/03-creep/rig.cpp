@@ -1,10 +1,9 @@
 /***
 ## The rig
 
-The small wheel is pressed onto the big one, which drives it, and is braked by its own motor. A gear
-of 144 teeth on each axle counts the turns. Forces are measured along three axes. A small wheel that
-is turned by an *angle of attack* would mix them, and put a part of the friction force into the axial
-direction:
+The big wheel drives the small one, which is braked by its own motor; a gear of 144 teeth on each axle
+counts the turns. Forces are measured along three axes. A small wheel that is turned by an *angle of
+attack* would mix them:
 
 {{fig-02}}
 
