@@ -16,6 +16,15 @@ and $a(b)$ of it on that of the other. In a truck of 70 inches at 60 mph over a 
 blow to the leading wheel then moves the rail below the trailing wheel by up to {{neighbour-rail}}.
 The trailing wheel hardly acts back: P1 and P2 of the leading wheel, defined above, change by
 {{neighbour-p1}} and {{neighbour-p2}}. For these two peaks one wheel is enough.
+
+The struct `TwoWheels` has the equations of motion of {{fig-04}}. The excess of each force over the
+static load acts on the rail mass below that wheel, and `share` of it on that of the other; `pad` is
+the force in the upper spring and damper, and the bed carries the rest. With `share` zero these are
+the equations of one wheel that {{fig-joint}} solves.
+
+{{code: two_wheels.cpp TwoWheels}}
+
+{{fold}}
 */
 #include <fmt/format.h>
 
@@ -51,8 +60,7 @@ double moving_mass() {
          ballast_mass_per_length(typical_ballast, support);
 }
 
-// The model of Fig. 4 for two wheels: w, w', r, r', b, b' of the leading one, then of the trailing one. Each force less its
-// static load acts on the rail mass below it, and `share` of it on the other's.
+// The state is y_w, y_w', y_r, y_r', y_t, y_t' of the leading wheel, then of the trailing one.
 struct TwoWheels {
   using State = Eigen::Matrix<double, 12, 1>;
   const ImpactModel& model;
