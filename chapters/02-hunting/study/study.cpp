@@ -10,7 +10,7 @@ sentence below it names the fastest one for a wanted error.
 
 {{include: stiffness.cpp}}
 
-## Where the solvers stop working
+## Stability: where the solvers stop working
 
 {{stability}}
 
