@@ -141,7 +141,7 @@ const report::Section curvature{
                    fig_curve),
     report::table(
         "table-curvature",
-        "A bias of the gyro counts at low speed only, and debiasing removes it. RMS error "
+        "A bias of the gyro counts at low speed, and debiasing removes most of it. RMS error "
         "of the curvature in degrees per 100 ft, with a perfect gyro, and what bias and "
         "noise of a typical one add before and after debiasing. The sensors are ours.",
         table_curvature)};

@@ -31,7 +31,7 @@ standards ask for:
 
 * *gage*, the distance between the two rails;
 * *curvature*, how fast the track turns, in degrees per 100 ft of length;
-* *crosslevel*, how much higher one rail is than the other;
+* *crosslevel*, how much higher one rail is than the other, and *warp*, its change over a distance;
 * *profile*, how far each rail lies above or below the middle of a chord of 62 ft that is laid on
   it, the *mid-chord offset*;
 * *alignment*, the same sideways.

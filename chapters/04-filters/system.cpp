@@ -17,10 +17,10 @@ place of a sample is known to half a foot, the 6 in of the paper.
 
 {{include: car_scene.cpp}}
 
-Which measurement needs which sensor is the paper's Figure 3, a drawing that is lost in our copy. We
-rebuilt it from the words around it. Our processing follows the same words, and the table shows what
-it really uses: each sensor of a recorded journey is disturbed in turn, and a measurement that
-changes depends on it.
+Which measurement (the paper says *parameter*) needs which sensor is the paper's Figure 3, a drawing
+that is lost in our copy. We rebuilt it from the words around it. Our processing follows the same
+words, and the table shows what it really uses: each sensor of a recorded journey is disturbed in
+turn, and a measurement that changes depends on it.
 
 {{table-sensors}}
 
