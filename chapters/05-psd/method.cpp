@@ -146,7 +146,7 @@ void worked(report::Item& item) {
   };
   row("two lines, (4)", "roughness A", "10⁻⁷ m²·cycle/m", 1e7 * zone.track.A, 1e7 * track.A,
       "{:.2f}");
-  row("", "corner φ_c", "cycle/m", zone.track.phi_c, track.phi_c, "{:.3f}");
+  row("", "corner φ<sub>c</sub>", "cycle/m", zone.track.phi_c, track.phi_c, "{:.3f}");
   row("peak at φ₀", "height C₁", "10⁻⁴ m²/(cycle/m)", 1e4 * printed.C_1, 1e4 * peak.C_1, "{:.2f}");
   row("", "width β", "cycle/m", printed.beta, peak.beta, "{:.4f}");
   row("power, (6)", "Q₁ = β C₁", "mm²", printed.Q_1 / (mm * mm), peak.Q_1 / (mm * mm), "{:.2f}");
@@ -155,8 +155,8 @@ void worked(report::Item& item) {
       "{:.1f}");
   row("", "joints 2B", "mm", by_print.periodic / mm, by_record.periodic / mm, "{:.1f}");
   row("", "d", "mm", by_print.deviation / mm, by_record.deviation / mm, "{:.1f}");
-  row("class", "highest m with d ≤ D_m", "", class_by_print, class_by_record, "{:.0f}");
-  row("", "its limit D_m", "mm", spectra::profile_limits.at(std::size_t(class_by_print - 1)) / mm,
+  row("class", "highest m with d ≤ D<sub>m</sub>", "", class_by_print, class_by_record, "{:.0f}");
+  row("", "its limit D<sub>m</sub>", "mm", spectra::profile_limits.at(std::size_t(class_by_print - 1)) / mm,
       spectra::profile_limits.at(std::size_t(class_by_record - 1)) / mm, "{:.2f}");
 
   const auto fit = spectra::fit_track_spectrum(like);
