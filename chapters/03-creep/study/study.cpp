@@ -6,10 +6,8 @@
 
 ## Stability
 
-### What defeats the solver?
-
-A case *holds* when its error stays within the bound set for it, *degrades* when it loses accuracy in the
-way stated, and is *refused* when the program says why it has no number.
+What defeats the solver? A case *holds* when its error stays within the bound set for it, *degrades* when
+it loses accuracy in the way stated, and is *refused* when the program says why it has no number.
 
 {{include: stability.cpp}}
 */
