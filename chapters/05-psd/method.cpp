@@ -156,7 +156,8 @@ void worked(report::Item& item) {
   row("", "joints 2B", "mm", by_print.periodic / mm, by_record.periodic / mm, "{:.1f}");
   row("", "d", "mm", by_print.deviation / mm, by_record.deviation / mm, "{:.1f}");
   row("class", "highest m with d ≤ D<sub>m</sub>", "", class_by_print, class_by_record, "{:.0f}");
-  row("", "its limit D<sub>m</sub>", "mm", spectra::profile_limits.at(std::size_t(class_by_print - 1)) / mm,
+  row("", "its limit D<sub>m</sub>", "mm",
+      spectra::profile_limits.at(std::size_t(class_by_print - 1)) / mm,
       spectra::profile_limits.at(std::size_t(class_by_record - 1)) / mm, "{:.2f}");
 
   const auto fit = spectra::fit_track_spectrum(like);
