@@ -307,10 +307,11 @@ creep_chapter::CreepError creep_chapter::appendix_a_error() {
 }
 
 const report::Section creep_chapter::appendices{
-    report::table("table-appendix-a",
-                  "The terms of Appendix A follow from its inputs, and cancel in part. From the ratio "
-                  "of the radii to the sum of the three terms, in the order of the print",
-                  rows),
+    report::table(
+        "table-appendix-a",
+        "The terms of Appendix A follow from its inputs, and cancel in part. From the ratio "
+        "of the radii to the sum of the three terms, in the order of the print",
+        rows),
     report::table("table-appendix-b",
                   "Five hours of wear change the creep by a tenth of its error. The numbers of "
                   "Appendix B, in the order of the print",

@@ -55,9 +55,9 @@ paper finds a considerable difference from Hertz's area; the synthetic areas sta
 ## One curve for all
 
 The paper's claim is that with the actual area of contact all tests fall on one curve. The reduction
-takes few lines. `each_reduced` goes through the points of a test; each has a load, a force and a
-creep, and the largest friction is that of the test's average curve. The product of the two gives $X$
-from the creep; the area is Hertz's, or Hertz's times a measured factor:
+takes few lines. `each_reduced` goes through the points of all tests and forms $X$ and $\mu/\mu_c$ from
+the load, the friction and the creep of each. The largest friction is that of the test's average curve;
+the area is Hertz's, or Hertz's times the measured factor:
 
 {{code: experiment.cpp each_reduced}}
 

@@ -29,8 +29,8 @@ $$g=\frac{x^2}{2R_x}+\frac{y^2}{2R_y}-\delta
 Here $y$ is the place across, $\delta$ is Hertz's approach, $p_0$ his largest pressure and $E^*$ the
 modulus of steel on steel; $\lambda$ is the positive root $t$ at which the bracket vanishes. The first
 two terms are the gap of the undeformed wheels, the integral is what the pressure adds. The function
-`surface` computes it with the substitution $t=\lambda+a^2v^2$, which takes the root out of the
-denominator:
+`surface` computes it with the substitution $t=\lambda+a^2v^2$, which removes the
+root of $t$ from the denominator:
 
 {{code: replica.cpp surface}}
 

@@ -7,8 +7,8 @@ $G\,ab\,\xi/N$ = {{group}} by Hertz's area. Is this evidence for the paper's cla
 
 No friction law can exceed the linear theory, $f\le C_{11}X$. With Hertz's area that allows only
 $\mu\le C_{11}\,G\,ab\,\xi/N$ = {{mu-most}} for *any* $\mu_c$, less than the measured 0.3. So the
-reading would need a larger area. The function `least_factor` divides the one by the other, and
-`factor` asks the full curve for the area at a given $\mu_c$:
+reading would need a larger area. The function `least_factor` divides the measured 0.3 by that
+bound, and `factor` asks the full curve for the area at a given $\mu_c$:
 
 {{code: state.cpp factor}}
 
@@ -157,8 +157,8 @@ const report::Section creep_chapter::state{
                   needed_area),
     report::figure(
         "fig-state",
-                   "The printed reading does not decide between Hertz's area and a larger one. The "
-                   "area that it needs, over Hertz's, against the largest friction that is assumed; "
-                   "lines as printed, bands for the rounding of the two speeds. From the numbers of "
-                   "Appendix B",
-                   reading)};
+        "The printed reading does not decide between Hertz's area and a larger one. The "
+        "area that it needs, over Hertz's, against the largest friction that is assumed; "
+        "lines as printed, bands for the rounding of the two speeds. From the numbers of "
+        "Appendix B",
+        reading)};
