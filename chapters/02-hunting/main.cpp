@@ -32,11 +32,12 @@ depend on the shapes of wheel and rail.
    the paper has lost.
 :::
 
-The paper's idea is to replace every nonlinear function by a number: the gain that a sine of a given
-amplitude feels. With these numbers the car is linear again, and one looks for the speed at which a
-motion of that amplitude neither grows nor dies. This page follows the paper: wheel and rail, the
-car, the gains, the search for limit cycles, their amplitudes and shapes. At the end it asks of the
-full equations whether the cycles that were found exist and are stable.
+The paper's idea is to replace every nonlinear function by a number, its *describing function*: the
+gain that a sine of a given amplitude feels. With these numbers the car is linear again, and one
+looks for the speed at which a motion of that amplitude neither grows nor dies. This page follows
+the paper: wheel and rail, the car, the gains, the search for limit cycles, their amplitudes and
+shapes. At the end it asks of the full equations whether the cycles that were found exist and are
+stable.
 
 We have the paper as machine-read text (OCR) and not its drawings. Its figures, its profiles of
 wheel and rail and part of its table of data are lost or illegible. We rebuilt profiles that fit
@@ -96,9 +97,9 @@ where those of North American wheels rise about 1 in. Amplitudes beyond some 0.6
 upper part.
 
 **Limit cycles.** Creep is linear, as in the paper, except in {{creep-limited}}. The friction of the
-suspension is regularized, and results at hundredths of an inch depend on how. Only cycles whose
-second half mirrors the first are searched for, along branches from critical speeds and from cycles
-with front and rear exchanged.
+suspension is made viscous below small rates, and results at hundredths of an inch depend on how.
+Only cycles whose second half mirrors the first are searched for, along branches from critical
+speeds and from cycles with front and rear exchanged.
 
 ## Use it
 

@@ -19,7 +19,8 @@ A solution of (10) is a limit cycle of the quasi-linear car: a motion with which
 make the gains, and the gains that make the motion, agree.
 
 **Four cars.** As in the paper there are new, CN and Heumann wheels with linear dampers, and CN
-wheels with dry friction. A branch of limit cycles begins at each critical speed. With ideal
+wheels with dry friction. A *branch*, a curve of limit cycles in the plane of speed and amplitude,
+begins at each critical speed; its cycles are called a *family*. With ideal
 friction there is none, because joints that stick make (12) infinite; the friction below the rates
 $\varepsilon$ (0.005 ft/s in translation, 0.0005 rad/s in rotation) is viscous, and the critical
 speeds of that car, which depend on these rates alone, serve as a start. They begin two families,

@@ -9,8 +9,8 @@ period of {{period}}. Dry friction, viscous below a sticking rate, damps with on
 and for the car with friction at 90 ft/s over a quarter of a second, with an error below 1e-4 of the
 largest coordinate. Each cost is that of the largest tolerance, in decades from 1e-2 down, that
 reaches this error. Exact pieces always work at 1e-12 or less, whatever is asked, so they have one
-cost. The reference is exact pieces at 1e-13, which shares its method with them. It differs by
-{{stiff-reference}} at 1 ft/s from the implicit method at 1e-8, which shares nothing with it.
+cost. The reference is exact pieces at 1e-13, which shares its method with them. At 1 ft/s its
+difference from the implicit method at 1e-8, which shares nothing with it, is {{stiff-reference}}.
 
 {{stiffness}}
 
