@@ -20,9 +20,10 @@ high.
 ### Force and moment
 
 The paper prints the force $F$ and the moment $M_y$ about the jump. The moment is negative: the load
-sits on the flat side although the peak is on the sharp one. We solve the example twice, by
-COUNTACT-1, the variant of the program for one axis of symmetry, and on a uniform grid. The last
-column of the table has a coned wheel, whose tread is straight.
+sits on the flat side although the peak is on the sharp one. We solve the example twice: by
+COUNTACT-1, the variant of the program for one axis of symmetry, and by CG-FFT, the method of today.
+CG-FFT takes a uniform grid, finds its pressures by conjugate gradients, and applies the matrix by
+the fast Fourier transform. The last column of the table has a coned wheel, whose tread is straight.
 
 {{example-2}}
 
@@ -33,11 +34,9 @@ tread of {{force-tread}} gives the printed force, one of {{moment-tread}} the pr
 text does not say that the tread is hollow. A coned wheel would be the natural guess, but its force
 is {{cone-off}} too low.
 
-The second method is today's: conjugate gradients on a uniform grid, called CG-FFT here because the
-matrix is applied by the fast Fourier transform. It needs no mesh that follows the region.
-`solve_bounded_cg` holds the unknown region as the set of cells with pressure. It iterates inside
-that set and drops cells that pull. When the iteration is done it takes in the cells outside that
-still overlap, and it ends when there are none.
+CG-FFT needs no mesh that follows the region. Its function `solve_bounded_cg` holds the region as the
+set of cells with pressure. It iterates inside that set and drops cells that pull. When the
+iteration is done it takes in the cells outside that still overlap, and it ends when there are none.
 
 {{code: contact/bounded_cg.cpp solve_bounded_cg}}
 
@@ -204,9 +203,11 @@ void place_answer(report::Item& item) {
     const NormalContact c = solve_cg_fft(gap_at(at), delta_2, modulus, options).contact;
     answer.at({place});
     const double middle = c.y.cwiseAbs().minCoeff();
+    answer.point("pressure along the axis", "", (c.x_min + at) / inch, 0);
     for (Eigen::Index i = 0; i < c.x.size(); ++i)
       if (std::abs(c.y[i] - middle) < 1e-9 * inch)
         answer.point("pressure along the axis", "", (c.x[i] + at) / inch, c.p[i] / (1e5 * psi));
+    answer.point("pressure along the axis", "", (c.x_max + at) / inch, 0);
     add_outline(answer, c, at);
     answer.says("result", "force, lbf", c.force / lbf);
     answer.says("result", "moment about the jump, in·lbf",

@@ -68,7 +68,7 @@ the drawings only scraps of their lettering.
 
 {{include: tread.cpp}}
 
-### Damaged or slipped
+### Damage and slips
 
 The moment of Example 2 in newton metres reads 806.2 in our text; we restore it to 606.2
 ({{outcome:example-2/M-Nm-printed}}). The sign of $M_x$ in (7) is a guess. The paper says that its
