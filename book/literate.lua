@@ -362,12 +362,7 @@ function Reader(inputs)
     end
   end
 
-  local list = os.getenv("RAILBOOK_UNNAMED_CODE") and io.open(os.getenv("RAILBOOK_UNNAMED_CODE"), "a")
-  if list then
-    local folder = inputs[1].name:match("([^/]*/[^/]*)/[^/]*$") or ""
-    for _, message in ipairs(unnamed) do list:write(folder, "/", message, "\n") end
-    list:close()
-  end
+  if #unnamed > 0 then fail(table.concat(unnamed, "\nbook: ")) end
 
   local dialect = "markdown-citations-example_lists-blank_before_header+autolink_bare_uris"
   local doc = pandoc.read(table.concat(weaver.out, "\n"), dialect)

@@ -4,7 +4,7 @@
 --   {{outcome:id}}      what came of a check, as a link to it
 --   {{coverage}} alone  the inventory of the paper
 --   {{work-precision}}, {{work-precision: id}}, {{stability}}, {{verdicts}}, {{checks}} alone
---   {{symbols}} alone   the symbols of data/symbols.csv; with that file, a formula has no other ones (see symbols.lua)
+--   {{symbols}} alone   the symbols of data/symbols.csv; a formula has no other ones (see symbols.lua)
 -- Metadata: part (paper or study), record (JSON file), figures (folder of its PNGs), data (folder of its CSVs and scripts),
 -- chapters (see frame.lua), parts (folder for what the overview pages take from this one).
 -- An unknown id, a missing file, or an item of the record that the page does not show exactly once is an error.
@@ -69,10 +69,16 @@ local function use_symbols()
   local path = data .. "/printed/symbols.csv"
   local good, list = pcall(symbols.load, path)
   if not good then problem(nil, r.chapter .. ": " .. list:gsub("^.*/printed/", "data/")) end
-  if not good or not list then return end
+  if not good then return end
+  local name = page == "study" and r.chapter .. "-study" or r.chapter
+  if not list then
+    html.finish_formulas(function(_, tex)
+      problem(nil, ("page %s: there are formulas, $%s$, but no %s/data/symbols.csv that says what their symbols mean"):format(name, tex, r.chapter))
+    end)
+    return
+  end
   symbol_list = list
   list.path = r.chapter .. "/data/symbols.csv"
-  local name = page == "study" and r.chapter .. "-study" or r.chapter
   html.finish_formulas(function(set, tex)
     return symbols.mark(list, set, function(symbol)
       if reported[symbol] then return end
@@ -397,6 +403,9 @@ local function number_items(doc)
 end
 
 local function check_all_shown()
+  if page == "paper" and symbol_list and not shown["the symbols"] then
+    problem(nil, ("%s: the symbols are not shown: add {{symbols}}"):format(r.chapter))
+  end
   if page ~= (r.has_study and "study" or "paper") then return end
   if #r.stability > 0 and not shown["the stability cases"] then
     problem(nil, ("%s: the stability cases of %s are not shown: add {{stability}}"):format(r.chapter, r.path))

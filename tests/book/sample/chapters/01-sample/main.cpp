@@ -14,6 +14,8 @@ Text in `{{code}}` is left alone. The peak is {{outcome:table-1/p0}}.
 
 $$ a + b \tag{7} $$
 
+The sum is `add(a, b)`.
+
 {{code: sample/add.hpp add}}
 */
 #include <string>
@@ -45,6 +47,8 @@ const char* raw = R"x(
 {{stability}}
 
 {{coverage}}
+
+{{symbols}}
 
 ::: findings
 1. The load is confirmed. {{outcome:table-1/p0}}
