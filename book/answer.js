@@ -8,12 +8,16 @@
 const answers = new Map();
 globalThis.railbookAnswer = (id, panels, rows) => answers.set(id, {panels: table(panels), rows: table(rows)});
 
-// "=3,..." stands for the first three cells of the line before.
+// "=3,..." stands for the first three cells of the line before; "~" for the x that the curve before has at that place.
 function table(text) {
-  let before = [];
+  let before = [], curve = {head: null, x: []}, last = [];
   const whole = (line) => {
     const [, count, rest] = line.match(/^=(\d+),(.*)$/) ?? [];
-    return before = count ? [...before.slice(0, count), ...cells(rest)] : cells(line);
+    const row = count ? [...before.slice(0, count), ...cells(rest)] : cells(line), n = row.length, head = row.slice(0, n - 2).join();
+    if (head !== curve.head) { last = curve.x; curve = {head, x: []}; }
+    if (row[n - 2] === "~") row[n - 2] = last[curve.x.length];
+    curve.x.push(row[n - 2]);
+    return before = row;
   };
   const [head, ...lines] = text.trim().split("\n").filter((line) => line && !line.startsWith("#")).map(whole);
   return {head, lines};

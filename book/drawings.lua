@@ -105,18 +105,22 @@ local function used_marks(svg)
   return head .. table.concat(kept) .. body
 end
 
--- Groups of the same attributes, of which there are more than two, as classes. Each kind: a pattern of attributes, and its rule.
+-- Groups and paths of the same attributes, of which there are more than two, as classes. Each kind: an element, a pattern of attributes,
+-- and its rule.
 local kinds = {
-  {'fill="none" color="([%w#]+)" stroke="currentColor" stroke%-width="([%d.]+)"', "fill:none;stroke:currentColor;color:%s;stroke-width:%s"},
-  {'stroke="none" fill="([%w#]+)" font%-size="([%d.]+)" +text%-anchor="(%w+)"', "stroke:none;fill:%s;font-size:%spx;text-anchor:%s"},
+  {"g", 'fill="none" color="([%w#]+)" stroke="currentColor" stroke%-width="([%d.]+)"', "fill:none;stroke:currentColor;color:%s;stroke-width:%s"},
+  {"g", 'stroke="none" fill="([%w#]+)" font%-size="([%d.]+)" +text%-anchor="(%w+)"', "stroke:none;fill:%s;font-size:%spx;text-anchor:%s"},
+  {"path", "stroke='([%w#]+)' stroke%-dasharray='([%d.,]+)'", "stroke:%s;stroke-dasharray:%s"},
+  {"path", "stroke='([%w#]+)'", "stroke:%s"},
 }
 
 local function classes(svg)
   local rules = {}
   for _, kind in ipairs(kinds) do
     local count, order, class = {}, {}, {}
-    for attributes in svg:gmatch("<g [^>]*>") do
-      local found = attributes:match("(" .. kind[1] .. ")")
+    local element, attributes = "<" .. kind[1] .. " [^>]*>", "(" .. kind[2] .. ")"
+    for text in svg:gmatch(element) do
+      local found = text:match(attributes)
       if found then
         if not count[found] then order[#order + 1] = found end
         count[found] = (count[found] or 0) + 1
@@ -126,11 +130,11 @@ local function classes(svg)
       if count[found] > 2 and #rules < 52 then
         local n = #rules
         class[found] = string.char((n < 26 and 97 or 39) + n) -- a to z, then A to Z
-        rules[n + 1] = "." .. class[found] .. "{" .. kind[2]:format(found:match(kind[1])) .. "}"
+        rules[n + 1] = "." .. class[found] .. "{" .. kind[3]:format(found:match(kind[2])) .. "}"
       end
     end
-    svg = svg:gsub("<g [^>]*>", function(group)
-      return (group:gsub("(" .. kind[1] .. ")", function(found) return class[found] and ('class="%s"'):format(class[found]) end, 1))
+    svg = svg:gsub(element, function(text)
+      return (text:gsub(attributes, function(found) return class[found] and ('class="%s"'):format(class[found]) end, 1))
     end)
   end
   if #rules == 0 then return svg end
@@ -160,9 +164,10 @@ function drawings.prepared(svg)
   return classes(used_marks(svg))
 end
 
--- A script of rows for a figure that answers: cells that begin a row as they begin the row before are counted, "=3,", and not said.
+-- A script of rows for a figure that answers: cells that begin a row as they begin the row before are counted, "=3,", and not said. In
+-- a curve, rows that differ in their last two cells, an x that the curve before has at that place is "~".
 function drawings.shortened(script)
-  local out, before = {}, ""
+  local out, before, curve, last = {}, "", {}, {}
   for line in script:gmatch("([^\n]*)\n") do
     local text = line
     if line:find(",", 1, true) and not line:find("[`(]") and not line:find("^#") then
@@ -173,12 +178,29 @@ function drawings.shortened(script)
         if c == '"' then quoted = not quoted end
         if c == "," and not quoted then same, count = i, count + 1 end
       end
-      if same > 3 then text = ("=%d,%s"):format(count, line:sub(same + 1)) end
+      local head, x, y = line:match("^(.*,)([^,]*),([^,]*)$")
+      if head and head == curve.head then
+        curve[#curve + 1] = x
+        if same == #head and last[#curve] == x then text = ("=%d,~,%s"):format(count, y) end
+      else
+        curve, last = {head = head, x}, curve
+      end
+      if same > 3 and text == line then text = ("=%d,%s"):format(count, line:sub(same + 1)) end
       before = line
     end
     out[#out + 1] = text
   end
   return table.concat(out, "\n") .. "\n"
+end
+
+-- A table of a figure, its numbers to seven digits.
+function drawings.rounded(text)
+  local function short(cell)
+    local number = tonumber(cell)
+    local digits = ("%.7g"):format(number or 0):gsub("e([+-])0", "e%1"):gsub("e%+", "e")
+    return number and #digits < #cell and digits or nil
+  end
+  return (text:gsub("%f[^,\n\0](%-?%d*%.%d+)%f[,\n\0]", short):gsub("%f[^,\n\0](%-?%d*%.%d+e[+-]?%d+)%f[,\n\0]", short))
 end
 
 -- Changes a file in its place, where it is.
@@ -194,5 +216,6 @@ end
 
 function drawings.prepare(path_of_file) change(path_of_file, drawings.prepared) end
 function drawings.shorten(path_of_file) change(path_of_file, drawings.shortened) end
+function drawings.round(path_of_file) change(path_of_file, drawings.rounded) end
 
 return drawings

@@ -195,7 +195,7 @@ function library.all(paths)
     local header = library.header(path)
     table.insert(rooms[room], section(room, room .. "/" .. file, header, seen))
     for _, entry in ipairs(header.entries) do
-      found[#found + 1] = {entry.name, anchor(room, entry.name), room .. "/" .. file .. " " .. entry.comment:sub(1, 160):gsub("[\192-\255]?[\128-\191]*$", "")}
+      found[#found + 1] = {entry.name, anchor(room, entry.name), room .. "/" .. file .. " " .. entry.comment:sub(1, 60):gsub("[\192-\255]?[\128-\191]*$", "")}
     end
   end
   local placed = {}

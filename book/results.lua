@@ -517,7 +517,7 @@ function Pandoc(doc)
   if page == "paper" then -- those of both pages
     for _, item in ipairs(r.items) do
       for _, name in ipairs(item.csv) do
-        if name == item.id .. "-answer.csv" then drawings.shorten(data .. "/" .. items.file_of(name)) end
+        if name == item.id .. "-answer.csv" then drawings.shorten(data .. "/" .. items.file_of(name)) else drawings.round(data .. "/" .. name) end
       end
       if item.png then drawings.prepare(("%s/../../figures/%s/%s"):format(data, r.chapter, item.png:gsub("%.png$", ".svg"))) end
     end

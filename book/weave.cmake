@@ -80,6 +80,7 @@ foreach(chapter ${chapters})
   file(COPY ${pictures} DESTINATION ${new}/figures/${chapter})
   file(READ ${RESULTS}/${chapter}.json json)
   string(REGEX REPLACE "\n *" "" json "${json}") # a text in it has no line end of its own
+  string(REGEX REPLACE "([{,]) *\"([a-z_0-9]+)\": " "\\1\"\\2\":" json "${json}")
   file(WRITE ${new}/data/${chapter}.json "${json}")
   set(answers) # figures that answer: their tables as a script, which a page from disk can load
   file(GLOB tables ${RESULTS}/${chapter}/*-answer.csv)
