@@ -337,10 +337,13 @@ local function rest_of(rest)
   local out = pandoc.List()
   if #rest == 0 then return out end
   out:insert(pandoc.Header(2, {pandoc.Str("The rest of the program")}, {id = "the-rest-of-the-program"}))
-  out:insert(pandoc.Para({pandoc.Str("What only includes, registers, draws, formats and checks, file by file.")}))
+  local inner, lines = pandoc.List(), 0
   for _, file in ipairs(rest) do
-    out:extend(details("code", {pandoc.Code(file), pandoc.Space(), where(rest[file].lines .. " lines")}, rest[file].blocks))
+    inner:extend(details("code", {pandoc.Code(file), pandoc.Space(), where(rest[file].lines .. " lines")}, rest[file].blocks))
+    lines = lines + rest[file].lines
   end
+  local what = ("What only includes, registers, draws, formats and checks: %d lines of %d %s."):format(lines, #rest, #rest == 1 and "file" or "files")
+  out:extend(details("code rest", {pandoc.Str(what)}, inner))
   return out
 end
 
