@@ -6,7 +6,7 @@ unset key
 set multiplot
 set xrange [-0.001:0.021]
 set yrange [0:0.65]
-set xtics 0,0.01,0.02
+set xtics 0,0.01,0.01
 set xlabel "creep ξ" offset 0,0.4
 set bmargin at screen 0.22
 set tmargin at screen 0.88

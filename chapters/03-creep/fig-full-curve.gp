@@ -31,8 +31,8 @@ set format y "10^{%T}"
 set xtics (4,6,8,12,16,24)
 set label 1 "cells fill the rows" at 9,0.028 left tc rgb blue
 set label 2 "ends placed" at 7.3,0.0022 left tc rgb "#BE5400"
-set label 3 "slope −1" at 10.5,0.0048 left tc rgb "#606060"
-set label 4 "slope −2" at 10,0.00018 right tc rgb "#606060"
+set label 3 "slope −1" at 17,0.0028 left tc rgb "#606060"
+set label 4 "slope −2" at 5.6,0.00035 right tc rgb "#606060"
 plot ARG5 using "cells":"filled" with linespoints lt 2, \
      ARG5 using "cells":"placed" with linespoints lt 3, \
      0.075/x with lines ls guide, 0.028/x**2 with lines ls guide

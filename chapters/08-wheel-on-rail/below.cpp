@@ -1,9 +1,9 @@
 /*** ## Below the surface
 
-Steel yields, and cracks begin, where the stress is largest, which is rarely where the tractions are. Each
-cell of constant pressure and traction has stresses in closed form (Love's and Cerruti's rectangle). Layer
-by layer they are convolved with the cells by Fourier transforms, by `from_pressure` for the pressures and
-in the same way for the tractions:
+Steel yields, and cracks begin, where the stress is largest, which is rarely where the tractions are. A
+rectangular cell of constant pressure or traction has stresses in closed form (by Love and Cerruti).
+`from_pressure` makes those of a pressure from the derivatives of the cell's potential. Layer by layer they
+are then convolved with all cells by Fourier transforms:
 
 {{code: contact/subsurface.cpp from_pressure}}
 

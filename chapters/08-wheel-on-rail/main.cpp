@@ -339,14 +339,16 @@ const report::Section benchmark{
                   case_a),
     report::figure(
         "fig-pressure",
-        "The largest pressure grows fivefold when the flange takes over. Largest pressure "
+        "The largest pressure grows several times when the flange takes over. Largest pressure "
         "against the shift, the left wheel at negative shifts and the right at positive "
         "ones: points by CONTACT, lines by this program's three methods",
         fig_pressure),
-    report::figure("fig-force",
-                   "Approximate methods miss the force along the track where the tread carries. "
-                   "Force along the track against the shift, as in the figure before",
-                   fig_force)};
+    report::figure(
+        "fig-force",
+        "The full theory meets CONTACT's force along the track, and the fast methods miss it "
+        "at no shift and on the flange. Force along the track against the shift, as in the "
+        "figure before",
+        fig_force)};
 
 }  // namespace
 

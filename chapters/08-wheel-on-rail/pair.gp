@@ -68,7 +68,7 @@ set xlabel "across the track, from the middle of the rail, mm"
 set ylabel "along the track, mm"
 set ytics nomirror 5
 set yrange [-17.5:4.3]
-set label 2 "pressure, MPa" at screen 0.87,0.455 left
+set label 2 "pressure, MPa" at screen 0.995,0.455 right
 set cbtics
 set colorbox user origin 0.89,0.1 size 0.02,0.32
 set label 1 "{/:Italic x}, rolling" at -43.2,-1 left front

@@ -2,9 +2,9 @@
 
 {{scene}}
 
-The slender patch lies on the slope that leads to the flange, where the radius of the wheel changes
-quickly. There the wheel would have to turn faster and slower at once to roll, and the tractions point
-across.
+The slender patch lies on the slope that leads to the flange, where the wheel curves sharply and the rail
+too. Both patches slide, and mostly across: the wheelset is yawed, so it rolls in another direction than it
+moves.
 
 {{fold}}
 */

@@ -106,9 +106,9 @@ struct Mean {
   Vector3d at = Vector3d::Zero();
 };
 
-// Averages over a group, weighted with depth^(5/2): for a circular Hertzian contact, whose overlap is sqrt(2) as wide, that gives a
-// place across the mean square it has over the area in contact. (Chosen at first because the frames then meet those of CONTACT, which
-// they do to some micrometres.)
+// Averages over a group, weighted with depth^(5/2): for a circular Hertzian contact, whose overlap is
+// sqrt(2) as wide, that gives a place across the mean square it has over the area in contact. (Chosen
+// at first because the frames then meet those of CONTACT, which they do to some micrometres.)
 Mean mean_of(const Placed& wheel, const Group& group, double z) {
   constexpr int points = 48;
   Mean m;
