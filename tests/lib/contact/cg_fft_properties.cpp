@@ -262,7 +262,8 @@ TEST_CASE("property: a hole in the contact is no area") {
 
 TEST_CASE("property: a contact off the origin is found, or there is none and it is refused") {
   const double exact = solve_cg_fft(ellipsoid(1, 3), 1e-4, 1, cells(50, 50)).contact.force;
-  for (const auto& [x0, y0] : {std::pair{0.02, 0.0}, {-1.0, 3.0}, {0.0, 70.0}, {1e-3, -2e-5}}) {
+  for (const auto& place : {std::pair{0.02, 0.0}, {-1.0, 3.0}, {0.0, 70.0}, {1e-3, -2e-5}}) {
+    const double x0 = place.first, y0 = place.second;
     INFO(x0 << " " << y0);
     const Gap gap = [=](double x, double y) {
       return std::pow(x - x0, 2) + 3 * std::pow(y - y0, 2);
