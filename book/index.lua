@@ -82,10 +82,10 @@ local function tile(item, r, figures)
 end
 
 -- The figures to look at first, and how many each chapter has in all; one that a run did not draw is replaced by the chapter's next.
-local heroes = {"01-contact/scene", "01-contact/fig-12", "01-contact/fig-14", "02-hunting/fig-04", "02-hunting/fig-11", "02-hunting/fig-03",
-  "03-creep/fig-full-curve", "03-creep/fig-law", "03-creep/fig-11", "04-filters/fig-directions", "04-filters/fig-curve", "04-filters/fig-13",
-  "05-psd/fig-03", "05-psd/fig-11", "05-psd/fig-06", "06-quality/fig-level", "06-quality/fig-01", "06-quality/fig-11", "07-track/fig-joint", "07-track/fig-02", "07-track/fig-moving",
-  "08-wheel-on-rail/scene", "08-wheel-on-rail/fig-patches", "08-wheel-on-rail/fig-force"}
+local heroes = {"01-contact/bodies", "01-contact/scene", "01-contact/fig-12", "02-hunting/drawing", "02-hunting/fig-11", "02-hunting/scene-hunting",
+  "03-creep/fig-01", "03-creep/fig-full-curve", "03-creep/fig-11", "04-filters/fig-layout", "04-filters/fig-directions", "04-filters/fig-curve",
+  "05-psd/overview", "05-psd/fig-03", "05-psd/fig-11", "06-quality/fig-01", "06-quality/fig-level", "06-quality/fig-11",
+  "07-track/fig-02", "07-track/fig-joint", "07-track/fig-moving", "08-wheel-on-rail/pair", "08-wheel-on-rail/scene", "08-wheel-on-rail/fig-patches"}
 local of_each = 3
 
 local function gallery(records, figures)
