@@ -9,7 +9,7 @@ the speed until the growth rate is zero, by a straight line through the last two
 paper says that the least damped eigenvector does not always reproduce itself, and that the next one
 is used then (`ModeChoice`).
 
-{{code: vehicle/eigenvector_loop.cpp Loop}}
+{{code: method/eigenvector_loop.cpp Loop}}
 
 ### Newton's method along the branch
 
@@ -49,8 +49,7 @@ search holds them with one of the two choices of mode at {{loop-held}} amplitude
 #include <algorithm>
 #include <array>
 
-#include <railbook/vehicle/eigenvector_loop.hpp>
-
+#include "method/eigenvector_loop.hpp"
 #include "vehicles.hpp"
 
 namespace railbook::hunting_chapter {

@@ -57,8 +57,8 @@ continuation.
 
 #include <railbook/bench/work_precision.hpp>
 #include <railbook/vehicle/cycle_solver.hpp>
-#include <railbook/vehicle/eigenvector_loop.hpp>
 
+#include "method/eigenvector_loop.hpp"
 #include "vehicles.hpp"
 
 namespace railbook::hunting_chapter {

@@ -8,7 +8,6 @@
 #include <railbook/cycles/history.hpp>
 #include <railbook/vehicle/car_on_track.hpp>
 #include <railbook/vehicle/cycle_solver.hpp>
-#include <railbook/vehicle/eigenvector_loop.hpp>
 #include <railbook/wheelset/paper_pairs.hpp>
 
 #include "support/body_by_body.hpp"
@@ -113,7 +112,7 @@ TEST_CASE("claim: cycles as harmonics") {
   Claim orders("cycles::orders_up_to"), first("cycles::first_harmonic"),
       period("cycles::from_period"), kept("cycles::with_orders"), state("cycles::state_at"),
       ends("cycles::extremes"), half("cycles::amplitude"), apart("cycles::distance"),
-      alike("vehicle::overlap"), growth("cycles::exponent"), scale("vehicle::scaled");
+      growth("cycles::exponent"), scale("vehicle::scaled");
   Draw draw(3);
   Oscillator o{Eigen::MatrixXd::Identity(3, 3), {}, {}, {}, 0.02, {}, {}};
   for (int k = 0; k < 1000; ++k) {
@@ -194,17 +193,8 @@ TEST_CASE("claim: cycles as harmonics") {
     Cycle there = first_harmonic(o, shape * std::polar(1 + larger, turn), omega * (1 + faster), 1);
     apart.error(std::abs(distance(o, here, there) / std::max(larger, faster) - 1) *
                 std::max(larger, faster));
-    Vector9c one_shape, other;
+    Vector9c one_shape;
     for (auto& z : one_shape) z = {draw(-1, 1), draw(-1, 1)};
-    for (auto& z : other) z = {draw(-1, 1), draw(-1, 1)};
-    Long re = 0, im = 0, a = 0, b = 0;
-    for (Eigen::Index n = 0; n < 9; ++n) {
-      const Long p = one_shape[n].real(), r = one_shape[n].imag(), g = other[n].real(),
-                 h = other[n].imag();
-      re += p * g + r * h, im += p * h - r * g, a += p * p + r * r, b += g * g + h * h;
-    }
-    alike.error(
-        static_cast<double>(std::abs(overlap(one_shape, other) - (re * re + im * im) / (a * b))));
     const double T = 2 * units::pi / omega;
     const std::complex<double> multiplier = std::polar(draw.decades(1e-3, 10), draw(-3, 3)),
                                grown = std::exp(exponent(multiplier, T) * T / 2.0);

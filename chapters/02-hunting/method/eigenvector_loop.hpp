@@ -3,12 +3,14 @@
 // Inner loop: gains from the present shape and frequency, eigenvectors of the car with these gains, one of the
 // least damped taken as the next shape and scaled to the amplitude wanted, until it reproduces itself. Outer
 // loop: the speed by linear extrapolation of the growth rate to zero. It fails where eigenvectors of nearly
-// equal modes take turns; what it did is told, not hidden.
+// equal modes take turns; the result says what it did.
 #pragma once
 
 #include <railbook/vehicle/linear_stability.hpp>
 
-namespace railbook::vehicle {
+namespace railbook::hunting_chapter {
+
+using vehicle::Motion, vehicle::QuasiLinearCar, vehicle::Vector9c;
 
 enum class ModeChoice {
   least_damped,       // the paper's
@@ -40,4 +42,4 @@ LoopResult paper_cycle(const QuasiLinearCar& car, const Motion& guess, double am
 // |<a, b>|^2 / (|a|^2 |b|^2): 1 for the same shape.
 double overlap(const Vector9c& a, const Vector9c& b);
 
-}  // namespace railbook::vehicle
+}  // namespace railbook::hunting_chapter

@@ -1,11 +1,11 @@
-#include <railbook/vehicle/eigenvector_loop.hpp>
+#include "method/eigenvector_loop.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <railbook/units/input_error.hpp>
 
-namespace railbook::vehicle {
+namespace railbook::hunting_chapter {
 
 namespace {
 
@@ -97,4 +97,4 @@ LoopResult paper_cycle(const QuasiLinearCar& car, const Motion& guess, double am
   return loop.result;
 }
 
-}  // namespace railbook::vehicle
+}  // namespace railbook::hunting_chapter
