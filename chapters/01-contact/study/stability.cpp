@@ -232,7 +232,7 @@ void corners(report::Item& item) {
                 {"F, lbf", "{:.0f}"},
                 "its stated error, %",
                 "COUNTACT-1 on 30 columns, % off",
-                "peak, 10^5 psi",
+                "peak, 10⁵ psi",
                 "its stated error, %"});
   double least = units::no_limit, largest = 0;
   for (const double radius : {10.0, 5.0, 2.5, 1.25, 0.5, 0.25, 0.1}) {
@@ -357,8 +357,8 @@ const report::Section stability{
         hollow),
     report::table(
         "corners",
-        "A sharper corner costs little force and raises the peak. Example 2 for other radii of "
-        "the corner.",
+        "The first jump costs force; a sharper corner raises the peak. Example 2 for other "
+        "radii of the corner.",
         corners)};
 
 }  // namespace railbook::contact_chapter
