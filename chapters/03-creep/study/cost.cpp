@@ -402,8 +402,8 @@ const report::Section creep_chapter::cost{
         curve_time),
     report::figure(
         "spin-fx",
-        "With spin, FASTSIM is two to three per cent off in the longitudinal force. Mean "
-        "error over six cases against run time",
+        "With spin, only the full theory and tables made from it are better than one per "
+        "cent. Mean error of the longitudinal force over six cases against run time",
         spin<0>),
     report::figure(
         "spin-fy",

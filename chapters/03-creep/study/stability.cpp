@@ -9,7 +9,7 @@ twice as many cells along as across settle.
 {{full-extremes}}
 
 **Falling friction.** Real friction falls with the speed of sliding, and then the answer need not be the
-only one. The rows `falling-…` are CONTACT's example of it: a long roller of 460 mm radius at 45 m/s, whose
+only one. Two rows of the table above are CONTACT's example of it: a long roller of 460 mm radius at 45 m/s, whose
 friction coefficient falls with the slip speed $v_s$ as $0.18+0.12\cdot2^{-v_s/v_0}$ with $v_0$ = 0.1 m/s. The
 solver of this chapter has one limit a cell, so friction and slip are solved in turns by
 `falling_friction`:
@@ -21,8 +21,8 @@ they settle on two answers: cells near the place where sliding begins may stick 
 slide at the low one. The forces are nearly the same, but some of the stick area is undecided. A steady
 solver cannot tell which of the answers a wheel takes; that depends on how the contact got there.
 
-**Unlike materials.** Pressure alone drives the surfaces of unlike bodies apart, which is slip. The rows
-`unlike-…` are an aluminium roller on a steel one, for which Bentall and Johnson (1967) found the creep
+**Unlike materials.** Pressure alone drives the surfaces of unlike bodies apart, which is slip. Two more rows are
+an aluminium roller on a steel one, for which Bentall and Johnson (1967) found the creep
 of free rolling. The full theory takes that slip into account and leaves out what the tractions do to the
 pressure in return.
 
@@ -345,7 +345,8 @@ void estimates(report::Item& item) {
 
 const report::Section creep_chapter::extremes{
     report::table("full-extremes",
-                  "Stick and slip settle in some ten steps on any grid. Newton steps of the full "
+                  "Stick and slip settle in less than ten steps on any of these grids. Newton "
+                  "steps of the full "
                   "theory, both solutions, on the finest grid, for five creepages",
                   cases),
     report::figure(
