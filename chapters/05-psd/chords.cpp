@@ -14,15 +14,17 @@ its standard deviation is
 $$\sigma(L)=\pi\sqrt{\tfrac12AL}, \tag{8}$$
 
 which is the paper's (8); the ½ under the root is damaged in our copy, and the integral confirms it.
-It holds for a one-sided density; a two-sided $A$ would lose the $\frac12$. The paper leaves the
-corner out of it, since long chords respond most below $\varphi_c$. With the corner the integral has
-a closed form in sine integrals. For the corners of Table 1, (8) is {{equation-8-least}} to {{equation-8-most}} above it for the 19-m
-chord, on the safe side, and up to {{equation-8-short}} for the 9.5-m chord.
+It holds for a one-sided density; with a two-sided $A$ the $\frac12$ would be missing. The paper
+leaves the corner out of it, since long chords respond most below $\varphi_c$. With the corner the
+integral has a closed form in sine integrals. For the corners of Table 1, (8) is
+{{equation-8-least}} to {{equation-8-most}} above it for the 19-m chord, on the safe side, and up to
+{{equation-8-short}} for the 9.5-m chord.
 
 {{equation-8}}
 
 The paper's two probabilities for three sigma are truncated, not rounded: 0.99 for a normal offset
-(exactly {{normal-share}}) and 0.8 for the worst distribution (Chebyshev, {{chebyshev-share}}).
+(exactly {{normal-share}}) and 0.8 for the worst possible distribution (by Chebyshev's inequality,
+{{chebyshev-share}}).
 */
 #include <fmt/format.h>
 
@@ -101,8 +103,8 @@ void equation_8(report::Item& item) {
 /*** ### Of the joints
 
 With its middle on a joint, a chord reads the dip as $|\sin(\pi L/2l)|\,B$. {{fig-10}} shows why the
-62-ft chord loses so much of it: its ends lie in the next dips. Everywhere else it reads less.
-`largest_offset` tries all positions, and its column in {{table-2}} confirms this.
+62-ft chord loses so much of it: its ends lie in the next dips. Everywhere else it reads less. The
+function `largest_offset` tries all positions, and the last column of {{table-2}} confirms this.
 
 {{fig-10}}
 

@@ -13,18 +13,18 @@ $$(\alpha\sigma)^2+(\gamma B)^2\le D_m(L)^2, \qquad \alpha=3,\ \gamma=2, \tag{9}
 
 $$d^2 = kA + 4B^2 \le D_m(19)^2, \qquad k = \tfrac92\pi^2 L. \tag{10}$$
 
-The factor $\gamma$ "includes the effect of chord sensitivity" and of joints that are not equally
-low. The number $k$ in front of $A$ cannot be read in our copy. Derived from (8) it is {{k-19}} for
-a chord of 19 m and {{k-62}} for 62 ft. The class of a zone is the highest $m$ whose limit $D_m$ its
-$d$ keeps, and `highest_class` says just that.
+The bracket behind $D_m$ is the length of the chord. The factor $\gamma$ "includes the effect of
+chord sensitivity" and of joints that are not equally low. The number $k$ in front of $A$ cannot be
+read in our copy. Derived from (8) it is {{k-19}} for a chord of 19 m and {{k-62}} for 62 ft. The
+class of a zone is the highest $m$ with $d\le D_m$, which is what `highest_class` computes.
 
 {{code: method.cpp highest_class}}
 
 ### Table 3
 
 Does the rule give the classes of the paper's Table 3? {{table-3}} has $d$ from the printed $A$ and
-$B$, and the range in which it lies when $A$ and $B$ are varied within their rounding and $B$ is also taken from $C_1$ and $\beta$ by (7), within theirs
-(but for zone 13, whose $C_1$ cannot be read).
+$B$. It also has the range of $d$ when $A$ and $B$ are varied within their rounding, and when $B$ is
+taken from $C_1$ and $\beta$ by (7), within theirs (except in zone 13, whose $C_1$ cannot be read).
 
 {{table-3}}
 
@@ -54,16 +54,16 @@ $k$ ≤ {{k-high}}. These are the readings that we tried:
 Below {{fig-11}} a track can be chosen by its roughness $A$ and its dip $B$: the class that rule
 (10) gives it, and how much of the deviation each part has.
 
-Up to the rounded corner of a limit the class is set by $A$ alone, right of it by $B$ alone. On the
-dashed line both parts weigh the same. "All points tended to cluster near the line", says the paper:
-the ratio of the two parts, $2B/3\sigma$, lies between {{cluster-low}} and {{cluster-high}} for all
+Left of the bend of a limit curve $A$ alone sets the class, below the bend $B$ alone. On the dashed
+line both parts weigh the same. "All points tended to cluster near the line", says the paper: the
+ratio of the two parts, $2B/3\sigma$, lies between {{cluster-low}} and {{cluster-high}} for all
 zones, while $d$ itself spans a factor of {{cluster-span}}. A rougher random part goes with deeper
 joints: the correlation of $\ln A$ and $\ln B$ is {{correlation}}, or {{correlation-range}} with
 zone 12, zone 13 or all welded zones left out. The six welded main lines alone, whose $A$ hardly
-differ, show none ({{correlation-welded}}). On the average, as the paper says, jointed track has
-more of $B$: {{jointed-right}} of 6 zones lie on that side of the line. That welded track has more
-of $A$ is true of the mean of $2B/3\sigma$, {{welded-mean}}, but not of the median,
-{{welded-median}}, for only {{welded-left}} of 7 zones lie on their side.
+differ, show none ({{correlation-welded}}). The paper says that jointed track has, on the average,
+more of $B$: this is true of {{jointed-right}} of 6 zones. It says the converse of welded track.
+This is true of the mean of $2B/3\sigma$ over the welded zones, {{welded-mean}}, but not of the
+median, {{welded-median}}: only {{welded-left}} of 7 zones have more of $A$.
 */
 #include <fmt/format.h>
 

@@ -2,39 +2,40 @@
 
 The paper lays two straight lines on each measured spectrum, of slope −2 at the long waves and −4 at
 the short ones. The height of the first gives $A$, and where they meet is $\varphi_c$. The function
-`lay_two_lines` does this by least squares instead of by eye. For every corner in a fine row it
-divides the spectrum by (4) with $A=1$; the mean of the logarithms is then $\ln A$ for this corner,
-and the corner with the smallest scatter is taken. Bins near the joints' lines are left out. The
-logarithm of an average scatters to one side, and half the reciprocal of the number of averages
-corrects for that.
+`lay_two_lines` does this by least squares instead of by eye. It tries many corners. For each it
+divides the spectrum by (4) with $A=1$, so that the mean of the logarithms is $\ln A$, and it keeps
+the corner with the smallest scatter. Bins near the joints' lines are left out. The mean logarithm
+of a spectrum is too low, because the spectrum scatters; half the reciprocal of the number of
+averages corrects for that.
 
 {{code: method.cpp lay_two_lines}}
 
-Then the paper takes the height $C_1$ (m²/(cycle/m)) of the first peak above the lines and its width
-$\beta$ (cycle/m) at half that height. Their product is the power $Q_1$ of the line, and (1) and (2)
-with $n=1$ give the dip:
+Then the paper takes the height $C_1$ (m²/(cycle/m)) of the first peak above the two straight lines
+and its width $\beta$ (cycle/m) at half that height. Their product is the power $Q_1$ of the line,
+and (1) and (2) with $n=1$ give the dip:
 
 $$Q_1 = \beta\, C_1 \tag{6}$$
 
 $$B = 3\pi\sqrt{\tfrac12\beta C_1}. \tag{7}$$
 
-The function `read_peak` sums what stands above the lines within 0.02 cycle/m of $\varphi_0$, which
-is $Q_1$ itself, and takes the highest value for $C_1$.
+The function `read_peak` sums what stands above the two straight lines within 0.02 cycle/m of
+$\varphi_0$, which is $Q_1$ itself, and takes the highest value for $C_1$.
 
 {{code: method.cpp read_peak}}
 
-The paper shows six measured spectra as pictures, which our copy does not have. {{fig-08}} has
+The paper shows six measured spectra as pictures, which our copy does not have. {{fig-08}} shows
 synthetic track with the printed $A$, $\varphi_c$ and peak of the same zones. A peak wider than the
 analysis can show comes from joints of random depth, with depth and correlation chosen so that its
 height and width are the printed $C_1$ and $\beta$; a narrow one comes from equal joints.
 
 {{fig-08}}
 
-Panels (c) and (d) do not show what they are examples of. Table 1 calls zone 11 of (d) an "Example
-of ballast memory", and its remarks beside zones 1 to 3 say the same of one of the three; the digit
-reads 3, but (c) is zone 2. Our track has no line at 1/(33 ft) and no sidebands, only a broad peak
-of the printed width, {{beta-2}} and {{beta-11}} cycle/m. The old rail's line is {{epsilon-off}}
-cycle/m from $\varphi_0$ and so lies inside such a peak; how high it is, the print does not say.
+In the paper, panels (c) and (d) are examples of ballast memory; ours do not show it. Table 1 calls
+zone 11, panel (d), an "Example of ballast memory". Beside zones 1 to 3 it says the same of one of
+the three: the digit reads 3, but panel (c) is zone 2. Our track has no line at 1/(33 ft) and no
+sidebands, only a broad peak of the printed width, {{beta-2}} and {{beta-11}} cycle/m. The old
+rail's line is {{epsilon-off}} cycle/m from $\varphi_0$ and so lies inside such a peak; how high it
+is, the print does not say.
 
 The power is the area under the peak. Equation (6) takes that of a rectangle, as high as the peak
 and as wide as the peak is at half its height ({{fig-09}}). A peak of the shape of a resonance curve
@@ -207,9 +208,10 @@ void fig_09(report::Item& item) {
 const report::Section extraction{
     report::figure("fig-08",
                    "Narrow peaks leave the two lines alone, broad ones lift them. Six zones: "
-                   "spectrum of synthetic track and fitted lines, over the printed random part, so "
-                   "that 1 is the printed lines; arrows mark the printed corner (Fig. 8; our "
-                   "panels (c) and (d) have no ballast memory).",
+                   "spectrum of synthetic track and fitted lines, both divided by the printed "
+                   "random part, so that the printed lines lie at 1; arrows mark the printed "
+                   "corner, circles the printed peak (Fig. 8; our panels (c) and (d) have no "
+                   "ballast memory).",
                    fig_08),
     report::figure("fig-09",
                    "Height times width at half height replaces the area of the peak. Zone 7 near "

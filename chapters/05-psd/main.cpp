@@ -2,38 +2,43 @@
 
 A measuring car (a *geometry car*) brings home kilometres of heights, and the railroad wants one
 answer from them: which speed class can each stretch of track be held to? Without a way from the
-record to the class it looks for single defects, and does not see whether a whole stretch is rough,
-or where its joints have sunk.
+record to the class, the railroad finds single defects only. It does not see whether a whole stretch
+is rough, or whether its joints have sunk.
 
 {{overview}}
 
 ::: findings
-1. How deep are the joints behind a peak of the spectrum? The paper finds the dip $B$ from the power
-   of the peak by $Q_n=\frac12B_n^2$, where $Q_n$ is the power of line $n$ and $B_n$ its amplitude in
-   a two-sided spectrum. If the paper's spectra are one-sided, as its (8) requires, a dip makes four
-   times this power, and every $B$ in Table 1 is twice the physical dip. {{outcome:lines/Q1-exact}}
-2. Does the paper's rule (10) give the classes of its Table 3? With the coefficient $k$ that follows
-   from (8) and (9) and the limits of the federal standards it does so for {{table-3-steady}} of 13
-   zones, within all roundings; the numbers of zone 12 allow the printed class 2 as well as 3. The
-   coefficient itself cannot be read in our copy, and the classes do not tell it: any from
-   {{k-most-low}} to {{k-most-high}} gives twelve or more. {{outcome:table-3/zone-12}}
+1. How deep are the joints behind a peak of the spectrum? Jointed rail has a peak (a *line*) in its
+   spectrum at $\varphi_0$, one wave for each rail. The paper computes the dip $B$ of the joints
+   from the power of this peak. Its formula has an amplitude that belongs to a *two-sided* spectrum,
+   one that counts negative wavenumbers too. Its equation (8) requires a *one-sided* spectrum. If
+   its spectra are one-sided, the same dip makes four times the power, and every $B$ in Table 1 is
+   twice the physical dip. {{outcome:lines/Q1-exact}}
+2. Does the paper's rule (10) give the classes of its Table 3? The rule compares an offset, computed
+   from the roughness and the dip of a stretch of track (a *zone*), with the limit of each class. We
+   take the coefficient $k$ of the roughness from (8) and (9), and the limits from the federal
+   standards. Then {{table-3-steady}} of 13 zones have the printed class, however the printed
+   numbers were rounded; zone 12 has class 2, as printed, or class 3. The coefficient itself cannot
+   be read in our copy, and the classes do not tell it: any from {{k-most-low}} to {{k-most-high}}
+   gives at least twelve of them. {{outcome:table-3/zone-12}}
 3. Can a spectrum tell joints that are deep at random from joints that are deep in groups? The paper
-   says that "the PSD cannot distinguish" them. On five miles of its jointed zones it hardly can. If
-   depths scatter by half of their mean, the two spectra differ by at most {{apart-line}} standard
-   errors at $\varphi_0$, where the line of the mean dip hides both, and by {{apart-least}} to
-   {{apart-most}} two bins away. With more miles the difference shows. {{outcome:five-miles/distinguish}}
+   says that "the PSD cannot distinguish" them (the PSD is the spectrum). On five miles of its
+   jointed zones it hardly can, when depths scatter by half of their mean. At $\varphi_0$ the two
+   spectra differ by at most {{apart-line}} standard errors, because the line of the mean dip hides
+   the rest. Two steps of the wavenumber (bins) away they differ by {{apart-least}} to
+   {{apart-most}}. With more miles the difference shows. {{outcome:five-miles/distinguish}}
 :::
 
 ## The paper
 
 J. C. Corbin and W. M. Kaufman measured the height of the rail on thirteen stretches (*zones*) of
-American track, from new welded rail to a rough branch line. In every spectrum they found the same
-pattern: a smooth random part, and a row of peaks from the joints between the rails. Three numbers
-describe it. The *roughness* $A$ (m²·cycle/m) says how high the random part lies, the *corner*
-$\varphi_c$ (cycle/m) where it starts to fall more steeply, and the *dip* $B$ (m) how deep the
-joints are. Inspectors stretch a chord of 62 ft along the rail and measure the rail's height above
-its middle, the *mid-chord offset*; the US track safety standards limit it for each speed class. The
-paper computes from $A$ and $B$ which offset to expect, and so the class.
+American track, from new rail that is welded end to end to a rough branch line. In every spectrum
+they found the same pattern: a smooth random part, and a row of peaks from the joints between the
+rails. Three numbers describe it. The *roughness* $A$ (m²·cycle/m) says how high the random part
+lies, the *corner* $\varphi_c$ (cycle/m) where it starts to fall more steeply, and the *dip* $B$ (m)
+how deep the joints are. Inspectors stretch a chord of 62 ft along the rail and measure the rail's
+height above its middle, the *mid-chord offset*; the US track safety standards limit it for each
+speed class. The paper computes from $A$ and $B$ which offset to expect, and so the class.
 
 This page follows the paper: first the three parts of a spectrum, then how the three numbers are
 read from it, what a chord makes of them, and the class. We have the paper as machine-read text,
@@ -57,16 +62,16 @@ say of it.
 
 ## Deviations
 
-* **Line power, (1), (2) and (7).** A factor four in power between the printed lines and those of a
-  one-sided density ({{outcome:lines/Q1-exact}}). $B$ of Table 1 is twice the physical dip if the
-  measured densities were one-sided; if they were two-sided, $\sqrt2$ times, and (8) is then wrong.
+* **Line power, (1), (2) and (7).** The printed powers are a quarter of those of a one-sided density
+  ({{outcome:lines/Q1-exact}}). $B$ of Table 1 is twice the physical dip if the measured densities
+  were one-sided; if they were two-sided, $\sqrt2$ times, and (8) is then wrong.
 * **Truncated numbers.** $Q_2$ below (2) and the two probabilities of three sigma are truncated, not
   rounded ({{outcome:lines/Q2-printed}}).
 * **Table 1.** In rows 1, 3, 6 and 8 $C_1$, $\beta$ and $B$ do not fit (7) within their rounding
   ({{outcome:table-1/1-B}}). Rows 7 and 11 fit it with $B$ rounded to half a millimetre
   ({{outcome:table-1/7-B}}); in row 13 the exponents are hardly legible.
-* **Zone 12** is said to be 10-m rail, but its $\varphi_0$ is that of {{zone-12-rail}}. It rests on
-  one glyph, and cannot be tested.
+* **Zone 12** is said to be 10-m rail, but its $\varphi_0$ is that of {{zone-12-rail}}. This rests
+  on one character of our copy, and cannot be tested.
 * **"Quite satisfactory for wavelengths longer than 6 m"** is said of (3). {{corner-long}} of 13
   corners lie at longer waves, and at 6 m (3) is {{six-metres-median}} times too high in the median
   ({{outcome:table-1/six-metres}}).
@@ -77,8 +82,9 @@ say of it.
   rebuilt after the survey.
 * **The coefficient $k$ of (10)** cannot be read. (8) gives {{k-19}} ({{outcome:table-k/k-19}}), and
   the printed classes allow any from {{k-most-low}} to {{k-most-high}}.
-* **(6).** Height times width at half height is the area of the peak only for the shape of a good
-  window ({{outcome:resolution/Q1}}). For a peak broadened by the track itself it is too small.
+* **(6).** Height times width at half height is the area of the peak only when the peak has the
+  shape that a good window gives it ({{outcome:resolution/Q1}}). For a peak broadened by the track
+  itself it is too small.
 * **"The PSD cannot distinguish"** random from grouped dips: not at a glance, and not on a few
   miles; their spectra differ all the same ({{outcome:five-miles/distinguish}}).
 * **"Symmetrical sidebands"** need a smooth envelope ({{outcome:fig-04/symmetric}}). Dips that scale
@@ -106,8 +112,8 @@ symbols of Figure 11.
 ## Use it
 
 The command `railbook psd classify` reads a table with a column of positions and one of heights and
-does all steps of this page, with standard errors and the odds of each class. Here it reads 20 km of
-synthetic track with the numbers of zone 7:
+does all steps of this page, with standard errors and the odds (the probability) of each class. Here
+it reads 20 km of synthetic track with the numbers of zone 7:
 
 ```console
 $ railbook psd synthesize track.csv --length 20km --roughness "5e-7m^2*cycle/m" --corner 0.13cycle/m --dip 11mm

@@ -1,12 +1,11 @@
 /*** ### One zone, from its peak to its class
 
-{{worked}} takes zone 7, a jointed main line, through all steps twice: once with the numbers of
-the paper's Table 1, and once from a record, {{worked-length}} of synthetic track with the zone's
-$A$, $\varphi_c$ and $B$, by the functions of this page. The peak of the record is of another height
-and width than the printed one, because neither belongs to the track alone; its power, and so the
-dip and the class, agree. The library does the same with standard errors, in one pass over a record
-of any length, and for records with gaps and noise; the checks below hold the two against each
-other.
+{{worked}} takes zone 7, a jointed main line, through all steps twice: once with the numbers of the
+paper's Table 1, and once from a record, {{worked-length}} of synthetic track with the zone's $A$,
+$\varphi_c$ and $B$, by the functions of this page. The peak of the record is of another height and
+width than the printed one, because neither belongs to the track alone; its power, and so the dip
+and the class, agree. The library does the same with standard errors, in one pass over a record of
+any length, and for records with gaps and noise. The checks below compare the two.
 
 {{worked}}
 
@@ -211,10 +210,12 @@ void overview(report::Item& item) {
 
 const report::Section method{
     report::figure("overview",
-                   "Three numbers hold a stretch of track. Top left: rails that sag at their "
+                   "Three numbers describe a stretch of track. Top left: rails that sag at their "
                    "joints, and the chord that inspectors stretch. Bottom left: a record of such a "
                    "rail, in which the joints hardly show. Right: its spectrum, in which they "
-                   "stand out as peaks above two lines. Drawn with the numbers of zone 7.",
+                   "stand out as peaks above two straight lines. Roughness and corner say where "
+                   "the lines lie, the dip how large the peaks are. Drawn with the numbers of the "
+                   "paper's zone 7.",
                    overview),
     report::table("worked",
                   "Zone 7 is class 5, from the print and from a record. Each row is a step from "

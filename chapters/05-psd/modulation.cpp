@@ -15,16 +15,17 @@ continuum,
 
 $$S(\varphi)=2\mu^2B^2l\,|D(\varphi l)|^2\,\frac{1-\varrho^2}{1-2\varrho\cos2\pi\varphi l+\varrho^2},$$
 
-where $D$ is the Fourier transform of one dip. Grouped dips pile their power up around the lines: at $\varphi_0$
-their continuum is {{grouped-ratio}} times that of random ones, midway between two lines as many
-times less.
+where $D$ is the Fourier transform of one dip of depth 1. Grouped dips pile their power up around
+the lines. At $\varphi_0$ their continuum is {{grouped-ratio}} times as high as that of random dips;
+midway between two lines it is lower by the same factor.
 
 Can one see this in a spectrum? The paper says that "the PSD cannot distinguish between these two
-extreme cases". {{five-miles}} takes the mean spectra of both, seen through a Hann window on
-segments of 4096 ft, for five miles of each, the paper's "several miles", and gives their difference
-in standard errors of the difference. At $\varphi_0$ itself the line of the mean dip is so much stronger than
-either continuum that the two agree within {{apart-line}} standard errors, even without any
-roughness. They differ most two bins away.
+extreme cases". {{five-miles}} compares the spectra of both kinds of track. We read the paper's
+"several miles" as five miles of each, and the window is a Hann window on segments of 4096 ft. The
+difference is given in standard errors of the difference, by the distance from $\varphi_0$ in bins.
+At $\varphi_0$ itself the line of the mean dip is so much stronger than either continuum that the
+two agree within {{apart-line}} standard errors, even on track without roughness. They differ most
+two bins away.
 
 {{five-miles}}
 
@@ -284,26 +285,29 @@ void fig_04(report::Item& item) {
 
 Before 1939 US rails were 33 ft long. Under newer rail of 39 ft the old wavelength is still found,
 for the old joints have worked their way into the ballast (the bed of stone) and the ground below
-it. The paper calls this *ballast memory*. {{fig-06}} follows the letters of the paper's captions
-(the text counts them one earlier). Where the new rail is welded or its joints are tight, the wave
-that maintenance has left of the old dips (b) simply adds (d), which makes one extra line at
-1/(33 ft). When the joints of the new rail have loosened, each dips most where an old low spot lies
-(e). That is a modulation, and its wavenumber $\varepsilon$ is the difference of both,
+it. The paper calls this *ballast memory*. {{fig-06}} has the letters of the paper's captions (the
+paper's text is one letter behind them). Where the new rail is welded or its joints are tight, the
+wave that maintenance has left of the old dips (b) is added to the new profile (d), which makes one
+extra line at 1/(33 ft). Where the joints of the new rail have loosened, each dips most where an old
+low spot lies (e). That is a modulation, which puts a *sideband* on each side of the line, at
+$\varphi_0\pm\varepsilon$. Its wavenumber $\varepsilon$ is the difference of those of old and new
+rail,
 
 $$\varepsilon=\frac1{10.0}-\frac1{11.9}=\frac1{6?.5}, \tag{5}$$
 
-with a digit of the result not legible in the copy at hand. Exact feet give {{epsilon-feet}},
-printed metres {{epsilon-metres}}; with $\varphi_0$ rounded to 0.084 as in Table 1 it is one over
-{{epsilon-rounded}}, which fits the legible characters.
+with a digit of the result not legible in the copy at hand. Lengths in feet give {{epsilon-feet}},
+the printed metres {{epsilon-metres}}. With $\varphi_0$ rounded to 0.084 as in Table 1 it is
+1/({{epsilon-rounded}}), which fits the legible characters.
 
 {{fig-06}}
 
-A joint feels the old pattern, whose rails are $l_{old}$ long, only at the place where it lies. At the joints $x=jl$ the waves
-$\cos2\pi x/l_{old}$ and $\cos2\pi\varepsilon x$ have the same values, so the depth of the joints
-varies with the wavenumber $\varepsilon$, and this makes the sidebands. The paper's pair is
-symmetric because its envelope is smooth. If each dip is deeper or shallower as a whole, the
-envelope is a staircase: the line at $\varphi_0\mp\varepsilon$ then has the amplitude
-$\mu B\,D(1\mp\varepsilon l)$, and the lower one has {{staircase-ratio}} times the power of the upper.
+Why $\varepsilon$? A joint feels the old pattern, whose rails are $l_{old}$ long, only at the place
+where it lies. At the joints $x=jl$ the waves $\cos2\pi x/l_{old}$ and $\cos2\pi\varepsilon x$ have
+the same values, so the depth of the joints varies with the wavenumber $\varepsilon$. The paper's
+two sidebands are equal because it multiplies the profile by a smooth envelope. If instead each dip
+is deeper or shallower as a whole, by up to the fraction $\mu$, the envelope is a staircase. The
+line at $\varphi_0\mp\varepsilon$ then has the amplitude $\mu B\,D(1\mp\varepsilon l)$, and the
+lower one has {{staircase-ratio}} times the power of the upper.
 */
 constexpr double modulation = 0.5;
 
@@ -405,13 +409,15 @@ const report::Section modulated{
                   table_five_miles),
     report::figure("fig-04",
                    "Uneven joints broaden a line, old rail adds one or two. Spectra near the "
-                   "rail's line, on segments of 4096 ft (Fig. 4; dips of 10 mm).",
+                   "rail's line: (a) joints that are uneven at random or in groups, (b) the wave "
+                   "of old rail added, (c) joints that are deepest over old ones; segments of 4096 "
+                   "ft (Fig. 4; dips of 10 mm).",
                    fig_04),
     report::figure(
         "fig-06",
-        "Old rails under new ones, added or as a modulation. Letters as in the paper's captions: "
-        "(a) old rail of 33 ft, (b) what is left of it, (c) new rail of 39 ft, (d) their sum, (e) "
-        "new joints deepest over old ones (Fig. 6; dips of 10 mm).",
+        "Old rail adds a wave to the new rail or varies the depth of its joints. Letters as in the "
+        "paper's captions: (a) old rail of 33 ft, (b) what is left of it, (c) new rail of 39 ft, "
+        "(d) the sum of (b) and (c), (e) new joints deepest over old ones (Fig. 6; dips of 10 mm).",
         fig_06),
     report::figure(
         "fig-07",

@@ -3,22 +3,25 @@
 The *power spectral density* (PSD, here also *spectrum*) $S_z$ of a record of heights $z$ tells how
 the variance of $z$ is spread over the *wavenumber* $\varphi$, the number of waves a metre. Its unit
 is m² per cycle/m, and its area between two wavenumbers is the variance of that part of the record.
-A *one-sided* density has all of it at positive wavenumbers; a *two-sided* one has half of it at
-negative ones, and so half the height.
+A *one-sided* density has all of it at positive wavenumbers. A *two-sided* one has half of it at
+negative wavenumbers, and so is half as high.
 
-One transform of one record gives an ordinate that scatters by as much as itself. Welch's method
-averages over many pieces. The function `average_spectrum` cuts the record into segments of `n`
-samples that overlap by half, takes the best straight line off each, weighs it with a Hann window
-(a bell that is zero at both ends, so that the ends do not make waves of their own), transforms it,
-and averages the squares. The factor 2 makes the density one-sided, and the sum of the squared
-weights makes its area the variance.
+The value of a spectrum at one wavenumber is called an ordinate. A single Fourier transform gives
+ordinates whose standard error is as large as they are themselves, so Welch's method averages over
+many pieces of the record. The function `average_spectrum` cuts the record into segments of `n`
+samples that overlap by half, takes the best straight line off each, multiplies it by a Hann window
+(a bell that is zero at both ends, so that the cut ends add no waves), transforms it, and averages
+the squares. The ordinates are one *bin* apart, the reciprocal of the length of a segment. The
+factor 2 makes the density one-sided, and the sum of the squared weights makes its area the
+variance.
 
 {{code: method.cpp average_spectrum}}
 
 ## Three processes
 
 The paper takes the profile of a rail as a sum of processes: one that repeats with the rail length,
-one that is random, and one that modulates the first. Each leaves its own mark in the spectrum.
+one that is random, and one that modulates the first, so that the depth of the joints varies. Each
+leaves its own mark in the spectrum.
 
 ### Periodic: the rectified sine
 
@@ -46,11 +49,11 @@ lines shows it. It must be the variance of the profile, $B^2(\frac12-\frac4{\pi^
 {{line-sum-printed}}.
 
 What this makes of the dips depends on how the paper measured its spectra, which it does not say. If
-they were one-sided, as (8) requires, (7) reads a line as a dip twice as deep as it is. If they were
-two-sided, $B$ would be $\sqrt2$ times the physical dip, and (8) would be too small by $\sqrt2$. We
-take them as one-sided and keep both numbers: the *printed* $B$ belongs to (7), (10) and the tables,
-the *physical dip* is half of it. Classes do not depend on the choice, because the same power of the
-line enters (10) either way.
+they were one-sided, as (8) requires, the paper's formula (7) gives dips twice as deep as they are.
+If they were two-sided, $B$ would be $\sqrt2$ times the physical dip, and (8) would be too small by
+$\sqrt2$. We take them as one-sided and keep both numbers: the *printed* $B$ belongs to (7), (10)
+and the tables, the *physical dip* is half of it. The classes do not depend on the choice, because
+the same power of the line enters the rule (10) either way.
 
 The function `line_power` of the library has both conventions. {{lines}} gives the first three lines
 in each.
@@ -59,7 +62,7 @@ in each.
 
 {{lines}}
 
-The further digits of $Q_2$ are dropped in the print: it is truncated, not rounded.
+The printed $Q_2$ is truncated, not rounded.
 */
 #include <fmt/format.h>
 
@@ -132,7 +135,7 @@ void lines(report::Item& item) {
 A line has no width, but a spectrum from segments of length $T$ cannot show it narrower than about
 $1/T$. It takes the shape of the window's own spectrum ({{fig-02}}) and keeps its area, the power
 $Q_n$. Its height and its width are then properties of the analysis and not of the track, which is
-why the paper goes by the area.
+why the paper uses the area.
 
 {{fig-02}}
 */
@@ -191,27 +194,29 @@ void fig_02(report::Item& item) {
 
 /*** ### Random: two slopes
 
-Under the lines lies a continuum. The paper gives it one slope first, and then a second one beyond a
-corner at the wavenumber $\varphi_c$, where the roughness $A$ is the same in both:
+Under the lines lies the random part, a smooth *continuum*. The paper first gives it one slope, (3),
+and then a second one beyond the corner at the wavenumber $\varphi_c$, (4). The roughness $A$ is the
+same in both:
 
 $$S_z(\varphi)=A/\varphi^2 \tag{3}$$
 
 $$S_z(\varphi)=\begin{cases}A/\varphi^2,&\varphi<\varphi_c\\ A\varphi_c^2/\varphi^4,&\varphi>\varphi_c\end{cases} \tag{4}$$
 
-The paper explains (3) by a random walk: levelling a track is the less accurate the longer the
-distance, which makes the slope $-2$ on logarithmic axes. The rail is stiff and limits the short
+The paper explains (3) by a random walk: the longer the distance, the less accurately a track is
+levelled, which makes the slope $-2$ on logarithmic axes. The rail is stiff and limits the short
 waves, which makes the slope $-4$ beyond the corner. Waves longer than about 100 m are hills that
 were built on purpose.
 
 Only averages over segments, that is over miles, and over neighbouring wavenumbers make a spectrum
-readable. {{fig-03}} shows both on five miles of synthetic track. Over many such records the
-ordinates of one segment have a standard error of {{raw-scatter}}, those of the five-mile average
-{{mean-scatter}}.
+readable. {{fig-03}} shows both on five miles of synthetic track. The standard error, counted over
+many such records, is {{raw-scatter}} of the ordinate for one segment and {{mean-scatter}} for the
+average over five miles.
 
 {{fig-03}}
 
-The track comes from a generator whose spectrum is (4) by construction. White noise passes a filter
-that shapes the *slope* of the track, and a running sum makes the profile of it.
+The track comes from a generator whose spectrum is (4) by construction. A filter turns white noise
+(independent random numbers) into the slope of the track along its length, and a running sum of the
+slope is the profile.
 
 {{fold}}
 */
@@ -272,13 +277,14 @@ const report::Section processes{
                   "of the rectified sine by (1) and (2), and in a one-sided spectrum.",
                   lines),
     report::figure("fig-02",
-                   "The analysis gives a line its height and width. Left to right: lines without "
-                   "width, the window's spectrum for two lengths of segment, and the lines seen "
-                   "through it (Fig. 2; dips of 10 mm).",
+                   "The analysis gives a line its height and width. (a) Lines without width; (b) "
+                   "the window's own spectrum, of area 1, for two lengths of segment; (c) the "
+                   "lines as the window shows them (Fig. 2; dips of 10 mm).",
                    fig_02),
     report::figure("fig-03",
-                   "One segment scatters by as much as itself, five miles do not. Spectra of "
-                   "synthetic track of zone 4, against the model (4) (Fig. 3).",
+                   "One segment gives a ragged spectrum, five miles a readable one. Spectra of "
+                   "synthetic track of zone 4, against the model (4); triangles are averages over "
+                   "bands of wavenumbers as well (Fig. 3).",
                    fig_03)};
 
 }  // namespace railbook::psd_chapter

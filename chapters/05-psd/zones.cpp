@@ -2,21 +2,21 @@
 
 By what the table calls graphical analysis, the paper condenses every zone to a roughness $A$, a
 corner $\varphi_c$ and a dip $B$. It also prints $C_1$ and $\beta$, so that its own equation (7) can
-be put to the test: does $B$ follow from them? Both have two printed digits, and the range in
-{{table-1}} carries their rounding through (7). The other columns are read and used; nothing in the
-paper tests them.
+be put to the test: does $B$ follow from them? $C_1$ and $\beta$ are printed with two digits, and
+{{table-1}} gives the range of $B$ that their rounding allows. Nothing in the paper tests the other
+columns; we use them as printed.
 
 {{table-1}}
 
 {{ends-half}} of the 13 printed $B$ end in .0 or .5 mm. By chance this happens once in
-{{ends-half-chance}} tables, so $B$ was often rounded to half a millimetre, and so rounded the dips
-of zones 7 and 11 fit (7). Four zones do not fit it: in zones 1, 3, 6 and 8 the printed $B$ is
-{{table-1-least}} to {{table-1-most}} above what $C_1$ and $\beta$ give. The print cannot tell which
-of the three numbers is off, and the verdict rests on the digits as our copy has them. The last
-column but one says what $C_1$ would have to be. Zone 13 is not tested, because the exponent of its
-$C_1$ can hardly be read. With $10^{-8}$ the peak would be {{table-1-zone-13-share}} of the random
-part under it and could not have been seen; the printed $B$ asks for $C_1$ = {{table-1-zone-13-C1}}.
-From here on $B$ is used as printed.
+{{ends-half-chance}} tables, so the authors seem to have rounded $B$ often to half a millimetre.
+With this rounding the dips of zones 7 and 11 fit (7). Four zones do not: in zones 1, 3, 6 and 8 the
+printed $B$ is {{table-1-least}} to {{table-1-most}} above what $C_1$ and $\beta$ give. The print
+cannot tell which of the three numbers is off, and the verdict rests on the digits as our copy has
+them. The last column but one gives the $C_1$ that the printed $B$ would need. Zone 13 is not
+tested, because the exponent of its $C_1$ can hardly be read. If it is $10^{-8}$, the peak would be
+{{table-1-zone-13-share}} of the random part under it and could not have been seen; the printed $B$
+asks for $C_1$ = {{table-1-zone-13-C1}}. From here on $B$ is used as printed.
 
 The corner lies between $\varphi_0$ and $2\varphi_0$ in {{corner-between}} of the thirteen zones,
 "usually" as the paper says. The paper calls (3) "quite satisfactory for wavelengths longer than 6
@@ -26,7 +26,7 @@ factor of {{six-metres-median}} in the median of the zones and of {{six-metres}}
 
 Zone 12 is a section "constructed from 10-m rail", says the text. The table has $\varphi_0$ = 0.109
 cycle/m, which belongs to {{zone-12-rail}}. Which of the two is right cannot be told, for it rests
-on one glyph of our copy: 0.100 would be 10 m.
+on one character of our copy: 0.100 would be 10 m.
 */
 #include <fmt/format.h>
 

@@ -13,31 +13,31 @@ $$\frac1k=\frac1{k_{pad}}+\frac1{k_{tie}}+\frac2{k_{bs}}, \tag{4}$$
 $$\frac1{k_{bs}}=\frac1{k_b}+\frac1{k_s}, \tag{5}$$
 
 where $k_{pad}$ and $k_{tie}$ are the stiffnesses of pad and tie and $k_{bs}$ that of the bed, of
-ballast $k_b$ and subgrade $k_s$ in series (all in lbf/in). The 2 halves the bed: with its neighbours loaded too, a tie sinks about twice as far as
-alone, and Winkler's separate springs cannot know that.
+ballast $k_b$ and subgrade $k_s$ in series (all in lbf/in). The 2 halves the stiffness of the bed.
+When its neighbours are loaded too, a tie sinks about twice as far as it does alone, which Winkler's
+separate springs cannot show.
 
 {{fig-02}}
 
-The scene is drawn from the numbers of the typical track, to scale: the tie, the pyramid below each
-rail seat with the base area that (7) multiplies by the soil modulus, and beside it the chain of
-springs it becomes, with half the stiffness of ballast and subgrade as in (4).
+{{fig-02}} is drawn to scale from the numbers of the typical track below. The chain of springs
+beside the track has half the stiffness of ballast and subgrade, as in (4).
 
-The ballast carries in a pyramid only, evenly loaded at every depth, its sides at the friction angle
-$\alpha$ (20° in the paper) to the vertical; the subgrade is a bed of springs $K_0$ below the
-pyramid's base:
+The model assumes that only a pyramid of the ballast carries load. Its sides are at the friction
+angle $\alpha$ (20° in the paper) to the vertical, and at each depth the pressure is uniform. The
+subgrade is a bed of springs $K_0$ below the pyramid's base:
 
 $$k_b=\frac{C(l-w)E_b}{\ln\dfrac{l\,(w+Ch)}{w\,(l+Ch)}},\qquad C=2\tan\alpha, \tag{6}$$
 
 $$k_s=K_0(l+Ch)(w+Ch), \tag{7}$$
 
-for a loaded area $l\times w$ below the rail seat, a depth $h$ of the ballast and its Young's modulus
-$E_b$; $K_0$ is the pressure on the subgrade for each inch that it yields. For a square area ($l=w$) and for vertical
-sides ($\alpha=0$) the printed form (6) is 0/0, although neither is special physically. The function
-`stiffness_chain` evaluates the compliance instead,
+for a loaded area $l\times w$ below the rail seat, a depth $h$ of the ballast and its Young's
+modulus $E_b$; $K_0$ is the pressure on the subgrade for each inch that it yields. For a square area
+($l=w$) and for vertical sides ($\alpha=0$) the printed form (6) is 0/0, although nothing special
+happens to the ballast there. The function `stiffness_chain` therefore evaluates
 
 $$\frac1{k_b}=\frac{h}{E_b\,w\,(l+Ch)}\cdot\frac{\ln(1+\chi)}{\chi},\qquad \chi=\frac{Ch\,(l-w)}{w\,(l+Ch)},$$
 
-which is (6) rearranged and has no such holes.
+which is (6) rearranged and has a value in both cases.
 
 {{code: track/stiffness_chain.cpp stiffness_chain}}
 

@@ -8,9 +8,10 @@ the depth $D$, at the distance $x$ along the rail. Its series is
 $$|\sin(\pi x/L)|=\frac2\pi-\frac4\pi\sum_{n\ge1}\frac{\cos(2\pi nx/L)}{4n^2-1}.$$
 
 North American practice staggers the joints by half a rail. The paper says what follows: the odd
-harmonics of the rail length excite a car in roll, the even ones in bounce. That is exact, since a
-shift by $L/2$ changes the sign of odd harmonics only; the table shows it on sampled surfaces by a
-Fourier transform.
+harmonics of the rail length excite a car in roll, the even ones in bounce. (Bounce is the car's
+motion up and down, roll its rotation about the track's direction.) This is exact, because a shift
+by $L/2$ changes the sign of odd harmonics only; {{harmonics}} shows it by a Fourier transform of
+sampled surfaces.
 
 {{harmonics}}
 */
@@ -65,35 +66,35 @@ void harmonics(report::Item& item) {
 
 /***
 A measured profile is the paper's Figure 7, which is lost. "This type of profile has been modeled
-quite adequately by the rectified sinewave", says the paper, and without the profile that cannot be
-told. {{fig-07}} shows the rectified sine instead, on two rails with staggered joints, and what a
+quite adequately by the rectified sinewave", says the paper; without the profile this cannot be
+tested. {{fig-07}} shows the rectified sine instead, on two rails with staggered joints, and what a
 car feels of them.
 
 {{fig-07}}
 
-The second kind of input is random. Cross level is the difference in height of the two rails. By its legends, which are in the copy while its curves are not,
-the paper's Figure 6 shows a spectrum of cross level for an idealized track of class 6, and the
-ranges of data measured on a high-speed demonstration track and on British Rail. What stands here is
-the family of curves that the Federal Railroad Administration's classes were given later in the
-literature (quoted by Frýba),
+The second kind of input is random. Cross level is the difference in height of the two rails. Our
+copy has the legends of the paper's Figure 6, but not its curves. They name a spectrum of cross
+level for an idealized track of class 6, and the ranges of data measured on a high-speed
+demonstration track and on British Rail. In its place we show a family of curves for the classes of
+the Federal Railroad Administration from the later literature (quoted by Frýba),
 
 $$S(\phi)=\frac{A\,\phi_2^2}{(\phi^2+\phi_1^2)(\phi^2+\phi_2^2)},$$
 
-with the wavenumber $\phi$ in cycles per length, and its roughness $A$ and break frequencies $\phi_1$, $\phi_2$ for
-class 6 and class 3. The marks at the top show at which frequencies half-staggered 39-foot rails add
-power of their own, not how much. The level is doubtful. Other published lists of the same family
-have roughness constants $A$ about {{feet-squared}}, that is $(1/0.3048)^2$, times as large, as if
-feet had been converted once too often; amplitudes would be {{feet}} times as large. That is an
-inference from two such lists; the original was not at hand. The shape of the curves does not depend
-on it.
+with the wavenumber $\phi$ in cycles per length, and its roughness $A$ and break frequencies
+$\phi_1$, $\phi_2$ for class 6 and class 3. The marks at the top of {{fig-06}} show at which
+wavenumbers half-staggered 39-foot rails add power of their own, not how much. The height of the
+curves is doubtful. Other published lists of the same family have roughness constants $A$ about
+{{feet-squared}}, that is $(1/0.3048)^2$, times as large, as if feet had been converted once too
+often; amplitudes would be {{feet}} times as large. That is an inference from two such lists; the
+original was not at hand. The shape of the curves does not depend on it.
 
 {{fig-06}}
 
 The cross level's root mean square over wavelengths of 2 to 100 m is {{rms-6}} for class 6 and
 {{rms-3}} for class 3 with these constants, {{rms-6-high}} and {{rms-3-high}} with the larger ones.
-The paper finds the effect of staggered (North American) and coincident (British) joints on such
-spectra interesting: staggered joints put their odd harmonics into the cross level, coincident ones,
-being the same on both rails, nothing.
+The paper points to the different effect of staggered (North American) and coincident (British)
+joints on such spectra. Staggered joints put their odd harmonics into the cross level; coincident
+ones are the same on both rails and put nothing into it.
 */
 
 // Half-staggered rails with joints half an inch deep, and what a car feels of them.
@@ -141,13 +142,15 @@ const report::Section geometry{
         "of the harmonics of 39-ft rails whose joints are half a rail apart on left and right.",
         harmonics),
     report::figure("fig-07",
-                   "Left and right rail dip in turn. Rails with half-staggered joints, and what a "
-                   "car feels of them (in place of the paper's Fig. 7, which is lost).",
+                   "Staggered joints roll a car once in a rail length and bounce it twice. Top: "
+                   "left and right rail. Bottom: bounce, the mean height of both rails, and roll, "
+                   "half of their difference (in place of the paper's Fig. 7, which is lost).",
                    profile),
     report::figure("fig-06",
                    "Better track is smoother at all wavelengths. Spectra of cross level for two "
-                   "classes of track by a later family of curves; the marks show where staggered "
-                   "joints add power (in place of the paper's Fig. 6, which is lost).",
+                   "classes of track by a family of curves from later literature; the marks show "
+                   "where staggered joints add power (in place of the paper's Fig. 6, which is "
+                   "lost).",
                    cross_level)};
 
 }  // namespace railbook::track_chapter

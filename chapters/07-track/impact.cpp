@@ -3,15 +3,16 @@
 
 Now the input is a joint. A wheel of the mass $m_w$ (with half of the axle and what else is not on
 springs) carries the constant load $P_0$. Wheel and rail touch by Hertz's law with the constant
-$C_H$: the force $F$ grows with the power 3/2 of their approach $x_+$, which is zero when they part.
-With the sinking $y_w$ of the wheel and the approach $x_0$ at rest,
+$C_H$: the force $F$ grows with the power 3/2 of their approach $x_+$, the distance by which they
+are pressed together, which is zero when they part. With the sinking $y_w$ of the wheel and the
+approach $x_0$ at rest,
 
 $$m_w\ddot y_w=P_0-F,\qquad F=C_Hx_+^{3/2},\qquad x_+=\max(x_0+y_w-y_r-z,\,0),$$
 
 where $z$ is the surface of the rail, counted downwards. The wheel has a radius of 18 in and the
 rail's crown one of 10 in. Below the contact are the masses of (16) and (19) with the equations of
-motion above, on which $F-P_0$ acts. The stiffness is split so that both springs together keep $K_r$;
-with $k_{pt}$ for pad and tie in series,
+motion above, on which $F-P_0$ acts. The two springs in series have the stiffness $K_r$ of the
+track; with $k_{pt}$ for pad and tie in series,
 
 $$K_1=2\left(4EI\,(k_{pt}/l_t)^3\right)^{1/4},\qquad \frac1{K_g}=\frac1{K_r}-\frac1{K_1}.$$
 
@@ -29,9 +30,9 @@ in the contact).
 {{include: answer.cpp}}
 
 British practice knows two peaks: P1 while the rail alone is hit, P2 when the wheel has pushed the
-whole track down. The history shows that these words need definitions. A ripple of the contact runs
-on top of the slower motion of the rail on its ties, so that the largest force, at {{second-at}}, is
-neither. Every peak here says what it measures:
+whole track down. In the force of {{fig-joint}} these words need definitions. A ripple of the wheel
+against the rail runs on top of the slower motion of the rail on its ties, so that the largest
+force, at {{second-at}}, is neither. We define four peaks:
 
 * **P1**: the first local maximum after the joint;
 * **second**: the largest force before 2.5 ms;
@@ -46,8 +47,9 @@ companion for P2, come within {{p1-formula}} and {{p2-formula}} of these P1 and 
 angle of the dip and $k_H$ the contact stiffness.
 
 With all of the track in one mass, that of (15) with tie and ballast, P1 would be {{single-p1}}.
-With two masses the mass of tie and ballast, which the two rules (18) leave uncertain, hardly
-matters: half or twice of it changes P1 by {{bed-p1}}. That is the paper's reason for two masses.
+With two masses, the mass of tie and ballast, which the two rules (18) leave uncertain, hardly
+matters: half or twice this mass changes P1 by {{bed-p1}}. That is the paper's reason for two
+masses.
 */
 #include <fmt/format.h>
 
@@ -204,15 +206,15 @@ const report::Section drawing{report::figure(
     "overview",
     "Wheel and track become three masses, three springs and two dampers. Left: a wheel comes to a "
     "joint. Middle: the model, with the names of its parts. Right: the force between wheel and "
-    "rail at 60 mph over a dip of 0.5 in, with the first peak P1 and the highest running mean P2; "
-    "the dotted line is the static load.",
+    "rail at 60 mph over a dip of 0.5 in, with the first peak P1, and its running mean with the "
+    "highest point P2; the dashed line is the static load.",
     overview)};
 
 const report::Section impact{
     report::figure("fig-joint",
                    "A low joint is struck twice: a sharp P1, and a slow P2 under a ripple. Force "
                    "between wheel and rail at 60 mph over a dip of 0.5 in, for two dampings, with "
-                   "its running mean (typical track).",
+                   "its running mean; the text below defines the four peaks (typical track).",
                    fig_joint),
     report::table("joint-peaks",
                   "P1 and P2 grow with speed times dip, and simple formulas come close. Peaks of "

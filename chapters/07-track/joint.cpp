@@ -7,10 +7,11 @@ joint for two kinds of joint: a *pinned* one, which carries shear but no bending
 which carries nothing. Both are cases of two semi-infinite rails linked by a shear spring $k_v$
 (N/m) and a rotational spring $k_\theta$ (N·m/rad).
 
-Take the unjointed rail and open the kink and the step that the missing moment and shear cause. With
-the wheel at the distance $\xi=\beta X$ from the joint, the moment and the shear at the joint go with
-$c(\xi)=e^{-\xi}(\cos\xi-\sin\xi)$ and $d(\xi)=e^{-\xi}\cos\xi$. By reciprocity the kink and the step
-deflect the rail below the wheel by the same two functions, and so these enter as squares:
+Start from the unjointed rail. Where the joint does not carry the moment and the shear of that rail,
+a kink and a step open. With the wheel at the distance $\xi=\beta X$ from the joint, that moment and
+shear are proportional to $c(\xi)=e^{-\xi}(\cos\xi-\sin\xi)$ and $d(\xi)=e^{-\xi}\cos\xi$. By
+reciprocity (the theorem of Maxwell and Betti) a kink and a step at the joint deflect the rail below
+the wheel in proportion to the same two functions, and so these enter as squares:
 
 $$\frac{K_j}{K_r}=\frac1{1+\kappa_m\,c^2(\xi)+2\kappa_v\,d^2(\xi)},\qquad
   \kappa_m=\frac1{1+2k_\theta/\beta EI},\qquad\kappa_v=\frac1{1+k_v/\beta^3EI}.$$
@@ -21,35 +22,34 @@ pinned joint has $\kappa_m=1$, $\kappa_v=0$; the free joint has both 1. The func
 
 {{code: track/joint.cpp jointed_deflection}}
 
-The squares in {{fig-03}} are exact beam elements.
+The squares in {{fig-03}} are a check with finite elements that are exact for this beam.
 
 {{fig-03}}
 
 {{joint}}
 
 At a free end exactly a quarter of $K_r$ is left: the paper's "as little as 25 percent". A pinned
-joint keeps a half, and then its curve is **not monotone**: at $\xi=\pi/4$ the pin stands where the
-rail has no bending moment and the wheel does not notice it ($K_j=K_r$), after which the stiffness
-dips once more, to {{hinge-dip}} of $K_r$ at $\xi=\pi/2$. Beyond $\xi=2$, where the paper lets the
-joint's effect disappear without saying how small that is, up to {{free-left}} (free) and
-{{hinge-left}} (pinned) of $K_r$ are missing.
+joint keeps a half, and its curve is **not monotone**. At $\xi=\pi/4$ the pin is where the rail has
+no bending moment, so that it makes no difference ($K_j=K_r$). Farther away the stiffness dips once
+more, to {{hinge-dip}} of $K_r$ at $\xi=\pi/2$. Beyond $\xi=2$, where the paper lets the joint's
+effect disappear, up to {{free-left}} (free) and {{hinge-left}} (pinned) of $K_r$ are missing.
 
 Is there one formula for all joints? The paper offers one for the curves of Figure 3 and calls it "a
 good approximation of the curve":
 
 $$\frac{K_j}{K_r}=1-(1-\delta)(1-\sin\vartheta)^2,\qquad\vartheta=0.65\,\beta X\le\frac\pi2, \tag{8}$$
 
-with $\delta$ the ratio $K_j/K_r$ at the joint. The paper does not say what "good" means, nor how the error is
-to be counted. For the free joint (8) errs by {{free-error-size}} of $K_r$ at most and by
-{{free-rms}} in the root mean square up to $\xi=2$, and no factor in place of 0.65 does much better.
-For the pinned joint it errs by {{hinge-error-size}} at most and by {{hinge-rms}} in the root mean
-square, where leaving the joint out would err by {{hinge-out-rms}}; on {{hinge-worse}} of the way,
-leaving it out would be nearer to the curve. A factor of {{hinge-factor}} suits the pinned joint
-better, but no monotone formula can follow its second dip.
+with $\delta$ the ratio $K_j/K_r$ at the joint. The paper does not say what "good" means, nor how
+the error is to be counted. For the free joint (8) errs by {{free-error-size}} of $K_r$ at most and
+by {{free-rms}} in the root mean square up to $\xi=2$, and no factor in place of 0.65 does much
+better. For the pinned joint it errs by {{hinge-error-size}} at most and by {{hinge-rms}} in the
+root mean square. Leaving the joint out would err by {{hinge-out-rms}} in the root mean square, and
+on {{hinge-worse}} of the distance up to $\xi=2$ that would be nearer to the curve. A factor of
+{{hinge-factor}} suits the pinned joint better, but no monotone formula can follow its second dip.
 
-A joint in good condition, says the paper, might lose "perhaps 25 to 30 percent". If it carries all
-shear, its rotational spring is then between $\beta EI$ and $\frac23\beta EI$, on the typical track
-{{k-theta-25}} to {{k-theta-30}}.
+A joint in good condition, says the paper, might lose "perhaps 25 to 30 percent". A joint that
+carries all shear loses as much if its rotational spring $k_\theta$ is between $\beta EI$ and
+$\frac23\beta EI$, which is {{k-theta-25}} to {{k-theta-30}} on the typical track.
 */
 #include <fmt/format.h>
 
@@ -184,7 +184,8 @@ const report::Section joint{
     report::figure(
         "fig-03",
         "A joint takes stiffness away over some ten feet. Stiffness under a wheel near a joint "
-        "over that of unjointed rail, exact and by formula (8) (the paper's Fig. 3).",
+        "over that of unjointed rail, exact and by formula (8), for a pinned joint (a hinge, left) "
+        "and a free one (right) (the paper's Fig. 3).",
         fig_03),
     report::table("joint",
                   "A free joint leaves a quarter of the stiffness, a pinned one a half. What the "

@@ -1,15 +1,16 @@
 /***
 ## The lumped track, on car and at trackside
 
-Below $V_c$ the rail's dent travels with the wheel almost unchanged, and so may a lumped model: one
-mass or two on springs and dampers, moved along below each wheel. The paper's Figure 4 represents
-one rail and half of the unsprung mass of a four-wheel truck, that is two wheels, and "Deflections
-of the rail under each wheel are influenced by loads at the adjacent wheels". {{fig-04}} is drawn
-after these words; {{two-wheels}} tests what two wheels do to each other.
+Well below $V_c$ the rail's dent travels with the wheel almost unchanged. A lumped model, one mass
+or two on springs and dampers, may therefore be moved along below each wheel. The paper's Figure 4
+represents one rail and half of the unsprung mass (the mass below the springs) of a four-wheel
+truck, that is two wheels, and "Deflections of the rail under each wheel are influenced by loads at
+the adjacent wheels". {{fig-04}} is drawn after these words; {{two-wheels}} tests what two wheels do
+to each other.
 
 {{fig-04}}
 
-A fixed point beside the track sees something else: wheels that come and go. The paper takes the
+An instrument at a fixed point beside the track sees wheels come and go. For it the paper takes the
 same lumped model,
 
 $$Y(s)=\frac{P(s)}{K_r+C_rs+M_rs^2}, \tag{10}$$
@@ -27,25 +28,24 @@ $$M_{rail}\ddot y_r+C_1(\dot y_r-\dot y_t)+K_1(y_r-y_t)=P(t),$$
 
 $$m_t\ddot y_t+C_g\dot y_t+K_gy_t=C_1(\dot y_r-\dot y_t)+K_1(y_r-y_t).$$
 
-$a$ is a sum of damped exponentials, so for constant loads the response is one too, and needs no
-time stepping: before a wheel passes only the forced part exists, after it the system is carried on
-by a matrix exponential, with the shape $a$ itself as two more states. The function `state` does
-this.
+The shape $a$ is a sum of damped exponentials in time, and for constant loads so is the response.
+The function `state` gives it without time stepping: before a wheel has passed by the forced
+response alone, afterwards by a matrix exponential, with $a$ itself as two more states.
 
 {{code: track/lumped.cpp state}}
 
 {{fig-05}}
 
-At 60 mph the two-layer track answers a truck almost statically. At 250 mph the inertia shows: the
-bed is still moving after the last wheel.
+At 60 mph the deflection is almost the static one. At 250 mph inertia shows: the dents are deeper,
+and the bed is still moving after the last wheel.
 
 ### What the lumped mass gets wrong
 
-For one mass the response depends on three numbers, the speed ratio $\theta$, the damping $\zeta$
-and the mass ratio $\mu=M_r\beta^2V_c^2/K_r$, which is 3/4 for the mass of (15). Its peak grows as
-$1+2\mu\theta^2$, that of the beam under a moving load as $1+\theta^2/2$. As (10) is read here, the
-mass (15) therefore makes the effect of inertia at a fixed point three times too large;
-$M_r=\rho/2\beta$, $\mu=1/4$, would be right in the limit of low speed.
+With one mass, as in (10), the response depends on three numbers, the speed ratio $\theta$, the
+damping $\zeta$ and the mass ratio $\mu=M_r\beta^2V_c^2/K_r$, which is 3/4 for the mass of (15). At
+low speed its peak grows as $1+2\mu\theta^2$, that of the beam under a moving load as
+$1+\theta^2/2$. As we read (10), the mass (15) therefore makes the effect of inertia at a fixed
+point three times too large; $M_r=\rho/2\beta$, $\mu=1/4$, would be right in the limit of low speed.
 
 {{trackside-peak}}
 */
@@ -131,14 +131,14 @@ For a lumped model the track needs a mass beside its spring. The paper's is
 
 $$M_r=\frac{3\rho}{2\beta}, \tag{15}$$
 
-with the mass $\rho$ per length of rail, half the ties, and ballast. It has been "derived from
-the first natural frequency of a beam", says the paper, and that is right in the usual sense. Let
-the whole static shape $a$ move up and down; the beam's energies then give Rayleigh's estimate
-$\omega_R$ of the first natural frequency, and $K_r/\omega_R^2=\rho\int a^2dX=3\rho/2\beta$, since
-$\int a^2\,d(\beta X)=\frac32$ over the line. Rayleigh's estimate is an upper bound. The first
-natural frequency itself, where waves begin to travel, is $\sqrt{K/\rho}$; the estimate is
-$\sqrt{4/3}$ of it, {{too-high}} too high, and the mass that would give the frequency exactly is
-$2\rho/\beta$.
+with the mass $\rho$ per length of rail, half the ties, and ballast. It has been "derived from the
+first natural frequency of a beam", says the paper, and that is right in the usual sense. Rayleigh's
+estimate of a natural frequency assumes a shape and equates the largest kinetic and elastic
+energies. With the static shape $a$ it is $\omega_R$, and
+$K_r/\omega_R^2=\rho\int a^2dX=3\rho/2\beta$, since $\int a^2\,d(\beta X)=\frac32$ over the line.
+Rayleigh's estimate is an upper bound. The first natural frequency itself, above which waves travel,
+is $\sqrt{K/\rho}$; the estimate is $\sqrt{4/3}$ of it, {{too-high}} too high, and the mass that
+would give the frequency exactly is $2\rho/\beta$.
 
 {{masses}}
 
@@ -155,10 +155,11 @@ stone below the tie,
 $$\rho_b=\frac{d_b\,w\,A_t\,C_m}{N\,l_t\,g\tan\alpha}, \tag{18}$$
 
 with the specific weight $d_b$ of the ballast, the tamped area $A_t$ of half a tie (where ballast is
-packed below it), gravity $g$ and an empirical $C_m$ of one or slightly more. The integer $N$ cannot be read in our copy: 6 is what a pyramid of
-depth $w/2\tan\alpha$ needs, 4 a wedge. The other rule, which carries the same number, uses the
-speed $V_s$ of shear waves, $\rho_b=0.28\,k_bA_t/(l_tV_s^2)$; $k_b$, the "effective" stiffness under
-half a tie, is read as $k_{bs}/2$. Half a tie of the weight $W_{tie}$ and its ballast are
+packed below it), gravity $g$ and an empirical $C_m$ of one or slightly more. The integer $N$ cannot
+be read in our copy: it would be 6 for a pyramid of depth $w/2\tan\alpha$, 4 for a wedge. The other
+rule, also numbered (18), uses the speed $V_s$ of shear waves, $\rho_b=0.28\,k_bA_t/(l_tV_s^2)$;
+$k_b$, the "effective" stiffness under half a tie, is read as $k_{bs}/2$. Half a tie of the weight
+$W_{tie}$ and its ballast are
 
 $$m_t=\frac3{2\beta}\left(\frac{W_{tie}}{2gl_t}+\rho_b\right). \tag{19}$$
 
@@ -167,9 +168,9 @@ says which is nearer. The function `ballast_mass_per_length` is the first rule.
 
 {{code: track/effective_mass.cpp ballast_mass_per_length}}
 
-Damping is taken as viscous, $C_r=2\zeta\sqrt{K_rM_r}$. The paper quotes $\zeta$ of 0.15 to 0.25 from
-tests on clean ballast and 0.40 to 1.00 from the theory of radiation into the half-space: a factor
-of seven, which {{fig-amplification}} makes visible.
+Damping is taken as viscous, $C_r=2\zeta\sqrt{K_rM_r}$. The paper quotes $\zeta$ of 0.15 to 0.25
+from tests on clean ballast and 0.40 to 1.00 from the theory of waves that radiate into the ground.
+This is a range of a factor of seven; {{fig-amplification}} shows what it means.
 */
 std::string both_units(double kilogram) {
   return fmt::format("{:.1f} lb ({:.1f} kg)", kilogram / units::pound, kilogram);
@@ -258,7 +259,8 @@ const report::Section lumped{
     report::figure(
         "fig-05",
         "At 250 mph the bed still moves after the last wheel. Deflection at a fixed point beside "
-        "the track as two trucks pass, at rest and at two speeds (in place of the paper's Fig. 5).",
+        "the track as two trucks pass, static and at two speeds; arrows mark the four wheels (in "
+        "place of the paper's Fig. 5).",
         modulation),
     report::table("trackside-peak",
                   "The lumped mass makes the effect of inertia three times too large. Peak "

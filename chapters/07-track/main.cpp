@@ -10,21 +10,22 @@ become a few springs, masses and dampers; if one of these is wrong, so is the bl
 ::: findings
 1. How fast may a train run before the track's own waves matter? The paper puts the critical
    velocity of "the rail-tie-ballast type structure", at which free waves of the track keep up with
-   the load, at about 1100 mph, and the error of ignoring such waves at less than 3 percent at 250 mph. With the
-   mass of rail, tie and ballast we find {{v-ballast}} on our typical track, and {{v-range}} as
-   modulus, rail, pad, tie and ballast are varied; the error at 250 mph is then {{error-range}}. The
-   paper prints none of these data, so its two numbers cannot be tested. At 150 mph, the speed the
-   paper has in mind, the error is {{error-150-range}}, and its simpler track model will do.
-   {{outcome:critical-speed/conclusion}}
-2. How much stiffness does a joint cost? The paper says that as little as 25 percent is left, and so
-   it is at a free joint, on a continuous bed. {{outcome:joint/free-joint-printed}} Its formula (8)
-   for the stiffness near a joint is "a good approximation", it says. It errs by up to
-   {{free-error-size}} of the full stiffness near a free joint {{outcome:joint/eq8-free}} and by up
-   to {{hinge-error-size}} near a pinned one {{outcome:joint/eq8-pinned}}; the paper does not say how
-   near is good.
-3. How much of the track moves with the wheel? The paper takes the mass (15) from the first natural
-   frequency of a beam on a foundation. It follows from Rayleigh's estimate of that frequency, which
-   is {{too-high}} too high. {{outcome:masses/natural-frequency}}
+   the load, at about 1100 mph. At 250 mph, it says, the error in the deflection from ignoring such
+   waves is less than 3 percent. With the mass of rail, tie and ballast we find a critical velocity
+   of {{v-ballast}} on a typical track of our choice, and {{v-range}} as its data are varied; the
+   error at 250 mph is then {{error-range}}. The paper prints none of these data, so its two numbers
+   cannot be tested. At 150 mph, the speed the paper has in mind, the error is {{error-150-range}},
+   and a model without waves will do. {{outcome:critical-speed/conclusion}}
+2. How much stiffness does a joint cost? The paper says that as little as 25 percent is left. This
+   is so at a *free* joint, which carries neither bending nor shear, on a continuous bed.
+   {{outcome:joint/free-joint-printed}} The paper calls its formula (8) for the stiffness near a
+   joint "a good approximation". The formula errs by up to {{free-error-size}} of the full stiffness
+   near a free joint {{outcome:joint/eq8-free}} and by up to {{hinge-error-size}} near a *pinned*
+   one, which carries shear only {{outcome:joint/eq8-pinned}}. The paper does not say which error it
+   would still call good.
+3. How much of the track moves with the wheel? The paper says that its mass (15) comes from the
+   first natural frequency of a beam on a foundation. We find the same mass from Rayleigh's estimate
+   of that frequency, which is {{too-high}} too high. {{outcome:masses/natural-frequency}}
 :::
 
 ## The paper
@@ -36,9 +37,9 @@ of the springs and masses of the drawing above.
 
 The paper prints few numbers, and the text that we have ends before its results. It gives formulas,
 ranges and claims. This page computes every claim that can be computed, and says for what data it is
-true. Where data had to be chosen, the item says that it is rebuilt. Our copy is machine-read text
-(OCR), without its drawings; where a figure here stands for one of the paper's, it was made from the
-words.
+true. Figures and tables for which we had to choose data are marked as rebuilt. Our copy is
+machine-read text (OCR), without its drawings; where a figure here stands for one of the paper's, it
+was made from the words.
 
 {{include: stiffness.cpp}}
 
@@ -58,14 +59,15 @@ words.
 
 ## Deviations
 
-* **A critical velocity of about 1100 mph** is not testable: the data behind it are not printed. With
-  the mass of rail, tie and ballast it is {{v-ballast}} on the typical track and {{v-range}} as the
-  track is varied. The rail alone has 1100 mph with $K$ = {{k-for-1100}}.
+* **A critical velocity of about 1100 mph** is not testable: the data behind it are not printed.
+  With the mass of rail, tie and ballast it is {{v-ballast}} on the typical track and {{v-range}} as
+  the track is varied. The rail alone has 1100 mph with $K$ = {{k-for-1100}}.
 * **Less than 3 percent at 250 mph** follows from 1100 mph
   {{outcome:critical-speed/error-at-250-printed}}; with the mass of rail, tie and ballast we find
   {{error-range}}.
 * **Equation (8)** misses the curve of a pinned joint by up to {{hinge-error-size}} of $K_r$
-  {{outcome:joint/eq8-pinned}}. That curve is not monotone, and every formula of this form is.
+  {{outcome:joint/eq8-pinned}}. That curve rises, falls and rises again; a formula of this form can
+  only rise.
 
 Restored where our copy is damaged: $|X|$ for $X$ and the signs of (1), the brackets of (6) and (8),
 and the tie spacing in the second equation (18), where the copy has a broken letter just where $l_t$
@@ -78,15 +80,16 @@ Figures 6 and 7, and all results after the section on geometry.
 The static model is a linear beam on linear springs that also pull. Under a wheel of 27.5 kip on the
 typical track the bed would have to pull with {{uplift-pull}} at most, while rail and half a tie
 weigh {{uplift-weight}}: ties lift a little, which hardly changes the deflection under the wheel
-(*lifting-ties* on the study page). Shear of the rail is left out, and so is the coupling of the two
-rails through the tie. The pyramid of (6) is valid while those of neighbouring ties do not meet. The
-data of any real track are known to a few percent at best.
+(*lifting-ties* on the study page). The rail's own shear deformation is left out, and so is the
+coupling of the two rails through the tie. The pyramid of (6) is valid while those of neighbouring
+ties do not meet. The data of any real track are known to a few percent at best.
 
-In motion, the track below each wheel of {{fig-04}} has three degrees of freedom with the wheel. It
+In motion, the wheel and the track below it have three degrees of freedom ({{fig-04}}). The model
 has no resonance of the rail between ties (near 1 kHz, about the contact's own frequency) and no
 bending of ties; forces above some 500 Hz are those of the model and not of a track. Damping is
-viscous, while the paper itself calls the ballast's hysteretic. The paper's lateral model has no
-numbers and no equation, and is not treated.
+viscous (proportional to velocity), while the paper itself calls the ballast's hysteretic (with a
+loss in each cycle that does not depend on frequency). The paper's lateral model has no numbers and
+no equation, and is not treated.
 
 ## Use it
 
@@ -144,7 +147,7 @@ $ railbook track stiffness --rail 115RE --soil-modulus "100lbf/in^3"
 
 **Which of the four peaks does damping change?** Damp the rail on its ties six times as much. P1
 stays, and the forces after it fall. Halve the damping of the bed instead, and only the late peak
-notices:
+changes:
 
 ```console
 $ railbook track joint --speed 60mph --dip 0.5in --rail-damping "72kN*s/m"

@@ -6,30 +6,32 @@ outrun its own deflection. That speed is
 
 $$V_c=\left(\frac{4EIK}{\rho^2}\right)^{1/4}, \tag{9}$$
 
-where $\rho$ is the mass that moves per length of rail. It is the smallest phase speed $\omega/\nu$ of
-free waves of the circular frequency $\omega$ and the wavenumber $\nu$, for which
+where $\rho$ is the mass that moves per length of rail. $V_c$ is the smallest phase speed
+$\omega/\nu$ of free waves of the circular frequency $\omega$ and the wavenumber $\nu$, for which
 $EI\nu^4+K=\rho\omega^2$. The paper puts it at about 1100 mph "using parameters for the
 rail-tie-ballast type structure". It concludes that the error of ignoring the waves is less than 3
-percent at 250 mph, and that a lumped track may travel below each wheel at 150 mph or less. It gives
-neither $K$ nor $\rho$, and the answer depends on what moves with the rail:
+percent at 250 mph, and that at 150 mph or less a *lumped* track (a few masses, springs and dampers)
+may travel below each wheel. It gives neither $K$ nor $\rho$, and the answer depends on how much of
+tie and ballast moves with the rail:
 
 {{critical-speed}}
 
-With the rail's mass alone the typical track has {{v-rail}}, near the printed figure. But $\rho$ is
-the "track mass per unit length", and below (15) the mass "of tie, ballast and rail". With half a
-tie the speed is {{v-tie}}; with the ballast of (18) as well, {{v-ballast}}. That number rests on
-the modulus, the rail, the tie, the reading of (18) and the rule for the ballast, all of which we
-chose; as they are varied, the speed is {{v-range}}, and the error at 250 mph {{error-range}} of the
-deflection. The upper end takes everything at its most favourable at once: a heavy rail,
-light ties, the second rule (18), fast shear waves and a bed of $K$ = {{k-best}}. Since the paper
-prints neither $K$ nor $\rho$, its number and the 3 percent cannot be tested. With half a tie
-1100 mph takes $K$ = {{k-for-1100-tie}}, with the ballast as well {{k-for-1100-ballast}}, with the
-rail alone {{k-for-1100}}; maintained main lines have 1500 to 3000 psi.
+With the rail's mass alone the typical track has {{v-rail}}, near the printed figure. But the paper
+calls $\rho$ the "track mass per unit length" and, below (15), the mass "of tie, ballast and rail".
+With half a tie the speed is {{v-tie}}; with the ballast of (18) as well, {{v-ballast}}. That number
+rests on the modulus, the rail, the tie, the reading of (18) and the rule for the ballast, all of
+which we chose; as they are varied, the speed is {{v-range}}, and the error at 250 mph
+{{error-range}} of the deflection. The upper end of the speed needs everything at its most
+favourable at once: a heavy rail, light ties, the second rule for the ballast below (18), fast shear
+waves and a bed of $K$ = {{k-best}}. A critical speed of 1100 mph needs $K$ = {{k-for-1100}} with
+the rail alone, {{k-for-1100-tie}} with half a tie and {{k-for-1100-ballast}} with the ballast as
+well; maintained main lines have 1500 to 3000 psi. Since the paper prints neither $K$ nor $\rho$,
+its number and the 3 percent cannot be tested.
 
 At 150 mph the error is {{error-at-150-ballast}} of the deflection on the typical track
-({{error-150-range}} as the same is varied). The paper does not say how much it would accept, but
-errors of this size are small beside what is not known of any track, and its conclusion stands
-without its number.
+({{error-150-range}} as the same data are varied). The paper does not say how much it would accept,
+but errors of this size are smaller than the uncertainty of the data of any track, and its
+conclusion stands without its number.
 
 ### The shape under the load
 
@@ -38,34 +40,36 @@ $\eta=\beta(X-Vt)$ with the time $t$, and in units of $P\beta/2K$, the rail's sh
 
 $$\bar y''''+4\theta^2\bar y''-8\zeta\theta\bar y'+4\bar y=8\,\hat\delta(\eta),\qquad \theta=V/V_c,$$
 
-where $\hat\delta$ is a unit load at $\eta=0$ and $2\zeta\sqrt{K\rho}$ the damping of the bed per
-length; $\zeta=1$ is critical damping. Without damping the deflection under the load is $1/\sqrt{1-\theta^2}$. With
-damping the textbook takes the four roots of $p^4+4\theta^2p^2-8\zeta\theta p+4=0$ and solves for
-four amplitudes. Both steps lose digits where two roots meet, as they do at $V_c$. The roots are not
-needed: the quartic splits into two real quadratics, $(p^2+qp+r_1)(p^2-qp+r_2)$, one ahead of the load
-and one behind, and $u=q^2$ is the one positive root of a convex cubic,
+where $\hat\delta$ is a unit load at $\eta=0$ and $2\zeta\sqrt{K\rho}$ is the damping of the bed per
+length, with the damping ratio $\zeta$ (critical damping is $\zeta=1$). Without damping the
+deflection under the load is $1/\sqrt{1-\theta^2}$. With damping, textbooks take the four roots of
+$p^4+4\theta^2p^2-8\zeta\theta p+4=0$ and solve for four amplitudes. Both steps lose accuracy where
+two roots nearly coincide, as they do at $V_c$ when damping is small. The roots are not needed: the
+quartic splits into two real quadratics, $(p^2+qp+r_1)(p^2-qp+r_2)$, one ahead of the load and one
+behind, and $u=q^2$ is the one positive root of a convex cubic,
 
 $$u^3+8\theta^2u^2+16(\theta^4-1)u-64\zeta^2\theta^2=0.$$
 
-Newton's method finds this root without a choice to make. The function `moving_load` takes the
-factors ($q$, $r_1$ and $r_2$ are its `a`, `b` and `c`) and joins the two sides at the load, where
-deflection, slope and curvature are equal and the shear jumps by the load.
+Newton's method finds it, with no choice between roots to make. The function `moving_load` computes
+the factors ($q$, $r_1$ and $r_2$ are the variables `a`, `b` and `c` in the code). It joins the two
+sides at the load, where deflection, slope and curvature are equal and the shear jumps by the load.
 
 {{code: track/moving_load.cpp moving_load}}
 
 {{fig-moving}}
 
-Below $V_c$ the dent is symmetric without damping and leans back with it. Above $V_c$ it falls
-behind, and short waves run ahead, long ones behind. Steady finite elements in the moving frame,
-which share nothing with the closed form but the differential equation, are drawn as points.
+Below $V_c$ the dent is symmetric without damping; with damping its deepest point lags behind the
+load. Above $V_c$ the whole dent falls behind. Short waves run ahead of the load and long ones
+behind it. The points are a check, a finite-element solution of the same differential equation.
 
 {{fig-amplification}}
 
-At a quarter of $V_c$ the rail goes {{quarter}} deeper. With the paper's 15 to 25 percent of
-material damping the deflection at the worst speed is {{most-015}} to {{most-025}} times the static
-one; with 40 percent, the low end of its range for radiation, {{most-040}} times; with 100 percent
-it is largest at rest. The marks show where 150 and 250 mph lie on this scale if $V_c$ is the
-paper's 1100 mph, and if it is that of the typical track.
+At a quarter of $V_c$ the rail sinks {{quarter}} deeper than under a standing load
+({{fig-amplification}}). With the paper's 15 to 25 percent of material damping the deflection at the
+worst speed is {{most-015}} to {{most-025}} times the static one; with 40 percent, the low end of
+its range for radiation, {{most-040}} times; with 100 percent it is largest at rest. The marks show
+where 150 and 250 mph lie on this scale if $V_c$ is the paper's 1100 mph, and if it is that of the
+typical track.
 */
 #include <fmt/format.h>
 
@@ -287,8 +291,9 @@ const report::Section moving{
         critical_speeds),
     report::figure(
         "fig-moving",
-        "Damping lets the dent lean back; above the critical speed it falls behind the load. Shape "
-        "of the rail seen from the load, which runs to the right; points are finite elements.",
+        "With damping the dent lags behind the load, above the critical speed most of all. Shape "
+        "of the rail seen from the load, which runs to the right, without damping (left) and with "
+        "it (right); points are finite elements.",
         shapes),
     report::figure("fig-amplification",
                    "Up to half of the critical speed hardly anything happens. Largest deflection "

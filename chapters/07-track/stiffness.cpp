@@ -11,34 +11,34 @@ $$y(X)=\frac{P\beta}{2K}\,a(X),\qquad a(X)=e^{-\beta|X|}(\cos\beta X+\sin\beta|X
   \beta=\left(\frac{K}{4EI}\right)^{1/4}, \tag{1}$$
 
 where $a$ is its shape, 1 under the load. One length, $1/\beta$, governs everything: how far a wheel
-is felt, how much two wheels of a truck (the frame under an end of the car) share, how far a joint
-reaches. The function `winkler_shapes` gives $a$ and what its derivatives are made of; it has its
-name from Winkler, who introduced the bed of springs.
+is felt, how much two wheels of a truck (the frame under an end of the car) add to each other's
+deflection, how far the effect of a joint reaches. The function `winkler_shapes` gives $a$ and what
+its derivatives are made of. It is named after Winkler, who introduced the bed of springs.
 
 {{code: track/beam_on_foundation.cpp winkler_shapes}}
 
 {{fig-01}}
 
-The squares in {{fig-01}} are the Fourier integral
-$\frac{P}{\pi}\int_0^\infty\frac{\cos\nu X}{EI\nu^4+K}\,d\nu$ over the wavenumber $\nu$, which shares
-no formula with (1). The rail lifts between $\beta X=3\pi/4$ and $7\pi/4$, most at
-$\beta X=\pi$, by {{uplift}} of the deflection under the load.
+The squares in {{fig-01}} are a check, the same deflection as a Fourier integral over the wavenumber
+$\nu$, $\frac{P}{\pi}\int_0^\infty\frac{\cos\nu X}{EI\nu^4+K}\,d\nu$. The rail lifts between
+$\beta X=3\pi/4$ and $7\pi/4$, most at $\beta X=\pi$, by {{uplift}} of the deflection under the
+load.
 
 The stiffness that a wheel feels is
 
 $$K_r=\frac{P}{y(0)}=2\,(4EIK^3)^{1/4}. \tag{2}$$
 
-It goes with $K^{3/4}$ and only with $EI^{1/4}$: the ground matters far more than the rail.
+It is proportional to $K^{3/4}$ and only to $(EI)^{1/4}$: the ground matters far more than the rail.
 {{continuous}} has numbers for a common rail, 132RE (132 pounds a yard).
 
 {{continuous}}
 
 For an "average" main line the text puts the point of zero deflection "roughly ten feet" from the
 wheel. With 132RE rail it is ten feet for $K$ = {{k-ten-feet}}, and the typical track of this
-chapter was chosen to meet that. The text later lets the effect of a joint disappear beyond
-$\beta X=2$, "or roughly 10 feet for average track", which is {{reach-ratio}} of the distance to
-zero deflection. Both are "roughly" ten feet on one track: with $K$ = {{k-both}} they are
-{{reach-both}} and {{zero-both}}.
+chapter was chosen to meet that. Later the paper lets the effect of a joint disappear beyond
+$\beta X=2$, "or roughly 10 feet for average track". This distance is {{reach-ratio}} of the one to
+zero deflection, so both cannot be ten feet exactly, but they can be "roughly" ten feet on one
+track: with $K$ = {{k-both}} they are {{reach-both}} and {{zero-both}}.
 
 The deflection is linear in the loads. A second wheel at a distance $b$ with the same load therefore
 adds the fraction $a(b)$ to the deflection under the first, whose stiffness falls to $K_r/(1+a(b))$:

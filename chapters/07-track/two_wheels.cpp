@@ -1,21 +1,22 @@
 /***
 ### Two wheels of a truck
 
-Does it matter that a truck has two wheels? A wheel on the same rail adds to the rail's deflection,
-and it does so while everything moves. On the beam of (1) with a mass $\rho$ per length and a bed
-with the damping $\zeta$, a load at the circular frequency $\omega$ moves the rail at a distance $b$
-by a fraction of what it does at the load. That fraction is the modulus of $a(b)$, with $\beta$ made
-of $K-\rho\omega^2+2i\zeta\omega\sqrt{K\rho}$ in place of $K$ (`share_at`).
-This beam has neither wheels nor lumps, and it shows that the paper's coupling is there, in motion
-more than at rest:
+Does it matter that a truck has two wheels? A second wheel on the same rail adds to the rail's
+deflection under the first, at rest and in motion. On the beam of (1) with a mass $\rho$ per length
+and a bed with the damping $\zeta$, a load at the circular frequency $\omega$ moves the rail at a
+distance $b$ by a fraction of what it does at the load. That fraction is the modulus of $a(b)$, with
+$\beta$ made of $K-\rho\omega^2+2i\zeta\omega\sqrt{K\rho}$ in place of $K$ (`share_at`). This beam
+carries loads instead of wheels, and it shows that the coupling of which the paper speaks exists, in
+motion more than at rest:
 
 {{two-wheels}}
 
-In the lumped model the coupling is that at rest: the force of each wheel acts on its own rail mass,
-and $a(b)$ of it on that of the other. In a truck of 70 inches at 60 mph over a dip of 0.5 in, the
-blow to the leading wheel then moves the rail below the trailing wheel by up to {{neighbour-rail}}.
-The trailing wheel hardly acts back: P1 and P2 of the leading wheel, defined above, change by
-{{neighbour-p1}} and {{neighbour-p2}}. For these two peaks one wheel is enough.
+In the lumped model we use the coupling at rest: the force of each wheel acts on its own rail mass,
+and the fraction $a(b)$ of it acts on that of the other wheel. In a truck of 70 inches at 60 mph
+over a dip of 0.5 in, the blow to the leading wheel then moves the rail below the trailing wheel by
+up to {{neighbour-rail}}. The trailing wheel hardly acts back: P1 and P2 of the leading wheel,
+defined above, change by {{neighbour-p1}} and {{neighbour-p2}}. For these two peaks one wheel is
+enough.
 
 The struct `TwoWheels` has the equations of motion of {{fig-04}}. The excess of each force over the
 static load acts on the rail mass below that wheel, and `share` of it on that of the other; `pad` is
