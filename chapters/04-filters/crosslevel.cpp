@@ -13,9 +13,10 @@ $$\vartheta_k=c_k\left(\vartheta_{k-1}+\Delta\vartheta_k\right)+(1-c_k)\,\gamma_
 
 where the time constant $\tau$ says how long the gyro is trusted.
 
-The corner is the one frequency that the paper gives: about two octaves below the lateral mode of
-the body, typically 1.25 Hz. This makes {{roll-corner}} and a time constant of {{roll-tau}}. When
-the car stands, $T_k\to\infty$ and $c_k\to0$: the inclinometer alone has the answer.
+The corner is the one frequency that the paper gives: about two octaves, a factor of four, below the
+lateral mode of the body, which is typically at 1.25 Hz. This makes a corner of {{roll-corner}} and
+a time constant of {{roll-tau}}. When the car stands, $T_k\to\infty$ and $c_k\to0$: the inclinometer
+alone has the answer.
 
 The paper speaks of stages of first and of second order. With $n$ equal poles the inclinometer
 passes $L^n$, where $L=1/(1+s\tau)$, and the gyro the rest, $1-L^n$. The table says how much of a
@@ -31,7 +32,11 @@ rails, about which the simulated body rolls. The height sensors then give the tr
 the body's, and the track's roll times the distance of the rails is the crosslevel.
 
 How much is each correction of the paper worth? The car runs at 60 mph over the whole line with
-perfect sensors, and one correction is left out at a time.
+perfect sensors, and one correction is left out at a time. The last four rows belong to profile and
+alignment, the next section. When the body leans, the vertical accelerometers feel less of gravity
+and some of the centrifugal acceleration; they and the height sensors do not sit over the rails, so
+that the roll of the axle enters. The lateral accelerometer feels gravity when its beam rolls, and
+moves sideways with this roll because it sits above the plane of the rails.
 
 {{table-corrections}}
 
@@ -127,7 +132,8 @@ const report::Section crosslevel{
         roll),
     report::table("table-corrections",
                   "Every correction that the paper names is needed. RMS error in mm at 60 mph with "
-                  "perfect sensors, with all corrections and without this one. Our track and car.",
+                  "perfect sensors, with all corrections and without the one named. Our track and "
+                  "car.",
                   table_corrections)};
 
 }  // namespace railbook::filters_chapter

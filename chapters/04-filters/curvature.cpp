@@ -23,9 +23,9 @@ for the measured. Both speeds show the curve at the same place.
 
 {{table-curvature}}
 
-The line of the track of this table is smooth, so that the sensors' errors show. On the main line,
-which is not smooth, the error at 60 mph with perfect sensors is larger, and larger still without
-the correction for the trucks. {{outcome:table-curvature/trucks}}
+The line of the track of this table is smooth, so that the sensors' errors show. On the standard
+track, whose line is not smooth, the error at 60 mph with perfect sensors is larger, and larger
+still without the correction for the trucks. {{outcome:table-curvature/trucks}}
 
 A bias $\beta$ of the gyro adds $\beta/V$ to the curvature, and so counts most at low speed. At 2
 mph a bias of 0.005 deg/s, little more than the earth's own rotation, and as much noise make

@@ -27,7 +27,7 @@ set label 2 "sensor" at 165,449 center font ",10"
 set label 3 "analog filter\nB, corner ω_1" at 279,457 center font ",10"
 set label 4 "sample\neach foot" at 403,457 center font ",10"
 set label 5 "digital filter C,\nknows ω_1 and T_k" at 539,457 center font ",10"
-set label 6 "offset from a\n62-ft chord" at 685,457 center font ",10"
+set label 6 "curvature\nof the track" at 685,457 center font ",10"
 set style arrow 1 filled size 9,20,60 lw 1.6 lc rgb "#404040"
 do for [i=1:5] { set arrow i from X[i] + W[i] + 2,448 to X[i + 1] - 2,448 arrowstyle 1 }
 set label 11 "x(t)" at 214,464 center font ",10" textcolor rgb blue

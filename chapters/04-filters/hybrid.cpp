@@ -27,7 +27,7 @@ when the speed changes.
 In the code, `push` takes the new output $y_k$ and the time of the foot. It computes $u_k$ in the
 form $y_k+\frac{a_k}{1-a_k}(y_k-y_{k-1})$, which passes a constant unchanged whatever the rounding,
 and keeps $a_k/(1-a_k)$ while the speed stays the same. Its first two lines deal with pulses of the
-encoder that cannot be.
+encoder that cannot be right.
 
 {{code: filters/hybrid_filter.cpp push}}
 
@@ -41,9 +41,9 @@ heading per foot, which is the curvature that the paper wants.
 
 The paper shows what this does to waves in three figures, for 9 and for 80 mph. They are lost in our
 copy, and it prints no corner; {{corner}} is our choice. Take a constant speed and a wave of
-$\varphi$ cycles a metre, its *wavenumber*. With the distance $d$ of two samples, 1 ft, it turns by
-$\theta=2\pi\varphi d$ radians from sample to sample. With $a=e^{-\kappa}$ the gains of the filters
-at that wave are
+$\varphi$ cycles a metre, its *wavenumber*. Between two samples, which are $d$ = 1 ft apart, its
+phase advances by $\theta=2\pi\varphi d$ radians. With $a=e^{-\kappa}$ the gains of the filters at
+that wave are
 
 $$|B|=\frac1{\sqrt{1+\theta^2/\kappa^2}},\qquad|C|=\left|\frac{1-ae^{-i\theta}}{1-a}\right|=\sqrt{1+\frac{\sin^2(\theta/2)}{\sinh^2(\kappa/2)}},$$
 
@@ -264,8 +264,8 @@ const report::Section hybrid{
                    fig_08),
     report::figure("fig-09",
                    "Figure 9. Both filters together give one curve at 9 and at 80 mph. Left, the "
-                   "gain of BC; right, what is left of the speed, in thousandths. The corner is "
-                   "ours.",
+                   "gain of BC; right, by how much it exceeds its limit for a low corner, in "
+                   "thousandths. The corner is ours.",
                    fig_09)};
 
 }  // namespace railbook::filters_chapter

@@ -3,15 +3,15 @@
 The weight of the hybrid filter, seen from sample $k$, is $e^{\omega_1(t-t_k)}$ over the last foot.
 It is flat only in the limit of a low corner, $\kappa=\omega_1T\to0$, that is, for a corner far
 below $V/d$, the number of samples a second at the speed $V$. Otherwise the end of the foot counts
-more than its beginning, as the drawing at the top shows for 9 mph. The gain is then off by a term
-of second order in $\kappa$, and the place to which the mean belongs by one of first order: the
-centroid of the weight lies
+more than its beginning, as the drawing at the top shows for 9 mph. This has two effects. The gain
+is off by a term in $\kappa^2$. The place to which the mean belongs, the centroid of the weight, is
+off by a term in $\kappa$; it lies
 
 $$T\left(\frac1\kappa-\frac a{1-a}\right)=T\left(\frac12-\frac\kappa{12}+\dots\right)$$
 
-before the sample. Half a sample is the same for both directions and can be shifted away. The rest
-changes its sign with the direction of travel, so that forward and reverse runs end up $\kappa d/6$
-apart.
+before the sample. The first term is half a foot at any speed, so that the record can be shifted
+back by it. The second depends on the speed, and puts the centroid $\kappa d/12$ further in the
+direction of travel. Forward and reverse runs therefore end up $\kappa d/6$ apart.
 
 The paper claims that the hybrid filter removes the distortion "normally introduced by variations in
 vehicle speed and direction of travel". The measure of this is the analog filter alone. It delays
@@ -30,7 +30,7 @@ $\varepsilon=\frac12-\left(\frac1\kappa-\frac a{1-a}\right)$, the corrected
 $u_k-\frac\varepsilon2(u_{k+1}-u_{k-1})$ keeps the gain of long waves and leaves {{offset-left}} at
 a wave of 20 ft. At 1 mph, below all speeds for which the paper relies on the filter, the gain is
 off by up to {{off-1}}, and the two directions lie {{offset-1}} apart, no less than with $B$ alone.
-The paper itself says *nearly* of profile and alignment.
+Of profile and alignment the paper itself says only "nearly independent".
 
 **"An extremely close approximation"** of $C$ is said to be coded, for "efficient numerical
 calculations". The paper does not say which. With an approximate $\hat a$ in place of $a$, the

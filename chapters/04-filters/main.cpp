@@ -9,9 +9,10 @@ record at 9 mph, another at 80 mph, and a third when the car comes back the othe
 ::: findings
 1. Are speed and direction really gone from the record, as the paper claims? Nearly. With an analog
    filter that suppresses what is faster than {{corner}} (our choice, for the paper prints none),
-   waves of the track are recorded at 9 and at 80 mph with factors that differ by at most {{spread}}
-   of 1. Runs forwards and backwards at 9 mph then lie {{offset-9}} apart, where the analog filter
-   alone would set them {{alone-9}} apart . {{outcome:fig-09/magnitude}}
+   waves of the track are recorded at 9 and at 80 mph with gains that differ by at most {{spread}},
+   where a gain of 1 means full size. The same place of the track then stands {{offset-9}} apart in
+   records of a run forwards and a run backwards at 9 mph; with the analog filter alone it would be
+   {{alone-9}}. {{outcome:fig-09/magnitude}}
 2. What can still be measured when the car crawls? The paper claims that only gage, the distance of
    the rails, and crosslevel, the height of one over the other, remain accurate down to 0 mph. On
    our model this is so: at 0.5 mph the errors of all other measurements are {{slow-growth}} those
@@ -36,10 +37,11 @@ standards ask for:
   it, the *mid-chord offset*;
 * *alignment*, the same sideways.
 
-Gage needs no memory. The other four are made from gyros, which measure rates of turning, and from
-accelerometers. Their signals must pass an analog low-pass filter before they are sampled, since a
-wave shorter than two samples would be mistaken for a longer one. Its *corner*, above which it
-suppresses, is fixed in hertz: at 80 mph it erases waves that it passes at 9 mph.
+Gage is read directly from sensors of distance. The other four are made from gyros, which measure
+rates of turning, and from accelerometers. Their signals must pass an analog low-pass filter before
+they are sampled, since a wave shorter than two samples would be mistaken for a longer one. Its
+*corner*, above which it suppresses, is fixed in hertz: at 80 mph it erases waves that it passes at
+9 mph.
 
 The remedy is in two parts. The car takes a sample whenever an axle has turned through a foot of
 track, and measures the time that the foot took. A digital filter then undoes what the analog filter
@@ -75,10 +77,10 @@ Nothing in the paper is contradicted. Our reconstruction differs from it, or may
 
 * **The digital filter $C$** is the shortest one that undoes $B$. The paper's is a bandpass and may
   contain a fixed low-pass. {{outcome:fig-08/bandpass}} What is left of the direction in ours,
-  {{offset-9}} at 9 mph and {{offset-80}} at 80 mph, is in proportion to the corner that we chose
- . {{outcome:small-kappa/direction}}
-* **Sensors of the profile**: ours does without the sway sensors, which the paper seems to use
- . {{outcome:table-sensors/profile}}
+  {{offset-9}} at 9 mph and {{offset-80}} at 80 mph, is in proportion to the corner that we chose.
+  {{outcome:small-kappa/direction}}
+* **Sensors of the profile**: ours does without the sway sensors, which the paper seems to use.
+  {{outcome:table-sensors/profile}}
 * **Crosslevel**: only the yaw gyro is said to be debiased, so the bias of the roll gyro stays in
   ours.
 * **Chosen here**: the corners of $B$ and $F$, the poles of the roll filter and the mean of
@@ -103,9 +105,10 @@ Nothing in the paper is contradicted. Our reconstruction differs from it, or may
   notices.
 * The long chord with its high-pass needs 330 samples on each side, and on each side of a missing
   one.
-* The simulated car is linear but for its attitude. It has five modes, no flange, no hunting and no
-  bending of body or beam. The track does not yield under load, and the encoder neither slips nor
-  wears. Errors of a real car are larger.
+* The simulated car is linear, except for what its angles do to the readings of the sensors. It has
+  five modes; its wheels have no flanges and do not hunt, that is, weave between the rails; body and
+  beam do not bend. The track does not yield under load, and the encoder neither slips nor wears.
+  Errors of a real car are larger.
 * Curvature is that of the path of the trucks. Where they weave between the rails it is wrong, and
   no sensor of the system shows this.
 * `railbook filters process` doubts the clock of a record whose median speed is below 0.5 m/s, since

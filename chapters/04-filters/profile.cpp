@@ -37,11 +37,11 @@ passes {{hp-150}} of a wave of 150 ft and {{hp-200}} of one of 200 ft.
 
 {{fig-13}}
 
-In a chord, the double zero of $H$ at long waves removes a constant acceleration altogether. The
-*pseudo space curve*, the path of the rail without its long waves, is the short offset times
-$H/(1-\cos\theta)$, which is a finite sum as well. The division uses up the double zero, so that a
-constant bias gives a constant offset. The response of the curve is then $H$ itself, as the paper
-says. {{outcome:fig-13/true-response}}
+Towards long waves $H$ vanishes with the square of $\theta$. A long chord therefore keeps nothing of
+a constant acceleration. The *pseudo space curve*, the path of the rail without its long waves, is
+the short offset times $H/(1-\cos\theta)$, which is a finite sum as well. The division uses up this
+square, so that a constant bias of the accelerometer leaves a constant in the curve. The response of
+the curve is then $H$ itself, as the paper says. {{outcome:fig-13/true-response}}
 
 **Alignment** goes the same way with the accelerometer on the beam. Gravity on the rolling beam is
 taken off first, and the short offset of each gage sensor is added.
@@ -156,7 +156,8 @@ const report::Section profile{
         "fig-13",
         "Figure 13. The high-pass keeps the waves that count and removes hills. Gain "
         "against wavelength; upright lines are the longest waves that count, as the paper "
-        "has them. The filter is our choice.",
+        "has them. Broken lines are other filters: one plain mean, and the chosen one twice. "
+        "The filter is our choice.",
         fig_13)};
 
 }  // namespace railbook::filters_chapter

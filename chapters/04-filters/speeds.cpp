@@ -1,9 +1,10 @@
 /*** ## Down to which speed?
 
-**Both directions.** What is left of speed and direction in an ideal profile is a matter of phase.
-The centroid of the weight of $F$ and $G$ together is $\kappa d/6$ off. So the path of the body is
-read that much ahead, while the height sensors read it where they are, and the error is this shift
-times the slope of the body's path, of one sign forwards and of the other backwards.
+**Both directions.** With perfect sensors, profile depends on speed and direction mainly through the
+place at which the filters read. The centroid of the weight of $F$ and $G$ together is $\kappa d/6$
+off. So the path of the body is read that much too far ahead, while the height sensors are read at
+the right place. The error is this shift times the slope of the body's path; it has one sign
+forwards and the other backwards.
 
 With our corner, from 5 mph on, the two directions lie at most {{apart-5}} apart, less than the 6 in
 to which the paper knows a place. That fits its "nearly independent".
@@ -51,8 +52,9 @@ the track's curve has 4 degrees. This supports the paper's "accurate down to app
 
 Alignment is the hardest. Its accelerometer feels gravity as soon as the beam rolls, which makes an
 error of {{alignment-15}} at 15 mph and {{alignment-5}} at 5 mph, of a signal of {{alignment-true}}.
-That profile and alignment "are not to be relied upon below 5 mph" is taken at its plainest: at 2
-mph, the next lower speed tried, the error of each is larger than what it measures.
+The paper says that profile and alignment "are not to be relied upon below 5 mph", without a
+measure. We take this to mean that the error of each is larger than what it measures; at 2 mph, the
+next lower speed tried, it is.
 {{outcome:table-claims/unreliable}}
 
 {{fold}}
@@ -265,9 +267,9 @@ const report::Section speeds{
         fig_directions),
     report::figure(
         "fig-parameters",
-        "Only gage and crosslevel do not grow towards low speed. RMS error against speed: "
-        "lines with typical sensors, dots with perfect ones, of which gage has no error. "
-        "Track, car and sensors are ours.",
+        "Only the errors of gage and crosslevel do not grow towards low speed. RMS error "
+        "against speed: lines with typical sensors, points with perfect ones, of which gage "
+        "has no error. Track, car and sensors are ours.",
         fig_parameters),
     report::table("table-claims",
                   "The same errors as numbers, and what the paper claims of them. RMS errors with "

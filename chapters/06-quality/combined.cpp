@@ -13,8 +13,8 @@ The shape is the paper's: a rise with the square of the wavelength at both ends,
 level between. Its two numbers depend on the vehicle, which is not printed. With car A the level
 ends below at {{corner-40}}, {{corner-64}}, {{corner-100}}, {{corner-130}} and {{corner-177}} for
 the five speeds, where the paper says "<7 m"; with the loaded car B at {{corner-B}} at 100 km/h.
-Above, the amplitude has doubled at {{double-64}} for 64 km/h, {{double-100}} for 100 and
-{{double-177}} for 177 km/h, where the paper says ">100 m".
+Beyond the upper end of the level, the amplitude has doubled at {{double-64}} for 64 km/h,
+{{double-100}} for 100 and {{double-177}} for 177 km/h, where the paper says ">100 m".
 
 {{fold}}
 */

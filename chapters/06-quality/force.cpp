@@ -25,10 +25,10 @@ Together with the static load the force shall stay below 143 kN.
 
 {{fig-06}}
 
-The paper prints no masses, springs or dampers. We take one wheel's share of three cars from
-`data/cars.csv`, all with a wheel of 800 kg, a bounce of 2 Hz and half the critical damping: car A
-with a body of 7000 kg, car B, a loaded 70-ton car, with 11 700 kg, and car C, a loaded 100-ton car,
-with 14 090 kg. The figure is car A's.
+The paper prints no masses, springs or dampers. We take the part that rests on one wheel of three
+cars from `data/cars.csv`. All have a wheel of 800 kg, half the critical damping, and a bounce, the
+up-and-down motion of the body, at 2 Hz: car A with a body of 7000 kg, car B, a loaded 70-ton car,
+with 11 700 kg, and car C, a loaded 100-ton car, with 14 090 kg. The figure is car A's.
 
 Its curves do not cross. Curves cross when the gain $|G/Z|$ falls with frequency somewhere, for then
 a slower train needs smoother track. The least damping that prevents it depends on $r$ alone:
@@ -36,9 +36,9 @@ a slower train needs smoother track. The least damping that prevents it depends 
 {{table-damping}}
 
 With the damping of the roll example, 0.2, the curves of all these cars would cross. The paper says
-that in this mode it uses "spring and damping constants appropriate for vehicle response" to profile
-and alignment, and does not print them, so its statement cannot be tested. Cars with a body of less
-than twice the wheel's mass need less damping: {{damping-light}} at $r$ = 0.5.
+that for the wheel force it uses "spring and damping constants appropriate for vehicle response" to
+profile and alignment, and does not print them, so its statement cannot be tested. Cars with a body
+of less than twice the wheel's mass need less damping: {{damping-light}} at $r$ = 0.5.
 
 The force left for the track is 143 kN less the static load, {{margin-A}} for car A and {{margin-B}}
 for car B. Car C has nothing left. Its static {{static-C}} exceed the limit, and the library's

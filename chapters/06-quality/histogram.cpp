@@ -12,7 +12,9 @@ the paper proposes to say both at once, and writes
 $$T_2=\bar p+ns$$
 
 with the mean $\bar p$ and the standard deviation $s$ of the descriptor. The number $n$ falls as the
-track gets worse, and tells when spot repair has to give way to production work.
+track gets worse. It tells when the repair of single spots has to give way to production work, in
+which machines treat a whole stretch. A lower threshold $T_1$ is what new or rebuilt track has to
+meet.
 
 {{fig-09}}
 

@@ -12,10 +12,10 @@ is spent where no vehicle notices and is missing where one does.
    grow with the square of their length. For its linear vehicle both follow exactly from its
    formula. {{outcome:fig-05/level}} {{outcome:fig-05/tail}}
 2. Is that so for "all vehicle models regardless of how complex or nonlinear they may be", as the
-   paper supposes? That shorter waves are never allowed more is so for any vehicle. With the paper's
-   damping and with bump stops of ours, met at 0.6 of the stroke limit, longer waves may grow with
-   the square of their length as well. {{outcome:fig-level/shape}} One level remains if the stops
-   are as stiff as the spring. If they are ten times as stiff, the allowance falls from
+   paper supposes? For any vehicle, shorter waves are never allowed more than longer ones. With the
+   paper's damping and with bump stops of ours, met at 0.6 of the stroke limit, longer waves may
+   grow with the square of their length as well. {{outcome:fig-level/shape}} One level remains if
+   the stops are as stiff as the spring. If they are ten times as stiff, the allowance falls from
    {{one-wave-10}} to at most {{level-10}} for waves below {{second-10}} at 100 km/h, because every
    third wave can keep the body swinging. {{outcome:fig-level/subharmonic}}
 3. Short waves load the wheel. Do the curves of that limit "not interpenetrate each other as speed
@@ -27,10 +27,11 @@ is spent where no vehicle notices and is missing where one does.
 ## The idea
 
 J. C. Corbin and A. E. Fazio turn the question around. They drive a vehicle over a sine wave of the
-track and see how much of what it can bear one metre of amplitude uses up: of the *stroke* of its
-suspension, by which the spring can yield until it meets a stop, or of the force that a wheel may
-press on the rail. The inverse is the amplitude that may be left in the track at that wavelength.
-The least of it over all speeds up to the posted one is what has to be maintained.
+track. The vehicle can bear only so much *stroke* of its suspension, the change of length of the
+spring, before it meets a stop, and only so much force between wheel and rail. One metre of
+amplitude uses up some multiple of each. The inverse of the larger one is the amplitude, in metres,
+that may be left in the track at that wavelength. The least of it over all speeds up to the posted
+one is what has to be maintained.
 
 The curve of these amplitudes becomes a filter. Run over a record of the track, it gives the
 *descriptor*, which reaches 1 where the track uses up what the vehicle can bear. In the drawing, a
@@ -69,7 +70,8 @@ the bump stops that it mentions.
 * **The unit gain at waves shorter than resonance** is a limit; at 20 m the gain is {{gain-20}}.
   {{outcome:fig-02/unit-gain}}
 * **Curves of the wheel force that do not cross** need a damping of {{damping-A}} of critical for
-  car A. With the 0.2 of the roll mode they would cross. The damping of this mode is not printed.
+  car A. With the 0.2 of the roll mode they would cross. The paper does not print the damping that
+  it uses for the wheel force.
 * **"<7 m" and ">100 m"**, the ends of the constant level, depend on a vehicle that is not printed;
   {{fig-07}} says what car A gives. {{outcome:fig-07/short}} {{outcome:fig-07/long}}
 * **That the allowed power "resembles that of existing track"** is not testable: spectrum and
@@ -87,9 +89,9 @@ the bump stops that it mentions.
 
 ## Limits
 
-* The vehicle is one wheel on one rail. Two axles filter wavelengths of the wheelbase, a second
-  truck adds phases at each end of the car, and roll and bounce are driven by different
-  measurements.
+* The vehicle is one wheel on one rail. A real car has axles and trucks that meet a wave one after
+  the other, so that some wavelengths cancel and others add. Its roll is driven by crosslevel and
+  its bounce by profile.
 * The wheel never lifts, and the rail does not yield. Above some 20 Hz the track's own stiffness and
   the contact govern the force; chapter 07 has them.
 * The descriptor is a bound for a lasting sine of a linear vehicle, not for a bump ({{fig-bumps}}).
@@ -97,8 +99,7 @@ the bump stops that it mentions.
   "detailed analysis of combinatorial geometry inputs", several frequencies and several kinds of
   geometry at once; that is not done here, except for the pairs of {{table-pairs}}.
 * The stops are elastic and symmetric, and the damper is linear. Freight-car damping is dry
-  friction, of which chapter 02 makes more. The levels of {{fig-level}} are the lowest that a search
-  found.
+  friction, which chapter 02 treats. The levels of {{fig-level}} are the lowest that a search found.
 * The stochastic part assumes independent, normal values; neighbouring values of a descriptor are
   nearly the same value.
 

@@ -66,16 +66,19 @@ The number of levels depends on the stops, and not on their stiffness alone:
 {{table-levels}}
 
 So the shape that the paper supposes holds for one of these vehicles and not for another. In each
-case the amplitude relaxes beyond a wavelength that the speed sets. Where stiff stops are met late
-and the damping is small, the level has further steps. The levels are the lowest that were found:
+case the allowed amplitude rises beyond a wavelength that the speed sets. Where stiff stops are met
+late and the damping is small, the level has further steps. The levels are the lowest that were
+found:
 {{starts}} starts were tried at each of {{frequencies}} frequencies, at 0.97 of the level found so
 far, and a motion that none of them reaches would lower the level again.
 
 ### A sudden start and a slow one
 
-The level of the linear vehicle, {{level-linear}}, is no substitute for that search. On it, the
-stops bend the resonance to shorter waves, and what happens depends on how the sine begins ($\kappa$
-= 10):
+The level of the linear vehicle, {{level-linear}}, cannot replace that search. On waves of this
+amplitude the stops, which stiffen the suspension, move the resonance to higher frequencies, that
+is, shorter waves. What happens there depends on how the sine begins ($\kappa$ = 10). It begins
+suddenly with the stroke at rest, so that the body first moves with the track; suddenly with the
+body at rest; or slowly, with an amplitude that grows over 60 s.
 
 {{table-starts}}
 
@@ -85,8 +88,8 @@ sudden one ends on the upper one if the stroke is at rest when it starts.
 
 ### Pairs of sines
 
-Two sines that fulfil (7) act together, each with half of its own allowed amplitude, begun at once;
-the worst of 32 relative phases counts:
+Two sines that fulfil (7), the first at the peak of the linear vehicle's gain, act together, each
+with half of its own allowed amplitude, begun at once; the worst of 32 relative phases counts:
 
 {{table-pairs}}
 

@@ -19,16 +19,17 @@ literally, the blob says that no value exceeds a threshold until its edge arrive
 
 {{fig-11}}
 
-The paper describes two segments that start alike and part: A, where the ties were renewed, and B,
-which was only surfaced. Its curves have no numbers. Here both spread by diffusion from $s$ = 0.15,
-B four times as fast. The index $n$ of B falls to 3, taken as the end of basic maintenance, after
-{{basic-B}} units of tonnage, that of A after {{basic-A}}. The histogram after surfacing does not
-tell which is which, as the paper says.
+The paper describes two segments that start alike and then differ: A, where the ties (sleepers) were
+renewed, and B, which was only surfaced, that is, lifted back to its proper height. Its curves have
+no numbers. Here both spread by diffusion from $s$ = 0.15, B four times as fast. The index $n$ of B
+falls to 3, taken as the end of basic maintenance, after {{basic-B}} units of tonnage, that of A
+after {{basic-A}}. The histogram after surfacing does not tell which is which, as the paper says.
 
-The paper therefore asks for a function, dTQI = f(S, U, P, M), beside the *track-quality index*
-(TQI): the change of the index depends on the structure S, the use U, the present track quality P,
-and anything else, M, such as unusual rainfall. P is there because of the hypothesis that poor track
-degrades faster than good track. Neither law drawn here does that; in both the spreading slows down.
+The paper therefore asks for a function beside the *track-quality index* (TQI). It writes dTQI =
+f(S, U, P, M), with letters that have these meanings here only: the change of the index depends on
+the structure S, the use U, the present track quality P, and anything else, M, such as unusual
+rainfall. P is there because of the hypothesis that poor track degrades faster than good track.
+Neither law drawn here does that; in both the spreading slows down.
 
 {{fold}}
 */

@@ -17,8 +17,9 @@ Our copy of (3) shows no minus; (1) requires it, and no magnitude depends on it.
 Two numbers describe the suspension. Its own frequency is $f'=\sqrt{k/M}/2\pi$ in hertz, and its
 damping, as a fraction of the critical one, $\rho=b/2\sqrt{kM}$. A sine of the track of wavelength
 $\lambda$, taken at speed $v$, shakes it with the frequency $v\varphi$, where $\varphi=1/\lambda$ is
-the *spatial frequency*. Only the ratio of the two frequencies counts, $\eta=v\varphi/f'$. With $Z$
-and $X$ the amplitudes of track and stroke,
+the *spatial frequency*. Only the ratio of the two frequencies counts, $\eta=v\varphi/f'$. The
+paper's example is the *roll mode*, the swing of the body from side to side, with $f'$ = 0.5 Hz and
+$\rho$ = 0.2. With $Z$ and $X$ the amplitudes of track and stroke,
 
 $$\left|\frac XZ\right|=\Gamma(\eta)=\frac{\eta^2}{\sqrt{(1-\eta^2)^2+4\rho^2\eta^2}} . \tag{4}$$
 
@@ -32,8 +33,8 @@ overflows.
 
 The damped peak lies at {{peak-wavelength}}, the undamped resonance at $v/f'$ =
 {{resonance-wavelength}}. The paper's 55 m lies between the two, and neither of them rounds to it.
-The unit gain at short waves is a limit; at 20 m the gain is {{gain-20}}. Turned upside down, with
-the stroke limited to $x_0$ = 2.54 cm, the curve says how much track is allowed:
+The gain of 1 at short waves is reached only in the limit; at 20 m it is {{gain-20}}. Turned upside
+down, with the stroke limited to $x_0$ = 2.54 cm, the curve says how much track is allowed:
 
 {{fig-03}}
 
