@@ -16,6 +16,23 @@ for yaw in 0 4; do
   table --yaw-from ${yaw}mrad --yaw-to ${yaw}mrad --json >yaw$yaw.jsonl || fail "yaw $yaw"
   grep "yaw $yaw mrad" whole/wheelrail-table.jsonl | cmp - yaw$yaw.jsonl || fail "a part has other rows"
 done
+# The error stated for a step covers what sixteen times as many shifts show, where a patch grows into another near one end of it.
+steps() { "$railbook" wheelrail table --speed 10m/s --load 50kN --slip 0.001 --from 0mm --to 0.5mm --shifts "$1" --out "steps$1" >said || fail "$(cat said)"; }
+steps 2
+steps 17
+cat steps2/wheelrail-table.csv steps17/wheelrail-table.csv | awk -F, '
+  /^record/ { ++part; for (i = 1; i <= NF; ++i) at[$i] = i + 1; next }  # the name has a comma
+  part == 1 && !(stated > 0) { stated = $at["interpolation_error_of_mu_N"] }
+  part == 2 { x[n + 0] = $at["x_N"]; y[n++ + 0] = $at["y_N"] }
+  END {
+    if (n != 17) { print n " rows"; exit 1 }
+    for (i = 0; i < n; ++i) {
+      dx = x[i] - x[0] - i / 16 * (x[16] - x[0]); dy = y[i] - y[0] - i / 16 * (y[16] - y[0])
+      if (sqrt(dx * dx + dy * dy) / 15000 > largest) largest = sqrt(dx * dx + dy * dy) / 15000
+    }
+    if (!(stated > 0.9 * largest && stated <= 1.001 * largest)) { print "stated " stated ", largest " largest; exit 1 }
+  }' || fail "the error of interpolation does not hold"
+grep -q "[,;]method" steps2/wheelrail-table.csv || fail "strips 27 % off the full theory have no flag"
 # With nothing to read there is no table.
 printf 'x' >wheel.csv
 table --wheel wheel.csv --out other >said 2>&1 && fail "a file of one letter is no profile"
