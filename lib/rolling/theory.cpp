@@ -1,6 +1,8 @@
 #include <railbook/rolling/theory.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 #include <stdexcept>
 
@@ -14,6 +16,16 @@ namespace {
 constexpr std::array theories{
     Theory::fastsim, Theory::fastrip,           Theory::shen_hedrick_elkins,
     Theory::polach,  Theory::vermeulen_johnson, Theory::linear};
+
+// Rows across for `cells` along rolling: half as many, but in a long contact so few that a cell is not more than 16 times as long
+// as it is wide. Rows far narrower than their cells are long hold one another so fast that the states of the cells do not settle.
+Eigen::Index rows_for(double axis_ratio, long cells) {
+  const long half = (cells + 1) / 2;
+  const double wide_enough = 16 * static_cast<double>(cells) / axis_ratio;
+  if (static_cast<double>(half) <= wide_enough) return half;
+  const long rows = std::max(8L, 2 * std::lround(wide_enough / 2));
+  return std::min(half, rows);
+}
 
 }  // namespace
 
@@ -30,7 +42,7 @@ Solver solver(const std::string& theory, double axis_ratio, double poisson, long
               bool computed) {
   if (theory == "full") {
     const auto contact = std::make_shared<EllipseRolling>(
-        axis_ratio, poisson, RollingOptions{.along = cells, .rows = (cells + 1) / 2});
+        axis_ratio, poisson, RollingOptions{.along = cells, .rows = rows_for(axis_ratio, cells)});
     return [contact](const RollingCase& c) { return contact->solve(c); };
   }
   for (const Theory one : theories) {

@@ -12,9 +12,6 @@
 
 namespace railbook::tool {
 
-namespace {
-
-// With the last digit in the place of the error's first one, at least one digit and at most seven.
 std::string to_digits_of(double value, double error) {
   if (!(error > 0)) return fmt::format("{:.7g}", value);
   if (std::isinf(error)) return fmt::format("{:.4g}", value);
@@ -26,8 +23,6 @@ std::string to_digits_of(double value, double error) {
   return fmt::format("{:.{}f}", unit > 1 ? std::round(value / unit) * unit : value,
                      std::max(0, digits - 1 - static_cast<int>(size)));
 }
-
-}  // namespace
 
 void Summary::add(std::string key, std::string what, const Estimate& estimate, std::string unit,
                   std::string note) {

@@ -33,6 +33,8 @@ read. Positive creepage gives positive force, that of the wheel on the rail; `sp
 #include <railbook/units/constants.hpp>
 
 #include "tools.hpp"
+#include "units/constants.hpp"
+#include "units/input_error.hpp"
 
 namespace railbook::creep_tool {
 
@@ -136,11 +138,14 @@ struct Row {
 constexpr double coarse_error = 0.1;  // of mu N: from here on an answer is doubtful
 
 // Why a row is doubtful; empty if it is not.
-std::string doubt_of(const CreepForces& f) {
+std::string doubt_of(const CreepForces& f, bool full) {
   if (!f.doubt.empty()) return std::string(f.doubt);
   if (std::isfinite(f.error) && f.error > coarse_error)
-    return fmt::format("the cells are too coarse: error estimate above {:g} mu N; give more cells",
-                       coarse_error);
+    return full ? fmt::format(
+                      "the cells are too coarse: error estimate above {:g} mu N; give more "
+                      "cells",
+                      coarse_error)
+                : fmt::format("this theory is more than {:g} mu N off the full one", coarse_error);
   return "";
 }
 
@@ -151,25 +156,51 @@ void clean(CreepForces& f, double bound, double length) {
   if (std::abs(f.mz) < 1e-12 * bound * length) f.mz = 0;
 }
 
-// The largest error estimates, and what the rows are doubtful for.
-void add_doubts(tool::Summary& answer, const std::vector<Row>& all, double unit) {
-  double error = 0, moment = 0;
-  for (const auto& [creepage, f] : all) {
-    error = std::max(error, f.error);
-    moment = std::max(moment, f.mz_error);
+// A theory without an estimate of its own beside the full theory, at up to 21 of the rows evenly spread: the errors of those rows.
+// Where the full theory has no answer, they stay unknown.
+void compare_with_full(std::vector<Row>& all, RollingCase c) {
+  if (all.empty() || std::isfinite(all.front().forces.error) || c.friction == 0) return;
+  constexpr std::size_t most = 21;
+  const Solver full = solver("full", c.a / c.b, c.poisson, 24);
+  const double bound = c.friction * c.load, unit = bound * std::sqrt(c.a * c.b);
+  const std::size_t rows = std::min(most, all.size());
+  for (std::size_t k = 0; k < rows; ++k) {
+    auto& [creepage, f] = all[rows == 1 ? 0 : k * (all.size() - 1) / (rows - 1)];
+    c.creepage = creepage;
+    const CreepForces exact = full(c);
+    if (!exact.converged) continue;
+    f.error = std::hypot(f.fx - exact.fx, f.fy - exact.fy) / bound + exact.error;
+    f.mz_error = std::abs(f.mz - exact.mz) / unit + exact.mz_error;
   }
+}
+
+// An error has two digits.
+double rounded(double error) {
+  return error > 0 ? std::stod(fmt::format("{:.1e}", error)) : error;
+}
+
+// The largest errors that are known, and what the rows are doubtful for.
+void add_doubts(tool::Summary& answer, const std::vector<Row>& all, double unit, bool full) {
+  double error = units::nan, moment = units::nan;
+  for (const auto& [creepage, f] : all)
+    if (std::isfinite(f.error)) {
+      error = std::fmax(error, f.error);
+      moment = std::fmax(moment, f.mz_error);
+    }
   if (std::isfinite(error)) {
-    answer.add("error_share", "largest error estimate of the force", error, "of mu N");
-    answer.add("mz_error_N_m", "and of the moment", moment * unit, "N m");
+    answer.add("error_share",
+               full ? "largest error estimate of the force" : "largest error against full",
+               rounded(error), "of mu N");
+    answer.add("mz_error_N_m", "and of the moment", rounded(moment * unit), "N m");
   } else {
-    answer.add("error_share", "error estimate", "none by this theory; compare with full");
+    answer.absent("error_share", "error estimate", "not known");
   }
   std::vector<std::string> seen;
   for (const auto& [creepage, f] : all) {
-    const std::string doubt = doubt_of(f);
+    const std::string doubt = doubt_of(f, full);
     if (doubt.empty() || std::ranges::find(seen, doubt) != seen.end()) continue;
     const auto count =
-        std::ranges::count_if(all, [&](const Row& r) { return doubt_of(r.forces) == doubt; });
+        std::ranges::count_if(all, [&](const Row& r) { return doubt_of(r.forces, full) == doubt; });
     seen.push_back(doubt);
     answer.flag(fmt::format("range_{}", seen.size()),
                 fmt::format("{} ({} of {} rows)", doubt, count, all.size()));
@@ -184,7 +215,9 @@ std::vector<Row> rows(const Wish& wish, RollingCase c, const Solver& solve, doub
     auto f = solve(c);
     if (!f.converged)
       throw std::runtime_error(
-          fmt::format("no answer at creepage {:.6g}: {}", c.creepage.longitudinal, f.reason));
+          fmt::format("no answer at creepage {:.6g}: {}; another number of --cells may do, or a "
+                      "fast --theory",
+                      c.creepage.longitudinal, f.reason));
     clean(f, c.friction * c.load, c.a + c.b);
     all.push_back({c.creepage, f});
   }
@@ -208,19 +241,23 @@ double creepage_for(double force, RollingCase c, const Solver& solve, double fro
       .x;
 }
 
-void print_rows(const std::vector<Row>& all, double bound) {
+// The full theory's with the digits that its error leaves.
+void print_rows(const std::vector<Row>& all, double bound, double unit, bool full) {
   std::FILE* const to = tool::session().taken ? stderr : stdout;
   fmt::print(to, "\n{:>12} {:>12} {:>12} {:>12} {:>8} {:>7}\n", "creepage", "fx, N", "fy, N",
              "mz, N m", "F/(mu N)", "stick");
+  const auto text = [full](double value, double error) {
+    return full && value != 0 ? tool::to_digits_of(value, error) : fmt::format("{:.6g}", value);
+  };
   for (const auto& [creepage, f] : all)
-    fmt::print(to, "{:>12.6g} {:>12.6g} {:>12.6g} {:>12.6g} {:>8} {:>7.3f}\n",
-               creepage.longitudinal, f.fx, f.fy, f.mz,
-               bound > 0 ? fmt::format("{:.5f}", std::hypot(f.fx, f.fy) / bound) : "-",
-               std::abs(f.stick_share));
+    fmt::print(
+        to, "{:>12.6g} {:>12} {:>12} {:>12} {:>8} {:>7.3f}\n", creepage.longitudinal,
+        text(f.fx, f.error * bound), text(f.fy, f.error * bound), text(f.mz, f.mz_error * unit),
+        bound > 0 ? text(std::hypot(f.fx, f.fy) / bound, f.error) : "-", std::abs(f.stick_share));
 }
 
 // `unit` of the moment's error: mu N sqrt(a b) [N m].
-std::string csv(const std::vector<Row>& all, double unit) {
+std::string csv(const std::vector<Row>& all, double unit, bool full) {
   const auto estimate = [](double x, double of) {
     return std::isfinite(x) ? fmt::format("{:.2g}", x * of) : "nan";
   };
@@ -231,7 +268,7 @@ std::string csv(const std::vector<Row>& all, double unit) {
     text += fmt::format("{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.6g},{},{},{}\n",
                         creepage.longitudinal, creepage.lateral, creepage.spin, f.fx, f.fy, f.mz,
                         std::abs(f.stick_share), estimate(f.error, 1), estimate(f.mz_error, unit),
-                        table::csv_cell(doubt_of(f)));
+                        table::csv_cell(doubt_of(f, full)));
   return text;
 }
 
@@ -268,10 +305,13 @@ void run(const Wish& wish) {
     progress.step();
     return one(at);
   };
-  const auto all = rows(wish, c, solve, to);
-  double largest = 0;
-  for (const auto& row : all) largest = std::max(largest, std::hypot(row.forces.fx, row.forces.fy));
-  answer.add("largest_force_N", "largest force", largest, "N");
+  auto all = rows(wish, c, solve, to);
+  const bool full = wish.theory == "full";
+  compare_with_full(all, c);
+  const auto size_of = [](const Row& row) { return std::hypot(row.forces.fx, row.forces.fy); };
+  const Row& largest = *std::ranges::max_element(all, {}, size_of);
+  answer.add("largest_force_N", "largest force",
+             tool::Estimate{size_of(largest), largest.forces.error * bound}, "N");
   if (wish.force) {
     answer.add("force_N", "force along, wanted", *wish.force, "N");
     answer.add("creepage_at_force", "creepage for it",
@@ -279,12 +319,12 @@ void run(const Wish& wish) {
   }
   progress.end();
   const double moment = bound * std::sqrt(c.a * c.b);
-  add_doubts(answer, all, moment);
+  add_doubts(answer, all, moment, full);
   if (!all.back().forces.reason.empty()) answer.add("note", "note", all.back().forces.reason);
   answer.print();
-  if (!tool::session().json) print_rows(all, bound);
+  if (!tool::session().json) print_rows(all, bound, moment, full);
   if (out) {
-    out.add("curve.csv", csv(all, moment));
+    out.add("curve.csv", csv(all, moment, full));
     out.add("curve.json", answer.json());
     out.figure(tools::scripts("creep") / "curve.gp", {"curve.csv"}, "curve.png");
   }

@@ -13,11 +13,11 @@ means round 'e = 1 / (0.9375 / 200e9 + 0.8775 / 100e9); a = (0.75 * 80e3 * 0.4 /
   is("p_max_MPa", 1.5 * 80e3 / (pi * a ^ 2) / 1e6); is("a_mm", 1e3 * a); is("b_mm", 1e3 * a); says("a_mm", "Hertz"); says("b_mm", "Hertz"); says("theory", "linear")
   is("load_kN", 80); is("friction", 0.25); is("shear_modulus_GPa", G / 1e9); is("poisson", G / 2 * (0.25 / 80e9 + 0.35 * 2.7 / 100e9))
   doubts("similarity", sprintf("K = %.3f", G / 4 * (0.5 / 80e9 - 0.3 * 2.7 / 100e9))); is("lateral", 2e-4); is("spin_1_per_m", 0.3); is("force_N", 2000)
-  is("largest_force_N", largest, 1e-5); is("creepage_at_force", 2000 / slope, 1e-6); says("error_share", "none by this theory"); flags("range_1")' \
-  slope="$(awk -F, 'NR == 3 {printf "%.9g", $4 / $1}' round/curve.csv)" largest="$(awk -F, 'NR > 1 {f = sqrt($4 ^ 2 + $5 ^ 2); if (f > most) most = f} END {printf "%.9g", most}' round/curve.csv)"
+  is("largest_force_N", largest, 1e-5); is("creepage_at_force", 2000 / slope, 1e-6); is("error_share", error, 0.06); free("mz_error_N_m"); flags("range_1")' \
+  error="$(awk -F, 'NR > 1 && $8 > most {most = $8} END {print most}' round/curve.csv)" slope="$(awk -F, 'NR == 3 {printf "%.9g", $4 / $1}' round/curve.csv)" largest="$(awk -F, 'NR > 1 {f = sqrt($4 ^ 2 + $5 ^ 2); if (f > most) most = f} END {printf "%.9g", most}' round/curve.csv)"
 # A line through the origin, whose forces across do not hang on what goes along, and the doubt in every row beyond a third of friction.
 holds "a line" round/curve.csv 'rows == 1 {f = $4; y = $5} {near($1, rows * 1e-4, 1e-12); near($2, 2e-4, 1e-12); near($3, 0.3, 1e-9); near($4, rows * f, 0.01 * abs(f)); near($5, y, 1e-6 * abs(y))}
-  {near(($10 != ""), sqrt($4 ^ 2 + $5 ^ 2) > 80e3 * 0.25 / 3, 0); near($8 == "nan" && $9 == "nan", 1, 0)} END {near(rows, 3, 0); near(f > 0, 1, 0)}'
+  {near(($10 != ""), sqrt($4 ^ 2 + $5 ^ 2) > 80e3 * 0.25 / 3, 0); near($8 > 0 && $9 > 0, 1, 0)} END {near(rows, 3, 0); near(f > 0, 1, 0)}'
 # Without an end the range goes to six times the creepage at which the linear force is that of friction, and all slides there.
 for theory in linear vermeulen-johnson; do
   answers end-$theory curve --a 6mm --b 4mm --load 80kN --theory $theory --points 2
@@ -34,8 +34,20 @@ for pair in error_share:8 mz_error_N_m:9; do
   near "$pair" "$(sed -n "s/^  \"${pair%:*}\": \([0-9.e-]*\),*$/\1/p" full/curve.json)" "$most" "$(awk -v m="$most" 'BEGIN {print m / 20}')"
 done
 tail -3 printed | paste -d' ' - - - >rows
-awk -F, 'NR > 1 {printf "%.5f %.3f ", sqrt($4 ^ 2 + $5 ^ 2) / 24e3, $7}' full/curve.csv >shares
-awk '{for (k = 1; k <= 3; ++k) printf "%s %s ", $(6 * k - 1), $(6 * k)}' rows | cmp - shares || fail "the printed table: $(cat printed)"
+awk -F, 'NR > 1 {printf "%.9g %.3f %.9g ", sqrt($4 ^ 2 + $5 ^ 2) / 24e3, $7, $8}' full/curve.csv >shares
+cat rows shares | awk 'NR == 1 {for (k = 1; k <= 3; ++k) {share[k] = $(6 * k - 1); stick[k] = $(6 * k)} next}
+  {for (k = 1; k <= 3; ++k) {d = share[k] - $(3 * k - 2); e = $(3 * k) + 1e-9; if (d > e || -d > e || stick[k] != $(3 * k - 1) || length(share[k]) > 7) exit 1}}' ||
+  fail "the printed table: $(cat printed)"
+# A theory that knows no error of its own is held against the full one, which is off by more than the tenth from which on a row is doubtful.
+answers against curve --a 6mm --b 4mm --load 80kN --theory linear --points 2
+grep -q ',"this theory is more than 0.1 mu N off the full one\|third of what friction bears' against/curve.csv || fail "the linear theory in sliding has no doubt"
+answers spun curve --a 4mm --b 6mm --load 80kN --theory fastsim --points 2 --to 1e-4 --spin 1rad/m
+awk -F, 'NR == 2 {exit !($8 > 0 && $8 < 0.3)}' spun/curve.csv || fail "FASTSIM's distance from the full theory: $(cat spun/curve.csv)"
+# Long contacts have fewer rows across and end: with half as many as cells along they did not.
+for cells in 24 48 64 96; do
+  answers long$cells curve --a 10mm --b 0.1mm --load 100N --from 1e-5 --points 1 --cells $cells
+done
+cat long*/curve.csv | awk -F, '/^[0-9]/ {if (!n++ || $4 < low) low = $4; if ($4 > high) high = $4; if ($8 > error) error = $8} END {exit !(n == 4 && high - low < 2 * 30 * error)}' || fail "long contacts: $(cat long*/curve.csv)"
 # Without friction there is no share of it.
 "$railbook" creep curve --a 6mm --b 4mm --load 80kN --mu 0 --to 1e-3 --points 2 --theory fastsim >printed || fail "no friction"
 [ "$(tail -2 printed | awk '$5 == "-"' | wc -l)" = 2 ] || fail "a share of no friction: $(tail -2 printed)"
