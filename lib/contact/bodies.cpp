@@ -159,7 +159,33 @@ Profile thinned(const Profile& p, Index first) {
   return {p.x(kept), p.depth(kept)};
 }
 
+// Standard deviation of the points about a smooth profile [m], by the median of their distances from the cubics through the two
+// points on either side.
+double scatter(const Profile& p) {
+  std::vector<double> off;
+  for (Index n = 2; n + 2 < p.x.size(); ++n) {
+    double between = 0, variance = 1;
+    for (const Index k : {n - 2, n - 1, n + 1, n + 2}) {
+      double weight = 1;
+      for (const Index m : {n - 2, n - 1, n + 1, n + 2})
+        if (m != k) weight *= (p.x[n] - p.x[m]) / (p.x[k] - p.x[m]);
+      between += weight * p.depth[k];
+      variance += weight * weight;
+    }
+    off.push_back(std::abs(p.depth[n] - between) / std::sqrt(variance));
+  }
+  if (off.empty()) return 0;
+  const auto middle = off.begin() + static_cast<std::ptrdiff_t>(off.size() / 2);
+  std::ranges::nth_element(off, middle);
+  return *middle / 0.6745;
+}
+
 }  // namespace
+
+double touch_scatter(const Body& one, const Body& two) {
+  return 3 * std::hypot(one.profile ? scatter(*one.profile) : 0,
+                          two.profile ? scatter(*two.profile) : 0);
+}
 
 TouchingBodies join_bodies(const Body& one, const Body& two, double angle) {
   units::require_finite("angle between the bodies", angle, "rad");

@@ -18,6 +18,7 @@ using Eigen::VectorXd;
 
 constexpr double phase_x = 0.9, phase_y = 0.4;  // half a cell apart: the irregular errors cancel
 constexpr Index coarsest = 16;
+constexpr std::size_t extrapolated = 3;  // grids, the finest ones
 
 void check(double approach, double effective_modulus, const CgFftOptions& options) {
   units::require_finite("approach", approach, "m");
@@ -143,6 +144,11 @@ void find_doubts(const Region& region, NormalContact& contact) {
   const double cells = narrowest(region);
   if (cells < fewest) {
     contact.force_error = contact.p_max_error = units::no_limit;
+    if (region.patches.size() >
+        1) {  // the sums of this grid: such patches scatter from grid to grid
+      contact.force = region.force, contact.p_max = region.p_max;
+      contact.moment_x = region.moment_x, contact.moment_y = region.moment_y;
+    }
     contact.reason = fmt::format(
         "under-resolved: the contact is {:.1f} cells wide at its narrowest, a grid along its axes "
         "or finer "
@@ -299,7 +305,7 @@ CgFft solve_cg_fft(const Gap& gap, double approach, double effective_modulus,
   Placement place{whole};
   Grid last;
   VectorXd p, f;
-  std::vector<Point> missed;
+  std::vector<Point> missed, beside;  // `beside` the grids until the finest one had been solved
   std::vector<std::pair<Index, Index>> sizes = ladder(options);
   for (std::size_t level = 0, again = 0; level < sizes.size(); ++level) {
     const auto [nx, ny] = sizes[level];
@@ -324,10 +330,14 @@ CgFft solve_cg_fft(const Gap& gap, double approach, double effective_modulus,
           missed_places(gap, approach, effective_modulus, last, p, whole, finest ? 1e-3 : 0.02);
     drop_found(last, region, missed);
     place.refit(gap, last, region);
-    place.hold(missed);
-    if (finest && !missed.empty() && again++ < 2) {  // once more, with what lies beside the grid
-      result.levels.pop_back();
-      --level;
+    place.hold(missed), place.hold(beside);
+    if (finest && !missed.empty() && again++ < 2) {
+      // Once more, with what lies beside the grid: all the grids that are extrapolated over, or some would have a patch less.
+      beside.insert(beside.end(), missed.begin(), missed.end());
+      place.hold(beside);
+      const std::size_t back = std::min(result.levels.size(), extrapolated);
+      result.levels.resize(result.levels.size() - back);
+      level -= back;
     }
   }
   finish(last, p, f, options.remedy, result);

@@ -67,13 +67,27 @@ void judge_errors(const Solved& solved, tool::Summary& answer) {
                   "peak pressure by {:.1e} of it: more points, or smoother ones, are needed",
                   solved.profile_force_error, solved.profile_p_max_error)
             : "every second point of the profiles alone would not do: their points are too few");
+  const double scatter = solved.scatter_force_error();
+  if (std::isfinite(solved.profile_force_error) && scatter > 3e-4 &&
+      scatter > solved.profile_force_error)
+    answer.flag("scatter",
+                fmt::format("the points of the profiles scatter, or are rounded, so that their "
+                            "first touch may be off by {:.1g} um, and the force at an approach by "
+                            "{:.1e} of it: smoother points, or more digits, are needed",
+                            solved.touch_scatter / units::micrometre, scatter));
 }
 
-std::string stated(double grid, double profile) {
-  if (!(grid < 0.5) || std::isinf(profile)) return "of this grid; its error is not known";
-  if (profile == 0) return fmt::format("relative error about {:.0e}", grid);
-  return fmt::format("relative error about {:.0e}, {:.0e} of it from the profiles", grid + profile,
-                     profile);
+// A value with its error from the grid and from the profiles, shares of it; infinite where one of them is not known.
+tool::Estimate estimate(double value, double unit, double grid, double profile) {
+  const bool known = grid < 0.5 && std::isfinite(profile);
+  return {value / unit, known ? (grid + profile) * std::abs(value) / unit : units::no_limit};
+}
+
+// What else is to be said of it.
+std::string source_of(double grid, double profile) {
+  if (!(grid < 0.5) || std::isinf(profile)) return "of this grid";
+  if (profile == 0) return "";
+  return fmt::format("{:.0f} % of it from the profiles", 100 * profile / (grid + profile));
 }
 
 // Zero for what is only rounding beside a number of size `scale`.
@@ -102,17 +116,30 @@ void add_ends(const std::string& prefix, const std::string& what, const Box& box
                u.length_name);
 }
 
-void add_forces(const Solved& solved, const Box& ends, const Shown& u, tool::Summary& answer) {
+void add_forces(const Solved& solved, bool by_load, const Box& ends, const Shown& u,
+                tool::Summary& answer) {
   const NormalContact& c = solved.result.contact;
   answer.add(fmt::format("effective_modulus_{}", u.pressure_name), "effective modulus E*",
              solved.modulus / u.pressure, u.pressure_name);
   const double width = ends.x_max - ends.x_min;
   answer.add(fmt::format("x_touch_{}", u.length_name), "first touch at x",
              clean(solved.bodies.x_touch, width) / u.length, u.length_name);
-  answer.add(fmt::format("approach_{}", u.small_name), "approach", c.approach / u.small,
-             u.small_name);
-  answer.add(fmt::format("force_{}", u.force_name), "force F", c.force / u.force, u.force_name,
-             stated(c.force_error, solved.profile_force_error));
+  // What was asked for has no error: the other one has it, an approach not more than the force, which grows faster.
+  const double profiles = std::max(solved.profile_force_error, solved.scatter_force_error());
+  const std::string approach = fmt::format("approach_{}", u.small_name),
+                    force = fmt::format("force_{}", u.force_name);
+  const auto uncertain = [&](const std::string& key, const char* what, double value, double unit,
+                             const char* name) {
+    answer.add(key, what, estimate(value, unit, c.force_error, profiles), name,
+               source_of(c.force_error, profiles));
+  };
+  if (by_load) {
+    uncertain(approach, "approach", c.approach, u.small, u.small_name);
+    answer.add(force, "force F", c.force / u.force, u.force_name, "as asked");
+  } else {
+    answer.add(approach, "approach", c.approach / u.small, u.small_name, "as asked");
+    uncertain(force, "force F", c.force, u.force, u.force_name);
+  }
   const std::string moment = fmt::format("{} {}", u.force_name, u.length_name);
   answer.add("moment_x", "moment M_x = -sum of y p dA",
              clean(c.moment_x, c.force * ends.y_max) / (u.force * u.length), moment,
@@ -120,8 +147,9 @@ void add_forces(const Solved& solved, const Box& ends, const Shown& u, tool::Sum
   answer.add("moment_y", "moment M_y = sum of x p dA",
              clean(c.moment_y, c.force * width) / (u.force * u.length), moment,
              "about the point of first touch");
-  answer.add(fmt::format("p_max_{}", u.pressure_name), "peak pressure", c.p_max / u.pressure,
-             u.pressure_name, stated(c.p_max_error, solved.profile_p_max_error));
+  answer.add(fmt::format("p_max_{}", u.pressure_name), "peak pressure",
+             estimate(c.p_max, u.pressure, c.p_max_error, solved.profile_p_max_error),
+             u.pressure_name, source_of(c.p_max_error, solved.profile_p_max_error));
   const auto place = [&](const char* key, const char* what, double value) {
     answer.add(fmt::format("{}_{}", key, u.length_name), what, value / u.length, u.length_name);
   };
@@ -193,7 +221,7 @@ tool::Summary answer(const Wish& wish, const Solved& solved) {
   const Shown& u = wish.system == "metric" ? metric : inches;
   const NormalContact& c = solved.result.contact;
   const Box ends = ends_of(solved);
-  add_forces(solved, ends, u, answer);
+  add_forces(solved, wish.load.has_value(), ends, u, answer);
   add_ends("", "contact", ends, solved.bodies.x_touch, u, answer);
   answer.add(fmt::format("area_{}2", u.length_name), "area", c.area / (u.length * u.length),
              fmt::format("{}^2", u.length_name));

@@ -53,6 +53,11 @@ struct Solved {
   double modulus = 0;  // E* [Pa]
   // What the interpolation of the profiles may do to force and peak pressure, as shares of them; 0 for radii.
   double profile_force_error = 0, profile_p_max_error = 0;
+  double touch_scatter =
+      0;  // how far the scatter of the profiles' points may move the first touch [m]
+
+  // What that does to the force at an approach, as a share of it: F grows as its power 3/2.
+  double scatter_force_error() const { return 1.5 * touch_scatter / result.contact.approach; }
 };
 
 // The table, with its doubts: a contact as large as a fifth of a radius, narrower than a few cells, at an edge, profiles

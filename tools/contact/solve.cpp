@@ -173,6 +173,7 @@ void run(Wish wish) {
   solved.result = solve(wish, solved.bodies, solved.modulus);
   require_answer(solved.result, solved.bodies);
   find_profile_errors(wish, solved);
+  solved.touch_scatter = touch_scatter(wish.read[0], wish.read[1]);
   const tool::Summary told = answer(wish, solved);
   told.print();
   if (out) write_files(wish, solved, told, out);
@@ -208,6 +209,13 @@ std::function<void()> declare(tool::Options& options) {
                    "an x that gets a cell edge: where the curvature jumps");
   options.choice("--system", wish->system, {"metric", "inch"}, "units of the answer");
   options.out(wish->out);
+  options.help(
+      "x is across the rail, y along it, from the bodies' own zero; depths go into a body, heights "
+      "towards the other one; approach, force, load and pressures are positive as the bodies "
+      "press. "
+      "Moments are about the point of first touch. With --out DIR: DIR/pressure.csv has the "
+      "pressure of every cell, outline.csv the edges y_low and y_high of each patch over x, "
+      "contact.json the answer with its errors under \"errors\".");
   return [wish] { run(*wish); };
 }
 

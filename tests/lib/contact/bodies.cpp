@@ -87,3 +87,35 @@ TEST_CASE("unit: thinned profiles are two, of half the points, and none without 
     CHECK(t.gap(0.005, 0.001) == Approx(join_bodies(rail, wheel).gap(0.005, 0.001)).epsilon(1e-4));
   CHECK(join_thinned(wheel, {.radius_x = 0.3, .radius_y = inf}).empty());
 }
+
+TEST_CASE("unit: rounded points move the first touch by no more than their scatter says") {
+  // A radius of 0.3 m, rounded, at forty places of its summit between two points: the touch is off by what the points happen to be.
+  for (const double digit : {1e-8, 1e-7, 1e-6}) {
+    int covered = 0, beyond_third = 0;
+    for (int k = 0; k < 40; ++k) {
+      Profile p{Eigen::VectorXd::LinSpaced(401, -0.01, 0.01), Eigen::VectorXd(401)};
+      const double summit = 5e-5 * k / 40 + 1e-4 * k;
+      for (Eigen::Index n = 0; n < 401; ++n) {
+        const double x = p.x[n] - summit;
+        p.depth[n] = std::round((0.3 - std::sqrt(0.09 - x * x) + 0.37 * digit * k) / digit) * digit;
+      }
+      const Body one{p}, two{std::nullopt, 1e6, 0.46};
+      const TouchingBodies touching = join_bodies(one, two);
+      // The gap on average beside the touch, less the circle's.
+      double mean = 0;
+      for (int i = -20; i <= 20; ++i) {
+        const double x = summit - touching.x_touch + 2e-4 * i, t = 2e-4 * i;
+        mean += (touching.gap(x, 0) - (0.3 - std::sqrt(0.09 - t * t))) / 41;
+      }
+      const double scatter = touch_scatter(one, two);
+      CHECK(scatter < 2 * digit);
+      covered += std::abs(mean) <= scatter;
+      beyond_third += std::abs(mean) > scatter / 3;
+    }
+    INFO("digit " << digit << ": covered " << covered << ", beyond a third of it " << beyond_third);
+    CHECK(covered >= 38);
+    CHECK(beyond_third >= 4);
+  }
+  const Body round{std::nullopt, 0.3, 0.46};
+  CHECK(touch_scatter(round, round) == 0);
+}

@@ -311,7 +311,13 @@ TEST_CASE("property: a small patch far from the first is found on whichever side
       };
       const CgFft found = solve_cg_fft(gap, approach, 1e11, options);
       CHECK(found.levels.back().region.patches.size() == 2);
-      CHECK(found.contact.force > 1.015 * hertz_from_approach({5, 50, 0}, 1e11, approach).force);
+      // Hertz's force of each, the second sunk in by the first one's load at its distance, and the first by the second's.
+      const auto alone = [](double d) { return hertz_from_approach({5, 50, 0}, 1e11, d).force; };
+      const double first = alone(approach), per_load = 1 / (units::pi * 1e11 * far);
+      const double small = alone(approach - lower - first * per_load);
+      const double both = alone(approach - small * per_load) + small;
+      CHECK(both > 1.01 * first);
+      CHECK(found.contact.force == Approx(both).epsilon(0.0015));
     }
 }
 
@@ -341,6 +347,36 @@ TEST_CASE("property: patches that the coarse grids of the ladder miss are found 
       CHECK(region.force < alone);
       CHECK(region.force > 0.75 * alone);
     }
+}
+
+TEST_CASE(
+    "property: a patch that only the finest grid finds is extrapolated over like the others") {
+  // A second summit 20 mm away and 5 um lower begins to bear: grids that had one patch and grids that had two made forces that fell
+  // as the bodies came nearer, off by more than their sum.
+  const Gap gap = [](double x, double y) {
+    return std::min(x * x / 0.6, 5e-6 + (x - 0.02) * (x - 0.02) / 0.2) + y * y / 0.92;
+  };
+  double last = 0;
+  for (const double approach : {5.2e-6, 5.44e-6, 6e-6, 7.6e-6, 7.66e-6, 7.68e-6, 7.72e-6}) {
+    INFO("approach " << approach);
+    const auto solve = [&](Eigen::Index n) {
+      CgFftOptions options = cells(n, n);
+      options.search = [](double d) {
+        const double half = std::sqrt(0.92 * d);
+        return Box{-0.004, 0.022, -half, half};
+      };
+      return solve_cg_fft(gap, approach, 1.13626e11, options);
+    };
+    const CgFft coarse = solve(127), fine = solve(255);
+    const double force = fine.contact.force, sum = fine.levels.back().region.force;
+    REQUIRE(fine.levels.back().region.patches.size() == 2);
+    CHECK(fine.contact.force_error < 0.01);
+    CHECK(std::abs(force - sum) < fine.contact.force_error * force);
+    CHECK(std::abs(coarse.contact.force / force - 1) <
+          std::min(coarse.contact.force_error, 0.005) + fine.contact.force_error);
+    CHECK(force > last);
+    last = force;
+  }
 }
 
 TEST_CASE("property: one, two and three threads find the same digits") {
