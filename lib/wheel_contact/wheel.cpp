@@ -168,18 +168,24 @@ struct Full {
   double down = 0;                    // below z0
   std::vector<PatchResult> coarse{};  // on half the cells along and across
 
+  // The loads at the depth `down`, with the shares that friction bears as they are.
+  bool press() {
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const double before = all[i].load;
+      const double load = cells[i]->solve(down * std::cos(all[i].patch.frame.angle));
+      if (load < 0) return false;
+      const double ratio = before > 0 ? load / before : 0;
+      all[i].load = load;  // friction as a share of it
+      for (double* f : {&all[i].forces.fx, &all[i].forces.fy, &all[i].forces.mz}) *f *= ratio;
+    }
+    return true;
+  }
+
   // Lowers the wheel until it bears the load, with the shares that friction bears as they are.
   bool balance(double tolerance) {
     double last = 0, last_share = 0;
     for (int k = 0; k < 25; ++k) {
-      for (std::size_t i = 0; i < all.size(); ++i) {
-        const double before = all[i].load;
-        const double load = cells[i]->solve(down * std::cos(all[i].patch.frame.angle));
-        if (load < 0) return false;
-        const double ratio = before > 0 ? load / before : 0;
-        all[i].load = load;  // friction as a share of it
-        for (double* f : {&all[i].forces.fx, &all[i].forces.fy, &all[i].forces.mz}) *f *= ratio;
-      }
+      if (!press()) return false;
       const double share = vertical_force(all) / w.wish.load;
       if (std::abs(share - 1) < tolerance) return true;
       const double depth = std::max(z0 + down - w.touch.z(), 0.0);
@@ -284,12 +290,19 @@ void solve_full(const Work& w, double z, WheelResult& out) {
     if (!f.touches_edge()) break;
     if (k == 3) return fail("the contact did not fit its grid");
   }
+  // Near Nadal's edge friction bears nearly as much as the flange presses, and its share falls as the load grows: the depth that
+  // balances one share swings about that which balances its own, which is then sought between two of them.
+  double last = 0, last_off = 0;
   for (int k = 0; w.wish.friction.coefficient > 0; ++k) {
     if (!f.roll()) return fail(unsettled);
-    if (std::abs(vertical_force(f.all) / w.wish.load - 1) < 1e-3) break;
-    if (k == 7) return fail("friction and load did not settle");
-    if (!f.balance(1e-5)) return fail(unborne);
+    const double off = vertical_force(f.all) / w.wish.load - 1, here = f.down;
+    if (std::abs(off) < 1e-3) break;
+    if (k == 15) return fail("friction and load did not settle");
+    const bool swings = k > 0 && off * last_off < 0;
+    if (swings) f.down = here + (last - here) * off / (off - last_off);
+    if (!(swings ? f.press() : f.balance(1e-5))) return fail(unborne);
     f.describe();
+    last = here, last_off = off;
   }
   f.state_errors();
   out.z = f.z0 + f.down;

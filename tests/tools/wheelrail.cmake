@@ -38,3 +38,9 @@ add_test(NAME "tool: wheelrail contact says what the smoothing does" WORKING_DIR
          --shift 0mm)
 set_tests_properties("tool: wheelrail contact says what the smoothing does" PROPERTIES PASS_REGULAR_EXPRESSION
                      "scatter of the points.*largest pressure +[0-9.]+ MPa +.error about [0-9.]+; [0-9]+ % of it from the smoothing")
+# At Nadal's edge friction and load swing about the depth that bears both.
+add_test(NAME "tool: wheelrail contact settles at Nadal's edge"
+         COMMAND railbook wheelrail contact --shift 7.3734mm --yaw -10.9721mrad --load 8632N --mu 0.5 --speed 7.84m/s --head 60E1-benchmark
+         --cant 0.05 --cells 16)
+set_tests_properties("tool: wheelrail contact settles at Nadal's edge" PROPERTIES PASS_REGULAR_EXPRESSION
+                     "right rail: force.*down +86[0-9.]+ N.*normal force +7[0-9.]+ N")
