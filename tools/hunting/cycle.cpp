@@ -17,7 +17,8 @@ amplitudes on the flange are academic. Where friction limits, every point has th
 with d the contact angle and f the lateral creep force towards the outside over the static wheel load, and the largest share that the
 creep force has of friction, 0 to 1; no load moves from wheel to wheel. Right wheels and rail may have profiles and a radius of their own: the
 car then hunts off the centre, and cycles have harmonics of every order. Where symmetry breaks or the period doubles, the branch that leaves there is
-followed too, to where it comes back. Folds and other points are those of the full equations by harmonic balance and Floquet multipliers; describing functions
+followed too, to where it comes back; from a branch point of one symmetry, and from branches other than the first, it is not, which the
+answer says at the point. Folds and other points are those of the full equations by harmonic balance and Floquet multipliers; describing functions
 have no part in it. Where none of the cycles found at `--speed` is stable, motions are followed in time, from beside the unstable cycles
 and from swaying of several sizes; a stable cycle to which they come is solved and followed as a branch of its own, and the answer says where
 the others went. Without `--speed` the same is done in the middle of the first two ranges of speed at which branches have
@@ -167,10 +168,17 @@ void add_special(tool::Summary& answer, const Family& family, const Named& named
     const std::string id = fmt::format("{}_special_{}", named.key, k + 1);
     const SpecialError error =
         s.located ? special_error(family, named.branch, s, options) : SpecialError{};
-    answer.add(id + "_m_per_s", fmt::format("{}: {}", named.name, to_string(s.kind)),
-               tool::Estimate{s.at.parameter, error.parameter}, "m/s",
-               fmt::format("{:.2f} ft/s{}", s.at.parameter / units::foot,
-                           s.located ? "" : ", not located closely"));
+    // Only from the first branch are others followed, and only to less symmetry or twice the period.
+    const bool leaves = s.kind == CycleEvent::branch_point ||
+                        s.kind == CycleEvent::symmetry_breaking ||
+                        s.kind == CycleEvent::period_doubling;
+    const bool followed = named.key == "branch" && s.kind != CycleEvent::branch_point;
+    answer.add(
+        id + "_m_per_s", fmt::format("{}: {}", named.name, to_string(s.kind)),
+        tool::Estimate{s.at.parameter, error.parameter}, "m/s",
+        fmt::format("{:.2f} ft/s{}{}", s.at.parameter / units::foot,
+                    s.located ? "" : ", not located closely",
+                    leaves && !followed ? "; the branch that leaves here is not followed" : ""));
     answer.add(id + "_mm", "  largest amplitude",
                tool::Estimate{s.at.largest / millimetre, error.largest / millimetre}, "mm");
     answer.add(id + "_rad_per_s", "  frequency", tool::Estimate{s.at.cycle.omega, error.omega},
