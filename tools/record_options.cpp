@@ -23,7 +23,8 @@ void add_record_options(tool::Options& o, RecordWish& w) {
          "column of positions along the track, or two that add up: km+m; none, with --spacing, "
          "counts samples");
   o.text("--distance-unit", w.record.distance_unit,
-         "its unit, if its header names none; mi+ft, mi+yd or km+m for cells such as 87+0500");
+         "its unit, if its header names none; mi+ft, mi+yd or km+m for cells such as 87+0500; "
+         "mi.yd for miles and yards as 12.0440");
   o.texts("--missing", w.record.missing, "values that stand for lost samples, as -9999");
   o.texts("--where", w.record.where,
           "rows to read, of a table of several rails or runs, as rail=left");

@@ -139,8 +139,10 @@ void examine_clock(const Record& record, const Processing& p, Health& health, bo
       !T.empty() && (typical < 0.5 || typical > 120)) {
     health.findings.push_back(
         {Fault::clock, "elapsed", 0, record.size(), typical,
-         fmt::format("a speed of {:.2g} m/s; are the times in the unit of their header?",
-                     typical)});
+         fmt::format(
+             "a speed of {:.2g} m/s; are the times in the unit of their header? What depends on "
+             "them counts as unreliable",
+             typical)});
     health.clock_doubted.assign(record.size(), true);
   }
   // Rows that repeat a mark, but for the one where the car turns.

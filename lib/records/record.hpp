@@ -25,6 +25,7 @@ struct RecordOptions {
   Screening screening = {};
   double unit = 1;  // m, of one in the file's numbers: codes are known by their digits
   Resync resync = Resync::refuse;
+  std::string header = {};  // of its column in a file
 };
 
 // Something that an answer stands under: "stuck", "7000 samples in a row are equal ...".
@@ -72,6 +73,7 @@ class RecordStream {
   // sample is finite, or when all finite ones are equal.
   void finish();
 
+  const std::string& header() const { return options_.header; }
   double spacing() const { return spacing_; }       // m; the positions' own where there are any
   std::size_t samples() const { return samples_; }  // handed on
   std::size_t missing() const { return missing_; }  // of them NaN: not there, or taken out

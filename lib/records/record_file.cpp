@@ -19,6 +19,7 @@ namespace {
 
 constexpr double bridged_length = 1;                   // m
 constexpr std::array forms{"km+m", "mi+ft", "mi+yd"};  // of a position in two parts
+constexpr const char* miles_and_yards = "mi.yd";       // four digits behind the point
 constexpr std::size_t block = 1024;  // rows: their columns stay in the fastest memory
 
 std::string quoted(const std::string& name) {
@@ -87,6 +88,15 @@ struct Positions {
   std::vector<double> metre;
   double major = 0, minor = 0;  // m; 0: not known
   bool in_two = false;          // all cells must be written so
+  bool yards = false;           // 12.0440: miles, and yards behind the point
+
+  // Metres of a plain number of column i; NaN where it is no such position.
+  double metres(std::size_t i, double number) const {
+    if (!yards) return number * metre[i];
+    const double miles = std::floor(number), rest = 1e4 * (number - miles);
+    return rest < 1760 ? miles * 1609.344 + std::round(1e6 * rest) / 1e6 * 0.9144
+                       : std::numeric_limits<double>::quiet_NaN();
+  }
 };
 
 // "Km" and "metres" over a column of positions are its unit.
@@ -110,6 +120,13 @@ double metres_of_position(const std::string& header, const std::string& below,
 Positions one_column(std::size_t column, const std::string& header, const std::string& below,
                      const std::string& given) {
   std::string both = given;
+  if (given == miles_and_yards ||
+      (given.empty() &&
+       (header.find(miles_and_yards) != std::string::npos || below == miles_and_yards))) {
+    Positions p{{column}, {1.0}};
+    p.yards = true;
+    return p;
+  }
   for (const char* form : forms)
     if (both.empty() && (header.find(form) != std::string::npos || below == form)) both = form;
   Positions p{{column}, {1.0}};
@@ -147,6 +164,7 @@ std::optional<Positions> positions_of(const RecordFile& wish, const table::CsvRe
     auto found = reader.find(name);
     for (const char* form : forms)
       if (!found) found = reader.find(name + " [" + form + "]");
+    if (!found) found = reader.find(name + " [" + miles_and_yards + "]");
     return found;
   };
   auto column = find(wish.distance);
@@ -226,7 +244,11 @@ class Cells {
         const double number = reader_.number(p.columns[i]);
         if (p.in_two && !std::isnan(number))
           refuse(p.columns[i], "allowed: 12+345, as the unit of this column says");
-        sum += number * p.metre[i];
+        const double metres = p.metres(i, number);
+        if (std::isnan(metres) && !std::isnan(number))
+          refuse(p.columns[i],
+                 "allowed: miles, and behind the point yards below 1760 in four digits");
+        sum += metres;
       }
     }
     return sum;
@@ -335,7 +357,8 @@ std::vector<std::unique_ptr<const RecordStream>> read_records(
                       .bridge_length = wish.bridge ? 0 : bridged_length,
                       .screening = wish.screening,
                       .unit = metre[i],
-                      .resync = wish.resync},
+                      .resync = wish.resync,
+                      .header = reader.header()[column[i]]},
         [&sinks, &records, i](std::span<const double> piece) { sinks[i](piece, *records[i]); });
   const Cells cells{wish, reader};
   // Where the columns are in a row whose cells are all plain numbers.
@@ -389,7 +412,13 @@ std::vector<std::unique_ptr<const RecordStream>> read_records(
     if (positions && !all_plain) at[0] = cells.position(*positions);
     for (std::size_t i = 0; all_plain && i < position_at.size(); ++i) {
       const double* const from = &numbers[position_at[i] * block];
-      for (std::size_t r = 0; r < rows; ++r) at[r] += from[r] * positions->metre[i];
+      for (std::size_t r = 0; r < rows; ++r) {
+        at[r] += positions->metres(i, from[r]);
+        if (std::isnan(at[r]) && !std::isnan(from[r]))
+          throw InputError{table::said(wish.file) + ", line " + std::to_string(reader.line()) +
+                           " or before: " + quoted(reader.header()[positions->columns[i]]) +
+                           " has more than 1760 yards behind the point of its miles"};
+      }
     }
     for (std::size_t i = 0; i < columns.size(); ++i) {
       const double* const from = &numbers[height_at[i] * block];

@@ -40,7 +40,8 @@ using RecordSink = std::function<void(std::span<const double> piece, const Recor
 
 // Reads the file once through a RecordStream into `sink` and returns the stream, finished. Where there is no column
 // `distance`, one called position, chainage, mileage or kilometre is taken. A position may be written 12+345.6: kilometres and
-// metres where the unit is m, km or km+m, stations of 100 ft where it is ft, miles and feet or yards where it is mi+ft or mi+yd; or 12K345.6M. A first row
+// metres where the unit is m, km or km+m, stations of 100 ft where it is ft, miles and feet or yards where it is mi+ft or mi+yd; or 12K345.6M.
+// Where the unit is mi.yd, 12.0440 is 12 miles and 440 yards. A first row
 // of units is read as that. Rows of empty cells are lost samples where rows follow, else nothing. A length with a number before it, "profile_62_ft", is a
 // chord or a wave and no unit. Throws InputError naming file, line and column on what cannot
 // be read, a column without a unit or with one that is no length, units that contradict each other, no positions and no

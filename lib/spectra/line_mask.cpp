@@ -6,8 +6,9 @@
 #include <array>
 #include <cmath>
 
-#include <railbook/num/gsl.hpp>
-#include <railbook/spectra/chord.hpp>
+#include "num/gsl.hpp"
+#include "spectra/chord.hpp"
+#include "units/constants.hpp"
 
 namespace railbook::spectra {
 namespace {
@@ -41,7 +42,8 @@ double squared_gain(double chord, double phi) {
 }
 
 bool near_foreign_line(const FitOptions& o, double phi) {
-  const double phi_0 = 1 / o.rail_length, distance = std::remainder(phi, phi_0);
+  const double phi_0 = 1 / o.rail_length,
+               distance = phi_0 > 0 ? std::remainder(phi, phi_0) : units::no_limit;
   return std::any_of(o.foreign_lengths.begin(), o.foreign_lengths.end(), [&](double length) {
     const double epsilon = std::abs(1 / length - phi_0);
     const bool multiple = std::round(phi * length) >= 1 &&
@@ -56,6 +58,7 @@ double line_half_width(const FitOptions& o) {
 
 bool masked(const FitOptions& o, double phi) {
   const double phi_0 = 1 / o.rail_length;
+  if (phi_0 == 0) return squared_gain(o.chord, phi) < o.least_gain || near_foreign_line(o, phi);
   if (std::abs(phi - phi_0) <= line_half_width(o)) return true;
   const double half_width = std::min(harmonic_half_width, 0.25 * phi_0);
   const bool harmonic =
@@ -73,7 +76,7 @@ std::optional<StrayLine> stray_line(const Spectrum& s, const FitOptions& o,
   for (Index k = 2 * line_bins; k < s.density.size() - 1; ++k) {
     const double phi = s.frequency(k);
     if (phi < o.low || phi > o.high) continue;
-    if (std::abs(std::remainder(phi, phi_0)) <= reach) continue;
+    if (phi_0 > 0 && std::abs(std::remainder(phi, phi_0)) <= reach) continue;
     if (near_foreign_line(o, phi) || squared_gain(o.chord, phi) < o.least_gain) continue;
     const double gain = squared_gain(o.chord, phi);
     const double model = std::exp(fit.regression.log_density(std::log(phi)));

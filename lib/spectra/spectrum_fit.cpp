@@ -25,7 +25,8 @@ struct Range {
 };
 
 Range checked_band(const Spectrum& spectrum, const FitOptions& o) {
-  units::require_positive("rail length", o.rail_length, "m");
+  const bool rail = o.rail_length != units::no_limit;
+  if (rail) units::require_positive("rail length", o.rail_length, "m");
   units::require_non_negative("chord", o.chord, "m");
   units::require_positive("lower end of the band", o.low, "cycle/m");
   const double nyquist = spectrum.frequency(spectrum.density.size() - 1);
@@ -35,23 +36,24 @@ Range checked_band(const Spectrum& spectrum, const FitOptions& o) {
                      " cycle/m holds no usable bins of this spectrum (" +
                      units::number_text(spectrum.df) + " to " + units::number_text(nyquist) + ")"};
   const double phi_0 = 1 / o.rail_length;
-  units::require_between("rail wavenumber", phi_0, band.low + spectrum.df, band.high - spectrum.df,
-                         "cycle/m");
+  if (rail)
+    units::require_between("rail wavenumber (--no-rail for track without joints)", phi_0,
+                           band.low + spectrum.df, band.high - spectrum.df, "cycle/m");
   for (const double length : o.foreign_lengths) {
     units::require_positive("foreign rail length", length, "m");
-    if (near_foreign_line({.rail_length = o.rail_length, .foreign_lengths = {length}}, phi_0))
-      throw InputError{"foreign rails of " + units::number_text(length) +
-                       " m have a line on that of the rail of " +
-                       units::number_text(o.rail_length) +
+    if (rail &&
+        near_foreign_line({.rail_length = o.rail_length, .foreign_lengths = {length}}, phi_0))
+      throw InputError{"foreign rails of " + number_text(length) +
+                       " m have a line on that of the rail of " + number_text(o.rail_length) +
                        " m; allowed: multiples of 1/length 0.006 cycle/m or more away from it"};
   }
   units::require_between("chord (up to an eighth of a segment)", o.chord, 0,
                          longest_chord / spectrum.df, "m");
-  if (squared_gain(o.chord, phi_0) < o.least_gain)
-    throw InputError{"a chord of " + units::number_text(o.chord) + " m does not see a rail of " +
-                     units::number_text(o.rail_length) + " m: squared gain " +
-                     units::number_text(squared_gain(o.chord, phi_0)) + "; allowed: at least " +
-                     units::number_text(o.least_gain)};
+  if (rail && squared_gain(o.chord, phi_0) < o.least_gain)
+    throw InputError{"a chord of " + number_text(o.chord) + " m does not see a rail of " +
+                     number_text(o.rail_length) + " m: squared gain " +
+                     number_text(squared_gain(o.chord, phi_0)) + "; allowed: at least " +
+                     number_text(o.least_gain)};
   return band;
 }
 
@@ -286,7 +288,7 @@ SpectrumFit fit_track_spectrum(const Spectrum& spectrum, const FitOptions& optio
                          covariance(0, 0) + 4 * covariance(1, 1) + 4 * covariance(0, 1));
   }
   if (r.noise > 0) fit.noise = from_log(std::log(r.noise), covariance(2, 2));
-  measure_line(spectrum, options, covariance, fit);
+  if (fit.phi_0 > 0) measure_line(spectrum, options, covariance, fit);
   return fit;
 }
 

@@ -16,7 +16,8 @@ enum class NoiseModel { none, fitted, automatic };  // automatic: kept when the 
 enum class Averaging { bins, bands };               // regression on single bins, or on 1/12 octaves
 
 struct FitOptions {
-  double rail_length = 39 * units::foot;     // the line to measure is at phi_0 = 1/rail_length
+  double rail_length = 39 * units::foot;     // the line to measure is at phi_0 = 1/rail_length;
+                                             // infinite: no joints, and no line is looked for
   std::vector<double> foreign_lengths = {};  // other periods to leave out (old rail under new), m
   double low = 0.01, high = 1.2;             // band, cycle/m; cut to 4 bins .. 0.95 Nyquist
   Slopes slopes = Slopes::two;

@@ -105,6 +105,32 @@ refuses 'line 50.*--missing "inv"' inv.csv
 sed '1i Recorder 7' tail.csv >preamble.csv
 refuses "--skip" preamble.csv --distance distance
 
+# Miles and yards: 12.0440 is 12 miles and 440 yards.
+awk 'BEGIN {print "Pos [mi.yd],profile_mm"; for (i = 1700; i < 6000; ++i) printf "%d.%04d,%.4f\n", 12 + int(i / 1760), i % 1760, 3 * sin(i * 0.9144 * 0.62831853)}' >yards.csv
+measures yards.csv --distance Pos --out out || fail "miles and yards"
+near "miles and yards, spacing" "$(value spacing_m)" 0.9144 1e-6
+awk -F, -v first="$(awk 'BEGIN {print 12 * 1609.344 + 1700 * 0.9144}')" 'NR == 2 {exit !($1 <= first && $1 + 200 > first)}' out/measures.csv || fail "where miles and yards begin"
+printf 'Pos,profile_mm\n1.0000,1\n1.1761,2\n1.1762,1\n' >beyond.csv
+refuses "1760" beyond.csv --distance Pos --distance-unit mi.yd
+
+# Columns that are filtered, or offsets of a chord, by their names; waves beyond 25 m that are not there.
+awk "$track"' BEGIN {print "distance_m,Left level D1 [mm],left_mco_62_ft (mm),plain_mm,short_mm"; for (i = 0; i < 8000; ++i) {x = i / 4
+  short = sin(x / 2.6) + sin(x / 1.7) + sin(x / 0.9) + 0.15 * sin(x / 5.5); printf "%.2f,%.4f,%.4f,%.4f,%.4f\n", x, track(x), (x > 800 && x < 801 ? 40 : 0) + track(x), track(x), short}}' >named.csv
+measures named.csv --column "Left level D1" --out out && grep -q 'DOUBTFUL: .*filtered to D1 already, by its name' said || fail "a column named D1"
+measures named.csv --column short --out out && grep -q 'DOUBTFUL: .*hardly any waves longer than 25 m' said || fail "a column filtered to D1"
+measures named.csv --column plain --out out && ! grep -q DOUBTFUL said || fail "a column of any name"
+measures named.csv --column 3 --fra-class 4 --out out && grep -q 'DOUBTFUL: .*offset of a chord, by its name' said || fail "a column of offsets"
+[ "$(value exceptions)" = null ] && awk -F, 'NR == 1 {for (i = 1; i <= NF; ++i) c[$i] = i; next} $c["fra_class"] != "nan" {exit 1}' out/measures.csv || fail "a class of the offsets of offsets"
+measures named.csv --column 3 --chord 62ft --fra-class 4 --out out && ! grep -q 'by its name' said || fail "the chord of a column of offsets"
+awk -F, 'NR == 2 {exit !($2 == "profile" && $7 > 38 && $7 < 42 && $4 > 800 && $4 < 801 && $5 <= 801)} NR > 2 {exit 1}' out/exceptions.csv || fail "offsets against their limit: $(cat out/exceptions.csv)"
+measures named.csv --column 3 --chord 31ft --fra-class 4 --out out && [ "$(value exceptions)" = null ] || fail "a chord that has no limit"
+
+# Track without joints.
+"$railbook" psd synthesize smooth.csv --length 6km --spacing 25cm --roughness 2e-7m^2*cycle/m --corner 0.13cycle/m --dip 0mm --seed 3 >said 2>&1 || fail "synthesize"
+"$railbook" psd classify smooth.csv --no-rail --json >said 2>&1 || fail "--no-rail"
+[ "$(value rail_m said)" = null ] && near "A of jointless track" "$(value A said)" 2e-7 3e-8 || fail "--no-rail"
+"$railbook" psd classify smooth.csv --rail 500m >said 2>&1; grep -q -e "--no-rail" said || fail "the refusal does not name --no-rail"
+
 # Clean records, of any roughness: at most one in twenty has a doubt.
 doubted=0
 for seed in $(seq 1 40); do

@@ -13,7 +13,7 @@ Empty cells and `nan` are gaps; those of up to 1 m are bridged by a straight lin
 one before a gap ends at it; they are made shorter until 95 % of the samples are in one. A segment is about 1250 m long unless `--segment` says how many samples.
 
 Positions that do not ascend evenly, a missing column or unit, a constant signal, a record shorter than a segment, a chord longer than an eighth of
-one and a chord that is blind to the rail are refused. Codes for lost samples and heights that no track can have are taken out. Outliers, a
+one and a chord that is blind to the rail are refused, and a record shorter than a rail, unless `--no-rail` says that the track has no joints. Codes for lost samples and heights that no track can have are taken out. Outliers, a
 sensor that stuck and a step of the datum may be defects: they are kept unless `--screen` names them, and said above the answer as doubtful; so are a spacing that changes, heights that are in another unit than said, a line of another rail length (used instead of the default
 39 ft; one given with `--rail` is kept), and residuals beyond chance. From twice the residuals of chance on no class is pronounced: the record is filtered, or of another shape than the model's.
 */
@@ -52,6 +52,7 @@ struct Wish {
   tools::RecordWish record;
   std::string window = "hann", noise = "automatic", slopes = "two";
   std::optional<double> chord, rail, segment;
+  bool no_rail = false;
   spectra::FitOptions fit;
   std::vector<std::string> references;
   tool::Destination out;
@@ -63,6 +64,8 @@ void add_options(tool::Options& o, Wish& w) {
              {0.1, 1e6});
   o.quantity("--rail", w.rail, units::length,
              "rail length; left out: 39 ft, or what the spectrum shows", {0.1, 1e3});
+  o.flag("--no-rail", w.no_rail,
+         "track without joints: no line of a rail is looked for, and B is 0");
   o.quantities("--foreign", w.fit.foreign_lengths, units::length, "lengths of former rails",
                {0.1, 1e3});
   o.quantity("--segment", w.segment, units::number,
@@ -97,7 +100,9 @@ void add_options(tool::Options& o, Wish& w) {
 
 spectra::FitOptions fit_options(const Wish& wish) {
   spectra::FitOptions options = wish.fit;
+  if (wish.rail && wish.no_rail) throw InputError{"give one of rail and no-rail"};
   if (wish.rail) options.rail_length = *wish.rail;
+  if (wish.no_rail) options.rail_length = units::no_limit;
   options.chord = wish.chord.value_or(0.0);
   options.noise = wish.noise == "none"     ? spectra::NoiseModel::none
                   : wish.noise == "fitted" ? spectra::NoiseModel::fitted
@@ -163,7 +168,7 @@ void add_flags(tool::Summary& s, const Wish& wish, const Measured& m, const Fitt
 void add_notes(tool::Summary& s, const Measured& m, const Fitted& f) {
   const auto note = [&](const char* key, const std::string& text) { s.add(key, "note", text); };
   const spectra::SpectrumFit& fit = f.fit;
-  if (!fit.line_significant)
+  if (!fit.line_significant && fit.phi_0 > 0)
     note("line_note",
          fmt::format("no significant line: without joints 1 record in 20 shows B > {:.2f} mm",
                      fit.B_threshold / mm));
@@ -219,12 +224,16 @@ tool::Summary answer(const Wish& wish, const Measured& m, const Fitted& f) {
   if (fit.corner == spectra::CornerState::fitted)
     with_error("phi_c", "corner phi_c", fit.phi_c, 1, "cycle/m");
   if (fit.noise.value > 0) with_error("noise", "noise floor", fit.noise, 1, "m^2/(cycle/m)");
-  s.add("rail_m", "rail length", f.options.rail_length, "m");
-  with_error("B_printed_mm", "joint dip B, printed convention", fit.B_printed, mm, "mm",
-             "as in Table 1");
-  with_error("B_exact_mm", "joint dip, physical", fit.B_exact, mm, "mm");
-  s.add("C_1", "peak of the line C_1", fit.C_1, "m^2/(cycle/m)");
-  s.add("beta", "its width Q_1/C_1", fit.beta, "cycle/m");
+  if (fit.phi_0 > 0) {
+    s.add("rail_m", "rail length", f.options.rail_length, "m");
+    with_error("B_printed_mm", "joint dip B, printed convention", fit.B_printed, mm, "mm",
+               "as in Table 1");
+    with_error("B_exact_mm", "joint dip, physical", fit.B_exact, mm, "mm");
+    s.add("C_1", "peak of the line C_1", fit.C_1, "m^2/(cycle/m)");
+    s.add("beta", "its width Q_1/C_1", fit.beta, "cycle/m");
+  } else {
+    s.absent("rail_m", "rail length", "none: track without joints, B is 0");
+  }
   add_class(s, fit);
   add_references(s, wish.references, m.spectrum, fit_options(wish));
   add_notes(s, m, f);
@@ -247,7 +256,7 @@ void add_fit(tool::Row& row, const Fitted& f) {
   row.add("A_error", fit.A.error);
   row.add("phi_c_cycle_per_m",
           fit.corner == spectra::CornerState::fitted ? fit.phi_c.value : std::nan(""));
-  row.add("rail_m", f.options.rail_length);
+  row.add("rail_m", fit.phi_0 > 0 ? f.options.rail_length : std::nan(""));
   row.add("B_printed_mm", fit.B_printed.value / mm);
   row.add("B_printed_error_mm", fit.B_printed.error / mm);
   row.add("misfit", fit.misfit);

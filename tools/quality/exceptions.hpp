@@ -21,10 +21,15 @@ namespace railbook::quality_tool {
 // Gauge as a column gives it: whole, or as a deviation from 56.5 in; nothing where it is of neither kind, whose limits are not known.
 std::optional<double> gauge_datum(std::span<const double> piece);
 
+// Is the chord of which a column is the offset the one of a limit?
+bool is_same_chord(double chord, double limits);
+
 class FraWatch {
  public:
-  // Class 1 to 9; of classes 6 to 9 only alinement is watched.
-  FraWatch(std::string column, Kind kind, int track_class, const records::RecordStream& record);
+  // Class 1 to 9; of classes 6 to 9 only alinement is watched. `offset`: the chord of which a level or an alignment is the offset
+  // already; of another chord than the limit's, or of an unknown one (0), it is not watched.
+  FraWatch(std::string column, Kind kind, int track_class, const spectra::RecordStream& record,
+           std::optional<double> offset = std::nullopt);
   void push(std::span<const double> piece);
   void finish();
 
@@ -49,9 +54,9 @@ class FraWatch {
   double spacing_;
   std::function<double(std::size_t)> place_;
   std::deque<Watched> watched_;
-  std::deque<filters::InnerFilter> filters_;
-  std::optional<quality::Warp> warp_;
-  bool begun_ = false, known_ = true;
+  std::deque<measures::InnerFilter> filters_;
+  std::optional<measures::Warp> warp_;
+  bool begun_ = false, known_ = true, direct_ = false;  // direct: watched as the column gives it
 };
 
 }  // namespace railbook::quality_tool

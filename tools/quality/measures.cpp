@@ -22,18 +22,11 @@ classes 6 to 9.
 #include <string>
 #include <vector>
 
-#include <railbook/filters/fir_filter.hpp>
-#include <railbook/filters/inner_filter.hpp>
-#include <railbook/filters/wavelength_band.hpp>
-#include <railbook/quality/fra_limits.hpp>
-#include <railbook/quality/sections.hpp>
-#include <railbook/table/csv.hpp>
-#include <railbook/tool/batch.hpp>
-#include <railbook/tool/out_folder.hpp>
-#include <railbook/tool/summary.hpp>
-#include <railbook/units/constants.hpp>
-#include <railbook/units/input_error.hpp>
-
+#include "measures/band.hpp"
+#include "measures/fra_limits.hpp"
+#include "measures/inner_filter.hpp"
+#include "measures/sections.hpp"
+#include "quality/column_names.hpp"
 #include "quality/deviations.hpp"
 #include "quality/exceptions.hpp"
 #include "record_options.hpp"
@@ -51,6 +44,7 @@ struct MeasuresWish {
   std::string gauge, crosslevel;
   double section = 200, twist_base = 3;
   std::vector<double> chords;
+  std::optional<double> chord;     // of which the levels and alignments are the offsets
   long passes = 2, fra_class = 0;  // 0: none asked for
   tool::Destination out;
 };
@@ -58,6 +52,13 @@ struct MeasuresWish {
 struct Column {
   std::string name;
   Kind kind;
+
+  // The chord of which it is the offset; 0 where only its header says that it is one.
+  std::optional<double> offset(const MeasuresWish& wish, const std::string& header) const {
+    if (kind > Kind::alignment) return std::nullopt;
+    if (wish.chord) return wish.chord;
+    return is_offset_by_name(header) ? std::optional{0.0} : std::nullopt;
+  }
 };
 
 std::vector<Column> columns_of(const MeasuresWish& wish) {
@@ -109,7 +110,7 @@ class Channel {
     for (Kept& kept : kept_) {
       if (kept.filter)
         kept.filter->push(piece);
-      else if (kept.name.empty())
+      else if (kept.name.empty() || kept.name == "chord")
         kept.sections.push(piece);
     }
     if (!twist_) return;
@@ -177,14 +178,18 @@ class Channel {
       filter(name, taps, taps.half.size() - 1);
     };
     keep("");
+    const std::optional<double> offset = column_.offset(wish_, record.header());
     if (wish_.fra_class > 0)
-      watch_.emplace(column_.name, column_.kind, static_cast<int>(wish_.fra_class), record);
+      watch_.emplace(column_.name, column_.kind, static_cast<int>(wish_.fra_class), record, offset);
     if (column_.kind == Kind::level || column_.kind == Kind::alignment) {
       for (const filters::Band& band : bands_of(wish_))
         filter(std::string{band.name},
-               filters::band_taps(band, static_cast<int>(wish_.passes), record.spacing()),
-               filters::band_margin(band, record.spacing()));
-      chord("chord", quality::fra::profile.chord);
+               ms::band_taps(band, static_cast<int>(wish_.passes), record.spacing()),
+               ms::band_margin(band, record.spacing()));
+      if (!offset)
+        chord("chord", ms::fra::profile.chord);
+      else if (is_same_chord(*offset, ms::fra::profile.chord))
+        keep("chord");
       for (const double length : wish_.chords) chord(name_of_chord(length), length);
     }
     if (column_.kind == Kind::crosslevel) {
@@ -236,6 +241,47 @@ Measured measure_record(const MeasuresWish& wish, const std::filesystem::path& f
   m.records = records::read_records(tools::record_file(wish.record, file), names, sinks);
   for (Channel& channel : m.channels) channel.finish();
   return m;
+}
+
+// The deviations of a channel in a band, over its sections.
+std::optional<double> mean_square(const Channel& channel, std::string_view band) {
+  double sum = 0, n = 0;
+  for (const Kept& kept : channel.kept())
+    if (kept.name == band)
+      for (const ms::Section& section : kept.sections.all())
+        if (const auto sd = section.deviation()) sum += *sd * *sd, n += 1;
+  return n > 0 ? std::optional{sum / n} : std::nullopt;
+}
+
+// What is doubtful about taking a level or an alignment for a whole one: key and text.
+std::vector<std::pair<std::string, std::string>> doubts_of(const MeasuresWish& wish,
+                                                           const Channel& channel,
+                                                           const std::string& header) {
+  std::vector<std::pair<std::string, std::string>> doubts;
+  const Column& column = channel.column();
+  if (column.kind > Kind::alignment) return doubts;
+  if (const auto band = band_in_name(header)) {
+    doubts.emplace_back(
+        "filtered", fmt::format("column {} is filtered to {} already, by its name: its deviation "
+                                "there is the one without a band; in a band it is filtered twice, "
+                                "and chords and classes see only what the filter has left",
+                                column.name, *band));
+  } else if (const auto d1 = mean_square(channel, "D1"), d2 = mean_square(channel, "D2");
+             d1 && d2 && *d2<0.0625 * *d1&& * d2> 1e-4 * *d1) {
+    // A third of this is what the two filters leave between them; of a line alone nothing is left.
+    doubts.emplace_back(
+        "filtered",
+        fmt::format("column {} has hardly any waves longer than 25 m (D2 is {:.0f} % of D1): is it "
+                    "filtered to D1 already? Then its deviation there is the one without a band",
+                    column.name, 100 * std::sqrt(*d2 / *d1)));
+  }
+  if (!wish.chord && is_offset_by_name(header))
+    doubts.emplace_back(
+        "offset", fmt::format("column {} is the offset of a chord, by its name: no class is judged "
+                              "by it; --chord says of which, and one of 62 ft is held against the "
+                              "limits as it is",
+                              column.name));
+  return doubts;
 }
 
 // "left", "left D1", "twist".
@@ -322,6 +368,9 @@ std::vector<tool::Row> rows_of(const MeasuresWish& wish, const Measured& m) {
   std::vector<tool::Row> rows(1);
   rows[0].add("kind", "record");
   tools::add_records(rows[0], m.names(), m.records);
+  for (std::size_t i = 0; i < m.channels.size(); ++i)
+    for (const auto& [key, text] : doubts_of(wish, m.channels[i], m.records[i]->header()))
+      rows[0].flag(key);
   if (wish.fra_class > 0) {
     const double n = m.exceptions(), lost = not_evaluated(m);
     rows[0].add("exceptions", n > 0 || lost == 0 ? n : std::nan(""));
@@ -409,6 +458,10 @@ void add_exceptions(tool::Summary& s, const MeasuresWish& wish, const Measured& 
 tool::Summary summary_of(const MeasuresWish& wish, const Measured& m) {
   tool::Summary s{"measures of " + wish.record.batch.only().string()};
   tools::add_records(s, m.names(), m.records);
+  for (std::size_t i = 0; i < m.channels.size(); ++i)
+    for (const auto& [key, text] : doubts_of(wish, m.channels[i], m.records[i]->header()))
+      s.flag(m.channels.size() > 1 ? fmt::format("{}_{}", m.channels[i].column().name, key) : key,
+             text);
   s.add("section_m", "length of a section", wish.section, "m");
   if (wish.fra_class > 0) add_exceptions(s, wish, m);
   s.add("passes", "band-pass, passes", static_cast<double>(wish.passes), "");
@@ -484,6 +537,9 @@ tool::Tool measures_tool() {
                 1, 2);
         o.quantities("--chords", wish->chords, units::length, "more chords, besides 62 ft",
                      {0.5, 1e3});
+        o.quantity("--chord", wish->chord, units::length,
+                   "the columns of level and alignment are the mid-chord offsets of this chord",
+                   {0.1, 1e3});
         o.count("--fra-class", wish->fra_class,
                 "list where this class's limits are left: profile, alinement, gauge, cross level "
                 "and warp on tangent track; of classes 6 to 9, alinement",
@@ -499,7 +555,9 @@ tool::Tool measures_tool() {
             "column in that band and\n"
             "has the column's sign. NAME_chord is the column at the middle of a 62-ft chord less "
             "the mean of its ends: a\n"
-            "hollow is negative where up is positive. twist (mm/m) is the cross level less that "
+            "hollow is negative where up is positive; of columns that are offsets of such a chord "
+            "already (--chord 62ft)\n"
+            "it is the column. twist (mm/m) is the cross level less that "
             "a twist base before, over\n"
             "the base; warp the cross level less the one within 62 ft before that differs most. "
             "Both are positive where\n"

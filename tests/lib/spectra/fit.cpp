@@ -2,9 +2,10 @@
 #include <cmath>
 #include <random>
 
-#include <railbook/spectra/spectrum_fit.hpp>
-#include <railbook/spectra/synthetic_track.hpp>
-#include <railbook/spectra/welch.hpp>
+#include "spectra/line_mask.hpp"
+#include "spectra/spectrum_fit.hpp"
+#include "spectra/synthetic_track.hpp"
+#include "spectra/welch.hpp"
 
 using namespace railbook;
 using spectra::CornerState;
@@ -43,6 +44,24 @@ TEST_CASE("unit: a perfect spectrum gives back its parameters") {
     CHECK(std::abs(fit.Q_1.value) < 1e-14);
     CHECK(fit.misfit < 1e-3);
   }
+}
+
+TEST_CASE("unit: without a rail no line is looked for, and none hides a bin") {
+  const auto s = perfect({.A = 2e-7, .phi_c = 0.13}, 1e12);
+  const spectra::FitOptions none{.rail_length = units::no_limit};
+  const auto fit = spectra::fit_track_spectrum(s, none), with = spectra::fit_track_spectrum(s);
+  CHECK(fit.A.value == Approx(2e-7).epsilon(1e-9));
+  CHECK(fit.bins > with.bins);
+  CHECK(fit.B_printed.value == 0);
+  CHECK_FALSE(fit.line_significant);
+  CHECK_FALSE(spectra::contradicting_rail(s, none, fit).has_value());
+  // A line is one that nobody named.
+  auto lined = perfect({.A = 2e-7, .phi_c = 0.13}, 100);
+  lined.density[300] *= 50;
+  const auto seen = spectra::fit_track_spectrum(lined, none);
+  const auto stray = spectra::stray_line(lined, none, seen);
+  REQUIRE(stray.has_value());
+  CHECK(stray->phi == Approx(lined.frequency(300)));
 }
 
 TEST_CASE("unit: the line's power, peak and width are those put on the bins") {
