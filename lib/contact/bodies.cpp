@@ -184,7 +184,7 @@ double scatter(const Profile& p) {
 
 double touch_scatter(const Body& one, const Body& two) {
   return 3 * std::hypot(one.profile ? scatter(*one.profile) : 0,
-                          two.profile ? scatter(*two.profile) : 0);
+                        two.profile ? scatter(*two.profile) : 0);
 }
 
 TouchingBodies join_bodies(const Body& one, const Body& two, double angle) {

@@ -6,9 +6,9 @@
 #include <array>
 #include <cmath>
 
-#include "num/gsl.hpp"
-#include "spectra/chord.hpp"
-#include "units/constants.hpp"
+#include <railbook/num/gsl.hpp>
+#include <railbook/spectra/chord.hpp>
+#include <railbook/units/constants.hpp>
 
 namespace railbook::spectra {
 namespace {

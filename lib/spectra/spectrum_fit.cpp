@@ -43,17 +43,18 @@ Range checked_band(const Spectrum& spectrum, const FitOptions& o) {
     units::require_positive("foreign rail length", length, "m");
     if (rail &&
         near_foreign_line({.rail_length = o.rail_length, .foreign_lengths = {length}}, phi_0))
-      throw InputError{"foreign rails of " + number_text(length) +
-                       " m have a line on that of the rail of " + number_text(o.rail_length) +
+      throw InputError{"foreign rails of " + units::number_text(length) +
+                       " m have a line on that of the rail of " +
+                       units::number_text(o.rail_length) +
                        " m; allowed: multiples of 1/length 0.006 cycle/m or more away from it"};
   }
   units::require_between("chord (up to an eighth of a segment)", o.chord, 0,
                          longest_chord / spectrum.df, "m");
   if (rail && squared_gain(o.chord, phi_0) < o.least_gain)
-    throw InputError{"a chord of " + number_text(o.chord) + " m does not see a rail of " +
-                     number_text(o.rail_length) + " m: squared gain " +
-                     number_text(squared_gain(o.chord, phi_0)) + "; allowed: at least " +
-                     number_text(o.least_gain)};
+    throw InputError{"a chord of " + units::number_text(o.chord) + " m does not see a rail of " +
+                     units::number_text(o.rail_length) + " m: squared gain " +
+                     units::number_text(squared_gain(o.chord, phi_0)) + "; allowed: at least " +
+                     units::number_text(o.least_gain)};
   return band;
 }
 

@@ -31,10 +31,9 @@ read. Positive creepage gives positive force, that of the wheel on the rail; `sp
 #include <railbook/tool/session.hpp>
 #include <railbook/tool/summary.hpp>
 #include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 #include "tools.hpp"
-#include "units/constants.hpp"
-#include "units/input_error.hpp"
 
 namespace railbook::creep_tool {
 

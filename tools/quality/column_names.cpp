@@ -1,7 +1,7 @@
-#include "quality/column_names.hpp"
-
 #include <cctype>
 #include <vector>
+
+#include "quality/column_names.hpp"
 
 namespace railbook::quality_tool {
 namespace {

@@ -36,7 +36,7 @@ std::optional<double> gauge_datum(std::span<const double> piece) {
 }
 
 FraWatch::FraWatch(std::string column, Kind kind, int track_class,
-                   const spectra::RecordStream& record, std::optional<double> offset)
+                   const records::RecordStream& record, std::optional<double> offset)
     : column_(std::move(column)),
       kind_(kind),
       class_(track_class),
@@ -46,7 +46,7 @@ FraWatch::FraWatch(std::string column, Kind kind, int track_class,
     return of.limit[static_cast<std::size_t>(track_class - 1)];
   };
   const auto chord = [&](const char* what, double length, double most,
-                         const quality::FilterTaps& taps) {
+                         const filters::FilterTaps& taps) {
     if (offset && !is_same_chord(*offset, length)) return;
     Watched& w = watch(what, length, -most, most, offset ? 0 : 0.5 * length);
     direct_ = offset.has_value();
@@ -59,10 +59,10 @@ FraWatch::FraWatch(std::string column, Kind kind, int track_class,
     chord("profile", quality::fra::profile.chord, limit(quality::fra::profile),
           filters::chord_taps(quality::fra::profile.chord, spacing_));
   if (kind == Kind::alignment && low_speed)
-    chord("alinement", ms::fra::alinement.chord, limit(ms::fra::alinement),
-          ms::chord_taps(ms::fra::alinement.chord, spacing_));
+    chord("alinement", quality::fra::alinement.chord, limit(quality::fra::alinement),
+          filters::chord_taps(quality::fra::alinement.chord, spacing_));
   if (kind == Kind::alignment && !low_speed && !offset)
-    for (const ms::fra::Uniformity& u : ms::fra::uniformity)
+    for (const quality::fra::Uniformity& u : quality::fra::uniformity)
       chord("alinement", u.chord,
             u.limit[static_cast<std::size_t>(track_class - quality::fra_classes - 1)],
             filters::uniformity_taps(u.chord, spacing_));
@@ -90,7 +90,7 @@ void FraWatch::push(std::span<const double> piece) {
     if (known_) watch("gauge", 0, quality::fra::least_gauge - *datum, high - *datum, 0);
   }
   begun_ = true;
-  for (ms::InnerFilter& filter : filters_) filter.push(piece);
+  for (filters::InnerFilter& filter : filters_) filter.push(piece);
   if ((kind_ == Kind::gauge || direct_) && !watched_.empty()) watched_[0].exceptions.push(piece);
   if (!warp_) return;
   watched_[0].exceptions.push(piece);

@@ -28,7 +28,7 @@ class FraWatch {
  public:
   // Class 1 to 9; of classes 6 to 9 only alinement is watched. `offset`: the chord of which a level or an alignment is the offset
   // already; of another chord than the limit's, or of an unknown one (0), it is not watched.
-  FraWatch(std::string column, Kind kind, int track_class, const spectra::RecordStream& record,
+  FraWatch(std::string column, Kind kind, int track_class, const records::RecordStream& record,
            std::optional<double> offset = std::nullopt);
   void push(std::span<const double> piece);
   void finish();
@@ -54,8 +54,8 @@ class FraWatch {
   double spacing_;
   std::function<double(std::size_t)> place_;
   std::deque<Watched> watched_;
-  std::deque<measures::InnerFilter> filters_;
-  std::optional<measures::Warp> warp_;
+  std::deque<filters::InnerFilter> filters_;
+  std::optional<quality::Warp> warp_;
   bool begun_ = false, known_ = true, direct_ = false;  // direct: watched as the column gives it
 };
 

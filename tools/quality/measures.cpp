@@ -22,10 +22,18 @@ classes 6 to 9.
 #include <string>
 #include <vector>
 
-#include "measures/band.hpp"
-#include "measures/fra_limits.hpp"
-#include "measures/inner_filter.hpp"
-#include "measures/sections.hpp"
+#include <railbook/filters/fir_filter.hpp>
+#include <railbook/filters/inner_filter.hpp>
+#include <railbook/filters/wavelength_band.hpp>
+#include <railbook/quality/fra_limits.hpp>
+#include <railbook/quality/sections.hpp>
+#include <railbook/table/csv.hpp>
+#include <railbook/tool/batch.hpp>
+#include <railbook/tool/out_folder.hpp>
+#include <railbook/tool/summary.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
+
 #include "quality/column_names.hpp"
 #include "quality/deviations.hpp"
 #include "quality/exceptions.hpp"
@@ -184,11 +192,11 @@ class Channel {
     if (column_.kind == Kind::level || column_.kind == Kind::alignment) {
       for (const filters::Band& band : bands_of(wish_))
         filter(std::string{band.name},
-               ms::band_taps(band, static_cast<int>(wish_.passes), record.spacing()),
-               ms::band_margin(band, record.spacing()));
+               filters::band_taps(band, static_cast<int>(wish_.passes), record.spacing()),
+               filters::band_margin(band, record.spacing()));
       if (!offset)
-        chord("chord", ms::fra::profile.chord);
-      else if (is_same_chord(*offset, ms::fra::profile.chord))
+        chord("chord", quality::fra::profile.chord);
+      else if (is_same_chord(*offset, quality::fra::profile.chord))
         keep("chord");
       for (const double length : wish_.chords) chord(name_of_chord(length), length);
     }
@@ -248,7 +256,7 @@ std::optional<double> mean_square(const Channel& channel, std::string_view band)
   double sum = 0, n = 0;
   for (const Kept& kept : channel.kept())
     if (kept.name == band)
-      for (const ms::Section& section : kept.sections.all())
+      for (const quality::Section& section : kept.sections.all())
         if (const auto sd = section.deviation()) sum += *sd * *sd, n += 1;
   return n > 0 ? std::optional{sum / n} : std::nullopt;
 }
@@ -267,7 +275,7 @@ std::vector<std::pair<std::string, std::string>> doubts_of(const MeasuresWish& w
                                 "and chords and classes see only what the filter has left",
                                 column.name, *band));
   } else if (const auto d1 = mean_square(channel, "D1"), d2 = mean_square(channel, "D2");
-             d1 && d2 && *d2<0.0625 * *d1&& * d2> 1e-4 * *d1) {
+             d1 && d2 && d2.value() < 0.0625 * d1.value() && d2.value() > 1e-4 * d1.value()) {
     // A third of this is what the two filters leave between them; of a line alone nothing is left.
     doubts.emplace_back(
         "filtered",

@@ -2,10 +2,10 @@
 #include <cmath>
 #include <random>
 
-#include "spectra/line_mask.hpp"
-#include "spectra/spectrum_fit.hpp"
-#include "spectra/synthetic_track.hpp"
-#include "spectra/welch.hpp"
+#include <railbook/spectra/line_mask.hpp>
+#include <railbook/spectra/spectrum_fit.hpp>
+#include <railbook/spectra/synthetic_track.hpp>
+#include <railbook/spectra/welch.hpp>
 
 using namespace railbook;
 using spectra::CornerState;
