@@ -8,7 +8,7 @@
 
 #include <railbook/num/gsl.hpp>
 #include <railbook/spectra/chord.hpp>
-#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 
 namespace railbook::spectra {
 namespace {

@@ -543,6 +543,12 @@ std::function<void()> declare(tool::Options& options) {
   options.count("--patience", wish->patience, "seconds after which a branch ends where it is", 1,
                 86400);
   options.out(wish->out);
+  options.help(
+      "Amplitudes are half of what a wheelset moves from side to side, and positive; middle_mm is "
+      "where the first one moves about, positive to the left. A multiplier is a magnitude: above 1 "
+      "the cycle is unstable. L_over_V is the largest of a wheel, positive as its flange presses "
+      "outward; creep_over_friction the largest creep force over what friction bears, 0 to 1. "
+      "stable_mm and unstable_mm are A_mm where the cycle is so, else nan.");
   return [wish] { run(*wish); };
 }
 

@@ -214,6 +214,14 @@ std::function<void()> declare(tool::Options& options) {
   options.flag("--level", wish->level,
                "keep the axle from rolling, as EN 15302 does for the conicity");
   options.out(wish->out);
+  options.help(
+      "x is the wheelset's displacement to the left, L its left wheel and R its right one. "
+      "wheelset.csv: rolling radii r, their difference left less right, contact angles delta to "
+      "the axle, phi the roll of the axle, positive with the left side up, R half the difference "
+      "of the radii over half the spacing, D half the difference of the angles. contacts.csv: "
+      "where wheel and rail touch, outward from the middle of the axle and of the track. "
+      "jumps.csv: "
+      "the left wheel's angle and radius before and after, as it goes to the left.");
   return [wish] { run(*wish); };
 }
 

@@ -127,6 +127,11 @@ std::function<void()> declare(tool::Options& options) {
   options.quantity("--highest", wish->highest, units::speed, "of the range searched", speeds);
   options.quantity("--speed", wish->speed, units::speed, "lists the modes there", speeds);
   options.out(wish->out);
+  options.help(
+      "A growth rate is positive where the motion grows: the straight run is unstable. Lateral "
+      "displacements are positive to the left, yaw is positive turning left, roll with the left "
+      "side up. speed.csv: growth and angular velocity omega of the two motions that grow most, "
+      "over the speed V.");
   return [wish] { run(*wish); };
 }
 

@@ -167,6 +167,10 @@ tool::Tool limit_tool() {
             o.quantities("--wavelength", wish->wavelengths, units::length, "wavelengths to print",
                          {1e-3, 1e6});
             o.out(wish->out);
+            o.help(
+                "limit.csv has a row a wavelength: the amplitude that is allowed, half of what the "
+                "wave goes up and down, and those by the suspension's stroke and by the wheel "
+                "force alone. All are positive.");
             return [wish] { limit(*wish); };
           }};
 }

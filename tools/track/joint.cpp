@@ -277,6 +277,10 @@ std::function<void()> declare(tool::Options& options) {
   options.quantity("--tolerance", wish->tolerance, units::number,
                    "local error over the static approach", tool::Range{1e-13, 1e-3});
   options.out(wish->out);
+  options.help(
+      "joint.csv: time from when the wheel is at the joint; force between wheel and rail, positive "
+      "as they press; wheel, rail and bed displaced from where they are under the static load, and "
+      "the surface under the wheel, all positive downwards: dips are positive.");
   return [wish] { run(*wish); };
 }
 

@@ -275,6 +275,10 @@ std::function<void()> declare(tool::Options& options) {
   options.quantity("--joint-at", wish->joint_at, units::length,
                    "its position along the rail; without it 0", along);
   options.out(wish->out);
+  options.help(
+      "stiffness.csv: distance along the rail as the wheels' and the joint's; deflection of the "
+      "rail, positive downwards, and the foundation's force on a length of it, positive upwards on "
+      "the rail.");
   return [wish] { run(*wish); };
 }
 

@@ -60,7 +60,7 @@ TEST_CASE("The stated error of a cycle covers its distance from shooting", "[cyc
 }
 
 TEST_CASE("The stated error of a special point covers its distance from a finer branch's",
-          "[cycle-error]") {
+          "[cycle-error][thorough]") {
   for (const auto* table : {&wheelset::cn_table(), &wheelset::new_wheel_table()}) {
     const QuasiLinearCar car{assemble({}, Suspension::dampers), *table};
     const Family family = by_speed(car.car(), *table);
