@@ -275,7 +275,7 @@ std::vector<std::pair<std::string, std::string>> doubts_of(const MeasuresWish& w
                                 "and chords and classes see only what the filter has left",
                                 column.name, *band));
   } else if (const auto d1 = mean_square(channel, "D1"), d2 = mean_square(channel, "D2");
-             d1 && d2 && d2.value() < 0.0625 * d1.value() && d2.value() > 1e-4 * d1.value()) {
+             d1 && d2 && d2.value() < 0.0625 * d1.value() && d2.value() > 9e-4 * d1.value()) {
     // A third of this is what the two filters leave between them; of a line alone nothing is left.
     doubts.emplace_back(
         "filtered",

@@ -6,6 +6,7 @@
 #include <railbook/spectra/spectrum_fit.hpp>
 #include <railbook/spectra/synthetic_track.hpp>
 #include <railbook/spectra/welch.hpp>
+#include <railbook/units/input_error.hpp>
 
 using namespace railbook;
 using spectra::CornerState;
