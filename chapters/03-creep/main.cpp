@@ -151,10 +151,10 @@ Creep curve
 ...
     creepage        fx, N        fy, N      mz, N m F/(mu N)   stick
            0            0            0            0  0.00000   1.000
-       0.001      481.104            0            0  0.36040   0.801
-       0.002      838.328            0            0  0.62800   0.590
-       0.003      1085.45            0            0  0.81313   0.410
-       0.004      1237.17            0            0  0.92678   0.235
+       0.001          481            0            0   0.3604   0.801
+       0.002          838            0            0    0.628   0.590
+       0.003         1085            0            0   0.8131   0.410
+       0.004         1237            0            0   0.9268   0.235
 ```
 
 The last two columns are the fraction of the friction limit that is used and the fraction of the area
@@ -180,10 +180,10 @@ $ railbook creep curve --wheel-radius 100.5mm --wheel-profile 41.8mm --rail-radi
 ```console
 $ railbook creep curve --wheel-radius 500mm --rail-crown 300mm --load 80kN --to 0.004 --points 5
 ...
-       0.001      10857.3            0            0  0.45239   0.738
-       0.002      18043.1            0            0  0.75180   0.478
-       0.003      22107.2            0            0  0.92114   0.244
-       0.004      23757.1            0            0  0.98988   0.060
+       0.001        10860            0            0   0.4524   0.738
+       0.002        18040            0            0    0.752   0.478
+       0.003        22110            0            0   0.9211   0.244
+       0.004        23760            0            0   0.9899   0.060
 ```
 
 ## Works named

@@ -291,14 +291,14 @@ void solve_full(const Work& w, double z, WheelResult& out) {
     if (k == 3) return fail("the contact did not fit its grid");
   }
   // Near Nadal's edge friction bears nearly as much as the flange presses, and its share falls as the load grows: the depth that
-  // balances one share swings about that which balances its own, which is then sought between two of them.
+  // balances one share swings about that which balances its own. Where that has not ended, it is sought between the last two.
   double last = 0, last_off = 0;
   for (int k = 0; w.wish.friction.coefficient > 0; ++k) {
     if (!f.roll()) return fail(unsettled);
     const double off = vertical_force(f.all) / w.wish.load - 1, here = f.down;
     if (std::abs(off) < 1e-3) break;
     if (k == 15) return fail("friction and load did not settle");
-    const bool swings = k > 0 && off * last_off < 0;
+    const bool swings = k >= 7 && off * last_off < 0;
     if (swings) f.down = here + (last - here) * off / (off - last_off);
     if (!(swings ? f.press() : f.balance(1e-5))) return fail(unborne);
     f.describe();

@@ -249,10 +249,9 @@ void print_rows(const std::vector<Row>& all, double bound, double unit, bool ful
     return full && value != 0 ? tool::to_digits_of(value, error) : fmt::format("{:.6g}", value);
   };
   for (const auto& [creepage, f] : all)
-    fmt::print(
-        to, "{:>12.6g} {:>12} {:>12} {:>12} {:>8} {:>7.3f}\n", creepage.longitudinal,
-        text(f.fx, f.error * bound), text(f.fy, f.error * bound), text(f.mz, f.mz_error * unit),
-        bound > 0 ? text(std::hypot(f.fx, f.fy) / bound, f.error) : "-", std::abs(f.stick_share));
+    fmt::print(to, "{:>12.6g} {:>12} {:>12} {:>12} {:>8} {:>7.3f}\n", creepage.longitudinal,
+               text(f.fx, f.error * bound), text(f.fy, f.error * bound),
+               text(f.mz, f.mz_error * unit), share_text(f), std::abs(f.stick_share));
 }
 
 // `unit` of the moment's error: mu N sqrt(a b) [N m].
