@@ -248,6 +248,11 @@ void print_rows(const std::vector<Row>& all, double bound, double unit, bool ful
   const auto text = [full](double value, double error) {
     return full && value != 0 ? tool::to_digits_of(value, error) : fmt::format("{:.6g}", value);
   };
+  const auto share_text = [&](const CreepForces& f) {
+    if (!(bound > 0)) return std::string{"-"};
+    const double share = std::hypot(f.fx, f.fy) / bound;
+    return full && share > 0 ? tool::to_digits_of(share, f.error) : fmt::format("{:.5f}", share);
+  };
   for (const auto& [creepage, f] : all)
     fmt::print(to, "{:>12.6g} {:>12} {:>12} {:>12} {:>8} {:>7.3f}\n", creepage.longitudinal,
                text(f.fx, f.error * bound), text(f.fy, f.error * bound),
