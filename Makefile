@@ -26,7 +26,7 @@ doctor:           ## say which packages are missing and what the tools' versions
 packages:
 	@cmake/packages.sh install
 
-configure: packages
+configure: $(if $(filter reproduce test,$(MAKECMDGOALS)),packages)
 	@cmake --preset $(PRESET) --log-level=WARNING -B $(BUILD)
 
 chapter-programs: configure
@@ -95,16 +95,16 @@ mutate: build     ## faults of one line, a sample: how many the tests notice (FA
 	@$(call wants,python3)
 	tests/mutate/mutate.py --build $(BUILD) --faults $(or $(FAULTS),100) --seed $(or $(SEED),1) $(if $(NEAR),--near)
 
-coverage: packages ## lines and branches that the tests of lib/ take, by folder (R="num contact" for some)
+coverage: ## lines and branches that the tests of lib/ take, by folder (R="num contact" for some)
 	tests/coverage.sh $(R)
 
-sanitize: packages ## the tests of lib/ and the chapters under the address and undefined-behaviour sanitizers
+sanitize: ## the tests of lib/ and the chapters under the address and undefined-behaviour sanitizers
 	tests/sanitize.sh
 
-matrix: packages  ## checks and prose the same text from GCC and Clang, -O0, -O2 and -O3, and another processor's mathematics
+matrix: ## checks and prose the same text from GCC and Clang, -O0, -O2 and -O3, and another processor's mathematics
 	tests/matrix.sh $(C)
 
-fuzz: packages    ## libFuzzer on every parser, SECONDS=60 each (clang)
+fuzz:   ## libFuzzer on every parser, SECONDS=60 each (clang)
 	tests/fuzz/fuzz.sh $(or $(SECONDS),60)
 
 failed: build     ## run again only the tests that failed

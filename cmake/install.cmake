@@ -26,39 +26,37 @@ foreach(name ${installed})
   install(DIRECTORY lib/${name} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/railbook COMPONENT development
           FILES_MATCHING PATTERN *.hpp PATTERN detail EXCLUDE)
 endforeach()
-install(TARGETS ${targets} EXPORT railbook ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+install(TARGETS ${targets} EXPORT railbook ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development
+        LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT command NAMELINK_COMPONENT development)
 install(EXPORT railbook NAMESPACE railbook:: FILE railbook-targets.cmake DESTINATION ${package} COMPONENT development)
 list(SORT installed)
-configure_package_config_file(cmake/install/railbook-config.cmake.in ${CMAKE_BINARY_DIR}/railbook-config.cmake
+configure_package_config_file(cmake/install/railbook-config.cmake.in ${PROJECT_BINARY_DIR}/railbook-config.cmake
                               INSTALL_DESTINATION ${package} NO_SET_AND_CHECK_MACRO)
-write_basic_package_version_file(${CMAKE_BINARY_DIR}/railbook-config-version.cmake COMPATIBILITY SameMinorVersion)
-install(FILES ${CMAKE_BINARY_DIR}/railbook-config.cmake ${CMAKE_BINARY_DIR}/railbook-config-version.cmake
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/railbook-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/railbook-config.cmake ${PROJECT_BINARY_DIR}/railbook-config-version.cmake
         DESTINATION ${package} COMPONENT development)
 
-install(TARGETS railbook RUNTIME COMPONENT command)
+if(RAILBOOK_TOOLS)
+  install(TARGETS railbook RUNTIME COMPONENT command)
+endif()
 install(DIRECTORY tools/ DESTINATION ${CMAKE_INSTALL_DATADIR}/railbook/tools FILES_MATCHING PATTERN *.gp
         PATTERN examples EXCLUDE)
 install(FILES lib/plot/style.gp lib/plot/scene.gp DESTINATION ${CMAKE_INSTALL_DATADIR}/railbook/lib/plot)
 install(DIRECTORY tools/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/railbook)
 
 # Licences: ours, the notices of what is compiled into the programs, and the list of all of it.
-configure_file(cmake/install/spdx.cmake.in ${CMAKE_BINARY_DIR}/spdx.cmake @ONLY)
+configure_file(cmake/install/spdx.cmake.in ${PROJECT_BINARY_DIR}/spdx.cmake @ONLY)
 install(SCRIPT cmake/install/source_date.cmake)
-install(SCRIPT ${CMAKE_BINARY_DIR}/spdx.cmake)
-install(FILES LICENSE SECURITY.md cmake/install/copyright ${CMAKE_BINARY_DIR}/railbook.spdx DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(SCRIPT ${PROJECT_BINARY_DIR}/spdx.cmake)
+install(FILES LICENSE SECURITY.md cmake/install/copyright ${PROJECT_BINARY_DIR}/railbook.spdx DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
-# The manual page and the completions are what the command says of itself.
-set(said ${CMAKE_BINARY_DIR}/said)
-file(MAKE_DIRECTORY ${said})
-foreach(page "railbook.1 --manual" "railbook --completion bash" "_railbook --completion zsh")
-  separate_arguments(page)
-  list(POP_FRONT page file)
-  list(JOIN page " " arguments)
-  install(CODE "execute_process(COMMAND \"$<TARGET_FILE:railbook>\" ${arguments} OUTPUT_FILE \"${said}/${file}\" COMMAND_ERROR_IS_FATAL ANY)")
-endforeach()
-install(FILES ${said}/railbook.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
-install(FILES ${said}/railbook DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
-install(FILES ${said}/_railbook DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+# The manual page and the completions are what the command says of itself (tools/CMakeLists.txt).
+if(RAILBOOK_TOOLS AND NOT CMAKE_CROSSCOMPILING)
+  set(pages ${PROJECT_BINARY_DIR}/pages)
+  install(FILES ${pages}/railbook.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+  install(FILES ${pages}/railbook DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+  install(FILES ${pages}/_railbook DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+endif()
 
 # `cpack` in the build folder makes a Debian package of all of it, the same bits for each who builds the same commit with the same
 # compiler and libraries. Who publishes it gives an address: cpack -D CPACK_PACKAGE_CONTACT="Name <address>".
@@ -66,8 +64,8 @@ set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME railbook)
 string(REPLACE - ~ CPACK_PACKAGE_VERSION ${RAILBOOK_VERSION}) # to Debian 0.2.0-dev is later than 0.2.0, 0.2.0~dev earlier
 set(CPACK_PACKAGE_CONTACT "The railbook maintainers")
-set(CPACK_PROJECT_CONFIG_FILE ${CMAKE_SOURCE_DIR}/cmake/install/source_date.cmake)
-set(CPACK_POST_BUILD_SCRIPTS ${CMAKE_SOURCE_DIR}/cmake/install/repack.cmake)
+set(CPACK_PROJECT_CONFIG_FILE ${PROJECT_SOURCE_DIR}/cmake/install/source_date.cmake)
+set(CPACK_POST_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/install/repack.cmake)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)

@@ -4,7 +4,8 @@
 add_library(railbook_flags INTERFACE)
 # They are ours: a project that uses the installed library compiles as it likes, but for C++20.
 set(flags -Wall -Wextra -Wpedantic -Wconversion -Wshadow $<$<BOOL:${RAILBOOK_WERROR}>:-Werror>
-    -ffp-contract=off) # no fused multiply-add behind our back: the same digits from every compiler
+    -ffp-contract=off # no fused multiply-add behind our back: the same digits from every compiler
+    -fPIC) # all of it may go into a shared library; as an option of all, it fits the precompiled headers too
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # What -O3 gives here: vectors in loops of any length, short loops unrolled.
   list(APPEND flags $<$<CONFIG:Release>:-fvect-cost-model=dynamic> $<$<CONFIG:Release>:-fpeel-loops>)
@@ -57,9 +58,12 @@ function(railbook_library name)
     set(kind text)
   endif()
   if(sources)
-    add_library(railbook_${name} STATIC ${sources})
+    add_library(railbook_${name} ${sources}) # static, or shared with BUILD_SHARED_LIBS
+    set_target_properties(railbook_${name} PROPERTIES VERSION ${PROJECT_VERSION}
+                          SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
     target_link_libraries(railbook_${name} PUBLIC railbook_flags ${arg_NEEDS} ${arg_USES})
     railbook_precompile(railbook_${name} ${kind})
+    add_library(railbook::${name} ALIAS railbook_${name}) # as find_package names it
   else()
     add_library(railbook_${name} INTERFACE)
     target_link_libraries(railbook_${name} INTERFACE railbook_flags ${arg_NEEDS} ${arg_USES})

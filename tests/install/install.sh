@@ -58,4 +58,11 @@ if grep -rq "$source" "$there/lib"*/cmake "$there/lib"*/*/cmake 2>/dev/null; the
 version=$(sed -n 's/^CMAKE_PROJECT_VERSION:.*=//p' "$build/CMakeCache.txt")
 cmake -S "$source/tests/install/outside" -B outside -DCMAKE_CXX_COMPILER="$compiler" "-DCMAKE_PREFIX_PATH=$there" "-DVERSION=$version" >said 2>&1 || fail "$(tail -20 said)"
 cmake --build outside >said 2>&1 || fail "$(tail -20 said)"
-./outside/outside
+./outside/outside >answer || fail "$(cat answer)"
+
+# The same program in a project that takes in the sources: no program, no test and no book comes with them.
+cmake -S "$source/tests/install/subproject" -B sub -DCMAKE_CXX_COMPILER="$compiler" "-DRAILBOOK=$source" -DRAILBOOK_PCH=OFF \
+  -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS=-O0 >said 2>&1 || fail "$(tail -20 said)"
+cmake --build sub --target subproject -j2 >said 2>&1 || fail "$(tail -20 said)"
+./sub/subproject | cmp - answer || fail "the sources taken in answer otherwise"
+if grep -q "railbook/tools\|railbook_report" sub/build.ninja sub/Makefile 2>/dev/null; then fail "more than the library is taken in"; fi

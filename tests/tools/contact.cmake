@@ -1,5 +1,5 @@
 # The tool refuses what it cannot use with exit status 2, and leaves nothing behind.
-set(bodies --out ${CMAKE_BINARY_DIR}/ctest/contact-refused --body-1-radius-across 0.3m --body-2-radius-along 0.46m)
+set(bodies --out ${PROJECT_BINARY_DIR}/ctest/contact-refused --body-1-radius-across 0.3m --body-2-radius-along 0.46m)
 refuses(contact "neither approach nor load" "give one of approach and load: the other is the answer"
                  solve ${bodies})
 refuses(contact "both approach and load" "give one of approach and load: the other is the answer"
@@ -52,8 +52,8 @@ refuses(contact "a profile with a height and a depth" "has both a height and a d
 foreach(example radii profiles)
   add_test(NAME "tool: contact solves ${example}.toml"
            COMMAND railbook contact solve --config examples/contact/${example}.toml
-                   --out ${CMAKE_BINARY_DIR}/ctest/contact-${example}
-           WORKING_DIRECTORY ${CMAKE_SOURCE_DIR}/tools)
+                   --out ${PROJECT_BINARY_DIR}/ctest/contact-${example}
+           WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}/tools)
 endforeach()
 # What the answer says: answers(WHAT PATTERN arguments...).
 function(contact_answers what pattern)

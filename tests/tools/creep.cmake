@@ -1,5 +1,5 @@
 # The tools refuse what they cannot use with exit status 2, for the reason expected, and leave nothing behind.
-set(out --out ${CMAKE_BINARY_DIR}/ctest/creep-refused)
+set(out --out ${PROJECT_BINARY_DIR}/ctest/creep-refused)
 set(ellipse ${out} --a 6mm --b 4mm)
 set(contact ${ellipse} --load 80kN)
 refuses(creep "no load" "load is required" curve ${ellipse})
@@ -34,11 +34,11 @@ refuses(creep "one ratio for a range" "axis ratios is 1. allowed: from 2" table 
 refuses(creep "a table beyond memory" "nodes of the table is .*allowed: from 12 to 10000000" table ${out} --longitudinal 1000 --lateral 1000)
 refuses(creep "a reach of zero" "reach is 0. allowed" table ${out} --reach 0)
 
-set(folder ${CMAKE_BINARY_DIR}/ctest)
+set(folder ${PROJECT_BINARY_DIR}/ctest)
 add_test(NAME "tool: creep curve answers"
-         COMMAND railbook creep curve --config ${CMAKE_SOURCE_DIR}/tools/examples/creep/axes.toml --out ${folder}/creep-curve)
+         COMMAND railbook creep curve --config ${PROJECT_SOURCE_DIR}/tools/examples/creep/axes.toml --out ${folder}/creep-curve)
 add_test(NAME "tool: creep curve takes radii"
-         COMMAND railbook creep curve --config ${CMAKE_SOURCE_DIR}/tools/examples/creep/radii.toml --out ${folder}/creep-radii)
+         COMMAND railbook creep curve --config ${PROJECT_SOURCE_DIR}/tools/examples/creep/radii.toml --out ${folder}/creep-radii)
 add_test(NAME "tool: creep curve finds the creepage of a force"
          COMMAND railbook creep curve --a 6mm --b 4mm --load 80kN --mu 0.3 --force 12kN)
 set_tests_properties("tool: creep curve finds the creepage of a force" PROPERTIES

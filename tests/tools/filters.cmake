@@ -1,5 +1,5 @@
 # `filters process` refuses what it cannot use; what it can use in spite of faults, it uses.
-set(bad ${CMAKE_SOURCE_DIR}/tests/tools/filters)
+set(bad ${PROJECT_SOURCE_DIR}/tests/tools/filters)
 refuses(filters "a record that is not there" "none.csv.: cannot be read" process none.csv)
 refuses(filters "a record without times" "no column .elapsed_s.. there are" process ${bad}/no-time.csv)
 refuses(filters "a record without sensors" "no sensor in it" process ${bad}/no-sensor.csv)
@@ -18,7 +18,7 @@ refuses(filters "an even mean of the curvature" "mean are 50. allowed: odd" proc
 refuses(filters "a corner of zero" "first corner is 0 .*allowed" process ${bad}/short.csv --first-corner 0Hz)
 refuses(filters "a corner without a unit" "without a unit" process ${bad}/short.csv --second-corner 1)
 refuses(filters "a key nobody knows" "wheels" process ${bad}/short.csv --config ${bad}/unknown.toml)
-set(never ${CMAKE_BINARY_DIR}/ctest/filters-never.csv)
+set(never ${PROJECT_BINARY_DIR}/ctest/filters-never.csv)
 refuses(filters "a track that is too short" "length is" simulate --out ${never} --length 10m)
 refuses(filters "speeds without distances" "0 distances for 2 speeds" simulate --out ${never} --speeds 60mph 9mph)
 refuses(filters "a car that leaves the track" "position of the car" simulate --out ${never} --length 300m --speeds 60mph --distances 400m)
@@ -26,11 +26,11 @@ refuses(filters "truth in the record's own file" "truth is .*the record.s own fi
 refuses(filters "a journey of no distance" "does not travel" simulate --out ${never} --speeds 0mph)
 
 # A record to order, its faults, and the geometry made of it.
-set(folder ${CMAKE_BINARY_DIR}/ctest)
-add_test(NAME "tool: filters simulates a record" WORKING_DIRECTORY ${CMAKE_SOURCE_DIR}/tools/examples/filters
+set(folder ${PROJECT_BINARY_DIR}/ctest)
+add_test(NAME "tool: filters simulates a record" WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}/tools/examples/filters
          COMMAND railbook filters simulate --out ${folder}/filters-sensors.csv --config car.toml --length 4000ft --sensors typical
                  --truth ${folder}/filters-truth.csv)
-add_test(NAME "tool: filters processes it" WORKING_DIRECTORY ${CMAKE_SOURCE_DIR}/tools/examples/filters
+add_test(NAME "tool: filters processes it" WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}/tools/examples/filters
          COMMAND railbook filters process ${folder}/filters-sensors.csv --config car.toml --out ${folder}/filters-mine)
 add_test(NAME "tool: filters processes it with faults"
          COMMAND sh -c "awk -F, -v OFS=, 'NR==1500{$3=\"nan\"} NR==1600{$2=0} NR==1700{$9=1e30} NR==1750{$9=800} NR==1800{$2=1e-9} 1' $1 > $2 && $0 filters process $2 --out $3"
@@ -86,7 +86,7 @@ refuses(filters "a dip of a kilometre" "dip is" simulate --out ${never} --dip 1k
 refuses(filters "a record without a place for it" "out is required" simulate)
 
 # "Try next" of chapter 04, on the copies of its sources that it takes: the corners in configuration.hpp at a tenth.
-set(from ${CMAKE_SOURCE_DIR}/chapters/04-filters)
+set(from ${PROJECT_SOURCE_DIR}/chapters/04-filters)
 set(to ${CMAKE_CURRENT_BINARY_DIR}/corners-at-a-tenth)
 foreach(source experiment.hpp experiment.cpp sections.hpp speeds.cpp)
   configure_file(${from}/${source} ${to}/${source} COPYONLY)
@@ -104,7 +104,7 @@ target_compile_definitions(corners_at_a_tenth PRIVATE RAILBOOK_CHAPTER_DIR="${fr
 target_link_libraries(corners_at_a_tenth PRIVATE railbook_flags railbook_geometry_car railbook_filters railbook_num
                       railbook_report railbook_plot)
 add_test(NAME "chapter: 04-filters follows its corners" COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/filters/corners_at_a_tenth.sh
-         $<TARGET_FILE:corners_at_a_tenth> ${CMAKE_BINARY_DIR}/ctest/corners-at-a-tenth ${CMAKE_SOURCE_DIR}/figures/04-filters)
+         $<TARGET_FILE:corners_at_a_tenth> ${PROJECT_BINARY_DIR}/ctest/corners-at-a-tenth ${PROJECT_SOURCE_DIR}/figures/04-filters)
 # Joints of rails and a coarse gyro are no faults of sensors: a profile is good where it was, and nothing is doubted.
 add_test(NAME "tool: filters process keeps joints"
          COMMAND sh -c "$0 filters simulate --out $1-dip.csv --length 2000m --speeds 60mph --dip 30mm && $0 filters process $1-dip.csv"

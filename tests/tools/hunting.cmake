@@ -1,11 +1,11 @@
 # `hunting geometry` refuses what it cannot use.
-set(bad ${CMAKE_SOURCE_DIR}/tests/tools/hunting)
+set(bad ${PROJECT_SOURCE_DIR}/tests/tools/hunting)
 function(geometry_refuses what reason)
   refuses(hunting "geometry: ${what}" "${reason}" geometry ${ARGN})
 endfunction()
 function(wheel_refused what reason file)
   geometry_refuses(${what} ${reason} --wheel ${file} --rail worn-rail.csv ${ARGN}
-                   --out ${CMAKE_BINARY_DIR}/ctest/hunting-refused)
+                   --out ${PROJECT_BINARY_DIR}/ctest/hunting-refused)
 endfunction()
 wheel_refused("a missing file" "none.csv" none.csv)
 wheel_refused("a column without a unit" "inward" ${bad}/bare.csv)
@@ -33,12 +33,12 @@ geometry_refuses("an uneven table" "no whole number of steps" --step 0.07mm)
 geometry_refuses("an uneven mean" "half the width" --average 0.0025in)
 geometry_refuses("a cant in degrees" "cant" --cant 1deg)
 add_test(NAME "tool: hunting geometry answers"
-         COMMAND railbook hunting geometry --out ${CMAKE_BINARY_DIR}/ctest/hunting-geometry)
+         COMMAND railbook hunting geometry --out ${PROJECT_BINARY_DIR}/ctest/hunting-geometry)
 # The jump of the new wheel, by bisection to 1e-12 m.
 set_tests_properties("tool: hunting geometry answers" PROPERTIES PASS_REGULAR_EXPRESSION "10\\.3558")
-add_test(NAME "tool: hunting geometry takes profiles" WORKING_DIRECTORY ${CMAKE_SOURCE_DIR}/tools/examples/hunting
+add_test(NAME "tool: hunting geometry takes profiles" WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}/tools/examples/hunting
          COMMAND railbook hunting geometry --wheel worn-wheel.csv --rail new-rail.csv --noise 0.003mm
-                 --out ${CMAKE_BINARY_DIR}/ctest/hunting-profiles)
+                 --out ${PROJECT_BINARY_DIR}/ctest/hunting-profiles)
 set_tests_properties("tool: hunting geometry takes profiles" PROPERTIES PASS_REGULAR_EXPRESSION
                      "conicity at 3 mm, rolling axle +0\\.15")
 
@@ -64,16 +64,16 @@ refuses(hunting "cycle: a speed of zero" "speed is 0 m/s" cycle --speed 0m/s)
 refuses(hunting "cycle: a speed outside of the range" "speed on the branch is 60 m/s. allowed: from 1 to 50" cycle --highest 50m/s --speed 60m/s)
 refuses(hunting "cycle: a negative mass" "wheelset mass is -1 kg" cycle --wheelset-mass -1kg)
 refuses(hunting "cycle: a folder that cannot be" "cannot be" cycle --out /dev/null/x)
-set(examples ${CMAKE_SOURCE_DIR}/tools/examples/hunting)
+set(examples ${PROJECT_SOURCE_DIR}/tools/examples/hunting)
 # The critical speeds that are in the chapter's table.
-add_test(NAME "tool: hunting speed answers" COMMAND railbook hunting speed --out ${CMAKE_BINARY_DIR}/ctest/hunting-speed)
+add_test(NAME "tool: hunting speed answers" COMMAND railbook hunting speed --out ${PROJECT_BINARY_DIR}/ctest/hunting-speed)
 set_tests_properties("tool: hunting speed answers" PROPERTIES PASS_REGULAR_EXPRESSION "144\\.5404 ft/s")
 add_test(NAME "tool: hunting speed takes a car and profiles" WORKING_DIRECTORY ${examples}
          COMMAND railbook hunting speed car.toml --wheel worn-wheel.csv --rail new-rail.csv --speed 40m/s)
 set_tests_properties("tool: hunting speed takes a car and profiles" PROPERTIES
                      PASS_REGULAR_EXPRESSION "car body +32135")
 add_test(NAME "tool: hunting cycle answers"
-         COMMAND railbook hunting cycle --pair cn --speed 132ft/s --out ${CMAKE_BINARY_DIR}/ctest/hunting-cycle)
+         COMMAND railbook hunting cycle --pair cn --speed 132ft/s --out ${PROJECT_BINARY_DIR}/ctest/hunting-cycle)
 set_tests_properties("tool: hunting cycle answers" PROPERTIES
                      PASS_REGULAR_EXPRESSION "fold +45\\.81.*150\\.30.*cycles at 40\\.2336 m/s +2")
 
@@ -98,7 +98,7 @@ does_not_say("speed calls no rounding unstable" "already unstable" speed --later
 # Where describing functions have no cycle, and where theirs are not the equations'.
 says("cycle where describing functions have none" "cycles at 45.* m/s +2" cycle --pair cn --speed 149ft/s)
 says("cycle below the fold" "cycle 1 at.*22\\.33.*cycle 2 at.*24\\.26" cycle --speed 199ft/s)
-says("cycle of the second critical speed" "fold +50\\.37" cycle --family 2 --out ${CMAKE_BINARY_DIR}/ctest/hunting-family-2)
+says("cycle of the second critical speed" "fold +50\\.37" cycle --family 2 --out ${PROJECT_BINARY_DIR}/ctest/hunting-family-2)
 says("cycle beyond the fold" "cycles at 46.* m/s +0 +.none on what was searched" cycle --pair cn --speed 151ft/s)
 says("cycle in another datum" "followed in warp.*end of the range" cycle --pair cn --speed 132ft/s --against warp-stiffness
      --factor 0.98)

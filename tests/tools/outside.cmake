@@ -1,6 +1,6 @@
 # What names, files and the world outside may do to the tools.
 set(here ${CMAKE_CURRENT_SOURCE_DIR})
-set(examples ${CMAKE_SOURCE_DIR}/tools/examples)
+set(examples ${PROJECT_SOURCE_DIR}/tools/examples)
 function(names kind subject verb record)
   add_test(NAME "tool: ${subject} ${verb} takes any name (${kind})" COMMAND ${CMAKE_COMMAND} -E env RECORD=${record}
            ${here}/names.sh ${kind} ${bin} ${subject} ${verb} ${ARGN})
@@ -18,9 +18,9 @@ names(in hunting geometry ${examples}/hunting/worn-wheel.csv --wheel @ --rail ${
 names(out hunting speed "")
 names(out hunting cycle "" --pair cn --speed 132ft/s --largest-amplitude 8mm)
 names(out filters simulate "" --length 1000ft)
-names(in filters process ${CMAKE_BINARY_DIR}/ctest/filters-sensors.csv --config ${examples}/filters/car.toml @)
+names(in filters process ${PROJECT_BINARY_DIR}/ctest/filters-sensors.csv --config ${examples}/filters/car.toml @)
 names(file psd synthesize "" --length 1km)
-names(in psd classify ${CMAKE_BINARY_DIR}/ctest/psd-track.csv @)
+names(in psd classify ${PROJECT_BINARY_DIR}/ctest/psd-track.csv @)
 names(out quality limit "" --speed 100km/h)
 names(in quality index ${examples}/quality/track.csv --column crosslevel --speed 100km/h @)
 names(out wheelrail contact "" --load 50kN --speed 30m/s --method strips)
@@ -40,7 +40,7 @@ endforeach()
 set_tests_properties("tool: a FIFO that nobody writes to" PROPERTIES LABELS thorough) # it is waited for
 
 # Many records, and what is typed wrong.
-add_test(NAME "tool: many records make a table" COMMAND ${here}/batch.sh ${bin} ${CMAKE_SOURCE_DIR}/tools/examples)
+add_test(NAME "tool: many records make a table" COMMAND ${here}/batch.sh ${bin} ${PROJECT_SOURCE_DIR}/tools/examples)
 add_test(NAME "tool: a person's habits" COMMAND ${here}/habits.sh ${bin})
 add_test(NAME "tool: forty examples" COMMAND ${here}/examples.sh ${bin} ${examples})
 add_test(NAME "tool: quality measures find exceptions to FRA classes where they are" COMMAND ${here}/exceptions.sh ${bin})
@@ -51,33 +51,33 @@ add_test(NAME "tool: psd classify reads files as recorders write them" COMMAND $
 add_test(NAME "tool: hostile and clumsy inputs" COMMAND ${here}/hostile.sh ${bin} ${examples})
 set_tests_properties("tool: hostile and clumsy inputs" PROPERTIES TIMEOUT 300) # for one that waits: its processors' time is limited
 
-add_test(NAME "readme: its commands on data of one's own" COMMAND ${here}/readme.sh ${CMAKE_SOURCE_DIR} ${bin})
+add_test(NAME "readme: its commands on data of one's own" COMMAND ${here}/readme.sh ${PROJECT_SOURCE_DIR} ${bin})
 set_tests_properties("readme: its commands on data of one's own" PROPERTIES LABELS long)
-add_test(NAME "docs: the commands answer as docs/commands.md shows" COMMAND ${here}/commands.sh ${CMAKE_SOURCE_DIR} ${bin})
+add_test(NAME "docs: the commands answer as docs/commands.md shows" COMMAND ${here}/commands.sh ${PROJECT_SOURCE_DIR} ${bin})
 set_tests_properties("docs: the commands answer as docs/commands.md shows" PROPERTIES LABELS long)
 
 # A page of a chapter that shows commands has their real answers.
-file(GLOB mains CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/chapters/*/main.cpp)
+file(GLOB mains CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/chapters/*/main.cpp)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${mains})
 foreach(main ${mains})
   file(STRINGS ${main} commands REGEX "^```console$")
   if(commands)
     get_filename_component(chapter ${main} DIRECTORY)
     get_filename_component(chapter ${chapter} NAME)
-    add_test(NAME "page: the commands of ${chapter}" COMMAND ${here}/page.sh ${CMAKE_SOURCE_DIR} ${chapter} ${bin}
-             ${CMAKE_BINARY_DIR}/ctest/page-${chapter})
+    add_test(NAME "page: the commands of ${chapter}" COMMAND ${here}/page.sh ${PROJECT_SOURCE_DIR} ${chapter} ${bin}
+             ${PROJECT_BINARY_DIR}/ctest/page-${chapter})
   endif()
 endforeach()
 
 # What cannot be drawn is left out of a figure: a curve of one point, a sensor that gave nothing.
 add_test(NAME "tool: creep curve of one point" COMMAND railbook creep curve --a 6mm --b 4mm --load 80kN --points 1
-         --out ${CMAKE_BINARY_DIR}/ctest/creep-point)
+         --out ${PROJECT_BINARY_DIR}/ctest/creep-point)
 add_test(NAME "tool: filters process without a sensor" COMMAND sh -c "awk -F, -v OFS=, 'NR>1{$3=\"nan\"} 1' $1 > $2 && $0 filters process $2 --out $3"
-         ${bin} ${CMAKE_BINARY_DIR}/ctest/filters-sensors.csv ${CMAKE_BINARY_DIR}/ctest/filters-dead.csv ${CMAKE_BINARY_DIR}/ctest/filters-dead)
+         ${bin} ${PROJECT_BINARY_DIR}/ctest/filters-sensors.csv ${PROJECT_BINARY_DIR}/ctest/filters-dead.csv ${PROJECT_BINARY_DIR}/ctest/filters-dead)
 set_tests_properties("tool: filters process without a sensor" PROPERTIES FIXTURES_REQUIRED filters-record)
 # Without figures gnuplot is not asked; with them and no gnuplot the answer would be refused.
 add_test(NAME "tool: track stiffness without figures" COMMAND ${CMAKE_COMMAND} -E env RAILBOOK_GNUPLOT=/none
-         ${bin} track stiffness --no-figures --out ${CMAKE_BINARY_DIR}/ctest/track-plain)
+         ${bin} track stiffness --no-figures --out ${PROJECT_BINARY_DIR}/ctest/track-plain)
 
 foreach(subject hunting track contact creep filters psd quality wheelrail)
   add_test(NAME "tool: ${subject} tables say what the answers say" COMMAND ${here}/tables.sh ${subject} ${bin})

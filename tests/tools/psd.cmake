@@ -1,5 +1,5 @@
 # The tools refuse what they cannot use with exit status 2, for the reason expected and not for another.
-set(folder ${CMAKE_BINARY_DIR}/ctest)
+set(folder ${PROJECT_BINARY_DIR}/ctest)
 file(MAKE_DIRECTORY ${folder})
 set(never ${folder}/psd-never.csv)
 refuses(psd "a dip without a unit" "dip is .11., without a unit" synthesize ${never} --dip 11)
@@ -16,7 +16,7 @@ refuses(psd "a rail of atoms" "rail is 1e-300 m. allowed" classify ${never} --ra
 refuses(psd "half a sample to bridge" "bridge is 2.5. allowed: a whole number" classify ${never} --bridge 2.5)
 refuses(psd "a folder that is not there" "cannot be written" synthesize ${folder}/none/such/track.csv)
 refuses(psd "a record that is not there" "none.csv.: cannot be read" classify ${folder}/none.csv)
-set(bad ${CMAKE_SOURCE_DIR}/tests/tools/psd)
+set(bad ${PROJECT_SOURCE_DIR}/tests/tools/psd)
 refuses(psd "positions that go back" "positions do not ascend" classify ${bad}/descending.csv)
 refuses(psd "positions not evenly spaced" "not evenly spaced: 0.6" classify ${bad}/uneven.csv)
 refuses(psd "positions against the spacing" "spacing is given as 0.3048" classify ${bad}/short.csv --spacing 1ft)

@@ -1,6 +1,6 @@
 # Tools, run in examples/.
-set(bad ${CMAKE_SOURCE_DIR}/tests/tools/quality)
-set(never ${CMAKE_BINARY_DIR}/ctest/quality-never)
+set(bad ${PROJECT_SOURCE_DIR}/tests/tools/quality)
+set(never ${PROJECT_BINARY_DIR}/ctest/quality-never)
 function(quality_refuses what reason)
   string(MAKE_C_IDENTIFIER "${what}" folder) # one each: tests run beside each other
   refuses(quality ${what} ${reason} ${ARGN} --out ${never}-${folder})
@@ -40,11 +40,11 @@ quality_refuses("T_1 above T_2" "accept is 2. allowed" index track.csv --column 
 quality_refuses("a segment of a step" "segment is 0.1 m.*allowed" index track.csv --column crosslevel --speed 100km/h --segment 10cm)
 
 function(quality_answers what pattern)
-  add_test(NAME "tool: quality ${what}" WORKING_DIRECTORY ${CMAKE_SOURCE_DIR}/tools/examples/quality
+  add_test(NAME "tool: quality ${what}" WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}/tools/examples/quality
            COMMAND railbook quality ${ARGN})
   set_tests_properties("tool: quality ${what}" PROPERTIES PASS_REGULAR_EXPRESSION ${pattern})
 endfunction()
-set(mine ${CMAKE_BINARY_DIR}/ctest/quality)
+set(mine ${PROJECT_BINARY_DIR}/ctest/quality)
 quality_answers("limit knows the corner" "wheel force counts below +4\\.3079.*at 100 m +9\\.6055"
                 limit --speed 100km/h --car freight.toml --out ${mine}-limit)
 quality_answers("limit without masses" "at 100 m +9\\.6055" limit --speed 100km/h --out ${mine}-stroke)

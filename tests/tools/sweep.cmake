@@ -1,6 +1,6 @@
 # Every option that takes a quantity or a count, at 0, at the ends of what a double holds, and at -1 (see sweep.sh).
 function(sweep subject tool)
-  set(where ${CMAKE_SOURCE_DIR}/tools/examples)
+  set(where ${PROJECT_SOURCE_DIR}/tools/examples)
   if(EXISTS ${where}/${subject})
     set(where ${where}/${subject})
   endif()
@@ -9,7 +9,7 @@ function(sweep subject tool)
   set_tests_properties("tool: ${subject} ${tool} stands any number" PROPERTIES TIMEOUT 1500 LABELS thorough)
 endfunction()
 
-set(scratch ${CMAKE_BINARY_DIR}/ctest)
+set(scratch ${PROJECT_BINARY_DIR}/ctest)
 sweep(contact solve --cells-x=31 --cells-y=31 --config=radii.toml)
 sweep(creep curve --points=3 --config=axes.toml)
 sweep(creep table --ratios=2 --longitudinal=4 --lateral=4 --spin=3 --points=20 --cells=6)

@@ -33,7 +33,7 @@ refuses(track "a folder that cannot be" "cannot be written: Not a directory"
                  stiffness --out /dev/null/x)
 add_test(NAME "tool: track stiffness answers"
          COMMAND railbook track stiffness --rail 136RE --tie-spacing 19.5in --ballast-depth 12in
-                 --out ${CMAKE_BINARY_DIR}/ctest/track-stiffness)
+                 --out ${PROJECT_BINARY_DIR}/ctest/track-stiffness)
 
 # Closed form (2): 132RE on 2000 psi is 191 688 lb/in;
 # a quarter of it is left at a free joint, 8.3924 MN/m.
@@ -46,7 +46,7 @@ add_test(NAME "tool: track stiffness leaves a quarter at a free joint"
 set_tests_properties("tool: track stiffness leaves a quarter at a free joint" PROPERTIES
                      PASS_REGULAR_EXPRESSION "that wheel feels +8\\.392[0-9]+ MN/m")
 
-set(profiles ${CMAKE_SOURCE_DIR}/tests/tools/track)
+set(profiles ${PROJECT_SOURCE_DIR}/tests/tools/track)
 refuses(track "no speed" "--speed is required"
                  joint --dip 0.5in)
 refuses(track "a speed of zero" "speed is 0 m/s. allowed: from 0.1 to 200"
@@ -96,10 +96,10 @@ refuses(track "a profile without a unit" "bare.csv.: column .profile. names no u
 refuses(track "a profile shorter than the run" "distance at the end of the run is 3.6 m. allowed: from -1.2 to 3"
                  joint --speed 60m/s --profile ${profiles}/hollow.csv)
 add_test(NAME "tool: track joint answers"
-         COMMAND railbook track joint --speed 60mph --dip 0.5in --out ${CMAKE_BINARY_DIR}/ctest/track-joint)
+         COMMAND railbook track joint --speed 60mph --dip 0.5in --out ${PROJECT_BINARY_DIR}/ctest/track-joint)
 add_test(NAME "tool: track joint takes a profile"
          COMMAND railbook track joint --speed 30m/s --profile ${profiles}/hollow.csv
-                 --out ${CMAKE_BINARY_DIR}/ctest/track-profile)
+                 --out ${PROJECT_BINARY_DIR}/ctest/track-profile)
 set_tests_properties("tool: track joint answers" PROPERTIES PASS_REGULAR_EXPRESSION "P1, first local maximum +178\\.18")
 
 # passes(WHAT PATTERN arguments...), and the same where no line of doubt may stand.
