@@ -12,8 +12,8 @@ err.
 Only what includes the faulty line is compiled, from a copy of it, and linked into a copy of the program: the tree is
 not touched (but for bin/railbook while ctest runs the tools: it is put back). The tree must have been built.
 
-Survivors go to build/mutants/survivors.txt, each with its line before and after; tests/mutate/equivalent.txt holds
-those argued to be equivalent (file, line's text, fault's text, reason), which count apart.
+Survivors go to build/mutants/survivors.txt, each with its line before and after. Some change nothing that a test could see; the score
+counts them all the same.
 """
 
 import argparse
@@ -277,17 +277,6 @@ class Tests:
         return 0, total
 
 
-def argued_equivalent(text):
-    """(file, the two lines of the fault) of each entry; some share one reason."""
-    file, found, lines = None, set(), text.split("\n")
-    for line, following in zip(lines, lines[1:]):
-        if m := re.match(r"([\w/.]+): ", line):
-            file = m.group(1)
-        elif line.startswith("  - "):
-            found.add((file, f"{line}\n{following}"))
-    return found
-
-
 def main():
     a = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     a.add_argument("--faults", type=int, default=100)
@@ -296,29 +285,27 @@ def main():
     a.add_argument("--only", action="append", default=[], help="a folder or file, e.g. lib/contact")
     a.add_argument("--near", action="store_true", help="run faults by what is nearest only")
     a.add_argument("--list", action="store_true", help="count the places of each kind, and stop")
-    wish = a.parse_args()
-    places = sites(wish.only or [""])
-    if wish.list:
+    options = a.parse_args()
+    places = sites(options.only or [""])
+    if options.list:
         for kind, found in places.items():
             print(f"{len(found):6} {kind}")
         return 0
-    random.seed(wish.seed)
+    random.seed(options.seed)
     for found in places.values():
         random.shuffle(found)
-    known = ROOT / "tests/mutate/equivalent.txt"
-    equivalent = argued_equivalent(known.read_text())
     if run([*AMONG_THEIR_OWN, "true"])[0] != 0:
         sys.exit("faults run in a process namespace of their own, and unshare cannot make one here")
-    tree = Tree(ROOT / wish.build)
+    tree = Tree(ROOT / options.build)
     tests = Tests(tree)
     # In a process namespace of its own a test has the number, and names its temporary files, as that of another tree does.
     (tree.out / "tmp").mkdir(parents=True, exist_ok=True)
     os.environ["TMPDIR"] = str(tree.out / "tmp")
     survivors = []
-    near = far = argued = still = untested = 0
+    near = far = still = untested = 0
     order = list(places)
     turn = 0
-    while near + far + argued + len(survivors) < wish.faults and any(places.values()):
+    while near + far + argued + len(survivors) < options.faults and any(places.values()):
         kind = order[turn % len(order)]
         turn += 1
         if not places[kind]:
@@ -344,12 +331,9 @@ def main():
         if made and not tests.pass_with(program, pattern, made):
             near += 1
             verdict = "killed"
-        elif (path.relative_to(ROOT).as_posix(), change) in equivalent:
-            argued += 1
-            verdict = "equivalent"
         else:
             verdict = "SURVIVED"
-            for program, pattern in [] if wish.near else farther(tree, path):
+            for program, pattern in [] if options.near else farther(tree, path):
                 made = tree.made(program, path, faulty, done)
                 if made and not tests.pass_with(program, pattern, made):
                     far += 1
@@ -362,8 +346,8 @@ def main():
         (tree.out / "survivors.txt").write_text("\n".join(survivors) + "\n")
     counted = near + far + len(survivors)
     print(f"{near + far} of {counted} faults killed ({100 * (near + far) / max(counted, 1):.0f} %)"
-          f"{f', {near} of them by what is nearest' if not wish.near else ''}, seed {wish.seed}; "
-          f"{argued} argued equivalent, {still} did not compile, {untested} in folders without tests")
+          f"{f', {near} of them by what is nearest' if not options.near else ''}, seed {options.seed}; "
+          f"{still} did not compile, {untested} in folders without tests")
     print(f"survivors: {(tree.out / 'survivors.txt').relative_to(ROOT)}")
     return 0 if not survivors else 1
 
