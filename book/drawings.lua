@@ -193,11 +193,11 @@ function drawings.shortened(script)
   return table.concat(out, "\n") .. "\n"
 end
 
--- A table of a figure, its numbers to seven digits.
+-- A table of a figure, its numbers to six digits.
 function drawings.rounded(text)
   local function short(cell)
     local number = tonumber(cell)
-    local digits = ("%.7g"):format(number or 0):gsub("e([+-])0", "e%1"):gsub("e%+", "e")
+    local digits = ("%.6g"):format(number or 0):gsub("e([+-])0", "e%1"):gsub("e%+", "e")
     return number and #digits < #cell and digits or nil
   end
   return (text:gsub("%f[^,\n\0](%-?%d*%.%d+)%f[,\n\0]", short):gsub("%f[^,\n\0](%-?%d*%.%d+e[+-]?%d+)%f[,\n\0]", short))
