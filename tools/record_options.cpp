@@ -12,7 +12,7 @@
 
 namespace railbook::tools {
 
-void add_record_options(tool::Options& o, RecordWish& w) {
+void add_record_options(tool::OptionParser& o, TrackRecordOptions& w) {
   o.records(w.batch);
   o.texts(
       "--column", w.columns,
@@ -81,24 +81,25 @@ records::Screening screening_of(const std::vector<std::string>& wanted) {
 
 }  // namespace
 
-records::RecordFile record_file(const RecordWish& wish, const std::filesystem::path& name) {
-  records::RecordFile file = wish.record;
+records::RecordFile record_file(const TrackRecordOptions& options,
+                                const std::filesystem::path& name) {
+  records::RecordFile file = options.record;
   file.file = name;
-  file.column = wish.columns.front();
-  file.skip = static_cast<std::size_t>(wish.skip);
-  file.screening = screening_of(wish.screen);
-  file.resync = wish.resync == "cut"     ? records::Resync::cut
-                : wish.resync == "count" ? records::Resync::count
-                                         : records::Resync::refuse;
-  if (!wish.batch.many())
+  file.column = options.columns.front();
+  file.skip = static_cast<std::size_t>(options.skip);
+  file.screening = screening_of(options.screen);
+  file.resync = options.resync == "cut"     ? records::Resync::cut
+                : options.resync == "count" ? records::Resync::count
+                                            : records::Resync::refuse;
+  if (!options.batch.many())
     file.progress = [bar = std::make_shared<tool::Progress>("per cent of the record", 100.0),
                      told = 0](double share) mutable {
       for (; told < static_cast<int>(100 * share); ++told) bar->step();
     };
-  if (!wish.bridge) return file;
-  if (*wish.bridge != std::floor(*wish.bridge))
-    throw InputError{fmt::format("bridge is {:g}; allowed: a whole number", *wish.bridge)};
-  file.bridge = static_cast<std::size_t>(*wish.bridge);
+  if (!options.bridge) return file;
+  if (*options.bridge != std::floor(*options.bridge))
+    throw InputError{fmt::format("bridge is {:g}; allowed: a whole number", *options.bridge)};
+  file.bridge = static_cast<std::size_t>(*options.bridge);
   return file;
 }
 

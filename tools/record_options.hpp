@@ -14,8 +14,8 @@
 namespace railbook::tools {
 
 // The option --bridge is kept apart until record_file(): a file has a number of samples or none.
-struct RecordWish {
-  tool::BatchWish batch;
+struct TrackRecordOptions {
+  tool::RecordFiles batch;
   records::RecordFile record;
   std::vector<std::string> columns{"profile"}, screen{"codes"};
   std::string resync = "refuse";
@@ -23,11 +23,12 @@ struct RecordWish {
   long skip = 0;
 };
 
-void add_record_options(tool::Options& options, RecordWish& wish);
+void add_record_options(tool::OptionParser& parser, TrackRecordOptions& options);
 
 // What was asked for of one file; what is read of it is told as progress. Throws InputError when the gap to bridge is no
 // whole number.
-records::RecordFile record_file(const RecordWish& wish, const std::filesystem::path& file);
+records::RecordFile record_file(const TrackRecordOptions& options,
+                                const std::filesystem::path& file);
 
 // What --help says of the files.
 extern const char* const record_help;

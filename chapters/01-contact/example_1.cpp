@@ -327,7 +327,7 @@ void moves(report::Item& item) {
   bool rule = true;
   double force_change = 0;
   std::array<std::pair<double, double>, 6> ranges;
-  ranges.fill({units::no_limit, -units::no_limit});
+  ranges.fill({units::infinity, -units::infinity});
   for (const int cells : {9, 13, 17, 25})
     for (const Fit fit : {Fit::two_points, Fit::three_points_guarded}) {
       const Moves free = moves_on(cells, fit, false), inward = moves_on(cells, fit, true);

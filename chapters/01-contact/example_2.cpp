@@ -95,7 +95,7 @@ const NormalContact& jump_by_grid() {
 namespace {
 
 const NormalContact& with_cone() {
-  static const NormalContact result = jump_on_grid(grid_cells, units::no_limit);
+  static const NormalContact result = jump_on_grid(grid_cells, units::infinity);
   return result;
 }
 

@@ -299,7 +299,7 @@ CountactResult on_cells(int n, Fit fit = Fit::two_points, bool damped = true) {
 
 struct Pulling {
   int cells = 0;
-  double nearest = units::no_limit;  // of them, as a fraction of Hertz's ellipse
+  double nearest = units::infinity;  // of them, as a fraction of Hertz's ellipse
 };
 
 // The cells of negative pressure in all steps of a run.
@@ -322,7 +322,7 @@ void fig_03(report::Item& item) {
   const Pulling own = pulling_cells(nine_by_nine());
   report::Trial trial = item.trial("pulling", "the closest cell, in units of the ellipse", "{:.3f}",
                                    [](double nearest) { return nearest > 1; });
-  double finer = units::no_limit;
+  double finer = units::infinity;
   trial.vary("columns and rows", [&](const report::Setting& s) {
     const Pulling found = pulling_cells(on_cells(static_cast<int>(s.number)));
     if (s.number > 9) finer = std::min(finer, found.nearest);

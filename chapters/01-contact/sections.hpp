@@ -79,7 +79,7 @@ void section(report::Data&, double right_radius, double from, double to);   // r
 void profiles(report::Item&, double right_radius, double from, double to);  // Figs 6, 8
 void overlap(report::Data&, const Gap&, double approach);  // the interpenetration curve
 void axis(report::Data&, const NormalContact&);            // p(x, 0) from end to end
-void cells(report::Data&, const NormalContact&, double from_y = -units::no_limit);
+void cells(report::Data&, const NormalContact&, double from_y = -units::infinity);
 void in_space(report::Item&, const NormalContact&, const Gap&);
 }  // namespace draw
 

@@ -73,7 +73,7 @@ double worst_off(const table::CsvTable& printed, const char* column,
 
 // The least deviation from COUNTACT's column over eight meshes.
 double best_mesh(const table::CsvTable& printed, double tread, bool inward_only) {
-  double best = units::no_limit;
+  double best = units::infinity;
   for (const auto& [columns, rows] :
        {std::pair{7, 7}, {7, 9}, {7, 17}, {9, 7}, {9, 9}, {9, 17}, {11, 9}, {11, 11}}) {
     CountactOptions options{uniform_columns(columns), rows};

@@ -185,7 +185,7 @@ void cn_claims(report::Item& item) {
   const Vehicle& cn = vehicle("cn");
   const CyclePoint front = at_amplitude(cn, 0.42);
   const CyclePoint rear = find_cycle(cn.car, exchanged(front.motion), 0.42 * inch).cycle;
-  const Examined truth = examine(cn.car.car(), *cn.table, rear.motion);
+  const RefinedCycle truth = refine_cycle(cn.car.car(), *cn.table, rear.motion);
   const bool at_rear = rear.amplitude[2] > cn.flange && rear.amplitude[2] > rear.amplitude[0];
   consistent(
       item, "cn-rear", at_rear && rear.stable && truth.converged && truth.stability.stable,
@@ -215,7 +215,7 @@ void cn_claims(report::Item& item) {
   options.largest_amplitude = 0.6 * inch;
   const auto ring = follow_from(
       family, harmonics(car_on_track(cn.car.car(), *cn.table, rear.motion.speed), truth.orbit, 23),
-      rear.motion.speed, Towards::larger_cycles, options);
+      rear.motion.speed, Direction::larger_cycles, options);
   Range stable;
   for (std::size_t k = 0; k < ring.points.size(); ++k)
     if (ring.points[k].stable) {
@@ -305,7 +305,7 @@ void flange_frequency(report::Item& item) {
   for (std::size_t k = 0; k < damped_cars; ++k) {
     const Vehicle& v = vehicles()[k];
     const auto p = at_amplitude(v, 0.6);
-    const Examined truth = examine(v.car.car(), *v.table, p.motion);
+    const RefinedCycle truth = refine_cycle(v.car.car(), *v.table, p.motion);
     const double omega = p.motion.lambda.imag();
     mean += omega / double(damped_cars);
     quasi.add(omega);

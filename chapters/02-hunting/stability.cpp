@@ -316,7 +316,7 @@ void time_claims(report::Item& item) {
                   heumann = cycle_case("heumann", 87), friction = cycle_case("friction", 100);
   double worst = 0;
   for (const CycleCase* c : {&fresh, &torus, &cn, &upper, &heumann, &friction}) {
-    const Examined& e = c->examined;
+    const RefinedCycle& e = c->examined;
     item.add_row(c->name, c->quasi.largest / inch, e.amplitude / inch,
                  c->quasi.motion.lambda.imag(), e.omega, 100 * distortion(*c),
                  c->quasi.stable ? "stable" : "unstable",

@@ -223,7 +223,7 @@ CycleCase cycle_case(std::string_view key, double speed, std::size_t which) {
     return c;
   }
   c.quasi = found[which];
-  c.examined = examine(v.car.car(), *v.table, c.quasi.motion);
+  c.examined = refine_cycle(v.car.car(), *v.table, c.quasi.motion);
   return c;
 }
 

@@ -117,7 +117,7 @@ struct CycleCase {
   const Vehicle* vehicle = nullptr;
   CyclePoint quasi;  // the describing-function cycle
   Oscillator car;
-  Examined examined;  // balance with 23 harmonics, shooting, multipliers
+  RefinedCycle examined;  // balance with 23 harmonics, shooting, multipliers
 };
 // The cycle of a vehicle's main branch at a speed [ft/s], `which` in order along it.
 CycleCase cycle_case(std::string_view key, double speed, std::size_t which = 0);

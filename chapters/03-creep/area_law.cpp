@@ -74,7 +74,7 @@ double sigmas(double rise) {
 // Creep times area [m^2] at which the contact uses each of the shares of a friction of 0.3.
 std::array<double, 3> products(const contact::HertzContact& c, Eigen::Index cells) {
   const EllipseRolling full(c.a / c.b, poisson, {.along = cells, .rows = cells / 2});
-  const RollingCase unit = unit_case(c.a / c.b, poisson);
+  const RollingCase unit = normalised_case(c.a / c.b, poisson);
   const double slope = kalker_coefficients(c.a / c.b, poisson, 8).c11;
   std::array<double, 3> creep_area{};
   for (std::size_t k = 0; k < 3; ++k) {

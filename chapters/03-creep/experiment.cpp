@@ -250,7 +250,7 @@ struct ConstantCreep {
   double mu(double load) const {
     const double ratio = along ? axis_ratio : 1 / axis_ratio;
     const double x = area_factor * hertz_group(load, along) * creep / friction;
-    const auto c = with_reduced_creepage(unit_case(ratio, poisson), {x, 0, 0});
+    const auto c = with_reduced_creepage(normalised_case(ratio, poisson), {x, 0, 0});
     if (theory == "full theory")
       return friction * EllipseRolling(ratio, poisson, {.along = 24, .rows = 12}).solve(c).fx;
     return friction *
@@ -307,7 +307,7 @@ void constant_creep(report::Item& item) {
   item.value("exponent-first", by_creep.results.front(), "", "{:.2f}");
   item.value("exponent-last", by_creep.results.back(), "", "{:.2f}");
   std::string slopes;
-  double least = units::no_limit, most = 0;  // of those from a creep of 0.001 on
+  double least = units::infinity, most = 0;  // of those from a creep of 0.001 on
   for (const double creep : {0.0005, 0.001, 0.002, 0.004}) {
     const ConstantCreep here{.creep = creep};
     const double fall = -here.exponent() * here.mu(paper_load);
@@ -360,7 +360,7 @@ void dimensionless(report::Item& item) {
   auto& points = item.data("points", {"x_hertz", "x_measured", "f", "test"});
   for (int i = 0; i <= 250; ++i) {
     const double x = 1.25 * i / 250;
-    const auto c = with_reduced_creepage(rolling::unit_case(axis_ratio, poisson), {x, 0, 0});
+    const auto c = with_reduced_creepage(rolling::normalised_case(axis_ratio, poisson), {x, 0, 0});
     curves.add(x, master_curve(x), creep_forces(Theory::vermeulen_johnson, c).fx);
   }
   each_reduced(false, [&](double x, double share, const Test& test) {

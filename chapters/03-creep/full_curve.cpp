@@ -127,7 +127,8 @@ std::vector<CreepForces> curve_of(const RollingOptions& options) {
   const EllipseRolling solver(axis_ratio, poisson, options);
   std::vector<CreepForces> curve;
   for (const double x : abscissae)
-    curve.push_back(solver.solve(with_reduced_creepage(unit_case(axis_ratio, poisson), {x, 0, 0})));
+    curve.push_back(
+        solver.solve(with_reduced_creepage(normalised_case(axis_ratio, poisson), {x, 0, 0})));
   return curve;
 }
 
@@ -229,7 +230,7 @@ void figure(report::Item& item) {
   }
   for (int i = 0; i <= 80; ++i) {
     const double x = 0.01 * i;
-    const auto c = with_reduced_creepage(unit_case(axis_ratio, poisson), {x, 0, 0});
+    const auto c = with_reduced_creepage(normalised_case(axis_ratio, poisson), {x, 0, 0});
     simple.add(x, creep_forces(Theory::fastsim, c).fx,
                creep_forces(Theory::vermeulen_johnson, c).fx);
   }

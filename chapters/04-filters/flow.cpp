@@ -68,7 +68,7 @@ void fig_flow(report::Item& item) {
   std::vector<double> changing;  // speeds from 5 to 80 mph, another one each foot
   for (int k = 0; k < 40; ++k)
     changing.push_back(sample_distance / ((42.5 + 37.5 * std::sin(1.7 * k)) * units::mph));
-  double within = units::no_limit, beyond = 0;  // the last foot
+  double within = units::infinity, beyond = 0;  // the last foot
   for (const auto& times : {steady(slow), steady(fast), changing})
     for (int i = 0; i < 200; ++i) {
       const double part = (i % 100 + 0.5) / 100;

@@ -155,7 +155,7 @@ void table_sensors(report::Item& item) {
 // The shift in feet at which the measured parameter is most like the true one.
 long lag(const Measurement& m, const Measurement& t, Parameter p) {
   long best = 0;
-  double least = units::no_limit;
+  double least = units::infinity;
   for (long shift = -10; shift <= 10; ++shift) {
     double sum = 0;
     for (std::size_t i = 400; i + 400 < m.size(); ++i) {

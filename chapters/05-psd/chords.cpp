@@ -70,7 +70,7 @@ void equation_8(report::Item& item) {
                 {"σ/(8), 19-m chord", "{:.4f}"}});
   for (const double phi_c : {0.10, 0.13, 0.25})
     item.add_row(phi_c, ratio(phi_c, short_chord), ratio(phi_c, long_chord));
-  double least = units::no_limit, most = 0, short_most = 0;  // how far (8) is too high, %
+  double least = units::infinity, most = 0, short_most = 0;  // how far (8) is too high, %
   int changed = 0;  // zones of another class when the corner is not left out
   for (const Zone& zone : zones(item)) {
     const double phi_c = zone.track.phi_c, high = 100 * (1 / ratio(phi_c, long_chord) - 1);

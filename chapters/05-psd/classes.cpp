@@ -259,7 +259,7 @@ void table_k(report::Item& item) {
     item.add_row(k, readings.at(i, "what"), double(as_printed), others);
   }
   // All thirteen printed classes.
-  spectra::CoefficientRange range{0, units::no_limit};
+  spectra::CoefficientRange range{0, units::infinity};
   for (const Zone& zone : all) {
     const auto of = spectra::coefficient_range(zone.track.A, zone.track.B,
                                                printed_class(table_3, zone.name), rule_10);
@@ -347,7 +347,7 @@ void fig_11(report::Item& item) {
   auto& zone_points = item.data("zones", {"zone", "B_mm", "A_m2_cycle_per_m", "jointed"});
   const table::CsvTable table_1 = item.printed("table-1.csv");
   const auto all = zones(item);
-  double ratio_low = units::no_limit, ratio_high = 0, d_low = units::no_limit, d_high = 0;
+  double ratio_low = units::infinity, ratio_high = 0, d_low = units::infinity, d_high = 0;
   int jointed_right = 0, welded_left = 0;
   std::vector<double> welded_ratios;
   for (const Zone& zone : all) {

@@ -72,7 +72,7 @@ std::vector<double> average_spectrum(std::span<const double> z, double spacing, 
 spectra::TrackParameters lay_two_lines(const std::vector<double>& density, double df, double phi_1,
                                        double averages) {
   spectra::TrackParameters best{.phi_0 = phi_1};
-  double least = units::no_limit;
+  double least = units::infinity;
   for (double phi_c = 0.04; phi_c < 0.5; phi_c *= 1.0005) {
     double sum = 0, squares = 0, count = 0;
     for (std::size_t k = 1; k < density.size(); ++k) {

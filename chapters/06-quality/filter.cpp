@@ -61,7 +61,7 @@ quality::Envelope stroke_envelope() {
 
 // Largest stroke over a versine bump: forced while on it, free after it, exact in both parts.
 double stroke_over_bump(double length, double top, double speed) {
-  const quality::StoppedBody body{roll, units::no_limit, 0};
+  const quality::StoppedBody body{roll, units::infinity, 0};
   const quality::Track bump{{{top / 2, speed / length, -0.5 * units::pi}}, 0};
   const auto on = quality::run(body, bump, {}, length / speed);
   const auto past = quality::run(body, {}, on.end, on.end.t + 2 / roll.frequency);

@@ -130,7 +130,7 @@ std::vector<LargeMotion> least_amplitudes(const StoppedBody& body, double limit,
 std::vector<LargeMotion> lowest_motions(const StoppedBody& body, double limit,
                                         const Search& search) {
   std::vector<LargeMotion> found;
-  double least = units::no_limit;
+  double least = units::infinity;
   const auto add_lowest = [&](const Wave& wave) {
     LargeMotion lowest;
     for (const LargeMotion& m : find_large_motions(body, limit, wave, search.side)) {

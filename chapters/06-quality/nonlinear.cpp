@@ -189,7 +189,7 @@ std::vector<Envelope> envelopes(const report::Item& item,
 // Harmonic balance: the least track amplitude at which the stroke a sin reaches the limit, over all
 // lower speeds.
 double balanced_amplitude(double kappa, double wavelength) {
-  double least = units::no_limit;
+  double least = units::infinity;
   for (double longer = wavelength; longer < 320; longer *= 1.03) {
     for (double a = inch_limit.stroke; a < 10 * inch_limit.stroke; a *= 1.02) {
       const double n = quality::mean_stiffness(stopped(kappa), a);

@@ -175,7 +175,7 @@ void fig_03(report::Item& item) {
   const auto amplitude = [](double w) {
     return allowed_amplitude(severity_at(inch_limit, track_speed, 1 / w)) / cm;
   };
-  double least = units::no_limit;
+  double least = units::infinity;
   for (const double w : num::log_spaced(1, 1000, 400)) {
     data.add(w, amplitude(w));
     least = std::min(least, amplitude(w));

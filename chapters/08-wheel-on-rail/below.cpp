@@ -39,11 +39,11 @@ void fig_stress(report::Item& item) {
   report::Data& data = item.data({"depth_mm", "sliding", "frictionless"});
   for (const auto& [shift, name] : {std::pair{3, "third"}, {8, "flange"}}) {
     const Wheel wheel = wheel_of(published, "right", shift);
-    const WheelWish wish = wish_of(wheel, Method::full);
+    const WheelInput input = wish_of(wheel, Method::full);
     PatchResult p = solved(wheel, Method::full).patches.front();
-    const contact::LargestStress sliding = stresses(p, wish).rail;
+    const contact::LargestStress sliding = stresses(p, input).rail;
     p.friction = 0;  // the same pressure alone
-    const contact::LargestStress alone = stresses(p, wish).rail;
+    const contact::LargestStress alone = stresses(p, input).rail;
     for (Eigen::Index k = 0; k < sliding.depths.size(); ++k)
       data.add(sliding.depths[k] / units::millimetre, sliding.von_mises_at[k] / p.p_max,
                alone.von_mises_at[k] / p.p_max);

@@ -19,7 +19,7 @@ struct Wheel {
   std::string key;
   double side = 1;  // 1 right, -1 left
   double y = 0;     // [m]
-  double roll = 0, turning = 0;
+  double roll = 0, angular_velocity = 0;
   double normal = 0, p_max = 0, fx = 0, fy = 0;  // as published: N, MPa
 };
 
@@ -33,7 +33,7 @@ inline Wheel wheel_of(const table::CsvTable& t, const std::string& side, int shi
           side == "right" ? 1.0 : -1.0,
           shift * units::millimetre,
           1e-6 * number("roll_urad"),
-          number("turning_rad_per_s"),
+          number("angular_velocity_rad_per_s"),
           number("normal"),
           number("p-max"),
           number("fx"),
@@ -47,18 +47,19 @@ inline std::vector<Wheel> wheels(const table::CsvTable& t) {
   return all;
 }
 
-inline const wheel_contact::Pair& pair() {
+inline const wheel_contact::ProfilePair& pair() {
   static const auto p = wheel_contact::s1002_on_60e1(1.0 / 40, profiles::Rail60::benchmark);
   return p;
 }
 
-inline wheel_contact::WheelWish wish_of(const Wheel& wheel, wheel_contact::Method method,
-                                        long cells = 40) {
-  wheel_contact::WheelWish wish;
-  wish.load = 10 * units::kilonewton, wish.speed = 2, wish.turning = wheel.turning;
-  wish.wheel = wish.rail = {2 * 82e9 * 1.28, 0.28};
-  wish.method = method, wish.along = wish.across = cells;
-  return wish;
+inline wheel_contact::WheelInput wish_of(const Wheel& wheel, wheel_contact::Method method,
+                                         long cells = 40) {
+  wheel_contact::WheelInput input;
+  input.load = 10 * units::kilonewton, input.speed = 2,
+  input.angular_velocity = wheel.angular_velocity;
+  input.wheel = input.rail = {2 * 82e9 * 1.28, 0.28};
+  input.method = method, input.along = input.across = cells;
+  return input;
 }
 
 // Of the right wheel, or of the left one in the mirror.

@@ -46,15 +46,15 @@ can touch it only where the wheel's normal has no part along the track,
 $$ \cos\psi\,\sin\theta+\sin\psi\,r'(s)=0. $$
 
 This gives one angle for each $s$: one line on the wheel. The search for contact is thereby a search
-along a line. The function `point` of `Placed` finds the place for one $s$ and the gap down to the
+along a line. The function `point` of `PlacedWheel` finds the place for one $s$ and the gap down to the
 rail:
 
 {{code: wheel_contact/find_contact.cpp point}}
 
-Where the gap is least, the rigid wheel touches first. `touching` walks along the line, keeps each local
+Where the gap is least, the rigid wheel touches first. `find_contact` walks along the line, keeps each local
 minimum, and refines it:
 
-{{code: wheel_contact/find_contact.cpp touching}}
+{{code: wheel_contact/find_contact.cpp find_contact}}
 
 **Which patches form?** A loaded wheel sinks deeper than first touch and, if it stayed rigid, would
 overlap the rail around each minimum. Each area of overlap becomes a patch with a plane of its own.
@@ -227,7 +227,7 @@ bool verge(const std::string& key) {
 
 // Across, from the frame's origin, over the width of the contact.
 double middle_of_pressure(const PatchResult& p) {
-  double moment = 0, low = units::no_limit, high = -units::no_limit;
+  double moment = 0, low = units::infinity, high = -units::infinity;
   for (Eigen::Index k = 0; k < p.pressure.size(); ++k) {
     if (!(p.pressure[k] > 0)) continue;
     const double t = p.grid.y(k / p.grid.nx);

@@ -40,12 +40,12 @@ void draw_pair(report::Item& item) {
   item.added("the right wheel of the benchmark at a shift of 5 mm, by this program");
   const Wheel& fifth = fifth_wheel(item);
   const WheelResult& found = solved(fifth, Method::full);
-  const Placed placed(pair(), pose_of(fifth));
+  const PlacedWheel placed(pair(), pose_of(fifth));
   const auto across = [](double y) { return (y - rail_origin) / mm; };
   report::Data& section = item.data({"across_mm", "up_mm"});
   report::Data& rail = item.data("rail", {"across_mm", "up_mm"});
   report::Data& gap = item.data("gap", {"across_mm", "gap_um"});
-  for (const Placed::Point& p : touching(placed).locus) {
+  for (const PlacedWheel::Point& p : find_contact(placed).locus) {
     section.add(across(p.at.y()), -(p.at.z() + found.z) / mm);
     const double left = (p.gap - found.z) / units::micrometre;
     if (std::abs(left) < 500) gap.add(across(p.at.y()), left);
@@ -118,7 +118,7 @@ double pressure_at(const WheelResult& wheel, const Vector3d& at) {
 
 // The wheel's own surface, one of revolution, coloured where it bears.
 scene::Mesh wheel_surface(const Pose& pose, const WheelResult& wheel, const Drawing& place) {
-  const Placed placed(pair(), pose);
+  const PlacedWheel placed(pair(), pose);
   const Vector3d centre(0, pose.y, wheel.z - pair().radius);
   const Index across = 400, along = 160;
   scene::Mesh mesh = scene::surface(Eigen::VectorXd::LinSpaced(across, 0, 1),

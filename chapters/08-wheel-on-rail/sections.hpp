@@ -4,6 +4,6 @@
 #include <railbook/report/chapter.hpp>
 
 extern const railbook::report::Section opening;  // patches.cpp
-extern const railbook::report::Section below;  // below.cpp
-extern const railbook::report::Section drawn;  // patches.cpp
-extern const railbook::report::Section study;  // study/study.cpp
+extern const railbook::report::Section below;    // below.cpp
+extern const railbook::report::Section drawn;    // patches.cpp
+extern const railbook::report::Section study;    // study/study.cpp

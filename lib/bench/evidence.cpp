@@ -45,11 +45,12 @@ void digits_table(report::Item& item, const std::vector<Digits>& rows) {
   }
 }
 
-Worst worst_of(int cases, std::uint64_t seed, const std::function<report::Found(Draw&)>& run) {
+Worst worst_of(int cases, std::uint64_t seed,
+               const std::function<report::Found(RandomStream&)>& run) {
   Worst worst;
   worst.cases = cases;
   for (int k = 0; k < cases; ++k) {
-    Draw draw{seed, static_cast<std::uint64_t>(k)};
+    RandomStream draw{seed, static_cast<std::uint64_t>(k)};
     try {
       report::Found found = run(draw);
       if (std::isnan(found.error)) found.error = std::numeric_limits<double>::infinity();
@@ -62,7 +63,7 @@ Worst worst_of(int cases, std::uint64_t seed, const std::function<report::Found(
 }
 
 void worst_row(report::Item& item, const report::StabilityCase& c, int cases, std::uint64_t seed,
-               const std::function<report::Found(Draw&)>& run, int may_refuse) {
+               const std::function<report::Found(RandomStream&)>& run, int may_refuse) {
   item.stability(c, [&] {
     Worst worst = worst_of(cases, seed, run);
     if (worst.unanswered > may_refuse)

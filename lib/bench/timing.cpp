@@ -54,7 +54,7 @@ std::vector<Timing> time_interleaved(const std::vector<std::function<void()>>& c
   std::vector<Plan> plans;
   std::vector<std::vector<double>> times(calls.size());
   int rounds = 0;
-  const report::ClockTurn alone;
+  const report::TimingLock alone;
   for (std::size_t i = 0; i < calls.size(); ++i) {
     plans.push_back(plan_for(first[i], budget));
     if (!calls[i]) plans[i].samples = 0, times[i] = {first[i]};

@@ -21,8 +21,8 @@ double seconds_of(const std::function<void()>& call);
 // Times one call: batches of at least 1 ms, up to 21 samples but at most about `budget` seconds.
 Timing time_call(const std::function<void()>& call, double budget = 0.5);
 
-// Times several, one sample of each in turn. `first` is what a first, unwarmed call of each took; the time of an empty
-// function is that.
+// Times several, one sample of each in turn. `first` is what a first, unwarmed call of each took;
+// the time of an empty function is that.
 std::vector<Timing> time_interleaved(const std::vector<std::function<void()>>& calls,
                                      const std::vector<double>& first, double budget);
 

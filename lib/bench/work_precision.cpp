@@ -110,7 +110,7 @@ struct Line {
 Line line_through(const Points& points, const std::string& method,
                   double report::WorkPrecision::*across) {
   double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
-  Line line{.x_low = units::no_limit, .x_high = -units::no_limit};
+  Line line{.x_low = units::infinity, .x_high = -units::infinity};
   for (const report::WorkPrecision& p : points) {
     if (p.method != method || !known(p) || !(p.*across > 0)) continue;
     const double x = std::log(p.*across), y = std::log(p.error);
@@ -125,10 +125,11 @@ Line line_through(const Points& points, const std::string& method,
 }
 
 void differs_by_machine(report::Data& data, const char* column) {
-  data.holds_to(column, 0, units::no_limit, "times of this machine");
+  data.holds_to(column, 0, units::infinity, "times of this machine");
 }
 
-// The panel's frame: the axes, and a line of the expected slope a little below each method that has one.
+// The panel's frame: the axes, and a line of the expected slope a little below each method that has
+// one.
 void frame(report::Item& item, const Points& points, const std::vector<Method>& methods,
            const Axes& axes, double report::WorkPrecision::*across) {
   report::Data& data = item.data("frame", {"what", "x1", "y1", "x2", "y2", "text"});

@@ -18,7 +18,8 @@ namespace {
 
 using Eigen::Index;
 
-// Bounds of lengths that are asked for, in and out of which nothing overflows: the radii, and the profiles.
+// Bounds of lengths that are asked for, in and out of which nothing overflows: the radii, and the
+// profiles.
 constexpr double smallest = 1e-9, largest = 1e6;
 
 double curvature(double radius, const char* what) {
@@ -32,7 +33,7 @@ double curvature(double radius, const char* what) {
 // Depth across the rail as a function of x, and where it is known.
 struct Section {
   std::function<double(double)> depth;
-  double x_min = -units::no_limit, x_max = units::no_limit;
+  double x_min = -units::infinity, x_max = units::infinity;
 };
 
 void check(const Profile& p, const char* body) {
@@ -75,7 +76,7 @@ double least(const std::function<double(double)>& f, double low, double high) {
   constexpr int points = 4000;
   const double step = (high - low) / points;
   int best = 0;
-  double best_value = units::no_limit;
+  double best_value = units::infinity;
   for (int k = 0; k <= points; ++k) {
     const double value = f(std::min(low + k * step, high));
     if (value < best_value) best = k, best_value = value;
@@ -107,7 +108,7 @@ TouchingBodies join_radii(const Body& one, const Body& two, double angle) {
   result.search = [gap = result.gap](double approach) {
     return interpenetration_box(gap, approach);
   };
-  result.x_min = -units::no_limit, result.x_max = units::no_limit;
+  result.x_min = -units::infinity, result.x_max = units::infinity;
   return result;
 }
 
@@ -128,7 +129,7 @@ TouchingBodies join_profiles(const Body& one, const Body& two) {
   const double x_touch = least(both, low, high), depth = both(x_touch);
   const auto across = [=](double x) {
     const double t = x + x_touch;
-    if (t < low || t > high) return units::no_limit;
+    if (t < low || t > high) return units::infinity;
     return std::max(both(t) - depth, 0.0);
   };
   TouchingBodies result;

@@ -12,14 +12,14 @@
 
 namespace railbook::contact {
 
-// A profile across the rail: depth into the body [m] at rising x [m], at least 5 points, sizes up to 1e6 m.
-// Between the points it is a cubic spline, beyond them there is no body.
+// A profile across the rail: depth into the body [m] at rising x [m], at least 5 points, sizes up
+// to 1e6 m. Between the points it is a cubic spline, beyond them there is no body.
 struct Profile {
   Eigen::VectorXd x, depth;
 };
 
-// One body: across the rail a profile or a radius, along it a radius; convex radii are positive, concave ones
-// negative, infinity is straight. A radius has its summit at x = 0.
+// One body: across the rail a profile or a radius, along it a radius; convex radii are positive,
+// concave ones negative, infinity is straight. A radius has its summit at x = 0.
 struct Body {
   std::optional<Profile> profile = std::nullopt;
   double radius_x = std::numeric_limits<double>::infinity();
@@ -29,24 +29,25 @@ struct Body {
 // Two bodies at first touch, with the origin there.
 struct TouchingBodies {
   Gap gap;
-  // The gap's x and y are turned by this from the bodies', from x towards y [rad]: bodies by radii come in their relative
-  // principal axes, so that cells lie along a slender contact.
+  // The gap's x and y are turned by this from the bodies', from x towards y [rad]: bodies by radii
+  // come in their relative principal axes, so that cells lie along a slender contact.
   double angle = 0;
   double x_touch = 0;                 // of the origin in the bodies' own x [m]
   std::function<Box(double)> search;  // a box that holds {gap < approach}, also of several patches
   double x_min = 0, x_max = 0;        // between these the gap is known (infinite for radii) [m]
 };
 
-// Brings the bodies together: the gap is the sum of the two depths less its least value. `angle` turns body 2
-// about the common normal, from x towards y [rad]; only for bodies without profiles.
-// Throws InputError when the size of a radius is not 1e-9 m to 1e6 m or infinite, a profile is too short, not
-// finite or not rising in x, the two do not overlap, the least gap is at an end of the data, or the bodies do
-// not separate in x or in y.
+// Brings the bodies together: the gap is the sum of the two depths less its least value. `angle`
+// turns body 2 about the common normal, from x towards y [rad]; only for bodies without profiles.
+// Throws InputError when the size of a radius is not 1e-9 m to 1e6 m or infinite, a profile is too
+// short, not finite or not rising in x, the two do not overlap, the least gap is at an end of the
+// data, or the bodies do not separate in x or in y.
 TouchingBodies join_bodies(const Body& one, const Body& two, double angle = 0);
 
-// The same with every second point of the profiles left out, the odd ones and then the even ones (the ends stay): what
-// that changes in an answer bounds what the interpolation does to it, since a spline's error falls at least by 4
-// when points double, down to the rounding of the points, which it shows too. None for bodies without profiles.
+// The same with every second point of the profiles left out, the odd ones and then the even ones
+// (the ends stay): what that changes in an answer bounds what the interpolation does to it, since a
+// spline's error falls at least by 4 when points double, down to the rounding of the points, which
+// it shows too. None for bodies without profiles.
 std::vector<TouchingBodies> join_thinned(const Body& one, const Body& two);
 
 // How far the scatter of the profiles' points, or their rounding, may move the first touch and with it every approach [m]: the

@@ -14,8 +14,8 @@ using Eigen::VectorXd;
 
 using num::in_parallel, num::reduce_in_blocks;
 
-// One solve. The outer loop changes the set of cells in contact, the inner one is a preconditioned conjugate
-// gradient on a fixed set. Every vector has a value per cell, zero outside the set.
+// One solve. The outer loop changes the set of cells in contact, the inner one is a preconditioned
+// conjugate gradient on a fixed set. Every vector has a value per cell, zero outside the set.
 class ActiveSet {
  public:
   ActiveSet(Convolution& a, const Grid& grid, const VectorXd& f, double approach, VectorXd& p,
@@ -41,7 +41,8 @@ class ActiveSet {
   // Largest |g - u| in the set.
   double residual() const { return largest_ / scale_; }
 
-  // Cells under tension leave, cells that penetrate join; returns the worst violation, as a share of the scale.
+  // Cells under tension leave, cells that penetrate join; returns the worst violation, as a share
+  // of the scale.
   double update_set() {
     double worst = largest_of([&](Index n) {
       if (!(p_[n] < 0)) return 0.0;

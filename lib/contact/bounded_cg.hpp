@@ -8,8 +8,8 @@
 namespace railbook::contact {
 
 struct BoundedCgOptions {
-  // On the largest gap within the contact and penetration outside it, over the largest of g. Below about 1e-13
-  // rounding decides, and the iteration may end unconverged.
+  // On the largest gap within the contact and penetration outside it, over the largest of g. Below
+  // about 1e-13 rounding decides, and the iteration may end unconverged.
   double tolerance = 1e-8;
   int most_iterations = 1000;
   bool precondition = true;
@@ -23,12 +23,13 @@ struct BoundedCg {
   bool converged = false;
 };
 
-// Solves p >= 0, s = A p - g >= 0, p s = 0 for g = approach - f (f the gap, m; infinite where there is no body),
-// starting from `p` (Pa, >= 0) and leaving the solution there. Conjugate gradients solve A p = g on a set of cells,
-// not more tightly than the set deserves; then cells under tension leave it and cells that penetrate join, until
-// neither happens. (Polonsky & Keer 1999 and Vollebregt, doi:10.1007/s10957-013-0499-x, change the
-// set at every step; with the preconditioner that can cycle, and doing it between solves cannot lose conjugacy.)
-// With the preconditioner the iterations hardly depend on the grid: about 15 from a good start.
+// Solves p >= 0, s = A p - g >= 0, p s = 0 for g = approach - f (f the gap, m; infinite where there
+// is no body), starting from `p` (Pa, >= 0) and leaving the solution there. Conjugate gradients
+// solve A p = g on a set of cells, not more tightly than the set deserves; then cells under tension
+// leave it and cells that penetrate join, until neither happens. (Polonsky & Keer 1999 and
+// Vollebregt, doi:10.1007/s10957-013-0499-x, change the set at every step; with the preconditioner
+// that can cycle, and doing it between solves cannot lose conjugacy.) With the preconditioner the
+// iterations hardly depend on the grid: about 15 from a good start.
 [[nodiscard]] BoundedCg solve_bounded_cg(Convolution& a, const Grid& grid, const Eigen::VectorXd& f,
                                          double approach, Eigen::VectorXd& p,
                                          const BoundedCgOptions& options);

@@ -94,7 +94,8 @@ std::vector<double> of_levels(const std::vector<CgFftLevel>& levels, Read read) 
   return values;
 }
 
-// The ends of the region extrapolated; the irregular part of an end keeps its place at the finest grid's.
+// The ends of the region extrapolated; the irregular part of an end keeps its place at the finest
+// grid's.
 void extrapolate_ends(const std::vector<CgFftLevel>& levels, const std::vector<double>& h,
                       NormalContact& contact) {
   constexpr double order =
@@ -113,11 +114,12 @@ void extrapolate_ends(const std::vector<CgFftLevel>& levels, const std::vector<d
   contact.y_max = end(&Box::y_max, finest.grid.dy);
 }
 
-// The irregular part of the error of a force or a peak pressure, as a share of it: it depends on how the edge meets
-// the cells and may vanish by chance from the differences of a few grids. An edge misplaced by e takes K e^2 off the force
-// per length, to a factor, where p = K sqrt(distance): hence in proportion to K. Seen in random contacts of any slenderness
-// and direction, rounded punches among them, N cells across: nine tenths within 2.3 N^-2.5 times K over Hertz's, all within
-// 6.2; within 12 N^-1.7 where the pressure ends steeply, and K is not seen.
+// The irregular part of the error of a force or a peak pressure, as a share of it: it depends on
+// how the edge meets the cells and may vanish by chance from the differences of a few grids. An
+// edge misplaced by e takes K e^2 off the force per length, to a factor, where p = K
+// sqrt(distance): hence in proportion to K. Seen in random contacts of any slenderness and
+// direction, rounded punches among them, N cells across: nine tenths within 2.3 N^-2.5 times K over
+// Hertz's, all within 6.2; within 12 N^-1.7 where the pressure ends steeply, and K is not seen.
 double irregular_error(const Region& region) {
   const bool edge = region.meets_body_edge || region.ends_steeply;
   double error = 0;
@@ -132,18 +134,19 @@ double irregular_error(const Region& region) {
 
 // Cells across the narrowest patch that carries a hundredth of the force or more.
 double narrowest(const Region& region) {
-  double cells = units::no_limit;
+  double cells = units::infinity;
   for (const Patch& patch : region.patches)
     if (patch.force > 0.01 * region.force) cells = std::min(cells, patch.cells_across);
   return cells;
 }
 
-// What a grid cannot say at any accuracy: a patch narrower than its cells can tell, and the peak at an edge.
+// What a grid cannot say at any accuracy: a patch narrower than its cells can tell, and the peak at
+// an edge.
 void find_doubts(const Region& region, NormalContact& contact) {
   constexpr double fewest = 5;
   const double cells = narrowest(region);
   if (cells < fewest) {
-    contact.force_error = contact.p_max_error = units::no_limit;
+    contact.force_error = contact.p_max_error = units::infinity;
     if (region.patches.size() >
         1) {  // the sums of this grid: such patches scatter from grid to grid
       contact.force = region.force, contact.p_max = region.p_max;
@@ -156,10 +159,10 @@ void find_doubts(const Region& region, NormalContact& contact) {
         cells);
   } else if (region.meets_body_edge) {
     contact.p_max = region.p_max;
-    contact.p_max_error = units::no_limit;
+    contact.p_max_error = units::infinity;
     contact.reason = "singular edge: the peak pressure grows without bound as the grid is refined";
   } else if (region.ends_steeply) {
-    contact.p_max_error = units::no_limit;
+    contact.p_max_error = units::infinity;
     contact.reason =
         "under-resolved edge: the pressure ends within a cell or two, its peak there is not seen";
   }
@@ -206,7 +209,7 @@ void finish(const Grid& grid, const VectorXd& p, const VectorXd& f, bool remedy,
   const Region& region = result.levels.back().region;
   if (region.cells == 0) {
     // Bodies that come closer than the approach do touch: between the cells.
-    result.contact.force_error = result.contact.p_max_error = units::no_limit;
+    result.contact.force_error = result.contact.p_max_error = units::infinity;
     if (result.contact.converged)
       result.contact.reason =
           "under-resolved: the contact is so narrow that no cell is in it, a grid along "
@@ -232,7 +235,8 @@ Box grown(const Grid& grid, const Region& region) {
           grid.y0 + height * (region.touches_y_max ? 1.5 : 1)};
 }
 
-// Where the next grid goes: over a box that holds the contact, or fitted to the region once it is known.
+// Where the next grid goes: over a box that holds the contact, or fitted to the region once it is
+// known.
 struct Placement {
   Box box;
   bool fitted = false;
@@ -255,7 +259,8 @@ struct Placement {
     }
   }
 
-  // Takes over the region seen on `grid`; its ends are moved to edges of the body found by bisection.
+  // Takes over the region seen on `grid`; its ends are moved to edges of the body found by
+  // bisection.
   void refit(const Gap& gap, const Grid& grid, Region& region) {
     if (region.cells == 0 || std::min(grid.nx, grid.ny) < coarsest) return;
     Box& ends = region.ends;
@@ -342,7 +347,7 @@ CgFft solve_cg_fft(const Gap& gap, double approach, double effective_modulus,
   }
   finish(last, p, f, options.remedy, result);
   if (!missed.empty()) {
-    result.contact.force_error = result.contact.p_max_error = units::no_limit;
+    result.contact.force_error = result.contact.p_max_error = units::infinity;
     result.contact.reason = fmt::format(
         "under-resolved: a further patch near x = {:.6g} m, y = {:.6g} m is narrower than the "
         "cells",

@@ -27,13 +27,13 @@ struct LoadSearch {
     return result;
   }
 
-  // Solves until the force is within `enough` of the load, at most 40 times, and returns the best answer;
-  // `miss` says how far its force is from the load. One answer is held at a time: it is large, and the best is
-  // nearly always the last.
+  // Solves until the force is within `enough` of the load, at most 40 times, and returns the best
+  // answer; `miss` says how far its force is from the load. One answer is held at a time: it is
+  // large, and the best is nearly always the last.
   CgFft refine(const CgFftOptions& options, double enough, double& miss) {
     CgFft result;
     double best = 0, best_error = 0, last_log_force = 0, last_log_approach = units::nan;
-    miss = units::no_limit;
+    miss = units::infinity;
     for (int k = 0, since_best = 0; k <= 40; ++k) {
       result = {};
       result = solve(approach, options);
@@ -49,7 +49,8 @@ struct LoadSearch {
         best = approach, best_error = result.contact.force_error;
         since_best = 0;
       }
-      // On a grid too coarse for the contact the force jumps, by less than its error, as the grid is fitted anew.
+      // On a grid too coarse for the contact the force jumps, by less than its error, as the grid
+      // is fitted anew.
       if (miss <= enough || (since_best >= 8 && miss < best_error)) break;
       // Near the end the two forces differ by the solver's own noise: keep the slope.
       if (std::isgreater(std::abs(log_approach - last_log_approach), 1e-4))

@@ -24,8 +24,9 @@ long points_of(const num::EvenFilter& filter) {
   return static_cast<long>(filter.frame_rows() * filter.frame_columns());
 }
 
-// Far from the cell the second difference loses digits like (r/h)^2, while the first two terms of the
-// expansion of 1/r about the centre are good to (h/r)^4: they cross near r = 280 h at about 1e-11.
+// Far from the cell the second difference loses digits like (r/h)^2, while the first two terms of
+// the expansion of 1/r about the centre are good to (h/r)^4: they cross near r = 280 h at about
+// 1e-11.
 double far_integral(double x, double y, double dx, double dy) {
   const double r2 = x * x + y * y;
   const double quadrupole =
@@ -33,8 +34,8 @@ double far_integral(double x, double y, double dx, double dy) {
   return dx * dy / std::sqrt(r2) * (1 + quadrupole);
 }
 
-// The symbol of A times E*/2: waves exp(i k x) of pressure held constant on each cell give displacements of
-// 1/|k|, summed over the waves that look the same at the cell centres.
+// The symbol of A times E*/2: waves exp(i k x) of pressure held constant on each cell give
+// displacements of 1/|k|, summed over the waves that look the same at the cell centres.
 double symbol(double theta_x, double theta_y, const Grid& grid) {
   const double sin_x = std::sin(theta_x / 2), sin_y = std::sin(theta_y / 2);
   double sum = 0;
@@ -109,7 +110,8 @@ InversePreconditioner::InversePreconditioner(const Grid& grid, double effective_
   num::in_parallel(threads, columns / 2 + 1, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t i = begin; i < end; ++i)
       for (std::size_t j = 0; j <= rows / 2; ++j) {
-        // The lowest wave number that fits stands in for zero: the patch is not periodic, its mean is finite.
+        // The lowest wave number that fits stands in for zero: the patch is not periodic, its mean
+        // is finite.
         const double u = i + j ? static_cast<double>(i) : 0.5;
         filter_.at(j, i) =
             effective_modulus / 2 /
@@ -130,7 +132,8 @@ long InversePreconditioner::points() const {
 double memory_needed(Eigen::Index nx, Eigen::Index ny) {
   const double cells = static_cast<double>(nx) * static_cast<double>(ny);
   const double big = static_cast<double>(padded(nx)) * static_cast<double>(padded(ny));
-  // Filters, workspace, and the solver's vectors; as much is taken again by the answer when these are gone.
+  // Filters, workspace, and the solver's vectors; as much is taken again by the answer when these
+  // are gone.
   return 8 * (0.25 * (big + cells) + static_cast<double>(ny) * static_cast<double>(padded(nx)) +
               5.2 * cells);
 }

@@ -1,4 +1,5 @@
-// Displacements of constant-pressure cells on a uniform grid as a convolution, by fast Fourier transforms.
+// Displacements of constant-pressure cells on a uniform grid as a convolution, by fast Fourier
+// transforms.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,16 +10,16 @@
 
 namespace railbook::contact {
 
-// u = A p: the sum of the surface displacements of both bodies [m] at the cell centres of `grid` under a
-// constant pressure on each cell [Pa]; exact for such pressures (eqs. 13-15 of the paper on a uniform grid), to 1e-14 where
-// none is negative.
-// The grid is padded with zeros to a good FFT size of at least twice its own less one, so nothing wraps round.
-// The digits do not depend on the number of threads.
+// u = A p: the sum of the surface displacements of both bodies [m] at the cell centres of `grid`
+// under a constant pressure on each cell [Pa]; exact for such pressures (eqs. 13-15 of the paper on
+// a uniform grid), to 1e-14 where none is negative. The grid is padded with zeros to a good FFT
+// size of at least twice its own less one, so nothing wraps round. The digits do not depend on the
+// number of threads.
 class Convolution {
  public:
   Convolution(const Grid& grid, double effective_modulus, int threads = 1);
-  // The same with a kernel of one's own: kernel(i, j) is the displacement times pi E* [m] that a unit pressure
-  // on a cell makes i cells along x and j along y from its centre; even in both.
+  // The same with a kernel of one's own: kernel(i, j) is the displacement times pi E* [m] that a
+  // unit pressure on a cell makes i cells along x and j along y from its centre; even in both.
   Convolution(const Grid& grid, double effective_modulus,
               const std::function<double(Eigen::Index, Eigen::Index)>& kernel);
   void apply(const Eigen::VectorXd& p, Eigen::VectorXd& u);
@@ -34,8 +35,9 @@ class Convolution {
   double self_ = 0;
 };
 
-// z = P r, an approximate inverse of A: division by the symbol of A on the grid itself, wrapped round. A acts
-// like 1/|k|, so its inverse |k| reaches only as far as 1/r^3 and needs no padding: a quarter of the work.
+// z = P r, an approximate inverse of A: division by the symbol of A on the grid itself, wrapped
+// round. A acts like 1/|k|, so its inverse |k| reaches only as far as 1/r^3 and needs no padding: a
+// quarter of the work.
 class InversePreconditioner {
  public:
   InversePreconditioner(const Grid& grid, double effective_modulus, int threads = 1);
@@ -46,7 +48,8 @@ class InversePreconditioner {
   num::EvenFilter filter_;
 };
 
-// Bytes that solving on a grid of nx by ny cells takes: transforms, spectra and the vectors of the solver.
+// Bytes that solving on a grid of nx by ny cells takes: transforms, spectra and the vectors of the
+// solver.
 double memory_needed(Eigen::Index nx, Eigen::Index ny);
 
 }  // namespace railbook::contact

@@ -41,7 +41,8 @@ RelativeCurvature relative_curvature(const Curvature& body_1, const Curvature& b
   }
   // Name x' the principal axis nearest to x: then bodies aligned with x and y keep their axes.
   const double deviator = std::copysign(std::hypot(cosine, sine), cosine);
-  // The smaller of A and B by their product, since mean - |deviator| loses it when the contact is slender.
+  // The smaller of A and B by their product, since mean - |deviator| loses it when the contact is
+  // slender.
   const double sin_2 = std::pow(std::sin(body_2.angle - body_1.angle), 2),
                cos_2 = std::pow(std::cos(body_2.angle - body_1.angle), 2);
   const double product = (body_1.first * body_1.second + body_2.first * body_2.second +
@@ -110,7 +111,8 @@ Gap rounded_punch_gap(const RoundedPunch& s) {
 
 double interpenetration_distance(const Gap& gap, double approach, double angle) {
   units::require_positive("approach", approach, "m");
-  // Exact zeros on the axes, so that a gap with a jump at x = 0 is asked on the axis and not beside it.
+  // Exact zeros on the axes, so that a gap with a jump at x = 0 is asked on the axis and not beside
+  // it.
   const double turns = 2 * angle / units::pi;
   double ux = std::cos(angle), uy = std::sin(angle);
   if (turns == std::round(turns)) {

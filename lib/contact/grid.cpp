@@ -17,7 +17,7 @@ Eigen::VectorXd sample(const Gap& gap, const Grid& grid) {
   for (Eigen::Index j = 0; j < grid.ny; ++j)
     for (Eigen::Index i = 0; i < grid.nx; ++i) {
       const double value = gap(grid.x(i), grid.y(j));
-      if (std::isnan(value) || value == -units::no_limit)
+      if (std::isnan(value) || value == -units::infinity)
         throw InputError("gap at x = " + std::to_string(grid.x(i)) +
                          " m, y = " + std::to_string(grid.y(j)) + " m is " + std::to_string(value) +
                          "; it must be a number or +infinity (no body there)");
@@ -52,7 +52,7 @@ Eigen::VectorXd transfer(const Grid& from, const Eigen::VectorXd& p, const Grid&
 namespace {
 
 struct Place {
-  double x = 0, y = 0, gap = units::no_limit;
+  double x = 0, y = 0, gap = units::infinity;
 };
 
 double value_at(const Gap& gap, double x, double y) {
@@ -74,7 +74,8 @@ Place lowest_on_circle(const Gap& gap, const Place& centre, double radius, int c
 
 constexpr double farthest = 1e3;  // [m] from the origin
 
-// A place where the gap is less than the approach: the origin, or downhill from the lowest on circles round it.
+// A place where the gap is less than the approach: the origin, or downhill from the lowest on
+// circles round it.
 Place place_in_contact(const Gap& gap, double approach) {
   const Place origin{0, 0, value_at(gap, 0, 0)};
   Place best = origin;
@@ -97,9 +98,9 @@ Place place_in_contact(const Gap& gap, double approach) {
                   approach, origin.gap, best.gap, best.x, best.y));
 }
 
-// Whether the gap is less than the approach somewhere on one side of a box round a place: at 129 points, or by golden
-// sections beside the lowest of them, for a slender contact that crosses the side between two. side: 0 x_min, 1 x_max,
-// 2 y_min, 3 y_max.
+// Whether the gap is less than the approach somewhere on one side of a box round a place: at 129
+// points, or by golden sections beside the lowest of them, for a slender contact that crosses the
+// side between two. side: 0 x_min, 1 x_max, 2 y_min, 3 y_max.
 bool crosses_side(const Gap& gap, double approach, const Place& c,
                   const std::array<double, 4>& reach, std::size_t side) {
   constexpr double golden = 0.6180339887498949;
@@ -110,7 +111,7 @@ bool crosses_side(const Gap& gap, double approach, const Place& c,
         on_x ? -reach[2] + t * (reach[2] + reach[3]) : -reach[0] + t * (reach[0] + reach[1]);
     return on_x ? value_at(gap, c.x + at, c.y + along) : value_at(gap, c.x + along, c.y + at);
   };
-  double least = units::no_limit, lowest = 0;
+  double least = units::infinity, lowest = 0;
   for (int k = 0; k <= 128; ++k)
     if (const double f = value(k / 128.0); f < least) least = f, lowest = k / 128.0;
   double low = std::max(0.0, lowest - 1 / 128.0), high = std::min(1.0, lowest + 1 / 128.0);

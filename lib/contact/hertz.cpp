@@ -72,8 +72,8 @@ EllipticIntegrals elliptic_integrals(double log_m1) {
   units::require_between("ln m1", log_m1, -700, 0);
   const double m = -std::expm1(log_m1);  // k^2, exact near the circle
   double mean = 1, geometric = std::exp(log_m1 / 2);
-  // K - E = K sum 2^(n-1) c_n^2, c_0^2 = m, c_n = (mean - geometric)/2. Each c_n is c_{n-1}^2/(4 mean_n),
-  // so m divides out of every term and D = (K - E)/m is a sum of positive terms.
+  // K - E = K sum 2^(n-1) c_n^2, c_0^2 = m, c_n = (mean - geometric)/2. Each c_n is c_{n-1}^2/(4
+  // mean_n), so m divides out of every term and D = (K - E)/m is a sum of positive terms.
   double c_squared = 1;  // c_n^2 / m
   double sum = 0.5, weight = 0.5;
   for (int n = 1; n < 40; ++n) {

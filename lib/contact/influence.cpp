@@ -7,13 +7,15 @@
 namespace railbook::contact {
 namespace {
 
-// asinh(v/u) for u, v > 0 and r^2 = u^2 + v^2: half the time of the library's, with the root shared.
+// asinh(v/u) for u, v > 0 and r^2 = u^2 + v^2: half the time of the library's, with the root
+// shared.
 double inverse_sinh(double v, double u, double r) {
   if (v > 0.25 * u) return std::log((v + r) / u);
   return std::log1p((v + v * v / (r + u)) / u);
 }
 
-// E(k) and E(k) - m1 K(k) for m1 = 1 - k^2 up to 0.01, by their series in m1 (Abramowitz & Stegun 17.3.10, 17.3.33).
+// E(k) and E(k) - m1 K(k) for m1 = 1 - k^2 up to 0.01, by their series in m1 (Abramowitz &
+// Stegun 17.3.10, 17.3.33).
 struct NearEdge {
   double inside = 1, outside = 1;
 };

@@ -12,8 +12,8 @@ namespace {
 
 using Eigen::Index;
 
-// Loads that stand for the pressures of blocks of cells, at their centres of pressure: rods where blocks are long in one
-// direction, otherwise points.
+// Loads that stand for the pressures of blocks of cells, at their centres of pressure: rods where
+// blocks are long in one direction, otherwise points.
 struct Loads {
   std::vector<double> x, y, force;
   double half_x = 0, half_y = 0;  // of a rod; one of them, or none, is not 0
@@ -62,13 +62,14 @@ struct Loads {
   }
 };
 
-// The loads by sixteenths of the grid: what each sinks a place is at least what it would from its farthest corner.
-struct Sixteenths {
+// The loads by sixteenths of the grid: what each sinks a place is at least what it would from its
+// farthest corner.
+struct CoarseLoads {
   std::array<Box, 16> box;
   std::array<double, 16> force{};
   double least;
 
-  Sixteenths(const Grid& grid, const Loads& loads) : least(loads.least) {
+  CoarseLoads(const Grid& grid, const Loads& loads) : least(loads.least) {
     const double width = static_cast<double>(grid.nx) * grid.dx,
                  height = static_cast<double>(grid.ny) * grid.dy;
     for (std::size_t n = 0; n < 16; ++n) {
@@ -103,7 +104,7 @@ std::vector<Point> missed_places(const Gap& gap, double approach, double effecti
                                  const Grid& grid, const Eigen::VectorXd& p, const Box& box,
                                  double share) {
   const Loads blocks(grid, p, 24), cells(grid, p, 4096);
-  const Sixteenths sixteenths(grid, blocks);  // most places need no more
+  const CoarseLoads sixteenths(grid, blocks);  // most places need no more
   const double k = 1 / (units::pi * effective_modulus);
   const double x_end = grid.x0 + static_cast<double>(grid.nx) * grid.dx;
   const double y_end = grid.y0 + static_cast<double>(grid.ny) * grid.dy;

@@ -1,7 +1,8 @@
-// Frictionless contact of two elastic half spaces: the problem, and the one result type of every solver.
+// Frictionless contact of two elastic half spaces: the problem, and the one result type of every
+// solver.
 //
-// Common frame of both bodies: origin at first touch, x along the wheel axis (across the rail), y along the
-// rail, z into the bodies. All lengths in metres, pressures in Pa, forces in N.
+// Common frame of both bodies: origin at first touch, x along the wheel axis (across the rail), y
+// along the rail, z into the bodies. All lengths in metres, pressures in Pa, forces in N.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,7 +11,8 @@
 
 namespace railbook::contact {
 
-// Elastic constants of the two bodies: Young's moduli (Pa, > 0) and Poisson's ratios (0 <= nu <= 0.5).
+// Elastic constants of the two bodies: Young's moduli (Pa, > 0) and Poisson's ratios (0 <= nu <=
+// 0.5).
 struct Material {
   double young_1 = 0;
   double poisson_1 = 0;
@@ -18,16 +20,16 @@ struct Material {
   double poisson_2 = 0;
 };
 
-// E* of both bodies, 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2 [Pa]; the paper's k of eq. (9) is 1/(pi E*).
-// Relative accuracy 2e-15.
-// Throws InputError on a modulus or a ratio out of range.
+// E* of both bodies, 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2 [Pa]; the paper's k of eq. (9) is
+// 1/(pi E*). Relative accuracy 2e-15. Throws InputError on a modulus or a ratio out of range.
 double effective_modulus(const Material& material);
 
-// The initial gap f(x, y) = z_1 + z_2 >= 0 [m] between the bodies at first touch, eq. (1). Infinity is a
-// place where there is no body; NaN is refused by the solvers.
+// The initial gap f(x, y) = z_1 + z_2 >= 0 [m] between the bodies at first touch, eq. (1). Infinity
+// is a place where there is no body; NaN is refused by the solvers.
 using Gap = std::function<double(double x, double y)>;
 
-// A solved normal contact, as cells of constant pressure. Only cells inside the contact region are kept.
+// A solved normal contact, as cells of constant pressure. Only cells inside the contact region are
+// kept.
 struct NormalContact {
   Eigen::VectorXd x, y;    // cell centres [m], n
   Eigen::VectorXd dx, dy;  // cell sizes [m], n
@@ -55,9 +57,9 @@ struct NormalContact {
       reason;  // why not converged, or a note on the case (empty contact, singular edge, ...)
 };
 
-// The answer of every solver to an approach <= 0, at which the bodies do not overlap anywhere: no cells, force 0,
-// area 0, converged, and a reason that says so. (The closed forms of hertz.hpp have no empty
-// contact to describe and refuse it.)
+// The answer of every solver to an approach <= 0, at which the bodies do not overlap anywhere: no
+// cells, force 0, area 0, converged, and a reason that says so. (The closed forms of hertz.hpp have
+// no empty contact to describe and refuse it.)
 NormalContact empty_contact(double approach);
 
 // Its reason.

@@ -15,8 +15,8 @@ namespace {
 
 using Eigen::Index;
 
-// Cells with pressure that hang together, by an edge or a corner, have one number, 0 for the patch that carries most;
-// cells without pressure have none (-1).
+// Cells with pressure that hang together, by an edge or a corner, have one number, 0 for the patch
+// that carries most; cells without pressure have none (-1).
 struct Labels {
   std::vector<int> of;
   int count = 0;
@@ -55,8 +55,8 @@ struct Labels {
   int& at(Index n) { return of[static_cast<std::size_t>(n)]; }
 };
 
-// One row or column of cells, seen from one of its two sides: value k is the k-th cell from that side. Only the
-// pressures of one patch count.
+// One row or column of cells, seen from one of its two sides: value k is the k-th cell from that
+// side. Only the pressures of one patch count.
 struct Line {
   const Eigen::VectorXd& p;
   const Eigen::VectorXd& f;
@@ -74,8 +74,9 @@ struct Line {
   }
 };
 
-// Distance in cells from the first cell edge of the line to where p^2, continued outward from cell k, the outermost
-// of a run of cells with pressure, reaches zero. Cell k itself, which the edge cuts, is only used if it must be.
+// Distance in cells from the first cell edge of the line to where p^2, continued outward from cell
+// k, the outermost of a run of cells with pressure, reaches zero. Cell k itself, which the edge
+// cuts, is only used if it must be.
 double end_at(const Line& line, Index k) {
   const double edge = static_cast<double>(k);
   if (line.no_body(k - 1)) return edge;
@@ -92,7 +93,8 @@ double end_at(const Line& line, Index k) {
   } else if (s1 > square(k)) {
     t = -square(k) / (s1 - square(k));
   }
-  // A region that runs off the grid ends with it: never below 0, which would read as no pressure at all.
+  // A region that runs off the grid ends with it: never below 0, which would read as no pressure at
+  // all.
   return std::max(0.0, edge + 0.5 + std::clamp(t, -1.0, 0.5));
 }
 
@@ -103,8 +105,9 @@ double end_of(const Line& line) {
   return -1;
 }
 
-// Whether the pressure of a run, from its outermost cell k inward, starts at more than 0.3 of `p_max` and falls from there:
-// at a smooth end p^2 grows like the distance, and the third cell has at least 1.5 times the p^2 of the second.
+// Whether the pressure of a run, from its outermost cell k inward, starts at more than 0.3 of
+// `p_max` and falls from there: at a smooth end p^2 grows like the distance, and the third cell has
+// at least 1.5 times the p^2 of the second.
 bool starts_steeply(const Line& line, Index k, double p_max) {
   const double first = line.pressure(k), second = line.pressure(k + 1);
   return second > 0.3 * p_max && (first > second || second > line.pressure(k + 2));
@@ -116,7 +119,8 @@ struct Edges {
   double intensity = 0;  // sum of K over Hertz's, see Patch
   int count = 0;
 
-  // The end at cell k, inward, of a run of `cells` with a mean pressure: Hertz's p^2 = (4/pi mean)^2 4 s/cells at s cells.
+  // The end at cell k, inward, of a run of `cells` with a mean pressure: Hertz's p^2 = (4/pi
+  // mean)^2 4 s/cells at s cells.
   void add(const Line& line, Index k, Index cells, double mean, double p_max) {
     steep |= starts_steeply(line, k, p_max);
     const auto square = [&](Index n) { return line.pressure(n) * line.pressure(n); };
@@ -147,8 +151,8 @@ double length_of(const Line& line, double p_max, Edges& edges) {
   return length;
 }
 
-// The least of the ends of neighbouring lines, by a parabola through the ends near it: the parabola averages
-// the noise of single ends, which depends on how each line meets the grid.
+// The least of the ends of neighbouring lines, by a parabola through the ends near it: the parabola
+// averages the noise of single ends, which depends on how each line meets the grid.
 double extreme(const std::vector<double>& ends) {
   Index best = -1, with_pressure = 0;
   for (std::size_t j = 0; j < ends.size(); ++j) {
@@ -218,8 +222,8 @@ struct Extent {
     i0 = std::min(i0, column), i1 = std::max(i1, column);
     j0 = std::min(j0, row), j1 = std::max(j1, row);
   }
-  // The lesser principal deviation of `total` pressure, a cell's own 1/12 included, as the axis of Hertz's
-  // ellipse, whose deviation is its semi-axis over root 5.
+  // The lesser principal deviation of `total` pressure, a cell's own 1/12 included, as the axis of
+  // Hertz's ellipse, whose deviation is its semi-axis over root 5.
   double across(double total) const {
     const double u = i / total, v = j / total;
     const double xx = ii / total - u * u, yy = jj / total - v * v, xy = ij / total - u * v;
@@ -228,7 +232,8 @@ struct Extent {
   }
 };
 
-// Peak, area and ends of one patch from the lines through it; `steep` becomes true when one of them ends steeply.
+// Peak, area and ends of one patch from the lines through it; `steep` becomes true when one of them
+// ends steeply.
 void measure(const Grid& grid, const Eigen::VectorXd& p, const Eigen::VectorXd& f,
              const Labels& labels, int number, const Extent& extent, Patch& patch, bool& steep) {
   refine_peak(grid, p, extent.peak, patch);

@@ -1,4 +1,5 @@
-// What is read off a pressure field on a grid: sums, the ends of the region and the peak, by local fits.
+// What is read off a pressure field on a grid: sums, the ends of the region and the peak, by local
+// fits.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,7 +9,8 @@
 
 namespace railbook::contact {
 
-// A part of the contact that hangs together: at least one cell without pressure lies between it and the others.
+// A part of the contact that hangs together: at least one cell without pressure lies between it and
+// the others.
 struct Patch {
   Eigen::Index cells = 0;  // with pressure
   double force = 0;        // sum over its cells [N]
@@ -18,11 +20,12 @@ struct Patch {
   double peak_drop =
       0;     // from the peak cell to the lowest of its four neighbours, as a share of the peak
   Box ends;  // where p^2, continued outward, reaches zero
-  // K of p = K sqrt(distance) at the ends of its rows and columns, over that of Hertz's pressure with the same mean along
-  // the line, on average: 1 for every Hertzian contact. Falls again where the grid is too coarse to see K.
+  // K of p = K sqrt(distance) at the ends of its rows and columns, over that of Hertz's pressure
+  // with the same mean along the line, on average: 1 for every Hertzian contact. Falls again where
+  // the grid is too coarse to see K.
   double edge_intensity = 1;
-  // Cells across its narrowest direction, whichever way that lies: those of Hertz's ellipse with the same second
-  // moments of pressure.
+  // Cells across its narrowest direction, whichever way that lies: those of Hertz's ellipse with
+  // the same second moments of pressure.
   double cells_across = 0;
 };
 
@@ -43,11 +46,13 @@ struct Region {
   }
 };
 
-// Describes the pressures p on `grid`; f is the gap there (infinite: no body, and the region ends with the
-// body). The position of an end is better than the cell it lies in (about 0.1 cell), but first order in the cell.
+// Describes the pressures p on `grid`; f is the gap there (infinite: no body, and the region ends
+// with the body). The position of an end is better than the cell it lies in (about 0.1 cell), but
+// first order in the cell.
 Region describe(const Grid& grid, const Eigen::VectorXd& p, const Eigen::VectorXd& f);
 
-// The outer edge of each patch in every column of cells with pressure: it lies between y = low and y = high [m].
+// The outer edge of each patch in every column of cells with pressure: it lies between y = low and
+// y = high [m].
 struct Outline {
   Eigen::VectorXd x, low, high;
   std::vector<int> patch;  // its place in Region::patches

@@ -19,8 +19,9 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-// Derivatives of Phi, the integral of z ln(r + z) - r over a rectangle: harmonic, its second derivative by z is the integral of
-// 1/r. At a corner (x, y) of the rectangle, seen from the point; the signed sum over the corners is the derivative.
+// Derivatives of Phi, the integral of z ln(r + z) - r over a rectangle: harmonic, its second
+// derivative by z is the integral of 1/r. At a corner (x, y) of the rectangle, seen from the point;
+// the signed sum over the corners is the derivative.
 struct Derivatives {
   double xxx, yyy, xxy, xyy, xxz, yyz, xyz, xzz, yzz, zzz;
   // Times z, with one z more.
@@ -229,7 +230,8 @@ double narrower_semi_axis(const Grid& grid, const VectorXd& p) {
   return std::sqrt(5 * num::symmetric_eigenvalues(square)[0]);
 }
 
-// The vertex of a parabola through the highest value and its neighbours over the logarithm of the depth.
+// The vertex of a parabola through the highest value and its neighbours over the logarithm of the
+// depth.
 void refine(const VectorXd& depths, const VectorXd& at, LargestStress::Place& place) {
   Index k = 0;
   place.value = at.maxCoeff(&k), place.depth = depths[k];

@@ -27,7 +27,8 @@ double tail_of(const Cycle& cycle) {
   return std::sqrt(high / all);
 }
 
-// Multipliers that stay on the circle from one point to the next, as those of a coordinate that nothing holds back.
+// Multipliers that stay on the circle from one point to the next, as those of a coordinate that
+// nothing holds back.
 std::vector<Complex> staying(const LimitCycle& from, const LimitCycle& to) {
   std::vector<Complex> result;
   for (const Complex m : from.multipliers.map)
@@ -39,15 +40,13 @@ std::vector<Complex> staying(const LimitCycle& from, const LimitCycle& to) {
 }
 
 // The others, by falling modulus: each modulus is continuous along a branch.
-std::vector<Complex> moving(const LimitCycle& p,
-                                     const std::vector<Complex>& neutral) {
+std::vector<Complex> moving(const LimitCycle& p, const std::vector<Complex>& neutral) {
   std::vector<Complex> result = p.multipliers.map;
   for (const Complex m : neutral)
     if (!result.empty())
-      result.erase(std::min_element(result.begin(), result.end(),
-                                    [m](Complex a, Complex b) {
-                                      return std::abs(a - m) < std::abs(b - m);
-                                    }));
+      result.erase(std::min_element(result.begin(), result.end(), [m](Complex a, Complex b) {
+        return std::abs(a - m) < std::abs(b - m);
+      }));
   return result;
 }
 double growth(const std::vector<Complex>& multipliers, std::size_t k) {
@@ -66,7 +65,7 @@ CycleEvent kind_of(Complex multiplier, bool symmetric) {
 
 }  // namespace
 
-bool BranchWalker::begin(const Place& p, const VectorXd& normal, const VectorXd& towards,
+bool BranchWalker::begin(const BranchPoint& p, const VectorXd& normal, const VectorXd& towards,
                          bool far) {
   solver.measure(p);
   VectorXd x = solver.scaled(p);
@@ -92,8 +91,9 @@ void BranchWalker::walk() {
   branch.newton_steps = solver.all_iterations();
 }
 
-// Where harmonics are added the branch moves a little, and next to a fold it may seem to turn twice more: two folds that follow one
-// another with nothing but small steps between them, nearer than the balance is good, are none.
+// Where harmonics are added the branch moves a little, and next to a fold it may seem to turn twice
+// more: two folds that follow one another with nothing but small steps between them, nearer than
+// the balance is good, are none.
 void BranchWalker::erase_false_folds() {
   auto& all = branch.special;
   const auto near = [](const SpecialCycle& a, const SpecialCycle& b) {
@@ -113,7 +113,7 @@ void BranchWalker::erase_false_folds() {
   }
 }
 
-LimitCycle BranchWalker::describe(const Place& p, double slope) {
+LimitCycle BranchWalker::describe(const BranchPoint& p, double slope) {
   LimitCycle c;
   c.parameter = p.parameter;
   c.cycle = solver.cycle(p);
@@ -129,7 +129,8 @@ LimitCycle BranchWalker::describe(const Place& p, double slope) {
   c.neutral = std::abs(slope) < no_slope;
   if (options_.multiplier_steps == 0) return c;
   c.multipliers = multipliers(solver.oscillator(), c.cycle, options_.multiplier_steps);
-  // The multiplier 1 of a family of cycles, or of a coordinate that nothing holds back, is no instability.
+  // The multiplier 1 of a family of cycles, or of a coordinate that nothing holds back, is no
+  // instability.
   const double circle = 1 + (c.neutral ? 1e-5 : neutral_growth);
   for (const Complex m : c.multipliers.map) c.unstable += std::abs(m) > circle ? 1 : 0;
   c.stable = !c.neutral && c.unstable == 0 && !c.multipliers.map.empty();
@@ -158,8 +159,7 @@ bool BranchWalker::advance() {
     if (const double part = part_to_first(point); part > 0) {
       branch.stop = BranchStop::closed;
       x = from + part * step_ * t;
-      if (solver.correct(x, t, t.dot(x)))
-        point = describe(solver.place(x), next[next.size() - 1]);
+      if (solver.correct(x, t, t.dot(x))) point = describe(solver.place(x), next[next.size() - 1]);
       branch.points.push_back(std::move(point));
       return true;
     }
@@ -187,7 +187,7 @@ bool BranchWalker::settle() {
       wanted = std::max(highest - std::max(2, highest / 8 * 2), options_.least_order);
     if (wanted == highest || (changed && wanted < highest)) break;
     const auto orders = solver.orders();
-    Place p = at_;
+    BranchPoint p = at_;
     VectorXd along = along_;
     solver.use(orders_up_to(wanted, orders.front() == 0), {&p.z, &along});
     solver.measure(p);
@@ -263,7 +263,8 @@ void BranchWalker::find_special(const VectorXd& from, const VectorXd& t, const V
         continue;
       }
       event.kind = kind_of(there.at(k), event.at.multipliers.symmetric);
-      // At a fold a multiplier passes 1, as near as multipliers are known; elsewhere one does only where branches cross.
+      // At a fold a multiplier passes 1, as near as multipliers are known; elsewhere one does only
+      // where branches cross.
       const bool near_one = std::abs(there[k] - 1.0) < 0.3;
       const bool of_fold =
           fold && near_one && std::abs(event.at.parameter / here.front().at.parameter - 1) < 1e-5;
@@ -287,8 +288,8 @@ double BranchWalker::part_to_first(const LimitCycle& next) const {
         p.parameter / solver.family().scale;
     return x;
   };
-  return passes_again(place(first), place(branch.points[1]), place(branch.points.back()),
-                      place(next));
+  return closes_on_start(place(first), place(branch.points[1]), place(branch.points.back()),
+                         place(next));
 }
 
 void BranchWalker::stop_if_done() {

@@ -90,21 +90,21 @@ LimitCycleBranch follow_from_hopf(const Family& family, const Eigen::VectorXcd& 
       Eigen::MatrixXcd::Zero(shape.size(), Index(walker.solver.orders().size()));
   motion.col(odd ? 0 : 1) = shape * (options.first_amplitude / largest);
   if (!odd) motion.col(0) = family.rest.cast<Complex>();
-  const Place p{walker.solver.equations().unknowns(motion), omega, parameter};
+  const BranchPoint p{walker.solver.equations().unknowns(motion), omega, parameter};
   const VectorXd grow = growing(walker.solver.equations(), p.z);
   if (walker.begin(p, grow, grow)) walker.walk();
   return walker.branch;
 }
 
 LimitCycleBranch follow_from(const Family& family, const Cycle& cycle, double parameter,
-                             Towards towards, const ContinuationOptions& options) {
+                             Direction towards, const ContinuationOptions& options) {
   BranchWalker walker{family, cycle.orders, options};
-  const Place p{walker.solver.equations().unknowns(cycle.motion), cycle.omega, parameter};
+  const BranchPoint p{walker.solver.equations().unknowns(cycle.motion), cycle.omega, parameter};
   const VectorXd hold = unit_of_parameter(p.z.size());
   VectorXd direction = hold;
-  if (towards == Towards::larger_cycles || towards == Towards::smaller_cycles)
+  if (towards == Direction::larger_cycles || towards == Direction::smaller_cycles)
     direction = growing(walker.solver.equations(), p.z);
-  if (towards == Towards::smaller_cycles || towards == Towards::smaller_parameter)
+  if (towards == Direction::smaller_cycles || towards == Direction::smaller_parameter)
     direction = -direction;
   if (!walker.begin(p, hold, direction) || at_rest(walker.branch.points[0], cycle)) return {};
   walker.walk();
@@ -133,7 +133,8 @@ Widened widened(const SpecialCycle& from) {
   return w;
 }
 
-// The harmonics that a branch has and the one that it left has not, and how large they are beside all.
+// The harmonics that a branch has and the one that it left has not, and how large they are beside
+// all.
 Eigen::MatrixXcd fresh_part(const Cycle& cycle, CycleEvent kind) {
   const int parity = kind == CycleEvent::period_doubling ? 1 : 0;
   Eigen::MatrixXcd part = cycle.motion;
@@ -142,7 +143,8 @@ Eigen::MatrixXcd fresh_part(const Cycle& cycle, CycleEvent kind) {
   return part;
 }
 
-// Where they vanish the branch is back on the one it left, or on one like it, and goes on there, or as its own mirror image.
+// Where they vanish the branch is back on the one it left, or on one like it, and goes on there, or
+// as its own mirror image.
 bool has_joined(const LimitCycle& from, const LimitCycle& to, CycleEvent kind) {
   if (fresh_part(to.cycle, kind).norm() < 1e-6 * to.cycle.motion.norm()) return true;
   const Cycle now = with_orders(to.cycle, from.cycle.orders.back(), true);
@@ -151,9 +153,9 @@ bool has_joined(const LimitCycle& from, const LimitCycle& to, CycleEvent kind) {
 }
 
 // The branch from a cycle on, up to where it joins another one.
-LimitCycleBranch up_to_joining(const Family& family, const Place& p, const VectorXd& direction,
-                               const std::vector<int>& orders, CycleEvent kind,
-                               const ContinuationOptions& options) {
+LimitCycleBranch up_to_joining(const Family& family, const BranchPoint& p,
+                               const VectorXd& direction, const std::vector<int>& orders,
+                               CycleEvent kind, const ContinuationOptions& options) {
   ContinuationOptions until = options;
   std::optional<LimitCycle> last;
   bool joined = false;
@@ -206,7 +208,8 @@ LimitCycleBranch follow_secondary(const Family& family, const SpecialCycle& from
   for (std::size_t i = 0; i < fresh.size(); ++i) direction[fresh[i]] = v[Index(i)];
   // Kinks of the forces may be nearer than `size`.
   for (double part = size; part > 0.01 * size; part /= 2) {
-    const Place p{z + part * z.norm() * direction.head(z.size()), w.cycle.omega, from.at.parameter};
+    const BranchPoint p{z + part * z.norm() * direction.head(z.size()), w.cycle.omega,
+                        from.at.parameter};
     LimitCycleBranch branch =
         up_to_joining(family, p, direction, w.cycle.orders, from.kind, options);
     if (!branch.points.empty()) return branch;
@@ -217,7 +220,7 @@ LimitCycleBranch follow_secondary(const Family& family, const SpecialCycle& from
 std::vector<LimitCycle> cycle_near(const Family& family, const Cycle& start, double parameter,
                                    const ContinuationOptions& options) {
   BranchWalker walker{family, start.orders, options};
-  const Place p{walker.solver.equations().unknowns(start.motion), start.omega, parameter};
+  const BranchPoint p{walker.solver.equations().unknowns(start.motion), start.omega, parameter};
   const VectorXd hold = unit_of_parameter(p.z.size());
   if (!walker.begin(p, hold, hold) || at_rest(walker.branch.points[0], start)) return {};
   return walker.branch.points;
@@ -242,7 +245,7 @@ std::vector<LimitCycle> cycles_at(const Family& family, const LimitCycleBranch& 
     const LimitCycle &low = *places[k].cycle, &high = *places[k + 1].cycle;
     const double from = low.parameter - parameter, to = high.parameter - parameter;
     if (from * to > 0 || from == to || (to == 0 && k + 2 < places.size())) continue;
-    const double part = part_of_way(from, to, places[k].fold, places[k + 1].fold);
+    const double part = zero_fraction(from, to, places[k].fold, places[k + 1].fold);
     // The richer of both, moved towards the other.
     const bool first = low.cycle.orders.size() >= high.cycle.orders.size();
     Cycle start = first ? low.cycle : high.cycle;

@@ -1,13 +1,16 @@
-// Branches of limit cycles of the full equations, in any datum: pseudo-arclength continuation of harmonic balance.
+// Branches of limit cycles of the full equations, in any datum: pseudo-arclength continuation of
+// harmonic balance.
 //
 //   const Family family = by_speed(car, table);
 //   const auto branch = follow_from_hopf(family, hopf.motion, {});
 //   for (const LimitCycle& p : branch.points) p.parameter, p.largest, p.cycle.omega, p.stable;
 //   for (const SpecialCycle& s : branch.special) to_string(s.kind), s.at.parameter;
-//   const auto cycles = cycles_at(family, branch, 44, {});                  // solved, not interpolated
+//   const auto cycles = cycles_at(family, branch, 44, {});                  // solved, not
+//   interpolated
 //
-// Unknowns are the harmonics, the frequency and the parameter. Steps and harmonics adapt themselves, multipliers tell the stability of
-// each point, and where it changes the point is located. What a branch does not say: that there are no other branches.
+// Unknowns are the harmonics, the frequency and the parameter. Steps and harmonics adapt
+// themselves, multipliers tell the stability of each point, and where it changes the point is
+// located. What a branch does not say: that there are no other branches.
 #pragma once
 
 #include <functional>
@@ -24,7 +27,8 @@ struct Family {
   std::function<void(Oscillator&, double)> set;  // to another one; may throw InputError
   std::vector<Eigen::VectorXd> watch{};          // rows (n) whose half peak to peak is measured
   double scale = 1;                              // a change of the parameter that matters
-  // Forces that are not odd: where the oscillator rests (n). Its cycles have harmonics of every order. Empty: odd forces.
+  // Forces that are not odd: where the oscillator rests (n). Its cycles have harmonics of every
+  // order. Empty: odd forces.
   Eigen::VectorXd rest{};
 };
 
@@ -40,7 +44,8 @@ struct LimitCycle {
   double tail = 0;
   Multipliers multipliers;
   int unstable = 0;  // multipliers outside the unit circle
-  // Every amplitude is a cycle at this parameter, to rounding, as on a cone's tread: neither stable nor unstable.
+  // Every amplitude is a cycle at this parameter, to rounding, as on a cone's tread: neither stable
+  // nor unstable.
   bool neutral = false;
   bool stable = false;
   double leading = 0;  // modulus of the largest multiplier over a whole period
@@ -71,7 +76,8 @@ struct ContinuationOptions {
   std::function<bool(const LimitCycle&)> go_on{};
 };
 
-// `closed`: the branch is a ring, and its last point its first one. `joined`: one of follow_secondary() has come to another branch.
+// `closed`: the branch is a ring, and its last point its first one. `joined`: one of
+// follow_secondary() has come to another branch.
 enum class BranchStop {
   amplitude,
   parameter,
@@ -92,28 +98,33 @@ struct LimitCycleBranch {
   int newton_steps = 0, rejected_steps = 0;
 };
 
-// From a Hopf point (shape, lambda = i omega, and the parameter), beginning at the first amplitude. `start`: no cycle was found there.
+// From a Hopf point (shape, lambda = i omega, and the parameter), beginning at the first amplitude.
+// `start`: no cycle was found there.
 LimitCycleBranch follow_from_hopf(const Family& family, const Eigen::VectorXcd& shape, double omega,
                                   double parameter, const ContinuationOptions& options);
 
-enum class Towards { larger_cycles, smaller_cycles, larger_parameter, smaller_parameter };
-// From a cycle, solved again first at the parameter. Its orders say whether it is symmetric (odd ones) or not (all from 0). `start`:
-// Newton does not converge there, or only to rest.
+enum class Direction { larger_cycles, smaller_cycles, larger_parameter, smaller_parameter };
+// From a cycle, solved again first at the parameter. Its orders say whether it is symmetric (odd
+// ones) or not (all from 0). `start`: Newton does not converge there, or only to rest.
 LimitCycleBranch follow_from(const Family& family, const Cycle& cycle, double parameter,
-                             Towards towards, const ContinuationOptions& options);
+                             Direction towards, const ContinuationOptions& options);
 
-// The branch that leaves another one at a point of symmetry breaking (asymmetric cycles, all orders) or period doubling (twice the
-// period), up to where it joins this or another branch of the kind left; beginning with a change of `size` relative to the cycle, or as
-// little as a hundredth of that where there is no such cycle. Empty with `start` for other points, or when none was found.
+// The branch that leaves another one at a point of symmetry breaking (asymmetric cycles, all
+// orders) or period doubling (twice the period), up to where it joins this or another branch of the
+// kind left; beginning with a change of `size` relative to the cycle, or as little as a hundredth
+// of that where there is no such cycle. Empty with `start` for other points, or when none was
+// found.
 LimitCycleBranch follow_secondary(const Family& family, const SpecialCycle& from,
                                   const ContinuationOptions& options, double size = 0.05);
 
-// All cycles of a branch at a value of the parameter, each solved from its neighbours, located folds among them; in order along the
-// branch. Two turns within one step of the branch are not seen.
+// All cycles of a branch at a value of the parameter, each solved from its neighbours, located
+// folds among them; in order along the branch. Two turns within one step of the branch are not
+// seen.
 std::vector<LimitCycle> cycles_at(const Family& family, const LimitCycleBranch& branch,
                                   double parameter, const ContinuationOptions& options);
 
-// The cycle at a value of the parameter from a start nearby; empty when Newton does not converge, or only to rest.
+// The cycle at a value of the parameter from a start nearby; empty when Newton does not converge,
+// or only to rest.
 std::vector<LimitCycle> cycle_near(const Family& family, const Cycle& start, double parameter,
                                    const ContinuationOptions& options);
 

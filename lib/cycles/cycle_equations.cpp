@@ -201,7 +201,8 @@ std::vector<Index> CycleEquations::places(int order) const {
   return result;
 }
 
-// What turns harmonics of means over steps into harmonics at instants; exact where the law is straight.
+// What turns harmonics of means over steps into harmonics at instants; exact where the law is
+// straight.
 Complex CycleEquations::centred(int order) const {
   const double half = units::pi * order / double(fft_.size());
   return std::polar(1.0, -half) / std::cos(half);
@@ -253,8 +254,7 @@ void CycleEquations::add_derivatives(const Eigen::MatrixXcd& z, double omega,
       for (Index m = law.output; m < law.output + law.outputs; ++m)
         for (Index i = law.input; i < law.input + law.inputs; ++i, ++pair) {
           const Complex mean = m < means_ ? share * centre : share;
-          Complex here = slopes_(pair, std::abs(minus)),
-                           next = next_(pair, std::abs(minus));
+          Complex here = slopes_(pair, std::abs(minus)), next = next_(pair, std::abs(minus));
           if (minus < 0) here = std::conj(here), next = std::conj(next);
           low.col(i) += transfer.col(m) * (mean * (here + step * next));
           high.col(i) += transfer.col(m) *
@@ -285,7 +285,8 @@ void CycleEquations::add_derivatives(const Eigen::MatrixXcd& z, double omega,
   }
 }
 
-// One harmonic with the passive coordinates eliminated: stiffness z = transfer laws on the active ones, in rows of size one.
+// One harmonic with the passive coordinates eliminated: stiffness z = transfer laws on the active
+// ones, in rows of size one.
 struct CycleEquations::Condensed {
   Eigen::MatrixXcd stiffness, transfer;
   Eigen::VectorXcd motion;    // of all coordinates

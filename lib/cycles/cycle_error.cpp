@@ -20,7 +20,8 @@ ContinuationOptions finer(const ContinuationOptions& options, const LimitCycle& 
   return fine;
 }
 
-// The change to the finer solution is less than the error by what is left of the tail; and a change may be small by chance.
+// The change to the finer solution is less than the error by what is left of the tail; and a change
+// may be small by chance.
 double of_change(double change, const LimitCycle& coarse, const LimitCycle& fine) {
   const double left = coarse.tail > 0 ? std::min(fine.tail / coarse.tail, 0.9) : 0.9;
   return 2 * std::abs(change) / (1 - left);
@@ -35,19 +36,19 @@ Complex nearest(const LimitCycle& cycle, Complex multiplier) {
                                    [=](Complex m) { return std::abs(m - multiplier); });
 }
 Complex critical(const LimitCycle& cycle) {
-  return *std::ranges::min_element(cycle.multipliers.map, {}, [](Complex m) {
-    return std::abs(std::log(std::abs(m)));
-  });
+  return *std::ranges::min_element(cycle.multipliers.map, {},
+                                   [](Complex m) { return std::abs(std::log(std::abs(m))); });
 }
 
-// The finer cycle where `normal` holds it, and the branch's direction there, scaled as BranchSolver's.
+// The finer cycle where `normal` holds it, and the branch's direction there, scaled as
+// BranchSolver's.
 struct Finer {
   LimitCycle cycle;
   VectorXd tangent, shape;
 };
 std::optional<Finer> solve_finer(const Family& family, const LimitCycle& cycle, bool hold_size,
                                  const ContinuationOptions& fine) {
-  const auto normal_of = [&](BranchSolver& solver, const Place& p) {
+  const auto normal_of = [&](BranchSolver& solver, const BranchPoint& p) {
     VectorXd normal = VectorXd::Zero(p.z.size() + 2);
     if (!hold_size) {
       normal[p.z.size() + 1] = 1;
@@ -58,8 +59,8 @@ std::optional<Finer> solve_finer(const Family& family, const LimitCycle& cycle, 
     return normal;
   };
   BranchWalker walker{family, cycle.cycle.orders, fine};
-  Place p{walker.solver.equations().unknowns(cycle.cycle.motion), cycle.cycle.omega,
-          cycle.parameter};
+  BranchPoint p{walker.solver.equations().unknowns(cycle.cycle.motion), cycle.cycle.omega,
+                cycle.parameter};
   const VectorXd hold = normal_of(walker.solver, p);
   if (!walker.begin(p, hold, hold)) return {};
   Finer result{walker.branch.points.front(), {}, {}};

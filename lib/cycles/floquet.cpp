@@ -59,11 +59,10 @@ Half fly(PieceIntegrator& integrator, const State& y, double time, long most_ste
 void find_multipliers(Orbit& orbit, const Eigen::MatrixXd& map) {
   const Eigen::VectorXcd values = num::eigenvalues(map);
   orbit.map_multipliers.assign(values.data(), values.data() + values.size());
-  std::stable_sort(orbit.map_multipliers.begin(), orbit.map_multipliers.end(),
-                   [](Complex a, Complex b) {
-                     return std::abs(a) > std::abs(b) ||
-                            (std::abs(a) == std::abs(b) && a.imag() > b.imag());
-                   });
+  std::stable_sort(
+      orbit.map_multipliers.begin(), orbit.map_multipliers.end(), [](Complex a, Complex b) {
+        return std::abs(a) > std::abs(b) || (std::abs(a) == std::abs(b) && a.imag() > b.imag());
+      });
   orbit.multipliers.clear();
   for (const Complex m : orbit.map_multipliers)
     orbit.multipliers.push_back(orbit.symmetric ? m * m : m);
@@ -194,7 +193,8 @@ Complex exponent(Complex half_multiplier, double period) {
 
 namespace {
 
-// Coefficients P_0, P_1 ... of the slopes of all laws along a cycle, P(t) = sum_n P_n exp(i n w t): a row an output.
+// Coefficients P_0, P_1 ... of the slopes of all laws along a cycle, P(t) = sum_n P_n exp(i n w t):
+// a row an output.
 Eigen::MatrixXcd slope_spectra(const Oscillator& o, const Scalars& scalars, const Cycle& cycle,
                                int samples) {
   num::RealFft fft{std::size_t(samples)};
@@ -251,7 +251,8 @@ HillExponent hill_exponent(const Oscillator& oscillator, const Cycle& cycle, Com
     }
     return a;
   };
-  // f(lambda) = 1 / (w A^-1 v) vanishes where A is singular; v and w begin as the null vectors of the start, nearly.
+  // f(lambda) = 1 / (w A^-1 v) vanishes where A is singular; v and w begin as the null vectors of
+  // the start, nearly.
   Eigen::VectorXcd v = Eigen::VectorXcd::Ones(channels * orders), w = v;
   {
     const Eigen::MatrixXcd at_start = matrix(start);

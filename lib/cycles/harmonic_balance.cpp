@@ -59,8 +59,9 @@ ContinuationOptions with_just(int highest) {
   return options;
 }
 
-// A cycle about as large as the start, at whatever speed it has: each number of harmonics is the start of the next, across the branch.
-bool solve_across(BranchSolver& solver, const Cycle& start, Place& p) {
+// A cycle about as large as the start, at whatever speed it has: each number of harmonics is the
+// start of the next, across the branch.
+bool solve_across(BranchSolver& solver, const Cycle& start, BranchPoint& p) {
   const int highest = start.orders.back();
   const bool all = start.orders.front() == 0;
   p = {solver.equations().unknowns(with_orders(start, 1, all).motion), start.omega,
@@ -118,14 +119,14 @@ Cycle balance(const Oscillator& o, const Cycle& start) {
     return false;
   };
   BranchWalker direct{family, start.orders, options};
-  const Place p{direct.solver.equations().unknowns(start.motion), start.omega, speed};
+  const BranchPoint p{direct.solver.equations().unknowns(start.motion), start.omega, speed};
   const VectorXd hold = VectorXd::Unit(p.z.size() + 2, p.z.size() + 1);
   (void)direct.begin(p, hold, hold, true);
   result.iterations = direct.solver.all_iterations();
   if (taken(direct.branch.points)) return result;
 
   BranchSolver solver{family, orders_up_to(1, start.orders.front() == 0)};
-  Place there;
+  BranchPoint there;
   const bool solved = solve_across(solver, start, there);
   result.iterations += solver.all_iterations();
   if (!solved || std::abs(there.parameter / speed - 1) > another_cycle) return result;
@@ -135,7 +136,7 @@ Cycle balance(const Oscillator& o, const Cycle& start) {
   until.go_on = [&](const LimitCycle& c) {
     return (c.parameter < speed) == up && distance(o, start, c.cycle) < 2 * another_cycle;
   };
-  for (const Towards towards : {Towards::larger_cycles, Towards::smaller_cycles}) {
+  for (const Direction towards : {Direction::larger_cycles, Direction::smaller_cycles}) {
     const LimitCycleBranch branch = follow_from(family, sized, there.parameter, towards, until);
     result.iterations += branch.newton_steps;
     if (taken(cycles_at(family, branch, speed, options))) break;

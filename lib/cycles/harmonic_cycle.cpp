@@ -103,7 +103,7 @@ std::pair<double, double> extremes(const Cycle& cycle, const Eigen::VectorXd& ro
   };
   // Of humps that are nearly equal, the highest need not have the highest sample.
   const auto of_all = [&](double sign) {
-    double best = -units::no_limit;
+    double best = -units::infinity;
     for (std::size_t j = 0; j < n; ++j) {
       const double here = sign * fft.real()[j];
       if (here >= sign * fft.real()[(j + n - 1) % n] && here >= sign * fft.real()[(j + 1) % n])

@@ -153,7 +153,8 @@ Eigen::Vector3d row_state(const Vector9& row, const State& y, const State& dy) {
   return {row.dot(y.head<9>()), row.dot(y.tail<9>()), row.dot(dy.tail<9>())};
 }
 
-// The first time within the step at which a channel passes its limit; beyond the step when none does.
+// The first time within the step at which a channel passes its limit; beyond the step when none
+// does.
 double limit_time(const Compiled& system, double h, const State& y, const State& dy,
                   const State& y1, const State& dy1, int& channel) {
   double first = 2 * h;

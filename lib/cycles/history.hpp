@@ -1,4 +1,5 @@
-// Motions in time by three integrators, with the peaks and zero crossings that a limit cycle is measured by.
+// Motions in time by three integrators, with the peaks and zero crossings that a limit cycle is
+// measured by.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,7 +12,8 @@ namespace railbook::cycles {
 enum class Integrator {
   pieces,  // Taylor series between knots: exact but for rounding (cycles/detail/pieces.hpp)
   dopri5,  // explicit Runge-Kutta 5(4), kinks left to the step control: when nothing is stiff
-  radau5  // implicit Runge-Kutta of order 5: when the car is slow, or friction sticks, and steps should be long
+  radau5   // implicit Runge-Kutta of order 5: when the car is slow, or friction sticks, and steps
+           // should be long
 };
 
 struct HistoryOptions {
@@ -32,11 +34,11 @@ struct Turn {
 
 struct History {
   enum class End { completed, left_table, stalled };
-  End end = End::
-      completed;      // left_table: a channel reached its limit, which for a wheelset is derailment
-  double t = 0;       // where it ended [s]
-  Eigen::VectorXd y;  // and how (2n)
-  int channel = -1;   // that left its table
+  End end = End::completed;  // left_table: a channel reached its limit, which for a wheelset is
+                             // derailment
+  double t = 0;              // where it ended [s]
+  Eigen::VectorXd y;         // and how (2n)
+  int channel = -1;          // that left its table
   std::vector<std::vector<Turn>> turns;    // a watched row: its local extremes
   std::vector<std::vector<double>> rises;  // a watched row: times of its zero crossings upwards
   std::vector<double> sample_times;
@@ -44,7 +46,8 @@ struct History {
   long steps = 0, evaluations = 0;
 };
 
-// From the state y0 (2n: q, q') over `duration` [s] > 0. Throws InputError for a state out of the tables or not finite.
+// From the state y0 (2n: q, q') over `duration` [s] > 0. Throws InputError for a state out of the
+// tables or not finite.
 History integrate(const Oscillator& oscillator, const Eigen::VectorXd& y0, double duration,
                   const HistoryOptions& options);
 

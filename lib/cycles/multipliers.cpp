@@ -52,8 +52,7 @@ class Variation {
     Matrix9 stiffness, damping;
     for (Index j = 0; j < count; ++j) {
       matrices(j * stride, stride, stiffness, damping);
-      const Matrix9 implicit =
-          Matrix9::Identity() + g * damping + g * g * stiffness;
+      const Matrix9 implicit = Matrix9::Identity() + g * damping + g * g * stiffness;
       const Eigen::PartialPivLU<Matrix9> lu{implicit};
       // (1 - gamma h A)^-1 of both halves.
       force.noalias() = stiffness * q;
@@ -74,8 +73,7 @@ class Variation {
 
  private:
   // Means over samples j ... j + stride.
-  void matrices(Index j, Index stride, Matrix9& stiffness,
-                Matrix9& damping) const {
+  void matrices(Index j, Index stride, Matrix9& stiffness, Matrix9& damping) const {
     stiffness = stiffness_;
     damping = damping_;
     const Index n = samples_.rows(), end = (j + stride) % n;
@@ -149,7 +147,8 @@ Multipliers multipliers(const Oscillator& oscillator, const Cycle& cycle, int st
   along.tail(n) /= cycle.omega;
   along.normalize();
   result.trivial_error = (map * along - along).norm();
-  // Householder's reflection of that direction onto the first axis; the rest of the map are the others.
+  // Householder's reflection of that direction onto the first axis; the rest of the map are the
+  // others.
   Eigen::VectorXd normal = along;
   normal[0] += std::copysign(1.0, along[0]);
   normal.normalize();
@@ -157,9 +156,8 @@ Multipliers multipliers(const Oscillator& oscillator, const Cycle& cycle, int st
   map -= (map * normal).eval() * (2 * normal).transpose();
   const Eigen::VectorXcd values = num::eigenvalues(map.bottomRightCorner(2 * n - 1, 2 * n - 1));
   result.map.assign(values.data(), values.data() + values.size());
-  std::stable_sort(
-      result.map.begin(), result.map.end(),
-      [](Complex a, Complex b) { return std::abs(a) > std::abs(b); });
+  std::stable_sort(result.map.begin(), result.map.end(),
+                   [](Complex a, Complex b) { return std::abs(a) > std::abs(b); });
   return result;
 }
 

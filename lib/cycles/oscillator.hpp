@@ -2,7 +2,8 @@
 //
 //   M q'' + (C_0 + u C_1) q' + K q = sum_c G_c f_c(s_c),   s_c = row_c q  or  row_c q',   u = 1/V
 //
-// with piecewise linear f_c; and, where forces are smooth or depend on several scalars at once, couplings beside them.
+// with piecewise linear f_c; and, where forces are smooth or depend on several scalars at once,
+// couplings beside them.
 #pragma once
 
 #include <Eigen/Core>
@@ -28,8 +29,9 @@ struct Channel {
   double limit = std::numeric_limits<double>::infinity();  // |s| beyond it: derailed, law unknown
 };
 
-// G f(s) of several scalars s = of_motion q + (of_rate + u of_rate_by_speed) q', each k x n. `law` fills f (m) and its derivative
-// (m x k, row by row; not asked for when null). It must have a derivative, and continuous, wherever the motion goes.
+// G f(s) of several scalars s = of_motion q + (of_rate + u of_rate_by_speed) q', each k x n. `law`
+// fills f (m) and its derivative (m x k, row by row; not asked for when null). It must have a
+// derivative, and continuous, wherever the motion goes.
 struct Coupling {
   Eigen::MatrixXd of_motion, of_rate, of_rate_by_speed;
   Eigen::MatrixXd force;  // G: n x m
@@ -51,8 +53,8 @@ struct Oscillator {
 // The same oscillator at another speed [m/s] > 0. Throws InputError for a bad speed.
 Oscillator at_speed(Oscillator oscillator, double speed);
 
-// Where an oscillator without motion has no force left: n. Zero for laws that vanish at rest, else found from zero by Newton's method.
-// To 1e-12. Throws InputError when it finds none.
+// Where an oscillator without motion has no force left: n. Zero for laws that vanish at rest, else
+// found from zero by Newton's method. To 1e-12. Throws InputError when it finds none.
 Eigen::VectorXd rest(const Oscillator& oscillator);
 
 // What integrators need, padded to nine coordinates and premultiplied by M^-1.
@@ -84,7 +86,8 @@ struct Compiled {
   // d(rate)/dy. At a knot, that of the piece above it.
   void jacobian(const State& y, StateMatrix& J) const;
 };
-// Throws InputError for more than nine coordinates, matrices or rows that do not fit, or a mass matrix that is not positive definite.
+// Throws InputError for more than nine coordinates, matrices or rows that do not fit, or a mass
+// matrix that is not positive definite.
 Compiled compile(const Oscillator& oscillator);
 
 // A state of fewer coordinates (2n: q, q') padded to 18, and back.

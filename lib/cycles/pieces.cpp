@@ -12,7 +12,8 @@ using Eigen::Index;
 namespace {
 
 struct Polynomial : PieceScalar {
-  // A root of at(t) = level (slope(t) = 0 if `turn`) between two times of opposite sign, by Newton kept within.
+  // A root of at(t) = level (slope(t) = 0 if `turn`) between two times of opposite sign, by Newton
+  // kept within.
   double root(double low, double high, double level, bool turn) const {
     const auto f = [&](double t) { return turn ? slope(t) : at(t) - level; };
     const bool rising = f(high) > f(low);
@@ -146,7 +147,8 @@ void PieceIntegrator::find_crossing(std::size_t index, Crossing& first) const {
     if (j > 0) reach += std::abs(p.s[std::size_t(j)]) * (power *= first.time);
   }
   if (p.s[0] + reach < high && p.s[0] - reach > low) return;
-  // Monotone stretches. A series may reach over more than a whole period of a small and simple motion.
+  // Monotone stretches. A series may reach over more than a whole period of a small and simple
+  // motion.
   constexpr int parts = 8;
   double ends[parts + 2] = {0}, before = p.slope(0);
   int stretches = 1, from_part = 0;

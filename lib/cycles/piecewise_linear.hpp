@@ -1,4 +1,5 @@
-// Continuous piecewise linear laws of one variable with several values: what tables and regularized friction are.
+// Continuous piecewise linear laws of one variable with several values: what tables and regularized
+// friction are.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,8 +19,8 @@ class PiecewiseLinear {
   // The piece of s: 0 ... pieces() - 1. At an inner knot, the piece above it.
   Eigen::Index piece(double s) const;
   Eigen::VectorXd operator()(double s) const;
-  // Mean of output m over [a, b] (either order), and its derivatives by a and b: continuous, also where a kink lies between. The
-  // pieces are those of a and b.
+  // Mean of output m over [a, b] (either order), and its derivatives by a and b: continuous, also
+  // where a kink lies between. The pieces are those of a and b.
   struct Mean {
     double value = 0, by_a = 0, by_b = 0;
   };
@@ -39,14 +40,17 @@ class PiecewiseLinear {
   double buckets_ = 0;               // a unit of s
 };
 
-// The same law without the knots that a straight line through what is kept replaces within `relative` times the largest
-// value of each output: a cone's table becomes one piece. O(n times the longest piece).
+// The same law without the knots that a straight line through what is kept replaces within
+// `relative` times the largest value of each output: a cone's table becomes one piece. O(n times
+// the longest piece).
 PiecewiseLinear simplified(const PiecewiseLinear& law, double relative = 1e-12);
 
-// level * clamp(s / width, -1, 1): dry friction, viscous below the rate `width`. Both > 0, else InputError.
+// level * clamp(s / width, -1, 1): dry friction, viscous below the rate `width`. Both > 0, else
+// InputError.
 PiecewiseLinear saturation(double level, double width);
 
-// Samples of a smooth f: R -> R on `pieces` equal pieces from low to high. The error is that of linear interpolation.
+// Samples of a smooth f: R -> R on `pieces` equal pieces from low to high. The error is that of
+// linear interpolation.
 template <class F>
 PiecewiseLinear sampled(F&& f, double low, double high, int pieces) {
   Eigen::VectorXd knots = Eigen::VectorXd::LinSpaced(pieces + 1, low, high);

@@ -141,11 +141,11 @@ SettledMotion settle(const Family& family, double parameter, const VectorXd& y0,
 LimitCycleBranch follow_both_ways(const Family& family, const LimitCycle& cycle,
                                   const ContinuationOptions& options) {
   LimitCycleBranch down =
-      follow_from(family, cycle.cycle, cycle.parameter, Towards::smaller_parameter, options);
+      follow_from(family, cycle.cycle, cycle.parameter, Direction::smaller_parameter, options);
   if (down.points.empty()) return down;
   if (down.stop == BranchStop::closed) return down;
   LimitCycleBranch up =
-      follow_from(family, cycle.cycle, cycle.parameter, Towards::larger_parameter, options);
+      follow_from(family, cycle.cycle, cycle.parameter, Direction::larger_parameter, options);
   if (up.points.empty()) return down;
   const std::size_t last = down.points.size() - 1;
   std::reverse(down.points.begin(), down.points.end());

@@ -1,5 +1,5 @@
-// Where a motion goes in time: to a cycle, to rest, out of the tables, or to a motion that does not repeat. It finds cycles that no followed
-// branch passes.
+// Where a motion goes in time: to a cycle, to rest, out of the tables, or to a motion that does not
+// repeat. It finds cycles that no followed branch passes.
 //
 //   const SettledMotion m = settle(family, 45, 0.98 * state_at(cycle.cycle, 0), {});
 //   if (m.kind == SettledMotion::Kind::cycle) m.cycle.largest, m.cycle.stable
@@ -29,12 +29,14 @@ struct SettledMotion {
   double time = 0;     // integrated [s]
 };
 
-// The motion from the state y0 (2n) at a value of the parameter. A motion that repeats is solved again by harmonic balance, of odd orders
-// where it is odd; `not_solved` when that does not lead to a cycle as large. Throws InputError as integrate() does.
+// The motion from the state y0 (2n) at a value of the parameter. A motion that repeats is solved
+// again by harmonic balance, of odd orders where it is odd; `not_solved` when that does not lead to
+// a cycle as large. Throws InputError as integrate() does.
 SettledMotion settle(const Family& family, double parameter, const Eigen::VectorXd& y0,
                      const SettleOptions& options, const ContinuationOptions& continuation);
 
-// The branch through a cycle, followed both ways in the parameter. Empty when it cannot be solved again.
+// The branch through a cycle, followed both ways in the parameter. Empty when it cannot be solved
+// again.
 LimitCycleBranch follow_both_ways(const Family& family, const LimitCycle& cycle,
                                   const ContinuationOptions& options);
 

@@ -27,13 +27,13 @@ std::string reason(int error) {
 }
 
 [[noreturn]] void refuse(const char* what, const fs::path& file, const std::string& why) {
-  throw InputError(std::string(what) + " " + shown(file) + ": cannot be written: " + why);
+  throw InputError(std::string(what) + " " + quoted_name(file) + ": cannot be written: " + why);
 }
 
 // A destination that the system refuses.
 [[noreturn]] void refuse(const char* what, const fs::path& file, int error) {
   if (is_of_machine(error))
-    throw OutsideError(std::string(what) + " " + shown(file) +
+    throw OutsideError(std::string(what) + " " + quoted_name(file) +
                        ": cannot be written: " + reason(error));
   refuse(what, file, reason(error));
 }
@@ -44,7 +44,8 @@ fs::path folder_of(const fs::path& file) {
 
 constexpr std::string_view temporary_start = ".railbook-", temporary_end = ".part";
 
-// A hidden name beside `file`. At random: the numbers of processes are the same in two containers that share a folder.
+// A hidden name beside `file`. At random: the numbers of processes are the same in two containers
+// that share a folder.
 fs::path temporary_beside(const fs::path& file) {
   std::uint64_t number = 0;
   if (getrandom(&number, sizeof number, 0) != sizeof number)
@@ -59,12 +60,12 @@ fs::path temporary_beside(const fs::path& file) {
 // A file that was made now, under a name that was nobody's: only then it may be removed.
 struct Temporary {
   int descriptor = -1;  // -1: the system refused, errno says why
-  std::optional<Doomed> name;
+  std::optional<TemporaryPath> name;
 };
 
 Temporary make_beside(const fs::path& file) {
   Temporary made;
-  const SignalsWait wait;  // between the file and its owner
+  const BlockSignals wait;  // between the file and its owner
   do {
     const fs::path name = temporary_beside(file);
     made.descriptor =
@@ -81,7 +82,8 @@ Temporary make_beside(const fs::path& file) {
   return made;
 }
 
-// Removes what programs that were killed have left in a folder: temporary files that nobody has written to for a day.
+// Removes what programs that were killed have left in a folder: temporary files that nobody has
+// written to for a day.
 void sweep(const fs::path& folder) {
   const auto yesterday = fs::file_time_type::clock::now() - std::chrono::hours{24};
   std::error_code ignored;
@@ -112,7 +114,7 @@ void require_replaceable(const fs::path& file) {
   if (S_ISLNK(now.st_mode)) {
     std::error_code ignored;
     refuse("file", file,
-           "it is a symbolic link, to " + shown(fs::read_symlink(file, ignored)) +
+           "it is a symbolic link, to " + quoted_name(fs::read_symlink(file, ignored)) +
                "; give the name of the file itself");
   }
   if (S_ISDIR(now.st_mode)) refuse("file", file, "it is a folder");
@@ -128,7 +130,7 @@ void require_no_link(const fs::path& folder) {
   if (lstat(folder.c_str(), &now) != 0 || !S_ISLNK(now.st_mode)) return;
   std::error_code ignored;
   refuse("folder", folder,
-         "it is a symbolic link, to " + shown(fs::read_symlink(folder, ignored)) +
+         "it is a symbolic link, to " + quoted_name(fs::read_symlink(folder, ignored)) +
              "; end the name in a slash to follow it");
 }
 
@@ -155,7 +157,7 @@ MadeFolder::MadeFolder(const fs::path& folder) {
   fs::path so_far;
   for (const fs::path& part : folder) {
     so_far /= part;
-    const SignalsWait wait;
+    const BlockSignals wait;
     if (mkdir(so_far.c_str(), 0777) == 0) {
       made_.emplace_back(so_far);
       continue;
@@ -171,7 +173,7 @@ MadeFolder::~MadeFolder() {
 }
 
 void MadeFolder::keep() {
-  for (Doomed& folder : made_) folder.keep();
+  for (TemporaryPath& folder : made_) folder.keep();
 }
 
 struct OutFile::State {
@@ -196,7 +198,7 @@ struct OutFile::State {
   State& operator=(const State&) = delete;
 
   [[noreturn]] void fail(int error) const {
-    const std::string who = standard ? "standard output" : "file " + shown(destination);
+    const std::string who = standard ? "standard output" : "file " + quoted_name(destination);
     const std::string text = who + ": cannot be written: " + reason(error);
     if (standard && error == EPIPE) throw ClosedPipe(text);
     throw OutsideError(text);
@@ -217,7 +219,7 @@ struct OutFile::State {
 
   fs::path destination;
   bool standard;
-  std::optional<Doomed> part;
+  std::optional<TemporaryPath> part;
   int descriptor = -1;
   std::string buffer;
 };
@@ -254,8 +256,8 @@ void commit(std::span<OutFile> all) {
   for (OutFile& file : all) file.state_->finish();
   for (const OutFile& file : all)
     if (!file.state_->standard) require_replaceable(file.state_->destination);
-  // The old files step aside until all the new ones are in place (for one file, a rename does both at once). What needs
-  // memory is done before the first is moved.
+  // The old files step aside until all the new ones are in place (for one file, a rename does both
+  // at once). What needs memory is done before the first is moved.
   struct Move {
     OutFile::State* file;
     fs::path aside;  // empty: no old file
@@ -272,7 +274,7 @@ void commit(std::span<OutFile> all) {
   const auto moved = [](const fs::path& from, const fs::path& to) {
     return rename(from.c_str(), to.c_str()) == 0;
   };
-  const SignalsWait wait;
+  const BlockSignals wait;
   for (Move& m : moves) {
     m.stepped = !m.aside.empty() && moved(m.file->destination, m.aside);
     m.placed = m.stepped == !m.aside.empty() && moved(m.file->part->path(), m.file->destination);
@@ -291,7 +293,7 @@ void commit(std::span<OutFile> all) {
 void remove(const fs::path& file) {
   require_replaceable(file);
   if (unlink(file.c_str()) != 0 && errno != ENOENT)
-    throw OutsideError("file " + shown(file) + ": cannot be removed: " + reason(errno));
+    throw OutsideError("file " + quoted_name(file) + ": cannot be removed: " + reason(errno));
 }
 
 void write(const fs::path& file, std::string_view text) {

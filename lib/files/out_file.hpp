@@ -1,4 +1,5 @@
-// The one place that writes results: checked first, staged beside the destination, renamed at the end.
+// The one place that writes results: checked first, staged beside the destination, renamed at the
+// end.
 //
 //   files::write("out/limit.csv", text);
 //
@@ -22,17 +23,20 @@ namespace railbook::files {
 // "-", "/dev/stdout" and what else names descriptor 1.
 bool is_standard_output(const std::filesystem::path& file);
 
-// Throws InputError, with the reason, when `file` exists and is not a regular file that may be replaced: a folder, a
-// device, a pipe, a symbolic link, a read-only file; or when its name is empty.
+// Throws InputError, with the reason, when `file` exists and is not a regular file that may be
+// replaced: a folder, a device, a pipe, a symbolic link, a read-only file; or when its name is
+// empty.
 void require_replaceable(const std::filesystem::path& file);
 
 // Throws InputError when `folder` is a symbolic link and its name does not end in a slash.
 void require_no_link(const std::filesystem::path& folder);
 
-// Throws InputError, with the reason, when `folder` cannot be written to, or made where it is not there yet.
+// Throws InputError, with the reason, when `folder` cannot be written to, or made where it is not
+// there yet.
 void require_makeable(const std::filesystem::path& folder);
 
-// A folder and its parents, made now; those that were made are removed again unless kept. Throws like require_makeable.
+// A folder and its parents, made now; those that were made are removed again unless kept. Throws
+// like require_makeable.
 class MadeFolder {
  public:
   explicit MadeFolder(const std::filesystem::path& folder);
@@ -42,12 +46,14 @@ class MadeFolder {
   void keep();
 
  private:
-  std::vector<Doomed> made_;
+  std::vector<TemporaryPath> made_;
 };
 
 class OutFile {
  public:
-  // Checks the destination and opens a temporary name beside it (standard output is written to as it is). Throws InputError for a destination that is refused, OutsideError when the disk is full.
+  // Checks the destination and opens a temporary name beside it (standard output is written to as
+  // it is). Throws InputError for a destination that is refused, OutsideError when the disk is
+  // full.
   explicit OutFile(std::filesystem::path destination);
   ~OutFile();
   OutFile(OutFile&& other) noexcept;
@@ -68,7 +74,8 @@ class OutFile {
   friend void commit(std::span<OutFile> all);
 };
 
-// All of them, or none: when one cannot be renamed, those before it are put back. Standard output is flushed first.
+// All of them, or none: when one cannot be renamed, those before it are put back. Standard output
+// is flushed first.
 void commit(std::span<OutFile> all);
 
 // Removes a regular file, and nothing else; throws like require_replaceable, or OutsideError.

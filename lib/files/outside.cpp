@@ -13,7 +13,7 @@
 
 namespace railbook::files {
 
-std::string shown(const std::filesystem::path& name) {
+std::string quoted_name(const std::filesystem::path& name) {
   return "\"" + units::printable(name.string(), 1000) + "\"";
 }
 

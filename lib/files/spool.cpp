@@ -25,7 +25,7 @@ int nameless_file() {
   const char* folder = std::getenv("TMPDIR");
   std::string name{folder != nullptr && *folder != 0 ? folder : "/tmp"};
   name += "/railbook-XXXXXX";
-  const SignalsWait wait;  // between its name and its removal
+  const BlockSignals wait;  // between its name and its removal
   const int descriptor = ::mkostemp(name.data(), O_CLOEXEC);
   if (descriptor < 0) fail(errno, "made");
   ::unlink(name.c_str());

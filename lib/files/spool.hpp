@@ -1,4 +1,5 @@
-// Numbers set aside on disk, to be read again in any order: for work that needs a record twice and must not hold it.
+// Numbers set aside on disk, to be read again in any order: for work that needs a record twice and
+// must not hold it.
 #pragma once
 
 #include <cstddef>

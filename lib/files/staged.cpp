@@ -44,7 +44,8 @@ extern "C" void end_by_signal(int signal) {
   raise(signal);
 }
 
-// An exception that nobody catches: before main begins, or in a thread. Without memory there is nothing to debug.
+// An exception that nobody catches: before main begins, or in a thread. Without memory there is
+// nothing to debug.
 [[noreturn]] void end_by_exception() {
   try {
     if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
@@ -75,7 +76,7 @@ std::size_t take_slot(const std::filesystem::path& path) {
 }
 
 [[noreturn]] void no_temporary(const std::filesystem::path& path, int error) {
-  throw OutsideError("temporary file " + shown(path) + ": " +
+  throw OutsideError("temporary file " + quoted_name(path) + ": " +
                      std::generic_category().message(error));
 }
 
@@ -83,32 +84,33 @@ std::filesystem::path temporary_folder() {
   const char* base = std::getenv("TMPDIR");
   std::string pattern = base != nullptr && base[0] == '/' ? base : "/tmp";
   pattern += "/railbook-XXXXXX";
-  const SignalsWait wait;
+  const BlockSignals wait;
   if (mkdtemp(pattern.data()) == nullptr) no_temporary(pattern, errno);
   return pattern;
 }
 
 }  // namespace
 
-Doomed::Doomed(std::filesystem::path name) : path_(std::move(name)), slot_(take_slot(path_)) {}
+TemporaryPath::TemporaryPath(std::filesystem::path name)
+    : path_(std::move(name)), slot_(take_slot(path_)) {}
 
-Doomed::Doomed(Doomed&& other) noexcept
+TemporaryPath::TemporaryPath(TemporaryPath&& other) noexcept
     : path_(std::move(other.path_)), slot_(std::exchange(other.slot_, none)) {}
 
-Doomed::~Doomed() {
+TemporaryPath::~TemporaryPath() {
   char* name = names[slot_].exchange(nullptr);
   if (name != nullptr) remove_name(name);
   std::free(name);
 }
 
-void Doomed::keep() {
+void TemporaryPath::keep() {
   std::free(names[std::exchange(slot_, none)].exchange(nullptr));
 }
 
-DoomedChild::DoomedChild(pid_t process) {
+ChildGuard::ChildGuard(pid_t process) {
   child = process;
 }
-DoomedChild::~DoomedChild() {
+ChildGuard::~ChildGuard() {
   child = 0;
 }
 
@@ -125,12 +127,12 @@ int waiting = 0;
 
 }  // namespace
 
-SignalsWait::SignalsWait() {
+BlockSignals::BlockSignals() {
   const sigset_t set = fatal_set();
   if (waiting++ == 0) sigprocmask(SIG_BLOCK, &set, nullptr);
 }
 
-SignalsWait::~SignalsWait() {
+BlockSignals::~BlockSignals() {
   const sigset_t set = fatal_set();
   if (--waiting == 0) sigprocmask(SIG_UNBLOCK, &set, nullptr);
 }
@@ -145,7 +147,7 @@ int write_all(int descriptor, std::string_view text) {
 }
 
 PrivateFolder::PrivateFolder() {
-  const SignalsWait wait;
+  const BlockSignals wait;
   doomed_.emplace_back(temporary_folder());
 }
 
@@ -177,7 +179,8 @@ std::filesystem::path PrivateFolder::link(std::string_view name,
 }
 
 void prepare_process() {
-  // A closed standard stream is held by /dev/null opened for the other direction: uses of it fail, as they should.
+  // A closed standard stream is held by /dev/null opened for the other direction: uses of it fail,
+  // as they should.
   for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (fcntl(descriptor, F_GETFD) < 0)
       if (open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY) < 0) break;

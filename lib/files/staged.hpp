@@ -1,4 +1,5 @@
-// What must not outlive the program: temporary files and folders, and a child. For the sources of lib/files and lib/plot.
+// What must not outlive the program: temporary files and folders, and a child. For the sources of
+// lib/files and lib/plot.
 #pragma once
 
 #include <sys/types.h>
@@ -11,14 +12,15 @@
 
 namespace railbook::files {
 
-// A name that is removed (a file, or an empty folder) when this object goes or a signal ends the program first.
-class Doomed {
+// A name that is removed (a file, or an empty folder) when this object goes or a signal ends the
+// program first.
+class TemporaryPath {
  public:
-  explicit Doomed(std::filesystem::path name);
-  ~Doomed();
-  Doomed(Doomed&& other) noexcept;
-  Doomed(const Doomed&) = delete;
-  Doomed& operator=(Doomed&&) = delete;
+  explicit TemporaryPath(std::filesystem::path name);
+  ~TemporaryPath();
+  TemporaryPath(TemporaryPath&& other) noexcept;
+  TemporaryPath(const TemporaryPath&) = delete;
+  TemporaryPath& operator=(TemporaryPath&&) = delete;
   const std::filesystem::path& path() const { return path_; }
   void keep();  // it stays after all
 
@@ -27,28 +29,30 @@ class Doomed {
   std::size_t slot_;
 };
 
-// While it lives, the child and its process group are killed when a signal ends the program. At most one at a time.
-class DoomedChild {
+// While it lives, the child and its process group are killed when a signal ends the program. At
+// most one at a time.
+class ChildGuard {
  public:
-  explicit DoomedChild(pid_t child);
-  ~DoomedChild();
-  DoomedChild(const DoomedChild&) = delete;
-  DoomedChild& operator=(const DoomedChild&) = delete;
+  explicit ChildGuard(pid_t child);
+  ~ChildGuard();
+  ChildGuard(const ChildGuard&) = delete;
+  ChildGuard& operator=(const ChildGuard&) = delete;
 };
 
 // The signals of prepare_process wait while it lives: for a few renames that belong together.
-class SignalsWait {
+class BlockSignals {
  public:
-  SignalsWait();
-  ~SignalsWait();
-  SignalsWait(const SignalsWait&) = delete;
-  SignalsWait& operator=(const SignalsWait&) = delete;
+  BlockSignals();
+  ~BlockSignals();
+  BlockSignals(const BlockSignals&) = delete;
+  BlockSignals& operator=(const BlockSignals&) = delete;
 };
 
 // Writes all of it: 0, or the error's number.
 int write_all(int descriptor, std::string_view text);
 
-// A private folder in TMPDIR (else /tmp), removed with all that was put there under the names given to it.
+// A private folder in TMPDIR (else /tmp), removed with all that was put there under the names given
+// to it.
 class PrivateFolder {
  public:
   PrivateFolder();
@@ -62,7 +66,7 @@ class PrivateFolder {
   std::filesystem::path link(std::string_view name, const std::filesystem::path& file);
 
  private:
-  std::vector<Doomed> doomed_;
+  std::vector<TemporaryPath> doomed_;
 };
 
 }  // namespace railbook::files

@@ -16,7 +16,7 @@ std::size_t checked(int half_chord) {
 
 void require_window(std::size_t samples, std::size_t window) {
   units::require_between("samples of the record", static_cast<double>(samples),
-                         static_cast<double>(window), units::no_limit);
+                         static_cast<double>(window), units::infinity);
 }
 
 }  // namespace

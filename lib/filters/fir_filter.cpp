@@ -12,18 +12,18 @@ namespace {
 
 using Complexes = std::span<std::complex<double>>;
 
-RAILBOOK_WIDE void amplify(Complexes z, const double* gain) {
+RAILBOOK_AVX2_CLONES void amplify(Complexes z, const double* gain) {
   for (std::size_t i = 0; i < z.size(); ++i) z[i] *= gain[i];
 }
-RAILBOOK_WIDE void join(const double* real, const double* imaginary, Complexes z) {
+RAILBOOK_AVX2_CLONES void join(const double* real, const double* imaginary, Complexes z) {
   for (std::size_t i = 0; i < z.size(); ++i) z[i] = {real[i], imaginary[i]};
 }
-RAILBOOK_WIDE void part(Complexes z, double* real, double* imaginary) {
+RAILBOOK_AVX2_CLONES void part(Complexes z, double* real, double* imaginary) {
   for (std::size_t i = 0; i < z.size(); ++i) real[i] = z[i].real(), imaginary[i] = z[i].imag();
 }
 
 // How many samples stand before the first gap.
-RAILBOOK_WIDE std::size_t whole(std::span<const double> z) {
+RAILBOOK_AVX2_CLONES std::size_t whole(std::span<const double> z) {
   constexpr std::size_t stretch = 256;
   std::size_t i = 0;
   for (; i + stretch <= z.size(); i += stretch) {
@@ -137,8 +137,9 @@ void FilterStream::append(double value) {
   if (filled_ == block_.size()) transform(2 * outputs_);
 }
 
-// Filters both halves of the block, one as the real and the other as the imaginary part, hands on the values of `outputs`
-// samples from the first with a whole reach to its left, and keeps the last two reaches.
+// Filters both halves of the block, one as the real and the other as the imaginary part, hands on
+// the values of `outputs` samples from the first with a whole reach to its left, and keeps the last
+// two reaches.
 void FilterStream::transform(std::size_t outputs) {
   std::fill(block_.begin() + static_cast<std::ptrdiff_t>(filled_), block_.end(), 0.0);
   const std::size_t columns = fft_.columns();

@@ -1,4 +1,5 @@
-// Symmetric filters of finite length on a sampled record: without phase, by transforms of overlapping blocks.
+// Symmetric filters of finite length on a sampled record: without phase, by transforms of
+// overlapping blocks.
 #pragma once
 
 #include <cstddef>
@@ -19,21 +20,24 @@ struct FilterTaps {
   double worst_at = 0;    // the wavelength of that, m
 };
 
-// Gains of a symmetric filter at k/(n spacing), k = 0 .. n/2, n the size of `fft`, which is used up.
+// Gains of a symmetric filter at k/(n spacing), k = 0 .. n/2, n the size of `fft`, which is used
+// up.
 std::vector<double> symmetric_gains(std::span<const double> half, num::RealFft& fft);
 
-// Sample by sample, len(half) multiplications each; a record without gaps. Beyond its ends the track is continued point-symmetrically,
-// and level where that ends, too.
+// Sample by sample, len(half) multiplications each; a record without gaps. Beyond its ends the
+// track is continued point-symmetrically, and level where that ends, too.
 std::vector<double> filter_direct(const FilterTaps& taps, std::span<const double> record);
 
-// The same by transforms of overlapping blocks (overlap-save), two at a time, streamed. Memory: some seventy reaches.
+// The same by transforms of overlapping blocks (overlap-save), two at a time, streamed. Memory:
+// some seventy reaches.
 class FilterStream {
  public:
   // Takes the descriptor in pieces, one value a sample in the order of the samples.
   using Sink = std::function<void(std::span<const double>)>;
   FilterStream(const FilterTaps& taps, Sink sink);
 
-  // NaN is a gap: the pieces of track to either side are filtered by themselves, the gap is NaN in the output.
+  // NaN is a gap: the pieces of track to either side are filtered by themselves, the gap is NaN in
+  // the output.
   void push(std::span<const double> record);
   void finish();
 

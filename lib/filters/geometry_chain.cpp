@@ -15,10 +15,11 @@ namespace {
 // Two numbers that the processor handles as one: two halves of a block at once.
 using Pair = GeometryChain::Pair;
 
-// x - (sum of M, P times over)/M^P, for `out.size()` outputs o of the samples o ... o + P (M - 1), in one loop: 2 P + 2
-// additions a sample, no matter how long the sums are. With `integrate`, x is not `in` but the profile
-// whose short chords `in` is: x_0 = x_1 = 0, and -2 in[i] is the second difference. The straight line left free
-// is nothing to the high-pass. All sums start anew here, so no rounding of one block gets into the next.
+// x - (sum of M, P times over)/M^P, for `out.size()` outputs o of the samples o ... o + P (M - 1),
+// in one loop: 2 P + 2 additions a sample, no matter how long the sums are. With `integrate`, x is
+// not `in` but the profile whose short chords `in` is: x_0 = x_1 = 0, and -2 in[i] is the second
+// difference. The straight line left free is nothing to the high-pass. All sums start anew here, so
+// no rounding of one block gets into the next.
 template <int P, bool integrate>
 void high_pass(const double* in, std::span<double> out, std::vector<Pair>& rows, std::size_t M) {
   const std::size_t half = (out.size() + 1) / 2, other = out.size() - half;
@@ -100,7 +101,8 @@ void GeometryChain::push(std::span<const double> x) {
     const auto part = x.first(std::min(room, x.size()));
     const std::size_t begin = in_.size();
     in_.insert(in_.end(), part.begin(), part.end());
-    // Magnitudes compare as integers; NaN is larger than any number, and asks no floating-point comparison.
+    // Magnitudes compare as integers; NaN is larger than any number, and asks no floating-point
+    // comparison.
     bool clean = true;
     for (const double v : part) clean &= std::bit_cast<std::uint64_t>(std::abs(v)) <= limit;
     if (!clean) {
@@ -178,7 +180,7 @@ Geometry geometry(std::span<const double> x, const GeometryChainOptions& options
                         result.chord.insert(result.chord.end(), chord.begin(), chord.end());
                       }};
   units::require_between("samples of the record", static_cast<double>(x.size()),
-                         2 * static_cast<double>(chain.reach()) + 1, units::no_limit);
+                         2 * static_cast<double>(chain.reach()) + 1, units::infinity);
   result.space_curve.reserve(x.size());
   result.chord.reserve(x.size());
   chain.push(x);

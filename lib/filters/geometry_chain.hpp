@@ -1,5 +1,6 @@
-// The composite filter as a stream: short chord offsets in, space curve and long chord out, at a cost that depends neither
-// on the length of the chord nor on that of the high-pass, in memory that does not depend on the length of the record.
+// The composite filter as a stream: short chord offsets in, space curve and long chord out, at a
+// cost that depends neither on the length of the chord nor on that of the high-pass, in memory that
+// does not depend on the length of the record.
 #pragma once
 
 #include <cstddef>
@@ -18,9 +19,10 @@ struct GeometryChainOptions {
   std::size_t block = 4096;  // outputs computed at once, with sums that start anew
 };
 
-// Takes short mid-chord offsets (m) in any pieces, hands out one space curve and one long chord (m) for each, in
-// order. A value is NaN where its window is not complete (reach() samples on either side for the chord)
-// or holds a NaN, an infinity or an offset beyond the limit; everywhere else such samples leave no trace.
+// Takes short mid-chord offsets (m) in any pieces, hands out one space curve and one long chord (m)
+// for each, in order. A value is NaN where its window is not complete (reach() samples on either
+// side for the chord) or holds a NaN, an infinity or an offset beyond the limit; everywhere else
+// such samples leave no trace.
 class GeometryChain {
  public:
   using Pair = double __attribute__((vector_size(16)));  // for the implementation
@@ -29,7 +31,8 @@ class GeometryChain {
   using Sink =
       std::function<void(std::span<const double> space_curve, std::span<const double> chord)>;
 
-  // Throws InputError on a bad high-pass, half_chord outside 1 ... 10^4, a limit that is not positive or a block of 0.
+  // Throws InputError on a bad high-pass, half_chord outside 1 ... 10^4, a limit that is not
+  // positive or a block of 0.
   GeometryChain(const GeometryChainOptions& options, Sink sink);
 
   void push(std::span<const double> short_offsets);

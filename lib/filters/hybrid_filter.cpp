@@ -11,8 +11,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// q(T), the solution of q'' + 2 s q' + p q = 0 with q(0) = 0, q'(0) = 1, its companion exp(-sT) cos (or cosh), and
-// area(T) = p times the integral of q from 0 to T.
+// q(T), the solution of q'' + 2 s q' + p q = 0 with q(0) = 0, q'(0) = 1, its companion exp(-sT) cos
+// (or cosh), and area(T) = p times the integral of q from 0 to T.
 struct Mode {
   double q = 0;
   double area = 0;
@@ -32,7 +32,8 @@ Mode mode_at(double s, double p, double T) {
   return {e * sine, 1 - e * (cosine + s * sine)};
 }
 
-// y_{k+1} - alpha y_k + beta y_{k-1} takes both modes out; `area` is the weight of a constant in it.
+// y_{k+1} - alpha y_k + beta y_{k-1} takes both modes out; `area` is the weight of a constant in
+// it.
 struct Annihilator {
   double alpha = 0, beta = 0, area = 1;
 };
@@ -94,7 +95,8 @@ Annihilator approximate(double omega, double before, double after, Decay how) {
   return {alpha, beta, 1 - alpha + beta};
 }
 
-// a/(1 - a), NaN where there is none. Beyond 700 a is nothing beside 1, and its inverse still a number.
+// a/(1 - a), NaN where there is none. Beyond 700 a is nothing beside 1, and its inverse still a
+// number.
 double gain(double kappa, Decay how) {
   if (how == Decay::exact && kappa > 0) return 1 / std::expm1(std::min(kappa, 700.0));
   const DecayPair d = decay(kappa, how);
@@ -198,7 +200,8 @@ Complex one_less(double theta) {
   return {2 * std::pow(std::sin(theta / 2), 2), std::sin(theta)};
 }
 
-// (1 - e z)/(1 - e), e = exp(-k): the filter that takes out one mode; a sum in which nothing cancels.
+// (1 - e z)/(1 - e), e = exp(-k): the filter that takes out one mode; a sum in which nothing
+// cancels.
 Complex mode_taken_out(Complex k, double theta) {
   if (k.real() > forgotten) return 1;
   const double size = std::exp(-k.real());

@@ -1,8 +1,10 @@
-// Hybrid filters: an analog low-pass ahead of the converter, and the digital filter behind it that takes the memory
-// of the low-pass out again, so that what is left depends on the last one or two sample intervals only.
+// Hybrid filters: an analog low-pass ahead of the converter, and the digital filter behind it that
+// takes the memory of the low-pass out again, so that what is left depends on the last one or two
+// sample intervals only.
 //
-// The paper (Inertial and Inductive Measurement Techniques for Track Geometry, ASME 1981) names them B(s) with C(z) and
-// F(s) with G(z) and prints no formula; these follow from the convolution integral and hold for any speed history.
+// The paper (Inertial and Inductive Measurement Techniques for Track Geometry, ASME 1981) names
+// them B(s) with C(z) and F(s) with G(z) and prints no formula; these follow from the convolution
+// integral and hold for any speed history.
 //
 //   FirstOrderHybrid c{corner};                  // rad/s, of the analog filter
 //   const double rate = c.push(voltage, T);      // mean of the input over the last interval T (s)
@@ -29,20 +31,22 @@ struct DecayPair {
 };
 DecayPair decay(double kappa, Decay how = Decay::exact);
 
-// True for an interval between samples that can be one: 0.1 ns < T. Zero, negative or NaN is an encoder fault.
+// True for an interval between samples that can be one: 0.1 ns < T. Zero, negative or NaN is an
+// encoder fault.
 bool possible_interval(double T);
 
-// The digital filter C. NaN comes out where an output would rest on what is not known: for the first sample (whose T
-// does not matter); for one with T = 0, a second pulse at the same place, which is passed over; for one with a
-// negative or NaN T, which is a first sample again; and for a NaN sample and the one after it.
-// T = infinity (a stop) is allowed: the filter passes the sample.
+// The digital filter C. NaN comes out where an output would rest on what is not known: for the
+// first sample (whose T does not matter); for one with T = 0, a second pulse at the same place,
+// which is passed over; for one with a negative or NaN T, which is a first sample again; and for a
+// NaN sample and the one after it. T = infinity (a stop) is allowed: the filter passes the sample.
 class FirstOrderHybrid {
  public:
   // `corner` > 0, rad/s; throws InputError otherwise.
   explicit FirstOrderHybrid(double corner, Decay how = Decay::exact);
 
-  // `y`: output of the analog filter now; `T`: seconds since the previous sample. Returns the mean of the analog
-  // filter's input over the interval, with the weight exp(corner (t - now)); NaN where there is none.
+  // `y`: output of the analog filter now; `T`: seconds since the previous sample. Returns the mean
+  // of the analog filter's input over the interval, with the weight exp(corner (t - now)); NaN
+  // where there is none.
   double push(double y, double T);
   void restart() { known_ = false; }
 
@@ -72,9 +76,9 @@ struct TwoIntervals {
   double T_after = 0;   // s
 };
 
-// The digital filter G, for any two poles with negative real part and any T. Faults as in FirstOrderHybrid; it
-// needs two samples to start. With complex poles an interval beyond half a period of the damped oscillation, next to
-// another of a different length, cannot be undone: NaN.
+// The digital filter G, for any two poles with negative real part and any T. Faults as in
+// FirstOrderHybrid; it needs two samples to start. With complex poles an interval beyond half a
+// period of the damped oscillation, next to another of a different length, cannot be undone: NaN.
 class SecondOrderHybrid {
  public:
   // Throws InputError unless omega > 0, damping > 0 (and damping = 1 unless exact).
@@ -91,14 +95,16 @@ class SecondOrderHybrid {
   int known_ = 0;
 };
 
-// The short mid-chord offset z_k - (z_{k-1} + z_{k+1})/2 from the mean acceleration over both intervals: exact in the
-// limit of a low corner. `step` is z_k - z_{k-1}, which a change of speed multiplies by T_after/T_before - 1;
-// it counts only where the speed changes, and a signal that already is V^2 z'' does not need it. NaN when the mean is,
-// or when an interval is infinite. To rounding of its terms.
+// The short mid-chord offset z_k - (z_{k-1} + z_{k+1})/2 from the mean acceleration over both
+// intervals: exact in the limit of a low corner. `step` is z_k - z_{k-1}, which a change of speed
+// multiplies by T_after/T_before - 1; it counts only where the speed changes, and a signal that
+// already is V^2 z'' does not need it. NaN when the mean is, or when an interval is infinite. To
+// rounding of its terms.
 double short_chord(const TwoIntervals& acceleration, double step = 0);
 
-// Frequency responses at constant speed. theta = 2 pi phi d: radians a sample (phi cycle/m, d m between samples). Relative
-// accuracy 2e-15 of the first order and, over 1 + |F|, 4e-15 of F; 1e-12 of the second is what its test can tell.
+// Frequency responses at constant speed. theta = 2 pi phi d: radians a sample (phi cycle/m, d m
+// between samples). Relative accuracy 2e-15 of the first order and, over 1 + |F|, 4e-15 of F; 1e-12
+// of the second is what its test can tell.
 std::complex<double> first_order_analog(double kappa, double theta);  // B; kappa = corner T
 std::complex<double> first_order_digital(double kappa, double theta,
                                          Decay how = Decay::exact);                             // C
@@ -108,8 +114,8 @@ std::complex<double> second_order_digital(const SecondOrderLowPass& f, double T,
 // Their limit for kappa -> 0, in magnitude, |BC| -> sinc and |FG| -> sinc^2; to rounding.
 double sinc_limit(double theta);
 
-// The centroid of the kernel of BC lies this share of T before the sample: 1/kappa - a/(1-a), between 0 (fast corner)
-// and 1/2 (slow corner); relative accuracy 1e-13.
+// The centroid of the kernel of BC lies this share of T before the sample: 1/kappa - a/(1-a),
+// between 0 (fast corner) and 1/2 (slow corner); relative accuracy 1e-13.
 double centroid_delay(double kappa);
 
 }  // namespace railbook::filters

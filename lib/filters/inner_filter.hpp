@@ -10,8 +10,9 @@
 
 namespace railbook::filters {
 
-// filters::FilterStream, NaN within `margin` samples of an end of the record or of a gap: track that was not measured is no
-// part of a chord or of a wave. Exact in what it leaves out; memory: the filter's, and the gaps within its reach.
+// filters::FilterStream, NaN within `margin` samples of an end of the record or of a gap: track
+// that was not measured is no part of a chord or of a wave. Exact in what it leaves out; memory:
+// the filter's, and the gaps within its reach.
 class InnerFilter {
  public:
   // Throws InputError when the margin is beyond the filter's reach.

@@ -22,9 +22,10 @@ double band_gain(const Band& band, int passes, double phi) {
 filters::FilterTaps band_taps(const Band& band, int passes, double spacing) {
   units::require_positive("spacing", spacing, "m");
   units::require_between("shortest wavelength of the band", band.shortest, 2 * spacing,
-                         units::no_limit, "m");
-  // The slowest pole of the lower edge decays by e in some 0.42 of its wavelength, longer in a narrow band; twenty such. Tapered
-  // weights are eight times as far off in the band and more; well beyond it those that just end are up to three times as far.
+                         units::infinity, "m");
+  // The slowest pole of the lower edge decays by e in some 0.42 of its wavelength, longer in a
+  // narrow band; twenty such. Tapered weights are eight times as far off in the band and more; well
+  // beyond it those that just end are up to three times as far.
   const double narrow = std::max(1.0, 1 / (band.longest / band.shortest - 1));
   const double reach = units::require_between("reach of the band over the spacing",
                                               8 * band.longest * narrow / spacing, 8, 1e6);

@@ -1,8 +1,9 @@
 // What several sensors feel of one motion, each through its own filter, must add up to zero:
 //
-//   lateral:  inclinometer - accelerometer on the beam + (h - h_b) roll' - g d + h_b d'' - sway'', d the roll of body against track
-//   vertical: left - right accelerometer - (their distance) roll'
-//   yaw:      L yaw' - a(now) + a(when the rear truck's place was the front's) - sway'' of both ends, a the acceleration of the path
+//   lateral:  inclinometer - accelerometer on the beam + (h - h_b) roll' - g d + h_b d'' - sway'',
+//   d the roll of body against track vertical: left - right accelerometer - (their distance) roll'
+//   yaw:      L yaw' - a(now) + a(when the rear truck's place was the front's) - sway'' of both
+//   ends, a the acceleration of the path
 //
 #include <cmath>
 

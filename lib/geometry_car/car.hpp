@@ -1,6 +1,7 @@
 // The car: where its sensors sit, its analog filters, and how its body moves.
 //
-// The paper gives no dimension and no corner frequency except the car body's lateral 1.25 Hz: all of this is ours.
+// The paper gives no dimension and no corner frequency except the car body's lateral 1.25 Hz: all
+// of this is ours.
 #pragma once
 
 #include <railbook/units/constants.hpp>
@@ -23,7 +24,8 @@ struct Layout {
   double second_corner = 1.0;  // Hz, double pole of F(s) before accelerometers and inclinometer
 };
 
-// How the body rides: each mode a damped oscillator (share of critical damping) on the track below it.
+// How the body rides: each mode a damped oscillator (share of critical damping) on the track below
+// it.
 struct Mode {
   double frequency = 1;  // Hz
   double damping = 0.2;

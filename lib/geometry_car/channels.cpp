@@ -1,4 +1,5 @@
-// Each channel by itself: what stands still, jumps, has lost its zero, or has a mean that cannot be.
+// Each channel by itself: what stands still, jumps, has lost its zero, or has a mean that cannot
+// be.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -38,8 +39,8 @@ struct StillStretch {
   std::size_t first, rows;
 };
 
-// Equal values in a row, where the channel's own habit does not explain them: eight times what all but one in a hundred of
-// its changes take.
+// Equal values in a row, where the channel's own habit does not explain them: eight times what all
+// but one in a hundred of its changes take.
 std::vector<StillStretch> still(const Column& x) {
   std::vector<StillStretch> all;
   for (auto from = x.begin(); from != x.end();) {
@@ -77,8 +78,9 @@ Column differences(const Column& x, bool fourth) {
   return e;
 }
 
-// Places where a difference is out of all proportion to those about it. The first rows of a run are what they are; a body's own
-// motion between rows grows with the square of the time, until at a walking pace it comes to rest there.
+// Places where a difference is out of all proportion to those about it. The first rows of a run are
+// what they are; a body's own motion between rows grows with the square of the time, until at a
+// walking pace it comes to rest there.
 std::vector<bool> outliers(const Column& e, const Column& T, double T_brisk, double floor) {
   constexpr std::size_t block = 128;
   std::vector<bool> out(e.size(), false);
@@ -102,7 +104,8 @@ std::vector<bool> outliers(const Column& e, const Column& T, double T_brisk, dou
   return out;
 }
 
-// A change of slope from one row to the next, which differences show as one peak; a spike or a step has two of either sign or more.
+// A change of slope from one row to the next, which differences show as one peak; a spike or a step
+// has two of either sign or more.
 bool is_kink(const Column& e, std::size_t first, std::size_t last) {
   double sum = 0, size = 0;
   for (std::size_t k = first - std::min<std::size_t>(first, 1); k < std::min(e.size(), last + 2);
@@ -133,8 +136,8 @@ std::vector<bool> near_kinks(const Run& run) {
   return near;
 }
 
-// By how much the level differs behind [first, last], a parabola through both sides taken off: the part of a unit step that no
-// parabola explains, and as much of it as is in x.
+// By how much the level differs behind [first, last], a parabola through both sides taken off: the
+// part of a unit step that no parabola explains, and as much of it as is in x.
 double level_change(const Column& x, std::size_t first, std::size_t last, std::size_t side) {
   std::vector<Column> basis(5);  // 1, t, t^2, the step, x
   for (std::size_t k = first - std::min(first, side); k < std::min(x.size(), last + side + 1);
@@ -168,7 +171,8 @@ struct Zero {
   double moved = 0, largest = 0;
 };
 
-// `zero` is that of the run so far; `then` becomes that at the row `at` of the record, where the run holds it.
+// `zero` is that of the run so far; `then` becomes that at the row `at` of the record, where the
+// run holds it.
 void mask_jumps(const Run& run, const ChannelInfo& c, const Processing& p,
                 const std::vector<bool>& joints, Record& record, Health& health, Jumps& found,
                 Zero zero, std::size_t at, Zero& then) {
@@ -226,7 +230,8 @@ void mask_jumps(const Run& run, const ChannelInfo& c, const Processing& p,
   doubt_to(x.size());
 }
 
-// A channel whose changes are of one step, nine times in ten: it is coarse, and standing still is its habit.
+// A channel whose changes are of one step, nine times in ten: it is coarse, and standing still is
+// its habit.
 bool is_coarse(const Column& x) {
   const double step = coarseness(x);
   std::size_t changes = 0, single = 0;
@@ -267,8 +272,9 @@ void examine_still(const ChannelInfo& c, const Processing& p, Record& record, He
                                   : "kept, and not trusted (--screen still masks them)")});
 }
 
-// A converter at both of its ends: its largest and its smallest value each come ten times and more, and ten times as often as
-// the value next to them. An acceleration that has been filtered twice has no such crests.
+// A converter at both of its ends: its largest and its smallest value each come ten times and more,
+// and ten times as often as the value next to them. An acceleration that has been filtered twice
+// has no such crests.
 void examine_clipping(const ChannelInfo& c, Record& record, Health& health) {
   if (c.filter != 2) return;
   Column& x = record[c.channel];
@@ -294,7 +300,8 @@ void examine_clipping(const ChannelInfo& c, Record& record, Health& health) {
                              fmt::format("{} rows at the ends of its range, masked", rows)});
 }
 
-// Of all rows: the mean of an accelerometer is gravity on a lean at most, and gage sensors read about zero.
+// Of all rows: the mean of an accelerometer is gravity on a lean at most, and gage sensors read
+// about zero.
 void examine_level(const Record& record, const Processing& p, Health& health) {
   using enum Channel;
   for (const ChannelInfo& c : channel_list()) {
@@ -310,7 +317,8 @@ void examine_level(const Record& record, const Processing& p, Health& health) {
     const auto i = static_cast<std::size_t>(c.channel);
     health.doubted[i].assign(record.size(), true);
   }
-  // Running lines lie a rail head, and twice a quarter of one, further apart than gage faces: 76 mm on the default car.
+  // Running lines lie a rail head, and twice a quarter of one, further apart than gage faces: 76 mm
+  // on the default car.
   const double expected = p.layout.base - 76.2e-3;
   std::size_t off = 0, known = 0, first = 0;
   Column values;
@@ -333,7 +341,8 @@ void examine_level(const Record& record, const Processing& p, Health& health) {
                      (expected + wide) * 1e3)});
 }
 
-// Zeros that the whole record tells: no track leans further and further, nor is it nowhere straight, nor does it fall without end.
+// Zeros that the whole record tells: no track leans further and further, nor is it nowhere
+// straight, nor does it fall without end.
 void examine_zeros(const Record& record, const Processing& p, Health& health) {
   using enum Channel;
   constexpr double most_lean = 0.15;                  // rad, from one end to the other
@@ -403,7 +412,7 @@ void examine_zeros(const Record& record, const Processing& p, Health& health) {
 
 }  // namespace
 
-void examine_channels(Record& record, const Processing& p, Health& health, Carried& carried,
+void examine_channels(Record& record, const Processing& p, Health& health, ChannelOffsets& carried,
                       std::size_t at) {
   for (const ChannelInfo& c : channel_list()) {
     examine_still(c, p, record, health);
@@ -411,7 +420,7 @@ void examine_channels(Record& record, const Processing& p, Health& health, Carri
   }
   std::array<Jumps, channels> found;
   std::size_t rejected = 0;
-  const Carried before = std::exchange(carried, {.leapt = carried.leapt});
+  const ChannelOffsets before = std::exchange(carried, {.leapt = carried.leapt});
   for (Run& run : runs_of(record, p, rejected)) {
     load(run, record);
     const std::vector<bool> joints = near_kinks(run);

@@ -1,5 +1,5 @@
-// Which sensor is a factor off, by the balances of all (balances.cpp). With one a factor off, the sum still vanishes once its term is
-// multiplied by that factor: so the sensor is found.
+// Which sensor is a factor off, by the balances of all (balances.cpp). With one a factor off, the
+// sum still vanishes once its term is multiplied by that factor: so the sensor is found.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -98,7 +98,8 @@ Fit fit(const Piece& s, const Group& group) {
   return {-cross / power, std::max(0.0, before - cross * cross / power), before};
 }
 
-// What remains in all balances with a group's terms taken so many times, over what remains as they are.
+// What remains in all balances with a group's terms taken so many times, over what remains as they
+// are.
 double remainder(const std::vector<Piece>& pieces, const Group& group, double factor,
                  double floor) {
   double before = 0, after = 0;
@@ -210,8 +211,9 @@ bool mostly_known(const Balance& b) {
   return true;
 }
 
-// The two gage sensors only have each other: both see the truck between the rails, and each half of the changes of gage. Their
-// variances differ by chance as much as the correlation of the two, which falls with the length.
+// The two gage sensors only have each other: both see the truck between the rails, and each half of
+// the changes of gage. Their variances differ by chance as much as the correlation of the two,
+// which falls with the length.
 void compare_gages(const Record& record, const Run& run, Health& health) {
   using enum Channel;
   constexpr std::size_t apart = 10;
@@ -276,7 +278,8 @@ void examine_consistency(const Record& record, const Processing& p, Health& heal
             doubt(zeros, c, s.mean, health.doubted);
     }
   }
-  // A sensor that is a factor off somewhere is not trusted anywhere; a contradiction that is met again and again holds in between.
+  // A sensor that is a factor off somewhere is not trusted anywhere; a contradiction that is met
+  // again and again holds in between.
   for (const auto& [c, f] : scales)
     health.doubted[static_cast<std::size_t>(c)].assign(record.size(), true);
   for (const auto& [c, f] : contradictions) {

@@ -57,7 +57,8 @@ std::vector<Channel> sources(Parameter parameter, bool mean, const Processing& p
   return none;
 }
 
-// A clock that stands, leaps or was stopped shows in the speed. `leapt`: it did before in this run; comes back for the row `at`.
+// A clock that stands, leaps or was stopped shows in the speed. `leapt`: it did before in this run;
+// comes back for the row `at`.
 void examine_speed(const Run& run, const Processing& p, Health& health, bool leapt, std::size_t at,
                    bool& then) {
   const std::size_t n = run.size();
@@ -163,11 +164,12 @@ void examine_clock(const Record& record, const Processing& p, Health& health, bo
 }
 
 Health examine(Record& record, const Processing& processing) {
-  Carried nothing;
+  ChannelOffsets nothing;
   return examine(record, processing, nothing, record.size());
 }
 
-Health examine(Record& record, const Processing& processing, Carried& carried, std::size_t at) {
+Health examine(Record& record, const Processing& processing, ChannelOffsets& carried,
+               std::size_t at) {
   require(record, processing);
   Health health;
   for (auto* rows : {&health.doubted, &health.zero_doubted})

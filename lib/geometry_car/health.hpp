@@ -41,28 +41,31 @@ struct Finding {
 
 struct Health {
   std::vector<Finding> findings;
-  // Rows not to be trusted: of a channel altogether, or for its mean only (a moved zero); because of the
-  // distance, or of the time, which the gage does not need.
+  // Rows not to be trusted: of a channel altogether, or for its mean only (a moved zero); because
+  // of the distance, or of the time, which the gage does not need.
   std::array<std::vector<bool>, channels> doubted, zero_doubted;
   std::vector<bool> place_doubted, clock_doubted;
 };
 
-// What a stretch of a longer record knows of the one before it: by how much each channel's zero has moved in the run that goes on, the
-// largest of these moves, and whether the speed has leapt.
-struct Carried {
+// What a stretch of a longer record knows of the one before it: by how much each channel's zero has
+// moved in the run that goes on, the largest of these moves, and whether the speed has leapt.
+struct ChannelOffsets {
   std::array<double, channels> moved{}, largest{};
   bool leapt = false;
 };
 
-// Judges every channel by itself (robust statistics of its differences, against the record's own), and against the others: the
-// inclinometer, both gyros, the accelerometers, heights and sways feel the same motion of the body. Values that stand still or jump
-// are masked in `record`. Detected, on the default car with typical sensors above 15 mph: a sensor that stands still for 40 rows, a
-// spike or a step of 0.05 m/s^2, 0.5 deg/s or 5 mm, a gain off by two, any unit off by its factor, a sign where the track moves the
-// sensor at all. On clean records of the simulation fewer than 1 in 1,000 give a finding. Throws InputError as `reconstruct`.
+// Judges every channel by itself (robust statistics of its differences, against the record's own),
+// and against the others: the inclinometer, both gyros, the accelerometers, heights and sways feel
+// the same motion of the body. Values that stand still or jump are masked in `record`. Detected, on
+// the default car with typical sensors above 15 mph: a sensor that stands still for 40 rows, a
+// spike or a step of 0.05 m/s^2, 0.5 deg/s or 5 mm, a gain off by two, any unit off by its factor,
+// a sign where the track moves the sensor at all. On clean records of the simulation fewer than 1
+// in 1,000 give a finding. Throws InputError as `reconstruct`.
 //
 // `carried`: of the run that row 0 goes on with; comes back as it is at row `at`.
 Health examine(Record& record, const Processing& processing);
-Health examine(Record& record, const Processing& processing, Carried& carried, std::size_t at);
+Health examine(Record& record, const Processing& processing, ChannelOffsets& carried,
+               std::size_t at);
 
 // As quality(), and nothing that depends on a doubted row is better than unreliable.
 std::vector<Quality> quality(const Measurement& measurement, Parameter parameter,

@@ -21,14 +21,15 @@ struct Motion {
 
   double final_speed() const;
 
-  // Append a leg. Throw InputError on a distance, rate or duration that is not positive, or on cruising at
-  // no speed.
+  // Append a leg. Throw InputError on a distance, rate or duration that is not positive, or on
+  // cruising at no speed.
   Motion& cruise(double distance);               // m, at the speed reached
   Motion& change_speed(double to, double rate);  // m/s, m/s^2 > 0; through zero if the sign changes
   Motion& stand(double duration);                // s; brakes count as instantaneous
 };
 
-// A moment of the journey. Between two moments the car goes straight through a piece of the grid, one way.
+// A moment of the journey. Between two moments the car goes straight through a piece of the grid,
+// one way.
 struct Moment {
   double time = 0;          // s
   double position = 0;      // m
@@ -36,8 +37,9 @@ struct Moment {
   long node = -1;           // number of the grid point it is at, from 0; negative: none
 };
 
-// Visits the start, every crossing of a grid point (spacing `grid`, m), every turning point, every change of leg, and moments at
-// most `longest` s apart while the car stands. Times and places to 1e-14 of the way and the time, for up to 10^6 grid points.
+// Visits the start, every crossing of a grid point (spacing `grid`, m), every turning point, every
+// change of leg, and moments at most `longest` s apart while the car stands. Times and places to
+// 1e-14 of the way and the time, for up to 10^6 grid points.
 void each_moment(const Motion& motion, double grid, double longest,
                  const std::function<void(const Moment&)>& visit);
 

@@ -17,7 +17,8 @@ struct Attitude {
   Column track;  // sine of the roll of the track
 };
 
-// Crosslevel's chain: the inclinometer less what else it feels, for the slow part; the roll gyro for the fast one.
+// Crosslevel's chain: the inclinometer less what else it feels, for the slow part; the roll gyro
+// for the fast one.
 Attitude attitude(const Run& run, const Column& yaw, const Column& roll, const Processing& p) {
   const Layout& l = p.layout;
   const Corrections& on = p.corrections;
@@ -62,8 +63,8 @@ double triangle(const Column& x, std::size_t k, double before, double after) {
   return before * (x[k - 1] / 3 + 2 * x[k] / 3) + after * (2 * x[k] / 3 + x[k + 1] / 3);
 }
 
-// Short chord offsets of the path of an accelerometer; `correction` is added to the acceleration at k, given the shares of
-// the two intervals.
+// Short chord offsets of the path of an accelerometer; `correction` is added to the acceleration at
+// k, given the shares of the two intervals.
 template <class Correction>
 Column inertial(const Run& run, Channel accelerometer, const Processing& p, Correction correction,
                 const Column& step) {
@@ -101,7 +102,8 @@ struct Sides {
 
 Sides profile(const Run& run, const Attitude& att, const Processing& p, const Column& step) {
   const Layout& l = p.layout;
-  // What the leaning body mixes into the vertical: the lateral force that the inclinometer feels, through the same filters, and gravity.
+  // What the leaning body mixes into the vertical: the lateral force that the inclinometer feels,
+  // through the same filters, and gravity.
   filters::SecondOrderHybrid filter{{2 * units::pi * l.second_corner},
                                     {.how = p.decay, .local = p.local}};
   Column sideways(run.size(), nan);

@@ -11,7 +11,8 @@
 namespace railbook::geometry_car {
 namespace {
 
-// 1 - exp(-x) times the first n terms of the series of exp(x), x >= 0: without a difference of near equals where x is small.
+// 1 - exp(-x) times the first n terms of the series of exp(x), x >= 0: without a difference of near
+// equals where x is small.
 double rest(int n, double x) {
   double term = std::exp(-x), sum = 0;
   if (x > 1) {
@@ -25,9 +26,9 @@ double rest(int n, double x) {
   return sum;
 }
 
-// White noise of two-sided intensity S through one or two equal poles at w: the stationary covariance is
-// (wS/2) [1 1/2; 1/2 1/2], and over an interval T the states decay by a [1 0; wT 1], a = exp(-wT), while what the noise adds has the covariance
-// that keeps the stationary one.
+// White noise of two-sided intensity S through one or two equal poles at w: the stationary
+// covariance is (wS/2) [1 1/2; 1/2 1/2], and over an interval T the states decay by a [1 0; wT 1],
+// a = exp(-wT), while what the noise adds has the covariance that keeps the stationary one.
 class FilteredNoise {
  public:
   FilteredNoise(int order, double w, double density, const num::RandomSource& source)

@@ -25,12 +25,14 @@ struct Sensors {
   const SensorError& operator[](Channel c) const { return errors[static_cast<std::size_t>(c)]; }
 };
 
-// An instrument of the time of the paper (ours: it gives no sensor data): accelerometers 20 ug/sqrt(Hz), 1 mg of bias and 12 bits over
+// An instrument of the time of the paper (ours: it gives no sensor data): accelerometers 20
+// ug/sqrt(Hz), 1 mg of bias and 12 bits over
 // +-1 g; gyros 0.005 deg/s and 0.005 deg/s/sqrt(Hz); displacement steps of 0.1 mm.
 Sensors typical_sensors();
 
-// Adds the errors: gain, noise through the analog filter (a process exact for any interval), bias, clipping, step. The same seed
-// gives the same noise. Throws InputError when a density, scatter, range or step is negative.
+// Adds the errors: gain, noise through the analog filter (a process exact for any interval), bias,
+// clipping, step. The same seed gives the same noise. Throws InputError when a density, scatter,
+// range or step is negative.
 Record measured(const Record& clean, const Layout& layout, const Sensors& sensors,
                 std::uint64_t seed);
 

@@ -11,8 +11,9 @@ namespace {
 
 constexpr double longest = 0.1;  // s between two moments
 
-// One step of a linear system x' = f(x, u, u') whose input runs straight from u0 at the slope du: the Taylor series of the
-// solution, ended when a term no longer counts. |rates| * h about 1 at most.
+// One step of a linear system x' = f(x, u, u') whose input runs straight from u0 at the slope du:
+// the Taylor series of the solution, ended when a term no longer counts. |rates| * h about 1 at
+// most.
 template <class State, class Input, class Derivative>
 void taylor_step(State& x, const Input& u0, const Input& du, double h, Derivative f) {
   State term = f(x, u0, du);
@@ -290,7 +291,8 @@ void Journey::read(Record& record) const {
   const double tilt = 0.5 * l.transducers * (std::sin(x_[phi]) - std::sin(u_[roll]));
   put(height_left, over + tilt);
   put(height_right, over - tilt);
-  // The truck turns under the body, which moves the two front sensors, 0.6 m before and behind its centre, apart.
+  // The truck turns under the body, which moves the two front sensors, 0.6 m before and behind its
+  // centre, apart.
   const double body = (x_[path] + x_[sway] - x_[path_rear] - x_[tail]) / rates_.span;
   const double turn = 0.6 * (body - x_[slope] * (moving_ < 0 ? -1 : 1));
   put(sway_front_a, x_[sway] + turn);

@@ -1,8 +1,7 @@
 // A record of any length, row by row, in the memory of one stretch of it.
 //
-//   Stretches stretches{processing, [&](const Stretch& s) { for (auto i = s.from; i < s.to; ++i) write(s.m, i); }};
-//   while (...) stretches.push(row);
-//   stretches.finish();
+//   Stretches stretches{processing, [&](const Stretch& s) { for (auto i = s.from; i < s.to; ++i)
+//   write(s.m, i); }}; while (...) stretches.push(row); stretches.finish();
 #pragma once
 
 #include <array>
@@ -22,17 +21,20 @@ struct Row {
   std::array<double, channels> values{};
 };
 
-// Examined, reconstructed and judged. Only the rows [from, to) are the stretch's own: those about them are shared with its neighbours.
+// Examined, reconstructed and judged. Only the rows [from, to) are the stretch's own: those about
+// them are shared with its neighbours.
 struct Stretch {
   std::size_t first = 0, from = 0, to = 0;  // row `from` is row `first` of the record
   Measurement m;
   std::array<std::vector<Quality>, parameters> quality;
 };
 
-// A record of up to `rows` rows is one stretch, and gives what examine() and reconstruct() give. A longer one is cut; the rows shared
-// on either side hold all windows twice over, and let the filters that remember settle, so that values do not depend on the cut
-// (tests: to 1e-9 of the parameter's size). Sensors are judged stretch by stretch: one that is a factor off is not trusted in the
-// stretch where that shows; a zero that has moved, and a speed that leapt, are remembered as long as the run goes on.
+// A record of up to `rows` rows is one stretch, and gives what examine() and reconstruct() give. A
+// longer one is cut; the rows shared on either side hold all windows twice over, and let the
+// filters that remember settle, so that values do not depend on the cut (tests: to 1e-9 of the
+// parameter's size). Sensors are judged stretch by stretch: one that is a factor off is not trusted
+// in the stretch where that shows; a zero that has moved, and a speed that leapt, are remembered as
+// long as the run goes on.
 class Stretches {
  public:
   using Sink = std::function<void(const Stretch&)>;
@@ -64,7 +66,7 @@ class Stretches {
   std::size_t own_, shared_;
   Record record_;
   std::size_t base_ = 0, done_ = 0;  // rows of the record: the first held, the first not handed on
-  Carried carried_;
+  ChannelOffsets carried_;
   std::vector<Found> found_;
   std::size_t rejected_ = 0, runs_ = 0, longest_ = 0, stretches_ = 0;
 };

@@ -22,12 +22,12 @@ void require(const TrackDescription& t) {
   units::require_between("rail length", t.rail_length, 1, 1000, "m");
   units::require_between("smoothing of the joints", t.joint_smoothing, 1e-3, 1, "m");
   units::require_between("grade", t.grade, -0.1, 0.1);
-  units::require_between("length of the vertical curve", t.vertical_curve, 10, units::no_limit,
+  units::require_between("length of the vertical curve", t.vertical_curve, 10, units::infinity,
                          "m");
   units::require_between("gage", t.gage, 0.5, 3, "m");
   units::require_between("curvature", t.curvature, -0.02, 0.02, "1/m");
   units::require_between("superelevation", t.superelevation, -0.3, 0.3, "m");
-  units::require_between("length of a spiral", t.spiral, 1, units::no_limit, "m");
+  units::require_between("length of a spiral", t.spiral, 1, units::infinity, "m");
   units::require_between("begin of the curve over the length", t.curve_begin, 0, 1);
   units::require_non_negative("length of the curve", t.curve_length, "m");
   units::require_between("base", t.base, 0.5, 3, "m");
@@ -72,14 +72,15 @@ double share_of_curve(const TrackDescription& t, double x) {
   return std::clamp(std::min(x - begin, end - x) / t.spiral, 0.0, 1.0);
 }
 
-// The curvature integrated twice, over what lies before the curve, spiral, curve, spiral and the rest.
+// The curvature integrated twice, over what lies before the curve, spiral, curve, spiral and the
+// rest.
 double bent(const TrackDescription& t, double x) {
   const double rate = t.curvature / t.spiral;
   const std::array<std::array<double, 2>, 5> parts{{{t.curve_begin * t.length, 0},
                                                     {t.spiral, rate},
                                                     {t.curve_length, 0},
                                                     {t.spiral, -rate},
-                                                    {units::no_limit, 0}}};
+                                                    {units::infinity, 0}}};
   double y = 0, heading = 0, curvature = 0;
   for (const auto& [length, change] : parts) {
     const double d = std::min(x, length);

@@ -1,8 +1,8 @@
 // The track under the geometry car: both rails in space, on a grid fine enough to be the truth.
 //
-// Axes: x along the track, y to the left, z up. Curvature is positive in a left-hand curve, roll and
-// crosslevel where the left rail is higher. Lateral positions are unrolled: y'' is the curvature, so a chord
-// stretched on y is the chord stretched on the rail.
+// Axes: x along the track, y to the left, z up. Curvature is positive in a left-hand curve, roll
+// and crosslevel where the left rail is higher. Lateral positions are unrolled: y'' is the
+// curvature, so a chord stretched on y is the chord stretched on the rail.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,8 @@
 
 namespace railbook::geometry_car {
 
-// A random part: S = A/phi^2 up to phi_c, A phi_c^2/phi^4 above, level below low_cut (m^2 cycle/m, cycle/m).
+// A random part: S = A/phi^2 up to phi_c, A phi_c^2/phi^4 above, level below low_cut (m^2 cycle/m,
+// cycle/m).
 struct Roughness {
   double A = 0;
   double phi_c = 0.13;
@@ -23,7 +24,8 @@ struct TrackDescription {
   double length = 8192 * units::foot;  // m
   std::uint64_t seed = 1;
 
-  // Heights. The common part moves both rails; the opposite one raises the left and lowers the right by as much.
+  // Heights. The common part moves both rails; the opposite one raises the left and lowers the
+  // right by as much.
   Roughness surface{5e-7, 0.13, 1.0 / 600};
   double opposite_share = 0.2;  // of A that is opposite; that part is level below 1/60 cycle/m
   double dip = 5.5e-3;          // of the joints, m
@@ -59,8 +61,9 @@ struct Track {
   double length() const { return static_cast<double>(size() - 1) * spacing; }
 };
 
-// Builds the track; without its random parts to 1e-14 of grade, dips, superelevation and curve. Throws InputError naming a value that is out of range: length at least 200 m, positive
-// spacings and lengths, A >= 0, corners below the grid's Nyquist wavenumber.
+// Builds the track; without its random parts to 1e-14 of grade, dips, superelevation and curve.
+// Throws InputError naming a value that is out of range: length at least 200 m, positive spacings
+// and lengths, A >= 0, corners below the grid's Nyquist wavenumber.
 Track build(const TrackDescription& description);
 
 // The same track met from the other end: x runs backwards and left and right change places.

@@ -11,7 +11,8 @@ namespace {
 // A pivot below this share of its diagonal is rounding: the row depends on those before it.
 constexpr double lost = 16 * std::numeric_limits<double>::epsilon();
 
-// Half bandwidth 3, the cubic beam's: the last three unknowns stay in registers, and the newest enters last.
+// Half bandwidth 3, the cubic beam's: the last three unknowns stay in registers, and the newest
+// enters last.
 void solve_beam_band(const Eigen::MatrixXd& band, Eigen::Ref<Eigen::VectorXd> b) {
   const Eigen::Index n = band.cols();
   const double* l = band.data();  // column j: D_j, then L(j + 1..3, j)

@@ -15,8 +15,8 @@ class BandedCholesky {
   // not positive: the matrix is singular or indefinite (a mechanism, if it is a stiffness).
   BandedCholesky(Eigen::MatrixXd band, const std::string& what);
 
-  // Replaces the right-hand side by the solution; O(n m). Backward stable: the residual is of the order of rounding, 2e-15 of
-  // |A| |x| + |b|.
+  // Replaces the right-hand side by the solution; O(n m). Backward stable: the residual is of the
+  // order of rounding, 2e-15 of |A| |x| + |b|.
   void solve_in_place(Eigen::Ref<Eigen::VectorXd> b) const;
   Eigen::VectorXd solve(Eigen::VectorXd b) const {
     solve_in_place(b);

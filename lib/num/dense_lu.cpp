@@ -26,7 +26,8 @@ LuFactors<Scalar>& LuFactors<Scalar>::operator=(LuFactors&&) noexcept = default;
 
 template <class Scalar>
 void LuFactors<Scalar>::factor(const Eigen::Ref<const Matrix>& matrix) {
-  // Factors of another size are made anew: where memory ends in the middle of Eigen's resize, it frees them twice.
+  // Factors of another size are made anew: where memory ends in the middle of Eigen's resize, it
+  // frees them twice.
   if (factors_->lu.rows() != matrix.rows())
     factors_ = std::make_unique<Factors>(Eigen::PartialPivLU<Matrix>(matrix.rows()));
   factors_->lu.compute(matrix);

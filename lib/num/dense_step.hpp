@@ -5,7 +5,8 @@
 
 namespace railbook::num {
 
-// y(t) for begin <= t <= begin + length, of degree 4 at most; its order is that of the integrator's dense output.
+// y(t) for begin <= t <= begin + length, of degree 4 at most; its order is that of the integrator's
+// dense output.
 template <int N>
 struct DenseStep {
   using State = Eigen::Matrix<double, N, 1>;

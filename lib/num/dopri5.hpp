@@ -10,8 +10,8 @@
 
 namespace railbook::num {
 
-// The pair of Dormand and Prince (J. Comp. Appl. Math. 6, 1980) with Shampine's dense output, as in Hairer,
-// Norsett and Wanner, Solving ODEs I, II.5-6; first-same-as-last, six evaluations a step.
+// The pair of Dormand and Prince (J. Comp. Appl. Math. 6, 1980) with Shampine's dense output, as in
+// Hairer, Norsett and Wanner, Solving ODEs I, II.5-6; first-same-as-last, six evaluations a step.
 // Local error per step below tolerance[i] (absolute, a component each) in the root mean square.
 template <int N>
 class Dopri5 {

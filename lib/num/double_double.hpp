@@ -1,15 +1,17 @@
-// Numbers of twice a double's digits, as the sum of two doubles ("double-double"): for systems whose condition takes more digits
-// than a double has.
+// Numbers of twice a double's digits, as the sum of two doubles ("double-double"): for systems
+// whose condition takes more digits than a double has.
 //
-// Source: T. J. Dekker, A floating-point technique for extending the available precision, Numerische Mathematik 18 (1971). Sums
-// and products of two doubles are split into what rounding keeps and what it drops, without a fused multiplication: the digits
-// are the same on every processor that rounds to nearest.
+// Source: T. J. Dekker, A floating-point technique for extending the available precision,
+// Numerische Mathematik 18 (1971). Sums and products of two doubles are split into what rounding
+// keeps and what it drops, without a fused multiplication: the digits are the same on every
+// processor that rounds to nearest.
 #pragma once
 
 namespace railbook::num {
 
-// high + low, with |low| at most half a unit in the last place of high. An operation's error is below 2e-31 of the sum of the
-// magnitudes it adds (+, -) or of the result (*, /), for magnitudes from 1e-140 to 1e140 and 0; nothing is checked.
+// high + low, with |low| at most half a unit in the last place of high. An operation's error is
+// below 2e-31 of the sum of the magnitudes it adds (+, -) or of the result (*, /), for magnitudes
+// from 1e-140 to 1e140 and 0; nothing is checked.
 struct DoubleDouble {
   double high = 0, low = 0;
 

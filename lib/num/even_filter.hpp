@@ -7,13 +7,16 @@
 
 namespace railbook::num {
 
-// out = filter * in for arrays of `rows` x `columns` (row major) in a periodic frame of at least that size, zero around the
-// array. The filter's transform is real and even, so a quarter of it is held. The frame is never held whole: its empty rows
-// are neither stored nor transformed, and its columns pass through the cache a few at a time.
+// out = filter * in for arrays of `rows` x `columns` (row major) in a periodic frame of at least
+// that size, zero around the array. The filter's transform is real and even, so a quarter of it is
+// held. The frame is never held whole: its empty rows are neither stored nor transformed, and its
+// columns pass through the cache a few at a time.
 //
-// Errors are of the order of rounding, 2e-15 of the largest value and kernel times the number of values.
+// Errors are of the order of rounding, 2e-15 of the largest value and kernel times the number of
+// values.
 //
-// Each row and each column is transformed for itself, so that the digits do not depend on the number of threads.
+// Each row and each column is transformed for itself, so that the digits do not depend on the
+// number of threads.
 class EvenFilter {
  public:
   EvenFilter(std::size_t rows, std::size_t columns, std::size_t frame_rows,
@@ -24,8 +27,8 @@ class EvenFilter {
 
   std::size_t frame_rows() const;
   std::size_t frame_columns() const;
-  // The values at wave numbers v = 0 .. frame_rows/2 down the columns and u = 0 .. frame_columns/2 along the rows;
-  // before transform_kernel(), the kernel at these distances. Zero at first.
+  // The values at wave numbers v = 0 .. frame_rows/2 down the columns and u = 0 .. frame_columns/2
+  // along the rows; before transform_kernel(), the kernel at these distances. Zero at first.
   double& at(std::size_t v, std::size_t u);
   void transform_kernel();
 

@@ -12,8 +12,8 @@
 #include <railbook/num/gsl.hpp>
 #include <railbook/units/input_error.hpp>
 
-// FFTW ends the program where it finds no memory, by this function of its own: ours takes its place, and what comes of it is
-// what comes of any lack of memory.
+// FFTW ends the program where it finds no memory, by this function of its own: ours takes its
+// place, and what comes of it is what comes of any lack of memory.
 extern "C" [[noreturn]] void fftw_assertion_failed(const char* what, int line, const char* file);
 extern "C" void fftw_assertion_failed(const char* what, int line, const char* file) {
   if (std::string_view{file}.ends_with("alloc.c")) throw std::bad_alloc{};

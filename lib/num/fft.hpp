@@ -1,7 +1,8 @@
 // Real Fourier transforms on FFTW: plans and buffers that own themselves.
 //
-// All plans are made with FFTW_ESTIMATE: planning does not time anything, so the same machine code and the
-// same digits come out on every run. Transforms are unnormalised: inverse(forward(x)) = n x. n >= 1.
+// All plans are made with FFTW_ESTIMATE: planning does not time anything, so the same machine code
+// and the same digits come out on every run. Transforms are unnormalised: inverse(forward(x)) = n
+// x. n >= 1.
 #pragma once
 
 #include <complex>
@@ -14,8 +15,8 @@ namespace railbook::num {
 // The smallest n' >= n of the form 2^a 3^b 5^c 7^d: sizes FFTW transforms fast. n >= 1.
 std::size_t good_fft_size(std::size_t n);
 
-// A one-dimensional real transform of length n, with its own aligned buffers. Coefficients are within 2e-15 of the norm of the
-// samples times sqrt(n).
+// A one-dimensional real transform of length n, with its own aligned buffers. Coefficients are
+// within 2e-15 of the norm of the samples times sqrt(n).
 class RealFft {
  public:
   explicit RealFft(std::size_t n);
@@ -35,8 +36,9 @@ class RealFft {
 };
 
 // A two-dimensional real transform of rows x columns (row major), in place to halve the memory:
-// the spectrum has rows x (columns/2 + 1) coefficients and overlays the samples, so a row of samples
-// has stride() = 2 (columns/2 + 1) doubles, of which the first `columns` count. Accurate as RealFft; rows, columns >= 1.
+// the spectrum has rows x (columns/2 + 1) coefficients and overlays the samples, so a row of
+// samples has stride() = 2 (columns/2 + 1) doubles, of which the first `columns` count. Accurate as
+// RealFft; rows, columns >= 1.
 class RealFft2d {
  public:
   RealFft2d(std::size_t rows, std::size_t columns);

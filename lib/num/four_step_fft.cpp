@@ -31,7 +31,7 @@ std::size_t rows_of(std::size_t n) {
 }
 
 // z times e or, for sense = -1, its conjugate: pairs of real and imaginary part.
-RAILBOOK_WIDE void turn(double* z, const double* e, double sense, std::size_t count) {
+RAILBOOK_AVX2_CLONES void turn(double* z, const double* e, double sense, std::size_t count) {
   for (std::size_t c = 0; c < 2 * count; c += 2) {
     const double x = z[c], y = z[c + 1], cosine = e[c], sine = sense * e[c + 1];
     z[c] = x * cosine - y * sine;

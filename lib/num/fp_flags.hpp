@@ -1,5 +1,6 @@
-// Floating-point flags: an invalid operation (0/0, infinity less infinity, a comparison with NaN) or a division by zero leaves
-// a mark, which is read at stated places. Nothing is ever stopped by it: a program ends with a message, never with SIGFPE.
+// Floating-point flags: an invalid operation (0/0, infinity less infinity, a comparison with NaN)
+// or a division by zero leaves a mark, which is read at stated places. Nothing is ever stopped by
+// it: a program ends with a message, never with SIGFPE.
 #pragma once
 
 #include <cfenv>
@@ -7,7 +8,8 @@
 
 namespace railbook::num {
 
-// What this thread has raised since it was made. Guards nest: at its end one leaves to those around it what it has seen.
+// What this thread has raised since it was made. Guards nest: at its end one leaves to those around
+// it what it has seen.
 class FpFlags {
  public:
   FpFlags() : before_(std::fetestexcept(watched)) { std::feclearexcept(watched); }
@@ -28,8 +30,8 @@ class FpFlags {
   int before_;
 };
 
-// Forgets at its end what was raised since it was made: for code of others (drawing, parsing) that divides by zero on
-// purpose, and for our own that means infinity.
+// Forgets at its end what was raised since it was made: for code of others (drawing, parsing) that
+// divides by zero on purpose, and for our own that means infinity.
 class FpFlagsAside {
  public:
   FpFlagsAside() { std::fegetexceptflag(&before_, FE_ALL_EXCEPT); }

@@ -16,9 +16,10 @@ struct Gmres {
   bool converged = false;
 };
 
-// Solves A x = b, preconditioned from the right by P (an approximate inverse of A), to |b - A x| <= relative |b| or in
-// at most `most` iterations; it is not restarted, so it keeps `most` + 1 vectors. b = 0 gives x = 0.
-// (Saad & Schultz, SIAM J. Sci. Stat. Comput. 7, 1986; the basis is made orthogonal twice.)
+// Solves A x = b, preconditioned from the right by P (an approximate inverse of A), to |b - A x| <=
+// relative |b| or in at most `most` iterations; it is not restarted, so it keeps `most` + 1
+// vectors. b = 0 gives x = 0. (Saad & Schultz, SIAM J. Sci. Stat. Comput. 7, 1986; the basis is
+// made orthogonal twice.)
 [[nodiscard]] Gmres gmres(const LinearMap& a, const LinearMap& p, const Eigen::VectorXd& b,
                           double relative, int most);
 

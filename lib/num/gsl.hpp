@@ -8,18 +8,19 @@
 
 namespace railbook::num {
 
-// A numerical routine failed in a way its caller cannot go on from: a bug or a case out of its range.
+// A numerical routine failed in a way its caller cannot go on from: a bug or a case out of its
+// range.
 class NumericalError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-// Switches GSL's aborting handler off for the whole program; safe to call often. Every wrapper of this
-// folder calls it before it calls GSL.
+// Switches GSL's aborting handler off for the whole program; safe to call often. Every wrapper of
+// this folder calls it before it calls GSL.
 void use_gsl_status_codes();
 
-// Throws NumericalError naming `what` and GSL's own text unless `status` is GSL_SUCCESS. Underflow to
-// zero is accepted as the right answer.
+// Throws NumericalError naming `what` and GSL's own text unless `status` is GSL_SUCCESS. Underflow
+// to zero is accepted as the right answer.
 void check_gsl(int status, std::string_view what);
 
 // Owns a workspace of GSL, which returns none when there is no memory: throws std::bad_alloc then.

@@ -6,7 +6,8 @@
 
 namespace railbook::num {
 
-// From `low` to `high` > low, both included and positive, at least `per_decade` >= 1 steps a decade; to rounding.
+// From `low` to `high` > low, both included and positive, at least `per_decade` >= 1 steps a
+// decade; to rounding.
 inline std::vector<double> log_spaced(double low, double high, int per_decade) {
   const int steps = static_cast<int>(std::ceil(per_decade * std::log10(high / low)));
   std::vector<double> result;

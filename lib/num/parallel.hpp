@@ -12,10 +12,11 @@
 
 namespace railbook::num {
 
-// Calls work(begin, end, part) on up to `threads` threads, the calling one among them, for parts that together make
-// 0 .. count, and returns when all are done. Each part number < `threads` is given once. The parts depend on `threads`:
-// `work` must do each item for itself, and must not throw. Threads that the system refuses are done without. An invalid operation
-// or a division by zero on another thread leaves its mark on the calling one, too (fp_flags.hpp).
+// Calls work(begin, end, part) on up to `threads` threads, the calling one among them, for parts
+// that together make 0 .. count, and returns when all are done. Each part number < `threads` is
+// given once. The parts depend on `threads`: `work` must do each item for itself, and must not
+// throw. Threads that the system refuses are done without. An invalid operation or a division by
+// zero on another thread leaves its mark on the calling one, too (fp_flags.hpp).
 template <class Work>
 void in_parallel(int threads, std::size_t count, const Work& work) {
   const std::size_t parts = std::clamp<std::size_t>(static_cast<std::size_t>(std::max(threads, 1)),
@@ -39,9 +40,10 @@ void in_parallel(int threads, std::size_t count, const Work& work) {
   std::feraiseexcept(raised);
 }
 
-// make(0) .. make(count - 1) in their order, each called on whichever of the threads is free (0: as many as run at once here):
-// for items of unlike cost, whose results have a default constructor. They do not depend on `threads` as long as an item draws
-// its random numbers by its own index. What the first item that fails throws is thrown when all are done.
+// make(0) .. make(count - 1) in their order, each called on whichever of the threads is free (0: as
+// many as run at once here): for items of unlike cost, whose results have a default constructor.
+// They do not depend on `threads` as long as an item draws its random numbers by its own index.
+// What the first item that fails throws is thrown when all are done.
 template <class Make>
 auto map_in_parallel(std::size_t count, const Make& make, int threads = 0) {
   std::vector<decltype(make(count))> made(count);
@@ -61,8 +63,8 @@ auto map_in_parallel(std::size_t count, const Make& make, int threads = 0) {
   return made;
 }
 
-// The sum, or another reduction, of items 0 .. count: reduce(begin, end) of blocks that do not depend on `threads`,
-// put together by `join` in their order.
+// The sum, or another reduction, of items 0 .. count: reduce(begin, end) of blocks that do not
+// depend on `threads`, put together by `join` in their order.
 template <class Reduce, class Join>
 double reduce_in_blocks(int threads, std::size_t count, const Reduce& reduce, const Join& join) {
   constexpr std::size_t block = 1 << 14;

@@ -1,5 +1,6 @@
-// Products of dense matrices whose sizes are known when the program runs. Eigen compiles its kernel anew for every kind of factor,
-// which takes longer than all that is computed with it; here it is compiled once.
+// Products of dense matrices whose sizes are known when the program runs. Eigen compiles its kernel
+// anew for every kind of factor, which takes longer than all that is computed with it; here it is
+// compiled once.
 #pragma once
 
 #include <Eigen/Core>

@@ -45,7 +45,8 @@ Integral integrate(const std::function<double(double)>& f, double a, double b, d
 GaussRule gauss_legendre(int n, double a, double b) {
   if (n < 1)
     throw InputError{"gauss_legendre: n is " + std::to_string(n) + "; allowed: at least 1"};
-  // The zeros of Legendre's polynomial by Newton's method, in 80 bits. (GSL's own are good to 1e-11 for most n.)
+  // The zeros of Legendre's polynomial by Newton's method, in 80 bits. (GSL's own are good to 1e-11
+  // for most n.)
   GaussRule rule{Eigen::VectorXd(n), Eigen::VectorXd(n)};
   const long double half = (static_cast<long double>(b) - a) / 2;
   for (int i = 0; i < n; ++i) {

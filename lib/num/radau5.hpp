@@ -10,9 +10,10 @@
 
 namespace railbook::num {
 
-// L-stable, with step-size control by the embedded error estimate of Hairer and Wanner (Solving ODEs II, IV.8).
-// Each step solves the 3N stage equations by simplified Newton with one fresh Jacobian, in plain real
-// arithmetic: right for N of a few, not for large systems. tolerance[i] is absolute, a component each.
+// L-stable, with step-size control by the embedded error estimate of Hairer and Wanner (Solving
+// ODEs II, IV.8). Each step solves the 3N stage equations by simplified Newton with one fresh
+// Jacobian, in plain real arithmetic: right for N of a few, not for large systems. tolerance[i] is
+// absolute, a component each.
 template <int N>
 class Radau5 {
  public:
@@ -27,8 +28,8 @@ class Radau5 {
     h_ = std::min(h_, first_step_);
   }
 
-  // One accepted step of f(t, y, dy) with df/dy from jacobian(t, y, J), never past `end`. False when the
-  // step has shrunk to rounding.
+  // One accepted step of f(t, y, dy) with df/dy from jacobian(t, y, J), never past `end`. False
+  // when the step has shrunk to rounding.
   template <class F, class J>
   [[nodiscard]] bool step(F&& f, J&& jacobian, double end) {
     State rate;

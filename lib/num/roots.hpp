@@ -13,8 +13,9 @@ struct Root {
 };
 
 // The root of f between `low` and `high`, by Brent's method (GSL): at least bisection's rate, near
-// superlinear on smooth functions. Stops when the bracket is below `relative` |x| + 1e-300, or after
-// `most` iterations with converged = false; f may be flat or steep at the root, and of any scale. Throws InputError when f has one sign at both ends.
+// superlinear on smooth functions. Stops when the bracket is below `relative` |x| + 1e-300, or
+// after `most` iterations with converged = false; f may be flat or steep at the root, and of any
+// scale. Throws InputError when f has one sign at both ends.
 [[nodiscard]] Root find_root(const std::function<double(double)>& f, double low, double high,
                              double relative = 1e-15, int most = 200);
 

@@ -3,8 +3,8 @@
 
 namespace railbook::num {
 
-// The sine integral Si(x) = integral from 0 to x of sin(t)/t dt, for any finite x; relative accuracy
-// 1e-15. Si(-x) = -Si(x), Si(infinity) = pi/2. NaN gives NaN.
+// The sine integral Si(x) = integral from 0 to x of sin(t)/t dt, for any finite x; relative
+// accuracy 1e-15. Si(-x) = -Si(x), Si(infinity) = pi/2. NaN gives NaN.
 double sine_integral(double x);
 
 }  // namespace railbook::num

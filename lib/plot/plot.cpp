@@ -61,8 +61,8 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
   return result;
 }
 
-// Starts the program directly (no shell), in `folder` and in a process group of its own, with nothing to read, its
-// output thrown away and its messages going to `messages`.
+// Starts the program directly (no shell), in `folder` and in a process group of its own, with
+// nothing to read, its output thrown away and its messages going to `messages`.
 pid_t start(std::vector<std::string> arguments, const fs::path& folder, int messages) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
@@ -109,7 +109,7 @@ Outcome run(std::vector<std::string> arguments, const fs::path& folder) {
     const Closed writing{ends[1]};
     child = start(std::move(arguments), folder, ends[1]);
   }
-  const files::DoomedChild doomed(child);
+  const files::ChildGuard doomed(child);
   const Clock::time_point end = Clock::now() + time_limit();
   Outcome outcome;
   bool more = true;
@@ -130,7 +130,7 @@ Outcome run(std::vector<std::string> arguments, const fs::path& folder) {
 }
 
 // gnuplot's own words, without empty lines and without the font library's remarks on its cache.
-std::string complaints(const std::string& message, Missing missing) {
+std::string complaints(const std::string& message, EmptyCurve missing) {
   const auto is_about_missing = [](std::string_view line) {
     return line.find("Skipping data file with no valid points") != line.npos ||
            line.starts_with("Warning: empty ");
@@ -140,13 +140,14 @@ std::string complaints(const std::string& message, Missing missing) {
   for (std::string line; std::getline(lines, line);) {
     const bool blank = line.find_first_not_of(" \t\r") == std::string::npos;
     if (blank || line.starts_with("Fontconfig ")) continue;
-    if (missing == Missing::allowed && is_about_missing(line)) continue;
+    if (missing == EmptyCurve::skip && is_about_missing(line)) continue;
     kept += "\n  " + line;
   }
   return kept;
 }
 
-// A PNG opens with its signature and closes with an IEND chunk; an interrupted one lacks the latter.
+// A PNG opens with its signature and closes with an IEND chunk; an interrupted one lacks the
+// latter.
 bool is_complete_png(std::string_view bytes) {
   using namespace std::string_view_literals;
   return bytes.starts_with("\x89PNG\r\n\x1a\n"sv) && bytes.ends_with("IEND\xae\x42\x60\x82"sv);
@@ -162,7 +163,7 @@ void require_file(const fs::path& script, std::string_view what, const fs::path&
 std::string contents(const fs::path& file) {
   std::ostringstream whole;
   std::ifstream in(file, std::ios::binary);
-  if (!in) throw PlotError("file " + files::shown(file) + ": cannot be read");
+  if (!in) throw PlotError("file " + files::quoted_name(file) + ": cannot be read");
   whole << in.rdbuf();
   return whole.str();
 }
@@ -185,8 +186,9 @@ std::string for_svg(const std::string& script) {
   return text;
 }
 
-// A script for PNG at twice its size in pixels, with everything in it twice as large: sharp on dense screens and on paper.
-// The width and the height may be expressions, without a blank outside their brackets.
+// A script for PNG at twice its size in pixels, with everything in it twice as large: sharp on
+// dense screens and on paper. The width and the height may be expressions, without a blank outside
+// their brackets.
 std::string for_png(const std::string& script) {
   constexpr std::string_view size = "set terminal pngcairo size ";
   std::istringstream lines(script);
@@ -210,7 +212,8 @@ std::string for_png(const std::string& script) {
   return text;
 }
 
-// gnuplot opens a group for each change of the pen; most of them stay empty, and are a third of the file.
+// gnuplot opens a group for each change of the pen; most of them stay empty, and are a third of the
+// file.
 std::string without_empty_groups(const std::string& svg) {
   std::istringstream lines{svg};
   std::string out, group;
@@ -226,7 +229,8 @@ std::string without_empty_groups(const std::string& svg) {
   return out + group;
 }
 
-// The font said once, for the whole picture, and with a second one of the same widths for readers who have no DejaVu Sans.
+// The font said once, for the whole picture, and with a second one of the same widths for readers
+// who have no DejaVu Sans.
 std::string with_fonts(std::string svg) {
   constexpr std::string_view font = " font-family=\"DejaVu Sans\"", root = "<svg ";
   for (std::size_t at = 0; (at = svg.find(font, at)) != svg.npos;) svg.erase(at, font.size());
@@ -254,7 +258,7 @@ std::vector<std::string> prepare(files::PrivateFolder& folder, const fs::path& s
 }
 
 // What gnuplot made of the script, complete or not.
-std::string drawn(const fs::path& script, const std::vector<fs::path>& data, Missing missing,
+std::string drawn(const fs::path& script, const std::vector<fs::path>& data, EmptyCurve missing,
                   Format format) {
   require_file(script, "the script", script);
   if (data.empty() || data.size() > 8) {
@@ -295,11 +299,11 @@ fs::path shared(std::string_view name) {
   for (fs::path at = program.parent_path(); at.has_relative_path(); at = at.parent_path())
     if (fs::exists(at / "share/railbook/lib/plot/style.gp", ignored))
       return at / "share/railbook" / name;
-  throw PlotError("no folder share/railbook beside " + files::shown(program) +
+  throw PlotError("no folder share/railbook beside " + files::quoted_name(program) +
                   " or above it: the installation is not complete");
 }
 
-std::string draw(const fs::path& script, const std::vector<fs::path>& data, Missing missing) {
+std::string draw(const fs::path& script, const std::vector<fs::path>& data, EmptyCurve missing) {
   std::string bytes = drawn(script, data, missing, Format::png);
   if (!is_complete_png(bytes)) {
     throw PlotError(script.string() +
@@ -308,7 +312,8 @@ std::string draw(const fs::path& script, const std::vector<fs::path>& data, Miss
   return bytes;
 }
 
-std::string draw_svg(const fs::path& script, const std::vector<fs::path>& data, Missing missing) {
+std::string draw_svg(const fs::path& script, const std::vector<fs::path>& data,
+                     EmptyCurve missing) {
   const std::string text = drawn(script, data, missing, Format::svg);
   if (text.find("<svg") == text.npos || text.find("</svg>") == text.npos)
     throw PlotError(script.string() + ": gnuplot left no complete SVG");

@@ -1,7 +1,8 @@
-// A profile as a depth over the place across: what the search for contact and the gap ask for a million times.
+// A profile as a depth over the place across: what the search for contact and the gap ask for a
+// million times.
 //
-// Both count outwards, to the field side, and down [m]: a wheel's s from its running circle, a rail's y from the
-// middle of the track.
+// Both count outwards, to the field side, and down [m]: a wheel's s from its running circle, a
+// rail's y from the middle of the track.
 #pragma once
 
 #include <array>
@@ -22,7 +23,8 @@ class Profile {
   };
   // Pieces in order of y, each beginning where the last one ends. Throws InputError otherwise.
   explicit Profile(std::vector<Piece> pieces);
-  // A curve of arcs and lines (u inwards, z up): a wheel's with its origin at the running circle, or a placed rail.
+  // A curve of arcs and lines (u inwards, z up): a wheel's with its origin at the running circle,
+  // or a placed rail.
   explicit Profile(const profiles::Curve& curve);
 
   double from() const { return pieces_.front().from; }
@@ -43,14 +45,16 @@ class Profile {
   double per_interval_ = 0;
 };
 
-// The wheel S1002, flange included, from its published polynomials and arcs. (Coefficients of EN 13715 as they are spread
-// in public codes; the standard itself was not at hand. Depth is continuous to 1.2e-4 mm.)
+// The wheel S1002, flange included, from its published polynomials and arcs. (Coefficients of EN
+// 13715 as they are spread in public codes; the standard itself was not at hand. Depth is
+// continuous to 1.2e-4 mm.)
 Profile s1002();
 
-// Head of a rail: crown radius 300, shoulders 80 and corners 13 mm, upright, u towards the gauge face, top at 0. It ends at 84
-// degrees, short of the flank, which a cant of 1:20 makes upright. `drawing` has the joints of 60E1 (EN 13674-1: 20.456,
-// 52.053 and 72 mm apart), `benchmark` those of the file of the Manchester benchmark, up to 0.039 mm different. `upright`: it goes on to 86.5 degrees, down to where
-// the gauge of a rail that does not lean is measured.
+// Head of a rail: crown radius 300, shoulders 80 and corners 13 mm, upright, u towards the gauge
+// face, top at 0. It ends at 84 degrees, short of the flank, which a cant of 1:20 makes upright.
+// `drawing` has the joints of 60E1 (EN 13674-1: 20.456, 52.053 and 72 mm apart), `benchmark` those
+// of the file of the Manchester benchmark, up to 0.039 mm different. `upright`: it goes on to 86.5
+// degrees, down to where the gauge of a rail that does not lean is measured.
 enum class Rail60 { drawing, benchmark };
 profiles::Curve rail_60e1(Rail60 kind, bool upright = false);
 

@@ -22,7 +22,8 @@ constexpr std::size_t fewest = 8, most = 20000;
 constexpr double narrowest = 0.01, widest = 1;  // m
 constexpr double straight = 1e-7;               // rad; an arc that turns less is a line
 
-// Natural cubic spline of values at knots s that minimises sum (value - g)^2 + smoothing * integral g''^2.
+// Natural cubic spline of values at knots s that minimises sum (value - g)^2 + smoothing * integral
+// g''^2.
 class SmoothingSpline {
  public:
   explicit SmoothingSpline(const VectorXd& s)
@@ -141,7 +142,8 @@ double smoothing_for(const SmoothingSpline& spline, const VectorXd& u, const Vec
   return low == high ? std::exp(low) : std::exp(num::find_root(excess, low, high, 1e-6).x);
 }
 
-// An arc, or a line where it hardly turns, from `from` at an angle to `to`; the angle at its end by `angle`.
+// An arc, or a line where it hardly turns, from `from` at an angle to `to`; the angle at its end by
+// `angle`.
 Piece arc_to(Point from, double& angle, Point to) {
   const double chord = std::hypot(to.u - from.u, to.z - from.z);
   const double direction = std::atan2(from.z - to.z, to.u - from.u);

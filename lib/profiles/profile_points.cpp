@@ -17,7 +17,8 @@ using units::millimetre;
 using Index = std::ptrdiff_t;
 
 constexpr std::size_t fewest_points = 8;
-// A wheel's flange may be as steep as 84 degrees (wheelset_contact.hpp), a rail's side nearly upright.
+// A wheel's flange may be as steep as 84 degrees (wheelset_contact.hpp), a rail's side nearly
+// upright.
 double steepest(Body body) {
   return (body == Body::wheel ? 84 : 88) * units::degree;
 }
@@ -39,7 +40,8 @@ std::string place(double from, double to) {
                      std::max(from, to) / millimetre);
 }
 
-// Keeps what can be seen from the partner's side: from the point nearest to it outwards, each point that goes on across.
+// Keeps what can be seen from the partner's side: from the point nearest to it outwards, each point
+// that goes on across.
 std::vector<Point> visible(const std::vector<Point>& points, Body body, CheckedPoints& checked) {
   const auto nearest = body == Body::rail ? std::ranges::max_element(points, {}, &Point::z)
                                           : std::ranges::min_element(points, {}, &Point::z);
@@ -168,8 +170,8 @@ void find_holes(CheckedPoints& checked) {
   }
 }
 
-// How far p[i] is off the cubic through the nearest two points on each side that are not left out, across the chord of the inner
-// two.
+// How far p[i] is off the cubic through the nearest two points on each side that are not left out,
+// across the chord of the inner two.
 struct Residual {
   double distance = units::nan;
   double scaled =
@@ -235,7 +237,7 @@ void find_outliers(CheckedPoints& checked) {
         if (std::isnan(r)) continue;
         worst = std::max(worst, std::abs(r)), ++counted;
       }
-      double least = units::no_limit, most = 0, size = 0;
+      double least = units::infinity, most = 0, size = 0;
       for (Index k = i; k < i + length; ++k) {
         const Residual r = without.at(k);
         if (std::isnan(r.scaled)) least = 0;

@@ -1,7 +1,8 @@
 // A look at the measured points of a wheel or a rail before a curve is laid through them.
 //
-// Nothing is moved. Points that the partner cannot reach, because others hide them or they lie on an upright side, are left out,
-// since a profile is one height for each place, and listed. What looks wrong is told as warnings with its place and size.
+// Nothing is moved. Points that the partner cannot reach, because others hide them or they lie on
+// an upright side, are left out, since a profile is one height for each place, and listed. What
+// looks wrong is told as warnings with its place and size.
 #pragma once
 
 #include <string>
@@ -26,14 +27,18 @@ struct CheckedPoints {
   std::vector<PointsWarning> left_out;
 };
 
-// `points` in the order in which they were measured, from either end, u inward and z up [m]. Looks for
-// * points that stand off the cubic through their neighbours far more than these do (dirt under the probe, a wrong digit): one
+// `points` in the order in which they were measured, from either end, u inward and z up [m]. Looks
+// for
+// * points that stand off the cubic through their neighbours far more than these do (dirt under the
+// probe, a wrong digit): one
 //   or up to three in a row, from 8 times the residual of the others and 5 um on;
 // * holes: points farther apart than 4 times the others nearby, and 3 mm;
-// * doubled points and fold-backs, which others hide, and sides at the ends that are steeper than 84 degrees on a wheel, 88 on a
+// * doubled points and fold-backs, which others hide, and sides at the ends that are steeper than
+// 84 degrees on a wheel, 88 on a
 //   rail: left out.
-// Throws InputError for fewer than 8 points, a number that is not finite, points in no order (more than half would hide each
-// other), and a wheel that has no flange on its inner side: turned, mirrored or upside down.
+// Throws InputError for fewer than 8 points, a number that is not finite, points in no order (more
+// than half would hide each other), and a wheel that has no flange on its inner side: turned,
+// mirrored or upside down.
 CheckedPoints check_points(std::vector<Point> points, Body body);
 
 }  // namespace railbook::profiles

@@ -28,7 +28,8 @@ double correlation(std::span<const double> a, std::span<const double> b) {
   return (sab - sa * sb / n) / std::sqrt(va * vb);
 }
 
-// The largest correlation that belongs to another offset than `at`: a peak, with a valley before it; `at` where none is.
+// The largest correlation that belongs to another offset than `at`: a peak, with a valley before
+// it; `at` where none is.
 std::size_t other_peak(const std::vector<double>& r, std::size_t at) {
   std::size_t best = at;
   const auto walk = [&](std::ptrdiff_t step) {

@@ -147,7 +147,8 @@ class Runner {
       const double length = full ? step_ : end - now_.t;
       Motion next = full ? after(length, full_) : after(length);
       if (!full) next.t = end;
-      // A touch that rounding cannot place: on by a little, for at the stop the force is the same on both branches.
+      // A touch that rounding cannot place: on by a little, for at the stop the force is the same
+      // on both branches.
       if (still > 2 && still % 2 == 1) {
         const double t = 1e-5 * length;
         keep(t, after(t), free_.at(t));
@@ -182,7 +183,8 @@ class Runner {
     return true;
   }
 
-  // The branch ends between two times of the step; x is monotone there, and may come from the other stop.
+  // The branch ends between two times of the step; x is monotone there, and may come from the other
+  // stop.
   bool change(double from, double to) {
     const int reached = stop_ != 0 ? stop_ : after(to).x > 0 ? 1 : -1;
     const auto before = [&](double t) {

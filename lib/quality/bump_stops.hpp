@@ -1,9 +1,11 @@
-// A body with bump stops over a track of sines: stops of kappa times the spring's stiffness meet at a stroke of `gap`.
+// A body with bump stops over a track of sines: stops of kappa times the spring's stiffness meet at
+// a stroke of `gap`.
 //
 //   x'' + 2 rho w x' + w^2 (x + kappa (|x| - gap)+ sgn x) = -z'',   w = 2 pi f'
 //
-// Between two switches of the stops the equation is linear and its solution known; a run is a chain of such
-// pieces, joined at the instants where |x| = gap, which are roots of the known solution. No step-size error, no tolerance.
+// Between two switches of the stops the equation is linear and its solution known; a run is a chain
+// of such pieces, joined at the instants where |x| = gap, which are roots of the known solution. No
+// step-size error, no tolerance.
 #pragma once
 
 #include <Eigen/Core>
@@ -28,7 +30,8 @@ struct Wave {
   double phase = 0;
 };
 
-// The track in time: the sum of the waves, from t = 0 on multiplied by t/ramp until t = ramp (0: at once).
+// The track in time: the sum of the waves, from t = 0 on multiplied by t/ramp until t = ramp (0: at
+// once).
 struct Track {
   std::vector<Wave> waves;
   double ramp = 0;  // s
@@ -40,8 +43,8 @@ struct Motion {
   double t = 0, x = 0, v = 0;  // s, stroke m, its rate m/s
 };
 
-// Body and stroke at rest at t = 0. A ramp begins with a kink of the track, which the body does not follow; a sudden start
-// applies the acceleration -z'' at once to a stroke at rest.
+// Body and stroke at rest at t = 0. A ramp begins with a kink of the track, which the body does not
+// follow; a sudden start applies the acceleration -z'' at once to a stroke at rest.
 Motion at_rest(const Track& track);
 
 struct Switch {
@@ -49,7 +52,8 @@ struct Switch {
   int stop = 0;  // from here on: -1 or 1 on a stop, 0 between them
 };
 
-// Work per unit mass of the body, m^2/s^2: put in by the track's acceleration, lost in the damper, gained in motion, spring and stops.
+// Work per unit mass of the body, m^2/s^2: put in by the track's acceleration, lost in the damper,
+// gained in motion, spring and stops.
 struct Energy {
   double input = 0, lost = 0, gained = 0;
   double scale = 0;       // the largest energy held at the ends of steps
@@ -74,7 +78,8 @@ struct Run {
   bool complete = true;  // false: a root was not found, or the motion is not finite
 };
 
-// From `start` to t = `end`. Throws InputError on data out of range, or when the run needs over 10^8 pieces.
+// From `start` to t = `end`. Throws InputError on data out of range, or when the run needs over
+// 10^8 pieces.
 Run run(const StoppedBody& body, const Track& track, const Motion& start, double end,
         const RunOptions& options = {});
 

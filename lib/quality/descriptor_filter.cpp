@@ -61,7 +61,7 @@ filters::FilterTaps design_filter(const Envelope& envelope, const FilterDesign& 
   units::require_positive("spacing", design.spacing, "m");
   if (design.shortest != 0)
     units::require_between("shortest wavelength", design.shortest, 2 * design.spacing,
-                           units::no_limit, "m");
+                           units::infinity, "m");
   const double reach = design.reach > 0 ? design.reach : 20 * longest(envelope.descriptor());
   const double samples = units::require_between("reach of the filter over the spacing",
                                                 reach / design.spacing, 8, 1e6);

@@ -1,4 +1,5 @@
-// Limits of the United States' track safety standards (49 CFR 213) on mid-chord offsets, gauge and cross level, classes 1 to 5, and on alinement, classes 6 to 9.
+// Limits of the United States' track safety standards (49 CFR 213) on mid-chord offsets, gauge and
+// cross level, classes 1 to 5, and on alinement, classes 6 to 9.
 #pragma once
 
 #include <array>
@@ -10,9 +11,10 @@ namespace railbook::quality {
 
 inline constexpr int fra_classes = 5;
 
-// A limit of each class, falling, m. Each row is in two copies of the code of regulations (law.cornell.edu and elaws.us for
-// profile, casetext and an open index class for alinement). Left out, since no second source was found: the surface of
-// classes 6 to 9 (213.331), the 31-ft chord in curves.
+// A limit of each class, falling, m. Each row is in two copies of the code of regulations
+// (law.cornell.edu and elaws.us for profile, casetext and an open index class for alinement). Left
+// out, since no second source was found: the surface of classes 6 to 9 (213.331), the 31-ft chord
+// in curves.
 struct FraLimit {
   std::string_view name;
   double chord = 0;  // m; 0: no chord
@@ -38,8 +40,8 @@ inline constexpr double least_gauge = 56 * inch, nominal_gauge = 56.5 * inch;
 inline constexpr FraLimit gauge{
     "gauge", 0, {58 * inch, 57.75 * inch, 57.75 * inch, 57.5 * inch, 57.5 * inch}};
 
-// Alinement on tangent of classes 6 to 9 (213.327, in casetext's copy and another of the same year): the mid-chord offset less the
-// mean of nine, a quarter of the chord apart, about it.
+// Alinement on tangent of classes 6 to 9 (213.327, in casetext's copy and another of the same
+// year): the mid-chord offset less the mean of nine, a quarter of the chord apart, about it.
 struct Uniformity {
   double chord = 0;               // m
   std::array<double, 4> limit{};  // m, classes 6 to 9

@@ -54,7 +54,7 @@ IndexBuilder::IndexBuilder(const IndexOptions& options) : options_(options), his
   units::require_positive("threshold", options.threshold);
   units::require_non_negative("margin", options.margin, "m");
   if (std::isfinite(options.segment))
-    units::require_between("segment", options.segment, options.spacing, units::no_limit, "m");
+    units::require_between("segment", options.segment, options.spacing, units::infinity, "m");
 }
 
 double IndexBuilder::segment_of(std::size_t sample) const {

@@ -47,16 +47,19 @@ struct IndexOptions {
   double margin = 0;  // m from an end or a gap, within which the descriptor is unsure
 };
 
-// The stretch of track from `from` on, `segment` long; an exceedance belongs to the segment of its peak.
+// The stretch of track from `from` on, `segment` long; an exceedance belongs to the segment of its
+// peak.
 struct Segment {
   double from = 0;  // m, a multiple of the length of a segment
   IndexSums sums;
 };
 
-// Takes the descriptor in pieces of any length; memory: the histogram, the segments and the exceedances.
+// Takes the descriptor in pieces of any length; memory: the histogram, the segments and the
+// exceedances.
 class IndexBuilder {
  public:
-  // Histogram: bins of width 0.02 of |p| up to 4, the last also for all above. Throws InputError on options out of range.
+  // Histogram: bins of width 0.02 of |p| up to 4, the last also for all above. Throws InputError on
+  // options out of range.
   explicit IndexBuilder(const IndexOptions& options);
   void push(std::span<const double> descriptor);  // NaN: missing
   void finish();                                  // ends the last half-wave
@@ -93,8 +96,8 @@ class IndexBuilder {
 // Share of a normal histogram N(mean, deviation) above a threshold; deviation > 0.
 double share_above(double mean, double deviation, double threshold);
 
-// The probability of failure of a value drawn from N(mean, deviation) when a value p fails with probability
-// Phi((p - median)/spread): Phi((mean - median)/sqrt(deviation^2 + spread^2)).
+// The probability of failure of a value drawn from N(mean, deviation) when a value p fails with
+// probability Phi((p - median)/spread): Phi((mean - median)/sqrt(deviation^2 + spread^2)).
 double failure_probability(double mean, double deviation, double median, double spread);
 
 // Standard deviation of a histogram that spreads by diffusion, sqrt(s_0^2 + 2 D t).

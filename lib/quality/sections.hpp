@@ -38,8 +38,9 @@ class Sections {
   std::size_t at_ = 0;
 };
 
-// Twist: the change of cross level over a base (m), between the sample and the one a base behind it, over the base (so that m/m); the base
-// is taken in whole samples. NaN until a base is full, and where an end is missing.
+// Twist: the change of cross level over a base (m), between the sample and the one a base behind
+// it, over the base (so that m/m); the base is taken in whole samples. NaN until a base is full,
+// and where an end is missing.
 class Twist {
  public:
   Twist(double base, double spacing);
@@ -52,8 +53,9 @@ class Twist {
   double base_;
 };
 
-// Warp: the difference of cross level from the sample within a length (m) behind that differs most, with its sign: positive where it has grown. NaN where the sample
-// is missing; missing ones behind it do not count.
+// Warp: the difference of cross level from the sample within a length (m) behind that differs most,
+// with its sign: positive where it has grown. NaN where the sample is missing; missing ones behind
+// it do not count.
 class Warp {
  public:
   Warp(double length, double spacing);
@@ -65,12 +67,13 @@ class Warp {
       high_;  // samples and values, ascending and descending
 };
 
-// The square root of the weighted mean square of standard deviations: sqrt(sum w s^2), as EN 13848-6 forms its combined standard
-// deviation of alignment, gauge, cross level and longitudinal level (the means of both rails), with all weights 1 where a network sets none.
+// The square root of the weighted mean square of standard deviations: sqrt(sum w s^2), as EN
+// 13848-6 forms its combined standard deviation of alignment, gauge, cross level and longitudinal
+// level (the means of both rails), with all weights 1 where a network sets none.
 double combined_deviation(std::span<const double> deviations, std::span<const double> weights = {});
 
-// China's track quality index: the sum of seven standard deviations (m) over 200 m, of the profile and the alignment of both
-// rails, gauge, cross level and twist.
+// China's track quality index: the sum of seven standard deviations (m) over 200 m, of the profile
+// and the alignment of both rails, gauge, cross level and twist.
 double track_quality_index(std::span<const double, 7> deviations);
 
 }  // namespace railbook::quality

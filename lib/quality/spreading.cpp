@@ -29,8 +29,8 @@ std::vector<double> divergence(const Spreading& law, const Profile& p) {
   return result;
 }
 
-// Solves h - step f(h) = known by Newton's method, from p as it is. The Jacobian's columns sum to one, so that elimination
-// needs no pivoting.
+// Solves h - step f(h) = known by Newton's method, from p as it is. The Jacobian's columns sum to
+// one, so that elimination needs no pivoting.
 bool implicit(const Spreading& law, Profile& p, const std::vector<double>& known, double step,
               int& iterations) {
   const std::size_t n = p.height.size();

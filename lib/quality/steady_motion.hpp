@@ -1,4 +1,5 @@
-// The steady motions of a body with bump stops on one sine: exact ones, stable or not, and harmonic balance.
+// The steady motions of a body with bump stops on one sine: exact ones, stable or not, and harmonic
+// balance.
 #pragma once
 
 #include <railbook/quality/bump_stops.hpp>
@@ -18,11 +19,13 @@ struct PeriodicMotion {
 PeriodicMotion periodic_motion(const StoppedBody& body, const Wave& wave, const Motion& guess,
                                int order = 1);
 
-// The stiffness, in units of the spring's, that a stroke x = a sin feels on average over a period (first harmonic).
+// The stiffness, in units of the spring's, that a stroke x = a sin feels on average over a period
+// (first harmonic).
 double mean_stiffness(const StoppedBody& body, double a);
 
-// The stroke at t = 0 that the wave forces, by harmonic balance (first harmonic), where the stops are as stiff as a stroke of
-// a >= 0 feels them; its amplitude is a at a balance. A guess for periodic_motion.
+// The stroke at t = 0 that the wave forces, by harmonic balance (first harmonic), where the stops
+// are as stiff as a stroke of a >= 0 feels them; its amplitude is a at a balance. A guess for
+// periodic_motion.
 Motion balanced_motion(const StoppedBody& body, const Wave& wave, double a);
 
 }  // namespace railbook::quality

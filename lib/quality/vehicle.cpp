@@ -18,8 +18,9 @@ void require(const Suspension& s) {
   units::require_positive("damping of the body", s.damping);
 }
 
-// |G/Z|^2 = (M + m)^2 w^2 N(w)/D(w) in w = (f/f')^2, N = e^2 w^2 + a w + 1, D = w^2 + c w + 1, with e = m/(M + m),
-// a = 4 rho^2 - 2 e, c = 4 rho^2 - 2. The derivative of w^2 N/D has the sign of this quartic; coefficients from the constant up.
+// |G/Z|^2 = (M + m)^2 w^2 N(w)/D(w) in w = (f/f')^2, N = e^2 w^2 + a w + 1, D = w^2 + c w + 1, with
+// e = m/(M + m), a = 4 rho^2 - 2 e, c = 4 rho^2 - 2. The derivative of w^2 N/D has the sign of this
+// quartic; coefficients from the constant up.
 using Quartic = std::array<double, 5>;
 
 Quartic slope(double share, double damping) {
@@ -32,8 +33,8 @@ double value(const Quartic& p, double w) {
   return (((p[4] * w + p[3]) * w + p[2]) * w + p[1]) * w + p[0];
 }
 
-// The lowest value of p over w > 0, each value divided by (1 + w)^2 and thereby kept of order one, on a logarithmic grid refined
-// by golden section.
+// The lowest value of p over w > 0, each value divided by (1 + w)^2 and thereby kept of order one,
+// on a logarithmic grid refined by golden section.
 struct Lowest {
   double w, value;
 };

@@ -9,11 +9,13 @@
 
 namespace railbook::records {
 
-// Keeps a new piece only where the positions leave the present one by over half a spacing (the swinging door of
-// Bristol 1990): two nodes for an even record, whatever its length or the rounding of its positions.
+// Keeps a new piece only where the positions leave the present one by over half a spacing (the
+// swinging door of Bristol 1990): two nodes for an even record, whatever its length or the rounding
+// of its positions.
 class PlaceMap {
  public:
-  // A record that begins at `first` and goes on evenly; towards smaller positions where `direction` is -1.
+  // A record that begins at `first` and goes on evenly; towards smaller positions where `direction`
+  // is -1.
   explicit PlaceMap(double spacing = 1, double first = 0, double direction = 1)
       : spacing_(spacing), first_(direction * first), direction_(direction) {}
 
@@ -23,11 +25,12 @@ class PlaceMap {
   // The same for a sample that does not follow evenly from the one before.
   void jump(std::size_t sample, double position);
 
-  // The position (m) of any sample, true to half a spacing; beyond the last one given, on at the spacing.
+  // The position (m) of any sample, true to half a spacing; beyond the last one given, on at the
+  // spacing.
   double at(std::size_t sample) const;
 
-  // Where the spacing leaves that of the record as a whole: by how much at most (a share, rounding of the positions
-  // allowed for), and between which positions.
+  // Where the spacing leaves that of the record as a whole: by how much at most (a share, rounding
+  // of the positions allowed for), and between which positions.
   struct Unevenness {
     double share = 0;                 // 0.01: samples 1 % farther apart, or nearer
     double from = 0, to = 0;          // m

@@ -23,7 +23,8 @@ constexpr double highest_height = 1e6;  // m: its square still has all digits to
 constexpr double lag = 10;              // m
 constexpr double coarse = 0.05;         // of a spacing: rounding of positions that matters
 
-// The largest length of which all steps are multiples, to a tolerance; 0 where it is smaller than that.
+// The largest length of which all steps are multiples, to a tolerance; 0 where it is smaller than
+// that.
 double common_divisor(const std::vector<double>& steps, double tolerance) {
   double divisor = 0;
   for (const double step : steps) {
@@ -39,8 +40,8 @@ double common_divisor(const std::vector<double>& steps, double tolerance) {
   return divisor > tolerance ? divisor : 0;
 }
 
-// What positions are rounded to, where that is more than a twentieth of their spacing; 0 for positions on an even grid, with
-// samples lost or without.
+// What positions are rounded to, where that is more than a twentieth of their spacing; 0 for
+// positions on an even grid, with samples lost or without.
 double rounding_of(const std::vector<double>& steps) {
   constexpr std::size_t fewest = 16;
   std::vector<double> positive;
@@ -124,8 +125,9 @@ std::size_t RecordStream::go_on(std::span<const double> positions) {
   return n;
 }
 
-// The median step is the spacing but for rounding of the positions; the whole stretch in such steps refines it. Where the
-// rounding is not small, all steps are multiples of it, and only the stretch as a whole knows the spacing.
+// The median step is the spacing but for rounding of the positions; the whole stretch in such steps
+// refines it. Where the rounding is not small, all steps are multiples of it, and only the stretch
+// as a whole knows the spacing.
 void RecordStream::settle_spacing() {
   settled_ = true;
   if (first_.size() < 2)
@@ -176,7 +178,8 @@ void RecordStream::settle_spacing() {
   for (std::size_t i = 1; i < samples.size(); ++i) place(samples[i]);
 }
 
-// The straight line through the first positions, by least squares: rounding up or down is its beginning.
+// The straight line through the first positions, by least squares: rounding up or down is its
+// beginning.
 void RecordStream::fit_grid() {
   double place = 0, n = 0, mean = 0, height = 0, square = 0, product = 0;
   for (std::size_t i = 0; i < first_.size(); ++i) {
@@ -195,8 +198,9 @@ void RecordStream::fit_grid() {
   grid_ = height - spacing_ * mean;
 }
 
-// Rows of several rails or runs at each place, or the same row several times, look like positions that are rounded. They are told from them
-// by their heights: the rows of one place are alike, or each is more like one of the next place than like its neighbour.
+// Rows of several rails or runs at each place, or the same row several times, look like positions
+// that are rounded. They are told from them by their heights: the rows of one place are alike, or
+// each is more like one of the next place than like its neighbour.
 void RecordStream::refuse_several_records(const std::vector<double>& steps) const {
   const auto repeats = std::count(steps.begin(), steps.end(), 0.0);
   if (options_.spacing || 10 * repeats < 3 * std::ssize(steps)) return;

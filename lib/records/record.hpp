@@ -13,13 +13,14 @@
 
 namespace railbook::records {
 
-// Where positions turn back, repeat, or leave their grid: the record is refused, goes on behind a gap of one sample, or
-// its samples are counted on as if the spacing held.
+// Where positions turn back, repeat, or leave their grid: the record is refused, goes on behind a
+// gap of one sample, or its samples are counted on as if the spacing held.
 enum class Resync { refuse, cut, count };
 
 struct RecordOptions {
   std::optional<double> spacing = {};  // m; without it, from the positions
-  // Gaps of up to so many samples, or of up to this length, are bridged by a straight line; longer ones are NaN.
+  // Gaps of up to so many samples, or of up to this length, are bridged by a straight line; longer
+  // ones are NaN.
   std::size_t bridge = 0;
   double bridge_length = 0;  // m
   Screening screening = {};
@@ -48,10 +49,13 @@ struct Stretch {
 };
 
 // Takes samples, with their positions or without, and hands an evenly spaced record on to `sink` in
-// pieces. Positions ascend or descend. One must come a whole number of spacings after the last (to a quarter of one); more than
-// one leaves a gap. Where the recorder rounds positions to more than a twentieth of a spacing (to .1 m, to whole metres; not to nearly a spacing, which looks like samples lost), they
-// are met by the even grid through those before them. Samples taken out (see Screen) are gaps, too; doubts() and warnings() tell them and what is only suspected. A sample
-// without a position is left out. The memory is some thousand samples, and a few words for each suspected stretch, gap and change of spacing.
+// pieces. Positions ascend or descend. One must come a whole number of spacings after the last (to
+// a quarter of one); more than one leaves a gap. Where the recorder rounds positions to more than a
+// twentieth of a spacing (to .1 m, to whole metres; not to nearly a spacing, which looks like
+// samples lost), they are met by the even grid through those before them. Samples taken out (see
+// Screen) are gaps, too; doubts() and warnings() tell them and what is only suspected. A sample
+// without a position is left out. The memory is some thousand samples, and a few words for each
+// suspected stretch, gap and change of spacing.
 class RecordStream {
  public:
   // Throws InputError when a given spacing is not positive.
@@ -59,18 +63,19 @@ class RecordStream {
   RecordStream(const RecordStream&) = delete;
   RecordStream& operator=(const RecordStream&) = delete;
 
-  // The next samples; NaN where one is missing. Either all samples have a position or none. Throws InputError
-  // naming the sample when a value is beyond 10^6 m, and, unless `resync` goes on there, when positions turn back, repeat or are not
-  // even, or when gaps come to more than 10^6 spacings and twenty times the samples there are. Throws as well when each position comes
-  // several times with heights of several records, and no spacing is given that says otherwise.
+  // The next samples; NaN where one is missing. Either all samples have a position or none. Throws
+  // InputError naming the sample when a value is beyond 10^6 m, and, unless `resync` goes on there,
+  // when positions turn back, repeat or are not even, or when gaps come to more than 10^6 spacings
+  // and twenty times the samples there are. Throws as well when each position comes several times
+  // with heights of several records, and no spacing is given that says otherwise.
   void add(std::span<const double> values);
   void add(std::span<const double> positions, std::span<const double> values);  // as many
   void add(double value) { add({&value, 1}); }
   void add(double position, double value) { add({&position, 1}, {&value, 1}); }
 
-  // Hands on what is left. Throws InputError when the spacing is unknown (no positions and none given),
-  // when the positions' own differs by over 0.5 % from the one given or changes by over 2 % on the way, when no
-  // sample is finite, or when all finite ones are equal.
+  // Hands on what is left. Throws InputError when the spacing is unknown (no positions and none
+  // given), when the positions' own differs by over 0.5 % from the one given or changes by over 2 %
+  // on the way, when no sample is finite, or when all finite ones are equal.
   void finish();
 
   const std::string& header() const { return options_.header; }
@@ -87,11 +92,12 @@ class RecordStream {
   bool resynced() const { return cuts_ + counted_ > 0; }
   const PlaceMap& places() const { return places_; }
 
-  // The roughness A (m^2 cycle/m) of a profile S = A/phi^2 that leaves a chord of 20 m as much: whether the unit can be
-  // right. 0 where fewer than 100 offsets are known.
+  // The roughness A (m^2 cycle/m) of a profile S = A/phi^2 that leaves a chord of 20 m as much:
+  // whether the unit can be right. 0 where fewer than 100 offsets are known.
   double roughness() const;
 
-  // After finish(): what was found, each kind once; spacing that changes by over 0.3 %; a roughness no track has.
+  // After finish(): what was found, each kind once; spacing that changes by over 0.3 %; a roughness
+  // no track has.
   std::vector<Doubt> doubts() const;
   std::vector<Warning> warnings() const;
 

@@ -20,7 +20,8 @@ std::string short_text(double value) {
   return text;
 }
 
-// All stretches of one kind, taken out or not: how many samples, and the longest or largest of them.
+// All stretches of one kind, taken out or not: how many samples, and the longest or largest of
+// them.
 struct Found {
   std::size_t samples = 0, stretches = 0;
   FaultyStretch longest;

@@ -26,8 +26,8 @@ std::string quoted(const std::string& name) {
   return "column \"" + units::printable(name) + "\"";
 }
 
-// The unit that a header names. "level in mm" is no product; a length behind a number is a chord or a wave, "profile_62_ft", but for
-// a small number before a small unit: "rail_1_mm".
+// The unit that a header names. "level in mm" is no product; a length behind a number is a chord or
+// a wave, "profile_62_ft", but for a small number before a small unit: "rail_1_mm".
 units::Header header_of(const std::string& text) {
   units::Header header = table::parse_column(text);
   const units::Dimension d = header.unit.dimension;
@@ -59,7 +59,8 @@ std::string unit_of_cell(std::string_view cell) {
   return header.unit.dimension == units::length ? header.unit_text : "";
 }
 
-// What one cell of a column is in metres: by its header or the row of units under it, or else by what the option named says.
+// What one cell of a column is in metres: by its header or the row of units under it, or else by
+// what the option named says.
 double metres(const std::string& header, const std::string& below, const std::string& given,
               const std::string& option) {
   units::Header named = header_of(header);
@@ -82,7 +83,8 @@ std::pair<std::string, std::string> cut_at_plus(const std::string& text) {
   return {text.substr(0, at), text.substr(at + 1)};
 }
 
-// The columns of positions: one, or two that add up; what the two parts of 12+345.6 are in one column.
+// The columns of positions: one, or two that add up; what the two parts of 12+345.6 are in one
+// column.
 struct Positions {
   std::vector<std::size_t> columns;
   std::vector<double> metre;
@@ -148,11 +150,11 @@ Positions one_column(std::size_t column, const std::string& header, const std::s
   return p;
 }
 
-std::optional<Positions> positions_of(const RecordFile& wish, const table::CsvReader& reader,
+std::optional<Positions> positions_of(const RecordFile& source, const table::CsvReader& reader,
                                       const std::vector<std::string>& below) {
-  const auto [first, second] = cut_at_plus(wish.distance);
-  if (!second.empty() && !reader.find(wish.distance)) {
-    const auto [major, minor] = cut_at_plus(wish.distance_unit);
+  const auto [first, second] = cut_at_plus(source.distance);
+  if (!second.empty() && !reader.find(source.distance)) {
+    const auto [major, minor] = cut_at_plus(source.distance_unit);
     const std::array columns{reader.column(first), reader.column(second)};
     return Positions{{columns[0], columns[1]},
                      {metres_of_position(reader.header()[columns[0]], below[columns[0]], major),
@@ -167,17 +169,17 @@ std::optional<Positions> positions_of(const RecordFile& wish, const table::CsvRe
     if (!found) found = reader.find(name + " [" + miles_and_yards + "]");
     return found;
   };
-  auto column = find(wish.distance);
-  if (!column && wish.distance == "distance" && !wish.spacing)
+  auto column = find(source.distance);
+  if (!column && source.distance == "distance" && !source.spacing)
     for (const char* name : {"position", "chainage", "mileage", "kilometre", "kilometer", "km"})
       if (!column) column = find(name);
   if (column)
-    return one_column(*column, reader.header()[*column], below[*column], wish.distance_unit);
-  if (wish.spacing) return std::nullopt;
+    return one_column(*column, reader.header()[*column], below[*column], source.distance_unit);
+  if (source.spacing) return std::nullopt;
   std::string there;
   for (const std::string& header : reader.header()) there += (there.empty() ? "" : ", ") + header;
-  throw InputError{"file \"" + units::printable(wish.file.string(), 300) + "\": no " +
-                   quoted(wish.distance) + "; there are: " + units::printable(there, 1000) +
+  throw InputError{"file \"" + units::printable(source.file.string(), 300) + "\": no " +
+                   quoted(source.distance) + "; there are: " + units::printable(there, 1000) +
                    "; allowed: a column of positions (--distance) or --spacing, such as 1ft; "
                    "--skip if lines stand before the headers"};
 }
@@ -199,8 +201,8 @@ bool kilometres_and_metres(std::string_view cell, double& major, double& minor) 
 
 class Cells {
  public:
-  Cells(const RecordFile& wish, const table::CsvReader& reader) : reader_(reader) {
-    for (const std::string& text : wish.missing) {
+  Cells(const RecordFile& source, const table::CsvReader& reader) : reader_(reader) {
+    for (const std::string& text : source.missing) {
       double number = 0;
       const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), number);
       if (status == std::errc{} && end == text.data() + text.size())
@@ -255,8 +257,9 @@ class Cells {
   }
 
   [[noreturn]] void refuse(std::size_t column, const std::string& why) const {
-    throw InputError{table::said(reader_.file()) + ", line " + std::to_string(reader_.line()) +
-                     ": position \"" + units::printable(reader_.cell(column), 40) + "\" in " +
+    throw InputError{table::quoted_name(reader_.file()) + ", line " +
+                     std::to_string(reader_.line()) + ": position \"" +
+                     units::printable(reader_.cell(column), 40) + "\" in " +
                      quoted(reader_.header()[column]) + "; " + why};
   }
 
@@ -298,7 +301,7 @@ class Where {
     if (all() || found_) return;
     std::string there;
     for (const std::string& cell : seen_) there += (there.empty() ? "" : ", ") + cell;
-    throw InputError{table::said(reader_.file()) +
+    throw InputError{table::quoted_name(reader_.file()) +
                      ": no row is as --where asks; there are: " + units::printable(there, 300)};
   }
 
@@ -327,9 +330,9 @@ std::size_t column_of(const table::CsvReader& reader, const std::string& name) {
 }  // namespace
 
 std::vector<std::unique_ptr<const RecordStream>> read_records(
-    const RecordFile& wish, const std::vector<std::string>& columns,
+    const RecordFile& source, const std::vector<std::string>& columns,
     const std::vector<RecordSink>& sinks) {
-  table::CsvReader reader{wish.file, wish.skip};
+  table::CsvReader reader{source.file, source.skip};
   std::vector<std::size_t> column;
   for (const std::string& name : columns) column.push_back(column_of(reader, name));
   // A row of units: none of the columns asked for holds a number, each of them names a unit.
@@ -346,21 +349,21 @@ std::vector<std::unique_ptr<const RecordStream>> read_records(
   }
   std::vector<double> metre;
   for (const std::size_t c : column)
-    metre.push_back(metres(reader.header()[c], below[c], wish.unit, "--unit"));
-  const auto positions = positions_of(wish, reader, below);
-  Where where{wish.where, reader};
+    metre.push_back(metres(reader.header()[c], below[c], source.unit, "--unit"));
+  const auto positions = positions_of(source, reader, below);
+  Where where{source.where, reader};
   std::vector<std::unique_ptr<RecordStream>> records(columns.size());
   for (std::size_t i = 0; i < columns.size(); ++i)
     records[i] = std::make_unique<RecordStream>(
-        RecordOptions{.spacing = wish.spacing,
-                      .bridge = wish.bridge.value_or(0),
-                      .bridge_length = wish.bridge ? 0 : bridged_length,
-                      .screening = wish.screening,
+        RecordOptions{.spacing = source.spacing,
+                      .bridge = source.bridge.value_or(0),
+                      .bridge_length = source.bridge ? 0 : bridged_length,
+                      .screening = source.screening,
                       .unit = metre[i],
-                      .resync = wish.resync,
+                      .resync = source.resync,
                       .header = reader.header()[column[i]]},
         [&sinks, &records, i](std::span<const double> piece) { sinks[i](piece, *records[i]); });
-  const Cells cells{wish, reader};
+  const Cells cells{source, reader};
   // Where the columns are in a row whose cells are all plain numbers.
   std::vector<std::size_t> plain = column;
   if (positions) plain.insert(plain.end(), positions->columns.begin(), positions->columns.end());
@@ -384,8 +387,8 @@ std::vector<std::unique_ptr<const RecordStream>> read_records(
       else
         records[i]->add(heights);
     } catch (const InputError& error) {
-      throw InputError{table::said(wish.file) + ", " + quoted(reader.header()[column[i]]) + ": " +
-                       error.what()};
+      throw InputError{table::quoted_name(source.file) + ", " + quoted(reader.header()[column[i]]) +
+                       ": " + error.what()};
     }
   };
   while (true) {
@@ -400,8 +403,8 @@ std::vector<std::unique_ptr<const RecordStream>> read_records(
     }
     if (!all_plain && !where.fits()) continue;
     if (all_plain && positions && positions->in_two) {
-      throw InputError{table::said(wish.file) + ", line " + std::to_string(reader.line()) + ": " +
-                       quoted(reader.header()[positions->columns[0]]) +
+      throw InputError{table::quoted_name(source.file) + ", line " + std::to_string(reader.line()) +
+                       ": " + quoted(reader.header()[positions->columns[0]]) +
                        " holds a plain number; allowed: 12+345, as its unit says"};
     }
     for (; empty > 0; --empty) {
@@ -415,7 +418,7 @@ std::vector<std::unique_ptr<const RecordStream>> read_records(
       for (std::size_t r = 0; r < rows; ++r) {
         at[r] += positions->metres(i, from[r]);
         if (std::isnan(at[r]) && !std::isnan(from[r]))
-          throw InputError{table::said(wish.file) + ", line " + std::to_string(reader.line()) +
+          throw InputError{table::quoted_name(source.file) + ", line " + std::to_string(reader.line()) +
                            " or before: " + quoted(reader.header()[positions->columns[i]]) +
                            " has more than 1760 yards behind the point of its miles"};
       }
@@ -428,8 +431,8 @@ std::vector<std::unique_ptr<const RecordStream>> read_records(
       add(i, rows);
     }
     told += rows;
-    if (!wish.progress || told < 16 * block || reader.share() < 0) continue;
-    wish.progress(reader.share());
+    if (!source.progress || told < 16 * block || reader.share() < 0) continue;
+    source.progress(reader.share());
     told = 0;
   }
   std::vector<std::unique_ptr<const RecordStream>> result;
@@ -438,16 +441,16 @@ std::vector<std::unique_ptr<const RecordStream>> read_records(
     try {
       records[i]->finish();
     } catch (const InputError& error) {
-      throw InputError{table::said(wish.file) + ", " + quoted(reader.header()[column[i]]) + ": " +
-                       error.what()};
+      throw InputError{table::quoted_name(source.file) + ", " + quoted(reader.header()[column[i]]) +
+                       ": " + error.what()};
     }
     result.push_back(std::move(records[i]));
   }
   return result;
 }
 
-std::unique_ptr<const RecordStream> read_record(const RecordFile& wish, const RecordSink& sink) {
-  return std::move(read_records(wish, {wish.column}, {sink}).front());
+std::unique_ptr<const RecordStream> read_record(const RecordFile& source, const RecordSink& sink) {
+  return std::move(read_records(source, {source.column}, {sink}).front());
 }
 
 }  // namespace railbook::records

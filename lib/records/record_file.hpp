@@ -34,8 +34,8 @@ struct RecordFile {
       {};  // told now and then how much has been read, 0 to 1, where that is known
 };
 
-// Takes the record in pieces, with what is known of it so far: the spacing is known to the rounding of the first thousand
-// positions, the places are those up to the piece.
+// Takes the record in pieces, with what is known of it so far: the spacing is known to the rounding
+// of the first thousand positions, the places are those up to the piece.
 using RecordSink = std::function<void(std::span<const double> piece, const RecordStream& record)>;
 
 // Reads the file once through a RecordStream into `sink` and returns the stream, finished. Where there is no column
@@ -46,11 +46,11 @@ using RecordSink = std::function<void(std::span<const double> piece, const Recor
 // chord or a wave and no unit. Throws InputError naming file, line and column on what cannot
 // be read, a column without a unit or with one that is no length, units that contradict each other, no positions and no
 // spacing, and as RecordStream does.
-std::unique_ptr<const RecordStream> read_record(const RecordFile& wish, const RecordSink& sink);
+std::unique_ptr<const RecordStream> read_record(const RecordFile& source, const RecordSink& sink);
 
-// Several columns of one file in one pass: a stream and a sink each. `wish.column` does not count.
+// Several columns of one file in one pass: a stream and a sink each. `input.column` does not count.
 std::vector<std::unique_ptr<const RecordStream>> read_records(
-    const RecordFile& wish, const std::vector<std::string>& columns,
+    const RecordFile& source, const std::vector<std::string>& columns,
     const std::vector<RecordSink>& sinks);
 
 }  // namespace railbook::records

@@ -17,8 +17,9 @@ constexpr double largest_jump = 0.1,
                  steepest = 0.3;       // m, m/m: from one sample to the next, on any track
 constexpr double returns_within = 20;  // m: a level that does is a defect
 
-// The upper median, 0 of nothing; x is used up. As std::nth_element, but without branches that nobody can foretell: each round
-// parts what is left into what is below the pivot, to the front of the other array, and what is above it, to its end.
+// The upper median, 0 of nothing; x is used up. As std::nth_element, but without branches that
+// nobody can foretell: each round parts what is left into what is below the pivot, to the front of
+// the other array, and what is above it, to its end.
 double median_of(std::vector<double>& x) {
   if (x.empty()) return 0;
   std::vector<double> other(x.size());
@@ -189,8 +190,8 @@ void Screen::step(double size) {
   recent_ = {recent_[1], recent_[2], size};
 }
 
-// Accepts the samples from i on that follow each other in usual steps, none of them zero: nothing need be looked at twice.
-// The first that is left, at most upto.
+// Accepts the samples from i on that follow each other in usual steps, none of them zero: nothing
+// need be looked at twice. The first that is left, at most upto.
 std::size_t Screen::pass(std::size_t i, std::size_t upto) {
   if (constant_ || !good_ || good_at_ + 1 != static_cast<std::ptrdiff_t>(i)) return i;
   const double most = limit(i);
@@ -233,7 +234,8 @@ std::size_t Screen::judge_at(std::size_t i) {
   return jump <= std::max(limit(i), steps) ? accept(i) : judge_far(i);
 }
 
-// The record may begin with a code or an outlier: far from the next value, and from most of those that follow.
+// The record may begin with a code or an outlier: far from the next value, and from most of those
+// that follow.
 std::size_t Screen::judge_first(std::size_t i) {
   const std::size_t end = equal_until(i, true);
   good_at_ = static_cast<std::ptrdiff_t>(end) - 1;

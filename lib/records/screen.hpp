@@ -1,5 +1,6 @@
-// What a track seldom does: codes for lost samples, outliers, stuck sensors and steps of the datum, found in a stream of
-// heights. What no track can do is taken out of it; the rest only where it is asked for, since it may be a defect.
+// What a track seldom does: codes for lost samples, outliers, stuck sensors and steps of the datum,
+// found in a stream of heights. What no track can do is taken out of it; the rest only where it is
+// asked for, since it may be a defect.
 #pragma once
 
 #include <array>
@@ -34,35 +35,41 @@ struct FaultyStretch {
   double off = 0;  // m: of outliers, the farthest from the good value before
 };
 
-// What is taken out. `codes`: values as far off as no track can be (by over 0.1 m from one sample to the next, at a slope of over 0.3), and
-// values that come twice in a row, far off, and are written 999, 99.9, 32767 and so on.
+// What is taken out. `codes`: values as far off as no track can be (by over 0.1 m from one sample
+// to the next, at a slope of over 0.3), and values that come twice in a row, far off, and are
+// written 999, 99.9, 32767 and so on.
 struct Screening {
   bool codes = true, outliers = true, stuck = true, steps = true;
 };
 
 // Hands on the samples it is given, those taken out as NaN, some thousand samples later.
 //
-// Sizes are judged by the median step from sample to sample (where it is not zero), of the block of 16384 samples around or of the record so far,
-// whichever is larger: far off is 12 median steps and four times the steps just before, 3 more for each sample
-// missing in between. For Gaussian steps that is eight standard deviations, so that a clean record is spared
-// (tests: fewer than 1 in 1000 of records, with joints, waves, noise and rounding). A wave is no outlier however high, unless
-// it begins abruptly and has fewer than about 12 samples. Records of fewer than 50 steps are not judged. Equal values are a stuck sensor from 20 on, and from eight times the
-// number of samples on in which the record usually moves by five of its smallest steps.
+// Sizes are judged by the median step from sample to sample (where it is not zero), of the block of
+// 16384 samples around or of the record so far, whichever is larger: far off is 12 median steps and
+// four times the steps just before, 3 more for each sample missing in between. For Gaussian steps
+// that is eight standard deviations, so that a clean record is spared (tests: fewer than 1 in 1000
+// of records, with joints, waves, noise and rounding). A wave is no outlier however high, unless it
+// begins abruptly and has fewer than about 12 samples. Records of fewer than 50 steps are not
+// judged. Equal values are a stuck sensor from 20 on, and from eight times the number of samples on
+// in which the record usually moves by five of its smallest steps.
 class Screen {
  public:
   explicit Screen(std::function<void(std::span<const double>)> sink, Screening screening = {})
       : sink_(std::move(sink)), screening_(screening) {
     v_.reserve(2 * block);
   }
-  // m, before the first sample: between samples, and of one in the file's numbers. Without, any slope is possible.
+  // m, before the first sample: between samples, and of one in the file's numbers. Without, any
+  // slope is possible.
   void set_scale(double spacing, double unit) { spacing_ = spacing, unit_ = unit; }
   void push(std::span<const double> values);  // m; NaN for a missing sample
-  // A missing sample behind which the record goes on elsewhere: what is there is not compared with what was before.
+  // A missing sample behind which the record goes on elsewhere: what is there is not compared with
+  // what was before.
   void cut(double jump);
   void finish();
 
   const std::vector<FaultyStretch>& faults() const { return faults_; }
-  // After finish(): a stretch of equal values that was not taken out, since only what came after it told how a record moves.
+  // After finish(): a stretch of equal values that was not taken out, since only what came after it
+  // told how a record moves.
   std::optional<FaultyStretch> still() const;
 
  private:

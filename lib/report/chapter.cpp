@@ -26,7 +26,7 @@ struct PagedEntry {
   const char* page;
 };
 
-struct Reproduce {
+struct ReproduceOptions {
   std::vector<std::string> only;
   std::string level = "quick";
   std::string out = RAILBOOK_BUILD_DIR;
@@ -44,7 +44,8 @@ bool all_good(const ChapterRecord& record) {
          std::ranges::all_of(record.items, &std::string::empty, &ItemRecord::failure);
 }
 
-// "01-contact: of the paper 12 confirmed, 3 corrected; 21 verified; stability 14/14; checks 57/57; 3.2 s"
+// "01-contact: of the paper 12 confirmed, 3 corrected; 21 verified; stability 14/14; checks
+// 57/57; 3.2 s"
 std::string summary_line(const ChapterRecord& record) {
   std::string outcomes;
   for (const char* outcome : {"confirmed", "consistent", "fitted", "corrected", "restored",
@@ -99,10 +100,11 @@ std::vector<PagedEntry> in_order(const std::vector<Section>& paper,
   return all;
 }
 
-// Whether the world outside let it: a figure that gnuplot does not draw fails its item, a disk that is full ends the run.
+// Whether the world outside let it: a figure that gnuplot does not draw fails its item, a disk that
+// is full ends the run.
 bool compute(const PagedEntry& e, const RunSettings& settings, ChapterRecord& record) {
   bool let = true;
-  const WorkTurn turn;
+  const WorkSlot turn;
   const num::Stopwatch watch;
   const double waited = seconds_waited();
   Item item{e.entry->id, e.entry->kind, e.entry->title, settings};
@@ -149,26 +151,26 @@ std::vector<std::string> unused(const std::vector<TrialRow>& trials, const Chapt
   return problems;
 }
 
-int reproduce(const Reproduce& wish, const ChapterInfo& info,
+int reproduce(const ReproduceOptions& options, const ChapterInfo& info,
               const std::vector<PagedEntry>& entries) {
-  for (const std::string& id : wish.only) {
+  for (const std::string& id : options.only) {
     if (std::none_of(entries.begin(), entries.end(),
                      [&](const PagedEntry& e) { return e.entry->id == id; }))
       throw InputError{
           fmt::format("only is \"{}\"; allowed: a name that `{} list` shows", id, info.name)};
   }
-  const bool whole = wish.only.empty();
+  const bool whole = options.only.empty();
   const std::vector<TrialRow> trials = trials_of(info, entries);
-  RunFolder folder(wish.out, info.id, whole);
+  RunFolder folder(options.out, info.id, whole);
   folder.forget_record();
   RunSettings settings;
   settings.folder = &folder;
   settings.sources = info.sources;
   settings.results = folder.results();
   settings.figures = folder.figures();
-  settings.full = wish.level == "full";
-  settings.draw = !wish.no_figures;
-  settings.timings = !wish.no_timings;
+  settings.full = options.level == "full";
+  settings.draw = !options.no_figures;
+  settings.timings = !options.no_timings;
   settings.trials = trials;
 
   ChapterRecord record;
@@ -176,19 +178,19 @@ int reproduce(const Reproduce& wish, const ChapterInfo& info,
   record.title = info.title;
   record.paper = info.paper;
   record.doi = info.doi;
-  record.level = wish.level;
-  record.only = wish.only;
+  record.level = options.level;
+  record.only = options.only;
   const num::Stopwatch watch;
   const double waited = seconds_waited();
   bool let = true;
   for (const PagedEntry& e : entries) {
-    if (!whole && !contains(wish.only, e.entry->id)) continue;
+    if (!whole && !contains(options.only, e.entry->id)) continue;
     let = compute(e, settings, record) && let;
-    if (!wish.progress) continue;
+    if (!options.progress) continue;
     fmt::print("item {}\n", e.entry->id);
     std::fflush(stdout);
   }
-  record.seconds = wish.no_timings ? 0 : watch.seconds() - (seconds_waited() - waited);
+  record.seconds = options.no_timings ? 0 : watch.seconds() - (seconds_waited() - waited);
 
   const std::filesystem::path inventory = info.sources / "data" / "inventory.csv";
   if (whole && std::filesystem::exists(inventory)) {
@@ -226,26 +228,27 @@ int run_command(int argc, char** argv, const ChapterInfo& info, const std::vecto
   CLI::App app{fmt::format("{}: {}", info.name, info.title), info.name};
   app.require_subcommand(1);
   app.set_version_flag("--version", fmt::format("{} {}", info.name, RAILBOOK_VERSION));
-  Reproduce wish;
+  ReproduceOptions options;
   CLI::App* reproduce_command =
       app.add_subcommand("reproduce", "recompute the paper's tables and figures and check them");
-  reproduce_command->add_option("--only", wish.only, "only these items (see list)")->delimiter(',');
+  reproduce_command->add_option("--only", options.only, "only these items (see list)")
+      ->delimiter(',');
   reproduce_command
-      ->add_option("--level", wish.level, "quick, or full: longer Monte Carlo, finer references")
+      ->add_option("--level", options.level, "quick, or full: longer Monte Carlo, finer references")
       ->check(CLI::IsMember({"quick", "full"}))
       ->capture_default_str();
-  reproduce_command->add_option("--out", wish.out, "folder for results/ and figures/")
+  reproduce_command->add_option("--out", options.out, "folder for results/ and figures/")
       ->capture_default_str();
-  reproduce_command->add_flag("--no-figures", wish.no_figures, "do not draw");
-  reproduce_command->add_flag("--no-timings", wish.no_timings,
+  reproduce_command->add_flag("--no-figures", options.no_figures, "do not draw");
+  reproduce_command->add_flag("--no-timings", options.no_timings,
                               "measure no time: the same record on every run");
-  reproduce_command->add_flag("--progress", wish.progress, "say each item when it is done");
+  reproduce_command->add_flag("--progress", options.progress, "say each item when it is done");
   app.add_subcommand("list", "name the tables and figures");
 
   try {
     const std::vector<PagedEntry> entries = in_order(paper, study);
     app.parse(argc, argv);
-    if (*reproduce_command) return reproduce(wish, info, entries);
+    if (*reproduce_command) return reproduce(options, info, entries);
     for (const PagedEntry& e : entries)  // list
       fmt::print("{:<22} {:<7} {}\n", e.entry->id, e.entry->kind, e.entry->title);
     return 0;

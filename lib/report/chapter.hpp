@@ -5,7 +5,8 @@
 //
 //   int main(int argc, char** argv) {
 //     return report::run(argc, argv,
-//                        {.id = RAILBOOK_CHAPTER, .name = "contact", .title = "...", .paper = "...",
+//                        {.id = RAILBOOK_CHAPTER, .name = "contact", .title = "...", .paper =
+//                        "...",
 //                         .sources = RAILBOOK_CHAPTER_DIR},
 //                        {method, example_1}, {cost, extremes});
 //   }
@@ -41,12 +42,13 @@ struct Entry {
 Entry table(std::string id, std::string title, ItemFunction compute);
 Entry figure(std::string id, std::string title, ItemFunction compute);
 
-// The items of one file, in reading order. A costly result that several share belongs in a function-local static, so that
-// it is computed once, by the first that needs it.
+// The items of one file, in reading order. A costly result that several share belongs in a
+// function-local static, so that it is computed once, by the first that needs it.
 using Section = std::vector<Entry>;
 
-// Reads the command line and does what it says; returns the exit status. `paper` is the chapter's first page, `study` its
-// second: error against run time, and stability. Items run in this order; one whose arithmetic divides by zero or is invalid fails.
+// Reads the command line and does what it says; returns the exit status. `paper` is the chapter's
+// first page, `study` its second: error against run time, and stability. Items run in this order;
+// one whose arithmetic divides by zero or is invalid fails.
 int run(int argc, char** argv, const ChapterInfo& info, const std::vector<Section>& paper,
         const std::vector<Section>& study = {});
 

@@ -1,4 +1,5 @@
-// What a check is about and what came of it: two fields of every check, set where the check is made.
+// What a check is about and what came of it: two fields of every check, set where the check is
+// made.
 #pragma once
 
 #include <optional>
@@ -18,7 +19,8 @@ enum class Source {
   route,        // an independent method of ours, named
 };
 
-// What came of a check against print or claim, if it passes. Checks against publication or route are `verified`.
+// What came of a check against print or claim, if it passes. Checks against publication or route
+// are `verified`.
 enum class Outcome {
   confirmed,      // to the printed digit, or the claim holds as stated
   consistent,     // within a stated tolerance whose reason is given
@@ -32,7 +34,8 @@ enum class Outcome {
 std::string_view name(Source source);
 std::string_view name(Outcome outcome);
 
-// The outcome that a check asserts, and how close it must come. `reason` is empty only for confirmed.
+// The outcome that a check asserts, and how close it must come. `reason` is empty only for
+// confirmed.
 struct Expectation {
   // A bare tolerance: confirmed when it is last_digit(), otherwise consistent.
   Expectation(Tolerance tolerance);  // NOLINT(google-explicit-constructor): reads as a tolerance

@@ -155,13 +155,15 @@ void Item::compare_with(const About& about, std::string_view reference, double c
   c.kind = name(tolerance.kind);
   c.why = tolerance.why;
   c.pass = verdict.pass;
-  if (c.pass && compare(reference, bitten(reference, computed, tolerance), tolerance).pass) {
+  if (c.pass &&
+      compare(reference, beyond_tolerance(reference, computed, tolerance), tolerance).pass) {
     c.pass = false;  // a check that cannot fail checks nothing
     c.kind += ", which passes shifted by twice its tolerance, too";
   }
   if (expectation.trial) {
     apply(*expectation.trial, c);
-    // The reader compares the print with the computation, and with what the print's rounding allows.
+    // The reader compares the print with the computation, and with what the print's rounding
+    // allows.
     const double p = printed_number(reference), scale = p == 0 ? 1 : std::abs(p);
     c.error = std::abs(computed - p) / scale;
     c.allowed = half_last_digit(reference) / scale;
@@ -185,8 +187,8 @@ void Item::agree(std::string_view id, std::string_view what, std::string_view un
                  double reference, double allowed, const std::string& method) {
   Expectation expectation{Tolerance{ToleranceKind::agrees_with, allowed, "against " + method}};
   expectation.outcome = Outcome::verified;
-  // The reference is a number of ours, not a printed text: compared with all its digits, shown with one digit more than
-  // are allowed to differ.
+  // The reference is a number of ours, not a printed text: compared with all its digits, shown with
+  // one digit more than are allowed to differ.
   compare_with({id, what, unit}, fmt::format("{:.17g}", reference), computed, Source::route,
                expectation, method);
   const int digits = std::clamp(static_cast<int>(std::ceil(-std::log10(allowed))) + 1, 3, 10);
@@ -236,7 +238,7 @@ CheckRecord& Item::judge_claim(std::string_view id, std::string_view what, bool 
 }
 
 Trial Item::trial(std::string_view id, std::string quantity, std::string format,
-                  Trial::Stands stands) const {
+                  Trial::Expected stands) const {
   const std::string check = fmt::format("{}/{}", record_.id, id);
   std::vector<TrialRow> rows;
   for (const TrialRow& row : settings_.trials)
@@ -340,13 +342,13 @@ void Item::add(std::vector<WorkPrecision> points) {
 
 namespace {
 
-std::string_view name(Stands stands) {
+std::string_view name(Expected stands) {
   switch (stands) {
-    case Stands::holds:
+    case Expected::accurate:
       return "holds";
-    case Stands::degrades:
+    case Expected::degraded:
       return "degrades";
-    case Stands::refused:
+    case Expected::refused:
       return "refused";
   }
   return "";
@@ -355,7 +357,7 @@ std::string_view name(Stands stands) {
 }  // namespace
 
 void Item::stability(const StabilityCase& c, const std::function<Found()>& run) {
-  if (c.expect != Stands::refused && !(std::isfinite(c.allowed) && c.allowed > 0))
+  if (c.expect != Expected::refused && !(std::isfinite(c.allowed) && c.allowed > 0))
     throw std::logic_error{fmt::format("stability case {} has no bound of its error", c.id)};
   Stability s{c.id, c.what, c.stress, "", c.reference, nan, c.allowed, std::string{name(c.expect)},
               "",   0,      false};
@@ -364,7 +366,7 @@ void Item::stability(const StabilityCase& c, const std::function<Found()>& run) 
     const Found found = run();
     s.result = found.text;
     s.error = found.error;
-    s.found = c.expect != Stands::refused && std::abs(s.error) <= c.allowed ? s.expect : "fails";
+    s.found = c.expect != Expected::refused && std::abs(s.error) <= c.allowed ? s.expect : "fails";
   } catch (const InputError& refusal) {
     s.result = refusal.what();
     s.found = "refused";

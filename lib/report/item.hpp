@@ -5,18 +5,19 @@
 //     item.expect_checks(4);
 //     const auto hertz = contact::hertz(...);
 //     const report::Row row = item.row(printed, "p0");
-//     row.print("hertz", hertz.p0 / units::psi);                                    // to the printed digits
-//     row.print("countact", p0 / units::psi, report::relative(0.005, "constant-pressure cells, 9 columns"));
-//     item.claim("inside", "the contact lies inside the interpenetration curve", inside);
-//     item.agree("force", "force", "lbf", F, exact, 1e-6, "Hertz in closed form");
-//     item.value("p0-hertz", hertz.p0 / units::psi, "psi", "{:.0f}");               // {{p0-hertz}} in the prose
+//     row.print("hertz", hertz.p0 / units::psi);                                    // to the
+//     printed digits row.print("countact", p0 / units::psi, report::relative(0.005,
+//     "constant-pressure cells, 9 columns")); item.claim("inside", "the contact lies inside the
+//     interpenetration curve", inside); item.agree("force", "force", "lbf", F, exact, 1e-6, "Hertz
+//     in closed form"); item.value("p0-hertz", hertz.p0 / units::psi, "psi", "{:.0f}"); //
+//     {{p0-hertz}} in the prose
 //   }
 //
 //   void fig_09(report::Item& item) {
-//     report::Data& curve = item.data({"x_in", "p_psi"});   // results/<chapter>/fig-09.csv, ARG1 of fig-09.gp
-//     curve.add(x / units::inch, p / units::psi);
-//     report::Data& points = item.data("printed", {"x_in", "p_psi"});  // fig-09-printed.csv, ARG3
-//     item.rebuilt("the paper does not give the radii; those used are stated above");
+//     report::Data& curve = item.data({"x_in", "p_psi"});   // results/<chapter>/fig-09.csv, ARG1
+//     of fig-09.gp curve.add(x / units::inch, p / units::psi); report::Data& points =
+//     item.data("printed", {"x_in", "p_psi"});  // fig-09-printed.csv, ARG3 item.rebuilt("the paper
+//     does not give the radii; those used are stated above");
 //   }
 #pragma once
 
@@ -50,10 +51,11 @@ class Data {
   // An empty line: gnuplot lifts the pen.
   void gap() { text_ += "\n"; }
 
-  // The committed figures' data are compared on every machine, to 1e-6 of a value or 1e-9 of the largest in its column.
-  // A column ("*": all) whose digits are determined less well holds to a relative or an absolute difference of its own, for
-  // a reason: it is cancellation, a round-off floor, a motion that forgets its start. Nothing of a column is compared where
-  // units::no_limit is allowed: a time.
+  // The committed figures' data are compared on every machine, to 1e-6 of a value or 1e-9 of the
+  // largest in its column. A column ("*": all) whose digits are determined less well holds to a
+  // relative or an absolute difference of its own, for a reason: it is cancellation, a round-off
+  // floor, a motion that forgets its start. Nothing of a column is compared where units::no_limit
+  // is allowed: a time.
   Data& holds_to(std::string_view column, double relative, double absolute, std::string_view why);
   // Data that no two runs share, such as times, and the picture drawn from them.
   Data& not_compared(std::string_view why);
@@ -73,13 +75,14 @@ class Data {
   std::string text_, notes_;
 };
 
-// "below 1e-14": the decade of an error that is rounding, whose digits are others on another machine.
+// "below 1e-14": the decade of an error that is rounding, whose digits are others on another
+// machine.
 std::string below(double error);
 
 class Item;
 
-// A row of the paper's printed values: checks one column each. The id of a check is "<key>-<column>"; the optional
-// columns "what" and "unit" of the table describe it.
+// A row of the paper's printed values: checks one column each. The id of a check is
+// "<key>-<column>"; the optional columns "what" and "unit" of the table describe it.
 class Row {
  public:
   void print(std::string_view column, double computed,
@@ -122,19 +125,20 @@ struct Cell {
 };
 
 // What becomes of a stiff or extreme case.
-enum class Stands {
-  holds,  // the error stays within `allowed`
-  degrades,  // the answer loses accuracy, in a known way: the loss is measured and stays within `allowed`
-  refused,  // InputError, or a result that says it did not converge
+enum class Expected {
+  accurate,  // the error stays within `allowed`
+  degraded,  // the answer loses accuracy, in a known way: the loss is measured and stays within
+             // `allowed`
+  refused,   // InputError, or a result that says it did not converge
 };
-inline constexpr Stands holds = Stands::holds, degrades = Stands::degrades,
-                        refused = Stands::refused;
+inline constexpr Expected accurate = Expected::accurate, degraded = Expected::degraded,
+                          refused = Expected::refused;
 
 struct StabilityCase {
   std::string id;
   std::string what;    // the case: "b/a = 1e-6"
   std::string stress;  // what is strained: "near line contact"
-  Stands expect = holds;
+  Expected expect = accurate;
   double allowed = units::nan;  // bound of the error, set beforehand; none for refused
   std::string reference = {};   // what the error is against
 };
@@ -170,10 +174,12 @@ class Item {
   bool timings() const { return settings_.timings; }
   const std::filesystem::path& sources() const { return settings_.sources; }
 
-  // Checks. The number of checks must be announced, so that a loop over nothing is a failure; stability cases are
-  // not counted. An id is written out where the check is made, so that it can be searched for.
+  // Checks. The number of checks must be announced, so that a loop over nothing is a failure;
+  // stability cases are not counted. An id is written out where the check is made, so that it can
+  // be searched for.
   void expect_checks(int count) { expected_checks_ = count; }
-  // A table of printed values from the chapter's data folder; it must outlive the rows taken from it.
+  // A table of printed values from the chapter's data folder; it must outlive the rows taken from
+  // it.
   table::CsvTable printed(std::string_view file) const;
   Row row(const table::CsvTable& table, std::string key) { return {*this, table, std::move(key)}; }
   // source print: `printed` is the paper's text; `computed` in the same unit.
@@ -187,7 +193,8 @@ class Item {
   void claim(std::string_view id, std::string_view what, bool it_holds, std::string measured = "");
   // The same, and it must hold in each variation: the claim's own condition is its trial.
   void claim(std::string_view id, std::string_view what, const Trial& trial, std::string measured);
-  // source claim, consistent: compatible with the paper under assumptions of ours; `why` names them.
+  // source claim, consistent: compatible with the paper under assumptions of ours; `why` names
+  // them.
   void consistent(std::string_view id, std::string_view what, bool it_holds, std::string measured,
                   std::string why);
   // The same, and it must hold in each variation.
@@ -200,12 +207,13 @@ class Item {
               const std::string& method);
   // The trial of the check with this id: what is varied comes from data/trials.csv.
   Trial trial(std::string_view id, std::string quantity, std::string format,
-              Trial::Stands stands) const;
+              Trial::Expected stands) const;
   // source publication: `reference` is the text of another work.
   void publication(std::string_view id, std::string_view what, std::string_view unit,
                    std::string_view reference, double computed, const Tolerance& tolerance,
                    const std::string& work);
-  // source route: the value against the `reference` of an independent `method`, relative to the reference.
+  // source route: the value against the `reference` of an independent `method`, relative to the
+  // reference.
   void agree(std::string_view id, std::string_view what, std::string_view unit, double computed,
              double reference, double allowed, const std::string& method);
   // source route: a bound of our own, with its reason.
@@ -214,7 +222,8 @@ class Item {
   void at_least(std::string_view id, std::string_view what, std::string_view unit, double computed,
                 double bound, const std::string& why);
 
-  // Numbers and texts for the prose: {{id}}. `format` is an fmt format of one double; the unit follows it.
+  // Numbers and texts for the prose: {{id}}. `format` is an fmt format of one double; the unit
+  // follows it.
   void value(std::string_view id, double number, std::string_view unit = "",
              std::string_view format = "{:.6g}");
   void value(std::string_view id, std::string_view text);
@@ -227,13 +236,15 @@ class Item {
   }
   void add_row(const std::vector<std::string>& cells);
 
-  // Data of a figure: the first is ARG1 (<id>.csv), each named one a further ARG (<id>-<name>.csv, from ARG3 on).
+  // Data of a figure: the first is ARG1 (<id>.csv), each named one a further ARG (<id>-<name>.csv,
+  // from ARG3 on).
   Data& data(const std::vector<std::string>& columns) { return data("", columns); }
   Data& data(std::string_view name, const std::vector<std::string>& columns);
   // Another gnuplot script than <id>.gp; relative to the chapter's folder.
   void script(std::filesystem::path file) { script_ = std::move(file); }
-  // Draws without gnuplot: `write` makes the PNG under the name it is given, or throws std::system_error with
-  // std::errc::function_not_supported: then the item has no picture and says why, and is judged by its checks.
+  // Draws without gnuplot: `write` makes the PNG under the name it is given, or throws
+  // std::system_error with std::errc::function_not_supported: then the item has no picture and says
+  // why, and is judged by its checks.
   void image(std::function<void(const std::filesystem::path&)> write) { image_ = std::move(write); }
 
   // What the item is computed from, where it is not the paper's data.
@@ -243,7 +254,8 @@ class Item {
   void lost(std::string why) { from("lost", std::move(why)); }  // the paper's is not to be had
 
   void add(std::vector<WorkPrecision> points);
-  // Runs a stiff or extreme case and judges it. InputError and NoAnswer are "refused", other exceptions "fails".
+  // Runs a stiff or extreme case and judges it. InputError and NoAnswer are "refused", other
+  // exceptions "fails".
   void stability(const StabilityCase& c, const std::function<Found()>& run);
 
   // For the chapter: writes the CSV files, draws, judges, and hands everything over to the record.

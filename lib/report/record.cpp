@@ -125,7 +125,8 @@ std::string processor() {
   return "unknown";
 }
 
-// What the times were measured on; the load is the mean number of waiting processes of the last minute.
+// What the times were measured on; the load is the mean number of waiting processes of the last
+// minute.
 Json machine() {
   double load = 0;
   if (std::ifstream average{"/proc/loadavg"}) average >> load;

@@ -1,4 +1,5 @@
-// What a chapter leaves behind: plain records, written as JSON for the book, the tests and other readers.
+// What a chapter leaves behind: plain records, written as JSON for the book, the tests and other
+// readers.
 #pragma once
 
 #include <filesystem>

@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 [[noreturn]] void refuse(const fs::path& file) {
   throw InputError(fmt::format(
       "file {}: no earlier run of this chapter made it, and it stays; allowed: a folder without it",
-      files::shown(file)));
+      files::quoted_name(file)));
 }
 
 // The files that a record names, in a folder of results and one of figures.

@@ -1,4 +1,5 @@
-// Where a chapter's run writes: what an earlier run left there is replaced, what anybody else put there is not.
+// Where a chapter's run writes: what an earlier run left there is replaced, what anybody else put
+// there is not.
 #pragma once
 
 #include <filesystem>
@@ -7,13 +8,13 @@
 
 namespace railbook::report {
 
-// OUT/results/NN-name, OUT/figures/NN-name, and beside the record OUT/results/NN-name.json a list of all files that
-// runs made, OUT/results/NN-name.files, written before the files are.
+// OUT/results/NN-name, OUT/figures/NN-name, and beside the record OUT/results/NN-name.json a list
+// of all files that runs made, OUT/results/NN-name.files, written before the files are.
 class RunFolder {
  public:
-  // Makes the folders. Throws InputError, with nothing touched, when it cannot, or when there is anything in one of the
-  // two that neither the list nor the record names. Where all is to be made anew, what they name is removed, the record
-  // first.
+  // Makes the folders. Throws InputError, with nothing touched, when it cannot, or when there is
+  // anything in one of the two that neither the list nor the record names. Where all is to be made
+  // anew, what they name is removed, the record first.
   RunFolder(std::filesystem::path out, std::string chapter, bool anew);
 
   std::filesystem::path results() const { return out_ / "results" / chapter_; }
@@ -21,7 +22,8 @@ class RunFolder {
   std::filesystem::path record() const { return out_ / "results" / (chapter_ + ".json"); }
   std::filesystem::path summary() const { return out_ / "results" / (chapter_ + ".txt"); }
 
-  // The record goes before its files change, so that a run that is ended leaves none that looks good.
+  // The record goes before its files change, so that a run that is ended leaves none that looks
+  // good.
   void forget_record() const;
 
   // To be called before a file is written. Throws InputError when it is there and no run made it.

@@ -127,7 +127,7 @@ Verdict compare(std::string_view printed, double computed, const Tolerance& t) {
   return v;
 }
 
-double bitten(std::string_view printed, double computed, const Tolerance& t) {
+double beyond_tolerance(std::string_view printed, double computed, const Tolerance& t) {
   const double p = printed_number(printed);
   const auto away = [&](double centre, double step) {
     return computed + (computed < centre ? -2.0 : 2.0) * step;

@@ -69,7 +69,7 @@ std::vector<TrialRow> read_trials(const std::filesystem::path& file,
   return rows;
 }
 
-Trial::Trial(std::string quantity, std::string format, Stands stands, std::vector<TrialRow> rows)
+Trial::Trial(std::string quantity, std::string format, Expected stands, std::vector<TrialRow> rows)
     : quantity_(std::move(quantity)),
       format_(std::move(format)),
       stands_(std::move(stands)),
@@ -134,7 +134,7 @@ std::string Trial::range_of(const Variation& v) const {
   return fmt::format("{} to {}", same_unit ? low.substr(0, at) : low, high);
 }
 
-Trial::Stands misses(std::string_view printed) {
+Trial::Expected misses(std::string_view printed) {
   const double value = printed_number(printed), half = half_last_digit(printed);
   return [value, half](double result) { return std::abs(result - value) > half; };
 }

@@ -55,11 +55,11 @@ struct Variation {
 
 class Trial {
  public:
-  using Stands = std::function<bool(double)>;
+  using Expected = std::function<bool(double)>;
 
-  // `format` writes a result with its unit: "{:.0f} ft/s". `stands`: whether the verdict stands for a
-  // result. `rows` are those of this check; none throws std::logic_error.
-  Trial(std::string quantity, std::string format, Stands stands, std::vector<TrialRow> rows);
+  // `format` writes a result with its unit: "{:.0f} ft/s". `stands`: whether the verdict stands for
+  // a result. `rows` are those of this check; none throws std::logic_error.
+  Trial(std::string quantity, std::string format, Expected stands, std::vector<TrialRow> rows);
 
   // Computes the result for each declared setting of a choice. Throws std::logic_error for a choice
   // that is not declared, or twice.
@@ -67,7 +67,8 @@ class Trial {
 
   // Whether every declared choice was computed and the verdict stood each time; NaN never stands.
   bool stands() const;
-  // Why it does not: the first setting that reverses the verdict, or the choice left out. Else empty.
+  // Why it does not: the first setting that reverses the verdict, or the choice left out. Else
+  // empty.
   std::string objection() const;
 
   std::string range() const;                       // "145 to 160 ft/s"
@@ -78,12 +79,12 @@ class Trial {
 
  private:
   std::string quantity_, format_;
-  Stands stands_;
+  Expected stands_;
   std::vector<TrialRow> rows_;
   std::vector<Variation> variations_;
 };
 
 // The verdict "the print is not what is computed": the result does not round to the printed text.
-Trial::Stands misses(std::string_view printed);
+Trial::Expected misses(std::string_view printed);
 
 }  // namespace railbook::report

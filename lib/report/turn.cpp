@@ -15,8 +15,8 @@
 namespace railbook::report {
 namespace {
 
-// Lock files. Who works, or waits for a place to, is in the room with others; who measures time is in it alone. Without
-// the files the system refuses to lock, and nobody waits.
+// Lock files. Who works, or waits for a place to, is in the room with others; who measures time is
+// in it alone. Without the files the system refuses to lock, and nobody waits.
 struct Locks {
   Locks() {
     const char* folder = std::getenv("RAILBOOK_TURNS");
@@ -65,22 +65,22 @@ void end_work() {
 
 }  // namespace
 
-WorkTurn::WorkTurn() {
+WorkSlot::WorkSlot() {
   begin_work();
   working = true;
 }
-WorkTurn::~WorkTurn() {
+WorkSlot::~WorkSlot() {
   working = false;
   end_work();
 }
 
-ClockTurn::ClockTurn() {
+TimingLock::TimingLock() {
   if (working) end_work();
   const num::Stopwatch watch;
   flock(locks().room, LOCK_EX);
   waited += watch.seconds();
 }
-ClockTurn::~ClockTurn() {
+TimingLock::~TimingLock() {
   flock(locks().room, LOCK_UN);
   if (working) begin_work();
 }

@@ -43,7 +43,7 @@ RollingCase with_reduced_creepage(RollingCase c, const Creepage& reduced) {
   return c;
 }
 
-RollingCase unit_case(double axis_ratio, double poisson) {
+RollingCase normalised_case(double axis_ratio, double poisson) {
   return {.a = std::sqrt(axis_ratio),
           .b = 1 / std::sqrt(axis_ratio),
           .load = 1,

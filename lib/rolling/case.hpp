@@ -1,9 +1,11 @@
-// Steady rolling contact of two elastically similar bodies: the problem, and the one result type of every theory.
+// Steady rolling contact of two elastically similar bodies: the problem, and the one result type of
+// every theory.
 //
-// Frame: origin at the centre of the contact, x along rolling (the contact moves towards +x, so the leading edge has
-// x > 0 and surface particles pass from +x to -x), y across, z into body 2. Per metre rolled body 1 slides over body 2
-// rigidly by (longitudinal - spin y, lateral + spin x). Forces and tractions are those of body 1 on body 2: they
-// point along the slip, so positive creepage gives positive force, and for small creepages (Kalker 1990, ch. 4)
+// Frame: origin at the centre of the contact, x along rolling (the contact moves towards +x, so the
+// leading edge has x > 0 and surface particles pass from +x to -x), y across, z into body 2. Per
+// metre rolled body 1 slides over body 2 rigidly by (longitudinal - spin y, lateral + spin x).
+// Forces and tractions are those of body 1 on body 2: they point along the slip, so positive
+// creepage gives positive force, and for small creepages (Kalker 1990, ch. 4)
 //   fx = G a b C11 longitudinal
 //   fy = G [a b C22 lateral + (a b)^(3/2) C23 spin]
 //   mz = G [-(a b)^(3/2) C23 lateral + (a b)^2 C33 spin],  mz = integral of x py - y px.
@@ -59,9 +61,9 @@ struct CreepForces {
   Tractions tractions;
 };
 
-// The dimensionless creepages: X = G a b xi/(mu N), Y = G a b eta/(mu N), and G (a b)^(3/2) phi/(mu N).
-// Infinite for friction 0 with creepage, 0 for none; relative accuracy 2e-15.
-// Throws InputError on a case out of range.
+// The dimensionless creepages: X = G a b xi/(mu N), Y = G a b eta/(mu N), and G (a b)^(3/2) phi/(mu
+// N). Infinite for friction 0 with creepage, 0 for none; relative accuracy 2e-15. Throws InputError
+// on a case out of range.
 Creepage reduced_creepage(const RollingCase& c);
 
 // `c` with the creepages that have these dimensionless ones; friction must be > 0. Relative
@@ -71,8 +73,9 @@ RollingCase with_reduced_creepage(RollingCase c, const Creepage& reduced);
 // Throws InputError naming the quantity that is out of the range given at RollingCase.
 void check(const RollingCase& c);
 
-// An ellipse of semi-axes sqrt(a/b) and its inverse with load, shear modulus and friction 1: forces are then shares of the
-// friction, and creepages are reduced but for Hertz's factor. Not checked: check() is for that.
-RollingCase unit_case(double axis_ratio, double poisson);
+// An ellipse of semi-axes sqrt(a/b) and its inverse with load, shear modulus and friction 1: forces
+// are then shares of the friction, and creepages are reduced but for Hertz's factor. Not checked:
+// check() is for that.
+RollingCase normalised_case(double axis_ratio, double poisson);
 
 }  // namespace railbook::rolling

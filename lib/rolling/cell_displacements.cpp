@@ -11,7 +11,8 @@ double inverse_sinh(double v, double u, double r) {
   return std::log1p((v + v * v / (r + u)) / u);
 }
 
-// Corner functions: mixed second derivatives (1-nu)/r + nu x^2/r^3, nu x y/r^3, (1-nu)/r + nu y^2/r^3.
+// Corner functions: mixed second derivatives (1-nu)/r + nu x^2/r^3, nu x y/r^3, (1-nu)/r + nu
+// y^2/r^3.
 Influence2 corner(double x, double y, double poisson) {
   const double u = std::abs(x), v = std::abs(y), r = std::sqrt(u * u + v * v);
   const double gx = u > 0 && v > 0 ? std::copysign(x, x * y) * inverse_sinh(v, u, r) : 0;

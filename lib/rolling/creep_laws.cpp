@@ -71,7 +71,8 @@ Slopes vermeulen_johnson_slopes(double axis_ratio, double poisson) {
   units::require_between("Poisson's ratio", poisson, 0, 0.5);
   const double g = std::min(axis_ratio, 1 / axis_ratio);
   const contact::EllipticIntegrals e = contact::elliptic_integrals(2 * std::log(g));
-  // C = (D - B)/(1 - g^2), whose limit for a circle is pi/16; the difference loses digits close to it, the series in m does not.
+  // C = (D - B)/(1 - g^2), whose limit for a circle is pi/16; the difference loses digits close to
+  // it, the series in m does not.
   const double m = (1 - g) * (1 + g);
   double c = m > 0.1 ? (e.d - e.b) / m : 0;
   double term = m > 0.1 ? 0 : units::pi / 16;

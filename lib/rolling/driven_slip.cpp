@@ -13,7 +13,8 @@ namespace {
 
 using Eigen::Index;
 
-// The integral of X/r^2 over a cell dx by dy at (x, y) from the point: x parts, and by exchange y parts.
+// The integral of X/r^2 over a cell dx by dy at (x, y) from the point: x parts, and by exchange y
+// parts.
 double away(double x, double y, double dx, double dy) {
   const auto corner = [](double a, double b) {
     return 0.5 * b * std::log(a * a + b * b) + (a == 0 ? 0 : a * std::atan(b / a));

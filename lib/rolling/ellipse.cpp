@@ -15,10 +15,10 @@ using Eigen::Index;
 
 namespace {
 
-// Adds to the rigid slip `w` what turns the slip of each sliding cell of `first` into the mean with that of the cell
-// behind it: the part across the traction, since only that part turns it. A cell that has just begun to slide has no
-// direction of its own yet, so that the turn fades with its slip; without that the forces would jump with every cell
-// that changes state.
+// Adds to the rigid slip `w` what turns the slip of each sliding cell of `first` into the mean with
+// that of the cell behind it: the part across the traction, since only that part turns it. A cell
+// that has just begun to slide has no direction of its own yet, so that the turn fades with its
+// slip; without that the forces would jump with every cell that changes state.
 void turn_sliding(const RollingGrid& grid, const StickSlip& first, Eigen::VectorXd& w) {
   const Index n = grid.mesh.cells();
   const Eigen::VectorXd& s = first.slip;
@@ -116,8 +116,8 @@ double mean_arm(const RollingGrid& grid) {
 
 void estimate(CreepForces& fine, const RollingGrid& grid, const Resultants& coarse, double force,
               double length) {
-  // Any one difference may vanish by chance, all three together hardly; a moment over the root mean square of the
-  // distance from the origin is a force.
+  // Any one difference may vanish by chance, all three together hardly; a moment over the root mean
+  // square of the distance from the origin is a force.
   const double arm = mean_arm(grid);
   fine.error = 2 * std::hypot(fine.fx / force - coarse.fx, fine.fy / force - coarse.fy,
                               (fine.mz / (force * length) - coarse.mz) / arm);
@@ -126,8 +126,8 @@ void estimate(CreepForces& fine, const RollingGrid& grid, const Resultants& coar
 
 namespace {
 
-// The same on rows that end on the ellipse. If the coarser grid has cells of just twice the size (`halved`), the
-// second-order error is taken off the forces, which stay within mu N, first.
+// The same on rows that end on the ellipse. If the coarser grid has cells of just twice the size
+// (`halved`), the second-order error is taken off the forces, which stay within mu N, first.
 void extrapolate(CreepForces& fine, const RollingGrid& grid, const Resultants& coarse, bool halved,
                  double force, double length) {
   // Second order: a grid of twice the cell size is off by four times as much.
@@ -140,11 +140,12 @@ void extrapolate(CreepForces& fine, const RollingGrid& grid, const Resultants& c
   }
   const double beyond = std::hypot(fine.fx, fine.fy) / force;
   if (beyond > 1) fine.fx /= beyond, fine.fy /= beyond;
-  // Of the differences about a half (where they have been taken off, hardly less: under large spin the order is below two). The
-  // moment's is among the force's, since both seldom vanish at the same creepages. And what differences do not see: slip
-  // begins at the rim in whole cells. One more or less in a row is of the order h^1.5, at random from row to row, and
-  // nothing where all sticks or all slides. The rim is root 5 times as far out as the mean arm. The factors are chosen on
-  // random cases.
+  // Of the differences about a half (where they have been taken off, hardly less: under large spin
+  // the order is below two). The moment's is among the force's, since both seldom vanish at the
+  // same creepages. And what differences do not see: slip begins at the rim in whole cells. One
+  // more or less in a row is of the order h^1.5, at random from row to row, and nothing where all
+  // sticks or all slides. The rim is root 5 times as far out as the mean arm. The factors are
+  // chosen on random cases.
   const double part = halved ? 0.5 : 0.55, share = std::min(1.0, beyond);
   const double cells = 0.7 * std::pow(static_cast<double>(grid.mesh.along), -1.5) *
                        std::pow(static_cast<double>(grid.mesh.rows()), -0.5) *
@@ -167,8 +168,8 @@ CreepForces without_friction() {
 
 namespace {
 
-// The solution of a grid as a start on a finer one: each cell takes the share of its bound of the old cell it lies on, or
-// next to.
+// The solution of a grid as a start on a finer one: each cell takes the share of its bound of the
+// old cell it lies on, or next to.
 StickSlip refined(const StickSlip& coarse, const RollingGrid& from, const RollingGrid& to) {
   StickSlip start;
   const Index n = to.mesh.cells(), m = from.mesh.cells(), last = from.mesh.along - 1;
@@ -203,8 +204,8 @@ struct Level {
         influence(grid.mesh, poisson, !stepped) {}
 };
 
-// Rows fitted to the ellipse come nearer with as many cells, but need a matrix: from here on it is much slower than
-// transforms, and soon too large.
+// Rows fitted to the ellipse come nearer with as many cells, but need a matrix: from here on it is
+// much slower than transforms, and soon too large.
 constexpr Index most_dense = 1024;
 
 bool is_stepped(const RollingOptions& o) {

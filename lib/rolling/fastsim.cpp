@@ -21,9 +21,10 @@ struct Shares {
   double stick = 1;
 };
 
-// Parabolic bound. w: the length over a in which a traction at the rate of the leading edge would reach the bound's
-// slope; a strip of half length l sticks over 2 l - w. With l = cos of the strip's angle all integrals over the strips are
-// powers of cosines, from the angle at which sticking ends, sin t = w/2.
+// Parabolic bound. w: the length over a in which a traction at the rate of the leading edge would
+// reach the bound's slope; a strip of half length l sticks over 2 l - w. With l = cos of the
+// strip's angle all integrals over the strips are powers of cosines, from the angle at which
+// sticking ends, sin t = w/2.
 Shares parabolic(double w) {
   if (w >= 2) return {1, 0, 0};
   const double t = std::asin(w / 2), s = std::sin(t), k = std::cos(t);
@@ -50,9 +51,9 @@ struct Pair {
   double size() const { return std::hypot(x, y); }
 };
 
-// A traction that slides keeps the size of the bound and turns towards the slip, the faster the larger `pull`, the
-// growth of a free traction over the bound. The slip itself turns from `before` to `now`. Exact for a slip that does
-// not turn, and for small angles between the two.
+// A traction that slides keeps the size of the bound and turns towards the slip, the faster the
+// larger `pull`, the growth of a free traction over the bound. The slip itself turns from `before`
+// to `now`. Exact for a slip that does not turn, and for small angles between the two.
 Pair turned(const Pair& p, const Pair& before, const Pair& now, double pull, double bound) {
   const double from = std::atan2(before.y, before.x), to = std::atan2(now.y, now.x);
   const double turn = std::remainder(to - from, 2 * pi);
@@ -115,7 +116,8 @@ CreepForces fastsim_grid(const RollingCase& c, const KalkerCoefficients& k,
       const double x = strip.growth - (i + 0.5) * h;
       const double bound = options.bound == Bound::parabolic ? strip.parabolic * cells.parabolic(i)
                                                              : strip.elliptic * cells.elliptic(i);
-      // From the middle of the last cell to that of this one; in the first from the edge, to half way.
+      // From the middle of the last cell to that of this one; in the first from the edge, to half
+      // way.
       const double step = i == 0 ? h / 2 : h;
       const Pair w = slip(i == 0 ? x + h / 4 : x + h / 2);
       const Pair grown{p.x + w.x * step, p.y + w.y * step};

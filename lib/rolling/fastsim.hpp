@@ -1,5 +1,5 @@
-// Kalker's simplified theory (FASTSIM, 1982): the surface is a bed of independent springs, so tractions grow from the
-// leading edge in proportion to the slip until they meet the bound.
+// Kalker's simplified theory (FASTSIM, 1982): the surface is a bed of independent springs, so
+// tractions grow from the leading edge in proportion to the slip until they meet the bound.
 #pragma once
 
 #include <railbook/rolling/case.hpp>
@@ -7,8 +7,8 @@
 
 namespace railbook::rolling {
 
-// mu times the pressure that bounds the tractions. `parabolic` is what fits the simplified theory (stick then grows as
-// the exact theory says); `elliptic` is mu times Hertz's own pressure.
+// mu times the pressure that bounds the tractions. `parabolic` is what fits the simplified theory
+// (stick then grows as the exact theory says); `elliptic` is mu times Hertz's own pressure.
 enum class Bound { parabolic, elliptic };
 
 struct FastsimOptions {
@@ -18,14 +18,15 @@ struct FastsimOptions {
   bool keep_tractions = false;
 };
 
-// Creepage without spin, in closed form: no grid, no quadrature; rounding only. The three flexibilities are those that
-// give C11, C22 and C23. No tractions. Throws InputError for spin.
+// Creepage without spin, in closed form: no grid, no quadrature; rounding only. The three
+// flexibilities are those that give C11, C22 and C23. No tractions. Throws InputError for spin.
 CreepForces fastsim_without_spin(const RollingCase& c, const KalkerCoefficients& k,
                                  Bound bound = Bound::parabolic);
 
-// Any creepage, on strips of cells that follow the ellipse. The bound is integrated exactly over every cell, so that
-// the force of full slip is mu N to rounding and |F| <= mu N always. Against the closed form the error falls with the
-// square of the cell; 40 x 40 cells are good to about 1e-3 of mu N. Throws InputError unless 1 <= cells <= 4096.
+// Any creepage, on strips of cells that follow the ellipse. The bound is integrated exactly over
+// every cell, so that the force of full slip is mu N to rounding and |F| <= mu N always. Against
+// the closed form the error falls with the square of the cell; 40 x 40 cells are good to about 1e-3
+// of mu N. Throws InputError unless 1 <= cells <= 4096.
 CreepForces fastsim_grid(const RollingCase& c, const KalkerCoefficients& k,
                          const FastsimOptions& options = {});
 

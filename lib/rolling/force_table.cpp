@@ -37,7 +37,8 @@ std::vector<double> ratio_nodes(double from, double to, int n) {
   return nodes;
 }
 
-// The interval of `nodes` with x, and the weight of its upper end, in the coordinate `of` is even in.
+// The interval of `nodes` with x, and the weight of its upper end, in the coordinate `of` is even
+// in.
 struct Place {
   std::size_t low = 0, high = 0;
   double weight = 0;
@@ -127,7 +128,8 @@ InterpolationError ForceTable::error(const ShareTheory& theory, int points) cons
         ratio_.front() * std::pow(ratio_.back() / ratio_.front(), (g + 0.5) / groups);
     const ShareFunction shares = theory(ratio);
     for (int k = g; k < points; k += groups) {
-      // Additive recurrence with powers of the plastic numbers' kind (Roberts 2018) in three dimensions.
+      // Additive recurrence with powers of the plastic numbers' kind (Roberts 2018) in three
+      // dimensions.
       const Creepage reduced{stretched(spread(k, 0.8191725133961645), x_.back()),
                              stretched(spread(k, 0.6710436067037893), y_.back()),
                              stretched(2 * spread(k, 0.5497004779019703) - 1, z_.back())};
@@ -147,17 +149,17 @@ InterpolationError ForceTable::error(const ShareTheory& theory, int points) cons
 
 ShareFunction shares_of(std::function<CreepForces(const RollingCase&)> solve, double axis_ratio,
                         double poisson) {
-  return
-      [solve = std::move(solve), unit = unit_case(axis_ratio, poisson)](const Creepage& reduced) {
-        RollingCase c = unit;
-        c.creepage = reduced;
-        const CreepForces f = solve(c);
-        if (!f.converged)
-          throw std::runtime_error(
-              fmt::format("no answer at reduced creepages {:.6g}, {:.6g} and spin {:.6g}: {}",
-                          reduced.longitudinal, reduced.lateral, reduced.spin, f.reason));
-        return ForceShares{f.fx, f.fy, f.mz};
-      };
+  return [solve = std::move(solve),
+          unit = normalised_case(axis_ratio, poisson)](const Creepage& reduced) {
+    RollingCase c = unit;
+    c.creepage = reduced;
+    const CreepForces f = solve(c);
+    if (!f.converged)
+      throw std::runtime_error(
+          fmt::format("no answer at reduced creepages {:.6g}, {:.6g} and spin {:.6g}: {}",
+                      reduced.longitudinal, reduced.lateral, reduced.spin, f.reason));
+    return ForceShares{f.fx, f.fy, f.mz};
+  };
 }
 
 }  // namespace railbook::rolling

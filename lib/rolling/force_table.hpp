@@ -1,4 +1,5 @@
-// Creep forces tabulated over the axis ratio and the reduced creepages, for codes that need them a million times.
+// Creep forces tabulated over the axis ratio and the reduced creepages, for codes that need them a
+// million times.
 #pragma once
 
 #include <functional>
@@ -15,8 +16,9 @@ struct ForceShares {
   double mz = 0;
 };
 
-// Nodes: axis ratios spaced evenly in ln(a/b); longitudinal and lateral reduced creepages from 0, spin of both signs, all
-// dense near 0, where the forces bend, and thin towards `reach` (x = s sinh(u arsinh(reach/s)), s = 0.5).
+// Nodes: axis ratios spaced evenly in ln(a/b); longitudinal and lateral reduced creepages from 0,
+// spin of both signs, all dense near 0, where the forces bend, and thin towards `reach` (x = s
+// sinh(u arsinh(reach/s)), s = 0.5).
 struct ForceTableAxes {
   double ratio_from = 0.5, ratio_to = 2;
   int ratios = 5;
@@ -37,16 +39,18 @@ struct InterpolationError {
 
 class ForceTable {
  public:
-  // Calls the theory at every node. Throws InputError on axes out of range: ratios in order and positive, reaches
-  // positive, 2 nodes or more an axis (1 for the ratio if both ends are equal), at most 1e7 nodes in all.
+  // Calls the theory at every node. Throws InputError on axes out of range: ratios in order and
+  // positive, reaches positive, 2 nodes or more an axis (1 for the ratio if both ends are equal),
+  // at most 1e7 nodes in all.
   ForceTable(const ForceTableAxes& axes, const ShareTheory& theory);
 
-  // Linear in each stretched coordinate, to rounding. Negative longitudinal creepage turns fx; negative lateral creepage turns spin,
-  // fy and mz (the symmetries of the problem). Beyond an axis the value at its end.
+  // Linear in each stretched coordinate, to rounding. Negative longitudinal creepage turns fx;
+  // negative lateral creepage turns spin, fy and mz (the symmetries of the problem). Beyond an axis
+  // the value at its end.
   ForceShares at(double axis_ratio, const Creepage& reduced) const;
 
-  // Against the theory at `points` places drawn evenly in the stretched coordinates, off the nodes; the same ones for
-  // the same axes and number of points.
+  // Against the theory at `points` places drawn evenly in the stretched coordinates, off the nodes;
+  // the same ones for the same axes and number of points.
   InterpolationError error(const ShareTheory& theory, int points) const;
 
   const std::vector<double>& ratios() const { return ratio_; }
@@ -63,8 +67,8 @@ class ForceTable {
   std::vector<ForceShares> values_;
 };
 
-// A theory's forces as shares, for RollingCase-based solvers: at G = N = mu = 1, a b = 1. Calls throw std::runtime_error
-// where the theory does not converge.
+// A theory's forces as shares, for RollingCase-based solvers: at G = N = mu = 1, a b = 1. Calls
+// throw std::runtime_error where the theory does not converge.
 ShareFunction shares_of(std::function<CreepForces(const RollingCase&)> solve, double axis_ratio,
                         double poisson);
 

@@ -15,8 +15,8 @@ double half_disc(double s) {
   return 0.5 * (s * std::sqrt((1 - s) * (1 + s)) + std::asin(s)) + units::pi / 4;
 }
 
-// What cell i of row j, from the `first` on, bears of a load that is spread over the half length like sqrt(1 - s^2): the
-// first and the last cell also what lies beyond them.
+// What cell i of row j, from the `first` on, bears of a load that is spread over the half length
+// like sqrt(1 - s^2): the first and the last cell also what lies beyond them.
 double share_of_cell(const RollingMesh& mesh, Index j, Index i, Index first, double half_length) {
   const double s = mesh.x(j, i) / half_length, h = mesh.dx[j] / (2 * half_length);
   const double from = i > first ? half_disc(s - h) : 0;
@@ -35,7 +35,8 @@ void place_row(RollingGrid& grid, Index j, double half_length, double share, boo
         share * share_of_cell(mesh, j, i, 0, half_length) / (mesh.dx[j] * mesh.dy[j]);
 }
 
-// The same with the cells of a longer row: the leading end is where it belongs, the trailing one nearest to it.
+// The same with the cells of a longer row: the leading end is where it belongs, the trailing one
+// nearest to it.
 void place_stepped_row(RollingGrid& grid, Index j, double half_length, double share, double dx,
                        bool remedy) {
   RollingMesh& mesh = grid.mesh;

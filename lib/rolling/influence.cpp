@@ -16,17 +16,19 @@
 namespace railbook::rolling {
 namespace {
 
-// Response at the cells of row `at` from unit tractions on the cells of row `from`, as three along x along blocks.
+// Response at the cells of row `at` from unit tractions on the cells of row `from`, as three along
+// x along blocks.
 struct Blocks {
   explicit Blocks(Eigen::Index n) : xx(n, n), xy(n, n), yy(n, n) {}
   void clear() { xx.setZero(), xy.setZero(), yy.setZero(); }
   Eigen::MatrixXd xx, xy, yy;
 };
 
-// What a cell and its mirror image add: t holds the even and odd parts of the tractions along, then across, `columns` those of
-// their six columns. What takes the time is reading them: each is read once.
-RAILBOOK_WIDE void add_cell(const double* columns, Eigen::Index n, const std::array<double, 4>& t,
-                            double* __restrict sums) {
+// What a cell and its mirror image add: t holds the even and odd parts of the tractions along, then
+// across, `columns` those of their six columns. What takes the time is reading them: each is read
+// once.
+RAILBOOK_AVX2_CLONES void add_cell(const double* columns, Eigen::Index n,
+                                   const std::array<double, 4>& t, double* __restrict sums) {
   const double *xx = columns, *xy = columns + 2 * n, *yy = columns + 4 * n;
   const double x_even = t[0], x_odd = t[1], y_even = t[2], y_odd = t[3];
   for (Eigen::Index i = 0; i < n; ++i) {
@@ -127,8 +129,9 @@ struct TangentialInfluence::Parts {
   void multiply(const Eigen::VectorXd& p, Eigen::VectorXd& strain);
 };
 
-// Of the lower half of the rows (the middle one with it): what a cell does with its mirror image, together and against one
-// another, even and odd parts for short. Six columns a cell: xx even, xx odd, xy even, xy odd, yy even, yy odd.
+// Of the lower half of the rows (the middle one with it): what a cell does with its mirror image,
+// together and against one another, even and odd parts for short. Six columns a cell: xx even, xx
+// odd, xy even, xy odd, yy even, yy odd.
 void TangentialInfluence::Parts::fill_matrix() {
   const Eigen::Index n = mesh.along, rows = mesh.rows(), half = (rows + 1) / 2;
   matrix.resize(half * n, 6 * half * n);
@@ -150,7 +153,8 @@ void TangentialInfluence::Parts::fill_matrix() {
     }
 }
 
-// Strain along and across from tractions along, across: mirror images have the same xx and yy, and the opposite xy.
+// Strain along and across from tractions along, across: mirror images have the same xx and yy, and
+// the opposite xy.
 void TangentialInfluence::Parts::multiply_matrix(const Eigen::VectorXd& p,
                                                  Eigen::VectorXd& strain) const {
   const Eigen::Index n = mesh.along, rows = mesh.rows(), cells = mesh.cells(), half = matrix.rows();

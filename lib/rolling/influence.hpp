@@ -6,7 +6,8 @@
 
 namespace railbook::rolling {
 
-// Rows of `along` cells each; every row has its own place, cell length and height. Lengths in any one unit.
+// Rows of `along` cells each; every row has its own place, cell length and height. Lengths in any
+// one unit.
 struct RollingMesh {
   Eigen::Index along = 0;
   Eigen::VectorXd y, dy;   // rows: middle and height
@@ -21,25 +22,29 @@ struct RollingMesh {
   bool mirrored() const;  // its own mirror image across
 };
 
-// Where the ends of the contact belong on a row of cells of constant traction whose slip comes from the upstream
-// difference u(x) - u(x + h): edge_offset() + 1/4 cells behind the centre of the trailing cell and edge_offset() + 3/4
-// cells ahead of the centre of the leading one, where 1/2 and 1/2 would fill the row. The discrete half-line has the
-// symbol i sign(t) e^(it/2) R(t), |t| < pi, R = 4 sin^2(t/2) sum over m of (-1)^m sign(t + 2 pi m)/(t + 2 pi m)^2.
-// Factorised (Wiener and Hopf), the half step e^(it/2) puts the ends at the quarters, as in the 1/4 - 3/4 rule of vortex
-// lattices, and R adds edge_offset() = -1/(4 pi) integral from 0 to pi of ln R / sin^2(t/2) dt = 0.0753.
-// Cells that just fill the contact make an error of first order in h, which this placing removes.
+// Where the ends of the contact belong on a row of cells of constant traction whose slip comes from
+// the upstream difference u(x) - u(x + h): edge_offset() + 1/4 cells behind the centre of the
+// trailing cell and edge_offset() + 3/4 cells ahead of the centre of the leading one, where 1/2 and
+// 1/2 would fill the row. The discrete half-line has the symbol i sign(t) e^(it/2) R(t), |t| < pi,
+// R = 4 sin^2(t/2) sum over m of (-1)^m sign(t + 2 pi m)/(t + 2 pi m)^2. Factorised (Wiener and
+// Hopf), the half step e^(it/2) puts the ends at the quarters, as in the 1/4 - 3/4 rule of vortex
+// lattices, and R adds edge_offset() = -1/(4 pi) integral from 0 to pi of ln R / sin^2(t/2) dt =
+// 0.0753. Cells that just fill the contact make an error of first order in h, which this placing
+// removes.
 double edge_offset();
 
-// What tractions do at the cell centres: the strain [u(x) - u(x + dx)]/dx, which steady rolling turns into slip per metre, or
-// the displacement u itself, for steps in time on a uniform mesh.
+// What tractions do at the cell centres: the strain [u(x) - u(x + dx)]/dx, which steady rolling
+// turns into slip per metre, or the displacement u itself, for steps in time on a uniform mesh.
 enum class Response { strain, displacement };
 
-// Exact influence of cell-constant tractions on half-spaces (Boussinesq-Cerruti). For two bodies of shear modulus 1
-// u_x = 1/pi integral of [(1 - nu)/r + nu X^2/r^3] px + nu X Y/r^3 py, u_y likewise.
+// Exact influence of cell-constant tractions on half-spaces (Boussinesq-Cerruti). For two bodies of
+// shear modulus 1 u_x = 1/pi integral of [(1 - nu)/r + nu X^2/r^3] px + nu X Y/r^3 py, u_y
+// likewise.
 class TangentialInfluence {
  public:
-  // `dense` asks for a matrix (12 bytes a pair of cells), quicker up to some hundred cells; a mesh that is neither uniform
-  // nor stepped always has one. Throws InputError where a mesh that needs it is not mirrored().
+  // `dense` asks for a matrix (12 bytes a pair of cells), quicker up to some hundred cells; a mesh
+  // that is neither uniform nor stepped always has one. Throws InputError where a mesh that needs
+  // it is not mirrored().
   TangentialInfluence(const RollingMesh& mesh, double poisson, bool dense,
                       Response response = Response::strain);
   ~TangentialInfluence();

@@ -10,19 +10,24 @@
 #include <railbook/units/constants.hpp>
 #include <railbook/units/input_error.hpp>
 
-// Lengths over sqrt(a b), tractions over G; X = x/a = r cos(t), Y = y/b. For n = 0, 1, ... and harmonics m = n, n - 2, ...
-//   f = Y_nm(X, Y, Z) / Z,  Z = sqrt(1 - X^2 - Y^2),  Y_nm the spherical harmonic scaled to cos(mt) or sin(mt) at r = 1,
-// span the tractions. The sphere's projection makes its transform 2 pi i^-n j_n(k) cos(mt), j_n the spherical Bessel
-// function. That of the half-space is A(t)/k with A = 2/D (1 - nu n n'), where D = |(cos(t)/a, sin(t)/b)|, n = the same
-// vector over D (also the outward normal at t), so that with q, p for the values at the rim
-//   <q, dU/dx p> = b int j_n' j_n k dk Re(i^(n'-n+1)) oint cos(t) q'A p dt,   the first integral +-pi/4,
-// taken as the mean of the values for ellipses a little smaller and a little larger. Two singularities that meet at the edge
-// leave a term
+// Lengths over sqrt(a b), tractions over G; X = x/a = r cos(t), Y = y/b. For n = 0, 1, ... and
+// harmonics m = n, n - 2, ...
+//   f = Y_nm(X, Y, Z) / Z,  Z = sqrt(1 - X^2 - Y^2),  Y_nm the spherical harmonic scaled to cos(mt)
+//   or sin(mt) at r = 1,
+// span the tractions. The sphere's projection makes its transform 2 pi i^-n j_n(k) cos(mt), j_n the
+// spherical Bessel function. That of the half-space is A(t)/k with A = 2/D (1 - nu n n'), where D =
+// |(cos(t)/a, sin(t)/b)|, n = the same vector over D (also the outward normal at t), so that with
+// q, p for the values at the rim
+//   <q, dU/dx p> = b int j_n' j_n k dk Re(i^(n'-n+1)) oint cos(t) q'A p dt,   the first integral
+//   +-pi/4,
+// taken as the mean of the values for ellipses a little smaller and a little larger. Two
+// singularities that meet at the edge leave a term
 //   <q, dU/dx p> + <p, dU/dx q> = pi b/2 oint cos(t) q'A p dt.
-// Its part from the leading half (cos(t) > 0) vanishes for the true traction, and is taken off. What remains is
+// Its part from the leading half (cos(t) > 0) vanishes for the true traction, and is taken off.
+// What remains is
 //   B(q, p) = pi b/4 oint (sgn(n - n') cos(t) - |cos(t)|) q'A p dt = -<q, rigid slip>:
-// its symmetric part is negative, its transpose is rolling backwards, and so the error of a coefficient is B(error of one
-// traction, error of another), the square of theirs.
+// its symmetric part is negative, its transpose is rolling backwards, and so the error of a
+// coefficient is B(error of one traction, error of another), the square of theirs.
 namespace railbook::rolling {
 namespace {
 
@@ -43,8 +48,9 @@ std::vector<Term> terms(int degree, bool lateral) {
   return list;
 }
 
-// Integrals over the whole rim of |cos(t)| e_i A_ij e_j dt, e the harmonics 0 to `degree` along, then across; those over
-// cos(t) are the same where they do not vanish. Only a quarter of the rim is needed, by symmetry.
+// Integrals over the whole rim of |cos(t)| e_i A_ij e_j dt, e the harmonics 0 to `degree` along,
+// then across; those over cos(t) are the same where they do not vanish. Only a quarter of the rim
+// is needed, by symmetry.
 Eigen::MatrixXd rim_integrals(double a, double b, double poisson, int degree, bool lateral) {
   const num::GaussRule rule = num::gauss_legendre(128, 0, units::pi / 2);  // enough for 40
   const Eigen::Index size = degree + 1;
@@ -84,8 +90,8 @@ Eigen::MatrixXd forces(const std::vector<Term>& list, double a, double b, bool l
   return f;
 }
 
-// Slopes of the forces by the creepages. The rigid slip of creepages and spin is (xi - phi y, eta + phi x), and its
-// product with a term that term's force.
+// Slopes of the forces by the creepages. The rigid slip of creepages and spin is (xi - phi y, eta +
+// phi x), and its product with a term that term's force.
 Eigen::MatrixXd slopes(double axis_ratio, double poisson, int degree, bool lateral) {
   const double a = std::sqrt(axis_ratio), b = 1 / a;
   const std::vector<Term> list = terms(degree, lateral);

@@ -36,8 +36,8 @@ constexpr std::array<TableRow, 19> rows{{
     {1 / 0.1, {{{10.7, 11.7, 12.9}, {10.7, 12.8, 16.0}, {12.2, 14.6, 18.0}, {.795, .526, .228}}}},
 }};
 
-// The parabola through 1/C at 0, 1/4, 1/2, as a factor on each of the three. C33 of contacts long along rolling falls with
-// Poisson's ratio almost to nothing, and there is a parabola itself.
+// The parabola through 1/C at 0, 1/4, 1/2, as a factor on each of the three. C33 of contacts long
+// along rolling falls with Poisson's ratio almost to nothing, and there is a parabola itself.
 double over_poisson(const TableRow& row, std::size_t n, double nu) {
   const bool itself = n == 3 && row.axis_ratio > 1;
   const auto form = [&](double c) { return itself ? c : 1 / c; };

@@ -1,5 +1,5 @@
-// Pieces shared by the solvers of rolling contact; all lengths over sqrt(a b), tractions over mu N/(a b), slip over
-// mu N/(G a b).
+// Pieces shared by the solvers of rolling contact; all lengths over sqrt(a b), tractions over mu
+// N/(a b), slip over mu N/(G a b).
 #pragma once
 
 #include <railbook/rolling/case.hpp>
@@ -14,8 +14,9 @@ struct RollingGrid {
   Eigen::VectorXd bound;  // mean over each cell; its sum over the area is 1
 };
 
-// Rows that end on the ellipse of axes sqrt(a/b) and sqrt(b/a), with Hertz's pressure integrated exactly. All have `along`
-// cells; if `stepped`, cells of one length instead, the shorter rows with empty ones at their trailing end.
+// Rows that end on the ellipse of axes sqrt(a/b) and sqrt(b/a), with Hertz's pressure integrated
+// exactly. All have `along` cells; if `stepped`, cells of one length instead, the shorter rows with
+// empty ones at their trailing end.
 RollingGrid ellipse_grid(double axis_ratio, Eigen::Index along, Eigen::Index rows, bool remedy,
                          bool stepped = false);
 
@@ -25,24 +26,27 @@ struct Given {
   double load = 0, length = 0;  // N, m
   Creepage reduced(const RollingCase& c) const;
 };
-// Throws InputError on a case out of range (a, b and load are not used) or a pressure that is none on the grid.
+// Throws InputError on a case out of range (a, b and load are not used) or a pressure that is none
+// on the grid.
 void check_given(const contact::Grid& grid, const Eigen::VectorXd& pressure, const RollingCase& c);
-// The traction cells over the pressure's: each bears what of the pressure lies on it, and the cell at the leading end
-// of a run also what sticks out ahead.
+// The traction cells over the pressure's: each bears what of the pressure lies on it, and the cell
+// at the leading end of a run also what sticks out ahead.
 Given placed(const contact::Grid& cells, const Eigen::VectorXd& pressure, bool remedy);
 
-// The slip [x parts; y parts] to which pressures (per mu N/(a b)) on a uniform mesh drive unlike bodies, from upstream differences
-// of u = -K/pi integral of p (X, Y)/r^2, body 1 against body 2.
+// The slip [x parts; y parts] to which pressures (per mu N/(a b)) on a uniform mesh drive unlike
+// bodies, from upstream differences of u = -K/pi integral of p (X, Y)/r^2, body 1 against body 2.
 Eigen::VectorXd driven_slip(const RollingMesh& mesh, const Eigen::VectorXd& pressure,
                             double dissimilarity);
 
-// The rigid slip at the points where the upstream difference is the slope: half a cell before the centres.
+// The rigid slip at the points where the upstream difference is the slope: half a cell before the
+// centres.
 Eigen::VectorXd rigid_slip(const RollingMesh& mesh, const Creepage& reduced);
 
-// Stick and slip for the reduced creepages. The slip of a cell is taken half a cell ahead of its middle, and a sliding
-// cell should slide along the slip in its middle: where the slip turns, the two differ by first order. A second
-// solution, started from the first, adds what turns the slip of each sliding cell into the mean with that of the cell
-// behind it (with `remedy`). `driven` is slip beside that of the creepages. Both solutions, and so the forces, are continuous in the creepages.
+// Stick and slip for the reduced creepages. The slip of a cell is taken half a cell ahead of its
+// middle, and a sliding cell should slide along the slip in its middle: where the slip turns, the
+// two differ by first order. A second solution, started from the first, adds what turns the slip of
+// each sliding cell into the mean with that of the cell behind it (with `remedy`). `driven` is slip
+// beside that of the creepages. Both solutions, and so the forces, are continuous in the creepages.
 StickSlip solve_on(const TangentialInfluence& influence, const RollingGrid& grid,
                    const Creepage& reduced, const RollingOptions& options,
                    const StickSlip* start = nullptr, const Eigen::VectorXd* driven = nullptr);
@@ -55,8 +59,8 @@ Resultants resultants(const RollingMesh& mesh, const Eigen::VectorXd& p);
 // The result in SI, given mu N [N] and the unit of length [m].
 CreepForces in_units(const RollingGrid& grid, const StickSlip& solution, double force,
                      double length);
-// Puts error estimates on `fine`, found on `grid`, from the dimensionless forces of a grid of half the cells: for contacts
-// whose edge is seen in whole cells.
+// Puts error estimates on `fine`, found on `grid`, from the dimensionless forces of a grid of half
+// the cells: for contacts whose edge is seen in whole cells.
 void estimate(CreepForces& fine, const RollingGrid& grid, const Resultants& coarse, double force,
               double length);
 CreepForces without_friction();

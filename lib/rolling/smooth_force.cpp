@@ -76,7 +76,8 @@ SmoothForce::SmoothForce(const ShareFunction& theory, const KalkerCoefficients& 
         const double share = weight(t);
         values.push_back({(w[0] - from[0]) / share, (w[1] - from[1]) / share});
       }
-  // The other signs, and one layer more: longitudinal creepage turns x, lateral creepage and spin turn y.
+  // The other signs, and one layer more: longitudinal creepage turns x, lateral creepage and spin
+  // turn y.
   std::vector<std::array<double, 2>> all;
   for (int i = -n - 1; i <= n + 1; ++i)
     for (int j = -n - 1; j <= n + 1; ++j)

@@ -17,11 +17,11 @@ using Eigen::MatrixXd;
 
 namespace {
 
-// y = K x of a complex matrix, by columns, real and imaginary parts apart; n is even. Two columns at once: what takes
-// the time is reading the matrix, so it is read once.
-RAILBOOK_WIDE void influence_times(const double* re, const double* im, Index n, const double* x_re,
-                                   const double* x_im, double* __restrict y_re,
-                                   double* __restrict y_im) {
+// y = K x of a complex matrix, by columns, real and imaginary parts apart; n is even. Two columns
+// at once: what takes the time is reading the matrix, so it is read once.
+RAILBOOK_AVX2_CLONES void influence_times(const double* re, const double* im, Index n,
+                                          const double* x_re, const double* x_im,
+                                          double* __restrict y_re, double* __restrict y_im) {
   std::fill_n(y_re, n, 0.0);
   std::fill_n(y_im, n, 0.0);
   for (Index j = 0; j < n; j += 2) {
@@ -36,9 +36,10 @@ RAILBOOK_WIDE void influence_times(const double* re, const double* im, Index n, 
 
 }  // namespace
 
-// The rows of the lower half, j < half, each with its mirror image rows - 1 - j. What is even across of the tractions
-// along and odd of those across makes strain of the same kind, and so does what is odd of the first and even of the
-// second: kind 0 and 1, with the unknowns [along; across], 2 half long.
+// The rows of the lower half, j < half, each with its mirror image rows - 1 - j. What is even
+// across of the tractions along and odd of those across makes strain of the same kind, and so does
+// what is odd of the first and even of the second: kind 0 and 1, with the unknowns [along; across],
+// 2 half long.
 struct SteppedRows::Parts {
   // A complex matrix as two real ones: products of those are several times as fast.
   struct Split {
@@ -66,7 +67,8 @@ struct SteppedRows::Parts {
                                                  double Influence2::*part);
 };
 
-// Of the strain u(x) - u(x + dx), over dx, at -(n - 1) to n - 1 cells from a cell; u[k] is n - k cells from it.
+// Of the strain u(x) - u(x + dx), over dx, at -(n - 1) to n - 1 cells from a cell; u[k] is n - k
+// cells from it.
 std::span<const std::complex<double>> SteppedRows::Parts::spectrum(const std::vector<Influence2>& u,
                                                                    double scale,
                                                                    double Influence2::*part) {

@@ -51,7 +51,8 @@ class Newton {
     return worst;
   }
 
-  // Unknowns: both parts of a sticking cell's change, or the part of a sliding one's along t, normal to p.
+  // Unknowns: both parts of a sticking cell's change, or the part of a sliding one's along t,
+  // normal to p.
   void spread(const VectorXd& z, VectorXd& dp) const {
     dp.setZero(2 * n_);
     Index k = 0;
@@ -199,7 +200,8 @@ StickSlip Newton::run(const StickSlip* start) {
   return std::move(result_);
 }
 
-// A traction outside its bound, or of a sliding cell, goes back to it; true if a sticking cell began to slide.
+// A traction outside its bound, or of a sliding cell, goes back to it; true if a sticking cell
+// began to slide.
 bool Newton::put_on_bound(Index c) {
   const double p = norm_p(c), g = g_[c];
   const bool begins = !slides(c) && p > g * (1 + 1e-13);

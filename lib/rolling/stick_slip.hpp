@@ -25,13 +25,14 @@ struct StickSlip {
   bool converged = false;
 };
 
-// Solves, in every cell with bound g > 0, |p| <= g and: slip s = w - S p is zero (stick), or |p| = g and p = g s/|s|
-// (slide). w: rigid slip [x parts; y parts]; g: the traction bound, 0 outside the contact. `start`, if given, holds a
-// guess of p and of the sliding cells of the same size.
-// Newton's method on the active set: unknowns are both tractions of a sticking cell and the angle of a sliding one's;
-// a cell slides when its traction leaves the bound and sticks again when its slip turns against the traction. Each
-// linear system is solved by GMRES, preconditioned by the exact inverses of the rows on themselves. (The states are
-// those of Kalker's TANG, 1990; CONTACT's fast solvers are projected gradients or Gauss-Seidel sweeps instead.)
+// Solves, in every cell with bound g > 0, |p| <= g and: slip s = w - S p is zero (stick), or |p| =
+// g and p = g s/|s| (slide). w: rigid slip [x parts; y parts]; g: the traction bound, 0 outside the
+// contact. `start`, if given, holds a guess of p and of the sliding cells of the same size.
+// Newton's method on the active set: unknowns are both tractions of a sticking cell and the angle
+// of a sliding one's; a cell slides when its traction leaves the bound and sticks again when its
+// slip turns against the traction. Each linear system is solved by GMRES, preconditioned by the
+// exact inverses of the rows on themselves. (The states are those of Kalker's TANG, 1990; CONTACT's
+// fast solvers are projected gradients or Gauss-Seidel sweeps instead.)
 [[nodiscard]] StickSlip solve_stick_slip(const TangentialInfluence& influence,
                                          const RollingMesh& mesh, const Eigen::VectorXd& bound,
                                          const Eigen::VectorXd& w,

@@ -29,7 +29,8 @@ struct Transient::Parts {
   }
   double force() const { return c.friction * given.load; }
 
-  // The tractions as the cells see them after rolling on by one: the contact moves towards +x, what was at x + dx is at x.
+  // The tractions as the cells see them after rolling on by one: the contact moves towards +x, what
+  // was at x + dx is at x.
   VectorXd passed_back() const {
     const Index n = given.grid.mesh.along, rows = given.grid.mesh.rows();
     VectorXd out = VectorXd::Zero(now.p.size());
@@ -63,7 +64,8 @@ struct Transient::Parts {
     return forces;
   }
 
-  // The motion at which a step has the force, by brackets from the last motion and then false position.
+  // The motion at which a step has the force, by brackets from the last motion and then false
+  // position.
   Step for_force(double fx, double scale, const std::function<StickSlip(double)>& solve) {
     units::require_between("force along over the friction's bound", fx / force(), -0.999, 0.999);
     StickSlip found;

@@ -1,4 +1,5 @@
-// Rolling that is not steady: a contact at rest is shifted, and then rolls cell by cell with the tractions it had.
+// Rolling that is not steady: a contact at rest is shifted, and then rolls cell by cell with the
+// tractions it had.
 //
 //   Transient contact(grid, pressure, c);            // of the case, material and friction
 //   contact.shift_for(fx);                           // Cattaneo's problem
@@ -12,21 +13,24 @@
 
 namespace railbook::rolling {
 
-// The pressure does not change, and the bodies are elastically similar. Cells just fill the contact, as CONTACT's do (RollingOptions::remedy
-// is for steady rolling alone): the steady end is solve_rolling's without the remedy, first order in the cells.
+// The pressure does not change, and the bodies are elastically similar. Cells just fill the
+// contact, as CONTACT's do (RollingOptions::remedy is for steady rolling alone): the steady end is
+// solve_rolling's without the remedy, first order in the cells.
 class Transient {
  public:
-  // Pressures [Pa] at the cells of a uniform grid whose first column (x least) is empty; of the case, shear modulus, Poisson's
-  // ratio and friction > 0. Throws InputError as solve_rolling, or without that column.
+  // Pressures [Pa] at the cells of a uniform grid whose first column (x least) is empty; of the
+  // case, shear modulus, Poisson's ratio and friction > 0. Throws InputError as solve_rolling, or
+  // without that column.
   Transient(const contact::Grid& grid, const Eigen::VectorXd& pressure, const RollingCase& c);
   ~Transient();
 
-  // Body 1 goes on by (x, y) [m] over body 2 without rolling; or the contact rolls on by one cell under creepages. A step that does not
-  // converge leaves the tractions as they were.
+  // Body 1 goes on by (x, y) [m] over body 2 without rolling; or the contact rolls on by one cell
+  // under creepages. A step that does not converge leaves the tractions as they were.
   CreepForces shift(double x, double y);
   CreepForces roll(const Creepage& creepage);
 
-  // The same for a force along [N], |fx| < mu N, to 1e-6 mu N; the shift [m] or the creepage that gives it, others 0.
+  // The same for a force along [N], |fx| < mu N, to 1e-6 mu N; the shift [m] or the creepage that
+  // gives it, others 0.
   struct Step {
     CreepForces forces;
     double motion = 0;

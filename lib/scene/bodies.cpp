@@ -63,7 +63,8 @@ double doubled_area(const Outline& polygon) {
   return sum;
 }
 
-// Triangles of an anticlockwise polygon: cut off corners ('ears') that hold no other corner, one by one.
+// Triangles of an anticlockwise polygon: cut off corners ('ears') that hold no other corner, one by
+// one.
 std::vector<Eigen::RowVector3i> ears(const Outline& polygon) {
   std::vector<int> left(static_cast<std::size_t>(polygon.rows()));
   std::iota(left.begin(), left.end(), 0);

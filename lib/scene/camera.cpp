@@ -40,7 +40,7 @@ namespace {
 
 // Moves the camera sideways until the scene's picture is in the middle, and narrows the view to it.
 void centre_and_fit(const Scene& scene, const Size& size, Camera& camera) {
-  Eigen::Vector2d least = Eigen::Vector2d::Constant(units::no_limit);
+  Eigen::Vector2d least = Eigen::Vector2d::Constant(units::infinity);
   Eigen::Vector2d most = -least;
   each_vertex(scene, [&](const Point& p) {
     const Eigen::Vector2d at = project(camera, size, p);
@@ -70,7 +70,7 @@ void centre_and_fit(const Scene& scene, const Size& size, Camera& camera) {
 
 Camera looking_at(const Scene& scene, const Point& from, const Size& size, bool parallel) {
   check(scene);
-  Point low = Point::Constant(units::no_limit);
+  Point low = Point::Constant(units::infinity);
   Point high = -low;
   each_vertex(scene, [&](const Point& p) {
     low = low.cwiseMin(p);
@@ -85,7 +85,8 @@ Camera looking_at(const Scene& scene, const Point& from, const Size& size, bool 
   const double vertical = std::abs(from.normalized().z());
   if (vertical > 0.999) camera.up = Point::UnitY();
   if (parallel) camera.parallel_height = reach;
-  // Seen from far, aim at the middle of what is there and narrow the view; aiming turns it a little.
+  // Seen from far, aim at the middle of what is there and narrow the view; aiming turns it a
+  // little.
   for (int pass = 0; pass < 3; ++pass) centre_and_fit(scene, size, camera);
   return camera;
 }

@@ -29,8 +29,8 @@ struct Image {
   }
 };
 
-// The bytes of an 8-bit RGB PNG, and the same in a file (files::write). Throws InputError for an image that is empty or
-// whose bytes do not match its size, std::runtime_error when libpng refuses.
+// The bytes of an 8-bit RGB PNG, and the same in a file (files::write). Throws InputError for an
+// image that is empty or whose bytes do not match its size, std::runtime_error when libpng refuses.
 std::string png_of(const Image& image);
 void write_png(const Image& image, const std::filesystem::path& file);
 

@@ -1,6 +1,7 @@
 // A rendered scene as a figure of a chapter, with labels put over it by gnuplot.
 //
-//   scene::labelled(item, "car.gp", scene, camera, size, {{{0, 0, 1.2}, "wheel"}, {{2, 0, 0}, "rail"}});
+//   scene::labelled(item, "car.gp", scene, camera, size, {{{0, 0, 1.2}, "wheel"}, {{2, 0, 0},
+//   "rail"}});
 //
 // The script, of the chapter's folder, gets the picture as ARG1 and the labels' pixels as ARG3;
 // lib/plot/scene.gp says what to write in it.
@@ -19,8 +20,9 @@ struct Label {
   std::string text;
 };
 
-// Gives the item its image and the data "labels" (x_px, y_px, label). Nothing is rendered when figures are
-// not drawn. Throws InputError when the camera or a label's place is one that scene::project refuses.
+// Gives the item its image and the data "labels" (x_px, y_px, label). Nothing is rendered when
+// figures are not drawn. Throws InputError when the camera or a label's place is one that
+// scene::project refuses.
 void labelled(report::Item& item, const std::string& script, const scene::Scene& scene,
               const scene::Camera& camera, const scene::Size& size,
               const std::vector<Label>& labels);

@@ -23,8 +23,8 @@ void draw(const Corners& part) {
   glDrawArrays(lines ? GL_LINES : GL_TRIANGLES, 0, static_cast<GLsizei>(part.places.size()));
 }
 
-// Surfaces are pushed back by as much as they fall away under half of the widest line, so that lines
-// drawn on them show in full.
+// Surfaces are pushed back by as much as they fall away under half of the widest line, so that
+// lines drawn on them show in full.
 void push_surfaces_back(const std::vector<Corners>& parts) {
   float widest = 0.0F;
   for (const Corners& part : parts) widest = std::max(widest, part.line_width);

@@ -16,8 +16,8 @@ struct Depths {
 };
 
 Depths depths_of(const Scene& scene, const View& view) {
-  double low = units::no_limit;
-  double high = -units::no_limit;
+  double low = units::infinity;
+  double high = -units::infinity;
   each_vertex(scene, [&](const Point& p) {
     const double depth = view.seen(p).z();
     low = std::min(low, depth);

@@ -76,7 +76,7 @@ ChordOffsets mid_chord_offsets(std::span<const double> profile, double spacing, 
   const bool on_sample = part < 1e-9;  // not below -1e-9
   const std::size_t reach = on_sample ? whole : whole + 2;
   units::require_between("samples of the profile", static_cast<double>(profile.size()),
-                         2.0 * static_cast<double>(reach) + 1.0, units::no_limit);
+                         2.0 * static_cast<double>(reach) + 1.0, units::infinity);
 
   ChordOffsets result{reach, std::vector<double>(profile.size() - 2 * reach)};
   const std::array<double, 4> w = cubic(part);

@@ -13,7 +13,7 @@ void check(const ClassRule& rule) {
   units::require_positive("chord", rule.chord, "m");
   units::require_non_negative("alpha", rule.alpha);
   units::require_non_negative("gamma", rule.gamma);
-  double above = units::no_limit;
+  double above = units::infinity;
   for (const double limit : rule.limits)
     above = units::require_between("class limit", limit, 0, above, "m");
 }

@@ -53,8 +53,9 @@ double local_power(const Spectrum& s, double phi) {
   return sum;
 }
 
-// Can a line at phi be the n-th of rails whose first line is at phi/n? That has ((4 n^2 - 1)/3)^2 times the power of the n-th. Where it
-// may as well be the first of other rails, a quarter of that is asked for.
+// Can a line at phi be the n-th of rails whose first line is at phi/n? That has ((4 n^2 - 1)/3)^2
+// times the power of the n-th. Where it may as well be the first of other rails, a quarter of that
+// is asked for.
 bool can_be_harmonic(const Spectrum& s, double phi, int n) {
   const double ratio = (4.0 * n * n - 1) / 3;
   return n == 1 || 1 / phi < shortest_rail ||

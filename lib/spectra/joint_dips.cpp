@@ -27,7 +27,8 @@ double dip_shape(double u) {
 double dip_transform(double nu) {
   const double t = units::pi * std::abs(nu);
   const double box = t < 1e-8 ? 1.0 : std::sin(t) / t;
-  // |sin| over the rail: (1 + sin t)/(a + b) + (1 - sin t)/(a - b) with a = pi, b = 2 t; 0/0 at b = a.
+  // |sin| over the rail: (1 + sin t)/(a + b) + (1 - sin t)/(a - b) with a = pi, b = 2 t; 0/0 at b =
+  // a.
   const double gap = units::pi - 2.0 * t;
   const double s = std::sin(0.25 * gap);
   const double last = std::abs(gap) < 1e-8 ? 0.0 : 2.0 * s * s / gap;
@@ -40,7 +41,8 @@ double joint_scatter_psd(const JointDips& joints, double phi) {
   const double nu = phi * joints.rail_length;
   const double rho = joints.correlation;
   const double lift = joints.scatter * joints.dip * dip_transform(nu);
-  // The denominator 1 - 2 rho cos(2 pi nu) + rho^2, which cancels at the lines of joints that hardly differ.
+  // The denominator 1 - 2 rho cos(2 pi nu) + rho^2, which cancels at the lines of joints that
+  // hardly differ.
   const double s = std::sin(units::pi * std::remainder(nu, 1.0));
   const double memory = (1.0 - rho) * (1.0 + rho) / ((1.0 - rho) * (1.0 - rho) + 4.0 * rho * s * s);
   return 2.0 * lift * lift * joints.rail_length * memory;
@@ -51,7 +53,7 @@ JointSequence::JointSequence(const JointDips& joints, double spacing,
     : joints_(joints), spacing_(spacing), source_(source) {
   require_joints(joints);
   units::require_positive("spacing", spacing, "m");
-  units::require_between("rail length", joints.rail_length, 2.0 * spacing, units::no_limit, "m");
+  units::require_between("rail length", joints.rail_length, 2.0 * spacing, units::infinity, "m");
   deviation_ = joints_.scatter > 0 ? source_.normal(0) : 0.0;
   depth_ = joints_.dip * (1.0 + joints_.scatter * deviation_);
 }

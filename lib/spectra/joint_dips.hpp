@@ -1,8 +1,10 @@
-// Dips at rail joints whose depth varies from joint to joint (Figure 5 of the paper), and their spectrum.
+// Dips at rail joints whose depth varies from joint to joint (Figure 5 of the paper), and their
+// spectrum.
 //
-// Joint j is at x = j l and has the dip B_j = B (1 + m g_j), with g_j a stationary Gaussian sequence of unit
-// variance and correlation rho between neighbours. The profile is -B_j (1 - |sin(pi x / l)|) within half a
-// rail of the joint: crests stay at zero and the profile is smooth there. With m = 0 it is the rectified sine.
+// Joint j is at x = j l and has the dip B_j = B (1 + m g_j), with g_j a stationary Gaussian
+// sequence of unit variance and correlation rho between neighbours. The profile is -B_j (1 -
+// |sin(pi x / l)|) within half a rail of the joint: crests stay at zero and the profile is smooth
+// there. With m = 0 it is the rectified sine.
 #pragma once
 
 #include <cstdint>
@@ -12,11 +14,12 @@
 
 namespace railbook::spectra {
 
-// The shape of one dip of depth 1: 1 - |sin(pi u)| for |u| <= 1/2, u in rail lengths from the joint; else 0. To rounding.
+// The shape of one dip of depth 1: 1 - |sin(pi u)| for |u| <= 1/2, u in rail lengths from the
+// joint; else 0. To rounding.
 double dip_shape(double u);
 
-// Its Fourier transform, the integral of dip_shape(u) cos(2 pi nu u) du, with nu in cycles per rail length:
-// 1 - 2/pi at nu = 0, 2/(3 pi) at nu = 1. Even in nu. Relative accuracy 1e-12.
+// Its Fourier transform, the integral of dip_shape(u) cos(2 pi nu u) du, with nu in cycles per rail
+// length: 1 - 2/pi at nu = 0, 2/(3 pi) at nu = 1. Even in nu. Relative accuracy 1e-12.
 double dip_transform(double nu);
 
 struct JointDips {
@@ -30,8 +33,8 @@ struct JointDips {
 
 // The continuous part of the one-sided density (m^2/(cycle/m)) at phi > 0 (cycle/m):
 //   2 m^2 B^2 l |D(phi l)|^2 (1 - rho^2)/(1 - 2 rho cos(2 pi phi l) + rho^2),  D = dip_transform.
-// The lines of the mean dip B come on top. Relative accuracy that of dip_transform, -0.9999 <= rho <= 0.9999. Throws
-// InputError on values out of the ranges above.
+// The lines of the mean dip B come on top. Relative accuracy that of dip_transform, -0.9999 <= rho
+// <= 0.9999. Throws InputError on values out of the ranges above.
 double joint_scatter_psd(const JointDips& joints, double phi);
 
 // The profile of the joints, sample after sample; to rounding of the dip and the rails gone by.

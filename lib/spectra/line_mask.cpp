@@ -43,7 +43,7 @@ double squared_gain(double chord, double phi) {
 
 bool near_foreign_line(const FitOptions& o, double phi) {
   const double phi_0 = 1 / o.rail_length,
-               distance = phi_0 > 0 ? std::remainder(phi, phi_0) : units::no_limit;
+               distance = phi_0 > 0 ? std::remainder(phi, phi_0) : units::infinity;
   return std::any_of(o.foreign_lengths.begin(), o.foreign_lengths.end(), [&](double length) {
     const double epsilon = std::abs(1 / length - phi_0);
     const bool multiple = std::round(phi * length) >= 1 &&

@@ -39,7 +39,8 @@ struct Minimum {
   double log_A = 0, log_corner = 0;
 };
 
-// The best fit with the corner at or between `low` and `high`, given that the first m points lie left of it.
+// The best fit with the corner at or between `low` and `high`, given that the first m points lie
+// left of it.
 Minimum best_in_gap(const PrefixSums& sums, std::size_t m, double low, double high) {
   const std::size_t n = sums.weight.size() - 1;
   const double w_1 = sums.weight[m], w_2 = sums.weight[n] - w_1;
@@ -136,7 +137,7 @@ LogFit fit_two_slopes(const LogPoints& points, double low, double high) {
   require_points(points, 8);
   const double c_low = std::log(units::require_positive("lower corner bound", low, "cycle/m"));
   const double c_high =
-      std::log(units::require_between("upper corner bound", high, low, units::no_limit, "cycle/m"));
+      std::log(units::require_between("upper corner bound", high, low, units::infinity, "cycle/m"));
   const auto n = static_cast<std::size_t>(points.log_phi.size());
   if (points.log_phi[0] >= c_low || points.log_phi[points.log_phi.size() - 1] <= c_high)
     throw InputError{"the corner is sought from " + std::to_string(low) + " to " +

@@ -5,7 +5,8 @@
 
 namespace railbook::spectra {
 
-// Points (ln phi, ln S) to fit, in ascending order of phi, each with a weight proportional to 1/variance.
+// Points (ln phi, ln S) to fit, in ascending order of phi, each with a weight proportional to
+// 1/variance.
 struct LogPoints {
   Eigen::ArrayXd log_phi;
   Eigen::ArrayXd
@@ -37,16 +38,19 @@ struct LogFit {
 // One slope of -2: the weighted mean, to rounding. Throws InputError with fewer than 2 points.
 LogFit fit_one_slope(const LogPoints& points);
 
-// Slopes -2 and -4 with the corner in [low, high] (cycle/m): the exact global minimum. For a corner between
-// two given neighbouring points the problem is two weighted means, so going through all gaps costs O(n).
-// A corner on a bound (or within 3 % of it) is reported as such, and then only one of A and A phi_c^2 means anything.
-// Throws InputError with fewer than 8 points, or without points on both sides of the allowed range.
+// Slopes -2 and -4 with the corner in [low, high] (cycle/m): the exact global minimum. For a corner
+// between two given neighbouring points the problem is two weighted means, so going through all
+// gaps costs O(n). A corner on a bound (or within 3 % of it) is reported as such, and then only one
+// of A and A phi_c^2 means anything. Throws InputError with fewer than 8 points, or without points
+// on both sides of the allowed range.
 LogFit fit_two_slopes(const LogPoints& points, double low, double high);
 
-// Adds a white floor to `start` (its own noise, if any, is where to begin) by damped Gauss-Newton steps in (ln A, ln phi_c,
-// ln noise): a minimum near `start`, which must lie within a factor of two or so of it. The corner's passing over points
-// makes others, some percent higher; from a start without a floor where there is one it may settle at one ten times as high.
-// `converged` is false when the steps did not settle, or the floor fell below 1e-6 of the smallest point (there is none).
+// Adds a white floor to `start` (its own noise, if any, is where to begin) by damped Gauss-Newton
+// steps in (ln A, ln phi_c, ln noise): a minimum near `start`, which must lie within a factor of
+// two or so of it. The corner's passing over points makes others, some percent higher; from a start
+// without a floor where there is one it may settle at one ten times as high. `converged` is false
+// when the steps did not settle, or the floor fell below 1e-6 of the smallest point (there is
+// none).
 [[nodiscard]] LogFit fit_with_noise(const LogPoints& points, const LogFit& start, double low,
                                     double high);
 

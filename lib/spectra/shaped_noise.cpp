@@ -10,8 +10,9 @@
 namespace railbook::spectra {
 namespace {
 
-// Half the number of taps. A bend at wavenumber `detail` is rounded over a band of 1/(taps spacing), which
-// costs 0.4/(taps spacing detail) of the density there (Hann taper): 0.3 % with this length.
+// Half the number of taps. A bend at wavenumber `detail` is rounded over a band of 1/(taps
+// spacing), which costs 0.4/(taps spacing detail) of the density there (Hann taper): 0.3 % with
+// this length.
 std::size_t half_length(double spacing, double detail) {
   const double half = 70.0 / (spacing * detail);
   return std::bit_ceil(static_cast<std::size_t>(std::clamp(half, 512.0, 65536.0)));
@@ -41,8 +42,8 @@ void ShapedNoise::design(const NoiseShape& shape) {
   fft_ = std::make_unique<num::RealFft>(n);
   const auto spectrum = fft_->spectrum();
   const auto bins = static_cast<double>(n);
-  // Amplitude of the slope, times the white noise's own 1/sqrt(2 spacing). At phi = 0 it is read at half a
-  // bin, where phi^2 S has its limit.
+  // Amplitude of the slope, times the white noise's own 1/sqrt(2 spacing). At phi = 0 it is read at
+  // half a bin, where phi^2 S has its limit.
   for (std::size_t k = 0; k < spectrum.size(); ++k) {
     const double phi = std::max(0.5, static_cast<double>(k)) / (bins * spacing_);
     const double wanted = shape.density(phi);

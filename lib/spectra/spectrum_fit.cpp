@@ -25,7 +25,7 @@ struct Range {
 };
 
 Range checked_band(const Spectrum& spectrum, const FitOptions& o) {
-  const bool rail = o.rail_length != units::no_limit;
+  const bool rail = o.rail_length != units::infinity;
   if (rail) units::require_positive("rail length", o.rail_length, "m");
   units::require_non_negative("chord", o.chord, "m");
   units::require_positive("lower end of the band", o.low, "cycle/m");
@@ -105,7 +105,8 @@ Points single_bins(const Spectrum& s, const FitOptions& o, Range band) {
   return {list.points(), variance * s.band_variance * s.averages, variance};
 }
 
-// Each band is the mean of phi^2 S, which is nearly flat, so that the width of the band does not bias it.
+// Each band is the mean of phi^2 S, which is nearly flat, so that the width of the band does not
+// bias it.
 Points octave_bands(const Spectrum& s, const FitOptions& o, Range band) {
   PointList list;
   double sum = 0, log_sum = 0;
@@ -143,7 +144,8 @@ Range corner_bounds(const LogPoints& points) {
           0.5 * std::exp(points.log_phi[points.log_phi.size() - 1])};
 }
 
-// A corner out of its bounds leaves one slope in sight; forcing a kink on it would spoil even that one.
+// A corner out of its bounds leaves one slope in sight; forcing a kink on it would spoil even that
+// one.
 LogFit fit_visible_slope(const LogPoints& points, const LogFit& bounded) {
   Index split = 0;
   while (points.log_phi[split] <= bounded.log_corner) ++split;
@@ -164,7 +166,8 @@ LogFit fit_without_noise(const LogPoints& points, const FitOptions& o) {
   return fit.corner == CornerState::fitted ? fit : fit_visible_slope(points, fit);
 }
 
-// Where a floor can be seen it hides the steep part, so the start is fitted to what stands well above it.
+// Where a floor can be seen it hides the steep part, so the start is fitted to what stands well
+// above it.
 LogFit fit_noise(const LogPoints& points, const FitOptions& o) {
   const Index n = points.log_phi.size();
   const double floor = points.log_density.tail(std::max<Index>(4, n / 8)).mean();
@@ -209,8 +212,9 @@ double width_at_half(const Eigen::ArrayXd& excess, Index peak, double df) {
   return (side(1) + side(-1)) * df;
 }
 
-// What stands above the random part around phi_0, and how far chance could have put it there: the scatter
-// of the random part itself, the error of the fitted model, and the beat of the line with the random part.
+// What stands above the random part around phi_0, and how far chance could have put it there: the
+// scatter of the random part itself, the error of the fitted model, and the beat of the line with
+// the random part.
 void measure_line(const Spectrum& s, const FitOptions& o, const Eigen::Matrix3d& covariance,
                   SpectrumFit& fit) {
   const auto first = static_cast<Index>(std::ceil((fit.phi_0 - line_half_width(o)) / s.df));

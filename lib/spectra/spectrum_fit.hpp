@@ -60,32 +60,40 @@ struct SpectrumFit {
   TrackParameters parameters() const;
 };
 
-// A corner out of its bounds (3 times the lower end of the band, half of its upper end) leaves one slope, and
-// that one is fitted: at the upper bound A is right, at the lower one only `steep` is.
+// A corner out of its bounds (3 times the lower end of the band, half of its upper end) leaves one
+// slope, and that one is fitted: at the upper bound A is right, at the lower one only `steep` is.
 //
-// Fits the random part by regression of the logarithms, free of their bias (ln K - psi(K) for K averages),
-// over the band without the neighbourhoods of the rail-length harmonics (0.020 cycle/m around the first, 0.008
-// around the others, at most a quarter of the first's wavenumber) and of foreign lines (0.006); then takes the line's power as what remains above it.
-// Standard errors hold for a stationary record that follows the model.
+// Fits the random part by regression of the logarithms, free of their bias (ln K - psi(K) for K
+// averages), over the band without the neighbourhoods of the rail-length harmonics (0.020 cycle/m
+// around the first, 0.008 around the others, at most a quarter of the first's wavenumber) and of
+// foreign lines (0.006); then takes the line's power as what remains above it. Standard errors hold
+// for a stationary record that follows the model.
 //
-// Throws InputError for a band, rail or chord out of range (a chord above an eighth of a segment: its gain
-// swings within the resolution), fewer than 8 usable bins, a foreign line on the first line of the rail, or a
-// first line outside the band or at a zero of the chord. Accuracy with 4096 samples of one foot: A within 1 % at 50 km.
+// Throws InputError for a band, rail or chord out of range (a chord above an eighth of a segment:
+// its gain swings within the resolution), fewer than 8 usable bins, a foreign line on the first
+// line of the rail, or a first line outside the band or at a zero of the chord. Accuracy with 4096
+// samples of one foot: A within 1 % at 50 km.
 SpectrumFit fit_track_spectrum(const Spectrum& spectrum, const FitOptions& options = {});
 
-// By what share dips whose depths scatter, independent of each other, by `scatter` (a share of their mean) raise A: their continuous
-// spectrum (joint_scatter_psd) lies under the random part, and no fit can tell them apart. For fits on single bins; first order.
+// By what share dips whose depths scatter, independent of each other, by `scatter` (a share of
+// their mean) raise A: their continuous spectrum (joint_scatter_psd) lies under the random part,
+// and no fit can tell them apart. For fits on single bins; first order.
 double scatter_bias(const Spectrum& spectrum, const FitOptions& options, const SpectrumFit& fit,
                     double scatter);
 
-// The rail length that the spectrum shows, if it contradicts the one of `options`: a line that nobody named, or half or a third of its
-// wavenumber if that has a line of its own, between 8 and 40 m, with over twice the power that stands at the rail named, or with a line that was counted as that rail's and leaves none unnamed; or, where the rail named has no line, half or a third of its length that has. Among 1000 records with no joints, or with joints
-// where they were looked for, fewer than one contradicts.
+// The rail length that the spectrum shows, if it contradicts the one of `options`: a line that
+// nobody named, or half or a third of its wavenumber if that has a line of its own, between 8 and
+// 40 m, with over twice the power that stands at the rail named, or with a line that was counted as
+// that rail's and leaves none unnamed; or, where the rail named has no line, half or a third of its
+// length that has. Among 1000 records with no joints, or with joints where they were looked for,
+// fewer than one contradicts.
 std::optional<double> contradicting_rail(const Spectrum& spectrum, const FitOptions& options,
                                          const SpectrumFit& fit);
 
-// The wavenumber (cycle/m) below which the spectrum falls to less than half of what the fit expects there, by over six standard errors, where that is in
-// the band of the fit or near it: a record without its long waves. Judged in the lowest bins that detrending leaves, up to twice the lower end of the band.
+// The wavenumber (cycle/m) below which the spectrum falls to less than half of what the fit expects
+// there, by over six standard errors, where that is in the band of the fit or near it: a record
+// without its long waves. Judged in the lowest bins that detrending leaves, up to twice the lower
+// end of the band.
 std::optional<double> high_pass(const Spectrum& spectrum, const FitOptions& options,
                                 const SpectrumFit& fit);
 

@@ -1,5 +1,5 @@
-// Synthetic track: a profile record with everything the paper says a surface profile contains, and what
-// spoils real records. All known in advance, so an estimator can be judged by it.
+// Synthetic track: a profile record with everything the paper says a surface profile contains, and
+// what spoils real records. All known in advance, so an estimator can be judged by it.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,8 @@ struct SyntheticTrack {
   double spacing = units::foot;  // m
   std::uint64_t seed = 1;        // same seed, same record, bit for bit
 
-  // Stationary random part: S = A/phi^2 up to phi_c, A phi_c^2/phi^4 above, levelling off below low_cut.
+  // Stationary random part: S = A/phi^2 up to phi_c, A phi_c^2/phi^4 above, levelling off below
+  // low_cut.
   double A = 0;              // m^2 cycle/m
   double phi_c = no_corner;  // cycle/m
   double low_cut = 1e-4;     // cycle/m: 10 km waves; -1 % in S at 0.001, -0.04 % at 0.005 cycle/m
@@ -51,7 +52,8 @@ class TrackGenerator {
   // Throws InputError naming the field of `track` that is out of range.
   explicit TrackGenerator(const SyntheticTrack& track);
 
-  // The next z.size() heights (m), NaN in gaps; the record does not depend on how it is cut into calls.
+  // The next z.size() heights (m), NaN in gaps; the record does not depend on how it is cut into
+  // calls.
   void fill(std::span<double> z);
 
   // The density of the random part as generated (ShapedNoise::density), m^2/(cycle/m); 0 if A = 0.

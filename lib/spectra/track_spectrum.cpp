@@ -27,7 +27,7 @@ double random_variance(const TrackParameters& track, double low, double high) {
   require_random_part(track);
   units::require_positive("lower wavenumber", low, "cycle/m");
   if (!(high >= low))
-    units::require_between("upper wavenumber", high, low, units::no_limit, "cycle/m");
+    units::require_between("upper wavenumber", high, low, units::infinity, "cycle/m");
   if (track.noise > 0) units::require_finite("upper wavenumber with noise", high, "cycle/m");
   const double corner = std::clamp(track.phi_c, low, high);
   // Without differences of close numbers.

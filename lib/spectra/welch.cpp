@@ -12,8 +12,8 @@
 namespace railbook::spectra {
 namespace {
 
-// With the sign bit where x is NaN or infinite. On the bits, so that it neither traps nor branches: an exponent of all ones
-// overflows into the sign bit when one is added to it.
+// With the sign bit where x is NaN or infinite. On the bits, so that it neither traps nor branches:
+// an exponent of all ones overflows into the sign bit when one is added to it.
 std::uint64_t not_finite(double x) {
   constexpr std::uint64_t exponent = 0x7ff0000000000000ULL, one = 0x0010000000000000ULL;
   return (std::bit_cast<std::uint64_t>(x) & exponent) + one;
@@ -22,14 +22,14 @@ bool is_gap(double x) {
   return not_finite(x) >> 63U != 0;
 }
 
-RAILBOOK_WIDE bool has_gap(std::span<const double> x) {
+RAILBOOK_AVX2_CLONES bool has_gap(std::span<const double> x) {
   std::uint64_t any = 0;
   for (const double value : x) any |= not_finite(value);
   return any >> 63U != 0;
 }
 
-RAILBOOK_WIDE void add_power(std::span<const std::complex<double>> z, double weight,
-                             double* power) {
+RAILBOOK_AVX2_CLONES void add_power(std::span<const std::complex<double>> z, double weight,
+                                    double* power) {
   for (std::size_t i = 0; i < z.size(); ++i)
     power[i] += weight * (z[i].real() * z[i].real() + z[i].imag() * z[i].imag());
 }
@@ -38,8 +38,9 @@ struct Sums {
   double sum = 0, moment = 0;
 };
 
-// Sum of x and of (i - centre) x, in eight strands: a single one would wait for each addition to finish.
-RAILBOOK_WIDE Sums strand_sums(std::span<const double> x) {
+// Sum of x and of (i - centre) x, in eight strands: a single one would wait for each addition to
+// finish.
+RAILBOOK_AVX2_CLONES Sums strand_sums(std::span<const double> x) {
   constexpr std::size_t strands = 8;
   const double centre = 0.5 * (static_cast<double>(x.size()) - 1.0);
   std::array<double, strands> sum{}, moment{};
@@ -74,7 +75,8 @@ WelchOptions checked(const WelchOptions& o) {
   return o;
 }
 
-// sum w^p(i) w^p(i + shift) over sum w^2p, p = 1 or 2: how much two segments `shift` apart have in common.
+// sum w^p(i) w^p(i + shift) over sum w^2p, p = 1 or 2: how much two segments `shift` apart have in
+// common.
 double overlap_share(const std::vector<double>& w, std::size_t shift, int power) {
   const auto weight = [&](std::size_t i) { return power == 1 ? w[i] : w[i] * w[i]; };
   double common = 0, whole = 0;
@@ -164,8 +166,9 @@ void Welch::finish_block() {
   blocks_.push_back(done);
 }
 
-// The straight line comes from the sums of the blocks, so each sample is summed once however many segments
-// it is in, and taking the line off costs no pass of its own: it is done while the window is applied.
+// The straight line comes from the sums of the blocks, so each sample is summed once however many
+// segments it is in, and taking the line off costs no pass of its own: it is done while the window
+// is applied.
 void Welch::finish_segment() {
   const double centre = 0.5 * (static_cast<double>(options_.segment) - 1.0);
   const auto hop = static_cast<double>(hop_);
@@ -206,8 +209,9 @@ Welch::Segment Welch::add_segment(const double* x, double sum, double moment, do
   return {x, sum / n - slope * 0.5 * (n - 1.0), slope};
 }
 
-RAILBOOK_WIDE void Welch::weigh(const double* window, const Segment& one, const Segment& other,
-                                int from, std::span<std::complex<double>> z) {
+RAILBOOK_AVX2_CLONES void Welch::weigh(const double* window, const Segment& one,
+                                       const Segment& other, int from,
+                                       std::span<std::complex<double>> z) {
   const double *a = one.x + from, *b = other.x + from, *w = window + from;
   const int count = static_cast<int>(z.size());
   for (int i = 0; i < count; ++i) {
@@ -217,8 +221,8 @@ RAILBOOK_WIDE void Welch::weigh(const double* window, const Segment& one, const 
   }
 }
 
-// Two segments, of `weight` each, as the real and the imaginary part of one transform: |Z_k|^2 + |Z_(n-k)|^2 is twice the sum of
-// their powers.
+// Two segments, of `weight` each, as the real and the imaginary part of one transform: |Z_k|^2 +
+// |Z_(n-k)|^2 is twice the sum of their powers.
 void Welch::transform(const Segment& one, const Segment& other, double weight,
                       num::FourStepFft& fft, std::vector<double>& power) const {
   const std::size_t columns = fft.columns();
@@ -289,7 +293,7 @@ Spectrum welch(std::span<const double> samples, double spacing, const WelchOptio
 BandSpectrum band_average(const Spectrum& spectrum, double per_octave, double low, double high) {
   units::require_positive("bands per octave", per_octave);
   units::require_positive("lower frequency", low, "cycle/m");
-  units::require_between("upper frequency", high, low, units::no_limit, "cycle/m");
+  units::require_between("upper frequency", high, low, units::infinity, "cycle/m");
   std::vector<double> frequency, density, error;
   std::vector<int> bins;
   double log_sum = 0, sum = 0;

@@ -1,4 +1,5 @@
-// Welch's estimate of a power spectral density, streamed: memory of some ten segments, however long the record.
+// Welch's estimate of a power spectral density, streamed: memory of some ten segments, however long
+// the record.
 #pragma once
 
 #include <Eigen/Core>
@@ -23,8 +24,8 @@ struct WelchOptions {
   Detrend detrend = Detrend::linear;  // of each segment, by least squares
 };
 
-// A one-sided density at the frequencies k df, k = 0 .. segment/2, per cycle of whatever the sample spacing
-// is in (1/m for a track record), with what is needed to judge its scatter.
+// A one-sided density at the frequencies k df, k = 0 .. segment/2, per cycle of whatever the sample
+// spacing is in (1/m for a track record), with what is needed to judge its scatter.
 struct Spectrum {
   double df = 0;               // bin spacing, 1/(segment spacing)
   Eigen::VectorXd density;     // segment/2 + 1 values
@@ -36,15 +37,17 @@ struct Spectrum {
   double frequency(Eigen::Index k) const { return df * static_cast<double>(k); }
 };
 
-// The same record read with another spacing: densities grow with it, frequencies shrink. `from` must have been
-// made with spacing 1; spacing > 0, else InputError.
+// The same record read with another spacing: densities grow with it, frequencies shrink. `from`
+// must have been made with spacing 1; spacing > 0, else InputError.
 Spectrum respaced(const Spectrum& from, double spacing);
 
-// Accumulates the spectrum of samples `spacing` apart that come in any number of pieces. The state is some ten segments of
-// doubles; push() allocates nothing but a word a gap. A sample that is not finite marks a gap: segments begin anew after it,
-// and what is left before it, where the run holds a segment at all, is read by a last one that ends there: it counts as much
-// as its share of new samples in a step, and its larger overlap goes into `averages` and `band_variance`. Sums are float64.
-// Relative rounding error of a bin about 1e-15 sqrt(log2 n) of the largest power in a segment.
+// Accumulates the spectrum of samples `spacing` apart that come in any number of pieces. The state
+// is some ten segments of doubles; push() allocates nothing but a word a gap. A sample that is not
+// finite marks a gap: segments begin anew after it, and what is left before it, where the run holds
+// a segment at all, is read by a last one that ends there: it counts as much as its share of new
+// samples in a step, and its larger overlap goes into `averages` and `band_variance`. Sums are
+// float64. Relative rounding error of a bin about 1e-15 sqrt(log2 n) of the largest power in a
+// segment.
 class Welch {
  public:
   // Throws InputError unless spacing > 0, segment is even, >= 16 and divisible by parts >= 1.
@@ -102,9 +105,10 @@ class Welch {
 // The spectrum of a whole record in one call; errors as Welch.
 Spectrum welch(std::span<const double> samples, double spacing, const WelchOptions& options = {});
 
-// A spectrum averaged over logarithmic bands, `per_octave` to an octave, from `low` to `high`. A band that holds no bin is
-// left out. The density is the plain mean of the bins; `relative_error` holds to a tenth for a stationary Gaussian record.
-// Throws InputError unless per_octave > 0 and 0 < low <= high < infinity.
+// A spectrum averaged over logarithmic bands, `per_octave` to an octave, from `low` to `high`. A
+// band that holds no bin is left out. The density is the plain mean of the bins; `relative_error`
+// holds to a tenth for a stationary Gaussian record. Throws InputError unless per_octave > 0 and 0
+// < low <= high < infinity.
 struct BandSpectrum {
   Eigen::VectorXd frequency;  // geometric mean of the bins of each band
   Eigen::VectorXd density;

@@ -37,8 +37,8 @@ VectorXd cosine_window(std::initializer_list<double> coefficients, Index n) {
   return w;
 }
 
-// Slepian's tridiagonal matrix, which commutes with the concentration operator: the wanted sequence is the
-// eigenvector of its largest eigenvalue.
+// Slepian's tridiagonal matrix, which commutes with the concentration operator: the wanted sequence
+// is the eigenvector of its largest eigenvalue.
 struct Tridiagonal {
   VectorXd diagonal, beside;
 };
@@ -73,8 +73,8 @@ double largest_eigenvalue(const Tridiagonal& t) {
   return high;
 }
 
-// One step of inverse iteration: solves (shift I - T) v = right. The shift lies above every eigenvalue, so
-// the matrix is positive definite and elimination needs no pivoting.
+// One step of inverse iteration: solves (shift I - T) v = right. The shift lies above every
+// eigenvalue, so the matrix is positive definite and elimination needs no pivoting.
 VectorXd solve_shifted(const Tridiagonal& t, double shift, const VectorXd& right) {
   const Index n = right.size();
   VectorXd pivot(n), v = right;

@@ -70,9 +70,9 @@ bool parse(std::string_view cell, double& value) {
   return status == std::errc{} && end == last && first != last && std::isfinite(value);
 }
 
-// A decimal of at most 15 digits without an exponent, up to the first character that is none of it: its digits and its power of ten
-// are exact doubles, so that one division rounds as std::from_chars does (Clinger 1990). Nothing for what else there is. A
-// character that ends it must follow.
+// A decimal of at most 15 digits without an exponent, up to the first character that is none of it:
+// its digits and its power of ten are exact doubles, so that one division rounds as std::from_chars
+// does (Clinger 1990). Nothing for what else there is. A character that ends it must follow.
 const char* short_decimal(const char* at, double& value) {
   static constexpr std::array<double, 16> tens{1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                                1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
@@ -173,7 +173,7 @@ void CsvReader::read_header() {
 }
 
 void CsvReader::refuse(const std::string& why) const {
-  throw InputError{fmt::format("{}, line {}: {}", said(file()), line_, why)};
+  throw InputError{fmt::format("{}, line {}: {}", quoted_name(file()), line_, why)};
 }
 
 void CsvReader::require_column(std::size_t before) const {
@@ -302,7 +302,7 @@ std::optional<std::size_t> CsvReader::find(std::string_view name) const {
     if (found.size() > 1)
       throw InputError{fmt::format(
           "{}: column \"{}\" is there twice, as number {} and {}; allowed: the number of one",
-          said(file()), units::printable(name), found[0] + 1, found[1] + 1)};
+          quoted_name(file()), units::printable(name), found[0] + 1, found[1] + 1)};
     return !found.empty();
   };
   const std::string fold = folded(name);
@@ -327,7 +327,7 @@ std::size_t CsvReader::column(std::string_view name) const {
   for (const auto& h : header_) there += (there.empty() ? "" : ", ") + h;
   std::vector<std::string> known;
   for (const auto& n : names()) known.push_back(n.name);
-  throw InputError{fmt::format("{}: no column \"{}\"; there are: {}{}", said(file()),
+  throw InputError{fmt::format("{}: no column \"{}\"; there are: {}{}", quoted_name(file()),
                                units::printable(name), units::printable(there, 1000),
                                units::did_you_mean(name, known))};
 }
@@ -339,7 +339,8 @@ bool CsvReader::next() {
   return true;
 }
 
-// One of them, its numbers `rows` apart; nothing when it is not plain. There is a line feed before the end.
+// One of them, its numbers `rows` apart; nothing when it is not plain. There is a line feed before
+// the end.
 const char* CsvReader::plain_row(const char* at, const char* end,
                                  std::span<const std::size_t> columns, double* values,
                                  std::size_t rows) {

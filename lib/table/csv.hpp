@@ -1,10 +1,12 @@
 // Tables of cells with a separator: a strict reader with line numbers in its errors, and a writer.
 //
-// Dialect: UTF-8; cells are parted by commas, semicolons or tabs, whichever the header and the line after it agree on; the
-// first line names the columns, unless all its cells are numbers: then the columns are called 1, 2 and so on. Cells in double
-// quotes may hold separators, doubled quotes and line breaks, up to 100 of them and 1 MiB in a row; lines that start with # and
-// lines of blanks and tabs alone are skipped, CR LF accepted. Blanks around a bare cell do not count. Where the separator is no comma, numbers may have a decimal comma
-// (all of a file, or none). What LineSource unpacks is read as well.
+// Dialect: UTF-8; cells are parted by commas, semicolons or tabs, whichever the header and the line
+// after it agree on; the first line names the columns, unless all its cells are numbers: then the
+// columns are called 1, 2 and so on. Cells in double quotes may hold separators, doubled quotes and
+// line breaks, up to 100 of them and 1 MiB in a row; lines that start with # and lines of blanks
+// and tabs alone are skipped, CR LF accepted. Blanks around a bare cell do not count. Where the
+// separator is no comma, numbers may have a decimal comma (all of a file, or none). What LineSource
+// unpacks is read as well.
 #pragma once
 
 #include <cstddef>
@@ -20,12 +22,13 @@
 
 namespace railbook::table {
 
-// The name and the unit in a column's header, as people write them: "distance_m", "Distance (m)", "Distance [km]",
-// "Profile, mm", and units as "metres" or "inch". Without a unit, `unit_text` is empty and the unit the pure number.
+// The name and the unit in a column's header, as people write them: "distance_m", "Distance (m)",
+// "Distance [km]", "Profile, mm", and units as "metres" or "inch". Without a unit, `unit_text` is
+// empty and the unit the pure number.
 units::Header parse_column(std::string_view header);
 
-// Reads a file, or a pipe, line by line in constant memory. Errors are InputError naming the file and the line; what the
-// reading itself throws is LineSource's.
+// Reads a file, or a pipe, line by line in constant memory. Errors are InputError naming the file
+// and the line; what the reading itself throws is LineSource's.
 class CsvReader {
  public:
   // Opens the file, skips some lines, and reads its header. Throws when it is missing or empty.
@@ -33,23 +36,27 @@ class CsvReader {
 
   const std::vector<std::string>& header() const { return header_; }
 
-  // The index of a column, by its whole header or by its name without the unit ("distance" finds "distance_m" and
-  // "Distance [km]"; case, blanks, dashes and underscores do not count where no header fits exactly), or by its number, 3 or
-  // #3. Throws InputError listing the columns there are, or when more than one fits; find() gives nothing instead of the first.
+  // The index of a column, by its whole header or by its name without the unit ("distance" finds
+  // "distance_m" and "Distance [km]"; case, blanks, dashes and underscores do not count where no
+  // header fits exactly), or by its number, 3 or #3. Throws InputError listing the columns there
+  // are, or when more than one fits; find() gives nothing instead of the first.
   std::size_t column(std::string_view name) const;
   std::optional<std::size_t> find(std::string_view name) const;
 
-  // The next row; false at the end. A row with another number of cells throws. Views hold until the next call.
+  // The next row; false at the end. A row with another number of cells throws. Views hold until the
+  // next call.
   bool next();
   std::string_view cell(std::size_t column) const { return cells_[column]; }
 
-  // The numbers in some columns (ascending) of the rows that follow, without cells: of as many rows as `values` has room for and
-  // are in memory, up to one that is not all plain; next() and number() then read that row, or say what is wrong. Row r of
-  // the i-th column goes to values[i * rows + r], where rows = values.size() / columns.size(). Returns how many rows were read.
+  // The numbers in some columns (ascending) of the rows that follow, without cells: of as many rows
+  // as `values` has room for and are in memory, up to one that is not all plain; next() and
+  // number() then read that row, or say what is wrong. Row r of the i-th column goes to values[i *
+  // rows + r], where rows = values.size() / columns.size(). Returns how many rows were read.
   std::size_t numbers(std::span<const std::size_t> columns, std::span<double> values);
 
-  // A cell as a number, rounded to the nearest double, of two to the even one. Empty, and "NaN", "NA", "N/A", "null" and dashes,
-  // are NaN; anything else throws, so does a number that rounds to infinity, or to 0 without being it.
+  // A cell as a number, rounded to the nearest double, of two to the even one. Empty, and "NaN",
+  // "NA", "N/A", "null" and dashes, are NaN; anything else throws, so does a number that rounds to
+  // infinity, or to 0 without being it.
   double number(std::size_t column) const;
   [[noreturn]] void refuse_number(std::size_t column) const;
 
@@ -92,15 +99,16 @@ struct CsvTable {
   std::vector<std::string> header;
   std::vector<std::vector<std::string>> rows;
 
-  // The cell in `column` of the row whose first cell is `key`; throws std::logic_error when there is none.
+  // The cell in `column` of the row whose first cell is `key`; throws std::logic_error when there
+  // is none.
   const std::string& at(std::string_view key, std::string_view column) const;
   const std::string& at(std::size_t row, std::string_view column) const;
 };
 CsvTable read_table(const std::filesystem::path& file);
 
-// Numeric columns of a user's file as SI values, in the order of `names`. Each header must name a unit of the
-// dimension wanted ("distance_m", "profile_mm"). NaN cells throw unless `allow_nan`. Result: [column][row], to
-// 1e-15 of each value.
+// Numeric columns of a user's file as SI values, in the order of `names`. Each header must name a
+// unit of the dimension wanted ("distance_m", "profile_mm"). NaN cells throw unless `allow_nan`.
+// Result: [column][row], to 1e-15 of each value.
 struct ColumnWanted {
   std::string name;
   units::Dimension dimension;
@@ -112,8 +120,8 @@ std::vector<std::vector<double>> read_columns(const std::filesystem::path& file,
 // A number as CSV text: shortest form that keeps so many digits; NaN as "nan".
 std::string csv_number(double value, int digits = 12);
 
-// A cell, quoted where the dialect needs it: it reads back as the same text (but for zero bytes, and for an empty row of one
-// column, which is a blank line).
+// A cell, quoted where the dialect needs it: it reads back as the same text (but for zero bytes,
+// and for an empty row of one column, which is a blank line).
 std::string csv_cell(std::string_view text);
 
 }  // namespace railbook::table

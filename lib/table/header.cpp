@@ -56,7 +56,8 @@ units::Header parse_column(std::string_view header) {
   if (begin != std::string_view::npos) {
     unit = unit_of(header.substr(begin + 1, header.size() - begin - 2));
   } else {
-    // The longest that reads as one behind a comma, a blank, an underscore or a stroke: "Speed, km/h", "Profile / mm".
+    // The longest that reads as one behind a comma, a blank, an underscore or a stroke: "Speed,
+    // km/h", "Profile / mm".
     begin = header.find_first_of(", _/");
     for (; begin != std::string_view::npos; begin = header.find_first_of(", _/", begin + 1))
       if ((unit = unit_of(header.substr(begin + 1)))) break;

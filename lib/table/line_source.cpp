@@ -42,7 +42,7 @@ struct Unpacker {
 
 }  // namespace
 
-std::string said(const std::filesystem::path& file) {
+std::string quoted_name(const std::filesystem::path& file) {
   if (file == "-") return "standard input";
   return fmt::format("file \"{}\"", units::printable(file.string(), 300));
 }
@@ -64,11 +64,11 @@ LineSource::~LineSource() = default;
 LineSource::LineSource(const std::filesystem::path& file, std::chrono::milliseconds patience)
     : file_(file), buffer_(buffer_size) {
   const auto refuse = [&](const std::string& why) {
-    throw InputError{said(file) + ": cannot be read: " + why};
+    throw InputError{quoted_name(file) + ": cannot be read: " + why};
   };
   const auto refuse_error = [&](int error) {
     if (files::is_of_machine(error))
-      throw files::OutsideError{said(file) + ": cannot be read: " + reason(error)};
+      throw files::OutsideError{quoted_name(file) + ": cannot be read: " + reason(error)};
     refuse(reason(error));
   };
   do {
@@ -108,7 +108,7 @@ LineSource::LineSource(const std::filesystem::path& file, std::chrono::milliseco
 }
 
 std::string LineSource::here() const {
-  return fmt::format("{}, line {}", said(file_), line_ + 1);
+  return fmt::format("{}, line {}", quoted_name(file_), line_ + 1);
 }
 
 double LineSource::share() const {

@@ -12,26 +12,27 @@
 namespace railbook::table {
 
 // A file as errors name it: standard input, or file "NAME".
-std::string said(const std::filesystem::path& file);
+std::string quoted_name(const std::filesystem::path& file);
 
-// Reads a file, a pipe or a FIFO from its beginning to its end, once, in the memory of its longest line; - is standard input.
-// A file packed by gzip is unpacked as it is read.
+// Reads a file, a pipe or a FIFO from its beginning to its end, once, in the memory of its longest
+// line; - is standard input. A file packed by gzip is unpacked as it is read.
 class LineSource {
  public:
-  // Throws InputError with the system's reason when `file` cannot be opened, or is a folder (OutsideError when the machine is at
-  // its end: no descriptors, no memory); also for a FIFO that nobody has
-  // opened to write to within `patience`. A writer that is there is waited for.
+  // Throws InputError with the system's reason when `file` cannot be opened, or is a folder
+  // (OutsideError when the machine is at its end: no descriptors, no memory); also for a FIFO that
+  // nobody has opened to write to within `patience`. A writer that is there is waited for.
   explicit LineSource(const std::filesystem::path& file,
                       std::chrono::milliseconds patience = std::chrono::seconds{10});
   ~LineSource();
 
-  // The next line, without its line feed; false at the end. The view holds until the next call. Throws files::OutsideError
-  // when reading fails in mid-file, and InputError for a line of more than 64 MiB and for gzip data that are damaged or cut
-  // off: all name file, line and reason.
+  // The next line, without its line feed; false at the end. The view holds until the next call.
+  // Throws files::OutsideError when reading fails in mid-file, and InputError for a line of more
+  // than 64 MiB and for gzip data that are damaged or cut off: all name file, line and reason.
   bool next(std::string_view& line);
   bool next(std::string& line);
 
-  // What is in memory of the next lines, whole ones with their line feeds, maybe none; and how much of it has been used.
+  // What is in memory of the next lines, whole ones with their line feeds, maybe none; and how much
+  // of it has been used.
   std::string_view lines_ahead();
   void use(std::size_t bytes, std::size_t lines) { begin_ += bytes, line_ += lines; }
 

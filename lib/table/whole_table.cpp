@@ -47,7 +47,7 @@ std::vector<std::vector<double>> read_columns(const std::filesystem::path& file,
     if (!(header.unit.dimension == w.dimension)) {
       throw InputError{fmt::format(
           "{}: column \"{}\" {}; allowed: a header that ends in a unit of {}, such as {}_{}",
-          said(file), units::printable(reader.header()[index.back()]),
+          quoted_name(file), units::printable(reader.header()[index.back()]),
           header.unit_text.empty() ? "names no unit" : "has the unit " + header.unit_text,
           units::si_name(w.dimension), w.name, units::si_name(w.dimension))};
     }
@@ -58,13 +58,14 @@ std::vector<std::vector<double>> read_columns(const std::filesystem::path& file,
     for (std::size_t i = 0; i < wanted.size(); ++i) {
       const double value = reader.number(index[i]);
       if (std::isnan(value) && !allow_nan) {
-        throw InputError{
-            fmt::format("{}, line {}: column \"{}\" is empty or NaN; allowed: a finite number",
-                        said(file), reader.line(), units::printable(reader.header()[index[i]]))};
+        throw InputError{fmt::format(
+            "{}, line {}: column \"{}\" is empty or NaN; allowed: a finite number",
+            quoted_name(file), reader.line(), units::printable(reader.header()[index[i]]))};
       }
       if (std::isinf(value * si[i])) {
-        throw InputError{fmt::format("{}, line {}: column \"{}\" overflows in SI", said(file),
-                                     reader.line(), units::printable(reader.header()[index[i]]))};
+        throw InputError{fmt::format("{}, line {}: column \"{}\" overflows in SI",
+                                     quoted_name(file), reader.line(),
+                                     units::printable(reader.header()[index[i]]))};
       }
       columns[i].push_back(value * si[i]);
     }

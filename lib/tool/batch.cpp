@@ -22,26 +22,26 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-std::vector<fs::path> records_of(const BatchWish& wish) {
-  std::vector<fs::path> files = wish.files;
-  if (wish.manifest) {
-    table::LineSource lines{*wish.manifest};
+std::vector<fs::path> records_of(const RecordFiles& records) {
+  std::vector<fs::path> files = records.files;
+  if (records.manifest) {
+    table::LineSource lines{*records.manifest};
     for (std::string line; lines.next(line);) {
       if (line.ends_with('\r')) line.pop_back();
       if (line.empty() || line.starts_with('#')) continue;
       if (line.find('\0') != std::string::npos)
         throw InputError{fmt::format("file {}, line {}: holds a zero byte: no list of files",
-                                     files::shown(*wish.manifest), lines.line())};
-      files.push_back(fs::path(line).is_absolute() || *wish.manifest == "-"
+                                     files::quoted_name(*records.manifest), lines.line())};
+      files.push_back(fs::path(line).is_absolute() || *records.manifest == "-"
                           ? fs::path(line)
-                          : wish.manifest->parent_path() / line);
+                          : records.manifest->parent_path() / line);
     }
   }
   if (files.empty()) throw InputError{"there is no record; allowed: files, or --manifest"};
   std::set<fs::path> seen;
   for (const fs::path& file : files)
     if (!seen.insert(file).second)
-      throw InputError{fmt::format("record {} is named twice", files::shown(file))};
+      throw InputError{fmt::format("record {} is named twice", files::quoted_name(file))};
   return files;
 }
 
@@ -132,11 +132,12 @@ Tally tally(const std::vector<Answer>& answers, std::string_view status) {
   Tally t;
   for (const Answer& a : answers)
     if (a.status == status && t.count++ == 0)
-      t.first = fmt::format("{}: {}", files::shown(a.record), a.reason);
+      t.first = fmt::format("{}: {}", files::quoted_name(a.record), a.reason);
   return t;
 }
 
-// "class 5, A_m2_cycle_per_m 2e-07": the numbers of a row but for those that say where it is and how much of it was read.
+// "class 5, A_m2_cycle_per_m 2e-07": the numbers of a row but for those that say where it is and
+// how much of it was read.
 std::string numbers_of(const Json& row) {
   static const std::set<std::string> aside{"from_m",  "to_m",    "spacing_m", "samples",
                                            "missing", "bridged", "faulty"};
@@ -179,7 +180,7 @@ void print(const std::vector<Answer>& answers, const std::string& name) {
     for (const Json& row : a.rows)
       if (a.status == "ok" && row.value("kind", "record") == "record" && ++shown <= most)
         summary.add(fmt::format("row_{}", shown),
-                    files::shown(a.record) +
+                    files::quoted_name(a.record) +
                         (row.contains("column") ? ", " + row.value("column", "") : std::string{}),
                     numbers_of(row));
   if (shown > most) summary.add("more", "  and more", fmt::format("{} rows", shown - most));
@@ -188,19 +189,19 @@ void print(const std::vector<Answer>& answers, const std::string& name) {
 
 }  // namespace
 
-bool BatchWish::many() const {
+bool RecordFiles::many() const {
   return files.size() > 1 || manifest;
 }
 
-const std::filesystem::path& BatchWish::only() const {
+const std::filesystem::path& RecordFiles::only() const {
   if (files.empty()) throw InputError{"there is no record; allowed: a file, or --manifest"};
   return files.front();
 }
 
-void run_batch(const BatchWish& wish, const Destination& out, const std::string& name,
+void run_batch(const RecordFiles& given, const Destination& out, const std::string& name,
                const RecordRows& rows) {
   if (out.figure) throw InputError{"figure is given with many records; allowed: with one"};
-  const std::vector<fs::path> records = records_of(wish);
+  const std::vector<fs::path> records = records_of(given);
   OutFolder folder(out, {name + "-table.csv", name + "-table.jsonl"});
   std::vector<Answer> answers;
   Progress progress("records", static_cast<double>(records.size()));

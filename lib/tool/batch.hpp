@@ -1,10 +1,12 @@
 // One question to many records, one after the other: a table with a row or more for each.
 //
-//   o.records(wish.batch);                               // "record ..." and --manifest
+//   o.records(input.batch);                               // "record ..." and --manifest
 //   ...
-//   if (wish.batch.many()) return tool::run_batch(wish.batch, wish.out, "classify", [&](const auto& file) { return rows; });
+//   if (input.batch.many()) return tool::run_batch(input.batch, input.out, "classify", [&](const
+//   auto& file) { return rows; });
 //
-// To use several processors or machines, run the command several times (xargs -P, GNU parallel, a job array) and join what
+// To use several processors or machines, run the command several times (xargs -P, GNU parallel, a
+// job array) and join what
 // --json prints.
 #pragma once
 
@@ -38,12 +40,13 @@ class Row {
 
 using RecordRows = std::function<std::vector<Row>(const std::filesystem::path& record)>;
 
-// Answers all records and prints what came of them; with --json, a line for each row as soon as its record is answered. With
-// --out DIR: DIR/NAME-table.csv and .jsonl, one row an answer: record, status (ok, refused, failed), reason, then the rows' own
-// columns. A record that is refused or that fails is a row with its reason, and the others are answered. Then throws
-// files::OutsideError when a record failed, else InputError when one was refused: not all of them are answered, and the exit
-// status says so.
-void run_batch(const BatchWish& wish, const Destination& out, const std::string& name,
+// Answers all records and prints what came of them; with --json, a line for each row as soon as its
+// record is answered. With
+// --out DIR: DIR/NAME-table.csv and .jsonl, one row an answer: record, status (ok, refused,
+// failed), reason, then the rows' own columns. A record that is refused or that fails is a row with
+// its reason, and the others are answered. Then throws files::OutsideError when a record failed,
+// else InputError when one was refused: not all of them are answered, and the exit status says so.
+void run_batch(const RecordFiles& records, const Destination& out, const std::string& name,
                const RecordRows& rows);
 
 }  // namespace railbook::tool

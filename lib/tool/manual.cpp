@@ -50,22 +50,23 @@ std::string names(const std::vector<const CLI::App*>& apps) {
   return text;
 }
 
-// One shell case a place: what may follow "railbook", "railbook psd", "railbook psd classify", an option with choices.
+// One shell case a place: what may follow "railbook", "railbook psd", "railbook psd classify", an
+// option with choices.
 std::string cases(const CLI::App& app) {
   std::string text = fmt::format("    '') offer='{} --help --version' ;;\n", names(below(app)));
   for (const CLI::App* subject : below(app)) {
     text += fmt::format("    '{}') offer='{} --help' ;;\n", subject->get_name(),
                         names(below(*subject)));
     for (const CLI::App* tool : below(*subject)) {
-      std::string options, values;
+      std::string parser, values;
       for (const CLI::Option* o : tool->get_options()) {
         if (!o->nonpositional()) continue;
-        options += o->get_name() + " ";
+        parser += o->get_name() + " ";
         if (const std::string words = choices(*o); !words.empty())
           values += fmt::format("      '{}') offer='{}' ;;\n", o->get_name(), words);
       }
       text +=
-          fmt::format("    '{} {}') offer='{}'\n", subject->get_name(), tool->get_name(), options);
+          fmt::format("    '{} {}') offer='{}'\n", subject->get_name(), tool->get_name(), parser);
       if (!values.empty()) text += fmt::format("      case $before in\n{}      esac\n", values);
       text += "      ;;\n";
     }

@@ -32,8 +32,9 @@ std::string default_text(double value, const units::Dimension& dimension) {
 
 }  // namespace
 
-void Options::quantity(const std::string& name, double& value, const units::Dimension& dimension,
-                       const std::string& help, Range range) {
+void OptionParser::quantity(const std::string& name, double& value,
+                            const units::Dimension& dimension, const std::string& help,
+                            Range range) {
   const auto set = [=, &value](const std::string& text) {
     value = read(name, text, dimension, range);
   };
@@ -42,8 +43,9 @@ void Options::quantity(const std::string& name, double& value, const units::Dime
               ->default_str(default_text(value, dimension));
 }
 
-void Options::quantity(const std::string& name, std::optional<double>& value,
-                       const units::Dimension& dimension, const std::string& help, Range range) {
+void OptionParser::quantity(const std::string& name, std::optional<double>& value,
+                            const units::Dimension& dimension, const std::string& help,
+                            Range range) {
   const auto set = [=, &value](const std::string& text) {
     value = read(name, text, dimension, range);
   };
@@ -52,8 +54,9 @@ void Options::quantity(const std::string& name, std::optional<double>& value,
   last_ = option;
 }
 
-void Options::quantities(const std::string& name, std::vector<double>& values,
-                         const units::Dimension& dimension, const std::string& help, Range range) {
+void OptionParser::quantities(const std::string& name, std::vector<double>& values,
+                              const units::Dimension& dimension, const std::string& help,
+                              Range range) {
   const auto set = [=, &values](const std::vector<std::string>& texts) {
     values.clear();
     for (const std::string& text : texts) values.push_back(read(name, text, dimension, range));
@@ -62,8 +65,8 @@ void Options::quantities(const std::string& name, std::vector<double>& values,
               ->type_name("QUANTITY ...");
 }
 
-void Options::count(const std::string& name, long& value, const std::string& help, long low,
-                    long high) {
+void OptionParser::count(const std::string& name, long& value, const std::string& help, long low,
+                         long high) {
   const auto set = [=, &value](const std::string& text) {
     const double number = units::parse_quantity(spoken(name), text, units::number);
     units::require_between(spoken(name), number, static_cast<double>(low),
@@ -77,12 +80,12 @@ void Options::count(const std::string& name, long& value, const std::string& hel
               ->default_str(std::to_string(value));
 }
 
-void Options::text(const std::string& name, std::string& value, const std::string& help) {
+void OptionParser::text(const std::string& name, std::string& value, const std::string& help) {
   last_ = app_->add_option(name, value, help)->type_name("TEXT")->capture_default_str();
 }
 
-void Options::choice(const std::string& name, std::string& value,
-                     const std::vector<std::string>& allowed, const std::string& help) {
+void OptionParser::choice(const std::string& name, std::string& value,
+                          const std::vector<std::string>& allowed, const std::string& help) {
   const auto set = [=, &value](const std::string& text) {
     if (std::find(allowed.begin(), allowed.end(), text) == allowed.end()) {
       throw InputError{fmt::format("{} is \"{}\"; allowed: {}{}", spoken(name), text,
@@ -95,8 +98,8 @@ void Options::choice(const std::string& name, std::string& value,
               ->default_str(value);
 }
 
-void Options::texts(const std::string& name, std::vector<std::string>& values,
-                    const std::string& help) {
+void OptionParser::texts(const std::string& name, std::vector<std::string>& values,
+                         const std::string& help) {
   const auto set = [&values](const std::vector<std::string>& texts) {
     values.clear();
     for (std::string_view text : texts) {
@@ -113,9 +116,9 @@ void Options::texts(const std::string& name, std::vector<std::string>& values,
               ->default_str(fmt::format("{}", fmt::join(values, ",")));
 }
 
-void Options::records(BatchWish& wish) {
-  const auto set = [&wish](const std::vector<std::string>& texts) {
-    wish.files.assign(texts.begin(), texts.end());
+void OptionParser::records(RecordFiles& records) {
+  const auto set = [&records](const std::vector<std::string>& texts) {
+    records.files.assign(texts.begin(), texts.end());
   };
   app_->add_option_function<std::vector<std::string>>(
           "record", set,
@@ -124,32 +127,33 @@ void Options::records(BatchWish& wish) {
           "standard input. Many make a table with a row for each, in the folder of --out")
       ->type_name("FILE ...");
   app_->add_option_function<std::string>(
-          "--manifest", [&wish](const std::string& text) { wish.manifest = text; },
+          "--manifest", [&records](const std::string& text) { records.manifest = text; },
           "text file that lists records, one a line, relative to its own folder")
       ->type_name("FILE");
 }
 
-void Options::file(const std::string& name, std::filesystem::path& value, const std::string& help) {
+void OptionParser::file(const std::string& name, std::filesystem::path& value,
+                        const std::string& help) {
   last_ = app_->add_option(name, value, help)->type_name("FILE");
 }
 
-void Options::toml(const std::string& name, const std::string& help) {
+void OptionParser::toml(const std::string& name, const std::string& help) {
   last_ = app_->add_option(name, help)->type_name(toml_type);
 }
 
-void Options::flag(const std::string& name, bool& value, const std::string& help) {
+void OptionParser::flag(const std::string& name, bool& value, const std::string& help) {
   last_ = app_->add_flag(name, value, help);
 }
 
-void Options::required() {
+void OptionParser::required() {
   static_cast<CLI::Option*>(last_)->required()->default_str("");  // it has none
 }
 
-void Options::help(const std::string& text) {
+void OptionParser::help(const std::string& text) {
   app_->footer(text);
 }
 
-void Options::out(Destination& destination) {
+void OptionParser::out(Destination& destination) {
   app_->add_flag("--no-figures", destination.no_figures, "with --out: do not draw");
   last_ = app_->add_option_function<std::string>(
                   "--out", [&destination](const std::string& text) { destination.folder = text; },

@@ -1,6 +1,7 @@
 // The options of a tool: the same on the command line and in a TOML file (--config).
 //
-//   tool::Tool stiffness{"stiffness", "track stiffness of your own track", [](tool::Options& o) {
+//   tool::Tool stiffness{"stiffness", "track stiffness of your own track", [](tool::OptionParser&
+//   o) {
 //     auto in = std::make_shared<Input>();
 //     o.quantity("--tie-spacing", in->tie_spacing, units::length, "distance between ties");
 //     o.choice("--rail", in->rail, {"115RE", "132RE"}, "rail section");
@@ -27,13 +28,13 @@ namespace railbook::tool {
 
 // Allowed range of an option, SI. `open_low`: from 0 on, without it.
 struct Range {
-  double low = -units::no_limit;
-  double high = units::no_limit;
+  double low = -units::infinity;
+  double high = units::infinity;
   bool open_low = false;
 };
-inline constexpr Range positive{0, units::no_limit, true};
+inline constexpr Range positive{0, units::infinity, true};
 inline constexpr const char* toml_type = "TOML";  // type name of the options of Options::toml
-inline constexpr Range non_negative{0, units::no_limit, false};
+inline constexpr Range non_negative{0, units::infinity, false};
 
 // Where a tool's files go, if anywhere (see OutFolder).
 struct Destination {
@@ -43,7 +44,7 @@ struct Destination {
 };
 
 // Records to answer, one or many (see batch.hpp).
-struct BatchWish {
+struct RecordFiles {
   std::vector<std::filesystem::path> files;
   std::optional<std::filesystem::path> manifest;
   bool many() const;
@@ -51,12 +52,12 @@ struct BatchWish {
   const std::filesystem::path& only() const;
 };
 
-class Options {
+class OptionParser {
  public:
-  explicit Options(CLI::App& app) : app_(&app) {}
+  explicit OptionParser(CLI::App& app) : app_(&app) {}
 
-  // Names: "--tie-spacing", or "record" for a positional argument. The value the variable holds beforehand is the
-  // default; an optional<double> without one is an option that may be absent.
+  // Names: "--tie-spacing", or "record" for a positional argument. The value the variable holds
+  // beforehand is the default; an optional<double> without one is an option that may be absent.
   void quantity(const std::string& name, double& value, const units::Dimension& dimension,
                 const std::string& help, Range range = {});
   void quantity(const std::string& name, std::optional<double>& value,
@@ -70,7 +71,7 @@ class Options {
   // "--column a,b" and "--column a --column b".
   void texts(const std::string& name, std::vector<std::string>& values, const std::string& help);
   // "record ..." and --manifest.
-  void records(BatchWish& wish);
+  void records(RecordFiles& records);
   void file(const std::string& name, std::filesystem::path& value, const std::string& help);
   // A further file of options, after --config: "--car freight.toml".
   void toml(const std::string& name, const std::string& help);
@@ -79,8 +80,8 @@ class Options {
   void required();
   // What --help says at its end: columns, files, and an example to start from.
   void help(const std::string& text);
-  // "--out DIR": where files go; without it a tool only prints. "--no-figures": without gnuplot; "--figure FILE": the
-  // first figure and nothing else.
+  // "--out DIR": where files go; without it a tool only prints. "--no-figures": without gnuplot;
+  // "--figure FILE": the first figure and nothing else.
   void out(Destination& destination);
 
  private:
@@ -89,7 +90,7 @@ class Options {
 };
 
 // Declares options, then returns what runs the tool.
-using ToolSetup = std::function<std::function<void()>(Options&)>;
+using ToolSetup = std::function<std::function<void()>(OptionParser&)>;
 
 struct Tool {
   std::string name, help;

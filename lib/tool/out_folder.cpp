@@ -28,7 +28,7 @@ OutFolder::OutFolder(const Destination& destination, std::vector<std::string> na
   const std::filesystem::path& folder = *destination_.folder;
   if (folder.empty()) throw InputError("out is empty; allowed: the name of a folder");
   if (files::is_standard_output(folder))
-    throw InputError("out is " + files::shown(folder) +
+    throw InputError("out is " + files::quoted_name(folder) +
                      ", standard output; allowed: the name of a folder (./- for one called -)");
   files::require_no_link(folder);
   files_.reserve(names_.size());  // references to its elements are given out
@@ -65,8 +65,8 @@ void OutFolder::figure(const std::filesystem::path& script, const std::vector<st
   paths.reserve(data.size());
   for (const std::string& name : data) paths.push_back(drawable_.at(name));
   const bool svg = figure_ && destination_.figure->extension() == ".svg";
-  const std::string picture = svg ? plot::draw_svg(script, paths, plot::Missing::allowed)
-                                  : plot::draw(script, paths, plot::Missing::allowed);
+  const std::string picture = svg ? plot::draw_svg(script, paths, plot::EmptyCurve::skip)
+                                  : plot::draw(script, paths, plot::EmptyCurve::skip);
   drawn_ = true;
   if (figure_)
     figure_->write(picture);

@@ -1,6 +1,7 @@
 // The folder of --out: all of a tool's files, or none. With --figure, the first figure alone.
 //
-//   tool::OutFolder out(wish.out, {"limit.csv", "limit.json", "limit.png"});   // first: refuses before the work
+//   tool::OutFolder out(input.out, {"limit.csv", "limit.json", "limit.png"});   // first: refuses
+//   before the work
 //   ...
 //   if (out) {
 //     out.add("limit.csv", text);
@@ -25,8 +26,8 @@ namespace railbook::tool {
 
 class OutFolder {
  public:
-  // Without a folder nothing is to be written, and the object is false. Checks that the folder can be made, and
-  // all of `names` written there; throws InputError, with the reason, where not.
+  // Without a folder nothing is to be written, and the object is false. Checks that the folder can
+  // be made, and all of `names` written there; throws InputError, with the reason, where not.
   OutFolder(const Destination& destination, std::vector<std::string> names);
   ~OutFolder();
   OutFolder(const OutFolder&) = delete;
@@ -39,7 +40,8 @@ class OutFolder {
   files::OutFile& stream(const std::string& name);
   // A file for figures only; it is not kept.
   void scratch(const std::string& name, std::string_view text);
-  // Draws files added before (plot::draw), unless no figures are wanted; a curve or a range without data is left out.
+  // Draws files added before (plot::draw), unless no figures are wanted; a curve or a range without
+  // data is left out.
   void figure(const std::filesystem::path& script, const std::vector<std::string>& data,
               const std::string& png);
   // Moves all files into place, or none: throws files::OutsideError. Does nothing without a folder.

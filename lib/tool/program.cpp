@@ -23,7 +23,8 @@
 namespace railbook::tool {
 namespace {
 
-// The words of the command line, and where those that a TOML file put in come from, by the name that messages use.
+// The words of the command line, and where those that a TOML file put in come from, by the name
+// that messages use.
 struct Words {
   std::vector<std::string> words;
   std::vector<std::pair<std::string, std::string>> origins;
@@ -36,9 +37,10 @@ std::vector<std::string> option_names(const CLI::App* app) {
   return names;
 }
 
-// Puts in the entries of the TOML file that the option `named` names, unless an option is given on the line itself. A key in
-// a table, [body-1] radius = "18in", is the option --body-1-radius. (CLI11 reads configuration files for the whole program
-// only, not for a subcommand, and knows no line numbers.)
+// Puts in the entries of the TOML file that the option `named` names, unless an option is given on
+// the line itself. A key in a table, [body-1] radius = "18in", is the option --body-1-radius.
+// (CLI11 reads configuration files for the whole program only, not for a subcommand, and knows no
+// line numbers.)
 void add_entries(const CLI::App* command, Words& line, const std::string& named) {
   std::vector<std::string>& words = line.words;
   const auto is = [](const std::string& word, const std::string& option) {
@@ -114,8 +116,8 @@ void require_known(const CLI::App& app, const std::vector<std::string>& words) {
   }
 }
 
-// The same for --config and then for every option that Options::toml declared: what comes first wins. `tool case.toml` is
-// `tool --config case.toml`.
+// The same for --config and then for every option that Options::toml declared: what comes first
+// wins. `tool case.toml` is `tool --config case.toml`.
 Words with_config(const CLI::App& app, std::vector<std::string> given) {
   Words line{std::move(given), {}};
   std::vector<std::string>& words = line.words;
@@ -185,8 +187,8 @@ std::function<void()> add_tool(CLI::App& group, const Tool& tool) {
                    "is --table-key); the command line wins")
       ->type_name("FILE");
   command->add_flag("--json", session().json, "print the answer as JSON and nothing else");
-  Options options{*command};
-  return [command, action = tool.setup(options)] {
+  OptionParser parser{*command};
+  return [command, action = tool.setup(parser)] {
     if (!*command) return;
     note_options(*command);
     action();

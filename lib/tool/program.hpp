@@ -1,8 +1,8 @@
 // The command line of a program of tools: `railbook contact solve --config case.toml`.
 //
-// Every option may stand in a TOML file, named by --config or given as the first word after the tool's name. Exit
-// status: 0 good, 2 bad input or usage, 3 the outside failed (a full disk, gnuplot; quietly when the reader of standard
-// output went away), 1 anything else.
+// Every option may stand in a TOML file, named by --config or given as the first word after the
+// tool's name. Exit status: 0 good, 2 bad input or usage, 3 the outside failed (a full disk,
+// gnuplot; quietly when the reader of standard output went away), 1 anything else.
 #pragma once
 
 #include <string>
@@ -19,7 +19,8 @@ struct Subject {
   std::vector<Tool> tools;
 };
 
-// The program: its name, what it is for, its version and those of the libraries that only its caller knows, and what
+// The program: its name, what it is for, its version and those of the libraries that only its
+// caller knows, and what
 // --help says at its end.
 struct Program {
   std::string name, about, version;
@@ -27,7 +28,8 @@ struct Program {
   std::string help;
 };
 
-// Reads the command line, runs the tool it names, and returns the exit status. Besides, there are --version, --help,
+// Reads the command line, runs the tool it names, and returns the exit status. Besides, there are
+// --version, --help,
 // --manual (the manual page) and --completion bash or zsh.
 int run(int argc, char** argv, const Program& program, const std::vector<Subject>& subjects);
 

@@ -19,7 +19,7 @@ std::string progress_line(const std::string& what, double done, double steps, do
                      time);
 }
 
-bool worth_saying(double done, double steps, double seconds, double enough) {
+bool should_report(double done, double steps, double seconds, double enough) {
   return seconds > 2 && (steps - done) * seconds > enough * done;
 }
 
@@ -44,7 +44,7 @@ void Progress::end() {
 void Progress::step() {
   ++done_;
   const double now = seconds_();
-  const bool first = !said_ && worth_saying(done_, steps_, now - begin_, terminal_ ? 1 : 10);
+  const bool first = !said_ && should_report(done_, steps_, now - begin_, terminal_ ? 1 : 10);
   if (!first && !(said_ && terminal_ && now - shown_ > 0.5)) return;
   said_ = true;
   shown_ = now;

@@ -10,7 +10,8 @@ namespace railbook::tool {
 struct Session {
   std::string program, version;
   std::vector<std::string> command;  // as it was typed
-  // Options of the tool that runs, in the order of its help: those that were given, and the values of those that were not.
+  // Options of the tool that runs, in the order of its help: those that were given, and the values
+  // of those that were not.
   std::vector<std::pair<std::string, std::string>> given, assumed;
   bool json = false;   // the answer is printed as JSON, and nothing else is on standard output
   bool taken = false;  // standard output is a file's: the answer goes to standard error

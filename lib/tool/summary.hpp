@@ -22,30 +22,33 @@ class Summary {
  public:
   explicit Summary(std::string title) : title_(std::move(title)) {}
 
-  // A number in the unit it is shown in. `key` is its JSON name ("force_N" style names carry the unit). Throws InputError
-  // naming it when it is not finite: what has no value is said to be absent.
+  // A number in the unit it is shown in. `key` is its JSON name ("force_N" style names carry the
+  // unit). Throws InputError naming it when it is not finite: what has no value is said to be
+  // absent.
   void add(std::string key, std::string what, double value, std::string unit,
            std::string note = "");
-  // A number with its error: printed with the digits that the error leaves, and the error beside it; under "errors" in the
-  // JSON, null when not known.
+  // A number with its error: printed with the digits that the error leaves, and the error beside
+  // it; under "errors" in the JSON, null when not known.
   void add(std::string key, std::string what, const Estimate& estimate, std::string unit,
            std::string note = "");
   void add(std::string key, std::string what, std::string text);
-  // A quantity that has no value here, and why ("none", "beyond the largest force"): null in the JSON, with the reason
-  // as its note.
+  // A quantity that has no value here, and why ("none", "beyond the largest force"): null in the
+  // JSON, with the reason as its note.
   void absent(std::string key, std::string what, std::string why);
 
-  // A doubt that the answer stands under: "not-converged", "after 200 steps the force still changes by 3 %". Printed above
-  // all values, and under "flags" in the JSON. What is only worth knowing is a note of a value.
+  // A doubt that the answer stands under: "not-converged", "after 200 steps the force still changes
+  // by 3 %". Printed above all values, and under "flags" in the JSON. What is only worth knowing is
+  // a note of a value.
   void flag(std::string key, std::string text);
 
   const std::vector<std::pair<std::string, std::string>>& flags() const { return flags_; }
 
-  // The table on standard output: what, value, unit, note; with --json, json(). On standard error where standard output is
-  // a file's.
+  // The table on standard output: what, value, unit, note; with --json, json(). On standard error
+  // where standard output is a file's.
   void print() const;
-  // {"title": ..., "values": {key: value, ...}, "errors": ..., "units": {key: unit, ...}, "notes": ..., "flags": {key: text}, "program": ...,
-  // "version": ..., "command": [...], "given": {option: text}, "assumed": {option: text}}; what is absent is null.
+  // {"title": ..., "values": {key: value, ...}, "errors": ..., "units": {key: unit, ...}, "notes":
+  // ..., "flags": {key: text}, "program": ..., "version": ..., "command": [...], "given": {option:
+  // text}, "assumed": {option: text}}; what is absent is null.
   std::string json() const;
 
  private:

@@ -13,8 +13,9 @@ namespace {
 
 using Index = Eigen::Index;
 
-// Unknowns of a node: deflection and slope on its left, and how much more they are on its right where a joint yields; the gaps
-// rather than the right ends themselves, for these are nearly equal across a stiff link. -1: none.
+// Unknowns of a node: deflection and slope on its left, and how much more they are on its right
+// where a joint yields; the gaps rather than the right ends themselves, for these are nearly equal
+// across a stiff link. -1: none.
 struct NodeUnknowns {
   Index y, slope, step = -1, kink = -1;
 };

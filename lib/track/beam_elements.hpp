@@ -42,9 +42,10 @@ struct BeamSolution {
   int unknowns = 0;
 };
 
-// Solves by banded Cholesky, O(n). Rounding grows as (beta h)^-4 of the shortest element h: 1e-11 of the deflection at beta h =
-// 0.1, whatever the joints' springs. Throws InputError for bad data, num::NumericalError when a part
-// of the rail is not held (fewer than two springs and no foundation).
+// Solves by banded Cholesky, O(n). Rounding grows as (beta h)^-4 of the shortest element h: 1e-11
+// of the deflection at beta h = 0.1, whatever the joints' springs. Throws InputError for bad data,
+// num::NumericalError when a part of the rail is not held (fewer than two springs and no
+// foundation).
 BeamSolution solve_beam(const BeamModel& model, const std::vector<NodeLoad>& loads);
 
 // 4 x 4 stiffness of one element of `length` for (y, y') at both ends: exact on a foundation K >=

@@ -11,8 +11,8 @@
 
 namespace railbook::track {
 
-// A rail on its foundation. Both must be positive and finite (require_valid; the functions below do not ask). To rounding
-// over 18 decades of each.
+// A rail on its foundation. Both must be positive and finite (require_valid; the functions below do
+// not ask). To rounding over 18 decades of each.
 struct WinklerBeam {
   double bending_stiffness;   // EI, N m^2
   double foundation_modulus;  // K, force per length per deflection of one rail: Pa
@@ -47,13 +47,14 @@ struct WheelLoad {
   double force;  // N, downwards
 };
 
-// State at x (m) under wheels at fixed places, superposed; exact to rounding of the loads' own. O(wheels).
+// State at x (m) under wheels at fixed places, superposed; exact to rounding of the loads' own.
+// O(wheels).
 BeamState beam_state(const WinklerBeam& beam, std::span<const WheelLoad> wheels, double x);
 BeamState beam_state(const WinklerBeam& beam, double force, double distance);
 
 // Force of wheel `index` over the deflection under it, N/m: the stiffness that wheel feels with the
-// others present (the two-wheel formula after eq. (1), for any number); infinite or negative where the others lift it. To
-// rounding of the deflections' sum. Throws InputError on a bad index.
+// others present (the two-wheel formula after eq. (1), for any number); infinite or negative where
+// the others lift it. To rounding of the deflections' sum. Throws InputError on a bad index.
 double stiffness_under_wheel(const WinklerBeam& beam, std::span<const WheelLoad> wheels,
                              std::size_t index);
 

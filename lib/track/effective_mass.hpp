@@ -1,8 +1,8 @@
 // Lumped masses and damping of the track, per rail.
 //
-// All are products and roots, to rounding; a value that is not positive (tie and ballast masses and zeta: negative) or not
-// finite is refused by an InputError that names it. Source: Ahlbeck, Meacham & Prause, eqs (15)-(19) and the text on
-// damping.
+// All are products and roots, to rounding; a value that is not positive (tie and ballast masses and
+// zeta: negative) or not finite is refused by an InputError that names it. Source: Ahlbeck, Meacham
+// & Prause, eqs (15)-(19) and the text on damping.
 #pragma once
 
 #include <railbook/track/beam_on_foundation.hpp>
@@ -14,8 +14,8 @@ namespace railbook::track {
 // share.
 //
 // The paper has it "from the first natural frequency": it is K_r over the square of Rayleigh's
-// estimate with the static shape, and the mass whose kinetic energy equals the beam's when that shape
-// moves (the integral of a^2 over the line is 3 / 2 beta). The estimate, sqrt(K_r / M_r), is
+// estimate with the static shape, and the mass whose kinetic energy equals the beam's when that
+// shape moves (the integral of a^2 over the line is 3 / 2 beta). The estimate, sqrt(K_r / M_r), is
 // sqrt(4/3) times the beam's lowest frequency sqrt(K / rho).
 double effective_mass(double mass_per_length, double beta);
 
@@ -53,8 +53,8 @@ double seismic_mass_per_length(double bed_stiffness, double tamped_area, double 
 double tie_and_ballast_mass(double tie_mass, double tie_spacing, double ballast_per_length,
                             double beta);
 
-// Viscous damping C = 2 zeta sqrt(K M), N s/m. The paper quotes zeta of 0.15 to 0.25 from tests on clean ballast, and 0.40 to
-// 1.00 from the theory of the half-space (radiation).
+// Viscous damping C = 2 zeta sqrt(K M), N s/m. The paper quotes zeta of 0.15 to 0.25 from tests on
+// clean ballast, and 0.40 to 1.00 from the theory of the half-space (radiation).
 double viscous_damping(double zeta, double stiffness, double mass);
 
 }  // namespace railbook::track

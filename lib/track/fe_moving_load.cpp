@@ -22,7 +22,8 @@ using Eigen::Vector4d;
 using Eigen::VectorXd;
 using num::DoubleDouble;
 
-// Integrals over the cubic Hermite element of unit length, unknowns (y, y') at each end, as whole numbers.
+// Integrals over the cubic Hermite element of unit length, unknowns (y, y') at each end, as whole
+// numbers.
 Matrix4d bending() {  // of v'' w''
   Matrix4d m;
   m << 12, 6, -12, 6,   //
@@ -65,8 +66,8 @@ Vector4d hermite(double u, double h) {  // shape functions at the fraction u of 
   return {v * v * (1 + 2 * u), u * v * v * h, u * u * (3 - 2 * u), -u * u * v * h};
 }
 
-// The matrix of the steady element of length h for the unknowns (y, h y') at each end, times h^3: all entries of bending are
-// exact, and the others as small beside them as they are.
+// The matrix of the steady element of length h for the unknowns (y, h y') at each end, times h^3:
+// all entries of bending are exact, and the others as small beside them as they are.
 std::array<std::array<DoubleDouble, 4>, 4> steady_element(double theta, double zeta, double h) {
   const DoubleDouble h2 = DoubleDouble{h} * h, tension = DoubleDouble{-4 * theta} * theta * h2 / 30,
                      drag = DoubleDouble{-8 * theta} * zeta * h2 * h / 60,
@@ -80,13 +81,14 @@ std::array<std::array<DoubleDouble, 4>, 4> steady_element(double theta, double z
   return element;
 }
 
-// Elimination with partial pivoting, for the matrix is not definite, of identical elements between clamped ends under a
-// `load` at the node `loaded`: (y, h y') at all nodes. In double-double, for the condition grows with the fourth power of the
-// number of elements.
+// Elimination with partial pivoting, for the matrix is not definite, of identical elements between
+// clamped ends under a `load` at the node `loaded`: (y, h y') at all nodes. In double-double, for
+// the condition grows with the fourth power of the number of elements.
 std::vector<double> solve_band(const std::array<std::array<DoubleDouble, 4>, 4>& element,
                                std::size_t nodes, std::size_t loaded, const DoubleDouble& load) {
   constexpr std::size_t band = 3, width = 2 * band + 1;
-  // A row: its entries from the column that is eliminated next, the unknown of its own at first `band` further; the right side.
+  // A row: its entries from the column that is eliminated next, the unknown of its own at first
+  // `band` further; the right side.
   using Row = std::array<DoubleDouble, width + 1>;
   const std::size_t n = 2 * (nodes - 2);  // the ends are clamped
   std::vector<Row> rows(n);
@@ -141,7 +143,8 @@ FeShape nodal_values(const double* x, std::size_t nodes, std::size_t loaded, dou
   return fe;
 }
 
-// Newmark's average acceleration on a uniform beam with clamped ends; the effective matrix is factored once.
+// Newmark's average acceleration on a uniform beam with clamped ends; the effective matrix is
+// factored once.
 class NewmarkBeam {
  public:
   NewmarkBeam(std::size_t nodes, double element, double step, double zeta)
@@ -224,7 +227,8 @@ FeShape fe_newmark(double theta, double zeta, const FeNewmarkOptions& options) {
   const double dt = units::require_positive("time step", options.step, "sqrt(rho/K)");
   units::require_between("neglected amplitude", options.neglect, 1e-15, 0.1);
   units::require_positive("margin", options.margin, "1/beta");
-  // The load ends its path on a node, so that the kink of y''' lies between elements when it is measured.
+  // The load ends its path on a node, so that the kink of y''' lies between elements when it is
+  // measured.
   const double ramp = 8.0;
   const double steps = std::ceil((ramp - std::log(options.neglect) / std::min(zeta, 1.0)) / dt);
   const double path = theta * steps * dt;

@@ -1,8 +1,8 @@
 // Two finite-element answers to the moving load, independent of its closed form.
 //
-// Both use cubic Hermite beam elements in the abscissa beta X and deflections in units of P beta / 2K.
-// fe_steady solves for the steady state in the frame of the load; fe_newmark lays the beam down, runs the
-// load over it with Newmark's average acceleration and lets the transient die out.
+// Both use cubic Hermite beam elements in the abscissa beta X and deflections in units of P beta /
+// 2K. fe_steady solves for the steady state in the frame of the load; fe_newmark lays the beam
+// down, runs the load over it with Newmark's average acceleration and lets the transient die out.
 #pragma once
 
 #include <vector>
@@ -24,11 +24,13 @@ struct FeSteadyOptions {
   double neglect = 1e-10;  // the beam ends where the free decay has come down to this
 };
 
-// Steady state in the moving frame, by a direct banded solution in double-double: the condition of the system grows as
-// 1/element^4. theta >= 0, zeta >= 0; the frame is cut where exp(-decay s) < neglect, with the decay rate from the quartic's
-// roots, and clamped. Error of the deflection over its largest value below 0.3 element^4 + 40 neglect + 5e-15 for theta up to 1.5
-// and zeta from 0.1. Throws InputError on bad arguments (element from 1e-9 to 1e3, neglect from 1e-15 to 0.1), when theta >= 1
-// without damping, or when the frame would need more than 2e6 elements (too little damping near V_c; half a gigabyte).
+// Steady state in the moving frame, by a direct banded solution in double-double: the condition of
+// the system grows as 1/element^4. theta >= 0, zeta >= 0; the frame is cut where exp(-decay s) <
+// neglect, with the decay rate from the quartic's roots, and clamped. Error of the deflection over
+// its largest value below 0.3 element^4 + 40 neglect + 5e-15 for theta up to 1.5 and zeta from 0.1.
+// Throws InputError on bad arguments (element from 1e-9 to 1e3, neglect from 1e-15 to 0.1), when
+// theta >= 1 without damping, or when the frame would need more than 2e6 elements (too little
+// damping near V_c; half a gigabyte).
 FeShape fe_steady(double theta, double zeta, const FeSteadyOptions& options = {});
 
 struct FeNewmarkOptions {
@@ -44,12 +46,13 @@ struct FeNewmarkOptions {
 // Throws InputError on bad arguments or a run above 2e10 element steps.
 FeShape fe_newmark(double theta, double zeta, const FeNewmarkOptions& options = {});
 
-// The same run and one with half the element and half the step, combined at the nodes of the first: both
-// errors are of order 4 (`richardson` must be on), so a fifteenth of the difference removes their leading part.
+// The same run and one with half the element and half the step, combined at the nodes of the first:
+// both errors are of order 4 (`richardson` must be on), so a fifteenth of the difference removes
+// their leading part.
 FeShape fe_newmark_extrapolated(double theta, double zeta, const FeNewmarkOptions& options);
 
-// The largest difference of nodal deflections from the closed form over low <= s <= high; theta and zeta as moving_load takes
-// them.
+// The largest difference of nodal deflections from the closed form over low <= s <= high; theta and
+// zeta as moving_load takes them.
 double largest_difference(const FeShape& fe, double theta, double zeta, double low, double high);
 
 }  // namespace railbook::track

@@ -71,8 +71,8 @@ const num::DenseStep<6>& step_at(const ImpactHistory& history, double t) {
   return *above;
 }
 
-// A zero of `f` between low and high, where its signs differ, to the last bits: bisection is quick enough
-// for the few events of a passage.
+// A zero of `f` between low and high, where its signs differ, to the last bits: bisection is quick
+// enough for the few events of a passage.
 template <class F>
 double zero_between(F&& f, double low, double high) {
   const bool sign = f(high) > 0;
@@ -143,7 +143,8 @@ class Runner {
   }
 
  private:
-  // Errors count against the static approach and the speed that goes with it at the contact frequency.
+  // Errors count against the static approach and the speed that goes with it at the contact
+  // frequency.
   ImpactState tolerances() const {
     const ImpactModel& m = history_.model;
     const double x = options_.tolerance * static_approach(m);

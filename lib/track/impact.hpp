@@ -1,9 +1,12 @@
-// Wheel/rail force over a joint or any profile: wheel under constant load, Hertz contact, rail, bed.
+// Wheel/rail force over a joint or any profile: wheel under constant load, Hertz contact, rail,
+// bed.
 //
 //   m_w w'' = P0 - F,   F = C_H x_+^(3/2),   x = w - r - z(V t),
-//   rail mass and bed mass as in RailOnBed (lumped.hpp), moving beneath the wheel (the paper's "on-car" model).
-// Displacements are measured from the static state under P0, positive down; time from x = 0, the joint.
-// Reconstructed: the paper's own equations for this model, and all its results, are not in the text.
+//   rail mass and bed mass as in RailOnBed (lumped.hpp), moving beneath the wheel (the paper's
+//   "on-car" model).
+// Displacements are measured from the static state under P0, positive down; time from x = 0, the
+// joint. Reconstructed: the paper's own equations for this model, and all its results, are not in
+// the text.
 #pragma once
 
 #include <Eigen/Core>
@@ -28,15 +31,16 @@ void require_valid(const ImpactModel& model);
 // To rounding, for a valid model.
 double static_approach(const ImpactModel& model);    // [m], under P0
 double contact_stiffness(const ImpactModel& model);  // dF/dx under P0 [N/m]
-// Undamped natural frequencies [Hz], ascending, the contact linearized under P0. Their squares to rounding of the largest.
-// Throws InputError as require_valid does.
+// Undamped natural frequencies [Hz], ascending, the contact linearized under P0. Their squares to
+// rounding of the largest. Throws InputError as require_valid does.
 Eigen::Vector3d natural_frequencies(const ImpactModel& model);
 
 using ImpactState = Eigen::Matrix<double, 6, 1>;  // w, w', r, r', b, b': wheel, rail, bed
 
 struct ImpactOptions {
   double tolerance = 1e-8;  // local error over the static approach and its speed scale
-  // Distance of the first instant [m]: the wheel starts in static equilibrium, moving along the slope there.
+  // Distance of the first instant [m]: the wheel starts in static equilibrium, moving along the
+  // slope there.
   double start = 0;
   double end_time = 0.06;        // [s] after the joint
   bool restart_at_cusps = true;  // end a step on each joint and begin anew; false steps across
@@ -44,8 +48,8 @@ struct ImpactOptions {
   // records no losses.
   bool locate_losses = true;
   long most_steps = 400000;  // each kept, about 300 bytes
-  // Radau IIA instead of the explicit pair: for stiff data (a rail of grams, hard dampers), whose fast motions it damps out
-  // where the tolerance does not see them.
+  // Radau IIA instead of the explicit pair: for stiff data (a rail of grams, hard dampers), whose
+  // fast motions it damps out where the tolerance does not see them.
   bool implicit = false;
 };
 
@@ -71,15 +75,18 @@ struct ImpactHistory {
   double force(double t) const;       // wheel/rail force [N]
 };
 
-// Where a passage may start: a quarter rail before the joint, or the first sample of a measured profile.
+// Where a passage may start: a quarter rail before the joint, or the first sample of a measured
+// profile.
 double default_start(const Surface& surface);
 
-// Throws InputError when the run is impossible: bad values, or a measured profile that does not cover it.
+// Throws InputError when the run is impossible: bad values, or a measured profile that does not
+// cover it.
 void require_valid(const ImpactOptions& options, const Surface& surface, double speed);
 
-// Runs the wheel over the surface at `speed` [m/s]. Order 5 with error control, explicit or implicit; contact lost and
-// regained are located on the dense output; at a tolerance of 1e-8 forces are good to 1e-5 of the load. Anything but status
-// `complete` is a history that stopped early. Throws InputError as require_valid does.
+// Runs the wheel over the surface at `speed` [m/s]. Order 5 with error control, explicit or
+// implicit; contact lost and regained are located on the dense output; at a tolerance of 1e-8
+// forces are good to 1e-5 of the load. Anything but status `complete` is a history that stopped
+// early. Throws InputError as require_valid does.
 [[nodiscard]] ImpactHistory simulate(const ImpactModel& model, const Surface& surface, double speed,
                                      const ImpactOptions& options);
 

@@ -74,8 +74,8 @@ double misfit(const SampledProfile& all, const SampledProfile& thin) {
   return high > low ? worst / (high - low) : 0.0;
 }
 
-// The polygon whose lines, left and right of the interval over which the slope turns most, go on until they meet in it. None
-// when they do not meet there.
+// The polygon whose lines, left and right of the interval over which the slope turns most, go on
+// until they meet in it. None when they do not meet there.
 std::optional<SampledProfile> cornered(const SampledProfile& all) {
   const auto x = all.knots(), z = all.heights();
   const auto slope = [&](std::size_t i) { return (z[i + 1] - z[i]) / (x[i + 1] - x[i]); };
@@ -124,7 +124,8 @@ SamplingSpread sampling_spread(const CheckedImpact& answer, const ImpactOptions&
   }
   SamplingSpread spread;
   spread.resolved = std::ranges::all_of(resolved, std::identity{});
-  // The first maximum alone may be of another ripple with other samples; else what is open in one peak is open in all.
+  // The first maximum alone may be of another ripple with other samples; else what is open in one
+  // peak is open in all.
   if (std::ranges::count(resolved, false) > (resolved[0] ? 0 : 1)) resolved = {};
   if (!spread.resolved) {
     const auto widen = [&](const SampledProfile& other) {

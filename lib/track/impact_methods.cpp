@@ -166,7 +166,8 @@ class Comparison {
     gsl_odeiv2_driver_set_nmax(driver.get(), static_cast<unsigned long>(options_.most_steps));
     const auto now = std::make_shared<std::pair<double, ImpactState>>(t, y);
     return {[this, driver, now](double end) {
-              // GSL 2.8 as Debian 13 compiles it divides by a norm of zero and does not use the result.
+              // GSL 2.8 as Debian 13 compiles it divides by a norm of zero and does not use the
+              // result.
               const num::FpFlagsAside aside;
               const int status =
                   gsl_odeiv2_driver_apply(driver.get(), &now->first, end, now->second.data());

@@ -12,7 +12,8 @@ namespace railbook::track {
 
 namespace {
 
-// Contact state on one step's own piece of the surface: one-sided at its ends, as the integrator saw it.
+// Contact state on one step's own piece of the surface: one-sided at its ends, as the integrator
+// saw it.
 class StepView {
  public:
   StepView(const ImpactHistory& history, const num::DenseStep<6>& step)
@@ -157,7 +158,7 @@ ImpactPeaks impact_peaks(const ImpactHistory& history, const PeakWindows& window
       windows.mean_window > 0 ? windows.mean_window : 1.0 / natural_frequencies(history.model)[1];
   const double needed =
       std::max({windows.second_before, windows.late_after, 1.01 * peaks.mean_window});
-  units::require_between("end of the history", end, needed, units::no_limit, "s");
+  units::require_between("end of the history", end, needed, units::infinity, "s");
   const double joint = std::max(0.0, history.begin());
   for (const ForceExtremum& e : force_extremes(history, joint, end))
     if (e.maximum && e.time > 0 && !peaks.has_first) {

@@ -1,4 +1,5 @@
-// The right-hand side of the impact model for the integrators of this folder; not for users of the library.
+// The right-hand side of the impact model for the integrators of this folder; not for users of the
+// library.
 #pragma once
 
 #include <cmath>
@@ -14,8 +15,8 @@ struct ContactState {
   double rate = 0;      // dx/dt [m/s]
 };
 
-// One smooth piece of the surface. In flight the force is zero whatever x, so that a trial step past the
-// touch-down stays smooth; on contact it is C_H x_+^(3/2).
+// One smooth piece of the surface. In flight the force is zero whatever x, so that a trial step
+// past the touch-down stays smooth; on contact it is C_H x_+^(3/2).
 template <class S>
 struct ImpactSystem {
   const ImpactModel& model;

@@ -29,27 +29,29 @@ const Joint& require_valid(const Joint& joint);
 // open,
 //   y K_r / P = a(beta |x - X|) + kappa_m c(xi) c(eta) +- 2 kappa_v d(xi) d(eta),
 // xi = beta |X|, eta = beta |x|, + on the loaded side, kappa_m = 1 / (1 + 2 k_theta / (beta EI)),
-// kappa_v = 1 / (1 + k_v / (beta^3 EI)), and a, c, d the shapes of winkler_shapes. To rounding of P/K_r; beam and joint as
-// require_valid asks, which is not called here.
+// kappa_v = 1 / (1 + k_v / (beta^3 EI)), and a, c, d the shapes of winkler_shapes. To rounding of
+// P/K_r; beam and joint as require_valid asks, which is not called here.
 double jointed_deflection(const WinklerBeam& beam, const Joint& joint, double force, double at,
                           double x);
 
 // K_j / K_r: stiffness under a load at xi = beta X >= 0 from the joint over that of unjointed rail.
-// `kappa_m` and `kappa_v` as above, in [0, 1] (not checked); {1, 1} is the free joint, {1, 0} the hinge. To rounding.
+// `kappa_m` and `kappa_v` as above, in [0, 1] (not checked); {1, 1} is the free joint, {1, 0} the
+// hinge. To rounding.
 double joint_stiffness_ratio(double xi, double kappa_m, double kappa_v);
 double joint_stiffness_ratio(const WinklerBeam& beam, const Joint& joint, double distance);
 
 // The rotational stiffness (N m/rad) at which a shear-tight joint loses the share `loss` of K_r
-// when the load stands on it: loss in (0, 1/2], to rounding up to its end. Throws InputError outside: a hinge loses one half,
-// none loses more.
+// when the load stands on it: loss in (0, 1/2], to rounding up to its end. Throws InputError
+// outside: a hinge loses one half, none loses more.
 double rotational_stiffness_for_loss(const WinklerBeam& beam, double loss);
 
-// The paper's eq. (8), K_j / K_r = 1 - (1 - delta)(1 - sin theta)^2, theta = factor * xi up to pi/2, then 1. delta in (0, 1]
-// is the ratio at the joint, xi >= 0; the paper's factor is 0.65. To rounding; nothing is checked.
+// The paper's eq. (8), K_j / K_r = 1 - (1 - delta)(1 - sin theta)^2, theta = factor * xi up to
+// pi/2, then 1. delta in (0, 1] is the ratio at the joint, xi >= 0; the paper's factor is 0.65. To
+// rounding; nothing is checked.
 double paper_joint_ratio(double xi, double delta, double factor = 0.65);
 
-// Largest deviation, with its sign and place, of eq. (8) from the exact ratio over 0 <= xi <= 4, to 1e-8: a grid of 400 and
-// golden section.
+// Largest deviation, with its sign and place, of eq. (8) from the exact ratio over 0 <= xi <= 4, to
+// 1e-8: a grid of 400 and golden section.
 struct JointFit {
   double error;  // eq. (8) minus exact
   double xi;

@@ -44,8 +44,8 @@ LumpedTrack two_layer(const RailOnBed& t) {
 
 namespace {
 
-// Powers of two that bring the rows and columns of a matrix to like sizes (Parlett and Reinsch): the exponential of stiffness
-// over mass beside 1 would lose digits.
+// Powers of two that bring the rows and columns of a matrix to like sizes (Parlett and Reinsch):
+// the exponential of stiffness over mass beside 1 would lose digits.
 Eigen::VectorXd balance(Eigen::MatrixXd& a) {
   const auto n = a.rows();
   Eigen::VectorXd scale = Eigen::VectorXd::Ones(n);
@@ -68,14 +68,16 @@ Passage::Passage(LumpedTrack track, double beta, double speed) : track_(std::mov
   rate_ = units::require_positive("rigidity factor beta", beta, "1/m") *
           units::require_positive("speed", speed, "m/s");
   const auto n = track_.input.size();
-  // Before: a = Re (1 + i) exp((1 + i) tau). The track's own motions do not grow in time, so from rest at
-  // minus infinity only the forced motion is there, and its rate is never one of the track's own.
+  // Before: a = Re (1 + i) exp((1 + i) tau). The track's own motions do not grow in time, so from
+  // rest at minus infinity only the forced motion is there, and its rate is never one of the
+  // track's own.
   const std::complex<double> lambda = rate_ * std::complex<double>(1, 1);
   const Eigen::MatrixXcd shifted =
       lambda * Eigen::MatrixXcd::Identity(n, n) - track_.rates.cast<std::complex<double>>();
   coming_ = num::solved(shifted, std::complex<double>(1, 1) * track_.input);
-  // After: a = g1 + g2 with g1 = exp(-tau) cos tau, g2 = exp(-tau) sin tau. Carrying g1 and g2 as states
-  // stays exact where their rate meets one of the track's (a resonance that would divide by zero).
+  // After: a = g1 + g2 with g1 = exp(-tau) cos tau, g2 = exp(-tau) sin tau. Carrying g1 and g2 as
+  // states stays exact where their rate meets one of the track's (a resonance that would divide by
+  // zero).
   leaving_ = Eigen::MatrixXd::Zero(n + 2, n + 2);
   leaving_.topLeftCorner(n, n) = track_.rates;
   leaving_.block(0, n, n, 1) = track_.input;
@@ -140,7 +142,8 @@ TracksidePeak trackside_peak(double theta, double mu, double zeta) {
   const double root =
       units::require_between("V/V_c times the root of mu", theta * std::sqrt(mu), 0, 1e4);
   const Passage passage{single_mass(1.0, 2.0 * zeta * root, root * root), 1.0, 1.0};
-  // The response overhead still rises or falls slowly; scan a period and more for the highest sample.
+  // The response overhead still rises or falls slowly; scan a period and more for the highest
+  // sample.
   const double step = 0.02 * std::clamp(root, 1e-3, 1.0);  // a faster ripple is below 1e-6
   const double from = -1.0;
   const auto count = static_cast<int>((1.0 + 4.0 + 8.0 * root) / step);

@@ -12,16 +12,17 @@ namespace railbook::track {
 
 namespace {
 
-// The two quadratics p^2 + a p + b (both roots left: ahead of the load) and p^2 - a p + c (behind) whose
-// product is p^4 + 4 theta^2 p^2 - 8 zeta theta p + 4, so that
+// The two quadratics p^2 + a p + b (both roots left: ahead of the load) and p^2 - a p + c (behind)
+// whose product is p^4 + 4 theta^2 p^2 - 8 zeta theta p + 4, so that
 //   b + c - a^2 = 4 theta^2,   a (b - c) = 8 zeta theta,   b c = 4.
 struct Factors {
   double a = 0, b = 0, c = 0;
 };
 
-// The positive root u = a^2 of u^3 + 8 theta^2 u^2 + 16 (theta^4 - 1) u - 64 zeta^2 theta^2 = 0, which is
-// single by Descartes' rule. The cubic is convex there, so Newton's method descends on it from any bound
-// above. Dropping the cubic term, or all but the cubic and the constant, gives such bounds.
+// The positive root u = a^2 of u^3 + 8 theta^2 u^2 + 16 (theta^4 - 1) u - 64 zeta^2 theta^2 = 0,
+// which is single by Descartes' rule. The cubic is convex there, so Newton's method descends on it
+// from any bound above. Dropping the cubic term, or all but the cubic and the constant, gives such
+// bounds.
 double resolvent_root(double theta, double zeta) {
   const double t2 = theta * theta;
   const double linear = 16.0 * (theta - 1.0) * (theta + 1.0) * (t2 + 1.0);

@@ -20,7 +20,8 @@ constexpr std::array<RailSection, 4> sections{{
     {"136RE", 94.9 * inch4, 136.0 * pound_per_yard},
 }};
 
-// 60E1 of EN 13674-1, formerly UIC60. Mass in makers' tables; the second moment is in an open code as 3.037e-5 m^4.
+// 60E1 of EN 13674-1, formerly UIC60. Mass in makers' tables; the second moment is in an open code
+// as 3.037e-5 m^4.
 constexpr std::array<RailSection, 2> european{{
     {"60E1", 3038.3e-8, 60.21},
     {"UIC60", 3038.3e-8, 60.21},

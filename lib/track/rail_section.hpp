@@ -21,7 +21,8 @@ struct RailSection {
 // The American sections, by rising weight. Source: AREA/AREMA section tables as commonly reprinted.
 std::span<const RailSection> rail_sections();
 
-// The section of that name (case ignored): an American one, or 60E1 (UIC60). 54E1 is left out: no second source for its moment was found. Throws InputError listing the known names.
+// The section of that name (case ignored): an American one, or 60E1 (UIC60). 54E1 is left out: no
+// second source for its moment was found. Throws InputError listing the known names.
 const RailSection& rail_section(std::string_view name);
 
 }  // namespace railbook::track

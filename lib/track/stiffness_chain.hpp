@@ -33,8 +33,8 @@ struct StiffnessChain {
   double foundation_modulus;  // K = k / l_t, eq. (3), Pa
 };
 
-// Evaluates eqs (3)-(7), to rounding. Throws InputError for a negative, zero or NaN value where none makes
-// sense, and when the whole chain is rigid.
+// Evaluates eqs (3)-(7), to rounding. Throws InputError for a negative, zero or NaN value where
+// none makes sense, and when the whole chain is rigid.
 StiffnessChain stiffness_chain(const TieSupport& support);
 
 // Compliance 1/k_b of a ballast pyramid, m/N: the integral over depth of 1 / (E_b (l + Cz)(w +
@@ -45,7 +45,8 @@ double ballast_compliance(double length, double width, double depth, double modu
                           double friction_angle);
 
 // Depth below which the pyramids of neighbouring ties overlap, (l_t - w) / C, m; rigid for alpha =
-// 0; to rounding. Eq. (6) takes no account of it: below that depth the model counts the same ballast twice.
+// 0; to rounding. Eq. (6) takes no account of it: below that depth the model counts the same
+// ballast twice.
 double overlap_depth(const TieSupport& support);
 
 }  // namespace railbook::track

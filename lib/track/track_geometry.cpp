@@ -134,9 +134,10 @@ double CrossLevelSpectrum::density(double wavenumber) const {
 
 double CrossLevelSpectrum::variance(double low, double high) const {
   units::require_non_negative("lower wavenumber", low, "1/m");
-  units::require_between("upper wavenumber", high, low, units::no_limit, "1/m");
-  // The closed form is a difference of arctangents that cancels in narrow bands, in the tail and at equal breaks; Gauss's rule
-  // on panels that grow with the distance from the poles, +-i times a break, is exact to rounding.
+  units::require_between("upper wavenumber", high, low, units::infinity, "1/m");
+  // The closed form is a difference of arctangents that cancels in narrow bands, in the tail and at
+  // equal breaks; Gauss's rule on panels that grow with the distance from the poles, +-i times a
+  // break, is exact to rounding.
   static const num::GaussRule rule = num::gauss_legendre(16, 0.0, 1.0);
   const double least = 0.5 * std::min(low_break, high_break);
   double sum = 0;

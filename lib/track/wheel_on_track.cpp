@@ -36,7 +36,8 @@ RailOnBed rail_on_bed(const RailSection& rail, const TieSupport& support,
   track.rail_stiffness = on_ties.point_stiffness();
   track.bed_mass = tie_and_ballast_mass(tie_mass, support.tie_spacing,
                                         ballast_mass_per_length(ballast, support), beam.beta());
-  // 1 / (1/K_r - 1/K_1); K_1/K_r is the 3/4th power of the seat's compliance over that of pad and tie.
+  // 1 / (1/K_r - 1/K_1); K_1/K_r is the 3/4th power of the seat's compliance over that of pad and
+  // tie.
   const double more = 2 / chain.bed * on_ties.foundation_modulus * support.tie_spacing;
   track.bed_stiffness = track.rail_stiffness / std::expm1(0.75 * std::log1p(more));
   track.rail_damping = viscous_damping(damping.rail, track.rail_stiffness, track.rail_mass);

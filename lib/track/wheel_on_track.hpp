@@ -1,5 +1,5 @@
-// From rail, tie and wheel data to the lumped model of impact: the two-layer split of the track's stiffness and
-// mass, and the Hertz constant.
+// From rail, tie and wheel data to the lumped model of impact: the two-layer split of the track's
+// stiffness and mass, and the Hertz constant.
 #pragma once
 
 #include <railbook/track/impact.hpp>
@@ -7,16 +7,16 @@
 
 namespace railbook::track {
 
-// Hertz: F = C_H delta^(3/2) for a wheel of rolling radius R with a straight tread on a rail of crown radius
-// r, both of the same elastic material. Lengths [m], Young's modulus [Pa].
+// Hertz: F = C_H delta^(3/2) for a wheel of rolling radius R with a straight tread on a rail of
+// crown radius r, both of the same elastic material. Lengths [m], Young's modulus [Pa].
 struct WheelOnRail {
   double wheel_radius = 18 * units::inch;
   double crown_radius = 10 * units::inch;
   double youngs_modulus = 30e6 * units::psi;
   double poisson_ratio = 0.3;
 };
-// C_H [N/m^(3/2)], by elliptic integrals, to 1e-14 at any ratio of the radii; independent of the load. Throws InputError on
-// non-positive lengths or modulus, or a Poisson ratio outside [0, 0.5].
+// C_H [N/m^(3/2)], by elliptic integrals, to 1e-14 at any ratio of the radii; independent of the
+// load. Throws InputError on non-positive lengths or modulus, or a Poisson ratio outside [0, 0.5].
 double hertz_constant(const WheelOnRail& pair);
 
 // Damping ratios of the two layers, C = 2 zeta sqrt(K M) each.
@@ -26,10 +26,10 @@ struct LayerDamping {
 };
 
 // The track below the wheel as rail on bed (reconstructed; the paper describes the split in words):
-// rail mass by (16), (17), bed mass by (18), (19), rail-to-tie stiffness K_1 = 2 (4 EI (k_pt/l_t)^3)^(1/4) of the
-// rail on its pads and ties alone, and K_g = 1 / (1/K_r - 1/K_1), which keeps the static stiffness K_r of (2).
-// To rounding, however stiff the bed. Throws InputError where its parts do; rigid pads and ties, or a rigid bed, have no such
-// split.
+// rail mass by (16), (17), bed mass by (18), (19), rail-to-tie stiffness K_1 = 2 (4 EI
+// (k_pt/l_t)^3)^(1/4) of the rail on its pads and ties alone, and K_g = 1 / (1/K_r - 1/K_1), which
+// keeps the static stiffness K_r of (2). To rounding, however stiff the bed. Throws InputError
+// where its parts do; rigid pads and ties, or a rigid bed, have no such split.
 RailOnBed rail_on_bed(const RailSection& rail, const TieSupport& support,
                       const BallastMass& ballast, double tie_mass,
                       const LayerDamping& damping = {});

@@ -8,9 +8,10 @@
 
 namespace railbook {
 
-// Bad input from outside: a file, an option, an argument. A chapter program turns it into a one-line
-// message and exit status 2. The text names the quantity, the value, its unit and the allowed range; it is made
-// printable (units/printable.hpp), and is not longer than 2,000 bytes. Long values are better cut where they are quoted.
+// Bad input from outside: a file, an option, an argument. A chapter program turns it into a
+// one-line message and exit status 2. The text names the quantity, the value, its unit and the
+// allowed range; it is made printable (units/printable.hpp), and is not longer than 2,000 bytes.
+// Long values are better cut where they are quoted.
 class InputError : public std::runtime_error {
  public:
   explicit InputError(std::string_view text);
@@ -19,10 +20,11 @@ class InputError : public std::runtime_error {
 namespace units {
 
 inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-inline constexpr double no_limit = std::numeric_limits<double>::infinity();
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Returns `value` if it is finite and lies in [low, high]; throws InputError naming `quantity`, the value,
-// `unit` (of the value as given, SI in physics code) and the range otherwise. NaN never passes.
+// Returns `value` if it is finite and lies in [low, high]; throws InputError naming `quantity`, the
+// value, `unit` (of the value as given, SI in physics code) and the range otherwise. NaN never
+// passes.
 double require_between(std::string_view quantity, double value, double low, double high,
                        std::string_view unit = "");
 

@@ -8,7 +8,8 @@
 namespace railbook::units {
 namespace {
 
-// Bytes of the UTF-8 character at the start of `text` that a terminal only draws; 0 for anything else.
+// Bytes of the UTF-8 character at the start of `text` that a terminal only draws; 0 for anything
+// else.
 std::size_t drawn(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char first = byte(0);
@@ -20,7 +21,8 @@ std::size_t drawn(std::string_view text) {
     if ((byte(i) & 0xc0) != 0x80) return 0;
     point = point << 6 | (byte(i) & 0x3fU);
   }
-  // Overlong forms, halves of UTF-16's pairs and what is beyond Unicode; first of all lone bytes of a character's rest.
+  // Overlong forms, halves of UTF-16's pairs and what is beyond Unicode; first of all lone bytes of
+  // a character's rest.
   constexpr std::array<std::uint32_t, 5> least{0, 0, 0x80, 0x800, 0x10000};
   if (first < 0xc0 || first > 0xf7 || point < least[size] || point > 0x10ffff) return 0;
   if (point >= 0xd800 && point <= 0xdfff) return 0;

@@ -152,6 +152,11 @@ double parse_quantity(std::string_view quantity, std::string_view text, const Di
   if (status != std::errc{} || !std::isfinite(value) || two_signs)
     throw InputError{said + "; allowed: a finite number with a unit of " + si_name(expected)};
   const auto rest = trim({end, static_cast<std::size_t>(digits.data() + digits.size() - end)});
+  if (rest.starts_with(':') && expected == number) {  // a ratio, as slopes are written: 1:40
+    const double below = parse_quantity(quantity, rest.substr(1), number);
+    if (!(below > 0)) throw InputError{said + "; allowed: a ratio to a number greater than 0"};
+    return value / below;
+  }
   if (rest.empty() && !(expected == number))
     throw InputError{said + ", without a unit; allowed: a unit of " + si_name(expected)};
   Unit unit;

@@ -1,4 +1,5 @@
-// Quantities with units as text: "0.5in", "60 mph", "80kN", "1500 lbf/in^2" to SI doubles, dimension checked.
+// Quantities with units as text: "0.5in", "60 mph", "80kN", "1500 lbf/in^2" to SI doubles,
+// dimension checked.
 #pragma once
 
 #include <string>
@@ -6,7 +7,8 @@
 
 namespace railbook::units {
 
-// Exponents of the base dimensions. Angle is kept apart so that a bare number is never taken for degrees.
+// Exponents of the base dimensions. Angle is kept apart so that a bare number is never taken for
+// degrees.
 struct Dimension {
   int length = 0;
   int mass = 0;
@@ -49,27 +51,29 @@ struct Unit {
   Dimension dimension;
 };
 
-// Reads a unit such as "mm", "lbf/in^2", "N*s/m" or "1/m": names joined by * and /, each with an optional
-// whole power; the empty text is the pure number. Names: m mm um cm km in ft yd mi, kg g t lb slug, s ms min h,
-// N kN MN lbf kip, Pa kPa MPa GPa psi ksi, Hz kHz, mph kph kmh fps, rad mrad deg, cycle cycles % percent 1.
-// "lb" is a mass; a force is "lbf"; "1/s" is the dimension of Hz. Throws InputError naming the part it does not know, and
-// where a unit, read from the left, goes beyond 1e-60 to 1e60 in SI or the power of a dimension beyond 20. Accurate to
-// 1e-15 for each power of each name.
+// Reads a unit such as "mm", "lbf/in^2", "N*s/m" or "1/m": names joined by * and /, each with an
+// optional whole power; the empty text is the pure number. Names: m mm um cm km in ft yd mi, kg g t
+// lb slug, s ms min h, N kN MN lbf kip, Pa kPa MPa GPa psi ksi, Hz kHz, mph kph kmh fps, rad mrad
+// deg, cycle cycles % percent 1. "lb" is a mass; a force is "lbf"; "1/s" is the dimension of Hz.
+// Throws InputError naming the part it does not know, and where a unit, read from the left, goes
+// beyond 1e-60 to 1e60 in SI or the power of a dimension beyond 20. Accurate to 1e-15 for each
+// power of each name.
 Unit parse_unit(std::string_view text);
 
-// Reads a number followed by its unit and returns the SI value. A missing unit, a unit of another dimension,
-// trailing text, two signs, NaN, infinity, or a value that overflows or underflows as written or in SI throws
-// InputError naming `quantity` and a fitting unit. Accurate as its unit.
+// Reads a number followed by its unit and returns the SI value; a pure number may be a ratio,
+// "1:40". A missing unit, a unit of another dimension, trailing text, two signs, NaN, infinity, or
+// a value that overflows or underflows as written or in SI throws InputError naming `quantity` and
+// a fitting unit. Accurate as its unit.
 double parse_quantity(std::string_view quantity, std::string_view text, const Dimension& expected);
 
-// The SI unit of a dimension as text, "kg/s^2" style, with the common names (m, N, Pa, N/m, ...) where one fits;
-// with powers up to 8 parse_unit() reads it back, but for "1 (a pure number)".
+// The SI unit of a dimension as text, "kg/s^2" style, with the common names (m, N, Pa, N/m, ...)
+// where one fits; with powers up to 8 parse_unit() reads it back, but for "1 (a pure number)".
 std::string si_name(const Dimension& dimension);
 
-// A column header of a CSV file names its unit after the last underscore: "distance_m" is {"distance", metre}.
-// In such a suffix "_per_" is a division and a digit after a name a power ("p_lbf_per_in2"). Only the longest
-// suffix, of up to 60 characters, that reads as a unit counts; a header without one has an empty `unit_text` and the
-// pure number.
+// A column header of a CSV file names its unit after the last underscore: "distance_m" is
+// {"distance", metre}. In such a suffix "_per_" is a division and a digit after a name a power
+// ("p_lbf_per_in2"). Only the longest suffix, of up to 60 characters, that reads as a unit counts;
+// a header without one has an empty `unit_text` and the pure number.
 struct Header {
   std::string name;
   std::string unit_text;

@@ -11,10 +11,12 @@
 
 namespace railbook::vehicle {
 
-// The car against speed [m/s], watching its wheelsets; with friction between wheel and rail if a limit is given.
+// The car against speed [m/s], watching its wheelsets; with friction between wheel and rail if a
+// limit is given.
 cycles::Family by_speed(const FreightCar& car, const wheelset::ConstraintFunctions& table,
                         const std::optional<CreepLimit>& creep = {});
-// The car at a speed against one of its data (a positive one). Equivalent dampers follow the frictions; dampers given otherwise stay.
+// The car at a speed against one of its data (a positive one). Equivalent dampers follow the
+// frictions; dampers given otherwise stay.
 cycles::Family by_datum(const FreightCar& car, double CarParameters::*datum,
                         const wheelset::ConstraintFunctions& table, double speed,
                         const std::optional<CreepLimit>& creep = {});

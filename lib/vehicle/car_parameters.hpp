@@ -62,8 +62,9 @@ struct CarParameters {
 struct Dampers {
   double lateral = 0, vertical = 0, warp = 0, centre_plate = 0;
 };
-// c = 4 F / (pi omega A), the describing function of friction at one amplitude and one frequency. The paper
-// says "constant amplitudes and frequency" and not which; damper_frequency and its like are a reconstruction.
+// c = 4 F / (pi omega A), the describing function of friction at one amplitude and one frequency.
+// The paper says "constant amplitudes and frequency" and not which; damper_frequency and its like
+// are a reconstruction.
 Dampers equivalent_dampers(const CarParameters& car);
 
 // Load on one axle [N]: a quarter of the car's weight.
@@ -86,8 +87,8 @@ struct CarDatum {
 };
 std::span<const CarDatum> car_data();
 
-// Throws InputError naming the first datum that is not finite, or not positive (bodies, lengths, creep
-// coefficients f11 and f33, linearization and sticking speeds), or negative (all others).
+// Throws InputError naming the first datum that is not finite, or not positive (bodies, lengths,
+// creep coefficients f11 and f33, linearization and sticking speeds), or negative (all others).
 void require_valid(const CarParameters& car);
 
 }  // namespace railbook::vehicle

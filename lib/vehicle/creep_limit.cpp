@@ -20,7 +20,8 @@ Wheel wheel_of(const FreightCar& car, double friction) {
   return {d.half_gauge, d.wheel_radius, d.f11, d.f12, d.f22, d.f33, friction * axle_load(d) / 2};
 }
 
-// Shares that the linear forces are of mu N, and d/d(lateral creepage, yaw rate over V, displacement).
+// Shares that the linear forces are of mu N, and d/d(lateral creepage, yaw rate over V,
+// displacement).
 struct Demand {
   std::array<double, 3> share;  // longitudinal, lateral, spin
   std::array<std::array<double, 3>, 3> slope;

@@ -23,7 +23,8 @@ struct Walker {
   Solved correct(double length) {
     const Unknowns guess = at + length * along;
     auto solved = solve_cycle(
-        car, guess, at, {.kind = Pick::hyperplane, .normal = along, .value = along.dot(guess)}, 8);
+        car, guess, at,
+        {.kind = BranchCondition::hyperplane, .normal = along, .value = along.dot(guess)}, 8);
     branch.newton_steps += solved.iterations;
     return solved;
   }
@@ -64,8 +65,8 @@ struct Walker {
       x << scaled(p.motion).tail<2>(), Eigen::Map<const Eigen::Vector4d>(p.amplitude.data()) * 80;
       return x;
     };
-    return cycles::passes_again(place(branch.points[0]), place(branch.points[1]),
-                                place(branch.points.back()), place(next));
+    return cycles::closes_on_start(place(branch.points[0]), place(branch.points[1]),
+                                   place(branch.points.back()), place(next));
   }
 
   // The speed turns round between here and a step further: V' = 0 there.
@@ -110,11 +111,11 @@ CycleBranch trace(const QuasiLinearCar& car, const Motion& first, const Unknowns
   return walker.branch;
 }
 
-// The pick between two cycles, from a share of the way. Where that leads nowhere or elsewhere, the way is halved, cycle by cycle:
-// `before` tells those on the first one's side.
+// The pick between two cycles, from a share of the way. Where that leads nowhere or elsewhere, the
+// way is halved, cycle by cycle: `before` tells those on the first one's side.
 template <class Before>
 Solved solve_between(const QuasiLinearCar& car, const Unknowns& a, const Unknowns& b, double share,
-                     const Pick& pick, Before&& before) {
+                     const BranchCondition& pick, Before&& before) {
   const Unknowns way = b - a;
   Unknowns guess = a + share * way;
   double low = 0, high = 1;
@@ -124,15 +125,17 @@ Solved solve_between(const QuasiLinearCar& car, const Unknowns& a, const Unknown
     if (solved.converged || k == 30) return solved;
     const double middle = 0.5 * (low + high);
     guess = a + middle * way;
-    const auto there = solve_cycle(
-        car, guess, a, {.kind = Pick::hyperplane, .normal = way, .value = way.dot(guess)});
+    const auto there =
+        solve_cycle(car, guess, a,
+                    {.kind = BranchCondition::hyperplane, .normal = way, .value = way.dot(guess)});
     if (!there.converged) return there;
     guess = scaled(there.motion);
     (before(there.motion) ? low : high) = middle;
   }
 }
 
-// Solves `pick` between every two neighbours, folds among them, whose `value` lies on either side of `wanted`.
+// Solves `pick` between every two neighbours, folds among them, whose `value` lies on either side
+// of `wanted`.
 template <class Value, class Choose>
 std::vector<CyclePoint> between(const QuasiLinearCar& car, const CycleBranch& branch, double wanted,
                                 Value&& value, Choose&& choose) {
@@ -153,7 +156,7 @@ std::vector<CyclePoint> between(const QuasiLinearCar& car, const CycleBranch& br
     const double from = value(*low) - wanted, to = value(*high) - wanted;
     if (from == to || from * to > 0 || (to == 0 && k + 2 < places.size())) continue;
     const Unknowns a = scaled(low->motion), b = scaled(high->motion);
-    const double share = cycles::part_of_way(from, to, low_folds, high_folds);
+    const double share = cycles::zero_fraction(from, to, low_folds, high_folds);
     const auto solved = solve_between(
         car, a, b, share, choose(share < 0.5 ? *low : *high),
         [&](const Motion& m) { return (value(describe_cycle(car, m)) - wanted) * from > 0; });
@@ -200,7 +203,7 @@ CycleSearch find_cycle(const QuasiLinearCar& car, const Motion& guess, double am
   start.shape = scaled_to(car.car(), guess.shape, amplitude);
   const Unknowns u = scaled(start);
   const auto solved = solve_cycle(car, u, u,
-                                  {.kind = Pick::amplitude,
+                                  {.kind = BranchCondition::amplitude,
                                    .wheelset = largest_wheelset(car.car(), start.shape),
                                    .value = amplitude},
                                   30);
@@ -228,9 +231,9 @@ std::vector<CyclePoint> cycles_at_amplitude(const QuasiLinearCar& car, const Cyc
   return between(
       car, branch, amplitude, [](const CyclePoint& p) { return p.largest; },
       [&](const CyclePoint& p) {
-        return Pick{.kind = Pick::amplitude,
-                    .wheelset = largest_wheelset(car.car(), p.motion.shape),
-                    .value = amplitude};
+        return BranchCondition{.kind = BranchCondition::amplitude,
+                               .wheelset = largest_wheelset(car.car(), p.motion.shape),
+                               .value = amplitude};
       });
 }
 
@@ -238,7 +241,9 @@ std::vector<CyclePoint> cycles_at_speed(const QuasiLinearCar& car, const CycleBr
                                         double speed) {
   return between(
       car, branch, speed, [](const CyclePoint& p) { return p.motion.speed; },
-      [&](const CyclePoint&) { return Pick{.kind = Pick::speed, .value = speed}; });
+      [&](const CyclePoint&) {
+        return BranchCondition{.kind = BranchCondition::speed, .value = speed};
+      });
 }
 
 }  // namespace railbook::vehicle

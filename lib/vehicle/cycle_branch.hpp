@@ -3,7 +3,8 @@
 //   const auto hopf = vehicle::hopf_points(car, 5, 100);
 //   const auto branch = vehicle::trace_from(car, hopf[0], {});
 //   for (const auto& p : branch.points) p.motion.speed, p.largest, p.stable;
-//   const auto cycles = vehicle::cycles_at_speed(car, branch, 44);       // solved, not interpolated
+//   const auto cycles = vehicle::cycles_at_speed(car, branch, 44);       // solved, not
+//   interpolated
 #pragma once
 
 #include <array>
@@ -18,9 +19,9 @@ struct CyclePoint {
   Motion motion;                              // lambda = i omega
   std::array<double, wheelsets> amplitude{};  // of each wheelset [m]
   double largest = 0;                         // of them
-  // dV/dA along the branch [1/s]. The paper's criterion, growth of a larger amplitude at the same speed, is
-  // its sign, for a mode that speed excites: stable when V rises with A. Necessary for stability, and not
-  // sufficient: it is blind to every other mode (see multipliers.hpp).
+  // dV/dA along the branch [1/s]. The paper's criterion, growth of a larger amplitude at the same
+  // speed, is its sign, for a mode that speed excites: stable when V rises with A. Necessary for
+  // stability, and not sufficient: it is blind to every other mode (see multipliers.hpp).
   double speed_by_amplitude = 0;
   bool stable = false;  // speed_by_amplitude > 0
   bool neutral =
@@ -54,16 +55,18 @@ struct CycleBranch {
   int rejected_steps = 0;  // steps that were halved
 };
 
-// From a Hopf point, beginning with a cycle of the first amplitude. `start`: no cycle was found there.
+// From a Hopf point, beginning with a cycle of the first amplitude. `start`: no cycle was found
+// there.
 CycleBranch trace_from(const QuasiLinearCar& car, const HopfPoint& hopf,
                        const BranchOptions& options);
 // From a cycle already solved; `direction` > 0 towards larger amplitude, < 0 towards smaller.
 CycleBranch trace_from(const QuasiLinearCar& car, const CyclePoint& cycle, double direction,
                        const BranchOptions& options);
 
-// All cycles of a branch with a given largest amplitude [m] or speed [m/s], each solved by Newton from the
-// nearest points, folds of speed among them; in order along the branch. One that does not converge is left out, what turns twice
-// within one step of the branch is not seen, and within 1e-11 of a fold's speed rounding decides whether there are two.
+// All cycles of a branch with a given largest amplitude [m] or speed [m/s], each solved by Newton
+// from the nearest points, folds of speed among them; in order along the branch. One that does not
+// converge is left out, what turns twice within one step of the branch is not seen, and within
+// 1e-11 of a fold's speed rounding decides whether there are two.
 std::vector<CyclePoint> cycles_at_amplitude(const QuasiLinearCar& car, const CycleBranch& branch,
                                             double amplitude);
 std::vector<CyclePoint> cycles_at_speed(const QuasiLinearCar& car, const CycleBranch& branch,

@@ -88,7 +88,7 @@ Motion motion_of(const Unknowns& u) {
 }
 
 Solved solve_cycle(const QuasiLinearCar& car, const Unknowns& start, const Unknowns& phase,
-                   const Pick& pick, int most) {
+                   const BranchCondition& pick, int most) {
   Solved result;
   Unknowns u = start;
   const Row20 turn = phase_row(phase);
@@ -99,10 +99,10 @@ Solved solve_cycle(const QuasiLinearCar& car, const Unknowns& start, const Unkno
     Unknowns r = residual(e);
     j.row(18) = turn;
     r[18] = turn * u;
-    if (pick.kind == Pick::hyperplane) {
+    if (pick.kind == BranchCondition::hyperplane) {
       j.row(19) = pick.normal.transpose();
       r[19] = pick.normal.dot(u) - pick.value;
-    } else if (pick.kind == Pick::speed) {
+    } else if (pick.kind == BranchCondition::speed) {
       j(19, 19) = 1;
       r[19] = u[19] - pick.value / speed_scale;
     } else {

@@ -18,7 +18,8 @@ double inner_share(double beta, double root) {
   return 2 / pi * (std::asin(beta) + beta * root);
 }
 
-// The rest of it, 1 - inner_share, which close to 1 is all that a dead zone leaves: (2 t - sin 2 t)/pi at beta = cos t.
+// The rest of it, 1 - inner_share, which close to 1 is all that a dead zone leaves: (2 t - sin 2
+// t)/pi at beta = cos t.
 double outer_share(double beta, double root) {
   const double x = 2 * std::atan2(root, beta);
   if (x > 0.7) return (x - std::sin(x)) / pi;

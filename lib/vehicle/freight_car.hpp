@@ -1,10 +1,11 @@
-// The freight car's equations of motion (Hull and Cooperrider 1977, Table 1 reconstructed from eqs (1)-(6)):
+// The freight car's equations of motion (Hull and Cooperrider 1977, Table 1 reconstructed from eqs
+// (1)-(6)):
 //
 //   M q'' + (C_s + C_c / V) q' + (K_s + K_c) q + sum_j row_j f_j(row_j q')
 //       = sum_i [g_R R + g_D D + g_Phi Phi](b_i q / a)
 //
-// over joints j and wheelsets i. R = (r_L - r_R) / 2a, D = (delta_L - delta_R) / 2 and Phi = phi_w are the
-// constraint functions of the wheelset's lateral displacement.
+// over joints j and wheelsets i. R = (r_L - r_R) / 2a, D = (delta_L - delta_R) / 2 and Phi = phi_w
+// are the constraint functions of the wheelset's lateral displacement.
 //
 //   const auto car = vehicle::assemble({}, vehicle::Suspension::dampers);
 //   const auto rates = cycles::at_speed(car, 44 * units::metre / units::second);
@@ -18,8 +19,8 @@
 
 namespace railbook::vehicle {
 
-// Coordinates: truck lateral [m], yaw and warp [rad], front F and rear R; body lateral, yaw and roll.
-// Lateral is positive to the left, yaw turning left, roll left side up.
+// Coordinates: truck lateral [m], yaw and warp [rad], front F and rear R; body lateral, yaw and
+// roll. Lateral is positive to the left, yaw turning left, roll left side up.
 enum Coordinate { X_TF, X_TR, TH_TF, TH_TR, TH_WF, TH_WR, X_C, TH_C, PHI_C };
 inline constexpr int coordinates = 9;
 inline constexpr int wheelsets = 4;  // front leading, front trailing, rear leading, rear trailing
@@ -34,7 +35,8 @@ struct Wheelset {
   Vector9 g_r, g_d, g_phi;  // generalized force a unit of R, D, Phi [N, N m]
 };
 
-// A suspension joint: its relative motion is row q, in parallel a spring and a damper or a dry friction.
+// A suspension joint: its relative motion is row q, in parallel a spring and a damper or a dry
+// friction.
 struct Joint {
   const char* name;
   Vector9 row;

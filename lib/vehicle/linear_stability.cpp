@@ -64,9 +64,9 @@ MatrixXd pair_sums(const MatrixXd& a) {
   return b;
 }
 
-// Speeds at which two eigenvalues sum up to zero: Hopf points, and pairs of real eigenvalues besides. Nothing when the pencil is
-// singular to rounding: two motions that nothing holds back have eigenvalues zero at every speed, joints that hardly slip leave no
-// digits to the others.
+// Speeds at which two eigenvalues sum up to zero: Hopf points, and pairs of real eigenvalues
+// besides. Nothing when the pencil is singular to rounding: two motions that nothing holds back
+// have eigenvalues zero at every speed, joints that hardly slip leave no digits to the others.
 std::optional<std::vector<double>> paired_speeds(const SpeedPencil& s, double low, double high) {
   const double shift = -1 / high;  // no car runs there, and no eigenvalue is expected there
   num::DenseLu lu;
@@ -89,7 +89,8 @@ std::optional<std::vector<double>> paired_speeds(const SpeedPencil& s, double lo
   return speeds;
 }
 
-// The same by counting the oscillations that grow, at speeds 1 % apart: two that begin and end within a step are missed.
+// The same by counting the oscillations that grow, at speeds 1 % apart: two that begin and end
+// within a step are missed.
 class Scan {
  public:
   explicit Scan(const SpeedPencil& s) : state_(s) {}
@@ -195,8 +196,9 @@ HopfPoint hopf_at(const QuasiLinearCar& car, const Motion& motion, int iteration
   return point;
 }
 
-// The same where Newton's equations are singular, as for two trucks that hunt alike and apart, or short of digits: the speed at
-// which the growth rate vanishes, by the secant rule, as well as rounding lets it.
+// The same where Newton's equations are singular, as for two trucks that hunt alike and apart, or
+// short of digits: the speed at which the growth rate vanishes, by the secant rule, as well as
+// rounding lets it.
 HopfSearch find_by_growth(const QuasiLinearCar& car, const Motion& start) {
   const auto gains = car.small();
   const auto mode_at = [&](double speed) {

@@ -1,12 +1,16 @@
-// The car with every nonlinearity replaced by its describing function: eq. (10) of Hull and Cooperrider (1977).
+// The car with every nonlinearity replaced by its describing function: eq. (10) of Hull and
+// Cooperrider (1977).
 //
 //   const vehicle::QuasiLinearCar car{assemble({}, Suspension::dampers), wheelset::cn_table()};
-//   const auto r = car.evaluate(q, {0, omega}, speed);     // r.residual = 0: a limit cycle q exp(i omega t)
+//   const auto r = car.evaluate(q, {0, omega}, speed);     // r.residual = 0: a limit cycle q exp(i
+//   omega t)
 //
 //   Z(lambda, V; A) q = [K_s + K_c - sum_i (g_R N_R + g_D N_D + g_Phi N_Phi)(A_i) b_i
-//                        + lambda (C_s + C_c / V + sum_j row_j^T N_j(B_j) row_j) + lambda^2 M] q = 0
+//                        + lambda (C_s + C_c / V + sum_j row_j^T N_j(B_j) row_j) + lambda^2 M] q =
+//                        0
 //
-// with A_i = |b_i q| at the wheelsets and the rates' amplitudes B_j = |lambda row_j q| at the joints with friction.
+// with A_i = |b_i q| at the wheelsets and the rates' amplitudes B_j = |lambda row_j q| at the
+// joints with friction.
 #pragma once
 
 #include <Eigen/Core>
@@ -23,7 +27,8 @@ using Complex = std::complex<double>;
 using Vector9c = Eigen::Matrix<Complex, 9, 1>;
 using Matrix9c = Eigen::Matrix<Complex, 9, 9>;
 
-// A motion Re(shape exp(lambda t)) at one speed [m/s]: an eigenmode, or with lambda = i omega a limit cycle.
+// A motion Re(shape exp(lambda t)) at one speed [m/s]: an eigenmode, or with lambda = i omega a
+// limit cycle.
 struct Motion {
   Vector9c shape = Vector9c::Zero();
   Complex lambda = 0;
@@ -37,8 +42,9 @@ int largest_wheelset(const FreightCar& car, const Vector9c& shape);
 
 class QuasiLinearCar {
  public:
-  // Throws InputError when the geometry's half spacing is not the car's half gauge. Where left and right of the geometry differ,
-  // the car is linear about its rest, and has no describing functions: at() throws for amplitudes other than 0.
+  // Throws InputError when the geometry's half spacing is not the car's half gauge. Where left and
+  // right of the geometry differ, the car is linear about its rest, and has no describing
+  // functions: at() throws for amplitudes other than 0.
   QuasiLinearCar(FreightCar car, const wheelset::ConstraintFunctions& geometry);
 
   const FreightCar& car() const { return car_; }
@@ -60,8 +66,8 @@ class QuasiLinearCar {
   Matrices matrices(const Gains& gains, double speed) const;
   Matrix9c dynamic_stiffness(const Gains& gains, Complex lambda, double speed) const;
 
-  // Z q and its exact derivatives. The gains depend on |q|, so that the derivative by q is real-linear only:
-  // by_shape acts on (Re q, Im q) and gives (Re, Im).
+  // Z q and its exact derivatives. The gains depend on |q|, so that the derivative by q is
+  // real-linear only: by_shape acts on (Re q, Im q) and gives (Re, Im).
   struct Equations {
     Vector9c residual, by_lambda, by_frequency, by_speed;
     Eigen::Matrix<double, 18, 18> by_shape;

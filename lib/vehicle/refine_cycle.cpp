@@ -9,8 +9,8 @@
 
 namespace railbook::vehicle {
 
-Examined examine(const cycles::Oscillator& oscillator, const cycles::Cycle& start) {
-  Examined result;
+RefinedCycle refine_cycle(const cycles::Oscillator& oscillator, const cycles::Cycle& start) {
+  RefinedCycle result;
   result.balance = cycles::balance(oscillator, start);
   cycles::Cycle from = result.balance.converged ? result.balance : start;
   from.inverse_speed = oscillator.inverse_speed;
@@ -41,11 +41,11 @@ Examined examine(const cycles::Oscillator& oscillator, const cycles::Cycle& star
   return result;
 }
 
-Examined examine(const FreightCar& car, const wheelset::ConstraintFunctions& table,
-                 const Motion& motion, int highest) {
+RefinedCycle refine_cycle(const FreightCar& car, const wheelset::ConstraintFunctions& table,
+                          const Motion& motion, int highest) {
   const cycles::Oscillator oscillator = car_on_track(car, table, motion.speed);
-  return examine(oscillator,
-                 cycles::first_harmonic(oscillator, motion.shape, motion.lambda.imag(), highest));
+  return refine_cycle(
+      oscillator, cycles::first_harmonic(oscillator, motion.shape, motion.lambda.imag(), highest));
 }
 
 }  // namespace railbook::vehicle

@@ -1,4 +1,5 @@
-// From a describing-function cycle to the cycle of the full equations and its stability: balance, shooting, Floquet.
+// From a describing-function cycle to the cycle of the full equations and its stability: balance,
+// shooting, Floquet.
 //
 //   const Examined e = examine(car, table, point.motion);
 //   if (!e.converged) ... e.reason
@@ -13,7 +14,7 @@
 
 namespace railbook::vehicle {
 
-struct Examined {
+struct RefinedCycle {
   bool converged = false;  // closed, moving, and near the start
   std::string reason;      // why not, and at which stage
   cycles::Cycle balance;   // harmonic balance
@@ -24,12 +25,12 @@ struct Examined {
   cycles::FloquetStability stability;
 };
 
-// The cycle near a quasi-linear motion (lambda = i omega), at the motion's speed, with harmonics up to `highest`. When balance does not
-// converge, or only on another cycle, shooting is tried from the quasi-linear motion itself. Not converged: there may be none near,
-// or it was not found.
-Examined examine(const FreightCar& car, const wheelset::ConstraintFunctions& table,
-                 const Motion& motion, int highest = 23);
+// The cycle near a quasi-linear motion (lambda = i omega), at the motion's speed, with harmonics up
+// to `highest`. When balance does not converge, or only on another cycle, shooting is tried from
+// the quasi-linear motion itself. Not converged: there may be none near, or it was not found.
+RefinedCycle refine_cycle(const FreightCar& car, const wheelset::ConstraintFunctions& table,
+                          const Motion& motion, int highest = 23);
 // The same from a cycle already balanced or sampled.
-Examined examine(const cycles::Oscillator& oscillator, const cycles::Cycle& start);
+RefinedCycle refine_cycle(const cycles::Oscillator& oscillator, const cycles::Cycle& start);
 
 }  // namespace railbook::vehicle

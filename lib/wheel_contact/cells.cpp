@@ -9,7 +9,7 @@ namespace railbook::wheel_contact {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-Cells::Cells(const Placed& wheel, double effective_modulus, const Frame& frame, double z,
+Cells::Cells(const PlacedWheel& wheel, double effective_modulus, const Frame& frame, double z,
              const contact::Box& box, Index nx, Index ny)
     : grid{box.x_min,
            box.y_min,

@@ -12,7 +12,7 @@
 
 namespace railbook::wheel_contact {
 
-Pair s1002_on_60e1(double cant, profiles::Rail60 kind) {
+ProfilePair s1002_on_60e1(double cant, profiles::Rail60 kind) {
   return {profiles::s1002(), profiles::Profile(wheelset::placed_rail(
                                  profiles::rail_60e1(kind), 1.435, 0.014, std::atan(cant)))};
 }
@@ -21,20 +21,20 @@ Pose mirrored(const Pose& pose) {
   return {-pose.y, -pose.yaw, -pose.roll};
 }
 
-Placed::Placed(const Pair& of, const Pose& in) : pair(&of), pose(in) {
+PlacedWheel::PlacedWheel(const ProfilePair& of, const Pose& in) : pair(&of), pose(in) {
   const double c = std::cos(in.yaw), s = std::sin(in.yaw);
   const double k = std::cos(in.roll), t = std::sin(in.roll);
   turn << c, -s, 0, k * s, k * c, -t, t * s, t * c, k;
 }
 
-Placed::Point Placed::point(double s) const {
+PlacedWheel::Point PlacedWheel::point(double s) const {
   const auto [depth, slope] = pair->wheel.at(s);
   Point p;
   p.s = s;
   p.radius = pair->radius + depth;
   const double sine = -std::tan(pose.yaw) * slope;
   if (!(std::abs(sine) < 1)) {
-    p.gap = units::no_limit;
+    p.gap = units::infinity;
     return p;
   }
   const Eigen::Vector3d own(p.radius * sine, pair->half_spacing + s,
@@ -43,7 +43,7 @@ Placed::Point Placed::point(double s) const {
   p.at.y() += pose.y;
   p.at.z() -= pair->radius;
   if (!pair->rail.covers(p.at.y())) {
-    p.gap = units::no_limit;
+    p.gap = units::infinity;
     return p;
   }
   const auto [rail, rise] = pair->rail.at(p.at.y());
@@ -57,10 +57,10 @@ namespace {
 constexpr double step = 1e-4;  // m
 
 // The least gap between two places, by golden sections.
-Placed::Point least_between(const Placed& wheel, double low, double high) {
+PlacedWheel::Point least_between(const PlacedWheel& wheel, double low, double high) {
   constexpr double golden = 0.6180339887498949;
-  Placed::Point a = wheel.point(high - golden * (high - low)),
-                b = wheel.point(low + golden * (high - low));
+  PlacedWheel::Point a = wheel.point(high - golden * (high - low)),
+                     b = wheel.point(low + golden * (high - low));
   for (int k = 0; k < 34; ++k) {
     if (a.gap < b.gap) {
       high = b.s, b = a;
@@ -75,8 +75,8 @@ Placed::Point least_between(const Placed& wheel, double low, double high) {
 
 }  // namespace
 
-Touching touching(const Placed& wheel) {
-  Touching t;
+ContactSearch find_contact(const PlacedWheel& wheel) {
+  ContactSearch t;
   const profiles::Profile& profile = wheel.pair->wheel;
   const auto count = static_cast<std::size_t>((profile.to() - profile.from()) / step);
   const double h = (profile.to() - profile.from()) / static_cast<double>(count);
@@ -96,20 +96,20 @@ Touching touching(const Placed& wheel) {
         "the wheel is nowhere above its rail at a shift of {:.6g} m, yaw {:.6g} rad, roll {:.6g} "
         "rad; allowed: poses in which it is",
         wheel.pose.y, wheel.pose.yaw, wheel.pose.roll)};
-  std::ranges::stable_sort(t.least, {}, [](const Placed::Point& p) { return p.gap; });
+  std::ranges::stable_sort(t.least, {}, [](const PlacedWheel::Point& p) { return p.gap; });
   return t;
 }
 
-void require_fit(const Pair& pair) {
+void require_fit(const ProfilePair& pair) {
   constexpr double thickest = 0.05, step = 1e-4;  // m, of a flange
   // From the tip outwards to where the flange is steepest; depths grow downwards, s outwards.
-  double tip = pair.wheel.from(), lowest = -units::no_limit;
+  double tip = pair.wheel.from(), lowest = -units::infinity;
   for (double s = pair.wheel.from(); s <= pair.wheel.to(); s += step)
     if (const double depth = pair.wheel.at(s).depth; depth > lowest) lowest = depth, tip = s;
   double face = pair.wheel.from(), steepest = 1;  // 45 degrees
   for (double s = tip; s <= std::min(tip + thickest, pair.wheel.to()); s += step)
     if (const double slope = -pair.wheel.at(s).slope; slope > steepest) steepest = slope, face = s;
-  const Placed::Point first = touching(Placed(pair, {})).least.front();
+  const PlacedWheel::Point first = find_contact(PlacedWheel(pair, {})).least.front();
   if (first.s < face || std::abs(first.angle) > 45 * units::degree)
     throw InputError(fmt::format(
         "the wheelset does not fit between the rails: centred, it stands on a flange, {:.4g} mm "
@@ -117,16 +117,17 @@ void require_fit(const Pair& pair) {
         -first.s / units::millimetre, std::abs(first.angle) / units::degree));
 }
 
-bool at_end(const Pair& pair, const Placed::Point& p) {
+bool at_end(const ProfilePair& pair, const PlacedWheel::Point& p) {
   constexpr double margin = 5e-4;
   return p.s < pair.wheel.from() + margin || p.s > pair.wheel.to() - margin ||
          p.at.y() < pair.rail.from() + margin || p.at.y() > pair.rail.to() - margin;
 }
 
-double rigid_roll(const Pair& pair, double y, double yaw) {
+double rigid_roll(const ProfilePair& pair, double y, double yaw) {
   const auto difference = [&](double roll) {
     const Pose pose{y, yaw, roll};
-    return touching(Placed(pair, pose)).z() - touching(Placed(pair, mirrored(pose))).z();
+    return find_contact(PlacedWheel(pair, pose)).z() -
+           find_contact(PlacedWheel(pair, mirrored(pose))).z();
   };
   // A wheel climbs by half the spacing times the roll: the first guess is nearly a Newton step.
   double low = 0, high = 0, at = difference(0);

@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double nowhere = -units::no_limit;
+constexpr double nowhere = -units::infinity;
 constexpr int most_steps = 30;
 constexpr double close = 1e-13;  // m
 
@@ -30,7 +30,7 @@ double to_rail(const profiles::Profile& rail, const Vector3d& from, const Vector
 }
 
 // And to the wheel, from the wheel's own axes: the point `from`, the direction n.
-double to_wheel(const Pair& pair, const Vector3d& from, const Vector3d& n, double guess) {
+double to_wheel(const ProfilePair& pair, const Vector3d& from, const Vector3d& n, double guess) {
   double t = guess;
   for (int k = 0; k < most_steps; ++k) {
     const Vector3d q = from + t * n;
@@ -49,10 +49,10 @@ double to_wheel(const Pair& pair, const Vector3d& from, const Vector3d& n, doubl
 
 // The wheel as seen from a frame's plane.
 struct View {
-  const Pair& pair;
+  const ProfilePair& pair;
   Vector3d origin, along, across, normal;  // in the wheel's axes
 
-  View(const Placed& wheel, const Frame& frame, double z) : pair(*wheel.pair) {
+  View(const PlacedWheel& wheel, const Frame& frame, double z) : pair(*wheel.pair) {
     const Vector3d centre(0, wheel.pose.y, z - pair.radius);
     origin = wheel.turn.transpose() * (frame.origin - centre);
     along = wheel.turn.transpose() * Vector3d::UnitX();
@@ -69,11 +69,12 @@ struct Range {
 };
 
 // Where gap < z around a place that is deeper than that, to 1e-8 m.
-Range around(const Placed& wheel, const Touching& t, const Placed::Point& deepest, double z) {
+Range around(const PlacedWheel& wheel, const ContactSearch& t, const PlacedWheel::Point& deepest,
+             double z) {
   const auto end = [&](int direction) {
     const auto& locus = t.locus;
     auto i = static_cast<std::ptrdiff_t>(
-        std::ranges::lower_bound(locus, deepest.s, {}, &Placed::Point::s) - locus.begin());
+        std::ranges::lower_bound(locus, deepest.s, {}, &PlacedWheel::Point::s) - locus.begin());
     if (direction < 0) --i;
     double inside = deepest.s;
     const auto last = static_cast<std::ptrdiff_t>(locus.size()) - 1;
@@ -95,21 +96,22 @@ Range around(const Placed& wheel, const Touching& t, const Placed::Point& deepes
 // A whole patch: ranges that belong together.
 struct Group {
   std::vector<Range> ranges;
-  double distance(const Placed& wheel, const Range& other) const {
+  double distance(const PlacedWheel& wheel, const Range& other) const {
     const auto a = wheel.point(ranges.back().high).at, b = wheel.point(other.low).at;
     return (b - a).norm();
   }
 };
 
 struct Mean {
-  double weight = 0, angle = 0, low = units::no_limit, high = -units::no_limit;
+  double weight = 0, angle = 0, low = units::infinity, high = -units::infinity;
   Vector3d at = Vector3d::Zero();
 };
 
-// Averages over a group, weighted with depth^(5/2): for a circular Hertzian contact, whose overlap is
-// sqrt(2) as wide, that gives a place across the mean square it has over the area in contact. (Chosen
-// at first because the frames then meet those of CONTACT, which they do to some micrometres.)
-Mean mean_of(const Placed& wheel, const Group& group, double z) {
+// Averages over a group, weighted with depth^(5/2): for a circular Hertzian contact, whose overlap
+// is sqrt(2) as wide, that gives a place across the mean square it has over the area in contact.
+// (Chosen at first because the frames then meet those of CONTACT, which they do to some
+// micrometres.)
+Mean mean_of(const PlacedWheel& wheel, const Group& group, double z) {
   constexpr int points = 48;
   Mean m;
   for (const Range& r : group.ranges)
@@ -124,7 +126,7 @@ Mean mean_of(const Placed& wheel, const Group& group, double z) {
   return m;
 }
 
-Patch patch_of(const Placed& wheel, const Group& group, double z) {
+Patch patch_of(const PlacedWheel& wheel, const Group& group, double z) {
   constexpr int steps = 64;
   const Mean mean = mean_of(wheel, group, z);
   Patch patch;
@@ -134,7 +136,7 @@ Patch patch_of(const Placed& wheel, const Group& group, double z) {
   patch.merged = group.ranges.size() > 1;
   const auto across = patch.frame.across(), normal = patch.frame.normal();
   contact::Box& box = patch.overlap;
-  box = {units::no_limit, nowhere, units::no_limit, nowhere};
+  box = {units::infinity, nowhere, units::infinity, nowhere};
   // Along the wheel's deepest line, then over equal steps across.
   std::vector<std::pair<double, double>> line;  // t, x
   double radius = 0;
@@ -180,10 +182,10 @@ double greatest_overlap(const Patch& patch) {
 
 }  // namespace
 
-std::vector<Patch> patches(const Placed& wheel, const Touching& touching, double z,
+std::vector<Patch> patches(const PlacedWheel& wheel, const ContactSearch& touching, double z,
                            const PatchOptions& options) {
   std::vector<Range> ranges;
-  for (const Placed::Point& p : touching.least)
+  for (const PlacedWheel::Point& p : touching.least)
     if (p.gap < z) ranges.push_back(around(wheel, touching, p, z));
   std::ranges::sort(ranges, {}, &Range::low);
   std::vector<Group> groups;
@@ -206,12 +208,12 @@ std::vector<Patch> patches(const Placed& wheel, const Touching& touching, double
   return all;
 }
 
-double overlap(const Placed& wheel, const Frame& frame, double z, double x, double t) {
+double overlap(const PlacedWheel& wheel, const Frame& frame, double z, double x, double t) {
   const double rail = to_rail(wheel.pair->rail, frame.origin + t * frame.across(), frame.normal());
   return std::isfinite(rail) ? View(wheel, frame, z).to(x, t, rail) - rail : nowhere;
 }
 
-Eigen::VectorXd overlap(const Placed& wheel, const Frame& frame, double z,
+Eigen::VectorXd overlap(const PlacedWheel& wheel, const Frame& frame, double z,
                         const contact::Grid& grid) {
   const View view(wheel, frame, z);
   Eigen::VectorXd out(grid.cells());

@@ -9,7 +9,7 @@ namespace railbook::wheel_contact {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-PatchStress stresses(const PatchResult& patch, const WheelWish& wish) {
+PatchStress stresses(const PatchResult& patch, const WheelInput& input) {
   if (patch.pressure.size() == 0)
     throw InputError{
         "stresses below the surface are those of the full theory's tractions; this patch has none"};
@@ -18,7 +18,8 @@ PatchStress stresses(const PatchResult& patch, const WheelWish& wish) {
   VectorXd p = patch.pressure, x = VectorXd::Zero(p.size()), y = x;
   const rolling::Tractions& t = patch.forces.tractions;
   if (patch.friction > 0) {
-    // The traction cells lie a part of a cell behind those of the pressure, and so do the pressures here.
+    // The traction cells lie a part of a cell behind those of the pressure, and so do the pressures
+    // here.
     const contact::Grid& g = patch.grid;
     const auto column = [&](Index k) { return std::lround((t.x[k] - g.x(0)) / g.dx); };
     out.grid.x0 += t.x[0] - g.x(column(0));
@@ -28,8 +29,8 @@ PatchStress stresses(const PatchResult& patch, const WheelWish& wish) {
       p[cell] = t.bound[k] / patch.friction, x[cell] = t.px[k], y[cell] = t.py[k];
     }
   }
-  out.rail = contact::largest_stress(out.grid, wish.rail.poisson, p, x, y);
-  out.wheel = contact::largest_stress(out.grid, wish.wheel.poisson, p, -x, -y);
+  out.rail = contact::largest_stress(out.grid, input.rail.poisson, p, x, y);
+  out.wheel = contact::largest_stress(out.grid, input.wheel.poisson, p, -x, -y);
   return out;
 }
 

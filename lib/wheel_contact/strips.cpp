@@ -69,8 +69,8 @@ Ends ends_of(const std::vector<Depth>& line, double down, double level) {
   return e;
 }
 
-// Integral over all strips of (pressure over its greatest)/r, seen from the strip `from` [m]. Points crowd, as a cube, where
-// a strip passes by, and follow the half ellipse at its ends.
+// Integral over all strips of (pressure over its greatest)/r, seen from the strip `from` [m].
+// Points crowd, as a cube, where a strip passes by, and follow the half ellipse at its ends.
 double sinking(const Strips& s, const Strip& from) {
   constexpr int points = 8;
   double sum = 0;
@@ -113,7 +113,8 @@ void finish(Strips& s, double t_deepest, double effective_modulus) {
     squares += strip.half_length * strip.half_length;
     s.area += 2 * strip.half_length * s.width;
   }
-  // Midway between two strips' middles the integral is smooth: from the boundary nearest to the deepest place.
+  // Midway between two strips' middles the integral is smooth: from the boundary nearest to the
+  // deepest place.
   Strip from = *std::ranges::min_element(s.strips, {}, [&](const Strip& strip) {
     return std::abs(strip.t + 0.5 * s.width - t_deepest);
   });

@@ -1,8 +1,10 @@
-// The fast approximate method: a patch as strips along rolling, each with a half ellipse of pressure.
+// The fast approximate method: a patch as strips along rolling, each with a half ellipse of
+// pressure.
 //
-// Hertz's ellipse of the same depth, width of overlap and rolling radius says how much of the overlap is contact (a half in
-// both directions for a circle); the strips take that share of the patch's own overlap. The pressure's size is such that the
-// half-space sinks in by the depth of overlap where that is greatest (Kik and Piotrowski 1996). Exact for Hertz's contacts.
+// Hertz's ellipse of the same depth, width of overlap and rolling radius says how much of the
+// overlap is contact (a half in both directions for a circle); the strips take that share of the
+// patch's own overlap. The pressure's size is such that the half-space sinks in by the depth of
+// overlap where that is greatest (Kik and Piotrowski 1996). Exact for Hertz's contacts.
 #pragma once
 
 #include <vector>
@@ -31,16 +33,18 @@ struct Strips {
   double pressure(const Strip& s, double x) const;  // at x from the strip's middle [Pa]
 };
 
-// Of a patch whose wheel is lowered by `down` [m] along n since the patch was made; empty when nothing overlaps.
+// Of a patch whose wheel is lowered by `down` [m] along n since the patch was made; empty when
+// nothing overlaps.
 Strips semi_hertzian(const Patch& patch, double effective_modulus, double down = 0);
 
-// Hertz's own ellipse, from the depth and the curvatures at the deepest place (across, from three places one eighth of the
-// overlap's width apart). Throws InputError when the surfaces are not convex there.
+// Hertz's own ellipse, from the depth and the curvatures at the deepest place (across, from three
+// places one eighth of the overlap's width apart). Throws InputError when the surfaces are not
+// convex there.
 Strips hertzian(const Patch& patch, double effective_modulus, double down = 0);
 
-// FASTSIM on the strips: parabolic bound, and flexibilities of the ellipse of the same area and ratio, of Kalker's table. Of
-// the case, a, b and load are not used. `doubt` says when the ratio is outside of the table (0.1 to 10), whose end is
-// then taken.
+// FASTSIM on the strips: parabolic bound, and flexibilities of the ellipse of the same area and
+// ratio, of Kalker's table. Of the case, a, b and load are not used. `doubt` says when the ratio is
+// outside of the table (0.1 to 10), whose end is then taken.
 rolling::CreepForces fastsim(const Strips& contact, const rolling::RollingCase& c,
                              bool keep_tractions = false);
 

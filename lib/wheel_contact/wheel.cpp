@@ -21,46 +21,47 @@ using Eigen::Index;
 using Eigen::Vector3d;
 
 double Friction::at(double slip_speed) const {
-  return coefficient * (left + (1 - left) * std::exp(-slip_speed / speed));
+  return coefficient * (high_speed_share + (1 - high_speed_share) * std::exp(-slip_speed / speed));
 }
 
 namespace {
 
-void check(const Pair& pair, const Pose& pose, const WheelWish& wish) {
+void check(const ProfilePair& pair, const Pose& pose, const WheelInput& input) {
   using namespace units;
   require_between("shift", pose.y, -0.05, 0.05, "m");
   require_between("yaw", pose.yaw, -0.1, 0.1, "rad");
   require_between("roll", pose.roll, -0.1, 0.1, "rad");
-  require_positive("load", wish.load, "N");
-  require_positive("speed", wish.speed, "m/s");
-  require_finite("turning", wish.turning, "rad/s");
-  require_between("friction", wish.friction.coefficient, 0, 2);
-  require_between("friction's share at high speed", wish.friction.left, 0, 1);
-  require_positive("friction's speed", wish.friction.speed, "m/s");
+  require_positive("load", input.load, "N");
+  require_positive("speed", input.speed, "m/s");
+  require_finite("turning", input.angular_velocity, "rad/s");
+  require_between("friction", input.friction.coefficient, 0, 2);
+  require_between("friction's share at high speed", input.friction.high_speed_share, 0, 1);
+  require_positive("friction's speed", input.friction.speed, "m/s");
   require_positive("wheel radius", pair.radius, "m");
-  require_between("cells along", static_cast<double>(wish.along), 8, 512);
-  require_between("cells across", static_cast<double>(wish.across), 8, 512);
+  require_between("cells along", static_cast<double>(input.along), 8, 512);
+  require_between("cells across", static_cast<double>(input.across), 8, 512);
 }
 
 // What does not change while the wheel is lowered.
 struct Work {
-  const Placed& wheel;
-  const Touching& touch;
-  const WheelWish& wish;
-  rolling::Pair material;
+  const PlacedWheel& wheel;
+  const ContactSearch& touch;
+  const WheelInput& input;
+  rolling::MaterialPair material;
 };
 
-// The wheel's rigid creepages over the rail at a patch (rolling_case.hpp), and the speed of rolling.
+// The wheel's rigid creepages over the rail at a patch (rolling_case.hpp), and the speed of
+// rolling.
 struct Motion {
   rolling::Creepage creepage;
   double speed;
 };
 Motion motion_of(const Work& w, const Frame& frame, double approach, double z) {
   const Vector3d centre(0, w.wheel.pose.y, z - w.wheel.pair->radius);
-  const Vector3d spin = w.wheel.turn * Vector3d(0, -w.wish.turning, 0);
+  const Vector3d spin = w.wheel.turn * Vector3d(0, -w.input.angular_velocity, 0);
   const Vector3d arm = frame.origin + approach * frame.normal() - centre;
-  const Vector3d v = Vector3d(w.wish.speed, 0, 0) + spin.cross(arm);
-  const double speed = w.wish.speed - 0.5 * v.x();
+  const Vector3d v = Vector3d(w.input.speed, 0, 0) + spin.cross(arm);
+  const double speed = w.input.speed - 0.5 * v.x();
   return {{v.x() / speed, v.dot(frame.across()) / speed, spin.dot(frame.normal()) / speed}, speed};
 }
 
@@ -70,7 +71,7 @@ rolling::RollingCase case_of(const Work& w, PatchResult& p, double z) {
   const double slip =
       std::sqrt(std::pow(m.creepage.longitudinal, 2) + std::pow(m.creepage.lateral, 2) +
                 std::pow(m.creepage.spin, 2) * p.area / (2 * units::pi));
-  p.friction = w.wish.friction.at(std::abs(m.speed) * slip);
+  p.friction = w.input.friction.at(std::abs(m.speed) * slip);
   return {.a = 1,
           .b = 1,
           .load = 1,
@@ -96,11 +97,11 @@ std::vector<PatchResult> approximate(const Work& w, double z, double frames, boo
                                      bool keep = false) {
   std::vector<PatchResult> all;
   const double modulus = w.material.effective_modulus;
-  for (Patch& patch : patches(w.wheel, w.touch, frames, w.wish.patches)) {
+  for (Patch& patch : patches(w.wheel, w.touch, frames, w.input.patches)) {
     const double down = (z - frames) * std::cos(patch.frame.angle);
     PatchResult p;
-    p.strips = w.wish.method == Method::hertz ? hertzian(patch, modulus, down)
-                                              : semi_hertzian(patch, modulus, down);
+    p.strips = w.input.method == Method::hertz ? hertzian(patch, modulus, down)
+                                               : semi_hertzian(patch, modulus, down);
     if (p.strips.strips.empty()) continue;
     p.patch = std::move(patch);
     p.load = p.strips.load, p.approach = p.strips.approach;
@@ -111,13 +112,14 @@ std::vector<PatchResult> approximate(const Work& w, double z, double frames, boo
   return all;
 }
 
-// With n cells across a patch the error of p_max is at least the first over n^2; that of the forces and of the moment, over n.
+// With n cells across a patch the error of p_max is at least the first over n^2; that of the forces
+// and of the moment, over n.
 constexpr double least_p_max_error = 2, least_force_error = 0.16, least_moment_error = 0.1;
 
 constexpr double deepest_sinking = 2e-3;  // m: half-spaces that sink in by millimetres are none
 
-// The root of a growing function near `guess`, where it grows like a power 3/2 of the distance from `zero`: f gives force
-// over load.
+// The root of a growing function near `guess`, where it grows like a power 3/2 of the distance from
+// `zero`: f gives force over load.
 struct Depths {
   double z = 0;
   bool converged = false, too_deep = false;  // too_deep: the deepest place bears less
@@ -125,7 +127,7 @@ struct Depths {
 Depths find_depth(const std::function<double(double)>& share, double zero, double guess,
                   double tolerance) {
   const double deepest = zero + deepest_sinking;
-  double low = zero, high = units::no_limit, z = std::min(guess, deepest);
+  double low = zero, high = units::infinity, z = std::min(guess, deepest);
   for (int k = 0; k < 60; ++k) {
     const double f = share(z);
     if (std::abs(f - 1) < tolerance) return {z, true};
@@ -142,8 +144,8 @@ Depths find_depth(const std::function<double(double)>& share, double zero, doubl
   return {z, false};
 }
 
-// Where areas merge into one patch the force jumps, and no depth may bear just the load: then the frames of that depth are
-// kept, with which it does not jump.
+// Where areas merge into one patch the force jumps, and no depth may bear just the load: then the
+// frames of that depth are kept, with which it does not jump.
 struct Approximate {
   double z, frames;
   bool converged, too_deep;
@@ -151,10 +153,10 @@ struct Approximate {
 Approximate approximate_depth(const Work& w, bool friction) {
   const double zero = w.touch.z();
   const auto share = [&](double z, double frames) {
-    return vertical_force(approximate(w, z, frames, friction)) / w.wish.load;
+    return vertical_force(approximate(w, z, frames, friction)) / w.input.load;
   };
   const Depths first = find_depth([&](double z) { return share(z, z); }, zero,
-                                  zero + 5e-5 * std::pow(w.wish.load / 5e4, 2.0 / 3), 1e-5);
+                                  zero + 5e-5 * std::pow(w.input.load / 5e4, 2.0 / 3), 1e-5);
   if (first.converged || first.too_deep) return {first.z, first.z, first.converged, first.too_deep};
   const Depths kept = find_depth([&](double z) { return share(z, first.z); }, zero, first.z, 1e-5);
   return {kept.z, first.z, kept.converged, kept.too_deep};
@@ -186,7 +188,7 @@ struct Full {
     double last = 0, last_share = 0;
     for (int k = 0; k < 25; ++k) {
       if (!press()) return false;
-      const double share = vertical_force(all) / w.wish.load;
+      const double share = vertical_force(all) / w.input.load;
       if (std::abs(share - 1) < tolerance) return true;
       const double depth = std::max(z0 + down - w.touch.z(), 0.0);
       double slope = 1.5 * std::max(share, 0.05) / std::max(depth, 1e-9);
@@ -200,10 +202,11 @@ struct Full {
     return false;
   }
 
-  // The patches anew, at the depth found; friction as shares of the load as before where they are the same patches.
+  // The patches anew, at the depth found; friction as shares of the load as before where they are
+  // the same patches.
   void lower_frames() {
     z0 += down, down = 0;
-    std::vector<Patch> anew = patches(w.wheel, w.touch, z0, w.wish.patches);
+    std::vector<Patch> anew = patches(w.wheel, w.touch, z0, w.input.patches);
     if (anew.size() != all.size()) all.assign(anew.size(), {});
     for (std::size_t i = 0; i < all.size(); ++i) all[i].patch = std::move(anew[i]);
     cells.clear();
@@ -239,8 +242,9 @@ struct Full {
     }
     return true;
   }
-  // From the changes since the coarse grid, forces and moments as shares of what friction bears. Two grids may agree by chance, and both
-  // be a part of a cell off at the rows where slip begins: no error is less than what cells of this size leave in 95 of 100 contacts.
+  // From the changes since the coarse grid, forces and moments as shares of what friction bears.
+  // Two grids may agree by chance, and both be a part of a cell off at the rows where slip begins:
+  // no error is less than what cells of this size leave in 95 of 100 contacts.
   void state_errors() {
     for (std::size_t i = 0; i < all.size(); ++i) {
       PatchResult& p = all[i];
@@ -274,17 +278,17 @@ void solve_full(const Work& w, double z, WheelResult& out) {
   const auto fail = [&](const char* why) { out.converged = false, out.reason = why; };
   constexpr const char* unborne = "the load was not met by the half-space's pressures";
   constexpr const char* unsettled = "the stick and slip areas did not settle";
-  f.mesh(w.wish.along / 2, w.wish.across / 2);
+  f.mesh(w.input.along / 2, w.input.across / 2);
   if (!f.balance(1e-2)) return fail(unborne);
   f.lower_frames();
-  f.mesh(w.wish.along / 2, w.wish.across / 2);
+  f.mesh(w.input.along / 2, w.input.across / 2);
   if (!f.balance(1e-3)) return fail(unborne);
   f.forget_unloaded();
   f.describe();
-  if (w.wish.friction.coefficient > 0 && !f.roll()) return fail(unsettled);
+  if (w.input.friction.coefficient > 0 && !f.roll()) return fail(unsettled);
   f.coarse = f.all;
   for (int k = 0;; ++k) {
-    f.mesh(w.wish.along, w.wish.across);
+    f.mesh(w.input.along, w.input.across);
     if (!f.balance(1e-5)) return fail(unborne);
     f.describe();
     if (!f.touches_edge()) break;
@@ -293,9 +297,9 @@ void solve_full(const Work& w, double z, WheelResult& out) {
   // Near Nadal's edge friction bears nearly as much as the flange presses, and its share falls as the load grows: the depth that
   // balances one share swings about that which balances its own. Where that has not ended, it is sought between the last two.
   double last = 0, last_off = 0;
-  for (int k = 0; w.wish.friction.coefficient > 0; ++k) {
+  for (int k = 0; w.input.friction.coefficient > 0; ++k) {
     if (!f.roll()) return fail(unsettled);
-    const double off = vertical_force(f.all) / w.wish.load - 1, here = f.down;
+    const double off = vertical_force(f.all) / w.input.load - 1, here = f.down;
     if (std::abs(off) < 1e-3) break;
     if (k == 15) return fail("friction and load did not settle");
     const bool swings = k >= 7 && off * last_off < 0;
@@ -334,8 +338,9 @@ void complete(const Work& w, WheelResult& out) {
                            [](const PatchResult& p) { return p.load; });
 }
 
-// How much less the smaller of two patches would carry if both pressed on one half-space, over its load: each sinks in by the other's
-// load over pi E* distance, and the wheel comes down until both bear what they did together. Loads grow as approach^(3/2).
+// How much less the smaller of two patches would carry if both pressed on one half-space, over its
+// load: each sinks in by the other's load over pi E* distance, and the wheel comes down until both
+// bear what they did together. Loads grow as approach^(3/2).
 double neighbour_effect(const Work& w, const PatchResult& large, const PatchResult& small) {
   const double distance = (large.patch.frame.origin - small.patch.frame.origin).norm();
   const double sinking = (large.load - small.load) /
@@ -347,7 +352,7 @@ double neighbour_effect(const Work& w, const PatchResult& large, const PatchResu
 
 void doubt(const Work& w, WheelResult& out) {
   const auto say = [&](std::string_view text) { out.doubts.emplace_back(text); };
-  for (const Placed::Point& p : w.touch.least) {
+  for (const PlacedWheel::Point& p : w.touch.least) {
     const double clear = p.gap - out.z;
     if (clear > 0 && clear < 0.5 * (out.z - out.z_touch))
       say(fmt::format(
@@ -357,7 +362,7 @@ void doubt(const Work& w, WheelResult& out) {
   const double unlike = w.material.dissimilarity;
   if (std::abs(unlike) > 0.02)
     say(fmt::format("unlike materials (K = {:.3f}): {}", unlike,
-                    w.wish.method == Method::full
+                    w.input.method == Method::full
                         ? "what their tractions do to the pressure is left out"
                         : "left out by this method; take the full theory"));
   for (const PatchResult& p : out.patches) {
@@ -382,7 +387,7 @@ void doubt(const Work& w, WheelResult& out) {
                       "wide, the wheel's radius {:.0f} mm: too large for half-spaces",
                       width / units::millimetre, length / units::millimetre,
                       head / units::millimetre, p.patch.radius / units::millimetre));
-    if (p.strips.two_lobes && w.wish.method != Method::full)
+    if (p.strips.two_lobes && w.input.method != Method::full)
       say("two areas of overlap in one patch: rough by this method; take the full theory");
     if (p.patch.merged) say("two areas of overlap are near one another and share one frame");
     if (p.patch.at_end)
@@ -399,33 +404,33 @@ void doubt(const Work& w, WheelResult& out) {
 
 }  // namespace
 
-WheelResult solve_wheel(const Pair& pair, const Pose& pose, const WheelWish& wish) {
-  check(pair, pose, wish);
-  const Placed wheel(pair, pose);
-  const Touching touch = touching(wheel);
+WheelResult solve_wheel(const ProfilePair& pair, const Pose& pose, const WheelInput& input) {
+  check(pair, pose, input);
+  const PlacedWheel wheel(pair, pose);
+  const ContactSearch touch = find_contact(wheel);
   if (at_end(pair, touch.least.front()))
     throw InputError{
         fmt::format("the wheel touches at an end of a profile, {:.2f} mm across the wheel; "
                     "allowed: more than 0.5 mm "
                     "from the ends; is the pose right, and the profile long enough?",
                     touch.least.front().s / units::millimetre)};
-  const Work w{wheel, touch, wish, rolling::join(wish.wheel, wish.rail)};
+  const Work w{wheel, touch, input, rolling::combine(input.wheel, input.rail)};
   WheelResult out;
   out.z_touch = touch.z();
-  const bool friction = wish.friction.coefficient > 0;
+  const bool friction = input.friction.coefficient > 0;
   const Approximate depth = approximate_depth(w, friction);
   out.z = depth.z;
   if (depth.too_deep) {
     out.reason = "no depth up to 2 mm bears the load";
     return out;
   }
-  if (!depth.converged && wish.method != Method::full) {
+  if (!depth.converged && input.method != Method::full) {
     out.reason = "verge of a second contact: by this method the load jumps; take the full theory";
     return out;
   }
   out.converged = true;
-  out.patches = approximate(w, depth.z, depth.frames, friction, wish.method != Method::full);
-  if (wish.method == Method::full) solve_full(w, depth.z, out);
+  out.patches = approximate(w, depth.z, depth.frames, friction, input.method != Method::full);
+  if (input.method == Method::full) solve_full(w, depth.z, out);
   complete(w, out);
   doubt(w, out);
   return out;

@@ -1,10 +1,11 @@
 // One wheel on its rail under a vertical load: patches, pressures, creepages and forces.
 //
 //   const Pair pair = s1002_on_60e1(1.0 / 40);
-//   const WheelResult right = solve_wheel(pair, {.y = 3e-3}, {.load = 80e3, .speed = 30, .turning = 30 / 0.46});
+//   const WheelResult right = solve_wheel(pair, {.y = 3e-3}, {.load = 80e3, .speed = 30, .turning =
+//   30 / 0.46});
 //
-// For the right wheel; a left one is solved in its mirrored() pose, and its forces across and moments about x and z change
-// their signs.
+// For the right wheel; a left one is solved in its mirrored() pose, and its forces across and
+// moments about x and z change their signs.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,12 +20,13 @@
 
 namespace railbook::wheel_contact {
 
-// mu(v) = mu0 (a + (1 - a) exp(-v/v0)), the law of Ohyama and Polach. v is the mean rigid slip speed of the patch, not the slip of each
-// particle: with that a rolling contact has several solutions, with this one. a = 1: constant.
+// mu(v) = mu0 (a + (1 - a) exp(-v/v0)), the law of Ohyama and Polach. v is the mean rigid slip
+// speed of the patch, not the slip of each particle: with that a rolling contact has several
+// solutions, with this one. a = 1: constant.
 struct Friction {
-  double coefficient = 0.3;  // mu0, 0 to 2
-  double left = 1;           // a: the share left at high speed, 0 to 1
-  double speed = 1;          // v0 [m/s], > 0
+  double coefficient = 0.3;     // mu0, 0 to 2
+  double high_speed_share = 1;  // a: the fraction left at high speed, 0 to 1
+  double speed = 1;             // v0 [m/s], > 0
   double at(double slip_speed) const;
 };
 
@@ -34,10 +36,10 @@ enum class Method {
   full     // the half-space's own pressure, and Kalker's full theory on it
 };
 
-struct WheelWish {
-  double load = 0;     // vertical, of the wheel on the rail [N], > 0
-  double speed = 0;    // of the wheelset along the track [m/s], > 0
-  double turning = 0;  // of the wheelset about its axle [rad/s], > 0 forwards
+struct WheelInput {
+  double load = 0;              // vertical, of the wheel on the rail [N], > 0
+  double speed = 0;             // of the wheelset along the track [m/s], > 0
+  double angular_velocity = 0;  // of the wheelset about its axle [rad/s], > 0 forwards
   Friction friction = {};
   rolling::Steel wheel = {210e9, 0.28}, rail = {210e9, 0.28};
   Method method = Method::full;
@@ -56,8 +58,9 @@ struct PatchResult {
   double friction = 0;
   double largest_shear = 0;  // traction [Pa]
   double wear_number = 0;    // T gamma: power of friction over speed [N]
-  // Of p_max, as a share: the change from a grid of half the cells along and across, and what cells of this size leave at least; infinite
-  // for the approximate methods. forces.error is the like of (fx, fy) over mu N. Not yet counted on fresh contacts.
+  // Of p_max, as a share: the change from a grid of half the cells along and across, and what cells
+  // of this size leave at least; infinite for the approximate methods. forces.error is the like of
+  // (fx, fy) over mu N. Not yet counted on fresh contacts.
   double p_max_error = std::numeric_limits<double>::infinity();
   contact::Grid grid;        // of Method::full ...
   Eigen::VectorXd pressure;  // ... and the pressure [Pa]
@@ -65,8 +68,8 @@ struct PatchResult {
 };
 
 struct WheelResult {
-  double z =
-      0;  // depth of the axle's middle below its height at the running circles on the rails' top [m]
+  double z = 0;  // depth of the axle's middle below its height at the running circles on the rails'
+                 // top [m]
   double z_touch = 0;                               // at first touch
   std::vector<PatchResult> patches;                 // the one that carries most first
   Eigen::Vector3d force = Eigen::Vector3d::Zero();  // on the rail, in the track's axes [N]
@@ -77,22 +80,24 @@ struct WheelResult {
   std::vector<std::string> doubts;  // verge of a second contact, conformal, merged, beyond a range
 };
 
-// Load to 1e-5 (full: with the share that friction bears to 1e-3). Throws InputError naming what is out of range, or when
-// the wheel touches within 0.5 mm of an end of a profile; not converged when no depth bears the load.
-// Accuracy of the full method, against CONTACT in the benchmark: see tests/lib/wheel_contact/benchmark.cpp.
-WheelResult solve_wheel(const Pair& pair, const Pose& pose, const WheelWish& wish);
+// Load to 1e-5 (full: with the share that friction bears to 1e-3). Throws InputError naming what is
+// out of range, or when the wheel touches within 0.5 mm of an end of a profile; not converged when
+// no depth bears the load. Accuracy of the full method, against CONTACT in the benchmark: see
+// tests/lib/wheel_contact/benchmark.cpp.
+WheelResult solve_wheel(const ProfilePair& pair, const Pose& pose, const WheelInput& input);
 
 struct WheelsetResult {
   Pose pose;
-  double turning = 0;
+  double angular_velocity = 0;
   WheelResult left, right;  // the left as seen in the mirror
   bool converged = false;
   std::string reason;
 };
 
-// A wheelset with the same load on both wheels, free to roll and to turn: its roll has both wheels at one height, and its
-// turning lets the moments about the axle cancel. Of the wish, `turning` is not used; of the pose, roll is not.
-// Throws as solve_wheel, and when no roll near the rigid wheelset's does. Some twenty solutions of a wheel.
-WheelsetResult solve_wheelset(const Pair& pair, const Pose& pose, const WheelWish& wish);
+// A wheelset with the same load on both wheels, free to roll and to turn: its roll has both wheels
+// at one height, and its turning lets the moments about the axle cancel. Of the input, `turning` is
+// not used; of the pose, roll is not. Throws as solve_wheel, and when no roll near the rigid
+// wheelset's does. Some twenty solutions of a wheel.
+WheelsetResult solve_wheelset(const ProfilePair& pair, const Pose& pose, const WheelInput& input);
 
 }  // namespace railbook::wheel_contact

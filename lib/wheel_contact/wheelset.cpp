@@ -9,7 +9,8 @@
 namespace railbook::wheel_contact {
 namespace {
 
-// The root of a function that is nearly straight, from two places near it; the better of the last two.
+// The root of a function that is nearly straight, from two places near it; the better of the last
+// two.
 double secant(const std::function<double(double)>& f, double x0, double x1, double small) {
   double f0 = f(x0);
   if (std::abs(f0) < small) return x0;
@@ -22,14 +23,14 @@ double secant(const std::function<double(double)>& f, double x0, double x1, doub
 }
 
 struct Balance {
-  const Pair& pair;
-  const WheelWish& wish;
+  const ProfilePair& pair;
+  const WheelInput& input;
   WheelsetResult& out;
 
-  void solve(double roll, double turning, Method method) {
-    WheelWish w = wish;
-    w.turning = turning, w.method = method;
-    out.pose.roll = roll, out.turning = turning;
+  void solve(double roll, double angular_velocity, Method method) {
+    WheelInput w = input;
+    w.angular_velocity = angular_velocity, w.method = method;
+    out.pose.roll = roll, out.angular_velocity = angular_velocity;
     out.right = solve_wheel(pair, out.pose, w);
     out.left = solve_wheel(pair, mirrored(out.pose), w);
   }
@@ -37,48 +38,54 @@ struct Balance {
   double moments() const { return out.right.axle_moment + out.left.axle_moment; }
 
   // By brackets, with an approximate method.
-  double roll(double guess, double turning, Method method) {
-    const auto f = [&](double roll) { return solve(roll, turning, method), heights(); };
+  double roll(double guess, double angular_velocity, Method method) {
+    const auto f = [&](double roll) { return solve(roll, angular_velocity, method), heights(); };
     for (double reach = 2e-5; reach < 0.02; reach *= 3)
       if ((f(guess - reach) > 0) != (f(guess + reach) > 0))
         return guess +
                num::find_root([&](double d) { return f(guess + d); }, -reach, reach, 1e-6).x;
     throw InputError{"no roll near the rigid wheelset's has both wheels at one height"};
   }
-  double turning(double roll, Method method) {
-    const double nominal = wish.speed / pair.radius;
-    const auto f = [&](double turning) { return solve(roll, turning, method), moments(); };
+  double angular_velocity(double roll, Method method) {
+    const double nominal = input.speed / pair.radius;
+    const auto f = [&](double angular_velocity) {
+      return solve(roll, angular_velocity, method), moments();
+    };
     return num::find_root(f, 0.9 * nominal, 1.1 * nominal, 1e-9).x;
   }
 };
 
 }  // namespace
 
-WheelsetResult solve_wheelset(const Pair& pair, const Pose& at, const WheelWish& wish) {
-  units::require_positive("load", wish.load, "N");
-  units::require_positive("speed", wish.speed, "m/s");
+WheelsetResult solve_wheelset(const ProfilePair& pair, const Pose& at, const WheelInput& input) {
+  units::require_positive("load", input.load, "N");
+  units::require_positive("speed", input.speed, "m/s");
   units::require_between("shift", at.y, -0.05, 0.05, "m");
   units::require_between("yaw", at.yaw, -0.1, 0.1, "rad");
   WheelsetResult out;
   out.pose = at;
-  Balance b{pair, wish, out};
-  const bool friction = wish.friction.coefficient > 0, full = wish.method == Method::full;
-  const Method quick = full ? Method::strips : wish.method;
-  double roll = rigid_roll(pair, at.y, at.yaw), turning = wish.speed / pair.radius;
+  Balance b{pair, input, out};
+  const bool friction = input.friction.coefficient > 0, full = input.method == Method::full;
+  const Method quick = full ? Method::strips : input.method;
+  double roll = rigid_roll(pair, at.y, at.yaw), angular_velocity = input.speed / pair.radius;
   for (int k = 0; k < (friction ? 2 : 1); ++k) {
-    roll = b.roll(roll, turning, quick);
-    if (friction) turning = b.turning(roll, quick);
+    roll = b.roll(roll, angular_velocity, quick);
+    if (friction) angular_velocity = b.angular_velocity(roll, quick);
   }
   const double small_height = 2e-8;  // m
-  const double small_moment = 1e-4 * wish.friction.coefficient * wish.load * pair.radius;
+  const double small_moment = 1e-4 * input.friction.coefficient * input.load * pair.radius;
   for (int k = 0; full && k < 3; ++k) {
-    const auto height = [&](double r) { return b.solve(r, turning, Method::full), b.heights(); };
+    const auto height = [&](double r) {
+      return b.solve(r, angular_velocity, Method::full), b.heights();
+    };
     roll = secant(height, roll, roll + 1e-6, small_height);
     const auto moment = [&](double t) { return b.solve(roll, t, Method::full), b.moments(); };
-    if (friction) turning = secant(moment, turning, turning * (1 + 1e-6), small_moment);
+    if (friction)
+      angular_velocity =
+          secant(moment, angular_velocity, angular_velocity * (1 + 1e-6), small_moment);
     if (!friction || std::abs(b.heights()) < 10 * small_height) break;
   }
-  b.solve(roll, turning, wish.method);
+  b.solve(roll, angular_velocity, input.method);
   if (std::abs(b.heights()) > 1e-6) out.reason = "the wheels do not come to one height";
   if (friction && std::abs(b.moments()) > 10 * small_moment)
     out.reason = "the moments about the axle do not balance";

@@ -13,8 +13,9 @@ namespace railbook::wheelset {
 
 namespace {
 
-// The way inwards over a length on which the pull goes from `outer` to `inner` evenly, in closed form: a quarter of the wave
-// bends like sqrt(A - y) at its outer end, and does so in a piece that ends just beside that, where no quadrature follows.
+// The way inwards over a length on which the pull goes from `outer` to `inner` evenly, in closed
+// form: a quarter of the wave bends like sqrt(A - y) at its outer end, and does so in a piece that
+// ends just beside that, where no quadrature follows.
 struct Passage {
   double distance = 0;  // along the track over sqrt(r_0)
   double energy = 0;    // at its end; not positive where the wheelset does not come so far
@@ -40,7 +41,8 @@ Passage pass(double length, double outer, double inner, double energy) {
   return p;
 }
 
-// The difference of radii of a wheelset whose sides differ, piecewise linear between knots -end, ..., 0, ..., end.
+// The difference of radii of a wheelset whose sides differ, piecewise linear between knots -end,
+// ..., 0, ..., end.
 class Steering {
  public:
   explicit Steering(const ConstraintFunctions& f) : step_(f.R.step()) {

@@ -1,8 +1,9 @@
-// What the dynamics needs of wheel and rail: odd functions of the wheelset's lateral displacement, as tables.
+// What the dynamics needs of wheel and rail: odd functions of the wheelset's lateral displacement,
+// as tables.
 //
 //   const auto& pair = wheelset::new_wheel_table();           // wheelset/paper_pairs.hpp
-//   const auto c = pair.at(x);                                 // R, D, Phi and their slopes at x [m]
-//   for (double knot : pair.R.values()) ...                    // at 0, step, 2 step, ...
+//   const auto c = pair.at(x);                                 // R, D, Phi and their slopes at x
+//   [m] for (double knot : pair.R.values()) ...                    // at 0, step, 2 step, ...
 //
 // x > 0 is to the left. A function of x_w/a, as the paper writes it, has a times these slopes.
 #pragma once
@@ -13,12 +14,14 @@
 
 namespace railbook::wheelset {
 
-// An odd, piecewise linear function with knots at 0, step, 2 step, ...; beyond the last knot it goes on with its last
-// slope. At a knot the slope is that of the outer side. Values to 1e-14 of the largest.
+// An odd, piecewise linear function with knots at 0, step, 2 step, ...; beyond the last knot it
+// goes on with its last slope. At a knot the slope is that of the outer side. Values to 1e-14 of
+// the largest.
 class OddTable {
  public:
   OddTable() = default;
-  // `values` at the knots: at least two, the first 0, all finite; step > 0. Throws InputError otherwise.
+  // `values` at the knots: at least two, the first 0, all finite; step > 0. Throws InputError
+  // otherwise.
   OddTable(double step, std::vector<double> values);
 
   double operator()(double x) const {
@@ -54,12 +57,13 @@ struct ConstraintFunctions {
   double half_spacing = 0;  // a: half the distance between the rails' head centres
   double radius = 0;        // r_0: rolling radius at x = 0, the mean of both wheels
   OddTable R, D, Phi;       // all with the same step and length
-  // What is added where left and right differ: even functions, at 0, step, ...; empty for a symmetric wheelset and track.
+  // What is added where left and right differ: even functions, at 0, step, ...; empty for a
+  // symmetric wheelset and track.
   struct Even {
     std::vector<double> R, D, Phi;
   } even{};
-  // Rolling radii [m] and contact angles to the axle [rad] of both wheels at -end, ..., -step, 0, step, ..., end. Of a symmetric
-  // wheelset the right one's are the left one's at -x.
+  // Rolling radii [m] and contact angles to the axle [rad] of both wheels at -end, ..., -step, 0,
+  // step, ..., end. Of a symmetric wheelset the right one's are the left one's at -x.
   std::vector<double> r_left{}, delta_left{}, r_right{}, delta_right{};
 
   double end() const { return R.end(); }

@@ -63,7 +63,8 @@ profiles::Curve railed(const profiles::Curve& rail) {
   return placed_rail(rail, paper_track.gauge, paper_track.gauge_depth, paper_track.cant);
 }
 
-// The wheel moved sideways so that its point of the angle stands over the rail's point of the same angle.
+// The wheel moved sideways so that its point of the angle stands over the rail's point of the same
+// angle.
 WheelsetOnTrack matched(const profiles::Curve& wheel, const profiles::Curve& rail, double angle) {
   const double du = rail.point_at_angle(angle).u - wheel.point_at_angle(angle).u;
   return with_radius(profiles::moved(wheel, du, 0), rail, paper_track.radius);

@@ -1,8 +1,9 @@
-// The three pairs of wheel and rail of Hull and Cooperrider (1977), reconstructed: their profiles are lost.
+// The three pairs of wheel and rail of Hull and Cooperrider (1977), reconstructed: their profiles
+// are lost.
 //
-// Chains of arcs and lines in the AREA and AAR manner, chosen so that the geometry has every property the paper's
-// text states (see chapter 02). Half spacing 29.76 in, gauge 56.5 in at 5/8 in below the top, cant 1:40, rolling
-// radius 16.5 in.
+// Chains of arcs and lines in the AREA and AAR manner, chosen so that the geometry has every
+// property the paper's text states (see chapter 02). Half spacing 29.76 in, gauge 56.5 in at 5/8 in
+// below the top, cant 1:40, rolling radius 16.5 in.
 #pragma once
 
 #include <array>

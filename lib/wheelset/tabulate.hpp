@@ -14,10 +14,10 @@ struct TableOptions {
   bool level = false;       // keep the axle level, as EN 15302 does: no roll
 };
 
-// R, D, Phi, r_L and delta_L at 0, step, ..., end. The mean is by the trapezoidal rule over the steps within its
-// width; it turns the jump of a two-point contact, which is a cliff one step wide in the table, into a ramp of that
-// width. Throws InputError for options out of range, and where the wheelset loses contact or touches at an end of its
-// data before `end` plus half the width.
+// R, D, Phi, r_L and delta_L at 0, step, ..., end. The mean is by the trapezoidal rule over the
+// steps within its width; it turns the jump of a two-point contact, which is a cliff one step wide
+// in the table, into a ramp of that width. Throws InputError for options out of range, and where
+// the wheelset loses contact or touches at an end of its data before `end` plus half the width.
 ConstraintFunctions tabulate(const WheelsetOnTrack& pair, const TableOptions& options);
 
 }  // namespace railbook::wheelset

@@ -91,7 +91,8 @@ double WheelsetOnTrack::sine(const Part& part, double u) {
   return part.radius == 0 ? part.sine : std::clamp((u - part.uc) / part.radius, -1.0, 1.0);
 }
 
-// Where the gap of two pieces is stationary: their tangents are parallel. Two lines have no such place.
+// Where the gap of two pieces is stationary: their tangents are parallel. Two lines have no such
+// place.
 std::optional<double> WheelsetOnTrack::parallel(const Part& w, const Part& r) {
   if (w.radius == 0 && r.radius == 0) return std::nullopt;
   if (w.radius == 0) return r.uc + r.radius * w.sine;
@@ -239,8 +240,8 @@ profiles::Curve placed_rail(const profiles::Curve& rail, double gauge, double ga
 
 namespace {
 
-// Where the flange is steepest; the profile's end when it has none. A flange is less than 50 mm thick: what is steep farther out
-// is the edge of a rim.
+// Where the flange is steepest; the profile's end when it has none. A flange is less than 50 mm
+// thick: what is steep farther out is the edge of a rim.
 double flange_face(const profiles::Curve& wheel) {
   constexpr double thickest = 0.05;
   const auto steepness = [](const profiles::Piece& p) {
@@ -298,8 +299,8 @@ void halve(const WheelsetOnTrack& pair, const Sample& a, const Sample& b, double
 std::vector<ContactJump> contact_jumps(const WheelsetOnTrack& pair, double low, double high,
                                        double smallest) {
   units::require_finite("begin of the search", low, "m");
-  units::require_between("end of the search", high, low, units::no_limit, "m");
-  units::require_between("smallest jump", smallest, 1e-6, units::no_limit, "m");
+  units::require_between("end of the search", high, low, units::infinity, "m");
+  units::require_between("smallest jump", smallest, 1e-6, units::infinity, "m");
   std::vector<ContactJump> jumps;
   Sample before = pair.contact(low);
   for (int k = 1; k <= jump_samples; ++k) {

@@ -1,12 +1,14 @@
 // Where a rigid wheelset touches two rigid rails, in the plane across the track.
 //
 //   const WheelsetOnTrack pair(wheel, rail);
-//   const auto at = pair.contact(0.3 * units::inch);           // at.roll, at.left.radius, at.left.delta, ...
+//   const auto at = pair.contact(0.3 * units::inch);           // at.roll, at.left.radius,
+//   at.left.delta, ...
 //
-// The wheelset is moved sideways by x (> 0 to the left) and rolls by phi until the least vertical gap between wheel
-// and rail is the same on both sides. The least gap of two chains of arcs is found exactly: where their pieces
-// overlap, the gap of two arcs is stationary at one place that has a closed form, and else it is least at the end of
-// a piece. There is no grid. One evaluation costs one pass over the pieces of both chains.
+// The wheelset is moved sideways by x (> 0 to the left) and rolls by phi until the least vertical
+// gap between wheel and rail is the same on both sides. The least gap of two chains of arcs is
+// found exactly: where their pieces overlap, the gap of two arcs is stationary at one place that
+// has a closed form, and else it is least at the end of a piece. There is no grid. One evaluation
+// costs one pass over the pieces of both chains.
 #pragma once
 
 #include <limits>
@@ -36,21 +38,23 @@ struct WheelsetContact {
 
 class WheelsetOnTrack {
  public:
-  // `wheel` in the axle's frame: u = 0 is the middle of the axle, z = 0 its axis; all u < 0 and z < 0. `rail` in the
-  // track's frame: u = 0 is the track's centre, z = 0 its plane. Both for the left side, u towards the centre.
-  // Throws InputError when they do not overlap sideways at x = 0, or an angle of the wheel is over 84 degrees.
+  // `wheel` in the axle's frame: u = 0 is the middle of the axle, z = 0 its axis; all u < 0 and z <
+  // 0. `rail` in the track's frame: u = 0 is the track's centre, z = 0 its plane. Both for the left
+  // side, u towards the centre. Throws InputError when they do not overlap sideways at x = 0, or an
+  // angle of the wheel is over 84 degrees.
   WheelsetOnTrack(profiles::Curve wheel, profiles::Curve rail);
   // The left sides of two such pairs, the second on the right.
   WheelsetOnTrack(const WheelsetOnTrack& left, const WheelsetOnTrack& right);
   bool symmetric() const { return symmetric_; }
 
-  // Contact at displacement x [m]; NaN and infinite x throw InputError. `guess` of the roll only saves time. Accurate
-  // to rounding (some 1e-15 m of gap). Not converged when the profiles do not overlap any more or the roll needed is
-  // over 0.1 rad.
+  // Contact at displacement x [m]; NaN and infinite x throw InputError. `guess` of the roll only
+  // saves time. Accurate to rounding (some 1e-15 m of gap). Not converged when the profiles do not
+  // overlap any more or the roll needed is over 0.1 rad.
   WheelsetContact contact(double x, double guess = 0) const;
 
-  // The same with the axle kept level, as EN 15302 does for the equivalent conicity: each side touches where its own gap
-  // is least, and the two gaps differ. Not converged when the profiles do not overlap any more.
+  // The same with the axle kept level, as EN 15302 does for the equivalent conicity: each side
+  // touches where its own gap is least, and the two gaps differ. Not converged when the profiles do
+  // not overlap any more.
   WheelsetContact level_contact(double x) const;
 
   // Of the left side.
@@ -86,29 +90,30 @@ class WheelsetOnTrack {
   bool symmetric_ = true;
 };
 
-// Puts profiles in their places. `wheel` of a wheelset whose profile origin is `from_centre` [m] from the axle's
-// middle.
+// Puts profiles in their places. `wheel` of a wheelset whose profile origin is `from_centre` [m]
+// from the axle's middle.
 profiles::Curve placed_wheel(const profiles::Curve& wheel, double from_centre);
-// `rail` leaning towards the centre by `cant` [rad] (1:40 is 0.025), its top at z = 0, its gauge face half a `gauge`
-// [m] from the centre at `gauge_depth` [m] below the top. Throws InputError when the profile has no point so deep on
-// that side.
+// `rail` leaning towards the centre by `cant` [rad] (1:40 is 0.025), its top at z = 0, its gauge
+// face half a `gauge` [m] from the centre at `gauge_depth` [m] below the top. Throws InputError
+// when the profile has no point so deep on that side.
 profiles::Curve placed_rail(const profiles::Curve& rail, double gauge, double gauge_depth,
                             double cant);
-// The pair with the wheel raised so that its radius at the centred contact is `radius` [m]. Throws InputError when
-// the wheelset does not fit between the rails: the centred contact is at an end of the data or on a flange (over 45
-// degrees, or beyond its steepest place).
+// The pair with the wheel raised so that its radius at the centred contact is `radius` [m]. Throws
+// InputError when the wheelset does not fit between the rails: the centred contact is at an end of
+// the data or on a flange (over 45 degrees, or beyond its steepest place).
 WheelsetOnTrack with_radius(const profiles::Curve& wheel, const profiles::Curve& rail,
                             double radius);
 
-// A displacement at which one wheel has two points of contact: below it the one, above it the other.
+// A displacement at which one wheel has two points of contact: below it the one, above it the
+// other.
 struct ContactJump {
   double x =
       0;  // of the wheelset where its left wheel jumps [m], to 1e-12 m; the right one does at -x
   SideContact before, after;
 };
 
-// All jumps of the left wheel's contact by more than `smallest` [m] along the wheel, low < x < high. Halves every
-// interval over which the contact point moves by more than that.
+// All jumps of the left wheel's contact by more than `smallest` [m] along the wheel, low < x <
+// high. Halves every interval over which the contact point moves by more than that.
 std::vector<ContactJump> contact_jumps(const WheelsetOnTrack& pair, double low, double high,
                                        double smallest);
 

@@ -197,9 +197,10 @@ Row chain(bool fresh) {
           .share = 0.05};
 }
 
-// Not 8 times as quick as scipy, whose way takes 8 times the bare transforms of two blocks in one, but 5 times: reading, the
-// overlap, gains and handing out take as long as the transforms. Shorter weights, or a coarser step for the long waves, would
-// gain little: the length of a transform counts by its logarithm.
+// Not 8 times as quick as scipy, whose way takes 8 times the bare transforms of two blocks in one,
+// but 5 times: reading, the overlap, gains and handing out take as long as the transforms. Shorter
+// weights, or a coarser step for the long waves, would gain little: the length of a transform
+// counts by its logarithm.
 Row descriptor(bool fresh) {
   const auto x = std::make_shared<std::vector<double>>(noise(1U << 22U));
   const quality::Envelope envelope(
@@ -285,7 +286,7 @@ Row rolling_contact() {
           .work = side * side,
           .ours = {"EllipseRolling",
                    [=] {
-                     rolling::RollingCase c = rolling::unit_case(1.5, 0.28);
+                     rolling::RollingCase c = rolling::normalised_case(1.5, 0.28);
                      c = rolling::with_reduced_creepage(c, {0.6, 0.2, 0.5});
                      const auto forces = rolling::solve_rolling(c, {.along = side, .rows = side});
                      if (!forces.converged) throw std::runtime_error(forces.reason);
@@ -332,8 +333,8 @@ Row force_table() {
                     }}};
 }
 
-// What a branch cannot do without: in each Newton step the balance's own matrix, at each point the maps of 256 and 128 steps,
-// whose two stages move 18 columns.
+// What a branch cannot do without: in each Newton step the balance's own matrix, at each point the
+// maps of 256 and 128 steps, whose two stages move 18 columns.
 void eliminate(const cycles::LimitCycleBranch& branch) {
   const double steps =
       static_cast<double>(branch.newton_steps) / static_cast<double>(branch.points.size());

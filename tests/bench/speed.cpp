@@ -1,9 +1,9 @@
-// `make bench`: what the solvers cost beside what the machine asks for the same work, beside a plain way in this tree, and
-// beside scipy where there is one. speed OUT.json [PEERS.json [KEY...]]: a table on standard output, and the same as
-// JSON, of all rows or of those named.
+// `make bench`: what the solvers cost beside what the machine asks for the same work, beside a
+// plain way in this tree, and beside scipy where there is one. speed OUT.json [PEERS.json
+// [KEY...]]: a table on standard output, and the same as JSON, of all rows or of those named.
 //
-// Each row is a process of its own, so that its peak memory is its own; ours, the limit and the plain way take turns, and
-// the best of the rounds counts.
+// Each row is a process of its own, so that its peak memory is its own; ours, the limit and the
+// plain way take turns, and the best of the rounds counts.
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <sys/wait.h>

@@ -1,5 +1,6 @@
-// A preload that lets the allocation of the number in FAIL_AT fail, once, in the program itself and not in its children. With
-// COUNT_TO it writes the number of all allocations to that file at the end.
+// A preload that lets the allocation of the number in FAIL_AT fail, once, in the program itself and
+// not in its children. With COUNT_TO it writes the number of all allocations to that file at the
+// end.
 #include <unistd.h>
 
 #include <atomic>

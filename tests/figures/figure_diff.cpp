@@ -1,6 +1,7 @@
-// figure_diff compare|data|accept OUT GOLDEN RECORDED HERE: the figures, or their data alone, of the run with --out OUT and the committed folder GOLDEN,
-// figures/NN-name. RECORDED names what the committed pictures were made with, HERE what draws on this machine.
-// Exit status 0: alike, or accepted; 1: not, each fault on a line of its own; 2: usage.
+// figure_diff compare|data|accept OUT GOLDEN RECORDED HERE: the figures, or their data alone, of
+// the run with --out OUT and the committed folder GOLDEN, figures/NN-name. RECORDED names what the
+// committed pictures were made with, HERE what draws on this machine. Exit status 0: alike, or
+// accepted; 1: not, each fault on a line of its own; 2: usage.
 #include <fmt/format.h>
 
 #include <exception>

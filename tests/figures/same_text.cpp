@@ -1,7 +1,8 @@
-// same_text A.json B.json: whether two runs of a chapter say the same in every text of their records: values of the prose,
-// computed values of checks, rows of tables, results of stability cases. Names of pictures, the machine and the compiler, and
-// numbers behind the texts may differ, and so may a text that says in one of the two that something was "not timed".
-// Exit status 0: they do; 1: not, each place on a line of its own; 2: usage.
+// same_text A.json B.json: whether two runs of a chapter say the same in every text of their
+// records: values of the prose, computed values of checks, rows of tables, results of stability
+// cases. Names of pictures, the machine and the compiler, and numbers behind the texts may differ,
+// and so may a text that says in one of the two that something was "not timed". Exit status 0: they
+// do; 1: not, each place on a line of its own; 2: usage.
 #include <fmt/format.h>
 
 #include <exception>

@@ -1,5 +1,6 @@
-// Everything that reads what people and recorders write, on any bytes: it gives an answer or refuses with InputError or
-// OutsideError, and nothing else. The first byte says which parser. Built by fuzz.sh with libFuzzer; by ctest with replay.cpp.
+// Everything that reads what people and recorders write, on any bytes: it gives an answer or
+// refuses with InputError or OutsideError, and nothing else. The first byte says which parser.
+// Built by fuzz.sh with libFuzzer; by ctest with replay.cpp.
 #include <sys/mman.h>
 #include <unistd.h>
 

@@ -1,5 +1,5 @@
-// replay COUNT FILES...: the parsers on each file of the corpus, and on COUNT seeded mutations of them (bytes flipped, cut,
-// doubled and crossed). What libFuzzer found once stays in the corpus.
+// replay COUNT FILES...: the parsers on each file of the corpus, and on COUNT seeded mutations of
+// them (bytes flipped, cut, doubled and crossed). What libFuzzer found once stays in the corpus.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>

@@ -1,5 +1,6 @@
-// Numbers of the tests that have a closed form, in 113 bits (GCC's __float128), by routes of their own: Gauss' mean,
-// tanh-sinh quadrature, bisection. Nothing of lib/ is used. Each line is "file: text that stands in it".
+// Numbers of the tests that have a closed form, in 113 bits (GCC's __float128), by routes of their
+// own: Gauss' mean, tanh-sinh quadrature, bisection. Nothing of lib/ is used. Each line is "file:
+// text that stands in it".
 #include <quadmath.h>
 
 #include <cstdio>
@@ -79,7 +80,8 @@ void hertz() {
   }
 }
 
-// The rounded punch of Example 4, b = .5 in: the unreduced force, and Abel's integral of the pressure.
+// The rounded punch of Example 4, b = .5 in: the unreduced force, and Abel's integral of the
+// pressure.
 void punch() {
   const Quad modulus = 1.5e7Q / 0.91Q, b = 0.5Q, delta = 1e-3Q;
   for (const auto& [edge, name] : {std::pair{1.0Q, "1"}, {0.1Q, "0.1"}, {5.0Q, "5"}}) {
@@ -117,7 +119,8 @@ void punch() {
   std::printf("tests/chapters/01-contact/punch.cpp: z = %s;\n", digits(z, "%.17Qg").c_str());
 }
 
-// -1/(4 pi) integral of ln R / sin^2(t/2), R = 4 sin^2(t/2) sum of (-1)^m sign(t + 2 pi m)/(t + 2 pi m)^2.
+// -1/(4 pi) integral of ln R / sin^2(t/2), R = 4 sin^2(t/2) sum of (-1)^m sign(t + 2 pi m)/(t + 2
+// pi m)^2.
 void edge_offset() {
   const auto lattice = [](Quad t) {  // the alternating sum, ends averaged again and again
     constexpr int terms = 60, last = 20;

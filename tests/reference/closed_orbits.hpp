@@ -1,4 +1,5 @@
-// The paper's car body by body in the time domain, and its closed orbits by Newton's method: what limit_cycles.cpp counts.
+// The paper's car body by body in the time domain, and its closed orbits by Newton's method: what
+// limit_cycles.cpp counts.
 #pragma once
 
 #include <Eigen/Dense>

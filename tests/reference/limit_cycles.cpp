@@ -1,7 +1,8 @@
-// Limit cycles of the paper's car by a program of its own: the equations body by body (tests/support), probed with unit motions;
-// Runge and Kutta's fixed steps; Newton on the closed orbit; multipliers from differences of orbits; and describing
-// functions by sums over the cycle. Of lib/ only the car's data and the tables of wheel and rail are used.
-// Each line is "file: text that stands in it".
+// Limit cycles of the paper's car by a program of its own: the equations body by body
+// (tests/support), probed with unit motions; Runge and Kutta's fixed steps; Newton on the closed
+// orbit; multipliers from differences of orbits; and describing functions by sums over the cycle.
+// Of lib/ only the car's data and the tables of wheel and rail are used. Each line is "file: text
+// that stands in it".
 #include <Eigen/Dense>
 #include <array>
 #include <cmath>
@@ -28,7 +29,8 @@ std::string digits(double x, int count) {
   return text;
 }
 
-// The matrix that a motion q e^(lambda t) is a null vector of, for given sizes of the wheelsets' and the joints' motions.
+// The matrix that a motion q e^(lambda t) is a null vector of, for given sizes of the wheelsets'
+// and the joints' motions.
 using Gains = std::array<double, 3>;
 const std::vector<double>& sines() {  // over half a cycle, in the middles of equal steps
   static const std::vector<double> all = [] {
@@ -72,7 +74,8 @@ Eigen::Matrix<Complex, 9, 1> left_over(const Table& table, bool friction, double
   return out;
 }
 
-// (speed [ft/s], omega [rad/s]) of the cycle of this amplitude [in] near a guess, by Newton on all 20 unknowns.
+// (speed [ft/s], omega [rad/s]) of the cycle of this amplitude [in] near a guess, by Newton on all
+// 20 unknowns.
 struct Found {
   double speed, omega;
   Eigen::Matrix<Complex, 9, 1> shape = Eigen::Matrix<Complex, 9, 1>::Zero();
@@ -207,8 +210,8 @@ void multipliers() {
   }
 }
 
-// Cycles of these amplitudes [in], written as they stand in the test, each from the one before: near one speed and frequency there
-// are several, of one truck or of both.
+// Cycles of these amplitudes [in], written as they stand in the test, each from the one before:
+// near one speed and frequency there are several, of one truck or of both.
 void describing(const Table& table, bool friction, double amplitude, Found near,
                 const std::vector<const char*>& wanted) {
   Found at = describe(table, friction, amplitude, near);

@@ -1,5 +1,6 @@
-// Responses of filters and of the vehicle that the tests hold, from the formulas alone, in long double; strokes against bump
-// stops by Runge and Kutta's fixed steps. Nothing of lib/ is used. Each line is "file: text that stands in it".
+// Responses of filters and of the vehicle that the tests hold, from the formulas alone, in long
+// double; strokes against bump stops by Runge and Kutta's fixed steps. Nothing of lib/ is used.
+// Each line is "file: text that stands in it".
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -133,7 +134,8 @@ void complementary() {
   }
 }
 
-// |X/Z| of M x'' + b x' + k x = -M z'', and |G/Z| of m z'' + M y''; frequencies over the body's own.
+// |X/Z| of M x'' + b x' + k x = -M z'', and |G/Z| of m z'' + M y''; frequencies over the body's
+// own.
 Real stroke(Real ratio, Real damping) {
   return ratio * ratio / std::abs(Complex{1 - ratio * ratio, 2 * damping * ratio});
 }
@@ -171,8 +173,8 @@ void vehicle() {
         {text(format, force(std::stold(hertz)))}, ",");
 }
 
-// The largest |x| [cm] from 120 to 180 s of x'' + 2 rho w x' + w^2 (x + kappa (|x| - gap)+ sgn x) = -z'', z a sine that
-// grows for `ramp` seconds; from rest, 1/h steps a second.
+// The largest |x| [cm] from 120 to 180 s of x'' + 2 rho w x' + w^2 (x + kappa (|x| - gap)+ sgn x) =
+// -z'', z a sine that grows for `ramp` seconds; from rest, 1/h steps a second.
 Real settled(Real kappa, Real f, Real ramp, int h = 1000) {
   const Real amplitude = 0.009954726L, gap = 0.6L * 0.0254L, w = 2 * pi * 0.5L, o = 2 * pi * f;
   const auto acceleration = [&](Real t, Real x, Real v) {

@@ -1,10 +1,13 @@
-// rolling_curve CSV ALLOWED CELLS...: the dimensionless creep curve of chapters/03-creep/data/contact-curve.csv once more: CONTACT's
-// theory (half-spaces, constant tractions on square cells, steady rolling), a/b = 1.568, nu = 0.3, by relaxation cell by cell
-// from the leading edge on, a part of each change at a time. Grids of so many cells along are extrapolated to none by a line in the cell's size. Nothing
-// of lib/ is used. Ends with 1 when a value of the file is farther than ALLOWED.
+// rolling_curve CSV ALLOWED CELLS...: the dimensionless creep curve of
+// chapters/03-creep/data/contact-curve.csv once more: CONTACT's theory (half-spaces, constant
+// tractions on square cells, steady rolling), a/b = 1.568, nu = 0.3, by relaxation cell by cell
+// from the leading edge on, a part of each change at a time. Grids of so many cells along are
+// extrapolated to none by a line in the cell's size. Nothing of lib/ is used. Ends with 1 when a
+// value of the file is farther than ALLOWED.
 //
-//   reference_rolling_curve chapters/03-creep/data/contact-curve.csv 3e-2 9 13 19     (a quarter of a second; 2.2e-2)
-//   reference_rolling_curve chapters/03-creep/data/contact-curve.csv 4e-3 21 31 41    (half a minute; 3.0e-3)
+//   reference_rolling_curve chapters/03-creep/data/contact-curve.csv 3e-2 9 13 19     (a quarter of
+//   a second; 2.2e-2) reference_rolling_curve chapters/03-creep/data/contact-curve.csv 4e-3 21 31
+//   41    (half a minute; 3.0e-3)
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -20,7 +23,8 @@ constexpr double pi = 3.14159265358979323846, a = 1.568, b = 1, nu = 0.3;
 struct Matrix {
   double xx = 0, xy = 0, yy = 0;
 };
-// Displacement at the origin's distance (x, y) from the corner of a loaded quadrant: differences of four give a cell's.
+// Displacement at the origin's distance (x, y) from the corner of a loaded quadrant: differences of
+// four give a cell's.
 Matrix corner(double x, double y) {
   const double r = std::hypot(x, y);
   const double in_x = y == 0 || x == 0 ? 0 : y * std::asinh(x / std::abs(y));
@@ -39,7 +43,8 @@ struct Cell {
   double bound, px = 0, py = 0;
 };
 
-// Shares of the friction at the creepages, on a grid of n cells along; NaN where the relaxation did not settle.
+// Shares of the friction at the creepages, on a grid of n cells along; NaN where the relaxation did
+// not settle.
 std::vector<double> solve(int n, const std::vector<double>& reduced) {
   const double h = 2 * a / n;
   const int rows = static_cast<int>(std::ceil(b / h)), most = std::max(n, 2 * rows + 1);

@@ -1,10 +1,12 @@
-// rolling_limits CSV CELLS...: what the forces of chapters/03-creep/data/limits.csv tend to on ever finer grids, once more. Each of its
-// sets (a/b and reduced creepages) is solved on grids of so many cells a side, rows of one length by transforms, and extrapolated as
-// bench::limit_of does. Writes the file anew on standard output; ends with 1 when the old one's
-// values are more than two standard errors away, root mean square.
+// rolling_limits CSV CELLS...: what the forces of chapters/03-creep/data/limits.csv tend to on ever
+// finer grids, once more. Each of its sets (a/b and reduced creepages) is solved on grids of so
+// many cells a side, rows of one length by transforms, and extrapolated as bench::limit_of does.
+// Writes the file anew on standard output; ends with 1 when the old one's values are more than two
+// standard errors away, root mean square.
 //
-//   reference_rolling_limits chapters/03-creep/data/limits.csv 32 40 48 56                        (some ten seconds)
-//   reference_rolling_limits chapters/03-creep/data/limits.csv 96 112 128 144 160 176 192 208 224 (a quarter of an hour; as the file is)
+//   reference_rolling_limits chapters/03-creep/data/limits.csv 32 40 48 56 (some ten seconds)
+//   reference_rolling_limits chapters/03-creep/data/limits.csv 96 112 128 144 160 176 192 208 224
+//   (a quarter of an hour; as the file is)
 #include <fmt/format.h>
 
 #include <array>
@@ -52,7 +54,7 @@ std::map<std::string, std::vector<Case>> read(const char* file) {
 std::array<double, 3> solve(const Case& c, int cells) {
   const RollingGrid grid = ellipse_grid(c.ratio, cells, cells, true, true);
   const TangentialInfluence influence(grid.mesh, poisson, false);
-  const RollingCase contact = with_reduced_creepage(unit_case(c.ratio, poisson), c.creepage);
+  const RollingCase contact = with_reduced_creepage(normalised_case(c.ratio, poisson), c.creepage);
   const CreepForces f =
       in_units(grid, solve_on(influence, grid, reduced_creepage(contact), {}), 1, 1);
   if (!f.converged) throw std::runtime_error(f.reason);

@@ -14,7 +14,8 @@
 
 #include "temporary_folder.hpp"
 
-// What `work` prints on a stream (1 or 2) and the status of its process, whose exit status is what it returns.
+// What `work` prints on a stream (1 or 2) and the status of its process, whose exit status is what
+// it returns.
 template <class Work>
 std::pair<int, std::string> apart(int stream, const Work& work) {
   const TemporaryFolder at("apart");

@@ -1,6 +1,7 @@
-// The Manchester contact benchmark, case A: S1002 on UIC60 at 1:40, 20 kN, 2 m/s, friction 0.3, G = 82 GPa, nu = 0.28.
-// Inputs and results of case A2.2 are of CONTACT's example (E. Vollebregt and J. J. Kalker, open-source version,
-// mbench_a22_left and mbench_a22_right); lengths mm, um, forces N, moments N mm, pressures MPa.
+// The Manchester contact benchmark, case A: S1002 on UIC60 at 1:40, 20 kN, 2 m/s, friction 0.3, G =
+// 82 GPa, nu = 0.28. Inputs and results of case A2.2 are of CONTACT's example (E. Vollebregt and J.
+// J. Kalker, open-source version, mbench_a22_left and mbench_a22_right); lengths mm, um, forces N,
+// moments N mm, pressures MPa.
 #pragma once
 
 #include <array>
@@ -11,7 +12,7 @@ namespace railbook::tests {
 
 // Pose of the wheelset at y = 0, 1, ... 10 mm, with 2.4 mrad of yaw a millimetre.
 struct BenchmarkPose {
-  double roll_urad, turning;
+  double roll_urad, angular_velocity;
 };
 inline constexpr std::array<BenchmarkPose, 11> benchmark_poses{{{0, 4.3481181},
                                                                 {-50.49, 4.3465752},
@@ -79,7 +80,7 @@ inline constexpr std::array<BenchmarkWheel, 11> benchmark_right{{
 
 inline constexpr double benchmark_rail_origin = 760.5326;  // mm from the middle of the track
 
-inline const wheel_contact::Pair& benchmark_pair() {
+inline const wheel_contact::ProfilePair& benchmark_pair() {
   static const auto pair = wheel_contact::s1002_on_60e1(1.0 / 40, profiles::Rail60::benchmark);
   return pair;
 }
@@ -87,11 +88,11 @@ inline wheel_contact::Pose benchmark_pose(std::size_t i) {
   const double y = static_cast<double>(i);
   return {1e-3 * y, 2.4e-3 * y, 1e-6 * benchmark_poses[i].roll_urad};
 }
-inline wheel_contact::WheelWish benchmark_wish(std::size_t i) {
-  wheel_contact::WheelWish wish;
-  wish.load = 10e3, wish.speed = 2, wish.turning = benchmark_poses[i].turning;
-  wish.wheel = wish.rail = {2 * 82e9 * 1.28, 0.28};
-  return wish;
+inline wheel_contact::WheelInput benchmark_wish(std::size_t i) {
+  wheel_contact::WheelInput input;
+  input.load = 10e3, input.speed = 2, input.angular_velocity = benchmark_poses[i].angular_velocity;
+  input.wheel = input.rail = {2 * 82e9 * 1.28, 0.28};
+  return input;
 }
 
 }  // namespace railbook::tests

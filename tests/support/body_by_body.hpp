@@ -1,4 +1,5 @@
-// The car once more, without matrices: every body, spring and wheel by itself. Slow, and independent of freight_car.
+// The car once more, without matrices: every body, spring and wheel by itself. Slow, and
+// independent of freight_car.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +10,8 @@
 
 namespace railbook::vehicle {
 
-// Rolling radii [m] and contact angles to the axle [rad] of both wheels and the wheelset's roll, at x_w [m].
+// Rolling radii [m] and contact angles to the axle [rad] of both wheels and the wheelset's roll, at
+// x_w [m].
 struct WheelContacts {
   double r_left, r_right, delta_left, delta_right, roll;
 };
@@ -27,7 +29,8 @@ inline Axle axle(const CarParameters& p, const Vector9& q, bool rear, bool trail
           q[TH_TF + t] + q[TH_WF + t]};
 }
 
-// Power of all contact forces of one wheelset in the virtual motion dq: eqs (1)-(6), wheel by wheel.
+// Power of all contact forces of one wheelset in the virtual motion dq: eqs (1)-(6), wheel by
+// wheel.
 inline double contact_power(const CarParameters& p, double speed, const WheelContacts& g,
                             const Axle& at, const Axle& rate, const Axle& virtual_motion) {
   double power = -axle_load(p) * ((g.delta_left - g.delta_right) / 2 + g.roll) * virtual_motion.x;
@@ -106,8 +109,9 @@ inline double kinetic_energy(const CarParameters& p, const Vector9& v) {
   return twice / 2;
 }
 
-// Power [W] of all forces on the car at q, q' = v and `speed`, in the virtual rates w: creep by eqs (1)-(5) at each
-// wheel, eq. (6) at each wheelset, and each spring with its damper (`friction` false) or dry friction.
+// Power [W] of all forces on the car at q, q' = v and `speed`, in the virtual rates w: creep by eqs
+// (1)-(5) at each wheel, eq. (6) at each wheelset, and each spring with its damper (`friction`
+// false) or dry friction.
 inline double force_power(const CarParameters& p, bool friction, double speed,
                           const ContactGeometry& geometry, const Vector9& q, const Vector9& v,
                           const Vector9& w) {

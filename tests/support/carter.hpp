@@ -1,4 +1,5 @@
-// Carter's plane problem, rolling with friction of two cylinders: exact, and by one very wide row of the rolling solver.
+// Carter's plane problem, rolling with friction of two cylinders: exact, and by one very wide row
+// of the rolling solver.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +10,8 @@
 
 namespace railbook::tests {
 
-// F. W. Carter, Proc. R. Soc. A 112 (1926). Reduced creepage X = xi R/(mu a), 1/R = 1/R1 + 1/R2, a the half width.
+// F. W. Carter, Proc. R. Soc. A 112 (1926). Reduced creepage X = xi R/(mu a), 1/R = 1/R1 + 1/R2, a
+// the half width.
 struct Carter {
   double force = 0;  // Q/(mu P) = 1 - (1 - |X|)^2, 1 from |X| = 1 on; sign of X
   double stick = 0;  // width of the leading stick strip over the contact's
@@ -26,7 +28,8 @@ inline double carter_creepage(double force) {
 // All parts of the solver are put to the test; `remedy` as in RollingOptions.
 inline Carter carter_by_cells(double reduced_creepage, Eigen::Index cells, bool remedy = true) {
   using namespace rolling;
-  // One row of an ellipse 1e6 times as wide as long is a plane problem to 1e-12. With G = 1, nu = 0: E* = 1.
+  // One row of an ellipse 1e6 times as wide as long is a plane problem to 1e-12. With G = 1, nu =
+  // 0: E* = 1.
   const RollingGrid grid = ellipse_grid(2.5e-6, cells, 1, remedy);
   const double half = std::sqrt(2.5e-6 * 2 / 3), width = grid.mesh.dy[0];
   const double creepage = reduced_creepage * 4 / (units::pi * half * width);

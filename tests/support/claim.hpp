@@ -1,5 +1,5 @@
-// What the library says of its accuracy, held: the largest error of a function over many inputs against its row of
-// tests/claims.csv, which the book prints on its Verification page.
+// What the library says of its accuracy, held: the largest error of a function over many inputs
+// against its row of tests/claims.csv, which the book prints on its Verification page.
 #pragma once
 
 #include <algorithm>
@@ -11,11 +11,11 @@
 #include <sstream>
 #include <string>
 
-#include <railbook/num/draw.hpp>
+#include <railbook/num/random_stream.hpp>
 
 namespace railbook::tests {
 
-using num::Draw;
+using num::RandomStream;
 using Long = long double;
 inline const Long long_pi = std::acos(Long{-1});
 
@@ -52,7 +52,8 @@ class Claim {
                    << ", claimed " << bound_);
     CHECK(count_ >= least_);
     CHECK(worst_ <= bound_);
-    // What the book prints was found here: the last digits depend on the compiler and the C library.
+    // What the book prints was found here: the last digits depend on the compiler and the C
+    // library.
     CHECK(worst_ <= 3 * stated_);  // no lower bound: a function may get better
   }
 

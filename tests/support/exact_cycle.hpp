@@ -1,6 +1,7 @@
-// Self-excited oscillators whose limit cycle is known to 80 bits: q'' + k q + f(q') = 0 with f of three straight pieces,
-// -inner q' between -left and right, rising by `outer` beyond. Each piece is a damped spring, solved in closed form; the cycle is the
-// fixed point of the return to q' = right, and Liouville's formula has its multiplier.
+// Self-excited oscillators whose limit cycle is known to 80 bits: q'' + k q + f(q') = 0 with f of
+// three straight pieces, -inner q' between -left and right, rising by `outer` beyond. Each piece is
+// a damped spring, solved in closed form; the cycle is the fixed point of the return to q' = right,
+// and Liouville's formula has its multiplier.
 #pragma once
 
 #include <algorithm>
@@ -96,7 +97,8 @@ struct ExactCycle {
     }
     return t;
   }
-  // The end of a stretch at `level`, which it crosses after its turn or, where there is none, on its way.
+  // The end of a stretch at `level`, which it crosses after its turn or, where there is none, on
+  // its way.
   Long end(const Stretch& s, Long level, bool after_turn) const {
     const Long d = s.damping * s.damping / 4 - k,
                from = after_turn ? std::max(turn(s), Long{0}) : 0;

@@ -1,4 +1,5 @@
-// The filters of the geometry chain as weights, convolved directly: what the running sums are held against.
+// The filters of the geometry chain as weights, convolved directly: what the running sums are held
+// against.
 #pragma once
 
 #include <cmath>

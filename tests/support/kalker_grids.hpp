@@ -35,14 +35,16 @@ inline GridCoefficients on_one_grid(double axis_ratio, double poisson, Eigen::In
   return c;
 }
 
-// As kalker_coefficients, but for any a/b > 0 and by the full theory's cells without a traction bound. Grids of `size` x
-// 2 `size` cells (along x across; 8 to 32, a multiple of 8; 1.5 `size` both ways beyond a/b = 2), half and a quarter of it
-// are extrapolated by a parabola in the cell size. c23 and c32 are equal to rounding: one direction's equations are the
-// transpose of the other's.
+// As kalker_coefficients, but for any a/b > 0 and by the full theory's cells without a traction
+// bound. Grids of `size` x 2 `size` cells (along x across; 8 to 32, a multiple of 8; 1.5 `size`
+// both ways beyond a/b = 2), half and a quarter of it are extrapolated by a parabola in the cell
+// size. c23 and c32 are equal to rounding: one direction's equations are the transpose of the
+// other's.
 inline GridCoefficients kalker_coefficients_by_grids(double axis_ratio, double poisson,
                                                      Eigen::Index size = 16) {
   using namespace rolling;
-  // The error of the rows is of first order, that of the cells along them of second, but large in long contacts.
+  // The error of the rows is of first order, that of the cells along them of second, but large in
+  // long contacts.
   const bool across = axis_ratio <= 2;
   const Eigen::Index along = across ? size : 3 * size / 2, rows = across ? 2 * size : along;
   const auto on = [&](Eigen::Index part) {

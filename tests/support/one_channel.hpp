@@ -1,4 +1,5 @@
-// Records of the geometry car with one live channel, and which of their rows examine() masks or doubts.
+// Records of the geometry car with one live channel, and which of their rows examine() masks or
+// doubts.
 #pragma once
 
 #include <algorithm>

@@ -7,7 +7,8 @@ namespace railbook::tests {
 
 constexpr double middle = 0.75;
 
-// The part from `low` to `high` about `middle` of an arc about `centre` of a radius, whose top lies at `top`.
+// The part from `low` to `high` about `middle` of an arc about `centre` of a radius, whose top lies
+// at `top`.
 inline profiles::Profile::Piece arc(double low, double high, double centre, double radius,
                                     double top = 0) {
   profiles::Profile::Piece p{middle + low, middle + high, {top + radius}};

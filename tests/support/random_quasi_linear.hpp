@@ -1,4 +1,5 @@
-// Quasi-linear cars at random, and their eigenvalues in 80 bits from the car put together body by body.
+// Quasi-linear cars at random, and their eigenvalues in 80 bits from the car put together body by
+// body.
 #pragma once
 
 #include <Eigen/Eigenvalues>
@@ -75,20 +76,21 @@ inline double nearest(const Eigen::Matrix<LongComplex, 18, 1>& all, Complex lamb
   return static_cast<double>(best);
 }
 
-inline CarParameters random_car(Draw& draw) {
+inline CarParameters random_car(RandomStream& draw) {
   CarParameters car;
   for (const CarDatum& datum : car_data()) car.*datum.member *= draw.decades(0.5, 2);
   car.half_gauge = CarParameters{}.half_gauge;  // the tables', too
   return car;
 }
-inline QuasiLinearCar random_quasi(Draw& draw, bool friction) {
+inline QuasiLinearCar random_quasi(RandomStream& draw, bool friction) {
   const auto& table = draw(0, 3) < 1   ? wheelset::new_wheel_table()
                       : draw(0, 2) < 1 ? wheelset::cn_table()
                                        : wheelset::heumann_table();
   return {assemble(random_car(draw), friction ? Suspension::friction : Suspension::dampers), table};
 }
 
-// How far a motion is from being undamped with these gains, or those of its amplitude: the nearest eigenvalue, relative.
+// How far a motion is from being undamped with these gains, or those of its amplitude: the nearest
+// eigenvalue, relative.
 inline double off_axis(const QuasiLinearCar& car, const Gains& gains, const Motion& m) {
   return nearest(eigenvalues_of(car, gains, m.speed), m.lambda) / m.lambda.imag();
 }

@@ -8,8 +8,8 @@
 
 #include <railbook/track/lumped.hpp>
 
-// Rail deflection under any force history: `force` [N] sampled every `step` [s] and taken as linear in
-// between, exact for that; from rest in equilibrium with force[0].
+// Rail deflection under any force history: `force` [N] sampled every `step` [s] and taken as linear
+// in between, exact for that; from rest in equilibrium with force[0].
 inline std::vector<double> respond(const railbook::track::LumpedTrack& track,
                                    std::span<const double> force, double step) {
   const auto n = track.input.size();

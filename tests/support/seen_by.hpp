@@ -10,8 +10,8 @@
 
 namespace railbook::tests {
 
-// n coordinates of unit mass and stiffness, of which a law sees all motions and all rates and pushes all; its derivatives by
-// complex steps.
+// n coordinates of unit mass and stiffness, of which a law sees all motions and all rates and
+// pushes all; its derivatives by complex steps.
 template <class F>
 cycles::Oscillator seen_by(int n, F f) {
   const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(n, n), none = Eigen::MatrixXd::Zero(n, n);

@@ -1,6 +1,7 @@
-// Filters driven by sines: the other way to a frequency response. A sine of theta radians a sample, T seconds long, goes into the
-// analog filter as a differential equation that is integrated numerically until it swings steadily; what comes out is sampled and goes
-// into the digital filter, which starts anew in the middle of the sine.
+// Filters driven by sines: the other way to a frequency response. A sine of theta radians a sample,
+// T seconds long, goes into the analog filter as a differential equation that is integrated
+// numerically until it swings steadily; what comes out is sampled and goes into the digital filter,
+// which starts anew in the middle of the sine.
 #pragma once
 
 #include <cmath>
@@ -19,7 +20,8 @@ struct Gains {
 using Complex = std::complex<double>;
 using filters::SecondOrderLowPass;
 
-// Runs an analog filter of state size N (cosine and sine parts) and hands out its output at the samples.
+// Runs an analog filter of state size N (cosine and sine parts) and hands out its output at the
+// samples.
 template <int N, class Rate, class Take>
 void run(const Rate& rate, double T, int first, int samples, const Take& take) {
   using State = typename num::Dopri5<N>::State;

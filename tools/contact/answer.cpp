@@ -22,11 +22,11 @@ double half_extent(const NormalContact& c, double angle) {
 }
 
 // How large the contact is against the radii that it follows. As large as a radius: not a half space at all.
-void judge_half_space(const Wish& wish, const Solved& solved, tool::Summary& answer) {
+void judge_half_space(const Options& options, const Solved& solved, tool::Summary& answer) {
   double largest = 0;
   for (int k = 0; k < 2; ++k) {
-    const BodyWish& body = wish.bodies[static_cast<std::size_t>(k)];
-    const double angle = (k == 1 ? wish.angle : 0) - solved.bodies.angle;
+    const BodyOptions& body = options.bodies[static_cast<std::size_t>(k)];
+    const double angle = (k == 1 ? options.angle : 0) - solved.bodies.angle;
     const NormalContact& c = solved.result.contact;
     for (const auto& [name, radius, half] :
          {std::tuple{"across", body.radius_across, half_extent(c, angle)},
@@ -37,7 +37,7 @@ void judge_half_space(const Wish& wish, const Solved& solved, tool::Summary& ans
         throw InputError(fmt::format(
             "the half width of the contact is {:.4g} m, with a radius of {:.4g} m {} the rail of "
             "body {}; allowed: less than the radius; give less {}",
-            half, *radius, name, k + 1, wish.load ? "load" : "approach"));
+            half, *radius, name, k + 1, options.load ? "load" : "approach"));
       largest = std::max(largest, share);
     }
   }
@@ -80,7 +80,7 @@ void judge_errors(const Solved& solved, tool::Summary& answer) {
 // A value with its error from the grid and from the profiles, shares of it; infinite where one of them is not known.
 tool::Estimate estimate(double value, double unit, double grid, double profile) {
   const bool known = grid < 0.5 && std::isfinite(profile);
-  return {value / unit, known ? (grid + profile) * std::abs(value) / unit : units::no_limit};
+  return {value / unit, known ? (grid + profile) * std::abs(value) / unit : units::infinity};
 }
 
 // What else is to be said of it.
@@ -187,24 +187,27 @@ void add_patches(const Solved& solved, const Shown& u, tool::Summary& answer) {
 
 // Bodies by radii have Hertz's closed form: what it says at the same load, or approach, whichever was asked for, and how
 // far the grid is from it.
-void add_hertz(const Wish& wish, const Solved& solved, const Shown& u, tool::Summary& answer) {
+void add_hertz(const Options& options, const Solved& solved, const Shown& u,
+               tool::Summary& answer) {
   const auto curvature = [](const Body& body, double angle) {
     return Curvature{1 / body.radius_x, 1 / body.radius_y, angle};
   };
   const RelativeCurvature relative =
-      relative_curvature(curvature(wish.read[0], 0), curvature(wish.read[1], wish.angle));
-  const HertzContact h = wish.load ? hertz_from_force(relative, solved.modulus, *wish.load)
-                                   : hertz_from_approach(relative, solved.modulus, *wish.approach);
+      relative_curvature(curvature(options.read[0], 0), curvature(options.read[1], options.angle));
+  const HertzContact h = options.load
+                             ? hertz_from_force(relative, solved.modulus, *options.load)
+                             : hertz_from_approach(relative, solved.modulus, *options.approach);
   const NormalContact& c = solved.result.contact;
   const auto against = [](double ours, double exact) {
     return fmt::format("the grid is off by {:.1e}", ours / exact - 1);
   };
   answer.add(fmt::format("hertz_approach_{}", u.small_name),
-             wish.load ? "Hertz: approach at this load" : "Hertz: approach", h.approach / u.small,
-             u.small_name, wish.load ? against(c.approach, h.approach) : "as asked");
+             options.load ? "Hertz: approach at this load" : "Hertz: approach",
+             h.approach / u.small, u.small_name,
+             options.load ? against(c.approach, h.approach) : "as asked");
   answer.add(fmt::format("hertz_force_{}", u.force_name),
-             wish.load ? "Hertz: force" : "Hertz: force at this approach", h.force / u.force,
-             u.force_name, wish.load ? "as asked" : against(c.force, h.force));
+             options.load ? "Hertz: force" : "Hertz: force at this approach", h.force / u.force,
+             u.force_name, options.load ? "as asked" : against(c.force, h.force));
   answer.add(fmt::format("hertz_p_max_{}", u.pressure_name), "Hertz: peak pressure",
              h.p_max / u.pressure, u.pressure_name, against(c.p_max, h.p_max));
   answer.add(fmt::format("hertz_a_{}", u.length_name), "Hertz: semi-axes", h.a / u.length,
@@ -214,14 +217,14 @@ void add_hertz(const Wish& wish, const Solved& solved, const Shown& u, tool::Sum
 
 }  // namespace
 
-tool::Summary answer(const Wish& wish, const Solved& solved) {
+tool::Summary answer(const Options& options, const Solved& solved) {
   tool::Summary answer("Normal contact of two half spaces");
   judge_errors(solved, answer);
-  judge_half_space(wish, solved, answer);
-  const Shown& u = wish.system == "metric" ? metric : inches;
+  judge_half_space(options, solved, answer);
+  const Shown& u = options.system == "metric" ? metric : inches;
   const NormalContact& c = solved.result.contact;
   const Box ends = ends_of(solved);
-  add_forces(solved, wish.load.has_value(), ends, u, answer);
+  add_forces(solved, options.load.has_value(), ends, u, answer);
   add_ends("", "contact", ends, solved.bodies.x_touch, u, answer);
   answer.add(fmt::format("area_{}2", u.length_name), "area", c.area / (u.length * u.length),
              fmt::format("{}^2", u.length_name));
@@ -233,7 +236,7 @@ tool::Summary answer(const Wish& wish, const Solved& solved) {
     answer.add("grid_angle_deg", "  turned by", solved.bodies.angle / units::degree, "deg",
                "x and y of pressure.csv and outline.csv are along the principal axes");
   answer.add("iterations", "iterations, all grids", c.iterations, "");
-  if (!wish.read[0].profile && !wish.read[1].profile) add_hertz(wish, solved, u, answer);
+  if (!options.read[0].profile && !options.read[1].profile) add_hertz(options, solved, u, answer);
   return answer;
 }
 

@@ -14,14 +14,14 @@
 
 namespace railbook::contact_tool {
 
-struct BodyWish {
+struct BodyOptions {
   std::optional<double> radius_across, radius_along;
   std::filesystem::path profile;
   double young = 206.8 * units::gigapascal, poisson = 0.3;
 };
 
-struct Wish {
-  std::array<BodyWish, 2> bodies;
+struct Options {
+  std::array<BodyOptions, 2> bodies;
   std::array<contact::Body, 2> read;  // the same with their profiles read
   double angle = 0;
   std::optional<double> approach, load, edge;
@@ -62,6 +62,6 @@ struct Solved {
 
 // The table, with its doubts: a contact as large as a fifth of a radius, narrower than a few cells, at an edge, profiles
 // with too few points. Throws InputError for a contact as large as a radius.
-tool::Summary answer(const Wish& wish, const Solved& solved);
+tool::Summary answer(const Options& options, const Solved& solved);
 
 }  // namespace railbook::contact_tool

@@ -60,28 +60,28 @@ Profile read_profile(const std::filesystem::path& file) {
   return {vector(columns[0]), (height ? -1 : 1) * vector(columns[1])};
 }
 
-Body body_of(const BodyWish& wish, int number) {
+Body body_of(const BodyOptions& options, int number) {
   Body body;
-  if (wish.radius_along) body.radius_y = *wish.radius_along;
-  if (wish.radius_across) body.radius_x = *wish.radius_across;
-  if (wish.profile.empty()) return body;
-  if (wish.radius_across)
+  if (options.radius_along) body.radius_y = *options.radius_along;
+  if (options.radius_across) body.radius_x = *options.radius_across;
+  if (options.profile.empty()) return body;
+  if (options.radius_across)
     throw InputError(
         fmt::format("body {0} has both a profile and a radius across the rail; give one of "
                     "body-{0}-profile and body-{0}-radius-across",
                     number));
-  body.profile = read_profile(wish.profile);
+  body.profile = read_profile(options.profile);
   return body;
 }
 
-CgFft solve(const Wish& wish, const TouchingBodies& bodies, double modulus) {
-  CgFftOptions options;
-  options.nx = wish.cells_x, options.ny = wish.cells_y;
-  options.cg.threads = static_cast<int>(std::thread::hardware_concurrency());
-  options.search = bodies.search;
-  if (wish.edge) options.edge_x = *wish.edge - bodies.x_touch;
-  return wish.load ? solve_cg_fft_load(bodies.gap, *wish.load, modulus, options)
-                   : solve_cg_fft(bodies.gap, *wish.approach, modulus, options);
+CgFft solve(const Options& options, const TouchingBodies& bodies, double modulus) {
+  CgFftOptions solver;
+  solver.nx = options.cells_x, solver.ny = options.cells_y;
+  solver.cg.threads = static_cast<int>(std::thread::hardware_concurrency());
+  solver.search = bodies.search;
+  if (options.edge) solver.edge_x = *options.edge - bodies.x_touch;
+  return options.load ? solve_cg_fft_load(bodies.gap, *options.load, modulus, solver)
+                      : solve_cg_fft(bodies.gap, *options.approach, modulus, solver);
 }
 
 // Results that are not answers: exit status 1 with the reason.
@@ -98,13 +98,13 @@ void require_answer(const CgFft& result, const TouchingBodies& bodies) {
 
 // What becomes of force and peak pressure when every second point of the profiles is left out, at the same approach on
 // one grid; infinite when there is then no contact to solve.
-void find_profile_errors(const Wish& wish, Solved& solved) {
-  Wish same = wish;
+void find_profile_errors(const Options& options, Solved& solved) {
+  Options same = options;
   same.load.reset();
   same.approach = solved.result.contact.approach;
-  same.cells_x = std::min(wish.cells_x, 128L), same.cells_y = std::min(wish.cells_y, 128L);
+  same.cells_x = std::min(options.cells_x, 128L), same.cells_y = std::min(options.cells_y, 128L);
   try {
-    const std::vector<TouchingBodies> variants = join_thinned(wish.read[0], wish.read[1]);
+    const std::vector<TouchingBodies> variants = join_thinned(options.read[0], options.read[1]);
     if (variants.empty()) return;
     const NormalContact all = solve(same, solved.bodies, solved.modulus).contact;
     for (const TouchingBodies& variant : variants) {
@@ -119,13 +119,13 @@ void find_profile_errors(const Wish& wish, Solved& solved) {
     solved.profile_p_max_error =
         2 * std::max(solved.profile_force_error, solved.profile_p_max_error);
   } catch (const InputError&) {  // of a thinned profile: the given ones have been solved
-    solved.profile_force_error = solved.profile_p_max_error = units::no_limit;
+    solved.profile_force_error = solved.profile_p_max_error = units::infinity;
   }
 }
 
-void write_files(const Wish& wish, const Solved& solved, const tool::Summary& answer,
+void write_files(const Options& options, const Solved& solved, const tool::Summary& answer,
                  tool::OutFolder& out) {
-  const Shown& u = wish.system == "metric" ? metric : inches;
+  const Shown& u = options.system == "metric" ? metric : inches;
   const NormalContact& c = solved.result.contact;
   const Grid& grid = solved.result.levels.back().grid;
   const double x_touch = solved.bodies.x_touch;
@@ -161,62 +161,62 @@ void write_files(const Wish& wish, const Solved& solved, const tool::Summary& an
              "pressure.png");
 }
 
-void run(Wish wish) {
-  tool::OutFolder out(wish.out, {"pressure.csv", "outline.csv", "contact.json", "pressure.png"});
-  if (wish.approach.has_value() == wish.load.has_value())
+void run(Options options) {
+  tool::OutFolder out(options.out, {"pressure.csv", "outline.csv", "contact.json", "pressure.png"});
+  if (options.approach.has_value() == options.load.has_value())
     throw InputError("give one of approach and load: the other is the answer");
-  const BodyWish &one = wish.bodies[0], &two = wish.bodies[1];
-  wish.read = {body_of(one, 1), body_of(two, 2)};
+  const BodyOptions &one = options.bodies[0], &two = options.bodies[1];
+  options.read = {body_of(one, 1), body_of(two, 2)};
   Solved solved;
   solved.modulus = effective_modulus({one.young, one.poisson, two.young, two.poisson});
-  solved.bodies = join_bodies(wish.read[0], wish.read[1], wish.angle);
-  solved.result = solve(wish, solved.bodies, solved.modulus);
+  solved.bodies = join_bodies(options.read[0], options.read[1], options.angle);
+  solved.result = solve(options, solved.bodies, solved.modulus);
   require_answer(solved.result, solved.bodies);
-  find_profile_errors(wish, solved);
-  solved.touch_scatter = touch_scatter(wish.read[0], wish.read[1]);
-  const tool::Summary told = answer(wish, solved);
+  find_profile_errors(options, solved);
+  solved.touch_scatter = touch_scatter(options.read[0], options.read[1]);
+  const tool::Summary told = answer(options, solved);
   told.print();
-  if (out) write_files(wish, solved, told, out);
+  if (out) write_files(options, solved, told, out);
   out.commit();
 }
 
-std::function<void()> declare(tool::Options& options) {
-  const auto wish = std::make_shared<Wish>();
+std::function<void()> declare(tool::OptionParser& parser) {
+  const auto options = std::make_shared<Options>();
   for (int k = 0; k < 2; ++k) {
-    BodyWish& body = wish->bodies[static_cast<std::size_t>(k)];
+    BodyOptions& body = options->bodies[static_cast<std::size_t>(k)];
     const std::string name = fmt::format("--body-{}-", k + 1),
                       of = fmt::format("of body {}", k + 1);
-    options.quantity(name + "radius-across", body.radius_across, units::length,
-                     "radius across the rail " + of + ", negative if concave; straight without it");
-    options.quantity(name + "radius-along", body.radius_along, units::length,
-                     "radius along the rail " + of + "; straight without it");
-    options.file(name + "profile", body.profile,
-                 "profile across the rail " + of + ": CSV with x and depth or height");
-    options.quantity(name + "young", body.young, units::pressure, "Young's modulus " + of,
-                     {1e-3 * units::megapascal, 1e12 * units::megapascal});
-    options.quantity(name + "poisson", body.poisson, units::number, "Poisson's ratio " + of,
-                     {0, 0.5});
+    parser.quantity(name + "radius-across", body.radius_across, units::length,
+                    "radius across the rail " + of + ", negative if concave; straight without it");
+    parser.quantity(name + "radius-along", body.radius_along, units::length,
+                    "radius along the rail " + of + "; straight without it");
+    parser.file(name + "profile", body.profile,
+                "profile across the rail " + of + ": CSV with x and depth or height");
+    parser.quantity(name + "young", body.young, units::pressure, "Young's modulus " + of,
+                    {1e-3 * units::megapascal, 1e12 * units::megapascal});
+    parser.quantity(name + "poisson", body.poisson, units::number, "Poisson's ratio " + of,
+                    {0, 0.5});
   }
-  options.quantity("--angle", wish->angle, units::angle,
-                   "of body 2 about the common normal (bodies by radii)");
-  options.quantity("--approach", wish->approach, units::length, "of the bodies; or give the load",
-                   {1e-15, 1});
-  options.quantity("--load", wish->load, units::force,
-                   "pressing them together; or give the approach", {1e-12, 1e12});
-  options.count("--cells-x", wish->cells_x, "cells of the finest grid across the rail", 4, 8192);
-  options.count("--cells-y", wish->cells_y, "and along it", 4, 8192);
-  options.quantity("--edge", wish->edge, units::length,
-                   "an x that gets a cell edge: where the curvature jumps");
-  options.choice("--system", wish->system, {"metric", "inch"}, "units of the answer");
-  options.out(wish->out);
-  options.help(
+  parser.quantity("--angle", options->angle, units::angle,
+                  "of body 2 about the common normal (bodies by radii)");
+  parser.quantity("--approach", options->approach, units::length, "of the bodies; or give the load",
+                  {1e-15, 1});
+  parser.quantity("--load", options->load, units::force,
+                  "pressing them together; or give the approach", {1e-12, 1e12});
+  parser.count("--cells-x", options->cells_x, "cells of the finest grid across the rail", 4, 8192);
+  parser.count("--cells-y", options->cells_y, "and along it", 4, 8192);
+  parser.quantity("--edge", options->edge, units::length,
+                  "an x that gets a cell edge: where the curvature jumps");
+  parser.choice("--system", options->system, {"metric", "inch"}, "units of the answer");
+  parser.out(options->out);
+  parser.help(
       "x is across the rail, y along it, from the bodies' own zero; depths go into a body, heights "
       "towards the other one; approach, force, load and pressures are positive as the bodies "
       "press. "
       "Moments are about the point of first touch. With --out DIR: DIR/pressure.csv has the "
       "pressure of every cell, outline.csv the edges y_low and y_high of each patch over x, "
       "contact.json the answer with its errors under \"errors\".");
-  return [wish] { run(*wish); };
+  return [options] { run(*options); };
 }
 
 }  // namespace

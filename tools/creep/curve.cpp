@@ -44,7 +44,7 @@ namespace {
 
 constexpr tool::Range lengths{1e-9, 1e6}, radii{-1e6, 1e6}, moduli{1, 1e15}, ratios{0, 0.5};
 
-struct Wish {
+struct Options {
   std::optional<double> a, b;
   std::optional<double> wheel_radius, wheel_profile, rail_radius, rail_crown;
   double load = 0;
@@ -79,11 +79,11 @@ double curvature(const char* what, const std::optional<double>& radius) {
 }
 
 // A contact that is not small against the radii it follows is no contact of half-spaces.
-void judge_size(const Wish& wish, const HertzContact& hertz, tool::Summary& answer) {
+void judge_size(const Options& options, const HertzContact& hertz, tool::Summary& answer) {
   double largest = 0;
   for (const auto& [radius, half] :
-       {std::pair{wish.wheel_radius, hertz.a}, std::pair{wish.rail_radius, hertz.a},
-        std::pair{wish.wheel_profile, hertz.b}, std::pair{wish.rail_crown, hertz.b}})
+       {std::pair{options.wheel_radius, hertz.a}, std::pair{options.rail_radius, hertz.a},
+        std::pair{options.wheel_profile, hertz.b}, std::pair{options.rail_crown, hertz.b}})
     if (radius)
       largest = std::max(largest, half / *radius);  // a hollow is wider than what is in it
   if (largest >= 1)
@@ -95,33 +95,33 @@ void judge_size(const Wish& wish, const HertzContact& hertz, tool::Summary& answ
                fmt::format("the contact reaches {:.2g} of a radius: beyond 0.2 doubtful", largest));
 }
 
-RollingCase contact_of(const Wish& wish, const Pair& pair, tool::Summary& answer) {
+RollingCase contact_of(const Options& options, const MaterialPair& pair, tool::Summary& answer) {
   RollingCase c{.a = 0,
                 .b = 0,
-                .load = wish.load,
+                .load = options.load,
                 .shear_modulus = pair.shear_modulus,
                 .poisson = pair.poisson,
-                .friction = wish.friction,
-                .creepage = {wish.from, wish.lateral, wish.spin}};
+                .friction = options.friction,
+                .creepage = {options.from, options.lateral, options.spin}};
   const bool radii_given =
-      wish.wheel_radius || wish.wheel_profile || wish.rail_radius || wish.rail_crown;
-  if (wish.a.has_value() != wish.b.has_value() || wish.a.has_value() == radii_given)
+      options.wheel_radius || options.wheel_profile || options.rail_radius || options.rail_crown;
+  if (options.a.has_value() != options.b.has_value() || options.a.has_value() == radii_given)
     throw InputError("give either both semi-axes, a and b, or radii of wheel and rail");
   const char* source = "given";
   if (radii_given) {
-    const auto hertz = hertz_from_force({.a = (curvature("wheel radius", wish.wheel_radius) +
-                                               curvature("rail radius", wish.rail_radius)) /
+    const auto hertz = hertz_from_force({.a = (curvature("wheel radius", options.wheel_radius) +
+                                               curvature("rail radius", options.rail_radius)) /
                                               2,
-                                         .b = (curvature("wheel profile", wish.wheel_profile) +
-                                               curvature("rail crown", wish.rail_crown)) /
+                                         .b = (curvature("wheel profile", options.wheel_profile) +
+                                               curvature("rail crown", options.rail_crown)) /
                                               2},
-                                        pair.effective_modulus, wish.load);
+                                        pair.effective_modulus, options.load);
     c.a = hertz.a, c.b = hertz.b;
-    judge_size(wish, hertz, answer);
+    judge_size(options, hertz, answer);
     source = "Hertz, from the radii";
     answer.add("p_max_MPa", "largest pressure", hertz.p_max / units::megapascal, "MPa");
   } else {
-    c.a = *wish.a, c.b = *wish.b;
+    c.a = *options.a, c.b = *options.b;
   }
   answer.add("a_mm", "semi-axis a, along rolling", c.a / units::millimetre, "mm", source);
   answer.add("b_mm", "semi-axis b, across", c.b / units::millimetre, "mm", source);
@@ -206,11 +206,11 @@ void add_doubts(tool::Summary& answer, const std::vector<Row>& all, double unit,
   }
 }
 
-std::vector<Row> rows(const Wish& wish, RollingCase c, const Solver& solve, double to) {
+std::vector<Row> rows(const Options& options, RollingCase c, const Solver& solve, double to) {
   std::vector<Row> all;
-  for (long i = 0; i < wish.points; ++i) {
-    const double share = wish.points == 1 ? 0 : double(i) / double(wish.points - 1);
-    c.creepage.longitudinal = wish.from + (to - wish.from) * share;
+  for (long i = 0; i < options.points; ++i) {
+    const double share = options.points == 1 ? 0 : double(i) / double(options.points - 1);
+    c.creepage.longitudinal = options.from + (to - options.from) * share;
     auto f = solve(c);
     if (!f.converged)
       throw std::runtime_error(
@@ -275,19 +275,19 @@ std::string csv(const std::vector<Row>& all, double unit, bool full) {
   return text;
 }
 
-void run(const Wish& wish) {
-  tool::OutFolder out(wish.out, {"curve.csv", "curve.json", "curve.png"});
+void run(const Options& options) {
+  tool::OutFolder out(options.out, {"curve.csv", "curve.json", "curve.png"});
   tool::Summary answer("Creep curve");
-  answer.add("theory", "theory", wish.theory);
-  const Pair pair = join(wish.wheel, wish.rail);
-  const RollingCase c = contact_of(wish, pair, answer);
+  answer.add("theory", "theory", options.theory);
+  const MaterialPair pair = combine(options.wheel, options.rail);
+  const RollingCase c = contact_of(options, pair, answer);
   const double bound = c.friction * c.load;
-  if (!wish.to && bound == 0)
+  if (!options.to && bound == 0)
     throw InputError("friction is 0, so that no creepage is large: give the end of the range, to");
   // Without an end: where the linear force is six times the bound, beyond the end of stick.
   const double slope = vermeulen_johnson_slopes(c.a / c.b, c.poisson).longitudinal;
-  const double to = wish.to ? *wish.to : 6 / slope * bound / (c.shear_modulus * c.a * c.b);
-  if (wish.points > 1 && to == wish.from)
+  const double to = options.to ? *options.to : 6 / slope * bound / (c.shear_modulus * c.a * c.b);
+  if (options.points > 1 && to == options.from)
     throw InputError(fmt::format("to is {:.6g}, and so is from; give a range, or points 1", to));
   answer.add("load_kN", "load N", c.load / units::kilonewton, "kN");
   answer.add("friction", "friction coefficient mu", c.friction, "");
@@ -299,26 +299,26 @@ void run(const Wish& wish) {
         fmt::format(
             "unlike materials (K = {:.3f}): their coupling of pressure and traction is left out",
             pair.dissimilarity));
-  answer.add("lateral", "lateral creepage", wish.lateral, "");
-  answer.add("spin_1_per_m", "spin creepage", wish.spin, "1/m");
-  tool::Progress progress("points", double(wish.points) + (wish.force ? 12 : 0));
+  answer.add("lateral", "lateral creepage", options.lateral, "");
+  answer.add("spin_1_per_m", "spin creepage", options.spin, "1/m");
+  tool::Progress progress("points", double(options.points) + (options.force ? 12 : 0));
   const Solver solve = [&progress,
-                        one = solver(wish.theory, c.a / c.b, c.poisson, wish.cells,
-                                     wish.coefficients == "computed")](const RollingCase& at) {
+                        one = solver(options.theory, c.a / c.b, c.poisson, options.cells,
+                                     options.coefficients == "computed")](const RollingCase& at) {
     progress.step();
     return one(at);
   };
-  auto all = rows(wish, c, solve, to);
-  const bool full = wish.theory == "full";
+  auto all = rows(options, c, solve, to);
+  const bool full = options.theory == "full";
   compare_with_full(all, c);
   const auto size_of = [](const Row& row) { return std::hypot(row.forces.fx, row.forces.fy); };
   const Row& largest = *std::ranges::max_element(all, {}, size_of);
   answer.add("largest_force_N", "largest force",
              tool::Estimate{size_of(largest), largest.forces.error * bound}, "N");
-  if (wish.force) {
-    answer.add("force_N", "force along, wanted", *wish.force, "N");
+  if (options.force) {
+    answer.add("force_N", "force along, wanted", *options.force, "N");
     answer.add("creepage_at_force", "creepage for it",
-               creepage_for(*wish.force, c, solve, wish.from, to), "");
+               creepage_for(*options.force, c, solve, options.from, to), "");
   }
   progress.end();
   const double moment = bound * std::sqrt(c.a * c.b);
@@ -334,55 +334,56 @@ void run(const Wish& wish) {
   out.commit();
 }
 
-std::function<void()> declare(tool::Options& options) {
-  const auto wish = std::make_shared<Wish>();
+std::function<void()> declare(tool::OptionParser& parser) {
+  const auto options = std::make_shared<Options>();
   const std::string hollow = "; straight without it, negative if hollow";
-  options.quantity("--a", wish->a, units::length, "semi-axis of the contact along rolling",
-                   lengths);
-  options.quantity("--b", wish->b, units::length, "and across", lengths);
-  options.quantity("--wheel-radius", wish->wheel_radius, units::length,
-                   "rolling radius of the wheel", radii);
-  options.quantity("--wheel-profile", wish->wheel_profile, units::length,
-                   "radius of the wheel's profile" + hollow, radii);
-  options.quantity("--rail-radius", wish->rail_radius, units::length,
-                   "radius of the rail along rolling, of a roller" + hollow, radii);
-  options.quantity("--rail-crown", wish->rail_crown, units::length,
-                   "radius of the rail's profile" + hollow, radii);
-  options.quantity("--load", wish->load, units::force, "normal load", tool::Range{1e-9, 1e12});
-  options.required();
-  options.quantity("--mu", wish->friction, units::number, "friction coefficient",
-                   tool::Range{0, 10});
-  options.quantity("--wheel-young", wish->wheel.young, units::pressure, "Young's modulus", moduli);
-  options.quantity("--wheel-poisson", wish->wheel.poisson, units::number, "Poisson's ratio",
-                   ratios);
-  options.quantity("--rail-young", wish->rail.young, units::pressure, "Young's modulus", moduli);
-  options.quantity("--rail-poisson", wish->rail.poisson, units::number, "Poisson's ratio", ratios);
-  options.quantity("--lateral", wish->lateral, units::number, "lateral creepage",
-                   tool::Range{-1, 1});
-  options.text("--spin", wish->spin_text, "spin creepage, such as 0.2rad/m or 0.2 1/m");
-  options.quantity("--from", wish->from, units::number, "longitudinal creepage, first",
-                   tool::Range{-1, 1});
-  options.quantity("--to", wish->to, units::number,
-                   "and last; without it well beyond the end of stick", tool::Range{-1, 1});
-  options.quantity("--force", wish->force, units::force,
-                   "along; the creepage that gives it is sought in the range",
-                   tool::Range{-1e12, 1e12});
-  options.count("--points", wish->points, "of the range", 1, 100000);
-  options.choice("--theory", wish->theory, theory_names(), "theory of rolling");
-  options.choice(
-      "--coefficients", wish->coefficients, {"table", "computed"},
-      "fast theories: Kalker's coefficients from his table (a/b 0.1 to 10), or computed");
-  options.count("--cells", wish->cells, "full theory: cells along rolling", 4, 256);
-  options.out(wish->out);
-  options.help(
+  parser.quantity("--a", options->a, units::length, "semi-axis of the contact along rolling",
+                  lengths);
+  parser.quantity("--b", options->b, units::length, "and across", lengths);
+  parser.quantity("--wheel-radius", options->wheel_radius, units::length,
+                  "rolling radius of the wheel", radii);
+  parser.quantity("--wheel-profile", options->wheel_profile, units::length,
+                  "radius of the wheel's profile" + hollow, radii);
+  parser.quantity("--rail-radius", options->rail_radius, units::length,
+                  "radius of the rail along rolling, of a roller" + hollow, radii);
+  parser.quantity("--rail-crown", options->rail_crown, units::length,
+                  "radius of the rail's profile" + hollow, radii);
+  parser.quantity("--load", options->load, units::force, "normal load", tool::Range{1e-9, 1e12});
+  parser.required();
+  parser.quantity("--mu", options->friction, units::number, "friction coefficient",
+                  tool::Range{0, 10});
+  parser.quantity("--wheel-young", options->wheel.young, units::pressure, "Young's modulus",
+                  moduli);
+  parser.quantity("--wheel-poisson", options->wheel.poisson, units::number, "Poisson's ratio",
+                  ratios);
+  parser.quantity("--rail-young", options->rail.young, units::pressure, "Young's modulus", moduli);
+  parser.quantity("--rail-poisson", options->rail.poisson, units::number, "Poisson's ratio",
+                  ratios);
+  parser.quantity("--lateral", options->lateral, units::number, "lateral creepage",
+                  tool::Range{-1, 1});
+  parser.text("--spin", options->spin_text, "spin creepage, such as 0.2rad/m or 0.2 1/m");
+  parser.quantity("--from", options->from, units::number, "longitudinal creepage, first",
+                  tool::Range{-1, 1});
+  parser.quantity("--to", options->to, units::number,
+                  "and last; without it well beyond the end of stick", tool::Range{-1, 1});
+  parser.quantity("--force", options->force, units::force,
+                  "along; the creepage that gives it is sought in the range",
+                  tool::Range{-1e12, 1e12});
+  parser.count("--points", options->points, "of the range", 1, 100000);
+  parser.choice("--theory", options->theory, theory_names(), "theory of rolling");
+  parser.choice("--coefficients", options->coefficients, {"table", "computed"},
+                "fast theories: Kalker's coefficients from his table (a/b 0.1 to 10), or computed");
+  parser.count("--cells", options->cells, "full theory: cells along rolling", 4, 256);
+  parser.out(options->out);
+  parser.help(
       "Axes: x forward, y to the right, z down. Creepages are the wheel's speed over the rail's "
       "divided by the speed of rolling, spin its turning about z "
       "(positive from x to y). Forces and the moment about z are those of the wheel on the rail: a "
       "positive "
       "creepage gives a positive force.");
-  return [wish] {
-    wish->spin = spin_of(wish->spin_text);
-    run(*wish);
+  return [options] {
+    options->spin = spin_of(options->spin_text);
+    run(*options);
   };
 }
 

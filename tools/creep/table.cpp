@@ -34,7 +34,7 @@ using namespace rolling;
 
 namespace {
 
-struct Wish {
+struct Options {
   ForceTableAxes axes;
   long ratios = 5, longitudinal = 13, lateral = 13, spin = 25, points = 2000, cells = 12;
   double poisson = 0.3;
@@ -42,7 +42,7 @@ struct Wish {
   tool::Destination out;
 };
 
-std::string csv(const ForceTable& table, const Wish& wish, const InterpolationError& error) {
+std::string csv(const ForceTable& table, const Options& options, const InterpolationError& error) {
   std::string text = fmt::format(
       "# Creep forces by the theory \"{}\", Poisson's ratio {:g}. x = G a b xi/(mu N), y = G a b "
       "eta/(mu N), "
@@ -54,7 +54,7 @@ std::string csv(const ForceTable& table, const Wish& wish, const InterpolationEr
       "({} points "
       "off the nodes).\n"
       "a_over_b,x,y,spin,fx,fy,mz\n",
-      wish.theory, wish.poisson, error.largest_force, error.rms_force, error.largest_moment,
+      options.theory, options.poisson, error.largest_force, error.rms_force, error.largest_moment,
       error.rms_moment, error.points);
   for (std::size_t r = 0; r < table.ratios().size(); ++r)
     for (std::size_t i = 0; i < table.longitudinal().size(); ++i)
@@ -101,20 +101,21 @@ struct OwnError {
   }
 };
 
-void run(Wish wish) {
-  tool::OutFolder out(wish.out, {"table.csv", "table.json"});
-  wish.axes.ratios = static_cast<int>(wish.ratios);
-  wish.axes.longitudinal = static_cast<int>(wish.longitudinal);
-  wish.axes.lateral = static_cast<int>(wish.lateral);
-  wish.axes.spin = static_cast<int>(wish.spin);
-  if (wish.axes.ratio_from == wish.axes.ratio_to) wish.axes.ratios = 1;
-  tool::Progress progress("nodes and points", double(wish.axes.ratios) * wish.axes.longitudinal *
-                                                      wish.axes.lateral * wish.axes.spin +
-                                                  double(wish.points));
+void run(Options options) {
+  tool::OutFolder out(options.out, {"table.csv", "table.json"});
+  options.axes.ratios = static_cast<int>(options.ratios);
+  options.axes.longitudinal = static_cast<int>(options.longitudinal);
+  options.axes.lateral = static_cast<int>(options.lateral);
+  options.axes.spin = static_cast<int>(options.spin);
+  if (options.axes.ratio_from == options.axes.ratio_to) options.axes.ratios = 1;
+  tool::Progress progress("nodes and points", double(options.axes.ratios) *
+                                                      options.axes.longitudinal *
+                                                      options.axes.lateral * options.axes.spin +
+                                                  double(options.points));
   OwnError own;
   const ShareTheory theory = [&](double ratio) {
-    const Solver solve =
-        solver(wish.theory, ratio, wish.poisson, wish.cells, wish.coefficients == "computed");
+    const Solver solve = solver(options.theory, ratio, options.poisson, options.cells,
+                                options.coefficients == "computed");
     return shares_of(
         [&, solve](const RollingCase& c) {
           progress.step();
@@ -122,18 +123,18 @@ void run(Wish wish) {
           own.add(f);
           return f;
         },
-        ratio, wish.poisson);
+        ratio, options.poisson);
   };
-  const ForceTable table(wish.axes, theory);
-  const auto error = table.error(theory, static_cast<int>(wish.points));
+  const ForceTable table(options.axes, theory);
+  const auto error = table.error(theory, static_cast<int>(options.points));
   progress.end();
   tool::Summary answer("Creep force table");
-  answer.add("theory", "theory", wish.theory);
+  answer.add("theory", "theory", options.theory);
   answer.add("nodes", "nodes",
              fmt::format("{} axis ratios x {} x {} x {} spins", table.ratios().size(),
                          table.longitudinal().size(), table.lateral().size(), table.spin().size()));
-  answer.add("reach", "largest reduced creepage", wish.axes.reach, "");
-  answer.add("spin_reach", "largest reduced spin", wish.axes.spin_reach, "");
+  answer.add("reach", "largest reduced creepage", options.axes.reach, "");
+  answer.add("spin_reach", "largest reduced spin", options.axes.spin_reach, "");
   answer.add("error_force_largest", "interpolation error of the force, largest",
              error.largest_force, "of mu N");
   answer.add("error_force_rms", "  root of the mean square", error.rms_force, "of mu N");
@@ -145,37 +146,36 @@ void run(Wish wish) {
   answer.add("error_points", "measured at points off the nodes", double(error.points), "");
   answer.print();
   if (out) {
-    out.add("table.csv", csv(table, wish, error));
+    out.add("table.csv", csv(table, options, error));
     out.add("table.json", answer.json());
   }
   out.commit();
 }
 
-std::function<void()> declare(tool::Options& options) {
-  const auto wish = std::make_shared<Wish>();
-  options.choice("--theory", wish->theory, theory_names(), "theory of rolling");
-  options.choice(
-      "--coefficients", wish->coefficients, {"table", "computed"},
-      "fast theories: Kalker's coefficients from his table (a/b 0.1 to 10), or computed");
-  options.quantity("--poisson", wish->poisson, units::number, "Poisson's ratio",
-                   tool::Range{0, 0.5});
-  options.quantity("--ratio-from", wish->axes.ratio_from, units::number, "first axis ratio a/b",
-                   tool::Range{1e-3, 1e3});
-  options.quantity("--ratio-to", wish->axes.ratio_to, units::number, "and last",
-                   tool::Range{1e-3, 1e3});
-  options.count("--ratios", wish->ratios, "how many, evenly in the logarithm", 1, 1000);
-  options.quantity("--reach", wish->axes.reach, units::number,
-                   "largest reduced longitudinal and lateral creepage", tool::Range{1e-3, 1e6});
-  options.quantity("--spin-reach", wish->axes.spin_reach, units::number, "largest reduced spin",
-                   tool::Range{1e-3, 1e6});
-  options.count("--longitudinal", wish->longitudinal, "nodes of longitudinal creepage", 2, 1000);
-  options.count("--lateral", wish->lateral, "nodes of lateral creepage", 2, 1000);
-  options.count("--spin", wish->spin, "nodes of spin, an odd number", 3, 1001);
-  options.count("--points", wish->points, "off the nodes, where the error is measured", 1,
-                10000000);
-  options.count("--cells", wish->cells, "full theory: cells along rolling", 4, 128);
-  options.out(wish->out);
-  options.help(
+std::function<void()> declare(tool::OptionParser& parser) {
+  const auto options = std::make_shared<Options>();
+  parser.choice("--theory", options->theory, theory_names(), "theory of rolling");
+  parser.choice("--coefficients", options->coefficients, {"table", "computed"},
+                "fast theories: Kalker's coefficients from his table (a/b 0.1 to 10), or computed");
+  parser.quantity("--poisson", options->poisson, units::number, "Poisson's ratio",
+                  tool::Range{0, 0.5});
+  parser.quantity("--ratio-from", options->axes.ratio_from, units::number, "first axis ratio a/b",
+                  tool::Range{1e-3, 1e3});
+  parser.quantity("--ratio-to", options->axes.ratio_to, units::number, "and last",
+                  tool::Range{1e-3, 1e3});
+  parser.count("--ratios", options->ratios, "how many, evenly in the logarithm", 1, 1000);
+  parser.quantity("--reach", options->axes.reach, units::number,
+                  "largest reduced longitudinal and lateral creepage", tool::Range{1e-3, 1e6});
+  parser.quantity("--spin-reach", options->axes.spin_reach, units::number, "largest reduced spin",
+                  tool::Range{1e-3, 1e6});
+  parser.count("--longitudinal", options->longitudinal, "nodes of longitudinal creepage", 2, 1000);
+  parser.count("--lateral", options->lateral, "nodes of lateral creepage", 2, 1000);
+  parser.count("--spin", options->spin, "nodes of spin, an odd number", 3, 1001);
+  parser.count("--points", options->points, "off the nodes, where the error is measured", 1,
+               10000000);
+  parser.count("--cells", options->cells, "full theory: cells along rolling", 4, 128);
+  parser.out(options->out);
+  parser.help(
       "Axes: x forward, y to the right, z down. Creepages are the wheel's speed over the rail's "
       "divided by the speed of rolling, spin its turning about z "
       "(positive from x to y). Forces and the moment about z are those of the wheel on the rail: a "
@@ -183,7 +183,7 @@ std::function<void()> declare(tool::Options& options) {
       "creepage gives a positive force. A negative longitudinal creepage turns Fx; a negative "
       "lateral one turns "
       "Fy, Mz and the spin to look up.");
-  return [wish] { run(*wish); };
+  return [options] { run(*options); };
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-struct Wish {
+struct Options {
   std::filesystem::path file;
   Processing processing;
   Plausible plausible;
@@ -93,7 +93,7 @@ struct Tally {
 // The record as it goes by.
 struct Answer {
   std::array<Tally, parameters> tally;
-  double slow = units::no_limit, fast = 0;  // m/s
+  double slow = units::infinity, fast = 0;  // m/s
 
   void add(const Stretch& s) {
     for (std::size_t i = s.from; i < s.to; ++i) {
@@ -201,9 +201,9 @@ void add_flags(tool::Summary& s, const std::vector<Finding>& findings, const Fau
                        name));
 }
 
-tool::Summary summary(const Wish& wish, const Answer& a, const Stretches& record,
+tool::Summary summary(const Options& options, const Answer& a, const Stretches& record,
                       const Faults& faults) {
-  tool::Summary s{"geometry of " + wish.file.string()};
+  tool::Summary s{"geometry of " + options.file.string()};
   add_flags(s, record.findings(), faults);
   s.add("rows", "rows", static_cast<double>(record.rows()), "");
   s.add("rejected", "  of them rejected", static_cast<double>(record.rejected()), "",
@@ -221,7 +221,7 @@ tool::Summary summary(const Wish& wish, const Answer& a, const Stretches& record
   return s;
 }
 
-void refuse_nothing(const Wish& wish, const Answer& a, const Stretches& record) {
+void refuse_nothing(const Options& options, const Answer& a, const Stretches& record) {
   for (const Tally& t : a.tally)
     for (const Quality q : {Quality::good, Quality::degraded, Quality::unreliable})
       if (t.of(q) > 0) return;
@@ -231,30 +231,31 @@ void refuse_nothing(const Wish& wish, const Answer& a, const Stretches& record) 
   throw InputError{
       fmt::format("file \"{}\": nothing can be measured ({}); allowed: working sensors of at least "
                   "one parameter",
-                  wish.file.string(), fmt::join(why, "; "))};
+                  options.file.string(), fmt::join(why, "; "))};
 }
 
-void process_record(Wish wish) {
-  tool::OutFolder out(wish.out, {"geometry.csv", "geometry.json", "warnings.csv", "geometry.png"});
-  Processing& p = wish.processing;
+void process_record(Options options) {
+  tool::OutFolder out(options.out,
+                      {"geometry.csv", "geometry.json", "warnings.csv", "geometry.png"});
+  Processing& p = options.processing;
   p.mask_jumps = p.mask_still = false;
-  for (const std::string& name : wish.screen) {
+  for (const std::string& name : options.screen) {
     if (name != "codes" && name != "jumps" && name != "still")
       throw InputError{fmt::format("screen is \"{}\"; allowed: codes, jumps, still", name)};
     p.mask_jumps = p.mask_jumps || name == "jumps";
     p.mask_still = p.mask_still || name == "still";
   }
-  const double half = 0.5 * wish.chord / p.layout.sample;
+  const double half = 0.5 * options.chord / p.layout.sample;
   if (std::abs(half - std::round(half)) > 1e-6 || half < 0.5)
     throw InputError{fmt::format(
         "chord is {:.6g} m, {:.6g} samples of {:.6g} m; allowed: an even number of them",
-        wish.chord, 2 * half, p.layout.sample)};
+        options.chord, 2 * half, p.layout.sample)};
   p.chain.half_chord = static_cast<int>(std::lround(half));
-  p.chain.high_pass = {static_cast<int>(wish.high_pass), static_cast<int>(wish.passes),
-                       static_cast<int>(wish.stages)};
-  p.roll_poles = static_cast<int>(wish.poles);
-  p.curvature_mean = static_cast<int>(wish.curvature_mean);
-  SensorFile file{wish.file, p.layout.sample, wish.plausible};
+  p.chain.high_pass = {static_cast<int>(options.high_pass), static_cast<int>(options.passes),
+                       static_cast<int>(options.stages)};
+  p.roll_poles = static_cast<int>(options.poles);
+  p.curvature_mean = static_cast<int>(options.curvature_mean);
+  SensorFile file{options.file, p.layout.sample, options.plausible};
   files::OutFile* rows = out ? &out.stream("geometry.csv") : nullptr;
   if (rows != nullptr) rows->write(headers());
   Answer a;
@@ -274,14 +275,14 @@ void process_record(Wish wish) {
     tool::Progress progress{"per cent of the record", 100};
     int told = 0;
     for (Row row; file.next(row); record.push(row)) {
-      row.values[static_cast<std::size_t>(Channel::yaw_rate)] -= wish.yaw_bias;
-      row.values[static_cast<std::size_t>(Channel::roll_rate)] -= wish.roll_bias;
+      row.values[static_cast<std::size_t>(Channel::yaw_rate)] -= options.yaw_bias;
+      row.values[static_cast<std::size_t>(Channel::roll_rate)] -= options.roll_bias;
       for (; told < static_cast<int>(100 * file.share()); ++told) progress.step();
     }
   }
   record.finish();
-  refuse_nothing(wish, a, record);
-  const tool::Summary s = summary(wish, a, record, file.faults());
+  refuse_nothing(options, a, record);
+  const tool::Summary s = summary(options, a, record, file.faults());
   s.print();
   if (out) {
     out.add("geometry.json", s.json());
@@ -298,7 +299,7 @@ void process_record(Wish wish) {
 
 }  // namespace
 
-void add_layout(tool::Options& o, Layout& l) {
+void add_layout(tool::OptionParser& o, Layout& l) {
   const tool::Range lengths{0, 100, true}, corners{1e-3, 1e3};
   o.quantity("--sample", l.sample, units::length, "distance between two samples",
              tool::Range{0.01, 10});
@@ -319,40 +320,42 @@ void add_layout(tool::Options& o, Layout& l) {
 
 tool::Tool process_tool() {
   return {
-      "process", "track geometry from a record of the car's sensors", [](tool::Options& o) {
-        auto wish = std::make_shared<Wish>();
-        o.file("record", wish->file, "CSV file, one row a foot");
+      "process", "track geometry from a record of the car's sensors", [](tool::OptionParser& o) {
+        auto options = std::make_shared<Options>();
+        o.file("record", options->file, "CSV file, one row a foot");
         o.required();
-        add_layout(o, wish->processing.layout);
-        o.quantity("--chord", wish->chord, units::length, "of profile, alignment and warp",
+        add_layout(o, options->processing.layout);
+        o.quantity("--chord", options->chord, units::length, "of profile, alignment and warp",
                    tool::positive);
-        o.texts("--screen", wish->screen,
+        o.texts("--screen", options->screen,
                 "what is masked: codes (values beyond a sensor's range, and spikes), and as well "
                 "jumps and still, stretches without a change; else these are kept and not trusted");
-        o.count("--high-pass", wish->high_pass, "samples of the high-pass's mean, odd", 3, 10001);
-        o.count("--passes", wish->passes, "of that mean", 1, 8);
-        o.count("--stages", wish->stages, "of the high-pass; 2 frees space curves from bias", 1, 2);
-        o.quantity("--roll-corner", wish->processing.roll_corner, units::frequency,
+        o.count("--high-pass", options->high_pass, "samples of the high-pass's mean, odd", 3,
+                10001);
+        o.count("--passes", options->passes, "of that mean", 1, 8);
+        o.count("--stages", options->stages, "of the high-pass; 2 frees space curves from bias", 1,
+                2);
+        o.quantity("--roll-corner", options->processing.roll_corner, units::frequency,
                    "between inclinometer and roll gyro", tool::Range{1e-4, 100});
-        o.count("--roll-poles", wish->poles, "of the inclinometer's path", 1, 8);
-        o.count("--curvature-mean", wish->curvature_mean, "samples, odd", 3, 1001);
-        o.quantity("--yaw-bias", wish->yaw_bias, units::angle / units::time,
+        o.count("--roll-poles", options->poles, "of the inclinometer's path", 1, 8);
+        o.count("--curvature-mean", options->curvature_mean, "samples, odd", 3, 1001);
+        o.quantity("--yaw-bias", options->yaw_bias, units::angle / units::time,
                    "of the gyro, found at rest");
-        o.quantity("--roll-bias", wish->roll_bias, units::angle / units::time,
+        o.quantity("--roll-bias", options->roll_bias, units::angle / units::time,
                    "of the gyro, found at rest");
-        o.quantity("--fastest", wish->processing.fastest, units::speed,
+        o.quantity("--fastest", options->processing.fastest, units::speed,
                    "a row that means more is rejected", tool::positive);
-        o.quantity("--acceleration-range", wish->plausible.acceleration, units::acceleration,
+        o.quantity("--acceleration-range", options->plausible.acceleration, units::acceleration,
                    "a sensor that says more is masked", tool::positive);
-        o.quantity("--rate-range", wish->plausible.rate, units::angle / units::time, "likewise",
+        o.quantity("--rate-range", options->plausible.rate, units::angle / units::time, "likewise",
                    tool::positive);
-        o.quantity("--displacement-range", wish->plausible.displacement, units::length, "likewise",
-                   tool::positive);
-        o.quantity("--spike", wish->plausible.spike, units::length,
+        o.quantity("--displacement-range", options->plausible.displacement, units::length,
+                   "likewise", tool::positive);
+        o.quantity("--spike", options->plausible.spike, units::length,
                    "a displacement this far off both its neighbours is masked", tool::positive);
-        o.quantity("--steepest-grade", wish->processing.steepest, units::number,
+        o.quantity("--steepest-grade", options->processing.steepest, units::number,
                    "of the line, for what braking may cost the profile", tool::Range{0, 0.1});
-        o.out(wish->out);
+        o.out(options->out);
         o.help(
             "geometry.csv has a row a mark: distance_m, speed_mph (negative where marks count "
             "down), "
@@ -371,7 +374,7 @@ tool::Tool process_tool() {
             "warnings.csv lists what\n"
             "is doubted: sensor, warning, first_row, rows, text.\n"
             "\nExample: railbook filters process sensors.csv --config car.toml --out mine");
-        return [wish] { process_record(*wish); };
+        return [options] { process_record(*options); };
       }};
 }
 

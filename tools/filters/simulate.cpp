@@ -133,7 +133,7 @@ void simulate(Order order) {
 
 tool::Tool simulate_tool() {
   return {
-      "simulate", "a record of the car's sensors to order", [](tool::Options& o) {
+      "simulate", "a record of the car's sensors to order", [](tool::OptionParser& o) {
         auto order = std::make_shared<Order>();
         auto& t = order->track;
         o.file("--out", order->file, "CSV file to write; - is standard output");

@@ -32,66 +32,66 @@ struct DamperOption {
   const char* name;
   const char* help;
   units::Dimension dimension;
-  std::optional<double> CarWish::*given;
+  std::optional<double> CarOptions::*given;
   double Dampers::*value;
 };
 const units::Dimension turning = units::moment * units::time / units::angle;
 const std::array<DamperOption, 4> dampers{
     {{"--lateral-damper", "a side frame; without it from the friction", units::damping,
-      &CarWish::lateral_damper, &Dampers::lateral},
+      &CarOptions::lateral_damper, &Dampers::lateral},
      {"--vertical-damper", "a side frame; without it from the friction", units::damping,
-      &CarWish::vertical_damper, &Dampers::vertical},
-     {"--warp-damper", "a truck; without it from the friction", turning, &CarWish::warp_damper,
+      &CarOptions::vertical_damper, &Dampers::vertical},
+     {"--warp-damper", "a truck; without it from the friction", turning, &CarOptions::warp_damper,
       &Dampers::warp},
      {"--centre-plate-damper", "a truck; without it from the friction", turning,
-      &CarWish::centre_plate_damper, &Dampers::centre_plate}}};
+      &CarOptions::centre_plate_damper, &Dampers::centre_plate}}};
 
 }  // namespace
 
-void add_car_options(tool::Options& options, CarWish& wish) {
-  add_pair_options(options, wish.pair);
-  add_right_options(options, wish.pair);
+void add_car_options(tool::OptionParser& parser, CarOptions& options) {
+  add_pair_options(parser, options.pair);
+  add_right_options(parser, options.pair);
   // A factor of ten thousand either way is no freight car any more, and spoils the arithmetic.
   for (const CarDatum& datum : car_data()) {
-    double& value = wish.data.*datum.member;
+    double& value = options.data.*datum.member;
     if (!of_the_pair(datum))
-      options.quantity(fmt::format("--{}", datum.key), value, datum.dimension, datum.name,
-                       tool::Range{datum.positive ? 1e-4 * value : 0, 1e4 * value});
+      parser.quantity(fmt::format("--{}", datum.key), value, datum.dimension, datum.name,
+                      tool::Range{datum.positive ? 1e-4 * value : 0, 1e4 * value});
   }
-  options.choice("--suspension", wish.suspension, {"dampers", "friction"},
-                 "equivalent dampers, or dry friction regularized");
+  parser.choice("--suspension", options.suspension, {"dampers", "friction"},
+                "equivalent dampers, or dry friction regularized");
   for (const auto& damper : dampers)
-    options.quantity(damper.name, wish.*damper.given, damper.dimension, damper.help,
-                     tool::Range{0, 1e10});
+    parser.quantity(damper.name, options.*damper.given, damper.dimension, damper.help,
+                    tool::Range{0, 1e10});
 }
 
-CarCase read_case(const CarWish& wish) {
-  CarParameters data = wish.data;
-  data.half_gauge = wish.pair.half_spacing;
-  data.wheel_radius = wish.pair.radius;
+CarCase read_case(const CarOptions& options) {
+  CarParameters data = options.data;
+  data.half_gauge = options.pair.half_spacing;
+  data.wheel_radius = options.pair.radius;
   require_valid(data);
   Dampers c = equivalent_dampers(data);
   for (const auto& damper : dampers)
-    if (wish.*damper.given) {
-      if (wish.suspension == "friction")
+    if (options.*damper.given) {
+      if (options.suspension == "friction")
         throw InputError(fmt::format(
             "{} is for --suspension dampers; friction is given by its level", damper.name + 2));
-      c.*damper.value = *(wish.*damper.given);
+      c.*damper.value = *(options.*damper.given);
     }
-  auto [pair, fits] = read_pair(wish.pair);
-  auto geometry = table_of(pair, wish.pair);
+  auto [pair, fits] = read_pair(options.pair);
+  auto geometry = table_of(pair, options.pair);
   auto car =
-      wish.suspension == "friction" ? assemble(data, Suspension::friction) : assemble(data, c);
+      options.suspension == "friction" ? assemble(data, Suspension::friction) : assemble(data, c);
   QuasiLinearCar quasi{std::move(car), geometry};
   return {std::move(geometry), std::move(quasi), std::move(fits)};
 }
 
-void flag_smoothing(tool::Summary& answer, const CarWish& wish, const CarCase& c, double lowest,
-                    double highest) {
-  flag_smoothing(answer, wish.pair, c.fits,
+void flag_smoothing(tool::Summary& answer, const CarOptions& options, const CarCase& c,
+                    double lowest, double highest) {
+  flag_smoothing(answer, options.pair, c.fits,
                  {{"critical_speed", "the first critical speed", "m/s", 0.02, 0}},
-                 [&](const PairWish& w) -> std::vector<double> {
-                   CarWish other = wish;
+                 [&](const PairOptions& w) -> std::vector<double> {
+                   CarOptions other = options;
                    other.pair = w;
                    const auto found = hopf_points(read_case(other).car, lowest, highest);
                    if (found.empty()) return {std::numeric_limits<double>::quiet_NaN()};
@@ -99,8 +99,8 @@ void flag_smoothing(tool::Summary& answer, const CarWish& wish, const CarCase& c
                  });
 }
 
-void describe_case(tool::Summary& answer, const CarWish& wish, const CarCase& c) {
-  describe_pair(answer, wish.pair, c.fits);
+void describe_case(tool::Summary& answer, const CarOptions& options, const CarCase& c) {
+  describe_pair(answer, options.pair, c.fits);
   flag_points(answer, c.fits, [](const auto&, const auto&) { return std::string{}; });
   const double a = c.table.half_spacing;
   answer.add("slope_R", "slope of R at the centre, per x/a", a * c.table.R.slope(0), "");
@@ -115,7 +115,7 @@ void describe_case(tool::Summary& answer, const CarWish& wish, const CarCase& c)
     answer.add("rest_mm", "  at rest the wheelsets stand, front to rear", text + " mm to the left");
   }
   answer.add("suspension", "suspension",
-             wish.suspension == "friction" ? "dry friction, regularized" : "dampers");
+             options.suspension == "friction" ? "dry friction, regularized" : "dampers");
   const CarParameters usual;
   for (const CarDatum& datum : car_data()) {
     const double value = c.car.car().data.*datum.member;

@@ -58,7 +58,7 @@ namespace {
 
 constexpr double millimetre = units::millimetre;
 
-struct Wish : CarWish {
+struct Options : CarOptions {
   double lowest = 1, highest = 120;
   double first = 1 * units::millimetre;
   std::optional<double> largest, speed, wheel_rail_friction;
@@ -69,14 +69,14 @@ struct Wish : CarWish {
 };
 
 // How friction limits the creep forces, if it does.
-std::optional<CreepLimit> creep_of(const Wish& wish) {
-  if (!wish.wheel_rail_friction) {
-    if (wish.creep_law == "full")
+std::optional<CreepLimit> creep_of(const Options& options) {
+  if (!options.wheel_rail_friction) {
+    if (options.creep_law == "full")
       throw InputError("--creep-law full says how friction limits: give --wheel-rail-friction");
     return {};
   }
-  CreepLimit limit{*wish.wheel_rail_friction, {}};
-  if (wish.creep_law == "full")
+  CreepLimit limit{*options.wheel_rail_friction, {}};
+  if (options.creep_law == "full")
     limit.curve =
         rolling::SmoothForce(rolling::shares_of(rolling::solver("full", 1, 0.3, 12), 1, 0.3),
                              rolling::kalker_coefficients(1, 0.3));
@@ -162,12 +162,12 @@ void add_cycle(tool::Summary& answer, const std::string& id, const LimitCycle& c
 }
 
 void add_special(tool::Summary& answer, const Family& family, const Named& named,
-                 const ContinuationOptions& options) {
+                 const ContinuationOptions& walk) {
   for (std::size_t k = 0; k < named.branch.special.size(); ++k) {
     const SpecialCycle& s = named.branch.special[k];
     const std::string id = fmt::format("{}_special_{}", named.key, k + 1);
     const SpecialError error =
-        s.located ? special_error(family, named.branch, s, options) : SpecialError{};
+        s.located ? special_error(family, named.branch, s, walk) : SpecialError{};
     // Only from the first branch are others followed, and only to less symmetry or twice the period.
     const bool leaves = s.kind == CycleEvent::branch_point ||
                         s.kind == CycleEvent::symmetry_breaking ||
@@ -213,12 +213,12 @@ void erase_end(std::vector<SpecialCycle>& left, const LimitCycleBranch& branch) 
 }
 
 // The branch itself, then those that leave it where symmetry breaks or the period doubles.
-std::vector<Named> follow_all(const Wish& wish, const Family& family, const HopfPoint& hopf,
-                              const ContinuationOptions& options, const Patience& patience) {
+std::vector<Named> follow_all(const Options& options, const Family& family, const HopfPoint& hopf,
+                              const ContinuationOptions& walk, const Patience& patience) {
   std::vector<Named> all;
   const Motion& m = hopf.motion;
-  all.push_back({"branch", fmt::format("branch of critical speed {}", wish.family),
-                 follow_from_hopf(family, m.shape, m.lambda.imag(), m.speed, options)});
+  all.push_back({"branch", fmt::format("branch of critical speed {}", options.family),
+                 follow_from_hopf(family, m.shape, m.lambda.imag(), m.speed, walk)});
   std::vector<SpecialCycle> left = all.front().branch.special;
   std::erase_if(left, [](const SpecialCycle& s) {
     return s.kind != CycleEvent::symmetry_breaking && s.kind != CycleEvent::period_doubling;
@@ -226,7 +226,7 @@ std::vector<Named> follow_all(const Wish& wish, const Family& family, const Hopf
   while (!left.empty() && !patience.over()) {
     const SpecialCycle s = left.front();
     left.erase(left.begin());
-    LimitCycleBranch next = follow_secondary(family, s, options);
+    LimitCycleBranch next = follow_secondary(family, s, walk);
     if (next.points.empty()) continue;
     erase_end(left, next);
     const auto number = all.size();
@@ -236,20 +236,20 @@ std::vector<Named> follow_all(const Wish& wish, const Family& family, const Hopf
   return all;
 }
 
-void follow_datum(tool::Summary& answer, const Wish& wish, const CarCase& c, const LimitCycle& from,
-                  const std::optional<CreepLimit>& creep, const std::string& id,
-                  const ContinuationOptions& speed_options) {
+void follow_datum(tool::Summary& answer, const Options& options, const CarCase& c,
+                  const LimitCycle& from, const std::optional<CreepLimit>& creep,
+                  const std::string& id, const ContinuationOptions& speed_options) {
   const auto datum = std::find_if(car_data().begin(), car_data().end(),
-                                  [&](const CarDatum& d) { return d.key == wish.against; });
-  const double value = c.car.car().data.*(datum->member), end = wish.factor * value;
+                                  [&](const CarDatum& d) { return d.key == options.against; });
+  const double value = c.car.car().data.*(datum->member), end = options.factor * value;
   units::require_positive(datum->name, value);
-  const Family family = by_datum(c.car.car(), datum->member, c.table, *wish.speed, creep);
-  ContinuationOptions options = speed_options;
-  options.lowest = std::min(value, end);
-  options.highest = std::max(value, end);
+  const Family family = by_datum(c.car.car(), datum->member, c.table, *options.speed, creep);
+  ContinuationOptions walk = speed_options;
+  walk.lowest = std::min(value, end);
+  walk.highest = std::max(value, end);
   const auto branch = follow_from(
       family, from.cycle, value,
-      wish.factor > 1 ? Towards::larger_parameter : Towards::smaller_parameter, options);
+      options.factor > 1 ? Direction::larger_parameter : Direction::smaller_parameter, walk);
   const auto unit = units::si_name(datum->dimension);
   if (branch.points.empty()) {
     answer.flag(id + "_against", fmt::format("{} could not be followed from there", datum->name));
@@ -269,11 +269,11 @@ void follow_datum(tool::Summary& answer, const Wish& wish, const CarCase& c, con
 
 // What the answer is about.
 struct Work {
-  const Wish& wish;
+  const Options& options;
   const CarCase& car;
   const Family& family;
   const std::optional<CreepLimit>& creep;
-  const ContinuationOptions& options;
+  const ContinuationOptions& walk;
   std::vector<Named> all;
 };
 
@@ -284,7 +284,7 @@ struct Found {
 std::vector<Found> cycles_of(const Work& w, double speed) {
   std::vector<Found> found;
   for (const Named& named : w.all)
-    for (LimitCycle& c : cycles_at(w.family, named.branch, speed, w.options))
+    for (LimitCycle& c : cycles_at(w.family, named.branch, speed, w.walk))
       found.push_back({named.name, std::move(c)});
   return found;
 }
@@ -296,9 +296,9 @@ bool any_stable(const std::vector<Found>& found) {
 Search search_at(Work& w, double speed, const std::vector<Found>& found) {
   std::vector<LimitCycle> known;
   for (const Found& f : found) known.push_back(f.cycle);
-  Search search = search_in_time(w.family, w.car, speed, known, w.options);
+  Search search = search_in_time(w.family, w.car, speed, known, w.walk);
   for (const LimitCycle& c : search.cycles) {
-    LimitCycleBranch branch = follow_both_ways(w.family, c, w.options);
+    LimitCycleBranch branch = follow_both_ways(w.family, c, w.walk);
     if (branch.points.empty()) {
       branch.points = {c, c};
       branch.stop = BranchStop::asked;
@@ -340,7 +340,7 @@ std::vector<std::pair<double, double>> unstable_speeds(const Work& w) {
   };
   std::vector<std::pair<double, double>> ranges;
   bool open = false;
-  for (double speed = w.wish.lowest; speed <= w.wish.highest; speed *= 1.005) {
+  for (double speed = w.options.lowest; speed <= w.options.highest; speed *= 1.005) {
     const bool bare =
         covered(speed, false) && !covered(speed, true) && !straight_run_stable(w.car, speed);
     if (bare && !open) ranges.emplace_back(speed, speed);
@@ -369,7 +369,7 @@ void add_unstable_speeds(tool::Summary& answer, Work& w, const Patience& patienc
 
 // What the car does at --speed where no cycle found is stable.
 void look_in_time(tool::Summary& answer, Work& w) {
-  const double speed = *w.wish.speed;
+  const double speed = *w.options.speed;
   const bool straight = straight_run_stable(w.car, speed);
   answer.add("straight_run", fmt::format("straight run at {:g} m/s", speed),
              straight ? "stable" : "unstable");
@@ -385,14 +385,14 @@ void look_in_time(tool::Summary& answer, Work& w) {
 }
 
 void add_cycles_at(tool::Summary& answer, const Work& w) {
-  const double speed = *w.wish.speed;
+  const double speed = *w.options.speed;
   const auto found = cycles_of(w, speed);
   for (std::size_t k = 0; k < found.size(); ++k) {
     const std::string id = fmt::format("cycle_{}", k + 1);
     const LimitCycle& c = found[k].cycle;
     answer.add(id, fmt::format("cycle {} at {:g} m/s", k + 1, speed), "on the " + found[k].branch);
-    add_cycle(answer, id, c, cycle_error(w.family, c, w.options), w.car, w.creep);
-    if (!w.wish.against.empty()) follow_datum(answer, w.wish, w.car, c, w.creep, id, w.options);
+    add_cycle(answer, id, c, cycle_error(w.family, c, w.walk), w.car, w.creep);
+    if (!w.options.against.empty()) follow_datum(answer, w.options, w.car, c, w.creep, id, w.walk);
   }
   answer.add("cycles", fmt::format("cycles at {:g} m/s", speed), static_cast<double>(found.size()),
              "", found.empty() ? "none on what was searched; other branches may have some" : "");
@@ -431,79 +431,80 @@ void write_files(tool::OutFolder& out, const CarCase& c, const std::optional<Cre
   out.figure(tools::scripts("hunting") / "cycle.gp", {"cycle.csv", "special.csv"}, "cycle.png");
 }
 
-ContinuationOptions options_of(const Wish& wish, Patience& patience) {
-  ContinuationOptions options;
-  options.first_amplitude = wish.suspension == "friction" ? 0.03 * wish.first : wish.first;
-  options.largest_amplitude = wish.largest.value_or(wish.pair.end);
-  options.tail = wish.tail;
-  options.multiplier_steps =
-      static_cast<int>(256 * std::clamp(std::sqrt(3e-4 / wish.tail), 0.5, 16.0));
-  options.lowest = wish.lowest;
-  options.highest = wish.highest;
-  options.go_on = [&patience](const LimitCycle& p) { return patience.left(p); };
-  return options;
+ContinuationOptions options_of(const Options& options, Patience& patience) {
+  ContinuationOptions walk;
+  walk.first_amplitude = options.suspension == "friction" ? 0.03 * options.first : options.first;
+  walk.largest_amplitude = options.largest.value_or(options.pair.end);
+  walk.tail = options.tail;
+  walk.multiplier_steps =
+      static_cast<int>(256 * std::clamp(std::sqrt(3e-4 / options.tail), 0.5, 16.0));
+  walk.lowest = options.lowest;
+  walk.highest = options.highest;
+  walk.go_on = [&patience](const LimitCycle& p) { return patience.left(p); };
+  return walk;
 }
 
-void check(const Wish& wish) {
-  units::require_between("highest speed", wish.highest, wish.lowest, 1e4, "m/s");
-  const double end = wish.pair.end;
-  units::require_between("largest amplitude", wish.largest.value_or(end), 0, end,
+void check(const Options& options) {
+  units::require_between("highest speed", options.highest, options.lowest, 1e4, "m/s");
+  const double end = options.pair.end;
+  units::require_between("largest amplitude", options.largest.value_or(end), 0, end,
                          "m, the end of the table");
-  units::require_between("first amplitude", wish.first, 0, wish.largest.value_or(end), "m");
-  if (wish.speed)
-    units::require_between("speed on the branch", *wish.speed, wish.lowest, wish.highest, "m/s");
-  if (!wish.against.empty() && !wish.speed)
+  units::require_between("first amplitude", options.first, 0, options.largest.value_or(end), "m");
+  if (options.speed)
+    units::require_between("speed on the branch", *options.speed, options.lowest, options.highest,
+                           "m/s");
+  if (!options.against.empty() && !options.speed)
     throw InputError("--against follows the cycles of one speed: give --speed");
 }
 
-void run(const Wish& wish) {
-  tool::OutFolder out(wish.out, {"cycle.csv", "special.csv", "cycle.json", "cycle.png"});
-  check(wish);
-  const CarCase c = read_case(wish);
-  const auto hopf = hopf_points(c.car, wish.lowest, wish.highest);
+void run(const Options& options) {
+  tool::OutFolder out(options.out, {"cycle.csv", "special.csv", "cycle.json", "cycle.png"});
+  check(options);
+  const CarCase c = read_case(options);
+  const auto hopf = hopf_points(c.car, options.lowest, options.highest);
   if (hopf.empty())
     throw InputError(
         fmt::format("speeds from {:g} to {:g} m/s: the linear car has no critical "
                     "speed there, and no branch begins; allowed: a range that holds one",
-                    wish.lowest, wish.highest));
-  units::require_between("family", static_cast<double>(wish.family), 1,
+                    options.lowest, options.highest));
+  units::require_between("family", static_cast<double>(options.family), 1,
                          static_cast<double>(hopf.size()));
-  const HopfPoint& begin = hopf[static_cast<std::size_t>(wish.family - 1)];
-  const std::optional<CreepLimit> creep = creep_of(wish);
+  const HopfPoint& begin = hopf[static_cast<std::size_t>(options.family - 1)];
+  const std::optional<CreepLimit> creep = creep_of(options);
   const Family family = by_speed(c.car.car(), c.table, creep);
-  Patience patience(static_cast<double>(wish.patience));
-  const ContinuationOptions options = options_of(wish, patience);
-  Work w{wish, c, family, creep, options, follow_all(wish, family, begin, options, patience)};
+  Patience patience(static_cast<double>(options.patience));
+  const ContinuationOptions walk = options_of(options, patience);
+  Work w{options, c, family, creep, walk, follow_all(options, family, begin, walk, patience)};
   if (w.all.front().branch.points.empty())
     throw InputError(
         fmt::format("no limit cycle of {:g} m was found at the critical speed; try "
                     "another --first-amplitude",
-                    options.first_amplitude));
+                    walk.first_amplitude));
   tool::Summary answer("Limit cycles of a freight car");
-  describe_case(answer, wish, c);
+  describe_case(answer, options, c);
   answer.add("creep", "creep forces",
              creep ? fmt::format("limited by a friction of {:g}, {}", creep->friction,
-                                 wish.creep_law == "full" ? "full theory, round contact"
-                                                          : "Shen, Hedrick and Elkins")
+                                 options.creep_law == "full" ? "full theory, round contact"
+                                                             : "Shen, Hedrick and Elkins")
                    : "linear");
-  flag_smoothing(answer, wish, c, wish.lowest, wish.highest);
-  answer.add("hopf_m_per_s", fmt::format("critical speed {} of {}", wish.family, hopf.size()),
+  flag_smoothing(answer, options, c, options.lowest, options.highest);
+  answer.add("hopf_m_per_s", fmt::format("critical speed {} of {}", options.family, hopf.size()),
              begin.motion.speed, "m/s",
              fmt::format("{:.4f} ft/s", begin.motion.speed / units::foot));
-  if (wish.speed)
+  if (options.speed)
     look_in_time(answer, w);
   else
     add_unstable_speeds(answer, w, patience);
   for (const Named& named : w.all) {
     add_extent(answer, named);
-    add_special(answer, family, named, options);
+    add_special(answer, family, named, walk);
   }
-  if (wish.speed) add_cycles_at(answer, w);
+  if (options.speed) add_cycles_at(answer, w);
   patience.clear();
   if (patience.over())
     answer.flag("patience", fmt::format("the search was stopped after {} s: branches end early "
                                         "(--patience gives it longer)",
-                                        wish.patience));
+                                        options.patience));
   for (const Named& named : w.all)
     if (named.branch.stop == BranchStop::step)
       answer.flag(named.key, fmt::format("the {} could not be followed farther than {:.4f} m/s, "
@@ -515,41 +516,41 @@ void run(const Wish& wish) {
   out.commit();
 }
 
-std::function<void()> declare(tool::Options& options) {
-  const auto wish = std::make_shared<Wish>();
-  add_car_options(options, *wish);
+std::function<void()> declare(tool::OptionParser& parser) {
+  const auto options = std::make_shared<Options>();
+  add_car_options(parser, *options);
   const tool::Range speeds{0.01, 1e4};
-  options.quantity("--lowest", wish->lowest, units::speed, "the branch ends there", speeds);
-  options.quantity("--highest", wish->highest, units::speed, "the branch ends there", speeds);
-  options.quantity("--first-amplitude", wish->first, units::length,
-                   "of the branch's first cycle; 3 % of it with friction", tool::Range{1e-6, 0.05});
-  options.quantity("--largest-amplitude", wish->largest, units::length,
-                   "of the branch; without it the end of the table", tool::Range{1e-6, 0.2});
-  options.count("--family", wish->family, "from which critical speed, the lowest being 1", 1, 99);
-  options.quantity("--speed", wish->speed, units::speed, "lists the cycles there", speeds);
-  options.quantity("--wheel-rail-friction", wish->wheel_rail_friction, units::number,
-                   "creep forces saturate; without it they are linear", tool::Range{0.01, 2});
-  options.choice("--creep-law", wish->creep_law, {"cubic", "full"},
-                 "how they do: by Shen, Hedrick and Elkins, or by a table of the full theory");
+  parser.quantity("--lowest", options->lowest, units::speed, "the branch ends there", speeds);
+  parser.quantity("--highest", options->highest, units::speed, "the branch ends there", speeds);
+  parser.quantity("--first-amplitude", options->first, units::length,
+                  "of the branch's first cycle; 3 % of it with friction", tool::Range{1e-6, 0.05});
+  parser.quantity("--largest-amplitude", options->largest, units::length,
+                  "of the branch; without it the end of the table", tool::Range{1e-6, 0.2});
+  parser.count("--family", options->family, "from which critical speed, the lowest being 1", 1, 99);
+  parser.quantity("--speed", options->speed, units::speed, "lists the cycles there", speeds);
+  parser.quantity("--wheel-rail-friction", options->wheel_rail_friction, units::number,
+                  "creep forces saturate; without it they are linear", tool::Range{0.01, 2});
+  parser.choice("--creep-law", options->creep_law, {"cubic", "full"},
+                "how they do: by Shen, Hedrick and Elkins, or by a table of the full theory");
   std::vector<std::string> keys;
   for (const CarDatum& d : car_data()) keys.emplace_back(d.key);
-  options.choice("--against", wish->against, keys, "follows the cycles of --speed in this datum");
-  options.quantity("--factor", wish->factor, units::number, "how far, as a factor",
-                   tool::Range{1e-4, 1e4});
-  options.quantity("--tail", wish->tail, units::number,
-                   "of a cycle, the share in its highest harmonics up to which more are added: "
-                   "smaller is more accurate, and slower",
-                   tool::Range{1e-6, 1e-2});
-  options.count("--patience", wish->patience, "seconds after which a branch ends where it is", 1,
-                86400);
-  options.out(wish->out);
-  options.help(
+  parser.choice("--against", options->against, keys, "follows the cycles of --speed in this datum");
+  parser.quantity("--factor", options->factor, units::number, "how far, as a factor",
+                  tool::Range{1e-4, 1e4});
+  parser.quantity("--tail", options->tail, units::number,
+                  "of a cycle, the share in its highest harmonics up to which more are added: "
+                  "smaller is more accurate, and slower",
+                  tool::Range{1e-6, 1e-2});
+  parser.count("--patience", options->patience, "seconds after which a branch ends where it is", 1,
+               86400);
+  parser.out(options->out);
+  parser.help(
       "Amplitudes are half of what a wheelset moves from side to side, and positive; middle_mm is "
       "where the first one moves about, positive to the left. A multiplier is a magnitude: above 1 "
       "the cycle is unstable. L_over_V is the largest of a wheel, positive as its flange presses "
       "outward; creep_over_friction the largest creep force over what friction bears, 0 to 1. "
       "stable_mm and unstable_mm are A_mm where the cycle is so, else nan.");
-  return [wish] { run(*wish); };
+  return [options] { run(*options); };
 }
 
 }  // namespace

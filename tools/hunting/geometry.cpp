@@ -39,7 +39,7 @@ using units::millimetre;
 
 namespace {
 
-struct Wish : PairWish {
+struct Options : PairOptions {
   tool::Destination out;
 };
 
@@ -62,7 +62,7 @@ std::string cell(double value) {  // none: empty
   return std::isnan(value) ? "" : fmt::format("{:.6g}", value);
 }
 
-void write_files(tool::OutFolder& out, const Wish& wish, const WheelsetOnTrack& pair,
+void write_files(tool::OutFolder& out, const Options& options, const WheelsetOnTrack& pair,
                  const ConstraintFunctions& f, const std::vector<ContactJump>& jumps,
                  const tool::Summary& answer) {
   std::string text = "x_mm,r_L_mm,r_R_mm,difference_mm,delta_L_rad,delta_R_rad,phi_rad,R,D_rad\n";
@@ -96,7 +96,7 @@ void write_files(tool::OutFolder& out, const Wish& wish, const WheelsetOnTrack& 
   text = "x_mm,wheel_L_mm,rail_L_mm,wheel_R_mm,rail_R_mm,axle_height_mm\n";
   for (std::size_t k = 0; k < f.R.values().size(); ++k) {
     const double x = f.R.step() * double(k);
-    const auto at = wish.level ? pair.level_contact(x) : pair.contact(x);
+    const auto at = options.level ? pair.level_contact(x) : pair.contact(x);
     text += fmt::format("{:.6g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}\n", x / millimetre,
                         -at.left.on_wheel.u / millimetre, -at.left.on_rail.u / millimetre,
                         -at.right.on_wheel.u / millimetre, -at.right.on_rail.u / millimetre,
@@ -109,7 +109,7 @@ void write_files(tool::OutFolder& out, const Wish& wish, const WheelsetOnTrack& 
 
 // At which shifts of the table the wheelset stands on a doubtful place of a profile, in the file's own coordinates. A rail is turned
 // by its cant when it is put in its place, which moves a point across by less than the margin.
-std::string stands_on(const Wish& wish, const WheelsetOnTrack& pair, const ProfileFit& fit,
+std::string stands_on(const Options& options, const WheelsetOnTrack& pair, const ProfileFit& fit,
                       const PointsWarning& warning) {
   constexpr double margin = millimetre;
   const bool right = std::string_view{fit.what}.starts_with("right");
@@ -117,12 +117,12 @@ std::string stands_on(const Wish& wish, const WheelsetOnTrack& pair, const Profi
   const Curve& placed = wheel ? pair.wheel() : pair.rail();
   // Where the file's inner end came to lie.
   const double moved = fit.inner_end - placed.end().u;
-  double least = units::no_limit, most = -units::no_limit;
-  for (double x = -wish.end; x <= wish.end * (1 + 1e-9); x += 0.02 * wish.end) {
-    const WheelsetContact at = wish.level ? pair.level_contact(x) : pair.contact(x);
+  double least = units::infinity, most = -units::infinity;
+  for (double x = -options.end; x <= options.end * (1 + 1e-9); x += 0.02 * options.end) {
+    const WheelsetContact at = options.level ? pair.level_contact(x) : pair.contact(x);
     if (!at.converged) continue;
     for (const SideContact* side : {&at.left, &at.right}) {
-      const bool of_both = !sides_differ(wish);
+      const bool of_both = !sides_differ(options);
       if (!of_both && (side == &at.right) != right) continue;
       const double u = (wheel ? side->on_wheel.u : side->on_rail.u) + moved;
       if (u < warning.from - margin || u > warning.to + margin) continue;
@@ -133,24 +133,25 @@ std::string stands_on(const Wish& wish, const WheelsetOnTrack& pair, const Profi
   return fmt::format("at shifts of {:.1f} to {:.1f} mm", least / millimetre, most / millimetre);
 }
 
-void flag_geometry(tool::Summary& answer, const Wish& wish, const std::vector<ProfileFit>& fits) {
+void flag_geometry(tool::Summary& answer, const Options& options,
+                   const std::vector<ProfileFit>& fits) {
   std::vector<Smoothed> numbers{{"slope_R", "slope of R at the centre", "", 0.1, 0.01}};
   for (const double A : {1.0, 3.0})
-    if (A * millimetre <= wish.end)
+    if (A * millimetre <= options.end)
       numbers.push_back({fmt::format("conicity_at_{:g}_mm", A),
                          fmt::format("conicity at {:g} mm", A), "", 0.05, 0.005});
-  flag_smoothing(answer, wish, fits, numbers, [&](const PairWish& w) {
+  flag_smoothing(answer, options, fits, numbers, [&](const PairOptions& w) {
     const ConstraintFunctions f = table_of(read_pair(w).pair, w);
     std::vector<double> values{f.half_spacing * f.R.slope(0)};
     for (const double A : {1.0, 3.0})
-      if (A * millimetre <= wish.end) values.push_back(conicity(f, A * millimetre).kinematic);
+      if (A * millimetre <= options.end) values.push_back(conicity(f, A * millimetre).kinematic);
     return values;
   });
 }
 
 // By Klingel's wavelength; EN 15302 keeps the axle level while it moves, a free one rolls.
-void add_conicity(tool::Summary& answer, const Wish& wish, const ConstraintFunctions& f) {
-  const char* axle = wish.level ? "level axle" : "rolling axle";
+void add_conicity(tool::Summary& answer, const Options& options, const ConstraintFunctions& f) {
+  const char* axle = options.level ? "level axle" : "rolling axle";
   bool first = true;
   for (const double A : amplitudes(f, millimetre)) {
     const Conicity c = conicity(f, A);
@@ -172,17 +173,17 @@ void add_conicity(tool::Summary& answer, const Wish& wish, const ConstraintFunct
   }
 }
 
-void run(const Wish& wish) {
-  tool::OutFolder out(wish.out, {"wheelset.csv", "conicity.csv", "jumps.csv", "contacts.csv",
-                                 "wheelset.json", "wheelset.png"});
-  const auto [pair, fits] = read_pair(wish);
-  const ConstraintFunctions f = table_of(pair, wish);
+void run(const Options& options) {
+  tool::OutFolder out(options.out, {"wheelset.csv", "conicity.csv", "jumps.csv", "contacts.csv",
+                                    "wheelset.json", "wheelset.png"});
+  const auto [pair, fits] = read_pair(options);
+  const ConstraintFunctions f = table_of(pair, options);
   tool::Summary answer("Wheelset on rails");
-  describe_pair(answer, wish, fits);
+  describe_pair(answer, options, fits);
   flag_points(answer, fits, [&](const ProfileFit& fit, const PointsWarning& warning) {
-    return stands_on(wish, pair, fit, warning);
+    return stands_on(options, pair, fit, warning);
   });
-  flag_geometry(answer, wish, fits);
+  flag_geometry(answer, options, fits);
   const auto centred = pair.contact(0);
   answer.add("contact_mm", "centred contact, from the middle", -centred.left.on_rail.u / millimetre,
              "mm");
@@ -192,8 +193,8 @@ void run(const Wish& wish) {
              "over the table's first step");
   answer.add("slope_D", "slope of D", f.half_spacing * f.D.slope(0), "rad");
   answer.add("slope_Phi", "slope of the roll angle", f.half_spacing * f.Phi.slope(0), "rad");
-  add_conicity(answer, wish, f);
-  const auto jumps = contact_jumps(pair, -wish.end, wish.end, smallest_jump);
+  add_conicity(answer, options, f);
+  const auto jumps = contact_jumps(pair, -options.end, options.end, smallest_jump);
   answer.add(
       "jumps", "two-point contacts", double(jumps.size()), "",
       fmt::format("the left wheel's, jumps of more than {:.1f} mm", smallest_jump / millimetre));
@@ -202,19 +203,19 @@ void run(const Wish& wish) {
                fmt::format("contact angle {:.4f} to {:.4f} rad", jumps[i].before.delta,
                            jumps[i].after.delta));
   answer.print();
-  if (out) write_files(out, wish, pair, f, jumps, answer);
+  if (out) write_files(out, options, pair, f, jumps, answer);
   out.commit();
 }
 
-std::function<void()> declare(tool::Options& options) {
-  const auto wish = std::make_shared<Wish>();
-  wish->average = 0;
-  add_pair_options(options, *wish);
-  add_right_options(options, *wish);
-  options.flag("--level", wish->level,
-               "keep the axle from rolling, as EN 15302 does for the conicity");
-  options.out(wish->out);
-  options.help(
+std::function<void()> declare(tool::OptionParser& parser) {
+  const auto options = std::make_shared<Options>();
+  options->average = 0;
+  add_pair_options(parser, *options);
+  add_right_options(parser, *options);
+  parser.flag("--level", options->level,
+              "keep the axle from rolling, as EN 15302 does for the conicity");
+  parser.out(options->out);
+  parser.help(
       "x is the wheelset's displacement to the left, L its left wheel and R its right one. "
       "wheelset.csv: rolling radii r, their difference left less right, contact angles delta to "
       "the axle, phi the roll of the axle, positive with the left side up, R half the difference "
@@ -222,7 +223,7 @@ std::function<void()> declare(tool::Options& options) {
       "where wheel and rail touch, outward from the middle of the axle and of the track. "
       "jumps.csv: "
       "the left wheel's angle and radius before and after, as it goes to the left.");
-  return [wish] { run(*wish); };
+  return [options] { run(*options); };
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ constexpr double no_scatter =
 
 }  // namespace
 
-Curve read_profile(const std::filesystem::path& file, Body body, const PairWish& wish,
+Curve read_profile(const std::filesystem::path& file, Body body, const PairOptions& options,
                    ProfileFit& fit) {
   const auto columns = [&] {
     try {
@@ -78,7 +78,7 @@ Curve read_profile(const std::filesystem::path& file, Body body, const PairWish&
     fit.inner_end = points.back().u;
     fit.scatter = scatter(points);
     if (fit.scatter < no_scatter) fit.scatter = 0;
-    fit.smoothing = wish.smoothing * wish.noise.value_or(times_scatter * fit.scatter);
+    fit.smoothing = options.smoothing * options.noise.value_or(times_scatter * fit.scatter);
     MeasuredCurve met = measured_curve(std::move(points), fit.smoothing);
     fit.rms = met.rms;
     fit.largest = met.largest;
@@ -90,60 +90,64 @@ Curve read_profile(const std::filesystem::path& file, Body body, const PairWish&
 
 namespace {
 
-const NamedPair& named(const PairWish& wish) {
-  return *std::ranges::find(paper_pairs, wish.pair,
+const NamedPair& named(const PairOptions& options) {
+  return *std::ranges::find(paper_pairs, options.pair,
                             [](const NamedPair& p) { return std::string(p.key); });
 }
 
 }  // namespace
 
-bool from_files(const PairWish& wish) {
-  if (wish.wheel.empty() != wish.rail.empty())
+bool from_files(const PairOptions& options) {
+  if (options.wheel.empty() != options.rail.empty())
     throw InputError("profiles: give both --wheel and --rail, or neither for a pair of the paper");
-  const PairWish usual;
-  const bool placed = wish.gauge != usual.gauge || wish.gauge_depth != usual.gauge_depth ||
-                      wish.cant != usual.cant || wish.back_to_back != usual.back_to_back ||
-                      wish.datum != usual.datum || wish.radius != usual.radius ||
-                      wish.half_spacing != usual.half_spacing || wish.noise;
-  if (wish.wheel.empty() && placed)
+  const PairOptions usual;
+  const bool placed = options.gauge != usual.gauge || options.gauge_depth != usual.gauge_depth ||
+                      options.cant != usual.cant || options.back_to_back != usual.back_to_back ||
+                      options.datum != usual.datum || options.radius != usual.radius ||
+                      options.half_spacing != usual.half_spacing || options.noise;
+  if (options.wheel.empty() && placed)
     throw InputError(
         "the paper's pairs have their own place; gauge, cant, back-to-back, datum, radius, half "
         "spacing and noise go with --wheel and --rail");
-  return !wish.wheel.empty();
+  return !options.wheel.empty();
 }
 
-bool sides_differ(const PairWish& wish) {
-  return !wish.right_wheel.empty() || !wish.right_rail.empty() || wish.right_radius;
+bool sides_differ(const PairOptions& options) {
+  return !options.right_wheel.empty() || !options.right_rail.empty() || options.right_radius;
 }
 
-ReadPair read_pair(const PairWish& wish) {
-  if (!from_files(wish)) {
-    if (sides_differ(wish))
+ReadPair read_pair(const PairOptions& options) {
+  if (!from_files(options)) {
+    if (sides_differ(options))
       throw InputError(
           "right wheel, right rail and right radius go with --wheel and --rail, which are the left "
           "ones");
-    return {named(wish).pair(), {}};
+    return {named(options).pair(), {}};
   }
   std::vector<ProfileFit> fits;
   const auto read = [&](const char* what, const std::filesystem::path& file) {
     fits.push_back({what});
     const Body body = std::string_view{what}.ends_with("wheel") ? Body::wheel : Body::rail;
-    return read_profile(file, body, wish, fits.back());
+    return read_profile(file, body, options, fits.back());
   };
   const auto side = [&](const Curve& wheel, const Curve& rail, double radius) {
-    return with_radius(placed_wheel(wheel, 0.5 * wish.back_to_back + wish.datum),
-                       placed_rail(rail, wish.gauge, wish.gauge_depth, wish.cant), radius);
+    return with_radius(
+        placed_wheel(wheel, 0.5 * options.back_to_back + options.datum),
+        placed_rail(rail, options.gauge, options.gauge_depth, std::atan(options.cant)), radius);
   };
-  const Curve wheel = read("wheel", wish.wheel), rail = read("rail", wish.rail);
-  WheelsetOnTrack left = side(wheel, rail, wish.radius);
-  if (!sides_differ(wish)) return {std::move(left), std::move(fits)};
-  const Curve other = wish.right_wheel.empty() ? wheel : read("right wheel", wish.right_wheel);
-  const WheelsetOnTrack right = side(
-      other, wish.right_rail.empty() ? rail : read("right rail", wish.right_rail), wish.radius);
+  const Curve wheel = read("wheel", options.wheel), rail = read("rail", options.rail);
+  WheelsetOnTrack left = side(wheel, rail, options.radius);
+  if (!sides_differ(options)) return {std::move(left), std::move(fits)};
+  const Curve other =
+      options.right_wheel.empty() ? wheel : read("right wheel", options.right_wheel);
+  const WheelsetOnTrack right =
+      side(other, options.right_rail.empty() ? rail : read("right rail", options.right_rail),
+           options.radius);
   // Wheels of unlike profiles have the same radius at the tape, or differ there by what is given.
-  const double at_tape = -0.5 * wish.back_to_back - tape;
+  const double at_tape = -0.5 * options.back_to_back - tape;
   const double radius_left = -left.wheel().height(at_tape),
-               radius_right = radius_left + wish.right_radius.value_or(wish.radius) - wish.radius;
+               radius_right =
+                   radius_left + options.right_radius.value_or(options.radius) - options.radius;
   const double raised = -radius_right - right.wheel().height(at_tape);
   return {WheelsetOnTrack(left, {moved(right.wheel(), 0, raised), right.rail()}), std::move(fits)};
 }
@@ -158,27 +162,28 @@ std::string key_of(const ProfileFit& fit) {
 
 }  // namespace
 
-void describe_pair(tool::Summary& answer, const PairWish& wish,
+void describe_pair(tool::Summary& answer, const PairOptions& options,
                    const std::vector<ProfileFit>& fits) {
   answer.add("pair", "profiles",
-             from_files(wish) ? wish.wheel.string() + " on " + wish.rail.string()
-                              : wish.pair + ", of the paper, reconstructed");
-  if (sides_differ(wish)) {
-    const auto& wheel = wish.right_wheel.empty() ? wish.wheel : wish.right_wheel;
-    const auto& rail = wish.right_rail.empty() ? wish.rail : wish.right_rail;
+             from_files(options) ? options.wheel.string() + " on " + options.rail.string()
+                                 : options.pair + ", of the paper, reconstructed");
+  if (sides_differ(options)) {
+    const auto& wheel = options.right_wheel.empty() ? options.wheel : options.right_wheel;
+    const auto& rail = options.right_rail.empty() ? options.rail : options.right_rail;
     answer.add(
         "pair_right", "  on the right",
         fmt::format("{} on {}, radius {:.6g} mm against {:.6g}", wheel.string(), rail.string(),
-                    wish.right_radius.value_or(wish.radius) / units::millimetre,
-                    wish.radius / units::millimetre));
+                    options.right_radius.value_or(options.radius) / units::millimetre,
+                    options.radius / units::millimetre));
   }
   for (const ProfileFit& fit : fits)
     answer.add(
         key_of(fit) + "_rms_mm", std::string(fit.what) + ", points to smoothed profile, rms",
         fit.rms / units::millimetre, "mm",
-        fmt::format("largest {:.3g} mm; scatter of the points {:.2g} mm{}",
-                    fit.largest / units::millimetre, fit.scatter / units::millimetre,
-                    wish.noise ? "" : fmt::format(", smoothed by {:g} times that", times_scatter)));
+        fmt::format(
+            "largest {:.3g} mm; scatter of the points {:.2g} mm{}", fit.largest / units::millimetre,
+            fit.scatter / units::millimetre,
+            options.noise ? "" : fmt::format(", smoothed by {:g} times that", times_scatter)));
 }
 
 void flag_points(tool::Summary& answer, const std::vector<ProfileFit>& fits,
@@ -195,14 +200,14 @@ void flag_points(tool::Summary& answer, const std::vector<ProfileFit>& fits,
       if (k > most) continue;
       const std::string where = stands(fit, w);
       answer.flag(fmt::format("{}_{}_{}", key_of(fit), w.key, k),
-                  fmt::format("{} {}: {}{}", fit.what, files::shown(fit.file), w.text,
+                  fmt::format("{} {}: {}{}", fit.what, files::quoted_name(fit.file), w.text,
                               where.empty() ? "" : "; the wheel stands there " + where));
     }
     for (const auto& [key, k] : count)
       if (k > most)
-        answer.flag(
-            fmt::format("{}_{}s", key_of(fit), key),
-            fmt::format("{} {}: {} more such places", fit.what, files::shown(fit.file), k - most));
+        answer.flag(fmt::format("{}_{}s", key_of(fit), key),
+                    fmt::format("{} {}: {} more such places", fit.what,
+                                files::quoted_name(fit.file), k - most));
   }
 }
 
@@ -221,24 +226,25 @@ bool differs(const Smoothed& number, double used, double other) {
 
 }  // namespace
 
-void flag_smoothing(tool::Summary& answer, const PairWish& wish,
+void flag_smoothing(tool::Summary& answer, const PairOptions& options,
                     const std::vector<ProfileFit>& fits, const std::vector<Smoothed>& numbers,
-                    const std::function<std::vector<double>(const PairWish&)>& values) {
+                    const std::function<std::vector<double>(const PairOptions&)>& values) {
   struct Variant {
     const char* how;
-    PairWish wish;
+    PairOptions options;
   };
   std::vector<Variant> variants;
   if (std::ranges::any_of(fits, [](const ProfileFit& f) { return f.smoothing > 0; })) {
-    variants = {{"smoothed half as much", wish}, {"twice as much", wish}};
-    variants[0].wish.smoothing = 0.5;
-    variants[1].wish.smoothing = 2;
+    variants = {{"smoothed half as much", options}, {"twice as much", options}};
+    variants[0].options.smoothing = 0.5;
+    variants[1].options.smoothing = 2;
   }
-  if (wish.noise && std::ranges::any_of(fits, [](const ProfileFit& f) { return f.scatter > 0; })) {
-    variants.push_back({"smoothed as the points' scatter asks for", wish});
-    variants.back().wish.noise.reset();
+  if (options.noise &&
+      std::ranges::any_of(fits, [](const ProfileFit& f) { return f.scatter > 0; })) {
+    variants.push_back({"smoothed as the points' scatter asks for", options});
+    variants.back().options.noise.reset();
   }
-  const auto at = [&](const PairWish& w) {
+  const auto at = [&](const PairOptions& w) {
     try {
       return values(w);
     } catch (const InputError&) {
@@ -246,10 +252,10 @@ void flag_smoothing(tool::Summary& answer, const PairWish& wish,
     }
   };
   if (variants.empty()) return;
-  const auto used = at(wish);
+  const auto used = at(options);
   std::vector<std::string> others(numbers.size());
   for (const Variant& variant : variants) {
-    const auto found = at(variant.wish);
+    const auto found = at(variant.options);
     for (std::size_t i = 0; i < numbers.size(); ++i)
       if (differs(numbers[i], used[i], found[i]))
         others[i] += fmt::format(", {} {}", text_of(numbers[i], found[i]), variant.how);
@@ -261,63 +267,62 @@ void flag_smoothing(tool::Summary& answer, const PairWish& wish,
                               text_of(numbers[i], used[i]), others[i]));
 }
 
-ConstraintFunctions table_of(const WheelsetOnTrack& pair, const PairWish& wish) {
+ConstraintFunctions table_of(const WheelsetOnTrack& pair, const PairOptions& options) {
   // Far from where the centred wheelset touches: the whole distance for the half, or another gauge's.
   const double touches = -pair.contact(0).left.on_rail.u;
-  units::require_between("half spacing", wish.half_spacing, 0.8 * touches, 1.2 * touches, "m");
-  return tabulate(pair, {.half_spacing = wish.half_spacing,
-                         .end = wish.end,
-                         .step = wish.step,
-                         .average = wish.average,
-                         .level = wish.level});
+  units::require_between("half spacing", options.half_spacing, 0.8 * touches, 1.2 * touches, "m");
+  return tabulate(pair, {.half_spacing = options.half_spacing,
+                         .end = options.end,
+                         .step = options.step,
+                         .average = options.average,
+                         .level = options.level});
 }
 
-void add_right_options(tool::Options& options, PairWish& wish) {
-  options.file("--right-wheel", wish.right_wheel,
-               "profile of the right wheels; without it as the left, --wheel");
-  options.file("--right-rail", wish.right_rail,
-               "profile of the right rail; without it as the left, --rail");
-  options.quantity("--right-radius", wish.right_radius, units::length,
-                   "radius of the right wheel, 70 mm from the back of its flange, where --radius "
-                   "is the left one's; "
-                   "without it they are the same there",
-                   tool::Range{0.05, 5});
+void add_right_options(tool::OptionParser& parser, PairOptions& options) {
+  parser.file("--right-wheel", options.right_wheel,
+              "profile of the right wheels; without it as the left, --wheel");
+  parser.file("--right-rail", options.right_rail,
+              "profile of the right rail; without it as the left, --rail");
+  parser.quantity("--right-radius", options.right_radius, units::length,
+                  "radius of the right wheel, 70 mm from the back of its flange, where --radius "
+                  "is the left one's; "
+                  "without it they are the same there",
+                  tool::Range{0.05, 5});
 }
 
-void add_pair_options(tool::Options& options, PairWish& wish) {
+void add_pair_options(tool::OptionParser& parser, PairOptions& options) {
   using tool::Range;
   const Range lengths{1e-3, 10};
-  options.choice("--pair", wish.pair, {"new", "cn", "heumann"},
-                 "a pair of the paper, reconstructed; used when no files are given");
-  options.file("--wheel", wish.wheel,
-               "wheel profile, CSV with inward_mm and height_mm or other units");
-  options.file("--rail", wish.rail, "rail profile, upright, CSV with the same columns");
-  options.quantity("--gauge", wish.gauge, units::length, "between the gauge faces of the rails",
-                   lengths);
-  options.quantity("--gauge-depth", wish.gauge_depth, units::length,
-                   "below the rail's top, where the gauge is measured", Range{1e-3, 0.1});
-  options.quantity("--cant", wish.cant, units::number,
-                   "lean of the rails inwards, such as 0.025 for 1:40", Range{-0.2, 0.2});
-  options.quantity("--back-to-back", wish.back_to_back, units::length,
-                   "between the backs of the flanges", lengths);
-  options.quantity("--datum", wish.datum, units::length,
-                   "of the wheel profile's origin from the back of the flange", Range{-1, 1});
-  options.quantity("--radius", wish.radius, units::length, "rolling radius of the centred wheelset",
-                   Range{0.05, 5});
-  options.quantity("--half-spacing", wish.half_spacing, units::length,
-                   "a: half the distance of the rails' heads", lengths);
-  options.quantity(
-      "--noise", wish.noise, units::length,
+  parser.choice("--pair", options.pair, {"new", "cn", "heumann"},
+                "a pair of the paper, reconstructed; used when no files are given");
+  parser.file("--wheel", options.wheel,
+              "wheel profile, CSV with inward_mm and height_mm or other units");
+  parser.file("--rail", options.rail, "rail profile, upright, CSV with the same columns");
+  parser.quantity("--gauge", options.gauge, units::length, "between the gauge faces of the rails",
+                  lengths);
+  parser.quantity("--gauge-depth", options.gauge_depth, units::length,
+                  "below the rail's top, where the gauge is measured", Range{1e-3, 0.1});
+  parser.quantity("--cant", options.cant, units::number,
+                  "slope of the rails inwards, such as 1:40 or 0.025", Range{-0.2, 0.2});
+  parser.quantity("--back-to-back", options.back_to_back, units::length,
+                  "between the backs of the flanges", lengths);
+  parser.quantity("--datum", options.datum, units::length,
+                  "of the wheel profile's origin from the back of the flange", Range{-1, 1});
+  parser.quantity("--radius", options.radius, units::length,
+                  "rolling radius of the centred wheelset", Range{0.05, 5});
+  parser.quantity("--half-spacing", options.half_spacing, units::length,
+                  "a: half the distance of the rails' heads", lengths);
+  parser.quantity(
+      "--noise", options.noise, units::length,
       "rms distance of the measured points from the smoothed profile; without it from the "
       "points' own scatter",
       Range{0, 1e-3});
-  options.quantity("--end", wish.end, units::length, "largest displacement of the table",
-                   Range{1e-4, 0.2});
-  options.quantity("--step", wish.step, units::length,
-                   "of the table; the end is a whole number of steps", Range{1e-6, 0.01});
-  options.quantity("--average", wish.average, units::length,
-                   "width of the running mean, an even number of steps; 0 for none",
-                   Range{0, 0.02});
+  parser.quantity("--end", options.end, units::length, "largest displacement of the table",
+                  Range{1e-4, 0.2});
+  parser.quantity("--step", options.step, units::length,
+                  "of the table; the end is a whole number of steps", Range{1e-6, 0.01});
+  parser.quantity("--average", options.average, units::length,
+                  "width of the running mean, an even number of steps; 0 for none", Range{0, 0.02});
 }
 
 }  // namespace railbook::hunting_tool

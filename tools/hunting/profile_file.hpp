@@ -1,11 +1,11 @@
 // Wheel and rail as options of a tool: one of the paper's pairs, or profiles from files.
 //
-//   add_pair_options(options, wish);            // --wheel, --rail, --pair, --gauge, ...
-//   const auto [pair, fits] = read_pair(wish);  // the contact itself, and how well points were met
-//   const auto table = table_of(pair, wish);    // constraint functions, a running mean over wish.average
-//   describe_pair(answer, wish, fits);
-//   flag_smoothing(answer, wish, fits, {{"conicity_at_3_mm", "conicity at 3 mm", "", 0.05, 0.005}},
-//                  [&](const PairWish& w) { ... });
+//   add_pair_options(options, options);            // --wheel, --rail, --pair, --gauge, ...
+//   const auto [pair, fits] = read_pair(options);  // the contact itself, and how well points were met
+//   const auto table = table_of(pair, options);    // constraint functions, a running mean over options.average
+//   describe_pair(answer, options, fits);
+//   flag_smoothing(answer, options, fits, {{"conicity_at_3_mm", "conicity at 3 mm", "", 0.05, 0.005}},
+//                  [&](const PairOptions& w) { ... });
 #pragma once
 
 #include <filesystem>
@@ -24,7 +24,7 @@ namespace railbook::hunting_tool {
 
 // SI. The defaults are the paper's track, and the European places of a wheel's profile (its origin 70 mm
 // from the back of the flange, backs 1360 mm apart).
-struct PairWish {
+struct PairOptions {
   std::string pair = "new";           // of the paper; used when there are no files
   std::filesystem::path wheel, rail;  // CSV: inward and height, with units; both or none
   std::filesystem::path right_wheel, right_rail;  // where they are not the left ones
@@ -44,14 +44,14 @@ struct PairWish {
   bool level = false;  // keep the axle from rolling, as EN 15302 does
 };
 
-void add_pair_options(tool::Options& options, PairWish& wish);
+void add_pair_options(tool::OptionParser& parser, PairOptions& options);
 
 // The options for a right side of its own.
-void add_right_options(tool::Options& options, PairWish& wish);
-bool sides_differ(const PairWish& wish);
+void add_right_options(tool::OptionParser& parser, PairOptions& options);
+bool sides_differ(const PairOptions& options);
 
 // Whether profiles come from files.
-bool from_files(const PairWish& wish);
+bool from_files(const PairOptions& options);
 
 // How a measured profile was met, all [m].
 struct ProfileFit {
@@ -63,9 +63,9 @@ struct ProfileFit {
   std::filesystem::path file = {};
   std::vector<profiles::PointsWarning> warnings = {}, left_out = {};  // in the file's coordinates
 };
-// One profile from its file, and how it was met; of the wish only the smoothing is used. Throws InputError naming the file.
+// One profile from its file, and how it was met; of the options only the smoothing is used. Throws InputError naming the file.
 profiles::Curve read_profile(const std::filesystem::path& file, profiles::Body body,
-                             const PairWish& wish, ProfileFit& fit);
+                             const PairOptions& options, ProfileFit& fit);
 // Lists the points that were left out, and flags what looks wrong with the others. `stands` says where the contact stands on a doubtful place, if it
 // does: "at shifts of 1 to 3 mm", or nothing.
 using StandsOn =
@@ -79,11 +79,12 @@ struct ReadPair {
 };
 
 // Throw InputError naming the file and what is wrong with it, or with the place of the wheelset on the rails.
-ReadPair read_pair(const PairWish& wish);
-wheelset::ConstraintFunctions table_of(const wheelset::WheelsetOnTrack& pair, const PairWish& wish);
+ReadPair read_pair(const PairOptions& options);
+wheelset::ConstraintFunctions table_of(const wheelset::WheelsetOnTrack& pair,
+                                       const PairOptions& options);
 
 // Where the profiles come from, and how well they were met.
-void describe_pair(tool::Summary& answer, const PairWish& wish,
+void describe_pair(tool::Summary& answer, const PairOptions& options,
                    const std::vector<ProfileFit>& fits);
 
 // Flags each number that changes by more than both tolerances when the profiles are smoothed half or twice as much, or, with
@@ -92,8 +93,8 @@ struct Smoothed {
   std::string key, what, unit;
   double relative, absolute;
 };
-void flag_smoothing(tool::Summary& answer, const PairWish& wish,
+void flag_smoothing(tool::Summary& answer, const PairOptions& options,
                     const std::vector<ProfileFit>& fits, const std::vector<Smoothed>& numbers,
-                    const std::function<std::vector<double>(const PairWish&)>& values);
+                    const std::function<std::vector<double>(const PairOptions&)>& values);
 
 }  // namespace railbook::hunting_tool

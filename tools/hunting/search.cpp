@@ -57,7 +57,7 @@ Search search_in_time(const Family& family, const CarCase& c, double speed,
       starts.push_back({y, mode.lambda.imag()});
     }
   Search result;
-  result.smallest = units::no_limit;
+  result.smallest = units::infinity;
   for (const Start& start : starts) {
     SettleOptions settling;
     settling.omega = start.omega;

@@ -32,7 +32,7 @@ using namespace vehicle;
 
 namespace {
 
-struct Wish : CarWish {
+struct Options : CarOptions {
   double lowest = 1, highest = 120;
   std::optional<double> speed;
   tool::Destination out;
@@ -49,9 +49,9 @@ std::string body_text(const Vector9c& q) {
 }
 
 void add_hopf(tool::Summary& answer, const QuasiLinearCar& car, const std::vector<HopfPoint>& found,
-              const Wish& wish) {
+              const Options& options) {
   answer.add("critical_speeds", "critical speeds", static_cast<double>(found.size()), "",
-             fmt::format("from {:g} to {:g} m/s", wish.lowest, wish.highest));
+             fmt::format("from {:g} to {:g} m/s", options.lowest, options.highest));
   for (std::size_t k = 0; k < found.size(); ++k) {
     const auto& m = found[k].motion;
     const std::string id = fmt::format("hopf_{}_", k + 1);
@@ -64,7 +64,7 @@ void add_hopf(tool::Summary& answer, const QuasiLinearCar& car, const std::vecto
     answer.add(id + "wheelsets", "  wheelsets, front to rear", shape_text(car, m.shape));
     answer.add(id + "body", "  body", body_text(m.shape));
   }
-  const auto least_damped = modes(car, car.small(), wish.lowest).front();
+  const auto least_damped = modes(car, car.small(), options.lowest).front();
   const double growth = least_damped.lambda.real(), rounding = growth_rounding(car, least_damped);
   if (found.empty() || growth > -rounding)
     answer.add("growth_lowest", "largest growth rate at the lowest speed", growth, "1/s",
@@ -88,12 +88,12 @@ void add_modes_at(tool::Summary& answer, const QuasiLinearCar& car, double speed
   }
 }
 
-void write_files(tool::OutFolder& out, const Wish& wish, const QuasiLinearCar& car,
+void write_files(tool::OutFolder& out, const Options& options, const QuasiLinearCar& car,
                  const tool::Summary& answer) {
   std::string text = "V_m_per_s,growth_1_per_s,omega_rad_per_s,growth_second,omega_second\n";
   constexpr int points = 240;
   for (int k = 0; k <= points; ++k) {
-    const double v = wish.lowest + (wish.highest - wish.lowest) * k / points;
+    const double v = options.lowest + (options.highest - options.lowest) * k / points;
     auto all = modes(car, car.small(), v);
     std::erase_if(all, [](const Motion& m) { return m.lambda.imag() < 1e-9; });
     all.resize(std::max<std::size_t>(2, all.size()));
@@ -105,34 +105,34 @@ void write_files(tool::OutFolder& out, const Wish& wish, const QuasiLinearCar& c
   out.figure(tools::scripts("hunting") / "speed.gp", {"speed.csv"}, "speed.png");
 }
 
-void run(const Wish& wish) {
-  tool::OutFolder out(wish.out, {"speed.csv", "speed.json", "speed.png"});
-  units::require_between("highest speed", wish.highest, wish.lowest, 1e4, "m/s");
-  const CarCase c = read_case(wish);
+void run(const Options& options) {
+  tool::OutFolder out(options.out, {"speed.csv", "speed.json", "speed.png"});
+  units::require_between("highest speed", options.highest, options.lowest, 1e4, "m/s");
+  const CarCase c = read_case(options);
   tool::Summary answer("Critical speeds of a freight car");
-  describe_case(answer, wish, c);
-  flag_smoothing(answer, wish, c, wish.lowest, wish.highest);
-  add_hopf(answer, c.car, hopf_points(c.car, wish.lowest, wish.highest), wish);
-  if (wish.speed) add_modes_at(answer, c.car, *wish.speed);
+  describe_case(answer, options, c);
+  flag_smoothing(answer, options, c, options.lowest, options.highest);
+  add_hopf(answer, c.car, hopf_points(c.car, options.lowest, options.highest), options);
+  if (options.speed) add_modes_at(answer, c.car, *options.speed);
   answer.print();
-  if (out) write_files(out, wish, c.car, answer);
+  if (out) write_files(out, options, c.car, answer);
   out.commit();
 }
 
-std::function<void()> declare(tool::Options& options) {
-  const auto wish = std::make_shared<Wish>();
-  add_car_options(options, *wish);
+std::function<void()> declare(tool::OptionParser& parser) {
+  const auto options = std::make_shared<Options>();
+  add_car_options(parser, *options);
   const tool::Range speeds{0.01, 1e4};
-  options.quantity("--lowest", wish->lowest, units::speed, "of the range searched", speeds);
-  options.quantity("--highest", wish->highest, units::speed, "of the range searched", speeds);
-  options.quantity("--speed", wish->speed, units::speed, "lists the modes there", speeds);
-  options.out(wish->out);
-  options.help(
+  parser.quantity("--lowest", options->lowest, units::speed, "of the range searched", speeds);
+  parser.quantity("--highest", options->highest, units::speed, "of the range searched", speeds);
+  parser.quantity("--speed", options->speed, units::speed, "lists the modes there", speeds);
+  parser.out(options->out);
+  parser.help(
       "A growth rate is positive where the motion grows: the straight run is unstable. Lateral "
       "displacements are positive to the left, yaw is positive turning left, roll with the left "
       "side up. speed.csv: growth and angular velocity omega of the two motions that grow most, "
       "over the speed V.");
-  return [wish] { run(*wish); };
+  return [options] { run(*options); };
 }
 
 }  // namespace

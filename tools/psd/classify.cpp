@@ -48,8 +48,8 @@ constexpr double mm = units::millimetre;
 constexpr double misfit_doubted = 1.25, misfit_refused = 2;  // times the residuals of chance
 constexpr double usual_scatter = 0.2;                        // of the dips of joints
 
-struct Wish {
-  tools::RecordWish record;
+struct Options {
+  tools::TrackRecordOptions record;
   std::string window = "hann", noise = "automatic", slopes = "two";
   std::optional<double> chord, rail, segment;
   bool no_rail = false;
@@ -58,7 +58,7 @@ struct Wish {
   tool::Destination out;
 };
 
-void add_options(tool::Options& o, Wish& w) {
+void add_options(tool::OptionParser& o, Options& w) {
   tools::add_record_options(o, w.record);
   o.quantity("--chord", w.chord, units::length, "the column is the mid-chord offset of this chord",
              {0.1, 1e6});
@@ -98,48 +98,48 @@ void add_options(tool::Options& o, Wish& w) {
       "--out mine");
 }
 
-spectra::FitOptions fit_options(const Wish& wish) {
-  spectra::FitOptions options = wish.fit;
-  if (wish.rail && wish.no_rail) throw InputError{"give one of rail and no-rail"};
-  if (wish.rail) options.rail_length = *wish.rail;
-  if (wish.no_rail) options.rail_length = units::no_limit;
-  options.chord = wish.chord.value_or(0.0);
-  options.noise = wish.noise == "none"     ? spectra::NoiseModel::none
-                  : wish.noise == "fitted" ? spectra::NoiseModel::fitted
-                                           : spectra::NoiseModel::automatic;
-  options.slopes = wish.slopes == "one" ? spectra::Slopes::one : spectra::Slopes::two;
-  return options;
+spectra::FitOptions fit_options(const Options& options) {
+  spectra::FitOptions adjusted = options.fit;
+  if (options.rail && options.no_rail) throw InputError{"give one of rail and no-rail"};
+  if (options.rail) adjusted.rail_length = *options.rail;
+  if (options.no_rail) adjusted.rail_length = units::infinity;
+  adjusted.chord = options.chord.value_or(0.0);
+  adjusted.noise = options.noise == "none"     ? spectra::NoiseModel::none
+                   : options.noise == "fitted" ? spectra::NoiseModel::fitted
+                                               : spectra::NoiseModel::automatic;
+  adjusted.slopes = options.slopes == "one" ? spectra::Slopes::one : spectra::Slopes::two;
+  return adjusted;
 }
 
 struct Fitted {
-  spectra::FitOptions options;
+  spectra::FitOptions fit_options;
   spectra::SpectrumFit fit;
   std::optional<double> contradicting;  // rail length
 };
 
 // A rail length that nobody gave is read from the spectrum where that contradicts the default.
-Fitted fit_track(const Wish& wish, const spectra::Spectrum& spectrum) {
-  Fitted f{fit_options(wish), {}, {}};
-  f.fit = spectra::fit_track_spectrum(spectrum, f.options);
-  f.contradicting = spectra::contradicting_rail(spectrum, f.options, f.fit);
-  if (f.contradicting && !wish.rail) {
-    f.options.rail_length = *f.contradicting;
-    f.fit = spectra::fit_track_spectrum(spectrum, f.options);
+Fitted fit_track(const Options& options, const spectra::Spectrum& spectrum) {
+  Fitted f{fit_options(options), {}, {}};
+  f.fit = spectra::fit_track_spectrum(spectrum, f.fit_options);
+  f.contradicting = spectra::contradicting_rail(spectrum, f.fit_options, f.fit);
+  if (f.contradicting && !options.rail) {
+    f.fit_options.rail_length = *f.contradicting;
+    f.fit = spectra::fit_track_spectrum(spectrum, f.fit_options);
   }
   return f;
 }
 
-void add_flags(tool::Summary& s, const Wish& wish, const Measured& m, const Fitted& f) {
-  const auto& [options, fit, contradicting] = f;
-  if (contradicting && !wish.rail)
+void add_flags(tool::Summary& s, const Options& options, const Measured& m, const Fitted& f) {
+  const auto& [fit_options, fit, contradicting] = f;
+  if (contradicting && !options.rail)
     s.flag("rail",
            fmt::format("the spectrum shows rails of {:.4g} m, not the default of 39 ft: taken "
                        "instead; say which with --rail",
                        *contradicting));
   else if (contradicting)
     s.flag("rail", fmt::format("the spectrum shows rails of {:.4g} m, not of {:.4g} m: see --rail",
-                               *contradicting, *wish.rail));
-  else if (const auto stray = spectra::stray_line(m.spectrum, options, fit))
+                               *contradicting, *options.rail));
+  else if (const auto stray = spectra::stray_line(m.spectrum, fit_options, fit))
     s.flag("stray_line",
            fmt::format("a line at {:.4g} cycle/m ({:.4g} m) belongs to no rail named: former "
                        "rails (--foreign), a wheel, or another rail length (--rail)?",
@@ -155,7 +155,7 @@ void add_flags(tool::Summary& s, const Wish& wish, const Measured& m, const Fitt
                        "(--noise), a record that is filtered or an offset (--chord), or another "
                        "shape of spectrum{}",
                        fit.misfit, fit.misfit > misfit_refused ? "; no class is pronounced" : ""));
-  if (const auto phi = spectra::high_pass(m.spectrum, options, fit))
+  if (const auto phi = spectra::high_pass(m.spectrum, fit_options, fit))
     s.flag("high_pass",
            fmt::format("waves longer than {:.3g} m are missing: the record is high-passed, and A "
                        "comes out too low; fit what is above with --low {:.2g}cycle/m",
@@ -183,7 +183,7 @@ void add_notes(tool::Summary& s, const Measured& m, const Fitted& f) {
          fmt::format(
              "dips that scatter by {:.0f} % would add {:.1f} % to A, which its error does not hold",
              100 * usual_scatter,
-             100 * spectra::scatter_bias(m.spectrum, f.options, fit, usual_scatter)));
+             100 * spectra::scatter_bias(m.spectrum, f.fit_options, fit, usual_scatter)));
 }
 
 void add_class(tool::Summary& s, const spectra::SpectrumFit& fit) {
@@ -207,9 +207,9 @@ void add_class(tool::Summary& s, const spectra::SpectrumFit& fit) {
   }
 }
 
-tool::Summary answer(const Wish& wish, const Measured& m, const Fitted& f) {
+tool::Summary answer(const Options& options, const Measured& m, const Fitted& f) {
   const spectra::SpectrumFit& fit = f.fit;
-  tool::Summary s{"track of " + wish.record.batch.only().string()};
+  tool::Summary s{"track of " + options.record.batch.only().string()};
   const auto with_error = [&](const std::string& key, const char* what, spectra::Estimate e,
                               double unit, const char* unit_name, const char* note = "") {
     s.add(key, what, e.value / unit, unit_name, note);
@@ -225,7 +225,7 @@ tool::Summary answer(const Wish& wish, const Measured& m, const Fitted& f) {
     with_error("phi_c", "corner phi_c", fit.phi_c, 1, "cycle/m");
   if (fit.noise.value > 0) with_error("noise", "noise floor", fit.noise, 1, "m^2/(cycle/m)");
   if (fit.phi_0 > 0) {
-    s.add("rail_m", "rail length", f.options.rail_length, "m");
+    s.add("rail_m", "rail length", f.fit_options.rail_length, "m");
     with_error("B_printed_mm", "joint dip B, printed convention", fit.B_printed, mm, "mm",
                "as in Table 1");
     with_error("B_exact_mm", "joint dip, physical", fit.B_exact, mm, "mm");
@@ -235,18 +235,18 @@ tool::Summary answer(const Wish& wish, const Measured& m, const Fitted& f) {
     s.absent("rail_m", "rail length", "none: track without joints, B is 0");
   }
   add_class(s, fit);
-  add_references(s, wish.references, m.spectrum, fit_options(wish));
+  add_references(s, options.references, m.spectrum, fit_options(options));
   add_notes(s, m, f);
-  add_flags(s, wish, m, f);
+  add_flags(s, options, m, f);
   return s;
 }
 
-MeasureWish measure_wish(const Wish& wish) {
-  MeasureWish m{.columns = wish.record.columns,
-                .segment = {},
-                .window = spectra::parse_window(wish.window),
-                .section = wish.record.section};
-  if (wish.segment) m.segment = static_cast<std::size_t>(*wish.segment);
+MeasureOptions measure_options(const Options& options) {
+  MeasureOptions m{.columns = options.record.columns,
+                   .segment = {},
+                   .window = spectra::parse_window(options.window),
+                   .section = options.record.section};
+  if (options.segment) m.segment = static_cast<std::size_t>(*options.segment);
   return m;
 }
 
@@ -256,7 +256,7 @@ void add_fit(tool::Row& row, const Fitted& f) {
   row.add("A_error", fit.A.error);
   row.add("phi_c_cycle_per_m",
           fit.corner == spectra::CornerState::fitted ? fit.phi_c.value : std::nan(""));
-  row.add("rail_m", fit.phi_0 > 0 ? f.options.rail_length : std::nan(""));
+  row.add("rail_m", fit.phi_0 > 0 ? f.fit_options.rail_length : std::nan(""));
   row.add("B_printed_mm", fit.B_printed.value / mm);
   row.add("B_printed_error_mm", fit.B_printed.error / mm);
   row.add("misfit", fit.misfit);
@@ -269,8 +269,8 @@ void add_fit(tool::Row& row, const Fitted& f) {
   row.add("odds", 1e-4 * std::round(1e4 * odds[static_cast<std::size_t>(result.track_class)]));
 }
 
-tool::Row row_of_section(const Wish& wish, const records::RecordStream& record, const Section& s,
-                         double rail, const std::string& column) {
+tool::Row row_of_section(const Options& options, const records::RecordStream& record,
+                         const Section& s, double rail, const std::string& column) {
   tool::Row row;
   row.add("kind", "section");
   row.add("column", column);
@@ -280,9 +280,9 @@ tool::Row row_of_section(const Wish& wish, const records::RecordStream& record, 
   row.add("missing", static_cast<double>(s.missing));
   try {
     if (!s.spectrum) throw InputError{"gaps leave no segment whole"};
-    Fitted f{fit_options(wish), {}, {}};
-    f.options.rail_length = rail;
-    f.fit = spectra::fit_track_spectrum(*s.spectrum, f.options);
+    Fitted f{fit_options(options), {}, {}};
+    f.fit_options.rail_length = rail;
+    f.fit = spectra::fit_track_spectrum(*s.spectrum, f.fit_options);
     add_fit(row, f);
   } catch (const InputError& error) {
     row.add("status", "refused");
@@ -292,16 +292,16 @@ tool::Row row_of_section(const Wish& wish, const records::RecordStream& record, 
 }
 
 // A row for each column, and one for each of its sections.
-std::vector<tool::Row> rows_of(const Wish& wish, const std::filesystem::path& file) {
-  const MeasureWish measure_it = measure_wish(wish);
+std::vector<tool::Row> rows_of(const Options& options, const std::filesystem::path& file) {
+  const MeasureOptions measure_it = measure_options(options);
   std::vector<std::vector<Section>> sections(measure_it.columns.size());
   const auto all =
-      measure(tools::record_file(wish.record, file), measure_it,
+      measure(tools::record_file(options.record, file), measure_it,
               [&](std::size_t column, const Section& s) { sections[column].push_back(s); });
   std::vector<tool::Row> rows;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Measured& m = all[i];
-    const Fitted f = fit_track(wish, m.spectrum);
+    const Fitted f = fit_track(options, m.spectrum);
     tool::Row& row = rows.emplace_back();
     row.add("kind", "record");
     row.add("column", measure_it.columns[i]);
@@ -310,22 +310,22 @@ std::vector<tool::Row> rows_of(const Wish& wish, const std::filesystem::path& fi
     row.add("segments", static_cast<double>(m.spectrum.segments));
     add_fit(row, f);
     tool::Summary doubts{""};
-    add_flags(doubts, wish, m, f);
+    add_flags(doubts, options, m, f);
     for (const auto& [key, text] : doubts.flags()) row.flag(key);
     for (const Section& s : sections[i])
       rows.push_back(
-          row_of_section(wish, *m.record, s, f.options.rail_length, measure_it.columns[i]));
+          row_of_section(options, *m.record, s, f.fit_options.rail_length, measure_it.columns[i]));
   }
   return rows;
 }
 
-void write_files(tool::OutFolder& out, const Wish& wish, const Measured& m,
+void write_files(tool::OutFolder& out, const Options& options, const Measured& m,
                  const spectra::SpectrumFit& fit, const tool::Summary& summary) {
   std::string text = "phi_cycle_per_m,S_m2_per_cycle_per_m,fitted,A_line\n";
   for (Eigen::Index k = 1; k < m.spectrum.density.size(); ++k) {
     const double phi = m.spectrum.frequency(k);
-    const double gain = spectra::squared_gain(wish.chord.value_or(0), phi);
-    if (gain < wish.fit.least_gain) {  // left out, as in the fit: an empty line breaks the curve
+    const double gain = spectra::squared_gain(options.chord.value_or(0), phi);
+    if (gain < options.fit.least_gain) {  // left out, as in the fit: an empty line breaks the curve
       if (!text.ends_with("\n\n")) text += "\n";
       continue;
     }
@@ -351,10 +351,10 @@ void write_files(tool::OutFolder& out, const Wish& wish, const Measured& m,
                                    fit.A.error));
   out.add("classify.json", summary.json());
   out.add("warnings.csv",
-          tools::warnings_header + tools::warning_rows(wish.record.columns.front(), *m.record));
+          tools::warnings_header + tools::warning_rows(options.record.columns.front(), *m.record));
   std::vector<std::string> drawn{"spectrum.csv"};
-  if (!wish.references.empty()) {
-    out.scratch("references.csv", reference_table(wish.references, m.spectrum.frequency(1), 2));
+  if (!options.references.empty()) {
+    out.scratch("references.csv", reference_table(options.references, m.spectrum.frequency(1), 2));
     drawn.emplace_back("references.csv");
   }
   out.figure(tools::scripts("psd") / "classify_spectrum.gp", drawn, "spectrum.png");
@@ -362,29 +362,29 @@ void write_files(tool::OutFolder& out, const Wish& wish, const Measured& m,
              "class.png");
 }
 
-void classify_track(const Wish& wish) {
-  for (const std::string& name : wish.references) (void)spectra::reference(name);
-  if (wish.record.batch.many() || wish.record.columns.size() > 1 || wish.record.section)
-    return tool::run_batch(wish.record.batch, wish.out, "classify",
-                           [&](const auto& file) { return rows_of(wish, file); });
-  tool::OutFolder out(wish.out, {"spectrum.csv", "classes.csv", "point.csv", "warnings.csv",
-                                 "classify.json", "spectrum.png", "class.png"});
-  const auto file = tools::record_file(wish.record, wish.record.batch.only());
-  const Measured measured = std::move(measure(file, measure_wish(wish)).front());
-  const Fitted fitted = fit_track(wish, measured.spectrum);
-  const tool::Summary summary = answer(wish, measured, fitted);
+void classify_track(const Options& options) {
+  for (const std::string& name : options.references) (void)spectra::reference(name);
+  if (options.record.batch.many() || options.record.columns.size() > 1 || options.record.section)
+    return tool::run_batch(options.record.batch, options.out, "classify",
+                           [&](const auto& file) { return rows_of(options, file); });
+  tool::OutFolder out(options.out, {"spectrum.csv", "classes.csv", "point.csv", "warnings.csv",
+                                    "classify.json", "spectrum.png", "class.png"});
+  const auto file = tools::record_file(options.record, options.record.batch.only());
+  const Measured measured = std::move(measure(file, measure_options(options)).front());
+  const Fitted fitted = fit_track(options, measured.spectrum);
+  const tool::Summary summary = answer(options, measured, fitted);
   summary.print();
-  if (out) write_files(out, wish, measured, fitted.fit, summary);
+  if (out) write_files(out, options, measured, fitted.fit, summary);
   out.commit();
 }
 
 }  // namespace
 
 tool::Tool classify_tool() {
-  return {"classify", "A, corner, dip and class of a track record", [](tool::Options& o) {
-            auto wish = std::make_shared<Wish>();
-            add_options(o, *wish);
-            return [wish] { classify_track(*wish); };
+  return {"classify", "A, corner, dip and class of a track record", [](tool::OptionParser& o) {
+            auto options = std::make_shared<Options>();
+            add_options(o, *options);
+            return [options] { classify_track(*options); };
           }};
 }
 

@@ -39,8 +39,8 @@ std::size_t best(const std::vector<spectra::Welch>& all, std::size_t present) {
 // Cuts a column into sections as it streams by.
 class Sections {
  public:
-  Sections(const MeasureWish& wish, std::size_t column, const SectionSink& sink)
-      : wish_(wish), column_(column), sink_(sink) {}
+  Sections(const MeasureOptions& options, std::size_t column, const SectionSink& sink)
+      : wish_(options), column_(column), sink_(sink) {}
 
   void push(std::span<const double> piece, double spacing) {
     if (!wish_.section) return;
@@ -82,7 +82,7 @@ class Sections {
   }
 
   static constexpr std::size_t fewest_samples = 64;  // of a segment
-  const MeasureWish& wish_;
+  const MeasureOptions& wish_;
   std::size_t column_;
   const SectionSink& sink_;
   std::size_t length_ = 0;
@@ -94,24 +94,25 @@ class Sections {
 
 }  // namespace
 
-std::vector<Measured> measure(const records::RecordFile& file, const MeasureWish& wish,
+std::vector<Measured> measure(const records::RecordFile& file, const MeasureOptions& options,
                               const SectionSink& sink) {
   // At unit spacing while the record streams by; its true spacing is known at the end.
-  std::vector<std::vector<spectra::Welch>> all(wish.columns.size());
+  std::vector<std::vector<spectra::Welch>> all(options.columns.size());
   std::vector<Sections> sections;
   std::vector<records::RecordSink> sinks;
-  for (std::size_t i = 0; i < wish.columns.size(); ++i) sections.emplace_back(wish, i, sink);
-  for (std::size_t i = 0; i < wish.columns.size(); ++i)
+  for (std::size_t i = 0; i < options.columns.size(); ++i) sections.emplace_back(options, i, sink);
+  for (std::size_t i = 0; i < options.columns.size(); ++i)
     sinks.push_back([&, i](std::span<const double> piece, const records::RecordStream& record) {
       const double spacing = record.spacing();
       if (all[i].empty())
         for (const std::size_t size :
-             wish.segment ? std::vector{*wish.segment} : segments_for(spacing))
-          all[i].emplace_back(1.0, spectra::WelchOptions{.segment = size, .window = wish.window});
+             options.segment ? std::vector{*options.segment} : segments_for(spacing))
+          all[i].emplace_back(1.0,
+                              spectra::WelchOptions{.segment = size, .window = options.window});
       for (spectra::Welch& welch : all[i]) welch.push(piece);
       sections[i].push(piece, spacing);
     });
-  auto records = records::read_records(file, wish.columns, sinks);
+  auto records = records::read_records(file, options.columns, sinks);
   std::vector<Measured> results;
   results.reserve(records.size());
   for (std::size_t i = 0; i < records.size(); ++i) {
@@ -120,7 +121,8 @@ std::vector<Measured> measure(const records::RecordFile& file, const MeasureWish
     result.record = std::move(records[i]);
     const std::size_t present = result.record->samples() - result.record->missing();
     const std::size_t chosen = best(all[i], present);
-    result.segment = wish.segment ? *wish.segment : segments_for(result.record->spacing())[chosen];
+    result.segment =
+        options.segment ? *options.segment : segments_for(result.record->spacing())[chosen];
     if (all[i][chosen].segments() == 0)
       throw InputError{fmt::format(
           "the record has {} samples, {} of them missing; allowed: {} in a row without a gap "

@@ -34,13 +34,13 @@ struct Measured {
 // The spectra of columns of a file by segments of so many samples; without, of about 1250 m, or of a half, a quarter or an eighth of that where gaps leave too
 // little of the record in longer ones. Throws InputError when there is not one segment without a gap.
 // With a length (m) of sections, each is handed to `sink` as it ends, its segments about a third of it.
-struct MeasureWish {
+struct MeasureOptions {
   std::vector<std::string> columns;
   std::optional<std::size_t> segment;
   spectra::Window window = spectra::Window::hann;
   std::optional<double> section = {};  // m
 };
-std::vector<Measured> measure(const records::RecordFile& file, const MeasureWish& wish,
+std::vector<Measured> measure(const records::RecordFile& file, const MeasureOptions& options,
                               const SectionSink& sink = {});
 
 }  // namespace railbook::psd_tool

@@ -39,7 +39,7 @@ struct Order {
   spectra::SyntheticTrack track;
 };
 
-void add_options(tool::Options& o, Order& order) {
+void add_options(tool::OptionParser& o, Order& order) {
   const tool::Range height{-1e3, 1e3};
   auto& t = order.track;
   o.file("track", order.file, "the CSV file to write; - is standard output");
@@ -112,7 +112,7 @@ void write_track(const Order& order) {
 
 tool::Tool synthesize_tool() {
   return {"synthesize", "write a synthetic track record with known parameters",
-          [](tool::Options& o) {
+          [](tool::OptionParser& o) {
             auto order = std::make_shared<Order>();
             add_options(o, *order);
             return [order] { write_track(*order); };

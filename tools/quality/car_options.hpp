@@ -15,7 +15,7 @@ inline constexpr double cm = 0.01;
 inline constexpr double kmh = units::kilometre_per_hour;
 inline constexpr double kN = units::kilonewton;
 
-struct CarWish {
+struct CarOptions {
   double speed = 0;
   std::string mode = "auto";
   quality::Suspension roll{.frequency = 0.5, .damping = 0.2};  // SI, as all below
@@ -24,10 +24,10 @@ struct CarWish {
   double wheel_force = 143 * units::kilonewton;
 };
 
-void add_car_options(tool::Options& options, CarWish& wish);
+void add_car_options(tool::OptionParser& parser, CarOptions& options);
 
 // The descriptor asked for. Throws InputError when data of the mode are missing, given twice, or leave no amplitude.
-quality::Descriptor descriptor(const CarWish& wish);
+quality::Descriptor descriptor(const CarOptions& options);
 
 // Speed, limits and corners as lines of the answer.
 void add_car(tool::Summary& answer, const quality::Descriptor& descriptor);

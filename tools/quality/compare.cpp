@@ -43,8 +43,8 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr double offset_jumps = 2;  // m
 
-struct CompareWish {
-  tools::RecordWish record;
+struct CompareOptions {
+  tools::TrackRecordOptions record;
   quality::AlignmentOptions alignment;
   double section = 200;
   tool::Destination out;
@@ -53,10 +53,10 @@ struct CompareWish {
 // A run in the band D1, by ascending positions; on disk but for the block last read.
 class Run {
  public:
-  Run(const CompareWish& wish, const std::filesystem::path& file, const std::string& column) {
+  Run(const CompareOptions& options, const std::filesystem::path& file, const std::string& column) {
     std::optional<filters::InnerFilter> filter;
     const auto keep = [&](std::span<const double> p) { samples_.append(p); };
-    records::RecordFile read = tools::record_file(wish.record, file);
+    records::RecordFile read = tools::record_file(options.record, file);
     read.column = column;
     record_ = records::read_record(
         read, [&](std::span<const double> piece, const records::RecordStream& record) {
@@ -133,7 +133,7 @@ struct Compared {
   double other = 0;  // m: what an offset may be off by
 };
 
-Compared compare(const CompareWish& wish, Run& a, Run& b) {
+Compared compare(const CompareOptions& options, Run& a, Run& b) {
   const auto each = [&](std::ptrdiff_t from, std::span<double> to, const auto& value) {
     for (double& z : to) {
       const bool there = from >= 0 && from < static_cast<std::ptrdiff_t>(a.size());
@@ -149,13 +149,13 @@ Compared compare(const CompareWish& wish, Run& a, Run& b) {
       [&](std::ptrdiff_t from, std::span<double> to) {
         each(from, to, [&](std::size_t i) { return b.at_place(a.at(i)); });
       },
-      a.record().spacing(), wish.alignment);
+      a.record().spacing(), options.alignment);
   if (std::none_of(matches.begin(), matches.end(), [](const quality::Match& m) { return m.found; }))
     throw InputError{
         fmt::format("the second run is nowhere like the first within {:g} m of its place; allowed: "
                     "two runs over one "
                     "line (--reach for larger offsets)",
-                    wish.alignment.reach)};
+                    options.alignment.reach)};
   // Windows that fit elsewhere as well.
   Compared result;
   for (const quality::Match& m : matches) {
@@ -164,7 +164,7 @@ Compared compare(const CompareWish& wish, Run& a, Run& b) {
     if (result.ambiguous++ == 0) result.other = std::abs(m.other - m.offset);
   }
   const auto place = [&](std::size_t i) { return a.at(i); };
-  quality::Sections first{wish.section, place}, second{wish.section, place};
+  quality::Sections first{options.section, place}, second{options.section, place};
   for (std::size_t i = 0; i < a.size(); ++i) {
     const double here = a[i];
     const double there = b.at_place(a.at(i) + quality::offset_at(matches, static_cast<double>(i)));
@@ -186,7 +186,8 @@ Compared compare(const CompareWish& wish, Run& a, Run& b) {
         see(*before);
         break;
       }
-    for (; match != matches.end() && a.at(match->centre) < section.from + wish.section; ++match) {
+    for (; match != matches.end() && a.at(match->centre) < section.from + options.section;
+         ++match) {
       if (!match->found || a.at(match->centre) < section.from) continue;
       worst = std::min(worst, match->correlation);
       sum += match->offset;
@@ -249,7 +250,7 @@ struct Pair {
   Compared compared;
 };
 
-void add_column(tool::Summary& s, const CompareWish& wish, const Pair& pair, bool several) {
+void add_column(tool::Summary& s, const CompareOptions& options, const Pair& pair, bool several) {
   const Compared& c = pair.compared;
   const std::string before = several ? c.column + ": " : "";
   const auto key = [&](const std::string& text) { return tools::key_of(c.column, text, several); };
@@ -264,7 +265,7 @@ void add_column(tool::Summary& s, const CompareWish& wish, const Pair& pair, boo
   s.add(key("second_missing"), before + "samples missing in the second run",
         static_cast<double>(pair.second.record().missing()), "");
   s.add(key("sections"), "sections", static_cast<double>(c.first.size()), "",
-        fmt::format("of {:g} m", wish.section));
+        fmt::format("of {:g} m", options.section));
   std::erase_if(all, [](const Growth& g) { return std::isnan(g.growth); });
   s.add(key("compared"), "  found in both runs", static_cast<double>(all.size()), "");
   double low = 0, high = 0;
@@ -289,8 +290,8 @@ void add_column(tool::Summary& s, const CompareWish& wish, const Pair& pair, boo
                       all[i].after / mm));
 }
 
-tool::Summary summary_of(const CompareWish& wish, const std::deque<Pair>& pairs) {
-  const auto& files = wish.record.batch.files;
+tool::Summary summary_of(const CompareOptions& options, const std::deque<Pair>& pairs) {
+  const auto& files = options.record.batch.files;
   tool::Summary s{fmt::format("growth from {} to {}", files[0].string(), files[1].string())};
   const bool several = pairs.size() > 1;
   tools::add_record(s, pairs.front().first.record());
@@ -301,11 +302,11 @@ tool::Summary summary_of(const CompareWish& wish, const std::deque<Pair>& pairs)
       s.flag(tools::key_of(pair.compared.column, "second-" + doubt.key, several),
              "the second run: " + (several ? pair.compared.column + ": " : "") + doubt.text);
   }
-  for (const Pair& pair : pairs) add_column(s, wish, pair, several);
+  for (const Pair& pair : pairs) add_column(s, options, pair, several);
   return s;
 }
 
-std::string table_of(const CompareWish& wish, const std::deque<Pair>& pairs) {
+std::string table_of(const CompareOptions& options, const std::deque<Pair>& pairs) {
   std::string text =
       "from_m,to_m,before_mm,after_mm,growth_mm,offset_m,correlation,missing,column,not_judged\n";
   for (const Pair& pair : pairs) {
@@ -315,7 +316,7 @@ std::string table_of(const CompareWish& wish, const std::deque<Pair>& pairs) {
       const Growth& g = all[i];
       text +=
           fmt::format("{},{},{},{},{},{},{},{},{},{}\n", table::csv_number(g.from),
-                      table::csv_number(g.from + wish.section), table::csv_number(g.before / mm),
+                      table::csv_number(g.from + options.section), table::csv_number(g.before / mm),
                       table::csv_number(g.after / mm), table::csv_number(g.growth / mm),
                       table::csv_number(c.offset[i]), table::csv_number(c.correlation[i]),
                       c.first[i].missing, table::csv_cell(c.column), g.reason);
@@ -325,7 +326,7 @@ std::string table_of(const CompareWish& wish, const std::deque<Pair>& pairs) {
 }
 
 // Both runs of each column, section by section.
-std::string picture_of(const CompareWish& wish, const std::deque<Pair>& pairs) {
+std::string picture_of(const CompareOptions& options, const std::deque<Pair>& pairs) {
   std::string text;
   for (const Pair& pair : pairs)
     for (const bool second : {false, true}) {
@@ -334,26 +335,26 @@ std::string picture_of(const CompareWish& wish, const std::deque<Pair>& pairs) {
           "distance_km,deviation_mm,{}\n",
           table::csv_cell(pair.compared.column + (second ? ", second run" : ", first run")));
       for (const Growth& g : growths(pair.compared))
-        for (const double at : {g.from, g.from + wish.section})
+        for (const double at : {g.from, g.from + options.section})
           text += fmt::format("{:.8g},{},\n", at / units::kilometre,
                               table::csv_number((second ? g.after : g.before) / mm));
     }
   return text + "\n";
 }
 
-void compare_runs(const CompareWish& wish) {
-  const auto& files = wish.record.batch.files;
+void compare_runs(const CompareOptions& options) {
+  const auto& files = options.record.batch.files;
   if (files.size() != 2)
     throw InputError{
         fmt::format("{} records are given; allowed: 2, the earlier run first", files.size())};
-  tool::OutFolder out(wish.out, {"compare.csv", "warnings.csv", "compare.json", "compare.png"});
+  tool::OutFolder out(options.out, {"compare.csv", "warnings.csv", "compare.json", "compare.png"});
   std::deque<Pair> pairs;
-  for (const std::string& column : wish.record.columns) {
-    pairs.push_back({{wish, files[0], column}, {wish, files[1], column}, {}});
-    pairs.back().compared = compare(wish, pairs.back().first, pairs.back().second);
+  for (const std::string& column : options.record.columns) {
+    pairs.push_back({{options, files[0], column}, {options, files[1], column}, {}});
+    pairs.back().compared = compare(options, pairs.back().first, pairs.back().second);
     pairs.back().compared.column = column;
   }
-  const tool::Summary summary = summary_of(wish, pairs);
+  const tool::Summary summary = summary_of(options, pairs);
   summary.print();
   if (out) {
     std::string warnings = std::string{"run,"} + tools::warnings_header;
@@ -362,9 +363,9 @@ void compare_runs(const CompareWish& wish) {
       warnings += tools::warning_rows(pair.compared.column, pair.second.record(), "2,");
     }
     out.add("warnings.csv", warnings);
-    out.add("compare.csv", table_of(wish, pairs));
+    out.add("compare.csv", table_of(options, pairs));
     out.add("compare.json", summary.json());
-    out.scratch("picture.csv", picture_of(wish, pairs));
+    out.scratch("picture.csv", picture_of(options, pairs));
     out.figure(tools::scripts("quality") / "measures.gp", {"picture.csv"}, "compare.png");
   }
   out.commit();
@@ -375,15 +376,15 @@ void compare_runs(const CompareWish& wish) {
 tool::Tool compare_tool() {
   return {
       "compare", "two runs over one line: offsets, and growth of each section",
-      [](tool::Options& o) {
-        auto wish = std::make_shared<CompareWish>();
-        tools::add_record_options(o, wish->record);
-        o.quantity("--section", wish->section, units::length, "length of a section", {1, 1e6});
-        o.quantity("--window", wish->alignment.window, units::length,
+      [](tool::OptionParser& o) {
+        auto options = std::make_shared<CompareOptions>();
+        tools::add_record_options(o, options->record);
+        o.quantity("--section", options->section, units::length, "length of a section", {1, 1e6});
+        o.quantity("--window", options->alignment.window, units::length,
                    "of the first run that is looked for in the second", {10, 1e4});
-        o.quantity("--reach", wish->alignment.reach, units::length, "to either side of its place",
-                   {1, 1e3});
-        o.out(wish->out);
+        o.quantity("--reach", options->alignment.reach, units::length,
+                   "to either side of its place", {1, 1e3});
+        o.out(options->out);
         o.help(std::string{tools::record_help} +
                "\n\ncompare.csv has a row a section of the first run: before_mm and after_mm are "
                "its standard deviations in D1 (3 to 25 m)\n"
@@ -394,7 +395,7 @@ tool::Tool compare_tool() {
                "that one of the runs lacks; not_judged says why there is no growth."
                "\n\nExample: railbook quality compare spring.csv autumn.csv --column profile "
                "--out mine");
-        return [wish] { compare_runs(*wish); };
+        return [options] { compare_runs(*options); };
       }};
 }
 

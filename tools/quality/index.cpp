@@ -86,8 +86,8 @@ class Channel {
 };
 
 // The force grows with the square of the wavenumber: it needs a shortest wave.
-double shortest_wave(const IndexWish& wish, const quality::Descriptor& d, double spacing) {
-  return wish.shortest.value_or(d.force ? std::max(1.0, 2.5 * spacing) : 0);
+double shortest_wave(const IndexOptions& options, const quality::Descriptor& d, double spacing) {
+  return options.shortest.value_or(d.force ? std::max(1.0, 2.5 * spacing) : 0);
 }
 
 // All that is made of one record as it streams by, at the spacing that its first positions show.
@@ -98,22 +98,22 @@ struct Run {
   std::optional<quality::IndexBuilder> builder;
 };
 
-Run run_record(const IndexWish& wish, const quality::Descriptor& d,
+Run run_record(const IndexOptions& options, const quality::Descriptor& d,
                const std::filesystem::path& file, Channel& channel) {
   Run run;
   const records::RecordStream* known = nullptr;
   std::optional<filters::FilterStream> stream;
   const auto begin = [&] {
     run.spacing = known->spacing();
-    run.shortest = shortest_wave(wish, d, run.spacing);
+    run.shortest = shortest_wave(options, d, run.spacing);
     run.taps = quality::design_filter(quality::Envelope{d},
                                       {.spacing = run.spacing, .shortest = run.shortest});
     run.margin = unsure_margin(d, run.taps);
     run.builder.emplace(
         quality::IndexOptions{.spacing = run.spacing,
-                              .threshold = wish.threshold,
+                              .threshold = options.threshold,
                               .place = [&known](std::size_t i) { return known->places().at(i); },
-                              .segment = wish.segment,
+                              .segment = options.segment,
                               .margin = run.margin});
     stream.emplace(run.taps, [&](std::span<const double> p) {
       run.builder->push(p);
@@ -121,7 +121,7 @@ Run run_record(const IndexWish& wish, const quality::Descriptor& d,
     });
   };
   run.record =
-      records::read_record(tools::record_file(wish.record, file),
+      records::read_record(tools::record_file(options.record, file),
                            [&](std::span<const double> piece, const records::RecordStream& record) {
                              known = &record;
                              if (!stream) begin();
@@ -133,11 +133,11 @@ Run run_record(const IndexWish& wish, const quality::Descriptor& d,
   return run;
 }
 
-std::vector<tool::Row> rows_of(const IndexWish& wish, const quality::Descriptor& d,
+std::vector<tool::Row> rows_of(const IndexOptions& options, const quality::Descriptor& d,
                                const std::filesystem::path& file) {
   std::vector<tool::Row> rows;
-  for (const std::string& column : wish.record.columns) {
-    IndexWish one = wish;
+  for (const std::string& column : options.record.columns) {
+    IndexOptions one = options;
     one.record.columns = {column};
     Channel none{nullptr};
     const Run run = run_record(one, d, file, none);
@@ -147,29 +147,29 @@ std::vector<tool::Row> rows_of(const IndexWish& wish, const quality::Descriptor&
   return rows;
 }
 
-void index_track(const IndexWish& wish) {
-  if (wish.accept > wish.threshold)
+void index_track(const IndexOptions& options) {
+  if (options.accept > options.threshold)
     throw InputError{fmt::format("accept is {:g}; allowed: at most the threshold, {:g}",
-                                 wish.accept, wish.threshold)};
-  const quality::Descriptor d = descriptor(wish.car);
-  if (wish.record.batch.many() || wish.record.columns.size() > 1)
-    return tool::run_batch(wish.record.batch, wish.out, "index",
-                           [&](const auto& file) { return rows_of(wish, d, file); });
-  tool::OutFolder out(
-      wish.out, {"channel.csv", "exceedances.csv", "histogram.csv", "segments.csv", "threshold.csv",
-                 "extremes.csv", "warnings.csv", "index.json", "index.png"});
+                                 options.accept, options.threshold)};
+  const quality::Descriptor d = descriptor(options.car);
+  if (options.record.batch.many() || options.record.columns.size() > 1)
+    return tool::run_batch(options.record.batch, options.out, "index",
+                           [&](const auto& file) { return rows_of(options, d, file); });
+  tool::OutFolder out(options.out,
+                      {"channel.csv", "exceedances.csv", "histogram.csv", "segments.csv",
+                       "threshold.csv", "extremes.csv", "warnings.csv", "index.json", "index.png"});
   Channel channel{&out};
-  const Run run = run_record(wish, d, wish.record.batch.only(), channel);
+  const Run run = run_record(options, d, options.record.batch.only(), channel);
   const records::RecordStream& record = *run.record;
   const auto found = places(*run.builder, record, d, run.spacing, run.margin);
-  const IndexAnswer answer{wish, d, record, run.taps, run.shortest, *run.builder, found};
+  const IndexAnswer answer{options, d, record, run.taps, run.shortest, *run.builder, found};
   const tool::Summary summary = summary_of(answer);
   summary.print();
   if (out) {
     write_lists(out, answer);
     out.add("extremes.csv", channel.extremes());
     out.add("warnings.csv",
-            tools::warnings_header + tools::warning_rows(wish.record.columns.front(), record));
+            tools::warnings_header + tools::warning_rows(options.record.columns.front(), record));
     out.add("index.json", summary.json());
     out.figure(tools::scripts("quality") / "index.gp",
                {"extremes.csv", "exceedances.csv", "histogram.csv", "threshold.csv"}, "index.png");
@@ -181,21 +181,21 @@ void index_track(const IndexWish& wish) {
 
 tool::Tool index_tool() {
   return {
-      "index", "descriptor, exceedances and index of a track record", [](tool::Options& o) {
-        auto wish = std::make_shared<IndexWish>();
-        tools::add_record_options(o, wish->record);
-        add_car_options(o, wish->car);
-        o.quantity("--shortest", wish->shortest, units::length,
+      "index", "descriptor, exceedances and index of a track record", [](tool::OptionParser& o) {
+        auto options = std::make_shared<IndexOptions>();
+        tools::add_record_options(o, options->record);
+        add_car_options(o, options->car);
+        o.quantity("--shortest", options->shortest, units::length,
                    "waves below this are left out; without it 1 m with wheel force, 0 without",
                    tool::non_negative);
-        o.quantity("--threshold", wish->threshold, units::number,
+        o.quantity("--threshold", options->threshold, units::number,
                    "T_2, above which a place is listed", tool::positive);
-        o.quantity("--accept", wish->accept, units::number,
+        o.quantity("--accept", options->accept, units::number,
                    "T_1, below which a segment is as good as new", tool::positive);
-        o.quantity("--segment", wish->segment, units::length,
+        o.quantity("--segment", options->segment, units::length,
                    "length of the pieces that have an index of their own", {1, 1e6});
-        o.quantity("--section", wish->segment, units::length, "the same", {1, 1e6});
-        o.out(wish->out);
+        o.quantity("--section", options->segment, units::length, "the same", {1, 1e6});
+        o.out(options->out);
         o.help(
             std::string{tools::record_help} +
             "\n\nThe descriptor is 1 where the car reaches its limit (suspension stroke or wheel "
@@ -209,7 +209,7 @@ tool::Tool index_tool() {
             "\nExample: railbook quality index track.csv --speed 100km/h --column profile "
             "--out mine\n         railbook quality index runs/*.csv --speed 100km/h --section "
             "200m --out mine");
-        return [wish] { index_track(*wish); };
+        return [options] { index_track(*options); };
       }};
 }
 

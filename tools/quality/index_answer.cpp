@@ -51,9 +51,9 @@ std::vector<Class> classes(const IndexAnswer& a) {
   for (const quality::Segment& s : a.builder.segments()) {
     const auto here = [&](const Place& p) {
       return s.from ==
-             a.wish.segment * std::floor((p.at + 1e-6 * a.record.spacing()) / a.wish.segment);
+             a.options.segment * std::floor((p.at + 1e-6 * a.record.spacing()) / a.options.segment);
     };
-    const bool above = s.sums.largest > a.wish.threshold;
+    const bool above = s.sums.largest > a.options.threshold;
     bool none = true, sure = false;
     for (; place != a.found.end() && here(*place); ++place)
       none = false, sure = sure || !place->unsure;
@@ -65,7 +65,7 @@ std::vector<Class> classes(const IndexAnswer& a) {
     c.name = above                                  ? (sure ? "repair" : "unsure")
              : 2 * s.sums.missing >= s.sums.samples ? "missing"
              : !c.whole                             ? "incomplete"
-             : s.sums.largest > a.wish.accept       ? "watch"
+             : s.sums.largest > a.options.accept    ? "watch"
                                                     : "accept";
     const std::size_t end = first + s.sums.samples;
     while (fault != faults.end() && fault->first + fault->count <= first) ++fault;
@@ -86,9 +86,9 @@ void add_segments(tool::Summary& s, const IndexAnswer& a) {
           "", note);
   };
   s.add("segments", "segments", static_cast<double>(all.size()), "",
-        fmt::format("of {:g} m", a.wish.segment));
-  add("watch", fmt::format("beyond {:g}", a.wish.accept));
-  add("repair", fmt::format("beyond {:g}", a.wish.threshold));
+        fmt::format("of {:g} m", a.options.segment));
+  add("watch", fmt::format("beyond {:g}", a.options.accept));
+  add("repair", fmt::format("beyond {:g}", a.options.threshold));
   add("unsure", "beyond it near an end or a gap only");
   add("missing", "half of it and more was not measured");
   add("incomplete", "something in it is missing, bridged or taken out, and the rest is not beyond");
@@ -113,9 +113,9 @@ quality::QualityIndex index_of(const Class& c, quality::QualityIndex q) {
 }  // namespace
 
 tool::Summary summary_of(const IndexAnswer& answer) {
-  const auto& [wish, d, record, taps, shortest, builder, found] = answer;
+  const auto& [options, d, record, taps, shortest, builder, found] = answer;
   const quality::QualityIndex q = builder.index();
-  tool::Summary s{"track quality of " + wish.record.batch.only().string()};
+  tool::Summary s{"track quality of " + options.record.batch.only().string()};
   add_car(s, d);
   tools::add_record(s, record);
   s.add("shortest_m", "shortest wavelength", shortest, "m");
@@ -137,7 +137,7 @@ tool::Summary summary_of(const IndexAnswer& answer) {
                        q.largest));
   if (std::isfinite(q.margin)) s.add("n", "n of threshold = mean + n deviation", q.margin, "");
   s.add("above_per_km", "values above the threshold", q.above_per_km, "1/km",
-        fmt::format("threshold {:g}", wish.threshold));
+        fmt::format("threshold {:g}", options.threshold));
   s.add("exceedances", "exceedances", static_cast<double>(found.size()), "",
         fmt::format("{:.3g} per km", q.exceedances_per_km));
   add_segments(s, answer);
@@ -162,11 +162,11 @@ void add_rows(std::vector<tool::Row>& rows, const IndexAnswer& a, const std::str
   record.add("unsure", a.builder.unsure());
   for (const Class& c : classes(a)) {
     tool::Row& row = rows.emplace_back();
-    const quality::QualityIndex q = c.segment->sums.index(a.record.spacing(), a.wish.threshold);
+    const quality::QualityIndex q = c.segment->sums.index(a.record.spacing(), a.options.threshold);
     row.add("kind", "section");
     row.add("column", column);
     row.add("from_m", c.segment->from);
-    row.add("to_m", c.segment->from + a.wish.segment);
+    row.add("to_m", c.segment->from + a.options.segment);
     row.add("samples", static_cast<double>(q.samples));
     row.add("missing", static_cast<double>(q.missing));
     row.add("faulty", static_cast<double>(c.faulty));
@@ -183,11 +183,11 @@ void write_segments(tool::OutFolder& out, const IndexAnswer& a) {
       "class\n";
   for (const Class& c : classes(a)) {
     const quality::QualityIndex q =
-        index_of(c, c.segment->sums.index(a.record.spacing(), a.wish.threshold));
+        index_of(c, c.segment->sums.index(a.record.spacing(), a.options.threshold));
     text += fmt::format("{},{},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{},{}\n",
                         table::csv_number(c.segment->from),
-                        table::csv_number(c.segment->from + a.wish.segment), q.samples, q.missing,
-                        c.faulty, q.mean, q.deviation, q.rms, q.largest, q.above_per_km,
+                        table::csv_number(c.segment->from + a.options.segment), q.samples,
+                        q.missing, c.faulty, q.mean, q.deviation, q.rms, q.largest, q.above_per_km,
                         c.segment->sums.exceedances, c.name);
   }
   out.add("segments.csv", text);
@@ -208,7 +208,7 @@ void write_lists(tool::OutFolder& out, const IndexAnswer& answer) {
   out.add("histogram.csv", bars);
   write_segments(out, answer);
   out.add("threshold.csv",
-          fmt::format("threshold,shortest_m,places\n{:g},{:g},{}\n", answer.wish.threshold,
+          fmt::format("threshold,shortest_m,places\n{:g},{:g},{}\n", answer.options.threshold,
                       answer.shortest, answer.found.size()));
 }
 

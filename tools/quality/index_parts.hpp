@@ -18,9 +18,9 @@
 
 namespace railbook::quality_tool {
 
-struct IndexWish {
-  CarWish car;
-  tools::RecordWish record;
+struct IndexOptions {
+  CarOptions car;
+  tools::TrackRecordOptions record;
   std::optional<double> shortest;
   double threshold = 1, accept = 0.5, segment = 200;
   tool::Destination out;
@@ -45,7 +45,7 @@ std::vector<Place> places(const railbook::quality::IndexBuilder& builder,
                           const railbook::quality::Descriptor& d, double spacing, double margin);
 
 struct IndexAnswer {
-  const IndexWish& wish;
+  const IndexOptions& options;
   const railbook::quality::Descriptor& descriptor;
   const records::RecordStream& record;
   const railbook::filters::FilterTaps& taps;

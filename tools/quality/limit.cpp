@@ -30,7 +30,7 @@ third line is a car whose static load exceeds the limit: it is refused, *no admi
 
 namespace railbook::quality_tool {
 
-void add_car_options(tool::Options& o, CarWish& w) {
+void add_car_options(tool::OptionParser& o, CarOptions& w) {
   const tool::Range ratio{1e-6, 1e3};
   o.quantity("--speed", w.speed, units::speed, "posted speed of the track", {0.1, 200});
   o.required();
@@ -58,7 +58,7 @@ void add_car_options(tool::Options& o, CarWish& w) {
 
 namespace {
 
-quality::ForceLimit force_limit(const CarWish& w) {
+quality::ForceLimit force_limit(const CarOptions& w) {
   if (!w.wheel_mass || !w.body_mass)
     throw InputError{"the wheel-force mode needs --wheel-mass and --body-mass"};
   if (w.stiffness.has_value() == w.bounce_frequency.has_value())
@@ -76,7 +76,7 @@ quality::ForceLimit force_limit(const CarWish& w) {
 
 }  // namespace
 
-quality::Descriptor descriptor(const CarWish& w) {
+quality::Descriptor descriptor(const CarOptions& w) {
   const bool masses = w.wheel_mass || w.body_mass;
   const bool force = w.mode == "force" || w.mode == "combined" || (w.mode == "auto" && masses);
   quality::Descriptor d{{}, {}, w.speed};
@@ -112,8 +112,8 @@ void add_car(tool::Summary& s, const quality::Descriptor& d) {
 
 namespace {
 
-struct Wish {
-  CarWish car;
+struct Options {
+  CarOptions car;
   std::vector<double> wavelengths{1, 2, 5, 10, 20, 50, 100, 200};
   tool::Destination out;
 };
@@ -141,13 +141,13 @@ void write_files(tool::OutFolder& out, const quality::Descriptor& d,
   out.figure(tools::scripts("quality") / "limit.gp", {"drawn.csv"}, "limit.png");
 }
 
-void limit(const Wish& wish) {
-  tool::OutFolder out(wish.out, {"limit.csv", "limit.json", "limit.png"});
-  const quality::Descriptor d = descriptor(wish.car);
+void limit(const Options& options) {
+  tool::OutFolder out(options.out, {"limit.csv", "limit.json", "limit.png"});
+  const quality::Descriptor d = descriptor(options.car);
   const quality::Envelope envelope{d};
   tool::Summary answer{"amplitude allowed in the track"};
   add_car(answer, d);
-  for (const double w : wish.wavelengths) {
+  for (const double w : options.wavelengths) {
     const double all = envelope(1 / w);
     const bool by_force = d.force && severity(*d.force, d.speed, 1 / w) >= all;
     answer.add(fmt::format("amplitude_cm_at_{:.4g}_m", w), fmt::format("at {:.4g} m", w),
@@ -161,17 +161,18 @@ void limit(const Wish& wish) {
 }  // namespace
 
 tool::Tool limit_tool() {
-  return {"limit", "allowed amplitude of the track for a car of your own", [](tool::Options& o) {
-            auto wish = std::make_shared<Wish>();
-            add_car_options(o, wish->car);
-            o.quantities("--wavelength", wish->wavelengths, units::length, "wavelengths to print",
-                         {1e-3, 1e6});
-            o.out(wish->out);
+  return {"limit", "allowed amplitude of the track for a car of your own",
+          [](tool::OptionParser& o) {
+            auto options = std::make_shared<Options>();
+            add_car_options(o, options->car);
+            o.quantities("--wavelength", options->wavelengths, units::length,
+                         "wavelengths to print", {1e-3, 1e6});
+            o.out(options->out);
             o.help(
                 "limit.csv has a row a wavelength: the amplitude that is allowed, half of what the "
                 "wave goes up and down, and those by the suspension's stroke and by the wheel "
                 "force alone. All are positive.");
-            return [wish] { limit(*wish); };
+            return [options] { limit(*options); };
           }};
 }
 

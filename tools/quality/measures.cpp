@@ -46,8 +46,8 @@ namespace {
 
 constexpr double mm = units::millimetre;
 
-struct MeasuresWish {
-  tools::RecordWish record;
+struct MeasuresOptions {
+  tools::TrackRecordOptions record;
   std::vector<std::string> alignment, bands{"D1", "D2"};
   std::string gauge, crosslevel;
   double section = 200, twist_base = 3;
@@ -62,27 +62,27 @@ struct Column {
   Kind kind;
 
   // The chord of which it is the offset; 0 where only its header says that it is one.
-  std::optional<double> offset(const MeasuresWish& wish, const std::string& header) const {
+  std::optional<double> offset(const MeasuresOptions& options, const std::string& header) const {
     if (kind > Kind::alignment) return std::nullopt;
-    if (wish.chord) return wish.chord;
+    if (options.chord) return options.chord;
     return is_offset_by_name(header) ? std::optional{0.0} : std::nullopt;
   }
 };
 
-std::vector<Column> columns_of(const MeasuresWish& wish) {
+std::vector<Column> columns_of(const MeasuresOptions& options) {
   std::vector<Column> columns;
-  for (const std::string& name : wish.record.columns)
+  for (const std::string& name : options.record.columns)
     if (name != "none") columns.push_back({name, Kind::level});
-  for (const std::string& name : wish.alignment) columns.push_back({name, Kind::alignment});
-  if (!wish.gauge.empty()) columns.push_back({wish.gauge, Kind::gauge});
-  if (!wish.crosslevel.empty()) columns.push_back({wish.crosslevel, Kind::crosslevel});
+  for (const std::string& name : options.alignment) columns.push_back({name, Kind::alignment});
+  if (!options.gauge.empty()) columns.push_back({options.gauge, Kind::gauge});
+  if (!options.crosslevel.empty()) columns.push_back({options.crosslevel, Kind::crosslevel});
   if (columns.empty()) throw InputError{"column is none; allowed: none beside other columns"};
   return columns;
 }
 
-std::vector<filters::Band> bands_of(const MeasuresWish& wish) {
+std::vector<filters::Band> bands_of(const MeasuresOptions& options) {
   std::vector<filters::Band> chosen;
-  for (const std::string& name : wish.bands) {
+  for (const std::string& name : options.bands) {
     const auto at = std::find_if(filters::bands.begin(), filters::bands.end(),
                                  [&](const filters::Band& b) { return b.name == name; });
     if (at == filters::bands.end())
@@ -108,7 +108,7 @@ std::string name_of_chord(double chord) {
 
 class Channel {
  public:
-  Channel(const MeasuresWish& wish, const Column& column) : wish_(wish), column_(column) {}
+  Channel(const MeasuresOptions& options, const Column& column) : wish_(options), column_(column) {}
 
   void push(std::span<const double> piece, const records::RecordStream& record) {
     if (kept_.empty()) begin(record);
@@ -208,7 +208,7 @@ class Channel {
     }
   }
 
-  const MeasuresWish& wish_;
+  const MeasuresOptions& wish_;
   Column column_;
   std::deque<Kept> kept_;  // references to them are kept
   std::optional<quality::Twist> twist_;
@@ -235,18 +235,18 @@ struct Measured {
   }
 };
 
-Measured measure_record(const MeasuresWish& wish, const std::filesystem::path& file) {
+Measured measure_record(const MeasuresOptions& options, const std::filesystem::path& file) {
   Measured m;
   std::vector<std::string> names;
   std::vector<records::RecordSink> sinks;
-  for (const Column& column : columns_of(wish)) {
+  for (const Column& column : columns_of(options)) {
     names.push_back(column.name);
-    Channel& channel = m.channels.emplace_back(wish, column);
+    Channel& channel = m.channels.emplace_back(options, column);
     sinks.emplace_back([&channel](std::span<const double> piece, const records::RecordStream& r) {
       channel.push(piece, r);
     });
   }
-  m.records = records::read_records(tools::record_file(wish.record, file), names, sinks);
+  m.records = records::read_records(tools::record_file(options.record, file), names, sinks);
   for (Channel& channel : m.channels) channel.finish();
   return m;
 }
@@ -262,7 +262,7 @@ std::optional<double> mean_square(const Channel& channel, std::string_view band)
 }
 
 // What is doubtful about taking a level or an alignment for a whole one: key and text.
-std::vector<std::pair<std::string, std::string>> doubts_of(const MeasuresWish& wish,
+std::vector<std::pair<std::string, std::string>> doubts_of(const MeasuresOptions& options,
                                                            const Channel& channel,
                                                            const std::string& header) {
   std::vector<std::pair<std::string, std::string>> doubts;
@@ -283,7 +283,7 @@ std::vector<std::pair<std::string, std::string>> doubts_of(const MeasuresWish& w
                     "filtered to D1 already? Then its deviation there is the one without a band",
                     column.name, 100 * std::sqrt(*d2 / *d1)));
   }
-  if (!wish.chord && is_offset_by_name(header))
+  if (!options.chord && is_offset_by_name(header))
     doubts.emplace_back(
         "offset", fmt::format("column {} is the offset of a chord, by its name: no class is judged "
                               "by it; --chord says of which, and one of 62 ft is held against the "
@@ -299,13 +299,13 @@ std::string name_of(const Channel& channel, const Kept& kept, const char* betwee
   return fmt::format("{}{}{}", channel.column().name, between, kept.name);
 }
 
-tool::Row row_of_section(const MeasuresWish& wish, const Measured& m, std::size_t at,
+tool::Row row_of_section(const MeasuresOptions& options, const Measured& m, std::size_t at,
                          std::size_t begin) {
   tool::Row row;
   const quality::Section& first = m.channels.front().kept().front().sections.all()[at];
   row.add("kind", "section");
   row.add("from_m", first.from);
-  row.add("to_m", first.from + wish.section);
+  row.add("to_m", first.from + options.section);
   row.add("samples", static_cast<double>(first.samples));
   std::size_t missing = 0, unread = 0, not_evaluated = 0;  // of all columns; near the section too
   double fra = std::nan("");                               // where nothing could be judged
@@ -335,7 +335,7 @@ tool::Row row_of_section(const MeasuresWish& wish, const Measured& m, std::size_
       if (!kept.name.starts_with("chord") && !warp)
         row.add(key("sd"), sd ? *sd / unit : std::nan(""));
       if (sd && kept.name.empty()) plain.add(kind, *sd);
-      if (sd && twist) plain.add_twist(*sd * wish.twist_base);
+      if (sd && twist) plain.add_twist(*sd * options.twist_base);
       if (sd && (kept.name == "D1" || (kept.name.empty() && kind >= Kind::gauge)))
         banded.add(kind, *sd);
       if (kept.name.empty() && kind != Kind::crosslevel) {
@@ -352,11 +352,12 @@ tool::Row row_of_section(const MeasuresWish& wish, const Measured& m, std::size_
     }
   }
   // The same columns in each section, also where something is missing; no index and no class there.
-  const bool all = !wish.alignment.empty() && !wish.gauge.empty() && !wish.crosslevel.empty();
+  const bool all =
+      !options.alignment.empty() && !options.gauge.empty() && !options.crosslevel.empty();
   const double nothing = std::nan("");
   if (all)
     row.add("combined_sd_mm", unread > 0 ? nothing : banded.combined().value_or(nothing) / mm);
-  if (all && wish.record.columns.size() == 2 && wish.alignment.size() == 2)
+  if (all && options.record.columns.size() == 2 && options.alignment.size() == 2)
     row.add("tqi_mm", unread > 0 ? nothing : plain.tqi().value_or(nothing) / mm);
   row.add("fra_class", not_evaluated > 0 ? nothing : fra);
   row.add("not_evaluated_m", static_cast<double>(not_evaluated) * m.records.front()->spacing());
@@ -372,14 +373,14 @@ double not_evaluated(const Measured& m) {
   return static_cast<double>(most) * m.records.front()->spacing();
 }
 
-std::vector<tool::Row> rows_of(const MeasuresWish& wish, const Measured& m) {
+std::vector<tool::Row> rows_of(const MeasuresOptions& options, const Measured& m) {
   std::vector<tool::Row> rows(1);
   rows[0].add("kind", "record");
   tools::add_records(rows[0], m.names(), m.records);
   for (std::size_t i = 0; i < m.channels.size(); ++i)
-    for (const auto& [key, text] : doubts_of(wish, m.channels[i], m.records[i]->header()))
+    for (const auto& [key, text] : doubts_of(options, m.channels[i], m.records[i]->header()))
       rows[0].flag(key);
-  if (wish.fra_class > 0) {
+  if (options.fra_class > 0) {
     const double n = m.exceptions(), lost = not_evaluated(m);
     rows[0].add("exceptions", n > 0 || lost == 0 ? n : std::nan(""));
     rows[0].add("not_evaluated_m", lost);
@@ -387,7 +388,7 @@ std::vector<tool::Row> rows_of(const MeasuresWish& wish, const Measured& m) {
   std::size_t begin = 0;
   const auto& sections = m.channels.front().kept().front().sections.all();
   for (std::size_t i = 0; i < sections.size(); ++i) {
-    rows.push_back(row_of_section(wish, m, i, begin));
+    rows.push_back(row_of_section(options, m, i, begin));
     begin += sections[i].samples;
   }
   return rows;
@@ -410,18 +411,18 @@ std::string table_of(const std::vector<tool::Row>& sections) {
 }
 
 // What the picture shows: the deviations in the first band, and of all that has no band.
-std::string picture_of(const MeasuresWish& wish, const Measured& m) {
+std::string picture_of(const MeasuresOptions& options, const Measured& m) {
   std::string text;
   for (const Channel& channel : m.channels)
     for (const Kept& kept : channel.kept()) {
       const bool filtered = channel.column().kind <= Kind::alignment;
-      if (kept.name != (filtered ? wish.bands.front() : "")) continue;
+      if (kept.name != (filtered ? options.bands.front() : "")) continue;
       if (!text.empty()) text += "\n\n";
       text += fmt::format("distance_km,deviation_mm,{}\n",
                           table::csv_cell(name_of(channel, kept, " ")));
       for (const quality::Section& s : kept.sections.all()) {
         const auto sd = s.deviation();
-        for (const double at : {s.from, s.from + wish.section})
+        for (const double at : {s.from, s.from + options.section})
           text += fmt::format("{:.8g},{},\n", at / units::kilometre,
                               table::csv_number(sd ? *sd / mm : std::nan("")));
       }
@@ -430,7 +431,7 @@ std::string picture_of(const MeasuresWish& wish, const Measured& m) {
 }
 
 // What is judged, and how often it leaves the limits; no zero where something could not be judged.
-void add_exceptions(tool::Summary& s, const MeasuresWish& wish, const Measured& m) {
+void add_exceptions(tool::Summary& s, const MeasuresOptions& options, const Measured& m) {
   std::vector<std::string> judged, not_judged;
   const auto sort = [&](const char* what, Kind kind) {
     bool any = false;
@@ -442,7 +443,7 @@ void add_exceptions(tool::Summary& s, const MeasuresWish& wish, const Measured& 
   sort("alinement", Kind::alignment);
   sort("gauge", Kind::gauge);
   sort("cross level and warp", Kind::crosslevel);
-  const std::string what = fmt::format("exceptions to FRA class {}", wish.fra_class);
+  const std::string what = fmt::format("exceptions to FRA class {}", options.fra_class);
   const double n = m.exceptions(), lost = not_evaluated(m);
   if (judged.empty())
     s.absent("exceptions", what, "none of the columns can be judged");
@@ -455,7 +456,7 @@ void add_exceptions(tool::Summary& s, const MeasuresWish& wish, const Measured& 
   if (!not_judged.empty())
     s.add("not_judged", "  not judged", fmt::format("{}", fmt::join(not_judged, ", ")));
   for (const Channel& channel : m.channels)
-    if (channel.column().kind == Kind::gauge && wish.fra_class <= quality::fra_classes &&
+    if (channel.column().kind == Kind::gauge && options.fra_class <= quality::fra_classes &&
         !channel.watch()->judged())
       s.flag("gauge", "column " + channel.column().name +
                           " is neither a gauge near 1435 mm nor a deviation from it: not judged");
@@ -463,16 +464,16 @@ void add_exceptions(tool::Summary& s, const MeasuresWish& wish, const Measured& 
         "missing, bridged or taken out, or a chord over it");
 }
 
-tool::Summary summary_of(const MeasuresWish& wish, const Measured& m) {
-  tool::Summary s{"measures of " + wish.record.batch.only().string()};
+tool::Summary summary_of(const MeasuresOptions& options, const Measured& m) {
+  tool::Summary s{"measures of " + options.record.batch.only().string()};
   tools::add_records(s, m.names(), m.records);
   for (std::size_t i = 0; i < m.channels.size(); ++i)
-    for (const auto& [key, text] : doubts_of(wish, m.channels[i], m.records[i]->header()))
+    for (const auto& [key, text] : doubts_of(options, m.channels[i], m.records[i]->header()))
       s.flag(m.channels.size() > 1 ? fmt::format("{}_{}", m.channels[i].column().name, key) : key,
              text);
-  s.add("section_m", "length of a section", wish.section, "m");
-  if (wish.fra_class > 0) add_exceptions(s, wish, m);
-  s.add("passes", "band-pass, passes", static_cast<double>(wish.passes), "");
+  s.add("section_m", "length of a section", options.section, "m");
+  if (options.fra_class > 0) add_exceptions(s, options, m);
+  s.add("passes", "band-pass, passes", static_cast<double>(options.passes), "");
   for (const Channel& channel : m.channels)
     for (const Kept& kept : channel.kept()) {
       if (kept.name.starts_with("chord") || kept.name == "warp") continue;
@@ -495,34 +496,34 @@ tool::Summary summary_of(const MeasuresWish& wish, const Measured& m) {
   return s;
 }
 
-void measure_track(const MeasuresWish& wish) {
-  (void)bands_of(wish);
-  if (wish.fra_class > quality::fra_classes && wish.alignment.empty())
+void measure_track(const MeasuresOptions& options) {
+  (void)bands_of(options);
+  if (options.fra_class > quality::fra_classes && options.alignment.empty())
     throw InputError{
         fmt::format("fra class is {}, whose limits are known for alinement only; allowed: 1 to 5, "
                     "or --alignment",
-                    wish.fra_class)};
-  if (wish.record.batch.many())
-    return tool::run_batch(wish.record.batch, wish.out, "measures", [&](const auto& file) {
-      return rows_of(wish, measure_record(wish, file));
+                    options.fra_class)};
+  if (options.record.batch.many())
+    return tool::run_batch(options.record.batch, options.out, "measures", [&](const auto& file) {
+      return rows_of(options, measure_record(options, file));
     });
-  tool::OutFolder out(wish.out, {"measures.csv", "measures.json", "exceptions.csv", "warnings.csv",
-                                 "measures.png"});
-  const Measured m = measure_record(wish, wish.record.batch.only());
-  const tool::Summary summary = summary_of(wish, m);
+  tool::OutFolder out(options.out, {"measures.csv", "measures.json", "exceptions.csv",
+                                    "warnings.csv", "measures.png"});
+  const Measured m = measure_record(options, options.record.batch.only());
+  const tool::Summary summary = summary_of(options, m);
   summary.print();
   if (out) {
-    const auto rows = rows_of(wish, m);
+    const auto rows = rows_of(options, m);
     out.add("measures.csv", table_of({rows.begin() + 1, rows.end()}));
     out.add("measures.json", summary.json());
-    if (wish.fra_class > 0) {
+    if (options.fra_class > 0) {
       std::string text = FraWatch::header;
       for (const Channel& channel : m.channels)
         if (channel.watch()) text += channel.watch()->rows();
       out.add("exceptions.csv", text);
     }
     out.add("warnings.csv", tools::warnings_of(m.names(), m.records));
-    out.scratch("picture.csv", picture_of(wish, m));
+    out.scratch("picture.csv", picture_of(options, m));
     out.figure(tools::scripts("quality") / "measures.gp", {"picture.csv"}, "measures.png");
   }
   out.commit();
@@ -533,28 +534,28 @@ void measure_track(const MeasuresWish& wish) {
 tool::Tool measures_tool() {
   return {
       "measures", "standard deviations, chords, twist and indices of sections",
-      [](tool::Options& o) {
-        auto wish = std::make_shared<MeasuresWish>();
-        tools::add_record_options(o, wish->record);
-        o.texts("--alignment", wish->alignment, "columns of alignment");
-        o.text("--gauge", wish->gauge, "column of gauge, or of its deviation from 56.5 in");
-        o.text("--crosslevel", wish->crosslevel, "column of cross level, a height");
-        o.texts("--bands", wish->bands,
+      [](tool::OptionParser& o) {
+        auto options = std::make_shared<MeasuresOptions>();
+        tools::add_record_options(o, options->record);
+        o.texts("--alignment", options->alignment, "columns of alignment");
+        o.text("--gauge", options->gauge, "column of gauge, or of its deviation from 56.5 in");
+        o.text("--crosslevel", options->crosslevel, "column of cross level, a height");
+        o.texts("--bands", options->bands,
                 "bands of EN 13848 for level and alignment, of D0, D1, D2, D3");
-        o.count("--passes", wish->passes, "of the band-pass: 2, half the gain at its edges, or 1",
-                1, 2);
-        o.quantities("--chords", wish->chords, units::length, "more chords, besides 62 ft",
+        o.count("--passes", options->passes,
+                "of the band-pass: 2, half the gain at its edges, or 1", 1, 2);
+        o.quantities("--chords", options->chords, units::length, "more chords, besides 62 ft",
                      {0.5, 1e3});
-        o.quantity("--chord", wish->chord, units::length,
+        o.quantity("--chord", options->chord, units::length,
                    "the columns of level and alignment are the mid-chord offsets of this chord",
                    {0.1, 1e3});
-        o.count("--fra-class", wish->fra_class,
+        o.count("--fra-class", options->fra_class,
                 "list where this class's limits are left: profile, alinement, gauge, cross level "
                 "and warp on tangent track; of classes 6 to 9, alinement",
                 1, 9);
-        o.quantity("--twist-base", wish->twist_base, units::length, "base of twist", {0.5, 30});
-        o.quantity("--section", wish->section, units::length, "length of a section", {1, 1e6});
-        o.out(wish->out);
+        o.quantity("--twist-base", options->twist_base, units::length, "base of twist", {0.5, 30});
+        o.quantity("--section", options->section, units::length, "length of a section", {1, 1e6});
+        o.out(options->out);
         o.help(
             std::string{tools::record_help} +
             "\n\nmeasures.csv has a row a section. NAME_sd is a standard deviation about the "
@@ -582,7 +583,7 @@ tool::Tool measures_tool() {
             "--crosslevel cant --out mine\n"
             "         railbook quality measures track.csv --chords 31ft 124ft --fra-class 4 "
             "--out mine");
-        return [wish] { measure_track(*wish); };
+        return [options] { measure_track(*options); };
       }};
 }
 

@@ -62,7 +62,7 @@ const std::array<Part, 6> parts{{
      &RailOnBed::bed_damping, dampings},
 }};
 
-struct Wish {
+struct Options {
   double speed = 0;
   std::optional<double> dip, angle;
   std::filesystem::path profile;
@@ -75,47 +75,48 @@ struct Wish {
   tool::Destination out;
 };
 
-Surface surface_of(const Wish& wish) {
+Surface surface_of(const Options& options) {
   const int ways =
-      int(wish.dip.has_value()) + int(wish.angle.has_value()) + int(!wish.profile.empty());
+      int(options.dip.has_value()) + int(options.angle.has_value()) + int(!options.profile.empty());
   if (ways != 1) throw InputError("surface: give one of --dip, --angle and --profile");
-  if (!wish.profile.empty()) {
-    if (wish.rail_length)
+  if (!options.profile.empty()) {
+    if (options.rail_length)
       throw InputError("rail length belongs to --dip and --angle; a profile has its own joint");
-    auto columns = table::read_columns(wish.profile,
+    auto columns = table::read_columns(options.profile,
                                        {{"distance", units::length}, {"profile", units::length}});
     SampledProfile profile{std::move(columns[0]), std::move(columns[1])};
     units::require_between("first distance of the profile", profile.first(), -1e4, 0, "m");
     return profile;
   }
-  const double length = wish.rail_length.value_or(39 * units::foot);
-  return RectifiedSine{wish.dip ? *wish.dip : *wish.angle * length / (2 * units::pi), length};
+  const double length = options.rail_length.value_or(39 * units::foot);
+  return RectifiedSine{options.dip ? *options.dip : *options.angle * length / (2 * units::pi),
+                       length};
 }
 
-ImpactModel model_of(const Wish& wish, tool::Summary& answer) {
+ImpactModel model_of(const Options& options, tool::Summary& answer) {
   ImpactModel model = typical_impact();
   const auto mark = [](bool given) { return given ? "" : "assumed"; };
-  model.wheel_mass = wish.wheel_mass.value_or(model.wheel_mass);
-  model.static_load = wish.wheel_load.value_or(model.static_load);
-  model.hertz_constant = hertz_constant(wish.pair);
+  model.wheel_mass = options.wheel_mass.value_or(model.wheel_mass);
+  model.static_load = options.wheel_load.value_or(model.static_load);
+  model.hertz_constant = hertz_constant(options.pair);
   answer.add("wheel_mass_kg", "unsprung mass on the rail", model.wheel_mass, "kg",
-             mark(wish.wheel_mass.has_value()));
+             mark(options.wheel_mass.has_value()));
   answer.add("wheel_load_kN", "wheel load P_0", model.static_load / units::kilonewton, "kN",
-             mark(wish.wheel_load.has_value()));
+             mark(options.wheel_load.has_value()));
   answer.add("contact_stiffness_MN_per_m", "contact under P_0", contact_stiffness(model) / 1e6,
              "MN/m", "Hertz");
   for (std::size_t i = 0; i < parts.size(); ++i) {
     double& value = model.track.*parts[i].member;
-    value = wish.given[i].value_or(value);
+    value = options.given[i].value_or(value);
     answer.add(parts[i].key, parts[i].name, value / parts[i].si, parts[i].unit,
-               mark(wish.given[i].has_value()));
+               mark(options.given[i].has_value()));
   }
   return model;
 }
 
 // What the distance of the samples leaves open, and a flag when it is more than 2 % of a peak.
 void add_sampling(tool::Summary& answer, const CheckedImpact& checked,
-                  const ImpactOptions& options) {
+                  const ImpactOptions& settings) {
   const auto& profile = std::get<SampledProfile>(checked.history.surface);
   const auto samples = profile.knots().size();
   answer.add("profile_samples", "samples of the profile", double(samples), "",
@@ -127,7 +128,7 @@ void add_sampling(tool::Summary& answer, const CheckedImpact& checked,
                                         samples));
     return;
   }
-  const SamplingSpread spread = sampling_spread(checked, options);
+  const SamplingSpread spread = sampling_spread(checked, settings);
   const ImpactPeaks& p = checked.peaks;
   double worst = 0;
   const auto add = [&](const char* key, const char* what, double size, double force) {
@@ -215,23 +216,24 @@ void write_files(tool::OutFolder& out, const ImpactHistory& history, const tool:
   out.figure(tools::scripts("track") / "joint.gp", {"joint.csv"}, "joint.png");
 }
 
-void run(const Wish& wish) {
-  tool::OutFolder out(wish.out, {"joint.csv", "joint.json", "joint.png"});
-  const Surface surface = surface_of(wish);
+void run(const Options& options) {
+  tool::OutFolder out(options.out, {"joint.csv", "joint.json", "joint.png"});
+  const Surface surface = surface_of(options);
   tool::Summary answer("Wheel/rail force over a joint, one wheel");
-  answer.add("speed_m_per_s", "speed", wish.speed, "m/s",
-             fmt::format("{:.1f} mph", wish.speed / units::mph));
+  answer.add("speed_m_per_s", "speed", options.speed, "m/s",
+             fmt::format("{:.1f} mph", options.speed / units::mph));
   if (const auto* rail = std::get_if<RectifiedSine>(&surface)) {
     answer.add("dip_mm", "dip", rail->depth / units::millimetre, "mm");
     answer.add("angle_mrad", "total angle at the joint", 1e3 * rail->total_angle(), "mrad");
   }
-  const ImpactModel model = model_of(wish, answer);
+  const ImpactModel model = model_of(options, answer);
   const Eigen::Vector3d f = natural_frequencies(model);
   answer.add("frequencies_Hz", "natural frequencies, Hz",
              fmt::format("{:.2f}, {:.2f}, {:.2f}", f[0], f[1], f[2]));
-  const ImpactOptions options{
-      .tolerance = wish.tolerance, .start = default_start(surface), .end_time = wish.duration};
-  const CheckedImpact checked = simulate_checked(model, surface, wish.speed, options);
+  const ImpactOptions settings{.tolerance = options.tolerance,
+                               .start = default_start(surface),
+                               .end_time = options.duration};
+  const CheckedImpact checked = simulate_checked(model, surface, options.speed, settings);
   const ImpactHistory& history = checked.history;
   if (history.status != ImpactStatus::complete)
     throw InputError(fmt::format(
@@ -240,48 +242,48 @@ void run(const Wish& wish) {
         history.steps.empty() ? 0.0 : history.end(), history.steps.size(),
         to_string(history.status)));
   add_peaks(answer, history, checked.peaks);
-  if (std::holds_alternative<SampledProfile>(surface)) add_sampling(answer, checked, options);
+  if (std::holds_alternative<SampledProfile>(surface)) add_sampling(answer, checked, settings);
   add_checks(answer, checked);
   answer.print();
   if (out) write_files(out, history, answer);
   out.commit();
 }
 
-std::function<void()> declare(tool::Options& options) {
-  const auto wish = std::make_shared<Wish>();
-  options.quantity("--speed", wish->speed, units::speed, "of the train", tool::Range{0.1, 200});
-  options.required();
-  options.quantity("--dip", wish->dip, units::length, "depth of the joint, rectified sine",
-                   tool::Range{0, 0.2});
-  options.quantity("--angle", wish->angle, units::angle,
-                   "total angle of the joint instead of its depth", tool::Range{0, 0.1});
-  options.file("--profile", wish->profile,
-               "measured surface, CSV with distance_m and profile_mm or other units; dips "
-               "positive, joint at 0");
-  options.quantity("--rail-length", wish->rail_length, units::length,
-                   "between joints; without it 39 ft", tool::Range{1, 1000});
-  options.quantity("--wheel-mass", wish->wheel_mass, units::mass, "unsprung, on one rail",
-                   tool::Range{1, 1e5});
-  options.quantity("--wheel-load", wish->wheel_load, units::force, "static, on one rail",
-                   tool::Range{1e3, 1e6});
-  options.quantity("--wheel-radius", wish->pair.wheel_radius, units::length, "of the wheel",
-                   tool::Range{0.01, 10});
-  options.quantity("--crown-radius", wish->pair.crown_radius, units::length, "of the rail's crown",
-                   tool::Range{0.01, 10});
+std::function<void()> declare(tool::OptionParser& parser) {
+  const auto options = std::make_shared<Options>();
+  parser.quantity("--speed", options->speed, units::speed, "of the train", tool::Range{0.1, 200});
+  parser.required();
+  parser.quantity("--dip", options->dip, units::length, "depth of the joint, rectified sine",
+                  tool::Range{0, 0.2});
+  parser.quantity("--angle", options->angle, units::angle,
+                  "total angle of the joint instead of its depth", tool::Range{0, 0.1});
+  parser.file("--profile", options->profile,
+              "measured surface, CSV with distance_m and profile_mm or other units; dips "
+              "positive, joint at 0");
+  parser.quantity("--rail-length", options->rail_length, units::length,
+                  "between joints; without it 39 ft", tool::Range{1, 1000});
+  parser.quantity("--wheel-mass", options->wheel_mass, units::mass, "unsprung, on one rail",
+                  tool::Range{1, 1e5});
+  parser.quantity("--wheel-load", options->wheel_load, units::force, "static, on one rail",
+                  tool::Range{1e3, 1e6});
+  parser.quantity("--wheel-radius", options->pair.wheel_radius, units::length, "of the wheel",
+                  tool::Range{0.01, 10});
+  parser.quantity("--crown-radius", options->pair.crown_radius, units::length,
+                  "of the rail's crown", tool::Range{0.01, 10});
   for (std::size_t i = 0; i < parts.size(); ++i)
-    options.quantity(parts[i].option, wish->given[i], parts[i].dimension,
-                     std::string(parts[i].name) + "; without it the typical track's",
-                     parts[i].range);
-  options.quantity("--duration", wish->duration, units::time,
-                   "after the joint, at least 7 ms or so", tool::Range{0, 2, true});
-  options.quantity("--tolerance", wish->tolerance, units::number,
-                   "local error over the static approach", tool::Range{1e-13, 1e-3});
-  options.out(wish->out);
-  options.help(
+    parser.quantity(parts[i].option, options->given[i], parts[i].dimension,
+                    std::string(parts[i].name) + "; without it the typical track's",
+                    parts[i].range);
+  parser.quantity("--duration", options->duration, units::time,
+                  "after the joint, at least 7 ms or so", tool::Range{0, 2, true});
+  parser.quantity("--tolerance", options->tolerance, units::number,
+                  "local error over the static approach", tool::Range{1e-13, 1e-3});
+  parser.out(options->out);
+  parser.help(
       "joint.csv: time from when the wheel is at the joint; force between wheel and rail, positive "
       "as they press; wheel, rail and bed displaced from where they are under the static load, and "
       "the surface under the wheel, all positive downwards: dips are positive.");
-  return [wish] { run(*wish); };
+  return [options] { run(*options); };
 }
 
 }  // namespace

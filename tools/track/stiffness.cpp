@@ -79,7 +79,7 @@ const std::array<Part, 9> parts{{
      "lbf/in", lbf_per_in, &TieSupport::pad_stiffness, stiffnesses},
 }};
 
-struct Wish {
+struct Options {
   std::string rail = "132RE";
   std::optional<double> rail_moment, rail_mass;
   std::array<std::optional<double>, parts.size()> given;
@@ -92,27 +92,27 @@ struct Wish {
   tool::Destination out;
 };
 
-Joint joint_of(const Wish& wish) {
-  const bool sprung = wish.joint == "sprung";
-  if (sprung != wish.joint_rotation.has_value())
+Joint joint_of(const Options& options) {
+  const bool sprung = options.joint == "sprung";
+  if (sprung != options.joint_rotation.has_value())
     throw InputError(
         "joint sprung needs joint rotation (such as 5 MN*m), and no other joint takes it");
-  if (wish.joint == "none" && wish.joint_at)
+  if (options.joint == "none" && options.joint_at)
     throw InputError("joint at is given but no joint; choose --joint free, hinge or sprung");
-  if (sprung) return sprung_joint(*wish.joint_rotation);
-  return wish.joint == "free" ? free_joint : wish.joint == "hinge" ? hinge : Joint{};
+  if (sprung) return sprung_joint(*options.joint_rotation);
+  return options.joint == "free" ? free_joint : options.joint == "hinge" ? hinge : Joint{};
 }
 
 // The chain below the rail; every datum that was not given is marked.
-double modulus_from_chain(const Wish& wish, TieSupport& support, tool::Summary& answer) {
+double modulus_from_chain(const Options& options, TieSupport& support, tool::Summary& answer) {
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const auto& part = parts[i];
-    if (wish.given[i]) support.*part.member = *wish.given[i];
+    if (options.given[i]) support.*part.member = *options.given[i];
     if (support.*part.member == rigid)
       answer.add(part.key, part.name, "rigid (assumed)");
     else
       answer.add(part.key, part.name, support.*part.member / part.si, part.unit,
-                 wish.given[i] ? "" : "assumed");
+                 options.given[i] ? "" : "assumed");
   }
   const auto chain = stiffness_chain(support);
   const auto add = [&](const char* key, const char* what, double value, const char* source) {
@@ -148,15 +148,15 @@ void discrete_ties(const WinklerBeam& beam, double spacing, tool::Summary& answe
 }
 
 // The two-mass model of the same track for impact, eqs (15) to (19).
-void lumped(const Wish& wish, const RailSection& rail, const TieSupport& support,
+void lumped(const Options& options, const RailSection& rail, const TieSupport& support,
             tool::Summary& answer) {
   if (support.friction_angle < 1e-3) {
     answer.add("lumped", "lumped model", "none: eq. (18) needs a friction angle above zero");
     return;
   }
-  const double tie_mass = wish.tie_mass.value_or(typical_tie_mass);
+  const double tie_mass = options.tie_mass.value_or(typical_tie_mass);
   const auto model = rail_on_bed(rail, support, typical_ballast, tie_mass);
-  answer.add("tie_mass_kg", "tie mass", tie_mass, "kg", wish.tie_mass ? "" : "assumed");
+  answer.add("tie_mass_kg", "tie mass", tie_mass, "kg", options.tie_mass ? "" : "assumed");
   answer.add("rail_mass_kg", "lumped: rail mass", model.rail_mass, "kg", "eqs (16), (17)");
   answer.add("bed_mass_kg", "lumped: tie and ballast", model.bed_mass, "kg",
              "eqs (18), (19); ballast 100 lb/ft^3 on 270 in^2, N = 6, assumed");
@@ -164,23 +164,23 @@ void lumped(const Wish& wish, const RailSection& rail, const TieSupport& support
   answer.add("bed_stiffness_MN_per_m", "lumped: tie to ground", model.bed_stiffness / 1e6, "MN/m");
 }
 
-double deflection(const WinklerBeam& beam, const Joint& joint, const Wish& wish, double x) {
-  const double joint_at = wish.joint_at.value_or(0);
+double deflection(const WinklerBeam& beam, const Joint& joint, const Options& options, double x) {
+  const double joint_at = options.joint_at.value_or(0);
   double sum = 0;
-  for (const double wheel : wish.wheels)
-    sum += jointed_deflection(beam, joint, wish.wheel_load, wheel - joint_at, x - joint_at);
+  for (const double wheel : options.wheels)
+    sum += jointed_deflection(beam, joint, options.wheel_load, wheel - joint_at, x - joint_at);
   return sum;
 }
 
 void write_files(tool::OutFolder& out, const WinklerBeam& beam, const Joint& joint,
-                 const Wish& wish, const tool::Summary& answer) {
-  const auto [first, last] = std::ranges::minmax(wish.wheels);
+                 const Options& options, const tool::Summary& answer) {
+  const auto [first, last] = std::ranges::minmax(options.wheels);
   const double margin = 5 / beam.beta();
   std::string text = "distance_m,deflection_mm,support_kN_per_m\n";
   constexpr int steps = 1000;
   for (int i = 0; i <= steps; ++i) {
     const double x = first - margin + (last - first + 2 * margin) * i / steps;
-    const double y = deflection(beam, joint, wish, x);
+    const double y = deflection(beam, joint, options, x);
     text += fmt::format("{:.6g},{:.6g},{:.6g}\n", x, y / units::millimetre,
                         beam.foundation_modulus * y / units::kilonewton);
   }
@@ -195,91 +195,91 @@ void require_apart(std::vector<double> wheels) {
   std::ranges::sort(wheels);
   for (std::size_t i = 1; i < wheels.size(); ++i)
     units::require_between("distance between wheels", wheels[i] - wheels[i - 1], 1e-3,
-                           units::no_limit, "m");
+                           units::infinity, "m");
 }
 
-void run(const Wish& wish) {
-  tool::OutFolder out(wish.out, {"stiffness.csv", "stiffness.json", "stiffness.png"});
-  if (wish.rail_moment.has_value() != wish.rail_mass.has_value())
+void run(const Options& options) {
+  tool::OutFolder out(options.out, {"stiffness.csv", "stiffness.json", "stiffness.png"});
+  if (options.rail_moment.has_value() != options.rail_mass.has_value())
     throw InputError("a section of your own needs both, rail moment and rail mass");
-  const RailSection rail = wish.rail_moment
-                               ? RailSection{"your own", *wish.rail_moment, *wish.rail_mass}
-                               : rail_section(wish.rail);
-  const Joint joint = joint_of(wish);
+  const RailSection rail = options.rail_moment
+                               ? RailSection{"your own", *options.rail_moment, *options.rail_mass}
+                               : rail_section(options.rail);
+  const Joint joint = joint_of(options);
   const bool parts_given =
-      std::ranges::any_of(wish.given, [](const auto& part) { return part.has_value(); });
-  if (wish.modulus && parts_given)
+      std::ranges::any_of(options.given, [](const auto& part) { return part.has_value(); });
+  if (options.modulus && parts_given)
     throw InputError(
         "foundation modulus is given and so are parts it would be made of; give one or the other");
-  if (wish.modulus && wish.tie_mass)
+  if (options.modulus && options.tie_mass)
     throw InputError(
         "tie mass serves the lumped model, which a foundation modulus alone does not give");
-  require_apart(wish.wheels);
+  require_apart(options.wheels);
   tool::Summary answer("Track stiffness, one rail");
   auto support = typical_support();
   answer.add("rail", "rail", std::string(rail.name));
-  const double modulus = wish.modulus ? *wish.modulus : modulus_from_chain(wish, support, answer);
+  const double modulus =
+      options.modulus ? *options.modulus : modulus_from_chain(options, support, answer);
   const WinklerBeam beam = require_valid(WinklerBeam{rail.bending_stiffness(), modulus});
   answer.add("foundation_modulus_psi", "foundation modulus K", modulus / units::psi, "psi",
-             wish.modulus ? "given" : "eq. (3)");
+             options.modulus ? "given" : "eq. (3)");
   answer.add("foundation_modulus_MPa", "", modulus / units::megapascal, "MPa");
   answer.add("beta_per_in", "beta", beam.beta() * units::inch, "1/in", "eq. (1)");
   answer.add("beta_per_m", "", beam.beta(), "1/m");
   answer.add("point_stiffness_lbf_per_in", "stiffness under one wheel K_r",
              beam.point_stiffness() / lbf_per_in, "lbf/in", "eq. (2)");
   answer.add("point_stiffness_MN_per_m", "", beam.point_stiffness() / 1e6, "MN/m");
-  if (!wish.modulus) discrete_ties(beam, support.tie_spacing, answer);
+  if (!options.modulus) discrete_ties(beam, support.tie_spacing, answer);
   answer.add("zero_distance_ft", "zero deflection at", beam.zero_distance() / units::foot, "ft");
   answer.add("zero_distance_m", "", beam.zero_distance(), "m");
-  answer.add("wheel_load_kN", "wheel load", wish.wheel_load / units::kilonewton, "kN");
-  if (wish.joint == "none" && wish.wheels.size() == 1)
+  answer.add("wheel_load_kN", "wheel load", options.wheel_load / units::kilonewton, "kN");
+  if (options.joint == "none" && options.wheels.size() == 1)
     answer.add("moment_kN_m", "rail moment under the wheel",
-               beam_state(beam, wish.wheel_load, 0).moment / units::kilonewton, "kN m");
-  for (const double wheel : wish.wheels) {
-    const double y = deflection(beam, joint, wish, wheel);
+               beam_state(beam, options.wheel_load, 0).moment / units::kilonewton, "kN m");
+  for (const double wheel : options.wheels) {
+    const double y = deflection(beam, joint, options, wheel);
     const std::string at = fmt::format("{:.3f}", wheel);
     answer.add("deflection_mm_at_" + at, "deflection under the wheel at " + at + " m",
                y / units::millimetre, "mm");
     answer.add("stiffness_MN_per_m_at_" + at, "stiffness that wheel feels",
-               wish.wheel_load / y / 1e6, "MN/m");
+               options.wheel_load / y / 1e6, "MN/m");
   }
-  if (!wish.modulus) lumped(wish, rail, support, answer);
+  if (!options.modulus) lumped(options, rail, support, answer);
   answer.print();
-  if (out) write_files(out, beam, joint, wish, answer);
+  if (out) write_files(out, beam, joint, options, answer);
   out.commit();
 }
 
-std::function<void()> declare(tool::Options& options) {
-  const auto wish = std::make_shared<Wish>();
-  options.text("--rail", wish->rail, "rail section: 115RE, 119RE, 132RE, 136RE or 60E1 (UIC60)");
-  options.quantity("--rail-moment", wish->rail_moment, units::second_moment_of_area,
-                   "second moment of a section of your own, with --rail-mass",
-                   tool::Range{1e-9, 1});
-  options.quantity("--rail-mass", wish->rail_mass, units::mass_per_length, "its mass per length",
-                   tool::Range{1e-3, 1e4});
+std::function<void()> declare(tool::OptionParser& parser) {
+  const auto options = std::make_shared<Options>();
+  parser.text("--rail", options->rail, "rail section: 115RE, 119RE, 132RE, 136RE or 60E1 (UIC60)");
+  parser.quantity("--rail-moment", options->rail_moment, units::second_moment_of_area,
+                  "second moment of a section of your own, with --rail-mass", tool::Range{1e-9, 1});
+  parser.quantity("--rail-mass", options->rail_mass, units::mass_per_length, "its mass per length",
+                  tool::Range{1e-3, 1e4});
   for (std::size_t i = 0; i < parts.size(); ++i)
-    options.quantity(parts[i].option, wish->given[i], parts[i].dimension,
-                     std::string(parts[i].help) + "; without it the typical track's",
-                     parts[i].range);
-  options.quantity("--foundation-modulus", wish->modulus, units::pressure,
-                   "K itself, instead of all below the rail", tool::Range{1e-3, 1e15});
-  options.quantity("--tie-mass", wish->tie_mass, units::mass,
-                   "of a whole tie; without it the typical track's", tool::Range{1e-3, 1e5});
-  options.quantity("--wheel-load", wish->wheel_load, units::force, "on every wheel",
-                   tool::Range{1e-3, 1e9});
-  options.quantities("--wheels", wish->wheels, units::length, "their positions along the rail",
-                     along);
-  options.choice("--joint", wish->joint, {"none", "free", "hinge", "sprung"}, "a rail joint");
-  options.quantity("--joint-rotation", wish->joint_rotation, units::moment,
-                   "rotational stiffness of a sprung joint, per radian", tool::Range{0, 1e15});
-  options.quantity("--joint-at", wish->joint_at, units::length,
-                   "its position along the rail; without it 0", along);
-  options.out(wish->out);
-  options.help(
+    parser.quantity(parts[i].option, options->given[i], parts[i].dimension,
+                    std::string(parts[i].help) + "; without it the typical track's",
+                    parts[i].range);
+  parser.quantity("--foundation-modulus", options->modulus, units::pressure,
+                  "K itself, instead of all below the rail", tool::Range{1e-3, 1e15});
+  parser.quantity("--tie-mass", options->tie_mass, units::mass,
+                  "of a whole tie; without it the typical track's", tool::Range{1e-3, 1e5});
+  parser.quantity("--wheel-load", options->wheel_load, units::force, "on every wheel",
+                  tool::Range{1e-3, 1e9});
+  parser.quantities("--wheels", options->wheels, units::length, "their positions along the rail",
+                    along);
+  parser.choice("--joint", options->joint, {"none", "free", "hinge", "sprung"}, "a rail joint");
+  parser.quantity("--joint-rotation", options->joint_rotation, units::moment,
+                  "rotational stiffness of a sprung joint, per radian", tool::Range{0, 1e15});
+  parser.quantity("--joint-at", options->joint_at, units::length,
+                  "its position along the rail; without it 0", along);
+  parser.out(options->out);
+  parser.help(
       "stiffness.csv: distance along the rail as the wheels' and the joint's; deflection of the "
       "rail, positive downwards, and the foundation's force on a length of it, positive upwards on "
       "the rail.");
-  return [wish] { run(*wish); };
+  return [options] { run(*options); };
 }
 
 }  // namespace

@@ -39,27 +39,27 @@ using units::millimetre;
 
 namespace {
 
-struct Wish : PairWish {
+struct Options : PairOptions {
   double shift = 0, yaw = 0, load = 0, friction = 0.3;
   std::optional<double> roll, slip;
   tool::Destination out;
 };
 
-WheelWish wish_of(const Wish& wish) {
-  WheelWish w = wheel_wish(wish);
-  w.load = wish.load, w.friction.coefficient = wish.friction;
+WheelInput options_of(const Options& options) {
+  WheelInput w = wheel_input(options);
+  w.load = options.load, w.friction.coefficient = options.friction;
   return w;
 }
 
-WheelsetResult solve(const Wish& wish, const Pair& pair) {
-  WheelWish w = wish_of(wish);
-  const Pose pose{wish.shift, wish.yaw, wish.roll.value_or(0)};
-  if (!wish.roll && !wish.slip) return solve_wheelset(pair, pose, w);
-  if (!wish.roll || !wish.slip)
+WheelsetResult solve(const Options& options, const ProfilePair& pair) {
+  WheelInput w = options_of(options);
+  const Pose pose{options.shift, options.yaw, options.roll.value_or(0)};
+  if (!options.roll && !options.slip) return solve_wheelset(pair, pose, w);
+  if (!options.roll || !options.slip)
     throw InputError{"give both roll and slip, or neither for a wheelset free to roll and turn"};
   WheelsetResult r;
   r.pose = pose;
-  r.turning = w.turning = wish.speed / pair.radius * (1 + *wish.slip);
+  r.angular_velocity = w.angular_velocity = options.speed / pair.radius * (1 + *options.slip);
   r.left = solve_wheel(pair, mirrored(pose), w);
   r.right = solve_wheel(pair, pose, w);
   r.converged = r.left.converged && r.right.converged;
@@ -68,12 +68,12 @@ WheelsetResult solve(const Wish& wish, const Pair& pair) {
 }
 
 // On which wheels a patch lies on a doubtful place of the wheel's profile.
-std::string sides_on(const Wish& wish, const WheelsetResult& r, const hunting_tool::ProfileFit& fit,
-                     const profiles::PointsWarning& warning) {
+std::string sides_on(const Options& options, const WheelsetResult& r,
+                     const hunting_tool::ProfileFit& fit, const profiles::PointsWarning& warning) {
   std::string sides;
   for (const auto& [name, wheel, shift] :
-       {std::tuple{"left", &r.left, -wish.shift}, {"right", &r.right, wish.shift}})
-    if (stands_on(wish, *wheel, shift, fit, warning))
+       {std::tuple{"left", &r.left, -options.shift}, {"right", &r.right, options.shift}})
+    if (stands_on(options, *wheel, shift, fit, warning))
       sides += fmt::format("{}on the {}", sides.empty() ? "" : " and ", name);
   return sides;
 }
@@ -82,12 +82,12 @@ std::string sides_on(const Wish& wish, const WheelsetResult& r, const hunting_to
 struct ProfileError {
   double p_max = 0, force = 0;  // [Pa], [N]
 };
-std::vector<ProfileError> profile_errors(const Wish& wish, const Pair& half,
+std::vector<ProfileError> profile_errors(const Options& options, const ProfilePair& half,
                                          const WheelsetResult& r, const WheelResult& wheel,
                                          bool left) {
-  WheelWish w = wish_of(wish);
-  w.turning = r.turning;
-  std::vector<ProfileError> errors(wheel.patches.size(), {units::no_limit, units::no_limit});
+  WheelInput w = options_of(options);
+  w.angular_velocity = r.angular_velocity;
+  std::vector<ProfileError> errors(wheel.patches.size(), {units::infinity, units::infinity});
   try {
     const WheelResult other = solve_wheel(half, left ? mirrored(r.pose) : r.pose, w);
     if (!other.converged || other.patches.size() != errors.size()) return errors;
@@ -184,27 +184,28 @@ void add_wheel(tool::Summary& answer, const Side& shown,
   }
 }
 
-void run(const Wish& wish) {
-  tool::OutFolder out(wish.out, {"patches.csv", "wheelset-contact.json", "wheelset-contact.png"});
-  const auto [pair, fits] = read_pair(wish);
-  const WheelsetResult r = solve(wish, pair);
+void run(const Options& options) {
+  tool::OutFolder out(options.out,
+                      {"patches.csv", "wheelset-contact.json", "wheelset-contact.png"});
+  const auto [pair, fits] = read_pair(options);
+  const WheelsetResult r = solve(options, pair);
   if (!r.converged) throw std::runtime_error(fmt::format("no answer: {}", r.reason));
   tool::Summary answer("Wheelset on its rails");
-  describe_pair(answer, wish, fits);
+  describe_pair(answer, options, fits);
   hunting_tool::flag_points(answer, fits, [&](const auto& fit, const auto& warning) {
-    return sides_on(wish, r, fit, warning);
+    return sides_on(options, r, fit, warning);
   });
   answer.add("roll_mrad", "roll, right wheel down", 1e3 * r.pose.roll, "mrad");
-  answer.add("turning_rad_per_s", "turning", r.turning, "rad/s");
+  answer.add("angular_velocity_rad_per_s", "turning", r.angular_velocity, "rad/s");
   answer.add("lowered_mm", "axle below its height on the running circles", r.right.z / millimetre,
-             "mm", wish.roll ? fmt::format("left wheel {:.6g} mm", r.left.z / millimetre) : "");
-  const std::array<Side, 2> sides{Side("left", -1, r.left, wish_of(wish)),
-                                  Side("right", 1, r.right, wish_of(wish))};
+             "mm", options.roll ? fmt::format("left wheel {:.6g} mm", r.left.z / millimetre) : "");
+  const std::array<Side, 2> sides{Side("left", -1, r.left, options_of(options)),
+                                  Side("right", 1, r.right, options_of(options))};
   std::array<std::vector<ProfileError>, 2> errors;
   if (!fits.empty()) {
-    const Pair half = half_as_smooth(wish, fits);
-    errors = {profile_errors(wish, half, r, r.left, true),
-              profile_errors(wish, half, r, r.right, false)};
+    const ProfilePair half = half_as_smooth(options, fits);
+    errors = {profile_errors(options, half, r, r.left, true),
+              profile_errors(options, half, r, r.right, false)};
   }
   for (std::size_t k = 0; k < sides.size(); ++k) add_wheel(answer, sides[k], errors[k]);
   answer.print();
@@ -216,29 +217,29 @@ void run(const Wish& wish) {
   out.commit();
 }
 
-std::function<void()> declare(tool::Options& options) {
-  const auto wish = std::make_shared<Wish>();
-  add_pair_options(options, *wish);
-  options.quantity("--shift", wish->shift, units::length, "of the wheelset to the right",
-                   tool::Range{-0.05, 0.05});
-  options.quantity("--yaw", wish->yaw, units::angle, "front to the right", tool::Range{-0.1, 0.1});
-  options.quantity("--roll", wish->roll, units::angle, "right wheel down; free without it",
-                   tool::Range{-0.1, 0.1});
-  options.quantity(
-      "--slip", wish->slip, units::number,
-      "the wheelset turns by this share faster than speed over radius; free without it",
-      tool::Range{-1, 10});
-  options.quantity("--load", wish->load, units::force, "vertical, on each wheel",
-                   tool::Range{1, 1e9});
-  options.required();
-  options.quantity("--mu", wish->friction, units::number, "friction", tool::Range{0, 2});
-  options.out(wish->out);
-  options.help(
+std::function<void()> declare(tool::OptionParser& parser) {
+  const auto options = std::make_shared<Options>();
+  add_pair_options(parser, *options);
+  parser.quantity("--shift", options->shift, units::length, "of the wheelset to the right",
+                  tool::Range{-0.05, 0.05});
+  parser.quantity("--yaw", options->yaw, units::angle, "front to the right",
+                  tool::Range{-0.1, 0.1});
+  parser.quantity("--roll", options->roll, units::angle, "right wheel down; free without it",
+                  tool::Range{-0.1, 0.1});
+  parser.quantity("--slip", options->slip, units::number,
+                  "the wheelset turns by this share faster than speed over radius; free without it",
+                  tool::Range{-1, 10});
+  parser.quantity("--load", options->load, units::force, "vertical, on each wheel",
+                  tool::Range{1, 1e9});
+  parser.required();
+  parser.quantity("--mu", options->friction, units::number, "friction", tool::Range{0, 2});
+  parser.out(options->out);
+  parser.help(
       "Axes: x forward, y to the right, z down; forces are those on the rail. Creepages are the "
       "wheel's over the "
       "rail.\n\nExample: railbook wheelrail contact --shift 4mm --yaw 5mrad --load 50kN --speed "
       "30m/s");
-  return [wish] { run(*wish); };
+  return [options] { run(*options); };
 }
 
 }  // namespace

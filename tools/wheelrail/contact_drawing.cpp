@@ -14,10 +14,10 @@ using namespace wheel_contact;
 using units::megapascal;
 using units::millimetre;
 
-Side::Side(const char* of, double s, const WheelResult& w, const WheelWish& wish)
+Side::Side(const char* of, double s, const WheelResult& w, const WheelInput& input)
     : name(of), sign(s), wheel(w) {
-  if (wish.method != Method::full) return;
-  for (const PatchResult& p : wheel.patches) stress.push_back(stresses(p, wish));
+  if (input.method != Method::full) return;
+  for (const PatchResult& p : wheel.patches) stress.push_back(stresses(p, input));
 }
 
 namespace {
@@ -82,7 +82,7 @@ std::string cells_csv(const std::array<Side, 2>& sides) {
   return text;
 }
 
-void draw(const Pair& pair, const Pose& pose, const std::array<Side, 2>& sides,
+void draw(const ProfilePair& pair, const Pose& pose, const std::array<Side, 2>& sides,
           tool::OutFolder& out) {
   std::string section = "part,y_mm,z_mm\n";
   std::string patches = "side,y_mm,z_mm,half_y_mm,half_z_mm,normal_y,normal_z,angle_deg\n";
@@ -98,7 +98,8 @@ void draw(const Pair& pair, const Pose& pose, const std::array<Side, 2>& sides,
       point(2 * number - 1, y, pair.rail.at(y).depth);
     }
     // The wheel where it comes nearest to the rail.
-    for (const auto& p : touching(Placed(pair, side.sign > 0 ? pose : mirrored(pose))).locus)
+    for (const auto& p :
+         find_contact(PlacedWheel(pair, side.sign > 0 ? pose : mirrored(pose))).locus)
       point(2 * number, p.at.y(), p.at.z() + side.wheel.z);
     for (std::size_t k = 0; k < side.wheel.patches.size(); ++k) {
       const Frame& frame = side.wheel.patches[k].patch.frame;

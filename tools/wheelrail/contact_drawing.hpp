@@ -16,14 +16,14 @@ struct Side {
   const wheel_contact::WheelResult& wheel;
   std::vector<wheel_contact::PatchStress> stress;  // of every patch of the full theory
   Side(const char* name, double sign, const wheel_contact::WheelResult& wheel,
-       const wheel_contact::WheelWish& wish);
+       const wheel_contact::WheelInput& input);
 };
 
 // One cell a row; in the patch's frame, across > 0 to the right.
 std::string cells_csv(const std::array<Side, 2>& sides);
 
 // wheelset-contact.png: both sections with their patches, and the pressures from above.
-void draw(const wheel_contact::Pair& pair, const wheel_contact::Pose& pose,
+void draw(const wheel_contact::ProfilePair& pair, const wheel_contact::Pose& pose,
           const std::array<Side, 2>& sides, tool::OutFolder& out);
 
 }  // namespace railbook::wheelrail_tool

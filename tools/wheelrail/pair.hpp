@@ -14,7 +14,7 @@
 
 namespace railbook::wheelrail_tool {
 
-struct PairWish {
+struct PairOptions {
   std::filesystem::path wheel, rail;
   std::string head = "60E1";
   double cant = 0.025, gauge = 1.435, gauge_depth = 0.014;
@@ -23,27 +23,27 @@ struct PairWish {
   double speed = 0;
   std::string method = "full";
   long cells = 40;
-  wheel_contact::WheelWish wheel_wish;
+  wheel_contact::WheelInput wheel_input;
 };
 
-void add_pair_options(tool::Options& options, PairWish& wish);
+void add_pair_options(tool::OptionParser& parser, PairOptions& options);
 struct ReadPair {
-  wheel_contact::Pair pair;
+  wheel_contact::ProfilePair pair;
   std::vector<hunting_tool::ProfileFit> fits;  // of the profiles that came from files
 };
 // Throws InputError naming a file and what is wrong with it, and when the wheelset does not fit between the rails.
-ReadPair read_pair(const PairWish& wish);
+ReadPair read_pair(const PairOptions& options);
 // The same with each profile from a file met twice as closely: how far an answer stands on the smoothing.
-wheel_contact::Pair half_as_smooth(const PairWish& wish,
-                                   const std::vector<hunting_tool::ProfileFit>& fits);
+wheel_contact::ProfilePair half_as_smooth(const PairOptions& options,
+                                          const std::vector<hunting_tool::ProfileFit>& fits);
 // Whether a patch of a wheel, shifted outwards, lies on a doubtful place of the wheel's profile or next to it. (A rail's place in the
 // track is not told in its file's coordinates.)
-bool stands_on(const PairWish& wish, const wheel_contact::WheelResult& wheel, double shift,
+bool stands_on(const PairOptions& options, const wheel_contact::WheelResult& wheel, double shift,
                const hunting_tool::ProfileFit& fit, const profiles::PointsWarning& warning);
 // With the scatter, the smoothing and the distance of the points of profiles from files.
-void describe_pair(tool::Summary& answer, const PairWish& wish,
+void describe_pair(tool::Summary& answer, const PairOptions& options,
                    const std::vector<hunting_tool::ProfileFit>& fits);
-wheel_contact::WheelWish wheel_wish(const PairWish& wish);
+wheel_contact::WheelInput wheel_input(const PairOptions& options);
 wheel_contact::Method method_of(const std::string& name);
 
 }  // namespace railbook::wheelrail_tool

@@ -38,11 +38,11 @@ using units::millimetre;
 
 namespace {
 
-struct Wish : PairWish {
+struct Options : PairOptions {
   double from = -8 * millimetre, to = 8 * millimetre, yaw_from = 0, yaw_to = 0;
   long shifts = 33, yaws = 1;
   std::vector<double> loads, frictions{0.3}, slips{0};
-  tool::BatchWish batch;
+  tool::RecordFiles batch;
   tool::Destination out;
 };
 
@@ -57,17 +57,17 @@ struct Place {
   double load, friction, slip;
 };
 
-WheelResult solve(const Wish& wish, const Pair& pair, const Pose& pose, const Place& place,
-                  Method method) {
-  WheelWish w = wheel_wish(wish);
+WheelResult solve(const Options& options, const ProfilePair& pair, const Pose& pose,
+                  const Place& place, Method method) {
+  WheelInput w = wheel_input(options);
   w.load = place.load, w.friction.coefficient = place.friction, w.method = method;
-  w.turning = wish.speed / pair.radius * (1 + place.slip);
+  w.angular_velocity = options.speed / pair.radius * (1 + place.slip);
   WheelResult r = solve_wheel(pair, pose, w);
   if (!r.converged) throw std::runtime_error(r.reason);
   return r;
 }
 
-Pose pose_of(const Pair& pair, double shift, double yaw) {
+Pose pose_of(const ProfilePair& pair, double shift, double yaw) {
   return {shift, yaw, rigid_roll(pair, shift, yaw)};
 }
 
@@ -100,22 +100,23 @@ constexpr double doubtful_force = 0.05;     // of mu N
 constexpr double doubtful_pressure = 0.10;  // of the pressure
 
 // Measured at the first place of a line; NaN where there is no answer.
-void add_errors(tool::Row& row, const Wish& wish, const Pair& pair, const Line& line,
+void add_errors(tool::Row& row, const Options& options, const ProfilePair& pair, const Line& line,
                 const Place& place, const WheelResult& here) {
   double between = units::nan, method = units::nan, pressure = units::nan;
-  const Method own = method_of(wish.method);
+  const Method own = method_of(options.method);
   try {
     if (line.step > 0) {
       const auto next =
-          solve(wish, pair, pose_of(pair, line.shift + line.step, line.yaw), place, own);
+          solve(options, pair, pose_of(pair, line.shift + line.step, line.yaw), place, own);
       between = largest_between([&](double share) {
-        const auto answer =
-            solve(wish, pair, pose_of(pair, line.shift + share * line.step, line.yaw), place, own);
+        const auto answer = solve(
+            options, pair, pose_of(pair, line.shift + share * line.step, line.yaw), place, own);
         return apart(answer.force, here.force + share * (next.force - here.force), place);
       });
     }
     if (own != Method::full) {
-      const auto full = solve(wish, pair, pose_of(pair, line.shift, line.yaw), place, Method::full);
+      const auto full =
+          solve(options, pair, pose_of(pair, line.shift, line.yaw), place, Method::full);
       method = apart(here.force, full.force, place);
       pressure = std::abs(here.patches.front().p_max / full.patches.front().p_max - 1);
     }
@@ -172,28 +173,28 @@ void add_answer(tool::Row& row, const Pose& pose, const WheelResult& r) {
 }
 
 // Warnings of the profile's points where this row's wheel stands.
-void add_point_flags(tool::Row& row, const Wish& wish, const Line& line, const WheelResult& r,
+void add_point_flags(tool::Row& row, const Options& options, const Line& line, const WheelResult& r,
                      const std::vector<hunting_tool::ProfileFit>& fits) {
   for (const hunting_tool::ProfileFit& fit : fits)
     for (const profiles::PointsWarning& warning : fit.warnings)
-      if (stands_on(wish, r, line.shift, fit, warning))
+      if (stands_on(options, r, line.shift, fit, warning))
         row.flag(fmt::format("{}-{}", fit.what, warning.key));
 }
 
-std::vector<tool::Row> rows_of(const Wish& wish, const ReadPair& read, const Line& line) {
-  const Pair& pair = read.pair;
+std::vector<tool::Row> rows_of(const Options& options, const ReadPair& read, const Line& line) {
+  const ProfilePair& pair = read.pair;
   const Pose pose = pose_of(pair, line.shift, line.yaw);
   std::vector<tool::Row> rows;
-  for (const double load : wish.loads)
-    for (const double friction : wish.frictions)
-      for (const double slip : wish.slips) {
+  for (const double load : options.loads)
+    for (const double friction : options.frictions)
+      for (const double slip : options.slips) {
         const Place place{load, friction, slip};
         tool::Row row = row_of(line, place);
         try {
-          const WheelResult r = solve(wish, pair, pose, place, method_of(wish.method));
+          const WheelResult r = solve(options, pair, pose, place, method_of(options.method));
           add_answer(row, pose, r);
-          add_point_flags(row, wish, line, r, read.fits);
-          if (rows.empty() && line.measured) add_errors(row, wish, pair, line, place, r);
+          add_point_flags(row, options, line, r, read.fits);
+          if (rows.empty() && line.measured) add_errors(row, options, pair, line, place, r);
         } catch (const std::exception& error) {
           row.add("refused", std::string(error.what()));
           row.flag("refused");
@@ -207,50 +208,51 @@ double step_of(double from, double to, long count) {
   return count > 1 ? (to - from) / static_cast<double>(count - 1) : 0;
 }
 
-void run(Wish wish) {
-  units::require_between("last shift", wish.to, wish.from, 0.05, "m");
-  units::require_between("last yaw", wish.yaw_to, wish.yaw_from, 0.1, "rad");
-  const double rows = double(wish.shifts) * double(wish.yaws) * double(wish.loads.size()) *
-                      double(wish.frictions.size()) * double(wish.slips.size());
+void run(Options options) {
+  units::require_between("last shift", options.to, options.from, 0.05, "m");
+  units::require_between("last yaw", options.yaw_to, options.yaw_from, 0.1, "rad");
+  const double rows = double(options.shifts) * double(options.yaws) * double(options.loads.size()) *
+                      double(options.frictions.size()) * double(options.slips.size());
   units::require_between("rows of the table", rows, 1, 2e7);
-  const ReadPair read = read_pair(wish);
-  const double step = step_of(wish.from, wish.to, wish.shifts),
-               turn = step_of(wish.yaw_from, wish.yaw_to, wish.yaws);
+  const ReadPair read = read_pair(options);
+  const double step = step_of(options.from, options.to, options.shifts),
+               turn = step_of(options.yaw_from, options.yaw_to, options.yaws);
   std::map<std::filesystem::path, Line> lines;
-  const long every = std::max(1L, wish.shifts * wish.yaws / most_measured);
-  for (long i = 0; i < wish.shifts; ++i)
-    for (long j = 0; j < wish.yaws; ++j) {
-      const Line line{wish.from + step * double(i), wish.yaw_from + turn * double(j),
-                      i + 1 < wish.shifts ? step : 0, (i * (wish.yaws + 1) + j) % every == 0};
+  const long every = std::max(1L, options.shifts * options.yaws / most_measured);
+  for (long i = 0; i < options.shifts; ++i)
+    for (long j = 0; j < options.yaws; ++j) {
+      const Line line{options.from + step * double(i), options.yaw_from + turn * double(j),
+                      i + 1 < options.shifts ? step : 0, (i * (options.yaws + 1) + j) % every == 0};
       const std::string name =
           fmt::format("shift {:.9g} mm, yaw {:.9g} mrad", line.shift / millimetre, 1e3 * line.yaw);
-      if (lines.emplace(name, line).second) wish.batch.files.emplace_back(name);
+      if (lines.emplace(name, line).second) options.batch.files.emplace_back(name);
     }
-  tool::run_batch(wish.batch, wish.out, "wheelrail",
-                  [&](const auto& name) { return rows_of(wish, read, lines.at(name)); });
+  tool::run_batch(options.batch, options.out, "wheelrail",
+                  [&](const auto& name) { return rows_of(options, read, lines.at(name)); });
 }
 
-std::function<void()> declare(tool::Options& options) {
-  const auto wish = std::make_shared<Wish>();
-  wish->method = "strips";
-  add_pair_options(options, *wish);
+std::function<void()> declare(tool::OptionParser& parser) {
+  const auto options = std::make_shared<Options>();
+  options->method = "strips";
+  add_pair_options(parser, *options);
   using tool::Range;
-  options.quantity("--from", wish->from, units::length, "first shift to the right",
-                   Range{-0.05, 0.05});
-  options.quantity("--to", wish->to, units::length, "and last", Range{-0.05, 0.05});
-  options.count("--shifts", wish->shifts, "how many", 1, 100000);
-  options.quantity("--yaw-from", wish->yaw_from, units::angle, "first yaw, front to the right",
-                   Range{-0.1, 0.1});
-  options.quantity("--yaw-to", wish->yaw_to, units::angle, "and last", Range{-0.1, 0.1});
-  options.count("--yaws", wish->yaws, "how many", 1, 100000);
-  options.quantities("--load", wish->loads, units::force, "vertical, on the wheel", Range{1, 1e9});
-  options.required();
-  options.quantities("--mu", wish->frictions, units::number, "friction", Range{0, 2});
-  options.quantities("--slip", wish->slips, units::number,
-                     "the wheelset turns by this share faster than speed over radius",
-                     Range{-1, 10});
-  options.out(wish->out);
-  options.help(
+  parser.quantity("--from", options->from, units::length, "first shift to the right",
+                  Range{-0.05, 0.05});
+  parser.quantity("--to", options->to, units::length, "and last", Range{-0.05, 0.05});
+  parser.count("--shifts", options->shifts, "how many", 1, 100000);
+  parser.quantity("--yaw-from", options->yaw_from, units::angle, "first yaw, front to the right",
+                  Range{-0.1, 0.1});
+  parser.quantity("--yaw-to", options->yaw_to, units::angle, "and last", Range{-0.1, 0.1});
+  parser.count("--yaws", options->yaws, "how many", 1, 100000);
+  parser.quantities("--load", options->loads, units::force, "vertical, on the wheel",
+                    Range{1, 1e9});
+  parser.required();
+  parser.quantities("--mu", options->frictions, units::number, "friction", Range{0, 2});
+  parser.quantities("--slip", options->slips, units::number,
+                    "the wheelset turns by this share faster than speed over radius",
+                    Range{-1, 10});
+  parser.out(options->out);
+  parser.help(
       "With --out DIR: DIR/wheelrail-table.csv and .jsonl, a row a position. Columns are those of "
       "the right wheel, "
       "forces on the rail; x forward, y right, z down; the first patch carries most. A flag "
@@ -259,7 +261,7 @@ std::function<void()> declare(tool::Options& options) {
       "pressure.\n\n"
       "Example: railbook wheelrail table --speed 30m/s --load 40kN 50kN --slip -0.002 0 0.002 "
       "--out mine");
-  return [wish] { run(*wish); };
+  return [options] { run(*options); };
 }
 
 }  // namespace

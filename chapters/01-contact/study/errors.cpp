@@ -48,7 +48,7 @@ struct Runs {
 // Case k of contacts of closed form, one of three kinds in turn.
 Runs contact(std::size_t k) {
   Runs runs;
-  bench::Draw draw{1, k};
+  bench::RandomStream draw{1, k};
   CgFftOptions options;
   options.nx = static_cast<Eigen::Index>(draw(32, 49)),
   options.ny = static_cast<Eigen::Index>(draw(32, 49));

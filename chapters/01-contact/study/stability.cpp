@@ -234,7 +234,7 @@ void corners(report::Item& item) {
                 "COUNTACT-1 on 30 columns, % off",
                 "peak, 10⁵ psi",
                 "its stated error, %"});
-  double least = units::no_limit, largest = 0;
+  double least = units::infinity, largest = 0;
   for (const double radius : {10.0, 5.0, 2.5, 1.25, 0.5, 0.25, 0.1}) {
     const NormalContact c = corner_on_grid(radius * inch, 255);
     const NormalContact columns =
@@ -266,46 +266,46 @@ void extremes(report::Item& item) {
       item.add_row(axis_ratio, fmt::format("{0} x {0}", n), iterations(true),
                    10 * std::round(iterations(false) / 10));
     }
-  using report::degrades, report::holds, report::refused;
+  using report::degraded, report::accurate, report::refused;
   const std::pair<report::StabilityCase, std::function<Found()>> cases[]{
       {{"slender-0.0001", "b/a = 1e-4, 127 x 127 cells",
-        "cells as slender as the patch, iterations", holds, 2e-5, "Hertz"},
+        "cells as slender as the patch, iterations", accurate, 2e-5, "Hertz"},
        [] { return slender(1e-4); }},
-      {{"slender-1e-06", "b/a = 1e-6, 127 x 127 cells", "the same", holds, 2e-5, "Hertz"},
+      {{"slender-1e-06", "b/a = 1e-6, 127 x 127 cells", "the same", accurate, 2e-5, "Hertz"},
        [] { return slender(1e-6); }},
       {{"turned-10", "1 kN on a 10 mm cylinder and a 10 m sphere, 45 degrees from the frame",
-        "a slender patch across the cells: the grid follows the bodies", holds, 2e-5,
+        "a slender patch across the cells: the grid follows the bodies", accurate, 2e-5,
         "Hertz's approach"},
        turned},
       {{"turned-coarse", "a 100 m sphere, on cells along the frame",
         "the patch is narrower than a cell", refused},
        turned_coarse},
       {{"two", "two equal summits, a hundred radii of their patches apart",
-        "each sinks under the other's load; most of the grid is empty", holds, 1e-3,
+        "each sinks under the other's load; most of the grid is empty", accurate, 1e-3,
         "Hertz at the approach less what the other's load sinks, good to (1/100)^2; 16 cells "
         "across a patch give 1e-3"},
        two_summits},
       {{"jump", "Example 2, 128 x 128, a cell edge on x = 0",
-        "the slope of the pressure is infinite at the jump", holds, 1e-4,
+        "the slope of the pressure is infinite at the jump", accurate, 1e-4,
         "sums over lattices, continued"},
        [] { return jump(true); }},
-      {{"jump-off", "the same, the edge where it falls", "the same", holds, 1e-4,
+      {{"jump-off", "the same, the edge where it falls", "the same", accurate, 1e-4,
         "sums over lattices, continued"},
        [] { return jump(false); }},
       {{"sharp-punch", "flat punch with a sharp edge, 256 x 256", "infinite pressure at the edge",
-        degrades, 1.0 / 128, "closed form; the radius is known to a cell, a 128th of it"},
+        degraded, 1.0 / 128, "closed form; the radius is known to a cell, a 128th of it"},
        sharp_punch},
       {{"narrow-edge", "the same with an edge of .001 in radius",
         "a finite peak within a strip narrower than a cell", refused},
        [] { return stated(punch(0.001 * inch), &NormalContact::p_max_error); }},
-      {{"oblong", "Example 1, 64 x 512 cells", "cells some 17 times as long as wide", holds, 2e-5,
-        "Hertz"},
+      {{"oblong", "Example 1, 64 x 512 cells", "cells some 17 times as long as wide", accurate,
+        2e-5, "Hertz"},
        oblong},
       {{"nine-columns", "Example 2 with nine uniform columns, full moves",
         "too few columns on the narrow side of the jump", refused},
        nine_columns},
       {{"hollow", "a tread 1e-9 larger than the crown of the rail",
-        "two curvatures cancel; the patch is 80 000 times as long as wide", holds, 2e-5,
+        "two curvatures cancel; the patch is 80 000 times as long as wide", accurate, 2e-5,
         "Hertz, from the difference of the radii"},
        [] { return hollow_tread(1e-9); }},
       {{"hollow-equal", "a tread 1e-12 larger than the crown",
@@ -315,7 +315,7 @@ void extremes(report::Item& item) {
         "the peak is in a strip of a few cells", refused},
        sharp_corner_peak},
       {{"sharp-corner-force", "the same, its force",
-        "the jump of the radius is 100 to 1, the strip carries little", holds, 1e-4,
+        "the jump of the radius is 100 to 1, the strip carries little", accurate, 1e-4,
         "the same on 511 x 511 cells"},
        sharp_corner_force},
       {{"sharp-corner-columns", "the same by COUNTACT-1 on 30 graded columns", "the same", refused},
@@ -335,7 +335,7 @@ void extremes(report::Item& item) {
         "two patches on one axis", refused},
        [] { return by_countact(two_by_countact(0.003)); }},
       {{"two-far", "two summits a hundred radii apart, by COUNTACT-1",
-        "the other patch is far outside the first region", degrades, 0.51,
+        "the other patch is far outside the first region", degraded, 0.51,
         "twice Hertz's force: COUNTACT finds the patch at the origin only"},
        one_of_two}};
   for (const auto& [what, run] : cases) item.stability(what, run);

@@ -1,4 +1,5 @@
-// The paper's own way to a limit cycle: eigenvectors inside, speed outside (Hull and Cooperrider 1977, Fig. 10).
+// The paper's own way to a limit cycle: eigenvectors inside, speed outside (Hull and Cooperrider
+// 1977, Fig. 10).
 //
 // Inner loop: gains from the present shape and frequency, eigenvectors of the car with these gains, one of the
 // least damped taken as the next shape and scaled to the amplitude wanted, until it reproduces itself. Outer
@@ -34,8 +35,8 @@ struct LoopResult {
   int switches = 0;  // times that the next shape was another mode (overlap below 0.9)
 };
 
-// The cycle of largest wheelset amplitude `amplitude` [m], from a guess of shape, frequency and speed.
-// Throws InputError unless amplitude > 0.
+// The cycle of largest wheelset amplitude `amplitude` [m], from a guess of shape, frequency and
+// speed. Throws InputError unless amplitude > 0.
 LoopResult paper_cycle(const QuasiLinearCar& car, const Motion& guess, double amplitude,
                        ModeChoice choice, const LoopLimits& limits = {});
 

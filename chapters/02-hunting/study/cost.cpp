@@ -105,7 +105,7 @@ bench::Outcome of_orbit(const Orbit& orbit) {
 }
 
 Orbit closed(double tolerance, double piece_tolerance) {
-  const Examined& e = example_cycle().examined;
+  const RefinedCycle& e = example_cycle().examined;
   return shoot(example_cycle().car, e.orbit.y, e.orbit.period,
                {.tolerance = tolerance, .piece_tolerance = piece_tolerance});
 }
@@ -200,8 +200,9 @@ bench::Outcome by_newton(int steps) {
   Motion start = v.hopf[0].motion;
   start.shape = scaled_to(v.car.car(), start.shape, size);
   const int wheelset = largest_wheelset(v.car.car(), start.shape);
-  const auto r = solve_cycle(v.car, scaled(start), scaled(start),
-                             {.kind = Pick::amplitude, .wheelset = wheelset, .value = size}, steps);
+  const auto r =
+      solve_cycle(v.car, scaled(start), scaled(start),
+                  {.kind = BranchCondition::amplitude, .wheelset = wheelset, .value = size}, steps);
   return {{r.motion.speed}, double(std::min(r.iterations, steps)), true, ""};
 }
 

@@ -38,7 +38,7 @@ Found stick() {
     data.stick_speed *= part, data.stick_rate *= part;
     const Oscillator car =
         car_on_track(assemble(data, Suspension::friction), *usual.vehicle->table, 90 * foot);
-    const Examined e = examine(car, harmonics(car, usual.examined.orbit, 23));
+    const RefinedCycle e = refine_cycle(car, harmonics(car, usual.examined.orbit, 23));
     if (!e.converged) throw report::NoAnswer(e.reason);
     return e.amplitude / inch;
   };
@@ -151,17 +151,17 @@ Found nearly_double() {
 }  // namespace
 
 void extremes(report::Item& item) {
-  using report::degrades, report::holds, report::refused;
+  using report::degraded, report::accurate, report::refused;
   item.stability({"slow", "V = 1 ft/s",
                   "creep decays in tens of microseconds, the car weaves with a period of a minute",
-                  holds, 1e-5, "exact pieces, in"},
+                  accurate, 1e-5, "exact pieces, in"},
                  slow);
   item.stability({"stick", "CN with friction, 90 ft/s, sticking rate 1/4 and 1/16",
-                  "the sign function is approached; a half would be an order of 1/2", degrades, 0.5,
+                  "the sign function is approached; a half would be an order of 1/2", degraded, 0.5,
                   "the change before"},
                  stick);
   item.stability({"leaving", "new wheel, 240 ft/s", "a wheelset reaches the end of its table",
-                  holds, 1e-6, "another integrator, s"},
+                  accurate, 1e-6, "another integrator, s"},
                  leaving);
   item.stability(
       {"no-cycle", "new wheel, 60 ft/s, balance from 0.3 in", "there is no cycle", refused},
@@ -169,13 +169,13 @@ void extremes(report::Item& item) {
   item.stability({"another", "new wheel, 199 ft/s, second describing-function cycle",
                   "what closes from there is another cycle", refused},
                  another);
-  item.stability({"no-spring", "no lateral springs", "the pencil is singular at every speed", holds,
-                  1e-6, "springs of 1e-3 N/m"},
+  item.stability({"no-spring", "no lateral springs", "the pencil is singular at every speed",
+                  accurate, 1e-6, "springs of 1e-3 N/m"},
                  [] { return limit(with_spring(0), with_spring(1e-3)); });
   item.stability({"no-damping", "no friction in any joint", "modes of the body hardly damped",
-                  holds, 1e-4, "a millionth of the friction"},
+                  accurate, 1e-4, "a millionth of the friction"},
                  [] { return limit(with_friction(0), with_friction(1e-6)); });
-  item.stability({"knots", "new wheel, knots half as far apart", "the end of stability", holds,
+  item.stability({"knots", "new wheel, knots half as far apart", "the end of stability", accurate,
                   1e-3, "knots of 0.0025 in"},
                  knots);
   item.stability(
@@ -185,12 +185,13 @@ void extremes(report::Item& item) {
        refused},
       no_mean);
   item.stability({"saturated", "new wheel, friction of 0.5 between wheel and rail, 135 ft/s",
-                  "creep saturates where the flange is met, and the branch turns sharply", holds,
+                  "creep saturates where the flange is met, and the branch turns sharply", accurate,
                   1e-3, "integration in time, amplitude"},
                  saturated);
-  item.stability({"nearly-double", "dampers with two critical speeds close together",
-                  "two modes cross the axis almost at once", holds, 1e-6, "eigenvalues there, 1/s"},
-                 nearly_double);
+  item.stability(
+      {"nearly-double", "dampers with two critical speeds close together",
+       "two modes cross the axis almost at once", accurate, 1e-6, "eigenvalues there, 1/s"},
+      nearly_double);
 }
 
 }  // namespace railbook::hunting_chapter

@@ -106,7 +106,7 @@ Answers solved(const Cases& cases, const LawOf& law) {
   for (const auto& [ratio, creepages] : cases) {
     const Law solve = law(ratio);
     for (const Creepage& c : creepages) {
-      const CreepForces f = solve(with_reduced_creepage(unit_case(ratio, poisson), c));
+      const CreepForces f = solve(with_reduced_creepage(normalised_case(ratio, poisson), c));
       if (!f.converged) throw std::runtime_error(f.reason);
       all.insert(all.end(), {f.fx, f.fy, f.mz});
     }

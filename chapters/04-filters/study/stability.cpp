@@ -46,13 +46,13 @@ double ramp_error(double before, double after) {
 }
 
 // F's two modes and a constant, at random intervals: what G makes of it less the constant, over the rounding that its weights of 1/kappa^2 allow.
-report::Found random_intervals(bench::Draw& draw) {
+report::Found random_intervals(bench::RandomStream& draw) {
   const double omega = draw.decades(0.1, 100), damping = draw.decades(0.2, 5);
   const double longest = draw.decades(1e-3, 3) / (omega * (1 + damping));
   const std::complex<double> w = std::sqrt(std::complex<double>{damping * damping - 1});
   const std::complex<double> p_1 = omega * (-damping + w), p_2 = omega * (-damping - w);
   filters::SecondOrderHybrid g{{omega, damping}};
-  double t = 0, kappa = units::no_limit, mean = units::nan;
+  double t = 0, kappa = units::infinity, mean = units::nan;
   for (int k = 0; k < 3; ++k) {
     const double T = longest * draw(0.1, 1);
     t += T;
@@ -76,13 +76,13 @@ void intervals(report::Item& item) {
   struct Case {
     const char *id, *what, *stress;
     double before, after;
-    report::Stands expect;
+    report::Expected expect;
   };
   for (const Case& c :
-       {Case{"stop", "C: an hour between two samples", "T → ∞", 0.1, 3600, report::holds},
-        Case{"start", "C: an hour, then 0.1 s", "T → ∞", 3600, 0.1, report::holds},
+       {Case{"stop", "C: an hour between two samples", "T → ∞", 0.1, 3600, report::accurate},
+        Case{"start", "C: an hour, then 0.1 s", "T → ∞", 3600, 0.1, report::accurate},
         Case{"fast", "C: a sample each millimetre at 120 mph", "T → 0", 1e-3 / (120 * mph),
-             1e-3 / (120 * mph), report::degrades}})
+             1e-3 / (120 * mph), report::degraded}})
     // Four roundings of each of two samples, over the weight 1 - a that C divides by.
     item.stability(
         {.id = c.id,

@@ -51,7 +51,7 @@ void sweep(report::Item& item) {
     spectra::SpectrumFit fit;
   };
   const auto all = num::map_in_parallel(static_cast<std::size_t>(records), [](std::size_t k) {
-    bench::Draw draw{31, k};
+    bench::RandomStream draw{31, k};
     const spectra::TrackParameters track{.A = draw.decades(1e-8, 1e-6),
                                          .phi_c = draw.decades(0.08, 0.3),
                                          .phi_0 = phi_0,

@@ -269,7 +269,7 @@ void table_stability(report::Item& item) {
         {.id = c.id,
          .what = c.what,
          .stress = c.stress,
-         .expect = c.lossy() ? report::degrades : report::holds,
+         .expect = c.lossy() ? report::degraded : report::accurate,
          .allowed = c.known     ? known_loss(c).larger()
                     : c.lossy() ? c.loss
                                 : 1,

@@ -49,7 +49,7 @@ Long at_moving_load(double theta) {
 }
 
 std::vector<double> arguments(double low, double high) {
-  bench::Draw draw{7, 0};
+  bench::RandomStream draw{7, 0};
   std::vector<double> result(20000);
   for (double& x : result) x = draw.decades(low, high);
   return result;
@@ -81,7 +81,7 @@ void digits_table(report::Item& item) {
 
 // The largest error of a peak, and what the passage states of it.
 bench::Estimate passage(std::uint64_t k) {
-  bench::Draw draw{9, k};
+  bench::RandomStream draw{9, k};
   ImpactModel model = typical_impact();
   RailOnBed& t = model.track;
   const RectifiedSine rail = joint_dip(draw.decades(0.05, 1));

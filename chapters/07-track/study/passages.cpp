@@ -274,7 +274,7 @@ void cost_mass(report::Item& item) {
   const auto quickest = [](const std::vector<Entry>& entries) {
     return *std::ranges::min_element(entries, {}, &Entry::cost);
   };
-  double lightest = units::no_limit;  // rail on which an explicit method is the quickest
+  double lightest = units::infinity;  // rail on which an explicit method is the quickest
   std::vector<Entry> entries;         // of the last, lightest rail
   Entry heavy{};                      // the quickest on a rail of 100 kg
   for (double mass = 1e3; mass > 5e-4; mass /= 10) {

@@ -15,12 +15,13 @@ namespace railbook::cycles {
 using Eigen::VectorXd;
 
 // A point of the branch before it is described: unknowns of the balance (SI), frequency, parameter.
-struct Place {
+struct BranchPoint {
   VectorXd z;
   double omega = 0, parameter = 0;
 };
 
-// Solves the balance with one more linear condition; keeps equations, oscillators and the metric of a step.
+// Solves the balance with one more linear condition; keeps equations, oscillators and the metric of
+// a step.
 class BranchSolver {
  public:
   BranchSolver(const Family& family, std::vector<int> orders)
@@ -48,16 +49,16 @@ class BranchSolver {
   }
 
   // Scaled: harmonics by their size, the logarithm of omega, the parameter by the family's scale.
-  void measure(const Place& p) {
+  void measure(const BranchPoint& p) {
     size_ = p.z.norm();
     phase_ = equations_->turned(p.z).normalized();
   }
-  VectorXd scaled(const Place& p) const {
+  VectorXd scaled(const BranchPoint& p) const {
     VectorXd x(p.z.size() + 2);
     x << p.z / size_, std::log(p.omega), p.parameter / family_.scale;
     return x;
   }
-  Place place(const VectorXd& x) const {
+  BranchPoint place(const VectorXd& x) const {
     const Eigen::Index n = x.size() - 2;
     return {size_ * x.head(n), std::exp(x[n]), family_.scale * x[n + 1]};
   }
@@ -73,7 +74,8 @@ class BranchSolver {
     return t;
   }
 
-  // Newton from x with normal . x = value. False when it does not converge; `tangent` is that of the branch at the result.
+  // Newton from x with normal . x = value. False when it does not converge; `tangent` is that of
+  // the branch at the result.
   bool correct(VectorXd& x, const VectorXd& normal, double value, int most = 10) {
     return newton(x, normal, value, most, false);
   }
@@ -95,7 +97,7 @@ class BranchSolver {
   int orientation() const { return lu_.sign(); }
 
   // The cycle at x, whose motion is evaluated once more.
-  Cycle cycle(const Place& p) {
+  Cycle cycle(const BranchPoint& p) {
     family_.set(here_, p.parameter);
     equations_->change(here_);
     (void)equations_->residual(p.z, p.omega);
@@ -124,7 +126,8 @@ class BranchSolver {
       double update = right.norm();
       if (!right.allFinite() || (!shortened && update > 2)) return false;
       if (shortened && update > 1e-7) {
-        // Natural monotony (Deuflhard): the next step with the same matrix must be shorter; no matter in what units.
+        // Natural monotony (Deuflhard): the next step with the same matrix must be shorter; no
+        // matter in what units.
         double part = std::min(1.0, 0.5 / update);
         for (int k = 0; k < 8; ++k, part *= 0.5)
           if (next_update(x - part * right, normal, value) < (1 - 0.25 * part) * update) break;
@@ -140,7 +143,7 @@ class BranchSolver {
   // The step from x by the last matrix.
   double next_update(const VectorXd& x, const VectorXd& normal, double value) {
     const Eigen::Index n = equations_->size();
-    const Place p = place(x);
+    const BranchPoint p = place(x);
     if (!(p.omega > 1e-9 && p.omega < 1e9) || !p.z.allFinite()) return 1e300;
     try {
       family_.set(here_, p.parameter);
@@ -157,9 +160,10 @@ class BranchSolver {
   // Residual and derivative by x. False for values that are none.
   bool assemble(const VectorXd& x, const VectorXd& normal, VectorXd& right) {
     const Eigen::Index n = equations_->size();
-    const Place p = place(x);
+    const BranchPoint p = place(x);
     if (!(p.omega > 1e-9 && p.omega < 1e9) || !p.z.allFinite()) return false;
-    // By the parameter one side is enough: the column's error of 1e-7 moves no solution and no fold.
+    // By the parameter one side is enough: the column's error of 1e-7 moves no solution and no
+    // fold.
     const double step = 1e-7 * std::max(std::abs(p.parameter), 1e-3 * family_.scale);
     VectorXd by_parameter;
     try {

@@ -1,4 +1,5 @@
-// Steps along a branch of limit cycles, with the harmonics that each point needs; for continuation.cpp.
+// Steps along a branch of limit cycles, with the harmonics that each point needs; for
+// continuation.cpp.
 #pragma once
 
 #include <vector>
@@ -15,14 +16,15 @@ class BranchWalker {
   BranchSolver solver;
   LimitCycleBranch branch;
 
-  // Solves for the point where normal . (x - p) = 0 (SI direction) and begins the branch there, along `towards`.
-  // `far`: p may be a poor start.
-  bool begin(const Place& p, const VectorXd& normal, const VectorXd& towards, bool far = false);
+  // Solves for the point where normal . (x - p) = 0 (SI direction) and begins the branch there,
+  // along `towards`. `far`: p may be a poor start.
+  bool begin(const BranchPoint& p, const VectorXd& normal, const VectorXd& towards,
+             bool far = false);
 
   void walk();
 
   // `slope`: how much of the branch's direction is the parameter's.
-  LimitCycle describe(const Place& p, double slope);
+  LimitCycle describe(const BranchPoint& p, double slope);
   double slope(const VectorXd& direction) const {
     const VectorXd t = solver.scaled_direction(direction);
     return t[t.size() - 1];
@@ -34,8 +36,8 @@ class BranchWalker {
   // Adapts the harmonics at the present place. True when they changed.
   bool settle();
 
-  // What happens on the step from `from` along t to the point at step_, with the direction `next` there; `crossed` when another
-  // branch was passed.
+  // What happens on the step from `from` along t to the point at step_, with the direction `next`
+  // there; `crossed` when another branch was passed.
   void find_special(const VectorXd& from, const VectorXd& t, const VectorXd& next,
                     const LimitCycle& point, bool crossed);
 
@@ -45,7 +47,7 @@ class BranchWalker {
   void erase_false_folds();
 
   const ContinuationOptions& options_;
-  Place at_;
+  BranchPoint at_;
   VectorXd along_;  // SI, as BranchSolver::direction
   double step_;
   int orientation_ = 0;  // at the last point; 0: not known

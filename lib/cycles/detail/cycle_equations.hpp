@@ -1,8 +1,9 @@
 // The equations of harmonic balance and their derivative; for continuation.cpp and multipliers.cpp.
 //
-// Only the coordinates that a nonlinear force sees are unknowns ("active"): the linear rest is solved once a harmonic. The forces
-// are sampled in time and transformed back (alternating frequency/time, Cameron and Griffin 1989). The derivative is exact for
-// the sampled forces: that of a law along the cycle is a Toeplitz plus a Hankel matrix in the harmonics.
+// Only the coordinates that a nonlinear force sees are unknowns ("active"): the linear rest is
+// solved once a harmonic. The forces are sampled in time and transformed back (alternating
+// frequency/time, Cameron and Griffin 1989). The derivative is exact for the sampled forces: that
+// of a law along the cycle is a Toeplitz plus a Hankel matrix in the harmonics.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,8 +15,9 @@
 
 namespace railbook::cycles {
 
-// All scalars of an oscillator, channels first: s = of_motion q + of_rate q', inputs x n, at its speed; the forces that act on them
-// side by side, n x outputs; and which outputs belong to which inputs.
+// All scalars of an oscillator, channels first: s = of_motion q + of_rate q', inputs x n, at its
+// speed; the forces that act on them side by side, n x outputs; and which outputs belong to which
+// inputs.
 struct Scalars {
   Eigen::MatrixXd of_motion, of_rate, forces;
   struct Law {
@@ -26,18 +28,20 @@ struct Scalars {
   explicit Scalars(const Oscillator& oscillator);
 };
 
-// Laws along a cycle, samples x outputs, and their slopes, samples x (law by law, output by output, input by input). A piecewise linear
-// law is averaged over the way from each sample to the next, so that it has a continuous derivative also where kinks are passed:
-// `slopes` by the sample and `next` by the following one. A coupling is taken at the sample, `next` being zero.
+// Laws along a cycle, samples x outputs, and their slopes, samples x (law by law, output by output,
+// input by input). A piecewise linear law is averaged over the way from each sample to the next, so
+// that it has a continuous derivative also where kinks are passed: `slopes` by the sample and
+// `next` by the following one. A coupling is taken at the sample, `next` being zero.
 struct SampledLaws {
   Eigen::MatrixXd values, slopes, next;
 };
-// Harmonics of scalars (inputs x orders) whose rows (inputs x n) times the motion and its rate they are, from those of the motion
-// (n x orders), whose frequencies are orders times omega.
+// Harmonics of scalars (inputs x orders) whose rows (inputs x n) times the motion and its rate they
+// are, from those of the motion (n x orders), whose frequencies are orders times omega.
 Eigen::MatrixXcd scalar_harmonics(const Eigen::MatrixXd& of_motion, const Eigen::MatrixXd& of_rate,
                                   const Eigen::MatrixXcd& motion, const std::vector<int>& orders,
                                   double omega);
-// Samples of scalars (samples x inputs) of which one period is given by harmonics (inputs x orders).
+// Samples of scalars (samples x inputs) of which one period is given by harmonics (inputs x
+// orders).
 Eigen::MatrixXd in_time(const Eigen::MatrixXcd& harmonics, const std::vector<int>& orders,
                         num::RealFft& fft);
 SampledLaws sample_laws(const Oscillator& oscillator, const Scalars& scalars,

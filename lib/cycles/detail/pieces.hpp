@@ -1,8 +1,10 @@
-// Time integration that is exact but for rounding: a Taylor series in each linear piece, knots located.
+// Time integration that is exact but for rounding: a Taylor series in each linear piece, knots
+// located.
 //
-// Between knots the system is linear with constant coefficients, so its Taylor series converges everywhere and is as long as the
-// tolerance wants; the time at which a scalar reaches the next knot is a root of a polynomial. No step ever contains a kink,
-// nor more than some 4 turns of a scalar.
+// Between knots the system is linear with constant coefficients, so its Taylor series converges
+// everywhere and is as long as the tolerance wants; the time at which a scalar reaches the next
+// knot is a root of a polynomial. No step ever contains a kink, nor more than some 4 turns of a
+// scalar.
 #pragma once
 
 #include <Eigen/Core>
@@ -44,7 +46,8 @@ class PieceIntegrator {
   PieceIntegrator(Compiled system, const State& scale, double tolerance = 1e-13);
 
   void start(double t, const State& y);
-  // The next step, to a knot, or as long as the series allows, or to `end`. False when a scalar has reached its limit.
+  // The next step, to a knot, or as long as the series allows, or to `end`. False when a scalar has
+  // reached its limit.
   bool step(double end);
   // Turns d(state)/d(start) along with it from now on, from the unit matrix.
   void follow_derivative();

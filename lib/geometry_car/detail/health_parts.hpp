@@ -12,7 +12,8 @@ namespace railbook::geometry_car {
 
 double median(Column values);  // 0 of none; no NaN among them
 
-// One sensor's share of a balance by row, m/s^2; what several sensors feel of one motion, which adds up to zero.
+// One sensor's share of a balance by row, m/s^2; what several sensors feel of one motion, which
+// adds up to zero.
 struct Term {
   Channel channel;
   Column values;
@@ -22,7 +23,7 @@ std::vector<Balance> balances(const Run& run, const Processing& processing);
 
 // Each channel by itself: dead, still, jumps and steps (masked), and means that cannot be.
 void examine_channels(Record& record, const Processing& processing, Health& health,
-                      Carried& carried, std::size_t at);
+                      ChannelOffsets& carried, std::size_t at);
 // The times between rows and the marks.
 void examine_clock(const Record& record, const Processing& processing, Health& health, bool& leapt,
                    std::size_t at);

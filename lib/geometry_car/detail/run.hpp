@@ -23,9 +23,11 @@ struct Run {
   const Column& operator[](Channel c) const { return values[static_cast<std::size_t>(c)]; }
 };
 
-// Rows that follow each other foot by foot in one direction; `rejected` counts those whose time cannot be.
+// Rows that follow each other foot by foot in one direction; `rejected` counts those whose time
+// cannot be.
 std::vector<Run> runs_of(const Record& record, const Processing& processing, std::size_t& rejected);
-// The runs worked through one by one, however short; and what throws InputError where the longest is too short for a chord.
+// The runs worked through one by one, however short; and what throws InputError where the longest
+// is too short for a chord.
 Measurement reconstruct_runs(const Record& record, const Processing& processing,
                              std::vector<Run> runs);
 void require_length(std::size_t longest_run, const Processing& processing);
@@ -35,8 +37,8 @@ void require(const Record& record, const Processing& processing);
 // Means over each interval, by B and C: rate[k] from sample k - 1 to k.
 Column rates(const Run& run, Channel gyro, const Processing& processing);
 
-// The analog filter F once more, on a rate that is constant over each interval. From its two states come the filtered rate, its
-// derivative, and what the filter holds back of the rate's integral.
+// The analog filter F once more, on a rate that is constant over each interval. From its two states
+// come the filtered rate, its derivative, and what the filter holds back of the rate's integral.
 class Matched {
  public:
   explicit Matched(double corner) : w_(2 * units::pi * corner) {}
@@ -55,8 +57,9 @@ std::array<Column, parameters> process(const Run& run, const Processing& process
 
 // Shared with the truth. Short chord offsets z_k - (z_{k-1} + z_{k+1})/2, NaN at the ends.
 Column short_chords(const Column& z);
-// Turn of the chord between the trucks (rad) over each foot, NaN for the first row -> curvature at the middle of the car,
-// at the place of its mean; `shift` samples later than the heading's, in the order given.
+// Turn of the chord between the trucks (rad) over each foot, NaN for the first row -> curvature at
+// the middle of the car, at the place of its mean; `shift` samples later than the heading's, in the
+// order given.
 Column mean_curvature(const Column& turn, const Processing& processing, long shift);
 // The change of a column over `span` samples, centred.
 Column change_over(const Column& column, std::size_t span);

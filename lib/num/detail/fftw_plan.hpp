@@ -13,7 +13,8 @@ struct FftwPlanFree {
 };
 using FftwPlan = std::unique_ptr<fftw_plan_s, FftwPlanFree>;
 
-// What `make` makes, one at a time: FFTW plans and frees in no two threads at once. Throws NumericalError where FFTW made none.
+// What `make` makes, one at a time: FFTW plans and frees in no two threads at once. Throws
+// NumericalError where FFTW made none.
 FftwPlan plan(const std::function<fftw_plan_s*()>& make);
 
 // Pairs of real and imaginary part as FFTW takes them (its fftw_complex is double[2]).

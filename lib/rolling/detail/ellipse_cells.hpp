@@ -1,5 +1,5 @@
-// Strips of cells that follow an ellipse, x = a l s with l = sqrt(1 - (y/b)^2): no staircase at the rim, and means over
-// a cell of a parabolic and an elliptic pressure in closed form.
+// Strips of cells that follow an ellipse, x = a l s with l = sqrt(1 - (y/b)^2): no staircase at the
+// rim, and means over a cell of a parabolic and an elliptic pressure in closed form.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,5 @@
-// Products of the influence between rows whose cells have one length but begin where each row begins.
+// Products of the influence between rows whose cells have one length but begin where each row
+// begins.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,9 +9,10 @@
 
 namespace railbook::rolling {
 
-// Fourier transforms along the rows turn the strain that rolling makes into one small dense product a frequency, between
-// rows; across, the mesh is its own mirror image, which splits it into an even and an odd half. The mesh must be
-// stepped(). Memory about 32 (along + 1) rows^2 bytes; a product takes as many multiplications as a quarter of that.
+// Fourier transforms along the rows turn the strain that rolling makes into one small dense product
+// a frequency, between rows; across, the mesh is its own mirror image, which splits it into an even
+// and an odd half. The mesh must be stepped(). Memory about 32 (along + 1) rows^2 bytes; a product
+// takes as many multiplications as a quarter of that.
 class SteppedRows {
  public:
   SteppedRows(const RollingMesh& mesh, double poisson);

@@ -14,9 +14,10 @@ struct TomlEntry {
   std::size_t line = 0;
 };
 
-// Comments, [tables], dotted and quoted keys, strings in either quotes with their escapes, numbers, booleans and arrays, which
-// may go over lines; a bare value with a unit (load = 80 kN) is taken as it stands. Refused are arrays of tables, inline
-// tables, strings over several lines, and a key given twice. Throws InputError naming file, line and what is wrong.
+// Comments, [tables], dotted and quoted keys, strings in either quotes with their escapes, numbers,
+// booleans and arrays, which may go over lines; a bare value with a unit (load = 80 kN) is taken as
+// it stands. Refused are arrays of tables, inline tables, strings over several lines, and a key
+// given twice. Throws InputError naming file, line and what is wrong.
 std::vector<TomlEntry> read_toml(const std::filesystem::path& file);
 
 }  // namespace railbook::tool

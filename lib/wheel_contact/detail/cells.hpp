@@ -16,7 +16,7 @@ struct Cells {
   std::unique_ptr<contact::Convolution> convolution;
   contact::Region region;
 
-  Cells(const Placed& wheel, double effective_modulus, const Frame& frame, double z,
+  Cells(const PlacedWheel& wheel, double effective_modulus, const Frame& frame, double z,
         const contact::Box& box, Eigen::Index nx, Eigen::Index ny);
   // The normal force [N], the wheel lowered by `down` [m] along n; negative when the solver fails.
   double solve(double down);

@@ -1,4 +1,5 @@
-// Where the pressures of one step of COUNTACT put its boundary: cases whose squares fall on a line, done by hand.
+// Where the pressures of one step of COUNTACT put its boundary: cases whose squares fall on a line,
+// done by hand.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
@@ -22,8 +23,8 @@ CountactOptions options() {
   return o;
 }
 
-// Five columns of width 1 about x = 0, of half width 3: cells at y = 0 and 2. Squares of the pressures on the axis, each
-// with its sign, and of those at y = 2 as a share of them.
+// Five columns of width 1 about x = 0, of half width 3: cells at y = 0 and 2. Squares of the
+// pressures on the axis, each with its sign, and of those at y = 2 as a share of them.
 CountactStep step_of(const std::vector<double>& squares, double share = 1.0 / 3) {
   CountactStep step;
   step.mesh.x_edges = Eigen::VectorXd::LinSpaced(6, -2.5, 2.5);
@@ -73,7 +74,8 @@ TEST_CASE("unit: the largest move is of either end or of the sides, inward or ou
     CHECK((right ? step.new_x_max : -step.new_x_min) == Approx(2.1));
     CHECK(step.move == Approx(0.4 / 5));
   }
-  // From 2 at x = 1 to -2 at x = 2: the last column is dropped, which moves its side by all of its width.
+  // From 2 at x = 1 to -2 at x = 2: the last column is dropped, which moves its side by all of its
+  // width.
   CountactStep step = step_of({1, 4, 9, 4, -4});
   REQUIRE(update_boundary(step, cells, options(), 1).reason.empty());
   CHECK(step.new_x_max == Approx(1.5));
@@ -141,7 +143,8 @@ TEST_CASE("unit: a step without a boundary says why") {
 }
 
 TEST_CASE("unit: no candidate region leaves a body that ends beside the contact") {
-  // A sphere that would touch over 1 cm, cut off nearer than that along or across: the outward moves end there.
+  // A sphere that would touch over 1 cm, cut off nearer than that along or across: the outward
+  // moves end there.
   const double approach = 1e-4, radius = 1;
   CountactOptions o;
   o.columns = uniform_columns(11);

@@ -1,5 +1,5 @@
-// The accuracy that the chapter's solvers state, on seeded inputs over their range; exact values in 80-bit arithmetic, by
-// bisection and quadrature of their own.
+// The accuracy that the chapter's solvers state, on seeded inputs over their range; exact values in
+// 80-bit arithmetic, by bisection and quadrature of their own.
 #include <cmath>
 
 #include <railbook/contact/hertz.hpp>
@@ -25,7 +25,8 @@ Long lift(Long s, Long b) {
   return s * sum;
 }
 
-// Abel's integral of the punch's pressure over E*/(pi R), by the tanh-sinh rule; nothing cancels at its ends.
+// Abel's integral of the punch's pressure over E*/(pi R), by the tanh-sinh rule; nothing cancels at
+// its ends.
 Long abel(Long r, Long b, Long a) {
   const Long first = std::max(r, b), half = (a - first) / 2;
   Long sum = 0;
@@ -46,7 +47,7 @@ Long abel(Long r, Long b, Long a) {
 TEST_CASE("claim: how the columns are cut, and their matrix") {
   Claim uniform("contact_chapter::uniform_columns"), split("contact_chapter::split_columns"),
       graded("contact_chapter::graded_columns"), matrix("contact_chapter::countact_matrix");
-  Draw draw(1);
+  RandomStream draw(1);
   for (int k = 0; k < 1000; ++k) {
     const int n = static_cast<int>(draw.decades(3, 300)), m = static_cast<int>(draw(1, 9)),
               i = static_cast<int>(draw(0, n + 0.99));
@@ -105,7 +106,7 @@ TEST_CASE("claim: how the columns are cut, and their matrix") {
 TEST_CASE("claim: the simply discretized methods against Hertz and the punch") {
   Claim one("contact_chapter::countact_1"), two("contact_chapter::countact_2"),
       rings("contact_chapter::countaxi");
-  Draw draw(2);
+  RandomStream draw(2);
   for (int k = 0; k < 500; ++k) {
     const double ratio = draw.decades(0.1, 10), a = draw.decades(1e-2, 1e2),
                  delta = draw.decades(1e-8, 1e-4) / a;
@@ -139,7 +140,7 @@ TEST_CASE("claim: the simply discretized methods against Hertz and the punch") {
 
 TEST_CASE("claim: the rounded punch and its pressure") {
   Claim closed("contact_chapter::punch_from_approach"), pressure("contact_chapter::punch_pressure");
-  Draw draw(5);
+  RandomStream draw(5);
   for (int k = 0; k < 1000; ++k) {
     const double b = draw.decades(1e-4, 1),
                  edge = k % 2 == 0 ? b * draw.decades(1e-3, 1e2) : b * draw.decades(1e-12, 1e6),
@@ -169,7 +170,7 @@ TEST_CASE("claim: the rounded punch and its pressure") {
 TEST_CASE("claim: the peak of the punch") {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   Claim peak("contact_chapter::punch_peak");
-  Draw draw(3);
+  RandomStream draw(3);
   for (int k = 0; k < 1000; ++k) {
     const double flat = draw.decades(1e-3, 1), edge = flat * draw.decades(1e-3, 1e3);
     const PunchContact c = punch_from_approach({flat, edge}, 1e11, flat * draw.decades(1e-8, 1e-2));

@@ -99,7 +99,8 @@ TEST_CASE("unit: the interpenetration curve is the first candidate and encloses 
 }
 
 TEST_CASE("unit: exact cell integrals leave eq. (14) well conditioned") {
-  // On a rectangle of 2:1, about the region of Example 1; growth like the square root of the unknowns.
+  // On a rectangle of 2:1, about the region of Example 1; growth like the square root of the
+  // unknowns.
   for (auto [n, most] : {std::pair{5, 20.0}, std::pair{13, 80.0}, std::pair{21, 160.0}}) {
     ColumnMesh mesh{Eigen::VectorXd::LinSpaced(n + 1, -2, 2), Eigen::VectorXd::Ones(n)};
     const double folded = condition(countact_matrix(mesh, n, true));
@@ -110,8 +111,9 @@ TEST_CASE("unit: exact cell integrals leave eq. (14) well conditioned") {
   }
 }
 
-// Converged values of an independent method (conjugate gradients with FFT on uniform grids of 144 x 128 up to
-// 1152 x 1024 cells): F = 33 817.53 +- .03 lbf, M = -5295.234 +- .01 in lbf, p_max = 299 235 +- 15 psi.
+// Converged values of an independent method (conjugate gradients with FFT on uniform grids of 144 x
+// 128 up to 1152 x 1024 cells): F = 33 817.53 +- .03 lbf, M = -5295.234 +- .01 in lbf, p_max = 299
+// 235 +- 15 psi.
 TEST_CASE("unit: COUNTACT-1 on the jump of curvature") {
   const Gap gap = rail_wheel_gap({18, 12.34, 10, 1.25});
   CountactOptions options;

@@ -63,8 +63,9 @@ TEST_CASE("unit: the sharp punch, and the rounded one as its edge radius goes to
   CHECK(before < 1e-9);
 }
 
-// Values for E* = 1.5e7/0.91 psi, delta = .001 in, b = .5 in from tests/reference/closed_forms.cpp, in 113 bits, by the unreduced form
-// F = 2 E* (delta a - (s^3/3 - a^2 b/2 arccos(b/a) + b^2 s/2)/R), whose terms cancel in double precision.
+// Values for E* = 1.5e7/0.91 psi, delta = .001 in, b = .5 in from tests/reference/closed_forms.cpp,
+// in 113 bits, by the unreduced form F = 2 E* (delta a - (s^3/3 - a^2 b/2 arccos(b/a) + b^2
+// s/2)/R), whose terms cancel in double precision.
 TEST_CASE("unit: the punch against the unreduced closed form in 113 bits") {
   const double modulus = 1.5e7 / 0.91;
   struct Case {
@@ -84,8 +85,9 @@ TEST_CASE("unit: the punch against the unreduced closed form in 113 bits") {
   }
 }
 
-// Beside the edge of a hardly rounded punch the pressure is plane, tanh z + z/cosh^2 z with r^2 - b^2 = (s/cosh z)^2: its
-// peak is at z tanh z = 1. And everywhere the pressure falls to both sides by what a parabola takes off.
+// Beside the edge of a hardly rounded punch the pressure is plane, tanh z + z/cosh^2 z with r^2 -
+// b^2 = (s/cosh z)^2: its peak is at z tanh z = 1. And everywhere the pressure falls to both sides
+// by what a parabola takes off.
 TEST_CASE("unit: the place of the punch's peak to its claim") {
   const PunchContact plane = punch_from_approach({0.5, 1e-9}, 1, 1e-3);
   const double z = 1.1996786402577338;
@@ -101,7 +103,8 @@ TEST_CASE("unit: the place of the punch's peak to its claim") {
     INFO(flat << " " << edge);
     const PunchContact c = punch_from_approach({flat, edge}, 1, approach);
     const PunchPeak peak = punch_peak(c);
-    // The zero of the derivative by differences far apart, extrapolated to none apart: another order, other points.
+    // The zero of the derivative by differences far apart, extrapolated to none apart: another
+    // order, other points.
     const auto middle = [&](double h) {  // of the chord of half length h that is level
       double low = -0.5 * h, high = 0.5 * h;
       for (int k = 0; k < 60; ++k) {

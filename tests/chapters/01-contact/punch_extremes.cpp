@@ -10,7 +10,8 @@ using namespace railbook;
 using namespace railbook::contact;
 using namespace railbook::contact_chapter;
 
-// As a -> b the width of the rounded contact is governed by s^3 = 3 b delta R (1 + ...): nothing may cancel.
+// As a -> b the width of the rounded contact is governed by s^3 = 3 b delta R (1 + ...): nothing
+// may cancel.
 TEST_CASE("extreme: a hardly rounded punch keeps its digits") {
   const NoFpFault no_fault;
   for (double edge : {1e-6, 1e-12, 1e-24}) {
@@ -21,8 +22,9 @@ TEST_CASE("extreme: a hardly rounded punch keeps its digits") {
     CHECK(c.edge_width == Approx(s * s / (2 * b)).epsilon(2 * x * x + 1e-12));
     CHECK(c.force == Approx(2 * b * delta).epsilon(x * x + 1e-14));
     CHECK(c.force > 2 * b * delta * (1 - 1e-14));
-    // Near the edge the contact is plane: with r^2 - b^2 = (s/cosh z)^2 the pressure is 3 E* delta/(2 pi s)
-    // (tanh z + z/cosh^2 z), largest where z tanh z = 1, and there 3 E* delta z/(2 pi s).
+    // Near the edge the contact is plane: with r^2 - b^2 = (s/cosh z)^2 the pressure is 3 E*
+    // delta/(2 pi s) (tanh z + z/cosh^2 z), largest where z tanh z = 1, and there 3 E* delta z/(2
+    // pi s).
     if (edge > 1e-20)
       CHECK(punch_peak(c).pressure ==
             Approx(3 * delta * 1.199678640257734 / (2 * units::pi * s)).epsilon(3 * x + 1e-6));

@@ -17,8 +17,8 @@ using namespace railbook::contact;
 using namespace railbook::contact_chapter;
 using units::inch, units::psi;
 
-// COUNTACT and the grid share the influence of a rectangle, but neither the mesh, nor the search for the boundary, nor the
-// equation solver.
+// COUNTACT and the grid share the influence of a rectangle, but neither the mesh, nor the search
+// for the boundary, nor the equation solver.
 namespace {
 
 using Line = std::vector<std::pair<double, double>>;
@@ -62,7 +62,8 @@ TEST_CASE("property: COUNTACT-1 and the grid agree where the rail's radius jumps
   for (Eigen::Index n = 0; n < grid.outline.x.size(); ++n)
     edge.emplace_back(grid.outline.x[n], (grid.outline.high[n] - grid.outline.low[n]) / 2);
   REQUIRE(ours.size() == 32);
-  // Every third column, without the first and the last two, which the position of the boundary decides.
+  // Every third column, without the first and the last two, which the position of the boundary
+  // decides.
   for (Eigen::Index j = 2; j < mesh.half_width.size() - 2; j += 3) {
     const double x = (mesh.x_edges[j] + mesh.x_edges[j + 1]) / 2;
     INFO("x = " << x / inch << " in");
@@ -109,7 +110,8 @@ TEST_CASE("property: a rounded edge that the grid does not resolve is not answer
 
 TEST_CASE(
     "property: an edge narrower than Hertz's makes the stated error larger, and not wastefully") {
-  // Among the worst of 20,000 random contacts: up to 2.05 times the stated error off when that took no heed of the edge.
+  // Among the worst of 20,000 random contacts: up to 2.05 times the stated error off when that took
+  // no heed of the edge.
   struct Case {
     Eigen::Index nx, ny;
     double edge;

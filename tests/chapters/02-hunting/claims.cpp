@@ -1,5 +1,5 @@
-// The accuracy that the paper's search states: cars at random, of any amplitude, against the eigenvalues of the car put together
-// body by body, in 80 bits.
+// The accuracy that the paper's search states: cars at random, of any amplitude, against the
+// eigenvalues of the car put together body by body, in 80 bits.
 #include <catch2/catch.hpp>
 
 #include <railbook/vehicle/cycle_branch.hpp>
@@ -15,7 +15,7 @@ using units::inch;
 
 TEST_CASE("claim: cycles by the paper's search", "[thorough]") {
   Claim loop("hunting_chapter::paper_cycle", 300);
-  Draw draw(2);
+  RandomStream draw(2);
   for (int k = 0; k < 100; ++k) {
     const QuasiLinearCar car = random_quasi(draw, k % 4 == 3);
     const auto hopf = hopf_points(car, 6, 90);
@@ -32,7 +32,7 @@ TEST_CASE("claim: cycles by the paper's search", "[thorough]") {
 
 TEST_CASE("claim: how alike two shapes are", "[thorough]") {
   Claim alike("hunting_chapter::overlap");
-  Draw draw(3);
+  RandomStream draw(3);
   for (int k = 0; k < 1000; ++k) {
     Vector9c one, other;
     for (auto& z : one) z = {draw(-1, 1), draw(-1, 1)};

@@ -32,7 +32,7 @@ TEST_CASE("unit: digits are compared in extended precision") {
 }
 
 TEST_CASE("unit: the worst of random cases, the same on every machine") {
-  const auto run = [](bench::Draw& draw) {
+  const auto run = [](bench::RandomStream& draw) {
     const double x = draw(0, 1);
     const double y = draw.decades(1e-3, 1e3);
     CHECK((y >= 1e-3 && y <= 1e3));
@@ -49,7 +49,7 @@ TEST_CASE("unit: the worst of random cases, the same on every machine") {
 
 TEST_CASE("unit: NaN without a word is the worst case, wherever it stands") {
   int k = 0;
-  const auto run = [&](bench::Draw&) {
+  const auto run = [&](bench::RandomStream&) {
     ++k;
     return report::Found{std::to_string(k), k == 3 ? units::nan : 1.0 * k};
   };
@@ -64,7 +64,7 @@ TEST_CASE("unit: a row refuses cases without an answer unless it says how many a
   const auto row = [&](double least, int may_refuse) {
     bench::worst_row(
         item, {.id = "r", .what = "row", .stress = "chance", .allowed = 1}, 100, 5,
-        [least](bench::Draw& draw) {
+        [least](bench::RandomStream& draw) {
           const double x = draw(0, 1);
           if (x < least) throw report::NoAnswer{"too small"};
           return report::Found{"x", x > 0.99 * least ? x : 2};
@@ -76,7 +76,7 @@ TEST_CASE("unit: a row refuses cases without an answer unless it says how many a
   row(0.5, 99);
   bench::worst_row(
       item, {.id = "nan", .what = "row", .stress = "NaN", .allowed = 1}, 3, 5,
-      [](bench::Draw&) {
+      [](bench::RandomStream&) {
         return report::Found{"nothing", units::nan};
       },
       3);
@@ -88,7 +88,7 @@ TEST_CASE("unit: a row refuses cases without an answer unless it says how many a
   CHECK(record.stability[2].found == "holds");
   CHECK(record.stability[3].found == "fails");
   int below = 0;  // of the draws, those without an answer
-  for (std::uint64_t k = 0; k < 100; ++k) below += bench::Draw{5, k}(0, 1) < 0.5;
+  for (std::uint64_t k = 0; k < 100; ++k) below += bench::RandomStream{5, k}(0, 1) < 0.5;
   const std::string none = std::to_string(below);
   CHECK(record.stability[0].result == "worst of 100: x");
   CHECK(record.stability[1].result == none + " of 100 cases without an answer; allowed: 0");
@@ -105,7 +105,7 @@ TEST_CASE(
     int k = 0;
     bench::worst_row(
         item, {.id = "r", .what = "row", .stress = "chance", .allowed = 1}, 5, 5,
-        [&](bench::Draw&) {
+        [&](bench::RandomStream&) {
           if (++k < 3) throw report::NoAnswer{"none"};
           return report::Found{std::to_string(k), 0.5};
         },

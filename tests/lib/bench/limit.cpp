@@ -22,7 +22,7 @@ TEST_CASE("unit: the limit of a ladder of grids is found with its order") {
 TEST_CASE("unit: the uncertainty of a limit covers the truth of noisy ladders") {
   int covered = 0;
   for (std::uint64_t k = 0; k < 200; ++k) {
-    Draw draw(31, k);
+    RandomStream draw(31, k);
     std::vector<Grid> grids;
     for (const double n : {16., 20., 24., 28., 32.})
       grids.push_back({n, {1 + std::pow(n, -2) + 1e-4 * draw(-1, 1)}});
@@ -82,7 +82,7 @@ Fit by_factors(const std::vector<Grid>& grids) {
 TEST_CASE("unit: a limit and its error are those of orthogonal factors, at any order") {
   for (const double order : {0.6, 1.3, 2.2, 3.1})
     for (const std::size_t count : {4U, 5U, 9U, 10U}) {
-      Draw draw(7, count);
+      RandomStream draw(7, count);
       std::vector<Grid> grids;
       for (std::size_t i = 0; i < count; ++i) {
         const double n = 16 + 4. * static_cast<double>(i);

@@ -33,7 +33,8 @@ TEST_CASE("unit: a slope goes through the points that the reference can judge") 
   CHECK(std::isnan(slope({point(2, 1)})));
   CHECK(std::isnan(slope({point(2, 1), point(2, 0.5)})));  // straight up
   CHECK(std::isnan(slope({point(1, 1), point(1, 1)})));
-  // Left out: an exact value, one below a hundred times the reference, a failure, and one without work.
+  // Left out: an exact value, one below a hundred times the reference, a failure, and one without
+  // work.
   auto failed = point(8, 1);
   failed.converged = false;
   CHECK(slope({point(1, 1), point(2, 0.5), point(4, 0), point(8, 1e-3, 1.1e-5), failed,

@@ -112,7 +112,8 @@ TEST_CASE("unit: the answer names the cheapest method that stays below the error
   CHECK(bench::cheapest({point("a", "1", 1e-8, 1)}, "F", 1.09e-8).method.empty());
   CHECK(bench::cheapest({point("a", "1", 1e-5, 2), point("b", "1", 1e-5, 2)}, "F", 1e-3).method ==
         "a");
-  // The first good setting that all later ones of the method keep, before the next method and at the end.
+  // The first good setting that all later ones of the method keep, before the next method and at
+  // the end.
   const auto best = bench::cheapest(
       {point("a", "1", 1e-5, 1), point("a", "2", 1e-5, 4), point("b", "1", 1, 1e-3)}, "F", 1e-3);
   CHECK(best.method + best.setting == "a1");

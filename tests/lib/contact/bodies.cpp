@@ -1,11 +1,11 @@
-#include <railbook/contact/bodies.hpp>
-
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 
+#include <railbook/contact/bodies.hpp>
 #include <railbook/contact/cg_fft.hpp>
 #include <railbook/contact/hertz.hpp>
+#include <railbook/units/input_error.hpp>
 
 using namespace railbook;
 using namespace railbook::contact;
@@ -40,8 +40,8 @@ TEST_CASE("unit: bodies by radii give Hertz's gap") {
 }
 
 TEST_CASE("unit: profiles touch where their depths add to least, and solve like radii") {
-  // A rail of 0.3 m crown radius with its summit at x = 0.01 and a conical wheel of slope 1/20: they touch where the
-  // rail's slope is the wheel's, x - 0.01 = 0.3 sin(atan(1/20)).
+  // A rail of 0.3 m crown radius with its summit at x = 0.01 and a conical wheel of slope 1/20:
+  // they touch where the rail's slope is the wheel's, x - 0.01 = 0.3 sin(atan(1/20)).
   Profile cone{Eigen::VectorXd::LinSpaced(50, -0.05, 0.06), {}};
   cone.depth = -cone.x / 20;
   const Body rail{.profile = circle(0.3, 0.01, 0.002), .radius_y = inf};
@@ -55,7 +55,8 @@ TEST_CASE("unit: profiles touch where their depths add to least, and solve like 
   options.nx = options.ny = 64;
   options.search = t.search;
   const NormalContact c = solve_cg_fft(t.gap, delta, modulus, options).contact;
-  // The arc is not a parabola: its curvature where they touch is cos^-3 of the slope's angle over the radius.
+  // The arc is not a parabola: its curvature where they touch is cos^-3 of the slope's angle over
+  // the radius.
   const double across = 0.5 / 0.3 / std::pow(std::cos(std::atan(0.05)), 3);
   const HertzContact h = hertz_from_approach({across, 0.5 / 0.46, 0}, modulus, delta);
   CHECK(c.converged);

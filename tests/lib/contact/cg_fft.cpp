@@ -10,7 +10,7 @@
 #include <railbook/contact/detail/grid_fit.hpp>
 #include <railbook/contact/geometry.hpp>
 #include <railbook/contact/hertz.hpp>
-#include <railbook/num/draw.hpp>
+#include <railbook/num/random_stream.hpp>
 #include <railbook/units/constants.hpp>
 
 using namespace railbook;
@@ -18,7 +18,8 @@ using namespace railbook::contact;
 
 namespace {
 
-// A sphere of relative radius 1 at approach 1, in units where E* is 1: a = 1, F = 4/3, p_0 = 2/pi (Johnson, ch. 4).
+// A sphere of relative radius 1 at approach 1, in units where E* is 1: a = 1, F = 4/3, p_0 = 2/pi
+// (Johnson, ch. 4).
 constexpr double force = 4.0 / 3, peak = 2 / units::pi;
 
 Gap sphere() {
@@ -109,7 +110,7 @@ TEST_CASE("unit: a fitted axis has the phase asked for at both ends, and its edg
 TEST_CASE(
     "unit: a covering axis reaches both ends in cells little larger than the least, with its "
     "edge") {
-  num::Draw draw(1);
+  num::RandomStream draw(1);
   for (int k = 0; k < 1000; ++k) {
     const double low = draw(-5, 5), length = draw.decades(1e-3, 10), high = low + length;
     const Eigen::Index n = 16 + k % 100;
@@ -137,7 +138,8 @@ TEST_CASE("unit: the intensity of the edge is that of the pressures, over Hertz'
           const double u = x + y, v = x - y;  // an ellipse of axes 1 and 0.4 across the cells
           return 7 * (1 - u * u / 2 - v * v / 0.32);
         }) == Approx(1).epsilon(0.04));
-  // Even but for an edge of width w, where p^2 falls linearly: K = 1/sqrt(w), and the mean is 1 - w/3.
+  // Even but for an edge of width w, where p^2 falls linearly: K = 1/sqrt(w), and the mean is 1 -
+  // w/3.
   for (const double w : {0.2, 0.4, 0.8})
     CHECK(intensity([w](double x, double y) {
             const auto ramp = [w](double t) { return std::clamp((1 - std::abs(t)) / w, 0.0, 1.0); };
@@ -172,7 +174,8 @@ Gap two_spheres(double r, double lower) {
   };
 }
 
-// What p_max_error holds of the peak's drop between cells, as a square: the rest is of the ladder, and of the edges as in force_error.
+// What p_max_error holds of the peak's drop between cells, as a square: the rest is of the ladder,
+// and of the edges as in force_error.
 double drop_in_error(const CgFft& result) {
   const Region& finest = result.levels.back().region;
   std::vector<double> h, forces, peaks;
@@ -189,7 +192,8 @@ double drop_in_error(const CgFft& result) {
 }  // namespace
 
 TEST_CASE("unit: a peak's error has the largest drop of the peaks higher than half the highest") {
-  // The smaller sphere's peak falls faster from cell to cell; at the second height it is 0.501 of the other.
+  // The smaller sphere's peak falls faster from cell to cell; at the second height it is 0.501 of
+  // the other.
   for (const auto& [lower, counts] :
        {std::pair{0.70, true}, std::pair{0.783, true}, std::pair{0.785, false}}) {
     CgFftOptions options;
@@ -222,7 +226,8 @@ TEST_CASE("unit: each grid from 16 cells on fits the next one to its region") {
     for (std::size_t k = 1; k < levels.size(); ++k) {
       const Box& seen = levels[k - 1].region.ends;
       const Grid& next = levels[k].grid;
-      // Two empty cells beyond either end, and of the outermost ones nine or four tenths in contact.
+      // Two empty cells beyond either end, and of the outermost ones nine or four tenths in
+      // contact.
       CHECK(next.dx * (static_cast<double>(next.nx) - 6 + 1.8) == Approx(seen.x_max - seen.x_min));
       CHECK(next.x0 + 2.1 * next.dx == Approx(seen.x_min));
       CHECK(next.dy * (static_cast<double>(next.ny) - 6 + 0.8) == Approx(seen.y_max - seen.y_min));

@@ -20,8 +20,8 @@ constexpr double inf = std::numeric_limits<double>::infinity();
 
 TEST_CASE("extreme: long patches cost no accuracy and few more iterations") {
   const NoFpFault no_fault;
-  // Ratios of curvature whose Hertz patch has b/a near .1, .01 and 1e-4: the force of each, scaled by the
-  // force of the same patch on twice the cells, must not depend on the ratio.
+  // Ratios of curvature whose Hertz patch has b/a near .1, .01 and 1e-4: the force of each, scaled
+  // by the force of the same patch on twice the cells, must not depend on the ratio.
   for (const double ratio : {36.54, 2003.0, 1.042e7}) {
     INFO(ratio);
     const Gap gap = [=](double x, double y) { return x * x + ratio * y * y; };

@@ -24,7 +24,8 @@ Gap ellipsoid(double a, double b) {
   return [=](double x, double y) { return a * x * x + b * y * y; };
 }
 
-// The pressures of the cells by a dense matrix over the cells in contact, which pull none and leave no overlap.
+// The pressures of the cells by a dense matrix over the cells in contact, which pull none and leave
+// no overlap.
 Eigen::VectorXd dense_pressures(const Grid& grid, const Eigen::VectorXd& f, double approach,
                                 double modulus) {
   const auto influence = [&](Eigen::Index one, Eigen::Index two) {
@@ -118,7 +119,8 @@ TEST_CASE("property: turning or moving the bodies changes nothing but the frame"
   const NormalContact other = solve_cg_fft(turned, 1, 1, cells(96, 96)).contact;
   CHECK(other.force == Approx(straight.force).epsilon(5e-5));
   CHECK(other.p_max == Approx(straight.p_max).epsilon(5e-5));
-  // Moved by less than the box found from the origin still holds: the moments are those of the offset.
+  // Moved by less than the box found from the origin still holds: the moments are those of the
+  // offset.
   const Gap moved = [=](double x, double y) { return gap(x - 0.2, y + 0.1); };
   const NormalContact shifted = solve_cg_fft(moved, 1, 1, cells(96, 96)).contact;
   CHECK(shifted.force == Approx(straight.force).epsilon(2e-5));
@@ -209,7 +211,8 @@ TEST_CASE("property: the stated errors hold for Hertz's contacts of any slendern
 }
 
 TEST_CASE("property: several patches are the sum of each") {
-  // Five equal patches in a row along x or y, whose mutual influence is small: each has its share of area and force.
+  // Five equal patches in a row along x or y, whose mutual influence is small: each has its share
+  // of area and force.
   const double apart = 40;
   for (const bool along_x : {true, false})
     for (const int count : {2, 5}) {

@@ -1,5 +1,5 @@
-// The accuracy that lib/contact states, on seeded inputs over its range; exact values in 80-bit arithmetic, by Gauss's mean and
-// bisection.
+// The accuracy that lib/contact states, on seeded inputs over its range; exact values in 80-bit
+// arithmetic, by Gauss's mean and bisection.
 #include <cmath>
 
 #include <railbook/contact/convolution.hpp>
@@ -61,7 +61,7 @@ Long corner(Long x, Long y) {
 TEST_CASE("claim: elliptic integrals and Hertz's contact") {
   Claim integrals("contact::elliptic_integrals"), approach("contact::hertz_from_approach"),
       force("contact::hertz_from_force");
-  Draw draw(1);
+  RandomStream draw(1);
   for (int k = 0; k < 1000; ++k) {
     const double log_m1 = -draw.decades(1e-12, 700);
     const Elliptic e = elliptic(log_m1);
@@ -76,7 +76,8 @@ TEST_CASE("claim: elliptic integrals and Hertz's contact") {
     const double a = draw.decades(1e-3, 1e3) / std::sqrt(ratio), delta = draw.decades(1e-9, 1e-3);
     const Long l = axis_ratio_long(Long{a * ratio} / a);
     const Elliptic at = elliptic(l);
-    // With f = A x^2 + B y^2, A < B: a^2 = delta D/(A K), F = (4/3)... by the pressure p0 = E* delta/(b K).
+    // With f = A x^2 + B y^2, A < B: a^2 = delta D/(A K), F = (4/3)... by the pressure p0 = E*
+    // delta/(b K).
     const Long major = std::sqrt(delta * at.d / (a * at.k)), minor = major * std::exp(l / 2);
     const Long peak = 1e11L * delta / (minor * at.k);
     const Long load = 2 * long_pi / 3 * major * minor * peak;
@@ -95,7 +96,7 @@ TEST_CASE("claim: elliptic integrals and Hertz's contact") {
 
 TEST_CASE("claim: relative curvatures of convex bodies") {
   Claim claim("contact::relative_curvature");
-  Draw draw(2);
+  RandomStream draw(2);
   for (int k = 0; k < 1000; ++k) {
     const Curvature one{draw.decades(1e-8, 1), draw.decades(1e-8, 1), draw(-2, 2)};
     const Curvature two{draw.decades(1e-8, 1), draw.decades(1e-8, 1), draw(-2, 2)};
@@ -118,7 +119,7 @@ TEST_CASE("claim: relative curvatures of convex bodies") {
 
 TEST_CASE("claim: the curve of interpenetration") {
   Claim claim("contact::interpenetration_distance");
-  Draw draw(3);
+  RandomStream draw(3);
   for (int k = 0; k < 1000; ++k) {
     const double a = draw.decades(1e-4, 1e3), b = draw.decades(1e-4, 1e3), angle = draw(-4, 4),
                  delta = draw.decades(1e-12, 1e-2);
@@ -145,7 +146,7 @@ TEST_CASE("claim: an empty contact, and a budget of memory") {
 TEST_CASE("claim: disc, ring and rectangle") {
   Claim discs("contact::disc_influence"), rectangles("contact::rectangle_influence"),
       corners("contact::corner_function");
-  Draw draw(4);
+  RandomStream draw(4);
   for (int k = 0; k < 4000; ++k) {
     const double c = draw.decades(1e-3, 1e3), beside = draw.decades(1e-16, 1);  // of the edge
     const double r = k % 4 == 0   ? c * draw.decades(0.03, 30)
@@ -179,7 +180,7 @@ TEST_CASE("claim: disc, ring and rectangle") {
 
 TEST_CASE("claim: displacements by transforms") {
   Claim claim("contact::Convolution");
-  Draw draw(6);
+  RandomStream draw(6);
   for (int k = 0; k < 40; ++k) {
     const Grid grid{0, 0, draw.decades(1e-5, 1e-2), draw.decades(1e-5, 1e-2), 4 + k % 7, 4 + k % 5};
     Eigen::VectorXd p(grid.cells()), u(grid.cells());

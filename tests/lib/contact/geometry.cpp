@@ -1,9 +1,8 @@
-#include <railbook/contact/geometry.hpp>
-
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 
+#include <railbook/contact/geometry.hpp>
 #include <railbook/units/constants.hpp>
 #include <railbook/units/input_error.hpp>
 
@@ -32,7 +31,8 @@ TEST_CASE("unit: relative curvatures reproduce the gap of turned bodies") {
 }
 
 TEST_CASE("unit: slender relative curvatures keep their digits") {
-  // Aligned bodies: the sums. Crossed cylinders of radius 1 at a small angle: A, B = (1 +- cos angle)/2.
+  // Aligned bodies: the sums. Crossed cylinders of radius 1 at a small angle: A, B = (1 +- cos
+  // angle)/2.
   const RelativeCurvature aligned = relative_curvature({0, 3e-14}, {5, 1e-14});
   CHECK(aligned.a == Approx(2.5).epsilon(1e-15));
   CHECK(aligned.b == Approx(2e-14).epsilon(1e-14));
@@ -68,4 +68,24 @@ TEST_CASE("unit: the interpenetration curve of an ellipse") {
   }
   CHECK(interpenetration_distance(rounded_punch_gap({0.5, 0}), 1e-3, 1.0) ==
         Approx(0.5).epsilon(1e-14));
+}
+
+TEST_CASE("input: shapes that do not touch first at the origin are refused") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THROWS_AS(relative_curvature({-1, 1, 0}, {0.5, 1, 0}), InputError);
+  CHECK_THROWS_AS(quadratic_gap({1, 0, 0}), InputError);
+  CHECK_THROWS_AS(quadratic_gap({nan, 1, 0}), InputError);
+  CHECK_THROWS_AS(rail_wheel_gap({18, 9, 10, 1.25}), InputError);
+  CHECK_THROWS_AS(rail_wheel_gap({18, 12.34, 0, 1.25}), InputError);
+  CHECK_THROWS_AS(crowned_roller_gap({0.5, -0.1, 85}), InputError);
+  CHECK_THROWS_AS(rounded_punch_gap({0, 0}), InputError);
+}
+
+TEST_CASE("input: an interpenetration curve that does not exist is refused") {
+  const Gap ridge = [](double, double y) { return y * y; };
+  CHECK_THROWS_AS(interpenetration_distance(ridge, 1e-3, 0), InputError);
+  CHECK_THROWS_AS(interpenetration_distance(ridge, 0, 1), InputError);
+  CHECK_THROWS_AS(interpenetration_distance(ridge, -1, 1), InputError);
+  const Gap broken = [](double, double) { return std::numeric_limits<double>::quiet_NaN(); };
+  CHECK_THROWS_AS(interpenetration_distance(broken, 1e-3, 0), InputError);
 }

@@ -1,4 +1,5 @@
-// Fields on grids: gaps sampled, pressures carried over, the box that holds a contact, and places that a grid missed.
+// Fields on grids: gaps sampled, pressures carried over, the box that holds a contact, and places
+// that a grid missed.
 #include <railbook/contact/grid.hpp>
 
 #include <catch2/catch.hpp>
@@ -22,7 +23,8 @@ namespace {
 constexpr double pi = 3.14159265358979323846;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-// Displacement of a place [m] by the cells of a grid: points, or rods of their length where they are long.
+// Displacement of a place [m] by the cells of a grid: points, or rods of their length where they
+// are long.
 double displacement(const Grid& grid, const VectorXd& p, double modulus, double x, double y) {
   const bool along_x = grid.dx > 2 * grid.dy, along_y = grid.dy > 2 * grid.dx;
   const double least = std::min(grid.dx, grid.dy) / 4;
@@ -260,7 +262,8 @@ TEST_CASE(
   CHECK(cover_axis(-1, 3, 20, 0.05).step == Approx(1.05 / 5));
   CHECK(cover_axis(0, 1, 10, 0.99).step == Approx(0.99 / 9));
   CHECK(cover_axis(0, 1, 1, 0.5).step == 1);
-  // Of seven cells two to either side of an edge and two beyond are too many: they cover a tenth more than the region.
+  // Of seven cells two to either side of an edge and two beyond are too many: they cover a tenth
+  // more than the region.
   const Axis few = fit_axis(-1, 2.5, 7, 0.9, 0.3), instead = cover_axis(-1.35, 2.85, 7, 0.3);
   CHECK(few.start == Approx(instead.start));
   CHECK(few.step == Approx(instead.step));

@@ -1,4 +1,5 @@
-// What is read off a field of pressures: of exact half ellipses, of single cells, and next to where a body ends.
+// What is read off a field of pressures: of exact half ellipses, of single cells, and next to where
+// a body ends.
 #include <railbook/contact/region.hpp>
 
 #include <catch2/catch.hpp>
@@ -121,7 +122,8 @@ TEST_CASE(
     f[inside + step] = 1, f[inside + 2 * step] = std::numeric_limits<double>::infinity();
     CHECK_FALSE(describe(grid, p, f).meets_body_edge);
   }
-  // On the outermost cells the neighbours of other rows, before and behind in memory, are not beside it.
+  // On the outermost cells the neighbours of other rows, before and behind in memory, are not
+  // beside it.
   for (const Index corner : {Index{0}, grid.nx - 1, grid.cells() - grid.nx, grid.cells() - 1}) {
     VectorXd p = VectorXd::Zero(grid.cells()),
              f = VectorXd::Constant(grid.cells(), std::numeric_limits<double>::infinity());

@@ -1,11 +1,12 @@
-// A region read off a field that is mirrored, or has its axes exchanged, is the region mirrored or exchanged.
+// A region read off a field that is mirrored, or has its axes exchanged, is the region mirrored or
+// exchanged.
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 
 #include <railbook/contact/region.hpp>
-#include <railbook/num/draw.hpp>
+#include <railbook/num/random_stream.hpp>
 
 using namespace railbook::contact;
 using Eigen::Index;
@@ -19,7 +20,7 @@ struct Field {
 };
 
 // Blobs of all sizes, some cut off by the grid or by the end of a body.
-Field random_field(railbook::num::Draw& draw) {
+Field random_field(railbook::num::RandomStream& draw) {
   Field field{{draw(-1, 1), draw(-1, 1), draw(0.1, 1), draw(0.1, 1),
                12 + static_cast<Index>(draw(0, 40)), 12 + static_cast<Index>(draw(0, 40))},
               {},
@@ -107,7 +108,7 @@ void same(const Region& a, const Region& b) {
 }  // namespace
 
 TEST_CASE("property: a region mirrored is the region of the field mirrored") {
-  railbook::num::Draw draw(21);
+  railbook::num::RandomStream draw(21);
   for (int k = 0; k < 300; ++k) {
     const Field field = random_field(draw), other = mirrored(field);
     const Region a = describe(field.grid, field.p, field.f),
@@ -136,7 +137,7 @@ TEST_CASE("property: a region mirrored is the region of the field mirrored") {
 
 TEST_CASE(
     "property: a region with its axes exchanged is that of the field exchanged, but its area") {
-  railbook::num::Draw draw(22);
+  railbook::num::RandomStream draw(22);
   for (int k = 0; k < 300; ++k) {
     const Field field = random_field(draw), other = exchanged(field);
     Region a = describe(field.grid, field.p, field.f), b = describe(other.grid, other.p, other.f);

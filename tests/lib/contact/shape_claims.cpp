@@ -1,4 +1,5 @@
-// The accuracy that lib/contact states of shapes, fields and stresses, on seeded inputs over its range.
+// The accuracy that lib/contact states of shapes, fields and stresses, on seeded inputs over its
+// range.
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <vector>
@@ -23,8 +24,9 @@ namespace {
 constexpr double two_pi = 2 * units::pi;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-// Stresses [xx, yy, zz, xy, yz, zx] under point loads of 1 at the origin: pressing (Boussinesq) and pulling along x (Cerruti), as
-// Johnson, Contact Mechanics, 1985, eqs (3.19) and (3.76), writes them; tension > 0.
+// Stresses [xx, yy, zz, xy, yz, zx] under point loads of 1 at the origin: pressing (Boussinesq) and
+// pulling along x (Cerruti), as Johnson, Contact Mechanics, 1985, eqs (3.19) and (3.76), writes
+// them; tension > 0.
 std::array<double, 6> boussinesq(double nu, double x, double y, double z) {
   const double r2 = x * x + y * y + z * z, r = std::sqrt(r2), r5 = r2 * r2 * r, m = 1 - 2 * nu,
                rz = r + z;
@@ -58,7 +60,7 @@ TEST_CASE("claim: the modulus of two bodies and the gaps of the shapes") {
       wheel("contact::rail_wheel_gap"), roller("contact::crowned_roller_gap"),
       punch("contact::rounded_punch_gap"), joined("contact::join_bodies"),
       sampled("contact::sample");
-  Draw draw(1);
+  RandomStream draw(1);
   for (int k = 0; k < 1010; ++k) {
     const Material m{draw.decades(1e3, 1e15), k % 7 == 0 ? 0.5 : draw(0, 0.5),
                      draw.decades(1e3, 1e15), k % 5 == 0 ? 0.0 : draw(0, 0.5)};
@@ -123,7 +125,7 @@ TEST_CASE("claim: the modulus of two bodies and the gaps of the shapes") {
 
 TEST_CASE("claim: thinned profiles show what interpolation does to the gap") {
   Claim claim("contact::join_thinned");
-  Draw draw(2);
+  RandomStream draw(2);
   for (int k = 0; k < 50; ++k) {
     // A circle, or a wavy crown, of 21 to 60 points; the touch is where the exact depth is least.
     const double radius = draw.decades(0.02, 1), wave = k % 2 == 0 ? 0 : draw(0, 0.3),
@@ -154,7 +156,7 @@ TEST_CASE("claim: thinned profiles show what interpolation does to the gap") {
 
 TEST_CASE("claim: pressures by Hertz, and carried to another grid") {
   Claim hertz("contact::hertz_pressure"), carried("contact::transfer");
-  Draw draw(3);
+  RandomStream draw(3);
   for (int k = 0; k < 1000; ++k) {
     const RelativeCurvature curvature{draw.decades(1e-2, 1e2), draw.decades(1e-2, 1e2),
                                       draw(-4, 4)};
@@ -197,7 +199,7 @@ TEST_CASE("claim: pressures by Hertz, and carried to another grid") {
 TEST_CASE("claim: what is read off a field of pressures") {
   Claim region("contact::describe"), edges("contact::outline"),
       even("contact::InversePreconditioner"), box_claim("contact::interpenetration_box");
-  Draw draw(4);
+  RandomStream draw(4);
   for (int k = 0; k < 250; ++k) {
     // Hertz's pressure on an ellipse of 5 to 15 cells each way, anywhere against the cells.
     const Grid grid{draw(-1, 0), draw(-1, 0), draw.decades(0.01, 100), draw.decades(0.01, 100),
@@ -257,9 +259,10 @@ TEST_CASE("claim: what is read off a field of pressures") {
 
 TEST_CASE("claim: stresses at a point") {
   Claim mises("contact::von_mises"), shear("contact::largest_shear");
-  Draw draw(5);
+  RandomStream draw(5);
   for (int k = 0; k < 2000; ++k) {
-    // Half of them close to hydrostatic, some with two equal principal stresses, some of one component.
+    // Half of them close to hydrostatic, some with two equal principal stresses, some of one
+    // component.
     Stress s = Stress::Zero();
     const double size = draw.decades(1, 1e12),
                  small = k % 2 == 0 ? size : size * draw.decades(1e-12, 1);
@@ -285,7 +288,7 @@ TEST_CASE("claim: stresses at a point") {
 
 TEST_CASE("claim: stresses below cells of traction") {
   Claim claim("contact::Subsurface");
-  Draw draw(6);
+  RandomStream draw(6);
   const num::GaussRule rule = num::gauss_legendre(24);
   for (int k = 0; k < 170; ++k) {
     const Grid grid{0, 0, draw.decades(1e-4, 1e-2), draw.decades(1e-4, 1e-2), 2 + k % 3, 3};

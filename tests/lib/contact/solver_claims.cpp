@@ -1,4 +1,5 @@
-// The accuracy that the solvers of lib/contact state, on seeded problems over their range: small ones, so that they are many.
+// The accuracy that the solvers of lib/contact state, on seeded problems over their range: small
+// ones, so that they are many.
 #include <cmath>
 
 #include <railbook/contact/cg_fft.hpp>
@@ -17,14 +18,15 @@ using namespace railbook::tests;
 
 TEST_CASE("claim: one discrete problem by conjugate gradients") {
   Claim bounded("contact::solve_bounded_cg");
-  Draw draw(3);
+  RandomStream draw(3);
   for (int k = 0; k < 1000; ++k) {
-    // Rough surfaces of any size: contacts of many patches, of one cell, and of cells close to slender.
+    // Rough surfaces of any size: contacts of many patches, of one cell, and of cells close to
+    // slender.
     const double size = draw.decades(1e-6, 1), modulus = draw.decades(1, 1e12);
     const Grid grid{0, 0, size, size * draw.decades(0.1, 10), 5 + k % 4, 4 + k % 3};
     const double height = size * draw.decades(1e-8, 1e-2), approach = height * draw(0.05, 1.2);
     Eigen::VectorXd f(grid.cells());
-    for (double& value : f) value = draw(0, 1) < 0.1 ? units::no_limit : height * draw(0, 1);
+    for (double& value : f) value = draw(0, 1) < 0.1 ? units::infinity : height * draw(0, 1);
     Convolution a(grid, modulus);
     Eigen::VectorXd p = Eigen::VectorXd::Zero(grid.cells()), u(grid.cells());
     BoundedCgOptions options;
@@ -46,7 +48,7 @@ TEST_CASE("claim: one discrete problem by conjugate gradients") {
 
 TEST_CASE("claim: the errors that the grid's ladder states, and the load that it meets") {
   Claim stated("contact::solve_cg_fft", 500), load("contact::solve_cg_fft_load", 50);
-  Draw draw(4);
+  RandomStream draw(4);
   for (int k = 0; k < 250; ++k) {
     const RelativeCurvature curvature{draw.decades(0.2, 5), draw.decades(0.2, 5), draw(-4, 4)};
     const double delta = draw.decades(1e-9, 1e-4) / std::max(curvature.a, curvature.b);
@@ -68,7 +70,7 @@ TEST_CASE("claim: the errors that the grid's ladder states, and the load that it
 
 TEST_CASE("claim: the largest stress below a circle of Hertz's pressure") {
   Claim claim("contact::largest_stress");
-  Draw draw(5);
+  RandomStream draw(5);
   for (int k = 0; k < 250; ++k) {
     const double nu = draw(0, 0.5), a = draw.decades(1e-4, 1e-2), p0 = draw.decades(1e6, 1e10);
     const Eigen::Index n = 12;

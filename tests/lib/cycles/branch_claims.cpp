@@ -1,5 +1,6 @@
-// Branches of limit cycles against normal forms whose branches are exact, at random, and the car's families against the car put
-// together at once; wheel and rail's limited forces against each wheel by itself.
+// Branches of limit cycles against normal forms whose branches are exact, at random, and the car's
+// families against the car put together at once; wheel and rail's limited forces against each wheel
+// by itself.
 #include <cmath>
 #include <vector>
 
@@ -20,8 +21,9 @@ using Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-// Circles of radius^2 = rho where p = turn rho^2 - rho or, without a turn, p = rho; omega^2 = 1 + stiff rho. `rest` adds forces on other
-// coordinates. A term with q q', zero on circles, keeps the motion from turning back on itself.
+// Circles of radius^2 = rho where p = turn rho^2 - rho or, without a turn, p = rho; omega^2 = 1 +
+// stiff rho. `rest` adds forces on other coordinates. A term with q q', zero on circles, keeps the
+// motion from turning back on itself.
 struct Circles {
   double turn, stiff;
   double parameter(double rho) const { return turn > 0 ? turn * rho * rho - rho : rho; }
@@ -63,7 +65,7 @@ const SpecialCycle* first_of(const LimitCycleBranch& branch, CycleEvent kind) {
 TEST_CASE("claim: branches of limit cycles", "[thorough]") {
   Claim hopf("cycles::follow_from_hopf", 300), on("cycles::follow_from", 200),
       at("cycles::cycles_at", 120), near("cycles::cycle_near", 80);
-  Draw draw(1);
+  RandomStream draw(1);
   for (int k = 0; k < 12; ++k) {
     // A branch that turns round at rho = 1/(2 turn).
     const Circles turning{draw.decades(0.5, 2), draw(0, 1)};
@@ -101,7 +103,7 @@ TEST_CASE("claim: branches of limit cycles", "[thorough]") {
     }
     const LimitCycle& last = branch.points.back();
     const LimitCycleBranch back =
-        follow_from(family, last.cycle, last.parameter, Towards::smaller_cycles, up_to(10));
+        follow_from(family, last.cycle, last.parameter, Direction::smaller_cycles, up_to(10));
     for (const LimitCycle& c : back.points) on.error(off(c));
     CHECK(back.stop == BranchStop::small_cycle);
   }
@@ -109,7 +111,7 @@ TEST_CASE("claim: branches of limit cycles", "[thorough]") {
 
 TEST_CASE("claim: points of branches where another one leaves", "[thorough]") {
   Claim aside("cycles::follow_secondary", 100);
-  Draw draw(2);
+  RandomStream draw(2);
   for (int k = 0; k < 12; ++k) {
     const Circles plain{0, draw(0.2, 0.8)};
     const ContinuationOptions options = up_to(0.6);
@@ -142,13 +144,13 @@ TEST_CASE("claim: points of branches where another one leaves", "[thorough]") {
 
 namespace {
 
-CarParameters random_car(Draw& draw) {
+CarParameters random_car(RandomStream& draw) {
   CarParameters car;
   for (const CarDatum& datum : car_data()) car.*datum.member *= draw.decades(0.5, 2);
   car.half_gauge = CarParameters{}.half_gauge;
   return car;
 }
-State random_state(Draw& draw, double size) {
+State random_state(RandomStream& draw, double size) {
   State y;
   for (double& value : y) value = size * draw(-1, 1);
   return y;
@@ -159,7 +161,8 @@ double apart(const Oscillator& a, const Oscillator& b, const State& y) {
   return (one - other).norm() / other.norm();
 }
 
-// The force of one wheel, sideways and along, as the cubic of Shen, Hedrick and Elkins has it; and what of it remains.
+// The force of one wheel, sideways and along, as the cubic of Shen, Hedrick and Elkins has it; and
+// what of it remains.
 struct WheelForce {
   Long along, across, part;
 };
@@ -175,7 +178,7 @@ WheelForce wheel_force(const CarParameters& p, Long friction, Long along, Long a
 TEST_CASE("claim: families of cars, and creep that friction limits", "[thorough]") {
   Claim speeds("vehicle::by_speed"), data_claim("vehicle::by_datum"),
       limit_claim("vehicle::limit_creep"), use("vehicle::cycle_forces");
-  Draw draw(3);
+  RandomStream draw(3);
   const auto& table = wheelset::cn_table();
   for (int k = 0; k < 250; ++k) {
     const CarParameters data = random_car(draw);
@@ -202,7 +205,8 @@ TEST_CASE("claim: families of cars, and creep that friction limits", "[thorough]
       if (creep) limit_creep(expected, changed, table, *creep);
       data_claim.error(apart(moved, expected, y));
     }
-    // Wheel by wheel: what friction takes from lateral force and moment. All sizes of creepage, from none to sliding.
+    // Wheel by wheel: what friction takes from lateral force and moment. All sizes of creepage,
+    // from none to sliding.
     const double friction = draw(0.1, 0.6);
     Oscillator limited = car_on_track(car, table, speed);
     limited.couplings.clear();

@@ -1,5 +1,5 @@
-// Continuation of limit cycles against normal forms with exact branches: circular motions of a plane oscillator, on which other
-// coordinates ride.
+// Continuation of limit cycles against normal forms with exact branches: circular motions of a
+// plane oscillator, on which other coordinates ride.
 #include <railbook/cycles/continuation.hpp>
 
 #include <catch2/catch.hpp>
@@ -28,8 +28,8 @@ Eigen::VectorXcd circle(int n) {
   shape[1] = Complex{0, -1};
   return shape;
 }
-// What a branch cost: a walk that is a little wrong still arrives, and takes longer. The counts are today's; a change for the better
-// changes them with its reason.
+// What a branch cost: a walk that is a little wrong still arrives, and takes longer. The counts are
+// today's; a change for the better changes them with its reason.
 struct Work {
   int points, newton_steps, rejected_steps;
 };
@@ -45,8 +45,9 @@ std::vector<SpecialCycle> of_kind(const LimitCycleBranch& branch, CycleEvent kin
   return found;
 }
 
-// Circles of radius^2 = p in the first two coordinates, omega^2 = 1 + p / 2; `rest` adds forces on the others. The term with q q',
-// zero on circles, keeps the motion from turning back on itself: without it circles are unstable.
+// Circles of radius^2 = p in the first two coordinates, omega^2 = 1 + p / 2; `rest` adds forces on
+// the others. The term with q q', zero on circles, keeps the motion from turning back on itself:
+// without it circles are unstable.
 template <class Rest>
 Family on_circles(int n, Rest rest) {
   Family family;
@@ -77,8 +78,8 @@ LimitCycleBranch circles(const Family& family) {
 }  // namespace
 
 TEST_CASE("Continuation: Duffing's two turning points", "[continuation]") {
-  // z'' + d z' + z + b |z|^2 z = g exp(i W t) in the plane, driven by circles u'' + (|u|^2 - 1) u' + W^2 u = 0 of radius 1:
-  // rho ((1 + b rho - W^2)^2 + d^2 W^2) = g^2 exactly, and one frequency.
+  // z'' + d z' + z + b |z|^2 z = g exp(i W t) in the plane, driven by circles u'' + (|u|^2 - 1) u'
+  // + W^2 u = 0 of radius 1: rho ((1 + b rho - W^2)^2 + d^2 W^2) = g^2 exactly, and one frequency.
   constexpr double d = 0.1, b = 0.5, g = 0.2;
   Family family;
   family.oscillator = seen_by(4, [=](const Complex* s, Complex* f) {
@@ -101,7 +102,7 @@ TEST_CASE("Continuation: Duffing's two turning points", "[continuation]") {
   Eigen::VectorXcd shape = Eigen::VectorXcd::Zero(4);
   shape << 0.27, Complex{0, -0.27}, 1, Complex{0, -1};
   const auto branch = follow_from(family, first_harmonic(start, shape, 0.5, 7), 0.5,
-                                  Towards::larger_parameter, options);
+                                  Direction::larger_parameter, options);
   CHECK(branch.stop == BranchStop::parameter);
   // dW/d rho = 0 there: with a = 1 + b rho - W^2 = -g^2 / (2 b rho^2).
   const auto turning = [&](double rho) {
@@ -145,8 +146,8 @@ TEST_CASE("Continuation: a torus point of known place", "[continuation]") {
 
 TEST_CASE("Continuation: a branch that breaks symmetry ends where it comes back",
           "[continuation]") {
-  // w'' + w' + (rho - 0.2)(rho - 0.4) w + b w^3 = 0 stands aside between the two places: b w^2 = (rho - 0.2)(0.4 - rho). No cycle
-  // is as far aside as the second size: less is tried then.
+  // w'' + w' + (rho - 0.2)(rho - 0.4) w + b w^3 = 0 stands aside between the two places: b w^2 =
+  // (rho - 0.2)(0.4 - rho). No cycle is as far aside as the second size: less is tried then.
   constexpr double b = 2;
   for (const double size : {0.05, 0.6}) {
     const Family family = on_circles(3, [=](Complex rho, const Complex* s, Complex* f) {
@@ -155,8 +156,8 @@ TEST_CASE("Continuation: a branch that breaks symmetry ends where it comes back"
     const auto branch = circles(family);
     const auto found = of_kind(branch, CycleEvent::symmetry_breaking);
     REQUIRE(found.size() == 2);
-    // What leaves there is found from a thousandth of the way, not from a hundredth, nor at points of
-    // another kind.
+    // What leaves there is found from a thousandth of the way, not from a hundredth, nor at points
+    // of another kind.
     for (const double off : {1e-3, -1e-3, 0.02, -0.02}) {
       const auto beside = cycles_at(family, branch, 0.2 + off, to_06());
       REQUIRE(beside.size() == 1);
@@ -198,8 +199,8 @@ TEST_CASE("Continuation: a branch that breaks symmetry ends where it comes back"
 
 TEST_CASE("Continuation: the period doubles at a known place, and the branch that leaves there",
           "[continuation]") {
-  // A second plane, U'' + c U' + k U + b |U|^2 U = g z conj(U), driven by the circle z: U = A exp(i omega t / 2) where
-  // (k - omega^2 / 4 + b |A|^2)^2 + (c omega / 2)^2 = g^2 p.
+  // A second plane, U'' + c U' + k U + b |U|^2 U = g z conj(U), driven by the circle z: U = A exp(i
+  // omega t / 2) where (k - omega^2 / 4 + b |A|^2)^2 + (c omega / 2)^2 = g^2 p.
   constexpr double c = 0.1, k = 0.35, g = 0.15, b = 0.5;
   Family family = on_circles(4, [=](Complex, const Complex* s, Complex* f) {
     const Complex size = s[2] * s[2] + s[3] * s[3];
@@ -249,7 +250,7 @@ TEST_CASE("Continuation: van der Pol's cycle from its first to its later days", 
   family.set(start, 0.1);
   const auto branch =
       follow_from(family, first_harmonic(start, 2 * Eigen::VectorXcd::Ones(1), 1, 7), 0.1,
-                  Towards::larger_parameter, options);
+                  Direction::larger_parameter, options);
   CHECK(branch.stop == BranchStop::parameter);
   const auto at = cycles_at(family, branch, 1, options);
   REQUIRE(at.size() == 1);
@@ -265,10 +266,11 @@ TEST_CASE("Continuation: van der Pol's cycle from its first to its later days", 
   CHECK(at[0].stable);
   check_work(branch, {16, 34, 0});
 
-  // Back again: harmonics are taken off as the cycle becomes a circle; a step that does so may leave a few times the tail.
+  // Back again: harmonics are taken off as the cycle becomes a circle; a step that does so may
+  // leave a few times the tail.
   options.lowest = 0.01;
   const auto back =
-      follow_from(family, branch.points.back().cycle, 2, Towards::smaller_parameter, options);
+      follow_from(family, branch.points.back().cycle, 2, Direction::smaller_parameter, options);
   CHECK(back.stop == BranchStop::parameter);
   const auto highest = [](const LimitCycle& c) { return c.cycle.orders.back(); };
   CHECK(highest(branch.points.back()) == 77);

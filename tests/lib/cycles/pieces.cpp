@@ -29,7 +29,8 @@ TEST_CASE("On the tread, cut into many pieces, the car moves by the matrix expon
           "[pieces]") {
   const auto car = assemble({}, Suspension::dampers);
   Oscillator o = car_on_track(car, wheelset::new_wheel_table(), 150 * units::foot);
-  // The linear tread as a law of 400 pieces whose bend is far beyond rounding's reach, but nil for the motion.
+  // The linear tread as a law of 400 pieces whose bend is far beyond rounding's reach, but nil for
+  // the motion.
   for (Channel& c : o.channels) {
     const Eigen::VectorXd slope = c.law.slopes().col(c.law.piece(0));
     Eigen::VectorXd knots = Eigen::VectorXd::LinSpaced(401, -0.02, 0.02);

@@ -18,17 +18,17 @@ using tests::seen_by;
 
 TEST_CASE("A part of a step: straight, or a parabola where it turns", "[steps]") {
   for (const double root : {0.02, 0.3, 0.5, 0.9, 1.0}) {
-    CHECK(part_of_way(-root, 1 - root, false, false) == Approx(root));
-    CHECK(part_of_way(-root * root, 1 - root * root, true, false) == Approx(root));
+    CHECK(zero_fraction(-root, 1 - root, false, false) == Approx(root));
+    CHECK(zero_fraction(-root * root, 1 - root * root, true, false) == Approx(root));
     const double left = (1 - root) * (1 - root);
-    CHECK(part_of_way(1 - left, -left, false, true) == Approx(root));
-    CHECK(part_of_way(-root, 1 - root, true, true) == Approx(root));
+    CHECK(zero_fraction(1 - left, -left, false, true) == Approx(root));
+    CHECK(zero_fraction(-root, 1 - root, true, true) == Approx(root));
   }
   // A ring closes where it passes its first point, near, and on the way to its second.
   const Eigen::Vector2d from{1, 1}, way{2, 1}, aside{-1, 2};
   const auto part = [&](double along, double off, double ahead) {
     const Eigen::Vector2d first = from + along * way + off * aside;
-    return passes_again(first, first + ahead * way, from, from + way);
+    return closes_on_start(first, first + ahead * way, from, from + way);
   };
   for (const double along : {0.01, 0.4, 0.99}) {
     CHECK(part(along, 0, 1) == Approx(along));
@@ -37,9 +37,9 @@ TEST_CASE("A part of a step: straight, or a parabola where it turns", "[steps]")
     CHECK(part(along, 0.101, 1) == 0);
     CHECK(part(along, 0, -1) == 0);
   }
-  CHECK(passes_again(from + way, from + 2 * way, from, from + way) == 1);
+  CHECK(closes_on_start(from + way, from + 2 * way, from, from + way) == 1);
   for (const double along : {-0.01, 1.01}) CHECK(part(along, 0, 1) == 0);
-  CHECK(passes_again(from, from + way, from, from + way) == 0);
+  CHECK(closes_on_start(from, from + way, from, from + way) == 0);
 }
 
 namespace {
@@ -81,9 +81,9 @@ ContinuationOptions within(double lowest, double highest) {
 
 TEST_CASE("A ring is walked once round, whichever way", "[steps]") {
   const Family family = ring();
-  for (const Towards way : {Towards::larger_parameter, Towards::smaller_parameter,
-                            Towards::larger_cycles, Towards::smaller_cycles}) {
-    const double begin = 1 - 0.3, side = way == Towards::larger_cycles ? 0.4 : -0.4;
+  for (const Direction way : {Direction::larger_parameter, Direction::smaller_parameter,
+                              Direction::larger_cycles, Direction::smaller_cycles}) {
+    const double begin = 1 - 0.3, side = way == Direction::larger_cycles ? 0.4 : -0.4;
     const auto branch = follow_from(family, circle(family, 1 + side), begin, way, within(-5, 5));
     CHECK(branch.stop == BranchStop::closed);
     REQUIRE(branch.points.size() > 8);
@@ -103,8 +103,8 @@ TEST_CASE("A ring is walked once round, whichever way", "[steps]") {
       turned += std::arg(at(k) / at(k - 1));
     }
     CHECK(std::abs(turned) == Approx(2 * units::pi).epsilon(5e-3));
-    const bool larger = way == Towards::larger_cycles, up = way == Towards::larger_parameter;
-    if (larger || way == Towards::smaller_cycles)
+    const bool larger = way == Direction::larger_cycles, up = way == Direction::larger_parameter;
+    if (larger || way == Direction::smaller_cycles)
       CHECK((branch.points[1].largest > first.largest) == larger);
     else
       CHECK((branch.points[1].parameter > begin) == up);
@@ -133,7 +133,7 @@ TEST_CASE("A ring is walked once round, whichever way", "[steps]") {
 TEST_CASE("Each end of a branch, where it is asked for", "[steps]") {
   const Family family = straight();
   const auto walked = [&](const ContinuationOptions& options,
-                          Towards way = Towards::larger_cycles) {
+                          Direction way = Direction::larger_cycles) {
     return follow_from(family, circle(family, 0.25), 0.25, way, options);
   };
   const auto up = within(0.01, 2);
@@ -151,11 +151,11 @@ TEST_CASE("Each end of a branch, where it is asked for", "[steps]") {
   check_end(walked(within(0.01, 0.5)), BranchStop::parameter, 0.5, 1);
   auto options = up;
   options.first_amplitude = 1;
-  check_end(walked(within(0.1, 2), Towards::smaller_cycles), BranchStop::parameter, 0.1, -1);
+  check_end(walked(within(0.1, 2), Direction::smaller_cycles), BranchStop::parameter, 0.1, -1);
   // Half of the first cycle, or of the first amplitude where that is less.
-  check_end(walked(options, Towards::smaller_cycles), BranchStop::small_cycle, 0.0625, -1);
+  check_end(walked(options, Direction::smaller_cycles), BranchStop::small_cycle, 0.0625, -1);
   options.first_amplitude = 0.4;
-  check_end(walked(options, Towards::smaller_parameter), BranchStop::small_cycle, 0.04, -1);
+  check_end(walked(options, Direction::smaller_parameter), BranchStop::small_cycle, 0.04, -1);
   options = up;
   options.largest_amplitude = 0.8;
   check_end(walked(options), BranchStop::amplitude, 0.64, 1);
@@ -176,7 +176,7 @@ TEST_CASE("Each end of a branch, where it is asked for", "[steps]") {
       CHECK(std::string(to_string(BranchStop(stop))) != to_string(BranchStop(other)));
   // No circle has a radius whose square is negative.
   const auto none =
-      follow_from(family, circle(family, 0.25), -0.5, Towards::larger_cycles, within(-1, 1));
+      follow_from(family, circle(family, 0.25), -0.5, Direction::larger_cycles, within(-1, 1));
   CHECK(none.stop == BranchStop::start);
   CHECK(none.points.empty());
 }
@@ -189,7 +189,7 @@ TEST_CASE("The step: a quarter of the largest at first, half as much again while
     options.largest_step = largest;
     options.most_points = 14;
     const auto branch =
-        follow_from(family, circle(family, 1), 1, Towards::larger_parameter, options);
+        follow_from(family, circle(family, 1), 1, Direction::larger_parameter, options);
     double expected = 0.25 * largest;
     REQUIRE(branch.points.size() > 12);
     for (std::size_t k = 1; k < 12; ++k) {
@@ -212,7 +212,7 @@ TEST_CASE("The step where the way bends: halved below a cosine of 0.9, longer ab
   for (const double largest : {0.2, 0.45, 1.2}) {
     options.largest_step = largest;
     const auto branch =
-        follow_from(family, circle(family, 1.4), 0.7, Towards::larger_cycles, options);
+        follow_from(family, circle(family, 1.4), 0.7, Direction::larger_cycles, options);
     CHECK(branch.stop == BranchStop::closed);
     // The way at a point: by relative radius, ln omega and p, in the units of where the step
     // begins.
@@ -294,7 +294,7 @@ TEST_CASE("What is told of a point: middle, reach, and how much its highest harm
   for (const int most : {95, 15}) {
     options.most_order = most;
     options.tail = 1e-5;
-    const auto walk = follow_from(rayleigh, begin, 0.1, Towards::larger_parameter, options);
+    const auto walk = follow_from(rayleigh, begin, 0.1, Direction::larger_parameter, options);
     CHECK(walk.stop == BranchStop::parameter);
     bool whole = true;
     for (const LimitCycle& c : walk.points) {
@@ -317,7 +317,8 @@ TEST_CASE("What is told of a point: middle, reach, and how much its highest harm
 
 TEST_CASE("Cycles at a parameter cost less the nearer they are to a point of the branch",
           "[steps]") {
-  // Rayleigh's cycle up and down, harmonics added on the way and taken off: either neighbour may be the richer.
+  // Rayleigh's cycle up and down, harmonics added on the way and taken off: either neighbour may be
+  // the richer.
   long calls = 0;
   Family family;
   family.oscillator =
@@ -336,9 +337,9 @@ TEST_CASE("Cycles at a parameter cost less the nearer they are to a point of the
   auto options = within(0.05, 2);
   options.tail = 1e-7;
   const auto up = follow_from(family, first_harmonic(start, 2 * Eigen::VectorXcd::Ones(1), 1, 7),
-                              0.1, Towards::larger_parameter, options);
+                              0.1, Direction::larger_parameter, options);
   const auto down =
-      follow_from(family, up.points.back().cycle, 2, Towards::smaller_parameter, options);
+      follow_from(family, up.points.back().cycle, 2, Direction::smaller_parameter, options);
   int most = 0;
   for (const auto* branch : {&up, &down})
     for (std::size_t k = 0; k + 1 < branch->points.size(); ++k)

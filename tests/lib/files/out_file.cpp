@@ -67,9 +67,9 @@ TEST_CASE("input: a name is only a name") {
     CHECK(at.read(std::string(name) + "/" + name) == "text");
   }
   CHECK(holds_only(at, 11));
-  CHECK(files::shown(std::string(1001, 'n')) ==
+  CHECK(files::quoted_name(std::string(1001, 'n')) ==
         "\"" + std::string(1000, 'n') + "... (1001 bytes)\"");
-  CHECK(files::shown("line\nbreak\x1b[2J") == "\"line\\x0abreak\\x1b[2J\"");
+  CHECK(files::quoted_name("line\nbreak\x1b[2J") == "\"line\\x0abreak\\x1b[2J\"");
 }
 
 TEST_CASE("input: a file that is not committed was never there") {

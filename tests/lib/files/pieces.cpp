@@ -67,7 +67,8 @@ TEST_CASE("unit: folders that were made go again, innermost first, unless kept")
   const fs::path file = at.write("file", "x");
   CHECK_THROWS_WITH(files::MadeFolder(file / "below"), Contains("Not a directory"));
   CHECK_THROWS_WITH(files::require_makeable(file), Contains("Not a directory"));
-  // A name that is too long, of a folder that is there, and of one that is made first and goes again.
+  // A name that is too long, of a folder that is there, and of one that is made first and goes
+  // again.
   const std::string endless(300, 'x');
   CHECK_THROWS_WITH(files::require_makeable(old / endless), Contains("File name too long"));
   CHECK_THROWS_AS(files::MadeFolder(old / "new" / endless), InputError);
@@ -213,19 +214,20 @@ TEST_CASE("unit: with no descriptor left, files and folders fail as the machine 
       told += std::string(error.what()) + "\n";
     }
   setrlimit(RLIMIT_NOFILE, &before);
-  CHECK(told == "file " + files::shown(at.path / "file") +
-                    ": cannot be written: Too many open files\nfolder " + files::shown(at.path) +
+  CHECK(told == "file " + files::quoted_name(at.path / "file") +
+                    ": cannot be written: Too many open files\nfolder " +
+                    files::quoted_name(at.path) +
                     ": cannot be written: Too many open files\n"
                     "temporary file: cannot be made: Too many open files\n");
 }
 
 TEST_CASE("unit: there may be 4096 temporary files at a time") {
-  std::vector<files::Doomed> all;
+  std::vector<files::TemporaryPath> all;
   all.reserve(4096);
   for (int k = 0; k < 4096; ++k) all.emplace_back("/nowhere/none");
-  CHECK_THROWS_WITH(files::Doomed("/nowhere/none"), "too many temporary files at a time");
+  CHECK_THROWS_WITH(files::TemporaryPath("/nowhere/none"), "too many temporary files at a time");
   all.pop_back();
-  CHECK_NOTHROW(files::Doomed("/nowhere/none"));
+  CHECK_NOTHROW(files::TemporaryPath("/nowhere/none"));
 }
 
 TEST_CASE("unit: temporary files are in TMPDIR, or in /tmp where it is none") {

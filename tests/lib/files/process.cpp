@@ -41,8 +41,8 @@ TEST_CASE("unit: a signal removes what is staged and ends the child, then the pr
     files::prepare_process();
     fs::create_directory(folder);
     at.write("staged", "x"), at.write("kept", "x"), at.write("folder/file", "x");
-    const files::Doomed doomed(staged), outer_one(folder), inner_one(folder / "file");
-    files::Doomed stays(at.path / "kept");
+    const files::TemporaryPath doomed(staged), outer_one(folder), inner_one(folder / "file");
+    files::TemporaryPath stays(at.path / "kept");
     stays.keep();
     const pid_t child = sleeper(), beside = fork();
     if (beside == 0) {
@@ -50,12 +50,12 @@ TEST_CASE("unit: a signal removes what is staged and ends the child, then the pr
       for (;;) pause();
     }
     setpgid(beside, child);
-    const files::DoomedChild with(child);
+    const files::ChildGuard with(child);
     std::ofstream(at.path / "pids") << child << ' ' << beside;
     {
-      const files::SignalsWait outer;
+      const files::BlockSignals outer;
       {
-        const files::SignalsWait inner;
+        const files::BlockSignals inner;
         kill(getpid(), SIGTERM);
       }
       if (!fs::exists(staged)) return 9;  // not before the outer one ends
@@ -83,9 +83,9 @@ TEST_CASE("unit: a signal ends a process without a child, and no other one") {
                          std::signal(signal, SIG_DFL);  // whatever nohup said
                          files::prepare_process();
                          const pid_t spared = sleeper();
-                         { const files::DoomedChild for_a_while(spared); }
+                         { const files::ChildGuard for_a_while(spared); }
                          at.write("spared", std::to_string(spared));
-                         const files::SignalsWait wait;
+                         const files::BlockSignals wait;
                          raise(signal);
                          at.write("waited", "x");
                          return 0;

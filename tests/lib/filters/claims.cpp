@@ -1,5 +1,5 @@
-// The accuracy that lib/filters states, on seeded inputs over its range, against the same quantity in 80-bit arithmetic by
-// another formula where the one in use was chosen to avoid a cancellation.
+// The accuracy that lib/filters states, on seeded inputs over its range, against the same quantity
+// in 80-bit arithmetic by another formula where the one in use was chosen to avoid a cancellation.
 #include <cmath>
 #include <complex>
 #include <vector>
@@ -45,7 +45,7 @@ TEST_CASE("claim: closed forms of the filters") {
       first("filters::first_order_digital"), second("filters::second_order_digital"),
       means("filters::mean_gain"), high("filters::high_pass_gain"),
       bias("filters::gyro_bias_error");
-  Draw draw(1);
+  RandomStream draw(1);
   for (int k = 0; k < 2000; ++k) {
     const double kappa = draw.decades(1e-8, 300), theta = draw.decades(1e-3, 3.14);
     rest.relative(decay(kappa).rest, -std::expm1(-Long{kappa}));
@@ -72,7 +72,7 @@ TEST_CASE("claim: what can be an interval between samples") {
 
 TEST_CASE("claim: chords of short chords") {
   Claim claim("filters::to_chord"), sums("filters::running_sum");
-  Draw draw(2);
+  RandomStream draw(2);
   for (int k = 0; k < 40; ++k) {
     const int half = 1 + k % 12;
     std::vector<double> x(static_cast<std::size_t>(2 * half - 1 + 30));

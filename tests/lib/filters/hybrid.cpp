@@ -54,7 +54,8 @@ std::vector<double> uneven_times(int n) {
   return t;
 }
 
-// The integral of weight(t) input(t) from a to b, and of the weight, by Gauss with 5 points on panels.
+// The integral of weight(t) input(t) from a to b, and of the weight, by Gauss with 5 points on
+// panels.
 template <class Weight>
 double weighted_mean(const Weight& weight, const std::vector<double>& knots) {
   constexpr std::array<double, 5> x{-0.9061798459386640, -0.5384693101056831, 0, 0.5384693101056831,
@@ -107,7 +108,8 @@ TEST_CASE(
       const double t0 = times[k - 2], t1 = times[k - 1], t2 = times[k];
       CHECK(u.T_before == t1 - t0);
       CHECK(u.T_after == t2 - t1);
-      // Impulse response q, cut off before t0 by construction: q(t2-t) - alpha q(t1-t) = -beta q(t0-t) in between.
+      // Impulse response q, cut off before t0 by construction: q(t2-t) - alpha q(t1-t) = -beta
+      // q(t0-t) in between.
       const double s = f.damping * f.omega, split = f.omega * f.omega - s * s;
       const double w = std::sqrt(std::abs(split));
       const auto sine = [&](double t) {

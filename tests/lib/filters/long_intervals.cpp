@@ -1,4 +1,5 @@
-// Intervals from far below the filter's time constant to far above it: where one formula hands over to another.
+// Intervals from far below the filter's time constant to far above it: where one formula hands over
+// to another.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <complex>
@@ -55,7 +56,8 @@ TEST_CASE("property: the second filter has no jump where its formulas change han
       };
       CHECK(near(20 / s, 1e-9));
       CHECK(near(300 / slow, 1e-9));
-      // Beyond, the sample before the last but one is forgotten; q(t) = exp(-s t) sinh(w t)/w takes out both modes.
+      // Beyond, the sample before the last but one is forgotten; q(t) = exp(-s t) sinh(w t)/w takes
+      // out both modes.
       const double long_ago = 310 / slow, w = f.omega * std::sqrt(damping * damping - 1);
       const double ratio = w == 0 ? 1 + after / long_ago
                            : w * long_ago < 99
@@ -130,7 +132,8 @@ TEST_CASE("property: faults of the encoder are passed over, or begin anew") {
   g.restart();
   CHECK(std::isnan(g.push(1, 0.1).mean));
 
-  // The complementary filter: inclination, increment, T, and what comes out. It halves what it knew in T.
+  // The complementary filter: inclination, increment, T, and what comes out. It halves what it knew
+  // in T.
   ComplementaryFilter roll{1 / std::log(2.0)};
   const double row[][4] = {{3, 5, 1, 3},     {5, 0, 1, 4},     {7, 1, 1, 6},       {7, 1, 0, nan},
                            {8, 0, 1, 7},     {nan, 0, 1, nan}, {2, 9, 1, 2},       {4, 0, 1, 3},

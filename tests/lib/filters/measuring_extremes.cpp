@@ -157,8 +157,8 @@ TEST_CASE("Long chords and long high-passes") {
 }
 
 TEST_CASE("The stream's memory is that of its blocks") {
-  // What comes in and what goes out, the curve on the way, a copy of it for a second stage, and a row of halves
-  // for each pass; a place for each hole.
+  // What comes in and what goes out, the curve on the way, a copy of it for a second stage, and a
+  // row of halves for each pass; a place for each hole.
   const std::size_t block = 400000;
   for (const int stages : {1, 2})
     for (const int passes : {1, 3})

@@ -1,5 +1,5 @@
-// Responses against numbers that tests/reference/responses.cpp works out from the formulas, and against filters driven by sines.
-// Corners of 1 Hz.
+// Responses against numbers that tests/reference/responses.cpp works out from the formulas, and
+// against filters driven by sines. Corners of 1 Hz.
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
-// The accuracy that lib/filters states of its streams, on seeded records: what goes in is known, and comes out again; and of the
-// closed forms that need no series.
+// The accuracy that lib/filters states of its streams, on seeded records: what goes in is known,
+// and comes out again; and of the closed forms that need no series.
 #include <cmath>
 #include <complex>
 #include <vector>
@@ -40,7 +40,7 @@ TEST_CASE("claim: responses and corners") {
   Claim first("filters::first_order_analog"), second("filters::second_order_analog"),
       sinc("filters::sinc_limit"), constant("filters::time_constant"),
       digital("filters::low_pass_gain"), chord("filters::short_chord");
-  Draw draw(51);
+  RandomStream draw(51);
   for (int k = 0; k < 1000; ++k) {
     const double kappa = draw.decades(1e-8, 1e3),
                  theta = k % 2 == 0 ? draw.decades(1e-8, 3.14)
@@ -79,7 +79,7 @@ TEST_CASE("claim: responses and corners") {
 TEST_CASE("claim: hybrid filters give back what the analog ones were given") {
   Claim first("filters::FirstOrderHybrid"), second("filters::SecondOrderHybrid"),
       roll("filters::ComplementaryFilter");
-  Draw draw(52);
+  RandomStream draw(52);
   for (int k = 0; k < 60; ++k) {
     const double corner = draw.decades(1e-2, 1e3);
     FirstOrderHybrid filter(corner);
@@ -131,7 +131,7 @@ TEST_CASE("claim: hybrid filters give back what the analog ones were given") {
 TEST_CASE("claim: the composite filter") {
   Claim reached("filters::reach"), integers("filters::space_curve_integers"),
       chain("filters::GeometryChain"), whole("filters::geometry");
-  Draw draw(53);
+  RandomStream draw(53);
   for (int k = 0; k < 80; ++k) {
     const HighPass filter{3 + 2 * (k % 6), 1 + k % 3, 1};
     const auto curve = space_curve_integers(filter);
@@ -146,7 +146,8 @@ TEST_CASE("claim: the composite filter") {
     const auto total = static_cast<std::int64_t>(std::pow(filter.length, filter.passes));
     const std::size_t middle = box.size() / 2;
     for (int i = 0; i < 20; ++i) reached.error(reach(filter) == middle ? 0 : 1);
-    // The curve's own short chord is the high-pass: twice it, -c[i-1] + 2 c[i] - c[i+1] = 2 (M^p delta - box).
+    // The curve's own short chord is the high-pass: twice it, -c[i-1] + 2 c[i] - c[i+1] = 2 (M^p
+    // delta - box).
     const auto at = [&](std::ptrdiff_t i) {
       return i < 0 || i >= static_cast<std::ptrdiff_t>(curve.size())
                  ? std::int64_t{0}

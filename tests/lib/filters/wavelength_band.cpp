@@ -18,7 +18,8 @@ using units::pi;
 
 namespace {
 
-// The band-pass from its poles: the four of the low-pass, each carried to two by s -> (s^2 + w0^2)/(B s).
+// The band-pass from its poles: the four of the low-pass, each carried to two by s -> (s^2 +
+// w0^2)/(B s).
 double gain_by_poles(const Band& band, double phi) {
   const double low = 2 * pi / band.longest, high = 2 * pi / band.shortest, B = high - low;
   const std::complex<double> s{0, 2 * pi * phi};
@@ -84,7 +85,8 @@ TEST_CASE("unit: a chord reads 1 - cos(pi L phi), with its ends on samples or be
       const auto taps = filters::chord_taps(chord, spacing);
       for (const double wave : {3.0, 5.0, chord / 2, chord, 62 * units::foot, 70.0}) {
         CAPTURE(chord, spacing, wave);
-        // The cubic misses the middle between two samples by 3/128 of the fourth power of the phase from one to the next.
+        // The cubic misses the middle between two samples by 3/128 of the fourth power of the phase
+        // from one to the next.
         const double missed = 3.0 / 128 * std::pow(2 * pi * spacing / wave, 4);
         CHECK(amplitude(taps, 1 / wave) ==
               Approx(1 - std::cos(pi * chord / wave)).margin(1e-4 + missed));
@@ -110,8 +112,8 @@ TEST_CASE("unit: a deviation from uniformity is an offset less the mean of nine"
       double sum = taps.half[0];
       for (std::size_t j = 1; j < taps.half.size(); ++j) sum += 2 * taps.half[j];
       CHECK(std::abs(sum) < 1e-12);
-      // As long as its farthest sample, of the cubic's four, and no longer; they are one where a chord is
-      // whole steps.
+      // As long as its farthest sample, of the cubic's four, and no longer; they are one where a
+      // chord is whole steps.
       CHECK((taps.half.back() != 0) == (spacing == 0.25));
       for (const double wave : {6.0, chord / 2, chord, 2 * chord, 5 * chord}) {
         double mean = 1;

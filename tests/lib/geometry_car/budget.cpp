@@ -1,4 +1,5 @@
-// The error budget of the car against closed forms: what each fault of a sensor costs, measured through the whole chain.
+// The error budget of the car against closed forms: what each fault of a sensor costs, measured
+// through the whole chain.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <vector>
@@ -33,7 +34,8 @@ TrackDescription bounce_line() {
   return line;
 }
 
-// What an error of one channel changes in a parameter in the middle of a long curve (or on a tangent), SI.
+// What an error of one channel changes in a parameter in the middle of a long curve (or on a
+// tangent), SI.
 double change(double speed, double curve, Parameter parameter, Channel channel,
               const SensorError& error, double sample_error = 0) {
   TrackDescription line = bounce_line();

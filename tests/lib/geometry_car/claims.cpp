@@ -1,5 +1,6 @@
-// What lib/geometry_car states of its simulated journeys, on seeded tracks, motions and sensors: closed forms in 80 bits, the equations
-// of motion by another integrator, and statistics of the noise.
+// What lib/geometry_car states of its simulated journeys, on seeded tracks, motions and sensors:
+// closed forms in 80 bits, the equations of motion by another integrator, and statistics of the
+// noise.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,7 +18,7 @@ using namespace railbook::tests;
 
 namespace {
 
-TrackDescription without_noise(Draw& draw) {
+TrackDescription without_noise(RandomStream& draw) {
   TrackDescription d;
   d.length = draw(200, 1500);
   d.surface.A = d.line.A = d.gage_variation.A = 0;
@@ -30,7 +31,8 @@ TrackDescription without_noise(Draw& draw) {
   return d;
 }
 
-// The mean of |sin| over the smoothing length less 1, by five points of Gauss in each of some panels between joints.
+// The mean of |sin| over the smoothing length less 1, by five points of Gauss in each of some
+// panels between joints.
 Long dip_mean(const TrackDescription& d, Long x) {
   const Long rail = d.rail_length, from = x - d.joint_smoothing / Long{2},
              to = from + d.joint_smoothing;
@@ -67,7 +69,7 @@ Long ramp(Long x) {
 
 TEST_CASE("claim: a track without roughness, and turned about") {
   Claim claim("geometry_car::build"), about("geometry_car::turned");
-  Draw draw(1);
+  RandomStream draw(1);
   for (int k = 0; k < 100; ++k) {
     const TrackDescription d = without_noise(draw);
     const Track track = build(d), back = turned(track);
@@ -108,7 +110,7 @@ TEST_CASE("claim: a track without roughness, and turned about") {
 namespace {
 
 // Legs of all kinds, near `speed`.
-Motion any_motion(Draw& draw, double speed, int legs) {
+Motion any_motion(RandomStream& draw, double speed, int legs) {
   Motion motion{.start = draw(60, 100), .speed = (draw(0, 1) < 0.5 ? 1 : -1) * speed};
   for (int leg = 0; leg < legs; ++leg) {
     const double v = motion.final_speed(), kind = draw(0, 1);
@@ -127,13 +129,14 @@ Motion any_motion(Draw& draw, double speed, int legs) {
 
 TEST_CASE("claim: where the car is at what time") {
   Claim claim("geometry_car::each_moment");
-  Draw draw(2);
+  RandomStream draw(2);
   for (int k = 0; k < 1000; ++k) {
     const double speed = draw.decades(1e-3, 60), grid = draw.decades(0.01, 1);
     const Motion motion = any_motion(draw, speed, 6);
     std::vector<Moment> moments;
     each_moment(motion, grid, 0.1, [&](const Moment& m) { moments.push_back(m); });
-    // The legs in 80 bits, each cut where the car turns: the places asked for, and the nodes that are passed one by one.
+    // The legs in 80 bits, each cut where the car turns: the places asked for, and the nodes that
+    // are passed one by one.
     struct Part {
       Long t, s, v, a, duration;
     };
@@ -178,7 +181,7 @@ TEST_CASE("claim: where the car is at what time") {
 TEST_CASE("claim: what sensors add") {
   Claim claim("geometry_car::measured", 500);
   using enum Channel;
-  Draw draw(3);
+  RandomStream draw(3);
   // Gain and bias, ends of the range and steps, of a channel that runs to and fro.
   for (int k = 0; k < 200; ++k) {
     Record clean;
@@ -203,8 +206,8 @@ TEST_CASE("claim: what sensors add") {
       claim.error(r[lateral][i] == clean[lateral][i] ? 0 : 1);
     }
   }
-  // Noise ahead of a filter of one or two poles, at any interval: its variance, and that of its differences, the second where
-  // there are two poles; and noise behind the filter.
+  // Noise ahead of a filter of one or two poles, at any interval: its variance, and that of its
+  // differences, the second where there are two poles; and noise behind the filter.
   const Layout layout;
   for (int k = 0; k < 20; ++k) {
     const Long w = 2 * long_pi * layout.first_corner, kappa = draw.decades(1e-6, 3);
@@ -227,7 +230,8 @@ TEST_CASE("claim: what sensors add") {
         square += Long{x[i]} * x[i], change += d * d;
       }
       const Long sigma2 = w * density * density / (c.filter == 2 ? 8 : 4), e = std::exp(-kappa);
-      // 6 - 8 R(1) + 2 R(2) with R(n) = (1 + n kappa) exp(-n kappa); its series where that has lost its digits.
+      // 6 - 8 R(1) + 2 R(2) with R(n) = (1 + n kappa) exp(-n kappa); its series where that has lost
+      // its digits.
       const Long second = kappa > 1e-2L ? 6 - 8 * (1 + kappa) * e + 2 * (1 + 2 * kappa) * e * e
                                         : 8 * kappa * kappa * kappa * (1 - 5 * kappa / 4) / 3 * 1;
       const Long expected = c.filter == 0   ? 2 * Long{density} * density

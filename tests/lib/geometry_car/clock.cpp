@@ -1,4 +1,5 @@
-// Times that cannot be: from which size on, and which rows are doubted. Only times; every sensor is dead.
+// Times that cannot be: from which size on, and which rows are doubted. Only times; every sensor is
+// dead.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>

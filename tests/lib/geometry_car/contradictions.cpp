@@ -1,4 +1,5 @@
-// Sensors against each other: from which size on a contradiction is told, of which sign, and over which rows.
+// Sensors against each other: from which size on a contradiction is told, of which sign, and over
+// which rows.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -61,7 +62,8 @@ std::size_t doubted(const Health& health, Channel c, std::size_t from, std::size
 }  // namespace
 
 TEST_CASE("geometry car: gages are unlike by as much as their length can prove") {
-  // Over 2,000 differences, ten rows apart, 10 |l^2 - r^2| is to be 5 (l^2 + r^2); over 500 twice as much, so all.
+  // Over 2,000 differences, ten rows apart, 10 |l^2 - r^2| is to be 5 (l^2 + r^2); over 500 twice
+  // as much, so all.
   const double just = std::sqrt(3.0), a = 1e-4;
   for (const double share : {0.99, 1.01}) {
     CHECK(unlike(gages(2010, a * just * share, a)) == (share > 1));

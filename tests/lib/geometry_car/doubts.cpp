@@ -1,4 +1,5 @@
-// Which rows a finding concerns, to the row: records of one channel, made so that it is known by hand.
+// Which rows a finding concerns, to the row: records of one channel, made so that it is known by
+// hand.
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -57,7 +58,8 @@ TEST_CASE("geometry car: both ends of a converter are masked, from the first row
 
 TEST_CASE(
     "geometry car: equal values are still from 40 on, and from eight times the usual number") {
-  // Of that many values, each held over so many rows but for one; fewer than a hundred tell no usual number.
+  // Of that many values, each held over so many rows but for one; fewer than a hundred tell no
+  // usual number.
   for (const auto& [values, held, least] : {std::array<std::size_t, 3>{900, 1, 40},
                                             {300, 5, 40},
                                             {200, 10, 80},

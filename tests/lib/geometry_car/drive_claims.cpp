@@ -1,5 +1,6 @@
-// The journey of lib/geometry_car by Runge-Kutta of order 4 on the accelerations themselves, each through its own analog filter, and
-// what an ideal instrument would answer, by definition in 80 bits.
+// The journey of lib/geometry_car by Runge-Kutta of order 4 on the accelerations themselves, each
+// through its own analog filter, and what an ideal instrument would answer, by definition in 80
+// bits.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -94,7 +95,8 @@ struct Body {
     d[rear] = v * x[rear1], d[rear1] = v > 0 ? b / v : 0;
     d[sway] = x[sway1], d[sway1] = mode(r.sway, x[sway1], x[sway]) - a - g * roll;
     d[tail] = x[tail1], d[tail1] = mode(r.sway, x[tail1], x[tail]) - b - g * roll_rear;
-    // What the sensors feel, lateral acceleration less what the rolling of the beam does (its rate leaps).
+    // What the sensors feel, lateral acceleration less what the rolling of the beam does (its rate
+    // leaps).
     const double body = a + d[sway1], h = l.inclinometer_height, c = std::cos(x[phi]),
                  s = std::sin(x[phi]);
     const double upward = d[z1] + g * (c - 1) - (body - h * d[phi1]) * s -
@@ -205,7 +207,7 @@ Record by_runge_kutta(const Track& track, const Car& car, const Motion& motion) 
 
 TEST_CASE("claim: the journey by another integrator") {
   Claim claim("geometry_car::drive");
-  Draw draw(1);
+  RandomStream draw(1);
   for (int k = 0; k < 16; ++k) {
     TrackDescription d;
     d.length = 250, d.seed = static_cast<std::uint64_t>(k);
@@ -236,7 +238,7 @@ TEST_CASE("claim: the journey by another integrator") {
 
 TEST_CASE("claim: the truth by definition") {
   Claim claim("geometry_car::truth");
-  Draw draw(2);
+  RandomStream draw(2);
   for (int k = 0; k < 6; ++k) {
     Processing p;
     p.chain.high_pass = {3 + 2 * (k + 2), 1 + k % 4, 1};

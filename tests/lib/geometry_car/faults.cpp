@@ -1,4 +1,5 @@
-// Floating-point traps on: nothing is compared or divided that is not a number, whatever the sensors say.
+// Floating-point traps on: nothing is compared or divided that is not a number, whatever the
+// sensors say.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>

@@ -1,4 +1,5 @@
-// Sensors that lie: found out, and nothing that is called good is wrong; sensors that do not: left in peace.
+// Sensors that lie: found out, and nothing that is called good is wrong; sensors that do not: left
+// in peace.
 #include <railbook/geometry_car/health.hpp>
 
 #include <algorithm>
@@ -22,8 +23,8 @@ namespace {
 
 constexpr double mph = units::mph, mm = units::millimetre;
 
-// Short records of all kinds: speeds of 10 to 120 mph, forwards and backwards, with a change of speed or a stop, on tangents and in
-// curves, on smooth and rough track.
+// Short records of all kinds: speeds of 10 to 120 mph, forwards and backwards, with a change of
+// speed or a stop, on tangents and in curves, on smooth and rough track.
 Record clean_record(std::uint64_t seed) {
   static std::uint64_t number = 0;
   static std::optional<Track> of_four;  // journeys
@@ -80,7 +81,8 @@ Journey ride(double speed, bool typical) {
   return r;
 }
 
-// What good rows may be off, about half as much again as without a fault; space curves and the curvature's rate aside.
+// What good rows may be off, about half as much again as without a fault; space curves and the
+// curvature's rate aside.
 double tolerance(Parameter p) {
   switch (p) {
     case Parameter::gage:

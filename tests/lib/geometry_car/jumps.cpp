@@ -28,7 +28,7 @@ void spike(std::vector<double>& e, std::size_t row, double size) {
 }  // namespace
 
 TEST_CASE("geometry car: what is out of proportion is judged by a block and one to either side") {
-  tests::Draw draw(11);
+  tests::RandomStream draw(11);
   constexpr std::size_t rows = 1024, block = 128, blocks = rows / block;
   for (std::size_t b = 0; b < blocks; ++b)
     for (const std::size_t in_block : {std::size_t{5}, block - 1})
@@ -39,7 +39,8 @@ TEST_CASE("geometry car: what is out of proportion is judged by a block and one 
                           to = std::min((b + 2) * block, rows - 1);
         std::vector<std::size_t> window(to - from);
         std::iota(window.begin(), window.end(), from);
-        // Loud: the row, both ends of the window, and others by chance, just half of them all, or one fewer.
+        // Loud: the row, both ends of the window, and others by chance, just half of them all, or
+        // one fewer.
         for (std::size_t i = window.size(); i-- > 1;)
           std::swap(window[i], window[static_cast<std::size_t>(draw(0, 1) * double(i + 1))]);
         std::stable_partition(window.begin(), window.end(), [&](std::size_t k) {
@@ -132,7 +133,8 @@ TEST_CASE("geometry car: jumps are counted, named by the first and sized by the 
         Case{Channel::lateral, 0.3, 2, 4, " m/s^2, masked"}})
     for (const bool apart : {true, false}) {
       auto x = alternating(800, 1e-5 * jump);
-      // Masked are the rows whose differences a spike moves; those of two are one where fewer than `gap` rows lie between.
+      // Masked are the rows whose differences a spike moves; those of two are one where fewer than
+      // `gap` rows lie between.
       const std::size_t first = 300, second = first + 2 * reach + gap + (apart ? 1 : 0);
       x[first] += jump;
       x[second] -= 2 * jump;
@@ -220,7 +222,8 @@ TEST_CASE("geometry car: a step on a parabola is the step") {
 }
 
 TEST_CASE("geometry car: a step too near the end of a run for its parabola is a jump alone") {
-  // A height's parabola takes three rows to either side of what is masked, of which one may be missing.
+  // A height's parabola takes three rows to either side of what is masked, of which one may be
+  // missing.
   for (const std::size_t behind : {1, 2, 3, 4, 5}) {
     auto x = quiet(800);
     const std::size_t at = 799 - behind;  // its second row, the last that is masked

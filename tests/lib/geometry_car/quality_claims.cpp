@@ -1,5 +1,6 @@
-// What lib/geometry_car states of its answers: their errors on seeded tracks, and which rows are to be trusted, by windows that are
-// looked through row by row and sensors that are found by disturbing them.
+// What lib/geometry_car states of its answers: their errors on seeded tracks, and which rows are to
+// be trusted, by windows that are looked through row by row and sensors that are found by
+// disturbing them.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -39,7 +40,7 @@ Track short_track(std::uint64_t seed, double feet) {
 
 TEST_CASE("claim: ideal sensors give the track back") {
   Claim claim("geometry_car::reconstruct", 200), level("geometry_car::levelling_error", 50);
-  Draw draw(1);
+  RandomStream draw(1);
   const std::map<Parameter, double> allowed{{Parameter::gage, 1e-12},
                                             {Parameter::curvature, 2e-5},
                                             {Parameter::curvature_rate, 2.5e-6},
@@ -74,7 +75,7 @@ TEST_CASE("claim: ideal sensors give the track back") {
 
 TEST_CASE("claim: what braking may cost") {
   Claim claim("geometry_car::braking_error");
-  Draw draw(2);
+  RandomStream draw(2);
   for (int k = 0; k < 1000; ++k) {
     const double grade = draw(0, 0.1), rate = draw(-3, 3), chord = draw.decades(1, 100),
                  v = draw.decades(0.1, 100);
@@ -86,7 +87,8 @@ TEST_CASE("claim: what braking may cost") {
 
 namespace {
 
-// Rows to either side whose speed or doubt reaches a value: chords with their high-pass, means, the length of the car.
+// Rows to either side whose speed or doubt reaches a value: chords with their high-pass, means, the
+// length of the car.
 long window(Parameter parameter, const Processing& p) {
   using enum Parameter;
   const long chord = p.chain.half_chord, mean = p.curvature_mean / 2 + 1,
@@ -116,7 +118,7 @@ Quality worse(Quality a, Quality b) {
 
 TEST_CASE("claim: quality row by row") {
   Claim claim("geometry_car::quality");
-  Draw draw(3);
+  RandomStream draw(3);
   for (int k = 0; k < 40; ++k) {
     Processing p;
     p.chain.high_pass = {3 + 2 * (k % 3), 2 + k % 3, 1 + k % 2};
@@ -199,7 +201,7 @@ TEST_CASE("claim: a doubt of a sensor reaches whatever the sensor is part of") {
   const Processing p;
   const Record clean = cruise(short_track(3, 2000), 20);
   const Measurement before = reconstruct(clean, p);
-  Draw draw(4);
+  RandomStream draw(4);
   for (const ChannelInfo& c : channel_list())
     for (const bool zero : {false, true}) {
       Record r = clean;

@@ -1,4 +1,5 @@
-// The whole chain against the true rails: independence of speed and direction, reversal, speed changes, faults.
+// The whole chain against the true rails: independence of speed and direction, reversal, speed
+// changes, faults.
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
@@ -108,7 +109,8 @@ TEST_CASE("geometry car: backing and turned about, the same track", "[reconstruc
   const auto there = truth(other, p), n = reconstruct(cruise(other, car, 30 * mph), p);
   CHECK(error(n, there, Parameter::profile_left) < 3 * forward);
   CHECK(error(n, there, Parameter::curvature) < 0.03 * units::degree / (100 * units::foot));
-  // What is left of the turned car is right of the other one, at the mark counted from the other end.
+  // What is left of the turned car is right of the other one, at the mark counted from the other
+  // end.
   const auto marks = static_cast<long>(there.size());
   const std::size_t k = 1500;
   const auto i = static_cast<std::size_t>(marks - 1) - k;

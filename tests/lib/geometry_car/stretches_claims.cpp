@@ -17,7 +17,8 @@ using namespace railbook::geometry_car;
 
 namespace {
 
-// 4 km of typical sensors, repeated: the memory of the filters and the place of the cut are what counts here.
+// 4 km of typical sensors, repeated: the memory of the filters and the place of the cut are what
+// counts here.
 const Record& long_record() {
   static const Record record = [] {
     TrackDescription d;
@@ -129,7 +130,8 @@ TEST_CASE("geometry_car: a short record is one stretch") {
 }
 
 TEST_CASE("geometry_car: a zero that has moved and a speed that leapt are remembered across cuts") {
-  // Cut at row 8192, and held from row 4096 on, of which stretch the first four rows are not judged.
+  // Cut at row 8192, and held from row 4096 on, of which stretch the first four rows are not
+  // judged.
   for (const std::size_t at : {3000UL, 4097UL}) {
     INFO("at row " << at);
     Record moved = beginning(14000);
@@ -158,7 +160,8 @@ TEST_CASE("geometry_car: a zero that has moved and a speed that leapt are rememb
 }
 
 TEST_CASE("geometry_car: a finding of several stretches is told once, as the worst of them") {
-  // The first ends at row 12288, the second begins at row 4096: one spike in the one, two in the other.
+  // The first ends at row 12288, the second begins at row 4096: one spike in the one, two in the
+  // other.
   Record r;
   for (long k = 0; k < 14000; ++k) r.elapsed.push_back(0.01), r.mark.push_back(k);
   for (auto& values : r.values) values.assign(r.size(), std::nan(""));

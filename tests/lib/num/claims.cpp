@@ -1,4 +1,5 @@
-// The accuracy that lib/num states, on seeded inputs over its range; exact values in 80-bit arithmetic or by construction.
+// The accuracy that lib/num states, on seeded inputs over its range; exact values in 80-bit
+// arithmetic or by construction.
 #include <Eigen/Core>
 #include <atomic>
 #include <complex>
@@ -27,12 +28,12 @@ namespace {
 
 using LongMatrix = Eigen::Matrix<Long, Eigen::Dynamic, Eigen::Dynamic>;
 
-Eigen::MatrixXd random_matrix(Draw& draw, Eigen::Index rows, Eigen::Index columns) {
+Eigen::MatrixXd random_matrix(RandomStream& draw, Eigen::Index rows, Eigen::Index columns) {
   return Eigen::MatrixXd::NullaryExpr(rows, columns, [&](Eigen::Index) { return draw(-1, 1); });
 }
 
 // Q B Q^T for a product Q of plane rotations, in 80 bits.
-Eigen::MatrixXd rotated(Draw& draw, const Eigen::MatrixXd& b) {
+Eigen::MatrixXd rotated(RandomStream& draw, const Eigen::MatrixXd& b) {
   LongMatrix a = b.cast<Long>();
   for (Eigen::Index i = 0; i < a.rows(); ++i)
     for (Eigen::Index j = i + 1; j < a.rows(); ++j) {
@@ -55,7 +56,8 @@ double backward_error(const Eigen::MatrixXd& a, const Eigen::VectorXd& x,
   return static_cast<double>(r.cwiseAbs().maxCoeff()) / scale;
 }
 
-// Si(x) by its series, or pi/2 - f cos x - g sin x with f + i g = integral of (x + i u) e^-u/(x^2 + u^2) du.
+// Si(x) by its series, or pi/2 - f cos x - g sin x with f + i g = integral of (x + i u) e^-u/(x^2 +
+// u^2) du.
 Long sine_integral_long(Long x) {
   if (std::abs(x) < 8) {
     Long sum = 0, term = x;
@@ -85,7 +87,7 @@ Eigen::Vector2d damped_turn(double d, double w, double t, const Eigen::Vector2d&
 
 TEST_CASE("claim: special functions") {
   Claim quantile("num::normal_quantile"), integral("num::sine_integral");
-  Draw draw(1);
+  RandomStream draw(1);
   for (int k = 0; k < 2000; ++k) {
     // Also next to 1/2 and to 1, where the distance from there is what counts.
     const double side = k % 8 < 4 ? -1 : 1;
@@ -110,7 +112,7 @@ TEST_CASE("claim: special functions") {
 TEST_CASE("claim: roots and integrals") {
   Claim roots("num::find_root"), adaptive("num::integrate"), gauss("num::gauss_legendre"),
       spaced("num::log_spaced");
-  Draw draw(2);
+  RandomStream draw(2);
   for (int k = 0; k < 1000; ++k) {
     const double r = draw.decades(1e-6, 1e6) * (k % 2 == 0 ? 1 : -1),
                  scale = draw.decades(1e-3, 10);
@@ -152,7 +154,7 @@ TEST_CASE("claim: roots and integrals") {
 TEST_CASE("claim: linear systems") {
   Claim banded("num::BandedCholesky"), lu("num::LuFactors"), krylov("num::gmres"),
       solved("num::solved"), product("num::product");
-  Draw draw(3), parts(31);
+  RandomStream draw(3), parts(31);
   for (int k = 0; k < 1000; ++k) {
     const Eigen::Index n = 2 + k % 19, m = k % std::min<Eigen::Index>(n, 5);
     Eigen::MatrixXd band = random_matrix(draw, m + 1, n);
@@ -203,7 +205,8 @@ TEST_CASE("claim: linear systems") {
     product.error(double(
         ((turned.real().cast<Long>() + of_imaginary).array() / size.array()).abs().maxCoeff()));
 
-    // What it says of its residual, beside the residual; scaled rows, the diagonal for a preconditioner.
+    // What it says of its residual, beside the residual; scaled rows, the diagonal for a
+    // preconditioner.
     const Eigen::MatrixXd near = full + 3 * Eigen::MatrixXd::Identity(n, n);
     const num::Gmres found =
         num::gmres([&](const Eigen::VectorXd& in, Eigen::VectorXd& out) { out = near * in; },
@@ -246,7 +249,7 @@ TEST_CASE("claim: determinant's sign and a singular matrix") {
 TEST_CASE("claim: eigenvalues of normal matrices") {
   Claim general("num::eigenvalues"), pairs("num::eigenpairs"),
       symmetric("num::symmetric_eigenvalues");
-  Draw draw(4);
+  RandomStream draw(4);
   for (int k = 0; k < 1000; ++k) {
     const Eigen::Index n = 2 + 2 * (k % 4);
     Eigen::VectorXd values = random_matrix(draw, n, 1);
@@ -280,7 +283,7 @@ TEST_CASE("claim: eigenvalues of normal matrices") {
 
 TEST_CASE("claim: sums in blocks and parts of a loop, whatever the threads") {
   Claim sums("num::reduce_in_blocks"), loops("num::in_parallel"), items("num::map_in_parallel");
-  Draw draw(8);
+  RandomStream draw(8);
   for (int k = 0; k < 1000; ++k) {
     const auto count = static_cast<std::size_t>(draw.decades(1, k % 10 == 0 ? 1e6 : 2e4));
     const int threads = k % 5 - 1;  // 0 and -1 are one
@@ -308,7 +311,8 @@ TEST_CASE("claim: sums in blocks and parts of a loop, whatever the threads") {
 }
 
 TEST_CASE("claim: random numbers by position are those of the generator that steps") {
-  // SplitMix64 as published: a state that grows by a constant, hashed; a stream begins at the hash of its own number.
+  // SplitMix64 as published: a state that grows by a constant, hashed; a stream begins at the hash
+  // of its own number.
   Claim claim("num::RandomSource");
   const auto hash = [](std::uint64_t z) {
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
@@ -336,7 +340,7 @@ TEST_CASE("claim: random numbers by position are those of the generator that ste
 
 TEST_CASE("claim: each step of an integrator is within its tolerance") {
   Claim explicit_steps("num::Dopri5"), implicit_steps("num::Radau5");
-  Draw draw(6);
+  RandomStream draw(6);
   for (int k = 0; k < 300; ++k) {
     const double d = draw(0, 1), w = draw(0.2, 5), tolerance = draw.decades(1e-10, 1e-4);
     const auto f = [&](double, const Eigen::Vector2d& y, Eigen::Vector2d& dy) {

@@ -21,7 +21,7 @@ Quad magnitude(Quad x) {
 }
 
 // All digits, of either sign, in each decade alike.
-DoubleDouble number(Draw& draw, double low, double high) {
+DoubleDouble number(RandomStream& draw, double low, double high) {
   const double sign = draw(0, 1) < 0.5 ? -1 : 1;
   return DoubleDouble{sign * draw.decades(low, high)} * (DoubleDouble{1} + 2e-16 * draw(-1, 1));
 }
@@ -30,7 +30,7 @@ DoubleDouble number(Draw& draw, double low, double high) {
 
 TEST_CASE("claim: arithmetic of twice a double's digits") {
   Claim claim("num::DoubleDouble");
-  Draw draw(61);
+  RandomStream draw(61);
   const auto hold = [&](const DoubleDouble& found, Quad exact, Quad scale) {
     claim.error(static_cast<double>(magnitude(quad(found) - exact) / scale));
     CHECK(std::abs(found.low) <= 1.2e-16 * std::abs(found.high));

@@ -10,7 +10,7 @@ using namespace railbook::tests;
 
 TEST_CASE("claim: complex transforms in four steps") {
   Claim claim("num::FourStepFft");
-  Draw draw(62);
+  RandomStream draw(62);
   // Up to 2,048 one row; then of an even and an odd number of rows, the last of them long columns.
   for (const std::size_t n :
        {1U, 2U, 7U, 96U, 2048U, 2062U, 4096U, 6000U, 6147U, 16384U, 65536U, 4106U}) {

@@ -27,7 +27,7 @@ TEST_CASE("claim: good sizes of transforms") {
 
 TEST_CASE("claim: transforms against the sum itself") {
   Claim real("num::RealFft"), filter_claim("num::EvenFilter");
-  Draw draw(5);
+  RandomStream draw(5);
   for (int k = 0; k < 1000; ++k) {
     const auto n = static_cast<std::size_t>(1 + k % 97);
     num::RealFft fft(n);
@@ -72,7 +72,7 @@ TEST_CASE("claim: transforms against the sum itself") {
 
 TEST_CASE("claim: a transform of two dimensions against the sum itself") {
   Claim claim("num::RealFft2d");
-  Draw draw(7);
+  RandomStream draw(7);
   for (int k = 0; k < 1000; ++k) {
     const auto rows = static_cast<std::size_t>(1 + k % 13),
                columns = static_cast<std::size_t>(1 + k % 11);

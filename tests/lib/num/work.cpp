@@ -1,5 +1,6 @@
-// The work of the integrators is a number as good as their error: a controller that is a little wrong still converges, and
-// only takes longer. The counts are today's; a change for the better changes them with its reason.
+// The work of the integrators is a number as good as their error: a controller that is a little
+// wrong still converges, and only takes longer. The counts are today's; a change for the better
+// changes them with its reason.
 #include <catch2/catch.hpp>
 #include <cmath>
 

@@ -1,4 +1,5 @@
-// What gnuplot is given and what is made of what it says, seen through a program that stands in for it.
+// What gnuplot is given and what is made of what it says, seen through a program that stands in for
+// it.
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
@@ -20,8 +21,8 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-// In place of gnuplot for its life: writes its arguments, its environment and the scripts beside itself, says `words` on stderr, leaves
-// `picture` (printf's text) as its output and does `then`.
+// In place of gnuplot for its life: writes its arguments, its environment and the scripts beside
+// itself, says `words` on stderr, leaves `picture` (printf's text) as its output and does `then`.
 struct StandIn {
   explicit StandIn(const std::string& words = "", const std::string& picture = whole_png,
                    const std::string& then = "exit 0")
@@ -102,7 +103,8 @@ TEST_CASE(
     "missing") {
   const TemporaryFolder at("said");
   const auto script = at.write("fig.gp", "");
-  const auto said = [&](const std::string& words, plot::Missing missing = plot::Missing::refused,
+  const auto said = [&](const std::string& words,
+                        plot::EmptyCurve missing = plot::EmptyCurve::error,
                         const std::string& then = "exit 0") {
     StandIn gnuplot(words, StandIn::whole_png, then);
     try {
@@ -118,15 +120,15 @@ TEST_CASE(
   CHECK(said("one\\n\\ntwo") == "gnuplot complained\n  one\n  two");
   for (const char* gone :
        {"Warning: empty x range\\n", "line 3: Skipping data file with no valid points\\n"}) {
-    CHECK(said(gone, plot::Missing::allowed).empty());
+    CHECK(said(gone, plot::EmptyCurve::skip).empty());
     CHECK_THAT(said(gone), Contains("gnuplot complained"));
-    CHECK_THAT(said(std::string(gone) + "more", plot::Missing::allowed),
+    CHECK_THAT(said(std::string(gone) + "more", plot::EmptyCurve::skip),
                Contains("\n  more") && !Contains("Warning"));
   }
-  CHECK(said("", plot::Missing::refused, "exit 3") == "gnuplot failed (exit status 3)");
-  CHECK(said("bad", plot::Missing::refused, "kill -9 $$") == "gnuplot failed (signal 9)\n  bad");
+  CHECK(said("", plot::EmptyCurve::error, "exit 3") == "gnuplot failed (exit status 3)");
+  CHECK(said("bad", plot::EmptyCurve::error, "kill -9 $$") == "gnuplot failed (signal 9)\n  bad");
   // More than a pipe holds, and all of it.
-  const std::string long_words = said("", plot::Missing::refused, "seq 1 30000 >&2; exit 0");
+  const std::string long_words = said("", plot::EmptyCurve::error, "seq 1 30000 >&2; exit 0");
   CHECK_THAT(long_words, Catch::EndsWith("\n  29999\n  30000"));
   StandIn cut("", "\\211PNG\\r\\n\\032\\n....IEN");
   CHECK_THROWS_WITH(plot::draw(script, {cut.data}), Contains("no complete PNG"));

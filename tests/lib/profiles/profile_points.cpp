@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include <railbook/num/draw.hpp>
+#include <railbook/num/random_stream.hpp>
 #include <railbook/units/constants.hpp>
 #include <railbook/units/input_error.hpp>
 #include <railbook/wheelset/paper_pairs.hpp>
@@ -18,8 +18,10 @@ using units::millimetre;
 
 namespace {
 
-// Points of a curve some distance apart along it, with scatter across, from its own coordinates' left end.
-std::vector<Point> sampled(const Curve& curve, double apart, double scatter, num::Draw& draw) {
+// Points of a curve some distance apart along it, with scatter across, from its own coordinates'
+// left end.
+std::vector<Point> sampled(const Curve& curve, double apart, double scatter,
+                           num::RandomStream& draw) {
   std::vector<Point> points;
   for (double u = curve.start().u; u <= curve.end().u;) {
     const double angle = curve.angle(u), off = draw.normal(scatter);
@@ -56,7 +58,7 @@ const std::vector<std::pair<const Curve*, Body>>& sound_profiles() {
 }  // namespace
 
 TEST_CASE("property: of good points nothing is said, at most once in twenty profiles") {
-  num::Draw draw(7);
+  num::RandomStream draw(7);
   int told = 0, count = 0;
   for (const auto& [curve, body] : sound_profiles())
     for (int k = 0; k < 60; ++k, ++count) {
@@ -71,7 +73,7 @@ TEST_CASE("property: of good points nothing is said, at most once in twenty prof
 }
 
 TEST_CASE("property: a point off the others is told, on smooth points as on scattered ones") {
-  num::Draw draw(8);
+  num::RandomStream draw(8);
   for (const auto& [curve, body] : sound_profiles())
     for (int k = 0; k < 20; ++k) {
       const double scatter = k % 2 == 0 ? 0 : draw.decades(0.1, 3) * micrometre;
@@ -90,7 +92,7 @@ TEST_CASE("property: a point off the others is told, on smooth points as on scat
 }
 
 TEST_CASE("unit: a hole in the points is told with its place and width") {
-  num::Draw draw(9);
+  num::RandomStream draw(9);
   auto points = sampled(new_wheel_pair().wheel(), millimetre, 0, draw);
   const Point before = points[39], after = points[60];
   points.erase(points.begin() + 40, points.begin() + 60);
@@ -127,7 +129,7 @@ TEST_CASE("unit: an upright side at an end is left out, and told") {
 }
 
 TEST_CASE("input: a wheel that is turned, mirrored or upside down is refused") {
-  num::Draw draw(12);
+  num::RandomStream draw(12);
   const auto points = sampled(cn_pair().wheel(), millimetre, 0, draw);
   const auto with = [&](double u_sign, double z_sign) {
     auto turned = points;
@@ -141,7 +143,7 @@ TEST_CASE("input: a wheel that is turned, mirrored or upside down is refused") {
 }
 
 TEST_CASE("input: points in no order are refused") {
-  num::Draw draw(13);
+  num::RandomStream draw(13);
   auto points = sampled(cn_pair().rail(), millimetre, 0, draw);
   for (std::size_t i = points.size(); i-- > 1;)
     std::swap(points[i], points[static_cast<std::size_t>(draw(0, double(i + 1)))]);

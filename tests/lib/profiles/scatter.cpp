@@ -1,8 +1,9 @@
-// The scatter of measured points: found where there is some, and without effect where there is none.
+// The scatter of measured points: found where there is some, and without effect where there is
+// none.
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include <railbook/num/draw.hpp>
+#include <railbook/num/random_stream.hpp>
 #include <railbook/profiles/measured_curve.hpp>
 #include <railbook/units/constants.hpp>
 #include <railbook/units/input_error.hpp>
@@ -15,19 +16,19 @@
 using namespace railbook;
 using namespace railbook::profiles;
 using namespace railbook::wheelset;
-using num::Draw;
+using num::RandomStream;
 
 namespace {
 
 // A coned or hollow tread with a throat, a flange and its tip.
-Curve any_wheel(Draw& draw) {
+Curve any_wheel(RandomStream& draw) {
   const double cone = draw(0.01, 0.08), hollow = cone + draw(0.02, 0.1);
   return chain({-0.06, 0}, cone,
                {line(draw(0.03, 0.06)), arc(draw(0.2, 0.5), hollow), arc(draw(0.012, 0.025), 1.2),
                 line(0.008), arc(-draw(0.01, 0.015), -0.5)});
 }
 // A crowned head.
-Curve any_rail(Draw& draw) {
+Curve any_rail(RandomStream& draw) {
   const double crown = draw(0.06, 0.1);
   return chain({-0.033, -0.004}, -0.4,
                {arc(draw(0.03, 0.05), -crown), arc(draw(0.2, 0.35), crown),
@@ -48,7 +49,7 @@ double conicity_of(const std::vector<Point>& wheel, const std::vector<Point>& ra
 }  // namespace
 
 TEST_CASE("Scatter: normal noise, rounding, and none") {
-  Draw draw(7);
+  RandomStream draw(7);
   for (const double step : {0.2e-3, 0.4e-3})
     for (const double noise : {1e-6, 10e-6, 50e-6}) {
       auto points = sampled(cn_pair().rail(), step);
@@ -77,10 +78,11 @@ TEST_CASE("Scatter: normal noise, rounding, and none") {
   CHECK_THROWS_AS(scatter({{0, 0}, {1, 1}}), InputError);
 }
 
-// What a tool flags is a conicity that moves by more than 5 % and 0.005 when the smoothing is halved or doubled.
+// What a tool flags is a conicity that moves by more than 5 % and 0.005 when the smoothing is
+// halved or doubled.
 TEST_CASE("Scatter: smoothing by it changes no clean profile, fewer than one in a thousand",
           "[thorough]") {
-  Draw draw(1000);
+  RandomStream draw(1000);
   int seen = 0, changed = 0;
   while (seen < 1000) {
     const double step = draw(0.3e-3, 1e-3);
@@ -101,7 +103,7 @@ TEST_CASE("Scatter: smoothing by it changes no clean profile, fewer than one in 
 }
 
 TEST_CASE("Scatter: smoothing by three times it keeps the conicity of noisy points") {
-  Draw draw(3);
+  RandomStream draw(3);
   const auto at = [&](double noise) {
     const auto noisy = [&](std::vector<Point> points) {
       for (Point& p : points) p.z += draw.normal(noise);

@@ -178,7 +178,8 @@ TEST_CASE("Bump stops: refusals", "[quality]") {
   CHECK_THROWS_AS(run(body(1), {{{0.01, 0, 0}}, 0}, {}, 1), InputError);
   CHECK_THROWS_AS(run(body(1), {{{0.01, 1, 0}}, -1}, {}, 1), InputError);
   CHECK_THROWS_AS(run(body(1), track, {}, 1e9), InputError);
-  // Stops three times as stiff as the springs double the frequency of a body between them; the wave's may be faster.
+  // Stops three times as stiff as the springs double the frequency of a body between them; the
+  // wave's may be faster.
   const Suspension slow{1, 0.1};
   const Track still{};
   CHECK_THROWS_WITH(run({slow, gap, 3}, still, {}, 2.5e6),
@@ -205,7 +206,8 @@ TEST_CASE("Steady motions: data out of range are refused, not divided by", "[qua
 }
 
 TEST_CASE("Bump stops: a body that rests on a stop within rounding goes on", "[quality]") {
-  // Found among 20,000 random bodies: switch followed switch without a step of time between them, for ever.
+  // Found among 20,000 random bodies: switch followed switch without a step of time between them,
+  // for ever.
   const StoppedBody body{
       {4.3701702367756248, 0.85943283574774032}, 0.00010556211047664892, 4952.0789386515908};
   const Wave wave{0.067341406919072103, 2.1886245834489002, 1.6936717790870335};

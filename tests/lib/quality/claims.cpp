@@ -12,7 +12,7 @@ using namespace railbook::tests;
 
 TEST_CASE("claim: gains of the one-wheel vehicle") {
   Claim stroke("quality::stroke_gain"), peak("quality::stroke_peak"), force("quality::force_gain");
-  Draw draw(6);
+  RandomStream draw(6);
   for (int k = 0; k < 2000; ++k) {
     const quality::Suspension s{draw.decades(0.2, 5), draw.decades(1e-3, 1)};
     const double f = s.frequency * draw.decades(1e-6, 1e6);
@@ -36,7 +36,7 @@ TEST_CASE("claim: gains of the one-wheel vehicle") {
 
 TEST_CASE("claim: the share of a normal histogram above a threshold") {
   Claim share("quality::share_above");
-  Draw draw(7);
+  RandomStream draw(7);
   for (int k = 0; k < 2000; ++k) {
     const double n = draw(-8, 8);
     share.relative(quality::share_above(0, 1, n), std::erfc(n / std::sqrt(Long{2})) / 2);

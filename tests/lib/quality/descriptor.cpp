@@ -54,7 +54,8 @@ TEST_CASE("Force gain: equation (6), the massless wheel and both ends", "[qualit
   CHECK_THAT(std::abs(force_gain(car, 2)), WithinRel(1538080.6, 1e-7));
   CHECK_THAT(std::abs(force_gain(car, 10)), WithinRel(7718031.8, 1e-7));
   CHECK(std::abs(force_gain(car, 0)) == 0);
-  // Slowly up and down, the whole car goes with the track: its mass times the acceleration, which is against the height.
+  // Slowly up and down, the whole car goes with the track: its mass times the acceleration, which
+  // is against the height.
   const double slow = 2 * units::pi * 1e-3;
   CHECK_THAT(force_gain(car, 1e-3).real(), WithinRel(-slow * slow * (car.wheel + car.body), 1e-5));
   const double rate = 2 * units::pi * 1e100;

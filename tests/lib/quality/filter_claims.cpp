@@ -1,4 +1,5 @@
-// The accuracy that lib/quality states of the descriptor's filter, its index and its corners: sums in 80 bits, and scans.
+// The accuracy that lib/quality states of the descriptor's filter, its index and its corners: sums
+// in 80 bits, and scans.
 #include <cmath>
 #include <vector>
 
@@ -16,7 +17,7 @@ using namespace railbook::tests;
 
 namespace {
 
-Descriptor drawn(Draw& draw) {
+Descriptor drawn(RandomStream& draw) {
   const Suspension s{draw.decades(0.3, 3), draw.decades(0.05, 0.7)};
   const Car car = make_car(draw.decades(100, 2000), draw.decades(1000, 2e4),
                            {draw.decades(0.5, 5), draw.decades(0.05, 0.7)});
@@ -38,7 +39,7 @@ TEST_CASE("claim: the descriptor's filter") {
   Claim response("quality::impulse_response"), designed("quality::design_filter"),
       periodic("quality::filter_periodic"), direct("filters::filter_direct"),
       stream("filters::FilterStream"), whole("quality::filter");
-  Draw draw(95);
+  RandomStream draw(95);
   for (int k = 0; k < 100; ++k) {
     Descriptor d = drawn(draw);
     d.force.reset();
@@ -100,7 +101,7 @@ TEST_CASE("claim: the descriptor's filter") {
 
 TEST_CASE("claim: the index of a record") {
   Claim built("quality::IndexBuilder");
-  Draw draw(96);
+  RandomStream draw(96);
   for (int k = 0; k < 1000; ++k) {
     const double scale = draw.decades(1e-3, 10), spacing = draw.decades(0.1, 1);
     std::vector<double> p;
@@ -129,7 +130,7 @@ TEST_CASE("claim: the index of a record") {
 
 TEST_CASE("claim: where one mode takes over, and where the force has no peak") {
   Claim corner("quality::lower_corner"), least("quality::least_damping_without_peak");
-  Draw draw(97);
+  RandomStream draw(97);
   for (int k = 0; k < 400; ++k) {
     const Descriptor d = drawn(draw);
     const double found = lower_corner(d);

@@ -1,5 +1,5 @@
-// The accuracy that lib/quality states of limits, severities, histograms and their spreading, on seeded inputs over its range: in
-// 80-bit arithmetic and by scans.
+// The accuracy that lib/quality states of limits, severities, histograms and their spreading, on
+// seeded inputs over its range: in 80-bit arithmetic and by scans.
 #include <cmath>
 #include <vector>
 
@@ -30,7 +30,7 @@ TEST_CASE("claim: cars, limits and severities") {
       margin("quality::force_margin"), at("quality::severity_at"), most("quality::severity"),
       top("quality::severity_peak"), allowed("quality::allowed_amplitude"),
       flat("quality::flat_until"), both("quality::Envelope"), peak("quality::force_peak");
-  Draw draw(61);
+  RandomStream draw(61);
   for (int k = 0; k < 1000; ++k) {
     const Suspension s{draw.decades(0.2, 10), draw.decades(1e-3, 1)};
     const double m = draw.decades(10, 3000), M = draw.decades(300, 3e4);
@@ -89,7 +89,7 @@ TEST_CASE("claim: tracks in time, risks and spreading histograms") {
       diffused("quality::diffused_deviation"), areas("quality::area"), means("quality::mean"),
       deviations("quality::deviation"), front("quality::blob_front"),
       height_of("quality::blob_height");
-  Draw draw(62);
+  RandomStream draw(62);
   for (int k = 0; k < 1000; ++k) {
     Track track;
     track.ramp = k % 2 == 0 ? 0 : draw(0.1, 2);
@@ -134,7 +134,8 @@ TEST_CASE("claim: tracks in time, risks and spreading histograms") {
     const Long reach = std::abs(Long{p.left}) + 20 * p.width;
     means.error(off(mean(p), first / area_is, reach));
     deviations.error(off(deviation(p), std::sqrt(second / area_is), reach));
-    // The area of the blob, by the substitution x = front sin(a), with the closed form of Euler's beta function.
+    // The area of the blob, by the substitution x = front sin(a), with the closed form of Euler's
+    // beta function.
     const double at = draw.decades(1e-6, 1e6);
     const Long half = blob_front(at), middle = blob_height(0, at);
     const Long beta = std::sqrt(long_pi) * std::tgamma(Long{4} / 3) / std::tgamma(Long{11} / 6);

@@ -1,5 +1,5 @@
-// The accuracy that lib/quality states of motions with bump stops and of spreading histograms: by an integrator that knows
-// nothing of the stops' switches, by quadrature and by what must be kept.
+// The accuracy that lib/quality states of motions with bump stops and of spreading histograms: by
+// an integrator that knows nothing of the stops' switches, by quadrature and by what must be kept.
 #include <cmath>
 #include <vector>
 
@@ -46,7 +46,7 @@ Eigen::Vector2d integrated(const StoppedBody& body, const Track& track, const Mo
 TEST_CASE("claim: motions with bump stops") {
   Claim runs("quality::run", 100), periodic("quality::periodic_motion", 60),
       rest("quality::at_rest");
-  Draw draw(91);
+  RandomStream draw(91);
   for (int k = 0; k < 100; ++k) {
     const double f = draw.decades(0.3, 3), gap = draw.decades(1e-3, 0.1);
     const StoppedBody body{{f, draw.decades(0.03, 2)}, gap, draw.decades(0.1, 300)};
@@ -79,12 +79,13 @@ TEST_CASE("claim: motions with bump stops") {
 
 TEST_CASE("claim: the first harmonic of stops") {
   Claim mean("quality::mean_stiffness"), balanced("quality::balanced_motion");
-  Draw draw(92);
+  RandomStream draw(92);
   for (int k = 0; k < 1000; ++k) {
     const double gap = draw.decades(1e-4, 0.1), a = gap * draw.decades(1e-2, 100);
     const StoppedBody body{
         {draw.decades(0.2, 5), draw.decades(1e-3, 2)}, gap, draw.decades(1e-2, 1e4)};
-    // Of the stops' force on a sin u, from where they meet on: kappa (a sin u - gap) sin u, four quarters of the turn over pi a.
+    // Of the stops' force on a sin u, from where they meet on: kappa (a sin u - gap) sin u, four
+    // quarters of the turn over pi a.
     Long stops = 0;
     if (a > gap) {
       const Long from = std::asin(Long{gap} / a), to = long_pi / 2;
@@ -110,7 +111,7 @@ TEST_CASE("claim: the first harmonic of stops") {
 
 TEST_CASE("claim: spreading keeps the area") {
   Claim kept("quality::spread");
-  Draw draw(93);
+  RandomStream draw(93);
   for (int k = 0; k < 1000; ++k) {
     Profile p{0, draw.decades(0.01, 1), {}};
     for (int i = 0; i < 30; ++i) p.height.push_back(i % 29 ? draw.decades(1e-3, 1) : 0);

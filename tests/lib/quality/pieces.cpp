@@ -27,7 +27,8 @@ TEST_CASE("unit: the weights are the inverse transform, tapered, without a mean"
   const double spacing = 0.5, shortest = 3;
   const filters::FilterTaps taps = design_filter(envelope, {spacing, shortest, 40});
   REQUIRE(taps.half.size() == 81);
-  // By Gauss's rule over the wavenumbers; the grid of the transform is as fine as the kinks of the gain allow.
+  // By Gauss's rule over the wavenumbers; the grid of the transform is as fine as the kinks of the
+  // gain allow.
   const num::GaussRule rule = num::gauss_legendre(24);
   const auto weight = [&](std::size_t j) {
     double sum = 0;

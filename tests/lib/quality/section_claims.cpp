@@ -1,4 +1,5 @@
-// The accuracy that lib/measures states of sections, twist and indices, on seeded records, in 80-bit arithmetic.
+// The accuracy that lib/quality states of sections, twist and indices, on seeded records, in
+// 80-bit arithmetic.
 #include <array>
 #include <cmath>
 #include <limits>
@@ -19,9 +20,10 @@ TEST_CASE("claim: sections, twist, exceptions and indices") {
   Claim sections("quality::Sections"), twist("quality::Twist"), beyond("quality::Exceptions"),
       warped("quality::Warp"), combined("quality::combined_deviation"),
       index("quality::track_quality_index");
-  Draw draw(71);
+  RandomStream draw(71);
   for (int k = 0; k < 1000; ++k) {
-    // 40 samples of one section about a mean that may be far larger than they scatter; some missing.
+    // 40 samples of one section about a mean that may be far larger than they scatter; some
+    // missing.
     const double middle = draw.decades(1e-6, 10), scatter = middle * draw.decades(1e-6, 1e3),
                  spacing = draw.decades(0.05, 1);
     std::vector<double> x;
@@ -111,7 +113,7 @@ TEST_CASE("claim: sections, twist, exceptions and indices") {
 
 TEST_CASE("claim: the gain of a band") {
   Claim claim("filters::band_gain");
-  Draw draw(72);
+  RandomStream draw(72);
   for (int k = 0; k < 1000; ++k) {
     const Band band{"", draw.decades(0.1, 10), draw.decades(11, 1000)};
     const double low = 1 / band.longest, high = 1 / band.shortest;

@@ -1,4 +1,5 @@
-// The accuracy that lib/measures states of bands, chords and of how two runs are laid on each other, on seeded draws.
+// The accuracy that the library states of bands, chords and of how two runs are laid on each
+// other, on seeded draws.
 #include <cmath>
 #include <vector>
 
@@ -34,7 +35,7 @@ Long chord_gain(Long chord, Long phi) {
 
 TEST_CASE("claim: filters of bands") {
   Claim bands("filters::band_taps");
-  Draw draw(81);
+  RandomStream draw(81);
   for (int k = 0; k < 200; ++k) {
     const double shortest = draw.decades(1, 70), spacing = shortest * draw.decades(0.05, 0.5);
     const Band band{"drawn", shortest, shortest * draw.decades(1.1, 10)};
@@ -50,7 +51,7 @@ TEST_CASE("claim: filters of bands") {
 
 TEST_CASE("claim: filters of chords") {
   Claim offset("filters::chord_taps"), uniformity("filters::uniformity_taps");
-  Draw draw(82);
+  RandomStream draw(82);
   for (int k = 0; k < 1000; ++k) {
     const double chord = draw.decades(2, 40), spacing = chord * draw.decades(2e-3, 0.25);
     const double phi = draw.decades(1e-2, 0.5) / spacing;
@@ -68,7 +69,7 @@ TEST_CASE("claim: filters of chords") {
 
 TEST_CASE("claim: filters where they have their track") {
   Claim margin("filters::band_margin"), inner("filters::InnerFilter");
-  Draw draw(84);
+  RandomStream draw(84);
   for (int k = 0; k < 1000; ++k) {
     const Band band{"drawn", 1, draw.decades(1.1, 100)};
     const double spacing = draw.decades(0.01, 0.5);
@@ -109,9 +110,10 @@ TEST_CASE("claim: filters where they have their track") {
 
 TEST_CASE("claim: two runs laid on each other") {
   Claim aligned("quality::align"), between("quality::offset_at");
-  Draw draw(83);
+  RandomStream draw(83);
   for (int k = 0; k < 250; ++k) {
-    // Rough track with waves from eight spacings on, read by the second run with a slip that is no whole number of spacings.
+    // Rough track with waves from eight spacings on, read by the second run with a slip that is no
+    // whole number of spacings.
     const double spacing = draw.decades(0.1, 0.5), slip = spacing * draw(-15, 15);
     std::vector<double> waves, phases;
     for (int i = 0; i < 40; ++i) {
@@ -150,7 +152,7 @@ TEST_CASE("claim: two runs laid on each other") {
 
 TEST_CASE("claim: classes of the safety standards") {
   Claim classes("quality::fra_class");
-  Draw draw(84);
+  RandomStream draw(84);
   for (const FraLimit& limit : {fra::profile, fra::alinement, fra::crosslevel, fra::warp})
     for (int k = 0; k < 250; ++k) {
       const double magnitude = k % 5 ? draw(0, 0.2) : limit.limit[std::size_t(k / 5 % 5)];

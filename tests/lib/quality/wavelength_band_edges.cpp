@@ -1,4 +1,5 @@
-// Ends of ranges: halves of windows, sections of one sample, the printed coefficients of each spectrum.
+// Ends of ranges: halves of windows, sections of one sample, the printed coefficients of each
+// spectrum.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>

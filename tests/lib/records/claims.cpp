@@ -25,7 +25,8 @@ Long dip(Long nu) {
          (1 - std::sin(t)) / (long_pi - 2 * t);
 }
 
-// The integral of (1 - cos u)^2/u^4 times max(u, c)^2... in panels of pi: u^2 below c and c^2 above, to infinity.
+// The integral of (1 - cos u)^2/u^4 times max(u, c)^2... in panels of pi: u^2 below c and c^2
+// above, to infinity.
 Long chord_variance(Long c) {
   static const num::GaussRule rule = num::gauss_legendre(16, 0, 1);
   const auto panels = [&](Long from, Long to, auto&& power) {
@@ -52,7 +53,7 @@ Long chord_variance(Long c) {
 TEST_CASE("claim: gains and variances of a chord") {
   Claim gain("spectra::chord_gain"), sigma("spectra::chord_sigma"), dips("spectra::dip_transform"),
       between("spectra::random_variance");
-  Draw draw(1);
+  RandomStream draw(1);
   for (int k = 0; k < 2000; ++k) {
     const double phi = draw.decades(1e-8, 1), L = draw.decades(0.3, 30);
     gain.relative(spectra::chord_gain(1, phi), 2 * std::pow(std::sin(long_pi * phi / 2), Long{2}));
@@ -81,7 +82,7 @@ TEST_CASE("claim: gains and variances of a chord") {
 
 TEST_CASE("claim: offsets of sampled profiles of degree three") {
   Claim claim("spectra::mid_chord_offsets");
-  Draw draw(2);
+  RandomStream draw(2);
   for (int k = 0; k < 60; ++k) {
     const double spacing = draw.decades(0.05, 1), chord = spacing * draw(2, 9);
     const Long c0 = draw(-1, 1), c1 = draw(-1, 1), c2 = draw(-1, 1), c3 = draw(-1, 1);
@@ -99,10 +100,10 @@ TEST_CASE("claim: offsets of sampled profiles of degree three") {
 }
 
 TEST_CASE("claim: the lines add up to the variance of the rectified sine") {
-  // What is left of the sum beyond n lines is 8 B^2/pi^2 times the sum of 1/(4 n^2 - 1)^2: 1/(48 N^3) - 1/(240 N^5),
-  // N = n + 1/2.
+  // What is left of the sum beyond n lines is 8 B^2/pi^2 times the sum of 1/(4 n^2 - 1)^2: 1/(48
+  // N^3) - 1/(240 N^5), N = n + 1/2.
   Claim claim("spectra::modulated_lines");
-  Draw draw(3);
+  RandomStream draw(3);
   for (int k = 0; k < 1000; ++k) {
     const double dip = draw.decades(1e-4, 0.1), phi = draw.decades(0.02, 0.2);
     Long sum = 0;
@@ -117,20 +118,21 @@ TEST_CASE("claim: the lines add up to the variance of the rectified sine") {
 
 TEST_CASE("claim: the rule of the classes and the mask of the lines") {
   Claim rule("spectra::design_deviation");
-  Draw draw(4);
+  RandomStream draw(4);
   for (int k = 0; k < 1000; ++k) {
     const double A = draw.decades(1e-9, 1e-4), B = draw.decades(1e-5, 0.1), L = draw(5, 25),
                  phi = draw.decades(1e-4, 1);
-    spectra::ClassRule wish;
-    wish.chord = L, wish.alpha = draw(1, 4), wish.gamma = draw(0.5, 4);
+    spectra::ClassRule input;
+    input.chord = L, input.alpha = draw(1, 4), input.gamma = draw(0.5, 4);
     const Long sigma = long_pi * std::sqrt(Long{A} * L / 2);
-    const double found = spectra::design_deviation(A, B, wish);
-    rule.relative(found, std::hypot(wish.alpha * sigma, Long{wish.gamma} * B));
-    REQUIRE(spectra::classify(A, B, wish).deviation == found);
+    const double found = spectra::design_deviation(A, B, input);
+    rule.relative(found, std::hypot(input.alpha * sigma, Long{input.gamma} * B));
+    REQUIRE(spectra::classify(A, B, input).deviation == found);
     REQUIRE(spectra::squared_gain(L, phi) == Approx(std::pow(spectra::chord_gain(L, phi), 2)));
   }
   CHECK(spectra::squared_gain(0, 0.3) == 1);
-  // Old rails of 10 m under new ones of 12: multiples of 0.1, and 1/60 beside those of 1/12; nothing below the first.
+  // Old rails of 10 m under new ones of 12: multiples of 0.1, and 1/60 beside those of 1/12;
+  // nothing below the first.
   spectra::FitOptions options;
   options.rail_length = 12, options.foreign_lengths = {10};
   for (const double phi : {0.1, 0.2059, 0.3, 1 / 12.0 - 1 / 60.0, 2 / 12.0 + 1 / 60.0})

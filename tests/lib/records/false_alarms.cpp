@@ -1,5 +1,5 @@
-// Clean records, of all kinds: fewer than one in a thousand is doubted. The seeds are others than those the thresholds were
-// set with; the hidden cases, `test_spectra "[long]"`, measure the rates.
+// Clean records, of all kinds: fewer than one in a thousand is doubted. The seeds are others than
+// those the thresholds were set with; the hidden cases, `test_spectra "[long]"`, measure the rates.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <vector>
@@ -69,7 +69,8 @@ Count doubted_records(std::uint64_t first_seed, std::uint64_t tracks) {
   return count;
 }
 
-// Spectra of records of 10000 ft: residuals, lines that nobody named, another rail than the one looked for.
+// Spectra of records of 10000 ft: residuals, lines that nobody named, another rail than the one
+// looked for.
 Count doubted_spectra(std::uint64_t first_seed, std::size_t records) {
   Count count;
   for (std::uint64_t k = 0; k < 6; ++k) {

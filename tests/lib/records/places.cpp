@@ -1,4 +1,5 @@
-// Places of samples, and positions that a recorder rounds or that do not come evenly: limits where they are sharp.
+// Places of samples, and positions that a recorder rounds or that do not come evenly: limits where
+// they are sharp.
 #include <railbook/records/places.hpp>
 
 #include <catch2/catch.hpp>
@@ -18,11 +19,11 @@ using Catch::Matchers::Contains;
 namespace {
 
 // A record at those positions; missing: samples handed on that had none.
-struct Placed {
+struct PlacedWheel {
   double spacing = 0;
   std::size_t samples = 0, missing = 0;
   std::string refused;
-  explicit Placed(const std::vector<double>& positions, const RecordOptions& options = {}) {
+  explicit PlacedWheel(const std::vector<double>& positions, const RecordOptions& options = {}) {
     RecordStream stream{options, [](std::span<const double>) {}};
     try {
       for (std::size_t i = 0; i < positions.size(); ++i)
@@ -99,7 +100,7 @@ TEST_CASE("unit: steps are of an even grid with samples lost, or rounded: by 60 
     return steps;
   };
   for (const int ones : {62, 59}) {
-    const Placed p(stepping(mixed(ones, 100), 2001));
+    const PlacedWheel p(stepping(mixed(ones, 100), 2001));
     CAPTURE(ones, p.refused);
     CHECK(p.refused.empty());
     CHECK(p.spacing == Approx(ones > 60 ? 1 : 2 - 0.01 * ones).epsilon(1e-3));
@@ -112,14 +113,14 @@ TEST_CASE("unit: a position read twice is an error but where positions are round
   for (const std::size_t n : {15, 16, 17, 40}) {  // positions: from 16 steps on rounding is seen
     std::vector<double> x;
     for (std::size_t i = 0; i < n; ++i) x.push_back(std::floor(0.8 * static_cast<double>(i)));
-    const Placed p(x);
+    const PlacedWheel p(x);
     CAPTURE(n, p.refused);
     CHECK(p.refused.empty() == (n >= 17));
   }
   for (const double spacing : {0.985, 0.975}) {  // of 100 steps to whole metres 1.5 or 2.5 are none
     std::vector<double> x;
     for (int i = 0; i < 401; ++i) x.push_back(std::floor(spacing * i));
-    const Placed p(x);
+    const PlacedWheel p(x);
     CAPTURE(spacing, p.refused);
     CHECK(p.refused.empty() == (spacing < 0.98));
   }
@@ -130,7 +131,7 @@ TEST_CASE("unit: the next sample lies within a quarter of a spacing of its place
     for (const double off : {-0.26, -0.24, 0.24, 0.26}) {
       auto x = stepping({2}, 2000, 100);
       x[at] += 2 * off;  // and the one after it lies as far off the other way
-      const Placed p(x);
+      const PlacedWheel p(x);
       CAPTURE(at, off, p.refused);
       CHECK(p.refused.empty() == (std::abs(off) < 0.25));
       if (off > 0.25)
@@ -149,7 +150,7 @@ TEST_CASE("unit: gaps of a record come to a million spacings and twenty for each
       const double most = 1e6 + 20 * static_cast<double>(late ? at + 1 : n);
       for (std::size_t i = at; i < n; ++i)
         x[i] += most - static_cast<double>(late ? at : n - 1) + beyond;
-      const Placed p(x);
+      const PlacedWheel p(x);
       CAPTURE(late, beyond, p.refused);
       CHECK(p.refused.empty() == (beyond < 0));
       if (beyond < 0) CHECK(p.samples == static_cast<std::size_t>(x.back()) + 1);
@@ -158,7 +159,7 @@ TEST_CASE("unit: gaps of a record come to a million spacings and twenty for each
 
 TEST_CASE("unit: a spacing that is given is the positions' own to half a per cent") {
   for (const double share : {-0.0051, -0.0049, 0.0049, 0.0051}) {
-    const Placed p(stepping({0.25}, 3000), {.spacing = 0.25 / (1 + share)});
+    const PlacedWheel p(stepping({0.25}, 3000), {.spacing = 0.25 / (1 + share)});
     CAPTURE(share, p.refused);
     CHECK(p.refused.empty() == (std::abs(share) < 0.005));
     if (!p.refused.empty()) CHECK_THAT(p.refused, Contains("spacing is given as"));

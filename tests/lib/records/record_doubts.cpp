@@ -1,4 +1,5 @@
-// What a record stream says of a record: each doubt from its limit on, with its count, its worst place and its size.
+// What a record stream says of a record: each doubt from its limit on, with its count, its worst
+// place and its size.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -21,9 +22,9 @@ constexpr double lost = std::numeric_limits<double>::quiet_NaN(), spacing = 0.25
 
 std::vector<double> track(std::size_t n) {
   std::vector<double> z(n);
-  spectra::SyntheticTrack wish;
-  wish.seed = 5, wish.spacing = spacing, wish.A = 5e-7, wish.dip = 0;
-  spectra::TrackGenerator{wish}.fill(z);
+  spectra::SyntheticTrack input;
+  input.seed = 5, input.spacing = spacing, input.A = 5e-7, input.dip = 0;
+  spectra::TrackGenerator{input}.fill(z);
   return z;
 }
 

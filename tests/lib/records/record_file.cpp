@@ -20,12 +20,12 @@ struct Read {
   std::unique_ptr<const records::RecordStream> stream;
 };
 
-Read read(const std::string& text, records::RecordFile wish = {}) {
+Read read(const std::string& text, records::RecordFile input = {}) {
   const TemporaryFolder folder("record file");
-  wish.file = folder.write("record.csv", text);
+  input.file = folder.write("record.csv", text);
   Read result;
   result.stream =
-      records::read_record(wish, [&](std::span<const double> piece, const records::RecordStream&) {
+      records::read_record(input, [&](std::span<const double> piece, const records::RecordStream&) {
         result.heights.insert(result.heights.end(), piece.begin(), piece.end());
       });
   return result;
@@ -93,7 +93,7 @@ TEST_CASE("unit: cells that stand for lost samples, by their number or by their 
   CHECK(r.stream->missing() == 2);
   for (std::size_t i = 0; i < 60; ++i) CHECK(std::isnan(r.heights[i]) == (i == 9 || i == 19));
   CHECK_THROWS_WITH(read(text, {.missing = {"-9999"}}), Contains("off"));
-  // Without a wish, gaps of up to a metre are bridged.
+  // Without a input, gaps of up to a metre are bridged.
   CHECK(read(text, {.missing = {"-9999", "off"}}).stream->bridged() == 2);
 }
 
@@ -102,14 +102,14 @@ TEST_CASE("unit: the columns of one pass are those of a pass each") {
     return std::to_string(i) + "," + std::to_string(i % 7) + ",";
   });
   const TemporaryFolder folder("record file");
-  records::RecordFile wish{.file = folder.write("record.csv", text)};
+  records::RecordFile input{.file = folder.write("record.csv", text)};
   std::vector<double> left, right;
   const auto into = [](std::vector<double>& all) {
     return [&all](std::span<const double> piece, const records::RecordStream&) {
       all.insert(all.end(), piece.begin(), piece.end());
     };
   };
-  const auto both = records::read_records(wish, {"right", "left"}, {into(right), into(left)});
+  const auto both = records::read_records(input, {"right", "left"}, {into(right), into(left)});
   CHECK(both.size() == 2);
   CHECK(right == read(text, {.column = "right"}).heights);
   CHECK(left == read(text, {.column = "left"}).heights);

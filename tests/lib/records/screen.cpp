@@ -358,7 +358,8 @@ TEST_CASE("unit: what leaves and comes back little by little is outliers where i
 }
 
 TEST_CASE("unit: a coarse record stands still longer before it is stuck") {
-  // Half a step a sample: five steps take between 8 and 16 samples, and 8 times 16 equal ones are a sensor that stuck.
+  // Half a step a sample: five steps take between 8 and 16 samples, and 8 times 16 equal ones are a
+  // sensor that stuck.
   for (const std::size_t run : {60, 120, 127, 128, 140}) {
     std::vector<double> z;
     for (std::size_t k = 0; z.size() < 8000; ++k) {

@@ -9,24 +9,24 @@
 using namespace railbook::report;
 
 TEST_CASE("unit: a bite is two tolerances, away from the printed value, whatever its sign") {
-  CHECK(bitten("-2", -1.9, relative(0.1, "r")) == Approx(-1.5));
-  CHECK(bitten("-2", -2.1, relative(0.1, "r")) == Approx(-2.5));
-  CHECK(bitten("2", 1.9, relative(0.1, "r")) == Approx(1.5));
-  CHECK(bitten("2", 2.0, absolute(0.1, "r")) == Approx(2.2));
-  CHECK(bitten("2.0", 1.99, last_digit()) == Approx(1.89));
-  CHECK(bitten("2", 2.1, digitised(0.1, 5, "r")) == Approx(3.1));
-  CHECK(bitten("9", -4.1, misprint(-4, 0.05, "r")) == Approx(-4.5));
-  CHECK(bitten("9", -3.9, misprint(-4, 0.05, "r")) == Approx(-3.5));
+  CHECK(beyond_tolerance("-2", -1.9, relative(0.1, "r")) == Approx(-1.5));
+  CHECK(beyond_tolerance("-2", -2.1, relative(0.1, "r")) == Approx(-2.5));
+  CHECK(beyond_tolerance("2", 1.9, relative(0.1, "r")) == Approx(1.5));
+  CHECK(beyond_tolerance("2", 2.0, absolute(0.1, "r")) == Approx(2.2));
+  CHECK(beyond_tolerance("2.0", 1.99, last_digit()) == Approx(1.89));
+  CHECK(beyond_tolerance("2", 2.1, digitised(0.1, 5, "r")) == Approx(3.1));
+  CHECK(beyond_tolerance("9", -4.1, misprint(-4, 0.05, "r")) == Approx(-4.5));
+  CHECK(beyond_tolerance("9", -3.9, misprint(-4, 0.05, "r")) == Approx(-3.5));
   // Across the bound, as far as it lies inside, or a billionth of the bound or of one.
-  CHECK(bitten("5", 3, at_most("r")) == 7);
-  CHECK(bitten("5", 8, at_least("r")) == 2);
-  CHECK(bitten("5000", 5000, at_most("r")) - 5000 == Approx(5e-6).epsilon(1e-3));
-  CHECK(bitten("5000", 5000, at_least("r")) - 5000 == Approx(-5e-6).epsilon(1e-3));
-  CHECK(bitten("-5000", -5000, at_most("r")) + 5000 == Approx(5e-6).epsilon(1e-3));
-  CHECK(bitten("-5000", -5000, at_least("r")) + 5000 == Approx(-5e-6).epsilon(1e-3));
-  CHECK(bitten("0.001", 0.001, at_most("r")) - 0.001 == Approx(1e-9).epsilon(1e-3));
-  CHECK(bitten("0.001", 0.001, at_least("r")) - 0.001 == Approx(-1e-9).epsilon(1e-3));
-  CHECK(std::isnan(bitten("1", 1, {ToleranceKind::exact, 0, ""})));
+  CHECK(beyond_tolerance("5", 3, at_most("r")) == 7);
+  CHECK(beyond_tolerance("5", 8, at_least("r")) == 2);
+  CHECK(beyond_tolerance("5000", 5000, at_most("r")) - 5000 == Approx(5e-6).epsilon(1e-3));
+  CHECK(beyond_tolerance("5000", 5000, at_least("r")) - 5000 == Approx(-5e-6).epsilon(1e-3));
+  CHECK(beyond_tolerance("-5000", -5000, at_most("r")) + 5000 == Approx(5e-6).epsilon(1e-3));
+  CHECK(beyond_tolerance("-5000", -5000, at_least("r")) + 5000 == Approx(-5e-6).epsilon(1e-3));
+  CHECK(beyond_tolerance("0.001", 0.001, at_most("r")) - 0.001 == Approx(1e-9).epsilon(1e-3));
+  CHECK(beyond_tolerance("0.001", 0.001, at_least("r")) - 0.001 == Approx(-1e-9).epsilon(1e-3));
+  CHECK(std::isnan(beyond_tolerance("1", 1, {ToleranceKind::exact, 0, ""})));
   CHECK_THROWS_AS(compare("1", 1, Tolerance{ToleranceKind::exact, 0, ""}), std::logic_error);
 }
 

@@ -102,20 +102,20 @@ TEST_CASE("extreme: NaN, an empty loop and a missing count fail the chapter") {
 }
 
 TEST_CASE("unit: data that hold to less than their digits say why") {
-  const auto holds = [](const char* why) {
+  const auto accurate = [](const char* why) {
     return status([why](report::Item& i) {
       i.expect_checks(1);
       i.data({"x"}).holds_to("x", 1e-3, 0, why);
       i.claim("a", "a", true);
     });
   };
-  CHECK(holds("ill-conditioned") == 0);
-  CHECK(holds("") == 1);
+  CHECK(accurate("ill-conditioned") == 0);
+  CHECK(accurate("") == 1);
   CHECK_FALSE(report::RunSettings{}.full);
 }
 
 TEST_CASE("unit: a stability case fails when something else is found than expected") {
-  const auto with = [](report::Stands expect, double allowed,
+  const auto with = [](report::Expected expect, double allowed,
                        const std::function<report::Found()>& f) {
     return status([=](report::Item& i) {
       i.stability({.id = "s", .what = "w", .stress = "x", .expect = expect, .allowed = allowed}, f);
@@ -124,19 +124,19 @@ TEST_CASE("unit: a stability case fails when something else is found than expect
   const auto found = [](double error) { return [=] { return report::Found{"found", error}; }; };
   const auto throws = []() -> report::Found { throw InputError{"too slender"}; };
   const auto gives_up = []() -> report::Found { throw report::NoAnswer{"did not converge"}; };
-  CHECK(with(report::holds, 1e-3, found(1e-4)) == 0);
-  CHECK(with(report::holds, 1e-3, found(1e-3)) == 0);  // the bound itself is allowed
-  CHECK(with(report::holds, 1e-3, found(std::nextafter(1e-3, 1))) == 1);
-  CHECK(with(report::holds, 1e-3, found(units::nan)) == 1);
-  CHECK(with(report::holds, 1e-3, throws) == 1);
-  CHECK(with(report::degrades, 0.2, found(0.1)) == 0);
-  CHECK(with(report::degrades, 0.2, found(0.3)) == 1);
+  CHECK(with(report::accurate, 1e-3, found(1e-4)) == 0);
+  CHECK(with(report::accurate, 1e-3, found(1e-3)) == 0);  // the bound itself is allowed
+  CHECK(with(report::accurate, 1e-3, found(std::nextafter(1e-3, 1))) == 1);
+  CHECK(with(report::accurate, 1e-3, found(units::nan)) == 1);
+  CHECK(with(report::accurate, 1e-3, throws) == 1);
+  CHECK(with(report::degraded, 0.2, found(0.1)) == 0);
+  CHECK(with(report::degraded, 0.2, found(0.3)) == 1);
   CHECK(with(report::refused, units::nan, throws) == 0);
   CHECK(with(report::refused, units::nan, gives_up) == 0);
   CHECK(with(report::refused, units::nan, found(0)) == 1);
   for (const double none : {units::nan, 0.0, -1.0, std::numeric_limits<double>::infinity()})
-    CHECK(with(report::holds, none, found(0)) == 1);  // no bound set
-  CHECK(with(report::holds, 1e-3, found(-2e-3)) == 1);
+    CHECK(with(report::accurate, none, found(0)) == 1);  // no bound set
+  CHECK(with(report::accurate, 1e-3, found(-2e-3)) == 1);
   CHECK(with(report::refused, 1, found(0)) == 1);
 }
 
@@ -292,9 +292,10 @@ TEST_CASE("unit: a value is shown to the same digits on both sides of zero") {
 
 TEST_CASE("unit: stability cases and times stand in the record, and without timings no time does") {
   const report::Section paper = one([](report::Item& i) {
-    i.stability({.id = "s", .what = "w", .stress = "x", .expect = report::holds, .allowed = 1}, [] {
-      return report::Found{"found", 0.5};
-    });
+    i.stability({.id = "s", .what = "w", .stress = "x", .expect = report::accurate, .allowed = 1},
+                [] {
+                  return report::Found{"found", 0.5};
+                });
   });
   for (const bool timed : {false, true}) {
     const Sample s;

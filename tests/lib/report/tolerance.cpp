@@ -77,13 +77,13 @@ TEST_CASE("input: an unsound tolerance is a programming error") {
 TEST_CASE("property: every passing check bites") {
   for (double computed : {0.955, 0.9485, 0.95, 0.945001}) {
     const Tolerance t = last_digit();
-    CHECK_FALSE(compare("0.95", bitten("0.95", computed, t), t).pass);
+    CHECK_FALSE(compare("0.95", beyond_tolerance("0.95", computed, t), t).pass);
   }
   for (const Tolerance& t : {relative(0.01, "r"), absolute(0.02, "r"), digitised(0.01, 3, "r"),
                              at_most("r"), misprint(1.99, 0.01, "r")}) {
-    CHECK_FALSE(compare("2", bitten("2", 1.99, t), t).pass);
+    CHECK_FALSE(compare("2", beyond_tolerance("2", 1.99, t), t).pass);
   }
-  CHECK_FALSE(compare("2", bitten("2", 2.5, at_least("r")), at_least("r")).pass);
-  CHECK_FALSE(compare("2", bitten("2", 2.0, at_least("r")), at_least("r")).pass);
-  CHECK_FALSE(compare("0", bitten("0", 0.0, at_most("r")), at_most("r")).pass);
+  CHECK_FALSE(compare("2", beyond_tolerance("2", 2.5, at_least("r")), at_least("r")).pass);
+  CHECK_FALSE(compare("2", beyond_tolerance("2", 2.0, at_least("r")), at_least("r")).pass);
+  CHECK_FALSE(compare("0", beyond_tolerance("0", 0.0, at_most("r")), at_most("r")).pass);
 }

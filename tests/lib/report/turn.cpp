@@ -26,7 +26,7 @@ TEST_CASE("the two processes", "[.turn]") {  // hidden: run by the one below
   const pid_t child = fork();
   REQUIRE(child >= 0);
   if (child == 0) {
-    const report::WorkTurn turn;
+    const report::WorkSlot turn;
     if (write(pipe_ends[1], "b", 1) != 1) _exit(1);
     usleep(100000);
     const bool said_so = write(pipe_ends[1], "e", 1) == 1;
@@ -34,9 +34,9 @@ TEST_CASE("the two processes", "[.turn]") {  // hidden: run by the one below
   }
   char said = 0;
   REQUIRE(read(pipe_ends[0], &said, 1) == 1);
-  const report::WorkTurn beside;  // side by side with the child
+  const report::WorkSlot beside;  // side by side with the child
   {
-    const report::ClockTurn alone;
+    const report::TimingLock alone;
     pollfd ready{pipe_ends[0], POLLIN, 0};
     REQUIRE(poll(&ready, 1, 0) == 1);
     REQUIRE(read(pipe_ends[0], &said, 1) == 1);
@@ -62,27 +62,28 @@ TEST_CASE("turns from within", "[.turn]") {  // hidden: run by the last one
            free_for(LOCK_EX, "place-2");
   };
   for (const char* place : {"place-1", "place-2", "place-4"}) REQUIRE(free_for(LOCK_EX, place));
-  { const report::ClockTurn without_work; }
+  { const report::TimingLock without_work; }
   CHECK(all_free());
   {
-    const report::WorkTurn work;
+    const report::WorkSlot work;
     for (int k = 0; k < 2; ++k) {
       CHECK_FALSE(free_for(LOCK_EX, "place-1"));
       CHECK(free_for(LOCK_EX, "place-2"));
       CHECK(free_for(LOCK_SH, "room"));
       CHECK_FALSE(free_for(LOCK_EX, "room"));
-      const report::ClockTurn clock;
+      const report::TimingLock clock;
       CHECK(free_for(LOCK_EX, "place-1"));  // others may do nothing with it
       CHECK_FALSE(free_for(LOCK_SH, "room"));
     }
   }
   CHECK(all_free());
-  { const report::ClockTurn after_work; }
+  { const report::TimingLock after_work; }
   CHECK(all_free());
   CHECK(report::seconds_waited() < 1);
   CHECK(std::filesystem::status(folder.path / "room").permissions() ==
         std::filesystem::perms(0644));
-  // Who finds a place taken has another; who finds none waits for one, and whoever wants the clock waits for him.
+  // Who finds a place taken has another; who finds none waits for one, and whoever wants the clock
+  // waits for him.
   std::array<int, 2> places{};
   const auto take = [&](std::size_t k, const char* name) {
     places[k] = open((folder.path / name).c_str(), O_RDWR);
@@ -90,7 +91,7 @@ TEST_CASE("turns from within", "[.turn]") {  // hidden: run by the last one
   };
   take(0, "place-1");
   {
-    const report::WorkTurn beside;
+    const report::WorkSlot beside;
     CHECK_FALSE(free_for(LOCK_EX, "place-2"));
     CHECK(free_for(LOCK_EX, "place-4"));  // there are two places: the numbers end there
   }
@@ -100,7 +101,7 @@ TEST_CASE("turns from within", "[.turn]") {  // hidden: run by the last one
   const pid_t child = fork();
   REQUIRE(child >= 0);
   if (child == 0) {
-    const report::WorkTurn behind;
+    const report::WorkSlot behind;
     const bool long_enough = report::seconds_waited() > 0.04;
     _exit(write(ends[1], "w", 1) == 1 && long_enough ? 0 : 1);
   }
@@ -127,14 +128,15 @@ TEST_CASE("no turns", "[.turn]") {  // hidden: run by the last one
   dup2(file, 1);
   alarm(5);  // instead of waiting for it
   {
-    const report::WorkTurn work;
-    const report::ClockTurn clock;
+    const report::WorkSlot work;
+    const report::TimingLock clock;
   }
   alarm(0);
   dup2(stream, 1);
 }
 
-// A process opens its locks once, and a test before this one may have done so where there were none.
+// A process opens its locks once, and a test before this one may have done so where there were
+// none.
 TEST_CASE("who measures time waits until the others have done their item") {
   for (const char* name : {"the two processes", "turns from within", "no turns"}) {
     const pid_t fresh = fork();

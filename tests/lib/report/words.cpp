@@ -42,7 +42,7 @@ TEST_CASE("unit: a run says all that failed, and sums up in a line") {
         i.stability({.id = "s",
                      .what = "line contact",
                      .stress = "x",
-                     .expect = report::holds,
+                     .expect = report::accurate,
                      .allowed = 1},
                     [] {
                       return report::Found{"far off", 2};

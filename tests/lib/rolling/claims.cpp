@@ -17,7 +17,8 @@ namespace {
 
 constexpr double poisson = 0.3;
 
-// Double-exponential quadrature of f over a to b, to the last digits of 80 bits for integrands with end singularities.
+// Double-exponential quadrature of f over a to b, to the last digits of 80 bits for integrands with
+// end singularities.
 template <class F>
 Long integral(const F& f, Long a, Long b) {
   constexpr int half = 300;
@@ -69,7 +70,7 @@ Long influence(double far) {
 
 constexpr KalkerCoefficients one{1, 1, 1, 1};
 RollingCase at(double x) {
-  return with_reduced_creepage(unit_case(1, poisson), {x, 0, 0});
+  return with_reduced_creepage(normalised_case(1, poisson), {x, 0, 0});
 }
 
 }  // namespace
@@ -77,7 +78,7 @@ RollingCase at(double x) {
 TEST_CASE("claim: closed forms of the creep forces") {
   Claim strips("rolling::fastsim_without_spin"), curve("rolling::polach"),
       slopes("rolling::vermeulen_johnson_slopes"), displacements("rolling::row_displacements");
-  Draw draw(1);
+  RandomStream draw(1);
   for (int k = 0; k < 1000; ++k) {
     const double x = draw.decades(1e-3, 100);
     strips.relative(fastsim_without_spin(at(x), one).fx, fastsim_integral(x));
@@ -99,7 +100,7 @@ TEST_CASE("claim: closed forms of the creep forces") {
 
 TEST_CASE("claim: no theory but the linear one exceeds friction, and small creepage is linear") {
   Claim bound("rolling::creep_forces"), linear("rolling::linear_theory");
-  Draw draw(2);
+  RandomStream draw(2);
   for (int k = 0; k < 400; ++k) {
     RollingCase c{
         draw.decades(1e-3, 2e-2), 0, draw.decades(1e2, 1e6), draw.decades(2e10, 1e11), draw(0, 0.5),
@@ -132,7 +133,7 @@ TEST_CASE("claim: no theory but the linear one exceeds friction, and small creep
 
 TEST_CASE("claim: each named theory solves, and says that without friction there are no forces") {
   CHECK(theory_names().size() == 7);
-  RollingCase c = with_reduced_creepage(unit_case(1.2, poisson), {0.01, 0.01, 0});
+  RollingCase c = with_reduced_creepage(normalised_case(1.2, poisson), {0.01, 0.01, 0});
   const CreepForces exact = solver("full", 1.2, poisson, 12)(c);
   for (const std::string& name : theory_names()) {
     INFO(name);

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <vector>
 
-#include <railbook/num/draw.hpp>
+#include <railbook/num/random_stream.hpp>
 #include <railbook/rolling/contact.hpp>
 
 using namespace railbook;
@@ -34,8 +34,8 @@ double distance(const CreepForces& f, const CreepForces& g) {
   return std::hypot(f.fx - g.fx, f.fy - g.fy, f.mz - g.mz);
 }
 
-// Walks the path; where a step differs most from the one before, halves towards the larger half until what is left is
-// a jump or nothing.
+// Walks the path; where a step differs most from the one before, halves towards the larger half
+// until what is left is a jump or nothing.
 void require_continuous(const Path& path) {
   constexpr std::size_t steps = 200;
   const auto place = [](std::size_t i) { return static_cast<double>(i) / steps; };
@@ -69,7 +69,7 @@ void require_continuous(const Path& path) {
 }  // namespace
 
 TEST_CASE("property: forces are continuous in the creepages", "[rolling]") {
-  num::Draw draw(5);
+  num::RandomStream draw(5);
   for (int k = 0; k < 3; ++k) {
     const double ratio = draw.decades(0.2, 5), poisson = draw(0, 0.5);
     const EllipseRolling contact(ratio, poisson, {.along = k % 2 ? 16 : 12, .rows = 8});

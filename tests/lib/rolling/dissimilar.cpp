@@ -1,4 +1,5 @@
-// Rollers of unlike materials: Bentall and Johnson (1967), with CONTACT's numbers (its example bentall).
+// Rollers of unlike materials: Bentall and Johnson (1967), with CONTACT's numbers (its example
+// bentall).
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -18,7 +19,7 @@ namespace {
 struct Rollers {
   contact::Grid grid{-0.1, -1e3, 1e-3, 2e3, 200, 1};
   Eigen::VectorXd pressure{200};
-  Pair pair = join({2 * 23000 * 1.31, 0.31}, {2 * 82000 * 1.28, 0.28});
+  MaterialPair pair = combine({2 * 23000 * 1.31, 0.31}, {2 * 82000 * 1.28, 0.28});
   RollingCase c{1, 1, 1, pair.shear_modulus, pair.poisson, 0.3, {}};
   Rollers() {
     const double top = 2 * 16.2019 / (units::pi * 0.1);
@@ -44,7 +45,8 @@ struct Rollers {
 TEST_CASE("unit: rollers of aluminium and steel creep as Bentall and Johnson, and CONTACT, say") {
   const Rollers r;
   CHECK(r.pair.dissimilarity == Approx(0.1002).epsilon(1e-3));
-  // Free rolling without friction to speak of: half the load is on either side of the place that does not slip.
+  // Free rolling without friction to speak of: half the load is on either side of the place that
+  // does not slip.
   const double kappa = 2 * r.pair.dissimilarity / (1 - r.pair.poisson);
   CHECK(-r.creepage_for(0, 1e-4) == Approx(0.457 * kappa * 0.1 / 25).epsilon(0.005));
   // CONTACT also feeds the tractions back into the pressure, which grows by half a per cent.

@@ -11,7 +11,7 @@ using railbook::tests::Claim;
 
 TEST_CASE("claim: the estimates are above the errors of 95 % of random cases", "[rolling]") {
   Claim beyond("rolling::EllipseRolling", 120);
-  num::Draw draw(11);
+  num::RandomStream draw(11);
   int force = 0, moment = 0, all = 0;
   double claimed = 0, made = 0;
   for (int k = 0; k < 12; ++k) {

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include <railbook/num/draw.hpp>
+#include <railbook/num/random_stream.hpp>
 #include <railbook/rolling/contact.hpp>
 #include <railbook/rolling/creep_laws.hpp>
 #include <railbook/rolling/fastsim.hpp>
@@ -18,7 +18,7 @@ RollingCase unit(double axis_ratio) {
 }  // namespace
 
 TEST_CASE("property: no law's moment is more than friction can bear beside its force") {
-  num::Draw draw(3);
+  num::RandomStream draw(3);
   for (int k = 0; k < 2000; ++k) {
     const double ratio = draw.decades(0.1, 10);
     const auto creepage = [&] { return std::exp(draw(-8, 5)) * (draw(0, 1) < 0.5 ? -1 : 1); };

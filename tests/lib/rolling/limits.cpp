@@ -53,7 +53,7 @@ TEST_CASE("input: a case of rolling is refused just beyond the range of each of 
   for (const double poisson : {-1e-9, 0.0, 0.5, 0.5 + 1e-9})
     CHECK(of([&](RollingCase& c) { c.poisson = poisson; }) == (poisson < 0 || poisson > 0.5));
   for (double Creepage::*part : {&Creepage::longitudinal, &Creepage::lateral, &Creepage::spin})
-    for (const double value : {units::nan, units::no_limit, -units::no_limit, -1e9, 1e9})
+    for (const double value : {units::nan, units::infinity, -units::infinity, -1e9, 1e9})
       CHECK(of([&](RollingCase& c) { c.creepage.*part = value; }) == !std::isfinite(value));
 }
 
@@ -207,7 +207,7 @@ TEST_CASE(
 TEST_CASE(
     "unit: a solver by name is the law of that name, and the full theory on half as many rows") {
   const double ratio = 1.3;
-  const RollingCase c = with_reduced_creepage(unit_case(ratio, 0.28), {0.7, -0.4, 0});
+  const RollingCase c = with_reduced_creepage(normalised_case(ratio, 0.28), {0.7, -0.4, 0});
   const auto same = [](const CreepForces& a, const CreepForces& b) {
     CHECK(a.fx == b.fx);
     CHECK(a.fy == b.fy);

@@ -21,7 +21,8 @@ namespace {
 constexpr std::array coefficients{&KalkerCoefficients::c11, &KalkerCoefficients::c22,
                                   &KalkerCoefficients::c23, &KalkerCoefficients::c33};
 
-// The pressure of n x n cells over the diameters of Hertz's ellipse, and of an empty cell around, at its load.
+// The pressure of n x n cells over the diameters of Hertz's ellipse, and of an empty cell around,
+// at its load.
 struct Pixels {
   contact::Grid grid;
   Eigen::VectorXd pressure;
@@ -46,8 +47,9 @@ Pixels pressed(const contact::HertzContact& h, double modulus, Eigen::Index n) {
 }  // namespace
 
 TEST_CASE("unit: Kalker's printed coefficients are within 0.8 % of the computed ones") {
-  // But for the most slender contacts. J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, 1990, Table E3. He computed as well as one could, so that
-  // his error goes smoothly along a column: an entry off by more than its neighbours is a slip of the pen, his or ours.
+  // But for the most slender contacts. J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling
+  // Contact, 1990, Table E3. He computed as well as one could, so that his error goes smoothly
+  // along a column: an entry off by more than its neighbours is a slip of the pen, his or ours.
   int entries = 0, off = 0;
   for (const double nu : {0.0, 0.25, 0.5})
     for (const auto member : coefficients) {
@@ -86,7 +88,8 @@ TEST_CASE("unit: Kalker's coefficients by extrapolated grids over the whole tabl
 }
 
 TEST_CASE("unit: on CONTACT's own grids its force comes out to the digits it prints") {
-  // The public program CONTACT on n x n cells over the diameters, a/b = 1.568, nu = 0.3, pure longitudinal creepage.
+  // The public program CONTACT on n x n cells over the diameters, a/b = 1.568, nu = 0.3, pure
+  // longitudinal creepage.
   struct Printed {
     Eigen::Index n;
     std::array<double, 3> force;  // over mu N, at X = 0.1, 0.2, 0.3

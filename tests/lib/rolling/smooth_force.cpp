@@ -1,10 +1,11 @@
-// The smooth table of the full theory: linear at small creepage, within friction, with a continuous derivative, near the theory.
+// The smooth table of the full theory: linear at small creepage, within friction, with a continuous
+// derivative, near the theory.
 #include <railbook/rolling/smooth_force.hpp>
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include <railbook/num/draw.hpp>
+#include <railbook/num/random_stream.hpp>
 #include <railbook/rolling/kalker_coefficients.hpp>
 #include <railbook/rolling/theory.hpp>
 #include <railbook/units/input_error.hpp>
@@ -41,7 +42,7 @@ TEST_CASE("Smooth force: the linear forces at small creepage", "[smooth_force]")
 TEST_CASE("Smooth force: within friction, with the symmetries, near the theory", "[smooth_force]") {
   // Each of the three up to `reach`: largest and rms distance from the theory.
   const auto off_theory = [](double reach) {
-    num::Draw draw(18);
+    num::RandomStream draw(18);
     double largest = 0, squares = 0;
     constexpr int points = 300;
     for (int k = 0; k < points; ++k) {
@@ -63,14 +64,15 @@ TEST_CASE("Smooth force: within friction, with the symmetries, near the theory",
   CAPTURE(near.first, near.second, far.second);
   CHECK(near.first < 0.06);
   CHECK(near.second < 0.015);
-  // Where all slides and spin turns against lateral creepage, the force swings round within a cell of the table.
+  // Where all slides and spin turns against lateral creepage, the force swings round within a cell
+  // of the table.
   CHECK(far.second < 0.1);
   CHECK(std::hypot(table().at(1e9, 0, 0)[0], 0.0) == Approx(1).epsilon(1e-3));
 }
 
 TEST_CASE("Smooth force: no kink at the nodes or anywhere else", "[smooth_force]") {
-  // Along a straight line a second difference of the step h falls with h, as it does for a continuous derivative alone.
-  // The slope is that of the force.
+  // Along a straight line a second difference of the step h falls with h, as it does for a
+  // continuous derivative alone. The slope is that of the force.
   for (double u = -4; u < 4; u += 0.37) {
     const double t[3] = {0.4 * u, 0.1 + u, 0.3 - 0.2 * u}, h = 1e-6;
     double share[2], slope[6];

@@ -1,4 +1,5 @@
-// The accuracy that lib/rolling states of its laws, tables and solvers, on seeded cases over their range: few cells, many cases.
+// The accuracy that lib/rolling states of its laws, tables and solvers, on seeded cases over their
+// range: few cells, many cases.
 #include <cmath>
 #include <vector>
 
@@ -21,7 +22,7 @@ using namespace railbook::tests;
 
 namespace {
 
-RollingCase random_case(Draw& draw) {
+RollingCase random_case(RandomStream& draw) {
   RollingCase c{
       draw.decades(1e-4, 1e-1), 0, draw.decades(1e-2, 1e7), draw.decades(1e6, 1e12), draw(0, 0.5),
       draw.decades(1e-3, 2),    {}};
@@ -36,10 +37,10 @@ double distance(const CreepForces& a, const CreepForces& b) {
 
 TEST_CASE("claim: cases, materials and the laws in closed form") {
   Claim reduced("rolling::reduced_creepage"), back("rolling::with_reduced_creepage"),
-      unit("rolling::unit_case"), pair("rolling::join"), moment("rolling::moment_bound"),
+      unit("rolling::normalised_case"), pair("rolling::combine"), moment("rolling::moment_bound"),
       cubic("rolling::shen_hedrick_elkins"), vermeulen("rolling::vermeulen_johnson"),
       named("rolling::solver"), shares("rolling::shares_of");
-  Draw draw(1);
+  RandomStream draw(1);
   for (int k = 0; k < 1000; ++k) {
     RollingCase c = random_case(draw);
     c.creepage = {draw(-1, 1) * draw.decades(1e-12, 1), draw(-1, 1) * draw.decades(1e-12, 1),
@@ -53,7 +54,7 @@ TEST_CASE("claim: cases, materials and the laws in closed form") {
     back.relative(again.creepage.longitudinal, c.creepage.longitudinal);
     back.relative(again.creepage.spin, c.creepage.spin);
     const double ratio = draw.decades(1e-6, 1e6);
-    const RollingCase one = unit_case(ratio, c.poisson);
+    const RollingCase one = normalised_case(ratio, c.poisson);
     unit.relative(one.a, std::sqrt(Long{ratio}));
     unit.relative(one.b, 1 / std::sqrt(Long{ratio}));
 
@@ -62,7 +63,7 @@ TEST_CASE("claim: cases, materials and the laws in closed form") {
              k % 4 == 1 ? soft.poisson : draw(0, 0.5)};
     const Long g1 = soft.young / (2 * (1 + Long{soft.poisson})),
                g2 = hard.young / (2 * (1 + Long{hard.poisson})), both = 2 / (1 / g1 + 1 / g2);
-    const Pair joined = join(soft, hard);
+    const MaterialPair joined = combine(soft, hard);
     pair.relative(joined.shear_modulus, both);
     pair.relative(joined.poisson, both / 2 * (soft.poisson / g1 + hard.poisson / g2));
     const Long kalker_k =
@@ -124,7 +125,7 @@ TEST_CASE("claim: cases, materials and the laws in closed form") {
 
 TEST_CASE("claim: FASTSIM on its cells") {
   Claim grid("rolling::fastsim_grid"), with_spin("rolling::fastsim");
-  Draw draw(2);
+  RandomStream draw(2);
   for (int k = 0; k < 500; ++k) {
     RollingCase c = random_case(draw);
     const KalkerCoefficients kalker{draw(3, 6), draw(2.5, 6), draw(0.5, 2.5), draw(0.5, 3)};
@@ -145,7 +146,7 @@ TEST_CASE("claim: FASTSIM on its cells") {
 
 TEST_CASE("claim: Kalker's coefficients, computed and printed") {
   Claim computed("rolling::kalker_coefficients"), table("rolling::kalker_table", 400);
-  Draw draw(3);
+  RandomStream draw(3);
   for (int k = 0; k < 25; ++k) {
     const double ratio = k % 2 == 0 ? draw.decades(0.1, 10) : draw.decades(1e-3, 1e3),
                  poisson = k % 6 == 0 ? 0.5 : draw(0, 0.5);
@@ -173,7 +174,7 @@ TEST_CASE("claim: Kalker's coefficients, computed and printed") {
 
 TEST_CASE("claim: tables of forces") {
   Claim table("rolling::ForceTable"), smooth("rolling::SmoothForce");
-  Draw draw(4);
+  RandomStream draw(4);
   // Linear in every stretched coordinate, with the symmetries of the problem.
   const auto stretched = [](double x) { return std::asinh(x / 0.5); };
   const auto theory = [&](double ratio) {
@@ -203,7 +204,8 @@ TEST_CASE("claim: tables of forces") {
                   most);
     }
   }
-  // Its derivative against differences of it, and its length against friction, at all linear forces.
+  // Its derivative against differences of it, and its length against friction, at all linear
+  // forces.
   const KalkerCoefficients kalker = kalker_table(1, 0.3);
   const SmoothForce force(shares_of(solver("fastsim", 1, 0.3, 0), 1, 0.3), kalker, 9);
   for (int k = 0; k < 1000; ++k) {
@@ -227,7 +229,7 @@ TEST_CASE("claim: the pieces of the full theory") {
   Claim influence("rolling::TangentialInfluence"), rigid("rolling::rigid_slip"),
       sums("rolling::resultants", 75), grid_claim("rolling::ellipse_grid", 25),
       laws("rolling::solve_stick_slip");
-  Draw draw(5);
+  RandomStream draw(5);
   for (int k = 0; k < 25; ++k) {
     const double ratio = draw.decades(0.1, 10), poisson = draw(0, 0.5);
     const RollingGrid grid = ellipse_grid(ratio, 6, 4, k % 2 == 0);
@@ -305,7 +307,7 @@ TEST_CASE("claim: the pieces of the full theory") {
 TEST_CASE("claim: forces that are asked for, given pressures, and unlike bodies") {
   Claim asked("rolling::solve_for_forces", 200), given("rolling::solve_rolling", 50),
       unlike("rolling::solve_rolling_unlike", 50);
-  Draw draw(6);
+  RandomStream draw(6);
   for (int k = 0; k < 10; ++k) {
     RollingCase c = random_case(draw);
     const double limit = c.friction * c.load;
@@ -338,7 +340,8 @@ TEST_CASE("claim: forces that are asked for, given pressures, and unlike bodies"
       const CreepForces one = solve_rolling(grid, p, c, plain);
       REQUIRE(one.converged);
       given.error(distance(one, fitted.solve(c)) / (c.friction * load));
-      // The other body on top: lateral and longitudinal creepage change sides, and so does what the pressures drive.
+      // The other body on top: lateral and longitudinal creepage change sides, and so does what the
+      // pressures drive.
       RollingCase turned = c;
       turned.creepage = {-c.creepage.longitudinal, -c.creepage.lateral, -c.creepage.spin};
       const double k_pair = draw(-0.3, 0.3);

@@ -52,7 +52,7 @@ TEST_CASE("Many cells and few agree within the errors they state", "[rolling]") 
     const EllipseRolling fitted(ratio, 0.3, {.along = 32, .rows = 16}),
         stepped(ratio, 0.3, {.along = 64, .rows = 32});
     for (const Creepage& c : creepages) {
-      const RollingCase at = with_reduced_creepage(unit_case(ratio, 0.3), c);
+      const RollingCase at = with_reduced_creepage(normalised_case(ratio, 0.3), c);
       const CreepForces few = fitted.solve(at), many = stepped.solve(at);
       REQUIRE(few.converged);
       REQUIRE(many.converged);
@@ -64,7 +64,8 @@ TEST_CASE("Many cells and few agree within the errors they state", "[rolling]") 
 
 TEST_CASE("128 x 128 cells take few products", "[rolling][thorough]") {
   const EllipseRolling contact(1.568, 0.3, {.along = 128, .rows = 128});
-  const CreepForces f = contact.solve(with_reduced_creepage(unit_case(1.568, 0.3), {0, 0, 2}));
+  const CreepForces f =
+      contact.solve(with_reduced_creepage(normalised_case(1.568, 0.3), {0, 0, 2}));
   CHECK(f.converged);
   CHECK(f.iterations < 20);
   CHECK(f.error < 5e-4);

@@ -1,4 +1,5 @@
-// From Cattaneo's shift to Carter's rolling: Kalker's case with CONTACT's numbers, and the steady end.
+// From Cattaneo's shift to Carter's rolling: Kalker's case with CONTACT's numbers, and the steady
+// end.
 #include <railbook/rolling/transient.hpp>
 
 #include <catch2/catch.hpp>
@@ -19,7 +20,8 @@ using Eigen::VectorXd;
 
 namespace {
 
-// Spheres of distance 0.002963 r^2, G = 1 and nu = 0.28, on cells of 0.25: CONTACT's example catt_to_cart.
+// Spheres of distance 0.002963 r^2, G = 1 and nu = 0.28, on cells of 0.25: CONTACT's example
+// catt_to_cart.
 struct Spheres {
   Grid grid;
   VectorXd pressure;

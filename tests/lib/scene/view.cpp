@@ -42,8 +42,8 @@ int level(const std::vector<Point>& corners, bool turned, double parallel_height
   return render(scene, front(parallel_height), {30, 20}).at(15, 9)[0];
 }
 
-// What a surface returns of the light over the left shoulder: from the left, above and behind in the proportions 5 : 9 : 5;
-// never less than 0.35.
+// What a surface returns of the light over the left shoulder: from the left, above and behind in
+// the proportions 5 : 9 : 5; never less than 0.35.
 double returned(double right, double up, double towards) {
   const double across = (-0.5 * right + 0.9 * up + 0.5 * towards) / std::sqrt(0.25 + 0.81 + 0.25) /
                         std::hypot(right, up, towards);
@@ -151,7 +151,8 @@ TEST_CASE("unit: a surface is lit from over the left shoulder, whichever way its
               Approx(returned(n.x(), n.z(), -n.y())).margin(1.1));
       }
   }
-  // Over a ridge it is smooth: the two sides count by their areas. (2,0,0)x(1,1,1) + (-2,0,0)x(-1,.5,-.5) = (0,-3,1).
+  // Over a ridge it is smooth: the two sides count by their areas. (2,0,0)x(1,1,1) +
+  // (-2,0,0)x(-1,.5,-.5) = (0,-3,1).
   CHECK(level({{1, 0, 0}, {0, 1, 1}, {-1, 0, 0}, {0, 0.5, -0.5}}, false, 4) ==
         Approx(returned(0, 1, 3)).margin(3));
 }

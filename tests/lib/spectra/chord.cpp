@@ -18,7 +18,8 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-// The variance of the offset by quadrature, a lobe of the gain at a time, with an averaged-gain tail.
+// The variance of the offset by quadrature, a lobe of the gain at a time, with an averaged-gain
+// tail.
 double quadrature_sigma(const TrackParameters& track, double chord) {
   const auto integrand = [&](double phi) {
     const double gain = chord_gain(chord, phi);
@@ -36,7 +37,7 @@ double quadrature_sigma(const TrackParameters& track, double chord) {
     low = high;
   }
   // Beyond: the gain squared has the mean 3/2 over a lobe, and the density falls smoothly.
-  sum += 1.5 * random_variance(track, low, units::no_limit);
+  sum += 1.5 * random_variance(track, low, units::infinity);
   return std::sqrt(sum);
 }
 
@@ -45,7 +46,7 @@ double quadrature_sigma(const TrackParameters& track, double chord) {
 TEST_CASE("unit: the sine integral at tabulated places") {
   CHECK_THAT(num::sine_integral(1.0), WithinRel(0.946083070367183, 1e-14));
   CHECK_THAT(num::sine_integral(-10.0), WithinRel(-1.658347594218874, 1e-14));
-  CHECK_THAT(num::sine_integral(units::no_limit), WithinRel(units::pi / 2, 1e-15));
+  CHECK_THAT(num::sine_integral(units::infinity), WithinRel(units::pi / 2, 1e-15));
 }
 
 TEST_CASE("unit: equation (8) against quadrature") {

@@ -10,7 +10,8 @@
 using namespace railbook;
 
 TEST_CASE("unit: the coefficient of A is nine times the variance a chord reads on A = 1") {
-  // Equation (8) by quadrature: between the zeros of the gain, then its mean square 3/2 over the tail.
+  // Equation (8) by quadrature: between the zeros of the gain, then its mean square 3/2 over the
+  // tail.
   const double L = 62 * units::foot;
   double variance = 0;
   const int periods = 400;

@@ -1,19 +1,25 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
+#include <vector>
 
+#include <railbook/num/parallel.hpp>
+#include <railbook/spectra/chord.hpp>
 #include <railbook/spectra/line_mask.hpp>
 #include <railbook/spectra/spectrum_fit.hpp>
 #include <railbook/spectra/synthetic_track.hpp>
 #include <railbook/spectra/welch.hpp>
 #include <railbook/units/input_error.hpp>
 
+#include "support/no_fp_fault.hpp"
+
 using namespace railbook;
 using spectra::CornerState;
 
 namespace {
 
-// The spectrum a perfect measurement would give: no scatter, a Hann-shaped line of power q on the bins nearest phi_0.
+// The spectrum a perfect measurement would give: no scatter, a Hann-shaped line of power q on the
+// bins nearest phi_0.
 spectra::Spectrum perfect(const spectra::TrackParameters& track, double averages,
                           Eigen::Index n = 2049) {
   spectra::Spectrum s;
@@ -49,7 +55,7 @@ TEST_CASE("unit: a perfect spectrum gives back its parameters") {
 
 TEST_CASE("unit: without a rail no line is looked for, and none hides a bin") {
   const auto s = perfect({.A = 2e-7, .phi_c = 0.13}, 1e12);
-  const spectra::FitOptions none{.rail_length = units::no_limit};
+  const spectra::FitOptions none{.rail_length = units::infinity};
   const auto fit = spectra::fit_track_spectrum(s, none), with = spectra::fit_track_spectrum(s);
   CHECK(fit.A.value == Approx(2e-7).epsilon(1e-9));
   CHECK(fit.bins > with.bins);
@@ -192,4 +198,254 @@ TEST_CASE("unit: a fit that is asked for nothing looks for 39 ft from 0.01 to 1.
   CHECK(none.slopes == spectra::Slopes::two);
   CHECK(none.noise == spectra::NoiseModel::none);
   CHECK(none.averaging == spectra::Averaging::bins);
+}
+
+namespace {
+
+spectra::SyntheticTrack zone(double A, double phi_c, double B_printed, std::uint64_t seed) {
+  spectra::SyntheticTrack track;
+  track.seed = seed;
+  track.A = A;
+  track.phi_c = phi_c;
+  track.dip = spectra::convert_dip(B_printed, spectra::LineConvention::printed,
+                                   spectra::LineConvention::exact_one_sided);
+  return track;
+}
+
+struct Scatter {
+  double sum = 0, squares = 0, claimed = 0;
+  int n = 0;
+  void add(double value, double error) {
+    sum += value;
+    squares += value * value;
+    claimed += error * error;
+    ++n;
+  }
+  double mean() const { return sum / n; }
+  double deviation() const { return std::sqrt((squares - sum * sum / n) / (n - 1)); }
+  double claim() const { return std::sqrt(claimed / n); }
+};
+
+}  // namespace
+
+// 80 records of 10 km: the mean must sit within 3.5 of its own standard errors of the truth, and
+// the scatter within 25 % (3 standard errors of it) of what each fit claims.
+TEST_CASE("property: estimates are unbiased and their claimed errors are their scatter") {
+  struct Zone {
+    double A, phi_c, B;
+  };
+  for (const auto [A, phi_c, B] : {Zone{5e-7, 0.13, 11e-3}, Zone{8e-7, 0.18, 25e-3}}) {
+    for (const auto averaging : {spectra::Averaging::bins, spectra::Averaging::bands}) {
+      Scatter a, c, q;
+      const double Q = B * B * 2 / (9 * units::pi * units::pi);  // equation (2)
+      for (std::uint64_t seed = 1; seed <= 80; ++seed) {
+        const auto record = spectra::synthesize(zone(A, phi_c, B, seed), 32808);
+        const auto fit = spectra::fit_track_spectrum(spectra::welch(record, units::foot),
+                                                     {.averaging = averaging});
+        a.add(fit.A.value / A, fit.A.error / A);
+        c.add(fit.phi_c.value / phi_c, fit.phi_c.error / phi_c);
+        q.add(fit.Q_1.value / Q, fit.Q_1.error / Q);
+      }
+      for (const Scatter& s : {a, c, q}) {
+        CHECK(std::abs(s.mean() - 1) < 3.5 * s.deviation() / std::sqrt(80.0) + 0.005);
+        CHECK(s.deviation() / s.claim() == Approx(1).epsilon(0.25));
+      }
+    }
+  }
+}
+
+TEST_CASE("property: without joints the line is found significant in 5 % of records") {
+  int found = 0;
+  for (std::uint64_t seed = 1; seed <= 250; ++seed) {
+    const auto record = spectra::synthesize(zone(2e-7, 0.13, 0, seed), 16404);
+    if (spectra::fit_track_spectrum(spectra::welch(record, units::foot)).line_significant) ++found;
+  }
+  CHECK(found > 2);  // 12.5 expected, standard deviation 3.4
+  CHECK(found < 26);
+}
+
+TEST_CASE("property: a profile scaled by c has A scaled by c^2, B by c, and the same corner") {
+  auto record = spectra::synthesize(zone(2e-7, 0.13, 8e-3, 4), 60000);
+  const auto fit = spectra::fit_track_spectrum(spectra::welch(record, units::foot));
+  for (double& z : record) z *= -3;
+  const auto scaled = spectra::fit_track_spectrum(spectra::welch(record, units::foot));
+  CHECK(scaled.A.value == Approx(9 * fit.A.value));
+  CHECK(scaled.phi_c.value == Approx(fit.phi_c.value));
+  CHECK(scaled.B_printed.value == Approx(3 * fit.B_printed.value));
+  CHECK(scaled.B_threshold == Approx(3 * fit.B_threshold));
+}
+
+TEST_CASE("property: a line nobody named is found where it is, and none where there is none") {
+  int found = 0;
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    auto track = zone(2e-7, 0.13, 8e-3, seed);
+    const auto look = [&] {
+      const auto spectrum = spectra::welch(spectra::synthesize(track, 40000), units::foot);
+      return spectra::stray_line(spectrum, {}, spectra::fit_track_spectrum(spectrum));
+    };
+    if (look()) ++found;
+    if (seed > 5) continue;
+    track.memory_dip = 4e-3;
+    const auto stray = look();
+    REQUIRE(stray);
+    CHECK(stray->phi == Approx(1 / (33 * units::foot)).margin(1e-3));
+  }
+  CHECK(found <= 1);  // one in 1000 expected
+}
+
+TEST_CASE("property: joints of random depth are not taken for a foreign line") {
+  int found = 0;
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    auto track = zone(2e-7, 0.13, 8e-3, seed);
+    track.dip_scatter = 1;
+    track.dip_correlation = seed % 2 == 0 ? 0.0 : 0.5;
+    const auto spectrum = spectra::welch(spectra::synthesize(track, 40000), units::foot);
+    if (spectra::stray_line(spectrum, {}, spectra::fit_track_spectrum(spectrum))) ++found;
+  }
+  CHECK(found <= 2);
+}
+
+TEST_CASE("property: many records give the same digits on any number of threads") {
+  const auto read = [](std::size_t i) {
+    const auto record = spectra::synthesize(zone(5e-7, 0.13, 11e-3, 1 + i), 16384);
+    const auto fit = spectra::fit_track_spectrum(spectra::welch(record, units::foot));
+    return std::vector{fit.A.value, fit.A.error, fit.phi_c.value, fit.Q_1.value, fit.Q_1.error};
+  };
+  const auto alone = num::map_in_parallel(12, read, 1);
+  CHECK(alone.front() != alone.back());
+  for (const int threads : {2, 3}) CHECK(num::map_in_parallel(12, read, threads) == alone);
+}
+
+namespace {
+
+spectra::SyntheticTrack base() {
+  spectra::SyntheticTrack track;
+  track.A = 5e-7;
+  track.phi_c = 0.13;
+  track.dip = 5.5e-3;
+  return track;
+}
+
+spectra::SpectrumFit fit(const spectra::SyntheticTrack& track,
+                         const spectra::FitOptions& options = {},
+                         const spectra::WelchOptions& welch = {}) {
+  const NoFpFault no_fault;
+  auto record = spectra::synthesize(track, 500000);  // 152 km
+  if (options.chord > 0)
+    record = spectra::mid_chord_offsets(record, track.spacing, options.chord).offset;
+  return spectra::fit_track_spectrum(spectra::welch(record, track.spacing, welch), options);
+}
+
+}  // namespace
+
+TEST_CASE("extreme: a track of nothing but joints has its dip and no roughness") {
+  auto track = base();
+  track.A = 0;
+  const auto f = fit(track);
+  CHECK(f.A.value <= 1e-14);
+  CHECK(f.B_exact.value == Approx(5.5e-3).epsilon(5e-3));
+  CHECK(f.corner != CornerState::fitted);
+}
+
+TEST_CASE("extreme: corners out of the band leave the slope that can be seen") {
+  auto track = base();
+  for (const double phi_c : {0.005, 0.02}) {
+    track.phi_c = phi_c;
+    const auto f = fit(track);
+    CHECK(f.corner == CornerState::at_low_bound);
+    CHECK(f.steep.value == Approx(5e-7 * phi_c * phi_c).epsilon(0.01));
+    CHECK(f.A.value < 5e-7);
+  }
+  for (const double phi_c : {0.8, spectra::no_corner}) {
+    track.phi_c = phi_c;
+    const auto f = fit(track);
+    CHECK(f.corner == CornerState::at_high_bound);
+    CHECK(f.A.value == Approx(5e-7).epsilon(0.01));
+  }
+  CHECK(fit(track, {.slopes = spectra::Slopes::one}).A.value == Approx(5e-7).epsilon(0.01));
+}
+
+TEST_CASE("extreme: grades and long waves under the record do not reach A") {
+  const auto plain = fit(base());
+  auto track = base();
+  track.grade = 0.01;
+  CHECK(fit(track).A.value == Approx(plain.A.value).epsilon(1e-3));
+  track.grade = 0;
+  track.wave_amplitude = 50;
+  CHECK(fit(track).A.value == Approx(plain.A.value).epsilon(1e-3));
+  CHECK(fit(track, {}, {.window = spectra::Window::boxcar}).A.value != Approx(5e-7).epsilon(0.2));
+}
+
+TEST_CASE("extreme: sensor noise is told apart from the track at any level") {
+  auto track = base();
+  for (const double sigma : {1e-5, 1e-4, 3e-4, 3e-3}) {
+    track.sensor_noise = sigma;
+    const auto f = fit(track, {.noise = spectra::NoiseModel::automatic});
+    CHECK(std::abs(f.A.value / 5e-7 - 1) < 4 * f.A.error / 5e-7);
+    CHECK(f.noise.value == Approx(2 * sigma * sigma * units::foot).epsilon(0.05).margin(1e-10));
+    CHECK(f.misfit < 1.25);
+  }
+}
+
+TEST_CASE("extreme: a chord's record gives the profile's parameters where the chord can see") {
+  const auto f = fit(base(), {.chord = 62 * units::foot});
+  CHECK(std::abs(f.A.value / 5e-7 - 1) < 0.02 + 4 * f.A.error / 5e-7);
+  CHECK(f.phi_c.value == Approx(0.13).epsilon(0.02));
+  CHECK(std::abs(f.B_exact.value - 5.5e-3) < 4 * f.B_exact.error);
+}
+
+TEST_CASE("extreme: a zero of the chord beside the rail's line does not make a dip of nothing") {
+  const auto f =
+      fit(base(), {.chord = 100 * units::foot});  // blind at 0.0656, the line is at 0.0841
+  CHECK(std::abs(f.A.value / 5e-7 - 1) < 0.02 + 4 * f.A.error / 5e-7);
+  CHECK(std::abs(f.B_exact.value - 5.5e-3) < 4 * f.B_exact.error);
+}
+
+TEST_CASE("extreme: the memory of old rails is kept out of the dip when it is named") {
+  const spectra::FitOptions named{.foreign_lengths = {33 * units::foot}};
+  auto track = base();
+  track.memory_dip = 5e-3;
+  CHECK(fit(track).B_exact.value > 7e-3);
+  CHECK(std::abs(fit(track, named).B_exact.value - 5.5e-3) < 4 * fit(track, named).B_exact.error);
+  track.memory_dip = 0;
+  track.memory_modulation = 0.5;
+  CHECK(fit(track).misfit > 1.25);
+  CHECK(fit(track, named).misfit < 1.25);
+  CHECK(std::abs(fit(track, named).B_exact.value - 5.5e-3) < 4 * fit(track, named).B_exact.error);
+}
+
+TEST_CASE("extreme: gaps cost averages, not accuracy") {
+  auto track = base();
+  track.gap_share = 0.002;
+  const auto f = fit(track);
+  CHECK(std::abs(f.A.value / 5e-7 - 1) < 4 * f.A.error / 5e-7);
+  CHECK(f.A.error > fit(base()).A.error);
+}
+
+TEST_CASE("input: a fit refuses what cannot be fitted and says why") {
+  spectra::SyntheticTrack track;
+  track.A = 2e-7;
+  const auto spectrum = spectra::welch(spectra::synthesize(track, 20000), units::foot);
+  const auto refuses = [&](const spectra::FitOptions& options, const char* text) {
+    CHECK_THROWS_WITH(spectra::fit_track_spectrum(spectrum, options), Catch::Contains(text));
+    CHECK_THROWS_AS(spectra::fit_track_spectrum(spectrum, options), InputError);
+  };
+  refuses({.rail_length = 0}, "rail length");
+  refuses({.rail_length = 500}, "rail wavenumber");
+  refuses({.rail_length = 0.5}, "rail wavenumber");
+  refuses({.low = 2, .high = 3}, "holds no usable bins");
+  refuses({.low = -1}, "lower end of the band");
+  refuses({.chord = -1}, "chord");
+  refuses({.chord = 78 * units::foot}, "does not see a rail");
+  refuses({.chord = 520 * units::foot}, "an eighth of a segment");
+  for (const double foreign : {39., 78., 38.}) {  // the line of the rail itself would be left out
+    INFO(foreign);
+    refuses({.foreign_lengths = {foreign * units::foot}}, "have a line on that of the rail");
+  }
+  refuses({.foreign_lengths = {-1}}, "foreign rail length");
+  const auto constant = spectra::welch(std::vector<double>(20000, 0.0), units::foot);
+  CHECK_THROWS_WITH(spectra::fit_track_spectrum(constant), Catch::Contains("constant signal"));
+  const auto coarse =
+      spectra::welch(spectra::synthesize(track, 20000), units::foot, {.segment = 16});
+  CHECK_THROWS_AS(spectra::fit_track_spectrum(coarse), InputError);
 }

@@ -1,4 +1,5 @@
-// A fit of spectra without scatter: which bins it takes, and the errors that follow from their number, in closed form.
+// A fit of spectra without scatter: which bins it takes, and the errors that follow from their
+// number, in closed form.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -135,7 +136,8 @@ TEST_CASE("unit: a corner is fitted from 3 times the first bin to half of the la
 }
 
 TEST_CASE("unit: the errors of a corner and of its steep part are those of the straight lines") {
-  // Left of the corner ln A is the mean of n bins, right of it ln A + 2 ln phi_c that of m: as if each were fitted alone.
+  // Left of the corner ln A is the mean of n bins, right of it ln A + 2 ln phi_c that of m: as if
+  // each were fitted alone.
   FitOptions o = one_slope();
   o.slopes = Slopes::two;
   const double phi_c = 0.2502;

@@ -1,4 +1,5 @@
-// What a fit leaves out around lines, and the lines that nobody named: on spectra without scatter, where each limit is sharp.
+// What a fit leaves out around lines, and the lines that nobody named: on spectra without scatter,
+// where each limit is sharp.
 #include <railbook/spectra/line_mask.hpp>
 
 #include <catch2/catch.hpp>

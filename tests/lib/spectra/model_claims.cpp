@@ -1,5 +1,6 @@
-// The accuracy that lib/spectra states of its model, estimates and fits, on seeded inputs over its range: in 80-bit arithmetic,
-// by scans, and by how far estimates lie from the truth in units of the error they state.
+// The accuracy that lib/spectra states of its model, estimates and fits, on seeded inputs over its
+// range: in 80-bit arithmetic, by scans, and by how far estimates lie from the truth in units of
+// the error they state.
 #include <array>
 #include <cmath>
 #include <complex>
@@ -41,7 +42,7 @@ TEST_CASE("claim: dips, lines and the random part") {
       power("spectra::line_power"), random("spectra::random_psd"),
       broad("spectra::broadened_line_power"), dip("spectra::dip_from_line_power"),
       convert("spectra::convert_dip"), gain("spectra::squared_gain");
-  Draw draw(41);
+  RandomStream draw(41);
   for (int k = 0; k < 1000; ++k) {
     const double L = draw.decades(0.1, 100), l = draw.decades(1, 100), B = draw.decades(1e-5, 1);
     sensitivity.error(off(rail_chord_sensitivity(L, l),
@@ -92,7 +93,7 @@ TEST_CASE("claim: classes and their chances") {
   Claim coefficient("spectra::random_coefficient"), classes_of("spectra::classify"),
       range("spectra::coefficient_range"), chances("spectra::class_probabilities"),
       normal("spectra::normal_exceedance"), chebyshev("spectra::chebyshev_exceedance");
-  Draw draw(42);
+  RandomStream draw(42);
   for (int k = 0; k < 1000; ++k) {
     ClassRule rule;
     rule.chord = draw(5, 30), rule.alpha = draw(1, 4), rule.gamma = draw(0.5, 4);
@@ -152,7 +153,7 @@ TEST_CASE("claim: records made and placed") {
   Claim joints("spectra::JointSequence"), made("spectra::TrackGenerator"),
       all("spectra::synthesize"), noise("spectra::ShapedNoise"), places("records::PlaceMap"),
       weights("spectra::window_weights");
-  Draw draw(43);
+  RandomStream draw(43);
   for (int k = 0; k < 20; ++k) {
     const double spacing = draw.decades(0.2, 1), l = spacing * draw.decades(3, 100),
                  B = draw.decades(1e-4, 0.1);
@@ -218,7 +219,7 @@ TEST_CASE("claim: records made and placed") {
 TEST_CASE("claim: Welch's estimate and the errors that it states") {
   Claim bins("spectra::welch"), streamed("spectra::Welch"), spaced("spectra::respaced"),
       bands("spectra::band_average");
-  Draw draw(44);
+  RandomStream draw(44);
   for (int k = 0; k < 60; ++k) {
     const WelchOptions options{.segment = 32, .parts = 2, .window = static_cast<Window>(k % 4)};
     const double spacing = draw.decades(1e-2, 10), rise = draw(-1, 1);
@@ -276,7 +277,7 @@ TEST_CASE("claim: Welch's estimate and the errors that it states") {
 TEST_CASE("claim: fits of slopes, corners and floors") {
   Claim one("spectra::fit_one_slope"), two("spectra::fit_two_slopes"),
       floor("spectra::fit_with_noise"), track("spectra::fit_track_spectrum");
-  Draw draw(45);
+  RandomStream draw(45);
   int settled = 0;
   for (int k = 0; k < 1000; ++k) {
     const Eigen::Index n = 8 + k % 30;
@@ -328,7 +329,8 @@ TEST_CASE("claim: fits of slopes, corners and floors") {
     settled += with.converged ? 1 : 0;
   }
   CHECK(settled > 900);
-  // Spectra of 10 averages about the model: how far A lies from the truth in units of its stated error.
+  // Spectra of 10 averages about the model: how far A lies from the truth in units of its stated
+  // error.
   double squares = 0;
   int count = 0;
   const TrackParameters truth{.A = 1e-7, .phi_c = 0.13};

@@ -1,13 +1,18 @@
-#include <railbook/spectra/welch.hpp>
+#include <unistd.h>
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <complex>
+#include <fstream>
+#include <limits>
+#include <random>
 #include <vector>
 
+#include <railbook/spectra/welch.hpp>
 #include <railbook/units/constants.hpp>
 #include <railbook/units/input_error.hpp>
 
+#include "support/no_fp_fault.hpp"
 #include "support/white_noise.hpp"
 
 using namespace railbook;
@@ -16,7 +21,8 @@ using spectra::Window;
 
 namespace {
 
-// Welch's estimate as its definition reads: no FFT, no running sums, everything by direct summation.
+// Welch's estimate as its definition reads: no FFT, no running sums, everything by direct
+// summation.
 std::vector<double> by_definition(const std::vector<double>& x, double d, std::size_t n,
                                   std::size_t hop, Window window, Detrend detrend) {
   const Eigen::VectorXd w = spectra::window_weights(window, static_cast<Eigen::Index>(n));
@@ -134,4 +140,200 @@ TEST_CASE("unit: a run of whole segments before a gap leaves no sample unused") 
     const auto got = spectra::welch(x, 0.3, {.segment = 48, .parts = parts});
     CHECK(got.unused == 3);  // the run of 101 ends with a segment of its own
   }
+}
+
+namespace {
+
+// Over all bins but the first, which detrending empties down to rounding.
+double largest_relative_difference(const spectra::Spectrum& a, const spectra::Spectrum& b,
+                                   double factor) {
+  const Eigen::Index n = a.density.size() - 1;
+  return (factor * a.density.tail(n).array() / b.density.tail(n).array() - 1).abs().maxCoeff();
+}
+
+}  // namespace
+
+TEST_CASE("property: the pieces a record is pushed in do not change a bit of the spectrum") {
+  const auto x = white_noise(5000, 11);
+  const auto whole = spectra::welch(x, 0.3, {.segment = 256});
+  for (const std::size_t piece : {1U, 7U, 128U, 255U, 256U, 999U, 4999U}) {
+    spectra::Welch stream{0.3, {.segment = 256}};
+    for (std::size_t i = 0; i < x.size(); i += piece)
+      stream.push(std::span{x}.subspan(i, std::min(piece, x.size() - i)));
+    CHECK(stream.samples() == x.size());
+    CHECK((stream.spectrum().density.array() == whole.density.array()).all());
+  }
+}
+
+TEST_CASE("property: a spectrum scales with the square of the signal and with the spacing") {
+  const auto x = white_noise(3000, 5);
+  auto scaled = x;
+  for (double& value : scaled) value *= -3;
+  const auto base = spectra::welch(x, 0.3, {.segment = 128});
+  CHECK(largest_relative_difference(base, spectra::welch(scaled, 0.3, {.segment = 128}), 9) <
+        1e-12);
+  CHECK(largest_relative_difference(base, spectra::welch(x, 0.6, {.segment = 128}), 2) < 1e-12);
+  const auto moved = spectra::respaced(spectra::welch(x, 1, {.segment = 128}), 0.3);
+  CHECK(largest_relative_difference(base, moved, 1) < 1e-12);
+  CHECK(moved.df == Approx(base.df));
+  CHECK(moved.noise_bandwidth == Approx(base.noise_bandwidth));
+}
+
+TEST_CASE("property: a straight line added to the record leaves the linearly detrended spectrum") {
+  const auto x = white_noise(3000, 5);
+  auto inclined = x;
+  for (std::size_t i = 0; i < x.size(); ++i) inclined[i] += 1000.0 - 0.5 * static_cast<double>(i);
+  for (const Window window : {Window::boxcar, Window::hann, Window::dpss}) {
+    const spectra::WelchOptions options{.segment = 256, .parts = 4, .window = window};
+    CHECK(largest_relative_difference(spectra::welch(x, 0.3, options),
+                                      spectra::welch(inclined, 0.3, options), 1) < 1e-6);
+  }
+}
+
+// The number of averages and the band variance decide every standard error downstream, so both are
+// held against the scatter of 1500 independent records of white noise.
+TEST_CASE("property: scatter of bins and of bands is what the effective averages say") {
+  struct Case {
+    Window window;
+    std::size_t parts;
+    std::vector<std::size_t> lost = {};
+  };
+  for (const auto& [window, parts, lost] :
+       {Case{Window::hann, 2}, Case{Window::hann, 4}, Case{Window::boxcar, 2},
+        Case{Window::blackman_harris, 2}, Case{Window::dpss, 4}, Case{Window::hann, 2, {150, 430}},
+        Case{Window::hann, 4, {135, 300, 462}}, Case{Window::boxcar, 2, {245, 500}},
+        Case{Window::boxcar, 1, {200}}}) {
+    const spectra::WelchOptions options{.segment = 128, .parts = parts, .window = window};
+    const int records = 1500;
+    const Eigen::Index low = 10;
+    const double bands = 40;
+    double bin_squares = 0, band_squares = 0, mean = 0;
+    spectra::Spectrum last;
+    for (int r = 0; r < records; ++r) {
+      auto x = white_noise(640, 100 + static_cast<std::uint64_t>(r));
+      for (const std::size_t at : lost) x[at] = std::numeric_limits<double>::quiet_NaN();
+      last = spectra::welch(x, 0.5, options);
+      const Eigen::ArrayXd excess = last.density.segment(low, 40).array() - 1.0;  // 2 sigma^2 d = 1
+      bin_squares += excess.square().mean() / records;
+      band_squares += excess.mean() * excess.mean() / records;
+      mean += excess.mean() / records;
+    }
+    INFO("window " << static_cast<int>(window) << ", parts " << parts << ", gaps " << lost.size());
+    CHECK(std::abs(mean) < 4 * std::sqrt(last.band_variance / bands / records));
+    CHECK(bin_squares * last.averages == Approx(1).epsilon(0.04));
+    CHECK(band_squares * bands / last.band_variance == Approx(1).epsilon(0.15));
+  }
+}
+
+TEST_CASE("property: one sample in a hundred lost, twenty at a time, costs a few in a hundred") {
+  auto x = white_noise(200000, 3);
+  std::uint64_t place = 12345;
+  for (int gap = 0; gap < 100; ++gap) {
+    place = place * 6364136223846793005U + 1442695040888963407U;
+    for (std::size_t i = 0; i < 20; ++i)
+      x[(place >> 20U) % (x.size() - 20) + i] = std::numeric_limits<double>::quiet_NaN();
+  }
+  spectra::Welch welch{1.0, {.segment = 512}};
+  welch.push(x);
+  CHECK(static_cast<double>(welch.used_samples()) > 0.95 * static_cast<double>(x.size()));
+}
+
+namespace {
+
+std::vector<double> noise(std::size_t n) {
+  std::mt19937_64 generator{42};
+  std::normal_distribution<double> normal;
+  std::vector<double> x(n);
+  for (double& value : x) value = normal(generator);
+  return x;
+}
+
+// Pages of this process in memory, now, in bytes.
+double resident() {
+  std::ifstream statm{"/proc/self/statm"};
+  double total = 0, pages = 0;
+  statm >> total >> pages;
+  return pages * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+}  // namespace
+
+TEST_CASE("extreme: segments begin anew after a gap") {
+  const NoFpFault no_fault;
+  auto x = noise(20 * 64);
+  const auto whole = spectra::welch(x, 1.0, {.segment = 128});
+  CHECK(whole.segments == 19);
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    auto broken = x;
+    broken[5 * 64 + 3] = bad;    // four segments before it
+    broken[5 * 64 + 4] = -bad;   // infinity - infinity must not be formed
+    broken[19 * 64 + 63] = bad;  // thirteen between them
+    spectra::Welch stream{1.0, {.segment = 128}};
+    stream.push(broken);
+    const auto spectrum = stream.spectrum();
+    CHECK(spectrum.segments == 19);
+    CHECK(spectrum.unused == 0);
+    CHECK(stream.gap_samples() == 3);
+    CHECK(spectrum.averages < 17 + 61.0 / 64);
+    CHECK(spectrum.density.allFinite());
+    // The same segments averaged by hand: segments begin anew after a gap, and the last one before
+    // it ends there.
+    const auto density = [&](std::size_t from, std::size_t count) {
+      return spectra::welch(std::span{x}.subspan(from, count), 1.0, {.segment = 128}).density;
+    };
+    const double first = 3.0 / 64, second = 58.0 / 64;
+    const Eigen::VectorXd mean =
+        (density(0, 5 * 64) * 4 + density(5 * 64 + 3 - 128, 128) * first +
+         density(5 * 64 + 5, 14 * 64) * 13 + density(19 * 64 + 63 - 128, 128) * second) /
+        (17 + first + second);
+    CHECK((spectrum.density - mean).norm() < 1e-12 * mean.norm());
+  }
+}
+
+TEST_CASE(
+    "extreme: nothing but gaps, or a record shorter than a segment, is an error that says so") {
+  spectra::Welch stream{1.0, {.segment = 128}};
+  stream.push(std::vector<double>(127, 1.0));
+  CHECK_THROWS_AS(stream.spectrum(), InputError);
+  stream.push(std::vector<double>(1000, std::nan("")));
+  CHECK_THROWS_AS(stream.spectrum(), InputError);
+  CHECK_THROWS_WITH(stream.spectrum(), Catch::Contains("1000 of them missing"));
+}
+
+TEST_CASE("extreme: a large offset and a steep line cost no more than their rounding") {
+  const auto x = noise(4096 * 4);
+  auto high = x;
+  for (std::size_t i = 0; i < x.size(); ++i) high[i] += 1e7 + 3.0 * static_cast<double>(i);
+  const auto a = spectra::welch(x, 0.3), b = spectra::welch(high, 0.3);
+  CHECK(((a.density - b.density).array() / a.density.array()).abs().segment(2, 2000).maxCoeff() <
+        1e-5);
+  const auto flat = spectra::welch(std::vector<double>(10000, 1e3), 0.3);
+  CHECK(flat.density.maxCoeff() < 1e-20);
+}
+
+TEST_CASE("extreme: ten million samples stream through a fixed small memory") {
+  const auto chunk = noise(100000);
+  spectra::Welch stream{0.3};
+  stream.push(chunk);
+  const double before = resident();
+  for (int i = 1; i < 100; ++i) stream.push(chunk);
+  CHECK(resident() - before < 1 << 20);
+  const auto spectrum = stream.spectrum();
+  CHECK(spectrum.segments == (10000000 - 4096) / 2048 + 1);
+  CHECK(spectrum.density.segment(2, 2000).mean() == Approx(2 * 0.3).epsilon(0.02));
+}
+
+TEST_CASE("input: Welch refuses spacings, segments and overlaps that mean nothing") {
+  CHECK_THROWS_AS(spectra::Welch(0.0), InputError);
+  CHECK_THROWS_AS(spectra::Welch(-0.3), InputError);
+  CHECK_THROWS_AS(spectra::Welch(0.3, {.segment = 8}), InputError);
+  CHECK_THROWS_AS(spectra::Welch(0.3, {.segment = 1001}), InputError);
+  CHECK_THROWS_AS(spectra::Welch(0.3, {.segment = 1000, .parts = 0}), InputError);
+  CHECK_THROWS_AS(spectra::Welch(0.3, {.segment = 1000, .parts = 3}), InputError);
+  CHECK_THROWS_AS(spectra::window_weights(spectra::Window::hann, 4), InputError);
+  CHECK_THROWS_WITH(spectra::parse_window("hanning"), Catch::Contains("boxcar, hann, hamming"));
+  CHECK(spectra::parse_window("dpss") == spectra::Window::dpss);
+  CHECK_THROWS_AS(spectra::band_average({}, 12, 0.5, 0.1), InputError);
+  CHECK_THROWS_AS(spectra::band_average({}, 0, 0.1, 0.5), InputError);
 }

@@ -1,5 +1,5 @@
-// What lib/table states, on seeded files: a number is the nearest double, and records are those of a reader that takes a text as a
-// whole, one character at a time.
+// What lib/table states, on seeded files: a number is the nearest double, and records are those of
+// a reader that takes a text as a whole, one character at a time.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -25,7 +25,7 @@ using namespace railbook::tests;
 namespace {
 
 // As it stands, or packed in one to three members, with or without padding.
-std::string as_kept(Draw& draw, const std::string& text) {
+std::string as_kept(RandomStream& draw, const std::string& text) {
   if (draw(0, 1) < 0.5) return text;
   const std::size_t one = below(draw, text.size() + 1),
                     two = one + below(draw, text.size() - one + 1);
@@ -43,7 +43,7 @@ bool same(double a, double b) {
 TEST_CASE("claim: lines of any length, wherever a block ends") {
   Claim claim("table::LineSource");
   const TemporaryFolder at("lines");
-  Draw draw(1);
+  RandomStream draw(1);
   for (int k = 0; k < 60; ++k) {
     std::vector<std::string> lines;
     std::string text;
@@ -115,7 +115,7 @@ struct Half {
   std::string text;
   double nearest;
 };
-Half half(Draw& draw) {
+Half half(RandomStream& draw) {
   const double low = draw(0, 1) < 0.3
                          ? std::round(draw(1, 3e5)) * std::numeric_limits<double>::denorm_min()
                      : draw(0, 1) < 0.5 ? std::round(draw(4.6e15, 9e15))
@@ -140,7 +140,7 @@ Half half(Draw& draw) {
 TEST_CASE("claim: a cell's number is the nearest double") {
   Claim claim("table::CsvReader");
   const TemporaryFolder at("numbers");
-  Draw draw(2);
+  RandomStream draw(2);
   for (const std::string separator : {",", ";", "\t"})
     for (const bool comma : {false, true}) {
       if (comma && separator == ",") continue;
@@ -237,7 +237,7 @@ Records naive(const std::string& text, char separator) {
 TEST_CASE("claim: records by blocks of rows are those of the whole text") {
   Claim claim("table::read_table");
   const TemporaryFolder at("records");
-  Draw draw(3);
+  RandomStream draw(3);
   const std::array bare{"1.5", " 2 ",      "-3e5",  "x y",      "",
                         "nan", "5\" rail", "1 # 2", "\xc3\xa9", "-"};
   const std::array quoted{"\"a, b; c\td\"",          "\"\"",   "\"\"\"\"", "\"1\n2\"",
@@ -303,7 +303,7 @@ TEST_CASE("claim: what is written reads back") {
   const TemporaryFolder at("written");
   const std::array pieces{"a", ",",  ";",  "\t",   "\"", "#",
                           " ", "\n", "\r", "\r\n", "1",  "\xEF\xBB\xBF"};
-  Draw draw(4);
+  RandomStream draw(4);
   const auto any = [&] {
     std::string text;
     for (std::size_t n = below(draw, 5); n > 0; --n) text += pieces[below(draw, pieces.size())];
@@ -355,7 +355,7 @@ TEST_CASE("claim: columns with units in their headers") {
       {{"m/s^2", "m/s2", "m/s\xC2\xB2"}, 1, units::acceleration},
       {{"mm/s^2", "mm/s\xC2\xB2"}, 1e-3L, units::acceleration},
       {{"GPa"}, 1e9L, units::pressure}};
-  Draw draw(5);
+  RandomStream draw(5);
   for (int k = 0; k < 1000; ++k) {
     const Spelt& one = known[below(draw, known.size())];
     const std::string name = std::array{"x", "left rail", "Rail 2 top"}[below(draw, 3)];

@@ -1,4 +1,5 @@
-// One question to many records: whatever becomes of a record is a row, and the status says whether all were answered.
+// One question to many records: whatever becomes of a record is a row, and the status says whether
+// all were answered.
 #include <railbook/tool/batch.hpp>
 
 #include <unistd.h>
@@ -26,11 +27,11 @@ namespace {
 // Records in a folder of their own; each call of the question leaves a mark.
 struct Batch {
   TemporaryFolder at{"batch"};
-  tool::BatchWish wish;
+  tool::RecordFiles input;
   tool::Destination out{at.path / "out"};
 
   explicit Batch(const std::vector<std::string>& records) {
-    for (const std::string& name : records) wish.files.push_back(at.write(name, name));
+    for (const std::string& name : records) input.files.push_back(at.write(name, name));
   }
 
   std::vector<tool::Row> asked(const fs::path& record) const {
@@ -63,7 +64,7 @@ struct Batch {
     };
     fs::remove(at.path / "asked");
     try {
-      tool::run_batch(wish, out, "sum", [this](const fs::path& record) { return asked(record); });
+      tool::run_batch(input, out, "sum", [this](const fs::path& record) { return asked(record); });
     } catch (const std::exception& thrown) {
       restore();
       if (error == nullptr) throw;
@@ -153,24 +154,24 @@ TEST_CASE("unit: without a folder the rows are printed, and nothing is kept") {
 }
 
 TEST_CASE("unit: one record or many, by files or by a list") {
-  tool::BatchWish wish;
-  CHECK_FALSE(wish.many());
-  CHECK_THROWS_WITH(wish.only(), Contains("there is no record"));
-  wish.files = {"a"};
-  CHECK_FALSE(wish.many());
-  CHECK(wish.only() == "a");
-  wish.files = {"a", "b"};
-  CHECK(wish.many());
-  CHECK(wish.only() == "a");
-  wish.files = {"a"};
-  wish.manifest = "list";
-  CHECK(wish.many());
+  tool::RecordFiles input;
+  CHECK_FALSE(input.many());
+  CHECK_THROWS_WITH(input.only(), Contains("there is no record"));
+  input.files = {"a"};
+  CHECK_FALSE(input.many());
+  CHECK(input.only() == "a");
+  input.files = {"a", "b"};
+  CHECK(input.many());
+  CHECK(input.only() == "a");
+  input.files = {"a"};
+  input.manifest = "list";
+  CHECK(input.many());
 }
 
 TEST_CASE("unit: a list names records beside it, or from the root") {
   Batch batch({"one"});
   fs::create_directory(batch.at.path / "lists");
-  batch.wish.manifest = batch.at.write(
+  batch.input.manifest = batch.at.write(
       "lists/all", "# records\r\n\nhere\r\n" + (batch.at.path / "two").string() + "\n");
   batch.at.write("lists/here", ""), batch.at.write("two", "");
   batch.run();
@@ -178,9 +179,9 @@ TEST_CASE("unit: a list names records beside it, or from the root") {
   REQUIRE(rows.size() == 4);
   CHECK(rows[1]["record"] == (batch.at.path / "lists/here").string());
   CHECK(rows[2]["record"] == (batch.at.path / "two").string());
-  batch.wish.manifest = batch.at.write("lists/zero", std::string("a\0b\n", 4));
+  batch.input.manifest = batch.at.write("lists/zero", std::string("a\0b\n", 4));
   CHECK_THROWS_WITH(batch.run(), Contains("line 1: holds a zero byte"));
-  batch.wish.manifest = batch.at.write("lists/same", (batch.at.path / "one").string() + "\n");
+  batch.input.manifest = batch.at.write("lists/same", (batch.at.path / "one").string() + "\n");
   CHECK_THROWS_WITH(batch.run(), Contains("is named twice"));
 }
 
@@ -188,7 +189,7 @@ TEST_CASE("unit: many records that nothing can be made of leave a table that say
   Batch batch({"refused", "broken"});
   CHECK_THROWS_WITH(batch.run(), Contains("1 of 2 records failed"));
   CHECK(batch.rows().size() == 2);
-  batch.wish.files.clear();
+  batch.input.files.clear();
   CHECK_THROWS_WITH(batch.run(), Contains("there is no record"));
   Batch other({"one", "two"});
   other.out.figure = other.at.path / "x.png";

@@ -29,7 +29,7 @@ TEST_CASE("input: a tool takes quantities with units, from the line or a TOML fi
   double spacing = 0.5, depth = 1;
   long cells = 9;
   std::string rail = "132RE";
-  const tool::Tool solve{"solve", "help", [&](tool::Options& o) {
+  const tool::Tool solve{"solve", "help", [&](tool::OptionParser& o) {
                            o.quantity("--tie-spacing", spacing, units::length, "spacing",
                                       tool::positive);
                            o.quantity("--depth", depth, units::length, "depth", tool::non_negative);

@@ -1,4 +1,5 @@
-// The command line of a program of tools: what it says, word by word, and with which status it ends.
+// The command line of a program of tools: what it says, word by word, and with which status it
+// ends.
 #include <railbook/tool/program.hpp>
 
 #include <catch2/catch.hpp>
@@ -38,7 +39,7 @@ struct Program {
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
     const tool::Tool solve{
-        "solve", "solves it", [this](tool::Options& o) {
+        "solve", "solves it", [this](tool::OptionParser& o) {
           o.quantity("--run-speed", speed, units::speed, "of it", tool::positive);
           o.quantity("--mass", mass, units::mass, "of that", {1, 9});
           o.quantity("--depth", depth, units::length, "below", tool::non_negative);
@@ -60,7 +61,7 @@ struct Program {
             answer.print();
           };
         }};
-    const tool::Tool other{"other", "does nothing", [](tool::Options& o) {
+    const tool::Tool other{"other", "does nothing", [](tool::OptionParser& o) {
                              static double needed = 0;
                              o.quantity("--needed", needed, units::length, "is needed");
                              o.required();

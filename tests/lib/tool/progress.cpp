@@ -21,17 +21,17 @@ TEST_CASE("Progress says what is left at the pace so far") {
 
 TEST_CASE("Progress is silent for two seconds, and where the rest is short") {
   for (const double enough : {1.0, 10.0}) {
-    CHECK_FALSE(tool::worth_saying(1, 1000, 1.9, enough));
-    CHECK(tool::worth_saying(1, 1000, 2.1, enough));
+    CHECK_FALSE(tool::should_report(1, 1000, 1.9, enough));
+    CHECK(tool::should_report(1, 1000, 2.1, enough));
     // 4 s a step: what is left takes a little less, or more, than enough.
-    CHECK_FALSE(tool::worth_saying(10, 10 + 0.24 * enough, 40, enough));
-    CHECK(tool::worth_saying(10, 10 + 0.26 * enough, 40, enough));
+    CHECK_FALSE(tool::should_report(10, 10 + 0.24 * enough, 40, enough));
+    CHECK(tool::should_report(10, 10 + 0.26 * enough, 40, enough));
   }
 }
 
 TEST_CASE("Progress says nothing of just two seconds, nor of just enough") {
-  CHECK_FALSE(tool::worth_saying(1, 1000, 2, 10));
-  CHECK_FALSE(tool::worth_saying(10, 20, 10, 10));
+  CHECK_FALSE(tool::should_report(1, 1000, 2, 10));
+  CHECK_FALSE(tool::should_report(10, 20, 10, 10));
 }
 
 TEST_CASE("Progress is one line in a file, and on a terminal a line that keeps up and goes") {
@@ -52,7 +52,8 @@ TEST_CASE("Progress is one line in a file, and on a terminal a line that keeps u
       CHECK(said.err == "points: 10 of 100, about 19 s to go\n");
       continue;
     }
-    // Again when more than half a second has passed: each third step of 0.21 s, each second of 0.45 s.
+    // Again when more than half a second has passed: each third step of 0.21 s, each second of 0.45
+    // s.
     const std::string begin =
         "\rpoints: 10 of 100, about 19 s to go\x1b[K"
         "\rpoints: 13 of 100, about 18 s to go\x1b[K"

@@ -1,5 +1,5 @@
-// The accuracy that lib/track states of ballast, masses, running surface and lumped parts, on seeded inputs over its range, in
-// 80-bit arithmetic.
+// The accuracy that lib/track states of ballast, masses, running surface and lumped parts, on
+// seeded inputs over its range, in 80-bit arithmetic.
 #include <cmath>
 #include <vector>
 
@@ -32,7 +32,7 @@ Long pyramid(Long l, Long w, Long h, Long modulus, Long angle) {
   return sum / modulus;
 }
 
-TieSupport random_support(Draw& draw) {
+TieSupport random_support(RandomStream& draw) {
   const double spacing = draw.decades(0.1, 10);
   TieSupport s{.tie_spacing = spacing,
                .loaded_length = draw.decades(0.01, 10),
@@ -46,8 +46,8 @@ TieSupport random_support(Draw& draw) {
   return s;
 }
 
-// Hertz's ellipse of semi-axes 1 and sqrt(1 - m), by Gauss's mean: the ratio of curvatures, and C_H over E* and the square root
-// of the larger radius.
+// Hertz's ellipse of semi-axes 1 and sqrt(1 - m), by Gauss's mean: the ratio of curvatures, and C_H
+// over E* and the square root of the larger radius.
 struct Ellipse {
   Long ratio, constant;
 };
@@ -72,7 +72,7 @@ TEST_CASE("claim: ballast, seat and lumped masses") {
       rho("track::ballast_mass_per_length"), seismic("track::seismic_mass_per_length"),
       tie("track::tie_and_ballast_mass"), damper("track::viscous_damping"),
       split("track::rail_on_bed");
-  Draw draw(21);
+  RandomStream draw(21);
   for (int k = 0; k < 1300; ++k) {
     const TieSupport s = random_support(draw);
     const Long l = s.loaded_length, w = s.tie_width, h = s.ballast_depth, angle = s.friction_angle;
@@ -117,7 +117,8 @@ TEST_CASE("claim: ballast, seat and lumped masses") {
     const Long soft = 2 * (pyramid(l, w, h, s.ballast_modulus, steep.friction_angle) +
                            1 / (s.soil_modulus * (l + wide) * (w + wide)));
     const Long K = 1 / ((upper + soft) * s.tie_spacing), all = beta_of(K);
-    // 1/K_r - 1/K_1 as the integral of the growth of 1/K_r with the bed's compliance: (3/4) K_1^-1 c (1 + c t)^(-1/4) dt.
+    // 1/K_r - 1/K_1 as the integral of the growth of 1/K_r with the bed's compliance: (3/4) K_1^-1
+    // c (1 + c t)^(-1/4) dt.
     const Long K1 = 2 * on_seat / beta_of(on_seat), c = soft / upper;
     Long growth = 0, from = 0;
     for (Long to = std::min(Long{1}, 1 / c); from < 1; from = to, to = std::min(Long{1}, 2 * to))
@@ -138,7 +139,7 @@ TEST_CASE("claim: ballast, seat and lumped masses") {
 
 TEST_CASE("claim: Hertz's constant of a wheel on a rail") {
   Claim claim("track::hertz_constant");
-  Draw draw(22);
+  RandomStream draw(22);
   for (int k = 0; k < 1000; ++k) {
     const double m = k % 2 == 0 ? draw.decades(1e-9, 0.9) : 1 - draw.decades(1e-9, 0.5);
     const Ellipse e = ellipse(m);
@@ -157,7 +158,7 @@ TEST_CASE("claim: surfaces of the rail") {
       harmonic("track::rectified_sine_harmonic"), spline("track::SampledProfile"),
       both("track::half_staggered"), cosine("track::cosine_amplitudes"),
       cross("track::CrossLevelSpectrum"), joins("track::breakpoints");
-  Draw draw(23);
+  RandomStream draw(23);
   for (int k = 0; k < 1000; ++k) {
     const RectifiedSine rail{draw.decades(1e-6, 1), draw.decades(0.1, 100)};
     const double x = rail.length * (draw(-100, 100));

@@ -1,5 +1,5 @@
-// The accuracy that lib/track states of rail, foundation, ties and joints, on seeded inputs over its range; exact values in
-// 80-bit arithmetic, by another formula or another method.
+// The accuracy that lib/track states of rail, foundation, ties and joints, on seeded inputs over
+// its range; exact values in 80-bit arithmetic, by another formula or another method.
 #include <cmath>
 #include <complex>
 #include <vector>
@@ -22,7 +22,8 @@ Long beta_of(const WinklerBeam& b) {
   return std::sqrt(std::sqrt(Long{b.foundation_modulus} / b.bending_stiffness / 4));
 }
 
-// EI y'''' + K y = P by its roots: y = P beta/(2 K) Re[(1 - i) exp(-(1 - i) beta |x|)], and its derivatives times EI.
+// EI y'''' + K y = P by its roots: y = P beta/(2 K) Re[(1 - i) exp(-(1 - i) beta |x|)], and its
+// derivatives times EI.
 struct LongState {
   Long y, slope, moment, shear;
 };
@@ -36,11 +37,12 @@ LongState point_load(const WinklerBeam& b, Long force, Long x) {
           -side * ei * (r * r * r * y).real()};
 }
 
-WinklerBeam random_beam(Draw& draw) {
+WinklerBeam random_beam(RandomStream& draw) {
   return {draw.decades(1e-6, 1e12), draw.decades(1e-6, 1e14)};
 }
 
-// The mean of 1/(C - r) over a period of C = cos(phi), r off [-1, 1]; u = 1 - r is given, where nothing cancels.
+// The mean of 1/(C - r) over a period of C = cos(phi), r off [-1, 1]; u = 1 - r is given, where
+// nothing cancels.
 Complex mean_of_pole(Complex u) {
   Complex root = std::sqrt(-u) * std::sqrt(Complex{2} - u);  // of r^2 - 1
   const Complex r = Complex{1} - u;
@@ -48,7 +50,8 @@ Complex mean_of_pole(Complex u) {
   return -Long{1} / root;
 }
 
-// Over discrete ties by residues. With C = cos(phi), u = 1 - C, the response is N(u)/(48 u^2 + tie (12 - 4 u)).
+// Over discrete ties by residues. With C = cos(phi), u = 1 - C, the response is N(u)/(48 u^2 + tie
+// (12 - 4 u)).
 Long tie_ratio(Long b, LoadPlace place) {
   const Long tie = 4 * std::pow(b, Long{4}), k = tie / 12;
   const Complex root = std::sqrt(Complex{k * k / 4 - k * 3});
@@ -60,7 +63,8 @@ Long tie_ratio(Long b, LoadPlace place) {
     return c2 * (Complex{12} - Long{8} * s2) + Long{12} * s2 * c2 +
            (tie + Long{48} * s2) * s2 / Long{16};
   };
-  // At midspan the quotient's whole part, -1/192, and the bending of the span between two ties, 1/192, cancel.
+  // At midspan the quotient's whole part, -1/192, and the bending of the span between two ties,
+  // 1/192, cancel.
   Long y = 0;
   // With C - r_i = u_i - u: sum of N(u_i)/(48 (u_i - u_j)) times the mean of 1/(u - u_i).
   for (int i = 0; i < 2; ++i)
@@ -75,7 +79,7 @@ TEST_CASE("claim: the rail on its foundation") {
       felt("track::stiffness_under_wheel"), masses("track::effective_mass"),
       cut("track::cut_on_mass"), frequency("track::cut_on_frequency"),
       speed("track::critical_speed");
-  Draw draw(11);
+  RandomStream draw(11);
   for (int k = 0; k < 1000; ++k) {
     const double xi = draw.decades(1e-12, 700);
     const auto s = winkler_shapes(xi);
@@ -133,7 +137,7 @@ TEST_CASE("claim: the rail on its foundation") {
 
 TEST_CASE("claim: the deflection by Fourier's integral where it says converged") {
   Claim claim("track::deflection_by_fourier");
-  Draw draw(12);
+  RandomStream draw(12);
   for (int k = 0; k < 1000; ++k) {
     const WinklerBeam beam = random_beam(draw);
     const double x = draw(0, 4) / beam.beta(), asked = 1e-8;
@@ -148,16 +152,18 @@ TEST_CASE("claim: the deflection by Fourier's integral where it says converged")
 TEST_CASE("claim: elements of the beam and ties") {
   Claim exact("track::exact_element"), cubic("track::cubic_element"),
       ties("track::discrete_tie_ratio");
-  Draw draw(13);
+  RandomStream draw(13);
   for (int k = 0; k < 1000; ++k) {
-    // The shapes exp(+-(1 +- i) lambda x) of an element of length 1: the forces that hold each, over its end motions.
+    // The shapes exp(+-(1 +- i) lambda x) of an element of length 1: the forces that hold each,
+    // over its end motions.
     const double lambda = k % 2 == 0 ? draw.decades(1e-6, 3e2) : draw.decades(0.3, 3),
                  ei = draw.decades(1e-3, 1e9), h = draw.decades(1e-3, 1e3);
     const double modulus = 4 * ei * std::pow(lambda / h, 4);
     const Long l = std::sqrt(std::sqrt(Long{modulus} / ei / 4)) * h;
     const auto found = exact_element(ei, modulus, h), hermite = cubic_element(ei, modulus, h);
     const Long b = Long{ei} / (Long{h} * h * h);
-    // Coefficients from sums without differences: power series of x^n/n! to l = 1.5, hyperbolic functions above.
+    // Coefficients from sums without differences: power series of x^n/n! to l = 1.5, hyperbolic
+    // functions above.
     Long delta = 0, f5 = 0, f6 = 0, e = 1, sh = std::sinh(l), ch = std::cosh(l);
     if (l < 1.5L) {
       Long twice = 4 * l * l * l / 3, once = l * l * l / 6,
@@ -205,7 +211,7 @@ TEST_CASE("claim: joints, and rails cut and linked by elements") {
       ratio("track::joint_stiffness_ratio"), loss("track::rotational_stiffness_for_loss"),
       paper("track::paper_joint_ratio"), worst("track::paper_joint_error"),
       best("track::best_joint_factor");
-  Draw draw(14);
+  RandomStream draw(14);
   for (int k = 0; k < 1000; ++k) {
     const WinklerBeam beam = random_beam(draw);
     const Long beta = beta_of(beam), ei = beam.bending_stiffness;
@@ -216,7 +222,8 @@ TEST_CASE("claim: joints, and rails cut and linked by elements") {
     const Joint joint{spring(beta * beta * beta * ei), spring(beta * ei)};
     const double at = static_cast<double>(draw(-4, 4) / beta),
                  x = static_cast<double>(draw(-4, 4) / beta);
-    // The unjointed rail's moment and shear at the joint open a kink and a step, which raise x as a load there would them.
+    // The unjointed rail's moment and shear at the joint open a kink and a step, which raise x as a
+    // load there would them.
     const auto here = point_load(beam, 1, std::abs(Long{at})),
                there = point_load(beam, 1, std::abs(Long{x}));
     const Long side = (at < 0) == (x < 0) ? 1 : -1;

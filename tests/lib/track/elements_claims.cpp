@@ -13,7 +13,7 @@ using namespace railbook::track;
 TEST_CASE("claim: the moving load by finite elements") {
   Claim steady("track::fe_steady"), newmark("track::fe_newmark"),
       twice("track::fe_newmark_extrapolated"), largest("track::largest_difference");
-  Draw draw(32);
+  RandomStream draw(32);
   for (int k = 0; k < 20; ++k) {
     const double theta = draw(0, 1.5), zeta = draw(0.1, 1), h = draw.decades(5e-4, 0.2);
     const FeShape fe = fe_steady(theta, zeta, {h, 1e-15});

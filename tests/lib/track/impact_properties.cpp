@@ -36,7 +36,8 @@ TEST_CASE("property: energy balances, with and without damping, on contact and i
 
 TEST_CASE("property: a flat surface leaves everything at rest") {
   const ImpactHistory history = pass(model, RectifiedSine{0, 10}, 30);
-  // At rest the steps grow to the stability bound, where rounding grows up to the tolerance, not beyond.
+  // At rest the steps grow to the stability bound, where rounding grows up to the tolerance, not
+  // beyond.
   CHECK(history.force(0.03) == Approx(model.static_load).epsilon(1e-6));
   CHECK(history.state(0.05).norm() < 1e-6);
 }

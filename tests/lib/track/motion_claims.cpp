@@ -1,5 +1,6 @@
-// The accuracy that lib/track states of moving loads, lumped tracks and passages over joints, on seeded inputs over its range:
-// against residues, Taylor's series and closed forms in 80 bits, and another integrator.
+// The accuracy that lib/track states of moving loads, lumped tracks and passages over joints, on
+// seeded inputs over its range: against residues, Taylor's series and closed forms in 80 bits, and
+// another integrator.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -49,7 +50,8 @@ struct Quartic {
   Complex at(Complex p) const {
     return ((p * p + 4 * theta * theta) * p - 8 * zeta * theta) * p + Long{4};
   }
-  // 8 times the residues of p^n exp(p s)/Q at the two roots of a side: s > 0 ahead. Around both at once where they are close.
+  // 8 times the residues of p^n exp(p s)/Q at the two roots of a side: s > 0 ahead. Around both at
+  // once where they are close.
   Complex sum(Long s, int n) const {
     const int first = s >= 0 ? 0 : 2;
     const Long sign = s >= 0 ? 8 : -8;
@@ -71,7 +73,8 @@ struct Quartic {
   }
 };
 
-// Rail and velocity of a unit load's passage by Taylor's series in 80 bits, time in units of the modulation's.
+// Rail and velocity of a unit load's passage by Taylor's series in 80 bits, time in units of the
+// modulation's.
 std::array<Long, 6> taylor_passage(const LumpedTrack& track, Long rate, Long t,
                                    const std::array<Long, 4>& scale) {
   const auto n = static_cast<std::size_t>(track.input.size());
@@ -129,7 +132,7 @@ std::array<Long, 6> taylor_passage(const LumpedTrack& track, Long rate, Long t,
   return x;
 }
 
-RailOnBed random_bed(Draw& draw) {
+RailOnBed random_bed(RandomStream& draw) {
   RailOnBed bed{draw.decades(10, 1000), draw.decades(1e6, 1e9), 0,
                 draw.decades(100, 1e4), draw.decades(1e6, 1e9), 0};
   bed.rail_damping = draw(0, 2) * std::sqrt(bed.rail_stiffness * bed.rail_mass);
@@ -142,7 +145,7 @@ RailOnBed random_bed(Draw& draw) {
 TEST_CASE("claim: the moving load's shape") {
   Claim shape_claim("track::moving_load"), extremes("track::MovingLoadShape"),
       undamped("track::undamped_amplification");
-  Draw draw(31);
+  RandomStream draw(31);
   for (int k = 0; k < 1000; ++k) {
     double theta = k % 2 == 0 ? draw.decades(1e-6, 1e6) : draw(0.5, 1.5),
            zeta = k % 4 < 2 ? draw.decades(1e-9, 1e9) : draw.decades(1e-3, 10);
@@ -194,7 +197,7 @@ TEST_CASE("claim: the moving load's shape") {
 TEST_CASE("claim: lumped tracks and their passages") {
   Claim one("track::single_mass"), two("track::two_layer"), passage("track::Passage"),
       side("track::trackside"), peak("track::trackside_peak");
-  Draw draw(33);
+  RandomStream draw(33);
   for (int k = 0; k < 1000; ++k) {
     const RailOnBed bed = random_bed(draw);
     const LumpedTrack layers = two_layer(bed);
@@ -270,7 +273,7 @@ TEST_CASE("claim: passages over joints") {
       dip("track::dip_formula"), extremes("track::force_extremes"), most("track::largest_force"),
       least("track::smallest_force"), mean("track::running_mean"), peaks("track::impact_peaks"),
       audit("track::energy_audit");
-  Draw draw(34);
+  RandomStream draw(34);
   for (int k = 0; k < 1000; ++k) {
     const ImpactModel model{draw.decades(100, 3000), draw.decades(1e3, 1e6),
                             draw.decades(1e9, 1e12), random_bed(draw)};

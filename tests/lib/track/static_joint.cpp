@@ -124,8 +124,9 @@ TEST_CASE("unit: elements on ties agree with the Bloch solution to 1e-10") {
 }
 
 TEST_CASE("unit: a public finite-element code's benchmark on 100 ties is right but for the ties") {
-  // PlatypusBytes/ROSE, benchmark set 1, test_infinite_euler_beam_without_damping: ties 1 m apart of 275 kN/m, EI of 441 kN m^2,
-  // 18 kN over a tie; a run of its December 2025 revision (5099 steps in time) settles to 20.53682 mm.
+  // PlatypusBytes/ROSE, benchmark set 1, test_infinite_euler_beam_without_damping: ties 1 m apart
+  // of 275 kN/m, EI of 441 kN m^2, 18 kN over a tie; a run of its December 2025 revision (5099
+  // steps in time) settles to 20.53682 mm.
   const double ei = 4.41e5, tie = 2.75e5, spacing = 1.0, force = 18e3, theirs = 20.53682e-3;
   const double exact =
       solve_beam(support::rail_on_ties(ei, tie, spacing, 50, LoadPlace::over_tie), {{50, force}})

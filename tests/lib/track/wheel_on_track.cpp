@@ -14,7 +14,8 @@ TEST_CASE(
   CHECK(hertz_constant({18 * in, 10 * in, e, 0.3}) == Approx(8.9093903e10).epsilon(2e-8));
   CHECK(hertz_constant({18 * in, 14 * in, e, 0.3}) == Approx(9.6347360e10).epsilon(2e-8));
   CHECK(hertz_constant({16.5 * in, 10 * in, e, 0.3}) == Approx(8.7006331e10).epsilon(2e-8));
-  // A sphere on a plane would be 4/3 E* sqrt(R); two crossed cylinders of equal radius are that too.
+  // A sphere on a plane would be 4/3 E* sqrt(R); two crossed cylinders of equal radius are that
+  // too.
   const double effective = 0.5 * e / (1 - 0.09);
   CHECK(hertz_constant({18 * in, 18 * in, e, 0.3}) ==
         Approx(4.0 / 3.0 * effective * std::sqrt(18 * in)).epsilon(1e-13));

@@ -1,5 +1,5 @@
-// What lib/units states, on seeded texts: units from their definitions (NIST SP 811, appendix B) in 80-bit arithmetic, numbers as
-// strtold reads them, words and characters by construction.
+// What lib/units states, on seeded texts: units from their definitions (NIST SP 811, appendix B) in
+// 80-bit arithmetic, numbers as strtold reads them, words and characters by construction.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -85,7 +85,7 @@ struct Written {
 };
 
 // `header`: as the suffix of a column's header.
-Written written(Draw& draw, bool header) {
+Written written(RandomStream& draw, bool header) {
   Written w;
   const std::size_t names = 1 + below(draw, header ? 7 : 4);
   for (std::size_t i = 0; i < names; ++i) {
@@ -129,7 +129,7 @@ TEST_CASE("claim: units and quantities as text") {
   }
   const Long largest = std::numeric_limits<double>::max(),
              least = std::numeric_limits<double>::min();
-  Draw draw(1);
+  RandomStream draw(1);
   int allowed = 0, held = 0;
   for (int k = 0; k < 6000; ++k) {
     const Written w = written(draw, false);
@@ -174,7 +174,7 @@ TEST_CASE("claim: units and quantities as text") {
 
 TEST_CASE("claim: a dimension's name reads back") {
   Claim claim("units::si_name");
-  Draw draw(2);
+  RandomStream draw(2);
   const auto power = [&] { return static_cast<int>(below(draw, 17)) - 8; };
   for (int k = 0; k < 3000; ++k) {
     const bool few = k % 2 == 0;
@@ -190,7 +190,7 @@ TEST_CASE("claim: ranges hold what they hold") {
   using L = std::numeric_limits<double>;
   const std::array hard{0.0,      -0.0,        1.0,           L::denorm_min(), -L::denorm_min(),
                         L::max(), L::lowest(), L::infinity(), -L::infinity(),  L::quiet_NaN()};
-  Draw draw(3);
+  RandomStream draw(3);
   const auto any = [&] {
     return draw(0, 1) < 0.5 ? hard[below(draw, hard.size())] : std::round(draw(-3, 3));
   };
@@ -228,7 +228,7 @@ std::size_t edits(const std::string& a, const std::string& b) {
 
 TEST_CASE("claim: the word that was meant takes at most a third of the letters to edit") {
   Claim claim("units::did_you_mean");
-  Draw draw(7);
+  RandomStream draw(7);
   int meant = 0;
   for (int k = 0; k < 4000; ++k) {
     const auto word = [&] {
@@ -280,7 +280,7 @@ TEST_CASE("claim: text from outside is drawn or escaped, character by character"
   constexpr std::array edges{0x0UL,    0x20UL,   0x7fUL,   0x80UL,   0xa0UL,    0x61cUL,   0x7ffUL,
                              0x800UL,  0x200eUL, 0x2028UL, 0x202eUL, 0x2066UL,  0x2069UL,  0xd7ffUL,
                              0xd800UL, 0xdfffUL, 0xe000UL, 0xffffUL, 0x10000UL, 0x10ffffUL};
-  Draw draw(8);
+  RandomStream draw(8);
   for (int k = 0; k < 3000; ++k) {
     std::string text, shown;
     bool cut = false;

@@ -46,7 +46,7 @@ TEST_CASE("unit: powers and products, as written and as said") {
 }
 
 TEST_CASE("unit: a range says which end is open") {
-  const double inf = units::no_limit, tiny = std::numeric_limits<double>::denorm_min();
+  const double inf = units::infinity, tiny = std::numeric_limits<double>::denorm_min();
   CHECK_THROWS_WITH(units::require_non_negative("x", -tiny, "m"), Contains("0 or greater"));
   CHECK_THROWS_WITH(units::require_between("x", 0.5, 1, inf, "m"),
                     Contains("x is 0.5 m; allowed: at least 1"));

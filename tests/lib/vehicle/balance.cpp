@@ -93,7 +93,7 @@ TEST_CASE("New wheel at 150 ft/s: 23 harmonics against integration at 1e-9", "[b
   for (int k = 0; k < 9; ++k) start.shape[k] -= Complex{0, h.y[9 + k] / 13.1};
   start.lambda = {0, 13.1};
   start.speed = 150 * units::foot;
-  const Examined e = examine(car, wheelset::new_wheel_table(), start);
+  const RefinedCycle e = refine_cycle(car, wheelset::new_wheel_table(), start);
   REQUIRE(e.balance.converged);
   for (std::size_t i = 0; i < wheelsets; ++i)
     balanced = std::max(balanced, amplitude(e.balance, o.channels[i].row));
@@ -110,14 +110,15 @@ TEST_CASE("Another cycle is not taken for this one: new wheels at 199 ft/s", "[b
   const auto hopf = hopf_points(linear, 10, 50);
   const auto found = cycles_at_speed(linear, trace_from(linear, hopf[0], {}), 199 * units::foot);
   REQUIRE(found.size() == 2);
-  std::vector<Examined> close;
+  std::vector<RefinedCycle> close;
   for (const CyclePoint& point : found) {
-    const Examined e = examine(car, table, point.motion);
+    const RefinedCycle e = refine_cycle(car, table, point.motion);
     CHECK(e.converged == (e.orbit.converged && e.distance <= another_cycle));
     if (e.converged) close.push_back(e);
   }
   REQUIRE(close.size() == 1);
-  // Balanced at once, the first one leads to a cycle of 24.27 rad/s; by growing orders it goes its own way.
+  // Balanced at once, the first one leads to a cycle of 24.27 rad/s; by growing orders it goes its
+  // own way.
   CHECK(close[0].omega == Approx(22.33).epsilon(1e-3));
 }
 
@@ -143,7 +144,7 @@ TEST_CASE("A cycle's stability is seen in time: both cycles of CN at 131 ft/s", 
   const auto found = cycles_at_speed(linear, trace_from(linear, hopf[0], {}), 131 * units::foot);
   REQUIRE(found.size() == 2);
   for (const CyclePoint& point : found) {
-    const Examined e = examine(car, table, point.motion);
+    const RefinedCycle e = refine_cycle(car, table, point.motion);
     REQUIRE(e.converged);
     CHECK(e.stability.stable == point.stable);
     // Two per cent off the cycle: how much of it is left after 20 periods?

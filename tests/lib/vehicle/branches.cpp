@@ -1,4 +1,5 @@
-// Branches of limit cycles where the car is stiff, slow or straight: an end that is told, never NaN, never endless work.
+// Branches of limit cycles where the car is stiff, slow or straight: an end that is told, never
+// NaN, never endless work.
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -29,7 +30,8 @@ ContinuationOptions bounded() {
   return o;
 }
 
-// From every Hopf point of the car, or, where its arithmetic has no digits left for them, from those of the paper's car.
+// From every Hopf point of the car, or, where its arithmetic has no digits left for them, from
+// those of the paper's car.
 void follow(const CarParameters& data, Suspension suspension,
             const wheelset::ConstraintFunctions& table) {
   const FreightCar car = assemble(data, suspension);

@@ -1,4 +1,5 @@
-// The accuracy that lib/dynamics states of laws, cycles as harmonics, the car and motions in time.
+// The accuracy that lib/cycles and lib/vehicle state of laws, cycles as harmonics, the car and
+// motions in time.
 #include <Eigen/LU>
 #include <cmath>
 #include <vector>
@@ -22,12 +23,12 @@ namespace {
 
 const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(1, 1);
 
-Eigen::VectorXd random_vector(Draw& draw, Eigen::Index n, double size = 1) {
+Eigen::VectorXd random_vector(RandomStream& draw, Eigen::Index n, double size = 1) {
   return Eigen::VectorXd::NullaryExpr(n, [&](Eigen::Index) { return size * draw(-1, 1); });
 }
 
 // The paper's car with every datum between a half and twice of it.
-CarParameters random_car(Draw& draw) {
+CarParameters random_car(RandomStream& draw) {
   CarParameters car;
   for (const CarDatum& datum : car_data()) car.*datum.member *= draw.decades(0.5, 2);
   return car;
@@ -38,7 +39,7 @@ CarParameters random_car(Draw& draw) {
 TEST_CASE("claim: piecewise linear laws") {
   Claim law_claim("cycles::PiecewiseLinear"), fewer("cycles::simplified"),
       clamp("cycles::saturation"), samples("cycles::sampled");
-  Draw draw(2);
+  RandomStream draw(2);
   for (int k = 0; k < 250; ++k) {
     const Eigen::Index n = 3 + k % 9;
     Eigen::VectorXd knots(n);
@@ -113,7 +114,7 @@ TEST_CASE("claim: cycles as harmonics") {
       period("cycles::from_period"), kept("cycles::with_orders"), state("cycles::state_at"),
       ends("cycles::extremes"), half("cycles::amplitude"), apart("cycles::distance"),
       growth("cycles::exponent"), scale("vehicle::scaled");
-  Draw draw(3);
+  RandomStream draw(3);
   Oscillator o{Eigen::MatrixXd::Identity(3, 3), {}, {}, {}, 0.02, {}, {}};
   for (int k = 0; k < 1000; ++k) {
     const bool all = k % 2 == 0;
@@ -211,7 +212,7 @@ TEST_CASE("claim: the car against its bodies one by one") {
       forces("vehicle::assemble"), lateral("vehicle::wheelset_lateral"),
       yaw("vehicle::wheelset_yaw"), rates_claim("cycles::at_speed"),
       channels("vehicle::car_on_track"), compiled("cycles::compile");
-  Draw draw(4);
+  RandomStream draw(4);
   const auto& table = wheelset::cn_table();
   for (int k = 0; k < 500; ++k) {
     const CarParameters data = random_car(draw);
@@ -292,7 +293,7 @@ TEST_CASE("claim: the car against its bodies one by one") {
 
 TEST_CASE("claim: rest and motions in time") {
   Claim still("cycles::rest"), time("cycles::integrate"), swings("cycles::swing");
-  Draw draw(5);
+  RandomStream draw(5);
   for (int k = 0; k < 1000; ++k) {
     // q'' = -l q for q > 0, -r q for q < 0, started at its upper end: half periods pi/root.
     const double l = draw.decades(0.1, 10), r = draw.decades(0.1, 10), top = draw.decades(1e-3, 1);

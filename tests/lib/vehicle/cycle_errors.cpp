@@ -1,4 +1,5 @@
-// Errors stated for cycles and special points, against shooting and finer branches; and motions followed in time.
+// Errors stated for cycles and special points, against shooting and finer branches; and motions
+// followed in time.
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -114,7 +115,8 @@ TEST_CASE("A motion followed in time comes to its cycle, to rest, or leaves the 
   CHECK(grown.cycle.stable);
   CHECK(settle(family, -0.2, start, settling, options).kind == SettledMotion::Kind::rest);
 
-  // Past the fold of the CN wheels, where creep is linear, nothing holds the wheelsets on the table.
+  // Past the fold of the CN wheels, where creep is linear, nothing holds the wheelsets on the
+  // table.
   const QuasiLinearCar car{assemble({}, Suspension::dampers), wheelset::cn_table()};
   const Family cn = by_speed(car.car(), wheelset::cn_table());
   Eigen::VectorXd y = Eigen::VectorXd::Zero(18);

@@ -1,5 +1,6 @@
-// Limit cycles of the full equations against tests/reference/limit_cycles.cpp (the car body by body, fixed steps, orbits closed by
-// Newton, multipliers by differences of orbits), and two routes to one exponent.
+// Limit cycles of the full equations against tests/reference/limit_cycles.cpp (the car body by
+// body, fixed steps, orbits closed by Newton, multipliers by differences of orbits), and two routes
+// to one exponent.
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -31,10 +32,10 @@ Case traced(const wheelset::ConstraintFunctions& table, Suspension suspension) {
   return {std::move(car), table, std::move(branch)};
 }
 
-Examined cycle(const Case& c, double feet_a_second, std::size_t which = 0) {
+RefinedCycle cycle(const Case& c, double feet_a_second, std::size_t which = 0) {
   const auto found = cycles_at_speed(c.car, c.branch, feet_a_second * foot);
   REQUIRE(found.size() > which);
-  return examine(c.car.car(), c.table, found[which].motion);
+  return refine_cycle(c.car.car(), c.table, found[which].motion);
 }
 
 struct Reference {
@@ -44,7 +45,7 @@ struct Reference {
 void compare(const Case& c, const std::vector<Reference>& references) {
   for (const auto& r : references) {
     CAPTURE(r.speed);
-    const Examined e = cycle(c, r.speed);
+    const RefinedCycle e = cycle(c, r.speed);
     REQUIRE(e.converged);
     CHECK(e.amplitude / inch == Approx(r.amplitude).epsilon(r.allowed));
     CHECK(e.omega == Approx(r.omega).epsilon(2e-4));
@@ -67,7 +68,7 @@ TEST_CASE("true cycles: new wheels, Heumann, CN A, with an independent program")
 TEST_CASE("true cycles: multipliers past the torus point of new wheels") {
   const Case c = traced(wheelset::new_wheel_table(), Suspension::dampers);
   for (const auto& [speed, modulus] : {std::pair{153.0, 0.97}, {153.5, 1.06}, {154.0, 1.14}}) {
-    const Examined e = cycle(c, speed);
+    const RefinedCycle e = cycle(c, speed);
     REQUIRE(e.converged);
     CHECK(e.stability.loss == "torus");
     CHECK(e.stability.largest == Approx(modulus).margin(0.007));
@@ -76,7 +77,7 @@ TEST_CASE("true cycles: multipliers past the torus point of new wheels") {
 
 TEST_CASE("true cycles: Hill's determinant has the exponents of the multipliers") {
   const auto compare_exponents = [](const Case& c, double speed, std::size_t which) {
-    const Examined e = cycle(c, speed, which);
+    const RefinedCycle e = cycle(c, speed, which);
     REQUIRE(e.converged);
     const Oscillator car = car_on_track(c.car.car(), c.table, speed * foot);
     const Cycle balanced = balance(car, harmonics(car, e.orbit, 63));
@@ -95,7 +96,7 @@ TEST_CASE("true cycles: Hill's determinant has the exponents of the multipliers"
 
 TEST_CASE("harmonic balance: errors fall as harmonics are added, and 23 suffice for 1e-4") {
   const Case c = traced(wheelset::new_wheel_table(), Suspension::dampers);
-  const Examined e = cycle(c, 150);
+  const RefinedCycle e = cycle(c, 150);
   const Oscillator car = car_on_track(c.car.car(), c.table, 150 * foot);
   double before = 1;
   for (const int highest : {1, 9, 23, 63}) {

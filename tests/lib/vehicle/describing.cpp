@@ -94,7 +94,8 @@ TEST_CASE("describing function: friction, regularized, tends to eq. (12)") {
   CHECK_THROWS_AS(ideal_friction(5, 0), InputError);
 }
 
-// The slope loses digits where the amplitude comes down to the core's width, for there 1 - 1/A is a small difference.
+// The slope loses digits where the amplitude comes down to the core's width, for there 1 - 1/A is a
+// small difference.
 TEST_CASE("describing function: digits of regularized friction against 80-bit arithmetic") {
   const long double pi_l = std::numbers::pi_v<long double>;
   double gain = 0, slope = 0;

@@ -1,4 +1,4 @@
-// The accuracy that lib/dynamics states of describing functions.
+// The accuracy that lib/vehicle states of describing functions.
 #include <cmath>
 #include <vector>
 
@@ -24,7 +24,7 @@ Long beyond(Long beta) {
 TEST_CASE("claim: describing functions") {
   Claim table("vehicle::PiecewiseLinearGain"), smooth("vehicle::describe"),
       ideal("vehicle::ideal_friction"), regular("vehicle::regularized_friction");
-  Draw draw(1);
+  RandomStream draw(1);
   for (int k = 0; k < 1000; ++k) {
     // Dead zones among them, and amplitudes just beyond a bend, where only what is beyond counts.
     std::vector<double> x{0};

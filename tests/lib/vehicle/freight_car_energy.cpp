@@ -92,7 +92,7 @@ TEST_CASE("freight car: data that no car can have are refused by name") {
   for (const CarDatum& datum : car_data()) {
     CarParameters car;
     CAPTURE(datum.key);
-    for (const double bad : {-1.0, std::nan(""), units::no_limit}) {
+    for (const double bad : {-1.0, std::nan(""), units::infinity}) {
       car.*datum.member = bad;
       CHECK_THROWS_WITH(assemble(car, Suspension::dampers), Catch::Contains(datum.key));
     }

@@ -12,7 +12,8 @@ using units::foot, units::inch;
 
 namespace {
 
-// Straight functions with the paper's slopes a dR/dx, a dD/dx, a dPhi/dx, and a steep rise from 0.4 in on.
+// Straight functions with the paper's slopes a dR/dx, a dD/dx, a dPhi/dx, and a steep rise from 0.4
+// in on.
 wheelset::ConstraintFunctions geometry(double r, double d, double phi, double wall = 0) {
   wheelset::ConstraintFunctions g;
   g.half_spacing = CarParameters{}.half_gauge;
@@ -112,8 +113,9 @@ TEST_CASE("Hopf points: rate of growth against solving again") {
         Approx((growth(v + h) - growth(v - h)) / (2 * h)).epsilon(1e-5));
 }
 
-// 145 ft/s with new wheels; 12, 21 and 26 rad/s are in the paper's text. The slopes are those of the
-// reconstructed profiles; the further digits were computed by an independent program from the same slopes.
+// 145 ft/s with new wheels; 12, 21 and 26 rad/s are in the paper's text. The slopes are those of
+// the reconstructed profiles; the further digits were computed by an independent program from the
+// same slopes.
 TEST_CASE("Hopf points: the paper's car") {
   struct Case {
     wheelset::ConstraintFunctions table;
@@ -159,7 +161,8 @@ TEST_CASE("limit cycles: folds, cycles at an amplitude and at a speed") {
   CHECK(branch.rejected_steps == Approx(24).margin(2));
   for (const auto& fold : branch.folds) {
     CAPTURE(fold.largest / inch, fold.motion.speed / foot, fold.speed_by_amplitude);
-    // At a fold the amplitude's criterion changes sign, and V is extreme: neighbours are on one side.
+    // At a fold the amplitude's criterion changes sign, and V is extreme: neighbours are on one
+    // side.
     const auto near = find_cycle(car, fold.motion, fold.largest * (1 + 1e-4));
     const auto other = find_cycle(car, fold.motion, fold.largest * (1 - 1e-4));
     REQUIRE((near.converged && other.converged));

@@ -27,8 +27,8 @@ double fastest_decay(const QuasiLinearCar& car, double speed) {
 
 }  // namespace
 
-// Creep damping is as 1/V: one mode overdamped without bound, hunting ever slower. The constants are an independent
-// program's.
+// Creep damping is as 1/V: one mode overdamped without bound, hunting ever slower. The constants
+// are an independent program's.
 TEST_CASE("linear car: V to zero") {
   const auto car = new_wheels();
   for (const double speed : {1e-3, 1e-2, 0.1}) {
@@ -148,7 +148,8 @@ TEST_CASE("linear car: friction that sticks ever harder") {
     return found[0].motion.speed;
   };
   const double at_4 = speed(1e-4), at_5 = speed(1e-5), at_6 = speed(1e-6);
-  // The speed tends to that of the locked car as the sticking rate; at 1e-6 rounding is in the fourth digit.
+  // The speed tends to that of the locked car as the sticking rate; at 1e-6 rounding is in the
+  // fourth digit.
   const double locked = at_5 + (at_5 - at_4) / 9;
   CHECK(at_5 == Approx(at_4).epsilon(3e-3));
   CHECK(at_6 == Approx(locked).epsilon(2e-3));
@@ -183,7 +184,8 @@ TEST_CASE("limit cycles: at the kink of the flange and at the table's end") {
   CHECK(trace_from(car, hopf[0], options).end == BranchEnd::points);
 }
 
-// The body's yaw inertia at which both critical speeds of the new wheel fall together, by secants: a double root of the pencil.
+// The body's yaw inertia at which both critical speeds of the new wheel fall together, by secants:
+// a double root of the pencil.
 TEST_CASE("linear car: two critical speeds that coincide are both listed") {
   const auto car_with = [](double factor) {
     CarParameters data;

@@ -1,5 +1,5 @@
-// Modes, critical speeds and limit cycles of the quasi-linear car against the eigenvalues, in 80 bits, of the car put together body
-// by body: cars at random, at any speed, of any amplitude.
+// Modes, critical speeds and limit cycles of the quasi-linear car against the eigenvalues, in 80
+// bits, of the car put together body by body: cars at random, at any speed, of any amplitude.
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <vector>
@@ -23,7 +23,7 @@ TEST_CASE("claim: modes and critical speeds of the linear car", "[thorough]") {
   Claim matrices("vehicle::QuasiLinearCar"), shapes("vehicle::modes"),
       rounding("vehicle::growth_rounding"), all("vehicle::hopf_points", 700),
       one("vehicle::find_hopf"), linear("vehicle::solve_linear", 700);
-  Draw draw(1);
+  RandomStream draw(1);
   for (int k = 0; k < 500; ++k) {
     const QuasiLinearCar car = random_quasi(draw, k % 4 == 3);
     const double speed = draw.decades(0.1, 1000);
@@ -77,7 +77,7 @@ TEST_CASE("claim: modes and critical speeds of the linear car", "[thorough]") {
 TEST_CASE("claim: cycles of the quasi-linear car", "[thorough]") {
   Claim found("vehicle::find_cycle", 300), solved("vehicle::solve_cycle", 390),
       along("vehicle::tangent", 300), slope("vehicle::speed_by_amplitude", 300);
-  Draw draw(2);
+  RandomStream draw(2);
   for (int k = 0; k < 100; ++k) {
     const QuasiLinearCar car = random_quasi(draw, k % 4 == 3);
     const auto hopf = hopf_points(car, 6, 90);
@@ -97,9 +97,10 @@ TEST_CASE("claim: cycles of the quasi-linear car", "[thorough]") {
       const double h = 1e-5 * u.norm();
       const auto at = [&](double way) {
         const Unknowns guess = u + way * direction;
-        return solve_cycle(
-            car, guess, u,
-            {.kind = Pick::hyperplane, .normal = direction, .value = direction.dot(guess)});
+        return solve_cycle(car, guess, u,
+                           {.kind = BranchCondition::hyperplane,
+                            .normal = direction,
+                            .value = direction.dot(guess)});
       };
       const Solved up = at(h), down = at(-h);
       REQUIRE((up.converged && down.converged));
@@ -110,7 +111,7 @@ TEST_CASE("claim: cycles of the quasi-linear car", "[thorough]") {
       slope.error(std::abs(speed_by_amplitude(car, m) - rise) / (std::abs(rise) + m.speed / a));
       // At another speed there may be none near; what is found is one.
       const double speed = m.speed * (1 + draw(-1e-3, 1e-3));
-      const Solved there = solve_cycle(car, u, u, {.kind = Pick::speed, .value = speed});
+      const Solved there = solve_cycle(car, u, u, {.kind = BranchCondition::speed, .value = speed});
       if (there.converged)
         solved.error(off_axis(car, there.motion) + std::abs(there.motion.speed / speed - 1));
     }
@@ -120,7 +121,7 @@ TEST_CASE("claim: cycles of the quasi-linear car", "[thorough]") {
 TEST_CASE("claim: branches of the quasi-linear car", "[thorough]") {
   Claim walk("vehicle::trace_from", 300), by_speed("vehicle::cycles_at_speed", 300),
       by_amplitude("vehicle::cycles_at_amplitude", 200);
-  Draw draw(3);
+  RandomStream draw(3);
   for (int k = 0; k < 24; ++k) {
     const QuasiLinearCar car = random_quasi(draw, k % 4 == 3);
     const auto hopf = hopf_points(car, 6, 90);

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include <railbook/cycles/detail/branch_solver.hpp>
-#include <railbook/num/draw.hpp>
+#include <railbook/num/random_stream.hpp>
 #include <railbook/vehicle/car_on_track.hpp>
 #include <railbook/vehicle/creep_limit.hpp>
 #include <railbook/vehicle/cycle_branch.hpp>
@@ -23,10 +23,10 @@ using tests::seen_by;
 
 namespace {
 
-VectorXd random_vector(num::Draw& draw, Index n) {
+VectorXd random_vector(num::RandomStream& draw, Index n) {
   return VectorXd::NullaryExpr(n, [&](Index) { return draw(-1, 1); });
 }
-MatrixXd random_matrix(num::Draw& draw, Index rows, Index columns) {
+MatrixXd random_matrix(num::RandomStream& draw, Index rows, Index columns) {
   return MatrixXd::NullaryExpr(rows, columns, [&](Index, Index) { return draw(-1, 1); });
 }
 
@@ -46,7 +46,7 @@ double off(F&& f, const VectorXd& x, const MatrixXd& derivative, double h) {
 // Of every kind of force: laws of a motion with two outputs, of a rate, and a smooth one of three
 // scalars that sees its speed; the last
 // coordinate is seen by none.
-Oscillator of_all_kinds(num::Draw& draw) {
+Oscillator of_all_kinds(num::RandomStream& draw) {
   constexpr Index n = 4;
   const MatrixXd a = random_matrix(draw, n, n), one = MatrixXd::Identity(n, n);
   Oscillator o{one + 0.2 * a * a.transpose(),
@@ -82,7 +82,7 @@ Oscillator of_all_kinds(num::Draw& draw) {
 TEST_CASE(
     "Derivatives are those of differences: balance, motion in time, creep that friction limits",
     "[newton]") {
-  num::Draw draw(1);
+  num::RandomStream draw(1);
   for (int k = 0; k < 6; ++k) {
     const Oscillator o = of_all_kinds(draw);
     // Rows are in units of their diagonal terms, which here do not hang on the frequency.
@@ -181,7 +181,7 @@ Family on_circles() {
   family.scale = 2;
   return family;
 }
-Place circle(BranchSolver& solver, double radius, double omega, double p) {
+BranchPoint circle(BranchSolver& solver, double radius, double omega, double p) {
   Eigen::MatrixXcd motion = Eigen::MatrixXcd::Zero(2, Index(solver.orders().size()));
   motion.col(0) << radius, Complex{0, -radius};
   return {solver.equations().unknowns(motion), omega, p};
@@ -194,13 +194,13 @@ TEST_CASE("Newton's steps are as the squares of those before: on a branch, from 
   const Family family = on_circles();
   BranchSolver solver{family, {1, 3, 5}};
   const double p = 0.5, omega = std::sqrt(1 + 0.5 * p), radius = std::sqrt(p);
-  num::Draw draw(2);
-  const Place exact = circle(solver, radius, omega, p);
+  num::RandomStream draw(2);
+  const BranchPoint exact = circle(solver, radius, omega, p);
   solver.measure(exact);
   const VectorXd at = solver.scaled(exact), hold = VectorXd::Unit(at.size(), at.size() - 1);
   CHECK(at[at.size() - 2] == Approx(std::log(omega)));
   CHECK(at[at.size() - 1] == Approx(p / 2));
-  const Place again = solver.place(at);
+  const BranchPoint again = solver.place(at);
   CHECK((again.z - exact.z).norm() + std::abs(again.omega - omega) + std::abs(again.parameter - p) <
         1e-14);
   for (int k = 0; k < 10; ++k) {
@@ -232,7 +232,7 @@ TEST_CASE("Newton's steps are as the squares of those before: on a branch, from 
   }
   // A step of more than 2 is none of a start that is near; from far it is shortened.
   for (const double factor : {0.7, 3.0}) {
-    const Place poor = circle(solver, factor * radius, omega * (factor > 1 ? 1.6 : 0.8), p);
+    const BranchPoint poor = circle(solver, factor * radius, omega * (factor > 1 ? 1.6 : 0.8), p);
     solver.measure(poor);
     const VectorXd start = solver.scaled(poor);
     x = start;
@@ -252,7 +252,7 @@ TEST_CASE("Newton's steps are as the squares of those before: on a branch, from 
   x = at, x[x.size() - 2] = 30;
   CHECK_FALSE(solver.correct(x, hold, hold.dot(at)));
   // More harmonics and fewer: what is there is carried over.
-  Place carried = circle(solver, radius, omega, p);
+  BranchPoint carried = circle(solver, radius, omega, p);
   VectorXd direction = solver.direction(solver.tangent(hold));
   const VectorXd before = direction;
   solver.use(orders_up_to(8, true), {&carried.z, &direction});
@@ -275,12 +275,13 @@ TEST_CASE(
     const CycleSearch search = find_cycle(car, hopf, amplitude);
     REQUIRE(search.converged);
     const Unknowns u = scaled(search.cycle.motion);
-    num::Draw draw(3);
+    num::RandomStream draw(3);
     const Unknowns start = u + 0.01 * u.cwiseProduct(random_vector(draw, 20));
     const int largest = largest_wheelset(car.car(), search.cycle.motion.shape);
-    const Pick picks[]{{.kind = Pick::hyperplane, .normal = u, .value = u.dot(u)},
-                       {.kind = Pick::amplitude, .wheelset = largest, .value = amplitude},
-                       {.kind = Pick::speed, .value = search.cycle.motion.speed}};
+    const BranchCondition picks[]{
+        {.kind = BranchCondition::hyperplane, .normal = u, .value = u.dot(u)},
+        {.kind = BranchCondition::amplitude, .wheelset = largest, .value = amplitude},
+        {.kind = BranchCondition::speed, .value = search.cycle.motion.speed}};
     const auto steps_of = [](auto&& solved) {
       std::vector<double> steps;
       for (int most = 1; most <= 12; ++most) {
@@ -292,7 +293,7 @@ TEST_CASE(
       }
       return steps;
     };
-    for (const Pick& pick : picks)
+    for (const BranchCondition& pick : picks)
       check_squares(steps_of([&](int most) { return solve_cycle(car, start, u, pick, most); }), 100,
                     1e-10);
     Motion near = hopf;

@@ -1,5 +1,6 @@
-// Closed orbits, their stability and their harmonics against oscillators whose cycle is known in closed form: of any size and pace, stable
-// and unstable, lopsided, grazing a kink, critically damped, with other coordinates that ride along.
+// Closed orbits, their stability and their harmonics against oscillators whose cycle is known in
+// closed form: of any size and pace, stable and unstable, lopsided, grazing a kink, critically
+// damped, with other coordinates that ride along.
 #include <Eigen/LU>
 #include <cmath>
 #include <vector>
@@ -18,7 +19,8 @@ using Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-// An exact cycle as the first of n coordinates in disguise: q = S p, p_0 the cycle's, the others damped springs that it drives.
+// An exact cycle as the first of n coordinates in disguise: q = S p, p_0 the cycle's, the others
+// damped springs that it drives.
 struct Disguised {
   ExactCycle cycle;
   double size, pace, push;
@@ -45,7 +47,7 @@ struct Draft {
   double inner_to = 10, outer_to = 100;  // of the pace; from 1e-3
 };
 
-Disguised disguised(Draw& draw, const Draft& draft) {
+Disguised disguised(RandomStream& draw, const Draft& draft) {
   // One in five is damped critically beyond the kink.
   const double share_of_critical = draw(0, 1), inner = draw.decades(1e-3, draft.inner_to),
                any = draw.decades(1e-3, draft.outer_to),
@@ -153,7 +155,8 @@ double mismatch(const std::vector<Complex>& exact, const std::vector<Complex>& f
 
 namespace {
 
-// How far p_0 and its rate are from the exact cycle, relative to its size, at the best phase near a share of it.
+// How far p_0 and its rate are from the exact cycle, relative to its size, at the best phase near a
+// share of it.
 double off_cycle(const Disguised& d, const VectorXd& y, double& share) {
   const Eigen::Index n = d.oscillator.coordinates();
   const Eigen::Vector2d found{d.row.dot(y.head(n)), d.row.dot(y.tail(n))},
@@ -174,7 +177,7 @@ double off_cycle(const Disguised& d, const VectorXd& y, double& share) {
 TEST_CASE("claim: closed orbits", "[thorough]") {
   Claim closed("cycles::shoot"), series("cycles::harmonics"), verdict("cycles::stability"),
       in("cycles::padded"), out("cycles::unpadded");
-  Draw draw(1);
+  RandomStream draw(1);
   for (int k = 0; k < 1000; ++k) {
     Draft draft{.n = 1 + k % 3, .symmetric = k % 4 < 2, .backwards = k % 2 == 1};
     // Shooting needs a start whose digits are not lost within a period.
@@ -220,10 +223,10 @@ TEST_CASE("claim: closed orbits", "[thorough]") {
 }
 
 TEST_CASE("claim: cycles of harmonics and their stability", "[thorough]") {
-  Claim balanced("cycles::balance", 297), examined("vehicle::examine", 890),
+  Claim balanced("cycles::balance", 297), examined("vehicle::refine_cycle", 890),
       odd("cycles::is_odd", 300), rates("cycles::multipliers", 297),
       hill("cycles::hill_exponent", 147);
-  Draw draw(2);
+  RandomStream draw(2);
   int lost = 0;
   for (int k = 0; k < 300; ++k) {
     Draft draft{.n = 1 + k % 3, .symmetric = k % 4 < 2, .backwards = k % 2 == 1};
@@ -237,7 +240,7 @@ TEST_CASE("claim: cycles of harmonics and their stability", "[thorough]") {
     Cycle start = with_orders(c, 23, !draft.symmetric);
     start.motion *= 1 + draw(-0.02, 0.02);
     const Cycle found = balance(d.oscillator, start);
-    const Examined e = examine(d.oscillator, start);
+    const RefinedCycle e = refine_cycle(d.oscillator, start);
     if (!found.converged || !e.converged) {
       // A start within the straight piece meets no force to balance, and both say so.
       CHECK_FALSE((found.reason.empty() && e.reason.empty()));

@@ -1,4 +1,5 @@
-// Limit cycles of the paper's four cases by describing functions, against tests/reference/limit_cycles.cpp on the same tables.
+// Limit cycles of the paper's four cases by describing functions, against
+// tests/reference/limit_cycles.cpp on the same tables.
 #include <catch2/catch.hpp>
 #include <cmath>
 

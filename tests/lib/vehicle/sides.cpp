@@ -1,4 +1,5 @@
-// A car whose left and right wheels differ: rest, cycles with a mean, and the forces of wheel and rail along them.
+// A car whose left and right wheels differ: rest, cycles with a mean, and the forces of wheel and
+// rail along them.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -134,8 +135,8 @@ TEST_CASE("Limited creep: the full theory's table beside the cubic, along a bran
     CHECK(*std::max_element(forces.lateral_over_vertical.begin(),
                             forces.lateral_over_vertical.end()) > 0.5);
   }
-  // Both turn back where the wheels reach the flange, at nearly the same speed: 104.2 and 103.1 ft/s. (1 % was asked
-  // first, and 1.03 % found.)
+  // Both turn back where the wheels reach the flange, at nearly the same speed: 104.2 and 103.1
+  // ft/s. (1 % was asked first, and 1.03 % found.)
   CAPTURE(fold[0] / foot, fold[1] / foot);
   CHECK(fold[0] < 0.82 * t[0].branch.points.front().parameter);
   CHECK(fold[1] == Approx(fold[0]).epsilon(0.02));

@@ -58,7 +58,8 @@ double size_of(const Traced& t, const Orbit& orbit, double speed) {
   return largest;
 }
 
-// The largest speed by shooting alone: the parabola of speed over frequency through three orbits round the fold.
+// The largest speed by shooting alone: the parabola of speed over frequency through three orbits
+// round the fold.
 double fold_by_shooting(const Traced& t, const SpecialCycle& fold, const ContinuationOptions& o) {
   double w[3], v[3];
   const double speeds[3] = {fold.at.parameter - 0.15 * foot, fold.at.parameter - 0.05 * foot,
@@ -151,7 +152,8 @@ TEST_CASE("True branches: in a datum as in speed", "[continuation]") {
   auto along = o;
   along.lowest = 0;
   along.highest = 1.1 * value;
-  const auto branch = follow_from(family, start[0].cycle, value, Towards::larger_parameter, along);
+  const auto branch =
+      follow_from(family, start[0].cycle, value, Direction::larger_parameter, along);
   CHECK(branch.stop == BranchStop::parameter);
   const auto there = cycles_at(family, branch, 1.05 * value, along);
   REQUIRE(there.size() == 1);

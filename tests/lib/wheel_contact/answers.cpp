@@ -25,21 +25,21 @@ namespace {
 constexpr double speed = 20;
 
 // A cone on one crown of 0.3 m, or on two of 0.2 m that are 20 mm apart, the right one lower.
-Pair on_crown(double slope = 0) {
+ProfilePair on_crown(double slope = 0) {
   return {Profile(std::vector{Profile::Piece{-0.05, 0.05, {0, slope}}}),
           Profile({arc(-0.05, 0.05, 0, 0.3)})};
 }
-Pair on_two(double lower) {
+ProfilePair on_two(double lower) {
   return {Profile(std::vector{Profile::Piece{-0.05, 0.05}}),
           Profile({arc(-0.04, 0, -0.01, 0.2), arc(0, 0.04, 0.01, 0.2, lower)})};
 }
 
-WheelWish wish_of(Method method = Method::hertz, double load = 60e3) {
-  WheelWish wish;
-  wish.load = load, wish.speed = speed, wish.turning = 1.002 * speed / 0.46;
-  wish.method = method;
-  wish.along = wish.across = 16;
-  return wish;
+WheelInput wish_of(Method method = Method::hertz, double load = 60e3) {
+  WheelInput input;
+  input.load = load, input.speed = speed, input.angular_velocity = 1.002 * speed / 0.46;
+  input.method = method;
+  input.along = input.across = 16;
+  return input;
 }
 
 bool doubted(const WheelResult& found, const std::string& text) {
@@ -49,10 +49,10 @@ bool doubted(const WheelResult& found, const std::string& text) {
 }  // namespace
 
 TEST_CASE("unit: every quantity of a wheel's wish is refused beyond its range and not within") {
-  const Pair pair = on_crown();
-  const auto refused = [&](const Pose& pose, const WheelWish& wish) -> std::string {
+  const ProfilePair pair = on_crown();
+  const auto refused = [&](const Pose& pose, const WheelInput& input) -> std::string {
     try {
-      solve_wheel(pair, pose, wish);
+      solve_wheel(pair, pose, input);
     } catch (const InputError& error) {
       return error.what();
     }
@@ -70,16 +70,17 @@ TEST_CASE("unit: every quantity of a wheel's wish is refused beyond its range an
       starts(refused({.roll = sign * share * 0.1}, wish_of()), "roll is ");
     }
     const auto with = [&](auto&& change) {
-      WheelWish wish = wish_of();
-      change(wish);
-      return refused({}, wish);
+      WheelInput input = wish_of();
+      change(input);
+      return refused({}, input);
     };
-    starts(with([&](WheelWish& w) { w.friction.coefficient = 2 * share; }), "friction is ");
-    starts(with([&](WheelWish& w) { w.friction.left = share; }), "friction's share");
-    starts(with([&](WheelWish& w) { w.friction.left = 1 - share; }), "friction's share");
-    for (long WheelWish::*cells : {&WheelWish::along, &WheelWish::across}) {
-      starts(with([&](WheelWish& w) { w.*cells = beyond ? 7 : 8; }), "cells a");
-      starts(with([&](WheelWish& w) { w.*cells = beyond ? 513 : 512; }), "cells a");
+    starts(with([&](WheelInput& w) { w.friction.coefficient = 2 * share; }), "friction is ");
+    starts(with([&](WheelInput& w) { w.friction.high_speed_share = share; }), "friction's share");
+    starts(with([&](WheelInput& w) { w.friction.high_speed_share = 1 - share; }),
+           "friction's share");
+    for (long WheelInput::*cells : {&WheelInput::along, &WheelInput::across}) {
+      starts(with([&](WheelInput& w) { w.*cells = beyond ? 7 : 8; }), "cells a");
+      starts(with([&](WheelInput& w) { w.*cells = beyond ? 513 : 512; }), "cells a");
     }
   }
 }
@@ -118,7 +119,7 @@ TEST_CASE("unit: a patch that turns by 0.35 rad, and unlike materials of 0.02, a
   Profile::Piece hollow{-0.012, 0.012, {-0.0155}}, head{0.735, 0.765, {0.015}};
   hollow.sign = 1, hollow.radius = 0.0155;
   head.sign = -1, head.centre = middle, head.radius = 0.015;
-  const Pair conformal{Profile({hollow}), Profile({head})};
+  const ProfilePair conformal{Profile({hollow}), Profile({head})};
   int plane = 0;
   double before = 0;
   for (int k = 0; k < 12; ++k) {
@@ -137,11 +138,11 @@ TEST_CASE("unit: a patch that turns by 0.35 rad, and unlike materials of 0.02, a
   int alike = 0;
   for (int k = 0; k < 12; ++k)
     for (const bool wheel : {false, true}) {
-      WheelWish wish = wish_of();
-      (wheel ? wish.wheel : wish.rail).young = 210e9 - 5e9 * k;
-      const double unlike = rolling::join(wish.wheel, wish.rail).dissimilarity;
+      WheelInput input = wish_of();
+      (wheel ? input.wheel : input.rail).young = 210e9 - 5e9 * k;
+      const double unlike = rolling::combine(input.wheel, input.rail).dissimilarity;
       CAPTURE(unlike);
-      CHECK(doubted(solve_wheel(on_crown(), {}, wish), "unlike materials") ==
+      CHECK(doubted(solve_wheel(on_crown(), {}, input), "unlike materials") ==
             (std::abs(unlike) > 0.02));
       alike += std::abs(unlike) > 0.02 ? 0 : 1;
     }
@@ -152,9 +153,9 @@ TEST_CASE("unit: a patch that turns by 0.35 rad, and unlike materials of 0.02, a
 TEST_CASE(
     "unit: of the full theory too, creepages are those of its depth, and friction of its slip") {
   for (const double yaw : {0.0, 0.01}) {
-    WheelWish wish = wish_of(Method::full);
-    wish.friction = {0.4, 0.25, 0.3};
-    const WheelResult found = solve_wheel(on_crown(0.05), {.yaw = yaw}, wish);
+    WheelInput input = wish_of(Method::full);
+    input.friction = {0.4, 0.25, 0.3};
+    const WheelResult found = solve_wheel(on_crown(0.05), {.yaw = yaw}, input);
     REQUIRE(found.converged);
     REQUIRE(found.patches.size() == 1);
     const PatchResult& p = found.patches.front();
@@ -163,15 +164,16 @@ TEST_CASE(
     const Eigen::Vector3d arm =
         p.patch.frame.origin + p.approach * n - Eigen::Vector3d(0, 0, found.z - 0.46);
     const Eigen::Vector3d axle(-std::sin(yaw), std::cos(yaw), 0);
-    const Eigen::Vector3d v = Eigen::Vector3d(speed, 0, 0) - wish.turning * axle.cross(arm);
+    const Eigen::Vector3d v =
+        Eigen::Vector3d(speed, 0, 0) - input.angular_velocity * axle.cross(arm);
     const double mean = speed - 0.5 * v.x();
     CHECK(p.creepage.longitudinal == Approx(v.x() / mean).epsilon(1e-9));
     CHECK(p.creepage.lateral == Approx(v.dot(p.patch.frame.across()) / mean).margin(1e-11));
-    CHECK(p.creepage.spin == Approx(-wish.turning * axle.dot(n) / mean).epsilon(1e-9));
+    CHECK(p.creepage.spin == Approx(-input.angular_velocity * axle.dot(n) / mean).epsilon(1e-9));
     const double slip =
         std::sqrt(std::pow(p.creepage.longitudinal, 2) + std::pow(p.creepage.lateral, 2) +
                   std::pow(p.creepage.spin, 2) * p.area / 3.14159265358979 / 2);
-    CHECK(p.friction == Approx(wish.friction.at(slip * mean)).epsilon(1e-9));
+    CHECK(p.friction == Approx(input.friction.at(slip * mean)).epsilon(1e-9));
     CHECK(found.force.z() == Approx(p.load * std::cos(angle) + p.forces.fy * std::sin(angle)));
     CHECK(found.force.z() == Approx(60e3).epsilon(1e-3));
     CHECK(p.load == Approx(p.pressure.sum() * p.grid.dx * p.grid.dy).epsilon(1e-9));
@@ -191,11 +193,11 @@ TEST_CASE(
 
 TEST_CASE("unit: two crowns share the load of the full theory as Hertz's theory has it") {
   for (const double lower : {0.0, 1e-5, 2.5e-5}) {
-    WheelWish wish = wish_of(Method::full);
-    wish.friction.coefficient = 0;
-    const WheelResult full = solve_wheel(on_two(lower), {}, wish);
-    wish.method = Method::hertz;
-    const WheelResult hertz = solve_wheel(on_two(lower), {}, wish);
+    WheelInput input = wish_of(Method::full);
+    input.friction.coefficient = 0;
+    const WheelResult full = solve_wheel(on_two(lower), {}, input);
+    input.method = Method::hertz;
+    const WheelResult hertz = solve_wheel(on_two(lower), {}, input);
     CAPTURE(lower);
     REQUIRE(full.converged);
     REQUIRE(full.patches.size() == 2);
@@ -211,13 +213,13 @@ TEST_CASE("unit: two crowns share the load of the full theory as Hertz's theory 
 }
 
 TEST_CASE("unit: a free wheelset's answer is its mirror image in the mirrored pose") {
-  const Pair pair = on_crown(-0.05);
+  const ProfilePair pair = on_crown(-0.05);
   for (const Method method : {Method::hertz, Method::strips, Method::full})
     for (const double friction : {0.0, 0.3}) {
-      WheelWish wish = wish_of(method);
-      wish.friction.coefficient = friction;
-      const WheelsetResult right = solve_wheelset(pair, {.y = 2e-3, .yaw = 1e-3}, wish),
-                           left = solve_wheelset(pair, {.y = -2e-3, .yaw = -1e-3}, wish);
+      WheelInput input = wish_of(method);
+      input.friction.coefficient = friction;
+      const WheelsetResult right = solve_wheelset(pair, {.y = 2e-3, .yaw = 1e-3}, input),
+                           left = solve_wheelset(pair, {.y = -2e-3, .yaw = -1e-3}, input);
       CAPTURE(static_cast<int>(method), friction);
       REQUIRE(right.converged);
       REQUIRE(left.converged);
@@ -225,29 +227,29 @@ TEST_CASE("unit: a free wheelset's answer is its mirror image in the mirrored po
       CHECK(right.pose.y == 2e-3);
       CHECK(right.pose.roll != 0);
       CHECK(left.pose.roll == Approx(-right.pose.roll).epsilon(1e-4));
-      CHECK(left.turning == Approx(right.turning).epsilon(1e-8));
+      CHECK(left.angular_velocity == Approx(right.angular_velocity).epsilon(1e-8));
       CHECK(std::abs(right.left.z - right.right.z) < 2.1e-8);
       CHECK(left.left.z == Approx(right.right.z).epsilon(1e-6).margin(1e-9));
       CHECK(left.right.force.y() == Approx(right.left.force.y()).epsilon(1e-3));
       if (friction == 0) {
-        CHECK(right.turning == speed / 0.46);
+        CHECK(right.angular_velocity == speed / 0.46);
         CHECK(right.left.force.x() == 0);
       } else {
         CHECK(std::abs(right.left.axle_moment + right.right.axle_moment) <
-              1.01e-4 * friction * wish.load * 0.46);
-        CHECK(right.turning != Approx(speed / 0.46).epsilon(1e-6));
+              1.01e-4 * friction * input.load * 0.46);
+        CHECK(right.angular_velocity != Approx(speed / 0.46).epsilon(1e-6));
       }
     }
 }
 
 TEST_CASE("unit: a patch that unloads on the way to the load is left out of the answer") {
-  WheelWish wish = wish_of(Method::full);
-  wish.friction.coefficient = 0;
-  const WheelResult alone = solve_wheel(on_two(1e-3), {}, wish);
+  WheelInput input = wish_of(Method::full);
+  input.friction.coefficient = 0;
+  const WheelResult alone = solve_wheel(on_two(1e-3), {}, input);
   const double sunk = alone.z - alone.z_touch;
   std::size_t last = 2;
   for (double lower = 0.96; lower < 1.04; lower += 0.004) {
-    const WheelResult found = solve_wheel(on_two(lower * sunk), {}, wish);
+    const WheelResult found = solve_wheel(on_two(lower * sunk), {}, input);
     CAPTURE(lower);
     REQUIRE(found.converged);
     CHECK(found.force.z() == Approx(60e3).epsilon(2e-5));
@@ -259,19 +261,20 @@ TEST_CASE("unit: a patch that unloads on the way to the load is left out of the 
 }
 
 TEST_CASE("unit: a load is borne at a depth of up to 2 mm, or said to need more") {
-  // Hertz's load at the depth; a flat crown bears it higher up than the search begins, a sharp one deeper.
+  // Hertz's load at the depth; a flat crown bears it higher up than the search begins, a sharp one
+  // deeper.
   for (const double crown : {0.02, 0.3, 3.0})
     for (const double depth : {1.9e-3, 1.99e-3, 2.01e-3, 2.1e-3, 5e-3}) {
-      const Pair pair{Profile(std::vector{Profile::Piece{-0.2, 0.2}}),
-                      Profile({arc(-0.019, 0.019, 0, crown)})};
-      WheelWish wish = wish_of();
-      wish.friction.coefficient = 0;
-      const double modulus = rolling::join(wish.wheel, wish.rail).effective_modulus;
+      const ProfilePair pair{Profile(std::vector{Profile::Piece{-0.2, 0.2}}),
+                             Profile({arc(-0.019, 0.019, 0, crown)})};
+      WheelInput input = wish_of();
+      input.friction.coefficient = 0;
+      const double modulus = rolling::combine(input.wheel, input.rail).effective_modulus;
       Profile::Piece flat = arc(-0.15, 0.15, 0, crown);
-      const Pair wide = crown > 0.15 ? Pair{pair.wheel, Profile({flat})} : pair;
-      wish.load = contact::hertz_from_approach({0.5 / 0.46, 0.5 / crown}, modulus, depth).force;
-      const WheelResult found = solve_wheel(wide, {}, wish);
-      CAPTURE(crown, depth, wish.load, found.z - found.z_touch, found.reason);
+      const ProfilePair wide = crown > 0.15 ? ProfilePair{pair.wheel, Profile({flat})} : pair;
+      input.load = contact::hertz_from_approach({0.5 / 0.46, 0.5 / crown}, modulus, depth).force;
+      const WheelResult found = solve_wheel(wide, {}, input);
+      CAPTURE(crown, depth, input.load, found.z - found.z_touch, found.reason);
       CHECK(found.converged == (depth < 2e-3));
       if (depth < 2e-3)
         CHECK(found.z - found.z_touch == Approx(depth).epsilon(3e-3));
@@ -284,13 +287,14 @@ TEST_CASE("unit: a wheelset that no roll within 0.05 rad levels is refused") {
   // Steep cones: a shift lifts one side by the slope more, and a roll levels 1.5 m of track.
   Profile::Piece head{middle - 0.045, middle + 0.045, {0.05}};
   head.sign = -1, head.centre = middle, head.radius = 0.05;
-  const Pair steep{Profile(std::vector{Profile::Piece{-0.2, 0.2, {0, 1.2}}}), Profile({head})};
+  const ProfilePair steep{Profile(std::vector{Profile::Piece{-0.2, 0.2, {0, 1.2}}}),
+                          Profile({head})};
   for (const double y : {0.01, 0.05}) {
     std::string refused;
     try {
       const double roll = rigid_roll(steep, y, 0);
-      CHECK(std::abs(touching(Placed(steep, {y, 0, roll})).z() -
-                     touching(Placed(steep, mirrored({y, 0, roll}))).z()) < 1e-11);
+      CHECK(std::abs(find_contact(PlacedWheel(steep, {y, 0, roll})).z() -
+                     find_contact(PlacedWheel(steep, mirrored({y, 0, roll}))).z()) < 1e-11);
     } catch (const InputError& error) {
       refused = error.what();
     }
@@ -304,9 +308,9 @@ TEST_CASE("unit: a wheel and rail of another size have the same answer, in their
   const auto answer = [](double s) {
     Profile::Piece tread{-0.05 * s, 0.05 * s, {0, 0.05}}, head{0.7 * s, 0.8 * s, {0.3 * s}};
     head.sign = -1, head.centre = 0.75 * s, head.radius = 0.3 * s;
-    WheelWish wish = wish_of(Method::full, 60e3 * s * s);
-    wish.along = 24, wish.turning /= s;
-    return solve_wheel({Profile({tread}), Profile({head}), 0.46 * s, 0.75 * s}, {}, wish);
+    WheelInput input = wish_of(Method::full, 60e3 * s * s);
+    input.along = 24, input.angular_velocity /= s;
+    return solve_wheel({Profile({tread}), Profile({head}), 0.46 * s, 0.75 * s}, {}, input);
   };
   const WheelResult one = answer(1);
   REQUIRE(one.patches.size() == 1);
@@ -334,18 +338,18 @@ TEST_CASE("unit: a wheel and rail of another size have the same answer, in their
 }
 
 TEST_CASE("unit: of a wheel that spins backwards friction falls with its slip as well") {
-  WheelWish wish = wish_of();
-  wish.friction = {0.4, 0.25, 30};
-  wish.turning = -3 * speed / 0.46;
-  const PatchResult p = solve_wheel(on_crown(), {}, wish).patches.front();
+  WheelInput input = wish_of();
+  input.friction = {0.4, 0.25, 30};
+  input.angular_velocity = -3 * speed / 0.46;
+  const PatchResult p = solve_wheel(on_crown(), {}, input).patches.front();
   // The rim runs back at three times the speed: 80 m/s over the rail.
-  CHECK(p.friction == Approx(wish.friction.at(4 * speed)).epsilon(1e-3));
+  CHECK(p.friction == Approx(input.friction.at(4 * speed)).epsilon(1e-3));
 }
 
 TEST_CASE("unit: stresses below a patch that slides lie on the cells of its tractions") {
-  const WheelWish wish = wish_of(Method::full);
-  const PatchResult p = solve_wheel(on_crown(), {}, wish).patches.front();
-  const PatchStress found = stresses(p, wish);
+  const WheelInput input = wish_of(Method::full);
+  const PatchResult p = solve_wheel(on_crown(), {}, input).patches.front();
+  const PatchStress found = stresses(p, input);
   const auto& t = p.forces.tractions;
   for (Eigen::Index k = 0; k < t.x.size(); ++k) {
     const double column = (t.x[k] - found.grid.x(0)) / found.grid.dx,
@@ -357,10 +361,10 @@ TEST_CASE("unit: stresses below a patch that slides lie on the cells of its trac
 
 TEST_CASE("unit: a wheelset's wish is refused beyond its range and not within") {
   const auto refused = [](const Pose& pose, double load, double along) -> std::string {
-    WheelWish wish = wish_of(Method::hertz, load);
-    wish.speed = along, wish.friction.coefficient = 0;
+    WheelInput input = wish_of(Method::hertz, load);
+    input.speed = along, input.friction.coefficient = 0;
     try {
-      solve_wheelset(on_crown(-0.05), pose, wish);
+      solve_wheelset(on_crown(-0.05), pose, input);
     } catch (const InputError& error) {
       return error.what();
     }
@@ -381,8 +385,8 @@ TEST_CASE("unit: a wheel that is nearest to the rail at an end touches with that
   for (const double side : {-1.0, 1.0}) {
     // A cone that ends above the crown, which would be nearer beyond it.
     Profile::Piece cone{side > 0 ? -0.02 : 0, side > 0 ? 0 : 0.02, {0, side * 0.05}};
-    const Pair pair{Profile({cone}), Profile({arc(-0.05, 0.05, 0, 0.3)})};
-    const Touching found = touching(Placed(pair, {}));
+    const ProfilePair pair{Profile({cone}), Profile({arc(-0.05, 0.05, 0, 0.3)})};
+    const ContactSearch found = find_contact(PlacedWheel(pair, {}));
     CHECK(found.least.front().s == Approx(0).margin(2e-7));
     CHECK(at_end(pair, found.least.front()));
   }

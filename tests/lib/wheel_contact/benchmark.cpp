@@ -33,8 +33,9 @@ TEST_CASE("unit: S1002 and the rail have their published measures") {
 }
 
 TEST_CASE("unit: the benchmark's rigid contact to a hundredth of a millimetre") {
-  // Roll [urad], depth [mm], y_r and s of the right wheel, of the left, difference of radii; without yaw. Derived for this
-  // project by another program, which agrees with CONTACT's first touch to 1e-4 mm.
+  // Roll [urad], depth [mm], y_r and s of the right wheel, of the left, difference of radii;
+  // without yaw. Derived for this project by another program, which agrees with CONTACT's first
+  // touch to 1e-4 mm.
   constexpr double table[11][7] = {{0, 0.1821, -7.28, 3.25, 7.28, 3.25, 0.000},
                                    {-54, 0.1618, -18.86, -9.36, 5.01, 6.55, 0.637},
                                    {-116, 0.1297, -19.62, -11.14, 3.85, 8.73, 0.804},
@@ -46,14 +47,15 @@ TEST_CASE("unit: the benchmark's rigid contact to a hundredth of a millimetre") 
                                    {-8663, -6.3310, -40.74, -42.34, 2.21, 20.33, 20.855},
                                    {-10174, -7.4751, -40.07, -43.40, 2.73, 21.52, 22.220},
                                    {-11350, -8.3614, -39.46, -44.36, 3.30, 22.50, 23.281}};
-  const Pair& pair = benchmark_pair();
+  const ProfilePair& pair = benchmark_pair();
   for (std::size_t i = 0; i < 11; ++i) {
     INFO("y = " << i << " mm");
     const double* row = table[i];
     const double y = 1e-3 * static_cast<double>(i), roll = rigid_roll(pair, y, 0);
     CHECK(1e6 * roll == Approx(row[0]).margin(0.6));
     const Pose pose{y, 0, roll};
-    const auto right = touching(Placed(pair, pose)), left = touching(Placed(pair, mirrored(pose)));
+    const auto right = find_contact(PlacedWheel(pair, pose)),
+               left = find_contact(PlacedWheel(pair, mirrored(pose)));
     CHECK(1e3 * right.z() == Approx(row[1]).margin(1.5e-4));
     const auto &r = right.least.front(), &l = left.least.front();
     CHECK(1e3 * r.at.y() - benchmark_rail_origin == Approx(row[2]).margin(0.009));
@@ -103,7 +105,8 @@ TEST_CASE("unit: the benchmark's case A2.2 as CONTACT answers it") {
       compare(found, benchmark_right[i], 1);
       continue;
     }
-    // Just beyond a jump: two areas bear load, 10 mm apart, which CONTACT makes one and this program keeps two.
+    // Just beyond a jump: two areas bear load, 10 mm apart, which CONTACT makes one and this
+    // program keeps two.
     REQUIRE(found.patches.size() == 2);
     CHECK(1e-6 * found.patches[0].p_max == Approx(1592).epsilon(0.02));
     CHECK(found.force.z() == Approx(10e3).epsilon(1e-3));
@@ -113,23 +116,24 @@ TEST_CASE("unit: the benchmark's case A2.2 as CONTACT answers it") {
 TEST_CASE("unit: a free wheelset finds the benchmark's roll and turning") {
   for (const std::size_t i : {2, 8}) {
     INFO("y = " << i << " mm");
-    WheelWish wish = benchmark_wish(i);
-    wish.turning = 0;
-    wish.along = wish.across = 24;
-    const WheelsetResult found = solve_wheelset(benchmark_pair(), benchmark_pose(i), wish);
+    WheelInput input = benchmark_wish(i);
+    input.angular_velocity = 0;
+    input.along = input.across = 24;
+    const WheelsetResult found = solve_wheelset(benchmark_pair(), benchmark_pose(i), input);
     REQUIRE(found.converged);
     CHECK(1e6 * found.pose.roll == Approx(benchmark_poses[i].roll_urad).margin(3));
     // Where all slides, the moments hardly hang on the turning.
-    CHECK(found.turning == Approx(benchmark_poses[i].turning).epsilon(i == 8 ? 1e-4 : 2e-5));
+    CHECK(found.angular_velocity ==
+          Approx(benchmark_poses[i].angular_velocity).epsilon(i == 8 ? 1e-4 : 2e-5));
   }
 }
 
 TEST_CASE("unit: the strips are near CONTACT on ordinary patches") {
   for (const std::size_t i : {1, 2, 3, 4, 6}) {
     INFO("right wheel, y = " << i << " mm");
-    WheelWish wish = benchmark_wish(i);
-    wish.method = Method::strips;
-    const WheelResult found = solve_wheel(benchmark_pair(), benchmark_pose(i), wish);
+    WheelInput input = benchmark_wish(i);
+    input.method = Method::strips;
+    const WheelResult found = solve_wheel(benchmark_pair(), benchmark_pose(i), input);
     REQUIRE(found.converged);
     const BenchmarkWheel& c = benchmark_right[i];
     const PatchResult& p = found.patches.front();

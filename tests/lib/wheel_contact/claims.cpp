@@ -1,5 +1,5 @@
-// The accuracy that lib/wheel_on_rail states, on seeded wheels and rails: a cylinder on a round rail, whose surfaces and contacts
-// are closed forms, and S1002 on 60E1.
+// The accuracy that lib/wheel_on_rail states, on seeded wheels and rails: a cylinder on a round
+// rail, whose surfaces and contacts are closed forms, and S1002 on 60E1.
 #include <cmath>
 
 #include <railbook/contact/hertz.hpp>
@@ -19,7 +19,7 @@ namespace {
 constexpr double middle = 0.75;
 
 // A wheel of `radius` with a straight tread on a rail of one radius, both about the running circle.
-Pair cylinder_on_round(double radius, double crown) {
+ProfilePair cylinder_on_round(double radius, double crown) {
   Profile::Piece tread{-0.05, 0.05}, head{0.70, 0.80, {crown}};
   head.sign = -1, head.centre = middle, head.radius = crown;
   return {Profile({tread}), Profile({head}), radius, middle};
@@ -33,7 +33,7 @@ Long fall(Long radius, Long distance) {
 
 TEST_CASE("claim: profiles") {
   Claim claim("profiles::Profile");
-  Draw draw(1);
+  RandomStream draw(1);
   for (int k = 0; k < 100; ++k) {
     // Arcs and lines against the chain they come from; polynomials against 80 bits.
     std::vector<profiles::Step> steps;
@@ -71,16 +71,16 @@ TEST_CASE("claim: profiles") {
 }
 
 TEST_CASE("claim: where a wheel touches, and by how much it overlaps") {
-  Claim touch("wheel_contact::touching"), over("wheel_contact::overlap"),
+  Claim touch("wheel_contact::find_contact"), over("wheel_contact::overlap"),
       areas("wheel_contact::patches"), roll("wheel_contact::rigid_roll", 40);
-  Draw draw(2);
+  RandomStream draw(2);
   for (int k = 0; k < 250; ++k) {
     const double radius = draw.decades(0.2, 1), crown = draw.decades(0.05, 0.5);
-    const Pair pair = cylinder_on_round(radius, crown);
+    const ProfilePair pair = cylinder_on_round(radius, crown);
     // A straight tread stays straight under yaw and roll, and touches where the rail has its slope.
     const Pose pose{draw(-5e-3, 5e-3), draw(-0.05, 0.05), draw(-0.02, 0.02)};
-    const Placed wheel(pair, pose);
-    const Touching found = touching(wheel);
+    const PlacedWheel wheel(pair, pose);
+    const ContactSearch found = find_contact(wheel);
     const Long s = std::sin(Long{pose.roll}), c = std::cos(Long{pose.roll});
     const Long y = middle + crown * s, z = s * (y - pose.y + s * radius) / c + c * radius - radius;
     touch.error(static_cast<double>(std::abs(found.z() - (fall(crown, crown * s) - z))));
@@ -89,8 +89,8 @@ TEST_CASE("claim: where a wheel touches, and by how much it overlaps") {
     touch.error(found.least.size() == 1 ? 0 : 1);
 
     // Upright: pressed in by delta, the overlap is what both surfaces leave of it.
-    const Placed upright(pair, {});
-    const Touching level = touching(upright);
+    const PlacedWheel upright(pair, {});
+    const ContactSearch level = find_contact(upright);
     const double delta = draw.decades(1e-6, 3e-4);
     const auto all = patches(upright, level, level.z() + delta);
     REQUIRE(all.size() == 1);
@@ -111,13 +111,13 @@ TEST_CASE("claim: where a wheel touches, and by how much it overlaps") {
       areas.error(static_cast<double>(std::abs(d.overlap - (delta - fall(crown, d.t)))));
     }
   }
-  const Pair real = s1002_on_60e1(1.0 / 40);
+  const ProfilePair real = s1002_on_60e1(1.0 / 40);
   for (int k = 0; k < 40; ++k) {
     const Pose pose{draw(-6e-3, 6e-3), draw(-0.02, 0.02), 0};
     const double angle = rigid_roll(real, pose.y, pose.yaw);
     const Pose here{pose.y, pose.yaw, angle};
-    const double apart =
-        std::abs(touching(Placed(real, here)).z() - touching(Placed(real, mirrored(here))).z());
+    const double apart = std::abs(find_contact(PlacedWheel(real, here)).z() -
+                                  find_contact(PlacedWheel(real, mirrored(here))).z());
     roll.error(apart < 1e-12 ? 0 : apart);  // the rest is rounding
   }
 }
@@ -125,13 +125,13 @@ TEST_CASE("claim: where a wheel touches, and by how much it overlaps") {
 TEST_CASE("claim: strips and Hertz's ellipse, and FASTSIM on them") {
   Claim strips("wheel_contact::semi_hertzian"), ellipse("wheel_contact::hertzian"),
       forces("wheel_contact::fastsim", 500);
-  Draw draw(3);
+  RandomStream draw(3);
   for (int k = 0; k < 250; ++k) {
     const double radius = draw.decades(0.3, 0.6), crown = draw.decades(0.05, 0.5),
                  delta = draw.decades(1e-5, 1.5e-4);
-    const Pair pair = cylinder_on_round(radius, crown);
-    const Placed upright(pair, {});
-    const Touching level = touching(upright);
+    const ProfilePair pair = cylinder_on_round(radius, crown);
+    const PlacedWheel upright(pair, {});
+    const ContactSearch level = find_contact(upright);
     const auto all = patches(upright, level, level.z() + delta);
     REQUIRE(all.size() == 1);
     const auto exact = contact::hertz_from_approach({0.5 / radius, 0.5 / crown, 0}, 1e11, delta);
@@ -159,34 +159,34 @@ TEST_CASE("claim: strips and Hertz's ellipse, and FASTSIM on them") {
 
 TEST_CASE("claim: a wheel and a wheelset under load") {
   Claim one("wheel_contact::solve_wheel", 400), both("wheel_contact::solve_wheelset", 10);
-  Draw draw(4);
+  RandomStream draw(4);
   for (int k = 0; k < 100; ++k) {
     const double radius = draw.decades(0.3, 0.6), crown = draw.decades(0.08, 0.5);
-    WheelWish wish;
-    wish.load = draw.decades(1e3, 2e5), wish.speed = draw.decades(0.1, 100);
-    wish.turning = wish.speed / radius * (1 + draw(-1, 1) * 1e-3);
-    wish.method = k % 2 == 0 ? Method::hertz : Method::strips;
-    const WheelResult found = solve_wheel(cylinder_on_round(radius, crown), {}, wish);
+    WheelInput input;
+    input.load = draw.decades(1e3, 2e5), input.speed = draw.decades(0.1, 100);
+    input.angular_velocity = input.speed / radius * (1 + draw(-1, 1) * 1e-3);
+    input.method = k % 2 == 0 ? Method::hertz : Method::strips;
+    const WheelResult found = solve_wheel(cylinder_on_round(radius, crown), {}, input);
     REQUIRE(found.converged);
     REQUIRE(found.patches.size() == 1);
     const auto exact = contact::hertz_from_force(
-        {0.5 / radius, 0.5 / crown, 0}, rolling::join(wish.wheel, wish.rail).effective_modulus,
-        wish.load);
+        {0.5 / radius, 0.5 / crown, 0}, rolling::combine(input.wheel, input.rail).effective_modulus,
+        input.load);
     const PatchResult& p = found.patches.front();
     one.relative(p.p_max, exact.p_max);
     one.relative(p.approach, exact.approach);
-    one.relative(p.load, wish.load);
-    one.relative(found.force.z(), wish.load);
+    one.relative(p.load, input.load);
+    one.relative(found.force.z(), input.load);
   }
-  const Pair real = s1002_on_60e1(1.0 / 40);
+  const ProfilePair real = s1002_on_60e1(1.0 / 40);
   for (int k = 0; k < 5; ++k) {
-    WheelWish wish;
-    wish.load = draw.decades(2e4, 1e5), wish.speed = 20, wish.method = Method::strips;
+    WheelInput input;
+    input.load = draw.decades(2e4, 1e5), input.speed = 20, input.method = Method::strips;
     const WheelsetResult found =
-        solve_wheelset(real, {draw(-5e-3, 5e-3), draw(-5e-3, 5e-3), 0}, wish);
+        solve_wheelset(real, {draw(-5e-3, 5e-3), draw(-5e-3, 5e-3), 0}, input);
     REQUIRE(found.converged);
     const double moment = std::abs(found.left.axle_moment + found.right.axle_moment) /
-                          (wish.friction.coefficient * wish.load * 0.46),
+                          (input.friction.coefficient * input.load * 0.46),
                  apart = std::abs(found.left.z - found.right.z);
     both.error(moment < 1e-9 ? 0 : moment);  // the rest is where the iterations stop
     both.error(apart < 1e-10 ? 0 : apart);

@@ -10,22 +10,22 @@ using namespace railbook::profiles;
 using namespace railbook::wheel_contact;
 
 namespace {
-WheelWish wish_of(double load) {
-  WheelWish wish;
-  wish.load = load, wish.speed = 10, wish.turning = 10 / 0.46;
-  wish.along = wish.across = 16;
-  return wish;
+WheelInput wish_of(double load) {
+  WheelInput input;
+  input.load = load, input.speed = 10, input.angular_velocity = 10 / 0.46;
+  input.along = input.across = 16;
+  return input;
 }
 }  // namespace
 
 TEST_CASE("extreme: loads from a newton to a meganewton") {
-  const Pair pair = s1002_on_60e1(1.0 / 40);
+  const ProfilePair pair = s1002_on_60e1(1.0 / 40);
   for (const Method method : {Method::strips, Method::full})
     for (const double load : {1.0, 1e3, 1e6}) {
       INFO("load " << load << ", method " << static_cast<int>(method));
-      WheelWish wish = wish_of(load);
-      wish.method = method;
-      const WheelResult found = solve_wheel(pair, {.y = 2e-3}, wish);
+      WheelInput input = wish_of(load);
+      input.method = method;
+      const WheelResult found = solve_wheel(pair, {.y = 2e-3}, input);
       REQUIRE(found.converged);
       CHECK(found.force.z() == Approx(load).epsilon(2e-3));
     }
@@ -35,14 +35,14 @@ TEST_CASE("extreme: loads from a newton to a meganewton") {
 }
 
 TEST_CASE("extreme: from field side to flange, every position answers or says why not") {
-  const Pair pair = s1002_on_60e1(1.0 / 40);
+  const ProfilePair pair = s1002_on_60e1(1.0 / 40);
   int answered = 0, refused = 0;
   for (double y = -30e-3; y <= 12e-3; y += 1.5e-3) {
     INFO("y " << y);
-    WheelWish wish = wish_of(50e3);
-    wish.method = Method::strips;
+    WheelInput input = wish_of(50e3);
+    input.method = Method::strips;
     try {
-      const WheelResult found = solve_wheel(pair, {.y = y}, wish);
+      const WheelResult found = solve_wheel(pair, {.y = y}, input);
       if (found.converged) {
         ++answered;
         CHECK(found.force.z() == Approx(50e3).epsilon(2e-3));
@@ -60,14 +60,14 @@ TEST_CASE("extreme: from field side to flange, every position answers or says wh
 
 TEST_CASE(
     "extreme: where a second patch takes over, the share goes over without a jump of the height") {
-  const Pair pair = s1002_on_60e1(1.0 / 40);
-  WheelWish wish = wish_of(50e3);
+  const ProfilePair pair = s1002_on_60e1(1.0 / 40);
+  WheelInput input = wish_of(50e3);
   double last = 0;
   int share = 0;
   for (int k = 0; k <= 12; ++k) {
     const double y = (4.7 + 0.05 * k) * 1e-3;
     INFO("y " << y);
-    const WheelResult found = solve_wheel(pair, {.y = y, .roll = -3.5e-4}, wish);
+    const WheelResult found = solve_wheel(pair, {.y = y, .roll = -3.5e-4}, input);
     REQUIRE(found.converged);
     CHECK(found.force.z() == Approx(50e3).epsilon(2e-3));
     if (k > 0) CHECK(std::abs(found.z - last) < 2e-5);
@@ -75,7 +75,7 @@ TEST_CASE(
     for (const std::string& doubt : found.doubts)
       CHECK(doubt.find("take the full theory") == std::string::npos);
     // The strips give up here, or say that they are rough.
-    WheelWish quick = wish;
+    WheelInput quick = input;
     quick.method = Method::strips;
     const WheelResult rough = solve_wheel(pair, {.y = y, .roll = -3.5e-4}, quick);
     share += rough.converged ? !rough.doubts.empty() : !rough.reason.empty();
@@ -84,18 +84,19 @@ TEST_CASE(
 }
 
 TEST_CASE("extreme: no friction, and wheels that lock or spin") {
-  const Pair pair = s1002_on_60e1(1.0 / 40);
-  WheelWish wish = wish_of(50e3);
-  wish.friction.coefficient = 0;
-  const WheelResult smooth = solve_wheel(pair, {.y = 1e-3}, wish);
+  const ProfilePair pair = s1002_on_60e1(1.0 / 40);
+  WheelInput input = wish_of(50e3);
+  input.friction.coefficient = 0;
+  const WheelResult smooth = solve_wheel(pair, {.y = 1e-3}, input);
   REQUIRE(smooth.converged);
   CHECK(smooth.force.x() == 0);
-  wish.friction.coefficient = 0.3;
-  for (const double turning : {0.0, 200.0}) {
-    wish.turning = turning;
-    const WheelResult slides = solve_wheel(pair, {.y = 1e-3}, wish);
+  input.friction.coefficient = 0.3;
+  for (const double angular_velocity : {0.0, 200.0}) {
+    input.angular_velocity = angular_velocity;
+    const WheelResult slides = solve_wheel(pair, {.y = 1e-3}, input);
     REQUIRE(slides.converged);
     CHECK(std::abs(slides.force.x()) == Approx(0.3 * slides.patches.front().load).epsilon(1e-2));
-    CHECK((slides.force.x() > 0) == (turning == 0));  // a locked wheel drags the rail forwards
+    CHECK((slides.force.x() > 0) ==
+          (angular_velocity == 0));  // a locked wheel drags the rail forwards
   }
 }

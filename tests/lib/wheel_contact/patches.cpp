@@ -30,19 +30,20 @@ Profile::Piece tread(double from, double to, double slope = 0) {
 }
 
 struct Pressed {
-  Pair pair;
-  Placed wheel;
-  Touching touch;
+  ProfilePair pair;
+  PlacedWheel wheel;
+  ContactSearch touch;
   double z;
-  Pressed(Pair of, double delta, const Pose& pose = {})
-      : pair(std::move(of)), wheel(pair, pose), touch(touching(wheel)), z(touch.z() + delta) {}
+  Pressed(ProfilePair of, double delta, const Pose& pose = {})
+      : pair(std::move(of)), wheel(pair, pose), touch(find_contact(wheel)), z(touch.z() + delta) {}
   std::vector<Patch> all(const PatchOptions& options = {}) const {
     return patches(wheel, touch, z, options);
   }
 };
 
-// Two crowns of 0.2 m whose tops are 20 mm apart, under treads that fall away to either side by `slope`.
-Pair two_crowns(double slope = 0, double lower = 0) {
+// Two crowns of 0.2 m whose tops are 20 mm apart, under treads that fall away to either side by
+// `slope`.
+ProfilePair two_crowns(double slope = 0, double lower = 0) {
   std::vector<Profile::Piece> treads{tread(-0.04, 0, slope), tread(0, 0.04, -slope)};
   return {Profile(treads), Profile({arc(-0.04, 0, -0.01, 0.2), arc(0, 0.04, 0.01, 0.2, lower)})};
 }
@@ -50,8 +51,8 @@ Pair two_crowns(double slope = 0, double lower = 0) {
 }  // namespace
 
 TEST_CASE("unit: a patch's frame stands at the mean of its overlap, by the 5/2 power of depth") {
-  // Left and right of the top w = sqrt(2 R delta) wide: the integral of u (1 - (u/w)^2)^(5/2) is w^2/7, that without u
-  // 5 pi w/32.
+  // Left and right of the top w = sqrt(2 R delta) wide: the integral of u (1 - (u/w)^2)^(5/2) is
+  // w^2/7, that without u 5 pi w/32.
   for (const auto& [left, right] : {std::pair{0.3, 0.08}, {0.08, 0.3}, {0.2, 0.2}})
     for (const double delta : {1e-5, 1e-4}) {
       const Pressed p({Profile({tread(-0.05, 0.05)}),
@@ -73,7 +74,8 @@ TEST_CASE("unit: a patch's frame stands at the mean of its overlap, by the 5/2 p
       CHECK(patch.radius == Approx(wheel_radius).epsilon(1e-6));
       CHECK_FALSE(patch.merged);
       CHECK_FALSE(patch.at_end);
-      // 64 equal steps, two of them beyond either end; the box is two of them wider than the overlap.
+      // 64 equal steps, two of them beyond either end; the box is two of them wider than the
+      // overlap.
       const double step = (low + high) / 60;
       REQUIRE(patch.line.size() == 65);
       CHECK(patch.line.front().t == Approx(-low - mean - 2 * step).epsilon(1e-3));
@@ -127,9 +129,9 @@ TEST_CASE("unit: an overlap that comes to an end of a profile ends there, and sa
         };
         const auto [a, b] = piece(of_wheel ? 0.03 : 0.05);
         const auto [c, d] = piece(of_wheel ? 0.05 : 0.03);
-        const Pair pair = of_wheel
-                              ? Pair{Profile({tread(a, b)}), Profile({arc(-0.05, 0.05, 0, 0.3)})}
-                              : Pair{Profile({tread(-0.05, 0.05)}), Profile({arc(c, d, 0, 0.3)})};
+        const ProfilePair pair =
+            of_wheel ? ProfilePair{Profile({tread(a, b)}), Profile({arc(-0.05, 0.05, 0, 0.3)})}
+                     : ProfilePair{Profile({tread(-0.05, 0.05)}), Profile({arc(c, d, 0, 0.3)})};
         const Pressed p(pair, delta);
         const auto all = p.all();
         CAPTURE(end, side, of_wheel);

@@ -1,4 +1,5 @@
-// What any answer must be: Hertz's where Hertz holds, alike in the mirror, within friction, and bearing its load.
+// What any answer must be: Hertz's where Hertz holds, alike in the mirror, within friction, and
+// bearing its load.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <utility>
@@ -13,24 +14,24 @@ using namespace railbook::wheel_contact;
 namespace {
 
 // A cylinder on a rail of one radius, across, under the middle of the tread: Hertz's contact.
-Pair cylinder_on_round(double crown) {
+ProfilePair cylinder_on_round(double crown) {
   Profile::Piece tread{-0.05, 0.05}, head{0.70, 0.80, {crown}};
   head.sign = -1, head.centre = 0.75, head.radius = crown;
   return {Profile({tread}), Profile({head})};
 }
 
-WheelWish wish_for(Method method) {
-  WheelWish wish;
-  wish.load = 60e3, wish.speed = 20, wish.turning = 20 / 0.46 * 1.002;
-  wish.method = method;
-  return wish;
+WheelInput wish_for(Method method) {
+  WheelInput input;
+  input.load = 60e3, input.speed = 20, input.angular_velocity = 20 / 0.46 * 1.002;
+  input.method = method;
+  return input;
 }
 
 }  // namespace
 
 TEST_CASE("property: on Hertz's bodies all methods give Hertz's contact") {
-  const WheelWish any = wish_for(Method::full);
-  const double modulus = rolling::join(any.wheel, any.rail).effective_modulus;
+  const WheelInput any = wish_for(Method::full);
+  const double modulus = rolling::combine(any.wheel, any.rail).effective_modulus;
   for (const double crown : {0.08, 0.3}) {
     const auto hertz = contact::hertz_from_force({0.5 / 0.46, 0.5 / crown}, modulus, 60e3);
     for (const Method method : {Method::hertz, Method::strips, Method::full}) {
@@ -49,24 +50,23 @@ TEST_CASE("property: on Hertz's bodies all methods give Hertz's contact") {
 }
 
 TEST_CASE("property: left and right are mirror images, and forces keep to friction and load") {
-  const Pair pair = s1002_on_60e1(1.0 / 20);
+  const ProfilePair pair = s1002_on_60e1(1.0 / 20);
   for (const double y : {-6e-3, -2e-3, 0.0, 3e-3, 6.5e-3})
     for (const Method method : {Method::strips, Method::full}) {
       INFO("y " << y << ", method " << static_cast<int>(method));
-      WheelWish wish = wish_for(method);
-      wish.along = wish.across = 20;
+      WheelInput input = wish_for(method);
+      input.along = input.across = 20;
       const Pose pose{y, 3e-3, rigid_roll(pair, y, 3e-3)};
       CHECK(rigid_roll(pair, -y, -3e-3) == Approx(-pose.roll).margin(1e-9));
-      const WheelResult found = solve_wheel(pair, pose, wish);
+      const WheelResult found = solve_wheel(pair, pose, input);
       REQUIRE(found.converged);
-      CHECK(found.force.z() == Approx(wish.load).epsilon(2e-3));
+      CHECK(found.force.z() == Approx(input.load).epsilon(2e-3));
       CHECK(found.z > found.z_touch);
       for (const PatchResult& p : found.patches) {
         CHECK(std::hypot(p.forces.fx, p.forces.fy) <= p.friction * p.load * (1 + 1e-3));
-        CHECK(
-            p.largest_shear <=
-            p.friction * p.p_max *
-                1.45);  // FASTSIM's parabola is 4/3 as high as Hertz's ellipse, on other patches some more
+        CHECK(p.largest_shear <=
+              p.friction * p.p_max * 1.45);  // FASTSIM's parabola is 4/3 as high as Hertz's
+                                             // ellipse, on other patches some more
         CHECK(p.wear_number >= 0);
         CHECK(p.forces.stick_share >= 0);
         CHECK(p.forces.stick_share <= 1 + 1e-12);
@@ -78,28 +78,28 @@ TEST_CASE(
     "property: by strips a load is borne, or said to lie in a jump that the full theory does not "
     "have") {
   // The frames of the depth at which areas merge bear most of the loads in between.
-  const Pair pair = s1002_on_60e1(1.0 / 40);
+  const ProfilePair pair = s1002_on_60e1(1.0 / 40);
   for (const auto& [load, most] : {std::pair{1e5, 2}, {2e5, 3}}) {
     int jumps = 0;
     for (int k = -160; k < 160; ++k) {
-      WheelWish wish = wish_for(Method::strips);
-      wish.load = load;
-      wish.friction.coefficient = 0;
+      WheelInput input = wish_for(Method::strips);
+      input.load = load;
+      input.friction.coefficient = 0;
       const Pose pose{.y = 5e-5 * k};
-      const WheelResult found = solve_wheel(pair, pose, wish);
+      const WheelResult found = solve_wheel(pair, pose, input);
       INFO("y " << pose.y << ", load " << load << ' ' << found.reason);
       if (found.converged) {
-        CHECK(found.force.z() == Approx(wish.load).epsilon(2e-5));
+        CHECK(found.force.z() == Approx(input.load).epsilon(2e-5));
         continue;
       }
       ++jumps;
       CHECK_THAT(found.reason, Catch::Matchers::StartsWith("verge of a second contact"));
       CHECK(found.patches.empty());
-      wish.method = Method::full;
-      wish.along = wish.across = 20;
-      const WheelResult full = solve_wheel(pair, pose, wish);
+      input.method = Method::full;
+      input.along = input.across = 20;
+      const WheelResult full = solve_wheel(pair, pose, input);
       CHECK(full.converged);
-      CHECK(full.force.z() == Approx(wish.load).epsilon(2e-3));
+      CHECK(full.force.z() == Approx(input.load).epsilon(2e-3));
     }
     CHECK(jumps >= 1);
     CHECK(jumps <= most);
@@ -107,12 +107,12 @@ TEST_CASE(
 }
 
 TEST_CASE("property: pressures are the half-space's on any grid, and finer grids change little") {
-  const Pair pair = s1002_on_60e1(1.0 / 40);
+  const ProfilePair pair = s1002_on_60e1(1.0 / 40);
   const Pose pose{3e-3, 0, rigid_roll(pair, 3e-3, 0)};
-  WheelWish wish = wish_for(Method::full);
-  const PatchResult usual = solve_wheel(pair, pose, wish).patches.front();
-  wish.along = 64, wish.across = 56;
-  const PatchResult fine = solve_wheel(pair, pose, wish).patches.front();
+  WheelInput input = wish_for(Method::full);
+  const PatchResult usual = solve_wheel(pair, pose, input).patches.front();
+  input.along = 64, input.across = 56;
+  const PatchResult fine = solve_wheel(pair, pose, input).patches.front();
   CHECK(std::abs(usual.p_max / fine.p_max - 1) < 2 * usual.p_max_error);
   CHECK(std::abs(usual.approach / fine.approach - 1) < 2e-3);
   const double bound = usual.friction * usual.load;
@@ -121,43 +121,43 @@ TEST_CASE("property: pressures are the half-space's on any grid, and finer grids
 }
 
 TEST_CASE("property: falling friction gives less force, and its constant limit the same") {
-  const Pair pair = s1002_on_60e1(1.0 / 40);
-  WheelWish wish = wish_for(Method::full);
-  wish.along = wish.across = 20;
-  wish.turning *= 1.01;
-  const WheelResult constant = solve_wheel(pair, {}, wish);
-  wish.friction.left = 0.4, wish.friction.speed = 1e12;
-  CHECK(solve_wheel(pair, {}, wish).force.x() == Approx(constant.force.x()).epsilon(1e-9));
-  wish.friction.speed = 0.1;
-  const WheelResult falling = solve_wheel(pair, {}, wish);
+  const ProfilePair pair = s1002_on_60e1(1.0 / 40);
+  WheelInput input = wish_for(Method::full);
+  input.along = input.across = 20;
+  input.angular_velocity *= 1.01;
+  const WheelResult constant = solve_wheel(pair, {}, input);
+  input.friction.high_speed_share = 0.4, input.friction.speed = 1e12;
+  CHECK(solve_wheel(pair, {}, input).force.x() == Approx(constant.force.x()).epsilon(1e-9));
+  input.friction.speed = 0.1;
+  const WheelResult falling = solve_wheel(pair, {}, input);
   REQUIRE(falling.converged);
   CHECK(falling.patches.front().friction < 0.2);
   CHECK(std::abs(falling.force.x()) < 0.7 * std::abs(constant.force.x()));
 }
 
 TEST_CASE("property: unlike materials are said, and drive a wheel that would roll freely") {
-  const Pair pair = cylinder_on_round(0.3);
-  WheelWish wish = wish_for(Method::full);
-  wish.turning = 20 / 0.46;
-  wish.along = wish.across = 20;
-  const double alike = solve_wheel(pair, {}, wish).force.x();
-  wish.wheel.young = 70e9;
-  const WheelResult found = solve_wheel(pair, {}, wish);
+  const ProfilePair pair = cylinder_on_round(0.3);
+  WheelInput input = wish_for(Method::full);
+  input.angular_velocity = 20 / 0.46;
+  input.along = input.across = 20;
+  const double alike = solve_wheel(pair, {}, input).force.x();
+  input.wheel.young = 70e9;
+  const WheelResult found = solve_wheel(pair, {}, input);
   REQUIRE(found.converged);
   REQUIRE_FALSE(found.doubts.empty());
   CHECK(found.doubts.front().starts_with("unlike materials (K = 0.1"));
-  CHECK(found.force.x() > alike + 0.02 * 0.3 * wish.load);
+  CHECK(found.force.x() > alike + 0.02 * 0.3 * input.load);
 }
 
 TEST_CASE("property: the stated error of the forces covers a grid of 256 cells") {
   // Friction and load are settled in two passes here, the second of which changes little.
-  const Pair pair = s1002_on_60e1(1.0 / 40, Rail60::benchmark);
+  const ProfilePair pair = s1002_on_60e1(1.0 / 40, Rail60::benchmark);
   const Pose pose{-4.73697e-3, 2.79041e-3, 8.38816e-4};
-  WheelWish wish = wish_for(Method::full);
-  wish.load = 73860.2, wish.speed = 2, wish.friction.coefficient = 0.489817;
-  wish.wheel.young = wish.rail.young = 209.92e9;
-  wish.turning = wish.speed / pair.radius * (1 - 2.12416e-3);
-  const PatchResult p = solve_wheel(pair, pose, wish).patches.front();
+  WheelInput input = wish_for(Method::full);
+  input.load = 73860.2, input.speed = 2, input.friction.coefficient = 0.489817;
+  input.wheel.young = input.rail.young = 209.92e9;
+  input.angular_velocity = input.speed / pair.radius * (1 - 2.12416e-3);
+  const PatchResult p = solve_wheel(pair, pose, input).patches.front();
   const double fine_x = 21014.8, fine_y = -20636.1, bound = p.friction * p.load;
   CHECK(std::hypot(p.forces.fx - fine_x, p.forces.fy - fine_y) < p.forces.error * bound);
   CHECK(p.forces.error < 0.02);

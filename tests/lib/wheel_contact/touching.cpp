@@ -1,4 +1,5 @@
-// Where a wheel comes nearest to its rail, how near to an end of a profile that may be, and where a strip ends.
+// Where a wheel comes nearest to its rail, how near to an end of a profile that may be, and where a
+// strip ends.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -14,9 +15,9 @@ using namespace railbook::profiles;
 using namespace railbook::wheel_contact;
 
 TEST_CASE("unit: within half a millimetre of any of the four ends is at the end") {
-  const Pair pair = s1002_on_60e1(1.0 / 40);
+  const ProfilePair pair = s1002_on_60e1(1.0 / 40);
   const auto touches_at_end = [&](double s, double y) {
-    Placed::Point p;
+    PlacedWheel::Point p;
     p.s = s, p.at.y() = y;
     return at_end(pair, p);
   };
@@ -34,14 +35,14 @@ TEST_CASE("unit: within half a millimetre of any of the four ends is at the end"
 
 TEST_CASE(
     "unit: a flank that is turned past the vertical has no lowest place, on either side of it") {
-  const Pair pair = s1002_on_60e1(1.0 / 40);
+  const ProfilePair pair = s1002_on_60e1(1.0 / 40);
   for (const double yaw : {-1.2, 1.2}) {
-    const Placed turned(pair, {.y = 0, .yaw = yaw, .roll = 0});
+    const PlacedWheel turned(pair, {.y = 0, .yaw = yaw, .roll = 0});
     int steep = 0;
     for (double s = pair.wheel.from(); s <= pair.wheel.to(); s += 1e-3) {
       const auto [depth, slope] = pair.wheel.at(s);
       if (std::abs(std::tan(yaw) * slope) < 1) continue;
-      CHECK(turned.point(s).gap == units::no_limit);
+      CHECK(turned.point(s).gap == units::infinity);
       ++steep;
     }
     CHECK(steep > 3);
@@ -62,11 +63,12 @@ TEST_CASE(
     "steep") {
   for (const double slope : {1.0, -1.0}) {
     Profile::Piece tread{-0.05, 0.05, {0, slope}}, head{0.5, 1};
-    const Pair pair{Profile({tread}), Profile({head})};
+    const ProfilePair pair{Profile({tread}), Profile({head})};
     for (const double yaw : {0.7, -0.7, 0.3}) {
-      // The normal of radius r is (-slope across, r hat): it has no part along the track where sin = -tan yaw slope.
-      const Placed wheel(pair, {.yaw = yaw});
-      const Placed::Point p = wheel.point(0.01);
+      // The normal of radius r is (-slope across, r hat): it has no part along the track where sin
+      // = -tan yaw slope.
+      const PlacedWheel wheel(pair, {.yaw = yaw});
+      const PlacedWheel::Point p = wheel.point(0.01);
       const double sine = -std::tan(yaw) * slope, r = 0.46 + 0.01 * slope;
       CHECK(p.radius == Approx(r));
       CHECK(p.at.x() == Approx(std::cos(yaw) * r * sine - std::sin(yaw) * 0.76).margin(1e-14));
@@ -77,13 +79,14 @@ TEST_CASE(
       if (above) CHECK(p.gap == Approx(-p.at.z()).margin(1e-15));
     }
     for (const double yaw : {0.9, -0.9})
-      CHECK(std::isinf(Placed(pair, {.yaw = yaw}).point(0.01).gap));
+      CHECK(std::isinf(PlacedWheel(pair, {.yaw = yaw}).point(0.01).gap));
   }
 }
 
 namespace {
 
-// A patch whose overlap is a parabola: `deepest` at t, falling by `across` times the square of the distance.
+// A patch whose overlap is a parabola: `deepest` at t, falling by `across` times the square of the
+// distance.
 Patch parabola(double t, double deepest, double across, double radius, int places = 401) {
   Patch patch;
   patch.radius = radius;
@@ -166,11 +169,11 @@ TEST_CASE(
 }
 
 TEST_CASE("unit: the wheel is looked at every 0.1 mm across, from end to end") {
-  const Pair pair = s1002_on_60e1(1.0 / 40);
-  const Touching found = touching(Placed(pair, {}));
+  const ProfilePair pair = s1002_on_60e1(1.0 / 40);
+  const ContactSearch found = find_contact(PlacedWheel(pair, {}));
   REQUIRE(found.locus.size() == 1301);
   for (std::size_t k = 0; k < found.locus.size(); ++k)
     CHECK(found.locus[k].s == Approx(-0.07 + 1e-4 * static_cast<double>(k)).margin(1e-12));
   CHECK(found.z() == found.least.front().gap);
-  for (const Placed::Point& p : found.locus) CHECK(p.gap >= found.z() - 1e-15);
+  for (const PlacedWheel::Point& p : found.locus) CHECK(p.gap >= found.z() - 1e-15);
 }

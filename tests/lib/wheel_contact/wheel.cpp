@@ -1,4 +1,5 @@
-// What a wheel's answer is made of: creepages of a rigid body, friction at its slip, forces that add up, and its doubts.
+// What a wheel's answer is made of: creepages of a rigid body, friction at its slip, forces that
+// add up, and its doubts.
 #include <railbook/wheel_contact/wheel.hpp>
 
 #include <fmt/format.h>
@@ -16,17 +17,17 @@ namespace {
 constexpr double pi = 3.14159265358979, radius = 0.46, speed = 20;
 
 // A cone on a rail of one radius, across, under the middle of the tread.
-Pair cone_on_round(double slope, double crown = 0.3) {
+ProfilePair cone_on_round(double slope, double crown = 0.3) {
   Profile::Piece tread{-0.05, 0.05, {0, slope}}, head{0.70, 0.80, {crown}};
   head.sign = -1, head.centre = 0.75, head.radius = crown;
   return {Profile({tread}), Profile({head})};
 }
 
-WheelWish wish_of(double turning, Method method = Method::hertz) {
-  WheelWish wish;
-  wish.load = 60e3, wish.speed = speed, wish.turning = turning;
-  wish.method = method;
-  return wish;
+WheelInput wish_of(double angular_velocity, Method method = Method::hertz) {
+  WheelInput input;
+  input.load = 60e3, input.speed = speed, input.angular_velocity = angular_velocity;
+  input.method = method;
+  return input;
 }
 
 bool doubted(const WheelResult& found, const std::string& text) {
@@ -54,11 +55,11 @@ TEST_CASE("unit: a cone spins, and its forces, moment and wear are those of its 
   for (const double slope : {0.05, -0.1})
     for (const double yaw : {0.0, 0.01}) {
       INFO("slope " << slope << ", yaw " << yaw);
-      const double turning = 1.003 * speed / radius;
-      WheelWish wish = wish_of(turning);
-      wish.friction = {0.4, 0.25, 0.3};
+      const double angular_velocity = 1.003 * speed / radius;
+      WheelInput input = wish_of(angular_velocity);
+      input.friction = {0.4, 0.25, 0.3};
       const Pose pose{0, yaw, 0};
-      const WheelResult found = solve_wheel(cone_on_round(slope), pose, wish);
+      const WheelResult found = solve_wheel(cone_on_round(slope), pose, input);
       REQUIRE(found.patches.size() == 1);
       const PatchResult& p = found.patches.front();
       const double angle = p.patch.frame.angle, s = std::sin(angle), c = std::cos(angle);
@@ -67,7 +68,7 @@ TEST_CASE("unit: a cone spins, and its forces, moment and wear are those of its 
       const Eigen::Vector3d& at = p.patch.frame.origin;
       const double ax = at.x(), ay = at.y() - p.approach * s,
                    az = at.z() + p.approach * c - (found.z - radius);
-      const double wx = turning * std::sin(yaw), wy = -turning * std::cos(yaw);
+      const double wx = angular_velocity * std::sin(yaw), wy = -angular_velocity * std::cos(yaw);
       const double vx = speed + wy * az, vy = -wx * az, vz = wx * ay - wy * ax;
       const double mean = speed - 0.5 * vx;
       CHECK(p.creepage.longitudinal == Approx(vx / mean).epsilon(1e-9));
@@ -83,7 +84,7 @@ TEST_CASE("unit: a cone spins, and its forces, moment and wear are those of its 
       CHECK(found.force.x() == Approx(p.forces.fx).epsilon(1e-12));
       CHECK(found.force.y() == Approx(p.forces.fy * c - p.load * s).epsilon(1e-9));
       CHECK(found.force.z() == Approx(p.forces.fy * s + p.load * c).epsilon(1e-9));
-      CHECK(found.force.z() == Approx(wish.load).epsilon(2e-5));
+      CHECK(found.force.z() == Approx(input.load).epsilon(2e-5));
       // About the axle, which points to (-sin yaw, cos yaw, 0), of what the rail does to the wheel.
       const auto& f = found.force;
       const double mx = -(ay * f.z() - az * f.y()), my = -(az * f.x() - ax * f.z());
@@ -108,30 +109,32 @@ TEST_CASE("unit: what is doubtful in an answer is said, and nothing of an ordina
   const double rolling = 1.001 * speed / radius;
   for (const Method method : {Method::hertz, Method::strips, Method::full})
     CHECK(solve_wheel(cone_on_round(0), {}, wish_of(rolling, method)).doubts.empty());
-  const Pair real = s1002_on_60e1(1.0 / 40);
-  WheelWish coarse = wish_of(rolling, Method::full);
+  const ProfilePair real = s1002_on_60e1(1.0 / 40);
+  WheelInput coarse = wish_of(rolling, Method::full);
   coarse.along = coarse.across = 8, coarse.load = 10e3;
   const WheelResult rough = solve_wheel(real, {.y = 3e-3}, coarse);
   CHECK(rough.patches.front().p_max_error > 0.02);
   CHECK(rough.doubts == std::vector{fmt::format("coarse: the peak pressure may be off by {:.1f} %",
                                                 100 * rough.patches.front().p_max_error)});
-  // 7 um above a second place of contact: less than half of what 10 kN sink in, more than half of what 1 kN does.
+  // 7 um above a second place of contact: less than half of what 10 kN sink in, more than half of
+  // what 1 kN does.
   const Pose near{.y = 5e-3};
-  const Touching touch = touching(Placed(real, near));
-  WheelWish light = wish_of(rolling, Method::strips);
+  const ContactSearch touch = find_contact(PlacedWheel(real, near));
+  WheelInput light = wish_of(rolling, Method::strips);
   light.load = 10e3;
   const WheelResult verged = solve_wheel(real, near, light);
-  const Placed::Point& second = touch.least.at(1);
+  const PlacedWheel::Point& second = touch.least.at(1);
   CHECK(verged.doubts ==
         std::vector{fmt::format(
             "verge of a second contact: at {:.2f} mm across the wheel only {:.1f} um clear",
             1e3 * second.s, 1e6 * (second.gap - verged.z))});
   light.load = 1e3;
   CHECK(solve_wheel(real, near, light).doubts.empty());
-  // A cone that ends on the rail 1 mm from where it touches: out of the overlap of a light load, within a heavy one's.
+  // A cone that ends on the rail 1 mm from where it touches: out of the overlap of a light load,
+  // within a heavy one's.
   Profile::Piece tread{-0.05, 0.001}, crown{0.70, 0.80, {0.3}};
   crown.sign = -1, crown.centre = 0.75, crown.radius = 0.3;
-  const Pair short_tread{Profile({tread}), Profile({crown})};
+  const ProfilePair short_tread{Profile({tread}), Profile({crown})};
   light.load = 1;
   CHECK(solve_wheel(short_tread, {}, light).doubts.empty());
   light.load = 60e3;
@@ -141,13 +144,13 @@ TEST_CASE("unit: what is doubtful in an answer is said, and nothing of an ordina
   Profile::Piece hollow{-0.012, 0.012, {-0.0155}}, head{0.735, 0.765, {0.015}};
   hollow.sign = 1, hollow.centre = 0, hollow.radius = 0.0155;
   head.sign = -1, head.centre = 0.75, head.radius = 0.015;
-  const Pair conformal{Profile({hollow}), Profile({head})};
-  WheelWish heavy = wish_of(rolling, Method::strips);
+  const ProfilePair conformal{Profile({hollow}), Profile({head})};
+  WheelInput heavy = wish_of(rolling, Method::strips);
   CHECK_FALSE(doubted(solve_wheel(conformal, {}, heavy), "conformal"));
   heavy.load = 800e3;
   const WheelResult wrapped = solve_wheel(conformal, {}, heavy);
   CHECK(doubted(wrapped, "conformal: the rail turns by "));
-  WheelWish unlike = wish_of(rolling);
+  WheelInput unlike = wish_of(rolling);
   unlike.wheel.young = 190e9;
   CHECK_FALSE(doubted(solve_wheel(cone_on_round(0), {}, unlike), "unlike"));  // K = 0.011
   unlike.wheel.young = 70e9;

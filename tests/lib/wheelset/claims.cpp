@@ -1,4 +1,5 @@
-// The accuracy that lib/wheelrail states, on seeded profiles, tables and places over their range.
+// The accuracy that lib/profiles and lib/wheelset state, on seeded profiles, tables and places over
+// their range.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -18,14 +19,15 @@ using namespace railbook::tests;
 
 namespace {
 
-// A chain of lines and arcs of either kind without corners, from a place and an angle; its joints in 80 bits.
+// A chain of lines and arcs of either kind without corners, from a place and an angle; its joints
+// in 80 bits.
 struct Chain {
   std::vector<Step> steps;
   std::vector<std::array<Long, 2>> joints;  // after each step
   Point start;
   double angle = 0;
 };
-Chain random_chain(Draw& draw) {
+Chain random_chain(RandomStream& draw) {
   Chain c{{}, {}, {draw(-1, 1), draw(-1, 1)}, draw(-1, 1)};
   Long u = c.start.u, z = c.start.z;
   double angle = c.angle;
@@ -64,7 +66,7 @@ Long integral(const F& f, Long a, Long b) {
 }
 
 // One of the paper's pairs with the rails apart by a little more or less.
-WheelsetOnTrack random_pair(Draw& draw) {
+WheelsetOnTrack random_pair(RandomStream& draw) {
   const auto& pair = paper_pairs[static_cast<std::size_t>(draw(0, 2.999))].pair();
   return {pair.wheel(), moved(pair.rail(), draw(-2e-3, 2e-3), 0)};
 }
@@ -73,7 +75,7 @@ WheelsetOnTrack random_pair(Draw& draw) {
 
 TEST_CASE("claim: odd tables") {
   Claim claim("wheelset::OddTable");
-  Draw draw(1);
+  RandomStream draw(1);
   for (int k = 0; k < 200; ++k) {
     const double step = draw.decades(1e-6, 1);
     std::vector<double> values{0};
@@ -100,7 +102,7 @@ TEST_CASE("claim: odd tables") {
 TEST_CASE("claim: chains of arcs and lines, moved and turned") {
   Claim ends("profiles::chain"), curve_claim("profiles::Curve"), shift("profiles::moved"),
       turn("profiles::turned");
-  Draw draw(2);
+  RandomStream draw(2);
   for (int k = 0; k < 300; ++k) {
     const Chain c = random_chain(draw);
     const Curve curve = chain(c.start, c.angle, c.steps);
@@ -153,7 +155,7 @@ TEST_CASE("claim: chains of arcs and lines, moved and turned") {
 
 TEST_CASE("claim: conicity of tables") {
   Claim claim("wheelset::conicity");
-  Draw draw(3);
+  RandomStream draw(3);
   for (int k = 0; k < 350; ++k) {
     // Radii that drive the wheelset back, with kinks, over decades.
     const double step = draw.decades(1e-4, 1e-2);
@@ -206,7 +208,7 @@ TEST_CASE("claim: conicity of tables") {
 
 TEST_CASE("claim: measured points") {
   Claim noise("profiles::scatter"), curve_claim("profiles::measured_curve");
-  Draw draw(4);
+  RandomStream draw(4);
   for (int k = 0; k < 1000; ++k) {
     const double radius = std::copysign(draw.decades(0.05, 5), draw(-1, 1)),
                  sigma = draw.decades(1e-7, 2e-5);  // up to a tenth of the spacing
@@ -217,7 +219,8 @@ TEST_CASE("claim: measured points") {
                                draw.normal(sigma)});
     }
     noise.error(std::abs(scatter(points) / sigma - 1));
-    // A circle through few points: off by less than h^3 over the square of the radius, but at the ends.
+    // A circle through few points: off by less than h^3 over the square of the radius, but at the
+    // ends.
     std::vector<Point> few;
     const int count = 20 + k % 40;
     const double h = 0.04 / count;
@@ -241,7 +244,7 @@ TEST_CASE("claim: where a wheelset touches, jumps and is tabulated") {
   Claim contact("wheelset::WheelsetOnTrack"), wheel("wheelset::placed_wheel"),
       rail("wheelset::placed_rail"), radius("wheelset::with_radius", 100),
       jump("wheelset::contact_jumps", 20), table("wheelset::tabulate", 765);
-  Draw draw(5);
+  RandomStream draw(5);
   long jumps = 0;
   for (int k = 0; k < 100; ++k) {
     const WheelsetOnTrack pair = random_pair(draw);

@@ -1,4 +1,5 @@
-// Equivalent conicity against a cone, against integration of the wheelset's path, and against a cubic's closed form.
+// Equivalent conicity against a cone, against integration of the wheelset's path, and against a
+// cubic's closed form.
 #include <railbook/wheelset/conicity.hpp>
 
 #include <algorithm>
@@ -29,7 +30,8 @@ ConstraintFunctions from_R(double step, std::vector<double> values) {
   return f;
 }
 
-// A quarter of the wavelength by Runge-Kutta steps of the path y'' = -R(y)/r_0 from the crest to y = 0.
+// A quarter of the wavelength by Runge-Kutta steps of the path y'' = -R(y)/r_0 from the crest to y
+// = 0.
 double quarter_by_steps(const ConstraintFunctions& f, double amplitude, int steps_a_metre) {
   const double h = 1.0 / steps_a_metre;
   const auto pull = [&](double y) { return -f.R(y) / f.radius; };
@@ -68,7 +70,8 @@ TEST_CASE("The wavelength is that of the path integrated step by step") {
 }
 
 TEST_CASE("A cubic difference of radii has the closed forms of its three conicities") {
-  // R = c y^3: wavelength 4/A sqrt(2 r_0/c) * integral (1 - t^4)^(-1/2) = K; harmonic 3/4 a c A^2; regression 3/5.
+  // R = c y^3: wavelength 4/A sqrt(2 r_0/c) * integral (1 - t^4)^(-1/2) = K; harmonic 3/4 a c A^2;
+  // regression 3/5.
   const double amplitude = 8e-3, strength = 0.05 / (amplitude * amplitude * amplitude);
   const int n = 4000;
   std::vector<double> values(n + 1);
@@ -91,7 +94,8 @@ TEST_CASE("A wheelset comes past a stretch that drives it outwards if it has the
     for (int i = 0; i < 6; ++i) values.push_back(radii(random));
     const auto f = from_R(1e-3, values);
     const double amplitude = 1e-3 * (3.5 + 2.5 * (k % 2));
-    // The integral of R from y to the amplitude is least at its begin or where R rises through zero, if not at a knot.
+    // The integral of R from y to the amplitude is least at its begin or where R rises through
+    // zero, if not at a knot.
     double energy = 0, least = f.R(amplitude) > 0 ? 1 : -1;
     constexpr int parts = 500;
     const double h = amplitude / parts;
@@ -131,8 +135,9 @@ Curve reference_profile(const std::array<double, N>& pairs) {
 
 }  // namespace
 
-// The standard's result comes out when the axle is kept level; a wheelset that rolls has a larger conicity. Its result is from
-// ben_E1.dat of criogenox/B_ECC-Equivalent-Conicity-Calculation; it allows 0.05, and the points are thinned.
+// The standard's result comes out when the axle is kept level; a wheelset that rolls has a larger
+// conicity. Its result is from ben_E1.dat of criogenox/B_ECC-Equivalent-Conicity-Calculation; it
+// allows 0.05, and the points are thinned.
 TEST_CASE("EN 15302: wheel A on rail A") {
   const WheelsetOnTrack pair =
       with_radius(reference_profile(en15302::wheel_a), reference_profile(en15302::rail_a), 0.46);

@@ -27,7 +27,8 @@ std::vector<Pair> pairs() {
           {"Heumann", heumann_pair(), 0.125, 8.9 * inch, 6 * inch}};
 }
 
-// The least gap by comparing heights at very many places, in the axle's own frame of the rolled wheelset.
+// The least gap by comparing heights at very many places, in the axle's own frame of the rolled
+// wheelset.
 double scanned_gap(const WheelsetOnTrack& pair, double x, double phi) {
   const double s = std::sin(phi), c = std::cos(phi);
   const Curve& wheel = pair.wheel();
@@ -102,11 +103,13 @@ TEST_CASE("Both gaps are closed, and no place of the profiles is closer") {
     }
 }
 
-// The profiles are chains of arcs chosen to what the paper's text says of the lost ones: chapter 02 rests on this.
+// The profiles are chains of arcs chosen to what the paper's text says of the lost ones: chapter 02
+// rests on this.
 TEST_CASE("The paper's pairs have what its text says of them") {
   const ConstraintFunctions &fresh = new_wheel_table(), &cn = cn_table(),
                             &heumann = heumann_table();
-  // The largest departure of R and Phi from their tangents at 0, as a part of the tangent's value at the end.
+  // The largest departure of R and Phi from their tangents at 0, as a part of the tangent's value
+  // at the end.
   const auto bend = [](const ConstraintFunctions& table, double end) {
     double worst = 0;
     for (const OddTable* f : {&table.R, &table.Phi})

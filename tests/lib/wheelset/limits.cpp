@@ -1,4 +1,5 @@
-// What profiles, placements and tables are refused for, each limit from both sides, and the axle kept level.
+// What profiles, placements and tables are refused for, each limit from both sides, and the axle
+// kept level.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -56,7 +57,7 @@ TEST_CASE("Pieces that are no curve are refused, and those that just are one are
   CHECK(with([](Piece& p) { p.end.u = 1 + 1e-12; }).empty());
   for (double Point::*coordinate : {&Point::u, &Point::z})
     for (Point Piece::*of : {&Piece::start, &Piece::end})
-      for (const double bad : {nan, units::no_limit})
+      for (const double bad : {nan, units::infinity})
         CHECK(with([&](Piece& p) { (p.*of).*coordinate = bad; }) ==
               "profile: a coordinate is not finite");
   for (double Piece::*angle : {&Piece::angle_start, &Piece::angle_end})

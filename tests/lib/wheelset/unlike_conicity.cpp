@@ -14,7 +14,8 @@ using units::millimetre;
 
 namespace {
 
-// R(x) = slope (x - centre), as odd and even parts; straight, or with a bend a knot away from the middle.
+// R(x) = slope (x - centre), as odd and even parts; straight, or with a bend a knot away from the
+// middle.
 ConstraintFunctions straight(double slope, double centre, double bend = 0) {
   constexpr int knots = 81;
   constexpr double step = 0.1 * millimetre;

@@ -1,4 +1,5 @@
-// The figures of the car of chapter 04, from sources in which both corners are a tenth of the book's.
+// The figures of the car of chapter 04, from sources in which both corners are a tenth of the
+// book's.
 #include "sections.hpp"
 
 using namespace railbook;

@@ -2,7 +2,7 @@
 # In the mirror left is right; what lies across, and moments about the other axes, change their signs.
 answers here contact --load 50kN --speed 30m/s --shift 4mm --yaw 5mrad --method strips
 answers there contact --load 50kN --speed 30m/s --shift -4mm --yaw -5mrad --method strips
-near "turning" "$(v here turning_rad_per_s)" "$(v there turning_rad_per_s)" 1e-6
+near "turning" "$(v here angular_velocity_rad_per_s)" "$(v there angular_velocity_rad_per_s)" 1e-6
 near "roll" "$(v here roll_mrad)" "$(awk -v r="$(v there roll_mrad)" 'BEGIN {print -r}')" 1e-5
 for key in x_N z_N y_N 1_x_mm 1_y_mm 1_angle_mrad 1_normal_N 1_p_max_MPa 1_creepage_x 1_creepage_y 1_spin_1_per_m 1_fx_N 1_fy_N 1_mz_N_m 1_wear_N; do
   for side in left:right right:left; do
@@ -24,16 +24,16 @@ wheels='split("left right", side, " "); for (k = 1; k <= 2; ++k) {s = side[k]; p
   is(p "wear_N", abs(fx * v[p "creepage_x"] + fy * v[p "creepage_y"] + v[p "mz_N_m"] * v[p "spin_1_per_m"]), 1e-4); is(p "area_mm2", 1.5 * N / v[p "p_max_MPa"], ellipse); says(p "p_max_MPa", "error")
   if (!(v[p "stick_share"] >= 0 && v[p "stick_share"] <= 1)) bad("stick"); free(p "x_mm " p "y_mm " p "angle_mrad " p "normal_N " p "p_max_MPa " p "approach_um " p "creepage_x " p "creepage_y " p "spin_1_per_m " p "fx_N " p "fy_N " p "mz_N_m " p "stick_share " p "shear_MPa")
   if (!(v[p "shear_MPa"] <= mu * v[p "p_max_MPa"] * 1.35 && v[p "shear_MPa"] >= mu * v[p "p_max_MPa"] / 3)) bad("shear")}
-  says("wheel", "^S1002"); says("rail", "^60E1"); is("cant", 0.025); free("roll_mrad turning_rad_per_s lowered_mm")'
+  says("wheel", "^S1002"); says("rail", "^60E1"); is("cant", 0.025); free("roll_mrad angular_velocity_rad_per_s lowered_mm")'
 draws hertz contact --load 50kN --speed 30m/s --shift 4mm --yaw 5mrad --method hertz
 means hertz "$wheels" mu=0.3 ellipse=1e-6
 means here "$wheels" mu=0.3 ellipse=0.02
 # The same with the roll and the slip that it found; the left wheel's height is told then, and it is that of the right one.
 roll=$(v hertz roll_mrad)
-slip=$(awk -v w="$(v hertz turning_rad_per_s)" 'BEGIN {printf "%.15g", w * 0.46 / 30 - 1}')
+slip=$(awk -v w="$(v hertz angular_velocity_rad_per_s)" 'BEGIN {printf "%.15g", w * 0.46 / 30 - 1}')
 answers held contact --load 50kN --speed 30m/s --shift 4mm --yaw 5mrad --method hertz --roll "${roll}mrad" --slip "$slip"
 means held "$wheels"' says("lowered_mm", "left wheel [0-9.]+ mm"); split(notes["lowered_mm"], word, " "); if (abs(word[3] - v["lowered_mm"]) > 1e-4) bad("lowered")' mu=0.3 ellipse=1e-6
-for key in roll_mrad turning_rad_per_s left_x_N left_y_N right_x_N right_y_N right_1_p_max_MPa left_1_x_mm; do near "$key held" "$(v held $key)" "$(v hertz $key)" "$(awk -v x="$(v hertz $key)" 'BEGIN {print 1e-4 * (x < 0 ? -x : x)}')"; done
+for key in roll_mrad angular_velocity_rad_per_s left_x_N left_y_N right_x_N right_y_N right_1_p_max_MPa left_1_x_mm; do near "$key held" "$(v held $key)" "$(v hertz $key)" "$(awk -v x="$(v hertz $key)" 'BEGIN {print 1e-4 * (x < 0 ? -x : x)}')"; done
 # What is drawn: cells that bear the load about the place told, the frames as told, both rails in the mirror, and wheels that touch them.
 draws full contact --load 50kN --speed 30m/s --shift 4mm --yaw 5mrad --mu 0 --cells 16
 for drawn in hertz full; do

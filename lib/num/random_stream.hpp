@@ -8,10 +8,11 @@
 
 namespace railbook::num {
 
-// The numbers of one stream of a seed, in order; a case k of a sweep takes stream k and so does not depend on what came before.
-class Draw {
+// The numbers of one stream of a seed, in order; a case k of a sweep takes stream k and so does not
+// depend on what came before.
+class RandomStream {
  public:
-  explicit Draw(std::uint64_t seed, std::uint64_t stream = 0) : source_(seed, stream) {}
+  explicit RandomStream(std::uint64_t seed, std::uint64_t stream = 0) : source_(seed, stream) {}
   // Evenly between low and high.
   double operator()(double low, double high) {
     return low + (high - low) * source_.uniform(count_++);
