@@ -160,8 +160,8 @@ Profile thinned(const Profile& p, Index first) {
   return {p.x(kept), p.depth(kept)};
 }
 
-// Standard deviation of the points about a smooth profile [m], by the median of their distances from the cubics through the two
-// points on either side.
+// Standard deviation of the points about a smooth profile [m], by the median of their distances
+// from the cubics through the two points on either side.
 double scatter(const Profile& p) {
   std::vector<double> off;
   for (Index n = 2; n + 2 < p.x.size(); ++n) {

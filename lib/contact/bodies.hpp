@@ -50,9 +50,10 @@ TouchingBodies join_bodies(const Body& one, const Body& two, double angle = 0);
 // it shows too. None for bodies without profiles.
 std::vector<TouchingBodies> join_thinned(const Body& one, const Body& two);
 
-// How far the scatter of the profiles' points, or their rounding, may move the first touch and with it every approach [m]: the
-// bodies touch where the points happen to be high, which leaving out every second one shows only by chance. Three standard
-// deviations of the points from the cubics through their four neighbours; 0 for bodies without profiles.
+// How far the scatter of the profiles' points, or their rounding, may move the first touch and with
+// it every approach [m]: the bodies touch where the points happen to be high, which leaving out
+// every second one shows only by chance. Three standard deviations of the points from the cubics
+// through their four neighbours; 0 for bodies without profiles.
 double touch_scatter(const Body& one, const Body& two);
 
 }  // namespace railbook::contact

@@ -337,7 +337,8 @@ CgFft solve_cg_fft(const Gap& gap, double approach, double effective_modulus,
     place.refit(gap, last, region);
     place.hold(missed), place.hold(beside);
     if (finest && !missed.empty() && again++ < 2) {
-      // Once more, with what lies beside the grid: all the grids that are extrapolated over, or some would have a patch less.
+      // Once more, with what lies beside the grid: all the grids that are extrapolated over, or
+      // some would have a patch less.
       beside.insert(beside.end(), missed.begin(), missed.end());
       place.hold(beside);
       const std::size_t back = std::min(result.levels.size(), extrapolated);

@@ -418,7 +418,8 @@ std::vector<std::unique_ptr<const RecordStream>> read_records(
       for (std::size_t r = 0; r < rows; ++r) {
         at[r] += positions->metres(i, from[r]);
         if (std::isnan(at[r]) && !std::isnan(from[r]))
-          throw InputError{table::quoted_name(source.file) + ", line " + std::to_string(reader.line()) +
+          throw InputError{table::quoted_name(source.file) + ", line " +
+                           std::to_string(reader.line()) +
                            " or before: " + quoted(reader.header()[positions->columns[i]]) +
                            " has more than 1760 yards behind the point of its miles"};
       }

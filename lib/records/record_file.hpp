@@ -38,14 +38,15 @@ struct RecordFile {
 // of the first thousand positions, the places are those up to the piece.
 using RecordSink = std::function<void(std::span<const double> piece, const RecordStream& record)>;
 
-// Reads the file once through a RecordStream into `sink` and returns the stream, finished. Where there is no column
-// `distance`, one called position, chainage, mileage or kilometre is taken. A position may be written 12+345.6: kilometres and
-// metres where the unit is m, km or km+m, stations of 100 ft where it is ft, miles and feet or yards where it is mi+ft or mi+yd; or 12K345.6M.
-// Where the unit is mi.yd, 12.0440 is 12 miles and 440 yards. A first row
-// of units is read as that. Rows of empty cells are lost samples where rows follow, else nothing. A length with a number before it, "profile_62_ft", is a
-// chord or a wave and no unit. Throws InputError naming file, line and column on what cannot
-// be read, a column without a unit or with one that is no length, units that contradict each other, no positions and no
-// spacing, and as RecordStream does.
+// Reads the file once through a RecordStream into `sink` and returns the stream, finished. Where
+// there is no column `distance`, one called position, chainage, mileage or kilometre is taken. A
+// position may be written 12+345.6: kilometres and metres where the unit is m, km or km+m, stations
+// of 100 ft where it is ft, miles and feet or yards where it is mi+ft or mi+yd; or 12K345.6M. Where
+// the unit is mi.yd, 12.0440 is 12 miles and 440 yards. A first row of units is read as that. Rows
+// of empty cells are lost samples where rows follow, else nothing. A length with a number before
+// it, "profile_62_ft", is a chord or a wave and no unit. Throws InputError naming file, line and
+// column on what cannot be read, a column without a unit or with one that is no length, units that
+// contradict each other, no positions and no spacing, and as RecordStream does.
 std::unique_ptr<const RecordStream> read_record(const RecordFile& source, const RecordSink& sink);
 
 // Several columns of one file in one pass: a stream and a sink each. `input.column` does not count.

@@ -17,8 +17,9 @@ constexpr std::array theories{
     Theory::fastsim, Theory::fastrip,           Theory::shen_hedrick_elkins,
     Theory::polach,  Theory::vermeulen_johnson, Theory::linear};
 
-// Rows across for `cells` along rolling: half as many, but in a long contact so few that a cell is not more than 16 times as long
-// as it is wide. Rows far narrower than their cells are long hold one another so fast that the states of the cells do not settle.
+// Rows across for `cells` along rolling: half as many, but in a long contact so few that a cell is
+// not more than 16 times as long as it is wide. Rows far narrower than their cells are long hold
+// one another so fast that the states of the cells do not settle.
 Eigen::Index rows_for(double axis_ratio, long cells) {
   const long half = (cells + 1) / 2;
   const double wide_enough = 16 * static_cast<double>(cells) / axis_ratio;

@@ -83,7 +83,8 @@ double scatter_bias(const Spectrum& spectrum, const FitOptions& options, const S
 std::optional<double> contradicting_rail(const Spectrum& spectrum, const FitOptions& options,
                                          const SpectrumFit& fit) {
   if (std::isinf(options.rail_length)) return std::nullopt;  // a line is a stray one
-  // Without a line at the rail named: those of half and of a third of its length have theirs on its harmonics.
+  // Without a line at the rail named: those of half and of a third of its length have theirs on its
+  // harmonics.
   for (int part = 2; part <= 3 && !fit.line_significant; ++part) {
     FitOptions other = options;
     other.rail_length = options.rail_length / part;

@@ -14,8 +14,8 @@ struct Estimate {
   double value = 0, error = 0;
 };
 
-// A value with its last digit in the place of the error's first one, from one digit to seven: seven without an error, four where
-// it is infinite.
+// A value with its last digit in the place of the error's first one, from one digit to seven: seven
+// without an error, four where it is infinite.
 std::string to_digits_of(double value, double error);
 
 class Summary {

@@ -294,8 +294,9 @@ void solve_full(const Work& w, double z, WheelResult& out) {
     if (!f.touches_edge()) break;
     if (k == 3) return fail("the contact did not fit its grid");
   }
-  // Near Nadal's edge friction bears nearly as much as the flange presses, and its share falls as the load grows: the depth that
-  // balances one share swings about that which balances its own. Where that has not ended, it is sought between the last two.
+  // Near Nadal's edge friction bears nearly as much as the flange presses, and its share falls as
+  // the load grows: the depth that balances one share swings about that which balances its own.
+  // Where that has not ended, it is sought between the last two.
   double last = 0, last_off = 0;
   for (int k = 0; w.input.friction.coefficient > 0; ++k) {
     if (!f.roll()) return fail(unsettled);

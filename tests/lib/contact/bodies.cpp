@@ -90,7 +90,8 @@ TEST_CASE("unit: thinned profiles are two, of half the points, and none without 
 }
 
 TEST_CASE("unit: rounded points move the first touch by no more than their scatter says") {
-  // A radius of 0.3 m, rounded, at forty places of its summit between two points: the touch is off by what the points happen to be.
+  // A radius of 0.3 m, rounded, at forty places of its summit between two points: the touch is off
+  // by what the points happen to be.
   for (const double digit : {1e-8, 1e-7, 1e-6}) {
     int covered = 0, beyond_third = 0;
     for (int k = 0; k < 40; ++k) {

@@ -314,7 +314,8 @@ TEST_CASE("property: a small patch far from the first is found on whichever side
       };
       const CgFft found = solve_cg_fft(gap, approach, 1e11, options);
       CHECK(found.levels.back().region.patches.size() == 2);
-      // Hertz's force of each, the second sunk in by the first one's load at its distance, and the first by the second's.
+      // Hertz's force of each, the second sunk in by the first one's load at its distance, and the
+      // first by the second's.
       const auto alone = [](double d) { return hertz_from_approach({5, 50, 0}, 1e11, d).force; };
       const double first = alone(approach), per_load = 1 / (units::pi * 1e11 * far);
       const double small = alone(approach - lower - first * per_load);
@@ -354,8 +355,8 @@ TEST_CASE("property: patches that the coarse grids of the ladder miss are found 
 
 TEST_CASE(
     "property: a patch that only the finest grid finds is extrapolated over like the others") {
-  // A second summit 20 mm away and 5 um lower begins to bear: grids that had one patch and grids that had two made forces that fell
-  // as the bodies came nearer, off by more than their sum.
+  // A second summit 20 mm away and 5 um lower begins to bear: grids that had one patch and grids
+  // that had two made forces that fell as the bodies came nearer, off by more than their sum.
   const Gap gap = [](double x, double y) {
     return std::min(x * x / 0.6, 5e-6 + (x - 0.02) * (x - 0.02) / 0.2) + y * y / 0.92;
   };
