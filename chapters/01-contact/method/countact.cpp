@@ -241,7 +241,7 @@ std::string iterate(const Problem& q, std::vector<CountactStep>& history) {
     if (!update.reason.empty()) return update.reason;
     mesh = std::move(update.mesh);
     keep_on_the_bodies(q, mesh);
-    const std::string reason = reason_to_stop(q, step, first, mesh, history.size());
+    std::string reason = reason_to_stop(q, step, first, mesh, history.size());
     if (!reason.empty() || step.move < q.options.tolerance) return reason;
     if (q.options.damped) damping.note(step);
   }
