@@ -311,7 +311,7 @@ end
 
 local function where(text) return pandoc.Span({pandoc.Str(text)}, {class = "where"}) end
 
--- Code that computes stands where it is told, folded when it is long or when the paragraph before it does not name it. The rest is left for the end of the page, by file.
+-- Code that computes stands where the text speaks of it, folded when it is long or when the paragraph before it does not name it. The rest is left for the end of the page, by file.
 local function present(block, rest)
   local file, line, role = block.attributes.file, block.attributes.line, block.attributes.role
   if not role then return nil end

@@ -25,7 +25,7 @@ struct TrackRecordOptions {
 
 void add_record_options(tool::OptionParser& parser, TrackRecordOptions& options);
 
-// What was asked for of one file; what is read of it is told as progress. Throws InputError when the gap to bridge is no
+// What was asked for of one file; what is read of it is shown as progress. Throws InputError when the gap to bridge is no
 // whole number.
 records::RecordFile record_file(const TrackRecordOptions& options,
                                 const std::filesystem::path& file);

@@ -116,7 +116,7 @@ does all steps of this page, with standard errors and the odds (the probability)
 it reads 20 km of synthetic track with the numbers of zone 7:
 
 ```console
-$ railbook psd synthesize track.csv --length 20km --roughness "5e-7m^2*cycle/m" --corner 0.13cycle/m --dip 11mm
+$ railbook psd synthesize track.csv --length 20km --roughness '5e-7m^2*cycle/m' --corner 0.13cycle/m --dip 11mm
 synthetic track in track.csv
 ...
 $ railbook psd classify track.csv --column profile
@@ -146,7 +146,7 @@ The paper prints class 2. The answer is class 3 with a margin of 2.7 %, and leav
 class 2:
 
 ```console
-$ railbook psd synthesize zone-12.csv --length 20km --roughness "8e-7m^2*cycle/m" --corner 0.18cycle/m --dip 25mm --rail 30ft
+$ railbook psd synthesize zone-12.csv --length 20km --roughness '8e-7m^2*cycle/m' --corner 0.18cycle/m --dip 25mm --rail 30ft
 synthetic track in zone-12.csv
 ...
 $ railbook psd classify zone-12.csv --column profile --rail 30ft
@@ -163,7 +163,7 @@ $ railbook psd classify zone-12.csv --column profile --rail 30ft
 the fit takes this for roughness, and $A$ comes out 8 % too high; the note at the end of the answer says what a scatter of 20 % would add:
 
 ```console
-$ railbook psd synthesize uneven.csv --length 20km --roughness "5e-7m^2*cycle/m" --corner 0.13cycle/m --dip 11mm --scatter 0.5
+$ railbook psd synthesize uneven.csv --length 20km --roughness '5e-7m^2*cycle/m' --corner 0.13cycle/m --dip 11mm --scatter 0.5
 synthetic track in uneven.csv
 ...
 $ railbook psd classify uneven.csv --column profile
@@ -176,7 +176,7 @@ $ railbook psd classify uneven.csv --column profile
 length in the spectrum, and says so.
 
 ```console
-$ railbook psd synthesize old.csv --length 20km --roughness "5e-7m^2*cycle/m" --corner 0.13cycle/m --dip 11mm --rail 33ft
+$ railbook psd synthesize old.csv --length 20km --roughness '5e-7m^2*cycle/m' --corner 0.13cycle/m --dip 11mm --rail 33ft
 synthetic track in old.csv
 ...
 $ railbook psd classify old.csv --column profile

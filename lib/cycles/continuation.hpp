@@ -21,7 +21,7 @@
 
 namespace railbook::cycles {
 
-// Oscillators that hang on one parameter.
+// Oscillators that depend on one parameter.
 struct Family {
   Oscillator oscillator;                         // at some value of the parameter
   std::function<void(Oscillator&, double)> set;  // to another one; may throw InputError

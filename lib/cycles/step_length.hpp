@@ -23,7 +23,7 @@ inline double zero_fraction(double from, double to, bool turns_at_begin, bool tu
 }
 
 // Whether a step of a branch passes the branch's first point, on the way that led to its second:
-// the part of the step, else 0. Places by numbers that do not hang on the phase of a cycle.
+// the part of the step, else 0. Coordinates must not depend on the phase of a cycle.
 inline double closes_on_start(const Eigen::VectorXd& first, const Eigen::VectorXd& second,
                               const Eigen::VectorXd& from, const Eigen::VectorXd& to) {
   const Eigen::VectorXd way = to - from;

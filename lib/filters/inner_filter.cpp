@@ -8,8 +8,7 @@
 
 namespace railbook::filters {
 
-InnerFilter::InnerFilter(const filters::FilterTaps& taps, std::size_t margin,
-                         filters::FilterStream::Sink sink)
+InnerFilter::InnerFilter(const FilterTaps& taps, std::size_t margin, FilterStream::Sink sink)
     : margin_(static_cast<std::size_t>(
           units::require_between("margin, in samples", static_cast<double>(margin), 0,
                                  static_cast<double>(taps.half.size()) - 1))),

@@ -16,8 +16,7 @@ namespace railbook::filters {
 class InnerFilter {
  public:
   // Throws InputError when the margin is beyond the filter's reach.
-  InnerFilter(const filters::FilterTaps& taps, std::size_t margin,
-              filters::FilterStream::Sink sink);
+  InnerFilter(const FilterTaps& taps, std::size_t margin, FilterStream::Sink sink);
   InnerFilter(const InnerFilter&) = delete;  // the filter's sink is this
 
   void push(std::span<const double> record);  // NaN: a gap
@@ -30,8 +29,8 @@ class InnerFilter {
   void judge(std::span<const double> filtered);
 
   std::size_t margin_;
-  filters::FilterStream::Sink sink_;
-  filters::FilterStream filter_;
+  FilterStream::Sink sink_;
+  FilterStream filter_;
   std::deque<Gap> gaps_;                  // that may still matter; the record's end too, once known
   std::size_t samples_ = 0, judged_ = 0;  // taken, given
   std::vector<double> inner_;

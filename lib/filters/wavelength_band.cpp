@@ -19,7 +19,7 @@ double band_gain(const Band& band, int passes, double phi) {
   return passes == 2 ? squared : std::sqrt(squared);
 }
 
-filters::FilterTaps band_taps(const Band& band, int passes, double spacing) {
+FilterTaps band_taps(const Band& band, int passes, double spacing) {
   units::require_positive("spacing", spacing, "m");
   units::require_between("shortest wavelength of the band", band.shortest, 2 * spacing,
                          units::infinity, "m");
@@ -35,7 +35,7 @@ filters::FilterTaps band_taps(const Band& band, int passes, double spacing) {
   for (std::size_t k = 0; k < fft.spectrum().size(); ++k)
     fft.spectrum()[k] = band_gain(band, passes, static_cast<double>(k) / (n * spacing)) / n;
   fft.inverse();
-  filters::FilterTaps result{spacing, {}};
+  FilterTaps result{spacing, {}};
   result.half.assign(fft.real().begin(),
                      fft.real().begin() + static_cast<std::ptrdiff_t>(taps + 1));
   double sum = -result.half[0];
@@ -59,25 +59,24 @@ std::array<double, 4> cubic(double t) {
 
 }  // namespace
 
-filters::FilterTaps chord_taps(double chord, double spacing) {
+FilterTaps chord_taps(double chord, double spacing) {
   units::require_positive("spacing", spacing, "m");
   const double half =
       units::require_between("chord over twice the spacing", 0.5 * chord / spacing, 2, 1e6);
   const auto at = static_cast<std::size_t>(std::floor(half));
-  filters::FilterTaps result{spacing, std::vector<double>(std::max<std::size_t>(at + 3, 9))};
+  FilterTaps result{spacing, std::vector<double>(std::max<std::size_t>(at + 3, 9))};
   const auto end = cubic(half - std::floor(half));
   for (std::size_t j = 0; j < end.size(); ++j) result.half[at - 1 + j] -= 0.5 * end[j];
   result.half[0] += 1;
   return result;
 }
 
-filters::FilterTaps uniformity_taps(double chord, double spacing) {
-  const filters::FilterTaps one = chord_taps(chord, spacing);
+FilterTaps uniformity_taps(double chord, double spacing) {
+  const FilterTaps one = chord_taps(chord, spacing);
   const double quarter = 0.25 * chord / spacing;
   const auto reach = static_cast<std::ptrdiff_t>(one.half.size()) - 1;
   const auto far = static_cast<std::ptrdiff_t>(std::floor(4 * quarter)) + 2;
-  filters::FilterTaps result{spacing,
-                             std::vector<double>(static_cast<std::size_t>(reach + far + 1))};
+  FilterTaps result{spacing, std::vector<double>(static_cast<std::size_t>(reach + far + 1))};
   std::copy(one.half.begin(), one.half.end(), result.half.begin());
   for (int m = -4; m <= 4; ++m) {
     const double place = m * quarter, whole = std::floor(place);

@@ -28,9 +28,9 @@ double band_gain(const Band& band, int passes, double phi);
 // The filter with that gain, to 5e-3 of the gain in the band, without gain at zero. Throws
 // InputError when the shortest wavelength is below two spacings, or when the band asks for more
 // than 10^6 samples or fewer than 8.
-filters::FilterTaps band_taps(const Band& band, int passes, double spacing);
+FilterTaps band_taps(const Band& band, int passes, double spacing);
 
-// How near to an end or a gap a band is told, in samples: its longest wavelength. There the track
+// Samples dropped at each end and gap of a band: its longest wavelength. There the track
 // beyond, which nobody knows, may still change a wave of the band by a tenth of its amplitude in
 // D1, a fifth in D2 and three tenths in D3. `spacing` > 0, m.
 std::size_t band_margin(const Band& band, double spacing);
@@ -38,11 +38,11 @@ std::size_t band_margin(const Band& band, double spacing);
 // The mid-chord offset as a filter, gain 1 - cos(pi chord phi); ends of the chord between samples
 // are read by a cubic, which costs up to 3/128 (2 pi phi spacing)^4. Throws InputError when the
 // chord is shorter than four spacings or longer than 10^6.
-filters::FilterTaps chord_taps(double chord, double spacing);
+FilterTaps chord_taps(double chord, double spacing);
 
 // That offset less the mean of nine, centred and a quarter of the chord apart: the deviation from
 // uniformity of 49 CFR 213.327, with the gain (1 - cos(pi chord phi)) (1 - (1 + 2 sum of cos(pi m
 // chord phi/2), m = 1 .. 4)/9). Ranges as chord_taps, errors up to 3.2 times its.
-filters::FilterTaps uniformity_taps(double chord, double spacing);
+FilterTaps uniformity_taps(double chord, double spacing);
 
 }  // namespace railbook::filters

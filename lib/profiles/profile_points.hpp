@@ -2,7 +2,7 @@
 //
 // Nothing is moved. Points that the partner cannot reach, because others hide them or they lie on
 // an upright side, are left out, since a profile is one height for each place, and listed. What
-// looks wrong is told as warnings with its place and size.
+// looks wrong is listed as warnings with its place and size.
 #pragma once
 
 #include <string>

@@ -199,7 +199,7 @@ void RecordStream::fit_grid() {
 }
 
 // Rows of several rails or runs at each place, or the same row several times, look like positions
-// that are rounded. They are told from them by their heights: the rows of one place are alike, or
+// that are rounded. Their heights tell the two apart: the rows of one place are alike, or
 // each is more like one of the next place than like its neighbour.
 void RecordStream::refuse_several_records(const std::vector<double>& steps) const {
   const auto repeats = std::count(steps.begin(), steps.end(), 0.0);

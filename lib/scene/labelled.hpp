@@ -16,15 +16,14 @@
 namespace railbook::scene {
 
 struct Label {
-  scene::Point at;  // in the scene's unit
+  Point at;  // in the scene's unit
   std::string text;
 };
 
 // Gives the item its image and the data "labels" (x_px, y_px, label). Nothing is rendered when
 // figures are not drawn. Throws InputError when the camera or a label's place is one that
 // scene::project refuses.
-void labelled(report::Item& item, const std::string& script, const scene::Scene& scene,
-              const scene::Camera& camera, const scene::Size& size,
-              const std::vector<Label>& labels);
+void labelled(report::Item& item, const std::string& script, const Scene& scene,
+              const Camera& camera, const Size& size, const std::vector<Label>& labels);
 
 }  // namespace railbook::scene

@@ -1,7 +1,7 @@
 // Where a rigid wheel touches a rigid rail in space, and what lies between them where they would
 // overlap.
 //
-// Everything is told for the right wheel: x forward, y outwards (right), z down, track origin in
+// Everything is stated for the right wheel: x forward, y outwards (right), z down, track origin in
 // the middle of the track in the plane of the rails' tops. A left wheel is its mirror image: y, yaw
 // and roll change their signs, as do forces across and moments about x and z.
 #pragma once

@@ -32,7 +32,7 @@ It prints force, moments, peak pressure, patch and the estimate of its own error
 CSV, the summary as JSON, and a figure. A profile is a CSV file with the columns `x` and `depth` (into the body) or `height`
 (towards the other body), each with its unit: `x_mm,height_mm`.
 
-Slender contacts of bodies that are turned to each other are solved along their principal axes. Several patches are told one
+Slender contacts of bodies that are turned to each other are solved along their principal axes. Several patches are listed one
 by one. The error of a profile's interpolation is found by leaving out every second of its points.
 
 A contact that reaches a fifth of one of the radii is answered with a doubt, one that reaches the whole radius is refused: half

@@ -35,7 +35,7 @@ CarCase read_case(const CarOptions& options);
 // Where the geometry comes from, its slopes, and the data that are not the paper's.
 void describe_case(tool::Summary& answer, const CarOptions& options, const CarCase& c);
 
-// Flags a first critical speed in the range [m/s] that hangs on the smoothing of measured profiles by more than 2 %.
+// Flags a first critical speed in the range [m/s] that depends on the smoothing of measured profiles by more than 2 %.
 void flag_smoothing(tool::Summary& answer, const CarOptions& options, const CarCase& c,
                     double lowest, double highest);
 

@@ -196,7 +196,7 @@ void run(const Options& options) {
     return sides_on(options, r, fit, warning);
   });
   answer.add("roll_mrad", "roll, right wheel down", 1e3 * r.pose.roll, "mrad");
-  answer.add("angular_velocity_rad_per_s", "turning", r.angular_velocity, "rad/s");
+  answer.add("angular_velocity_rad_per_s", "angular velocity", r.angular_velocity, "rad/s");
   answer.add("lowered_mm", "axle below its height on the running circles", r.right.z / millimetre,
              "mm", options.roll ? fmt::format("left wheel {:.6g} mm", r.left.z / millimetre) : "");
   const std::array<Side, 2> sides{Side("left", -1, r.left, options_of(options)),

@@ -138,7 +138,7 @@ void cycle_time(report::Item& item) {
                                      methods, item.timings(), budget);
   bench::show(item, points, "amplitude", methods, axes)
       .not_compared(
-          "the step control of both integrators meets kinks: their errors hang on the "
+          "the step control of both integrators meets kinks: their errors depend on the "
           "last digits");
   item.value("cycle-answer", bench::answer(points, "amplitude", {1e-3, 1e-5, 1e-7}));
 }
@@ -181,7 +181,7 @@ void multiplier_time(report::Item& item) {
   const auto points = bench::measure("multiplier-time", {{"largest pair", best, uncertainty}},
                                      methods, item.timings(), budget);
   bench::show(item, points, "largest pair", methods, axes)
-      .not_compared("kinks: the small errors hang on the orbit's last digits");
+      .not_compared("kinks: the small errors depend on the orbit's last digits");
   item.value("multiplier-answer", bench::answer(points, "largest pair", {1e-1, 1e-2, 1e-4}));
 }
 

@@ -93,7 +93,7 @@ std::string compare(report::Item& item, const char* name, const std::vector<Case
                     const char* unit) {
   auto& data = item.data(
       name, {"method", "stiffness", "tolerance", "error", "seconds", "steps", "crossover"});
-  data.not_compared("times, and steps that hang on last digits");
+  data.not_compared("times, and steps that depend on last digits");
   double at = nan, before = 0;
   const bool timed = item.timings();
   std::array<std::vector<std::pair<double, Cost>>, methods.size()> costs;  // lines join a method's

@@ -143,7 +143,7 @@ struct Run {
   std::string reason;  // of failure
 };
 
-// What a method is told to do besides its steps.
+// What a method does besides its steps.
 struct Ways {
   bool end_on_joint = true, search = false;
 };

@@ -85,7 +85,7 @@ TEST_CASE(
   num::RandomStream draw(1);
   for (int k = 0; k < 6; ++k) {
     const Oscillator o = of_all_kinds(draw);
-    // Rows are in units of their diagonal terms, which here do not hang on the frequency.
+    // Rows are in units of their diagonal terms, which here do not depend on the frequency.
     Oscillator even = o;
     for (MatrixXd* m : {&even.mass, &even.damping, &even.damping_by_speed})
       m->diagonal().head(3).setZero();

@@ -122,7 +122,7 @@ TEST_CASE("unit: a free wheelset finds the benchmark's roll and turning") {
     const WheelsetResult found = solve_wheelset(benchmark_pair(), benchmark_pose(i), input);
     REQUIRE(found.converged);
     CHECK(1e6 * found.pose.roll == Approx(benchmark_poses[i].roll_urad).margin(3));
-    // Where all slides, the moments hardly hang on the turning.
+    // Where all slides, the moments hardly depend on the angular velocity.
     CHECK(found.angular_velocity ==
           Approx(benchmark_poses[i].angular_velocity).epsilon(i == 8 ? 1e-4 : 2e-5));
   }

@@ -15,7 +15,7 @@ means round 'e = 1 / (0.9375 / 200e9 + 0.8775 / 100e9); a = (0.75 * 80e3 * 0.4 /
   doubts("similarity", sprintf("K = %.3f", G / 4 * (0.5 / 80e9 - 0.3 * 2.7 / 100e9))); is("lateral", 2e-4); is("spin_1_per_m", 0.3); is("force_N", 2000)
   is("largest_force_N", largest, 1e-5); is("creepage_at_force", 2000 / slope, 1e-6); is("error_share", error, 0.06); free("mz_error_N_m"); flags("range_1")' \
   error="$(awk -F, 'NR > 1 && $8 > most {most = $8} END {print most}' round/curve.csv)" slope="$(awk -F, 'NR == 3 {printf "%.9g", $4 / $1}' round/curve.csv)" largest="$(awk -F, 'NR > 1 {f = sqrt($4 ^ 2 + $5 ^ 2); if (f > most) most = f} END {printf "%.9g", most}' round/curve.csv)"
-# A line through the origin, whose forces across do not hang on what goes along, and the doubt in every row beyond a third of friction.
+# A line through the origin, whose forces across do not depend on what goes along, and the doubt in every row beyond a third of friction.
 holds "a line" round/curve.csv 'rows == 1 {f = $4; y = $5} {near($1, rows * 1e-4, 1e-12); near($2, 2e-4, 1e-12); near($3, 0.3, 1e-9); near($4, rows * f, 0.01 * abs(f)); near($5, y, 1e-6 * abs(y))}
   {near(($10 != ""), sqrt($4 ^ 2 + $5 ^ 2) > 80e3 * 0.25 / 3, 0); near($8 > 0 && $9 > 0, 1, 0)} END {near(rows, 3, 0); near(f > 0, 1, 0)}'
 # Without an end the range goes to six times the creepage at which the linear force is that of friction, and all slides there.
