@@ -1,13 +1,12 @@
 /***
 **Which integrator takes a wheel over a joint?** P1 and P2 over the joint of the first page, at 60
-mph: the library's explicit and implicit integrators and two of GSL's, each by its tolerance, and
-what one would write in an afternoon, the Runge-Kutta rule of order 4 and Newmark's of average
-acceleration with a fixed step. Order 5 is drawn three times, each time with one thing less. *Order
-5* is what `railbook` runs: it ends a step on the joint and looks in every step for a loss of
-contact, at a cost that grows with the length of the steps. *No search* leaves out that look, which
-none of the other methods has. *Across the joint* does not end a step on the joint either. All are
-told when the peaks are; how well `railbook` finds them by itself is part of the errors of the
-random passages of {{estimates}}.
+mph, by the library's explicit integrator of order 5, by its implicit one (Radau IIA) and by GSL's
+explicit one of order 8, each by its tolerance. Order 5 is drawn three times, each time with one
+thing less. *Order 5* is what `railbook` runs: it ends a step on the joint and looks in every step
+for a loss of contact, at a cost that grows with the length of the steps. *No search* leaves out
+that look, which order 8 does not have either. *Across the joint* does not end a step on the joint
+either. All are given the instants of the peaks; how well `railbook` finds them by itself is part of
+the errors of the random passages of {{estimates}}.
 {{include: located_peaks.cpp}}
 
 For the typical track order 8 at its tightest agrees with it within {{cost-p1-reference}} for P1 and
@@ -35,7 +34,6 @@ its coarsest sufficient setting, against the same reference.
 */
 #include <fmt/format.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -56,73 +54,6 @@ using namespace track;
 
 namespace {
 
-// What one would write in an afternoon: equal steps by the Runge-Kutta rule of order 4, or by Newmark's of average
-// acceleration with Newton's iteration in each step.
-enum class Rule { runge_kutta, newmark };
-using System = ImpactSystem<RectifiedSine>;
-
-ImpactState rates(const System& system, double t, const ImpactState& y) {
-  ImpactState dy;
-  system(t, y, dy);
-  return dy;
-}
-
-void runge_kutta(const System& system, double t, double h, ImpactState& y, ForcesAt& run) {
-  const ImpactState a = rates(system, t, y), b = rates(system, t + h / 2, y + h / 2 * a),
-                    c = rates(system, t + h / 2, y + h / 2 * b),
-                    d = rates(system, t + h, y + h * c);
-  y += h / 6 * (a + 2 * b + 2 * c + d);
-  run.evaluations += 4;
-}
-
-// Average acceleration is the trapezoidal rule for positions and velocities.
-void newmark(const System& system, double t, double h, ImpactState& y, ForcesAt& run) {
-  const ImpactState explicit_part = y + h / 2 * rates(system, t, y), begin = y;
-  ImpactJacobian jacobian;
-  double change = 1;
-  for (int i = 0; i < 8 && change > 1e-10; ++i) {
-    system.jacobian(t + h, y, jacobian, nullptr);
-    const ImpactJacobian newton = ImpactJacobian::Identity() - h / 2 * jacobian;
-    const ImpactState step =
-        newton.partialPivLu().solve(explicit_part + h / 2 * rates(system, t + h, y) - y);
-    y += step;
-    change = step.norm() / (y.norm() + begin.norm());
-    ++run.evaluations;
-  }
-  ++run.evaluations;
-  if (!(change <= 1e-10)) run.complete = false;
-}
-
-// A passage in steps of about `step` [s], one of which ends on the joint.
-ForcesAt fixed_steps(const ImpactModel& model, const RectifiedSine& rail, double speed,
-                     double start, double step, Rule rule, const std::vector<double>& times) {
-  System system{model, rail, speed, static_approach(model)};
-  const SurfacePoint at = rail.at(start, rail.piece(start));
-  ImpactState y = ImpactState::Zero();
-  y[0] = at.z;
-  y[1] = speed * at.slope;
-  ForcesAt run;
-  run.complete = true;
-  run.reason = "the steps ran away";
-  const auto go = [&](double from, double to) {
-    system.piece = rail.piece(0.5 * speed * (from + to));
-    const int n = std::max(1, static_cast<int>(std::ceil((to - from) / step - 1e-9)));
-    const double h = (to - from) / n;
-    for (int i = 0; i < n && run.complete; ++i) {
-      (rule == Rule::newmark ? newmark : runge_kutta)(system, from + i * h, h, y, run);
-      run.complete = run.complete && y.cwiseAbs().maxCoeff() < 1e3;
-    }
-  };
-  go(start / speed, 0);
-  double now = 0;
-  for (const double t : times) {
-    go(now, t);
-    run.state.push_back(y);
-    now = t;
-  }
-  return run;
-}
-
 // P1 and P2 of a passage [N] from what a wheel did at the three times of the reference's peaks: the force at the peak, and
 // the mean of the force over the window, by the wheel's momentum.
 struct TwoPeaks {
@@ -131,7 +62,7 @@ struct TwoPeaks {
 
 TwoPeaks two_peaks(const ImpactModel& model, const RectifiedSine& rail, double speed,
                    const std::vector<double>& times, const std::vector<ImpactState>& states) {
-  System system{model, rail, speed, static_approach(model)};
+  ImpactSystem<RectifiedSine> system{model, rail, speed, static_approach(model)};
   system.piece = rail.piece(1e-9);
   const double impulse = model.wheel_mass * (states[2][1] - states[1][1]);
   return {system.force(times[0], states[0]), model.static_load - impulse / (times[2] - times[1])};
@@ -171,9 +102,6 @@ class Joint {
                              .locate_losses = ways.search},
                             method, times_));
   }
-  Run fixed(Rule rule, double step) const {
-    return judged(fixed_steps(model_, rail_, speed_, start_, step, rule, times_));
-  }
   // By another integrator of GSL's, at its tightest.
   TwoPeaks by_order_8() const {
     const LocatedPeaks other = located(ImpactMethod::rk8pd, 1e-13, near_);
@@ -203,7 +131,6 @@ class Joint {
 };
 
 const std::vector<double> tolerances{1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10};
-const std::vector<double> steps{4e-4, 2e-4, 1e-4, 5e-5, 2.5e-5, 1.25e-5};
 
 void peak_panel(report::Item& item, double TwoPeaks::*peak, const std::string& quantity) {
   item.added("a comparison of methods");
@@ -221,12 +148,6 @@ void peak_panel(report::Item& item, double TwoPeaks::*peak, const std::string& q
                [=](double tolerance) { return as_outcome(joint.adaptive(which, tolerance, ways)); })
         .counts("evaluations");
   };
-  const auto fixed = [&](const char* name, Rule rule, double slope) {
-    return bench::sweep(name, steps,
-                        [=](double step) { return as_outcome(joint.fixed(rule, step)); })
-        .counts("evaluations")
-        .expects(slope);
-  };
   const double reference = joint.reference.*peak;
   // Claimed is more than the two differ by: their last digits depend on the machine.
   const double uncertainty = std::max(1e-12, std::abs(other.*peak / reference - 1));
@@ -235,10 +156,8 @@ void peak_panel(report::Item& item, double TwoPeaks::*peak, const std::string& q
       {method("order 5", ImpactMethod::dopri5, {.search = true}),
        method("order 5: no search", ImpactMethod::dopri5),
        method("order 5: across the joint", ImpactMethod::dopri5, {.end_on_joint = false}),
-       method("order 8 (GSL)", ImpactMethod::rk8pd), method("BDF (GSL)", ImpactMethod::msbdf),
-       method("Radau IIA", ImpactMethod::radau5),
-       fixed("Runge-Kutta 4 fixed", Rule::runge_kutta, -4),
-       fixed("Newmark fixed", Rule::newmark, -2)},
+       method("order 8 (GSL)", ImpactMethod::rk8pd),
+       method("Radau IIA", ImpactMethod::radau5, {.search = true})},
       0.02);
   item.value(item.id() + "-answer", bench::answer(points, quantity, {1e-3, 1e-5, 1e-8}));
   item.value(item.id() + "-reference", uncertainty, "", "{:.0e}");
@@ -285,10 +204,6 @@ void cost_mass(report::Item& item) {
       return cheapest(joint, tolerances, wanted, item.timings(),
                       [&, method](double tolerance) { return joint.adaptive(method, tolerance); });
     };
-    const auto fixed = [&](Rule rule) {
-      return cheapest(joint, steps, wanted, item.timings(),
-                      [&, rule](double step) { return joint.fixed(rule, step); });
-    };
     entries.clear();
     const auto add = [&](const char* name, bool is_explicit, const Cheapest& c) {
       data.add(mass, name, c.seconds, c.evaluations > 0 ? double(c.evaluations) : units::nan);
@@ -299,9 +214,6 @@ void cost_mass(report::Item& item) {
     add("order 5: no search", true, adaptive(ImpactMethod::dopri5));
     add("order 8 (GSL)", true, adaptive(ImpactMethod::rk8pd));
     add("Radau IIA", false, adaptive(ImpactMethod::radau5));
-    add("BDF (GSL)", false, adaptive(ImpactMethod::msbdf));
-    add("Runge-Kutta 4 fixed", true, fixed(Rule::runge_kutta));
-    add("Newmark fixed", false, fixed(Rule::newmark));
     if (std::abs(mass - 100) < 1) heavy = quickest(entries);
     if (quickest(entries).is_explicit) lightest = mass;
   }

@@ -38,13 +38,12 @@ struct Waves {
 };
 }  // namespace
 
-TEST_CASE("unit: six integrators of three families agree on the forces over a joint") {
+TEST_CASE("unit: four integrators agree on the forces over a joint") {
   const ForcesAt reference = run(ImpactMethod::dopri5, 1e-12);
   REQUIRE(reference.complete);
   CHECK(reference.force.size() == times.size());
   CHECK(reference.state.size() == times.size());
-  for (ImpactMethod method : {ImpactMethod::rk8pd, ImpactMethod::msbdf, ImpactMethod::rk4imp,
-                              ImpactMethod::bsimp, ImpactMethod::radau5}) {
+  for (ImpactMethod method : {ImpactMethod::rk8pd, ImpactMethod::bsimp, ImpactMethod::radau5}) {
     const ForcesAt forces = run(method, 1e-10);
     INFO(static_cast<int>(method));
     REQUIRE(forces.complete);
@@ -57,7 +56,7 @@ TEST_CASE("unit: six integrators of three families agree on the forces over a jo
 
 TEST_CASE("unit: without a restart the integrators step across the joint, to the same forces") {
   for (const ImpactMethod method :
-       {ImpactMethod::rk8pd, ImpactMethod::msbdf, ImpactMethod::radau5}) {
+       {ImpactMethod::rk8pd, ImpactMethod::bsimp, ImpactMethod::radau5}) {
     INFO(static_cast<int>(method));
     const ForcesAt anew = run(method, 1e-10), across = run(method, 1e-10, 2000000, false);
     REQUIRE(across.complete);
@@ -77,7 +76,7 @@ TEST_CASE("unit: the default method's forces are those of the passage itself") {
 }
 
 TEST_CASE("unit: a run that stops early says so and why") {
-  for (ImpactMethod method : {ImpactMethod::dopri5, ImpactMethod::msbdf, ImpactMethod::radau5}) {
+  for (ImpactMethod method : {ImpactMethod::dopri5, ImpactMethod::rk8pd, ImpactMethod::radau5}) {
     const ForcesAt forces = run(method, 1e-9, 5);
     CHECK_FALSE(forces.complete);
     CHECK_FALSE(forces.reason.empty());

@@ -115,53 +115,6 @@ TEST_CASE("unit: finite-element steady state confirms the closed form within 1e-
     }
 }
 
-TEST_CASE("unit: the load run over the beam in time approaches the same steady state") {
-  FeNewmarkOptions coarse, fine;
-  coarse.element = 0.2, coarse.step = 0.05;
-  fine.element = 0.1, fine.step = 0.025;
-  for (auto [theta, zeta] : {std::pair{0.5, 0.4}, {1.0, 0.4}, {2.0, 0.4}}) {
-    const double first = largest_difference(fe_newmark(theta, zeta, coarse), theta, zeta, -15, 10);
-    const double second = largest_difference(fe_newmark(theta, zeta, fine), theta, zeta, -15, 10);
-    INFO("theta " << theta << ": " << first << " then " << second);
-    CHECK(second < 5e-5);
-    CHECK(first / second > 8);  // order 4 in element and, by extrapolation, in step
-  }
-}
-
-TEST_CASE("unit: a run in time at theta = 2, extrapolated in element and step, is within 1e-6") {
-  // Nothing of the closed form goes into this run.
-  const FeShape fe = fe_newmark_extrapolated(2, 0.4, {.element = 0.08, .step = 0.08 / 3});
-  CHECK(std::ranges::count_if(fe.s, [](double s) { return s >= -15 && s <= 10; }) > 300);
-  CHECK(largest_difference(fe, 2, 0.4, -15, 10) < 1e-6);
-  CHECK(fe.at_load == Approx(moving_load(2, 0.4).at_load()).margin(1e-6));
-  CHECK(off_slope(fe, moving_load(2, 0.4), -15, 10) < 1e-4);
-}
-
-TEST_CASE("unit: an extrapolated run has the nodes that both of its beams have") {
-  // 10.1 beyond the load are 51 elements of 0.2 and 101 of 0.1: the finer beam ends before the
-  // coarser one's last node.
-  const FeNewmarkOptions options{.element = 0.2, .step = 0.1, .neglect = 0.1, .margin = 10.1};
-  const FeShape coarse = fe_newmark(1, 0.5, options);
-  const FeShape both = fe_newmark_extrapolated(1, 0.5, options);
-  CHECK(coarse.s.back() == Approx(10.2));
-  CHECK(both.s.back() == Approx(10.0));
-  const FeShape fine = fe_newmark(1, 0.5, {0.1, 0.05, 0.1, 10.1});
-  CHECK(both.s.front() ==
-        Approx(coarse.s.front() < fine.s.front() - 0.05 ? coarse.s[1] : coarse.s[0]));
-  REQUIRE(both.y.size() == both.s.size());
-  REQUIRE(both.slope.size() == both.s.size());
-  for (std::size_t i = 0; i < both.s.size(); ++i) {
-    if (i > 0) REQUIRE(both.s[i] - both.s[i - 1] == Approx(0.2));
-    const auto k = static_cast<std::size_t>(std::lround((both.s[i] - coarse.s[0]) / 0.2));
-    const auto n = static_cast<std::size_t>(std::lround((both.s[i] - fine.s[0]) / 0.1));
-    REQUIRE(both.y[i] == Approx((16 * fine.y[n] - coarse.y[k]) / 15).margin(1e-15));
-    REQUIRE(both.slope[i] == Approx((16 * fine.slope[n] - coarse.slope[k]) / 15).margin(1e-15));
-  }
-  CHECK(both.unknowns == fine.unknowns);
-  CHECK(both.steps == coarse.steps + fine.steps);
-  CHECK(both.at_load == Approx((16 * fine.at_load - coarse.at_load) / 15).epsilon(1e-12));
-}
-
 TEST_CASE("unit: the moving frame reaches to where the free decay is neglected, on both sides") {
   for (const double h : {0.05, 0.3, 0.7})
     for (const double neglect : {1e-10, 1e-3}) {
@@ -269,11 +222,12 @@ TEST_CASE("extreme: the closed form is continuous through coalescing roots") {
 TEST_CASE("extreme: the shorter the elements the smaller the error, down to rounding") {
   const NoFpFault no_fault;
   for (const auto& [theta, zeta] : {std::pair{0.0, 0.0}, {0.5, 0.3}, {0.95, 0.05}, {1.3, 0.3}})
-    for (const double element : {0.01, 0.002, 5e-4}) {
+    for (const double element : {0.05, 0.01, 0.002}) {
       CAPTURE(theta, zeta, element);
       const FeShape fe = fe_steady(theta, zeta, {element, 1e-15});
       CHECK(largest_difference(fe, theta, zeta, -1e9, 1e9) <
-            (0.3 * std::pow(element, 4) + 6e-15) * *std::ranges::max_element(fe.y));
+            (0.3 * std::pow(element, 4) + 1e-18 / std::pow(element, 4)) *
+                *std::ranges::max_element(fe.y));
     }
 }
 
@@ -315,6 +269,4 @@ TEST_CASE("input: bad arguments of the moving load are named") {
   CHECK_THROWS_AS(critical_speed(1, 1, nan), InputError);
   CHECK_THROWS_AS(fe_steady(0.5, 0.1, {-0.1, 1e-8}), InputError);
   CHECK_THROWS_AS(fe_steady(1.0, 1e-14, {0.1, 1e-8}), InputError);  // frame too long to mesh
-  CHECK_THROWS_AS(fe_newmark(0.5, 0.0), InputError);
-  CHECK_THROWS_AS(fe_newmark_extrapolated(0.5, 0.4, {.richardson = false}), InputError);
 }
