@@ -6,6 +6,7 @@ local record = require "record"
 local items = {}
 
 local most_claims = 4 -- of more than these only the telling ones are open
+local longest_notes = 300 -- letters; longer reasons are folded
 local most_rows = 10 -- of a longer list these are open
 local widest = 1100 -- a picture of so many pixels has its caption below it, and the width of the page
 local whole = 40 -- a table of at most so many rows is open as a whole
@@ -54,6 +55,7 @@ local function difference_from_print(check)
   if check.kind == "digitised" or printed == 0 then return (items.difference(check)) .. (check.kind == "digitised" and " of axis" or "") end
   local off = 100 * (computed - printed) / math.abs(printed)
   local size = math.abs(off)
+  if size < 1e-9 then return "0 %" end -- rounding
   local text = size >= 9.95 and ("%.0f"):format(size) or size >= 0.095 and ("%.1f"):format(size) or ("%.1g"):format(size)
   return html.number((off < 0 and "-" or "+") .. text) .. " %"
 end
@@ -100,18 +102,20 @@ end
 
 -- Reasons, each said once and marked a, b, c ... in the rows it belongs to.
 local function notes_of(checks)
-  local marks, list = {}, {}
+  local marks, list, length = {}, {}, 0
   for _, check in ipairs(checks) do
     local why = items.proof(check)
     if why ~= "" and not marks[why] then
+      length = length + utf8.len(why)
       local n = #list
       marks[why] = n < 26 and string.char(97 + n) or tostring(n + 1)
       list[n + 1] = html.tag("li", nil, html.tag("b", nil, marks[why]) .. " " .. html.text(why))
     end
   end
   local notes = #list > 0 and html.tag("ul", {class = "notes"}, table.concat(list, "\n")) or ""
-  if #list > 3 then
-    notes = html.tag("details", {class = "checks"}, html.tag("summary", nil, ("The %d reasons"):format(#list)) .. notes)
+  if #list > 3 or length > longest_notes then
+    local summary = #list > 1 and ("The %d reasons"):format(#list) or "The reason"
+    notes = html.tag("details", {class = "checks"}, html.tag("summary", nil, summary) .. notes)
   end
   return marks, notes
 end
@@ -132,33 +136,44 @@ local function place_of(check, title)
   return html.tag("span", {class = "place"}, html.text(place))
 end
 
+-- The first heading of a table of checks, with their place in the paper when they all have the same one; and the place of each.
+local function places_of(checks, title, head)
+  local first = place_of(checks[1], title)
+  for _, check in ipairs(checks) do
+    if place_of(check, title) ~= first then return head, function(each) return place_of(each, title) end end
+  end
+  local own = html.text(checks[1].place or "")
+  return first ~= "" and ("%s (%s)"):format(head, own) or head, function() return "" end
+end
+
 -- Statements alone, without the columns of numbers that they have none of.
 local function statements_table(checks, of_paper, title)
   local marks, notes = notes_of(checks)
-  local rows = {}
+  local rows, head, place = {}, "statement", function() return "" end
+  if of_paper then head, place = places_of(checks, title, "claim") end
   for i, check in ipairs(checks) do
     local mark = marks[items.proof(check)]
-    rows[i] = {html.tag("span", {id = check.id}, html.text(check.what or check.id)) .. (of_paper and place_of(check, title) or ""),
+    rows[i] = {html.tag("span", {id = check.id}, html.text(check.what or check.id)) .. place(check),
       items.computed(check) .. (mark and html.tag("span", {class = "mark"}, mark) or ""),
       items.outcome(check), class = not check.pass and "failed" or nil}
     if not of_paper then table.insert(rows[i], 2, html.text(check.by or "")) end
   end
-  local heads = of_paper and {"claim", "found", "outcome"} or {"statement", "how it was tried", "found", "outcome"}
+  local heads = of_paper and {head, "found", "outcome"} or {head, "how it was tried", "found", "outcome"}
   return html.table("checks claims cards", heads, rows) .. notes
 end
 
 -- Printed numbers, all of them: what the paper has, what comes out, and the difference in per cent of the print.
 local function printed_table(checks, title)
   local marks, notes = notes_of(checks)
-  local rows = {}
+  local rows, head, place = {}, places_of(checks, title, "what")
   for i, check in ipairs(checks) do
     local mark = marks[items.proof(check)]
-    rows[i] = {html.tag("span", {id = check.id}, html.text(check.what or check.id)) .. items.unit(check) .. place_of(check, title),
+    rows[i] = {html.tag("span", {id = check.id}, html.text(check.what or check.id)) .. items.unit(check) .. place(check),
       items.cell(items.said(check, true)), items.cell(items.computed(check)),
       {difference_from_print(check) .. (mark and html.tag("span", {class = "mark"}, mark) or ""), class = "number"},
       items.outcome(check), class = not check.pass and "failed" or nil}
   end
-  return html.table("checks cards", {"what", "printed", "computed", "difference", "outcome"}, rows) .. notes
+  return html.table("checks cards", {head, "printed", "computed", "difference", "outcome"}, rows) .. notes
 end
 
 -- Numbers and statements that another work or method has, which is named.
@@ -219,18 +234,22 @@ local function paper_checks(checks, title)
   return (#numbers > 0 and printed_table(numbers, title) or "") .. claims_table(claims, title)
 end
 
--- Checks against other works and methods: folded, when there are more than three and none fails.
-local function other_checks(checks)
+-- Checks against other works and methods: folded, unless one fails or they are few and all that their item has.
+local function other_checks(checks, alone)
   if #checks == 0 then return "" end
   local passed = record.tally(checks)
-  if #checks <= 3 or passed < #checks then return other_table(checks) end
+  if passed < #checks or alone and #checks <= 3 then return other_table(checks) end
   return folded(other_table(checks), checks, "Against other works and methods: ")
 end
 
 local function checks_of(item)
   local paper, others = {}, {}
   for _, check in ipairs(item.checks) do table.insert(check.of_paper and paper or others, check) end
-  return paper_checks(paper, item.title) .. other_checks(others)
+  if item.open == "rows" and #item.checks > 0 then
+    local content = paper_checks(paper, item.title) .. (#others > 0 and other_table(others) or "")
+    return folded(content, item.checks, "")
+  end
+  return paper_checks(paper, item.title) .. other_checks(others, #paper == 0 and #(item.rows or {}) == 0 and not item.png)
 end
 
 -- The file of the book that holds a CSV of the results: of a figure that answers, a script.
@@ -410,7 +429,11 @@ function items.table(item, r, more)
         cells[i][j] = {numeric and html.number(text) or html.text(text), class = class}
       end
     end
-    display = html.folded_table("display", item.columns or {}, cells, of_paper(item) and whole or most_rows)
+    if item.open == "checks" then
+      display = html.tag("details", {class = "more"}, html.tag("summary", nil, ("The table, %d rows"):format(#rows)) .. html.table("display", item.columns or {}, cells))
+    else
+      display = html.folded_table("display", item.columns or {}, cells, of_paper(item) and whole or most_rows)
+    end
   end
   return html.tag("section", {class = "item", id = item.id}, table.concat({
     html.tag("p", {class = "caption"}, heading(item, r)), reason(item), display, more or "",

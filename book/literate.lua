@@ -2,8 +2,9 @@
 -- A comment that opens with `/***` at the beginning of a line is prose in Markdown; everything else is code.
 -- A prose line `{{code: contact/hertz.hpp hertz_from_approach}}` shows that function or type of lib/, `{{code: method.cpp search}}`
 -- or `{{code: method/loop.cpp search}}` one of the chapter's own; behind `{{fold}}` alone, the code of the file is folded at the end. Functions that compute
--- are shown, where the paragraph before them names one of them in backquotes, and else folded; what registers, formats and checks
--- (a function that takes a report::Item, a report::Section, main) is folded at the end.
+-- are shown, where the paragraph before them names one of them in backquotes; the others, and what registers, formats and checks
+-- (a function that takes a report::Item, a report::Section, main), are folded at the end.
+-- A block ::: {.fold summary="..."} of prose, with what stands in it, is folded where it stands; so are the commands below "Try next".
 -- The first file is the page; a prose line `{{include: section.cpp}}` continues with another one. Every .cpp
 -- named on the command line must be included exactly once; a header may be.
 
@@ -311,13 +312,13 @@ end
 
 local function where(text) return pandoc.Span({pandoc.Str(text)}, {class = "where"}) end
 
--- Code that computes stands where the text speaks of it, folded when it is long or when the paragraph before it does not name it. The rest is left for the end of the page, by file.
+-- Code that computes stands where the text speaks of it, folded when it is long. The rest is left for the end of the page, by file.
 local function present(block, rest)
   local file, line, role = block.attributes.file, block.attributes.line, block.attributes.role
   if not role then return nil end
   local lines = count_lines(block.text)
   local place = ("%s:%s"):format(file, line)
-  if role ~= "code" and role ~= "helper" then
+  if role ~= "code" then
     local plain = pandoc.RawBlock("html", highlight.plain(block.text))
     if not rest[file] then
       rest[file] = {lines = 0, blocks = pandoc.List()}
@@ -328,11 +329,11 @@ local function present(block, rest)
     return {}
   end
   local shown = pandoc.RawBlock("html", highlight.cpp(block.text))
-  if role == "code" and lines <= longest_open_block then return details("code shown", {where(place)}, {shown}, " open") end
+  if lines <= longest_open_block then return details("code shown", {where(place)}, {shown}, " open") end
   return details("code", {pandoc.Span(summary_of(block.text)), pandoc.Space(), where(("%s, %d lines"):format(place, lines))}, {shown})
 end
 
--- What only includes, registers, formats and checks, a fold for each file.
+-- What the text does not name, and what includes, registers, formats and checks: a fold for each file.
 local function rest_of(rest)
   local out = pandoc.List()
   if #rest == 0 then return out end
@@ -342,7 +343,7 @@ local function rest_of(rest)
     inner:extend(details("code", {pandoc.Code(file), pandoc.Space(), where(rest[file].lines .. " lines")}, rest[file].blocks))
     lines = lines + rest[file].lines
   end
-  local what = ("What only includes, registers, draws, formats and checks: %d lines of %d %s."):format(lines, #rest, #rest == 1 and "file" or "files")
+  local what = ("What the text does not name, and what registers, draws, formats and checks: %d lines of %d %s."):format(lines, #rest, #rest == 1 and "file" or "files")
   out:extend(details("code rest", {pandoc.Str(what)}, inner))
   return out
 end
@@ -369,16 +370,27 @@ function Reader(inputs)
 
   local dialect = "markdown-citations-example_lists-blank_before_header+autolink_bare_uris"
   local doc = pandoc.read(table.concat(weaver.out, "\n"), dialect)
-  local blocks, found, rest = pandoc.List(), 0, {}
-  for _, block in ipairs(doc.blocks) do
-    local shown = block.t == "CodeBlock" and present(block, rest)
-    if shown then
-      found = found + 1
-      blocks:extend(shown)
-    else
-      blocks:insert(block)
+  local found, rest, section = 0, {}, ""
+  local function presented(list)
+    local out = pandoc.List()
+    for _, block in ipairs(list) do
+      if block.t == "Header" then section = pandoc.utils.stringify(block) end
+      local shown = block.t == "CodeBlock" and present(block, rest)
+      if shown then
+        found = found + 1
+        out:extend(shown)
+      elseif block.t == "Div" and block.classes:includes("fold") then
+        if not block.attributes.summary then fail(main .. ": ::: {.fold} without a summary") end
+        out:extend(details("more", {pandoc.Str(block.attributes.summary)}, presented(block.content)))
+      elseif section == "Try next" and block.t == "CodeBlock" and block.classes:includes("console") then
+        out:extend(details("more", {pandoc.Str("The command and its answer")}, {block}))
+      else
+        out:insert(block)
+      end
     end
+    return out
   end
+  local blocks = presented(doc.blocks)
   if found ~= weaver.blocks then
     fail(main .. ": some code was swallowed by prose: a ``` block, <div> or $$ of the prose is not closed")
   end

@@ -1,6 +1,6 @@
 -- Pandoc filter: fills a chapter's page from its record.
 --   {{id}}              in a text or a formula: a value; the number of a figure or table, as a link
---   {{fig-09}} alone    the figure or table, with its checks
+--   {{fig-09}} alone    the figure or table, with its checks; {{table-1: rows}} folds its checks, {{table-1: checks}} its rows
 --   {{outcome:id}}      what came of a check, as a link to it
 --   {{coverage}} alone  the inventory of the paper
 --   {{work-precision}}, {{work-precision: id}}, {{stability}}, {{verdicts}}, {{checks}} alone
@@ -165,6 +165,10 @@ local function block_for(name, argument, token)
   if name == "work-precision" then list = work_precision(argument, token) end
   local item = r.item[name]
   if not item then return list end
+  if argument and not list and argument ~= "rows" and argument ~= "checks" then
+    problem(token, ("%s: '%s' is open in part: allowed: rows, checks"):format(r.chapter, name))
+  end
+  item.open = argument
   mark(name, token)
   return item_block(item, token, list)
 end
@@ -377,7 +381,7 @@ end
 local function number_items(doc)
   local counts = {}
   local function number(text)
-    for inner in text:gmatch("{{([%w][%w%-_./]*)}}") do
+    for inner in text:gmatch("{{([%w][%w%-_./]*)%s*:?%s*%w*}}") do
       local item = r.item[inner]
       if item and not item.number then
         local kind = item.page .. (item.kind == "figure" and "figure" or "table")

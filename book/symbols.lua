@@ -330,7 +330,9 @@ function symbols.list(list, value, no_anchors)
     out[i] = html.tag("li", {id = not no_anchors and "symbol-" .. entry.number or nil}, entry.math .. " " .. html.text(entry.meaning)
       .. html.tag("span", {class = "unit"}, worth(entry, value)))
   end
-  return html.tag("ul", {class = "symbols"}, table.concat(out, "\n"))
+  local content = html.tag("ul", {class = "symbols"}, table.concat(out, "\n"))
+  if no_anchors then return content end
+  return html.tag("details", {class = "more"}, html.tag("summary", nil, ("The %d symbols of the page, with units and values"):format(#list)) .. content)
 end
 
 -- What a reader's page takes the meanings from.

@@ -53,7 +53,11 @@ a mesh locates the edge to about a per cent, so the boundary can come to lie ins
 the moves are free, outward ones of up to {{outward}} of the half width then bring it back. On each
 mesh the outermost of these starts at {{outward-from}} of Hertz's ellipse.
 
+::: {.fold summary="Each mesh, and where its boundary moves outward"}
+
 {{moves}}
+
+:::
 
 As a rule of the program, the sentence costs little. If the boundary may only move inward, the
 iteration converges as well, to a contact {{inward-short}} shorter than Hertz's, against

@@ -52,13 +52,16 @@ of COUNTACT-1 next to the jump differs from the grid. With the slider below the 
 moves across the rail at the same approach, from the crown, where the contact is an ellipse, over
 the jump into the corner.
 
-{{fig-10}} shows the patch with the last mesh.
-{{scene}} shows the same result in space: columns as high as the pressure on one half, their mesh on
+{{scene}} shows the pressure in space: columns as high as the pressure on one half, their mesh on
 the other, and the interpenetration curve around.
+
+{{scene}}
+
+::: {.fold summary="The patch from above, with the last mesh"}
 
 {{fig-10}}
 
-{{scene}}
+:::
 
 {{fold}}
 */

@@ -76,7 +76,11 @@ routine INSEP evaluates "Eq. (7)", which must be (1). It places the mesh of nine
 which is in Fig. 2, and gives that mesh eight rows where the text asks for an odd number. There is a
 Table 2, and no Table 1. Numbers that the paper prints in two systems of units agree:
 
+::: {.fold summary="Numbers in both systems of units"}
+
 {{units}}
+
+:::
 
 ## Limits
 

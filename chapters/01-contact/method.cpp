@@ -106,6 +106,8 @@ inverse hyperbolic sine no digits are lost for slender cells.
 
 {{code: contact/influence.cpp corner_function}}
 
+::: {.fold summary="Are the equations (14) well posed?"}
+
 Earlier programs of this kind were unstable, and the paper blames their formulation, which left the
 approach free. Is (14) well posed? The condition number tells by how much errors of the equations
 can grow in the pressures. For Example 1 it is small:
@@ -117,6 +119,8 @@ cells, because the pressure stands under an integral; it does so slowly, because
 and the integral smooths only weakly. In the single precision of the paper's computer, whose
 relative spacing is $16^{-5}$, rounding costs at most {{short-loss}} on nine columns. No
 regularization (smoothing that is added to tame an unstable equation) is needed.
+
+:::
 
 ### Step 4: where the pressure falls to zero
 
@@ -159,9 +163,13 @@ $$y_C=y_D+(y_E-y_D)\frac{x_C-x_D}{x_E-x_D} \tag{17}$$
 
 {{fig-02}}
 
+::: {.fold summary="The routines of COUNTACT, and ours"}
+
 The paper's Fig. 5 shows which routine of COUNTACT calls which. Its routines and ours:
 
 {{fig-05}}
+
+:::
 
 {{fold}}
 */

@@ -1,5 +1,7 @@
 /*** ### Which tread did the program have?
 
+::: {.fold summary="The tread that each printed number asks for: 12.25 in to 12.34 in"}
+
 The first two of Hertz's formulas in Example 1 give both curvatures back from the printed $a$, $b$
 and $\delta$, without the force or the elastic constants. The function `shape_of` does this. The
 wheel comes out at {{fitted-wheel}}, next to the drawn 18. The tread comes out at {{fitted-tread}}.
@@ -29,6 +31,8 @@ The force of Hertz's column is not quite that of its own ellipse: $\tfrac23\pi a
 column is {{printed-load}}, with the rounding of its factors {{printed-load-range}}. A table of
 Hertz's coefficients with three digits may explain the difference of {{printed-load-off}}. So would
 a single misread digit of our text: {{misread}}. {{outcome:table-2/own-load}}
+
+:::
 
 {{fold}}
 */

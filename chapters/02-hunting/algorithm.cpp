@@ -37,9 +37,13 @@ curves are lost, so this is an inference. Started on the cycles of the first fam
 search holds them with one of the two choices of mode at {{loop-held}} amplitudes between 0.41 and
 0.74 in. What it finds depends on where it starts.
 
+::: {.fold summary="The search along both families, amplitude by amplitude"}
+
 {{fig-loop}}
 
 {{loop-claims}}
+
+:::
 
 {{fold}}
 */

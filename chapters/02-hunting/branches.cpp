@@ -28,6 +28,8 @@ goes up the flange, to {{cn-rear-at}}, and the front one to {{cn-front-at}}, jus
 point of the fillet. The full equations have stable cycles of this kind from {{cn-rear-stable}}. So
 "two distinct modes of hunting are possible here", of either truck.
 
+::: {.fold summary="CN wheels with both trucks on the flange, and the car with friction"}
+
 Cycles with both trucks on the flange follow on the falling part of the branch. With the dampers
 that we use they are unstable, by the paper's rule and by the full equations. With dampers from the
 other end of the curve ({{dampers}}, 0.012 rad/s) the paper's rule calls them stable up to
@@ -42,15 +44,21 @@ car is a system of separate elements.
 The lateral friction is not overcome there. To carry the body along at 0.4 in and {{slip-omega}}
 takes about {{slip-needed}}, and the four side frames hold {{slip-held}}.
 
+:::
+
 {{claims}}
 
-**The frequency on the flange.** "For all three wheel profiles, frequencies for limit cycles with
+::: {.fold summary="The frequency on the flange: near 30.5 rad/s for all wheels?"}
+
+"For all three wheel profiles, frequencies for limit cycles with
 flange contact approach a single high value in the neighborhood of 30.5 rad/s." The paper does not
 say at which amplitude. At 0.6 in, well up the flange, the describing functions have about one
 frequency. The full equations have lower ones, farther apart, because a wheelset that is thrown from
 flange to flange does not move as a sine.
 
 {{flange-frequency}}
+
+:::
 
 {{fold}}
 */

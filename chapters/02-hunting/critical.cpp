@@ -42,9 +42,11 @@ put the frequency with new wheels at {{lower-omega}}. The printed frequencies sp
 well. A truck that is held square moves at $\omega\propto V\sqrt\lambda$; with three times the
 conicity, 21 instead of 12 rad/s need about the same speed.
 
-{{dampers}}
+{{dampers: checks}}
 
-**The exponent of the warp stiffness** is illegible. With $10^5$, $10^7$ or $10^8$ there are dampers
+::: {.fold summary="The exponent of the warp stiffness, and the cone that the printed pair needs"}
+
+The exponent of the warp stiffness is illegible. With $10^5$, $10^7$ or $10^8$ there are dampers
 that give 145 ft/s as well, but at {{warp-others}}. Only $10^6$ gives 145 ft/s and 12 rad/s
 together.
 
@@ -56,6 +58,8 @@ $$\omega=V\sqrt{\frac\lambda{ar_0}}\,\Big/\sqrt{1+\Big(\frac{L_T}a\Big)^2}.$$
 For 12 rad/s at 145 ft/s this needs a conicity of {{implied-conicity}}, the cone of 1:20, and a
 truck that its warp stiffness holds square. Without the last factor the conicity would be
 {{free-conicity}}, a cone of 1:40, and the new wheel of 1976 had 1:20.
+
+:::
 
 {{fold}}
 */

@@ -26,16 +26,24 @@ one *conicity*; which of the other two is its Figure 8 is not legible.
 
 {{fig-07}}
 
+::: {.fold summary="The gains of contact angle and roll"}
+
 {{fig-08}}
 
 {{fig-09}}
+
+:::
 
 The paper says that the functions decrease once the contact has passed the steepest part of the
 flange. With our flanges $N_D$ does so, and $N_R$ and $N_\Phi$ go on rising with the radius. Which
 way the paper's went depends on the height and the tip of its flanges, which are lost, so this is
 not tested.
 
+::: {.fold summary="What the text says of the describing functions, and what was found"}
+
 {{describing-claims}}
+
+:::
 
 **Dry friction** opposes the rate $\dot s$ of a joint with a constant force $F_0$, and its gain falls
 with the amplitude $A$ of that *rate*:

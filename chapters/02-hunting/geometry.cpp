@@ -28,6 +28,8 @@ A (CN) on a new rail, and a modified Heumann wheel, made to touch the worn rail 
 The *gauge*, the distance between the rails' inner faces, is {{gauge}}. The profiles themselves are
 lost. Ours are chains of circular arcs and straight lines without corners:
 
+::: {.fold summary="The arcs of our profiles"}
+
 * Rails have a crown of 10 in radius, shoulders of 1¼ in and corners of 3/8 in when new, are flatter
   and then sharper when worn, and lean inwards by 1:40.
 * The new wheel is a cone of 1:20, and an arc of 11/16 in radius (the *throat*) leads to the flange.
@@ -39,7 +41,14 @@ They can therefore not test those statements; a test of the library makes sure t
 The paper calls $a$ half the gauge, which would be {{half-gauge}}; its value is {{half-spacing}},
 half the distance of the rails' *heads*.
 
-**Contact.** Let $h(x_w,\phi_w)$ be the least vertical gap between the left wheel and its rail when
+:::
+
+**Contact.** Wheelset and rails are rigid, so both sides touch where the vertical gap is least.
+How the place is found is a matter of arcs:
+
+::: {.fold summary="The least gap between two chains of arcs"}
+
+Let $h(x_w,\phi_w)$ be the least vertical gap between the left wheel and its rail when
 the wheelset is moved by $x_w$ and rolled by $\phi_w$ at a given height. Both sides must touch at
 once, and the right side is the mirror image of the left one, so
 
@@ -58,11 +67,17 @@ one, and the two ends. The least of all is the contact, exact to rounding.
 
 {{code: wheelset/wheelset_contact.cpp least_gap}}
 
+:::
+
 {{fig-03}}
+
+::: {.fold summary="The same for the CN and the Heumann wheel"}
 
 {{fig-04}}
 
 {{fig-05}}
+
+:::
 
 The last part of each figure shows the left wheel lifted off its rail; lines join the points that
 touch while the wheelset moves from {{far}} right to {{far}} left. Where the contact jumps from one
@@ -79,14 +94,22 @@ rounding (*fillet*) first. A CN wheel comes to its fillet at a contact angle of 
 and jumps to the flange at {{jump-cn}} ({{jump-heumann}} with Heumann wheels). Where a statement
 needs the jump, its row says so.
 
-**Words as numbers.** Each word of the paper is read alike in the whole chapter, by one rule. The
+::: {.fold summary="How words of the paper, as nearly and much, are read as numbers"}
+
+Each word of the paper is read alike in the whole chapter, by one rule. The
 rule was written down when first results were known, so it is no prediction. *Constant*,
 *vertical*, *the same* mean within 1 %, the width of a printed line. *Nearly*, *about*,
 *insignificant* mean a tenth; *small* and *low* mean below half. *Much*, *large*, *drastically*,
 *abruptly* mean by $\sqrt2$ or more, nearer to twice than to the same; *slightly* means by less, and
 *several* twice or more.
 
+:::
+
+::: {.fold summary="What the text says of the three wheels, and what was found"}
+
 {{geometry-claims}}
+
+:::
 
 {{fold}}
 */

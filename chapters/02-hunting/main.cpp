@@ -74,8 +74,7 @@ printed conicity with all dampers that fit.
   ft/s and 12 rad/s, slopes of 2.5 to 3.5 times the new wheel's, contact angles from none to twice
   ours, and from the printed frequencies alone.
 
-The following are facts about our reconstruction and not against the paper, which may have had other
-profiles:
+::: {.fold summary="What we found of our own profiles, which says nothing against the paper"}
 
 * With linear creep the full equations lose the stable cycles of new wheels on the flange between
   {{torus-range}}, long before the describing functions do.
@@ -85,6 +84,8 @@ profiles:
   the full equations.
 * A sweep of the paper's algorithm from the critical speed goes over from one family of cycles to
   the other. It finds the first one again only when it is started there.
+
+:::
 
 ## Limits
 

@@ -18,7 +18,9 @@ phase.
 
 {{fig-12}}
 
-**Why the body moves with new wheels and not with worn ones.** The paper says that with new wheels
+::: {.fold summary="Why the body moves with new wheels and not with worn ones"}
+
+The paper says that with new wheels
 this "may be because the frequency of the limit cycle is below the resonant frequency for car-body
 lateral motion", and that with worn wheels the body moves little, "as would be expected at high
 frequencies". On its springs, with the trucks held, the body has two natural motions in which it
@@ -33,6 +35,8 @@ our car the body moves little for another reason. With worn wheels the trucks op
 the middle of the body stays at rest while its ends move.
 
 {{mode-claims}}
+
+:::
 
 {{fold}}
 */

@@ -52,7 +52,11 @@ It also depends on the dampers, and with some that give 145 ft/s and 12 rad/s as
 either. All that is known is a range: where there are stable cycles, stability ends between
 {{torus-range}}, with linear creep.
 
+::: {.fold summary="Where stability ends, by running mean and dampers"}
+
 {{stability-range}}
+
+:::
 
 **Friction between wheel and rail.** The paper's creep is linear, and on the flange the forces that
 it asks for are many times what friction can carry. The paper names wheel slip as future work. With
@@ -67,7 +71,11 @@ flange's top, it may still hunt on the flange ({{creep-limited}}).
 
 {{creep-limited}}
 
+::: {.fold summary="What the text says of the cycles, tried on the full equations"}
+
 {{time-claims}}
+
+:::
 
 {{fold}}
 */

@@ -26,7 +26,7 @@ distance from the creep in the middle:
 
 {{code: appendices.cpp largest_by_corners}}
 
-**What is damaged, and what slipped.**
+::: {.fold summary="What is damaged in the appendix, and what slipped"}
 
 * The text of the appendix, as we have it, says 0.00254 mm for the error of a radius. Its numbers
   are those of 0.00254 **cm**, which is the 0.0254 mm of the body of the paper.
@@ -40,6 +40,8 @@ distance from the creep in the middle:
   one. The paper does not explain the difference.
 * With the radii of Appendix A the creep at 518 and 116 rpm would be {{xi-wrong-sign}}: a braked
   wheel would run *ahead*. With those of Appendix B it is {{xi-right-sign}}.
+
+:::
 
 **Could the radii be left out?** Before each test the longitudinal force was brought to zero with the
 small motor. A creep counted from that reading would be free of the errors of the radii, but it would
@@ -55,7 +57,9 @@ speeds are exact here, so only the first term of (i) stays.
 The appendix prints 0.0000588, the body of the paper 0.00005, which is the same number cut to one
 digit. {{outcome:table-appendix-b/text}}
 
-**Load and speed.** "4449.72 N" is 1000 lb taken as 0.45359 kg each at 9.81 m/s² (1000 lbf are
+::: {.fold summary="The load and the speed that the text prints"}
+
+"4449.72 N" is 1000 lb taken as 0.45359 kg each at 9.81 m/s² (1000 lbf are
 {{load-exact}}), and the force error of 22.249 N is 5 lb in the same way. The third number is the
 speed of 8.224 km/h for "near 50 rpm". At exactly 50 rpm the rim of the big wheel runs at
 {{speed-50}}, and 8.224 km/h is {{rpm-needed}}.
@@ -68,6 +72,8 @@ appendices, are {{speed-at-116}} and {{speed-at-99}}, twice as fast. If they are
 {{speed-by-teeth}}, close to the print; Appendix B's 99.2 are then {{rpm-99-by-teeth}}. The paper
 does not decide it, and its creep does not depend on it, since only the ratio of the speeds enters.
 {{outcome:table-text/speed}}
+
+:::
 
 {{fold}}
 */

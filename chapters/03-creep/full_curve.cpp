@@ -57,6 +57,8 @@ Below {{fig-full-curve}} creep and spin can be moved, for the rig's ellipse at t
 and a largest friction of 0.3. The contact rolls to the right; what slides begins at the trailing
 edge, and spin moves it to one side.
 
+::: {.fold summary="The curve in numbers, against two other programs"}
+
 {{table-full-curve}}
 
 Cells of one length in all rows, multiplied by Fourier transforms, differ nowhere by more than
@@ -64,6 +66,8 @@ Cells of one length in all rows, multiplied by Fourier transforms, differ nowher
 states an accuracy of 0.0005 and prints four digits; it differs by {{program-apart}} at most, just
 more than it states. In full slip $f$ stays a little below 1: the lateral strain turns the slip out
 of the rolling direction, by an angle that falls as $1/X$.
+
+:::
 
 Two simpler theories are drawn beside it. Vermeulen and Johnson's curve, $f=1-(1-kX/3)^3$, has a
 slope $k$ that is {{vj-excess}} above Kalker's $C_{11}$ for this ellipse. FASTSIM, Kalker's simplified

@@ -20,11 +20,15 @@ integral has a closed form in sine integrals. For the corners of Table 1, (8) is
 {{equation-8-least}} to {{equation-8-most}} above it for the 19-m chord, on the safe side, and up to
 {{equation-8-short}} for the 9.5-m chord.
 
+::: {.fold summary="What the corner changes, and the probabilities of three sigma"}
+
 {{equation-8}}
 
 The paper's two probabilities for three sigma are truncated, not rounded: 0.99 for a normal offset
 (exactly {{normal-share}}) and 0.8 for the worst possible distribution (by Chebyshev's inequality,
 {{chebyshev-share}}).
+
+:::
 */
 #include <fmt/format.h>
 
@@ -108,7 +112,7 @@ function `largest_offset` tries all positions, and the last column of {{table-2}
 
 {{fig-10}}
 
-{{table-2}}
+{{table-2: checks}}
 
 Ten of the twelve entries come out to the printed digits. They are computed in feet; the rounded
 metres of the table's headings fail in the row of the 19-m chord, where the sine is steep. **Two

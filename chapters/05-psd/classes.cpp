@@ -26,7 +26,7 @@ Does the rule give the classes of the paper's Table 3? {{table-3}} has $d$ from 
 $B$. It also has the range of $d$ when $A$ and $B$ are varied within their rounding, and when $B$ is
 taken from $C_1$ and $\beta$ by (7), within theirs (except in zone 13, whose $C_1$ cannot be read).
 
-{{table-3}}
+{{table-3: rows}}
 
 Over these ranges {{table-3-steady}} zones have one class, the printed one. Zone 12 has two. With
 the printed $A$ and $B$ its $d$ is {{zone-12-d}} ({{zone-12-low}} to {{zone-12-high}} for half a
@@ -34,10 +34,14 @@ unit in their last digits), inside the limit of class 3, {{zone-12-limit}}. With
 printed $C_1$ and $\beta$ it is {{zone-12-low-7}} to {{zone-12-high-7}}, on both sides of it. The
 printed class, 2, is compatible with the row.
 
+::: {.fold summary="The plus and minus signs of Table 3"}
+
 The plus and minus signs were put by eye. A minus stands at zones 7 and 8, which lie in the lower
 half of their class as the paper says, a plus at a zone that is close to the next class (6) or far
 inside the last (13). But zone 10, closer to class 5 than zone 6 is to class 6, has no sign. The
 text says that zones 3 and 4 were rebuilt after the survey; the table marks 3 and 5.
+
+:::
 
 ### Which coefficient did the paper use?
 
@@ -45,7 +49,11 @@ The classes do not tell. Twelve or thirteen of them come out as printed for any 
 {{k-most-low}} to {{k-most-high}}, and all thirteen, with the printed $A$ and $B$, for {{k-low}} <
 $k$ ≤ {{k-high}}. These are the readings that we tried:
 
+::: {.fold summary="Readings of the damaged coefficient"}
+
 {{table-k}}
+
+:::
 
 ### Figure 11
 

@@ -23,6 +23,8 @@ $\varphi_0$, which is $Q_1$ itself, and takes the highest value for $C_1$.
 
 {{code: method.cpp read_peak}}
 
+::: {.fold summary="The six measured spectra of the paper, with synthetic track in their place"}
+
 The paper shows six measured spectra as pictures, which our copy does not have. {{fig-08}} shows
 synthetic track with the printed $A$, $\varphi_c$ and peak of the same zones. A peak wider than the
 analysis can show comes from joints of random depth, with depth and correlation chosen so that its
@@ -37,6 +39,8 @@ sidebands, only a broad peak of the printed width, {{beta-2}} and {{beta-11}} cy
 rail's line is {{epsilon-off}} cycle/m from $\varphi_0$ and so lies inside such a peak; how high it
 is, the print does not say.
 
+:::
+
 The power is the area under the peak. Equation (6) takes that of a rectangle, as high as the peak
 and as wide as the peak is at half its height ({{fig-09}}). A peak of the shape of a resonance curve
 has {{lorentz}} times this area, and $B$ by (6) and (7) is then {{lorentz-B}} too small. Where
@@ -47,6 +51,8 @@ regression takes this for roughness, and $A$ comes out high.
 
 ### The narrow peaks are as wide as the window
 
+::: {.fold summary="A line of no width through a Hann window"}
+
 Five zones have $\beta$ = 0.010 cycle/m. {{resolution}} shows what a line of no width at all looks
 like through a Hann window on segments of three lengths.
 
@@ -56,6 +62,8 @@ With segments of 512 ft the line is {{beta-512}} cycle/m wide at half its height
 paper's definition of $\beta$. So 0.010 is most likely the resolution of the paper's analysis, and
 $C_1$ of these zones says as much about the window as about the track. The product of $C_1$ and
 $\beta$ does not depend on the window: it is the power of the line, the same in every row.
+
+:::
 */
 #include <fmt/format.h>
 

@@ -195,6 +195,8 @@ $ railbook psd classify old.csv --column profile
 
 ## Citations
 
+::: {.fold summary="Where the paper appeared, and the other works"}
+
 The copy at hand names no author, venue or year. These are from the Transportation Research Board's
 catalogue (TRID 00128608): J. C. Corbin and W. M. Kaufman, in *Mechanics of Transportation Systems*,
 AMD-Vol. 15, presented at the Winter Annual Meeting of ASME, Houston, Texas, 30 November to 5
@@ -202,6 +204,8 @@ December
 1975. No DOI was found. The paper cites its sources by number, and its list of references is not in
       the copy. Not the paper's: the limits of the classes, 49 CFR 213.63 (class 6 as of the 1970s;
       not looked up again), and their speeds, 49 CFR 213.9 and, for class 6, 213.307.
+
+:::
 */
 #include <algorithm>
 #include <cmath>

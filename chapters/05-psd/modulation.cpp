@@ -10,6 +10,8 @@ average, the paper's number. Mean and spread are the same.
 
 {{fig-05}}
 
+::: {.fold summary="The spectrum of uneven joints in closed form"}
+
 For this model the spectrum has a closed form. The mean dip keeps its lines; the scatter adds a
 continuum,
 
@@ -18,6 +20,8 @@ $$S(\varphi)=2\mu^2B^2l\,|D(\varphi l)|^2\,\frac{1-\varrho^2}{1-2\varrho\cos2\pi
 where $D$ is the Fourier transform of one dip of depth 1. Grouped dips pile their power up around
 the lines. At $\varphi_0$ their continuum is {{grouped-ratio}} times as high as that of random dips;
 midway between two lines it is lower by the same factor.
+
+:::
 
 Can one see this in a spectrum? The paper says that "the PSD cannot distinguish between these two
 extreme cases". {{five-miles}} compares the spectra of both kinds of track. We read the paper's
@@ -301,6 +305,8 @@ the printed metres {{epsilon-metres}}. With $\varphi_0$ rounded to 0.084 as in T
 
 {{fig-06}}
 
+::: {.fold summary="Why the difference of the wavenumbers? Why two equal sidebands?"}
+
 Why $\varepsilon$? A joint feels the old pattern, whose rails are $l_{old}$ long, only at the place
 where it lies. At the joints $x=jl$ the waves $\cos2\pi x/l_{old}$ and $\cos2\pi\varepsilon x$ have
 the same values, so the depth of the joints varies with the wavenumber $\varepsilon$. The paper's
@@ -308,6 +314,8 @@ two sidebands are equal because it multiplies the profile by a smooth envelope. 
 is deeper or shallower as a whole, by up to the fraction $\mu$, the envelope is a staircase. The
 line at $\varphi_0\mp\varepsilon$ then has the amplitude $\mu B\,D(1\mp\varepsilon l)$, and the
 lower one has {{staircase-ratio}} times the power of the upper.
+
+:::
 */
 constexpr double modulation = 0.5;
 
@@ -340,12 +348,18 @@ void fig_06(report::Item& item) {
 
 /*** ### All together
 
-Independent processes add their spectra. {{fig-07}} is the paper's composite, here of zone
+Independent processes add their spectra.
+
+::: {.fold summary="All three together, on linear and on logarithmic axes"}
+
+{{fig-07}} is the paper's composite, here of zone
 10: on linear axes, where the peak is plain and the continuum cannot be judged, and on logarithmic
 ones, where both slopes are straight and the peak looks small. The points are the spectrum estimated
 from {{fig-07-length}} of synthetic track.
 
 {{fig-07}}
+
+:::
 */
 void fig_07(report::Item& item) {
   item.expect_checks(1);

@@ -6,7 +6,7 @@ be put to the test: does $B$ follow from them? $C_1$ and $\beta$ are printed wit
 {{table-1}} gives the range of $B$ that their rounding allows. Nothing in the paper tests the other
 columns; we use them as printed.
 
-{{table-1}}
+{{table-1: rows}}
 
 {{ends-half}} of the 13 printed $B$ end in .0 or .5 mm. By chance this happens once in
 {{ends-half-chance}} tables, so the authors seem to have rounded $B$ often to half a millimetre.

@@ -13,7 +13,7 @@ motion up and down, roll its rotation about the track's direction.) This is exac
 by $L/2$ changes the sign of odd harmonics only; {{harmonics}} shows it by a Fourier transform of
 sampled surfaces.
 
-{{harmonics}}
+{{harmonics: rows}}
 */
 #include <fmt/format.h>
 
@@ -67,10 +67,18 @@ void harmonics(report::Item& item) {
 /***
 A measured profile is the paper's Figure 7, which is lost. "This type of profile has been modeled
 quite adequately by the rectified sinewave", says the paper; without the profile this cannot be
-tested. {{fig-07}} shows the rectified sine instead, on two rails with staggered joints, and what a
+tested.
+
+::: {.fold summary="The rectified sine on two rails, and what a car feels of it"}
+
+{{fig-07}} shows the rectified sine instead, on two rails with staggered joints, and what a
 car feels of them.
 
 {{fig-07}}
+
+:::
+
+::: {.fold summary="Random track: spectra of cross level"}
 
 The second kind of input is random. Cross level is the difference in height of the two rails. Our
 copy has the legends of the paper's Figure 6, but not its curves. They name a spectrum of cross
@@ -95,6 +103,8 @@ The cross level's root mean square over wavelengths of 2 to 100 m is {{rms-6}} f
 The paper points to the different effect of staggered (North American) and coincident (British)
 joints on such spectra. Staggered joints put their odd harmonics into the cross level; coincident
 ones are the same on both rails and put nothing into it.
+
+:::
 */
 
 // Half-staggered rails with joints half an inch deep, and what a car feels of them.

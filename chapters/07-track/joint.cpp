@@ -47,9 +47,13 @@ root mean square. Leaving the joint out would err by {{hinge-out-rms}} in the ro
 on {{hinge-worse}} of the distance up to $\xi=2$ that would be nearer to the curve. A factor of
 {{hinge-factor}} suits the pinned joint better, but no monotone formula can follow its second dip.
 
+::: {.fold summary="A joint in good condition"}
+
 A joint in good condition, says the paper, might lose "perhaps 25 to 30 percent". A joint that
 carries all shear loses as much if its rotational spring $k_\theta$ is between $\beta EI$ and
 $\frac23\beta EI$, which is {{k-theta-25}} to {{k-theta-30}} on the typical track.
+
+:::
 */
 #include <fmt/format.h>
 

@@ -47,7 +47,11 @@ low speed its peak grows as $1+2\mu\theta^2$, that of the beam under a moving lo
 $1+\theta^2/2$. As we read (10), the mass (15) therefore makes the effect of inertia at a fixed
 point three times too large; $M_r=\rho/2\beta$, $\mu=1/4$, would be right in the limit of low speed.
 
+::: {.fold summary="The peak at trackside, by lumped mass and by beam"}
+
 {{trackside-peak}}
+
+:::
 */
 #include <fmt/format.h>
 
@@ -149,6 +153,8 @@ $$M_{rail}=\frac{3\rho_r}{2\beta_o}, \tag{16}$$
 
 $$\beta_o=\left[\frac{k_{pad}k_{tie}}{l_t(k_{pad}+k_{tie})\,4EI}\right]^{1/4}. \tag{17}$$
 
+::: {.fold summary="How much ballast moves with a tie: two rules of thumb"}
+
 For the ballast that moves with a tie the paper has two rules of thumb. The first weighs a body of
 stone below the tie,
 
@@ -167,6 +173,8 @@ The first rule with $N=4$ gives {{mass-spread}} more $m_t$ than the second, and 
 says which is nearer. The function `ballast_mass_per_length` is the first rule.
 
 {{code: track/effective_mass.cpp ballast_mass_per_length}}
+
+:::
 
 Damping is taken as viscous, $C_r=2\zeta\sqrt{K_rM_r}$. The paper quotes $\zeta$ of 0.15 to 0.25
 from tests on clean ballast and 0.40 to 1.00 from the theory of waves that radiate into the ground.

@@ -184,6 +184,8 @@ $ railbook track joint --speed 60mph --dip 0.5in --wheel-mass 325kg
 
 ## Citations
 
+::: {.fold summary="Where the paper appeared, and the other works"}
+
 The copy names the authors at the head of one page, and neither title, book nor year; these are
 those by which later works cite it, and no catalogue entry or DOI was found. The list of references
 is not in the copy either. Not the paper's: H. H. Jenkins, J. E. Stephenson, G. A. Clayton, G. W.
@@ -191,6 +193,8 @@ Morland and D. Lyon, *The effect of track and vehicle parameters on wheel/rail v
 forces*, *Railway Engineering Journal*, January 1974, pp. 2-16 (TRID 00054692), for the formulas of
 P1 and P2; M. Hetényi, *Beams on Elastic Foundation*, 1946, which the paper cites, and L. Frýba,
 *Dynamics of Railway Bridges*, 1996, for the spectrum of {{fig-06}} (both not looked up).
+
+:::
 */
 #include "sections.hpp"
 

@@ -31,7 +31,9 @@ $$K_r=\frac{P}{y(0)}=2\,(4EIK^3)^{1/4}. \tag{2}$$
 It is proportional to $K^{3/4}$ and only to $(EI)^{1/4}$: the ground matters far more than the rail.
 {{continuous}} has numbers for a common rail, 132RE (132 pounds a yard).
 
-{{continuous}}
+{{continuous: rows}}
+
+::: {.fold summary="Ten feet on average track: twice, and of two lengths"}
 
 For an "average" main line the text puts the point of zero deflection "roughly ten feet" from the
 wheel. With 132RE rail it is ten feet for $K$ = {{k-ten-feet}}, and the typical track of this
@@ -39,6 +41,8 @@ chapter was chosen to meet that. Later the paper lets the effect of a joint disa
 $\beta X=2$, "or roughly 10 feet for average track". This distance is {{reach-ratio}} of the one to
 zero deflection, so both cannot be ten feet exactly, but they can be "roughly" ten feet on one
 track: with $K$ = {{k-both}} they are {{reach-both}} and {{zero-both}}.
+
+:::
 
 The deflection is linear in the loads. A second wheel at a distance $b$ with the same load therefore
 adds the fraction $a(b)$ to the deflection under the first, whose stiffness falls to $K_r/(1+a(b))$:

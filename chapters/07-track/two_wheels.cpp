@@ -9,7 +9,11 @@ $\beta$ made of $K-\rho\omega^2+2i\zeta\omega\sqrt{K\rho}$ in place of $K$ (`sha
 carries loads instead of wheels, and it shows that the coupling of which the paper speaks exists, in
 motion more than at rest:
 
+::: {.fold summary="The coupling of two wheels, by distance and frequency"}
+
 {{two-wheels}}
+
+:::
 
 In the lumped model we use the coupling at rest: the force of each wheel acts on its own rail mass,
 and the fraction $a(b)$ of it acts on that of the other wheel. In a truck of 70 inches at 60 mph
