@@ -126,7 +126,7 @@ void name_truck(Marks& marks, const CarParameters& car, int truck, double latera
 }
 
 void drawing(report::Item& item) {
-  item.sketch("lengths to scale, motions enlarged; the modes are computed with our profiles");
+  item.added("lengths to scale, motions enlarged; the modes are computed with our profiles");
   const CarParameters car;
   // Large motions of all nine coordinates but the roll, to name them.
   Vector9 q;

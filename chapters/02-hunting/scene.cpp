@@ -1,11 +1,15 @@
 /***
 ## The motion in space
 
+::: {.fold summary="The cycle of the new wheel at 150 ft/s, drawn to scale"}
+
 {{scene-hunting}} shows the cycle of the new wheel at 150 ft/s at the moment when the leading
 wheelset of the rear truck is farthest out. Lateral motion, yaw and roll are enlarged
 {{scene-factor}} times, the car is not; the body goes along with the trucks.
 
 {{scene-hunting}}
+
+:::
 
 {{fold}}
 */
@@ -76,7 +80,7 @@ void add_body(scene::Scene& drawing, double half, const Place& place) {
 }
 
 void scene_hunting(report::Item& item) {
-  item.sketch("the computed cycle, its motions enlarged");
+  item.added("the computed cycle, its motions enlarged");
   const CarParameters car;
   const CycleCase& c = example_cycle();
   double phase = 0, best = 0;

@@ -180,7 +180,7 @@ void worked(report::Item& item) {
 
 // A record, and the spectrum of its kind with the three parameters: zone 7.
 void overview(report::Item& item) {
-  item.sketch("the spectrum is the model's for zone 7, the record is synthetic");
+  item.added("the spectrum is the model's for zone 7, the record is synthetic");
   const Zone zone = zones(item).at(6);
   auto& rails = item.data({"x_m", "z_over_B"});
   for (int i = 0; i <= 800; ++i) {

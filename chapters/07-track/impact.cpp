@@ -77,7 +77,7 @@ ImpactHistory passage(const ImpactModel& model, double mph, double dip_in) {
 
 // The page's drawing: the track, the model, and the force over a joint with P1 and P2.
 void overview(report::Item& item) {
-  item.sketch("the force is that of the typical track at 60 mph over a dip of 0.5 in");
+  item.added("the force is that of the typical track at 60 mph over a dip of 0.5 in");
   const ImpactModel model = typical_impact();
   const ImpactHistory h = passage(model, 60, 0.5);
   const ImpactPeaks p = impact_peaks(h);
