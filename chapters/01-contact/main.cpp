@@ -109,11 +109,11 @@ come with it, in `tools/examples/contact`:
 $ railbook contact solve --config radii.toml
 ...
   approach                       0.4 mil   (as asked)
-  force F                        999.35 lbf   (error about 0.02)
+  force F                        999.35 +- 0.02 lbf
 ...
-  peak pressure                  39315.4 psi   (error about 0.7)
+  peak pressure                  39315.4 +- 0.7 psi
 ...
-  Hertz: force at this approach  999.3417 lbf   (the grid is off by 4.0e-06)
+  Hertz: force at this approach  999.3 lbf   (the grid is off by 4.0e-06)
 ...
 ```
 
@@ -122,10 +122,10 @@ For a wheel and a rail head measured as points, give the load and ask for the ap
 ```console
 $ railbook contact solve --body-1-profile rail.csv --body-2-profile wheel.csv --body-2-radius-along 460mm --load 80kN
 ...
-  approach                     108.38 um   (error about 0.02; 92 % of it from the profiles)
+  approach                     108.38 +- 0.02 um   (92 % of the error from the profiles)
   force F                      80 kN   (as asked)
 ...
-  peak pressure                1880 MPa   (error about 3; 99 % of it from the profiles)
+  peak pressure                1880 +- 3 MPa   (99 % of the error from the profiles)
 ...
 ```
 
@@ -140,7 +140,7 @@ Three variations of Example 1 with the same command; the lines shown are its ans
 ```console
 $ railbook contact solve --body-1-radius-along 18in --body-1-radius-across -12.34in --body-2-radius-across 10in --load 4.445kN --system inch
 ...
-  approach                      0.400036 mil   (error about 8e-06)
+  approach                      0.400036 +- 8e-06 mil
 ...
 ```
 
@@ -150,7 +150,7 @@ $ railbook contact solve --body-1-radius-along 18in --body-1-radius-across -12.3
 ```console
 $ railbook contact solve --body-1-radius-along 18in --body-1-radius-across -10.1in --body-2-radius-across 10in --approach 0.0004in --system inch
 ...
-  contact      to x              0.7781282 in
+  contact      to x              0.7781 in
 ...
 ```
 
@@ -160,7 +160,7 @@ $ railbook contact solve --body-1-radius-along 18in --body-1-radius-across -10.1
 ```console
 $ railbook contact solve --body-1-radius-along 18in --body-1-radius-across -12.34in --body-2-radius-across 10in --approach 0.0004in --angle 2deg --system inch
 ...
-  force F                        1004.54 lbf   (error about 0.02)
+  force F                        1004.54 +- 0.02 lbf
 ...
 ```
 

@@ -145,11 +145,11 @@ semi-axes. This is the rig at the load of Appendix B, with the longer axis along
 $ railbook creep curve --wheel-radius 100.5mm --wheel-profile 41.8mm --rail-radius 449.5mm --load 4449.72N --to 0.004 --points 5
 Creep curve
   theory                               full
-  largest pressure                     1499.03 MPa
-  semi-axis a, along rolling           1.490441 mm   (Hertz, from the radii)
-  semi-axis b, across                  0.9509309 mm   (Hertz, from the radii)
+  largest pressure                     1499 MPa
+  semi-axis a, along rolling           1.490 mm   (Hertz, from the radii)
+  semi-axis b, across                  0.9509 mm   (Hertz, from the radii)
 ...
-    creepage        fx, N        fy, N      mz, N m F/(mu N)   stick
+    creepage        fx, N        fy, N      mz, N*m F/(mu N)   stick
            0            0            0            0  0.00000   1.000
        0.001          481            0            0   0.3604   0.801
        0.002          838            0            0    0.628   0.590

@@ -134,10 +134,10 @@ $ railbook filters process sensors.csv --out mine
 ...
   slowest foot                      30 mph
 ...
-  crosslevel, mean where good       25.74421 mm   (good 96.3 %, degraded 0.0, unreliable 0.0, missing 3.7)
+  crosslevel, mean where good       25.7 mm   (good 96.3 %, degraded 0.0, unreliable 0.0, missing 3.7)
 ...
-  profile_left, mean where good     -0.03851254 mm   (good 86.3 %, degraded 0.0, unreliable 0.0, missing 13.7)
-    standard deviation              6.394321 mm
+  profile_left, mean where good     -0.04 mm   (good 86.3 %, degraded 0.0, unreliable 0.0, missing 13.7)
+    standard deviation              6.394 mm
 ...
   alignment_left, mean where good   nowhere good
     note                            good 0.0 %, degraded 82.6, unreliable 0.0, missing 17.4

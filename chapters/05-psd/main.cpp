@@ -121,15 +121,13 @@ synthetic track in track.csv
 ...
 $ railbook psd classify track.csv --column profile
 ...
-  roughness A                            5.10e-07 m^2 cycle/m
-    its standard error                   1.3e-08 m^2 cycle/m
-  corner phi_c                           0.129 cycle/m
+  roughness A                            5.1e-07 +- 1e-08 m^2*cycle/m   (standard error)
+  corner phi_c                           0.129 +- 0.002 cycle/m   (standard error)
 ...
-  rail length                            11.887 m
-  joint dip B, printed convention        10.7 mm   (as in Table 1)
-    its standard error                   0.42 mm
+  rail length                            11.89 m
+  joint dip B, printed convention        10.7 +- 0.4 mm   (standard error; as in Table 1)
 ...
-  deviation d expected of a 62-ft chord  29.8 mm   (random 20.7, joints 21.4)
+  deviation d expected of a 62-ft chord  29.77 mm   (random 20.69, joints 21.41)
   class                                  5   (margin 6.2 %)
 ...
     odds of class 5                      0.9999
@@ -168,7 +166,7 @@ synthetic track in uneven.csv
 ...
 $ railbook psd classify uneven.csv --column profile
 ...
-  roughness A                            5.4e-07 m^2 cycle/m
+  roughness A                            5.4e-07 +- 1e-08 m^2*cycle/m   (standard error)
 ...
 ```
 

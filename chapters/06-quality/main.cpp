@@ -112,12 +112,12 @@ A:
 $ railbook quality limit --speed 100km/h --car freight.toml --wavelength 5m 20m 100m
 ...
   amplitude allowed for short waves  1.6 cm
-    up to the wavelength             53.28702 m
+    up to the wavelength             53.29 m
 ...
-  wheel force counts below           4.307957 m
+  wheel force counts below           4.308 m
   at 5 m                             1.6 cm   (stroke)
   at 20 m                            1.6 cm   (stroke)
-  at 100 m                           9.605554 cm   (stroke)
+  at 100 m                           9.606 cm   (stroke)
 ```
 
 The descriptor of a record, here of two kilometres of crosslevel from the examples:
@@ -125,7 +125,7 @@ The descriptor of a record, here of two kilometres of crosslevel from the exampl
 ```console
 $ railbook quality index track.csv --speed 100km/h --column crosslevel --out mine
 ...
-  exceedances                          3   (1.51 per km)
+  exceedances                          3   (1.506 per km)
 ...
   worst                                +1.250 at 10400.0 m, wavelength 12.9 m, stroke
                                        +1.141 at 11209.8 m, wavelength 39.8 m, stroke
@@ -145,11 +145,11 @@ for each 200 m, and a picture.
 ```console
 $ railbook quality limit --speed 100km/h --roll-damping 0.1 --stroke 2.54cm
 ...
-  amplitude allowed for short waves  0.5054536 cm
+  amplitude allowed for short waves  0.5055 cm
 ...
 $ railbook quality index track.csv --speed 60km/h --column crosslevel
 ...
-  exceedances                          1   (0.502 per km)
+  exceedances                          1   (0.5021 per km)
 ...
 $ railbook psd synthesize rough.csv --length 3km --roughness '1e-6m^2*cycle/m' --dip 10mm
 ...

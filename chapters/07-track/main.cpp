@@ -100,12 +100,12 @@ answer says so:
 ```console
 $ railbook track stiffness --rail 136RE --tie-spacing 19.5in --ballast-depth 14in
 ...
-  ballast k_b                            986718 lbf/in   (eq. (6))
-  subgrade k_s                           77132 lbf/in   (eq. (7))
+  ballast k_b                            986700 lbf/in   (eq. (6))
+  subgrade k_s                           77130 lbf/in   (eq. (7))
 ...
   foundation modulus K                   1712 psi   (eq. (3))
 ...
-  stiffness under one wheel K_r          173879 lbf/in   (eq. (2))
+  stiffness under one wheel K_r          173900 lbf/in   (eq. (2))
 ...
   zero deflection at                     9.97 ft
 ...
@@ -137,11 +137,11 @@ already:
 ```console
 $ railbook track stiffness --rail 136RE --soil-modulus "80lbf/in^3"
 ...
-  stiffness under one wheel K_r          139368 lbf/in   (eq. (2))
+  stiffness under one wheel K_r          139400 lbf/in   (eq. (2))
 ...
 $ railbook track stiffness --rail 115RE --soil-modulus "100lbf/in^3"
 ...
-  stiffness under one wheel K_r          147538 lbf/in   (eq. (2))
+  stiffness under one wheel K_r          147500 lbf/in   (eq. (2))
 ...
 ```
 

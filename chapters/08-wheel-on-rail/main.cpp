@@ -149,16 +149,16 @@ are found so that it is in balance:
 ```console
 $ railbook wheelrail contact --shift 4mm --yaw 5mrad --load 50kN --speed 30m/s
 ...
-  right rail: force along                       -3606.336 N
-    to the right                                -8926.173 N
+  right rail: force along                       -3610 +- 60 N
+    to the right                                -8930 +- 60 N
 ...
-    normal force                                48775.19 N
-    largest pressure                            1155 MPa   (error about 3)
-    area                                        64.06197 mm^2
+    normal force                                48780 N
+    largest pressure                            1155 +- 3 MPa
+    area                                        64.06 mm^2
 ...
-    creepage along                              -0.001363925
-    across                                      -0.005031598
-    spin                                        -0.2291198 1/m
+    creepage along                              -0.001364
+    across                                      -0.005032
+    spin                                        -0.2291 1/m
 ...
 ```
 
@@ -172,13 +172,13 @@ $ railbook wheelrail contact --shift 4mm --yaw 5mrad --load 50kN --speed 30m/s
 ```console
 $ railbook wheelrail contact --shift 5mm --yaw 12mrad --load 10kN --speed 2m/s --head 60E1-benchmark
 ...
-  right patch 1: place along                    -6.947204 mm
+  right patch 1: place along                    -6.947 mm
 ...
-    largest pressure                            1571 MPa   (error about 3)
+    largest pressure                            1571 +- 3 MPa
 ...
-  right patch 2: place along                    -8.043102 mm
+  right patch 2: place along                    -8.043 mm
 ...
-    largest pressure                            297.9 MPa   (error about 0.4)
+    largest pressure                            297.9 +- 0.4 MPa
 ...
 ```
 
@@ -188,7 +188,7 @@ $ railbook wheelrail contact --shift 5mm --yaw 12mrad --load 10kN --speed 2m/s -
 ```console
 $ railbook wheelrail contact --shift 4mm --yaw 5mrad --load 50kN --speed 30m/s --method strips
 ...
-  right rail: force along                       -3765.714 N
+  right rail: force along                       -3766 N   (error not known)
 ...
 ```
 

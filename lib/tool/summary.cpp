@@ -6,33 +6,37 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include <railbook/tool/digits.hpp>
 #include <railbook/tool/session.hpp>
 #include <railbook/units/input_error.hpp>
 #include <railbook/units/printable.hpp>
 
 namespace railbook::tool {
 
-std::string to_digits_of(double value, double error) {
-  if (!(error > 0)) return fmt::format("{:.7g}", value);
-  if (std::isinf(error)) return fmt::format("{:.4g}", value);
-  const double place = std::floor(std::log10(error));
-  const double size = value == 0 ? place : std::floor(std::log10(std::abs(value)));
-  const int digits = static_cast<int>(std::clamp(size - place + 1, 1.0, 7.0));
-  const double unit = std::pow(10, size - digits + 1);
-  if (size < -4 || size > 6) return fmt::format("{:.{}e}", value, digits - 1);
-  return fmt::format("{:.{}f}", unit > 1 ? std::round(value / unit) * unit : value,
-                     std::max(0, digits - 1 - static_cast<int>(size)));
-}
-
 void Summary::add(std::string key, std::string what, const Estimate& estimate, std::string unit,
                   std::string note) {
-  const std::string error = std::isinf(estimate.error)
-                                ? "error not known"
-                                : "error about " + to_digits_of(estimate.error, estimate.error);
-  add(std::move(key), std::move(what), estimate.value, std::move(unit),
-      note.empty() ? error : fmt::format("{}; {}", error, note));
-  lines_.back().text = to_digits_of(estimate.value, estimate.error);
-  lines_.back().error = estimate.error;
+  const auto& [value, error] = estimate;
+  if (std::isinf(error)) note = note.empty() ? "error not known" : "error not known; " + note;
+  add(std::move(key), std::move(what), value, std::move(unit), std::move(note));
+  lines_.back().text = with_error(value, error);
+  lines_.back().error = error;
+}
+
+void Summary::add_rounded(std::string key, std::string what, double value, double last,
+                          std::string unit, std::string note) {
+  add(std::move(key), std::move(what), value, std::move(unit), std::move(note));
+  lines_.back().text = to_digits_of(value, last);
+}
+
+void Summary::add_error(std::string key, std::string what, double error, std::string unit,
+                        std::string note) {
+  add(std::move(key), std::move(what), error, std::move(unit), std::move(note));
+  lines_.back().text = to_significant(error, 2);
+}
+
+void Summary::add_to_json(std::string key, double value, std::string unit) {
+  add(std::move(key), "", value, std::move(unit));
+  lines_.back().kind = Line::Kind::hidden;
 }
 
 void Summary::add(std::string key, std::string what, double value, std::string unit,
@@ -44,8 +48,8 @@ void Summary::add(std::string key, std::string what, double value, std::string u
         fmt::format("{} ({}): the result is {}; the input leads out of the range of numbers", name,
                     key, std::isnan(value) ? "not a number" : "infinite")};
   }
-  lines_.push_back({Line::Kind::number, std::move(key), std::move(what),
-                    fmt::format("{:.7g}", value), std::move(unit), std::move(note), value});
+  lines_.push_back({Line::Kind::number, std::move(key), std::move(what), to_text(value),
+                    std::move(unit), std::move(note), value});
 }
 
 void Summary::add(std::string key, std::string what, std::string text) {
@@ -70,6 +74,7 @@ void Summary::print() const {
   for (const auto& [key, text] : flags_)
     fmt::print(to, "  DOUBTFUL: {}\n", units::printable(text, 1000));
   for (const Line& line : lines_) {
+    if (line.kind == Line::Kind::hidden) continue;
     const auto safe = [](const std::string& text) { return units::printable(text, 1000); };
     fmt::print(to, "  {:<{}}  {}{}{}{}\n", safe(line.what), wide, safe(line.text),
                line.unit.empty() ? "" : " ", line.unit,
@@ -83,7 +88,8 @@ std::string Summary::json() const {
   nlohmann::ordered_json units = nlohmann::ordered_json::object();
   nlohmann::ordered_json notes = nlohmann::ordered_json::object();
   for (const Line& line : lines_) {
-    if (line.kind == Line::Kind::number) values[line.key] = line.value;
+    if (line.kind == Line::Kind::number || line.kind == Line::Kind::hidden)
+      values[line.key] = line.value;
     if (line.kind == Line::Kind::text) values[line.key] = line.text;
     if (line.kind == Line::Kind::absent) values[line.key] = nullptr;
     if (line.error) {

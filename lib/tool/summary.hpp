@@ -14,10 +14,6 @@ struct Estimate {
   double value = 0, error = 0;
 };
 
-// A value with its last digit in the place of the error's first one, from one digit to seven: seven
-// without an error, four where it is infinite.
-std::string to_digits_of(double value, double error);
-
 class Summary {
  public:
   explicit Summary(std::string title) : title_(std::move(title)) {}
@@ -27,10 +23,19 @@ class Summary {
   // absent.
   void add(std::string key, std::string what, double value, std::string unit,
            std::string note = "");
-  // A number with its error: printed with the digits that the error leaves, and the error beside
-  // it; under "errors" in the JSON, null when not known.
+  // A number with its error, "144.54 +- 0.02 ft/s"; in the JSON the error is under "errors", null
+  // when not known.
   void add(std::string key, std::string what, const Estimate& estimate, std::string unit,
            std::string note = "");
+  // A number whose last digit stands in the place of the first of `last`, as of a mean beside its
+  // standard deviation.
+  void add_rounded(std::string key, std::string what, double value, double last, std::string unit,
+                   std::string note = "");
+  // A number that is an error itself: two digits are enough.
+  void add_error(std::string key, std::string what, double error, std::string unit,
+                 std::string note = "");
+  // A number for the JSON only, which the text shows beside another one.
+  void add_to_json(std::string key, double value, std::string unit);
   void add(std::string key, std::string what, std::string text);
   // A quantity that has no value here, and why ("none", "beyond the largest force"): null in the
   // JSON, with the reason as its note.
@@ -53,7 +58,7 @@ class Summary {
 
  private:
   struct Line {
-    enum class Kind { number, text, absent };
+    enum class Kind { number, text, absent, hidden };
     Kind kind;
     std::string key, what, text, unit, note;
     double value;

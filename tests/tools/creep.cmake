@@ -46,9 +46,9 @@ set_tests_properties("tool: creep curve finds the creepage of a force" PROPERTIE
 add_test(NAME "tool: creep table states its error"
          COMMAND railbook creep table --ratios 2 --longitudinal 4 --lateral 4 --spin 5 --points 20 --out ${folder}/creep-table)
 set_tests_properties("tool: creep curve answers" PROPERTIES
-                     PASS_REGULAR_EXPRESSION "spin creepage +0\\.2 1/m.*largest force +2[0-9.]+ N" FAIL_REGULAR_EXPRESSION "two materials")
+                     PASS_REGULAR_EXPRESSION "spin creepage +0\\.2 1/m.*largest force +2[0-9.]+ [+]- [0-9]+ N" FAIL_REGULAR_EXPRESSION "two materials")
 set_tests_properties("tool: creep curve takes radii" PROPERTIES
-                     PASS_REGULAR_EXPRESSION "semi-axis a, along rolling +6\\.680275 mm")
+                     PASS_REGULAR_EXPRESSION "semi-axis a, along rolling +6\\.680 mm")
 set_tests_properties("tool: creep table states its error" PROPERTIES
                      PASS_REGULAR_EXPRESSION "interpolation error of the force, largest +0\\.[0-9]+ of mu N")
 foreach(case "one point|--points 1" "nothing but zeros|--mu 0 --to 0.001" "two points apart by rounding|--points 2 --from 0.004 --to 0.0040000000001")
@@ -81,4 +81,4 @@ set_tests_properties("tool: creep curve does not doubt small spin" "tool: creep 
                      FAIL_REGULAR_EXPRESSION "DOUBTFUL")
 add_test(NAME "tool: creep curve shows the error of the moment" COMMAND ${curve} full --spin 2rad/m)
 set_tests_properties("tool: creep curve shows the error of the moment" PROPERTIES
-                     PASS_REGULAR_EXPRESSION "and of the moment +[0-9.e-]+ N m")
+                     PASS_REGULAR_EXPRESSION "and of the moment +[0-9.e-]+ N[*]m")

@@ -23,7 +23,7 @@ while IFS='|' read -r pattern command <&3; do
   { [ $status = 0 ] && grep -q -e "$pattern" said; } || { echo "status $status, no \"$pattern\": $command"; head -40 said; failed=1; }
 done 3<<'END'
   class  *5 |railbook psd classify track.csv
-rail length  *11.8872 m|railbook psd classify track.csv --rail 39ft
+rail length  *11.89 m|railbook psd classify track.csv --rail 39ft
 shows rails of 2[45]|railbook psd classify long-rails.csv
 "rail|railbook psd classify long-rails.csv --json
  800 missing|railbook psd classify gaps.csv
@@ -35,11 +35,11 @@ hamid-yang-5|railbook psd classify track.csv --reference fra-5,hamid-yang-5,germ
   class  *5 |railbook psd classify track.csv --slopes two --noise none
   class  *5 |railbook psd classify track.csv --window dpss
   class  *5 |railbook psd classify track.csv --low 0.02cycle/m --high 1cycle/m
-roughness A  *4.83|railbook psd classify track.csv.gz
-roughness A  *4.83|railbook psd classify comma.csv
-roughness A  *4.83|railbook psd classify - <track.csv
-roughness A  *4.83|gzip -dc track.csv.gz | railbook psd classify - --column 2
-roughness A  *4.83|cut -d, -f2 track.csv | railbook psd classify - --spacing 25cm
+roughness A  *4.8e-07 +- 2e-08|railbook psd classify track.csv.gz
+roughness A  *4.8e-07 +- 2e-08|railbook psd classify comma.csv
+roughness A  *4.8e-07 +- 2e-08|railbook psd classify - <track.csv
+roughness A  *4.8e-07 +- 2e-08|gzip -dc track.csv.gz | railbook psd classify - --column 2
+roughness A  *4.8e-07 +- 2e-08|cut -d, -f2 track.csv | railbook psd classify - --spacing 25cm
 roughness A  *5.[5-9]|railbook psd classify rails.csv --column 4
 rows of the table  *2|railbook psd classify rails.csv --column left,right --out columns --no-figures
 rows of the table  *2|railbook psd classify --manifest list.txt --out listed --no-figures
@@ -51,7 +51,7 @@ D1|railbook quality measures track.csv --passes 1 --section 1km
 twist, median deviation|railbook quality measures rails.csv --column left,right --crosslevel cant --twist-base 10m
 exceptions to FRA class 3|railbook quality measures track.csv --fra-class 3
 chord_31ft_largest_mm|railbook quality measures track.csv --chords 31ft 124ft --out chords --no-figures && head -1 chords/measures.csv
-length of a section  *160.9344 m|railbook quality measures track.csv --section 528ft
+length of a section  *160.9 m|railbook quality measures track.csv --section 528ft
 median growth|railbook quality compare track.csv later.csv --section 500m
 from_m,to_m,before_mm,after_mm|railbook quality compare track.csv track.csv --out same --no-figures && cat same/compare.csv
 offset|railbook quality compare track.csv track.csv --window 100m --reach 5m

@@ -45,10 +45,10 @@ function(quality_answers what pattern)
   set_tests_properties("tool: quality ${what}" PROPERTIES PASS_REGULAR_EXPRESSION ${pattern})
 endfunction()
 set(mine ${PROJECT_BINARY_DIR}/ctest/quality)
-quality_answers("limit knows the corner" "wheel force counts below +4\\.3079.*at 100 m +9\\.6055"
+quality_answers("limit knows the corner" "wheel force counts below +4\\.308 m.*at 100 m +9\\.606 cm"
                 limit --speed 100km/h --car freight.toml --out ${mine}-limit)
-quality_answers("limit without masses" "at 100 m +9\\.6055" limit --speed 100km/h --out ${mine}-stroke)
-quality_answers("limit of the force alone" "at 1 m +0\\.23053" limit --speed 100km/h --car freight.toml --mode force --out ${mine}-force)
+quality_answers("limit without masses" "at 100 m +9\\.606 cm" limit --speed 100km/h --out ${mine}-stroke)
+quality_answers("limit of the force alone" "at 1 m +0\\.2305 cm" limit --speed 100km/h --car freight.toml --mode force --out ${mine}-force)
 quality_answers("index finds the waves" "at 112[0-9][0-9]\\.[0-9] m, wavelength 39\\.[0-9] m"
                 index track.csv --column crosslevel --speed 100km/h --car freight.toml --out ${mine}-index)
 quality_answers("index names the limit" "at 10400\\.0 m, wavelength 12\\.[0-9] m, stroke"

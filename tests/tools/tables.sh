@@ -38,7 +38,7 @@ holds() {
     NR == 1 {for (i = 1; i <= NF; ++i) c[$i] = i; next} {++rows} '"$program"' END {exit wrong > 0 || rows == 0}' "$file" >said ||
     fail "$what: $(head -5 said)"
 }
-# means FOLDER PROGRAM assignments...: an awk program over the answer's values v[key], notes[key] and units[key]. is(key, expected, within)
+# means FOLDER PROGRAM assignments...: an awk program over the answer's values v[key], errors[key], notes[key] and units[key]. is(key, expected, within)
 # compares, relative to the expected value and to 1e-6 where nothing else is said; says(key, pattern) looks into a text or a note,
 # doubts(key, pattern) into a doubt.
 # Every value must be named by one of them or by free(keys); flags(keys) names all the doubts.
@@ -57,7 +57,7 @@ means() {
     function doubts(key, pattern) {expected[key]; if (flag[key] !~ pattern) bad("doubt " key " does not say " pattern ": " flag[key])}
     function flags(keys, all, n) {n = split(keys, all, " "); for (; n > 0; --n) {expected[all[n]]; if (!(all[n] in flag)) bad("no doubt " all[n])}}
     NF == 1 {section = $1; next}
-    section == "values" {v[$1] = $2; ++rows} section == "units" {units[$1] = $2} section == "notes" {notes[$1] = $2} section == "flags" {flag[$1] = $2}
+    section == "values" {v[$1] = $2; ++rows} section == "errors" {errors[$1] = $2} section == "units" {units[$1] = $2} section == "notes" {notes[$1] = $2} section == "flags" {flag[$1] = $2}
     END {pi = 3.14159265358979; '"$program"'
       for (key in v) if (!(key in named)) bad(key " is not asked for: " v[key])
       for (key in flag) if (!(key in expected)) bad("doubt " key ": " flag[key])

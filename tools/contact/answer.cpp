@@ -87,7 +87,7 @@ tool::Estimate estimate(double value, double unit, double grid, double profile) 
 std::string source_of(double grid, double profile) {
   if (!(grid < 0.5) || std::isinf(profile)) return "of this grid";
   if (profile == 0) return "";
-  return fmt::format("{:.0f} % of it from the profiles", 100 * profile / (grid + profile));
+  return fmt::format("{:.0f} % of the error from the profiles", 100 * profile / (grid + profile));
 }
 
 // Zero for what is only rounding beside a number of size `scale`.
@@ -140,7 +140,7 @@ void add_forces(const Solved& solved, bool by_load, const Box& ends, const Shown
     answer.add(approach, "approach", c.approach / u.small, u.small_name, "as asked");
     uncertain(force, "force F", c.force, u.force, u.force_name);
   }
-  const std::string moment = fmt::format("{} {}", u.force_name, u.length_name);
+  const std::string moment = fmt::format("{}*{}", u.force_name, u.length_name);
   answer.add("moment_x", "moment M_x = -sum of y p dA",
              clean(c.moment_x, c.force * ends.y_max) / (u.force * u.length), moment,
              "about the point of first touch");

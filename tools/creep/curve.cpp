@@ -26,6 +26,7 @@ read. Positive creepage gives positive force, that of the wheel on the rail; `sp
 #include <railbook/rolling/material_pair.hpp>
 #include <railbook/rolling/theory.hpp>
 #include <railbook/table/csv.hpp>
+#include <railbook/tool/digits.hpp>
 #include <railbook/tool/out_folder.hpp>
 #include <railbook/tool/progress.hpp>
 #include <railbook/tool/session.hpp>
@@ -173,11 +174,6 @@ void compare_with_full(std::vector<Row>& all, RollingCase c) {
   }
 }
 
-// An error has two digits.
-double rounded(double error) {
-  return error > 0 ? std::stod(fmt::format("{:.1e}", error)) : error;
-}
-
 // The largest errors that are known, and what the rows are doubtful for.
 void add_doubts(tool::Summary& answer, const std::vector<Row>& all, double unit, bool full) {
   double error = units::nan, moment = units::nan;
@@ -187,10 +183,10 @@ void add_doubts(tool::Summary& answer, const std::vector<Row>& all, double unit,
       moment = std::fmax(moment, f.mz_error);
     }
   if (std::isfinite(error)) {
-    answer.add("error_share",
-               full ? "largest error estimate of the force" : "largest error against full",
-               rounded(error), "of mu N");
-    answer.add("mz_error_N_m", "and of the moment", rounded(moment * unit), "N m");
+    answer.add_error("error_share",
+                     full ? "largest error estimate of the force" : "largest error against full",
+                     error, "of mu N");
+    answer.add_error("mz_error_N_m", "and of the moment", moment * unit, "N*m");
   } else {
     answer.absent("error_share", "error estimate", "not known");
   }
@@ -240,23 +236,24 @@ double creepage_for(double force, RollingCase c, const Solver& solve, double fro
       .x;
 }
 
-// The full theory's with the digits that its error leaves.
+// The full theory's with the digits of its error; fast theories have none of their own.
 void print_rows(const std::vector<Row>& all, double bound, double unit, bool full) {
   std::FILE* const to = tool::session().taken ? stderr : stdout;
   fmt::print(to, "\n{:>12} {:>12} {:>12} {:>12} {:>8} {:>7}\n", "creepage", "fx, N", "fy, N",
-             "mz, N m", "F/(mu N)", "stick");
+             "mz, N*m", "F/(mu N)", "stick");
   const auto text = [full](double value, double error) {
-    return full && value != 0 ? tool::to_digits_of(value, error) : fmt::format("{:.6g}", value);
+    return full ? tool::to_digits_of(value, error) : tool::to_text(value);
   };
   const auto share_text = [&](const CreepForces& f) {
     if (!(bound > 0)) return std::string{"-"};
     const double share = std::hypot(f.fx, f.fy) / bound;
-    return full && share > 0 ? tool::to_digits_of(share, f.error) : fmt::format("{:.5f}", share);
+    return full ? tool::to_digits_of(share, f.error) : tool::to_text(share);
   };
   for (const auto& [creepage, f] : all)
-    fmt::print(to, "{:>12.6g} {:>12} {:>12} {:>12} {:>8} {:>7.3f}\n", creepage.longitudinal,
-               text(f.fx, f.error * bound), text(f.fy, f.error * bound),
-               text(f.mz, f.mz_error * unit), share_text(f), std::abs(f.stick_share));
+    fmt::print(to, "{:>12} {:>12} {:>12} {:>12} {:>8} {:>7.3f}\n",
+               tool::to_text(creepage.longitudinal), text(f.fx, f.error * bound),
+               text(f.fy, f.error * bound), text(f.mz, f.mz_error * unit), share_text(f),
+               std::abs(f.stick_share));
 }
 
 // `unit` of the moment's error: mu N sqrt(a b) [N m].

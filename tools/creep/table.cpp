@@ -89,11 +89,11 @@ struct OwnError {
       return;
     }
     const double rms = std::sqrt(squares / answers);
-    answer.add("theory_error_largest", "estimate of the theory's own error, largest", largest,
-               "of mu N");
-    answer.add("theory_error_rms", "  root of the mean square", rms, "of mu N");
-    answer.add("theory_error_moment_rms", "  of the moment", std::sqrt(moment_squares / answers),
-               "of mu N sqrt(a b)");
+    answer.add_error("theory_error_largest", "estimate of the theory's own error, largest", largest,
+                     "of mu N");
+    answer.add_error("theory_error_rms", "  root of the mean square", rms, "of mu N");
+    answer.add_error("theory_error_moment_rms", "  of the moment",
+                     std::sqrt(moment_squares / answers), "of mu N sqrt(a b)");
     if (rms > 0.1)
       answer.flag(
           "coarse",
@@ -135,13 +135,13 @@ void run(Options options) {
                          table.longitudinal().size(), table.lateral().size(), table.spin().size()));
   answer.add("reach", "largest reduced creepage", options.axes.reach, "");
   answer.add("spin_reach", "largest reduced spin", options.axes.spin_reach, "");
-  answer.add("error_force_largest", "interpolation error of the force, largest",
-             error.largest_force, "of mu N");
-  answer.add("error_force_rms", "  root of the mean square", error.rms_force, "of mu N");
-  answer.add("error_moment_largest", "of the moment, largest", error.largest_moment,
-             "of mu N sqrt(a b)");
-  answer.add("error_moment_rms", "  root of the mean square", error.rms_moment,
-             "of mu N sqrt(a b)");
+  answer.add_error("error_force_largest", "interpolation error of the force, largest",
+                   error.largest_force, "of mu N");
+  answer.add_error("error_force_rms", "  root of the mean square", error.rms_force, "of mu N");
+  answer.add_error("error_moment_largest", "of the moment, largest", error.largest_moment,
+                   "of mu N sqrt(a b)");
+  answer.add_error("error_moment_rms", "  root of the mean square", error.rms_moment,
+                   "of mu N sqrt(a b)");
   own.tell(answer);
   answer.add("error_points", "measured at points off the nodes", double(error.points), "");
   answer.print();

@@ -165,9 +165,10 @@ void add_parameters(tool::Summary& s, const Answer& a) {
                            share(Quality::good), share(Quality::degraded),
                            share(Quality::unreliable), share(Quality::missing));
     std::string unit{info.unit};
-    std::replace(unit.begin(), unit.end(), '_', ' ');
+    if (const auto per = unit.find("_per_"); per != std::string::npos) unit.replace(per, 5, "/");
+    if (unit.ends_with("km2")) unit.replace(unit.size() - 1, 1, "^2");
     if (n > 0) {
-      s.add(name + "_mean", name + ", mean where good", mean, unit, note);
+      s.add_rounded(name + "_mean", name + ", mean where good", mean, rms / 100, unit, note);
       s.add(name + "_deviation", "  standard deviation", rms, unit);
     } else {
       s.absent(name + "_mean", name + ", mean where good", "nowhere good");

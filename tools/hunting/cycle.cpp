@@ -40,6 +40,7 @@ take long: after `--patience` the branch ends where it is, and the answer says s
 #include <railbook/rolling/smooth_force.hpp>
 #include <railbook/rolling/theory.hpp>
 #include <railbook/table/csv.hpp>
+#include <railbook/tool/digits.hpp>
 #include <railbook/tool/out_folder.hpp>
 #include <railbook/units/constants.hpp>
 #include <railbook/vehicle/car_families.hpp>
@@ -136,10 +137,11 @@ void add_cycle(tool::Summary& answer, const std::string& id, const LimitCycle& c
     answer.add(fmt::format("{}_wheelset_{}_mm", id, k + 1), fmt::format("    {}", names[k]),
                tool::Estimate{c.amplitude[k] / millimetre, error.amplitude / millimetre}, "mm");
   if (!car.table.symmetric())
-    answer.add(
-        id + "_middle_mm", "  about", c.middle[0] / millimetre, "mm",
-        fmt::format("to the left of the centre; {:.4f}, {:.4f}, {:.4f} mm the others",
-                    c.middle[1] / millimetre, c.middle[2] / millimetre, c.middle[3] / millimetre));
+    answer.add(id + "_middle_mm", "  about", c.middle[0] / millimetre, "mm",
+               fmt::format("to the left of the centre; {}, {}, {} mm the others",
+                           tool::to_text(c.middle[1] / millimetre),
+                           tool::to_text(c.middle[2] / millimetre),
+                           tool::to_text(c.middle[3] / millimetre)));
   if (creep) {
     const CycleForces f = cycle_forces(car.car.car(), car.table, *creep, c.cycle);
     answer.add(id + "_L_over_V", "  largest L/V of a wheel", largest_of(f.lateral_over_vertical),
@@ -176,7 +178,8 @@ void add_special(tool::Summary& answer, const Family& family, const Named& named
     answer.add(
         id + "_m_per_s", fmt::format("{}: {}", named.name, to_string(s.kind)),
         tool::Estimate{s.at.parameter, error.parameter}, "m/s",
-        fmt::format("{:.2f} ft/s{}{}", s.at.parameter / units::foot,
+        fmt::format("{} ft/s{}{}",
+                    tool::to_digits_of(s.at.parameter / units::foot, error.parameter / units::foot),
                     s.located ? "" : ", not located closely",
                     leaves && !followed ? "; the branch that leaves here is not followed" : ""));
     answer.add(id + "_mm", "  largest amplitude",
@@ -255,16 +258,16 @@ void follow_datum(tool::Summary& answer, const Options& options, const CarCase& 
     answer.flag(id + "_against", fmt::format("{} could not be followed from there", datum->name));
     return;
   }
-  answer.add(
-      id + "_against", fmt::format("  followed in {} up to", datum->name),
-      branch.points.back().parameter, unit,
-      fmt::format("{}; {:.4f} mm, {}", to_string(branch.stop),
-                  branch.points.back().largest / millimetre, stability_text(branch.points.back())));
+  answer.add(id + "_against", fmt::format("  followed in {} up to", datum->name),
+             branch.points.back().parameter, unit,
+             fmt::format("{}; {} mm, {}", to_string(branch.stop),
+                         tool::to_text(branch.points.back().largest / millimetre),
+                         stability_text(branch.points.back())));
   for (std::size_t k = 0; k < branch.special.size(); ++k)
     answer.add(fmt::format("{}_against_special_{}", id, k + 1),
                fmt::format("    {}", to_string(branch.special[k].kind)),
                branch.special[k].at.parameter, unit,
-               fmt::format("{:.4f} mm", branch.special[k].at.largest / millimetre));
+               tool::to_text(branch.special[k].at.largest / millimetre) + " mm");
 }
 
 // What the answer is about.
@@ -489,8 +492,7 @@ void run(const Options& options) {
                    : "linear");
   flag_smoothing(answer, options, c, options.lowest, options.highest);
   answer.add("hopf_m_per_s", fmt::format("critical speed {} of {}", options.family, hopf.size()),
-             begin.motion.speed, "m/s",
-             fmt::format("{:.4f} ft/s", begin.motion.speed / units::foot));
+             begin.motion.speed, "m/s", tool::to_text(begin.motion.speed / units::foot) + " ft/s");
   if (options.speed)
     look_in_time(answer, w);
   else

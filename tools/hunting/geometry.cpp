@@ -23,6 +23,7 @@ against amplitude to `conicity.csv`, the places of two-point contact to `jumps.c
 #include <string_view>
 
 #include <railbook/table/csv.hpp>
+#include <railbook/tool/digits.hpp>
 #include <railbook/tool/out_folder.hpp>
 #include <railbook/tool/summary.hpp>
 #include <railbook/units/constants.hpp>
@@ -162,10 +163,10 @@ void add_conicity(tool::Summary& answer, const Options& options, const Constrain
     first = false;
     const std::string key = "conicity_at_" + at + "_mm",
                       what = fmt::format("equivalent conicity at {} mm, {}", at, axle);
-    std::string note = fmt::format("wavelength {:.2f} m", c.wavelength);
+    std::string note = fmt::format("wavelength {} m", tool::to_text(c.wavelength));
     if (f.symmetric())
-      note = fmt::format("first harmonic {:.4f}, fitted line {:.4f}, {}", c.harmonic, c.regression,
-                         note);
+      note = fmt::format("first harmonic {}, fitted line {}, {}", tool::to_text(c.harmonic),
+                         tool::to_text(c.regression), note);
     if (c.oscillates)
       answer.add(key, what, c.kinematic, "", note);
     else
@@ -200,8 +201,8 @@ void run(const Options& options) {
       fmt::format("the left wheel's, jumps of more than {:.1f} mm", smallest_jump / millimetre));
   for (std::size_t i = 0; i < std::min<std::size_t>(jumps.size(), 12); ++i)
     answer.add(fmt::format("jump_{}_mm", i + 1), "  at", jumps[i].x / millimetre, "mm",
-               fmt::format("contact angle {:.4f} to {:.4f} rad", jumps[i].before.delta,
-                           jumps[i].after.delta));
+               fmt::format("contact angle {} to {} rad", tool::to_text(jumps[i].before.delta),
+                           tool::to_text(jumps[i].after.delta)));
   answer.print();
   if (out) write_files(out, options, pair, f, jumps, answer);
   out.commit();

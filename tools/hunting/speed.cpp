@@ -19,6 +19,7 @@ regularization makes them, and its critical speeds mean little.
 #include <memory>
 
 #include <railbook/table/csv.hpp>
+#include <railbook/tool/digits.hpp>
 #include <railbook/tool/out_folder.hpp>
 #include <railbook/units/constants.hpp>
 #include <railbook/vehicle/linear_stability.hpp>
@@ -56,11 +57,11 @@ void add_hopf(tool::Summary& answer, const QuasiLinearCar& car, const std::vecto
     const auto& m = found[k].motion;
     const std::string id = fmt::format("hopf_{}_", k + 1);
     answer.add(id + "m_per_s", fmt::format("critical speed {}", k + 1), m.speed, "m/s",
-               fmt::format("{:.4f} ft/s, {:.2f} km/h; {}", m.speed / units::foot,
-                           m.speed / units::kilometre_per_hour,
+               fmt::format("{} ft/s, {} km/h; {}", tool::to_text(m.speed / units::foot),
+                           tool::to_text(m.speed / units::kilometre_per_hour),
                            found[k].rate_by_speed.real() > 0 ? "grows above" : "grows below"));
     answer.add(id + "rad_per_s", "  frequency", m.lambda.imag(), "rad/s",
-               fmt::format("{:.4f} Hz", m.lambda.imag() / (2 * units::pi)));
+               tool::to_text(m.lambda.imag() / (2 * units::pi)) + " Hz");
     answer.add(id + "wheelsets", "  wheelsets, front to rear", shape_text(car, m.shape));
     answer.add(id + "body", "  body", body_text(m.shape));
   }
@@ -82,7 +83,7 @@ void add_modes_at(tool::Summary& answer, const QuasiLinearCar& car, double speed
     answer.add(fmt::format("mode_{}_growth", k + 1), fmt::format("mode {}: growth rate", k + 1),
                all[k].lambda.real(), "1/s",
                oscillates
-                   ? fmt::format("{:.5f} rad/s; wheelsets {}", all[k].lambda.imag(),
+                   ? fmt::format("{} rad/s; wheelsets {}", tool::to_text(all[k].lambda.imag()),
                                  shape_text(car, all[k].shape))
                    : "does not oscillate" + std::string(zero ? "; zero within rounding" : ""));
   }

@@ -31,6 +31,7 @@ sensor that stuck and a step of the datum may be defects: they are kept unless `
 #include <railbook/spectra/reference_spectra.hpp>
 #include <railbook/table/csv.hpp>
 #include <railbook/tool/batch.hpp>
+#include <railbook/tool/digits.hpp>
 #include <railbook/tool/out_folder.hpp>
 #include <railbook/tool/summary.hpp>
 #include <railbook/units/constants.hpp>
@@ -193,7 +194,8 @@ void add_class(tool::Summary& s, const spectra::SpectrumFit& fit) {
   const auto result = spectra::classify(fit.A.value, fit.B_printed.value, rule);
   const auto odds = spectra::class_probabilities(fit, rule);
   s.add("deviation_mm", "deviation d expected of a 62-ft chord", result.deviation / mm, "mm",
-        fmt::format("random {:.1f}, joints {:.1f}", result.random / mm, result.periodic / mm));
+        fmt::format("random {}, joints {}", tool::to_text(result.random / mm),
+                    tool::to_text(result.periodic / mm)));
   s.add("class", "class", static_cast<double>(result.track_class), "",
         result.track_class > 0 ? fmt::format("margin {:.1f} %", 100 * result.margin)
                                : std::string{"not even class 1"});
@@ -211,23 +213,24 @@ tool::Summary answer(const Options& options, const Measured& m, const Fitted& f)
   const spectra::SpectrumFit& fit = f.fit;
   tool::Summary s{"track of " + options.record.batch.only().string()};
   const auto with_error = [&](const std::string& key, const char* what, spectra::Estimate e,
-                              double unit, const char* unit_name, const char* note = "") {
-    s.add(key, what, e.value / unit, unit_name, note);
-    s.add(key + "_error", "  its standard error", e.error / unit, unit_name);
+                              double unit, const char* unit_name,
+                              const char* note = "standard error") {
+    s.add(key, what, tool::Estimate{e.value / unit, e.error / unit}, unit_name, note);
+    s.add_to_json(key + "_error", e.error / unit, unit_name);
   };
   tools::add_record(s, *m.record);
   s.add("segment_m", "length of a segment", static_cast<double>(m.segment) * m.record->spacing(),
         "m", fmt::format("{} samples", m.segment));
   s.add("segments", "segments averaged", static_cast<double>(m.spectrum.segments), "",
         fmt::format("{} samples in none", m.spectrum.unused));
-  with_error("A", "roughness A", fit.A, 1, "m^2 cycle/m");
+  with_error("A", "roughness A", fit.A, 1, "m^2*cycle/m");
   if (fit.corner == spectra::CornerState::fitted)
     with_error("phi_c", "corner phi_c", fit.phi_c, 1, "cycle/m");
   if (fit.noise.value > 0) with_error("noise", "noise floor", fit.noise, 1, "m^2/(cycle/m)");
   if (fit.phi_0 > 0) {
     s.add("rail_m", "rail length", f.fit_options.rail_length, "m");
     with_error("B_printed_mm", "joint dip B, printed convention", fit.B_printed, mm, "mm",
-               "as in Table 1");
+               "standard error; as in Table 1");
     with_error("B_exact_mm", "joint dip, physical", fit.B_exact, mm, "mm");
     s.add("C_1", "peak of the line C_1", fit.C_1, "m^2/(cycle/m)");
     s.add("beta", "its width Q_1/C_1", fit.beta, "cycle/m");

@@ -26,6 +26,7 @@ fits as well at another offset, as on a wave, the smallest offset is taken and t
 #include <railbook/quality/alignment.hpp>
 #include <railbook/quality/sections.hpp>
 #include <railbook/table/csv.hpp>
+#include <railbook/tool/digits.hpp>
 #include <railbook/tool/out_folder.hpp>
 #include <railbook/tool/summary.hpp>
 #include <railbook/units/constants.hpp>
@@ -286,8 +287,8 @@ void add_column(tool::Summary& s, const CompareOptions& options, const Pair& pai
   for (std::size_t i = 0; i < std::min<std::size_t>(5, all.size()); ++i)
     s.add(key(fmt::format("largest_{}_mm", i + 1)), i == 0 ? before + "largest growth" : "",
           all[i].growth / mm, "mm",
-          fmt::format("from {:g} m: {:.3f} to {:.3f} mm", all[i].from, all[i].before / mm,
-                      all[i].after / mm));
+          fmt::format("from {:g} m: {} to {} mm", all[i].from, tool::to_text(all[i].before / mm),
+                      tool::to_text(all[i].after / mm)));
 }
 
 tool::Summary summary_of(const CompareOptions& options, const std::deque<Pair>& pairs) {

@@ -7,6 +7,7 @@
 
 #include <railbook/filters/fir_filter.hpp>
 #include <railbook/table/csv.hpp>
+#include <railbook/tool/digits.hpp>
 #include <railbook/units/constants.hpp>
 
 #include "quality/index_parts.hpp"
@@ -119,8 +120,8 @@ tool::Summary summary_of(const IndexAnswer& answer) {
   add_car(s, d);
   tools::add_record(s, record);
   s.add("shortest_m", "shortest wavelength", shortest, "m");
-  s.add("gain_error", "filter gain wrong by at most", taps.gain_error, "",
-        fmt::format("at {:.3g} m", taps.worst_at));
+  s.add_error("gain_error", "filter gain wrong by at most", taps.gain_error, "",
+              fmt::format("at {:.3g} m", taps.worst_at));
   s.add("unsure", "share near an end or a gap", builder.unsure(), "", "");
   if (builder.unsure() > 0.5)
     s.flag("guessed",
@@ -139,7 +140,7 @@ tool::Summary summary_of(const IndexAnswer& answer) {
   s.add("above_per_km", "values above the threshold", q.above_per_km, "1/km",
         fmt::format("threshold {:g}", options.threshold));
   s.add("exceedances", "exceedances", static_cast<double>(found.size()), "",
-        fmt::format("{:.3g} per km", q.exceedances_per_km));
+        tool::to_text(q.exceedances_per_km) + " per km");
   add_segments(s, answer);
   add_worst(s, found);
   return s;

@@ -18,6 +18,7 @@ distance zero; a raised joint is a profile too. Data that are not given are thos
 #include <optional>
 
 #include <railbook/table/csv.hpp>
+#include <railbook/tool/digits.hpp>
 #include <railbook/tool/out_folder.hpp>
 #include <railbook/tool/summary.hpp>
 #include <railbook/track/impact_check.hpp>
@@ -52,13 +53,13 @@ const std::array<Part, 6> parts{{
      &RailOnBed::rail_mass, masses},
     {"--rail-stiffness", "rail_stiffness_MN_per_m", "rail to bed K_1", units::stiffness, "MN/m",
      1e6, &RailOnBed::rail_stiffness, stiffnesses},
-    {"--rail-damping", "rail_damping_kN_s_per_m", "rail to bed C_1", units::damping, "kN s/m", 1e3,
+    {"--rail-damping", "rail_damping_kN_s_per_m", "rail to bed C_1", units::damping, "kN*s/m", 1e3,
      &RailOnBed::rail_damping, dampings},
     {"--bed-mass", "bed_mass_kg", "tie and ballast mass, (19)", units::mass, "kg", 1.0,
      &RailOnBed::bed_mass, masses},
     {"--bed-stiffness", "bed_stiffness_MN_per_m", "bed to ground K_g", units::stiffness, "MN/m",
      1e6, &RailOnBed::bed_stiffness, stiffnesses},
-    {"--bed-damping", "bed_damping_kN_s_per_m", "bed to ground C_g", units::damping, "kN s/m", 1e3,
+    {"--bed-damping", "bed_damping_kN_s_per_m", "bed to ground C_g", units::damping, "kN*s/m", 1e3,
      &RailOnBed::bed_damping, dampings},
 }};
 
@@ -114,21 +115,24 @@ ImpactModel model_of(const Options& options, tool::Summary& answer) {
   return model;
 }
 
+constexpr std::size_t least_samples = 10;  // to judge what lies between them
+
 // What the distance of the samples leaves open, and a flag when it is more than 2 % of a peak.
 void add_sampling(tool::Summary& answer, const CheckedImpact& checked,
-                  const ImpactOptions& settings) {
+                  const std::optional<SamplingSpread>& judged) {
   const auto& profile = std::get<SampledProfile>(checked.history.surface);
   const auto samples = profile.knots().size();
-  answer.add("profile_samples", "samples of the profile", double(samples), "",
-             fmt::format("{:.4g} mm apart in the mean",
-                         1e3 * (profile.last() - profile.first()) / double(samples - 1)));
-  if (samples < 10) {
+  answer.add(
+      "profile_samples", "samples of the profile", double(samples), "",
+      fmt::format("{} mm apart in the mean",
+                  tool::to_text(1e3 * (profile.last() - profile.first()) / double(samples - 1))));
+  if (!judged) {
     answer.flag("sampling", fmt::format("a profile of {} samples is too coarse to judge what lies "
-                                        "between them; give 10 or more",
-                                        samples));
+                                        "between them; give {} or more",
+                                        samples, least_samples));
     return;
   }
-  const SamplingSpread spread = sampling_spread(checked, settings);
+  const SamplingSpread& spread = *judged;
   const ImpactPeaks& p = checked.peaks;
   double worst = 0;
   const auto add = [&](const char* key, const char* what, double size, double force) {
@@ -137,9 +141,10 @@ void add_sampling(tool::Summary& answer, const CheckedImpact& checked,
       answer.add(key, what, "not known");
       return;
     }
-    answer.add(key, what, size / units::kilonewton, "kN",
-               spread.resolved ? "from every second sample"
-                               : "from every second sample, and straight lines between samples");
+    answer.add_error(key, what, size / units::kilonewton, "kN",
+                     spread.resolved
+                         ? "from every second sample"
+                         : "from every second sample, and straight lines between samples");
   };
   if (p.has_first) add("p1_sampling_kN", "sampling leaves open: P1", spread.first, p.first.force);
   add("second_sampling_kN", "  largest before 2.5 ms", spread.second, p.second.force);
@@ -161,8 +166,8 @@ void add_checks(tool::Summary& answer, const CheckedImpact& checked) {
                 "at a hundredth of the tolerance the run does not end within its "
                 "steps: the peaks are unconfirmed");
   } else {
-    answer.add("tolerance_change", "a hundredth of the tolerance changes peaks by", checked.change,
-               "", "relative, the largest");
+    answer.add_error("tolerance_change", "a hundredth of the tolerance changes peaks by",
+                     checked.change, "", "relative, the largest");
     if (checked.change > 1e-3)
       answer.flag("tolerance", fmt::format("at a hundredth of the tolerance a peak changes by "
                                            "{:.2g} %: choose a smaller --tolerance",
@@ -170,8 +175,8 @@ void add_checks(tool::Summary& answer, const CheckedImpact& checked) {
   }
   if (checked.moves) {
     const double defect = checked.energy.defect();
-    answer.add("energy_defect", "energy balance open by", defect, "",
-               "of the largest kinetic energy");
+    answer.add_error("energy_defect", "energy balance open by", defect, "",
+                     "of the largest kinetic energy");
     if (defect > 1e-3)
       answer.flag("energy", fmt::format("the energy balance is open by {:.2g} % of the largest "
                                         "kinetic energy: motions too fast for the steps are lost; "
@@ -183,19 +188,31 @@ void add_checks(tool::Summary& answer, const CheckedImpact& checked) {
   answer.add("evaluations", "evaluations of the model", double(checked.history.evaluations), "");
 }
 
-void add_peaks(tool::Summary& answer, const ImpactHistory& history, const ImpactPeaks& p) {
-  const auto add = [&](const char* key, const std::string& what, const ForceExtremum& e) {
-    answer.add(std::string(key) + "_kN", what, e.force / units::kilonewton, "kN",
-               fmt::format("at {:.3f} ms", 1e3 * e.time));
+// Their error is what the samples of a measured profile leave open.
+void add_peaks(tool::Summary& answer, const ImpactHistory& history, const ImpactPeaks& p,
+               const std::optional<SamplingSpread>& spread) {
+  const auto add = [&](const char* key, const std::string& what, const ForceExtremum& e,
+                       std::optional<double> error) {
+    const std::string note = fmt::format("at {} ms", tool::to_text(1e3 * e.time));
+    if (error)
+      answer.add(std::string(key) + "_kN", what,
+                 tool::Estimate{e.force / units::kilonewton, *error / units::kilonewton}, "kN",
+                 note);
+    else
+      answer.add(std::string(key) + "_kN", what, e.force / units::kilonewton, "kN", note);
+  };
+  const auto of = [&](double SamplingSpread::*member) {
+    return spread ? std::optional{(*spread).*member} : std::nullopt;
   };
   if (p.has_first)
-    add("p1", "P1, first local maximum", p.first);
+    add("p1", "P1, first local maximum", p.first, of(&SamplingSpread::first));
   else
     answer.add("p1", "P1, first local maximum", "none");
-  add("second", "largest before 2.5 ms", p.second);
-  add("late", "largest after 4 ms", p.late);
-  add("p2", fmt::format("P2, largest mean over {:.2f} ms", 1e3 * p.mean_window), p.mean);
-  add("least", "smallest", p.least);
+  add("second", "largest before 2.5 ms", p.second, of(&SamplingSpread::second));
+  add("late", "largest after 4 ms", p.late, of(&SamplingSpread::late));
+  add("p2", fmt::format("P2, largest mean over {} ms", tool::to_text(1e3 * p.mean_window)), p.mean,
+      of(&SamplingSpread::mean));
+  add("least", "smallest", p.least, std::nullopt);
   answer.add("contact_lost_ms", "contact lost for", 1e3 * p.lost_for, "ms",
              fmt::format("{} times", history.losses.size()));
 }
@@ -221,15 +238,16 @@ void run(const Options& options) {
   const Surface surface = surface_of(options);
   tool::Summary answer("Wheel/rail force over a joint, one wheel");
   answer.add("speed_m_per_s", "speed", options.speed, "m/s",
-             fmt::format("{:.1f} mph", options.speed / units::mph));
+             tool::to_text(options.speed / units::mph) + " mph");
   if (const auto* rail = std::get_if<RectifiedSine>(&surface)) {
     answer.add("dip_mm", "dip", rail->depth / units::millimetre, "mm");
     answer.add("angle_mrad", "total angle at the joint", 1e3 * rail->total_angle(), "mrad");
   }
   const ImpactModel model = model_of(options, answer);
   const Eigen::Vector3d f = natural_frequencies(model);
-  answer.add("frequencies_Hz", "natural frequencies, Hz",
-             fmt::format("{:.2f}, {:.2f}, {:.2f}", f[0], f[1], f[2]));
+  answer.add(
+      "frequencies_Hz", "natural frequencies, Hz",
+      fmt::format("{}, {}, {}", tool::to_text(f[0]), tool::to_text(f[1]), tool::to_text(f[2])));
   const ImpactOptions settings{.tolerance = options.tolerance,
                                .start = default_start(surface),
                                .end_time = options.duration};
@@ -241,8 +259,12 @@ void run(const Options& options) {
         "too stiff for the tolerance",
         history.steps.empty() ? 0.0 : history.end(), history.steps.size(),
         to_string(history.status)));
-  add_peaks(answer, history, checked.peaks);
-  if (std::holds_alternative<SampledProfile>(surface)) add_sampling(answer, checked, settings);
+  const auto* measured = std::get_if<SampledProfile>(&history.surface);
+  std::optional<SamplingSpread> spread;
+  if (measured != nullptr && measured->knots().size() >= least_samples)
+    spread = sampling_spread(checked, settings);
+  add_peaks(answer, history, checked.peaks, spread);
+  if (measured != nullptr) add_sampling(answer, checked, spread);
   add_checks(answer, checked);
   answer.print();
   if (out) write_files(out, history, answer);

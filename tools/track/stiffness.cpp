@@ -235,7 +235,7 @@ void run(const Options& options) {
   answer.add("wheel_load_kN", "wheel load", options.wheel_load / units::kilonewton, "kN");
   if (options.joint == "none" && options.wheels.size() == 1)
     answer.add("moment_kN_m", "rail moment under the wheel",
-               beam_state(beam, options.wheel_load, 0).moment / units::kilonewton, "kN m");
+               beam_state(beam, options.wheel_load, 0).moment / units::kilonewton, "kN*m");
   for (const double wheel : options.wheels) {
     const double y = deflection(beam, joint, options, wheel);
     const std::string at = fmt::format("{:.3f}", wheel);

@@ -102,6 +102,19 @@ std::vector<ProfileError> profile_errors(const Options& options, const ProfilePa
   return errors;
 }
 
+// Of the creep force in a patch, from the grid [N].
+double grid_error(const PatchResult& p) {
+  return p.friction > 0 ? p.forces.error * p.friction * p.load : 0;
+}
+
+// Of a wheel's force: the sum of its patches'.
+double force_error(const WheelResult& wheel, const std::vector<ProfileError>& profiles) {
+  double sum = 0;
+  for (const PatchResult& p : wheel.patches) sum += grid_error(p);
+  for (const ProfileError& profile : profiles) sum += profile.force;
+  return sum;
+}
+
 void add_wheel(tool::Summary& answer, const Side& shown,
                const std::vector<ProfileError>& profiles) {
   const std::string s = shown.name;
@@ -110,8 +123,9 @@ void add_wheel(tool::Summary& answer, const Side& shown,
   int flag = 0;
   for (const std::string& doubt : wheel.doubts)
     answer.flag(fmt::format("{}_{}", s, ++flag), fmt::format("{} wheel: {}", s, doubt));
-  answer.add(s + "_x_N", s + " rail: force along", wheel.force.x(), "N");
-  answer.add(s + "_y_N", "  to the right", sign * wheel.force.y(), "N");
+  const double error = force_error(wheel, profiles);
+  answer.add(s + "_x_N", s + " rail: force along", tool::Estimate{wheel.force.x(), error}, "N");
+  answer.add(s + "_y_N", "  to the right", tool::Estimate{sign * wheel.force.y(), error}, "N");
   answer.add(s + "_z_N", "  down", wheel.force.z(), "N");
   int k = 0;
   for (const PatchResult& p : wheel.patches) {
@@ -131,7 +145,7 @@ void add_wheel(tool::Summary& answer, const Side& shown,
                               double of_profile, const char* unit) {
       answer.add(key + name, what, tool::Estimate{value, grid + of_profile}, unit,
                  of_profile > 0 && std::isfinite(of_profile)
-                     ? fmt::format("{:.0f} % of it from the smoothing of the profiles",
+                     ? fmt::format("{:.0f} % of the error from the smoothing of the profiles",
                                    100 * of_profile / (grid + of_profile))
                      : "");
     };
@@ -154,15 +168,15 @@ void add_wheel(tool::Summary& answer, const Side& shown,
     add("creepage_x", "  creepage along", p.creepage.longitudinal, "");
     add("creepage_y", "  across", sign * p.creepage.lateral, "");
     add("spin_1_per_m", "  spin", sign * p.creepage.spin, "1/m");
-    const double bound = p.friction * p.load,
-                 force_error = p.friction > 0 ? p.forces.error * bound : 0;
-    estimate("fx_N", "  force along", p.forces.fx, force_error, profile.force, "N");
-    estimate("fy_N", "  across, in the patch", sign * p.forces.fy, force_error, profile.force, "N");
+    const double bound = p.friction * p.load;
+    estimate("fx_N", "  force along", p.forces.fx, grid_error(p), profile.force, "N");
+    estimate("fy_N", "  across, in the patch", sign * p.forces.fy, grid_error(p), profile.force,
+             "N");
     answer.add(key + "mz_N_m", "  moment about its normal",
                tool::Estimate{
                    sign * p.forces.mz,
                    p.friction > 0 ? p.forces.mz_error * bound * std::sqrt(p.area / units::pi) : 0},
-               "N m");
+               "N*m");
     add("friction", "  friction", p.friction, "");
     add("stick_share", "  share that sticks", p.forces.stick_share, "");
     add("shear_MPa", "  largest shear traction", p.largest_shear / units::megapascal, "MPa");

@@ -32,12 +32,17 @@ TEST_CASE("unit: a summary's values stand in a column, units and notes behind th
   tool::Summary s("an answer");
   s.add("a_N", "force", 2.5, "N", "about");
   s.add("b_m", "length of all", 0.123456789, "m");
+  s.add("v", "speed", tool::Estimate{144.5387, 0.0213}, "ft/s", "of the grid");
+  s.add_error("e", "error", 0.03570888, "");
+  s.add_to_json("v_error", 0.0213, "ft/s");
   s.add("c", "n", "text\x1b");
   s.flag("coarse", "two cells");
   CHECK(printed(s) ==
         "an answer\n"
         "  DOUBTFUL: two cells\n"
         "  force          2.5 N   (about)\n"
-        "  length of all  0.1234568 m\n"
+        "  length of all  0.1235 m\n"
+        "  speed          144.54 +- 0.02 ft/s   (of the grid)\n"
+        "  error          0.036\n"
         "  n              text\\x1b\n");
 }

@@ -15,10 +15,16 @@ TEST_CASE("unit: a summary keeps numbers, texts, absences and doubts apart") {
   s.absent("peak_Pa", "peak pressure", "no contact");
   s.flag("coarse", "two cells");
   s.add("place", "place", "Zürich");
+  s.add("v", "speed", tool::Estimate{144.5387123, 0.0213456}, "ft/s");
+  s.add("w", "width", tool::Estimate{2, std::numeric_limits<double>::infinity()}, "m", "rough");
+  s.add_to_json("part_m", 0.25, "m");
   const std::string json = s.json();
   CHECK_THAT(json, Contains("\"force_N\": 2.5") && Contains("\"theory\": \"nan\""));
   CHECK_THAT(json, Contains("\"peak_Pa\": null") && Contains("\"peak_Pa\": \"no contact\""));
   CHECK_THAT(json, Contains("\"coarse\": \"two cells\"") && Contains("Zürich"));
+  CHECK_THAT(json, Contains("\"v\": 144.5387123") && Contains("\"v\": 0.0213456"));
+  CHECK_THAT(json, Contains("\"w\": null") && Contains("error not known; rough"));
+  CHECK_THAT(json, Contains("\"part_m\": 0.25") && Contains("\"part_m\": \"m\""));
 }
 
 TEST_CASE("unit: a summary refuses a number that is none, by its name") {

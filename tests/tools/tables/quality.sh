@@ -129,7 +129,7 @@ for class in accept watch repair unsure missing incomplete; do echo "$class=$(gr
 # shellcheck disable=SC2046 # assignments
 means index2 'is("speed_km_per_h", 100); is("length_km", 3); says("length_km", "12000 samples, " none " missing, 0 bridged"); is("spacing_m", 0.25); is("missing", none); is("bridged", 0); is("faulty", 20)
   is("mean", mean, 1e-5); is("rms", rms, 1e-5); is("deviation", dev, 1e-4); is("largest", most); is("n", (0.95 - mean) / dev, 1e-4); is("above_per_km", above, 1e-5); says("above_per_km", "threshold 0.95")
-  is("exceedances", count); says("exceedances", sprintf("%.3g per km", count / (n / 4000))); is("segments", 30); says("segments", "of 100 m"); is("segments_watch", watch); is("segments_repair", repair)
+  is("exceedances", count); says("exceedances", sprintf("%.4g", count / (n / 4000)) "0* per km"); is("segments", 30); says("segments", "of 100 m"); is("segments_watch", watch); is("segments_repair", repair)
   is("segments_unsure", unsure); is("segments_missing", missing); is("segments_incomplete", incomplete); says("segments_watch", "beyond 0.4"); says("segments_repair", "beyond 0.95"); is("shortest_m", 0); if (!(watch > 0 && repair > 0 && unsure > 0)) bad("classes")
   free("unsure gain_error stroke_limit_cm flat_until_m worst_1 worst_2"); is("level_cm", 1.6); flags("codes"); for (key in v) if (key ~ /^worst/) says(key, "^[+-][0-9.]+ at [0-9.]+ m, wavelength [0-9.]+ m, stroke(, unsure)?")' \
   $(cat moments classes) count=$(($(wc -l <index2/exceedances.csv) - 1))

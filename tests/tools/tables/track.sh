@@ -82,7 +82,7 @@ grep -q '"overlap"' shallow.json && fail "pyramids that do not overlap"
 answers mine joint --speed 30m/s --angle 8mrad --rail-length 12m --wheel-mass 700kg --wheel-load 90kN --wheel-radius 0.4m --crown-radius 0.4m \
   --rail-mass 50kg --rail-stiffness 200MN/m --rail-damping 10kN*s/m --bed-mass 300kg --bed-stiffness 40MN/m --bed-damping 30kN*s/m
 means mine 'lbf = 4.4482216152605; e = 0.5 * 30e6 * lbf / 0.0254 ^ 2 / 0.91; hertz = 4 / 3 * e * sqrt(0.4); kh = 1.5 * 90e3 ^ (1 / 3) * hertz ^ (2 / 3)
-  is("speed_m_per_s", 30); says("speed_m_per_s", "67.1 mph"); is("dip_mm", 1e3 * 0.008 * 12 / (2 * pi)); is("angle_mrad", 8)
+  is("speed_m_per_s", 30); says("speed_m_per_s", "67.11 mph"); is("dip_mm", 1e3 * 0.008 * 12 / (2 * pi)); is("angle_mrad", 8)
   is("wheel_mass_kg", 700); is("wheel_load_kN", 90); is("contact_stiffness_MN_per_m", kh / 1e6); is("rail_mass_kg", 50); is("rail_stiffness_MN_per_m", 200)
   is("rail_damping_kN_s_per_m", 10); is("bed_mass_kg", 300); is("bed_stiffness_MN_per_m", 40); is("bed_damping_kN_s_per_m", 30)
   for (key in notes) if (notes[key] == "assumed") bad(key " was given")
