@@ -42,6 +42,7 @@ endif()
 install(DIRECTORY tools/ DESTINATION ${CMAKE_INSTALL_DATADIR}/railbook/tools FILES_MATCHING PATTERN *.gp
         PATTERN examples EXCLUDE)
 install(FILES lib/plot/style.gp lib/plot/scene.gp DESTINATION ${CMAKE_INSTALL_DATADIR}/railbook/lib/plot)
+install(DIRECTORY tools/verify/data DESTINATION ${CMAKE_INSTALL_DATADIR}/railbook/tools/verify)
 install(DIRECTORY tools/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/railbook)
 
 # Licences: ours, the notices of what is compiled into the programs, and the list of all of it.

@@ -66,5 +66,8 @@ int main(int argc, char** argv) {
           {"wheelrail",
            "wheel on rail: from profiles to patches and creep forces",
            {wheelrail_tool::contact_tool(), wheelrail_tool::table_tool()}},
+          {"verify",
+           "compare this installation with reference numbers",
+           {verify_tool::verify_tool()}},
       });
 }

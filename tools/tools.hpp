@@ -48,4 +48,7 @@ namespace track_tool {
 tool::Tool joint_tool();
 tool::Tool stiffness_tool();
 }  // namespace track_tool
+namespace verify_tool {
+tool::Tool verify_tool();
+}  // namespace verify_tool
 }  // namespace railbook

@@ -50,14 +50,25 @@ std::string names(const std::vector<const CLI::App*>& apps) {
   return text;
 }
 
+std::vector<const CLI::App*> tools_of(const CLI::App& subject) {
+  const auto tools = below(subject);
+  return tools.empty() ? std::vector{&subject} : tools;
+}
+
+// "psd classify", or "verify".
+std::string place_of(const CLI::App& subject, const CLI::App& tool) {
+  return &subject == &tool ? tool.get_name() : subject.get_name() + " " + tool.get_name();
+}
+
 // One shell case a place: what may follow "railbook", "railbook psd", "railbook psd classify", an
 // option with choices.
 std::string cases(const CLI::App& app) {
   std::string text = fmt::format("    '') offer='{} --help --version' ;;\n", names(below(app)));
   for (const CLI::App* subject : below(app)) {
-    text += fmt::format("    '{}') offer='{} --help' ;;\n", subject->get_name(),
-                        names(below(*subject)));
-    for (const CLI::App* tool : below(*subject)) {
+    if (!below(*subject).empty())
+      text += fmt::format("    '{}') offer='{} --help' ;;\n", subject->get_name(),
+                          names(below(*subject)));
+    for (const CLI::App* tool : tools_of(*subject)) {
       std::string parser, values;
       for (const CLI::Option* o : tool->get_options()) {
         if (!o->nonpositional()) continue;
@@ -65,8 +76,7 @@ std::string cases(const CLI::App& app) {
         if (const std::string words = choices(*o); !words.empty())
           values += fmt::format("      '{}') offer='{}' ;;\n", o->get_name(), words);
       }
-      text +=
-          fmt::format("    '{} {}') offer='{}'\n", subject->get_name(), tool->get_name(), parser);
+      text += fmt::format("    '{}') offer='{}'\n", place_of(*subject, *tool), parser);
       if (!values.empty()) text += fmt::format("      case $before in\n{}      esac\n", values);
       text += "      ;;\n";
     }
@@ -82,8 +92,8 @@ std::string manual(const CLI::App& app, const std::string& version) {
       ".B railbook\nSUBJECT TOOL [OPTIONS]\n.SH DESCRIPTION\n.nf\n{}\n.fi\n",
       version, roff(app.get_description()), roff(app.get_footer()));
   for (const CLI::App* subject : below(app)) {
-    for (const CLI::App* tool : below(*subject)) {
-      text += fmt::format(".SH railbook {} {}\n{}\n", subject->get_name(), tool->get_name(),
+    for (const CLI::App* tool : tools_of(*subject)) {
+      text += fmt::format(".SH railbook {}\n{}\n", place_of(*subject, *tool),
                           roff(tool->get_description()));
       for (const CLI::Option* option : tool->get_options()) text += described(*option);
       text += fmt::format(".PP\n.nf\n{}\n.fi\n", roff(tool->get_footer()));

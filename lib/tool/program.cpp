@@ -178,14 +178,15 @@ std::string version_text(const Program& program) {
 
 namespace {
 
-// A tool under its subject, with what all tools have.
+// A tool under its subject, or the subject itself, with what all tools have.
 std::function<void()> add_tool(CLI::App& group, const Tool& tool) {
-  CLI::App* command = group.add_subcommand(tool.name, tool.help);
-  command
-      ->add_option("--config",
-                   "the same options from a TOML file (keys without the dashes; a key in a [table] "
-                   "is --table-key); the command line wins")
-      ->type_name("FILE");
+  CLI::App* command = tool.name.empty() ? &group : group.add_subcommand(tool.name, tool.help);
+  if (command != &group)
+    command
+        ->add_option("--config",
+                     "the same options from a TOML file (keys without the dashes; a key in a "
+                     "[table] is --table-key); the command line wins")
+        ->type_name("FILE");
   command->add_flag("--json", session().json, "print the answer as JSON and nothing else");
   OptionParser parser{*command};
   return [command, action = tool.setup(parser)] {
@@ -208,7 +209,8 @@ int run_words(CLI::App& app, const std::vector<std::string>& words, const Progra
   std::vector<std::function<void()>> actions;
   for (const Subject& subject : subjects) {
     CLI::App* group = app.add_subcommand(subject.name, subject.help);
-    group->require_subcommand(1);
+    if (subject.tools.size() > 1 || !subject.tools.front().name.empty())
+      group->require_subcommand(1);
     for (const Tool& tool : subject.tools) actions.push_back(add_tool(*group, tool));
   }
   try {

@@ -13,7 +13,7 @@
 
 namespace railbook::tool {
 
-// Tools about one subject.
+// Tools about one subject. A single one without a name is the command itself: `railbook verify`.
 struct Subject {
   std::string name, help;
   std::vector<Tool> tools;

@@ -14,6 +14,7 @@ cd "$folder"
 
 "$railbook" --version | grep -q '^railbook [0-9]' || fail "no version"
 grep -q "^.TH RAILBOOK 1" "$there/share/man/man1/railbook.1" || fail "no manual page"
+"$railbook" verify >/dev/null || fail "its reference numbers are not met"
 [ -s "$there/share/doc/railbook/copyright" ] || fail "no licence"
 bash -c '. "$1/share/bash-completion/completions/railbook"; COMP_WORDS=(railbook psd cla) COMP_CWORD=2; _railbook; [ "${COMPREPLY[*]}" = classify ]' sh "$there" || fail "bash completes nothing"
 bash -c '. "$1/share/bash-completion/completions/railbook"; COMP_WORDS=(railbook psd classify --wi) COMP_CWORD=3; _railbook; [ "${COMPREPLY[*]}" = --window ]' sh "$there" || fail "bash completes no option"

@@ -51,6 +51,17 @@ add_test(NAME "tool: psd classify reads files as recorders write them" COMMAND $
 add_test(NAME "tool: hostile and clumsy inputs" COMMAND ${here}/hostile.sh ${bin} ${examples})
 set_tests_properties("tool: hostile and clumsy inputs" PROPERTIES TIMEOUT 300) # for one that waits: its processors' time is limited
 
+add_test(NAME "tool: verify meets its reference numbers, and no changed one"
+         COMMAND ${here}/verify.sh ${bin} ${PROJECT_SOURCE_DIR}/tools/verify/data)
+find_package(Python3 COMPONENTS Interpreter QUIET)
+if(Python3_Interpreter_FOUND)
+  execute_process(COMMAND ${Python3_EXECUTABLE} -c "import mpmath" RESULT_VARIABLE without ERROR_QUIET)
+  if(NOT without)
+    add_test(NAME "reference: the numbers of verify are those of 40 digits"
+             COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/tests/reference/verify.py --check)
+  endif()
+endif()
+
 add_test(NAME "readme: its commands on data of one's own" COMMAND ${here}/readme.sh ${PROJECT_SOURCE_DIR} ${bin})
 set_tests_properties("readme: its commands on data of one's own" PROPERTIES LABELS long)
 add_test(NAME "docs: the commands answer as docs/commands.md shows" COMMAND ${here}/commands.sh ${PROJECT_SOURCE_DIR} ${bin})
