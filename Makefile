@@ -12,7 +12,7 @@ wants     = { command -v $(1) > /dev/null || { echo "$(1) is not installed; on D
 program   = $(patsubst $(firstword $(subst -, ,$(1)))-%,%,$(1))
 SOURCES   = $(shell git ls-files '*.cpp' '*.hpp' ':!tests/book')
 
-.PHONY: headline accept-commands new-chapter help doctor packages configure chapter-programs programs build install reproduce test thorough chapter figures accept-figures book bench format lint failed clean mutate coverage sanitize matrix fuzz
+.PHONY: headline accept-commands accept-live new-chapter help doctor packages configure chapter-programs programs build install reproduce test thorough chapter figures accept-figures book bench format lint failed clean mutate coverage sanitize matrix fuzz
 
 help:             ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' $(MAKEFILE_LIST) | expand -t 24
@@ -71,6 +71,9 @@ headline:         ## write the table of what became of each paper into README.md
 
 accept-commands: programs ## write the commands' answers and pictures of today into docs/commands.md
 	@tests/tools/commands.sh "$(CURDIR)" "$(CURDIR)/$(BUILD)/bin/railbook" --accept
+
+accept-live:      ## compile the figures that compute in the reader's browser into book/live/module.js (Debian: emscripten, dpkg-dev)
+	@book/live/wasm/accept.sh $(BUILD)/live-cache
 
 book: chapter-programs ## weave the book from the chapters that have been run
 	@cmake --build $(BUILD) --target book
