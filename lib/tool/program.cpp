@@ -39,8 +39,6 @@ std::vector<std::string> option_names(const CLI::App* app) {
 
 // Puts in the entries of the TOML file that the option `named` names, unless an option is given on
 // the line itself. A key in a table, [body-1] radius = "18in", is the option --body-1-radius.
-// (CLI11 reads configuration files for the whole program only, not for a subcommand, and knows no
-// line numbers.)
 void add_entries(const CLI::App* command, Words& line, const std::string& named) {
   std::vector<std::string>& words = line.words;
   const auto is = [](const std::string& word, const std::string& option) {

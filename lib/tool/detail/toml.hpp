@@ -1,4 +1,4 @@
-// A file of options: the part of TOML that a list of options needs.
+// A file of options: the part of TOML that a list of options needs, by CLI11's own reader.
 #pragma once
 
 #include <cstddef>
@@ -14,10 +14,10 @@ struct TomlEntry {
   std::size_t line = 0;
 };
 
-// Comments, [tables], dotted and quoted keys, strings in either quotes with their escapes, numbers,
-// booleans and arrays, which may go over lines; a bare value with a unit (load = 80 kN) is taken as
-// it stands. Refused are arrays of tables, inline tables, strings over several lines, and a key
-// given twice. Throws InputError naming file, line and what is wrong.
+// Comments, [tables], dotted keys, texts in either quotes, numbers, booleans and arrays, which may
+// go over lines. Each entry is given to CLI11 by itself, so that a message can name its line and a
+// key that is given twice is refused; so is what CLI11 would read as something else (escapes, a
+// text with both kinds of quotes). Throws InputError naming file, line and what is wrong.
 std::vector<TomlEntry> read_toml(const std::filesystem::path& file);
 
 }  // namespace railbook::tool
