@@ -124,7 +124,6 @@ void fig_joint(report::Item& item) {
   const ImpactHistory quiet = passage(more, 60, 0.5);
   for (double t = -0.004; t < 0.0201; t += 2e-5)
     damped.add(1e3 * t, quiet.force(t) / units::kilonewton);
-  item.expect_checks(1);
   const auto first_peak = [](const ImpactModel& m, double mph, double inches) {
     return impact_peaks(passage(m, mph, inches)).first.force;
   };
@@ -155,9 +154,8 @@ void fig_joint(report::Item& item) {
         viscous_damping(zeta.number, other.track.rail_stiffness, other.track.rail_mass);
     return ratio(other, 60, 0.5);
   });
-  item.claim("single-mass", "a single-mass model is not sufficient for wheel/rail impact", trial,
-             fmt::format("P1 {:.0f} kN instead of {:.0f} kN", single / units::kilonewton,
-                         p.first.force / units::kilonewton));
+  item.claims(
+      {{"single-mass", {single / units::kilonewton, p.first.force / units::kilonewton}, trial}});
   item.value("bed-p1", bed / units::kilonewton, "kN", "{:.1g}");
   const Eigen::Vector3d f = natural_frequencies(model);
   for (int i = 0; i < 3; ++i) item.value(fmt::format("f-{}", i + 1), f[i], "Hz", "{:.1f}");

@@ -130,13 +130,18 @@ bool compute(const PagedEntry& e, const RunSettings& settings, ChapterRecord& re
   return let;
 }
 
-// What the chapter declares to vary, refused before anything is computed if it is not of the form.
-std::vector<TrialRow> trials_of(const ChapterInfo& info, const std::vector<PagedEntry>& entries) {
-  const std::filesystem::path file = info.sources / "data" / "trials.csv";
+// What the chapter declares to vary and to claim, refused before anything is computed if it is not
+// of the form.
+template <class Row>
+std::vector<Row> declared(const ChapterInfo& info, const char* name,
+                          const std::vector<PagedEntry>& entries,
+                          std::vector<Row> read(const std::filesystem::path&,
+                                                const std::vector<std::string>&)) {
+  const std::filesystem::path file = info.sources / "data" / name;
   if (!std::filesystem::exists(file)) return {};
   std::vector<std::string> items;
   for (const PagedEntry& e : entries) items.push_back(e.entry->id);
-  return read_trials(file, items);
+  return read(file, items);
 }
 
 // Declared trials whose check is not there, or carries no trial.
@@ -160,7 +165,7 @@ int reproduce(const ReproduceOptions& options, const ChapterInfo& info,
           fmt::format("only is \"{}\"; allowed: a name that `{} list` shows", id, info.name)};
   }
   const bool whole = options.only.empty();
-  const std::vector<TrialRow> trials = trials_of(info, entries);
+  const std::vector<TrialRow> trials = declared(info, "trials.csv", entries, read_trials);
   RunFolder folder(options.out, info.id, whole);
   folder.forget_record();
   RunSettings settings;
@@ -172,6 +177,7 @@ int reproduce(const ReproduceOptions& options, const ChapterInfo& info,
   settings.draw = !options.no_figures;
   settings.timings = !options.no_timings;
   settings.trials = trials;
+  settings.claims = declared(info, "claims.csv", entries, read_claims);
 
   ChapterRecord record;
   record.chapter = info.id;

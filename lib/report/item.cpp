@@ -247,6 +247,28 @@ Trial Item::trial(std::string_view id, std::string quantity, std::string format,
   return {std::move(quantity), std::move(format), std::move(stands), std::move(rows)};
 }
 
+void Item::claims(const std::vector<FoundClaim>& found) {
+  for (const FoundClaim& f : found) {
+    const std::string check = fmt::format("{}/{}", record_.id, f.id);
+    const auto row = std::find_if(settings_.claims.begin(), settings_.claims.end(),
+                                  [&](const ClaimRow& r) { return r.check == check; });
+    if (row == settings_.claims.end())
+      throw std::logic_error{"data/claims.csv has no row of the check " + check};
+    if (row->holds.empty() && !f.trial)
+      throw std::logic_error{check + ": a claim without a bound and without a trial cannot fail"};
+    const bool pass = holds(*row, f.numbers);
+    CheckRecord& c = judge_claim(f.id, row->claim, pass, row->outcome, found_text(*row, f.numbers));
+    if (row->outcome == Outcome::verified) {
+      c.source = name(Source::route);
+      c.by = row->why;
+    } else {
+      c.why = row->why;
+    }
+    if (f.trial) apply(*f.trial, c);
+    ++checked_claims_;
+  }
+}
+
 void Item::claim(std::string_view id, std::string_view what, const Trial& trial,
                  std::string measured) {
   apply(trial, judge_claim(id, what, true, Outcome::confirmed, std::move(measured)));
@@ -425,8 +447,14 @@ std::string Item::failure() const {
     return std::count_if(records.begin(), records.end(), [](const auto& r) { return !r.pass; });
   };
   const auto failed = count_failed(checks_), fallen = count_failed(stability_);
-  if (expected_checks_ != static_cast<int>(checks_.size()))
-    return fmt::format("{} checks made, {} announced", checks_.size(), expected_checks_);
+  const auto claimed =
+      std::count_if(settings_.claims.begin(), settings_.claims.end(),
+                    [&](const ClaimRow& r) { return r.check.starts_with(record_.id + "/"); });
+  if (claimed != checked_claims_)
+    return fmt::format("{} claims made, data/claims.csv has {}", checked_claims_, claimed);
+  const auto others = static_cast<int>(checks_.size()) - checked_claims_;
+  if (expected_checks_ != others)
+    return fmt::format("{} checks made, {} announced", others, expected_checks_);
   if (failed > 0) return fmt::format("{} of {} checks failed", failed, checks_.size());
   if (fallen > 0) return fmt::format("{} of {} stability cases failed", fallen, stability_.size());
   if (checks_.empty() && stability_.empty() && record_.input == "paper")

@@ -29,6 +29,7 @@
 #include <string_view>
 #include <vector>
 
+#include <railbook/report/claims.hpp>
 #include <railbook/report/expectation.hpp>
 #include <railbook/report/record.hpp>
 #include <railbook/report/run_folder.hpp>
@@ -163,6 +164,7 @@ struct RunSettings {
   bool draw = true;                   // not --no-figures
   bool timings = true;                // not --no-timings
   std::vector<TrialRow> trials = {};  // the chapter's data/trials.csv
+  std::vector<ClaimRow> claims = {};  // and its data/claims.csv
 };
 
 class Item {
@@ -175,8 +177,8 @@ class Item {
   const std::filesystem::path& sources() const { return settings_.sources; }
 
   // Checks. The number of checks must be announced, so that a loop over nothing is a failure;
-  // stability cases are not counted. An id is written out where the check is made, so that it can
-  // be searched for.
+  // stability cases are not counted, and claims.csv announces its own rows. An id is written out
+  // where the check is made, so that it can be searched for.
   void expect_checks(int count) { expected_checks_ = count; }
   // A table of printed values from the chapter's data folder; it must outlive the rows taken from
   // it.
@@ -189,6 +191,8 @@ class Item {
   // source print: a word of the paper, a class or a name.
   void print_text(std::string_view id, std::string_view what, std::string_view printed,
                   std::string_view computed);
+  // The statements that data/claims.csv has of this item, in words, from the numbers found.
+  void claims(const std::vector<FoundClaim>& found);
   // source claim: a statement of the paper in words; `measured` says what was found.
   void claim(std::string_view id, std::string_view what, bool it_holds, std::string measured = "");
   // The same, and it must hold in each variation: the claim's own condition is its trial.
@@ -288,7 +292,7 @@ class Item {
   std::vector<std::unique_ptr<Data>> data_;
   std::filesystem::path script_;
   std::function<void(const std::filesystem::path&)> image_;
-  int expected_checks_ = 0;
+  int expected_checks_ = 0, checked_claims_ = 0;
 };
 
 }  // namespace railbook::report
