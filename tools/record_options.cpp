@@ -52,7 +52,8 @@ const char* const record_help =
     "and --missing\n"
     "are lost samples. Codes and values that no track can have are taken out; outliers, stuck "
     "sensors and steps\n"
-    "are kept, unless --screen names them, and told: they may be defects. Each place is a row of "
+    "are kept, unless --screen names them, and reported: they may be defects. Each place is a row "
+    "of "
     "warnings.csv\n"
     "(with --out): its column, the kind, from_m and to_m, samples, size_mm (how far off, or by how "
     "much a level or a\n"
@@ -93,8 +94,8 @@ records::RecordFile record_file(const TrackRecordOptions& options,
                                             : records::Resync::refuse;
   if (!options.batch.many())
     file.progress = [bar = std::make_shared<tool::Progress>("per cent of the record", 100.0),
-                     told = 0](double share) mutable {
-      for (; told < static_cast<int>(100 * share); ++told) bar->step();
+                     shown = 0](double share) mutable {
+      for (; shown < static_cast<int>(100 * share); ++shown) bar->step();
     };
   if (!options.bridge) return file;
   if (*options.bridge != std::floor(*options.bridge))

@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Index;
 
-// Cells with pressure that hang together, by an edge or a corner, have one number, 0 for the patch
+// Cells with pressure that are connected, by an edge or a corner, have one number, 0 for the patch
 // that carries most; cells without pressure have none (-1).
 struct Labels {
   std::vector<int> of;

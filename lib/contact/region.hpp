@@ -9,7 +9,7 @@
 
 namespace railbook::contact {
 
-// A part of the contact that hangs together: at least one cell without pressure lies between it and
+// A connected part of the contact: at least one cell without pressure lies between it and
 // the others.
 struct Patch {
   Eigen::Index cells = 0;  // with pressure

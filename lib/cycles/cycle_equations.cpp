@@ -260,8 +260,8 @@ void CycleEquations::add_derivatives(const Eigen::MatrixXcd& z, double omega,
           high.col(i) += transfer.col(m) *
                          (mean * (slopes_(pair, plus) + std::conj(step) * next_(pair, plus)));
         }
-    const Complex turning = i_unit * (orders_[l] * omega);
-    const Eigen::MatrixXcd s = of_motion_ + turning * of_rate_;
+    const Complex rotation = i_unit * (orders_[l] * omega);
+    const Eigen::MatrixXcd s = of_motion_ + rotation * of_rate_;
     const Eigen::MatrixXcd x = num::product(low, s), y = num::product(high, s.conjugate());
     const Eigen::MatrixXcd turned = of_rate_ * (i_unit * double(orders_[l]));
     const Eigen::VectorXcd rate = turned * z.col(Index(l)), conjugate = rate.conjugate();

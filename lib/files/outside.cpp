@@ -61,7 +61,7 @@ int status_of_exception(const std::string& program) {
 }
 
 int finish_process(const std::string& program, int status) {
-  if (status == 3) return status;  // that has been said
+  if (status == 3) return status;  // already reported
   try {
     flush_standard_output();
   } catch (const OutsideError&) {

@@ -16,7 +16,7 @@ struct Integral {
 // The integral of f from a to b (either may be infinite), adaptive, with end-point singularities
 // allowed (GSL QAGS / QAGI). Asks for an error below `relative` |value| or `absolute`, and keeps
 // within twice that; a feature narrower than 1/100 of the range (to infinity: of a length 100 times
-// off 1) may be missed, and is not told.
+// off 1) may be missed without a warning.
 [[nodiscard]] Integral integrate(const std::function<double(double)>& f, double a, double b,
                                  double relative = 1e-10, double absolute = 0.0);
 

@@ -229,7 +229,7 @@ std::string without_empty_groups(const std::string& svg) {
   return out + group;
 }
 
-// The font said once, for the whole picture, and with a second one of the same widths for readers
+// The font stated once, for the whole picture, and with a second one of the same widths for readers
 // who have no DejaVu Sans.
 std::string with_fonts(std::string svg) {
   constexpr std::string_view font = " font-family=\"DejaVu Sans\"", root = "<svg ";
@@ -270,18 +270,18 @@ std::string drawn(const fs::path& script, const std::vector<fs::path>& data, Emp
   std::vector<std::string> arguments = prepare(folder, script, data, format);
   const fs::path picture = folder.expect(arguments[5]);
   const Outcome outcome = run(std::move(arguments), folder.path());
-  const std::string said = complaints(outcome.message, missing);
+  const std::string complaint = complaints(outcome.message, missing);
   if (!outcome.in_time) {
     throw PlotError(script.string() + ": gnuplot was ended after " +
-                    std::to_string(time_limit().count()) + " s" + said);
+                    std::to_string(time_limit().count()) + " s" + complaint);
   }
   if (!WIFEXITED(outcome.status) || WEXITSTATUS(outcome.status) != 0) {
     const std::string how = WIFEXITED(outcome.status)
                                 ? "exit status " + std::to_string(WEXITSTATUS(outcome.status))
                                 : "signal " + std::to_string(WTERMSIG(outcome.status));
-    throw PlotError(script.string() + ": gnuplot failed (" + how + ")" + said);
+    throw PlotError(script.string() + ": gnuplot failed (" + how + ")" + complaint);
   }
-  if (!said.empty()) throw PlotError(script.string() + ": gnuplot complained" + said);
+  if (!complaint.empty()) throw PlotError(script.string() + ": gnuplot complained" + complaint);
   return fs::exists(picture) ? contents(picture) : std::string{};
 }
 

@@ -378,7 +378,7 @@ std::vector<std::unique_ptr<const RecordStream>> read_records(
   if (positions)
     for (const std::size_t c : positions->columns) position_at.push_back(place_of(c));
   std::vector<double> numbers(plain.size() * block), at(positions ? block : 0), height(block);
-  std::size_t told = 0, empty = 0;
+  std::size_t unreported = 0, empty = 0;
   const auto add = [&](std::size_t i, std::size_t rows) {
     const std::span heights{height.data(), rows};
     try {
@@ -431,10 +431,10 @@ std::vector<std::unique_ptr<const RecordStream>> read_records(
         height[r] = cells.unless_missing(from[r]) * metre[i];
       add(i, rows);
     }
-    told += rows;
-    if (!source.progress || told < 16 * block || reader.share() < 0) continue;
+    unreported += rows;
+    if (!source.progress || unreported < 16 * block || reader.share() < 0) continue;
     source.progress(reader.share());
-    told = 0;
+    unreported = 0;
   }
   std::vector<std::unique_ptr<const RecordStream>> result;
   where.require_found();

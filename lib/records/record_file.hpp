@@ -31,7 +31,7 @@ struct RecordFile {
   Screening screening{.outliers = false, .stuck = false, .steps = false};
   Resync resync = Resync::refuse;
   std::function<void(double share)> progress =
-      {};  // told now and then how much has been read, 0 to 1, where that is known
+      {};  // called now and then with the fraction read, 0 to 1, where that is known
 };
 
 // Takes the record in pieces, with what is known of it so far: the spacing is known to the rounding

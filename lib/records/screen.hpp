@@ -69,7 +69,7 @@ class Screen {
 
   const std::vector<FaultyStretch>& faults() const { return faults_; }
   // After finish(): a stretch of equal values that was not taken out, since only what came after it
-  // told how a record moves.
+  // showed how the record moves.
   std::optional<FaultyStretch> still() const;
 
  private:

@@ -156,7 +156,7 @@ class NoAnswer : public std::runtime_error {
 };
 
 struct RunSettings {
-  RunFolder* folder = nullptr;        // told of each file before it is written
+  RunFolder* folder = nullptr;        // notified of each file before it is written
   std::filesystem::path sources;      // the chapter's folder: data/, scripts
   std::filesystem::path results;      // results/<chapter>
   std::filesystem::path figures;      // figures/<chapter>

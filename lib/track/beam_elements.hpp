@@ -32,7 +32,7 @@ struct BeamModel {
 
 struct NodeLoad {
   Eigen::Index node;
-  double force;  // N, downwards; at a joint it stands on the rail to the right
+  double force;  // N, downwards; at a joint it is on the rail to the right
 };
 
 // Deflection (m) and slope (rad) of the n nodes; left and right of a node differ at a joint only.

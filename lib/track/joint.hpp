@@ -41,7 +41,7 @@ double joint_stiffness_ratio(double xi, double kappa_m, double kappa_v);
 double joint_stiffness_ratio(const WinklerBeam& beam, const Joint& joint, double distance);
 
 // The rotational stiffness (N m/rad) at which a shear-tight joint loses the share `loss` of K_r
-// when the load stands on it: loss in (0, 1/2], to rounding up to its end. Throws InputError
+// when the load is on it: loss in (0, 1/2], to rounding up to its end. Throws InputError
 // outside: a hinge loses one half, none loses more.
 double rotational_stiffness_for_loss(const WinklerBeam& beam, double loss);
 

@@ -5,7 +5,7 @@
 // trackside model; (11)-(14) are not. Reconstructed from its wording: the force on the rail mass is
 //   P(t) = sum_i P_i(t) a(beta (V t - x_i)),  a(x) = exp(-|x|) (cos x + sin |x|),
 // each wheel's load modulated by the beam's deflection function (1), and for the two-layer track
-// the rail mass stands on the bed mass. Responses are exact in time: matrix exponentials, no
+// the rail mass rests on the bed mass. Responses are exact in time: matrix exponentials, no
 // integrator.
 #pragma once
 

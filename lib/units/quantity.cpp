@@ -115,24 +115,25 @@ Unit parse_unit(std::string_view text) {
   text = trim(text);
   Unit unit;
   if (text.empty()) return unit;
-  const std::string said = "unit \"" + printable(text) + "\"";
+  const std::string quoted = "unit \"" + printable(text) + "\"";
   if (text.front() == '/' || text.front() == '*')
-    throw InputError{said + " begins with " + text.front() +
+    throw InputError{quoted + " begins with " + text.front() +
                      "; allowed: a name, or 1 before a division (\"1/m\")"};
   bool divide = false;
   while (true) {
     const std::size_t cut = text.find_first_of("*/");
     const std::string_view name = trim(text.substr(0, cut));
-    if (name.empty()) throw InputError{said + " lacks a name after * or /"};
+    if (name.empty()) throw InputError{quoted + " lacks a name after * or /"};
     const auto one = factor(name);
     if (!one) {
-      throw InputError{said + ": \"" + printable(name) + "\" is not a known unit; known are " +
+      throw InputError{quoted + ": \"" + printable(name) + "\" is not a known unit; known are " +
                        all_names()};
     }
     unit.si = divide ? unit.si / one->si : unit.si * one->si;
     unit.dimension = divide ? unit.dimension / one->dimension : unit.dimension * one->dimension;
     if (!sane(unit))
-      throw InputError{said + " is out of range; allowed: from 1e-60 to 1e60 in SI, powers to 20"};
+      throw InputError{quoted +
+                       " is out of range; allowed: from 1e-60 to 1e60 in SI, powers to 20"};
     if (cut == std::string_view::npos) return unit;
     divide = text[cut] == '/';
     text.remove_prefix(cut + 1);
@@ -141,37 +142,38 @@ Unit parse_unit(std::string_view text) {
 
 double parse_quantity(std::string_view quantity, std::string_view text, const Dimension& expected) {
   text = trim(text);
-  const std::string said = std::string{quantity} + " is \"" + printable(text) + "\"";
+  const std::string quoted = std::string{quantity} + " is \"" + printable(text) + "\"";
   std::string_view digits = text;
   if (digits.starts_with('+')) digits.remove_prefix(1);
   double value = 0;
   const auto [end, status] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   const bool two_signs = text.starts_with("+-");
   if (status == std::errc::result_out_of_range || std::fpclassify(value) == FP_SUBNORMAL)
-    throw InputError{said + ", which a double cannot hold; allowed: 0, or 1e-307 to 1e308 in size"};
+    throw InputError{quoted +
+                     ", which a double cannot hold; allowed: 0, or 1e-307 to 1e308 in size"};
   if (status != std::errc{} || !std::isfinite(value) || two_signs)
-    throw InputError{said + "; allowed: a finite number with a unit of " + si_name(expected)};
+    throw InputError{quoted + "; allowed: a finite number with a unit of " + si_name(expected)};
   const auto rest = trim({end, static_cast<std::size_t>(digits.data() + digits.size() - end)});
   if (rest.starts_with(':') && expected == number) {  // a ratio, as slopes are written: 1:40
     const double below = parse_quantity(quantity, rest.substr(1), number);
-    if (!(below > 0)) throw InputError{said + "; allowed: a ratio to a number greater than 0"};
+    if (!(below > 0)) throw InputError{quoted + "; allowed: a ratio to a number greater than 0"};
     return value / below;
   }
   if (rest.empty() && !(expected == number))
-    throw InputError{said + ", without a unit; allowed: a unit of " + si_name(expected)};
+    throw InputError{quoted + ", without a unit; allowed: a unit of " + si_name(expected)};
   Unit unit;
   try {
     unit = parse_unit(rest);
   } catch (const InputError& error) {
-    throw InputError{said + "; " + error.what()};
+    throw InputError{quoted + "; " + error.what()};
   }
   if (!(unit.dimension == expected)) {
-    throw InputError{said + ", a quantity in " + si_name(unit.dimension) + "; allowed: a unit of " +
-                     si_name(expected)};
+    throw InputError{quoted + ", a quantity in " + si_name(unit.dimension) +
+                     "; allowed: a unit of " + si_name(expected)};
   }
   const double si = value * unit.si;
   if (!std::isfinite(si) || (value != 0 && !std::isnormal(si)))
-    throw InputError{said + ", which a double cannot hold in " + si_name(expected)};
+    throw InputError{quoted + ", which a double cannot hold in " + si_name(expected)};
   return si;
 }
 

@@ -19,7 +19,7 @@ std::vector<Motion> modes(const QuasiLinearCar& car, const QuasiLinearCar::Gains
 
 // How much of a mode's growth rate [1/s] in the linear car may be rounding: some 4e-15 times the
 // size of the state matrix (which grows as 1/V), and more for an eigenvalue next to zero, which may
-// be one of two. A rate below it is zero as far as can be told. Of cars with data between half and
+// be one of two. A rate below it may be zero. Of cars with data between half and
 // twice the paper's it is exceeded where modes are nearly equal: by 2.2 at most in 1,000 of them.
 double growth_rounding(const QuasiLinearCar& car, const Motion& mode);
 

@@ -33,7 +33,7 @@ void check(const ProfilePair& pair, const Pose& pose, const WheelInput& input) {
   require_between("roll", pose.roll, -0.1, 0.1, "rad");
   require_positive("load", input.load, "N");
   require_positive("speed", input.speed, "m/s");
-  require_finite("turning", input.angular_velocity, "rad/s");
+  require_finite("angular velocity", input.angular_velocity, "rad/s");
   require_between("friction", input.friction.coefficient, 0, 2);
   require_between("friction's share at high speed", input.friction.high_speed_share, 0, 1);
   require_positive("friction's speed", input.friction.speed, "m/s");

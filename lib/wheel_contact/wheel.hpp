@@ -1,8 +1,8 @@
 // One wheel on its rail under a vertical load: patches, pressures, creepages and forces.
 //
 //   const Pair pair = s1002_on_60e1(1.0 / 40);
-//   const WheelResult right = solve_wheel(pair, {.y = 3e-3}, {.load = 80e3, .speed = 30, .turning =
-//   30 / 0.46});
+//   const WheelResult right = solve_wheel(pair, {.y = 3e-3}, {.load = 80e3, .speed = 30,
+//                                                          .angular_velocity = 30 / 0.46});
 //
 // For the right wheel; a left one is solved in its mirrored() pose, and its forces across and
 // moments about x and z change their signs.
@@ -95,9 +95,9 @@ struct WheelsetResult {
 };
 
 // A wheelset with the same load on both wheels, free to roll and to turn: its roll has both wheels
-// at one height, and its turning lets the moments about the axle cancel. Of the input, `turning` is
-// not used; of the pose, roll is not. Throws as solve_wheel, and when no roll near the rigid
-// wheelset's does. Some twenty solutions of a wheel.
+// at one height, and its angular velocity lets the moments about the axle cancel. Of the input,
+// `angular_velocity` is not used; of the pose, roll is not. Throws as solve_wheel, and when no roll
+// near the rigid wheelset's does. Some twenty solutions of a wheel.
 WheelsetResult solve_wheelset(const ProfilePair& pair, const Pose& pose, const WheelInput& input);
 
 }  // namespace railbook::wheel_contact

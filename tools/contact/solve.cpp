@@ -174,9 +174,9 @@ void run(Options options) {
   require_answer(solved.result, solved.bodies);
   find_profile_errors(options, solved);
   solved.touch_scatter = touch_scatter(options.read[0], options.read[1]);
-  const tool::Summary told = answer(options, solved);
-  told.print();
-  if (out) write_files(options, solved, told, out);
+  const tool::Summary summary = answer(options, solved);
+  summary.print();
+  if (out) write_files(options, solved, summary, out);
   out.commit();
 }
 

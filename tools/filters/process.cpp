@@ -274,11 +274,11 @@ void process_record(Options options) {
                    }};
   {
     tool::Progress progress{"per cent of the record", 100};
-    int told = 0;
+    int shown = 0;
     for (Row row; file.next(row); record.push(row)) {
       row.values[static_cast<std::size_t>(Channel::yaw_rate)] -= options.yaw_bias;
       row.values[static_cast<std::size_t>(Channel::roll_rate)] -= options.roll_bias;
-      for (; told < static_cast<int>(100 * file.share()); ++told) progress.step();
+      for (; shown < static_cast<int>(100 * file.share()); ++shown) progress.step();
     }
   }
   record.finish();

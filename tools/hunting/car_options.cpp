@@ -35,15 +35,15 @@ struct DamperOption {
   std::optional<double> CarOptions::*given;
   double Dampers::*value;
 };
-const units::Dimension turning = units::moment * units::time / units::angle;
+const units::Dimension angular_damping = units::moment * units::time / units::angle;
 const std::array<DamperOption, 4> dampers{
     {{"--lateral-damper", "a side frame; without it from the friction", units::damping,
       &CarOptions::lateral_damper, &Dampers::lateral},
      {"--vertical-damper", "a side frame; without it from the friction", units::damping,
       &CarOptions::vertical_damper, &Dampers::vertical},
-     {"--warp-damper", "a truck; without it from the friction", turning, &CarOptions::warp_damper,
-      &Dampers::warp},
-     {"--centre-plate-damper", "a truck; without it from the friction", turning,
+     {"--warp-damper", "a truck; without it from the friction", angular_damping,
+      &CarOptions::warp_damper, &Dampers::warp},
+     {"--centre-plate-damper", "a truck; without it from the friction", angular_damping,
       &CarOptions::centre_plate_damper, &Dampers::centre_plate}}};
 
 }  // namespace

@@ -178,7 +178,7 @@ void add_wheel(tool::Summary& answer, const Side& shown,
                    p.friction > 0 ? p.forces.mz_error * bound * std::sqrt(p.area / units::pi) : 0},
                "N*m");
     add("friction", "  friction", p.friction, "");
-    add("stick_share", "  share that sticks", p.forces.stick_share, "");
+    add("stick_share", "  fraction that sticks", p.forces.stick_share, "");
     add("shear_MPa", "  largest shear traction", p.largest_shear / units::megapascal, "MPa");
     add("wear_N", "  wear number", p.wear_number, "N");
     if (shown.stress.empty()) continue;

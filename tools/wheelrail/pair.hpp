@@ -33,11 +33,11 @@ struct ReadPair {
 };
 // Throws InputError naming a file and what is wrong with it, and when the wheelset does not fit between the rails.
 ReadPair read_pair(const PairOptions& options);
-// The same with each profile from a file met twice as closely: how far an answer stands on the smoothing.
+// The same with each profile from a file met twice as closely: how much an answer depends on the smoothing.
 wheel_contact::ProfilePair half_as_smooth(const PairOptions& options,
                                           const std::vector<hunting_tool::ProfileFit>& fits);
 // Whether a patch of a wheel, shifted outwards, lies on a doubtful place of the wheel's profile or next to it. (A rail's place in the
-// track is not told in its file's coordinates.)
+// track is not known in its file's coordinates.)
 bool stands_on(const PairOptions& options, const wheel_contact::WheelResult& wheel, double shift,
                const hunting_tool::ProfileFit& fit, const profiles::PointsWarning& warning);
 // With the scatter, the smoothing and the distance of the points of profiles from files.

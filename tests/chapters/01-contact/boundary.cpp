@@ -94,7 +94,8 @@ TEST_CASE("unit: the largest move is of either end or of the sides, inward or ou
 }
 
 TEST_CASE(
-    "unit: where the pressure does not fall outward the boundary stays, and is said to be stuck") {
+    "unit: where the pressure does not fall outward the boundary stays, and is reported to be "
+    "stuck") {
   CountactStep step = step_of({4, 4, 9, 16.0 / 9, 1});
   step.p(1, 1) = step.p(0, 1);
   REQUIRE(update_boundary(step, cells, options(), 1).reason.empty());

@@ -87,7 +87,8 @@ TEST_CASE("extreme: nine uniform columns cannot find the narrow side of the jump
 }
 
 TEST_CASE(
-    "extreme: a sharp edge is singular: the edge pressure grows with the mesh, and it is said") {
+    "extreme: a sharp edge is singular: the edge pressure grows with the mesh, and it is "
+    "reported") {
   const NoFpFault no_fault;
   const Gap sharp = crowned_roller_gap({0.5, 0.5, 0});
   double before = 0;

@@ -57,7 +57,8 @@ TEST_CASE("input: COUNTAXI refuses what makes no sense") {
 }
 
 TEST_CASE(
-    "extreme: a gap that is least on a ring leaves no pressure at the centre, and that is said") {
+    "extreme: a gap that is least on a ring leaves no pressure at the centre, and that is "
+    "reported") {
   for (const double hollow : {0.02, 0.9}) {
     const Gap ring = [=](double x, double) {
       const double u = 4 * (x * x - 0.25);  // -1 at the centre, 0 on the ring of 0.5

@@ -237,7 +237,7 @@ TEST_CASE("unit: each grid from 16 cells on fits the next one to its region") {
 }
 
 TEST_CASE(
-    "unit: a contact between the cells of coarse grids is found by finer ones, or said to be "
+    "unit: a contact between the cells of coarse grids is found by finer ones, or reported to be "
     "narrow") {
   int missed = 0, found = 0;
   for (const double ratio : {1e2, 1e3, 1e4, 1e5, 1e6})

@@ -285,7 +285,7 @@ TEST_CASE("property: a contact off the origin is found, or there is none and it 
                                                       Catch::Contains("below the approach"));
 }
 
-TEST_CASE("property: a load is met on a grid too coarse for the contact, and that is said") {
+TEST_CASE("property: a load is met on a grid too coarse for the contact, and that is reported") {
   const RelativeCurvature curvature{1, 1e5, 0.6};
   const double load = hertz_from_approach(curvature, 1, 1e-4).force;
   const NormalContact c =

@@ -121,7 +121,7 @@ TEST_CASE("extreme: towards line contact the axis ratio follows its asymptote") 
   CHECK_THROWS_AS(hertz_from_approach({1, 1e201, 0}, 1e11, 1e-5), InputError);
 }
 
-TEST_CASE("extreme: nearly round contacts lose nothing") {
+TEST_CASE("extreme: nearly round contacts lose no accuracy") {
   const NoFpFault no_fault;
   for (double excess : {1e-3, 1e-8, 1e-15}) {
     const HertzContact h = hertz_from_approach({1, 1 + excess, 0}, 1, 1);

@@ -141,7 +141,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("unit: two patches are told apart by a cell, the one that carries most first") {
+TEST_CASE("unit: two patches are distinguished by a cell, the one that carries most first") {
   const VectorXd small = half_ellipse(8, 8, 5, 4, 3), large = half_ellipse(26, 18, 9, 7, 2);
   const Region r = describe(grid, small + large, no_gap());
   REQUIRE(r.patches.size() == 2);

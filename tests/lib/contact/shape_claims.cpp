@@ -196,7 +196,7 @@ TEST_CASE("claim: pressures by Hertz, and carried to another grid") {
   }
 }
 
-TEST_CASE("claim: what is read off a field of pressures") {
+TEST_CASE("claim: quantities read off a field of pressures") {
   Claim region("contact::describe"), edges("contact::outline"),
       even("contact::InversePreconditioner"), box_claim("contact::interpenetration_box");
   RandomStream draw(4);

@@ -244,7 +244,7 @@ TEST_CASE("The step where the way bends: halved below a cosine of 0.9, longer ab
   CHECK((kept > 2 && halved > 2));
 }
 
-TEST_CASE("What is told of a point: middle, reach, and how much its highest harmonics are",
+TEST_CASE("A branch point reports its middle, reach and the size of its highest harmonics",
           "[steps]") {
   // Circles about (0.3, 0): the same law about another place, its rest.
   Family family = straight();

@@ -24,7 +24,7 @@ bool holds_only(const TemporaryFolder& at, long expected) {
 
 }  // namespace
 
-TEST_CASE("input: what is no regular file is refused, and stays what it is") {
+TEST_CASE("input: a destination that is no regular file is refused and left as it is") {
   const TemporaryFolder at("kinds");
   const auto fifo = at.path / "fifo", link = at.path / "link", folder = at.path / "folder";
   const auto dangling = at.path / "dangling", real = at.write("real.csv", "old");

@@ -81,7 +81,7 @@ TEST_CASE("unit: folders that were made go again, innermost first, unless kept")
   }
 }
 
-TEST_CASE("unit: a temporary name is nobody else's, and what a killed program left is swept") {
+TEST_CASE("unit: temporary names are unique, and leftovers of a killed program are removed") {
   const TemporaryFolder at("sweep");
   at.write(".railbook-1-1.part", "of a program that was killed");
   at.write(".railbook-2.part", "of one that is running");
@@ -99,7 +99,7 @@ TEST_CASE("unit: a temporary name is nobody else's, and what a killed program le
   CHECK(one.staged() != two.staged());
 }
 
-TEST_CASE("unit: what is moved or ended closes its own file and no other") {
+TEST_CASE("unit: a moved or closed file closes its own descriptor only") {
   const TemporaryFolder at("closed");
   const int free = lowest_free();
   {
@@ -148,7 +148,7 @@ TEST_CASE("unit: a file is the owner's and has the modes of the old one") {
                     Contains("cannot be removed: ") && Contains("ermi"));
 }
 
-TEST_CASE("unit: what is new has the modes that the user wants of it") {
+TEST_CASE("unit: new files follow the umask") {
   const TemporaryFolder at("modes");
   const mode_t before = umask(026);
   files::write(at.path / "folder" / "new", "text");

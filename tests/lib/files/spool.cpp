@@ -12,7 +12,7 @@
 
 using namespace railbook;
 
-TEST_CASE("files: what is set aside comes back from any place") {
+TEST_CASE("files: files set aside are restored after a failure at any point") {
   files::Spool spool;
   std::vector<double> values(10000);
   std::iota(values.begin(), values.end(), 0.0);
@@ -28,7 +28,7 @@ TEST_CASE("files: what is set aside comes back from any place") {
   CHECK_THROWS_WITH(moved.read(9950, back), "temporary file: cannot be read: Input/output error");
 }
 
-TEST_CASE("files: a folder for temporary files that is not there is told") {
+TEST_CASE("files: a folder for temporary files that is not there is reported") {
   const SetVariable tmpdir("TMPDIR");
   tmpdir.to("/nowhere");
   CHECK_THROWS_WITH(files::Spool{}, Catch::Contains("temporary file: cannot be made: No such"));

@@ -139,7 +139,7 @@ TEST_CASE("geometry car: a typical speed under 0.5 or over 120 m/s is a slip of 
   }
 }
 
-TEST_CASE("geometry car: more than three rejected times, and one in a thousand, are told") {
+TEST_CASE("geometry car: more than three rejected times, and one in a thousand, are reported") {
   for (const auto& [rows, rejected, told] :
        {std::tuple<std::size_t, std::size_t, bool>{1000, 3, false},
         {1000, 4, true},

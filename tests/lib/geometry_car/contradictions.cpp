@@ -104,7 +104,7 @@ TEST_CASE("geometry car: a value that one gage misses makes the two no less alik
   }
 }
 
-TEST_CASE("geometry car: a zero of the inclinometer is told with its sign, from 0.1 m/s^2 on") {
+TEST_CASE("geometry car: a zero of the inclinometer is reported with its sign, from 0.1 m/s^2 on") {
   Record clean = journey();
   CHECK(examine(clean, {}).findings.empty());
   for (const double zero : {-0.4, -0.05, 0.05, 0.4}) {

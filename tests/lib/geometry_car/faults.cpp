@@ -32,8 +32,7 @@ Record cruise(double speed) {
 
 }  // namespace
 
-TEST_CASE("geometry car: a dead channel silences what depends on it and nothing else",
-          "[extreme]") {
+TEST_CASE("geometry car: a dead channel masks only what depends on it", "[extreme]") {
   const NoFpFault no_fault;
   const Record clean = cruise(25);
   const Processing p;

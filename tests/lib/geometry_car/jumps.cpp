@@ -27,7 +27,7 @@ void spike(std::vector<double>& e, std::size_t row, double size) {
 
 }  // namespace
 
-TEST_CASE("geometry car: what is out of proportion is judged by a block and one to either side") {
+TEST_CASE("geometry car: outliers are judged over a block and its neighbours") {
   tests::RandomStream draw(11);
   constexpr std::size_t rows = 1024, block = 128, blocks = rows / block;
   for (std::size_t b = 0; b < blocks; ++b)

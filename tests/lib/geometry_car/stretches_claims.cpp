@@ -159,7 +159,7 @@ TEST_CASE("geometry_car: a zero that has moved and a speed that leapt are rememb
   }
 }
 
-TEST_CASE("geometry_car: a finding of several stretches is told once, as the worst of them") {
+TEST_CASE("geometry_car: a finding of several stretches is reported once, as the worst of them") {
   // The first ends at row 12288, the second begins at row 4096: one spike in the one, two in the
   // other.
   Record r;

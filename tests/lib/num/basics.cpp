@@ -143,7 +143,7 @@ TEST_CASE("unit: parallel parts cover every item once, whatever the threads") {
     }
 }
 
-TEST_CASE("unit: what items make comes in their order, and the first failure is told") {
+TEST_CASE("unit: what items make comes in their order, and the first failure is reported") {
   for (const int threads : {-1, 0, 1, 2, 3, 7}) {
     const auto square = [](std::size_t i) { return std::to_string(i * i); };
     const auto made = num::map_in_parallel(100, square, threads);

@@ -12,7 +12,7 @@ volatile double sink = 0;
 
 }  // namespace
 
-TEST_CASE("extreme: what is raised stops nothing, and is told by its name") {
+TEST_CASE("extreme: a floating-point exception is reported by name and does not stop the program") {
   const num::FpFlags flags;
   CHECK(flags.raised().empty());
   sink = 1.0 / zero;
@@ -34,7 +34,7 @@ TEST_CASE("extreme: a guard sees what it encloses, and tells the guards around i
   CHECK(outer.raised() == "an invalid operation and a division by zero");
 }
 
-TEST_CASE("extreme: what is set aside leaves no mark, and keeps the marks from before") {
+TEST_CASE("extreme: exceptions set aside leave no flag, and earlier flags are kept") {
   const num::FpFlags flags;
   {
     const num::FpFlagsAside aside;

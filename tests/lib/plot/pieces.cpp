@@ -82,7 +82,7 @@ TEST_CASE("unit: a script's sizes are doubled, be they expressions, and nothing 
   CHECK_THAT(gnuplot.at.read("style.gp"), Contains("size 2*(1000),2*(560)"));
 }
 
-TEST_CASE("unit: empty groups of an SVG go, and the font is said once") {
+TEST_CASE("unit: empty groups of an SVG go, and the font is reported once") {
   StandIn gnuplot("",
                   "<svg width=\"9\">\\n<g fill=\"a\">\\n</g>\\n<g fill=\"b\">\\n<text "
                   "font-family=\"DejaVu Sans\" "

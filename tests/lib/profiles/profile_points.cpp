@@ -57,7 +57,7 @@ const std::vector<std::pair<const Curve*, Body>>& sound_profiles() {
 
 }  // namespace
 
-TEST_CASE("property: of good points nothing is said, at most once in twenty profiles") {
+TEST_CASE("property: of good points nothing is reported, at most once in twenty profiles") {
   num::RandomStream draw(7);
   int told = 0, count = 0;
   for (const auto& [curve, body] : sound_profiles())
@@ -72,7 +72,7 @@ TEST_CASE("property: of good points nothing is said, at most once in twenty prof
   CHECK(20 * told <= count);
 }
 
-TEST_CASE("property: a point off the others is told, on smooth points as on scattered ones") {
+TEST_CASE("property: a point off the others is reported, on smooth points as on scattered ones") {
   num::RandomStream draw(8);
   for (const auto& [curve, body] : sound_profiles())
     for (int k = 0; k < 20; ++k) {
@@ -91,7 +91,7 @@ TEST_CASE("property: a point off the others is told, on smooth points as on scat
     }
 }
 
-TEST_CASE("unit: a hole in the points is told with its place and width") {
+TEST_CASE("unit: a hole in the points is reported with its place and width") {
   num::RandomStream draw(9);
   auto points = sampled(new_wheel_pair().wheel(), millimetre, 0, draw);
   const Point before = points[39], after = points[60];
@@ -103,7 +103,7 @@ TEST_CASE("unit: a hole in the points is told with its place and width") {
   CHECK_THAT(checked.warnings[0].text, Contains("21.0 mm are bridged"));
 }
 
-TEST_CASE("unit: points that others hide are left out, and told") {
+TEST_CASE("unit: points that others hide are left out, and reported") {
   auto points = crown();
   const auto size = points.size();
   points.insert(points.begin() + 20, points[20]);  // doubled
@@ -119,7 +119,7 @@ TEST_CASE("unit: points that others hide are left out, and told") {
   CHECK(check_points(points, Body::rail).points.size() == size);
 }
 
-TEST_CASE("unit: an upright side at an end is left out, and told") {
+TEST_CASE("unit: an upright side at an end is left out, and reported") {
   auto points = crown();
   const Point end = points.back();
   for (int k = 1; k <= 9; ++k) points.push_back({end.u + k * micrometre, end.z - k * millimetre});

@@ -42,7 +42,7 @@ TEST_CASE("Index of a sine: moments, exceedances, wavelengths", "[quality]") {
   CHECK(pieces.exceedances()[57].at == whole.exceedances()[57].at);
 }
 
-TEST_CASE("Index: gaps, silence and nothing", "[quality]") {
+TEST_CASE("Index: gaps, a flat record and an empty one", "[quality]") {
   const NoFpFault no_fault;
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   IndexBuilder b{{.spacing = 1}};

@@ -141,7 +141,7 @@ TEST_CASE("claim: the rule of the classes and the mask of the lines") {
     CHECK_FALSE(spectra::near_foreign_line(options, phi));
 }
 
-TEST_CASE("claim: where there is no white floor, none is said to be fitted") {
+TEST_CASE("claim: no white floor is fitted where there is none") {
   spectra::LogPoints points{Eigen::ArrayXd::LinSpaced(60, -4.5, 0), {}, Eigen::ArrayXd::Ones(60)};
   const auto fitted = [&](double noise) {
     points.log_density = (2e-7 * (-2 * points.log_phi).exp() *

@@ -92,7 +92,7 @@ TEST_CASE("unit: heights rougher than 1e-4 m or smoother than 1e-10 m are doubte
     }
 }
 
-TEST_CASE("unit: each kind of fault is told once, with all its samples and its worst place") {
+TEST_CASE("unit: each kind of fault is reported once, with all its samples and its worst place") {
   auto z = track(6000);
   const auto put = [&](std::size_t from, std::size_t count, double value) {
     std::fill_n(z.begin() + static_cast<std::ptrdiff_t>(from), count, value);

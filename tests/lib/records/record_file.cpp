@@ -116,7 +116,7 @@ TEST_CASE("unit: the columns of one pass are those of a pass each") {
   CHECK(left != right);
 }
 
-TEST_CASE("unit: how much is read is told on the way, where that is known") {
+TEST_CASE("unit: progress of reading is reported where the size is known") {
   std::vector<double> shares;
   read(rows(
            "profile_mm", [](int) { return ""; }, 50000),

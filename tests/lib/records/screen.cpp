@@ -74,8 +74,7 @@ const std::vector<std::size_t> places{0, 1, 77, 8191, 8192, 16383, 20000, 39998,
 
 }  // namespace
 
-TEST_CASE(
-    "unit: a gauge that moved by a quantum and stood is not said to be stuck wherever it did") {
+TEST_CASE("unit: a gauge that moves by single quanta is not reported as stuck") {
   for (const std::size_t at : {5000, 8191, 8192, 8193, 16384}) {
     std::vector<double> z(80000, 0.0);  // longer than all it looks at at once
     z[1] = 1e-3;
@@ -209,7 +208,7 @@ TEST_CASE("unit: waves are no faults, however high, nor is a silent record betwe
   CHECK(screen(z).faults.empty());
 }
 
-TEST_CASE("unit: a sensor that stands still before any step is known is told, and not taken out") {
+TEST_CASE("unit: a sensor stuck from the beginning is reported and not taken out") {
   std::vector<double> z = track();
   for (double& value : z) value = 1e-4 * std::round(1e4 * value);
   const auto told = [](const Screened& s) {
@@ -301,7 +300,7 @@ TEST_CASE("unit: what leaves at once and is back at once is outliers, however hi
   CHECK(found[1].first == 1300);
 }
 
-TEST_CASE("unit: the longest stretch that stands still is told where it is") {
+TEST_CASE("unit: the longest stuck stretch is reported with its place") {
   std::vector<double> z = track();
   for (double& value : z) value = 1e-4 * std::round(1e4 * value);
   CHECK_FALSE(Direct(z).screen.still());
@@ -376,7 +375,7 @@ TEST_CASE("unit: a coarse record stands still longer before it is stuck") {
   }
 }
 
-TEST_CASE("unit: of an even record no unevenness is told") {
+TEST_CASE("unit: no uneven spacing is reported for an even record") {
   for (const std::size_t samples : {0, 1}) {
     records::PlaceMap places{0.5, 7};
     if (samples > 0) places.add(0, 7.0);

@@ -153,7 +153,8 @@ TEST_CASE("unit: an item whose arithmetic is invalid fails, and the others go on
 }
 
 TEST_CASE(
-    "unit: texts have no more digits than their tolerance, and rounding is told by its decade") {
+    "unit: texts have no more digits than their tolerance, and rounding is reported by its "
+    "decade") {
   CHECK(report::below(5.8e-15) == "below 1e-14");
   CHECK(report::below(-7.1e-15) == "below 1e-14");
   CHECK(report::below(0) == "below 1e-16");

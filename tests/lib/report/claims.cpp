@@ -63,7 +63,7 @@ TEST_CASE("unit: a verified statement names its method") {
   CHECK(run.record["checks"][0]["by"] == "our own estimate");
 }
 
-TEST_CASE("unit: what claims.csv has is made, and what is made it has") {
+TEST_CASE("unit: claims.csv lists exactly the claims that the tests make") {
   const auto failure = [](const std::string& claims, const report::ItemFunction& f) {
     const Run run = with_claims(claims, f);
     CHECK(run.status == 1);

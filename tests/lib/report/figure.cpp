@@ -27,7 +27,8 @@ std::string stand_in(const TemporaryFolder& at, int png, int svg) {
 
 }  // namespace
 
-TEST_CASE("unit: data are rows under a header, with what is said of their accuracy at the end") {
+TEST_CASE(
+    "unit: data are rows under a header, with what is reported of their accuracy at the end") {
   report::Data data("d.csv", {"x_m", "a,b"});
   data.holds_to("x_m", 1e-3, 1e-9, "cancellation").not_compared("times");
   data.add(0.1, "one");
@@ -154,7 +155,7 @@ TEST_CASE("unit: an item that fails says how many of what") {
         }) == "stability case s has no bound of its error");
 }
 
-TEST_CASE("unit: a stability case tells what came out, or why nothing did") {
+TEST_CASE("unit: a stability case records its result, or the reason for none") {
   report::Item item{"s", "table", "S", {}};
   const auto found = [&](const std::function<report::Found()>& run) {
     item.stability({.id = "s", .what = "w", .stress = "x", .allowed = 1}, run);

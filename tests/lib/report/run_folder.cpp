@@ -82,7 +82,7 @@ TEST_CASE("input: what an earlier edition's record names is replaced") {
   CHECK_FALSE(std::filesystem::exists(at.path / "results" / chapter / "fig-01.csv"));
 }
 
-TEST_CASE("input: a record of our chapter with names that are none bars nothing") {
+TEST_CASE("input: a damaged record of the chapter does not stop a new run") {
   const TemporaryFolder at("names");
   run(at.path, true, "fig-01.png", true);
   files::write(

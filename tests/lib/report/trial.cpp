@@ -154,7 +154,7 @@ TEST_CASE("unit: consistent claims say why, and checks of our own software are r
         }) == 1);
 }
 
-TEST_CASE("unit: what is declared is varied, and what is varied is declared") {
+TEST_CASE("unit: a trial varies exactly the parameters that it declares") {
   const auto failure = [](const report::ItemFunction& f) {
     const Run run = with_trials(declared, f);
     CHECK(run.status == 1);

@@ -20,7 +20,7 @@ constexpr RollingCase rig = [] {
 
 }  // namespace
 
-TEST_CASE("input: the fast theories refuse what is out of range") {
+TEST_CASE("input: the fast theories refuse arguments out of range") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const Theory theory : {Theory::linear, Theory::vermeulen_johnson, Theory::fastsim,
                               Theory::shen_hedrick_elkins, Theory::fastrip, Theory::polach}) {

@@ -80,7 +80,7 @@ TEST_CASE("input: a scene with bad numbers is refused by name") {
              Contains("not refused"));
 }
 
-TEST_CASE("input: a camera that sees nothing, or a picture without pixels, is refused") {
+TEST_CASE("input: a degenerate camera or an empty picture is refused") {
   CHECK_THAT(refusal([](Scene&, Camera& c, Size&) { c.target = c.eye; }), Contains("coincide"));
   CHECK_THAT(refusal([](Scene&, Camera& c, Size&) { c.up = c.target - c.eye; }), Contains("up"));
   CHECK_THAT(refusal([](Scene&, Camera& c, Size&) { c.eye[0] = not_a_number; }),

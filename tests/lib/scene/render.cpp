@@ -88,7 +88,8 @@ TEST_CASE("unit: the nearer triangle hides the farther one, in whatever order th
 }
 
 TEST_CASE(
-    "unit: in perspective near hides far by a hair, and what is behind the camera hides nothing") {
+    "unit: in perspective the nearer triangle hides the farther, and those behind the camera are "
+    "not drawn") {
   const auto wall = [](double y, const Colour& colour) {
     return triangle({-1, y, -1}, {1, y, -1}, {0, y, 1}, colour);
   };

@@ -76,7 +76,7 @@ TEST_CASE("unit: rails of half or twice the length named are not taken for each 
   }
 }
 
-TEST_CASE("unit: a record without its long waves is told, others are not") {
+TEST_CASE("unit: a record without its long waves is reported, others are not") {
   const spectra::SyntheticTrack t{.spacing = 0.25, .seed = 9, .A = 5e-7, .phi_c = 0.13};
   std::vector<double> z(48000);
   spectra::TrackGenerator{t}.fill(z);

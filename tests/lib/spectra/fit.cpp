@@ -149,7 +149,7 @@ TEST_CASE("unit: gradients of the regression model agree with differences") {
   }
 }
 
-TEST_CASE("unit: dips that scatter raise A by what is said of them, nearly") {
+TEST_CASE("unit: scattered dips raise A by nearly the stated amount") {
   spectra::SyntheticTrack track{.A = 5e-7, .phi_c = 0.13, .dip = 0.011};
   double A[2];
   double said = 0;
@@ -376,7 +376,7 @@ TEST_CASE("extreme: grades and long waves under the record do not reach A") {
   CHECK(fit(track, {}, {.window = spectra::Window::boxcar}).A.value != Approx(5e-7).epsilon(0.2));
 }
 
-TEST_CASE("extreme: sensor noise is told apart from the track at any level") {
+TEST_CASE("extreme: sensor noise is distinguished from the track at any level") {
   auto track = base();
   for (const double sigma : {1e-5, 1e-4, 3e-4, 3e-3}) {
     track.sensor_noise = sigma;

@@ -119,8 +119,7 @@ TEST_CASE(
   for (const Eigen::Index bin : {292, 308}) CHECK(old.seen(bin));
 }
 
-TEST_CASE(
-    "unit: what a chord reads is as much more as it sees more, and nothing where it is blind") {
+TEST_CASE("unit: a chord measurement is scaled by its response, and zero where that is zero") {
   Flat flat;
   flat.options.chord = 4, flat.fit.regression.noise = level;
   for (Eigen::Index k = 0; k <= last; ++k)

@@ -324,7 +324,7 @@ TEST_CASE("extreme: ten million samples stream through a fixed small memory") {
   CHECK(spectrum.density.segment(2, 2000).mean() == Approx(2 * 0.3).epsilon(0.02));
 }
 
-TEST_CASE("input: Welch refuses spacings, segments and overlaps that mean nothing") {
+TEST_CASE("input: Welch refuses impossible spacings, segments and overlaps") {
   CHECK_THROWS_AS(spectra::Welch(0.0), InputError);
   CHECK_THROWS_AS(spectra::Welch(-0.3), InputError);
   CHECK_THROWS_AS(spectra::Welch(0.3, {.segment = 8}), InputError);

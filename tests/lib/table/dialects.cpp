@@ -113,7 +113,7 @@ TEST_CASE("input: cells that stand for nothing") {
   CHECK_FALSE(reader.next());  // "#,NV" is a comment
 }
 
-TEST_CASE("input: gzip is unpacked as it is read; what is cut off or damaged is said so") {
+TEST_CASE("input: gzip is unpacked as it is read; what is cut off or damaged is reported") {
   std::string text = "distance_m,profile_mm\n";
   for (int i = 0; i < 50000; ++i) text += std::to_string(i) + "," + std::to_string(i % 17) + "\n";
   const std::string whole = packed(text);

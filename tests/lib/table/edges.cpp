@@ -12,7 +12,7 @@
 using namespace railbook;
 using Catch::Matchers::Contains;
 
-TEST_CASE("input: an empty file is told at its first line, too many lines to skip as well") {
+TEST_CASE("input: an empty file is reported at its first line, too many lines to skip as well") {
   const TemporaryFolder at("edges");
   for (const char* text : {"", "# only\n# remarks\n"})
     CHECK_THROWS_WITH(table::CsvReader(at.write("a.csv", text)),

@@ -185,7 +185,7 @@ TEST_CASE("unit: a list names records beside it, or from the root") {
   CHECK_THROWS_WITH(batch.run(), Contains("is named twice"));
 }
 
-TEST_CASE("unit: many records that nothing can be made of leave a table that says why") {
+TEST_CASE("unit: a table of unreadable records states the reason of each") {
   Batch batch({"refused", "broken"});
   CHECK_THROWS_WITH(batch.run(), Contains("1 of 2 records failed"));
   CHECK(batch.rows().size() == 2);

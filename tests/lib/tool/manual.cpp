@@ -39,7 +39,7 @@ TEST_CASE("unit: the manual has each option with its kind, its default and what 
   CHECK_THAT(text, Contains("a back\\eslash") && Contains("\n\\&.a line"));
 }
 
-TEST_CASE("unit: the manual is this text, and nothing in it is a request of man but ours") {
+TEST_CASE("unit: user text in the manual cannot inject roff requests") {
   CLI::App app{"it's\n'quoted\n.dotted\n-o", "railbook"};
   app.footer("a\\b");
   CLI::App* tool = app.add_subcommand("psd", "of roughness")->add_subcommand("fit", "fits");

@@ -29,7 +29,7 @@ TEST_CASE("Progress is silent for two seconds, and where the rest is short") {
   }
 }
 
-TEST_CASE("Progress says nothing of just two seconds, nor of just enough") {
+TEST_CASE("Progress is silent for runs of up to two seconds") {
   CHECK_FALSE(tool::should_report(1, 1000, 2, 10));
   CHECK_FALSE(tool::should_report(10, 20, 10, 10));
 }

@@ -21,7 +21,7 @@ TEST_CASE("unit: constants that no name uses") {
   CHECK(units::kilonewton == 1e3);
 }
 
-TEST_CASE("unit: powers and products, as written and as said") {
+TEST_CASE("unit: powers and products in written and spoken forms") {
   CHECK(units::parse_unit("in^3").si == Approx(0.0254 * 0.0254 * 0.0254).epsilon(1e-15));
   CHECK(units::si_name(units::parse_unit("kg*m/s^2/rad").dimension) == "N/rad");
   CHECK(units::si_name(units::parse_unit("kg*m*s").dimension) == "kg*m*s");

@@ -260,7 +260,7 @@ TEST_CASE("unit: a patch that unloads on the way to the load is left out of the 
   CHECK(last == 1);
 }
 
-TEST_CASE("unit: a load is borne at a depth of up to 2 mm, or said to need more") {
+TEST_CASE("unit: a load is borne at a depth of up to 2 mm, or reported to need more") {
   // Hertz's load at the depth; a flat crown bears it higher up than the search begins, a sharp one
   // deeper.
   for (const double crown : {0.02, 0.3, 3.0})

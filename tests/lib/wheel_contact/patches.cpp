@@ -92,7 +92,7 @@ TEST_CASE("unit: a patch's frame stands at the mean of its overlap, by the 5/2 p
     }
 }
 
-TEST_CASE("unit: areas are one patch that are nearer, and turned by less, than told") {
+TEST_CASE("unit: areas are one patch that are nearer, and turned by less, than the limits given") {
   const double delta = 1e-4, half = std::sqrt(2 * 0.2 * delta), apart = 0.02 - 2 * half;
   for (const double near : {0.99, 1.01})
     for (const double turned : {0.99, 1.01}) {

@@ -75,8 +75,8 @@ TEST_CASE("property: left and right are mirror images, and forces keep to fricti
 }
 
 TEST_CASE(
-    "property: by strips a load is borne, or said to lie in a jump that the full theory does not "
-    "have") {
+    "property: by strips a load is borne, or reported to lie in a jump that the full theory does "
+    "not have") {
   // The frames of the depth at which areas merge bear most of the loads in between.
   const ProfilePair pair = s1002_on_60e1(1.0 / 40);
   for (const auto& [load, most] : {std::pair{1e5, 2}, {2e5, 3}}) {
@@ -135,7 +135,7 @@ TEST_CASE("property: falling friction gives less force, and its constant limit t
   CHECK(std::abs(falling.force.x()) < 0.7 * std::abs(constant.force.x()));
 }
 
-TEST_CASE("property: unlike materials are said, and drive a wheel that would roll freely") {
+TEST_CASE("property: unlike materials cause a warning, and drive a wheel that would roll freely") {
   const ProfilePair pair = cylinder_on_round(0.3);
   WheelInput input = wish_for(Method::full);
   input.angular_velocity = 20 / 0.46;

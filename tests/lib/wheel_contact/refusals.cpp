@@ -26,7 +26,7 @@ TEST_CASE("Wheels off their rails, and loads, speeds and friction that cannot be
   CHECK_THROWS_WITH(solve_wheel(pair, {}, with([](WheelInput& w) { w.speed = 0; })),
                     Contains("speed is 0"));
   CHECK_THROWS_WITH(solve_wheel(pair, {}, with([&](WheelInput& w) { w.angular_velocity = nan; })),
-                    Contains("turning"));
+                    Contains("angular velocity"));
   CHECK_THROWS_WITH(
       solve_wheel(pair, {}, with([](WheelInput& w) { w.friction.coefficient = -0.1; })),
       Contains("friction is -0.1"));

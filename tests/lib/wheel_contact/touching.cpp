@@ -133,7 +133,7 @@ TEST_CASE("unit: strips of a parabola of overlap lie in Hertz's ellipse, from en
       }
 }
 
-TEST_CASE("unit: nothing overlaps, no strips") {
+TEST_CASE("unit: no overlap gives no strips") {
   const Patch patch = parabola(0, 1e-4, 2, 0.46);
   for (const double down : {-1.0001e-4, -1.0}) {
     CHECK(semi_hertzian(patch, 1e11, down).strips.empty());
@@ -162,7 +162,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "unit: areas nearer than 4 mm and turned by less than 0.35 rad are one patch, if not told") {
+    "unit: areas nearer than 4 mm and turned by less than 0.35 rad are one patch, by default") {
   const PatchOptions none;
   CHECK(none.merge_distance == 4e-3);
   CHECK(none.merge_angle == 0.35);

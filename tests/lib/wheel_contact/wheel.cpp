@@ -105,7 +105,7 @@ TEST_CASE("unit: friction falls from its coefficient to the share that is left")
   CHECK(law.at(1e6) == Approx(0.1));
 }
 
-TEST_CASE("unit: what is doubtful in an answer is said, and nothing of an ordinary one") {
+TEST_CASE("unit: a doubtful answer has warnings, and an ordinary one has none") {
   const double rolling = 1.001 * speed / radius;
   for (const Method method : {Method::hertz, Method::strips, Method::full})
     CHECK(solve_wheel(cone_on_round(0), {}, wish_of(rolling, method)).doubts.empty());

@@ -72,7 +72,7 @@ TEST_CASE("A profile measured in points comes close to the arcs it was taken fro
   CHECK(last < 1e-5);
 }
 
-TEST_CASE("The smoothing takes the noise it is told") {
+TEST_CASE("The smoothing takes the noise that it is given") {
   auto points = sampled(cn_pair().wheel(), 1e-3);
   for (std::size_t i = 0; i < points.size(); ++i) points[i].z += (i % 2 == 0 ? 1 : -1) * 5e-6;
   const auto through = measured_curve(points, 0), smooth = measured_curve(points, 5e-6);
