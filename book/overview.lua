@@ -1,6 +1,7 @@
 -- The overview pages that are tables of all records: findings, ledger, stability, verification.
 
 local html, items, record = require "html", require "items", require "record"
+local check_tables = require "check_tables"
 
 local overview = {}
 
@@ -11,7 +12,7 @@ local function join(parts) return table.concat(parts, "\n") end
 -- A check as a link to its row on the chapter's page.
 local function check_link(check, r)
   local href = items.href(r.item[check.item], r, "index"):gsub("#.*$", "") .. "#" .. check.id
-  return html.tag("a", {href = href}, html.text(check.what or check.id)) .. items.unit(check)
+  return html.tag("a", {href = href}, html.text(check.what or check.id)) .. check_tables.unit(check)
 end
 
 -- What became of a statement of a paper that did not come out as it is printed: {rank, kind}.
@@ -39,8 +40,8 @@ end
 local function finding_row(checks, kind, r)
   local check = checks[1]
   local more = #checks > 1 and html.text((" and %d more of %s"):format(#checks - 1, items.label(r.item[check.item], r))) or ""
-  local why, trial = html.text(check.why or ""), items.trial(check)
-  local came = items.cell(list_of(checks, items.computed))
+  local why, trial = html.text(check.why or ""), check_tables.trial(check)
+  local came = check_tables.cell(list_of(checks, check_tables.computed))
   if check.source == "claim" then
     why = came[1] .. (why ~= "" and "; " .. why or "")
     came = {"–", class = "number"}
@@ -48,8 +49,8 @@ local function finding_row(checks, kind, r)
   if trial ~= "" then
     why = why .. html.tag("details", {class = "trial"}, html.tag("summary", nil, "What was varied") .. html.tag("p", nil, html.text(trial)))
   end
-  return {check_link(check, r) .. more, {tostring(r.number), class = "number", sort = r.number}, kind, items.outcome(check),
-    items.cell(list_of(checks, function(c) return items.said(c, true) end)), came, why}
+  return {check_link(check, r) .. more, {tostring(r.number), class = "number", sort = r.number}, kind, check_tables.outcome(check),
+    check_tables.cell(list_of(checks, function(c) return check_tables.expected(c, true) end)), came, why}
 end
 
 -- What came out otherwise than printed, first what the paper has otherwise and a chapter's own findings name.
@@ -115,7 +116,7 @@ end
 
 -- What came out, and under it the trial of a verdict against the paper.
 local function computed_and_tried(check)
-  local cell, trial = items.cell(items.computed(check)), items.trial(check)
+  local cell, trial = check_tables.cell(check_tables.computed(check)), check_tables.trial(check)
   if trial ~= "" then cell = {cell[1] .. html.tag("p", {class = "reason"}, html.text(trial)), class = "words"} end
   return cell
 end
@@ -163,9 +164,9 @@ function overview.ledger(records)
     for i, check in ipairs(r.checks) do
       local used = record.used(check)
       rows[i] = {check_link(check, r), html.text(check.of_paper and check.place or check.by or ""), check.source or "–",
-        items.cell(items.said(check, check.of_paper)), computed_and_tried(check),
+        check_tables.cell(check_tables.expected(check, check.of_paper)), computed_and_tried(check),
         {used and ("%.0f %%"):format(100 * used) or "–", class = "number", sort = used},
-        items.outcome(check), class = not check.pass and "failed" or nil}
+        check_tables.outcome(check), class = not check.pass and "failed" or nil}
     end
     local counts = {}
     for j, pair in ipairs(record.count(r.checks)) do
@@ -225,8 +226,8 @@ local function second_routes(r)
     local item = r.item[group.item]
     rows[i] = {html.tag("a", {href = items.href(item, r, "index")}, items.title(item)), html.text(group.by),
       {passed .. " of " .. total, class = "number"},
-      {closest and items.difference(closest) or "–", class = "number"},
-      {closest and select(2, items.difference(closest)) or "–", class = "number"}, class = passed < total and "failed" or nil}
+      {closest and check_tables.difference(closest) or "–", class = "number"},
+      {closest and select(2, check_tables.difference(closest)) or "–", class = "number"}, class = passed < total and "failed" or nil}
   end
   return rows
 end

@@ -12,7 +12,7 @@
 package.path = PANDOC_SCRIPT_FILE:match("^(.*)/[^/]*$") .. "/?.lua;" .. package.path
 local html, items, record, frame = require "html", require "items", require "record", require "frame"
 local mathml, symbols = require "mathml", require "symbols"
-local drawings, tools = require "drawings", require "tools"
+local drawings, tools, studies = require "drawings", require "tools", require "studies"
 local dkjson = require "dkjson"
 
 local r, figures, data, page
@@ -138,7 +138,7 @@ end
 local function stability(token)
   mark("the stability cases", token)
   if #r.stability == 0 then problem(token, r.path .. " has no stability cases") end
-  return items.stability(r.stability)
+  return studies.stability(r.stability)
 end
 
 local function work_precision(id, token)
@@ -151,7 +151,7 @@ local function work_precision(id, token)
   end
   if #list == 0 then unknown(token, id or "work-precision") end
   for each in pairs(ids) do mark("work-precision: " .. each, token) end
-  return items.work_precision(list)
+  return studies.work_precision(list)
 end
 
 -- An item may have the name of a list, stability say; then it shows the list as well.
