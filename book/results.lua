@@ -4,6 +4,7 @@
 --   {{outcome:id}}      what came of a check, as a link to it
 --   {{coverage}} alone  the inventory of the paper
 --   {{work-precision}}, {{work-precision: id}}, {{stability}}, {{verdicts}}, {{checks}} alone
+--   {{picture: track-joint}} alone  the picture that the example of `railbook track joint` on the page Tools draws
 --   {{symbols}} alone   the symbols of data/symbols.csv; a formula has no other ones (see symbols.lua)
 -- Metadata: part (paper or study), record (JSON file), figures (folder of its PNGs), data (folder of its CSVs and scripts),
 -- chapters (see frame.lua), parts (folder for what the overview pages take from this one).
@@ -17,6 +18,7 @@ local dkjson = require "dkjson"
 
 local r, figures, data, page
 local problems, shown, reported, anchors = {}, {}, {}, {}
+local docs = PANDOC_SCRIPT_FILE:match("^(.*)/[^/]*$") .. "/../docs"
 local symbol_list -- of the chapter, or nil
 local tags = {} -- the numbers of the page's display formulas
 
@@ -159,6 +161,11 @@ local function block_for(name, argument, token)
   local list
   if name == "symbols" then list = symbols_block(token) end
   if name == "coverage" then list = items.coverage(r, page) end
+  if name == "picture" and argument then
+    list = tools.picture(docs, argument)
+    if not list then problem(token, ("no example of docs/commands.txt draws '%s'"):format(argument)) end
+    argument = nil
+  end
   if name == "verdicts" then list = items.verdicts(r, page) end
   if name == "checks" then list = items.checks(r) end
   if name == "stability" then list = stability(token) end
@@ -512,7 +519,7 @@ function Pandoc(doc)
     if number then tags[number] = math.text:gsub("\\tag{[^{}]*}", "") end
   end})
   doc = doc:walk({Para = Para, Quoted = Quoted}):walk({Str = Str, Math = Math}):walk({Inlines = Inlines})
-  doc = tools.linked(doc, PANDOC_SCRIPT_FILE:match("^(.*)/[^/]*$") .. "/../docs")
+  doc = tools.linked(doc, docs)
   check_all_shown()
   doc:walk({Math = function(math) html.formula(math.text, math.mathtype) end}) -- so that all problems are named at once
   stop_on_problems()

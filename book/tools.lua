@@ -90,6 +90,21 @@ function tools.linked(doc, folder)
   end})
 end
 
+-- The picture that an example of the page Tools draws, folded, for the page of its chapter; `name` is "track-joint". Nil where there is none.
+function tools.picture(folder, name)
+  for line in io.lines(folder .. "/commands.txt") do
+    local subject, verb, command, caption = line:match("^(%l+) (%l+) | [^|]+ | ([^|]+) | (.+)$")
+    if subject and subject .. "-" .. verb == name then
+      local width, height = read(folder .. "/pictures/" .. name .. ".svg"):match('width="(%d+)" height="(%d+)"')
+      return html.tag("details", {class = "more"}, html.tag("summary", nil, "The picture that the command draws")
+        .. html.tag("figure", nil, html.tag("a", {href = ("tools.html#railbook-%s"):format(name)}, html.tag("img", {src = ("figures/tools/%s.svg"):format(name),
+          alt = caption, width = width, height = height, class = "drawing", loading = "lazy"}))
+          .. html.tag("figcaption", nil, html.tag("b", {class = "see"}, html.text(caption) .. ".") .. " Drawn by "
+            .. html.tag("code", nil, html.escape(command)) .. ".")))
+    end
+  end
+end
+
 -- Each command with its question, as links to its example.
 local function index(doc)
   local rows, last = {}, nil

@@ -9,8 +9,12 @@ $$f(x,y)=\alpha x^2+\beta y^2,\qquad \alpha=\frac12\left(\frac{1}{R_r}-\frac{1}{
 $R_r$ is the radius of the rail's crown, $R_t$ that of the hollow tread and $R_w$ that of the wheel;
 $\alpha$ and $\beta$ are half the curvatures of the gap.
 
+::: {.fold summary="The section across the rail"}
+
 {{fig-06}}
 
+
+:::
 The paper gives the approach, $\delta=0.0004$ in, and the radii in a drawing only. Its lettering
 reads "R*18" in our text, the wheel's radius of 18 in, and "R=J2.34", the radius of the tread, which
 we read as 12.34 in. The crown's radius, 10 in, stands in the text of Example 2.

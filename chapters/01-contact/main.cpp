@@ -2,19 +2,22 @@
 
 A loaded wheel stands on a patch of steel the size of a coin, and the pressure in that patch decides
 whether the rail yields, wears or cracks. Hertz gave it in 1882 for surfaces that are quadratic over
-the patch, but the radius of a rail head jumps from 10 in on the crown to 1¼ in at the corner, and
-a wheel often stands on the jump, where Hertz's formulas do not hold.
+the patch. But the radius of a rail head jumps from 10 in on its top, the *crown*, to 1¼ in at the
+corner, and the running surface of a wheel, its *tread*, often stands on the jump, where Hertz's
+formulas do not hold.
 
 {{bodies}}
 
 ::: findings
 1. Where does the contact lie? The paper searches from the *interpenetration curve*, where the
-   undeformed bodies would cut each other if they were moved together by the approach. It says that
+   undeformed bodies would cut each other if they were moved together as far as the load brings them
+   (the *approach*). It says that
    "The true contact region lies entirely inside the interpenetration curve". We prove it in one
    line, and it is true in all four examples; in the first, the curve reaches {{overlap}} as far as
    the contact. {{outcome:fig-01/inside}}
 2. What does a wheel carry on the jump of the radius? For an approach of 0.005 in the paper prints a
-   force of 34 072 lbf and a moment of −5365 in·lbf. We find {{grid-force}} ({{off-f}}) and
+   force of 34 072 lbf and a moment about the jump of −5365 in·lbf. We find {{grid-force}}
+   ({{off-f}}) and
    {{grid-moment}} ({{off-m}}) if the radius of the wheel's tread, "J2.34" in our text of the paper,
    is 12.34 in; the printed numbers themselves ask for {{force-tread}} and {{moment-tread}}.
    {{outcome:example-2/F-printed}} {{outcome:example-2/M-printed}}
@@ -88,12 +91,12 @@ Table 2, and no Table 1. Numbers that the paper prints in two systems of units a
   reaches {{patch-corner}} of the corner's radius, and there the half space is a good approximation.
   But the whole patch is {{patch-across}} times that radius across, and {{patch-along}} times on
   each side along the rail, and what this costs is not tested here. A worn wheel that fits into the
-  gauge corner (conformal contact) is beyond it.
+  corner of the rail (conformal contact) is beyond it.
 * **Elastic.** The peak of Example 2, {{peak}}, is far above what rail steel bears elastically. A
   real corner yields and wears to a larger radius.
 * **One piece.** COUNTACT takes a column as one interval around the axis, so it cannot see two
-  patches, on tread and flange; the grid can. Yaw, the turn of a wheelset about the vertical, breaks
-  the symmetry that COUNTACT-1 needs.
+  patches, one on the tread and one on the flange (the rim that keeps a wheel on the rail); the grid
+  can. Yaw, the turn of a wheelset about the vertical, breaks the symmetry that COUNTACT-1 needs.
 * **Frictionless and smooth.** With equal elastic constants friction would not change the normal
   pressure; roughness would.
 * **The boundary** is first order in every method here: trust the force, the moment and the peak to
@@ -130,6 +133,8 @@ $ railbook contact solve --body-1-profile rail.csv --body-2-profile wheel.csv --
 ```
 
 With `--out FOLDER` it also writes the cells, their pressures and a picture.
+
+{{picture: contact-solve}}
 
 ## Try next
 

@@ -141,7 +141,7 @@ constants $q_0$, $q_1$, $q_2$ that the points fix.
 {{fig-04}}
 
 The paper asks that the fit make $p$ a one-valued function of $y$, and leaves the details to a
-report that we do not have; the parabolas are ours. This half sentence carries the method. On
+report that we do not have; the parabolas are ours. The method depends on this half sentence. On
 {{fit-meshes}} columns of Example 1 the iteration diverges with three points and without the
 condition. With it the iteration converges, to the force that two points give. Two points are used
 from here on.

@@ -24,7 +24,7 @@ columns the force comes out {{coarse-force}} too high, and then the printed one 
 {{coarse-tread}}.
 
 All lie within {{treads-off}} of the drawn 12.34 in, which is used on this page; 12.28 in would meet
-the three numbers without a mesh better. This uncertainty of the tread is why forces agree to 1 %
+the three numbers that do not depend on a mesh better. This uncertainty of the tread is why forces agree to 1 %
 and no better.
 
 The force of Hertz's column is not quite that of its own ellipse: $\tfrac23\pi ab\,p_0$ of the same

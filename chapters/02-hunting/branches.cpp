@@ -46,8 +46,12 @@ takes about {{slip-needed}}, and the four side frames hold {{slip-held}}.
 
 :::
 
+::: {.fold summary="What the text says of amplitudes and speeds, and what was found"}
+
 {{claims}}
 
+
+:::
 ::: {.fold summary="The frequency on the flange: near 30.5 rad/s for all wheels?"}
 
 "For all three wheel profiles, frequencies for limit cycles with

@@ -44,7 +44,7 @@ half the distance of the rails' *heads*.
 :::
 
 **Contact.** Wheelset and rails are rigid, so both sides touch where the vertical gap is least.
-How the place is found is a matter of arcs:
+The place is found arc by arc:
 
 ::: {.fold summary="The least gap between two chains of arcs"}
 

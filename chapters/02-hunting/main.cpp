@@ -12,16 +12,16 @@ depend on the shapes of wheel and rail.
 ::: findings
 1. **From which speed does an empty freight car hunt?** The paper says from 145 ft/s with new
    wheels, at 12 rad/s, and that with worn wheels of the Canadian National's profile A (CN), at 21
-   rad/s, it hunts at a "much lower" speed. The text does not give the dampers on which this
-   depends. With all dampers that we tried and that give 145 ft/s and 12 rad/s, the car on CN wheels
+   rad/s, it hunts at a "much lower" speed. For this the paper replaces the dry friction of the car's
+   suspension by dampers, on which the speed depends and which the text does not give. With all dampers that we tried and that give 145 ft/s and 12 rad/s, the car on CN wheels
    hunts at {{fit-cn}}, as printed, and from {{cn-speeds-tried}} on, which is not much lower
    ({{outcome:dampers/much-lower-cn}}). The CN profile is lost; ours steers three times as strongly
    as the new wheel, as printed.
 2. **How far does hunting on the flange go?** The paper says that with new wheels a stable limit
    cycle, a periodic motion to which others settle, "extends to a high velocity". By its own method
    of describing functions it does. By the full equations with the paper's linear law of contact
-   forces it becomes unstable between {{torus-range}}, depending on the dampers and on the smoothing
-   of the profiles; without the smoothing, and with some dampers, it is not stable at all. When
+   forces it becomes unstable between {{torus-range}}, depending on the dampers and on how we smooth
+   the jump from tread to flange; without smoothing, and with some dampers, it is not stable at all. When
    friction limits the contact forces (coefficients of 0.2 to 0.4), stable hunting begins at
    {{creep-begins}} already, below the speed at which small motions grow. Profiles, dampers and
    friction are ours.
@@ -130,6 +130,8 @@ $ railbook hunting geometry --wheel new-wheel.csv --rail worn-rail.csv
 
 `railbook hunting cycle` follows the limit cycles and lists those at a speed, with their Floquet
 multipliers.
+
+{{picture: hunting-cycle}}
 
 ## Try next
 

@@ -33,7 +33,8 @@ again when its slip turns against its traction. `update_slip` does both, cell by
 {{code: rolling/stick_slip.cpp update_slip}}
 
 The loop settles in a few passes. The linear systems are solved by GMRES, an iteration that needs
-only products with the matrix, with the rows of cells as preconditioner.
+only products with the matrix, with the rows of cells, solved by themselves, as
+preconditioner (an approximate inverse).
 
 **Few cells suffice** because of three more choices:
 

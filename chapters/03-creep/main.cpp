@@ -14,8 +14,9 @@ law brings them together, a test on a small wheel in a laboratory says nothing a
    prints agrees with the statement but is no evidence for it. Within the rounding of its speeds it
    needs at least {{least-along}} times the area of smooth new wheels if the longer axis of the
    contact ellipse lies along rolling, and {{least-across}} times if it lies across. The paper does
-   not say which, and the errors of its Appendix A leave as much open: {{least-independent}} (longer
-   axis along, errors independent) or {{least-worst}} (errors at worst).
+   not say which. The errors of its Appendix A leave as much open. With the longer axis along rolling
+   they need {{least-independent}} times that area if they are independent, and {{least-worst}} times
+   at worst.
    {{outcome:table-state/true-area}}
 2. **Does a larger contact creep less, in proportion?** The paper, for tests in which the ellipse
    keeps its ratio of axes: "the product of the creep and the area of contact must be a constant".
@@ -160,6 +161,8 @@ Creep curve
 The last two columns are the fraction of the friction limit that is used and the fraction of the area
 that sticks. With `--out FOLDER` the command also writes the table and a picture, and
 `railbook creep table` makes a table for a vehicle code.
+
+{{picture: creep-curve}}
 
 ## Try next
 

@@ -137,6 +137,8 @@ $ railbook psd classify track.csv --column profile
 With `--out FOLDER` it writes the spectrum, the parameters and a picture, with `--section 1km` a row
 for each kilometre.
 
+{{picture: psd-classify}}
+
 ## Try next
 
 **Which class is zone 12?** Make it of 30-ft rail, the length that its printed $\varphi_0$ belongs to.

@@ -134,6 +134,8 @@ $ railbook quality index track.csv --speed 100km/h --column crosslevel --out min
 The folder `mine` then holds the descriptor sample by sample, the places beyond the limit, a class
 for each 200 m, and a picture.
 
+{{picture: quality-index}}
+
 ## Try next
 
 * How much track does a shock absorber buy? Compare a damping of 0.1 with 0.2 and 0.3, at the same

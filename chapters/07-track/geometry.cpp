@@ -82,7 +82,7 @@ car feels of them.
 
 The second kind of input is random. Cross level is the difference in height of the two rails. Our
 copy has the legends of the paper's Figure 6, but not its curves. They name a spectrum of cross
-level for an idealized track of class 6, and the ranges of data measured on a high-speed
+level for an idealized track of class 6 (the US classes rise with the speed permitted, up to 6), and the ranges of data measured on a high-speed
 demonstration track and on British Rail. In its place we show a family of curves for the classes of
 the Federal Railroad Administration from the later literature (quoted by Frýba),
 

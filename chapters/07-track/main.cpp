@@ -77,7 +77,7 @@ Figures 6 and 7, and all results after the section on geometry.
 
 ## Limits
 
-The static model is a linear beam on linear springs that also pull. Under a wheel of 27.5 kip on the
+The static model is a linear beam on linear springs that also pull. Under a wheel of 27.5 kip (27 500 lbf) on the
 typical track the bed would have to pull with {{uplift-pull}} at most, while rail and half a tie
 weigh {{uplift-weight}}: ties lift a little, which hardly changes the deflection under the wheel
 (*lifting-ties* on the study page). The rail's own shear deformation is left out, and so is the
@@ -127,6 +127,8 @@ $ railbook track joint --speed 60mph --dip 0.5in
 ```
 
 With `--out FOLDER` it also writes the forces in time and a picture.
+
+{{picture: track-joint}}
 
 ## Try next
 
