@@ -172,7 +172,7 @@ end
 -- Overview pages that a search looks into; the others repeat the chapters.
 local looked_into = {tools = true, reading = true, cite = true, verification = false}
 
--- search.js: {file, title of the page, kind, words that are meant by it too, {{title, anchor, text}, ...}} for each page (see find.js).
+-- search.json, which weave.cmake packs into search.js: {file, title of the page, kind, words that are meant by it too, {{title, anchor, text}, ...}} for each page (see find.js).
 local function write_search(book, pages, parts, of_library, keywords)
   local all = {}
   for _, page in ipairs(pages) do
@@ -184,8 +184,8 @@ local function write_search(book, pages, parts, of_library, keywords)
     if looked_into[name] then entries = sections_of(read_file(book .. "/" .. name .. ".html")) end
     all[#all + 1] = {name .. ".html", page[2], kind, keywords[name] or "", entries}
   end
-  local file = assert(io.open(book .. "/search.js", "w"))
-  file:write("railbookSearch(", dkjson.encode(all), ")\n")
+  local file = assert(io.open(book .. "/search.json", "w"))
+  file:write(dkjson.encode(all))
   file:close()
 end
 

@@ -155,6 +155,11 @@ if(NOT status EQUAL 0)
   list(APPEND failed index)
 endif()
 file(REMOVE_RECURSE ${parts})
+if(EXISTS ${new}/search.json) # packed, as a script, which a page from disk can load
+  execute_process(COMMAND gzip -9nc ${new}/search.json COMMAND base64 -w 0 OUTPUT_VARIABLE packed COMMAND_ERROR_IS_FATAL ANY)
+  file(WRITE ${new}/search.js "railbookSearch(\"${packed}\");\n")
+  file(REMOVE ${new}/search.json)
+endif()
 
 if(NOT EXISTS ${new}/index.html AND NOT records) # no page at all: pandoc itself; the book of before stays
   file(REMOVE_RECURSE ${new})

@@ -2,11 +2,12 @@
 import {readFileSync} from "node:fs";
 import {createRequire} from "node:module";
 import {join, resolve} from "node:path";
+import {gunzipSync} from "node:zlib";
 
 const book = resolve(process.argv[2]);
 const {find} = createRequire(import.meta.url)(join(book, "find.js"));
 let index;
-new Function("railbookSearch", readFileSync(join(book, "search.js"), "utf8"))((pages) => { index = pages; });
+new Function("railbookSearch", readFileSync(join(book, "search.js"), "utf8"))((packed) => { index = JSON.parse(gunzipSync(Buffer.from(packed, "base64"))); });
 let wrong = 0;
 const lines = readFileSync(new URL("queries.csv", import.meta.url), "utf8").trim().split("\n").slice(1);
 for (const line of lines) {
