@@ -12,9 +12,8 @@
 
 package.path = PANDOC_SCRIPT_FILE:match("^(.*)/[^/]*$") .. "/?.lua;" .. package.path
 local html, items, record, frame = require "html", require "items", require "record", require "frame"
-local mathml, symbols = require "mathml", require "symbols"
-local drawings, tools, studies = require "drawings", require "tools", require "studies"
-local dkjson = require "dkjson"
+local symbols = require "symbols"
+local drawings, tools, studies, parts = require "drawings", require "tools", require "studies", require "parts"
 
 local r, figures, data, page
 local problems, shown, reported, anchors = {}, {}, {}, {}
@@ -429,74 +428,6 @@ local function check_all_shown()
   end
 end
 
-local raised = {["−"] = "⁻"}
-for i = 0, 9 do raised[tostring(i)] = utf8.char(({[0] = 0x2070, 0xb9, 0xb2, 0xb3})[i] or 0x2070 + i) end
-
--- The text of a block as a reader sees it: with the numbers that were inserted, and with its lists and tables in words.
-local function words_of(block)
-  local function text_of(raw)
-    local entities = {["&lt;"] = "<", ["&gt;"] = ">", ["&amp;"] = "&", ["&quot;"] = '"', ["&#8239;"] = "\u{202f}"}
-    raw = raw:gsub("<sup>([−%d]+)</sup>", function(power) return (power:gsub(utf8.charpattern, raised)) end)
-    return pandoc.Str((raw:gsub("<annotation.-</annotation>", ""):gsub("<[^>]*>", ""):gsub("&[#%w]+;", entities)))
-  end
-  block = pandoc.Pandoc({block}):walk({
-    RawInline = function(raw) return text_of(raw.text) end,
-    Math = function(math) return text_of(html.formula(math.text, math.mathtype) or "") end,
-    Note = function() return {} end})
-  return (pandoc.write(block, "plain", {wrap_text = "none"}):gsub("%-%-%-+", " "):gsub("^%s+", ""):gsub("%s+", " "))
-end
-
--- What a search finds: the sections with their text, and the figures and tables with what they show and check.
-local function search_entries(doc)
-  local out, entry = {}, {pandoc.utils.stringify(doc.meta.title), "", ""}
-  out[1] = entry
-  for _, block in ipairs(doc.blocks) do
-    if block.t == "Header" then
-      entry = {pandoc.utils.stringify(block), block.identifier, ""}
-      out[#out + 1] = entry
-    elseif block.t ~= "CodeBlock" and block.t ~= "RawBlock" and block.t ~= "Plain" then
-      entry[3] = entry[3] .. (entry[3] ~= "" and " " or "") .. words_of(block)
-    end
-  end
-  for _, item in ipairs(r.items) do
-    if item.page == page then
-      local whats = {item.title}
-      for _, check in ipairs(item.checks) do whats[#whats + 1] = check.what or check.id end
-      out[#out + 1] = {items.label(item, r) .. ". " .. items.plain_title(item), item.id, words_of(pandoc.Plain({pandoc.RawInline("html", html.text(table.concat(whats, "; ")))}))}
-    end
-  end
-  return out
-end
-
--- The box of the chapter's findings, with links that lead to this page from any other.
-local function findings(doc)
-  local out
-  for _, block in ipairs(doc.blocks) do
-    if block.t == "Div" and block.classes:includes("findings") and not out then
-      out = pandoc.write(pandoc.Pandoc(block.content), "html", {html_math_method = "mathml"})
-      out = mathml.mend(out):gsub('href="#', ('href="%s.html#'):format(r.chapter))
-    end
-  end
-  return out
-end
-
--- The numbers of this page's figures and tables.
-local function numbers()
-  local out = {}
-  for _, item in ipairs(r.items) do
-    if item.page == page then out[item.id] = item.number end
-  end
-  return out
-end
-
-local function leave_parts(doc, folder)
-  local name = page == "study" and r.chapter .. "-study" or r.chapter
-  local file = assert(io.open(folder .. "/" .. name .. ".json", "w"))
-  file:write(dkjson.encode({findings = findings(doc), search = search_entries(doc), tags = tags, numbers = numbers(),
-    symbols = symbol_list and symbols.list(symbol_list, symbol_value, true) or nil}))
-  file:close()
-end
-
 local function stop_on_problems()
   if #problems == 0 then return end
   for _, message in ipairs(problems) do io.stderr:write("book: ", message, "\n") end
@@ -524,7 +455,8 @@ function Pandoc(doc)
   doc:walk({Math = function(math) html.formula(math.text, math.mathtype) end}) -- so that all problems are named at once
   stop_on_problems()
   frame.set(doc.meta, frame.chapters(frame.strings(doc.meta.chapters)), page == "study" and r.chapter .. "-study" or r.chapter)
-  leave_parts(doc, text "parts")
+  parts.leave(doc, text "parts", r, page,
+    {tags = tags, symbols = symbol_list and symbols.list(symbol_list, symbol_value, true) or nil})
   if page == "paper" then -- those of both pages
     for _, item in ipairs(r.items) do
       for _, name in ipairs(item.csv) do
