@@ -68,7 +68,7 @@ Vehicle trace(std::string key, std::string name, const wheelset::NamedPair& pair
 }
 
 std::string words_of(const report::Item& item, std::string_view key) {
-  return item.printed("claims.csv").at(key, "what");
+  return item.printed("words.csv").at(key, "what");
 }
 
 }  // namespace

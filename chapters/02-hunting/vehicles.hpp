@@ -89,7 +89,7 @@ FreightCar car_for(double rotation);
 // Why an item is rebuilt.
 inline constexpr const char* rebuilt_reason =
     "profiles, equivalent dampers and the sticking of friction are ours, as stated";
-// A statement of the paper, in the words of data/claims.csv, holds whatever we chose; or with what we
+// A statement of the paper, in the words of data/words.csv, holds whatever we chose; or with what we
 // chose; or it does not, and something else does.
 void claim(report::Item& item, std::string_view key, bool holds, std::string measured);
 void claim(report::Item& item, std::string_view key, const report::Trial& trial,
@@ -98,7 +98,7 @@ void consistent(report::Item& item, std::string_view key, bool holds, std::strin
                 std::string why = rebuilt_reason);
 void refute(report::Item& item, std::string_view key, const report::Trial& trial,
             std::string instead);
-// A statement of ours on our model, in the words of data/claims.csv.
+// A statement of ours on our model, in the words of data/words.csv.
 void verify(report::Item& item, std::string_view key, bool holds, std::string measured,
             const std::string& method);
 // Columns of one format.
