@@ -95,7 +95,7 @@ foreach(chapter ${chapters})
   file(GLOB printed RELATIVE ${CHAPTERS}/${chapter}/data ${CHAPTERS}/${chapter}/data/*)
   foreach(name ${printed})
     file(COPY ${CHAPTERS}/${chapter}/data/${name} DESTINATION ${new}/data/${chapter}/printed)
-    if(NOT name STREQUAL symbols.csv) # the list on the page
+    if(NOT name MATCHES "^(symbols|claims|words|trials|inventory)\\.csv$") # they are on the page, and not printed by the paper
       list(APPEND around -M printed=${name})
     endif()
   endforeach()

@@ -26,7 +26,7 @@ The squares in {{fig-03}} are a check with finite elements that are exact for th
 
 {{fig-03}}
 
-{{joint}}
+{{joint: checks}}
 
 At a free end exactly a quarter of $K_r$ is left: the paper's "as little as 25 percent". A pinned
 joint keeps a half, and its curve is **not monotone**. At $\xi=\pi/4$ the pin is where the rail has
