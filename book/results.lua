@@ -466,6 +466,7 @@ function Pandoc(doc)
     end
   end
   local raw = function(content) return pandoc.MetaInlines({pandoc.RawInline("html", content)}) end
+  doc:walk({Div = function(div) if div.classes:includes "live" then doc.meta.live = true end end}) -- figure.js
   doc.meta.pagetitle = pandoc.MetaString(pandoc.utils.stringify(doc.meta.title))
   doc.meta["checks-csv"] = exists(data .. "/checks.csv")
   doc.meta.number = pandoc.MetaString(tostring(r.number))

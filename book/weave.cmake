@@ -25,6 +25,8 @@ set(new ${BOOK}.unfinished)
 file(REMOVE_RECURSE ${new})
 file(MAKE_DIRECTORY ${new}/data ${new}/figures)
 file(COPY ${here}/book.css ${here}/book.js ${here}/answer.js ${here}/find.js ${here}/icon.svg ${here}/fonts DESTINATION ${new})
+file(GLOB live ${here}/live/*.js) # figures that compute
+file(COPY ${live} DESTINATION ${new}/live)
 file(GLOB shared_scripts ${root}/lib/*/*.gp) # the look of all figures, and scripts that several chapters use
 file(COPY ${shared_scripts} DESTINATION ${new}/data)
 set(page_options --template=${here}/template.html --to=html5 --mathml --fail-if-warnings --standalone --wrap=none --no-highlight

@@ -42,15 +42,19 @@ iteration is done it takes in the cells outside that still overlap, and it ends 
 
 ### The pressure
 
+::: {#live-contact .live figure=contact}
+
 {{fig-09}}
+
+:::
 
 The figure shows the pressure along the axis of symmetry. Without the corner it would be Hertz's
 ellipse on the flat side. The corner falls away from the wheel and carries less, so the pressure
 beside it rises steeply, to {{peak}} at $x$ = {{x-peak}}, and falls to zero within {{fall}}. At the
 jump the pressure is continuous, but its slope is infinite, like that of $x\ln x$; there the column
-of COUNTACT-1 next to the jump differs from the grid. With the slider below the figure the wheel
-moves across the rail at the same approach, from the crown, where the contact is an ellipse, over
-the jump into the corner.
+of COUNTACT-1 next to the jump differs from the grid. On a screen
+the wheel can be rolled across the rail, from the crown, where the contact is an ellipse, over the
+jump into the corner, and COUNTACT's iteration can be played; the library computes each answer.
 
 {{scene}} shows the pressure in space: columns as high as the pressure on one half, their mesh on
 the other, and the interpenetration curve around.
@@ -69,11 +73,7 @@ the other, and the interpenetration curve around.
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <string>
-#include <utility>
-
-#include <railbook/report/answer.hpp>
 
 #include "sections.hpp"
 
@@ -163,68 +163,11 @@ void force_and_moment(report::Item& item) {
   item.value("cone-off", 100 * (1 - cone.force / force), "%", "{:.0f}");
 }
 
-// The bodies of Example 2 touching `at` (m) to the right of the jump; x counts from there.
-Gap gap_at(double at) {
-  const auto radius = [](double x) { return x < 0 ? crown_radius : corner_radius; };
-  const auto drop = [radius](double x) { return x * x / (2 * radius(x)); };
-  const double height = drop(at), slope = at / radius(at);
-  return [=](double x, double y) {
-    return drop(at + x) - height - slope * x - x * x / (2 * tread_radius) +
-           y * y / (2 * wheel_radius);
-  };
-}
-
-// The two sides of the patch, row by row, as one closed line.
-void add_outline(report::Answer& answer, const NormalContact& c, double at) {
-  std::map<double, std::pair<double, double>> rows;
-  for (Eigen::Index i = 0; i < c.x.size(); ++i) {
-    const double left = c.x[i] - c.dx[i] / 2, right = c.x[i] + c.dx[i] / 2;
-    const auto row = rows.try_emplace(c.y[i], left, right).first;
-    row->second = {std::min(row->second.first, left), std::max(row->second.second, right)};
-  }
-  const auto point = [&](double x, double y) {
-    answer.point("patch", "", (x + at) / inch, 1e-6 * std::round(1e6 * y / inch));  // 0, not 1e-9
-  };
-  for (const auto& [y, ends] : rows) point(ends.first, y);
-  for (auto row = rows.rbegin(); row != rows.rend(); ++row) point(row->second.second, row->first);
-  point(rows.begin()->second.first, rows.begin()->first);
-}
-
-void place_answer(report::Item& item) {
-  report::Answer answer{
-      item,
-      {"place_in"},
-      {{"pressure along the axis", "across the rail from the jump, in", "pressure, 10⁵ psi", -1.2,
-        0.6, 0, 6},
-       {"patch", "across the rail from the jump, in", "along the rail, in", -1.2, 0.6, -0.5, 0.5},
-       {.name = "result", .kind = "says"}}};
-  for (const double place : {-0.6, -0.5, -0.4, -0.3, -0.2, -0.1, -0.05, 0.0, 0.05, 0.1, 0.2, 0.3}) {
-    const double at = place * inch;
-    CgFftOptions options;
-    options.nx = options.ny = 63;
-    if (std::abs(place) < 0.55) options.edge_x = -at;
-    const NormalContact c = solve_cg_fft(gap_at(at), delta_2, modulus, options).contact;
-    answer.at({place});
-    const double middle = c.y.cwiseAbs().minCoeff();
-    answer.point("pressure along the axis", "", (c.x_min + at) / inch, 0);
-    for (Eigen::Index i = 0; i < c.x.size(); ++i)
-      if (std::abs(c.y[i] - middle) < 1e-9 * inch)
-        answer.point("pressure along the axis", "", (c.x[i] + at) / inch, c.p[i] / (1e5 * psi));
-    answer.point("pressure along the axis", "", (c.x_max + at) / inch, 0);
-    add_outline(answer, c, at);
-    answer.says("result", "force, lbf", c.force / lbf);
-    answer.says("result", "moment about the jump, in·lbf",
-                (c.moment_y + at * c.force) / (inch * lbf));
-    answer.says("result", "peak, 10⁵ psi", c.p_max / (1e5 * psi));
-  }
-}
-
 void fig_09(report::Item& item) {
   const NormalContact &c = jump_by_columns(), &grid = jump_by_grid();
   draw::axis(item.data({"x_in", "p_1e5_psi"}), c);
   draw::axis(item.data("grid", {"x_in", "p_1e5_psi"}), grid);
   draw::axis(item.data("cone", {"x_in", "p_1e5_psi"}), with_cone());
-  place_answer(item);
   item.value("peak", fmt::format("{:.0f}\u202f000 psi", grid.p_max / (1000 * psi)));
   item.value("x-peak", grid.x_p_max / inch, "in", "{:.4f}");
   item.value("fall", (c.x_max - grid.x_p_max) / inch, "in", "{:.3f}");

@@ -48,13 +48,17 @@ preconditioner (an approximate inverse).
 * *Half the grid first.* It gives the start, an error estimate and, from 16 cells along, an
   extrapolation.
 
+::: {#live-creep .live figure=creep}
+
 {{fig-full-curve}}
+
+:::
 
 On 24 x 12 cells that fill the ellipse the mean error over the curve is {{error-filled}}; with their
 ends placed, the same cells have {{error-placed}}. On grids of up to some 60 cells the error falls
 about as $h^2$, on finer ones more slowly, as the [second page](03-creep-study.html) measures.
 
-Below {{fig-full-curve}} creep and spin can be moved, for the rig's ellipse at the load of Appendix B
+On a screen creep and spin can be moved in {{fig-full-curve}}, for the rig's ellipse at the load of Appendix B
 and a largest friction of 0.3. The contact rolls to the right; what slides begins at the trailing
 edge, and spin moves it to one side.
 
@@ -82,7 +86,6 @@ theory, has the right slope and comes closer to full slip too slowly.
 #include <algorithm>
 #include <cmath>
 
-#include <railbook/report/answer.hpp>
 #include <railbook/rolling/creep_laws.hpp>
 #include <railbook/rolling/influence.hpp>
 #include <railbook/rolling/kalker_coefficients.hpp>
@@ -153,43 +156,6 @@ std::pair<double, double> apart(const std::vector<CreepForces>& a,
   return {sum / static_cast<double>(a.size()), most};
 }
 
-void contact_answer(report::Item& item) {
-  constexpr const char *patch = "patch", *middle = "middle";
-  report::Answer answer{item,
-                        {"creep_‰", "spin_1/m"},
-                        {{.name = patch,
-                          .x_label = "along rolling, mm",
-                          .y_label = "across, mm",
-                          .x_from = -1.6,
-                          .x_to = 1.6,
-                          .y_from = -1.1,
-                          .y_to = 1.1,
-                          .kind = "cells"},
-                         {middle, "along rolling, mm", "traction, MPa", -1.6, 1.6, -500, 500},
-                         {.name = "forces", .kind = "says"}}};
-  RollingCase c = rig_case();
-  const EllipseRolling contact(c.a / c.b, c.poisson, {.along = 14, .rows = 9});
-  for (const double creep : {0.25, 0.5, 1., 2., 3., 4., 6.})
-    for (const double spin : {0., 1., 3., 6., 12., 25.}) {
-      c.creepage = {creep / 1000, 0, spin};
-      const CreepForces f = contact.solve(c);
-      if (!f.converged) throw std::runtime_error(f.reason);
-      answer.at({creep, spin});
-      const Tractions& t = f.tractions;
-      for (Eigen::Index i = 0; i < t.x.size(); ++i) {
-        const double x = t.x[i] / units::millimetre, y = t.y[i] / units::millimetre;
-        answer.point(patch, t.stick[i] > 0 ? "sticks" : "slides", x, y);
-        if (std::abs(y) > 1e-9) continue;
-        answer.point(middle, "along", x, t.px[i] / units::megapascal);
-        answer.point(middle, "across", x, t.py[i] / units::megapascal);
-        answer.point(middle, "limit", x, t.bound[i] / units::megapascal);
-      }
-      answer.says("forces", "along rolling over µN", f.fx / (c.friction * c.load));
-      answer.says("forces", "across over µN", f.fy / (c.friction * c.load));
-      answer.says("forces", "area that sticks, %", 100 * f.stick_share);
-    }
-}
-
 void tabulate(report::Item& item) {
   item.rebuilt("the paper shows the theoretical curve in Fig. 11 without numbers");
   const auto& curve = best_curve(item.full());
@@ -253,7 +219,6 @@ void figure(report::Item& item) {
   const double slope = vermeulen_johnson_slopes(axis_ratio, poisson).longitudinal;
   item.value("vj-excess", 100 * (slope / kalker_coefficients(axis_ratio, poisson).c11 - 1), "%",
              "{:.0f}");
-  contact_answer(item);
 }
 
 }  // namespace

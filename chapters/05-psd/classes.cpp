@@ -57,10 +57,14 @@ $k$ ≤ {{k-high}}. These are the readings that we tried:
 
 ### Figure 11
 
+::: {#live-psd .live figure=psd}
+
 {{fig-11}}
 
-Below {{fig-11}} a track can be chosen by its roughness $A$ and its dip $B$: the class that rule
-(10) gives it, and how much of the deviation each part has.
+:::
+
+On a screen a track of any roughness $A$ and dip $B$ can be made here and a stretch of it measured:
+the class that rule (10) gives it, and how sure that class is after so many miles.
 
 Left of the bend of a limit curve $A$ alone sets the class, below the bend $B$ alone. On the dashed
 line both parts weigh the same. "All points tended to cluster near the line", says the paper: the
@@ -78,7 +82,6 @@ median, {{welded-median}}: only {{welded-left}} of 7 zones have more of $A$.
 #include <algorithm>
 #include <cmath>
 
-#include <railbook/report/answer.hpp>
 #include <railbook/spectra/classify.hpp>
 
 #include "sections.hpp"
@@ -298,34 +301,6 @@ void limit_curves(report::Item& item) {
   }
 }
 
-// The answer below the figure.
-void class_answer(report::Item& item) {
-  report::Answer answer{item,
-                        {"A_m²-cycle/m", "B_mm"},
-                        {{"random part of the spectrum", "wavenumber, cycle/m",
-                          "density, m²/(cycle/m)", 0.005, 1, 1e-9, 0.1, "log"},
-                         {"design deviation", "class", "mm", 0.5, 6.5, 0, 80},
-                         {.name = "class", .kind = "says"}}};
-  for (int i = 0; i <= 10; ++i) {
-    const double A = 1e-8 * std::pow(10.0, 0.25 * i);
-    for (double B = 0; B < 21; B += 2) {
-      const auto c = spectra::classify(A, B * mm, rule_10);
-      answer.at({A, B});
-      for (const double phi : {0.005, 1.0})  // a straight line on these axes
-        answer.point("random part of the spectrum", "", phi, spectra::random_psd({.A = A}, phi));
-      for (int m = 1; m <= spectra::classes; ++m)
-        answer.point("design deviation", "limit of the class", m,
-                     rule_10.limits[static_cast<std::size_t>(m - 1)] / mm);
-      answer.point("design deviation", "this track", 0.5, c.deviation / mm);
-      answer.point("design deviation", "this track", 6.5, c.deviation / mm);
-      answer.says("class", "class", c.track_class);
-      answer.says("class", "deviation d, mm", c.deviation / mm);
-      answer.says("class", "of the random part, mm", c.random / mm);
-      answer.says("class", "of the joints, mm", c.periodic / mm);
-    }
-  }
-}
-
 bool is_jointed(const table::CsvTable& table_1, const Zone& zone) {
   return table_1.at(zone.name, "comment").find("joint") != std::string::npos;
 }
@@ -424,7 +399,6 @@ void fig_11(report::Item& item) {
     const double B = (m % 2 == 1 ? 0.56 : 0.72) * mm;  // staggered, so that they stay apart
     labels.add(m, B / mm, roughness_at(rule_10.limits[static_cast<std::size_t>(m - 1)], B));
   }
-  class_answer(item);
 }
 
 }  // namespace

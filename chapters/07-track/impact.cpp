@@ -25,9 +25,14 @@ assumed; the paper's own results for this model are lost. The model has three na
 {{f-1}} (wheel and track on the ground), {{f-2}} (rail on its ties) and {{f-3}} (rail against wheel
 in the contact).
 
+::: {#live-joint .live figure=joint}
+
 {{fig-joint}}
 
-{{include: answer.cpp}}
+:::
+
+On a screen speed and dip can be moved in {{fig-joint}}; the same passage is computed for each. What
+P1 adds to the static load is nearly in proportion to the product of the two.
 
 British practice knows two peaks: P1 while the rail alone is hit, P2 when the wheel has pushed the
 whole track down. In the force of {{fig-joint}} these words need definitions. A ripple of the wheel
@@ -118,7 +123,6 @@ void fig_joint(report::Item& item) {
        {std::pair{p.first, "P1"}, {p.second, "second"}, {p.late, "late"}, {p.mean, "P2"}})
     marks.add(1e3 * e.time, e.force / units::kilonewton, name);
   auto& damped = item.data("damped", {"time_ms", "force_kN"});
-  joint_answer(item);
   ImpactModel more = model;
   more.track.rail_damping *= 6;  // zeta 0.3
   const ImpactHistory quiet = passage(more, 60, 0.5);

@@ -37,6 +37,4 @@ extern const report::Section cost, passages, digits;  // study/
 
 void extremes(report::Item&);  // the rows of stability
 
-void joint_answer(report::Item&);  // of the figure of the joint
-
 }  // namespace railbook::track_chapter

@@ -5,7 +5,11 @@ and for each position. The textbook's answer is one elliptical contact, but a re
 rail touches on the tread, at the corner or on the flange, and often at two places at once. Wear, noise
 and derailment are decided by what happens in these patches of half a square centimetre.
 
+::: {#live-wheel-on-rail .live figure=wheel-on-rail}
+
 {{pair}}
+
+:::
 
 ::: findings
 1. **How good are the forces that this program finds?** On {{wheels}} of 22 wheels of a published

@@ -5,6 +5,7 @@ import {existsSync, readdirSync, readFileSync} from "node:fs";
 import {join, resolve} from "node:path";
 import {pathToFileURL} from "node:url";
 import {Browser, chromium} from "./chromium.mjs";
+import {liveFigures} from "./live/figures.mjs";
 
 const highest = 20000; // px at 1280 px of width with the code folded
 const slowest = Number(process.env.PAINT ?? Infinity); // ms to the first paint, from disk: on a quiet machine PAINT=1000
@@ -189,6 +190,7 @@ try {
     links(page, await browser.run(`[...document.querySelectorAll("[href], [src]")].map((e) => e.getAttribute("href") ?? e.getAttribute("src"))`));
     const height = await layout(browser, page);
     await answers(browser, page);
+    await liveFigures(browser, page, fault);
     await accessible(browser, page);
     browser.complaints.forEach((text) => fault(page, text));
     browser.requests.filter((url) => !/^(file|data|blob|about):/.test(url)).forEach((url) => fault(page, "asks outside: " + url));

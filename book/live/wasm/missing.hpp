@@ -3,6 +3,8 @@
 #pragma once
 
 #ifdef __cplusplus
+#define FMT_STATIC_THOUSANDS_SEPARATOR ','  // else fmt brings in the locales, a tenth of the module
+
 #include <algorithm>
 #include <cfenv>
 #include <charconv>
