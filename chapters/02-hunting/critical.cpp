@@ -100,7 +100,7 @@ void critical_speeds(report::Item& item) {
                 {"ω, rad/s", "{:.2f}"},
                 {"dσ/dV, 1/ft", "{:.3f}"},
                 {"phase between the trucks, °", "{:.0f}"},
-                {"body X_C over the largest wheelset", "{:.2f}"}});
+                {"body X<sub>C</sub> over the largest wheelset", "{:.2f}"}});
   for (std::size_t k = 0; k < damped_cars; ++k)
     for (const HopfPoint& hopf : vehicles()[k].hopf) {
       const Vector9c& q = hopf.motion.shape;

@@ -103,7 +103,7 @@ void ellipse(report::Item& item) {
                 {"a (along), mm", "{:.4f}"},
                 {"b (across), mm", "{:.4f}"},
                 {"area π a b, mm²", "{:.4f}"},
-                {"p_0, MPa", "{:.1f}"}});
+                {"p<sub>0</sub>, MPa", "{:.1f}"}});
   for (const double load : {500 * units::lbf, paper_load, 2500 * units::lbf})
     for (const bool along : {true, false}) {
       const auto c = rig_contact(load, profile_radius(along));

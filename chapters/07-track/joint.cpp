@@ -137,7 +137,7 @@ void fig_03(report::Item& item) {
 
 void joint_table(report::Item& item) {
   item.columns({"joint",
-                {"K_j/K_r at the joint", "{:.4f}"},
+                {"K<sub>j</sub>/K<sub>r</sub> at the joint", "{:.4f}"},
                 {"lowest beyond βX = 2", "{:.4f}"},
                 {"largest error of (8)", "{:+.4f}"},
                 {"at βX", "{:.3f}"},

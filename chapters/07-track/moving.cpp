@@ -178,7 +178,7 @@ double ignored(double speed, double critical) {
 void critical_speeds(report::Item& item) {
   item.rebuilt("K and rho of the paper's 1100 mph are not given: the typical track");
   item.columns({{"K, psi", "{:.0f}"},
-                {"rail only: V_c, mph", "{:.1f}"},
+                {"rail only: V<sub>c</sub>, mph", "{:.1f}"},
                 {"and half a tie", "{:.1f}"},
                 {"and ballast", "{:.1f}"},
                 {"ignored at 250 mph, %: rail only", "{:.2f}"},

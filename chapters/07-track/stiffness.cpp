@@ -106,8 +106,8 @@ void continuous(report::Item& item) {
   item.rebuilt("the paper gives neither K nor the rail of its average track: 132RE rail");
   item.columns({{"K, psi", "{:.0f}"},
                 {"β, 1/in", "{:.6f}"},
-                {"K_r, lb/in", "{:.0f}"},
-                {"K_r, MN/m", "{:.2f}"},
+                {"K<sub>r</sub>, lb/in", "{:.0f}"},
+                {"K<sub>r</sub>, MN/m", "{:.2f}"},
                 {"zero deflection, ft", "{:.3f}"},
                 {"2/β, ft", "{:.3f}"}});
   for (const double psi : {1000.0, 1500.0, 2000.0, 3000.0, 5000.0}) {
