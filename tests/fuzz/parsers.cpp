@@ -10,8 +10,10 @@
 #include <cstdlib>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include <railbook/files/outside.hpp>
+#include <railbook/profiles/field_profile.hpp>
 #include <railbook/table/csv.hpp>
 #include <railbook/tool/detail/toml.hpp>
 #include <railbook/units/input_error.hpp>
@@ -79,6 +81,14 @@ void parse(int which, std::string_view bytes) {
       static_cast<void>(tool::read_toml(file.name()));
       break;
     }
+    case 8:
+    case 9: {
+      using profiles::Body;
+      const Body body = which == 8 ? Body::wheel : Body::rail;
+      if (auto read = profiles::parse_field_profile(bytes, body))
+        static_cast<void>(profiles::check_points(std::move(read->points), body));
+      break;
+    }
     default: {  // what is written is read as it was
       const std::string cell = table::csv_cell(bytes);
       const std::string text(bytes);
@@ -95,7 +105,8 @@ void parse(int which, std::string_view bytes) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
   try {
-    parse(data[0] % 8, {reinterpret_cast<const char*>(data) + 1, size - 1});
+    parse(data[0] == '8' || data[0] == '9' ? data[0] - '0' : data[0] % 8,
+          {reinterpret_cast<const char*>(data) + 1, size - 1});
   } catch (const InputError&) {
   } catch (const files::OutsideError&) {
   }

@@ -28,6 +28,7 @@ add_test(NAME "tool: wheelrail contact takes files" WORKING_DIRECTORY ${PROJECT_
 set_tests_properties("tool: wheelrail contact takes files" PROPERTIES PASS_REGULAR_EXPRESSION "right patch 1"
                      FAIL_REGULAR_EXPRESSION "gnuplot")
 add_test(NAME "tool: wheelrail table in parts" COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/wheelrail.sh ${bin})
+add_test(NAME "tool: profiles are read in each form of file" COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/profile_formats.sh ${bin})
 
 add_test(NAME "tool: wheelrail contact answers upright rails"
          COMMAND railbook wheelrail contact --load 50kN --speed 10m/s --cant 0 --roll 0rad --slip 0 --method strips)

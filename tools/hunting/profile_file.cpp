@@ -23,13 +23,16 @@ distances, and flags a conicity or critical speed that changes when the profiles
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <string_view>
 
 #include <railbook/files/outside.hpp>
+#include <railbook/profiles/field_profile.hpp>
 #include <railbook/profiles/measured_curve.hpp>
 #include <railbook/table/csv.hpp>
+#include <railbook/table/line_source.hpp>
 #include <railbook/units/constants.hpp>
 #include <railbook/units/input_error.hpp>
 #include <railbook/wheelset/paper_pairs.hpp>
@@ -48,32 +51,55 @@ constexpr double tape = 0.070;  // m from the back of the flange, where wheels a
 constexpr double no_scatter =
     1e-9;  // m: rounding of the numbers in a file, met by a spline through all points
 
+// A file as it is, or unpacked.
+std::string text_of(const std::filesystem::path& file) {
+  table::LineSource source(file);
+  std::string text;
+  for (std::string_view line; source.next(line);) (text += line) += '\n';
+  return text;
+}
+
+std::vector<Point> table_points(const std::filesystem::path& file) {
+  try {
+    const auto columns =
+        table::read_columns(file, {{"inward", units::length}, {"height", units::length}});
+    std::vector<Point> points;
+    points.reserve(columns[0].size());
+    for (std::size_t i = 0; i < columns[0].size(); ++i)
+      points.push_back({columns[0][i], columns[1][i]});
+    return points;
+  } catch (const InputError& error) {
+    if (std::string_view{error.what()}.find("no column") == std::string_view::npos) throw;
+    throw InputError(fmt::format(
+        "{}; a profile is a file of MiniProf, Simpack or VAMPIRE, plain columns of numbers, or a "
+        "table with the headers inward_mm,height_mm or other units, inward towards the middle of "
+        "the track and height upwards",
+        error.what()));
+  }
+}
+
 }  // namespace
 
 Curve read_profile(const std::filesystem::path& file, Body body, const PairOptions& options,
                    ProfileFit& fit) {
-  const auto columns = [&] {
-    try {
-      return table::read_columns(file, {{"inward", units::length}, {"height", units::length}});
-    } catch (const InputError& error) {
-      if (std::string_view{error.what()}.find("no column") == std::string_view::npos) throw;
-      throw InputError(fmt::format(
-          "{}; a profile is a table with the headers inward_mm,height_mm or other units, inward "
-          "towards the middle of the track and height upwards. Of a profilometer that counts a "
-          "wheel outward from the back of its flange and the flange upward: inward = 70 mm - X, "
-          "height = -Y",
-          error.what()));
-    }
-  }();
+  const bool is_file = std::filesystem::is_regular_file(file);
   std::vector<Point> points;
-  points.reserve(columns[0].size());
-  for (std::size_t i = 0; i < columns[0].size(); ++i)
-    points.push_back({columns[0][i], columns[1][i]});
   fit.file = file;
   try {
+    if (auto field = is_file ? parse_field_profile(text_of(file), body) : std::nullopt) {
+      fit.format = std::move(field->format);
+      fit.left_out = std::move(field->left_out);
+      fit.warnings = std::move(field->warnings);
+      points = std::move(field->points);
+    }
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("file \"{}\": {}", file.string(), error.what()));
+  }
+  if (fit.format.empty()) points = table_points(file);
+  try {
     CheckedPoints checked = check_points(std::move(points), body);
-    fit.warnings = std::move(checked.warnings);
-    fit.left_out = std::move(checked.left_out);
+    std::ranges::move(checked.warnings, std::back_inserter(fit.warnings));
+    std::ranges::move(checked.left_out, std::back_inserter(fit.left_out));
     points = std::move(checked.points);
     fit.inner_end = points.back().u;
     fit.scatter = scatter(points);
@@ -162,6 +188,10 @@ std::string key_of(const ProfileFit& fit) {
 
 }  // namespace
 
+std::string format_note(const ProfileFit& fit) {
+  return fit.format.empty() ? "" : fmt::format("read as {}; ", fit.format);
+}
+
 void describe_pair(tool::Summary& answer, const PairOptions& options,
                    const std::vector<ProfileFit>& fits) {
   answer.add("pair", "profiles",
@@ -181,8 +211,8 @@ void describe_pair(tool::Summary& answer, const PairOptions& options,
         key_of(fit) + "_rms_mm", std::string(fit.what) + ", points to smoothed profile, rms",
         fit.rms / units::millimetre, "mm",
         fmt::format(
-            "largest {:.3g} mm; scatter of the points {:.2g} mm{}", fit.largest / units::millimetre,
-            fit.scatter / units::millimetre,
+            "{}largest {:.3g} mm; scatter of the points {:.2g} mm{}", format_note(fit),
+            fit.largest / units::millimetre, fit.scatter / units::millimetre,
             options.noise ? "" : fmt::format(", smoothed by {:g} times that", times_scatter)));
 }
 

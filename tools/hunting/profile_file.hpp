@@ -61,11 +61,14 @@ struct ProfileFit {
   double rms = 0, largest = 0;
   double inner_end = 0;  // of the points that were kept
   std::filesystem::path file = {};
+  std::string format = {};  // of the file; empty for a table with inward and height
   std::vector<profiles::PointsWarning> warnings = {}, left_out = {};  // in the file's coordinates
 };
 // One profile from its file, and how it was met; of the options only the smoothing is used. Throws InputError naming the file.
 profiles::Curve read_profile(const std::filesystem::path& file, profiles::Body body,
                              const PairOptions& options, ProfileFit& fit);
+// "read as MiniProf; ", or nothing.
+std::string format_note(const ProfileFit& fit);
 // Lists the points that were left out, and flags what looks wrong with the others. `stands` says where the contact stands on a doubtful place, if it
 // does: "at shifts of 1 to 3 mm", or nothing.
 using StandsOn =

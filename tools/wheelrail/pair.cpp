@@ -91,9 +91,9 @@ void describe_pair(tool::Summary& answer, const PairOptions& options,
         fmt::format("{}_rms_mm", fit.what),
         fmt::format("{}: points to smoothed profile, rms", fit.what), fit.rms / units::millimetre,
         "mm",
-        fmt::format("largest {:.2g} mm; scatter of the points {:.2g} mm, smoothed by {:.2g} mm",
-                    fit.largest / units::millimetre, fit.scatter / units::millimetre,
-                    fit.smoothing / units::millimetre));
+        fmt::format("{}largest {:.2g} mm; scatter of the points {:.2g} mm, smoothed by {:.2g} mm",
+                    hunting_tool::format_note(fit), fit.largest / units::millimetre,
+                    fit.scatter / units::millimetre, fit.smoothing / units::millimetre));
 }
 
 Method method_of(const std::string& name) {

@@ -1,0 +1,83 @@
+// MiniProf's files of wheels (.whl), rails (.ban) and sections (.mpt), in millimetres.
+//
+// A header of key=value lines, or an old one that begins with #MINI... and ends with an empty line
+// (it may hold a line of the gauges Sd, Sh and qR, which is no point), then a row a point.
+// ColumnDef names the columns: X and Y, maybe the angle A, the curvature C, and others. [FileInfo]
+// begins a file of sections, whose points follow [Profile1Points]. Signs: of a wheel X is counted
+// outward from the back of the flange and Y upward with the flange upward, so that inward is 70 mm
+// - X and the height is -Y; of a rail X grows to the field side and Y is the height. Source: the
+// public reader and the measured files of the program CONTACT (Vollebregt), which take them so.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include <railbook/profiles/detail/field_lines.hpp>
+#include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
+
+namespace railbook::profiles::detail {
+namespace {
+
+constexpr double tape = 70;  // mm from the back of the flange
+
+// The place of a column in "X,Y,A,C", if it is there.
+std::optional<std::size_t> column(std::string_view definition, char name) {
+  std::size_t k = 0;
+  for (const char c : definition)
+    if (c == name)
+      return k;
+    else if (c == ',')
+      ++k;
+  return std::nullopt;
+}
+
+}  // namespace
+
+FieldProfile read_miniprof(const std::vector<Line>& lines, Body body) {
+  FieldProfile read{"MiniProf", {}, {}, {}};
+  std::string_view definition = "X,Y";
+  bool old = false, sections = false, in_points = false, keys = false;
+  int section = 0;
+  for (const Line& line : lines) {
+    if (contains(line.text.substr(0, 40), "#mini")) old = true;
+    if (line.text.starts_with('[')) {
+      sections = true;
+      in_points = contains(line.text, "points]");
+      if (in_points && ++section > 1)
+        throw InputError(fmt::format(
+            "line {}: a second section of a MiniProf file; allowed: one section, that of the {}",
+            line.number, body == Body::wheel ? "wheel" : "running rail"));
+      continue;
+    }
+    if (const auto setting = setting_of(line.text)) {
+      keys = true;
+      if (setting->key == "columndef") definition = setting->value;
+      continue;
+    }
+    if (line.text.empty()) {
+      if (!sections && (old || keys)) in_points = true;
+      continue;
+    }
+    const auto text = without_comment(line.text);
+    if (text.empty()) continue;
+    const auto numbers = numbers_of(text);
+    if (!in_points) {
+      if (numbers && numbers->size() > 1 && !sections)
+        read.left_out.push_back(
+            {"header", fmt::format("line {} of the header, \"{}\"", line.number, text), 0, 0});
+      continue;
+    }
+    const auto x = column(definition, 'X'), y = column(definition, 'Y');
+    if (!x || !y)
+      throw InputError(
+          fmt::format("ColumnDef is \"{}\"; allowed: columns among which X and Y are", definition));
+    if (!numbers || numbers->size() <= std::max(*x, *y)) refuse_line(line, "MiniProf");
+    const double across = (*numbers)[*x], up = (*numbers)[*y];
+    read.points.push_back(body == Body::wheel
+                              ? Point{(tape - across) * units::millimetre, -up * units::millimetre}
+                              : Point{-across * units::millimetre, up * units::millimetre});
+  }
+  return read;
+}
+
+}  // namespace railbook::profiles::detail
