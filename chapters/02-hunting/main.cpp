@@ -7,7 +7,11 @@ derail the car. Linear theory gives the speed at which small motions begin to gr
 K. Cooperrider asked in 1976 how far such a motion, called *hunting*, then goes, and how both
 depend on the shapes of wheel and rail.
 
+::: {#live-hunting .live figure=hunting}
+
 {{drawing}}
+
+:::
 
 ::: findings
 1. **From which speed does an empty freight car hunt?** The paper says from 145 ft/s with new

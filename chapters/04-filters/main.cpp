@@ -4,7 +4,11 @@ A track-geometry car records the shape of the rails every foot, at up to 120 mph
 filters ahead of its converter know only seconds. Without a remedy one and the same rail gives one
 record at 9 mph, another at 80 mph, and a third when the car comes back the other way.
 
+::: {#live-filters .live figure=filters}
+
 {{fig-flow}}
+
+:::
 
 ::: findings
 1. Are speed and direction really gone from the record, as the paper claims? Nearly. With an analog

@@ -4,7 +4,11 @@ A track may look smooth and still throw a freight car about, because waves of on
 swing of its body on the springs. Limits that ask only for a height take no notice of this, so money
 is spent where no vehicle notices and is missing where one does.
 
+::: {#live-quality .live figure=quality}
+
 {{fig-01}}
+
+:::
 
 ::: findings
 1. How smooth must a track be at long waves? The paper finds that the same amplitude may be left at

@@ -1,0 +1,38 @@
+// Chapter 4: drive the geometry car at any speed, stop it, back it up; what its gyro says raw, and through the hybrid filter.
+"use strict";
+
+const liveTimes = Array.from({length: 12}, (_, i) => `v${i}`);
+railbookFigure("filters", {
+  hint: "Drag the points of the speed: slow down, stop, go back. The raw gyro smears the curve, and the hybrid filter does not.",
+  state: Object.fromEntries(liveTimes.map((key, i) => [key,
+    {unit: "mph", si: 0.44704, value: [60, 60, 40, 15, 2, 0, -6, 0, 10, 30, 50, 60][i], low: -20, high: 80, step: 1, label: `speed after ${3 * i} s`}])),
+
+  build(figure) {
+    this.speed = figure.plot("Speed of the car", [0, 33, "time, s"], [-20, 80, "speed, mph"]);
+    this.curvature = figure.plot("Curvature of the track, as measured", [0, 370, "place along the track, m"], [-6, 7, "curvature, 1/km"]);
+    this.error = figure.plot("Error of both", [0, 370, "place along the track, m"], [-6, 6, "error, 1/km"]);
+    liveTimes.forEach((key, i) => figure.handle(this.speed, {y: key, label: `speed after ${3 * i} s`, place: s => [3 * i, s[key]]}));
+    const button = (text, change) => figure.controls.append(Object.assign(document.createElement("button"), {type: "button", textContent: text, onclick: () => figure.set(change())}));
+    button("Even 60 mph", () => Object.fromEntries(liveTimes.map(key => [key, 60])));
+    button("Even 15 mph", () => Object.fromEntries(liveTimes.map(key => [key, 15])));
+    button("Brake, back up, go on", () => Object.fromEntries(liveTimes.map((key, i) => [key, [60, 60, 40, 15, 2, 0, -6, 0, 10, 30, 50, 60][i]])));
+  },
+
+  show(figure, live, s) {
+    const {short} = railbookFigure;
+    const answer = live.car({speeds: liveTimes.map(key => s[key] * 0.44704), step: 3, begin: 130, kink_at: 60}), {marks, path} = answer;
+    for (const plot of [this.speed, this.curvature, this.error]) plot.clear();
+    this.speed.line(liveTimes.map((_, i) => 3 * i), liveTimes.map(key => s[key]), "curve-1");
+    this.speed.line([0, 33], [0, 0], "soft", {"stroke-dasharray": "4 4"});
+    const km = values => values.map(v => v * 1e3), far = values => values.map((v, i) => (v - marks.truth[i]) * 1e3);
+    this.curvature.line(marks.position, km(marks.raw), "curve-2", {"stroke-width": 1.4});
+    this.curvature.line(path.position, km(path.truth), "soft", {"stroke-width": 4, "stroke-opacity": 0.5});
+    this.curvature.line(marks.position, km(marks.hybrid), "curve-1", {"stroke-width": 1.4});
+    this.error.line(marks.position, far(marks.raw), "curve-2", {"stroke-width": 1.4});
+    this.error.line(marks.position, far(marks.hybrid), "curve-1", {"stroke-width": 1.4});
+    [["raw gyro", "curve-2", 150], ["hybrid", "curve-1", 250], ["truth", "soft", 330]].forEach(([name, colour, at]) => this.curvature.label(at, 6, name, colour));
+    const rms = values => Math.sqrt(values.reduce((sum, v) => sum + v * v, 0) / Math.max(values.length, 1));
+    figure.says([["error, root of the mean square", `raw ${short(rms(far(marks.raw)))}, hybrid ${short(rms(far(marks.hybrid)), 2)} per km`],
+      ["foot marks passed", String(marks.time.length)], ["the analog filter", "1 Hz, ours; a car that turns round passes marks twice"]]);
+  },
+});

@@ -1,0 +1,41 @@
+// Chapter 6: on one wave at one speed a body with bump stops may swing in two ways, and how the wave begins decides.
+"use strict";
+
+railbookFigure("quality", {
+  hint: "Drag the point along the frequency, from left to right. From some frequency on, the same wave gives two strokes: a sudden start finds the large one.",
+  state: {
+    frequency: {unit: "Hz", si: 1, value: 0.95, low: 0.25, high: 2, step: 0.01, label: "frequency of the wave (speed over wavelength)"},
+    amplitude: {unit: "cm", si: 0.01, value: 1.04, low: 0.2, high: 2.5, step: 0.02, label: "amplitude of the track"},
+    kappa: {unit: "times the spring", si: 1, value: 10, low: 0, high: 60, step: 1, label: "stiffness of the stops"},
+    damping: {unit: "of critical", si: 1, value: 0.2, low: 0.05, high: 0.6, step: 0.01, label: "damping"},
+  },
+
+  build(figure) {
+    this.curve = figure.plot("Settled stroke, frequency swept up and down", [0.25, 2, "frequency, Hz"], [0, 8, "stroke, cm"]);
+    this.time = figure.plot("The same wave, begun in two ways", [0, 60, "time, s"], [-5, 5, "stroke of the suspension, cm"]);
+    for (const key of ["frequency", "amplitude", "kappa", "damping"]) figure.slider(key);
+    figure.handle(this.curve, {x: "frequency", label: "frequency of the wave", place: s => [s.frequency, Math.min(8, this.stroke ?? 0)]});
+  },
+
+  show(figure, live, s) {
+    const {short} = railbookFigure, body = {amplitude: s.amplitude / 100, kappa: s.kappa, damping: s.damping}, kind = JSON.stringify(body);
+    if (this.kind !== kind) this.kind = kind, this.swept = live.stops_curve({...body, from: 0.25, to: 2, points: 45}).curve;
+    const answer = live.stops({...body, frequency: s.frequency, duration: 60}), cm = values => values.map(v => v * 100);
+    this.stroke = answer.sudden * 100;
+    this.curve.clear(), this.time.clear();
+    const {curve, time, swept} = this;
+    curve.line([0.25, 2], [2.54, 2.54], "red", {"stroke-dasharray": "2 4"});
+    curve.label(1.98, 2.6, "limit of the paper, 2.54 cm", "red", "end");
+    curve.line(swept.frequency, cm(swept.linear), "soft", {"stroke-dasharray": "5 4"});
+    curve.line(swept.frequency, cm(swept.up), "curve-2");
+    curve.line(swept.frequency, cm(swept.down), "curve-1");
+    [["upwards", "curve-2", 0.3], ["downwards", "curve-1", 0.62], ["without stops", "soft", 1.04]].forEach(([name, colour, at]) => curve.label(at, 7.4, name, colour));
+    curve.dot(s.frequency, answer.slow * 100, "curve-1", 5);
+    time.line(answer.motion.t, cm(answer.motion.sudden), "curve-2", {"stroke-width": 1.1});
+    time.line(answer.motion.t, cm(answer.motion.slow), "curve-1", {"stroke-width": 1.1});
+    for (const gap of [0.6 * 2.54, -0.6 * 2.54]) time.line([0, 60], [gap, gap], "soft", {"stroke-dasharray": "3 3"});
+    time.label(1, 4.4, "sudden start", "curve-2"), time.label(16, 4.4, "slow start, in 20 s", "curve-1"), time.label(40, 4.4, "dashed: the stops", "soft");
+    figure.says([["sudden start", `${short(answer.sudden * 100)} cm`], ["slow start", `${short(answer.slow * 100)} cm`], ["without stops", `${short(answer.linear * 100)} cm`],
+      ["so", answer.sudden > 1.05 * answer.slow ? "two motions at one speed: the start decides" : "one motion, however the wave begins"]]);
+  },
+});
