@@ -121,13 +121,8 @@ void fig_12(report::Item& item) {
   const double off = std::max(std::abs(columns.force / smooth.force - 1),
                               std::abs(columns.p_max / smooth.p_max - 1));
   const double shown = report::printed_number(item.printed("table-2.csv").at("p0", "error"));
-  item.expect_checks(2);
-  item.consistent("radii", "the method can handle problems with extremely large radii",
-                  off < shown / 100,
-                  fmt::format("{:.2f} % off the grid in force and peak, less than the {} % of the "
-                              "peak that Table 2 prints for Example 1",
-                              100 * off, shown),
-                  "the dimensions of the rollers are ours");
+  item.expect_checks(1);
+  item.claims({{"radii", {100 * off, shown, 100 * off / shown}}});
   item.claim("infinite", "sharp edges would produce infinite contact pressure",
              std::is_sorted(rates.begin(), rates.end()) && std::abs(rates.back() - 0.5) < 0.02,
              "the pressure of the last cell grows as $h^{-n}$, with $n$ = " + list_of(rates) +

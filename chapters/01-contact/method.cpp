@@ -227,10 +227,7 @@ void fig_01(report::Item& item) {
                                    nearest_to_curve(on_the_jump(), delta_2, 0),
                                    nearest_to_curve(roller(85 * inch), delta_3),
                                    nearest_to_curve(rounded_punch_gap(stamp), delta_4)});
-  item.expect_checks(1);
-  item.claim("inside", "the true contact region lies entirely inside the interpenetration curve",
-             nearest > 0 && nearest < 1,
-             fmt::format("the gap in the contact is at most {:.2f} of the approach", nearest));
+  item.claims({{"inside", {nearest}}});
   item.value("overlap", reach / c.x_max, "times", "{:.2f}");
   item.value("nearest", nearest, "", "{:.2f}");
   item.rebuilt("computed for Example 1; of the paper's figure our text has the lettering");
@@ -251,12 +248,7 @@ void conditioning(report::Item& item) {
   }
   const double loss = own * std::pow(16.0, -5);
   const double least = report::printed_number(item.printed("table-2.csv").at("b", "error"));
-  item.expect_checks(1);
-  item.claim("well-posed", "with the approach given, no regularization is needed",
-             loss < least / 100,
-             fmt::format("single precision loses {:.1g} on nine columns, less than the least error "
-                         "that Table 2 prints, {} %",
-                         loss, least));
+  item.claims({{"well-posed", {loss, least, loss / (least / 100)}}});
   item.value("condition-power", std::log(last / own) / std::log(35.0 / 9), "", "{:.1f}");
   item.value("short-loss", loss, "", "{:.1g}");
 }
@@ -379,9 +371,7 @@ void fig_04(report::Item& item) {
     if (with(Fit::three_points).converged || !guarded.converged) return units::nan;
     return 100 * std::abs(guarded.force / with(Fit::two_points).force - 1);
   });
-  item.expect_checks(1);
-  item.claim("three-points", "the parabola through three points must make p one-valued in y", trial,
-             "without the condition the iteration diverges; with it, it converges");
+  item.claims({{"three-points", {}, trial}});
   item.value("fit-meshes", meshes);
   item.rebuilt(
       "drawn from Example 1's last step; of the paper's figure our text has the lettering");
