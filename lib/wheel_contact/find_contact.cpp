@@ -100,15 +100,32 @@ ContactSearch find_contact(const PlacedWheel& wheel) {
   return t;
 }
 
-void require_fit(const ProfilePair& pair) {
+namespace {
+
+// Where the face of a wheel's flange is steepest, between the flange's tip and 50 mm outwards;
+// depths grow downwards, s outwards. Without a face, the slope is that of `least`.
+struct FlangeFace {
+  double s, slope;
+};
+FlangeFace flange_face(const profiles::Profile& wheel, double least) {
   constexpr double thickest = 0.05, step = 1e-4;  // m, of a flange
-  // From the tip outwards to where the flange is steepest; depths grow downwards, s outwards.
-  double tip = pair.wheel.from(), lowest = -units::infinity;
-  for (double s = pair.wheel.from(); s <= pair.wheel.to(); s += step)
-    if (const double depth = pair.wheel.at(s).depth; depth > lowest) lowest = depth, tip = s;
-  double face = pair.wheel.from(), steepest = 1;  // 45 degrees
-  for (double s = tip; s <= std::min(tip + thickest, pair.wheel.to()); s += step)
-    if (const double slope = -pair.wheel.at(s).slope; slope > steepest) steepest = slope, face = s;
+  double tip = wheel.from(), lowest = -units::infinity;
+  for (double s = wheel.from(); s <= wheel.to(); s += step)
+    if (const double depth = wheel.at(s).depth; depth > lowest) lowest = depth, tip = s;
+  FlangeFace face{wheel.from(), least};
+  for (double s = tip; s <= std::min(tip + thickest, wheel.to()); s += step)
+    if (const double slope = -wheel.at(s).slope; slope > face.slope) face = {s, slope};
+  return face;
+}
+
+}  // namespace
+
+double flange_angle(const profiles::Profile& wheel) {
+  return std::atan(flange_face(wheel, 0).slope);
+}
+
+void require_fit(const ProfilePair& pair) {
+  const double face = flange_face(pair.wheel, 1).s;  // beyond 45 degrees
   const PlacedWheel::Point first = find_contact(PlacedWheel(pair, {})).least.front();
   if (first.s < face || std::abs(first.angle) > 45 * units::degree)
     throw InputError(fmt::format(

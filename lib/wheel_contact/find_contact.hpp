@@ -62,6 +62,10 @@ struct ContactSearch {
 };
 ContactSearch find_contact(const PlacedWheel& wheel);
 
+// The largest angle [rad] of the flange's face to the axle, sampled every 0.1 mm across; 0 of a
+// wheel without a flange.
+double flange_angle(const profiles::Profile& wheel);
+
 // Throws InputError when the wheelset does not fit between the rails: centred, it stands on its
 // flanges, beyond their steepest place or at an angle of more than 45 degrees.
 void require_fit(const ProfilePair& pair);

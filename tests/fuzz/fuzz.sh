@@ -6,7 +6,7 @@ cd "$(dirname "$0")/../.."
 clang=$(command -v clang++ clang++-14 clang++-19 | head -n 1) || { echo "clang++ is not installed"; exit 2; }
 mkdir -p build/fuzz/found
 "$clang" -std=c++20 -O1 -g -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all -D_GLIBCXX_ASSERTIONS \
-  -ffp-exception-behavior=maytrap -Ilib tests/fuzz/parsers.cpp lib/units/*.cpp lib/files/*.cpp lib/table/*.cpp lib/tool/toml.cpp \
+  -ffp-exception-behavior=maytrap -Ibuild/include tests/fuzz/parsers.cpp lib/units/*.cpp lib/files/*.cpp lib/table/*.cpp lib/tool/toml.cpp \
   lib/profiles/{field_profile,miniprof,simpack,vampire,plain_profile,profile_points}.cpp \
   -lfmt -lz -o build/fuzz/parsers
 build/fuzz/parsers -max_total_time="${1:-60}" -timeout=10 -rss_limit_mb=4096 -max_len=4096 -print_final_stats=1 \

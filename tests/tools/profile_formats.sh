@@ -29,3 +29,10 @@ for pair in "a.whl a.ban" "a.prw a.prr" "wheel.txt rail.txt" "a.whe a.rai"; do
   diff wanted found || { echo "$pair: other conicities"; exit 1; }
 done
 "$1" wheelrail contact --wheel a.whl --rail a.prr --load 50kN --speed 10m/s --slip 0 --roll 0rad --method strips | grep -q 'read as MiniProf'
+
+# A rail written from its other side.
+rows worn-rail.csv 'printf "%.3f %.3f\n", $1, $2' > other.txt
+answer "$1" a.whl "$examples/worn-rail.csv" > wanted
+"$1" hunting geometry --wheel a.whl --rail other.txt --mirror-rail > all
+! grep -q 'gauge side' all
+grep 'equivalent conicity' all | diff wanted - || { echo "mirrored: other conicities"; exit 1; }

@@ -45,3 +45,8 @@ add_test(NAME "tool: wheelrail contact settles at Nadal's edge"
          --cant 0.05 --cells 16)
 set_tests_properties("tool: wheelrail contact settles at Nadal's edge" PROPERTIES PASS_REGULAR_EXPRESSION
                      "right rail: force.*down +86[0-9.]+ N.*normal force +(69|7[0-9])[0-9.]+ N")
+# Nadal's limit of a flange of 70 degrees and a friction of 0.3: (tan 70 - 0.3)/(1 + 0.3 tan 70) = 1.3417.
+add_test(NAME "tool: wheelrail contact gives Y/Q and Nadal's limit"
+         COMMAND railbook wheelrail contact --load 50kN --speed 10m/s --slip 0 --roll 0rad --method strips)
+set_tests_properties("tool: wheelrail contact gives Y/Q and Nadal's limit" PROPERTIES PASS_REGULAR_EXPRESSION
+                     "Nadal's limit of Y/Q +1\\.34[12].*flange of 70\\.0 degrees.*Y/Q, outward over down")

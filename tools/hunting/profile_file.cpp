@@ -1,5 +1,6 @@
 /*
-A profile is a CSV file with columns `inward` and `height` and their units, such as `inward_mm,height_mm`: the place
+A profile is a file of an instrument or a vehicle program (lib/profiles/field_profile.hpp), or a table with the columns
+`inward` and `height` and their units, such as `inward_mm,height_mm`: the place
 across, which grows towards the middle of the track, and the height, upwards. A wheel's origin stands `--datum` from
 the back of its flange, and the backs of the two flanges are `--back-to-back` apart; its heights need no particular
 zero, since the wheel is raised to the rolling `--radius`. A rail is given upright, and the tool leans it by `--cant`
@@ -96,6 +97,10 @@ Curve read_profile(const std::filesystem::path& file, Body body, const PairOptio
     throw InputError(fmt::format("file \"{}\": {}", file.string(), error.what()));
   }
   if (fit.format.empty()) points = table_points(file);
+  if (options.mirror_rail && body == Body::rail) {
+    for (Point& p : points) p.u = -p.u;
+    std::erase_if(fit.warnings, [](const PointsWarning& w) { return w.key == "side"; });
+  }
   try {
     CheckedPoints checked = check_points(std::move(points), body);
     std::ranges::move(checked.warnings, std::back_inserter(fit.warnings));
@@ -130,11 +135,12 @@ bool from_files(const PairOptions& options) {
   const bool placed = options.gauge != usual.gauge || options.gauge_depth != usual.gauge_depth ||
                       options.cant != usual.cant || options.back_to_back != usual.back_to_back ||
                       options.datum != usual.datum || options.radius != usual.radius ||
-                      options.half_spacing != usual.half_spacing || options.noise;
+                      options.half_spacing != usual.half_spacing || options.noise ||
+                      options.mirror_rail;
   if (options.wheel.empty() && placed)
     throw InputError(
         "the paper's pairs have their own place; gauge, cant, back-to-back, datum, radius, half "
-        "spacing and noise go with --wheel and --rail");
+        "spacing, noise and mirror-rail go with --wheel and --rail");
   return !options.wheel.empty();
 }
 
@@ -326,8 +332,11 @@ void add_pair_options(tool::OptionParser& parser, PairOptions& options) {
   parser.choice("--pair", options.pair, {"new", "cn", "heumann"},
                 "a pair of the paper, reconstructed; used when no files are given");
   parser.file("--wheel", options.wheel,
-              "wheel profile, CSV with inward_mm and height_mm or other units");
-  parser.file("--rail", options.rail, "rail profile, upright, CSV with the same columns");
+              "wheel profile: MiniProf, Simpack, VAMPIRE, plain columns, or a table with "
+              "inward_mm and height_mm");
+  parser.file("--rail", options.rail, "rail profile, upright, in one of the same forms");
+  parser.flag("--mirror-rail", options.mirror_rail,
+              "the file of the rail has its gauge side where its field side is expected");
   parser.quantity("--gauge", options.gauge, units::length, "between the gauge faces of the rails",
                   lengths);
   parser.quantity("--gauge-depth", options.gauge_depth, units::length,

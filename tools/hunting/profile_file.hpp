@@ -41,6 +41,7 @@ struct PairOptions {
   double end = 0.75 * units::inch;  // of the table
   double step = 0.0025 * units::inch;
   double average = 0.02 * units::inch;
+  bool mirror_rail = false;
   bool level = false;  // keep the axle from rolling, as EN 15302 does
 };
 

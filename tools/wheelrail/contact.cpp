@@ -127,6 +127,7 @@ void add_wheel(tool::Summary& answer, const Side& shown,
   answer.add(s + "_x_N", s + " rail: force along", tool::Estimate{wheel.force.x(), error}, "N");
   answer.add(s + "_y_N", "  to the right", tool::Estimate{sign * wheel.force.y(), error}, "N");
   answer.add(s + "_z_N", "  down", wheel.force.z(), "N");
+  answer.add(s + "_Y_over_Q", "  Y/Q, outward over down", wheel.force.y() / wheel.force.z(), "");
   int k = 0;
   for (const PatchResult& p : wheel.patches) {
     const std::string key = fmt::format("{}_{}_", s, ++k);
@@ -213,6 +214,9 @@ void run(const Options& options) {
   answer.add("angular_velocity_rad_per_s", "angular velocity", r.angular_velocity, "rad/s");
   answer.add("lowered_mm", "axle below its height on the running circles", r.right.z / millimetre,
              "mm", options.roll ? fmt::format("left wheel {:.6g} mm", r.left.z / millimetre) : "");
+  const double flange = flange_angle(pair.wheel), slope = std::tan(flange), mu = options.friction;
+  answer.add("nadal_limit", "Nadal's limit of Y/Q", (slope - mu) / (1 + mu * slope), "",
+             fmt::format("flange of {:.1f} degrees, friction {:g}", flange / units::degree, mu));
   const std::array<Side, 2> sides{Side("left", -1, r.left, options_of(options)),
                                   Side("right", 1, r.right, options_of(options))};
   std::array<std::vector<ProfileError>, 2> errors;

@@ -19,10 +19,11 @@ using tool::Range;
 namespace {
 
 profiles::Curve read(const char* what, const std::filesystem::path& file, profiles::Body body,
-                     const std::optional<double>& noise,
+                     const PairOptions& options, const std::optional<double>& noise,
                      std::vector<hunting_tool::ProfileFit>& fits) {
   hunting_tool::PairOptions smoothing;
   smoothing.noise = noise;
+  smoothing.mirror_rail = options.mirror_rail;
   fits.push_back({what});
   return hunting_tool::read_profile(file, body, smoothing, fits.back());
 }
@@ -32,7 +33,8 @@ using Noise = std::optional<double>;
 Profile wheel_profile(const PairOptions& options, const Noise& noise,
                       std::vector<hunting_tool::ProfileFit>& fits) {
   if (options.wheel.empty()) return s1002();
-  const profiles::Curve curve = read("wheel", options.wheel, profiles::Body::wheel, noise, fits);
+  const profiles::Curve curve =
+      read("wheel", options.wheel, profiles::Body::wheel, options, noise, fits);
   return Profile(profiles::moved(curve, 0, -curve.height(0)));
 }
 
@@ -41,7 +43,7 @@ profiles::Curve rail_curve(const PairOptions& options, const Noise& noise,
   if (options.rail.empty())
     return rail_60e1(options.head == "60E1" ? Rail60::drawing : Rail60::benchmark,
                      options.cant < 0.02);
-  return read("rail", options.rail, profiles::Body::rail, noise, fits);
+  return read("rail", options.rail, profiles::Body::rail, options, noise, fits);
 }
 
 ReadPair read_pair(const PairOptions& options, const Noise& of_wheel, const Noise& of_rail) {
@@ -111,8 +113,11 @@ WheelInput wheel_input(const PairOptions& options) {
 void add_pair_options(tool::OptionParser& parser, PairOptions& options) {
   const Range lengths{1e-3, 10}, moduli{1, 1e15}, ratios{0, 0.5};
   parser.file("--wheel", options.wheel,
-              "wheel profile, CSV with inward_mm and height_mm or other units; S1002 without it");
-  parser.file("--rail", options.rail, "rail profile, upright, CSV with the same columns");
+              "wheel profile: MiniProf, Simpack, VAMPIRE, plain columns, or a table with "
+              "inward_mm and height_mm; S1002 without it");
+  parser.file("--rail", options.rail, "rail profile, upright, in one of the same forms");
+  parser.flag("--mirror-rail", options.mirror_rail,
+              "the file of the rail has its gauge side where its field side is expected");
   parser.choice("--head", options.head, {"60E1", "60E1-benchmark"},
                 "rail without a file: of the drawing, or of the Manchester benchmark");
   parser.quantity("--cant", options.cant, units::number,

@@ -20,6 +20,7 @@ struct PairOptions {
   double cant = 0.025, gauge = 1.435, gauge_depth = 0.014;
   double back_to_back = 1.360, datum = 0.070, radius = 0.460;
   std::optional<double> noise;
+  bool mirror_rail = false;
   double speed = 0;
   std::string method = "full";
   long cells = 40;
