@@ -103,6 +103,8 @@ class LiveFigure {
     this.message.setAttribute("role", "status");
     definition.build(this);
     const still = element("details", {className: "still"}, element("summary", {textContent: "The drawing that stands here in print"}), ...holder.childNodes);
+    addEventListener("beforeprint", () => { still.open = true; });
+    addEventListener("afterprint", () => { still.open = false; });
     const link = element("button", {type: "button", textContent: "Link to this state", onclick: () => navigator.clipboard?.writeText(location.href)});
     const reset = element("button", {type: "button", textContent: "Start again", onclick: () => this.set(Object.fromEntries(Object.entries(definition.state).map(([k, s]) => [k, s.value])))});
     holder.replaceChildren(element("div", {className: "working"}, element("p", {className: "hint", textContent: definition.hint}), this.panes, this.controls, this.message, this.numbers,

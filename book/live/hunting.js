@@ -6,6 +6,7 @@ railbookFigure("hunting", {
   state: {
     speed: {unit: "ft/s", si: 0.3048, value: 150, low: 60, high: 230, step: 1, label: "speed"},
     push: {unit: "in", si: 0.0254, value: 0.2, low: 0, high: 0.6, step: 0.01, label: "push of both trucks aside"},
+    aside: {unit: "in", si: 0.0254, value: 0, low: -0.7, high: 0.7, step: 0.01, label: "a wheelset aside, to the left"},
     wheels: {unit: "", si: 1, value: 0, low: 0, high: 2, step: 1, label: "wheels and rails (all three are ours)"},
   },
 
@@ -13,8 +14,10 @@ railbookFigure("hunting", {
     this.plane = figure.plot("Limit cycles, by describing functions", [60, 230, "speed, ft/s"], [0, 0.75, "amplitude of a wheelset, in"]);
     this.time = figure.plot("After the push", [0, 6, "time, s"], [-0.75, 0.75, "displacement, in"]);
     this.plan = figure.plot("The car from above, sideways 40 times", [-24, 24, ""], [-6, 6, ""], {height: 180, bare: true});
-    figure.slider("speed"), figure.slider("push");
+    this.pair = figure.plot("Its left wheel on the rail", [27, 33, "from the middle of the track, in"], [-1.6, 0.9, "height, in"]);
+    for (const key of ["speed", "push", "aside"]) figure.slider(key);
     figure.choice("wheels", ["new wheels on worn rails", "CN profile A on new rails", "modified Heumann on worn rails"]);
+    figure.handle(this.pair, {x: "aside", label: "wheelset aside", place: s => [30.5 + s.aside, 0.6], grip: x => ({aside: x - 30.5})});
     figure.handle(this.plane, {x: "speed", y: "push", label: "speed and push", place: s => [s.speed, s.push]});
   },
 
@@ -39,9 +42,22 @@ railbookFigure("hunting", {
     [["front truck", "curve-1", 0.1], ["rear truck", "curve-2", 1.6], ["body", "soft", 3]].forEach(([name, colour, at]) => this.time.label(at, 0.66, name, colour));
     const end = ["", `leaves the profiles' table after ${short(answer.t_end)} s: derailed`, "stalled"][answer.end]
       || (answer.settled ? "hunts on a limit cycle" : answer.amplitude < s.push * inch ? "dies out" : "is still growing after 6 s");
+    const at = this.stand(live, s), degree = Math.PI / 180;
     figure.says([["the motion", end], ["amplitude of the last periods", `${short(answer.amplitude / inch)} in at ${short(answer.omega)} rad/s`],
-      ["critical speeds (small motions grow)", [...critical.speed].map(v => short(v / foot, 4)).join(" and ") + " ft/s"]]);
+      ["critical speeds (small motions grow)", [...critical.speed].map(v => short(v / foot, 4)).join(" and ") + " ft/s"],
+      ["the wheelset aside rolls on", `radii of ${short(at.left_radius / inch, 5)} (left) and ${short(at.right_radius / inch, 5)} in, at contact angles of ${short(at.left_angle / degree)}° and ${short(at.right_angle / degree)}°`]]);
     this.play(motion);
+  },
+
+  // The wheelset moved aside: where its left wheel touches, and what both wheels roll on.
+  stand(live, s) {
+    const inch = 0.0254, profiles = (this.profiles ??= [])[s.wheels] ??= live.profiles({wheels: s.wheels});
+    const at = live.wheelset({wheels: s.wheels, x: s.aside * inch}), {wheel, rail} = profiles, pair = this.pair;
+    pair.clear();
+    pair.line(rail.y.map(y => y / inch), rail.z.map(z => z / inch), "soft");
+    pair.line(wheel.y.map((y, i) => (y + s.aside * inch - at.roll * (wheel.z[i] - profiles.height)) / inch), wheel.z.map((z, i) => (at.height + z - profiles.height + at.roll * wheel.y[i]) / inch), "curve-1");
+    pair.dot(at.left_y / inch, at.left_z / inch, "curve-2", 5);
+    return at;
   },
 
   // Plan view: the motion in its own time, again and again; standing for who asks for less motion.
