@@ -20,10 +20,11 @@ holds "cells of the patches" here/patches.csv '
   END {near(most["left"] / l, 1, 0.01); near(most["right"] / r, 1, 0.01)}' l="$(v here left_1_p_max_MPa)" r="$(v here right_1_p_max_MPa)"
 # One patch a wheel: what it bears, in the track's axes; what is lost in it; and Hertz's ellipse bears two thirds of its largest pressure.
 wheels='split("left right", side, " "); for (k = 1; k <= 2; ++k) {s = side[k]; p = s "_1_"; a = v[p "angle_mrad"] / 1e3; N = v[p "normal_N"]; fx = v[p "fx_N"]; fy = v[p "fy_N"]
-  is(s "_x_N", fx, 1e-5); is(s "_y_N", fy * cos(a) - N * sin(a), 1e-4); is(s "_z_N", N * cos(a) + fy * sin(a), 1e-5); is(s "_z_N", 50e3, 1e-4); is(p "friction", mu)
+  is(s "_x_N", fx, 1e-5); is(s "_y_N", fy * cos(a) - N * sin(a), 1e-4); is(s "_z_N", N * cos(a) + fy * sin(a), 1e-5); is(s "_z_N", 50e3, 1e-4); is(s "_Y_over_Q", (k == 1 ? -1 : 1) * v[s "_y_N"] / v[s "_z_N"], 1e-5); is(p "friction", mu)
   is(p "wear_N", abs(fx * v[p "creepage_x"] + fy * v[p "creepage_y"] + v[p "mz_N_m"] * v[p "spin_1_per_m"]), 1e-4); is(p "area_mm2", 1.5 * N / v[p "p_max_MPa"], ellipse); says(p "p_max_MPa", "error")
   if (!(v[p "stick_share"] >= 0 && v[p "stick_share"] <= 1)) bad("stick"); free(p "x_mm " p "y_mm " p "angle_mrad " p "normal_N " p "p_max_MPa " p "approach_um " p "creepage_x " p "creepage_y " p "spin_1_per_m " p "fx_N " p "fy_N " p "mz_N_m " p "stick_share " p "shear_MPa")
   if (!(v[p "shear_MPa"] <= mu * v[p "p_max_MPa"] * 1.35 && v[p "shear_MPa"] >= mu * v[p "p_max_MPa"] / 3)) bad("shear")}
+  t = sin(70 * pi / 180) / cos(70 * pi / 180); is("nadal_limit", (t - mu) / (1 + mu * t), 1e-3)
   says("wheel", "^S1002"); says("rail", "^60E1"); is("cant", 0.025); free("roll_mrad angular_velocity_rad_per_s lowered_mm")'
 draws hertz contact --load 50kN --speed 30m/s --shift 4mm --yaw 5mrad --method hertz
 means hertz "$wheels" mu=0.3 ellipse=1e-6
