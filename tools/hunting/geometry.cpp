@@ -27,6 +27,7 @@ against amplitude to `conicity.csv`, the places of two-point contact to `jumps.c
 #include <railbook/tool/out_folder.hpp>
 #include <railbook/tool/summary.hpp>
 #include <railbook/units/constants.hpp>
+#include <railbook/units/input_error.hpp>
 #include <railbook/wheelset/conicity.hpp>
 
 #include "hunting/profile_file.hpp"
@@ -41,6 +42,7 @@ using units::millimetre;
 namespace {
 
 struct Options : PairOptions {
+  std::string standard = "none";
   tool::Destination out;
 };
 
@@ -174,7 +176,25 @@ void add_conicity(tool::Summary& answer, const Options& options, const Constrain
   }
 }
 
-void run(const Options& options) {
+// Conicity at 3 mm and the nonlinearity parameter, (conicity at 4 mm - conicity at 2 mm)/2 mm, of
+// EN 15302 and EN 14363 (Polach 2009).
+void add_standard(tool::Summary& answer, const ConstraintFunctions& f) {
+  const auto at = [&](double A) { return conicity(f, A * millimetre).kinematic; };
+  const double largest = amplitudes(f, millimetre).back() / millimetre;
+  if (largest < 4)
+    throw InputError(fmt::format(
+        "the table reaches amplitudes of {:.3g} mm; EN 15302 allows from 4 mm: see --end",
+        largest));
+  answer.add("en_15302_conicity", "EN 15302: equivalent conicity at 3 mm", at(3), "", "level axle");
+  answer.add("en_15302_nonlinearity_per_mm", "  nonlinearity parameter", 0.5 * (at(4) - at(2)),
+             "1/mm", "(conicity at 4 mm less that at 2 mm)/2 mm");
+}
+
+void run(Options options) {
+  const bool standard = options.standard == "en-15302";
+  if (standard && options.average > 0)
+    throw InputError("average: EN 15302 takes no running mean; leave --average out");
+  options.level = options.level || standard;
   tool::OutFolder out(options.out, {"wheelset.csv", "conicity.csv", "jumps.csv", "contacts.csv",
                                     "wheelset.json", "wheelset.png"});
   const auto [pair, fits] = read_pair(options);
@@ -194,6 +214,7 @@ void run(const Options& options) {
              "over the table's first step");
   answer.add("slope_D", "slope of D", f.half_spacing * f.D.slope(0), "rad");
   answer.add("slope_Phi", "slope of the roll angle", f.half_spacing * f.Phi.slope(0), "rad");
+  if (standard) add_standard(answer, f);
   add_conicity(answer, options, f);
   const auto jumps = contact_jumps(pair, -options.end, options.end, smallest_jump);
   answer.add(
@@ -215,6 +236,8 @@ std::function<void()> declare(tool::OptionParser& parser) {
   add_right_options(parser, *options);
   parser.flag("--level", options->level,
               "keep the axle from rolling, as EN 15302 does for the conicity");
+  parser.choice("--standard", options->standard, {"none", "en-15302"},
+                "en-15302: the axle level, the conicity at 3 mm, and the nonlinearity parameter");
   parser.out(options->out);
   parser.help(
       "x is the wheelset's displacement to the left, L its left wheel and R its right one. "
