@@ -108,7 +108,7 @@ struct FlangeFace {
   double s, slope;
 };
 FlangeFace flange_face(const profiles::Profile& wheel, double least) {
-  constexpr double thickest = 0.05, step = 1e-4;  // m, of a flange
+  constexpr double thickest = 0.05;  // m, of a flange
   double tip = wheel.from(), lowest = -units::infinity;
   for (double s = wheel.from(); s <= wheel.to(); s += step)
     if (const double depth = wheel.at(s).depth; depth > lowest) lowest = depth, tip = s;

@@ -197,7 +197,9 @@ void run(Options options) {
   options.level = options.level || standard;
   tool::OutFolder out(options.out, {"wheelset.csv", "conicity.csv", "jumps.csv", "contacts.csv",
                                     "wheelset.json", "wheelset.png"});
-  const auto [pair, fits] = read_pair(options);
+  const ReadPair read = read_pair(options);
+  const WheelsetOnTrack& pair = read.pair;
+  const std::vector<ProfileFit>& fits = read.fits;
   const ConstraintFunctions f = table_of(pair, options);
   tool::Summary answer("Wheelset on rails");
   describe_pair(answer, options, fits);
