@@ -118,14 +118,12 @@ bool turn_upright(std::vector<Point>& points, Body body) {
 
 std::optional<FieldProfile> parse_field_profile(std::string_view text, Body body) {
   using namespace detail;
-  constexpr std::size_t header = 100;  // lines
   const std::vector<Line> lines = lines_of(text);
-  for (std::size_t i = 0; i < std::min(header, lines.size()); ++i) {
+  for (std::size_t i = 0; i < lines.size(); ++i) {
     const std::string_view line = lines[i].text;
     if (line.empty()) continue;
-    if (contains(line, "wheelprofile") || contains(line, "railprofile")) {
+    if (contains(line, "wheelprofile") || contains(line, "railprofile"))
       return read_vampire({lines.begin() + std::ptrdiff_t(i), lines.end()}, body);
-    }
     if (line.starts_with("header.begin") || line.starts_with("spline.begin"))
       return read_simpack(lines);
     if (contains(line, "miniprof") || contains(line, "[fileinfo]") ||

@@ -61,6 +61,7 @@ FieldProfile read_miniprof(const std::vector<Line>& lines, Body body) {
     const auto text = without_comment(line.text);
     if (text.empty()) continue;
     const auto numbers = numbers_of(text);
+    if (keys && !old && !sections && numbers && numbers->size() > 1) in_points = true;
     if (!in_points) {
       if (numbers && numbers->size() > 1 && !sections)
         read.left_out.push_back(

@@ -86,6 +86,9 @@ TEST_CASE("MiniProf's files are read with their signs and columns") {
   const std::string plain = fmt::format(fmt::runtime(new_header), "X,Y,*");
   require_points(parse(plain + rows(wheel(), millimetre, miniprof_wheel), Body::wheel), wheel());
   require_points(parse(plain + rows(rail(), millimetre, miniprof_rail), Body::rail), rail());
+  require_points(
+      parse("ProgramName=x\nColumnDef=X,Y\n" + rows(rail(), millimetre, miniprof_rail), Body::rail),
+      rail());  // without the empty line
   const std::string many = fmt::format(fmt::runtime(new_header), "N,X,Y,A,C,K");
   require_points(parse(many + rows(wheel(), millimetre, miniprof_wheel,
                                    "1, {:.6f}, {:.6f}, 1.5 -0.02 0 \" a remark\n"),
@@ -215,6 +218,12 @@ TEST_CASE("a measured wheel with its back and rim gives the tread and flange of 
 
 TEST_CASE("what is no profile file of a known form is left to the table's reader, or refused") {
   REQUIRE(!parse_field_profile("inward_mm,height_mm\n1,2\n", Body::wheel));
+  std::string remarks;
+  for (int k = 0; k < 500; ++k) remarks += "# a remark\n";
+  const auto as_it_is = [](const Point& p) { return p; };
+  REQUIRE(!parse_field_profile(
+      remarks + "inward_mm,height_mm\n" + rows(rail(), millimetre, as_it_is, "{:.6f},{:.6f}\n"),
+      Body::rail));
   REQUIRE(!parse_field_profile("", Body::rail));
   REQUIRE(!parse_field_profile("a text\nof words\n", Body::rail));
   REQUIRE_THROWS_AS(
