@@ -50,3 +50,4 @@ add_test(NAME "tool: wheelrail contact gives Y/Q and Nadal's limit"
          COMMAND railbook wheelrail contact --load 50kN --speed 10m/s --slip 0 --roll 0rad --method strips)
 set_tests_properties("tool: wheelrail contact gives Y/Q and Nadal's limit" PROPERTIES PASS_REGULAR_EXPRESSION
                      "Nadal's limit of Y/Q +1\\.34[12].*flange of 70\\.0 degrees.*Y/Q, outward over down")
+add_test(NAME "tool: wheelrail says what does not converge, and answers nothing" COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/unconverged.sh ${bin})
