@@ -12,7 +12,7 @@ wants     = { command -v $(1) > /dev/null || { echo "$(1) is not installed; on D
 program   = $(patsubst $(firstword $(subst -, ,$(1)))-%,%,$(1))
 SOURCES   = $(shell git ls-files '*.cpp' '*.hpp' ':!tests/book')
 
-.PHONY: headline accept-commands accept-live new-chapter help doctor packages configure chapter-programs programs build install reproduce test thorough chapter figures accept-figures book bench format lint failed clean mutate coverage sanitize matrix fuzz
+.PHONY: headline accept-digits accept-commands accept-live new-chapter help doctor packages configure chapter-programs programs build install reproduce test thorough chapter figures accept-figures book bench format lint failed clean mutate coverage sanitize matrix fuzz
 
 help:             ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' $(MAKEFILE_LIST) | expand -t 24
@@ -68,6 +68,10 @@ new-chapter:      ## a chapter to start from: make new-chapter NN=08-name
 
 headline:         ## write the table of what became of each paper into README.md, from the chapters that have been run
 	@cmake -DRESULTS=$(CURDIR)/$(BUILD)/results -P cmake/headline.cmake
+
+accept-digits: chapter-programs ## write how many digits of each number hold in all modes of rounding into tests/digits
+	@cmake --build $(BUILD) --target digits
+	@ACCEPT=1 tests/digits/modes.sh $(BUILD) tests/digits $$(find $(BUILD) -name digits -type f -perm -u+x) $(CHAPTERS)
 
 accept-commands: programs ## write the commands' answers and pictures of today into docs/commands.md
 	@tests/tools/commands.sh "$(CURDIR)" "$(CURDIR)/$(BUILD)/bin/railbook" --accept

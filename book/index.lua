@@ -226,6 +226,7 @@ function Pandoc(doc)
     ["{{findings}}"] = function() return overview.findings(records, parts) end,
     ["{{ledger}}"] = function() return overview.ledger(records) end,
     ["{{stability}}"] = function() return overview.stability(records) end,
+    ["{{digits}}"] = function() return overview.digits(records) end,
     ["{{verification}}"] = function() return overview.verification(records) end,
     ["{{claims}}"] = function() return overview.claims(PANDOC_SCRIPT_FILE:match("^(.*)/[^/]*$") .. "/../tests/claims.csv") end,
     ["{{benchmarks}}"] = function() return benchmarks.all(records) end,

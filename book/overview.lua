@@ -1,6 +1,6 @@
 -- The overview pages that are tables of all records: findings, ledger, stability, verification.
 
-local html, items, record = require "html", require "items", require "record"
+local csv, html, items, record = require "csv", require "html", require "items", require "record"
 local check_tables = require "check_tables"
 
 local overview = {}
@@ -155,17 +155,28 @@ local function totals(records)
   return html.table("totals", heads, rows)
 end
 
+-- How many digits of each check's number hold in all modes of rounding, by its id: rows {check, digits, reason} of tests/digits.
+local function digits_of(r)
+  local by_id = {}
+  for _, row in ipairs(csv.read(PANDOC_SCRIPT_FILE:match("^(.*)/[^/]*$") .. "/../tests/digits/" .. r.chapter .. ".csv") or {}) do
+    if r.check[row.check] then by_id[row.check] = row end
+  end
+  return by_id
+end
+
 -- All checks, one folded table a chapter, of which the first is open.
 function overview.ledger(records)
-  local heads = {"what", "place", {"source", filter = true}, "printed or reference", "computed", "tolerance used", {"outcome", filter = true}}
+  local heads = {"what", "place", {"source", filter = true}, "printed or reference", "computed", "tolerance used", "digits",
+    {"outcome", filter = true}}
   local out = {}
   for _, r in ipairs(records) do
-    local rows = {}
+    local rows, digits = {}, digits_of(r)
     for i, check in ipairs(r.checks) do
-      local used = record.used(check)
+      local used, held = record.used(check), digits[check.id]
       rows[i] = {check_link(check, r), html.text(check.of_paper and check.place or check.by or ""), check.source or "–",
         check_tables.cell(check_tables.expected(check, check.of_paper)), computed_and_tried(check),
         {used and ("%.0f %%"):format(100 * used) or "–", class = "number", sort = used},
+        held and held.digits or "",
         check_tables.outcome(check), class = not check.pass and "failed" or nil}
     end
     local counts = {}
@@ -177,6 +188,29 @@ function overview.ledger(records)
       html.tag("summary", nil, summary) .. html.table("sortable ledger cards", heads, rows))
   end
   return totals(records) .. html.tag("div", {class = "filterable"}, join(out))
+end
+
+-- How many digits hold however arithmetic rounds, and why some are fewer than six.
+function overview.digits(records)
+  local rows, all, few, least = {}, 0, 0, 15
+  for _, r in ipairs(records) do
+    local digits = digits_of(r)
+    for _, check in ipairs(r.checks) do
+      local held = digits[check.id]
+      if held then
+        all = all + 1
+        if held.reason ~= "" then
+          few = few + 1
+          rows[few] = {check_link(check, r), {held.digits, class = "number"}, html.text(held.reason)}
+        elseif check.of_paper then
+          least = math.min(least, tonumber(held.digits))
+        end
+      end
+    end
+  end
+  return html.tag("p", nil, ("Every chapter also runs with arithmetic that rounds up, down and towards zero. Of %d numbers %d keep six digits or more in all "
+    .. "four modes, and those that stand beside a paper at least %d, but for the following."):format(all, all - few, least))
+    .. html.folded_table("sortable cards", {"number", "digits", "why"}, rows, 6, "numbers")
 end
 
 -- All stiff and extreme cases.

@@ -104,7 +104,8 @@ report::Trial ratio_kept(const report::Item& item) {
   trial.vary("growth of the area",
              [&](const report::Setting& s) { return change(s.number, 1, true); });
   trial.vary("fraction of the friction used", [&](const report::Setting& s) {
-    const auto share = std::ranges::find(used_shares, s.number);
+    const auto share = std::ranges::find_if(
+        used_shares, [&](double one) { return std::abs(one - s.number) < 1e-9; });
     return share == used_shares.end()
                ? units::nan
                : change(1.5, static_cast<std::size_t>(share - used_shares.begin()), true);

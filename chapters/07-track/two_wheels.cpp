@@ -33,6 +33,7 @@ the equations of one wheel that {{fig-joint}} solves.
 */
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
@@ -121,7 +122,7 @@ Passage2 run(const ImpactModel& model, double speed, double base, double share) 
     solver.restart(system, from, y);
     const long count = from < 0 ? 1 : std::lround((to - from) / 5e-6);
     for (long i = 1; i <= count; ++i) {
-      const double stop = from + (to - from) * double(i) / double(count);
+      const double stop = std::min(to, from + (to - from) * double(i) / double(count));
       while (solver.t() < stop)
         if (!solver.step(system, to)) return {};
       if (from < 0) continue;

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cfenv>
 #include <cstdio>
 #include <stdexcept>
 #include <system_error>
@@ -33,7 +34,15 @@ struct ReproduceOptions {
   bool no_figures = false;
   bool no_timings = false;
   bool progress = false;
+  std::string rounding = "nearest";
 };
+
+// The rounding of all arithmetic of this thread, and of those that it makes.
+void round(const std::string& mode) {
+  const int to = mode == "up" ? FE_UPWARD : mode == "down" ? FE_DOWNWARD : FE_TOWARDZERO;
+  if (mode != "nearest" && std::fesetround(to) != 0)
+    throw std::runtime_error{fmt::format("this processor does not round {}", mode)};
+}
 
 bool contains(const std::vector<std::string>& list, const std::string& text) {
   return std::find(list.begin(), list.end(), text) != list.end();
@@ -166,7 +175,10 @@ int reproduce(const ReproduceOptions& options, const ChapterInfo& info,
   }
   const bool whole = options.only.empty();
   const std::vector<TrialRow> trials = declared(info, "trials.csv", entries, read_trials);
-  RunFolder folder(options.out, info.id, whole);
+  round(options.rounding);
+  const std::filesystem::path out = options.out;
+  RunFolder folder(options.rounding == "nearest" ? out : out / ("rounding-" + options.rounding),
+                   info.id, whole);
   folder.forget_record();
   RunSettings settings;
   settings.folder = &folder;
@@ -248,6 +260,12 @@ int run_command(int argc, char** argv, const ChapterInfo& info, const std::vecto
   reproduce_command->add_flag("--no-figures", options.no_figures, "do not draw");
   reproduce_command->add_flag("--no-timings", options.no_timings,
                               "measure no time: the same record on every run");
+  reproduce_command
+      ->add_option("--rounding", options.rounding,
+                   "how arithmetic rounds; results of other modes than nearest go to a folder "
+                   "rounding-up and so on in that of --out")
+      ->check(CLI::IsMember({"nearest", "up", "down", "zero"}))
+      ->capture_default_str();
   reproduce_command->add_flag("--progress", options.progress, "say each item when it is done");
   app.add_subcommand("list", "name the tables and figures");
 

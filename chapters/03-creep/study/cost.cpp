@@ -320,7 +320,7 @@ void curve_time(report::Item& item) {
   const auto outside = item.printed("contact-curve.csv");
   double apart = 0;
   for (std::size_t k = 0; k < study.cases[0].second.size(); ++k) {
-    const std::string x = fmt::format("{}", study.cases[0].second[k].longitudinal);
+    const std::string x = fmt::format("{:.6g}", study.cases[0].second[k].longitudinal);
     apart = std::max(
         apart, std::abs(study.limit.answers[3 * k] - report::printed_number(outside.at(x, "f"))));
   }
