@@ -293,6 +293,21 @@ function markSection() {
   mark();
 }
 
+// ---- the marks of a chart are one stop of the Tab key; arrows go from one to the next
+function oneStop(chart) {
+  const marks = all("a", chart);
+  const stop = (mark) => marks.forEach((m) => m.setAttribute("tabindex", m === mark ? 0 : -1));
+  stop(marks[0]);
+  chart.addEventListener("keydown", (event) => {
+    const at = marks.indexOf(document.activeElement), last = marks.length - 1;
+    const to = {ArrowRight: at + 1, ArrowDown: at + 1, ArrowLeft: at - 1, ArrowUp: at - 1, Home: 0, End: last}[event.key];
+    if (at < 0 || !(to >= 0 && to <= last)) return;
+    event.preventDefault();
+    stop(marks[to]);
+    marks[to].focus();
+  });
+}
+
 // A place inside what is folded is unfolded when a link leads to it.
 function unfold() {
   const target = location.hash && document.getElementById(decodeURIComponent(location.hash.slice(1)));
@@ -310,6 +325,7 @@ all("table.sortable").forEach(sortable);
 all(".filterable").forEach(filterable);
 all("pre").forEach(copyButton);
 all(".wide, pre, math[display=block], .equation > span").forEach((e) => { if (e.scrollWidth > e.clientWidth) e.tabIndex = 0; });
+all(".numbers svg").forEach(oneStop);
 previews();
 symbolMeanings();
 markSection();

@@ -178,6 +178,24 @@ async function motion(browser) {
   await browser.send("Emulation.setEmulatedMedia", {features: []});
 }
 
+// The marks of the chart of numbers are one stop of the Tab key; arrows go on within it.
+async function chart(browser) {
+  await browser.go(pathToFileURL(join(book, "index.html")).href);
+  const found = await browser.run(`(() => {
+    const marks = [...document.querySelectorAll(".numbers svg a")];
+    if (marks.length === 0) return null;
+    const stops = () => marks.filter((m) => m.tabIndex === 0).map((m) => marks.indexOf(m));
+    const before = stops();
+    marks[0].focus();
+    for (const key of ["ArrowRight", "ArrowRight", "ArrowLeft", "End", "ArrowRight"])
+      document.activeElement.dispatchEvent(new KeyboardEvent("keydown", {key, bubbles: true}));
+    return {before, after: stops(), at: marks.indexOf(document.activeElement), last: marks.length - 1};
+  })()`);
+  if (found === null) return;
+  if (String(found.before) !== "0") fault("index.html", found.before.length + " tab stops in its chart");
+  if (found.at !== found.last || String(found.after) !== String(found.last)) fault("index.html", "arrows do not go through its chart");
+}
+
 const browser = new Browser(path);
 try {
   await browser.open();
@@ -198,7 +216,7 @@ try {
     console.log(page.padEnd(26), String(height).padStart(6) + " px", String(Math.round(paint)).padStart(5) + " ms");
   }
   if (process.argv.length <= 3) await functions(browser);
-  if (pages.includes("index.html")) await motion(browser);
+  if (pages.includes("index.html")) await motion(browser), await chart(browser);
 } finally {
   await browser.close();
 }
