@@ -25,16 +25,16 @@ railbookFigure("quality", {
     this.curve.clear(), this.time.clear();
     const {curve, time, swept} = this;
     curve.line([0.25, 2], [2.54, 2.54], "red", {"stroke-dasharray": "2 4"});
-    curve.label(1.98, 2.6, "limit of the paper, 2.54 cm", "red", "end");
+    curve.label(1.98, 2.6, "limit 2.54 cm", "red", "end");
     curve.line(swept.frequency, cm(swept.linear), "soft", {"stroke-dasharray": "5 4"});
     curve.line(swept.frequency, cm(swept.up), "curve-2");
     curve.line(swept.frequency, cm(swept.down), "curve-1");
-    [["upwards", "curve-2", 0.3], ["downwards", "curve-1", 0.62], ["without stops", "soft", 1.04]].forEach(([name, colour, at]) => curve.label(at, 7.4, name, colour));
+    [["upwards", "curve-2", 7.4], ["downwards", "curve-1", 6.6], ["without stops", "soft", 5.8]].forEach(([name, colour, at]) => curve.label(0.3, at, name, colour));
     curve.dot(s.frequency, answer.slow * 100, "curve-1", 5);
     time.line(answer.motion.t, cm(answer.motion.sudden), "curve-2", {"stroke-width": 1.1});
     time.line(answer.motion.t, cm(answer.motion.slow), "curve-1", {"stroke-width": 1.1});
     for (const gap of [0.6 * 2.54, -0.6 * 2.54]) time.line([0, 60], [gap, gap], "soft", {"stroke-dasharray": "3 3"});
-    time.label(1, 4.4, "sudden start", "curve-2"), time.label(16, 4.4, "slow start, in 20 s", "curve-1"), time.label(40, 4.4, "dashed: the stops", "soft");
+    time.label(1, 4.4, "sudden start", "curve-2"), time.label(22, 4.4, "slow start, in 20 s", "curve-1"), time.label(1, -4.5, "dashed: the stops", "soft");
     figure.says([["sudden start", `${short(answer.sudden * 100)} cm`], ["slow start", `${short(answer.slow * 100)} cm`], ["without stops", `${short(answer.linear * 100)} cm`],
       ["so", answer.sudden > 1.05 * answer.slow ? "two motions at one speed: the start decides" : "one motion, however the wave begins"]]);
   },

@@ -8,6 +8,9 @@ formulas do not hold.
 
 {{bodies}}
 
+On a screen you can [roll the wheel across the rail](#live-contact) and see the patch and its
+pressure computed for each place.
+
 ::: findings
 1. Where does the contact lie? The paper searches from the *interpenetration curve*, where the
    undeformed bodies would cut each other if they were moved together as far as the load brings them

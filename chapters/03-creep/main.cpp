@@ -7,6 +7,8 @@ law brings them together, a test on a small wheel in a laboratory says nothing a
 
 {{fig-01}}
 
+On a screen you can [hold the wheel back](#live-creep) and see which part of the patch slides.
+
 ::: findings
 1. **Must the area of contact be measured?** The paper says so: "in order to obtain a single curve
    it is necessary to utilize the actual nominal area of contact rather than the theoretical area of

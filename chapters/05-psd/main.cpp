@@ -7,6 +7,8 @@ is rough, or whether its joints have sunk.
 
 {{overview}}
 
+On a screen you can [make a track and classify it](#live-psd).
+
 ::: findings
 1. How deep are the joints behind a peak of the spectrum? Jointed rail has a peak (a *line*) in its
    spectrum at $\varphi_0$, one wave for each rail. The paper computes the dip $B$ of the joints

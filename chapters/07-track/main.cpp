@@ -7,6 +7,8 @@ become a few springs, masses and dampers; if one of these is wrong, so is the bl
 
 {{overview}}
 
+On a screen you can [drive over a low joint](#live-joint) and see the force and what moves.
+
 ::: findings
 1. How fast may a train run before the track's own waves matter? The paper puts the critical
    velocity of "the rail-tie-ballast type structure", at which free waves of the track keep up with
