@@ -61,18 +61,20 @@ TEST_CASE("unit: a shell is offered what stands at its place, and no arguments o
   CLI::App* subject = app.add_subcommand("psd", "b");
   CLI::App* fit = subject->add_subcommand("fit", "c");
   CLI::App* plain = subject->add_subcommand("plain", "d");
-  app.add_subcommand("track", "e");
-  std::string kind, file;
+  CLI::App* verify = app.add_subcommand("verify", "e");  // a subject that is a tool itself
+  std::string kind, file, data;
   fit->set_help_flag();
   plain->set_help_flag();
+  verify->add_option("--data", data, "")->type_name("FOLDER");
   fit->add_option("--kind", kind, "")->type_name("{a,b,c}");
   fit->add_option("file", file, "")->type_name("{d,e}");
   plain->add_option("--file", file, "")->type_name("FILE");
   const std::string cases =
-      "    '') offer='psd track --help --version' ;;\n    'psd') offer='fit plain --help' ;;\n"
+      "    '') offer='psd verify --help --version' ;;\n    'psd') offer='fit plain --help' ;;\n"
       "    'psd fit') offer='--kind '\n      case $before in\n"
       "      '--kind') offer='a b c' ;;\n      esac\n      ;;\n"
-      "    'psd plain') offer='--file '\n      ;;\n    'track') offer=' --help' ;;\n  esac\n";
+      "    'psd plain') offer='--file '\n      ;;\n    'verify') offer='--help --data '\n      "
+      ";;\n  esac\n";
   for (const char* shell : {"bash", "zsh"})
     CHECK_THAT(tool::completion(app, shell), Contains("  case $place in\n" + cases));
   CHECK_THAT(tool::completion(app, "bash"),
