@@ -13,6 +13,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include <railbook/table/detail/foreign_format.hpp>
 #include <railbook/table/detail/trim.hpp>
 #include <railbook/units/input_error.hpp>
 #include <railbook/units/nearest.hpp>
@@ -183,7 +184,11 @@ void CsvReader::require_column(std::size_t before) const {
 
 bool CsvReader::raw_line(std::string_view& text) {
   if (!source_.next(text)) return false;
-  if (source_.line() == 1 && text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  if (source_.line() == 1) {
+    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+    if (const std::string_view format = foreign_format(text); !format.empty())
+      throw InputError{fmt::format("{}: this is {}", quoted_name(file()), format)};
+  }
   if (text.find('\0') != std::string_view::npos) {
     line_ = source_.line();
     refuse("holds a zero byte: not a text file");

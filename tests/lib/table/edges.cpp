@@ -1,6 +1,9 @@
 // Where a file begins and ends: the line that is named, and how far a reader has come.
 #include <unistd.h>
 
+#include <string>
+#include <utility>
+
 #include <catch2/catch.hpp>
 
 #include <railbook/table/csv.hpp>
@@ -27,6 +30,33 @@ TEST_CASE("input: an empty file is reported at its first line, too many lines to
   CHECK(reader.line() == 7);
   CHECK(reader.cell(0) == "3");
   CHECK_FALSE(reader.next());
+}
+
+TEST_CASE("input: a file of another kind is refused by its name, with what makes it a table") {
+  const TemporaryFolder at("foreign");
+  const std::pair<std::string, std::string> files[] = {
+      {std::string{"\x89HDF\r\n\x1a\n\0\0", 10},
+       "this is an HDF5 file; write the data sets as CSV"},
+      {"MATLAB 5.0 MAT-file, Platform: GLNXA64" + std::string(9, '\0'), "this is a MAT file"},
+      {std::string{"PK\x03\x04\x14\0\x06\0", 8}, "a zip archive, as workbooks of spreadsheets are"},
+      {"%PDF-1.7\n1 0 obj\n", "this is a PDF file"},
+      {"version https://git-lfs.github.com/spec/v1\noid sha256:0\n", "by git lfs pull"},
+      {std::string{"\xFF\xFE"
+                   "a\0,\0",
+                   6},
+       "this is text in UTF-16; convert it by iconv"},
+      {"<!DOCTYPE HTML>\n<html>\n", "this is a web page"},
+      {"\xEF\xBB\xBF<?xml version='1.0'?>\n", "this is an XML file"},
+      {"{\"rows\": [1, 2]}\n", "this is a JSON file"},
+      {"[{\"a\": 1}]\n", "this is a JSON file"},
+      {"a,b\r1,2\r3,4\r", "lines end in a carriage return alone; convert it by tr"},
+  };
+  for (const auto& [text, why] : files)
+    CHECK_THROWS_WITH(table::CsvReader(at.write("a.csv", text)), Contains(why));
+  // What a table may begin with.
+  for (const char* text :
+       {"[m],b\n1,2\n", "a,b\r\n1,2\r\n", "\"a\rb\",c\n1,2\n", "version,b\n1,2\n"})
+    CHECK(table::CsvReader(at.write("a.csv", text)).next());
 }
 
 TEST_CASE("input: the share that was read, where the size is known") {

@@ -1,0 +1,60 @@
+#include <railbook/table/detail/foreign_format.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <string>
+
+namespace railbook::table {
+
+namespace {
+
+struct Format {
+  std::string_view start, advice;
+};
+
+constexpr Format formats[] = {
+    {"\x89HDF", "an HDF5 file; write the data sets as CSV, for example with h5dump or h5py"},
+    {"MATLAB 5.0 MAT-file", "a MAT file; write the variables as CSV, for example by writetable"},
+    {"MATLAB 7.3 MAT-file", "a MAT file; write the variables as CSV, for example by writetable"},
+    {"PK\x03\x04",
+     "a zip archive, as workbooks of spreadsheets are; save the sheet as CSV, for example by "
+     "libreoffice --headless --convert-to csv"},
+    {"\xD0\xCF\x11\xE0",
+     "a workbook of an old spreadsheet; save the sheet as CSV, for example by libreoffice "
+     "--headless --convert-to csv"},
+    {"%PDF-", "a PDF file; ask for the numbers as CSV"},
+    {"PAR1", "a Parquet file; write it as CSV, for example with DuckDB or pandas"},
+    {"SQLite format 3", "a SQLite database; write the table as CSV, for example by sqlite3 -csv"},
+    {"version https://git-lfs",
+     "a pointer of Git LFS without the data; fetch them by git lfs pull"},
+    {"\xFF\xFE", "text in UTF-16; convert it by iconv -f UTF-16 -t UTF-8"},
+    {"\xFE\xFF", "text in UTF-16; convert it by iconv -f UTF-16 -t UTF-8"},
+    {"<!doctype html", "a web page; save the data themselves, not the page about them"},
+    {"<html", "a web page; save the data themselves, not the page about them"},
+    {"<?xml", "an XML file; write its table as CSV"},
+    {"{", "a JSON file; write its table as CSV, for example with jq"},
+    {"[{", "a JSON file; write its table as CSV, for example with jq"},
+    {"[[", "a JSON file; write its table as CSV, for example with jq"},
+};
+
+bool starts_with(std::string_view text, std::string_view start) {
+  return text.size() >= start.size() &&
+         std::equal(start.begin(), start.end(), text.begin(), [](char a, char b) {
+           return a == b || a == std::tolower(static_cast<unsigned char>(b));
+         });
+}
+
+}  // namespace
+
+std::string_view foreign_format(std::string_view first_line) {
+  for (const Format& format : formats)
+    if (starts_with(first_line, format.start)) return format.advice;
+  // One line that holds all others: the ends are those of old Macs. In quotes they are a cell's.
+  const std::size_t end = first_line.find('\r');
+  if (end != first_line.npos && end + 1 < first_line.size() &&
+      first_line.find('"') == first_line.npos)
+    return "text whose lines end in a carriage return alone; convert it by tr '\\r' '\\n'";
+  return {};
+}
+
+}  // namespace railbook::table
