@@ -42,7 +42,7 @@ export async function liveFigures(browser, page, fault) {
           if (now.bad) wrong(`draws ${now.bad} at ${now.value}`);
           if (now.message) wrong(`answers "${now.message}" at ${now.value}`);
           if (now.curves < 2) wrong(`draws nothing at ${now.value}`);
-          if (now.size < 11) wrong(`has text of ${now.size.toFixed(1)} px at ${width} px`);
+          if (now.size < 10) wrong(`has text of ${now.size.toFixed(1)} px at ${width} px`);
           if (!now.hash.startsWith(`#live-${name}?`)) wrong("does not keep its state in the address");
         }
         if (values.size < 3) wrong(`handle ${k + 1} does not go with the pointer at ${width} px: ${[...values]}`);
