@@ -95,10 +95,34 @@ Profile::Piece arc(double from, double to, double sign, double centre, double de
   return p;
 }
 
+double at(const Profile::Piece& p, double y) {
+  return Profile({p}).at(y).depth;
+}
+double slope(const Profile::Piece& p, double y) {
+  return Profile({p}).at(y).slope;
+}
+
+// Adds to a polynomial the cubic with which it begins and ends as its neighbours do, in depth and
+// slope. A step, however small, would be a punch with an edge to a fine grid, whose pressure grows
+// with the cells.
+void join(const Profile::Piece& before, Profile::Piece& p, const Profile::Piece& after) {
+  const double length = p.to - p.from;
+  const double d0 = at(before, p.from) - at(p, p.from), d1 = at(after, p.to) - at(p, p.to);
+  const double s0 = slope(before, p.from) - slope(p, p.from),
+               s1 = slope(after, p.to) - slope(p, p.to);
+  const double c2 = (3 * (d1 - d0) / length - 2 * s0 - s1) / length;
+  const double c3 = (2 * (d0 - d1) / length + s0 + s1) / (length * length);
+  const double y = -p.from;  // in powers of the distance from there
+  p.c[0] += d0 + y * (s0 + y * (c2 + y * c3));
+  p.c[1] += s0 + y * (2 * c2 + y * 3 * c3);
+  p.c[2] += c2 + 3 * c3 * y;
+  p.c[3] += c3;
+}
+
 }  // namespace
 
 Profile s1002() {
-  return Profile({
+  std::vector<Profile::Piece> pieces{
       arc(-70, -62.764705882, 1, -49.5, 9.519259302, 20.5),
       arc(-62.764705882, -49.662510381, 1, -55, 16, 12),
       arc(-49.662510381, -39.764473993, 1, -58.558326413, 8.834924130, 20),
@@ -112,7 +136,9 @@ Profile s1002() {
                  {0, -3.358537058e-2, 1.565681624e-3, -2.810427944e-5, 5.844240864e-8,
                   -1.562379023e-8, 5.309217349e-15, -5.957839843e-12, 2.646656573e-13}),
       polynomial(32.15796, 60, {1.364323640, -0.066666667}),
-  });
+  };
+  join(pieces[4], pieces[5], pieces[6]);
+  return Profile(std::move(pieces));
 }
 
 profiles::Curve rail_60e1(Rail60 kind, bool upright) {

@@ -18,9 +18,19 @@ TEST_CASE("unit: S1002 and the rail have their published measures") {
   for (const double joint :
        {-62.764705882, -49.662510381, -39.764473993, -38.426669071, -35.0, -26.0, 32.15796}) {
     const auto before = wheel.at(1e-3 * joint - 1e-12), after = wheel.at(1e-3 * joint + 1e-12);
-    CHECK(before.depth == Approx(after.depth).margin(1.3e-7));
-    CHECK(before.slope == Approx(after.slope).margin(2.5e-5));
+    CHECK(before.depth == Approx(after.depth).margin(1e-10));
+    CHECK(before.slope == Approx(after.slope).margin(1e-8));
   }
+  // Closing the joints moves no depth by more than the step that was there.
+  const auto printed = [](double y) {
+    constexpr double c[] = {4.320221063e3,  1.038384026e3,  1.065501873e2,  6.051367875,
+                            2.054332446e-1, 4.169739389e-3, 4.687195829e-5, 2.252755540e-7};
+    double depth = 0;
+    for (int k = 7; k >= 0; --k) depth = depth * y - c[k];
+    return depth;
+  };
+  for (double y = -34.9; y < -26; y += 0.1)
+    CHECK(1e3 * wheel.at(1e-3 * y).depth == Approx(printed(y)).margin(1.3e-4));
   // The joints of the drawing, and the two heads of 60 kg/m.
   const Profile drawn(rail_60e1(Rail60::drawing)), other(rail_60e1(Rail60::benchmark));
   CHECK(drawn.at(-0.0359998).depth == Approx(14.3e-3).margin(5e-5));
