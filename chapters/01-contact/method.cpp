@@ -106,7 +106,7 @@ inverse hyperbolic sine no digits are lost for slender cells.
 
 {{code: contact/influence.cpp corner_function}}
 
-::: {.fold summary="Are the equations (14) well posed?"}
+::: {.fold summary="Are these equations well posed?"}
 
 Earlier programs of this kind were unstable, and the paper blames their formulation, which left the
 approach free. Is (14) well posed? The condition number tells by how much errors of the equations
