@@ -176,18 +176,19 @@ void add_conicity(tool::Summary& answer, const Options& options, const Constrain
   }
 }
 
-// Conicity at 3 mm and the nonlinearity parameter, (conicity at 4 mm - conicity at 2 mm)/2 mm, of
-// EN 15302 and EN 14363 (Polach 2009).
+// The conicity at 3 mm of EN 15302, and Polach's nonlinearity parameter, (conicity at 4 mm -
+// conicity at 2 mm)/2 mm. Neither the standard nor his paper was at hand for the second one.
 void add_standard(tool::Summary& answer, const ConstraintFunctions& f) {
   const auto at = [&](double A) { return conicity(f, A * millimetre).kinematic; };
   const double largest = amplitudes(f, millimetre).back() / millimetre;
   if (largest < 4)
-    throw InputError(fmt::format(
-        "the table reaches amplitudes of {:.3g} mm; EN 15302 allows from 4 mm: see --end",
-        largest));
+    throw InputError(
+        fmt::format("amplitude, largest of the table: {:.3g} mm; allowed with --standard: 4 mm or "
+                    "more, see --end",
+                    largest));
   answer.add("en_15302_conicity", "EN 15302: equivalent conicity at 3 mm", at(3), "", "level axle");
   answer.add("en_15302_nonlinearity_per_mm", "  nonlinearity parameter", 0.5 * (at(4) - at(2)),
-             "1/mm", "(conicity at 4 mm less that at 2 mm)/2 mm");
+             "1/mm", "Polach: (conicity at 4 mm less that at 2 mm)/2 mm");
 }
 
 void run(Options options) {
