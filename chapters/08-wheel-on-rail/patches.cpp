@@ -91,6 +91,10 @@ void fig_patches(report::Item& item) {
     ellipse.add(shift, strips.front().t / mm, (strips.front().x + strips.front().half_length) / mm);
     ellipse.gap();
   }
+  for (const char* place : {"across_mm", "along_mm"})
+    cells.holds_to(
+        place, 1e-6, 1e-5,
+        "the cells follow the depth, which is found to a hundred thousandth of the load");
   cells.holds_to("p_MPa", 1e-3, 1, "pressures beside the edge of the contact end within a cell");
 }
 
