@@ -5,6 +5,7 @@
 
 #include <railbook/contact/cg_fft.hpp>
 #include <railbook/contact/hertz.hpp>
+#include <railbook/contact/material.hpp>
 #include <railbook/units/constants.hpp>
 
 #include "live.hpp"
@@ -16,7 +17,7 @@ namespace {
 using namespace contact;
 using units::inch, units::psi;
 
-const Material steel{30e6 * psi, 0.3, 30e6 * psi, 0.3};
+constexpr Material steel{30e6 * psi, 0.3};
 
 // The bodies of the paper's Example 2, touching at `place` on the rail (0: where its radius
 // changes, > 0: on the corner). Depths over the plane of first touch, x from the place of first
@@ -72,7 +73,7 @@ void add_contact(const NormalContact& c, Answer& out) {
 
 void contact_answer(const Inputs& in, Answer& out) {
   const Bodies bodies(in);
-  const double modulus = effective_modulus(steel), approach = in["approach"];
+  const double modulus = effective_modulus(steel, steel), approach = in["approach"];
   CgFftOptions options{in.whole("cells"), in.whole("cells")};
   options.edge_x = -bodies.place;
   const NormalContact c = solve_cg_fft(bodies.gap(), approach, modulus, options).contact;
@@ -102,7 +103,7 @@ void countact_answer(const Inputs& in, Answer& out) {
   const int columns = in.whole("columns"), rows = in.whole("rows") | 1;
   const int right = 2 * columns / 5;  // 18 and 12 of 30, as for Example 2
   const CountactResult found =
-      countact_1(bodies.gap(), in["approach"], effective_modulus(steel),
+      countact_1(bodies.gap(), in["approach"], effective_modulus(steel, steel),
                  {.columns = graded_columns(columns - right, right), .rows = rows});
   add_contact(found.contact, out);
   out.value("iterations", static_cast<double>(found.history.size()));

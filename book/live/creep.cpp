@@ -4,6 +4,7 @@
 #include <memory>
 
 #include <railbook/contact/hertz.hpp>
+#include <railbook/contact/material.hpp>
 #include <railbook/rolling/contact.hpp>
 #include <railbook/rolling/fastsim.hpp>
 #include <railbook/units/constants.hpp>
@@ -15,7 +16,7 @@ namespace {
 
 using namespace rolling;
 
-constexpr double young = 207e9, poisson = 0.3, shear_modulus = young / (2 * (1 + poisson));
+constexpr contact::Material steel{207e9, 0.3};
 
 // The rig's rollers at the load of Appendix B: the profile of the small one makes the ellipse
 // 1.568 times as long along rolling as across (rig.cpp).
@@ -27,16 +28,15 @@ contact::HertzContact rig_ellipse() {
   const auto integrals = contact::elliptic_integrals(log_m1);
   const double ratio = integrals.b / (std::exp(log_m1) * integrals.d);
   return contact::hertz_from_force({.a = 0.5 / rolling_radius, .b = 0.5 * ratio / rolling_radius},
-                                   contact::effective_modulus({young, poisson, young, poisson}),
-                                   load);
+                                   contact::effective_modulus(steel, steel), load);
 }
 
 RollingCase case_of(const Inputs& in) {
   return {.a = in["a"],
           .b = in["b"],
           .load = in["load"],
-          .shear_modulus = shear_modulus,
-          .poisson = poisson,
+          .shear_modulus = steel.shear_modulus(),
+          .poisson = steel.poisson,
           .friction = in["friction"],
           .creepage = {}};
 }

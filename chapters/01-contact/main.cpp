@@ -123,15 +123,16 @@ $ railbook contact solve --config radii.toml
 ...
 ```
 
-For a wheel and a rail head measured as points, give the load and ask for the approach:
+For a wheel and a rail head measured as points, give the load and ask for the approach. Without
+moduli the command takes steel of 210 GPa and Poisson's ratio 0.28:
 
 ```console
 $ railbook contact solve --body-1-profile rail.csv --body-2-profile wheel.csv --body-2-radius-along 460mm --load 80kN
 ...
-  approach                     108.38 +- 0.02 um   (92 % of the error from the profiles)
+  approach                     108.19 +- 0.02 um   (92 % of the error from the profiles)
   force F                      80 kN   (as asked)
 ...
-  peak pressure                1880 +- 3 MPa   (99 % of the error from the profiles)
+  peak pressure                1883 +- 3 MPa   (99 % of the error from the profiles)
 ...
 ```
 
@@ -146,9 +147,9 @@ Three variations of Example 1 with the same command; the lines shown are its ans
 * Give the load and ask for the approach. How does the approach grow with the load?
 
 ```console
-$ railbook contact solve --body-1-radius-along 18in --body-1-radius-across -12.34in --body-2-radius-across 10in --load 4.445kN --system inch
+$ railbook contact solve --body-1-radius-across 10in --body-2-radius-across -12.34in --body-2-radius-along 18in --body-1-young 30000ksi --body-1-poisson 0.3 --body-2-young 30000ksi --body-2-poisson 0.3 --load 4.445kN --system inch
 ...
-  approach                      0.400036 +- 8e-06 mil
+  approach                      0.399981 +- 8e-06 mil
 ...
 ```
 
@@ -156,7 +157,7 @@ $ railbook contact solve --body-1-radius-along 18in --body-1-radius-across -12.3
   with the tread of 12.34 in. At which tread does it outgrow the crown of your rail?
 
 ```console
-$ railbook contact solve --body-1-radius-along 18in --body-1-radius-across -10.1in --body-2-radius-across 10in --approach 0.0004in --system inch
+$ railbook contact solve --config radii.toml --body-2-radius-across -10.1in
 ...
   contact      to x              0.7781 in
 ...
@@ -166,9 +167,9 @@ $ railbook contact solve --body-1-radius-along 18in --body-1-radius-across -10.1
   per cent?
 
 ```console
-$ railbook contact solve --body-1-radius-along 18in --body-1-radius-across -12.34in --body-2-radius-across 10in --approach 0.0004in --angle 2deg --system inch
+$ railbook contact solve --config radii.toml --angle 2deg
 ...
-  force F                        1004.54 +- 0.02 lbf
+  force F                        1004.75 +- 0.02 lbf
 ...
 ```
 

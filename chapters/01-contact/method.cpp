@@ -393,7 +393,7 @@ void fig_05(report::Item& item) {
 void two_units(report::Item& item) {
   const table::CsvTable printed = item.printed("units.csv");
   item.expect_checks(9);
-  const std::pair<const char*, double> numbers[] = {{"E", steel.young_1 / units::megapascal},
+  const std::pair<const char*, double> numbers[] = {{"E", steel.young / units::megapascal},
                                                     {"delta-1", delta_1 / units::micrometre},
                                                     {"delta-2", delta_2 / units::micrometre},
                                                     {"delta-3", delta_3 / units::micrometre},

@@ -6,6 +6,7 @@
 #include <railbook/contact/cg_fft.hpp>
 #include <railbook/contact/geometry.hpp>
 #include <railbook/contact/hertz.hpp>
+#include <railbook/contact/material.hpp>
 #include <railbook/report/chapter.hpp>
 #include <railbook/units/constants.hpp>
 
@@ -21,8 +22,8 @@ using namespace contact;
 using units::inch, units::lbf, units::psi;
 
 // Steel on steel, the same in all four examples.
-inline const Material steel{30e6 * psi, 0.3, 30e6 * psi, 0.3};
-inline const double modulus = effective_modulus(steel);
+inline constexpr Material steel{30e6 * psi, 0.3};
+inline const double modulus = effective_modulus(steel, steel);
 
 // Radii as drawn in Fig. 8. The tread's is read from a damaged "J2.34".
 inline constexpr double wheel_radius = 18 * inch, tread_radius = 12.34 * inch;

@@ -101,6 +101,7 @@ $C_{22}$, $C_{23}$ and $C_{33}$, depends on the shape of the ellipse alone. All 
 #include <cmath>
 
 #include <railbook/contact/hertz.hpp>
+#include <railbook/contact/material.hpp>
 #include <railbook/rolling/kalker_table.hpp>
 
 #include "vehicles.hpp"
@@ -118,8 +119,6 @@ std::string origin_text(const CarDatum& datum) {
   return *datum.remark ? fmt::format("{}: {}", origin, datum.remark) : origin;
 }
 
-constexpr double poisson = 0.3;
-
 struct Creep {
   double f11, f12, f22, f33;
 };
@@ -129,10 +128,11 @@ Creep by_hertz_and_kalker(const CarParameters& car, double crown = 10 * inch,
                           double young = 29e6 * units::psi) {
   const auto curvature =
       contact::relative_curvature({1 / car.wheel_radius, 0}, {0, 1 / crown});  // x along the rail
-  const double modulus = contact::effective_modulus({young, poisson, young, poisson});
+  const contact::Material steel{young, 0.3};
+  const double modulus = contact::effective_modulus(steel, steel);
   const auto ellipse = contact::hertz_from_force(curvature, modulus, axle_load(car) / 2);
-  const auto c = rolling::kalker_table(ellipse.a / ellipse.b, poisson);
-  const double shear = young / (2 * (1 + poisson)), ab = ellipse.a * ellipse.b;
+  const auto c = rolling::kalker_table(ellipse.a / ellipse.b, steel.poisson);
+  const double shear = steel.shear_modulus(), ab = ellipse.a * ellipse.b;
   return {shear * ab * c.c22, shear * std::pow(ab, 1.5) * c.c23, shear * ab * ab * c.c33,
           shear * ab * c.c11};
 }

@@ -145,7 +145,7 @@ What each theory costs and where the solver stops is on the [second page](03-cre
 semi-axes. This is the rig at the load of Appendix B, with the longer axis along rolling:
 
 ```console
-$ railbook creep curve --wheel-radius 100.5mm --wheel-profile 41.8mm --rail-radius 449.5mm --load 4449.72N --to 0.004 --points 5
+$ railbook creep curve --wheel-radius 100.5mm --wheel-profile 41.8mm --rail-radius 449.5mm --load 4449.72N --wheel-young 207GPa --wheel-poisson 0.3 --rail-young 207GPa --rail-poisson 0.3 --to 0.004 --points 5
 Creep curve
   theory                               full
   largest pressure                     1499 MPa
@@ -172,7 +172,7 @@ that sticks. With `--out FOLDER` the command also writes the table and a picture
   above:
 
 ```console
-$ railbook creep curve --wheel-radius 100.5mm --wheel-profile 41.8mm --rail-radius 449.5mm --load 4449.72N --to 0.004 --points 5 --theory fastsim
+$ railbook creep curve --wheel-radius 100.5mm --wheel-profile 41.8mm --rail-radius 449.5mm --load 4449.72N --wheel-young 207GPa --wheel-poisson 0.3 --rail-young 207GPa --rail-poisson 0.3 --to 0.004 --points 5 --theory fastsim
 ...
        0.001      473.916            0            0  0.35502   0.846
        0.002       815.68            0            0  0.61103   0.695
@@ -180,15 +180,16 @@ $ railbook creep curve --wheel-radius 100.5mm --wheel-profile 41.8mm --rail-radi
        0.004       1196.36            0            0  0.89620   0.409
 ```
 
-* Take a real wheel on a real rail. At which creep does it use up three quarters of its friction?
+* Take a real wheel on a real rail, of the command's own steel (210 GPa, Poisson's ratio 0.28). At
+  which creep does it use up three quarters of its friction?
 
 ```console
 $ railbook creep curve --wheel-radius 500mm --rail-crown 300mm --load 80kN --to 0.004 --points 5
 ...
-       0.001        10860            0            0   0.4524   0.738
-       0.002        18040            0            0    0.752   0.478
-       0.003        22110            0            0   0.9211   0.244
-       0.004        23760            0            0   0.9899   0.060
+       0.001        10980            0            0   0.4573   0.738
+       0.002        18180            0            0    0.758   0.478
+       0.003        22210            0            0   0.9254   0.235
+       0.004        23796            0            0   0.9915   0.060
 ```
 
 ## Works named

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <railbook/contact/hertz.hpp>
+#include <railbook/contact/material.hpp>
 #include <railbook/report/chapter.hpp>
 #include <railbook/rolling/contact.hpp>
 #include <railbook/rolling/force_table.hpp>
@@ -27,9 +28,8 @@ inline constexpr double printed_creep = 1 - small_radius / big_radius * small_rp
 inline constexpr double printed_friction = 0.3;
 
 // Not printed: steel as in chapter 01.
-inline constexpr double young = 207e9;
-inline constexpr double poisson = 0.3;
-inline constexpr double shear_modulus = young / (2 * (1 + poisson));
+inline constexpr contact::Material steel{207e9, 0.3};
+inline constexpr double poisson = steel.poisson, shear_modulus = steel.shear_modulus();
 
 // "1000 lb" as the paper turns it into newtons: .45359 kg and 9.81 m/s^2.
 inline constexpr double paper_pound_force = 0.45359 * 9.81;
@@ -37,7 +37,7 @@ inline constexpr double paper_load = 1000 * paper_pound_force;
 
 // E* of steel on steel [Pa].
 inline double modulus() {
-  return contact::effective_modulus({young, poisson, young, poisson});
+  return contact::effective_modulus(steel, steel);
 }
 
 // 1/(1/R_S + 1/R_B) in the plane of rolling [m].

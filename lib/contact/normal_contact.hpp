@@ -11,19 +11,6 @@
 
 namespace railbook::contact {
 
-// Elastic constants of the two bodies: Young's moduli (Pa, > 0) and Poisson's ratios (0 <= nu <=
-// 0.5).
-struct Material {
-  double young_1 = 0;
-  double poisson_1 = 0;
-  double young_2 = 0;
-  double poisson_2 = 0;
-};
-
-// E* of both bodies, 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2 [Pa]; the paper's k of eq. (9) is
-// 1/(pi E*). Relative accuracy 2e-15. Throws InputError on a modulus or a ratio out of range.
-double effective_modulus(const Material& material);
-
 // The initial gap f(x, y) = z_1 + z_2 >= 0 [m] between the bodies at first touch, eq. (1). Infinity
 // is a place where there is no body; NaN is refused by the solvers.
 using Gap = std::function<double(double x, double y)>;

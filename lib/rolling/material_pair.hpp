@@ -1,14 +1,9 @@
 // Two bodies' materials as one, for rolling contact.
 #pragma once
 
-#include <railbook/contact/normal_contact.hpp>
+#include <railbook/contact/material.hpp>
 
 namespace railbook::rolling {
-
-struct Steel {
-  double young = 207e9;  // [Pa]
-  double poisson = 0.3;
-};
 
 // Relative accuracy 2e-15 (of K absolute: equal bodies differ by rounding). Throws InputError on a
 // modulus or ratio out of range. G and nu of the pair as RollingCase wants them, E*, and Kalker's
@@ -16,11 +11,10 @@ struct Steel {
 struct MaterialPair {
   double shear_modulus, poisson, effective_modulus, dissimilarity;
 };
-inline MaterialPair combine(const Steel& one, const Steel& two) {
-  const double g1 = one.young / (2 * (1 + one.poisson)), g2 = two.young / (2 * (1 + two.poisson));
+inline MaterialPair combine(const contact::Material& one, const contact::Material& two) {
+  const double g1 = one.shear_modulus(), g2 = two.shear_modulus();
   const double g = 2 / (1 / g1 + 1 / g2);
-  return {g, g / 2 * (one.poisson / g1 + two.poisson / g2),
-          contact::effective_modulus({one.young, one.poisson, two.young, two.poisson}),
+  return {g, g / 2 * (one.poisson / g1 + two.poisson / g2), contact::effective_modulus(one, two),
           g / 4 * ((1 - 2 * one.poisson) / g1 - (1 - 2 * two.poisson) / g2)};
 }
 

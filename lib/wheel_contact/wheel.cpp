@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include <railbook/rolling/material_pair.hpp>
 #include <railbook/rolling/unlike_materials.hpp>
 #include <railbook/units/constants.hpp>
 #include <railbook/units/input_error.hpp>

@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
+#include <railbook/contact/material.hpp>
 #include <railbook/rolling/case.hpp>
-#include <railbook/rolling/material_pair.hpp>
 #include <railbook/wheel_contact/patch.hpp>
 #include <railbook/wheel_contact/strips.hpp>
 
@@ -41,7 +41,7 @@ struct WheelInput {
   double speed = 0;             // of the wheelset along the track [m/s], > 0
   double angular_velocity = 0;  // of the wheelset about its axle [rad/s], > 0 forwards
   Friction friction = {};
-  rolling::Steel wheel = {210e9, 0.28}, rail = {210e9, 0.28};
+  contact::Material wheel = contact::default_steel, rail = contact::default_steel;
   Method method = Method::full;
   PatchOptions patches = {};
   long along = 40, across = 32;  // cells of the finer of two grids, of Method::full; 8 to 512

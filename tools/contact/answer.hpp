@@ -8,6 +8,7 @@
 
 #include <railbook/contact/bodies.hpp>
 #include <railbook/contact/cg_fft.hpp>
+#include <railbook/contact/material.hpp>
 #include <railbook/tool/out_folder.hpp>
 #include <railbook/tool/summary.hpp>
 #include <railbook/units/constants.hpp>
@@ -17,7 +18,7 @@ namespace railbook::contact_tool {
 struct BodyOptions {
   std::optional<double> radius_across, radius_along;
   std::filesystem::path profile;
-  double young = 206.8 * units::gigapascal, poisson = 0.3;
+  contact::Material material = contact::default_steel;
 };
 
 struct Options {

@@ -168,7 +168,7 @@ void run(Options options) {
   const BodyOptions &one = options.bodies[0], &two = options.bodies[1];
   options.read = {body_of(one, 1), body_of(two, 2)};
   Solved solved;
-  solved.modulus = effective_modulus({one.young, one.poisson, two.young, two.poisson});
+  solved.modulus = effective_modulus(one.material, two.material);
   solved.bodies = join_bodies(options.read[0], options.read[1], options.angle);
   solved.result = solve(options, solved.bodies, solved.modulus);
   require_answer(solved.result, solved.bodies);
@@ -192,9 +192,9 @@ std::function<void()> declare(tool::OptionParser& parser) {
                     "radius along the rail " + of + "; straight without it");
     parser.file(name + "profile", body.profile,
                 "profile across the rail " + of + ": CSV with x and depth or height");
-    parser.quantity(name + "young", body.young, units::pressure, "Young's modulus " + of,
+    parser.quantity(name + "young", body.material.young, units::pressure, "Young's modulus " + of,
                     {1e-3 * units::megapascal, 1e12 * units::megapascal});
-    parser.quantity(name + "poisson", body.poisson, units::number, "Poisson's ratio " + of,
+    parser.quantity(name + "poisson", body.material.poisson, units::number, "Poisson's ratio " + of,
                     {0, 0.5});
   }
   parser.quantity("--angle", options->angle, units::angle,

@@ -21,6 +21,7 @@ read. Positive creepage gives positive force, that of the wheel on the rail; `sp
 #include <utility>
 
 #include <railbook/contact/hertz.hpp>
+#include <railbook/contact/material.hpp>
 #include <railbook/num/roots.hpp>
 #include <railbook/rolling/creep_laws.hpp>
 #include <railbook/rolling/material_pair.hpp>
@@ -50,7 +51,7 @@ struct Options {
   std::optional<double> wheel_radius, wheel_profile, rail_radius, rail_crown;
   double load = 0;
   double friction = 0.3;
-  Steel wheel, rail;
+  Material wheel = default_steel, rail = default_steel;
   double lateral = 0, spin = 0, from = 0;
   std::string spin_text = "0rad/m";
   std::optional<double> to, force;

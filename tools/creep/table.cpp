@@ -17,6 +17,7 @@ answer and in the file.
 #include <cmath>
 #include <optional>
 
+#include <railbook/contact/material.hpp>
 #include <railbook/rolling/force_table.hpp>
 #include <railbook/rolling/theory.hpp>
 #include <railbook/table/csv.hpp>
@@ -37,7 +38,7 @@ namespace {
 struct Options {
   ForceTableAxes axes;
   long ratios = 5, longitudinal = 13, lateral = 13, spin = 25, points = 2000, cells = 12;
-  double poisson = 0.3;
+  double poisson = contact::default_steel.poisson;
   std::string theory = "full", coefficients = "table";
   tool::Destination out;
 };

@@ -37,6 +37,7 @@ result says of its own pressures stands beside it.
 #include <railbook/bench/work_precision.hpp>
 #include <railbook/contact/cg_fft.hpp>
 #include <railbook/report/chapter.hpp>
+#include <railbook/rolling/material_pair.hpp>
 
 #include "../case_a.hpp"
 

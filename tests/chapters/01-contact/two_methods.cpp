@@ -6,6 +6,7 @@
 
 #include <railbook/contact/cg_fft.hpp>
 #include <railbook/contact/geometry.hpp>
+#include <railbook/contact/material.hpp>
 #include <railbook/units/constants.hpp>
 
 #include "method/countact.hpp"
@@ -23,7 +24,7 @@ namespace {
 
 using Line = std::vector<std::pair<double, double>>;
 
-const double modulus = effective_modulus({30e6 * psi, 0.3, 30e6 * psi, 0.3});
+const double modulus = effective_modulus({30e6 * psi, 0.3}, {30e6 * psi, 0.3});
 
 double between(const Line& line, double x) {
   const auto right = std::ranges::upper_bound(line, x, {}, &std::pair<double, double>::first);

@@ -4,23 +4,24 @@
 
 #include <railbook/contact/geometry.hpp>
 #include <railbook/contact/hertz.hpp>
-#include <railbook/contact/normal_contact.hpp>
+#include <railbook/contact/material.hpp>
 #include <railbook/rolling/fastsim.hpp>
 #include <railbook/rolling/kalker_table.hpp>
 
 int main() {
   using namespace railbook;
-  const double young = 210e9, poisson = 0.3, load = 80e3;
-  const double modulus = young / (2 * (1 - poisson * poisson));
+  const contact::Material steel = contact::default_steel;
+  const double load = 80e3, modulus = contact::effective_modulus(steel, steel);
   const contact::HertzContact ellipse =
       contact::hertz_from_force({0.5 / 0.46, 0.5 / 0.3}, modulus, load);
 
   rolling::RollingCase c;
   c.a = ellipse.a, c.b = ellipse.b;  // x is the direction of rolling
-  c.load = load, c.shear_modulus = young / (2 * (1 + poisson)), c.poisson = poisson;
+  c.load = load, c.shear_modulus = steel.shear_modulus(), c.poisson = steel.poisson;
   c.friction = 0.3;
   c.creepage.longitudinal = 1e-3;
-  const rolling::CreepForces force = rolling::fastsim(c, rolling::kalker_table(c.a / c.b, poisson));
+  const rolling::CreepForces force =
+      rolling::fastsim(c, rolling::kalker_table(c.a / c.b, c.poisson));
 
   std::printf("a %.3f mm, b %.3f mm, p0 %.0f MPa, force %.2f kN\n", 1e3 * ellipse.a,
               1e3 * ellipse.b, 1e-6 * ellipse.p_max, 1e-3 * force.fx);

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include <railbook/contact/hertz.hpp>
-#include <railbook/contact/normal_contact.hpp>
+#include <railbook/contact/material.hpp>
 #include <railbook/rolling/contact.hpp>
 #include <railbook/rolling/kalker_coefficients.hpp>
 #include <railbook/rolling/kalker_table.hpp>
@@ -98,7 +98,7 @@ TEST_CASE("unit: on CONTACT's own grids its force comes out to the digits it pri
                                  {31, {.423703, .715882, .894025}},
                                  {63, {.420516, .711119, .888986}}};
   const double young = 207e9, nu = 0.3, radius = 82.167232e-3;
-  const double modulus = contact::effective_modulus({young, nu, young, nu});
+  const double modulus = contact::effective_modulus({young, nu}, {young, nu});
   const contact::HertzContact h =
       contact::hertz_from_force({.a = 0.5 / radius, .b = 0.5 / 41.78975e-3}, modulus, 4449.72);
   REQUIRE(h.a / h.b == Approx(1.568).epsilon(1e-6));

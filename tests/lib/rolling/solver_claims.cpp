@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include <railbook/contact/material.hpp>
 #include <railbook/num/quadrature.hpp>
 #include <railbook/rolling/creep_laws.hpp>
 #include <railbook/rolling/detail/cell_displacements.hpp>
@@ -58,7 +59,7 @@ TEST_CASE("claim: cases, materials and the laws in closed form") {
     unit.relative(one.a, std::sqrt(Long{ratio}));
     unit.relative(one.b, 1 / std::sqrt(Long{ratio}));
 
-    const Steel soft{draw.decades(1e9, 1e12), draw(0, 0.5)},
+    const contact::Material soft{draw.decades(1e9, 1e12), draw(0, 0.5)},
         hard{k % 2 == 0 ? draw.decades(1e9, 1e12) : soft.young * (1 + draw.decades(1e-15, 0.1)),
              k % 4 == 1 ? soft.poisson : draw(0, 0.5)};
     const Long g1 = soft.young / (2 * (1 + Long{soft.poisson})),

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <railbook/contact/hertz.hpp>
+#include <railbook/rolling/material_pair.hpp>
 #include <railbook/units/input_error.hpp>
 #include <railbook/wheel_contact/stress.hpp>
 #include <railbook/wheel_contact/wheel.hpp>

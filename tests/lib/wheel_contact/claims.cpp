@@ -5,6 +5,7 @@
 #include <railbook/contact/hertz.hpp>
 #include <railbook/rolling/creep_laws.hpp>
 #include <railbook/rolling/fastsim.hpp>
+#include <railbook/rolling/material_pair.hpp>
 #include <railbook/wheel_contact/wheel.hpp>
 
 #include "support/claim.hpp"

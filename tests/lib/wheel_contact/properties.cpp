@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <railbook/contact/hertz.hpp>
+#include <railbook/rolling/material_pair.hpp>
 #include <railbook/wheel_contact/wheel.hpp>
 
 using namespace railbook;
