@@ -8,16 +8,10 @@
 #include <random>
 
 #include <railbook/num/quadrature.hpp>
-#include <railbook/profiles/measured_curve.hpp>
 #include <railbook/units/constants.hpp>
 #include <railbook/wheelset/paper_pairs.hpp>
-#include <railbook/wheelset/tabulate.hpp>
-#include <railbook/wheelset/wheelset_contact.hpp>
-
-#include "support/en15302_profiles.hpp"
 
 using namespace railbook;
-using namespace railbook::profiles;
 using namespace railbook::wheelset;
 
 namespace {
@@ -121,34 +115,4 @@ TEST_CASE("A wheelset that is driven outwards has no wavelength") {
   const Conicity c = conicity(away, 1.5e-3);
   CHECK_FALSE(c.oscillates);
   CHECK(c.harmonic < 0);
-}
-
-namespace {
-
-template <std::size_t N>
-Curve reference_profile(const std::array<double, N>& pairs) {
-  std::vector<Point> points;
-  for (std::size_t i = 0; i < N; i += 2)
-    points.push_back({-0.75 - 1e-3 * pairs[i], 1e-3 * pairs[i + 1]});
-  return measured_curve(std::move(points), 1e-6).curve;
-}
-
-}  // namespace
-
-// The standard's result comes out when the axle is kept level; a wheelset that rolls has a larger
-// conicity. Its result is from ben_E1.dat of criogenox/B_ECC-Equivalent-Conicity-Calculation; it
-// allows 0.05, and the points are thinned.
-TEST_CASE("EN 15302: wheel A on rail A") {
-  const WheelsetOnTrack pair =
-      with_radius(reference_profile(en15302::wheel_a), reference_profile(en15302::rail_a), 0.46);
-  TableOptions options{.half_spacing = 0.75, .end = 6.5e-3, .step = 0.05e-3};
-  const ConstraintFunctions rolling = tabulate(pair, options);
-  options.level = true;
-  const ConstraintFunctions level = tabulate(pair, options);
-  const std::array<double, 6> standard{0.125, 0.155, 0.188, 0.216, 0.254, 0.303};
-  for (std::size_t k = 0; k < standard.size(); ++k) {
-    const double amplitude = 1e-3 * double(k + 1), still = conicity(level, amplitude).kinematic;
-    CHECK(still == Approx(standard[k]).epsilon(0.05));
-    CHECK(conicity(rolling, amplitude).kinematic > still);
-  }
 }
