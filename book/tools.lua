@@ -1,4 +1,4 @@
--- The page Tools: docs/own-data.md, docs/commands.md and docs/many-records.md, which tests hold to what the command answers.
+-- The page Tools: docs/own-data.md, docs/commands.md, docs/many-records.md and docs/python.md, which tests hold to what the command answers.
 
 local html, drawings = require "html", require "drawings"
 
@@ -39,7 +39,7 @@ local function picture(folder, book, image)
     width = width, height = height, class = "drawing", loading = "lazy"})) .. html.tag("figcaption", nil, html.text(what) .. "."))
 end
 
-local pages = {["commands.md"] = "#commands", ["many-records.md"] = "#many-records", ["own-data.md"] = "#your-own-data"}
+local pages = {["commands.md"] = "#commands", ["many-records.md"] = "#many-records", ["own-data.md"] = "#your-own-data", ["python.md"] = "#from-python"}
 
 -- A document of the folder as HTML, its headings one level down. `chapters` are those of the book, by their id.
 local function document(folder, book, name, chapters)
@@ -126,7 +126,7 @@ function tools.page(folder, book, chapters)
   for _, c in ipairs(chapters) do by_id[c.id] = c end
   local commands, doc = document(folder, book, "commands.md", by_id)
   return table.concat({index(doc), (document(folder, book, "own-data.md", by_id)), html.tag("h2", {id = "commands"}, "Commands"), commands,
-    (document(folder, book, "many-records.md", by_id))}, "\n")
+    (document(folder, book, "many-records.md", by_id)), (document(folder, book, "python.md", by_id))}, "\n")
 end
 
 return tools
