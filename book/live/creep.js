@@ -3,6 +3,7 @@
 
 railbookFigure("creep", {
   hint: "Drag the point along the curve: the more the wheel creeps, the less of its contact sticks. Then add spin.",
+  coarsens: "on fewer cells while it moves",
   state: {
     creep: {unit: "‰", si: 1e-3, value: 1.5, low: 0, high: 8, step: 0.05, label: "longitudinal creepage"},
     lateral: {unit: "‰", si: 1e-3, value: 0, low: -6, high: 6, step: 0.1, label: "lateral creepage"},
@@ -12,7 +13,7 @@ railbookFigure("creep", {
 
   build(figure) {
     this.curve = figure.plot("Force on the friction limit", [0, 8, "longitudinal creepage, ‰"], [0, 1.05, "force along over μN"]);
-    this.patch = figure.plot("Contact, rolling to the right", [-1.65, 1.65, "along rolling, mm"], [-1.03, 1.03, "across, mm"]);
+    this.patch = figure.plot("Contact, rolling to the right; arrows are tractions", [-1.65, 1.65, "along rolling, mm"], [-1.05, 1.05, "across, mm"], {equal: 1, key: [["sticks", "curve-1"], ["slides", "curve-2"]]});
     for (const key of ["creep", "lateral", "spin"]) figure.slider(key);
     figure.choice("theory", ["FASTSIM", "full theory"]);
     figure.handle(this.curve, {x: "creep", label: "longitudinal creepage", place: s => [s.creep, this.share ?? 0]});
@@ -28,7 +29,7 @@ railbookFigure("creep", {
     }
     this.curve.clear(), this.patch.clear();
     this.curve.line(this.drawn.creep.map(v => v * 1e3), this.drawn.fx, "curve-1");
-    const answer = live.rolling({...common, creep: s.creep / 1e3, along: 20, rows: 13}), {cells} = answer;
+    const answer = live.rolling({...common, creep: s.creep / 1e3, along: figure.coarse ? 14 : 20, rows: figure.coarse ? 9 : 13}), {cells} = answer;
     this.share = answer.fx / answer.limit;
     const most = Math.max(...cells.bound);
     cells.x.forEach((x, i) => this.patch.cell(x * 1e3, cells.y[i] * 1e3, cells.dx[i] * 1e3, cells.dy[i] * 1e3, cells.stick[i] > 0 ? "var(--curve-1)" : "var(--curve-2)", {"fill-opacity": 0.3, stroke: "var(--paper)", "stroke-width": 0.5}));
@@ -39,6 +40,6 @@ railbookFigure("creep", {
       this.patch.dot(...to, "text", 1.6);
     });
     figure.says([["along rolling", `${short(100 * this.share)} % of the friction limit μN`], ["across", `${short(100 * answer.fy / answer.limit)} %`],
-      ["area that sticks (blue)", `${short(100 * answer.stick_share)} %`], ["X = G ab ξ/(μN)", short(answer.reduced)]]);
+      ["area that sticks", `${short(100 * answer.stick_share)} %`], ["X = G ab ξ/(μN)", short(answer.reduced)]]);
   },
 });

@@ -3,8 +3,9 @@
 //
 //   railbookFigure("creep", {
 //     hint: "Drag the point ...",                                  what to try first
+//     coarsens: "on fewer cells while you drag",                   where figure.coarse makes a difference
 //     state: {creep: {unit: "‰", si: 1e-3, value: 1, low: 0, high: 8, step: 0.1, label: "longitudinal creepage"}},
-//     build(figure) { ... },                                        makes plots and controls, once
+//     build(figure) { ... },                                        makes plots and controls, for each width of the page
 //     show(figure, live, state) { ... }});                          computes and draws; state in the units above
 //
 // In the page <div class="live" data-figure="creep"> holds what stands there in print and without a script.
@@ -24,28 +25,34 @@ const element = (name, properties, ...children) => {
   made.append(...children);
   return made;
 };
+const raised = n => `10${String(n).replace(/./g, c => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(c)])}`;
+const power = v => raised(Math.round(Math.log10(v)));
 // Three digits, the minus a minus, powers of ten raised.
 function short(v, digits = 3) {
   if (!Number.isFinite(v)) return "–";
-  const [lead, power] = v.toExponential(digits - 1).split("e").map(Number);
-  if (v !== 0 && (power < -3 || power > 4))
-    return `${lead === 1 ? "" : `${lead}×`}10${String(power).replace(/./g, c => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(c)])}`.replace("-", "−");
+  const [lead, n] = v.toExponential(digits - 1).split("e").map(Number);
+  if (v !== 0 && (n < -3 || n > 4)) return `${lead === 1 ? "" : `${lead}×`}${raised(n)}`.replace("-", "−");
   return Number(v.toPrecision(digits)).toString().replace("-", "−");
 }
 
 class Plot {
-  // x and y: [from, to, label]; log: both axes by powers of ten; equal: one scale, by the height.
-  constructor(name, x, y, {width = 460, height = 280, log = false, bare = false} = {}) {
+  // x and y: [from, to, label]. key: [name, colour] of curves, named above the frame. log: both axes by powers of ten; equal: lengths
+  // along y are drawn so many times as long as those along x; bare: no axes. Units of the drawing are pixels of the page.
+  constructor(name, x, y, {width, height = 260, key = [], log = false, equal = 0, bare = false}) {
     [this.x0, this.x1] = x, [this.y0, this.y1] = y;
-    Object.assign(this, {log, left: bare ? 4 : 58, right: width - 18, top: name ? 24 : 8, bottom: height - (bare ? 4 : 46)});
-    this.root = shape("svg", {viewBox: `0 0 ${width} ${height}`, role: "group", "aria-label": name || `${y[2]} against ${x[2]}`});
+    Object.assign(this, {log, left: bare ? 2 : 58, right: width - (bare ? 2 : 14), top: 8});
+    const room = bare ? 4 : 46, wide = this.right - this.left;
+    this.bottom = equal ? Math.round(this.top + wide * equal * Math.abs((y[1] - y[0]) / (x[1] - x[0])))
+      : Math.round(bare ? Math.max(height * width / 460, 110) : Math.min(height, 0.66 * width + 20)) - room;
+    this.svg = shape("svg", {viewBox: `0 0 ${width} ${this.bottom + room}`, role: "group", "aria-label": name});
     const clip = `live-clip-${++Plot.count}`, frame = shape("clipPath", {id: clip});
-    frame.append(shape("rect", {x: this.left, y: this.top, width: this.right - this.left, height: this.bottom - this.top}));
+    this.field = {x: this.left, y: this.top, width: wide, height: this.bottom - this.top};
+    frame.append(shape("rect", this.field));
     this.axes = shape("g", {class: "axes"}), this.curves = shape("g", {"clip-path": `url(#${clip})`}), this.handles = shape("g", {});
-    this.root.append(frame, this.axes, this.curves, this.handles);
-    if (name) this.root.append(shape("text", {x: (this.left + this.right) / 2, y: 15, "text-anchor": "middle", class: "name"}, name));
-    if (bare) return;
-    this.ticks(x, y);
+    this.svg.append(frame, this.axes, this.curves, this.handles);
+    const keys = key.map(([text, colour]) => element("span", {className: "key", textContent: text, style: `color: var(--${colour})`}));
+    this.root = element("div", {}, element("p", {className: "name", textContent: name}), ...(keys.length ? [element("p", {className: "keys"}, ...keys.flatMap(k => [k, " "]))] : []), this.svg);
+    if (!bare) this.ticks(x, y);
   }
 
   share(v, from, to) { return this.log ? Math.log(v / from) / Math.log(to / from) : (v - from) / (to - from); }
@@ -56,31 +63,35 @@ class Plot {
     return [this.back((px - this.left) / (this.right - this.left), this.x0, this.x1), this.back((this.bottom - py) / (this.bottom - this.top), this.y0, this.y1)];
   }
 
-  steps(from, to) {
+  steps(from, to, most) {
     const out = [];
-    if (this.log) for (let n = Math.ceil(Math.log10(from) - 1e-9); n <= Math.log10(to) + 1e-9; n++) out.push(10 ** n);
-    else {
-      const raw = Math.abs(to - from) / 6, power = 10 ** Math.floor(Math.log10(raw)), step = [1, 2, 5, 10].map(f => f * power).find(s => s >= raw);
+    if (this.log) {
+      const first = Math.ceil(Math.log10(from) - 1e-9), last = Math.floor(Math.log10(to) + 1e-9), stride = Math.ceil((last - first) / most);
+      for (let n = first; n <= last; n += stride) out.push(10 ** n);
+    } else {
+      const raw = Math.abs(to - from) / most, power = 10 ** Math.floor(Math.log10(raw)), step = [1, 2, 5, 10].map(f => f * power).find(s => s >= raw);
       for (let n = Math.ceil(Math.min(from, to) / step - 1e-9); n * step <= Math.max(from, to) + step * 1e-9; n++) out.push(n * step);
     }
     return out;
   }
 
   ticks([, , xLabel], [, , yLabel]) {
-    for (const v of this.steps(this.x0, this.x1))
+    for (const v of this.steps(this.x0, this.x1, Math.min(6, this.field.width / 50)))
       this.axes.append(shape("line", {x1: this.x(v), x2: this.x(v), y1: this.top, y2: this.bottom}), shape("text", {x: this.x(v), y: this.bottom + 17, "text-anchor": "middle"}, short(v)));
-    for (const v of this.steps(this.y0, this.y1))
-      this.axes.append(shape("line", {x1: this.left, x2: this.right, y1: this.y(v), y2: this.y(v)}), shape("text", {x: this.left - 5, y: this.y(v) + 4, "text-anchor": "end"}, short(v)));
+    for (const v of this.steps(this.y0, this.y1, Math.min(6, this.field.height / 28)))
+      this.axes.append(shape("line", {x1: this.left, x2: this.right, y1: this.y(v), y2: this.y(v)}), shape("text", {x: this.left - 5, y: this.y(v) + 4, "text-anchor": "end"}, this.log && v < 0.01 ? power(v) : short(v)));
     this.axes.append(shape("text", {x: (this.left + this.right) / 2, y: this.bottom + 37, "text-anchor": "middle"}, xLabel),
       shape("text", {transform: `translate(13 ${(this.top + this.bottom) / 2}) rotate(-90)`, "text-anchor": "middle"}, yLabel));
   }
 
   clear() { this.curves.replaceChildren(); }
   put(name, attributes, text) { this.curves.append(shape(name, attributes, text)); }
-  line(xs, ys, colour, more = {}) {
-    const points = Array.from(xs, (x, i) => [this.x(x), this.y(ys[i])]).filter(p => p.every(Number.isFinite)).map(p => p.map(v => v.toFixed(1)).join()).join(" ");
-    this.put("polyline", {points, fill: "none", stroke: `var(--${colour})`, "stroke-width": 2, ...more});
+  points(xs, ys) {
+    return Array.from(xs, (x, i) => [this.x(x), this.y(ys[i])]).filter(p => p.every(Number.isFinite)).map(p => p.map(v => v.toFixed(1)).join()).join(" ");
   }
+  line(xs, ys, colour, more = {}) { this.put("polyline", {points: this.points(xs, ys), fill: "none", stroke: `var(--${colour})`, "stroke-width": 2, ...more}); }
+  // An area, lightly filled.
+  area(xs, ys, colour, share = 0.15, more = {}) { this.put("polygon", {points: this.points(xs, ys), fill: `var(--${colour})`, "fill-opacity": share, ...more}); }
   dot(x, y, colour, r = 4) { this.put("circle", {cx: this.x(x), cy: this.y(y), r, fill: `var(--${colour})`}); }
   label(x, y, text, colour = "text", anchor = "start") { this.put("text", {x: this.x(x), y: this.y(y), "text-anchor": anchor, style: `fill: var(--${colour})`}, text); }
   // A cell of a table with middle and sizes; share 0 to 1 of the colour, or a colour of its own.
@@ -91,30 +102,52 @@ class Plot {
 }
 Plot.count = 0;
 
+const motionless = matchMedia("(prefers-reduced-motion: reduce)");
+
 class LiveFigure {
   constructor(holder, definition, live) {
-    Object.assign(this, {holder, definition, live, name: holder.dataset.figure, state: {}, watchers: []});
+    Object.assign(this, {holder, definition, name: holder.dataset.figure, state: {}, spent: 0});
+    this.live = Object.fromEntries(Object.entries(live).map(([name, call]) => [name, (...given) => {
+      try { return call(...given); } finally { this.spent += call.took ?? 0; }
+    }]));
     for (const [key, s] of Object.entries(definition.state)) this.state[key] = s.value;
-    this.read();
     this.panes = element("div", {className: "panes"}), this.controls = element("div", {className: "controls"});
     this.numbers = element("dl", {className: "says"});
     this.numbers.setAttribute("aria-live", "polite");
     this.message = element("p", {className: "message"}), this.time = element("span", {className: "time"});
     this.message.setAttribute("role", "status");
-    definition.build(this);
-    const still = element("details", {className: "still"}, element("summary", {textContent: "The drawing that stands here in print"}), ...holder.childNodes);
+    const still = element("details", {className: "still"}, element("summary", {textContent: "The drawing of this page, with its symbols"}), ...holder.childNodes);
+    const print = matchMedia("print"), printed = () => { still.open = print.matches; };
+    print.addEventListener("change", printed);
     addEventListener("beforeprint", () => { still.open = true; });
-    addEventListener("afterprint", () => { still.open = false; });
-    const link = element("button", {type: "button", textContent: "Link to this state", onclick: () => navigator.clipboard?.writeText(location.href)});
+    addEventListener("afterprint", printed);
+    const link = element("button", {type: "button", textContent: "Link to this state", onclick: () => { this.write(); this.copy(link); }});
     const reset = element("button", {type: "button", textContent: "Start again", onclick: () => this.set(Object.fromEntries(Object.entries(definition.state).map(([k, s]) => [k, s.value])))});
     holder.replaceChildren(element("div", {className: "working"}, element("p", {className: "hint", textContent: definition.hint}), this.panes, this.controls, this.message, this.numbers,
       element("p", {className: "foot"}, reset, " ", link, " ", this.time)), still);
     holder.classList.add("on");
+    this.read();
+    addEventListener("hashchange", () => { if (this.read()) this.show(); });
+    new ResizeObserver(() => { if (this.panes.clientWidth > 0 && Math.abs(this.panes.clientWidth - this.built) > 4) this.build(); }).observe(this.panes);
+    this.build();
+  }
+
+  // Plots in columns as wide as the page has room for, so that their text keeps its size; again when the width changes.
+  build() {
+    const wide = this.built = this.panes.clientWidth, most = this.definition.columns ?? 2, gap = 14;
+    this.count = Math.max(1, Math.min(most, Math.floor((wide + gap) / (290 + gap))));
+    this.width = Math.floor((wide - gap * (this.count - 1)) / this.count);
+    this.panes.style.gridTemplateColumns = `repeat(${this.count}, ${this.width}px)`;
+    this.panes.replaceChildren(), this.controls.replaceChildren();
+    this.watchers = [];
+    this.definition.build(this);
     this.show();
   }
 
-  plot(...args) {
-    const plot = new Plot(...args);
+  // A plot of the width of a column, or of `across` columns where there are so many.
+  plot(name, x, y, {across = 1, ...options} = {}) {
+    const columns = Math.min(across, this.count), plot = new Plot(name, x, y, {width: columns * this.width + 14 * (columns - 1), ...options});
+    plot.root.style.gridColumn = `span ${columns}`;
     this.panes.append(plot.root);
     return plot;
   }
@@ -124,18 +157,24 @@ class LiveFigure {
     return Number(Math.min(s.high, Math.max(s.low, Math.round(v / s.step) * s.step)).toPrecision(9));
   }
   text(key) { return `${short(this.state[key], 4)} ${this.definition.state[key].unit}`; }
-  set(change) {
-    for (const [key, v] of Object.entries(change)) this.state[key] = this.clamp(key, v);
+  // What is dragged stays in its range; what is typed may leave it, and the library's refusal is shown. While something moves,
+  // a figure may compute on fewer cells (figure.coarse).
+  set(change, {moving = false, typed = false} = {}) {
+    for (const [key, v] of Object.entries(change)) this.state[key] = typed ? v : this.clamp(key, v);
     this.write();
+    this.coarse = moving;
     if (!this.waiting) this.waiting = requestAnimationFrame(() => { this.waiting = 0; this.show(); });
+    clearTimeout(this.rest);
+    if (moving && this.definition.coarsens) this.rest = setTimeout(() => { this.coarse = false; this.show(); }, 250);
   }
 
   slider(key) {
     const s = this.definition.state[key];
-    const input = element("input", {type: "range", min: s.low, max: s.high, step: s.step, oninput: () => this.set({[key]: Number(input.value)})});
-    const output = element("output", {});
-    this.controls.append(element("label", {}, element("span", {textContent: s.label}), input, output));
-    this.watchers.push(() => { input.value = this.state[key]; output.textContent = this.text(key); input.setAttribute("aria-valuetext", output.textContent); });
+    const input = element("input", {type: "range", min: s.low, max: s.high, step: s.step, oninput: () => this.set({[key]: Number(input.value)}, {moving: true})});
+    const number = element("input", {type: "number", step: "any", onchange: () => { if (number.value !== "") this.set({[key]: Number(number.value)}, {typed: true}); }});
+    number.setAttribute("aria-label", `${s.label}, as a number`);
+    this.controls.append(element("label", {}, element("span", {textContent: s.label}), input, number, " ", s.unit));
+    this.watchers.push(() => { input.value = this.state[key]; number.value = Number(this.state[key].toPrecision(6)); input.setAttribute("aria-valuetext", this.text(key)); });
   }
   choice(key, names) {
     const s = this.definition.state[key];
@@ -143,29 +182,47 @@ class LiveFigure {
     this.controls.append(element("label", {}, element("span", {textContent: s.label}), select));
     this.watchers.push(() => { select.value = this.state[key]; });
   }
+  button(text, action) { this.controls.append(element("button", {type: "button", textContent: text, onclick: action})); }
 
   // A handle at place(state) = [x, y] of a plot; x and y name what dragging along an axis moves, and grip(x, y) may say it otherwise.
-  handle(plot, {x, y, label, place, grip}) {
+  // whole: the plot is dragged along from wherever it is taken, as a body is.
+  handle(plot, {x, y, label, place, grip, whole = false}) {
     const key = x ?? y, s = this.definition.state[key];
     const knob = shape("circle", {r: 9, class: "handle", tabindex: 0, role: "slider", "aria-label": label, "aria-valuemin": s.low, "aria-valuemax": s.high});
-    plot.handles.append(knob);
-    const move = event => {
-      const box = plot.root.getBoundingClientRect(), view = plot.root.viewBox.baseVal;
-      const [vx, vy] = plot.at((event.clientX - box.left) * view.width / box.width, (event.clientY - box.top) * view.height / box.height);
-      this.set(grip ? grip(vx, vy) : {...(x && {[x]: vx}), ...(y && {[y]: vy})});
+    const arrows = shape("path", {class: "arrows", d: `${x ? "M-14-4l-5 4 5 4M14-4l5 4-5 4" : ""}${y ? "M-4-14l4-5 4 5M-4 14l4 5 4-5" : ""}`});
+    const grasp = whole ? shape("rect", {...plot.field, class: "grasp"}) : knob;
+    plot.handles.append(...(whole ? [grasp] : []), arrows, knob);
+    let from = null; // of the pointer to the knob
+    const here = event => {
+      const box = plot.svg.getBoundingClientRect(), scale = plot.svg.viewBox.baseVal.width / box.width;
+      return [(event.clientX - box.left) * scale, (event.clientY - box.top) * scale];
     };
-    knob.onpointerdown = event => { knob.setPointerCapture(event.pointerId); event.preventDefault(); knob.focus(); };
-    knob.onpointermove = event => { if (knob.hasPointerCapture(event.pointerId)) move(event); };
+    for (const part of new Set([grasp, knob])) {
+      part.onpointerdown = event => {
+        const [px, py] = here(event);
+        from = [knob.cx.baseVal.value - px, knob.cy.baseVal.value - py];
+        part.setPointerCapture(event.pointerId);
+        event.preventDefault();
+        knob.focus({preventScroll: true});
+      };
+      part.onpointermove = event => {
+        if (!part.hasPointerCapture(event.pointerId)) return;
+        const [px, py] = here(event), [vx, vy] = plot.at(px + from[0], py + from[1]);
+        this.set(grip ? grip(vx, vy) : {...(x && {[x]: vx}), ...(y && {[y]: vy})}, {moving: true});
+      };
+    }
     knob.onkeydown = event => {
       const [which, sign] = {ArrowRight: [x ?? y, 1], ArrowLeft: [x ?? y, -1], ArrowUp: [y ?? x, 1], ArrowDown: [y ?? x, -1]}[event.key] ?? [];
       if (event.key === "Home" || event.key === "End") this.set({[key]: event.key === "Home" ? s.low : s.high});
       else if (!which) return;
-      else this.set({[which]: this.state[which] + sign * this.definition.state[which].step * (event.shiftKey ? 10 : 1)});
+      else this.set({[which]: this.state[which] + sign * this.definition.state[which].step * (event.shiftKey ? 10 : 1)}, {moving: true});
       event.preventDefault();
     };
     this.watchers.push(() => {
-      const [px, py] = place(this.state);
-      knob.setAttribute("cx", plot.x(px)), knob.setAttribute("cy", plot.y(py));
+      const [px, py] = place(this.state), cx = plot.x(px), cy = plot.y(py);
+      if (!Number.isFinite(cx + cy)) return; // of what the library refuses
+      knob.setAttribute("cx", cx), knob.setAttribute("cy", cy);
+      arrows.setAttribute("transform", `translate(${cx} ${cy})`);
       knob.setAttribute("aria-valuenow", this.state[key]), knob.setAttribute("aria-valuetext", [x, y].filter(Boolean).map(k => this.text(k)).join(", "));
     });
   }
@@ -174,12 +231,27 @@ class LiveFigure {
     this.numbers.replaceChildren(...pairs.flatMap(([what, text]) => [element("dt", {textContent: what}), element("dd", {textContent: text})]));
   }
 
+  // Draws by the time in seconds, again and again while the figure is in sight; once, and `still`, for who asks for less motion.
+  animate(draw) {
+    cancelAnimationFrame(this.frame);
+    const begin = performance.now(), still = motionless.matches;
+    const next = now => {
+      const box = this.holder.getBoundingClientRect();
+      if (now === begin || (box.bottom > 0 && box.top < innerHeight)) draw(Math.max(0, now - begin) / 1000, still);
+      if (!still) this.frame = requestAnimationFrame(next);
+    };
+    next(begin);
+  }
+
   show() {
     this.message.textContent = "";
     const begin = performance.now();
+    this.spent = 0;
     try {
       this.definition.show(this, this.live, this.state);
-      this.time.textContent = `computed and drawn in ${short(performance.now() - begin, 2)} ms`;
+      const whole = performance.now() - begin;
+      this.time.textContent = `computed in ${short(this.spent, 2)} ms, drawn in ${short(whole - this.spent, 2)} ms${this.coarse && this.definition.coarsens ? `; ${this.definition.coarsens}` : ""}`;
+      Object.assign(this.time.dataset, {answer: this.spent, whole});
     } catch (error) {
       this.message.textContent = error.message;
       this.time.textContent = "";
@@ -193,9 +265,20 @@ class LiveFigure {
   }
   read() {
     const [id, text] = decodeURIComponent(location.hash.slice(1)).split("?");
-    if (id !== `live-${this.name}` || !text) return;
-    for (const [key, v] of new URLSearchParams(text)) if (key in this.state && Number.isFinite(Number(v))) this.state[key] = this.clamp(key, Number(v));
+    if (id !== `live-${this.name}` || !text) return false;
+    for (const [key, v] of new URLSearchParams(text)) if (key in this.state && v !== "" && Number.isFinite(Number(v))) this.state[key] = Number(v);
     requestAnimationFrame(() => this.holder.scrollIntoView());
+    return true;
+  }
+  async copy(button) {
+    const text = button.textContent;
+    try {
+      await navigator.clipboard.writeText(location.href);
+      button.textContent = "Copied";
+    } catch {
+      button.textContent = "It stands in the address";
+    }
+    setTimeout(() => { button.textContent = text; }, 1500);
   }
 }
 

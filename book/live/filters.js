@@ -3,19 +3,20 @@
 
 const liveTimes = Array.from({length: 12}, (_, i) => `v${i}`);
 railbookFigure("filters", {
-  hint: "Drag the points of the speed: slow down, stop, go back. The raw gyro smears the curve, and the hybrid filter does not.",
+  hint: "Drag the points: drive slowly over a curve, stop, go back. The raw gyro smears what it measures, the hybrid filter does not.",
   state: Object.fromEntries(liveTimes.map((key, i) => [key,
     {unit: "mph", si: 0.44704, value: [60, 60, 40, 15, 2, 0, -6, 0, 10, 30, 50, 60][i], low: -20, high: 80, step: 1, label: `speed after ${3 * i} s`}])),
 
   build(figure) {
-    this.speed = figure.plot("Speed of the car", [0, 33, "time, s"], [-20, 80, "speed, mph"]);
-    this.curvature = figure.plot("Curvature of the track, as measured", [0, 370, "place along the track, m"], [-6, 7, "curvature, 1/km"]);
-    this.error = figure.plot("Error of both", [0, 370, "place along the track, m"], [-6, 6, "error, 1/km"]);
+    this.speed = figure.plot("Draw the speed of the car", [0, 33, "time, s"], [-20, 80, "speed, mph"], {across: 2, height: 220});
+    const key = [["raw gyro", "curve-2"], ["hybrid", "curve-1"], ["truth", "soft"]];
+    this.curvature = figure.plot("Curvature of the track, as measured", [0, 370, "place along the track, m"], [-6, 7, "curvature, 1/km"], {key});
+    this.error = figure.plot("Error of both", [0, 370, "place along the track, m"], [-6, 7, "error, 1/km"], {key: key.slice(0, 2)});
     liveTimes.forEach((key, i) => figure.handle(this.speed, {y: key, label: `speed after ${3 * i} s`, place: s => [3 * i, s[key]]}));
-    const button = (text, change) => figure.controls.append(Object.assign(document.createElement("button"), {type: "button", textContent: text, onclick: () => figure.set(change())}));
-    button("Even 60 mph", () => Object.fromEntries(liveTimes.map(key => [key, 60])));
-    button("Even 15 mph", () => Object.fromEntries(liveTimes.map(key => [key, 15])));
-    button("Brake, back up, go on", () => Object.fromEntries(liveTimes.map((key, i) => [key, [60, 60, 40, 15, 2, 0, -6, 0, 10, 30, 50, 60][i]])));
+    const drive = (text, speeds) => figure.button(text, () => figure.set(Object.fromEntries(liveTimes.map((key, i) => [key, speeds[i] ?? speeds[0]]))));
+    drive("Even 60 mph", [60]);
+    drive("Even 15 mph", [15]);
+    drive("Brake, back up, go on", [60, 60, 40, 15, 2, 0, -6, 0, 10, 30, 50, 60]);
   },
 
   show(figure, live, s) {
@@ -30,7 +31,6 @@ railbookFigure("filters", {
     this.curvature.line(marks.position, km(marks.hybrid), "curve-1", {"stroke-width": 1.4});
     this.error.line(marks.position, far(marks.raw), "curve-2", {"stroke-width": 1.4});
     this.error.line(marks.position, far(marks.hybrid), "curve-1", {"stroke-width": 1.4});
-    [["raw gyro", "curve-2", 150], ["hybrid", "curve-1", 250], ["truth", "soft", 330]].forEach(([name, colour, at]) => this.curvature.label(at, 6, name, colour));
     const rms = values => Math.sqrt(values.reduce((sum, v) => sum + v * v, 0) / Math.max(values.length, 1));
     figure.says([["error, root of the mean square", `raw ${short(rms(far(marks.raw)))}, hybrid ${short(rms(far(marks.hybrid)), 2)} per km`],
       ["foot marks passed", String(marks.time.length)], ["the analog filter", "1 Hz, ours; a car that turns round passes marks twice"]]);

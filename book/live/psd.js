@@ -3,6 +3,7 @@
 
 railbookFigure("psd", {
   hint: "Press “Another stretch” a few times: one mile of the same track gives another spectrum, and sometimes another class. Then make it longer.",
+  columns: 3,
   state: {
     roughness: {unit: "in log₁₀ of m²·cycle/m", si: 1, value: -6.6, low: -8, high: -5, step: 0.05, label: "roughness A"},
     dip: {unit: "mm", si: 1e-3, value: 8, low: 0, high: 30, step: 0.5, label: "dip B of the joints, as printed"},
@@ -13,12 +14,10 @@ railbookFigure("psd", {
 
   build(figure) {
     this.rail = figure.plot("Height of the rail, the first 400 ft", [0, 120, "along, m"], [-40, 40, "height, mm"]);
-    this.spectrum = figure.plot("Spectrum with its error band", [0.01, 1.4, "wavenumber, cycle/m"], [1e-9, 1e-1, "density, m²/(cycle/m)"], {log: true});
-    this.odds = figure.plot("Chance of each class, from this stretch", [-0.6, 6.6, "class (0: none)"], [0, 1.05, "probability"]);
+    this.spectrum = figure.plot("Spectrum with its error band", [0.01, 1.4, "wavenumber, cycle/m"], [1e-9, 1e-1, "density, m²/(cycle/m)"], {log: true, key: [["measured", "curve-1"], ["fit", "curve-2"], ["truth without joints (dashed)", "curve-7"]]});
+    this.odds = figure.plot("Chance of each class, from this stretch", [-0.6, 6.6, "class (0: none)"], [0, 1.05, "probability"], {key: [["true class", "curve-3"], ["others", "curve-2"]]});
+    figure.button("Another stretch", () => figure.set({seed: figure.state.seed % 9999 + 1}));
     for (const key of ["roughness", "dip", "scatter", "length"]) figure.slider(key);
-    const another = document.createElement("button");
-    Object.assign(another, {type: "button", textContent: "Another stretch", onclick: () => figure.set({seed: figure.state.seed % 9999 + 1})});
-    figure.controls.append(another);
     figure.handle(this.spectrum, {y: "roughness", label: "roughness A", place: s => [0.02, 10 ** s.roughness / 0.02 ** 2], grip: (_, y) => ({roughness: Math.log10(y * 0.02 ** 2)})});
   },
 
@@ -37,6 +36,6 @@ railbookFigure("psd", {
       odds.cell(m, answer.odds.probability[k] / 2, 0.7, answer.odds.probability[k], m === answer.true_class ? "var(--curve-3)" : "var(--curve-2)");
     });
     figure.says([["read off this stretch", `A = ${short(answer.A)} ± ${short(answer.A_error, 2)} m²·cycle/m, B = ${short(answer.dip * 1e3)} ± ${short(answer.dip_error * 1e3, 2)} mm`],
-      ["class", `${answer.class || "none"} by this stretch, ${answer.true_class || "none"} in truth (green)`], ["averages", short(answer.averages)]]);
+      ["class", `${answer.class || "none"} by this stretch, ${answer.true_class || "none"} in truth`], ["averages", short(answer.averages)]]);
   },
 });

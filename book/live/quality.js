@@ -11,8 +11,8 @@ railbookFigure("quality", {
   },
 
   build(figure) {
-    this.curve = figure.plot("Settled stroke, frequency swept up and down", [0.25, 2, "frequency, Hz"], [0, 8, "stroke, cm"]);
-    this.time = figure.plot("The same wave, begun in two ways", [0, 60, "time, s"], [-5, 5, "stroke of the suspension, cm"]);
+    this.curve = figure.plot("Settled stroke, frequency swept up and down", [0.25, 2, "frequency, Hz"], [0, 8, "stroke, cm"], {key: [["upwards", "curve-2"], ["downwards", "curve-1"], ["without stops (dashed)", "soft"], ["limit 2.54 cm", "red"]]});
+    this.time = figure.plot("The same wave, begun in two ways", [0, 60, "time, s"], [-5, 5, "stroke, cm"], {key: [["sudden start", "curve-2"], ["slow start, in 20 s", "curve-1"], ["the stops (dashed)", "soft"]]});
     for (const key of ["frequency", "amplitude", "kappa", "damping"]) figure.slider(key);
     figure.handle(this.curve, {x: "frequency", label: "frequency of the wave", place: s => [s.frequency, Math.min(8, this.stroke ?? 0)]});
   },
@@ -25,16 +25,13 @@ railbookFigure("quality", {
     this.curve.clear(), this.time.clear();
     const {curve, time, swept} = this;
     curve.line([0.25, 2], [2.54, 2.54], "red", {"stroke-dasharray": "2 4"});
-    curve.label(1.98, 2.6, "limit 2.54 cm", "red", "end");
     curve.line(swept.frequency, cm(swept.linear), "soft", {"stroke-dasharray": "5 4"});
     curve.line(swept.frequency, cm(swept.up), "curve-2");
     curve.line(swept.frequency, cm(swept.down), "curve-1");
-    [["upwards", "curve-2", 7.4], ["downwards", "curve-1", 6.6], ["without stops", "soft", 5.8]].forEach(([name, colour, at]) => curve.label(0.3, at, name, colour));
     curve.dot(s.frequency, answer.slow * 100, "curve-1", 5);
     time.line(answer.motion.t, cm(answer.motion.sudden), "curve-2", {"stroke-width": 1.1});
     time.line(answer.motion.t, cm(answer.motion.slow), "curve-1", {"stroke-width": 1.1});
     for (const gap of [0.6 * 2.54, -0.6 * 2.54]) time.line([0, 60], [gap, gap], "soft", {"stroke-dasharray": "3 3"});
-    time.label(1, 4.4, "sudden start", "curve-2"), time.label(22, 4.4, "slow start, in 20 s", "curve-1"), time.label(1, -4.5, "dashed: the stops", "soft");
     figure.says([["sudden start", `${short(answer.sudden * 100)} cm`], ["slow start", `${short(answer.slow * 100)} cm`], ["without stops", `${short(answer.linear * 100)} cm`],
       ["so", answer.sudden > 1.05 * answer.slow ? "two motions at one speed: the start decides" : "one motion, however the wave begins"]]);
   },

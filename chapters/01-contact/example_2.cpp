@@ -42,19 +42,15 @@ iteration is done it takes in the cells outside that still overlap, and it ends 
 
 ### The pressure
 
-::: {#live-contact .live figure=contact}
-
 {{fig-09}}
-
-:::
 
 The figure shows the pressure along the axis of symmetry. Without the corner it would be Hertz's
 ellipse on the flat side. The corner falls away from the wheel and carries less, so the pressure
 beside it rises steeply, to {{peak}} at $x$ = {{x-peak}}, and falls to zero within {{fall}}. At the
 jump the pressure is continuous, but its slope is infinite, like that of $x\ln x$; there the column
-of COUNTACT-1 next to the jump differs from the grid. On a screen
-the wheel can be rolled across the rail, from the crown, where the contact is an ellipse, over the
-jump into the corner, and COUNTACT's iteration can be played; the library computes each answer.
+of COUNTACT-1 next to the jump differs from the grid. The [figure at the head of the page](#live-contact)
+rolls the wheel across the rail, from the crown, where the contact is an ellipse, over the jump into
+the corner, and plays COUNTACT's iteration; the library computes each answer.
 
 {{scene}} shows the pressure in space: columns as high as the pressure on one half, their mesh on
 the other, and the interpenetration curve around.

@@ -6,10 +6,11 @@ the patch. But the radius of a rail head jumps from 10 in on its top, the *crown
 corner, and the running surface of a wheel, its *tread*, often stands on the jump, where Hertz's
 formulas do not hold.
 
+::: {#live-contact .live figure=contact}
+
 {{bodies}}
 
-On a screen you can [roll the wheel across the rail](#live-contact) and see the patch and its
-pressure computed for each place.
+:::
 
 ::: findings
 1. Where does the contact lie? The paper searches from the *interpenetration curve*, where the

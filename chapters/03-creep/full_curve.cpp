@@ -48,19 +48,15 @@ preconditioner (an approximate inverse).
 * *Half the grid first.* It gives the start, an error estimate and, from 16 cells along, an
   extrapolation.
 
-::: {#live-creep .live figure=creep}
-
 {{fig-full-curve}}
-
-:::
 
 On 24 x 12 cells that fill the ellipse the mean error over the curve is {{error-filled}}; with their
 ends placed, the same cells have {{error-placed}}. On grids of up to some 60 cells the error falls
 about as $h^2$, on finer ones more slowly, as the [second page](03-creep-study.html) measures.
 
-On a screen creep and spin can be moved in {{fig-full-curve}}, for the rig's ellipse at the load of Appendix B
-and a largest friction of 0.3. The contact rolls to the right; what slides begins at the trailing
-edge, and spin moves it to one side.
+The [figure at the head of the page](#live-creep) computes this curve for the rig's ellipse at the
+load of Appendix B and a largest friction of 0.3, with any lateral creepage and spin. What slides
+begins at the trailing edge, and spin moves it to one side.
 
 ::: {.fold summary="The curve in numbers, against two other programs"}
 

@@ -5,9 +5,11 @@ that such a patch passes on depends on how much the rim of the wheel is faster o
 rolling. Measured curves of this force differ from load to load and from wheel to wheel. Unless some
 law brings them together, a test on a small wheel in a laboratory says nothing about a locomotive.
 
+::: {#live-creep .live figure=creep}
+
 {{fig-01}}
 
-On a screen you can [hold the wheel back](#live-creep) and see which part of the patch slides.
+:::
 
 ::: findings
 1. **Must the area of contact be measured?** The paper says so: "in order to obtain a single curve

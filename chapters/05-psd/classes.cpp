@@ -57,14 +57,10 @@ $k$ ≤ {{k-high}}. These are the readings that we tried:
 
 ### Figure 11
 
-::: {#live-psd .live figure=psd}
-
 {{fig-11}}
 
-:::
-
-On a screen a track of any roughness $A$ and dip $B$ can be made here and a stretch of it measured:
-the class that rule (10) gives it, and how sure that class is after so many miles.
+The [figure at the head of the page](#live-psd) makes a track of any roughness $A$ and dip $B$,
+measures a stretch of it, and says which class rule (10) gives it and how sure that is.
 
 Left of the bend of a limit curve $A$ alone sets the class, below the bend $B$ alone. On the dashed
 line both parts weigh the same. "All points tended to cluster near the line", says the paper: the

@@ -5,9 +5,11 @@ answer from them: which speed class can each stretch of track be held to? Withou
 record to the class, the railroad finds single defects only. It does not see whether a whole stretch
 is rough, or whether its joints have sunk.
 
+::: {#live-psd .live figure=psd}
+
 {{overview}}
 
-On a screen you can [make a track and classify it](#live-psd).
+:::
 
 ::: findings
 1. How deep are the joints behind a peak of the spectrum? Jointed rail has a peak (a *line*) in its

@@ -25,13 +25,9 @@ assumed; the paper's own results for this model are lost. The model has three na
 {{f-1}} (wheel and track on the ground), {{f-2}} (rail on its ties) and {{f-3}} (rail against wheel
 in the contact).
 
-::: {#live-joint .live figure=joint}
-
 {{fig-joint}}
 
-:::
-
-On a screen speed and dip can be moved in {{fig-joint}}; the same passage is computed for each. What
+The [figure at the head of the page](#live-joint) computes this passage for any speed and dip. What
 P1 adds to the static load is nearly in proportion to the product of the two.
 
 British practice knows two peaks: P1 while the rail alone is hit, P2 when the wheel has pushed the

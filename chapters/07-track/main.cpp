@@ -5,9 +5,11 @@ A wheel that meets a low joint strikes the rail with half as much again as the l
 such blows break rails, ties and bearings. To compute them, a track of steel, wood and stone must
 become a few springs, masses and dampers; if one of these is wrong, so is the blow.
 
+::: {#live-joint .live figure=joint}
+
 {{overview}}
 
-On a screen you can [drive over a low joint](#live-joint) and see the force and what moves.
+:::
 
 ::: findings
 1. How fast may a train run before the track's own waves matter? The paper puts the critical

@@ -5,7 +5,7 @@ import {existsSync, readdirSync, readFileSync} from "node:fs";
 import {join, resolve} from "node:path";
 import {pathToFileURL} from "node:url";
 import {Browser, chromium} from "./chromium.mjs";
-import {liveFigures} from "./live/figures.mjs";
+import {liveFigures, liveOverHttp} from "./live/figures.mjs";
 
 const highest = 20000; // px at 1280 px of width with the code folded
 const slowest = Number(process.env.PAINT ?? Infinity); // ms to the first paint, from disk: on a quiet machine PAINT=1000
@@ -208,7 +208,7 @@ try {
     links(page, await browser.run(`[...document.querySelectorAll("[href], [src]")].map((e) => e.getAttribute("href") ?? e.getAttribute("src"))`));
     const height = await layout(browser, page);
     await answers(browser, page);
-    await liveFigures(browser, page, fault);
+    await liveFigures(browser, book, page, fault);
     await accessible(browser, page);
     browser.complaints.forEach((text) => fault(page, text));
     browser.requests.filter((url) => !/^(file|data|blob|about):/.test(url)).forEach((url) => fault(page, "asks outside: " + url));
@@ -216,6 +216,7 @@ try {
     console.log(page.padEnd(26), String(height).padStart(6) + " px", String(Math.round(paint)).padStart(5) + " ms");
   }
   if (process.argv.length <= 3) await functions(browser);
+  await liveOverHttp(browser, book, pages.filter((page) => /^\d\d-[a-z-]*\.html$/.test(page)), fault);
   if (pages.includes("index.html")) await motion(browser), await chart(browser);
 } finally {
   await browser.close();
