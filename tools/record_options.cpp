@@ -7,6 +7,7 @@
 #include <railbook/tool/progress.hpp>
 #include <railbook/units/constants.hpp>
 #include <railbook/units/input_error.hpp>
+#include <railbook/units/warning.hpp>
 
 #include "record_options.hpp"
 
@@ -104,12 +105,12 @@ records::RecordFile record_file(const TrackRecordOptions& options,
   return file;
 }
 
-std::string key_of(const std::string& column, const std::string& doubt, bool several) {
-  return several ? column + "_" + doubt : doubt;
+std::string key_of(const std::string& column, const std::string& warning, bool several) {
+  return several ? column + "_" + warning : warning;
 }
 
 void add_record(tool::Summary& s, const records::RecordStream& r) {
-  add_doubts(s, r, "", false);
+  add_warnings(s, r, "", false);
   s.add("length_km", "length", static_cast<double>(r.samples()) * r.spacing() / units::kilometre,
         "km",
         fmt::format("{} samples, {} missing, {} bridged", r.samples(), r.missing(), r.bridged()));
@@ -119,10 +120,11 @@ void add_record(tool::Summary& s, const records::RecordStream& r) {
   s.add("faulty", "samples taken out", static_cast<double>(r.faulty()), "");
 }
 
-void add_doubts(tool::Summary& s, const records::RecordStream& r, const std::string& column,
-                bool several) {
-  for (const records::Doubt& doubt : r.doubts())
-    s.flag(key_of(column, doubt.key, several), several ? column + ": " + doubt.text : doubt.text);
+void add_warnings(tool::Summary& s, const records::RecordStream& r, const std::string& column,
+                  bool several) {
+  for (const units::Warning& warning : r.warnings())
+    s.flag(key_of(column, warning.key, several),
+           several ? column + ": " + warning.text : warning.text);
 }
 
 void add_record(tool::Row& row, const records::RecordStream& r) {
@@ -134,7 +136,7 @@ void add_record(tool::Row& row, const records::RecordStream& r) {
   row.add("missing", static_cast<double>(r.missing()));
   row.add("bridged", static_cast<double>(r.bridged()));
   row.add("faulty", static_cast<double>(r.faulty()));
-  for (const records::Doubt& doubt : r.doubts()) row.flag(doubt.key);
+  for (const units::Warning& warning : r.warnings()) row.flag(warning.key);
 }
 
 namespace {
@@ -158,7 +160,7 @@ Losses losses_of(const Records& records) {
 void add_records(tool::Summary& s, const std::vector<std::string>& columns,
                  const Records& records) {
   if (records.size() == 1) return add_record(s, *records.front());
-  for (std::size_t i = 0; i < records.size(); ++i) add_doubts(s, *records[i], columns[i], true);
+  for (std::size_t i = 0; i < records.size(); ++i) add_warnings(s, *records[i], columns[i], true);
   const records::RecordStream& r = *records.front();
   s.add("length_km", "length", static_cast<double>(r.samples()) * r.spacing() / units::kilometre,
         "km", fmt::format("{} samples of {} columns", r.samples(), records.size()));
@@ -189,8 +191,8 @@ void add_records(tool::Row& row, const std::vector<std::string>& columns, const 
   row.add("bridged", sum.bridged);
   row.add("faulty", sum.faulty);
   for (std::size_t i = 0; i < records.size(); ++i)
-    for (const records::Doubt& doubt : records[i]->doubts())
-      row.flag(key_of(columns[i], doubt.key, true));
+    for (const units::Warning& warning : records[i]->warnings())
+      row.flag(key_of(columns[i], warning.key, true));
 }
 
 std::string warnings_of(const std::vector<std::string>& columns, const Records& records) {
@@ -204,7 +206,7 @@ const char* const warnings_header = "column,warning,from_m,to_m,samples,size_mm,
 std::string warning_rows(const std::string& column, const records::RecordStream& record,
                          const std::string& before) {
   std::string text;
-  for (const records::Warning& w : record.warnings())
+  for (const records::SuspectPlace& w : record.suspect_places())
     text += before + fmt::format("{},{},{},{},{},{},{},{}\n", table::csv_cell(column), w.key,
                                  table::csv_number(w.from), table::csv_number(w.to), w.samples,
                                  table::csv_number(w.size / units::millimetre),

@@ -33,14 +33,14 @@ records::RecordFile record_file(const TrackRecordOptions& options,
 // What --help says of the files.
 extern const char* const record_help;
 
-// Length, spacing and samples of the record as lines of the answer, and its doubts as flags.
+// Length, spacing and samples of the record as lines of the answer, and its warnings.
 void add_record(tool::Summary& answer, const records::RecordStream& record);
 void add_record(tool::Row& row, const records::RecordStream& record);
 
-// The doubts of one of several columns, with its name before them; of a single one, without.
-void add_doubts(tool::Summary& answer, const records::RecordStream& record,
-                const std::string& column, bool several);
-std::string key_of(const std::string& column, const std::string& doubt, bool several);
+// The warnings of one of several columns, with its name before them; of a single one, without.
+void add_warnings(tool::Summary& answer, const records::RecordStream& record,
+                  const std::string& column, bool several);
+std::string key_of(const std::string& column, const std::string& warning, bool several);
 
 // warnings.csv: a row for each place that is suspected or was taken out.
 extern const char* const warnings_header;

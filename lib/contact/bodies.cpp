@@ -36,7 +36,7 @@ struct Section {
   double x_min = -units::infinity, x_max = units::infinity;
 };
 
-void check(const Profile& p, const char* body) {
+void check(const DepthPoints& p, const char* body) {
   if (p.x.size() != p.depth.size() || p.x.size() < 5)
     throw InputError(
         fmt::format("the profile of {} has {} points; it needs at least 5", body, p.x.size()));
@@ -60,7 +60,7 @@ Section section(const Body& body) {
     const double c = curvature(body.radius_x, "radius across the rail");
     return {[c](double x) { return 0.5 * c * x * x; }};
   }
-  const Profile& p = *body.profile;
+  const DepthPoints& p = *body.profile;
   num::use_gsl_status_codes();
   const std::shared_ptr<gsl_spline> spline = num::gsl_owned(
       gsl_spline_alloc(gsl_interp_cspline, static_cast<std::size_t>(p.x.size())), gsl_spline_free);
@@ -152,7 +152,7 @@ TouchingBodies join_profiles(const Body& one, const Body& two) {
 }
 
 // Every second point and both ends.
-Profile thinned(const Profile& p, Index first) {
+DepthPoints thinned(const DepthPoints& p, Index first) {
   std::vector<Index> kept{0};
   for (Index n = first; n < p.x.size() - 1; n += 2)
     if (n > 0) kept.push_back(n);
@@ -162,7 +162,7 @@ Profile thinned(const Profile& p, Index first) {
 
 // Standard deviation of the points about a smooth profile [m], by the median of their distances
 // from the cubics through the two points on either side.
-double scatter(const Profile& p) {
+double scatter(const DepthPoints& p) {
   std::vector<double> off;
   for (Index n = 2; n + 2 < p.x.size(); ++n) {
     double between = 0, variance = 1;

@@ -14,14 +14,14 @@ namespace railbook::contact {
 
 // A profile across the rail: depth into the body [m] at rising x [m], at least 5 points, sizes up
 // to 1e6 m. Between the points it is a cubic spline, beyond them there is no body.
-struct Profile {
+struct DepthPoints {
   Eigen::VectorXd x, depth;
 };
 
 // One body: across the rail a profile or a radius, along it a radius; convex radii are positive,
 // concave ones negative, infinity is straight. A radius has its summit at x = 0.
 struct Body {
-  std::optional<Profile> profile = std::nullopt;
+  std::optional<DepthPoints> profile = std::nullopt;
   double radius_x = std::numeric_limits<double>::infinity();
   double radius_y = std::numeric_limits<double>::infinity();
 };

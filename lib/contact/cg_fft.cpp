@@ -123,7 +123,7 @@ void extrapolate_ends(const std::vector<CgFftLevel>& levels, const std::vector<d
 double irregular_error(const Region& region) {
   const bool edge = region.meets_body_edge || region.ends_steeply;
   double error = 0;
-  for (const Patch& patch : region.patches) {
+  for (const PressurePatch& patch : region.patches) {
     const double cells = std::max(patch.cells_across, 1.0);  // a single row has no second moment
     error += patch.force / region.force *
              (edge ? 12 * std::pow(cells, -1.7)
@@ -135,7 +135,7 @@ double irregular_error(const Region& region) {
 // Cells across the narrowest patch that carries a hundredth of the force or more.
 double narrowest(const Region& region) {
   double cells = units::infinity;
-  for (const Patch& patch : region.patches)
+  for (const PressurePatch& patch : region.patches)
     if (patch.force > 0.01 * region.force) cells = std::min(cells, patch.cells_across);
   return cells;
 }
@@ -196,7 +196,7 @@ void summarise(const std::vector<CgFftLevel>& levels, bool remedy, NormalContact
   };
   // A peak that falls much from one cell to the next is rounded off by them.
   double drop = 0;
-  for (const Patch& patch : finest.patches)
+  for (const PressurePatch& patch : finest.patches)
     if (patch.p_max > 0.5 * finest.p_max) drop = std::max(drop, patch.peak_drop);
   contact.force_error = error(force, finest.force);
   contact.p_max_error = error(peak, finest.p_max) + 4 * drop * drop;
@@ -289,7 +289,7 @@ struct Placement {
 // Drops the places that a patch now holds.
 void drop_found(const Grid& grid, const Region& region, std::vector<Point>& places) {
   std::erase_if(places, [&](const Point& place) {
-    return std::ranges::any_of(region.patches, [&](const Patch& patch) {
+    return std::ranges::any_of(region.patches, [&](const PressurePatch& patch) {
       const Box& ends = patch.ends;
       return place.x > ends.x_min - 2 * grid.dx && place.x < ends.x_max + 2 * grid.dx &&
              place.y > ends.y_min - 2 * grid.dy && place.y < ends.y_max + 2 * grid.dy;

@@ -116,7 +116,7 @@ bool starts_steeply(const Line& line, Index k, double p_max) {
 // What the ends of the runs of 8 cells or more have in common.
 struct Edges {
   bool steep = false;    // one of them ends steeply
-  double intensity = 0;  // sum of K over Hertz's, see Patch
+  double intensity = 0;  // sum of K over Hertz's, see PressurePatch
   int count = 0;
 
   // The end at cell k, inward, of a run of `cells` with a mean pressure: Hertz's p^2 = (4/pi
@@ -179,7 +179,7 @@ double extreme(const std::vector<double>& ends) {
 }
 
 // The vertex of the parabolas in p^2 through the peak cell and its two neighbours in x and in y.
-void refine_peak(const Grid& grid, const Eigen::VectorXd& p, Index peak, Patch& patch) {
+void refine_peak(const Grid& grid, const Eigen::VectorXd& p, Index peak, PressurePatch& patch) {
   const Index i = peak % grid.nx, j = peak / grid.nx;
   auto shift = [&](Index stride, bool inside, double& gain) {
     if (!inside || !(p[peak - stride] > 0) || !(p[peak + stride] > 0)) return 0.0;
@@ -235,7 +235,8 @@ struct Extent {
 // Peak, area and ends of one patch from the lines through it; `steep` becomes true when one of them
 // ends steeply.
 void measure(const Grid& grid, const Eigen::VectorXd& p, const Eigen::VectorXd& f,
-             const Labels& labels, int number, const Extent& extent, Patch& patch, bool& steep) {
+             const Labels& labels, int number, const Extent& extent, PressurePatch& patch,
+             bool& steep) {
   refine_peak(grid, p, extent.peak, patch);
   Edges edges;
   const auto rows = static_cast<std::size_t>(grid.ny), columns = static_cast<std::size_t>(grid.nx);
@@ -278,7 +279,7 @@ Region describe(const Grid& grid, const Eigen::VectorXd& p, const Eigen::VectorX
     region.touches_y_min |= j == 0, region.touches_y_max |= j == grid.ny - 1;
     region.force += p[n];
     ++region.cells;
-    Patch& patch = region.patches[static_cast<std::size_t>(labels[n])];
+    PressurePatch& patch = region.patches[static_cast<std::size_t>(labels[n])];
     Extent& extent = extents[static_cast<std::size_t>(labels[n])];
     patch.force += p[n] * cell;
     ++patch.cells;
@@ -290,7 +291,7 @@ Region describe(const Grid& grid, const Eigen::VectorXd& p, const Eigen::VectorX
   constexpr double inf = std::numeric_limits<double>::infinity();
   region.ends = {inf, -inf, inf, -inf};
   for (std::size_t k = 0; k < extents.size(); ++k) {
-    Patch& patch = region.patches[k];
+    PressurePatch& patch = region.patches[k];
     measure(grid, p, f, labels, static_cast<int>(k), extents[k], patch, region.ends_steeply);
     patch.cells_across = extents[k].across(patch.force / cell);
     region.area += patch.area;

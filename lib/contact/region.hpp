@@ -11,7 +11,7 @@ namespace railbook::contact {
 
 // A connected part of the contact: at least one cell without pressure lies between it and
 // the others.
-struct Patch {
+struct PressurePatch {
   Eigen::Index cells = 0;  // with pressure
   double force = 0;        // sum over its cells [N]
   double area = 0;         // from the ends of every run of cells with pressure in every row [m^2]
@@ -34,7 +34,7 @@ struct Region {
   double p_max = 0, x_p_max = 0, y_p_max = 0;    // of the patch with the highest peak
   Box ends;                                      // of all patches together
   double area = 0;                               // of all patches [m^2]
-  std::vector<Patch> patches;                    // the one that carries most first
+  std::vector<PressurePatch> patches;            // the one that carries most first
   Eigen::Index cells = 0;                        // with pressure
   bool ends_steeply =
       false;  // somewhere p falls to nothing within a cell or two: an edge, under-resolved

@@ -17,7 +17,7 @@ double slope(const Spreading& law, double h) {
 }
 
 // The divergence of the flux: (u_(i+1) - 2 u_i + u_(i-1))/dx^2 with closed ends.
-std::vector<double> divergence(const Spreading& law, const Profile& p) {
+std::vector<double> divergence(const Spreading& law, const Histogram& p) {
   const std::size_t n = p.height.size();
   std::vector<double> result(n, 0.0);
   const double scale = 1 / (p.width * p.width);
@@ -31,7 +31,7 @@ std::vector<double> divergence(const Spreading& law, const Profile& p) {
 
 // Solves h - step f(h) = known by Newton's method, from p as it is. The Jacobian's columns sum to
 // one, so that elimination needs no pivoting.
-bool implicit(const Spreading& law, Profile& p, const std::vector<double>& known, double step,
+bool implicit(const Spreading& law, Histogram& p, const std::vector<double>& known, double step,
               int& iterations) {
   const std::size_t n = p.height.size();
   const double scale = step / (p.width * p.width);
@@ -81,19 +81,19 @@ Blob blob() {
 
 }  // namespace
 
-double area(const Profile& p) {
+double area(const Histogram& p) {
   double sum = 0;
   for (const double h : p.height) sum += h;
   return sum * p.width;
 }
 
-double mean(const Profile& p) {
+double mean(const Histogram& p) {
   double sum = 0;
   for (std::size_t i = 0; i < p.height.size(); ++i) sum += p.x(i) * p.height[i];
   return sum * p.width / area(p);
 }
 
-double deviation(const Profile& p) {
+double deviation(const Histogram& p) {
   const double centre = mean(p);
   double sum = 0;
   for (std::size_t i = 0; i < p.height.size(); ++i)
@@ -101,7 +101,7 @@ double deviation(const Profile& p) {
   return std::sqrt(sum * p.width / area(p));
 }
 
-Spread spread(const Spreading& law, Profile profile, double from, double to, int steps) {
+Spread spread(const Spreading& law, Histogram profile, double from, double to, int steps) {
   units::require_positive("coefficient of spreading", law.coefficient);
   units::require_between("power of spreading", law.power, 0, 20);
   units::require_positive("cell width", profile.width);

@@ -11,15 +11,15 @@ struct Spreading {
   int power = 3;                 // n >= 0
 };
 
-// A profile on equal cells, middle of the first at `left`; `height` are cell means.
-struct Profile {
+// A histogram, or a film, on equal cells, middle of the first at `left`; `height` are cell means.
+struct Histogram {
   double left = 0, width = 0;
   std::vector<double> height;
   double x(std::size_t i) const { return left + width * static_cast<double>(i); }
 };
-double area(const Profile& p);
-double mean(const Profile& p);
-double deviation(const Profile& p);
+double area(const Histogram& p);
+double mean(const Histogram& p);
+double deviation(const Histogram& p);
 
 // Steps from time `from` to `to` (to > from > 0) in `steps` steps of equal ratio: conservative
 // finite volumes, no flux through the ends, an L-stable two-stage implicit Runge-Kutta method of
@@ -27,11 +27,11 @@ double deviation(const Profile& p);
 // rounding. `converged` is false when Newton's method stalled or a step was so long that heights
 // fell below zero.
 struct Spread {
-  Profile profile;
+  Histogram profile;
   int iterations = 0;
   bool converged = true;
 };
-Spread spread(const Spreading& law, Profile profile, double from, double to, int steps);
+Spread spread(const Spreading& law, Histogram profile, double from, double to, int steps);
 
 // The viscous blob of area 1 from a point at t = 0 (Barenblatt, Huppert): half width x_N t^(1/5),
 // height h_0 t^(-1/5) (1 - (x/x_N)^2)^(1/3), constants from the area; t > 0. Its standard deviation

@@ -10,6 +10,7 @@
 
 #include <railbook/records/places.hpp>
 #include <railbook/records/screen.hpp>
+#include <railbook/units/warning.hpp>
 
 namespace railbook::records {
 
@@ -29,14 +30,9 @@ struct RecordOptions {
   std::string header = {};  // of its column in a file
 };
 
-// Something that an answer stands under: "stuck", "7000 samples in a row are equal ...".
-struct Doubt {
-  std::string key, text;
-};
-
-// One place of it.
-struct Warning {
-  std::string key;
+// A place that a warning is about.
+struct SuspectPlace {
+  std::string key;          // of the warning
   double from = 0, to = 0;  // m
   std::size_t samples = 0;
   double size = 0;  // m: the value, the height of a step, the jump of a position; NaN for none
@@ -53,9 +49,9 @@ struct Stretch {
 // a quarter of one); more than one leaves a gap. Where the recorder rounds positions to more than a
 // twentieth of a spacing (to .1 m, to whole metres; not to nearly a spacing, which looks like
 // samples lost), they are met by the even grid through those before them. Samples taken out (see
-// Screen) are gaps, too; doubts() and warnings() tell them and what is only suspected. A sample
-// without a position is left out. The memory is some thousand samples, and a few words for each
-// suspected stretch, gap and change of spacing.
+// Screen) are gaps, too; warnings() and suspect_places() list them and what is only suspected. A
+// sample without a position is left out. The memory is some thousand samples, and a few words for
+// each suspected stretch, gap and change of spacing.
 class RecordStream {
  public:
   // Throws InputError when a given spacing is not positive.
@@ -98,8 +94,8 @@ class RecordStream {
 
   // After finish(): what was found, each kind once; spacing that changes by over 0.3 %; a roughness
   // no track has.
-  std::vector<Doubt> doubts() const;
-  std::vector<Warning> warnings() const;
+  std::vector<units::Warning> warnings() const;
+  std::vector<SuspectPlace> suspect_places() const;
 
  private:
   struct Sample {
@@ -135,7 +131,7 @@ class RecordStream {
   std::size_t lengths_ = 0;                        // their steps
   bool fresh_ = false;                             // the next sample tells the part's direction
   std::size_t cuts_ = 0, counted_ = 0, unplaced_ = 0;
-  std::vector<Warning> counts_;
+  std::vector<SuspectPlace> counts_;
   std::optional<double> whole_kilometre_;  // where a gap ends at one
   double direction_ = 1;                   // -1: positions descend
   double rounding_ = 0,

@@ -56,8 +56,8 @@ struct CreepForces {
   int iterations = 0;
   int products = 0;  // of the full theory with its influence, on the finest grid
   bool converged = false;
-  std::string reason;      // why not converged, or a note on the case
-  std::string_view doubt;  // the range of the theory that the case is outside of; empty within
+  std::string reason;        // why not converged, or a note on the case
+  std::string_view warning;  // the range of the theory that the case is outside of; empty within
   Tractions tractions;
 };
 

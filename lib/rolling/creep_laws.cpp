@@ -62,7 +62,7 @@ CreepForces linear_theory(const RollingCase& c, const KalkerCoefficients& k) {
   r.mz = f.scale * f.moment;
   r.converged = true;
   if (3 * f.reduced > 1 || 3 * std::abs(r.mz) > moment_bound(c, 0))
-    r.doubt = "the linear theory is for forces and moments up to a third of what friction bears";
+    r.warning = "the linear theory is for forces and moments up to a third of what friction bears";
   return r;
 }
 
@@ -91,7 +91,7 @@ CreepForces vermeulen_johnson(const RollingCase& c, const Slopes& slopes) {
   CreepForces r =
       shen_hedrick_elkins(without_spin, {.c11 = slopes.longitudinal, .c22 = slopes.lateral});
   if (c.creepage.spin != 0)
-    r.doubt = "the law of Vermeulen and Johnson is for no spin: it is left out";
+    r.warning = "the law of Vermeulen and Johnson is for no spin: it is left out";
   return r;
 }
 
@@ -117,7 +117,7 @@ CreepForces shen_hedrick_elkins(const RollingCase& c, const KalkerCoefficients& 
   r.stick_share = cubic_stick(f.reduced);
   r.converged = true;
   if (spin_beyond(c, k, 0.2, 0.6))
-    r.doubt = "the law of Shen, Hedrick and Elkins is for reduced spin up to 0.2 and 0.6/C23";
+    r.warning = "the law of Shen, Hedrick and Elkins is for reduced spin up to 0.2 and 0.6/C23";
   return r;
 }
 
@@ -147,7 +147,7 @@ CreepForces polach(const RollingCase& c, const KalkerCoefficients& k) {
   const double size = std::hypot(r.fx, r.fy);
   if (size > bound) r.fx *= bound / size, r.fy *= bound / size;
   if (spin_beyond(c, k, 0.2, 0.4))
-    r.doubt = "Polach's law is for reduced spin up to 0.2 and 0.4/C23";
+    r.warning = "Polach's law is for reduced spin up to 0.2 and 0.4/C23";
   return r;
 }
 

@@ -20,7 +20,7 @@ namespace railbook::rolling {
 
 enum class Theory { linear, vermeulen_johnson, shen_hedrick_elkins, fastsim, fastrip, polach };
 
-// Each states the range it is good for, outside of which `doubt` of its answer says so. Spin is
+// Each states the range it is good for, outside of which `warning` of its answer says so. Spin is
 // measured by its reduced value Z = G (a b)^(3/2) phi/(mu N), and deviations are the largest from
 // the full theory for 0.15 <= a/b <= 7 and reduced creepages up to 1.
 

@@ -62,7 +62,7 @@ void Summary::absent(std::string key, std::string what, std::string why) {
 }
 
 void Summary::flag(std::string key, std::string text) {
-  flags_.emplace_back(std::move(key), std::move(text));
+  warnings_.push_back({std::move(key), std::move(text)});
 }
 
 void Summary::print() const {
@@ -71,7 +71,7 @@ void Summary::print() const {
   std::size_t wide = 0;
   for (const Line& line : lines_) wide = std::max(wide, line.what.size());
   fmt::print(to, "{}\n", units::printable(title_, 1000));
-  for (const auto& [key, text] : flags_)
+  for (const auto& [key, text] : warnings_)
     fmt::print(to, "  DOUBTFUL: {}\n", units::printable(text, 1000));
   for (const Line& line : lines_) {
     if (line.kind == Line::Kind::hidden) continue;
@@ -111,7 +111,7 @@ std::string Summary::json() const {
                                    {"errors", errors},
                                    {"units", units},
                                    {"notes", notes},
-                                   {"flags", object(flags_)},
+                                   {"flags", object(warnings_)},
                                    {"program", asked.program},
                                    {"version", asked.version},
                                    {"command", asked.command},

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include <railbook/units/warning.hpp>
+
 namespace railbook::tool {
 
 // A value and its error, absolute and in the value's unit; infinite: not known.
@@ -41,12 +43,12 @@ class Summary {
   // JSON, with the reason as its note.
   void absent(std::string key, std::string what, std::string why);
 
-  // A doubt that the answer stands under: "not-converged", "after 200 steps the force still changes
-  // by 3 %". Printed above all values, and under "flags" in the JSON. What is only worth knowing is
-  // a note of a value.
+  // A warning that the answer stands under: "not-converged", "after 200 steps the force still
+  // changes by 3 %". Printed above all values, and under "flags" in the JSON. What is only worth
+  // knowing is a note of a value.
   void flag(std::string key, std::string text);
 
-  const std::vector<std::pair<std::string, std::string>>& flags() const { return flags_; }
+  const std::vector<units::Warning>& warnings() const { return warnings_; }
 
   // The table on standard output: what, value, unit, note; with --json, json(). On standard error
   // where standard output is a file's.
@@ -66,7 +68,7 @@ class Summary {
   };
   std::string title_;
   std::vector<Line> lines_;
-  std::vector<std::pair<std::string, std::string>> flags_;
+  std::vector<units::Warning> warnings_;
 };
 
 }  // namespace railbook::tool

@@ -185,7 +185,8 @@ rolling::CreepForces fastsim(const Strips& contact, const rolling::RollingCase& 
   if (c.friction == 0 || !(contact.load > 0)) return out;
   const double ratio = std::clamp(contact.ratio, 0.1, 10.0);
   if (ratio != contact.ratio)
-    out.doubt = "the patch is more slender than Kalker's table (a/b 0.1 to 10), whose end is used";
+    out.warning =
+        "the patch is more slender than Kalker's table (a/b 0.1 to 10), whose end is used";
   const auto k = rolling::kalker_table(ratio, c.poisson);
   const double mean = std::sqrt(contact.area / pi);  // sqrt(a b)
   const double a = mean * std::sqrt(ratio);

@@ -43,8 +43,8 @@ Strips semi_hertzian(const Patch& patch, double effective_modulus, double down =
 Strips hertzian(const Patch& patch, double effective_modulus, double down = 0);
 
 // FASTSIM on the strips: parabolic bound, and flexibilities of the ellipse of the same area and
-// ratio, of Kalker's table. Of the case, a, b and load are not used. `doubt` says when the ratio is
-// outside of the table (0.1 to 10), whose end is then taken.
+// ratio, of Kalker's table. Of the case, a, b and load are not used. `warning` says when the ratio
+// is outside of the table (0.1 to 10), whose end is then taken.
 rolling::CreepForces fastsim(const Strips& contact, const rolling::RollingCase& c,
                              bool keep_tractions = false);
 

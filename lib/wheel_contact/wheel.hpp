@@ -15,6 +15,7 @@
 
 #include <railbook/contact/material.hpp>
 #include <railbook/rolling/case.hpp>
+#include <railbook/units/warning.hpp>
 #include <railbook/wheel_contact/patch.hpp>
 #include <railbook/wheel_contact/strips.hpp>
 
@@ -76,8 +77,8 @@ struct WheelResult {
   double axle_moment =
       0;  // of the forces on the wheel about the axle [N m]; > 0 speeds a forward turn down
   bool converged = false;
-  std::string reason;               // why not
-  std::vector<std::string> doubts;  // verge of a second contact, conformal, merged, beyond a range
+  std::string reason;                    // why not
+  std::vector<units::Warning> warnings;  // verge of a second contact, conformal, coarse ...
 };
 
 // Load to 1e-5 (full: with the share that friction bears to 1e-3). Throws InputError naming what is

@@ -169,7 +169,7 @@ void add_patches(const Solved& solved, const Shown& u, tool::Summary& answer) {
                  : "");
   if (patches.size() == 1) return;
   for (std::size_t k = 0; k < std::min(patches.size(), most); ++k) {
-    const Patch& patch = patches[k];
+    const PressurePatch& patch = patches[k];
     const std::string prefix = fmt::format("patch_{}_", k + 1),
                       name = fmt::format("patch {}", k + 1);
     answer.add(fmt::format("{}force_{}", prefix, u.force_name), name + ": force",

@@ -42,7 +42,7 @@ spaces no longer say anything about it. Every refusal is one line, exit status 2
 namespace {
 
 // x and depth of a profile; heights are depths with the other sign.
-Profile read_profile(const std::filesystem::path& file) {
+DepthPoints read_profile(const std::filesystem::path& file) {
   const table::CsvReader reader(file);
   bool height = false, depth = false;
   for (const std::string& header : reader.header()) {

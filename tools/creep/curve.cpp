@@ -138,9 +138,9 @@ struct Row {
 
 constexpr double coarse_error = 0.1;  // of mu N: from here on an answer is doubtful
 
-// Why a row is doubtful; empty if it is not.
-std::string doubt_of(const CreepForces& f, bool full) {
-  if (!f.doubt.empty()) return std::string(f.doubt);
+// The warning of a row; empty without one.
+std::string warning_of(const CreepForces& f, bool full) {
+  if (!f.warning.empty()) return std::string(f.warning);
   if (std::isfinite(f.error) && f.error > coarse_error)
     return full ? fmt::format(
                       "the cells are too coarse: error estimate above {:g} mu N; give more "
@@ -175,8 +175,8 @@ void compare_with_full(std::vector<Row>& all, RollingCase c) {
   }
 }
 
-// The largest errors that are known, and what the rows are doubtful for.
-void add_doubts(tool::Summary& answer, const std::vector<Row>& all, double unit, bool full) {
+// The largest errors that are known, and the warnings of the rows.
+void add_warnings(tool::Summary& answer, const std::vector<Row>& all, double unit, bool full) {
   double error = units::nan, moment = units::nan;
   for (const auto& [creepage, f] : all)
     if (std::isfinite(f.error)) {
@@ -193,13 +193,13 @@ void add_doubts(tool::Summary& answer, const std::vector<Row>& all, double unit,
   }
   std::vector<std::string> seen;
   for (const auto& [creepage, f] : all) {
-    const std::string doubt = doubt_of(f, full);
-    if (doubt.empty() || std::ranges::find(seen, doubt) != seen.end()) continue;
-    const auto count =
-        std::ranges::count_if(all, [&](const Row& r) { return doubt_of(r.forces, full) == doubt; });
-    seen.push_back(doubt);
+    const std::string warning = warning_of(f, full);
+    if (warning.empty() || std::ranges::find(seen, warning) != seen.end()) continue;
+    const auto count = std::ranges::count_if(
+        all, [&](const Row& r) { return warning_of(r.forces, full) == warning; });
+    seen.push_back(warning);
     answer.flag(fmt::format("range_{}", seen.size()),
-                fmt::format("{} ({} of {} rows)", doubt, count, all.size()));
+                fmt::format("{} ({} of {} rows)", warning, count, all.size()));
   }
 }
 
@@ -269,7 +269,7 @@ std::string csv(const std::vector<Row>& all, double unit, bool full) {
     text += fmt::format("{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.6g},{},{},{}\n",
                         creepage.longitudinal, creepage.lateral, creepage.spin, f.fx, f.fy, f.mz,
                         std::abs(f.stick_share), estimate(f.error, 1), estimate(f.mz_error, unit),
-                        table::csv_cell(doubt_of(f, full)));
+                        table::csv_cell(warning_of(f, full)));
   return text;
 }
 
@@ -320,7 +320,7 @@ void run(const Options& options) {
   }
   progress.end();
   const double moment = bound * std::sqrt(c.a * c.b);
-  add_doubts(answer, all, moment, full);
+  add_warnings(answer, all, moment, full);
   if (!all.back().forces.reason.empty()) answer.add("note", "note", all.back().forces.reason);
   answer.print();
   if (!tool::session().json) print_rows(all, bound, moment, full);

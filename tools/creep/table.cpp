@@ -72,19 +72,19 @@ std::string csv(const ForceTable& table, const Options& options, const Interpola
 // What the theory itself says of its answers, at nodes and points together.
 struct OwnError {
   double answers = 0, doubtful = 0, squares = 0, moment_squares = 0, largest = 0;
-  std::string doubt;
+  std::string warning;
 
   void add(const CreepForces& f) {
     ++answers;
-    if (!f.doubt.empty()) ++doubtful, doubt = f.doubt;
+    if (!f.warning.empty()) ++doubtful, warning = f.warning;
     largest = std::max(largest, f.error);
     squares += f.error * f.error;
     moment_squares += f.mz_error * f.mz_error;
   }
   void tell(tool::Summary& answer) const {
     if (doubtful > 0)
-      answer.flag("range",
-                  fmt::format("{} ({:.0f} of {:.0f} nodes and points)", doubt, doubtful, answers));
+      answer.flag("range", fmt::format("{} ({:.0f} of {:.0f} nodes and points)", warning, doubtful,
+                                       answers));
     if (!std::isfinite(largest)) {
       answer.add("theory_error", "the theory's own error", "not known to it; compare with full");
       return;

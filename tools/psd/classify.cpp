@@ -312,9 +312,9 @@ std::vector<tool::Row> rows_of(const Options& options, const std::filesystem::pa
     row.add("segment_m", static_cast<double>(m.segment) * m.record->spacing());
     row.add("segments", static_cast<double>(m.spectrum.segments));
     add_fit(row, f);
-    tool::Summary doubts{""};
-    add_flags(doubts, options, m, f);
-    for (const auto& [key, text] : doubts.flags()) row.flag(key);
+    tool::Summary warned{""};
+    add_flags(warned, options, m, f);
+    for (const auto& [key, text] : warned.warnings()) row.flag(key);
     for (const Section& s : sections[i])
       rows.push_back(
           row_of_section(options, *m.record, s, f.fit_options.rail_length, measure_it.columns[i]));

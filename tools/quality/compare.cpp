@@ -31,6 +31,7 @@ fits as well at another offset, as on a wave, the smallest offset is taken and t
 #include <railbook/tool/summary.hpp>
 #include <railbook/units/constants.hpp>
 #include <railbook/units/input_error.hpp>
+#include <railbook/units/warning.hpp>
 
 #include "record_options.hpp"
 #include "tools.hpp"
@@ -298,10 +299,10 @@ tool::Summary summary_of(const CompareOptions& options, const std::deque<Pair>& 
   tools::add_record(s, pairs.front().first.record());
   for (const Pair& pair : pairs) {
     if (&pair != &pairs.front())
-      tools::add_doubts(s, pair.first.record(), pair.compared.column, several);
-    for (const records::Doubt& doubt : pair.second.record().doubts())
-      s.flag(tools::key_of(pair.compared.column, "second-" + doubt.key, several),
-             "the second run: " + (several ? pair.compared.column + ": " : "") + doubt.text);
+      tools::add_warnings(s, pair.first.record(), pair.compared.column, several);
+    for (const units::Warning& warning : pair.second.record().warnings())
+      s.flag(tools::key_of(pair.compared.column, "second-" + warning.key, several),
+             "the second run: " + (several ? pair.compared.column + ": " : "") + warning.text);
   }
   for (const Pair& pair : pairs) add_column(s, options, pair, several);
   return s;

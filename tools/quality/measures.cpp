@@ -31,6 +31,7 @@ classes 6 to 9.
 #include <railbook/tool/summary.hpp>
 #include <railbook/units/constants.hpp>
 #include <railbook/units/input_error.hpp>
+#include <railbook/units/warning.hpp>
 
 #include "quality/column_names.hpp"
 #include "quality/exceptions.hpp"
@@ -54,35 +55,36 @@ std::optional<double> mean_square(const Channel& channel, std::string_view band)
   return n > 0 ? std::optional{sum / n} : std::nullopt;
 }
 
-// What is doubtful about taking a level or an alignment for a whole one: key and text.
-std::vector<std::pair<std::string, std::string>> doubts_of(const MeasuresOptions& options,
-                                                           const Channel& channel,
-                                                           const std::string& header) {
-  std::vector<std::pair<std::string, std::string>> doubts;
+// Warnings of taking a level or an alignment for a whole one.
+std::vector<units::Warning> warnings_of(const MeasuresOptions& options, const Channel& channel,
+                                        const std::string& header) {
+  std::vector<units::Warning> warnings;
   const Column& column = channel.column();
-  if (column.kind > Kind::alignment) return doubts;
+  if (column.kind > Kind::alignment) return warnings;
   if (const auto band = band_in_name(header)) {
-    doubts.emplace_back(
-        "filtered", fmt::format("column {} is filtered to {} already, by its name: its deviation "
-                                "there is the one without a band; in a band it is filtered twice, "
-                                "and chords and classes see only what the filter has left",
-                                column.name, *band));
+    warnings.push_back(
+        {"filtered", fmt::format("column {} is filtered to {} already, by its name: its deviation "
+                                 "there is the one without a band; in a band it is filtered twice, "
+                                 "and chords and classes see only what the filter has left",
+                                 column.name, *band)});
   } else if (const auto d1 = mean_square(channel, "D1"), d2 = mean_square(channel, "D2");
              d1 && d2 && d2.value() < 0.0625 * d1.value() && d2.value() > 9e-4 * d1.value()) {
     // A third of this is what the two filters leave between them; of a line alone nothing is left.
-    doubts.emplace_back(
-        "filtered",
-        fmt::format("column {} has hardly any waves longer than 25 m (D2 is {:.0f} % of D1): is it "
-                    "filtered to D1 already? Then its deviation there is the one without a band",
-                    column.name, 100 * std::sqrt(*d2 / *d1)));
+    warnings.push_back(
+        {"filtered",
+         fmt::format(
+             "column {} has hardly any waves longer than 25 m (D2 is {:.0f} % of D1): is it "
+             "filtered to D1 already? Then its deviation there is the one without a band",
+             column.name, 100 * std::sqrt(*d2 / *d1))});
   }
   if (!options.chord && is_offset_by_name(header))
-    doubts.emplace_back(
-        "offset", fmt::format("column {} is the offset of a chord, by its name: no class is judged "
-                              "by it; --chord says of which, and one of 62 ft is held against the "
-                              "limits as it is",
-                              column.name));
-  return doubts;
+    warnings.push_back(
+        {"offset",
+         fmt::format("column {} is the offset of a chord, by its name: no class is judged "
+                     "by it; --chord says of which, and one of 62 ft is held against the "
+                     "limits as it is",
+                     column.name)});
+  return warnings;
 }
 
 // "left", "left D1", "twist".
@@ -171,7 +173,7 @@ std::vector<tool::Row> rows_of(const MeasuresOptions& options, const Measured& m
   rows[0].add("kind", "record");
   tools::add_records(rows[0], m.names(), m.records);
   for (std::size_t i = 0; i < m.channels.size(); ++i)
-    for (const auto& [key, text] : doubts_of(options, m.channels[i], m.records[i]->header()))
+    for (const auto& [key, text] : warnings_of(options, m.channels[i], m.records[i]->header()))
       rows[0].flag(key);
   if (options.fra_class > 0) {
     const double n = m.exceptions(), lost = not_evaluated(m);
@@ -261,7 +263,7 @@ tool::Summary summary_of(const MeasuresOptions& options, const Measured& m) {
   tool::Summary s{"measures of " + options.record.batch.only().string()};
   tools::add_records(s, m.names(), m.records);
   for (std::size_t i = 0; i < m.channels.size(); ++i)
-    for (const auto& [key, text] : doubts_of(options, m.channels[i], m.records[i]->header()))
+    for (const auto& [key, text] : warnings_of(options, m.channels[i], m.records[i]->header()))
       s.flag(m.channels.size() > 1 ? fmt::format("{}_{}", m.channels[i].column().name, key) : key,
              text);
   s.add("section_m", "length of a section", options.section, "m");

@@ -10,7 +10,7 @@ stick, the largest traction; with the full theory also the largest von Mises and
 
 The wheelset turns freely and rolls until both wheels stand at one height, unless `--slip` or `--roll` say otherwise.
 `--out` adds the cells with their pressures, tractions and the largest von Mises stress in the rail below each, the answer as JSON, and a
-figure: the sections with their patches, and the pressures seen from above. Doubts are printed above the answer: the verge of a second contact, areas that share a frame, a conformal patch. A wheel that
+figure: the sections with their patches, and the pressures seen from above. Warnings are printed above the answer: the verge of a second contact, areas that share a frame, a conformal patch. A wheel that
 touches at the end of a profile is refused.
 */
 
@@ -26,6 +26,7 @@ touches at the end of a profile is refused.
 #include <railbook/tool/summary.hpp>
 #include <railbook/units/constants.hpp>
 #include <railbook/units/input_error.hpp>
+#include <railbook/units/warning.hpp>
 
 #include "tools.hpp"
 #include "wheelrail/contact_drawing.hpp"
@@ -121,8 +122,8 @@ void add_wheel(tool::Summary& answer, const Side& shown,
   const WheelResult& wheel = shown.wheel;
   const double sign = shown.sign;
   int flag = 0;
-  for (const std::string& doubt : wheel.doubts)
-    answer.flag(fmt::format("{}_{}", s, ++flag), fmt::format("{} wheel: {}", s, doubt));
+  for (const units::Warning& warning : wheel.warnings)
+    answer.flag(fmt::format("{}_{}", s, ++flag), fmt::format("{} wheel: {}", s, warning.text));
   const double error = force_error(wheel, profiles);
   answer.add(s + "_x_N", s + " rail: force along", tool::Estimate{wheel.force.x(), error}, "N");
   answer.add(s + "_y_N", "  to the right", tool::Estimate{sign * wheel.force.y(), error}, "N");

@@ -26,6 +26,7 @@ of what friction bears, or 10 % of the pressure, the row has a flag.
 #include <railbook/tool/summary.hpp>
 #include <railbook/units/constants.hpp>
 #include <railbook/units/input_error.hpp>
+#include <railbook/units/warning.hpp>
 
 #include "tools.hpp"
 #include "wheelrail/pair.hpp"
@@ -169,7 +170,7 @@ void add_answer(tool::Row& row, const Pose& pose, const WheelResult& r) {
   row.add("wear_N", wear);
   row.add("grid_error_of_mu_N", error);
   row.add("grid_error_p_max", pressure_error);
-  for (const std::string& doubt : r.doubts) row.flag(doubt.substr(0, doubt.find(':')));
+  for (const units::Warning& warning : r.warnings) row.flag(warning.key);
 }
 
 // Warnings of the profile's points where this row's wheel stands.
@@ -258,7 +259,8 @@ std::function<void()> declare(tool::OptionParser& parser) {
       "forces on the rail; x forward, y right, z down; the first patch carries most. A flag "
       "interpolation: between this shift and the next linear interpolation is off by more than 5 % "
       "of mu N; method: the method is off the full theory by more than that, or by 10 % of the "
-      "pressure.\n\n"
+      "pressure; verge, unlike, neighbour, half_space, two_areas, shared_frame, off_profile, "
+      "conformal, theory_range and coarse: what wheelrail contact warns of there.\n\n"
       "Example: railbook wheelrail table --speed 30m/s --load 40kN 50kN --slip -0.002 0 0.002 "
       "--out mine");
   return [options] { run(*options); };

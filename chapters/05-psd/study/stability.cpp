@@ -195,7 +195,7 @@ Result run(const Case& c) {
                                  [&](std::span<const double> piece) { welch.push(piece); }};
     for (const double height : z) stream.add(height);
     stream.finish();
-    for (const auto& doubt : stream.doubts()) doubts += ", " + doubt.key;
+    for (const auto& warning : stream.warnings()) doubts += ", " + warning.key;
   } else {
     welch.push(z);
   }

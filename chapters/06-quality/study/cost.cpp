@@ -249,8 +249,8 @@ constexpr int visits = 12;
 constexpr double first_run = 1, last_run = 64;
 
 // The blob of the first run, the mean of each cell: its edge resolved.
-quality::Profile first_blob(int cells) {
-  quality::Profile p{-4 + 4.0 / cells, 8.0 / cells, {}};
+quality::Histogram first_blob(int cells) {
+  quality::Histogram p{-4 + 4.0 / cells, 8.0 / cells, {}};
   for (std::size_t i = 0; i < static_cast<std::size_t>(cells); ++i) {
     double sum = 0;
     for (int j = 0; j < 16; ++j)
@@ -262,7 +262,7 @@ quality::Profile first_blob(int cells) {
 
 // Each run hands its profile to the next, by the library's implicit steps.
 bench::Outcome by_implicit_steps(int cells) {
-  quality::Profile p = first_blob(cells);
+  quality::Histogram p = first_blob(cells);
   const double ratio = std::pow(last_run / first_run, 1.0 / visits);
   double t = first_run, work = 0;
   for (int k = 0; k < visits; ++k, t *= ratio) {
@@ -276,7 +276,7 @@ bench::Outcome by_implicit_steps(int cells) {
 
 // The same volumes with forward Euler, at three quarters of the step that is stable.
 bench::Outcome by_explicit_steps(int cells) {
-  quality::Profile p = first_blob(cells);
+  quality::Histogram p = first_blob(cells);
   std::vector<double> flux(p.height.size() + 1, 0.0);  // none through the ends
   double t = first_run, work = 0;
   while (t < last_run) {

@@ -106,7 +106,7 @@ Found long_hill() {
 
 // The blob from a single cell of area 1.
 Found spike(int steps) {
-  quality::Profile start{-1, 2.0 / 400, std::vector<double>(401, 0.0)};
+  quality::Histogram start{-1, 2.0 / 400, std::vector<double>(401, 0.0)};
   start.height[200] = 1 / start.width;
   const auto s = quality::spread({}, start, 1e-9, 1, steps);
   if (!s.converged) throw report::NoAnswer{"not converged: heights below zero"};

@@ -88,7 +88,7 @@ void cost(report::Item& item) {
 report::Found load_kept(const WheelResult& r, double load) {
   if (!r.converged) throw report::NoAnswer(r.reason);
   return {fmt::format("{} patches; {}", r.patches.size(),
-                      r.doubts.empty() ? "no doubt" : r.doubts.front()),
+                      r.warnings.empty() ? "no warning" : r.warnings.front().text),
           std::abs(r.force.z() / load - 1)};
 }
 

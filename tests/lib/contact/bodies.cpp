@@ -15,8 +15,8 @@ namespace {
 constexpr double inf = std::numeric_limits<double>::infinity();
 
 // Points of a circle of radius r with its summit at (x0, depth0).
-Profile circle(double r, double x0, double depth0, int n = 161, double half = 0.04) {
-  Profile p{Eigen::VectorXd::LinSpaced(n, x0 - half, x0 + half), Eigen::VectorXd(n)};
+DepthPoints circle(double r, double x0, double depth0, int n = 161, double half = 0.04) {
+  DepthPoints p{Eigen::VectorXd::LinSpaced(n, x0 - half, x0 + half), Eigen::VectorXd(n)};
   for (int k = 0; k < n; ++k)
     p.depth[k] = depth0 + r - std::copysign(std::sqrt(r * r - std::pow(p.x[k] - x0, 2)), r);
   return p;
@@ -42,7 +42,7 @@ TEST_CASE("unit: bodies by radii give Hertz's gap") {
 TEST_CASE("unit: profiles touch where their depths add to least, and solve like radii") {
   // A rail of 0.3 m crown radius with its summit at x = 0.01 and a conical wheel of slope 1/20:
   // they touch where the rail's slope is the wheel's, x - 0.01 = 0.3 sin(atan(1/20)).
-  Profile cone{Eigen::VectorXd::LinSpaced(50, -0.05, 0.06), {}};
+  DepthPoints cone{Eigen::VectorXd::LinSpaced(50, -0.05, 0.06), {}};
   cone.depth = -cone.x / 20;
   const Body rail{.profile = circle(0.3, 0.01, 0.002), .radius_y = inf};
   const Body wheel{.profile = cone, .radius_y = 0.46};
@@ -65,7 +65,7 @@ TEST_CASE("unit: profiles touch where their depths add to least, and solve like 
 }
 
 TEST_CASE("unit: two summits are two patches") {
-  Profile two{Eigen::VectorXd::LinSpaced(401, -0.03, 0.03), Eigen::VectorXd(401)};
+  DepthPoints two{Eigen::VectorXd::LinSpaced(401, -0.03, 0.03), Eigen::VectorXd(401)};
   for (int k = 0; k < 401; ++k)
     two.depth[k] =
         1e-4 * (1 - std::cos(2 * 3.14159265358979 * two.x[k] / 0.02)) + 1e-7 * (two.x[k] + 0.02);
@@ -95,7 +95,7 @@ TEST_CASE("unit: rounded points move the first touch by no more than their scatt
   for (const double digit : {1e-8, 1e-7, 1e-6}) {
     int covered = 0, beyond_third = 0;
     for (int k = 0; k < 40; ++k) {
-      Profile p{Eigen::VectorXd::LinSpaced(401, -0.01, 0.01), Eigen::VectorXd(401)};
+      DepthPoints p{Eigen::VectorXd::LinSpaced(401, -0.01, 0.01), Eigen::VectorXd(401)};
       const double summit = 5e-5 * k / 40 + 1e-4 * k;
       for (Eigen::Index n = 0; n < 401; ++n) {
         const double x = p.x[n] - summit;

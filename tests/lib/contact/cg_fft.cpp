@@ -204,9 +204,9 @@ TEST_CASE("unit: a peak's error has the largest drop of the peaks higher than ha
     REQUIRE(finest.patches.size() == 2);
     REQUIRE(std::isfinite(result.contact.p_max_error));
     double drop = 0, highest = 0;
-    for (const Patch& patch : finest.patches) highest = std::max(highest, patch.p_max);
+    for (const PressurePatch& patch : finest.patches) highest = std::max(highest, patch.p_max);
     int higher = 0;
-    for (const Patch& patch : finest.patches) {
+    for (const PressurePatch& patch : finest.patches) {
       if (2 * patch.p_max <= highest) continue;
       ++higher;
       drop = std::max(drop, patch.peak_drop);
@@ -293,7 +293,7 @@ TEST_CASE(
     const CgFft result = solve_cg_fft(gap, 1, 1, options);
     const Region& finest = result.levels.back().region;
     double narrowest = 1e9;
-    for (const Patch& patch : finest.patches)
+    for (const PressurePatch& patch : finest.patches)
       if (patch.force > 0.01 * finest.force) narrowest = std::min(narrowest, patch.cells_across);
     CAPTURE(narrowest, finest.patches.size(), finest.patches.back().force / finest.force);
     CHECK(std::isinf(result.contact.force_error) == (narrowest < 5));
@@ -335,7 +335,7 @@ TEST_CASE(
       forces.push_back(level.region.force);
     }
     const Extrapolated f = extrapolate(h, forces, order);
-    const Patch& patch = finest.patches.front();
+    const PressurePatch& patch = finest.patches.front();
     return std::tuple{result.contact.force_error - f.error / f.value, patch.cells_across,
                       std::max(1.0, patch.edge_intensity)};
   };

@@ -231,7 +231,7 @@ TEST_CASE("property: several patches are the sum of each") {
       REQUIRE(result.contact.converged);
       REQUIRE(region.patches.size() == static_cast<std::size_t>(count));
       double area = 0, force = 0;
-      for (const Patch& patch : region.patches) {
+      for (const PressurePatch& patch : region.patches) {
         CHECK(patch.area ==
               Approx(region.area / count).epsilon(0.3));  // a cell is a fifth of a radius
         CHECK(patch.force == Approx(region.force / count).epsilon(0.2));

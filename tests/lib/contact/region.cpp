@@ -39,7 +39,7 @@ TEST_CASE("unit: an ellipse's peak is exact between the cells, its sums and ends
   const VectorXd p = half_ellipse(17.3, 14.8, 12.4, 8.7, 5);
   const Region r = describe(grid, p, no_gap());
   REQUIRE(r.patches.size() == 1);
-  const Patch& patch = r.patches[0];
+  const PressurePatch& patch = r.patches[0];
   // p^2 is the sum of a parabola of x and one of y, whose vertices three places give.
   CHECK(r.p_max == Approx(5).epsilon(1e-12));
   CHECK(r.x_p_max == Approx(grid.x0 + 17.3 * grid.dx).epsilon(1e-12));

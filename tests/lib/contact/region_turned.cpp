@@ -94,7 +94,7 @@ void same(const Region& a, const Region& b) {
   CHECK(a.meets_body_edge == b.meets_body_edge);
   REQUIRE(a.patches.size() == b.patches.size());
   for (std::size_t k = 0; k < a.patches.size(); ++k) {
-    const Patch &one = a.patches[k], &other = b.patches[k];
+    const PressurePatch &one = a.patches[k], &other = b.patches[k];
     CHECK(one.cells == other.cells);
     CHECK(one.force == Approx(other.force));
     CHECK(one.area == Approx(other.area));

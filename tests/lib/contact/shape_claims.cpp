@@ -137,7 +137,7 @@ TEST_CASE("claim: thinned profiles show what interpolation does to the gap") {
              wave * x * x / radius * std::sin(x / long_wave);
     };
     const Eigen::Index n = 21 + k % 40;
-    Profile points{Eigen::VectorXd::LinSpaced(n, -0.5 * radius, 0.6 * radius), {}};
+    DepthPoints points{Eigen::VectorXd::LinSpaced(n, -0.5 * radius, 0.6 * radius), {}};
     points.depth = points.x.unaryExpr(depth);
     const Body one{.profile = points, .radius_y = infinite}, two{.radius_y = 0.4};
     const TouchingBodies full = join_bodies(one, two);

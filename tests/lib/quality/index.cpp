@@ -167,7 +167,7 @@ TEST_CASE("The blob: constants, area, and finite volumes that keep it", "[qualit
   CHECK_THAT(blob_front(1), WithinAbs(0.74741205, 5e-9));
   CHECK_THAT(blob_height(0, 1), WithinAbs(0.79515947, 5e-9));
   CHECK_THAT(blob_height(0.3, 32), WithinRel(0.5 * blob_height(0.15, 1), 1e-12));
-  Profile p{-1.5 + 0.5 * 3.0 / 300, 3.0 / 300, {}};
+  Histogram p{-1.5 + 0.5 * 3.0 / 300, 3.0 / 300, {}};
   for (std::size_t i = 0; i < 300; ++i) p.height.push_back(blob_height(p.x(i), 1));
   const double before = area(p);
   const Spread s = spread({}, p, 1, 10, 300);
@@ -182,7 +182,7 @@ TEST_CASE("Diffusion by the same volumes is Gaussian, second order in time and s
           "[quality]") {
   double last = 0;
   for (const int n : {100, 200}) {
-    Profile p{-4 + 4.0 / n, 8.0 / n, {}};
+    Histogram p{-4 + 4.0 / n, 8.0 / n, {}};
     for (int i = 0; i < n; ++i) {
       const double x = p.x(static_cast<std::size_t>(i));
       p.height.push_back(std::exp(-0.5 * x * x / 0.09) / (0.3 * std::sqrt(2 * units::pi)));
@@ -207,7 +207,7 @@ TEST_CASE("The blob's edge stands within half a cell; the mean error falls with 
   const double end = 10, front = blob_front(end), top = blob_height(0, end);
   const double place = front * std::sqrt(1 - 1e-3);  // where h is a tenth of its top
   const auto cell_means = [](double t, int cells) {
-    Profile p{-1.5 + 1.5 / cells, 3.0 / cells, {}};
+    Histogram p{-1.5 + 1.5 / cells, 3.0 / cells, {}};
     for (std::size_t i = 0; i < static_cast<std::size_t>(cells); ++i) {
       double sum = 0;
       for (int j = 0; j < 16; ++j) sum += blob_height(p.x(i) + p.width * ((j + 0.5) / 16 - 0.5), t);
@@ -219,8 +219,8 @@ TEST_CASE("The blob's edge stands within half a cell; the mean error falls with 
   for (const int cells : {50, 100, 200, 400, 800}) {
     const Spread s = spread({}, cell_means(1, cells), 1, end, cells);
     REQUIRE(s.converged);
-    const Profile& p = s.profile;
-    const Profile exact = cell_means(end, cells);
+    const Histogram& p = s.profile;
+    const Histogram exact = cell_means(end, cells);
     double mean_error = 0, edge = 1e9;
     for (std::size_t i = 0; i < p.height.size(); ++i)
       mean_error += std::abs(p.height[i] - exact.height[i]) / top * p.width;

@@ -120,7 +120,7 @@ TEST_CASE("claim: tracks in time, risks and spreading histograms") {
     const double D = draw.decades(1e-12, 1e3), years = draw.decades(1e-3, 1e3);
     diffused.relative(diffused_deviation(deviation_is, D, years),
                       std::sqrt(Long{deviation_is} * deviation_is + 2 * Long{D} * years));
-    Profile p{draw(-10, 10), draw.decades(1e-3, 1), {}};
+    Histogram p{draw(-10, 10), draw.decades(1e-3, 1), {}};
     Long area_is = 0, first = 0, second = 0;
     for (int i = 0; i < 20; ++i) {
       p.height.push_back(draw(0, 1));

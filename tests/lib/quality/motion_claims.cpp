@@ -113,7 +113,7 @@ TEST_CASE("claim: spreading keeps the area") {
   Claim kept("quality::spread");
   RandomStream draw(93);
   for (int k = 0; k < 1000; ++k) {
-    Profile p{0, draw.decades(0.01, 1), {}};
+    Histogram p{0, draw.decades(0.01, 1), {}};
     for (int i = 0; i < 30; ++i) p.height.push_back(i % 29 ? draw.decades(1e-3, 1) : 0);
     const double before = area(p), step = draw.decades(1e-4, 1) * p.width * p.width;
     const Spread s = spread({draw.decades(0.1, 1), k % 4}, p, 1, 1 + step, 4);

@@ -123,7 +123,7 @@ TEST_CASE("unit: the track's rate is the derivative of its height, on the ramp a
 
 TEST_CASE(
     "unit: spreading leaves the area and the mean, and adds to the variance what diffusion adds") {
-  Profile start{-3, 0.05, std::vector<double>(121, 0.0)};
+  Histogram start{-3, 0.05, std::vector<double>(121, 0.0)};
   for (std::size_t i = 0; i < 121; ++i)
     start.height[i] = std::exp(-2 * start.x(i) * start.x(i)) * (1 + 0.2 * start.x(i));
   const Spread done = spread({0.2, 0}, start, 1, 2, 40);
@@ -134,7 +134,7 @@ TEST_CASE(
         Approx(std::pow(deviation(start), 2) + 2 * 0.2).epsilon(1e-3));
   // A linear law takes two solutions a step and one that sees that it has arrived.
   CHECK(done.iterations <= 4 * 40);
-  for (const auto& bad : {Profile{0, 0, {1, 1, 1}}, Profile{0, 1, {1, 1}}})
+  for (const auto& bad : {Histogram{0, 0, {1, 1, 1}}, Histogram{0, 1, {1, 1}}})
     CHECK_THROWS_AS(spread({}, bad, 1, 2, 1), InputError);
   CHECK_THROWS_AS(spread({}, start, 2, 2, 1), InputError);
   CHECK_THROWS_AS(spread({}, start, 0, 2, 1), InputError);

@@ -59,11 +59,11 @@ Count doubted_records(std::uint64_t first_seed, std::uint64_t tracks) {
       }
       stream.finish();
       ++count.records;
-      const auto doubts = stream.doubts();
-      count.doubted += !doubts.empty();
-      if (!doubts.empty())
+      const auto warnings = stream.warnings();
+      count.doubted += !warnings.empty();
+      if (!warnings.empty())
         UNSCOPED_INFO("seed " << k << " record " << r << " spacing " << t.spacing << " A " << t.A
-                              << " quantum " << quantum << ": " << doubts.front().text);
+                              << " quantum " << quantum << ": " << warnings.front().text);
     }
   }
   return count;

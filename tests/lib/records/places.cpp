@@ -180,7 +180,7 @@ TEST_CASE("unit: a spacing that changes is doubted from 0.3 % on and refused fro
       CHECK_THROWS_WITH(stream.finish(), Contains("changes of up to 2 %"));
     } else {
       stream.finish();
-      CHECK(stream.doubts().size() == (change > 0.003 ? 1 : 0));
+      CHECK(stream.warnings().size() == (change > 0.003 ? 1 : 0));
     }
   }
 }

@@ -101,8 +101,8 @@ TEST_CASE("unit: places follow the positions to half a sample where the spacing 
   c.stream.finish();
   for (std::size_t i = 0; i < x.size(); i += 7)
     REQUIRE(std::abs(c.stream.places().at(i) - x[i]) < 0.2);
-  REQUIRE(c.stream.doubts().size() == 1);
-  CHECK(c.stream.doubts()[0].key == "spacing");
+  REQUIRE(c.stream.warnings().size() == 1);
+  CHECK(c.stream.warnings()[0].key == "spacing");
 }
 
 TEST_CASE("unit: positions may descend") {
@@ -172,7 +172,7 @@ TEST_CASE("unit: what comes of a record does not depend on the pieces it comes i
           c.stream.add({&x[i], n}, {&z[i], n});
         }
         c.stream.finish();
-        for (const auto& doubt : c.stream.doubts()) told += doubt.text + "\n";
+        for (const auto& warning : c.stream.warnings()) told += warning.text + "\n";
         for (const auto& f : c.stream.faults())
           told += std::to_string(f.first) + " " + std::to_string(f.count) + "\n";
       } catch (const InputError& error) {

@@ -11,6 +11,7 @@
 #include <railbook/records/record.hpp>
 #include <railbook/spectra/synthetic_track.hpp>
 #include <railbook/units/constants.hpp>
+#include <railbook/units/warning.hpp>
 
 #include "support/no_fp_fault.hpp"
 
@@ -24,7 +25,7 @@ const double lost = std::numeric_limits<double>::quiet_NaN();
 struct Screened {
   std::vector<double> out;
   std::vector<records::FaultyStretch> faults;
-  std::vector<records::Doubt> doubts;
+  std::vector<units::Warning> warnings;
 };
 
 Screened screen(const std::vector<double>& in, double spacing = 0.25) {
@@ -36,7 +37,7 @@ Screened screen(const std::vector<double>& in, double spacing = 0.25) {
   for (const double z : in) stream.add(z);
   stream.finish();
   s.faults = stream.faults();
-  s.doubts = stream.doubts();
+  s.warnings = stream.warnings();
   return s;
 }
 
@@ -86,7 +87,7 @@ TEST_CASE("unit: a gauge that moves by single quanta is not reported as stuck") 
 TEST_CASE("unit: a clean track passes the screen unchanged") {
   const auto s = screen(track());
   CHECK(s.faults.empty());
-  CHECK(s.doubts.empty());
+  CHECK(s.warnings.empty());
   CHECK(s.out == track());
 }
 
@@ -101,7 +102,7 @@ TEST_CASE("unit: a value far off is taken out, wherever it stands and whatever i
       CHECK(s.faults[0].first == at);
       CHECK(s.faults[0].count == 1);
       CHECK(std::isnan(s.out[at]));
-      CHECK(s.doubts.size() == 1);
+      CHECK(s.warnings.size() == 1);
     }
 }
 
@@ -116,7 +117,7 @@ TEST_CASE("unit: a code is taken out in runs of any length, others are left alon
                   z.begin() + static_cast<std::ptrdiff_t>(end), code);
         CAPTURE(at, length, code);
         const auto s = screen(z);
-        REQUIRE(!s.doubts.empty());
+        REQUIRE(!s.warnings.empty());
         if (at < 8192 && length == 20000) continue;  // it fills all that is looked at
         REQUIRE(s.faults.size() == 1);
         CHECK(s.faults[0].fault == Fault::code);
@@ -150,7 +151,7 @@ TEST_CASE("unit: a sensor that stuck is taken out but for its first sample") {
                 z.begin() + static_cast<std::ptrdiff_t>(end), z[at]);
       CAPTURE(at, length);
       const auto s = screen(z);
-      REQUIRE(!s.doubts.empty());
+      REQUIRE(!s.warnings.empty());
       std::size_t stuck = 0;
       for (const auto& f : s.faults)
         stuck += f.fault == Fault::stuck || f.fault == Fault::code ? f.count : 0;
@@ -168,10 +169,10 @@ TEST_CASE("unit: the doubt about steps names the largest of them, whatever its s
         z[i] += (i >= 8192 ? first : 0) + (i >= 20000 ? second : 0);
       CAPTURE(first, second);
       const auto s = screen(z);
-      REQUIRE(s.doubts.size() == 1);
-      CHECK(s.doubts[0].key == "steps");
+      REQUIRE(s.warnings.size() == 1);
+      CHECK(s.warnings[0].key == "steps");
       const bool is_first = std::abs(first) > std::abs(second);
-      CHECK_THAT(s.doubts[0].text, Catch::Contains(is_first ? "m at 2048 m" : "m at 5000 m"));
+      CHECK_THAT(s.warnings[0].text, Catch::Contains(is_first ? "m at 2048 m" : "m at 5000 m"));
     }
 }
 
@@ -194,8 +195,8 @@ TEST_CASE("unit: metres for millimetres, and the other way round, are doubted") 
     auto z = track();
     for (double& h : z) h *= unit;
     const auto s = screen(z);
-    REQUIRE(s.doubts.size() == 1);
-    CHECK(s.doubts[0].key == "unit");
+    REQUIRE(s.warnings.size() == 1);
+    CHECK(s.warnings[0].key == "unit");
   }
 }
 
@@ -212,8 +213,8 @@ TEST_CASE("unit: a sensor stuck from the beginning is reported and not taken out
   std::vector<double> z = track();
   for (double& value : z) value = 1e-4 * std::round(1e4 * value);
   const auto told = [](const Screened& s) {
-    return std::any_of(s.doubts.begin(), s.doubts.end(),
-                       [](const records::Doubt& d) { return d.key == "still"; });
+    return std::any_of(s.warnings.begin(), s.warnings.end(),
+                       [](const units::Warning& d) { return d.key == "still"; });
   };
   CHECK_FALSE(told(screen(z)));
   z.insert(z.begin(), 16000, z.front());

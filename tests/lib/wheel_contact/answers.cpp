@@ -1,4 +1,4 @@
-// What a wheel's answer refuses, doubts and is made of, each limit from both sides.
+// What a wheel's answer refuses, warns of and is made of, each limit from both sides.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -10,6 +10,7 @@
 #include <railbook/contact/hertz.hpp>
 #include <railbook/rolling/material_pair.hpp>
 #include <railbook/units/input_error.hpp>
+#include <railbook/units/warning.hpp>
 #include <railbook/wheel_contact/stress.hpp>
 #include <railbook/wheel_contact/wheel.hpp>
 
@@ -43,8 +44,9 @@ WheelInput wish_of(Method method = Method::hertz, double load = 60e3) {
   return input;
 }
 
-bool doubted(const WheelResult& found, const std::string& text) {
-  return std::ranges::any_of(found.doubts, [&](const auto& d) { return d.find(text) != d.npos; });
+bool warned(const WheelResult& found, const std::string& text) {
+  return std::ranges::any_of(
+      found.warnings, [&](const units::Warning& w) { return w.text.find(text) != w.text.npos; });
 }
 
 }  // namespace
@@ -93,13 +95,13 @@ TEST_CASE(
     const WheelResult alone = solve_wheel(on_two(1e-3), {}, wish_of());
     REQUIRE(alone.patches.size() == 1);
     sunk = alone.z - alone.z_touch;
-    CHECK(alone.doubts.empty());
+    CHECK(alone.warnings.empty());
   }
   for (const double lower : {1.47, 1.53}) {
     const WheelResult found = solve_wheel(on_two(lower * sunk), {}, wish_of());
     CHECK(found.patches.size() == 1);
-    CHECK(found.doubts.size() == (lower < 1.5 ? 1 : 0));
-    CHECK(doubted(found, "mm across the wheel only") == (lower < 1.5));
+    CHECK(found.warnings.size() == (lower < 1.5 ? 1 : 0));
+    CHECK(warned(found, "mm across the wheel only") == (lower < 1.5));
   }
   int light = 0;
   for (const double lower : {0.5, 0.7, 0.72, 0.74, 0.76, 0.78, 0.8}) {
@@ -107,7 +109,7 @@ TEST_CASE(
     REQUIRE(found.patches.size() == 2);
     const bool little = found.patches[1].load < 0.1 * found.patches[0].load;
     CAPTURE(lower, found.patches[1].load / found.patches[0].load);
-    CHECK(doubted(found, "a patch carries only") == little);
+    CHECK(warned(found, "a patch carries only") == little);
     CHECK(found.force.z() == Approx(60e3).epsilon(2e-5));
     light += little ? 1 : 0;
   }
@@ -115,7 +117,7 @@ TEST_CASE(
   CHECK(light < 6);
 }
 
-TEST_CASE("unit: a patch that turns by 0.35 rad, and unlike materials of 0.02, are doubted") {
+TEST_CASE("unit: a patch that turns by 0.35 rad, and unlike materials of 0.02, have a warning") {
   // A hollow tread about a rail that nearly fills it.
   Profile::Piece hollow{-0.012, 0.012, {-0.0155}}, head{0.735, 0.765, {0.015}};
   hollow.sign = 1, hollow.radius = 0.0155;
@@ -130,7 +132,7 @@ TEST_CASE("unit: a patch that turns by 0.35 rad, and unlike materials of 0.02, a
     const double turn = found.patches.front().patch.turn;
     CAPTURE(turn);
     CHECK(turn > before);
-    CHECK(doubted(found, "conformal: the rail turns by ") == (turn > 0.35));
+    CHECK(warned(found, "conformal: the rail turns by ") == (turn > 0.35));
     before = turn;
     plane += turn > 0.35 ? 0 : 1;
   }
@@ -143,7 +145,7 @@ TEST_CASE("unit: a patch that turns by 0.35 rad, and unlike materials of 0.02, a
       (wheel ? input.wheel : input.rail).young = 210e9 - 5e9 * k;
       const double unlike = rolling::combine(input.wheel, input.rail).dissimilarity;
       CAPTURE(unlike);
-      CHECK(doubted(solve_wheel(on_crown(), {}, input), "unlike materials") ==
+      CHECK(warned(solve_wheel(on_crown(), {}, input), "unlike materials") ==
             (std::abs(unlike) > 0.02));
       alike += std::abs(unlike) > 0.02 ? 0 : 1;
     }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <railbook/units/input_error.hpp>
+#include <railbook/units/warning.hpp>
 #include <railbook/wheel_contact/wheel.hpp>
 
 using namespace railbook;
@@ -72,13 +73,13 @@ TEST_CASE(
     CHECK(found.force.z() == Approx(50e3).epsilon(2e-3));
     if (k > 0) CHECK(std::abs(found.z - last) < 2e-5);
     last = found.z;
-    for (const std::string& doubt : found.doubts)
-      CHECK(doubt.find("take the full theory") == std::string::npos);
+    for (const units::Warning& warning : found.warnings)
+      CHECK(warning.text.find("take the full theory") == std::string::npos);
     // The strips give up here, or say that they are rough.
     WheelInput quick = input;
     quick.method = Method::strips;
     const WheelResult rough = solve_wheel(pair, {.y = y, .roll = -3.5e-4}, quick);
-    share += rough.converged ? !rough.doubts.empty() : !rough.reason.empty();
+    share += rough.converged ? !rough.warnings.empty() : !rough.reason.empty();
   }
   CHECK(share >= 11);  // at the last place one area is all but gone
 }

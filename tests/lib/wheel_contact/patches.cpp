@@ -210,7 +210,7 @@ TEST_CASE("unit: FASTSIM's tractions add up to its forces, and to its moment abo
                                             {.along = 100, .strips = 100});
     CHECK(f.mz == Approx(same.mz).epsilon(0.02).margin(2e-3 * bound * hertz.a));
     CHECK(f.stick_share == Approx(same.stick_share).margin(0.03));
-    CHECK(f.doubt.empty());
+    CHECK(f.warning.empty());
     if (creep.longitudinal == 9) CHECK(f.fx == Approx(bound).epsilon(1e-9));
     CHECK(fastsim(strips, c).tractions.x.size() == 0);
   }
@@ -221,7 +221,7 @@ TEST_CASE("unit: FASTSIM's tractions add up to its forces, and to its moment abo
     Strips slender = strips;
     slender.ratio = ratio;
     const rolling::RollingCase c{hertz.a, hertz.b, hertz.force, 8e10, 0.28, 0.3, {1e-4, 0, 0}};
-    CHECK(fastsim(slender, c).doubt.empty() == (ratio > 0.1 && ratio < 10));
+    CHECK(fastsim(slender, c).warning.empty() == (ratio > 0.1 && ratio < 10));
   }
 }
 

@@ -145,8 +145,8 @@ TEST_CASE("property: unlike materials cause a warning, and drive a wheel that wo
   input.wheel.young = 70e9;
   const WheelResult found = solve_wheel(pair, {}, input);
   REQUIRE(found.converged);
-  REQUIRE_FALSE(found.doubts.empty());
-  CHECK(found.doubts.front().starts_with("unlike materials (K = 0.1"));
+  REQUIRE_FALSE(found.warnings.empty());
+  CHECK(found.warnings.front().text.starts_with("unlike materials (K = 0.1"));
   CHECK(found.force.x() > alike + 0.02 * 0.3 * input.load);
 }
 

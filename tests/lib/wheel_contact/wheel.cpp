@@ -1,5 +1,5 @@
 // What a wheel's answer is made of: creepages of a rigid body, friction at its slip, forces that
-// add up, and its doubts.
+// add up, and its warnings.
 #include <railbook/wheel_contact/wheel.hpp>
 
 #include <fmt/format.h>
@@ -30,8 +30,9 @@ WheelInput wish_of(double angular_velocity, Method method = Method::hertz) {
   return input;
 }
 
-bool doubted(const WheelResult& found, const std::string& text) {
-  return std::ranges::any_of(found.doubts, [&](const auto& d) { return d.starts_with(text); });
+bool warned(const WheelResult& found, const std::string& text) {
+  return std::ranges::any_of(found.warnings,
+                             [&](const units::Warning& w) { return w.text.starts_with(text); });
 }
 
 }  // namespace
@@ -108,14 +109,16 @@ TEST_CASE("unit: friction falls from its coefficient to the share that is left")
 TEST_CASE("unit: a doubtful answer has warnings, and an ordinary one has none") {
   const double rolling = 1.001 * speed / radius;
   for (const Method method : {Method::hertz, Method::strips, Method::full})
-    CHECK(solve_wheel(cone_on_round(0), {}, wish_of(rolling, method)).doubts.empty());
+    CHECK(solve_wheel(cone_on_round(0), {}, wish_of(rolling, method)).warnings.empty());
   const ProfilePair real = s1002_on_60e1(1.0 / 40);
   WheelInput coarse = wish_of(rolling, Method::full);
   coarse.along = coarse.across = 8, coarse.load = 10e3;
   const WheelResult rough = solve_wheel(real, {.y = 3e-3}, coarse);
   CHECK(rough.patches.front().p_max_error > 0.02);
-  CHECK(rough.doubts == std::vector{fmt::format("coarse: the peak pressure may be off by {:.1f} %",
-                                                100 * rough.patches.front().p_max_error)});
+  CHECK(rough.warnings ==
+        std::vector{
+            units::Warning{"coarse", fmt::format("coarse: the peak pressure may be off by {:.1f} %",
+                                                 100 * rough.patches.front().p_max_error)}});
   // 7 um above a second place of contact: less than half of what 10 kN sink in, more than half of
   // what 1 kN does.
   const Pose near{.y = 5e-3};
@@ -124,36 +127,37 @@ TEST_CASE("unit: a doubtful answer has warnings, and an ordinary one has none") 
   light.load = 10e3;
   const WheelResult verged = solve_wheel(real, near, light);
   const PlacedWheel::Point& second = touch.least.at(1);
-  CHECK(verged.doubts ==
-        std::vector{fmt::format(
-            "verge of a second contact: at {:.2f} mm across the wheel only {:.1f} um clear",
-            1e3 * second.s, 1e6 * (second.gap - verged.z))});
+  CHECK(verged.warnings ==
+        std::vector{units::Warning{
+            "verge",
+            fmt::format(
+                "verge of a second contact: at {:.2f} mm across the wheel only {:.1f} um clear",
+                1e3 * second.s, 1e6 * (second.gap - verged.z))}});
   light.load = 1e3;
-  CHECK(solve_wheel(real, near, light).doubts.empty());
+  CHECK(solve_wheel(real, near, light).warnings.empty());
   // A cone that ends on the rail 1 mm from where it touches: out of the overlap of a light load,
   // within a heavy one's.
   Profile::Piece tread{-0.05, 0.001}, crown{0.70, 0.80, {0.3}};
   crown.sign = -1, crown.centre = 0.75, crown.radius = 0.3;
   const ProfilePair short_tread{Profile({tread}), Profile({crown})};
   light.load = 1;
-  CHECK(solve_wheel(short_tread, {}, light).doubts.empty());
+  CHECK(solve_wheel(short_tread, {}, light).warnings.empty());
   light.load = 60e3;
-  CHECK(
-      doubted(solve_wheel(short_tread, {}, light), "off the profile: the overlap reaches an end"));
+  CHECK(warned(solve_wheel(short_tread, {}, light), "off the profile: the overlap reaches an end"));
   // A hollow tread about a rail that nearly fills it turns with it.
   Profile::Piece hollow{-0.012, 0.012, {-0.0155}}, head{0.735, 0.765, {0.015}};
   hollow.sign = 1, hollow.centre = 0, hollow.radius = 0.0155;
   head.sign = -1, head.centre = 0.75, head.radius = 0.015;
   const ProfilePair conformal{Profile({hollow}), Profile({head})};
   WheelInput heavy = wish_of(rolling, Method::strips);
-  CHECK_FALSE(doubted(solve_wheel(conformal, {}, heavy), "conformal"));
+  CHECK_FALSE(warned(solve_wheel(conformal, {}, heavy), "conformal"));
   heavy.load = 800e3;
   const WheelResult wrapped = solve_wheel(conformal, {}, heavy);
-  CHECK(doubted(wrapped, "conformal: the rail turns by "));
+  CHECK(warned(wrapped, "conformal: the rail turns by "));
   WheelInput unlike = wish_of(rolling);
   unlike.wheel.young = 190e9;
-  CHECK_FALSE(doubted(solve_wheel(cone_on_round(0), {}, unlike), "unlike"));  // K = 0.011
+  CHECK_FALSE(warned(solve_wheel(cone_on_round(0), {}, unlike), "unlike"));  // K = 0.011
   unlike.wheel.young = 70e9;
-  CHECK(doubted(solve_wheel(cone_on_round(0), {}, unlike),
-                "unlike materials (K = 0.110): left out by this method"));
+  CHECK(warned(solve_wheel(cone_on_round(0), {}, unlike),
+               "unlike materials (K = 0.110): left out by this method"));
 }

@@ -12,6 +12,7 @@
 #include <railbook/records/record.hpp>
 #include <railbook/spectra/synthetic_track.hpp>
 #include <railbook/units/constants.hpp>
+#include <railbook/units/warning.hpp>
 
 using namespace railbook;
 using Catch::Matchers::Contains;
@@ -29,10 +30,10 @@ std::vector<double> track(std::size_t n) {
 }
 
 struct Heard {
-  std::vector<records::Doubt> doubts;
+  std::vector<units::Warning> warnings;
   double roughness = 0;
   std::string of(const std::string& key) const {
-    for (const records::Doubt& d : doubts)
+    for (const units::Warning& d : warnings)
       if (d.key == key) return d.text;
     return {};
   }
@@ -42,7 +43,7 @@ Heard hear(const std::vector<double>& z, std::size_t bridge = 0) {
                                [](std::span<const double>) {}};
   stream.add(z);
   stream.finish();
-  return {stream.doubts(), stream.roughness()};
+  return {stream.warnings(), stream.roughness()};
 }
 
 }  // namespace
@@ -52,7 +53,7 @@ TEST_CASE("unit: more than a twentieth of the samples bridged is doubted") {
     auto z = track(4000);
     for (std::size_t k = 0; k < gaps; ++k) z[5 + 9 * k] = lost;
     INFO(gaps << " of 4000");
-    CHECK(hear(z, 0).doubts.empty());  // left as gaps
+    CHECK(hear(z, 0).warnings.empty());  // left as gaps
     const std::string text = hear(z, 1).of("bridged");
     CHECK(text.empty() == (gaps <= 200));
     if (gaps == 201) CHECK_THAT(text, Catch::StartsWith("5.025 % of the samples are bridged"));
@@ -101,7 +102,7 @@ TEST_CASE("unit: each kind of fault is reported once, with all its samples and i
   z[2000] += 0.5, z[4000] -= 0.9, z[4400] += 0.7;
   put(2500, 60, z[2500]), put(4500, 30, z[4500]);
   const Heard all = hear(z);
-  CHECK(all.doubts.size() == 3);
+  CHECK(all.warnings.size() == 3);
   CHECK_THAT(all.of("codes"),
              Catch::StartsWith("17 samples far off with one value, such as -9.999 m at 750 m"));
   CHECK_THAT(all.of("outliers"),

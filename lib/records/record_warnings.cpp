@@ -1,4 +1,4 @@
-// What a record stream has to say of the record.
+// What a record stream warns of, and where.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -6,11 +6,12 @@
 #include <railbook/records/record.hpp>
 #include <railbook/units/constants.hpp>
 #include <railbook/units/number_text.hpp>
+#include <railbook/units/warning.hpp>
 
 namespace railbook::records {
 namespace {
 
-constexpr double spacing_doubted = 0.003, bridged_doubted = 0.05;
+constexpr double uneven_spacing = 0.003, much_bridged = 0.05;
 constexpr double smoothest = 1e-10, roughest = 1e-4;  // m^2 cycle/m: no track is beyond
 constexpr std::size_t fewest_moves = 100;
 
@@ -86,8 +87,8 @@ double RecordStream::roughness() const {
   return moved_ / static_cast<double>(moves_) / (units::pi * units::pi * reach);  // equation (8)
 }
 
-std::vector<Doubt> RecordStream::doubts() const {
-  std::vector<Doubt> result;
+std::vector<units::Warning> RecordStream::warnings() const {
+  std::vector<units::Warning> result;
   const auto add = [&](Fault fault, bool taken_out, const auto& text) {
     const Found f = find(faults(), fault, taken_out);
     if (f.samples == 0) return;
@@ -153,12 +154,12 @@ std::vector<Doubt> RecordStream::doubts() const {
     result.push_back({"still", std::to_string(still->count) + " samples in a row are equal, from " +
                                    units::number_text(places_.at(still->first)) +
                                    " m on: a sensor that stuck? They are not taken out"});
-  if (static_cast<double>(bridged_) > bridged_doubted * static_cast<double>(samples_))
+  if (static_cast<double>(bridged_) > much_bridged * static_cast<double>(samples_))
     result.push_back({"bridged", short_text(100 * static_cast<double>(bridged_) /
                                             static_cast<double>(samples_)) +
                                      " % of the samples are bridged by straight lines: short waves "
                                      "come out too low"});
-  if (const auto u = places_.unevenness(); u.share > spacing_doubted)
+  if (const auto u = places_.unevenness(); u.share > uneven_spacing)
     result.push_back({"spacing", "the spacing changes: " + short_text(u.spacing) + " m from " +
                                      units::number_text(u.from) + " m to " +
                                      units::number_text(u.to) + " m, " + short_text(u.overall) +
@@ -176,20 +177,20 @@ std::vector<Doubt> RecordStream::doubts() const {
   return result;
 }
 
-std::vector<Warning> RecordStream::warnings() const {
-  std::vector<Warning> result;
+std::vector<SuspectPlace> RecordStream::suspect_places() const {
+  std::vector<SuspectPlace> result;
   for (const FaultyStretch& f : faults())
     result.push_back({key_of(f.fault), places_.at(f.first), places_.at(f.first + f.count - 1),
                       f.count, f.fault == Fault::outlier ? f.off : f.value, f.taken_out,
                       option_of(f)});
   result.insert(result.end(), counts_.begin(), counts_.end());
-  for (const Doubt& doubt : doubts()) {
-    const bool listed = std::any_of(result.begin(), result.end(), [&](const Warning& w) {
-      return doubt.key == w.key || doubt.key == w.key + "_kept";
+  for (const units::Warning& warning : warnings()) {
+    const bool listed = std::any_of(result.begin(), result.end(), [&](const SuspectPlace& p) {
+      return warning.key == p.key || warning.key == p.key + "_kept";
     });
     if (!listed)
       result.push_back(
-          {doubt.key, places_.at(0), places_.at(samples_ - 1), samples_, lost, false, ""});
+          {warning.key, places_.at(0), places_.at(samples_ - 1), samples_, lost, false, ""});
   }
   return result;
 }
