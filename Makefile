@@ -12,7 +12,7 @@ wants     = { command -v $(1) > /dev/null || { echo "$(1) is not installed; on D
 program   = $(patsubst $(firstword $(subst -, ,$(1)))-%,%,$(1))
 SOURCES   = $(shell git ls-files '*.cpp' '*.hpp' ':!tests/book')
 
-.PHONY: headline accept-digits accept-commands accept-live new-chapter help doctor packages configure chapter-programs programs build install reproduce test thorough chapter figures accept-figures book bench format lint failed clean mutate coverage sanitize matrix fuzz
+.PHONY: cost accept-cost headline accept-digits accept-commands accept-live new-chapter help doctor packages configure chapter-programs programs build install reproduce test thorough chapter figures accept-figures book bench format lint failed clean mutate coverage sanitize matrix fuzz
 
 help:             ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' $(MAKEFILE_LIST) | expand -t 24
@@ -104,6 +104,9 @@ mutate: build     ## faults of one line, a sample: how many the tests notice (FA
 
 coverage: ## lines and branches that the tests of lib/ take, by folder (R="num contact" for some)
 	tests/coverage.sh $(R)
+
+cost accept-cost: build ## count the instructions of ten works with valgrind, and compare them with tests/cost/costs.csv; accept-cost writes it
+	@tests/cost/cost.sh $(BUILD)/bin/railbook tools/examples tests/cost/costs.csv $(if $(filter cost,$@),compare,accept)
 
 sanitize: ## the tests of lib/ and the chapters under the address and undefined-behaviour sanitizers
 	tests/sanitize.sh

@@ -1,6 +1,6 @@
 -- Error against run time of all studies as small drawings, each on its own axes; a method has one colour on all of them.
 
-local html, items, record = require "html", require "items", require "record"
+local csv, html, items, record = require "csv", require "html", require "items", require "record"
 
 local benchmarks = {}
 
@@ -213,6 +213,15 @@ function benchmarks.all(records)
   end
   if machine then table.insert(out, 1, html.tag("p", nil, "Measured on this machine: " .. record.describe(machine) .. ".")) end
   return table.concat(out, "\n")
+end
+
+-- What ten works of the command cost, from tests/cost/costs.csv in a folder.
+function benchmarks.costs(folder)
+  local rows = {}
+  for _, row in ipairs(assert(csv.read(folder .. "/costs.csv"))) do
+    rows[#rows + 1] = {html.text(row.work), {tonumber(row.million_instructions) and html.text(("%.0f"):format(row.million_instructions)), class = "number"}}
+  end
+  return html.table("costs", {"work", "million instructions"}, rows)
 end
 
 return benchmarks

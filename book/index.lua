@@ -230,6 +230,7 @@ function Pandoc(doc)
     ["{{verification}}"] = function() return overview.verification(records) end,
     ["{{claims}}"] = function() return overview.claims(PANDOC_SCRIPT_FILE:match("^(.*)/[^/]*$") .. "/../tests/claims.csv") end,
     ["{{benchmarks}}"] = function() return benchmarks.all(records) end,
+    ["{{costs}}"] = function() return benchmarks.costs(PANDOC_SCRIPT_FILE:match("^(.*)/[^/]*$") .. "/../tests/cost") end,
     ["{{library}}"] = function() return library_page end,
   }
   local here = PANDOC_SCRIPT_FILE:match("^(.*)/[^/]*$")
