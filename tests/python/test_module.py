@@ -13,7 +13,7 @@ import railbook
 from railbook import contact, filters, rolling, spectra, track, vehicle, wheelset
 
 PAGE = pathlib.Path(__file__).parents[2] / "docs" / "python.md"
-EXAMPLES = re.findall(r"```python\n(.*?)```\n\n```text\n(.*?)```", PAGE.read_text(), re.S)
+EXAMPLES = re.findall(r"```python\n(.*?)```\n\n```answer\n(.*?)```", PAGE.read_text(), re.S)
 
 
 def test_the_page_has_its_examples():
