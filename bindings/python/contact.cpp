@@ -79,7 +79,7 @@ void bind_contact(py::module_& whole) {
              if (x.has_value() != depth.has_value())
                throw InputError("body: a profile has both x and depth");
              Body body{.radius_x = radius_x, .radius_y = radius_y};
-             if (x) body.profile = Profile{std::move(*x), std::move(*depth)};
+             if (x) body.profile = DepthPoints{std::move(*x), std::move(*depth)};
              return body;
            }),
            py::kw_only(), "radius_x"_a = straight, "radius_y"_a = straight, "x"_a = py::none(),

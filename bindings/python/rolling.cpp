@@ -100,7 +100,7 @@ void bind_rolling(py::module_& whole) {
       .def_readonly("stick_share", &CreepForces::stick_share)
       .def_readonly("error", &CreepForces::error)
       .def_readonly("mz_error", &CreepForces::mz_error)
-      .def_property_readonly("doubt", [](const CreepForces& f) { return std::string(f.doubt); })
+      .def_property_readonly("warning", [](const CreepForces& f) { return std::string(f.warning); })
       .def_readonly("reason", &CreepForces::reason)
       .def_readonly("tractions", &CreepForces::tractions);
   m.attr("theories") = theory_names();

@@ -1,6 +1,11 @@
 // railbook.wheel_contact: from two profiles and a pose to patches, pressures, creepages and forces.
+#include <string>
+#include <utility>
+#include <vector>
+
 #include <railbook/contact/material.hpp>
 #include <railbook/units/input_error.hpp>
+#include <railbook/units/warning.hpp>
 #include <railbook/wheel_contact/wheel.hpp>
 #include <railbook/wheelset/wheelset_contact.hpp>
 
@@ -116,7 +121,14 @@ void bind_wheel_contact(py::module_& whole) {
       .def_readonly("patches", &WheelResult::patches)
       .def_readonly("force", &WheelResult::force)
       .def_readonly("axle_moment", &WheelResult::axle_moment)
-      .def_readonly("doubts", &WheelResult::doubts);
+      .def_property_readonly(
+          "warnings",
+          [](const WheelResult& r) {
+            std::vector<std::pair<std::string, std::string>> all;
+            for (const units::Warning& w : r.warnings) all.emplace_back(w.key, w.text);
+            return all;
+          },
+          "What to know before trusting it: pairs of a key and a text.");
   m.def(
       "solve_wheel",
       [](const ProfilePair& pair, const Pose& pose, double load, double speed,
