@@ -5,25 +5,11 @@
 #include <cmath>
 #include <complex>
 
-#include <railbook/num/wide.hpp>
-
 namespace railbook::filters {
 namespace {
 
-using Complexes = std::span<std::complex<double>>;
-
-RAILBOOK_AVX2_CLONES void amplify(Complexes z, const double* gain) {
-  for (std::size_t i = 0; i < z.size(); ++i) z[i] *= gain[i];
-}
-RAILBOOK_AVX2_CLONES void join(const double* real, const double* imaginary, Complexes z) {
-  for (std::size_t i = 0; i < z.size(); ++i) z[i] = {real[i], imaginary[i]};
-}
-RAILBOOK_AVX2_CLONES void part(Complexes z, double* real, double* imaginary) {
-  for (std::size_t i = 0; i < z.size(); ++i) real[i] = z[i].real(), imaginary[i] = z[i].imag();
-}
-
 // How many samples stand before the first gap.
-RAILBOOK_AVX2_CLONES std::size_t whole(std::span<const double> z) {
+std::size_t whole(std::span<const double> z) {
   constexpr std::size_t stretch = 256;
   std::size_t i = 0;
   for (; i + stretch <= z.size(); i += stretch) {
@@ -81,14 +67,11 @@ std::vector<double> filter_direct(const FilterTaps& taps, std::span<const double
 
 FilterStream::FilterStream(const FilterTaps& taps, Sink sink)
     : sink_(std::move(sink)), reach_(taps.half.size() - 1), fft_(std::bit_ceil(6 * reach_)) {
-  const std::size_t size = fft_.rows() * fft_.columns();
+  const std::size_t size = fft_.values().size();
   num::RealFft of_taps(size);
   const std::vector<double> gain = symmetric_gains(taps.half, of_taps);
-  for (std::size_t r = 0; r < fft_.rows(); ++r)
-    for (std::size_t c = 0; c < fft_.columns(); ++c) {
-      const std::size_t k = fft_.wave_number(r, c);
-      gain_.push_back(gain[std::min(k, size - k)] / static_cast<double>(size));
-    }
+  for (std::size_t k = 0; k < size; ++k)
+    gain_.push_back(gain[std::min(k, size - k)] / static_cast<double>(size));
   outputs_ = size - 2 * reach_;
   block_.resize(2 * outputs_ + 2 * reach_);
 }
@@ -142,16 +125,14 @@ void FilterStream::append(double value) {
 // two reaches.
 void FilterStream::transform(std::size_t outputs) {
   std::fill(block_.begin() + static_cast<std::ptrdiff_t>(filled_), block_.end(), 0.0);
-  const std::size_t columns = fft_.columns();
-  for (std::size_t r = 0; r < fft_.rows(); ++r)
-    join(block_.data() + r * columns, block_.data() + r * columns + outputs_, fft_.row(r));
-  fft_.filter([&](std::size_t r, Complexes z) { amplify(z, gain_.data() + r * columns); });
-  for (std::size_t r = 0; r < fft_.rows(); ++r) {
-    const std::size_t from = std::max(r * columns, reach_),
-                      end = std::min((r + 1) * columns, reach_ + outputs_);
-    if (from >= end) continue;
-    double* const to = block_.data() + from - reach_;
-    part(fft_.row(r).subspan(from - r * columns, end - from), to, to + outputs_);
+  const auto z = fft_.values();
+  for (std::size_t i = 0; i < z.size(); ++i) z[i] = {block_[i], block_[i + outputs_]};
+  fft_.forward();
+  for (std::size_t k = 0; k < z.size(); ++k) z[k] *= gain_[k];
+  fft_.inverse();
+  for (std::size_t i = 0; i < outputs_; ++i) {
+    block_[i] = z[reach_ + i].real();
+    block_[i + outputs_] = z[reach_ + i].imag();
   }
   sink_(std::span<const double>(block_).first(outputs));
   std::copy(block_.end() - static_cast<std::ptrdiff_t>(2 * reach_), block_.end(), block_.begin());

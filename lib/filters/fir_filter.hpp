@@ -8,7 +8,6 @@
 #include <vector>
 
 #include <railbook/num/fft.hpp>
-#include <railbook/num/four_step_fft.hpp>
 
 namespace railbook::filters {
 
@@ -51,7 +50,7 @@ class FilterStream {
   Sink sink_;
   std::size_t reach_;
   std::size_t outputs_ = 0;  // of one transform
-  num::FourStepFft fft_;
+  num::ComplexFft fft_;
   std::vector<double> gain_;   // of the taps, over the size of the transform, in its order
   std::vector<double> first_;  // of a piece, until there is enough to continue it to the left
   std::vector<double> block_;  // the samples of two transforms

@@ -108,6 +108,33 @@ void RealFft::inverse() {
   fftw_execute(plan_->inverse.get());
 }
 
+struct ComplexFft::Plan {
+  std::size_t n;
+  Buffer values = allocate(2 * n);
+  FftwPlan forward = {}, inverse = {};
+};
+
+ComplexFft::ComplexFft(std::size_t n) : plan_(new Plan{static_cast<std::size_t>(checked_size(n))}) {
+  fftw_complex* z = complex(plan_->values.get());
+  const auto make = [&](int sign) {
+    return plan([&] { return fftw_plan_dft_1d(static_cast<int>(n), z, z, sign, FFTW_ESTIMATE); });
+  };
+  plan_->forward = make(FFTW_FORWARD);
+  plan_->inverse = make(FFTW_BACKWARD);
+}
+ComplexFft::~ComplexFft() = default;
+ComplexFft::ComplexFft(ComplexFft&&) noexcept = default;
+ComplexFft& ComplexFft::operator=(ComplexFft&&) noexcept = default;
+std::span<std::complex<double>> ComplexFft::values() {
+  return {reinterpret_cast<std::complex<double>*>(plan_->values.get()), plan_->n};
+}
+void ComplexFft::forward() {
+  fftw_execute(plan_->forward.get());
+}
+void ComplexFft::inverse() {
+  fftw_execute(plan_->inverse.get());
+}
+
 struct RealFft2d::Plan {
   std::size_t rows;
   std::size_t columns;

@@ -35,6 +35,24 @@ class RealFft {
   std::unique_ptr<Plan> plan_;
 };
 
+// A one-dimensional complex transform of length n in place, unnormalised both ways; with the same
+// accuracy. Two real sequences at once are its real and its imaginary part.
+class ComplexFft {
+ public:
+  explicit ComplexFft(std::size_t n);
+  ~ComplexFft();
+  ComplexFft(ComplexFft&&) noexcept;
+  ComplexFft& operator=(ComplexFft&&) noexcept;
+
+  std::span<std::complex<double>> values();  // n samples or coefficients, exp(-2 pi i k j / n)
+  void forward();
+  void inverse();
+
+ private:
+  struct Plan;
+  std::unique_ptr<Plan> plan_;
+};
+
 // A two-dimensional real transform of rows x columns (row major), in place to halve the memory:
 // the spectrum has rows x (columns/2 + 1) coefficients and overlays the samples, so a row of
 // samples has stride() = 2 (columns/2 + 1) doubles, of which the first `columns` count. Accurate as

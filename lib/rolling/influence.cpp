@@ -7,7 +7,6 @@
 
 #include <railbook/num/fft.hpp>
 #include <railbook/num/quadrature.hpp>
-#include <railbook/num/wide.hpp>
 #include <railbook/rolling/detail/cell_displacements.hpp>
 #include <railbook/rolling/detail/stepped_rows.hpp>
 #include <railbook/units/constants.hpp>
@@ -27,8 +26,8 @@ struct Blocks {
 // What a cell and its mirror image add: t holds the even and odd parts of the tractions along, then
 // across, `columns` those of their six columns. What takes the time is reading them: each is read
 // once.
-RAILBOOK_AVX2_CLONES void add_cell(const double* columns, Eigen::Index n,
-                                   const std::array<double, 4>& t, double* __restrict sums) {
+void add_cell(const double* columns, Eigen::Index n, const std::array<double, 4>& t,
+              double* __restrict sums) {
   const double *xx = columns, *xy = columns + 2 * n, *yy = columns + 4 * n;
   const double x_even = t[0], x_odd = t[1], y_even = t[2], y_odd = t[3];
   for (Eigen::Index i = 0; i < n; ++i) {

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include <railbook/num/fft.hpp>
-#include <railbook/num/wide.hpp>
 #include <railbook/rolling/detail/cell_displacements.hpp>
 #include <railbook/units/constants.hpp>
 
@@ -19,9 +18,8 @@ namespace {
 
 // y = K x of a complex matrix, by columns, real and imaginary parts apart; n is even. Two columns
 // at once: what takes the time is reading the matrix, so it is read once.
-RAILBOOK_AVX2_CLONES void influence_times(const double* re, const double* im, Index n,
-                                          const double* x_re, const double* x_im,
-                                          double* __restrict y_re, double* __restrict y_im) {
+void influence_times(const double* re, const double* im, Index n, const double* x_re,
+                     const double* x_im, double* __restrict y_re, double* __restrict y_im) {
   std::fill_n(y_re, n, 0.0);
   std::fill_n(y_im, n, 0.0);
   for (Index j = 0; j < n; j += 2) {

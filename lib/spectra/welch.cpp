@@ -6,7 +6,6 @@
 #include <cmath>
 #include <string>
 
-#include <railbook/num/wide.hpp>
 #include <railbook/units/input_error.hpp>
 
 namespace railbook::spectra {
@@ -22,14 +21,13 @@ bool is_gap(double x) {
   return not_finite(x) >> 63U != 0;
 }
 
-RAILBOOK_AVX2_CLONES bool has_gap(std::span<const double> x) {
+bool has_gap(std::span<const double> x) {
   std::uint64_t any = 0;
   for (const double value : x) any |= not_finite(value);
   return any >> 63U != 0;
 }
 
-RAILBOOK_AVX2_CLONES void add_power(std::span<const std::complex<double>> z, double weight,
-                                    double* power) {
+void add_power(std::span<const std::complex<double>> z, double weight, double* power) {
   for (std::size_t i = 0; i < z.size(); ++i)
     power[i] += weight * (z[i].real() * z[i].real() + z[i].imag() * z[i].imag());
 }
@@ -40,7 +38,7 @@ struct Sums {
 
 // Sum of x and of (i - centre) x, in eight strands: a single one would wait for each addition to
 // finish.
-RAILBOOK_AVX2_CLONES Sums strand_sums(std::span<const double> x) {
+Sums strand_sums(std::span<const double> x) {
   constexpr std::size_t strands = 8;
   const double centre = 0.5 * (static_cast<double>(x.size()) - 1.0);
   std::array<double, strands> sum{}, moment{};
@@ -209,28 +207,22 @@ Welch::Segment Welch::add_segment(const double* x, double sum, double moment, do
   return {x, sum / n - slope * 0.5 * (n - 1.0), slope};
 }
 
-RAILBOOK_AVX2_CLONES void Welch::weigh(const double* window, const Segment& one,
-                                       const Segment& other, int from,
-                                       std::span<std::complex<double>> z) {
-  const double *a = one.x + from, *b = other.x + from, *w = window + from;
-  const int count = static_cast<int>(z.size());
-  for (int i = 0; i < count; ++i) {
-    const double place = from + i;
-    z[static_cast<std::size_t>(i)] = {w[i] * (a[i] - (one.start + one.slope * place)),
-                                      w[i] * (b[i] - (other.start + other.slope * place))};
+void Welch::weigh(const double* window, const Segment& one, const Segment& other,
+                  std::span<std::complex<double>> z) {
+  for (std::size_t i = 0; i < z.size(); ++i) {
+    const auto place = static_cast<double>(i);
+    z[i] = {window[i] * (one.x[i] - (one.start + one.slope * place)),
+            window[i] * (other.x[i] - (other.start + other.slope * place))};
   }
 }
 
 // Two segments, of `weight` each, as the real and the imaginary part of one transform: |Z_k|^2 +
 // |Z_(n-k)|^2 is twice the sum of their powers.
-void Welch::transform(const Segment& one, const Segment& other, double weight,
-                      num::FourStepFft& fft, std::vector<double>& power) const {
-  const std::size_t columns = fft.columns();
-  for (std::size_t r = 0; r < fft.rows(); ++r)
-    weigh(window_.data(), one, other, static_cast<int>(r * columns), fft.row(r));
-  fft.forward([&](std::size_t r, std::span<const std::complex<double>> z) {
-    add_power(z, weight, power.data() + r * columns);
-  });
+void Welch::transform(const Segment& one, const Segment& other, double weight, num::ComplexFft& fft,
+                      std::vector<double>& power) const {
+  weigh(window_.data(), one, other, fft.values());
+  fft.forward();
+  add_power(fft.values(), weight, power.data());
 }
 
 Spectrum Welch::spectrum() const {
@@ -261,17 +253,14 @@ Spectrum Welch::spectrum() const {
   result.band_variance = n * sum_4 / (sum_2 * sum_2) * share_of_bands / weight_;
   std::vector<double> power = power_;
   if (waiting_) {
-    num::FourStepFft alone(options_.segment);
+    num::ComplexFft alone(options_.segment);
     transform(*waiting_, *waiting_, 0.5, alone, power);
   }
   result.density.setZero(static_cast<Eigen::Index>(options_.segment / 2 + 1));
   const double scale = spacing_ / (sum_2 * weight_);
-  for (std::size_t r = 0; r < fft_.rows(); ++r)
-    for (std::size_t c = 0; c < fft_.columns(); ++c) {  // a bin and its mirror image
-      const std::size_t k = fft_.wave_number(r, c);
-      result.density[static_cast<Eigen::Index>(std::min(k, options_.segment - k))] +=
-          scale * power[r * fft_.columns() + c];
-    }
+  for (std::size_t k = 0; k < options_.segment; ++k)  // a bin and its mirror image
+    result.density[static_cast<Eigen::Index>(std::min(k, options_.segment - k))] +=
+        scale * power[k];
   return result;
 }
 

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include <railbook/num/four_step_fft.hpp>
+#include <railbook/num/fft.hpp>
 #include <railbook/spectra/window.hpp>
 
 namespace railbook::spectra {
@@ -79,9 +79,9 @@ class Welch {
     double start, slope;
   };
   Segment add_segment(const double* x, double sum, double moment, double weight);
-  static void weigh(const double* window, const Segment& one, const Segment& other, int from,
+  static void weigh(const double* window, const Segment& one, const Segment& other,
                     std::span<std::complex<double>> z);
-  void transform(const Segment& one, const Segment& other, double weight, num::FourStepFft& fft,
+  void transform(const Segment& one, const Segment& other, double weight, num::ComplexFft& fft,
                  std::vector<double>& power) const;
 
   double spacing_;
@@ -96,7 +96,7 @@ class Welch {
   std::optional<Segment>
       waiting_;  // at the begin of the buffer, for another to be transformed with
   double weight_ = 0, weights_squared_ = 0;
-  num::FourStepFft fft_;
+  num::ComplexFft fft_;
   std::size_t filled_ = 0, samples_ = 0, gap_samples_ = 0, segments_ = 0;
   std::size_t averaged_ = 0;  // samples of the buffer that are in an averaged segment
   std::size_t unused_ = 0;    // samples before gaps that are in none

@@ -23,7 +23,6 @@
 #include <railbook/filters/hybrid_filter.hpp>
 #include <railbook/num/dense_lu.hpp>
 #include <railbook/num/fft.hpp>
-#include <railbook/num/four_step_fft.hpp>
 #include <railbook/num/random_source.hpp>
 #include <railbook/quality/descriptor_filter.hpp>
 #include <railbook/records/record_file.hpp>
@@ -115,7 +114,7 @@ Row reading(const std::filesystem::path& folder) {
 Row power_spectrum() {
   const auto x = std::make_shared<std::vector<double>>(noise(1U << 23U));
   const std::size_t segment = 4096, pairs = x->size() / segment;
-  const auto fft = std::make_shared<num::FourStepFft>(segment);
+  const auto fft = std::make_shared<num::ComplexFft>(segment);
   return {.key = "psd",
           .what = "Welch's spectrum, segments of 4,096 that overlap by half",
           .unit = "samples",
@@ -124,9 +123,9 @@ Row power_spectrum() {
           .limit = {"reading as many segments, two as one, and transforming them", [=] {
                       for (std::size_t i = 0; i + 1 < pairs; ++i) {
                         const double* one = x->data() + i * segment;
-                        for (std::size_t r = 0; r < fft->rows(); ++r)
-                          for (auto& z : fft->row(r)) z = {one[0], one[segment / 2]}, ++one;
-                        fft->forward([](std::size_t, auto z) { sink = z[0].real(); });
+                        for (auto& z : fft->values()) z = {one[0], one[segment / 2]}, ++one;
+                        fft->forward();
+                        sink = fft->values()[0].real();
                       }
                     }}};
 }
@@ -209,7 +208,7 @@ Row descriptor(bool fresh) {
       std::make_shared<filters::FilterTaps>(quality::design_filter(envelope, {.spacing = 0.25}));
   const std::size_t reach = taps->half.size() - 1, size = std::bit_ceil(6 * reach);
   const std::size_t outputs = 2 * (size - 2 * reach), blocks = x->size() / outputs + 1;
-  const auto fft = std::make_shared<num::FourStepFft>(size);
+  const auto fft = std::make_shared<num::ComplexFft>(size);
   const auto out = std::make_shared<std::vector<double>>(fresh ? 0 : x->size());
   return {.key = fresh ? "descriptor-new" : "descriptor",
           .what = fmt::format("Descriptor of a record, {} weights, into {}", 2 * reach + 1,
@@ -233,10 +232,12 @@ Row descriptor(bool fresh) {
           .limit = {fmt::format("a pair of complex transforms of {} for each {} samples", size,
                                 outputs),
                     [=] {
-                      for (std::size_t r = 0; r < fft->rows(); ++r)
-                        std::ranges::fill(fft->row(r), 0.0);
-                      for (std::size_t i = 0; i < blocks; ++i)
-                        fft->filter([](std::size_t, auto z) { sink = z[0].real(); });
+                      std::ranges::fill(fft->values(), 0.0);
+                      for (std::size_t i = 0; i < blocks; ++i) {
+                        fft->forward();
+                        fft->inverse();
+                        sink = fft->values()[0].real();
+                      }
                     }},
           .plain = {"a multiplication for each two weights",
                     [=] {
