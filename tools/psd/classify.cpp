@@ -28,7 +28,9 @@ sensor that stuck and a step of the datum may be defects: they are kept unless `
 
 #include <railbook/spectra/classify.hpp>
 #include <railbook/spectra/line_mask.hpp>
+#include <railbook/spectra/record_spectrum.hpp>
 #include <railbook/spectra/reference_spectra.hpp>
+#include <railbook/spectra/spectrum_fit.hpp>
 #include <railbook/table/csv.hpp>
 #include <railbook/tool/batch.hpp>
 #include <railbook/tool/digits.hpp>
@@ -37,8 +39,8 @@ sensor that stuck and a step of the datum may be defects: they are kept unless `
 #include <railbook/units/constants.hpp>
 #include <railbook/units/input_error.hpp>
 
-#include "psd/measure.hpp"
 #include "psd/references.hpp"
+#include "record_options.hpp"
 #include "tools.hpp"
 
 namespace railbook::psd_tool {
@@ -130,7 +132,8 @@ Fitted fit_track(const Options& options, const spectra::Spectrum& spectrum) {
   return f;
 }
 
-void add_flags(tool::Summary& s, const Options& options, const Measured& m, const Fitted& f) {
+void add_flags(tool::Summary& s, const Options& options, const spectra::RecordSpectrum& m,
+               const Fitted& f) {
   const auto& [fit_options, fit, contradicting] = f;
   if (contradicting && !options.rail)
     s.flag("rail",
@@ -166,7 +169,7 @@ void add_flags(tool::Summary& s, const Options& options, const Measured& m, cons
                                 m.spectrum.segments));
 }
 
-void add_notes(tool::Summary& s, const Measured& m, const Fitted& f) {
+void add_notes(tool::Summary& s, const spectra::RecordSpectrum& m, const Fitted& f) {
   const auto note = [&](const char* key, const std::string& text) { s.add(key, "note", text); };
   const spectra::SpectrumFit& fit = f.fit;
   if (!fit.line_significant && fit.phi_0 > 0)
@@ -209,7 +212,7 @@ void add_class(tool::Summary& s, const spectra::SpectrumFit& fit) {
   }
 }
 
-tool::Summary answer(const Options& options, const Measured& m, const Fitted& f) {
+tool::Summary answer(const Options& options, const spectra::RecordSpectrum& m, const Fitted& f) {
   const spectra::SpectrumFit& fit = f.fit;
   tool::Summary s{"track of " + options.record.batch.only().string()};
   const auto with_error = [&](const std::string& key, const char* what, spectra::Estimate e,
@@ -244,11 +247,11 @@ tool::Summary answer(const Options& options, const Measured& m, const Fitted& f)
   return s;
 }
 
-MeasureOptions measure_options(const Options& options) {
-  MeasureOptions m{.columns = options.record.columns,
-                   .segment = {},
-                   .window = spectra::parse_window(options.window),
-                   .section = options.record.section};
+spectra::RecordSpectrumOptions measure_options(const Options& options) {
+  spectra::RecordSpectrumOptions m{.columns = options.record.columns,
+                                   .segment = {},
+                                   .window = spectra::parse_window(options.window),
+                                   .section = options.record.section};
   if (options.segment) m.segment = static_cast<std::size_t>(*options.segment);
   return m;
 }
@@ -273,7 +276,8 @@ void add_fit(tool::Row& row, const Fitted& f) {
 }
 
 tool::Row row_of_section(const Options& options, const records::RecordStream& record,
-                         const Section& s, double rail, const std::string& column) {
+                         const spectra::SpectrumSection& s, double rail,
+                         const std::string& column) {
   tool::Row row;
   row.add("kind", "section");
   row.add("column", column);
@@ -296,14 +300,16 @@ tool::Row row_of_section(const Options& options, const records::RecordStream& re
 
 // A row for each column, and one for each of its sections.
 std::vector<tool::Row> rows_of(const Options& options, const std::filesystem::path& file) {
-  const MeasureOptions measure_it = measure_options(options);
-  std::vector<std::vector<Section>> sections(measure_it.columns.size());
+  const spectra::RecordSpectrumOptions measure_it = measure_options(options);
+  std::vector<std::vector<spectra::SpectrumSection>> sections(measure_it.columns.size());
   const auto all =
-      measure(tools::record_file(options.record, file), measure_it,
-              [&](std::size_t column, const Section& s) { sections[column].push_back(s); });
+      spectra::record_spectra(tools::record_file(options.record, file), measure_it,
+                              [&](std::size_t column, const spectra::SpectrumSection& s) {
+                                sections[column].push_back(s);
+                              });
   std::vector<tool::Row> rows;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const Measured& m = all[i];
+    const spectra::RecordSpectrum& m = all[i];
     const Fitted f = fit_track(options, m.spectrum);
     tool::Row& row = rows.emplace_back();
     row.add("kind", "record");
@@ -315,14 +321,14 @@ std::vector<tool::Row> rows_of(const Options& options, const std::filesystem::pa
     tool::Summary warned{""};
     add_flags(warned, options, m, f);
     for (const auto& [key, text] : warned.warnings()) row.flag(key);
-    for (const Section& s : sections[i])
+    for (const spectra::SpectrumSection& s : sections[i])
       rows.push_back(
           row_of_section(options, *m.record, s, f.fit_options.rail_length, measure_it.columns[i]));
   }
   return rows;
 }
 
-void write_files(tool::OutFolder& out, const Options& options, const Measured& m,
+void write_files(tool::OutFolder& out, const Options& options, const spectra::RecordSpectrum& m,
                  const spectra::SpectrumFit& fit, const tool::Summary& summary) {
   std::string text = "phi_cycle_per_m,S_m2_per_cycle_per_m,fitted,A_line\n";
   for (Eigen::Index k = 1; k < m.spectrum.density.size(); ++k) {
@@ -373,7 +379,8 @@ void classify_track(const Options& options) {
   tool::OutFolder out(options.out, {"spectrum.csv", "classes.csv", "point.csv", "warnings.csv",
                                     "classify.json", "spectrum.png", "class.png"});
   const auto file = tools::record_file(options.record, options.record.batch.only());
-  const Measured measured = std::move(measure(file, measure_options(options)).front());
+  const spectra::RecordSpectrum measured =
+      std::move(spectra::record_spectra(file, measure_options(options)).front());
   const Fitted fitted = fit_track(options, measured.spectrum);
   const tool::Summary summary = answer(options, measured, fitted);
   summary.print();

@@ -15,7 +15,6 @@
 
 #include <railbook/files/out_file.hpp>
 #include <railbook/files/outside.hpp>
-#include <railbook/files/spool.hpp>
 #include <railbook/files/staged.hpp>
 #include <railbook/units/input_error.hpp>
 
@@ -102,10 +101,6 @@ TEST_CASE("unit: temporary names are unique, and leftovers of a killed program a
 TEST_CASE("unit: a moved or closed file closes its own descriptor only") {
   const TemporaryFolder at("closed");
   const int free = lowest_free();
-  {
-    files::Spool one;
-    const files::Spool two = std::move(one);
-  }
   {
     files::OutFile out(at.path / "new");
     out.write("text");
@@ -206,8 +201,7 @@ TEST_CASE("unit: with no descriptor left, files and folders fail as the machine 
   REQUIRE(setrlimit(RLIMIT_NOFILE, &none) == 0);
   std::string told;
   for (const std::function<void()>& work : std::vector<std::function<void()>>{
-           [&] { files::OutFile{at.path / "file"}; }, [&] { files::require_makeable(at.path); },
-           [] { files::Spool{}; }})
+           [&] { files::OutFile{at.path / "file"}; }, [&] { files::require_makeable(at.path); }})
     try {
       work();
     } catch (const files::OutsideError& error) {
@@ -216,9 +210,7 @@ TEST_CASE("unit: with no descriptor left, files and folders fail as the machine 
   setrlimit(RLIMIT_NOFILE, &before);
   CHECK(told == "file " + files::quoted_name(at.path / "file") +
                     ": cannot be written: Too many open files\nfolder " +
-                    files::quoted_name(at.path) +
-                    ": cannot be written: Too many open files\n"
-                    "temporary file: cannot be made: Too many open files\n");
+                    files::quoted_name(at.path) + ": cannot be written: Too many open files\n");
 }
 
 TEST_CASE("unit: there may be 4096 temporary files at a time") {
@@ -237,19 +229,11 @@ TEST_CASE("unit: temporary files are in TMPDIR, or in /tmp where it is none") {
     tmpdir.to(folder);
     return files::PrivateFolder().path().parent_path();
   };
-  const auto spool_in = [&](const char* folder) {
-    tmpdir.to(folder);
-    const int next = lowest_free();
-    const files::Spool spool;
-    return fs::read_symlink("/proc/self/fd/" + std::to_string(next)).parent_path();
-  };
   for (const char* none : {"", static_cast<const char*>(nullptr)}) {
     CHECK(private_in(none) == "/tmp");
-    CHECK(spool_in(none) == "/tmp");
   }
   CHECK(private_in("relative") == "/tmp");
   CHECK(private_in(at.path.c_str()) == at.path);
-  CHECK(spool_in(at.path.c_str()) == at.path);
   CHECK_THROWS_WITH(private_in("/nowhere"), StartsWith("temporary file \"/nowhere/railbook-") &&
                                                 EndsWith("\": No such file or directory"));
 }

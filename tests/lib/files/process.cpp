@@ -12,7 +12,6 @@
 
 #include <railbook/files/out_file.hpp>
 #include <railbook/files/outside.hpp>
-#include <railbook/files/spool.hpp>
 #include <railbook/files/staged.hpp>
 #include <railbook/units/input_error.hpp>
 
@@ -251,8 +250,8 @@ TEST_CASE("unit: a file may have the number of a standard input that is closed")
                        files::write(at.path / "rows", "row\n");
                        files::write(at.path / "new" / "file", "text");
                        files::PrivateFolder().write("text", "abc");
-                       const files::Spool spool;
-                       return is_free() ? 1 : 0;  // the spool has it
+                       const files::OutFile other(at.path / "other");
+                       return is_free() ? 1 : 0;  // the file has it
                      }).first;
   CHECK(status == 0);
   CHECK(at.read("rows") == "row\n");

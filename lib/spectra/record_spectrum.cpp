@@ -1,3 +1,5 @@
+#include <railbook/spectra/record_spectrum.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,9 +9,7 @@
 
 #include <railbook/units/input_error.hpp>
 
-#include "psd/measure.hpp"
-
-namespace railbook::psd_tool {
+namespace railbook::spectra {
 namespace {
 
 constexpr double usual_length = 1250;       // m: 4096 ft
@@ -24,7 +24,7 @@ std::vector<std::size_t> segments_for(double spacing) {
 }
 
 // The longest that leaves enough of the record, else the one that leaves the most.
-std::size_t best(const std::vector<spectra::Welch>& all, std::size_t present) {
+std::size_t best(const std::vector<Welch>& all, std::size_t present) {
   std::size_t most = 0;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const std::size_t used = all[i].used_samples();
@@ -37,13 +37,14 @@ std::size_t best(const std::vector<spectra::Welch>& all, std::size_t present) {
 }
 
 // Cuts a column into sections as it streams by.
-class Sections {
+class SectionCutter {
  public:
-  Sections(const MeasureOptions& options, std::size_t column, const SectionSink& sink)
-      : wish_(options), column_(column), sink_(sink) {}
+  SectionCutter(const RecordSpectrumOptions& options, std::size_t column,
+                const SpectrumSectionSink& sink)
+      : wanted_(options), column_(column), sink_(sink) {}
 
   void push(std::span<const double> piece, double spacing) {
-    if (!wish_.section) return;
+    if (!wanted_.section) return;
     if (!welch_) begin(spacing);
     while (!piece.empty()) {
       const auto part = piece.first(std::min(piece.size(), length_ - section_.count));
@@ -61,14 +62,14 @@ class Sections {
 
  private:
   void begin(double spacing) {
-    length_ = static_cast<std::size_t>(std::lround(*wish_.section / spacing));
+    length_ = static_cast<std::size_t>(std::lround(*wanted_.section / spacing));
     if (length_ < 3 * fewest_samples)
       throw InputError{fmt::format("section is {:.6g} m, {} samples; allowed: from {:.6g} m",
-                                   *wish_.section, length_, 3 * fewest_samples * spacing)};
+                                   *wanted_.section, length_, 3 * fewest_samples * spacing)};
     const double segment = std::exp2(std::floor(std::log2(static_cast<double>(length_) / 3)));
     options_ = {
         .segment = std::min<std::size_t>(std::size_t(1) << 18, static_cast<std::size_t>(segment)),
-        .window = wish_.window};
+        .window = wanted_.window};
     spacing_ = spacing;
     welch_.emplace(spacing_, options_);
   }
@@ -82,23 +83,24 @@ class Sections {
   }
 
   static constexpr std::size_t fewest_samples = 64;  // of a segment
-  const MeasureOptions& wish_;
+  const RecordSpectrumOptions& wanted_;
   std::size_t column_;
-  const SectionSink& sink_;
+  const SpectrumSectionSink& sink_;
   std::size_t length_ = 0;
   double spacing_ = 0;
-  spectra::WelchOptions options_;
-  std::optional<spectra::Welch> welch_;
-  Section section_;
+  WelchOptions options_;
+  std::optional<Welch> welch_;
+  SpectrumSection section_;
 };
 
 }  // namespace
 
-std::vector<Measured> measure(const records::RecordFile& file, const MeasureOptions& options,
-                              const SectionSink& sink) {
+std::vector<RecordSpectrum> record_spectra(const records::RecordFile& file,
+                                           const RecordSpectrumOptions& options,
+                                           const SpectrumSectionSink& sink) {
   // At unit spacing while the record streams by; its true spacing is known at the end.
-  std::vector<std::vector<spectra::Welch>> all(options.columns.size());
-  std::vector<Sections> sections;
+  std::vector<std::vector<Welch>> all(options.columns.size());
+  std::vector<SectionCutter> sections;
   std::vector<records::RecordSink> sinks;
   for (std::size_t i = 0; i < options.columns.size(); ++i) sections.emplace_back(options, i, sink);
   for (std::size_t i = 0; i < options.columns.size(); ++i)
@@ -107,17 +109,16 @@ std::vector<Measured> measure(const records::RecordFile& file, const MeasureOpti
       if (all[i].empty())
         for (const std::size_t size :
              options.segment ? std::vector{*options.segment} : segments_for(spacing))
-          all[i].emplace_back(1.0,
-                              spectra::WelchOptions{.segment = size, .window = options.window});
-      for (spectra::Welch& welch : all[i]) welch.push(piece);
+          all[i].emplace_back(1.0, WelchOptions{.segment = size, .window = options.window});
+      for (Welch& welch : all[i]) welch.push(piece);
       sections[i].push(piece, spacing);
     });
   auto records = records::read_records(file, options.columns, sinks);
-  std::vector<Measured> results;
+  std::vector<RecordSpectrum> results;
   results.reserve(records.size());
   for (std::size_t i = 0; i < records.size(); ++i) {
     sections[i].finish();
-    Measured& result = results.emplace_back();
+    RecordSpectrum& result = results.emplace_back();
     result.record = std::move(records[i]);
     const std::size_t present = result.record->samples() - result.record->missing();
     const std::size_t chosen = best(all[i], present);
@@ -128,10 +129,10 @@ std::vector<Measured> measure(const records::RecordFile& file, const MeasureOpti
           "the record has {} samples, {} of them missing; allowed: {} in a row without a gap "
           "(--segment for shorter ones, --bridge for gaps)",
           result.record->samples(), result.record->missing(), result.segment)};
-    result.spectrum = spectra::respaced(all[i][chosen].spectrum(), result.record->spacing());
+    result.spectrum = respaced(all[i][chosen].spectrum(), result.record->spacing());
     result.shortened = chosen > 0;
   }
   return results;
 }
 
-}  // namespace railbook::psd_tool
+}  // namespace railbook::spectra
