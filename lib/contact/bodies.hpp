@@ -12,14 +12,15 @@
 
 namespace railbook::contact {
 
-// A profile across the rail: depth into the body [m] at rising x [m], at least 5 points, sizes up
-// to 1e6 m. Between the points it is a cubic spline, beyond them there is no body.
+// A profile in the plane of x and z: depth into the body [m] at rising x [m], at least 5 points,
+// sizes up to 1e6 m. Between the points it is a cubic spline, beyond them there is no body.
 struct DepthPoints {
   Eigen::VectorXd x, depth;
 };
 
-// One body: across the rail a profile or a radius, along it a radius; convex radii are positive,
-// concave ones negative, infinity is straight. A radius has its summit at x = 0.
+// One body: in the plane of x and z a profile or a radius, in that of y and z a radius; convex
+// radii are positive, concave ones negative, infinity is straight. A radius has its summit at x =
+// 0. The messages call x across and y along the rail, as the options of `contact solve` do.
 struct Body {
   std::optional<DepthPoints> profile = std::nullopt;
   double radius_x = std::numeric_limits<double>::infinity();

@@ -1,7 +1,7 @@
 // Initial gaps f(x, y) of the shapes in contact, eq. (1), and the interpenetration curve, eq. (10).
 //
-// Lengths in metres. x runs along the wheel axis (across the rail), y along the rail. Every gap is
-// 0 at the origin, the point of first touch. A radius may be infinity, which is a straight line.
+// Lengths in metres. Every gap is 0 at the origin, the point of first touch. A radius may be
+// infinity, which is a straight line. The shapes of chapter 01's paper have their axles along x.
 #pragma once
 
 #include <railbook/contact/normal_contact.hpp>
@@ -39,7 +39,7 @@ Gap quadratic_gap(const RelativeCurvature& curvature);
 // and 2, Fig. 8); the wheel's tread is concave with `wheel_profile_radius`, infinity for a conical
 // tread.
 struct RailWheel {
-  double wheel_radius = 0;          // in the plane of rolling, > 0
+  double wheel_radius = 0;          // in the plane of y and z, > 0
   double wheel_profile_radius = 0;  // concave, larger than both rail radii
   double rail_radius_left = 0;      // for x < 0, > 0
   double rail_radius_right = 0;     // for x > 0, > 0; equal to the left one for Example 1
@@ -52,7 +52,7 @@ Gap rail_wheel_gap(const RailWheel& shape);
 
 // Two parallel cylinders, one flat for |x| < L and crowned beyond (Example 3, Fig. 11).
 struct CrownedRoller {
-  double relative_radius = 0;   // 1/(1/R_1 + 1/R_2) across the axes, > 0
+  double relative_radius = 0;   // 1/(1/R_1 + 1/R_2) in the plane of y and z, > 0
   double half_flat_length = 0;  // L >= 0
   double crown_radius = 0;      // >= 0; 0 is a sharp edge, no body beyond it
 };

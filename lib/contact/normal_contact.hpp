@@ -1,8 +1,9 @@
 // Frictionless contact of two elastic half spaces: the problem, and the one result type of every
 // solver.
 //
-// Common frame of both bodies: origin at first touch, x along the wheel axis (across the rail), y
-// along the rail, z into the bodies. All lengths in metres, pressures in Pa, forces in N.
+// Common frame of both bodies: origin at first touch, x and y in the plane of contact, z into body
+// 2. Neither axis has a direction of a railway: chapter 01 takes x across the rail, as its paper
+// does, and wheel_contact takes x along it. Lengths in metres, pressures in Pa, forces in N.
 #pragma once
 
 #include <Eigen/Core>

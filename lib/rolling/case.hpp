@@ -2,7 +2,8 @@
 // every theory.
 //
 // Frame: origin at the centre of the contact, x along rolling (the contact moves towards +x, so the
-// leading edge has x > 0 and surface particles pass from +x to -x), y across, z into body 2. Per
+// leading edge has x > 0 and surface particles pass from +x to -x), y across, z into body 2. With
+// the wheel as body 1 on its rail: x forward, y to the right, z down, as in wheel_contact. Per
 // metre rolled body 1 slides over body 2 rigidly by (longitudinal - spin y, lateral + spin x).
 // Forces and tractions are those of body 1 on body 2: they point along the slip, so positive
 // creepage gives positive force, and for small creepages (Kalker 1990, ch. 4)

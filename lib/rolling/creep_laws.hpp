@@ -7,7 +7,7 @@
 //   const CreepForces f = creep_forces(Theory::fastsim, c);                    // Kalker's table
 //   const CreepForces g = creep_forces(Theory::fastsim, c, computed_coefficients);
 //
-// All answer in the frame and with the result type of rolling_case.hpp; none estimates its own
+// All answer in the frame and with the result type of case.hpp; none estimates its own
 // error.
 #pragma once
 

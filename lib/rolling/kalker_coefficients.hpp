@@ -11,7 +11,7 @@ struct ComputedCoefficients : KalkerCoefficients {
 };
 
 // The coefficients for a/b from 1e-4 to 1e4 (a along rolling) and Poisson's ratio 0 to 0.5,
-// InputError outside: slopes of the forces at zero creepage as defined in rolling_case.hpp, c23
+// InputError outside: slopes of the forces at zero creepage as defined in case.hpp, c23
 // from spin and c32 from lateral creepage (equal to rounding). Galerkin's method with polynomials
 // of `degree` (4 to 40) over sqrt(1 - x^2/a^2 - y^2/b^2), whose displacements are polynomials too
 // (Galin; used by Kalker 1967). That the leading edge be without singularity is imposed in the

@@ -3,7 +3,7 @@
 
 namespace railbook::rolling {
 
-// The linear theory's coefficients in the frame of rolling_case.hpp.
+// The linear theory's coefficients in the frame of case.hpp.
 struct KalkerCoefficients {
   double c11 = 0;
   double c22 = 0;

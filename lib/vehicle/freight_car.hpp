@@ -20,7 +20,8 @@
 namespace railbook::vehicle {
 
 // Coordinates: truck lateral [m], yaw and warp [rad], front F and rear R; body lateral, yaw and
-// roll. Lateral is positive to the left, yaw turning left, roll left side up.
+// roll. Lateral is positive to the left, yaw turning left, roll left side up: the paper's frame,
+// see wheelset/wheelset_contact.hpp.
 enum Coordinate { X_TF, X_TR, TH_TF, TH_TR, TH_WF, TH_WR, X_C, TH_C, PHI_C };
 inline constexpr int coordinates = 9;
 inline constexpr int wheelsets = 4;  // front leading, front trailing, rear leading, rear trailing

@@ -39,7 +39,7 @@ struct Patch {
   Frame frame;
   std::vector<Depth>
       line;  // from t_low to t_high in equal steps, a little beyond the overlap at both ends
-  contact::Box overlap;  // what holds all places of overlap; x along, y across [m]
+  contact::Box overlap;  // what holds all places of overlap, in the frame's x and t (as y) [m]
   double radius = 0;     // of the wheel in the plane of rolling along n [m]: r/cos(angle)
   double turn = 0;       // by which the rail's angle changes over the overlap [rad]
   bool merged = false;   // of areas that are apart

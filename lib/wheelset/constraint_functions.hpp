@@ -5,7 +5,8 @@
 //   const auto c = pair.at(x);                                 // R, D, Phi and their slopes at x
 //   [m] for (double knot : pair.R.values()) ...                    // at 0, step, 2 step, ...
 //
-// x > 0 is to the left. A function of x_w/a, as the paper writes it, has a times these slopes.
+// x > 0 is to the left (see wheelset_contact.hpp). A function of x_w/a, as the paper writes it, has
+// a times these slopes.
 #pragma once
 
 #include <cmath>

@@ -4,11 +4,15 @@
 //   const auto at = pair.contact(0.3 * units::inch);           // at.roll, at.left.radius,
 //   at.left.delta, ...
 //
-// The wheelset is moved sideways by x (> 0 to the left) and rolls by phi until the least vertical
-// gap between wheel and rail is the same on both sides. The least gap of two chains of arcs is
-// found exactly: where their pieces overlap, the gap of two arcs is stationary at one place that
-// has a closed form, and else it is least at the end of a piece. There is no grid. One evaluation
-// costs one pass over the pieces of both chains.
+// Wheelset and vehicle count to the left and up, as the paper of chapter 02 does: the frame of
+// rolling and wheel_contact (forward, right, down) turned half round about the direction of travel.
+// Displacement and yaw change their signs from one to the other, roll does not.
+//
+// The wheelset is moved sideways by x (> 0 to the left) and rolls by phi (> 0: left side up) until
+// the least vertical gap between wheel and rail is the same on both sides. The least gap of two
+// chains of arcs is found exactly: where their pieces overlap, the gap of two arcs is stationary at
+// one place that has a closed form, and else it is least at the end of a piece. There is no grid.
+// One evaluation costs one pass over the pieces of both chains.
 #pragma once
 
 #include <limits>
