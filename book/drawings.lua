@@ -164,35 +164,6 @@ function drawings.prepared(svg)
   return classes(used_marks(svg))
 end
 
--- A script of rows for a figure that answers: cells that begin a row as they begin the row before are counted, "=3,", and not said. In
--- a curve, rows that differ in their last two cells, an x that the curve before has at that place is "~".
-function drawings.shortened(script)
-  local out, before, curve, last = {}, "", {}, {}
-  for line in script:gmatch("([^\n]*)\n") do
-    local text = line
-    if line:find(",", 1, true) and not line:find("[`(]") and not line:find("^#") then
-      local quoted, same, count = false, 0, 0
-      for i = 1, #line do
-        local c = line:sub(i, i)
-        if c ~= before:sub(i, i) then break end
-        if c == '"' then quoted = not quoted end
-        if c == "," and not quoted then same, count = i, count + 1 end
-      end
-      local head, x, y = line:match("^(.*,)([^,]*),([^,]*)$")
-      if head and head == curve.head then
-        curve[#curve + 1] = x
-        if same == #head and last[#curve] == x then text = ("=%d,~,%s"):format(count, y) end
-      else
-        curve, last = {head = head, x}, curve
-      end
-      if same > 3 and text == line then text = ("=%d,%s"):format(count, line:sub(same + 1)) end
-      before = line
-    end
-    out[#out + 1] = text
-  end
-  return table.concat(out, "\n") .. "\n"
-end
-
 -- A table of a figure, its numbers to six digits.
 function drawings.rounded(text)
   local function short(cell)
@@ -215,7 +186,6 @@ local function change(path_of_file, by)
 end
 
 function drawings.prepare(path_of_file) change(path_of_file, drawings.prepared) end
-function drawings.shorten(path_of_file) change(path_of_file, drawings.shortened) end
 function drawings.round(path_of_file) change(path_of_file, drawings.rounded) end
 
 return drawings

@@ -196,41 +196,27 @@ local function wheelset(class)
   return table.concat(out) .. "</g></g>"
 end
 
--- The fastest stable cycle that the chapter on hunting left for its sliders, in plan view. Nil without that chapter.
+-- A stable cycle of the chapter on hunting, in plan view. Nil without that chapter.
 function front.hunting(records)
   local r = chapter(records, "02-hunting")
   if not r then return "" end
-  local cycles = {}
-  for _, row in ipairs(rows_of(r, "fig-11-answer.csv", {"speed_ft/s", "panel", "curve", "x", "y"})) do
-    local speed = tonumber(row["speed_ft/s"])
-    local cycle = cycles[speed] or {speed = speed}
-    cycles[speed] = cycle
-    if row.panel == "leading wheelsets, body" then
-      cycle[row.curve] = cycle[row.curve] or {}
-      table.insert(cycle[row.curve], {tonumber(row.x), tonumber(row.y)})
-    elseif row.panel == "cycle" then
-      cycle[row.curve] = row.x
-    end
+  local ids = {front = {}, rear = {}, body = {}}
+  for _, row in ipairs(rows_of(r, "fig-11-period.csv", {"part", "front_truck_in", "rear_truck_in", "body_in"})) do
+    for name, points in pairs(ids) do table.insert(points, {tonumber(row.part), tonumber(row[name == "body" and "body_in" or name .. "_truck_in"])}) end
   end
-  local c
-  for _, cycle in pairs(cycles) do
-    if cycle["so the cycle is"] == "stable" and (not c or cycle.speed > c.speed) then c = cycle end
-  end
-  if not c then stop "no cycle of the chapter on hunting is stable" end
+  local function number(name) return tonumber((value(r, name):match "^[%d.]+")) end
+  local speed, omega, flange, amplitude = number "period-speed", number "period-omega", number "flange-new", number "period-amplitude"
   local half_distance
   for _, row in ipairs((r.item.parameters or stop "02-hunting has no table parameters").rows) do
     if row[1] == "$L_C$" then half_distance = tonumber(row[3]) end
   end
-  local omega = tonumber(c["frequency, rad/s"])
-  local flange = tonumber((value(r, "flange-new"):match "^[%d.]+"))
   local period = 2 * math.pi / omega
-  local length = c.speed * period * plan.foot -- px of a period along the track
+  local length = speed * period * plan.foot -- px of a period along the track
   local seconds = 3
   local front_x = 660
   local rear_x = front_x - 2 * half_distance * plan.foot
   local ties = math.floor(length / 18 + 0.5)
   local tie = length / ties
-  local ids = {front = c["front truck"], rear = c["rear truck"], body = c["car body"]}
   local css = {"@keyframes track{to{transform:translateX(-" .. ("%.1f"):format(length) .. "px)}}"}
   for _, name in ipairs({"front", "rear", "body"}) do css[#css + 1] = keyframes(name, ids[name]) end
   css[#css + 1] = (".moving :is(.track,.front,.rear,.body){animation:%gs linear infinite}.moving .track{animation-name:track}"):format(seconds)
@@ -264,15 +250,15 @@ function front.hunting(records)
   add(label, rear_x, low, "middle", "rear wheelset")
   add(label, front_x, low, "middle", "front wheelset")
   add(label, (front_x + rear_x) / 2, plan.centre + 4, "middle", "car body")
-  add(label, plan.width - 8, low, "end", ("%g ft/s →"):format(c.speed))
+  add(label, plan.width - 8, low, "end", ("%g ft/s →"):format(speed))
   local magnified = plan.inch / (plan.foot / 12)
   local says = ("Plan view of a freight car that hunts at %g ft/s: its two leading wheelsets swing from flange to flange, %s in to each side, "
-    .. "and the body swings with them; the paths of the wheelsets lie behind them."):format(c.speed, c["amplitude, in"])
+    .. "and the body swings with them; the paths of the wheelsets lie behind them."):format(speed, amplitude)
   local figure = ('<figure class="moving"><style>%s</style><div><input type="checkbox" id="still"><label for="still">hold</label>'):format(table.concat(css))
     .. ('<svg viewBox="0 0 %d %d" role="img" preserveAspectRatio="xMidYMid slice" aria-label="%s">%s</svg>'):format(plan.width, plan.height, html.escape(says), table.concat(out))
     .. ('</div><figcaption><b>An empty freight car hunts at %g ft/s.</b> The leading wheelsets of its trucks swing %.2g in to either side, from flange to flange. '
       .. 'Computed; profiles and dampers are ours. %.0f times enlarged across, %.0f times slower. <a href="%s">Choose the speed</a>.</figcaption></figure>')
-      :format(c.speed, tonumber(c["amplitude, in"]), magnified, seconds / period, items.href(r.item["fig-11"], r, "index"))
+      :format(speed, amplitude, magnified, seconds / period, r.chapter .. ".html#live-hunting")
   return figure
 end
 

@@ -10,15 +10,13 @@ local most_rows = 10 -- of a longer list these are open
 local widest = 1100 -- a picture of so many pixels has its caption below it, and the width of the page
 local whole = 40 -- a table of at most so many rows is open as a whole
 
--- The file of the book that holds a CSV of the results: of a figure that answers, a script.
-function items.file_of(name) return (name:gsub("%-answer%.csv$", "-answer.js")) end
 
 local function links(item, r)
   local out = {}
   local function add(folder, name)
     out[#out + 1] = html.tag("a", {href = "data/" .. folder .. name}, html.escape(name))
   end
-  for _, name in ipairs(item.csv) do add(r.chapter .. "/", items.file_of(name)) end
+  for _, name in ipairs(item.csv) do add(r.chapter .. "/", name) end
   if item.script then add(item.script_shared and "" or r.chapter .. "/", item.script) end
   return #out > 0 and html.tag("span", {class = "links"}, table.concat(out, " · ")) or ""
 end
@@ -134,17 +132,6 @@ function items.image(item, r, folder, lazy)
   return image, href, width // 2, height // 2
 end
 
--- The place where a reader's sliders go, when the program left data for them: <id>-answer.csv (see answer.js).
-local function answer(item, r)
-  for _, name in ipairs(item.csv) do
-    if name == item.id .. "-answer.csv" then
-      return html.tag("div", {class = "answer", ["data-id"] = item.id,
-        ["data-src"] = ("data/%s/%s-answer.js"):format(r.chapter, item.id)}, "")
-    end
-  end
-  return ""
-end
-
 -- How high the caption of a figure is in the column beside it, in px: some 32 letters a line.
 local function caption_height(item)
   local text, files = item.failure or item.not_drawn or item.reason or "", item.script or ""
@@ -159,7 +146,7 @@ function items.figure(item, r, folder, more)
   local image, href, width, height = items.image(item, r, folder, true)
   local below = caption_height(item) > height * math.min(1, 736 / width)
   return html.tag("figure", {class = below and "item below" or "item", id = item.id}, table.concat({
-    html.tag("a", {href = href}, image), answer(item, r), html.tag("figcaption", nil, heading(item, r)), reason(item), more or "",
+    html.tag("a", {href = href}, image), html.tag("figcaption", nil, heading(item, r)), reason(item), more or "",
     check_tables.of_item(item)}, "\n"))
 end
 

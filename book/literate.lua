@@ -89,7 +89,7 @@ end
 local function is_glue(code)
   for line in code:gmatch("[^\n]+") do
     if not line:find("^[%s/}]") and (line:find("report::Item&", 1, true) or line:find("report::Section ", 1, true)
-        or line:find("report::Row&", 1, true) or line:find("report::Answer&", 1, true) or line:find("^int main%(")) then return true end
+        or line:find("report::Row&", 1, true) or line:find("^int main%(")) then return true end
   end
   -- a signature that goes on in the next line
   return code:find("^[%w][^\n;{]*%([^\n]*\n[^\n]*report::Item&") ~= nil

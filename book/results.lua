@@ -100,7 +100,7 @@ local function alt_of(path)
 end
 
 local function item_block(item, token, more)
-  for _, name in ipairs(item.csv) do require_data(token, items.file_of(name)) end
+  for _, name in ipairs(item.csv) do require_data(token, name) end
   if item.script then
     item.script_shared = exists(data .. "/../" .. item.script)
     if not item.script_shared then require_data(token, item.script) end
@@ -460,7 +460,7 @@ function Pandoc(doc)
   if page == "paper" then -- those of both pages
     for _, item in ipairs(r.items) do
       for _, name in ipairs(item.csv) do
-        if name == item.id .. "-answer.csv" then drawings.shorten(data .. "/" .. items.file_of(name)) else drawings.round(data .. "/" .. name) end
+        drawings.round(data .. "/" .. name)
       end
       if item.png then drawings.prepare(("%s/../../figures/%s/%s"):format(data, r.chapter, item.png:gsub("%.png$", ".svg"))) end
     end

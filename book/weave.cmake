@@ -24,7 +24,7 @@ set(here ${CMAKE_CURRENT_LIST_DIR})
 set(new ${BOOK}.unfinished)
 file(REMOVE_RECURSE ${new})
 file(MAKE_DIRECTORY ${new}/data ${new}/figures)
-file(COPY ${here}/book.css ${here}/book.js ${here}/answer.js ${here}/find.js ${here}/icon.svg ${here}/fonts DESTINATION ${new})
+file(COPY ${here}/book.css ${here}/book.js ${here}/find.js ${here}/icon.svg ${here}/fonts DESTINATION ${new})
 file(GLOB live ${here}/live/*.js) # figures that compute
 file(COPY ${live} DESTINATION ${new}/live)
 file(GLOB shared_scripts ${root}/lib/*/*.gp) # the look of all figures, and scripts that several chapters use
@@ -77,23 +77,12 @@ foreach(chapter ${chapters})
       list(REMOVE_ITEM pictures ${png})
     endif()
   endforeach()
-  list(FILTER data EXCLUDE REGEX "-answer\\.csv$") # they are scripts, below
   file(COPY ${data} DESTINATION ${new}/data/${chapter})
   file(COPY ${pictures} DESTINATION ${new}/figures/${chapter})
   file(READ ${RESULTS}/${chapter}.json json)
   string(REGEX REPLACE "\n *" "" json "${json}") # a text in it has no line end of its own
   string(REGEX REPLACE "([{,]) *\"([a-z_0-9]+)\": " "\\1\"\\2\":" json "${json}")
   file(WRITE ${new}/data/${chapter}.json "${json}")
-  set(answers) # figures that answer: their tables as a script, which a page from disk can load
-  file(GLOB tables ${RESULTS}/${chapter}/*-answer.csv)
-  foreach(table ${tables})
-    set(answers -M answers=yes)
-    string(REGEX REPLACE "-answer\\.csv$" "" whole ${table})
-    get_filename_component(id ${whole} NAME)
-    file(READ ${whole}-panels.csv panels)
-    file(READ ${table} rows)
-    file(WRITE ${new}/data/${chapter}/${id}-answer.js "railbookAnswer(\"${id}\", `${panels}`, `${rows}`);\n")
-  endforeach()
   file(GLOB printed RELATIVE ${CHAPTERS}/${chapter}/data ${CHAPTERS}/${chapter}/data/*)
   foreach(name ${printed})
     file(COPY ${CHAPTERS}/${chapter}/data/${name} DESTINATION ${new}/data/${chapter}/printed)
@@ -124,7 +113,7 @@ foreach(chapter ${chapters})
     endif()
     list(APPEND commands
          COMMAND ${CMAKE_COMMAND} -E env RAILBOOK_LIB=${ROOT}/lib
-                 ${PANDOC} --from=${here}/literate.lua --lua-filter=${here}/results.lua ${page_options} --toc --toc-depth=2 ${answers}
+                 ${PANDOC} --from=${here}/literate.lua --lua-filter=${here}/results.lua ${page_options} --toc --toc-depth=2
                  ${around} ${study} -M record=${RESULTS}/${chapter}.json -M figures=${FIGURES}/${chapter} -M part=${page}
                  -M data=${new}/data/${chapter} --output=${new}/${output}.html ${main} ${sources})
   endforeach()

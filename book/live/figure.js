@@ -36,11 +36,11 @@ function short(v, digits = 3) {
 }
 
 class Plot {
-  // x and y: [from, to, label]. key: [name, colour] of curves, named above the frame. log: both axes by powers of ten; equal: lengths
+  // x and y: [from, to, label]. key: [name, colour] of curves, named above the frame. log, or logx: both axes, or that of x, by powers of ten; equal: lengths
   // along y are drawn so many times as long as those along x; bare: no axes. Units of the drawing are pixels of the page.
-  constructor(name, x, y, {width, height = 260, key = [], log = false, equal = 0, bare = false}) {
+  constructor(name, x, y, {width, height = 260, key = [], log = false, logx = log, equal = 0, bare = false}) {
     [this.x0, this.x1] = x, [this.y0, this.y1] = y;
-    Object.assign(this, {log, left: bare ? 2 : 58, right: width - (bare ? 2 : 14), top: 8});
+    Object.assign(this, {log, logx, left: bare ? 2 : 58, right: width - (bare ? 2 : 18), top: 8});
     const room = bare ? 4 : 46, wide = this.right - this.left;
     this.bottom = equal ? Math.round(this.top + wide * equal * Math.abs((y[1] - y[0]) / (x[1] - x[0])))
       : Math.round(bare ? Math.max(height * width / 460, 110) : Math.min(height, 0.66 * width + 20)) - room;
@@ -55,17 +55,17 @@ class Plot {
     if (!bare) this.ticks(x, y);
   }
 
-  share(v, from, to) { return this.log ? Math.log(v / from) / Math.log(to / from) : (v - from) / (to - from); }
-  x(v) { return this.left + (this.right - this.left) * this.share(v, this.x0, this.x1); }
-  y(v) { return this.bottom - (this.bottom - this.top) * this.share(v, this.y0, this.y1); }
-  back(share, from, to) { return this.log ? from * (to / from) ** share : from + (to - from) * share; }
+  share(v, from, to, log) { return log ? Math.log(v / from) / Math.log(to / from) : (v - from) / (to - from); }
+  x(v) { return this.left + (this.right - this.left) * this.share(v, this.x0, this.x1, this.logx); }
+  y(v) { return this.bottom - (this.bottom - this.top) * this.share(v, this.y0, this.y1, this.log); }
+  back(share, from, to, log) { return log ? from * (to / from) ** share : from + (to - from) * share; }
   at(px, py) {
-    return [this.back((px - this.left) / (this.right - this.left), this.x0, this.x1), this.back((this.bottom - py) / (this.bottom - this.top), this.y0, this.y1)];
+    return [this.back((px - this.left) / (this.right - this.left), this.x0, this.x1, this.logx), this.back((this.bottom - py) / (this.bottom - this.top), this.y0, this.y1, this.log)];
   }
 
-  steps(from, to, most) {
+  steps(from, to, most, log) {
     const out = [];
-    if (this.log) {
+    if (log) {
       const first = Math.ceil(Math.log10(from) - 1e-9), last = Math.floor(Math.log10(to) + 1e-9), stride = Math.ceil((last - first) / most);
       for (let n = first; n <= last; n += stride) out.push(10 ** n);
     } else {
@@ -76,9 +76,9 @@ class Plot {
   }
 
   ticks([, , xLabel], [, , yLabel]) {
-    for (const v of this.steps(this.x0, this.x1, Math.min(6, this.field.width / 50)))
+    for (const v of this.steps(this.x0, this.x1, Math.min(6, this.field.width / 50), this.logx))
       this.axes.append(shape("line", {x1: this.x(v), x2: this.x(v), y1: this.top, y2: this.bottom}), shape("text", {x: this.x(v), y: this.bottom + 17, "text-anchor": "middle"}, short(v)));
-    for (const v of this.steps(this.y0, this.y1, Math.min(6, this.field.height / 28)))
+    for (const v of this.steps(this.y0, this.y1, Math.min(6, this.field.height / 28), this.log))
       this.axes.append(shape("line", {x1: this.left, x2: this.right, y1: this.y(v), y2: this.y(v)}), shape("text", {x: this.left - 5, y: this.y(v) + 4, "text-anchor": "end"}, this.log && v < 0.01 ? power(v) : short(v)));
     this.axes.append(shape("text", {x: (this.left + this.right) / 2, y: this.bottom + 37, "text-anchor": "middle"}, xLabel),
       shape("text", {transform: `translate(13 ${(this.top + this.bottom) / 2}) rotate(-90)`, "text-anchor": "middle"}, yLabel));

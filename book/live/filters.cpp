@@ -93,11 +93,38 @@ void car(const Inputs& in, Answer& out) {
     out.row({x, (line.heading(x + foot / 2) - line.heading(x - foot / 2)) / foot});
 }
 
+// What the analog filters of gyro and accelerometer keep of a wavelength at one speed, alone and
+// with the digital filters; `apart` is the distance of one place in records of both directions.
+void gains(const Inputs& in, Answer& out) {
+  using namespace filters;
+  const double T = foot / in["speed"], corner = 2 * pi * in["corner"], kappa = corner * T;
+  const SecondOrderLowPass low{.omega = 2 * pi * in["acceleration_corner"]};
+  out.value("apart", 2 * (0.5 - centroid_delay(kappa)) * foot);
+  out.table("gains",
+            {"wavelength", "gyro", "gyro_hybrid", "accelerometer", "accelerometer_hybrid"});
+  const int points = in.whole("points");
+  for (int i = 0; i <= points; ++i) {
+    const double feet = 2 * std::pow(500.0, static_cast<double>(i) / points);
+    const double theta = 2 * pi / feet;
+    const auto B = first_order_analog(kappa, theta);
+    const auto F = second_order_analog(low, T, theta);
+    out.row({feet * foot, std::abs(B), std::abs(B * first_order_digital(kappa, theta)), std::abs(F),
+             std::abs(F * second_order_digital(low, T, theta))});
+  }
+}
+
 }  // namespace
 
 std::span<const Function> filters_functions() {
-  static const std::array<Function, 1> all{
-      {{"car",
+  static const std::array<Function, 2> all{
+      {{"gains",
+        nullptr,
+        {{"speed", "m/s", 9 * units::mph, 0.1, 100},
+         {"corner", "Hz", 1, 0.05, 20},
+         {"acceleration_corner", "Hz", 1, 0.05, 20},
+         {"points", "", 60, 10, 1000}},
+        gains},
+       {"car",
         "speeds",
         {{"step", "s", 1, 0.02, 60},
          {"start", "m", 10, 0, 1000},

@@ -8,6 +8,7 @@
 #include <railbook/cycles/history.hpp>
 #include <railbook/units/constants.hpp>
 #include <railbook/units/input_error.hpp>
+#include <railbook/vehicle/car_families.hpp>
 #include <railbook/vehicle/car_on_track.hpp>
 #include <railbook/vehicle/cycle_branch.hpp>
 #include <railbook/wheelset/paper_pairs.hpp>
@@ -84,6 +85,40 @@ void branch(const Inputs& in, Answer& out) {
     out.row({p.motion.speed, p.largest, p.stable ? 1.0 : 0.0});
 }
 
+// The branch of limit cycles of the full equations from the first critical speed, stability not
+// asked.
+struct FullBranch {
+  cycles::Family family;
+  cycles::LimitCycleBranch branch;
+
+  explicit FullBranch(const Inputs& in) : family(by_speed(car(), pair(in).table())) {
+    const Motion motion = hopf_points(quasi_linear(in), 1 * foot, 400 * foot).at(0).motion;
+    cycles::ContinuationOptions options;
+    options.lowest = 1 * foot;
+    options.highest = 250 * foot;
+    options.first_amplitude = 0.036 * inch;
+    options.largest_amplitude = 0.6 * inch;
+    options.multiplier_steps = 0;
+    branch = follow_from_hopf(family, motion.shape, motion.lambda.imag(), motion.speed, options);
+  }
+};
+
+// Its first cycle at a speed, with its multipliers; `found` is 0 where there is none.
+void cycle(const Inputs& in, Answer& out) {
+  static std::map<int, FullBranch> known;
+  const FullBranch& full = known.try_emplace(in.whole("wheels"), in).first->second;
+  out.table("branch", {"speed", "amplitude"});
+  for (const cycles::LimitCycle& p : full.branch.points) out.row({p.parameter, p.largest});
+  const auto found = cycles_at(full.family, full.branch, in["speed"], {});
+  out.value("found", found.empty() ? 0 : 1);
+  out.value("amplitude", found.empty() ? units::nan : found[0].largest);
+  out.value("omega", found.empty() ? units::nan : found[0].cycle.omega);
+  out.value("stable", !found.empty() && found[0].stable ? 1 : 0);
+  out.table("multipliers", {"real", "imaginary"});
+  if (found.empty()) return;
+  for (const Complex& m : found[0].multipliers.map) out.row({m.real(), m.imag()});
+}
+
 void wheelset_contact(const Inputs& in, Answer& out) {
   const wheelset::WheelsetOnTrack& p = pair(in).pair();
   const wheelset::WheelsetContact c = p.contact(in["x"]);
@@ -127,7 +162,7 @@ void profiles_answer(const Inputs& in, Answer& out) {
 }  // namespace
 
 std::span<const Function> hunting_functions() {
-  static const std::array<Function, 5> all{
+  static const std::array<Function, 6> all{
       {{"hunting",
         nullptr,
         {{"speed", "m/s", 150 * foot, 1, 100},
@@ -139,6 +174,7 @@ std::span<const Function> hunting_functions() {
         hunting},
        {"critical", nullptr, {wheels}, critical},
        {"branch", nullptr, {wheels}, branch},
+       {"cycle", nullptr, {{"speed", "m/s", 150 * foot, 1, 100}, wheels}, cycle},
        {"wheelset", nullptr, {{"x", "m", 0, -0.75 * inch, 0.75 * inch}, wheels}, wheelset_contact},
        {"profiles", nullptr, {wheels}, profiles_answer}}};
   return all;

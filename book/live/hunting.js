@@ -2,21 +2,25 @@
 "use strict";
 
 railbookFigure("hunting", {
-  hint: "Drag the point past the critical speed: slower cars run straight again after a push, faster ones hunt or derail. Farther up, the push is larger.",
+  hint: "Drag the point to the right, past the critical speed: the car no longer runs straight again after a push, but hunts or derails. Farther up, the push is larger.",
+  columns: 3,
   state: {
-    speed: {unit: "ft/s", si: 0.3048, value: 150, low: 60, high: 230, step: 1, label: "speed"},
+    speed: {unit: "ft/s", si: 0.3048, value: 130, low: 60, high: 230, step: 1, label: "speed"},
     push: {unit: "in", si: 0.0254, value: 0.2, low: 0, high: 0.6, step: 0.01, label: "push of both trucks aside"},
     aside: {unit: "in", si: 0.0254, value: 0, low: -0.7, high: 0.7, step: 0.01, label: "a wheelset aside, to the left"},
+    full: {unit: "", si: 1, value: 0, low: 0, high: 1, step: 1, label: "limit cycles"},
     wheels: {unit: "", si: 1, value: 0, low: 0, high: 2, step: 1, label: "wheels and rails (all three are ours)"},
   },
 
   build(figure) {
-    this.plane = figure.plot("How far a car hunts, by describing functions", [60, 230, "speed, ft/s"], [0, 0.75, "amplitude of a wheelset, in"],
-      {key: [["full: stable, dashed: unstable", "curve-1"], ["critical speed", "curve-2"], ["this car", "curve-3"]]});
+    this.plane = figure.plot("How far a car hunts", [60, 230, "speed, ft/s"], [0, 0.75, "amplitude of a wheelset, in"],
+      {key: [["dashed: unstable", "curve-1"], ["critical speed", "curve-2"], ["full equations", "curve-4"], ["this car", "curve-3"]]});
     this.time = figure.plot("After the push", [0, 6, "time, s"], [-0.75, 0.75, "displacement, in"], {key: [["front truck", "curve-1"], ["rear truck", "curve-2"], ["body", "soft"]]});
-    this.plan = figure.plot("The car from above, sideways 40 times", [-24, 24, ""], [-6, 6, ""], {height: 180, bare: true, key: [["front", "curve-1"], ["rear", "curve-2"], ["body", "soft"]]});
+    this.circle = figure.plot("Does a disturbance of the cycle die out?", [-1.9, 1.9, "real part"], [-1.25, 1.25, "imaginary part"], {equal: 1, key: [["multipliers of half a period", "curve-4"]]});
+    this.plan = figure.plot("The car from above, sideways 40 times", [-24, 24, ""], [-6, 6, ""], {height: 130, bare: true, across: 2, key: [["front", "curve-1"], ["rear", "curve-2"], ["body", "soft"]]});
     this.pair = figure.plot("Drag the wheel: the left one on its rail", [27, 33, "from the middle of the track, in"], [-1.4, 0.6, "height, in"], {equal: 1, key: [["wheel", "curve-1"], ["rail", "soft"], ["contact", "curve-2"]]});
     for (const key of ["speed", "push", "aside"]) figure.slider(key);
+    figure.choice("full", ["by describing functions", "and by the full equations (a second, once)"]);
     figure.choice("wheels", ["new wheels on worn rails", "CN profile A on new rails", "modified Heumann on worn rails"]);
     figure.handle(this.pair, {x: "aside", label: "wheelset aside", place: s => [30.5 + s.aside, 0.42], grip: x => ({aside: x - 30.5}), whole: true});
     figure.handle(this.plane, {x: "speed", y: "push", label: "speed and push", place: s => [s.speed, s.push]});
@@ -28,7 +32,9 @@ railbookFigure("hunting", {
     const branch = this.branches[s.wheels] ??= live.branch({wheels: s.wheels}).points;
     const critical = live.critical({wheels: s.wheels}).speeds;
     const answer = live.hunting({speed: s.speed * foot, front: s.push * inch, rear: s.push * inch, wheels: s.wheels, duration: 6, step: 0.02}), {motion} = answer;
+    const full = s.full > 0 ? live.cycle({wheels: s.wheels, speed: s.speed * foot}) : null;
     this.plane.clear(), this.time.clear();
+    if (full) this.plane.line(full.branch.speed.map(v => v / foot), full.branch.amplitude.map(a => a / inch), "curve-4");
     // Runs of the branch that this method calls stable are full lines.
     for (let i = 0, from = 0; i <= branch.speed.length; i++)
       if (i === branch.speed.length || branch.stable[i] !== branch.stable[from]) {
@@ -43,11 +49,23 @@ railbookFigure("hunting", {
     this.time.line(motion.t, motion.body.map(x => x / inch), "soft", {"stroke-width": 1.4});
     const end = ["", `leaves the profiles' table after ${short(answer.t_end)} s: derailed`, "stalled"][answer.end]
       || (answer.settled ? "hunts on a limit cycle" : answer.amplitude < s.push * inch ? "dies out" : "is still growing after 6 s");
+    this.stability(full);
     const at = this.stand(live, s), degree = Math.PI / 180;
     figure.says([["the motion", end], ["amplitude of the last periods", `${short(answer.amplitude / inch)} in at ${short(answer.omega)} rad/s`],
       ["critical speeds (small motions grow)", [...critical.speed].map(v => short(v / foot, 4)).join(" and ") + " ft/s"],
+      ...(full ? [["cycle by the full equations", full.found ? `${short(full.amplitude / inch)} in at ${short(full.omega)} rad/s, ${full.stable ? "stable" : "unstable"}; largest multiplier ${short(full.largest)}` : "none at this speed on this branch"]] : []),
       ["the wheelset aside rolls on", `radii of ${short(at.left_radius / inch, 5)} (left) and ${short(at.right_radius / inch, 5)} in, at contact angles of ${short(at.left_angle / degree)}° and ${short(at.right_angle / degree)}°`]]);
     this.play(figure, motion);
+  },
+
+  // The multipliers of the cycle, and the circle in which all are if it is stable.
+  stability(full) {
+    const turn = Array.from({length: 73}, (_, i) => i * Math.PI / 36), {circle} = this;
+    circle.clear();
+    circle.line(turn.map(Math.cos), turn.map(Math.sin), "soft", {"stroke-width": 1.3});
+    if (!full?.found) return circle.label(0, 0, full ? "no cycle" : "ask the full equations, below", "soft", "middle");
+    full.largest = Math.max(...full.multipliers.real.map((x, i) => Math.hypot(x, full.multipliers.imaginary[i])));
+    full.multipliers.real.forEach((x, i) => circle.dot(x, full.multipliers.imaginary[i], "curve-4", 5));
   },
 
   // The wheelset moved aside: where its left wheel touches, and what both wheels roll on.

@@ -13,7 +13,7 @@ railbookFigure("joint", {
   },
 
   build(figure) {
-    this.choose = figure.plot("Choose the passage", [10, 120, "speed, mph"], [0, 0.7, "dip, in"], {height: 290, key: [["dashed: equal speed × dip", "soft"]]});
+    this.choose = figure.plot("Choose the passage", [10, 120, "speed, mph"], [0, 0.7, "dip, in"], {height: 265, key: [["dashed: equal speed × dip", "soft"]]});
     this.bodies = figure.plot("In slow motion, displacements 60 times", [-1.8, 1.8, ""], [-1.02, 0.82, ""], {equal: 1, bare: true, key: [["the rail is drawn without its dip", "soft"]]});
     this.force = figure.plot("Force between wheel and rail", [-2, 16, "time from the joint, ms"], [0, 350, "force, kN"], {height: 205, key: [["dashed: the static load", "soft"]]});
     this.motion = figure.plot("Motions, down positive", [-2, 16, "time from the joint, ms"], [1.6, -0.2, "displacement, mm"],

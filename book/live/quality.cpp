@@ -2,7 +2,9 @@
 #include <array>
 #include <cmath>
 
+#include <railbook/num/log_spaced.hpp>
 #include <railbook/quality/bump_stops.hpp>
+#include <railbook/quality/descriptor.hpp>
 #include <railbook/units/constants.hpp>
 
 #include "live.hpp"
@@ -69,6 +71,20 @@ void stops_curve(const Inputs& in, Answer& out) {
   }
 }
 
+// The amplitude of the track that a posted speed leaves, by the stroke and by the force on a wheel.
+void allowance(const Inputs& in, Answer& out) {
+  const StrokeLimit stroke = stroke_limit_of_level({in["roll"], in["roll_damping"]}, in["level"]);
+  const ForceLimit force{make_car(in["wheel_mass"], in["body_mass"], {in["bounce"], in["damping"]}),
+                         in["force"]};
+  const Descriptor descriptor{stroke, force, in["speed"]};
+  const Envelope envelope{descriptor};
+  out.value("from", lower_corner(descriptor));
+  out.value("until", flat_until(stroke, descriptor.speed));
+  out.table("allowed", {"wavelength", "amplitude"});
+  for (const double w : num::log_spaced(0.5, 1000, 20))
+    out.row({w, allowed_amplitude(envelope(1 / w))});
+}
+
 std::vector<Input> with_body(std::vector<Input> inputs) {
   inputs.insert(inputs.end(), {{"amplitude", "m", 0.0104, 1e-5, 0.1},
                                {"natural", "Hz", 0.5, 0.1, 5},
@@ -81,7 +97,19 @@ std::vector<Input> with_body(std::vector<Input> inputs) {
 }  // namespace
 
 std::span<const Function> quality_functions() {
-  static const std::array<Function, 2> all{{{"stops", nullptr,
+  static const std::array<Function, 3> all{{{"allowance",
+                                             nullptr,
+                                             {{"speed", "m/s", 100 / 3.6, 1, 100},
+                                              {"body_mass", "kg", 7000, 100, 14500},
+                                              {"wheel_mass", "kg", 800, 100, 3000},
+                                              {"bounce", "Hz", 2, 0.2, 10},
+                                              {"damping", "", 0.5, 0.02, 2},
+                                              {"roll", "Hz", 0.5, 0.1, 5},
+                                              {"roll_damping", "", 0.2, 0.02, 2},
+                                              {"level", "m", 0.016, 1e-4, 0.1},
+                                              {"force", "N", 143e3, 1e3, 1e6}},
+                                             allowance},
+                                            {"stops", nullptr,
                                              with_body({{"frequency", "Hz", 0.9, 0.05, 10},
                                                         {"ramp", "s", 20, 0.1, 100},
                                                         {"duration", "s", 40, 1, 200},

@@ -3,17 +3,21 @@
 
 railbookFigure("quality", {
   hint: "Drag the point along the frequency, from left to right. From some frequency on, the same wave gives two strokes: a sudden start finds the large one.",
+  columns: 3,
   state: {
     frequency: {unit: "Hz", si: 1, value: 0.95, low: 0.25, high: 2, step: 0.01, label: "frequency of the wave (speed over wavelength)"},
     amplitude: {unit: "cm", si: 0.01, value: 1.04, low: 0.2, high: 2.5, step: 0.02, label: "amplitude of the track"},
     kappa: {unit: "times the spring", si: 1, value: 10, low: 0, high: 60, step: 1, label: "stiffness of the stops"},
+    posted: {unit: "km/h", si: 1 / 3.6, value: 100, low: 20, high: 200, step: 5, label: "posted speed"},
+    mass: {unit: "kg", si: 1, value: 7000, low: 2000, high: 14000, step: 100, label: "body's mass on a wheel (ours)"},
     damping: {unit: "of critical", si: 1, value: 0.2, low: 0.05, high: 0.6, step: 0.01, label: "damping"},
   },
 
   build(figure) {
     this.curve = figure.plot("Settled stroke, frequency swept up and down", [0.25, 2, "frequency, Hz"], [0, 8, "stroke, cm"], {key: [["upwards", "curve-2"], ["downwards", "curve-1"], ["without stops (dashed)", "soft"], ["limit 2.54 cm", "red"]]});
     this.time = figure.plot("The same wave, begun in two ways", [0, 60, "time, s"], [-5, 5, "stroke, cm"], {key: [["sudden start", "curve-2"], ["slow start, in 20 s", "curve-1"], ["the stops (dashed)", "soft"]]});
-    for (const key of ["frequency", "amplitude", "kappa", "damping"]) figure.slider(key);
+    this.allowed = figure.plot("What a posted speed allows, without stops", [0.5, 1000, "wavelength, m"], [0.01, 100, "amplitude, cm"], {log: true, key: [["by stroke and wheel force", "curve-3"], ["1.6 cm (dashed)", "soft"]]});
+    for (const key of ["frequency", "amplitude", "kappa", "damping", "posted", "mass"]) figure.slider(key);
     figure.handle(this.curve, {x: "frequency", label: "frequency of the wave", place: s => [s.frequency, Math.min(8, this.stroke ?? 0)]});
   },
 
@@ -32,7 +36,11 @@ railbookFigure("quality", {
     time.line(answer.motion.t, cm(answer.motion.sudden), "curve-2", {"stroke-width": 1.1});
     time.line(answer.motion.t, cm(answer.motion.slow), "curve-1", {"stroke-width": 1.1});
     for (const gap of [0.6 * 2.54, -0.6 * 2.54]) time.line([0, 60], [gap, gap], "soft", {"stroke-dasharray": "3 3"});
+    const left = live.allowance({speed: s.posted / 3.6, body_mass: s.mass});
+    this.allowed.clear();
+    this.allowed.line([0.5, 1000], [1.6, 1.6], "soft", {"stroke-dasharray": "4 4"});
+    this.allowed.line(left.allowed.wavelength, cm(left.allowed.amplitude), "curve-3");
     figure.says([["sudden start", `${short(answer.sudden * 100)} cm`], ["slow start", `${short(answer.slow * 100)} cm`], ["without stops", `${short(answer.linear * 100)} cm`],
-      ["so", answer.sudden > 1.05 * answer.slow ? "two motions at one speed: the start decides" : "one motion, however the wave begins"]]);
+      [`at ${short(s.posted)} km/h posted`, `one amplitude for waves from ${short(left.from)} to ${short(left.until)} m`], ["so", answer.sudden > 1.05 * answer.slow ? "two motions at one speed: the start decides" : "one motion, however the wave begins"]]);
   },
 });

@@ -10,7 +10,6 @@ namespace railbook::hunting_chapter {
 extern const report::Section drawings, geometry, car, describing, critical, branches, mode_shapes,
     algorithm, full_equations, scenes;
 extern const report::Section cost, stiffness;  // study/
-void speed_answer(report::Item& item);         // the sliders of fig-11
 void extremes(report::Item& item);             // the rows of stability
 
 // The paper's words as numbers: one reading for every claim of the chapter.

@@ -98,7 +98,6 @@ of two samples. For two equal real poles at constant speed, $|FG|=|BC|^2$.
 
 #include <railbook/filters/hybrid_filter.hpp>
 #include <railbook/num/roots.hpp>
-#include <railbook/report/answer.hpp>
 
 #include "configuration.hpp"
 #include "sections.hpp"
@@ -194,39 +193,9 @@ void fig_08(report::Item& item) {
                   "Figure 8 is lost; corner and low-pass are ours");
 }
 
-// The answer below the figure.
-void speed_answer(report::Item& item) {
-  using namespace filters;
-  report::Answer answer{
-      item,
-      {"speed_mph"},
-      {{"gyro: B, and BC", "wavelength, ft", "gain", 2, 1000, 0, 1.05, "logx"},
-       {"accelerometer: F, and FG", "wavelength, ft", "gain", 2, 1000, 0, 1.05, "logx"},
-       {.name = "direction", .kind = "says"}}};
-  const SecondOrderLowPass low{.omega = acceleration_corner};
-  for (const double mph : {1., 2., 3., 5., 9., 15., 20., 30., 45., 60., 80., 100., 120.}) {
-    const double T = sample_distance / (mph * units::mph), kappa = kappa_at(mph * units::mph);
-    answer.at({mph});
-    for (int i = 0; i <= 45; ++i) {
-      const double feet = 2 * std::pow(500.0, i / 45.0), theta = 2 * units::pi / feet;
-      const auto B = first_order_analog(kappa, theta);
-      const auto F = second_order_analog(low, T, theta);
-      answer.point("gyro: B, and BC", "analog B", feet, std::abs(B));
-      answer.point("gyro: B, and BC", "hybrid BC", feet,
-                   std::abs(B * first_order_digital(kappa, theta)));
-      answer.point("accelerometer: F, and FG", "analog F", feet, std::abs(F));
-      answer.point("accelerometer: F, and FG", "hybrid FG", feet,
-                   std::abs(F * second_order_digital(low, T, theta)));
-    }
-    answer.says("direction", "forwards and backwards apart, mm",
-                directions_apart(kappa) / units::millimetre);
-  }
-}
-
 void fig_09(report::Item& item) {
   item.expect_checks(2);
   response(item, &Gains::hybrid);
-  speed_answer(item);
   double spread = 0;
   sweep([&](double phi) {
     spread = std::max(spread, std::abs(gains(slow, phi / units::foot).hybrid -

@@ -25,35 +25,12 @@ Beyond the upper end of the level, the amplitude has doubled at {{double-64}} fo
 
 #include <railbook/num/log_spaced.hpp>
 #include <railbook/num/roots.hpp>
-#include <railbook/report/answer.hpp>
 
 #include "sections.hpp"
 
 namespace railbook::quality_chapter {
 
 namespace {
-
-// The answer below the figure.
-void limit_answer(report::Item& item) {
-  report::Answer answer{
-      item,
-      {"speed_km/h"},
-      {{"allowed amplitude", "wavelength, m", "amplitude, cm", 0.5, 1000, 0.01, 100, "log"},
-       {.name = "ends", .kind = "says"}}};
-  for (double v = 20; v < 210; v += 20) {
-    answer.at({v});
-    for (const char* key : {"A", "B"}) {
-      const quality::Descriptor d{level_limit(), car(item, key), v * kmh};
-      const quality::Envelope envelope{d};
-      for (const double w : num::log_spaced(0.5, 1000, 20))
-        answer.point("allowed amplitude", std::string{"car "} + key, w,
-                     quality::allowed_amplitude(envelope(1 / w)) / cm);
-      answer.says("ends", std::string{"level begins with car "} + key + ", m",
-                  quality::lower_corner(d));
-    }
-    answer.says("ends", "level ends, m", quality::flat_until(level_limit(), v * kmh));
-  }
-}
 
 void fig_07(report::Item& item) {
   const quality::ForceLimit A = car(item, "A");
@@ -77,7 +54,6 @@ void fig_07(report::Item& item) {
     item.value(fmt::format("corner-{:.0f}", v / kmh), corner, "m", "{:.2f}");
     item.value(fmt::format("double-{:.0f}", v / kmh), doubled, "m", "{:.0f}");
   }
-  limit_answer(item);
   item.expect_checks(3);
   item.claim("long",
              "at long waves the amplitudes ultimately approach the square of the wavelength",

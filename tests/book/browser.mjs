@@ -129,38 +129,6 @@ async function functions(browser) {
   if (copied !== "int x;") fault("copy", "copies " + copied);
 }
 
-// A figure that answers draws, follows its slider, and keeps its state in the address.
-async function answers(browser, page) {
-  const ids = await browser.run(`[...document.querySelectorAll(".answer")].map((e) => e.dataset.id)`);
-  for (const id of ids) {
-    const seen = await browser.run(`(async () => {
-      const holder = document.querySelector('.answer[data-id="${id}"]');
-      holder.scrollIntoView();
-      for (let i = 0; i < 60 && !holder.querySelector("input"); i++) { scrollBy(0, i % 2 ? 1 : -1); await new Promise((done) => setTimeout(done, 50)); }
-      const input = holder.querySelector("input");
-      if (!input) return "does not come";
-      const before = holder.querySelector(".panes").innerHTML;
-      input.value = Number(input.value) === 0 ? 1 : 0;
-      input.oninput();
-      if (holder.querySelector(".panes").innerHTML === before) return "does not follow its slider";
-      const bare = [...holder.querySelectorAll("polyline, .panes circle")].find((e) => !e.closest("[clip-path], .key"));
-      if (bare) return "draws outside its axes";
-      const lum = (c) => c.map((v) => v / 255).map((v) => v <= 0.03928 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4).reduce((s, v, i) => s + v * [0.2126, 0.7152, 0.0722][i], 0);
-      for (const theme of ["light", "dark"]) {
-        document.documentElement.dataset.theme = theme;
-        const rgb = (text) => text.match(/[0-9.]+/g).slice(0, 3).map(Number), paper = lum(rgb(getComputedStyle(document.body).backgroundColor));
-        for (const line of holder.querySelectorAll("polyline, .curve")) {
-          const ink = lum(rgb(getComputedStyle(line).stroke)), ratio = (Math.max(ink, paper) + 0.05) / (Math.min(ink, paper) + 0.05);
-          if (ratio < 4.5) return "has a curve of contrast " + ratio.toFixed(1) + " in the " + theme;
-        }
-      }
-      if (/NaN|undefined|Infinity/.test(holder.innerHTML)) return "draws what is no number";
-      if (!location.hash.startsWith("#${id}=")) return "does not keep its state in the address";
-      return null; })()`);
-    if (seen) fault(page, "the answers of " + id + ": " + seen);
-  }
-}
-
 // The picture of the front page moves, is held by its box, and stands still for who asks for less motion.
 async function motion(browser) {
   const url = pathToFileURL(join(book, "index.html")).href;
@@ -207,7 +175,6 @@ try {
       if (seen() !== undefined) done(seen()); else { new PerformanceObserver(() => done(seen() ?? 0)).observe({type: "paint", buffered: true}); setTimeout(() => done(-1), 3000); } })`);
     links(page, await browser.run(`[...document.querySelectorAll("[href], [src]")].map((e) => e.getAttribute("href") ?? e.getAttribute("src"))`));
     const height = await layout(browser, page);
-    await answers(browser, page);
     await liveFigures(browser, book, page, fault);
     await accessible(browser, page);
     browser.complaints.forEach((text) => fault(page, text));

@@ -114,14 +114,21 @@ async function link(browser, page, name, url, wrong) {
   if (after.value !== before.value || after.says !== before.says || after.hash !== before.hash) wrong(`opened by a link shows ${after.value}: ${after.says}, not ${before.value}: ${before.says}`);
 }
 
+// What is seen, asked again for up to 3 s while it is not what is wanted.
+async function soon(browser, name, drawing, working) {
+  for (let i = 0; ; i++) {
+    const now = await browser.run(seen(name));
+    if ((now.drawing === drawing && now.working === working) || i === 30) return now;
+    await wait(100);
+  }
+}
+
 async function withoutScript(browser, name, url, wrong) {
   await browser.send("Emulation.setEmulatedMedia", {media: "print"});
-  await wait(200);
-  const printed = await browser.run(seen(name));
+  const printed = await soon(browser, name, true, false);
   if (!printed.drawing || printed.working) wrong(`prints ${JSON.stringify(printed)}`);
   await browser.send("Emulation.setEmulatedMedia", {media: ""});
-  await wait(200);
-  const back = await browser.run(seen(name));
+  const back = await soon(browser, name, false, true);
   if (back.drawing || !back.working) wrong(`shows after printing ${JSON.stringify(back)}`);
   await browser.send("Emulation.setScriptExecutionDisabled", {value: true});
   await browser.go(url);
