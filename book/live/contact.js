@@ -7,7 +7,7 @@ railbookFigure("contact", {
   state: {
     place: {unit: "mm", si: 1e-3, value: 0, low: -25, high: 8, step: 0.25, label: "place of first touch"},
     approach: {unit: "µm", si: 1e-6, value: 127, low: 10, high: 250, step: 1, label: "approach"},
-    step: {unit: "", si: 1, value: 0, low: 0, high: 8, step: 1, label: "COUNTACT, iteration (0: other method)"},
+    step: {unit: "", si: 1, value: 0, low: 0, high: 20, step: 1, label: "COUNTACT, iteration (0: CG-FFT)"},
   },
 
   build(figure) {
@@ -23,7 +23,7 @@ railbookFigure("contact", {
     clearTimeout(this.next);
     const go = k => {
       figure.set({step: k});
-      if (k > 0) this.next = setTimeout(() => go(k < 8 && k < (this.iterations ?? 8) ? k + 1 : 0), k === 1 || k === (this.iterations ?? 8) ? 2000 : 900);
+      if (k > 0) this.next = setTimeout(() => go(k < (this.iterations ?? 20) ? k + 1 : 0), k === 1 || k === this.iterations ? 1500 : 400);
     };
     go(1);
   },

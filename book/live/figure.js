@@ -52,7 +52,18 @@ class Plot {
     this.svg.append(frame, this.axes, this.curves, this.handles);
     const keys = key.map(([text, colour]) => element("span", {className: "key", textContent: text, style: `color: var(--${colour})`}));
     this.root = element("div", {}, element("p", {className: "name", textContent: name}), ...(keys.length ? [element("p", {className: "keys"}, ...keys.flatMap(k => [k, " "]))] : []), this.svg);
-    if (!bare) this.ticks(x, y);
+    this.labels = [x[2], y[2]];
+    if (!bare) this.ticks();
+  }
+
+  // Other ends of the axis y: the first pair that contains the values, or the last.
+  range(ends, ...values) {
+    const low = Math.min(...values.map(v => Math.min(...v))), high = Math.max(...values.map(v => Math.max(...v)));
+    const [y0, y1] = ends.find(([a, b]) => low >= Math.min(a, b) && high <= Math.max(a, b)) ?? ends[ends.length - 1];
+    if (y0 === this.y0 && y1 === this.y1) return;
+    [this.y0, this.y1] = [y0, y1];
+    this.axes.replaceChildren();
+    this.ticks();
   }
 
   share(v, from, to, log) { return log ? Math.log(v / from) / Math.log(to / from) : (v - from) / (to - from); }
@@ -75,7 +86,8 @@ class Plot {
     return out;
   }
 
-  ticks([, , xLabel], [, , yLabel]) {
+  ticks() {
+    const [xLabel, yLabel] = this.labels;
     for (const v of this.steps(this.x0, this.x1, Math.min(6, this.field.width / 50), this.logx))
       this.axes.append(shape("line", {x1: this.x(v), x2: this.x(v), y1: this.top, y2: this.bottom}), shape("text", {x: this.x(v), y: this.bottom + 17, "text-anchor": "middle"}, short(v)));
     for (const v of this.steps(this.y0, this.y1, Math.min(6, this.field.height / 28), this.log))

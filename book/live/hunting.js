@@ -30,7 +30,7 @@ railbookFigure("hunting", {
     const {short} = railbookFigure, foot = 0.3048, inch = foot / 12;
     this.branches ??= [];
     const branch = this.branches[s.wheels] ??= live.branch({wheels: s.wheels}).points;
-    const critical = live.critical({wheels: s.wheels}).speeds;
+    const critical = (this.critical ??= [])[s.wheels] ??= live.critical({wheels: s.wheels}).speeds;
     const answer = live.hunting({speed: s.speed * foot, front: s.push * inch, rear: s.push * inch, wheels: s.wheels, duration: 6, step: 0.02}), {motion} = answer;
     const full = s.full > 0 ? live.cycle({wheels: s.wheels, speed: s.speed * foot}) : null;
     this.plane.clear(), this.time.clear();
@@ -42,7 +42,8 @@ railbookFigure("hunting", {
         from = i;
       }
     this.plane.dot(critical.speed[0] / foot, 0, "curve-2", 6);
-    this.plane.label(critical.speed[0] / foot - 5, 0.03, `${short(critical.speed[0] / foot, 4)} ft/s`, "curve-2", "end");
+    const first = critical.speed[0] / foot, right = first < 120;
+    this.plane.label(first + (right ? 6 : -6), 0.03, `${short(first, 4)} ft/s`, "curve-2", right ? "start" : "end");
     if (answer.settled) this.plane.dot(s.speed, answer.amplitude / inch, "curve-3", 6);
     this.time.line(motion.t, motion.w1.map(x => x / inch), "curve-1", {"stroke-width": 1.4});
     this.time.line(motion.t, motion.w3.map(x => x / inch), "curve-2", {"stroke-width": 1.4});
@@ -51,7 +52,7 @@ railbookFigure("hunting", {
       || (answer.settled ? "hunts on a limit cycle" : answer.amplitude < s.push * inch ? "dies out" : "is still growing after 6 s");
     this.stability(full);
     const at = this.stand(live, s), degree = Math.PI / 180;
-    figure.says([["the motion", end], ["amplitude of the last periods", `${short(answer.amplitude / inch)} in at ${short(answer.omega)} rad/s`],
+    figure.says([["the motion", end], ["amplitude of the last periods", Number.isFinite(answer.amplitude) ? `${short(answer.amplitude / inch)} in at ${short(answer.omega)} rad/s` : "none: the motion ends before"],
       ["critical speeds (small motions grow)", [...critical.speed].map(v => short(v / foot, 4)).join(" and ") + " ft/s"],
       ...(full ? [["cycle by the full equations", full.found ? `${short(full.amplitude / inch)} in at ${short(full.omega)} rad/s, ${full.stable ? "stable" : "unstable"}; largest multiplier ${short(full.largest)}` : "none at this speed on this branch"]] : []),
       ["the wheelset aside rolls on", `radii of ${short(at.left_radius / inch, 5)} (left) and ${short(at.right_radius / inch, 5)} in, at contact angles of ${short(at.left_angle / degree)}° and ${short(at.right_angle / degree)}°`]]);

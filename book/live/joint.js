@@ -29,11 +29,14 @@ railbookFigure("joint", {
     for (const plot of [this.choose, this.force, this.motion]) plot.clear();
     const product = s.speed * s.dip, places = Array.from({length: 56}, (_, i) => 10 + 2 * i);
     this.choose.line(places, places.map(v => product / v), "soft", {"stroke-dasharray": "4 4"});
+    const seen = passage.t.findLastIndex(t => t <= 0.016) + 1, mm = name => passage[name].slice(0, seen).map(v => v * 1e3);
+    this.force.range([[0, 350], [0, 700], [0, 1400]], passage.force.slice(0, seen).map(f => f * kN));
+    this.motion.range([[1.6, -0.2], [4, -0.5], [8, -1], [16, -2]], mm("rail"), mm("bed"));
     this.force.line(ms, passage.force.map(f => f * kN), "curve-1");
     this.force.line([-2, 16], [answer.static * kN, answer.static * kN], "soft", {"stroke-dasharray": "4 4"});
     for (const [name, t, f] of [["P1", answer.p1_time, answer.p1], ["P2", answer.p2_time, answer.p2]])
-      if (Number.isFinite(f)) this.force.dot(t * 1e3, f * kN, "curve-2"), this.force.label(t * 1e3, name === "P1" ? Math.min(f * kN + 14, 325) : 20, name, "curve-2", name === "P1" ? "end" : "middle");
-    if (Number.isFinite(answer.p2)) this.force.line([answer.p2_time * 1e3, answer.p2_time * 1e3], [45, answer.p2 * kN], "curve-2", {"stroke-width": 1, "stroke-dasharray": "2 3"});
+      if (Number.isFinite(f)) this.force.dot(t * 1e3, f * kN, "curve-2"), this.force.label(t * 1e3, name === "P1" ? Math.min(f * kN + 14, 0.94 * this.force.y1) : 0.06 * this.force.y1, name, "curve-2", name === "P1" ? "end" : "middle");
+    if (Number.isFinite(answer.p2)) this.force.line([answer.p2_time * 1e3, answer.p2_time * 1e3], [0.13 * this.force.y1, answer.p2 * kN], "curve-2", {"stroke-width": 1, "stroke-dasharray": "2 3"});
     // The wheel without the shape of the rail under it: where it is above the rail by more than the static approach, it flies.
     const wheel = passage.wheel.map((w, i) => w - passage.surface[i]);
     [[wheel, "curve-1"], [passage.rail, "curve-2"], [passage.bed, "curve-3"]].forEach(([y, colour]) => this.motion.line(ms, y.map(v => v * 1e3), colour));

@@ -26,6 +26,7 @@ railbookFigure("psd", {
     const answer = live.track({A: 10 ** s.roughness, dip: s.dip / 1e3, scatter: s.scatter / 100, length: s.length * 1609.344, seed: s.seed});
     const {rail, spectrum, odds} = this, t = answer.spectrum;
     for (const plot of [rail, spectrum, odds]) plot.clear();
+    rail.range([[-40, 40], [-100, 100], [-300, 300], [-1000, 1000], [-3000, 3000]], answer.record.z.map(z => z * 1e3));
     rail.line(answer.record.x, answer.record.z.map(z => z * 1e3), "curve-1", {"stroke-width": 1.4});
     const band = [...t.phi].map((x, i) => [x, t.high[i]]).concat([...t.phi].map((x, i) => [x, t.low[i]]).reverse());
     spectrum.put("polygon", {points: band.map(([x, y]) => `${spectrum.x(x).toFixed(1)},${spectrum.y(y).toFixed(1)}`).join(" "), fill: "var(--curve-1)", "fill-opacity": 0.2});

@@ -9,7 +9,7 @@ railbookFigure("quality", {
     amplitude: {unit: "cm", si: 0.01, value: 1.04, low: 0.2, high: 2.5, step: 0.02, label: "amplitude of the track"},
     kappa: {unit: "times the spring", si: 1, value: 10, low: 0, high: 60, step: 1, label: "stiffness of the stops"},
     posted: {unit: "km/h", si: 1 / 3.6, value: 100, low: 20, high: 200, step: 5, label: "posted speed"},
-    mass: {unit: "kg", si: 1, value: 7000, low: 2000, high: 14000, step: 100, label: "body's mass on a wheel (ours)"},
+    mass: {unit: "kg", si: 1, value: 7000, low: 2000, high: 13500, step: 100, label: "body's mass on a wheel (ours)"},
     damping: {unit: "of critical", si: 1, value: 0.2, low: 0.05, high: 0.6, step: 0.01, label: "damping"},
   },
 

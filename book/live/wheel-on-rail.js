@@ -3,7 +3,7 @@
 
 railbookFigure("wheel-on-rail", {
   hint: "Drag the wheel sideways (or press the arrow keys). Near 5 mm it stands on two patches, and beyond on its flange.",
-  coarsens: "on fewer cells while it moves",
+  coarsens: "on 16 x 16 cells while it moves",
   state: {
     shift: {unit: "mm", si: 1e-3, value: 3, low: -5, high: 6.5, step: 0.1, label: "shift to the right"},
     yaw: {unit: "mrad", si: 1e-3, value: 0, low: -15, high: 15, step: 0.5, label: "yaw"},
@@ -19,7 +19,7 @@ railbookFigure("wheel-on-rail", {
 
   show(figure, live, s) {
     const {short} = railbookFigure, mm = 1e3;
-    const answer = live.wheel_on_rail({shift: s.shift / mm, yaw: s.yaw / mm, load: s.load * 1e3, cells: figure.coarse ? 12 : 20});
+    const answer = live.wheel_on_rail({shift: s.shift / mm, yaw: s.yaw / mm, load: s.load * 1e3, cells: figure.coarse ? 16 : 20});
     const {section, patches} = this, {cells} = answer;
     section.clear(), patches.clear();
     const up = z => z.map(v => -v * mm), out = y => y.map(v => v * mm);
