@@ -27,7 +27,7 @@ packages:
 	@cmake/packages.sh install
 
 configure: $(if $(filter reproduce test,$(MAKECMDGOALS)),packages)
-	@cmake --preset $(PRESET) --log-level=WARNING -B $(BUILD)
+	@cmake --preset $(PRESET) --log-level=WARNING -DRAILBOOK_LEVEL=$(LEVEL) -B $(BUILD)
 
 chapter-programs: configure
 	@cmake --build $(BUILD) --target chapter_programs
@@ -43,7 +43,10 @@ install: configure ## the command `railbook` and its library into PREFIX (/usr/l
 	@cmake --install $(BUILD) --prefix "$(PREFIX)"
 
 reproduce: chapter-programs ## everything: build, run the chapters that have changed (JOBS=n at a time), weave the book
-	@cmake/reproduce.sh $(BUILD) $(LEVEL) $(JOBS) $(CHAPTERS)
+	@rm -f $$(grep -sL '^ "only": \[\]' $(BUILD)/results/*.json) $$(grep -sL '^ "level": "$(LEVEL)"' $(BUILD)/results/*.json) # of runs by hand
+	@cmake --build $(BUILD) --target reproduce -j $(JOBS) -- -k 0; status=$$?; \
+	  [ $$status = 0 ] || { cmake --build $(BUILD) --target book; echo "NOT all good: see the messages above."; }; \
+	  cat $(CHAPTERS:%=$(BUILD)/results/%.txt); echo "book: $(BUILD)/book/index.html"; exit $$status
 
 test: build       ## run all tests but those of `make thorough`
 	ctest --test-dir $(BUILD) --output-on-failure -LE 'thorough|long' -j $$(($(JOBS) + 1)) # some only wait

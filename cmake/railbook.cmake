@@ -133,6 +133,7 @@ function(railbook_chapter chapter)
   railbook_precompile(${name} chapter fmt::fmt)
   if(EXISTS ${PROJECT_SOURCE_DIR}/chapters/${chapter}) # not the new one that a test makes
     add_dependencies(chapter_programs ${name})
+    railbook_reproduce(${chapter} ${name})
   endif()
   set_property(GLOBAL APPEND PROPERTY RAILBOOK_CHAPTERS ${name})
   if(EXISTS ${PROJECT_SOURCE_DIR}/figures/${chapter})

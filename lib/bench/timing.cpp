@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include <railbook/num/stopwatch.hpp>
-#include <railbook/report/turn.hpp>
+#include <railbook/report/timing_lock.hpp>
 
 namespace railbook::bench {
 namespace {

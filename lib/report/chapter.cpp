@@ -15,8 +15,8 @@
 #include <railbook/plot/plot.hpp>
 #include <railbook/report/detail/inventory.hpp>
 #include <railbook/report/run_folder.hpp>
+#include <railbook/report/timing_lock.hpp>
 #include <railbook/report/trial.hpp>
-#include <railbook/report/turn.hpp>
 #include <railbook/units/input_error.hpp>
 
 namespace railbook::report {
@@ -33,7 +33,6 @@ struct ReproduceOptions {
   std::string out = RAILBOOK_BUILD_DIR;
   bool no_figures = false;
   bool no_timings = false;
-  bool progress = false;
   std::string rounding = "nearest";
 };
 
@@ -113,7 +112,7 @@ std::vector<PagedEntry> in_order(const std::vector<Section>& paper,
 // is full ends the run.
 bool compute(const PagedEntry& e, const RunSettings& settings, ChapterRecord& record) {
   bool let = true;
-  const WorkSlot turn;
+  const WorkSlot work;
   const num::Stopwatch watch;
   const double waited = seconds_waited();
   Item item{e.entry->id, e.entry->kind, e.entry->title, settings};
@@ -180,6 +179,7 @@ int reproduce(const ReproduceOptions& options, const ChapterInfo& info,
   RunFolder folder(options.rounding == "nearest" ? out : out / ("rounding-" + options.rounding),
                    info.id, whole);
   folder.forget_record();
+  share_machine(folder.record().parent_path());
   RunSettings settings;
   settings.folder = &folder;
   settings.sources = info.sources;
@@ -204,9 +204,6 @@ int reproduce(const ReproduceOptions& options, const ChapterInfo& info,
   for (const PagedEntry& e : entries) {
     if (!whole && !contains(options.only, e.entry->id)) continue;
     let = compute(e, settings, record) && let;
-    if (!options.progress) continue;
-    fmt::print("item {}\n", e.entry->id);
-    std::fflush(stdout);
   }
   record.seconds = options.no_timings ? 0 : watch.seconds() - (seconds_waited() - waited);
 
@@ -266,7 +263,6 @@ int run_command(int argc, char** argv, const ChapterInfo& info, const std::vecto
                    "rounding-up and so on in that of --out")
       ->check(CLI::IsMember({"nearest", "up", "down", "zero"}))
       ->capture_default_str();
-  reproduce_command->add_flag("--progress", options.progress, "say each item when it is done");
   app.add_subcommand("list", "name the tables and figures");
 
   try {

@@ -6,8 +6,7 @@ trap 'rm -rf "$folder"' EXIT
 cd "$folder" || exit 1
 (ulimit -v 60000; "$railbook" --version) >/dev/null 2>&1 || exit 77  # a sanitizer, or no such limit
 "$railbook" psd synthesize first.csv --length 250km --roughness "5e-7m^2*cycle/m" >/dev/null || exit 1
-sed 's/[0-9]$//' first.csv | sed '1s/m$/mm/;1s/mmm$/mm/' >second.csv
-for tool in "quality compare first.csv second.csv" "quality measures first.csv" "quality index first.csv --speed 60mph" "psd classify first.csv"; do
+for tool in "quality measures first.csv" "quality index first.csv --speed 60mph" "psd classify first.csv"; do
   # shellcheck disable=SC2086
   (ulimit -v 60000; exec "$railbook" $tool) >out 2>&1 || { echo "railbook $tool:"; cat out; exit 1; }
 done
