@@ -37,6 +37,18 @@ void add_record_options(tool::OptionParser& o, TrackRecordOptions& w) {
            "where positions turn back, repeat or leave their grid: cut the record there, or count "
            "on in steps of the spacing");
   o.count("--skip", w.skip, "lines before the headers", 0, 10000);
+  o.count("--header-lines", w.header_lines,
+          "lines of headers: a column's name is what they hold over it, as \"Left Profile mm\"", 1,
+          10);
+  o.text(
+      "--encoding", w.record.encoding,
+      "encoding of the text, as cp1252, GBK or Shift-JIS; left out: UTF-8, or UTF-16 by its mark");
+  o.choice(
+      "--decimal", w.decimal, {"either", "point", "comma"},
+      "what parts the decimals of numbers; comma also where quoted cells stand between commas");
+  o.quantity("--resample", w.record.resample, units::length,
+             "spacing of a grid on which samples at uneven positions are interpolated",
+             {1e-4, 1e3});
   o.quantity("--spacing", w.record.spacing, units::length,
              "distance between samples, where there are no positions", {1e-4, 1e3});
   o.quantity("--bridge", w.bridge, units::number,
@@ -89,6 +101,8 @@ records::RecordFile record_file(const TrackRecordOptions& options,
   file.file = name;
   file.column = options.columns.front();
   file.skip = static_cast<std::size_t>(options.skip);
+  file.header_lines = static_cast<std::size_t>(options.header_lines);
+  file.decimal = options.decimal == "point" ? '.' : options.decimal == "comma" ? ',' : '\0';
   file.screening = screening_of(options.screen);
   file.resync = options.resync == "cut"     ? records::Resync::cut
                 : options.resync == "count" ? records::Resync::count

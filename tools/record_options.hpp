@@ -18,9 +18,9 @@ struct TrackRecordOptions {
   tool::RecordFiles batch;
   records::RecordFile record;
   std::vector<std::string> columns{"profile"}, screen{"codes"};
-  std::string resync = "refuse";
+  std::string resync = "refuse", decimal = "either";
   std::optional<double> bridge, section;  // samples, m
-  long skip = 0;
+  long skip = 0, header_lines = 1;
 };
 
 void add_record_options(tool::OptionParser& parser, TrackRecordOptions& options);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <railbook/records/places.hpp>
@@ -95,6 +96,8 @@ class RecordStream {
   // After finish(): what was found, each kind once; spacing that changes by over 0.3 %; a roughness
   // no track has.
   std::vector<units::Warning> warnings() const;
+  // One more, of what was done before the samples came.
+  void note(units::Warning warning) { notes_.push_back(std::move(warning)); }
   std::vector<SuspectPlace> suspect_places() const;
 
  private:
@@ -127,9 +130,10 @@ class RecordStream {
   bool settled_ = false, positions_ = false;
   double first_position_ = 0, last_position_ = 0;  // as all inside, in the direction of travel
   std::size_t first_step_ = 0;                     // of the part since the last cut
-  double length_ = 0;                              // m, of the parts before it
-  std::size_t lengths_ = 0;                        // their steps
-  bool fresh_ = false;                             // the next sample tells the part's direction
+  std::vector<units::Warning> notes_;
+  double length_ = 0;        // m, of the parts before it
+  std::size_t lengths_ = 0;  // their steps
+  bool fresh_ = false;       // the next sample tells the part's direction
   std::size_t cuts_ = 0, counted_ = 0, unplaced_ = 0;
   std::vector<SuspectPlace> counts_;
   std::optional<double> whole_kilometre_;  // where a gap ends at one

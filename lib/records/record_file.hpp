@@ -26,6 +26,10 @@ struct RecordFile {
   std::vector<std::string> missing =
       {};                // cells that stand for lost samples, "-9999", besides those of CsvReader
   std::size_t skip = 0;  // lines before the header
+  std::size_t header_lines = 1;
+  std::string encoding = {};  // as TextOptions has them
+  char decimal = 0;
+  std::optional<double> resample = {};  // m: uneven samples are put on such a grid
   std::vector<std::string> where =
       {};  // "rail=left": rows of which a column holds this, of a table of several records
   Screening screening{.outliers = false, .stuck = false, .steps = false};

@@ -88,7 +88,7 @@ double RecordStream::roughness() const {
 }
 
 std::vector<units::Warning> RecordStream::warnings() const {
-  std::vector<units::Warning> result;
+  std::vector<units::Warning> result = notes_;
   const auto add = [&](Fault fault, bool taken_out, const auto& text) {
     const Found f = find(faults(), fault, taken_out);
     if (f.samples == 0) return;

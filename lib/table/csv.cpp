@@ -3,17 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <charconv>
-#include <cmath>
+#include <chrono>
 #include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <stdexcept>
 #include <utility>
 
+#include <railbook/table/detail/dialect.hpp>
 #include <railbook/table/detail/foreign_format.hpp>
+#include <railbook/table/detail/parse_number.hpp>
 #include <railbook/table/detail/trim.hpp>
 #include <railbook/units/input_error.hpp>
 #include <railbook/units/nearest.hpp>
@@ -22,34 +20,7 @@
 namespace railbook::table {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t most_columns = 65536;
-
-bool is_skipped(std::string_view line) {
-  return line.starts_with('#') || line.find_first_not_of(" \t\r") == std::string_view::npos;
-}
-
-// How often the separator stands outside quotes.
-std::size_t count(std::string_view line, char separator) {
-  bool quoted = false;
-  std::size_t n = 0;
-  for (const char c : line) {
-    if (c == '"') quoted = !quoted;
-    n += c == separator && !quoted ? 1U : 0U;
-  }
-  return n;
-}
-
-// The one that a header and the line after it have as often; else the one the header has most of.
-char separator_of(std::string_view header, std::string_view row) {
-  constexpr std::array candidates{'\t', ';', ','};
-  for (const char c : candidates)
-    if (count(header, c) > 0 && count(header, c) == count(row, c)) return c;
-  return *std::max_element(candidates.begin(), candidates.end(), [&](char a, char b) {
-    return count(header, a) < count(header, b) ||
-           (count(header, a) == count(header, b) && b == ',');
-  });
-}
 
 // Letters and digits, in lower case.
 std::string folded(std::string_view text) {
@@ -61,71 +32,16 @@ std::string folded(std::string_view text) {
   return result;
 }
 
-bool parse(std::string_view cell, double& value) {
-  const char *first = cell.data(), *last = first + cell.size();
-  if (first != last && *first == '+') {
-    ++first;
-    if (first != last && *first == '-') return false;
-  }
-  const auto [end, status] = std::from_chars(first, last, value);
-  return status == std::errc{} && end == last && first != last && std::isfinite(value);
-}
-
-// A decimal of at most 15 digits without an exponent, up to the first character that is none of it:
-// its digits and its power of ten are exact doubles, so that one division rounds as std::from_chars
-// does (Clinger 1990). Nothing for what else there is. A character that ends it must follow.
-const char* short_decimal(const char* at, double& value) {
-  static constexpr std::array<double, 16> tens{1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                               1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
-  const auto digit = [](char c) { return static_cast<unsigned>(c) - '0'; };
-  const bool negative = *at == '-';
-  at += negative ? 1 : 0;
-  const char* const first = at;
-  std::uint64_t digits = 0;
-  while (digit(*at) < 10) digits = 10 * digits + digit(*at++);
-  std::ptrdiff_t count = at - first, behind = 0;
-  if (count == 0 || count > 15) return nullptr;
-  if (*at == '.') {
-    const char* const point = ++at;
-    while (digit(*at) < 10) digits = 10 * digits + digit(*at++);
-    behind = at - point;
-    count += behind;
-  }
-  if (count > 15 || *at == 'e' || *at == 'E') return nullptr;
-  value = static_cast<double>(static_cast<std::int64_t>(digits)) /
-          tens[static_cast<std::size_t>(behind)];
-  if (negative) value = -value;
-  return at;
-}
-
-// A finite number and the blanks around it; what follows it, or nothing.
-const char* plain_number(const char* at, const char* end, double& value) {
-  while (*at == ' ') ++at;
-  const char* behind = short_decimal(at, value);
-  if (behind == nullptr) {
-    const auto [stop, status] = std::from_chars(at, end, value);
-    if (status != std::errc{} || !std::isfinite(value)) return nullptr;
-    behind = stop;
-  }
-  while (*behind == ' ') ++behind;
-  return behind;
-}
-
-bool is_missing(std::string_view cell) {
-  if (cell.empty()) return true;
-  if (cell.size() > 4) return false;
-  std::string lower{cell};
-  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  for (const char* word : {"nan", "na", "n/a", "#n/a", "null", "nv", "-", "--"})
-    if (lower == word) return true;
-  return false;
-}
-
 }  // namespace
 
-CsvReader::CsvReader(const std::filesystem::path& file, std::size_t skip) : source_(file) {
+CsvReader::CsvReader(const std::filesystem::path& file, const TextOptions& options)
+    : CsvReader(file, open_bytes(file, std::chrono::seconds{10}), options) {}
+
+CsvReader::CsvReader(const std::filesystem::path& file, std::unique_ptr<ByteSource> bytes,
+                     const TextOptions& options)
+    : source_(file, std::move(bytes), options.encoding), decimal_(options.decimal) {
   std::string_view text;
-  for (; skip > 0; --skip)
+  for (std::size_t skip = options.skip; skip > 0; --skip)
     if (!raw_line(text)) refuse("has no more lines than are to be skipped");
   line_ = 1;
   do {
@@ -147,30 +63,49 @@ CsvReader::CsvReader(const std::filesystem::path& file, std::size_t skip) : sour
   };
   ahead_.emplace_back(text);
   const std::string header = whole();
-  bool row = more();
-  while (row && is_skipped(text)) row = more();
-  separator_ = separator_of(header, row ? whole() : "");
+  std::vector<std::string> rows;
+  while (rows.size() < options.header_lines + 2 && more())
+    if (!is_skipped(text)) rows.push_back(whole());
+  separator_ = separator_of(header, rows);
+  const std::size_t columns = separator_ == ' ' ? words_of(rows.back()).size() : 0;
   std::reverse(ahead_.begin(), ahead_.end());
-  read_header();
+  read_header(options.header_lines, columns);
 }
 
-void CsvReader::read_header() {
-  const std::vector<std::string> lines = ahead_;
+void CsvReader::read_header(std::size_t lines, std::size_t columns) {
+  const std::vector<std::string> ahead = ahead_;
   const std::size_t first = first_ahead_;
   record();
   double ignored = 0;
   const auto is_number = [&](std::string_view cell) {
     std::string text{cell};
     if (separator_ != ',') std::replace(text.begin(), text.end(), ',', '.');
-    return parse(text, ignored);
+    return parse_number(text, ignored);
   };
-  const bool none = std::all_of(cells_.begin(), cells_.end(), is_number);
-  for (std::size_t i = 0; i < cells_.size(); ++i)
-    header_.emplace_back(none || cells_[i].empty() ? std::to_string(i + 1)
-                                                   : std::string{cells_[i]});
-  if (!none) return;
-  ahead_ = lines;
+  const bool none = lines == 1 && std::all_of(cells_.begin(), cells_.end(), is_number);
+  ahead_ = ahead;
   first_ahead_ = first;
+  if (!none) return join_headers(lines, columns);
+  for (std::size_t i = 0; i < cells_.size(); ++i) header_.push_back(std::to_string(i + 1));
+}
+
+// An empty cell in a line above the last belongs to the header before it, "Left,,Right,".
+void CsvReader::join_headers(std::size_t lines, std::size_t columns) {
+  for (std::size_t line = 0; line < lines; ++line) {
+    if (!record()) refuse("ends within the header lines");
+    if (columns > 0) cells_ = headers_of(kept_, columns);
+    if (line == 0) header_.resize(cells_.size());
+    if (cells_.size() != header_.size())
+      refuse(fmt::format("{} headers; allowed: {}, as in the line before (--header-lines)",
+                         cells_.size(), header_.size()));
+    std::string_view before;
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+      if (!cells_[i].empty() || line + 1 == lines) before = cells_[i];
+      if (!before.empty()) header_[i] += (header_[i].empty() ? "" : " ") + std::string{before};
+    }
+  }
+  for (std::size_t i = 0; i < header_.size(); ++i)
+    if (header_[i].empty()) header_[i] = std::to_string(i + 1);
 }
 
 void CsvReader::refuse(const std::string& why) const {
@@ -217,6 +152,11 @@ bool CsvReader::record() {
 bool CsvReader::split(std::string_view text) {
   cells_.clear();
   if (text.ends_with('\r')) text.remove_suffix(1);
+  if (separator_ == ' ') {
+    cells_ = words_of(text);
+    if (cells_.size() > most_columns) require_column(most_columns);
+    return true;
+  }
   const char* begin = text.data();
   const char* const end = begin + text.size();
   for (const char* at = begin;; ++at) {
@@ -272,7 +212,8 @@ bool CsvReader::split_quoted(std::string text) {
       refuse(fmt::format("text after a closing quote; allowed: a {}", separator_ == ',' ? "comma"
                                                                       : separator_ == ';'
                                                                           ? "semicolon"
-                                                                          : "tab"));
+                                                                      : separator_ == '|' ? "stroke"
+                                                                                          : "tab"));
     std::string_view more;
     std::string kept;
     bool there = breaks < 100 && text.size() <= (1 << 20);
@@ -342,84 +283,6 @@ bool CsvReader::next() {
   if (cells_.size() != header_.size())
     refuse(fmt::format("{} cells; allowed: {}, one a column", cells_.size(), header_.size()));
   return true;
-}
-
-// One of them, its numbers `rows` apart; nothing when it is not plain. There is a line feed before
-// the end.
-const char* CsvReader::plain_row(const char* at, const char* end,
-                                 std::span<const std::size_t> columns, double* values,
-                                 std::size_t rows) {
-  if (*at == '#') return nullptr;
-  const std::size_t last = header_.size() - 1;
-  const bool undecided = separator_ != ',' && decimal_ == 0;
-  bool point = false;
-  auto wanted = columns.begin();
-  for (std::size_t column = 0; column <= last; ++column, ++at) {
-    const char stop = column == last ? '\n' : separator_;
-    if (wanted == columns.end() || *wanted != column) {
-      while (*at != separator_ && *at != '\n' && *at != '"' && *at != 0) ++at;
-    } else {
-      const char* const behind = plain_number(at, end, *values);
-      if (behind == nullptr) return nullptr;
-      point = point || (undecided && std::find(at, behind, '.') != behind);
-      at = behind;
-      if (*at == '\r' && column == last) ++at;
-      values += rows;
-      ++wanted;
-    }
-    if (*at != stop) return nullptr;
-  }
-  if (point) decimal_ = '.';
-  return at;
-}
-
-std::size_t CsvReader::numbers(std::span<const std::size_t> columns, std::span<double> values) {
-  if (columns.empty() || !ahead_.empty() || decimal_ == ',') return 0;
-  const std::string_view text = source_.lines_ahead();
-  const char *at = text.data(), *const end = at + text.size();
-  const std::size_t rows = values.size() / columns.size();
-  std::size_t row = 0;
-  for (; row < rows && at != end; ++row) {
-    const char* const next = plain_row(at, end, columns, values.data() + row, rows);
-    if (next == nullptr) break;
-    at = next;
-  }
-  source_.use(static_cast<std::size_t>(at - text.data()), row);
-  if (row > 0) line_ = source_.line();
-  return row;
-}
-
-double CsvReader::number(std::size_t column) const {
-  const std::string_view cell = cells_[column];
-  double value = 0;
-  if (!parse(cell, value)) return is_missing(cell) ? nan : with_comma(column);
-  if (separator_ != ',' && decimal_ != '.' && cell.find('.') != std::string_view::npos) {
-    if (decimal_ == ',') refuse_number(column);
-    decimal_ = '.';
-  }
-  return value;
-}
-
-// A number with a decimal comma, where the file can have one.
-double CsvReader::with_comma(std::size_t column) const {
-  std::string text{cells_[column]};
-  const std::size_t at = text.find(',');
-  double value = 0;
-  if (separator_ == ',' || at == std::string::npos || text.find('.') != std::string::npos ||
-      decimal_ == '.')
-    refuse_number(column);
-  text[at] = '.';
-  if (!parse(text, value)) refuse_number(column);
-  decimal_ = ',';
-  return value;
-}
-
-void CsvReader::refuse_number(std::size_t column) const {
-  refuse(fmt::format("column \"{}\" is \"{}\"; allowed: a finite number{}",
-                     units::printable(header_[column]), units::printable(cells_[column]),
-                     decimal_ == 0     ? ""
-                     : decimal_ == ',' ? ", with a decimal comma as before"
-                                       : ", with a decimal point as before"));
 }
 
 }  // namespace railbook::table

@@ -1,22 +1,25 @@
 // Tables of cells with a separator: a strict reader with line numbers in its errors, and a writer.
 //
-// Dialect: UTF-8; cells are parted by commas, semicolons or tabs, whichever the header and the line
-// after it agree on; the first line names the columns, unless all its cells are numbers: then the
-// columns are called 1, 2 and so on. Cells in double quotes may hold separators, doubled quotes and
-// line breaks, up to 100 of them and 1 MiB in a row; lines that start with # and lines of blanks
-// and tabs alone are skipped, CR LF accepted. Blanks around a bare cell do not count. Where the
-// separator is no comma, numbers may have a decimal comma (all of a file, or none). What LineSource
-// unpacks is read as well.
+// Dialect: UTF-8, or what the options say; cells are parted by commas, semicolons, tabs or strokes,
+// whichever the header and the line after it agree on, or by blanks where there are none of them
+// and the rows are numbers; the first line names the columns, unless all its cells are numbers:
+// then the columns are called 1, 2 and so on. Cells in double quotes may hold separators, doubled
+// quotes and line breaks, up to 100 of them and 1 MiB in a row; lines that start with # and lines
+// of blanks and tabs alone are skipped, CR LF accepted. Blanks around a bare cell do not count.
+// Where the separator is no comma, numbers may have a decimal comma (all of a file, or none). What
+// LineSource unpacks is read as well.
 #pragma once
 
 #include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include <railbook/table/byte_source.hpp>
 #include <railbook/table/line_source.hpp>
 #include <railbook/units/quantity.hpp>
 
@@ -27,12 +30,23 @@ namespace railbook::table {
 // empty and the unit the pure number.
 units::Header parse_column(std::string_view header);
 
+// What a file of text does not say of itself.
+struct TextOptions {
+  std::size_t skip = 0;          // lines before the headers
+  std::size_t header_lines = 1;  // a column's header is what its cells in them hold, with blanks
+  std::string encoding = {};     // that iconv knows; none: UTF-8, or UTF-16 with a byte order mark
+  char decimal = 0;              // the point or the comma of numbers; 0: as the file has them
+};
+
 // Reads a file, or a pipe, line by line in constant memory. Errors are InputError naming the file
 // and the line; what the reading itself throws is LineSource's.
 class CsvReader {
  public:
   // Opens the file, skips some lines, and reads its header. Throws when it is missing or empty.
-  explicit CsvReader(const std::filesystem::path& file, std::size_t skip = 0);
+  explicit CsvReader(const std::filesystem::path& file, const TextOptions& options = {});
+  // The same of other bytes; `file` is their name in errors.
+  CsvReader(const std::filesystem::path& file, std::unique_ptr<ByteSource> bytes,
+            const TextOptions& options = {});
 
   const std::vector<std::string>& header() const { return header_; }
 
@@ -71,7 +85,8 @@ class CsvReader {
   bool record();
   bool split(std::string_view text);
   bool split_quoted(std::string text);
-  void read_header();
+  void read_header(std::size_t lines, std::size_t columns);
+  void join_headers(std::size_t lines, std::size_t columns);
   struct Name {
     std::string name, folded_name, folded_header;
   };

@@ -27,8 +27,6 @@ constexpr Format formats[] = {
     {"SQLite format 3", "a SQLite database; write the table as CSV, for example by sqlite3 -csv"},
     {"version https://git-lfs",
      "a pointer of Git LFS without the data; fetch them by git lfs pull"},
-    {"\xFF\xFE", "text in UTF-16; convert it by iconv -f UTF-16 -t UTF-8"},
-    {"\xFE\xFF", "text in UTF-16; convert it by iconv -f UTF-16 -t UTF-8"},
     {"<!doctype html", "a web page; save the data themselves, not the page about them"},
     {"<html", "a web page; save the data themselves, not the page about them"},
     {"<?xml", "an XML file; write its table as CSV"},
@@ -49,11 +47,6 @@ bool starts_with(std::string_view text, std::string_view start) {
 std::string_view foreign_format(std::string_view first_line) {
   for (const Format& format : formats)
     if (starts_with(first_line, format.start)) return format.advice;
-  // One line that holds all others: the ends are those of old Macs. In quotes they are a cell's.
-  const std::size_t end = first_line.find('\r');
-  if (end != first_line.npos && end + 1 < first_line.size() &&
-      first_line.find('"') == first_line.npos)
-    return "text whose lines end in a carriage return alone; convert it by tr '\\r' '\\n'";
   return {};
 }
 

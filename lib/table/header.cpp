@@ -8,6 +8,7 @@
 #include <railbook/table/csv.hpp>
 #include <railbook/table/detail/trim.hpp>
 #include <railbook/units/input_error.hpp>
+#include <railbook/units/number_text.hpp>
 
 namespace railbook::table {
 namespace {
@@ -26,8 +27,26 @@ constexpr auto spellings = std::to_array<std::pair<std::string_view, std::string
     {"\xC2\xB0", "deg"},  {"m/s\xC2\xB2", "m/s^2"}, {"mm/s\xC2\xB2", "mm/s^2"},
 });
 
+constexpr auto factors = std::to_array<std::pair<std::string_view, double>>({
+    {"1/10", 0.1},
+    {"1/100", 0.01},
+    {"1/1000", 0.001},
+    {"0.1", 0.1},
+    {"0,1", 0.1},
+    {"0.01", 0.01},
+    {"0,01", 0.01},
+    {"0.001", 0.001},
+    {"0,001", 0.001},
+});
+
 // A unit as the project spells it, in letters of either case.
 std::optional<std::pair<std::string, units::Unit>> unit_of(std::string_view text) {
+  double factor = 1;
+  text = trim(text);
+  for (const auto& [written, value] : factors)  // "1/10 mm"
+    if (factor == 1 && text.starts_with(written) &&
+        text.find_first_of("0123456789/.,", written.size()) == text.npos)
+      factor = value, text.remove_prefix(written.size());
   std::string lower{trim(text)};
   if (lower.empty() || lower.size() > 40) return std::nullopt;
   std::string exact = lower;
@@ -36,7 +55,10 @@ std::optional<std::pair<std::string, units::Unit>> unit_of(std::string_view text
     if (lower == spelling) lower = exact = meant;
   for (const std::string& one : {exact, lower}) {
     try {
-      return std::pair{one, units::parse_unit(one)};
+      units::Unit unit = units::parse_unit(one);
+      if (factor != 1 && !(unit.dimension == units::length)) return std::nullopt;
+      unit.si *= factor;
+      return std::pair{factor == 1 ? one : units::number_text(factor) + " " + one, unit};
     } catch (const InputError&) {
     }
   }

@@ -1,18 +1,10 @@
 #include <railbook/table/line_source.hpp>
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <poll.h>
-#include <sys/stat.h>
-#include <unistd.h>
-#include <zlib.h>
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
 #include <cstring>
-#include <new>
-#include <system_error>
+#include <utility>
 
 #include <railbook/files/outside.hpp>
 #include <railbook/units/input_error.hpp>
@@ -21,24 +13,14 @@
 namespace railbook::table {
 namespace {
 
-constexpr std::size_t longest_line = 64 << 20, buffer_size = 1 << 18, packed_size = 1 << 16;
+constexpr std::size_t longest_line = 64 << 20, buffer_size = 1 << 18;
 
-std::string reason(int error) {
-  return std::error_code(error, std::generic_category()).message();
+// A text of lines that end as on old Macs. In quotes a carriage return is a cell's.
+bool ends_in_returns(std::string_view text) {
+  const std::size_t end = text.find_first_of("\r\n");
+  return end != text.npos && text[end] == '\r' && end + 1 < text.size() &&
+         text.find('\n') == text.npos && text.substr(0, end).find('"') == text.npos;
 }
-
-// A stream of zlib's.
-struct Unpacker {
-  z_stream stream{};
-  std::vector<char> packed = std::vector<char>(packed_size);
-  bool between = false;  // two members of the file, or behind the last
-  Unpacker() {
-    if (inflateInit2(&stream, 15 + 16) != Z_OK) throw std::bad_alloc();
-  }
-  ~Unpacker() { inflateEnd(&stream); }
-  Unpacker(const Unpacker&) = delete;
-  Unpacker& operator=(const Unpacker&) = delete;
-};
 
 }  // namespace
 
@@ -47,112 +29,48 @@ std::string quoted_name(const std::filesystem::path& file) {
   return fmt::format("file \"{}\"", units::printable(file.string(), 300));
 }
 
-struct LineSource::Input {
-  explicit Input(int number) : descriptor(number) {}
-  ~Input() {
-    if (descriptor >= 0) ::close(descriptor);
-  }
-  Input(const Input&) = delete;
-  Input& operator=(const Input&) = delete;
-  int descriptor;
-  double size = 0, done = 0;  // bytes
-  std::unique_ptr<Unpacker> unpacker;
-};
-
-LineSource::~LineSource() = default;
-
-LineSource::LineSource(const std::filesystem::path& file, std::chrono::milliseconds patience)
-    : file_(file), buffer_(buffer_size) {
-  const auto refuse = [&](const std::string& why) {
-    throw InputError{quoted_name(file) + ": cannot be read: " + why};
-  };
-  const auto refuse_error = [&](int error) {
-    if (files::is_of_machine(error))
-      throw files::OutsideError{quoted_name(file) + ": cannot be read: " + reason(error)};
-    refuse(reason(error));
-  };
-  do {
-    input_ = std::make_unique<Input>(file == "-"
-                                         ? ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3)
-                                         : ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  } while (input_->descriptor < 0 && errno == EINTR);
-  const int fd = input_->descriptor;
-  struct stat status {};
-  if (fd < 0 || ::fstat(fd, &status) != 0) refuse_error(errno);
-  if (S_ISDIR(status.st_mode)) refuse(reason(EISDIR));
-  if (S_ISREG(status.st_mode)) input_->size = static_cast<double>(status.st_size);
-  if (S_ISFIFO(status.st_mode) && file != "-") {
-    pollfd wait{fd, POLLIN, 0};
-    if (::poll(&wait, 1, static_cast<int>(patience.count())) == 0) {
-      // Nothing came. Without a writer a read is at its end, with one it would block.
-      const ssize_t got = ::read(fd, buffer_.data(), buffer_.size());
-      if (got == 0)
-        refuse(fmt::format("a pipe that nobody writes to (waited {:g} s)",
-                           static_cast<double>(patience.count()) / 1000));
-      if (got > 0) end_ = static_cast<std::size_t>(got);
-    }
-  }
-  if (file != "-") ::fcntl(fd, F_SETFL, ::fcntl(fd, F_GETFL) & ~O_NONBLOCK);
-  while (end_ < 2) {  // gzip's mark
-    const std::size_t got = read(buffer_.data() + end_, buffer_.size() - end_);
-    if (got == 0) break;
+LineSource::LineSource(const std::filesystem::path& file, std::unique_ptr<ByteSource> bytes,
+                       const std::string& encoding)
+    : file_(file), bytes_(std::move(bytes)), buffer_(buffer_size) {
+  const auto read_some = [&] {
+    const std::size_t got = fill(buffer_.data() + end_, buffer_.size() / 2 - end_);
     end_ += got;
+    return got > 0;
+  };
+  if (!encoding.empty()) bytes_ = decoded(std::move(bytes_), encoding);
+  while (end_ < 2 && read_some()) {
   }
-  if (end_ < 2 || buffer_[0] != '\x1f' || buffer_[1] != '\x8b') return;
-  input_->unpacker = std::make_unique<Unpacker>();
-  Unpacker& u = *input_->unpacker;
-  u.packed.assign(buffer_.begin(), buffer_.begin() + static_cast<std::ptrdiff_t>(end_));
-  u.stream.next_in = reinterpret_cast<Bytef*>(u.packed.data());
-  u.stream.avail_in = static_cast<uInt>(end_);
-  end_ = 0;
+  const std::string_view first{buffer_.data(), end_};
+  if (encoding.empty() && (first.starts_with("\xFF\xFE") || first.starts_with("\xFE\xFF"))) {
+    bytes_ = decoded(std::move(bytes_), "UTF-16", first);
+    end_ = 0;
+    read_some();
+  }
+  const auto undecided = [&] {
+    const std::string_view text{buffer_.data(), end_};
+    return text.find('\n') == text.npos && end_ < buffer_.size() / 2;
+  };
+  while (undecided() && read_some()) {
+  }
+  returns_ = ends_in_returns({buffer_.data(), end_});
+  if (returns_) std::replace(buffer_.data(), buffer_.data() + end_, '\r', '\n');
 }
 
 std::string LineSource::here() const {
   return fmt::format("{}, line {}", quoted_name(file_), line_ + 1);
 }
 
-double LineSource::share() const {
-  return input_->size > 0 ? std::min(1.0, input_->done / input_->size) : -1;
-}
-
-std::size_t LineSource::read(char* to, std::size_t size) {
-  ssize_t got = 0;
-  do {
-    got = ::read(input_->descriptor, to, size);
-  } while (got < 0 && errno == EINTR);
-  if (got < 0)
-    throw files::OutsideError{fmt::format("{}: cannot be read further: {}", here(), reason(errno))};
-  input_->done += static_cast<double>(got);
-  return static_cast<std::size_t>(got);
-}
-
 // The next bytes of the text: 0 at its end.
 std::size_t LineSource::fill(char* to, std::size_t size) {
-  if (!input_->unpacker) return read(to, size);
-  Unpacker& u = *input_->unpacker;
-  z_stream& z = u.stream;
-  z.next_out = reinterpret_cast<Bytef*>(to);
-  z.avail_out = static_cast<uInt>(size);
-  while (z.avail_out == size) {
-    if (z.avail_in == 0) {
-      u.packed.resize(packed_size);
-      z.next_in = reinterpret_cast<Bytef*>(u.packed.data());
-      z.avail_in = static_cast<uInt>(read(u.packed.data(), u.packed.size()));
-      if (z.avail_in == 0 && u.between) return 0;
-      if (z.avail_in == 0)
-        throw InputError{here() + ": cannot be read further: the gzip data are cut off"};
-    }
-    if (u.between && *z.next_in == 0) return 0;  // padding behind the last
-    u.between = false;
-    const int status = inflate(&z, Z_NO_FLUSH);
-    if (status == Z_STREAM_END) {
-      u.between = true;
-      inflateReset(&z);
-    } else if (status != Z_OK && status != Z_BUF_ERROR) {
-      throw InputError{here() + ": cannot be read further: the gzip data are damaged"};
-    }
+  try {
+    const std::size_t got = bytes_->read(to, size);
+    if (returns_) std::replace(to, to + got, '\r', '\n');
+    return got;
+  } catch (const InputError& error) {
+    throw InputError{here() + ": cannot be read further: " + error.what()};
+  } catch (const files::OutsideError& error) {
+    throw files::OutsideError{here() + ": cannot be read further: " + error.what()};
   }
-  return size - z.avail_out;
 }
 
 std::string_view LineSource::lines_ahead() {

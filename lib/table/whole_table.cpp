@@ -81,7 +81,7 @@ std::string csv_number(double value, int digits) {
 
 std::string csv_cell(std::string_view text) {
   const auto blank = [](char c) { return c == ' ' || c == '\t'; };
-  const bool quote = text.find_first_of(",;\t\"\r\n#") != std::string_view::npos ||
+  const bool quote = text.find_first_of(",;|\t\"\r\n#") != std::string_view::npos ||
                      text.starts_with("\xEF\xBB\xBF") ||
                      (!text.empty() && (blank(text.front()) || blank(text.back())));
   if (!quote) return std::string{text};

@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -161,4 +162,40 @@ TEST_CASE("unit: a number that stands for a lost sample does so however it is wr
   // A text that only begins like a number is one.
   CHECK(read(with("3x"), {.bridge = 0, .missing = {"3x"}}).stream->missing() == 1);
   CHECK(read(with("3"), {.bridge = 0, .missing = {"3x"}}).stream->missing() == 0);
+}
+
+TEST_CASE("unit: tenths of a millimetre, by the header, the row under it, or the option") {
+  const auto place = [](int i) { return std::to_string(2 * i) + ","; };
+  for (const auto& [header, unit] : {std::pair{"distance_m,profile [1/10 mm]", ""},
+                                     std::pair{"distance_m,profile\nm,1/10 mm", ""},
+                                     std::pair{"distance_m,profile", "0.1 mm"}}) {
+    CAPTURE(header);
+    const Read r = read(rows(header, place), {.unit = unit});
+    CHECK(r.heights.at(1) == Approx(2e-4).epsilon(1e-14));
+  }
+}
+
+TEST_CASE("input: miles and yards behind the point are no decimals of miles") {
+  const auto place = [](int i) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.4f,", 12 + i / 160 + 11 * (i % 160) * 1e-4);
+    return std::string{text};
+  };
+  CHECK_THROWS_WITH(read(rows("distance_mi,profile_mm", place, 400)),
+                    Contains("--distance-unit mi.yd"));
+  CHECK(read(rows("distance_mi,profile_mm", place, 400), {.distance_unit = "mi.yd"})
+            .stream->spacing() == Approx(11 * 0.9144));
+}
+
+TEST_CASE("input: a word that stands for a lost sample is named with its option, in places too") {
+  const auto place = [](int i) { return (i == 7 ? "none" : std::to_string(2 * i)) + ","; };
+  CHECK_THROWS_WITH(read(rows("distance_m,profile_mm", place)), Contains("--missing \"none\""));
+  CHECK(read(rows("distance_m,profile_mm", place), {.missing = {"none"}}).stream->missing() +
+            read(rows("distance_m,profile_mm", place), {.missing = {"none"}}).stream->bridged() ==
+        1);
+  for (const char* word : {"None", "---", "*", "ERR", "#DIV/0!"}) {
+    const std::string text = std::string{"distance_m,profile_mm\n0,1\n1,"} + word + "\n2,4\n3,2\n";
+    CHECK_THROWS_WITH(read(text), Contains(std::string{"--missing \""} + word + "\""));
+    CHECK(read(text, {.missing = {word}}).stream->bridged() == 1);
+  }
 }

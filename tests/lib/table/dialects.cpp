@@ -99,7 +99,7 @@ TEST_CASE("input: columns by number, and a file without headers") {
   CHECK_THROWS_WITH(other.column("z"), Contains("twice") && Contains("number 2 and 3"));
   CHECK(other.column("3") == 2);
   CHECK_THROWS_WITH(other.column("4"), Contains("no column \"4\"; there are: x_m, z_mm, z_mm"));
-  CHECK_THROWS_WITH(table::CsvReader(twice.path, 9), Contains("no more lines"));
+  CHECK_THROWS_WITH(table::CsvReader(twice.path, {.skip = 9}), Contains("no more lines"));
 }
 
 TEST_CASE("input: cells that stand for nothing") {
