@@ -18,11 +18,11 @@ railbookFigure("hunting", {
     this.time = figure.plot("After the push", [0, 6, "time, s"], [-0.75, 0.75, "displacement, in"], {key: [["front truck", "curve-1"], ["rear truck", "curve-2"], ["body", "soft"]]});
     this.circle = figure.plot("Does a disturbance of the cycle die out?", [-1.9, 1.9, "real part"], [-1.25, 1.25, "imaginary part"], {equal: 1, key: [["multipliers of half a period", "curve-4"]]});
     this.plan = figure.plot("The car from above, sideways 40 times", [-24, 24, ""], [-6, 6, ""], {height: 130, bare: true, across: 2, key: [["front", "curve-1"], ["rear", "curve-2"], ["body", "soft"]]});
-    this.pair = figure.plot("Drag the wheel: the left one on its rail", [27, 33, "from the middle of the track, in"], [-1.4, 0.6, "height, in"], {equal: 1, key: [["wheel", "curve-1"], ["rail", "soft"], ["contact", "curve-2"]]});
+    this.pair = figure.plot("Drag the wheel: the left one on its rail", [27, 33, "from the middle of the track, in"], [-1.3, 1, "height, in"], {equal: 1, key: [["wheel", "curve-1"], ["rail", "soft"], ["contact", "curve-2"]]});
     for (const key of ["speed", "push", "aside"]) figure.slider(key);
     figure.choice("full", ["by describing functions", "and by the full equations (a second, once)"]);
     figure.choice("wheels", ["new wheels on worn rails", "CN profile A on new rails", "modified Heumann on worn rails"]);
-    figure.handle(this.pair, {x: "aside", label: "wheelset aside", place: s => [30.5 + s.aside, 0.42], grip: x => ({aside: x - 30.5}), whole: true});
+    figure.handle(this.pair, {x: "aside", label: "wheelset aside", place: s => [30.5 + s.aside, 0.7], grip: x => ({aside: x - 30.5}), whole: true});
     figure.handle(this.plane, {x: "speed", y: "push", label: "speed and push", place: s => [s.speed, s.push]});
   },
 
@@ -64,7 +64,7 @@ railbookFigure("hunting", {
     const turn = Array.from({length: 73}, (_, i) => i * Math.PI / 36), {circle} = this;
     circle.clear();
     circle.line(turn.map(Math.cos), turn.map(Math.sin), "soft", {"stroke-width": 1.3});
-    if (!full?.found) return circle.label(0, 0, full ? "no cycle" : "ask the full equations, below", "soft", "middle");
+    if (!full?.found) return (full ? ["no cycle"] : ["choose the full", "equations below"]).forEach((line, i) => circle.label(0, 0.15 - 0.4 * i, line, "soft", "middle"));
     full.largest = Math.max(...full.multipliers.real.map((x, i) => Math.hypot(x, full.multipliers.imaginary[i])));
     full.multipliers.real.forEach((x, i) => circle.dot(x, full.multipliers.imaginary[i], "curve-4", 5));
   },

@@ -35,7 +35,7 @@ const press = (name, k, key) => `${holder(name)}.querySelectorAll(".handle")[${k
 const startAgain = (name) => `${holder(name)}.querySelector(".foot button").click()`;
 // What of a figure is seen: its static drawing, its working part.
 const seen = (name) => `(() => { const h = ${holder(name)}, shown = (e) => Boolean(e) && e.checkVisibility() && e.getBoundingClientRect().height > 50;
-  return {drawing: [...h.querySelectorAll("img, table, svg")].some((e) => !e.closest(".working") && shown(e)), working: shown(h.querySelector(".working"))}; })()`;
+  return {drawing: [...h.querySelectorAll("img, table, svg")].some((e) => !e.closest(".working") && shown(e) && e.naturalWidth !== 0), working: shown(h.querySelector(".working"))}; })()`;
 
 async function drag(browser, name, handles, wrong) {
   for (const width of [1280, 390]) {
@@ -135,6 +135,8 @@ async function withoutScript(browser, name, url, wrong) {
   const bare = await browser.run(`${holder(name)}.scrollIntoView(), ${seen(name)}`);
   if (!bare.drawing || bare.working) wrong(`shows without scripts ${JSON.stringify(bare)}`);
   await browser.send("Emulation.setScriptExecutionDisabled", {value: false});
+  await browser.go(url);
+  await browser.run(comes(name)); // for what is asked of the page after this
 }
 
 // The least of five times at the default state and where the first two handles are at their ends.
