@@ -160,7 +160,7 @@ $ railbook contact solve --body-1-radius-across 10in --body-2-radius-across -12.
 ```console
 $ railbook contact solve --config radii.toml --body-2-radius-across -10.1in
 ...
-  contact      to x              0.7781 in
+  contact      to x              0.7781 +- 0.0009 in
 ...
 ```
 

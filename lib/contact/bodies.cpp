@@ -188,6 +188,21 @@ double touch_scatter(const Body& one, const Body& two) {
                         two.profile ? scatter(*two.profile) : 0);
 }
 
+double touch_place_error(const TouchingBodies& bodies, double height) {
+  if (std::isinf(bodies.x_max)) return 0;
+  constexpr double rounding = 1e-17;  // of a depth of some centimetres [m]
+  const double off = height + rounding;
+  const Box box = bodies.search(off);
+  constexpr int steps = 1000;
+  double farthest = 0;
+  for (const double end : {box.x_min, box.x_max}) {
+    int k = steps;
+    while (k > 1 && !(bodies.gap(end * (k - 1) / steps, 0) < off)) --k;
+    farthest = std::max(farthest, std::abs(end) * k / steps);
+  }
+  return farthest;
+}
+
 TouchingBodies join_bodies(const Body& one, const Body& two, double angle) {
   units::require_finite("angle between the bodies", angle, "rad");
   if (!one.profile && !two.profile) return join_radii(one, two, angle);

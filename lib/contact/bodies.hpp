@@ -57,4 +57,8 @@ std::vector<TouchingBodies> join_thinned(const Body& one, const Body& two);
 // through their four neighbours; 0 for bodies without profiles.
 double touch_scatter(const Body& one, const Body& two);
 
+// How far aside the place of first touch, x_touch, may be [m] when the bodies' surfaces are off by
+// `height` [m]: there the gap is less than that. 0 for bodies without profiles.
+double touch_place_error(const TouchingBodies& bodies, double height);
+
 }  // namespace railbook::contact

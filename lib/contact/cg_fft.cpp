@@ -94,24 +94,36 @@ std::vector<double> of_levels(const std::vector<CgFftLevel>& levels, Read read) 
   return values;
 }
 
-// The ends of the region extrapolated; the irregular part of an end keeps its place at the finest
-// grid's.
-void extrapolate_ends(const std::vector<CgFftLevel>& levels, const std::vector<double>& h,
-                      NormalContact& contact) {
+// Cells across the narrowest patch that carries a hundredth of the force or more.
+double narrowest(const Region& region) {
+  double cells = units::infinity;
+  for (const PressurePatch& patch : region.patches)
+    if (patch.force > 0.01 * region.force) cells = std::min(cells, patch.cells_across);
+  return cells;
+}
+
+// The ends of the region and their errors. With the remedy they are extrapolated; the irregular
+// part of an end keeps its place at the finest grid's.
+void find_ends(const std::vector<CgFftLevel>& levels, const std::vector<double>& h, bool remedy,
+               NormalContact& contact) {
   constexpr double order =
       1.25;  // seen: between 1 (the edge parallel to the cells) and 1.5 (averaged along it)
   const CgFftLevel& finest = levels.back();
-  const auto end = [&](double Box::*side, double cell) {
+  // What is left of an end, in cells, depends on how the edge meets the cells of each grid. Seen in
+  // 480 contacts of Hertz of 24 to 127 cells, 1:10 to 10:1 and turned: within this in 99 of 100.
+  const double irregular = 0.05 + 2.5 / narrowest(finest.region);
+  const auto end = [&](double Box::*side, double cell, double& error) {
     const double there = finest.region.ends.*side;
-    const double limit =
-        extrapolate(h, of_levels(levels, [&](const auto& l) { return l.region.ends.*side; }), order)
-            .value;
-    return there + std::clamp(limit - there, -0.5 * cell, 0.5 * cell);
+    const Extrapolated limit = extrapolate(
+        h, of_levels(levels, [&](const auto& l) { return l.region.ends.*side; }), order);
+    const double moved = std::clamp(limit.value - there, -0.5 * cell, 0.5 * cell);
+    error = std::max(error, irregular * cell + (remedy ? 0.3 : 1) * std::abs(moved));
+    return there + (remedy ? moved : 0);
   };
-  contact.x_min = end(&Box::x_min, finest.grid.dx),
-  contact.x_max = end(&Box::x_max, finest.grid.dx);
-  contact.y_min = end(&Box::y_min, finest.grid.dy),
-  contact.y_max = end(&Box::y_max, finest.grid.dy);
+  contact.x_min = end(&Box::x_min, finest.grid.dx, contact.x_end_error);
+  contact.x_max = end(&Box::x_max, finest.grid.dx, contact.x_end_error);
+  contact.y_min = end(&Box::y_min, finest.grid.dy, contact.y_end_error);
+  contact.y_max = end(&Box::y_max, finest.grid.dy, contact.y_end_error);
 }
 
 // The irregular part of the error of a force or a peak pressure, as a share of it: it depends on
@@ -132,14 +144,6 @@ double irregular_error(const Region& region) {
   return error;
 }
 
-// Cells across the narrowest patch that carries a hundredth of the force or more.
-double narrowest(const Region& region) {
-  double cells = units::infinity;
-  for (const PressurePatch& patch : region.patches)
-    if (patch.force > 0.01 * region.force) cells = std::min(cells, patch.cells_across);
-  return cells;
-}
-
 // What a grid cannot say at any accuracy: a patch narrower than its cells can tell, and the peak at
 // an edge.
 void find_doubts(const Region& region, NormalContact& contact) {
@@ -147,6 +151,7 @@ void find_doubts(const Region& region, NormalContact& contact) {
   const double cells = narrowest(region);
   if (cells < fewest) {
     contact.force_error = contact.p_max_error = units::infinity;
+    contact.x_end_error = contact.y_end_error = units::infinity;
     if (region.patches.size() >
         1) {  // the sums of this grid: such patches scatter from grid to grid
       contact.force = region.force, contact.p_max = region.p_max;
@@ -182,8 +187,6 @@ void summarise(const std::vector<CgFftLevel>& levels, bool remedy, NormalContact
   };
   const Extrapolated force = limit(&Region::force), peak = limit(&Region::p_max);
   contact.x_p_max = finest.x_p_max, contact.y_p_max = finest.y_p_max;
-  contact.x_min = finest.ends.x_min, contact.x_max = finest.ends.x_max;
-  contact.y_min = finest.ends.y_min, contact.y_max = finest.ends.y_max;
   contact.area = finest.area;
   contact.force = remedy ? force.value : finest.force;
   contact.moment_x = remedy ? limit(&Region::moment_x).value : finest.moment_x;
@@ -200,7 +203,7 @@ void summarise(const std::vector<CgFftLevel>& levels, bool remedy, NormalContact
     if (patch.p_max > 0.5 * finest.p_max) drop = std::max(drop, patch.peak_drop);
   contact.force_error = error(force, finest.force);
   contact.p_max_error = error(peak, finest.p_max) + 4 * drop * drop;
-  if (remedy && !finest.meets_body_edge) extrapolate_ends(levels, h, contact);
+  find_ends(levels, h, remedy && !finest.meets_body_edge, contact);
   find_doubts(finest, contact);
 }
 

@@ -32,6 +32,9 @@ struct NormalContact {
   double y_p_max = 0;
   double x_min = 0, x_max = 0;  // ends of the contact region [m]
   double y_min = 0, y_max = 0;
+  // Estimates of how far x_min and x_max, and y_min and y_max, are from the true ends [m]; infinite
+  // where the grid cannot tell. Zero from a solver that gives none.
+  double x_end_error = 0, y_end_error = 0;
   double area = 0;  // [m^2]
 
   double force_error =

@@ -106,14 +106,36 @@ Box ends_of(const Solved& solved) {
   return {-x, x, -y, y};
 }
 
-void add_ends(const std::string& prefix, const std::string& what, const Box& box, double x_touch,
-              const Shown& u, tool::Summary& answer) {
-  for (const auto& [name, text, value] :
-       {std::tuple{"x_min", " from x", box.x_min + x_touch},
-        std::tuple{"x_max", "      to x", box.x_max + x_touch},
-        std::tuple{"y_min", " from y", box.y_min}, std::tuple{"y_max", "      to y", box.y_max}})
-    answer.add(fmt::format("{}{}_{}", prefix, name, u.length_name), what + text, value / u.length,
-               u.length_name);
+// How far the ends along an axis may be off [m]; infinite: not known.
+struct EndErrors {
+  double x = 0, y = 0;
+};
+
+// The whole contact's, extrapolated over the grids. A turned grid's ends are turned with it.
+EndErrors end_errors(const Solved& solved) {
+  const NormalContact& c = solved.result.contact;
+  const double x = c.x_end_error + solved.profile_x_end_error,
+               y = c.y_end_error + solved.profile_y_end_error;
+  const double cosine = std::cos(solved.bodies.angle), sine = std::sin(solved.bodies.angle);
+  if (sine == 0) return {x, y};
+  return {std::hypot(x * cosine, y * sine), std::hypot(x * sine, y * cosine)};
+}
+
+// A patch's, which are those of the finest grid: within 0.4 cell in random contacts of Hertz.
+EndErrors patch_end_errors(const Solved& solved) {
+  const Grid& grid = solved.result.levels.back().grid;
+  return {0.4 * grid.dx + solved.profile_x_end_error, 0.4 * grid.dy + solved.profile_y_end_error};
+}
+
+void add_ends(const std::string& prefix, const std::string& what, const Box& box,
+              const EndErrors& errors, double x_touch, const Shown& u, tool::Summary& answer) {
+  for (const auto& [name, text, value, error] :
+       {std::tuple{"x_min", " from x", box.x_min + x_touch, errors.x},
+        std::tuple{"x_max", "      to x", box.x_max + x_touch, errors.x},
+        std::tuple{"y_min", " from y", box.y_min, errors.y},
+        std::tuple{"y_max", "      to y", box.y_max, errors.y}})
+    answer.add(fmt::format("{}{}_{}", prefix, name, u.length_name), what + text,
+               tool::Estimate{value / u.length, error / u.length}, u.length_name);
 }
 
 void add_forces(const Solved& solved, bool by_load, const Box& ends, const Shown& u,
@@ -122,8 +144,10 @@ void add_forces(const Solved& solved, bool by_load, const Box& ends, const Shown
   answer.add(fmt::format("effective_modulus_{}", u.pressure_name), "effective modulus E*",
              solved.modulus / u.pressure, u.pressure_name);
   const double width = ends.x_max - ends.x_min;
-  answer.add(fmt::format("x_touch_{}", u.length_name), "first touch at x",
-             clean(solved.bodies.x_touch, width) / u.length, u.length_name);
+  answer.add(
+      fmt::format("x_touch_{}", u.length_name), "first touch at x",
+      tool::Estimate{clean(solved.bodies.x_touch, width) / u.length, solved.touch_error / u.length},
+      u.length_name);
   // What was asked for has no error: the other one has it, an approach not more than the force, which grows faster.
   const double profiles = std::max(solved.profile_force_error, solved.scatter_force_error());
   const std::string approach = fmt::format("approach_{}", u.small_name),
@@ -178,7 +202,7 @@ void add_patches(const Solved& solved, const Shown& u, tool::Summary& answer) {
                patch.area / (u.length * u.length), fmt::format("{}^2", u.length_name));
     answer.add(fmt::format("{}p_max_{}", prefix, u.pressure_name), "  peak pressure",
                patch.p_max / u.pressure, u.pressure_name);
-    add_ends(prefix, " ", patch.ends, solved.bodies.x_touch, u, answer);
+    add_ends(prefix, " ", patch.ends, patch_end_errors(solved), solved.bodies.x_touch, u, answer);
   }
   if (patches.size() > most)
     answer.add("patches_left_out", "patches left out", static_cast<double>(patches.size() - most),
@@ -225,7 +249,7 @@ tool::Summary answer(const Options& options, const Solved& solved) {
   const NormalContact& c = solved.result.contact;
   const Box ends = ends_of(solved);
   add_forces(solved, options.load.has_value(), ends, u, answer);
-  add_ends("", "contact", ends, solved.bodies.x_touch, u, answer);
+  add_ends("", "contact", ends, end_errors(solved), solved.bodies.x_touch, u, answer);
   answer.add(fmt::format("area_{}2", u.length_name), "area", c.area / (u.length * u.length),
              fmt::format("{}^2", u.length_name));
   add_patches(solved, u, answer);

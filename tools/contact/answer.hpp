@@ -57,7 +57,11 @@ struct Solved {
   double touch_scatter =
       0;  // how far the scatter of the profiles' points may move the first touch [m]
 
-  // What that does to the force at an approach, as a share of it: F grows as its power 3/2.
+  double touch_error = 0;  // of the place of first touch [m]
+  // Of the contact's ends [m], from the profiles; infinite: not known.
+  double profile_x_end_error = 0, profile_y_end_error = 0;
+
+  // What that scatter does to the force at an approach, as a share of it: F grows as its power 3/2.
   double scatter_force_error() const { return 1.5 * touch_scatter / result.contact.approach; }
 };
 

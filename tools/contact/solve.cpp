@@ -96,7 +96,7 @@ void require_answer(const CgFft& result, const TouchingBodies& bodies) {
                     bodies.x_min + bodies.x_touch, bodies.x_max + bodies.x_touch));
 }
 
-// What becomes of force and peak pressure when every second point of the profiles is left out, at the same approach on
+// What becomes of force, peak pressure, ends and first touch when every second point of the profiles is left out, at the same approach on
 // one grid; infinite when there is then no contact to solve.
 void find_profile_errors(const Options& options, Solved& solved) {
   Options same = options;
@@ -114,12 +114,28 @@ void find_profile_errors(const Options& options, Solved& solved) {
           std::max(solved.profile_force_error, std::abs(some.force / all.force - 1));
       solved.profile_p_max_error =
           std::max(solved.profile_p_max_error, std::abs(some.p_max / all.p_max - 1));
+      const double aside = variant.x_touch - solved.bodies.x_touch;
+      solved.touch_error = std::max(solved.touch_error, std::abs(aside));
+      solved.profile_x_end_error =
+          std::max({solved.profile_x_end_error, std::abs(some.x_min + aside - all.x_min),
+                    std::abs(some.x_max + aside - all.x_max)});
+      solved.profile_y_end_error =
+          std::max({solved.profile_y_end_error, std::abs(some.y_min - all.y_min),
+                    std::abs(some.y_max - all.y_max)});
     }
+    // Higher by the scatter, the bodies come nearer by it, and the ends move like the root of that.
+    const double grown = solved.touch_scatter / (2 * all.approach);
+    solved.profile_x_end_error += grown * (all.x_max - all.x_min) / 2;
+    solved.profile_y_end_error += grown * (all.y_max - all.y_min) / 2;
+    solved.touch_error =
+        std::max(solved.touch_error, touch_place_error(solved.bodies, solved.touch_scatter));
     // A peak where the curvature jumps is off by more than it changes.
     solved.profile_p_max_error =
         2 * std::max(solved.profile_force_error, solved.profile_p_max_error);
   } catch (const InputError&) {  // of a thinned profile: the given ones have been solved
     solved.profile_force_error = solved.profile_p_max_error = units::infinity;
+    solved.profile_x_end_error = solved.profile_y_end_error = units::infinity;
+    solved.touch_error = units::infinity;
   }
 }
 
@@ -172,8 +188,8 @@ void run(Options options) {
   solved.bodies = join_bodies(options.read[0], options.read[1], options.angle);
   solved.result = solve(options, solved.bodies, solved.modulus);
   require_answer(solved.result, solved.bodies);
-  find_profile_errors(options, solved);
   solved.touch_scatter = touch_scatter(options.read[0], options.read[1]);
+  find_profile_errors(options, solved);
   const tool::Summary summary = answer(options, solved);
   summary.print();
   if (out) write_files(options, solved, summary, out);

@@ -189,7 +189,9 @@ void add_warnings(tool::Summary& answer, const std::vector<Row>& all, double uni
                      error, "of mu N");
     answer.add_error("mz_error_N_m", "and of the moment", moment * unit, "N*m");
   } else {
-    answer.absent("error_share", "error estimate", "not known");
+    answer.absent("error_share", "error estimate",
+                  unit > 0 ? "not known: the full theory has no answer for this contact"
+                           : "none: without friction there is no force");
   }
   std::vector<std::string> seen;
   for (const auto& [creepage, f] : all) {

@@ -155,16 +155,20 @@ void flag_geometry(tool::Summary& answer, const Options& options,
 // By Klingel's wavelength; EN 15302 keeps the axle level while it moves, a free one rolls.
 void add_conicity(tool::Summary& answer, const Options& options, const ConstraintFunctions& f) {
   const char* axle = options.level ? "level axle" : "rolling axle";
+  const auto key_of = [](const std::string& at) { return "conicity_at_" + at + "_mm"; };
+  const auto what_of = [&](const std::string& at) {
+    return fmt::format("equivalent conicity at {} mm, {}", at, axle);
+  };
   bool first = true;
-  for (const double A : amplitudes(f, millimetre)) {
+  const auto all = amplitudes(f, millimetre);
+  for (const double A : all) {
     const Conicity c = conicity(f, A);
     const std::string at = fmt::format("{:.4g}", A / millimetre);
     if (first && !f.symmetric() && !std::isnan(c.centre))
       answer.add("runs_about_mm", "the wheelset runs about", c.centre / millimetre, "mm",
                  "to the left; amplitudes are about it");
     first = false;
-    const std::string key = "conicity_at_" + at + "_mm",
-                      what = fmt::format("equivalent conicity at {} mm, {}", at, axle);
+    const std::string key = key_of(at), what = what_of(at);
     std::string note = fmt::format("wavelength {} m", tool::to_text(c.wavelength));
     if (f.symmetric())
       note = fmt::format("first harmonic {}, fitted line {}, {}", tool::to_text(c.harmonic),
@@ -173,6 +177,12 @@ void add_conicity(tool::Summary& answer, const Options& options, const Constrain
       answer.add(key, what, c.kinematic, "", note);
     else
       answer.add(key, what, "none: the wheelset is not steered back");
+  }
+  // A wheelset that runs aside of the middle leaves the table at amplitudes within it.
+  for (double A = all.back() + millimetre; A < f.end() * (1 + 1e-9); A += millimetre) {
+    const std::string at = fmt::format("{:.4g}", A / millimetre);
+    answer.absent(key_of(at), what_of(at),
+                  "none: the wheelset runs aside, and the table ends before; give a larger --end");
   }
 }
 

@@ -82,23 +82,53 @@ std::string sides_on(const Options& options, const WheelsetResult& r,
 // How far the pressures and forces of a wheel's patches stand on the smoothing of its profiles.
 struct ProfileError {
   double p_max = 0, force = 0;  // [Pa], [N]
+  double x = 0, y = 0;          // of the patch's place [m]
 };
 std::vector<ProfileError> profile_errors(const Options& options, const ProfilePair& half,
                                          const WheelsetResult& r, const WheelResult& wheel,
                                          bool left) {
   WheelInput w = options_of(options);
   w.angular_velocity = r.angular_velocity;
-  std::vector<ProfileError> errors(wheel.patches.size(), {units::infinity, units::infinity});
+  std::vector<ProfileError> errors(
+      wheel.patches.size(), {units::infinity, units::infinity, units::infinity, units::infinity});
   try {
     const WheelResult other = solve_wheel(half, left ? mirrored(r.pose) : r.pose, w);
     if (!other.converged || other.patches.size() != errors.size()) return errors;
     for (std::size_t k = 0; k < errors.size(); ++k) {
       const PatchResult &a = wheel.patches[k], &b = other.patches[k];
       errors[k] = {2 * std::abs(a.p_max - b.p_max),
-                   2 * std::hypot(a.forces.fx - b.forces.fx, a.forces.fy - b.forces.fy)};
+                   2 * std::hypot(a.forces.fx - b.forces.fx, a.forces.fy - b.forces.fy),
+                   2 * std::abs(a.patch.frame.origin.x() - b.patch.frame.origin.x()),
+                   2 * std::abs(a.patch.frame.origin.y() - b.patch.frame.origin.y())};
     }
   } catch (const InputError&) {
     // Not known: the closer profile has no contact there.
+  }
+  return errors;
+}
+
+// How far aside the patches' places may be [m] because the grid's error of the pressure, or at
+// least a thousandth, is one of the depth at which the wheel stands; infinite where a patch is not
+// there at the other depth.
+std::vector<ProfileError> place_errors(const ProfilePair& pair, const Pose& pose,
+                                       const WheelResult& wheel) {
+  const PlacedWheel placed(pair, pose);
+  const ContactSearch touching = find_contact(placed);
+  double share = 1e-3;
+  for (const PatchResult& p : wheel.patches)
+    if (std::isfinite(p.p_max_error)) share = std::max(share, p.p_max_error);
+  const double depth = wheel.z - wheel.z_touch;
+  const auto other = patches(placed, touching, wheel.z + share * depth);
+  std::vector<ProfileError> errors;
+  for (const PatchResult& p : wheel.patches) {
+    ProfileError error{0, 0, units::infinity, units::infinity};
+    const Eigen::Vector3d& here = p.patch.frame.origin;
+    for (const Patch& patch : other) {
+      const Eigen::Vector3d aside = patch.frame.origin - here;
+      if (std::abs(aside.y()) >= error.y) continue;
+      error.x = std::abs(aside.x()), error.y = std::abs(aside.y());
+    }
+    errors.push_back(error);
   }
   return errors;
 }
@@ -116,8 +146,8 @@ double force_error(const WheelResult& wheel, const std::vector<ProfileError>& pr
   return sum;
 }
 
-void add_wheel(tool::Summary& answer, const Side& shown,
-               const std::vector<ProfileError>& profiles) {
+void add_wheel(tool::Summary& answer, const Side& shown, const std::vector<ProfileError>& profiles,
+               const std::vector<ProfileError>& places) {
   const std::string s = shown.name;
   const WheelResult& wheel = shown.wheel;
   const double sign = shown.sign;
@@ -136,13 +166,17 @@ void add_wheel(tool::Summary& answer, const Side& shown,
                          const std::string& note = "") {
       answer.add(key + name, what, value, unit, note);
     };
-    const auto& at = p.patch.frame.origin;
-    add("x_mm", fmt::format("{} patch {}: place along", s, k).c_str(), at.x() / millimetre, "mm");
-    add("y_mm", "  to the right", sign * at.y() / millimetre, "mm");
-    add("angle_mrad", "  contact angle", 1e3 * sign * p.patch.frame.angle, "mrad");
-    add("normal_N", "  normal force", p.load, "N");
     const ProfileError profile =
         profiles.empty() ? ProfileError{} : profiles[static_cast<std::size_t>(k - 1)];
+    const auto& at = p.patch.frame.origin;
+    const ProfileError& place = places[static_cast<std::size_t>(k - 1)];
+    answer.add(key + "x_mm", fmt::format("{} patch {}: place along", s, k),
+               tool::Estimate{at.x() / millimetre, (place.x + profile.x) / millimetre}, "mm");
+    answer.add(key + "y_mm", "  to the right",
+               tool::Estimate{sign * at.y() / millimetre, (place.y + profile.y) / millimetre},
+               "mm");
+    add("angle_mrad", "  contact angle", 1e3 * sign * p.patch.frame.angle, "mrad");
+    add("normal_N", "  normal force", p.load, "N");
     const auto estimate = [&](const char* name, const char* what, double value, double grid,
                               double of_profile, const char* unit) {
       answer.add(key + name, what, tool::Estimate{value, grid + of_profile}, unit,
@@ -226,7 +260,9 @@ void run(const Options& options) {
     errors = {profile_errors(options, half, r, r.left, true),
               profile_errors(options, half, r, r.right, false)};
   }
-  for (std::size_t k = 0; k < sides.size(); ++k) add_wheel(answer, sides[k], errors[k]);
+  const std::array<std::vector<ProfileError>, 2> places{
+      place_errors(pair, mirrored(r.pose), r.left), place_errors(pair, r.pose, r.right)};
+  for (std::size_t k = 0; k < sides.size(); ++k) add_wheel(answer, sides[k], errors[k], places[k]);
   answer.print();
   if (out) {
     out.add("patches.csv", cells_csv(sides));

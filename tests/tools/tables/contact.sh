@@ -17,6 +17,9 @@ eval "$(awk -v a="$(v turned hertz_a_mm)" -v b="$(v turned hertz_b_mm)" -v g="$(
 for end in x_min:-"$x" x_max:"$x" y_min:-"$y" y_max:"$y"; do
   near "${end%%:*} of turned bodies" "$(v turned "${end%%:*}_mm")" "${end#*:}" 0.06
 done
+# The ends state their errors, which cover Hertz's; first touch of radii is exact, that of a profile is within its error.
+sed -n '/"errors": {/,/}/s/^ *"\(x_max_mm\|x_touch_mm\)": \([0-9.e-]*\),*$/\1 \2/p' turned.json >ends
+awk -v off="$(v turned x_max_mm)" -v x="$x" '$1 == "x_max_mm" {d = off - x; bad = !(d <= $2 && -d <= $2 && $2 < 0.02 * x); n++} $1 == "x_touch_mm" && $2 != 0 {bad = 1} END {exit bad || n != 1}' ends || fail "errors of the ends: $(cat ends)"
 # A profile whose lowest place is not at its zero: the contact is about that place, and else Hertz's.
 awk 'BEGIN {print "x_mm,depth_mm"; for (i = -200; i <= 200; ++i) {x = i / 10; printf "%.1f,%.9f\n", x, (x - 7) ^ 2 / 600}}' >aside.csv
 answers aside solve --body-2-profile aside.csv --body-1-radius-along 460mm --load 80kN
@@ -25,6 +28,7 @@ for end in x_min x_max y_min y_max; do
   near "$end of a profile" "$(v aside ${end}_mm)" "$(awk -v e="$(v press ${end}_mm)" -v at=${end%_*} 'BEGIN {print e + (at == "x" ? 7 : 0)}')" 0.2
 done
 near "pressure of a profile" "$(v aside p_max_MPa)" "$(v press p_max_MPa)" 3
+sed -n '/"errors": {/,/}/s/^ *"x_touch_mm": \([0-9.e-]*\),*$/\1/p' aside.json | awk '{ok = $1 >= 1e-9 && $1 < 0.05} END {exit !ok || NR != 1}' || fail "the error of first touch of a profile"
 # One that ends, on either side, within the contact is refused.
 for end in '$1 < 10' '$1 > 4'; do
   awk -F, "NR == 1 || $end" aside.csv >cut.csv
@@ -92,7 +96,7 @@ means three 'for (key in v) free(key); is("patches", 3); says("patches", "apart"
   if (outer != 2) bad("places")'
 # Where the grid's error is not known that of the profiles does not say it.
 answers thin solve --body-1-profile summits.csv --body-1-radius-along 0.5m --approach 2um --cells-x 40 --cells-y 4
-[ "$(grep -c '": "error not known; of this grid' thin.json)" = 2 ] && [ "$(sed -n '/"errors"/,/}/p' thin.json | grep -c ': null')" = 2 ] && grep -q '"profile"' thin.json || fail "an error that is not known"
+[ "$(grep -c '": "error not known; of this grid' thin.json)" = 2 ] && [ "$(grep -c '_m[a-z]*_mm": "error not known"' thin.json)" = 4 ] && [ "$(sed -n '/"errors"/,/}/p' thin.json | grep -c '"\(x\|y\)_m[a-z]*_mm": null\|"\(force_kN\|p_max_MPa\)": null')" = 6 ] && grep -q '"profile"' thin.json || fail "an error that is not known"
 # What a profile's points leave open is what every second of them alone would change, the odd ones or the even ones, at one approach: twice the worst of force and
 # pressure for the pressure.
 awk 'BEGIN {print "x_mm,depth_mm"; for (k = -20; k <= 20; ++k) {u = (5 * k - 1) / 10; printf "%.1f,%.9f\n", u, u ^ 2 / (u > 0 ? 60 : 500)}}' >coarse.csv

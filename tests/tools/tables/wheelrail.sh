@@ -26,6 +26,16 @@ wheels='split("left right", side, " "); for (k = 1; k <= 2; ++k) {s = side[k]; p
   if (!(v[p "shear_MPa"] <= mu * v[p "p_max_MPa"] * 1.35 && v[p "shear_MPa"] >= mu * v[p "p_max_MPa"] / 3)) bad("shear")}
   t = sin(70 * pi / 180) / cos(70 * pi / 180); is("nadal_limit", (t - mu) / (1 + mu * t), 1e-3)
   says("wheel", "^S1002"); says("rail", "^60E1"); is("cant", 0.025); free("roll_mrad angular_velocity_rad_per_s lowered_mm")'
+# The places of the patches move no further with the cells than their errors, at the tread, in the gauge corner and at the flange's root.
+for shift in 0.3 1 4 5.5; do
+  for cells in 24 72; do
+    answers place$cells contact --load 60kN --speed 20m/s --shift ${shift}mm --yaw 3mrad --roll 0.1mrad --slip 0 --cells $cells
+  done
+  cat place24.json place72.json | awk -F'[:,]' '/"(values|errors|units)"/ {section = $1} /^  "(left|right)_1_[xy]_mm"/ {
+    if (section ~ /values/) {if ($1 in value) {off = value[$1] - $2; if (off < 0) off = -off; moved[$1] = off} value[$1] = $2}
+    if (section ~ /errors/) {error[$1] += $2; if (!($2 > 0 && $2 < 0.5)) exit bad = 1}}
+    END {for (key in moved) {n++; if (moved[key] > error[key]) {print key, moved[key], error[key]; bad = 1}} exit bad || n != 4}' >said || fail "places at $shift mm: $(cat said)"
+done
 draws hertz contact --load 50kN --speed 30m/s --shift 4mm --yaw 5mrad --method hertz
 means hertz "$wheels" mu=0.3 ellipse=1e-6
 means here "$wheels" mu=0.3 ellipse=0.02
