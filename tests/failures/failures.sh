@@ -32,7 +32,7 @@ try() { # try OUT COMMAND...: OUT is what the command writes, a folder or a file
     for file in right/out/*; do [ -f "$file" ] && echo old >"out/${file##*/}"; done
     [ -f right/file ] && echo old >"$out"
     rm -rf before && cp -r out before
-    FAIL_AT=$n LD_PRELOAD=$preload timeout 120 "$railbook" "$@" >text 2>error
+    timeout 120 env FAIL_AT="$n" LD_PRELOAD="$preload" "$railbook" "$@" >text 2>error
     status=$? runs=$((runs + 1))
     case $status in
       0) diff -r out right/out >/dev/null && { [ ! -f right/file ] || cmp -s "$out" right/file; } && cmp -s text right.text ||

@@ -95,6 +95,14 @@ endfunction()
 says("cycle without a lateral spring" "points +[0-9]" cycle --lateral-stiffness 0N/m --largest-amplitude 8mm)
 says("speed knows rounding" "zero within rounding" speed --lateral-stiffness 1e-12N/m)
 does_not_say("speed calls no rounding unstable" "already unstable" speed --lateral-stiffness 1e-12N/m)
+# Every word of stability. The cycles of CN at 131 ft/s and their multipliers are those of tests/lib/vehicle/balance.cpp and of an independent
+# program's integration in time.
+says("speed says that rest is stable" "\\(stable throughout\\)" speed --highest 20m/s)
+says("speed says that rest is unstable at once" "\\(already unstable there\\)" speed --lowest 70m/s --highest 80m/s)
+says("cycle says that the straight run is stable" "straight run at 30 m/s +stable" cycle --pair cn --speed 30m/s)
+says("cycle says which cycle is stable" "cycle 1 at 39\\.9.*[(]stable[)].*cycle 2 at 39\\.9.*[(]unstable, [0-9]+ multipliers outside[)]"
+     cycle --pair cn --speed 131ft/s)
+does_not_say("cycle calls no lone cycle neutral" "neutral" cycle --pair cn --speed 131ft/s)
 # Where describing functions have no cycle, and where theirs are not the equations'.
 says("cycle where describing functions have none" "cycles at 45.* m/s +2" cycle --pair cn --speed 149ft/s)
 says("cycle below the fold" "cycle 1 at.*22\\.33.*cycle 2 at.*24\\.26" cycle --speed 199ft/s)
