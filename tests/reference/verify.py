@@ -239,6 +239,14 @@ def conicity():
     rows = [("conicity", [k + 1], printed, mpf(printed) * mpf("0.05"))
             for k, printed in enumerate(("0.125", "0.155", "0.188", "0.216", "0.254", "0.303"))]
     group("conicity", "Equivalent conicity of EN 15302's wheel A on rail A", "the standard's result; it allows 0.05", rows)
+    # The cases E2 to E4: the middle of the band that the standard allows, and half of its width; its ends are rounded to 0.001.
+    wheels = {"E2": "b", "E3": "h", "E4": "i"}
+    rows = []
+    for row in table("tests/reference/en-15302/bands.csv"):
+        if row["case"] in wheels and row["amplitude_mm"] in ("1.000", "2.000", "3.000", "4.000", "5.000", "6.000"):
+            high, low = mpf(row["highest"]), mpf(row["lowest"])
+            rows.append(("conicity-" + wheels[row["case"]], [row["amplitude_mm"][0]], (high + low) / 2, (high - low) / 2 + mpf("0.0005")))
+    group("conicity-b-h-i", "Equivalent conicity of EN 15302's wheels B, H and I", "the middle of the standard's band, half its width", rows)
 
 
 for make in (hertz, cells, beam, filters, vehicle, mathematics, carter, kalker, curve, benchmark, conicity, papers):

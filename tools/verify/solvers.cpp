@@ -135,12 +135,15 @@ Quantities solvers(const std::filesystem::path& data) {
   const auto coefficients = keeping<rolling::ComputedCoefficients>(
       [](const At& at) { return rolling::kalker_coefficients(at[0], at[1]); });
   // EN 15302 keeps the axle level.
-  const auto weave = keeping<wheelset::ConstraintFunctions>([data](const At&) {
+  const auto weave = keeping<wheelset::ConstraintFunctions>([data](const At& wheel) {
     return wheelset::tabulate(
-        wheelset::with_radius(profile(data / "profile-wheel-a.csv"),
+        wheelset::with_radius(profile(data / ("profile-wheel-" + wheel.words[0] + ".csv")),
                               profile(data / "profile-rail-a.csv"), 0.46),
         {.half_spacing = 0.75, .end = 6.5e-3, .step = 0.05e-3, .level = true});
   });
+  const auto conicity = [=](const char* wheel, const At& at) {
+    return wheelset::conicity(weave({{wheel}}), 1e-3 * at[0]).kinematic;
+  };
   return {
       {"sphere-force", [=](const At& at) { return by_cells(at).force; }},
       {"sphere-pressure", [=](const At& at) { return by_cells(at).p_max; }},
@@ -158,8 +161,10 @@ Quantities solvers(const std::filesystem::path& data) {
       {"wheel-approach", [=](const At& at) { return by_wheel(at).patch.approach / 1e-6; }},
       {"wheel-fx", [=](const At& at) { return by_wheel(at).patch.forces.fx; }},
       {"wheel-fy", [=](const At& at) { return by_wheel(at).side * by_wheel(at).patch.forces.fy; }},
-      {"conicity",
-       [=](const At& at) { return wheelset::conicity(weave({{"E1"}}), 1e-3 * at[0]).kinematic; }},
+      {"conicity", [=](const At& at) { return conicity("a", at); }},
+      {"conicity-b", [=](const At& at) { return conicity("b", at); }},
+      {"conicity-h", [=](const At& at) { return conicity("h", at); }},
+      {"conicity-i", [=](const At& at) { return conicity("i", at); }},
   };
 }
 
