@@ -42,11 +42,11 @@ add_custom_target(programs DEPENDS chapter_programs)
 # The test programs of lib/.
 add_custom_target(unit_tests)
 
-# railbook_library(NAME [TEXT] [NEEDS other libraries of lib/] [USES third-party targets] [WITHOUT sources])
+# railbook_library(NAME [TEXT] [INTERNAL] [NEEDS other libraries of lib/] [USES third-party targets] [WITHOUT sources])
 # The target railbook_NAME from every .cpp of the calling folder, but for those named after WITHOUT. TEXT: it writes, draws
-# or reads options, and computes little.
+# or reads options, and computes little. INTERNAL: only our own programs use it; it is static always, and not installed.
 function(railbook_library name)
-  cmake_parse_arguments(arg "TEXT" "" "NEEDS;USES;WITHOUT" ${ARGN})
+  cmake_parse_arguments(arg "TEXT;INTERNAL" "" "NEEDS;USES;WITHOUT" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS *.cpp)
   foreach(source ${arg_WITHOUT})
     list(FILTER sources EXCLUDE REGEX "/${source}\\.cpp$")
@@ -57,8 +57,12 @@ function(railbook_library name)
   if(arg_TEXT)
     set(kind text)
   endif()
+  set(linkage "") # static, or shared with BUILD_SHARED_LIBS
+  if(arg_INTERNAL)
+    set(linkage STATIC)
+  endif()
   if(sources)
-    add_library(railbook_${name} ${sources}) # static, or shared with BUILD_SHARED_LIBS
+    add_library(railbook_${name} ${linkage} ${sources})
     set_target_properties(railbook_${name} PROPERTIES VERSION ${PROJECT_VERSION}
                           SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
     target_link_libraries(railbook_${name} PUBLIC railbook_flags ${arg_NEEDS} ${arg_USES})

@@ -61,9 +61,16 @@ cmake -S "$source/tests/install/outside" -B outside -DCMAKE_CXX_COMPILER="$compi
 cmake --build outside >said 2>&1 || fail "$(tail -20 said)"
 ./outside/outside >answer || fail "$(cat answer)"
 
-# The same program in a project that takes in the sources: no program, no test and no book comes with them.
-cmake -S "$source/tests/install/subproject" -B sub -DCMAKE_CXX_COMPILER="$compiler" "-DRAILBOOK=$source" -DRAILBOOK_PCH=OFF \
-  -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS=-O0 >said 2>&1 || fail "$(tail -20 said)"
-cmake --build sub --target subproject -j2 >said 2>&1 || fail "$(tail -20 said)"
-./sub/subproject | cmp - answer || fail "the sources taken in answer otherwise"
-if grep -q "railbook/tools\|railbook_report" sub/build.ninja sub/Makefile 2>/dev/null; then fail "more than the library is taken in"; fi
+# The same program in a project that takes in the sources: no program, no test and no book comes with them, nor what these need.
+# Once its libraries are static and compiled file by file, once shared, and each compiled in one piece.
+unneeded=$(printf -- ' -DCMAKE_DISABLE_FIND_PACKAGE_%s=TRUE' CLI11 nlohmann_json PNG Catch2 pybind11)
+for way in "" "-DFETCH=ON -DBUILD_SHARED_LIBS=ON -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0"; do
+  rm -rf sub
+  # shellcheck disable=SC2086 # options
+  cmake -S "$source/tests/install/subproject" -B sub -DCMAKE_CXX_COMPILER="$compiler" "-DRAILBOOK=$source" -DRAILBOOK_PCH=OFF \
+    -DGNUPLOT=GNUPLOT-NOTFOUND -DPANDOC=PANDOC-NOTFOUND $unneeded -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS=-O0 $way >said 2>&1 || fail "$(tail -20 said)"
+  cmake --build sub --target subproject -j2 >said 2>&1 || fail "$(tail -20 said)"
+  ./sub/subproject | cmp - answer || fail "the sources taken in answer otherwise: $way"
+  if grep -q "railbook/tools\|railbook_report" sub/build.ninja sub/Makefile 2>/dev/null; then fail "more than the library is taken in"; fi
+  [ -z "$way" ] || [ -n "$(find sub -name "librailbook_contact.so.${version%.*}")" ] || fail "a shared library without its version"
+done
