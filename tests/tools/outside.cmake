@@ -47,6 +47,7 @@ add_test(NAME "tool: quality measures find exceptions to FRA classes where they 
 add_test(NAME "tool: memory does not grow with the record" COMMAND ${here}/memory.sh ${bin})
 set_tests_properties("tool: memory does not grow with the record" PROPERTIES SKIP_RETURN_CODE 77 LABELS thorough)
 add_test(NAME "tool: records keep their defects, and all columns are looked at" COMMAND ${here}/records.sh ${bin})
+add_test(NAME "tool: clean profiles raise no warning" COMMAND ${here}/clean_profiles.sh ${bin})
 add_test(NAME "tool: psd classify reads files as recorders write them" COMMAND ${here}/files.sh ${bin})
 add_test(NAME "tool: hostile and clumsy inputs" COMMAND ${here}/hostile.sh ${bin} ${examples})
 set_tests_properties("tool: hostile and clumsy inputs" PROPERTIES TIMEOUT 300) # for one that waits: its processors' time is limited

@@ -292,7 +292,13 @@ std::function<void()> declare(tool::OptionParser& parser) {
   parser.help(
       "Axes: x forward, y to the right, z down; forces are those on the rail. Creepages are the "
       "wheel's over the "
-      "rail.\n\nExample: railbook wheelrail contact --shift 4mm --yaw 5mrad --load 50kN --speed "
+      "rail. Y/Q is positive where the wheel presses outwards. With --out DIR: DIR/patches.csv has "
+      "a "
+      "row a cell: along_mm forward and across_mm to the right of the patch's place, pressure_MPa "
+      "positive as the bodies press, shear_x_MPa and shear_y_MPa on the rail in the same "
+      "directions, stick 1 where the wheel does not slide, rail_von_mises_MPa the largest below "
+      "the cell; wheelset-contact.json has the answer with its errors.\n\nExample: railbook "
+      "wheelrail contact --shift 4mm --yaw 5mrad --load 50kN --speed "
       "30m/s");
   return [options] { run(*options); };
 }
