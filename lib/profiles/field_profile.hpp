@@ -7,6 +7,8 @@
 // columns of numbers. Each format's signs are stated in its own source file.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,15 +21,24 @@ namespace railbook::profiles {
 struct FieldProfile {
   std::string format;         // "MiniProf"; with what was found from the points instead of stated
   std::vector<Point> points;  // in the file's order, inward and upward [m]
-  // A wheel's points are counted from the tape circle, 70 mm from the back of the flange, wherever
-  // the format counts from the back.
+  // A wheel's points are counted from the tape circle, 70 mm from the back of the flange. They were
+  // moved inward by this [m] where the file counts from elsewhere.
+  double moved = 0;
   std::vector<PointsWarning> left_out;  // lines that hold no point, except comments and headers
   std::vector<PointsWarning> warnings;  // what the file does not state and was assumed
 };
 
+// What a file does not say, where its user knows.
+struct FieldOptions {
+  std::optional<double> unit;                         // of the numbers of plain columns [m]
+  std::optional<std::array<std::size_t, 2>> columns;  // across and height, from 0
+};
+
 // Nothing where the text is none of the formats: a table whose header names inward and height, or
 // text without points. Throws InputError for a file of a known format that cannot be used: several
-// sections, a wheel's file given as a rail, a damaged number among the points, no points.
-std::optional<FieldProfile> parse_field_profile(std::string_view text, Body body);
+// sections, slices along a rail or round a wheel, a wheel's file given as a rail, a damaged number
+// among the points, no points.
+std::optional<FieldProfile> parse_field_profile(std::string_view text, Body body,
+                                                const FieldOptions& options = {});
 
 }  // namespace railbook::profiles

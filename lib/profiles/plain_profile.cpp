@@ -9,7 +9,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include <railbook/profiles/detail/field_lines.hpp>
 #include <railbook/units/constants.hpp>
@@ -19,17 +21,6 @@ namespace railbook::profiles::detail {
 namespace {
 
 constexpr std::size_t fewest = 8;
-
-struct Unit {
-  const char* name;
-  double metre;
-};
-std::optional<Unit> unit_of(double width) {
-  for (const Unit& unit :
-       {Unit{"metres", 1}, {"inches", units::inch}, {"millimetres", units::millimetre}})
-    if (width * unit.metre > 0.02 && width * unit.metre < 0.25) return unit;
-  return std::nullopt;
-}
 
 // The middle between the two sides of a rail at a height, by straight lines between the points; NaN
 // where one of them does not reach it.
@@ -56,17 +47,44 @@ bool lopsided(const std::vector<Point>& points) {
   return high - low > 0.3 * units::millimetre;
 }
 
+// The two columns that hold across and height: the first two that do not count the rows and are not
+// the same in all of them.
+std::array<std::size_t, 2> columns_of(const std::vector<std::vector<double>>& rows) {
+  std::size_t shortest = rows.front().size();
+  for (const auto& row : rows) shortest = std::min(shortest, row.size());
+  std::vector<std::size_t> found;
+  for (std::size_t k = 0; k < shortest && shortest > 2; ++k) {
+    bool counts = k == 0, same = true;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      counts = counts && rows[i][k] == rows[0][k] + double(i);
+      same = same && rows[i][k] == rows[0][k];
+    }
+    if (!counts && !same) found.push_back(k);
+  }
+  return found.size() < 2 ? std::array<std::size_t, 2>{0, 1}
+                          : std::array<std::size_t, 2>{found[0], found[1]};
+}
+
 }  // namespace
 
-std::optional<FieldProfile> read_plain(const std::vector<Line>& lines, Body body) {
-  FieldProfile read{"plain columns", {}, {}, {}};
+std::optional<Unit> unit_of(double width) {
+  for (const Unit& unit :
+       {Unit{"metres", 1}, {"inches", units::inch}, {"millimetres", units::millimetre}})
+    if (width * unit.metre > 0.02 && width * unit.metre < 0.25) return unit;
+  return std::nullopt;
+}
+
+std::optional<FieldProfile> read_plain(const std::vector<Line>& lines, Body body,
+                                       const FieldOptions& options) {
+  FieldProfile read;
+  read.format = "plain columns";
   std::vector<std::vector<double>> rows;
   for (const Line& line : lines) {
     const auto text = without_comment(line.text);
     if (text.empty()) continue;
-    const auto numbers = numbers_of(text);
-    if (numbers && numbers->size() > 1) {
-      rows.push_back(*numbers);
+    auto numbers = leading_numbers(text);
+    if (numbers.size() > 1) {
+      rows.push_back(std::move(numbers));
       continue;
     }
     if (!rows.empty() && rows.size() >= fewest) refuse_line(line, "plain");
@@ -74,37 +92,31 @@ std::optional<FieldProfile> read_plain(const std::vector<Line>& lines, Body body
         {"header", fmt::format("line {}, \"{}\"", line.number, text.substr(0, 40)), 0, 0});
   }
   if (rows.size() < fewest) return std::nullopt;
-  const std::size_t columns = rows.front().size();
-  bool counted = columns > 2;
+  const auto [across, height] = options.columns.value_or(columns_of(rows));
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (rows[i].size() != columns)
+    if (rows[i].size() <= std::max(across, height))
       throw InputError(
-          fmt::format("row {} of the points has {} columns, the first one {}; "
-                      "allowed: as many in each",
-                      i + 1, rows[i].size(), columns));
-    counted = counted && rows[i][0] == rows[0][0] + double(i);
+          fmt::format("row {} of the points has {} columns; allowed: {} or more, see "
+                      "--columns",
+                      i + 1, rows[i].size(), std::max(across, height) + 1));
+    read.points.push_back({rows[i][across], rows[i][height]});
   }
-  const std::size_t first = counted ? 1 : 0;
-  for (const auto& row : rows) read.points.push_back({row[first], row[first + 1]});
   const auto [left, right] = std::ranges::minmax_element(read.points, {}, &Point::u);
   const auto [low, high] = std::ranges::minmax_element(read.points, {}, &Point::z);
   const double width = right->u - left->u;
-  const auto unit = unit_of(width);
+  const auto unit =
+      options.unit ? std::optional<Unit>{{"the unit given", *options.unit}} : unit_of(width);
   if (!unit || high->z - low->z > 1.3 * width)
     throw InputError(
         fmt::format("the points span {:.4g} by {:.4g} in their own unit; allowed: across and "
                     "height of one side, 20 to 250 mm wide, in millimetres, metres or inches",
                     width, high->z - low->z));
-  read.format += fmt::format(", {} by their width", unit->name);
+  read.format +=
+      options.unit ? ", in the unit given" : fmt::format(", {} by their width", unit->name);
   for (Point& p : read.points) p = {-p.u * unit->metre, p.z * unit->metre};
-  if (turn_upright(read.points, body)) read.format += ", heights downward";
+  turn_upright(read, body);
   if (body == Body::wheel) {
-    const auto flange = std::ranges::min_element(read.points, {}, &Point::z)->u;
-    const auto [inner, outer] = std::ranges::minmax_element(read.points, {}, &Point::u);
-    if (flange < 0.5 * (inner->u + outer->u)) {
-      for (Point& p : read.points) p.u = -p.u;
-      read.format += ", y inward";
-    }
+    place_wheel(read);
   } else if (lopsided(read.points)) {
     read.warnings.push_back(
         {"side", "the file does not say which side is the gauge side: y was taken as outward", 0,

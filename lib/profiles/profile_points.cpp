@@ -17,10 +17,11 @@ using units::millimetre;
 using Index = std::ptrdiff_t;
 
 constexpr std::size_t fewest_points = 8;
-// A wheel's flange may be as steep as 84 degrees (wheelset_contact.hpp), a rail's side nearly
-// upright.
+// Of the sides at the ends. The back of a wheel's flange and its rim touch no running rail, and a
+// smooth curve may be steeper than the points: 84 degrees are the most that the search of contacts
+// takes (wheelset_contact.hpp). A rail's side may be nearly upright.
 double steepest(Body body) {
-  return (body == Body::wheel ? 84 : 88) * units::degree;
+  return (body == Body::wheel ? 80 : 88) * units::degree;
 }
 
 double distance(const Point& a, const Point& b) {
@@ -40,6 +41,11 @@ std::string place(double from, double to) {
                      std::max(from, to) / millimetre);
 }
 
+[[noreturn]] void refuse_order() {
+  throw InputError(
+      "the points of the profile are in no order; allowed: rows that go on across it, as measured");
+}
+
 // Keeps what can be seen from the partner's side: from the point nearest to it outwards, each point
 // that goes on across.
 std::vector<Point> visible(const std::vector<Point>& points, Body body, CheckedPoints& checked) {
@@ -56,10 +62,7 @@ std::vector<Point> visible(const std::vector<Point>& points, Body body, CheckedP
   kept[std::size_t(top)] = true;
   walk(1, 1), walk(-1, -1);
   const auto count = std::count(kept.begin(), kept.end(), false);
-  if (2 * count > n)
-    throw InputError(
-        "the points of the profile are in no order; allowed: rows that go on across it, as "
-        "measured");
+  if (2 * count > n) refuse_order();
   for (std::size_t i = 0; i < points.size();) {  // each run of those left out
     std::size_t end = i;
     while (end < points.size() && !kept[end]) ++end;
@@ -80,19 +83,102 @@ std::vector<Point> visible(const std::vector<Point>& points, Body body, CheckedP
   return result;
 }
 
-// Leaves out sides at the ends that are all but vertical.
+// Of a rail, leaves out what is deeper than any wheel reaches: the web and the foot.
+void cut_deep(CheckedPoints& checked) {
+  constexpr double deepest = 50 * millimetre;
+  std::vector<Point>& p = checked.points;
+  const double highest = std::ranges::max_element(p, {}, &Point::z)->z;
+  const auto deep = [&](const Point& q) { return q.z < highest - deepest; };
+  const Index count = std::ranges::count_if(p, deep);
+  if (count == 0) return;
+  const Point first = *std::ranges::find_if(p, deep);
+  std::erase_if(p, deep);
+  checked.left_out.push_back(
+      {"deep",
+       fmt::format("{} point{} more than {:.0f} mm below the top, from {} on", count,
+                   count == 1 ? "" : "s", deepest / millimetre, place(first.u, first.u)),
+       first.u, first.u});
+}
+
+// Of a rail's section, keeps one body where a groove parts several (a guard rail, a wing rail, a
+// keeper): the outermost of those that are as high as the highest.
+std::vector<Point> one_body(const std::vector<Point>& p, CheckedPoints& checked) {
+  constexpr double groove = 5 * millimetre, rise = 3 * millimetre, level = 5 * millimetre;
+  std::vector<std::size_t> begins{0};
+  std::vector<double> tops;
+  double top = p[0].z;
+  std::size_t lowest = 0;
+  for (std::size_t i = 1; i < p.size(); ++i) {
+    if (p[i].z > top) top = p[i].z, lowest = i;
+    if (p[i].z < p[lowest].z) lowest = i;
+    if (p[lowest].z > top - groove || p[i].z < p[lowest].z + rise) continue;
+    tops.push_back(top);
+    begins.push_back(lowest + 1);
+    top = p[i].z, lowest = i;
+  }
+  tops.push_back(top);
+  if (tops.size() == 1) return p;
+  if (tops.size() > 4) refuse_order();
+  begins.push_back(p.size());
+  const double highest = *std::ranges::max_element(tops);
+  const std::size_t kept = std::size_t(
+      std::ranges::find_if(tops, [&](double z) { return z > highest - level; }) - tops.begin());
+  for (std::size_t k = 0; k < tops.size(); ++k) {
+    if (k == kept) continue;
+    const auto [low, high] =
+        std::minmax_element(p.begin() + Index(begins[k]), p.begin() + Index(begins[k + 1]),
+                            [](const Point& a, const Point& b) { return a.u < b.u; });
+    const std::size_t count = begins[k + 1] - begins[k];
+    const std::string text =
+        fmt::format("{} points at {}, beyond a groove", count, place(low->u, high->u));
+    checked.left_out.push_back({"groove", text, low->u, high->u});
+    checked.warnings.push_back(
+        {"groove",
+         text +
+             ", are left out: a guard rail, a wing rail or a keeper, whose contact is not sought",
+         low->u, high->u});
+  }
+  return {p.begin() + Index(begins[kept]), p.begin() + Index(begins[kept + 1])};
+}
+
+// A wheel rises or runs level outwards from its tread; a rail falls to both of its sides.
+void require_wheel(const std::vector<Point>& p) {
+  constexpr double fall = 4 * millimetre, part = 0.3;
+  const double reach = p.front().u + part * (p.back().u - p.front().u);
+  const auto outer = std::ranges::find_if(p, [&](const Point& q) { return q.u > reach; });
+  const auto highest =
+      std::max_element(p.begin(), outer, [](const Point& a, const Point& b) { return a.z < b.z; });
+  if (p.front().z < highest->z - fall)
+    throw InputError(fmt::format(
+        "the wheel falls {:.1f} mm to its outer end at {:.2f} mm across, as a rail does; allowed: "
+        "a wheel's profile, with its flange on the inner side",
+        (highest->z - p.front().z) / millimetre, p.front().u / millimetre));
+}
+// Leaves out sides at the ends that are all but vertical. A wheel has them within the outer
+// quarters of its points, and its inner one is the back of its flange, not the face. On a rail what
+// follows an upright face, 8 mm and more below the top, is left out with it.
 void cut_steep_ends(CheckedPoints& checked, Body body) {
+  constexpr double face = 8 * millimetre;
   std::vector<Point>& p = checked.points;
   const auto steep = [&](std::size_t i) {
     return std::abs(p[i + 1].z - p[i].z) > std::tan(steepest(body)) * (p[i + 1].u - p[i].u);
   };
-  // The last steep step within the outer tenth of the points, at each end.
-  const std::size_t reach = p.size() / 4;
-  std::size_t first = 0, last = p.size() - 1;
-  for (std::size_t i = 0; i < reach; ++i)
-    if (steep(i)) first = i + 1;
-  for (std::size_t i = p.size() - 1; i > p.size() - 1 - reach; --i)
-    if (steep(i - 1)) last = i - 1;
+  const std::size_t n = p.size(), reach = n / 4;
+  const std::size_t low = std::size_t(std::ranges::min_element(p, {}, &Point::z) - p.begin()),
+                    top = std::size_t(std::ranges::max_element(p, {}, &Point::z) - p.begin());
+  const auto is_face = [&](std::size_t i) { return p[i].z < p[top].z - face; };
+  std::size_t first = 0, last = n - 1;
+  if (body == Body::wheel) {
+    for (std::size_t i = 0; i < reach; ++i)
+      if (steep(i)) first = i + 1;
+    for (std::size_t i = n - 1; i > n - 1 - reach && i > low + 1; --i)
+      if (steep(i - 1)) last = i - 1;
+  } else {
+    for (std::size_t i = 0; i < top; ++i)
+      if (steep(i) && (is_face(i) || i < reach)) first = i + 1;
+    for (std::size_t i = n - 1; i > top; --i)
+      if (steep(i - 1) && (is_face(i) || i > n - 1 - reach)) last = i - 1;
+  }
   const auto tell = [&](std::size_t from, std::size_t to, std::size_t count) {
     if (count > 0)
       checked.left_out.push_back(
@@ -105,6 +191,16 @@ void cut_steep_ends(CheckedPoints& checked, Body body) {
   tell(0, first == 0 ? 0 : first - 1, first);
   tell(std::min(last + 1, p.size() - 1), p.size() - 1, p.size() - 1 - last);
   p = {p.begin() + Index(first), p.begin() + Index(last) + 1};
+}
+
+// How far below the top the points of the inner side go on, under the end of what is seen.
+double hidden_depth(const std::vector<Point>& all, const std::vector<Point>& seen) {
+  constexpr double beside = 6 * millimetre;  // a face leans back by less
+  const double end = seen.back().u, top = std::ranges::max_element(seen, {}, &Point::z)->z;
+  double depth = 0;
+  for (const Point& p : all)
+    if (std::abs(p.u - end) < beside) depth = std::max(depth, top - p.z);
+  return depth;
 }
 
 void require_enough(const std::vector<Point>& points) {
@@ -264,10 +360,23 @@ CheckedPoints check_points(std::vector<Point> points, Body body) {
   require_enough(points);
   if (points.front().u > points.back().u) std::ranges::reverse(points);
   CheckedPoints checked;
+  if (body == Body::rail) {
+    points = one_body(points, checked);
+    require_enough(points);
+  }
   checked.points = visible(points, body, checked);
   require_enough(checked.points);
-  if (body == Body::wheel) require_flange(checked.points);
-  cut_steep_ends(checked, body);
+  if (body == Body::wheel) {
+    require_flange(checked.points);
+    cut_steep_ends(checked, body);
+    require_enough(checked.points);
+    require_wheel(checked.points);
+  } else {
+    cut_deep(checked);
+    checked.depth_below_end = hidden_depth(points, checked.points);
+    require_enough(checked.points);
+    cut_steep_ends(checked, body);
+  }
   require_enough(checked.points);
   find_holes(checked);
   find_outliers(checked);

@@ -6,6 +6,8 @@
 // bound.y.max, bound.z.min to bound.z.max, mirror.y, mirror.z, and units.len.f, the number of
 // units in a metre. Signs: for the right side, y outward and z downward, so that both change their
 // signs. Source: the public reader and files of the program CONTACT (Vollebregt).
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -41,17 +43,19 @@ std::optional<Point> placed(double y, double z, const Settings& s) {
 
 }  // namespace
 
-FieldProfile read_simpack(const std::vector<Line>& lines) {
-  FieldProfile read{"Simpack", {}, {}, {}};
+FieldProfile read_simpack(const std::vector<Line>& lines, Body body) {
+  FieldProfile read;
+  read.format = "Simpack";
   Settings settings;
   std::vector<Point> raw;
-  bool in_points = false;
+  bool in_points = false, in_header = false;
+  std::optional<double> type;  // 0 a rail, 1 a wheel
   for (const Line& line : lines) {
     const auto comment = line.text.find('!');
     const std::string_view text = trimmed(line.text.substr(0, comment));
     if (text.empty()) continue;
     if (text.find(".begin") != std::string_view::npos) {
-      in_points = text.starts_with("point");
+      in_points = text.starts_with("point"), in_header = text.starts_with("header");
     } else if (text.find(".end") != std::string_view::npos) {
       in_points = false;
     } else if (in_points) {
@@ -63,10 +67,22 @@ FieldProfile read_simpack(const std::vector<Line>& lines) {
            {"shift.y", "shift.z", "rotate", "units.ang.f", "bound.y.min", "bound.y.max",
             "bound.z.min", "bound.z.max", "mirror.y", "mirror.z", "units.len.f"})
         if (setting->key == key) settings[key] = number_of(*setting, line);
+      if (setting->key == "type" && in_header) type = number_of(*setting, line);
     }
   }
+  if (type && (*type == 1) != (body == Body::wheel))
+    throw InputError(fmt::format("this is a Simpack file of a {}; allowed: one of a {}",
+                                 *type == 1 ? "wheel" : "rail",
+                                 body == Body::wheel ? "wheel" : "rail"));
   if (!(settings.get("units.len.f", 1) > 0) || settings.get("units.ang.f", 1) == 0)
     throw InputError("units.len.f and units.ang.f of a Simpack file: allowed: above 0");
+  if (raw.empty()) throw InputError("a Simpack file without points");
+  const auto [left, right] = std::ranges::minmax_element(raw, {}, &Point::u);
+  if (settings.count("units.len.f") == 0)  // metres without it; other widths say another unit
+    if (const auto unit = unit_of(right->u - left->u); unit && unit->metre != 1) {
+      settings["units.len.f"] = 1 / unit->metre;
+      read.format += fmt::format(", {} by their width", unit->name);
+    }
   std::size_t out = 0;
   for (const Point& p : raw)
     if (const auto at = placed(p.u, p.z, settings))
@@ -76,6 +92,8 @@ FieldProfile read_simpack(const std::vector<Line>& lines) {
   if (out > 0)
     read.left_out.push_back(
         {"bounds", std::to_string(out) + " points beyond the file's own bound.y", 0, 0});
+  turn_upright(read, body);
+  if (body == Body::wheel) place_wheel(read);
   return read;
 }
 

@@ -17,7 +17,8 @@ namespace railbook::profiles::detail {
 
 FieldProfile read_vampire(const std::vector<Line>& lines, Body body) {
   constexpr double tape = 70;  // mm from the back of the flange
-  FieldProfile read{"VAMPIRE, its right side", {}, {}, {}};
+  FieldProfile read;
+  read.format = "VAMPIRE, its right side";
   if (contains(lines[0].text, "wheel") != (body == Body::wheel))
     throw InputError(fmt::format("this is a VAMPIRE file of a {}; allowed: one of a {}",
                                  body == Body::wheel ? "rail" : "wheel",
@@ -44,8 +45,9 @@ FieldProfile read_vampire(const std::vector<Line>& lines, Body body) {
   if (read.points.empty()) throw InputError("a VAMPIRE file without points");
   if (body == Body::wheel) {
     if (!(distance > 0)) throw InputError("a VAMPIRE file of a wheel without FLANGEBACK");
-    for (Point& p : read.points) p.u += (0.5 * distance + tape) * units::millimetre;
-    turn_upright(read.points, body);
+    read.moved = (0.5 * distance + tape) * units::millimetre;
+    for (Point& p : read.points) p.u += read.moved;
+    turn_upright(read, body);
   }
   if (differs)
     read.warnings.push_back({"side", "its left side is another; the right one was read", 0, 0});

@@ -141,10 +141,15 @@ bool at_end(const ProfilePair& pair, const PlacedWheel::Point& p) {
 }
 
 double rigid_roll(const ProfilePair& pair, double y, double yaw) {
+  return rigid_roll(pair, pair, y, yaw);
+}
+
+double rigid_roll(const ProfilePair& left, const ProfilePair& right, double y, double yaw) {
+  const double larger = right.radius - left.radius;
   const auto difference = [&](double roll) {
     const Pose pose{y, yaw, roll};
-    return find_contact(PlacedWheel(pair, pose)).z() -
-           find_contact(PlacedWheel(pair, mirrored(pose))).z();
+    return find_contact(PlacedWheel(right, pose)).z() -
+           find_contact(PlacedWheel(left, mirrored(pose))).z() - larger;
   };
   // A wheel climbs by half the spacing times the roll: the first guess is nearly a Newton step.
   double low = 0, high = 0, at = difference(0);

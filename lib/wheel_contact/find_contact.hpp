@@ -76,5 +76,7 @@ bool at_end(const ProfilePair& pair, const PlacedWheel::Point& point);
 // The roll [rad] at which both wheels of a rigid wheelset touch at the same height, near 0, to
 // 1e-12. Throws InputError when none within 0.05 rad does.
 double rigid_roll(const ProfilePair& pair, double y, double yaw);
+// The same with another wheel or rail on the left, as seen in the mirror.
+double rigid_roll(const ProfilePair& left, const ProfilePair& right, double y, double yaw);
 
 }  // namespace railbook::wheel_contact

@@ -100,5 +100,8 @@ struct WheelsetResult {
 // `angular_velocity` is not used; of the pose, roll is not. Throws as solve_wheel, and when no roll
 // near the rigid wheelset's does. Some twenty solutions of a wheel.
 WheelsetResult solve_wheelset(const ProfilePair& pair, const Pose& pose, const WheelInput& input);
+// The same with another wheel or rail on the left, as seen in the mirror.
+WheelsetResult solve_wheelset(const ProfilePair& left, const ProfilePair& right, const Pose& pose,
+                              const WheelInput& input);
 
 }  // namespace railbook::wheel_contact

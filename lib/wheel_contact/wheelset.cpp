@@ -23,7 +23,7 @@ double secant(const std::function<double(double)>& f, double x0, double x1, doub
 }
 
 struct Balance {
-  const ProfilePair& pair;
+  const ProfilePair &left, &right;
   const WheelInput& input;
   WheelsetResult& out;
 
@@ -31,10 +31,12 @@ struct Balance {
     WheelInput w = input;
     w.angular_velocity = angular_velocity, w.method = method;
     out.pose.roll = roll, out.angular_velocity = angular_velocity;
-    out.right = solve_wheel(pair, out.pose, w);
-    out.left = solve_wheel(pair, mirrored(out.pose), w);
+    out.right = solve_wheel(right, out.pose, w);
+    out.left = solve_wheel(left, mirrored(out.pose), w);
   }
-  double heights() const { return out.right.z - out.left.z; }
+  // A wheel's z is counted from where the axle would be on its running circle.
+  double heights() const { return out.right.z - right.radius - (out.left.z - left.radius); }
+  double radius() const { return 0.5 * (left.radius + right.radius); }
   double moments() const { return out.right.axle_moment + out.left.axle_moment; }
 
   // By brackets, with an approximate method.
@@ -47,7 +49,7 @@ struct Balance {
     throw InputError{"no roll near the rigid wheelset's has both wheels at one height"};
   }
   double angular_velocity(double roll, Method method) {
-    const double nominal = input.speed / pair.radius;
+    const double nominal = input.speed / radius();
     const auto f = [&](double angular_velocity) {
       return solve(roll, angular_velocity, method), moments();
     };
@@ -57,23 +59,29 @@ struct Balance {
 
 }  // namespace
 
-WheelsetResult solve_wheelset(const ProfilePair& pair, const Pose& at, const WheelInput& input) {
+WheelsetResult solve_wheelset(const ProfilePair& pair, const Pose& pose, const WheelInput& input) {
+  return solve_wheelset(pair, pair, pose, input);
+}
+
+WheelsetResult solve_wheelset(const ProfilePair& left, const ProfilePair& right, const Pose& at,
+                              const WheelInput& input) {
   units::require_positive("load", input.load, "N");
   units::require_positive("speed", input.speed, "m/s");
   units::require_between("shift", at.y, -0.05, 0.05, "m");
   units::require_between("yaw", at.yaw, -0.1, 0.1, "rad");
   WheelsetResult out;
   out.pose = at;
-  Balance b{pair, input, out};
+  Balance b{left, right, input, out};
   const bool friction = input.friction.coefficient > 0, full = input.method == Method::full;
   const Method quick = full ? Method::strips : input.method;
-  double roll = rigid_roll(pair, at.y, at.yaw), angular_velocity = input.speed / pair.radius;
+  double roll = rigid_roll(left, right, at.y, at.yaw);
+  double angular_velocity = input.speed / b.radius();
   for (int k = 0; k < (friction ? 2 : 1); ++k) {
     roll = b.roll(roll, angular_velocity, quick);
     if (friction) angular_velocity = b.angular_velocity(roll, quick);
   }
   const double small_height = 2e-8;  // m
-  const double small_moment = 1e-4 * input.friction.coefficient * input.load * pair.radius;
+  const double small_moment = 1e-4 * input.friction.coefficient * input.load * b.radius();
   for (int k = 0; full && k < 3; ++k) {
     const auto height = [&](double r) {
       return b.solve(r, angular_velocity, Method::full), b.heights();

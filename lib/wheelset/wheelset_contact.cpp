@@ -222,18 +222,22 @@ profiles::Point top_of(const profiles::Curve& rail) {
 }  // namespace
 
 profiles::Curve placed_rail(const profiles::Curve& rail, double gauge, double gauge_depth,
-                            double cant) {
+                            double cant, double depth_below_end) {
   units::require_positive("gauge", gauge, "m");
   units::require_positive("depth of the gauge point", gauge_depth, "m");
   const profiles::Curve leaning =
       profiles::turned(rail, units::require_between("cant of the rail", cant, -0.5, 0.5, "rad"));
   const profiles::Point top = top_of(leaning);
   const auto above = [&](double u) { return leaning.height(u) - top.z + gauge_depth; };
-  if (above(leaning.end().u) > 0)
-    throw InputError(
-        fmt::format("the rail's profile ends {:.6g} m below its top on the gauge side; allowed: "
-                    "at least the depth of the gauge point (--gauge-depth), {:.6g} m",
-                    top.z - leaning.end().z, gauge_depth));
+  if (above(leaning.end().u) > 0) {
+    if (depth_below_end >= gauge_depth)
+      return profiles::moved(leaning, -0.5 * gauge - leaning.end().u, -top.z);
+    throw InputError(fmt::format(
+        "the rail's profile ends {:.6g} m below its top on the gauge side; allowed: "
+        "at least the depth of the gauge point (--gauge-depth), {:.6g} m; if the file's "
+        "other side is the gauge side: --mirror-rail",
+        top.z - leaning.end().z, gauge_depth));
+  }
   const auto at = num::find_root(above, top.u, leaning.end().u);
   return profiles::moved(leaning, -0.5 * gauge - at.x, -top.z);
 }

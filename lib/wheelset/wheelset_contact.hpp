@@ -98,10 +98,11 @@ class WheelsetOnTrack {
 // from the axle's middle.
 profiles::Curve placed_wheel(const profiles::Curve& wheel, double from_centre);
 // `rail` leaning towards the centre by `cant` [rad] (1:40 is 0.025), its top at z = 0, its gauge
-// face half a `gauge` [m] from the centre at `gauge_depth` [m] below the top. Throws InputError
-// when the profile has no point so deep on that side.
+// face half a `gauge` [m] from the centre: its innermost point down to `gauge_depth` [m] below the
+// top. That is the profile's end where the face leans back under it, and was measured down to
+// `depth_below_end` [m]. Throws InputError when the profile was not measured so deep on that side.
 profiles::Curve placed_rail(const profiles::Curve& rail, double gauge, double gauge_depth,
-                            double cant);
+                            double cant, double depth_below_end = 0);
 // The pair with the wheel raised so that its radius at the centred contact is `radius` [m]. Throws
 // InputError when the wheelset does not fit between the rails: the centred contact is at an end of
 // the data or on a flange (over 45 degrees, or beyond its steepest place).

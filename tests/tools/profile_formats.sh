@@ -10,7 +10,7 @@ rows() { # FILE PROGRAM: the points as $1 inward and $2 height
 }
 w=worn-wheel.csv r=new-rail.csv
 { printf 'ProgramName=x\nColumnDef=X,Y,A\n\n'; rows $w 'printf "%.3f %.3f 0\n", 70 - $1, -$2'; } > a.whl
-{ printf 'ProgramName=x\nColumnDef=X,Y\n\n'; rows $r 'printf "%.3f %.3f\n", -$1, $2'; } > a.ban
+{ printf 'ProgramName=x\nColumnDef=X,Y\n\n'; rows $r 'printf "%.3f %.3f\n", $1, $2'; } > a.ban
 for f in "w $w" "r $r"; do
   { printf 'header.begin\nheader.end\nspline.begin\nunits.len.f = 1000\npoint.begin\n'; rows "${f#? }" 'printf "%.3f %.3f\n", -$1, -$2'
     printf 'point.end\nspline.end\n'; } > "a.pr${f%% *}"

@@ -50,7 +50,7 @@ const std::array<DamperOption, 4> dampers{
 
 void add_car_options(tool::OptionParser& parser, CarOptions& options) {
   add_pair_options(parser, options.pair);
-  add_right_options(parser, options.pair);
+  tools::add_right_options(parser, options.pair);
   // A factor of ten thousand either way is no freight car any more, and spoils the arithmetic.
   for (const CarDatum& datum : car_data()) {
     double& value = options.data.*datum.member;

@@ -246,7 +246,7 @@ std::function<void()> declare(tool::OptionParser& parser) {
   const auto options = std::make_shared<Options>();
   options->average = 0;
   add_pair_options(parser, *options);
-  add_right_options(parser, *options);
+  tools::add_right_options(parser, *options);
   parser.flag("--level", options->level,
               "keep the axle from rolling, as EN 15302 does for the conicity");
   parser.choice("--standard", options->standard, {"none", "en-15302"},

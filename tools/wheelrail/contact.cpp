@@ -52,17 +52,17 @@ WheelInput options_of(const Options& options) {
   return w;
 }
 
-WheelsetResult solve(const Options& options, const ProfilePair& pair) {
+WheelsetResult solve(const Options& options, const ReadPair& read) {
   WheelInput w = options_of(options);
   const Pose pose{options.shift, options.yaw, options.roll.value_or(0)};
-  if (!options.roll && !options.slip) return solve_wheelset(pair, pose, w);
+  if (!options.roll && !options.slip) return solve_wheelset(read.left, read.right, pose, w);
   if (!options.roll || !options.slip)
     throw InputError{"give both roll and slip, or neither for a wheelset free to roll and turn"};
   WheelsetResult r;
   r.pose = pose;
-  r.angular_velocity = w.angular_velocity = options.speed / pair.radius * (1 + *options.slip);
-  r.left = solve_wheel(pair, mirrored(pose), w);
-  r.right = solve_wheel(pair, pose, w);
+  r.angular_velocity = w.angular_velocity = options.speed / read.radius() * (1 + *options.slip);
+  r.left = solve_wheel(read.left, mirrored(pose), w);
+  r.right = solve_wheel(read.right, pose, w);
   r.converged = r.left.converged && r.right.converged;
   r.reason = r.left.converged ? r.right.reason : r.left.reason;
   return r;
@@ -70,11 +70,12 @@ WheelsetResult solve(const Options& options, const ProfilePair& pair) {
 
 // On which wheels a patch lies on a doubtful place of the wheel's profile.
 std::string sides_on(const Options& options, const WheelsetResult& r,
-                     const hunting_tool::ProfileFit& fit, const profiles::PointsWarning& warning) {
+                     const profiles::ProfileFit& fit, const profiles::PointsWarning& warning) {
   std::string sides;
-  for (const auto& [name, wheel, shift] :
-       {std::tuple{"left", &r.left, -options.shift}, {"right", &r.right, options.shift}})
-    if (stands_on(options, *wheel, shift, fit, warning))
+  for (const auto& [name, side, wheel, shift] :
+       {std::tuple{"left", tools::Side::left, &r.left, -options.shift},
+        {"right", tools::Side::right, &r.right, options.shift}})
+    if (stands_on(options, side, *wheel, shift, fit, warning))
       sides += fmt::format("{}on the {}", sides.empty() ? "" : " and ", name);
   return sides;
 }
@@ -84,7 +85,7 @@ struct ProfileError {
   double p_max = 0, force = 0;  // [Pa], [N]
   double x = 0, y = 0;          // of the patch's place [m]
 };
-std::vector<ProfileError> profile_errors(const Options& options, const ProfilePair& half,
+std::vector<ProfileError> profile_errors(const Options& options, const ReadPair& half,
                                          const WheelsetResult& r, const WheelResult& wheel,
                                          bool left) {
   WheelInput w = options_of(options);
@@ -92,7 +93,8 @@ std::vector<ProfileError> profile_errors(const Options& options, const ProfilePa
   std::vector<ProfileError> errors(
       wheel.patches.size(), {units::infinity, units::infinity, units::infinity, units::infinity});
   try {
-    const WheelResult other = solve_wheel(half, left ? mirrored(r.pose) : r.pose, w);
+    const WheelResult other =
+        solve_wheel(left ? half.left : half.right, left ? mirrored(r.pose) : r.pose, w);
     if (!other.converged || other.patches.size() != errors.size()) return errors;
     for (std::size_t k = 0; k < errors.size(); ++k) {
       const PatchResult &a = wheel.patches[k], &b = other.patches[k];
@@ -237,26 +239,32 @@ void add_wheel(tool::Summary& answer, const Side& shown, const std::vector<Profi
 void run(const Options& options) {
   tool::OutFolder out(options.out,
                       {"patches.csv", "wheelset-contact.json", "wheelset-contact.png"});
-  const auto [pair, fits] = read_pair(options);
-  const WheelsetResult r = solve(options, pair);
+  const ReadPair read = read_pair(options);
+  const auto& fits = read.fits;
+  const WheelsetResult r = solve(options, read);
   if (!r.converged) throw std::runtime_error(fmt::format("no answer: {}", r.reason));
   tool::Summary answer("Wheelset on its rails");
   describe_pair(answer, options, fits);
-  hunting_tool::flag_points(answer, fits, [&](const auto& fit, const auto& warning) {
+  tools::flag_points(answer, fits, [&](const auto& fit, const auto& warning) {
     return sides_on(options, r, fit, warning);
   });
   answer.add("roll_mrad", "roll, right wheel down", 1e3 * r.pose.roll, "mrad");
   answer.add("angular_velocity_rad_per_s", "angular velocity", r.angular_velocity, "rad/s");
   answer.add("lowered_mm", "axle below its height on the running circles", r.right.z / millimetre,
              "mm", options.roll ? fmt::format("left wheel {:.6g} mm", r.left.z / millimetre) : "");
-  const double flange = flange_angle(pair.wheel), slope = std::tan(flange), mu = options.friction;
-  answer.add("nadal_limit", "Nadal's limit of Y/Q", (slope - mu) / (1 + mu * slope), "",
-             fmt::format("flange of {:.1f} degrees, friction {:g}", flange / units::degree, mu));
+  const auto add_nadal = [&](const char* key, const char* what, const ProfilePair& pair) {
+    const double flange = flange_angle(pair.wheel), slope = std::tan(flange), mu = options.friction;
+    answer.add(key, what, (slope - mu) / (1 + mu * slope), "",
+               fmt::format("flange of {:.1f} degrees, friction {:g}", flange / units::degree, mu));
+  };
+  add_nadal("nadal_limit", "Nadal's limit of Y/Q", read.left);
+  if (!options.right_wheel.empty())
+    add_nadal("right_nadal_limit", "  of the right wheel", read.right);
   const std::array<Side, 2> sides{Side("left", -1, r.left, options_of(options)),
                                   Side("right", 1, r.right, options_of(options))};
   std::array<std::vector<ProfileError>, 2> errors;
   if (!fits.empty()) {
-    const ProfilePair half = half_as_smooth(options, fits);
+    const ReadPair half = half_as_smooth(options);
     errors = {profile_errors(options, half, r, r.left, true),
               profile_errors(options, half, r, r.right, false)};
   }
@@ -267,7 +275,7 @@ void run(const Options& options) {
   if (out) {
     out.add("patches.csv", cells_csv(sides));
     out.add("wheelset-contact.json", answer.json());
-    draw(pair, r.pose, sides, out);
+    draw(read.left, read.right, r.pose, sides, out);
   }
   out.commit();
 }

@@ -82,12 +82,13 @@ std::string cells_csv(const std::array<Side, 2>& sides) {
   return text;
 }
 
-void draw(const ProfilePair& pair, const Pose& pose, const std::array<Side, 2>& sides,
-          tool::OutFolder& out) {
+void draw(const ProfilePair& left, const ProfilePair& right, const Pose& pose,
+          const std::array<Side, 2>& sides, tool::OutFolder& out) {
   std::string section = "part,y_mm,z_mm\n";
   std::string patches = "side,y_mm,z_mm,half_y_mm,half_z_mm,normal_y,normal_z,angle_deg\n";
   std::string cells = "side,across_mm,along_mm,half_across_mm,half_along_mm,p_MPa\n";
   for (int number = 1; const Side& side : sides) {
+    const ProfilePair& pair = side.sign > 0 ? right : left;
     const auto point = [&](int part, double y, double z) {
       section +=
           fmt::format("{},{:.6g},{:.6g}\n", part, side.sign * y / millimetre, z / millimetre);

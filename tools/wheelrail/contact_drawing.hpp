@@ -23,7 +23,7 @@ struct Side {
 std::string cells_csv(const std::array<Side, 2>& sides);
 
 // wheelset-contact.png: both sections with their patches, and the pressures from above.
-void draw(const wheel_contact::ProfilePair& pair, const wheel_contact::Pose& pose,
-          const std::array<Side, 2>& sides, tool::OutFolder& out);
+void draw(const wheel_contact::ProfilePair& left, const wheel_contact::ProfilePair& right,
+          const wheel_contact::Pose& pose, const std::array<Side, 2>& sides, tool::OutFolder& out);
 
 }  // namespace railbook::wheelrail_tool

@@ -1,82 +1,89 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <string_view>
+#include <utility>
 
 #include <railbook/units/constants.hpp>
-#include <railbook/wheelset/wheelset_contact.hpp>
 
-#include "hunting/profile_file.hpp"
 #include "wheelrail/pair.hpp"
 
 namespace railbook::wheelrail_tool {
 
-using namespace profiles;
+using profiles::Profile;
+using profiles::Rail60;
+using profiles::rail_60e1;
+using profiles::s1002;
 using namespace wheel_contact;
 using tool::Range;
 
 namespace {
 
-profiles::Curve read(const char* what, const std::filesystem::path& file, profiles::Body body,
-                     const PairOptions& options, const std::optional<double>& noise,
-                     std::vector<hunting_tool::ProfileFit>& fits) {
-  hunting_tool::PairOptions smoothing;
-  smoothing.noise = noise;
-  smoothing.mirror_rail = options.mirror_rail;
-  fits.push_back({what});
-  return hunting_tool::read_profile(file, body, smoothing, fits.back());
-}
+using profiles::Curve;
+using profiles::ProfileFit;
+using tools::Side;
 
-using Noise = std::optional<double>;
-
-Profile wheel_profile(const PairOptions& options, const Noise& noise,
-                      std::vector<hunting_tool::ProfileFit>& fits) {
-  if (options.wheel.empty()) return s1002();
-  const profiles::Curve curve =
-      read("wheel", options.wheel, profiles::Body::wheel, options, noise, fits);
+Profile wheel_profile(const PairOptions& options, const char* what,
+                      const std::filesystem::path& file, std::vector<ProfileFit>& fits) {
+  if (file.empty()) return s1002();
+  const Curve curve = tools::read_profile(options, what, file, fits);
   return Profile(profiles::moved(curve, 0, -curve.height(0)));
 }
 
-profiles::Curve rail_curve(const PairOptions& options, const Noise& noise,
-                           std::vector<hunting_tool::ProfileFit>& fits) {
-  if (options.rail.empty())
-    return rail_60e1(options.head == "60E1" ? Rail60::drawing : Rail60::benchmark,
-                     options.cant < 0.02);
-  return read("rail", options.rail, profiles::Body::rail, options, noise, fits);
+Profile rail_profile(const PairOptions& options, Side side, const char* what,
+                     const std::filesystem::path& file, std::vector<ProfileFit>& fits) {
+  const double cant = side == Side::left ? options.cant : options.right_cant.value_or(options.cant);
+  double depth = 0;
+  Curve curve =
+      rail_60e1(options.head == "60E1" ? Rail60::drawing : Rail60::benchmark, cant < 0.02);
+  if (!file.empty()) {
+    curve = tools::read_profile(options, what, file, fits);
+    depth = fits.back().depth_below_end;
+  }
+  return Profile(tools::placed_rail(options, side, curve, depth));
 }
 
-ReadPair read_pair(const PairOptions& options, const Noise& of_wheel, const Noise& of_rail) {
-  std::vector<hunting_tool::ProfileFit> fits;
-  Profile wheel = wheel_profile(options, of_wheel, fits);
-  Profile rail(wheelset::placed_rail(rail_curve(options, of_rail, fits), options.gauge,
-                                     options.gauge_depth, std::atan(options.cant)));
-  return {{std::move(wheel), std::move(rail), options.radius,
-           0.5 * options.back_to_back + options.datum},
-          std::move(fits)};
+ReadPair read_sides(const PairOptions& options) {
+  std::vector<ProfileFit> fits;
+  const double half = tools::tape_from_middle(options);
+  const ProfilePair left{wheel_profile(options, "wheel", options.wheel, fits),
+                         rail_profile(options, Side::left, "rail", options.rail, fits),
+                         options.radius, half};
+  ProfilePair right = left;
+  if (tools::sides_differ(options)) {
+    const bool own_rail = !options.right_rail.empty();
+    std::vector<ProfileFit> again;  // of the left rail in the right one's place
+    if (!options.right_wheel.empty())
+      right.wheel = wheel_profile(options, "right wheel", options.right_wheel, fits);
+    right.rail =
+        rail_profile(options, Side::right, "right rail",
+                     own_rail ? options.right_rail : options.rail, own_rail ? fits : again);
+    right.radius = options.right_radius.value_or(options.radius);
+  }
+  return {left, std::move(right), std::move(fits)};
 }
 
 }  // namespace
 
 ReadPair read_pair(const PairOptions& options) {
-  ReadPair read = read_pair(options, options.noise, options.noise);
-  require_fit(read.pair);
+  ReadPair read = read_sides(options);
+  require_fit(read.left);
+  if (tools::sides_differ(options)) require_fit(read.right);
   return read;
 }
 
-ProfilePair half_as_smooth(const PairOptions& options,
-                           const std::vector<hunting_tool::ProfileFit>& fits) {
-  Noise of_wheel, of_rail;
-  for (const hunting_tool::ProfileFit& fit : fits)
-    (std::string_view{fit.what} == "wheel" ? of_wheel : of_rail) = 0.5 * fit.smoothing;
-  return read_pair(options, of_wheel, of_rail).pair;
+ReadPair half_as_smooth(const PairOptions& options) {
+  PairOptions half = options;
+  half.smoothing *= 0.5;
+  return read_sides(half);
 }
 
-bool stands_on(const PairOptions& options, const WheelResult& wheel, double shift,
-               const hunting_tool::ProfileFit& fit, const profiles::PointsWarning& warning) {
+bool stands_on(const PairOptions& options, Side side, const WheelResult& wheel, double shift,
+               const ProfileFit& fit, const profiles::PointsWarning& warning) {
   constexpr double reach = 4 * units::millimetre;  // half a long patch
-  if (std::string_view{fit.what} != "wheel") return false;
-  const double running_circle = 0.5 * options.back_to_back + options.datum;
+  const bool of_right = side == Side::right && !options.right_wheel.empty();
+  if (std::string_view{fit.what} != (of_right ? "right wheel" : "wheel")) return false;
+  const double running_circle = tools::tape_from_middle(options);
   return std::ranges::any_of(wheel.patches, [&](const PatchResult& p) {
     const double inward = running_circle + shift - p.patch.frame.origin.y();
     return inward > warning.from - reach && inward < warning.to + reach;
@@ -84,18 +91,27 @@ bool stands_on(const PairOptions& options, const WheelResult& wheel, double shif
 }
 
 void describe_pair(tool::Summary& answer, const PairOptions& options,
-                   const std::vector<hunting_tool::ProfileFit>& fits) {
-  answer.add("wheel", "wheel", options.wheel.empty() ? "S1002" : options.wheel.string());
-  answer.add("rail", "rail", options.rail.empty() ? options.head : options.rail.string());
+                   const std::vector<ProfileFit>& fits) {
+  const auto or_left = [](const auto& right, const auto& left) {
+    return right.empty() ? left : right;
+  };
+  const auto wheel_name = [](const auto& file) { return file.empty() ? "S1002" : file.string(); };
+  const auto rail_name = [&](const auto& file) {
+    return file.empty() ? options.head : file.string();
+  };
+  answer.add("wheel", "wheel", wheel_name(options.wheel));
+  answer.add("rail", "rail", rail_name(options.rail));
   answer.add("cant", "cant of the rails", options.cant, "");
-  for (const hunting_tool::ProfileFit& fit : fits)
-    answer.add(
-        fmt::format("{}_rms_mm", fit.what),
-        fmt::format("{}: points to smoothed profile, rms", fit.what), fit.rms / units::millimetre,
-        "mm",
-        fmt::format("{}largest {:.2g} mm; scatter of the points {:.2g} mm, smoothed by {:.2g} mm",
-                    hunting_tool::format_note(fit), fit.largest / units::millimetre,
-                    fit.scatter / units::millimetre, fit.smoothing / units::millimetre));
+  if (tools::sides_differ(options)) {
+    answer.add("right_wheel", "right wheel",
+               wheel_name(or_left(options.right_wheel, options.wheel)));
+    answer.add("right_rail", "right rail", rail_name(or_left(options.right_rail, options.rail)));
+    answer.add("right_cant", "  its cant", options.right_cant.value_or(options.cant), "");
+    answer.add("right_radius_mm", "radius of the right wheel",
+               options.right_radius.value_or(options.radius) / units::millimetre, "mm",
+               fmt::format("left {:.6g} mm", options.radius / units::millimetre));
+  }
+  tools::describe_fits(answer, options, fits);
 }
 
 Method method_of(const std::string& name) {
@@ -111,31 +127,14 @@ WheelInput wheel_input(const PairOptions& options) {
 }
 
 void add_pair_options(tool::OptionParser& parser, PairOptions& options) {
-  const Range lengths{1e-3, 10}, moduli{1, 1e15}, ratios{0, 0.5};
-  parser.file("--wheel", options.wheel,
-              "wheel profile: MiniProf, Simpack, VAMPIRE, plain columns, or a table with "
-              "inward_mm and height_mm; S1002 without it");
-  parser.file("--rail", options.rail, "rail profile, upright, in one of the same forms");
-  parser.flag("--mirror-rail", options.mirror_rail,
-              "the file of the rail has its gauge side where its field side is expected");
+  const Range moduli{1, 1e15}, ratios{0, 0.5};
+  tools::add_profile_options(parser, options);
+  tools::add_right_options(parser, options);
   parser.choice("--head", options.head, {"60E1", "60E1-benchmark"},
-                "rail without a file: of the drawing, or of the Manchester benchmark");
-  parser.quantity("--cant", options.cant, units::number,
-                  "slope of the rails inwards, such as 1:40 or 0.025", Range{-0.2, 0.2});
-  parser.quantity("--gauge", options.gauge, units::length, "between the gauge faces of the rails",
-                  lengths);
-  parser.quantity("--gauge-depth", options.gauge_depth, units::length,
-                  "below the rail's top, where the gauge is measured", Range{1e-3, 0.1});
-  parser.quantity("--back-to-back", options.back_to_back, units::length,
-                  "between the backs of the flanges", lengths);
-  parser.quantity("--datum", options.datum, units::length,
-                  "of the wheel profile's origin from the back of the flange", Range{-1, 1});
-  parser.quantity("--radius", options.radius, units::length, "rolling radius at that origin",
-                  Range{0.05, 5});
-  parser.quantity("--noise", options.noise, units::length,
-                  "rms distance of measured points from the smoothed profile; without it from "
-                  "the points' own scatter",
-                  Range{0, 1e-3});
+                "rail without a file (a wheel without one is S1002): of the drawing, or of the "
+                "Manchester benchmark");
+  parser.quantity("--radius", options.radius, units::length,
+                  "rolling radius, 70 mm from the back of the flange", Range{0.05, 5});
   WheelInput& w = options.wheel_input;
   for (const auto& [name, steel] : {std::pair{"wheel", &w.wheel}, std::pair{"rail", &w.rail}}) {
     const std::string of = name;

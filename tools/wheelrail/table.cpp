@@ -58,18 +58,18 @@ struct Place {
   double load, friction, slip;
 };
 
-WheelResult solve(const Options& options, const ProfilePair& pair, const Pose& pose,
+WheelResult solve(const Options& options, const ReadPair& read, const Pose& pose,
                   const Place& place, Method method) {
   WheelInput w = wheel_input(options);
   w.load = place.load, w.friction.coefficient = place.friction, w.method = method;
-  w.angular_velocity = options.speed / pair.radius * (1 + place.slip);
-  WheelResult r = solve_wheel(pair, pose, w);
+  w.angular_velocity = options.speed / read.radius() * (1 + place.slip);
+  WheelResult r = solve_wheel(read.right, pose, w);
   if (!r.converged) throw std::runtime_error(r.reason);
   return r;
 }
 
-Pose pose_of(const ProfilePair& pair, double shift, double yaw) {
-  return {shift, yaw, rigid_roll(pair, shift, yaw)};
+Pose pose_of(const ReadPair& read, double shift, double yaw) {
+  return {shift, yaw, rigid_roll(read.left, read.right, shift, yaw)};
 }
 
 // (Fx, Fy) on the rail apart, over the friction times the load.
@@ -101,23 +101,23 @@ constexpr double doubtful_force = 0.05;     // of mu N
 constexpr double doubtful_pressure = 0.10;  // of the pressure
 
 // Measured at the first place of a line; NaN where there is no answer.
-void add_errors(tool::Row& row, const Options& options, const ProfilePair& pair, const Line& line,
+void add_errors(tool::Row& row, const Options& options, const ReadPair& read, const Line& line,
                 const Place& place, const WheelResult& here) {
   double between = units::nan, method = units::nan, pressure = units::nan;
   const Method own = method_of(options.method);
   try {
     if (line.step > 0) {
       const auto next =
-          solve(options, pair, pose_of(pair, line.shift + line.step, line.yaw), place, own);
+          solve(options, read, pose_of(read, line.shift + line.step, line.yaw), place, own);
       between = largest_between([&](double share) {
         const auto answer = solve(
-            options, pair, pose_of(pair, line.shift + share * line.step, line.yaw), place, own);
+            options, read, pose_of(read, line.shift + share * line.step, line.yaw), place, own);
         return apart(answer.force, here.force + share * (next.force - here.force), place);
       });
     }
     if (own != Method::full) {
       const auto full =
-          solve(options, pair, pose_of(pair, line.shift, line.yaw), place, Method::full);
+          solve(options, read, pose_of(read, line.shift, line.yaw), place, Method::full);
       method = apart(here.force, full.force, place);
       pressure = std::abs(here.patches.front().p_max / full.patches.front().p_max - 1);
     }
@@ -175,16 +175,15 @@ void add_answer(tool::Row& row, const Pose& pose, const WheelResult& r) {
 
 // Warnings of the profile's points where this row's wheel stands.
 void add_point_flags(tool::Row& row, const Options& options, const Line& line, const WheelResult& r,
-                     const std::vector<hunting_tool::ProfileFit>& fits) {
-  for (const hunting_tool::ProfileFit& fit : fits)
+                     const std::vector<profiles::ProfileFit>& fits) {
+  for (const profiles::ProfileFit& fit : fits)
     for (const profiles::PointsWarning& warning : fit.warnings)
-      if (stands_on(options, r, line.shift, fit, warning))
+      if (stands_on(options, tools::Side::right, r, line.shift, fit, warning))
         row.flag(fmt::format("{}-{}", fit.what, warning.key));
 }
 
 std::vector<tool::Row> rows_of(const Options& options, const ReadPair& read, const Line& line) {
-  const ProfilePair& pair = read.pair;
-  const Pose pose = pose_of(pair, line.shift, line.yaw);
+  const Pose pose = pose_of(read, line.shift, line.yaw);
   std::vector<tool::Row> rows;
   for (const double load : options.loads)
     for (const double friction : options.frictions)
@@ -192,10 +191,10 @@ std::vector<tool::Row> rows_of(const Options& options, const ReadPair& read, con
         const Place place{load, friction, slip};
         tool::Row row = row_of(line, place);
         try {
-          const WheelResult r = solve(options, pair, pose, place, method_of(options.method));
+          const WheelResult r = solve(options, read, pose, place, method_of(options.method));
           add_answer(row, pose, r);
           add_point_flags(row, options, line, r, read.fits);
-          if (rows.empty() && line.measured) add_errors(row, options, pair, line, place, r);
+          if (rows.empty() && line.measured) add_errors(row, options, read, line, place, r);
         } catch (const std::exception& error) {
           row.add("refused", std::string(error.what()));
           row.flag("refused");

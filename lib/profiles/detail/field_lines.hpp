@@ -29,6 +29,9 @@ std::string_view without_comment(std::string_view text);
 // Fortran's 1.0D+01.
 std::optional<std::vector<double>> numbers_of(std::string_view text);
 
+// The same of the beginning of a line up to the first word: what follows is a remark.
+std::vector<double> leading_numbers(std::string_view text);
+
 // The key in lower case and the value of "key = value", neither in quotes.
 struct Setting {
   std::string key;
@@ -41,11 +44,24 @@ double number_of(const Setting& setting, const Line& line);
 [[noreturn]] void refuse_line(const Line& line, const char* format);
 
 FieldProfile read_miniprof(const std::vector<Line>& lines, Body body);
-FieldProfile read_simpack(const std::vector<Line>& lines);
+FieldProfile read_simpack(const std::vector<Line>& lines, Body body);
 FieldProfile read_vampire(const std::vector<Line>& lines, Body body);
-std::optional<FieldProfile> read_plain(const std::vector<Line>& lines, Body body);
+std::optional<FieldProfile> read_plain(const std::vector<Line>& lines, Body body,
+                                       const FieldOptions& options);
+// The unit, of metres, inches and millimetres, in which a profile of this width is 20 to 250 mm
+// wide, if there is one.
+struct Unit {
+  const char* name;
+  double metre;
+};
+std::optional<Unit> unit_of(double width);
 
-// Turns the heights upwards: a wheel has its flange below its tread, a rail its top inside.
-bool turn_upright(std::vector<Point>& points, Body body);
+// Turns the heights upwards: a wheel has its flange below its tread, a rail its top inside. Adds to
+// the format's name that it did.
+void turn_upright(FieldProfile& read, Body body);
+// Puts an upright wheel with its flange inwards and its origin on the tape circle: the flange's tip
+// is 5 to 30 mm from the back of the flange and 40 to 65 mm from the tape circle, so that its place
+// says which of the two is the origin. Adds to the format's name what it changed.
+void place_wheel(FieldProfile& read);
 
 }  // namespace railbook::profiles::detail

@@ -51,7 +51,7 @@ Point miniprof_wheel(const Point& p) {
   return {0.070 - p.u, -p.z};
 }
 Point miniprof_rail(const Point& p) {
-  return {-p.u, p.z};
+  return {p.u, p.z};
 }
 Point upside_down(const Point& p) {
   return {-p.u, -p.z};
