@@ -121,7 +121,7 @@ void bind_profiles(py::module_& whole) {
   w.def("placed_wheel", &placed_wheel, "wheel"_a, "from_centre"_a,
         doc("wheelset/wheelset_contact.hpp placed_wheel"));
   w.def("placed_rail", &placed_rail, "rail"_a, "gauge"_a, "gauge_depth"_a, "cant"_a,
-        doc("wheelset/wheelset_contact.hpp placed_rail"));
+        "depth_below_end"_a = 0.0, doc("wheelset/wheelset_contact.hpp placed_rail"));
   py::class_<Point>(w, "Point", "A place in the plane across the track [m].")
       .def_readonly("u", &Point::u)
       .def_readonly("z", &Point::z);

@@ -76,8 +76,8 @@ void bind_wheel_contact(py::module_& whole) {
       "cant"_a = 1.0 / 40, "benchmark"_a = false,
       doc("wheel_contact/find_contact.hpp s1002_on_60e1"));
   m.def("mirrored", &mirrored, "pose"_a);
-  m.def("rigid_roll", &rigid_roll, "pair"_a, "y"_a, "yaw"_a, Unlocked(),
-        doc("wheel_contact/find_contact.hpp rigid_roll"));
+  m.def("rigid_roll", py::overload_cast<const ProfilePair&, double, double>(&rigid_roll), "pair"_a,
+        "y"_a, "yaw"_a, Unlocked(), doc("wheel_contact/find_contact.hpp rigid_roll"));
 
   py::class_<PatchResult>(m, "PatchResult", doc("wheel_contact/wheel.hpp PatchResult"))
       .def_property_readonly("origin", [](const PatchResult& p) { return p.patch.frame.origin; })

@@ -269,7 +269,7 @@ void run(const Options& options) {
               profile_errors(options, half, r, r.right, false)};
   }
   const std::array<std::vector<ProfileError>, 2> places{
-      place_errors(pair, mirrored(r.pose), r.left), place_errors(pair, r.pose, r.right)};
+      place_errors(read.left, mirrored(r.pose), r.left), place_errors(read.right, r.pose, r.right)};
   for (std::size_t k = 0; k < sides.size(); ++k) add_wheel(answer, sides[k], errors[k], places[k]);
   answer.print();
   if (out) {
