@@ -29,6 +29,7 @@ set_tests_properties("tool: wheelrail contact takes files" PROPERTIES PASS_REGUL
                      FAIL_REGULAR_EXPRESSION "gnuplot")
 add_test(NAME "tool: wheelrail table in parts" COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/wheelrail.sh ${bin})
 add_test(NAME "tool: profiles are read in each form of file" COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/profile_formats.sh ${bin})
+add_test(NAME "tool: wheelrail takes two sides that differ" COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/two_sides.sh ${bin})
 
 add_test(NAME "tool: wheelrail contact answers upright rails"
          COMMAND railbook wheelrail contact --load 50kN --speed 10m/s --cant 0 --roll 0rad --slip 0 --method strips)
