@@ -43,6 +43,8 @@ void add_record_options(tool::OptionParser& o, TrackRecordOptions& w) {
   o.text(
       "--encoding", w.record.encoding,
       "encoding of the text, as cp1252, GBK or Shift-JIS; left out: UTF-8, or UTF-16 by its mark");
+  o.text("--sheet", w.record.sheet,
+         "sheet of a workbook (.xlsx), by name or number; left out: the first");
   o.choice(
       "--decimal", w.decimal, {"either", "point", "comma"},
       "what parts the decimals of numbers; comma also where quoted cells stand between commas");

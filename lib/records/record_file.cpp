@@ -80,8 +80,9 @@ std::string resampled_text(const Resampler& r, std::size_t column) {
 std::vector<std::unique_ptr<const RecordStream>> read_records(
     const RecordFile& source, const std::vector<std::string>& columns,
     const std::vector<RecordSink>& sinks) {
-  table::CsvReader reader{source.file,
-                          {source.skip, source.header_lines, source.encoding, source.decimal}};
+  table::CsvReader reader{
+      source.file,
+      {source.skip, source.header_lines, source.encoding, source.sheet, source.decimal}};
   std::vector<std::size_t> column;
   for (const std::string& name : columns) column.push_back(column_of(reader, name));
   // A row of units: none of the columns asked for holds a number, each of them names a unit.

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
-#include <chrono>
 #include <cstddef>
 #include <utility>
 
 #include <railbook/table/detail/dialect.hpp>
 #include <railbook/table/detail/foreign_format.hpp>
 #include <railbook/table/detail/parse_number.hpp>
+#include <railbook/table/detail/table_bytes.hpp>
 #include <railbook/table/detail/trim.hpp>
 #include <railbook/units/input_error.hpp>
 #include <railbook/units/nearest.hpp>
@@ -35,7 +35,7 @@ std::string folded(std::string_view text) {
 }  // namespace
 
 CsvReader::CsvReader(const std::filesystem::path& file, const TextOptions& options)
-    : CsvReader(file, open_bytes(file, std::chrono::seconds{10}), options) {}
+    : CsvReader(file, table_bytes(file, options.sheet), options) {}
 
 CsvReader::CsvReader(const std::filesystem::path& file, std::unique_ptr<ByteSource> bytes,
                      const TextOptions& options)
