@@ -51,7 +51,7 @@ local function difference_from_print(check)
   if type(computed) ~= "number" or not printed then return check.kind == "exact" and (check.pass and "same" or "differs") or check_tables.difference(check) end
   if computed == printed then return "0 %" end
   if check.kind == "digitised" or printed == 0 then return (check_tables.difference(check)) .. (check.kind == "digitised" and " of axis" or "") end
-  local off = 100 * (computed - printed) / math.abs(printed)
+  local off = 100 * (computed - printed) / printed
   local size = math.abs(off)
   if size < 1e-9 then return "0 %" end -- rounding
   local text = size >= 9.95 and ("%.0f"):format(size) or size >= 0.095 and ("%.1f"):format(size) or ("%.1g"):format(size)

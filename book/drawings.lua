@@ -20,7 +20,7 @@ local function pair(x, y)
   return number(x) .. (second:find("^-") and "" or ",") .. second
 end
 
-local nearest = 0.7 -- tenths of a dot that a curve may move when points are left out
+local nearest = 1.5 -- tenths of a dot that a curve may move when points are left out
 local most_left_out = 80
 
 -- The points {x, y} of a polyline, in tenths, without those that lie on the straight line of their neighbours.

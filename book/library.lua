@@ -135,10 +135,12 @@ local function section(room, file, header, seen)
     for _, name in ipairs(entry.names) do
       local id = anchor(room, name)
       names[#names + 1] = html.tag("code", nil, html.escape(name))
-      entry.anchors = (entry.anchors or "") .. (seen[id] and "" or html.tag("span", {id = id}, ""))
+      if not seen[id] then entry.ids = entry.ids or {}; table.insert(entry.ids, id) end
       seen[id] = true
     end
-    out[#out + 1] = html.tag("div", {class = "declaration"}, (entry.anchors or "")
+    local ids, others = entry.ids or {}, {}
+    for i = 2, #ids do others[i - 1] = html.tag("span", {id = ids[i]}, "") end
+    out[#out + 1] = html.tag("div", {class = "declaration", id = ids[1]}, table.concat(others)
       .. html.tag("pre", nil, html.tag("code", nil, html.escape(entry.text))) .. prose(entry.comment))
   end
   local summary = html.tag("b", nil, html.escape(file)) .. " " .. html.escape(headline(header.comment or ""))

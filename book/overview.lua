@@ -104,12 +104,32 @@ local function findings_table(records, parts)
     .. html.folded_table("sortable findings-table cards", heads, rows, open, "that could not be tested")
 end
 
+-- A file of a chapter's data, or nil where it has none.
+local function data_of(r, name)
+  return (csv.read(("%s/../chapters/%s/data/%s"):format(PANDOC_SCRIPT_FILE:match("^(.*)/[^/]*$"), r.chapter, name)))
+end
+
+-- The findings of a chapter, each with what it means for a reader, a row of so-what.csv.
+local function with_meaning(box, r)
+  local rows, i = data_of(r, "so-what.csv"), 0
+  if not rows then return box end
+  box = box:gsub("</li>", function(close)
+    i = i + 1
+    return rows[i] and html.tag("p", {class = "so-what"}, html.tag("b", nil, "What it means.") .. " " .. html.text(rows[i].so_what)) .. close
+  end)
+  if i ~= #rows then
+    io.stderr:write(("book: %s has %d findings and chapters/%s/data/so-what.csv %d rows\n"):format(r.chapter, i, r.chapter, #rows))
+    os.exit(1)
+  end
+  return box
+end
+
 -- Every number and claim that did not come out as the paper has it, by importance; then the findings that open the chapters.
 function overview.findings(records, parts)
   local out = {html.tag("div", {class = "filterable"}, findings_table(records, parts))}
   for _, r in ipairs(records) do
     local box = parts[r.chapter] and parts[r.chapter].findings
-    if box then out[#out + 1] = heading(r) .. html.tag("div", {class = "findings"}, box) end
+    if box then out[#out + 1] = heading(r) .. html.tag("div", {class = "findings"}, with_meaning(box, r)) end
   end
   return join(out)
 end
@@ -213,32 +233,6 @@ function overview.digits(records)
     .. html.folded_table("sortable cards", {"number", "digits", "why"}, rows, 6, "numbers")
 end
 
--- All stiff and extreme cases.
-function overview.stability(records)
-  local out = {}
-  local heads = {"case", "what is stressed", "result", "relative error", "allowed", {"found, as expected", filter = true}}
-  local number = function(x) return {type(x) == "number" and html.number(("%.2g"):format(x)) or "–", class = "number", sort = x} end
-  for _, r in ipairs(records) do
-    local rows, counts = {}, {}
-    for i, s in ipairs(r.stability) do
-      local page = r.has_study and r.chapter .. "-study" or r.chapter
-      local found = s.pass and s.found or "failed"
-      counts[found] = (counts[found] or 0) + 1
-      rows[i] = {html.tag("a", {href = page .. ".html#stability/" .. s.id}, html.text(s.case)), html.text(s.stress),
-        html.text(s.result), number(s.error), number(s.allowed), {html.badge(found), class = "outcome"},
-        class = not s.pass and "failed" or nil}
-    end
-    if #rows > 0 then
-      local said = {}
-      for _, found in ipairs({"holds", "degrades", "refused", "failed"}) do
-        if counts[found] then said[#said + 1] = counts[found] .. " " .. html.badge(found) end
-      end
-      out[#out + 1] = heading(r) .. html.tag("p", {class = "tally"}, table.concat(said, " "))
-        .. html.folded_table("sortable stability cards", heads, rows, 12, "cases")
-    end
-  end
-  return html.tag("div", {class = "filterable"}, join(out))
-end
 
 -- What each chapter's checks against other works and methods found: one row for each work or method and item.
 local function second_routes(r)
@@ -326,6 +320,60 @@ function overview.claims(path)
       {"function", "error", "claimed below", "worst found", "digits left", "inputs", "held against"}, rooms[room], 14)
   end
   return join(out)
+end
+
+-- The cause of each stiff and extreme case of a chapter, by its id; every case of a chapter with such a list must be in it.
+local function causes_of(r)
+  local list = data_of(r, "causes.csv")
+  local by_id = {}
+  for _, row in ipairs(list or {}) do by_id[row.case] = row.cause end
+  for _, s in ipairs(r.stability) do
+    if list and not by_id[s.id] then
+      io.stderr:write(("book: chapters/%s/data/causes.csv lacks the case %s\n"):format(r.chapter, s.id))
+      os.exit(1)
+    end
+  end
+  return by_id
+end
+
+-- All stiff and extreme cases, by what makes them hard.
+function overview.stability(records)
+  local causes = csv.read(PANDOC_SCRIPT_FILE:match("^(.*)/[^/]*$") .. "/causes.csv")
+  causes[#causes + 1] = {cause = "other", title = "Other", sentence = "Cases that have not been put in order."}
+  local heads = {"case", {"chapter", filter = true}, "what is stressed", "result", "relative error", "allowed", {"found, as expected", filter = true}}
+  local number = function(x) return {type(x) == "number" and html.number(("%.2g"):format(x)) or "–", class = "number", sort = x} end
+  local rows, counts, known = {}, {}, {}
+  for _, cause in ipairs(causes) do rows[cause.cause], counts[cause.cause], known[cause.cause] = {}, {}, true end
+  for _, r in ipairs(records) do
+    local of = causes_of(r)
+    for _, s in ipairs(r.stability) do
+      local page, cause = r.has_study and r.chapter .. "-study" or r.chapter, of[s.id] or "other"
+      if not known[cause] then
+        io.stderr:write(("book: chapters/%s/data/causes.csv: the cause %s is not in book/causes.csv\n"):format(r.chapter, cause))
+        os.exit(1)
+      end
+      local found = s.pass and s.found or "failed"
+      counts[cause][found] = (counts[cause][found] or 0) + 1
+      table.insert(rows[cause], {html.tag("a", {href = page .. ".html#stability/" .. s.id}, html.text(s.case)),
+        {tostring(r.number), class = "number", sort = r.number}, html.text(s.stress),
+        html.text(s.result), number(s.error), number(s.allowed), {html.badge(found), class = "outcome"},
+        class = not s.pass and "failed" or nil})
+    end
+  end
+  local out = {}
+  for _, cause in ipairs(causes) do
+    if #rows[cause.cause] > 0 then
+      local tally = {}
+      for _, found in ipairs({"holds", "degrades", "refused", "failed"}) do
+        local count = counts[cause.cause][found]
+        if count then tally[#tally + 1] = count .. " " .. html.badge(found) end
+      end
+      out[#out + 1] = html.tag("h2", {id = "cause-" .. cause.cause}, html.text(cause.title)) .. html.tag("p", nil, html.text(cause.sentence))
+        .. html.tag("p", {class = "tally"}, table.concat(tally, " "))
+        .. html.folded_table("sortable stability cards", heads, rows[cause.cause], 12, "cases")
+    end
+  end
+  return html.tag("div", {class = "filterable"}, join(out))
 end
 
 return overview

@@ -86,7 +86,7 @@ foreach(chapter ${chapters})
   file(GLOB printed RELATIVE ${CHAPTERS}/${chapter}/data ${CHAPTERS}/${chapter}/data/*)
   foreach(name ${printed})
     file(COPY ${CHAPTERS}/${chapter}/data/${name} DESTINATION ${new}/data/${chapter}/printed)
-    if(NOT name MATCHES "^(symbols|claims|words|trials|inventory)\\.csv$") # they are on the page, and not printed by the paper
+    if(NOT name MATCHES "^(symbols|claims|words|trials|inventory|so-what|causes)\\.csv$") # they are on the page, and not printed by the paper
       list(APPEND around -M printed=${name})
     endif()
   endforeach()

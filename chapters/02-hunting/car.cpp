@@ -137,6 +137,13 @@ Creep by_hertz_and_kalker(const CarParameters& car, double crown = 10 * inch,
           shear * ab * c.c11};
 }
 
+// A unit as a page has it: N·m/rad for N*m/rad, kg·m² for kg*m^2.
+std::string written(std::string unit) {
+  for (std::size_t at; (at = unit.find('*')) != std::string::npos;) unit.replace(at, 1, "·");
+  for (std::size_t at; (at = unit.find("^2")) != std::string::npos;) unit.replace(at, 2, "²");
+  return unit;
+}
+
 void parameters(report::Item& item) {
   item.rebuilt("data of Table 2 that are illegible or not given are marked");
   item.columns({"", "what", {"value", "{:.7g}"}, "unit", "SI", "origin"});
@@ -144,13 +151,14 @@ void parameters(report::Item& item) {
   for (const CarDatum& datum : car_data()) {
     const double si = car.*datum.member;
     item.add_row(fmt::format("${}$", datum.symbol), datum.name, si / datum.unit_si, datum.unit,
-                 fmt::format("{:.5g} {}", si, units::si_name(datum.dimension)), origin_text(datum));
+                 fmt::format("{:.5g} {}", si, written(units::si_name(datum.dimension))),
+                 origin_text(datum));
   }
   const Dampers c = equivalent_dampers(car);
   const auto damper = [&](const char* symbol, const char* what, double value, bool turns) {
-    item.add_row(symbol, what, value / (turns ? foot_pound : lbf / foot),
+    item.add_row(symbol, what, fmt::format("{:.4g}", value / (turns ? foot_pound : lbf / foot)),
                  turns ? "ft lb s/rad" : "lb s/ft",
-                 fmt::format("{:.5g} {}", value, turns ? "N m s/rad" : "N s/m"),
+                 fmt::format("{:.5g} {}", value, turns ? "N·m·s/rad" : "N·s/m"),
                  "fitted: $4F_0/\\pi\\omega A$");
   };
   damper("$c_x$", "lateral damper, a side frame", c.lateral, false);

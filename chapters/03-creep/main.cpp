@@ -139,7 +139,8 @@ everything that is listed above the synthetic experiment.
 * **The "actual area"** puts shape and roughness of a worn wheel into one number.
 
 What each theory costs and where the solver stops is on the [second page](03-creep-study.html).
-{{curve-time-answer}} Of random cases {{covered}} are within the error that the full theory states.
+{{curve-time-answer}} In a trial with random cases, {{covered}} came out within the error that the full
+theory states.
 
 ## Use it
 

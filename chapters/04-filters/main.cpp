@@ -147,6 +147,8 @@ $ railbook filters process sensors.csv --out mine
     note                            good 0.0 %, degraded 82.6, unreliable 0.0, missing 17.4
 ```
 
+{{picture: filters-process}}
+
 The folder `mine` then holds the geometry, a row a foot, the list of what is doubted, and a picture.
 The corners of your analog filters are the options `--first-corner` and `--second-corner`.
 

@@ -13,25 +13,29 @@ and derailment are decided by what happens in these patches of half a square cen
 
 ::: findings
 1. **How good are the forces that this program finds?** On {{wheels}} of 22 wheels of a published
-   benchmark the largest pressure is within {{worst-pressure}} of what the program CONTACT finds, and
-   the creep force, the friction force that rolling with a little slip makes, is within
-   {{worst-force}} of the friction limit $\mu N$. This holds for patches small enough to be taken as flat.
-2. **What does a fast method cost in accuracy?** Semi-Hertzian strips with FASTSIM, made for tables of
-   thousands of positions, are off on the same wheels by up to {{strips-pressure}} in the largest
-   pressure and {{strips-force}} of the friction limit in the force.
+   benchmark the largest pressure is within {{worst-pressure}} of what CONTACT finds, the program by
+   Kalker's school that serves the field as a reference. The creep force, the friction force that
+   rolling with a little slip makes, is within {{worst-force}} of the friction limit: $\mu N$, with the
+   friction coefficient $\mu$ and the normal force $N$. This holds for patches small enough to be taken
+   as flat.
+2. **What does a fast method cost in accuracy?** One that cuts the patch into strips along the rolling
+   direction, each loaded as by Hertz's formulas (semi-Hertzian), and takes friction from Kalker's
+   simplified theory (FASTSIM) can fill tables of thousands of positions. On the same wheels it is off
+   by up to {{strips-pressure}} in the largest pressure and {{strips-force}} of the friction limit in the
+   force.
 3. **Where do methods part?** Where a second place is about to touch. At a shift of 5 mm CONTACT finds
    one patch that joins both places, and this program finds two. Neither is proved right, so this wheel
    is shown and not compared.
 :::
 
 This chapter is an **addition beyond the papers**: no paper of the book takes profiles to patches to
-forces. It joins the profiles of the chapter *hunting*, the pressures of *contact* and the rolling
-theory of *creep*.
+forces. It joins the wheel and rail profiles of [chapter 02](02-hunting.html), the pressures of
+[chapter 01](01-contact.html) and the rolling theory of [chapter 03](03-creep.html).
 
 ## The benchmark
 
-The measure is case A of the Manchester contact benchmark (Shackleton and Iwnicki 2008), as the
-open-source version of CONTACT answers it. A wheelset with the European wheel profile S1002 stands on
+The measure is case A of the Manchester contact benchmark (Shackleton and Iwnicki 2008), in its part
+A2.2 with yaw, as the open-source version of CONTACT answers it. A wheelset with the European wheel profile S1002 stands on
 rails UIC 60 that lean inwards by 1:40. It carries 20 kN, the friction coefficient $\mu$ is 0.3, and it
 rolls at 2 m/s. It is shifted sideways by 0 to 10 mm and turned about the vertical, *yawed*, by 2.4
 mrad for each millimetre of shift. That makes eleven positions and 22 wheels.
@@ -88,7 +92,8 @@ are solved in turns (`roll`) until the load is met:
 
 {{code: wheel_contact/wheel.cpp solve_full}}
 
-The pressures are those of elastic half-spaces, by the conjugate gradients of the chapter *contact*.
+The pressures are those of elastic half-spaces, by the conjugate gradients of
+[chapter 01](01-contact.html).
 
 **How does the wheel slide?** The creepages are the velocity of the rigid wheel over the rail at the
 patch, along and across, divided by the speed of rolling; spin is its rate of turning about the normal
@@ -98,7 +103,7 @@ flange spins. `motion_of` is plain kinematics:
 {{code: wheel_contact/wheel.cpp motion_of}}
 
 **Which friction follows?** On the cells that carry pressure, Kalker's full theory finds where they stick
-and slide, as in the chapter *creep*. Here it works on the patch as it is, not on an ellipse.
+and slide, as in [chapter 03](03-creep.html). Here it works on the patch as it is, not on an ellipse.
 
 ## How close it comes
 
@@ -165,6 +170,8 @@ $ railbook wheelrail contact --shift 4mm --yaw 5mrad --load 50kN --speed 30m/s
     spin                                        -0.2291 1/m
 ...
 ```
+
+{{picture: wheelrail-contact}}
 
 `railbook wheelrail table` makes the table that a vehicle program looks up.
 

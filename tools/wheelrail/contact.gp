@@ -1,6 +1,6 @@
 # The answer of `wheelrail contact`: both sections with their patches, and the pressures from above.
 load "style.gp"
-set terminal pngcairo size 1200,950
+set terminal pngcairo size 1080,860
 set output ARG2
 set multiplot layout 2,2
 set xlabel "to the right, mm"
@@ -13,7 +13,7 @@ do for [side = 1:2] {
   set autoscale
   stats ARG3 using ($1 == side ? $2 : NaN) name "Y" nooutput
   stats ARG3 using ($1 == side ? $3 : NaN) name "Z" nooutput
-  set title name(side) . ": wheel (dashed), rail, patches with their normals"
+  set title name(side) . ": wheel (dashed), rail, patches and normals"
   set ylabel "down, mm"
   set xrange [Y_mean - 40 : Y_mean + 40]
   set yrange [Z_mean + 25 : Z_mean - 25]

@@ -295,7 +295,7 @@ void extremes(report::Item& item) {
       {{"sharp-punch", "flat punch with a sharp edge, 256 x 256", "infinite pressure at the edge",
         degraded, 1.0 / 128, "closed form; the radius is known to a cell, a 128th of it"},
        sharp_punch},
-      {{"narrow-edge", "the same with an edge of .001 in radius",
+      {{"narrow-edge", "a flat punch with an edge of .001 in radius",
         "a finite peak within a strip narrower than a cell", refused},
        [] { return stated(punch(0.001 * inch), &NormalContact::p_max_error); }},
       {{"oblong", "Example 1, 64 x 512 cells", "cells some 17 times as long as wide", accurate,
