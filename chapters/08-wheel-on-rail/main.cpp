@@ -118,6 +118,8 @@ of the friction limit, shows it.
 
 {{case-a}}
 
+{{include: bank.cpp}}
+
 {{include: below.cpp}}
 
 {{include: patches.cpp}}
@@ -371,5 +373,5 @@ int main(int argc, char** argv) {
                       .paper = "Addition beyond the papers: the Manchester contact benchmark, case "
                                "A, with CONTACT's answers.",
                       .sources = RAILBOOK_CHAPTER_DIR},
-                     {opening, benchmark, below, drawn}, {study});
+                     {opening, benchmark, against_bank, below, drawn}, {study});
 }

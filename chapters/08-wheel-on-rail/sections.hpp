@@ -3,7 +3,8 @@
 
 #include <railbook/report/chapter.hpp>
 
-extern const railbook::report::Section opening;  // patches.cpp
-extern const railbook::report::Section below;    // below.cpp
-extern const railbook::report::Section drawn;    // patches.cpp
-extern const railbook::report::Section study;    // study/study.cpp
+extern const railbook::report::Section opening;       // patches.cpp
+extern const railbook::report::Section against_bank;  // bank.cpp
+extern const railbook::report::Section below;         // below.cpp
+extern const railbook::report::Section drawn;         // patches.cpp
+extern const railbook::report::Section study;         // study/study.cpp

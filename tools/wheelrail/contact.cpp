@@ -10,7 +10,9 @@ stick, the largest traction; with the full theory also the largest von Mises and
 
 The wheelset turns freely and rolls until both wheels stand at one height, unless `--slip` or `--roll` say otherwise.
 `--out` adds the cells with their pressures, tractions and the largest von Mises stress in the rail below each, the answer as JSON, and a
-figure: the sections with their patches, and the pressures seen from above. Warnings are printed above the answer: the verge of a second contact, areas that share a frame, a conformal patch. A wheel that
+figure: the sections with their patches, and the pressures seen from above. The JSON of the full theory says with
+`model_error_...` how far this program is from CONTACT over that program's test bank: mean (`bias`) and standard deviation
+(`scatter`) of ln(ours/theirs), and the number of values behind them (`count`). Warnings are printed above the answer: the verge of a second contact, areas that share a frame, a conformal patch. A wheel that
 touches at the end of a profile is refused.
 */
 
@@ -27,6 +29,7 @@ touches at the end of a profile is refused.
 #include <railbook/units/constants.hpp>
 #include <railbook/units/input_error.hpp>
 #include <railbook/units/warning.hpp>
+#include <railbook/wheel_contact/model_error.hpp>
 
 #include "tools.hpp"
 #include "wheelrail/contact_drawing.hpp"
@@ -236,6 +239,16 @@ void add_wheel(tool::Summary& answer, const Side& shown, const std::vector<Profi
   }
 }
 
+// How far the full theory's answers are from another program's, for the JSON.
+void add_model_errors(tool::Summary& answer) {
+  for (const ModelError& m : model_errors) {
+    const std::string key = fmt::format("model_error_{}_", m.key);
+    answer.add_to_json(key + "bias", m.bias, "");
+    answer.add_to_json(key + "scatter", m.scatter, "");
+    answer.add_to_json(key + "count", m.count, "");
+  }
+}
+
 void run(const Options& options) {
   tool::OutFolder out(options.out,
                       {"patches.csv", "wheelset-contact.json", "wheelset-contact.png"});
@@ -271,6 +284,7 @@ void run(const Options& options) {
   const std::array<std::vector<ProfileError>, 2> places{
       place_errors(read.left, mirrored(r.pose), r.left), place_errors(read.right, r.pose, r.right)};
   for (std::size_t k = 0; k < sides.size(); ++k) add_wheel(answer, sides[k], errors[k], places[k]);
+  if (options_of(options).method == Method::full) add_model_errors(answer);
   answer.print();
   if (out) {
     out.add("patches.csv", cells_csv(sides));
