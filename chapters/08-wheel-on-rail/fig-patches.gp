@@ -17,6 +17,8 @@ do for [k=0:4] {
   set xrange [*:*]
   set yrange [*:*]
   stats ARG1 using (column("shift_mm") == shift ? column("p_MPa") : NaN) name "p" nooutput
+  stats ARG4 using (column("shift_mm") == shift ? column("dy_mm") : NaN) name "dy" nooutput
+  stats ARG4 using (column("shift_mm") == shift ? column("dx_mm") : NaN) name "dx" nooutput
   set cbrange [0:p_max]
   set xrange [-12.5:8.5]
   set yrange [-8:8]
@@ -28,7 +30,7 @@ do for [k=0:4] {
   set colorbox horizontal user origin left+0.01,0.21 size 0.14,0.035
   set cbtics (0, p_max) format "%.0f"
   if (k == 2) { set cblabel "pressure, MPa" offset 0,0.2 } else { set cblabel " " offset 0,0.2 }
-  plot ARG1 using (column("shift_mm") == shift ? column("across_mm") : NaN):"along_mm":(0.5*column("dy_mm")):(0.5*column("dx_mm")):"p_MPa" with boxxyerror fs solid 1 noborder fc palette, \
+  plot ARG1 using (column("shift_mm") == shift ? column("across_mm") : NaN):"along_mm":(0.5*dy_max):(0.5*dx_max):"p_MPa" with boxxyerror fs solid 1 noborder fc palette, \
        ARG3 using (column("shift_mm") == shift ? column("across_mm") : NaN):"along_mm" with lines lw 1.6 dt (5,4) lc rgb red
 }
 unset multiplot

@@ -75,15 +75,17 @@ void draw_pair(report::Item& item) {
 void fig_patches(report::Item& item) {
   item.added("the benchmark is no paper of the book");
   const table::CsvTable table = item.printed("case-a.csv");
-  report::Data& cells = item.data({"shift_mm", "across_mm", "along_mm", "dy_mm", "dx_mm", "p_MPa"});
+  report::Data& cells = item.data({"shift_mm", "across_mm", "along_mm", "p_MPa"});
   report::Data& ellipse = item.data("hertz", {"shift_mm", "across_mm", "along_mm"});
+  report::Data& grids = item.data("grids", {"shift_mm", "dy_mm", "dx_mm"});
   for (const int shift : {0, 2, 4, 6, 8}) {
     const Wheel wheel = wheel_of(table, "right", shift);
     const PatchResult& p = solved(wheel, Method::full).patches.front();
     for (Index k = 0; k < p.pressure.size(); ++k)
       if (p.pressure[k] > 0)
-        cells.add(shift, p.grid.y(k / p.grid.nx) / mm, p.grid.x(k % p.grid.nx) / mm, p.grid.dy / mm,
-                  p.grid.dx / mm, p.pressure[k] / units::megapascal);
+        cells.add(shift, p.grid.y(k / p.grid.nx) / mm, p.grid.x(k % p.grid.nx) / mm,
+                  p.pressure[k] / units::megapascal);
+    grids.add(shift, p.grid.dy / mm, p.grid.dx / mm);
     const auto& strips = solved(wheel, Method::hertz).patches.front().strips.strips;
     for (const Strip& s : strips) ellipse.add(shift, s.t / mm, (s.x + s.half_length) / mm);
     for (auto s = strips.rbegin(); s != strips.rend(); ++s)
