@@ -23,7 +23,7 @@ while IFS='|' read -r name question command picture <&3; do
     printf '\n## %s: %s\n' "$subject" "$(railbook "$subject" --help | head -n 1)" >&4
     before=$subject
   fi
-  sh -c "$command" >answer 2>&1 || { echo "status $?: $command"; tail -n 5 answer; exit 1; }
+  sh -c "$command" >answer 2>errors || { echo "status $?: $command"; tail -n 5 answer errors; exit 1; } # a slow machine reports progress there
   printf '\n### railbook %s\n\n%s\n\n```sh\n%s\n```\n\n```answer\n' "$name" "$question" "$command" >&4
   sed 's/ *$//' answer >&4
   printf '```\n' >&4

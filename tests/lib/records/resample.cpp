@@ -111,6 +111,7 @@ TEST_CASE("unit: an uneven record is refused with the option, and read with it")
   };
   CHECK_THROWS_WITH(read(), Contains("--resample SPACING"));
   file.resample = 0.25;
-  // Straight lines lose (k h)^2/12 of a wave: 0.2 % at 40 samples a wave, a little more as h varies.
+  // Straight lines lose (k h)^2/12 of a wave: 0.2 % at 40 samples a wave, a little more as h
+  // varies.
   CHECK(read() == Approx(3e-3 / std::sqrt(2)).epsilon(4e-3));
 }
