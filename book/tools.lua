@@ -120,13 +120,20 @@ local function index(doc)
   return html.table("commands", {"question", "command"}, rows)
 end
 
+-- The document python.md, its examples folded.
+local function from_python(folder, book, chapters)
+  local text = document(folder, book, "python.md", chapters)
+  local first = text:find("<h3", 1, true)
+  return text:sub(1, first - 1) .. html.tag("details", {class = "more"}, html.tag("summary", nil, "Six examples with what they print") .. text:sub(first))
+end
+
 -- The page, from the documents of the folder, in the book that is made in the folder `book`.
 function tools.page(folder, book, chapters)
   local by_id = {}
   for _, c in ipairs(chapters) do by_id[c.id] = c end
   local commands, doc = document(folder, book, "commands.md", by_id)
   return table.concat({index(doc), (document(folder, book, "own-data.md", by_id)), html.tag("h2", {id = "commands"}, "Commands"), commands,
-    (document(folder, book, "many-records.md", by_id)), (document(folder, book, "python.md", by_id))}, "\n")
+    (document(folder, book, "many-records.md", by_id)), from_python(folder, book, by_id)}, "\n")
 end
 
 return tools

@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # cost.sh RAILBOOK EXAMPLES COSTS.csv compare|accept: counts the instructions of the works in works.txt with valgrind, and compares them with
 # those that COSTS.csv has, or writes it. A work that has become dearer by more than 1 % is a fault (status 1); a cheaper one is not.
-# Without valgrind, or on another machine than that of COSTS.csv (its second line: architecture, C library, compiler), nothing is
+# Without valgrind, or on another machine than that of COSTS.csv (its second line: processor, C library, compiler), nothing is
 # compared (status 77).
 set -euo pipefail
 railbook=$1 examples=$2 costs=$3 verb=$4
 here=$(cd "$(dirname "$0")" && pwd)
 command -v valgrind > /dev/null || { echo "no valgrind: not counted" && exit 77; }
-tuning="$(uname -m), $(ldd --version | sed -n '1s/.*) //;1p'), GCC $(strings -a "$railbook" | sed -n 's/^GCC: (.*) //p' | head -n 1)"
+tuning="$(uname -m) $(grep -o -m 1 -w avx2 /proc/cpuinfo || true), $(ldd --version | sed -n '1s/.*) //;1p'), GCC $(strings -a "$railbook" | sed -n 's/^GCC: (.*) //p' | head -n 1)"
 if [ "$verb" = compare ] && [ "$(sed -n '2s/^# //p' "$costs")" != "$tuning" ]; then
   echo "counted on $(sed -n '2s/^# //p' "$costs"), here is $tuning: not compared"
   exit 77
