@@ -9,8 +9,9 @@ wheels: pressing, shifting, rolling from rest, steady rolling and FASTSIM.
 
 Each case is solved twice: on the bank's own cells and in its own way, of first order in the cells; and
 on cells of half the size. Three outcomes are possible. The answer on finer cells is within 1 % of the
-bank's; or only the one on the same cells is, so that the bank's cells make the difference; or neither.
-Long histories of rolling from rest are solved on the same cells only.
+bank's; or only the one on the same cells is, so that the two programs do the same on the same cells; or
+neither. Long histories of rolling from rest, 242 cases of one sphere among them, are solved on the same
+cells only. For them the second outcome says nothing of how fine the bank's cells are.
 
 {{bank}}
 
@@ -22,7 +23,9 @@ sticks, is counted in whole cells, which on a flange are four across.
 The run draws the comparisons that stand in the chapter's data. A test solves all cases again
 and holds both the data and the table to what it finds. Not answered are layers between the bodies,
 friction that depends on slip or temperature, viscous bodies, gaps given point by point, switches and
-worn wheels, contacts of fewer than five cells, and unlike bodies whose tractions change the pressure.
+worn wheels, contacts of fewer than five cells, rolling in steps other than a cell, and unlike bodies whose
+tractions change the pressure. A wheel is left out, too, where the bank has one patch and this program two (the
+right one at 5 mm), and so is the moment of a rolling sphere, which differs for a reason that we have not found.
 Of cases with such layers or friction only the pressing is compared. Pressings that the bank repeats are
 counted once.
 
