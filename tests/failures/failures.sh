@@ -38,6 +38,7 @@ try() { # try OUT COMMAND...: OUT is what the command writes, a folder or a file
       0) diff -r out right/out >/dev/null && { [ ! -f right/file ] || cmp -s "$out" right/file; } && cmp -s text right.text ||
         fail "$*: status 0 and another answer than without call $n of $total failing" ;;
       3) diff -r out before >/dev/null && { [ ! -f right/file ] || [ "$(cat "$out")" = old ]; } ||
+        grep -qs '"failed","reason":"not enough memory"\|,failed,not enough memory' out/*-table.csv || # many rows: the one that failed says so
         fail "$*: status 3, and call $n of $total leaves $(ls -A out)" ;;
       *) fail "$*: call $n of $total ends with status $status: $(cat error)" ;;
     esac
@@ -55,12 +56,12 @@ answer psd classify track.csv
 answer quality index track.csv --speed 100km/h
 answer quality limit --speed 100km/h
 answer track joint --speed 60mph --dip 0.5in
+answer track stiffness
 figures=() # these draw none
 [ "$FAIL_CALL" = fork ] && { echo "$runs runs" && exit $bad; }
 answer creep table --ratios 2 --longitudinal 4 --lateral 4 --spin 3 --points 10
 answer quality measures track.csv
 answer quality compare track.csv later.csv
-answer track stiffness
 answer wheelrail contact --load 50kN --speed 30m/s --method strips
 answer wheelrail table --from 0mm --to 2mm --shifts 2 --speed 30m/s --load 50kN --method strips
 try sensors-2.csv filters simulate --out sensors-2.csv --length 1000ft

@@ -120,13 +120,13 @@ void simulate(Order order) {
   out[0].write(sensor_table(record, order.car.layout.sample));
   if (out.size() > 1)
     out[1].write(truth_table(truth(track, {.layout = order.car.layout}), order.car.layout.sample));
-  files::commit(out);
   tool::session().taken = std::any_of(out.begin(), out.end(),
                                       [](const auto& file) { return file.to_standard_output(); });
   tool::Summary answer{"sensors in " + order.file.string()};
   answer.add("rows", "rows", static_cast<double>(record.size()), "");
   answer.add("seed", "seed", static_cast<double>(order.seed), "");
   answer.print();
+  files::commit(out);
 }
 
 }  // namespace

@@ -98,7 +98,6 @@ void write_track(const Order& order) {
                             table::csv_number(block[i] / units::millimetre)));
     done += block.size();
   }
-  out.commit();
   tool::session().taken = out.to_standard_output();
   tool::Summary answer{"synthetic track in " + order.file.string()};
   answer.add("samples", "samples", static_cast<double>(samples), "");
@@ -106,6 +105,7 @@ void write_track(const Order& order) {
              "km");
   answer.add("seed", "seed", static_cast<double>(order.seed), "");
   answer.print();
+  out.commit();
 }
 
 }  // namespace

@@ -227,11 +227,11 @@ void add_wheel(tool::Summary& answer, const Side& shown, const std::vector<Profi
     for (const auto& [name, body] : {std::pair{"rail", &stress.rail}, {"wheel", &stress.wheel}}) {
       const std::string of = name;
       const auto both = [&](const std::string& kind, const std::string& what,
-                            const contact::LargestStress::Place& place) {
+                            const contact::LargestStress::Place& deepest) {
         add((of + "_" + kind + "_MPa").c_str(), ("  largest " + what + " in the " + of).c_str(),
-            place.value / units::megapascal, "MPa");
-        add((of + "_" + kind + "_depth_mm").c_str(), "    at a depth of", place.depth / millimetre,
-            "mm");
+            deepest.value / units::megapascal, "MPa");
+        add((of + "_" + kind + "_depth_mm").c_str(), "    at a depth of",
+            deepest.depth / millimetre, "mm");
       };
       both("von_mises", "von Mises stress", body->von_mises);
       both("shear", "shear stress", body->shear);

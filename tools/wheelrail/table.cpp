@@ -121,7 +121,7 @@ void add_errors(tool::Row& row, const Options& options, const ReadPair& read, co
       method = apart(here.force, full.force, place);
       pressure = std::abs(here.patches.front().p_max / full.patches.front().p_max - 1);
     }
-  } catch (const std::exception&) {
+  } catch (const std::runtime_error&) {
     row.flag("error-not-measured");
   }
   row.add("interpolation_error_of_mu_N", between);
@@ -195,7 +195,7 @@ std::vector<tool::Row> rows_of(const Options& options, const ReadPair& read, con
           add_answer(row, pose, r);
           add_point_flags(row, options, line, r, read.fits);
           if (rows.empty() && line.measured) add_errors(row, options, read, line, place, r);
-        } catch (const std::exception& error) {
+        } catch (const std::runtime_error& error) {  // not of a lack of memory
           row.add("refused", std::string(error.what()));
           row.flag("refused");
         }

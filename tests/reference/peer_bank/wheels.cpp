@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include <railbook/rolling/contact.hpp>
 #include <railbook/rolling/material_pair.hpp>
 #include <railbook/rolling/theory.hpp>
 #include <railbook/table/csv.hpp>
