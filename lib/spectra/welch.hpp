@@ -42,7 +42,7 @@ struct Spectrum {
 Spectrum respaced(const Spectrum& from, double spacing);
 
 // Accumulates the spectrum of samples `spacing` apart that come in any number of pieces. The state
-// is some ten segments of doubles; push() allocates nothing but a word a gap. A sample that is not
+// is some ten segments of doubles; push() keeps nothing more but a word a gap. A sample that is not
 // finite marks a gap: segments begin anew after it, and what is left before it, where the run holds
 // a segment at all, is read by a last one that ends there: it counts as much as its share of new
 // samples in a step, and its larger overlap goes into `averages` and `band_variance`. Sums are

@@ -316,9 +316,11 @@ TEST_CASE("extreme: ten million samples stream through a fixed small memory") {
   const auto chunk = noise(100000);
   spectra::Welch stream{0.3};
   stream.push(chunk);
-  const double before = resident();
+  [[maybe_unused]] const double before = resident();
   for (int i = 1; i < 100; ++i) stream.push(chunk);
+#ifndef __SANITIZE_ADDRESS__  // which keeps what FFTW frees after each transform
   CHECK(resident() - before < 1 << 20);
+#endif
   const auto spectrum = stream.spectrum();
   CHECK(spectrum.segments == (10000000 - 4096) / 2048 + 1);
   CHECK(spectrum.density.segment(2, 2000).mean() == Approx(2 * 0.3).epsilon(0.02));
