@@ -187,7 +187,7 @@ bench::Outcome by_restarts(const Kinked& f, double end, double tolerance) {
     }
     work += static_cast<double>(ode.evaluations());
     if (!ended) {
-      t = ode.t(), y = ode.y();
+      y = ode.y();
       break;
     }
     // Located on the step's polynomial, and stepped to: an error of the place counts by its square.
