@@ -109,8 +109,9 @@ void find_ends(const std::vector<CgFftLevel>& levels, const std::vector<double>&
   constexpr double order =
       1.25;  // seen: between 1 (the edge parallel to the cells) and 1.5 (averaged along it)
   const CgFftLevel& finest = levels.back();
-  // What is left of an end, in cells, depends on how the edge meets the cells of each grid. Seen in
-  // 480 contacts of Hertz of 24 to 127 cells, 1:10 to 10:1 and turned: within this in 99 of 100.
+  // What is left of an end, in cells, depends on how the edge meets the cells of each grid. Of
+  // contacts of Hertz of 24 to 127 cells, to 1:10 and turned, tests/lib/contact/ends.cpp asks for
+  // 97 in 100 within this.
   const double irregular = 0.05 + 2.5 / narrowest(finest.region);
   const auto end = [&](double Box::*side, double cell, double& error) {
     const double there = finest.region.ends.*side;
