@@ -160,13 +160,13 @@ void flag_points(tool::Summary& answer, const std::vector<ProfileFit>& fits,
       const int k = ++count[w.key];
       if (k > most) continue;
       const std::string where = stands(fit, w);
-      answer.flag(fmt::format("{}_{}_{}", key_of(fit), w.key, k),
+      answer.warn(fmt::format("{}_{}_{}", key_of(fit), w.key, k),
                   fmt::format("{} {}: {}{}", fit.what, files::quoted_name(fit.file), w.text,
                               where.empty() ? "" : "; the wheel stands there " + where));
     }
     for (const auto& [key, k] : count)
       if (k > most)
-        answer.flag(fmt::format("{}_{}s", key_of(fit), key),
+        answer.warn(fmt::format("{}_{}s", key_of(fit), key),
                     fmt::format("{} {}: {} more such places", fit.what,
                                 files::quoted_name(fit.file), k - most));
   }

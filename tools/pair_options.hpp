@@ -68,8 +68,8 @@ double tape_from_middle(const PairOptions& options);
 // "wheel_rms_mm" and its like: how well the points were met.
 void describe_fits(tool::Summary& answer, const PairOptions& options,
                    const std::vector<profiles::ProfileFit>& fits);
-// Lists the points that were left out, and flags what looks wrong with the others. `stands` says
-// where the contact stands on a doubtful place, if it does: "at shifts of 1 to 3 mm", or nothing.
+// Lists the points that were left out, and warns of what looks wrong with the others. `stands` says
+// where the contact stands on a suspected place, if it does: "at shifts of 1 to 3 mm", or nothing.
 using StandsOn = std::function<std::string(const profiles::ProfileFit& fit,
                                            const profiles::PointsWarning& warning)>;
 void flag_points(tool::Summary& answer, const std::vector<profiles::ProfileFit>& fits,

@@ -139,7 +139,7 @@ void add_record(tool::Summary& s, const records::RecordStream& r) {
 void add_warnings(tool::Summary& s, const records::RecordStream& r, const std::string& column,
                   bool several) {
   for (const units::Warning& warning : r.warnings())
-    s.flag(key_of(column, warning.key, several),
+    s.warn(key_of(column, warning.key, several),
            several ? column + ": " + warning.text : warning.text);
 }
 
@@ -152,7 +152,7 @@ void add_record(tool::Row& row, const records::RecordStream& r) {
   row.add("missing", static_cast<double>(r.missing()));
   row.add("bridged", static_cast<double>(r.bridged()));
   row.add("faulty", static_cast<double>(r.faulty()));
-  for (const units::Warning& warning : r.warnings()) row.flag(warning.key);
+  for (const units::Warning& warning : r.warnings()) row.warn(warning.key);
 }
 
 namespace {
@@ -208,7 +208,7 @@ void add_records(tool::Row& row, const std::vector<std::string>& columns, const 
   row.add("faulty", sum.faulty);
   for (std::size_t i = 0; i < records.size(); ++i)
     for (const units::Warning& warning : records[i]->warnings())
-      row.flag(key_of(columns[i], warning.key, true));
+      row.warn(key_of(columns[i], warning.key, true));
 }
 
 std::string warnings_of(const std::vector<std::string>& columns, const Records& records) {

@@ -115,7 +115,7 @@ Nothing in the paper is contradicted. Our reconstruction differs from it, or may
   Errors of a real car are larger.
 * Curvature is that of the path of the trucks. Where they weave between the rails it is wrong, and
   no sensor of the system shows this.
-* `railbook filters process` doubts the clock of a record whose median speed is below 0.5 m/s, since
+* `railbook filters process` warns of the clock of a record whose median speed is below 0.5 m/s, since
   a wrong unit of time looks like this, and then calls nothing in it good but the gage.
 
 ## Use it
@@ -149,7 +149,7 @@ $ railbook filters process sensors.csv --out mine
 
 {{picture: filters-process}}
 
-The folder `mine` then holds the geometry, a row a foot, the list of what is doubted, and a picture.
+The folder `mine` then holds the geometry, a row a foot, the list of warnings, and a picture.
 The corners of your analog filters are the options `--first-corner` and `--second-corner`.
 
 ## Try next

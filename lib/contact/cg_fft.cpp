@@ -147,7 +147,7 @@ double irregular_error(const Region& region) {
 
 // What a grid cannot say at any accuracy: a patch narrower than its cells can tell, and the peak at
 // an edge.
-void find_doubts(const Region& region, NormalContact& contact) {
+void add_warnings(const Region& region, NormalContact& contact) {
   constexpr double fewest = 5;
   const double cells = narrowest(region);
   if (cells < fewest) {
@@ -205,7 +205,7 @@ void summarise(const std::vector<CgFftLevel>& levels, bool remedy, NormalContact
   contact.force_error = error(force, finest.force);
   contact.p_max_error = error(peak, finest.p_max) + 4 * drop * drop;
   find_ends(levels, h, remedy && !finest.meets_body_edge, contact);
-  find_doubts(finest, contact);
+  add_warnings(finest, contact);
 }
 
 // Fills result.contact from the levels and the pressures on the last of them.

@@ -158,17 +158,17 @@ void print(const std::vector<Answer>& answers, const std::string& name) {
   };
   for (const char* status : {"refused", "failed"})
     if (const Tally t = tally(answers, status); t.count > 0)
-      summary.flag(status, fmt::format("{} of {} records {}; their rows say why", t.count,
+      summary.warn(status, fmt::format("{} of {} records {}; their rows say why", t.count,
                                        answers.size(), status));
-  std::size_t doubted = 0;
-  std::set<std::string> doubts;
+  std::size_t warned = 0;
+  std::set<std::string> warnings;
   for (const Answer& a : answers)
     for (const Json& row : a.rows)
-      if (const std::string flags = row.value("flags", ""); !flags.empty())
-        ++doubted, doubts.insert(flags);
-  if (doubted > 0)
-    summary.flag("doubtful", fmt::format("{} of {} rows are doubtful ({}): see their flags",
-                                         doubted, rows, fmt::join(doubts, "; ")));
+      if (const std::string keys = row.value("warnings", ""); !keys.empty())
+        ++warned, warnings.insert(keys);
+  if (warned > 0)
+    summary.warn("rows", fmt::format("{} of {} rows have warnings ({})", warned, rows,
+                                     fmt::join(warnings, "; ")));
   add("records", answers.size(), "records");
   add("answered", tally(answers, "ok").count, "  answered");
   add("refused", tally(answers, "refused").count, "  refused");

@@ -24,8 +24,8 @@ class Row {
  public:
   void add(std::string key, double value);  // NaN: nothing
   void add(std::string key, std::string text);
-  // Warnings, as Summary's: in the column "flags", joined by semicolons.
-  void flag(const std::string& key);
+  // Warnings, as Summary's: in the column "warnings", joined by semicolons.
+  void warn(const std::string& key);
 
   struct Cell {
     std::string key, text;

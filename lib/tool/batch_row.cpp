@@ -13,14 +13,14 @@ void Row::add(std::string key, std::string text) {
   cells_.push_back({std::move(key), std::move(text), 0, true});
 }
 
-void Row::flag(const std::string& key) {
+void Row::warn(const std::string& key) {
   for (Cell& cell : cells_)
-    if (cell.key == "flags") {
+    if (cell.key == "warnings") {
       if ((";" + cell.text + ";").find(";" + key + ";") != std::string::npos) return;
       cell.text += (cell.text.empty() ? "" : ";") + key;
       return;
     }
-  add("flags", key);
+  add("warnings", key);
 }
 
 }  // namespace railbook::tool

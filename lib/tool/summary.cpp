@@ -61,7 +61,7 @@ void Summary::absent(std::string key, std::string what, std::string why) {
       {Line::Kind::absent, std::move(key), std::move(what), std::move(why), "", "", 0});
 }
 
-void Summary::flag(std::string key, std::string text) {
+void Summary::warn(std::string key, std::string text) {
   warnings_.push_back({std::move(key), std::move(text)});
 }
 
@@ -72,7 +72,7 @@ void Summary::print() const {
   for (const Line& line : lines_) wide = std::max(wide, line.what.size());
   fmt::print(to, "{}\n", units::printable(title_, 1000));
   for (const auto& [key, text] : warnings_)
-    fmt::print(to, "  DOUBTFUL: {}\n", units::printable(text, 1000));
+    fmt::print(to, "  WARNING: {}\n", units::printable(text, 1000));
   for (const Line& line : lines_) {
     if (line.kind == Line::Kind::hidden) continue;
     const auto safe = [](const std::string& text) { return units::printable(text, 1000); };
@@ -111,7 +111,7 @@ std::string Summary::json() const {
                                    {"errors", errors},
                                    {"units", units},
                                    {"notes", notes},
-                                   {"flags", object(warnings_)},
+                                   {"warnings", object(warnings_)},
                                    {"program", asked.program},
                                    {"version", asked.version},
                                    {"command", asked.command},

@@ -44,9 +44,9 @@ class Summary {
   void absent(std::string key, std::string what, std::string why);
 
   // A warning that the answer stands under: "not-converged", "after 200 steps the force still
-  // changes by 3 %". Printed above all values, and under "flags" in the JSON. What is only worth
+  // changes by 3 %". Printed above all values, and under "warnings" in the JSON. What is only worth
   // knowing is a note of a value.
-  void flag(std::string key, std::string text);
+  void warn(std::string key, std::string text);
 
   const std::vector<units::Warning>& warnings() const { return warnings_; }
 
@@ -54,8 +54,8 @@ class Summary {
   // where standard output is a file's.
   void print() const;
   // {"title": ..., "values": {key: value, ...}, "errors": ..., "units": {key: unit, ...}, "notes":
-  // ..., "flags": {key: text}, "program": ..., "version": ..., "command": [...], "given": {option:
-  // text}, "assumed": {option: text}}; what is absent is null.
+  // ..., "warnings": {key: text}, "program": ..., "version": ..., "command": [...], "given":
+  // {option: text}, "assumed": {option: text}}; what is absent is null.
   std::string json() const;
 
  private:

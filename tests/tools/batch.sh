@@ -26,7 +26,7 @@ grep -q '^"runs/it.s ""5"", packed.csv.gz",ok' good/classify-table.csv || fail "
 # What is refused is a row with its reason, and the status says that not all were answered.
 classify --manifest runs/list.txt --out whole >said 2>error
 [ $? -eq 2 ] || fail "status of a table with refused records"
-grep -q "DOUBTFUL: 2 of 6 records refused" said || fail "$(cat said)"
+grep -q "WARNING: 2 of 6 records refused" said || fail "$(cat said)"
 grep -q "2 of 6 records refused; the first: \"runs/bad.csv\"" error || fail "$(cat error)"
 [ "$(grep -c ',record,' whole/classify-table.csv)" = 4 ] || fail "rows of records beside refused ones"
 grep -q '^runs/none.csv,refused,.*cannot be read: No such file' whole/classify-table.csv || fail "the reason of a refusal"

@@ -1,5 +1,5 @@
 #!/bin/sh
-# clean_profiles.sh RAILBOOK: random clean pairs of wheel and rail, of other cones, flanges, spacings and rounding: at most one in twenty has a doubt.
+# clean_profiles.sh RAILBOOK: random clean pairs of wheel and rail, of other cones, flanges, spacings and rounding: at most one in twenty has a warning.
 railbook=$1
 folder=$(mktemp -d) || exit 1
 trap 'rm -rf "$folder"' EXIT
@@ -13,7 +13,7 @@ points() {
         printf "%.6f,%.6f\n", u, quantum * int((h + noise) / quantum + (h + noise > 0 ? 0.5 : -0.5))}
       angle += step * a[k + 1]; u += step * cos(angle); h -= step * sin(angle); s += step}}'
 }
-doubted=0 pairs=${2:-20}
+warned=0 pairs=${2:-20}
 for seed in $(seq "$pairs"); do
   # shellcheck disable=SC2046 # numbers
   set -- $(awk -v s="$seed" 'BEGIN {srand(s * 7919); rand(); print 1 / (20 + 30 * rand()), 0.25 + 1.25 * rand(), 11 + 5 * rand(), 250 + 100 * rand(), rand() < 0.5 ? 0.001 : 0.0001}')
@@ -24,8 +24,8 @@ for seed in $(seq "$pairs"); do
   for command in "hunting geometry --end 4mm --step 0.1mm" "wheelrail contact --load 60kN --speed 20m/s --method strips"; do
     # shellcheck disable=SC2086 # words
     "$railbook" $command --wheel wheel.csv --rail rail.csv >said 2>&1 || { echo "pair $seed, $command: $(cat said)"; exit 1; }
-    if grep DOUBTFUL said >doubt; then echo "pair $seed, $command: $(cat doubt)"; doubted=$((doubted + 1)); fi
+    if grep WARNING said >warning; then echo "pair $seed, $command: $(cat warning)"; warned=$((warned + 1)); fi
   done
 done
-echo "$doubted of $((2 * pairs)) answers of clean profiles are doubted"
-[ "$doubted" -le $((2 * pairs / 20)) ]
+echo "$warned of $((2 * pairs)) answers of clean profiles have a warning"
+[ "$warned" -le $((2 * pairs / 20)) ]

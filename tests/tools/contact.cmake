@@ -87,5 +87,5 @@ file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/summits.csv "${rows}")
 file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/coarse.csv "${coarse}")
 contact_answers("tells three patches" "patches +3 .*patch 3: force" --body-1-profile ${CMAKE_CURRENT_BINARY_DIR}/summits.csv
                 --body-1-radius-along 0.5m --approach 20um --cells-x 400 --cells-y 60)
-contact_answers("doubts a profile of too few points" "DOUBTFUL: every second point of the profiles alone would change"
+contact_answers("warns of a profile of too few points" "WARNING: every second point of the profiles alone would change"
                 --body-1-profile ${CMAKE_CURRENT_BINARY_DIR}/coarse.csv --body-1-radius-along 0.5m --approach 20um)

@@ -60,10 +60,10 @@ foreach(case "one point|--points 1" "nothing but zeros|--mu 0 --to 0.001" "two p
 endforeach()
 # Outside of its range a theory says so above its answer, per row in the file; within, no word.
 set(curve railbook creep curve --a 6mm --b 4mm --load 80kN --points 3 --theory)
-add_test(NAME "tool: creep curve doubts Shen-Hedrick-Elkins under large spin" COMMAND ${curve} shen-hedrick-elkins --spin 200rad/m)
-add_test(NAME "tool: creep curve doubts Polach under large spin" COMMAND ${curve} polach --spin 200rad/m)
-add_test(NAME "tool: creep curve doubts Vermeulen-Johnson under spin" COMMAND ${curve} vermeulen-johnson --spin 0.01rad/m)
-add_test(NAME "tool: creep curve doubts the linear theory beyond friction" COMMAND ${curve} linear)
+add_test(NAME "tool: creep curve warns of Shen-Hedrick-Elkins under large spin" COMMAND ${curve} shen-hedrick-elkins --spin 200rad/m)
+add_test(NAME "tool: creep curve warns of Polach under large spin" COMMAND ${curve} polach --spin 200rad/m)
+add_test(NAME "tool: creep curve warns of Vermeulen-Johnson under spin" COMMAND ${curve} vermeulen-johnson --spin 0.01rad/m)
+add_test(NAME "tool: creep curve warns of the linear theory beyond friction" COMMAND ${curve} linear)
 add_test(NAME "tool: creep table counts what is outside of the range"
          COMMAND railbook creep table --theory polach --ratios 2 --spin 5 --longitudinal 3 --lateral 3 --points 20)
 foreach(test "Shen-Hedrick-Elkins under large spin|Shen, Hedrick and Elkins is for .*3 of 3 rows"
@@ -71,14 +71,14 @@ foreach(test "Shen-Hedrick-Elkins under large spin|Shen, Hedrick and Elkins is f
         "Vermeulen-Johnson under spin|Vermeulen and Johnson is for no spin" "the linear theory beyond friction|a third of what friction bears")
   string(REGEX REPLACE "[|].*" "" what "${test}")
   string(REGEX REPLACE ".*[|]" "" words "${test}")
-  set_tests_properties("tool: creep curve doubts ${what}" PROPERTIES PASS_REGULAR_EXPRESSION "DOUBTFUL: .*${words}")
+  set_tests_properties("tool: creep curve warns of ${what}" PROPERTIES PASS_REGULAR_EXPRESSION "WARNING: .*${words}")
 endforeach()
 set_tests_properties("tool: creep table counts what is outside of the range" PROPERTIES
-                     PASS_REGULAR_EXPRESSION "DOUBTFUL: Polach.*of 110 nodes and points")
-add_test(NAME "tool: creep curve does not doubt small spin" COMMAND ${curve} shen-hedrick-elkins --spin 0.2rad/m)
-add_test(NAME "tool: creep curve does not doubt the full theory" COMMAND ${curve} full --spin 0.2rad/m)
-set_tests_properties("tool: creep curve does not doubt small spin" "tool: creep curve does not doubt the full theory" PROPERTIES
-                     FAIL_REGULAR_EXPRESSION "DOUBTFUL")
+                     PASS_REGULAR_EXPRESSION "WARNING: Polach.*of 110 nodes and points")
+add_test(NAME "tool: creep curve does not warn of small spin" COMMAND ${curve} shen-hedrick-elkins --spin 0.2rad/m)
+add_test(NAME "tool: creep curve does not warn of the full theory" COMMAND ${curve} full --spin 0.2rad/m)
+set_tests_properties("tool: creep curve does not warn of small spin" "tool: creep curve does not warn of the full theory" PROPERTIES
+                     FAIL_REGULAR_EXPRESSION "WARNING")
 add_test(NAME "tool: creep curve shows the error of the moment" COMMAND ${curve} full --spin 2rad/m)
 set_tests_properties("tool: creep curve shows the error of the moment" PROPERTIES
                      PASS_REGULAR_EXPRESSION "and of the moment +[0-9.e-]+ N[*]m")

@@ -47,7 +47,7 @@ same "positions in whole metres" w.csv
 { head -1 plain.csv; body | awk -F, 'NR % 500 == 7 {$2 = -9999} {print $1 "," $2}'; } >m.csv
 same "a code for lost samples, named" m.csv --missing -9999
 same "and found" m.csv
-grep -q DOUBTFUL said || fail "a code that nobody named is not told"
+grep -q WARNING said || fail "a code that nobody named is not told"
 { head -1 plain.csv; body | awk -F, 'NR % 500 == 7 {$2 = "NV"} NR % 700 == 3 {$2 = "lost"} {print $1 "," $2}'; } >n.csv
 same "words for lost samples" n.csv --missing lost
 { echo 'Recorder 7'; echo 'line 2, track 1'; cat plain.csv; } >h.csv

@@ -42,7 +42,7 @@ set_tests_properties("tool: filters simulates a record" PROPERTIES FIXTURES_SETU
 set_tests_properties("tool: filters processes it" PROPERTIES FIXTURES_REQUIRED filters-record
                      PASS_REGULAR_EXPRESSION "runs without a gap or a turn +1\n.*gage, mean where good +143[0-9]")
 set_tests_properties("tool: filters processes it with faults" PROPERTIES FIXTURES_REQUIRED filters-record
-                     PASS_REGULAR_EXPRESSION "DOUBTFUL: 1 values beyond.*1 spikes.*rejected +2 .*turn +3\n")
+                     PASS_REGULAR_EXPRESSION "WARNING: 1 values beyond.*1 spikes.*rejected +2 .*turn +3\n")
 add_test(NAME "tool: filters names a misspelt column"
          COMMAND sh -c "sed '1s/lateral/latteral/' $1 > $2 && $0 filters process $2" $<TARGET_FILE:railbook> ${folder}/filters-sensors.csv ${folder}/filters-misspelt.csv)
 set_tests_properties("tool: filters names a misspelt column" PROPERTIES FIXTURES_REQUIRED filters-record
@@ -51,26 +51,26 @@ set_tests_properties("tool: filters processes stop and reversal" PROPERTIES
                      PASS_REGULAR_EXPRESSION "turn +3\n")
 
 # Sensors that lie: said above the answer, kept in the JSON, and no figure fails for want of values.
-function(doubts what awk expected)
+function(warns_of what awk expected)
   set(name filters-${what})
   set(drawn --no-figures)
   if(what STREQUAL dead-sensor)
     set(drawn)
   endif()
-  add_test(NAME "tool: filters doubts ${what}"
-           COMMAND sh -c "awk -F, -v OFS=, '${awk} 1' $1 > $2.csv && $0 filters process $2.csv --out $2 ${drawn} && grep -q flags $2/geometry.json"
+  add_test(NAME "tool: filters warns of ${what}"
+           COMMAND sh -c "awk -F, -v OFS=, '${awk} 1' $1 > $2.csv && $0 filters process $2.csv --out $2 ${drawn} && grep -q warnings $2/geometry.json"
                    $<TARGET_FILE:railbook> ${folder}/filters-sensors.csv ${folder}/${name})
-  set_tests_properties("tool: filters doubts ${what}" PROPERTIES FIXTURES_REQUIRED filters-record PASS_REGULAR_EXPRESSION "${expected}")
+  set_tests_properties("tool: filters warns of ${what}" PROPERTIES FIXTURES_REQUIRED filters-record PASS_REGULAR_EXPRESSION "${expected}")
 endfunction()
-doubts(frozen-sensors "NR==501{l=\$0;split(l,a,FS)} NR>501&&NR<3800{for(i=3;i<=NF;i++)\$i=a[i]}" "DOUBTFUL: vertical_left: 3[23][0-9][0-9] rows without a change.*gage, mean where good +143")
-doubts(spike "NR==2000{\$3+=1}" "DOUBTFUL: vertical_left: 1 jump of up to 1 m")
-doubts(dead-sensor "NR>1{\$6=\"nan\"}" "DOUBTFUL: inclinometer: no value at all")
-doubts(turned-sign "NR>1{\$8=-\$8}" "DOUBTFUL: roll_rate: .* its sign is turned")
-doubts(wrong-unit "NR>1{\$5/=9.80665}" "DOUBTFUL: lateral: .* in g under a header of m/s.2")
+warns_of(frozen-sensors "NR==501{l=\$0;split(l,a,FS)} NR>501&&NR<3800{for(i=3;i<=NF;i++)\$i=a[i]}" "WARNING: vertical_left: 3[23][0-9][0-9] rows without a change.*gage, mean where good +143")
+warns_of(spike "NR==2000{\$3+=1}" "WARNING: vertical_left: 1 jump of up to 1 m")
+warns_of(dead-sensor "NR>1{\$6=\"nan\"}" "WARNING: inclinometer: no value at all")
+warns_of(turned-sign "NR>1{\$8=-\$8}" "WARNING: roll_rate: .* its sign is turned")
+warns_of(wrong-unit "NR>1{\$5/=9.80665}" "WARNING: lateral: .* in g under a header of m/s.2")
 # Biases that the record itself contradicts; with them, what rests on them is not good.
-doubts(yaw-bias "NR>1{\$7+=0.5}" "DOUBTFUL: yaw_rate: .*--yaw-bias.*crosslevel, mean where good +nowhere good")
-doubts(roll-bias "NR>1{\$8+=0.5}" "DOUBTFUL: roll_rate: .*--roll-bias.*crosslevel, mean where good +nowhere good")
-doubts(vertical-bias "NR>1{\$3+=0.06}" "DOUBTFUL: vertical_left: .* above that of vertical_right.*--stages 2")
+warns_of(yaw-bias "NR>1{\$7+=0.5}" "WARNING: yaw_rate: .*--yaw-bias.*crosslevel, mean where good +nowhere good")
+warns_of(roll-bias "NR>1{\$8+=0.5}" "WARNING: roll_rate: .*--roll-bias.*crosslevel, mean where good +nowhere good")
+warns_of(vertical-bias "NR>1{\$3+=0.06}" "WARNING: vertical_left: .* above that of vertical_right.*--stages 2")
 add_test(NAME "tool: filters refuses sensors that all stand still"
          COMMAND sh -c "awk -F, -v OFS=, 'NR==2{split(\$0,a,FS)} NR>2{for(i=3;i<=NF;i++)\$i=a[i]} 1' $1 > $2.csv && exec $3 'nothing can be measured' $0 filters process $2.csv --screen still"
                  $<TARGET_FILE:railbook> ${folder}/filters-sensors.csv ${folder}/filters-still ${CMAKE_CURRENT_SOURCE_DIR}/refuses.sh)
@@ -105,12 +105,12 @@ target_link_libraries(corners_at_a_tenth PRIVATE railbook_flags railbook_geometr
                       railbook_report railbook_plot)
 add_test(NAME "chapter: 04-filters follows its corners" COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/filters/corners_at_a_tenth.sh
          $<TARGET_FILE:corners_at_a_tenth> ${PROJECT_BINARY_DIR}/ctest/corners-at-a-tenth ${PROJECT_SOURCE_DIR}/figures/04-filters)
-# Joints of rails and a coarse gyro are no faults of sensors: a profile is good where it was, and nothing is doubted.
+# Joints of rails and a coarse gyro are no faults of sensors: a profile is good where it was, and no warning is printed.
 add_test(NAME "tool: filters process keeps joints"
          COMMAND sh -c "$0 filters simulate --out $1-dip.csv --length 2000m --speeds 60mph --dip 30mm && $0 filters process $1-dip.csv"
                  $<TARGET_FILE:railbook> ${folder}/filters)
 set_tests_properties("tool: filters process keeps joints" PROPERTIES PASS_REGULAR_EXPRESSION "profile_left, mean where good .*good (8[5-9]|9[0-9])"
-                     FAIL_REGULAR_EXPRESSION "DOUBTFUL|profile_left, mean where good +nowhere")
+                     FAIL_REGULAR_EXPRESSION "WARNING|profile_left, mean where good +nowhere")
 add_test(NAME "tool: filters process keeps a coarse gyro on straight track"
          COMMAND sh -c "$0 filters simulate --out $1-straight.csv --length 2000m --speeds 60mph --superelevation 0m --curvature 0rad/m --line-roughness 1e-9m^2*cycle/m --dip 0m && awk -F, -v OFS=, 'NR>1{q=\$7/0.05;\$7=0.05*int(q+(q<0?-.5:.5))} 1' $1-straight.csv >$1-coarse.csv && $0 filters process $1-coarse.csv"
                  $<TARGET_FILE:railbook> ${folder}/filters)

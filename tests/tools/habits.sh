@@ -30,7 +30,7 @@ said 0 'Example: ' psd classify --help
 "$railbook" quality limit --speed 100km/h --json >out 2>err || fail "json"
 [ -s err ] && fail "json, and $(cat err)"
 head -c 1 out | grep -q '{' || fail "no JSON: $(head -3 out)"
-for key in '"program": "railbook"' '"version": "' '"command": \[' '"given": {' '"assumed": {' '"speed": "100km/h"' '"flags": {'; do
+for key in '"program": "railbook"' '"version": "' '"command": \[' '"given": {' '"assumed": {' '"speed": "100km/h"' '"warnings": {'; do
   grep -q "$key" out || fail "JSON without $key"
 done
 "$railbook" creep curve --a 6mm --b 4mm --load 80kN --points 3 --json >out || fail "json"

@@ -1,6 +1,6 @@
 #!/bin/bash
 # hostile.sh RAILBOOK EXAMPLES: hostile and clumsy inputs. Each must be refused with status 2 and a reason, or answered; where the
-# line says "doubt", an answer must stand under a doubt or be refused. No signal, no hang, no library's own words.
+# line says "warn", an answer must carry a warning or be refused. No signal, no hang, no library's own words.
 railbook=$1 examples=$2
 folder=$(mktemp -d) || exit 1
 trap 'rm -rf "$folder"' EXIT
@@ -9,7 +9,7 @@ ulimit -v 4000000 2>/dev/null
 ulimit -c 0 -t 30
 runs=0 failed=0
 bad() { echo "BAD: $*"; echo "${said:0:600}"; failed=1; }
-try() { # try WISH arguments...: WISH is refuse, doubt or any
+try() { # try EXPECTED arguments...: EXPECTED is refuse, warn or any
   wish=$1
   shift
   runs=$((runs + 1))
@@ -25,7 +25,7 @@ try() { # try WISH arguments...: WISH is refuse, doubt or any
   esac
   [ ${#said} -lt 20000 ] || [ $status = 0 ] || bad "a message of ${#said} bytes: $*"
   case $wish-$status-$said in
-    refuse-2-* | doubt-2-* | any-[02]-* | doubt-0-*DOUBTFUL*) ;;
+    refuse-2-* | warn-2-* | any-[02]-* | warn-0-*WARNING*) ;;
     *) bad "status $status, not $wish: $*" ;;
   esac
 }
@@ -53,7 +53,7 @@ printf 'PK\x03\x04zipzip\n1,2\n' | file zip refuse
 { printf 'distance_m,profile_mm\n'; rows | sed '50s/,.*/,0x12/'; } | file hex refuse
 { printf 'distance_m,profile_mm\n'; rows | sed '50s/,.*/,1.2.3/'; } | file dots refuse
 { printf 'distance_m,profile_mm\n'; rows | sed '50s/,.*/,1 2/'; } | file blankin refuse
-{ printf 'distance_m,profile_mm\n'; rows | sed '50s/^[^,]*/nan/'; } | file nowhere doubt
+{ printf 'distance_m,profile_mm\n'; rows | sed '50s/^[^,]*/nan/'; } | file nowhere warn
 { printf 'distance_m,profile_mm\n'; rows | sed '50s/^[^,]*/1e300/'; } | file far refuse
 { printf 'distance_m,profile_mm\n'; rows | sed '50s/^[^,]*/-5/'; } | file back refuse
 { printf 'distance_m,profile_mm\n'; rows | shuf --random-source=good.csv; } | file shuffled refuse
@@ -68,13 +68,13 @@ printf 'PK\x03\x04zipzip\n1,2\n' | file zip refuse
 { printf 'distance_m,profile_mm,profile_mm\n'; rows | sed 's/$/,1/'; } | file same refuse
 { printf 'a;b,c\n'; rows; } | file mixed refuse
 { printf 'distance_m;profile_mm\n'; rows | awk -F, '{print $1 ";" (NR == 9 ? "1,5" : $2)}'; } | file commas refuse
-{ printf 'distance_m,profile_mm\n'; rows | awk -F, 'NR % 40 == 3 {$2 = -9999} {print $1 "," $2}'; } | file code doubt
-{ printf 'distance_m,profile_mm\n'; rows | awk -F, 'NR == 700 {$2 += 900} {print $1 "," $2}'; } | file outlier doubt
-{ printf 'distance_m,profile_mm\n'; rows | awk -F, 'NR > 7000 {$2 += 900} {print $1 "," $2}'; } | file step doubt
-{ printf 'distance_m,profile_mm\n'; rows | awk -F, 'NR > 5000 && NR < 7000 {$2 = 3} {print $1 "," $2}'; } | file stuck doubt
-{ printf 'distance_m,profile_mm\n'; rows | awk -F, '{print $1 "," $2 / 1000}'; } | file metres doubt
-{ printf 'distance_m,profile_m\n'; rows; } | file millimetres doubt
-{ printf 'distance_m,profile_mm\n'; rows | awk -F, 'NR > 6000 {$1 += ($1 - 1800) * 0.01} {print $1 "," $2}'; } | file slip doubt
+{ printf 'distance_m,profile_mm\n'; rows | awk -F, 'NR % 40 == 3 {$2 = -9999} {print $1 "," $2}'; } | file code warn
+{ printf 'distance_m,profile_mm\n'; rows | awk -F, 'NR == 700 {$2 += 900} {print $1 "," $2}'; } | file outlier warn
+{ printf 'distance_m,profile_mm\n'; rows | awk -F, 'NR > 7000 {$2 += 900} {print $1 "," $2}'; } | file step warn
+{ printf 'distance_m,profile_mm\n'; rows | awk -F, 'NR > 5000 && NR < 7000 {$2 = 3} {print $1 "," $2}'; } | file stuck warn
+{ printf 'distance_m,profile_mm\n'; rows | awk -F, '{print $1 "," $2 / 1000}'; } | file metres warn
+{ printf 'distance_m,profile_m\n'; rows; } | file millimetres warn
+{ printf 'distance_m,profile_mm\n'; rows | awk -F, 'NR > 6000 {$1 += ($1 - 1800) * 0.01} {print $1 "," $2}'; } | file slip warn
 { printf 'distance_m,profile_mm\n'; rows | awk -F, 'NR > 6000 {$1 += ($1 - 1800) * 0.3} {print $1 "," $2}'; } | file wheel refuse
 printf 'distance_m,%s\n0,1\n' "$(head -c 70000 /dev/zero | tr '\0' x)" | file longname refuse
 printf 'distance_m,\033[31mprofile_mm\n0,1\n' | file escape refuse

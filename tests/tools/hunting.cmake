@@ -126,9 +126,9 @@ foreach(case "45 cn 0.3 13\\.7[78].* 16\\.14.* 13\\.50.* 16\\.12.*21\\.7[34]"
        "straight run at ${CMAKE_MATCH_1} m/s +unstable.*found in time.*${CMAKE_MATCH_4}.*; stable" cycle --pair ${CMAKE_MATCH_2}
        --wheel-rail-friction ${CMAKE_MATCH_3} --speed ${CMAKE_MATCH_1}m/s --patience 2)
 endforeach()
-says("cycle says where nothing stable was found" "DOUBTFUL: at 44 m/s the straight run and every cycle found are unstable.*derailed"
+says("cycle says where nothing stable was found" "WARNING: at 44 m/s the straight run and every cycle found are unstable.*derailed"
      cycle --pair cn --speed 44m/s)
-says("cycle says at which speeds nothing stable was found" "DOUBTFUL: from 42\\.[0-9]* to 45\\.[0-9]* m/s the straight run" cycle --pair cn)
+says("cycle says at which speeds nothing stable was found" "WARNING: from 42\\.[0-9]* to 45\\.[0-9]* m/s the straight run" cycle --pair cn)
 # The torus by a finer tail and finer multipliers: 42.307 m/s.
 says("cycle says how well a torus is known" "torus +42\\.3[01] [+]- 0\\.0[1-6] m/s" cycle --pair cn --largest-amplitude 12mm)
 refuses(hunting "cycle: a datum without a speed" "give --speed" cycle --against warp-stiffness)
@@ -136,15 +136,15 @@ refuses(hunting "cycle: a datum that no car has" "against" cycle --speed 40m/s -
 # Profiles: rounded inches, noise of 20 micrometres, over-smoothing.
 says("geometry shows the scatter" "points to smoothed profile, rms +0.00.*scatter of the points" geometry
      --wheel worn-wheel.csv --rail new-rail.csv)
-does_not_say("geometry flags no clean profile" "DOUBTFUL" geometry --wheel ${bad}/fine-wheel.csv --rail
+does_not_say("geometry does not warn of a clean profile" "WARNING" geometry --wheel ${bad}/fine-wheel.csv --rail
              ${bad}/fine-rail.csv --end 8mm --step 0.05mm)
-says("geometry flags rounding met exactly" "DOUBTFUL: conicity at 1 mm" geometry --wheel ${bad}/rounded-wheel.csv --rail
+says("geometry warns of rounding met exactly" "WARNING: conicity at 1 mm" geometry --wheel ${bad}/rounded-wheel.csv --rail
      ${bad}/rounded-rail.csv --noise 0mm)
-says("geometry flags a profile smoothed away" "DOUBTFUL: .*conicity at 3 mm depends" geometry --wheel worn-wheel.csv
+says("geometry warns of a profile smoothed away" "WARNING: .*conicity at 3 mm depends" geometry --wheel worn-wheel.csv
      --rail new-rail.csv --noise 0.5mm)
-says("speed flags a profile smoothed away" "DOUBTFUL: the first critical speed depends" speed --wheel worn-wheel.csv
+says("speed warns of a profile smoothed away" "WARNING: the first critical speed depends" speed --wheel worn-wheel.csv
      --rail new-rail.csv --noise 0.5mm)
-says("geometry tells points that go back" "DOUBTFUL: .*no points at -33\\.78 to -30\\.28 mm across.*left out +6 points" geometry
+says("geometry tells points that go back" "WARNING: .*no points at -33\\.78 to -30\\.28 mm across.*left out +6 points" geometry
      --wheel ${bad}/backwards.csv --rail worn-rail.csv)
 says("geometry takes a right wheel of its own" "runs about +[-0-9.]+ mm.*conicity at 1 mm, level axle" geometry --level
      --wheel worn-wheel.csv --rail new-rail.csv --right-wheel new-wheel.csv --end 8mm --step 0.05mm)
@@ -154,7 +154,7 @@ says("cycle with a right wheel of its own" "at rest the wheelsets stand.*about +
      cycle --wheel worn-wheel.csv --rail new-rail.csv --right-wheel new-wheel.csv --noise 0.003mm --largest-amplitude 2mm --speed 42.75m/s)
 says("cycle with the full theory's creep" "full theory, round contact.*fold +31\\.4[0-9]* [+]- [0-9.e-]+ m/s.*L/V" cycle --pair cn --wheel-rail-friction 0.3
      --creep-law full --speed 110ft/s --largest-amplitude 0.44in)
-does_not_say("speed doubts no critical speed that is not there" "depends on the smoothing" speed --wheel worn-wheel.csv --rail new-rail.csv --lowest 10m/s --highest 20m/s)
+does_not_say("speed warns of no critical speed that is not there" "depends on the smoothing" speed --wheel worn-wheel.csv --rail new-rail.csv --lowest 10m/s --highest 20m/s)
 refuses(hunting "speed: a damper where friction damps" "railbook: vertical-damper is for --suspension dampers" speed --suspension friction
         --vertical-damper 20kN*s/m)
 refuses(hunting "cycle: a right wheel without a left one" "the left ones" cycle --right-wheel new-wheel.csv)

@@ -58,22 +58,22 @@ psd_refuses_track("a chord blind to the rail" "does not see a rail" classify ${f
 psd_refuses_track("old rails with the line of the new" "have a line on that of the rail" classify ${folder}/psd-track.csv --foreign 78ft)
 psd_refuses_track("results in a file's place" "cannot be written" classify ${folder}/psd-track.csv --out ${folder}/psd-track.csv)
 
-# A profile passed off as chord offsets is doubted, gets no class, and is drawn with the blind places left out.
-add_test(NAME "tool: psd doubts a profile passed off as a chord's record"
+# A profile passed off as chord offsets causes a warning, gets no class, and is drawn with the blind places left out.
+add_test(NAME "tool: psd warns of a profile passed off as a chord's record"
          COMMAND railbook psd classify ${folder}/psd-track.csv --chord 62ft --out ${folder}/psd-chord)
-set_tests_properties("tool: psd doubts a profile passed off as a chord's record" PROPERTIES
-                     FIXTURES_REQUIRED psd-track PASS_REGULAR_EXPRESSION "DOUBTFUL: residuals [0-9.]+ times.*class +none")
+set_tests_properties("tool: psd warns of a profile passed off as a chord's record" PROPERTIES
+                     FIXTURES_REQUIRED psd-track PASS_REGULAR_EXPRESSION "WARNING: residuals [0-9.]+ times.*class +none")
 
 # Rails of 25 m are seen, and taken instead of the default; they contradict one that is named.
 add_test(NAME "tool: psd synthesizes long rails" COMMAND railbook psd synthesize ${folder}/psd-25m.csv --rail 25m
          --length 20km --spacing 25cm --roughness 5e-7m^2*cycle/m --corner 0.13cycle/m --dip 11mm)
 add_test(NAME "tool: psd sees long rails" COMMAND railbook psd classify ${folder}/psd-25m.csv)
-add_test(NAME "tool: psd doubts the rails named" COMMAND railbook psd classify ${folder}/psd-25m.csv --rail 39ft)
+add_test(NAME "tool: psd warns of the rails named" COMMAND railbook psd classify ${folder}/psd-25m.csv --rail 39ft)
 set_tests_properties("tool: psd synthesizes long rails" PROPERTIES FIXTURES_SETUP psd-25m)
 set_tests_properties("tool: psd sees long rails" PROPERTIES FIXTURES_REQUIRED psd-25m PASS_REGULAR_EXPRESSION
-                     "DOUBTFUL: the spectrum shows rails of (24\\.9|25\\.|25 m).*class +4 ")
-set_tests_properties("tool: psd doubts the rails named" PROPERTIES FIXTURES_REQUIRED psd-25m
-                     PASS_REGULAR_EXPRESSION "DOUBTFUL: the spectrum shows rails of .*not of 11\\.89 m")
+                     "WARNING: the spectrum shows rails of (24\\.9|25\\.|25 m).*class +4 ")
+set_tests_properties("tool: psd warns of the rails named" PROPERTIES FIXTURES_REQUIRED psd-25m
+                     PASS_REGULAR_EXPRESSION "WARNING: the spectrum shows rails of .*not of 11\\.89 m")
 add_test(NAME "tool: quality refuses a spacing that the positions contradict" COMMAND
          ${CMAKE_CURRENT_SOURCE_DIR}/refuses.sh "spacing is given as 1 m, but the positions are 0.25" ${bin} quality
          index ${folder}/psd-25m.csv --speed 100km/h --spacing 1m)

@@ -55,7 +55,7 @@ quality_answers("index names the limit" "at 10400\\.0 m, wavelength 12\\.[0-9] m
                 index track.csv --column crosslevel --speed 100km/h --car freight.toml)
 quality_answers("index by segment" "segments +10 .*of 200 m.*repair +4 "
                 index track.csv --column crosslevel --speed 100km/h --car freight.toml)
-quality_answers("index of pieces between gaps says so" "DOUBTFUL: the descriptor is mostly guessed"
+quality_answers("index of pieces between gaps says so" "WARNING: the descriptor is mostly guessed"
                 index ${bad}/pieces.csv --speed 100km/h --bridge 0)
 quality_answers("index of lone samples" "wavelength 3\\.[0-9] m, wheel force, unsure"
                 index ${bad}/lone.csv --speed 100km/h --car freight.toml --threshold 0.001 --accept 0.001 --bridge 0)

@@ -31,11 +31,11 @@ measures code.csv --fra-class 4 --out out || fail "a code"
 awk -F, 'NR == 1 {for (i = 1; i <= NF; ++i) c[$i] = i; next} ($c["fra_class"] == "nan") != ($1 == 400) {exit 1}' out/measures.csv || fail "a class: $(cat out/measures.csv)"
 measures code.csv --fra-class 4 --screen none --out out && [ "$(value faulty)" = 0.0 ] || fail "--screen none"
 
-# The doubts and losses of each column, and gauge, cross level and warp against their limits.
+# The warnings and losses of each column, and gauge, cross level and warp against their limits.
 awk "$track"' BEGIN {print "distance_m,left_mm,right_mm,gauge_mm,cant_mm"; for (i = 0; i < 8000; ++i) {x = i / 4; d = x < 1500 ? 1500 - x : x - 1500; dip = d < 0.75 ? 12 * (1 - d / 0.75) : 0
   printf "%.2f,%.3f,%s,%.3f,%.3f\n", x, track(x), i == 500 ? "" : sprintf("%.3f", track(x + 3) - dip), 1435 + 0.5 * sin(x / 3) + (x > 700 && x < 702 ? 40 : 0), (x > 1100 && x < 1105 ? 70 : 0) + 0.7 * sin(x / 5)}}' >all.csv
 measures all.csv --column left,right --gauge gauge --crosslevel cant --fra-class 3 --out out || fail "all columns"
-for key in right_outliers gauge_; do grep -q "\"$key" out/measures.json || fail "no doubt of $key"; done
+for key in right_outliers gauge_; do grep -q "\"$key" out/measures.json || fail "no warning of $key"; done
 grep -q 'right,outliers,1499' out/warnings.csv || fail "no row of the right rail"
 grep -q '^gauge,gauge,,700.25,.*,1466.85$' out/exceptions.csv || fail "gauge"
 grep -q '^cant,crosslevel,,1100.25,' out/exceptions.csv && grep -q '^cant,warp,62,1100.25,' out/exceptions.csv || fail "cross level and warp"
@@ -116,10 +116,10 @@ refuses "1760" beyond.csv --distance Pos --distance-unit mi.yd
 # Columns that are filtered, or offsets of a chord, by their names; waves beyond 25 m that are not there.
 awk "$track"' BEGIN {print "distance_m,Left level D1 [mm],left_mco_62_ft (mm),plain_mm,short_mm"; for (i = 0; i < 8000; ++i) {x = i / 4
   short = sin(x / 2.6) + sin(x / 1.7) + sin(x / 0.9) + 0.15 * sin(x / 5.5); printf "%.2f,%.4f,%.4f,%.4f,%.4f\n", x, track(x), (x > 800 && x < 801 ? 40 : 0) + track(x), track(x), short}}' >named.csv
-measures named.csv --column "Left level D1" --out out && grep -q 'DOUBTFUL: .*filtered to D1 already, by its name' said || fail "a column named D1"
-measures named.csv --column short --out out && grep -q 'DOUBTFUL: .*hardly any waves longer than 25 m' said || fail "a column filtered to D1"
-measures named.csv --column plain --out out && ! grep -q DOUBTFUL said || fail "a column of any name"
-measures named.csv --column 3 --fra-class 4 --out out && grep -q 'DOUBTFUL: .*offset of a chord, by its name' said || fail "a column of offsets"
+measures named.csv --column "Left level D1" --out out && grep -q 'WARNING: .*filtered to D1 already, by its name' said || fail "a column named D1"
+measures named.csv --column short --out out && grep -q 'WARNING: .*hardly any waves longer than 25 m' said || fail "a column filtered to D1"
+measures named.csv --column plain --out out && ! grep -q WARNING said || fail "a column of any name"
+measures named.csv --column 3 --fra-class 4 --out out && grep -q 'WARNING: .*offset of a chord, by its name' said || fail "a column of offsets"
 [ "$(value exceptions)" = null ] && awk -F, 'NR == 1 {for (i = 1; i <= NF; ++i) c[$i] = i; next} $c["fra_class"] != "nan" {exit 1}' out/measures.csv || fail "a class of the offsets of offsets"
 measures named.csv --column 3 --chord 62ft --fra-class 4 --out out && ! grep -q 'by its name' said || fail "the chord of a column of offsets"
 awk -F, 'NR == 2 {exit !($2 == "profile" && $7 > 38 && $7 < 42 && $4 > 800 && $4 < 801 && $5 <= 801)} NR > 2 {exit 1}' out/exceptions.csv || fail "offsets against their limit: $(cat out/exceptions.csv)"
@@ -131,12 +131,12 @@ measures named.csv --column 3 --chord 31ft --fra-class 4 --out out && [ "$(value
 [ "$(value rail_m said)" = null ] && near "A of jointless track" "$(value A said)" 2e-7 3e-8 || fail "--no-rail"
 "$railbook" psd classify smooth.csv --rail 500m >said 2>&1; grep -q -e "--no-rail" said || fail "the refusal does not name --no-rail"
 
-# Clean records, of any roughness: at most one in twenty has a doubt.
-doubted=0
+# Clean records, of any roughness: at most one in twenty has a warning.
+warned=0
 for seed in $(seq 1 40); do
   "$railbook" psd synthesize clean.csv --length 1500m --spacing 25cm --seed "$seed" --roughness "$((seed * seed))e-9m^2*cycle/m" --corner 0.1cycle/m --noise "0.0$((seed % 7))mm" --dip "$((seed % 3 * 2))mm" >said 2>&1 || fail "synthesize"
   measures clean.csv --fra-class 5 --out out || fail "seed $seed"
-  grep -q DOUBTFUL said && doubted=$((doubted + 1))
+  grep -q WARNING said && warned=$((warned + 1))
 done
-[ $doubted -le 2 ] || fail "$doubted of 40 clean records are doubted"
+[ $warned -le 2 ] || fail "$warned of 40 clean records have a warning"
 exit 0

@@ -11,7 +11,7 @@ answers() {
   to=$1
   shift
   "$railbook" "$subject" "$@" --no-figures --out "$to" --json >"$to.json" 2>said || fail "$*: $(cat said)"
-  sed '/"flags": {/q' "$to.json" | grep '^  "[^"]* [^"]*": ' && fail "$*: a key with a space in it"
+  sed '/"warnings": {/q' "$to.json" | grep '^  "[^"]* [^"]*": ' && fail "$*: a key with a space in it"
 }
 # draws FOLDER arguments...: as answers, with a gnuplot that leaves what it is given to draw in FOLDER.drawn/1/d1.csv and so on.
 draws() {
@@ -40,27 +40,27 @@ holds() {
 }
 # means FOLDER PROGRAM assignments...: an awk program over the answer's values v[key], errors[key], notes[key] and units[key]. is(key, expected, within)
 # compares, relative to the expected value and to 1e-6 where nothing else is said; says(key, pattern) looks into a text or a note,
-# doubts(key, pattern) into a doubt.
-# Every value must be named by one of them or by free(keys); flags(keys) names all the doubts.
+# warns(key, pattern) into a warning.
+# Every value must be named by one of them or by free(keys); warnings(keys) names all the warnings.
 functions=
 means() {
   answer=$1.json program=$2
   shift 2
   # shellcheck disable=SC2046 # one word each
-  sed -n 's/^ "\(values\|errors\|units\|notes\|flags\)": {.*/\1/p; s/,$//; s/^  "\([^"]*\)": "\{0,1\}\(.*[^"]\)"\{0,1\}$/\1\t\2/p; /^ "program"/q' "$answer" |
+  sed -n 's/^ "\(values\|errors\|units\|notes\|warnings\)": {.*/\1/p; s/,$//; s/^  "\([^"]*\)": "\{0,1\}\(.*[^"]\)"\{0,1\}$/\1\t\2/p; /^ "program"/q' "$answer" |
     awk $(for one in "$@"; do echo "-v $one"; done) -F'\t' "$functions"'function abs(x) {return x < 0 ? -x : x}
     function bad(text) {print text; wrong++}
     function is(key, x, within) {named[key]; if (within == "") within = 1e-6
       if (!(key in v) || !(abs(v[key] - x) <= within * (x == 0 ? 1 : abs(x)))) bad(key " is " v[key] ", not " x)}
     function says(key, pattern) {named[key]; if ((v[key] " | " notes[key]) !~ pattern) bad(key " does not say " pattern ": " v[key] " | " notes[key])}
     function free(keys, all, n) {n = split(keys, all, " "); for (; n > 0; --n) {named[all[n]]; if (!(all[n] in v)) bad("no " all[n])}}
-    function doubts(key, pattern) {expected[key]; if (flag[key] !~ pattern) bad("doubt " key " does not say " pattern ": " flag[key])}
-    function flags(keys, all, n) {n = split(keys, all, " "); for (; n > 0; --n) {expected[all[n]]; if (!(all[n] in flag)) bad("no doubt " all[n])}}
+    function warns(key, pattern) {expected[key]; if (flag[key] !~ pattern) bad("warning " key " does not say " pattern ": " flag[key])}
+    function warnings(keys, all, n) {n = split(keys, all, " "); for (; n > 0; --n) {expected[all[n]]; if (!(all[n] in flag)) bad("no warning " all[n])}}
     NF == 1 {section = $1; next}
-    section == "values" {v[$1] = $2; ++rows} section == "errors" {errors[$1] = $2} section == "units" {units[$1] = $2} section == "notes" {notes[$1] = $2} section == "flags" {flag[$1] = $2}
+    section == "values" {v[$1] = $2; ++rows} section == "errors" {errors[$1] = $2} section == "units" {units[$1] = $2} section == "notes" {notes[$1] = $2} section == "warnings" {flag[$1] = $2}
     END {pi = 3.14159265358979; '"$program"'
       for (key in v) if (!(key in named)) bad(key " is not asked for: " v[key])
-      for (key in flag) if (!(key in expected)) bad("doubt " key ": " flag[key])
+      for (key in flag) if (!(key in expected)) bad("warning " key ": " flag[key])
       exit wrong > 0 || rows == 0}' >said || fail "$answer: $(head -9 said)"
 }
 

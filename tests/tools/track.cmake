@@ -102,21 +102,21 @@ add_test(NAME "tool: track joint takes a profile"
                  --out ${PROJECT_BINARY_DIR}/ctest/track-profile)
 set_tests_properties("tool: track joint answers" PROPERTIES PASS_REGULAR_EXPRESSION "p1_kN\": 178\\.182")
 
-# passes(WHAT PATTERN arguments...), and the same where no line of doubt may stand.
+# passes(WHAT PATTERN arguments...), and the same where no warning may stand.
 function(track_says what pattern)
   add_test(NAME "tool: track ${what}" COMMAND railbook track ${ARGN})
   set_tests_properties("tool: track ${what}" PROPERTIES PASS_REGULAR_EXPRESSION ${pattern})
 endfunction()
 function(track_is_sure_of what)
   add_test(NAME "tool: track is sure of ${what}" COMMAND railbook track ${ARGN})
-  set_tests_properties("tool: track is sure of ${what}" PROPERTIES FAIL_REGULAR_EXPRESSION "DOUBTFUL|railbook:")
+  set_tests_properties("tool: track is sure of ${what}" PROPERTIES FAIL_REGULAR_EXPRESSION "WARNING|railbook:")
 endfunction()
-track_says("flags ties 6 m apart" "DOUBTFUL: the ties are too far apart for eq. .2."
+track_says("warns of ties 6 m apart" "WARNING: the ties are too far apart for eq. .2."
            stiffness --tie-spacing 6m)
 track_is_sure_of("typical ties" stiffness)
-track_says("flags a coarse joint" "DOUBTFUL: the profile's samples are too far apart"
+track_says("warns of a coarse joint" "WARNING: the profile's samples are too far apart"
            joint --speed 60mph --profile ${profiles}/coarse.csv)
-track_says("flags a profile of few samples" "DOUBTFUL: a profile of 5 samples"
+track_says("warns of a profile of few samples" "WARNING: a profile of 5 samples"
            joint --speed 60mph --profile ${profiles}/few.csv)
 track_is_sure_of("a hollow" joint --speed 30m/s --profile ${profiles}/hollow.csv)
 track_is_sure_of("a dip" joint --speed 60mph --dip 0.5in)

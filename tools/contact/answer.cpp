@@ -42,24 +42,25 @@ void judge_half_space(const Options& options, const Solved& solved, tool::Summar
     }
   }
   if (largest >= 0.2)
-    answer.flag(
+    answer.warn(
         "half-space",
-        fmt::format("the contact reaches {:.2g} of a radius: beyond 0.2 half spaces are doubtful",
-                    largest));
+        fmt::format(
+            "the contact reaches {:.2g} of a radius: beyond 0.2 half-spaces are a rough model",
+            largest));
 }
 
 void judge_errors(const Solved& solved, tool::Summary& answer) {
   if (!solved.result.contact.reason.empty())
-    answer.flag("resolution", solved.result.contact.reason);
+    answer.warn("resolution", solved.result.contact.reason);
   const NormalContact& c = solved.result.contact;
   if (c.reason.empty() && !(c.force_error < 0.5 && c.p_max_error < 0.5))
-    answer.flag("cells", "too few cells for an error: give more with --cells-x and --cells-y");
+    answer.warn("cells", "too few cells for an error: give more with --cells-x and --cells-y");
   else if (c.reason.empty() && !(c.force_error < 0.05 && c.p_max_error < 0.05))
-    answer.flag("cells", fmt::format("the error may be {:.0f} % of the force and {:.0f} % of the "
+    answer.warn("cells", fmt::format("the error may be {:.0f} % of the force and {:.0f} % of the "
                                      "peak pressure: give more cells",
                                      100 * c.force_error, 100 * c.p_max_error));
   if (solved.profile_force_error > 3e-4 || solved.profile_p_max_error > 0.01)
-    answer.flag(
+    answer.warn(
         "profile",
         std::isfinite(solved.profile_force_error)
             ? fmt::format(
@@ -70,7 +71,7 @@ void judge_errors(const Solved& solved, tool::Summary& answer) {
   const double scatter = solved.scatter_force_error();
   if (std::isfinite(solved.profile_force_error) && scatter > 3e-4 &&
       scatter > solved.profile_force_error)
-    answer.flag("scatter",
+    answer.warn("scatter",
                 fmt::format("the points of the profiles scatter, or are rounded, so that their "
                             "first touch may be off by {:.1g} um, and the force at an approach by "
                             "{:.1e} of it: smoother points, or more digits, are needed",

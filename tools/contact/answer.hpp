@@ -65,7 +65,7 @@ struct Solved {
   double scatter_force_error() const { return 1.5 * touch_scatter / result.contact.approach; }
 };
 
-// The table, with its doubts: a contact as large as a fifth of a radius, narrower than a few cells, at an edge, profiles
+// The table, with its warnings: a contact as large as a fifth of a radius, narrower than a few cells, at an edge, profiles
 // with too few points. Throws InputError for a contact as large as a radius.
 tool::Summary answer(const Options& options, const Solved& solved);
 

@@ -35,7 +35,7 @@ CSV, the summary as JSON, and a figure. A profile is a CSV file with the columns
 Slender contacts of bodies that are turned to each other are solved along their principal axes. Several patches are listed one
 by one. The error of a profile's interpolation is found by leaving out every second of its points.
 
-A contact that reaches a fifth of one of the radii is answered with a doubt, one that reaches the whole radius is refused: half
+A contact that reaches a fifth of one of the radii is answered with a warning, one that reaches the whole radius is refused: half
 spaces no longer say anything about it. Every refusal is one line, exit status 2, and no file.
 */
 

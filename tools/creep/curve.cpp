@@ -93,8 +93,11 @@ void judge_size(const Options& options, const HertzContact& hertz, tool::Summary
         "the contact's semi-axis is {:.3g} of a radius; allowed: less than 1; give less load",
         largest));
   if (largest > 0.2)
-    answer.add("half_space", "half space",
-               fmt::format("the contact reaches {:.2g} of a radius: beyond 0.2 doubtful", largest));
+    answer.add(
+        "half_space", "half space",
+        fmt::format(
+            "the contact reaches {:.2g} of a radius: beyond 0.2 half-spaces are a rough model",
+            largest));
 }
 
 RollingCase contact_of(const Options& options, const MaterialPair& pair, tool::Summary& answer) {
@@ -136,7 +139,7 @@ struct Row {
   CreepForces forces;
 };
 
-constexpr double coarse_error = 0.1;  // of mu N: from here on an answer is doubtful
+constexpr double coarse_error = 0.1;  // of mu N: from here on an answer has a warning
 
 // The warning of a row; empty without one.
 std::string warning_of(const CreepForces& f, bool full) {
@@ -200,7 +203,7 @@ void add_warnings(tool::Summary& answer, const std::vector<Row>& all, double uni
     const auto count = std::ranges::count_if(
         all, [&](const Row& r) { return warning_of(r.forces, full) == warning; });
     seen.push_back(warning);
-    answer.flag(fmt::format("range_{}", seen.size()),
+    answer.warn(fmt::format("range_{}", seen.size()),
                 fmt::format("{} ({} of {} rows)", warning, count, all.size()));
   }
 }
@@ -266,7 +269,7 @@ std::string csv(const std::vector<Row>& all, double unit, bool full) {
   };
   std::string text =
       "longitudinal,lateral,spin_1_per_m,fx_N,fy_N,mz_N_m,stick_share,error_share,mz_error_N_m,"
-      "doubt\n";
+      "warning\n";
   for (const auto& [creepage, f] : all)
     text += fmt::format("{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.6g},{},{},{}\n",
                         creepage.longitudinal, creepage.lateral, creepage.spin, f.fx, f.fy, f.mz,
@@ -294,7 +297,7 @@ void run(const Options& options) {
   answer.add("shear_modulus_GPa", "shear modulus G", c.shear_modulus / units::gigapascal, "GPa");
   answer.add("poisson", "Poisson's ratio", c.poisson, "");
   if (std::abs(pair.dissimilarity) > 0.02)
-    answer.flag(
+    answer.warn(
         "similarity",
         fmt::format(
             "unlike materials (K = {:.3f}): their coupling of pressure and traction is left out",

@@ -72,21 +72,21 @@ std::string csv(const ForceTable& table, const Options& options, const Interpola
 
 // What the theory itself says of its answers, at nodes and points together.
 struct OwnError {
-  double answers = 0, doubtful = 0, squares = 0, moment_squares = 0, largest = 0;
+  double answers = 0, warned = 0, squares = 0, moment_squares = 0, largest = 0;
   std::string warning;
 
   void add(const CreepForces& f) {
     ++answers;
-    if (!f.warning.empty()) ++doubtful, warning = f.warning;
+    if (!f.warning.empty()) ++warned, warning = f.warning;
     largest = std::max(largest, f.error);
     squares += f.error * f.error;
     moment_squares += f.mz_error * f.mz_error;
   }
   bool known() const { return std::isfinite(largest); }
   void add_to(tool::Summary& answer) const {
-    if (doubtful > 0)
-      answer.flag("range", fmt::format("{} ({:.0f} of {:.0f} nodes and points)", warning, doubtful,
-                                       answers));
+    if (warned > 0)
+      answer.warn("range",
+                  fmt::format("{} ({:.0f} of {:.0f} nodes and points)", warning, warned, answers));
     if (!known()) return;
     const double rms = std::sqrt(squares / answers);
     answer.add_error("theory_error_largest", "estimate of the theory's own error, largest", largest,
@@ -95,7 +95,7 @@ struct OwnError {
     answer.add_error("theory_error_moment_rms", "  of the moment",
                      std::sqrt(moment_squares / answers), "of mu N sqrt(a b)");
     if (rms > 0.1)
-      answer.flag(
+      answer.warn(
           "coarse",
           fmt::format("the cells are too coarse: error estimate {:.2g} mu N; give more", rms));
   }

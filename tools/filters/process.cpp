@@ -18,8 +18,8 @@ filter, or without a parameter that can be measured at all, there is nothing to 
 Jumps and stretches without a change are kept and not trusted; `--screen jumps still` masks them. A kink, as the joints of rails make, is no jump.
 
 Then the sensors are tried against themselves and against each other. A channel that stands still, jumps or loses its zero, a gage that no track has, a clock or
-a distance that stops or leaps; a gain, a unit or a sign that the other sensors contradict: each is a doubt printed above the answer and kept under `flags` in
-the JSON, what is certainly wrong is masked, and no row that rests on a doubt is *good*. A record of more than 32768 rows (10 km) is judged in stretches of that
+a distance that stops or leaps; a gain, a unit or a sign that the other sensors contradict: each is a warning printed above the answer and kept under `warnings` in
+the JSON, what is certainly wrong is masked, and no row that rests on a suspected value is *good*. A record of more than 32768 rows (10 km) is judged in stretches of that
 length, each with 4096 rows of its neighbours or twice its windows: so the memory does not grow with the record. A sensor that is a factor off is then not trusted in
 the stretches where that shows; a zero that has moved, and a speed that leapt, are remembered.
 */
@@ -179,24 +179,24 @@ void add_parameters(tool::Summary& s, const Answer& a) {
 }
 
 // The findings of each kind and place in one line.
-void add_flags(tool::Summary& s, const std::vector<Finding>& findings, const Faults& faults) {
+void add_warnings(tool::Summary& s, const std::vector<Finding>& findings, const Faults& faults) {
   std::vector<std::string> contradicted;
   for (const Finding& f : findings) {
     if (f.fault == Fault::inconsistent && f.size == 0)
       contradicted.push_back(f.what);
     else if (f.fault != Fault::dead ||
              std::find(faults.absent.begin(), faults.absent.end(), f.what) == faults.absent.end())
-      s.flag(fmt::format("{}-{}", f.what, name_of(f.fault)), fmt::format("{}: {}", f.what, f.text));
+      s.warn(fmt::format("{}-{}", f.what, name_of(f.fault)), fmt::format("{}: {}", f.what, f.text));
   }
   if (!contradicted.empty())
-    s.flag("sensors-inconsistent",
+    s.warn("sensors-inconsistent",
            fmt::format("these sensors contradict each other: {}", fmt::join(contradicted, ", ")));
   if (faults.beyond > 0)
-    s.flag("beyond", fmt::format("{} values beyond what a sensor can give, masked", faults.beyond));
+    s.warn("beyond", fmt::format("{} values beyond what a sensor can give, masked", faults.beyond));
   if (faults.spikes > 0)
-    s.flag("spikes", fmt::format("{} spikes of displacements, masked", faults.spikes));
+    s.warn("spikes", fmt::format("{} spikes of displacements, masked", faults.spikes));
   for (const std::string& name : faults.beyond_in)
-    s.flag(name + "-range",
+    s.warn(name + "-range",
            fmt::format("{}: more than 1 % of its values are beyond what the sensor can give; "
                        "is its unit that of its header?",
                        name));
@@ -205,7 +205,7 @@ void add_flags(tool::Summary& s, const std::vector<Finding>& findings, const Fau
 tool::Summary summary(const Options& options, const Answer& a, const Stretches& record,
                       const Faults& faults) {
   tool::Summary s{"geometry of " + options.file.string()};
-  add_flags(s, record.findings(), faults);
+  add_warnings(s, record.findings(), faults);
   s.add("rows", "rows", static_cast<double>(record.rows()), "");
   s.add("rejected", "  of them rejected", static_cast<double>(record.rejected()), "",
         "time zero, negative, missing or too short");
@@ -373,7 +373,7 @@ tool::Tool process_tool() {
             "change of curvature and of\n"
             "crosslevel ahead less behind, warp over the length of the chord. gage (mm) is whole. "
             "warnings.csv lists what\n"
-            "is doubted: sensor, warning, first_row, rows, text.\n"
+            "is suspected: sensor, warning, first_row, rows, text.\n"
             "\nExample: railbook filters process sensors.csv --config car.toml --out mine");
         return [options] { process_record(*options); };
       }};

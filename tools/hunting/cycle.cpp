@@ -157,7 +157,7 @@ void add_cycle(tool::Summary& answer, const std::string& id, const LimitCycle& c
   answer.add(id + "_multiplier", "  largest Floquet multiplier",
              tool::Estimate{c.leading, error.leading}, "", stability_text(c));
   if (!c.neutral && std::abs(c.leading - 1) < error.leading)
-    answer.flag(id + "_stability",
+    answer.warn(id + "_stability",
                 fmt::format("{}: its largest Floquet multiplier is 1 within its error, and whether "
                             "it is stable is not certain (a smaller --tail may tell)",
                             id));
@@ -255,7 +255,7 @@ void follow_datum(tool::Summary& answer, const Options& options, const CarCase& 
       options.factor > 1 ? Direction::larger_parameter : Direction::smaller_parameter, walk);
   const auto unit = units::si_name(datum->dimension);
   if (branch.points.empty()) {
-    answer.flag(id + "_against", fmt::format("{} could not be followed from there", datum->name));
+    answer.warn(id + "_against", fmt::format("{} could not be followed from there", datum->name));
     return;
   }
   answer.add(id + "_against", fmt::format("  followed in {} up to", datum->name),
@@ -363,7 +363,7 @@ void add_unstable_speeds(tool::Summary& answer, Work& w, const Patience& patienc
   }
   ranges = unstable_speeds(w);
   for (std::size_t k = 0; k < ranges.size(); ++k)
-    answer.flag(fmt::format("unstable_speeds_{}", k + 1),
+    answer.warn(fmt::format("unstable_speeds_{}", k + 1),
                 fmt::format("from {:.4g} to {:.4g} m/s the straight run and every cycle found are "
                             "unstable: the car does something else there; --speed looks for it in "
                             "time at one speed",
@@ -380,7 +380,7 @@ void look_in_time(tool::Summary& answer, Work& w) {
   if (any_stable(found)) return;
   add_search(answer, search_at(w, speed, found), speed);
   if (!straight && !found.empty() && !any_stable(cycles_of(w, speed)))
-    answer.flag("unstable",
+    answer.warn("unstable",
                 fmt::format("at {:g} m/s the straight run and every cycle found are unstable, and "
                             "no motion followed in time came to a stable one: the car does "
                             "something else there",
@@ -504,12 +504,12 @@ void run(const Options& options) {
   if (options.speed) add_cycles_at(answer, w);
   patience.clear();
   if (patience.over())
-    answer.flag("patience", fmt::format("the search was stopped after {} s: branches end early "
+    answer.warn("patience", fmt::format("the search was stopped after {} s: branches end early "
                                         "(--patience gives it longer)",
                                         options.patience));
   for (const Named& named : w.all)
     if (named.branch.stop == BranchStop::step)
-      answer.flag(named.key, fmt::format("the {} could not be followed farther than {:.4f} m/s, "
+      answer.warn(named.key, fmt::format("the {} could not be followed farther than {:.4f} m/s, "
                                          "{:.4f} mm: it may go on",
                                          named.name, named.branch.points.back().parameter,
                                          named.branch.points.back().largest / millimetre));

@@ -110,7 +110,7 @@ void write_files(tool::OutFolder& out, const Options& options, const WheelsetOnT
   out.figure(tools::scripts("hunting") / "geometry.gp", {"wheelset.csv"}, "wheelset.png");
 }
 
-// At which shifts of the table the wheelset stands on a doubtful place of a profile, in the file's own coordinates. A rail is turned
+// At which shifts of the table the wheelset stands on a suspected place of a profile, in the file's own coordinates. A rail is turned
 // by its cant when it is put in its place, which moves a point across by less than the margin.
 std::string stands_on(const Options& options, const WheelsetOnTrack& pair, const ProfileFit& fit,
                       const PointsWarning& warning) {

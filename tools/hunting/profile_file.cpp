@@ -17,7 +17,7 @@ Contact is far more sensitive than a drawing: on a worn tread the relative curva
 ripple that no eye sees makes the contact hop. The example files hold points 0.5 mm apart, rounded to a micrometre;
 through all of them the worn wheel's contact jumps dozens of times, and with `--noise 0.001mm` hardly ever. Without
 `--noise` the tool takes three times the scatter that it finds in the points. It prints scatter and
-distances, and flags a conicity or critical speed that changes when the profiles are smoothed by half or by twice as much.
+distances, and warns of a conicity or critical speed that changes when the profiles are smoothed by half or by twice as much.
 */
 
 #include <fmt/format.h>
@@ -166,7 +166,7 @@ void flag_smoothing(tool::Summary& answer, const PairOptions& options,
   }
   for (std::size_t i = 0; i < numbers.size(); ++i)
     if (!others[i].empty())
-      answer.flag(numbers[i].key,
+      answer.warn(numbers[i].key,
                   fmt::format("{} depends on the smoothing of the profiles: {}{}", numbers[i].what,
                               text_of(numbers[i], used[i]), others[i]));
 }

@@ -14,7 +14,7 @@ one before a gap ends at it; they are made shorter until 95 % of the samples are
 
 Positions that do not ascend evenly, a missing column or unit, a constant signal, a record shorter than a segment, a chord longer than an eighth of
 one and a chord that is blind to the rail are refused, and a record shorter than a rail, unless `--no-rail` says that the track has no joints. Codes for lost samples and heights that no track can have are taken out. Outliers, a
-sensor that stuck and a step of the datum may be defects: they are kept unless `--screen` names them, and said above the answer as doubtful; so are a spacing that changes, heights that are in another unit than said, a line of another rail length (used instead of the default
+sensor that stuck and a step of the datum may be defects: they are kept unless `--screen` names them, and named in warnings above the answer; so are a spacing that changes, heights that are in another unit than said, a line of another rail length (used instead of the default
 39 ft; one given with `--rail` is kept), and residuals beyond chance. From twice the residuals of chance on no class is pronounced: the record is filtered, or of another shape than the model's.
 */
 #include <fmt/format.h>
@@ -48,8 +48,8 @@ namespace railbook::psd_tool {
 namespace {
 
 constexpr double mm = units::millimetre;
-constexpr double misfit_doubted = 1.25, misfit_refused = 2;  // times the residuals of chance
-constexpr double usual_scatter = 0.2;                        // of the dips of joints
+constexpr double misfit_warned = 1.25, misfit_refused = 2;  // times the residuals of chance
+constexpr double usual_scatter = 0.2;                       // of the dips of joints
 
 struct Options {
   tools::TrackRecordOptions record;
@@ -95,7 +95,7 @@ void add_options(tool::OptionParser& o, Options& w) {
       "errors. B is positive: the\n"
       "depth of a joint below the middle of the rail. odds are probabilities, 0 to 1. A table of "
       "several columns or records\n"
-      "has a row for each, and for each --section; its last column lists what is doubted."
+      "has a row for each, and for each --section; its last column lists the warnings."
       "\n\nExample: railbook psd classify track.csv --column profile --out mine\n"
       "         railbook psd classify runs/*.csv --column left,right --section 1km "
       "--out mine");
@@ -132,40 +132,40 @@ Fitted fit_track(const Options& options, const spectra::Spectrum& spectrum) {
   return f;
 }
 
-void add_flags(tool::Summary& s, const Options& options, const spectra::RecordSpectrum& m,
-               const Fitted& f) {
+void add_warnings(tool::Summary& s, const Options& options, const spectra::RecordSpectrum& m,
+                  const Fitted& f) {
   const auto& [fit_options, fit, contradicting] = f;
   if (contradicting && !options.rail)
-    s.flag("rail",
+    s.warn("rail",
            fmt::format("the spectrum shows rails of {:.4g} m, not the default of 39 ft: taken "
                        "instead; say which with --rail",
                        *contradicting));
   else if (contradicting)
-    s.flag("rail", fmt::format("the spectrum shows rails of {:.4g} m, not of {:.4g} m: see --rail",
+    s.warn("rail", fmt::format("the spectrum shows rails of {:.4g} m, not of {:.4g} m: see --rail",
                                *contradicting, *options.rail));
   else if (const auto stray = spectra::stray_line(m.spectrum, fit_options, fit))
-    s.flag("stray_line",
+    s.warn("stray_line",
            fmt::format("a line at {:.4g} cycle/m ({:.4g} m) belongs to no rail named: former "
                        "rails (--foreign), a wheel, or another rail length (--rail)?",
                        stray->phi, 1 / stray->phi));
   if (fit.corner == spectra::CornerState::at_low_bound)
-    s.flag("corner",
+    s.warn("corner",
            fmt::format("corner below {:.3g} cycle/m: A is a lower bound, only A phi_c^2 = "
                        "{:.3g} m^2 (cycle/m)^3 is known; class too good",
                        fit.phi_c.value, fit.steep.value));
-  if (fit.misfit > misfit_doubted)
-    s.flag("misfit",
+  if (fit.misfit > misfit_warned)
+    s.warn("misfit",
            fmt::format("residuals {:.2f} times those of chance: lines not named (--foreign), noise "
                        "(--noise), a record that is filtered or an offset (--chord), or another "
                        "shape of spectrum{}",
                        fit.misfit, fit.misfit > misfit_refused ? "; no class is pronounced" : ""));
   if (const auto phi = spectra::high_pass(m.spectrum, fit_options, fit))
-    s.flag("high_pass",
+    s.warn("high_pass",
            fmt::format("waves longer than {:.3g} m are missing: the record is high-passed, and A "
                        "comes out too low; fit what is above with --low {:.2g}cycle/m",
                        1 / *phi, 2 * *phi));
   if (m.spectrum.segments < 4)
-    s.flag("short", fmt::format("only {} segment(s) averaged: a longer record is needed",
+    s.warn("short", fmt::format("only {} segment(s) averaged: a longer record is needed",
                                 m.spectrum.segments));
 }
 
@@ -243,7 +243,7 @@ tool::Summary answer(const Options& options, const spectra::RecordSpectrum& m, c
   add_class(s, fit);
   add_references(s, options.references, m.spectrum, fit_options(options));
   add_notes(s, m, f);
-  add_flags(s, options, m, f);
+  add_warnings(s, options, m, f);
   return s;
 }
 
@@ -266,7 +266,7 @@ void add_fit(tool::Row& row, const Fitted& f) {
   row.add("B_printed_mm", fit.B_printed.value / mm);
   row.add("B_printed_error_mm", fit.B_printed.error / mm);
   row.add("misfit", fit.misfit);
-  if (fit.misfit > misfit_refused) return row.flag("misfit");
+  if (fit.misfit > misfit_refused) return row.warn("misfit");
   const spectra::ClassRule rule;
   const auto result = spectra::classify(fit.A.value, fit.B_printed.value, rule);
   row.add("deviation_mm", result.deviation / mm);
@@ -319,8 +319,8 @@ std::vector<tool::Row> rows_of(const Options& options, const std::filesystem::pa
     row.add("segments", static_cast<double>(m.spectrum.segments));
     add_fit(row, f);
     tool::Summary warned{""};
-    add_flags(warned, options, m, f);
-    for (const auto& [key, text] : warned.warnings()) row.flag(key);
+    add_warnings(warned, options, m, f);
+    for (const auto& [key, text] : warned.warnings()) row.warn(key);
     for (const spectra::SpectrumSection& s : sections[i])
       rows.push_back(
           row_of_section(options, *m.record, s, f.fit_options.rail_length, measure_it.columns[i]));

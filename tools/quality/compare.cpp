@@ -234,7 +234,7 @@ void flag_not_judged(tool::Summary& s, const std::vector<Growth>& all, const std
                             : fmt::format(", {:.2f} and {:.2f} mm", g.before / mm, g.after / mm));
   }
   if (lost > 0)
-    s.flag(key, fmt::format("{}{} of {} sections could not be judged: {}{}; tamped track is not "
+    s.warn(key, fmt::format("{}{} of {} sections could not be judged: {}{}; tamped track is not "
                             "like what it was",
                             before, lost, all.size(), text, lost > 5 ? " ..." : ""));
 }
@@ -251,7 +251,7 @@ void add_column(tool::Summary& s, const CompareOptions& options, const Pair& pai
   std::vector<Growth> all = growths(c);
   flag_not_judged(s, all, before, key("not-found"));
   if (c.ambiguous > 0)
-    s.flag(
+    s.warn(
         key("ambiguous"),
         fmt::format("{}{} of {} windows fit as well {:.4g} m further: the record repeats itself, "
                     "and the offset may be another",
@@ -293,7 +293,7 @@ tool::Summary summary_of(const CompareOptions& options, const std::deque<Pair>& 
     if (&pair != &pairs.front())
       tools::add_warnings(s, pair.first.record(), pair.compared.column, several);
     for (const units::Warning& warning : pair.second.record().warnings())
-      s.flag(tools::key_of(pair.compared.column, "second-" + warning.key, several),
+      s.warn(tools::key_of(pair.compared.column, "second-" + warning.key, several),
              "the second run: " + (several ? pair.compared.column + ": " : "") + warning.text);
   }
   for (const Pair& pair : pairs) add_column(s, options, pair, several);

@@ -124,7 +124,7 @@ tool::Summary summary_of(const IndexAnswer& answer) {
               fmt::format("at {:.3g} m", taps.worst_at));
   s.add("unsure", "share near an end or a gap", builder.unsure(), "", "");
   if (builder.unsure() > 0.5)
-    s.flag("guessed",
+    s.warn("guessed",
            "the descriptor is mostly guessed: the record is near an end or a gap nearly "
            "everywhere");
   s.add("mean", "mean of the magnitude", q.mean, "");
@@ -132,7 +132,7 @@ tool::Summary summary_of(const IndexAnswer& answer) {
   s.add("rms", "rms of the descriptor", q.rms, "");
   s.add("largest", "largest", q.largest, "");
   if (q.largest > 50)
-    s.flag("largest",
+    s.warn("largest",
            fmt::format("the descriptor reaches {:.3g} times the limit: is the unit of the "
                        "column right?",
                        q.largest));

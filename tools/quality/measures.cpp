@@ -174,7 +174,7 @@ std::vector<tool::Row> rows_of(const MeasuresOptions& options, const Measured& m
   tools::add_records(rows[0], m.names(), m.records);
   for (std::size_t i = 0; i < m.channels.size(); ++i)
     for (const auto& [key, text] : warnings_of(options, m.channels[i], m.records[i]->header()))
-      rows[0].flag(key);
+      rows[0].warn(key);
   if (options.fra_class > 0) {
     const double n = m.exceptions(), lost = not_evaluated(m);
     rows[0].add("exceptions", n > 0 || lost == 0 ? n : std::nan(""));
@@ -253,7 +253,7 @@ void add_exceptions(tool::Summary& s, const MeasuresOptions& options, const Meas
   for (const Channel& channel : m.channels)
     if (channel.column().kind == Kind::gauge && options.fra_class <= quality::fra_classes &&
         !channel.watch()->judged())
-      s.flag("gauge", "column " + channel.column().name +
+      s.warn("gauge", "column " + channel.column().name +
                           " is neither a gauge near 1435 mm nor a deviation from it: not judged");
   s.add("not_evaluated_m", "  not evaluated", lost, "m",
         "missing, bridged or taken out, or a chord over it");
@@ -264,7 +264,7 @@ tool::Summary summary_of(const MeasuresOptions& options, const Measured& m) {
   tools::add_records(s, m.names(), m.records);
   for (std::size_t i = 0; i < m.channels.size(); ++i)
     for (const auto& [key, text] : warnings_of(options, m.channels[i], m.records[i]->header()))
-      s.flag(m.channels.size() > 1 ? fmt::format("{}_{}", m.channels[i].column().name, key) : key,
+      s.warn(m.channels.size() > 1 ? fmt::format("{}_{}", m.channels[i].column().name, key) : key,
              text);
   s.add("section_m", "length of a section", options.section, "m");
   if (options.fra_class > 0) add_exceptions(s, options, m);

@@ -117,7 +117,7 @@ ImpactModel model_of(const Options& options, tool::Summary& answer) {
 
 constexpr std::size_t least_samples = 10;  // to judge what lies between them
 
-// What the distance of the samples leaves open, and a flag when it is more than 2 % of a peak.
+// What the distance of the samples leaves open, and a warning when it is more than 2 % of a peak.
 void add_sampling(tool::Summary& answer, const CheckedImpact& checked,
                   const std::optional<SamplingSpread>& judged) {
   const auto& profile = std::get<SampledProfile>(checked.history.surface);
@@ -127,7 +127,7 @@ void add_sampling(tool::Summary& answer, const CheckedImpact& checked,
       fmt::format("{} mm apart in the mean",
                   tool::to_text(1e3 * (profile.last() - profile.first()) / double(samples - 1))));
   if (!judged) {
-    answer.flag("sampling", fmt::format("a profile of {} samples is too coarse to judge what lies "
+    answer.warn("sampling", fmt::format("a profile of {} samples is too coarse to judge what lies "
                                         "between them; give {} or more",
                                         samples, least_samples));
     return;
@@ -151,7 +151,7 @@ void add_sampling(tool::Summary& answer, const CheckedImpact& checked,
   add("late_sampling_kN", "  largest after 4 ms", spread.late, p.late.force);
   add("p2_sampling_kN", "  P2", spread.mean, p.mean.force);
   if (worst > 0.02)
-    answer.flag("sampling",
+    answer.warn("sampling",
                 fmt::format("the profile's samples are too far apart: what may lie between them "
                             "changes a peak by {}; sample it more densely, or give a joint by "
                             "--dip or --angle",
@@ -159,17 +159,17 @@ void add_sampling(tool::Summary& answer, const CheckedImpact& checked,
                                                  : "an unknown amount"));
 }
 
-// The tool's own doubts: tolerance and energy.
+// The tool's own warnings: tolerance and energy.
 void add_checks(tool::Summary& answer, const CheckedImpact& checked) {
   if (std::isnan(checked.change)) {
-    answer.flag("tolerance",
+    answer.warn("tolerance",
                 "at a hundredth of the tolerance the run does not end within its "
                 "steps: the peaks are unconfirmed");
   } else {
     answer.add_error("tolerance_change", "a hundredth of the tolerance changes peaks by",
                      checked.change, "", "relative, the largest");
     if (checked.change > 1e-3)
-      answer.flag("tolerance", fmt::format("at a hundredth of the tolerance a peak changes by "
+      answer.warn("tolerance", fmt::format("at a hundredth of the tolerance a peak changes by "
                                            "{:.2g} %: choose a smaller --tolerance",
                                            100 * checked.change));
   }
@@ -178,7 +178,7 @@ void add_checks(tool::Summary& answer, const CheckedImpact& checked) {
     answer.add_error("energy_defect", "energy balance open by", defect, "",
                      "of the largest kinetic energy");
     if (defect > 1e-3)
-      answer.flag("energy", fmt::format("the energy balance is open by {:.2g} % of the largest "
+      answer.warn("energy", fmt::format("the energy balance is open by {:.2g} % of the largest "
                                         "kinetic energy: motions too fast for the steps are lost; "
                                         "choose a smaller --tolerance",
                                         100 * defect));

@@ -126,7 +126,7 @@ double modulus_from_chain(const Options& options, TieSupport& support, tool::Sum
   add("bed_lbf_per_in", "ballast on subgrade k_bs", chain.bed, "eq. (5)");
   add("seat_lbf_per_in", "rail seat k", chain.seat, "eq. (4)");
   if (support.ballast_depth > overlap_depth(support))
-    answer.flag("overlap", fmt::format("pyramids of neighbouring ties overlap below {:.1f} in of "
+    answer.warn("overlap", fmt::format("pyramids of neighbouring ties overlap below {:.1f} in of "
                                        "ballast: eqs (6) and (7) count that ballast twice",
                                        overlap_depth(support) / units::inch));
   return chain.foundation_modulus;
@@ -141,7 +141,7 @@ void discrete_ties(const WinklerBeam& beam, double spacing, tool::Summary& answe
   answer.add("discrete_midspan", "on discrete ties, K_r between ties", between, "", "of eq. (2)");
   const double worst = std::max(std::abs(over - 1), std::abs(between - 1));
   if (worst > 0.02)
-    answer.flag("discrete-ties",
+    answer.warn("discrete-ties",
                 fmt::format("the ties are too far apart for eq. (2), which smears them: beta l_t = "
                             "{:.2g}, and the stiffness under a wheel is off by up to {:.2g} %",
                             beam.beta() * spacing, 100 * worst));

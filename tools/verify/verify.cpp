@@ -136,7 +136,7 @@ void run(const std::filesystem::path& data) {
       progress.step();
       worst = std::max(worst, verdict.share);
       if (verdict.share <= 1) continue;
-      if (++failed <= 10) answer.flag(fmt::format("number_{}", failed), verdict.text);
+      if (++failed <= 10) answer.warn(fmt::format("number_{}", failed), verdict.text);
     }
     answer.add(group.name, group.title,
                fmt::format("{} numbers, worst at {} of its tolerance   ({})", group.numbers.size(),

@@ -71,7 +71,7 @@ WheelsetResult solve(const Options& options, const ReadPair& read) {
   return r;
 }
 
-// On which wheels a patch lies on a doubtful place of the wheel's profile.
+// On which wheels a patch lies on a suspected place of the wheel's profile.
 std::string sides_on(const Options& options, const WheelsetResult& r,
                      const profiles::ProfileFit& fit, const profiles::PointsWarning& warning) {
   std::string sides;
@@ -156,9 +156,9 @@ void add_wheel(tool::Summary& answer, const Side& shown, const std::vector<Profi
   const std::string s = shown.name;
   const WheelResult& wheel = shown.wheel;
   const double sign = shown.sign;
-  int flag = 0;
+  int count = 0;
   for (const units::Warning& warning : wheel.warnings)
-    answer.flag(fmt::format("{}_{}", s, ++flag), fmt::format("{} wheel: {}", s, warning.text));
+    answer.warn(fmt::format("{}_{}", s, ++count), fmt::format("{} wheel: {}", s, warning.text));
   const double error = force_error(wheel, profiles);
   answer.add(s + "_x_N", s + " rail: force along", tool::Estimate{wheel.force.x(), error}, "N");
   answer.add(s + "_y_N", "  to the right", tool::Estimate{sign * wheel.force.y(), error}, "N");
@@ -193,13 +193,13 @@ void add_wheel(tool::Summary& answer, const Side& shown, const std::vector<Profi
     estimate("p_max_MPa", "  largest pressure", p.p_max / units::megapascal,
              p.p_max_error * p.p_max / units::megapascal, profile.p_max / units::megapascal, "MPa");
     if (std::isfinite(profile.p_max) && profile.p_max > 0.05 * p.p_max)
-      answer.flag(
+      answer.warn(
           key + "profile",
           fmt::format("{} patch {}: with profiles half as smooth the largest pressure would "
                       "change by {:.0f} %: see --noise",
                       s, k, 50 * profile.p_max / p.p_max));
     if (std::isinf(profile.p_max))
-      answer.flag(
+      answer.warn(
           key + "profile",
           fmt::format("{} wheel: with profiles half as smooth it touches in another way: see "
                       "--noise",

@@ -33,7 +33,7 @@ ReadPair read_pair(const PairOptions& options);
 // The same with each profile from a file met twice as closely: how much an answer depends on the
 // smoothing.
 ReadPair half_as_smooth(const PairOptions& options);
-// Whether a patch of a wheel, shifted outwards, lies on a doubtful place of the wheel's profile or
+// Whether a patch of a wheel, shifted outwards, lies on a suspected place of the wheel's profile or
 // next to it. (A rail's place in the track is not known in its file's coordinates.)
 bool stands_on(const PairOptions& options, tools::Side side,
                const wheel_contact::WheelResult& wheel, double shift,

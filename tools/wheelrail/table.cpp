@@ -11,7 +11,7 @@ The wheelset rolls as a rigid one and turns with the given slip. A line's first 
 the next shift is from answers between the two, and with an approximate method how far that is from the full theory; of more
 than some hundred lines, lines evenly spread do, since the full theory costs more than a line. Answers between are sought half
 way and a quarter of the way from either end, and where the error is not largest in the middle, nearer to its largest. Beyond 5 %
-of what friction bears, or 10 % of the pressure, the row has a flag.
+of what friction bears, or 10 % of the pressure, the row has a warning.
 */
 
 #include <fmt/format.h>
@@ -97,8 +97,8 @@ double largest_between(const std::function<double(double)>& error_at) {
   return largest;
 }
 
-constexpr double doubtful_force = 0.05;     // of mu N
-constexpr double doubtful_pressure = 0.10;  // of the pressure
+constexpr double warned_force = 0.05;     // of mu N
+constexpr double warned_pressure = 0.10;  // of the pressure
 
 // Measured at the first place of a line; NaN where there is no answer.
 void add_errors(tool::Row& row, const Options& options, const ReadPair& read, const Line& line,
@@ -122,13 +122,13 @@ void add_errors(tool::Row& row, const Options& options, const ReadPair& read, co
       pressure = std::abs(here.patches.front().p_max / full.patches.front().p_max - 1);
     }
   } catch (const std::runtime_error&) {
-    row.flag("error-not-measured");
+    row.warn("error-not-measured");
   }
   row.add("interpolation_error_of_mu_N", between);
   row.add("method_error_of_mu_N", method);
   row.add("method_error_p_max", pressure);
-  if (between > doubtful_force) row.flag("interpolation");
-  if (method > doubtful_force || pressure > doubtful_pressure) row.flag("method");
+  if (between > warned_force) row.warn("interpolation");
+  if (method > warned_force || pressure > warned_pressure) row.warn("method");
 }
 
 tool::Row row_of(const Line& line, const Place& place) {
@@ -170,16 +170,16 @@ void add_answer(tool::Row& row, const Pose& pose, const WheelResult& r) {
   row.add("wear_N", wear);
   row.add("grid_error_of_mu_N", error);
   row.add("grid_error_p_max", pressure_error);
-  for (const units::Warning& warning : r.warnings) row.flag(warning.key);
+  for (const units::Warning& warning : r.warnings) row.warn(warning.key);
 }
 
 // Warnings of the profile's points where this row's wheel stands.
-void add_point_flags(tool::Row& row, const Options& options, const Line& line, const WheelResult& r,
-                     const std::vector<profiles::ProfileFit>& fits) {
+void add_point_warnings(tool::Row& row, const Options& options, const Line& line,
+                        const WheelResult& r, const std::vector<profiles::ProfileFit>& fits) {
   for (const profiles::ProfileFit& fit : fits)
     for (const profiles::PointsWarning& warning : fit.warnings)
       if (stands_on(options, tools::Side::right, r, line.shift, fit, warning))
-        row.flag(fmt::format("{}-{}", fit.what, warning.key));
+        row.warn(fmt::format("{}-{}", fit.what, warning.key));
 }
 
 std::vector<tool::Row> rows_of(const Options& options, const ReadPair& read, const Line& line) {
@@ -193,11 +193,11 @@ std::vector<tool::Row> rows_of(const Options& options, const ReadPair& read, con
         try {
           const WheelResult r = solve(options, read, pose, place, method_of(options.method));
           add_answer(row, pose, r);
-          add_point_flags(row, options, line, r, read.fits);
+          add_point_warnings(row, options, line, r, read.fits);
           if (rows.empty() && line.measured) add_errors(row, options, read, line, place, r);
         } catch (const std::runtime_error& error) {  // not of a lack of memory
           row.add("refused", std::string(error.what()));
-          row.flag("refused");
+          row.warn("refused");
         }
         rows.push_back(std::move(row));
       }
@@ -255,7 +255,7 @@ std::function<void()> declare(tool::OptionParser& parser) {
   parser.help(
       "With --out DIR: DIR/wheelrail-table.csv and .jsonl, a row a position. Columns are those of "
       "the right wheel, "
-      "forces on the rail; x forward, y right, z down; the first patch carries most. A flag "
+      "forces on the rail; x forward, y right, z down; the first patch carries most. A warning "
       "interpolation: between this shift and the next linear interpolation is off by more than 5 % "
       "of mu N; method: the method is off the full theory by more than that, or by 10 % of the "
       "pressure; verge, unlike, neighbour, half_space, two_areas, shared_frame, off_profile, "

@@ -182,33 +182,33 @@ void measured_badly(Cases& cases) {
 // What comes of one.
 struct Result {
   spectra::SpectrumFit fit;
-  std::string doubts;
+  std::string warnings;
 };
 
 Result run(const Case& c) {
   Record z = spectra::synthesize(c.track, static_cast<std::size_t>(length / c.track.spacing));
   if (c.spoil) c.spoil(z);
   spectra::Welch welch{c.track.spacing, c.welch};
-  std::string doubts;
+  std::string warnings;
   if (c.read) {
     records::RecordStream stream{*c.read,
                                  [&](std::span<const double> piece) { welch.push(piece); }};
     for (const double height : z) stream.add(height);
     stream.finish();
-    for (const auto& warning : stream.warnings()) doubts += ", " + warning.key;
+    for (const auto& warning : stream.warnings()) warnings += ", " + warning.key;
   } else {
     welch.push(z);
   }
   const auto spectrum = welch.spectrum();
   const auto fit = spectra::fit_track_spectrum(spectrum, c.fit);
   if (const auto stray = spectra::stray_line(spectrum, c.fit, fit))
-    doubts += fmt::format(", stray line at {:.4f}", stray->phi);
+    warnings += fmt::format(", stray line at {:.4f}", stray->phi);
   if (const auto other = spectra::contradicting_rail(spectrum, c.fit, fit))
-    doubts += fmt::format(", rails of {:.2f} m", *other);
-  if (fit.corner == spectra::CornerState::at_low_bound) doubts += ", corner at its lower bound";
-  if (fit.misfit > 1.25) doubts += fmt::format(", misfit {:.2f}", fit.misfit);
-  if (!fit.converged) doubts += ", not converged";
-  return {fit, doubts};
+    warnings += fmt::format(", rails of {:.2f} m", *other);
+  if (fit.corner == spectra::CornerState::at_low_bound) warnings += ", corner at its lower bound";
+  if (fit.misfit > 1.25) warnings += fmt::format(", misfit {:.2f}", fit.misfit);
+  if (!fit.converged) warnings += ", not converged";
+  return {fit, warnings};
 }
 
 struct Loss {
@@ -237,7 +237,7 @@ Loss known_loss(const Case& c) {
 
 // `errors` standard errors and 1 % is what a row may be off by and still hold; a degraded one must say so by itself.
 Found judged(const Case& c, double errors) {
-  const auto [fit, doubts] = run(c);
+  const auto [fit, warnings] = run(c);
   const double B = 2 * c.track.dip;
   const Loss lost = loss_of(c, fit), chance{errors * fit.A.error / c.track.A + 0.01,
                                             errors * fit.B_printed.error / B + 0.01};
@@ -246,10 +246,10 @@ Found judged(const Case& c, double errors) {
       fmt::format("A = {:.3g} ± {:.1g} for {:.3g}, B = {:.2f} ± {:.2f} mm for {:.2f} mm",
                   fit.A.value, fit.A.error, c.track.A, fit.B_printed.value / mm,
                   fit.B_printed.error / mm, B / mm) +
-      doubts;
+      warnings;
   if (!c.lossy()) return {text, off};
   if (off <= 1) return {text + "; it holds after all", units::nan};
-  if (doubts.empty()) return {text + "; wrong, without a word", units::nan};
+  if (warnings.empty()) return {text + "; wrong, without a word", units::nan};
   if (!c.known) return {text, lost.larger()};
   // Beside a known loss there is chance.
   const Loss known = known_loss(c);

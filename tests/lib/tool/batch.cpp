@@ -45,7 +45,7 @@ struct Batch {
       rows[i].add("kind", name == "two" ? "half" : "whole");
       rows[i].add("length", 0.5 + static_cast<double>(i));
       rows[i].add("unknown", std::nan(""));
-      if (name == "two") rows[i].flag("steep"), rows[i].flag("long");
+      if (name == "two") rows[i].warn("steep"), rows[i].warn("long");
     }
     return rows;
   }
@@ -104,11 +104,11 @@ TEST_CASE("unit: whatever becomes of a record is a row, in the order of the reco
     CHECK(rows[i]["reason"] == expected[i][2]);
   }
   CHECK(rows[3]["length"] == 1.5);
-  CHECK(rows[3]["flags"] == "steep;long");
+  CHECK(rows[3]["warnings"] == "steep;long");
   CHECK(rows[0]["unknown"].is_null());
-  CHECK_FALSE(rows[0].contains("flags"));
+  CHECK_FALSE(rows[0].contains("warnings"));
   const std::string csv = batch.at.read("out/sum-table.csv");
-  CHECK(csv.starts_with("record,status,reason,kind,length,unknown,flags\n"));
+  CHECK(csv.starts_with("record,status,reason,kind,length,unknown,warnings\n"));
   CHECK_THAT(csv, Contains("two,ok,,half,1.5,," + table::csv_cell("steep;long") + "\n") &&
                       Contains("one,ok,,whole,0.5,,\n"));
   CHECK(std::count(csv.begin(), csv.end(), '\n') == 8);

@@ -36,10 +36,10 @@ TEST_CASE("unit: a summary's values stand in a column, units and notes behind th
   s.add_error("e", "error", 0.03570888, "");
   s.add_to_json("v_error", 0.0213, "ft/s");
   s.add("c", "n", "text\x1b");
-  s.flag("coarse", "two cells");
+  s.warn("coarse", "two cells");
   CHECK(printed(s) ==
         "an answer\n"
-        "  DOUBTFUL: two cells\n"
+        "  WARNING: two cells\n"
         "  force          2.5 N   (about)\n"
         "  length of all  0.1235 m\n"
         "  speed          144.54 +- 0.02 ft/s   (of the grid)\n"

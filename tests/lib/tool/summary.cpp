@@ -13,7 +13,7 @@ TEST_CASE("unit: a summary keeps numbers, texts, absences and doubts apart") {
   s.add("force_N", "force", 2.5, "N", "about");
   s.add("theory", "theory", "nan");
   s.absent("peak_Pa", "peak pressure", "no contact");
-  s.flag("coarse", "two cells");
+  s.warn("coarse", "two cells");
   s.add("place", "place", "Zürich");
   s.add("v", "speed", tool::Estimate{144.5387123, 0.0213456}, "ft/s");
   s.add("w", "width", tool::Estimate{2, std::numeric_limits<double>::infinity()}, "m", "rough");

@@ -56,14 +56,14 @@ means by-approach "$circle" F=80e3 way=approach shown=inch cells="$(awk -F, 'NR 
 # All cells of the grid are in the map, the outline is the circle, and the same on both sides.
 awk -F, 'NR > 1 && NF == 3 {++n; if (!(($1) in x)) ++nx; x[$1]; if (!(($2) in y)) ++ny; y[$2]} END {exit !(n == 63 * 65 && nx == 63 && ny == 65)}' by-load/pressure.csv || fail "cells of the map"
 holds "the outline" by-load/outline.csv '{near($2, -$3, 1e-9); near(sqrt($1 ^ 2 + $3 ^ 2) / a, 1, 0.03)} $1 < least {least = $1} $1 > most {most = $1} END {near(least / a, -1, 0.06); near(most / a, 1, 0.06)}' a="$(v by-load hertz_a_mm)"
-# Turned bodies are drawn along the principal axes; half as large as a fifth of a radius they are no doubt, beyond it they are.
+# Turned bodies are drawn along the principal axes; half as large as a fifth of a radius they cause no warning, beyond it they are.
 draws skew solve --body-1-radius-along 200mm --body-2-radius-across 500mm --body-2-radius-along 400mm --angle 30deg --load 80kN --cells-x 30 --cells-y 30
 near "a peak of turned bodies" "$(v skew x_p_max_mm)" 0 0
 near "a peak of turned bodies" "$(v skew y_p_max_mm)" 0 0
 [ "$(tail -1 skew.drawn/1/d3.csv)" = "mm,MPa,first principal axis,second principal axis" ] || fail "axes of turned bodies"
 "$railbook" contact solve --body-1-radius-along 10mm --body-2-radius-across 10mm --load 160kN --cells-x 31 --cells-y 31 >wide || fail "a wide contact"
-awk '/DOUBTFUL: the contact reaches 0\.22 of/ {found = 1} END {exit !found}' wide || fail "a contact of a fifth of its radius: $(cat wide)"
-"$railbook" contact solve --body-1-radius-along 100mm --body-2-radius-across 100mm --load 80kN --cells-x 31 --cells-y 31 | grep -q DOUBTFUL && fail "a contact of 6 % of its radius"
+awk '/WARNING: the contact reaches 0\.22 of/ {found = 1} END {exit !found}' wide || fail "a contact of a fifth of its radius: $(cat wide)"
+"$railbook" contact solve --body-1-radius-along 100mm --body-2-radius-across 100mm --load 80kN --cells-x 31 --cells-y 31 | grep -q WARNING && fail "a contact of 6 % of its radius"
 for way in "--load 200kN:give less load" "--approach 2mm:give less approach"; do
   # shellcheck disable=SC2086 # options
   "$railbook" contact solve --body-1-radius-across 1mm --body-2-radius-along 1mm ${way%%:*} --cells-x 31 --cells-y 31 2>&1 | grep -q "half width of the contact is .* with a radius of 0.001 m across the rail of body 1; .*${way#*:}" || fail "$way"
@@ -116,7 +116,7 @@ for digits in 4 5 12; do
   answers round$digits solve --body-1-profile round.csv --body-1-radius-along 460mm --approach 60um
   near "the error of a force from profiles with $digits digits" "$(v round$digits force_kN)" 43.1948 "$(sed -n '/"errors"/,/}/s/.*"force_kN": \([0-9.e-]*\),*/\1/p' round$digits.json)"
 done
-grep -q '"scatter": "the points of the profiles scatter' round4.json || fail "rounded points have no doubt"
+grep -q '"scatter": "the points of the profiles scatter' round4.json || fail "rounded points have no warning"
 grep -q '"scatter"' round12.json && fail "points of twelve digits scatter"
 # A load has no error where it was asked for; the approach has it.
 sed -n '/"errors"/,/}/p' press.json | grep -q '"approach_um": [0-9.e-]*' || fail "an approach without its error"

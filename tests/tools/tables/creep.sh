@@ -12,10 +12,10 @@ answers round curve --wheel-radius 0.5m --rail-radius 2m --wheel-profile -2m --r
 means round 'e = 1 / (0.9375 / 200e9 + 0.8775 / 100e9); a = (0.75 * 80e3 * 0.4 / e) ^ (1 / 3); G = 2 / (1 / 80e9 + 2.7 / 100e9)
   is("p_max_MPa", 1.5 * 80e3 / (pi * a ^ 2) / 1e6); is("a_mm", 1e3 * a); is("b_mm", 1e3 * a); says("a_mm", "Hertz"); says("b_mm", "Hertz"); says("theory", "linear")
   is("load_kN", 80); is("friction", 0.25); is("shear_modulus_GPa", G / 1e9); is("poisson", G / 2 * (0.25 / 80e9 + 0.35 * 2.7 / 100e9))
-  doubts("similarity", sprintf("K = %.3f", G / 4 * (0.5 / 80e9 - 0.3 * 2.7 / 100e9))); is("lateral", 2e-4); is("spin_1_per_m", 0.3); is("force_N", 2000)
-  is("largest_force_N", largest, 1e-5); is("creepage_at_force", 2000 / slope, 1e-6); is("error_share", error, 0.06); free("mz_error_N_m"); flags("range_1")' \
+  warns("similarity", sprintf("K = %.3f", G / 4 * (0.5 / 80e9 - 0.3 * 2.7 / 100e9))); is("lateral", 2e-4); is("spin_1_per_m", 0.3); is("force_N", 2000)
+  is("largest_force_N", largest, 1e-5); is("creepage_at_force", 2000 / slope, 1e-6); is("error_share", error, 0.06); free("mz_error_N_m"); warnings("range_1")' \
   error="$(awk -F, 'NR > 1 && $8 > most {most = $8} END {print most}' round/curve.csv)" slope="$(awk -F, 'NR == 3 {printf "%.9g", $4 / $1}' round/curve.csv)" largest="$(awk -F, 'NR > 1 {f = sqrt($4 ^ 2 + $5 ^ 2); if (f > most) most = f} END {printf "%.9g", most}' round/curve.csv)"
-# A line through the origin, whose forces across do not depend on what goes along, and the doubt in every row beyond a third of friction.
+# A line through the origin, whose forces across do not depend on what goes along, and the warning in every row beyond a third of friction.
 holds "a line" round/curve.csv 'rows == 1 {f = $4; y = $5} {near($1, rows * 1e-4, 1e-12); near($2, 2e-4, 1e-12); near($3, 0.3, 1e-9); near($4, rows * f, 0.01 * abs(f)); near($5, y, 1e-6 * abs(y))}
   {near(($10 != ""), sqrt($4 ^ 2 + $5 ^ 2) > 80e3 * 0.25 / 3, 0); near($8 > 0 && $9 > 0, 1, 0)} END {near(rows, 3, 0); near(f > 0, 1, 0)}'
 # Without an end the range goes to six times the creepage at which the linear force is that of friction, and all slides there.
@@ -38,9 +38,9 @@ awk -F, 'NR > 1 {printf "%.9g %.3f %.9g ", sqrt($4 ^ 2 + $5 ^ 2) / 24e3, $7, $8}
 cat rows shares | awk 'NR == 1 {for (k = 1; k <= 3; ++k) {share[k] = $(6 * k - 1); stick[k] = $(6 * k)} next}
   {for (k = 1; k <= 3; ++k) {d = share[k] - $(3 * k - 2); e = $(3 * k) + 1e-9; if (d > e || -d > e || stick[k] != $(3 * k - 1) || length(share[k]) > 7) exit 1}}' ||
   fail "the printed table: $(cat printed)"
-# A theory that knows no error of its own is held against the full one, which is off by more than the tenth from which on a row is doubtful.
+# A theory that knows no error of its own is held against the full one, which is off by more than the tenth from which on a row has a warning.
 answers against curve --a 6mm --b 4mm --load 80kN --theory linear --points 2
-grep -q ',"this theory is more than 0.1 mu N off the full one\|third of what friction bears' against/curve.csv || fail "the linear theory in sliding has no doubt"
+grep -q ',"this theory is more than 0.1 mu N off the full one\|third of what friction bears' against/curve.csv || fail "the linear theory in sliding has no warning"
 answers spun curve --a 4mm --b 6mm --load 80kN --theory fastsim --points 2 --to 1e-4 --spin 1rad/m
 awk -F, 'NR == 2 {exit !($8 > 0 && $8 < 0.3)}' spun/curve.csv || fail "FASTSIM's distance from the full theory: $(cat spun/curve.csv)"
 # Long contacts have fewer rows across and end: with half as many as cells along they did not.
@@ -51,11 +51,11 @@ cat long*/curve.csv | awk -F, '/^[0-9]/ {if (!n++ || $4 < low) low = $4; if ($4 
 # Without friction there is no share of it.
 "$railbook" creep curve --a 6mm --b 4mm --load 80kN --mu 0 --to 1e-3 --points 2 --theory fastsim >printed || fail "no friction"
 [ "$(tail -2 printed | awk '$5 == "-"' | wc -l)" = 2 ] || fail "a share of no friction: $(tail -2 printed)"
-# Contacts that follow a radius: beyond a fifth of it doubtful.
+# Contacts that follow a radius: beyond a fifth of it with a warning.
 answers wide curve --wheel-radius 0.4m --rail-crown 0.4m --load 300MN --theory linear --points 1 --mu 0 --to 1e-3
 means wide 'says("half_space", "reaches 0.23"); for (key in v) free(key)'
 answers narrow curve --wheel-radius 0.4m --rail-crown 0.4m --load 150MN --theory linear --points 1 --mu 0 --to 1e-3
-grep -q half_space narrow.json && fail "a narrow contact is doubtful"
+grep -q half_space narrow.json && fail "a narrow contact has a warning"
 # A table: its axes, its rows, and its errors as they are told; a single ratio is one however many are asked for.
 answers table table --theory polach --ratio-from 0.5 --ratio-to 2 --ratios 3 --longitudinal 3 --lateral 4 --spin 5 --reach 2 --spin-reach 3 --points 40 --coefficients computed
 grep -v '^#' table/table.csv >nodes.csv
@@ -66,7 +66,7 @@ holds "nodes" nodes.csv '{for (k = 1; k <= 4; ++k) {if (rows == 1 || $k < low[k]
 means table 'says("theory", "polach"); says("nodes", "^3 axis ratios x 3 x 4 x 5 spins"); is("reach", 2); is("spin_reach", 3); is("error_points", 40); is("against_full_points", 64)
   free("error_force_largest error_force_rms error_moment_largest error_moment_rms against_full_force_largest against_full_force_rms against_full_moment_largest against_full_moment_rms")
   if (!(v["against_full_force_largest"] > v["against_full_force_rms"] && v["against_full_force_rms"] > 0.01 && v["against_full_force_rms"] < 0.4)) bad("against full")
-  if (!(v["error_force_largest"] > v["error_force_rms"] && v["error_moment_largest"] >= v["error_moment_rms"])) bad("rms"); flags("range")'
+  if (!(v["error_force_largest"] > v["error_force_rms"] && v["error_moment_largest"] >= v["error_moment_rms"])) bad("rms"); warnings("range")'
 error=$(sed -n 's/^# Error of that, of (fx, fy): largest \([0-9.e-]*\), rms \([0-9.e-]*\); of mz: largest \([0-9.e-]*\), rms \([0-9.e-]*\) (40 points off the nodes)..*/\1 \2 \3 \4/p' table/table.csv)
 # shellcheck disable=SC2086 # four numbers
 set -- $error
@@ -84,7 +84,7 @@ for coefficients in table computed; do
 done
 for cells in 4 8; do answers full$cells table --ratios 2 --longitudinal 2 --lateral 2 --spin 3 --points 10 --cells $cells; done
 grep -q '"coarse"' full4.json || fail "4 cells are not too coarse: $(v full4 theory_error_rms)"
-grep -q '"range"' full4.json && fail "a doubt of the full theory"
+grep -q '"range"' full4.json && fail "a warning about the full theory"
 answers coarse curve --a 6mm --b 20mm --load 80kN --points 3 --cells 4 --spin 1rad/m
 grep -q ',"the cells are too coarse: error estimate above 0.1 mu N' coarse/curve.csv || fail "rows of 4 cells are not too coarse"
 awk -v l="$(v full8 theory_error_largest)" -v r="$(v full8 theory_error_rms)" -v m="$(v full8 theory_error_moment_rms)" 'BEGIN {exit !(r > 0 && r < l && m > 0)}' || fail "the theory's own error"

@@ -27,7 +27,7 @@ awk -F, 'NR == 1 {for (i = 1; i <= NF; ++i) {if ($i ~ /_is$/) {q[++n] = i; name[
       if (g > 0) {m = sum[k] / g; print name[k] "_mean", m; print name[k] "_deviation", sqrt(squares[k] / g - m ^ 2); print name[k] "_mean", note >"notes"} else print name[k] "_note", note >"notes"}}' ideal2/geometry.csv >found
 while read -r key value; do near "$key of an ideal car" "$(v ideal2 "$key")" "$value" "$(awk -v x="$value" 'BEGIN {print 1e-3 * (x < 0 ? -x : x) + 1e-4}')"; done <found
 while read -r key note; do grep -q "\"$key\": \"$note\"" ideal2.json || fail "$key does not say $note"; done <notes
-grep -q '"flags": {}' ideal2.json || fail "doubts of an ideal car"
+grep -q '"warnings": {}' ideal2.json || fail "warnings about an ideal car"
 cmp -s ideal2.drawn/1/d1.csv ideal2/geometry.csv || fail "what is drawn of a short record"
 # The car begins 20 ft ahead of its truck spacing; at a steady speed each foot takes as long as the last, and the track's end is not passed.
 holds "a steady drive" ideal.csv 'rows == 1 {first = $1} rows > 1 {near($2, 0.3048 / (50 * 0.44704), 1e-9); near($1 - last, 0.3048, 1e-6)} {last = $1} END {near(last > 914.4 - 0.62 && last < 914.4, 1, 0); near(rows, 1 + (last - first) / 0.3048, 1e-3)

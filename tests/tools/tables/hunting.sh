@@ -107,12 +107,12 @@ for number in slope_R:slope_R:0.1:0.01 conicity_at_1_mm:conicity_at_1_mm:0.05:0.
     for (k = 1; k <= n; ++k) {x = all[k] + 0; d = x - u; if (d < 0) d = -d; if (d > r * u && d > a) {text = text sprintf(", %.4g", x) substr(all[k], index(all[k], " "))}}
     if (text != "") printf ": %.4g%s\"", u, text; else printf "\"none\""}' >expected
   if [ "$(cat expected)" = '"none"' ]; then
-    sed -n '/"flags"/,$p' worn0.004.json | grep -q "\"$key\":" && fail "$key is doubted"
+    sed -n '/"warnings"/,$p' worn0.004.json | grep -q "\"$key\":" && fail "$key has a warning"
   else
-    grep -q -F "$(cat expected)" worn0.004.json || fail "$key: $(cat expected), not $(sed -n '/"flags"/,$p' worn0.004.json | grep "$key")"
+    grep -q -F "$(cat expected)" worn0.004.json || fail "$key: $(cat expected), not $(sed -n '/"warnings"/,$p' worn0.004.json | grep "$key")"
   fi
 done
-sed -n '/"flags"/,$p' worn0.004.json | grep -q "depends on the smoothing" || fail "nothing depends on the smoothing"
+sed -n '/"warnings"/,$p' worn0.004.json | grep -q "depends on the smoothing" || fail "nothing depends on the smoothing"
 # Of a cycle the largest of what the four wheelsets have is told, and all four.
 near "cycles at a speed" "$(v cycle cycles)" 1 0
 near "the largest amplitude" "$(v cycle cycle_1_mm)" "$(for k in 1 2 3 4; do v cycle cycle_1_wheelset_${k}_mm; done | sort -g | tail -1)" 1e-9

@@ -47,7 +47,7 @@ answers holes compare run0.csv holes.csv --section 200m
 holds "growth beside holes" holes/compare.csv 'n = $1 == 1000 ? 17 + 2 * 25 : $1 == 1400 ? 100 + 2 * 25 : 0; {near($5 == "nan", $1 == 1400, 0); if ($1 > 0 && $2 < 3000) near($c["missing"] / 4, n, n > 0 ? 2 : 0)} $1 == 1000 {near($4 / $3, 1, 5e-3)}'
 near "what the second run lacks" "$(v holes second_missing)" "$(grep -c ',$' holes.csv)" 0
 near "what the first lacks" "$(v holes missing)" 0 0
-# Where the second run is of another track nothing is found, nor told as growth; how often, and where, is a doubt.
+# Where the second run is of another track nothing is found, nor told as growth; how often, and where, is in a warning.
 for share in 3:1000:1600 4:1000:1800; do
   awk -F, -v OFS=, -v from="$(echo $share | cut -d: -f2)" -v to="${share##*:}" 'NR > 1 && $1 > from && $1 < to {$2 = sprintf("%.4f", 4 * sin($1 + 9 * sin($1 / 19)) + 3 * sin($1 * $1 / 400))} 1' run0.125.csv >other.csv
   answers lost compare run0.csv other.csv --section 200m
@@ -131,7 +131,7 @@ means index2 'is("speed_km_per_h", 100); is("length_km", 3); says("length_km", "
   is("mean", mean, 1e-5); is("rms", rms, 1e-5); is("deviation", dev, 1e-4); is("largest", most); is("n", (0.95 - mean) / dev, 1e-4); is("above_per_km", above, 1e-5); says("above_per_km", "threshold 0.95")
   is("exceedances", count); says("exceedances", sprintf("%.4g", count / (n / 4000)) "0* per km"); is("segments", 30); says("segments", "of 100 m"); is("segments_watch", watch); is("segments_repair", repair)
   is("segments_unsure", unsure); is("segments_missing", missing); is("segments_incomplete", incomplete); says("segments_watch", "beyond 0.4"); says("segments_repair", "beyond 0.95"); is("shortest_m", 0); if (!(watch > 0 && repair > 0 && unsure > 0)) bad("classes")
-  free("unsure gain_error stroke_limit_cm flat_until_m worst_1 worst_2"); is("level_cm", 1.6); flags("codes"); for (key in v) if (key ~ /^worst/) says(key, "^[+-][0-9.]+ at [0-9.]+ m, wavelength [0-9.]+ m, stroke(, unsure)?")' \
+  free("unsure gain_error stroke_limit_cm flat_until_m worst_1 worst_2"); is("level_cm", 1.6); warnings("codes"); for (key in v) if (key ~ /^worst/) says(key, "^[+-][0-9.]+ at [0-9.]+ m, wavelength [0-9.]+ m, stroke(, unsure)?")' \
   $(cat moments classes) count=$(($(wc -l <index2/exceedances.csv) - 1))
 [ "$(tail -1 index2/threshold.csv)" = "0.95,0,$(($(wc -l <index2/exceedances.csv) - 1))" ] || fail "threshold.csv: $(cat index2/threshold.csv)"
 # In doubt is what lies within a resonant wavelength of an end, of the mode that counts, or within what a lightly damped mode rings on.
@@ -151,7 +151,7 @@ near "the shortest wave asked for" "$(v asked shortest_m)" 7 0
 # Of many records each has the row that it has alone, and its segments.
 cp bumps.csv again.csv
 "$railbook" quality index bumps.csv again.csv --speed 100km/h --segment 100m --threshold 0.95 --accept 0.4 --out many >said || fail "$(cat said)"
-awk -F, 'NR == 1 {for (i = 1; i <= NF; ++i) c[$i] = i; next} $1 != "again.csv" {next} $c["kind"] == "record" {print $c["mean"], $c["deviation"], $c["rms"], $c["largest"], $c["above_per_km"], $c["exceedances"], $c["unsure"], $c["samples"], $c["missing"], $c["faulty"], $c["from_m"], $c["to_m"], $c["length_km"], $c["flags"], $c["column"]}' many/index-table.csv >row
+awk -F, 'NR == 1 {for (i = 1; i <= NF; ++i) c[$i] = i; next} $1 != "again.csv" {next} $c["kind"] == "record" {print $c["mean"], $c["deviation"], $c["rms"], $c["largest"], $c["above_per_km"], $c["exceedances"], $c["unsure"], $c["samples"], $c["missing"], $c["faulty"], $c["from_m"], $c["to_m"], $c["length_km"], $c["warnings"], $c["column"]}' many/index-table.csv >row
 echo "$(for key in mean deviation rms largest above_per_km exceedances unsure; do v index2 $key; done) 12000 70 20 0 3000 3" | xargs >expected
 awk 'NR == FNR {n = split($0, a); next} {exit !(n == 13 && $14 == "codes" && $15 == "profile"); } END {for (i = 1; i <= 13; ++i) {d = a[i] - $i; if (d > 1e-5 * a[i] || d < -1e-5 * a[i]) exit 1}}' expected row || fail "a row of many: $(cat row expected)"
 awk -F, 'FNR == 1 {for (i = 1; i <= NF; ++i) c[FILENAME == "index2/segments.csv", $i] = i; n = split("from_m to_m samples missing faulty mean deviation rms largest above_per_km exceedances class", keys, " "); next}

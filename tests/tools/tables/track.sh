@@ -110,22 +110,22 @@ for last in 2.5 3; do
   awk -v last=$last 'BEGIN {print "distance_m,profile_mm"; for (x = -1.5; x <= last; x += 0.5) print x ",0"}' >flat$last.csv
   answers profile$last joint --speed 30m/s --profile flat$last.csv
 done
-grep -q '"sampling": "a profile of 9 samples' profile2.5.json || fail "a profile of 9 samples is no doubt"
+grep -q '"sampling": "a profile of 9 samples' profile2.5.json || fail "a profile of 9 samples causes no warning"
 means profile3 'is("profile_samples", 10); says("profile_samples", "500 mm apart")
   for (key in v) if (key ~ /_sampling_kN$/) {is(key, 0.003 * 122.3260944, 1e-5); says(key, "from every second sample$"); ++open}
   for (key in v) if (key ~ /^(p1|p2|second|late|least)_kN$/) is(key, 122.3260944, 1e-5); if (open < 3) bad(open " are open")
   for (key in v) if (notes[key] == "assumed") free(key); is("contact_lost_ms", 0); is("tolerance_change", 0, 1e-5)
   free("speed_m_per_s frequencies_Hz contact_stiffness_MN_per_m integrator evaluations")'
-# What the tool doubts it says in per cent.
+# What the tool warns of it says in per cent.
 answers loose joint --speed 60mph --dip 0.5in --rail-mass 10g --tolerance 1e-3
-means loose 'for (key in v) free(key); doubts("tolerance", sprintf(" %.2g %%", 100 * v["tolerance_change"])); if (!(v["tolerance_change"] > 1e-3)) bad("change")
-  if (v["energy_defect"] > 1e-3) flags("energy")'
+means loose 'for (key in v) free(key); warns("tolerance", sprintf(" %.2g %%", 100 * v["tolerance_change"])); if (!(v["tolerance_change"] > 1e-3)) bad("change")
+  if (v["energy_defect"] > 1e-3) warnings("energy")'
 answers open joint --speed 60mph --dip 0.5in --rail-mass 100g --tolerance 1e-3
-means open 'for (key in v) free(key); doubts("energy", sprintf("open by %.2g %%", 100 * v["energy_defect"])); if (!(v["energy_defect"] > 1e-3)) bad("energy")
-  if (v["tolerance_change"] > 1e-3) flags("tolerance")'
+means open 'for (key in v) free(key); warns("energy", sprintf("open by %.2g %%", 100 * v["energy_defect"])); if (!(v["energy_defect"] > 1e-3)) bad("energy")
+  if (v["tolerance_change"] > 1e-3) warnings("tolerance")'
 answers ties stiffness --tie-spacing 6m
 means ties 'for (key in v) free(key); over = abs(v["discrete_over_tie"] - 1); between = abs(v["discrete_midspan"] - 1); worst = over > between ? over : between
-  doubts("discrete-ties", sprintf("beta l_t = %.2g, .* up to %.2g %%", v["beta_per_m"] * 6, 100 * worst))'
+  warns("discrete-ties", sprintf("beta l_t = %.2g, .* up to %.2g %%", v["beta_per_m"] * 6, 100 * worst))'
 answers coarse joint --speed 60mph --profile "$cases/../track/coarse.csv"
 means coarse 'for (key in v) {free(key); if (key ~ /_sampling_kN$/) {force = v[substr(key, 1, length(key) - 12) "_kN"]; if (force < 122.3260944) force = 122.3260944
-    if (v[key] / force > worst) worst = v[key] / force}} doubts("sampling", sprintf("changes a peak by %.2g %%", 100 * worst))'
+    if (v[key] / force > worst) worst = v[key] / force}} warns("sampling", sprintf("changes a peak by %.2g %%", 100 * worst))'
