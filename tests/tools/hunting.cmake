@@ -124,7 +124,7 @@ foreach(case "45 cn 0.3 13\\.7[78].* 16\\.14.* 13\\.50.* 16\\.12.*21\\.7[34]"
   string(REGEX MATCH "^([0-9]+) ([a-z]+) ([0-9.]+) (.*)$" _ "${case}")
   says("cycle finds a stable one in time: ${CMAKE_MATCH_2}, ${CMAKE_MATCH_3}, ${CMAKE_MATCH_1} m/s"
        "straight run at ${CMAKE_MATCH_1} m/s +unstable.*found in time.*${CMAKE_MATCH_4}.*; stable" cycle --pair ${CMAKE_MATCH_2}
-       --wheel-rail-friction ${CMAKE_MATCH_3} --speed ${CMAKE_MATCH_1}m/s --patience 2)
+       --wheel-rail-friction ${CMAKE_MATCH_3} --speed ${CMAKE_MATCH_1}m/s --points 60)
 endforeach()
 says("cycle says where nothing stable was found" "WARNING: at 44 m/s the straight run and every cycle found are unstable.*derailed"
      cycle --pair cn --speed 44m/s)

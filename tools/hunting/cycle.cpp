@@ -24,18 +24,16 @@ and from swaying of several sizes; a stable cycle to which they come is solved a
 the others went. Without `--speed` the same is done in the middle of the first two ranges of speed at which branches have
 unstable cycles alone and the straight run is unstable too. What neither finds may be there all the same: the answer says what was searched. Errors are
 those of the solution, from solving again with a tenth of the tail of harmonics and finer multipliers; `--tail` makes them smaller. `--out` writes the points as `cycle.csv`, the special ones as `special.csv`, `cycle.json` and the figure. Stiff cars
-take long: after `--patience` the branch ends where it is, and the answer says so.
+take long: after `--points` of all branches the search ends where it is, and the answer says so.
 */
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
 
 #include <railbook/cycles/cycle_error.hpp>
-#include <railbook/num/stopwatch.hpp>
 #include <railbook/rolling/kalker_coefficients.hpp>
 #include <railbook/rolling/smooth_force.hpp>
 #include <railbook/rolling/theory.hpp>
@@ -47,6 +45,8 @@ take long: after `--patience` the branch ends where it is, and the answer says s
 #include <railbook/vehicle/creep_limit.hpp>
 #include <railbook/vehicle/linear_stability.hpp>
 
+#include "hunting/cycle_answer.hpp"
+#include "hunting/cycle_branches.hpp"
 #include "hunting/search.hpp"
 #include "tools.hpp"
 
@@ -65,7 +65,7 @@ struct Options : CarOptions {
   std::optional<double> largest, speed, wheel_rail_friction;
   std::string against, creep_law = "cubic";
   double factor = 2, tail = 3e-4;
-  long family = 1, patience = 10;
+  long family = 1, points = 1000;
   tool::Destination out;
 };
 
@@ -82,161 +82,6 @@ std::optional<CreepLimit> creep_of(const Options& options) {
         rolling::SmoothForce(rolling::shares_of(rolling::solver("full", 1, 0.3, 12), 1, 0.3),
                              rolling::kalker_coefficients(1, 0.3));
   return limit;
-}
-
-double largest_of(const std::array<double, wheelsets>& values) {
-  return *std::max_element(values.begin(), values.end());
-}
-
-// A branch and how it is called in the files.
-struct Named {
-  std::string key, name;
-  LimitCycleBranch branch;
-};
-
-// Ends a branch when its time is over; a line for somebody who waits.
-class Patience {
- public:
-  explicit Patience(double seconds) : seconds_(seconds) {}
-  ~Patience() { clear(); }
-  Patience(const Patience&) = delete;
-  Patience& operator=(const Patience&) = delete;
-  bool left(const LimitCycle& p) {
-    ++points_;
-    if (isatty(STDERR_FILENO) != 0)
-      fmt::print(stderr, "\r{:70}\rpoint {}: {:.5g}, {:.4g} mm, {} harmonics ", "", points_,
-                 p.parameter, p.largest / millimetre, p.cycle.orders.back());
-    over_ = watch_.seconds() > seconds_;
-    return !over_;
-  }
-  bool over() const { return over_; }
-  void clear() const {
-    if (points_ > 0 && isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r{:70}\r", "");
-  }
-
- private:
-  double seconds_;
-  num::Stopwatch watch_;
-  int points_ = 0;
-  bool over_ = false;
-};
-
-std::string stability_text(const LimitCycle& c) {
-  if (c.neutral) return "neutral: one of many at this speed";
-  return c.stable ? "stable" : fmt::format("unstable, {} multipliers outside", c.unstable);
-}
-
-void add_cycle(tool::Summary& answer, const std::string& id, const LimitCycle& c,
-               const CycleError& error, const CarCase& car,
-               const std::optional<CreepLimit>& creep) {
-  answer.add(id + "_mm", "  largest amplitude",
-             tool::Estimate{c.largest / millimetre, error.amplitude / millimetre}, "mm");
-  static constexpr std::array names{"front leading", "front trailing", "rear leading",
-                                    "rear trailing"};
-  for (std::size_t k = 0; k < wheelsets; ++k)
-    answer.add(fmt::format("{}_wheelset_{}_mm", id, k + 1), fmt::format("    {}", names[k]),
-               tool::Estimate{c.amplitude[k] / millimetre, error.amplitude / millimetre}, "mm");
-  if (!car.table.symmetric())
-    answer.add(id + "_middle_mm", "  about", c.middle[0] / millimetre, "mm",
-               fmt::format("to the left of the centre; {}, {}, {} mm the others",
-                           tool::to_text(c.middle[1] / millimetre),
-                           tool::to_text(c.middle[2] / millimetre),
-                           tool::to_text(c.middle[3] / millimetre)));
-  if (creep) {
-    const CycleForces f = cycle_forces(car.car.car(), car.table, *creep, c.cycle);
-    answer.add(id + "_L_over_V", "  largest L/V of a wheel", largest_of(f.lateral_over_vertical),
-               "",
-               fmt::format("{:.3f}, {:.3f}, {:.3f}, {:.3f}; static wheel load",
-                           f.lateral_over_vertical[0], f.lateral_over_vertical[1],
-                           f.lateral_over_vertical[2], f.lateral_over_vertical[3]));
-    answer.add(id + "_creep", "  largest creep force", largest_of(f.creep), "of mu N",
-               fmt::format("{:.3f}, {:.3f}, {:.3f}, {:.3f}", f.creep[0], f.creep[1], f.creep[2],
-                           f.creep[3]));
-  }
-  answer.add(id + "_rad_per_s", "  frequency", tool::Estimate{c.cycle.omega, error.omega}, "rad/s");
-  answer.add(id + "_multiplier", "  largest Floquet multiplier",
-             tool::Estimate{c.leading, error.leading}, "", stability_text(c));
-  if (!c.neutral && std::abs(c.leading - 1) < error.leading)
-    answer.warn(id + "_stability",
-                fmt::format("{}: its largest Floquet multiplier is 1 within its error, and whether "
-                            "it is stable is not certain (a smaller --tail may tell)",
-                            id));
-}
-
-void add_special(tool::Summary& answer, const Family& family, const Named& named,
-                 const ContinuationOptions& walk) {
-  for (std::size_t k = 0; k < named.branch.special.size(); ++k) {
-    const SpecialCycle& s = named.branch.special[k];
-    const std::string id = fmt::format("{}_special_{}", named.key, k + 1);
-    const SpecialError error =
-        s.located ? special_error(family, named.branch, s, walk) : SpecialError{};
-    // Only from the first branch are others followed, and only to less symmetry or twice the period.
-    const bool leaves = s.kind == CycleEvent::branch_point ||
-                        s.kind == CycleEvent::symmetry_breaking ||
-                        s.kind == CycleEvent::period_doubling;
-    const bool followed = named.key == "branch" && s.kind != CycleEvent::branch_point;
-    answer.add(
-        id + "_m_per_s", fmt::format("{}: {}", named.name, to_string(s.kind)),
-        tool::Estimate{s.at.parameter, error.parameter}, "m/s",
-        fmt::format("{} ft/s{}{}",
-                    tool::to_digits_of(s.at.parameter / units::foot, error.parameter / units::foot),
-                    s.located ? "" : ", not located closely",
-                    leaves && !followed ? "; the branch that leaves here is not followed" : ""));
-    answer.add(id + "_mm", "  largest amplitude",
-               tool::Estimate{s.at.largest / millimetre, error.largest / millimetre}, "mm");
-    answer.add(id + "_rad_per_s", "  frequency", tool::Estimate{s.at.cycle.omega, error.omega},
-               "rad/s");
-  }
-}
-
-void add_extent(tool::Summary& answer, const Named& named) {
-  const auto& points = named.branch.points;
-  double slow = 1e300, fast = 0, small = 1e300, large = 0;
-  for (const LimitCycle& p : points) {
-    slow = std::min(slow, p.parameter);
-    fast = std::max(fast, p.parameter);
-    small = std::min(small, p.largest);
-    large = std::max(large, p.largest);
-  }
-  answer.add(named.key + "_points", named.name + ": points", static_cast<double>(points.size()), "",
-             to_string(named.branch.stop));
-  answer.add(named.key + "_extent", "  searched",
-             fmt::format("{:.4f} to {:.4f} m/s, {:.4f} to {:.4f} mm", slow, fast,
-                         small / millimetre, large / millimetre));
-}
-
-// Of points that branches leave at, the one where this branch has come back: it is the same branch from its other end.
-void erase_end(std::vector<SpecialCycle>& left, const LimitCycleBranch& branch) {
-  if (branch.stop != BranchStop::joined || left.empty()) return;
-  const auto apart = [&end = branch.points.back()](const SpecialCycle& s) {
-    return std::hypot(s.at.parameter / end.parameter - 1, s.at.largest / end.largest - 1);
-  };
-  const auto nearest = std::ranges::min_element(left, {}, apart);
-  if (apart(*nearest) < 0.05) left.erase(nearest);
-}
-
-// The branch itself, then those that leave it where symmetry breaks or the period doubles.
-std::vector<Named> follow_all(const Options& options, const Family& family, const HopfPoint& hopf,
-                              const ContinuationOptions& walk, const Patience& patience) {
-  std::vector<Named> all;
-  const Motion& m = hopf.motion;
-  all.push_back({"branch", fmt::format("branch of critical speed {}", options.family),
-                 follow_from_hopf(family, m.shape, m.lambda.imag(), m.speed, walk)});
-  std::vector<SpecialCycle> left = all.front().branch.special;
-  std::erase_if(left, [](const SpecialCycle& s) {
-    return s.kind != CycleEvent::symmetry_breaking && s.kind != CycleEvent::period_doubling;
-  });
-  while (!left.empty() && !patience.over()) {
-    const SpecialCycle s = left.front();
-    left.erase(left.begin());
-    LimitCycleBranch next = follow_secondary(family, s, walk);
-    if (next.points.empty()) continue;
-    erase_end(left, next);
-    const auto number = all.size();
-    all.push_back({fmt::format("secondary_{}", number),
-                   fmt::format("branch {} of {}", number, to_string(s.kind)), std::move(next)});
-  }
-  return all;
 }
 
 void follow_datum(tool::Summary& answer, const Options& options, const CarCase& c,
@@ -277,7 +122,7 @@ struct Work {
   const Family& family;
   const std::optional<CreepLimit>& creep;
   const ContinuationOptions& walk;
-  std::vector<Named> all;
+  std::vector<NamedBranch> all;
 };
 
 struct Found {
@@ -286,7 +131,7 @@ struct Found {
 };
 std::vector<Found> cycles_of(const Work& w, double speed) {
   std::vector<Found> found;
-  for (const Named& named : w.all)
+  for (const NamedBranch& named : w.all)
     for (LimitCycle& c : cycles_at(w.family, named.branch, speed, w.walk))
       found.push_back({named.name, std::move(c)});
   return found;
@@ -332,7 +177,7 @@ void add_search(tool::Summary& answer, const Search& search, double speed) {
 // Speeds at which branches have cycles, all unstable as the straight run is: low and high.
 std::vector<std::pair<double, double>> unstable_speeds(const Work& w) {
   const auto covered = [&w](double speed, bool stable) {
-    for (const Named& named : w.all)
+    for (const NamedBranch& named : w.all)
       for (std::size_t k = 1; k < named.branch.points.size(); ++k) {
         const LimitCycle &a = named.branch.points[k - 1], &b = named.branch.points[k];
         if ((a.parameter - speed) * (b.parameter - speed) <= 0 &&
@@ -354,10 +199,10 @@ std::vector<std::pair<double, double>> unstable_speeds(const Work& w) {
   return ranges;
 }
 
-void add_unstable_speeds(tool::Summary& answer, Work& w, const Patience& patience) {
+void add_unstable_speeds(tool::Summary& answer, Work& w, const PointLimit& limit) {
   constexpr std::size_t most = 2;
   auto ranges = unstable_speeds(w);
-  for (std::size_t k = 0; k < std::min(most, ranges.size()) && !patience.over(); ++k) {
+  for (std::size_t k = 0; k < std::min(most, ranges.size()) && !limit.reached(); ++k) {
     const double speed = 0.5 * (ranges[k].first + ranges[k].second);
     add_search(answer, search_at(w, speed, cycles_of(w, speed)), speed);
   }
@@ -402,7 +247,7 @@ void add_cycles_at(tool::Summary& answer, const Work& w) {
 }
 
 void write_files(tool::OutFolder& out, const CarCase& c, const std::optional<CreepLimit>& creep,
-                 const std::vector<Named>& all, const tool::Summary& answer) {
+                 const std::vector<NamedBranch>& all, const tool::Summary& answer) {
   std::string text =
       "branch,V_m_per_s,A_mm,omega_rad_per_s,front_leading_mm,front_trailing_mm,rear_leading_mm,"
       "rear_trailing_mm,multiplier,unstable_multipliers,stable_mm,unstable_mm,harmonics,"
@@ -434,7 +279,7 @@ void write_files(tool::OutFolder& out, const CarCase& c, const std::optional<Cre
   out.figure(tools::scripts("hunting") / "cycle.gp", {"cycle.csv", "special.csv"}, "cycle.png");
 }
 
-ContinuationOptions options_of(const Options& options, Patience& patience) {
+ContinuationOptions options_of(const Options& options, PointLimit& limit) {
   ContinuationOptions walk;
   walk.first_amplitude = options.suspension == "friction" ? 0.03 * options.first : options.first;
   walk.largest_amplitude = options.largest.value_or(options.pair.end);
@@ -443,7 +288,7 @@ ContinuationOptions options_of(const Options& options, Patience& patience) {
       static_cast<int>(256 * std::clamp(std::sqrt(3e-4 / options.tail), 0.5, 16.0));
   walk.lowest = options.lowest;
   walk.highest = options.highest;
-  walk.go_on = [&patience](const LimitCycle& p) { return patience.left(p); };
+  walk.go_on = [&limit](const LimitCycle& p) { return limit.add(p); };
   return walk;
 }
 
@@ -475,9 +320,9 @@ void run(const Options& options) {
   const HopfPoint& begin = hopf[static_cast<std::size_t>(options.family - 1)];
   const std::optional<CreepLimit> creep = creep_of(options);
   const Family family = by_speed(c.car.car(), c.table, creep);
-  Patience patience(static_cast<double>(options.patience));
-  const ContinuationOptions walk = options_of(options, patience);
-  Work w{options, c, family, creep, walk, follow_all(options, family, begin, walk, patience)};
+  PointLimit limit(options.points);
+  const ContinuationOptions walk = options_of(options, limit);
+  Work w{options, c, family, creep, walk, follow_all(family, begin, options.family, walk, limit)};
   if (w.all.front().branch.points.empty())
     throw InputError(
         fmt::format("no limit cycle of {:g} m was found at the critical speed; try "
@@ -496,18 +341,18 @@ void run(const Options& options) {
   if (options.speed)
     look_in_time(answer, w);
   else
-    add_unstable_speeds(answer, w, patience);
-  for (const Named& named : w.all) {
+    add_unstable_speeds(answer, w, limit);
+  for (const NamedBranch& named : w.all) {
     add_extent(answer, named);
     add_special(answer, family, named, walk);
   }
   if (options.speed) add_cycles_at(answer, w);
-  patience.clear();
-  if (patience.over())
-    answer.warn("patience", fmt::format("the search was stopped after {} s: branches end early "
-                                        "(--patience gives it longer)",
-                                        options.patience));
-  for (const Named& named : w.all)
+  limit.clear();
+  if (limit.reached())
+    answer.warn("points", fmt::format("the search was stopped after {} points: branches end early "
+                                      "(--points gives it more)",
+                                      options.points));
+  for (const NamedBranch& named : w.all)
     if (named.branch.stop == BranchStop::step)
       answer.warn(named.key, fmt::format("the {} could not be followed farther than {:.4f} m/s, "
                                          "{:.4f} mm: it may go on",
@@ -543,8 +388,8 @@ std::function<void()> declare(tool::OptionParser& parser) {
                   "of a cycle, the share in its highest harmonics up to which more are added: "
                   "smaller is more accurate, and slower",
                   tool::Range{1e-6, 1e-2});
-  parser.count("--patience", options->patience, "seconds after which a branch ends where it is", 1,
-               86400);
+  parser.count("--points", options->points,
+               "of all branches, after which the search ends where it is", 1, 1000000);
   parser.out(options->out);
   parser.help(
       "Amplitudes are half of what a wheelset moves from side to side, and positive; middle_mm is "
