@@ -40,13 +40,16 @@ WheelInput input_of(double load, double speed, double angular_velocity, const Fr
 void bind_wheel_contact(py::module_& whole) {
   auto m = part(whole, "wheel_contact", doc("wheel_contact/wheel.hpp"));
   py::class_<Friction>(m, "Friction", doc("wheel_contact/wheel.hpp Friction"))
-      .def(py::init([](double coefficient, double share, double speed) {
-             return Friction{coefficient, share, speed};
-           }),
-           "coefficient"_a = 0.3, "high_speed_share"_a = 1.0, "speed"_a = 1.0)
+      .def(py::init(
+               [](double coefficient, double share, double speed, std::optional<double> flange) {
+                 return Friction{coefficient, share, speed, flange};
+               }),
+           "coefficient"_a = 0.3, "high_speed_share"_a = 1.0, "speed"_a = 1.0,
+           "flange"_a = py::none())
       .def_readwrite("coefficient", &Friction::coefficient)
       .def_readwrite("high_speed_share", &Friction::high_speed_share)
-      .def_readwrite("speed", &Friction::speed);
+      .def_readwrite("speed", &Friction::speed)
+      .def_readwrite("flange", &Friction::flange);
   py::class_<Pose>(m, "Pose", doc("wheel_contact/find_contact.hpp Pose"))
       .def(py::init([](double y, double yaw, double roll) {
              return Pose{y, yaw, roll};

@@ -21,8 +21,11 @@ namespace railbook::wheel_contact {
 using Eigen::Index;
 using Eigen::Vector3d;
 
-double Friction::at(double slip_speed) const {
-  return coefficient * (high_speed_share + (1 - high_speed_share) * std::exp(-slip_speed / speed));
+double Friction::at(double slip_speed, double angle) const {
+  constexpr double tread_to = 20 * units::degree, flange_from = 40 * units::degree;
+  const double share = std::clamp((angle - tread_to) / (flange_from - tread_to), 0.0, 1.0);
+  const double dry = std::lerp(coefficient, flange.value_or(coefficient), share);
+  return dry * (high_speed_share + (1 - high_speed_share) * std::exp(-slip_speed / speed));
 }
 
 namespace {
@@ -36,6 +39,7 @@ void check(const ProfilePair& pair, const Pose& pose, const WheelInput& input) {
   require_positive("speed", input.speed, "m/s");
   require_finite("angular velocity", input.angular_velocity, "rad/s");
   require_between("friction", input.friction.coefficient, 0, 2);
+  require_between("friction of the flange", input.friction.flange.value_or(0), 0, 2);
   require_between("friction's share at high speed", input.friction.high_speed_share, 0, 1);
   require_positive("friction's speed", input.friction.speed, "m/s");
   require_positive("wheel radius", pair.radius, "m");
@@ -72,7 +76,7 @@ rolling::RollingCase case_of(const Work& w, PatchResult& p, double z) {
   const double slip =
       std::sqrt(std::pow(m.creepage.longitudinal, 2) + std::pow(m.creepage.lateral, 2) +
                 std::pow(m.creepage.spin, 2) * p.area / (2 * units::pi));
-  p.friction = w.input.friction.at(std::abs(m.speed) * slip);
+  p.friction = w.input.friction.at(std::abs(m.speed) * slip, -p.patch.frame.angle);
   return {.a = 1,
           .b = 1,
           .load = 1,
@@ -236,6 +240,10 @@ struct Full {
     for (std::size_t i = 0; i < all.size(); ++i) {
       PatchResult& p = all[i];
       const rolling::RollingCase c = case_of(w, p, z0 + down);
+      if (p.friction == 0) {
+        p.forces = {};
+        continue;
+      }
       p.forces = rolling::solve_rolling_unlike(cells[i]->grid, cells[i]->pressure, c,
                                                {.estimate = false, .solver = {.tolerance = 1e-7}},
                                                w.material.dissimilarity);
@@ -286,7 +294,7 @@ void solve_full(const Work& w, double z, WheelResult& out) {
   if (!f.balance(1e-3)) return fail(unborne);
   f.forget_unloaded();
   f.describe();
-  if (w.input.friction.coefficient > 0 && !f.roll()) return fail(unsettled);
+  if (w.input.friction.largest() > 0 && !f.roll()) return fail(unsettled);
   f.coarse = f.all;
   for (int k = 0;; ++k) {
     f.mesh(w.input.along, w.input.across);
@@ -299,7 +307,7 @@ void solve_full(const Work& w, double z, WheelResult& out) {
   // the load grows: the depth that balances one share swings about that which balances its own.
   // Where that has not ended, it is sought between the last two.
   double last = 0, last_off = 0;
-  for (int k = 0; w.input.friction.coefficient > 0; ++k) {
+  for (int k = 0; w.input.friction.largest() > 0; ++k) {
     if (!f.roll()) return fail(unsettled);
     const double off = vertical_force(f.all) / w.input.load - 1, here = f.down;
     if (std::abs(off) < 1e-3) break;
@@ -428,7 +436,7 @@ WheelResult solve_wheel(const ProfilePair& pair, const Pose& pose, const WheelIn
   const Work w{wheel, touch, input, rolling::combine(input.wheel, input.rail)};
   WheelResult out;
   out.z_touch = touch.z();
-  const bool friction = input.friction.coefficient > 0;
+  const bool friction = input.friction.largest() > 0;
   const Approximate depth = approximate_depth(w, friction);
   out.z = depth.z;
   if (depth.too_deep) {

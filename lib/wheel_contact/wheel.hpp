@@ -9,7 +9,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,12 +25,17 @@ namespace railbook::wheel_contact {
 
 // mu(v) = mu0 (a + (1 - a) exp(-v/v0)), the law of Ohyama and Polach. v is the mean rigid slip
 // speed of the patch, not the slip of each particle: with that a rolling contact has several
-// solutions, with this one. a = 1: constant.
+// solutions, with this one. a = 1: constant. On a flange mu0 may be another: up to a contact angle
+// of 20 degrees it is the tread's, from 40 degrees on the flange's, and linear in the angle
+// between.
 struct Friction {
-  double coefficient = 0.3;     // mu0, 0 to 2
-  double high_speed_share = 1;  // a: the fraction left at high speed, 0 to 1
-  double speed = 1;             // v0 [m/s], > 0
-  double at(double slip_speed) const;
+  double coefficient = 0.3;           // mu0, 0 to 2
+  double high_speed_share = 1;        // a: the fraction left at high speed, 0 to 1
+  double speed = 1;                   // v0 [m/s], > 0
+  std::optional<double> flange = {};  // mu0 of the flange, 0 to 2; none: as on the tread
+  // `angle` [rad] grows towards the flange.
+  double at(double slip_speed, double angle = 0) const;
+  double largest() const { return std::max(coefficient, flange.value_or(0)); }
 };
 
 enum class Method {

@@ -72,7 +72,7 @@ WheelsetResult solve_wheelset(const ProfilePair& left, const ProfilePair& right,
   WheelsetResult out;
   out.pose = at;
   Balance b{left, right, input, out};
-  const bool friction = input.friction.coefficient > 0, full = input.method == Method::full;
+  const bool friction = input.friction.largest() > 0, full = input.method == Method::full;
   const Method quick = full ? Method::strips : input.method;
   double roll = rigid_roll(left, right, at.y, at.yaw);
   double angular_velocity = input.speed / b.radius();
@@ -81,7 +81,7 @@ WheelsetResult solve_wheelset(const ProfilePair& left, const ProfilePair& right,
     if (friction) angular_velocity = b.angular_velocity(roll, quick);
   }
   const double small_height = 2e-8;  // m
-  const double small_moment = 1e-4 * input.friction.coefficient * input.load * b.radius();
+  const double small_moment = 1e-4 * input.friction.largest() * input.load * b.radius();
   for (int k = 0; full && k < 3; ++k) {
     const auto height = [&](double r) {
       return b.solve(r, angular_velocity, Method::full), b.heights();

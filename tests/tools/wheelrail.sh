@@ -16,6 +16,13 @@ for yaw in 0 4; do
   table --yaw-from ${yaw}mrad --yaw-to ${yaw}mrad --json >yaw$yaw.jsonl || fail "yaw $yaw"
   grep "yaw $yaw mrad" whole/wheelrail-table.jsonl | cmp - yaw$yaw.jsonl || fail "a part has other rows"
 done
+# Two patches are two rows, which bear the wheel's forces together.
+"$railbook" wheelrail table --speed 30m/s --from 5.5mm --to 5.5mm --shifts 1 --load 50kN --cant 0.05 --out two >said || fail "$(cat said)"
+awk -F, 'NR == 1 {for (i = 1; i <= NF; ++i) at[$i] = i + 1; next}
+  {a = $at["angle_mrad"] / 1e3; x += $at["fx_N"]; y += $at["fy_N"] * cos(a) - $at["normal_N"] * sin(a); z += $at["normal_N"] * cos(a) + $at["fy_N"] * sin(a); w += $at["patch_wear_N"]}
+  NR == 2 {fx = $at["x_N"]; fy = $at["y_N"]; fz = $at["z_N"]; wear = $at["wear_N"]; patches = $at["patches"]}
+  function near(u, v) {return u - v < 0.01 && v - u < 0.01}
+  END {exit !(NR == 3 && patches == 2 && near(x, fx) && near(y, fy) && near(z, fz) && near(w, wear))}' two/wheelrail-table.csv || fail "two patches: $(cat two/wheelrail-table.csv)"
 # The error stated for a step covers what sixteen times as many shifts show, where a patch grows into another near one end of it.
 steps() { "$railbook" wheelrail table --speed 10m/s --load 50kN --slip 0.001 --from 0mm --to 0.5mm --shifts "$1" --out "steps$1" >said || fail "$(cat said)"; }
 steps 2
@@ -23,7 +30,7 @@ steps 17
 cat steps2/wheelrail-table.csv steps17/wheelrail-table.csv | awk -F, '
   /^record/ { ++part; for (i = 1; i <= NF; ++i) at[$i] = i + 1; next }  # the name has a comma
   part == 1 && !(stated > 0) { stated = $at["interpolation_error_of_mu_N"] }
-  part == 2 { x[n + 0] = $at["x_N"]; y[n++ + 0] = $at["y_N"] }
+  part == 2 && $at["patch"] == 1 { x[n + 0] = $at["x_N"]; y[n++ + 0] = $at["y_N"] }
   END {
     if (n != 17) { print n " rows"; exit 1 }
     for (i = 0; i < n; ++i) {

@@ -221,7 +221,7 @@ void add_wheel(tool::Summary& answer, const Side& shown, const std::vector<Profi
     add("friction", "  friction", p.friction, "");
     add("stick_share", "  fraction that sticks", p.forces.stick_share, "");
     add("shear_MPa", "  largest shear traction", p.largest_shear / units::megapascal, "MPa");
-    add("wear_N", "  wear number", p.wear_number, "N");
+    add("wear_N", "  wear number", p.wear_number, "N", "T gamma, J per metre run");
     if (shown.stress.empty()) continue;
     const PatchStress& stress = shown.stress[static_cast<std::size_t>(k - 1)];
     for (const auto& [name, body] : {std::pair{"rail", &stress.rail}, {"wheel", &stress.wheel}}) {
@@ -250,8 +250,8 @@ void add_model_errors(tool::Summary& answer) {
 }
 
 void run(const Options& options) {
-  tool::OutFolder out(options.out,
-                      {"patches.csv", "wheelset-contact.json", "wheelset-contact.png"});
+  tool::OutFolder out(
+      options.out, {"patches.csv", "patches.vtp", "wheelset-contact.json", "wheelset-contact.png"});
   const ReadPair read = read_pair(options);
   const auto& fits = read.fits;
   const WheelsetResult r = solve(options, read);
@@ -266,7 +266,8 @@ void run(const Options& options) {
   answer.add("lowered_mm", "axle below its height on the running circles", r.right.z / millimetre,
              "mm", options.roll ? fmt::format("left wheel {:.6g} mm", r.left.z / millimetre) : "");
   const auto add_nadal = [&](const char* key, const char* what, const ProfilePair& pair) {
-    const double flange = flange_angle(pair.wheel), slope = std::tan(flange), mu = options.friction;
+    const double flange = flange_angle(pair.wheel), slope = std::tan(flange),
+                 mu = options.wheel_input.friction.flange.value_or(options.friction);
     answer.add(key, what, (slope - mu) / (1 + mu * slope), "",
                fmt::format("flange of {:.1f} degrees, friction {:g}", flange / units::degree, mu));
   };
@@ -288,6 +289,7 @@ void run(const Options& options) {
   answer.print();
   if (out) {
     out.add("patches.csv", cells_csv(sides));
+    out.add("patches.vtp", cells_vtp(sides));
     out.add("wheelset-contact.json", answer.json());
     draw(read.left, read.right, r.pose, sides, out);
   }
@@ -319,7 +321,8 @@ std::function<void()> declare(tool::OptionParser& parser) {
       "row a cell: along_mm forward and across_mm to the right of the patch's place, pressure_MPa "
       "positive as the bodies press, shear_x_MPa and shear_y_MPa on the rail in the same "
       "directions, stick 1 where the wheel does not slide, rail_von_mises_MPa the largest below "
-      "the cell; wheelset-contact.json has the answer with its errors.\n\nExample: railbook "
+      "the cell; patches.vtp is the same in the track's axes for ParaView; wheelset-contact.json "
+      "has the answer with its errors.\n\nExample: railbook "
       "wheelrail contact --shift 4mm --yaw 5mrad --load 50kN --speed "
       "30m/s");
   return [options] { run(*options); };

@@ -82,6 +82,52 @@ std::string cells_csv(const std::array<Side, 2>& sides) {
   return text;
 }
 
+std::string cells_vtp(const std::array<Side, 2>& sides) {
+  std::string points, cells, ends, pressures, tractions, numbers, wheels;
+  int count = 0;
+  for (const Side& side : sides) {
+    const auto vector = [&](const Eigen::Vector3d& v, double unit) {
+      return fmt::format("{:.7g} {:.7g} {:.7g}\n", v.x() / unit, side.sign * v.y() / unit,
+                         v.z() / unit);
+    };
+    for (std::size_t k = 0; k < side.wheel.patches.size(); ++k) {
+      const Frame& frame = side.wheel.patches[k].patch.frame;
+      for (const Cell& c : cells_of(side, k)) {
+        constexpr std::array<std::array<double, 2>, 4> corners{
+            {{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}};
+        for (const auto& [x, y] : corners)
+          points += vector(frame.origin + (c.x + x * c.dx) * Eigen::Vector3d::UnitX() +
+                               (c.y + y * c.dy) * frame.across(),
+                           1);
+        cells +=
+            fmt::format("{} {} {} {}\n", 4 * count, 4 * count + 1, 4 * count + 2, 4 * count + 3);
+        ends += fmt::format("{}\n", 4 * ++count);
+        pressures += fmt::format("{:.7g}\n", c.pressure / megapascal);
+        tractions += vector(c.px * Eigen::Vector3d::UnitX() + c.py * frame.across(), megapascal);
+        numbers += fmt::format("{}\n", k + 1);
+        wheels += fmt::format("{:g}\n", side.sign);
+      }
+    }
+  }
+  const auto array = [](const char* type, const char* attributes, const std::string& text) {
+    return fmt::format("<DataArray type=\"{}\" {} format=\"ascii\">\n{}</DataArray>\n", type,
+                       attributes, text);
+  };
+  return fmt::format(
+             "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\" "
+             "byte_order=\"LittleEndian\">\n<PolyData>\n<Piece NumberOfPoints=\"{}\" "
+             "NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" "
+             "NumberOfPolys=\"{}\">\n<Points>\n",
+             4 * count, count) +
+         array("Float64", "NumberOfComponents=\"3\"", points) + "</Points>\n<Polys>\n" +
+         array("Int32", "Name=\"connectivity\"", cells) + array("Int32", "Name=\"offsets\"", ends) +
+         "</Polys>\n<CellData Scalars=\"pressure_MPa\" Vectors=\"shear_MPa\">\n" +
+         array("Float64", "Name=\"pressure_MPa\"", pressures) +
+         array("Float64", "Name=\"shear_MPa\" NumberOfComponents=\"3\"", tractions) +
+         array("Int32", "Name=\"patch\"", numbers) + array("Int32", "Name=\"side\"", wheels) +
+         "</CellData>\n</Piece>\n</PolyData>\n</VTKFile>\n";
+}
+
 void draw(const ProfilePair& left, const ProfilePair& right, const Pose& pose,
           const std::array<Side, 2>& sides, tool::OutFolder& out) {
   std::string section = "part,y_mm,z_mm\n";

@@ -22,6 +22,11 @@ struct Side {
 // One cell a row; in the patch's frame, across > 0 to the right.
 std::string cells_csv(const std::array<Side, 2>& sides);
 
+// The cells in the track's axes [m] for ParaView and its like: pressure_MPa, shear_MPa on the rail,
+// the number of the patch, and the side, 1 right and -1 left. VTK's XML form for polygons, as
+// its file formats are published (docs.vtk.org).
+std::string cells_vtp(const std::array<Side, 2>& sides);
+
 // wheelset-contact.png: both sections with their patches, and the pressures from above.
 void draw(const wheel_contact::ProfilePair& left, const wheel_contact::ProfilePair& right,
           const wheel_contact::Pose& pose, const std::array<Side, 2>& sides, tool::OutFolder& out);

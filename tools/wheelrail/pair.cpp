@@ -146,6 +146,10 @@ void add_pair_options(tool::OptionParser& parser, PairOptions& options) {
   parser.quantity("--speed", options.speed, units::speed, "of the wheelset along the track",
                   Range{1e-6, 1e3});
   parser.required();
+  parser.quantity("--mu-flange", w.friction.flange, units::number,
+                  "friction from a contact angle of 40 degrees on, where --mu holds up to 20 and "
+                  "lines join them; without it as on the tread",
+                  Range{0, 2});
   parser.quantity("--mu-high-speed-share", w.friction.high_speed_share, units::number,
                   "share of the friction left at high slip speed; 1 is constant friction",
                   Range{0, 1});

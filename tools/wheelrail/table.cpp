@@ -19,6 +19,7 @@ of what friction bears, or 10 % of the pressure, the row has a warning.
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <memory>
 
@@ -141,8 +142,25 @@ tool::Row row_of(const Line& line, const Place& place) {
   return row;
 }
 
+void add_patch(tool::Row& row, std::size_t number, const PatchResult& p) {
+  row.add("patch", static_cast<double>(number));
+  row.add("along_mm", p.patch.frame.origin.x() / millimetre);
+  row.add("across_mm", p.patch.frame.origin.y() / millimetre);
+  row.add("angle_mrad", 1e3 * p.patch.frame.angle);
+  row.add("normal_N", p.load);
+  row.add("p_max_MPa", p.p_max / units::megapascal);
+  row.add("area_mm2", p.area / (millimetre * millimetre));
+  row.add("creepage_x", p.creepage.longitudinal);
+  row.add("creepage_y", p.creepage.lateral);
+  row.add("spin_1_per_m", p.creepage.spin);
+  row.add("fx_N", p.forces.fx);
+  row.add("fy_N", p.forces.fy);
+  row.add("mz_N_m", p.forces.mz);
+  row.add("stick_share", p.forces.stick_share);
+  row.add("patch_wear_N", p.wear_number);
+}
+
 void add_answer(tool::Row& row, const Pose& pose, const WheelResult& r) {
-  const PatchResult& p = r.patches.front();
   double wear = 0, error = 0, pressure_error = 0;
   for (const PatchResult& patch : r.patches) {
     wear += patch.wear_number;
@@ -155,19 +173,9 @@ void add_answer(tool::Row& row, const Pose& pose, const WheelResult& r) {
   row.add("y_N", r.force.y());
   row.add("z_N", r.force.z());
   row.add("axle_moment_N_m", r.axle_moment);
-  row.add("patches", static_cast<double>(r.patches.size()));
-  row.add("along_mm", p.patch.frame.origin.x() / millimetre);
-  row.add("across_mm", p.patch.frame.origin.y() / millimetre);
-  row.add("angle_mrad", 1e3 * p.patch.frame.angle);
-  row.add("normal_N", p.load);
-  row.add("p_max_MPa", p.p_max / units::megapascal);
-  row.add("area_mm2", p.area / (millimetre * millimetre));
-  row.add("creepage_x", p.creepage.longitudinal);
-  row.add("creepage_y", p.creepage.lateral);
-  row.add("spin_1_per_m", p.creepage.spin);
-  row.add("mz_N_m", p.forces.mz);
-  row.add("stick_share", p.forces.stick_share);
   row.add("wear_N", wear);
+  row.add("patches", static_cast<double>(r.patches.size()));
+  add_patch(row, 1, r.patches.front());
   row.add("grid_error_of_mu_N", error);
   row.add("grid_error_p_max", pressure_error);
   for (const units::Warning& warning : r.warnings) row.warn(warning.key);
@@ -190,16 +198,21 @@ std::vector<tool::Row> rows_of(const Options& options, const ReadPair& read, con
       for (const double slip : options.slips) {
         const Place place{load, friction, slip};
         tool::Row row = row_of(line, place);
+        std::vector<tool::Row> others;  // patches
         try {
           const WheelResult r = solve(options, read, pose, place, method_of(options.method));
           add_answer(row, pose, r);
           add_point_warnings(row, options, line, r, read.fits);
+          for (std::size_t k = 1; k < r.patches.size(); ++k)
+            add_patch(others.emplace_back(row_of(line, place)), k + 1, r.patches[k]);
           if (rows.empty() && line.measured) add_errors(row, options, read, line, place, r);
         } catch (const std::runtime_error& error) {  // not of a lack of memory
+          others.clear();
           row.add("refused", std::string(error.what()));
           row.warn("refused");
         }
         rows.push_back(std::move(row));
+        std::ranges::move(others, std::back_inserter(rows));
       }
   return rows;
 }
@@ -255,7 +268,9 @@ std::function<void()> declare(tool::OptionParser& parser) {
   parser.help(
       "With --out DIR: DIR/wheelrail-table.csv and .jsonl, a row a position. Columns are those of "
       "the right wheel, "
-      "forces on the rail; x forward, y right, z down; the first patch carries most. A warning "
+      "forces on the rail; x forward, y right, z down; the first patch carries most, and further "
+      "patches follow in rows of their own, with patch 2 and on and without what is the wheel's. "
+      "A warning "
       "interpolation: between this shift and the next linear interpolation is off by more than 5 % "
       "of mu N; method: the method is off the full theory by more than that, or by 10 % of the "
       "pressure; verge, unlike, neighbour, half_space, two_areas, shared_frame, off_profile, "

@@ -9,6 +9,7 @@
 
 #include <railbook/contact/hertz.hpp>
 #include <railbook/rolling/material_pair.hpp>
+#include <railbook/units/constants.hpp>
 #include <railbook/units/input_error.hpp>
 #include <railbook/units/warning.hpp>
 #include <railbook/wheel_contact/stress.hpp>
@@ -78,6 +79,8 @@ TEST_CASE("unit: every quantity of a wheel's wish is refused beyond its range an
       return refused({}, input);
     };
     starts(with([&](WheelInput& w) { w.friction.coefficient = 2 * share; }), "friction is ");
+    starts(with([&](WheelInput& w) { w.friction.flange = 2 * share; }),
+           "friction of the flange is ");
     starts(with([&](WheelInput& w) { w.friction.high_speed_share = share; }), "friction's share");
     starts(with([&](WheelInput& w) { w.friction.high_speed_share = 1 - share; }),
            "friction's share");
@@ -347,6 +350,31 @@ TEST_CASE("unit: of a wheel that spins backwards friction falls with its slip as
   const PatchResult p = solve_wheel(on_crown(), {}, input).patches.front();
   // The rim runs back at three times the speed: 80 m/s over the rail.
   CHECK(p.friction == Approx(input.friction.at(4 * speed)).epsilon(1e-3));
+}
+
+TEST_CASE("unit: friction of the flange acts on the flange only") {
+  const Friction friction{.coefficient = 0.4, .flange = 0.1};
+  for (const auto& [degrees, mu] :
+       {std::pair{-60.0, 0.4}, {0, 0.4}, {20, 0.4}, {30, 0.25}, {40, 0.1}, {70, 0.1}})
+    CHECK(friction.at(0, degrees * units::degree) == Approx(mu).epsilon(1e-12));
+  const ProfilePair pair = s1002_on_60e1(1.0 / 40);
+  for (const Method method : {Method::strips, Method::full}) {
+    WheelInput input = wish_of(method);
+    input.friction.flange = 0;
+    bool tread = false, flange = false;
+    for (const PatchResult& p : solve_wheel(pair, {.y = 6.8e-3}, input).patches) {
+      const bool on_flange = p.patch.frame.angle < -40 * units::degree;
+      (on_flange ? flange : tread) = true;
+      CHECK(p.friction == (on_flange ? 0 : input.friction.coefficient));
+      CHECK((std::hypot(p.forces.fx, p.forces.fy) == 0) == on_flange);
+    }
+    CHECK(flange);
+    // Where it is that of the tread nothing changes.
+    input.friction.flange = input.friction.coefficient;
+    const WheelResult same = solve_wheel(pair, {.y = 6.8e-3}, input);
+    input.friction.flange.reset();
+    CHECK(same.force == solve_wheel(pair, {.y = 6.8e-3}, input).force);
+  }
 }
 
 TEST_CASE("unit: stresses below a patch that slides lie on the cells of its tractions") {

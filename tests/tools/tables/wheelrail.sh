@@ -64,6 +64,25 @@ for drawn in hertz full; do
   done
 done
 awk -F, '$1 == 1 {y[++m] = $2; z[m] = $3} $1 == 3 {++n; if ($2 + y[n] > 1e-3 || $2 + y[n] < -1e-3 || $3 != z[n]) exit 1} END {exit !(n == 401 && m == 401)}' full.drawn/1/d1.csv || fail "rails in the mirror"
+# The cells in the track's axes bear the wheels' forces: areas from the corners, pressure along the normals, and the shear.
+for name in here full; do
+  vtp=$name/patches.vtp
+  [ "$(grep -o '<[A-Za-z]*[ >]' $vtp | grep -vc '<?')" -eq "$(grep -o '</[A-Za-z]*>' $vtp | wc -l)" ] || fail "$vtp: elements that do not end"
+  awk '/^<DataArray/ {name = match($0, /Name="[a-zA-Z_]*"/) ? substr($0, RSTART + 6, RLENGTH - 7) : "points"; k = 0; next} /^<\// {name = ""}
+    /^<Piece/ {split($0, part, "\""); points = part[2]; polys = part[10]} name == "" {next}
+    name == "points" {x[k] = $1; y[k] = $2; z[k++] = $3; ++np} name == "connectivity" {if ($1 != 4 * k || $4 != 4 * k + 3) exit bad = 1; ++k; ++nc} name == "pressure_MPa" {p[k++] = $1}
+    name == "shear_MPa" {sx[k] = $1; sy[k] = $2; sz[k++] = $3} name == "side" {side[k++] = $1}
+    END {if (bad || np != points || nc != polys || nc < 100) {print np, points, nc, polys; exit 1}
+      for (k = 0; k < nc; ++k) {i = 4 * k; ax = x[i + 1] - x[i]; ay = y[i + 1] - y[i]; az = z[i + 1] - z[i]; bx = x[i + 3] - x[i]; by = y[i + 3] - y[i]; bz = z[i + 3] - z[i]
+        nx = ay * bz - az * by; ny = az * bx - ax * bz; nz = ax * by - ay * bx; a = sqrt(nx ^ 2 + ny ^ 2 + nz ^ 2); s = nz < 0 ? -1 : 1; d = side[k]
+        fx[d] += 1e6 * (p[k] * s * nx + sx[k] * a); fy[d] += 1e6 * (p[k] * s * ny + sy[k] * a); fz[d] += 1e6 * (p[k] * s * nz + sz[k] * a)}
+      print fx[-1], fy[-1], fz[-1], fx[1], fy[1], fz[1]}' $vtp >forces || fail "$vtp: $(cat forces)"
+  column=0
+  for key in left_x_N left_y_N left_z_N right_x_N right_y_N right_z_N; do
+    column=$((column + 1))
+    near "$key of $vtp" "$(awk -v c=$column '{print $c}' forces)" "$(v $name $key)" 700
+  done
+done
 # Without friction nothing lies across but what the angle turns; stresses below a Hertzian patch are some 0.6 and 0.3 of the largest pressure, at a depth of a part of its width.
 means full 'for (key in v) free(key); for (k = 1; k <= 2; ++k) {s = k == 1 ? "left" : "right"; p = s "_1_"; is(p "fx_N", 0); is(p "fy_N", 0); is(p "mz_N_m", 0); is(p "wear_N", 0); is(p "friction", 0); is(p "shear_MPa", 0); is(s "_x_N", 0)
   for (b = 1; b <= 2; ++b) {body = b == 1 ? "rail" : "wheel"; is(p body "_von_mises_MPa", 0.6 * v[p "p_max_MPa"], 0.1); is(p body "_shear_MPa", 0.315 * v[p "p_max_MPa"], 0.08)
