@@ -62,19 +62,6 @@ std::string key_of(const ProfileFit& fit) {
   return key;
 }
 
-void add_form_options(tool::OptionParser& parser, const std::string& body, ProfileForm& form) {
-  parser.flag("--mirror-" + body, form.mirror,
-              body == "rail"
-                  ? "the file of the rail has its gauge side where its field side is expected"
-                  : "the file of the wheel has its flange on the other side");
-  parser.flag("--flip-" + body, form.flip,
-              "the heights of the " + body + " have the other sign than the one found");
-  parser.choice("--" + body + "-unit", form.unit, {found, "mm", "m", "in"},
-                "of plain columns of numbers; found from the width of the profile");
-  parser.text("--" + body + "-columns", form.columns,
-              "of plain columns of numbers, those of across and height, such as 2,3");
-}
-
 void add_place_options(tool::OptionParser& parser, const std::string& side, RailPlace& place) {
   const Range near{-0.1, 0.1};
   parser.quantity("--" + side + "-rail-shift", place.shift, units::length,
@@ -172,6 +159,29 @@ void flag_points(tool::Summary& answer, const std::vector<ProfileFit>& fits,
   }
 }
 
+void add_form_options(tool::OptionParser& parser, const std::string& body, ProfileForm& form) {
+  const std::string end = body.empty() ? "" : "-" + body, begin = body.empty() ? "" : body + "-";
+  parser.flag("--mirror" + end, form.mirror,
+              "the file's other side is the gauge side of a rail, or the flange's of a wheel");
+  parser.flag("--flip" + end, form.flip, "the heights have the other sign than the one found");
+  parser.choice("--" + begin + "unit", form.unit, {found, "mm", "m", "in"},
+                "of plain columns of numbers; found from the width of the profile");
+  parser.text("--" + begin + "columns", form.columns,
+              "of plain columns of numbers, those of across and height, such as 2,3");
+}
+
+void add_datum_options(tool::OptionParser& parser, PairOptions& options) {
+  parser.quantity("--datum", options.datum, units::length,
+                  "of the wheel profile's origin from the back of the flange; without it 70 mm, or "
+                  "what the file says or shows",
+                  Range{-1, 1});
+  parser.quantity(
+      "--noise", options.noise, units::length,
+      "rms distance of the measured points from the smoothed profile; without it from the "
+      "points' own scatter",
+      Range{0, 1e-3});
+}
+
 void add_profile_options(tool::OptionParser& parser, PairOptions& options) {
   const Range lengths{1e-3, 10};
   parser.file("--wheel", options.wheel,
@@ -189,15 +199,7 @@ void add_profile_options(tool::OptionParser& parser, PairOptions& options) {
                   "slope of the rails inwards, such as 1:40 or 0.025", Range{-0.2, 0.2});
   parser.quantity("--back-to-back", options.back_to_back, units::length,
                   "between the backs of the flanges", lengths);
-  parser.quantity("--datum", options.datum, units::length,
-                  "of the wheel profile's origin from the back of the flange; without it 70 mm, or "
-                  "what the file says or shows",
-                  Range{-1, 1});
-  parser.quantity(
-      "--noise", options.noise, units::length,
-      "rms distance of the measured points from the smoothed profile; without it from the "
-      "points' own scatter",
-      Range{0, 1e-3});
+  add_datum_options(parser, options);
 }
 
 void add_right_options(tool::OptionParser& parser, PairOptions& options) {

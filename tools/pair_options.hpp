@@ -45,6 +45,10 @@ struct PairOptions {
   RailPlace left_place, right_place;
 };
 
+// "--mirror-wheel" and its like for one body; of a nameless one "--mirror".
+void add_form_options(tool::OptionParser& parser, const std::string& body, ProfileForm& form);
+// --datum and --noise.
+void add_datum_options(tool::OptionParser& parser, PairOptions& options);
 void add_profile_options(tool::OptionParser& parser, PairOptions& options);
 // The options for a right side of its own.
 void add_right_options(tool::OptionParser& parser, PairOptions& options);

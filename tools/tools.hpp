@@ -42,6 +42,7 @@ tool::Tool measures_tool();
 }  // namespace quality_tool
 namespace wheelrail_tool {
 tool::Tool contact_tool();
+tool::Tool measure_tool();
 tool::Tool table_tool();
 }  // namespace wheelrail_tool
 namespace track_tool {

@@ -29,6 +29,8 @@ set_tests_properties("tool: wheelrail contact takes files" PROPERTIES PASS_REGUL
                      FAIL_REGULAR_EXPRESSION "gnuplot")
 add_test(NAME "tool: wheelrail table in parts" COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/wheelrail.sh ${bin})
 add_test(NAME "tool: profiles are read in each form of file" COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/profile_formats.sh ${bin})
+add_test(NAME "tool: wheelrail measure gives the gauges" COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/measure.sh ${bin})
+refuses(wheelrail "a rail without its crown" "the crown, -10 mm across, is not on the profile" measure ${CMAKE_CURRENT_SOURCE_DIR}/wheelrail/aside.csv --body rail)
 add_test(NAME "tool: wheelrail takes two sides that differ" COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/two_sides.sh ${bin})
 
 add_test(NAME "tool: wheelrail contact answers upright rails"
