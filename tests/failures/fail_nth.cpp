@@ -81,6 +81,15 @@ int open64(const char* name, int flags, ...) {
   static const auto call = real<int(const char*, int, ...)>("open64");
   return fails("open", EMFILE) ? -1 : call(name, flags, mode);
 }
+// What std::ifstream and std::ofstream call.
+std::FILE* fopen(const char* name, const char* mode) {
+  static const auto call = real<std::FILE*(const char*, const char*)>("fopen");
+  return fails("open", EMFILE) ? nullptr : call(name, mode);
+}
+std::FILE* fopen64(const char* name, const char* mode) {
+  static const auto call = real<std::FILE*(const char*, const char*)>("fopen64");
+  return fails("open", EMFILE) ? nullptr : call(name, mode);
+}
 int mkostemp(char* name, int flags) {
   static const auto call = real<int(char*, int)>("mkostemp");
   return fails("open", EMFILE) ? -1 : call(name, flags);

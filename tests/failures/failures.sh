@@ -8,7 +8,7 @@ trap 'rm -rf "$folder"' EXIT
 cd "$folder" || exit 1
 bad=0 runs=0
 fail() { echo "$FAIL_CALL: $*"; bad=1; }
-[ "$FAIL_CALL" = fork ] && figures=() || figures=(--no-figures) # only gnuplot is a process
+case $FAIL_CALL in fork | open) figures=() ;; *) figures=(--no-figures) ;; esac # gnuplot is a process and reads scripts
 "$railbook" psd synthesize track.csv --length 3km --seed 1 --roughness 5e-7m^2*cycle/m >/dev/null || exit 1
 "$railbook" psd synthesize later.csv --length 3km --seed 1 --roughness 5e-7m^2*cycle/m --noise 0.1mm >/dev/null || exit 1
 "$railbook" filters simulate --out sensors.csv --length 1000ft >/dev/null || exit 1

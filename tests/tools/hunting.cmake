@@ -123,12 +123,12 @@ foreach(case "45 cn 0.3 13\\.7[78].* 16\\.14.* 13\\.50.* 16\\.12.*21\\.7[34]"
         "50 new 0.15 11\\.4[67].* 11\\.73.* 11\\.3[67].* 11\\.78.*18\\.91")
   string(REGEX MATCH "^([0-9]+) ([a-z]+) ([0-9.]+) (.*)$" _ "${case}")
   says("cycle finds a stable one in time: ${CMAKE_MATCH_2}, ${CMAKE_MATCH_3}, ${CMAKE_MATCH_1} m/s"
-       "straight run at ${CMAKE_MATCH_1} m/s +unstable.*found in time.*${CMAKE_MATCH_4}.*; stable" cycle --pair ${CMAKE_MATCH_2}
+       "straight run at ${CMAKE_MATCH_1} m/s +unstable.*to a stable cycle.*found in time.*${CMAKE_MATCH_4}.*; stable" cycle --pair ${CMAKE_MATCH_2}
        --wheel-rail-friction ${CMAKE_MATCH_3} --speed ${CMAKE_MATCH_1}m/s --points 60)
 endforeach()
 says("cycle says where nothing stable was found" "WARNING: at 44 m/s the straight run and every cycle found are unstable.*derailed"
      cycle --pair cn --speed 44m/s)
-says("cycle says at which speeds nothing stable was found" "WARNING: from 42\\.[0-9]* to 45\\.[0-9]* m/s the straight run" cycle --pair cn)
+says("cycle says at which speeds nothing stable was found" "WARNING: from 42\\.[0-9]* to 45\\.[0-9]* m/s the straight run and every cycle found are unstable: the car does something else" cycle --pair cn)
 # The torus by a finer tail and finer multipliers: 42.307 m/s.
 says("cycle says how well a torus is known" "torus +42\\.3[01] [+]- 0\\.0[1-6] m/s" cycle --pair cn --largest-amplitude 12mm)
 refuses(hunting "cycle: a datum without a speed" "give --speed" cycle --against warp-stiffness)

@@ -105,6 +105,8 @@ void add_extent(tool::Summary& answer, const NamedBranch& named) {
   answer.add(named.key + "_extent", "  searched",
              fmt::format("{:.4f} to {:.4f} m/s, {:.4f} to {:.4f} mm", slow, fast,
                          small / millimetre, large / millimetre));
+  if (std::ranges::all_of(points, &LimitCycle::neutral))
+    answer.add(named.key + "_stability", "  stability", stability_text(points.front()));
 }
 
 }  // namespace railbook::hunting_tool

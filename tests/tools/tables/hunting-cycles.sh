@@ -70,6 +70,7 @@ done
 # shellcheck disable=SC2086 # options
 answers neutral cycle $cones --average 0mm --first-amplitude 0.2mm --largest-amplitude 1mm
 holds "cycles on cones" neutral/cycle.csv '{near($2, hopf, 1e-4); near($c["stable_mm"] == "nan" && $c["unstable_mm"] == "nan", 1, 0); near($c["unstable_multipliers"], 0, 0)} END {near(rows > 3, 1, 0)}' hopf="$(v neutral hopf_m_per_s)"
+grep -q '"branch_stability": "neutral: one of many at this speed"' neutral.json || fail "cycles on cones are not called neutral"
 # shellcheck disable=SC2086 # options
 answers neutral cycle $cones --average 0mm --first-amplitude 0.2mm --largest-amplitude 1mm --speed "$(awk -v h="$(v neutral hopf_m_per_s)" 'BEGIN {print h + 1}')m/s"
 near "cycles beside the cones' speed" "$(v neutral cycles)" 0 0
@@ -79,6 +80,11 @@ for k in 1 2; do
   said=$(sed -n "s/^  \"cycle_${k}_multiplier\": \"\([a-z].*\)\",\{0,1\}$/\1/p" stable.json)
   awk -v m="$(v stable cycle_${k}_multiplier)" -v said="$said" 'BEGIN {exit !(m <= 1 + 1e-4 ? said == "stable" : said ~ /^unstable, [1-9] multipliers outside$/)}' || fail "a cycle of multiplier $(v stable cycle_${k}_multiplier) is $said"
 done
+# Next to a fold the multiplier is 1 within its error, and the answer says so; farther away it does not.
+fold=$(grep -o '"branch_special_1_m_per_s": [0-9.]*' stable.json | head -1 | sed 's/.*: //')
+answers edge cycle --pair cn --speed "$(awk -v f="$fold" 'BEGIN {printf "%.10f", f + 1e-8}')m/s"
+grep -q 'Floquet multiplier is 1 within its error, and whether it is stable is not certain' edge.json || fail "a fold: $(grep multiplier edge.json)"
+grep -q 'is not certain' stable.json && fail "stability away from a fold is certain: $(grep certain stable.json)"
 # A search that reaches its number of points says so, with what it had; one that does not, does not.
 answers hasty cycle --suspension friction --wheel-rail-friction 0.3 --points 30
 { grep -q '"points": "the search was stopped after 30 points: branches end early' hasty.json && grep -q '"branch_points": "stopped before its end"' hasty.json; } || fail "points: $(grep -i stop hasty.json)"
