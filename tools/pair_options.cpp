@@ -9,6 +9,7 @@
 #include <map>
 
 #include <railbook/files/outside.hpp>
+#include <railbook/tool/batch.hpp>
 #include <railbook/units/constants.hpp>
 #include <railbook/units/input_error.hpp>
 #include <railbook/wheelset/wheelset_contact.hpp>
@@ -50,7 +51,8 @@ std::optional<double> unit_of(const std::string& name) {
 }
 
 bool differs(const ProfileForm& a, const ProfileForm& b) {
-  return a.mirror != b.mirror || a.flip != b.flip || a.unit != b.unit || a.columns != b.columns;
+  return a.mirror != b.mirror || a.flip != b.flip || a.unit != b.unit || a.columns != b.columns ||
+         a.section != b.section;
 }
 bool differs(const RailPlace& a, const RailPlace& b) {
   return a.shift != b.shift || a.lift != b.lift || a.roll != b.roll;
@@ -75,6 +77,34 @@ void add_place_options(tool::OptionParser& parser, const std::string& side, Rail
 
 }  // namespace
 
+std::vector<PairFiles> pairs_of(const PairOptions& options) {
+  const auto or_none = [](const auto& files) {
+    return files.empty() ? std::vector<std::filesystem::path>(1) : files;
+  };
+  std::vector<PairFiles> pairs;
+  for (const auto& wheel : or_none(options.wheels))
+    for (const auto& rail : or_none(options.rails)) pairs.push_back({wheel, rail});
+  return pairs;
+}
+
+void run_pairs(const std::vector<PairFiles>& pairs, const tool::Destination& out,
+               const std::string& name,
+               const std::function<tool::Summary(const PairFiles&)>& answer) {
+  tool::RecordFiles names;
+  std::map<std::filesystem::path, PairFiles> files;
+  for (const PairFiles& pair : pairs) {
+    const std::string both = pair.wheel.empty() ? pair.rail.string()
+                             : pair.rail.empty()
+                                 ? pair.wheel.string()
+                                 : pair.wheel.string() + " on " + pair.rail.string();
+    names.files.emplace_back(both);
+    files[both] = pair;
+  }
+  tool::run_batch(names, out, name, [&](const auto& both) {
+    return std::vector{tool::row_of(answer(files.at(both)))};
+  });
+}
+
 bool sides_differ(const PairOptions& o) {
   const RailPlace mirrored{-o.right_place.shift, o.right_place.lift, -o.right_place.roll};
   return !o.right_wheel.empty() || !o.right_rail.empty() || o.right_radius || o.right_cant ||
@@ -98,6 +128,7 @@ Curve read_profile(const PairOptions& options, const char* what, const std::file
   read.mirror = form.mirror, read.flip = form.flip;
   read.unit = unit_of(form.unit);
   read.columns = columns_of(form.columns, wheel ? "--wheel-columns" : "--rail-columns");
+  if (form.section > 0) read.section = form.section;
   fits.push_back({what});
   return profiles::read_profile(file, wheel ? Body::wheel : Body::rail, read, fits.back());
 }
@@ -168,6 +199,9 @@ void add_form_options(tool::OptionParser& parser, const std::string& body, Profi
                 "of plain columns of numbers; found from the width of the profile");
   parser.text("--" + begin + "columns", form.columns,
               "of plain columns of numbers, those of across and height, such as 2,3");
+  parser.count("--" + begin + "section", form.section,
+               "of a MiniProf file of several (.mpt), counted from 1; 0 where there is one", 0,
+               1000);
 }
 
 void add_datum_options(tool::OptionParser& parser, PairOptions& options) {
@@ -182,12 +216,19 @@ void add_datum_options(tool::OptionParser& parser, PairOptions& options) {
       Range{0, 1e-3});
 }
 
-void add_profile_options(tool::OptionParser& parser, PairOptions& options) {
+void add_profile_options(tool::OptionParser& parser, PairOptions& options, bool several) {
   const Range lengths{1e-3, 10};
-  parser.file("--wheel", options.wheel,
-              "wheel profile: MiniProf, Simpack, VAMPIRE, plain columns, or a table with "
-              "inward_mm and height_mm");
-  parser.file("--rail", options.rail, "rail profile, upright, in one of the same forms");
+  const std::string wheel =
+      "wheel profile: MiniProf, Simpack, VAMPIRE, plain columns, or a table with inward_mm and "
+      "height_mm";
+  const std::string rail = "rail profile, upright, in one of the same forms";
+  if (several) {
+    parser.files("--wheel", options.wheels, wheel + "; of several each is set on each rail");
+    parser.files("--rail", options.rails, rail);
+  } else {
+    parser.file("--wheel", options.wheel, wheel);
+    parser.file("--rail", options.rail, rail);
+  }
   add_form_options(parser, "wheel", options.wheel_form);
   add_form_options(parser, "rail", options.rail_form);
   parser.quantity("--gauge", options.gauge, units::length, "between the gauge faces of the rails",

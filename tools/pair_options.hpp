@@ -25,6 +25,7 @@ struct ProfileForm {
   bool mirror = false, flip = false;
   std::string unit = "found";
   std::string columns = "found";  // "2,3"
+  long section = 0;               // 0: the only one
 };
 
 // How a rail lies off its place on the track [m, rad].
@@ -36,8 +37,9 @@ enum class Side { left, right };
 
 // SI, with the European places.
 struct PairOptions {
-  std::filesystem::path wheel, rail;              // of both sides, or of the left one
-  std::filesystem::path right_wheel, right_rail;  // where they are not the left ones
+  std::filesystem::path wheel, rail;                 // of both sides, or of the left one
+  std::vector<std::filesystem::path> wheels, rails;  // of which they are one, see answer_pairs()
+  std::filesystem::path right_wheel, right_rail;     // where they are not the left ones
   double gauge = 1.435, gauge_depth = 0.014, cant = 0.025, back_to_back = 1.360, radius = 0.460;
   std::optional<double> datum, right_radius, right_cant, noise;
   double smoothing = 1;  // times the one that noise or scatter asks for
@@ -49,9 +51,37 @@ struct PairOptions {
 void add_form_options(tool::OptionParser& parser, const std::string& body, ProfileForm& form);
 // --datum and --noise.
 void add_datum_options(tool::OptionParser& parser, PairOptions& options);
-void add_profile_options(tool::OptionParser& parser, PairOptions& options);
+// `several`: --wheel and --rail take several files, for answer_pairs().
+void add_profile_options(tool::OptionParser& parser, PairOptions& options, bool several = false);
 // The options for a right side of its own.
 void add_right_options(tool::OptionParser& parser, PairOptions& options);
+
+struct PairFiles {
+  std::filesystem::path wheel, rail;
+};
+// Each wheel on each rail, at least one pair.
+std::vector<PairFiles> pairs_of(const PairOptions& options);
+// A row a pair, as run_batch().
+void run_pairs(const std::vector<PairFiles>& pairs, const tool::Destination& out,
+               const std::string& name,
+               const std::function<tool::Summary(const PairFiles&)>& answer);
+// Answers several pairs in rows, `answer` taking the options of one. False for one pair, which then
+// stands in `options`.
+template <class Options, class Answer>
+bool answer_pairs(Options& options, const std::string& name, const Answer& answer) {
+  const std::vector<PairFiles> pairs = pairs_of(options);
+  const auto of = [&](const PairFiles& files) {
+    Options one = options;
+    one.wheel = files.wheel, one.rail = files.rail;
+    return one;
+  };
+  if (pairs.size() == 1) {
+    options = of(pairs.front());
+    return false;
+  }
+  run_pairs(pairs, options.out, name, [&](const PairFiles& files) { return answer(of(files)); });
+  return true;
+}
 
 // Whether the right side has another wheel, rail, radius or place than the left one.
 bool sides_differ(const PairOptions& options);

@@ -189,6 +189,10 @@ void place_wheel(FieldProfile& read) {
 std::optional<FieldProfile> parse_field_profile(std::string_view text, Body body,
                                                 const FieldOptions& options) {
   using namespace detail;
+  if (options.section.value_or(1) > 1 && !contains(text, "points]"))
+    throw InputError(fmt::format(
+        "section {} is asked for, and the file has none; allowed: a MiniProf file of sections",
+        *options.section));
   const std::vector<Line> lines = lines_of(text);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const std::string_view line = lines[i].text;
@@ -204,7 +208,7 @@ std::optional<FieldProfile> parse_field_profile(std::string_view text, Body body
           lines[i].number, contains(text, "TH_OFFSET") ? "round a wheel" : "along a rail"));
     if (contains(line, "miniprof") || contains(line, "[fileinfo]") ||
         (setting_of(line) && std::isalpha(static_cast<unsigned char>(line.front())) != 0))
-      return read_miniprof(lines, body);
+      return read_miniprof(lines, body, options);
     if (contains(line, "inward") && !line.starts_with('#')) return std::nullopt;
     if (const auto numbers = numbers_of(without_comment(line)); numbers && numbers->size() > 1)
       break;

@@ -30,14 +30,15 @@ struct FieldProfile {
 
 // What a file does not say, where its user knows.
 struct FieldOptions {
-  std::optional<double> unit;                         // of the numbers of plain columns [m]
-  std::optional<std::array<std::size_t, 2>> columns;  // across and height, from 0
+  std::optional<double> unit = {};                         // of the numbers of plain columns [m]
+  std::optional<std::array<std::size_t, 2>> columns = {};  // across and height, from 0
+  std::optional<long> section = {};                        // of a MiniProf file of several, from 1
 };
 
 // Nothing where the text is none of the formats: a table whose header names inward and height, or
 // text without points. Throws InputError for a file of a known format that cannot be used: several
-// sections, slices along a rail or round a wheel, a wheel's file given as a rail, a damaged number
-// among the points, no points.
+// sections of which none is chosen, slices along a rail or round a wheel, a wheel's file given as a
+// rail, a damaged number among the points, no points.
 std::optional<FieldProfile> parse_field_profile(std::string_view text, Body body,
                                                 const FieldOptions& options = {});
 

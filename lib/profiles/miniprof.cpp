@@ -35,22 +35,24 @@ std::optional<std::size_t> column(std::string_view definition, char name) {
 
 }  // namespace
 
-FieldProfile read_miniprof(const std::vector<Line>& lines, Body body) {
+FieldProfile read_miniprof(const std::vector<Line>& lines, Body body, const FieldOptions& options) {
   FieldProfile read;
   read.format = "MiniProf";
   std::string_view definition = "X,Y";
   bool old = false, sections = false, in_points = false, keys = false;
-  int section = 0;
+  long section = 0;
   for (const Line& line : lines) {
     const bool first = contains(line.text.substr(0, 8), "miniprof");
     if (contains(line.text.substr(0, 40), "#mini") || (first && line.number == 1)) old = true;
     if (line.text.starts_with('[')) {
       sections = true;
       in_points = contains(line.text, "points]");
-      if (in_points && ++section > 1)
+      if (in_points && ++section > 1 && !options.section)
         throw InputError(fmt::format(
-            "line {}: a second section of a MiniProf file; allowed: one section, that of the {}",
+            "line {}: a second section of a MiniProf file; allowed: one section, or the number of "
+            "that of the {}, see --section, --wheel-section and --rail-section",
             line.number, body == Body::wheel ? "wheel" : "running rail"));
+      in_points = in_points && section == options.section.value_or(1);
       continue;
     }
     if (const auto setting = setting_of(line.text)) {
@@ -80,7 +82,11 @@ FieldProfile read_miniprof(const std::vector<Line>& lines, Body body) {
     const double across = numbers[*x], up = numbers[*y];
     read.points.push_back(body == Body::wheel ? Point{-across, -up} : Point{across, up});
   }
-  if (read.points.empty()) throw InputError("a MiniProf file without points");
+  if (read.points.empty())
+    throw InputError(options.section && sections
+                         ? fmt::format("section {} of a MiniProf file; allowed: from 1 to {}",
+                                       *options.section, section)
+                         : "a MiniProf file without points");
   const auto [outer, inner] = std::ranges::minmax_element(read.points, {}, &Point::u);
   const auto unit = unit_of(inner->u - outer->u).value_or(Unit{"millimetres", units::millimetre});
   if (unit.metre != units::millimetre) read.format += fmt::format(", {} by their width", unit.name);

@@ -136,16 +136,19 @@ Tally tally(const std::vector<Answer>& answers, std::string_view status) {
   return t;
 }
 
-// "class 5, A_m2_cycle_per_m 2e-07": the numbers of a row but for those that say where it is and
-// how much of it was read.
+// "class 5, A_m2_cycle_per_m 2e-07": the first numbers of a row but for those that say where it is
+// and how much of it was read.
 std::string numbers_of(const Json& row) {
   static const std::set<std::string> aside{"from_m",  "to_m",    "spacing_m", "samples",
                                            "missing", "bridged", "faulty"};
+  constexpr int most = 40;
   std::string text;
+  int count = 0;
   for (const auto& item : row.items())
-    if (item.value().is_number() && !aside.contains(item.key()))
+    if (item.value().is_number() && !aside.contains(item.key()) && ++count <= most)
       text += fmt::format("{}{} {:.4g}", text.empty() ? "" : ", ", item.key(),
                           item.value().get<double>());
+  if (count > most) text += fmt::format(", and {} more", count - most);
   return text;
 }
 
@@ -196,6 +199,24 @@ bool RecordFiles::many() const {
 const std::filesystem::path& RecordFiles::only() const {
   if (files.empty()) throw InputError{"there is no record; allowed: a file, or --manifest"};
   return files.front();
+}
+
+Row row_of(const Summary& answer) {
+  const Json json = Json::parse(answer.json());
+  Row row;
+  for (const auto& item : json.at("values").items()) {
+    const Json& value = item.value();
+    if (value.is_string())
+      row.add(item.key(), value.get<std::string>());
+    else
+      row.add(item.key(), value.is_number() ? value.get<double>() : units::nan);
+    if (const Json& errors = json.at("errors"); errors.contains(item.key())) {
+      const Json& error = errors.at(item.key());
+      row.add(item.key() + "_error", error.is_number() ? error.get<double>() : units::nan);
+    }
+  }
+  for (const auto& item : json.at("warnings").items()) row.warn(item.key());
+  return row;
 }
 
 void run_batch(const RecordFiles& given, const Destination& out, const std::string& name,

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include <railbook/tool/options.hpp>
+#include <railbook/tool/summary.hpp>
 
 namespace railbook::tool {
 
@@ -37,6 +38,9 @@ class Row {
  private:
   std::vector<Cell> cells_;
 };
+
+// An answer as a row: its numbers and texts by their keys, errors as KEY_error, and its warnings.
+Row row_of(const Summary& answer);
 
 using RecordRows = std::function<std::vector<Row>(const std::filesystem::path& record)>;
 

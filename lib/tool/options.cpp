@@ -137,6 +137,17 @@ void OptionParser::file(const std::string& name, std::filesystem::path& value,
   last_ = app_->add_option(name, value, help)->type_name("FILE");
 }
 
+void OptionParser::files(const std::string& name, std::vector<std::filesystem::path>& values,
+                         const std::string& help) {
+  last_ = app_->add_option_function<std::vector<std::string>>(
+                  name,
+                  [&values](const std::vector<std::string>& texts) {
+                    values.assign(texts.begin(), texts.end());
+                  },
+                  help)
+              ->type_name("FILE ...");
+}
+
 void OptionParser::toml(const std::string& name, const std::string& help) {
   last_ = app_->add_option(name, help)->type_name(toml_type);
 }

@@ -73,6 +73,9 @@ class OptionParser {
   // "record ..." and --manifest.
   void records(RecordFiles& records);
   void file(const std::string& name, std::filesystem::path& value, const std::string& help);
+  // "--wheel a.whl b.whl".
+  void files(const std::string& name, std::vector<std::filesystem::path>& values,
+             const std::string& help);
   // A further file of options, after --config: "--car freight.toml".
   void toml(const std::string& name, const std::string& help);
   void flag(const std::string& name, bool& value, const std::string& help);

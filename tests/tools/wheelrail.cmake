@@ -31,6 +31,7 @@ add_test(NAME "tool: wheelrail table in parts" COMMAND ${CMAKE_CURRENT_SOURCE_DI
 add_test(NAME "tool: profiles are read in each form of file" COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/profile_formats.sh ${bin})
 add_test(NAME "tool: wheelrail measure gives the gauges" COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/measure.sh ${bin})
 refuses(wheelrail "a rail without its crown" "the crown, -10 mm across, is not on the profile" measure ${CMAKE_CURRENT_SOURCE_DIR}/wheelrail/aside.csv --body rail)
+add_test(NAME "tool: several wheels on several rails are answered in rows" COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/pairs.sh ${bin})
 add_test(NAME "tool: wheelrail takes two sides that differ" COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/two_sides.sh ${bin})
 
 add_test(NAME "tool: wheelrail contact answers upright rails"

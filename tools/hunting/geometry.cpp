@@ -21,6 +21,7 @@ against amplitude to `conicity.csv`, the places of two-point contact to `jumps.c
 #include <memory>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include <railbook/table/csv.hpp>
 #include <railbook/tool/digits.hpp>
@@ -201,24 +202,28 @@ void add_standard(tool::Summary& answer, const ConstraintFunctions& f) {
              "1/mm", "Polach: (conicity at 4 mm less that at 2 mm)/2 mm");
 }
 
-void run(Options options) {
-  const bool standard = options.standard == "en-15302";
-  if (standard && options.average > 0)
-    throw InputError("average: EN 15302 takes no running mean; leave --average out");
-  options.level = options.level || standard;
-  tool::OutFolder out(options.out, {"wheelset.csv", "conicity.csv", "jumps.csv", "contacts.csv",
-                                    "wheelset.json", "wheelset.png"});
-  const ReadPair read = read_pair(options);
-  const WheelsetOnTrack& pair = read.pair;
-  const std::vector<ProfileFit>& fits = read.fits;
-  const ConstraintFunctions f = table_of(pair, options);
+// One wheelset, and what its answer is made of.
+struct Solved {
+  ReadPair read;
+  ConstraintFunctions functions;
+  std::vector<ContactJump> jumps;
+};
+Solved solve(const Options& options) {
+  ReadPair read = read_pair(options);
+  ConstraintFunctions functions = table_of(read.pair, options);
+  auto jumps = contact_jumps(read.pair, -options.end, options.end, smallest_jump);
+  return {std::move(read), std::move(functions), std::move(jumps)};
+}
+
+tool::Summary answer_of(const Options& options, const Solved& solved) {
+  const auto& [read, f, jumps] = solved;
   tool::Summary answer("Wheelset on rails");
-  describe_pair(answer, options, fits);
-  flag_points(answer, fits, [&](const ProfileFit& fit, const PointsWarning& warning) {
-    return stands_on(options, pair, fit, warning);
+  describe_pair(answer, options, read.fits);
+  flag_points(answer, read.fits, [&](const ProfileFit& fit, const PointsWarning& warning) {
+    return stands_on(options, solved.read.pair, fit, warning);
   });
-  flag_geometry(answer, options, fits);
-  const auto centred = pair.contact(0);
+  flag_geometry(answer, options, read.fits);
+  const auto centred = read.pair.contact(0);
   answer.add("contact_mm", "centred contact, from the middle", -centred.left.on_rail.u / millimetre,
              "mm");
   answer.add("delta_rad", "its angle to the axle", centred.left.delta, "rad");
@@ -227,9 +232,8 @@ void run(Options options) {
              "over the table's first step");
   answer.add("slope_D", "slope of D", f.half_spacing * f.D.slope(0), "rad");
   answer.add("slope_Phi", "slope of the roll angle", f.half_spacing * f.Phi.slope(0), "rad");
-  if (standard) add_standard(answer, f);
+  if (options.standard == "en-15302") add_standard(answer, f);
   add_conicity(answer, options, f);
-  const auto jumps = contact_jumps(pair, -options.end, options.end, smallest_jump);
   answer.add(
       "jumps", "two-point contacts", double(jumps.size()), "",
       fmt::format("the left wheel's, jumps of more than {:.1f} mm", smallest_jump / millimetre));
@@ -237,15 +241,30 @@ void run(Options options) {
     answer.add(fmt::format("jump_{}_mm", i + 1), "  at", jumps[i].x / millimetre, "mm",
                fmt::format("contact angle {} to {} rad", tool::to_text(jumps[i].before.delta),
                            tool::to_text(jumps[i].after.delta)));
+  return answer;
+}
+
+void run(Options options) {
+  const bool standard = options.standard == "en-15302";
+  if (standard && options.average > 0)
+    throw InputError("average: EN 15302 takes no running mean; leave --average out");
+  options.level = options.level || standard;
+  if (tools::answer_pairs(options, "geometry",
+                          [](const Options& one) { return answer_of(one, solve(one)); }))
+    return;
+  tool::OutFolder out(options.out, {"wheelset.csv", "conicity.csv", "jumps.csv", "contacts.csv",
+                                    "wheelset.json", "wheelset.png"});
+  const Solved solved = solve(options);
+  const tool::Summary answer = answer_of(options, solved);
   answer.print();
-  if (out) write_files(out, options, pair, f, jumps, answer);
+  if (out) write_files(out, options, solved.read.pair, solved.functions, solved.jumps, answer);
   out.commit();
 }
 
 std::function<void()> declare(tool::OptionParser& parser) {
   const auto options = std::make_shared<Options>();
   options->average = 0;
-  add_pair_options(parser, *options);
+  add_pair_options(parser, *options, true);
   tools::add_right_options(parser, *options);
   parser.flag("--level", options->level,
               "keep the axle from rolling, as EN 15302 does for the conicity");
@@ -259,7 +278,9 @@ std::function<void()> declare(tool::OptionParser& parser) {
       "of the radii over half the spacing, D half the difference of the angles. contacts.csv: "
       "where wheel and rail touch, outward from the middle of the axle and of the track. "
       "jumps.csv: "
-      "the left wheel's angle and radius before and after, as it goes to the left.");
+      "the left wheel's angle and radius before and after, as it goes to the left. Of several "
+      "wheels "
+      "or rails: geometry-table.csv and .jsonl, a row a pair.");
   return [options] { run(*options); };
 }
 

@@ -182,12 +182,12 @@ ConstraintFunctions table_of(const WheelsetOnTrack& pair, const PairOptions& opt
                          .level = options.level});
 }
 
-void add_pair_options(tool::OptionParser& parser, PairOptions& options) {
+void add_pair_options(tool::OptionParser& parser, PairOptions& options, bool several) {
   using tool::Range;
   const Range lengths{1e-3, 10};
   parser.choice("--pair", options.pair, {"new", "cn", "heumann"},
                 "a pair of the paper, reconstructed; used when no files are given");
-  tools::add_profile_options(parser, options);
+  tools::add_profile_options(parser, options, several);
   parser.quantity("--radius", options.radius, units::length,
                   "rolling radius of the centred wheelset", Range{0.05, 5});
   parser.quantity("--half-spacing", options.half_spacing, units::length,

@@ -37,7 +37,7 @@ struct PairOptions : tools::PairOptions {
   }
 };
 
-void add_pair_options(tool::OptionParser& parser, PairOptions& options);
+void add_pair_options(tool::OptionParser& parser, PairOptions& options, bool several = false);
 
 // Whether profiles come from files.
 bool from_files(const PairOptions& options);

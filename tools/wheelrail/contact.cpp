@@ -249,14 +249,21 @@ void add_model_errors(tool::Summary& answer) {
   }
 }
 
-void run(const Options& options) {
-  tool::OutFolder out(
-      options.out, {"patches.csv", "patches.vtp", "wheelset-contact.json", "wheelset-contact.png"});
-  const ReadPair read = read_pair(options);
-  const auto& fits = read.fits;
-  const WheelsetResult r = solve(options, read);
+WheelsetResult solved(const Options& options, const ReadPair& read) {
+  WheelsetResult r = solve(options, read);
   if (!r.converged) throw std::runtime_error(fmt::format("no answer: {}", r.reason));
+  return r;
+}
+
+std::array<Side, 2> sides_of(const Options& options, const WheelsetResult& r) {
+  return {Side("left", -1, r.left, options_of(options)),
+          Side("right", 1, r.right, options_of(options))};
+}
+
+tool::Summary answer_of(const Options& options, const ReadPair& read, const WheelsetResult& r,
+                        const std::array<Side, 2>& sides) {
   tool::Summary answer("Wheelset on its rails");
+  const auto& fits = read.fits;
   describe_pair(answer, options, fits);
   tools::flag_points(answer, fits, [&](const auto& fit, const auto& warning) {
     return sides_on(options, r, fit, warning);
@@ -274,8 +281,6 @@ void run(const Options& options) {
   add_nadal("nadal_limit", "Nadal's limit of Y/Q", read.left);
   if (!options.right_wheel.empty())
     add_nadal("right_nadal_limit", "  of the right wheel", read.right);
-  const std::array<Side, 2> sides{Side("left", -1, r.left, options_of(options)),
-                                  Side("right", 1, r.right, options_of(options))};
   std::array<std::vector<ProfileError>, 2> errors;
   if (!fits.empty()) {
     const ReadPair half = half_as_smooth(options);
@@ -286,6 +291,22 @@ void run(const Options& options) {
       place_errors(read.left, mirrored(r.pose), r.left), place_errors(read.right, r.pose, r.right)};
   for (std::size_t k = 0; k < sides.size(); ++k) add_wheel(answer, sides[k], errors[k], places[k]);
   if (options_of(options).method == Method::full) add_model_errors(answer);
+  return answer;
+}
+
+void run(Options options) {
+  if (tools::answer_pairs(options, "contact", [](const Options& one) {
+        const ReadPair read = read_pair(one);
+        const WheelsetResult r = solved(one, read);
+        return answer_of(one, read, r, sides_of(one, r));
+      }))
+    return;
+  tool::OutFolder out(
+      options.out, {"patches.csv", "patches.vtp", "wheelset-contact.json", "wheelset-contact.png"});
+  const ReadPair read = read_pair(options);
+  const WheelsetResult r = solved(options, read);
+  const auto sides = sides_of(options, r);
+  const tool::Summary answer = answer_of(options, read, r, sides);
   answer.print();
   if (out) {
     out.add("patches.csv", cells_csv(sides));
@@ -298,7 +319,7 @@ void run(const Options& options) {
 
 std::function<void()> declare(tool::OptionParser& parser) {
   const auto options = std::make_shared<Options>();
-  add_pair_options(parser, *options);
+  add_pair_options(parser, *options, true);
   parser.quantity("--shift", options->shift, units::length, "of the wheelset to the right",
                   tool::Range{-0.05, 0.05});
   parser.quantity("--yaw", options->yaw, units::angle, "front to the right",
@@ -322,7 +343,8 @@ std::function<void()> declare(tool::OptionParser& parser) {
       "positive as the bodies press, shear_x_MPa and shear_y_MPa on the rail in the same "
       "directions, stick 1 where the wheel does not slide, rail_von_mises_MPa the largest below "
       "the cell; patches.vtp is the same in the track's axes for ParaView; wheelset-contact.json "
-      "has the answer with its errors.\n\nExample: railbook "
+      "has the answer with its errors. Of several wheels or rails DIR/contact-table.csv and .jsonl "
+      "have a row a pair.\n\nExample: railbook "
       "wheelrail contact --shift 4mm --yaw 5mrad --load 50kN --speed "
       "30m/s");
   return [options] { run(*options); };

@@ -126,9 +126,9 @@ WheelInput wheel_input(const PairOptions& options) {
   return w;
 }
 
-void add_pair_options(tool::OptionParser& parser, PairOptions& options) {
+void add_pair_options(tool::OptionParser& parser, PairOptions& options, bool several) {
   const Range moduli{1, 1e15}, ratios{0, 0.5};
-  tools::add_profile_options(parser, options);
+  tools::add_profile_options(parser, options, several);
   tools::add_right_options(parser, options);
   parser.choice("--head", options.head, {"60E1", "60E1-benchmark"},
                 "rail without a file (a wheel without one is S1002): of the drawing, or of the "

@@ -20,7 +20,7 @@ struct PairOptions : tools::PairOptions {
   wheel_contact::WheelInput wheel_input;
 };
 
-void add_pair_options(tool::OptionParser& parser, PairOptions& options);
+void add_pair_options(tool::OptionParser& parser, PairOptions& options, bool several = false);
 // Both sides as right ones: the left one in the mirror.
 struct ReadPair {
   wheel_contact::ProfilePair left, right;

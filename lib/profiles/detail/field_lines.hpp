@@ -43,7 +43,7 @@ double number_of(const Setting& setting, const Line& line);
 
 [[noreturn]] void refuse_line(const Line& line, const char* format);
 
-FieldProfile read_miniprof(const std::vector<Line>& lines, Body body);
+FieldProfile read_miniprof(const std::vector<Line>& lines, Body body, const FieldOptions& options);
 FieldProfile read_simpack(const std::vector<Line>& lines, Body body);
 FieldProfile read_vampire(const std::vector<Line>& lines, Body body);
 std::optional<FieldProfile> read_plain(const std::vector<Line>& lines, Body body,

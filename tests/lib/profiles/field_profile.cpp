@@ -100,6 +100,26 @@ TEST_CASE("MiniProf's files are read with their signs and columns") {
                  rail());
 }
 
+TEST_CASE("of a MiniProf file of sections the one that is asked for is read") {
+  const auto part = [](int number, const std::vector<Point>& points) {
+    return fmt::format("[Profile{0}Info]\nMPD1=L\n[Profile{0}Points]\n", number) +
+           rows(points, millimetre, miniprof_rail);
+  };
+  std::vector<Point> lower = rail();
+  for (Point& p : lower) p.z -= 0.001;
+  const std::string text = "[FileInfo]\nDate=1\n" + part(1, lower) + part(2, rail());
+  const auto section = [&](long number) {
+    return parse_field_profile(text, Body::rail, {.section = number});
+  };
+  require_points(*section(1), lower);
+  require_points(*section(2), rail());
+  REQUIRE_THROWS_AS(section(3), InputError);
+  REQUIRE_THROWS_AS(parse_field_profile(text, Body::rail), InputError);
+  REQUIRE_THROWS_AS(
+      parse_field_profile(rows(rail(), millimetre, miniprof_rail), Body::rail, {.section = 2}),
+      InputError);
+}
+
 TEST_CASE("the gauges in an old MiniProf header are no point, and are listed") {
   const auto read = parse(old_header + rows(wheel(), millimetre, miniprof_wheel), Body::wheel);
   require_points(read, wheel());
